@@ -4,6 +4,7 @@ pub use crate::error::{finite, require};
 pub use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 pub use crate::phase::integer_parts;
 pub use crate::su2::quotient;
+pub use crate::table::Ticks;
 pub use crate::top::ScaledTop;
 
 use crate::constants::{BranchPoints, FirstIntegrals};

@@ -56,8 +56,7 @@ pub use stepper::Stepper;
 pub use su2::Orientation;
 pub use table::{
     Baked, BakedError, Clock, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory,
-    EphemerisScalar, EphemerisStorage, EphemerisView, ErrorBound, Pose, ReadyEphemeris, Sample, Sampler,
-    SetUp, SetUpError, Tick, TipClock, TurningPoint,
+    EphemerisScalar, EphemerisView, ErrorBound, Pose, ReadyEphemeris, Sample, SetUp, SetUpError, Tick,
 };
 #[cfg(feature = "fixed")]
 pub use table::{EphemerisQ15, EphemerisQ31};
@@ -75,10 +74,10 @@ mod tests {
     #[test]
     fn an_interrupt_may_hold_everything() {
         fn held<T: Send + Sync>() {}
-        held::<(Top, State, Motion, Stepper<f32>, Stepper<f64>, Cursor, Tick, Phase)>();
+        held::<(Top, State, Motion, Stepper<f32>, Stepper<f64>, Tick, Phase)>();
         held::<(EphemerisF32, EphemerisF64, SetUpError, ParameterError, ErrorBound)>();
         held::<(Orientation<f32>, AttitudeState<f32>, Event, Level)>();
-        held::<Sampler<'static, f32>>();
+        held::<(Cursor<&'static EphemerisView<f32>>, Cursor<ReadyEphemeris<'static, f32>>)>();
         #[cfg(feature = "fixed")]
         held::<(EphemerisQ31, EphemerisQ15)>();
     }

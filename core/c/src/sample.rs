@@ -4,7 +4,8 @@ use crate::memory::{Kept, keep, kept, write};
 use crate::status::{Refusal, toytop_status};
 use crate::table::{Table, Tabulated, toytop_error_bounds, view};
 use crate::toytop_state;
-use toytop::{Complex, Cursor, EphemerisScalar, ErrorBound, ParameterError, Sample};
+use toytop::internal::Ticks;
+use toytop::{Complex, EphemerisScalar, ParameterError, Sample};
 
 /// Bytes of a cursor.
 pub const TOYTOP_EPHEMERIS_CURSOR_SIZE: usize = 64;
@@ -47,7 +48,7 @@ const _: () = assert!(
 /// Cursor with the identity of its table.
 struct CursorOf {
     table: u32,
-    cursor: Cursor,
+    ticks: Ticks,
 }
 
 impl Kept for CursorOf {
@@ -156,7 +157,7 @@ pub(crate) unsafe fn cursor<R: Tabulated>(
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
         let table = view::<R>(table)?;
-        keep(place, CursorOf { table: table.identity, cursor: table.view.cursor(first) })
+        keep(place, CursorOf { table: table.identity, ticks: Ticks::new(table.view.clock(), first) })
     }
 }
 
@@ -174,7 +175,7 @@ unsafe fn advance<R: Tabulated>(
     if of.table != table.identity {
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
     }
-    take(&table, of.cursor.next(table.view))?;
+    take(&table, of.ticks.next(table.view))?;
     // SAFETY: see above.
     unsafe { keep(place, of) }
 }
@@ -215,7 +216,7 @@ pub unsafe extern "C" fn toytop_ephemeris_cursor_tick(
     tick: *mut i64,
 ) -> toytop_status {
     // SAFETY: the caller guarantees valid pointers.
-    unsafe { kept(place).and_then(|of: CursorOf| write(tick, of.cursor.tick())) }.into()
+    unsafe { kept(place).and_then(|of: CursorOf| write(tick, of.ticks.tick())) }.into()
 }
 
 /// Next turning point.
@@ -228,10 +229,11 @@ pub(crate) unsafe fn turning_point<R: Tabulated>(
     place: *mut toytop_turning_point,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
-    let found =
-        unsafe { view::<R>(table)? }.view.next_turning_point(tick).ok_or(toytop_status::TOYTOP_NONE)?;
+    let mut events = unsafe { view::<R>(table)? }.view.turning_points(tick);
+    let event = events.next().ok_or(toytop_status::TOYTOP_NONE)?;
+    let tick = event.tick + i64::from(event.share > 0.0);
     // SAFETY: see above.
-    unsafe { write(place, toytop_turning_point { tick: found.tick, upper: found.upper.into() }) }
+    unsafe { write(place, toytop_turning_point { tick, upper: event.upward.into() }) }
 }
 
 /// Tip angle of a sample, rad.
@@ -262,23 +264,20 @@ pub(crate) unsafe fn state<R: Tabulated>(
     unsafe { write(place, toytop_state::of(&state)) }
 }
 
-/// Error bounds of a table.
+/// Error bounds of a table at a tick.
 ///
 /// # Safety
 /// As for [`at_tick`].
 pub(crate) unsafe fn error_bounds<R: Tabulated>(
     table: *const u8,
+    tick: i64,
     place: *mut toytop_error_bounds,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
     let table = unsafe { view::<R>(table)? }.view;
-    let [orientation, rate] = [table.error_bound(), table.rate_error_bound()];
-    let ErrorBound { constant, per_tick } = orientation;
     let bounds = toytop_error_bounds {
-        orientation: constant,
-        orientation_per_tick: per_tick,
-        rate: rate.constant,
-        rate_per_tick: rate.per_tick,
+        orientation: table.error_bound_at(tick),
+        rate: table.rate_error_bound_at(tick),
     };
     // SAFETY: see above.
     unsafe { write(place, bounds) }

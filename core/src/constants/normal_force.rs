@@ -15,22 +15,51 @@ const NOISE: f64 = 1e-20;
 
 /// Least N over u in [e₁, e₂], in units of the weight. `spread` is A/(ps) = e₄² - 1.
 pub(crate) fn minimum(e: &BranchPoints<Extended>, spread: Extended) -> f64 {
-    let e4 = (Extended::ONE + spread).sqrt();
-    let e4_minus_one = spread / (Extended::ONE + e4);
-    let e4_minus_e2 = e4_minus_one + e.one_minus_e2;
-    let upper = (e4_minus_one + e.one_minus_e1()) * e4_minus_e2 * (e4_minus_one - e.e3_minus_one);
+    let Poles { e4, e4_minus_one, upper, lower } = Poles::new(e, spread);
     if upper > Extended::ZERO {
-        let lower = (e4_minus_one + e.one_plus_e1)
-            * (e4_minus_one + e.one_plus_e2())
-            * (e4_minus_one + e.one_plus_e3());
         let (upper, lower) = (cube_root(upper), cube_root(lower));
         // e₄ - u at the minimum is 2 e₄ ∛F₊/(∛F₊ + ∛F₋)
-        if e4.doubled() * upper > e4_minus_e2 * (upper + lower) {
+        if e4.doubled() * upper > (e4_minus_one + e.one_minus_e2) * (upper + lower) {
             let root = (upper + lower) / e4.doubled();
             return (root.squared() * root).to_f64();
         }
     }
     at_e2(e, spread)
+}
+
+/// 1 - u and 1 + u where N is 0, which is where (e₄ - u)/(e₄ + u) = √(-F₊/F₋); `None` if u does not rise through it.
+pub(crate) fn zero(e: &BranchPoints<Extended>, spread: Extended) -> Option<[Extended; 2]> {
+    let Poles { e4, e4_minus_one, upper, lower } = Poles::new(e, spread);
+    if upper >= Extended::ZERO {
+        return None;
+    }
+    let ratio = (-upper / lower).sqrt();
+    let e4_plus_one = Extended::ONE + e4;
+    let one_minus_u = (ratio * e4_plus_one - e4_minus_one) / (Extended::ONE + ratio);
+    let one_plus_u = (e4_plus_one - ratio * e4_minus_one) / (Extended::ONE + ratio);
+    (one_minus_u > e.one_minus_e2 && one_plus_u > e.one_plus_e1).then_some([one_minus_u, one_plus_u])
+}
+
+/// Poles ±e₄ of N and their coefficients: F₊ = `upper` and F₋ = `lower` > 0.
+struct Poles {
+    e4: Extended,
+    e4_minus_one: Extended,
+    upper: Extended,
+    lower: Extended,
+}
+
+impl Poles {
+    fn new(e: &BranchPoints<Extended>, spread: Extended) -> Self {
+        let e4 = (Extended::ONE + spread).sqrt();
+        let e4_minus_one = spread / (Extended::ONE + e4);
+        let upper = (e4_minus_one + e.one_minus_e1())
+            * (e4_minus_one + e.one_minus_e2)
+            * (e4_minus_one - e.e3_minus_one);
+        let lower = (e4_minus_one + e.one_plus_e1)
+            * (e4_minus_one + e.one_plus_e2())
+            * (e4_minus_one + e.one_plus_e3());
+        Self { e4, e4_minus_one, upper, lower }
+    }
 }
 
 /// N at u = e₂, where f' = -(e₂ - e₁)(e₃ - e₂).

@@ -3,12 +3,11 @@
 //! The tip angle is monotone between the turning points of u and, where the curve has loops, the phases at which u = l/n. On such a piece
 //! a bisection finds the instant. Whole periods that do not reach the direction are skipped.
 
-use crate::events::level::at_phase;
 use crate::events::recurring::Recurring;
-use crate::events::{Event, Level, bisect};
+use crate::events::{Event, HALF_PERIOD, Level, at_phase, bisect};
 use crate::phase::{Phase, PhaseFraction};
 use crate::scalar::{Extended, Float, Ring, Scalar};
-use crate::table::{EphemerisScalar, EphemerisView, Sample};
+use crate::table::{EphemerisScalar, EphemerisView};
 
 /// Iterator over the events of one kind, in the order of time. It ends with the ticks of `i64`.
 #[derive(Clone, Copy, Debug)]
@@ -73,7 +72,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     }
 
     /// Instants at tick `from` or later at which the tip angle is `angle`, whole turns aside. There are none where the axis is
-    /// vertical at all times. The angle is that of [`Sample::tip_angle`].
+    /// vertical at all times. The angle is that of [`Sample::tip_angle`](crate::Sample::tip_angle).
     ///
     /// Error of the time: that of the tip angle, the error bound of the orientation over 2|αβ|, divided by |φ'|; and 2^-54 ticks. Cost:
     /// some 100 evaluations of the tip angle.
@@ -89,39 +88,33 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Tip angle after a number of ticks.
     fn tip_angle_after(&self, ticks: Extended) -> Phase {
-        let ([nutation, ..], mean) = self.clock.after(ticks);
-        mean + self.periodic_tip_angle(nutation.leading())
+        self.after(ticks).any_tip_angle()
     }
 
     /// Nutation phase in (0, 1/2) turn at which φ' changes its sign; `None` where it does not. |c|² φ' is s² (l - n u)/A, so that
     /// it changes at most once while u rises.
     fn reversal(&self) -> Option<Phase> {
-        const LAST: u64 = (1 << 63) - 1;
-        /// Share of the greatest |c| |c'| that counts as 0, in roundings of the scalar.
+        /// Part of the greatest |c| |c'| that counts as 0, in roundings of the scalar.
         const NOISE: f64 = 64.0;
+        // |c|² φ' and |c| |c'|
+        let turning = |nutation| {
+            let sample = at_phase(self, nutation);
+            let (tip, velocity) = (sample.tip(), sample.tip_velocity());
+            let size = tip.norm_squared().to_f64() * velocity.norm_squared().to_f64();
+            ((tip.re * velocity.im - tip.im * velocity.re).to_f64(), Float::sqrt(size))
+        };
         let [(lowest, least), (_, middle), (highest, greatest)] =
-            [0, LAST / 2, LAST].map(|n| self.turning(n));
-        let size = if least > greatest { least } else { greatest };
-        let size = if middle > size { middle } else { size };
-        let noise = NOISE * (R::ROUNDING + R::Wide::ROUNDING) * size;
-        let changes = lowest * highest < 0.0 && Float::abs(lowest) > noise && Float::abs(highest) > noise;
-        let changed = |nutation: u64| self.turning(nutation).0 * lowest <= 0.0;
-        changes.then(|| Phase::from_fraction(bisect(0, LAST, changed)))
-    }
-
-    /// |c|² φ' and |c| |c'| at a nutation phase.
-    fn turning(&self, nutation: u64) -> (f64, f64) {
-        let sample = Sample::new(self, at_phase(nutation), Phase::ZERO);
-        let (tip, velocity) = (sample.tip(), sample.tip_velocity());
-        let size = tip.norm_squared().to_f64() * velocity.norm_squared().to_f64();
-        ((tip.re * velocity.im - tip.im * velocity.re).to_f64(), Float::sqrt(size))
+            [0, HALF_PERIOD / 2, HALF_PERIOD].map(turning);
+        let noise = NOISE * (R::ROUNDING + R::Wide::ROUNDING) * least.max(middle).max(greatest);
+        let changes = lowest * highest < 0.0 && lowest.abs() > noise && highest.abs() > noise;
+        changes.then(|| bisect(|nutation| turning(nutation).0 * lowest <= 0.0))
     }
 }
 
 impl<R: EphemerisScalar> Events<'_, R> {
     /// Moves the angle at the start back by a rounding, so that an event at the start is found.
     fn started(mut self) -> Self {
-        let mut after = Phase::from_words(self.view.clock.tip.step);
+        let mut after = self.view.clock.tip_turn();
         for _ in 0..PIECES {
             let Some((_, end)) = self.instants.peek().filter(|_| self.instants.period.is_some()) else {
                 break;
@@ -166,7 +159,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
 
     /// Event of a motion without bounds, whose φ is monotone at all times.
     fn without_bounds(&mut self) -> Option<Event> {
-        let rate = Extended::from(Phase::from_words(self.view.clock.tip.step));
+        let rate = Extended::from(self.view.clock.tip_turn());
         let mut length = Extended::ONE / rate.abs();
         for _ in 0..MOST_DOUBLINGS {
             let end = self.at + length;
@@ -184,7 +177,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
     fn skip(&mut self, period: Extended, [least, greatest]: [Phase; 2]) -> Option<()> {
         /// Share of the periods that is skipped at once, so that rounding does not skip one too many.
         const CAUTION: f64 = 1.0 - 1e-9;
-        let per_period = Extended::from(Phase::from_words(self.view.clock.tip.step)) * period;
+        let per_period = Extended::from(self.view.clock.tip_turn()) * period;
         let upward = per_period > Extended::ZERO;
         let edge = Self { angle: self.angle + if upward { greatest } else { least }, ..*self };
         let periods = Extended::from(edge.ahead(upward)) / per_period * Extended::from(CAUTION);
@@ -201,14 +194,14 @@ impl<R: EphemerisScalar> Events<'_, R> {
     }
 
     /// Next instant at which the tip angle is the target.
-    pub(super) fn next_tip_angle(&mut self) -> Option<Event> {
-        if !self.view.clock.tip.exists {
+    fn next_tip_angle(&mut self) -> Option<Event> {
+        if !self.view.clock.tip_exists {
             return None;
         }
         let Some(period) = self.instants.period else { return self.without_bounds() };
         for _ in 0..MOST_SKIPS {
             let start = self.angle;
-            let (mut least, mut greatest) = (start, start);
+            let (mut least, mut greatest) = (Phase::ZERO, Phase::ZERO);
             for _ in 0..PIECES {
                 let (_, end) = self.instants.peek()?;
                 let after = self.view.tip_angle_after(end);
@@ -217,10 +210,11 @@ impl<R: EphemerisScalar> Events<'_, R> {
                 }
                 self.instants.pop();
                 (self.at, self.angle) = (end, after);
-                least = if after - start < least - start { after } else { least };
-                greatest = if after - start > greatest - start { after } else { greatest };
+                least = least.min(after - start);
+                greatest = greatest.max(after - start);
             }
-            self.skip(period, [least - self.angle, greatest - self.angle])?;
+            let turned = self.angle - start;
+            self.skip(period, [least - turned, greatest - turned])?;
         }
         None
     }

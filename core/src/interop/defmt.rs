@@ -5,11 +5,12 @@
 use crate::scalar::{Extended, Real};
 use crate::su2::OrientationRate;
 use crate::{
-    AttitudeState, BranchPoints, Complex, Cursor, EphemerisF32, EphemerisF64, EphemerisScalar,
-    EphemerisStorage, ErrorBound, FirstIntegrals, InitialPhases, Motion, Orientation, ParameterError,
+    AttitudeState, BranchPoints, Complex, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisScalar,
+    EphemerisView, ErrorBound, FirstIntegrals, InitialPhases, Motion, Orientation, ParameterError,
     PeriodAdvance, Phase, Regime, Release, Sample, SetUpError, Sign, Signs, State, Stepper, Support, Tick,
-    TipClass, Top, TopParameters, TurningPoint,
+    TipClass, Top, TopParameters,
 };
+use core::ops::Deref;
 use defmt::{Format, Formatter, write};
 
 /// The text of [`core::fmt::Display`].
@@ -40,7 +41,7 @@ impl<R: Real + Format> Format for Stepper<R> {
 }
 
 /// Capacity and error bound, not the table.
-impl<R: EphemerisScalar, const SEGMENTS: usize> Format for EphemerisStorage<R, [R::Segment; SEGMENTS]> {
+impl<R: EphemerisScalar, const SEGMENTS: usize> Format for Ephemeris<R, SEGMENTS> {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "ephemeris of {=usize} segments, {}", SEGMENTS, self.error_bound());
     }
@@ -53,7 +54,7 @@ impl<R: EphemerisScalar + Format> Format for Sample<'_, R> {
 }
 
 /// Tick of the last sample.
-impl Format for Cursor {
+impl<R: EphemerisScalar, T: Deref<Target = EphemerisView<R>>> Format for Cursor<T> {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "cursor at tick {=i64}", self.tick());
     }
@@ -66,8 +67,8 @@ const _: () = {
     logs::<(ParameterError, Support, Top, TopParameters, Release, InitialPhases, State)>();
     logs::<(BranchPoints, FirstIntegrals, PeriodAdvance, Regime, TipClass)>();
     logs::<(Motion, Sign, Signs)>();
-    logs::<(EphemerisF32, EphemerisF64, ErrorBound, SetUpError, Tick, TurningPoint)>();
-    logs::<(Cursor, Sample<'static, f64>)>();
+    logs::<(EphemerisF32, EphemerisF64, ErrorBound, SetUpError, Tick)>();
+    logs::<(Cursor<&EphemerisView<f64>>, Sample<'static, f64>)>();
     logs::<(AttitudeState<f32>, Stepper<f64>)>();
     #[cfg(feature = "fixed")]
     logs::<(Orientation<fixed::types::I2F30>, Complex<fixed::types::I2F14>)>();

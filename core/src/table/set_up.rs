@@ -11,8 +11,8 @@ use crate::table::build::errors::Limits;
 use crate::table::build::mean_rates::MeanRates;
 use crate::table::build::polynomial::{Polynomial, Store};
 use crate::table::cell::{Cell, LONGEST};
-use crate::table::data::clock::Clock;
-use crate::table::data::storage::{Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, put};
+use crate::table::clock::Clock;
+use crate::table::ephemeris::{Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, put};
 use crate::table::scalar::EphemerisScalar;
 use crate::table::tick::Tick;
 

@@ -3,7 +3,8 @@
 use std::sync::mpsc;
 use std::thread;
 use toytop::{
-    Ephemeris, EphemerisF32, EphemerisMemory, EphemerisScalar, ReadyEphemeris, Sampler, SetUp, Tick,
+    Cursor, Ephemeris, EphemerisF32, EphemerisMemory, EphemerisScalar, EphemerisView, Event, ReadyEphemeris,
+    SetUp, Tick,
 };
 use toytop_tests::{Table, launched_at, tolerance, vectors, widened, worst};
 
@@ -30,7 +31,7 @@ fn the_bound_far_away_is_near_the_error() {
         let (short, long) = (table::<f64>(name, tick(16, 1), 0), table::<f64>(name, tick(2, 1), 0));
         worst(ticks().filter(|n| n.checked_mul(8).is_some()).map(|n| {
             let distance = long.at_tick(n).orientation().distance(&short.at_tick(8 * n).orientation());
-            let bound = [(&long, n), (&short, 8 * n)].map(|(table, n)| table.error_bound().after(n as f64));
+            let bound = [(&long, n), (&short, 8 * n)].map(|(table, n)| table.error_bound_at(n));
             distance / bound.iter().sum::<f64>()
         }))
     });
@@ -45,11 +46,14 @@ fn epochs_agree<R: EphemerisScalar + Into<f64>>() {
         for (ticks, seconds) in [(1000, 1), (16, 1), (1, 60), (1, 86_400), (7, u32::MAX)] {
             let tick = tick(ticks, seconds);
             let original = table::<R>(name, tick, 0);
+            let [[turns_per_tick, _], ..] = original.clock().exact_step;
             for epoch in [1, 250, -3, -1_000_000_000, 1_000_000_000_000_007, FAR, -FAR] {
                 let launched = table::<R>(name, tick, epoch);
                 let label = format!("{name}, {ticks} ticks in {seconds} s, epoch {epoch}");
                 assert_eq!(launched.error_bound(), original.error_bound(), "{label}");
                 assert_eq!(launched.rate_error_bound(), original.rate_error_bound(), "{label}");
+                let at =
+                    |table: &EphemerisView<R>, n| [table.error_bound_at(n), table.rate_error_bound_at(n)];
                 for past in [-2_000_000_000, -1000, -2, 0, 1, 77, 4096, 1_000_000_007_i64] {
                     let (now, then) = (launched.at_tick(epoch + past), original.at_tick(past));
                     let distance = widened(now.orientation()).distance(&widened(then.orientation()));
@@ -58,10 +62,19 @@ fn epochs_agree<R: EphemerisScalar + Into<f64>>() {
                     let turns = (angles[0] - angles[1]).abs() / std::f64::consts::TAU;
                     let turns = turns.min((turns - 2_f64.powi(32)).abs());
                     assert!(turns <= 1e-6 * (1.0 + angles[0].abs()), "{label}, {past}: {angles:?}");
-                    let turn = original.next_turning_point(past).map(|at| (at.tick, at.upper));
-                    let moved =
-                        launched.next_turning_point(epoch + past).map(|at| (at.tick - epoch, at.upper));
-                    assert_eq!(moved, turn, "{label}, {past}");
+                    assert_eq!(at(&launched, epoch + past), at(&original, past), "{label}, {past}");
+                    let turn = |table: &EphemerisView<R>, from: i64| {
+                        let Event { tick, share, upward } = table.turning_points(from).next()?;
+                        Some((((tick - from) as f64 + share) * turns_per_tick, upward))
+                    };
+                    match (turn(&launched, epoch + past), turn(&original, past)) {
+                        (Some((moved, moved_upward)), Some((phase, upward))) => {
+                            let allowed = 2_f64.powi(-49) + turns_per_tick * f64::EPSILON;
+                            assert!((moved - phase).abs() <= allowed, "{label}, {past}: {moved} {phase}");
+                            assert_eq!(moved_upward, upward, "{label}, {past}");
+                        }
+                        turns => assert_eq!(turns, (None, None), "{label}, {past}"),
+                    }
                 }
             }
         }
@@ -89,16 +102,16 @@ fn tables_are_handed_over_while_they_are_sampled() {
     let (ready, fresh) = mpsc::sync_channel::<ReadyEphemeris<'static, f32>>(1);
     let (done, used) = mpsc::sync_channel::<ReadyEphemeris<'static, f32>>(1);
     let interrupt = thread::spawn(move || {
-        let (mut sampler, mut exchanges) = (Sampler::new(first, 0), Vec::new());
+        let (mut cursor, mut exchanges) = (Cursor::new(first, 0), Vec::new());
         while exchanges.len() < EXCHANGES as usize {
             if let Ok(table) = fresh.try_recv() {
-                exchanges.push(sampler.tick() + 1);
-                done.send(sampler.exchange(table)).unwrap();
+                exchanges.push(cursor.tick() + 1);
+                done.send(cursor.exchange(table)).unwrap();
             }
-            let tick = sampler.tick() + 1;
-            let sampled = sampler.next().orientation();
-            assert_eq!(sampler.tick(), tick);
-            assert_eq!(sampled, sampler.table().at_tick(tick).orientation());
+            let tick = cursor.tick() + 1;
+            let sampled = cursor.next().orientation();
+            assert_eq!(cursor.tick(), tick);
+            assert_eq!(sampled, cursor.table().at_tick(tick).orientation());
         }
         exchanges
     });

@@ -78,17 +78,18 @@ pub unsafe extern "C" fn [<toytop_ $name _segments_needed>](motion: *const toyto
     unsafe { set_up::segments_needed::<$scalar>(motion, truncation) }
 }
 
-/// Error bounds of a table.
+/// Error bounds of a table at a tick.
 ///
 /// # Safety
 /// Each pointer is null or points to an object of its type.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn [<toytop_ $name _error_bounds>](
     table: *const $table,
+    tick: i64,
     bounds: *mut toytop_error_bounds,
 ) -> toytop_status {
     // SAFETY: the caller guarantees valid pointers.
-    unsafe { sample::error_bounds::<$scalar>(table.cast(), bounds).into() }
+    unsafe { sample::error_bounds::<$scalar>(table.cast(), tick, bounds).into() }
 }
 
 /// Sample at any tick, of either sign, always at the same cost.
@@ -162,7 +163,7 @@ pub unsafe extern "C" fn [<toytop_ $name _next_quaternion>](
     unsafe { sample::next_quaternion::<$scalar>(table.cast(), cursor, quaternion.cast()).into() }
 }
 
-/// Next turning point of u at tick `from` or later. `TOYTOP_NONE` where there is none, or more than one in a tick.
+/// Next turning point of u at tick `from` or later. `TOYTOP_NONE` where there is none.
 ///
 /// # Safety
 /// Each pointer is null or points to an object of its type.

@@ -4,7 +4,7 @@ use crate::scalar::{Float, short_float};
 use crate::table::build::bound::ErrorBound;
 use crate::table::build::polynomial::Polynomial;
 use crate::table::cell::{CELLS, Cell, LONGEST};
-use crate::table::data::clock::Clock;
+use crate::table::clock::Clock;
 use crate::table::scalar::{Coefficient, EphemerisScalar};
 use core::ops::{Deref, DerefMut};
 
@@ -26,21 +26,18 @@ use core::ops::{Deref, DerefMut};
 /// let motion = Motion::launch(&top, &State::release(&release)?)?;
 /// let ephemeris = EphemerisF32::new(&motion, Tick::hertz(1000)?)?;
 /// let mut cursor = ephemeris.cursor(0);
-/// let now = cursor.next(&ephemeris); // tick 0; cannot fail
+/// let now = cursor.next(); // tick 0; cannot fail
 /// let in_a_century = ephemeris.at_tick(3_155_760_000_000);
 /// assert!(now.u() > 0.93 && in_a_century.u() > 0.8);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-pub type Ephemeris<R, const SEGMENTS: usize> =
-    EphemerisStorage<R, [<R as EphemerisScalar>::Segment; SEGMENTS]>;
+pub type Ephemeris<R, const SEGMENTS: usize> = EphemerisView<R, [<R as EphemerisScalar>::Segment; SEGMENTS]>;
 
-/// Ephemeris of any capacity, behind a reference: the argument type of cursors, samples and all other readers.
-pub type EphemerisView<R> = EphemerisStorage<R, [<R as EphemerisScalar>::Segment]>;
-
-/// Common type of [`Ephemeris`], whose segments are an array, and [`EphemerisView`], whose segments are a slice.
+/// Ephemeris of any capacity behind a reference, `&EphemerisView<f32>`: the argument type of all readers. With an array of segments in
+/// place of the slice it is an [`Ephemeris`].
 #[derive(Debug, PartialEq)]
 #[repr(C)] // the increments lie first, within the short address range of the smallest chip's load instructions
-pub struct EphemerisStorage<R: EphemerisScalar, S: ?Sized> {
+pub struct EphemerisView<R: EphemerisScalar, S: ?Sized = [<R as EphemerisScalar>::Segment]> {
     pub(crate) clock: Clock<R::Wide>,
     pub(crate) error_bound: ErrorBound,
     pub(crate) rate_error_bound: ErrorBound,
@@ -63,7 +60,7 @@ pub type EphemerisQ31 = Ephemeris<fixed::types::I2F30, 32>;
 #[cfg(feature = "fixed")]
 pub type EphemerisQ15 = Ephemeris<fixed::types::I2F14, 16>;
 
-impl<R: EphemerisScalar, const SEGMENTS: usize> EphemerisStorage<R, [R::Segment; SEGMENTS]> {
+impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
     /// Assertion, evaluated by the compiler when the type is used.
     const SIZE_IS_VALID: () = assert!(SEGMENTS >= LONGEST && SEGMENTS <= Cell::MOST_SEGMENTS);
 
@@ -87,7 +84,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> EphemerisStorage<R, [R::Segment;
     }
 }
 
-impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for EphemerisStorage<R, [R::Segment; SEGMENTS]> {
+impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for Ephemeris<R, SEGMENTS> {
     type Target = EphemerisView<R>;
 
     #[inline(always)]
@@ -207,16 +204,32 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         &self.segments
     }
 
-    /// Upper bound on the orientation error, rad.
+    /// Upper bound on the orientation error, rad, by the number of ticks from the launch.
     #[must_use]
     pub fn error_bound(&self) -> ErrorBound {
         self.error_bound
+    }
+
+    /// Upper bound on the orientation error at a tick, rad.
+    #[must_use]
+    pub fn error_bound_at(&self, tick: i64) -> f64 {
+        self.error_bound.after(self.ticks_from_launch(tick))
     }
 
     /// Upper bound on |Δω|, |ΔΩ| and |Δu'|, rad per unit time, and on the error of the tip's velocity over s (1 for a fixed tip).
     #[must_use]
     pub fn rate_error_bound(&self) -> ErrorBound {
         self.rate_error_bound
+    }
+
+    /// Upper bound on the errors of the rates at a tick.
+    #[must_use]
+    pub fn rate_error_bound_at(&self, tick: i64) -> f64 {
+        self.rate_error_bound.after(self.ticks_from_launch(tick))
+    }
+
+    fn ticks_from_launch(&self, tick: i64) -> f64 {
+        tick.abs_diff(self.clock.epoch) as f64
     }
 }
 
