@@ -9,7 +9,7 @@ use crate::motion::phase_equations::{PhaseEquations, PhaseRates, gudermannian};
 use crate::motion::{Motion, NutationVariable};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real};
-use crate::su2::{Orientation, Vector};
+use crate::su2::Orientation;
 use crate::tip::TipConstants;
 
 /// Stepper of one motion. The step dt may change from call to call and have either sign.
@@ -149,48 +149,12 @@ impl<R: Real> Stepper<R> {
         self.ellipses.orientation(&self.directions())
     }
 
-    /// Orientation and its rate.
+    /// Orientation and its rate, from which u, u' and the angular velocity follow.
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R> {
         let directions = self.directions();
         let rate = self.ellipses.rate(&directions, &self.whole_rates(&directions));
         AttitudeState { orientation: self.ellipses.orientation(&directions), rate }
-    }
-
-    /// Cosine u of the tilt, in [-1, 1].
-    #[must_use]
-    pub fn u(&self) -> R {
-        self.orientation().clamped_u()
-    }
-
-    /// Rate u' of the cosine of the tilt, per unit time.
-    #[must_use]
-    pub fn udot(&self) -> R {
-        self.attitude_state().udot()
-    }
-
-    /// Unit vector r from the tip to the centre of mass, in the fixed frame.
-    #[must_use]
-    pub fn axis(&self) -> Vector<R> {
-        self.orientation().axis()
-    }
-
-    /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give quaternions of opposite sign.
-    #[must_use]
-    pub fn quaternion(&self) -> [R; 4] {
-        self.orientation().quaternion()
-    }
-
-    /// Angular velocity ω in the fixed frame, rad per unit time.
-    #[must_use]
-    pub fn omega(&self) -> Vector<R> {
-        self.attitude_state().omega()
-    }
-
-    /// Angular velocity Ω in the body frame, rad per unit time.
-    #[must_use]
-    pub fn omega_body(&self) -> Vector<R> {
-        self.attitude_state().omega_body()
     }
 
     /// Tip position c = 2 s αβ, in m, relative to the point of the plane below the centre of mass; 2αβ without unit

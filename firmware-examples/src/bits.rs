@@ -106,7 +106,7 @@ fn ticks<R: Real + Into<f64>>(motion: &Motion, dt: f64) -> [Hash; 3] {
             stepper
                 .tip_angle()
                 .map_or(tip, |angle| tip.number(angle.to_f64()).number(stepper.tip_angle_rate())),
-            omega.numbers(stepper.omega()),
+            omega.numbers(stepper.attitude_state().omega()),
         ];
     }
     hashes

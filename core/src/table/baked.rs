@@ -125,22 +125,6 @@ impl<R: EphemerisScalar> EphemerisView<R> {
             .f64(&self.rate_error_bound.numbers())
             .u16(&self.cells)
     }
-
-    /// Name of the first field with a number that is not finite, among the fields whose type does not depend on the
-    /// scalar.
-    const fn not_finite(&self) -> Option<&'static str> {
-        if !range::finite(self.clock.exact_step.as_flattened()) {
-            Some("exact_step")
-        } else if !range::finite(&self.clock.ticks_per_time) {
-            Some("ticks_per_time")
-        } else if !range::finite(&self.error_bound.numbers()) {
-            Some("error_bound")
-        } else if !range::finite(&self.rate_error_bound.numbers()) {
-            Some("rate_error_bound")
-        } else {
-            None
-        }
-    }
 }
 
 /// Functions that must be `const`, which a trait cannot declare; the macro defines them for each scalar.
@@ -156,21 +140,27 @@ macro_rules! baked {
 
             /// Name of the first field with a number that a tick cannot compute with.
             const fn out_of_range(&self) -> Option<&'static str> {
-                if let Some(field) = self.not_finite() {
-                    return Some(field);
-                }
-                if !range::$wide(&[self.clock.tip_scale]) {
-                    return Some("tip_scale");
-                }
-                if !range::$wide(&self.clock.rates) {
-                    return Some("rates");
-                }
                 let mut segments = &self.segments;
-                while let [segment, rest @ ..] = segments {
-                    if !range::$coefficient(segment.as_flattened()) {
-                        return Some("segments");
-                    }
+                while let [segment, rest @ ..] = segments
+                    && range::$coefficient(segment.as_flattened())
+                {
                     segments = rest;
+                }
+                let fields: &[_] = &[
+                    ("exact_step", range::finite(self.clock.exact_step.as_flattened())),
+                    ("ticks_per_time", range::finite(&self.clock.ticks_per_time)),
+                    ("error_bound", range::finite(&self.error_bound.numbers())),
+                    ("rate_error_bound", range::finite(&self.rate_error_bound.numbers())),
+                    ("tip_scale", range::$wide(&[self.clock.tip_scale])),
+                    ("rates", range::$wide(&self.clock.rates)),
+                    ("segments", segments.is_empty()),
+                ];
+                let mut fields = fields;
+                while let [(field, in_range), rest @ ..] = fields {
+                    if !*in_range {
+                        return Some(field);
+                    }
+                    fields = rest;
                 }
                 None
             }

@@ -75,13 +75,6 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
             segments: [R::ZERO_SEGMENT; SEGMENTS],
         }
     };
-
-    /// Ephemeris without the capacity in its type.
-    #[inline(always)]
-    #[must_use]
-    pub fn view(&self) -> &EphemerisView<R> {
-        self
-    }
 }
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for Ephemeris<R, SEGMENTS> {

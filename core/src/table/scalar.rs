@@ -12,7 +12,6 @@ mod integer;
 
 pub(crate) use float::values_and_slopes;
 
-use crate::complex::Complex;
 use crate::scalar::{Real, Ring, Scalar};
 use crate::su2::{Orientation, Vector};
 use core::fmt::Debug;
@@ -111,10 +110,4 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     fn wide(number: Self::Number) -> Self::Wide;
     /// Product with a power of two, in the type of lengths and rates.
     fn rate(number: Self::Number, exponent: i32) -> Self::Wide;
-}
-
-/// Orientation of Re α, Im α, Re β and Im β.
-#[inline(always)]
-fn from_parts<R>([re_alpha, im_alpha, re_beta, im_beta]: [R; 4]) -> Orientation<R> {
-    Orientation { alpha: Complex::new(re_alpha, im_alpha), beta: Complex::new(re_beta, im_beta) }
 }

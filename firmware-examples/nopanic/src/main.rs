@@ -178,8 +178,9 @@ fn fit(top: &Top) {
 fn tick<R: Real>(motion: &Motion) {
     let mut stepper = Stepper::<R>::new(motion);
     stepper.step(R::from_f64(unknown()));
-    black_box((stepper.orientation(), stepper.u(), stepper.udot(), stepper.axis(), stepper.quaternion()));
-    black_box((stepper.omega(), stepper.omega_body(), stepper.attitude_state().state().is_ok()));
+    let attitude = stepper.attitude_state();
+    black_box((stepper.orientation(), attitude.u(), attitude.udot(), attitude.axis(), attitude.quaternion()));
+    black_box((attitude.omega(), attitude.omega_body(), attitude.state().is_ok()));
     black_box((stepper.tip(), stepper.tip_velocity(), stepper.tip_angle_rate()));
     black_box(stepper.tip_angle().map(|angle| (angle.to_f64(), angle.to_radians(), angle.principal())));
 }

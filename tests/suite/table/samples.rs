@@ -1,7 +1,9 @@
 //! Quantities of a sample of an ephemeris in each scalar, against those in `f64`.
 
 use fixed::types::{I2F14, I2F30};
-use toytop::{Complex, Ephemeris, EphemerisF32, EphemerisF64, EphemerisScalar, Level, Stepper};
+use toytop::{
+    Complex, Ephemeris, EphemerisF32, EphemerisF64, EphemerisScalar, EphemerisView, Level, Stepper,
+};
 use toytop_tests::{greater, kilohertz, tolerance, vectors, worst};
 
 /// Largest errors of the attitude state, of the tip in the type of lengths and rates, and of the tip in the scalar, at near and distant
@@ -60,7 +62,7 @@ fn samples_and_the_stepper_have_the_same_quantities() {
     for n in 1..=200 {
         stepper.step(0.001);
         let sample = ephemeris.at_tick(n);
-        let attitude = sample.attitude_state();
+        let [attitude, stepped] = [sample.attitude_state(), stepper.attitude_state()];
         let [ours, others, steps] = [
             (
                 [sample.axis(), sample.omega(), sample.omega_body()],
@@ -73,9 +75,9 @@ fn samples_and_the_stepper_have_the_same_quantities() {
                 [attitude.u(), attitude.udot()],
             ),
             (
-                [stepper.axis(), stepper.omega(), stepper.omega_body()],
-                stepper.quaternion(),
-                [stepper.u(), stepper.udot()],
+                [stepped.axis(), stepped.omega(), stepped.omega_body()],
+                stepped.quaternion(),
+                [stepped.u(), stepped.udot()],
             ),
         ]
         .map(|(vectors, quaternion, scalars)| {
@@ -93,7 +95,7 @@ fn samples_and_the_stepper_have_the_same_quantities() {
 fn an_iterator_has_the_samples_of_its_ticks() {
     let motion = vectors::motion("generic_AneC");
     let ephemeris = EphemerisF32::new(&motion, kilohertz()).unwrap();
-    let view = ephemeris.view();
+    let view: &EphemerisView<f32> = &ephemeris;
     assert_eq!(view.capacity(), 25);
     for (sample, n) in view.samples(-3).zip(-3..100) {
         assert_eq!(sample.orientation(), ephemeris.at_tick(n).orientation(), "{n}");

@@ -1,11 +1,12 @@
 //! Evaluation in integers, with the same bits on every chip: four polynomials by Horner's rule and two rotations.
 
+use crate::complex::Complex;
 use crate::product::high_product;
 use crate::scalar::{Extended64, Scalar, times_power_of_two};
 use crate::su2::{Orientation, Vector};
 use crate::table::scalar::q30::Q30;
 use crate::table::scalar::word::{Word, is_short};
-use crate::table::scalar::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, from_parts};
+use crate::table::scalar::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint};
 #[cfg(feature = "fixed")]
 use fixed::types::{I2F14, I2F30};
 
@@ -142,9 +143,11 @@ fn rotated<W: Word>(
     b: impl FnOnce() -> (i32, i32),
 ) -> Orientation<Q30> {
     let mask = -i32::from(mirrored);
-    let [re_alpha, im_alpha] = W::rotated([re_a, im_a ^ mask], a());
-    let [re_beta, im_beta] = W::rotated([re_b, im_b ^ mask], b());
-    from_parts([re_alpha, im_alpha, re_beta, im_beta].map(Q30))
+    let turned = |re, im: i32, by| {
+        let [re, im] = W::rotated([re, im ^ mask], by).map(Q30);
+        Complex::new(re, im)
+    };
+    Orientation { alpha: turned(re_a, im_a, a()), beta: turned(re_b, im_b, b()) }
 }
 
 /// Whether the four polynomials are evaluated together, which suits vector units; the smallest chips have too few registers.
@@ -260,7 +263,6 @@ impl Significand {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::complex::Complex;
     use crate::table::scalar::float;
 
     /// Rates of any size and sign have an error below 3e-8 of their sum.
