@@ -72,7 +72,7 @@ fn at_phase<R: EphemerisScalar>(ephemeris: &EphemerisView<R>, nutation: u64) -> 
     Sample { ephemeris, phases: [nutation, 0, 0], mean_tip: Phase::ZERO }
 }
 
-/// Least nutation phase above 0 at which a condition holds that holds at the end of the rise, and from there on. Cost: 63 evaluations.
+/// Nutation phase from which on a condition holds while u rises; it holds at the end. Cost: 63 evaluations.
 fn bisect(holds: impl Fn(u64) -> bool) -> Phase {
     let (mut low, mut high) = (0, HALF_PERIOD);
     while high - low > 1 {

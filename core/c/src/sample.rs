@@ -229,11 +229,14 @@ pub(crate) unsafe fn turning_point<R: Tabulated>(
     place: *mut toytop_turning_point,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
-    let mut events = unsafe { view::<R>(table)? }.view.turning_points(tick);
-    let event = events.next().ok_or(toytop_status::TOYTOP_NONE)?;
-    let tick = event.tick + i64::from(event.share > 0.0);
+    let events = unsafe { view::<R>(table)? }.view.turning_points(tick.saturating_sub(1));
+    let mut points = events.map(|event| toytop_turning_point {
+        tick: event.tick.saturating_add((event.share > 0.0).into()),
+        upper: event.upward.into(),
+    });
+    let point = points.find(|point| point.tick >= tick).ok_or(toytop_status::TOYTOP_NONE)?;
     // SAFETY: see above.
-    unsafe { write(place, toytop_turning_point { tick, upper: event.upward.into() }) }
+    unsafe { write(place, point) }
 }
 
 /// Tip angle of a sample, rad.

@@ -9,7 +9,7 @@ use crate::phase::{Phase, PhaseFraction};
 use crate::scalar::{Extended, Float, Ring, Scalar};
 use crate::table::{EphemerisScalar, EphemerisView};
 
-/// Iterator over the events of one kind, in the order of time. It ends with the ticks of `i64`.
+/// Events of one kind in the order of time, up to the last tick of `i64`.
 #[derive(Clone, Copy, Debug)]
 pub struct Events<'a, R: EphemerisScalar> {
     view: &'a EphemerisView<R>,
@@ -47,7 +47,7 @@ const MOST_SKIPS: usize = 8;
 const MOST_DOUBLINGS: usize = 32;
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Events at these nutation phases, of which the first one is upward.
+    /// Events at these nutation phases; only those at the first one are upward.
     fn events(&self, phases: [Option<Phase>; 4], from: i64) -> Events<'_, R> {
         let start = Extended::from(from);
         let instants = Recurring::new(self, phases, from);
@@ -60,22 +60,20 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.events([Some(Phase::HALF), Some(Phase::ZERO), None, None], from)
     }
 
-    /// Instants at tick `from` or later at which u crosses a level. There are none where the motion does not reach it;
-    /// for a level within the error bound of e₁ or e₂ the result depends on rounding.
+    /// Instants at tick `from` or later at which u crosses a level. For a level within the error bound of e₁ or e₂ the result depends on
+    /// rounding.
     ///
-    /// Error of the time: the error bound of the orientation over the rate |u'|/√(1 - u²) of the tilt, and 2^-54 ticks. Cost: some 64
-    /// evaluations of the orientation, once.
+    /// Error of the time: the error bound of the orientation over the rate |u'|/√(1 - u²) of the tilt, and 2^-54 ticks. Cost: 65
+    /// orientations, once.
     #[must_use]
     pub fn crossings(&self, level: Level, from: i64) -> Events<'_, R> {
         let rising = level.phase(self);
         self.events([rising, rising.map(|phase| -phase), None, None], from)
     }
 
-    /// Instants at tick `from` or later at which the tip angle is `angle`, whole turns aside. There are none where the axis is
-    /// vertical at all times. The angle is that of [`Sample::tip_angle`](crate::Sample::tip_angle).
+    /// Instants at tick `from` or later at which [`Sample::tip_angle`](crate::Sample::tip_angle) is `angle`, whole turns aside.
     ///
-    /// Error of the time: that of the tip angle, the error bound of the orientation over 2|αβ|, divided by |φ'|; and 2^-54 ticks. Cost:
-    /// some 100 evaluations of the tip angle.
+    /// Error of the time: the error bound of the orientation over 2|αβφ'|, and 2^-54 ticks. Cost: some 100 tip angles.
     #[must_use]
     pub fn tip_angles(&self, angle: Phase, from: i64) -> Events<'_, R> {
         let reversal = self.reversal();
@@ -112,11 +110,11 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 }
 
 impl<R: EphemerisScalar> Events<'_, R> {
-    /// Moves the angle at the start back by a rounding, so that an event at the start is found.
+    /// Events with the angle at the start moved back by a rounding, so that an event at the start is found.
     fn started(mut self) -> Self {
         let mut after = self.view.clock.tip_turn();
         for _ in 0..PIECES {
-            let Some((_, end)) = self.instants.peek().filter(|_| self.instants.period.is_some()) else {
+            let Some((_, end)) = self.instants.peek() else {
                 break;
             };
             after = if end > self.at { self.view.tip_angle_after(end) - self.angle } else { Phase::ZERO };
@@ -173,9 +171,9 @@ impl<R: EphemerisScalar> Events<'_, R> {
         None
     }
 
-    /// Skips periods that do not reach the target. `least` and `greatest` bound the angle over the last period, relative to the current.
+    /// Skips periods that do not reach the target. `least` and `greatest` bound the angle over the last period, from the current one.
     fn skip(&mut self, period: Extended, [least, greatest]: [Phase; 2]) -> Option<()> {
-        /// Share of the periods that is skipped at once, so that rounding does not skip one too many.
+        /// Part of the periods that is skipped at once, because of rounding.
         const CAUTION: f64 = 1.0 - 1e-9;
         let per_period = Extended::from(self.view.clock.tip_turn()) * period;
         let upward = per_period > Extended::ZERO;

@@ -30,7 +30,6 @@ impl Recurring {
         let start = Extended::from(from);
         let [now, ..] = view.clock.at(from).map(PhaseFraction::to_phase);
         let ahead = |phase: Phase| {
-            // a phase that differs from that of the event by at most `TOLERANCE` counts as equal
             let ahead = PhaseFraction::from_phase(phase - now + TOLERANCE).to_phase() - TOLERANCE;
             if ahead <= TOLERANCE { start } else { start + Extended::from(ahead) / step }
         };

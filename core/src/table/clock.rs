@@ -31,7 +31,7 @@ pub struct Clock<W> {
     pub rates: [W; 3],
     /// Nutation phase, A and B at tick `i64::MIN`, in units of 2^-64 turns.
     pub first: [u64; 3],
-    /// Increments per tick of nutation phase, A and B in turns, whole turns included, each as the sum of two `f64`.
+    /// Increments in turns, whole turns included, each as the sum of two `f64`.
     pub exact_step: [[f64; 2]; 3],
     /// Number of ticks in a unit of time, as the sum of two `f64`.
     pub ticks_per_time: [f64; 2],
@@ -43,7 +43,7 @@ pub struct Clock<W> {
     pub epoch: i64,
 }
 
-/// Time between two ticks: the tick before it, and the time since that tick in units of 2^-64 ticks.
+/// Time as the tick before it, and the time since that tick in units of 2^-64 ticks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Instant {
     pub(crate) tick: i64,
@@ -51,7 +51,7 @@ pub(crate) struct Instant {
 }
 
 impl<W: Float> Clock<W> {
-    /// Placeholder for a clock before set-up; all increments are 0.
+    /// Clock before set-up.
     pub(crate) const STOPPED: Self = Self {
         step: [[0; 3]; 3],
         tip_quarter: 0,
@@ -103,13 +103,13 @@ impl<W: Float> Clock<W> {
 }
 
 impl<W> Clock<W> {
-    /// Increments per tick of nutation phase, A and B.
+    /// Increments per tick.
     #[inline(always)]
     pub(crate) fn steps(&self) -> [PhaseFraction; 3] {
         self.step.map(PhaseFraction::new)
     }
 
-    /// Increments per tick of nutation phase, A and B in turns, whole turns included.
+    /// Increments per tick in turns, whole turns included.
     pub(crate) fn exact_steps(&self) -> [Extended; 3] {
         self.exact_step.map(|[hi, lo]| Extended::sum(hi, lo))
     }
@@ -210,8 +210,8 @@ impl<W> Clock<W> {
     }
 }
 
-/// Increment of the mean tip angle per tick in turns. Those of A and B include half a turn per period for a parameter that passes
-/// through 0; that of the tip angle does not.
+/// Increment of the mean tip angle per tick, in turns. A and B include half a turn per period for a parameter that passes through 0; the
+/// tip angle does not.
 fn exact_tip_step([nutation, a, b]: [Extended; 3], passes: u8) -> Extended {
     a + b - nutation * Extended::from(0.5 * f64::from(passes))
 }

@@ -11,9 +11,8 @@ use crate::table::scalar::EphemerisScalar;
 
 /// Table with the phases of consecutive ticks, which three additions advance.
 ///
-/// The table is a reference `&EphemerisView`, or a [`ReadyEphemeris`], whose memory can be set up again after an
-/// exchange. An interrupt routine exchanges tables between two ticks, without a lock and without a copy: see the firmware example
-/// `relaunch`. All tables count the ticks of one counter.
+/// The table is a `&EphemerisView`, or a [`ReadyEphemeris`], whose memory is free for another set-up after an exchange. An interrupt exchanges
+/// tables without lock and copy; all of them count the ticks of one counter.
 ///
 /// ```
 /// # use toytop::{Cursor, EphemerisF32, EphemerisMemory, Motion, Release, SetUp, State, Tick, Top, TopParameters};
@@ -54,7 +53,7 @@ impl<R: EphemerisScalar, T: Deref<Target = EphemerisView<R>>> Cursor<T> {
         Self { ticks: Ticks::new(&table.clock, first), table }
     }
 
-    /// Tick of the last sample; before the first sample, the tick before it. It wraps after 2^63 - 1.
+    /// Tick of the last sample; before the first sample, the tick before that one. It wraps after 2^63 - 1.
     #[inline(always)]
     #[must_use]
     pub fn tick(&self) -> i64 {

@@ -61,7 +61,6 @@ pub type EphemerisQ31 = Ephemeris<fixed::types::I2F30, 32>;
 pub type EphemerisQ15 = Ephemeris<fixed::types::I2F14, 16>;
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
-    /// Assertion, evaluated by the compiler when the type is used.
     const SIZE_IS_VALID: () = assert!(SEGMENTS >= LONGEST && SEGMENTS <= Cell::MOST_SEGMENTS);
 
     /// Memory of a table. All its bits are 0, so that it takes no flash.
@@ -86,7 +85,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for Ephemeris<R, SEGMENTS>
     }
 }
 
-/// Memory of a table, for a static: `EphemerisMemory<EphemerisF32>`. `get` returns the table after a set-up that succeeded.
+/// Memory of a table, for a static: `EphemerisMemory<EphemerisF32>`.
 #[derive(Debug)]
 #[repr(transparent)]
 pub struct EphemerisMemory<T: ?Sized>(T);
@@ -106,7 +105,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Default for EphemerisMemory<Ephe
 }
 
 impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
-    /// Table, if it was set up.
+    /// Table, if the last set-up succeeded.
     #[must_use]
     pub fn get(&self) -> Option<&EphemerisView<R>> {
         let Self(table) = self;
@@ -168,7 +167,7 @@ impl<R: EphemerisScalar> Deref for ReadyEphemeris<'_, R> {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Whether a set-up has written all fields. The error bound is the last, and positive.
+    /// Whether a set-up has written all fields. The error bound is the last one.
     fn is_set_up(&self) -> bool {
         self.error_bound.constant > 0.0
     }
@@ -179,19 +178,19 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.segments.len()
     }
 
-    /// Phases and rates, for a program that writes tables.
+    /// Phases and rates.
     #[must_use]
     pub fn clock(&self) -> &Clock<R::Wide> {
         &self.clock
     }
 
-    /// Level and first segment of each sixteenth of half a period, for a program that writes tables.
+    /// Level and first segment of each sixteenth of half a period.
     #[must_use]
     pub fn cells(&self) -> [u16; CELLS] {
         self.cells
     }
 
-    /// Coefficients, for a program that writes tables.
+    /// Coefficients.
     #[must_use]
     pub fn segments(&self) -> &[R::Segment] {
         &self.segments

@@ -11,11 +11,11 @@ use crate::table::cell::{Cell, LONGEST_BITS};
 use crate::table::ephemeris::EphemerisView;
 use crate::table::scalar::{Coefficient, EphemerisScalar, SegmentPoint};
 
-/// Sample of a motion at one time. Each method evaluates the table anew; [`Sample::pose`] and
-/// [`Sample::orientation_and_omega_body`] return several quantities of one evaluation.
+/// Sample of a motion at one time. Each method evaluates the table anew; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
+/// [`Sample::attitude_state`] return several quantities of one evaluation.
 ///
 /// Lengths and rates are in [`EphemerisScalar::Wide`]: R itself in floating point, `f32` in fixed point.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Sample<'a, R: EphemerisScalar> {
     pub(crate) ephemeris: &'a EphemerisView<R>,
     /// Leading 64 bits of nutation phase, A and B.
@@ -32,19 +32,11 @@ pub struct Pose<R, W> {
     pub orientation: Orientation<R>,
     /// Cosine u of the tilt: see [`Sample::u`].
     pub u: R,
-    /// Position c of the tip, in m: see [`Sample::tip`].
+    /// Position c of the tip: see [`Sample::tip`].
     pub tip: Complex<W>,
 }
 
 type NumberOf<R> = <<R as EphemerisScalar>::Coefficient as Coefficient>::Number;
-
-impl<R: EphemerisScalar> Clone for Sample<'_, R> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<R: EphemerisScalar> Copy for Sample<'_, R> {}
 
 impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[inline(always)]
@@ -92,7 +84,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         self.evaluated().axis().map(R::rounded)
     }
 
-    /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give quaternions of opposite sign.
+    /// Unit quaternion [w, x, y, z] from body to fixed coordinates.
     #[must_use]
     pub fn quaternion(&self) -> [R; 4] {
         self.orientation().quaternion()
@@ -162,8 +154,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         R::Coefficient::orientation(terms, point, [a, b])
     }
 
-    /// Orientation before its conversion to the scalar, angular velocity Ω in the body frame over a power of two, and the exponent of
-    /// that power.
+    /// Orientation before its conversion, angular velocity Ω in the body frame over a power of two, and the exponent of that power.
     #[inline(always)]
     fn evaluated_with_rates(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
         let [nutation, a, b] = self.phases;
@@ -171,7 +162,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         R::Coefficient::orientation_and_rates(terms, point, [a, b], self.ephemeris.clock.rates)
     }
 
-    /// Orientation before its conversion to the scalar, and angular velocity Ω in the body frame.
+    /// Orientation before its conversion, and angular velocity Ω in the body frame.
     #[inline(always)]
     fn numbers_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Wide>) {
         let (orientation, [x1, x2, _], exponent) = self.evaluated_with_rates();

@@ -100,7 +100,7 @@ impl Problem {
         let digits = |texts: &[String]| texts.iter().filter_map(|text| text.parse().ok()).collect();
         let reference = match printed.quantity {
             Quantity::Energy => vec![self.scenario.motion.first_integrals().h],
-            Quantity::U => vec![Stepper::<f64>::new(&self.scenario.motion).u()],
+            Quantity::U => vec![Stepper::<f64>::new(&self.scenario.motion).attitude_state().u()],
             Quantity::Position => digits(&there?.position),
             Quantity::Quaternion => digits(&there?.quaternion),
             Quantity::OmegaBody => digits(&there?.omega_body),

@@ -1,12 +1,11 @@
 //! Range checks of literal data: in a tick no sum of integers overflows, and no floating-point number becomes
 //! infinite except the velocity of the tip.
 //!
-//! Data written by set-up always pass. Other data may have a correct checksum by accident or by intent.
+//! Data written by set-up always pass.
 
 /// Largest rate, length or coefficient in `f64`. Products of three such numbers and of powers of two stay finite.
 const GREATEST_DOUBLE: f64 = 1e60;
-/// Largest rate or length in `f32`. Only the velocity of the tip is a product of two such numbers; it alone may become infinite, and
-/// set-up writes no such data.
+/// Largest rate or length in `f32`. Only the velocity of the tip, a product of two such numbers, may become infinite.
 const GREATEST_SINGLE: f32 = 1e30;
 /// Largest 32-bit sum. The smallest chip computes a product from the halves of its factors, which allows no larger sum.
 const GREATEST_SUM: u64 = (1 << 31) - (1 << 15);

@@ -1,4 +1,4 @@
-//! Tip angle of an ephemeris: the sum of its mean, which is linear in time, and of a periodic part from the table.
+//! Tip angle: the sum of its mean, which is linear in time, and of a periodic part from the table.
 //!
 //! While u rises, the periodic part is the argument of the tabulated αβ; while u falls, it is its negative. αβ may wind around 0 many
 //! times, so its crossings of the negative real axis are counted at the centres of the segments. All scalars are evaluated in `f64`.
@@ -81,13 +81,12 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.clock.tip_start = (at_launch - self.clock.tip_turn().times(epoch)).words();
     }
 
-    /// Half a turn per period for each parameter that passes through 0. The slow phases contain it, and the tip angle
-    /// does not.
+    /// Half a turn per period for each parameter that passes through 0.
     fn signed_part(&self, nutation: u64) -> Phase {
         Phase::from_bits(i128::from(nutation as i64) << 31).times(self.clock.tip_passes.into())
     }
 
-    /// Continues the argument of αβ over the centres of these segments.
+    /// Continues the argument of αβ through the centres of these segments.
     fn continue_over(&self, segments: Range<usize>, winding: &mut Winding) {
         for segment in self.segments.get(segments).unwrap_or_default() {
             let [centre, ..] = segment.as_ref() else { continue };
@@ -167,7 +166,7 @@ impl Winding {
         self.z = z;
     }
 
-    /// Argument at this nutation phase; on the second half of the period it is the negative one.
+    /// Argument at this nutation phase: the negative one on the second half of the period.
     fn angle_on(&self, nutation: u64) -> Phase {
         let angle = Phase::from_radians(self.z.arg()) + Phase::ONE.times(self.turns);
         if is_falling(nutation) { -angle } else { angle }

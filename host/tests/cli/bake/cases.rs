@@ -98,11 +98,11 @@ fn rates<R: Bits, const S: usize>(file: &str, tick: [u32; 2]) -> String {
         now.quaternion().into_iter().for_each(|x| text += &format!("{} ", x.hexadecimal()));
         let rates = now.omega().into_iter().chain(now.omega_body());
         rates.for_each(|x| text += &format!("{:x} ", x.to_f64().to_bits()));
-        let turn = table.turning_points(tick).next();
-        match turn.filter(|_| turns_per_tick < 0.5) {
-            // the first tick at or after the turning point
-            Some(turn) if turn.share > 0.0 => writeln!(text, "{} {}", turn.tick + 1, i32::from(turn.upward)),
-            Some(turn) => writeln!(text, "{} {}", turn.tick, i32::from(turn.upward)),
+        // the first tick at or after a turning point
+        let turns = table.turning_points(tick.saturating_sub(1)).take(3).filter(|_| turns_per_tick < 0.5);
+        let mut turns = turns.map(|turn| (turn.tick + i64::from(turn.share > 0.0), i32::from(turn.upward)));
+        match turns.find(|(first, _)| *first >= tick) {
+            Some((first, upper)) => writeln!(text, "{first} {upper}"),
             None => writeln!(text, "-"),
         }
         .expect("memory");
