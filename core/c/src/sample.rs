@@ -219,6 +219,9 @@ pub unsafe extern "C" fn toytop_ephemeris_cursor_tick(
     unsafe { kept(place).and_then(|of: CursorOf| write(tick, of.ticks.tick())) }.into()
 }
 
+/// Phase difference below which a tick counts as that of a turning point, in turns: the rounding of a start.
+const SAME_PHASE: f64 = 1.0 / (1_u64 << 50) as f64;
+
 /// Next turning point.
 ///
 /// # Safety
@@ -229,9 +232,10 @@ pub(crate) unsafe fn turning_point<R: Tabulated>(
     place: *mut toytop_turning_point,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
-    let events = unsafe { view::<R>(table)? }.view.turning_points(tick.saturating_sub(1));
-    let mut points = events.map(|event| toytop_turning_point {
-        tick: event.tick.saturating_add((event.share > 0.0).into()),
+    let table = unsafe { view::<R>(table)? }.view;
+    let [[turns_per_tick, _], ..] = table.clock().exact_step;
+    let mut points = table.turning_points(tick.saturating_sub(1)).map(|event| toytop_turning_point {
+        tick: event.tick.saturating_add((event.share * turns_per_tick > SAME_PHASE).into()),
         upper: event.upward.into(),
     });
     let point = points.find(|point| point.tick >= tick).ok_or(toytop_status::TOYTOP_NONE)?;

@@ -37,7 +37,7 @@ fn every_quantity_has_the_bits_of_the_crate() {
                 let point: toytop_turning_point = told(|to| toytop_f64_turning_point(table, n, to));
                 // the first tick at or after an instant that may be before tick n
                 let points = expected.turning_points(n - 1);
-                let mut points = points.map(|at| (at.tick + i64::from(at.share > 0.0), at.upward));
+                let mut points = points.map(|at| (at.tick + i64::from(at.share > 1e-12), at.upward));
                 let found = points.find(|(tick, _)| *tick >= n).expect("a turning point");
                 assert_eq!((point.tick, point.upper == 1), found);
             }

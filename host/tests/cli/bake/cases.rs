@@ -98,9 +98,11 @@ fn rates<R: Bits, const S: usize>(file: &str, tick: [u32; 2]) -> String {
         now.quaternion().into_iter().for_each(|x| text += &format!("{} ", x.hexadecimal()));
         let rates = now.omega().into_iter().chain(now.omega_body());
         rates.for_each(|x| text += &format!("{:x} ", x.to_f64().to_bits()));
-        // the first tick at or after a turning point
+        // the first tick at or after a turning point, or before it by a rounding
         let turns = table.turning_points(tick.saturating_sub(1)).take(3).filter(|_| turns_per_tick < 0.5);
-        let mut turns = turns.map(|turn| (turn.tick + i64::from(turn.share > 0.0), i32::from(turn.upward)));
+        let mut turns = turns.map(|turn| {
+            (turn.tick + i64::from(turn.share * turns_per_tick > 2_f64.powi(-50)), i32::from(turn.upward))
+        });
         match turns.find(|(first, _)| *first >= tick) {
             Some((first, upper)) => writeln!(text, "{first} {upper}"),
             None => writeln!(text, "-"),
