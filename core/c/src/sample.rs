@@ -39,7 +39,6 @@ pub struct toytop_turning_point {
     pub upper: u32,
 }
 
-// cbindgen accepts only a number as a length
 const _: () = assert!(
     size_of::<toytop_ephemeris_cursor>() == TOYTOP_EPHEMERIS_CURSOR_SIZE
         && size_of::<toytop_ephemeris_sample>() == TOYTOP_EPHEMERIS_SAMPLE_SIZE
@@ -219,9 +218,6 @@ pub unsafe extern "C" fn toytop_ephemeris_cursor_tick(
     unsafe { kept(place).and_then(|of: CursorOf| write(tick, of.ticks.tick())) }.into()
 }
 
-/// Phase difference below which a tick counts as that of a turning point, in turns: the rounding of a start.
-const SAME_PHASE: f64 = 1.0 / (1_u64 << 50) as f64;
-
 /// Next turning point.
 ///
 /// # Safety
@@ -231,6 +227,8 @@ pub(crate) unsafe fn turning_point<R: Tabulated>(
     tick: i64,
     place: *mut toytop_turning_point,
 ) -> Result<(), Refusal> {
+    // a tick within 2^-50 turns, the rounding of a start, counts as that of the turning point
+    const SAME_PHASE: f64 = 1.0 / (1_u64 << 50) as f64;
     // SAFETY: the caller guarantees valid pointers and a valid table.
     let table = unsafe { view::<R>(table)? }.view;
     let [[turns_per_tick, _], ..] = table.clock().exact_step;
@@ -271,8 +269,6 @@ pub(crate) unsafe fn state<R: Tabulated>(
     unsafe { write(place, toytop_state::of(&state)) }
 }
 
-/// Error bounds of a table at a tick.
-///
 /// # Safety
 /// As for [`at_tick`].
 pub(crate) unsafe fn error_bounds<R: Tabulated>(
@@ -282,12 +278,9 @@ pub(crate) unsafe fn error_bounds<R: Tabulated>(
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
     let table = unsafe { view::<R>(table)? }.view;
-    let bounds = toytop_error_bounds {
-        orientation: table.error_bound_at(tick),
-        rate: table.rate_error_bound_at(tick),
-    };
+    let [orientation, rate] = [table.error_bound_at(tick), table.rate_error_bound_at(tick)];
     // SAFETY: see above.
-    unsafe { write(place, bounds) }
+    unsafe { write(place, toytop_error_bounds { orientation, rate }) }
 }
 
 /// Parts of a complex number, {re, im}.

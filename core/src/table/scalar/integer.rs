@@ -235,8 +235,7 @@ fn omega_body(
     (omega.map(Q30), exponent - 127)
 }
 
-/// Floating-point number as an integer times a power of two: `digits` · 2^(`exponent` - 157), where 2^30 <= |`digits`| <
-/// 2^31. A number below 2^-126 counts as 0.
+/// Number `digits` · 2^(`exponent` - 157), where 2^30 <= |`digits`| < 2^31; 0 below 2^-126.
 #[derive(Clone, Copy)]
 struct Significand {
     digits: i32,
@@ -288,9 +287,8 @@ mod tests {
             let x = x * f64::from(1_u32 << level);
             let exact = float::omega_body(wide, mirrored, Complex::new(turn[0], turn[1]), [x, mean, axial]);
             let turn = turn.map(|part| (part * (1_u64 << 30) as f64) as i32);
-            let found = omega_body([values, slopes], mirrored, turn, level, rates);
+            let (omega, exponent) = omega_body([values, slopes], mirrored, turn, level, rates);
             let allowed = 3e-8 * (x + mean.abs() + axial.abs());
-            let (omega, exponent) = found;
             for (number, exact) in omega.into_iter().zip(exact) {
                 // a rotated number may exceed 1 by up to √2
                 assert!(number.0.unsigned_abs() < 3 << 29, "{case}: {number:?}");
