@@ -31,13 +31,13 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     let mut stepper = Stepper::<f64>::new(&motion);
     let mut worst: f64 = 0.0;
     for tick in 0..2000 {
-        let next = cursor.next(&ephemeris).orientation();
+        let next = cursor.next().orientation();
         assert_eq!(next, ephemeris.at_tick(tick).orientation(), "cursor and at_tick give the same bits");
         worst = worst.max(next.distance(&stepper.orientation()));
         stepper.step(0.001);
     }
     println!("ephemeris against stepper, two seconds in steps of 1 ms: {worst:.1e} rad");
-    println!("error bound of the ephemeris there: {:.1e} rad", ephemeris.error_bound().after(2000.0));
+    println!("error bound of the ephemeris there: {:.1e} rad", ephemeris.error_bound_at(2000));
     println!("size of the ephemeris: {} bytes", size_of_val(&ephemeris));
     println!("size of the stepper: {} bytes", size_of_val(&stepper));
     assert!(worst < 1e-3);

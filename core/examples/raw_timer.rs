@@ -50,8 +50,8 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     // the same motion at the same time
     let expected = by_millisecond.at_tick(3_600_000).orientation();
     let error = by_timer.at_tick(HOUR).orientation().distance(&expected);
-    let bound = by_timer.error_bound().after(HOUR as f64);
+    let bound = by_timer.error_bound_at(HOUR);
     println!("after an hour: bound {bound:.1e} rad, {error:.1e} rad from ticks of 1 ms");
-    assert!(bound < 1.8e-7 && f64::from(error) < bound + by_millisecond.error_bound().after(3.6e6));
+    assert!(bound < 1.8e-7 && f64::from(error) < bound + by_millisecond.error_bound_at(3_600_000));
     Ok(())
 }

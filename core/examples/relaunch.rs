@@ -5,7 +5,7 @@
 //! `relaunch` does so between two ticks of a running interrupt.
 
 use toytop::{
-    EphemerisF64, EphemerisMemory, Motion, Release, Sampler, SetUp, State, Tick, Top, TopParameters,
+    Cursor, EphemerisF64, EphemerisMemory, Motion, Release, SetUp, State, Tick, Top, TopParameters,
 };
 
 fn main() -> Result<(), Box<dyn core::error::Error>> {
@@ -44,10 +44,10 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     }
 
     // Ticks go on from table to table.
-    let mut sampler = Sampler::new(before, struck_at.into());
-    println!("u at tick {struck_at}: {}", sampler.next().u());
-    sampler.exchange(after);
-    println!("u at tick {}: {}", struck_at + 1, sampler.next().u());
-    assert_eq!(sampler.tick(), i64::from(struck_at) + 1);
+    let mut cursor = Cursor::new(before, struck_at.into());
+    println!("u at tick {struck_at}: {}", cursor.next().u());
+    cursor.exchange(after);
+    println!("u at tick {}: {}", struck_at + 1, cursor.next().u());
+    assert_eq!(cursor.tick(), i64::from(struck_at) + 1);
     Ok(())
 }

@@ -12,6 +12,7 @@ mod iterator;
 pub use iterator::Events;
 pub use level::Level;
 
+use crate::phase::Phase;
 use crate::scalar::{Extended, Float};
 use crate::table::{EphemerisScalar, EphemerisView, Sample};
 
@@ -32,7 +33,7 @@ impl Event {
     fn at(ticks: Extended, upward: bool) -> Option<Self> {
         /// Number far beyond the range of `i64`, from which on whole numbers of 128 bits could wrap.
         const COUNTABLE: f64 = (1_u128 << 100) as f64;
-        if Float::abs(ticks.to_f64()) > COUNTABLE {
+        if ticks.to_f64().abs() > COUNTABLE {
             return None;
         }
         let (tick, share) = ticks.floor_and_rest();
@@ -53,26 +54,30 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// Time of an event in the motion's unit of time, from t = 0: the nearest `f64`.
     #[must_use]
     pub fn time_of(&self, event: &Event) -> f64 {
-        let [hi, lo] = self.clock.ticks_per_time;
-        (event.ticks() / Extended::sum(hi, lo)).to_f64()
+        (event.ticks() / self.clock.tick_rate()).to_f64()
     }
 
     /// Sample of the motion at the instant of an event.
     #[must_use]
     pub fn at_event(&self, event: &Event) -> Sample<'_, R> {
-        let (phases, mean_tip) = self.clock.after(event.ticks());
-        Sample::new(self, phases, mean_tip)
+        self.after(event.ticks())
     }
 }
 
-/// Least number above `low` for which a condition holds that holds at `high` and stays true. Cost: at most 64 evaluations.
-fn bisect(mut low: u64, mut high: u64, holds: impl Fn(u64) -> bool) -> u64 {
-    for _ in 0..u64::BITS {
+/// Leading 64 bits of the last nutation phase while u rises.
+const HALF_PERIOD: u64 = u64::MAX >> 1;
+
+/// Sample at a nutation phase, given by its 64 leading bits, with both slow phases 0.
+fn at_phase<R: EphemerisScalar>(ephemeris: &EphemerisView<R>, nutation: u64) -> Sample<'_, R> {
+    Sample { ephemeris, phases: [nutation, 0, 0], mean_tip: Phase::ZERO }
+}
+
+/// Nutation phase from which on a condition holds while u rises; it holds at the end. Cost: 63 evaluations.
+fn bisect(holds: impl Fn(u64) -> bool) -> Phase {
+    let (mut low, mut high) = (0, HALF_PERIOD);
+    while high - low > 1 {
         let middle = low + (high - low) / 2;
-        if middle == low {
-            break;
-        }
         if holds(middle) { high = middle } else { low = middle }
     }
-    high
+    Phase::from_fraction(high)
 }

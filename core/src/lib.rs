@@ -45,6 +45,7 @@ pub mod table_format {}
 pub mod internal {
     pub use crate::body::{ScaledTop, finite, require};
     pub use crate::motion::{Constants, phase_of};
+    pub use crate::table::Ticks;
 }
 
 pub use body::{ParameterError, Release, State, Support, Top, TopParameters};
@@ -61,8 +62,7 @@ pub use stepper::Stepper;
 pub use su2::Orientation;
 pub use table::{
     Baked, BakedError, Clock, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory,
-    EphemerisScalar, EphemerisStorage, EphemerisView, ErrorBound, Pose, ReadyEphemeris, Sample, Sampler,
-    SetUp, SetUpError, Tick, TipClock, TurningPoint,
+    EphemerisScalar, EphemerisView, ErrorBound, Pose, ReadyEphemeris, Sample, SetUp, SetUpError, Tick,
 };
 #[cfg(feature = "fixed")]
 pub use table::{EphemerisQ15, EphemerisQ31};
@@ -75,10 +75,10 @@ mod tests {
     #[test]
     fn an_interrupt_may_hold_everything() {
         fn held<T: Send + Sync>() {}
-        held::<(Top, State, Motion, Stepper<f32>, Stepper<f64>, Cursor, Tick, Phase)>();
+        held::<(Top, State, Motion, Stepper<f32>, Stepper<f64>, Tick, Phase)>();
         held::<(EphemerisF32, EphemerisF64, SetUpError, ParameterError, ErrorBound)>();
         held::<(Orientation<f32>, AttitudeState<f32>, Event, Level)>();
-        held::<Sampler<'static, f32>>();
+        held::<(Cursor<&'static EphemerisView<f32>>, Cursor<ReadyEphemeris<'static, f32>>)>();
         #[cfg(feature = "fixed")]
         held::<(EphemerisQ31, EphemerisQ15)>();
     }
@@ -92,8 +92,8 @@ mod tests {
         logged::<(ParameterError, Support, Top, TopParameters, Release, InitialPhases, State)>();
         logged::<(BranchPoints, FirstIntegrals, PeriodAdvance, Regime, TipClass)>();
         logged::<(Motion, Sign, Signs)>();
-        logged::<(EphemerisF32, EphemerisF64, ErrorBound, SetUpError, Tick, TurningPoint)>();
-        logged::<(Cursor, Sample<'static, f64>, AttitudeState<f32>, Stepper<f64>)>();
+        logged::<(EphemerisF32, EphemerisF64, ErrorBound, SetUpError, Tick, Event, Level)>();
+        logged::<(Cursor<&EphemerisView<f64>>, Sample<'static, f64>, AttitudeState<f32>, Stepper<f64>)>();
         #[cfg(feature = "fixed")]
         logged::<(Orientation<fixed::types::I2F30>, Complex<fixed::types::I2F14>)>();
     }

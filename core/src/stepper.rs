@@ -10,9 +10,9 @@ use crate::motion::tip::TipConstants;
 use crate::motion::{Motion, NutationVariable};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real};
-use crate::su2::{Orientation, Vector};
+use crate::su2::Orientation;
 
-/// Stepper of one motion. The step dt may change from call to call and have either sign.
+/// Stepper of one motion. The steps may have different lengths and either sign.
 ///
 /// Order 4 in dt. Error over ten periods, away from the separatrix: below 1e-12 rad with 4096 steps a period in `f64`, below
 /// 1e-5 rad with 512 in `f32`. Where u is constant, a step is exact.
@@ -149,7 +149,7 @@ impl<R: Real> Stepper<R> {
         self.ellipses.orientation(&self.directions())
     }
 
-    /// Orientation and its rate.
+    /// Orientation and its rate, from which u' and the angular velocity follow.
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R> {
         let directions = self.directions();
@@ -157,44 +157,7 @@ impl<R: Real> Stepper<R> {
         AttitudeState { orientation: self.ellipses.orientation(&directions), rate }
     }
 
-    /// Cosine u of the tilt, in [-1, 1].
-    #[must_use]
-    pub fn u(&self) -> R {
-        self.orientation().clamped_u()
-    }
-
-    /// Rate u' of the cosine of the tilt, per unit time.
-    #[must_use]
-    pub fn udot(&self) -> R {
-        self.attitude_state().udot()
-    }
-
-    /// Unit vector r from the tip to the centre of mass, in the fixed frame.
-    #[must_use]
-    pub fn axis(&self) -> Vector<R> {
-        self.orientation().axis()
-    }
-
-    /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give quaternions of opposite sign.
-    #[must_use]
-    pub fn quaternion(&self) -> [R; 4] {
-        self.orientation().quaternion()
-    }
-
-    /// Angular velocity ω in the fixed frame, rad per unit time.
-    #[must_use]
-    pub fn omega(&self) -> Vector<R> {
-        self.attitude_state().omega()
-    }
-
-    /// Angular velocity Ω in the body frame, rad per unit time.
-    #[must_use]
-    pub fn omega_body(&self) -> Vector<R> {
-        self.attitude_state().omega_body()
-    }
-
-    /// Tip position c = 2 s αβ, in m, relative to the point of the plane below the centre of mass; 2αβ without unit
-    /// for a fixed tip.
+    /// Tip position c = 2 s αβ, in m, relative to the point of the plane below the centre of mass; for a fixed tip 2αβ.
     #[must_use]
     pub fn tip(&self) -> Complex<R> {
         self.tip.tip(&self.orientation())
@@ -262,8 +225,7 @@ impl<R: Real> Stepper<R> {
     }
 }
 
-/// Changes of the phases over dt by the classical fourth-order Runge-Kutta step. The rates are a function of the
-/// change of the nutation phase since the start of the step.
+/// Changes of the phases over dt by a Runge-Kutta step of fourth order. The rates depend on the change of the nutation phase.
 fn runge_kutta<R: Real>(dt: R, rates: impl Fn(R) -> PhaseRates<R>) -> PhaseRates<R> {
     let half = dt.halved();
     let k1 = rates(R::ZERO);

@@ -17,29 +17,27 @@ mod scalar;
 /// Polynomials of half a period, from the equations of the motion.
 mod build;
 
-/// Table as it is stored: clock, cells and segments.
-mod data;
+mod clock;
 
-/// Samples of a table.
-mod read;
+mod ephemeris;
+
+mod baked;
+
+mod sample;
+
+mod cursor;
 
 mod set_up;
 
+pub use baked::{Baked, BakedError};
 pub use build::bound::ErrorBound;
 pub use build::builder::SetUp;
-pub use data::baked::{Baked, BakedError};
-pub use data::clock::Clock;
-pub use data::storage::{
-    Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisStorage, EphemerisView, ReadyEphemeris,
-};
+pub use clock::Clock;
+pub use cursor::{Cursor, Ticks};
+pub use ephemeris::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisView, ReadyEphemeris};
 #[cfg(feature = "fixed")]
-pub use data::storage::{EphemerisQ15, EphemerisQ31};
-pub use data::tip_clock::TipClock;
-pub use read::cursor::Cursor;
-pub use read::sample::{Pose, Sample};
-pub use read::sampler::Sampler;
-pub(crate) use read::turning_point::PHASE_TOLERANCE;
-pub use read::turning_point::TurningPoint;
+pub use ephemeris::{EphemerisQ15, EphemerisQ31};
+pub use sample::{Pose, Sample};
 pub use scalar::EphemerisScalar;
 pub use set_up::SetUpError;
 pub use tick::Tick;

@@ -106,7 +106,7 @@ fn ticks<R: Real + Into<f64>>(motion: &Motion, dt: f64) -> [Hash; 3] {
             stepper
                 .tip_angle()
                 .map_or(tip, |angle| tip.number(angle.to_f64()).number(stepper.tip_angle_rate())),
-            omega.numbers(stepper.omega()),
+            omega.numbers(stepper.attitude_state().omega()),
         ];
     }
     hashes
@@ -131,7 +131,7 @@ fn table<R: EphemerisScalar<Wide: Into<f64>> + Into<f64>, const SEGMENTS: usize>
         let [any, next] = hashes;
         // from years before the launch to years after it
         let apart = ephemeris.at_tick(n << 33);
-        hashes = [with_sample(any, apart).numbers(apart.omega()), with_sample(next, cursor.next(&ephemeris))];
+        hashes = [with_sample(any, apart).numbers(apart.omega()), with_sample(next, cursor.next())];
     }
     hashes
 }

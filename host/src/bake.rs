@@ -80,9 +80,21 @@ bake!(f32: F32, f64: F64, I2F30: Q31, I2F14: Q15);
 
 /// Clock with its lengths and rates in `f64`.
 fn wide<W: Into<f64>>(clock: Clock<W>) -> Clock<f64> {
-    let Clock { step, tip_scale, first, exact_step, ticks_per_time, rates, tip, has_turning_points } = clock;
-    let (tip_scale, rates) = (tip_scale.into(), rates.map(Into::into));
-    Clock { step, tip_scale, first, exact_step, ticks_per_time, rates, tip, has_turning_points }
+    Clock {
+        step: clock.step,
+        tip_quarter: clock.tip_quarter,
+        tip_passes: clock.tip_passes,
+        tip_exists: clock.tip_exists,
+        has_turning_points: clock.has_turning_points,
+        tip_scale: clock.tip_scale.into(),
+        rates: clock.rates.map(Into::into),
+        first: clock.first,
+        exact_step: clock.exact_step,
+        ticks_per_time: clock.ticks_per_time,
+        tip_start: clock.tip_start,
+        tip_step: clock.tip_step,
+        epoch: clock.epoch,
+    }
 }
 
 /// Description of the motion of a table, for the comment of a file.

@@ -251,16 +251,12 @@ typedef struct toytop_set_up {
 // Function that a set-up calls again and again, at least every 50 000 cycles of a Cortex-M4F: to feed a watchdog, or to read another table.
 typedef void (*toytop_between)(void *context);
 
-// Upper bounds on the errors of a table: n ticks from the epoch each is its constant plus |n| times its growth.
+// Upper bounds on the errors of a table at a tick.
 typedef struct toytop_error_bounds {
-  // Orientation error 2 sqrt(|d alpha|^2 + |d beta|^2) at the epoch, rad.
+  // Orientation error 2 sqrt(|d alpha|^2 + |d beta|^2), rad.
   double orientation;
-  // Growth of the orientation error per tick, rad.
-  double orientation_per_tick;
-  // Error of the angular velocity, in either frame, at the epoch, rad/s.
+  // Error of the angular velocity, in either frame, rad/s.
   double rate;
-  // Growth of that error per tick, rad/s.
-  double rate_per_tick;
 } toytop_error_bounds;
 
 // Sample of a motion at one instant: phases, from which each quantity is computed on demand. It may be copied.
@@ -402,8 +398,9 @@ toytop_status toytop_f32_set_up_between(struct toytop_ephemeris_f32 *table,
 uint32_t toytop_f32_segments_needed(const struct toytop_motion *motion,
                                     double truncation);
 
-// Error bounds of a table.
+// Error bounds of a table at a tick.
 toytop_status toytop_f32_error_bounds(const struct toytop_ephemeris_f32 *table,
+                                      int64_t tick,
                                       struct toytop_error_bounds *bounds);
 
 // Sample at any tick, of either sign, always at the same cost.
@@ -488,8 +485,9 @@ toytop_status toytop_f64_set_up_between(struct toytop_ephemeris_f64 *table,
 uint32_t toytop_f64_segments_needed(const struct toytop_motion *motion,
                                     double truncation);
 
-// Error bounds of a table.
+// Error bounds of a table at a tick.
 toytop_status toytop_f64_error_bounds(const struct toytop_ephemeris_f64 *table,
+                                      int64_t tick,
                                       struct toytop_error_bounds *bounds);
 
 // Sample at any tick, of either sign, always at the same cost.
@@ -574,8 +572,9 @@ toytop_status toytop_q31_set_up_between(struct toytop_ephemeris_q31 *table,
 uint32_t toytop_q31_segments_needed(const struct toytop_motion *motion,
                                     double truncation);
 
-// Error bounds of a table.
+// Error bounds of a table at a tick.
 toytop_status toytop_q31_error_bounds(const struct toytop_ephemeris_q31 *table,
+                                      int64_t tick,
                                       struct toytop_error_bounds *bounds);
 
 // Sample at any tick, of either sign, always at the same cost.

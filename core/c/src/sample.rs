@@ -4,7 +4,8 @@ use crate::memory::{Kept, keep, kept, write};
 use crate::status::{Refusal, toytop_status};
 use crate::table::{Table, Tabulated, toytop_error_bounds, view};
 use crate::toytop_state;
-use toytop::{Complex, Cursor, EphemerisView, ParameterError, Sample};
+use toytop::internal::Ticks;
+use toytop::{Complex, EphemerisView, ParameterError, Sample};
 
 /// Bytes of a cursor.
 pub const TOYTOP_EPHEMERIS_CURSOR_SIZE: usize = 64;
@@ -37,7 +38,7 @@ const _: () = assert!(
 /// Cursor with the identity of its table.
 struct CursorOf {
     table: u32,
-    cursor: Cursor,
+    ticks: Ticks,
 }
 
 impl Kept for CursorOf {
@@ -123,7 +124,7 @@ pub(crate) unsafe fn cursor<R: Tabulated>(
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
         let table = view::<R>(table)?;
-        keep(place, CursorOf { table: table.identity, cursor: table.view.cursor(first) })
+        keep(place, CursorOf { table: table.identity, ticks: Ticks::new(table.view.clock(), first) })
     }
 }
 
@@ -141,7 +142,7 @@ unsafe fn advance<R: Tabulated>(
     if of.table != table.identity {
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
     }
-    take(of.cursor.next(table.view))?;
+    take(of.ticks.next(table.view))?;
     // SAFETY: see above.
     unsafe { keep(place, of) }
 }
@@ -179,18 +180,15 @@ pub unsafe extern "C" fn toytop_ephemeris_cursor_tick(
     tick: *mut i64,
 ) -> toytop_status {
     // SAFETY: the caller guarantees valid pointers.
-    unsafe { kept(place).and_then(|of: CursorOf| write(tick, of.cursor.tick())) }.into()
+    unsafe { kept(place).and_then(|of: CursorOf| write(tick, of.ticks.tick())) }.into()
 }
 
-/// Error bounds of a table.
-pub(crate) fn error_bounds<R: Tabulated>(view: &EphemerisView<R>) -> Result<toytop_error_bounds, Refusal> {
-    let (orientation, rate) = (view.error_bound(), view.rate_error_bound());
-    Ok(toytop_error_bounds {
-        orientation: orientation.constant,
-        orientation_per_tick: orientation.per_tick,
-        rate: rate.constant,
-        rate_per_tick: rate.per_tick,
-    })
+/// Error bounds of a table at a tick.
+pub(crate) fn error_bounds<R: Tabulated>(
+    view: &EphemerisView<R>,
+    tick: i64,
+) -> Result<toytop_error_bounds, Refusal> {
+    Ok(toytop_error_bounds { orientation: view.error_bound_at(tick), rate: view.rate_error_bound_at(tick) })
 }
 
 /// Parts of a complex number, {re, im}.

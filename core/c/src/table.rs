@@ -47,18 +47,14 @@ pub struct toytop_tick {
     pub seconds: u32,
 }
 
-/// Upper bounds on the errors of a table: n ticks from the epoch each is its constant plus |n| times its growth.
+/// Upper bounds on the errors of a table at a tick.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_error_bounds {
-    /// Orientation error 2 sqrt(|d alpha|^2 + |d beta|^2) at the epoch, rad.
+    /// Orientation error 2 sqrt(|d alpha|^2 + |d beta|^2), rad.
     pub orientation: f64,
-    /// Growth of the orientation error per tick, rad.
-    pub orientation_per_tick: f64,
-    /// Error of the angular velocity, in either frame, at the epoch, rad/s.
+    /// Error of the angular velocity, in either frame, rad/s.
     pub rate: f64,
-    /// Growth of that error per tick, rad/s.
-    pub rate_per_tick: f64,
 }
 
 /// Tick of a frequency in Hz.

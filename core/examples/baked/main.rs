@@ -12,10 +12,10 @@ use toy_top::TOY_TOP;
 fn main() -> Result<(), Box<dyn core::error::Error>> {
     let mut cursor = TOY_TOP.cursor(0);
     for _ in 0..3 {
-        let sample = cursor.next(&TOY_TOP);
+        let sample = cursor.next();
         println!("tick {}: quaternion {:?}", cursor.tick(), sample.quaternion());
     }
-    println!("error bound at tick 0: {:.1e} rad", TOY_TOP.error_bound().constant);
+    println!("error bound at tick 0: {:.1e} rad", TOY_TOP.error_bound_at(0));
 
     // A changed number is noticed: at compile time in a constant, at run time here.
     let mut baked = TOY_TOP.to_baked();

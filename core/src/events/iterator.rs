@@ -3,14 +3,13 @@
 //! The tip angle is monotone between the turning points of u and, where the curve has loops, the phases at which u = l/n. On such a piece
 //! a bisection finds the instant. Whole periods that do not reach the direction are skipped.
 
-use crate::events::level::at_phase;
 use crate::events::recurring::Recurring;
-use crate::events::{Event, Level, bisect};
+use crate::events::{Event, HALF_PERIOD, Level, at_phase, bisect};
 use crate::phase::{Phase, PhaseFraction};
 use crate::scalar::{Extended, Float, Ring, Scalar};
-use crate::table::{EphemerisScalar, EphemerisView, Sample};
+use crate::table::{EphemerisScalar, EphemerisView};
 
-/// Iterator over the events of one kind, in the order of time. It ends with the ticks of `i64`.
+/// Events of one kind in the order of time, up to the last tick of `i64`.
 #[derive(Clone, Copy, Debug)]
 pub struct Events<'a, R: EphemerisScalar> {
     view: &'a EphemerisView<R>,
@@ -48,7 +47,7 @@ const MOST_SKIPS: usize = 8;
 const MOST_DOUBLINGS: usize = 32;
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Events at these nutation phases, of which the first one is upward.
+    /// Events at these nutation phases; only those at the first one are upward.
     fn events(&self, phases: [Option<Phase>; 4], from: i64) -> Events<'_, R> {
         let start = Extended::from(from);
         let instants = Recurring::new(self, phases, from);
@@ -61,22 +60,20 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.events([Some(Phase::HALF), Some(Phase::ZERO), None, None], from)
     }
 
-    /// Instants at tick `from` or later at which u crosses a level. There are none where the motion does not reach it;
-    /// for a level within the error bound of e₁ or e₂ the result depends on rounding.
+    /// Instants at tick `from` or later at which u crosses a level. For a level within the error bound of e₁ or e₂ the result depends on
+    /// rounding.
     ///
-    /// Error of the time: the error bound of the orientation over the rate |u'|/√(1 - u²) of the tilt, and 2^-54 ticks. Cost: some 64
-    /// evaluations of the orientation, once.
+    /// Error of the time: the error bound of the orientation over the rate |u'|/√(1 - u²) of the tilt, and 2^-54 ticks. Cost: 65
+    /// orientations, once.
     #[must_use]
     pub fn crossings(&self, level: Level, from: i64) -> Events<'_, R> {
         let rising = level.phase(self);
         self.events([rising, rising.map(|phase| -phase), None, None], from)
     }
 
-    /// Instants at tick `from` or later at which the tip angle is `angle`, whole turns aside. There are none where the axis is
-    /// vertical at all times. The angle is that of [`Sample::tip_angle`].
+    /// Instants at tick `from` or later at which [`Sample::tip_angle`](crate::Sample::tip_angle) is `angle`, whole turns aside.
     ///
-    /// Error of the time: that of the tip angle, the error bound of the orientation over 2|αβ|, divided by |φ'|; and 2^-54 ticks. Cost:
-    /// some 100 evaluations of the tip angle.
+    /// Error of the time: the error bound of the orientation over 2|αβφ'|, and 2^-54 ticks. Cost: some 100 tip angles.
     #[must_use]
     pub fn tip_angles(&self, angle: Phase, from: i64) -> Events<'_, R> {
         let reversal = self.reversal();
@@ -89,41 +86,35 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Tip angle after a number of ticks.
     fn tip_angle_after(&self, ticks: Extended) -> Phase {
-        let ([nutation, ..], mean) = self.clock.after(ticks);
-        mean + self.periodic_tip_angle(nutation.leading())
+        self.after(ticks).any_tip_angle()
     }
 
     /// Nutation phase in (0, 1/2) turn at which φ' changes its sign; `None` where it does not. |c|² φ' is s² (l - n u)/A, so that
     /// it changes at most once while u rises.
     fn reversal(&self) -> Option<Phase> {
-        const LAST: u64 = (1 << 63) - 1;
-        /// Share of the greatest |c| |c'| that counts as 0, in roundings of the scalar.
+        /// Part of the greatest |c| |c'| that counts as 0, in roundings of the scalar.
         const NOISE: f64 = 64.0;
+        // |c|² φ' and |c| |c'|
+        let turning = |nutation| {
+            let sample = at_phase(self, nutation);
+            let (tip, velocity) = (sample.tip(), sample.tip_velocity());
+            let size = tip.norm_squared().to_f64() * velocity.norm_squared().to_f64();
+            ((tip.re * velocity.im - tip.im * velocity.re).to_f64(), Float::sqrt(size))
+        };
         let [(lowest, least), (_, middle), (highest, greatest)] =
-            [0, LAST / 2, LAST].map(|n| self.turning(n));
-        let size = if least > greatest { least } else { greatest };
-        let size = if middle > size { middle } else { size };
-        let noise = NOISE * (R::ROUNDING + R::Wide::ROUNDING) * size;
-        let changes = lowest * highest < 0.0 && Float::abs(lowest) > noise && Float::abs(highest) > noise;
-        let changed = |nutation: u64| self.turning(nutation).0 * lowest <= 0.0;
-        changes.then(|| Phase::from_fraction(bisect(0, LAST, changed)))
-    }
-
-    /// |c|² φ' and |c| |c'| at a nutation phase.
-    fn turning(&self, nutation: u64) -> (f64, f64) {
-        let sample = Sample::new(self, at_phase(nutation), Phase::ZERO);
-        let (tip, velocity) = (sample.tip(), sample.tip_velocity());
-        let size = tip.norm_squared().to_f64() * velocity.norm_squared().to_f64();
-        ((tip.re * velocity.im - tip.im * velocity.re).to_f64(), Float::sqrt(size))
+            [0, HALF_PERIOD / 2, HALF_PERIOD].map(turning);
+        let noise = NOISE * (R::ROUNDING + R::Wide::ROUNDING) * least.max(middle).max(greatest);
+        let changes = lowest * highest < 0.0 && lowest.abs() > noise && highest.abs() > noise;
+        changes.then(|| bisect(|nutation| turning(nutation).0 * lowest <= 0.0))
     }
 }
 
 impl<R: EphemerisScalar> Events<'_, R> {
-    /// Moves the angle at the start back by a rounding, so that an event at the start is found.
+    /// Events with the angle at the start moved back by a rounding, so that an event at the start is found.
     fn started(mut self) -> Self {
-        let mut after = Phase::from_words(self.view.clock.tip.step);
+        let mut after = self.view.clock.tip_turn();
         for _ in 0..PIECES {
-            let Some((_, end)) = self.instants.peek().filter(|_| self.instants.period.is_some()) else {
+            let Some((_, end)) = self.instants.peek() else {
                 break;
             };
             after = if end > self.at { self.view.tip_angle_after(end) - self.angle } else { Phase::ZERO };
@@ -166,7 +157,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
 
     /// Event of a motion without bounds, whose φ is monotone at all times.
     fn without_bounds(&mut self) -> Option<Event> {
-        let rate = Extended::from(Phase::from_words(self.view.clock.tip.step));
+        let rate = Extended::from(self.view.clock.tip_turn());
         let mut length = Extended::ONE / rate.abs();
         for _ in 0..MOST_DOUBLINGS {
             let end = self.at + length;
@@ -180,11 +171,11 @@ impl<R: EphemerisScalar> Events<'_, R> {
         None
     }
 
-    /// Skips periods that do not reach the target. `least` and `greatest` bound the angle over the last period, relative to the current.
+    /// Skips periods that do not reach the target. `least` and `greatest` bound the angle over the last period, from the current one.
     fn skip(&mut self, period: Extended, [least, greatest]: [Phase; 2]) -> Option<()> {
-        /// Share of the periods that is skipped at once, so that rounding does not skip one too many.
+        /// Part of the periods that is skipped at once, because of rounding.
         const CAUTION: f64 = 1.0 - 1e-9;
-        let per_period = Extended::from(Phase::from_words(self.view.clock.tip.step)) * period;
+        let per_period = Extended::from(self.view.clock.tip_turn()) * period;
         let upward = per_period > Extended::ZERO;
         let edge = Self { angle: self.angle + if upward { greatest } else { least }, ..*self };
         let periods = Extended::from(edge.ahead(upward)) / per_period * Extended::from(CAUTION);
@@ -201,14 +192,14 @@ impl<R: EphemerisScalar> Events<'_, R> {
     }
 
     /// Next instant at which the tip angle is the target.
-    pub(super) fn next_tip_angle(&mut self) -> Option<Event> {
-        if !self.view.clock.tip.exists {
+    fn next_tip_angle(&mut self) -> Option<Event> {
+        if !self.view.clock.tip_exists {
             return None;
         }
         let Some(period) = self.instants.period else { return self.without_bounds() };
         for _ in 0..MOST_SKIPS {
             let start = self.angle;
-            let (mut least, mut greatest) = (start, start);
+            let (mut least, mut greatest) = (Phase::ZERO, Phase::ZERO);
             for _ in 0..PIECES {
                 let (_, end) = self.instants.peek()?;
                 let after = self.view.tip_angle_after(end);
@@ -217,10 +208,11 @@ impl<R: EphemerisScalar> Events<'_, R> {
                 }
                 self.instants.pop();
                 (self.at, self.angle) = (end, after);
-                least = if after - start < least - start { after } else { least };
-                greatest = if after - start > greatest - start { after } else { greatest };
+                least = least.min(after - start);
+                greatest = greatest.max(after - start);
             }
-            self.skip(period, [least - self.angle, greatest - self.angle])?;
+            let turned = self.angle - start;
+            self.skip(period, [least - turned, greatest - turned])?;
         }
         None
     }

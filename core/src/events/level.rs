@@ -4,12 +4,12 @@ use crate::body::{ParameterError, finite, require};
 use crate::body::{ScaledTop, Support, Top};
 use crate::complex::Complex;
 use crate::constants::normal_force;
-use crate::events::bisect;
+use crate::events::{HALF_PERIOD, at_phase, bisect};
 use crate::motion::Motion;
-use crate::phase::{Phase, PhaseFraction};
+use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 use crate::su2::Orientation;
-use crate::table::{EphemerisScalar, EphemerisView, Sample};
+use crate::table::{EphemerisScalar, EphemerisView};
 
 /// Value of u, the cosine of the tilt, that a motion may reach, as 1 - u and 1 + u.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,24 +81,17 @@ impl Level {
 
     /// Nutation phase in (0, 1/2) turn at which u rises to the level; `None` where the motion does not reach it.
     pub(super) fn phase<R: EphemerisScalar>(&self, view: &EphemerisView<R>) -> Option<Phase> {
-        const LAST: u64 = (1 << 63) - 1;
-        let reached = self.is_reached(view, LAST) && !self.is_reached(view, 0);
-        reached.then(|| Phase::from_fraction(bisect(0, LAST, |nutation| self.is_reached(view, nutation))))
+        let reached = |nutation| self.is_reached(&at_phase(view, nutation).orientation());
+        (reached(HALF_PERIOD) && !reached(0)).then(|| bisect(reached))
     }
 
-    /// Whether u of the table is at the level or above it at a nutation phase, given by its 64 leading bits. The tilt is that of
-    /// tan²(tilt/2) = |β|²/|α|², whose error is at most that of the orientation.
-    fn is_reached<R: EphemerisScalar>(&self, view: &EphemerisView<R>, nutation: u64) -> bool {
-        let Orientation { alpha, beta } = Sample::new(view, at_phase(nutation), Phase::ZERO).orientation();
+    /// Whether u is at the level or above it. The tilt is that of tan²(tilt/2) = |β|²/|α|², whose error is at most that of the
+    /// orientation.
+    fn is_reached<R: EphemerisScalar>(&self, orientation: &Orientation<R>) -> bool {
         let square = |z: Complex<R>| {
             let [re, im] = [z.re, z.im].map(Into::<f64>::into);
             re * re + im * im
         };
-        square(beta) * self.one_plus_u <= square(alpha) * self.one_minus_u
+        square(orientation.beta) * self.one_plus_u <= square(orientation.alpha) * self.one_minus_u
     }
-}
-
-/// Phases of a sample at a nutation phase, with both slow phases 0.
-pub(super) fn at_phase(nutation: u64) -> [PhaseFraction; 3] {
-    [Phase::from_fraction(nutation), Phase::ZERO, Phase::ZERO].map(PhaseFraction::from_phase)
 }

@@ -2,7 +2,10 @@
 
 use crate::phase::{Phase, PhaseFraction};
 use crate::scalar::{Extended, Ring};
-use crate::table::{EphemerisScalar, EphemerisView, PHASE_TOLERANCE};
+use crate::table::{EphemerisScalar, EphemerisView};
+
+/// Phase difference below which a phase counts as that of an event: 2^-50 turns, the rounding of a start.
+const TOLERANCE: Phase = Phase::from_bits(1 << 46);
 
 /// Next instants of up to four nutation phases, in ticks.
 #[derive(Clone, Copy, Debug)]
@@ -27,9 +30,8 @@ impl Recurring {
         let start = Extended::from(from);
         let [now, ..] = view.clock.at(from).map(PhaseFraction::to_phase);
         let ahead = |phase: Phase| {
-            // a phase that differs from that of the event by at most `PHASE_TOLERANCE` counts as equal
-            let ahead = PhaseFraction::from_phase(phase - now + PHASE_TOLERANCE).to_phase() - PHASE_TOLERANCE;
-            if ahead <= PHASE_TOLERANCE { start } else { start + Extended::from(ahead) / step }
+            let ahead = PhaseFraction::from_phase(phase - now + TOLERANCE).to_phase() - TOLERANCE;
+            if ahead <= TOLERANCE { start } else { start + Extended::from(ahead) / step }
         };
         Self { next: phases.map(|phase| phase.map(ahead)), period: Some(Extended::ONE / step) }
     }

@@ -1,6 +1,4 @@
-//! Scalars of a table, and the evaluation of a segment: α and β, and the angular velocity.
-//!
-//! There are two evaluators: in integers, for `f32` and fixed point, and in `f64`.
+//! Scalars of a table, and the evaluation of a segment: in integers for `f32` and fixed point, and in `f64`.
 
 mod q30;
 
@@ -12,7 +10,6 @@ mod integer;
 
 pub(crate) use float::values_and_slopes;
 
-use crate::complex::Complex;
 use crate::scalar::{Real, Ring, Scalar};
 use crate::su2::{Orientation, Vector};
 use core::fmt::Debug;
@@ -22,11 +19,11 @@ use core::fmt::Debug;
 pub struct SegmentPoint {
     /// Local coordinate x·2^63 with x in [-1, 1).
     pub(crate) x: i64,
-    /// Local coordinate times 2^31, from 32 bits of the fraction of a segment of level 0: a multiple of 2^level, rounded down.
+    /// Local coordinate x·2^31, rounded down to a multiple of 2^level.
     pub(crate) short_x: i32,
     /// Level of the segment: base-2 logarithm of the rate of x over that at level 0.
     pub(crate) level: u32,
-    /// Whether u is falling. The tabulated values are then replaced by their complex conjugates.
+    /// Whether u is falling, where the tabulated values become their complex conjugates.
     pub(crate) mirrored: bool,
 }
 
@@ -44,22 +41,20 @@ pub struct EvaluationErrors {
 }
 
 /// Scalar of an ephemeris: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
-///
-/// `f64` is evaluated in floating point, the others in integers up to the conversion of the results.
 pub trait EphemerisScalar: Scalar + Into<f64> {
-    /// Type of a coefficient in the table.
+    /// Coefficient of the table.
     #[doc(hidden)]
     type Coefficient: Coefficient<Wide = Self::Wide>;
     /// Segment: coefficients of Re α, Im α, Re β and Im β side by side, lowest power first.
     type Segment: Copy + Debug + PartialEq + AsRef<[[Self::Coefficient; 4]]> + AsMut<[[Self::Coefficient; 4]]>;
-    /// Type of lengths and rates: the scalar itself, or `f32` for fixed point, whose range is too small for them.
+    /// Type of lengths and rates: the scalar itself, or `f32` for fixed point, whose range is too small.
     type Wide: Real;
 
     /// Truncation error of a table unless another one is chosen, rad.
     const TRUNCATION: f64 = 2.0 * Self::ROUNDING;
     /// Number of coefficients of a polynomial.
     const TERMS: usize;
-    /// Number of words of 64 bits of the wide numbers in which its rates are computed.
+    /// Number of 64-bit words of the wide numbers in which its rates are computed.
     #[doc(hidden)]
     const RATE_WORDS: usize = 1;
     /// Segment whose coefficients are all 0.
@@ -68,7 +63,7 @@ pub trait EphemerisScalar: Scalar + Into<f64> {
     /// Code of the scalar in table data: see `core/docs/table_format.md`.
     #[doc(hidden)]
     const CODE: u32;
-    /// Errors of the evaluation.
+    /// Rounding errors of a tick.
     #[doc(hidden)]
     const ERRORS: EvaluationErrors;
 
@@ -95,8 +90,7 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     ///
     /// * `slow`: mean rotations of α and β, the 64 leading bits of a fraction of a turn
     fn orientation(terms: &[[Self; 4]], point: SegmentPoint, slow: [u64; 2]) -> Orientation<Self::Number>;
-    /// Orientation at a point of a segment, and the angular velocity Ω in the body frame over a power of two, with the exponent of
-    /// that power.
+    /// Orientation, and the angular velocity Ω in the body frame over a power of two, with the exponent of that power.
     ///
     /// * `rates`: rates of x at level 0, of A + B, and about the axis
     fn orientation_and_rates(
@@ -109,10 +103,4 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     fn wide(number: Self::Number) -> Self::Wide;
     /// Product with a power of two, in the type of lengths and rates.
     fn rate(number: Self::Number, exponent: i32) -> Self::Wide;
-}
-
-/// Orientation of Re α, Im α, Re β and Im β.
-#[inline(always)]
-fn from_parts<R>([re_alpha, im_alpha, re_beta, im_beta]: [R; 4]) -> Orientation<R> {
-    Orientation { alpha: Complex::new(re_alpha, im_alpha), beta: Complex::new(re_beta, im_beta) }
 }

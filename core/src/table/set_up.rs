@@ -8,8 +8,8 @@ use crate::table::build::Limits;
 use crate::table::build::bound::{ErrorBound, error_bounds};
 use crate::table::build::builder::SetUp;
 use crate::table::cell::{Cell, LONGEST};
-use crate::table::data::clock::Clock;
-use crate::table::data::storage::{Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, put};
+use crate::table::clock::Clock;
+use crate::table::ephemeris::{Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, put};
 use crate::table::scalar::EphemerisScalar;
 use crate::table::tick::Tick;
 

@@ -154,12 +154,8 @@ pub(crate) extern "C" fn bench_ephemeris_f32(ephemeris: &EphemerisF32, tick: i64
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_cursor_f32(
-    ephemeris: &EphemerisF32,
-    cursor: &mut Cursor,
-    out: &mut Output<f32>,
-) {
-    *out = Output::floating(cursor.next(ephemeris));
+pub(crate) extern "C" fn bench_cursor_f32(cursor: &mut Cursor<&EphemerisView<f32>>, out: &mut Output<f32>) {
+    *out = Output::floating(cursor.next());
 }
 
 #[inline(never)]
@@ -170,12 +166,8 @@ pub(crate) extern "C" fn bench_ephemeris_f64(ephemeris: &EphemerisF64, tick: i64
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_cursor_f64(
-    ephemeris: &EphemerisF64,
-    cursor: &mut Cursor,
-    out: &mut Output<f64>,
-) {
-    *out = Output::floating(cursor.next(ephemeris));
+pub(crate) extern "C" fn bench_cursor_f64(cursor: &mut Cursor<&EphemerisView<f64>>, out: &mut Output<f64>) {
+    *out = Output::floating(cursor.next());
 }
 
 #[inline(never)]
@@ -187,11 +179,10 @@ pub(crate) extern "C" fn bench_ephemeris_q31(ephemeris: &EphemerisQ31, tick: i64
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_cursor_q31(
-    ephemeris: &EphemerisQ31,
-    cursor: &mut Cursor,
+    cursor: &mut Cursor<&EphemerisView<I2F30>>,
     out: &mut Output<I2F30>,
 ) {
-    *out = Output::fixed_point(cursor.next(ephemeris));
+    *out = Output::fixed_point(cursor.next());
 }
 
 #[inline(never)]
@@ -203,22 +194,20 @@ pub(crate) extern "C" fn bench_ephemeris_q15(ephemeris: &EphemerisQ15, tick: i64
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_cursor_q15(
-    ephemeris: &EphemerisQ15,
-    cursor: &mut Cursor,
+    cursor: &mut Cursor<&EphemerisView<I2F14>>,
     out: &mut Output<I2F14>,
 ) {
-    *out = Output::fixed_point(cursor.next(ephemeris));
+    *out = Output::fixed_point(cursor.next());
 }
 
 /// Orientation, and the tip in m.
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_tip_q31(
-    ephemeris: &EphemerisQ31,
-    cursor: &mut Cursor,
+    cursor: &mut Cursor<&EphemerisView<I2F30>>,
     out: &mut (Orientation<I2F30>, Complex<f32>),
 ) {
-    let sample = cursor.next(ephemeris);
+    let sample = cursor.next();
     *out = (sample.orientation(), sample.tip());
 }
 

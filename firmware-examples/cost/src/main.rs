@@ -109,11 +109,10 @@ fn ephemerides(meter: &mut Meter, single: &EphemerisF32, double: &EphemerisF64) 
     black_box((rates.orientation, rates.omega));
     let mut cursor = single.cursor(STRIDE);
     let ram = size_of_val(single) + size_of_val(&cursor);
-    meter.measure("bench_cursor_f32", ram, CALLS, |_| calls::bench_cursor_f32(single, &mut cursor, &mut out));
+    meter.measure("bench_cursor_f32", ram, CALLS, |_| calls::bench_cursor_f32(&mut cursor, &mut out));
     let mut cursor = double.cursor(STRIDE);
     let ram = size_of_val(double) + size_of_val(&cursor);
-    meter
-        .measure("bench_cursor_f64", ram, CALLS, |_| calls::bench_cursor_f64(double, &mut cursor, &mut wide));
+    meter.measure("bench_cursor_f64", ram, CALLS, |_| calls::bench_cursor_f64(&mut cursor, &mut wide));
     black_box((out, wide));
 }
 
@@ -132,12 +131,10 @@ fn fixed_point(meter: &mut Meter, motion: &Motion, tick: Tick) {
     black_box((rates.orientation, rates.omega));
     let mut cursor = ephemeris.cursor(STRIDE);
     let ram = ram + size_of_val(&cursor);
-    meter.measure("bench_cursor_q31", ram, CALLS, |_| {
-        calls::bench_cursor_q31(&ephemeris, &mut cursor, &mut long)
-    });
+    meter.measure("bench_cursor_q31", ram, CALLS, |_| calls::bench_cursor_q31(&mut cursor, &mut long));
     let mut metres = (Orientation::IDENTITY, toytop::Complex::new(0.0, 0.0));
     meter.measure("bench_tip_q31", ram, CALLS, |_| {
-        calls::bench_tip_q31(&ephemeris, &mut cursor, &mut metres);
+        calls::bench_tip_q31(&mut cursor, &mut metres);
     });
     black_box(metres);
     let ephemeris = EphemerisQ15::new(motion, tick).expect("the motion fits");
@@ -147,9 +144,7 @@ fn fixed_point(meter: &mut Meter, motion: &Motion, tick: Tick) {
     });
     let mut cursor = ephemeris.cursor(STRIDE);
     let ram = ram + size_of_val(&cursor);
-    meter.measure("bench_cursor_q15", ram, CALLS, |_| {
-        calls::bench_cursor_q15(&ephemeris, &mut cursor, &mut short)
-    });
+    meter.measure("bench_cursor_q15", ram, CALLS, |_| calls::bench_cursor_q15(&mut cursor, &mut short));
     black_box((long, short));
 }
 

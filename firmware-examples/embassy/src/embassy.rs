@@ -8,7 +8,7 @@ use cortex_m_rt::exception;
 use embassy_executor::Spawner;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::signal::Signal;
-use toytop::{EphemerisF32, EphemerisMemory, EphemerisView, SetUp, Tick, TurningPoint};
+use toytop::{EphemerisF32, EphemerisMemory, EphemerisView, Event, SetUp, Tick};
 use toytop_firmware::{exit, start_systick, toy_top};
 
 /// Clock of the processor, Hz. The emulated board has 25 MHz.
@@ -17,7 +17,7 @@ const CLOCK: u32 = 25_000_000;
 const TICK_RATE: u32 = 1000;
 
 static TICK: Signal<CriticalSectionRawMutex, ()> = Signal::new();
-static TURN: Signal<CriticalSectionRawMutex, TurningPoint> = Signal::new();
+static TURN: Signal<CriticalSectionRawMutex, Event> = Signal::new();
 
 #[embassy_executor::main]
 async fn main(spawner: Spawner) {
@@ -31,12 +31,11 @@ async fn main(spawner: Spawner) {
 
     start_systick(CLOCK, TICK_RATE);
 
-    let mut next = ephemeris.next_turning_point(1);
+    let mut turns = ephemeris.turning_points(1).peekable();
     for tick in 1..=200 {
         TICK.wait().await;
-        if let Some(turn) = next.filter(|turn| turn.tick <= tick) {
+        if let Some(turn) = turns.next_if(|turn| turn.tick < tick) {
             TURN.signal(turn);
-            next = ephemeris.next_turning_point(tick + 1);
         }
     }
     exit()
@@ -45,9 +44,9 @@ async fn main(spawner: Spawner) {
 #[embassy_executor::task]
 async fn log_turns(ephemeris: &'static EphemerisView<f32>) {
     loop {
-        let TurningPoint { tick, upper } = TURN.wait().await;
-        let place = if upper { "upright" } else { "low" };
-        defmt::info!("{=i64} ms: most {=str}, {}", tick, place, ephemeris.at_tick(tick));
+        let turn = TURN.wait().await;
+        let place = if turn.upward { "upright" } else { "low" };
+        defmt::info!("{=i64} ms: most {=str}, {}", turn.tick, place, ephemeris.at_event(&turn));
     }
 }
 

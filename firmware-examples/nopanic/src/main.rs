@@ -11,8 +11,8 @@ use toytop::fixed::types::{I2F14, I2F30};
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 use toytop::{
-    BranchPoints, Complex, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, FirstIntegrals,
-    InitialPhases, Level, Motion, ParameterError, Phase, Release, Sampler, SetUp, Sign, Signs, State,
+    BranchPoints, Complex, Cursor, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView,
+    FirstIntegrals, InitialPhases, Level, Motion, ParameterError, Phase, Release, SetUp, Sign, Signs, State,
     Stepper, Tick, Top, TopParameters,
 };
 use toytop_closed_forms::ClosedForm;
@@ -178,8 +178,9 @@ fn fit(top: &Top) {
 fn tick<R: Real>(motion: &Motion) {
     let mut stepper = Stepper::<R>::new(motion);
     stepper.step(R::from_f64(unknown()));
-    black_box((stepper.orientation(), stepper.u(), stepper.udot(), stepper.axis(), stepper.quaternion()));
-    black_box((stepper.omega(), stepper.omega_body(), stepper.attitude_state().state().is_ok()));
+    let attitude = stepper.attitude_state();
+    black_box((stepper.orientation(), attitude.u(), attitude.udot(), attitude.axis(), attitude.quaternion()));
+    black_box((attitude.omega(), attitude.omega_body(), attitude.state().is_ok()));
     black_box((stepper.tip(), stepper.tip_velocity(), stepper.tip_angle_rate()));
     black_box(stepper.tip_angle().map(|angle| (angle.to_f64(), angle.to_radians(), angle.principal())));
 }
@@ -197,7 +198,7 @@ fn events<R: EphemerisScalar>(table: &EphemerisView<R>, motion: &Motion) {
     }
 }
 
-/// Calls of an ephemeris: set-up, all ways to read it, turning points, and exchange.
+/// Calls of an ephemeris: set-up, all ways to read it, and exchange.
 fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     let Ok(tick) = Tick::hertz(black_box(1000)) else { return };
     let Ok(ephemeris) = Ephemeris::<R, SEGMENTS>::within(motion, tick, unknown()) else { return };
@@ -205,14 +206,13 @@ fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     let sample = ephemeris.at(unknown());
     black_box((sample.pose(), sample.u(), sample.axis(), sample.quaternion(), sample.tip()));
     black_box((sample.omega(), sample.omega_body(), sample.udot(), sample.tip_velocity()));
-    black_box((sample.orientation_and_omega_body(), ephemeris.rate_error_bound().after(unknown())));
+    black_box((sample.orientation_and_omega_body(), ephemeris.rate_error_bound_at(black_box(3))));
     black_box((sample.tip_angle(), sample.nutation_phase(), sample.orientation().tip_over_s()));
     black_box(sample.attitude_state().state().is_ok());
     let mut cursor = ephemeris.cursor(black_box(3));
-    black_box((cursor.next(&ephemeris).orientation(), cursor.tick()));
-    black_box(ephemeris.next_turning_point(black_box(3)));
+    black_box((cursor.next().orientation(), cursor.tick()));
     events(&ephemeris, motion);
-    black_box((ephemeris.error_bound(), ephemeris.capacity()));
+    black_box((ephemeris.error_bound_at(black_box(3)), ephemeris.capacity()));
     let mut out = [Orientation::<R>::IDENTITY; 4];
     ephemeris.fill(black_box(0), &mut out);
     black_box(out);
@@ -222,7 +222,7 @@ fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     let mut between = || calls += 1;
     let Ok(ready) = first.set_up(&mut set_up, motion, tick, black_box(-7), &mut between) else { return };
     let Ok(spare) = second.set_up(&mut set_up, motion, tick, black_box(7), &mut between) else { return };
-    let mut sampler = Sampler::new(ready, black_box(3));
-    black_box((sampler.next().orientation(), sampler.tick(), sampler.table().error_bound()));
-    black_box(sampler.exchange(spare).into_memory().get().is_some());
+    let mut cursor = Cursor::new(ready, black_box(3));
+    black_box((cursor.next().orientation(), cursor.tick(), cursor.table().error_bound()));
+    black_box(cursor.exchange(spare).into_memory().get().is_some());
 }

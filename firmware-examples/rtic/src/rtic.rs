@@ -22,8 +22,7 @@ mod app {
 
     #[local]
     struct Local {
-        ephemeris: &'static EphemerisView<f32>,
-        cursor: Cursor,
+        cursor: Cursor<&'static EphemerisView<f32>>,
     }
 
     #[init]
@@ -34,15 +33,14 @@ mod app {
         let set_up = singleton!(: SetUp = SetUp::new()).expect("taken once");
         let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
         let table = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
-        let ephemeris = table.share();
         run_systick(context.core.SYST, CLOCK, TICK_RATE);
-        (Shared { now: (0, [0.0; 3]) }, Local { cursor: ephemeris.cursor(1), ephemeris })
+        (Shared { now: (0, [0.0; 3]) }, Local { cursor: table.share().cursor(1) })
     }
 
-    #[task(binds = SysTick, local = [ephemeris, cursor], shared = [now])]
+    #[task(binds = SysTick, local = [cursor], shared = [now])]
     fn tick(mut context: tick::Context) {
-        let tick::LocalResources { ephemeris, cursor, .. } = context.local;
-        let axis = cursor.next(ephemeris).orientation().axis();
+        let cursor = context.local.cursor;
+        let axis = cursor.next().orientation().axis();
         context.shared.now.lock(|now| *now = (cursor.tick(), axis));
     }
 

@@ -14,8 +14,8 @@ use cortex_m_rt::exception;
 use critical_section::Mutex;
 use heapless::spsc::{Consumer, Producer, Queue};
 use toytop::{
-    AttitudeState, EphemerisF32, EphemerisMemory, EphemerisView, Motion, Orientation, ParameterError,
-    ReadyEphemeris, Sampler, SetUp, Stepper, Tick, Top,
+    AttitudeState, Cursor, EphemerisF32, EphemerisMemory, EphemerisView, Motion, Orientation, ParameterError,
+    ReadyEphemeris, SetUp, Stepper, Tick, Top,
 };
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
@@ -53,7 +53,7 @@ struct TakeOver {
 
 /// Data that the interrupt owns.
 struct Source {
-    sampler: Sampler<'static, f32>,
+    cursor: Cursor<Table>,
     stepper: Option<Stepper<f32>>,
     kicks: Producer<'static, Kick>,
     bridges: Consumer<'static, (i64, Stepper<f32>)>,
@@ -65,8 +65,8 @@ struct Source {
 impl Source {
     /// Orientation at the next tick.
     fn next(&mut self) -> Orientation<f32> {
-        let old = self.sampler.next().orientation();
-        let tick = self.sampler.tick();
+        let old = self.cursor.next().orientation();
+        let tick = self.cursor.tick();
         let mut now = old;
         if let Some(stepper) = &mut self.stepper {
             stepper.step(TICK_LENGTH);
@@ -80,11 +80,11 @@ impl Source {
         if let Some(table) = self.fresh.dequeue() {
             now = self.take_over("table", [now, old], table.at_tick(tick).orientation());
             self.stepper = None;
-            let old = self.sampler.exchange(table);
+            let old = self.cursor.exchange(table);
             assert!(self.used.enqueue(old).is_ok(), "there are but two tables");
         }
         if KICKS.contains(&tick) {
-            let state = self.sampler.table().at_tick(tick).attitude_state();
+            let state = self.cursor.table().at_tick(tick).attitude_state();
             assert!(self.kicks.enqueue(Kick { tick, state }).is_ok(), "kicks come too fast");
         }
         now
@@ -97,7 +97,7 @@ impl Source {
         now: Orientation<f32>,
     ) -> Orientation<f32> {
         let jumps = before.map(|before| before.distance(&now));
-        let _ = self.log.enqueue(TakeOver { by, tick: self.sampler.tick(), jumps });
+        let _ = self.log.enqueue(TakeOver { by, tick: self.cursor.tick(), jumps });
         now
     }
 }
@@ -133,8 +133,8 @@ fn main() -> ! {
 
     let (top, first) = launch(set_up, first).expect("a possible launch");
     let mut second: Option<Memory> = Some(second);
-    let sampler = Sampler::new(first, 1);
-    let source = Source { sampler, stepper: None, kicks, bridges, fresh, used, log };
+    let cursor = Cursor::new(first, 1);
+    let source = Source { cursor, stepper: None, kicks, bridges, fresh, used, log };
     critical_section::with(|cs| SOURCE.borrow(cs).set(Some(source)));
     start_systick(CLOCK, TICK_RATE);
 

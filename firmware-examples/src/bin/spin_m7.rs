@@ -31,7 +31,7 @@ fn main() -> ! {
     for tick in 1..=TICK_RATE {
         asm::wfi();
         SCB::clear_pendst();
-        let now = cursor.next(ephemeris);
+        let now = cursor.next();
         if tick % 250 == 0 {
             let state = now.attitude_state();
             let ([x, y, height], tip) = (state.axis(), now.tip());

@@ -41,7 +41,7 @@ fn main() -> ! {
         while unsafe { MTIME.read_volatile() } < due {
             wfi();
         }
-        let Pose { orientation, tip, .. } = cursor.next(ephemeris).pose();
+        let Pose { orientation, tip, .. } = cursor.next().pose();
         if tick % 250 == 0 {
             let [x, y, height] = orientation.axis();
             defmt::info!("{=u32} ms: axis ({}, {}, {}), tip ({}, {}) m", tick, x, y, height, tip.re, tip.im);

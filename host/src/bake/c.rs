@@ -126,19 +126,20 @@ fn clock(parts: &Parts) -> String {
     let phase = |[low, middle, upper]: [u32; 3]| {
         format!("{{{:#x}u, {low:#x}u}}", u64::from(upper) << 32 | u64::from(middle))
     };
-    let Clock { step, first, exact_step, ticks_per_time, tip, has_turning_points, .. } = &parts.clock;
+    let clock = &parts.clock;
     let bound = |ErrorBound { constant, per_tick }: ErrorBound| [constant, per_tick];
     let bounds = [parts.error_bound, parts.rate_error_bound].map(bound);
-    let doubles = [exact_step.as_flattened(), ticks_per_time, bounds.as_flattened()].concat();
+    let doubles = [clock.exact_step.as_flattened(), &clock.ticks_per_time, bounds.as_flattened()].concat();
     let numbers: Vec<_> = doubles.into_iter().map(|x| wide(x.to_bits())).collect();
     let words = |words: [u32; 4]| words.map(|word| format!("{word:#x}u")).join(", ");
-    let flags = [tip.quarter as u8, tip.passes, tip.exists.into(), (*has_turning_points).into()];
+    let flags =
+        [clock.tip_quarter as u8, clock.tip_passes, clock.tip_exists.into(), clock.has_turning_points.into()];
     let lines = [
         format!("{}u, {:#x}u, {segments}u, {terms}u", parts.format, parts.crc32),
-        format!("{{{}}}", first.map(wide).join(", ")),
-        format!("{{{}}}", step.map(phase).join(", ")),
+        format!("{{{}}}, {}", clock.first.map(wide).join(", "), wide(clock.epoch as u64)),
+        format!("{{{}}}", clock.step.map(phase).join(", ")),
         format!("{{{}}}", numbers.join(", ")),
-        format!("{{{}}}, {{{}}}", words(tip.start), words(tip.step)),
+        format!("{{{}}}, {{{}}}", words(clock.tip_start), words(clock.tip_step)),
         format!("{{{}}}", flags.map(|flag| flag.to_string()).join(", ")),
         format!("{{{}}}", parts.cells.map(|cell| cell.to_string()).join(", ")),
     ];

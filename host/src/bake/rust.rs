@@ -2,7 +2,7 @@
 
 use super::{Label, Parts};
 use crate::motion::Scalar;
-use toytop::{Clock, ErrorBound, TipClock};
+use toytop::ErrorBound;
 
 /// Text of the module. Numbers are printed by Rust, which reads back the same bits.
 pub fn module(label: &Label, parts: &Parts) -> String {
@@ -19,10 +19,7 @@ pub fn module(label: &Label, parts: &Parts) -> String {
         // the shortest decimal that is read as this f32
         _ => format!("{:?}", x as f32),
     };
-    let Clock { step, tip_scale, first, exact_step, ticks_per_time, rates, tip, has_turning_points } =
-        &parts.clock;
-    let rates = rates.map(scale).join(", ");
-    let TipClock { start, step: tip_step, quarter, passes, exists } = tip;
+    let clock = &parts.clock;
     let bound = |ErrorBound { constant, per_tick }: ErrorBound| {
         format!("toytop::ErrorBound {{ constant: {constant:?}, per_tick: {per_tick:?} }}")
     };
@@ -39,19 +36,18 @@ pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
     crc32: {crc32:#010x},
     clock: toytop::Clock {{
         step: {step:?},
+        tip_quarter: {tip_quarter},
+        tip_passes: {tip_passes},
+        tip_exists: {tip_exists},
+        has_turning_points: {has_turning_points},
         tip_scale: {tip_scale},
+        rates: [{rates}],
         first: {first:?},
         exact_step: {exact_step:?},
         ticks_per_time: {ticks_per_time:?},
-        rates: [{rates}],
-        tip: toytop::TipClock {{
-            start: {start:?},
-            step: {tip_step:?},
-            quarter: {quarter},
-            passes: {passes},
-            exists: {exists},
-        }},
-        has_turning_points: {has_turning_points},
+        tip_start: {tip_start:?},
+        tip_step: {tip_step:?},
+        epoch: {epoch},
     }},
     error_bound: {error_bound},
     rate_error_bound: {rate_error_bound},
@@ -69,7 +65,19 @@ pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
         headline = label.headline(parts),
         format = parts.format,
         crc32 = parts.crc32,
-        tip_scale = scale(*tip_scale),
+        step = clock.step,
+        tip_quarter = clock.tip_quarter,
+        tip_passes = clock.tip_passes,
+        tip_exists = clock.tip_exists,
+        has_turning_points = clock.has_turning_points,
+        tip_scale = scale(clock.tip_scale),
+        rates = clock.rates.map(scale).join(", "),
+        first = clock.first,
+        exact_step = clock.exact_step,
+        ticks_per_time = clock.ticks_per_time,
+        tip_start = clock.tip_start,
+        tip_step = clock.tip_step,
+        epoch = clock.epoch,
         error_bound = bound(parts.error_bound),
         rate_error_bound = bound(parts.rate_error_bound),
         cells = parts.cells,

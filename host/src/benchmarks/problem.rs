@@ -99,7 +99,7 @@ impl Problem {
         let digits = |texts: &[String]| texts.iter().filter_map(|text| text.parse().ok()).collect();
         let reference = match &*printed.quantity {
             "energy" => vec![self.scenario.motion.first_integrals().h],
-            "u" => vec![Stepper::<f64>::new(&self.scenario.motion).u()],
+            "u" => vec![Stepper::<f64>::new(&self.scenario.motion).attitude_state().u()],
             "position" => digits(&there?.position),
             "quaternion" => digits(&there?.quaternion),
             _ => digits(&there?.omega_body),

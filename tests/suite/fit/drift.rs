@@ -58,7 +58,7 @@ fn lossy(top: &Top, losses: [f64; 3], count: usize) -> Vec<State> {
             let before = slowed(top, &state, losses, STEP / 4.0);
             let mut stepper = Stepper::<f64>::new(&Motion::launch(top, &before).unwrap());
             stepper.step(STEP / 2.0);
-            let later = State::new(stepper.orientation(), stepper.omega()).unwrap();
+            let later = State::new(stepper.orientation(), stepper.attitude_state().omega()).unwrap();
             state = slowed(top, &later, losses, STEP / 4.0);
         }
         states.push(state);

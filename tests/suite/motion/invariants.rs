@@ -9,7 +9,7 @@ use toytop_tests::{check, check_all, greater, keep, released, vectors, widened, 
 
 /// Change of l, n and h, from Φ and Φ' by the definitions of section 3.1, relative to the largest of them.
 fn drift<R: Real + Into<f64>>(motion: &Motion, stepper: &Stepper<R>) -> f64 {
-    let omega = stepper.omega().map(R::into);
+    let omega = stepper.attitude_state().omega().map(R::into);
     let state = State::new(widened(stepper.orientation()), omega).unwrap();
     let (now, then) = (FirstIntegrals::from_state(motion.top(), &state), motion.first_integrals());
     let scale = then.l.abs().max(then.n.abs()).max(then.h.abs());

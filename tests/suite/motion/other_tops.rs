@@ -93,7 +93,7 @@ fn of_steppers<R: Real + Into<f64>>() -> [f64; 2] {
             let mut stepper = Stepper::<R>::new(&case.motion);
             let steps = (t.abs() * 2048.0) as u32;
             (0..steps).for_each(|_| stepper.step(R::from_f64(t.signum() / 2048.0)));
-            let rate = apart(stepper.omega().map(Into::into), omega) / case.rate;
+            let rate = apart(stepper.attitude_state().omega().map(Into::into), omega) / case.rate;
             keep(&mut worst, [widened(stepper.orientation()).distance(&phi), rate]);
         }
     }

@@ -96,8 +96,13 @@ fn the_stepper_follows_the_vectors() {
         let (mut error, mut rest) = (0.0, [0.0; 3]);
         follow::<f64>(&vector, 4096.0, |stepper, sample| {
             error = greater(error, stepper.orientation().distance(&sample.phi));
-            let reduced =
-                worst([stepper.u() - sample.u, (stepper.udot() - sample.udot) / speed].map(f64::abs));
+            let reduced = worst(
+                [
+                    stepper.attitude_state().u() - sample.u,
+                    (stepper.attitude_state().udot() - sample.udot) / speed,
+                ]
+                .map(f64::abs),
+            );
             let angles = stepper.tip_angle().zip(sample.tip_angle);
             let angle = angles.map_or(0.0, |(ours, truth)| (ours.to_radians() - truth).abs());
             keep(&mut rest, [reduced, (stepper.tip() - sample.c).modulus() / scale, angle]);

@@ -47,10 +47,11 @@ fn refused(baked: &Baked<f32, 25>, change: Change) -> Option<BakedError> {
 fn a_bit_flipped_anywhere_is_refused() {
     let motion = vectors::motion("exact_generic_pp");
     let baked = Ephemeris::<f32, 25>::new(&motion, kilohertz()).unwrap().to_baked();
-    let changes: [Change; 17] = [
-        |baked| baked.clock.tip.start[3] ^= 1,
-        |baked| baked.clock.tip.step[0] ^= 1,
-        |baked| baked.clock.tip.passes ^= 1,
+    let changes: [Change; 18] = [
+        |baked| baked.clock.epoch += 1,
+        |baked| baked.clock.tip_start[3] ^= 1,
+        |baked| baked.clock.tip_step[0] ^= 1,
+        |baked| baked.clock.tip_passes ^= 1,
         |baked| baked.clock.has_turning_points = !baked.clock.has_turning_points,
         |baked| baked.crc32 ^= 1 << 31,
         |baked| baked.clock.first[1] ^= 1 << 63,
@@ -69,7 +70,7 @@ fn a_bit_flipped_anywhere_is_refused() {
     for (index, change) in changes.into_iter().enumerate() {
         assert!(matches!(refused(&baked, change), Some(BakedError::Checksum { .. })), "{index}");
     }
-    assert_eq!(refused(&baked, |baked| baked.format += 1), Some(BakedError::Format { found: 7 }));
+    assert_eq!(refused(&baked, |baked| baked.format += 1), Some(BakedError::Format { found: 8 }));
     // every bit of every coefficient
     for segment in 0..25 {
         for bit in 0..5 * 4 * 32 {
@@ -122,8 +123,7 @@ macro_rules! wild {
                     let numbers = [wide.re, wide.im, attitude.u(), attitude.udot(), x, y, z].map(f64::from);
                     let of_scalar = [phi.alpha.re, phi.beta.im, tip.re, tip.im].map(f64::from);
                     assert!(numbers.iter().chain(&of_scalar).all(|x| x.is_finite()), "{n}");
-                    let _ =
-                        (ephemeris.next_turning_point(n), ephemeris.cursor(n).next(&ephemeris).orientation());
+                    let _ = (ephemeris.turning_points(n).next(), ephemeris.cursor(n).next().orientation());
                 }
             }
             assert!(refused > 200 && read > 300, "{refused} refused, {read} read");

@@ -4,8 +4,8 @@ use fixed::types::{I2F14, I2F30};
 use std::sync::mpsc;
 use std::thread;
 use toytop::{
-    Ephemeris, EphemerisF32, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, ReadyEphemeris,
-    Release, Sampler, SetUp, SetUpError, State, Tick, Top,
+    Cursor, Ephemeris, EphemerisF32, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, ReadyEphemeris,
+    Release, SetUp, SetUpError, State, Tick, Top,
 };
 use toytop_tests::{TOY, fitting, kilohertz, vectors};
 
@@ -17,7 +17,7 @@ fn equal_the_ones_by_value<R: EphemerisScalar>() {
         let mut calls = 0;
         let table = memory.set_up(&mut set_up, &motion, kilohertz(), 0, &mut || calls += 1);
         match (table, Ephemeris::<R, SEGMENTS>::new(&motion, kilohertz())) {
-            (Ok(table), Ok(by_value)) => assert!(*table == *by_value.view(), "{}", vector.name),
+            (Ok(table), Ok(by_value)) => assert!(*table == *by_value, "{}", vector.name),
             (refusal, by_value) => assert_eq!(refusal.err(), by_value.err(), "{}", vector.name),
         }
         // some twenty calls for each segment, each of which may be computed several times
@@ -125,16 +125,16 @@ fn tables_are_handed_over_while_they_are_sampled() {
     let (ready, fresh) = mpsc::sync_channel::<ReadyEphemeris<'static, f32>>(1);
     let (done, used) = mpsc::sync_channel::<ReadyEphemeris<'static, f32>>(1);
     let interrupt = thread::spawn(move || {
-        let (mut sampler, mut exchanges) = (Sampler::new(first, 0), Vec::new());
+        let (mut cursor, mut exchanges) = (Cursor::new(first, 0), Vec::new());
         while exchanges.len() < EXCHANGES as usize {
             if let Ok(table) = fresh.try_recv() {
-                exchanges.push(sampler.tick() + 1);
-                done.send(sampler.exchange(table)).unwrap();
+                exchanges.push(cursor.tick() + 1);
+                done.send(cursor.exchange(table)).unwrap();
             }
-            let tick = sampler.tick() + 1;
-            let sampled = sampler.next().orientation();
-            assert_eq!(sampler.tick(), tick);
-            assert_eq!(sampled, sampler.table().at_tick(tick).orientation());
+            let tick = cursor.tick() + 1;
+            let sampled = cursor.next().orientation();
+            assert_eq!(cursor.tick(), tick);
+            assert_eq!(sampled, cursor.table().at_tick(tick).orientation());
         }
         exchanges
     });

@@ -85,9 +85,9 @@ pub unsafe extern "C" fn [<toytop_ $name _segments_needed>](motion: *const toyto
 }
 
 reader! {
-/// Error bounds of a table.
-[<toytop_ $name _error_bounds>](table: $table; bounds: *mut toytop_error_bounds)
-    |table, bounds| write_from::<$scalar, _>(table, bounds, sample::error_bounds)
+/// Error bounds of a table at a tick.
+[<toytop_ $name _error_bounds>](table: $table; tick: i64, bounds: *mut toytop_error_bounds)
+    |table, tick, bounds| write_from::<$scalar, _>(table, bounds, |view| sample::error_bounds(view, tick))
 }
 
 reader! {

@@ -31,11 +31,10 @@ fn every_quantity_has_the_bits_of_the_crate() {
             assert_eq!(velocity, parts(sample.tip_velocity()));
             let angle = sample.tip_angle().expect("an angle").to_radians();
             assert_eq!(told(|to| toytop_f64_tip_angle(now, to)), angle);
+            let bounds: toytop_error_bounds = told(|to| toytop_f64_error_bounds(table, n, to));
+            let [orientation, rate] = [expected.error_bound_at(n), expected.rate_error_bound_at(n)];
+            assert_eq!([bounds.orientation, bounds.rate], [orientation, rate]);
         }
-        let bounds: toytop_error_bounds = told(|to| toytop_f64_error_bounds(table, to));
-        let (own, rate) = (expected.error_bound(), expected.rate_error_bound());
-        assert_eq!([bounds.orientation, bounds.orientation_per_tick], [own.constant, own.per_tick]);
-        assert_eq!([bounds.rate, bounds.rate_per_tick], [rate.constant, rate.per_tick]);
     }
 }
 

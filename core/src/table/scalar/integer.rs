@@ -1,11 +1,12 @@
 //! Evaluation in integers, with the same bits on every chip: four polynomials by Horner's rule and two rotations.
 
+use crate::complex::Complex;
 use crate::product::high_product;
 use crate::scalar::{Scalar, times_power_of_two};
 use crate::su2::{Orientation, Vector};
 use crate::table::scalar::q30::Q30;
 use crate::table::scalar::word::{Word, is_short};
-use crate::table::scalar::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, from_parts};
+use crate::table::scalar::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint};
 #[cfg(feature = "fixed")]
 use fixed::types::{I2F14, I2F30};
 
@@ -141,9 +142,11 @@ fn rotated<W: Word>(
     b: impl FnOnce() -> (i32, i32),
 ) -> Orientation<Q30> {
     let mask = -i32::from(mirrored);
-    let [re_alpha, im_alpha] = W::rotated([re_a, im_a ^ mask], a());
-    let [re_beta, im_beta] = W::rotated([re_b, im_b ^ mask], b());
-    from_parts([re_alpha, im_alpha, re_beta, im_beta].map(Q30))
+    let turned = |re, im: i32, by| {
+        let [re, im] = W::rotated([re, im ^ mask], by).map(Q30);
+        Complex::new(re, im)
+    };
+    Orientation { alpha: turned(re_a, im_a, a()), beta: turned(re_b, im_b, b()) }
 }
 
 /// Whether the four polynomials are evaluated together, which suits vector units; the smallest chips have too few registers.
@@ -231,8 +234,7 @@ fn omega_body(
     (omega.map(Q30), exponent - 127)
 }
 
-/// Floating-point number as an integer times a power of two: `digits` · 2^(`exponent` - 157), where 2^30 <= |`digits`| <
-/// 2^31. A number below 2^-126 counts as 0.
+/// Number `digits` · 2^(`exponent` - 157), where 2^30 <= |`digits`| < 2^31; 0 below 2^-126.
 #[derive(Clone, Copy)]
 struct Significand {
     digits: i32,
@@ -259,7 +261,6 @@ impl Significand {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::complex::Complex;
     use crate::table::scalar::float;
 
     /// Rates of any size and sign have an error below 3e-8 of their sum.
@@ -285,9 +286,8 @@ mod tests {
             let x = x * f64::from(1_u32 << level);
             let exact = float::omega_body(wide, mirrored, Complex::new(turn[0], turn[1]), [x, mean, axial]);
             let turn = turn.map(|part| (part * (1_u64 << 30) as f64) as i32);
-            let found = omega_body([values, slopes], mirrored, turn, level, rates);
+            let (omega, exponent) = omega_body([values, slopes], mirrored, turn, level, rates);
             let allowed = 3e-8 * (x + mean.abs() + axial.abs());
-            let (omega, exponent) = found;
             for (number, exact) in omega.into_iter().zip(exact) {
                 // a rotated number may exceed 1 by up to √2
                 assert!(number.0.unsigned_abs() < 3 << 29, "{case}: {number:?}");

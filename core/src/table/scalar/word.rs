@@ -15,15 +15,15 @@ use core::fmt::Debug;
 pub trait Word: Copy + Debug + PartialEq {
     /// Half the weight of the last bit that a rotation uses of a sum.
     const HALF: i32;
-    /// Coefficient of x^power nearest to a value in units of 2^-62, and its error in these units.
+    /// See [`Coefficient::nearest`](super::Coefficient::nearest).
     fn nearest(value: i64, power: usize) -> (Self, i64);
-    /// Error that the coefficients of a polynomial cause, both in units of 2^-62; infinite where a sum could overflow.
+    /// See [`Coefficient::error`](super::Coefficient::error).
     fn error(polynomial: &[i64]) -> f32;
     /// Coefficient as a sum.
     fn sum(self) -> i32;
     /// Factor for the local coordinate, from the latter times 2^31.
     fn coordinate(x: i32) -> i32;
-    /// Product of a sum and the local coordinate; `short` allows to use only 16 bits of the latter.
+    /// Product of a sum and the local coordinate, of which 16 bits are enough if `short`.
     fn product(sum: i32, x: i32, short: bool) -> i32;
     /// Sine and cosine of a phase, given by its 32 leading bits, for polynomials of this many terms.
     fn sine_cosine(phase: u32, terms: usize) -> (i32, i32);
@@ -42,7 +42,7 @@ const OVERFLOW: i64 = overflow_limit(3.2e-5);
 /// Least sum in 16 bits that could overflow, with a margin of about thirty roundings of a coefficient.
 #[cfg(feature = "fixed")]
 const SHORT_OVERFLOW: i64 = overflow_limit(1e-3);
-/// Factor 1 - 9.4e-6 of the coefficients of 16 bits, in units of 2^-30. The sines of 16 bits are up to 1.9e-5 too large; it halves that error.
+/// Factor 1 - 9.4e-6 of the coefficients of 16 bits, in units of 2^-30. It halves the error of their sines, which are up to 1.9e-5 too large.
 #[cfg(feature = "fixed")]
 const SHRINK: i64 = (1 << 30) - 10093;
 

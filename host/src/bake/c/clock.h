@@ -15,6 +15,7 @@ typedef struct { uint64_t leading; uint32_t low; } toytop_phase;
 typedef struct {
     uint32_t format, crc32, segments, terms;
     uint64_t first[3];         /* phases at tick INT64_MIN, from which ticks are unsigned numbers */
+    uint64_t epoch;            /* tick of the launch, as an unsigned number modulo 2^64 */
     toytop_phase step[3];      /* increments in a tick */
     uint64_t numbers[12];      /* bits of doubles: exact steps, ticks in a unit of time, error bounds of orientation and rates */
     uint32_t tip_start[4];     /* mean tip angle at tick 0, in units of 2^-96 turns, the least significant word first */
@@ -78,6 +79,7 @@ static inline uint32_t toytop_head(const toytop_clock *clock, uint32_t scalar) {
     sum = toytop_crc(toytop_crc(sum, clock->segments, 4), clock->terms, 4);
     for (int i = 0; i < 3; i++) sum = toytop_crc(toytop_crc(sum, clock->step[i].low, 4), clock->step[i].leading, 8);
     for (int i = 0; i < 3; i++) sum = toytop_crc(sum, clock->first[i], 8);
+    sum = toytop_crc(sum, clock->epoch, 8);
     for (int i = 0; i < 8; i++) sum = toytop_crc(sum, clock->numbers[i], 8);
     for (int i = 0; i < 4; i++) sum = toytop_crc(sum, clock->tip_start[i], 4);
     for (int i = 0; i < 4; i++) sum = toytop_crc(sum, clock->tip_step[i], 4);

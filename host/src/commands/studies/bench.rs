@@ -166,7 +166,7 @@ fn ephemeris<R: EphemerisScalar>(name: &str, table: &EphemerisView<R>) -> [Recor
     let next = per_tick(&format!("{name}: the next tick"), || {
         let mut cursor = table.cursor(black_box(FIRST));
         (0..TICKS).for_each(|_| {
-            black_box(cursor.next(table).orientation());
+            black_box(cursor.next().orientation());
         });
     });
     let any = per_tick(&format!("{name}: any tick"), || {

@@ -90,6 +90,7 @@ pub(crate) const RATES: u32 = 500;
 
 fn rates<R: Bits, const S: usize>(file: &str, tick: [u32; 2]) -> String {
     let table = table::<R, S>(file, tick);
+    let [[turns_per_tick, _], ..] = table.clock().exact_step;
     let (mut state, mut text) = (1, String::new());
     for k in 0..RATES {
         let tick = next_tick(&mut state, k);
@@ -97,8 +98,13 @@ fn rates<R: Bits, const S: usize>(file: &str, tick: [u32; 2]) -> String {
         now.quaternion().into_iter().for_each(|x| text += &format!("{} ", x.hexadecimal()));
         let rates = now.omega().into_iter().chain(now.omega_body());
         rates.for_each(|x| text += &format!("{:x} ", x.to_f64().to_bits()));
-        match table.next_turning_point(tick) {
-            Some(point) => writeln!(text, "{} {}", point.tick, i32::from(point.upper)),
+        // the first tick at or after a turning point, or before it by a rounding
+        let turns = table.turning_points(tick.saturating_sub(1)).take(3).filter(|_| turns_per_tick < 0.5);
+        let mut turns = turns.map(|turn| {
+            (turn.tick + i64::from(turn.share * turns_per_tick > 2_f64.powi(-50)), i32::from(turn.upward))
+        });
+        match turns.find(|(first, _)| *first >= tick) {
+            Some((first, upper)) => writeln!(text, "{first} {upper}"),
             None => writeln!(text, "-"),
         }
         .expect("memory");
@@ -116,7 +122,7 @@ fn truth<R: Bits, const S: usize>(file: &str, tick: [u32; 2]) -> String {
     for k in 0..runs {
         let mut cursor = table.cursor(next_tick(&mut state, k + 20));
         for _ in 0..length {
-            line(&mut text, &cursor.next(&table));
+            line(&mut text, &cursor.next());
         }
     }
     text
@@ -140,7 +146,7 @@ impl Bits for f32 {
     }
 
     fn u(sample: &Sample<'_, Self>) -> Self {
-        sample.pose().u
+        sample.u()
     }
 
     fn tip(sample: &Sample<'_, Self>) -> Complex<Self> {

@@ -65,7 +65,7 @@ fn main() {
     for k in 0..{runs} {{
         let mut cursor = table.cursor(next_tick(&mut state, k + 20));
         for _ in 0..{length} {{
-            print!(cursor.next(table), ({u}), ({tip}));
+            print!(cursor.next(), ({u}), ({tip}));
         }}
     }}
 ",

@@ -6,34 +6,42 @@ use crate::phase::{Phase, PhaseFraction, integer_parts, shifted};
 use crate::scalar::{Extended, Float};
 use crate::table::build::MeanRates;
 use crate::table::cell::LONGEST;
-use crate::table::data::tip_clock::TipClock;
 use crate::table::tick::Tick;
 
-/// Phases at tick `i64::MIN`, their increments per tick, and the scales of lengths and rates, as plain numbers: see
-/// `core/docs/table_format.md`.
+/// Phases and their increments per tick, and the scales of lengths and rates, as plain numbers: see `core/docs/table_format.md`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)] // the increments lie first, within the short address range of the smallest chip's load instructions
 pub struct Clock<W> {
     /// Increments per tick of nutation phase, A and B, in units of 2^-96 turns, the least significant word first.
     pub step: [[u32; 3]; 3],
+    /// Quarter turns of the argument of the tabulated αβ at u = e₁: 0; 1 or -1 where e₁ = -1.
+    pub tip_quarter: i8,
+    /// Number of the parameters α and β that pass through 0: 0, 1 or 2.
+    pub tip_passes: u8,
+    /// Whether the tip angle exists; false where the axis is vertical at all times.
+    pub tip_exists: bool,
+    /// Whether u has turning points; false where u is constant to 2^-49.
+    pub has_turning_points: bool,
     /// Scale of the tip curve, 2 s in m; 2 for a fixed tip.
     pub tip_scale: W,
-    /// Nutation phase, A and B at tick `i64::MIN`, in units of 2^-64 turns.
-    pub first: [u64; 3],
-    /// Increments per tick of nutation phase, A and B in turns, whole turns included, each as the sum of two `f64`.
-    pub exact_step: [[f64; 2]; 3],
-    /// Number of ticks in a unit of time, as the sum of two `f64`.
-    pub ticks_per_time: [f64; 2],
     /// Three rates: dx/dt on a segment of an eighth of half a period, per unit time; the mean rate of A + B, rad per unit time; the axial
     /// component (n - K)/C of the angular velocity, rad per unit time.
     pub rates: [W; 3],
-    /// Clock of the mean tip angle.
-    pub tip: TipClock,
-    /// Whether u has turning points; false where u is constant to 2^-49.
-    pub has_turning_points: bool,
+    /// Nutation phase, A and B at tick `i64::MIN`, in units of 2^-64 turns.
+    pub first: [u64; 3],
+    /// Increments in turns, whole turns included, each as the sum of two `f64`.
+    pub exact_step: [[f64; 2]; 3],
+    /// Number of ticks in a unit of time, as the sum of two `f64`.
+    pub ticks_per_time: [f64; 2],
+    /// Mean tip angle at tick 0, whole turns included, in units of 2^-96 turns, the least significant word first.
+    pub tip_start: [u32; 4],
+    /// Increment of the mean tip angle per tick, in the same units.
+    pub tip_step: [u32; 4],
+    /// Tick of the launch, from which the error bounds grow.
+    pub epoch: i64,
 }
 
-/// Time between two ticks: the tick before it, and the time since that tick in units of 2^-64 ticks.
+/// Time as the tick before it, and the time since that tick in units of 2^-64 ticks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Instant {
     pub(crate) tick: i64,
@@ -41,61 +49,72 @@ pub(crate) struct Instant {
 }
 
 impl<W: Float> Clock<W> {
-    /// Placeholder for a clock before set-up; all increments are 0.
+    /// Clock before set-up.
     pub(crate) const STOPPED: Self = Self {
         step: [[0; 3]; 3],
+        tip_quarter: 0,
+        tip_passes: 0,
+        tip_exists: false,
+        has_turning_points: false,
         tip_scale: W::ZERO,
+        rates: [W::ZERO; 3],
         first: [0; 3],
         exact_step: [[0.0; 2]; 3],
         ticks_per_time: [0.0; 2],
-        rates: [W::ZERO; 3],
-        tip: TipClock::STOPPED,
-        has_turning_points: false,
+        tip_start: [0; 4],
+        tip_step: [0; 4],
+        epoch: 0,
     };
 
-    /// Clock of a motion that is launched at tick `epoch`; [`TipClock::start`] is not set yet.
+    /// Clock of a motion that is launched at tick `epoch`; [`Clock::tip_start`] is not set yet.
     pub(crate) fn new(motion: &Motion, tick: Tick, epoch: i64, rates: &MeanRates, start: [Phase; 3]) -> Self {
         let length = tick.length();
         let exact_step = rates.turns.map(|turns| turns * length);
         let [frequency, alpha, beta] = rates.turns;
         let mean = ((alpha + beta) * Extended::TWO_PI).to_f64();
-        let axial = motion.axial_rate();
         // x changes by 2 over each segment
         let x_rate = 4.0 * LONGEST as f64 * frequency.to_f64();
+        let [alpha_winding, beta_winding] = motion.windings();
+        let tip_passes = u8::from(alpha_winding == 0) + u8::from(beta_winding == 0);
         Self {
-            first: first_phases(start, epoch, exact_step),
             step: exact_step.map(|step| PhaseFraction::from_phase(step.to_phase()).words()),
+            tip_quarter: if alpha_winding == 0 { motion.signs().l_plus_n.factor() as i8 } else { 0 },
+            tip_passes,
+            tip_exists: !motion.regime().is_vertical(),
+            has_turning_points: motion.regime() == Regime::Nutating,
+            tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
+            rates: [x_rate, mean, motion.axial_rate()].map(W::from_f64),
+            first: first_phases(start, epoch, exact_step),
             exact_step: exact_step.map(Extended::parts),
             ticks_per_time: tick.rate().parts(),
-            tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
-            rates: [x_rate, mean, axial].map(W::from_f64),
-            tip: TipClock::new(motion, exact_step),
-            has_turning_points: motion.regime() == Regime::Nutating,
+            tip_start: [0; 4],
+            tip_step: exact_tip_step(exact_step, tip_passes).to_phase().words(),
+            epoch,
         }
     }
 }
 
 impl<W> Clock<W> {
-    /// Increments per tick of nutation phase, A and B.
+    /// Increments per tick.
     #[inline(always)]
     pub(crate) fn steps(&self) -> [PhaseFraction; 3] {
         self.step.map(PhaseFraction::new)
     }
 
-    /// Increments per tick of nutation phase, A and B in turns, whole turns included.
+    /// Increments per tick in turns, whole turns included.
     pub(crate) fn exact_steps(&self) -> [Extended; 3] {
         self.exact_step.map(|[hi, lo]| Extended::sum(hi, lo))
     }
 
-    /// Increments per tick of nutation phase, A and B in turns, rounded to `f64`.
-    pub(crate) fn turns_per_tick(&self) -> [f64; 3] {
-        self.exact_steps().map(Float::to_f64)
+    /// Number of ticks in a unit of time.
+    pub(crate) fn tick_rate(&self) -> Extended {
+        let [hi, lo] = self.ticks_per_time;
+        Extended::sum(hi, lo)
     }
 
     /// Number of ticks until a time; a time that is not finite counts as 0.
     pub(crate) fn ticks(&self, t: f64) -> Extended {
-        let [hi, lo] = self.ticks_per_time;
-        Extended::sum(hi, lo) * if t.is_finite() { t } else { 0.0 }.into()
+        self.tick_rate() * if t.is_finite() { t } else { 0.0 }.into()
     }
 
     /// Instant of a time, rounded to 2^-64 ticks; `None` from 2^62 ticks on, and where this is too coarse because a phase turns by half a
@@ -105,8 +124,8 @@ impl<W> Clock<W> {
         const MOST_TICKS: f64 = (1_u64 << 62) as f64;
         let [hi, lo] = self.ticks_per_time;
         let (time, exponent) = integer_parts(t);
-        let near = Float::abs(t * hi) < MOST_TICKS || !t.is_finite();
-        let slow = |[turns, _]: [f64; 2]| Float::abs(turns) < 0.5;
+        let near = (t * hi).abs() < MOST_TICKS || !t.is_finite();
+        let slow = |[turns, _]: [f64; 2]| turns.abs() < 0.5;
         let [nutation_step, a_step, b_step] = self.exact_step;
         let exact = slow(nutation_step) && slow(a_step) && slow(b_step);
         (near && exact).then(|| {
@@ -147,14 +166,40 @@ impl<W> Clock<W> {
     pub(crate) fn after(&self, ticks: Extended) -> ([PhaseFraction; 3], Phase) {
         let (ticks, share) = ticks.floor_and_rest();
         let since_first = ticks.wrapping_sub(i64::MIN.into());
+        let turned = |step: Phase, ticks: i128| Phase::from_bits(step.to_bits().wrapping_mul(ticks));
         let mut phases = self.steps();
         for ((phase, exact), first) in phases.iter_mut().zip(self.exact_steps()).zip(self.first) {
-            let turned = Phase::from_bits(phase.to_phase().to_bits().wrapping_mul(since_first));
             let part = (exact * share).to_phase();
-            *phase = PhaseFraction::from_phase(turned + part).plus_leading(first);
+            *phase =
+                PhaseFraction::from_phase(turned(phase.to_phase(), since_first) + part).plus_leading(first);
         }
-        (phases, self.tip.after(ticks) + (self.tip.exact_step(self.exact_steps()) * share).to_phase())
+        let part = (exact_tip_step(self.exact_steps(), self.tip_passes) * share).to_phase();
+        (phases, Phase::from_words(self.tip_start) + turned(self.tip_turn(), ticks) + part)
     }
+
+    /// Increment of the mean tip angle per tick.
+    #[inline(always)]
+    pub(crate) fn tip_turn(&self) -> Phase {
+        Phase::from_words(self.tip_step)
+    }
+
+    /// Mean tip angle at tick n.
+    #[inline(always)]
+    pub(crate) fn mean_tip(&self, n: i64) -> Phase {
+        Phase::from_words(self.tip_start) + self.tip_turn().times(n)
+    }
+
+    /// Mean tip angle at an instant.
+    #[inline(always)]
+    pub(crate) fn mean_tip_at(&self, Instant { tick, share }: Instant) -> Phase {
+        self.mean_tip(tick) + self.tip_turn().share(share)
+    }
+}
+
+/// Increment of the mean tip angle per tick, in turns. A and B include half a turn per period for a parameter that passes through 0; the
+/// tip angle does not.
+fn exact_tip_step([nutation, a, b]: [Extended; 3], passes: u8) -> Extended {
+    a + b - nutation * Extended::from(0.5 * f64::from(passes))
 }
 
 /// Phases at tick `i64::MIN`, in units of 2^-64 turns, from those at tick `epoch` and the increments in turns. The product is not one of

@@ -1,19 +1,19 @@
 //! Baked ephemeris: an ephemeris as literal data, set up on a host and compiled into the flash of a chip.
 
+mod crc32;
 mod range;
-mod refusal;
 
-pub use refusal::BakedError;
-
-use refusal::FORMAT;
+use core::fmt;
 
 use crate::table::build::bound::ErrorBound;
 use crate::table::cell::CELLS;
-use crate::table::data::clock::Clock;
-use crate::table::data::crc32::Crc32;
-use crate::table::data::storage::{Ephemeris, EphemerisStorage, EphemerisView};
-use crate::table::data::tip_clock::TipClock;
+use crate::table::clock::Clock;
+use crate::table::ephemeris::{Ephemeris, EphemerisView};
 use crate::table::scalar::EphemerisScalar;
+use crc32::Crc32;
+
+/// Version of the format.
+const FORMAT: u32 = 7;
 
 /// Fields of an [`Ephemeris`] as plain numbers, which a program writes as source text and the compiler reads: `toytop bake SCENARIO`.
 ///
@@ -37,12 +37,55 @@ pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
     pub segments: [R::Segment; SEGMENTS],
 }
 
+/// Reason why literal data are refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum BakedError {
+    /// Field `format`: the data were written by another version.
+    Format {
+        /// Version found.
+        found: u32,
+    },
+    /// Field `crc32`: the checksum does not match the data.
+    Checksum {
+        /// Checksum in the data.
+        stated: u32,
+        /// Checksum computed from the data.
+        computed: u32,
+    },
+    /// A field contains a number that is not finite, or so large that a tick would overflow. Set-up writes no such
+    /// number.
+    OutOfRange {
+        /// Name of the field.
+        field: &'static str,
+    },
+}
+
+impl fmt::Display for BakedError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Format { found } => {
+                write!(f, "format: must be {FORMAT}, not {found}")
+            }
+            Self::OutOfRange { field } => {
+                write!(f, "{field}: must contain only finite numbers that cannot overflow in a tick")
+            }
+            Self::Checksum { stated, computed } => {
+                write!(f, "crc32: must be {computed:#010x}, not {stated:#010x}: the data were changed")
+            }
+        }
+    }
+}
+
+impl core::error::Error for BakedError {}
+
 impl<R: EphemerisScalar, const SEGMENTS: usize> Baked<R, SEGMENTS> {
     /// Version of the format that this version of the crate reads.
     pub const FORMAT: u32 = FORMAT;
 
-    const fn unpacked(&self) -> Ephemeris<R, SEGMENTS> {
-        EphemerisStorage {
+    const fn unchecked(&self) -> Ephemeris<R, SEGMENTS> {
+        EphemerisView {
             clock: self.clock,
             error_bound: self.error_bound,
             rate_error_bound: self.rate_error_bound,
@@ -52,88 +95,72 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Baked<R, SEGMENTS> {
     }
 }
 
+impl ErrorBound {
+    const fn numbers(self) -> [f64; 2] {
+        [self.constant, self.per_tick]
+    }
+}
+
 impl<R: EphemerisScalar> EphemerisView<R> {
     /// Checksum of the fields whose type does not depend on the scalar.
     const fn crc32_of_head(&self) -> Crc32 {
-        let mut sum =
-            Crc32::EMPTY.u32(FORMAT).u32(R::CODE).u32(self.segments.len() as u32).u32(R::TERMS as u32);
-        let Clock { step, first, exact_step, ticks_per_time, tip, has_turning_points, .. } = &self.clock;
-        let [nutation, a, b] = step;
-        sum = sum.words(nutation).words(a).words(b);
-        let [nutation, a, b] = *first;
-        sum = sum.u64(nutation).u64(a).u64(b);
-        let [nutation, a, b] = *exact_step;
-        sum = sum.pair(nutation).pair(a).pair(b).pair(*ticks_per_time);
-        let TipClock { start, step, quarter, passes, exists } = tip;
-        sum = sum.words(start).words(step).u8(*quarter as u8).u8(*passes).u8(*exists as u8);
-        sum = sum.u8(*has_turning_points as u8);
-        sum = sum.f64(self.error_bound.constant).f64(self.error_bound.per_tick);
-        sum = sum.f64(self.rate_error_bound.constant).f64(self.rate_error_bound.per_tick);
-        let mut cells = self.cells.as_slice();
-        while let [cell, rest @ ..] = cells {
-            sum = sum.u16(*cell);
-            cells = rest;
-        }
-        sum
-    }
-
-    /// Name of the first field with a number that is not finite, among the fields whose type does not depend on the
-    /// scalar.
-    const fn not_finite(&self) -> Option<&'static str> {
-        let [nutation, a, b] = self.clock.exact_step;
-        let ErrorBound { constant, per_tick } = self.error_bound;
-        let ErrorBound { constant: rate_constant, per_tick: rate_per_tick } = self.rate_error_bound;
-        if !(range::finite(nutation) && range::finite(a) && range::finite(b)) {
-            Some("exact_step")
-        } else if !range::finite(self.clock.ticks_per_time) {
-            Some("ticks_per_time")
-        } else if !range::finite([constant, per_tick]) {
-            Some("error_bound")
-        } else if !range::finite([rate_constant, rate_per_tick]) {
-            Some("rate_error_bound")
-        } else {
-            None
-        }
+        let clock = &self.clock;
+        let flags = [
+            clock.tip_quarter as u8,
+            clock.tip_passes,
+            clock.tip_exists as u8,
+            clock.has_turning_points as u8,
+        ];
+        Crc32::EMPTY
+            .u32(&[FORMAT, R::CODE, self.segments.len() as u32, R::TERMS as u32])
+            .u32(clock.step.as_flattened())
+            .u64(&clock.first)
+            .u64(&[clock.epoch as u64])
+            .f64(clock.exact_step.as_flattened())
+            .f64(&clock.ticks_per_time)
+            .u32(&clock.tip_start)
+            .u32(&clock.tip_step)
+            .u8(&flags)
+            .f64(&self.error_bound.numbers())
+            .f64(&self.rate_error_bound.numbers())
+            .u16(&self.cells)
     }
 }
 
 /// Functions that must be `const`, which a trait cannot declare; the macro defines them for each scalar.
 macro_rules! baked {
-    ($scalar:ty, $wide:ident, $coefficient:ident, $terms:ident) => {
+    ($scalar:ty, $wide:ident, $coefficient:ident) => {
         impl EphemerisView<$scalar> {
             /// Checksum of the table, as in table data.
             #[must_use]
             pub const fn crc32(&self) -> u32 {
-                let [x, mean, axial] = self.clock.rates;
-                let mut sum = self.crc32_of_head().$wide(self.clock.tip_scale);
-                sum = sum.$wide(x).$wide(mean).$wide(axial);
-                let mut rows = self.segments.as_flattened();
-                while let [[re_alpha, im_alpha, re_beta, im_beta], rest @ ..] = rows {
-                    sum = sum.$coefficient(*re_alpha).$coefficient(*im_alpha);
-                    sum = sum.$coefficient(*re_beta).$coefficient(*im_beta);
-                    rows = rest;
-                }
-                sum.value()
+                let head = self.crc32_of_head().$wide(&[self.clock.tip_scale]).$wide(&self.clock.rates);
+                head.$coefficient(self.segments.as_flattened().as_flattened()).value()
             }
 
             /// Name of the first field with a number that a tick cannot compute with.
             const fn out_of_range(&self) -> Option<&'static str> {
-                let [x, mean, axial] = self.clock.rates;
-                if let Some(field) = self.not_finite() {
-                    return Some(field);
-                }
-                if !range::$wide(self.clock.tip_scale) {
-                    return Some("tip_scale");
-                }
-                if !(range::$wide(x) && range::$wide(mean) && range::$wide(axial)) {
-                    return Some("rates");
-                }
                 let mut segments = &self.segments;
-                while let [segment, rest @ ..] = segments {
-                    if !range::$terms(segment) {
-                        return Some("segments");
-                    }
+                while let [segment, rest @ ..] = segments
+                    && range::$coefficient(segment.as_flattened())
+                {
                     segments = rest;
+                }
+                let fields: &[_] = &[
+                    ("exact_step", range::finite(self.clock.exact_step.as_flattened())),
+                    ("ticks_per_time", range::finite(&self.clock.ticks_per_time)),
+                    ("error_bound", range::finite(&self.error_bound.numbers())),
+                    ("rate_error_bound", range::finite(&self.rate_error_bound.numbers())),
+                    ("tip_scale", range::$wide(&[self.clock.tip_scale])),
+                    ("rates", range::$wide(&self.clock.rates)),
+                    ("segments", segments.is_empty()),
+                ];
+                let mut fields = fields;
+                while let [(field, in_range), rest @ ..] = fields {
+                    if !*in_range {
+                        return Some(field);
+                    }
+                    fields = rest;
                 }
                 None
             }
@@ -143,7 +170,7 @@ macro_rules! baked {
             /// Checksum of the data, which may differ from the field `crc32`.
             #[must_use]
             pub const fn computed_crc32(&self) -> u32 {
-                let table: &EphemerisView<$scalar> = &self.unpacked();
+                let table: &EphemerisView<$scalar> = &self.unchecked();
                 table.crc32()
             }
 
@@ -156,7 +183,7 @@ macro_rules! baked {
                 if self.format != FORMAT {
                     return Err(BakedError::Format { found: self.format });
                 }
-                let table = self.unpacked();
+                let table = self.unchecked();
                 let view: &EphemerisView<$scalar> = &table;
                 let computed = view.crc32();
                 if self.crc32 != computed {
@@ -188,9 +215,9 @@ macro_rules! baked {
     };
 }
 
-baked!(f32, f32, i32, long_terms);
-baked!(f64, f64, f64, double_terms);
+baked!(f32, f32, i32);
+baked!(f64, f64, f64);
 #[cfg(feature = "fixed")]
-baked!(fixed::types::I2F30, f32, i32, long_terms);
+baked!(fixed::types::I2F30, f32, i32);
 #[cfg(feature = "fixed")]
-baked!(fixed::types::I2F14, f32, i16, short_terms);
+baked!(fixed::types::I2F14, f32, i16);

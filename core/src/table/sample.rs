@@ -1,19 +1,21 @@
 //! Sample of a motion: three phases, and the quantities computed from them on demand.
 
+mod tip_angle;
+
 use crate::complex::Complex;
 use crate::motion::attitude_state::AttitudeState;
 use crate::phase::{Phase, PhaseFraction};
-use crate::scalar::Float;
+use crate::scalar::{Extended, Float};
 use crate::su2::{Orientation, OrientationRate, Vector};
-use crate::table::data::storage::EphemerisView;
-use crate::table::read::locate::LocatedSegment;
-use crate::table::scalar::{Coefficient, EphemerisScalar};
+use crate::table::cell::{Cell, LONGEST_BITS};
+use crate::table::ephemeris::EphemerisView;
+use crate::table::scalar::{Coefficient, EphemerisScalar, SegmentPoint};
 
-/// Sample of a motion at one time. Each method evaluates the table anew; [`Sample::pose`] and
-/// [`Sample::orientation_and_omega_body`] return several quantities of one evaluation.
+/// Sample of a motion at one time. Each method evaluates the table anew; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
+/// [`Sample::attitude_state`] return several quantities of one evaluation.
 ///
 /// Lengths and rates are in [`EphemerisScalar::Wide`]: R itself in floating point, `f32` in fixed point.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Sample<'a, R: EphemerisScalar> {
     pub(crate) ephemeris: &'a EphemerisView<R>,
     /// Leading 64 bits of nutation phase, A and B.
@@ -28,62 +30,13 @@ pub struct Sample<'a, R: EphemerisScalar> {
 pub struct Pose<R, W> {
     /// Orientation Φ.
     pub orientation: Orientation<R>,
-    /// Cosine of the tilt, which may exceed 1 by a rounding.
+    /// Cosine u of the tilt: see [`Sample::u`].
     pub u: R,
-    /// Position c of the tip, in m: see [`Sample::tip`].
+    /// Position c of the tip: see [`Sample::tip`].
     pub tip: Complex<W>,
 }
 
 type NumberOf<R> = <<R as EphemerisScalar>::Coefficient as Coefficient>::Number;
-
-impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Sample of the motion t units of time after tick 0, with t taken as exact. A t that is not finite counts as 0.
-    ///
-    /// It equals [`EphemerisView::at_tick`] to the bit where t is a whole number of ticks and the tick rate a multiple of 1/2. Beyond 2^63
-    /// ticks the motion continues without a jump.
-    #[inline(always)] // so that the mean tip angle is computed only where the caller uses it
-    #[must_use]
-    pub fn at(&self, t: f64) -> Sample<'_, R> {
-        match self.clock.instant(t) {
-            Some(instant) => Sample {
-                ephemeris: self,
-                phases: self.clock.at_instant(instant),
-                mean_tip: self.clock.tip.between(instant.tick, instant.share),
-            },
-            None => self.far(t),
-        }
-    }
-
-    /// [`EphemerisView::at`] for a time that has no [`Instant`](crate::table::data::clock::Instant).
-    #[cold]
-    #[inline(never)]
-    fn far(&self, t: f64) -> Sample<'_, R> {
-        let (phases, tip) = self.clock.after(self.clock.ticks(t));
-        Sample::new(self, phases, tip)
-    }
-
-    /// Time of the last tick, 2^63, in the motion's unit of time.
-    #[must_use]
-    pub fn last_time(&self) -> f64 {
-        let [ticks_per_time, _] = self.clock.ticks_per_time;
-        (1_u64 << 63) as f64 / ticks_per_time
-    }
-
-    /// Sample of the motion at tick n, of either sign.
-    #[inline(always)]
-    #[must_use]
-    pub fn at_tick(&self, n: i64) -> Sample<'_, R> {
-        Sample::new(self, self.clock.at(n), self.clock.tip.at(n))
-    }
-}
-
-impl<R: EphemerisScalar> Clone for Sample<'_, R> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<R: EphemerisScalar> Copy for Sample<'_, R> {}
 
 impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[inline(always)]
@@ -119,10 +72,10 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         }
     }
 
-    /// Cosine u of the tilt, in [-1, 1].
+    /// Cosine u of the tilt, which a rounding can take past ±1.
     #[must_use]
     pub fn u(&self) -> R {
-        R::rounded(self.evaluated().clamped_u())
+        R::rounded(self.evaluated().u())
     }
 
     /// Unit vector r from the tip to the centre of mass, in the fixed frame.
@@ -131,7 +84,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         self.evaluated().axis().map(R::rounded)
     }
 
-    /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give quaternions of opposite sign.
+    /// Unit quaternion [w, x, y, z] from body to fixed coordinates.
     #[must_use]
     pub fn quaternion(&self) -> [R; 4] {
         self.orientation().quaternion()
@@ -185,18 +138,6 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         Complex::new(x, y).scaled(-self.ephemeris.clock.tip_scale.halved())
     }
 
-    /// Tip angle φ = arg c, continuous in time from φ(0) in (-1/2, 1/2] turn, whole turns included (modulo 2^32
-    /// turns); `None` where the axis is vertical at all times. Error: that of the orientation over 2|αβ|.
-    ///
-    /// Where the curve passes through the centre (e₁ = -1 or e₂ = 1), φ is smooth there and the radius changes sign:
-    /// c = ±ρ e^{iφ}. Cost: an arctangent, and a complex product for every segment between u = e₁ and the sample.
-    #[must_use]
-    pub fn tip_angle(&self) -> Option<Phase> {
-        let [nutation, ..] = self.phases;
-        let exists = self.ephemeris.clock.tip.exists;
-        exists.then(|| self.mean_tip + self.ephemeris.periodic_tip_angle(nutation))
-    }
-
     /// Orientation and its rate, from which ω, u' and a [`State`](crate::State) follow.
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R::Wide> {
@@ -213,8 +154,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         R::Coefficient::orientation(terms, point, [a, b])
     }
 
-    /// Orientation before its conversion to the scalar, angular velocity Ω in the body frame over a power of two, and the exponent of
-    /// that power.
+    /// Orientation before its conversion, angular velocity Ω in the body frame over a power of two, and the exponent of that power.
     #[inline(always)]
     fn evaluated_with_rates(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
         let [nutation, a, b] = self.phases;
@@ -222,7 +162,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         R::Coefficient::orientation_and_rates(terms, point, [a, b], self.ephemeris.clock.rates)
     }
 
-    /// Orientation before its conversion to the scalar, and angular velocity Ω in the body frame.
+    /// Orientation before its conversion, and angular velocity Ω in the body frame.
     #[inline(always)]
     fn numbers_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Wide>) {
         let (orientation, [x1, x2, _], exponent) = self.evaluated_with_rates();
@@ -236,6 +176,78 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     fn axis_rate(&self) -> Vector<R::Wide> {
         let (orientation, omega_body, exponent) = self.evaluated_with_rates();
         orientation.axis_rate(omega_body).map(|rate| R::Coefficient::rate(rate, exponent))
+    }
+}
+
+/// Segment that contains a nutation phase, and the place on it.
+struct LocatedSegment<'a, R: EphemerisScalar> {
+    /// Coefficients, lowest power first.
+    terms: &'a [[R::Coefficient; 4]],
+    /// Index of the segment in the table.
+    index: usize,
+    point: SegmentPoint,
+}
+
+impl<R: EphemerisScalar> EphemerisView<R> {
+    /// Sample of the motion at tick n, of either sign.
+    #[inline(always)]
+    #[must_use]
+    pub fn at_tick(&self, n: i64) -> Sample<'_, R> {
+        Sample::new(self, self.clock.at(n), self.clock.mean_tip(n))
+    }
+
+    /// Sample of the motion t units of time after tick 0, with t taken as exact. A t that is not finite counts as 0.
+    ///
+    /// It equals [`EphemerisView::at_tick`] to the bit where t is a whole number of ticks and the tick rate a multiple of 1/2. Beyond 2^63
+    /// ticks the motion continues without a jump.
+    #[inline(always)] // so that the mean tip angle is computed only where the caller uses it
+    #[must_use]
+    pub fn at(&self, t: f64) -> Sample<'_, R> {
+        match self.clock.instant(t) {
+            Some(instant) => Sample {
+                ephemeris: self,
+                phases: self.clock.at_instant(instant),
+                mean_tip: self.clock.mean_tip_at(instant),
+            },
+            None => self.after(self.clock.ticks(t)),
+        }
+    }
+
+    /// Sample of the motion after any number of ticks.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn after(&self, ticks: Extended) -> Sample<'_, R> {
+        let (phases, mean_tip) = self.clock.after(ticks);
+        Sample::new(self, phases, mean_tip)
+    }
+
+    /// Time of the last tick, 2^63, in the motion's unit of time.
+    #[must_use]
+    pub fn last_time(&self) -> f64 {
+        let [ticks_per_time, _] = self.clock.ticks_per_time;
+        (1_u64 << 63) as f64 / ticks_per_time
+    }
+
+    /// Segment of a nutation phase, given by its 64 leading bits.
+    #[inline(always)]
+    fn locate(&self, nutation: u64) -> LocatedSegment<'_, R> {
+        let falling = (nutation as i64) >> 63;
+        // the fraction of half a period, and its 32 leading bits
+        let half = (nutation ^ falling as u64) << 1;
+        let leading = (half >> 32) as u32;
+        let cell = Cell(self.cells.get((leading >> 28) as usize).copied().unwrap_or_default());
+        let (level, index) = (cell.level(), cell.segment(leading));
+        // no cell refers to a segment beyond the last; the fallback to the first segment avoids a branch for a panic
+        let segment = self.segments.get(index).or(self.segments.first());
+        // the fraction of a segment of level 0, and its 32 leading bits
+        let (eighth, short) = (half << LONGEST_BITS, (half >> (32 - LONGEST_BITS)) as u32);
+        // the range [0, 1) becomes [-1, 1) by flipping the upper bit
+        let (x, short_x) = ((eighth << level) ^ (1 << 63), (short << level) ^ (1 << 31));
+        LocatedSegment {
+            terms: segment.map_or(&[], |segment| segment.as_ref()),
+            index,
+            point: SegmentPoint { x: x as i64, short_x: short_x as i32, level, mirrored: falling < 0 },
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::scalar::{Float, short_float};
 use crate::table::build::bound::ErrorBound;
 use crate::table::cell::{CELLS, Cell, LONGEST};
-use crate::table::data::clock::Clock;
+use crate::table::clock::Clock;
 use crate::table::scalar::{Coefficient, EphemerisScalar};
 use crate::table::series::TERMS;
 use core::ops::{Deref, DerefMut};
@@ -26,21 +26,18 @@ use core::ops::{Deref, DerefMut};
 /// let motion = Motion::launch(&top, &State::release(&release)?)?;
 /// let ephemeris = EphemerisF32::new(&motion, Tick::hertz(1000)?)?;
 /// let mut cursor = ephemeris.cursor(0);
-/// let now = cursor.next(&ephemeris); // tick 0; cannot fail
+/// let now = cursor.next(); // tick 0; cannot fail
 /// let in_a_century = ephemeris.at_tick(3_155_760_000_000);
 /// assert!(now.u() > 0.93 && in_a_century.u() > 0.8);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-pub type Ephemeris<R, const SEGMENTS: usize> =
-    EphemerisStorage<R, [<R as EphemerisScalar>::Segment; SEGMENTS]>;
+pub type Ephemeris<R, const SEGMENTS: usize> = EphemerisView<R, [<R as EphemerisScalar>::Segment; SEGMENTS]>;
 
-/// Ephemeris of any capacity, behind a reference: the argument type of cursors, samples and all other readers.
-pub type EphemerisView<R> = EphemerisStorage<R, [<R as EphemerisScalar>::Segment]>;
-
-/// Common type of [`Ephemeris`], whose segments are an array, and [`EphemerisView`], whose segments are a slice.
+/// Ephemeris of any capacity behind a reference, `&EphemerisView<f32>`: the argument type of all readers. With an array of segments in
+/// place of the slice it is an [`Ephemeris`].
 #[derive(Debug, PartialEq)]
 #[repr(C)] // the increments lie first, within the short address range of the smallest chip's load instructions
-pub struct EphemerisStorage<R: EphemerisScalar, S: ?Sized> {
+pub struct EphemerisView<R: EphemerisScalar, S: ?Sized = [<R as EphemerisScalar>::Segment]> {
     pub(crate) clock: Clock<R::Wide>,
     pub(crate) error_bound: ErrorBound,
     pub(crate) rate_error_bound: ErrorBound,
@@ -63,8 +60,7 @@ pub type EphemerisQ31 = Ephemeris<fixed::types::I2F30, 32>;
 #[cfg(feature = "fixed")]
 pub type EphemerisQ15 = Ephemeris<fixed::types::I2F14, 16>;
 
-impl<R: EphemerisScalar, const SEGMENTS: usize> EphemerisStorage<R, [R::Segment; SEGMENTS]> {
-    /// Assertion, evaluated by the compiler when the type is used.
+impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
     const SIZE_IS_VALID: () = assert!(SEGMENTS >= LONGEST && SEGMENTS <= Cell::MOST_SEGMENTS);
 
     /// Memory of a table. All its bits are 0, so that it takes no flash.
@@ -78,16 +74,9 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> EphemerisStorage<R, [R::Segment;
             segments: [R::ZERO_SEGMENT; SEGMENTS],
         }
     };
-
-    /// Ephemeris without the capacity in its type.
-    #[inline(always)]
-    #[must_use]
-    pub fn view(&self) -> &EphemerisView<R> {
-        self
-    }
 }
 
-impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for EphemerisStorage<R, [R::Segment; SEGMENTS]> {
+impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for Ephemeris<R, SEGMENTS> {
     type Target = EphemerisView<R>;
 
     #[inline(always)]
@@ -96,7 +85,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for EphemerisStorage<R, [R
     }
 }
 
-/// Memory of a table, for a static: `EphemerisMemory<EphemerisF32>`. `get` returns the table after a set-up that succeeded.
+/// Memory of a table, for a static: `EphemerisMemory<EphemerisF32>`.
 #[derive(Debug)]
 #[repr(transparent)]
 pub struct EphemerisMemory<T: ?Sized>(T);
@@ -116,7 +105,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Default for EphemerisMemory<Ephe
 }
 
 impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
-    /// Table, if it was set up.
+    /// Table, if the last set-up succeeded.
     #[must_use]
     pub fn get(&self) -> Option<&EphemerisView<R>> {
         let Self(table) = self;
@@ -178,7 +167,7 @@ impl<R: EphemerisScalar> Deref for ReadyEphemeris<'_, R> {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Whether a set-up has written all fields. The error bound is the last, and positive.
+    /// Whether a set-up has written all fields. The error bound is the last one.
     fn is_set_up(&self) -> bool {
         self.error_bound.constant > 0.0
     }
@@ -189,34 +178,50 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.segments.len()
     }
 
-    /// Phases and rates, for a program that writes tables.
+    /// Phases and rates.
     #[must_use]
     pub fn clock(&self) -> &Clock<R::Wide> {
         &self.clock
     }
 
-    /// Level and first segment of each sixteenth of half a period, for a program that writes tables.
+    /// Level and first segment of each sixteenth of half a period.
     #[must_use]
     pub fn cells(&self) -> [u16; CELLS] {
         self.cells
     }
 
-    /// Coefficients, for a program that writes tables.
+    /// Coefficients.
     #[must_use]
     pub fn segments(&self) -> &[R::Segment] {
         &self.segments
     }
 
-    /// Upper bound on the orientation error, rad.
+    /// Upper bound on the orientation error, rad, by the number of ticks from the launch.
     #[must_use]
     pub fn error_bound(&self) -> ErrorBound {
         self.error_bound
+    }
+
+    /// Upper bound on the orientation error at a tick, rad.
+    #[must_use]
+    pub fn error_bound_at(&self, tick: i64) -> f64 {
+        self.error_bound.after(self.ticks_from_launch(tick))
     }
 
     /// Upper bound on |Δω|, |ΔΩ| and |Δu'|, rad per unit time, and on the error of the tip's velocity over s (1 for a fixed tip).
     #[must_use]
     pub fn rate_error_bound(&self) -> ErrorBound {
         self.rate_error_bound
+    }
+
+    /// Upper bound on the errors of the rates at a tick.
+    #[must_use]
+    pub fn rate_error_bound_at(&self, tick: i64) -> f64 {
+        self.rate_error_bound.after(self.ticks_from_launch(tick))
+    }
+
+    fn ticks_from_launch(&self, tick: i64) -> f64 {
+        tick.abs_diff(self.clock.epoch) as f64
     }
 }
 
@@ -254,9 +259,7 @@ pub(crate) fn put<R: EphemerisScalar>(
 
 /// Capacity and error bound, not the table.
 #[cfg(feature = "defmt")]
-impl<R: EphemerisScalar, const SEGMENTS: usize> defmt::Format
-    for EphemerisStorage<R, [R::Segment; SEGMENTS]>
-{
+impl<R: EphemerisScalar, const SEGMENTS: usize> defmt::Format for Ephemeris<R, SEGMENTS> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "ephemeris of {=usize} segments, {}", SEGMENTS, self.error_bound());
     }

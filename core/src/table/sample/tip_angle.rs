@@ -1,4 +1,4 @@
-//! Tip angle of an ephemeris: the sum of its mean, which is linear in time, and of a periodic part from the table.
+//! Tip angle: the sum of its mean, which is linear in time, and of a periodic part from the table.
 //!
 //! While u rises, the periodic part is the argument of the tabulated αβ; while u falls, it is its negative. αβ may wind around 0 many
 //! times, so its crossings of the negative real axis are counted at the centres of the segments. All scalars are evaluated in `f64`.
@@ -8,24 +8,42 @@ use core::ops::Range;
 use crate::complex::Complex;
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::table::data::storage::EphemerisView;
-use crate::table::data::tip_clock::TipClock;
-use crate::table::read::locate::LocatedSegment;
+use crate::table::clock::Clock;
+use crate::table::ephemeris::EphemerisView;
+use crate::table::sample::{LocatedSegment, Sample};
 use crate::table::scalar::{Coefficient, EphemerisScalar, values_and_slopes};
+
+impl<R: EphemerisScalar> Sample<'_, R> {
+    /// Tip angle φ = arg c, continuous in time from φ(0) in (-1/2, 1/2] turn, whole turns included (modulo 2^32
+    /// turns); `None` where the axis is vertical at all times. Error: that of the orientation over 2|αβ|.
+    ///
+    /// Where the curve passes through the centre (e₁ = -1 or e₂ = 1), φ is smooth there and the radius changes sign:
+    /// c = ±ρ e^{iφ}. Cost: an arctangent, and a complex product for every segment between u = e₁ and the sample.
+    #[must_use]
+    pub fn tip_angle(&self) -> Option<Phase> {
+        self.ephemeris.clock.tip_exists.then(|| self.any_tip_angle())
+    }
+
+    /// Tip angle, if it exists.
+    pub(crate) fn any_tip_angle(&self) -> Phase {
+        let [nutation, ..] = self.phases;
+        self.mean_tip + self.ephemeris.periodic_tip_angle(nutation)
+    }
+}
 
 impl<R: EphemerisScalar> EphemerisView<R> {
     /// Mean rate of the tip angle in turns per unit time; 0 where the axis is vertical at all times.
     #[must_use]
     pub fn mean_tip_angle_rate(&self) -> f64 {
         let [ticks_per_time, _] = self.clock.ticks_per_time;
-        Phase::from_words(self.clock.tip.step).to_f64() * ticks_per_time
+        self.clock.tip_turn().to_f64() * ticks_per_time
     }
 
     /// Periodic part of the tip angle at a nutation phase, given by its 64 leading bits.
-    pub(crate) fn periodic_tip_angle(&self, nutation: u64) -> Phase {
+    fn periodic_tip_angle(&self, nutation: u64) -> Phase {
         let found = self.locate(nutation);
         let mut winding = Winding::START;
-        self.continue_over(0..found.number + 1, &mut winding);
+        self.continue_over(0..found.index + 1, &mut winding);
         self.signed_part(nutation) + self.winding_in(&found, winding).angle_on(nutation)
     }
 
@@ -43,12 +61,12 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     ) {
         const SEGMENTS: usize = 16;
         let nutation = nutation.fraction();
-        let TipClock { quarter, passes, .. } = self.clock.tip;
-        let quarter_turn = Phase::QUARTER.times(quarter.into());
+        let Clock { tip_quarter, tip_passes, .. } = self.clock;
+        let quarter_turn = Phase::QUARTER.times(tip_quarter.into());
         let found = self.locate(nutation);
         let mut winding = Winding::START;
-        for first in (0..found.number + 1).step_by(SEGMENTS) {
-            self.continue_over(first..(found.number + 1).min(first + SEGMENTS), &mut winding);
+        for first in (0..found.index + 1).step_by(SEGMENTS) {
+            self.continue_over(first..(found.index + 1).min(first + SEGMENTS), &mut winding);
             between();
         }
         let tabulated = self.winding_in(&found, winding).angle_on(nutation);
@@ -57,18 +75,18 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let exact = argument - a - b - if is_falling(nutation) { -quarter_turn } else { quarter_turn };
         let off = exact - tabulated;
         // where the curve passes through the centre, the radius has a sign, which half a turn of the angle changes
-        let off = if quarter != 0 || passes != 0 { half_turn_remainder(off) } else { off.principal() };
+        let off =
+            if tip_quarter != 0 || tip_passes != 0 { half_turn_remainder(off) } else { off.principal() };
         let at_launch = argument - self.signed_part(nutation) - tabulated - off;
-        self.clock.tip.start = (at_launch - Phase::from_words(self.clock.tip.step).times(epoch)).words();
+        self.clock.tip_start = (at_launch - self.clock.tip_turn().times(epoch)).words();
     }
 
-    /// Half a turn per period for each parameter that passes through 0. The slow phases contain it, and the tip angle
-    /// does not.
+    /// Half a turn per period for each parameter that passes through 0.
     fn signed_part(&self, nutation: u64) -> Phase {
-        Phase::from_bits(i128::from(nutation as i64) << 31).times(self.clock.tip.passes.into())
+        Phase::from_bits(i128::from(nutation as i64) << 31).times(self.clock.tip_passes.into())
     }
 
-    /// Continues the argument of αβ over the centres of these segments.
+    /// Continues the argument of αβ through the centres of these segments.
     fn continue_over(&self, segments: Range<usize>, winding: &mut Winding) {
         for segment in self.segments.get(segments).unwrap_or_default() {
             let [centre, ..] = segment.as_ref() else { continue };
@@ -98,7 +116,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Product αβ, turned so that at u = e₁ it leaves along the positive real axis.
     fn rotated_back(&self, product: Complex<f64>) -> Complex<f64> {
-        match self.clock.tip.quarter {
+        match self.clock.tip_quarter {
             0 => product,
             1.. => -product.times_i(),
             _ => product.times_i(),
@@ -148,7 +166,7 @@ impl Winding {
         self.z = z;
     }
 
-    /// Argument at this nutation phase; on the second half of the period it is the negative one.
+    /// Argument at this nutation phase: the negative one on the second half of the period.
     fn angle_on(&self, nutation: u64) -> Phase {
         let angle = Phase::from_radians(self.z.arg()) + Phase::ONE.times(self.turns);
         if is_falling(nutation) { -angle } else { angle }

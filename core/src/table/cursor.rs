@@ -1,0 +1,186 @@
+//! Cursor: evaluation of consecutive ticks by adding increments to the phases.
+
+use core::ops::Deref;
+
+use crate::phase::{Phase, PhaseFraction};
+use crate::su2::Orientation;
+use crate::table::clock::Clock;
+use crate::table::ephemeris::{EphemerisView, ReadyEphemeris};
+use crate::table::sample::Sample;
+use crate::table::scalar::EphemerisScalar;
+
+/// Table with the phases of consecutive ticks, which three additions advance.
+///
+/// The table is a `&EphemerisView`, or a [`ReadyEphemeris`], whose memory is free for another set-up after an exchange. An interrupt exchanges
+/// tables without lock and copy; all of them count the ticks of one counter.
+///
+/// ```
+/// # use toytop::{Cursor, EphemerisF32, EphemerisMemory, Motion, Release, SetUp, State, Tick, Top, TopParameters};
+/// # let top = Top::sliding(&TopParameters {
+/// #     transverse_inertia: 3.0e-5,
+/// #     axial_inertia: 2.0e-5,
+/// #     com_height: 0.03,
+/// #     mass: 0.05,
+/// #     ..TopParameters::default()
+/// # })?;
+/// # let tick = Tick::hertz(1000)?;
+/// # let launched = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
+/// # let mut set_up = SetUp::new();
+/// # let [mut first, mut second] = [(); 2].map(|()| EphemerisMemory::<EphemerisF32>::new());
+/// # let first = first.set_up(&mut set_up, &Motion::launch(&top, &launched)?, tick, 0, &mut || {})?;
+/// # let struck = first.at_tick(3).attitude_state().state()?.with_impulse(&top, [0.0, 1e-3, 0.0], [0.03, 0.0, 0.03])?;
+/// # let second = second.set_up(&mut set_up, &Motion::launch(&top, &struck)?, tick, 3, &mut || {})?;
+/// let mut cursor = Cursor::new(first, 0);
+/// for _ in 0..4 {
+///     let _orientation = cursor.next().orientation(); // ticks 0 to 3
+/// }
+/// let old = cursor.exchange(second); // cannot fail
+/// let _orientation = cursor.next().orientation(); // tick 4
+/// assert!(cursor.tick() == 4 && old.capacity() == 25);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+#[repr(C)]
+pub struct Cursor<T> {
+    ticks: Ticks,
+    table: T,
+}
+
+impl<R: EphemerisScalar, T: Deref<Target = EphemerisView<R>>> Cursor<T> {
+    /// Cursor whose first sample is that of tick `first`.
+    #[must_use]
+    pub fn new(table: T, first: i64) -> Self {
+        Self { ticks: Ticks::new(&table.clock, first), table }
+    }
+
+    /// Tick of the last sample; before the first sample, the tick before that one. It wraps after 2^63 - 1.
+    #[inline(always)]
+    #[must_use]
+    pub fn tick(&self) -> i64 {
+        self.ticks.tick()
+    }
+
+    /// Table of the next sample.
+    #[must_use]
+    pub fn table(&self) -> &EphemerisView<R> {
+        &self.table
+    }
+
+    /// Exchanges the table and returns the previous one. The tick number continues.
+    pub fn exchange(&mut self, table: T) -> T {
+        self.ticks = Ticks::new(&table.clock, self.tick().wrapping_add(1));
+        core::mem::replace(&mut self.table, table)
+    }
+}
+
+impl<'a, R: EphemerisScalar> Cursor<&'a EphemerisView<R>> {
+    /// Sample of the next tick. The sequence has no end and cannot fail.
+    #[expect(clippy::should_implement_trait, reason = "there is always a next sample")]
+    #[inline(always)]
+    pub fn next(&mut self) -> Sample<'a, R> {
+        self.ticks.next(self.table)
+    }
+}
+
+impl<R: EphemerisScalar> Cursor<ReadyEphemeris<'_, R>> {
+    /// Sample of the next tick, to be used before the table is exchanged.
+    #[expect(clippy::should_implement_trait, reason = "an iterator cannot lend from itself")]
+    #[inline(always)]
+    pub fn next(&mut self) -> Sample<'_, R> {
+        self.ticks.next(&self.table)
+    }
+}
+
+/// Phases of consecutive ticks of a table that is kept elsewhere.
+#[derive(Clone, Debug)]
+#[repr(C)]
+pub struct Ticks {
+    /// Phases of the previous tick.
+    phases: [PhaseFraction; 3],
+    /// Number of the last tick, `base + count`. A count of 32 bits, with a rare branch for its carry, needs fewer registers of a small
+    /// chip than one of 64 bits.
+    count: u32,
+    base: i64,
+}
+
+impl Ticks {
+    /// Phases before tick `first`.
+    pub fn new<W>(clock: &Clock<W>, first: i64) -> Self {
+        let mut phases = clock.at(first);
+        for (phase, step) in phases.iter_mut().zip(clock.steps()) {
+            *phase = phase.minus(step);
+        }
+        Self { phases, count: 0, base: first.wrapping_sub(1) }
+    }
+
+    /// Sample of the next tick of the table that made the phases.
+    #[inline(always)]
+    pub fn next<'a, R: EphemerisScalar>(&mut self, table: &'a EphemerisView<R>) -> Sample<'a, R> {
+        for (phase, step) in self.phases.iter_mut().zip(table.clock.steps()) {
+            *phase = phase.plus(step);
+        }
+        let (count, carry) = self.count.overflowing_add(1);
+        self.count = count;
+        if carry {
+            self.carry();
+        }
+        Sample::new(table, self.phases, table.clock.mean_tip(self.tick()))
+    }
+
+    /// Tick of the last sample.
+    #[inline(always)]
+    pub fn tick(&self) -> i64 {
+        self.base.wrapping_add(self.count.into())
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn carry(&mut self) {
+        self.base = self.base.wrapping_add(1 << 32);
+    }
+}
+
+/// Number of ticks whose phases are computed before their orientations, which then do not depend on each other.
+const BLOCK: usize = 16;
+
+impl<R: EphemerisScalar> EphemerisView<R> {
+    /// Cursor whose first sample is that of tick `first`.
+    #[must_use]
+    pub fn cursor(&self, first: i64) -> Cursor<&Self> {
+        Cursor::new(self, first)
+    }
+
+    /// Samples at the ticks first, first + 1, ..., without end.
+    pub fn samples(&self, first: i64) -> impl Iterator<Item = Sample<'_, R>> + Clone {
+        let mut cursor = self.cursor(first);
+        core::iter::repeat_with(move || cursor.next())
+    }
+
+    /// Fills `out` with the orientations at the ticks first, first + 1, .... The bits are those of [`EphemerisView::at_tick`]; a large
+    /// processor takes less time than for separate calls.
+    pub fn fill(&self, first: i64, out: &mut [Orientation<R>]) {
+        // as 128-bit numbers: three words would have to be assembled for every tick
+        let step = self.clock.steps().map(|step| step.to_phase());
+        let mut now = self.clock.at(first).map(|phase| phase.to_phase());
+        let mut phases = [[0; 3]; BLOCK];
+        for block in out.chunks_mut(BLOCK) {
+            for phases in phases.iter_mut().take(block.len()) {
+                *phases = now.map(Phase::fraction);
+                for (now, step) in now.iter_mut().zip(step) {
+                    *now += step;
+                }
+            }
+            for (orientation, &phases) in block.iter_mut().zip(&phases) {
+                *orientation = Sample { ephemeris: self, phases, mean_tip: Phase::ZERO }.orientation();
+            }
+        }
+    }
+}
+
+/// Tick of the last sample.
+#[cfg(feature = "defmt")]
+impl<R: EphemerisScalar, T: Deref<Target = EphemerisView<R>>> defmt::Format for Cursor<T> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "cursor at tick {=i64}", self.tick());
+    }
+}
