@@ -2,7 +2,7 @@
 
 use super::{Label, Parts};
 use crate::motion::Scalar;
-use toytop::ErrorBound;
+use toytop::{Clock, ErrorBound};
 
 /// Text of the module. Numbers are printed by Rust, which reads back the same bits.
 pub fn module(label: &Label, parts: &Parts) -> String {
@@ -19,7 +19,8 @@ pub fn module(label: &Label, parts: &Parts) -> String {
         // the shortest decimal that is read as this f32
         _ => format!("{:?}", x as f32),
     };
-    let clock = &parts.clock;
+    let Clock { step, tip_quarter, tip_passes, tip_exists, has_turning_points, first, .. } = &parts.clock;
+    let Clock { exact_step, ticks_per_time, tip_start, tip_step, epoch, .. } = &parts.clock;
     let bound = |ErrorBound { constant, per_tick }: ErrorBound| {
         format!("toytop::ErrorBound {{ constant: {constant:?}, per_tick: {per_tick:?} }}")
     };
@@ -65,19 +66,8 @@ pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
         headline = label.headline(parts),
         format = parts.format,
         crc32 = parts.crc32,
-        step = clock.step,
-        tip_quarter = clock.tip_quarter,
-        tip_passes = clock.tip_passes,
-        tip_exists = clock.tip_exists,
-        has_turning_points = clock.has_turning_points,
-        tip_scale = scale(clock.tip_scale),
-        rates = clock.rates.map(scale).join(", "),
-        first = clock.first,
-        exact_step = clock.exact_step,
-        ticks_per_time = clock.ticks_per_time,
-        tip_start = clock.tip_start,
-        tip_step = clock.tip_step,
-        epoch = clock.epoch,
+        tip_scale = scale(parts.clock.tip_scale),
+        rates = parts.clock.rates.map(scale).join(", "),
         error_bound = bound(parts.error_bound),
         rate_error_bound = bound(parts.rate_error_bound),
         cells = parts.cells,
