@@ -3,8 +3,8 @@
 use crate::arrays::{Given, Numbers, array};
 use crate::error::value_error;
 use crate::interrupt;
-use crate::motion::PyMotion;
-use crate::sensors::dictionary;
+use crate::motion::{PyMotion, Single};
+use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use toytop_fit::{Drift, Sensitivity};
@@ -98,9 +98,9 @@ impl Fitted {
         let motion = match (core.reason, report.scenario(None)) {
             (Some(reason), _) => Err(format!("must be that of a fit that has converged: {reason}")),
             (None, Err(failure)) => Err(failure.to_string()),
-            (None, Ok((text, _))) => Ok(Py::new(py, PyMotion::parsed("fitted", &text)?)?),
+            (None, Ok((text, _))) => Ok(Py::new(py, PyMotion(Single::parsed("fitted", &text)?))?),
         };
-        let numbers = |numbers: &[f64]| array(py, numbers.to_vec(), &[numbers.len()], 1).map(Bound::unbind);
+        let numbers = |numbers: &[f64]| array(py, numbers.to_vec(), &[numbers.len()]).map(Bound::unbind);
         let all = core.deviations();
         let mut unknowns: Vec<_> = Sensitivity::NAMES[..6].iter().map(|name| (*name).to_owned()).collect();
         let (free, biases) = (PyDict::new(py), PyDict::new(py));
@@ -135,7 +135,7 @@ impl Fitted {
             spin,
             tilt,
             unknowns,
-            covariance: array(py, covariance, &[count, count], 1)?.unbind(),
+            covariance: array(py, covariance, &[count, count])?.unbind(),
             deviations: numbers(&all[..count])?,
             drift: drift.transpose()?,
             free: free.unbind(),
@@ -173,13 +173,9 @@ impl Fitted {
     ///
     /// Raises:
     ///     ValueError: the fit has not converged, or the motion has no period and cannot be followed for so long.
-    fn orientation_covariance<'py>(
-        &self,
-        py: Python<'py>,
-        t: &Bound<'_, PyAny>,
-    ) -> PyResult<Bound<'py, Numbers>> {
+    fn orientation_covariance<'py>(&self, py: Python<'py>, t: Given) -> PyResult<Bound<'py, Numbers>> {
         let motion = self.believed()?.get().0.motion;
-        let Given { numbers, shape } = Given::read("t", t)?;
+        let Given { numbers, shape } = t;
         let sensitivity = py.detach(|| Sensitivity::new(&motion));
         let found = interrupt::map(py, numbers.len(), |index| {
             Some(self.core.orientation_covariance(&sensitivity.at(numbers[index])?))
@@ -187,7 +183,7 @@ impl Fitted {
         let found: Option<Vec<_>> = found.into_iter().collect();
         let refuse = || value_error("t", "must not be so far for a motion without a period");
         let found = found.ok_or_else(refuse)?.into_iter().flatten().flatten().collect();
-        array(py, found, &[&shape[..], &[3]].concat(), 3)
+        array(py, found, &[&shape[..], &[3, 3]].concat())
     }
 
     fn __repr__(&self) -> String {
@@ -201,4 +197,13 @@ impl Fitted {
             ),
         }
     }
+}
+
+/// Columns as a dictionary of arrays.
+pub(crate) fn dictionary<'py>(py: Python<'py>, columns: Columns) -> PyResult<Bound<'py, PyDict>> {
+    let dictionary = PyDict::new(py);
+    for (name, numbers) in [("t", columns.t)].into_iter().chain(columns.readings) {
+        dictionary.set_item(name, numbers.into_pyarray(py))?;
+    }
+    Ok(dictionary)
 }
