@@ -1,7 +1,6 @@
 //! `toytop score`: trajectories with known errors, and runs with a known order.
 
-use crate::command::{all_refused, csv, json, number, path, read, toytop, write};
-use crate::{folder, sample, scenario};
+use crate::command::{all_refused, csv, folder, json, number, path, read, sample, scenario, toytop, write};
 use serde_json::Value;
 use std::f64::consts::PI;
 
@@ -21,14 +20,14 @@ fn rows(scenario: &str, times: &[f64]) -> Vec<Row> {
     table.rows.iter().map(row).collect()
 }
 
-/// Writes rows below a line of comments; without ω if `rates` is not set. Returns the name of the file.
-fn written<'a>(to: &'a str, comment: &str, rows: &[Row], rates: bool) -> &'a str {
-    let mut text = format!("{comment}t,w,x,y,z{}\n", if rates { ",omega_x,omega_y,omega_z" } else { "" });
+/// Writes rows; without ω if `rates` is not set.
+fn written(to: &str, rows: &[Row], rates: bool) {
+    let mut text = format!("t,w,x,y,z{}\n", if rates { ",omega_x,omega_y,omega_z" } else { "" });
     for (t, q, omega) in rows {
         let numbers = std::iter::once(t).chain(q).chain(omega.iter().filter(|_| rates));
         text += &(numbers.map(f64::to_string).collect::<Vec<_>>().join(",") + "\n");
     }
-    write(to, text)
+    write(to, text);
 }
 
 fn evenly(end: f64, places: u32) -> Vec<f64> {
@@ -46,7 +45,7 @@ fn turned([w, x, y, z]: [f64; 4], angle: f64, about_vertical: bool) -> [f64; 4] 
 fn exact_rows_have_no_error_whatever_their_signs() {
     let mut exact = rows("@toy_top", &evenly(1.0, 201));
     exact.iter_mut().step_by(3).for_each(|(_, q, _)| *q = q.map(|x| -x));
-    written("score_exact.csv", "", &exact, false);
+    written("score_exact.csv", &exact, false);
     let found = json("score @toy_top score_exact.csv");
     assert_eq!((&found["order"], &found["sign"]), (&Value::Null, &Value::from("nearest")));
     let scored = &found["files"][0];
@@ -74,7 +73,7 @@ fn a_delay_is_three_phase_errors() {
     for (delay, [tolerance, rest]) in cases {
         let mut late = rows("@figure_3_loops", &times.iter().map(|t| t - delay(*t)).collect::<Vec<_>>());
         late.iter_mut().zip(&times).for_each(|(row, t)| row.0 = *t);
-        written("score_late.csv", "", &late, false);
+        written("score_late.csv", &late, false);
         let scored = score("@figure_3_loops score_late.csv");
         for (key, turns) in
             [("nutation_error_rad", 1.0), ("precession_error_rad", a + b), ("spin_error_rad", a - b)]
@@ -94,7 +93,7 @@ fn an_error_of_a_rate_is_that_of_its_angle() {
     for (about_vertical, key) in [(true, "precession_error_rad"), (false, "spin_error_rad")] {
         let mut off = exact.clone();
         off.iter_mut().for_each(|(t, q, _)| *q = turned(*q, 1e-3 * *t, about_vertical));
-        written("score_rate.csv", "", &off, false);
+        written("score_rate.csv", &off, false);
         let scored = score("@toy_top score_rate.csv");
         assert!(number(&scored["nutation_error_rad"]).abs() < 1e-11, "{scored}");
         assert!((number(&scored[key]) / 1e-3 - 0.96).abs() < 0.04, "{scored}");
@@ -105,12 +104,12 @@ fn an_error_of_a_rate_is_that_of_its_angle() {
 /// For a top that spins faster by a millionth, the drift of n is a millionth, with and without given ω.
 #[test]
 fn drift_of_n_by_columns_and_by_differences() {
-    let text = std::fs::read_to_string(sample("toy_top")).expect("a scenario");
+    let text = read(&sample("toy_top"));
     let faster = scenario("score_faster", &text.replace("spin = 150.0", "spin = 150.00015"));
     let [own, other] = ["@toy_top", &faster].map(|file| json(format!("constants {file}")));
     let fast = rows(&faster, &evenly(0.5, 1001));
     for (name, rates) in [("columns", true), ("differences", false)] {
-        written("score_drift.csv", "", &fast, rates);
+        written("score_drift.csv", &fast, rates);
         let scored = score("@toy_top score_drift.csv");
         assert_eq!(scored["drift_from"], name);
         for key in ["l", "n"] {
@@ -123,7 +122,7 @@ fn drift_of_n_by_columns_and_by_differences() {
         assert_eq!(uncertainty.is_some(), !rates);
         assert!(uncertainty.is_none_or(|x| x < 1e-10), "{scored}");
     }
-    written("score_short.csv", "", &fast[..6], false);
+    written("score_short.csv", &fast[..6], false);
     let scored = score("@toy_top score_short.csv");
     assert!(scored["drift_h"].is_null() && scored["residual_rad"].is_null(), "{scored}");
 }
@@ -208,7 +207,7 @@ fn runs_of_different_lengths_have_no_order() {
 fn another_convention_is_noticed() {
     let mut inverse = rows("@toy_top", &evenly(0.1, 11));
     inverse.iter_mut().for_each(|(_, [_, rest @ ..], _)| *rest = rest.map(|x| -x));
-    written("score_inverse.csv", "", &inverse, false);
+    written("score_inverse.csv", &inverse, false);
     let run = toytop("score @toy_top score_inverse.csv --format json");
     assert!(run.err.contains("are the columns from fixed to body coordinates?"), "{}", run.err);
 }
@@ -237,8 +236,8 @@ fn positions_and_rates_are_checked() {
 
 #[test]
 fn invalid_results_are_refused_in_one_line() {
-    written("score_good.csv", "", &rows("@toy_top", &[0.0, 0.1, 0.2]), false);
-    written("score_uneven.csv", "", &rows("@toy_top", &[0.0, 0.1, 0.3]), false);
+    written("score_good.csv", &rows("@toy_top", &[0.0, 0.1, 0.2]), false);
+    written("score_uneven.csv", &rows("@toy_top", &[0.0, 0.1, 0.3]), false);
     write("score_far.csv", "t,w,x,y,z\n1e300,1,0,0,0\n");
     folder("score_refused");
     all_refused(

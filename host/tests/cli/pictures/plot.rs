@@ -1,8 +1,8 @@
 //! `toytop plot`: contents of the pictures, and pictures that are complete or missing.
 
-use crate::command::{Run, all_refused, count, path, read, toytop};
-use crate::{branch_points, folder, needle, scenario};
-use std::path::Path;
+use crate::command::{
+    Run, all_refused, branch_points, count, folder, needle, path, read, repository, scenario, toytop,
+};
 
 /// Picture of this command line, in a file of this name.
 fn svg(line: &str, to: &str) -> String {
@@ -11,7 +11,7 @@ fn svg(line: &str, to: &str) -> String {
 }
 
 /// Points of every line of this colour, in pixels from the middle of the frame.
-fn lines(svg: &str, color: &str) -> Vec<Vec<[f64; 2]>> {
+pub(crate) fn lines(svg: &str, color: &str) -> Vec<Vec<[f64; 2]>> {
     const MIDDLE: [f64; 2] = [352.0, 372.0];
     let point = |pair: &str| {
         let (x, y) = pair.trim().split_once(' ').expect("x y");
@@ -214,8 +214,7 @@ fn the_arrow_points_along_the_curve() {
 #[test]
 fn the_readmes_picture_is_todays() {
     folder("plot_readme");
-    let readmes = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/tip.svg");
-    let kept = std::fs::read_to_string(readmes).expect("the README's picture");
+    let kept = read(&repository("host/docs/tip.svg"));
     let drawn = svg("@figure_3_loops", "plot_readme/tip.svg");
     assert_eq!(drawn, kept, "toytop plot host/scenarios/figure_3_loops.toml -o host/docs/tip.svg");
 }
