@@ -88,34 +88,33 @@ impl PyMotion {
 impl PyMotion {
     /// Searches for the events of a kind: two where two levels of u belong to a circle, none where a top does not leave the plane.
     fn sought(&self, kind: &str, value: Option<f64>) -> PyResult<Vec<Sought>> {
-        let top = self.0.motion.top();
+        let (motion, top) = (&self.0.motion, self.0.motion.top());
         let named = |error| renamed(error, &[("tilt", "value"), ("radius", "value")]);
-        match (kind, value) {
-            ("turning", None) => Ok(vec![Sought::Turning]),
-            ("tilt", Some(tilt)) => Ok(vec![Sought::Crossing(Level::of_tilt(tilt).map_err(named)?)]),
-            ("direction", Some(angle)) if angle.abs() <= 1e6 => {
-                Ok(vec![Sought::TipAngle(Phase::new(angle / std::f64::consts::TAU))])
+        let given = || value.ok_or_else(|| value_error("value", format!("must be given for {kind:?}")));
+        Ok(match kind {
+            "tilt" => vec![Sought::Crossing(Level::of_tilt(given()?).map_err(named)?)],
+            "direction" => match given()? {
+                angle if angle.abs() <= 1e6 => {
+                    vec![Sought::TipAngle(Phase::new(angle / std::f64::consts::TAU))]
+                }
+                _ => return Err(value_error("value", "must be within ±1e6 rad")),
+            },
+            "circle" => Level::of_circle(top, given()?).map_err(named)?.map(Sought::Crossing).to_vec(),
+            "turning" | "lift_off" if value.is_some() => {
+                return Err(value_error("value", format!("must be left out for {kind:?}")));
             }
-            ("direction", Some(_)) => Err(value_error("value", "must be within ±1e6 rad")),
-            ("circle", Some(radius)) => {
-                Ok(Level::of_circle(top, radius).map_err(named)?.map(Sought::Crossing).to_vec())
+            "turning" => vec![Sought::Turning],
+            "lift_off" if top.support() == Support::Sliding => {
+                Level::of_lift_off(motion).map(Sought::Crossing).into_iter().collect()
             }
-            ("lift_off", None) if top.support() == Support::Sliding => {
-                Ok(Level::of_lift_off(&self.0.motion).map(Sought::Crossing).into_iter().collect())
+            "lift_off" => {
+                let reason = "must not be 'lift_off': the tip does not slide on a plane";
+                return Err(value_error("kind", reason));
             }
-            ("lift_off", None) => {
-                Err(value_error("kind", "must not be 'lift_off': the tip does not slide on a plane"))
+            _ => {
+                let kinds = "'turning', 'tilt', 'direction', 'circle', 'lift_off'";
+                return Err(value_error("kind", format!("must be one of {kinds}")));
             }
-            ("turning" | "lift_off", Some(_)) => {
-                Err(value_error("value", format!("must be left out for {kind:?}")))
-            }
-            ("tilt" | "direction" | "circle", None) => {
-                Err(value_error("value", format!("must be given for {kind:?}")))
-            }
-            _ => Err(value_error(
-                "kind",
-                "must be one of 'turning', 'tilt', 'direction', 'circle', 'lift_off'",
-            )),
-        }
+        })
     }
 }

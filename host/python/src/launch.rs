@@ -15,7 +15,7 @@ pub(crate) enum Launch {
     Attitude {
         quaternion: [f64; 4],
         omega: [f64; 3],
-        /// Argument that ω is: "omega" in the fixed frame, or "omega_body".
+        /// Name of the argument ω: `omega` in the fixed frame, `omega_body` in the body frame.
         name: &'static str,
     },
 }

@@ -47,9 +47,7 @@ pub(crate) fn many(
     let tops: Vec<TopDefinition> = match tops.cast::<PyTop>() {
         Ok(top) => vec![top.get().0],
         Err(_) => {
-            let tops =
-                tops.try_iter()?.map(|top| top?.cast::<PyTop>().map(|top| top.get().0).map_err(PyErr::from));
-            tops.collect::<PyResult<_>>()?
+            tops.try_iter()?.map(|top| Ok(top?.cast_into::<PyTop>()?.get().0)).collect::<PyResult<_>>()?
         }
     };
     let (name, launches) = match (releases, quaternion, rates(omega, omega_body)?) {
@@ -98,10 +96,8 @@ impl Many {
     #[pyo3(signature = (t, *, scalar="f64"))]
     fn at(slf: &Bound<'_, Self>, t: Given, scalar: &str) -> PyResult<Samples> {
         let (motions, scalar) = (&slf.get().0, scalar_named(scalar)?);
-        let tables = interrupt::map(slf.py(), motions.len(), |index| {
-            let table = motions[index].table(scalar)?;
-            motions[index].within_reach(&t.numbers).map(|()| table)
-        })?;
+        let tables =
+            interrupt::map(slf.py(), motions.len(), |index| motions[index].table_for(scalar, &t.numbers))?;
         let tables = tables.into_iter().collect::<PyResult<_>>()?;
         let origin = Origin::new(slf, "at", Some(scalar));
         Ok(Samples::new(origin, t, Some(motions.len()), Source::Tables(tables)))

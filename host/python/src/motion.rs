@@ -164,7 +164,17 @@ impl Single {
         table.map_err(|reason| value_error("scalar", reason))
     }
 
-    /// Checks that the ticks of a table reach the times.
+    /// Table in a scalar whose ticks reach the times.
+    ///
+    /// # Errors
+    /// `ValueError`: as [`Self::table`], or one of the times is beyond the ticks.
+    pub(crate) fn table_for(&self, scalar: Scalar, times: &[f64]) -> PyResult<Table> {
+        let table = self.table(scalar)?;
+        within(62_f64.exp2() / table.ticks_per_time(), times)?;
+        Ok(table)
+    }
+
+    /// Checks that the ticks of a table would reach the times, without setting one up.
     ///
     /// # Errors
     /// `ValueError`: one of the times is beyond them.
@@ -220,8 +230,7 @@ impl PyMotion {
     #[pyo3(signature = (t, *, scalar="f64"))]
     fn at(slf: &Bound<'_, Self>, t: Given, scalar: &str) -> PyResult<Samples> {
         let (motion, scalar) = (&slf.get().0, scalar_named(scalar)?);
-        let table = slf.py().detach(|| motion.table(scalar))?;
-        motion.within_reach(&t.numbers)?;
+        let table = slf.py().detach(|| motion.table_for(scalar, &t.numbers))?;
         let origin = Origin::new(slf, "at", Some(scalar));
         Ok(Samples::new(origin, t, None, Source::Tables(vec![table])))
     }

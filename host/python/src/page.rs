@@ -3,7 +3,6 @@
 use crate::error::failed;
 use crate::motion::PyMotion;
 use pyo3::prelude::*;
-use std::fmt::Write;
 use std::fs;
 use std::path::PathBuf;
 use toytop_host::pictures::curve::{Circle, Curve};
@@ -61,27 +60,29 @@ const SIDE: f64 = 320.0;
 /// Tip's curve as SVG, between its circles and from its start, with the second fixed axis upwards.
 fn tip_curve(Curve { points, circles, .. }: &Curve) -> String {
     let radii = circles.iter().map(|Circle { radius, .. }| *radius);
-    let largest = radii.chain(points.iter().map(|[x, y]| x.hypot(*y))).fold(0.0, f64::max);
+    let largest = radii.clone().chain(points.iter().map(|[x, y]| x.hypot(*y))).fold(0.0, f64::max);
     let scale = if largest > 0.0 { 0.45 * SIDE / largest } else { 1.0 };
     let place = |[x, y]: [f64; 2]| [0.5 * SIDE + scale * x, 0.5 * SIDE - scale * y];
-    let mut shapes = String::new();
-    for Circle { radius, .. } in circles {
-        let (centre, radius) = (0.5 * SIDE, scale * radius);
-        let _ = write!(
-            shapes,
-            "<circle cx=\"{centre}\" cy=\"{centre}\" r=\"{radius:.2}\" fill=\"none\" stroke=\"#8a8a8a\"/>"
-        );
-    }
-    let mut path = String::new();
-    for point in points {
-        let [x, y] = place(*point);
-        let _ = write!(path, "{x:.2},{y:.2} ");
-    }
+    let shapes: String = radii
+        .map(|radius| {
+            let (centre, radius) = (0.5 * SIDE, scale * radius);
+            format!(
+                "<circle cx=\"{centre}\" cy=\"{centre}\" r=\"{radius:.2}\" fill=\"none\" stroke=\"#8a8a8a\"/>"
+            )
+        })
+        .collect();
+    let path: Vec<_> = points
+        .iter()
+        .map(|point| {
+            let [x, y] = place(*point);
+            format!("{x:.2},{y:.2}")
+        })
+        .collect();
     let [x, y] = place(points.first().copied().unwrap_or_default());
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{SIDE}\" height=\"{SIDE}\" viewBox=\"0 0 {SIDE} {SIDE}\">\
          <rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>{shapes}<polyline points=\"{}\" fill=\"none\" stroke=\"#1f4e8c\" \
          stroke-width=\"1.5\"/><circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"3.5\" fill=\"#c0392b\"/></svg>",
-        path.trim_end()
+        path.join(" ")
     )
 }

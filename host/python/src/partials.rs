@@ -13,29 +13,18 @@ use toytop_host::truth::motions::Start;
 
 /// Number of derivatives.
 const COLUMNS: usize = Sensitivity::NAMES.len();
-/// Quantities and their shapes.
-const QUANTITIES: [(&str, &[usize]); 6] = [
-    ("orientation", &[3]),
-    ("omega", &[3]),
-    ("omega_body", &[3]),
-    ("axis", &[3]),
-    ("tip", &[2]),
-    ("tip_angle", &[]),
+/// Quantities with their shapes, and their derivatives component by component.
+const QUANTITIES: [(&str, &[usize], fn(&Partials) -> Vec<f64>); 6] = [
+    ("orientation", &[3], |partials| by_component(partials.orientation())),
+    ("omega", &[3], |partials| by_component(partials.omega())),
+    ("omega_body", &[3], |partials| by_component(partials.omega_body())),
+    ("axis", &[3], |partials| by_component(partials.axis_change())),
+    ("tip", &[2], |partials| by_component(partials.tip().map(|tip| [tip.re, tip.im]))),
+    ("tip_angle", &[], |partials| partials.tip_angle().unwrap_or([f64::NAN; COLUMNS]).to_vec()),
 ];
 
-/// Derivatives of the quantities, component by component.
-fn rows(partials: &Partials) -> [Vec<f64>; QUANTITIES.len()] {
-    fn by_component<const N: usize>(columns: [[f64; N]; COLUMNS]) -> Vec<f64> {
-        (0..N).flat_map(|component| columns.map(|column| column[component])).collect()
-    }
-    [
-        by_component(partials.orientation()),
-        by_component(partials.omega()),
-        by_component(partials.omega_body()),
-        by_component(partials.axis_change()),
-        by_component(partials.tip().map(|tip| [tip.re, tip.im])),
-        partials.tip_angle().unwrap_or([f64::NAN; COLUMNS]).to_vec(),
-    ]
+fn by_component<const N: usize>(columns: [[f64; N]; COLUMNS]) -> Vec<f64> {
+    (0..N).flat_map(|component| columns.map(|column| column[component])).collect()
 }
 
 #[pymethods]
@@ -61,12 +50,14 @@ impl PyMotion {
     fn partials<'py>(&self, py: Python<'py>, t: Given) -> PyResult<Bound<'py, PyDict>> {
         let Given { numbers, shape } = t;
         let sensitivity = py.detach(|| Sensitivity::new(&self.0.motion));
-        let found =
-            interrupt::map(py, numbers.len(), |index| sensitivity.at(numbers[index]).map(|now| rows(&now)))?;
+        let found = interrupt::map(py, numbers.len(), |index| {
+            let now = sensitivity.at(numbers[index])?;
+            Some(QUANTITIES.map(|(_, _, derivatives)| derivatives(&now)))
+        })?;
         let found: Option<Vec<_>> = found.into_iter().collect();
         let found = found.ok_or_else(|| value_error("t", "must not be so far"))?;
         let partials = PyDict::new(py);
-        for (place, (name, components)) in QUANTITIES.into_iter().enumerate() {
+        for (place, (name, components, _)) in QUANTITIES.into_iter().enumerate() {
             let shape = [&shape, components, &[COLUMNS]].concat();
             let numbers = found.iter().flat_map(|rows| &rows[place]).copied().collect();
             partials.set_item(name, array(py, numbers, &shape)?)?;
@@ -126,9 +117,7 @@ impl PyMotion {
                 (Orientation { alpha: Complex::new(a, b), beta: Complex::new(c, d) }, omega)
             }
             _ => {
-                let table = self.0.table(Scalar::F64)?;
-                self.0.within_reach(&[t])?;
-                let now = table.at(t).sample;
+                let now = self.0.table_for(Scalar::F64, &[t])?.at(t).sample;
                 (now.orientation(), now.omega)
             }
         };
