@@ -6,7 +6,7 @@ use crate::motion::{Single, TopDefinition};
 use pyo3::prelude::*;
 use pyo3::types::{PyList, PyTuple};
 use std::sync::Arc;
-use toytop::{Orientation, Release, State};
+use toytop::{Orientation, ParameterError, Release, State};
 
 /// Launch of a top.
 #[derive(Clone, Copy)]
@@ -26,29 +26,29 @@ impl Launch {
     /// # Errors
     /// `ValueError` that names the parameter.
     pub(crate) fn of(self, top: &TopDefinition) -> PyResult<Arc<Single>> {
-        match self {
+        let (state, rate) = match self {
             Self::Release(release) => {
-                let state = State::release(&release).map_err(refused)?;
                 let Release { spin, precession, nutation, .. } = release;
                 let rates = [("spin", spin), ("precession", precession), ("nutation", nutation)];
                 let fastest = rates.into_iter().max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));
-                Single::launched(top, &state, fastest.map_or("spin", |(name, _)| name))
+                (State::release(&release).map_err(refused)?, fastest.map_or("spin", |(name, _)| name))
             }
             Self::Attitude { quaternion, omega, name } => {
                 let state = match name {
                     "omega" => State::new(Orientation::from_quaternion(quaternion), omega),
                     _ => State::from_quaternion_and_gyro(quaternion, omega),
                 };
-                let state = state.map_err(|error| match error.parameter() {
+                let refuse = |error: ParameterError| match error.parameter() {
                     "alpha" | "beta" => {
                         let reason = "must be of unit norm: | w^2 + x^2 + y^2 + z^2 - 1 | <= 1e-6";
                         value_error("quaternion", reason)
                     }
                     _ => renamed(error, &[("gyro", name)]),
-                })?;
-                Single::launched(top, &state, name)
+                };
+                (state.map_err(refuse)?, name)
             }
-        }
+        };
+        Single::launched(top, &state, rate)
     }
 }
 

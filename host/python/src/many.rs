@@ -5,7 +5,7 @@ use crate::error::value_error;
 use crate::interrupt;
 use crate::launch::{attitudes, rates, releases};
 use crate::motion::{PyMotion, Single, TopDefinition, scalar_named};
-use crate::samples::{Origin, Samples, Source};
+use crate::samples::{Samples, Source};
 use crate::top::PyTop;
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
@@ -99,8 +99,8 @@ impl Many {
         let tables =
             interrupt::map(slf.py(), motions.len(), |index| motions[index].table_for(scalar, &t.numbers))?;
         let tables = tables.into_iter().collect::<PyResult<_>>()?;
-        let origin = Origin::new(slf, "at", Some(scalar));
-        Ok(Samples::new(origin, t, Some(motions.len()), Source::Tables(tables)))
+        let origin = slf.clone().into_any().unbind();
+        Ok(Samples::new((origin, "at", Some(scalar)), t, Some(motions.len()), Source::Tables(tables)))
     }
 
     /// Constant of every motion as an array, NaN where it does not exist: e1, e2, e3, e4, l, n, h, period, alpha_turns, beta_turns,

@@ -2,7 +2,7 @@
 
 use crate::arrays::{Given, number, within};
 use crate::error::{failed, refused, renamed, value_error};
-use crate::samples::{Origin, Samples, Source, Table};
+use crate::samples::{Samples, Source, Table};
 use pyo3::prelude::*;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
@@ -231,8 +231,8 @@ impl PyMotion {
     fn at(slf: &Bound<'_, Self>, t: Given, scalar: &str) -> PyResult<Samples> {
         let (motion, scalar) = (&slf.get().0, scalar_named(scalar)?);
         let table = slf.py().detach(|| motion.table_for(scalar, &t.numbers))?;
-        let origin = Origin::new(slf, "at", Some(scalar));
-        Ok(Samples::new(origin, t, None, Source::Tables(vec![table])))
+        let origin = slf.clone().into_any().unbind();
+        Ok(Samples::new((origin, "at", Some(scalar)), t, None, Source::Tables(vec![table])))
     }
 
     /// Upper bound on the orientation error at time t, rad: 2 sqrt(|d alpha|^2 + |d beta|^2), which is the angle of the rotation

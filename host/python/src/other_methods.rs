@@ -4,7 +4,7 @@ use crate::arrays::{Given, within};
 use crate::error::value_error;
 use crate::interrupt;
 use crate::motion::{PyMotion, Single};
-use crate::samples::{Origin, Samples};
+use crate::samples::Samples;
 use pyo3::prelude::*;
 use toytop::Support;
 use toytop_closed_forms::ClosedForm;
@@ -45,7 +45,8 @@ impl PyClosedForm {
         let Self { motion, form } = slf.get();
         let motion = &motion.get().0.motion;
         within(MOST_PERIODS * period(motion), &t.numbers)?;
-        Samples::of_points(slf.py(), Origin::new(slf, "at", None), t, motion, None, |t| {
+        let origin = slf.clone().into_any().unbind();
+        Samples::of_points(slf.py(), (origin, "at", None), t, motion, None, |t| {
             let state = form.at(t);
             (state.orientation, state.omega(), state.udot())
         })
@@ -98,8 +99,8 @@ impl PyMotion {
         let (py, single) = (slf.py(), &slf.get().0);
         single.within_reach(&t.numbers)?;
         let (truth, unit) = (py.detach(|| truth(single)), period(&single.motion));
-        let origin = Origin::new(slf, "reference", None);
-        Samples::of_points(py, origin, t, &single.motion, Some(ROUNDING), |t| {
+        let origin = slf.clone().into_any().unbind();
+        Samples::of_points(py, (origin, "reference", None), t, &single.motion, Some(ROUNDING), |t| {
             let rates = truth.rates(&precise(t), unit);
             (truth.at(&precise(t)).to_f64(), rates.omega, rates.udot)
         })

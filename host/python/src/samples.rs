@@ -4,7 +4,6 @@ use crate::arrays::{Given, Numbers, array};
 use crate::error::{failed, value_error};
 use crate::interrupt;
 use numpy::PyArrayMethods;
-use pyo3::PyClass;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -37,22 +36,8 @@ pub(crate) struct Samples {
 /// Number of columns that can be kept.
 const KEPT: usize = Column::ErrorBound as usize + 1;
 
-/// Method that returns samples, with its object and its scalar.
-pub(crate) struct Origin {
-    object: Py<PyAny>,
-    method: &'static str,
-    scalar: Option<Scalar>,
-}
-
-impl Origin {
-    pub(crate) fn new<T: PyClass>(
-        object: &Bound<'_, T>,
-        method: &'static str,
-        scalar: Option<Scalar>,
-    ) -> Self {
-        Self { object: object.clone().into_any().unbind(), method, scalar }
-    }
-}
+/// Call that returns samples: an object, its method, and a scalar.
+pub(crate) type Origin = (Py<PyAny>, &'static str, Option<Scalar>);
 
 /// Array of a column for Python.
 type Array = PyResult<Py<Numbers>>;
@@ -283,7 +268,7 @@ impl Samples {
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Py<PyAny>,))> {
-        let Origin { object, method, scalar } = &self.origin;
+        let (object, method, scalar) = &self.origin;
         let options = PyDict::new(py);
         if let Some(scalar) = scalar {
             options.set_item("scalar", scalar.name())?;
