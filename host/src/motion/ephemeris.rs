@@ -146,7 +146,9 @@ impl<R: Bake> AnyScalar for Boxed<R> {
             Column::Phi => fill(times, rows, |t| {
                 [table.at(t).tip_angle().map_or(f64::NAN, |angle| self.unwrapped(angle, t))]
             }),
-            Column::ErrorBound => fill(times, rows, |t| [self.error_bound().after(t * self.ticks_per_time())]),
+            Column::ErrorBound => {
+                fill(times, rows, |t| [self.error_bound().after(t * self.ticks_per_time())])
+            }
             _ => fill_from_samples(column, times, rows, |t| self.at(t).sample),
         }
     }
