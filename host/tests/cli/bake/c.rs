@@ -143,9 +143,7 @@ fn c_gives_the_same_bits() {
     for case in &cases {
         let table = table(case);
         bake(case, "c", &format!("bake_c/{table}.h"));
-        let Case { file, scalar, size, tick: [hertz, per], .. } = case;
-        let line = format!("{file} --scalar {scalar} --size {size} --hertz {hertz}/{per}");
-        toytop(format!("bake --lang c --split bake_c_split {line}")).ok();
+        toytop(format!("bake --lang c --split bake_c_split {}", case.arguments())).ok();
         files.push(split.join(format!("{table}.c")));
     }
     for (folder, files) in [(&whole, &[][..]), (&split, &files)] {

@@ -14,11 +14,17 @@ pub(crate) struct Case {
     pub(crate) file: String,
     pub(crate) scalar: &'static str,
     pub(crate) size: &'static str,
-    pub(crate) tick: [u32; 2],
+    tick: [u32; 2],
     truth: fn(&str, [u32; 2]) -> [String; 2],
 }
 
 impl Case {
+    /// Arguments of `toytop bake`.
+    pub(crate) fn arguments(&self) -> String {
+        let Self { file, scalar, size, tick: [hertz, per], .. } = self;
+        format!("{file} --scalar {scalar} --size {size} --hertz {hertz}/{per}")
+    }
+
     /// Numbers by the crate, as bits, a line for each tick: those of samples, and quaternions, angular velocities and turning points.
     pub(crate) fn truth(&self) -> [String; 2] {
         (self.truth)(&self.file, self.tick)

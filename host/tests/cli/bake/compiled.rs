@@ -7,10 +7,8 @@ use std::process::Command;
 
 /// Writes the table of a case.
 pub(super) fn bake(case: &Case, lang: &str, to: &str) {
-    let Case { file, scalar, size, tick: [hertz, per], .. } = case;
-    let run = toytop(format!(
-        "bake {file} --scalar {scalar} --size {size} --lang {lang} --hertz {hertz}/{per} -o {to}"
-    ));
+    let Case { scalar, size, .. } = case;
+    let run = toytop(format!("bake {} --lang {lang} -o {to}", case.arguments()));
     let note = run.err.lines().next().unwrap_or_default();
     assert!(note.contains(&format!(": {size}x")) && note.contains(&format!(" in {scalar}, ")), "{note}");
     assert_eq!(run.ok(), "");
