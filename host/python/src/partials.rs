@@ -13,8 +13,10 @@ use toytop_host::truth::motions::Start;
 
 /// Number of derivatives.
 const COLUMNS: usize = Sensitivity::NAMES.len();
-/// Quantities with their shapes, and their derivatives component by component.
-const QUANTITIES: [(&str, &[usize], fn(&Partials) -> Vec<f64>); 6] = [
+/// Name and shape of a quantity, and its derivatives component by component.
+type Quantity = (&'static str, &'static [usize], fn(&Partials) -> Vec<f64>);
+
+const QUANTITIES: [Quantity; 6] = [
     ("orientation", &[3], |partials| by_component(partials.orientation())),
     ("omega", &[3], |partials| by_component(partials.omega())),
     ("omega_body", &[3], |partials| by_component(partials.omega_body())),
