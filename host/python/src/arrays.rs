@@ -1,7 +1,6 @@
-//! Conversion of arrays of NumPy to and from numbers.
+//! Arrays and columns of Python to and from numbers.
 
 use crate::error::value_error;
-use numpy::ndarray::{ArrayD, IxDyn};
 use numpy::{IntoPyArray, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::PyTypeError;
 use pyo3::intern;
@@ -13,7 +12,6 @@ use pyo3::types::{PyFloat, PyInt};
 pub(crate) type Numbers = PyArrayDyn<f64>;
 
 /// Numbers in row-major order with their shape; a single number has an empty shape.
-#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Given {
     pub(crate) numbers: Vec<f64>,
     pub(crate) shape: Vec<usize>,
@@ -25,16 +23,9 @@ impl Given {
     /// # Errors
     /// `ValueError` that names the parameter: no numbers, or a number that is not finite.
     pub(crate) fn read(name: &str, object: &Bound<'_, PyAny>) -> PyResult<Self> {
-        Self::finite(Self::read_any(name, object)?, name)
-    }
-
-    /// The same numbers, if they are finite.
-    ///
-    /// # Errors
-    /// `ValueError` that names the parameter.
-    pub(crate) fn finite(self, name: &str) -> PyResult<Self> {
-        match self.numbers.iter().all(|x| x.is_finite()) {
-            true => Ok(self),
+        let given = Self::read_any(name, object)?;
+        match given.numbers.iter().all(|x| x.is_finite()) {
+            true => Ok(given),
             false => Err(value_error(name, "must be finite")),
         }
     }
@@ -44,28 +35,25 @@ impl Given {
     /// # Errors
     /// `ValueError` that names the parameter: no numbers, but dates, intervals, texts, or an array with a mask.
     pub(crate) fn read_any(name: &str, object: &Bound<'_, PyAny>) -> PyResult<Self> {
-        Ok(if object.is_instance_of::<PyFloat>() || object.is_exact_instance_of::<PyInt>() {
-            Self { numbers: vec![object.extract()?], shape: Vec::new() }
-        } else {
-            let array = as_array(name, object)?.try_readonly()?;
-            let numbers = match array.as_slice() {
-                Ok(numbers) if array.is_c_contiguous() => numbers.to_vec(),
-                _ => array.as_array().iter().copied().collect(),
-            };
-            Self { numbers, shape: array.shape().to_vec() }
-        })
+        if object.is_instance_of::<PyFloat>() || object.is_exact_instance_of::<PyInt>() {
+            return Ok(Self { numbers: vec![object.extract()?], shape: Vec::new() });
+        }
+        let array = as_array(name, object)?.try_readonly()?;
+        let numbers = match array.as_slice() {
+            Ok(numbers) if array.is_c_contiguous() => numbers.to_vec(),
+            _ => array.as_array().iter().copied().collect(),
+        };
+        Ok(Self { numbers, shape: array.shape().to_vec() })
     }
 
-    /// Finite number.
+    /// N numbers.
     ///
     /// # Errors
-    /// `ValueError` that names the parameter.
-    pub(crate) fn number(name: &str, object: &Bound<'_, PyAny>) -> PyResult<f64> {
-        match Self::read(name, object)? {
-            Self { numbers, shape } if shape.is_empty() => Ok(numbers[0]),
-            Self { shape, .. } => {
-                Err(value_error(name, &format!("must be a number, not of shape {shape:?}")))
-            }
+    /// `ValueError`: another shape.
+    fn exactly<const N: usize>(&self, name: &str) -> PyResult<[f64; N]> {
+        match self.shape[..] {
+            [length] if length == N => Ok(self.numbers.as_chunks().0[0]),
+            _ => Err(value_error(name, format!("must be {N} numbers, not of shape {:?}", self.shape))),
         }
     }
 
@@ -76,8 +64,30 @@ impl Given {
     pub(crate) fn rows<const N: usize>(&self, name: &str) -> PyResult<Vec<[f64; N]>> {
         match self.shape[..] {
             [_, last] if last == N => Ok(self.numbers.as_chunks().0.to_vec()),
-            _ => Err(value_error(name, &format!("must be of shape (n, {N}), not {:?}", self.shape))),
+            _ => Err(value_error(name, format!("must be of shape (n, {N}), not {:?}", self.shape))),
         }
+    }
+}
+
+/// Finite times of an argument `t`: a number, or an array of any shape.
+impl FromPyObject<'_, '_> for Given {
+    type Error = PyErr;
+
+    fn extract(t: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        Self::read("t", &t)
+    }
+}
+
+/// Finite number, if it is given.
+///
+/// # Errors
+/// `ValueError` that names the parameter.
+pub(crate) fn number(name: &str, object: Option<&Bound<'_, PyAny>>) -> PyResult<Option<f64>> {
+    let Some(object) = object else { return Ok(None) };
+    let Given { numbers, shape } = Given::read(name, object)?;
+    match shape.is_empty() {
+        true => Ok(Some(numbers[0])),
+        false => Err(value_error(name, format!("must be a number, not of shape {shape:?}"))),
     }
 }
 
@@ -86,13 +96,7 @@ impl Given {
 /// # Errors
 /// `ValueError` that names the parameter.
 pub(crate) fn vector<const N: usize>(name: &str, object: &Bound<'_, PyAny>) -> PyResult<[f64; N]> {
-    one(name, &Given::read(name, object)?)
-}
-
-fn one<const N: usize>(name: &str, given: &Given) -> PyResult<[f64; N]> {
-    let Given { numbers, shape } = given;
-    let wrong = || value_error(name, &format!("must be {N} numbers, not of shape {shape:?}"));
-    if shape.len() == 1 { numbers[..].try_into().map_err(|_| wrong()) } else { Err(wrong()) }
+    Given::read(name, object)?.exactly(name)
 }
 
 /// Quaternion w, x, y, z: 4 numbers, or a single `scipy.spatial.transform.Rotation`.
@@ -100,7 +104,7 @@ fn one<const N: usize>(name: &str, given: &Given) -> PyResult<[f64; N]> {
 /// # Errors
 /// `ValueError` that names the parameter.
 pub(crate) fn quaternion(name: &str, object: &Bound<'_, PyAny>) -> PyResult<[f64; 4]> {
-    one(name, &scalar_first(name, object)?)
+    scalar_first(name, object)?.exactly(name)
 }
 
 /// Quaternions w, x, y, z: an array of shape (n, 4), or a `scipy.spatial.transform.Rotation`.
@@ -112,11 +116,11 @@ pub(crate) fn quaternions(name: &str, object: &Bound<'_, PyAny>) -> PyResult<Vec
 }
 
 fn scalar_first(name: &str, object: &Bound<'_, PyAny>) -> PyResult<Given> {
-    let py = object.py();
-    if !object.hasattr(intern!(py, "as_quat"))? {
+    let as_quat = intern!(object.py(), "as_quat");
+    if !object.hasattr(as_quat)? {
         return Given::read(name, object);
     }
-    let mut given = Given::read(name, &object.call_method0(intern!(py, "as_quat"))?)?;
+    let mut given = Given::read(name, &object.call_method0(as_quat)?)?;
     given.numbers.as_chunks_mut::<4>().0.iter_mut().for_each(|row| row.rotate_right(1));
     Ok(given)
 }
@@ -127,13 +131,13 @@ fn as_array<'py>(name: &str, object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, 
         return Ok(array.clone());
     }
     let py = object.py();
-    let no_numbers = |error: PyErr| value_error(name, &format!("must be numbers ({})", error.value(py)));
+    let no_numbers = |error: PyErr| value_error(name, format!("must be numbers ({})", error.value(py)));
     let asarray = ASARRAY.import(py, "numpy", "asarray")?;
     let array = asarray.call1((object,)).map_err(no_numbers)?;
     let dtype = array.getattr(intern!(py, "dtype"))?;
     let kind: String = dtype.getattr(intern!(py, "kind"))?.extract()?;
     if !"iufO".contains(&kind) {
-        return Err(value_error(name, &format!("must be numbers, not {}", dtype.str()?)));
+        return Err(value_error(name, format!("must be numbers, not {}", dtype.str()?)));
     }
     if object.hasattr(intern!(py, "mask"))? && object.hasattr(intern!(py, "filled"))? {
         return Err(value_error(name, "must have no mask: use its method filled or compressed"));
@@ -142,31 +146,25 @@ fn as_array<'py>(name: &str, object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, 
     Ok(array.cast_into::<Numbers>()?)
 }
 
-/// Array of these numbers, which are not copied. Rows of `width` numbers add an axis, unless there is one number a row.
+/// Checks that the times are within a distance from t = 0.
+///
+/// # Errors
+/// `ValueError`: one of the times is not.
+pub(crate) fn within(reach: f64, times: &[f64]) -> PyResult<()> {
+    let furthest = times.iter().fold(0.0, |furthest, t| f64::max(furthest, t.abs()));
+    match furthest <= reach {
+        true => Ok(()),
+        false => Err(value_error("t", format!("{furthest:e} must be within ±{reach:.1e}"))),
+    }
+}
+
+/// Array of these numbers, which are not copied.
 pub(crate) fn array<'py>(
     py: Python<'py>,
     numbers: Vec<f64>,
     shape: &[usize],
-    width: usize,
 ) -> PyResult<Bound<'py, Numbers>> {
-    let mut shape = shape.to_vec();
-    if width > 1 {
-        shape.push(width);
-    }
-    let array = ArrayD::from_shape_vec(IxDyn(&shape), numbers);
-    Ok(array.map_err(|error| value_error("shape", &error.to_string()))?.into_pyarray(py))
-}
-
-/// [`array`], which cannot be written to.
-pub(crate) fn constant_array<'py>(
-    py: Python<'py>,
-    numbers: Vec<f64>,
-    shape: &[usize],
-    width: usize,
-) -> PyResult<Bound<'py, Numbers>> {
-    let array = array(py, numbers, shape, width)?;
-    array.readwrite().make_nonwriteable();
-    Ok(array)
+    numbers.into_pyarray(py).reshape(shape)
 }
 
 /// Columns by name: a mapping, a structured array, or a data frame of pandas, polars or pyarrow.
@@ -182,30 +180,27 @@ impl<'py> Frame<'py> {
     /// # Errors
     /// `TypeError`: the object has no columns.
     pub(crate) fn read(parameter: &str, columns: &Bound<'py, PyAny>) -> PyResult<Self> {
-        let attribute = |name: &str| columns.getattr_opt(name);
-        let fields = attribute("dtype")?.map(|dtype| dtype.getattr_opt("names")).transpose()?.flatten();
-        let mut columns = columns.clone();
-        let names = match fields.filter(|names| !names.is_none()) {
-            Some(names) => names,
-            None => {
-                if attribute("index")?
-                    .is_some_and(|index| index.getattr("name").is_ok_and(|name| !name.is_none()))
-                {
-                    columns = columns.call_method0("reset_index")?;
-                }
-                match columns.getattr_opt("column_names")? {
-                    Some(names) => names,
-                    None if columns.hasattr("keys")? => columns.call_method0("keys")?,
-                    None => columns.getattr("columns").map_err(|_| {
-                        PyTypeError::new_err(format!(
-                            "{parameter}: must be columns by name, as a mapping or a data frame"
-                        ))
-                    })?,
-                }
-            }
+        let attribute = |object: &str, name: &str| {
+            let found = columns.getattr(object).and_then(|object| object.getattr(name)).ok();
+            found.filter(|found| !found.is_none())
         };
+        let columns = match attribute("index", "name") {
+            Some(_) => columns.call_method0("reset_index")?,
+            None => columns.clone(),
+        };
+        let own = || ["column_names", "keys", "columns"].iter().find_map(|name| columns.getattr(*name).ok());
+        let names = attribute("dtype", "names").or_else(own).ok_or_else(|| {
+            let reason = "must be columns by name, as a mapping or a data frame";
+            PyTypeError::new_err(format!("{parameter}: {reason}"))
+        })?;
+        let names = if names.is_callable() { names.call0()? } else { names };
         let names = names.try_iter()?.map(|name| Ok(name?.str()?.to_string())).collect::<PyResult<_>>()?;
         Ok(Self { parameter: parameter.to_owned(), columns, names })
+    }
+
+    /// Whether there is a column of this name.
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.names.iter().any(|own| own == name)
     }
 
     /// Name of a column in messages.
@@ -214,10 +209,7 @@ impl<'py> Frame<'py> {
     }
 
     /// Column of this name.
-    ///
-    /// # Errors
-    /// `ValueError` that names the column: no numbers.
-    pub(crate) fn column(&self, name: &str) -> PyResult<Given> {
-        Given::read_any(&self.full_name(name), &self.columns.get_item(name)?)
+    pub(crate) fn column(&self, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        self.columns.get_item(name)
     }
 }

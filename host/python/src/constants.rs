@@ -2,7 +2,6 @@
 
 use crate::motion::PyMotion;
 use pyo3::prelude::*;
-use toytop::PeriodAdvance;
 use toytop_host::output::names;
 
 #[pymethods]
@@ -106,36 +105,31 @@ impl PyMotion {
     /// Nutation period, s; where the tilt is constant, that of a small nutation. None where no motion nearby is periodic.
     #[getter]
     fn period(&self) -> Option<f64> {
-        self.advance(|of| of.period)
+        Some(self.0.motion.period_advance()?.period)
     }
 
     /// Mean rotation of alpha in a nutation period, turns, whole turns included; None without a period.
     #[getter]
     fn alpha_turns(&self) -> Option<f64> {
-        self.advance(|of| of.alpha_turns)
+        Some(self.0.motion.period_advance()?.alpha_turns)
     }
 
     /// Mean rotation of beta in a nutation period, turns, whole turns included; None without a period.
     #[getter]
     fn beta_turns(&self) -> Option<f64> {
-        self.advance(|of| of.beta_turns)
+        Some(self.0.motion.period_advance()?.beta_turns)
     }
 
     /// Advance of the tip angle in a nutation period, rad; None without a period, or where the axis is vertical.
     #[getter]
     fn phi_per_period(&self) -> Option<f64> {
-        self.advance(PeriodAdvance::phi_per_period).filter(|_| !self.0.motion.regime().is_vertical())
+        let advance = self.0.motion.period_advance().filter(|_| !self.0.motion.regime().is_vertical());
+        Some(advance?.phi_per_period())
     }
 
     /// Least normal force of the plane, in units of the weight; below 0 a real top leaves the plane. None for a fixed tip.
     #[getter]
     fn min_normal_force(&self) -> Option<f64> {
         self.0.motion.min_normal_force()
-    }
-}
-
-impl PyMotion {
-    fn advance(&self, of: impl Fn(&PeriodAdvance) -> f64) -> Option<f64> {
-        self.0.motion.period_advance().as_ref().map(of)
     }
 }

@@ -1,9 +1,10 @@
 //! Events of a `Motion`: times at which it turns, or reaches a tilt, a direction or a circle, or lifts off.
 
-use crate::arrays::{Given, array};
-use crate::error::{refused, value_error};
+use crate::arrays::number;
+use crate::error::{renamed, value_error};
 use crate::interrupt;
 use crate::motion::PyMotion;
+use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use toytop::{Level, Phase, Support};
@@ -42,9 +43,8 @@ impl PyMotion {
         count: i64,
         sense: Option<&str>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let value = value.map(|value| Given::number("value", value)).transpose()?;
-        let searches = self.sought(kind, value)?;
-        let start = start.map_or(Ok(0.0), |start| Given::number("start", start))?;
+        let searches = self.sought(kind, number("value", value)?)?;
+        let start = number("start", start)?.unwrap_or(0.0);
         let upward = match sense {
             None => None,
             Some("up") => Some(true),
@@ -52,10 +52,10 @@ impl PyMotion {
             Some(_) => return Err(value_error("sense", "must be 'up' or 'down'")),
         };
         if !(1..=MOST).contains(&count) {
-            return Err(value_error("count", &format!("must be between 1 and {MOST}")));
+            return Err(value_error("count", format!("must be between 1 and {MOST}")));
         }
         let table = py.detach(|| self.0.table(Scalar::F64))?;
-        self.0.within_reach(start.abs()).map_err(|_| value_error("start", "must be within 2^62 ticks"))?;
+        self.0.within_reach(&[start]).map_err(|_| value_error("start", "must be within 2^62 ticks"))?;
         let (from, most) = ((start * table.ticks_per_time()).floor() as i64, count as usize);
         let wanted = move |t: f64, up: bool| t >= start && upward.is_none_or(|only: bool| only == up);
         let mut found = interrupt::alone(py, move || {
@@ -67,21 +67,20 @@ impl PyMotion {
         })?;
         found.sort_by(|(_, a), (_, b)| a.t.total_cmp(&b.t));
         found.truncate(most);
+        let column = |of: fn(&FoundEvent) -> f64| {
+            let numbers: Vec<f64> = found.iter().map(|(_, event)| of(event)).collect();
+            numbers.into_pyarray(py)
+        };
+        let errors: Vec<f64> = found.iter().map(|(error, _)| error.unwrap_or(f64::NAN)).collect();
+        let upward: Vec<bool> = found.iter().map(|(_, event)| event.upward).collect();
         let events = PyDict::new(py);
-        type Value = fn(&(Option<f64>, FoundEvent)) -> f64;
-        let columns: [(&str, Value); 7] = [
-            ("t", |(_, event)| event.t),
-            ("t_error", |(error, _)| error.unwrap_or(f64::NAN)),
-            ("up", |(_, event)| event.upward.into()),
-            ("u", |(_, event)| event.there.sample.u),
-            ("tip_x", |(_, event)| event.there.sample.tip.re),
-            ("tip_y", |(_, event)| event.there.sample.tip.im),
-            ("phi", |(_, event)| event.there.sample.phi.unwrap_or(f64::NAN)),
-        ];
-        for (name, of) in columns {
-            events.set_item(name, array(py, found.iter().map(of).collect(), &[found.len()], 1)?)?;
-        }
-        events.set_item("up", events.as_any().get_item("up")?.call_method1("astype", ("bool",))?)?;
+        events.set_item("t", column(|event| event.t))?;
+        events.set_item("t_error", errors.into_pyarray(py))?;
+        events.set_item("up", upward.into_pyarray(py))?;
+        events.set_item("u", column(|event| event.there.sample.u))?;
+        events.set_item("tip_x", column(|event| event.there.sample.tip.re))?;
+        events.set_item("tip_y", column(|event| event.there.sample.tip.im))?;
+        events.set_item("phi", column(|event| event.there.sample.phi.unwrap_or(f64::NAN)))?;
         Ok(events)
     }
 }
@@ -89,34 +88,33 @@ impl PyMotion {
 impl PyMotion {
     /// Searches for the events of a kind: two where two levels of u belong to a circle, none where a top does not leave the plane.
     fn sought(&self, kind: &str, value: Option<f64>) -> PyResult<Vec<Sought>> {
-        let top = self.0.motion.top();
-        let named = |error| refused(&error, &[("tilt", "value"), ("radius", "value")]);
-        match (kind, value) {
-            ("turning", None) => Ok(vec![Sought::Turning]),
-            ("tilt", Some(tilt)) => Ok(vec![Sought::Crossing(Level::of_tilt(tilt).map_err(named)?)]),
-            ("direction", Some(angle)) if angle.abs() <= 1e6 => {
-                Ok(vec![Sought::TipAngle(Phase::new(angle / std::f64::consts::TAU))])
+        let (motion, top) = (&self.0.motion, self.0.motion.top());
+        let named = |error| renamed(error, &[("tilt", "value"), ("radius", "value")]);
+        let given = || value.ok_or_else(|| value_error("value", format!("must be given for {kind:?}")));
+        Ok(match kind {
+            "tilt" => vec![Sought::Crossing(Level::of_tilt(given()?).map_err(named)?)],
+            "direction" => match given()? {
+                angle if angle.abs() <= 1e6 => {
+                    vec![Sought::TipAngle(Phase::new(angle / std::f64::consts::TAU))]
+                }
+                _ => return Err(value_error("value", "must be within ±1e6 rad")),
+            },
+            "circle" => Level::of_circle(top, given()?).map_err(named)?.map(Sought::Crossing).to_vec(),
+            "turning" | "lift_off" if value.is_some() => {
+                return Err(value_error("value", format!("must be left out for {kind:?}")));
             }
-            ("direction", Some(_)) => Err(value_error("value", "must be within ±1e6 rad")),
-            ("circle", Some(radius)) => {
-                Ok(Level::of_circle(top, radius).map_err(named)?.map(Sought::Crossing).to_vec())
+            "turning" => vec![Sought::Turning],
+            "lift_off" if top.support() == Support::Sliding => {
+                Level::of_lift_off(motion).map(Sought::Crossing).into_iter().collect()
             }
-            ("lift_off", None) if top.support() == Support::Sliding => {
-                Ok(Level::of_lift_off(&self.0.motion).map(Sought::Crossing).into_iter().collect())
+            "lift_off" => {
+                let reason = "must not be 'lift_off': the tip does not slide on a plane";
+                return Err(value_error("kind", reason));
             }
-            ("lift_off", None) => {
-                Err(value_error("kind", "must not be 'lift_off': the tip does not slide on a plane"))
+            _ => {
+                let kinds = "'turning', 'tilt', 'direction', 'circle', 'lift_off'";
+                return Err(value_error("kind", format!("must be one of {kinds}")));
             }
-            ("turning" | "lift_off", Some(_)) => {
-                Err(value_error("value", &format!("must be left out for {kind:?}")))
-            }
-            ("tilt" | "direction" | "circle", None) => {
-                Err(value_error("value", &format!("must be given for {kind:?}")))
-            }
-            _ => Err(value_error(
-                "kind",
-                "must be one of 'turning', 'tilt', 'direction', 'circle', 'lift_off'",
-            )),
-        }
+        })
     }
 }

@@ -1,18 +1,20 @@
 //! `fit` and `simulate`: from samples of sensors to a launch, and back.
 
-use crate::arrays::Given;
-use crate::error::value_error;
-use crate::fitted::Fitted;
+use crate::arrays::{Frame, Given, number};
+use crate::error::{failed, value_error};
+use crate::fitted::{Fitted, dictionary};
 use crate::interrupt;
-use crate::motion::PyMotion;
-use crate::sensors::{columns, dictionary, sensors};
+use crate::motion::{PyMotion, TopDefinition, text_of};
 use crate::top::PyTop;
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyFloat, PyInt, PyMapping};
+use std::path::PathBuf;
 use toml::{Table, Value};
 use toytop_fit::Measurement;
-use toytop_host::fit::columns::Columns;
+use toytop_host::fit::columns::{Columns, keep_present};
 use toytop_host::fit::launch::FitInput;
+use toytop_host::fit::sensors::{Body, Sensors};
 use toytop_host::fit::simulated::{MOST_SAMPLES, Recording, measurements};
 
 /// Launch of a top, fitted to samples of sensors on it or beside it, without a first guess.
@@ -50,7 +52,7 @@ pub(crate) fn fit(
     let mut instruments = self::sensors(sensors, &definition)?;
     let given = columns(samples, &mut instruments, sensors.is_some())?;
     let rows = given.measurements(&instruments).map_err(|refused| {
-        value_error("samples", &format!("{}: row {}: {}", refused.column, refused.row, refused.reason))
+        value_error("samples", format!("{}: row {}: {}", refused.column, refused.row, refused.reason))
     })?;
     let readings: Vec<Measurement> = rows.iter().map(|(_, measurement)| *measurement).collect();
     let input = FitInput { top: definition.top, table, free, sensors: instruments, huber, drift };
@@ -59,7 +61,7 @@ pub(crate) fn fit(
         let residuals = report.residuals(&readings);
         Ok((report, residuals))
     })?
-    .map_err(|(parameter, reason): (&str, String)| value_error(parameter, &reason))?;
+    .map_err(|(parameter, reason): (&str, String)| value_error(parameter, reason))?;
     let mut by_column = Columns { t: given.t, readings: Vec::new() };
     for (sensor, instrument) in report.input.sensors.instruments.iter().enumerate() {
         for (component, name) in instrument.kind.residuals().iter().enumerate() {
@@ -96,11 +98,11 @@ pub(crate) fn simulate<'py>(
     seed: i128,
 ) -> PyResult<Bound<'py, PyDict>> {
     let sensors = self::sensors(sensors, &motion.0.top)?;
-    let hertz = hertz.map_or(Ok(1000.0), |hertz| Given::number("hertz", hertz))?;
-    let duration = duration.map_or(Ok(1.0), |duration| Given::number("duration", duration))?;
+    let hertz = number("hertz", hertz)?.unwrap_or(1000.0);
+    let duration = number("duration", duration)?.unwrap_or(1.0);
     let seed = seed.try_into().map_err(|_| value_error("seed", "must be between 0 and 2^64 - 1"))?;
     let recording = Recording::new(hertz, duration, seed).ok_or_else(|| {
-        value_error("hertz, duration", &format!("must give from 1 to {MOST_SAMPLES:e} samples"))
+        value_error("hertz, duration", format!("must give from 1 to {MOST_SAMPLES:e} samples"))
     })?;
     let motion = motion.0.motion;
     let found = interrupt::alone(py, move || {
@@ -108,4 +110,68 @@ pub(crate) fn simulate<'py>(
     })?;
     let refuse = || value_error("motion", "has no period, and cannot be followed for so long");
     dictionary(py, found.ok_or_else(refuse)?)
+}
+
+/// Sensors of a mapping, of a file, or those of a telephone.
+///
+/// # Errors
+/// `ValueError` that names the key; `OSError` for a file that cannot be read.
+fn sensors(given: Option<&Bound<'_, PyAny>>, top: &TopDefinition) -> PyResult<Sensors> {
+    let body = Body::of(&top.top, top.parameters.com_height);
+    let Some(given) = given else { return Ok(Sensors::telephone(body)) };
+    let sensors = if let Ok(tables) = given.cast::<PyMapping>() {
+        Sensors::of_table("sensors", &table(tables)?, body)
+    } else {
+        let path: PathBuf = given
+            .extract()
+            .map_err(|_| PyTypeError::new_err("sensors: must be a mapping or the path of a file"))?;
+        Sensors::parse(&path.display().to_string(), &text_of(&path)?, body)
+    };
+    sensors.map_err(failed)
+}
+
+/// Tables of the sensors: numbers, and arrays of numbers, by name.
+fn table(given: &Bound<'_, PyMapping>) -> PyResult<Table> {
+    let mut table = Table::new();
+    for pair in given.items()?.iter() {
+        let (key, value): (String, Bound<'_, PyAny>) = pair.extract()?;
+        let value = if let Ok(inner) = value.cast::<PyMapping>() {
+            Value::Table(self::table(inner)?)
+        } else if value.is_instance_of::<PyFloat>() || value.is_instance_of::<PyInt>() {
+            Value::Float(value.extract()?)
+        } else {
+            let numbers = Given::read_any("sensors", &value)?.numbers;
+            Value::Array(numbers.into_iter().map(Value::Float).collect())
+        };
+        table.insert(key, value);
+    }
+    Ok(table)
+}
+
+/// Samples by column: a mapping, a structured array or a data frame. The sensors without columns are removed.
+///
+/// * `all`: whether every sensor must have its columns
+///
+/// # Errors
+/// `ValueError` that names the column.
+fn columns(samples: &Bound<'_, PyAny>, sensors: &mut Sensors, all: bool) -> PyResult<Columns> {
+    let frame = Frame::read("samples", samples)?;
+    if !frame.has("t") {
+        return Err(value_error("samples", "must have a column t"));
+    }
+    keep_present(sensors, |name| frame.has(name), all).map_err(|reason| value_error("samples", reason))?;
+    let column = |name: &str, rows: Option<usize>| -> PyResult<Vec<f64>> {
+        let full_name = frame.full_name(name);
+        let Given { numbers, shape } = Given::read_any(&full_name, &frame.column(name)?)?;
+        let reason = match shape[..] {
+            [length] if rows.is_none_or(|rows| rows == length) => return Ok(numbers),
+            [length] => format!("must have as many rows as t; has {length}"),
+            _ => format!("must have one axis, not shape {shape:?}"),
+        };
+        Err(value_error(&full_name, reason))
+    };
+    let t = column("t", None)?;
+    let wanted = sensors.instruments.iter().flat_map(|instrument| instrument.kind.columns.iter().copied());
+    let readings: PyResult<Vec<_>> = wanted.map(|name| Ok((name, column(name, Some(t.len()))?))).collect();
+    Ok(Columns { t, readings: readings? })
 }

@@ -3,16 +3,16 @@
 use crate::arrays::{Given, Numbers, array};
 use crate::error::value_error;
 use crate::interrupt;
-use crate::motion::PyMotion;
-use crate::sensors::dictionary;
+use crate::motion::{PyMotion, Single};
+use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use toytop_fit::{Drift, Sensitivity};
 use toytop_host::fit::columns::Columns;
 use toytop_host::fit::report::FitReport;
 
-/// Array for Python.
-type Array = Py<Numbers>;
+/// Array of one axis for Python.
+type Array = Py<PyArray1<f64>>;
 
 /// Launch of a top fitted to samples, with its error bars. It is made by toytop.fit.
 #[pyclass(module = "toytop", frozen)]
@@ -47,7 +47,7 @@ pub(crate) struct Fitted {
     unknowns: Vec<String>,
     /// Covariance of the unknowns. In a direction that is undetermined the standard deviation is 10 rad, or ten times omega.
     #[pyo3(get)]
-    covariance: Array,
+    covariance: Py<Numbers>,
     /// Standard deviations of the unknowns.
     #[pyo3(get)]
     deviations: Array,
@@ -98,9 +98,9 @@ impl Fitted {
         let motion = match (core.reason, report.scenario(None)) {
             (Some(reason), _) => Err(format!("must be that of a fit that has converged: {reason}")),
             (None, Err(failure)) => Err(failure.to_string()),
-            (None, Ok(text)) => Ok(Py::new(py, PyMotion::parsed("fitted", &text)?)?),
+            (None, Ok(text)) => Ok(Py::new(py, PyMotion(Single::parsed("fitted", &text)?))?),
         };
-        let numbers = |numbers: &[f64]| array(py, numbers.to_vec(), &[numbers.len()], 1).map(Bound::unbind);
+        let numbers = |numbers: &[f64]| numbers.to_vec().into_pyarray(py).unbind();
         let all = core.deviations();
         let mut unknowns: Vec<_> = Sensitivity::NAMES[..6].iter().map(|name| (*name).to_owned()).collect();
         let (free, biases) = (PyDict::new(py), PyDict::new(py));
@@ -108,20 +108,19 @@ impl Fitted {
             free.set_item(key, (value, deviation))?;
             unknowns.push(key.to_owned());
         }
-        let losses = core.drift.map(|drift| {
-            let losses = PyDict::new(py);
+        let mut losses = None;
+        if let Some(drift) = &core.drift {
+            let by_name = PyDict::new(py);
             for (name, loss) in Drift::LOSSES.into_iter().zip(drift.losses) {
-                losses.set_item(name, (loss, all[unknowns.len()]))?;
+                by_name.set_item(name, (loss, all[unknowns.len()]))?;
                 unknowns.push(name.to_owned());
             }
-            PyResult::Ok(losses.unbind())
-        });
+            losses = Some(by_name.unbind());
+        }
         for (name, values, deviations) in report.biases() {
-            biases.set_item(name, (numbers(&values)?, numbers(&deviations)?))?;
+            biases.set_item(name, (numbers(&values), numbers(&deviations)))?;
             unknowns.extend(["x", "y", "z"].map(|axis| format!("{name}_bias_{axis}")));
         }
-        let drift =
-            core.drift.map(|drift| PyResult::Ok((numbers(&drift.rates)?, numbers(&drift.deviations())?)));
         let (count, [spin, tilt]) = (core.count, report.spin_and_tilt());
         let covariance = (0..count * count).map(|at| core.covariance.get(at / count, at % count)).collect();
         Ok(Self {
@@ -130,16 +129,16 @@ impl Fitted {
             converged: core.converged(),
             reason: report.reason.clone(),
             epoch: core.epoch,
-            quaternion: numbers(&core.launch.orientation.quaternion())?,
-            omega: numbers(&core.launch.omega)?,
+            quaternion: numbers(&core.launch.orientation.quaternion()),
+            omega: numbers(&core.launch.omega),
             spin,
             tilt,
             unknowns,
-            covariance: array(py, covariance, &[count, count], 1)?.unbind(),
-            deviations: numbers(&all[..count])?,
-            drift: drift.transpose()?,
+            covariance: array(py, covariance, &[count, count])?.unbind(),
+            deviations: numbers(&all[..count]),
+            drift: core.drift.map(|drift| (numbers(&drift.rates), numbers(&drift.deviations()))),
             free: free.unbind(),
-            losses: losses.transpose()?,
+            losses,
             biases: biases.unbind(),
             undetermined: report.undetermined(),
             alternatives: core.alternatives,
@@ -173,13 +172,9 @@ impl Fitted {
     ///
     /// Raises:
     ///     ValueError: the fit has not converged, or the motion has no period and cannot be followed for so long.
-    fn orientation_covariance<'py>(
-        &self,
-        py: Python<'py>,
-        t: &Bound<'_, PyAny>,
-    ) -> PyResult<Bound<'py, Numbers>> {
+    fn orientation_covariance<'py>(&self, py: Python<'py>, t: Given) -> PyResult<Bound<'py, Numbers>> {
         let motion = self.believed()?.get().0.motion;
-        let Given { numbers, shape } = Given::read("t", t)?;
+        let Given { numbers, shape } = t;
         let sensitivity = py.detach(|| Sensitivity::new(&motion));
         let found = interrupt::map(py, numbers.len(), |index| {
             Some(self.core.orientation_covariance(&sensitivity.at(numbers[index])?))
@@ -187,7 +182,7 @@ impl Fitted {
         let found: Option<Vec<_>> = found.into_iter().collect();
         let refuse = || value_error("t", "must not be so far for a motion without a period");
         let found = found.ok_or_else(refuse)?.into_iter().flatten().flatten().collect();
-        array(py, found, &[&shape[..], &[3]].concat(), 3)
+        array(py, found, &[&shape[..], &[3, 3]].concat())
     }
 
     fn __repr__(&self) -> String {
@@ -201,4 +196,13 @@ impl Fitted {
             ),
         }
     }
+}
+
+/// Columns as a dictionary of arrays.
+pub(crate) fn dictionary<'py>(py: Python<'py>, columns: Columns) -> PyResult<Bound<'py, PyDict>> {
+    let dictionary = PyDict::new(py);
+    for (name, numbers) in [("t", columns.t)].into_iter().chain(columns.readings) {
+        dictionary.set_item(name, numbers.into_pyarray(py))?;
+    }
+    Ok(dictionary)
 }

@@ -1,18 +1,21 @@
 //! Computations without the interpreter's lock, which Ctrl-C ends.
 
+use crate::error::failed;
+use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use std::sync::Mutex;
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
-use std::thread::{self, Builder};
+use std::thread::Builder;
 use std::time::Duration;
+use toytop_host::thread_pool;
 
 /// Time between two checks for signals.
 const INTERVAL: Duration = Duration::from_millis(50);
 /// Stack of a thread, bytes. The set-up of the largest table needs some megabytes.
 const STACK: usize = 1 << 25;
-/// Results that a thread computes before it takes the next ones.
-const BLOCK: usize = 16;
+/// Greatest number of results for which threads are not worth their start.
+const FEW: usize = 16;
 
 /// Calls `work` with each of the jobs on all cores. A job should take less than 0.1 s.
 ///
@@ -20,29 +23,23 @@ const BLOCK: usize = 16;
 /// `KeyboardInterrupt`: the remaining jobs are not done.
 pub(crate) fn on_all_cores<J: Send>(
     py: Python<'_>,
-    jobs: impl Iterator<Item = J> + Send,
+    jobs: impl ParallelIterator<Item = J>,
     work: impl Fn(J) + Send + Sync,
 ) -> PyResult<()> {
-    let (jobs, stopped) = (Mutex::new(jobs), AtomicBool::new(false));
-    let next = || jobs.lock().ok()?.next();
-    let work = || {
-        while !stopped.load(Relaxed)
-            && let Some(job) = next()
-        {
+    let cores = thread_pool::of_all_cores().map_err(failed)?;
+    let stopped = AtomicBool::new(false);
+    let unless_stopped = |job| {
+        if !stopped.load(Relaxed) {
             work(job);
         }
     };
     py.detach(|| {
-        thread::scope(|scope| {
+        cores.in_place_scope(|scope| {
             let (running, ended) = mpsc::channel::<()>();
-            for _ in 0..thread::available_parallelism().map_or(1, usize::from) {
-                let running = running.clone();
-                Builder::new().stack_size(STACK).spawn_scoped(scope, || {
-                    let _running = running;
-                    work();
-                })?;
-            }
-            drop(running);
+            scope.spawn(|_| {
+                let _running = running;
+                jobs.for_each(unless_stopped);
+            });
             let waited = wait(&ended);
             stopped.store(true, Relaxed);
             waited.map(drop)
@@ -50,7 +47,7 @@ pub(crate) fn on_all_cores<J: Send>(
     })
 }
 
-/// Results of `of` for the numbers below `count`, on all cores. One result should take less than 10 ms.
+/// Results of `of` for the numbers below `count`, on all cores. One result should take less than 0.1 s.
 ///
 /// # Errors
 /// `KeyboardInterrupt`.
@@ -59,15 +56,11 @@ pub(crate) fn map<T: Send>(
     count: usize,
     of: impl Fn(usize) -> T + Send + Sync,
 ) -> PyResult<Vec<T>> {
-    if count <= BLOCK {
+    if count <= FEW {
         return Ok(py.detach(|| (0..count).map(of).collect()));
     }
     let mut results: Vec<Option<T>> = (0..count).map(|_| None).collect();
-    on_all_cores(py, results.chunks_mut(BLOCK).enumerate(), |(block, results)| {
-        for (place, result) in results.iter_mut().enumerate() {
-            *result = Some(of(BLOCK * block + place));
-        }
-    })?;
+    on_all_cores(py, results.par_iter_mut().enumerate(), |(place, result)| *result = Some(of(place)))?;
     Ok(results.into_iter().flatten().collect())
 }
 
@@ -83,7 +76,7 @@ pub(crate) fn alone<T: Send + 'static>(
     // if nobody waits any more, the result is dropped
     Builder::new().stack_size(STACK).spawn(move || drop(sender.send(work())))?;
     let found = py.detach(move || wait(&receiver))?;
-    found.ok_or_else(|| pyo3::exceptions::PyRuntimeError::new_err("the computation has failed"))
+    found.ok_or_else(|| PyRuntimeError::new_err("the computation has failed"))
 }
 
 /// Message of another thread; `None` once all senders are gone.

@@ -3,40 +3,36 @@
 //! | module | contents |
 //! |---|---|
 //! | [`error`] | refusals as exceptions |
-//! | [`arrays`] | arrays of NumPy to and from numbers |
-//! | [`top`] | `Top`, and its launches |
-//! | [`definition`] | input of a motion, to full precision, and as a scenario file |
+//! | [`arrays`] | arrays and columns of Python to and from numbers |
 //! | [`interrupt`] | computations without the interpreter's lock, which Ctrl-C ends |
+//! | [`samples`] | `Samples`: a motion at given times |
 //! | [`motion`], [`constants`] | `Motion`: at any time, and its constants |
+//! | [`launch`], [`top`] | launches, and `Top` |
+//! | [`many`] | `many`: motions on all cores |
 //! | [`events`] | times of turning points, tilts, directions, circles and lift-off |
 //! | [`partials`] | partial derivatives, and impulses |
-//! | [`samples`] | `Samples`: a motion at given times |
-//! | [`closed_form`], [`reference`] | other methods for a motion at a time |
-//! | [`fit`], [`fitted`], [`sensors`] | `fit` and `simulate`: from samples of sensors to a launch, and back |
-//! | [`many`], [`releases`] | `many`: motions on all cores |
+//! | [`other_methods`] | closed form and truth of a motion at a time |
+//! | [`fit`], [`fitted`] | `fit` and `simulate`: from samples of sensors to a launch, and back |
 //! | [`score`] | `score`: errors of an integrator |
 //! | [`page`] | pictures for a notebook |
 //!
 //! Computations run without the interpreter's lock, and every class is immutable, so that threads can share objects.
 
 mod arrays;
-mod closed_form;
 mod constants;
-mod definition;
 mod error;
 mod events;
 mod fit;
 mod fitted;
 mod interrupt;
+mod launch;
 mod many;
 mod motion;
+mod other_methods;
 mod page;
 mod partials;
-mod reference;
-mod releases;
 mod samples;
 mod score;
-mod sensors;
 mod top;
 
 use pyo3::prelude::*;
@@ -45,8 +41,6 @@ use pyo3::prelude::*;
 #[pymodule(gil_used = false)]
 mod _toytop {
     #[pymodule_export]
-    use super::closed_form::PyClosedForm;
-    #[pymodule_export]
     use super::fit::{fit, simulate};
     #[pymodule_export]
     use super::fitted::Fitted;
@@ -54,6 +48,8 @@ mod _toytop {
     use super::many::{Many, many};
     #[pymodule_export]
     use super::motion::PyMotion;
+    #[pymodule_export]
+    use super::other_methods::PyClosedForm;
     #[pymodule_export]
     use super::page::Page;
     #[pymodule_export]

@@ -1,13 +1,12 @@
 //! `many`: motions on all cores.
 
-use crate::arrays::{Given, Numbers, array, quaternions};
-use crate::definition::TopDefinition;
+use crate::arrays::{Given, Numbers, array};
 use crate::error::value_error;
 use crate::interrupt;
-use crate::motion::{PyMotion, Single, furthest, scalar_named};
-use crate::releases;
+use crate::launch::{attitudes, rates, releases};
+use crate::motion::{PyMotion, Single, TopDefinition, scalar_named};
 use crate::samples::{Samples, Source};
-use crate::top::{PyTop, launched, released};
+use crate::top::PyTop;
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyIterator, PyList, PySlice};
@@ -20,36 +19,6 @@ use toytop_page::constants::{CONSTANTS, MotionConstants};
 /// motion, which are kept.
 #[pyclass(module = "toytop", frozen, sequence)]
 pub(crate) struct Many(Vec<Arc<Single>>);
-
-/// Launches: the name of their argument, their number, and the motion of a top from one of them.
-type Launches = (&'static str, usize, Box<dyn Fn(&TopDefinition, usize) -> PyResult<Single> + Send + Sync>);
-
-fn launches(
-    releases: Option<&Bound<'_, PyAny>>,
-    quaternion: Option<&Bound<'_, PyAny>>,
-    rates: Option<(&'static str, &Bound<'_, PyAny>)>,
-) -> PyResult<Launches> {
-    match (releases, quaternion, rates) {
-        (Some(releases), None, None) => {
-            let releases = releases::read(releases)?;
-            Ok(("releases", releases.len(), Box::new(move |top, index| released(top, &releases[index]))))
-        }
-        (None, Some(quaternion), Some((name, omega))) => {
-            let quaternions = quaternions("quaternion", quaternion)?;
-            let omega = Given::read(name, omega)?.rows(name)?;
-            let count = quaternions.len();
-            if omega.len() != count {
-                let reason = format!("must have {count} rows, as quaternion; has {}", omega.len());
-                return Err(value_error(name, &reason));
-            }
-            let launch = move |top: &_, index: usize| launched(top, quaternions[index], omega[index], name);
-            Ok(("quaternion", count, Box::new(launch)))
-        }
-        _ => {
-            Err(value_error("releases", "must be given, or else quaternion and one of omega and omega_body"))
-        }
-    }
-}
 
 /// Motions of many tops or many launches.
 ///
@@ -78,32 +47,41 @@ pub(crate) fn many(
     let tops: Vec<TopDefinition> = match tops.cast::<PyTop>() {
         Ok(top) => vec![top.get().0],
         Err(_) => {
-            let tops =
-                tops.try_iter()?.map(|top| top?.cast::<PyTop>().map(|top| top.get().0).map_err(PyErr::from));
-            tops.collect::<PyResult<_>>()?
+            tops.try_iter()?.map(|top| Ok(top?.cast_into::<PyTop>()?.get().0)).collect::<PyResult<_>>()?
         }
     };
-    let (name, launched, motion) = launches(releases, quaternion, crate::top::rates(omega, omega_body)?)?;
-    for (name, length) in [("tops", tops.len()), (name, launched)] {
+    let (name, launches) = match (releases, quaternion, rates(omega, omega_body)?) {
+        (Some(releases), None, None) => ("releases", self::releases(releases)?),
+        (None, Some(quaternion), Some(rates)) => ("quaternion", attitudes(quaternion, rates)?),
+        _ => {
+            let reason = "must be given, or else quaternion and one of omega and omega_body";
+            return Err(value_error("releases", reason));
+        }
+    };
+    for (name, length) in [("tops", tops.len()), (name, launches.len())] {
         if length == 0 {
             return Err(value_error(name, "must not be empty"));
         }
     }
-    let count = tops.len().max(launched);
-    let fits = |length: usize| length == 1 || length == count;
-    if !fits(tops.len()) || !fits(launched) {
-        let reason = format!("must be one or {launched} as {name}, not {}", tops.len());
-        return Err(value_error("tops", &reason));
+    let count = tops.len().max(launches.len());
+    if ![tops.len(), launches.len()].iter().all(|length| [1, count].contains(length)) {
+        let reason = format!("must be one or {} as {name}, not {}", launches.len(), tops.len());
+        return Err(value_error("tops", reason));
     }
-    let launch = |index: usize| {
-        let top = tops.get(index).unwrap_or(&tops[0]);
-        motion(top, if launched == 1 { 0 } else { index }).map(Arc::new)
-    };
-    let motions = interrupt::map(py, count, launch)?;
+    let motions = interrupt::map(py, count, |index| {
+        launches.get(index).unwrap_or(&launches[0]).of(tops.get(index).unwrap_or(&tops[0]))
+    })?;
     let named = motions.into_iter().enumerate().map(|(index, motion)| {
         motion.map_err(|error| PyValueError::new_err(format!("{name}[{index}]: {}", error.value(py))))
     });
     named.collect::<PyResult<_>>().map(Many)
+}
+
+impl Many {
+    /// Motions as objects of Python.
+    fn motions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        PyList::new(py, self.0.iter().map(|motion| PyMotion(motion.clone())))
+    }
 }
 
 #[pymethods]
@@ -116,16 +94,13 @@ impl Many {
     /// Raises:
     ///     ValueError: t is not finite or beyond 2^62 ticks of a motion.
     #[pyo3(signature = (t, *, scalar="f64"))]
-    fn at(slf: &Bound<'_, Self>, t: &Bound<'_, PyAny>, scalar: &str) -> PyResult<Samples> {
-        let (py, motions) = (slf.py(), &slf.get().0);
-        let (times, number) = (Given::read("t", t)?, scalar_named(scalar)?);
-        let furthest = furthest(&times);
-        let tables = interrupt::map(py, motions.len(), |index| {
-            let table = motions[index].table(number)?;
-            motions[index].within_reach(furthest).map(|()| table)
-        })?;
+    fn at(slf: &Bound<'_, Self>, t: Given, scalar: &str) -> PyResult<Samples> {
+        let (motions, scalar) = (&slf.get().0, scalar_named(scalar)?);
+        let tables =
+            interrupt::map(slf.py(), motions.len(), |index| motions[index].table_for(scalar, &t.numbers))?;
         let tables = tables.into_iter().collect::<PyResult<_>>()?;
-        Ok(Samples::new(times, Some(motions.len()), Source::Tables(tables), crate::motion::at(slf, scalar)?))
+        let origin = slf.clone().into_any().unbind();
+        Ok(Samples::new((origin, "at", Some(scalar)), t, Some(motions.len()), Source::Tables(tables)))
     }
 
     /// Constant of every motion as an array, NaN where it does not exist: e1, e2, e3, e4, l, n, h, period, alpha_turns, beta_turns,
@@ -136,11 +111,11 @@ impl Many {
     fn constant<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, Numbers>> {
         let Some((_, of)) = CONSTANTS.iter().find(|(known, _)| *known == name) else {
             let names = CONSTANTS.map(|(name, _)| name).join(", ");
-            return Err(value_error("name", &format!("must be one of {names}")));
+            return Err(value_error("name", format!("must be one of {names}")));
         };
         let numbers =
             interrupt::map(py, self.0.len(), |index| of(&MotionConstants::new(self.0[index].motion)))?;
-        array(py, numbers, &[self.0.len()], 1)
+        array(py, numbers, &[self.0.len()])
     }
 
     fn __len__(&self) -> usize {
@@ -162,7 +137,7 @@ impl Many {
     }
 
     fn __iter__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyIterator>> {
-        PyList::new(py, self.0.iter().map(|motion| PyMotion(motion.clone())))?.try_iter()
+        self.motions(py)?.try_iter()
     }
 
     fn __repr__(&self) -> String {
@@ -178,8 +153,7 @@ impl Many {
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyList>,))> {
-        let motions = PyList::new(py, self.0.iter().map(|motion| PyMotion(motion.clone())))?;
-        Ok((py.get_type::<Self>().getattr("_of")?, (motions,)))
+        Ok((py.get_type::<Self>().getattr("_of")?, (self.motions(py)?,)))
     }
 
     /// Many of the motions that pickle has stored.

@@ -1,23 +1,92 @@
-//! Class `Motion`, which computes a motion at any time.
+//! Class `Motion`, which computes a motion at any time, and its input to full precision.
 
-use crate::arrays::Given;
-use crate::closed_form::PyClosedForm;
-use crate::definition::{self, TopDefinition};
-use crate::error::{failed, value_error};
-use crate::page::{self, Page};
-use crate::reference;
-use crate::samples::{Samples, Source};
-use crate::top::PyTop;
+use crate::arrays::{Given, number, within};
+use crate::error::{failed, refused, renamed, value_error};
+use crate::samples::{Samples, Source, Table};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 use std::{fs, io};
-use toytop::Motion;
+use toytop::{InitialPhases, Motion, State, Support, Top, TopParameters};
+use toytop_host::input::scenario::{Given as Numbers, Scenario};
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::{AnyScalar, furthest_time, smallest};
+use toytop_host::motion::ephemeris::{furthest_time, smallest};
 use toytop_host::truth::exact::Exact;
 use toytop_host::truth::motions::Start;
+
+/// Top with the numbers of its input.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct TopDefinition {
+    pub(crate) parameters: TopParameters,
+    pub(crate) top: Top,
+}
+
+impl TopDefinition {
+    /// Top of this support.
+    ///
+    /// # Errors
+    /// `ValueError` that names the parameter.
+    pub(crate) fn new(support: Support, parameters: TopParameters) -> PyResult<Self> {
+        let top = match support {
+            Support::Sliding => Top::sliding(&parameters),
+            Support::Fixed => Top::fixed(&parameters),
+            Support::Free => Top::free(&parameters),
+        };
+        Ok(Self { parameters, top: top.map_err(refused)? })
+    }
+
+    /// Name of the support: `sliding`, `fixed` or `free`.
+    pub(crate) fn support(&self) -> &'static str {
+        match self.top.support() {
+            Support::Sliding => "sliding",
+            Support::Fixed => "fixed",
+            Support::Free => "free",
+        }
+    }
+
+    /// Numbers by their names, without those that are 0 because they are not given.
+    pub(crate) fn numbers(&self) -> Vec<(&'static str, f64)> {
+        let given = &self.parameters;
+        let mut numbers = vec![
+            ("transverse_inertia", given.transverse_inertia),
+            ("axial_inertia", given.axial_inertia),
+            ("rotor_momentum", given.rotor_momentum),
+        ];
+        if self.top.support() != Support::Free {
+            numbers.extend([
+                ("gravity", given.gravity),
+                ("mass", given.mass),
+                ("mass_moment", given.mass_moment),
+                ("com_height", given.com_height),
+            ]);
+        }
+        numbers.retain(|(name, x)| *x != 0.0 || ["axial_inertia", "gravity"].contains(name));
+        numbers
+    }
+
+    /// Table `[top]` of a scenario file.
+    pub(crate) fn to_toml(self) -> String {
+        let lines: String = self.numbers().iter().map(|(name, x)| format!("{name} = {x:?}\n")).collect();
+        format!("[top]\nsupport = \"{}\"\n{lines}", self.support())
+    }
+}
+
+/// Table `[motion]` of a scenario file.
+pub(crate) fn start_to_toml(start: &Start) -> String {
+    match start {
+        Start::State { phi: [alpha, beta], omega } => {
+            format!("[motion]\nkind = \"state\"\nalpha = {alpha:?}\nbeta = {beta:?}\nomega = {omega:?}\n")
+        }
+        Start::BranchPoints { e: [e1, e2, e3], signs, phases } => {
+            let (plus, minus) = (signs.l_plus_n.factor(), signs.l_minus_n.factor());
+            let InitialPhases { theta, arg_alpha, arg_beta } = phases;
+            format!(
+                "[motion]\nkind = \"branch_points\"\ne1 = {e1:?}\ne2 = {e2:?}\ne3 = {e3:?}\nsign_l_plus_n = {plus}\n\
+                 sign_l_minus_n = {minus}\nnutation_phase = {theta:?}\narg_alpha = {arg_alpha:?}\narg_beta = {arg_beta:?}\n"
+            )
+        }
+    }
+}
 
 /// Exact motion of one throw, at any time, past or future.
 ///
@@ -32,11 +101,9 @@ pub(crate) struct Single {
     pub(crate) start: Start,
     pub(crate) motion: Motion,
     tables: [OnceLock<Result<Table, String>>; Scalar::ALL.len()],
-    truth: OnceLock<Arc<Exact>>,
+    /// Motion in numbers of 192 bits.
+    pub(crate) truth: OnceLock<Exact>,
 }
-
-/// Ephemeris of one scalar.
-pub(crate) type Table = Arc<dyn AnyScalar>;
 
 /// Scalar of this name.
 ///
@@ -47,69 +114,79 @@ pub(crate) fn scalar_named(name: &str) -> PyResult<Scalar> {
     found.ok_or_else(|| value_error("scalar", "must be one of 'f64', 'f32', 'q31', 'q15'"))
 }
 
-/// Method `at` of an object, for a scalar.
-pub(crate) fn at<'py>(object: &Bound<'py, PyAny>, scalar: &str) -> PyResult<Bound<'py, PyAny>> {
-    let at = object.getattr("at")?;
-    if scalar == "f64" {
-        return Ok(at);
-    }
-    let options = PyDict::new(object.py());
-    options.set_item("scalar", scalar)?;
-    object.py().import("functools")?.getattr("partial")?.call((at,), Some(&options))
-}
-
-/// Greatest distance of the times from t = 0.
-pub(crate) fn furthest(times: &Given) -> f64 {
-    times.numbers.iter().fold(0.0, |furthest, t| f64::max(furthest, t.abs()))
+/// Text of a file.
+///
+/// # Errors
+/// `OSError` with the name of the file.
+pub(crate) fn text_of(path: &Path) -> PyResult<String> {
+    let named = |error: io::Error| io::Error::new(error.kind(), format!("{}: {error}", path.display()));
+    Ok(fs::read_to_string(path).map_err(named)?)
 }
 
 impl Single {
-    pub(crate) fn new(top: TopDefinition, start: Start, motion: Motion) -> Self {
-        Self { top, start, motion, tables: Default::default(), truth: OnceLock::new() }
+    pub(crate) fn new(top: TopDefinition, start: Start, motion: Motion) -> Arc<Self> {
+        Arc::new(Self { top, start, motion, tables: Default::default(), truth: OnceLock::new() })
+    }
+
+    /// Motion from a state, with this name of the rates in error messages.
+    ///
+    /// # Errors
+    /// `ValueError` that names the parameter.
+    pub(crate) fn launched(top: &TopDefinition, state: &State, rate: &str) -> PyResult<Arc<Self>> {
+        let motion = Motion::launch(&top.top, state).map_err(|error| renamed(error, &[("omega", rate)]))?;
+        Ok(Self::new(*top, Start::from(state), motion))
+    }
+
+    /// Motion of a scenario file's text; `file` is its name in messages.
+    ///
+    /// # Errors
+    /// `ValueError` that names the key.
+    pub(crate) fn parsed(file: &str, text: &str) -> PyResult<Arc<Self>> {
+        let Scenario { motion, given, .. } = Scenario::parse(file, text).map_err(failed)?;
+        let Numbers { top: parameters, start } =
+            given.ok_or_else(|| value_error(file, "must have numbers"))?;
+        Ok(Self::new(TopDefinition { parameters, top: *motion.top() }, start, motion))
+    }
+
+    /// Text of a scenario file.
+    pub(crate) fn text(&self) -> String {
+        format!("{}\n{}", self.top.to_toml(), start_to_toml(&self.start))
     }
 
     /// Table in a scalar, set up at its first use.
+    ///
+    /// # Errors
+    /// `ValueError`: no table in this scalar is large enough.
     pub(crate) fn table(&self, scalar: Scalar) -> PyResult<Table> {
         let set_up =
             || smallest(scalar, &self.motion).map(Table::from).map_err(|failure| failure.to_string());
         let table = self.tables[scalar as usize].get_or_init(set_up).clone();
-        table.map_err(|reason| value_error("scalar", &reason))
+        table.map_err(|reason| value_error("scalar", reason))
     }
 
-    /// Motion in numbers of 192 bits.
-    pub(crate) fn truth(&self) -> Arc<Exact> {
-        self.truth.get_or_init(|| Arc::new(definition::truth(&self.top, self.start))).clone()
-    }
-
-    fn text(&self) -> String {
-        definition::to_toml(&self.top, &self.start)
-    }
-
+    /// Table in a scalar whose ticks reach the times.
+    ///
     /// # Errors
-    /// `ValueError`: a time at this distance from t = 0 is beyond the ticks of a table.
-    pub(crate) fn within_reach(&self, furthest: f64) -> PyResult<()> {
-        let reach = furthest_time(&self.motion);
-        if furthest <= reach {
-            return Ok(());
-        }
-        Err(value_error("t", &format!("{furthest:e} must be within ±{reach:.1e}")))
+    /// `ValueError`: as [`Self::table`], or one of the times is beyond the ticks.
+    pub(crate) fn table_for(&self, scalar: Scalar, times: &[f64]) -> PyResult<Table> {
+        let table = self.table(scalar)?;
+        within(62_f64.exp2() / table.ticks_per_time(), times)?;
+        Ok(table)
+    }
+
+    /// Checks that the ticks of a table would reach the times, without setting one up.
+    ///
+    /// # Errors
+    /// `ValueError`: one of the times is beyond them.
+    pub(crate) fn within_reach(&self, times: &[f64]) -> PyResult<()> {
+        within(furthest_time(&self.motion), times)
     }
 }
 
 impl PyMotion {
-    pub(crate) fn new(top: TopDefinition, start: Start, motion: Motion) -> Self {
-        Self(Arc::new(Single::new(top, start, motion)))
-    }
-
-    /// Motion of a scenario file's text.
-    pub(crate) fn parsed(file: &str, text: &str) -> PyResult<Self> {
-        let (top, start, motion) = definition::of_toml(file, text)?;
-        Ok(Self::new(top, start, motion))
-    }
-
     /// Table in a scalar, and a time as its number of ticks.
     fn table_and_ticks(&self, t: Option<&Bound<'_, PyAny>>, scalar: &str) -> PyResult<(Table, f64)> {
-        let t = t.map_or(Ok(0.0), |t| Given::number("t", t))?;
+        let t = number("t", t)?.unwrap_or(0.0);
         let table = self.0.table(scalar_named(scalar)?)?;
         let ticks = t * table.ticks_per_time();
         Ok((table, ticks))
@@ -125,9 +202,7 @@ impl PyMotion {
     ///     OSError: the file cannot be read.
     #[staticmethod]
     fn from_toml(path: PathBuf) -> PyResult<Self> {
-        let file = path.display().to_string();
-        let named = |error: io::Error| io::Error::new(error.kind(), format!("{file}: {error}"));
-        Self::parsed(&file, &fs::read_to_string(&path).map_err(named)?)
+        Single::parsed(&path.display().to_string(), &text_of(&path)?).map(Self)
     }
 
     /// Motion of the text of a scenario file.
@@ -136,7 +211,7 @@ impl PyMotion {
     ///     ValueError: a key is wrong; the message names it and what is allowed.
     #[staticmethod]
     fn from_toml_text(text: &str) -> PyResult<Self> {
-        Self::parsed("text", text)
+        Single::parsed("text", text).map(Self)
     }
 
     /// Text of a scenario file with this motion, exact to the last bit.
@@ -153,12 +228,11 @@ impl PyMotion {
     /// Raises:
     ///     ValueError: t is not finite or beyond 2^62 ticks; no table in this scalar is large enough.
     #[pyo3(signature = (t, *, scalar="f64"))]
-    fn at(slf: &Bound<'_, Self>, t: &Bound<'_, PyAny>, scalar: &str) -> PyResult<Samples> {
-        let (times, number) = (Given::read("t", t)?, scalar_named(scalar)?);
-        let motion = &slf.get().0;
-        let table = slf.py().detach(|| motion.table(number))?;
-        motion.within_reach(furthest(&times))?;
-        Ok(Samples::new(times, None, Source::Tables(vec![table]), at(slf, scalar)?))
+    fn at(slf: &Bound<'_, Self>, t: Given, scalar: &str) -> PyResult<Samples> {
+        let (motion, scalar) = (&slf.get().0, scalar_named(scalar)?);
+        let table = slf.py().detach(|| motion.table_for(scalar, &t.numbers))?;
+        let origin = slf.clone().into_any().unbind();
+        Ok(Samples::new((origin, "at", Some(scalar)), t, None, Source::Tables(vec![table])))
     }
 
     /// Upper bound on the orientation error at time t, rad: 2 sqrt(|d alpha|^2 + |d beta|^2), which is the angle of the rotation
@@ -176,59 +250,9 @@ impl PyMotion {
         Ok(table.rate_error_bound().after(ticks))
     }
 
-    /// Closed form of the motion, in elementary or elliptic functions.
-    ///
-    /// Raises:
-    ///     ValueError: the motion has none; the message says which motions do.
-    fn closed_form(slf: &Bound<'_, Self>) -> PyResult<PyClosedForm> {
-        PyClosedForm::of(slf)
-    }
-
-    /// Truth at time t, s, rounded to float64: the paper's integrals in numbers of 192 bits, which share no formula and no
-    /// arithmetic with Motion.at. It takes about a millisecond a time.
-    ///
-    /// Raises:
-    ///     ValueError: t is not finite or beyond 2^62 ticks.
-    fn reference(slf: &Bound<'_, Self>, t: &Bound<'_, PyAny>) -> PyResult<Samples> {
-        reference::samples(slf, Given::read("t", t)?)
-    }
-
-    /// Truth at time t, s, to as many digits as wanted: an array of decimal.Decimal with the quaternion w, x, y, z in its last
-    /// axis.
-    ///
-    /// Args:
-    ///     digits: significant digits, from 1 to 50; the truth itself has more than thirty.
-    #[pyo3(signature = (t, *, digits=30))]
-    fn reference_digits<'py>(
-        &self,
-        py: Python<'py>,
-        t: &Bound<'_, PyAny>,
-        digits: i64,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        reference::digits(py, &self.0, Given::read("t", t)?, digits)
-    }
-
-    /// Page with the top in motion, for a notebook or a browser: it computes in the page itself and needs no network.
-    fn view(&self) -> PyResult<Page> {
-        page::live(&self.0.text()).map_err(|failure| failed(&failure))
-    }
-
-    /// Top of the motion.
-    #[getter]
-    fn top(&self) -> PyTop {
-        PyTop(self.0.top)
-    }
-
     fn __repr__(&self) -> String {
-        let e = self.0.motion.branch_points();
-        let regime = self.regime();
-        let support = definition::support_name(self.0.motion.top().support());
+        let (e, regime, support) = (self.0.motion.branch_points(), self.regime(), self.0.top.support());
         format!("<Motion of a {support} top: {regime}, e1 = {:?}, e2 = {:?}, e3 = {:?}>", e.e1, e.e2, e.e3)
-    }
-
-    /// Picture of the curve that the tip draws, for a notebook.
-    fn _repr_html_(&self, py: Python<'_>) -> PyResult<String> {
-        py.detach(|| page::tip_curve(&self.0.motion)).map_err(|failure| failed(&failure))
     }
 
     fn __eq__(&self, other: &Self) -> bool {

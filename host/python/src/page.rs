@@ -1,11 +1,10 @@
 //! Pictures for a notebook: the tip's curve, and the page with the top in motion.
 
+use crate::error::failed;
+use crate::motion::PyMotion;
 use pyo3::prelude::*;
-use std::fmt::Write;
 use std::fs;
 use std::path::PathBuf;
-use toytop::Motion;
-use toytop_host::Failure;
 use toytop_host::pictures::curve::{Circle, Curve};
 use toytop_host::input::scenario::ScenarioFile;
 use toytop_host::pictures::view;
@@ -42,45 +41,49 @@ impl Page {
     }
 }
 
-/// Page of the motion of a scenario's text.
-///
-/// # Errors
-/// [`Failure::Method`]: no table fits the motion.
-pub(crate) fn live(scenario: &str) -> Result<Page, Failure> {
-    Ok(Page { html: view::page(&ScenarioFile::parse("A spinning top", scenario)?)? })
+#[pymethods]
+impl PyMotion {
+    /// Page with the top in motion, for a notebook or a browser: it computes in the page itself and needs no network.
+    fn view(&self) -> PyResult<Page> {
+        let file = ScenarioFile::parse("A spinning top", &self.0.text()).map_err(failed)?;
+        Ok(Page { html: view::page(&file).map_err(failed)? })
+    }
+
+    /// Picture of the curve that the tip draws, for a notebook.
+    fn _repr_html_(&self, py: Python<'_>) -> PyResult<String> {
+        Ok(tip_curve(&py.detach(|| Curve::of(&self.0.motion)).map_err(failed)?))
+    }
 }
 
 /// Width and height of the picture of the tip's curve, pixels.
 const SIDE: f64 = 320.0;
 
 /// Tip's curve as SVG, between its circles and from its start, with the second fixed axis upwards.
-///
-/// # Errors
-/// [`Failure::Method`]: no table fits the motion.
-pub(crate) fn tip_curve(motion: &Motion) -> Result<String, Failure> {
-    let Curve { points, circles, .. } = Curve::of(motion)?;
+fn tip_curve(Curve { points, circles, .. }: &Curve) -> String {
     let radii = circles.iter().map(|Circle { radius, .. }| *radius);
-    let largest = radii.chain(points.iter().map(|[x, y]| x.hypot(*y))).fold(0.0, f64::max);
+    let largest = radii.clone().chain(points.iter().map(|[x, y]| x.hypot(*y))).fold(0.0, f64::max);
     let scale = if largest > 0.0 { 0.45 * SIDE / largest } else { 1.0 };
     let place = |[x, y]: [f64; 2]| [0.5 * SIDE + scale * x, 0.5 * SIDE - scale * y];
-    let mut shapes = String::new();
-    for Circle { radius, .. } in &circles {
-        let (centre, radius) = (0.5 * SIDE, scale * radius);
-        let _ = write!(
-            shapes,
-            "<circle cx=\"{centre}\" cy=\"{centre}\" r=\"{radius:.2}\" fill=\"none\" stroke=\"#8a8a8a\"/>"
-        );
-    }
-    let mut path = String::new();
-    for point in &points {
-        let [x, y] = place(*point);
-        let _ = write!(path, "{x:.2},{y:.2} ");
-    }
+    let shapes: String = radii
+        .map(|radius| {
+            let (centre, radius) = (0.5 * SIDE, scale * radius);
+            format!(
+                "<circle cx=\"{centre}\" cy=\"{centre}\" r=\"{radius:.2}\" fill=\"none\" stroke=\"#8a8a8a\"/>"
+            )
+        })
+        .collect();
+    let path: Vec<_> = points
+        .iter()
+        .map(|point| {
+            let [x, y] = place(*point);
+            format!("{x:.2},{y:.2}")
+        })
+        .collect();
     let [x, y] = place(points.first().copied().unwrap_or_default());
-    Ok(format!(
+    format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{SIDE}\" height=\"{SIDE}\" viewBox=\"0 0 {SIDE} {SIDE}\">\
          <rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>{shapes}<polyline points=\"{}\" fill=\"none\" stroke=\"#1f4e8c\" \
          stroke-width=\"1.5\"/><circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"3.5\" fill=\"#c0392b\"/></svg>",
-        path.trim_end()
-    ))
+        path.join(" ")
+    )
 }

@@ -1,13 +1,11 @@
 //! Changes of a `Motion`: partial derivatives by its launch and its top, and impulses.
 
-use crate::arrays::{Given, Numbers, array, vector};
+use crate::arrays::{Given, Numbers, array, number, vector};
 use crate::error::{refused, value_error};
 use crate::interrupt;
-use crate::motion::PyMotion;
-use crate::top::single;
+use crate::motion::{PyMotion, Single};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
-use std::sync::Arc;
 use toytop::{Complex, Orientation, State};
 use toytop_fit::{Partials, Sensitivity};
 use toytop_host::motion::Scalar;
@@ -15,23 +13,20 @@ use toytop_host::truth::motions::Start;
 
 /// Number of derivatives.
 const COLUMNS: usize = Sensitivity::NAMES.len();
-/// Quantities and their components.
-const QUANTITIES: [(&str, usize); 6] =
-    [("orientation", 3), ("omega", 3), ("omega_body", 3), ("axis", 3), ("tip", 2), ("tip_angle", 1)];
+/// Name and shape of a quantity, and its derivatives component by component.
+type Quantity = (&'static str, &'static [usize], fn(&Partials) -> Vec<f64>);
 
-/// Derivatives of the quantities, component by component.
-fn rows(partials: &Partials) -> [Vec<f64>; QUANTITIES.len()] {
-    fn by_component<const N: usize>(columns: [[f64; N]; COLUMNS]) -> Vec<f64> {
-        (0..N).flat_map(|component| columns.map(|column| column[component])).collect()
-    }
-    [
-        by_component(partials.orientation()),
-        by_component(partials.omega()),
-        by_component(partials.omega_body()),
-        by_component(partials.axis_change()),
-        by_component(partials.tip().map(|tip| [tip.re, tip.im])),
-        partials.tip_angle().unwrap_or([f64::NAN; COLUMNS]).to_vec(),
-    ]
+const QUANTITIES: [Quantity; 6] = [
+    ("orientation", &[3], |partials| by_component(partials.orientation())),
+    ("omega", &[3], |partials| by_component(partials.omega())),
+    ("omega_body", &[3], |partials| by_component(partials.omega_body())),
+    ("axis", &[3], |partials| by_component(partials.axis_change())),
+    ("tip", &[2], |partials| by_component(partials.tip().map(|tip| [tip.re, tip.im]))),
+    ("tip_angle", &[], |partials| partials.tip_angle().unwrap_or([f64::NAN; COLUMNS]).to_vec()),
+];
+
+fn by_component<const N: usize>(columns: [[f64; N]; COLUMNS]) -> Vec<f64> {
+    (0..N).flat_map(|component| columns.map(|column| column[component])).collect()
 }
 
 #[pymethods]
@@ -54,19 +49,20 @@ impl PyMotion {
     ///
     /// Raises:
     ///     ValueError: t is not finite or too far.
-    fn partials<'py>(&self, py: Python<'py>, t: &Bound<'_, PyAny>) -> PyResult<Bound<'py, PyDict>> {
-        let (Given { numbers, shape }, motion) = (Given::read("t", t)?, &self.0.motion);
-        let sensitivity = py.detach(|| Sensitivity::new(motion));
-        let found =
-            interrupt::map(py, numbers.len(), |index| sensitivity.at(numbers[index]).map(|now| rows(&now)))?;
+    fn partials<'py>(&self, py: Python<'py>, t: Given) -> PyResult<Bound<'py, PyDict>> {
+        let Given { numbers, shape } = t;
+        let sensitivity = py.detach(|| Sensitivity::new(&self.0.motion));
+        let found = interrupt::map(py, numbers.len(), |index| {
+            let now = sensitivity.at(numbers[index])?;
+            Some(QUANTITIES.map(|(_, _, derivatives)| derivatives(&now)))
+        })?;
         let found: Option<Vec<_>> = found.into_iter().collect();
         let found = found.ok_or_else(|| value_error("t", "must not be so far"))?;
         let partials = PyDict::new(py);
-        for (place, (name, components)) in QUANTITIES.into_iter().enumerate() {
-            let mut shape = shape.clone();
-            shape.extend((components > 1).then_some(components));
+        for (place, (name, components, _)) in QUANTITIES.into_iter().enumerate() {
+            let shape = [&shape, components, &[COLUMNS]].concat();
             let numbers = found.iter().flat_map(|rows| &rows[place]).copied().collect();
-            partials.set_item(name, array(py, numbers, &shape, COLUMNS)?)?;
+            partials.set_item(name, array(py, numbers, &shape)?)?;
         }
         Ok(partials)
     }
@@ -88,9 +84,8 @@ impl PyMotion {
         t: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         let (state, impulse, point) = (self.state(t)?, vector("impulse", impulse)?, vector("point", point)?);
-        let struck =
-            state.with_impulse(&self.0.top.top, impulse, point).map_err(|error| refused(&error, &[]))?;
-        Ok(Self(Arc::new(single(&self.0.top, struck, "impulse")?)))
+        let struck = state.with_impulse(&self.0.top.top, impulse, point).map_err(refused)?;
+        Single::launched(&self.0.top, &struck, "impulse").map(Self)
     }
 
     /// Impulse of the support's reaction to an impulse, N s in the fixed frame. Where its third component is negative, a real sliding top
@@ -110,23 +105,24 @@ impl PyMotion {
         t: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Bound<'py, Numbers>> {
         let (state, impulse, point) = (self.state(t)?, vector("impulse", impulse)?, vector("point", point)?);
-        let reaction =
-            state.reaction_impulse(&self.0.top.top, impulse, point).map_err(|error| refused(&error, &[]))?;
-        array(py, reaction.to_vec(), &[3], 1)
+        let reaction = state.reaction_impulse(&self.0.top.top, impulse, point).map_err(refused)?;
+        array(py, reaction.to_vec(), &[3])
     }
 }
 
 impl PyMotion {
     /// State at a time; that of the launch without a rounding.
     fn state(&self, t: Option<&Bound<'_, PyAny>>) -> PyResult<State> {
-        let t = t.map_or(Ok(0.0), |t| Given::number("t", t))?;
-        if let (0.0, Start::State { phi: [[a, b], [c, d]], omega }) = (t, self.0.start) {
-            let phi = Orientation { alpha: Complex::new(a, b), beta: Complex::new(c, d) };
-            return State::new(phi, omega).map_err(|error| refused(&error, &[]));
-        }
-        let table = self.0.table(Scalar::F64)?;
-        self.0.within_reach(t.abs())?;
-        let now = table.at(t).sample;
-        State::new(now.orientation(), now.omega).map_err(|error| refused(&error, &[]))
+        let t = number("t", t)?.unwrap_or(0.0);
+        let (phi, omega) = match self.0.start {
+            Start::State { phi: [[a, b], [c, d]], omega } if t == 0.0 => {
+                (Orientation { alpha: Complex::new(a, b), beta: Complex::new(c, d) }, omega)
+            }
+            _ => {
+                let now = self.0.table_for(Scalar::F64, &[t])?.at(t).sample;
+                (now.orientation(), now.omega)
+            }
+        };
+        State::new(phi, omega).map_err(refused)
     }
 }

@@ -1,16 +1,21 @@
 //! Class `Samples`, motions at given times.
 
-use crate::arrays::{Given, Numbers, constant_array};
-use crate::error::value_error;
-use crate::interrupt::on_all_cores;
-use crate::motion::Table;
+use crate::arrays::{Given, Numbers, array};
+use crate::error::{failed, value_error};
+use crate::interrupt;
 use numpy::PyArrayMethods;
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PySlice};
-use toytop::Orientation;
+use rayon::iter::{IndexedParallelIterator, ParallelIterator};
+use rayon::slice::ParallelSliceMut;
+use std::sync::Arc;
+use toytop::{Motion, Orientation};
+use toytop_host::motion::Scalar;
+use toytop_host::motion::ephemeris::AnyScalar;
 use toytop_host::motion::propagate::Sample;
-use toytop_host::samples::angles;
+use toytop_host::motion::tip_angle::TipAngle;
 use toytop_host::samples::column::Column;
 
 /// A motion at given times, or many of them, as arrays. An attribute is computed when it is first asked for, and kept.
@@ -19,18 +24,26 @@ use toytop_host::samples::column::Column;
 /// arrays are read-only. Frames: the third fixed axis points upward, the third body axis from the tip to the centre of mass.
 #[pyclass(module = "toytop", frozen)]
 pub(crate) struct Samples {
+    origin: Origin,
     /// Times of every motion.
     times: Given,
     /// Number of motions, for a `Many`.
     motions: Option<usize>,
     source: Source,
-    /// Method that returns these samples at the times.
-    origin: Py<PyAny>,
     kept: [PyOnceLock<Py<Numbers>>; KEPT],
 }
 
 /// Number of columns that can be kept.
 const KEPT: usize = Column::ErrorBound as usize + 1;
+
+/// Call that returns samples: an object, its method, and a scalar.
+pub(crate) type Origin = (Py<PyAny>, &'static str, Option<Scalar>);
+
+/// Array of a column for Python.
+type Array = PyResult<Py<Numbers>>;
+
+/// Ephemeris of one scalar.
+pub(crate) type Table = Arc<dyn AnyScalar>;
 
 /// Source of samples.
 pub(crate) enum Source {
@@ -40,21 +53,37 @@ pub(crate) enum Source {
     Points(Vec<Sample>),
 }
 
-/// Times that one job evaluates.
+/// Samples of one job; for fewer, other threads are not worth their start.
 const BLOCK: usize = 8192;
-/// Greatest number of samples for which threads are not worth their start.
-const INLINE: usize = 16_384;
+/// Least |αβ| at which the rounding of α and β changes the argument of αβ by less than 1e-5 rad.
+const NOISE: f64 = 1e-11;
 
 impl Samples {
-    /// Samples that the method `origin` returns.
-    pub(crate) fn new(
-        times: Given,
-        motions: Option<usize>,
-        source: Source,
-        origin: Bound<'_, PyAny>,
-    ) -> Self {
+    /// Samples that this method returns.
+    pub(crate) fn new(origin: Origin, times: Given, motions: Option<usize>, source: Source) -> Self {
         let kept = [const { PyOnceLock::new() }; KEPT];
-        Self { times, motions, source, origin: origin.unbind(), kept }
+        Self { origin, times, motions, source, kept }
+    }
+
+    /// Samples of a method that computes the orientation, ω and u' at a time, with this error bound if it has one.
+    ///
+    /// # Errors
+    /// `KeyboardInterrupt`, or `ValueError`: no table is large enough for the tip angle.
+    pub(crate) fn of_points(
+        py: Python<'_>,
+        origin: Origin,
+        times: Given,
+        motion: &Motion,
+        error_bound: Option<f64>,
+        at: impl Fn(f64) -> (Orientation<f64>, [f64; 3], f64) + Send + Sync,
+    ) -> PyResult<Self> {
+        let angle = TipAngle::of(motion, NOISE).map_err(failed)?;
+        let points = interrupt::map(py, times.numbers.len(), |index| {
+            let t = times.numbers[index];
+            let (orientation, omega, udot) = at(t);
+            Sample { error_bound, ..angle.sample(t, orientation, omega, udot) }
+        })?;
+        Ok(Self::new(origin, times, None, Source::Points(points)))
     }
 
     fn shape(&self) -> Vec<usize> {
@@ -62,25 +91,14 @@ impl Samples {
     }
 
     /// Array of a column, kept for the next call.
-    fn of<'py>(&self, py: Python<'py>, column: Column) -> PyResult<Bound<'py, Numbers>> {
-        let computed = || {
-            let (_, names) = column.names();
-            let at = |table: &Table, t: f64, numbers: &mut Vec<f64>| table.push(column, t, numbers);
-            self.computed(py, names.len(), at, |sample, numbers| numbers.extend(column.numbers(sample)))
-                .map(Bound::unbind)
-        };
-        Ok(self.kept[column as usize].get_or_try_init(py, computed)?.bind(py).clone())
+    fn of(&self, py: Python<'_>, column: Column) -> Array {
+        let array = self.kept[column as usize].get_or_try_init(py, || self.computed(py, column));
+        Ok(array?.clone_ref(py))
     }
 
-    /// Array with rows of `width` numbers, which `at` appends for a table and a time, and `push` for a point.
-    fn computed<'py>(
-        &self,
-        py: Python<'py>,
-        width: usize,
-        at: impl Fn(&Table, f64, &mut Vec<f64>) + Send + Sync,
-        push: impl Fn(&Sample, &mut Vec<f64>) + Send + Sync,
-    ) -> PyResult<Bound<'py, Numbers>> {
+    fn computed(&self, py: Python<'_>, column: Column) -> Array {
         let (times, mut shape) = (&self.times.numbers, self.shape());
+        let width = column.names().1.len();
         if width > 1 {
             shape.push(width);
         }
@@ -88,31 +106,32 @@ impl Samples {
         let array = Numbers::zeros(py, shape, false);
         let mut writer = array.readwrite();
         let numbers = writer.as_slice_mut()?;
-        let length = numbers.len() / width;
-        let rows = numbers.chunks_mut((width * times.len()).max(1)).enumerate();
-        let mut jobs = rows.flat_map(|(motion, rows)| {
-            let blocks = rows.chunks_mut(width * BLOCK).enumerate();
-            blocks.map(move |(block, rows)| (motion, BLOCK * block, rows))
-        });
-        let fill = |(motion, first, rows): (usize, usize, &mut [f64])| {
-            let mut row = Vec::with_capacity(width);
-            for (place, out) in rows.chunks_exact_mut(width).enumerate() {
-                row.clear();
-                match &self.source {
-                    Source::Tables(tables) => at(&tables[motion], times[first + place], &mut row),
-                    Source::Points(points) => push(&points[first + place], &mut row),
+        let fill = |motion: usize, first: usize, rows: &mut [f64]| match &self.source {
+            Source::Tables(tables) => tables[motion].fill(column, &times[first..], rows),
+            Source::Points(points) => {
+                for (point, row) in points[first..].iter().zip(rows.chunks_exact_mut(width)) {
+                    row.copy_from_slice(&column.numbers(point));
                 }
-                out.copy_from_slice(&row);
             }
         };
-        match length {
-            // releasing the lock takes longer than a few samples
-            ..16 => jobs.for_each(fill),
-            16..=INLINE => py.detach(|| jobs.for_each(fill)),
-            _ => on_all_cores(py, jobs.by_ref(), fill)?,
+        let of_motion = (width * times.len()).max(1);
+        if numbers.len() <= width * BLOCK {
+            let motions = numbers.chunks_mut(of_motion).enumerate();
+            py.detach(|| motions.for_each(|(motion, rows)| fill(motion, 0, rows)));
+        } else {
+            let jobs = numbers.par_chunks_mut(of_motion).enumerate().flat_map(|(motion, rows)| {
+                let blocks = rows.par_chunks_mut(width * BLOCK).enumerate();
+                blocks.map(move |(block, rows)| (motion, BLOCK * block, rows))
+            });
+            interrupt::on_all_cores(py, jobs, |(motion, first, rows)| fill(motion, first, rows))?;
         }
         writer.make_nonwriteable();
-        Ok(array)
+        Ok(array.unbind())
+    }
+
+    /// Times of one motion as an array.
+    fn own_times<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Numbers>> {
+        array(py, self.times.numbers.clone(), &self.times.shape)
     }
 }
 
@@ -121,62 +140,61 @@ impl Samples {
     /// Times, s.
     #[getter]
     fn t<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let times = constant_array(py, self.times.numbers.clone(), &self.times.shape, 1)?;
-        py.import("numpy")?.call_method1("broadcast_to", (times, self.shape()))
+        py.import("numpy")?.call_method1("broadcast_to", (self.own_times(py)?, self.shape()))
     }
 
     /// Unit quaternions w, x, y, z (scalar first) from body to fixed coordinates. Their sign is continuous in time.
     #[getter]
-    fn quaternion<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Numbers>> {
+    fn quaternion(&self, py: Python<'_>) -> Array {
         self.of(py, Column::Quaternion)
     }
 
     /// Unit vectors from the tip to the centre of mass, in the fixed frame.
     #[getter]
-    fn axis<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Numbers>> {
+    fn axis(&self, py: Python<'_>) -> Array {
         self.of(py, Column::Axis)
     }
 
     /// Cosines of the tilt.
     #[getter]
-    fn u<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Numbers>> {
+    fn u(&self, py: Python<'_>) -> Array {
         self.of(py, Column::U)
     }
 
     /// Rates of u, 1/s.
     #[getter]
-    fn udot<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Numbers>> {
+    fn udot(&self, py: Python<'_>) -> Array {
         self.of(py, Column::Udot)
     }
 
     /// Angular velocities in the fixed frame, rad/s.
     #[getter]
-    fn omega<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Numbers>> {
+    fn omega(&self, py: Python<'_>) -> Array {
         self.of(py, Column::Omega)
     }
 
     /// Angular velocities in the body frame, rad/s.
     #[getter]
-    fn omega_body<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Numbers>> {
+    fn omega_body(&self, py: Python<'_>) -> Array {
         self.of(py, Column::OmegaBody)
     }
 
     /// Positions x, y of the tip on the plane relative to the point below the centre of mass, m; for a fixed tip minus the
     /// horizontal part of the axis, without unit.
     #[getter]
-    fn tip<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Numbers>> {
+    fn tip(&self, py: Python<'_>) -> Array {
         self.of(py, Column::Tip)
     }
 
     /// Angles of the tip's position, continued from t = 0, rad; NaN where the axis is vertical at all times.
     #[getter]
-    fn tip_angle<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Numbers>> {
+    fn tip_angle(&self, py: Python<'_>) -> Array {
         self.of(py, Column::Phi)
     }
 
     /// Upper bounds on the orientation error, rad; NaN where none is known, as for a closed form.
     #[getter]
-    fn error_bound<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Numbers>> {
+    fn error_bound(&self, py: Python<'_>) -> Array {
         self.of(py, Column::ErrorBound)
     }
 
@@ -186,19 +204,17 @@ impl Samples {
     /// Raises:
     ///     ValueError: another sequence; rotation().as_euler has all.
     #[pyo3(signature = (sequence="zxz"))]
-    fn euler<'py>(&self, py: Python<'py>, sequence: &str) -> PyResult<Bound<'py, Numbers>> {
-        let of: fn(&Orientation<f64>) -> [f64; 3] = match sequence {
-            "zxz" => angles::zxz,
-            "zyz" => |phi| {
-                let [tilt, azimuth, roll] = angles::tilt_azimuth_roll(phi);
-                [azimuth, tilt, roll]
-            },
-            _ => {
-                return Err(value_error("sequence", "must be 'zxz' or 'zyz'; rotation().as_euler() has all"));
+    fn euler(&self, py: Python<'_>, sequence: &str) -> PyResult<Py<PyAny>> {
+        match sequence {
+            "zxz" => Ok(self.of(py, Column::EulerZxz)?.into_any()),
+            "zyz" => {
+                let tilt_azimuth_roll = self.of(py, Column::Angles)?;
+                let angles = tilt_azimuth_roll.call_method1(py, "take", ([1, 0, 2], -1))?;
+                angles.call_method1(py, "setflags", (false,))?;
+                Ok(angles)
             }
-        };
-        let push = |sample: &Sample, numbers: &mut Vec<f64>| numbers.extend(of(&sample.orientation()));
-        self.computed(py, 3, |table, t, numbers| push(&table.at(t).sample, numbers), push)
+            _ => Err(value_error("sequence", "must be 'zxz' or 'zyz'; rotation().as_euler() has all")),
+        }
     }
 
     /// Rotations from body to fixed coordinates as one scipy.spatial.transform.Rotation, for at most one axis of times and motions.
@@ -211,9 +227,9 @@ impl Samples {
     /// omega_body_x, omega_body_y, omega_body_z (body frame), u, tip_x, tip_y, phi (tip angle). Samples of many motions begin
     /// with the column motion, the index of the motion.
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let (columns, numpy) = (PyDict::new(py), py.import("numpy")?);
+        let columns = PyDict::new(py);
         if let Some(motions) = self.motions {
-            let indices = numpy.call_method1("arange", (motions,))?;
+            let indices = py.import("numpy")?.call_method1("arange", (motions,))?;
             columns.set_item("motion", indices.call_method1("repeat", (self.times.numbers.len(),))?)?;
         }
         columns.set_item("t", self.t(py)?.call_method0("ravel")?)?;
@@ -226,7 +242,7 @@ impl Samples {
             (Column::Phi, &["phi"]),
         ];
         for (quantity, names) in quantities {
-            let numbers = self.of(py, quantity)?.call_method1("reshape", (-1, names.len()))?;
+            let numbers = self.of(py, quantity)?.bind(py).call_method1("reshape", (-1, names.len()))?;
             for (component, name) in names.iter().enumerate() {
                 columns.set_item(name, numbers.get_item((PySlice::full(py), component))?)?;
             }
@@ -235,7 +251,7 @@ impl Samples {
     }
 
     fn __len__(&self) -> PyResult<usize> {
-        let none = || pyo3::exceptions::PyTypeError::new_err("samples at a single time have no length");
+        let none = || PyTypeError::new_err("samples at a single time have no length");
         self.shape().first().copied().ok_or_else(none)
     }
 
@@ -251,10 +267,13 @@ impl Samples {
         slf
     }
 
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Py<PyAny>, (Bound<'py, Numbers>,))> {
-        Ok((
-            self.origin.clone_ref(py),
-            (constant_array(py, self.times.numbers.clone(), &self.times.shape, 1)?,),
-        ))
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Py<PyAny>,))> {
+        let (object, method, scalar) = &self.origin;
+        let options = PyDict::new(py);
+        if let Some(scalar) = scalar {
+            options.set_item("scalar", scalar.name())?;
+        }
+        let caller = py.import("operator")?.getattr("methodcaller")?;
+        Ok((caller.call((*method, self.own_times(py)?), Some(&options))?, (object.clone_ref(py),)))
     }
 }

@@ -3,8 +3,8 @@
 use crate::arrays::{Given, quaternions};
 use crate::error::{failed, value_error};
 use crate::interrupt;
+use crate::launch::rates;
 use crate::motion::PyMotion;
-use crate::top::rates;
 use pyo3::prelude::*;
 use toytop::Orientation;
 use toytop_host::Failure;
@@ -77,7 +77,7 @@ pub(crate) fn score(
     for (name, length) in [("quaternion", orientations.len()), (name, rates.as_ref().map_or(count, Vec::len))]
     {
         if length != count {
-            return Err(value_error(name, &format!("must have {count} rows, as t; has {length}")));
+            return Err(value_error(name, format!("must have {count} rows, as t; has {length}")));
         }
     }
     let goes_on = times.is_sorted_by(|a, b| a < b) || times.is_sorted_by(|a, b| a > b);
@@ -98,7 +98,7 @@ pub(crate) fn score(
             Trajectory { name: "result".into(), method: None, step: None, evaluations: None, rows };
         Judge::new(&scenario, "motion.at(times[0])")?.score(&trajectory)
     })?;
-    let score = score.map_err(|failure| failed(&failure))?;
+    let score = score.map_err(failed)?;
     let drift = score.drift.integrals.map(|[l, n, h]| [Some(l), Some(n), Some(h)]).unwrap_or_default();
     let [drift_l, drift_n, drift_h] = drift;
     Ok(Score {
@@ -124,7 +124,7 @@ pub(crate) fn score(
 pub(crate) fn order(steps: &Bound<'_, PyAny>, errors: &Bound<'_, PyAny>) -> PyResult<Option<f64>> {
     let (steps, errors) = (Given::read("steps", steps)?.numbers, Given::read("errors", errors)?.numbers);
     if steps.len() != errors.len() {
-        return Err(value_error("errors", &format!("must be {} numbers, as steps", steps.len())));
+        return Err(value_error("errors", format!("must be {} numbers, as steps", steps.len())));
     }
     let runs: Vec<_> = steps.into_iter().zip(errors).map(|(step, error)| [step, error]).collect();
     Ok(convergence::fitted(&runs))

@@ -1,13 +1,12 @@
 //! Class `Top`, and its launches.
 
 use crate::arrays::{quaternion, vector};
-use crate::definition::{TopDefinition, support_name};
-use crate::error::{refused, value_error};
-use crate::motion::{PyMotion, Single};
+use crate::error::{renamed, value_error};
+use crate::launch::{Launch, rates};
+use crate::motion::{PyMotion, Single, TopDefinition};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
-use std::sync::Arc;
-use toytop::{InitialPhases, Motion, Orientation, Release, Sign, Signs, State, Support, TopParameters};
+use pyo3::types::{IntoPyDict, PyType};
+use toytop::{InitialPhases, Motion, Release, Sign, Signs, Support, TopParameters};
 use toytop_host::truth::motions::Start;
 
 /// Symmetric top whose tip slides on a horizontal plane, or is held at a point, or a free symmetric body.
@@ -139,7 +138,7 @@ impl PyTop {
         roll: f64,
     ) -> PyResult<PyMotion> {
         let release = Release { tilt, azimuth, roll, spin, precession, nutation };
-        Ok(PyMotion(Arc::new(released(&self.0, &release)?)))
+        Launch::Release(release).of(&self.0).map(PyMotion)
     }
 
     /// Motion of this top from an orientation and an angular velocity, as sensors measure them.
@@ -162,9 +161,8 @@ impl PyTop {
         let Some((name, omega)) = rates(omega, omega_body)? else {
             return Err(value_error("omega", "must be given, or else omega_body"));
         };
-        let launched =
-            launched(&self.0, self::quaternion("quaternion", quaternion)?, vector(name, omega)?, name)?;
-        Ok(PyMotion(Arc::new(launched)))
+        let quaternion = self::quaternion("quaternion", quaternion)?;
+        Launch::Attitude { quaternion, omega: vector(name, omega)?, name }.of(&self.0).map(PyMotion)
     }
 
     /// Motion of this top with given branch points -1 <= e1 <= e2 <= 1 <= e3 of the paper: u, the cosine of the tilt, oscillates
@@ -196,14 +194,14 @@ impl PyTop {
         };
         let (e, phases) = ([e1, e2, e3], InitialPhases { theta: nutation_phase, arg_alpha, arg_beta });
         let motion = Motion::from_branch_points(&self.0.top, e, signs, &phases)
-            .map_err(|error| refused(&error, &[("theta", "nutation_phase")]))?;
-        Ok(PyMotion::new(self.0, Start::BranchPoints { e, signs, phases }, motion))
+            .map_err(|error| renamed(error, &[("theta", "nutation_phase")]))?;
+        Ok(PyMotion(Single::new(self.0, Start::BranchPoints { e, signs, phases }, motion)))
     }
 
     /// Support of the tip: "sliding", "fixed" or "free".
     #[getter]
     fn support(&self) -> &'static str {
-        support_name(self.0.top.support())
+        self.0.support()
     }
 
     /// Transverse moment of inertia A, kg m²: about the centre of mass for a sliding tip, about the tip for a fixed one.
@@ -257,21 +255,21 @@ impl PyTop {
         self.0.numbers().iter().fold(0, |hash, (_, x)| hash.rotate_left(9) ^ x.to_bits())
     }
 
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
-        let arguments = PyDict::new(py);
-        self.0.numbers().into_iter().try_for_each(|(name, x)| arguments.set_item(name, x))?;
-        Ok((py.get_type::<Self>().getattr("_of")?, (self.support(), arguments)))
-    }
-
-    /// Top from the arguments that pickle has stored.
-    #[staticmethod]
-    fn _of(py: Python<'_>, support: &str, arguments: &Bound<'_, PyDict>) -> PyResult<Py<PyAny>> {
-        Ok(py.get_type::<Self>().call_method(support, (), Some(arguments))?.unbind())
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyType>,))> {
+        let numbers = self.0.numbers().into_py_dict(py)?;
+        let caller = py.import("operator")?.getattr("methodcaller")?;
+        Ok((caller.call((self.support(),), Some(&numbers))?, (py.get_type::<Self>(),)))
     }
 }
 
-/// Function and arguments by which pickle restores a top.
-type Reduced<'py> = (Bound<'py, PyAny>, (&'static str, Bound<'py, PyDict>));
+#[pymethods]
+impl PyMotion {
+    /// Top of the motion.
+    #[getter]
+    fn top(&self) -> PyTop {
+        PyTop(self.0.top)
+    }
+}
 
 fn sign(name: &str, number: f64) -> PyResult<Sign> {
     match number {
@@ -279,59 +277,4 @@ fn sign(name: &str, number: f64) -> PyResult<Sign> {
         -1.0 => Ok(Sign::Minus),
         _ => Err(value_error(name, "must be 1 or -1")),
     }
-}
-
-/// Name and value of the one of two arguments that is given; `None` where neither is.
-///
-/// # Errors
-/// `ValueError`: both are given.
-pub(crate) fn rates<'a, 'py>(
-    omega: Option<&'a Bound<'py, PyAny>>,
-    omega_body: Option<&'a Bound<'py, PyAny>>,
-) -> PyResult<Option<(&'static str, &'a Bound<'py, PyAny>)>> {
-    match (omega, omega_body) {
-        (Some(_), Some(_)) => Err(value_error("omega", "must be left out if omega_body is given")),
-        (Some(omega), None) => Ok(Some(("omega", omega))),
-        (None, omega_body) => Ok(omega_body.map(|omega| ("omega_body", omega))),
-    }
-}
-
-/// Motion from a quaternion and the angular velocity that is the argument `name`, "omega" or "omega_body".
-///
-/// # Errors
-/// `ValueError` that names the parameter.
-pub(crate) fn launched(
-    top: &TopDefinition,
-    quaternion: [f64; 4],
-    omega: [f64; 3],
-    name: &str,
-) -> PyResult<Single> {
-    let state = match name {
-        "omega" => State::new(Orientation::from_quaternion(quaternion), omega),
-        _ => State::from_quaternion_and_gyro(quaternion, omega),
-    };
-    let state = state.map_err(|error| match error.parameter() {
-        "alpha" | "beta" => {
-            value_error("quaternion", "must be of unit norm: | w^2 + x^2 + y^2 + z^2 - 1 | <= 1e-6")
-        }
-        _ => refused(&error, &[("gyro", name)]),
-    })?;
-    single(top, state, name)
-}
-
-/// Motion from a release.
-///
-/// # Errors
-/// `ValueError` that names the parameter.
-pub(crate) fn released(top: &TopDefinition, release: &Release) -> PyResult<Single> {
-    let state = State::release(release).map_err(|error| refused(&error, &[]))?;
-    let rates = [("spin", release.spin), ("precession", release.precession), ("nutation", release.nutation)];
-    let fastest = rates.into_iter().max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));
-    single(top, state, fastest.map_or("spin", |(name, _)| name))
-}
-
-/// Motion from a state, with this name of the rates in error messages.
-pub(crate) fn single(top: &TopDefinition, state: State, rate: &str) -> PyResult<Single> {
-    let motion = Motion::launch(&top.top, &state).map_err(|error| refused(&error, &[("omega", rate)]))?;
-    Ok(Single::new(*top, Start::from(&state), motion))
 }

@@ -40,9 +40,9 @@ pub trait AnyScalar: Send + Sync {
     /// Rates at tick n.
     fn rates_at_tick(&self, n: i64) -> RateSample;
 
-    /// Appends the numbers of a column at t to `numbers`, without those of other columns.
-    fn push(&self, column: Column, t: f64, numbers: &mut Vec<f64>) {
-        numbers.extend(column.numbers(&self.at(t).sample));
+    /// Numbers of a column at the times, a row for each, without those of other columns.
+    fn fill(&self, column: Column, times: &[f64], rows: &mut [f64]) {
+        fill_from_samples(column, times, rows, |t| self.at(t).sample);
     }
 
     /// Events at tick `from` or later that `wanted` accepts by their time and sense, at most `most`.
@@ -127,23 +127,26 @@ impl<R: Bake> AnyScalar for Boxed<R> {
         RateSample { omega: wide(now.omega()), omega_body: wide(now.omega_body()), udot: now.udot().to_f64() }
     }
 
-    fn push(&self, column: Column, t: f64, numbers: &mut Vec<f64>) {
-        let (now, wide) = (self.table().at(t), <R::Wide as Float>::to_f64);
+    fn fill(&self, column: Column, times: &[f64], rows: &mut [f64]) {
+        let (table, wide) = (self.table(), <R::Wide as Float>::to_f64);
         match column {
-            Column::Quaternion => numbers.extend(now.quaternion().map(Into::<f64>::into)),
-            Column::Axis => numbers.extend(now.axis().map(Into::<f64>::into)),
-            Column::U => numbers.push(now.u().into()),
-            Column::Udot => numbers.push(wide(now.udot())),
-            Column::Omega => numbers.extend(now.omega().map(wide)),
-            Column::OmegaBody => numbers.extend(now.omega_body().map(wide)),
-            Column::Tip => {
-                let tip = now.tip();
-                numbers.extend([tip.re, tip.im].map(wide));
+            Column::Quaternion => fill(times, rows, |t| table.at(t).quaternion().map(Into::into)),
+            Column::Axis => fill(times, rows, |t| table.at(t).axis().map(Into::into)),
+            Column::U => fill(times, rows, |t| [table.at(t).u().into()]),
+            Column::Udot => fill(times, rows, |t| [wide(table.at(t).udot())]),
+            Column::Omega => fill(times, rows, |t| table.at(t).omega().map(wide)),
+            Column::OmegaBody => fill(times, rows, |t| table.at(t).omega_body().map(wide)),
+            Column::Tip => fill(times, rows, |t| {
+                let tip = table.at(t).tip();
+                [tip.re, tip.im].map(wide)
+            }),
+            Column::Phi => fill(times, rows, |t| {
+                [table.at(t).tip_angle().map_or(f64::NAN, |angle| self.unwrapped(angle, t))]
+            }),
+            Column::ErrorBound => {
+                fill(times, rows, |t| [self.error_bound().after(t * self.ticks_per_time())])
             }
-            Column::Phi => {
-                numbers.push(now.tip_angle().map_or(f64::NAN, |angle| self.unwrapped(angle, t)));
-            }
-            _ => numbers.extend(column.numbers(&self.at(t).sample)),
+            _ => fill_from_samples(column, times, rows, |t| self.at(t).sample),
         }
     }
 
@@ -161,6 +164,21 @@ impl<R: Bake> AnyScalar for Boxed<R> {
 
     fn parts(&self) -> Option<Parts> {
         Some(R::parts(self.table()))
+    }
+}
+
+/// Rows of N numbers, one for each time.
+fn fill<const N: usize>(times: &[f64], rows: &mut [f64], of: impl Fn(f64) -> [f64; N]) {
+    for (t, row) in times.iter().zip(rows.as_chunks_mut().0) {
+        *row = of(*t);
+    }
+}
+
+/// Rows of a column's numbers, one for each time, from whole samples.
+fn fill_from_samples(column: Column, times: &[f64], rows: &mut [f64], at: impl Fn(f64) -> Sample) {
+    let (_, names) = column.names();
+    for (t, row) in times.iter().zip(rows.chunks_exact_mut(names.len())) {
+        row.copy_from_slice(&column.numbers(&at(*t)));
     }
 }
 

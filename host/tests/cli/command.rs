@@ -1,12 +1,12 @@
 //! Command lines of the program under test, and the files that they read and write.
 
-use super::{PROGRAM, sample};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+pub(crate) const PROGRAM: &str = env!("CARGO_BIN_EXE_toytop");
 /// Folder in which every command runs.
-const HERE: &str = env!("CARGO_TARGET_TMPDIR");
+pub(crate) const HERE: &str = env!("CARGO_TARGET_TMPDIR");
 
 /// Exit code and output of a command.
 pub(crate) struct Run {
@@ -93,9 +93,14 @@ pub(crate) fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value} is no number"))
 }
 
+/// Entries of a JSON array.
+pub(crate) fn list(value: &Value) -> &[Value] {
+    value.as_array().unwrap_or_else(|| panic!("{value} is no array"))
+}
+
 /// Samples of `state` with these arguments.
 pub(crate) fn samples(arguments: impl AsRef<str>) -> Vec<Value> {
-    json(format!("state {}", arguments.as_ref()))["samples"].as_array().expect("samples").clone()
+    list(&json(format!("state {}", arguments.as_ref()))["samples"]).to_vec()
 }
 
 /// Numbers of an object under these keys; an array gives all of its numbers.
@@ -127,7 +132,7 @@ pub(crate) fn path(name: &str) -> PathBuf {
     Path::new(HERE).join(name)
 }
 
-/// Text of a file in the folder of the commands.
+/// Text of a file in the folder of the commands, or of one with an absolute path.
 pub(crate) fn read(name: &str) -> String {
     std::fs::read_to_string(path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
@@ -141,4 +146,54 @@ pub(crate) fn write(name: &str, content: impl AsRef<[u8]>) -> &str {
 /// Number of files in a folder in the folder of the commands.
 pub(crate) fn count(folder: &str) -> usize {
     std::fs::read_dir(path(folder)).expect("a folder").count()
+}
+
+/// Path of a file of the repository.
+pub(crate) fn repository(path: &str) -> String {
+    format!("{}/../{path}", env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Text of a top, from which the cases start.
+pub(crate) const TOP: &str = "[top]
+mass_moment = 0.9
+com_height = 0.6
+transverse_inertia = 1.1
+axial_inertia = 0.8
+gravity = 1
+";
+pub(crate) const RELEASE: &str = "[motion]
+kind = \"release\"
+tilt_deg = 40
+spin = 3.5
+precession = 0.3
+";
+
+/// Text of a scenario with these branch points, and the signs 1 of l + n and `minus` of l - n.
+pub(crate) fn branch_points([e1, e2, e3]: [f64; 3], minus: i32) -> String {
+    format!(
+        "{TOP}[motion]\nkind = \"branch_points\"\ne1 = {e1}\ne2 = {e2}\ne3 = {e3}\n\
+         sign_l_plus_n = 1\nsign_l_minus_n = {minus}\n"
+    )
+}
+
+/// Text of a scenario with these branch points, and a top with these moments of inertia, transverse and axial.
+pub(crate) fn slender(e: [f64; 3], [transverse, axial]: [&str; 2]) -> String {
+    branch_points(e, -1)
+        .replace("inertia = 1.1", &format!("inertia = {transverse}"))
+        .replace("inertia = 0.8", &format!("inertia = {axial}"))
+}
+
+/// Scenario file with this content.
+pub(crate) fn scenario(name: &str, content: &str) -> String {
+    format!("{HERE}/{}", write(&format!("{name}.toml"), content))
+}
+
+/// Scenario file of a motion for which no table is large enough: A/(ps) = 1e-6 near both verticals.
+pub(crate) fn needle(name: &str) -> String {
+    scenario(name, &slender([-0.999_999, 0.999_999, 1.18], ["6e-7", "5.5e-7"]))
+}
+
+/// Scenario file of the repository.
+pub(crate) fn sample(name: &str) -> String {
+    repository(&format!("host/scenarios/{name}.toml"))
 }

@@ -2,8 +2,6 @@
 
 mod command;
 mod errata;
-mod killed;
-mod scratch;
 
 /// State, constants and events of a motion, and the scenario files that they are read from.
 mod motion {
@@ -19,14 +17,13 @@ mod motion {
 mod pictures {
     mod animate;
     mod figures;
-    mod plot;
+    pub(crate) mod plot;
     pub(crate) mod view;
 }
 
 /// Tables in C and in Rust.
 mod bake {
     mod c;
-    mod c_files;
     pub(crate) mod cases;
     mod compiled;
     mod contents;
@@ -56,11 +53,7 @@ mod errors {
     mod scenarios;
 }
 
-pub(crate) use command::folder;
 use command::toytop;
-pub(crate) use scratch::{RELEASE, TOP, branch_points, needle, sample, scenario, slender};
-
-const PROGRAM: &str = env!("CARGO_BIN_EXE_toytop");
 
 #[test]
 fn help_and_version_are_no_failures() {

@@ -75,7 +75,10 @@ fn samples_and_the_stepper_have_the_same_quantities() {
         let sample = ephemeris.at_tick(n);
         let ours: Vec<f64> = quantities!(sample);
         let off = |others: Vec<f64>| worst(ours.iter().zip(others).map(|(x, y)| (x - y).abs()));
-        keep(&mut greatest, [off(quantities!(sample.attitude_state())), off(quantities!(stepper.attitude_state()))]);
+        keep(
+            &mut greatest,
+            [off(quantities!(sample.attitude_state())), off(quantities!(stepper.attitude_state()))],
+        );
     }
     check_all(["attitude state", "stepper"], greatest, [2e-15, 2e-14]);
 }

@@ -1,10 +1,9 @@
 //! Tests of tables in C by `toytop bake`, compiled by all installed compilers: they give the bits of the crate in every standard, also
 //! where a compiler would fuse products and sums.
 
-use super::cases::{Case, RATES, RUNS, assert_equal, assert_lines, cases};
+use super::cases::{Case, RATES, RUNS, assert_lines, cases};
 use super::compiled::{bake, name};
-use crate::command::{finished, read, toytop, write};
-use crate::{folder, sample};
+use crate::command::{finished, folder, read, sample, toytop, write};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -22,8 +21,7 @@ fn there(names: &[&'static str]) -> Vec<&'static str> {
     names.iter().copied().filter(works).collect()
 }
 
-pub(super) const WARNINGS: [&str; 6] =
-    ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"];
+const WARNINGS: [&str; 6] = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"];
 
 /// Flags with which a compiler fuses products and sums unless the source prevents it; on a machine without fused multiply-add they have
 /// little effect.
@@ -52,93 +50,38 @@ fn printed(folder: &Path, source: &str, files: &[PathBuf]) -> Vec<String> {
         .collect()
 }
 
-#[test]
-fn c_gives_the_same_bits() {
-    let (folder, cases) = (folder("bake_c"), cases());
+/// Program that prints the numbers of every table as the bits of doubles, those of fixed point without its unit.
+fn program(cases: &[Case]) -> String {
     let (singles, runs, length) = RUNS;
-    let mut source = "#include <stdio.h>\n#include <stdint.h>\n".to_owned();
+    let mut includes = String::new();
     let mut main = String::new();
-    for case in &cases {
-        let (name, scalar) = (name(case), case.scalar);
-        bake(case, "c", &format!("bake_c/{name}.h"));
+    for case in cases {
+        let (table, scalar) = (table(case), case.scalar);
         // a second inclusion has no effect
-        source += &format!("#include \"{name}.h\"\n#include \"{name}.h\"\n");
-        let [word, format] = match scalar {
-            "f64" => ["uint64_t", "PRIx64"],
-            "q15" => ["uint16_t", "PRIx16"],
-            _ => ["uint32_t", "PRIx32"],
+        includes += &format!("#include \"{table}.h\"\n#include \"{table}.h\"\n");
+        let [number, rate, unit] = match scalar {
+            "f64" => ["double", "double", "1"],
+            "f32" => ["float", "float", "1"],
+            "q15" => ["int16_t", "float", "16384"],
+            _ => ["int32_t", "float", "1073741824"],
         };
-        let table = table(case);
         main += &format!(
             "    if (!toytop_intact_{scalar}(&{table})) return 1;
     state = 1;
     for (uint32_t k = 0; k < {singles}; k++) {{
         int64_t tick = next_tick(k);
         toytop_sample_{scalar} m = toytop_at_tick_{scalar}(&{table}, tick);
-        PRINT({word}, {format}, toytop_at(&{table}.clock, tick), m);
+        ROW(toytop_at(&{table}.clock, tick), m, {number}, {unit});
     }}
     for (uint32_t k = 0; k < {runs}; k++) {{
         toytop_cursor at = toytop_at(&{table}.clock, next_tick(k + 20));
         for (int i = 0; i < {length}; i++) {{
             toytop_cursor now = at;
             toytop_sample_{scalar} m = toytop_next_{scalar}(&{table}, &at);
-            PRINT({word}, {format}, now, m);
+            ROW(now, m, {number}, {unit});
         }}
     }}
-"
-        );
-    }
-    source += "#include <inttypes.h>
-#define PRINT(word, format, at, m) do { \\
-    word bits[7]; \\
-    memcpy(bits, &m, sizeof bits); \\
-    printf(\"%\" PRIx64 \" \", (at).phase[0].leading); \\
-    for (int j = 0; j < 7; j++) printf(\"%\" format \"%c\", bits[j], j < 6 ? ' ' : '\\n'); \\
-} while (0)
-static uint64_t state;
-static int64_t next_tick(uint32_t k) {
-    state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
-    return (int64_t)state >> (k % 61);
-}
-int main(void) {
-";
-    source += &main;
-    source += "    return 0;\n}\n";
-    for printed in printed(&folder, &source, &[]) {
-        assert_equal(&printed, &cases);
-    }
-
-    // a changed bit of the table is detected
-    let text = read("bake_c/toy_top.h");
-    let (head, rows) = text.split_once("toy_top_coefficients[125][4] = {").expect("the table");
-    let changed = format!("{head}toy_top_coefficients[125][4] = {{{}", rows.replacen(", ", ", 1", 1));
-    write("bake_c/toy_top.h", changed);
-    finished(Command::new("cc").args(["-std=c99", "-o", "bake_c/main", "bake_c/main.c"])).ok();
-    assert_eq!(finished(&mut Command::new(folder.join("main"))).code, Some(1));
-}
-
-/// Tables beside the shared files give the crate's quaternions, angular velocities and turning points.
-#[test]
-fn c_has_the_same_rates_and_turning_points() {
-    let (folder, cases) = (folder("bake_c_rates"), cases());
-    let mut source = "#include <inttypes.h>\n#include <stdio.h>\n".to_owned();
-    let mut main = String::new();
-    let mut files = vec![folder.join("toytop_baked.c")];
-    for case in &cases {
-        let (table, scalar) = (table(case), case.scalar);
-        let Case { file, size, tick: [hertz, per], .. } = case;
-        let line = format!("{file} --scalar {scalar} --size {size} --hertz {hertz}/{per}");
-        toytop(format!("bake --lang c --split bake_c_rates {line}")).ok();
-        files.push(folder.join(format!("{table}.c")));
-        source += &format!("#include \"{table}.h\"\n");
-        let [number, word, rate] = match scalar {
-            "f64" => ["double", "uint64_t", "double"],
-            "f32" => ["float", "uint32_t", "float"],
-            "q15" => ["int16_t", "uint16_t", "float"],
-            _ => ["int32_t", "uint32_t", "float"],
-        };
-        main += &format!(
-            "    state = 1;
+    state = 1;
     for (uint32_t k = 0; k < {RATES}; k++) {{
         int64_t tick = next_tick(k);
         toytop_cursor at = toytop_at(&{table}.clock, tick);
@@ -148,37 +91,74 @@ fn c_has_the_same_rates_and_turning_points() {
         toytop_quaternion_{scalar}(&now, q);
         toytop_omega_{scalar}(&{table}, &at, fixed);
         toytop_omega_body_{scalar}(&{table}, &at, body);
-        for (int i = 0; i < 4; i++) {{ {word} bits; memcpy(&bits, &q[i], sizeof bits); printf(\"%\" PRIx64 \" \", (uint64_t)bits); }}
-        for (int i = 0; i < 3; i++) print((double)fixed[i]);
-        for (int i = 0; i < 3; i++) print((double)body[i]);
+        PRINT(q, 4, {unit});
+        PRINT(fixed, 3, 1);
+        PRINT(body, 3, 1);
         turning_point(&{table}.clock, tick);
     }}
 "
         );
     }
-    source += "#include <string.h>
+    format!(
+        "#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+{includes}
+#define PRINT(numbers, count, unit) for (int j = 0; j < count; j++) print((double)numbers[j] / unit)
+#define ROW(at, m, number, unit) do {{ \
+    number numbers[7]; \
+    memcpy(numbers, &m, sizeof numbers); \
+    printf(\"%\" PRIx64 \" \", (at).phase[0].leading); \
+    PRINT(numbers, 7, unit); \
+    puts(\"\"); \
+}} while (0)
 static uint64_t state;
-static int64_t next_tick(uint32_t k) {
+static int64_t next_tick(uint32_t k) {{
     state = state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
     return (int64_t)state >> (k % 61);
-}
-static void print(double number) {
+}}
+static void print(double number) {{
     uint64_t bits;
     memcpy(&bits, &number, sizeof bits);
     printf(\"%\" PRIx64 \" \", bits);
-}
-static void turning_point(const toytop_clock *clock, int64_t tick) {
+}}
+static void turning_point(const toytop_clock *clock, int64_t tick) {{
     int upper;
     if (toytop_next_turning_point(clock, tick, &tick, &upper)) printf(\"%\" PRId64 \" %d\\n\", tick, upper);
     else printf(\"-\\n\");
+}}
+int main(void) {{
+{main}    return 0;
+}}
+"
+    )
 }
-int main(void) {
-";
-    source += &main;
-    source += "    return 0;\n}\n";
-    for printed in printed(&folder, &source, &files) {
-        assert_lines(&printed, &cases, |case| (case.rates)(&case.file, case.tick));
+
+/// Headers that need no other file, and tables beside the shared files, give the crate's numbers.
+#[test]
+fn c_gives_the_same_bits() {
+    let (whole, split, cases) = (folder("bake_c"), folder("bake_c_split"), cases());
+    let source = program(&cases);
+    let mut files = vec![split.join("toytop_baked.c")];
+    for case in &cases {
+        let table = table(case);
+        bake(case, "c", &format!("bake_c/{table}.h"));
+        toytop(format!("bake --lang c --split bake_c_split {}", case.arguments())).ok();
+        files.push(split.join(format!("{table}.c")));
     }
+    for (folder, files) in [(&whole, &[][..]), (&split, &files)] {
+        for printed in printed(folder, &source, files) {
+            assert_lines(&printed, &cases, |case| case.truth().concat());
+        }
+    }
+
+    // a changed bit of the table is detected
+    let text = read("bake_c/toy_top.h");
+    let (head, rows) = text.split_once("toy_top_coefficients[125][4] = {").expect("the table");
+    let changed = format!("{head}toy_top_coefficients[125][4] = {{{}", rows.replacen(", ", ", 1", 1));
+    write("bake_c/toy_top.h", changed);
+    finished(Command::new("cc").args(["-std=c99", "-o", "bake_c/main", "bake_c/main.c"])).ok();
+    assert_eq!(finished(&mut Command::new(whole.join("main"))).code, Some(1));
 }
 
 /// Installed compilers of C and C++, each with a standard.
@@ -230,7 +210,7 @@ fn c_and_cpp_of_every_standard_read_the_same_numbers() {
 #[test]
 fn two_tables_of_one_name_do_not_compile() {
     let folder = folder("bake_one_name");
-    let text = std::fs::read_to_string(sample("lagrange")).expect("the sample");
+    let text = read(&sample("lagrange"));
     for (place, tilt) in [("a", "21.0"), ("b", "20.0")] {
         std::fs::create_dir(folder.join(place)).expect("a folder");
         let file = format!("bake_one_name/{place}/top.toml");
@@ -246,4 +226,42 @@ fn two_tables_of_one_name_do_not_compile() {
     let refused = compiled("#include \"a/top.h\"\n#include \"b/top.h\"\n");
     assert_ne!(refused.code, Some(0));
     assert!(refused.err.contains("two different tables have the name top_top"), "{}", refused.err);
+}
+
+/// Code and sines are in one object for any number of motions and users, and a header that needs no other file can be used beside them.
+#[test]
+fn shared_code_is_linked_once() {
+    let folder = folder("bake_shared");
+    for line in [
+        "@toy_top --split bake_shared --name first_throw",
+        "@lagrange --split bake_shared --name second_throw",
+        "@toy_top -o bake_shared/toy_top.h",
+    ] {
+        toytop(format!("bake --lang c {line}")).ok();
+    }
+    let user = "#include \"first_throw.h\"\n#include \"second_throw.h\"\n#include \"toy_top.h\"\n";
+    let main = format!("{user}float other(void);
+int main(void) {{
+    float sum = toytop_at_tick_f32(&first_throw, 1).u + toytop_at_tick_f32(&second_throw, 1).u;
+    return sum == other() && FIRST_THROW_RATE == 1000.0 && FIRST_THROW_ERROR < 2e-7 && TOY_TOP_SEGMENTS == 25 ? 0 : 1;
+}}
+");
+    let other = format!(
+        "{user}float other(void);
+float other(void) {{ return toytop_at_tick_f32(&toy_top, 1).u + toytop_at_tick_f32(&second_throw, 1).u; }}
+"
+    );
+    let files = ["main.c", "other.c", "first_throw.c", "second_throw.c", "toytop_baked.c"]
+        .map(|name| folder.join(name));
+    write("bake_shared/main.c", main);
+    write("bake_shared/other.c", other);
+    let program = folder.join("main");
+    let mut command = Command::new("cc");
+    finished(command.args(["-std=c99", "-O0"]).args(WARNINGS).arg("-o").arg(&program).args(&files)).ok();
+    finished(&mut Command::new(&program)).ok();
+    let bytes = std::fs::read(&program).expect("the program");
+    let points = toytop::scalar::sine::SINES;
+    let sines: Vec<u8> = points.iter().flat_map(|sine| sine.to_le_bytes()).collect();
+    let copies = bytes.windows(sines.len()).filter(|bytes| *bytes == sines).count();
+    assert_eq!(copies, 1, "copies of the sines");
 }

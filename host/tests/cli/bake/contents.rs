@@ -1,14 +1,13 @@
 //! `toytop bake`: contents of the files, choice of the size, and complete files.
 
-use crate::command::{all_refused, count, path, run, toytop};
-use crate::{RELEASE, TOP, folder, needle, scenario, slender};
-use std::path::Path;
+use crate::command::{
+    RELEASE, TOP, all_refused, count, folder, needle, path, read, repository, run, scenario, slender, toytop,
+};
 
 /// The table that `spin_m0` has in flash is the one that this program writes.
 #[test]
 fn the_firmware_has_todays_table() {
-    let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("../firmware-examples/src/tables/toy_top.rs");
-    let committed = std::fs::read_to_string(committed).expect("a file");
+    let committed = read(&repository("firmware-examples/src/tables/toy_top.rs"));
     assert_eq!(toytop("bake @toy_top --scalar q31").ok(), committed);
 }
 

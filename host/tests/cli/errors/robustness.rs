@@ -1,14 +1,29 @@
 //! Killed processes, full disks, closed pipes and special files: files are complete or missing, and failures are one line with
 //! the right exit code.
 
-use crate::command::{Run, bash, count, path, read, toytop, write};
-use crate::killed::killed;
-use crate::{folder, sample, scenario};
+use crate::command::{HERE, Run, bash, command, count, folder, path, read, sample, scenario, toytop, write};
 use std::fs;
+use std::process::Stdio;
+use std::thread::sleep;
 use std::time::{Duration, Instant, SystemTime};
 
 /// Size of the buffer of a pipe in Linux, bytes.
 const PIPE: usize = 65_536;
+
+/// Whether a command was still running when it was killed after a time. `look` is called repeatedly before.
+fn killed(line: &str, after: Duration, look: impl Fn()) -> bool {
+    let started = Instant::now();
+    let mut child =
+        command(line).stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("the program runs");
+    while started.elapsed() < after {
+        look();
+        sleep(Duration::from_micros(100));
+    }
+    child.kill().expect("it can be killed");
+    let is_whole = child.wait().expect("it ends").success();
+    look();
+    !is_whole
+}
 
 /// Checks that a file is written by a command as a whole, even if the command is killed.
 fn is_written_as_a_whole(line: &str, to: &str) {
@@ -48,7 +63,7 @@ fn only_the_output_is_written() {
     toytop("state @toy_top --times 0 --format csv -o robust_strangers/a.csv").ok();
     assert!(strangers.iter().all(|stranger| stranger.exists()));
     assert_eq!(count("robust_strangers"), strangers.len() + 1);
-    let text = fs::read_to_string(sample("toy_top")).expect("the sample");
+    let text = read(&sample("toy_top"));
     let own = write("robust_strangers/top.toml", &text);
     for line in [
         format!("state {own} --times 0 -o {own}"),
@@ -159,12 +174,9 @@ fn a_reader_that_closes_the_pipe_is_no_failure() {
 fn invalid_scenario_files_are_refused_at_once() {
     let sparse = scenario("robust_100_mb", "");
     fs::File::options().write(true).open(&sparse).and_then(|file| file.set_len(100_000_000)).expect("a hole");
-    for (file, part) in [
-        (&*sparse, "1 MiB"),
-        ("/dev/zero", "1 MiB"),
-        (env!("CARGO_TARGET_TMPDIR"), "directory"),
-        ("/dev/null", "missing"),
-    ] {
+    for (file, part) in
+        [(&*sparse, "1 MiB"), ("/dev/zero", "1 MiB"), (HERE, "directory"), ("/dev/null", "missing")]
+    {
         for line in ["state --times 1", "constants", "compare", "bake", "plot -o x.svg"] {
             toytop(format!("{line} {file}")).refused(2, &format!("{file} ... {part}"));
         }

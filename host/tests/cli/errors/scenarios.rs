@@ -1,7 +1,6 @@
 //! Scenario files that are refused: exit code 2, and one line that names the file, the key and the allowed values.
 
-use crate::command::{toytop, write};
-use crate::{RELEASE, TOP, branch_points, scenario};
+use crate::command::{RELEASE, TOP, branch_points, scenario, toytop, write};
 
 #[test]
 fn files() {

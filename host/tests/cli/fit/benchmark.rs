@@ -1,21 +1,22 @@
 //! `toytop benchmark` and `score --benchmark`.
 
-use crate::command::{all_refused, json, number, read, toytop, write};
+use crate::command::{all_refused, json, list, number, read, repository, toytop, write};
 use serde_json::Value;
-use std::path::Path;
 
 fn names() -> Vec<String> {
-    let list = json("benchmark");
+    let problems = json("benchmark");
     let name = |problem: &Value| problem["benchmark"].as_str().expect("a name").to_owned();
-    list["problems"].as_array().expect("problems").iter().map(name).collect()
+    list(&problems["problems"]).iter().map(name).collect()
 }
 
-/// The ephemeris of the scenario reaches the 30 digits of every problem, in the axes of the source.
+/// The printed scenario can be read, and its ephemeris reaches the 30 digits of every problem, in the axes of the source.
 #[test]
 fn the_scenario_agrees_with_the_reference_digits() {
     for name in names() {
+        let text = toytop(format!("benchmark {name} --scenario")).ok();
+        toytop(format!("constants {}", write(&format!("{name}_printed.toml"), text))).ok();
         let digits = json(format!("benchmark {name}"));
-        for sample in digits["samples"].as_array().expect("samples") {
+        for sample in list(&digits["samples"]) {
             let t = sample["t"].as_str().expect("a time");
             let ours = &json(format!("benchmark {name} --times={t}"))["samples"][0];
             let pairs = |keys: &'static str| {
@@ -50,25 +51,16 @@ fn a_run_is_judged_in_the_axes_of_its_source() {
     assert!(scored("parker", "bruls_cardona") > 0.1, "the rows of one problem are no run of another");
 }
 
-/// The printed scenario can be read, and has the motion of the problem.
-#[test]
-fn the_scenario_is_a_scenario() {
-    for name in names() {
-        let text = toytop(format!("benchmark {name} --scenario")).ok();
-        toytop(format!("constants {}", write(&format!("{name}_printed.toml"), text))).ok();
-    }
-}
-
 /// The pages contain the tables that the command writes.
 #[test]
 fn the_pages_are_up_to_date() {
     for name in names().into_iter().chain([String::new()]) {
-        let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("benchmarks").join(&name).join("README.md");
-        let text = std::fs::read_to_string(&page).expect("a page");
+        let page = repository(&format!("host/benchmarks/{name}/README.md"));
+        let text = read(&page);
         let copy = format!("page_{name}.md");
         let line = format!("benchmark {name} --accept {}", write(&copy, &text));
         toytop(&line).ok();
-        assert!(read(&copy) == text, "{}: toytop {line} writes it anew", page.display());
+        assert!(read(&copy) == text, "{page}: toytop {line} writes it anew");
     }
 }
 

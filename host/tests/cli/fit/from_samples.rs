@@ -1,7 +1,9 @@
 //! `toytop simulate` and `toytop fit`: from a scenario to samples and back.
 
-use crate::command::{all_refused, json, number, numbers, path, read, samples, toytop, write};
-use crate::{folder, sample, scenario};
+use crate::command::{
+    all_refused, folder, json, number, numbers, path, read, sample, samples, scenario, toytop, write,
+};
+use crate::pictures::plot::lines;
 use serde_json::Value;
 
 /// Samples of the toy top in a file of this name, 0.3 s at 1 kHz.
@@ -56,7 +58,7 @@ fn columns_are_read_named_or_refused() {
 fn a_wrong_inertia_is_corrected_where_it_is_free() {
     write("fit_camera.toml", "[orientation]\nnoise = 0.002\nevery = 2\n");
     simulated("fit_free.csv", "--sensors fit_camera.toml");
-    let own = std::fs::read_to_string(sample("toy_top")).expect("a scenario");
+    let own = read(&sample("toy_top"));
     let wrong = scenario("fit_wrong", &own.replace("axial_inertia = 2.0e-5", "axial_inertia = 2.06e-5"));
     folder("fit_free");
     let line = format!("fit fit_free.csv --top {wrong} --sensors fit_camera.toml -o fit_free/fitted.toml");
@@ -98,17 +100,6 @@ fn a_drift_is_reported_with_its_error_bars() {
     );
 }
 
-/// Points of a curve of this colour in a picture, pixels.
-fn curve(svg: &str, color: &str) -> Vec<[f64; 2]> {
-    let (before, _) = svg.split_once(&format!("\" stroke=\"{color}\"")).expect("a curve of this colour");
-    let (_, path) = before.rsplit_once("d=\"M ").expect("its points");
-    let number = |text: &str| text.parse::<f64>().expect("a number");
-    path.split('L')
-        .map(|pair| pair.trim().split_once(' ').expect("x y"))
-        .map(|(x, y)| [number(x), number(y)])
-        .collect()
-}
-
 /// Residuals are dots, in a strip for each sensor, and no lines join them. The error of the axis across the vertical grows with the
 /// time, and does not seem to oscillate.
 #[test]
@@ -129,7 +120,7 @@ fn pictures_of_a_fit_can_be_read() {
         .map(|path| path.split('"').next().map_or(0, |path| path.matches('L').count()));
     assert!(longest.max() <= Some(1), "no line joins the dots");
 
-    let short = curve(&read("fit_prediction.svg"), "#009e73");
+    let short = lines(&read("fit_prediction.svg"), "#009e73").remove(0);
     let late = &short[short.len() / 2..];
     assert!(late.len() >= 40 && late[0][1] - late[late.len() - 1][1] > 100.0, "{late:?}");
     assert!(late.windows(2).all(|pair| pair[1][1] < pair[0][1] + 1.0), "it never falls: {late:?}");

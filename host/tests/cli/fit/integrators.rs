@@ -1,9 +1,7 @@
 //! Integrators of `host/docs/score`, which need Python and their libraries.
 
-use crate::command::{finished, json, number, path};
-use crate::{PROGRAM, folder, sample};
+use crate::command::{PROGRAM, finished, folder, json, list, number, path, repository, sample};
 use serde_json::Value;
-use std::path::Path;
 use std::process::Command;
 
 /// Names of the files that a script writes, in order; `None` if a module is missing, which is printed.
@@ -16,7 +14,7 @@ fn integrated(script: &str, modules: &str) -> Option<String> {
     }
     let to = format!("score_{script}");
     folder(&to);
-    let code = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("docs/score/{script}.py"));
+    let code = repository(&format!("host/docs/score/{script}.py"));
     finished(python().arg("-B").arg(code).args([PROGRAM, &sample("toy_top"), "0.5", &to])).ok();
     let entries =
         std::fs::read_dir(path(&to)).expect("a folder").map(|entry| entry.expect("an entry").file_name());
@@ -35,7 +33,7 @@ fn integrators_are_as_good_as_their_order() {
     ] {
         let Some(files) = integrated(script, modules) else { continue };
         let found = json(format!("score @toy_top {files}"));
-        let scored = found["files"].as_array().expect("files");
+        let scored = list(&found["files"]);
         let best = scored.iter().map(|file| number(&file["max_error_rad"])).fold(1.0, f64::min);
         assert!(best > least && best < most, "{script}: {best}");
         if let Some([low, high]) = order {

@@ -1,7 +1,6 @@
 //! `toytop score`: trajectories with known errors, and runs with a known order.
 
-use crate::command::{all_refused, csv, json, number, path, read, toytop, write};
-use crate::{folder, sample, scenario};
+use crate::command::{all_refused, csv, folder, json, number, path, read, sample, scenario, toytop, write};
 use serde_json::Value;
 use std::f64::consts::PI;
 
@@ -10,43 +9,43 @@ fn score(arguments: &str) -> Value {
     json(format!("score {arguments}"))["files"][0].clone()
 }
 
-/// Row of a trajectory: time, quaternion, ω in the fixed frame.
-type Row = (f64, [f64; 4], [f64; 3]);
+/// Columns of a trajectory: time, quaternion, and ω in the fixed frame, which a file may lack.
+const COLUMNS: [&str; 8] = ["t", "w", "x", "y", "z", "omega_x", "omega_y", "omega_z"];
+const WITHOUT_RATES: usize = 5;
 
 /// Rows of a scenario at these times.
-fn rows(scenario: &str, times: &[f64]) -> Vec<Row> {
-    let times = times.iter().map(f64::to_string).collect::<Vec<_>>().join(",");
-    let table = csv(&format!("state {scenario} --times={times} --columns t,quaternion,omega"));
-    let row = |row: &Vec<f64>| (row[0], [1, 2, 3, 4].map(|k| row[k]), [5, 6, 7].map(|k| row[k]));
-    table.rows.iter().map(row).collect()
+fn rows(scenario: &str, times: &[f64]) -> Vec<Vec<f64>> {
+    csv(&format!("state {scenario} --times={} --columns t,quaternion,omega", joined(times))).rows
 }
 
-/// Writes rows below a line of comments; without ω if `rates` is not set. Returns the name of the file.
-fn written<'a>(to: &'a str, comment: &str, rows: &[Row], rates: bool) -> &'a str {
-    let mut text = format!("{comment}t,w,x,y,z{}\n", if rates { ",omega_x,omega_y,omega_z" } else { "" });
-    for (t, q, omega) in rows {
-        let numbers = std::iter::once(t).chain(q).chain(omega.iter().filter(|_| rates));
-        text += &(numbers.map(f64::to_string).collect::<Vec<_>>().join(",") + "\n");
-    }
-    write(to, text)
+fn joined(numbers: &[f64]) -> String {
+    numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(",")
+}
+
+/// Writes the first columns of rows.
+fn written(to: &str, rows: &[Vec<f64>], columns: usize) {
+    let rows: Vec<_> = rows.iter().map(|row| joined(&row[..columns])).collect();
+    write(to, format!("{}\n{}\n", COLUMNS[..columns].join(","), rows.join("\n")));
 }
 
 fn evenly(end: f64, places: u32) -> Vec<f64> {
     (0..places).map(|i| end * f64::from(i) / f64::from(places - 1)).collect()
 }
 
-/// Quaternion turned by an angle about the vertical, from the left, or about the body's axis, from the right.
-fn turned([w, x, y, z]: [f64; 4], angle: f64, about_vertical: bool) -> [f64; 4] {
-    let (s, c) = (0.5 * angle).sin_cos();
+/// Turns the orientation of a row at a rate about the vertical, from the left, or about the body's axis, from the right.
+fn turn(row: &mut [f64], rate: f64, about_vertical: bool) {
+    let (s, c) = (0.5 * (rate * row[0])).sin_cos();
     let sign = if about_vertical { 1.0 } else { -1.0 };
-    [c * w - s * z, c * x - sign * s * y, c * y + sign * s * x, c * z + s * w]
+    let [w, x, y, z] = [1, 2, 3, 4].map(|k| row[k]);
+    let turned = [c * w - s * z, c * x - sign * s * y, c * y + sign * s * x, c * z + s * w];
+    row[1..5].copy_from_slice(&turned);
 }
 
 #[test]
 fn exact_rows_have_no_error_whatever_their_signs() {
     let mut exact = rows("@toy_top", &evenly(1.0, 201));
-    exact.iter_mut().step_by(3).for_each(|(_, q, _)| *q = q.map(|x| -x));
-    written("score_exact.csv", "", &exact, false);
+    exact.iter_mut().step_by(3).for_each(|row| row[1..5].iter_mut().for_each(|x| *x = -*x));
+    written("score_exact.csv", &exact, WITHOUT_RATES);
     let found = json("score @toy_top score_exact.csv");
     assert_eq!((&found["order"], &found["sign"]), (&Value::Null, &Value::from("nearest")));
     let scored = &found["files"][0];
@@ -73,8 +72,8 @@ fn a_delay_is_three_phase_errors() {
     let cases: [(Delay, [f64; 2]); 2] = [(|_| 1e-6, [2e-8, 1e-14]), (|t| 0.21 * t, [3e-3, 1e-8])];
     for (delay, [tolerance, rest]) in cases {
         let mut late = rows("@figure_3_loops", &times.iter().map(|t| t - delay(*t)).collect::<Vec<_>>());
-        late.iter_mut().zip(&times).for_each(|(row, t)| row.0 = *t);
-        written("score_late.csv", "", &late, false);
+        late.iter_mut().zip(&times).for_each(|(row, t)| row[0] = *t);
+        written("score_late.csv", &late, WITHOUT_RATES);
         let scored = score("@figure_3_loops score_late.csv");
         for (key, turns) in
             [("nutation_error_rad", 1.0), ("precession_error_rad", a + b), ("spin_error_rad", a - b)]
@@ -93,8 +92,8 @@ fn an_error_of_a_rate_is_that_of_its_angle() {
     let exact = rows("@toy_top", &evenly(1.0, 2001));
     for (about_vertical, key) in [(true, "precession_error_rad"), (false, "spin_error_rad")] {
         let mut off = exact.clone();
-        off.iter_mut().for_each(|(t, q, _)| *q = turned(*q, 1e-3 * *t, about_vertical));
-        written("score_rate.csv", "", &off, false);
+        off.iter_mut().for_each(|row| turn(row, 1e-3, about_vertical));
+        written("score_rate.csv", &off, WITHOUT_RATES);
         let scored = score("@toy_top score_rate.csv");
         assert!(number(&scored["nutation_error_rad"]).abs() < 1e-11, "{scored}");
         assert!((number(&scored[key]) / 1e-3 - 0.96).abs() < 0.04, "{scored}");
@@ -105,12 +104,12 @@ fn an_error_of_a_rate_is_that_of_its_angle() {
 /// For a top that spins faster by a millionth, the drift of n is a millionth, with and without given ω.
 #[test]
 fn drift_of_n_by_columns_and_by_differences() {
-    let text = std::fs::read_to_string(sample("toy_top")).expect("a scenario");
+    let text = read(&sample("toy_top"));
     let faster = scenario("score_faster", &text.replace("spin = 150.0", "spin = 150.00015"));
     let [own, other] = ["@toy_top", &faster].map(|file| json(format!("constants {file}")));
     let fast = rows(&faster, &evenly(0.5, 1001));
-    for (name, rates) in [("columns", true), ("differences", false)] {
-        written("score_drift.csv", "", &fast, rates);
+    for (name, columns) in [("columns", COLUMNS.len()), ("differences", WITHOUT_RATES)] {
+        written("score_drift.csv", &fast, columns);
         let scored = score("@toy_top score_drift.csv");
         assert_eq!(scored["drift_from"], name);
         for key in ["l", "n"] {
@@ -120,10 +119,10 @@ fn drift_of_n_by_columns_and_by_differences() {
             assert!((drift / expected - 1.0).abs() < 1e-5, "{name}: {key}: {drift} {expected}");
         }
         let uncertainty = scored["drift_uncertainty"].as_f64();
-        assert_eq!(uncertainty.is_some(), !rates);
+        assert_eq!(uncertainty.is_some(), columns == WITHOUT_RATES);
         assert!(uncertainty.is_none_or(|x| x < 1e-10), "{scored}");
     }
-    written("score_short.csv", "", &fast[..6], false);
+    written("score_short.csv", &fast[..6], WITHOUT_RATES);
     let scored = score("@toy_top score_short.csv");
     assert!(scored["drift_h"].is_null() && scored["residual_rad"].is_null(), "{scored}");
 }
@@ -207,8 +206,8 @@ fn runs_of_different_lengths_have_no_order() {
 #[test]
 fn another_convention_is_noticed() {
     let mut inverse = rows("@toy_top", &evenly(0.1, 11));
-    inverse.iter_mut().for_each(|(_, [_, rest @ ..], _)| *rest = rest.map(|x| -x));
-    written("score_inverse.csv", "", &inverse, false);
+    inverse.iter_mut().for_each(|row| row[2..5].iter_mut().for_each(|x| *x = -*x));
+    written("score_inverse.csv", &inverse, WITHOUT_RATES);
     let run = toytop("score @toy_top score_inverse.csv --format json");
     assert!(run.err.contains("are the columns from fixed to body coordinates?"), "{}", run.err);
 }
@@ -219,11 +218,9 @@ fn positions_and_rates_are_checked() {
     let table = csv("state @toy_top --times=0..1/101 --columns t,quaternion,tip,omega");
     let shifted = |column: &str, by: f64| {
         let place = table.names.split(',').position(|name| name == column).expect("a column");
-        let row = |row: &Vec<f64>| {
-            let cell = |(k, x): (usize, &f64)| (if k == place { x + by } else { *x }).to_string();
-            row.iter().enumerate().map(cell).collect::<Vec<_>>().join(",")
-        };
-        let rows: Vec<_> = table.rows.iter().map(row).collect();
+        let mut rows = table.rows.clone();
+        rows.iter_mut().for_each(|row| row[place] += by);
+        let rows: Vec<_> = rows.iter().map(|row| joined(row)).collect();
         write("score_shifted.csv", format!("{}\n{}\n", table.names, rows.join("\n")));
         (score("@toy_top score_shifted.csv"), toytop("score @toy_top score_shifted.csv").ok())
     };
@@ -237,8 +234,8 @@ fn positions_and_rates_are_checked() {
 
 #[test]
 fn invalid_results_are_refused_in_one_line() {
-    written("score_good.csv", "", &rows("@toy_top", &[0.0, 0.1, 0.2]), false);
-    written("score_uneven.csv", "", &rows("@toy_top", &[0.0, 0.1, 0.3]), false);
+    written("score_good.csv", &rows("@toy_top", &[0.0, 0.1, 0.2]), WITHOUT_RATES);
+    written("score_uneven.csv", &rows("@toy_top", &[0.0, 0.1, 0.3]), WITHOUT_RATES);
     write("score_far.csv", "t,w,x,y,z\n1e300,1,0,0,0\n");
     folder("score_refused");
     all_refused(

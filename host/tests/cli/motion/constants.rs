@@ -1,7 +1,6 @@
 //! Constants of a motion: keys, regimes, definitions, units and warnings.
 
-use crate::command::{json, number, toytop};
-use crate::{RELEASE, TOP, branch_points, sample, scenario};
+use crate::command::{RELEASE, TOP, branch_points, json, number, read, sample, samples, scenario, toytop};
 
 const KEYS: &str = "l n h e1 e2 e3 e4 one_plus_e1 one_minus_e2 e2_minus_e1 e3_minus_e2 e3_minus_one regime period \
                     alpha_turns beta_turns phi_per_period tip_class min_normal_force min_tilt_deg max_tilt_deg nutation_hz \
@@ -67,7 +66,7 @@ fn constants_in_degrees_and_turns() {
         assert!((value(key) / expected - 1.0).abs() < 1e-12, "{key}: {} {expected}", value(key));
     }
     // spins on both sides of the critical one
-    let text = std::fs::read_to_string(sample("sleeping")).expect("a scenario");
+    let text = read(&sample("sleeping"));
     let critical = number(&json("constants @sleeping")["critical_spin_deg_per_s"]).to_radians();
     let line = text.lines().find(|line| line.starts_with("spin")).expect("a spin");
     for (factor, regime) in [(1.001, "sleeping_stable"), (0.999, "sleeping_unstable")] {
@@ -79,7 +78,7 @@ fn constants_in_degrees_and_turns() {
 /// A scenario without units prints none.
 #[test]
 fn units_are_named_only_where_there_are_any() {
-    let text = std::fs::read_to_string(sample("toy_top")).expect("a scenario");
+    let text = read(&sample("toy_top"));
     let [si, none, wrong] = ["SI", "none", "feet"]
         .map(|units| scenario(&format!("units_{units}"), &format!("units = \"{units}\"\n{text}")));
     let units = |line: String| {
@@ -111,7 +110,7 @@ fn numbers_have_seventeen_digits() {
 /// errors. With the least momentum about the vertical it precesses.
 #[test]
 fn a_plane_pendulum_does_not_precess() {
-    let text = std::fs::read_to_string(sample("pendulum")).expect("a scenario");
+    let text = read(&sample("pendulum"));
     let pushed = scenario("pendulum_pushed", &text.replace("spin = 0", "spin = 0\nprecession = 1e-9"));
     for (file, is_plane) in [("@pendulum", true), (&pushed, false)] {
         let constants = json(format!("constants {file}"));
@@ -126,13 +125,9 @@ fn a_plane_pendulum_does_not_precess() {
         }
         assert!(number(&constants["period"]) > 1.0, "{constants}");
         // the azimuth of the tip stays where it began
-        let samples = json(format!("state {file} --times 0,0.3,0.7,1.6,40 --columns phi"));
-        let azimuths = samples["samples"].as_array().expect("samples").iter().map(|row| number(&row["phi"]));
-        assert_eq!(
-            azimuths.into_iter().all(|phi| (phi - std::f64::consts::PI).abs() < 1e-14),
-            is_plane,
-            "{samples}"
-        );
+        let samples = samples(format!("{file} --times 0,0.3,0.7,1.6,40 --columns phi"));
+        let stays = samples.iter().all(|row| (number(&row["phi"]) - std::f64::consts::PI).abs() < 1e-14);
+        assert_eq!(stays, is_plane, "{samples:?}");
     }
 }
 
@@ -167,7 +162,7 @@ fn each_warning_about_real_tops_is_one_line() {
     }
     let zero = "[top]\nmass_moment = 1\ncom_height = 1\ntransverse_inertia = 1\naxial_inertia = 1\ngravity = 1\n\
                 [motion]\nkind = \"release\"\ntilt_deg = 0\nspin = 5\nnutation = 1\n";
-    let held = std::fs::read_to_string(sample("lagrange")).expect("the sample");
+    let held = read(&sample("lagrange"));
     for (file, force) in [
         ("@toy_top", None),
         (&scenario("just_on", &branch_points([0.5, 0.8, 8.790_123], 1)), None),

@@ -1,11 +1,10 @@
 //! `toytop events`.
 
-use crate::command::{all_refused, json, number, numbers, samples, toytop};
-use crate::{branch_points, scenario};
+use crate::command::{all_refused, branch_points, json, list, number, numbers, samples, scenario, toytop};
 use serde_json::Value;
 
 fn events(arguments: &str) -> Vec<Value> {
-    json(format!("events {arguments}"))["events"].as_array().expect("events").clone()
+    list(&json(format!("events {arguments}"))["events"]).to_vec()
 }
 
 /// The toy top is released from rest at 20 degrees: its tilt turns at t = 0, and then every half period.

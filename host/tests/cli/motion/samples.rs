@@ -1,7 +1,6 @@
 //! Rows of `toytop state`: times, ticks, chosen columns, formats for programs, and many rows.
 
-use crate::command::{count, csv, json, path, read, samples, toytop};
-use crate::folder;
+use crate::command::{count, csv, folder, json, path, read, samples, toytop};
 use std::f64::consts::PI;
 
 #[test]

@@ -1,11 +1,11 @@
 //! Samples of `toytop state`: their shape, the start, continuity, both directions of time, every method and scalar.
 
-use crate::command::{numbers, samples, toytop};
-use crate::{RELEASE, TOP, branch_points, scenario};
+use crate::command::{RELEASE, TOP, branch_points, numbers, samples, scenario, toytop};
 use serde_json::Value;
 
 const MOST_KEYS: &str = "u udot alpha beta quaternion omega tip";
 
+/// Greatest difference of two samples in the numbers of these keys.
 fn distance(a: &Value, b: &Value, keys: &str) -> f64 {
     numbers(a, keys).iter().zip(numbers(b, keys)).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
 }

@@ -1,7 +1,6 @@
 //! Tests of scenarios whose numbers have units, as `"30 g"`.
 
-use crate::command::{read, samples, toytop};
-use crate::{branch_points, scenario};
+use crate::command::{branch_points, numbers, read, samples, scenario, toytop};
 use serde_json::Value;
 
 /// Scenario in the units of the keys. Below it are two of the same motion, in decimal units and in units with a factor of π.
@@ -48,24 +47,17 @@ spin = "1432.3944878270581 rpm"
 precession = "171.88733853924697 deg/s"
 "#;
 
-fn state(name: &str, text: &str) -> Value {
-    Value::Array(samples(format!("{} --times=0,1.5", scenario(name, text))))
+fn state(name: &str, text: &str) -> Vec<Value> {
+    samples(format!("{} --times=0,1.5", scenario(name, text)))
 }
 
-/// Largest difference of two samples, relative where a number exceeds 1.
-fn difference(a: &Value, b: &Value) -> f64 {
-    match (a, b) {
-        (Value::Array(a), Value::Array(b)) => {
-            a.iter().zip(b).map(|(a, b)| difference(a, b)).fold(0.0, f64::max)
-        }
-        (Value::Object(a), Value::Object(b)) => {
-            a.iter().map(|(key, value)| difference(value, &b[key])).fold(0.0, f64::max)
-        }
-        _ => match (a.as_f64(), b.as_f64()) {
-            (Some(a), Some(b)) => (a - b).abs() / a.abs().max(1.0),
-            _ => f64::from(u8::from(a != b)),
-        },
-    }
+/// Greatest difference of two motions, relative where a number exceeds 1.
+fn difference(a: &[Value], b: &[Value]) -> f64 {
+    let all = |samples: &[Value]| {
+        let keys = "u udot alpha beta quaternion omega tip phi";
+        samples.iter().map(|sample| numbers(sample, keys)).collect::<Vec<_>>().concat()
+    };
+    all(a).iter().zip(all(b)).map(|(x, y)| (x - y).abs() / x.abs().max(1.0)).fold(0.0, f64::max)
 }
 
 #[test]

@@ -1,9 +1,7 @@
 //! Tests of `toytop state` against motions known to 30 digits, from the first period to 10^9 periods.
 
-use crate::command::{numbers, samples};
-use crate::scenario;
+use crate::command::{list, numbers, read, repository, samples, scenario};
 use serde_json::Value;
-use std::path::{Path, PathBuf};
 
 fn text<'a>(json: &'a Value, key: &str) -> &'a str {
     json[key].as_str().unwrap_or("0")
@@ -13,9 +11,9 @@ fn number(json: &Value) -> f64 {
     json.as_str().expect("a string").parse().expect("a number")
 }
 
-fn list(json: &Value) -> String {
-    let entries = json.as_array().expect("an array").iter();
-    format!("[{}]", entries.map(|entry| entry.as_str().expect("a string")).collect::<Vec<_>>().join(", "))
+fn array(json: &Value) -> String {
+    let entries: Vec<_> = list(json).iter().map(|entry| entry.as_str().expect("a string")).collect();
+    format!("[{}]", entries.join(", "))
 }
 
 fn top(params: &Value) -> String {
@@ -31,61 +29,49 @@ fn top(params: &Value) -> String {
 
 fn motion(vector: &Value) -> String {
     let params = &vector["params"];
-    if !text(params, "defined_by").starts_with("e1,e2,e3") {
-        let given = params.get("alpha0").is_some();
-        let (place, keys) = if given {
-            (params, ["alpha0", "beta0", "omega0"])
-        } else {
-            (&vector["initial"], ["alpha", "beta", "omega_fixed"])
-        };
-        let [alpha, beta, omega] = keys.map(|key| list(&place[key]));
+    if params.get("alpha0").is_some() {
+        let [alpha, beta, omega] = ["alpha0", "beta0", "omega0"].map(|key| array(&params[key]));
         return format!("[motion]\nkind = \"state\"\nalpha = {alpha}\nbeta = {beta}\nomega = {omega}\n");
     }
     let [e1, e2, e3] = ["e1", "e2", "e3"].map(|key| text(vector, key));
     let [plus, minus] = ["s_plus", "s_minus"].map(|key| &vector[key]);
-    let [theta, alpha, beta] = ["theta0", "arg_alpha0", "arg_beta0"].map(|key| match text(params, key) {
-        "pi" => "3.141592653589793",
-        "pi/2" => "1.5707963267948966",
-        digits => digits,
-    });
+    let [theta, alpha, beta] = ["theta0", "arg_alpha0", "arg_beta0"].map(|key| text(params, key));
     format!(
         "[motion]\nkind = \"branch_points\"\ne1 = {e1}\ne2 = {e2}\ne3 = {e3}\nsign_l_plus_n = {plus}\n\
          sign_l_minus_n = {minus}\nnutation_phase = {theta}\narg_alpha = {alpha}\narg_beta = {beta}\n"
     )
 }
 
-fn json(path: &Path) -> Value {
-    serde_json::from_str(&std::fs::read_to_string(path).expect("readable")).expect("JSON")
-}
-
 /// Folder of the reference vectors.
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/reference/vectors")
+const FOLDER: &str = "tests/reference/vectors";
+
+fn vector(name: &str) -> Value {
+    serde_json::from_str(&read(&repository(&format!("{FOLDER}/{name}.json")))).expect("JSON")
 }
 
 /// Scenario file of a vector, with a name of its own for each test.
 pub(crate) fn scenario_of(name: &str, test: &str) -> String {
-    let vector = json(&folder().join(format!("{name}.json")));
+    let vector = vector(name);
     scenario(&format!("{test}_{name}"), &(top(&vector["params"]) + &motion(&vector)))
 }
 
 /// Orientations of the vectors whose inputs are exact in f64, so that the truth belongs to the numbers that are read.
 #[test]
 fn exact_inputs_at_any_distance() {
-    let names = std::fs::read_dir(folder()).expect("the vectors").map(|entry| entry.expect("a file").path());
     let mut compared = 0;
-    for path in names {
-        let vector = json(&path);
+    for entry in std::fs::read_dir(repository(FOLDER)).expect("the vectors") {
+        let file = entry.expect("a file").file_name();
+        let name = file.to_str().and_then(|file| file.strip_suffix(".json")).expect("a name");
+        let vector = vector(name);
         if vector["exact_in_f64"] != true {
             continue;
         }
         let truths = ["samples", "huge_samples"]
             .map(|key| vector[key].as_array().cloned().unwrap_or_default())
             .concat();
-        let name = path.file_stem().expect("a name").to_string_lossy();
         let times: Vec<_> = truths.iter().map(|sample| text(sample, "t")).collect();
         let times = scenario(&format!("times_{name}"), &times.join("\n"));
-        let found = samples(format!("{} --times-file {times}", scenario_of(&name, "vector")));
+        let found = samples(format!("{} --times-file {times}", scenario_of(name, "vector")));
         assert_eq!(found.len(), truths.len(), "{name}");
         for (found, truth) in found.iter().zip(&truths) {
             let parts = ["alpha", "beta"].map(|key| [0, 1].map(|i| number(&truth[key][i])));

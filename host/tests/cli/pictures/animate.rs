@@ -1,7 +1,6 @@
 //! `toytop animate`: a GIF, and films by ffmpeg.
 
-use crate::command::{count, path, toytop, write};
-use crate::folder;
+use crate::command::{count, folder, path, toytop, write};
 
 #[test]
 fn a_gif_shows_the_top_in_motion() {

@@ -1,7 +1,6 @@
 //! `toytop figures`: the numbers of the paper's captions are in the pictures.
 
-use crate::command::{count, read, toytop};
-use crate::folder;
+use crate::command::{count, folder, read, toytop};
 
 #[test]
 fn the_papers_nine_curves() {

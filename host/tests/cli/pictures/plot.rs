@@ -1,8 +1,8 @@
 //! `toytop plot`: contents of the pictures, and pictures that are complete or missing.
 
-use crate::command::{Run, all_refused, count, path, read, toytop};
-use crate::{branch_points, folder, needle, scenario};
-use std::path::Path;
+use crate::command::{
+    Run, all_refused, branch_points, count, folder, needle, path, read, repository, scenario, toytop,
+};
 
 /// Picture of this command line, in a file of this name.
 fn svg(line: &str, to: &str) -> String {
@@ -11,7 +11,7 @@ fn svg(line: &str, to: &str) -> String {
 }
 
 /// Points of every line of this colour, in pixels from the middle of the frame.
-fn lines(svg: &str, color: &str) -> Vec<Vec<[f64; 2]>> {
+pub(crate) fn lines(svg: &str, color: &str) -> Vec<Vec<[f64; 2]>> {
     const MIDDLE: [f64; 2] = [352.0, 372.0];
     let point = |pair: &str| {
         let (x, y) = pair.trim().split_once(' ').expect("x y");
@@ -71,12 +71,7 @@ fn the_curve_lies_between_its_circles() {
 #[test]
 fn png_has_its_size() {
     folder("plot_png");
-    for (line, size) in [
-        ("@sleeping", [1304, 1420]),
-        ("@lagrange", [1304, 1420]),
-        ("@toy_top", [1304, 1420]),
-        ("@toy_top --size 163", [163, 178]),
-    ] {
+    for (line, size) in [("@sleeping", [1304, 1420]), ("@toy_top --size 163", [163, 178])] {
         toytop(format!("plot {line} -o plot_png/a.PNG")).ok();
         let bytes = std::fs::read(path("plot_png/a.PNG")).expect("the picture");
         assert!(bytes.starts_with(b"\x89PNG\r\n\x1a\n") && bytes.ends_with(b"IEND\xaeB`\x82"));
@@ -214,8 +209,7 @@ fn the_arrow_points_along_the_curve() {
 #[test]
 fn the_readmes_picture_is_todays() {
     folder("plot_readme");
-    let readmes = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/tip.svg");
-    let kept = std::fs::read_to_string(readmes).expect("the README's picture");
+    let kept = read(&repository("host/docs/tip.svg"));
     let drawn = svg("@figure_3_loops", "plot_readme/tip.svg");
     assert_eq!(drawn, kept, "toytop plot host/scenarios/figure_3_loops.toml -o host/docs/tip.svg");
 }

@@ -2,8 +2,7 @@
 
 mod browser;
 
-use crate::command::{count, run, toytop};
-use crate::{RELEASE, TOP, branch_points, folder, needle, sample, scenario};
+use crate::command::{RELEASE, TOP, branch_points, count, folder, needle, run, sample, scenario, toytop};
 use serde_json::{Value, json};
 use std::path::Path;
 

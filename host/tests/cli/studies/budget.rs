@@ -1,16 +1,16 @@
 //! `toytop budget`.
 
-use crate::command::{all_refused, write};
-use std::path::Path;
+use crate::command::{all_refused, repository, write};
+use std::path::PathBuf;
 use toytop_host::budget::{Limits, OF_LIMITS};
 use toytop_host::output::doc_markers::Page;
 
 #[test]
 fn pages_have_the_tables_of_the_budgets() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("a folder of the repository");
-    let limits = Limits::read(&root.join("firmware-examples/budgets.toml")).expect("budgets");
+    let file = |name: &str| PathBuf::from(repository(name));
+    let limits = Limits::read(&file("firmware-examples/budgets.toml")).expect("budgets");
     for (name, mark, text) in OF_LIMITS {
-        let page = Page::read(&root.join(name), mark).expect("a place");
+        let page = Page::read(&file(name), mark).expect("a place");
         assert!(
             page.has(&text(&limits)),
             "{name}: how to renew it: the head of firmware-examples/budgets.toml"

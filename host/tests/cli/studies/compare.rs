@@ -1,11 +1,10 @@
 //! `toytop compare`: errors within their bounds, one screen, and missed bounds.
 
-use crate::command::{json, number, toytop};
-use crate::{branch_points, needle, scenario, slender};
+use crate::command::{branch_points, json, list, needle, number, scenario, slender, toytop};
 use serde_json::Value;
 
 fn rows(line: &str) -> Vec<Value> {
-    json(format!("compare {line}"))["rows"].as_array().expect("rows").clone()
+    list(&json(format!("compare {line}"))["rows"]).to_vec()
 }
 
 #[test]

@@ -1,7 +1,8 @@
 //! `toytop sweep`: rows that do not depend on the part that computes them, and a file that is complete or absent.
 
-use crate::command::{all_refused, bash, json, number, numbers, path, read, samples, toytop, write};
-use crate::{sample, scenario};
+use crate::command::{
+    all_refused, bash, json, number, numbers, path, read, sample, samples, scenario, toytop, write,
+};
 
 /// The file that a sweep writes.
 fn sweep(to: &str, arguments: &str) -> String {
@@ -48,7 +49,7 @@ fn a_row_is_the_scenario_with_its_numbers() {
     let table = sweep("sweep_launches.csv", &format!("{line} {axes}"));
     assert!(table.starts_with("index,spin,tilt_deg,com_height,regime,"), "{table}");
     assert_eq!(table.lines().count(), 13);
-    let text = std::fs::read_to_string(sample("toy_top")).expect("a scenario");
+    let text = read(&sample("toy_top"));
     for row in 0..12 {
         let cell = |name: &str| field(&table, row, name);
         let [spin, tilt, height] =

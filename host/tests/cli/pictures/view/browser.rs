@@ -5,11 +5,9 @@
 mod addresses;
 mod controls;
 mod film;
-mod speed;
 
 use super::{element, folder, view};
-use crate::command::samples;
-use crate::sample;
+use crate::command::{list, sample, samples};
 use serde_json::Value;
 use std::path::Path;
 use std::process::Command;
@@ -18,17 +16,19 @@ use toytop::{Complex, Motion, Orientation};
 use toytop_host::input::scenario::Scenario;
 use toytop_page::table::Table;
 
-/// Time that Chromium lets pass for a page; it does not wait for it.
-const PASSING: &str = "--virtual-time-budget=60000";
-
-/// The document as Chromium leaves it, and what it wrote to the console. An option may say how time passes.
-fn browse(page: &Path, width: u32, fragment: &str, option: &str) -> (String, Vec<String>) {
+/// The document as Chromium leaves it, and what it wrote to the console. It lets a minute pass for the page, but does not wait for it.
+fn browse(page: &Path, width: u32, fragment: &str) -> (String, Vec<String>) {
     let program = std::env::var("CHROMIUM").unwrap_or_else(|_| "chromium".to_owned());
     let profile = page.with_extension("profile");
     let mut command = Command::new(&program);
     command.args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"]);
     command.args(["--disable-background-networking", "--disable-component-update", "--disable-sync"]);
-    command.args(["--enable-logging=stderr", "--timeout=120000", option, "--dump-dom"]);
+    command.args([
+        "--enable-logging=stderr",
+        "--timeout=120000",
+        "--virtual-time-budget=60000",
+        "--dump-dom",
+    ]);
     command.arg(format!("--user-data-dir={}", profile.display()));
     command.arg(format!("--window-size={width},900"));
     let output = command.arg(format!("file://{}{fragment}", page.display())).output();
@@ -36,14 +36,6 @@ fn browse(page: &Path, width: u32, fragment: &str, option: &str) -> (String, Vec
     let log = String::from_utf8_lossy(&output.stderr);
     let console = log.lines().filter(|line| line.contains("CONSOLE")).map(str::to_owned).collect();
     (String::from_utf8(output.stdout).expect("UTF-8"), console)
-}
-
-/// Text that a script wrote into the element `probe`.
-fn probed(page: &Path, width: u32, fragment: &str, option: &str) -> String {
-    let (document, console) = browse(page, width, fragment, option);
-    assert_eq!(console, [""; 0], "{}", page.display());
-    assert!(document.contains("id=\"probe\""), "{}: no result in {document}", page.display());
-    element(&document, "probe").replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&")
 }
 
 /// Goes to each time by the address, and says what is shown then.
@@ -99,7 +91,11 @@ addEventListener(\"load\", async () => {{
     let html = html.replace("<head>", &format!("<head><script>{FRAMES}</script>")).replace("</body>", &probe);
     let probed_page = page.with_extension("probe.html");
     std::fs::write(&probed_page, html).expect("writable");
-    serde_json::from_str(&probed(&probed_page, width, fragment, PASSING)).expect("JSON")
+    let (document, console) = browse(&probed_page, width, fragment);
+    assert_eq!(console, [""; 0], "{}", page.display());
+    assert!(document.contains("id=\"probe\""), "{}: no result in {document}", page.display());
+    let text = element(&document, "probe").replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&");
+    serde_json::from_str(&text).expect("JSON")
 }
 
 fn complex(value: &Value) -> Complex<f64> {
@@ -143,8 +139,9 @@ fn the_page_shows_what_the_core_says() {
         let times = "[0.3125, -2.5, 1000000.75]";
         let shown = probe(&page, &SHOWN.replace("TIMES", times), 1200, "");
         let truth = samples(format!("{file} --times={}", times.trim_matches(['[', ']']).replace(", ", ",")));
-        assert_eq!(shown.as_array().map(Vec::len), Some(3));
-        for (shown, truth) in shown.as_array().expect("an array").iter().zip(&truth) {
+        let shown = list(&shown);
+        assert_eq!(shown.len(), 3);
+        for (shown, truth) in shown.iter().zip(&truth) {
             let t = truth["t"].as_f64().expect("a time");
             assert_eq!(shown["t"].as_f64(), Some(t), "{name}");
             let phi = assert_core(shown, &core, t);
@@ -163,7 +160,7 @@ fn the_page_shows_what_the_core_says() {
             assert_eq!(shown["facts"]["u"].as_str(), Some(&*written), "{name}");
             let [fact, value] = expected;
             assert_eq!(shown["facts"][fact], value, "{name}");
-            for colours in shown["colours"].as_array().expect("six pictures") {
+            for colours in list(&shown["colours"]) {
                 assert!(colours.as_u64() > Some(MANY_COLOURS), "{name}: an empty picture: {shown}");
             }
         }
@@ -187,7 +184,7 @@ fn an_error_on_a_page_is_seen() {
             "<!DOCTYPE html><meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'\"><script>{script}</script>"
         );
         std::fs::write(&page, html).expect("writable");
-        let (_, console) = browse(&page, 800, "", PASSING);
+        let (_, console) = browse(&page, 800, "");
         assert_eq!(console.len(), 1, "{script}: {console:?}");
     }
 }

@@ -1,8 +1,8 @@
 //! Addresses of the page: what is wrong with one is said, and the motion stays as it was.
 
 use super::probe;
+use crate::command::{list, sample};
 use crate::pictures::view::{folder, view};
-use crate::sample;
 
 /// Top and throw of the addresses; each address has one error.
 const TOP: &str = "mass=0.05&com_height=0.03&transverse_inertia=3e-5&axial_inertia=2e-5";
@@ -57,7 +57,7 @@ for (const fragment of {fragments:?}) {{
 return found;"
     );
     let found = probe(&page, &script, 1200, "");
-    let found = found.as_array().expect("messages");
+    let found = list(&found);
     assert_eq!(found.len(), addresses.len());
     for (i, ((fragment, message), found)) in addresses.iter().zip(found).enumerate() {
         // the last address is a motion

@@ -1,8 +1,8 @@
 //! Controls of the page: each does what it says, and what it sets is computed by the core.
 
 use super::{assert_core, core_of, probe};
+use crate::command::{branch_points, list, sample, scenario};
 use crate::pictures::view::{folder, view};
-use crate::{branch_points, sample, scenario};
 use serde_json::Value;
 use toytop_host::input::scenario::Scenario;
 
@@ -211,7 +211,7 @@ fn sliders_files_and_addresses_say_one_motion() {
         let page = folder.join(format!("{i}.html"));
         view(&[file], &page);
         let moved = probe(&page, MOVED, 1200, "");
-        let results = moved["results"].as_array().expect("moments");
+        let results = list(&moved["results"]);
         assert!(results.len() >= *least, "{}", results.len());
         for shown in results {
             let toml = shown["toml"].as_str().expect("a scenario");

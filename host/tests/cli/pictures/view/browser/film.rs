@@ -1,8 +1,8 @@
 //! GIF of the page: a decoder that is not ours reads from it the pictures that the page draws.
 
 use super::probe;
+use crate::command::{list, sample};
 use crate::pictures::view::{folder, view};
-use crate::sample;
 use serde_json::Value;
 
 /// Saves a GIF by its button, and draws some of its frames again.
@@ -84,7 +84,7 @@ fn a_gif_has_the_pictures_of_the_page() {
         pictures.push(picture.clone());
     }
     assert_eq!(pictures.len(), 100);
-    for (drawn, at) in filmed["drawn"].as_array().expect("pictures").iter().zip([0, 1, 50, 99]) {
+    for (drawn, at) in list(&filmed["drawn"]).iter().zip([0, 1, 50, 99]) {
         let drawn = bytes_of(drawn);
         let own = difference(&drawn, &pictures[at]);
         println!("frame {at}: {own:.2} of 255 from what is drawn");
