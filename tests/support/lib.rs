@@ -1,6 +1,7 @@
 //! Shared parts of the tests of all crates: reference vectors, motions, tables, and the measure of errors.
 
 pub mod hostile;
+pub mod tolerance;
 pub mod vectors;
 
 use std::ops::Deref;

@@ -13,8 +13,8 @@ use crate::process::root;
 const TOKEN: &str = r"(?s)(//[^\n]*|/\*.*?\*/)|b?r#+\x22.*?\x22#+|b?r\x22.*?\x22|b?\x22(?:\\.|[^\x22\\])*\x22|'(?:\\.|[^\\'])'|'?[A-Za-z_][A-Za-z_0-9]*!?|\d[\w.]*|::|->|=>|\.\.=?|[-+*/%&|^<>=!]=|&&|\|\||<<|>>|\S";
 /// Start of a module of unit tests, which is the end of the file.
 const UNIT_TESTS: &str = "#[cfg(test)]\nmod tests";
-/// Greatest number of words in the comments of core/src, until the goal of 20 000 is reached. It may only become smaller.
-const MOST_WORDS: usize = 23_200;
+/// Greatest number of words in the comments of core/src.
+const MOST_WORDS: usize = 20_000;
 
 /// Part of the repository with its greatest number of tokens.
 struct Room {
@@ -30,14 +30,14 @@ const fn room(folder: &'static str, cap: usize, until_then: Option<usize>) -> Ro
 }
 
 const ROOMS: &[Room] = &[
-    room("core/src/", 75_000, Some(82_500)),
+    room("core/src/", 75_000, None),
     room("core/fit/", 30_000, None),
     room("core/closed-forms/", 17_000, None),
     room("core/c/", 14_000, None),
-    room("host/", 118_000, Some(158_400)),
-    room("host/tests/", 36_000, Some(37_600)),
+    room("host/", 118_000, Some(149_300)),
+    room("host/tests/", 36_000, None),
     room("host/xtask/", 12_000, None),
-    room("tests/", 80_000, Some(93_450)),
+    room("tests/", 80_000, None),
     room("firmware-examples/", 28_000, None),
 ];
 

@@ -8,7 +8,7 @@ use toytop::Complex;
 use toytop::scalar::Float;
 use toytop_closed_forms::elliptic::{Jacobi, Weierstrass, carlson_rf};
 use toytop_tests::vectors::{self, complex, entries, number};
-use toytop_tests::{check, check_all, greater, keep};
+use toytop_tests::{check, check_all, greater, keep, tolerance};
 
 fn modulus(z: Complex<f64>) -> f64 {
     z.re.hypot(z.im)
@@ -84,9 +84,9 @@ fn weierstrass_against_thirty_digits() {
     for (lattice, json) in lattices("elliptic_sweep.json") {
         entries(&json["points"]).iter().for_each(|point| note(&mut worst, &lattice, point));
     }
-    check_all(["p", "p'", "zeta"], worst, [1.2e-16; 3]);
-    check("ln sigma", logarithm, 4e-16);
-    check("sigma", sigma, 4e-16);
+    check_all(["p", "p'", "zeta"], worst, tolerance::ELLIPTIC_P_AND_ZETA);
+    check("ln sigma", logarithm, tolerance::ELLIPTIC_LN_SIGMA);
+    check("sigma", sigma, tolerance::ELLIPTIC_SIGMA);
 }
 
 #[test]
@@ -101,7 +101,7 @@ fn half_periods_and_quasi_periods() {
             }
         }
     }
-    check("half periods", worst, 1.2e-16);
+    check("half periods", worst, tolerance::ELLIPTIC_HALF_PERIODS);
 }
 
 /// ℘ has the values e₁, e₂, e₃ at the half periods, where each difference has a double zero.
@@ -149,8 +149,8 @@ fn jacobi_against_thirty_digits() {
         let jacobi = Jacobi::new(1.0 - m1, m1).unwrap();
         quarter = greater(quarter, off_real(jacobi.quarter_period(), &entry["quarter_period"], 0.0));
     }
-    check("sn, cn, dn, am", functions, 1.2e-16);
-    check("K", quarter, 1.2e-16);
+    check("sn, cn, dn, am", functions, tolerance::ELLIPTIC_SN_CN_DN_AM);
+    check("K", quarter, tolerance::ELLIPTIC_K);
 }
 
 #[test]

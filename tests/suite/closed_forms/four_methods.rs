@@ -3,7 +3,9 @@
 use std::f64::consts::TAU;
 use toytop::{InitialPhases, Motion, Regime, Stepper, Tick};
 use toytop_closed_forms::ClosedForm;
-use toytop_tests::{DIFFERENT, SAME, SIGNS, check, fitting, greater, keep, top_of, vectors, worst};
+use toytop_tests::{
+    DIFFERENT, SAME, SIGNS, check, fitting, greater, keep, tolerance, top_of, vectors, worst,
+};
 
 /// Errors of the orientation (rad), of u, and of u' relative to the greatest speed: with exact inputs by kind of form, and for all kinds of
 /// the orientation with rounded inputs and after 10³, 10⁶ and 10⁹ periods.
@@ -38,9 +40,9 @@ fn closed_forms_agree_with_the_vectors() {
         }
     }
     assert_eq!(count, [7, 4, 7, 4]);
-    exact.into_iter().for_each(|error| check("exact inputs", error, 1e-15));
-    check("rounded inputs", rounded, 5e-14);
-    check("after 1e9 periods", far_out, 1e-15);
+    exact.into_iter().for_each(|error| check("exact inputs", error, tolerance::FOUR_METHODS_EXACT_INPUTS));
+    check("rounded inputs", rounded, tolerance::FOUR_METHODS_ROUNDED_INPUTS);
+    check("after 1e9 periods", far_out, tolerance::FOUR_METHODS_AFTER_1E9_PERIODS);
 }
 
 /// Motions of every kind that has a closed form, with all four signs, u falling and rising at the start, A = C and A
@@ -104,8 +106,8 @@ fn closed_form_ephemeris_and_stepper_agree() {
         }
         assert!((form.at(1e300).orientation.norm_squared() - 1.0).abs() < 1e-15);
     }
-    check("closed form and ephemeris", worst[0], 2e-15);
-    check("closed form and stepper", worst[1], 1e-13);
+    check("closed form and ephemeris", worst[0], tolerance::FOUR_METHODS_CLOSED_FORM_AND_EPHEMERIS);
+    check("closed form and stepper", worst[1], tolerance::FOUR_METHODS_CLOSED_FORM_AND_STEPPER);
 }
 
 /// Motions with a closed form near each degenerate case: s, A and the branch points, with one small difference or two. For a sliding tip
@@ -155,5 +157,5 @@ fn towards_every_corner() {
         }
     }
     assert!(judged > 1000 && left_out < judged / 2, "{judged} judged, {left_out} left out");
-    check("towards the corners", worst, 1e-14);
+    check("towards the corners", worst, tolerance::FOUR_METHODS_TOWARDS_THE_CORNERS);
 }

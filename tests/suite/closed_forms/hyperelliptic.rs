@@ -5,7 +5,7 @@ use crate::motion::full_solver::solver;
 use num_complex::Complex64 as C;
 use toytop::su2::OrientationRate;
 use toytop::{Complex, FirstIntegrals, Motion, Orientation, Top};
-use toytop_tests::{SIGNS, by_branch_points, check, greater, top_of, worst};
+use toytop_tests::{SIGNS, by_branch_points, check, greater, tolerance, top_of, worst};
 
 /// Top with C ≠ A and g ≠ 1.
 fn top() -> Top {
@@ -42,7 +42,7 @@ fn eqn_r_with_l_n_h() {
             (r_of_integrals(&motion, u) - curve.r(u)).norm() / curve.r(u).norm().max(1.0)
         })
     });
-    check("R(u)", worst(errors), 5e-15);
+    check("R(u)", worst(errors), tolerance::HYPERELLIPTIC_R_U);
 }
 
 /// R(u) from l, n and h.
@@ -92,8 +92,8 @@ fn eqn_t_and_eqn_abgdints_on_the_full_solution() {
             }
         }
     }
-    check("w and dt", curve_worst, 5e-14);
-    check("d log and dφ", rate_worst, 5e-15);
+    check("w and dt", curve_worst, tolerance::HYPERELLIPTIC_W_AND_DT);
+    check("d log and dφ", rate_worst, tolerance::HYPERELLIPTIC_D_LOG_AND_DPHI);
 }
 
 /// Equations (3.7) and (3.9): the integral of dt around the cut [e₁, e₂] is a nutation period, and those of d log α
@@ -118,5 +118,5 @@ fn eqn_tint0_around_the_cut() {
             }
         }
     }
-    check("around the cut", worst, 1e-14);
+    check("around the cut", worst, tolerance::HYPERELLIPTIC_AROUND_THE_CUT);
 }

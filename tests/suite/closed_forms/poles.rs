@@ -3,7 +3,7 @@
 use super::curve::{Form, Place};
 use super::hyperelliptic::curves;
 use num_complex::Complex64 as C;
-use toytop_tests::{check, greater};
+use toytop_tests::{check, greater, tolerance};
 
 /// Table 1: each logarithmic differential has residue 1 at its zero, -1 at infinity, and no other singularity:
 /// neither on the other sheet, nor over the other of ±1, nor at a branch point. Table 2: on the aperiodic curve dα/α and dδ/δ have simple
@@ -34,7 +34,7 @@ fn table_1_and_table_2() {
             }
         }
     }
-    check("Tables 1 and 2", worst, 1e-14);
+    check("Tables 1 and 2", worst, tolerance::POLES_TABLES_1_AND_2);
 }
 
 /// Equation (3.9): dt is of the second kind, without residues, and at infinity t = -i√(2s)/v + O(1) in v² = 1/u. For
@@ -62,5 +62,5 @@ fn eqn_t_at_infinity() {
         }
         worst = off.into_iter().map(f64::abs).fold(worst, greater);
     }
-    check("t at infinity", worst, 1e-14);
+    check("t at infinity", worst, tolerance::POLES_T_INFINITY);
 }

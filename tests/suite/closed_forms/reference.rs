@@ -4,7 +4,7 @@ use serde_json::Value;
 use toytop::{InitialPhases, Motion, Sign, Signs, Tick};
 use toytop_closed_forms::{ClosedForm, E3EqualsE4};
 use toytop_tests::vectors::{self, entries, number, orientation, triple};
-use toytop_tests::{DIFFERENT, SAME, boxed, check, greater, top_of};
+use toytop_tests::{DIFFERENT, SAME, boxed, check, greater, tolerance, top_of};
 
 /// Motion of a case of a reference file.
 fn motion(case: &Value) -> Motion {
@@ -38,7 +38,7 @@ fn closed_forms_follow_the_papers_formulas() {
     let json = vectors::json("paper_formulas.json");
     let (worst, refused) = compared(&json);
     assert!(refused.is_empty());
-    check("the paper's formulas", worst, 3e-15);
+    check("the paper's formulas", worst, tolerance::REFERENCE_FORMULAS);
 }
 
 /// Where several differences of the branch points are small together (`tests/reference/closed_forms.py`, which uses no elliptic function),
@@ -48,7 +48,11 @@ fn closed_forms_follow_the_papers_formulas() {
 fn nothing_is_lost_where_several_differences_are_small() {
     let json = vectors::json("closed_forms.json");
     let (worst, refused) = compared(&json);
-    check("several differences small together", worst, 1e-15);
+    check(
+        "several differences small together",
+        worst,
+        tolerance::REFERENCE_SEVERAL_DIFFERENCES_SMALL_TOGETHER,
+    );
     assert!(refused.len() == 1 && refused[0]["refused"] == true, "{refused:?}");
     let motion = motion(refused[0]);
     let refusal = ClosedForm::of(&motion).unwrap_err();
@@ -84,5 +88,5 @@ fn the_error_of_nearly_equal_e3_and_e4_is_bounded() {
             }
         }
     }
-    check("per period", worst, 5e-14);
+    check("per period", worst, tolerance::REFERENCE_PER_PERIOD);
 }

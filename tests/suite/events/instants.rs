@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use toytop::scalar::Float;
 use toytop::{Ephemeris, EphemerisF64, EphemerisScalar, EphemerisView, Event, Level, Motion, Phase, Tick};
 use toytop_tests::vectors::{self, entries, number};
-use toytop_tests::{boxed, check_all, fitting, greater, kilohertz, let_go, top_of, toy};
+use toytop_tests::{boxed, check_all, fitting, greater, kilohertz, let_go, tolerance, top_of, toy};
 
 /// Events of a kind and its value from a tick.
 fn found<R: EphemerisScalar>(
@@ -72,11 +72,11 @@ fn greatest_errors<R: EphemerisScalar>() -> [f64; 3] {
 #[test]
 fn events_are_where_a_dense_search_finds_them() {
     let what = ["u", "tip angle", "turning"];
-    check_all(what, greatest_errors::<f64>(), [6e-15, 6e-15, 2e-16]);
+    check_all(what, greatest_errors::<f64>(), tolerance::EVENTS_F64);
     // set-up follows the motion to a fraction of the error that the scalar allows, so that a turning point is less exact than in f64
-    check_all(what, greatest_errors::<f32>(), [3e-7, 3e-7, 2e-11]);
-    check_all(what, greatest_errors::<I2F30>(), [2.1e-8, 2.1e-8, 1e-12]);
-    check_all(what, greatest_errors::<I2F14>(), [3e-4, 3e-3, 4e-8]);
+    check_all(what, greatest_errors::<f32>(), tolerance::EVENTS_F32);
+    check_all(what, greatest_errors::<I2F30>(), tolerance::EVENTS_Q31);
+    check_all(what, greatest_errors::<I2F14>(), tolerance::EVENTS_Q15);
 }
 
 /// For a top released from rest, tick 0 is a turning point, the tilt of the release is reached there or at no time, and the tip is opposite

@@ -6,7 +6,7 @@ use toytop_fit::{Partials, Sensitivity};
 use toytop_host::truth::exact::{Exact, PreciseOrientation};
 use toytop_host::truth::motions::{Numbers, Start};
 use toytop_host::truth::precise::{Precise, precise, product, to_f64};
-use toytop_tests::{apart, check, greater, length, top_of, worst};
+use toytop_tests::{apart, check, greater, length, tolerance, top_of, worst};
 
 /// Relative change of an input: so small that its square is negligible after a million periods, and exact in `f64` for
 /// inputs with few digits.
@@ -135,7 +135,7 @@ fn derivatives_agree_with_differences_of_launches() {
         Given::new([0.015625, 0.0234375, 1.0, 1.0, 1.0, 0.0], LEANING, [0.25, -0.5, 12.0]),
     ]
     .map(|given| error(&given, &times));
-    check("derivatives", worst(errors), 1e-10);
+    check("derivatives", worst(errors), tolerance::SENSITIVITY_DERIVATIVES);
 }
 
 /// Bodies from a thin rod to a disc, C = 2A, sliding, held and free, with and without a rotor.

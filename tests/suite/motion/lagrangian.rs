@@ -14,7 +14,7 @@ use crate::motion::full_solver::{full_state, full_top, solver};
 use toytop::su2::{Vector, cross, dot};
 use toytop::{Complex, FirstIntegrals, Orientation, State, Top};
 use toytop_host::full_equations::newton_euler::accelerations;
-use toytop_tests::{check, greater, vectors};
+use toytop_tests::{check, greater, tolerance, vectors};
 
 const UP: Vector<f64> = [0.0, 0.0, 1.0];
 
@@ -110,7 +110,7 @@ fn eqn_motion_is_newton_and_euler() {
             }
         }
     }
-    check("eqn:motion", worst, 5e-15);
+    check("eqn:motion", worst, tolerance::LAGRANGIAN_EQN_MOTION);
 }
 
 /// Proposition 1: l = ⟨m, k⟩, n = ⟨m, r⟩ and h = T + V are constant along the full solution, and equal those of the
@@ -137,5 +137,5 @@ fn prop_1_first_integrals_are_conserved() {
             worst = drifts.map(f64::abs).into_iter().fold(worst, greater);
         }
     }
-    check("l, n, h along the full solution", worst, 1e-13);
+    check("l, n, h along the full solution", worst, tolerance::LAGRANGIAN_L_N_H_ALONG_THE_FULL_SOLUTION);
 }

@@ -7,7 +7,7 @@ use toytop::scalar::Real;
 use toytop::{BranchPoints, EphemerisScalar, Motion, Orientation, State, Stepper, Top, TopParameters};
 use toytop_closed_forms::ClosedForm;
 use toytop_tests::vectors::{self, entries, number, orientation, triple};
-use toytop_tests::{apart, boxed, check_all, keep, kilohertz, length, widened};
+use toytop_tests::{apart, boxed, check_all, keep, kilohertz, length, tolerance, widened};
 
 /// Motion of the file, with exact orientations and angular velocities at some times.
 struct Case {
@@ -102,8 +102,8 @@ fn of_steppers<R: Real + Into<f64>>() -> [f64; 2] {
 
 #[test]
 fn steppers_follow_the_truth() {
-    check_all(["orientation, f64", "omega, f64"], of_steppers::<f64>(), [1e-14; 2]);
-    check_all(["orientation, f32", "omega, f32"], of_steppers::<f32>(), [3e-6; 2]);
+    check_all(["orientation, f64", "omega, f64"], of_steppers::<f64>(), tolerance::OTHER_TOPS_STEPPER_F64);
+    check_all(["orientation, f32", "omega, f32"], of_steppers::<f32>(), tolerance::OTHER_TOPS_STEPPER_F32);
 }
 
 /// The motions with a closed form are those whose tip does not slide.
@@ -120,7 +120,7 @@ fn closed_forms_agree() {
         }
     }
     assert_eq!(count, 15);
-    check_all(["orientation", "omega"], worst, [2e-15; 2]);
+    check_all(["orientation", "omega"], worst, tolerance::OTHER_TOPS_TABLE);
 }
 
 /// Branch points from l, n and h are those of the state.

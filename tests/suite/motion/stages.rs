@@ -4,7 +4,7 @@ use toytop::scalar::Real;
 use toytop::{BranchPoints, FirstIntegrals, Stepper};
 use toytop_tests::vectors::{self, Vector};
 use toytop_tests::{
-    DIFFERENT, SAME, by_branch_points, check, check_all, greater, keep, top_of, widened, worst,
+    DIFFERENT, SAME, by_branch_points, check, check_all, greater, keep, tolerance, top_of, widened, worst,
 };
 
 fn relative(value: f64, truth: f64, scale: f64) -> f64 {
@@ -27,7 +27,7 @@ fn first_integrals_from_branch_points_and_from_states() {
             let scale = truth.iter().fold(0.0_f64, |scale, x| scale.max(x.abs()));
             [0, 1, 2].map(|i| relative([l, n, h][i], truth[i], scale))
         });
-    check("l, n, h", worst(errors), 4e-16);
+    check("l, n, h", worst(errors), tolerance::STAGES_L_N_H);
 }
 
 /// Errors of the nutation period, relative, and of the phase advances over it, rad. Rounded inputs have an effect on them that is an
@@ -58,7 +58,7 @@ fn period_and_phase_advances() {
         }
     }
     assert!(exact >= 15);
-    check_all(["exact inputs", "rounded inputs"], worst, [4e-16, 3e-16]);
+    check_all(["exact inputs", "rounded inputs"], worst, tolerance::STAGES_PERIOD);
 }
 
 /// Calls `at` with the stepper at every sample, forward and backward from t = 0, with `steps` steps a period.
@@ -128,8 +128,8 @@ fn the_stepper_follows_the_vectors() {
     }
     assert!(near >= 2);
     let what = ["f64", "A/(ps) = 1/16", "near the separatrix, times e3 - e2", "f32"];
-    check_all(what, orientations, [3e-13, 1e-11, 3e-16, 6e-6]);
-    check_all(["u and u'", "tip", "tip angle"], others, [3e-13; 3]);
+    check_all(what, orientations, tolerance::STAGES_STEPPER);
+    check_all(["u and u'", "tip", "tip angle"], others, tolerance::STAGES_REDUCED_MOTION_AND_TIP);
 }
 
 /// Advance of the tip angle where those of α and β nearly cancel, against the trapezoid rule at 50 digits.

@@ -2,7 +2,7 @@
 
 use toytop::su2::{OrientationRate, Vector, cross, dot};
 use toytop::{Complex, FirstIntegrals, Orientation, State, Top};
-use toytop_tests::{SIGNS, apart, by_branch_points, check, greater, top_of, vectors, worst};
+use toytop_tests::{SIGNS, apart, by_branch_points, check, greater, tolerance, top_of, vectors, worst};
 
 type Matrix = [Complex<f64>; 4];
 
@@ -65,7 +65,7 @@ fn r3_is_su2() {
         worst = greater(worst, (rate.udot(&phi) - turning[2]).abs());
         worst = greater(worst, far(product(of_phi(&phi.inverse()), of_rate(&rate)), matrix(body)));
     }
-    check("su(2)", worst, 3e-15);
+    check("su(2)", worst, tolerance::CAYLEY_KLEIN_SU_2);
 }
 
 /// Equations (3.13) to (3.17) at generic states.
@@ -102,7 +102,7 @@ fn eqn_up1um1_to_eqn_omegasum() {
         off(real(body + fixed - l_plus_n / top.transverse_inertia() - (u + 1.0) * tau));
         off(real(body - fixed + l_minus_n / top.transverse_inertia() + (u - 1.0) * tau));
     }
-    check("relations of section 3.4", worst, 5e-15);
+    check("relations of section 3.4", worst, tolerance::CAYLEY_KLEIN_RELATIONS_OF_SECTION_3_4);
 }
 
 /// Equation (3.6): three numbers e₁, e₂, e₃ have four pairs (l, n): (a, b), (-a, -b), (b, a), (-b, -a), with two

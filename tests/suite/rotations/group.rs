@@ -2,7 +2,7 @@
 
 use toytop::su2::{Vector, dot, sphere_point, stereographic};
 use toytop::{Complex, Orientation};
-use toytop_tests::{check, greater};
+use toytop_tests::{check, greater, tolerance};
 
 /// Fixed pseudo-random rotations: exponentials of elements of su(2).
 pub(super) fn rotations() -> Vec<Orientation<f64>> {
@@ -62,7 +62,7 @@ fn moebius_is_the_adjoint_action() {
         let turned = sphere_point(phi.moebius(stereographic(point)));
         worst = greater(worst, distance(turned, phi.adjoint(point)) * (1.0 - point[2]).min(1.0));
     }
-    check("Moebius", worst, 3e-15);
+    check("Moebius", worst, tolerance::GROUP_MOEBIUS);
     // 0 is the south pole, the unit circle the equator, and infinity the north pole
     assert_eq!(sphere_point(Some(Complex::<f64>::ZERO)), [0.0, 0.0, -1.0]);
     assert_eq!(sphere_point(Some(Complex::new(0.6, 0.8))), [0.6, 0.8, 0.0]);

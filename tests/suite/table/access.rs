@@ -2,7 +2,7 @@
 
 use fixed::types::{I2F14, I2F30};
 use toytop::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisScalar, Motion, Orientation, Stepper, Tick};
-use toytop_tests::{apart, check, check_all, fitting, keep, kilohertz, vectors, widened, worst};
+use toytop_tests::{apart, check, check_all, fitting, keep, kilohertz, tolerance, vectors, widened, worst};
 
 fn generic() -> Motion {
     vectors::motion("exact_generic_pm")
@@ -80,7 +80,7 @@ fn samples_and_the_stepper_have_the_same_quantities() {
             [off(quantities!(sample.attitude_state())), off(quantities!(stepper.attitude_state()))],
         );
     }
-    check_all(["attitude state", "stepper"], greatest, [2e-15, 2e-14]);
+    check_all(["attitude state", "stepper"], greatest, tolerance::ACCESS_SAME_QUANTITIES);
 }
 
 /// Across the border of two segments value and slope change by no more than in 2e-12 of time.
@@ -97,7 +97,7 @@ fn continuity_across_segments_and_turning_points() {
         let value = before.orientation.distance(&after.orientation);
         keep(&mut jumps, [value, apart(before.omega(), after.omega())]);
     }
-    check_all(["value", "slope"], jumps, [2e-11; 2]);
+    check_all(["value", "slope"], jumps, tolerance::ACCESS_CONTINUITY);
 }
 
 /// The state after n + m ticks is the state m ticks after that at tick n, launched again from the attitude state of a
@@ -112,7 +112,7 @@ fn a_relaunch_goes_on_as_before() {
         [0, 1, -1, 700, 9999]
             .map(|m| again.at_tick(m).orientation().distance(&ephemeris.at_tick(n + m).orientation()))
     });
-    check("n + m ticks", worst(errors), 5e-14);
+    check("n + m ticks", worst(errors), tolerance::ACCESS_N_M_TICKS);
     for vector in vectors::tabulated() {
         let Some(table) = fitting::<I2F14, 64>(&vector.motion().unwrap(), kilohertz()) else { continue };
         for n in [0, 12_345, 1 << 40] {

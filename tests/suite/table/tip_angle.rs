@@ -3,7 +3,7 @@
 use fixed::types::{I2F14, I2F30};
 use toytop::{EphemerisScalar, Stepper, Tick, TipClass};
 use toytop_tests::{
-    DIFFERENT, SAME, boxed, by_branch_points, check, fitting, greater, kilohertz, top_of, vectors,
+    DIFFERENT, SAME, boxed, by_branch_points, check, fitting, greater, kilohertz, tolerance, top_of, vectors,
 };
 
 /// Greatest error of the tip angle over the samples of all exact vectors, near 0 and up to 10⁹ periods, as a distance of the tip, in units
@@ -33,10 +33,10 @@ fn greatest_error<R: EphemerisScalar, const SEGMENTS: usize>() -> f64 {
 
 #[test]
 fn against_thirty_digits_in_every_scalar() {
-    check("f64", greatest_error::<f64, 256>(), 1e-14);
-    check("f32", greatest_error::<f32, 256>(), 1e-7);
-    check("q31", greatest_error::<I2F30, 1024>(), 6e-9);
-    check("q15", greatest_error::<I2F14, 256>(), 3e-4);
+    check("f64", greatest_error::<f64, 256>(), tolerance::TIP_ANGLE_F64);
+    check("f32", greatest_error::<f32, 256>(), tolerance::TIP_ANGLE_F32);
+    check("q31", greatest_error::<I2F30, 1024>(), tolerance::TIP_ANGLE_Q31);
+    check("q15", greatest_error::<I2F14, 256>(), tolerance::TIP_ANGLE_Q15);
 }
 
 /// A slender top, A/(ps) = 2^-6: the periodic part of the angle goes around 0 within half a period.

@@ -3,7 +3,7 @@
 use fixed::types::{I2F14, I2F30};
 use toytop::{Complex, EphemerisScalar};
 use toytop_tests::vectors::{self, Vector};
-use toytop_tests::{check_all, fitting, keep, kilohertz, length, widened};
+use toytop_tests::{check_all, fitting, keep, kilohertz, length, tolerance, widened};
 
 /// Largest errors of a vector's samples: of the orientation over the first periods, and near 10³, 10⁶ and 10⁹ periods; of u, of u' relative
 /// to ω or 1, and of the tip, in the type of lengths and in the scalar itself, relative to its length. `None` if the table is too
@@ -67,18 +67,14 @@ const QUANTITIES: [&str; 8] =
 
 #[test]
 fn truth_to_a_thousand_million_periods_in_f64() {
-    let most = [1e-14, 1e-14, 1e-14, 1e-14, 2e-15, 1e-14, 2e-15, 2e-15];
-    check_all(QUANTITIES, greatest::<f64, 64, 1024>(0.0), most);
+    check_all(QUANTITIES, greatest::<f64, 64, 1024>(0.0), tolerance::TRUTH_F64);
 }
 
 #[test]
 fn truth_to_a_thousand_million_periods_in_f32_and_fixed_point() {
-    let single = [2.5e-7, 2.5e-7, 2.5e-7, 2.5e-7, 1e-7, 2e-5, 2e-7, 2e-7];
-    check_all(QUANTITIES, greatest::<f32, 64, 256>(0.0), single);
-    let long = [1e-8, 1e-8, 1e-8, 1e-8, 2e-8, 1e-6, 2e-7, 4e-8];
-    check_all(QUANTITIES, greatest::<I2F30, 32, 256>(1e-4), long);
-    let short = [3e-4, 3e-4, 3e-4, 3e-4, 3e-4, 3e-3, 1e-3, 1e-3];
-    check_all(QUANTITIES, greatest::<I2F14, 32, 128>(1e-4), short);
+    check_all(QUANTITIES, greatest::<f32, 64, 256>(0.0), tolerance::TRUTH_F32);
+    check_all(QUANTITIES, greatest::<I2F30, 32, 256>(1e-4), tolerance::TRUTH_Q31);
+    check_all(QUANTITIES, greatest::<I2F14, 32, 128>(1e-4), tolerance::TRUTH_Q15);
 }
 
 /// Errors of every vector, including those with decimal inputs, over its first periods.

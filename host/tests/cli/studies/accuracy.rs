@@ -41,9 +41,6 @@ fn each_scalar_is_as_exact_as_it_says_at_every_tick() {
     let fresh = read("accuracy.svg");
     assert!(fresh == picture, "stale: toytop accuracy --plot host/docs/accuracy.svg");
     assert!(read("accuracy.md") == page, "stale: toytop accuracy --accept");
-    for name in ["q31 9e-9, q15", "Cortex-M0+, cycles", "RISC-V"] {
-        assert!(fresh.contains(name), "{name}");
-    }
 }
 
 #[test]

@@ -1,22 +1,6 @@
 //! `toytop budget`.
 
-use crate::command::{all_refused, repository, write};
-use std::path::PathBuf;
-use toytop_host::budget::{Limits, OF_LIMITS};
-use toytop_host::output::doc_markers::Page;
-
-#[test]
-fn pages_have_the_tables_of_the_budgets() {
-    let file = |name: &str| PathBuf::from(repository(name));
-    let limits = Limits::read(&file("firmware-examples/budgets.toml")).expect("budgets");
-    for (name, mark, text) in OF_LIMITS {
-        let page = Page::read(&file(name), mark).expect("a place");
-        assert!(
-            page.has(&text(&limits)),
-            "{name}: how to renew it: the head of firmware-examples/budgets.toml"
-        );
-    }
-}
+use crate::command::{all_refused, write};
 
 #[test]
 fn bad_input_is_refused_in_one_line() {

@@ -1,0 +1,93 @@
+//! Greatest errors that the tests allow, by the file of the test.
+//!
+//! They are two-sided: see [`check`](crate::check). A bound far above every error would not fail if the code, or the test, stopped working.
+
+#![allow(missing_docs, reason = "a name is the file of the test and the quantity")]
+
+// closed_forms/elliptic.rs
+pub const ELLIPTIC_LN_SIGMA: f64 = 4e-16;
+pub const ELLIPTIC_SIGMA: f64 = 4e-16;
+pub const ELLIPTIC_HALF_PERIODS: f64 = 1.2e-16;
+pub const ELLIPTIC_SN_CN_DN_AM: f64 = 1.2e-16;
+pub const ELLIPTIC_K: f64 = 1.2e-16;
+pub const ELLIPTIC_P_AND_ZETA: [f64; 3] = [1.2e-16; 3];
+
+// closed_forms/four_methods.rs
+pub const FOUR_METHODS_EXACT_INPUTS: f64 = 1e-15;
+pub const FOUR_METHODS_ROUNDED_INPUTS: f64 = 5e-14;
+pub const FOUR_METHODS_AFTER_1E9_PERIODS: f64 = 1e-15;
+pub const FOUR_METHODS_CLOSED_FORM_AND_EPHEMERIS: f64 = 2e-15;
+pub const FOUR_METHODS_CLOSED_FORM_AND_STEPPER: f64 = 1e-13;
+pub const FOUR_METHODS_TOWARDS_THE_CORNERS: f64 = 1e-14;
+
+// closed_forms/hyperelliptic.rs
+pub const HYPERELLIPTIC_R_U: f64 = 5e-15;
+pub const HYPERELLIPTIC_W_AND_DT: f64 = 5e-14;
+pub const HYPERELLIPTIC_D_LOG_AND_DPHI: f64 = 5e-15;
+pub const HYPERELLIPTIC_AROUND_THE_CUT: f64 = 1e-14;
+
+// closed_forms/poles.rs
+pub const POLES_TABLES_1_AND_2: f64 = 1e-14;
+pub const POLES_T_INFINITY: f64 = 1e-14;
+
+// closed_forms/reference.rs
+pub const REFERENCE_FORMULAS: f64 = 3e-15;
+pub const REFERENCE_SEVERAL_DIFFERENCES_SMALL_TOGETHER: f64 = 1e-15;
+pub const REFERENCE_PER_PERIOD: f64 = 5e-14;
+
+// events/instants.rs
+pub const EVENTS_F64: [f64; 3] = [6e-15, 6e-15, 2e-16];
+pub const EVENTS_F32: [f64; 3] = [3e-7, 3e-7, 2e-11];
+pub const EVENTS_Q31: [f64; 3] = [2.1e-8, 2.1e-8, 1e-12];
+pub const EVENTS_Q15: [f64; 3] = [3e-4, 3e-3, 4e-8];
+
+// fit/sensitivity.rs
+pub const SENSITIVITY_DERIVATIVES: f64 = 1e-10;
+
+// motion/invariants.rs
+pub const INVARIANTS_THERE_AND_BACK: f64 = 1e-14;
+pub const INVARIANTS_L_N_H: f64 = 1e-14;
+pub const INVARIANTS_F64: [f64; 2] = [2e-15, 1e-14];
+pub const INVARIANTS_F32: [f64; 2] = [1e-6, 5e-6];
+
+// motion/lagrangian.rs
+pub const LAGRANGIAN_EQN_MOTION: f64 = 5e-15;
+pub const LAGRANGIAN_L_N_H_ALONG_THE_FULL_SOLUTION: f64 = 1e-13;
+
+// motion/other_tops.rs
+pub const OTHER_TOPS_STEPPER_F64: [f64; 2] = [1e-14; 2];
+pub const OTHER_TOPS_STEPPER_F32: [f64; 2] = [3e-6; 2];
+pub const OTHER_TOPS_TABLE: [f64; 2] = [2e-15; 2];
+
+// motion/stages.rs
+pub const STAGES_L_N_H: f64 = 4e-16;
+pub const STAGES_PERIOD: [f64; 2] = [4e-16, 3e-16];
+pub const STAGES_STEPPER: [f64; 4] = [3e-13, 1e-11, 3e-16, 6e-6];
+pub const STAGES_REDUCED_MOTION_AND_TIP: [f64; 3] = [3e-13; 3];
+
+// rotations/cayley_klein.rs
+pub const CAYLEY_KLEIN_SU_2: f64 = 3e-15;
+pub const CAYLEY_KLEIN_RELATIONS_OF_SECTION_3_4: f64 = 5e-15;
+
+// rotations/group.rs
+pub const GROUP_MOEBIUS: f64 = 3e-15;
+
+// table/access.rs
+pub const ACCESS_N_M_TICKS: f64 = 5e-14;
+pub const ACCESS_SAME_QUANTITIES: [f64; 2] = [2e-15, 2e-14];
+pub const ACCESS_CONTINUITY: [f64; 2] = [2e-11; 2];
+
+// table/clock.rs
+pub const CLOCK_WITH_ANOTHER_TICK: f64 = 1.0;
+
+// table/tip_angle.rs
+pub const TIP_ANGLE_F64: f64 = 1e-14;
+pub const TIP_ANGLE_F32: f64 = 1e-7;
+pub const TIP_ANGLE_Q31: f64 = 6e-9;
+pub const TIP_ANGLE_Q15: f64 = 3e-4;
+
+// table/truth.rs
+pub const TRUTH_F64: [f64; 8] = [1e-14, 1e-14, 1e-14, 1e-14, 2e-15, 1e-14, 2e-15, 2e-15];
+pub const TRUTH_F32: [f64; 8] = [2.5e-7, 2.5e-7, 2.5e-7, 2.5e-7, 1e-7, 2e-5, 2e-7, 2e-7];
+pub const TRUTH_Q31: [f64; 8] = [1e-8, 1e-8, 1e-8, 1e-8, 2e-8, 1e-6, 2e-7, 4e-8];
+pub const TRUTH_Q15: [f64; 8] = [3e-4, 3e-4, 3e-4, 3e-4, 3e-4, 3e-3, 1e-3, 1e-3];
