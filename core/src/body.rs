@@ -16,5 +16,6 @@ pub use error::{ParameterError, finite, require};
 pub use parameters::TopParameters;
 pub use scaled_top::ScaledTop;
 pub(crate) use scaled_top::Units;
+pub(crate) use state::half_tilt;
 pub use state::{Release, State};
 pub use top::{Support, Top};

@@ -21,7 +21,7 @@ mod body;
 // Constants of the motion.
 mod constants;
 
-// Motion as a function of time. Set-up may be refused; after it nothing fails.
+// Motion as a function of time. Set-up may be refused; evaluating a table never fails.
 mod motion;
 
 mod stepper;

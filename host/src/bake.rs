@@ -51,7 +51,7 @@ impl Parts {
 }
 
 /// Scalar whose tables can be written to files.
-pub trait Bake: EphemerisScalar<Segment: Send + Sync, Wide: Send + Sync> + Send + Sync + 'static {
+pub trait Bake: EphemerisScalar<Segment: Send + Sync, Quantity: Send + Sync> + Send + Sync + 'static {
     /// Parts of a table.
     fn parts(table: &EphemerisView<Self>) -> Parts;
 }

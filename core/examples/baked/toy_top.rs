@@ -7,7 +7,7 @@
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25> {
     format: 7,
-    crc32: 0x08a5631b,
+    crc32: 0xea6f4327,
     clock: toytop::Clock {
         step: [[2668364299, 588342322, 56542227], [1444926868, 672778249, 51392304], [1879647339, 2227764775, 4247109518]],
         tip_quarter: 0,
@@ -23,8 +23,8 @@ pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25>
         tip_step: [3324574207, 2900543024, 3534526, 0],
         epoch: 0,
     },
-    error_bound: toytop::ErrorBound { constant: 1.7307138315309055e-7, per_tick: 1.6825931213952776e-18 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.00013611330869971213, per_tick: 2.576218342792178e-16 },
+    error_bound: toytop::ErrorBound { constant: 1.7307138314906143e-7, per_tick: 1.6825931213952776e-18 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.00013611330695043912, per_tick: 2.5762183420191765e-16 },
     cells: [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
     segments: [
         [

@@ -41,7 +41,7 @@ impl State {
     /// The squared norm may differ from 1 by 1e-6, and is normalised. A component below 1e-60 counts as 0.
     ///
     /// # Errors
-    /// `alpha`, `beta`, `omega`: a component is not finite; `alpha`: another norm; `omega`: above 1e12 rad/s.
+    /// `alpha`, `beta`, `omega`: a component is not finite; `alpha`: the squared norm differs from 1 by more than 1e-6; `omega`: above 1e12 rad/s.
     pub fn new(orientation: Orientation<f64>, omega: Vector<f64>) -> Result<Self, ParameterError> {
         for (name, z) in [("alpha", orientation.alpha), ("beta", orientation.beta)] {
             finite(name, z.re)?;
@@ -107,9 +107,7 @@ impl State {
         for (name, rate) in [("spin", spin), ("precession", precession), ("nutation", nutation)] {
             within(-1e11..=1e11, name, rate, "between -1e11 and 1e11 rad/s")?;
         }
-        within(0.0..=PI, "tilt", tilt, "between 0 and pi")?;
-        let (half_sine, half_cosine) =
-            if tilt == PI { (1.0, 0.0) } else { sine_cosine_of_radians(0.5 * tilt) };
+        let (half_sine, half_cosine) = half_tilt(tilt)?;
         let cis = |angle: f64| {
             let (im, re) = sine_cosine_of_radians(angle);
             Complex::new(re, im)
@@ -142,6 +140,15 @@ impl State {
         let Orientation { alpha, beta } = self.orientation;
         (Orientation { alpha: number(alpha), beta: number(beta) }, self.omega.map(exact))
     }
+}
+
+/// Sine and cosine of half a tilt; exact at 0 and at π.
+///
+/// # Errors
+/// `tilt`: not in [0, π].
+pub(crate) fn half_tilt(tilt: f64) -> Result<(f64, f64), ParameterError> {
+    within(0.0..=PI, "tilt", tilt, "between 0 and pi")?;
+    Ok(if tilt == PI { (1.0, 0.0) } else { sine_cosine_of_radians(0.5 * tilt) })
 }
 
 fn is_unit(orientation: &Orientation<f64>) -> bool {

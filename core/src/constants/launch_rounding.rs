@@ -49,7 +49,7 @@ impl LaunchRounding {
         let l_minus_nu = l_minus_n.abs() + n * one_minus_u;
         let lower_terms = 2.0 * axis_energy + one_minus_u * one_plus_u + 2.0 * kappa * n * l_minus_nu;
         let lower = lower_terms / (e.e3_minus_one + one_minus_u);
-        let felt = upper / e.e3_minus_e2 + lower * (1.0 / e.e3_minus_e1() + 2.0 * u.abs() * p * s / a);
-        Self { relative: if felt.is_finite() { rounding * felt } else { 0.0 }, slow_rates }
+        let condition = upper / e.e3_minus_e2 + lower * (1.0 / e.e3_minus_e1() + 2.0 * u.abs() * p * s / a);
+        Self { relative: if condition.is_finite() { rounding * condition } else { 0.0 }, slow_rates }
     }
 }

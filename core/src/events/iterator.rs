@@ -103,7 +103,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         };
         let [(lowest, least), (_, middle), (highest, greatest)] =
             [0, HALF_PERIOD / 2, HALF_PERIOD].map(turning);
-        let noise = NOISE * (R::ROUNDING + R::Wide::ROUNDING) * least.max(middle).max(greatest);
+        let noise = NOISE * (R::ROUNDING + R::Quantity::ROUNDING) * least.max(middle).max(greatest);
         let changes = lowest * highest < 0.0 && lowest.abs() > noise && highest.abs() > noise;
         changes.then(|| bisect(|nutation| turning(nutation).0 * lowest <= 0.0))
     }

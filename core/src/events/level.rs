@@ -1,7 +1,6 @@
 //! Values of u at which events occur.
 
-use crate::body::{ParameterError, finite, require};
-use crate::body::{ScaledTop, Support, Top};
+use crate::body::{ParameterError, ScaledTop, Support, Top, finite, half_tilt, require};
 use crate::complex::Complex;
 use crate::constants::normal_force;
 use crate::events::{HALF_PERIOD, at_phase, bisect};
@@ -35,9 +34,7 @@ impl Level {
     /// # Errors
     /// `tilt`: not finite or not in [0, π].
     pub fn of_tilt(tilt: f64) -> Result<Self, ParameterError> {
-        finite("tilt", tilt)?;
-        require((0.0..=core::f64::consts::PI).contains(&tilt), "tilt", "in [0, pi] rad")?;
-        let (sine, cosine) = (libm::sin(0.5 * tilt), libm::cos(0.5 * tilt));
+        let (sine, cosine) = half_tilt(tilt)?;
         Ok(Self { one_minus_u: 2.0 * sine * sine, one_plus_u: 2.0 * cosine * cosine })
     }
 

@@ -4,7 +4,7 @@ use crate::body::{ParameterError, ScaledTop, State, Top, require, within};
 use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs};
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::phase_equations::inverse_gudermannian;
-use crate::motion::start::{attitude, half_turns};
+use crate::motion::start::{attitude, half_phase_of};
 use crate::motion::{InitialPhases, Motion, NutationVariable, phase_of};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring, Scalar};
@@ -89,7 +89,7 @@ impl Motion {
             "e3",
             "such that (n - rotor_momentum)/axial_inertia is at most 1e24 rad/s, and n = rotor_momentum for a rod",
         )?;
-        let chi = half_turns(theta);
+        let chi = half_phase_of(theta);
         let upright = chi.halves().1 == Phase::QUARTER;
         let mut motion = Self::with_constants(top, &integrals, e, signs, upright);
         motion.phases = [arg_alpha, arg_beta].map(|angle| phase_of(angle.into()));

@@ -110,7 +110,7 @@ pub(crate) fn chi(sine: f64, cosine: f64) -> Phase {
 }
 
 /// Half phase χ = θ/2.
-pub(crate) fn half_turns(theta: f64) -> Phase {
+pub(crate) fn half_phase_of(theta: f64) -> Phase {
     let nearest = libm::round(theta * core::f64::consts::FRAC_1_PI);
     let multiple = Extended::TWO_PI.halved() * nearest.into();
     if nearest != 0.0 && multiple.to_f64() == theta {
@@ -119,7 +119,7 @@ pub(crate) fn half_turns(theta: f64) -> Phase {
     (Extended::from(theta).in_turns() * Extended::from(0.5)).to_phase()
 }
 
-/// Slow phase of a parameter z with rate z': the mean rotation from the ellipse and its rate to both. It exists also where z is 0.
+/// Slow phase of a parameter z with rate z': the rotation that best maps the ellipse and its rate to z and z'. It exists also where z is 0.
 pub(crate) fn slow_phase(
     ellipse: &Ellipse<f64>,
     directions: &PhaseDirections<f64>,
@@ -157,16 +157,16 @@ mod tests {
         for k in 1..=most {
             let theta = nearest_to_multiple(k);
             let turns = Phase::from_bits(i128::from(k) * (Phase::QUARTER.to_bits()));
-            assert_eq!([half_turns(theta), half_turns(-theta)], [turns, -turns], "{k}: {theta:e}");
+            assert_eq!([half_phase_of(theta), half_phase_of(-theta)], [turns, -turns], "{k}: {theta:e}");
             // a neighbouring number is a different, close angle
             for near in [theta.next_up(), theta.next_down()] {
-                let off = half_turns(near) - turns;
+                let off = half_phase_of(near) - turns;
                 let unit = (near - theta).abs() * 0.25 * core::f64::consts::FRAC_1_PI;
                 let share = off.to_f64().abs() / unit;
                 assert!((0.49..1.51).contains(&share), "{k}: {share}");
-                assert!((half_turns(-near) + half_turns(near)).to_bits().abs() <= 1, "{k}");
+                assert!((half_phase_of(-near) + half_phase_of(near)).to_bits().abs() <= 1, "{k}");
             }
         }
-        assert_eq!(half_turns(0.0), Phase::ZERO);
+        assert_eq!(half_phase_of(0.0), Phase::ZERO);
     }
 }

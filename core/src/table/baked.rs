@@ -26,7 +26,7 @@ pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
     /// CRC-32 of the format, the scalar, the number of segments and all fields below.
     pub crc32: u32,
     /// Phases and rates.
-    pub clock: Clock<R::Wide>,
+    pub clock: Clock<R::Quantity>,
     /// Error bound of the orientation, rad.
     pub error_bound: ErrorBound,
     /// Error bound of the angular velocity, rad per unit time.

@@ -8,7 +8,7 @@ pub(super) mod builder;
 
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring, power_of_two};
-use crate::table::cell::{CELLS, Cell, LONGEST_BITS};
+use crate::table::cell::{CELLS, Cell, LEVEL_0_BITS};
 use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
 
 /// Rates of the nutation phase and of the mean slow phases.
@@ -51,7 +51,7 @@ impl Span {
     /// Least depth.
     const SHALLOWEST: u32 = 2;
     /// Greatest depth: a span has at least one segment.
-    const DEEPEST: u32 = LONGEST_BITS + Cell::DEEPEST;
+    const DEEPEST: u32 = LEVEL_0_BITS + Cell::DEEPEST;
 
     /// Longest span from u = e₁ on.
     const FIRST: Self = Self { begin: 0, depth: Self::SHALLOWEST };
@@ -68,12 +68,12 @@ impl Span {
 
     /// Level of the longest segments in the span.
     fn least_level(self) -> u32 {
-        self.depth.saturating_sub(LONGEST_BITS)
+        self.depth.saturating_sub(LEVEL_0_BITS)
     }
 
     /// Number of halvings that make segments of this level.
     fn halvings(self, level: u32) -> u32 {
-        (LONGEST_BITS + level).saturating_sub(self.depth)
+        (LEVEL_0_BITS + level).saturating_sub(self.depth)
     }
 
     /// Half the length, in half periods.
@@ -157,10 +157,11 @@ pub(crate) struct Limits {
 
 /// Part of the allowed error reserved for the steps.
 const STEPS: f64 = 0.125;
-/// Parts of a polynomial's allowed error: terms left out of a span's series, terms beyond its sixteenth, and all of a segment of two cells,
-/// whose derivative needs the accuracy.
+/// Part of a polynomial's allowed error reserved for terms left out of the series of a span.
 const LEFT_OUT: f32 = 1.0 / 512.0;
+/// Part reserved for terms beyond the sixteenth.
 const OMITTED: f32 = 1.0 / 32.0;
+/// Part that a segment of two cells may use, because its derivative is less accurate.
 const LONG: f32 = 0.125;
 /// Negligible part of the allowed error.
 const NEGLIGIBLE: f64 = 1.0 / 256.0;

@@ -6,13 +6,13 @@
 pub(crate) const CELLS: usize = 16;
 
 /// Number of segments in half a period at level 0.
-pub(crate) const LONGEST: usize = 1 << LONGEST_BITS;
+pub(crate) const SEGMENTS_AT_LEVEL_0: usize = 1 << LEVEL_0_BITS;
 
-/// Base-2 logarithm of [`LONGEST`].
-pub(crate) const LONGEST_BITS: u32 = 3;
+/// Base-2 logarithm of [`SEGMENTS_AT_LEVEL_0`].
+pub(crate) const LEVEL_0_BITS: u32 = 3;
 
-/// Entry 16 m + l of a cell: its segments have the level l, and segment i of half a period at that level is m + i in the table, modulo
-/// 4096.
+/// Entry of a cell. The lower 4 bits are the level of its segments. The upper 12 bits are added to the number of a segment of half a
+/// period at that level, modulo 4096, and give its place in the table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Cell(pub(crate) u16);
 
@@ -31,7 +31,7 @@ impl Cell {
     /// Number of the segment at a place, given by the 32 leading bits of the fraction of half a period.
     #[inline(always)]
     pub(crate) const fn segment(self, place: u32) -> usize {
-        let shift = u32::BITS - LONGEST_BITS - self.level();
+        let shift = u32::BITS - LEVEL_0_BITS - self.level();
         ((self.0 as u32 >> Self::LEVEL_BITS) + (place >> shift)) as usize % Self::MOST_SEGMENTS
     }
 

@@ -5,7 +5,7 @@ use crate::motion::Motion;
 use crate::phase::{Phase, PhaseFraction, integer_parts, shifted};
 use crate::scalar::{Extended, Float};
 use crate::table::build::MeanRates;
-use crate::table::cell::LONGEST;
+use crate::table::cell::SEGMENTS_AT_LEVEL_0;
 use crate::table::tick::Tick;
 
 /// Phases and their increments per tick, and the scales of lengths and rates, as plain numbers: see `core/docs/table_format.md`.
@@ -73,7 +73,7 @@ impl<W: Float> Clock<W> {
         let [frequency, alpha, beta] = rates.turns;
         let mean = ((alpha + beta) * Extended::TWO_PI).to_f64();
         // x changes by 2 over each segment
-        let x_rate = 4.0 * LONGEST as f64 * frequency.to_f64();
+        let x_rate = 4.0 * SEGMENTS_AT_LEVEL_0 as f64 * frequency.to_f64();
         let [alpha_winding, beta_winding] = motion.windings();
         let tip_passes = u8::from(alpha_winding == 0) + u8::from(beta_winding == 0);
         Self {

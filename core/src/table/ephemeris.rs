@@ -2,7 +2,7 @@
 
 use crate::scalar::{Float, short_float};
 use crate::table::build::bound::ErrorBound;
-use crate::table::cell::{CELLS, Cell, LONGEST};
+use crate::table::cell::{CELLS, Cell, SEGMENTS_AT_LEVEL_0};
 use crate::table::clock::Clock;
 use crate::table::scalar::{Coefficient, EphemerisScalar};
 use crate::table::series::TERMS;
@@ -38,7 +38,7 @@ pub type Ephemeris<R, const SEGMENTS: usize> = EphemerisView<R, [<R as Ephemeris
 #[derive(Debug, PartialEq)]
 #[repr(C)] // the increments lie first, within the short address range of the smallest chip's load instructions
 pub struct EphemerisView<R: EphemerisScalar, S: ?Sized = [<R as EphemerisScalar>::Segment]> {
-    pub(crate) clock: Clock<R::Wide>,
+    pub(crate) clock: Clock<R::Quantity>,
     pub(crate) error_bound: ErrorBound,
     pub(crate) rate_error_bound: ErrorBound,
     /// Entries of the cells: see [`Cell`].
@@ -61,7 +61,7 @@ pub type EphemerisQ31 = Ephemeris<fixed::types::I2F30, 32>;
 pub type EphemerisQ15 = Ephemeris<fixed::types::I2F14, 16>;
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
-    const SIZE_IS_VALID: () = assert!(SEGMENTS >= LONGEST && SEGMENTS <= Cell::MOST_SEGMENTS);
+    const SIZE_IS_VALID: () = assert!(SEGMENTS >= SEGMENTS_AT_LEVEL_0 && SEGMENTS <= Cell::MOST_SEGMENTS);
 
     /// Memory of a table. All its bits are 0, so that it takes no flash.
     pub(crate) const EMPTY: Self = {
@@ -167,7 +167,7 @@ impl<R: EphemerisScalar> Deref for ReadyEphemeris<'_, R> {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Whether a set-up has written all fields. The error bound is the last one.
+    /// Whether a set-up has written all fields. It writes the error bound last, so that a positive one means a complete table.
     fn is_set_up(&self) -> bool {
         self.error_bound.constant > 0.0
     }
@@ -180,7 +180,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Phases and rates.
     #[must_use]
-    pub fn clock(&self) -> &Clock<R::Wide> {
+    pub fn clock(&self) -> &Clock<R::Quantity> {
         &self.clock
     }
 

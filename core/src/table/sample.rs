@@ -7,14 +7,14 @@ use crate::motion::attitude_state::AttitudeState;
 use crate::phase::{Phase, PhaseFraction};
 use crate::scalar::{Extended, Float};
 use crate::su2::{Orientation, OrientationRate, Vector};
-use crate::table::cell::{Cell, LONGEST_BITS};
+use crate::table::cell::{Cell, LEVEL_0_BITS};
 use crate::table::ephemeris::EphemerisView;
 use crate::table::scalar::{Coefficient, EphemerisScalar, SegmentPoint};
 
 /// Sample of a motion at one time. Each method evaluates the table anew; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
 /// [`Sample::attitude_state`] return several quantities of one evaluation.
 ///
-/// Lengths and rates are in [`EphemerisScalar::Wide`]: R itself in floating point, `f32` in fixed point.
+/// Lengths and rates are in [`EphemerisScalar::Quantity`]: R itself in floating point, `f32` in fixed point.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample<'a, R: EphemerisScalar> {
     pub(crate) ephemeris: &'a EphemerisView<R>,
@@ -61,7 +61,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     /// Orientation, u and tip.
     #[inline(always)]
     #[must_use]
-    pub fn pose(&self) -> Pose<R, R::Wide> {
+    pub fn pose(&self) -> Pose<R, R::Quantity> {
         let numbers = self.evaluated();
         let product = numbers.alpha * numbers.beta;
         let [re, im] = [product.re, product.im].map(R::Coefficient::wide);
@@ -93,14 +93,14 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     /// Tip position c = 2 s αβ, in m, relative to the point of the plane below the centre of mass; for a fixed tip 2αβ.
     #[inline(always)]
     #[must_use]
-    pub fn tip(&self) -> Complex<R::Wide> {
+    pub fn tip(&self) -> Complex<R::Quantity> {
         self.pose().tip
     }
 
     /// Angular velocity ω in the fixed frame, rad per unit time.
     #[inline(always)]
     #[must_use]
-    pub fn omega(&self) -> Vector<R::Wide> {
+    pub fn omega(&self) -> Vector<R::Quantity> {
         let (orientation, omega_body, exponent) = self.evaluated_with_rates();
         orientation.adjoint(omega_body).map(|rate| R::Coefficient::rate(rate, exponent))
     }
@@ -108,7 +108,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     /// Angular velocity Ω in the body frame, rad per unit time.
     #[inline(always)]
     #[must_use]
-    pub fn omega_body(&self) -> Vector<R::Wide> {
+    pub fn omega_body(&self) -> Vector<R::Quantity> {
         let (_, omega_body) = self.orientation_and_omega_body();
         omega_body
     }
@@ -116,7 +116,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     /// Orientation, and angular velocity Ω in the body frame, rad per unit time.
     #[inline(always)]
     #[must_use]
-    pub fn orientation_and_omega_body(&self) -> (Orientation<R>, Vector<R::Wide>) {
+    pub fn orientation_and_omega_body(&self) -> (Orientation<R>, Vector<R::Quantity>) {
         let (orientation, omega_body) = self.numbers_and_omega_body();
         (converted(&orientation, R::rounded), omega_body)
     }
@@ -124,7 +124,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     /// Rate u' of the cosine of the tilt, per unit time.
     #[inline(always)]
     #[must_use]
-    pub fn udot(&self) -> R::Wide {
+    pub fn udot(&self) -> R::Quantity {
         let [.., udot] = self.axis_rate();
         udot
     }
@@ -132,7 +132,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     /// Velocity c' of the tip, m per unit time; per unit time for a fixed tip.
     #[inline(always)]
     #[must_use]
-    pub fn tip_velocity(&self) -> Complex<R::Wide> {
+    pub fn tip_velocity(&self) -> Complex<R::Quantity> {
         let [x, y, _] = self.axis_rate();
         // c = -s (r₁ + i r₂), and the scale of the tip is 2 s
         Complex::new(x, y).scaled(-self.ephemeris.clock.tip_scale.halved())
@@ -140,7 +140,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
 
     /// Orientation and its rate, from which ω, u' and a [`State`](crate::State) follow.
     #[must_use]
-    pub fn attitude_state(&self) -> AttitudeState<R::Wide> {
+    pub fn attitude_state(&self) -> AttitudeState<R::Quantity> {
         let (numbers, omega_body) = self.numbers_and_omega_body();
         let orientation = converted(&numbers, R::Coefficient::wide);
         AttitudeState { orientation, rate: OrientationRate::from_body(&orientation, omega_body) }
@@ -164,7 +164,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
 
     /// Orientation before its conversion, and angular velocity Ω in the body frame.
     #[inline(always)]
-    fn numbers_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Wide>) {
+    fn numbers_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
         let (orientation, [x1, x2, _], exponent) = self.evaluated_with_rates();
         let [.., axial] = self.ephemeris.clock.rates;
         let rate = |number| R::Coefficient::rate(number, exponent);
@@ -173,7 +173,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
 
     /// Rate r' of the axis in the fixed frame.
     #[inline(always)]
-    fn axis_rate(&self) -> Vector<R::Wide> {
+    fn axis_rate(&self) -> Vector<R::Quantity> {
         let (orientation, omega_body, exponent) = self.evaluated_with_rates();
         orientation.axis_rate(omega_body).map(|rate| R::Coefficient::rate(rate, exponent))
     }
@@ -240,7 +240,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         // no cell refers to a segment beyond the last; the fallback to the first segment avoids a branch for a panic
         let segment = self.segments.get(index).or(self.segments.first());
         // the fraction of a segment of level 0, and its 32 leading bits
-        let (eighth, short) = (half << LONGEST_BITS, (half >> (32 - LONGEST_BITS)) as u32);
+        let (eighth, short) = (half << LEVEL_0_BITS, (half >> (32 - LEVEL_0_BITS)) as u32);
         // the range [0, 1) becomes [-1, 1) by flipping the upper bit
         let (x, short_x) = ((eighth << level) ^ (1 << 63), (short << level) ^ (1 << 31));
         LocatedSegment {

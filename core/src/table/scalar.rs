@@ -44,11 +44,11 @@ pub struct EvaluationErrors {
 pub trait EphemerisScalar: Scalar + Into<f64> {
     /// Coefficient of the table.
     #[doc(hidden)]
-    type Coefficient: Coefficient<Wide = Self::Wide>;
+    type Coefficient: Coefficient<Quantity = Self::Quantity>;
     /// Segment: coefficients of Re α, Im α, Re β and Im β side by side, lowest power first.
     type Segment: Copy + Debug + PartialEq + AsRef<[[Self::Coefficient; 4]]> + AsMut<[[Self::Coefficient; 4]]>;
     /// Type of lengths and rates: the scalar itself, or `f32` for fixed point, whose range is too small.
-    type Wide: Real;
+    type Quantity: Real;
 
     /// Truncation error of a table unless another one is chosen, rad.
     const TRUNCATION: f64 = 2.0 * Self::ROUNDING;
@@ -78,7 +78,7 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     /// Number of the results; rates are its multiples by a power of two.
     type Number: Ring;
     /// Type of lengths and rates.
-    type Wide: Real;
+    type Quantity: Real;
 
     /// Coefficient of x^power nearest to a value in units of 2^-62, and its error in these units.
     fn nearest(value: i64, power: usize) -> (Self, i64);
@@ -97,10 +97,10 @@ pub trait Coefficient: Copy + Debug + PartialEq {
         terms: &[[Self; 4]],
         point: SegmentPoint,
         slow: [u64; 2],
-        rates: [Self::Wide; 3],
+        rates: [Self::Quantity; 3],
     ) -> (Orientation<Self::Number>, Vector<Self::Number>, i32);
     /// Number in the type of lengths and rates.
-    fn wide(number: Self::Number) -> Self::Wide;
+    fn wide(number: Self::Number) -> Self::Quantity;
     /// Product with a power of two, in the type of lengths and rates.
-    fn rate(number: Self::Number, exponent: i32) -> Self::Wide;
+    fn rate(number: Self::Number, exponent: i32) -> Self::Quantity;
 }

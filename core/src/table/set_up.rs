@@ -7,7 +7,7 @@ use crate::motion::Motion;
 use crate::table::build::Limits;
 use crate::table::build::bound::{ErrorBound, error_bounds};
 use crate::table::build::builder::SetUp;
-use crate::table::cell::{Cell, LONGEST};
+use crate::table::cell::{Cell, SEGMENTS_AT_LEVEL_0};
 use crate::table::clock::Clock;
 use crate::table::ephemeris::{Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, put};
 use crate::table::scalar::EphemerisScalar;
@@ -83,8 +83,8 @@ impl SetUp {
             return Err(SetUpError::Aperiodic);
         }
         match R::RATE_WORDS {
-            1 => self.launch::<1>(motion, between),
-            _ => self.launch::<2>(motion, between),
+            1 => self.compute_rates::<1>(motion, between),
+            _ => self.compute_rates::<2>(motion, between),
         }
         between();
         let limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
@@ -162,6 +162,6 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let mut set_up = SetUp::within(truncation);
         set_up.tabulate::<R>(motion, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
-        Some(set_up.segments.max(LONGEST) as u32)
+        Some(set_up.segments.max(SEGMENTS_AT_LEVEL_0) as u32)
     }
 }

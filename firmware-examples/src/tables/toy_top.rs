@@ -7,7 +7,7 @@
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (toytop::Baked::<toytop::fixed::types::I2F30, 32> {
     format: 7,
-    crc32: 0x5cc88ba0,
+    crc32: 0x34c74648,
     clock: toytop::Clock {
         step: [[2668364299, 588342322, 56542227], [1444926868, 672778249, 51392304], [1879647339, 2227764775, 4247109518]],
         tip_quarter: 0,
@@ -23,8 +23,8 @@ pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (
         tip_step: [3324574207, 2900543024, 3534526, 0],
         epoch: 0,
     },
-    error_bound: toytop::ErrorBound { constant: 1.9937509710534036e-8, per_tick: 1.6813622724645346e-18 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.00012233873762700363, per_tick: 2.569052297972872e-16 },
+    error_bound: toytop::ErrorBound { constant: 1.993750970650118e-8, per_tick: 1.6813622724645346e-18 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.00012233873561754376, per_tick: 2.5690522973245495e-16 },
     cells: [2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2],
     segments: [
         [

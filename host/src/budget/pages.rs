@@ -120,8 +120,8 @@ fn median_launch(costs: &[CorpusCost]) -> String {
     let [median, greatest, slice] = cost.cycles.map(|figure| grouped(&cell(figure)));
     let launches = cost.launches;
     format!(
-        "Set-up of {launches} [very different launches](host/docs/costs.md#set-up-of-200-launches): median {median} cycles, worst {greatest}, other work at \
-         least every {slice}.\n"
+        "Set-up of {launches} [very different launches](host/docs/costs.md#set-up-of-200-launches): median {median} cycles, worst {greatest}. Other work can run at \
+         least every {slice} cycles.\n"
     )
 }
 

@@ -74,7 +74,7 @@ impl<R: EphemerisScalar> Boxed<R> {
     /// Sample at time t, which is this number of ticks.
     fn timed(&self, t: f64, ticks: f64, now: toytop::Sample<'_, R>) -> TimedSample {
         let (orientation, state) = (now.orientation(), now.attitude_state());
-        let wide = |z: Complex<R::Wide>| widened(z, Float::to_f64);
+        let wide = |z: Complex<R::Quantity>| widened(z, Float::to_f64);
         let phi = now.tip_angle().map(|angle| self.unwrapped(angle, t));
         TimedSample {
             sample: Sample {
@@ -123,12 +123,12 @@ impl<R: Bake> AnyScalar for Boxed<R> {
 
     fn rates_at_tick(&self, n: i64) -> RateSample {
         let now = self.table().at_tick(n);
-        let wide = |vector: [R::Wide; 3]| vector.map(Float::to_f64);
+        let wide = |vector: [R::Quantity; 3]| vector.map(Float::to_f64);
         RateSample { omega: wide(now.omega()), omega_body: wide(now.omega_body()), udot: now.udot().to_f64() }
     }
 
     fn fill(&self, column: Column, times: &[f64], rows: &mut [f64]) {
-        let (table, wide) = (self.table(), <R::Wide as Float>::to_f64);
+        let (table, wide) = (self.table(), <R::Quantity as Float>::to_f64);
         match column {
             Column::Quaternion => fill(times, rows, |t| table.at(t).quaternion().map(Into::into)),
             Column::Axis => fill(times, rows, |t| table.at(t).axis().map(Into::into)),

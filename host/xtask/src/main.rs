@@ -77,8 +77,8 @@ mod tests {
     /// Programs that the runners have.
     const PROGRAMS: [&str; 8] = ["cargo", "rustup", "sudo", "python", "tar", "gh", "diff", ".ci/run"];
     /// Subcommands that cargo has, or that a workflow installs.
-    const SUBCOMMANDS: [&str; 9] =
-        ["test", "run", "package", "publish", "install", "xtask", "miri", "deny", "fuzz"];
+    const SUBCOMMANDS: [&str; 10] =
+        ["test", "run", "package", "publish", "install", "xtask", "miri", "deny", "fuzz", "semver-checks"];
 
     /// Jobs and steps have what GitHub asks for, and every command, package and path in them exists.
     #[test]

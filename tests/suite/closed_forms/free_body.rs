@@ -7,7 +7,10 @@ use toytop_tests::{boxed, greater, kilohertz, widened, worst};
 
 /// Distances of the tables of a body that spins about its axis, held without gravity or free, from the truth, beyond their
 /// bounds. The angular momentum is along the axis, which therefore stays where it is.
-fn of_spinning_body<R: EphemerisScalar<Wide: Into<f64>> + Into<f64>>(motion: &Motion, state: &State) -> f64 {
+fn of_spinning_body<R: EphemerisScalar<Quantity: Into<f64>> + Into<f64>>(
+    motion: &Motion,
+    state: &State,
+) -> f64 {
     // a wide nutation needs more than 64 segments in q31
     let table = boxed::<R, 128>(motion, kilohertz());
     let form = ClosedForm::of(motion).unwrap();

@@ -56,7 +56,7 @@ fn top(json: &Value) -> Top {
 }
 
 /// Errors of orientation and angular velocity of tables, as shares of their bounds.
-fn of_tables<R: EphemerisScalar<Wide: Into<f64>> + Into<f64>>() -> [f64; 2] {
+fn of_tables<R: EphemerisScalar<Quantity: Into<f64>> + Into<f64>>() -> [f64; 2] {
     let mut worst = [0.0; 2];
     for case in cases().into_iter().filter(|case| case.motion.regime() != toytop::Regime::Aperiodic) {
         let ephemeris = boxed::<R, 256>(&case.motion, kilohertz());

@@ -8,7 +8,7 @@ use toytop_tests::{check_all, fitting, keep, kilohertz, length, tolerance, widen
 /// Largest errors of a vector's samples: of the orientation over the first periods, and near 10³, 10⁶ and 10⁹ periods; of u, of u' relative
 /// to ω or 1, and of the tip, in the type of lengths and in the scalar itself, relative to its length. `None` if the table is too
 /// small.
-fn errors<R: EphemerisScalar<Wide: Into<f64>> + Into<f64>, const S: usize>(
+fn errors<R: EphemerisScalar<Quantity: Into<f64>> + Into<f64>, const S: usize>(
     vector: &Vector,
 ) -> Option<[f64; 8]> {
     let motion = vector.motion().unwrap();
@@ -50,7 +50,7 @@ fn errors<R: EphemerisScalar<Wide: Into<f64>> + Into<f64>, const S: usize>(
 }
 
 /// Largest errors of the vectors with exact inputs, with the smaller of two tables that is large enough.
-fn greatest<R: EphemerisScalar<Wide: Into<f64>> + Into<f64>, const S: usize, const LARGER: usize>(
+fn greatest<R: EphemerisScalar<Quantity: Into<f64>> + Into<f64>, const S: usize, const LARGER: usize>(
     least_gap: f64,
 ) -> [f64; 8] {
     let mut greatest = [0.0; 8];

@@ -27,7 +27,7 @@ pub(super) fn run(bytes: &[u8]) {
 /// Checks an ephemeris of one scalar and capacity, for a motion, a tick length and times from the input.
 fn check<R: EphemerisScalar + Into<f64>, const SEGMENTS: usize>(input: &mut Input<'_>)
 where
-    R::Wide: Into<f64>,
+    R::Quantity: Into<f64>,
 {
     let Ok(motion) = input.motion() else { return };
     let Ok(tick) = input.tick(&motion) else { return };
@@ -40,7 +40,7 @@ where
     // a defect of the norm is an orientation error; where the bound is 0.1 rad or more, only finite numbers are
     // required
     let error = if bound.constant < 0.1 { 1.1 * bound.constant + 1e-7 } else { f64::MAX };
-    let number = |z: Complex<R::Wide>| [z.re.into(), z.im.into()];
+    let number = |z: Complex<R::Quantity>| [z.re.into(), z.im.into()];
 
     for _ in 0..4 {
         let (n, t) = (input.wide(), input.signed(-12.0, 20.0));

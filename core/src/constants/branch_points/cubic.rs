@@ -29,7 +29,7 @@ impl Cubic {
         })
     }
 
-    /// Upper bound on the largest root, close to it, because convergence to a multiple root is linear.
+    /// Upper bound on the largest root, so close that even linear convergence, to a multiple root, takes few steps.
     #[inline(never)] // the stack frames of a launch must not add up
     fn above(&self) -> Extended {
         let (Self { g0, g1, g2 }, zero) = (*self, Extended::ZERO);

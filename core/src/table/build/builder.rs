@@ -1,4 +1,4 @@
-//! Memory of a set-up.
+//! State of a set-up, which a program may keep in a static.
 
 mod series;
 
@@ -19,14 +19,14 @@ use crate::table::series::expansion::{Expansion, PhasePoint, Slopes};
 struct Position {
     point: PhasePoint,
     /// Truncation error.
-    remainder: f64,
+    truncation: f64,
     /// Sums of the squares of the terms of χ, as delays in half periods, and of θ, rad.
     squares: [f32; 2],
 }
 
 impl Position {
     /// Position u = e₁.
-    const BEGINNING: Self = Self { point: PhasePoint::ZERO, remainder: 0.0, squares: [0.0; 2] };
+    const BEGINNING: Self = Self { point: PhasePoint::ZERO, truncation: 0.0, squares: [0.0; 2] };
 }
 
 /// Start of a motion.

@@ -17,7 +17,7 @@ use crate::table::series::expansion::TABLE_UNIT;
 impl EphemerisScalar for f64 {
     type Coefficient = Self;
     type Segment = [[Self; 4]; 11];
-    type Wide = Self;
+    type Quantity = Self;
 
     const TERMS: usize = 11;
     const RATE_WORDS: usize = 2;
@@ -40,7 +40,7 @@ impl EphemerisScalar for f64 {
 
 impl Coefficient for f64 {
     type Number = Self;
-    type Wide = Self;
+    type Quantity = Self;
 
     fn nearest(value: i64, _: usize) -> (Self, i64) {
         let nearest = value as f64;

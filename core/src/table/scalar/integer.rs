@@ -30,7 +30,7 @@ const SHORT_UNIT: f64 = 1.0 / (1_u64 << 15) as f64;
 impl EphemerisScalar for f32 {
     type Coefficient = i32;
     type Segment = [[i32; 4]; 5];
-    type Wide = Self;
+    type Quantity = Self;
 
     const TERMS: usize = 5;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 5];
@@ -47,7 +47,7 @@ impl EphemerisScalar for f32 {
 impl EphemerisScalar for I2F30 {
     type Coefficient = i32;
     type Segment = [[i32; 4]; 4];
-    type Wide = f32;
+    type Quantity = f32;
 
     const TERMS: usize = 4;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 4];
@@ -65,7 +65,7 @@ impl EphemerisScalar for I2F30 {
 impl EphemerisScalar for I2F14 {
     type Coefficient = i16;
     type Segment = [[i16; 4]; 3];
-    type Wide = f32;
+    type Quantity = f32;
 
     const TERMS: usize = 3;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 3];
@@ -85,7 +85,7 @@ impl EphemerisScalar for I2F14 {
 
 impl<W: Word> Coefficient for W {
     type Number = Q30;
-    type Wide = f32;
+    type Quantity = f32;
 
     fn nearest(value: i64, power: usize) -> (Self, i64) {
         W::nearest(value, power)

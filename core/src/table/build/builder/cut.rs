@@ -1,4 +1,4 @@
-//! Builder of a table: half a nutation period as short polynomials; the other half is its mirror image.
+//! Cutting of half a nutation period into cells and segments; the other half is its mirror image.
 //!
 //! ```text
 //! u = e₁                                                                    u = e₂

@@ -11,7 +11,7 @@ use crate::table::cell::CELLS;
 use crate::table::series::TERMS;
 use crate::table::series::expansion::{Expansion, PhasePoint, Slopes, larger_or_nan};
 
-/// Negligible term of the phases at x = 2 over that of α and β at x = 1. Terms after the sixth grow by sixty from 1 to 2.
+/// Negligible term of the phases at x = 2 over that of α and β at x = 1. From x = 1 to x = 2 each term after the sixth grows at least 64 times.
 const PHASE_TERM: f64 = 32.0;
 
 impl Start {
@@ -68,7 +68,7 @@ fn coordinate(expansion: &Expansion, chi: Phase) -> f64 {
 impl SetUp {
     /// Computes the equations and, in numbers of this many words, the mean rates.
     #[inline(never)]
-    pub(crate) fn launch<const WORDS: usize>(&mut self, motion: &Motion, between: &mut dyn FnMut()) {
+    pub(crate) fn compute_rates<const WORDS: usize>(&mut self, motion: &Motion, between: &mut dyn FnMut()) {
         self.rates = if motion.is_steady() {
             MeanRates::steady(motion)
         } else {
@@ -191,7 +191,7 @@ impl SetUp {
             psi: [rates.alpha, rates.beta].map(slope),
             theta: [rates.alpha + alpha_offset, rates.beta + beta_offset].map(slope),
             weight: weight.max(1.0),
-            // of which about a twentieth is the estimated error at x = 2, and two thirds at x = 3
+            // a term of this size causes an estimated error of a twentieth of it at x = 2, and of two thirds of it at x = 3
             least: (PHASE_TERM * self.limits.least).min(4.0 * self.allowed()),
         }
     }
@@ -201,13 +201,13 @@ impl SetUp {
     fn after(&self, x: u32, allowed: f64) -> Option<Position> {
         let truncation_error = self.expansion.truncation_error(x);
         (truncation_error <= allowed).then(|| {
-            let Position { remainder, squares: [delays, angles], .. } = self.here();
+            let Position { truncation, squares: [delays, angles], .. } = self.here();
             let (point, slope) = self.expansion.at(x.into());
             let [chi, theta] = self.expansion.sizes(x);
             let delay = chi / slope as f32 * self.span.half_length() as f32;
             Position {
                 point,
-                remainder: remainder + truncation_error,
+                truncation: truncation + truncation_error,
                 squares: [delays + delay * delay, angles + theta * theta],
             }
         })
@@ -216,7 +216,7 @@ impl SetUp {
     /// Orientation error by the path and the rounding of the start, rad.
     pub(super) fn path_error(&self) -> f64 {
         let speeds = &self.speeds;
-        let Position { point: PhasePoint { chi, theta }, remainder, squares } = self.end;
+        let Position { point: PhasePoint { chi, theta }, truncation, squares } = self.end;
         // distance from an odd number of quarter turns, rad
         let miss = |angle: Phase| {
             let (_, rest) = (angle + Phase::QUARTER).halves();
@@ -224,9 +224,9 @@ impl SetUp {
         };
         // at u = e₂, cos χ = 0 and cos θ = 0
         let [alpha, beta] = theta.map(miss);
-        let delay = remainder / self.fastest + miss(chi) / self.nutation_at_end;
+        let delay = truncation / self.fastest + miss(chi) / self.nutation_at_end;
         speeds.delayed(delay)
-            + 2.0 * (remainder + alpha.max(beta))
+            + 2.0 * (truncation + alpha.max(beta))
             + speeds.rounding(squares.map(f64::from), self.start.delay)
     }
 }
