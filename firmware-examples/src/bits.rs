@@ -114,7 +114,7 @@ fn ticks<R: Real + Into<f64>>(motion: &Motion, dt: f64) -> [Hash; 3] {
 
 /// Hashes of orientation, tip and ω of samples at distant ticks, and of orientation and tip at consecutive ticks.
 #[inline(never)] // one table at a time, too
-fn table<R: EphemerisScalar<Wide: Into<f64>> + Into<f64>, const SEGMENTS: usize>(
+fn table<R: EphemerisScalar<Quantity: Into<f64>> + Into<f64>, const SEGMENTS: usize>(
     set_up: &mut SetUp,
     motion: &Motion,
 ) -> [Hash; 2] {

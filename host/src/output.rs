@@ -53,7 +53,7 @@ pub enum Format {
     Json,
 }
 
-/// Records in a form. CSV has the first list, or without a list the other entries; `table` makes the table.
+/// Records in a form. CSV contains only the first list, or else one line with the other entries; `table` makes the table.
 ///
 /// # Errors
 /// None: the writers' types can fail, but a write to memory does not.

@@ -219,7 +219,7 @@ pub(crate) struct Rates<R> {
     pub(crate) omega: [f32; 3],
 }
 
-impl<R: EphemerisScalar<Wide = f32>> Rates<R> {
+impl<R: EphemerisScalar<Quantity = f32>> Rates<R> {
     pub(crate) const ZERO: Self = Self { orientation: Orientation::IDENTITY, omega: [0.0; 3] };
 
     #[inline(always)]
@@ -274,7 +274,7 @@ impl<R: Ring> Output<R> {
     }
 }
 
-impl<R: EphemerisScalar<Wide = R>> Output<R> {
+impl<R: EphemerisScalar<Quantity = R>> Output<R> {
     #[inline(always)]
     pub(crate) fn floating(sample: Sample<'_, R>) -> Self {
         let Pose { orientation, u, tip } = sample.pose();

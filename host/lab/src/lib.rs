@@ -33,7 +33,7 @@ enum Command {
     ///
     /// The exit code is 1 if a bound is exceeded.
     #[command(
-        after_help = "Example: toytop-lab corners --motions 400000 --truths 2000 --accept host/docs/accuracy.md"
+        after_help = "Example: toytop-lab corners --motions 20000 --truths 400 --accept host/docs/accuracy.md"
     )]
     Corners {
         #[command(flatten)]

@@ -11,7 +11,7 @@ use std::path::Path;
 #[derive(Debug, Deserialize, PartialEq)]
 pub struct Limits(pub BTreeMap<String, Costs>);
 
-/// Reciprocal of the share by which a limit exceeds the measured cost, so that another compiler causes no failure.
+/// Reciprocal of the tolerance of a limit, 5 % above the measured cost, so that another compiler causes no failure.
 const SLACK: u64 = 20;
 
 const HEAD: &str = "\

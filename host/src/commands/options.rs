@@ -89,7 +89,7 @@ pub fn span(text: &str) -> Result<[f64; 2], &'static str> {
     ends.filter(|[from, until]| from < until).ok_or("must be LOW..HIGH, two times in s")
 }
 
-/// Ticks, and seconds in which they are.
+/// Tick rate as a fraction: a number of ticks, and of seconds.
 pub fn hertz(text: &str) -> Result<[u32; 2], &'static str> {
     let (ticks, seconds) = text.split_once('/').unwrap_or((text, "1"));
     let whole = |text: &str| text.parse::<u32>().ok().filter(|n| *n > 0);

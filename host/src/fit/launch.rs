@@ -47,7 +47,7 @@ impl FitInput {
         }
         let fitted = fit.run(measurements.iter().copied()).map_err(refuse)?;
         let reason = fitted.reason.map(|reason| match reason {
-            // the core asks for sensors that are there
+            // the sensors that the core asks for exist, so that its advice would mislead
             Reason::NoBeginning if state_a_beginning(&self.sensors, measurements) => {
                 "no start fits the samples: are they of another top?".to_owned()
             }

@@ -41,7 +41,7 @@ pub struct Score {
     pub norm_error: f64,
     /// Upper bound on the error of the exact motion itself, rad.
     pub truth_bound: f64,
-    /// Likely reason why the first row is far from the motion, as a question; most often another convention.
+    /// Question that suggests why the first row is far from the motion, most often a convention.
     pub doubt: Option<String>,
 }
 

@@ -17,7 +17,7 @@ use anyhow::{Result, bail};
 const USAGE: &str = "\
 usage: cargo xtask VERB
 
-  test [--all] [--only STEP]   runs what guards a landing, or every test, or one step; installs missing tools by rustup, apt-get or
+  test [--all] [--only STEP]   runs the checks before every change, or every test, or one step; installs missing tools by rustup, apt-get or
                                cargo. The exit code is 1 if a step failed, and 2 if none failed but one could not run
   test --list                  lists the steps
   size                         prints the tokens of Rust by room, and fails where one is above its cap

@@ -14,7 +14,7 @@ use crate::{c, checks, firmware, python, size};
 /// One step of the test command.
 pub(crate) struct Step {
     name: &'static str,
-    /// Whether every landing needs the step; the others are run by `--all`.
+    /// Whether every change needs the step; the others are run by `--all`.
     pub(crate) guards: bool,
     /// Tools that it needs besides cargo.
     needs: &'static [Tool],
@@ -101,7 +101,7 @@ impl Step {
 /// Prints the names of the steps.
 pub(crate) fn list() {
     for Step { name, guards, .. } in ON_HOST.iter().chain(ON_CHIPS) {
-        println!("{name:16} {}", if *guards { "guards a landing" } else { "--all" });
+        println!("{name:16} {}", if *guards { "every change" } else { "--all" });
     }
 }
 

@@ -67,7 +67,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
     Ok(output::written(arguments.format, &object, table)?.into())
 }
 
-/// Values at the times of records, and for the times of the source what others printed; `line` is between the numbers of one quantity.
+/// Values at the times of records and, at the times of the source, the published values; `line` separates the numbers of a quantity.
 fn tables(
     problem: &Problem,
     records: &[Record],

@@ -93,10 +93,7 @@ fn baked(arguments: &BakeArgs, scenario: &Scenario, tick: Tick) -> Result<(Parts
     let (scalar, motion) = (arguments.scalar, &scenario.motion);
     let size = arguments.size.map_or(Size::Default, Size::Exactly);
     let table = table(scalar, motion, tick, size).map_err(|failure| failure.of_motion(&scenario.name))?;
-    let parts = table.parts().ok_or_else(|| {
-        let scalar = scalar.name();
-        Failure::Input(format!("--scalar: {scalar}: must be f64, f32, q31 or q15 with bake"))
-    })?;
+    let parts = table.parts().expect("a table");
     Ok((parts, smaller(scalar, motion, tick, &*table).and_then(|table| table.parts())))
 }
 

@@ -54,7 +54,7 @@ impl Instants {
         }
     }
 
-    /// Time of this index, s, and its tick, or 0.
+    /// Time, s, and tick of an index; the tick is 0 where times are not counted in ticks.
     pub fn at(&self, index: u64) -> (f64, i64) {
         (self.at)(index)
     }

@@ -52,8 +52,8 @@ pub fn run(arguments: &FormatArgs) -> Result<Report, Failure> {
             ("seconds", "million a second", |seconds| short(1e-6 / seconds, 3)),
         ];
         format!(
-            "{}\n{STATES} states over {PERIODS} periods of the paper's curve with cusps. The processor may work on several ticks at once\n\
-             where the numbers are given; the next tick waits for the one before. Least of {RUNS} runs on one core of {cores}; {build}.\n",
+            "{}\n{STATES} states over {PERIODS} periods of the paper's curve with cusps. Ticks given by their numbers do not depend\n\
+             on each other, and the processor may overlap them; the next tick waits for the one before. Least of {RUNS} runs on one core of {cores}; {build}.\n",
             output::aligned(&rows, &columns),
         )
     };

@@ -1,4 +1,4 @@
-//! Aperiodic motion by its closed form, in place of a table, which it has not.
+//! Aperiodic motion by its closed form, which has no table.
 
 use super::{AnyScalar, FoundEvent, RateSample, Sought, TimedSample, ticks_per_time, unwrapped};
 use crate::bake::Parts;

@@ -6,7 +6,7 @@ use toytop::su2::OrientationRate;
 use toytop::{Complex, EphemerisScalar, EphemerisView, Event, Level, Phase};
 use toytop_page::equations::dot;
 
-/// Sample of an ephemeris with more than every method has.
+/// Sample of an ephemeris with the rates and the phase that only an ephemeris has.
 pub struct TimedSample {
     /// α, β and u in the precision of the scalar; rates, tip and tip angle in that of its type for lengths and rates (`f32` for fixed
     /// point).

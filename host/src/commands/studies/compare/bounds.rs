@@ -62,7 +62,7 @@ fn of_the_full_solver(motion: &Motion) -> f64 {
 /// Upper bound on the distance of two orientations, rad.
 const WORST: f64 = 4.0;
 
-/// Bound on the error of the orientation, rad; `None` where no orientations are further apart.
+/// Bound on the error of the orientation, rad; `None` where the bound exceeds the greatest distance of two orientations.
 ///
 /// * `own`: bounds of a built-in motion that has bounds of its own
 /// * `table`: bound that a table states

@@ -16,7 +16,7 @@ use crate::output::{self, Column, Record, error};
 use std::time::Instant;
 use toytop::scalar::Real;
 use toytop::su2::OrientationRate;
-use toytop::{Motion, Top};
+use toytop::{Motion, Regime, Top};
 
 /// Samples and cost of a run.
 pub struct Run {
@@ -80,8 +80,11 @@ fn stepped<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Run {
 /// Run of an ephemeris at the times.
 ///
 /// # Errors
-/// [`Failure::Method`]: no table is large enough.
+/// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
 pub fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
+    if motion.regime() == Regime::Aperiodic && scalar != Scalar::F64 {
+        return Err(Failure::Method("an aperiodic motion has a closed form in f64, and no table".into()));
+    }
     let table = smallest(scalar, motion)?;
     let mut found = Vec::new();
     let call = median(|| {
