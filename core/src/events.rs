@@ -23,7 +23,7 @@ pub struct Event {
     /// Last tick at or before the event.
     pub tick: i64,
     /// Fraction of the following tick that passes before the event, in [0, 1).
-    pub share: f64,
+    pub fraction: f64,
     /// Whether u or the tip angle increases at the event; at a turning point, whether u = e₂.
     pub upward: bool,
 }
@@ -36,17 +36,17 @@ impl Event {
         if ticks.to_f64().abs() > COUNTABLE {
             return None;
         }
-        let (tick, share) = ticks.floor_and_rest();
+        let (tick, fraction) = ticks.floor_and_rest();
         let tick = i64::try_from(tick).ok()?;
-        // a share that rounds to 1 becomes the largest number below
-        let share = share.to_f64();
-        let share = if share < 1.0 { share } else { 1.0 - 0.5 * f64::EPSILON };
-        Some(Self { tick, share, upward })
+        // a fraction that rounds to 1 becomes the largest number below
+        let fraction = fraction.to_f64();
+        let fraction = if fraction < 1.0 { fraction } else { 1.0 - 0.5 * f64::EPSILON };
+        Some(Self { tick, fraction, upward })
     }
 
     /// Number of ticks from tick 0.
     fn ticks(&self) -> Extended {
-        Extended::from(self.tick) + self.share.into()
+        Extended::from(self.tick) + self.fraction.into()
     }
 }
 

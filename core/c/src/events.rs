@@ -18,8 +18,8 @@ pub struct toytop_event {
 
 /// First event of an iterator.
 pub(crate) fn first<R: Tabulated>(mut events: Events<'_, R>) -> Result<toytop_event, Refusal> {
-    let Event { tick, share, upward } = events.next().ok_or(toytop_status::TOYTOP_NONE)?;
-    Ok(toytop_event { tick, fraction: share, upward: upward.into() })
+    let Event { tick, fraction, upward } = events.next().ok_or(toytop_status::TOYTOP_NONE)?;
+    Ok(toytop_event { tick, fraction, upward: upward.into() })
 }
 
 /// Direction of the tip, from an angle in rad.

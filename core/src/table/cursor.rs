@@ -5,7 +5,7 @@ use core::ops::Deref;
 use crate::phase::{Phase, PhaseFraction};
 use crate::su2::Orientation;
 use crate::table::clock::Clock;
-use crate::table::ephemeris::{EphemerisView, ReadyEphemeris};
+use crate::table::ephemeris::{Ephemeris, EphemerisView, ReadyEphemeris};
 use crate::table::sample::Sample;
 use crate::table::scalar::EphemerisScalar;
 
@@ -53,13 +53,6 @@ impl<R: EphemerisScalar, T: Deref<Target = EphemerisView<R>>> Cursor<T> {
         Self { ticks: Ticks::new(&table.clock, first), table }
     }
 
-    /// Tick of the last sample; before the first sample, the tick before that one. It wraps after 2^63 - 1.
-    #[inline(always)]
-    #[must_use]
-    pub fn tick(&self) -> i64 {
-        self.ticks.tick()
-    }
-
     /// Table of the next sample.
     #[must_use]
     pub fn table(&self) -> &EphemerisView<R> {
@@ -70,6 +63,32 @@ impl<R: EphemerisScalar, T: Deref<Target = EphemerisView<R>>> Cursor<T> {
     pub fn exchange(&mut self, table: T) -> T {
         self.ticks = Ticks::new(&table.clock, self.tick().wrapping_add(1));
         core::mem::replace(&mut self.table, table)
+    }
+}
+
+impl<T> Cursor<T> {
+    /// Tick of the last sample; before the first sample, the tick before that one. It wraps after 2^63 - 1.
+    #[inline(always)]
+    #[must_use]
+    pub fn tick(&self) -> i64 {
+        self.ticks.tick()
+    }
+}
+
+impl<'a, R: EphemerisScalar, const SEGMENTS: usize> Cursor<&'a Ephemeris<R, SEGMENTS>> {
+    /// Sample of the next tick. The sequence has no end and cannot fail.
+    #[expect(clippy::should_implement_trait, reason = "there is always a next sample")]
+    #[inline(always)]
+    pub fn next(&mut self) -> Sample<'a, R> {
+        self.ticks.next(self.table)
+    }
+}
+
+impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
+    /// Cursor whose first sample is that of tick `first`. It knows the number of segments, which saves some cycles a tick.
+    #[must_use]
+    pub fn cursor(&self, first: i64) -> Cursor<&Self> {
+        Cursor { ticks: Ticks::new(&self.clock, first), table: self }
     }
 }
 

@@ -154,7 +154,7 @@ pub(crate) extern "C" fn bench_ephemeris_f32(ephemeris: &EphemerisF32, tick: i64
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_cursor_f32(cursor: &mut Cursor<&EphemerisView<f32>>, out: &mut Output<f32>) {
+pub(crate) extern "C" fn bench_cursor_f32(cursor: &mut Cursor<&EphemerisF32>, out: &mut Output<f32>) {
     *out = Output::floating(cursor.next());
 }
 
@@ -166,7 +166,7 @@ pub(crate) extern "C" fn bench_ephemeris_f64(ephemeris: &EphemerisF64, tick: i64
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_cursor_f64(cursor: &mut Cursor<&EphemerisView<f64>>, out: &mut Output<f64>) {
+pub(crate) extern "C" fn bench_cursor_f64(cursor: &mut Cursor<&EphemerisF64>, out: &mut Output<f64>) {
     *out = Output::floating(cursor.next());
 }
 
@@ -179,7 +179,7 @@ pub(crate) extern "C" fn bench_ephemeris_q31(ephemeris: &EphemerisQ31, tick: i64
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_cursor_q31(
-    cursor: &mut Cursor<&EphemerisView<I2F30>>,
+    cursor: &mut Cursor<&EphemerisQ31>,
     out: &mut Output<I2F30>,
 ) {
     *out = Output::fixed_point(cursor.next());
@@ -194,7 +194,7 @@ pub(crate) extern "C" fn bench_ephemeris_q15(ephemeris: &EphemerisQ15, tick: i64
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_cursor_q15(
-    cursor: &mut Cursor<&EphemerisView<I2F14>>,
+    cursor: &mut Cursor<&EphemerisQ15>,
     out: &mut Output<I2F14>,
 ) {
     *out = Output::fixed_point(cursor.next());
@@ -204,7 +204,7 @@ pub(crate) extern "C" fn bench_cursor_q15(
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_tip_q31(
-    cursor: &mut Cursor<&EphemerisView<I2F30>>,
+    cursor: &mut Cursor<&EphemerisQ31>,
     out: &mut (Orientation<I2F30>, Complex<f32>),
 ) {
     let sample = cursor.next();

@@ -27,7 +27,7 @@ fn found<R: EphemerisScalar>(
         _ => Level::of_lift_off(motion)
             .map_or(Vec::new(), |level| view.crossings(level, from).take(MOST).collect()),
     };
-    events.sort_by(|a, b| a.tick.cmp(&b.tick).then(a.share.total_cmp(&b.share)));
+    events.sort_by(|a, b| a.tick.cmp(&b.tick).then(a.fraction.total_cmp(&b.fraction)));
     events
 }
 
@@ -44,7 +44,7 @@ fn greatest_errors<R: EphemerisScalar>() -> [f64; 3] {
         assert!(events.len() >= truths.len(), "{case}: {events:?}");
         for (event, truth) in events.iter().zip(truths) {
             let (after, slope) = (number(&truth["after"]), number(&truth["slope"]).abs());
-            let ticks = (event.tick - from) as f64 + event.share;
+            let ticks = (event.tick - from) as f64 + event.fraction;
             let off = (ticks / 1024.0 - after).abs();
             let sample = view.at_event(event);
             let radius = sample.tip().modulus().to_f64() / motion.top().tip_scale();
@@ -89,13 +89,13 @@ fn a_release_from_rest_is_an_event_at_tick_0() {
         let motion = let_go(&toy(), tilt, spin);
         let view = boxed::<f64, 512>(&motion, kilohertz());
         let first = view.turning_points(0).next().unwrap();
-        assert_eq!((first.tick, first.share, first.upward), (0, 0.0, true), "{tilt}");
+        assert_eq!((first.tick, first.fraction, first.upward), (0, 0.0, true), "{tilt}");
         let angle = view.tip_angles(Phase::HALF, 0).next().unwrap();
         assert!(view.time_of(&angle) < 1e-6, "{tilt}: {angle:?}");
         let coarse = Ephemeris::<f32, 64>::within(&motion, kilohertz(), truncation).unwrap();
         let half_period = motion.period_advance().unwrap().period / 2.0;
         let [now, next] = [0, 1].map(|tick| coarse.turning_points(tick).next().unwrap());
-        assert_eq!((now.tick, now.share), (0, 0.0), "{tilt}");
+        assert_eq!((now.tick, now.fraction), (0, 0.0), "{tilt}");
         assert_eq!((next.tick, next.upward), ((1000.0 * half_period).floor() as i64, !now.upward), "{tilt}");
     }
 }
@@ -170,7 +170,7 @@ fn a_precession_passes_each_angle_once_a_turn() {
     let turn = 1000.0 / view.mean_tip_angle_rate().abs();
     let times: Vec<_> = view.tip_angles(Phase::new(0.3), -5).take(6).collect();
     for pair in times.windows(2) {
-        let gap = (pair[1].tick - pair[0].tick) as f64 + pair[1].share - pair[0].share;
+        let gap = (pair[1].tick - pair[0].tick) as f64 + pair[1].fraction - pair[0].fraction;
         assert!((gap / turn - 1.0).abs() < 1e-13, "{gap} {turn}");
         let angle = view.at_event(&pair[1]).tip_angle().unwrap();
         assert!((angle - Phase::new(0.3)).principal().to_f64().abs() < 1e-14);

@@ -57,8 +57,8 @@ fn epochs_agree<R: EphemerisScalar + Into<f64>>() {
                 let turns = turns.min((turns - 2_f64.powi(32)).abs());
                 assert!(turns <= 1e-6 * (1.0 + angles[0].abs()), "{label}, {past}: {angles:?}");
                 let turn = |table: &EphemerisView<R>, from: i64| {
-                    let Event { tick, share, upward } = table.turning_points(from).next()?;
-                    Some((((tick - from) as f64 + share) * turns_per_tick, upward))
+                    let Event { tick, fraction, upward } = table.turning_points(from).next()?;
+                    Some((((tick - from) as f64 + fraction) * turns_per_tick, upward))
                 };
                 match (turn(&launched, epoch + past), turn(&original, past)) {
                     (Some((moved, moved_upward)), Some((phase, upward))) => {

@@ -80,11 +80,11 @@ fn events<R: EphemerisScalar>(ephemeris: &EphemerisView<R>, n: i64, t: f64) {
         let mut before = (n, 0.0);
         for event in events {
             assert!(
-                (0.0..1.0).contains(&event.share) && (event.tick, event.share) >= before,
+                (0.0..1.0).contains(&event.fraction) && (event.tick, event.fraction) >= before,
                 "{event:?} after {before:?}"
             );
             sound::finite("time", [ephemeris.time_of(&event)]);
-            before = (event.tick, event.share);
+            before = (event.tick, event.fraction);
         }
     }
 }

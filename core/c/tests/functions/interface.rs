@@ -47,7 +47,7 @@ fn events_and_partial_derivatives_are_those_of_the_crate() {
         let event = events.next().expect("an event");
         assert_eq!(
             (found.tick, found.fraction, found.upward),
-            (event.tick, event.share, event.upward.into())
+            (event.tick, event.fraction, event.upward.into())
         );
     };
     unsafe {

@@ -120,7 +120,7 @@ fn truth<R: Printed, const S: usize>(file: &str, [ticks, seconds]: [u32; 2]) -> 
         // the first tick at or after a turning point, or before it by a rounding
         let turns = table.turning_points(tick.saturating_sub(1)).take(3).filter(|_| turns_per_tick < 0.5);
         let mut turns = turns.map(|turn| {
-            (turn.tick + i64::from(turn.share * turns_per_tick > 2_f64.powi(-50)), i32::from(turn.upward))
+            (turn.tick + i64::from(turn.fraction * turns_per_tick > 2_f64.powi(-50)), i32::from(turn.upward))
         });
         let turning = match turns.find(|(first, _)| *first >= tick) {
             Some((first, upper)) => format!("{first} {upper}"),
