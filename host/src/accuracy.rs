@@ -7,7 +7,7 @@
 use crate::Failure;
 use crate::input::builtin;
 use crate::input::random::Random;
-use crate::motion::ephemeris::{AnyScalar, smallest, ticks_per_time};
+use crate::motion::ephemeris::{AnyEphemeris, smallest, ticks_per_time};
 use crate::motion::{Scalar, greater};
 use crate::motion::{first_integrals, natural_scales};
 use crate::output::progress::Progress;
@@ -139,7 +139,7 @@ fn on(numbers: &Numbers, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure
     Ok(found)
 }
 
-fn orientation(table: &dyn AnyScalar, (n, t): (i64, f64), truth: &PreciseOrientation) -> Errors {
+fn orientation(table: &dyn AnyEphemeris, (n, t): (i64, f64), truth: &PreciseOrientation) -> Errors {
     let found = table.at_tick(n, t);
     let orientation = found.sample.orientation();
     let angle = truth.distance(&orientation);
@@ -154,7 +154,7 @@ fn orientation(table: &dyn AnyScalar, (n, t): (i64, f64), truth: &PreciseOrienta
     }
 }
 
-fn energy(motion: &Motion, table: &dyn AnyScalar, t: f64) -> f64 {
+fn energy(motion: &Motion, table: &dyn AnyEphemeris, t: f64) -> f64 {
     let instant = table.at(t);
     let phi = instant.sample.orientation();
     let [.., h] = first_integrals(motion.top(), &phi, instant.rate.omega_fixed(&phi));

@@ -58,7 +58,7 @@ pub enum Format {
 /// # Errors
 /// None: the writers' types can fail, but a write to memory does not.
 #[cfg(feature = "program")]
-pub fn written(format: Format, lists: &Lists<'_>, table: impl FnOnce() -> String) -> io::Result<String> {
+pub fn render(format: Format, lists: &Lists<'_>, table: impl FnOnce() -> String) -> io::Result<String> {
     match format {
         Format::Table => Ok(table()),
         Format::Csv => csv(lists.0.first().map_or(std::slice::from_ref(&lists.1), |(_, records)| records)),

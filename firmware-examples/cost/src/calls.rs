@@ -178,10 +178,7 @@ pub(crate) extern "C" fn bench_ephemeris_q31(ephemeris: &EphemerisQ31, tick: i64
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_cursor_q31(
-    cursor: &mut Cursor<&EphemerisQ31>,
-    out: &mut Output<I2F30>,
-) {
+pub(crate) extern "C" fn bench_cursor_q31(cursor: &mut Cursor<&EphemerisQ31>, out: &mut Output<I2F30>) {
     *out = Output::fixed_point(cursor.next());
 }
 
@@ -193,10 +190,7 @@ pub(crate) extern "C" fn bench_ephemeris_q15(ephemeris: &EphemerisQ15, tick: i64
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_cursor_q15(
-    cursor: &mut Cursor<&EphemerisQ15>,
-    out: &mut Output<I2F14>,
-) {
+pub(crate) extern "C" fn bench_cursor_q15(cursor: &mut Cursor<&EphemerisQ15>, out: &mut Output<I2F14>) {
     *out = Output::fixed_point(cursor.next());
 }
 

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use toytop::{Level, Phase, Support};
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::{FoundEvent, Sought};
+use toytop_host::motion::ephemeris::{EventQuery, FoundEvent};
 
 /// Greatest number of events of a call.
 const MOST: i64 = 1_000_000;
@@ -59,7 +59,7 @@ impl PyMotion {
         let (from, most) = ((start * table.ticks_per_time()).floor() as i64, count as usize);
         let wanted = move |t: f64, up: bool| t >= start && upward.is_none_or(|only: bool| only == up);
         let mut found = interrupt::alone(py, move || {
-            let events = |sought: Sought| {
+            let events = |sought: EventQuery| {
                 let events = table.events(sought, from, &wanted, most).into_iter();
                 events.map(move |event| (event.time_error(&sought), event))
             };
@@ -77,35 +77,35 @@ impl PyMotion {
         events.set_item("t", column(|event| event.t))?;
         events.set_item("t_error", errors.into_pyarray(py))?;
         events.set_item("up", upward.into_pyarray(py))?;
-        events.set_item("u", column(|event| event.there.sample.u))?;
-        events.set_item("tip_x", column(|event| event.there.sample.tip.re))?;
-        events.set_item("tip_y", column(|event| event.there.sample.tip.im))?;
-        events.set_item("phi", column(|event| event.there.sample.phi.unwrap_or(f64::NAN)))?;
+        events.set_item("u", column(|event| event.state.sample.u))?;
+        events.set_item("tip_x", column(|event| event.state.sample.tip.re))?;
+        events.set_item("tip_y", column(|event| event.state.sample.tip.im))?;
+        events.set_item("phi", column(|event| event.state.sample.phi.unwrap_or(f64::NAN)))?;
         Ok(events)
     }
 }
 
 impl PyMotion {
     /// Searches for the events of a kind: two where two levels of u belong to a circle, none where a top does not leave the plane.
-    fn sought(&self, kind: &str, value: Option<f64>) -> PyResult<Vec<Sought>> {
+    fn sought(&self, kind: &str, value: Option<f64>) -> PyResult<Vec<EventQuery>> {
         let (motion, top) = (&self.0.motion, self.0.motion.top());
         let named = |error| renamed(error, &[("tilt", "value"), ("radius", "value")]);
         let given = || value.ok_or_else(|| value_error("value", format!("must be given for {kind:?}")));
         Ok(match kind {
-            "tilt" => vec![Sought::Crossing(Level::of_tilt(given()?).map_err(named)?)],
+            "tilt" => vec![EventQuery::Crossing(Level::of_tilt(given()?).map_err(named)?)],
             "direction" => match given()? {
                 angle if angle.abs() <= 1e6 => {
-                    vec![Sought::TipAngle(Phase::new(angle / std::f64::consts::TAU))]
+                    vec![EventQuery::TipAngle(Phase::new(angle / std::f64::consts::TAU))]
                 }
                 _ => return Err(value_error("value", "must be within ±1e6 rad")),
             },
-            "circle" => Level::of_circle(top, given()?).map_err(named)?.map(Sought::Crossing).to_vec(),
+            "circle" => Level::of_circle(top, given()?).map_err(named)?.map(EventQuery::Crossing).to_vec(),
             "turning" | "lift_off" if value.is_some() => {
                 return Err(value_error("value", format!("must be left out for {kind:?}")));
             }
-            "turning" => vec![Sought::Turning],
+            "turning" => vec![EventQuery::Turning],
             "lift_off" if top.support() == Support::Sliding => {
-                Level::of_lift_off(motion).map(Sought::Crossing).into_iter().collect()
+                Level::of_lift_off(motion).map(EventQuery::Crossing).into_iter().collect()
             }
             "lift_off" => {
                 let reason = "must not be 'lift_off': the tip does not slide on a plane";

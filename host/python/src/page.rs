@@ -5,8 +5,8 @@ use crate::motion::PyMotion;
 use pyo3::prelude::*;
 use std::fs;
 use std::path::PathBuf;
-use toytop_host::pictures::curve::{Circle, Curve};
 use toytop_host::input::scenario::ScenarioFile;
+use toytop_host::pictures::curve::{Circle, Curve};
 use toytop_host::pictures::view;
 
 /// Page that shows a top in motion. A notebook draws it where it ends a cell.

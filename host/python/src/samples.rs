@@ -13,7 +13,7 @@ use rayon::slice::ParallelSliceMut;
 use std::sync::Arc;
 use toytop::{Motion, Orientation};
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::AnyScalar;
+use toytop_host::motion::ephemeris::AnyEphemeris;
 use toytop_host::motion::propagate::Sample;
 use toytop_host::motion::tip_angle::TipAngle;
 use toytop_host::samples::column::Column;
@@ -43,7 +43,7 @@ pub(crate) type Origin = (Py<PyAny>, &'static str, Option<Scalar>);
 type Array = PyResult<Py<Numbers>>;
 
 /// Ephemeris of one scalar.
-pub(crate) type Table = Arc<dyn AnyScalar>;
+pub(crate) type Table = Arc<dyn AnyEphemeris>;
 
 /// Source of samples.
 pub(crate) enum Source {

@@ -3,7 +3,7 @@
 use super::sensors::{KINDS, Sensors};
 use crate::Failure;
 use crate::input::finite;
-use crate::input::rows::{self, unread};
+use crate::input::rows::{self, csv_error};
 use crate::output::{number, shown};
 use std::path::Path;
 use toytop_fit::Measurement;
@@ -144,7 +144,7 @@ pub fn read(
     let unused: Vec<_> = header.iter().filter(|name| !used(name)).cloned().collect();
     let mut lines = Vec::new();
     for record in reader.records() {
-        let record = record.map_err(|error| Failure::Input(format!("{file}: {}", unread(&error))))?;
+        let record = record.map_err(|error| Failure::Input(format!("{file}: {}", csv_error(&error))))?;
         let line = record.position().map_or(0, csv::Position::line);
         let value = |place: usize, name: &str| {
             let field = record.get(place).unwrap_or_default();

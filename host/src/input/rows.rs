@@ -47,7 +47,7 @@ fn units(name: &str) -> &'static [&'static str] {
 }
 
 /// Text of an error of the reader of CSV, with the line if a row has another number of fields than the header.
-pub fn unread(error: &csv::Error) -> String {
+pub fn csv_error(error: &csv::Error) -> String {
     match error.kind() {
         csv::ErrorKind::UnequalLengths { pos, expected_len, len } => {
             let line = pos.as_ref().map_or(0, csv::Position::line);

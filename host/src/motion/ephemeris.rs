@@ -4,7 +4,7 @@ mod rise;
 mod samples;
 mod sizes;
 
-pub use samples::{FoundEvent, RateSample, Sought, TimedSample};
+pub use samples::{EventQuery, FoundEvent, RateSample, TimedSample};
 pub use sizes::{Size, approximate, smaller, smallest, table};
 pub use toytop_page::table::ticks_per_time;
 
@@ -18,7 +18,7 @@ use toytop::su2::OrientationRate;
 use toytop::{Complex, EphemerisMemory, EphemerisScalar, EphemerisView, ErrorBound, Motion, Phase};
 
 /// Ephemeris of any scalar.
-pub trait AnyScalar: Send + Sync {
+pub trait AnyEphemeris: Send + Sync {
     /// Number of segments, and of coefficients of each polynomial.
     fn size(&self) -> [usize; 2];
 
@@ -48,7 +48,7 @@ pub trait AnyScalar: Send + Sync {
     /// Events at tick `from` or later that `wanted` accepts by their time and sense, at most `most`.
     fn events(
         &self,
-        sought: Sought,
+        sought: EventQuery,
         from: i64,
         wanted: &dyn Fn(f64, bool) -> bool,
         most: usize,
@@ -95,7 +95,7 @@ impl<R: EphemerisScalar> Boxed<R> {
     }
 }
 
-impl<R: Bake> AnyScalar for Boxed<R> {
+impl<R: Bake> AnyEphemeris for Boxed<R> {
     fn size(&self) -> [usize; 2] {
         [self.table().capacity(), R::TERMS]
     }
@@ -152,14 +152,14 @@ impl<R: Bake> AnyScalar for Boxed<R> {
 
     fn events(
         &self,
-        sought: Sought,
+        sought: EventQuery,
         from: i64,
         wanted: &dyn Fn(f64, bool) -> bool,
         most: usize,
     ) -> Vec<FoundEvent> {
         let table = self.table();
-        let there = |event: &_, t| self.timed(t, t * self.ticks_per_time(), table.at_event(event));
-        samples::found(table, sought, from, wanted, most, there)
+        let state = |event: &_, t| self.timed(t, t * self.ticks_per_time(), table.at_event(event));
+        samples::found(table, sought, from, wanted, most, state)
     }
 
     fn parts(&self) -> Option<Parts> {

@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{AnyScalar, smallest};
+use crate::motion::ephemeris::{AnyEphemeris, smallest};
 use crate::motion::propagate::Sample;
 use std::f64::consts::PI;
 use toytop::{Complex, Motion, Orientation, TipClass};
@@ -10,7 +10,7 @@ use toytop::{Complex, Motion, Orientation, TipClass};
 /// Tip angle of a motion at any time, to a few roundings of `f64`.
 pub struct TipAngle {
     /// Ephemeris of the motion; `None` where the axis is vertical at all times.
-    ephemeris: Option<Box<dyn AnyScalar>>,
+    ephemeris: Option<Box<dyn AnyEphemeris>>,
     /// Scale of the tip's curve, m.
     scale: f64,
     /// Least |αβ| whose argument is known.

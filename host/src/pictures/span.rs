@@ -3,7 +3,7 @@
 use crate::Failure;
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{AnyScalar, furthest_time, smallest};
+use crate::motion::ephemeris::{AnyEphemeris, furthest_time, smallest};
 use crate::motion::propagate::{Sample, natural_time, period};
 use crate::output::short;
 use std::f64::consts::PI;
@@ -11,7 +11,7 @@ use toytop::{Motion, Regime};
 
 /// Motion between two times.
 pub struct Span {
-    table: Box<dyn AnyScalar>,
+    table: Box<dyn AnyEphemeris>,
     /// First and last time, s.
     pub ends: [f64; 2],
     /// Number of nutation periods, where they set the span.
@@ -91,7 +91,7 @@ fn periods(motion: &Motion) -> Option<u32> {
 }
 
 /// Time until the tip of an aperiodic motion stays at the centre, s.
-fn rise(motion: &Motion, table: &dyn AnyScalar) -> f64 {
+fn rise(motion: &Motion, table: &dyn AnyEphemeris) -> f64 {
     const AT_THE_CENTRE: f64 = 4e-3;
     const MOST: u32 = 4096;
     let one_plus_e1 = motion.branch_points().one_plus_e1;

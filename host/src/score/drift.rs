@@ -11,7 +11,7 @@
 
 use super::rotation_between;
 use super::trajectory::Row;
-use crate::motion::ephemeris::AnyScalar;
+use crate::motion::ephemeris::AnyEphemeris;
 use crate::motion::{first_integrals, natural_scales};
 use nalgebra::Vector3;
 use toytop::{Motion, Orientation};
@@ -29,7 +29,7 @@ pub struct Drift {
 
 /// Drift along the rows. It stays unknown where the file has no angular velocity and fewer than seven rows, or errors of more than two
 /// radians, which cannot be followed from row to row.
-pub(crate) fn along(rows: &[Row], motion: &Motion, table: &dyn AnyScalar) -> Drift {
+pub(crate) fn along(rows: &[Row], motion: &Motion, table: &dyn AnyEphemeris) -> Drift {
     const TOO_FAR: f64 = 2.0;
     let given: Option<Vec<_>> = rows.iter().map(|row| Some((row.orientation, row.omega?))).collect();
     if let Some(given) = given {
@@ -73,7 +73,7 @@ struct ErrorAt {
 }
 
 impl ErrorAt {
-    fn new(row: &Row, table: &dyn AnyScalar) -> Self {
+    fn new(row: &Row, table: &dyn AnyEphemeris) -> Self {
         let exact = table.at(row.t).sample;
         let epsilon = rotation_between(&exact.orientation(), &row.orientation);
         let carried = Orientation::exp(epsilon).adjoint(exact.omega).into();

@@ -6,7 +6,7 @@ use super::trajectory::{Row, Trajectory};
 use crate::Failure;
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{AnyScalar, furthest_time, smallest};
+use crate::motion::ephemeris::{AnyEphemeris, furthest_time, smallest};
 use crate::motion::propagate::period;
 use nalgebra::Vector3;
 use toytop::{Motion, Orientation};
@@ -14,7 +14,7 @@ use toytop::{Motion, Orientation};
 /// Exact motion that trajectories are compared with.
 pub struct Judge<'a> {
     motion: &'a Motion,
-    table: Box<dyn AnyScalar>,
+    table: Box<dyn AnyEphemeris>,
     /// Distance from the tip to the centre of mass in the files.
     pub length: f64,
     /// Command that prints the state from which a run has to start.

@@ -13,7 +13,7 @@
 
 use super::rotation_between;
 use super::trajectory::Row;
-use crate::motion::ephemeris::AnyScalar;
+use crate::motion::ephemeris::AnyEphemeris;
 use crate::motion::propagate::period;
 use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3, Vector6};
 use std::f64::consts::PI;
@@ -34,7 +34,7 @@ pub struct PhaseErrors {
 
 /// Fit of phase errors to rows.
 pub struct Fit<'a> {
-    table: &'a dyn AnyScalar,
+    table: &'a dyn AnyEphemeris,
     /// Time that a fit covers, s.
     period: f64,
     /// Mean rates of arg α, arg β and the nutation phase, rad/s.
@@ -48,7 +48,7 @@ const LEAST_ROWS: usize = 8;
 
 impl<'a> Fit<'a> {
     /// Fit for a motion with its ephemeris; `None` for an aperiodic motion, which has no such phases.
-    pub fn new(motion: &Motion, table: &'a dyn AnyScalar) -> Option<Self> {
+    pub fn new(motion: &Motion, table: &'a dyn AnyEphemeris) -> Option<Self> {
         let exist = match motion.regime() {
             Regime::Nutating => [true; 3],
             Regime::Aperiodic => return None,

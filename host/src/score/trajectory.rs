@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use crate::input::finite;
-use crate::input::rows::{self, unread};
+use crate::input::rows::{self, csv_error};
 use crate::output::shown;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 use std::path::Path;
@@ -77,7 +77,7 @@ impl Trajectory {
             Columns::of(reader.headers().map_err(|error| refuse(error.to_string()))?).map_err(&refuse)?;
         let mut rows: Vec<Row> = Vec::new();
         for record in reader.records() {
-            let record = record.map_err(|error| refuse(unread(&error)))?;
+            let record = record.map_err(|error| refuse(csv_error(&error)))?;
             let line = record.position().map_or(0, csv::Position::line);
             let row = columns.row(&record).map_err(|reason| refuse(format!("line {line}: {reason}")))?;
             if !goes_on(&rows, row.t) {

@@ -4,7 +4,7 @@ use crate::commands::motion::constants;
 use crate::full_equations::solution;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{AnyScalar, approximate, smallest};
+use crate::motion::ephemeris::{AnyEphemeris, approximate, smallest};
 use crate::motion::propagate::Sample;
 use crate::output::text;
 use crate::samples::column::Column as Quantity;
@@ -102,7 +102,7 @@ impl Measured {
         Self { motion, times, double, single, full }
     }
 
-    fn run(&self, table: &dyn AnyScalar) -> Run {
+    fn run(&self, table: &dyn AnyEphemeris) -> Run {
         let samples = self.times.iter().map(|&t| table.at(t).sample).collect();
         Run { samples, segments: table.size()[0], bound: table.error_bound().constant }
     }

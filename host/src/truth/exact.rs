@@ -45,7 +45,7 @@ struct HalfPhase {
 
 /// Behaviour of u.
 #[derive(PartialEq)]
-pub enum Course {
+pub enum MotionKind {
     /// Constant u.
     Steady,
     /// Oscillation of u between e₁ and e₂.
@@ -70,7 +70,7 @@ impl Exact {
         let (coarse, start) =
             (integrands.map(to_f64), (HalfPhase::new(half_phase), [(); 3].map(|()| whole(0))));
         let mut exact = Self { coarse, integrands, half_tau, directions, start, half_period: None };
-        if exact.course() != Course::Steady {
+        if exact.kind() != MotionKind::Steady {
             let half_period = HalfPeriod::new(&exact.integrands, &exact.coarse, finer);
             exact.start.1 = passed(&half_period, &exact.start.0);
             exact.half_period = Some(half_period);
@@ -79,16 +79,16 @@ impl Exact {
     }
 
     /// Kind of motion, by the branch points of the truth.
-    pub fn course(&self) -> Course {
+    pub fn kind(&self) -> MotionKind {
         let Integrands { one_minus_e2, e2_minus_e1, e3_minus_e2, .. } = &self.integrands;
         let HalfPhase { end, sine, .. } = &self.start.0;
         let upright = *end == TurningPoint::Upper && is_zero(sine) && is_zero(one_minus_e2);
         if is_zero(e2_minus_e1) || (is_zero(e3_minus_e2) && upright) {
-            Course::Steady
+            MotionKind::Steady
         } else if is_zero(e3_minus_e2) {
-            Course::Aperiodic
+            MotionKind::Aperiodic
         } else {
-            Course::Nutating
+            MotionKind::Nutating
         }
     }
 
@@ -283,7 +283,7 @@ mod tests {
         for stream in 0..60 {
             let numbers = numbers(&mut Random::new(7, stream));
             let exact = Exact::new(&numbers);
-            if exact.course() != Course::Nutating {
+            if exact.kind() != MotionKind::Nutating {
                 continue;
             }
             let finer = Exact::with_panels(Launched::new(&numbers, &precise(numbers.top[3])), 1);

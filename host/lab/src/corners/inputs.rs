@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use toytop::{InitialPhases, Release, Sign, Signs, State, Stepper};
 use toytop_host::input::random::Random;
 use toytop_host::motion::ephemeris::RateSample;
-use toytop_host::truth::exact::{Course, Exact, PreciseOrientation};
+use toytop_host::truth::exact::{Exact, MotionKind, PreciseOrientation};
 use toytop_host::truth::motions::{Numbers, Start, branch_points};
 use toytop_host::truth::precise::{Precise, precise, to_f64, to_floor, to_nearest, whole};
 
@@ -157,12 +157,12 @@ pub fn with_truth(
 fn near(exact: &Exact, (rate, period): (f64, f64), random: &mut Random) -> Vec<i64> {
     let at = |half_phase: f64| to_nearest(&(exact.time_of(half_phase) * precise(rate)));
     let anywhere = (random.share() * period * rate) as i64;
-    match exact.course() {
-        Course::Steady => vec![anywhere],
-        Course::Aperiodic => {
+    match exact.kind() {
+        MotionKind::Steady => vec![anywhere],
+        MotionKind::Aperiodic => {
             at(2.0 * (0.5 * random.between(-12.0, 12.0)).tanh().atan()).into_iter().collect()
         }
-        Course::Nutating => {
+        MotionKind::Nutating => {
             let turning = (random.between(0.0, PI) / FRAC_PI_2).round() * FRAC_PI_2;
             let side = if random.one_in(2) { 1.0 } else { -1.0 };
             [anywhere].into_iter().chain(at(turning + side * random.scale(1e-6, 0.3))).collect()

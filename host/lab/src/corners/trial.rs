@@ -3,7 +3,7 @@
 use super::inputs::{self, Place};
 use toytop::{Motion, ParameterError, Regime};
 use toytop_host::input::random::Random;
-use toytop_host::motion::ephemeris::{AnyScalar, approximate, smallest, ticks_per_time};
+use toytop_host::motion::ephemeris::{AnyEphemeris, approximate, smallest, ticks_per_time};
 use toytop_host::motion::propagate::period;
 use toytop_host::motion::{Scalar, greater};
 use toytop_host::truth::exact::Exact;
@@ -94,7 +94,12 @@ pub fn run(
 }
 
 /// Greatest error of the norm at these times, and of u at both turning points, as a share of the bound.
-fn norm_and_height(table: &dyn AnyScalar, motion: &Motion, times: &[f64], (rate, period): (f64, f64)) -> f64 {
+fn norm_and_height(
+    table: &dyn AnyEphemeris,
+    motion: &Motion,
+    times: &[f64],
+    (rate, period): (f64, f64),
+) -> f64 {
     let start = table.at(0.0).nutation_phase.to_f64();
     let e = motion.branch_points();
     let turning = [(1.0, e.e1), (0.5, e.e2)].map(|(phase, u)| ((phase - start) * period, u));
@@ -106,7 +111,7 @@ fn norm_and_height(table: &dyn AnyScalar, motion: &Motion, times: &[f64], (rate,
 }
 
 /// Errors of a table at these places.
-fn against(table: &dyn AnyScalar, places: &[Place]) -> Errors {
+fn against(table: &dyn AnyEphemeris, places: &[Place]) -> Errors {
     let (bound, rate_bound) = (table.error_bound(), table.rate_error_bound());
     let mut errors = Errors::default();
     for Place { tick, phi, rates } in places {
@@ -138,12 +143,17 @@ impl Errors {
 }
 
 /// For each scalar, the tick of the first period at which its rates differ most from those of a finer table.
-fn doubtful(tables: &[Option<Box<dyn AnyScalar>>; 4], motion: &Motion, period: f64, rate: f64) -> Vec<i64> {
+fn doubtful(
+    tables: &[Option<Box<dyn AnyEphemeris>>; 4],
+    motion: &Motion,
+    period: f64,
+    rate: f64,
+) -> Vec<i64> {
     const COMPARED: i64 = 2048;
     let Ok(finer) = approximate(motion, FINE) else { return Vec::new() };
     let tick = |place: i64| (period * rate * place as f64 / COMPARED as f64) as i64;
     let fine: Vec<_> = (0..COMPARED).map(tick).map(|tick| (tick, finer.rates_at_tick(tick))).collect();
-    let most = |table: &dyn AnyScalar| {
+    let most = |table: &dyn AnyEphemeris| {
         let apart = fine.iter().map(|(tick, rates)| (*tick, table.rates_at_tick(*tick).distance(rates)));
         apart.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(tick, _)| tick)
     };

@@ -52,7 +52,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
                 + "\ntoytop benchmark NAME prints 30 digits; --scenario its scenario file; toytop score --benchmark NAME judges a run.\n"
         };
         let object = output::list("problems", &summaries);
-        return Ok(output::written(arguments.format, &object, table)?.into());
+        return Ok(output::render(arguments.format, &object, table)?.into());
     };
     let records = match &arguments.times {
         Some(times) => computed(&problem, times)?,
@@ -64,7 +64,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
         .with("symmetry_axis", problem.conventions.symmetry_axis as u64);
     let object = Lists(vec![("samples", &records)], rest);
     let table = || heading(&problem) + &tables(&problem, &records, "\n", |rows| output::columns(rows, 3));
-    Ok(output::written(arguments.format, &object, table)?.into())
+    Ok(output::render(arguments.format, &object, table)?.into())
 }
 
 /// Values at the times of records and, at the times of the source, the published values; `line` separates the numbers of a quantity.

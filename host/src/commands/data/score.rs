@@ -101,7 +101,7 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     let rest =
         Record::default().with("order", order).with("scenario", &*scenario.name).with("sign", "nearest");
     let object = Lists(vec![("files", &records), ("methods", &of_methods)], rest);
-    let text = output::written(arguments.format, &object, || tables(&ranked, &groups))?;
+    let text = output::render(arguments.format, &object, || tables(&ranked, &groups))?;
     Ok(Report::from(text).with_remarks(doubts, arguments.format == Format::Table))
 }
 

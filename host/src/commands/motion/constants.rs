@@ -35,7 +35,7 @@ pub fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
         };
         output::aligned(&ALL.map(line), &[("key", "", eight), ("value", "", eight), ("unit", "", eight)])
     };
-    let text = output::written(arguments.format, &Lists(Vec::new(), record), table)?;
+    let text = output::render(arguments.format, &Lists(Vec::new(), record), table)?;
     Ok(Report::from(text).with_remarks(warnings(&[scenario]), arguments.format == Format::Table))
 }
 

@@ -5,7 +5,7 @@ use crate::Failure;
 use crate::input::finite;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{FoundEvent, Sought, furthest_time, smallest};
+use crate::motion::ephemeris::{EventQuery, FoundEvent, furthest_time, smallest};
 use crate::motion::tilts;
 use crate::output::{self, Column, Format, Record, eight};
 use clap::Args;
@@ -109,7 +109,7 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
         [] => none(&arguments.kinds, motion),
         _ => output::aligned(&records, &columns(scenario.units)),
     };
-    let text = output::written(arguments.format, &output::list("events", &records), table)?;
+    let text = output::render(arguments.format, &output::list("events", &records), table)?;
     // no warning that the top leaves the plane if the command asks for these times
     let asked = arguments.kinds.iter().any(|kind| kind.what == What::LiftOff);
     let remarks = if asked { Vec::new() } else { warnings(&[scenario]) };
@@ -117,34 +117,36 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
 }
 
 /// Searches for the events of a kind: two where two levels of u belong to a circle, none where a top does not leave the plane.
-fn sought(kind: &Kind, motion: &Motion) -> Result<Vec<Sought>, Failure> {
+fn sought(kind: &Kind, motion: &Motion) -> Result<Vec<EventQuery>, Failure> {
     let refused = |error: ParameterError| Failure::Input(format!("{}: {error}", kind.text));
     let top = motion.top();
     Ok(match kind.what {
-        What::Turning => vec![Sought::Turning],
-        What::Tilt(degrees) => vec![Sought::Crossing(Level::of_tilt(degrees.to_radians()).map_err(refused)?)],
-        What::TipAngle(degrees) => vec![Sought::TipAngle(Phase::new(degrees / 360.0))],
+        What::Turning => vec![EventQuery::Turning],
+        What::Tilt(degrees) => {
+            vec![EventQuery::Crossing(Level::of_tilt(degrees.to_radians()).map_err(refused)?)]
+        }
+        What::TipAngle(degrees) => vec![EventQuery::TipAngle(Phase::new(degrees / 360.0))],
         What::Circle(radius) => {
             let levels = Level::of_circle(top, radius).map_err(|_| {
                 let allowed = format!("must be above 0 and below {}", output::short(top.tip_scale(), 6));
                 Failure::Input(format!("{}: {allowed}", kind.text))
             })?;
-            levels.map(Sought::Crossing).to_vec()
+            levels.map(EventQuery::Crossing).to_vec()
         }
         What::LiftOff if top.support() != Support::Sliding => {
             return Err(Failure::Method(
                 "lift-off: none, because the tip does not slide on a plane".to_owned(),
             ));
         }
-        What::LiftOff => Level::of_lift_off(motion).map(Sought::Crossing).into_iter().collect(),
+        What::LiftOff => Level::of_lift_off(motion).map(EventQuery::Crossing).into_iter().collect(),
     })
 }
 
-fn record(kind: &Kind, sought: &Sought, event: &FoundEvent) -> Record {
-    let sample = &event.there.sample;
+fn record(kind: &Kind, sought: &EventQuery, event: &FoundEvent) -> Record {
+    let sample = &event.state.sample;
     let sense = match (sought, event.upward) {
-        (Sought::Turning, true) => "upper",
-        (Sought::Turning, false) => "lower",
+        (EventQuery::Turning, true) => "upper",
+        (EventQuery::Turning, false) => "lower",
         (_, true) => "up",
         (_, false) => "down",
     };

@@ -119,9 +119,9 @@ fn by_ephemeris(
         let reason = format!("{}: an aperiodic motion has a closed form in f64, and no table", scalar.name());
         return Err(Failure::Method(format!("{}: --scalar: {reason}", scenario.name)));
     }
-    let table = if let Some([there, seconds]) = instants.rate {
+    let table = if let Some([ticks, seconds]) = instants.rate {
         let refused = |error| Failure::Input(format!("--hertz: {error}"));
-        table(scalar, motion, Tick::ratio(there, seconds).map_err(refused)?, Size::Smallest)
+        table(scalar, motion, Tick::ratio(ticks, seconds).map_err(refused)?, Size::Smallest)
     } else {
         let within = instants.require_within(furthest_time(motion), " with --method ephemeris");
         within.map_err(|failure| failure.of(option))?;

@@ -140,8 +140,8 @@ fn ticks(text: &str, rate: [u32; 2]) -> Result<Instants, Failure> {
         Failure::Input(format!("--ticks: {}: {allowed}", shown(text)))
     };
     let number = |text: &str| text.trim().parse::<i64>().map_err(|_| refused());
-    let [there, seconds] = rate.map(f64::from);
-    let time = move |tick: i64| tick as f64 * seconds / there;
+    let [ticks, seconds] = rate.map(f64::from);
+    let time = move |tick: i64| tick as f64 * seconds / ticks;
     let Some((first, last)) = text.split_once("..") else {
         let list = text.split(',').map(number).collect::<Result<Vec<_>, _>>()?;
         return Ok(Instants {

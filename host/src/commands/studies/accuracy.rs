@@ -49,7 +49,7 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
             output::aligned(&scalars, &columns(output::error)),
         )
     };
-    let text = output::written(arguments.format, &output::list("rows", &octaves), table)?;
+    let text = output::render(arguments.format, &output::list("rows", &octaves), table)?;
     if let Some(path) = &arguments.plot {
         drawing::write("--plot", path, &picture(&all, &limits), None)?;
     }

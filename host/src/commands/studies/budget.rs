@@ -139,7 +139,7 @@ fn launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&'static Chip>) -> R
             output::aligned(&records, &columns)
         )
     };
-    Ok(output::written(arguments.format, &output::list("rows", &records), table)?.into())
+    Ok(output::render(arguments.format, &output::list("rows", &records), table)?.into())
 }
 
 /// Path of the firmware after its build, optimised for size if `size`, otherwise for speed. The messages of the build go to stderr.
@@ -214,7 +214,7 @@ fn shown(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -> Result<R
             output::aligned(&records, &columns)
         )
     };
-    Ok(output::written(arguments.format, &output::list("rows", &records), table)?.into())
+    Ok(output::render(arguments.format, &output::list("rows", &records), table)?.into())
 }
 
 fn record(chip: &str, call: &str, cost: &Cost, megahertz: f64) -> Record {

@@ -85,7 +85,7 @@ pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
         rows.extend(of_motion(scenario, arguments, &mut remarks)?);
     }
     let records: Vec<_> = rows.iter().map(run::record).collect();
-    let text = output::written(arguments.format, &output::list("rows", &records), || {
+    let text = output::render(arguments.format, &output::list("rows", &records), || {
         let table = if built_in && !arguments.all { run::summary } else { run::table };
         table(&rows, arguments.periods)
     })?;

@@ -1,6 +1,6 @@
 //! Aperiodic motion by its closed form, which has no table.
 
-use super::{AnyScalar, FoundEvent, RateSample, Sought, TimedSample, ticks_per_time, unwrapped};
+use super::{AnyEphemeris, EventQuery, FoundEvent, RateSample, TimedSample, ticks_per_time, unwrapped};
 use crate::bake::Parts;
 use crate::motion::propagate::{Sample, natural_time};
 use std::f64::consts::TAU;
@@ -55,7 +55,7 @@ fn root(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
     }
 }
 
-impl AnyScalar for Rise {
+impl AnyEphemeris for Rise {
     fn size(&self) -> [usize; 2] {
         [0; 2]
     }
@@ -99,16 +99,16 @@ impl AnyScalar for Rise {
     /// Events while the axis is not upright to a rounding: places at which the integer part of a function of time changes.
     fn events(
         &self,
-        sought: Sought,
+        sought: EventQuery,
         from: i64,
         wanted: &dyn Fn(f64, bool) -> bool,
         most: usize,
     ) -> Vec<FoundEvent> {
         let value = |t: f64| match sought {
-            Sought::Turning => self.form.v(t).clamp(-0.5, 0.5),
-            Sought::Crossing(level) if level.u() < 1.0 => 0.25 * (self.form.at(t).u() - level.u()),
-            Sought::Crossing(_) => 0.5,
-            Sought::TipAngle(angle) => (self.angle(t) - angle.to_radians()) / TAU,
+            EventQuery::Turning => self.form.v(t).clamp(-0.5, 0.5),
+            EventQuery::Crossing(level) if level.u() < 1.0 => 0.25 * (self.form.at(t).u() - level.u()),
+            EventQuery::Crossing(_) => 0.5,
+            EventQuery::TipAngle(angle) => (self.angle(t) - angle.to_radians()) / TAU,
         };
         let mut found = Vec::new();
         let [mut time, mut before] = [f64::NAN; 2];
@@ -120,9 +120,9 @@ impl AnyScalar for Rise {
                 let sense = (after - before).signum();
                 let t = root(time, next, |t| sense * (value(t) - whole));
                 // at the lowest point u is least
-                let upward = sense > 0.0 && sought != Sought::Turning;
+                let upward = sense > 0.0 && sought != EventQuery::Turning;
                 if t >= from as f64 / self.ticks && wanted(t, upward) {
-                    found.push(FoundEvent { t, upward, there: self.at(t) });
+                    found.push(FoundEvent { t, upward, state: self.at(t) });
                 }
             }
             (time, before) = (next, after);

@@ -49,7 +49,7 @@ fn norm(x: [f64; 3]) -> f64 {
 
 /// Event that is searched for.
 #[derive(Clone, Copy, PartialEq)]
-pub enum Sought {
+pub enum EventQuery {
     /// Turning points of u.
     Turning,
     /// Crossings of a level.
@@ -65,19 +65,19 @@ pub struct FoundEvent {
     /// Whether u rises there, or the tip angle; at a turning point, whether u = e₂.
     pub upward: bool,
     /// Motion at the event.
-    pub there: TimedSample,
+    pub state: TimedSample,
 }
 
 impl FoundEvent {
     /// Upper bound on the error of the time: that of u or of the tip angle, divided by its rate. `None` for a turning point, and where the
     /// rate is 0.
-    pub fn time_error(&self, sought: &Sought) -> Option<f64> {
-        let TimedSample { sample, rate, .. } = &self.there;
+    pub fn time_error(&self, sought: &EventQuery) -> Option<f64> {
+        let TimedSample { sample, rate, .. } = &self.state;
         let bound = sample.error_bound? + f64::EPSILON;
         let error = match sought {
-            Sought::Turning => return None,
-            Sought::Crossing(_) => bound / sample.udot.abs(),
-            Sought::TipAngle(_) => {
+            EventQuery::Turning => return None,
+            EventQuery::Crossing(_) => bound / sample.udot.abs(),
+            EventQuery::TipAngle(_) => {
                 let product = sample.alpha * sample.beta;
                 let change = rate.alpha * sample.beta + sample.alpha * rate.beta;
                 let turning = (product.re * change.im - product.im * change.re) / product.norm_squared();
@@ -94,16 +94,16 @@ const MOST_UNWANTED: u32 = 10_000;
 /// Events at tick `from` or later, at times that `wanted` accepts.
 pub fn found<R: EphemerisScalar>(
     view: &EphemerisView<R>,
-    sought: Sought,
+    sought: EventQuery,
     from: i64,
     wanted: &dyn Fn(f64, bool) -> bool,
     most: usize,
-    there: impl Fn(&Event, f64) -> TimedSample,
+    state: impl Fn(&Event, f64) -> TimedSample,
 ) -> Vec<FoundEvent> {
     let events: Box<dyn Iterator<Item = Event>> = match sought {
-        Sought::Turning => Box::new(view.turning_points(from)),
-        Sought::Crossing(level) => Box::new(view.crossings(level, from)),
-        Sought::TipAngle(angle) => Box::new(view.tip_angles(angle, from)),
+        EventQuery::Turning => Box::new(view.turning_points(from)),
+        EventQuery::Crossing(level) => Box::new(view.crossings(level, from)),
+        EventQuery::TipAngle(angle) => Box::new(view.tip_angles(angle, from)),
     };
     let timed = events.map(|event| (view.time_of(&event), event));
     let mut unwanted = 0;
@@ -112,5 +112,5 @@ pub fn found<R: EphemerisScalar>(
         unwanted < MOST_UNWANTED
     };
     let timed = timed.take_while(expected).filter(|(t, event)| wanted(*t, event.upward)).take(most);
-    timed.map(|(t, event)| FoundEvent { t, upward: event.upward, there: there(&event, t) }).collect()
+    timed.map(|(t, event)| FoundEvent { t, upward: event.upward, state: state(&event, t) }).collect()
 }

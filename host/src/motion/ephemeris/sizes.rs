@@ -1,7 +1,7 @@
 //! Capacities that a table may have, and the choice among them.
 
 use super::rise::Rise;
-use super::{AnyScalar, Boxed};
+use super::{AnyEphemeris, Boxed};
 use crate::Failure;
 use crate::bake::Bake;
 use crate::motion::Scalar;
@@ -48,7 +48,12 @@ fn allowed(scalar: Scalar) -> Vec<u32> {
 /// # Errors
 /// [`Failure::Method`]: no table is large enough, or the given size is not; the message states the size that would be.
 /// [`Failure::Input`]: there is no such size.
-pub fn table(scalar: Scalar, motion: &Motion, tick: Tick, size: Size) -> Result<Box<dyn AnyScalar>, Failure> {
+pub fn table(
+    scalar: Scalar,
+    motion: &Motion,
+    tick: Tick,
+    size: Size,
+) -> Result<Box<dyn AnyEphemeris>, Failure> {
     let of_scalar = match scalar {
         Scalar::F64 => table_in::<f64>,
         Scalar::F32 => table_in::<f32>,
@@ -63,7 +68,7 @@ fn table_in<R: Bake>(
     motion: &Motion,
     tick: Tick,
     size: Size,
-) -> Result<Box<dyn AnyScalar>, Failure> {
+) -> Result<Box<dyn AnyEphemeris>, Failure> {
     let truncation = if let Size::Within(truncation) = size { truncation } else { R::TRUNCATION };
     let mut allowed = allowed(scalar);
     let mut largest = format!("4096x{} segments, the most", R::TERMS);
@@ -123,7 +128,7 @@ fn memory<R: Bake>(segments: u32) -> Box<EphemerisMemory<EphemerisView<R>>> {
 ///
 /// # Errors
 /// [`Failure::Method`]: no table is large enough; the message states the size that would be.
-pub fn smallest(scalar: Scalar, motion: &Motion) -> Result<Box<dyn AnyScalar>, Failure> {
+pub fn smallest(scalar: Scalar, motion: &Motion) -> Result<Box<dyn AnyEphemeris>, Failure> {
     at_any_time(scalar, motion, Size::Smallest)
 }
 
@@ -131,11 +136,11 @@ pub fn smallest(scalar: Scalar, motion: &Motion) -> Result<Box<dyn AnyScalar>, F
 ///
 /// # Errors
 /// As [`smallest`].
-pub fn approximate(motion: &Motion, truncation: f64) -> Result<Box<dyn AnyScalar>, Failure> {
+pub fn approximate(motion: &Motion, truncation: f64) -> Result<Box<dyn AnyEphemeris>, Failure> {
     at_any_time(Scalar::F64, motion, Size::Within(truncation))
 }
 
-fn at_any_time(scalar: Scalar, motion: &Motion, size: Size) -> Result<Box<dyn AnyScalar>, Failure> {
+fn at_any_time(scalar: Scalar, motion: &Motion, size: Size) -> Result<Box<dyn AnyEphemeris>, Failure> {
     if let Some(rise) = Rise::new(motion) {
         return Ok(Box::new(rise));
     }
@@ -148,8 +153,8 @@ pub fn smaller(
     scalar: Scalar,
     motion: &Motion,
     tick: Tick,
-    than: &dyn AnyScalar,
-) -> Option<Box<dyn AnyScalar>> {
+    than: &dyn AnyEphemeris,
+) -> Option<Box<dyn AnyEphemeris>> {
     const LARGER: f64 = 1.01;
     let (own, [segments, _]) = (than.error_bound(), than.size());
     let close = |bound: ErrorBound| {
