@@ -71,7 +71,7 @@ pub use table::{EphemerisQ15, EphemerisQ31};
 mod tests {
     use super::*;
 
-    /// What an interrupt or a resource of a scheduler holds may move there and be shared; otherwise this does not compile.
+    /// Every type that an interrupt or a scheduler holds is `Send` and `Sync`; otherwise this does not compile.
     #[test]
     fn an_interrupt_may_hold_everything() {
         fn held<T: Send + Sync>() {}

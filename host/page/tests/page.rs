@@ -1,4 +1,4 @@
-//! What JavaScript receives, against the core as a program calls it.
+//! Values that JavaScript receives, compared with those of the core.
 
 use toytop::scalar::Float;
 use toytop::{EphemerisF64, Motion, Pose, Release, State, Stepper, Support};

@@ -185,7 +185,7 @@ impl Curve {
     }
 }
 
-/// What a contour surrounds. The branch points are at least 0.09 from each other and from ±1.
+/// Points that a contour surrounds. The branch points are at least 0.09 from each other and from ±1.
 #[derive(Clone, Copy)]
 pub(super) enum Place {
     /// A point that is no branch point: u + v/3.

@@ -22,7 +22,7 @@ const SPINS: u32 = 12;
 /// Angles between the axis and the vertical that are tried, rad.
 const TILTS: [f64; 5] = [0.25, 0.75, 1.3, 2.0, 2.7];
 
-/// What the measurements tell at one instant.
+/// Quantities that the measurements of one instant determine.
 #[derive(Clone, Copy, Default)]
 struct Instant {
     time: f64,
@@ -43,7 +43,7 @@ pub(super) struct Guesses {
     open: Open,
 }
 
-/// What the first measurements leave open.
+/// Quantities that the first measurements do not determine.
 #[derive(Clone, Copy)]
 enum Open {
     Nothing,
