@@ -24,7 +24,7 @@ pub(crate) use float::sine_cosine_of_radians;
 pub(crate) use power_of_two::{exponent, power_of_two, short_float, short_power_of_two, times_power_of_two};
 #[cfg(feature = "fixed")]
 pub(crate) use sine::sine_cosine_q15;
-pub(crate) use sine::{sine_cosine_f64, sine_cosine_q26, sine_cosine_q31};
+pub(crate) use sine::{fraction_of_word, sine_cosine_f64, sine_cosine_q26, sine_cosine_q31};
 
 pub use wide::{Extended, Extended64, Wide};
 

@@ -28,26 +28,28 @@ pub const COSINE: [f64; 9] = [
     0.27945867147528963,
 ];
 
+/// Integer over 2^64, rounded once. Two conversions of 32 bits, because chips have no instruction for one of 64.
+#[inline(always)]
+pub(crate) const fn fraction_of_word(word: i64) -> f64 {
+    const SCALE: f64 = 1.0 / (1_u64 << 32) as f64;
+    ((word >> 32) as i32 as f64 + word as u32 as f64 * SCALE) * SCALE
+}
+
 /// (sin 2πx, cos 2πx) for a phase of x turns, given by the 64 leading bits of its fraction. Error: below 2e-16.
 pub(crate) const fn sine_cosine_f64(phase: u64) -> (f64, f64) {
-    const SCALE: f64 = 1.0 / (1_u64 << 32) as f64;
-    // the nearest quarter turn, and the signed remainder in [-1/8, 1/8) turn, converted exactly word by word
+    // the nearest quarter turn, and the signed remainder in [-1/8, 1/8) turn
     let quadrant = phase.wrapping_add(1 << 61) >> 62;
-    let rest = phase.wrapping_sub(quadrant << 62) as i64;
-    quarter_turns(quadrant as u32, ((rest >> 32) as i32 as f64 + rest as u32 as f64 * SCALE) * SCALE)
+    quarter_turns(quadrant as u32, fraction_of_word(phase.wrapping_sub(quadrant << 62) as i64))
 }
 
 /// (sin, cos) of `quadrant` quarter turns plus x turns, |x| <= 1/8. The error is relative to the result near its
 /// zeros.
+#[inline(always)]
 pub(super) const fn quarter_turns(quadrant: u32, x: f64) -> (f64, f64) {
     let y = x * x;
     let (sine, cosine) = (x * horner(&SINE, y), horner(&COSINE, y));
-    match quadrant & 3 {
-        0 => (sine, cosine),
-        1 => (cosine, -sine),
-        2 => (-sine, -cosine),
-        _ => (-cosine, sine),
-    }
+    let (sine, cosine) = if quadrant & 1 == 0 { (sine, cosine) } else { (cosine, -sine) };
+    if quadrant & 2 == 0 { (sine, cosine) } else { (-sine, -cosine) }
 }
 
 const fn horner(mut coefficients: &[f64], y: f64) -> f64 {

@@ -9,7 +9,7 @@
 //! Where u falls, N becomes -N̄. The axial part Ω₃ = (n - K)/C is constant.
 
 use crate::complex::Complex;
-use crate::scalar::{Scalar, sine_cosine_f64};
+use crate::scalar::{Scalar, fraction_of_word, sine_cosine_f64};
 use crate::su2::{Orientation, Vector};
 use crate::table::scalar::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint};
 use crate::table::series::expansion::TABLE_UNIT;
@@ -95,8 +95,7 @@ fn direction(phase: u64) -> Complex<f64> {
 
 #[inline(always)]
 fn at_point(terms: &[[f64; 4]], x: i64) -> [[f64; 4]; 2] {
-    const UNIT: f64 = 1.0 / (1_u64 << 63) as f64;
-    values_and_slopes(terms.iter().rev().copied(), x as f64 * UNIT)
+    values_and_slopes(terms.iter().rev().copied(), 2.0 * fraction_of_word(x))
 }
 
 /// Four polynomials at x and their derivatives, from rows of coefficients, the highest power first.
