@@ -238,8 +238,8 @@ pub(crate) extern "C" fn bench_omega_q31(ephemeris: &EphemerisQ31, tick: i64, ou
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_omega_fixed_f32(ephemeris: &EphemerisF32, tick: i64, out: &mut Rates<f32>) {
-    let sample = ephemeris.at_tick(tick);
-    *out = Rates { orientation: sample.orientation(), omega: sample.omega() };
+    let state = ephemeris.at_tick(tick).attitude_state();
+    *out = Rates { orientation: state.orientation, omega: state.omega() };
 }
 
 /// Stepper with the scale 2 s of the tip.
