@@ -20,7 +20,7 @@ fn require_slow(holds: bool) -> Result<(), ParameterError> {
     require(
         holds,
         "omega",
-        "slow enough for e3 <= 1e14 (faster, a body feels no torque: support = \"free\", Top::free, is then exact)",
+        "slow enough for e3 <= 1e14 (faster, a body feels no torque: Top::free is then exact)",
     )
 }
 
