@@ -44,7 +44,7 @@ pub mod table_format {}
 #[doc(hidden)]
 pub mod internal {
     pub use crate::body::{ScaledTop, finite, require};
-    pub use crate::motion::{Constants, phase_of};
+    pub use crate::motion::{NutationVariable, phase_of};
     pub use crate::table::Ticks;
 }
 

@@ -12,18 +12,16 @@ mod start;
 
 mod launch;
 
-pub(crate) mod tip;
-
 pub use start::InitialPhases;
 
 use crate::body::{ScaledTop, Support, Top};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs, TipClass, normal_force};
-use crate::motion::cayley_klein::{Ellipses, PhaseDirections};
+use crate::motion::cayley_klein::Ellipses;
 use crate::motion::period::{Period, PeriodAdvance};
 use crate::motion::phase_equations::{PhaseEquations, gudermannian};
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring, Scalar, Wide};
+use crate::scalar::{Extended, Float, Real, Ring, Wide};
 
 /// Motion of one launch: regime, constants and phases at t = 0. Steppers and ephemerides are made from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +34,7 @@ pub struct Motion {
     pub(crate) half_tau: Extended,
     ellipses: Ellipses<f64>,
     regime: Regime,
-    pub(crate) nutation: NutationVariable,
+    pub(crate) nutation: NutationVariable<f64>,
     /// Slow phases A and B, of α and β, at t = 0.
     pub(crate) phases: [Phase; 2],
     pub(crate) rounding: LaunchRounding,
@@ -44,15 +42,26 @@ pub struct Motion {
     free_rate: Extended,
 }
 
-/// Variable of the nutation with its value at t = 0.
+/// Variable of the nutation with its value.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum NutationVariable {
+pub enum NutationVariable<R> {
     /// None: u and the rates of A and B are constant.
     Steady,
     /// Half phase χ.
     Nutating(Phase),
     /// Variable v of an aperiodic motion, with χ = gd v (Gudermannian).
-    Aperiodic(f64),
+    Aperiodic(R),
+}
+
+impl<R: Real> NutationVariable<R> {
+    /// Unit complex number e^{iχ}; 1 for a steady motion.
+    pub(crate) fn direction(self) -> Complex<R> {
+        match self {
+            Self::Steady => Complex::ONE,
+            Self::Nutating(chi) => Complex::cis(chi),
+            Self::Aperiodic(v) => gudermannian(v),
+        }
+    }
 }
 
 impl Motion {
@@ -116,7 +125,8 @@ impl Motion {
     ) -> Option<Period> {
         if self.top.is_torque_free() {
             let half_turn = Extended::TWO_PI.halved();
-            return (self.free_rate > Extended::ZERO).then(|| Period::uniform(half_turn / self.free_rate));
+            return (self.free_rate > Extended::ZERO)
+                .then(|| Period::torque_free(half_turn / self.free_rate));
         }
         let equations = || equations.map(Wide::<WORDS>::resized);
         (self.e.e3_minus_e2 > Extended::ZERO).then(|| Period::integrated(&equations(), between))
@@ -129,9 +139,7 @@ impl Motion {
 
     /// Tip angle at t = 0, in (-1/2, 1/2] turn.
     pub(crate) fn tip_angle_at_start(&self) -> Phase {
-        let ([alpha, beta], directions) = (self.phases, self.directions_at_start());
-        let [alpha_argument, beta_argument] = self.ellipses.arguments(&directions);
-        (alpha + beta + alpha_argument + beta_argument).principal()
+        self.ellipses.tip_angle(self.nutation.direction(), self.phases)
     }
 
     /// Least normal force, in units of the weight; `None` unless the tip slides. Where it is negative, a real top leaves the plane.
@@ -142,18 +150,9 @@ impl Motion {
         })
     }
 
-    pub(crate) fn scaled_top(&self) -> ScaledTop<Extended> {
-        ScaledTop::new(&self.top)
-    }
-
-    #[inline(never)] // set-up needs it in several places
-    pub(crate) fn equations(&self) -> PhaseEquations<Extended> {
-        self.equations_with(&self.e, self.integrals.l_plus_n, self.free_rate)
-    }
-
     fn equations_with<F: Float>(&self, e: &BranchPoints<F>, l_plus_n: F, free_rate: F) -> PhaseEquations<F> {
         if self.top.is_torque_free() {
-            PhaseEquations::uniform(free_rate, e)
+            PhaseEquations::torque_free(free_rate, e)
         } else {
             PhaseEquations::new(&self.top, e, l_plus_n, self.signs)
         }
@@ -187,58 +186,41 @@ impl Motion {
     pub(crate) fn is_steady(&self) -> bool {
         matches!(self.nutation, NutationVariable::Steady)
     }
+}
 
-    /// Directions at t = 0, with both slow phases 0.
-    fn directions_at_start(&self) -> PhaseDirections<f64> {
-        let (sine, cosine) = match self.nutation {
-            NutationVariable::Steady => (0.0, 1.0),
-            NutationVariable::Nutating(chi) => f64::sine_cosine(chi),
-            NutationVariable::Aperiodic(v) => gudermannian(v),
-        };
-        PhaseDirections { sine, cosine, alpha: Complex::ONE, beta: Complex::ONE }
+/// Constants in extended precision and phases at t = 0, for the sibling crates.
+#[doc(hidden)]
+impl Motion {
+    pub fn exact_branch_points(&self) -> BranchPoints<Extended> {
+        self.e
     }
-}
 
-/// Constants of a motion and its phases at t = 0, in extended precision.
-#[derive(Clone, Copy, Debug)]
-pub struct Constants {
-    /// Branch points.
-    pub e: BranchPoints<Extended>,
-    /// First integrals.
-    pub integrals: FirstIntegrals<Extended>,
-    /// Parameters of the top.
-    pub top: ScaledTop<Extended>,
-    /// Half phase χ at t = 0 of a motion that nutates.
-    pub chi: Option<Phase>,
-    /// Variable v at t = 0 of an aperiodic motion.
-    pub v: Option<f64>,
-    /// Slow phases at t = 0.
-    pub phases: [Phase; 2],
+    /// First integrals in the units of [`scaled_top`](Self::scaled_top).
+    pub fn exact_integrals(&self) -> FirstIntegrals<Extended> {
+        self.integrals
+    }
+
+    pub fn scaled_top(&self) -> ScaledTop<Extended> {
+        ScaledTop::new(&self.top)
+    }
+
+    #[inline(never)] // set-up needs it in several places
+    pub fn equations(&self) -> PhaseEquations<Extended> {
+        self.equations_with(&self.e, self.integrals.l_plus_n, self.free_rate)
+    }
+
     /// Rate τ/2, rad per unit time.
-    pub half_tau: Extended,
-    /// Phase equations.
-    pub equations: PhaseEquations<Extended>,
-}
+    pub fn half_tau(&self) -> Extended {
+        self.half_tau
+    }
 
-impl Constants {
-    /// Constants of a motion.
-    pub fn new(motion: &Motion) -> Self {
-        let Motion { e, integrals, half_tau, nutation, phases, .. } = *motion;
-        let (chi, v) = match nutation {
-            NutationVariable::Nutating(chi) => (Some(chi), None),
-            NutationVariable::Aperiodic(v) => (None, Some(v)),
-            NutationVariable::Steady => (None, None),
-        };
-        Self {
-            e,
-            integrals,
-            top: motion.scaled_top(),
-            chi,
-            v,
-            phases,
-            half_tau,
-            equations: motion.equations(),
-        }
+    pub fn nutation(&self) -> NutationVariable<f64> {
+        self.nutation
+    }
+
+    /// Slow phases A and B.
+    pub fn slow_phases(&self) -> [Phase; 2] {
+        self.phases
     }
 }
 

@@ -1,13 +1,14 @@
 //! Launch of a motion: from a state, or from branch points and phases.
 
 use crate::body::{ParameterError, ScaledTop, State, Top, require, within};
+use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs};
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::phase_equations::inverse_gudermannian;
 use crate::motion::start::{attitude, half_phase_of};
 use crate::motion::{InitialPhases, Motion, NutationVariable, phase_of};
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring, Scalar};
+use crate::scalar::{Extended, Float, Ring};
 
 impl Motion {
     /// Motion from a state, whose numbers count as exact.
@@ -97,11 +98,10 @@ impl Motion {
             NutationVariable::Steady => return Ok(motion),
             NutationVariable::Nutating(_) => NutationVariable::Nutating(chi),
             NutationVariable::Aperiodic(_) => {
-                let (sine, cosine) = f64::sine_cosine(chi);
-                NutationVariable::Aperiodic(inverse_gudermannian(sine, cosine))
+                NutationVariable::Aperiodic(inverse_gudermannian(Complex::cis(chi)))
             }
         };
-        let arguments = motion.ellipses.arguments(&motion.directions_at_start());
+        let arguments = motion.ellipses.arguments(motion.nutation.direction());
         for (phase, argument) in motion.phases.iter_mut().zip(arguments) {
             *phase = *phase - argument;
         }

@@ -54,8 +54,8 @@ pub(crate) struct Period {
 }
 
 impl Period {
-    /// Period of a uniform rotation.
-    pub(super) fn uniform(time: Extended) -> Self {
+    /// Period of a body without torque.
+    pub(super) fn torque_free(time: Extended) -> Self {
         let operation_error = Extended::OPERATION_ERROR;
         Self { time, psi: [Extended::ZERO; 2], relative_error: 0.0, operation_error, nodes: 1 }
     }

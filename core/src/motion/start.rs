@@ -4,7 +4,7 @@ use crate::body::{ScaledTop, State};
 use crate::complex::Complex;
 use crate::constants::{ReducedPoint, Regime};
 use crate::motion::attitude_state::AttitudeState;
-use crate::motion::cayley_klein::{Ellipse, Ellipses, PhaseDirections};
+use crate::motion::cayley_klein::{Ellipse, Ellipses};
 use crate::motion::phase_equations::{PhaseRates, inverse_gudermannian};
 use crate::motion::{Motion, NutationVariable};
 use crate::phase::Phase;
@@ -56,7 +56,8 @@ impl Motion {
         let (sine, cosine) = (above_e1.sqrt().to_f64(), below_e2.sqrt().to_f64());
         let falls = udot < Extended::ZERO;
         self.nutation = if self.regime == Regime::Aperiodic {
-            NutationVariable::Aperiodic(inverse_gudermannian(if falls { -sine } else { sine }, cosine))
+            let rising = Complex::new(cosine, sine);
+            NutationVariable::Aperiodic(inverse_gudermannian(if falls { rising.conj() } else { rising }))
         } else {
             NutationVariable::Nutating(chi(sine, if falls { -cosine } else { cosine }))
         };
@@ -72,15 +73,15 @@ impl Motion {
             self.phases = [phi.alpha, phi.beta].map(|z| Phase::from_radians(z.arg()));
             return;
         }
-        let directions = self.directions_at_start();
+        let chi = self.nutation.direction();
         let equations =
             self.equations_with(&self.e.to_f64(), self.integrals.l_plus_n.to_f64(), self.free_rate.to_f64());
-        let PhaseRates { nutation, alpha, beta } = equations.rates(directions.sine, directions.cosine);
+        let PhaseRates { nutation, alpha, beta } = equations.rates(chi.im, chi.re);
         let half_tau = self.half_tau.to_f64();
         let Ellipses { alpha: alpha_ellipse, beta: beta_ellipse } = &self.ellipses;
         self.phases = [
-            slow_phase(alpha_ellipse, &directions, [nutation, alpha + half_tau], [phi.alpha, rate.alpha]),
-            slow_phase(beta_ellipse, &directions, [nutation, beta - half_tau], [phi.beta, rate.beta]),
+            slow_phase(alpha_ellipse, chi, [nutation, alpha + half_tau], [phi.alpha, rate.alpha]),
+            slow_phase(beta_ellipse, chi, [nutation, beta - half_tau], [phi.beta, rate.beta]),
         ];
     }
 }
@@ -122,12 +123,12 @@ pub(crate) fn half_phase_of(theta: f64) -> Phase {
 /// Slow phase of a parameter z with rate z': the rotation that best maps the ellipse and its rate to z and z'. It exists also where z is 0.
 pub(crate) fn slow_phase(
     ellipse: &Ellipse<f64>,
-    directions: &PhaseDirections<f64>,
+    chi: Complex<f64>,
     rates: [f64; 2],
     z: [Complex<f64>; 2],
 ) -> Phase {
     let [value, rate] = z;
-    let (model, model_rate) = (ellipse.at(directions), ellipse.rate(directions, rates));
+    let (model, model_rate) = (ellipse.at(chi), ellipse.rate(chi, rates));
     let [nutation, slow] = rates;
     let time = 1.0 / (nutation.squared() + slow.squared());
     let sum = value * model.conj() + (rate * model_rate.conj()).scaled(time);
