@@ -47,17 +47,6 @@ impl<const WORDS: usize> Wide<WORDS> {
         }
         Self { significand, exponent, negative: false }
     }
-
-    /// Number value · 2^exponent, exact.
-    #[inline(never)]
-    pub(crate) fn from_integer(value: u64, exponent: i32) -> Self {
-        let (mut significand, spare) = ([0; WORDS], value.leading_zeros());
-        match significand.first_mut() {
-            Some(first) if value != 0 => *first = value << spare,
-            _ => return Self { significand, exponent: 0, negative: false },
-        }
-        Self { significand, exponent: exponent + 64 - spare as i32, negative: false }
-    }
 }
 
 /// Number ±s · 2^exponent with twice as many words, where the leading bit of s is set, or s is 0.

@@ -159,8 +159,8 @@ mod tests {
     /// The first approximations have the stated accuracy over their whole range.
     #[test]
     fn reciprocals_and_roots_begin_well() {
-        let whole = |number: u64| Extended::from_integer(number, 0);
-        let power = |exponent| Extended::from_integer(1, exponent);
+        let whole = |number: u64| Extended::from_integer(number.into(), 0, false);
+        let power = |exponent| Extended::from_integer(1, exponent, false);
         let (mut worst, steps) = ([0.0_f64; 2], if cfg!(miri) { 300 } else { 100_000 });
         for k in 0..=steps {
             let divisor = (1 << 63) + k * ((u64::MAX >> 1) / steps);
