@@ -169,14 +169,6 @@ impl<R: Float> Orientation<R> {
         let scale = R::ONE / self.norm_squared().sqrt();
         Self { alpha: self.alpha.scaled(scale), beta: self.beta.scaled(scale) }
     }
-
-    /// Image (αz + β)/(γz + δ) of z: the rotation in the plane of [`stereographic`]. `None` is the point at infinity.
-    pub fn moebius(&self, z: Option<Complex<R>>) -> Option<Complex<R>> {
-        match z {
-            Some(z) => quotient(self.alpha * z + self.beta, self.gamma() * z + self.delta()),
-            None => quotient(self.alpha, self.gamma()),
-        }
-    }
 }
 
 impl<R: Real> Orientation<R> {
@@ -228,23 +220,4 @@ fn small_half_angle<R: Real>(square: R) -> (R, R) {
         divisors.into_iter().fold(R::ONE, |sum, divisor| R::ONE - square * R::from_f64(1.0 / divisor) * sum)
     };
     (series([72.0, 42.0, 20.0, 6.0]).halved(), series([56.0, 30.0, 12.0, 2.0]))
-}
-
-/// Stereographic projection from the north pole, z = (ξ + iη)/(1 - ζ); `None` is the point at infinity.
-pub fn stereographic<R: Float>(point: Vector<R>) -> Option<Complex<R>> {
-    let [xi, eta, zeta] = point;
-    quotient(Complex::new(xi, eta), Complex::new(R::ONE - zeta, R::ZERO))
-}
-
-/// Point of the unit sphere over z (equation (2.4) of the paper): (2 Re z, 2 Im z, |z|² - 1)/(|z|² + 1).
-pub fn sphere_point<R: Float>(z: Option<Complex<R>>) -> Vector<R> {
-    let Some(z) = z else { return [R::ZERO, R::ZERO, R::ONE] };
-    let scale = R::ONE / (z.norm_squared() + R::ONE);
-    [z.re.doubled() * scale, z.im.doubled() * scale, (z.norm_squared() - R::ONE) * scale]
-}
-
-/// Quotient a / b; `None` for b = 0.
-fn quotient<R: Float>(a: Complex<R>, b: Complex<R>) -> Option<Complex<R>> {
-    let norm = b.norm_squared();
-    (norm > R::ZERO).then(|| (a * b.conj()).scaled(R::ONE / norm))
 }
