@@ -3,8 +3,6 @@
 //! u is a function of the nutation phase. An event of u has one phase while u rises, which a bisection of the table finds once, and its
 //! mirror image while u falls. The tip angle is bisected in time, between instants at which it can change direction. All work is bounded.
 
-mod recurring;
-
 mod level;
 
 mod iterator;

@@ -1,6 +1,6 @@
 //! First integrals l, n and h of a state (Proposition 1 of the paper).
 
-use crate::body::{ScaledTop, State, Top, Units};
+use crate::body::{ScaledTop, State, Top};
 use crate::scalar::{Extended, Float, Ring};
 use crate::su2::{Vector, cross, dot};
 
@@ -74,7 +74,7 @@ pub(crate) struct ReducedPoint {
     pub(crate) one_minus_u: Extended,
     pub(crate) one_plus_u: Extended,
     pub(crate) udot: Extended,
-    /// Kinetic energy of the axis, (A |ω × r|² + p s u'²)/(2 p g); without torque it is not divided by p g.
+    /// Kinetic energy of the axis, (A |ω × r|² + p s u'²)/2, in units of [`ScaledTop::energy_unit`].
     pub(crate) axis_energy: Extended,
 }
 
@@ -138,14 +138,15 @@ impl FirstIntegrals {
 }
 
 impl FirstIntegrals<Extended> {
-    /// First integrals in the units of [`Units`], and the point of the reduced curve.
+    /// First integrals in the units of a [`ScaledTop`], and the point of the reduced curve.
     pub(crate) fn with_point(top: &Top, state: &State) -> (Self, ReducedPoint) {
         Self::from_axis(top, &Axis::new(state))
     }
 
     #[inline(never)] // as above
     fn from_axis(top: &Top, axis: &Axis) -> (Self, ReducedPoint) {
-        let ScaledTop { a, c, s, p, g, k } = ScaledTop::<Extended>::new(top);
+        let scaled = ScaledTop::<Extended>::new(top);
+        let (ScaledTop { a, c, s, p, g, k }, unit) = (scaled, scaled.energy_unit());
         let Axis { r, one_minus_u, one_plus_u, omega } = *axis;
         let ([r1, r2, u], [w1, w2, _]) = (r, omega);
 
@@ -167,10 +168,8 @@ impl FirstIntegrals<Extended> {
             (about_k - k * one_minus_u, about_k + k * one_plus_u)
         };
 
-        let weight = p * g;
-        let unit = if top.is_torque_free() { Extended::ONE } else { weight };
         let axis_energy = (a * dot(r_dot, r_dot) + p * s * udot.squared()) / unit.doubled();
-        let h = (c * spin.squared()).halved() + weight * u + unit * axis_energy;
+        let h = (c * spin.squared()).halved() + p * g * u + unit * axis_energy;
 
         let integrals = Self { l: (l_plus_n + l_minus_n).halved(), n, h, spin, l_plus_n, l_minus_n };
         (integrals, ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy })
@@ -178,7 +177,7 @@ impl FirstIntegrals<Extended> {
 
     /// First integrals in the units of the caller, rounded to `f64`.
     pub(crate) fn as_given(self, top: &Top) -> FirstIntegrals {
-        let unit = Units::new(top).inertia();
+        let unit = top.inertia_unit();
         let rounded = |x: Extended| x.to_f64() * unit;
         FirstIntegrals {
             l: rounded(self.l),

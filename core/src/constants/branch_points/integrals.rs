@@ -1,7 +1,7 @@
 //! Branch points from the first integrals, and first integrals from the branch points.
 
 use super::BranchPoints;
-use crate::body::{ParameterError, ScaledTop, Top, Units, finite};
+use crate::body::{ParameterError, ScaledTop, Top, finite};
 use crate::constants::{FirstIntegrals, ReducedPoint, Signs};
 use crate::scalar::{Extended, Float, Ring};
 
@@ -11,7 +11,7 @@ impl BranchPoints {
     /// # Errors
     /// `h`: too low for any motion with these l and n; `l`, `n`, `h`: not finite, or e₃ above 1e14.
     pub fn from_integrals(top: &Top, l: f64, n: f64, h: f64) -> Result<Self, ParameterError> {
-        let unit = Units::new(top).inertia();
+        let unit = top.inertia_unit();
         let [l, n, h] = [finite("l", l)?, finite("n", n)?, finite("h", h)?].map(|x| Extended::from(x / unit));
         let spin = ScaledTop::new(top).spin(n);
         let integrals = FirstIntegrals { l, n, h, spin, l_plus_n: l + n, l_minus_n: l - n };
@@ -31,7 +31,7 @@ impl BranchPoints {
 }
 
 impl BranchPoints<Extended> {
-    /// First integrals in the units inside.
+    /// First integrals in the units of a [`ScaledTop`].
     pub(crate) fn integrals_in(&self, top: &Top, signs: Signs) -> FirstIntegrals<Extended> {
         let quantities = ScaledTop::<Extended>::new(top);
         let ScaledTop { a, c, p, g, .. } = quantities;
@@ -73,7 +73,7 @@ fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<Redu
         return Some(point(l * n / square, udot, axis_and_height));
     }
     // f(u) = u³ - b u² + c₁ u + c₀
-    let (kappa, energy) = (quantities.kappa(), axis_and_height / (p * g));
+    let (kappa, energy) = (quantities.kappa(), axis_and_height / quantities.energy_unit());
     let b = energy + kappa * n.squared();
     let c1 = (kappa * l * n).doubled() - one;
     let c0 = energy - kappa * l.squared();
