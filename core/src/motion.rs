@@ -6,8 +6,6 @@ pub(crate) mod cayley_klein;
 
 pub(crate) mod period;
 
-pub(crate) mod attitude_state;
-
 mod start;
 
 mod launch;
@@ -121,7 +119,7 @@ impl Motion {
     pub(crate) fn period<const WORDS: usize>(
         &self,
         equations: &PhaseEquations<Extended>,
-        between: &mut dyn FnMut(),
+        pause: &mut dyn FnMut(),
     ) -> Option<Period> {
         if self.top.is_torque_free() {
             let half_turn = Extended::TWO_PI.halved();
@@ -129,7 +127,7 @@ impl Motion {
                 .then(|| Period::torque_free(half_turn / self.free_rate));
         }
         let equations = || equations.map(Wide::<WORDS>::resized);
-        (self.e.e3_minus_e2 > Extended::ZERO).then(|| Period::integrated(&equations(), between))
+        (self.e.e3_minus_e2 > Extended::ZERO).then(|| Period::integrated(&equations(), pause))
     }
 
     /// Winding numbers of the ellipses of α and β; 1 for a steady motion.

@@ -3,13 +3,12 @@
 //! The rates depend on χ alone. Orientation and first integrals are functions of the phases, so |Φ|, l, n and h do not drift.
 
 use crate::complex::Complex;
-use crate::motion::attitude_state::AttitudeState;
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates, gudermannian};
 use crate::motion::{Motion, NutationVariable};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real};
-use crate::su2::Orientation;
+use crate::su2::{AttitudeState, Orientation};
 
 /// Stepper of one motion. The steps may have different lengths and either sign.
 ///

@@ -11,7 +11,7 @@ mod nalgebra;
 use crate::complex::Complex;
 use crate::phase::Phase;
 use crate::scalar::{Float, Real, Ring};
-pub use rate::OrientationRate;
+pub use rate::{AttitudeState, OrientationRate};
 
 /// Vector of R³, identified with an element of su(2).
 pub type Vector<R> = [R; 3];

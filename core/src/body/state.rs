@@ -2,8 +2,8 @@
 
 use super::{ParameterError, finite, require, within};
 use crate::complex::Complex;
-use crate::scalar::{Extended, Ring, sine_cosine_of_radians};
-use crate::su2::{Orientation, Vector, dot};
+use crate::scalar::{Extended, Float, Ring, sine_cosine_of_radians};
+use crate::su2::{AttitudeState, Orientation, Vector, dot};
 use core::f64::consts::PI;
 
 /// Largest component of an angular velocity, rad/s.
@@ -139,6 +139,16 @@ impl State {
         let number = |z: Complex<f64>| Complex::new(exact(z.re), exact(z.im));
         let Orientation { alpha, beta } = self.orientation;
         (Orientation { alpha: number(alpha), beta: number(beta) }, self.omega.map(exact))
+    }
+}
+
+impl<R: Float> AttitudeState<R> {
+    /// State to launch from; the orientation is normalised.
+    ///
+    /// # Errors
+    /// The errors of [`State::new`].
+    pub fn state(&self) -> Result<State, ParameterError> {
+        State::new(self.orientation.cast().normalised(), self.omega().map(R::to_f64))
     }
 }
 

@@ -21,7 +21,7 @@ impl Motion {
 
     /// Motion from a state, as from [`launch`](Self::launch), for a program that has other work meanwhile.
     ///
-    /// * `between`: called at least every 50 000 cycles of a Cortex-M4F
+    /// * `pause`: called at least every 50 000 cycles of a Cortex-M4F
     ///
     /// ```
     /// use toytop::{Motion, Release, State, Top, TopParameters};
@@ -42,21 +42,17 @@ impl Motion {
     /// # Errors
     /// See [`launch`](Self::launch).
     #[inline(never)] // a launch must not remain on the stack during the work that follows
-    pub fn launch_between(
-        top: &Top,
-        state: &State,
-        between: &mut dyn FnMut(),
-    ) -> Result<Self, ParameterError> {
+    pub fn launch_between(top: &Top, state: &State, pause: &mut dyn FnMut()) -> Result<Self, ParameterError> {
         let (integrals, point) = FirstIntegrals::with_point(top, state);
-        between();
-        let e = BranchPoints::from_point(top, &integrals, &point, between)?;
-        between();
+        pause();
+        let e = BranchPoints::from_point(top, &integrals, &point, pause)?;
+        pause();
         let mut motion = Self::with_constants(top, &integrals, e, integrals.signs(), point.rests_upright());
-        between();
+        pause();
         motion.rounding = LaunchRounding::new(top, &integrals, &point, &e, state);
-        between();
+        pause();
         motion.start_nutation(&point);
-        between();
+        pause();
         motion.start_slow_phases(&attitude(state));
         Ok(motion)
     }

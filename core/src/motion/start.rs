@@ -3,13 +3,12 @@
 use crate::body::{ScaledTop, State};
 use crate::complex::Complex;
 use crate::constants::{ReducedPoint, Regime};
-use crate::motion::attitude_state::AttitudeState;
 use crate::motion::cayley_klein::{Ellipse, Ellipses};
 use crate::motion::phase_equations::{PhaseRates, inverse_gudermannian};
 use crate::motion::{Motion, NutationVariable};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
-use crate::su2::OrientationRate;
+use crate::su2::{AttitudeState, OrientationRate};
 
 /// Phases at t = 0 of a motion given by branch points. All are in rad, and 0 by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -49,7 +49,7 @@ impl Cubic {
 
     /// Largest root, by Newton's method from above, where the iterates decrease.
     #[inline(never)] // as above
-    pub(super) fn largest_root(&self, between: &mut dyn FnMut()) -> Extended {
+    pub(super) fn largest_root(&self, pause: &mut dyn FnMut()) -> Extended {
         const MOST_STEPS: u32 = 200;
         let mut y = self.above();
         for _ in 0..MOST_STEPS {
@@ -62,7 +62,7 @@ impl Cubic {
                 break;
             }
             y = next;
-            between();
+            pause();
         }
         y
     }

@@ -55,7 +55,7 @@ impl<const WORDS: usize> Landen<WORDS> {
 
     /// Fills the sequence for m and m₁ = 1 - m, each given with full relative precision.
     #[inline(never)]
-    pub(super) fn fill(&mut self, [m, m1]: [Wide<WORDS>; 2], between: &mut dyn FnMut()) {
+    pub(super) fn fill(&mut self, [m, m1]: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) {
         // k₁ = (1 - k')/(1 + k') = k²/(1 + k')²,  k₁' = 2 √k'/(1 + k')
         let (mut modulus_squared, mut complement) = (m, m1.sqrt());
         for step in &mut self.steps {
@@ -69,7 +69,7 @@ impl<const WORDS: usize> Landen<WORDS> {
             self.near_one += usize::from(rest.to_f64() <= 0.125);
             complement = complement.sqrt().doubled() * per_sum;
             modulus_squared = modulus.squared();
-            between();
+            pause();
         }
         for step in self.steps.iter_mut().rev().filter(|step| step.modulus > Wide::ZERO) {
             step.scaled_modulus = step.modulus * self.scale;
