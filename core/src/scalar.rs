@@ -20,11 +20,10 @@ mod float;
 #[cfg(feature = "fixed")]
 mod fixed_point;
 
-pub(crate) use float::sine_cosine_of_radians;
 pub(crate) use power_of_two::{exponent, power_of_two, short_float, short_power_of_two, times_power_of_two};
 #[cfg(feature = "fixed")]
 pub(crate) use sine::sine_cosine_q15;
-pub(crate) use sine::{sine_cosine_f64, sine_cosine_q26, sine_cosine_q31};
+pub(crate) use sine::{sine_cosine_f64, sine_cosine_of_radians, sine_cosine_q26, sine_cosine_q31};
 
 pub use wide::{Extended, Extended64, Wide};
 
@@ -82,6 +81,26 @@ pub trait Ring:
     #[must_use]
     fn doubled(self) -> Self {
         self + self
+    }
+
+    /// Larger of two numbers; the other one where this is NaN.
+    #[inline]
+    #[must_use]
+    fn larger(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+
+    /// Number limited to [-1, 1]. A NaN remains NaN.
+    #[inline]
+    #[must_use]
+    fn limited(self) -> Self {
+        if self > Self::ONE {
+            Self::ONE
+        } else if self < -Self::ONE {
+            -Self::ONE
+        } else {
+            self
+        }
     }
 }
 

@@ -206,8 +206,7 @@ fn turns<R: Real>(radians: R) -> Phase {
 
 /// Quotient x/|z|², also where |z|² underflows; 0 for z = 0.
 fn over_square<R: Real>(x: R, z: Complex<R>) -> R {
-    let (re, im) = (z.re.abs(), z.im.abs());
-    let size = if re > im { re } else { im };
+    let size = z.re.abs().larger(z.im.abs());
     if x == R::ZERO || size == R::ZERO {
         return R::ZERO;
     }

@@ -140,14 +140,7 @@ impl<R: Ring> Orientation<R> {
 
     /// u limited to [-1, 1]. A NaN remains NaN.
     pub fn clamped_u(&self) -> R {
-        let u = self.u();
-        if u > R::ONE {
-            R::ONE
-        } else if u < -R::ONE {
-            -R::ONE
-        } else {
-            u
-        }
+        self.u().limited()
     }
 }
 
@@ -197,9 +190,8 @@ impl<R: Real> Orientation<R> {
     /// Exponential of a vector that is not finite, or whose square may overflow.
     #[cold]
     fn exp_of_large(x: Vector<R>) -> Self {
-        let larger = |x: R, y: R| if x > y { x } else { y };
         let [a, b, c] = x.map(Float::abs);
-        let size = larger(larger(a, b), c);
+        let size = a.larger(b).larger(c);
         if !x.into_iter().all(|component| component.to_f64().is_finite()) {
             return Self::IDENTITY;
         }

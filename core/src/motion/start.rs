@@ -52,13 +52,12 @@ impl Motion {
         } else {
             (g0 / (below_e3 * below_e2), below_e2)
         };
-        let (sine, cosine) = (above_e1.sqrt().to_f64(), below_e2.sqrt().to_f64());
+        let rising = Complex::new(below_e2.sqrt().to_f64(), above_e1.sqrt().to_f64());
         let falls = udot < Extended::ZERO;
         self.nutation = if self.regime == Regime::Aperiodic {
-            let rising = Complex::new(cosine, sine);
             NutationVariable::Aperiodic(inverse_gudermannian(if falls { rising.conj() } else { rising }))
         } else {
-            NutationVariable::Nutating(chi(sine, if falls { -cosine } else { cosine }))
+            NutationVariable::Nutating(half_phase(if falls { -rising.conj() } else { rising }))
         };
     }
 
@@ -97,8 +96,8 @@ pub(super) fn attitude(state: &State) -> AttitudeState<f64> {
     }
 }
 
-/// Half phase χ in [0, 1/2] turn from its sine >= 0 and cosine, with full relative precision near 0, 1/4 and 1/2 turn.
-pub(crate) fn chi(sine: f64, cosine: f64) -> Phase {
+/// Half phase χ in [0, 1/2] turn of a number along e^{iχ}, with full relative precision near 0, 1/4 and 1/2 turn.
+fn half_phase(Complex { re: cosine, im: sine }: Complex<f64>) -> Phase {
     let from = |y: f64, x: f64| Phase::from_radians(libm::atan2(y, x));
     if cosine.abs() < sine {
         Phase::QUARTER - from(cosine, sine)
@@ -110,7 +109,7 @@ pub(crate) fn chi(sine: f64, cosine: f64) -> Phase {
 }
 
 /// Half phase χ = θ/2.
-pub(crate) fn half_phase_of(theta: f64) -> Phase {
+pub(super) fn half_phase_of(theta: f64) -> Phase {
     let nearest = libm::round(theta * core::f64::consts::FRAC_1_PI);
     let multiple = Extended::TWO_PI.halved() * nearest.into();
     if nearest != 0.0 && multiple.to_f64() == theta {
@@ -120,12 +119,7 @@ pub(crate) fn half_phase_of(theta: f64) -> Phase {
 }
 
 /// Slow phase of a parameter z with rate z': the rotation that best maps the ellipse and its rate to z and z'. It exists also where z is 0.
-pub(crate) fn slow_phase(
-    ellipse: &Ellipse<f64>,
-    chi: Complex<f64>,
-    rates: [f64; 2],
-    z: [Complex<f64>; 2],
-) -> Phase {
+fn slow_phase(ellipse: &Ellipse<f64>, chi: Complex<f64>, rates: [f64; 2], z: [Complex<f64>; 2]) -> Phase {
     let [value, rate] = z;
     let (model, model_rate) = (ellipse.at(chi), ellipse.rate(chi, rates));
     let [nutation, slow] = rates;

@@ -1,7 +1,9 @@
 //! Sine and cosine of an integer phase: for `f64` by polynomials, for other scalars in integers from 512 points of the circle (2.5 KiB
 //! of flash). The constants are public for an evaluator in another language.
 
+use crate::phase::Phase;
 use crate::product::{high_product, short_product, short_product_by_constant};
+use crate::scalar::Extended;
 
 /// Coefficients of S in sin 2πx = x S(x²) for |x| <= 1/8, lowest power first: the Chebyshev interpolant on [0, 1/64]
 /// (mpmath: `chebyfit(lambda y: sin(2*pi*sqrt(y))/sqrt(y), [0, 1/64], 8)`). Truncation error: below 2e-21.
@@ -37,9 +39,24 @@ pub(crate) const fn sine_cosine_f64(phase: u64) -> (f64, f64) {
     quarter_turns(quadrant as u32, ((rest >> 32) as i32 as f64 + rest as u32 as f64 * SCALE) * SCALE)
 }
 
+/// (sin 2πx, cos 2πx) for a phase of x turns, from all 96 bits of its fraction: the error is relative to the result near its zeros.
+pub(super) fn sine_cosine_of_phase(phase: Phase) -> (f64, f64) {
+    let (quadrant, rest) = phase.quadrant();
+    quarter_turns(quadrant, rest.to_f64())
+}
+
+/// (sin x, cos x) for an angle of x rad up to 1e6. The error is below 4e-16, relative to the result near its zeros. Those of libm would
+/// take several kilobytes of flash.
+pub(crate) fn sine_cosine_of_radians(x: f64) -> (f64, f64) {
+    if x.abs() < core::f64::consts::FRAC_PI_4 {
+        return quarter_turns(0, x * (0.5 * core::f64::consts::FRAC_1_PI));
+    }
+    sine_cosine_of_phase(Extended::from(x).in_turns().to_phase())
+}
+
 /// (sin, cos) of `quadrant` quarter turns plus x turns, |x| <= 1/8. The error is relative to the result near its
 /// zeros.
-pub(super) const fn quarter_turns(quadrant: u32, x: f64) -> (f64, f64) {
+const fn quarter_turns(quadrant: u32, x: f64) -> (f64, f64) {
     let y = x * x;
     let (sine, cosine) = (x * horner(&SINE, y), horner(&COSINE, y));
     match quadrant & 3 {
@@ -142,8 +159,7 @@ fn point(phase: u32) -> (i32, i32) {
 
 #[cfg(test)]
 mod tests {
-    use super::{sine_cosine_f64, sine_cosine_q26, sine_cosine_q31};
-    use crate::phase::Phase;
+    use super::*;
     use crate::scalar::Scalar;
 
     /// Largest error against libm's f64 sine over a grid that is not a multiple of the table's spacing.
@@ -186,5 +202,20 @@ mod tests {
         let tiny = 1e-15;
         let (_, cosine) = f64::sine_cosine(Phase::QUARTER - Phase::new(tiny));
         assert!((cosine / (2.0 * core::f64::consts::PI * tiny) - 1.0).abs() < 1e-4);
+    }
+
+    /// The error is relative to the result also near the zeros, and for the largest angles.
+    #[test]
+    fn sines_of_radians_are_those_of_libm() {
+        let mut worst = 0.0_f64;
+        for k in 1..if cfg!(miri) { 100 } else { 20_000 } {
+            let x = 1e6 * libm::exp(-0.002_77 * f64::from(k)) * if k % 2 == 0 { 1.0 } else { -1.0 };
+            let (sine, cosine) = sine_cosine_of_radians(x);
+            let (true_sine, true_cosine) = libm::sincos(x);
+            worst = worst.max((sine / true_sine - 1.0).abs()).max((cosine / true_cosine - 1.0).abs());
+        }
+        assert!(worst < 4e-16 && worst > 2e-16, "{worst:e}");
+        assert_eq!(sine_cosine_of_radians(0.0), (0.0, 1.0));
+        assert_eq!(sine_cosine_of_radians(core::f64::consts::PI).1, -1.0);
     }
 }

@@ -52,7 +52,6 @@ fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<Redu
     /// Largest effect of one `f64` rounding of l, n and h, relative to the terms.
     const NOISE: f64 = 1e-15;
     let (zero, one, noise) = (Extended::ZERO, Extended::ONE, Extended::from(NOISE));
-    let at_least_0 = |x: Extended| if x > zero { x } else { zero };
     let point = |u: Extended, udot: Extended, axis_energy: Extended| {
         let (one_minus_u, one_plus_u) = (one - u, one + u);
         ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy }
@@ -69,7 +68,7 @@ fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<Redu
         if across < least || horizontal < least || square <= zero {
             return None;
         }
-        let udot = (at_least_0(horizontal) * at_least_0(across) / square).sqrt() / a;
+        let udot = (horizontal.larger(zero) * across.larger(zero) / square).sqrt() / a;
         return Some(point(l * n / square, udot, axis_and_height));
     }
     // f(u) = u³ - b u² + c₁ u + c₀
@@ -87,9 +86,8 @@ fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<Redu
     if u.abs() > one + noise.sqrt() || peak < -noise || found.axis_energy < -noise.sqrt() {
         return None;
     }
-    let u = if u > one { one } else { u };
-    let u = if u < -one { -one } else { u };
-    let found = point(u, zero, at_least_0(energy - u));
+    let u = u.limited();
+    let found = point(u, zero, (energy - u).larger(zero));
     let d = a / p + s * found.one_minus_u * found.one_plus_u;
-    Some(ReducedPoint { udot: (g.doubled() * at_least_0(peak) / d).sqrt(), ..found })
+    Some(ReducedPoint { udot: (g.doubled() * peak.larger(zero) / d).sqrt(), ..found })
 }
