@@ -30,12 +30,12 @@ pub(super) fn shift_right(words: &mut [u64], bits: u32) {
     }
 }
 
-/// Adds another number. Returns the carry.
+/// Adds another number, or subtracts it, by the operation on one word. Returns the carry.
 #[inline(always)]
-pub(super) fn add(words: &mut [u64], other: &[u64]) -> bool {
+pub(super) fn add(words: &mut [u64], other: &[u64], operation: impl Fn(u64, u64) -> (u64, bool)) -> bool {
     words.iter_mut().zip(other).rev().fold(false, |carry, (word, other)| {
-        let (sum, first) = word.overflowing_add(*other);
-        let (sum, second) = sum.overflowing_add(carry.into());
+        let (sum, first) = operation(*word, *other);
+        let (sum, second) = operation(sum, carry.into());
         *word = sum;
         first || second
     })
@@ -49,17 +49,6 @@ pub(super) fn add_word(words: &mut [u64], other: u64) -> u64 {
         *word = sum;
         overflow.into()
     })
-}
-
-/// Subtracts a smaller number.
-#[inline(always)]
-pub(super) fn subtract(words: &mut [u64], other: &[u64]) {
-    words.iter_mut().zip(other).rev().fold(false, |borrow, (word, other)| {
-        let (difference, first) = word.overflowing_sub(*other);
-        let (difference, second) = difference.overflowing_sub(borrow.into());
-        *word = difference;
-        first || second
-    });
 }
 
 /// Complete product: upper and lower half.
