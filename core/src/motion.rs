@@ -21,19 +21,19 @@ use crate::motion::phase_equations::{PhaseEquations, gudermannian};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real, Ring, Wide};
 
-/// Motion of one launch: regime, constants and phases at t = 0. Steppers and ephemerides are made from it.
+/// Motion of one launch, from which steppers and ephemerides are made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
     top: Top,
     signs: Signs,
     pub(crate) e: BranchPoints<Extended>,
     pub(crate) integrals: FirstIntegrals<Extended>,
-    /// Half of τ = ⟨ω, r⟩ - n/A, rad per unit time: additional rates ±τ/2 of the slow phases where C ≠ A or K ≠ 0.
+    /// Half of τ = ⟨ω, r⟩ - n/A, rad per unit time. It is 0 for C = A and K = 0.
     pub(crate) half_tau: Extended,
     ellipses: Ellipses<f64>,
     regime: Regime,
     pub(crate) nutation: NutationVariable<f64>,
-    /// Slow phases A and B, of α and β, at t = 0.
+    /// Slow phases A and B at t = 0.
     pub(crate) phases: [Phase; 2],
     pub(crate) rounding: LaunchRounding,
     /// Rate χ' without torque, rad per unit time; 0 with one, and where the axis rests.
@@ -99,16 +99,16 @@ impl Motion {
         self.signs
     }
 
-    /// Nutation period, and advance of α and β over it, integrated by this call. Where u is constant, they are those of the small
-    /// nutation that a push would start. `None` for e₂ = e₃.
+    /// Nutation period, and advance of α and β over it; this call integrates them. Where u is constant, they are those of a small
+    /// nutation. `None` for e₂ = e₃.
     pub fn period_advance(&self) -> Option<PeriodAdvance> {
         let windings = Ellipses::swinging(&self.e, self.signs).windings();
         let period = self.period::<2>(&self.equations(), &mut || {})?;
         Some(PeriodAdvance::new(&period, self.half_tau, windings))
     }
 
-    /// Nutation period, and the rotations during it about the vertical, ψ_A(T) + ψ_B(T), and of the body about its axis,
-    /// ψ_A(T) - ψ_B(T) + τT; whole turns do not count.
+    /// Nutation period, and the rotations in it about the vertical, ψ_A(T) + ψ_B(T), and about the axis, ψ_A(T) - ψ_B(T) + τT, without
+    /// whole turns.
     #[doc(hidden)]
     pub fn period_and_turns(&self) -> Option<(Extended, [Phase; 2])> {
         let Period { time, psi: [alpha, beta], .. } = self.period::<2>(&self.equations(), &mut || {})?;
@@ -168,8 +168,7 @@ impl Motion {
         }
     }
 
-    /// Rates of A and B where u is constant, rad per unit time: ((l ± n)/(A (1 ± u)) ± τ)/2, with the upper signs for
-    /// A; 0 for a parameter that is 0.
+    /// Rates ((l ± n)/(A (1 ± u)) ± τ)/2 of A and B where u is constant, rad per unit time; 0 for a parameter that is 0.
     pub(crate) fn steady_rates(&self) -> [Extended; 2] {
         let (twice_a, zero) = (self.scaled_top().a.doubled(), Extended::ZERO);
         let rate = |momentum: Extended, complement: Extended, half_tau: Extended| {

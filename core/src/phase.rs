@@ -29,7 +29,7 @@ impl Phase {
     /// One turn, 2π rad.
     pub const ONE: Self = Self(1 << FRACTION_BITS);
 
-    /// Phase from a number of turns, rounded to 2^-96 turns, modulo 2^32 turns; zero where the number is not finite.
+    /// Phase from a number of turns, rounded to 2^-96 turns, modulo 2^32 turns. A number that is not finite counts as 0.
     pub fn new(turns: f64) -> Self {
         let (mantissa, exponent) = integer_parts(turns);
         Self(shifted(mantissa.into(), exponent + FRACTION_BITS))

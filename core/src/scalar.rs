@@ -48,7 +48,7 @@ pub trait Ring:
     /// One.
     const ONE: Self;
 
-    /// Product; in fixed point another one than `*`, which is slow on chips without a long multiplication.
+    /// Product; in fixed point a faster one than `*`.
     #[inline(always)]
     #[must_use]
     fn product(self, other: Self) -> Self {
@@ -106,9 +106,7 @@ pub trait Ring:
 
 /// Number type of a tick: a ring with the sine and cosine of an integer phase.
 pub trait Scalar: Ring {
-    /// (sin 2πx, cos 2πx) of a phase of x turns; dropping the whole turns is exact.
-    ///
-    /// Error: below 3.2e-8 in `f32`, absolute; below 2e-16 in `f64`, relative to the result near its zeros.
+    /// (sin 2πx, cos 2πx) of a phase of x turns. Error: below 3.2e-8 in `f32`, absolute; below 2e-16 in `f64`, relative near the zeros.
     fn sine_cosine(phase: Phase) -> (Self, Self);
 
     /// Half a unit in the last place of 1: the rounding error of a sum.

@@ -23,18 +23,18 @@ pub struct Stepper<R> {
     rest: R,
     /// Slow phases A and B.
     phases: [Phase; 2],
-    /// Constant parts of the rates of A and B, in turns and in rad per unit time: ±τ/2, and the whole rates where u is constant.
+    /// Constant parts of the rates of A and B, in turns and in rad per unit time: ±τ/2, or all where u is constant.
     constant_rates: [(Extended, R); 2],
     /// Length s, m; 1 for a fixed tip.
     tip_scale: R,
     /// Rates (l + n)/(4A) and (l - n)/(4A), rad per unit time.
     momenta: [R; 2],
-    /// Difference of φ and the sum of the continued arguments of α and β; `None` where φ does not exist.
+    /// Difference of φ and the continued arg α + arg β; `None` where φ does not exist.
     phi_origin: Option<Phase>,
 }
 
 impl<R: Real> Stepper<R> {
-    /// Stepper at t = 0 of the motion. Its constants are computed in extended precision and rounded once to `R`.
+    /// Stepper at t = 0. Its constants are rounded once from extended precision to `R`.
     #[must_use]
     pub fn new(motion: &Motion) -> Self {
         let (nutation, rest) = match motion.nutation {
@@ -88,7 +88,7 @@ impl<R: Real> Stepper<R> {
                     self.equations.aperiodic_rates(gudermannian(v))
                 });
                 let [v, rest] = exact_sum(v, change.nutation + self.rest);
-                // beyond 1e30, where cos χ is 0 in every scalar, a step of any size gives a finite number
+                // beyond 1e30 cos χ is 0 in every scalar
                 let far = R::from_f64(1e30);
                 let bounded = if v < R::ZERO { -far } else { far };
                 let (v, rest) = if v.abs() <= far { (v, rest) } else { (bounded, R::ZERO) };
@@ -116,7 +116,7 @@ impl<R: Real> Stepper<R> {
         AttitudeState { orientation: self.ellipses.orientation(chi, slow), rate }
     }
 
-    /// Tip position c = 2 s αβ, in m, relative to the point of the plane below the centre of mass; for a fixed tip 2αβ.
+    /// Tip position c = 2 s αβ, m, relative to the point below the centre of mass; for a fixed tip 2αβ.
     #[must_use]
     pub fn tip(&self) -> Complex<R> {
         self.orientation().tip_over_s().scaled(self.tip_scale)
@@ -136,8 +136,8 @@ impl<R: Real> Stepper<R> {
         self.phi_origin.map(|origin| origin + self.continued_phi())
     }
 
-    /// Rate φ' of the tip angle, rad per unit time (equation (4.1) of the paper); at most the largest finite `f32`, and 0 where the
-    /// axis is vertical at all times.
+    /// Rate φ' of the tip angle, rad per unit time (equation (4.1) of the paper); at most the largest finite `f32`, and 0 for a vertical
+    /// axis.
     #[must_use]
     pub fn tip_angle_rate(&self) -> R {
         // φ' = (l+n)/(4A |α|²) + (l-n)/(4A |β|²), without a term whose parameter is 0
@@ -179,7 +179,7 @@ impl<R: Real> Stepper<R> {
     }
 }
 
-/// Changes of the phases over dt by a Runge-Kutta step of fourth order. The rates depend on the change of the nutation phase.
+/// Changes of the phases over dt by a Runge-Kutta step of fourth order. The rates depend on the change of the nutation variable.
 fn runge_kutta<R: Real>(dt: R, rates: impl Fn(R) -> PhaseRates<R>) -> PhaseRates<R> {
     let half = dt.halved();
     let k1 = rates(R::ZERO);

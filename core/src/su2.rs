@@ -30,7 +30,7 @@ pub fn cross<R: Ring>(x: Vector<R>, y: Vector<R>) -> Vector<R> {
     [x2 * y3 - x3 * y2, x3 * y1 - x1 * y3, x1 * y2 - x2 * y1]
 }
 
-/// Orientation: the matrix Φ = ((α, β), (γ, δ)) of SU(2), with γ = -β̄ and δ = ᾱ. The caller provides |α|² + |β|² = 1.
+/// Orientation: the matrix Φ = ((α, β), (γ, δ)) of SU(2), with γ = -β̄, δ = ᾱ and |α|² + |β|² = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Orientation<R> {
@@ -94,7 +94,7 @@ impl<R: Ring> Orientation<R> {
         [across.re, across.im, vertical]
     }
 
-    /// Symmetry axis r = Φ e₃ Φ⁻¹, the unit vector from the tip to the centre of mass: r₁ + i r₂ = -2αβ, r₃ = u.
+    /// Symmetry axis r = Φ e₃ Φ⁻¹, from the tip to the centre of mass: r₁ + i r₂ = -2αβ, r₃ = u.
     pub fn axis(&self) -> Vector<R> {
         let tip = self.tip_over_s();
         [-tip.re, -tip.im, self.u()]
@@ -119,7 +119,6 @@ impl<R: Ring> Orientation<R> {
     /// Tip position in units of s, 2αβ: x + iy relative to the point below the centre of mass.
     #[inline]
     pub fn tip_over_s(&self) -> Complex<R> {
-        // |αβ| <= 1/2, so the intermediate results stay within the fixed-point range of ±2
         let product = self.alpha * self.beta;
         Complex::new(product.re.doubled(), product.im.doubled())
     }
@@ -145,7 +144,7 @@ impl<R: Ring> Orientation<R> {
 }
 
 impl<R: Float> Orientation<R> {
-    /// Distance 2 √(|Δα|² + |Δβ|²) of two orientations, rad: the angle between them, if small. Φ and -Φ are 4 rad apart.
+    /// Distance 2 √(|Δα|² + |Δβ|²), rad: the angle between two orientations, if small. Φ and -Φ are 4 rad apart.
     pub fn distance(&self, other: &Self) -> R {
         let difference = Self { alpha: self.alpha - other.alpha, beta: self.beta - other.beta };
         difference.norm_squared().sqrt().doubled()
@@ -187,7 +186,7 @@ impl<R: Real> Orientation<R> {
         Self::from_quaternion([cosine, x1, x2, x3])
     }
 
-    /// Exponential of a vector that is not finite, or whose square may overflow.
+    /// Exponential of a vector that is not finite or very long.
     #[cold]
     fn exp_of_large(x: Vector<R>) -> Self {
         let [a, b, c] = x.map(Float::abs);

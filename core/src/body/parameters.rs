@@ -22,8 +22,7 @@ pub struct TopParameters {
     pub mass_moment: f64,
     /// Gravity g, m/s²; by default 9.80665; 0 only for a fixed tip or a free body.
     pub gravity: f64,
-    /// Constant angular momentum K of a rotor inside, relative to the body and along its axis, kg m²/s. The body's mass and
-    /// inertia include the rotor's.
+    /// Constant angular momentum K of a rotor inside, along the axis and relative to the body, kg m²/s. M, A and C include the rotor.
     pub rotor_momentum: f64,
 }
 
@@ -141,7 +140,7 @@ impl Top {
     ) -> Result<Self, ParameterError> {
         /// Least C/A other than 0.
         const LEAST_RATIO: f64 = 1e-60;
-        /// Least C/A other than 0 without torque; the direction of C ω has the rounding error of A ω.
+        /// Least C/A other than 0 without torque.
         const LEAST_TORQUE_FREE_RATIO: f64 = 1e-20;
         /// Greatest |K|/A, rad per unit time.
         const FASTEST_ROTOR: f64 = 1e12;

@@ -38,8 +38,7 @@ impl Sign {
     }
 }
 
-/// Signs of l + n and of l - n, which determine a motion with the branch points and the start. Equal signs mean |l| > |n|; the sign
-/// of 0 is arbitrary.
+/// Signs of l + n and of l - n. Equal signs mean |l| > |n|; the sign of 0 is arbitrary.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Signs {
@@ -84,7 +83,7 @@ impl ReducedPoint {
         self.one_minus_u == Extended::ZERO && self.axis_energy == Extended::ZERO
     }
 
-    /// Difference l - n u, from the one of l ∓ n that causes no cancellation.
+    /// Difference l - n u without cancellation.
     pub(crate) fn l_minus_nu(&self, integrals: &FirstIntegrals<Extended>) -> Extended {
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
         if self.u > Extended::ZERO {
@@ -113,7 +112,7 @@ impl Axis {
     fn new(state: &State) -> Self {
         let (phi, omega) = state.exact();
         let (zero, one) = (Extended::ZERO, Extended::ONE);
-        // every component is quadratic in Φ; without a square root a simple fraction remains exact
+        // without a square root a simple fraction remains exact
         let norm = phi.norm_squared();
         let one_minus_u = phi.beta.norm_squared().doubled() / norm;
         let one_plus_u = phi.alpha.norm_squared().doubled() / norm;

@@ -10,9 +10,9 @@ use crate::scalar::{Extended, Float, Ring};
 pub enum Regime {
     /// e₁ < e₂ < e₃: u oscillates between e₁ and e₂.
     Nutating,
-    /// e₁ = e₂ within ±1 and |l| < |n|: regular precession, the slower of the two at this tilt and spin.
+    /// e₁ = e₂ within ±1 and |l| < |n|: the slower regular precession at this tilt and spin.
     SlowPrecession,
-    /// e₁ = e₂ within ±1 and |l| >= |n|: regular precession, the faster of the two at this tilt and spin.
+    /// e₁ = e₂ within ±1 and |l| >= |n|: the faster regular precession at this tilt and spin.
     FastPrecession,
     /// e₁ = e₂ = 1: the axis is upright, and a small push causes a small nutation.
     SleepingStable,
@@ -87,8 +87,8 @@ pub enum TipClass {
 }
 
 impl TipClass {
-    /// Class by Proposition 6 of the paper: with -1 < e₁ < e₂ < 1 < e₃ and different signs of l + n
-    /// and l - n there are loops if e₃ (e₂ - e₁) > 1 - e₁e₂, and cusps if both sides are equal to the rounding of `f64`.
+    /// Class by Proposition 6 of the paper: with -1 < e₁ < e₂ < 1 < e₃ and different signs there are loops if e₃ (e₂ - e₁) > 1 - e₁e₂,
+    /// and cusps if both sides are equal to the rounding of `f64`.
     pub(crate) fn new(regime: Regime, e: &BranchPoints<Extended>, signs: Signs) -> Self {
         let zero = Extended::ZERO;
         match regime {

@@ -1,7 +1,7 @@
-//! Turning points, crossings of a level, and instants at which the tip is in a given direction.
+//! Turning points, crossings of a level, and instants of a tip angle.
 //!
-//! The tip angle is monotone between the turning points of u and, where the curve has loops, the phases at which u = l/n. On such a piece
-//! a bisection finds the instant. Whole periods that do not reach the direction are skipped.
+//! The tip angle is monotone between the turning points of u and, on a curve with loops, the phases of u = l/n. On such a piece a bisection
+//! finds the instant. Whole periods that do not reach the angle are skipped.
 
 use crate::events::{Event, HALF_PERIOD, Level, at_phase, bisect};
 use crate::phase::{Phase, PhaseFraction};
@@ -12,7 +12,7 @@ use crate::table::{EphemerisScalar, EphemerisView};
 #[derive(Clone, Copy, Debug)]
 pub struct Events<'a, R: EphemerisScalar> {
     view: &'a EphemerisView<R>,
-    /// Instants of the events, or for a tip angle those at which it may change direction.
+    /// Instants of the events, or those at which the tip angle may change direction.
     instants: Recurring,
     /// Tip angle that is searched; whole turns do not matter.
     target: Option<Phase>,
@@ -36,7 +36,7 @@ impl<R: EphemerisScalar> Iterator for Events<'_, R> {
     }
 }
 
-/// Phase difference below which the start counts as an event: 2^-48 turns, the rounding of a tip angle.
+/// Phase difference below which the start counts as an event: the rounding of a tip angle.
 const AT_THE_START: Phase = Phase::from_bits(1 << 48);
 /// Number of consecutive pieces that contain a whole period.
 const PIECES: usize = 5;
@@ -59,8 +59,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.events([Some(Phase::HALF), Some(Phase::ZERO), None, None], from)
     }
 
-    /// Instants at tick `from` or later at which u crosses a level. For a level within the error bound of e₁ or e₂ the result depends on
-    /// rounding.
+    /// Instants at tick `from` or later at which u crosses a level. Within the error bound of e₁ or e₂ a rounding decides.
     ///
     /// Error of the time: the error bound of the orientation over the rate |u'|/√(1 - u²) of the tilt, and 2^-54 ticks. Cost: 65
     /// orientations, once.
@@ -88,8 +87,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.after(ticks).any_tip_angle()
     }
 
-    /// Nutation phase in (0, 1/2) turn at which φ' changes its sign; `None` where it does not. |c|² φ' is s² (l - n u)/A, so that
-    /// it changes at most once while u rises.
+    /// Nutation phase in (0, 1/2) turn at which φ' changes its sign, at most once because |c|² φ' is s² (l - n u)/A.
     fn reversal(&self) -> Option<Phase> {
         /// Part of the greatest |c| |c'| that counts as 0, in roundings of the scalar.
         const NOISE: f64 = 64.0;
@@ -109,7 +107,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 }
 
 impl<R: EphemerisScalar> Events<'_, R> {
-    /// Events with the angle at the start moved back by a rounding, so that an event at the start is found.
+    /// Events with the angle at the start moved back by a rounding, which finds an event at the start.
     fn started(mut self) -> Self {
         let mut after = self.view.clock.tip_turn();
         for _ in 0..PIECES {
@@ -117,7 +115,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
                 break;
             };
             after = if end > self.at { self.view.tip_angle_after(end) - self.angle } else { Phase::ZERO };
-            // a change by a rounding has no direction: at a cusp φ' changes its sign at the turning point, up to a rounding
+            // a change by a rounding has no direction, as at a cusp
             if !(-AT_THE_START..=AT_THE_START).contains(&after) {
                 break;
             }
@@ -170,7 +168,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
         None
     }
 
-    /// Skips periods that do not reach the target. `least` and `greatest` bound the angle over the last period, from the current one.
+    /// Skips periods that do not reach the target. `least` and `greatest` bound the change of the angle over the last period.
     fn skip(&mut self, period: Extended, [least, greatest]: [Phase; 2]) -> Option<()> {
         /// Part of the periods that is skipped at once, because of rounding.
         const CAUTION: f64 = 1.0 - 1e-9;
@@ -217,7 +215,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
     }
 }
 
-/// Phase difference below which a phase counts as that of an event: 2^-50 turns, the rounding of a start.
+/// Phase difference below which a phase counts as that of an event: the rounding of a start.
 const TOLERANCE: Phase = Phase::from_bits(1 << 46);
 
 /// Next instants of up to four nutation phases, in ticks.

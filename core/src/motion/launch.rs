@@ -19,7 +19,7 @@ impl Motion {
         Self::launch_between(top, state, &mut || {})
     }
 
-    /// Motion from a state, as from [`launch`](Self::launch), for a program that has other work meanwhile.
+    /// Motion from a state, for a program that has other work meanwhile.
     ///
     /// * `pause`: called at least every 50 000 cycles of a Cortex-M4F
     ///
@@ -57,8 +57,7 @@ impl Motion {
         Ok(motion)
     }
 
-    /// Motion from branch points -1 <= e₁ <= e₂ <= 1 <= e₃ (which count as exact), the signs of l + n and l - n, and
-    /// the phases at t = 0.
+    /// Motion from branch points -1 <= e₁ <= e₂ <= 1 <= e₃, which count as exact, and its phases at t = 0.
     ///
     /// # Errors
     /// `e1`, `e2`, `e3`: not finite or not in this order; `theta`, `arg_alpha`, `arg_beta`: not finite or beyond
@@ -143,7 +142,7 @@ impl Motion {
     }
 }
 
-/// Whether the axial rate (n - K)/C is at most 1e24 per unit of time, or n = K to the rounding of `f64` where C is 0.
+/// Whether the axial rate (n - K)/C is at most 1e24 per unit of time, or n = K to a rounding where C is 0.
 fn has_axial_rate(top: &Top, integrals: &FirstIntegrals<Extended>) -> bool {
     const FASTEST: f64 = 1e24;
     let (FirstIntegrals { n, spin, l_plus_n, l_minus_n, .. }, ScaledTop { c, k, .. }) =

@@ -38,7 +38,7 @@ impl PeriodAdvance {
     }
 }
 
-/// Nutation period with the angles ψ_A and ψ_B over it, and their errors.
+/// Nutation period with ψ_A and ψ_B over it, and their errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Period {
     /// Period T, in the unit of time.

@@ -32,7 +32,7 @@ impl<R: Ring> PhaseRates<R> {
 
 /// Unit complex number e^{iχ} = sech v + i tanh v, for χ the Gudermannian of v.
 pub(crate) fn gudermannian<R: Real>(v: R) -> Complex<R> {
-    // q = e^-|v| and 1 - q from one function, because a second one would take more flash
+    // q = e^-|v| and 1 - q from one function, which saves flash
     let growth = v.abs().exp_minus_one();
     let q = R::ONE / (R::ONE + growth);
     let one_minus_q = if q > R::ZERO { growth * q } else { R::ONE };
@@ -41,8 +41,7 @@ pub(crate) fn gudermannian<R: Real>(v: R) -> Complex<R> {
     Complex::new(q.doubled() * per_sum, if v < R::ZERO { -tanh } else { tanh })
 }
 
-/// Variable v whose Gudermannian χ is the argument of a number with a positive real part, by Newton's method: a logarithm would take more
-/// flash.
+/// Variable v whose Gudermannian is the argument of a number with a positive real part, by Newton's method.
 pub(crate) fn inverse_gudermannian(direction: Complex<f64>) -> f64 {
     const MOST_STEPS: u32 = 10;
     let tangent = direction.im.abs() / direction.re;
@@ -93,7 +92,7 @@ impl<F: Float> PhaseEquations<F> {
         self.map(|x| R::from_f64(x.to_f64()))
     }
 
-    #[inline(never)] // fourteen conversions in each place would take much of a chip's flash
+    #[inline(never)] // fourteen conversions in each place would take much flash
     pub(crate) fn map<R>(&self, convert: fn(F) -> R) -> PhaseEquations<R> {
         PhaseEquations {
             one_plus_e1: convert(self.one_plus_e1),

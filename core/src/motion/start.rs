@@ -14,8 +14,8 @@ use crate::su2::{AttitudeState, OrientationRate};
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InitialPhases {
-    /// Nutation phase θ(0): 0 at u = e₁, π at u = e₂, with u rising in between. The `f64` nearest to a multiple of π counts as
-    /// that multiple. θ = π with e₂ = e₃ = 1 means the sleeping top.
+    /// Nutation phase θ(0): 0 at u = e₁, π at u = e₂, with u rising in between. The `f64` nearest to a multiple of π counts as it. θ = π with
+    /// e₂ = e₃ = 1 means the sleeping top.
     pub theta: f64,
     /// Argument of α(0); where α(0) = 0, that of α'(0).
     pub arg_alpha: f64,
@@ -118,7 +118,7 @@ pub(super) fn half_phase_of(theta: f64) -> Phase {
     (Extended::from(theta).in_turns() * Extended::from(0.5)).to_phase()
 }
 
-/// Slow phase of a parameter z with rate z': the rotation that best maps the ellipse and its rate to z and z'. It exists also where z is 0.
+/// Slow phase of a parameter z with rate z': the rotation that best maps the ellipse and its rate to both.
 fn slow_phase(ellipse: &Ellipse<f64>, chi: Complex<f64>, rates: [f64; 2], z: [Complex<f64>; 2]) -> Phase {
     let [value, rate] = z;
     let (model, model_rate) = (ellipse.at(chi), ellipse.rate(chi, rates));

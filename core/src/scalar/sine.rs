@@ -1,5 +1,13 @@
-//! Sine and cosine of an integer phase: for `f64` by polynomials, for other scalars in integers from 512 points of the circle (2.5 KiB
-//! of flash). The constants are public for an evaluator in another language.
+//! All sines and cosines.
+//!
+//! | function | argument | result |
+//! |---|---|---|
+//! | `sine_cosine_of_phase` | phase of 96 bits | `f64`, relatively exact |
+//! | `sine_cosine_of_radians` | angle | `f64`, relatively exact |
+//! | `sine_cosine_f64` | phase of 64 bits | `f64` |
+//! | `sine_cosine_q31`, `q26`, `q15` | phase of 32 bits | integers, from 512 points of the circle (2.5 KiB of flash) |
+//!
+//! The constants are public for an evaluator in another language.
 
 use crate::phase::Phase;
 use crate::product::{high_product, short_product, short_product_by_constant};
@@ -30,7 +38,7 @@ pub const COSINE: [f64; 9] = [
     0.27945867147528963,
 ];
 
-/// (sin 2πx, cos 2πx) for a phase of x turns, given by the 64 leading bits of its fraction. Error: below 2e-16.
+/// (sin 2πx, cos 2πx) of the 64 leading bits of a phase. Error: below 2e-16.
 pub(crate) const fn sine_cosine_f64(phase: u64) -> (f64, f64) {
     const SCALE: f64 = 1.0 / (1_u64 << 32) as f64;
     // the nearest quarter turn, and the signed remainder in [-1/8, 1/8) turn, converted exactly word by word
@@ -39,14 +47,14 @@ pub(crate) const fn sine_cosine_f64(phase: u64) -> (f64, f64) {
     quarter_turns(quadrant as u32, ((rest >> 32) as i32 as f64 + rest as u32 as f64 * SCALE) * SCALE)
 }
 
-/// (sin 2πx, cos 2πx) for a phase of x turns, from all 96 bits of its fraction: the error is relative to the result near its zeros.
+/// (sin 2πx, cos 2πx) of a phase of x turns. The error is relative to the result near its zeros.
 pub(super) fn sine_cosine_of_phase(phase: Phase) -> (f64, f64) {
     let (quadrant, rest) = phase.quadrant();
     quarter_turns(quadrant, rest.to_f64())
 }
 
-/// (sin x, cos x) for an angle of x rad up to 1e6. The error is below 4e-16, relative to the result near its zeros. Those of libm would
-/// take several kilobytes of flash.
+/// (sin x, cos x) of an angle of x rad up to 1e6. Error: below 4e-16, relative to the result near its zeros. Those of libm would take
+/// several kilobytes of flash.
 pub(crate) fn sine_cosine_of_radians(x: f64) -> (f64, f64) {
     if x.abs() < core::f64::consts::FRAC_PI_4 {
         return quarter_turns(0, x * (0.5 * core::f64::consts::FRAC_1_PI));
@@ -105,7 +113,7 @@ pub const VERSINE: i32 = (DISTANCE * DISTANCE / 2.0 * (1_u64 << 30) as f64 + 0.5
 /// Coefficient of the linear approximation d (1 - d²/8) to sin d, times 2^33. It replaces d - d³/6 where 26 bits are enough.
 pub const SECANT: i32 = (DISTANCE * (1.0 - DISTANCE * DISTANCE / 8.0) * (1_u64 << 33) as f64) as i32;
 
-/// (sin 2πx, cos 2πx)·2^31 for a phase of x turns, given by the 32 leading bits of its fraction. Error: below 2.45 units, 1.2e-9.
+/// (sin 2πx, cos 2πx)·2^31 of the 32 leading bits of a phase. Error: below 2.45 units, 1.2e-9.
 ///
 /// The nearest point is rotated by the remaining angle d, with sin d = d - d³/6 and cos d = 1 - d²/2. No sum overflows.
 #[inline(always)]

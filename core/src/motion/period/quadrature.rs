@@ -36,7 +36,7 @@ impl Period {
 struct TrapezoidRule<'a, const WORDS: usize> {
     equations: &'a EllipticEquations<'a, Wide<WORDS>>,
     landen: &'a Landen<WORDS>,
-    /// Sums of the integrands of t, ψ_A and ψ_B without their constant factors; the ends of the half period have half weight.
+    /// Sums of the integrands of t, ψ_A and ψ_B without their factors; the ends have half weight.
     sums: [Wide<WORDS>; 3],
     nodes: u32,
     /// Sine and cosine of the angle between two nodes.
@@ -107,7 +107,7 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         integrands
     }
 
-    /// Changes relative to the sums: of the time, and of the slow phases, which are compared with the sum of their magnitudes.
+    /// Changes of the time and of the slow phases, relative to the sums of magnitudes.
     fn relative(&self, change: [Wide<WORDS>; 3]) -> [f64; 2] {
         let [alpha_scale, beta_scale] = self.equations.slow_scales().map(f64::abs);
         let magnitudes = |sums: [Wide<WORDS>; 3]| {
@@ -139,10 +139,9 @@ fn sum<F: Ring>([a, b, c]: [F; 3], [x, y, z]: [F; 3]) -> [F; 3] {
     [a + x, b + y, c + z]
 }
 
-/// Estimated error of a trapezoid sum, from the changes of the last two doublings: the sum of two estimates for geometric
-/// convergence.
+/// Estimated error of a trapezoid sum from its last two changes, for geometric convergence.
 fn remaining_error(change: f64, before: f64) -> f64 {
-    // both changes may be 0: a slow and small nutation may change no sum; before the first change there is none
+    // both changes may be 0
     let ratio = change / before.max(change).max(f64::MIN_POSITIVE);
     change * (3.0 * change + 30.0 * ratio * ratio)
 }

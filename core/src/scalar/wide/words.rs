@@ -54,7 +54,6 @@ pub(super) fn add_word(words: &mut [u64], other: u64) -> u64 {
 /// Complete product: upper and lower half.
 #[inline(always)]
 pub(super) fn product<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) -> [[u64; WORDS]; 2] {
-    // the product with each word of b is added to the words from there on; the lowest of them is then complete
     let (mut upper, mut lower) = ([0; WORDS], [0; WORDS]);
     for (factor, complete) in b.iter().zip(&mut lower).rev() {
         let mut carry = 0;
@@ -69,8 +68,7 @@ pub(super) fn product<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) ->
     [upper, lower]
 }
 
-/// Quotient a/b of numbers with the leading bit set, times 2^(56 (WORDS + 1)): digits of 56 bits, each computed from the reciprocal of
-/// the leading word of b and at most 4 too small.
+/// Quotient a/b of numbers with the leading bit set, times 2^(56 (WORDS + 1)), in digits of 56 bits that are at most 4 too small.
 #[inline(always)]
 pub(super) fn quotient<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) -> [[u64; WORDS]; 2] {
     // at most the true one
