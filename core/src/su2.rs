@@ -9,7 +9,6 @@ mod rate;
 mod nalgebra;
 
 use crate::complex::Complex;
-use crate::phase::Phase;
 use crate::scalar::{Float, Real, Ring};
 pub use rate::{AttitudeState, OrientationRate};
 
@@ -166,49 +165,18 @@ impl<R: Float> Orientation<R> {
 impl<R: Real> Orientation<R> {
     /// Exponential of an element of su(2): the rotation by |x| rad about x; the identity where a component is not finite.
     pub fn exp(x: Vector<R>) -> Self {
-        /// Angle below which the sine of `f32` would have too large a relative error.
-        const SMALL: f64 = 1.0 / 16.0;
-        /// Angle above which the fraction of a turn in [`Phase`] has no correct digits.
-        const LARGE: f64 = (1_u64 << 52) as f64;
-        let square = dot(x, x);
-        let small_enough = square.to_f64() <= LARGE * LARGE;
-        if !small_enough {
-            return Self::exp_of_large(x);
-        }
-        let (scale, cosine) = if square < R::from_f64(SMALL * SMALL) {
-            small_half_angle(square * R::from_f64(0.25))
-        } else {
-            let angle = square.sqrt();
-            let (sine, cosine) = R::sine_cosine(Phase::from_radians(0.5 * angle.to_f64()));
-            (sine / angle, cosine)
-        };
-        let [x1, x2, x3] = x.map(|component| component * scale);
-        Self::from_quaternion([cosine, x1, x2, x3])
-    }
-
-    /// Exponential of a vector that is not finite or very long.
-    #[cold]
-    fn exp_of_large(x: Vector<R>) -> Self {
-        let [a, b, c] = x.map(Float::abs);
+        let [a, b, c] = x.map(R::abs);
         let size = a.larger(b).larger(c);
-        if !x.into_iter().all(|component| component.to_f64().is_finite()) {
+        let is_finite = x.iter().all(|component| component.to_f64().is_finite());
+        if !is_finite || size == R::ZERO {
             return Self::IDENTITY;
         }
+        // a square of x could leave the range
         let direction = x.map(|component| component / size);
         let length = dot(direction, direction).sqrt();
-        // at most √3/2 times the largest finite number
-        let half_angle = 0.5 * length.to_f64() * size.to_f64();
-        let (sine, cosine) = libm::sincos(half_angle);
-        let [x1, x2, x3] = direction.map(|component| component / length * R::from_f64(sine));
+        let (sine, cosine) = libm::sincos(0.5 * length.to_f64() * size.to_f64());
+        let scale = R::from_f64(sine) / length;
+        let [x1, x2, x3] = direction.map(|component| component * scale);
         Self::from_quaternion([R::from_f64(cosine), x1, x2, x3])
     }
-}
-
-/// sin h/2h and cos h from h² <= 2^-10. Truncation error: below 2^-61.
-fn small_half_angle<R: Real>(square: R) -> (R, R) {
-    // 1 - h²/d₁ (1 - h²/d₂ (1 - ...)), with the divisors in reverse order
-    let series = |divisors: [f64; 4]| {
-        divisors.into_iter().fold(R::ONE, |sum, divisor| R::ONE - square * R::from_f64(1.0 / divisor) * sum)
-    };
-    (series([72.0, 42.0, 20.0, 6.0]).halved(), series([56.0, 30.0, 12.0, 2.0]))
 }
