@@ -37,7 +37,7 @@ pub struct Motion {
     pub(crate) phases: [Phase; 2],
     pub(crate) rounding: LaunchRounding,
     /// Rate χ' without torque, rad per unit time; 0 with one, and where the axis rests.
-    free_rate: Extended,
+    torque_free_rate: Extended,
 }
 
 /// Variable of the nutation with its value.
@@ -123,8 +123,8 @@ impl Motion {
     ) -> Option<Period> {
         if self.top.is_torque_free() {
             let half_turn = Extended::TWO_PI.halved();
-            return (self.free_rate > Extended::ZERO)
-                .then(|| Period::torque_free(half_turn / self.free_rate));
+            return (self.torque_free_rate > Extended::ZERO)
+                .then(|| Period::torque_free(half_turn / self.torque_free_rate));
         }
         let equations = || equations.map(Wide::<WORDS>::resized);
         (self.e.e3_minus_e2 > Extended::ZERO).then(|| Period::integrated(&equations(), pause))
@@ -148,9 +148,14 @@ impl Motion {
         })
     }
 
-    fn equations_with<F: Float>(&self, e: &BranchPoints<F>, l_plus_n: F, free_rate: F) -> PhaseEquations<F> {
+    fn equations_with<F: Float>(
+        &self,
+        e: &BranchPoints<F>,
+        l_plus_n: F,
+        torque_free_rate: F,
+    ) -> PhaseEquations<F> {
         if self.top.is_torque_free() {
-            PhaseEquations::torque_free(free_rate, e)
+            PhaseEquations::torque_free(torque_free_rate, e)
         } else {
             PhaseEquations::new(&self.top, e, l_plus_n, self.signs)
         }
@@ -203,7 +208,7 @@ impl Motion {
 
     #[inline(never)] // set-up needs it in several places
     pub fn equations(&self) -> PhaseEquations<Extended> {
-        self.equations_with(&self.e, self.integrals.l_plus_n, self.free_rate)
+        self.equations_with(&self.e, self.integrals.l_plus_n, self.torque_free_rate)
     }
 
     /// Rate τ/2, rad per unit time.

@@ -133,7 +133,7 @@ impl Motion {
             },
             phases: [Phase::ZERO; 2],
             rounding: LaunchRounding::default(),
-            free_rate: Extended::ZERO,
+            torque_free_rate: Extended::ZERO,
         };
         if is_steady {
             motion.ellipses = Ellipses::steady(motion.steady_tilt());

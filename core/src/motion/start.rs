@@ -35,13 +35,13 @@ impl Motion {
         let torque_free = self.top.is_torque_free();
         if torque_free {
             // the axis rotates about the angular momentum m at the rate |m|/A
-            self.free_rate = (point.momentum(a, self.integrals.n) / a).halved();
+            self.torque_free_rate = (point.momentum(a, self.integrals.n) / a).halved();
         }
         if self.is_steady() {
             return;
         }
         let (g0, below_e3) = if torque_free {
-            ((udot / self.free_rate.doubled()).squared(), Extended::ONE)
+            ((udot / self.torque_free_rate.doubled()).squared(), Extended::ONE)
         } else {
             let d = a / p + s * one_minus_u * one_plus_u;
             (d * udot.squared() / g.doubled(), one_minus_u + self.e.e3_minus_one)
@@ -72,8 +72,11 @@ impl Motion {
             return;
         }
         let chi = self.nutation.direction();
-        let equations =
-            self.equations_with(&self.e.to_f64(), self.integrals.l_plus_n.to_f64(), self.free_rate.to_f64());
+        let equations = self.equations_with(
+            &self.e.to_f64(),
+            self.integrals.l_plus_n.to_f64(),
+            self.torque_free_rate.to_f64(),
+        );
         let PhaseRates { nutation, alpha, beta } = equations.rates(chi.im, chi.re);
         let half_tau = self.half_tau.to_f64();
         let Ellipses { alpha: alpha_ellipse, beta: beta_ellipse } = &self.ellipses;
