@@ -42,8 +42,6 @@ const AT_THE_START: Phase = Phase::from_bits(1 << 48);
 const PIECES: usize = 5;
 /// Largest number of times that periods are skipped.
 const MOST_SKIPS: usize = 8;
-/// Largest number of doublings of an interval without end.
-const MOST_DOUBLINGS: usize = 32;
 
 impl<R: EphemerisScalar> EphemerisView<R> {
     /// Events at these nutation phases; only those at the first one are upward.
@@ -125,10 +123,10 @@ impl<R: EphemerisScalar> Events<'_, R> {
         self
     }
 
-    /// Rotation from the current angle to the next target angle, in (0, 1] turn or in [-1, 0).
-    fn ahead(&self, upward: bool) -> Phase {
+    /// Rotation from an angle to the next target angle, in (0, 1] turn or in [-1, 0).
+    fn ahead(&self, angle: Phase, upward: bool) -> Phase {
         let target = self.target.unwrap_or_default();
-        let distance = if upward { target - self.angle } else { self.angle - target };
+        let distance = if upward { target - angle } else { angle - target };
         let distance = PhaseFraction::from_phase(distance).to_phase();
         let distance = if distance == Phase::ZERO { Phase::ONE } else { distance };
         if upward { distance } else { -distance }
@@ -138,7 +136,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
     fn on_piece(&mut self, end: Extended, after: Phase) -> Option<Event> {
         let turned = after - self.angle;
         let upward = turned > Phase::ZERO;
-        let ahead = self.ahead(upward);
+        let ahead = self.ahead(self.angle, upward);
         let passed = |turned: Phase| if upward { turned >= ahead } else { turned <= ahead };
         if turned == Phase::ZERO || !passed(turned) {
             return None;
@@ -152,20 +150,14 @@ impl<R: EphemerisScalar> Events<'_, R> {
         Event::at(if high < self.from { self.from } else { high }, upward)
     }
 
-    /// Event of a motion without bounds, whose φ is monotone at all times.
-    fn without_bounds(&mut self) -> Option<Event> {
-        let rate = Extended::from(self.view.clock.tip_turn());
-        let mut length = Extended::ONE / rate.abs();
-        for _ in 0..MOST_DOUBLINGS {
+    /// Event of a steady motion, at most one turn ahead, or two because of rounding.
+    fn at_constant_rate(&mut self) -> Option<Event> {
+        let turn = Extended::ONE / Extended::from(self.view.clock.tip_turn()).abs();
+        [turn, turn.doubled()].into_iter().find_map(|length| {
             let end = self.at + length;
             Event::at(end, true)?;
-            let after = self.view.tip_angle_after(end);
-            if let Some(event) = self.on_piece(end, after) {
-                return Some(event);
-            }
-            length = length.doubled();
-        }
-        None
+            self.on_piece(end, self.view.tip_angle_after(end))
+        })
     }
 
     /// Skips periods that do not reach the target. `least` and `greatest` bound the change of the angle over the last period.
@@ -174,8 +166,8 @@ impl<R: EphemerisScalar> Events<'_, R> {
         const CAUTION: f64 = 1.0 - 1e-9;
         let per_period = Extended::from(self.view.clock.tip_turn()) * period;
         let upward = per_period > Extended::ZERO;
-        let edge = Self { angle: self.angle + if upward { greatest } else { least }, ..*self };
-        let periods = Extended::from(edge.ahead(upward)) / per_period * Extended::from(CAUTION);
+        let edge = self.angle + if upward { greatest } else { least };
+        let periods = Extended::from(self.ahead(edge, upward)) / per_period * Extended::from(CAUTION);
         let (_, rest) = periods.floor_and_rest();
         let periods = periods - rest - Extended::ONE;
         if periods > Extended::ZERO {
@@ -193,7 +185,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
         if !self.view.clock.tip_exists {
             return None;
         }
-        let Some(period) = self.instants.period else { return self.without_bounds() };
+        let Some(period) = self.instants.period else { return self.at_constant_rate() };
         for _ in 0..MOST_SKIPS {
             let start = self.angle;
             let (mut least, mut greatest) = (Phase::ZERO, Phase::ZERO);
