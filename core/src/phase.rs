@@ -35,7 +35,7 @@ impl Phase {
         Self(shifted(mantissa.into(), exponent + FRACTION_BITS))
     }
 
-    /// Phase of an angle in radians. Relative error: 2^-52.
+    /// Phase of an angle in radians. Relative error: 2^-52. An angle that is not finite counts as 0.
     pub fn from_radians(angle: f64) -> Self {
         Self::new(angle * (0.5 * core::f64::consts::FRAC_1_PI))
     }
