@@ -15,7 +15,6 @@ pub(crate) use error::within;
 pub use error::{ParameterError, finite, require};
 pub use parameters::TopParameters;
 pub use scaled_top::ScaledTop;
-pub(crate) use scaled_top::Units;
 pub(crate) use state::half_tilt;
 pub use state::{Release, State};
 pub use top::{Support, Top};

@@ -7,8 +7,6 @@ mod branch_points;
 
 mod regime;
 
-mod tip_class;
-
 mod launch_rounding;
 
 pub(crate) mod normal_force;
@@ -17,5 +15,4 @@ pub use branch_points::BranchPoints;
 pub(crate) use first_integrals::ReducedPoint;
 pub use first_integrals::{FirstIntegrals, Sign, Signs};
 pub(crate) use launch_rounding::LaunchRounding;
-pub use regime::Regime;
-pub use tip_class::TipClass;
+pub use regime::{Regime, TipClass};

@@ -1,9 +1,7 @@
 //! Events: instants at which a motion turns, reaches a tilt, a circle or a tip angle, or lifts off.
 //!
-//! u is a function of the nutation phase. An event of u has one phase while u rises, which a bisection of the table finds once, and its
-//! mirror image while u falls. The tip angle is bisected in time, between instants at which it can change direction. All work is bounded.
-
-mod recurring;
+//! An event of u has one nutation phase while u rises, which a bisection of the table finds once, and its mirror image while u falls. The
+//! tip angle is bisected in time. All work is bounded.
 
 mod level;
 
@@ -31,7 +29,7 @@ pub struct Event {
 impl Event {
     /// Event after a number of ticks; `None` outside the range of `i64`.
     fn at(ticks: Extended, upward: bool) -> Option<Self> {
-        /// Number far beyond the range of `i64`, from which on whole numbers of 128 bits could wrap.
+        /// Number far beyond the range of `i64`, below which a whole number of 128 bits does not wrap.
         const COUNTABLE: f64 = (1_u128 << 100) as f64;
         if ticks.to_f64().abs() > COUNTABLE {
             return None;
@@ -51,7 +49,7 @@ impl Event {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Time of an event in the motion's unit of time, from t = 0: the nearest `f64`.
+    /// Time of an event in the motion's unit of time: the nearest `f64`.
     #[must_use]
     pub fn time_of(&self, event: &Event) -> f64 {
         (event.ticks() / self.clock.tick_rate()).to_f64()
@@ -72,7 +70,7 @@ fn at_phase<R: EphemerisScalar>(ephemeris: &EphemerisView<R>, nutation: u64) -> 
     Sample { ephemeris, phases: [nutation, 0, 0], mean_tip: Phase::ZERO }
 }
 
-/// Nutation phase from which on a condition holds while u rises; it holds at the end. Cost: 63 evaluations.
+/// Nutation phase from which on a condition holds while u rises. Cost: 63 evaluations.
 fn bisect(holds: impl Fn(u64) -> bool) -> Phase {
     let (mut low, mut high) = (0, HALF_PERIOD);
     while high - low > 1 {

@@ -44,7 +44,7 @@ pub mod table_format {}
 #[doc(hidden)]
 pub mod internal {
     pub use crate::body::{ScaledTop, finite, require};
-    pub use crate::motion::{Constants, phase_of};
+    pub use crate::motion::{NutationVariable, phase_of};
     pub use crate::table::Ticks;
 }
 
@@ -54,12 +54,11 @@ pub use constants::{BranchPoints, FirstIntegrals, Regime, Sign, Signs, TipClass}
 pub use events::{Event, Events, Level};
 #[cfg(feature = "fixed")]
 pub use fixed;
-pub use motion::attitude_state::AttitudeState;
 pub use motion::period::PeriodAdvance;
 pub use motion::{InitialPhases, Motion};
 pub use phase::Phase;
 pub use stepper::Stepper;
-pub use su2::Orientation;
+pub use su2::{AttitudeState, Orientation};
 pub use table::{
     Baked, BakedError, Clock, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory,
     EphemerisScalar, EphemerisView, ErrorBound, Pose, ReadyEphemeris, Sample, SetUp, SetUpError, Tick,

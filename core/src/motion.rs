@@ -6,53 +6,60 @@ pub(crate) mod cayley_klein;
 
 pub(crate) mod period;
 
-pub(crate) mod attitude_state;
-
 mod start;
 
 mod launch;
-
-pub(crate) mod tip;
 
 pub use start::InitialPhases;
 
 use crate::body::{ScaledTop, Support, Top};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs, TipClass, normal_force};
-use crate::motion::cayley_klein::{Ellipses, PhaseDirections};
+use crate::motion::cayley_klein::Ellipses;
 use crate::motion::period::{Period, PeriodAdvance};
 use crate::motion::phase_equations::{PhaseEquations, gudermannian};
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring, Scalar, Wide};
+use crate::scalar::{Extended, Float, Real, Ring, Wide};
 
-/// Motion of one launch: regime, constants and phases at t = 0. Steppers and ephemerides are made from it.
+/// Motion of one launch, from which steppers and ephemerides are made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
     top: Top,
     signs: Signs,
     pub(crate) e: BranchPoints<Extended>,
     pub(crate) integrals: FirstIntegrals<Extended>,
-    /// Half of τ = ⟨ω, r⟩ - n/A, rad per unit time: additional rates ±τ/2 of the slow phases where C ≠ A or K ≠ 0.
+    /// Half of τ = ⟨ω, r⟩ - n/A, rad per unit time. It is 0 for C = A and K = 0.
     pub(crate) half_tau: Extended,
     ellipses: Ellipses<f64>,
     regime: Regime,
-    pub(crate) nutation: NutationVariable,
-    /// Slow phases A and B, of α and β, at t = 0.
+    pub(crate) nutation: NutationVariable<f64>,
+    /// Slow phases A and B at t = 0.
     pub(crate) phases: [Phase; 2],
     pub(crate) rounding: LaunchRounding,
     /// Rate χ' without torque, rad per unit time; 0 with one, and where the axis rests.
-    free_rate: Extended,
+    torque_free_rate: Extended,
 }
 
-/// Variable of the nutation with its value at t = 0.
+/// Variable of the nutation with its value.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum NutationVariable {
+pub enum NutationVariable<R> {
     /// None: u and the rates of A and B are constant.
     Steady,
     /// Half phase χ.
     Nutating(Phase),
     /// Variable v of an aperiodic motion, with χ = gd v (Gudermannian).
-    Aperiodic(f64),
+    Aperiodic(R),
+}
+
+impl<R: Real> NutationVariable<R> {
+    /// Unit complex number e^{iχ}; 1 for a steady motion.
+    pub(crate) fn direction(self) -> Complex<R> {
+        match self {
+            Self::Steady => Complex::ONE,
+            Self::Nutating(chi) => Complex::cis(chi),
+            Self::Aperiodic(v) => gudermannian(v),
+        }
+    }
 }
 
 impl Motion {
@@ -92,16 +99,16 @@ impl Motion {
         self.signs
     }
 
-    /// Nutation period, and advance of α and β over it, integrated by this call. Where u is constant, they are those of the small
-    /// nutation that a push would start. `None` for e₂ = e₃.
+    /// Nutation period, and advance of α and β over it; this call integrates them. Where u is constant, they are those of a small
+    /// nutation. `None` for e₂ = e₃.
     pub fn period_advance(&self) -> Option<PeriodAdvance> {
         let windings = Ellipses::swinging(&self.e, self.signs).windings();
         let period = self.period::<2>(&self.equations(), &mut || {})?;
         Some(PeriodAdvance::new(&period, self.half_tau, windings))
     }
 
-    /// Nutation period, and the rotations during it about the vertical, ψ_A(T) + ψ_B(T), and of the body about its axis,
-    /// ψ_A(T) - ψ_B(T) + τT; whole turns do not count.
+    /// Nutation period, and the rotations in it about the vertical, ψ_A(T) + ψ_B(T), and about the axis, ψ_A(T) - ψ_B(T) + τT, without
+    /// whole turns.
     #[doc(hidden)]
     pub fn period_and_turns(&self) -> Option<(Extended, [Phase; 2])> {
         let Period { time, psi: [alpha, beta], .. } = self.period::<2>(&self.equations(), &mut || {})?;
@@ -112,14 +119,15 @@ impl Motion {
     pub(crate) fn period<const WORDS: usize>(
         &self,
         equations: &PhaseEquations<Extended>,
-        between: &mut dyn FnMut(),
+        pause: &mut dyn FnMut(),
     ) -> Option<Period> {
         if self.top.is_torque_free() {
             let half_turn = Extended::TWO_PI.halved();
-            return (self.free_rate > Extended::ZERO).then(|| Period::uniform(half_turn / self.free_rate));
+            return (self.torque_free_rate > Extended::ZERO)
+                .then(|| Period::torque_free(half_turn / self.torque_free_rate));
         }
         let equations = || equations.map(Wide::<WORDS>::resized);
-        (self.e.e3_minus_e2 > Extended::ZERO).then(|| Period::integrated(&equations(), between))
+        (self.e.e3_minus_e2 > Extended::ZERO).then(|| Period::integrated(&equations(), pause))
     }
 
     /// Winding numbers of the ellipses of α and β; 1 for a steady motion.
@@ -129,9 +137,7 @@ impl Motion {
 
     /// Tip angle at t = 0, in (-1/2, 1/2] turn.
     pub(crate) fn tip_angle_at_start(&self) -> Phase {
-        let ([alpha, beta], directions) = (self.phases, self.directions_at_start());
-        let [alpha_argument, beta_argument] = self.ellipses.arguments(&directions);
-        (alpha + beta + alpha_argument + beta_argument).principal()
+        self.ellipses.tip_angle(self.nutation.direction(), self.phases)
     }
 
     /// Least normal force, in units of the weight; `None` unless the tip slides. Where it is negative, a real top leaves the plane.
@@ -142,18 +148,14 @@ impl Motion {
         })
     }
 
-    pub(crate) fn scaled_top(&self) -> ScaledTop<Extended> {
-        ScaledTop::new(&self.top)
-    }
-
-    #[inline(never)] // set-up needs it in several places
-    pub(crate) fn equations(&self) -> PhaseEquations<Extended> {
-        self.equations_with(&self.e, self.integrals.l_plus_n, self.free_rate)
-    }
-
-    fn equations_with<F: Float>(&self, e: &BranchPoints<F>, l_plus_n: F, free_rate: F) -> PhaseEquations<F> {
+    fn equations_with<F: Float>(
+        &self,
+        e: &BranchPoints<F>,
+        l_plus_n: F,
+        torque_free_rate: F,
+    ) -> PhaseEquations<F> {
         if self.top.is_torque_free() {
-            PhaseEquations::uniform(free_rate, e)
+            PhaseEquations::torque_free(torque_free_rate, e)
         } else {
             PhaseEquations::new(&self.top, e, l_plus_n, self.signs)
         }
@@ -171,8 +173,7 @@ impl Motion {
         }
     }
 
-    /// Rates of A and B where u is constant, rad per unit time: ((l ± n)/(A (1 ± u)) ± τ)/2, with the upper signs for
-    /// A; 0 for a parameter that is 0.
+    /// Rates ((l ± n)/(A (1 ± u)) ± τ)/2 of A and B where u is constant, rad per unit time; 0 for a parameter that is 0.
     pub(crate) fn steady_rates(&self) -> [Extended; 2] {
         let (twice_a, zero) = (self.scaled_top().a.doubled(), Extended::ZERO);
         let rate = |momentum: Extended, complement: Extended, half_tau: Extended| {
@@ -187,58 +188,41 @@ impl Motion {
     pub(crate) fn is_steady(&self) -> bool {
         matches!(self.nutation, NutationVariable::Steady)
     }
+}
 
-    /// Directions at t = 0, with both slow phases 0.
-    fn directions_at_start(&self) -> PhaseDirections<f64> {
-        let (sine, cosine) = match self.nutation {
-            NutationVariable::Steady => (0.0, 1.0),
-            NutationVariable::Nutating(chi) => f64::sine_cosine(chi),
-            NutationVariable::Aperiodic(v) => gudermannian(v),
-        };
-        PhaseDirections { sine, cosine, alpha: Complex::ONE, beta: Complex::ONE }
+/// Constants in extended precision and phases at t = 0, for the sibling crates.
+#[doc(hidden)]
+impl Motion {
+    pub fn exact_branch_points(&self) -> BranchPoints<Extended> {
+        self.e
     }
-}
 
-/// Constants of a motion and its phases at t = 0, in extended precision.
-#[derive(Clone, Copy, Debug)]
-pub struct Constants {
-    /// Branch points.
-    pub e: BranchPoints<Extended>,
-    /// First integrals.
-    pub integrals: FirstIntegrals<Extended>,
-    /// Parameters of the top.
-    pub top: ScaledTop<Extended>,
-    /// Half phase χ at t = 0 of a motion that nutates.
-    pub chi: Option<Phase>,
-    /// Variable v at t = 0 of an aperiodic motion.
-    pub v: Option<f64>,
-    /// Slow phases at t = 0.
-    pub phases: [Phase; 2],
+    /// First integrals in the units of [`scaled_top`](Self::scaled_top).
+    pub fn exact_integrals(&self) -> FirstIntegrals<Extended> {
+        self.integrals
+    }
+
+    pub fn scaled_top(&self) -> ScaledTop<Extended> {
+        ScaledTop::new(&self.top)
+    }
+
+    #[inline(never)] // set-up needs it in several places
+    pub fn equations(&self) -> PhaseEquations<Extended> {
+        self.equations_with(&self.e, self.integrals.l_plus_n, self.torque_free_rate)
+    }
+
     /// Rate τ/2, rad per unit time.
-    pub half_tau: Extended,
-    /// Phase equations.
-    pub equations: PhaseEquations<Extended>,
-}
+    pub fn half_tau(&self) -> Extended {
+        self.half_tau
+    }
 
-impl Constants {
-    /// Constants of a motion.
-    pub fn new(motion: &Motion) -> Self {
-        let Motion { e, integrals, half_tau, nutation, phases, .. } = *motion;
-        let (chi, v) = match nutation {
-            NutationVariable::Nutating(chi) => (Some(chi), None),
-            NutationVariable::Aperiodic(v) => (None, Some(v)),
-            NutationVariable::Steady => (None, None),
-        };
-        Self {
-            e,
-            integrals,
-            top: motion.scaled_top(),
-            chi,
-            v,
-            phases,
-            half_tau,
-            equations: motion.equations(),
-        }
+    pub fn nutation(&self) -> NutationVariable<f64> {
+        self.nutation
+    }
+
+    /// Slow phases A and B.
+    pub fn slow_phases(&self) -> [Phase; 2] {
+        self.phases
     }
 }
 

@@ -29,13 +29,13 @@ impl Phase {
     /// One turn, 2π rad.
     pub const ONE: Self = Self(1 << FRACTION_BITS);
 
-    /// Phase from a number of turns, rounded to 2^-96 turns, modulo 2^32 turns; zero where the number is not finite.
+    /// Phase from a number of turns, rounded to 2^-96 turns, modulo 2^32 turns. A number that is not finite counts as 0.
     pub fn new(turns: f64) -> Self {
         let (mantissa, exponent) = integer_parts(turns);
         Self(shifted(mantissa.into(), exponent + FRACTION_BITS))
     }
 
-    /// Phase of an angle in radians. Relative error: 2^-52.
+    /// Phase of an angle in radians. Relative error: 2^-52. An angle that is not finite counts as 0.
     pub fn from_radians(angle: f64) -> Self {
         Self::new(angle * (0.5 * core::f64::consts::FRAC_1_PI))
     }

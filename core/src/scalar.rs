@@ -1,6 +1,6 @@
 //! Scalars: number types, and the traits that the algorithms require of them.
 //!
-//! There is no fused multiply-add and no function of `std`, so that a host and a chip agree to the bit.
+//! There is no fused multiply-add. Functions come from `libm` on every target, never from `std`, so that a host and a chip agree to the bit.
 //!
 //! | trait | requires | `f32` `f64` | [`Extended`], [`Extended64`] | fixed point |
 //! |---|---|---|---|---|
@@ -15,16 +15,15 @@ mod wide;
 #[doc(hidden)]
 pub mod sine;
 
-mod float;
-
 #[cfg(feature = "fixed")]
 mod fixed_point;
 
-pub(crate) use float::sine_cosine_of_radians;
 pub(crate) use power_of_two::{exponent, power_of_two, short_float, short_power_of_two, times_power_of_two};
 #[cfg(feature = "fixed")]
 pub(crate) use sine::sine_cosine_q15;
-pub(crate) use sine::{fraction_of_word, sine_cosine_f64, sine_cosine_q26, sine_cosine_q31};
+pub(crate) use sine::{
+    fraction_of_word, sine_cosine_f64, sine_cosine_of_radians, sine_cosine_q26, sine_cosine_q31,
+};
 
 pub use wide::{Extended, Extended64, Wide};
 
@@ -49,7 +48,7 @@ pub trait Ring:
     /// One.
     const ONE: Self;
 
-    /// Product; in fixed point another one than `*`, which is slow on chips without a long multiplication.
+    /// Product; in fixed point a faster one than `*`.
     #[inline(always)]
     #[must_use]
     fn product(self, other: Self) -> Self {
@@ -83,13 +82,31 @@ pub trait Ring:
     fn doubled(self) -> Self {
         self + self
     }
+
+    /// Larger of two numbers; the other one where this is NaN.
+    #[inline]
+    #[must_use]
+    fn larger(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+
+    /// Number limited to [-1, 1]. A NaN remains NaN.
+    #[inline]
+    #[must_use]
+    fn limited(self) -> Self {
+        if self > Self::ONE {
+            Self::ONE
+        } else if self < -Self::ONE {
+            -Self::ONE
+        } else {
+            self
+        }
+    }
 }
 
 /// Number type of a tick: a ring with the sine and cosine of an integer phase.
 pub trait Scalar: Ring {
-    /// (sin 2πx, cos 2πx) of a phase of x turns; dropping the whole turns is exact.
-    ///
-    /// Error: below 3.2e-8 in `f32`, absolute; below 2e-16 in `f64`, relative to the result near its zeros.
+    /// (sin 2πx, cos 2πx) of a phase of x turns. Error: below 3.2e-8 in `f32`, absolute; below 2e-16 in `f64`, relative near the zeros.
     fn sine_cosine(phase: Phase) -> (Self, Self);
 
     /// Half a unit in the last place of 1: the rounding error of a sum.
@@ -128,6 +145,68 @@ pub trait Real: Scalar + Float {
     /// eˣ - 1, with a small relative error also where x is small.
     #[must_use]
     fn exp_minus_one(self) -> Self;
+}
+
+macro_rules! float_scalar {
+    ($float:ty, $sqrt:path, $atan2:path, $exp_minus_one:path) => {
+        impl Ring for $float {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+        }
+
+        impl Float for $float {
+            #[inline]
+            fn from_f64(x: f64) -> Self {
+                x as Self
+            }
+            #[inline]
+            fn to_f64(self) -> f64 {
+                self.into()
+            }
+            #[inline]
+            fn sqrt(self) -> Self {
+                if self > 0.0 { $sqrt(self) } else { 0.0 }
+            }
+            #[inline]
+            fn abs(self) -> Self {
+                // clears the sign bit, where a soft comparison would cost a call
+                <$float>::abs(self)
+            }
+        }
+
+        impl Real for $float {
+            #[inline]
+            fn atan2(y: Self, x: Self) -> Self {
+                $atan2(y, x)
+            }
+            #[inline]
+            fn exp_minus_one(self) -> Self {
+                $exp_minus_one(self)
+            }
+        }
+    };
+}
+
+float_scalar!(f32, libm::sqrtf, libm::atan2f, libm::expm1f);
+float_scalar!(f64, libm::sqrt, libm::atan2, libm::expm1);
+
+impl Scalar for f32 {
+    const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
+
+    #[inline]
+    fn sine_cosine(phase: Phase) -> (Self, Self) {
+        const UNIT: f32 = 1.0 / (1_u64 << 31) as f32;
+        let (sine, cosine) = sine::sine_cosine_q31((phase.fraction() >> 32) as u32);
+        (sine as f32 * UNIT, cosine as f32 * UNIT)
+    }
+}
+
+impl Scalar for f64 {
+    const ROUNDING: f64 = f64::EPSILON / 2.0;
+
+    fn sine_cosine(phase: Phase) -> (Self, Self) {
+        sine::sine_cosine_of_phase(phase)
+    }
 }
 
 /// Supertrait that seals the scalar traits.

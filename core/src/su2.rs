@@ -9,9 +9,8 @@ mod rate;
 mod nalgebra;
 
 use crate::complex::Complex;
-use crate::phase::Phase;
 use crate::scalar::{Float, Real, Ring};
-pub use rate::OrientationRate;
+pub use rate::{AttitudeState, OrientationRate};
 
 /// Vector of R³, identified with an element of su(2).
 pub type Vector<R> = [R; 3];
@@ -30,7 +29,7 @@ pub fn cross<R: Ring>(x: Vector<R>, y: Vector<R>) -> Vector<R> {
     [x2 * y3 - x3 * y2, x3 * y1 - x1 * y3, x1 * y2 - x2 * y1]
 }
 
-/// Orientation: the matrix Φ = ((α, β), (γ, δ)) of SU(2), with γ = -β̄ and δ = ᾱ. The caller provides |α|² + |β|² = 1.
+/// Orientation: the matrix Φ = ((α, β), (γ, δ)) of SU(2), with γ = -β̄, δ = ᾱ and |α|² + |β|² = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Orientation<R> {
@@ -94,7 +93,7 @@ impl<R: Ring> Orientation<R> {
         [across.re, across.im, vertical]
     }
 
-    /// Symmetry axis r = Φ e₃ Φ⁻¹, the unit vector from the tip to the centre of mass: r₁ + i r₂ = -2αβ, r₃ = u.
+    /// Symmetry axis r = Φ e₃ Φ⁻¹, from the tip to the centre of mass: r₁ + i r₂ = -2αβ, r₃ = u.
     pub fn axis(&self) -> Vector<R> {
         let tip = self.tip_over_s();
         [-tip.re, -tip.im, self.u()]
@@ -119,7 +118,6 @@ impl<R: Ring> Orientation<R> {
     /// Tip position in units of s, 2αβ: x + iy relative to the point below the centre of mass.
     #[inline]
     pub fn tip_over_s(&self) -> Complex<R> {
-        // |αβ| <= 1/2, so the intermediate results stay within the fixed-point range of ±2
         let product = self.alpha * self.beta;
         Complex::new(product.re.doubled(), product.im.doubled())
     }
@@ -140,19 +138,12 @@ impl<R: Ring> Orientation<R> {
 
     /// u limited to [-1, 1]. A NaN remains NaN.
     pub fn clamped_u(&self) -> R {
-        let u = self.u();
-        if u > R::ONE {
-            R::ONE
-        } else if u < -R::ONE {
-            -R::ONE
-        } else {
-            u
-        }
+        self.u().limited()
     }
 }
 
 impl<R: Float> Orientation<R> {
-    /// Distance 2 √(|Δα|² + |Δβ|²) of two orientations, rad: the angle between them, if small. Φ and -Φ are 4 rad apart.
+    /// Distance 2 √(|Δα|² + |Δβ|²), rad: the angle between two orientations, if small. Φ and -Φ are 4 rad apart.
     pub fn distance(&self, other: &Self) -> R {
         let difference = Self { alpha: self.alpha - other.alpha, beta: self.beta - other.beta };
         difference.norm_squared().sqrt().doubled()
@@ -169,82 +160,23 @@ impl<R: Float> Orientation<R> {
         let scale = R::ONE / self.norm_squared().sqrt();
         Self { alpha: self.alpha.scaled(scale), beta: self.beta.scaled(scale) }
     }
-
-    /// Image (αz + β)/(γz + δ) of z: the rotation in the plane of [`stereographic`]. `None` is the point at infinity.
-    pub fn moebius(&self, z: Option<Complex<R>>) -> Option<Complex<R>> {
-        match z {
-            Some(z) => quotient(self.alpha * z + self.beta, self.gamma() * z + self.delta()),
-            None => quotient(self.alpha, self.gamma()),
-        }
-    }
 }
 
 impl<R: Real> Orientation<R> {
     /// Exponential of an element of su(2): the rotation by |x| rad about x; the identity where a component is not finite.
     pub fn exp(x: Vector<R>) -> Self {
-        /// Angle below which the sine of `f32` would have too large a relative error.
-        const SMALL: f64 = 1.0 / 16.0;
-        /// Angle above which the fraction of a turn in [`Phase`] has no correct digits.
-        const LARGE: f64 = (1_u64 << 52) as f64;
-        let square = dot(x, x);
-        let small_enough = square.to_f64() <= LARGE * LARGE;
-        if !small_enough {
-            return Self::exp_of_large(x);
-        }
-        let (scale, cosine) = if square < R::from_f64(SMALL * SMALL) {
-            small_half_angle(square * R::from_f64(0.25))
-        } else {
-            let angle = square.sqrt();
-            let (sine, cosine) = R::sine_cosine(Phase::from_radians(0.5 * angle.to_f64()));
-            (sine / angle, cosine)
-        };
-        let [x1, x2, x3] = x.map(|component| component * scale);
-        Self::from_quaternion([cosine, x1, x2, x3])
-    }
-
-    /// Exponential of a vector that is not finite, or whose square may overflow.
-    #[cold]
-    fn exp_of_large(x: Vector<R>) -> Self {
-        let larger = |x: R, y: R| if x > y { x } else { y };
-        let [a, b, c] = x.map(Float::abs);
-        let size = larger(larger(a, b), c);
-        if !x.into_iter().all(|component| component.to_f64().is_finite()) {
+        let [a, b, c] = x.map(R::abs);
+        let size = a.larger(b).larger(c);
+        let is_finite = x.iter().all(|component| component.to_f64().is_finite());
+        if !is_finite || size == R::ZERO {
             return Self::IDENTITY;
         }
+        // a square of x could leave the range
         let direction = x.map(|component| component / size);
         let length = dot(direction, direction).sqrt();
-        // at most √3/2 times the largest finite number
-        let half_angle = 0.5 * length.to_f64() * size.to_f64();
-        let (sine, cosine) = libm::sincos(half_angle);
-        let [x1, x2, x3] = direction.map(|component| component / length * R::from_f64(sine));
+        let (sine, cosine) = libm::sincos(0.5 * length.to_f64() * size.to_f64());
+        let scale = R::from_f64(sine) / length;
+        let [x1, x2, x3] = direction.map(|component| component * scale);
         Self::from_quaternion([R::from_f64(cosine), x1, x2, x3])
     }
-}
-
-/// sin h/2h and cos h from h² <= 2^-10. Truncation error: below 2^-61.
-fn small_half_angle<R: Real>(square: R) -> (R, R) {
-    // 1 - h²/d₁ (1 - h²/d₂ (1 - ...)), with the divisors in reverse order
-    let series = |divisors: [f64; 4]| {
-        divisors.into_iter().fold(R::ONE, |sum, divisor| R::ONE - square * R::from_f64(1.0 / divisor) * sum)
-    };
-    (series([72.0, 42.0, 20.0, 6.0]).halved(), series([56.0, 30.0, 12.0, 2.0]))
-}
-
-/// Stereographic projection from the north pole, z = (ξ + iη)/(1 - ζ); `None` is the point at infinity.
-pub fn stereographic<R: Float>(point: Vector<R>) -> Option<Complex<R>> {
-    let [xi, eta, zeta] = point;
-    quotient(Complex::new(xi, eta), Complex::new(R::ONE - zeta, R::ZERO))
-}
-
-/// Point of the unit sphere over z (equation (2.4) of the paper): (2 Re z, 2 Im z, |z|² - 1)/(|z|² + 1).
-pub fn sphere_point<R: Float>(z: Option<Complex<R>>) -> Vector<R> {
-    let Some(z) = z else { return [R::ZERO, R::ZERO, R::ONE] };
-    let scale = R::ONE / (z.norm_squared() + R::ONE);
-    [z.re.doubled() * scale, z.im.doubled() * scale, (z.norm_squared() - R::ONE) * scale]
-}
-
-/// Quotient a / b; `None` for b = 0.
-fn quotient<R: Float>(a: Complex<R>, b: Complex<R>) -> Option<Complex<R>> {
-    let norm = b.norm_squared();
-    (norm > R::ZERO).then(|| (a * b.conj()).scaled(R::ONE / norm))
 }

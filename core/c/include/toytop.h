@@ -164,7 +164,7 @@ typedef struct toytop_top {
   uint32_t support;
   // Transverse moment of inertia A, kg m^2: about the tip for a fixed one, otherwise about the centre of mass.
   double transverse_inertia;
-  // Axial moment of inertia C <= 2A, kg m^2.
+  // Axial moment of inertia C <= 2A, kg m^2; 0 is a thin rod.
   double axial_inertia;
   // Distance s of the centre of mass from the tip, m; for a fixed tip it is used only together with `mass`.
   double com_height;

@@ -24,7 +24,7 @@ pub struct toytop_top {
     pub support: u32,
     /// Transverse moment of inertia A, kg m^2: about the tip for a fixed one, otherwise about the centre of mass.
     pub transverse_inertia: f64,
-    /// Axial moment of inertia C <= 2A, kg m^2.
+    /// Axial moment of inertia C <= 2A, kg m^2; 0 is a thin rod.
     pub axial_inertia: f64,
     /// Distance s of the centre of mass from the tip, m; for a fixed tip it is used only together with `mass`.
     pub com_height: f64,

@@ -22,7 +22,7 @@ use crate::periods::solve_rising;
 use fixed::Fixed;
 use rise::{Rise, RiseValues};
 use sliding::Sliding;
-use toytop::internal::{Constants, ScaledTop, phase_of};
+use toytop::internal::{NutationVariable, ScaledTop, phase_of};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 
@@ -98,13 +98,13 @@ impl Aperiodic {
     /// Closed form of a motion; `None` unless e₂ = e₃ = 1 and u < 1.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let constants = Constants::new(motion);
-        let v = Extended::from(constants.v?);
-        let (e, ScaledTop { a, p, s, g, .. }) = (&constants.e, constants.top);
+        let NutationVariable::Aperiodic(v) = motion.nutation() else { return None };
+        let v = Extended::from(v);
+        let (e, ScaledTop { a, p, s, g, .. }) = (motion.exact_branch_points(), motion.scaled_top());
         let one_minus_e1 = e.one_minus_e1();
         let rise = Rise { e1: e.e1, one_plus_e1: e.one_plus_e1, one_minus_e1, a_over_p: a / p, s, g };
         let form = match motion.top().support() {
-            Support::Sliding => Form::Sliding(Sliding::new(&rise, constants.integrals.l / a)),
+            Support::Sliding => Form::Sliding(Sliding::new(&rise, motion.exact_integrals().l / a)),
             // the axis of a free body does not rise to the vertical
             Support::Fixed | Support::Free => Form::Fixed(Fixed::new(&rise, motion.signs().l_plus_n)),
         };

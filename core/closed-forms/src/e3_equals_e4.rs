@@ -26,7 +26,7 @@ use toytop::Motion;
 use toytop::Phase;
 use toytop::Signs;
 use toytop::Support;
-use toytop::internal::{Constants, ScaledTop};
+use toytop::internal::{NutationVariable, ScaledTop};
 use toytop::scalar::{Extended, Float, Ring};
 
 /// Nutating toy top with e₃ = e₄ as a function of time.
@@ -62,12 +62,12 @@ impl E3EqualsE4 {
     /// - e₄²| relative to e₄² - 1, and |e₃ - e₄| relative to e₃ - e₂.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let constants = Constants::new(motion);
-        let (e, chi) = (&constants.e, constants.chi?);
+        let NutationVariable::Nutating(chi) = motion.nutation() else { return None };
         if motion.top().support() == Support::Fixed || !coincide(motion) {
             return None;
         }
-        let ScaledTop { a: inertia, s, g, .. } = constants.top;
+        let e = motion.exact_branch_points();
+        let ScaledTop { a: inertia, s, g, .. } = motion.scaled_top();
         let (e2_plus_e3, e1_plus_e3) = (e.one_plus_e3() - e.one_minus_e2, e.one_plus_e1 + e.e3_minus_one);
         let lattice = Lattice::of_gaps(e.e2_minus_e1, e1_plus_e3);
         let [_, half] = lattice.half_periods();
@@ -91,7 +91,7 @@ impl E3EqualsE4 {
 
         // w₋₁/(2(e₃ - 1)) = √(s/2g) (l + n)/A, and w₊₁ likewise; |k₁| follows from |α| at u = e₂ and |k₂| from |β| at
         // u = e₁, which are never 0
-        let integrals = constants.integrals;
+        let integrals = motion.exact_integrals();
         let rate_offset = |momentum: Extended| real((time_scale * momentum / inertia).halved());
         let modulus = |x: Extended| x.halved().sqrt();
         let lowest = imaginary(-half);
@@ -139,7 +139,7 @@ impl E3EqualsE4 {
 
 /// Difference e₃² - e₄², and e₄² - 1 = A/(ps).
 fn squares(motion: &Motion) -> (Extended, Extended) {
-    let Constants { e, top: ScaledTop { a, s, p, .. }, .. } = Constants::new(motion);
+    let (e, ScaledTop { a, s, p, .. }) = (motion.exact_branch_points(), motion.scaled_top());
     let spread = a / (p * s);
     (e.e3_minus_one * e.one_plus_e3() - spread, spread)
 }
@@ -147,12 +147,12 @@ fn squares(motion: &Motion) -> (Extended, Extended) {
 /// Difference e₃ - e₄ for a sliding tip.
 pub(super) fn difference(motion: &Motion) -> f64 {
     let (apart, spread) = squares(motion);
-    (apart / (Constants::new(motion).e.e3 + (Extended::ONE + spread).sqrt())).to_f64()
+    (apart / (motion.exact_branch_points().e3 + (Extended::ONE + spread).sqrt())).to_f64()
 }
 
 /// Whether e₃ = e₄ to the tolerance.
 fn coincide(motion: &Motion) -> bool {
-    let (e, (apart, spread)) = (Constants::new(motion).e, squares(motion));
+    let (e, (apart, spread)) = (motion.exact_branch_points(), squares(motion));
     let [apart, allowed] = [apart.abs(), Extended::from(E3EqualsE4::TOLERANCE)];
     apart <= spread * allowed && apart <= e.e3_minus_e2 * e.e3.doubled() * allowed
 }

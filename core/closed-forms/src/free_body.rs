@@ -14,7 +14,7 @@ use toytop::Complex;
 use toytop::Motion;
 use toytop::Phase;
 use toytop::Stepper;
-use toytop::internal::{Constants, ScaledTop, phase_of};
+use toytop::internal::{NutationVariable, ScaledTop, phase_of};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate, Vector, dot};
 
@@ -49,15 +49,17 @@ impl FreeBody {
             *component += beyond_sphere * r;
         }
         let length = Float::sqrt(dot(m, m));
-        let constants = Constants::new(motion);
         Some(Self {
             start: attitude.orientation,
             direction: if length > 0.0 { m.map(|component| component / length) } else { [0.0; 3] },
             precession: motion
                 .period_and_turns()
                 .map_or(Extended::ZERO, |(period, _)| Extended::TWO_PI / period),
-            half_tau: constants.half_tau,
-            nutation: constants.chi,
+            half_tau: motion.half_tau(),
+            nutation: match motion.nutation() {
+                NutationVariable::Nutating(chi) => Some(chi),
+                _ => None,
+            },
         })
     }
 

@@ -23,7 +23,7 @@ use toytop::Complex;
 use toytop::Motion;
 use toytop::Phase;
 use toytop::Support;
-use toytop::internal::{Constants, ScaledTop};
+use toytop::internal::{NutationVariable, ScaledTop};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{BranchPoints, Signs};
 
@@ -52,15 +52,15 @@ impl Lagrange {
     /// Closed form of a motion; `None` unless the tip is fixed and u oscillates, e₁ < e₂ < e₃.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let constants = Constants::new(motion);
-        let (e, chi) = (&constants.e, constants.chi?);
+        let NutationVariable::Nutating(chi) = motion.nutation() else { return None };
         if motion.top().support() != Support::Fixed || motion.top().is_torque_free() {
             return None;
         }
+        let e = motion.exact_branch_points();
         let (swing, gap) = (e.e2_minus_e1, e.e3_minus_e2);
         let lattice = Lattice::of_gaps(gap, swing);
         let [half, _] = lattice.half_periods();
-        let ScaledTop { a, p, g, .. } = constants.top;
+        let ScaledTop { a, p, g, .. } = motion.scaled_top();
         let z_rate = (p * g / a).halved().sqrt();
 
         // from u = -1 up to e₁ and from e₂ up to 1, along imaginary z
@@ -89,7 +89,7 @@ impl Lagrange {
         let turns = [alpha.turns(&lattice, -highest, whole), beta.turns(&lattice, zero, whole)];
 
         let solution = Solution { lattice, z_rate, alpha, beta };
-        let origin = since_lowest(e, chi) / z_rate;
+        let origin = since_lowest(&e, chi) / z_rate;
         let (period, arguments) =
             (half.doubled() / z_rate, ConstantArguments::new(motion, solution.parameters(origin)));
         Some(Self { solution, periods: Periods { period, turns, origin, arguments } })

@@ -6,7 +6,7 @@ use toytop::AttitudeState;
 use toytop::Complex;
 use toytop::Motion;
 use toytop::Phase;
-use toytop::internal::{Constants, phase_of};
+use toytop::internal::{NutationVariable, phase_of};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 
@@ -27,16 +27,16 @@ impl ConstantArguments {
     /// Value and derivative are averaged with weights, so that the argument is well defined also where a parameter is
     /// 0 at t = 0.
     pub(super) fn new(motion: &Motion, closed: [ValueAndSlope; 2]) -> Self {
-        let Constants { e, equations, phases, half_tau, chi, v, .. } = Constants::new(motion);
-        let (sine, cosine) = match (chi, v) {
-            (Some(chi), _) => of_turns(chi),
-            (_, Some(v)) => {
+        let (e, signs) = (motion.exact_branch_points(), motion.signs());
+        let (sine, cosine) = match motion.nutation() {
+            NutationVariable::Nutating(chi) => of_turns(chi),
+            NutationVariable::Aperiodic(v) => {
                 let (tanh, sech, _) = tanh_sech(v.into());
                 (tanh, sech)
             }
-            _ => (Extended::ZERO, Extended::ONE),
+            NutationVariable::Steady => (Extended::ZERO, Extended::ONE),
         };
-        let (signs, rates) = (motion.signs(), equations.rates(sine, cosine));
+        let rates = motion.equations().rates(sine, cosine);
         let root = |x: Extended| x.halved().sqrt();
         let (alpha_root, beta_root) = (root(e.one_plus_e2()), root(e.one_minus_e2));
         let axes = [
@@ -45,14 +45,14 @@ impl ConstantArguments {
         ];
         let [alpha_axes, beta_axes] = axes;
         let [alpha, beta] = closed;
-        let [alpha_phase, beta_phase] = phases;
+        let [alpha_phase, beta_phase] = motion.slow_phases();
         let argument =
             |axes, turning, closed| argument(axes, [sine, cosine], [rates.nutation, turning], closed);
         let angles = [
             alpha_phase + argument(alpha_axes, rates.alpha, alpha),
             beta_phase + argument(beta_axes, rates.beta, beta),
         ];
-        Self { angles, half_tau }
+        Self { angles, half_tau: motion.half_tau() }
     }
 
     /// Attitude state at t, from α, β and their time derivatives in the closed form, and the rotation of α and β over

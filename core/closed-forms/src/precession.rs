@@ -15,7 +15,7 @@ use toytop::Complex;
 use toytop::Motion;
 use toytop::Stepper;
 use toytop::Top;
-use toytop::internal::{Constants, ScaledTop, finite, phase_of, require};
+use toytop::internal::{ScaledTop, finite, phase_of, require};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 use toytop::{ParameterError, Regime, Signs};
@@ -61,8 +61,7 @@ impl RegularPrecession {
         if matches!(regime, Regime::Nutating | Regime::Aperiodic) || motion.top().is_torque_free() {
             return None;
         }
-        let constants = Constants::new(motion);
-        let (e, ScaledTop { a, s, p, g, .. }) = (&constants.e, constants.top);
+        let (e, ScaledTop { a, s, p, g, .. }) = (motion.exact_branch_points(), motion.scaled_top());
         let falls = regime == Regime::SleepingUnstable;
         let (zero, one) = (Extended::ZERO, Extended::ONE);
         let swing = e.e2_minus_e1.halved();
@@ -70,7 +69,7 @@ impl RegularPrecession {
         let one_plus_u = if falls { one.doubled() } else { e.one_plus_e1 + swing };
 
         let precession = precession_of(p * g / a, e.e3_minus_one, motion.signs());
-        let axial = constants.integrals.spin;
+        let axial = motion.exact_integrals().spin;
         let u = if one_minus_u < one_plus_u { one - one_minus_u } else { one_plus_u - one };
         // φ' ± ψ' with ψ' = ⟨ω, r⟩ - u φ'
         let turning = [precession * one_minus_u + axial, precession * one_plus_u - axial].map(Float::halved);

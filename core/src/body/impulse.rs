@@ -22,8 +22,8 @@ use crate::su2::{Vector, cross, dot};
 impl State {
     /// State after an impulse J, N s in the fixed frame, at a point X of the body, m in the body frame *from the tip*.
     ///
-    /// For a free body the point is relative to the centre of mass, which otherwise is at [0, 0, s]. It may lie outside the body. A pair
-    /// J at X + D and -J at X is an angular impulse D × J.
+    /// For a free body the point is relative to the centre of mass, which otherwise is at [0, 0, s]. A pair J at X + D and -J at X is an
+    /// angular impulse D × J.
     ///
     /// ```
     /// use toytop::{Release, State, Top, TopParameters};

@@ -3,16 +3,16 @@
 use super::{ParameterError, Support, Top, finite, require, within};
 use crate::scalar::{Extended, Float, Ring};
 
-/// Parameters of a top, in SI or other consistent units. A field of 0 counts as not given.
+/// Parameters of a top, in SI or other consistent units.
 ///
-/// Exactly one of `mass` and `mass_moment` is given; a free body needs neither.
+/// Both moments of inertia are required: they are NaN in the default, which every top refuses by name. A mass, mass moment or height
+/// of 0 counts as not given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TopParameters {
     /// Transverse moment of inertia A, kg m²: about the tip for a fixed tip, otherwise about the centre of mass.
     pub transverse_inertia: f64,
-    /// Axial moment of inertia C <= 2A, kg m²; 0 for a thin rod or a point at its end, otherwise at least 1e-60 A, and
-    /// 1e-20 A without gravity.
+    /// Axial moment of inertia C <= 2A, kg m²; 0 for a thin rod or a point at its end.
     pub axial_inertia: f64,
     /// Distance s of the centre of mass from the tip, m; for a fixed tip it is used only together with `mass`.
     pub com_height: f64,
@@ -22,16 +22,15 @@ pub struct TopParameters {
     pub mass_moment: f64,
     /// Gravity g, m/s²; by default 9.80665; 0 only for a fixed tip or a free body.
     pub gravity: f64,
-    /// Constant angular momentum K of a rotor inside, relative to the body and along its axis, kg m²/s. The body's mass and
-    /// inertia include the rotor's.
+    /// Constant angular momentum K of a rotor inside, along the axis and relative to the body, kg m²/s. M, A and C include the rotor.
     pub rotor_momentum: f64,
 }
 
 impl Default for TopParameters {
     fn default() -> Self {
         Self {
-            transverse_inertia: 0.0,
-            axial_inertia: 0.0,
+            transverse_inertia: f64::NAN,
+            axial_inertia: f64::NAN,
             com_height: 0.0,
             mass: 0.0,
             mass_moment: 0.0,
@@ -63,17 +62,17 @@ impl TopParameters {
 }
 
 impl Top {
-    /// Top whose tip slides on a plane: Springborn's toy top.
+    /// Top whose tip slides on a plane: Springborn's toy top. It needs A, C, s, and either M or p.
     ///
     /// # Errors
-    /// [`ParameterError`] names the wrong parameter. A, s, g, and the mass or its moment must be between 1e-60 and 1e60; C
+    /// [`ParameterError`] names the wrong parameter. A, s, g, and M or p must be between 1e-60 and 1e60; C
     /// 0, or between 1e-60 A and 2A; A/(ps) between 1e-6 and 1e30; √(pg/A) between 1e-9 and 1e9, and |K|/A at most 1e12, per unit
     /// of time.
     pub fn sliding(parameters: &TopParameters) -> Result<Self, ParameterError> {
         require(
             parameters.gravity != 0.0,
             "gravity",
-            "positive: without weight nothing keeps the tip on the plane, and the body is free (support = \"free\")",
+            "positive: without weight nothing keeps the tip on the plane, and the body is free",
         )?;
         let s = magnitude("com_height", parameters.com_height)?;
         let p = match parameters.given_mass()? {
@@ -90,8 +89,8 @@ impl Top {
         Ok(top)
     }
 
-    /// Top whose tip is held at a fixed point, the Lagrange top. Both moments of inertia are about the *tip*. Either
-    /// `mass_moment` is given, or `mass` and `com_height`. Without gravity the motion is that of [`Top::free`].
+    /// Top whose tip is held at a fixed point, the Lagrange top. It needs A and C, both about the *tip*, and either p, or M and
+    /// s. Without gravity the motion is that of [`Top::free`].
     ///
     /// # Errors
     /// The errors of [`Top::sliding`]; without gravity, C between 0 and 1e-20 A; with a mass, A below M s² + C/2, which no body
@@ -119,8 +118,7 @@ impl Top {
         Ok(top)
     }
 
-    /// Body without support. A and C are about its centre of mass; of the other parameters only K has an effect. See the page
-    /// `docs/other_tops.md`.
+    /// Body without support. It needs A and C, both about its centre of mass; of the other parameters only K has an effect.
     ///
     /// # Errors
     /// A not between 1e-60 and 1e60, C neither 0 nor between 1e-20 A and 2A, |K|/A above 1e12 per unit of time, or another
@@ -142,7 +140,7 @@ impl Top {
     ) -> Result<Self, ParameterError> {
         /// Least C/A other than 0.
         const LEAST_RATIO: f64 = 1e-60;
-        /// Least C/A other than 0 without torque; the direction of C ω has the rounding error of A ω.
+        /// Least C/A other than 0 without torque.
         const LEAST_TORQUE_FREE_RATIO: f64 = 1e-20;
         /// Greatest |K|/A, rad per unit time.
         const FASTEST_ROTOR: f64 = 1e12;
@@ -210,6 +208,9 @@ mod tests {
             refused(Top::sliding(&parameters))
         };
         assert_eq!(sliding(|_| {}), None);
+        let forgotten = TopParameters { transverse_inertia: 3e-5, ..TopParameters::default() };
+        assert_eq!(refused(Top::free(&forgotten)), Some("axial_inertia"));
+        assert_eq!(refused(Top::free(&TopParameters::default())), Some("transverse_inertia"));
         assert_eq!(sliding(|top| top.transverse_inertia = f64::NAN), Some("transverse_inertia"));
         assert_eq!(sliding(|top| top.axial_inertia = 6.1e-5), Some("axial_inertia"));
         assert_eq!(sliding(|top| top.axial_inertia = 6e-5), None);

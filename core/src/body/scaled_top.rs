@@ -3,28 +3,7 @@
 use super::Top;
 use crate::scalar::{Extended, Float, Ring, exponent, power_of_two, times_power_of_two};
 
-/// Units of inertia and length, powers of two, in which A and p are in [1, 2) and no product leaves the range.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Units {
-    /// Exponent of the unit of inertia, angular momentum and energy.
-    inertia: i32,
-    /// Exponent of the unit of length.
-    length: i32,
-}
-
-impl Units {
-    pub(crate) fn new(top: &Top) -> Self {
-        let p = top.mass_moment();
-        let (inertia, moment) = (exponent(top.a) - 1, if p > 0.0 { exponent(p) - 1 } else { 0 });
-        Self { inertia, length: inertia - moment }
-    }
-
-    pub(crate) fn inertia(&self) -> f64 {
-        power_of_two(self.inertia)
-    }
-}
-
-/// Parameters of a top by the paper's symbols.
+/// Parameters of a top by the paper's symbols, in units of inertia and length that are powers of two: A and p are in [1, 2).
 #[derive(Clone, Copy, Debug)]
 pub struct ScaledTop<F> {
     /// Transverse moment of inertia A.
@@ -42,18 +21,20 @@ pub struct ScaledTop<F> {
 }
 
 impl<F: Float> ScaledTop<F> {
-    /// Parameters in the units inside.
+    /// Parameters of a top.
     pub fn new(top: &Top) -> Self {
-        Self::in_units(top, Units::new(top))
+        let [leading, rest] = top.p.parts();
+        let inertia = inertia_exponent(top);
+        let moment = if leading > 0.0 { exponent(leading) - 1 } else { 0 };
+        let scaled = |x: f64, exponent: i32| F::from_f64(times_power_of_two(x, -exponent));
+        let [a, c, k] = [top.a, top.c, top.k].map(|x| scaled(x, inertia));
+        let [s, g] = [top.s, top.g].map(|x| scaled(x, inertia - moment));
+        Self { a, c, s, p: scaled(leading, moment) + scaled(rest, moment), g, k }
     }
 
-    fn in_units(top: &Top, Units { inertia, length }: Units) -> Self {
-        let per = |x: f64, exponent: i32| F::from_f64(times_power_of_two(x, -exponent));
-        let [leading, rest] = top.p.parts();
-        let moment = |p: f64| per(p, inertia - length);
-        let [a, c, k] = [top.a, top.c, top.k].map(|x| per(x, inertia));
-        let [s, g] = [top.s, top.g].map(|x| per(x, length));
-        Self { a, c, s, p: moment(leading) + moment(rest), g, k }
+    /// Unit of the energy of the axis: the weight p g, or 1 without it.
+    pub(crate) fn energy_unit(&self) -> F {
+        if self.g > F::ZERO { self.p * self.g } else { F::ONE }
     }
 
     /// Factor κ = 1/(2 A p g), which makes κ l² dimensionless.
@@ -67,7 +48,17 @@ impl<F: Float> ScaledTop<F> {
     }
 }
 
+/// Exponent of the unit of inertia, angular momentum and energy.
+fn inertia_exponent(top: &Top) -> i32 {
+    exponent(top.a) - 1
+}
+
 impl Top {
+    /// Unit of inertia, angular momentum and energy of the [`ScaledTop`].
+    pub(crate) fn inertia_unit(&self) -> f64 {
+        power_of_two(inertia_exponent(self))
+    }
+
     /// Branch point e₄ = √(1 + A/(ps)) (equation (3.5) of the paper), which u never reaches; `None` unless the tip slides.
     pub fn e4(&self) -> Option<f64> {
         let ScaledTop { a, s, p, .. } = ScaledTop::<Extended>::new(self);
@@ -90,10 +81,6 @@ mod tests {
         rotor_momentum: 0.0,
     };
 
-    fn as_given<F: Float>(top: &Top) -> ScaledTop<F> {
-        ScaledTop::in_units(top, Units { inertia: 0, length: 0 })
-    }
-
     /// The units inside are powers of two: what is a quotient of given numbers keeps its bits.
     #[test]
     fn units_inside_make_inertia_and_moment_one() {
@@ -102,11 +89,11 @@ mod tests {
             let top =
                 Top::sliding(&TopParameters { transverse_inertia, axial_inertia, mass: 0.05 * scale, ..TOP })
                     .unwrap();
-            let (given, inside) = (as_given::<f64>(&top), ScaledTop::<f64>::new(&top));
+            let (inside, p) = (ScaledTop::<f64>::new(&top), top.mass_moment());
             assert!((1.0..2.0).contains(&inside.a) && (1.0..2.0).contains(&inside.p));
-            assert_eq!(inside.c / inside.a, given.c / given.a);
-            assert_eq!(inside.p * inside.g / inside.a, given.p * given.g / given.a);
-            assert_eq!(inside.p * inside.s / inside.a, given.p * given.s / given.a);
+            assert_eq!(inside.c / inside.a, top.c / top.a);
+            assert_eq!(inside.p * inside.g / inside.a, p * top.g / top.a);
+            assert_eq!(inside.p * inside.s / inside.a, p * top.s / top.a);
         }
     }
 
@@ -115,6 +102,7 @@ mod tests {
         let top = Top::sliding(&TOP).unwrap();
         assert!(top.p.parts()[1] != 0.0);
         assert_eq!(top.mass_moment(), 0.05 * 0.03);
-        assert_eq!(as_given::<Extended>(&top).p, top.p);
+        let unit = ScaledTop::<Extended>::new(&top).p / top.p;
+        assert_eq!(unit, power_of_two(1 - exponent(0.05 * 0.03)).into());
     }
 }

@@ -2,14 +2,14 @@
 
 use super::{ParameterError, finite, require, within};
 use crate::complex::Complex;
-use crate::scalar::{Extended, Ring, sine_cosine_of_radians};
-use crate::su2::{Orientation, Vector, dot};
+use crate::scalar::{Extended, Float, Ring, sine_cosine_of_radians};
+use crate::su2::{AttitudeState, Orientation, Vector, dot};
 use core::f64::consts::PI;
 
 /// Largest component of an angular velocity, rad/s.
 pub(super) const FASTEST: f64 = 1e12;
 
-/// State at t = 0: orientation and angular velocity. Set-up treats its `f64` numbers as exact.
+/// State at t = 0: orientation and angular velocity. Its `f64` numbers count as exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct State {
@@ -63,8 +63,8 @@ impl State {
         Ok(Self { orientation, omega })
     }
 
-    /// State from the unit quaternion [w, x, y, z] from body to fixed coordinates, and the angular velocity Ω (rad/s) in the
-    /// body frame, as a gyroscope measures it. The third body axis points from the tip to the centre of mass.
+    /// State from the unit quaternion [w, x, y, z] from body to fixed coordinates, and the angular velocity Ω (rad/s) that a gyroscope
+    /// measures in the body frame. The third body axis points from the tip to the centre of mass.
     ///
     /// ```
     /// use toytop::State;
@@ -139,6 +139,16 @@ impl State {
         let number = |z: Complex<f64>| Complex::new(exact(z.re), exact(z.im));
         let Orientation { alpha, beta } = self.orientation;
         (Orientation { alpha: number(alpha), beta: number(beta) }, self.omega.map(exact))
+    }
+}
+
+impl<R: Float> AttitudeState<R> {
+    /// State to launch from; the orientation is normalised.
+    ///
+    /// # Errors
+    /// The errors of [`State::new`].
+    pub fn state(&self) -> Result<State, ParameterError> {
+        State::new(self.orientation.cast().normalised(), self.omega().map(R::to_f64))
     }
 }
 

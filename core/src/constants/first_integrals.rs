@@ -1,6 +1,6 @@
 //! First integrals l, n and h of a state (Proposition 1 of the paper).
 
-use crate::body::{ScaledTop, State, Top, Units};
+use crate::body::{ScaledTop, State, Top};
 use crate::scalar::{Extended, Float, Ring};
 use crate::su2::{Vector, cross, dot};
 
@@ -38,8 +38,7 @@ impl Sign {
     }
 }
 
-/// Signs of l + n and of l - n, which determine a motion with the branch points and the start. Equal signs mean |l| > |n|; the sign
-/// of 0 is arbitrary.
+/// Signs of l + n and of l - n. Equal signs mean |l| > |n|; the sign of 0 is arbitrary.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Signs {
@@ -74,7 +73,7 @@ pub(crate) struct ReducedPoint {
     pub(crate) one_minus_u: Extended,
     pub(crate) one_plus_u: Extended,
     pub(crate) udot: Extended,
-    /// Kinetic energy of the axis, (A |ω × r|² + p s u'²)/(2 p g); without torque it is not divided by p g.
+    /// Kinetic energy of the axis, (A |ω × r|² + p s u'²)/2, in units of [`ScaledTop::energy_unit`].
     pub(crate) axis_energy: Extended,
 }
 
@@ -84,7 +83,7 @@ impl ReducedPoint {
         self.one_minus_u == Extended::ZERO && self.axis_energy == Extended::ZERO
     }
 
-    /// Difference l - n u, from the one of l ∓ n that causes no cancellation.
+    /// Difference l - n u without cancellation.
     pub(crate) fn l_minus_nu(&self, integrals: &FirstIntegrals<Extended>) -> Extended {
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
         if self.u > Extended::ZERO {
@@ -113,7 +112,7 @@ impl Axis {
     fn new(state: &State) -> Self {
         let (phi, omega) = state.exact();
         let (zero, one) = (Extended::ZERO, Extended::ONE);
-        // every component is quadratic in Φ; without a square root a simple fraction remains exact
+        // without a square root a simple fraction remains exact
         let norm = phi.norm_squared();
         let one_minus_u = phi.beta.norm_squared().doubled() / norm;
         let one_plus_u = phi.alpha.norm_squared().doubled() / norm;
@@ -138,14 +137,15 @@ impl FirstIntegrals {
 }
 
 impl FirstIntegrals<Extended> {
-    /// First integrals in the units of [`Units`], and the point of the reduced curve.
+    /// First integrals in the units of a [`ScaledTop`], and the point of the reduced curve.
     pub(crate) fn with_point(top: &Top, state: &State) -> (Self, ReducedPoint) {
         Self::from_axis(top, &Axis::new(state))
     }
 
     #[inline(never)] // as above
     fn from_axis(top: &Top, axis: &Axis) -> (Self, ReducedPoint) {
-        let ScaledTop { a, c, s, p, g, k } = ScaledTop::<Extended>::new(top);
+        let scaled = ScaledTop::<Extended>::new(top);
+        let (ScaledTop { a, c, s, p, g, k }, unit) = (scaled, scaled.energy_unit());
         let Axis { r, one_minus_u, one_plus_u, omega } = *axis;
         let ([r1, r2, u], [w1, w2, _]) = (r, omega);
 
@@ -167,10 +167,8 @@ impl FirstIntegrals<Extended> {
             (about_k - k * one_minus_u, about_k + k * one_plus_u)
         };
 
-        let weight = p * g;
-        let unit = if top.is_torque_free() { Extended::ONE } else { weight };
         let axis_energy = (a * dot(r_dot, r_dot) + p * s * udot.squared()) / unit.doubled();
-        let h = (c * spin.squared()).halved() + weight * u + unit * axis_energy;
+        let h = (c * spin.squared()).halved() + p * g * u + unit * axis_energy;
 
         let integrals = Self { l: (l_plus_n + l_minus_n).halved(), n, h, spin, l_plus_n, l_minus_n };
         (integrals, ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy })
@@ -178,7 +176,7 @@ impl FirstIntegrals<Extended> {
 
     /// First integrals in the units of the caller, rounded to `f64`.
     pub(crate) fn as_given(self, top: &Top) -> FirstIntegrals {
-        let unit = Units::new(top).inertia();
+        let unit = top.inertia_unit();
         let rounded = |x: Extended| x.to_f64() * unit;
         FirstIntegrals {
             l: rounded(self.l),

@@ -1,7 +1,7 @@
-//! Regime of a motion.
+//! Kind of a motion, and of the curve that its tip draws (section 4.2 of the paper).
 
 use crate::constants::{BranchPoints, Signs};
-use crate::scalar::{Extended, Ring};
+use crate::scalar::{Extended, Float, Ring};
 
 /// Kind of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -10,9 +10,9 @@ use crate::scalar::{Extended, Ring};
 pub enum Regime {
     /// e₁ < e₂ < e₃: u oscillates between e₁ and e₂.
     Nutating,
-    /// e₁ = e₂ within ±1 and |l| < |n|: regular precession, the slower of the two at this tilt and spin.
+    /// e₁ = e₂ within ±1 and |l| < |n|: the slower regular precession at this tilt and spin.
     SlowPrecession,
-    /// e₁ = e₂ within ±1 and |l| >= |n|: regular precession, the faster of the two at this tilt and spin.
+    /// e₁ = e₂ within ±1 and |l| >= |n|: the faster regular precession at this tilt and spin.
     FastPrecession,
     /// e₁ = e₂ = 1: the axis is upright, and a small push causes a small nutation.
     SleepingStable,
@@ -63,4 +63,54 @@ fn swings(e: &BranchPoints<Extended>) -> bool {
     let sine_squared = e.one_minus_e1() * e.one_plus_e2();
     let visible = e.e2_minus_e1.squared() > Extended::from(STILL * STILL) * sine_squared;
     e.e2_minus_e1 > zero && (visible || passes_vertical)
+}
+
+/// Class of the curve that the tip draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum TipClass {
+    /// The tip angle is monotone in time and the curve has no corner.
+    Smooth,
+    /// The curve has cusps on the bounding circle of e₂.
+    Cusp,
+    /// The curve has loops: the tip angle changes direction near u = e₂.
+    Loops,
+    /// The curve is a circle: regular precession.
+    Circle,
+    /// The curve passes through the centre once or twice a period: e₁ = -1 or e₂ = 1.
+    ThroughOrigin,
+    /// The curve of an aperiodic motion tends to the centre: a spiral, or for e₁ = -1 a straight line.
+    Spiral,
+    /// The tip stays at the centre, because the axis is vertical.
+    Point,
+}
+
+impl TipClass {
+    /// Class by Proposition 6 of the paper: with -1 < e₁ < e₂ < 1 < e₃ and different signs there are loops if e₃ (e₂ - e₁) > 1 - e₁e₂,
+    /// and cusps if both sides are equal to the rounding of `f64`.
+    pub(crate) fn new(regime: Regime, e: &BranchPoints<Extended>, signs: Signs) -> Self {
+        let zero = Extended::ZERO;
+        match regime {
+            Regime::Aperiodic => Self::Spiral,
+            Regime::SlowPrecession | Regime::FastPrecession => Self::Circle,
+            regime if regime.is_vertical() => Self::Point,
+            _ if e.one_plus_e1 == zero || e.one_minus_e2 == zero => Self::ThroughOrigin,
+            _ if e.e3_minus_one == zero || signs.l_plus_n == signs.l_minus_n => Self::Smooth,
+            // without torque φ' changes its sign where |l| < |n|
+            _ if !e.e3.to_f64().is_finite() => Self::Loops,
+            _ => {
+                let margin = e.e3 * e.e2_minus_e1 - (Extended::ONE - e.e1 * e.e2);
+                let rounding = e.e3 * (e.e1.abs() + e.e2.abs()) + Extended::ONE + (e.e1 * e.e2).abs();
+                let noise = rounding * Extended::from(16.0 * f64::EPSILON);
+                if margin.abs() <= noise {
+                    Self::Cusp
+                } else if margin > zero {
+                    Self::Loops
+                } else {
+                    Self::Smooth
+                }
+            }
+        }
+    }
 }

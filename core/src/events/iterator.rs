@@ -1,9 +1,8 @@
-//! Turning points, crossings of a level, and instants at which the tip is in a given direction.
+//! Turning points, crossings of a level, and instants of a tip angle.
 //!
-//! The tip angle is monotone between the turning points of u and, where the curve has loops, the phases at which u = l/n. On such a piece
-//! a bisection finds the instant. Whole periods that do not reach the direction are skipped.
+//! The tip angle is monotone between the turning points of u and, on a curve with loops, the phases of u = l/n. On such a piece a bisection
+//! finds the instant. Whole periods that do not reach the angle are skipped.
 
-use crate::events::recurring::Recurring;
 use crate::events::{Event, HALF_PERIOD, Level, at_phase, bisect};
 use crate::phase::{Phase, PhaseFraction};
 use crate::scalar::{Extended, Float, Ring, Scalar};
@@ -13,7 +12,7 @@ use crate::table::{EphemerisScalar, EphemerisView};
 #[derive(Clone, Copy, Debug)]
 pub struct Events<'a, R: EphemerisScalar> {
     view: &'a EphemerisView<R>,
-    /// Instants of the events, or for a tip angle those at which it may change direction.
+    /// Instants of the events, or those at which the tip angle may change direction.
     instants: Recurring,
     /// Tip angle that is searched; whole turns do not matter.
     target: Option<Phase>,
@@ -37,14 +36,12 @@ impl<R: EphemerisScalar> Iterator for Events<'_, R> {
     }
 }
 
-/// Phase difference below which the start counts as an event: 2^-48 turns, the rounding of a tip angle.
+/// Phase difference below which the start counts as an event: the rounding of a tip angle.
 const AT_THE_START: Phase = Phase::from_bits(1 << 48);
 /// Number of consecutive pieces that contain a whole period.
 const PIECES: usize = 5;
 /// Largest number of times that periods are skipped.
 const MOST_SKIPS: usize = 8;
-/// Largest number of doublings of an interval without end.
-const MOST_DOUBLINGS: usize = 32;
 
 impl<R: EphemerisScalar> EphemerisView<R> {
     /// Events at these nutation phases; only those at the first one are upward.
@@ -60,8 +57,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.events([Some(Phase::HALF), Some(Phase::ZERO), None, None], from)
     }
 
-    /// Instants at tick `from` or later at which u crosses a level. For a level within the error bound of e₁ or e₂ the result depends on
-    /// rounding.
+    /// Instants at tick `from` or later at which u crosses a level. Within the error bound of e₁ or e₂ a rounding decides.
     ///
     /// Error of the time: the error bound of the orientation over the rate |u'|/√(1 - u²) of the tilt, and 2^-54 ticks. Cost: 65
     /// orientations, once.
@@ -89,8 +85,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.after(ticks).any_tip_angle()
     }
 
-    /// Nutation phase in (0, 1/2) turn at which φ' changes its sign; `None` where it does not. |c|² φ' is s² (l - n u)/A, so that
-    /// it changes at most once while u rises.
+    /// Nutation phase in (0, 1/2) turn at which φ' changes its sign, at most once because |c|² φ' is s² (l - n u)/A.
     fn reversal(&self) -> Option<Phase> {
         /// Part of the greatest |c| |c'| that counts as 0, in roundings of the scalar.
         const NOISE: f64 = 64.0;
@@ -110,7 +105,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 }
 
 impl<R: EphemerisScalar> Events<'_, R> {
-    /// Events with the angle at the start moved back by a rounding, so that an event at the start is found.
+    /// Events with the angle at the start moved back by a rounding, which finds an event at the start.
     fn started(mut self) -> Self {
         let mut after = self.view.clock.tip_turn();
         for _ in 0..PIECES {
@@ -118,7 +113,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
                 break;
             };
             after = if end > self.at { self.view.tip_angle_after(end) - self.angle } else { Phase::ZERO };
-            // a change by a rounding has no direction: at a cusp φ' changes its sign at the turning point, up to a rounding
+            // a change by a rounding has no direction, as at a cusp
             if !(-AT_THE_START..=AT_THE_START).contains(&after) {
                 break;
             }
@@ -128,10 +123,10 @@ impl<R: EphemerisScalar> Events<'_, R> {
         self
     }
 
-    /// Rotation from the current angle to the next target angle, in (0, 1] turn or in [-1, 0).
-    fn ahead(&self, upward: bool) -> Phase {
+    /// Rotation from an angle to the next target angle, in (0, 1] turn or in [-1, 0).
+    fn ahead(&self, angle: Phase, upward: bool) -> Phase {
         let target = self.target.unwrap_or_default();
-        let distance = if upward { target - self.angle } else { self.angle - target };
+        let distance = if upward { target - angle } else { angle - target };
         let distance = PhaseFraction::from_phase(distance).to_phase();
         let distance = if distance == Phase::ZERO { Phase::ONE } else { distance };
         if upward { distance } else { -distance }
@@ -141,7 +136,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
     fn on_piece(&mut self, end: Extended, after: Phase) -> Option<Event> {
         let turned = after - self.angle;
         let upward = turned > Phase::ZERO;
-        let ahead = self.ahead(upward);
+        let ahead = self.ahead(self.angle, upward);
         let passed = |turned: Phase| if upward { turned >= ahead } else { turned <= ahead };
         if turned == Phase::ZERO || !passed(turned) {
             return None;
@@ -155,30 +150,24 @@ impl<R: EphemerisScalar> Events<'_, R> {
         Event::at(if high < self.from { self.from } else { high }, upward)
     }
 
-    /// Event of a motion without bounds, whose φ is monotone at all times.
-    fn without_bounds(&mut self) -> Option<Event> {
-        let rate = Extended::from(self.view.clock.tip_turn());
-        let mut length = Extended::ONE / rate.abs();
-        for _ in 0..MOST_DOUBLINGS {
+    /// Event of a steady motion, at most one turn ahead, or two because of rounding.
+    fn at_constant_rate(&mut self) -> Option<Event> {
+        let turn = Extended::ONE / Extended::from(self.view.clock.tip_turn()).abs();
+        [turn, turn.doubled()].into_iter().find_map(|length| {
             let end = self.at + length;
             Event::at(end, true)?;
-            let after = self.view.tip_angle_after(end);
-            if let Some(event) = self.on_piece(end, after) {
-                return Some(event);
-            }
-            length = length.doubled();
-        }
-        None
+            self.on_piece(end, self.view.tip_angle_after(end))
+        })
     }
 
-    /// Skips periods that do not reach the target. `least` and `greatest` bound the angle over the last period, from the current one.
+    /// Skips periods that do not reach the target. `least` and `greatest` bound the change of the angle over the last period.
     fn skip(&mut self, period: Extended, [least, greatest]: [Phase; 2]) -> Option<()> {
         /// Part of the periods that is skipped at once, because of rounding.
         const CAUTION: f64 = 1.0 - 1e-9;
         let per_period = Extended::from(self.view.clock.tip_turn()) * period;
         let upward = per_period > Extended::ZERO;
-        let edge = Self { angle: self.angle + if upward { greatest } else { least }, ..*self };
-        let periods = Extended::from(edge.ahead(upward)) / per_period * Extended::from(CAUTION);
+        let edge = self.angle + if upward { greatest } else { least };
+        let periods = Extended::from(self.ahead(edge, upward)) / per_period * Extended::from(CAUTION);
         let (_, rest) = periods.floor_and_rest();
         let periods = periods - rest - Extended::ONE;
         if periods > Extended::ZERO {
@@ -196,7 +185,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
         if !self.view.clock.tip_exists {
             return None;
         }
-        let Some(period) = self.instants.period else { return self.without_bounds() };
+        let Some(period) = self.instants.period else { return self.at_constant_rate() };
         for _ in 0..MOST_SKIPS {
             let start = self.angle;
             let (mut least, mut greatest) = (Phase::ZERO, Phase::ZERO);
@@ -215,5 +204,54 @@ impl<R: EphemerisScalar> Events<'_, R> {
             self.skip(period, [least - turned, greatest - turned])?;
         }
         None
+    }
+}
+
+/// Phase difference below which a phase counts as that of an event: the rounding of a start.
+const TOLERANCE: Phase = Phase::from_bits(1 << 46);
+
+/// Next instants of up to four nutation phases, in ticks.
+#[derive(Clone, Copy, Debug)]
+struct Recurring {
+    next: [Option<Extended>; 4],
+    /// Nutation period, in ticks; `None` where u is constant.
+    period: Option<Extended>,
+}
+
+impl Recurring {
+    /// Instants at tick `from` or later. There are none where u is constant.
+    fn new<R: EphemerisScalar>(view: &EphemerisView<R>, phases: [Option<Phase>; 4], from: i64) -> Self {
+        let nowhere = Self { next: [None; 4], period: None };
+        let [step, ..] = view.clock.exact_steps();
+        if !(view.clock.has_turning_points && step > Extended::ZERO) {
+            return nowhere;
+        }
+        let start = Extended::from(from);
+        let [now, ..] = view.clock.at(from).map(PhaseFraction::to_phase);
+        let ahead = |phase: Phase| {
+            let ahead = PhaseFraction::from_phase(phase - now + TOLERANCE).to_phase() - TOLERANCE;
+            if ahead <= TOLERANCE { start } else { start + Extended::from(ahead) / step }
+        };
+        Self { next: phases.map(|phase| phase.map(ahead)), period: Some(Extended::ONE / step) }
+    }
+
+    /// Next instant, with the index of its phase.
+    fn peek(&self) -> Option<(usize, Extended)> {
+        let instants = self.next.iter().enumerate().filter_map(|(index, next)| Some((index, (*next)?)));
+        instants.reduce(|earliest, other| if other.1 < earliest.1 { other } else { earliest })
+    }
+
+    /// Next instant, with the index of its phase. It is replaced by the instant one period later.
+    fn pop(&mut self) -> Option<(usize, Extended)> {
+        let (index, ticks) = self.peek()?;
+        if let Some(next) = self.next.get_mut(index) {
+            *next = self.period.map(|period| ticks + period);
+        }
+        Some((index, ticks))
+    }
+
+    /// Advances all instants by a number of ticks that is a whole number of periods.
+    fn skip(&mut self, ticks: Extended) {
+        self.next = self.next.map(|next| next.map(|next| next + ticks));
     }
 }

@@ -38,8 +38,8 @@ impl Level {
         Ok(Self { one_minus_u: 2.0 * sine * sine, one_plus_u: 2.0 * cosine * cosine })
     }
 
-    /// Levels at which the tip is on the circle |c| = `radius` about the centre: with the centre of mass above the tip, and below. The
-    /// radius is in m; for a fixed tip it is the sine of the tilt.
+    /// Levels at which the tip is on the circle |c| = `radius`, in m: with the centre of mass above the tip, and below it. For a fixed tip
+    /// the radius is the sine of the tilt.
     ///
     /// # Errors
     /// `radius`: not finite, or not in (0, s) (for a fixed tip in (0, 1)).
@@ -82,8 +82,7 @@ impl Level {
         (reached(HALF_PERIOD) && !reached(0)).then(|| bisect(reached))
     }
 
-    /// Whether u is at the level or above it. The tilt is that of tan²(tilt/2) = |β|²/|α|², whose error is at most that of the
-    /// orientation.
+    /// Whether u is at the level or above it, by tan²(tilt/2) = |β|²/|α|².
     fn is_reached<R: EphemerisScalar>(&self, orientation: &Orientation<R>) -> bool {
         let square = |z: Complex<R>| {
             let [re, im] = [z.re, z.im].map(Into::<f64>::into);

@@ -4,11 +4,13 @@ use crate::complex::Complex;
 use crate::constants::{BranchPoints, Signs};
 use crate::motion::phase_equations::PhaseRates;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Real, Scalar};
+use crate::scalar::{Extended, Float, Real};
 use crate::su2::{Orientation, OrientationRate};
 
 /// Ellipses of α and β: α = (a₁ cos χ + i a₂ sin χ) e^{iA}, β = (b₁ cos χ + i b₂ sin χ) e^{iB}, with a₁² = (1+e₁)/2,
 /// a₂² = (1+e₂)/2, b₁² = (1-e₁)/2, b₂² = (1-e₂)/2. They make |α|² + |β|² = 1 for all χ, A and B.
+///
+/// Their methods take χ, A and B as unit complex numbers: `chi` is e^{iχ}, and `slow` are e^{iA} and e^{iB}.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Ellipses<R> {
     pub(crate) alpha: Ellipse<R>,
@@ -20,15 +22,6 @@ pub(crate) struct Ellipses<R> {
 pub(crate) struct Ellipse<R> {
     x: R,
     y: R,
-}
-
-/// Phases of one instant as directions: sin χ and cos χ of the half phase, e^{iA} and e^{iB} of the slow phases.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct PhaseDirections<R> {
-    pub(crate) sine: R,
-    pub(crate) cosine: R,
-    pub(crate) alpha: Complex<R>,
-    pub(crate) beta: Complex<R>,
 }
 
 impl Ellipses<f64> {
@@ -59,74 +52,80 @@ impl<R: Real> Ellipses<R> {
         [self.alpha.winding(), self.beta.winding()]
     }
 
-    pub(crate) fn arguments(&self, directions: &PhaseDirections<R>) -> [Phase; 2] {
-        [self.alpha.argument(directions), self.beta.argument(directions)]
+    pub(crate) fn arguments(&self, chi: Complex<R>) -> [Phase; 2] {
+        [self.alpha.argument(chi), self.beta.argument(chi)]
+    }
+
+    /// Tip angle arg αβ in (-1/2, 1/2] turn, from the slow phases.
+    pub(crate) fn tip_angle(&self, chi: Complex<R>, [a, b]: [Phase; 2]) -> Phase {
+        let [alpha, beta] = self.arguments(chi);
+        (a + b + alpha + beta).principal()
     }
 
     #[inline]
-    pub(crate) fn orientation(&self, directions: &PhaseDirections<R>) -> Orientation<R> {
-        Orientation {
-            alpha: self.alpha.at(directions) * directions.alpha,
-            beta: self.beta.at(directions) * directions.beta,
-        }
+    pub(crate) fn orientation(&self, chi: Complex<R>, [a, b]: [Complex<R>; 2]) -> Orientation<R> {
+        Orientation { alpha: self.alpha.at(chi) * a, beta: self.beta.at(chi) * b }
     }
 
-    /// Rate Φ' at these phases, from the rates of χ, A and B, rad per unit time.
-    pub(crate) fn rate(&self, directions: &PhaseDirections<R>, rates: &PhaseRates<R>) -> OrientationRate<R> {
+    /// Rate Φ', from the rates of χ, A and B, rad per unit time.
+    pub(crate) fn rate(
+        &self,
+        chi: Complex<R>,
+        [a, b]: [Complex<R>; 2],
+        rates: &PhaseRates<R>,
+    ) -> OrientationRate<R> {
         OrientationRate {
-            alpha: self.alpha.rate(directions, [rates.nutation, rates.alpha]) * directions.alpha,
-            beta: self.beta.rate(directions, [rates.nutation, rates.beta]) * directions.beta,
+            alpha: self.alpha.rate(chi, [rates.nutation, rates.alpha]) * a,
+            beta: self.beta.rate(chi, [rates.nutation, rates.beta]) * b,
         }
     }
 }
 
-impl<R: Scalar> Ellipse<R> {
+impl<R: Real> Ellipse<R> {
     #[inline]
-    pub(crate) fn at(&self, directions: &PhaseDirections<R>) -> Complex<R> {
-        Complex::new(self.x * directions.cosine, self.y * directions.sine)
-    }
-
-    /// Rate of the Cayley-Klein parameter divided by e^{i slow phase}, from the rates of χ and of the slow phase.
-    pub(crate) fn rate(&self, directions: &PhaseDirections<R>, [nutation, slow]: [R; 2]) -> Complex<R> {
-        self.along(directions).scaled(nutation) + self.at(directions).times_i().scaled(slow)
+    pub(crate) fn at(&self, chi: Complex<R>) -> Complex<R> {
+        Complex::new(self.x * chi.re, self.y * chi.im)
     }
 
     /// Derivative of the ellipse with respect to χ.
-    fn along(&self, directions: &PhaseDirections<R>) -> Complex<R> {
-        Complex::new(-(self.x * directions.sine), self.y * directions.cosine)
+    fn along(&self, chi: Complex<R>) -> Complex<R> {
+        self.at(chi.times_i())
+    }
+
+    /// Rate of the Cayley-Klein parameter divided by e^{i slow phase}, from the rates of χ and of the slow phase.
+    pub(crate) fn rate(&self, chi: Complex<R>, [nutation, slow]: [R; 2]) -> Complex<R> {
+        self.along(chi).scaled(nutation) + self.at(chi).times_i().scaled(slow)
     }
 
     /// Winding number of the ellipse around 0 over 2π of χ: 1, -1, or 0 where it passes through 0.
     fn winding(&self) -> i32 {
         if self.x == R::ZERO { 0 } else { i32::from(self.y > R::ZERO) - i32::from(self.y < R::ZERO) }
     }
-}
 
-impl<R: Real> Ellipse<R> {
     /// Coefficients of e^{iχ} and e^{-iχ} in the ellipse.
     pub(crate) fn exponentials(&self) -> [R; 2] {
         [(self.x + self.y).halved(), (self.x - self.y).halved()]
     }
 
     /// Argument of the ellipse; where the ellipse is 0, the argument of its derivative with respect to χ.
-    pub(crate) fn argument(&self, directions: &PhaseDirections<R>) -> Phase {
-        let value = self.at(directions);
-        let value = if value == Complex::ZERO { self.along(directions) } else { value };
+    fn argument(&self, chi: Complex<R>) -> Phase {
+        let value = self.at(chi);
+        let value = if value == Complex::ZERO { self.along(chi) } else { value };
         Phase::from_radians(value.arg().to_f64())
     }
 
-    /// Argument of the ellipse, continuous in χ, up to a constant: ±χ plus at most a quarter turn; 0 where the ellipse passes
-    /// through 0.
-    pub(crate) fn continued_argument(&self, directions: &PhaseDirections<R>, chi: Phase) -> Phase {
+    /// Argument of the ellipse, continuous in χ: ±χ plus at most a quarter turn; 0 where the ellipse passes through 0.
+    ///
+    /// * `turned`: χ with its whole turns
+    pub(crate) fn continued_argument(&self, chi: Complex<R>, turned: Phase) -> Phase {
         let sense = self.winding();
         if sense == 0 {
             return Phase::ZERO;
         }
         let y = if sense < 0 { -self.y } else { self.y };
-        let (sine, cosine) = (directions.sine, directions.cosine);
         // arg(x cos χ + i y sin χ) - χ
         let correction =
-            R::atan2((y - self.x) * sine * cosine, self.x * cosine.squared() + y * sine.squared());
-        (chi + Phase::from_radians(correction.to_f64())).times(sense.into())
+            R::atan2((y - self.x) * chi.im * chi.re, self.x * chi.re.squared() + y * chi.im.squared());
+        (turned + Phase::from_radians(correction.to_f64())).times(sense.into())
     }
 }

@@ -1,13 +1,14 @@
 //! Launch of a motion: from a state, or from branch points and phases.
 
 use crate::body::{ParameterError, ScaledTop, State, Top, require, within};
+use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs};
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::phase_equations::inverse_gudermannian;
 use crate::motion::start::{attitude, half_phase_of};
 use crate::motion::{InitialPhases, Motion, NutationVariable, phase_of};
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring, Scalar};
+use crate::scalar::{Extended, Float, Ring};
 
 impl Motion {
     /// Motion from a state, whose numbers count as exact.
@@ -18,9 +19,9 @@ impl Motion {
         Self::launch_between(top, state, &mut || {})
     }
 
-    /// Motion from a state, as from [`launch`](Self::launch), for a program that has other work meanwhile.
+    /// Motion from a state, for a program that has other work meanwhile.
     ///
-    /// * `between`: called at least every 50 000 cycles of a Cortex-M4F
+    /// * `pause`: called at least every 50 000 cycles of a Cortex-M4F
     ///
     /// ```
     /// use toytop::{Motion, Release, State, Top, TopParameters};
@@ -41,27 +42,22 @@ impl Motion {
     /// # Errors
     /// See [`launch`](Self::launch).
     #[inline(never)] // a launch must not remain on the stack during the work that follows
-    pub fn launch_between(
-        top: &Top,
-        state: &State,
-        between: &mut dyn FnMut(),
-    ) -> Result<Self, ParameterError> {
+    pub fn launch_between(top: &Top, state: &State, pause: &mut dyn FnMut()) -> Result<Self, ParameterError> {
         let (integrals, point) = FirstIntegrals::with_point(top, state);
-        between();
-        let e = BranchPoints::from_point(top, &integrals, &point, between)?;
-        between();
+        pause();
+        let e = BranchPoints::from_point(top, &integrals, &point, pause)?;
+        pause();
         let mut motion = Self::with_constants(top, &integrals, e, integrals.signs(), point.rests_upright());
-        between();
+        pause();
         motion.rounding = LaunchRounding::new(top, &integrals, &point, &e, state);
-        between();
+        pause();
         motion.start_nutation(&point);
-        between();
+        pause();
         motion.start_slow_phases(&attitude(state));
         Ok(motion)
     }
 
-    /// Motion from branch points -1 <= e₁ <= e₂ <= 1 <= e₃ (which count as exact), the signs of l + n and l - n, and
-    /// the phases at t = 0.
+    /// Motion from branch points -1 <= e₁ <= e₂ <= 1 <= e₃, which count as exact, and its phases at t = 0.
     ///
     /// # Errors
     /// `e1`, `e2`, `e3`: not finite or not in this order; `theta`, `arg_alpha`, `arg_beta`: not finite or beyond
@@ -97,11 +93,10 @@ impl Motion {
             NutationVariable::Steady => return Ok(motion),
             NutationVariable::Nutating(_) => NutationVariable::Nutating(chi),
             NutationVariable::Aperiodic(_) => {
-                let (sine, cosine) = f64::sine_cosine(chi);
-                NutationVariable::Aperiodic(inverse_gudermannian(sine, cosine))
+                NutationVariable::Aperiodic(inverse_gudermannian(Complex::cis(chi)))
             }
         };
-        let arguments = motion.ellipses.arguments(&motion.directions_at_start());
+        let arguments = motion.ellipses.arguments(motion.nutation.direction());
         for (phase, argument) in motion.phases.iter_mut().zip(arguments) {
             *phase = *phase - argument;
         }
@@ -138,7 +133,7 @@ impl Motion {
             },
             phases: [Phase::ZERO; 2],
             rounding: LaunchRounding::default(),
-            free_rate: Extended::ZERO,
+            torque_free_rate: Extended::ZERO,
         };
         if is_steady {
             motion.ellipses = Ellipses::steady(motion.steady_tilt());
@@ -147,7 +142,7 @@ impl Motion {
     }
 }
 
-/// Whether the axial rate (n - K)/C is at most 1e24 per unit of time, or n = K to the rounding of `f64` where C is 0.
+/// Whether the axial rate (n - K)/C is at most 1e24 per unit of time, or n = K to a rounding where C is 0.
 fn has_axial_rate(top: &Top, integrals: &FirstIntegrals<Extended>) -> bool {
     const FASTEST: f64 = 1e24;
     let (FirstIntegrals { n, spin, l_plus_n, l_minus_n, .. }, ScaledTop { c, k, .. }) =

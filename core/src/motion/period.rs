@@ -38,7 +38,7 @@ impl PeriodAdvance {
     }
 }
 
-/// Nutation period with the angles ψ_A and ψ_B over it, and their errors.
+/// Nutation period with ψ_A and ψ_B over it, and their errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Period {
     /// Period T, in the unit of time.
@@ -54,8 +54,8 @@ pub(crate) struct Period {
 }
 
 impl Period {
-    /// Period of a uniform rotation.
-    pub(super) fn uniform(time: Extended) -> Self {
+    /// Period of a body without torque.
+    pub(super) fn torque_free(time: Extended) -> Self {
         let operation_error = Extended::OPERATION_ERROR;
         Self { time, psi: [Extended::ZERO; 2], relative_error: 0.0, operation_error, nodes: 1 }
     }

@@ -11,6 +11,7 @@
 //! The ellipses contain the logarithmic poles of the paper's integrals (equation (3.10)), 1 - u and 1 + u in a denominator.
 
 use crate::body::{ScaledTop, Top};
+use crate::complex::Complex;
 use crate::constants::{BranchPoints, Signs};
 use crate::scalar::{Float, Real, Ring, Scalar, exponent};
 
@@ -26,40 +27,36 @@ pub struct PhaseRates<R> {
 }
 
 impl<R: Ring> PhaseRates<R> {
-    /// Sum k₁ + 2k₂ + 2k₃ + k₄ of the Runge-Kutta method, times a sixth of the step.
-    pub(crate) fn weighted([k1, k2, k3, k4]: [Self; 4], sixth: R) -> Self {
-        let mean = |part: fn(&Self) -> R| (part(&k1) + (part(&k2) + part(&k3)).doubled() + part(&k4)) * sixth;
-        Self { nutation: mean(|k| k.nutation), alpha: mean(|k| k.alpha), beta: mean(|k| k.beta) }
-    }
+    pub(crate) const ZERO: Self = Self { nutation: R::ZERO, alpha: R::ZERO, beta: R::ZERO };
 }
 
-/// sin χ = tanh v and cos χ = sech v, for χ the Gudermannian of v.
-pub(crate) fn gudermannian<R: Real>(v: R) -> (R, R) {
-    // q = e^-|v| and 1 - q from one function, because a second one would take more flash
+/// Unit complex number e^{iχ} = sech v + i tanh v, for χ the Gudermannian of v.
+pub(crate) fn gudermannian<R: Real>(v: R) -> Complex<R> {
+    // q = e^-|v| and 1 - q from one function, which saves flash
     let growth = v.abs().exp_minus_one();
     let q = R::ONE / (R::ONE + growth);
     let one_minus_q = if q > R::ZERO { growth * q } else { R::ONE };
     let per_sum = R::ONE / (R::ONE + q.squared());
     let tanh = one_minus_q * (R::ONE + q) * per_sum;
-    (if v < R::ZERO { -tanh } else { tanh }, q.doubled() * per_sum)
+    Complex::new(q.doubled() * per_sum, if v < R::ZERO { -tanh } else { tanh })
 }
 
-/// Variable v whose Gudermannian χ has this sine and this cosine > 0, by Newton's method: a logarithm would take more flash.
-pub(crate) fn inverse_gudermannian(sine: f64, cosine: f64) -> f64 {
+/// Variable v whose Gudermannian is the argument of a number with a positive real part, by Newton's method.
+pub(crate) fn inverse_gudermannian(direction: Complex<f64>) -> f64 {
     const MOST_STEPS: u32 = 10;
-    let tangent = sine.abs() / cosine;
+    let tangent = direction.im.abs() / direction.re;
     // above v, or close to it where v is small
     let mut v =
         if tangent < 1.0 { tangent } else { f64::from(exponent(tangent) + 1) * core::f64::consts::LN_2 };
     for _ in 0..MOST_STEPS {
-        let (tanh, sech) = gudermannian(v);
-        let change = tanh - tangent * sech;
+        let at_v = gudermannian(v);
+        let change = at_v.im - tangent * at_v.re;
         v -= change;
         if change.abs() <= f64::ROUNDING * v {
             break;
         }
     }
-    if sine < 0.0 { -v } else { v }
+    if direction.im < 0.0 { -v } else { v }
 }
 
 /// Constants of the equations of one motion.
@@ -95,7 +92,7 @@ impl<F: Float> PhaseEquations<F> {
         self.map(|x| R::from_f64(x.to_f64()))
     }
 
-    #[inline(never)] // fourteen conversions in each place would take much of a chip's flash
+    #[inline(never)] // fourteen conversions in each place would take much flash
     pub(crate) fn map<R>(&self, convert: fn(F) -> R) -> PhaseEquations<R> {
         PhaseEquations {
             one_plus_e1: convert(self.one_plus_e1),
@@ -156,8 +153,10 @@ impl<F: Float> PhaseEquations<F> {
         }
     }
 
-    /// Equations of a body without torque: χ', ψ_A and ψ_B are constant. e₃ - u is in units of e₃.
-    pub(crate) fn uniform(chi_rate: F, e: &BranchPoints<F>) -> Self {
+    /// Equations of a body without torque, the limit e₃ → ∞: χ' is constant, and ψ_A' and ψ_B' are 0.
+    ///
+    /// The torque enters χ' by g (e₃ - u)/D alone: e₃ - u and D = A/p count as 1, and g/2 as χ'².
+    pub(crate) fn torque_free(chi_rate: F, e: &BranchPoints<F>) -> Self {
         Self {
             one_plus_e1: e.one_plus_e1,
             one_minus_e2: e.one_minus_e2,
@@ -197,12 +196,12 @@ impl<F: Float> PhaseEquations<F> {
             / (F::ONE + self.alpha_smoothing * chi_rate)
     }
 
-    /// Aperiodic motion (e₂ = e₃ = 1): rates of v and ψ_A at sin χ = tanh v, cos χ = sech v. The rate of ψ_B is 0.
-    pub(crate) fn aperiodic_rates(&self, tanh: F, sech: F) -> PhaseRates<F> {
-        let (one_minus_u, one_plus_u) = self.complements(tanh, sech);
+    /// Aperiodic motion (e₂ = e₃ = 1): rates of v and ψ_A at e^{iχ}. The rate of ψ_B is 0.
+    pub(crate) fn aperiodic_rates(&self, chi: Complex<F>) -> PhaseRates<F> {
+        let (one_minus_u, one_plus_u) = self.complements(chi.im, chi.re);
         let per_d = F::ONE / (self.a_over_p + self.s * one_minus_u * one_plus_u);
         let nutation = (self.half_g * self.e2_minus_e1 * per_d).sqrt();
-        let chi_rate = nutation * sech;
+        let chi_rate = nutation * chi.re; // χ' = v' sech v
         PhaseRates { nutation, alpha: self.alpha_rate(one_minus_u, per_d, chi_rate), beta: F::ZERO }
     }
 }
@@ -214,11 +213,12 @@ mod tests {
     #[test]
     fn the_gudermannian_keeps_its_digits_at_both_ends() {
         for v in [1e-20, 3e-9, 0.1, 2.0, 30.0, 700.0_f64] {
-            let (tanh, sech) = gudermannian(v);
+            let direction = gudermannian(v);
+            let Complex { re: sech, im: tanh } = direction;
             assert!((tanh / libm::tanh(v) - 1.0).abs() < 5e-16, "{v}: {tanh:e}");
             assert!((sech * libm::cosh(v) - 1.0).abs() < 5e-16, "{v}: {sech:e}");
-            assert_eq!(gudermannian(-v), (-tanh, sech));
-            let inverse = inverse_gudermannian(tanh, sech);
+            assert_eq!(gudermannian(-v), direction.conj());
+            let inverse = inverse_gudermannian(direction);
             assert!((inverse / v - 1.0).abs() < 5e-16, "{v}: {inverse:e}");
         }
     }

@@ -3,20 +3,19 @@
 use crate::body::{ScaledTop, State};
 use crate::complex::Complex;
 use crate::constants::{ReducedPoint, Regime};
-use crate::motion::attitude_state::AttitudeState;
-use crate::motion::cayley_klein::{Ellipse, Ellipses, PhaseDirections};
+use crate::motion::cayley_klein::{Ellipse, Ellipses};
 use crate::motion::phase_equations::{PhaseRates, inverse_gudermannian};
 use crate::motion::{Motion, NutationVariable};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
-use crate::su2::OrientationRate;
+use crate::su2::{AttitudeState, OrientationRate};
 
 /// Phases at t = 0 of a motion given by branch points. All are in rad, and 0 by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InitialPhases {
-    /// Nutation phase θ(0): 0 at u = e₁, π at u = e₂, with u rising in between. The `f64` nearest to a multiple of π counts as
-    /// that multiple. θ = π with e₂ = e₃ = 1 means the sleeping top.
+    /// Nutation phase θ(0): 0 at u = e₁, π at u = e₂, with u rising in between. The `f64` nearest to a multiple of π counts as it. θ = π with
+    /// e₂ = e₃ = 1 means the sleeping top.
     pub theta: f64,
     /// Argument of α(0); where α(0) = 0, that of α'(0).
     pub arg_alpha: f64,
@@ -36,13 +35,13 @@ impl Motion {
         let torque_free = self.top.is_torque_free();
         if torque_free {
             // the axis rotates about the angular momentum m at the rate |m|/A
-            self.free_rate = (point.momentum(a, self.integrals.n) / a).halved();
+            self.torque_free_rate = (point.momentum(a, self.integrals.n) / a).halved();
         }
         if self.is_steady() {
             return;
         }
         let (g0, below_e3) = if torque_free {
-            ((udot / self.free_rate.doubled()).squared(), Extended::ONE)
+            ((udot / self.torque_free_rate.doubled()).squared(), Extended::ONE)
         } else {
             let d = a / p + s * one_minus_u * one_plus_u;
             (d * udot.squared() / g.doubled(), one_minus_u + self.e.e3_minus_one)
@@ -53,12 +52,12 @@ impl Motion {
         } else {
             (g0 / (below_e3 * below_e2), below_e2)
         };
-        let (sine, cosine) = (above_e1.sqrt().to_f64(), below_e2.sqrt().to_f64());
+        let rising = Complex::new(below_e2.sqrt().to_f64(), above_e1.sqrt().to_f64());
         let falls = udot < Extended::ZERO;
         self.nutation = if self.regime == Regime::Aperiodic {
-            NutationVariable::Aperiodic(inverse_gudermannian(if falls { -sine } else { sine }, cosine))
+            NutationVariable::Aperiodic(inverse_gudermannian(if falls { rising.conj() } else { rising }))
         } else {
-            NutationVariable::Nutating(chi(sine, if falls { -cosine } else { cosine }))
+            NutationVariable::Nutating(half_phase(if falls { -rising.conj() } else { rising }))
         };
     }
 
@@ -72,15 +71,18 @@ impl Motion {
             self.phases = [phi.alpha, phi.beta].map(|z| Phase::from_radians(z.arg()));
             return;
         }
-        let directions = self.directions_at_start();
-        let equations =
-            self.equations_with(&self.e.to_f64(), self.integrals.l_plus_n.to_f64(), self.free_rate.to_f64());
-        let PhaseRates { nutation, alpha, beta } = equations.rates(directions.sine, directions.cosine);
+        let chi = self.nutation.direction();
+        let equations = self.equations_with(
+            &self.e.to_f64(),
+            self.integrals.l_plus_n.to_f64(),
+            self.torque_free_rate.to_f64(),
+        );
+        let PhaseRates { nutation, alpha, beta } = equations.rates(chi.im, chi.re);
         let half_tau = self.half_tau.to_f64();
         let Ellipses { alpha: alpha_ellipse, beta: beta_ellipse } = &self.ellipses;
         self.phases = [
-            slow_phase(alpha_ellipse, &directions, [nutation, alpha + half_tau], [phi.alpha, rate.alpha]),
-            slow_phase(beta_ellipse, &directions, [nutation, beta - half_tau], [phi.beta, rate.beta]),
+            slow_phase(alpha_ellipse, chi, [nutation, alpha + half_tau], [phi.alpha, rate.alpha]),
+            slow_phase(beta_ellipse, chi, [nutation, beta - half_tau], [phi.beta, rate.beta]),
         ];
     }
 }
@@ -97,8 +99,8 @@ pub(super) fn attitude(state: &State) -> AttitudeState<f64> {
     }
 }
 
-/// Half phase χ in [0, 1/2] turn from its sine >= 0 and cosine, with full relative precision near 0, 1/4 and 1/2 turn.
-pub(crate) fn chi(sine: f64, cosine: f64) -> Phase {
+/// Half phase χ in [0, 1/2] turn of a number along e^{iχ}, with full relative precision near 0, 1/4 and 1/2 turn.
+fn half_phase(Complex { re: cosine, im: sine }: Complex<f64>) -> Phase {
     let from = |y: f64, x: f64| Phase::from_radians(libm::atan2(y, x));
     if cosine.abs() < sine {
         Phase::QUARTER - from(cosine, sine)
@@ -110,7 +112,7 @@ pub(crate) fn chi(sine: f64, cosine: f64) -> Phase {
 }
 
 /// Half phase χ = θ/2.
-pub(crate) fn half_phase_of(theta: f64) -> Phase {
+pub(super) fn half_phase_of(theta: f64) -> Phase {
     let nearest = libm::round(theta * core::f64::consts::FRAC_1_PI);
     let multiple = Extended::TWO_PI.halved() * nearest.into();
     if nearest != 0.0 && multiple.to_f64() == theta {
@@ -119,15 +121,10 @@ pub(crate) fn half_phase_of(theta: f64) -> Phase {
     (Extended::from(theta).in_turns() * Extended::from(0.5)).to_phase()
 }
 
-/// Slow phase of a parameter z with rate z': the rotation that best maps the ellipse and its rate to z and z'. It exists also where z is 0.
-pub(crate) fn slow_phase(
-    ellipse: &Ellipse<f64>,
-    directions: &PhaseDirections<f64>,
-    rates: [f64; 2],
-    z: [Complex<f64>; 2],
-) -> Phase {
+/// Slow phase of a parameter z with rate z': the rotation that best maps the ellipse and its rate to both.
+fn slow_phase(ellipse: &Ellipse<f64>, chi: Complex<f64>, rates: [f64; 2], z: [Complex<f64>; 2]) -> Phase {
     let [value, rate] = z;
-    let (model, model_rate) = (ellipse.at(directions), ellipse.rate(directions, rates));
+    let (model, model_rate) = (ellipse.at(chi), ellipse.rate(chi, rates));
     let [nutation, slow] = rates;
     let time = 1.0 / (nutation.squared() + slow.squared());
     let sum = value * model.conj() + (rate * model_rate.conj()).scaled(time);

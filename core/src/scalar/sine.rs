@@ -1,7 +1,17 @@
-//! Sine and cosine of an integer phase: for `f64` by polynomials, for other scalars in integers from 512 points of the circle (2.5 KiB
-//! of flash). The constants are public for an evaluator in another language.
+//! All sines and cosines.
+//!
+//! | function | argument | result |
+//! |---|---|---|
+//! | `sine_cosine_of_phase` | phase of 96 bits | `f64`, relatively exact |
+//! | `sine_cosine_of_radians` | angle | `f64`, relatively exact |
+//! | `sine_cosine_f64` | phase of 64 bits | `f64` |
+//! | `sine_cosine_q31`, `q26`, `q15` | phase of 32 bits | integers, from 512 points of the circle (2.5 KiB of flash) |
+//!
+//! The constants are public for an evaluator in another language.
 
+use crate::phase::Phase;
 use crate::product::{high_product, short_product, short_product_by_constant};
+use crate::scalar::Extended;
 
 /// Coefficients of S in sin 2πx = x S(x²) for |x| <= 1/8, lowest power first: the Chebyshev interpolant on [0, 1/64]
 /// (mpmath: `chebyfit(lambda y: sin(2*pi*sqrt(y))/sqrt(y), [0, 1/64], 8)`). Truncation error: below 2e-21.
@@ -35,17 +45,32 @@ pub(crate) const fn fraction_of_word(word: i64) -> f64 {
     ((word >> 32) as i32 as f64 + word as u32 as f64 * SCALE) * SCALE
 }
 
-/// (sin 2πx, cos 2πx) for a phase of x turns, given by the 64 leading bits of its fraction. Error: below 2e-16.
+/// (sin 2πx, cos 2πx) of the 64 leading bits of a phase. Error: below 2e-16.
 pub(crate) const fn sine_cosine_f64(phase: u64) -> (f64, f64) {
     // the nearest quarter turn, and the signed remainder in [-1/8, 1/8) turn
     let quadrant = phase.wrapping_add(1 << 61) >> 62;
     quarter_turns(quadrant as u32, fraction_of_word(phase.wrapping_sub(quadrant << 62) as i64))
 }
 
+/// (sin 2πx, cos 2πx) of a phase of x turns. The error is relative to the result near its zeros.
+pub(super) fn sine_cosine_of_phase(phase: Phase) -> (f64, f64) {
+    let (quadrant, rest) = phase.quadrant();
+    quarter_turns(quadrant, rest.to_f64())
+}
+
+/// (sin x, cos x) of an angle of x rad up to 1e6. Error: below 4e-16, relative to the result near its zeros. Those of libm would take
+/// several kilobytes of flash.
+pub(crate) fn sine_cosine_of_radians(x: f64) -> (f64, f64) {
+    if x.abs() < core::f64::consts::FRAC_PI_4 {
+        return quarter_turns(0, x * (0.5 * core::f64::consts::FRAC_1_PI));
+    }
+    sine_cosine_of_phase(Extended::from(x).in_turns().to_phase())
+}
+
 /// (sin, cos) of `quadrant` quarter turns plus x turns, |x| <= 1/8. The error is relative to the result near its
 /// zeros.
-#[inline(always)]
-pub(super) const fn quarter_turns(quadrant: u32, x: f64) -> (f64, f64) {
+#[inline]
+const fn quarter_turns(quadrant: u32, x: f64) -> (f64, f64) {
     let y = x * x;
     let (sine, cosine) = (x * horner(&SINE, y), horner(&COSINE, y));
     let (sine, cosine) = if quadrant & 1 == 0 { (sine, cosine) } else { (cosine, -sine) };
@@ -90,7 +115,7 @@ pub const VERSINE: i32 = (DISTANCE * DISTANCE / 2.0 * (1_u64 << 30) as f64 + 0.5
 /// Coefficient of the linear approximation d (1 - d²/8) to sin d, times 2^33. It replaces d - d³/6 where 26 bits are enough.
 pub const SECANT: i32 = (DISTANCE * (1.0 - DISTANCE * DISTANCE / 8.0) * (1_u64 << 33) as f64) as i32;
 
-/// (sin 2πx, cos 2πx)·2^31 for a phase of x turns, given by the 32 leading bits of its fraction. Error: below 2.45 units, 1.2e-9.
+/// (sin 2πx, cos 2πx)·2^31 of the 32 leading bits of a phase. Error: below 2.45 units, 1.2e-9.
 ///
 /// The nearest point is rotated by the remaining angle d, with sin d = d - d³/6 and cos d = 1 - d²/2. No sum overflows.
 #[inline(always)]
@@ -144,8 +169,7 @@ fn point(phase: u32) -> (i32, i32) {
 
 #[cfg(test)]
 mod tests {
-    use super::{sine_cosine_f64, sine_cosine_q26, sine_cosine_q31};
-    use crate::phase::Phase;
+    use super::*;
     use crate::scalar::Scalar;
 
     /// Largest error against libm's f64 sine over a grid that is not a multiple of the table's spacing.
@@ -188,5 +212,20 @@ mod tests {
         let tiny = 1e-15;
         let (_, cosine) = f64::sine_cosine(Phase::QUARTER - Phase::new(tiny));
         assert!((cosine / (2.0 * core::f64::consts::PI * tiny) - 1.0).abs() < 1e-4);
+    }
+
+    /// The error is relative to the result also near the zeros, and for the largest angles.
+    #[test]
+    fn sines_of_radians_are_those_of_libm() {
+        let mut worst = 0.0_f64;
+        for k in 1..if cfg!(miri) { 100 } else { 20_000 } {
+            let x = 1e6 * libm::exp(-0.002_77 * f64::from(k)) * if k % 2 == 0 { 1.0 } else { -1.0 };
+            let (sine, cosine) = sine_cosine_of_radians(x);
+            let (true_sine, true_cosine) = libm::sincos(x);
+            worst = worst.max((sine / true_sine - 1.0).abs()).max((cosine / true_cosine - 1.0).abs());
+        }
+        assert!(worst < 4e-16 && worst > 2e-16, "{worst:e}");
+        assert_eq!(sine_cosine_of_radians(0.0), (0.0, 1.0));
+        assert_eq!(sine_cosine_of_radians(core::f64::consts::PI).1, -1.0);
     }
 }

@@ -1,4 +1,4 @@
-//! Rate of change of an orientation, and the angular velocities that it determines.
+//! Rate of an orientation, and the attitude state: the orientation with its rate.
 
 use super::{Orientation, Vector};
 use crate::complex::Complex;
@@ -52,5 +52,47 @@ impl<R: Ring> OrientationRate<R> {
     /// Rate of the cosine of the tilt, u' = d(|α|² - |β|²)/dt.
     pub fn udot(&self, phi: &Orientation<R>) -> R {
         ((phi.alpha.conj() * self.alpha).re - (phi.beta.conj() * self.beta).re).doubled()
+    }
+}
+
+/// Orientation and its rate at one instant, with the quantities that follow by products.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct AttitudeState<R> {
+    /// Orientation Φ.
+    pub orientation: Orientation<R>,
+    /// Rate Φ' of the orientation, per unit time.
+    pub rate: OrientationRate<R>,
+}
+
+impl<R: Ring> AttitudeState<R> {
+    /// Cosine of the tilt, u = ⟨r, k⟩, in [-1, 1].
+    pub fn u(&self) -> R {
+        self.orientation.clamped_u()
+    }
+
+    /// Rate u' of the cosine of the tilt, per unit time.
+    pub fn udot(&self) -> R {
+        self.rate.udot(&self.orientation)
+    }
+
+    /// Unit vector r from the tip to the centre of mass, in the fixed frame.
+    pub fn axis(&self) -> Vector<R> {
+        self.orientation.axis()
+    }
+
+    /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give quaternions of opposite sign.
+    pub fn quaternion(&self) -> [R; 4] {
+        self.orientation.quaternion()
+    }
+
+    /// Angular velocity ω in the fixed frame, rad per unit time.
+    pub fn omega(&self) -> Vector<R> {
+        self.rate.omega_fixed(&self.orientation)
+    }
+
+    /// Angular velocity Ω = Φ⁻¹ω Φ in the body frame, rad per unit time.
+    pub fn omega_body(&self) -> Vector<R> {
+        self.rate.omega_body(&self.orientation)
     }
 }

@@ -3,10 +3,9 @@
 mod tip_angle;
 
 use crate::complex::Complex;
-use crate::motion::attitude_state::AttitudeState;
 use crate::phase::{Phase, PhaseFraction};
 use crate::scalar::{Extended, Float};
-use crate::su2::{Orientation, OrientationRate, Vector};
+use crate::su2::{AttitudeState, Orientation, OrientationRate, Vector};
 use crate::table::cell::{Cell, LEVEL_0_BITS};
 use crate::table::ephemeris::EphemerisView;
 use crate::table::scalar::{Coefficient, EphemerisScalar, SegmentPoint};

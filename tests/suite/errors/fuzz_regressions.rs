@@ -91,8 +91,12 @@ fn tables_are_refused<R: EphemerisScalar>() {
 #[test]
 fn a_rotor_that_hardly_turns_counts_as_none() {
     let top = |rotor_momentum| {
-        let parameters =
-            TopParameters { transverse_inertia: 500.0, rotor_momentum, ..TopParameters::default() };
+        let parameters = TopParameters {
+            transverse_inertia: 500.0,
+            axial_inertia: 0.0,
+            rotor_momentum,
+            ..TopParameters::default()
+        };
         Top::free(&parameters).unwrap()
     };
     assert_eq!(top(3e-309), top(0.0));

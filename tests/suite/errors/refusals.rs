@@ -17,8 +17,13 @@ fn top() -> Top {
 /// Branch points determine neither the rate of a body without torque nor the axial rate of a rod.
 #[test]
 fn branch_points_that_do_not_determine_the_motion() {
-    let body =
-        TopParameters { transverse_inertia: 1.0, mass_moment: 1.0, gravity: 1.0, ..TopParameters::default() };
+    let body = TopParameters {
+        transverse_inertia: 1.0,
+        axial_inertia: 0.0,
+        mass_moment: 1.0,
+        gravity: 1.0,
+        ..TopParameters::default()
+    };
     let motion = |top: Top, e| {
         parameter(Motion::from_branch_points(&top, e, Signs::default(), &InitialPhases::default()))
     };

@@ -33,10 +33,9 @@ impl Cubic {
     #[inline(never)] // the stack frames of a launch must not add up
     fn above(&self) -> Extended {
         let (Self { g0, g1, g2 }, zero) = (*self, Extended::ZERO);
-        let larger = |x: Extended, y: Extended| if x > y { x } else { y };
         // a power of two, because the cube root of libm would take much of a chip's flash
         let cube_root = Extended::from(power_of_two((exponent(g0.to_f64()) + 2).div_euclid(3)));
-        let above = larger(g2.abs(), larger(g1.abs().sqrt(), cube_root)).doubled();
+        let above = g2.abs().larger(g1.abs().sqrt()).larger(cube_root).doubled();
         if g2 <= zero {
             return above;
         }
@@ -44,12 +43,12 @@ impl Cubic {
         let root = (g1.squared() - (g2 * g0).doubled().doubled()).sqrt();
         let of_quadratic = if g1 > zero { -g0.doubled() / (g1 + root) } else { (root - g1) / g2.doubled() };
         let of_quadratic = of_quadratic * Extended::from(1.0 + 1e-15);
-        if of_quadratic < above { larger(of_quadratic, zero) } else { above }
+        if of_quadratic < above { of_quadratic.larger(zero) } else { above }
     }
 
     /// Largest root, by Newton's method from above, where the iterates decrease.
     #[inline(never)] // as above
-    pub(super) fn largest_root(&self, between: &mut dyn FnMut()) -> Extended {
+    pub(super) fn largest_root(&self, pause: &mut dyn FnMut()) -> Extended {
         const MOST_STEPS: u32 = 200;
         let mut y = self.above();
         for _ in 0..MOST_STEPS {
@@ -62,7 +61,7 @@ impl Cubic {
                 break;
             }
             y = next;
-            between();
+            pause();
         }
         y
     }

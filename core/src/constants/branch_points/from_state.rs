@@ -20,7 +20,7 @@ fn require_slow(holds: bool) -> Result<(), ParameterError> {
     require(
         holds,
         "omega",
-        "slow enough for e3 <= 1e14 (faster, a body feels no torque: support = \"free\", Top::free, is then exact)",
+        "slow enough for e3 <= 1e14 (faster, a body feels no torque: Top::free is then exact)",
     )
 }
 
@@ -40,15 +40,15 @@ impl BranchPoints<Extended> {
         top: &Top,
         integrals: &FirstIntegrals<Extended>,
         point: &ReducedPoint,
-        between: &mut dyn FnMut(),
+        pause: &mut dyn FnMut(),
     ) -> Result<Self, ParameterError> {
         if top.is_torque_free() {
             Ok(Self::torque_free(top, integrals, point))
         } else if point.rests_upright() {
             Self::upright(&ScaledTop::new(top), integrals.n)
         } else {
-            let pair = LowerPair::new(&ScaledTop::new(top), integrals, point, between)?;
-            between();
+            let pair = LowerPair::new(&ScaledTop::new(top), integrals, point, pause)?;
+            pause();
             Self::above(&pair, integrals, point)
         }
     }
@@ -168,7 +168,7 @@ impl LowerPair {
         top: &ScaledTop<Extended>,
         integrals: &FirstIntegrals<Extended>,
         point: &ReducedPoint,
-        between: &mut dyn FnMut(),
+        pause: &mut dyn FnMut(),
     ) -> Result<Self, ParameterError> {
         let (kappa, n) = (top.kappa(), integrals.n);
         let ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy } = *point;
@@ -182,9 +182,9 @@ impl LowerPair {
                 + (kappa * n * point.l_minus_nu(integrals)).doubled(),
             g2: u.doubled() - axis_energy - spin_energy,
         };
-        between();
-        let y3 = cubic.largest_root(between);
-        between();
+        pause();
+        let y3 = cubic.largest_root(pause);
+        pause();
         Ok(Self::below(&cubic, y3, kappa, one_minus_u))
     }
 

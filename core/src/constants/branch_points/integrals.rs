@@ -1,7 +1,7 @@
 //! Branch points from the first integrals, and first integrals from the branch points.
 
 use super::BranchPoints;
-use crate::body::{ParameterError, ScaledTop, Top, Units, finite};
+use crate::body::{ParameterError, ScaledTop, Top, finite};
 use crate::constants::{FirstIntegrals, ReducedPoint, Signs};
 use crate::scalar::{Extended, Float, Ring};
 
@@ -11,7 +11,7 @@ impl BranchPoints {
     /// # Errors
     /// `h`: too low for any motion with these l and n; `l`, `n`, `h`: not finite, or e₃ above 1e14.
     pub fn from_integrals(top: &Top, l: f64, n: f64, h: f64) -> Result<Self, ParameterError> {
-        let unit = Units::new(top).inertia();
+        let unit = top.inertia_unit();
         let [l, n, h] = [finite("l", l)?, finite("n", n)?, finite("h", h)?].map(|x| Extended::from(x / unit));
         let spin = ScaledTop::new(top).spin(n);
         let integrals = FirstIntegrals { l, n, h, spin, l_plus_n: l + n, l_minus_n: l - n };
@@ -31,7 +31,7 @@ impl BranchPoints {
 }
 
 impl BranchPoints<Extended> {
-    /// First integrals in the units inside.
+    /// First integrals in the units of a [`ScaledTop`].
     pub(crate) fn integrals_in(&self, top: &Top, signs: Signs) -> FirstIntegrals<Extended> {
         let quantities = ScaledTop::<Extended>::new(top);
         let ScaledTop { a, c, p, g, .. } = quantities;
@@ -52,7 +52,6 @@ fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<Redu
     /// Largest effect of one `f64` rounding of l, n and h, relative to the terms.
     const NOISE: f64 = 1e-15;
     let (zero, one, noise) = (Extended::ZERO, Extended::ONE, Extended::from(NOISE));
-    let at_least_0 = |x: Extended| if x > zero { x } else { zero };
     let point = |u: Extended, udot: Extended, axis_energy: Extended| {
         let (one_minus_u, one_plus_u) = (one - u, one + u);
         ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy }
@@ -69,11 +68,11 @@ fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<Redu
         if across < least || horizontal < least || square <= zero {
             return None;
         }
-        let udot = (at_least_0(horizontal) * at_least_0(across) / square).sqrt() / a;
+        let udot = (horizontal.larger(zero) * across.larger(zero) / square).sqrt() / a;
         return Some(point(l * n / square, udot, axis_and_height));
     }
     // f(u) = u³ - b u² + c₁ u + c₀
-    let (kappa, energy) = (quantities.kappa(), axis_and_height / (p * g));
+    let (kappa, energy) = (quantities.kappa(), axis_and_height / quantities.energy_unit());
     let b = energy + kappa * n.squared();
     let c1 = (kappa * l * n).doubled() - one;
     let c0 = energy - kappa * l.squared();
@@ -87,9 +86,8 @@ fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<Redu
     if u.abs() > one + noise.sqrt() || peak < -noise || found.axis_energy < -noise.sqrt() {
         return None;
     }
-    let u = if u > one { one } else { u };
-    let u = if u < -one { -one } else { u };
-    let found = point(u, zero, at_least_0(energy - u));
+    let u = u.limited();
+    let found = point(u, zero, (energy - u).larger(zero));
     let d = a / p + s * found.one_minus_u * found.one_plus_u;
-    Some(ReducedPoint { udot: (g.doubled() * at_least_0(peak) / d).sqrt(), ..found })
+    Some(ReducedPoint { udot: (g.doubled() * peak.larger(zero) / d).sqrt(), ..found })
 }

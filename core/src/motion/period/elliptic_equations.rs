@@ -10,8 +10,8 @@
 //! e₄ < e₃:    dt/dv = √(2/(g f(e₁) d₊(e₂))) d₋ d₊/√(e₃ - u),    χ' = √(g d₊(e₁)/(2 f(e₁))) √(e₃ - u)/(d₊ dn v)
 //! ```
 //!
-//! v runs from 0 at u = e₁ to K at u = e₂. The integrands have singularities at the imaginary part K' only, so that K/K' tells
-//! how many nodes the trapezoid rule needs. For s = 0, e₄ is infinite.
+//! v runs from 0 at u = e₁ to K at u = e₂. All singularities have the imaginary part K', so K/K' tells the number of nodes. For s = 0, e₄ is
+//! infinite.
 
 use super::landen::SquaresOfWhole;
 use crate::motion::phase_equations::PhaseEquations;

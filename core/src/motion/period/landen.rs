@@ -55,7 +55,7 @@ impl<const WORDS: usize> Landen<WORDS> {
 
     /// Fills the sequence for m and m₁ = 1 - m, each given with full relative precision.
     #[inline(never)]
-    pub(super) fn fill(&mut self, [m, m1]: [Wide<WORDS>; 2], between: &mut dyn FnMut()) {
+    pub(super) fn fill(&mut self, [m, m1]: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) {
         // k₁ = (1 - k')/(1 + k') = k²/(1 + k')²,  k₁' = 2 √k'/(1 + k')
         let (mut modulus_squared, mut complement) = (m, m1.sqrt());
         for step in &mut self.steps {
@@ -69,7 +69,7 @@ impl<const WORDS: usize> Landen<WORDS> {
             self.near_one += usize::from(rest.to_f64() <= 0.125);
             complement = complement.sqrt().doubled() * per_sum;
             modulus_squared = modulus.squared();
-            between();
+            pause();
         }
         for step in self.steps.iter_mut().rev().filter(|step| step.modulus > Wide::ZERO) {
             step.scaled_modulus = step.modulus * self.scale;
@@ -88,8 +88,8 @@ impl<const WORDS: usize> Landen<WORDS> {
         self.changing().fold(half_pi, |product, step| product * (Wide::ONE + step.modulus))
     }
 
-    /// Division of K into nodes with which the trapezoid rule decreases its error by this number of bits: the first division, into 1, 3 or
-    /// 5 parts, and the number of nodes after two or more doublings. The estimate of the error needs two.
+    /// Division of K with which the trapezoid rule decreases its error by this number of bits: the first division, into 1, 3 or 5 parts,
+    /// and the number of nodes after at least two doublings, which the estimate of the error needs.
     pub(super) fn division(&self, bits: f64) -> (u32, u32) {
         let nodes = bits / self.bits_per_node();
         let doubled = |division: u32| {
@@ -105,8 +105,7 @@ impl<const WORDS: usize> Landen<WORDS> {
             .fold(doubled(1), |least, next| if next.1 < least.1 { next } else { least })
     }
 
-    /// Number of bits by which each node decreases the error: -2 log₂ q for the nome q = e^{-πK'/K}, to a few percent; at least 64 where
-    /// no transformation is needed.
+    /// Number of bits by which each node decreases the error: -2 log₂ q for the nome q = e^{-πK'/K}, to a few percent.
     fn bits_per_node(&self) -> f64 {
         // the modulus after n transformations is nearly 4 q^(2^(n-1)); its exponent is its logarithm to a percent
         let last = self.changing().fold((1.0, 64.0), |(weight, _), step| {
@@ -129,7 +128,7 @@ impl<const WORDS: usize> Landen<WORDS> {
             }
             let kx = scaled_modulus * x;
             sum = w + kx;
-            // W - k X = (1 - k) W + k Y, in the form with the smaller rounding error, which is the second where k is near 1
+            // W - k X = (1 - k) W + k Y, whose rounding error is smaller where k is near 1
             difference = if number < self.near_one { rest * w + modulus * y } else { w - kx };
             y = y * (difference + rest * kx);
             x = x * w;

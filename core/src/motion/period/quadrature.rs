@@ -9,22 +9,22 @@ use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::{Extended, Float, Ring, Wide};
 
 impl Period {
-    /// Period of a motion that nutates. `between` is called several times for each node.
+    /// Period of a motion that nutates. `pause` is called several times for each node.
     #[inline(never)]
     pub(crate) fn integrated<const WORDS: usize>(
         equations: &PhaseEquations<Wide<WORDS>>,
-        between: &mut dyn FnMut(),
+        pause: &mut dyn FnMut(),
     ) -> Self {
         let elliptic = EllipticEquations::new(equations);
-        between();
+        pause();
         let mut landen = Landen::NONE;
-        landen.fill(elliptic.parameters(), between);
-        between();
-        let (mut rule, needed) = TrapezoidRule::new(&elliptic, &landen, between);
+        landen.fill(elliptic.parameters(), pause);
+        pause();
+        let (mut rule, needed) = TrapezoidRule::new(&elliptic, &landen, pause);
         // beyond twice the number needed only roundings are left
         let most = MOST_NODES.min(2 * needed);
         loop {
-            let error = rule.double_nodes(between);
+            let error = rule.double_nodes(pause);
             if rule.nodes >= most || rule.nodes >= needed && error <= TrapezoidRule::<WORDS>::SETTLED {
                 return rule.period(error);
             }
@@ -36,7 +36,7 @@ impl Period {
 struct TrapezoidRule<'a, const WORDS: usize> {
     equations: &'a EllipticEquations<'a, Wide<WORDS>>,
     landen: &'a Landen<WORDS>,
-    /// Sums of the integrands of t, ψ_A and ψ_B without their constant factors; the ends of the half period have half weight.
+    /// Sums of the integrands of t, ψ_A and ψ_B without their factors; the ends have half weight.
     sums: [Wide<WORDS>; 3],
     nodes: u32,
     /// Sine and cosine of the angle between two nodes.
@@ -56,27 +56,27 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
     fn new(
         equations: &'a EllipticEquations<'a, Wide<WORDS>>,
         landen: &'a Landen<WORDS>,
-        between: &mut dyn FnMut(),
+        pause: &mut dyn FnMut(),
     ) -> (Self, u32) {
         let (nodes, needed) = landen.division(Self::BITS);
         let step = part_of_right_angle(nodes);
         let mut rule =
             Self { equations, landen, sums: [Wide::ZERO; 3], nodes, step, changes: [f64::INFINITY; 2] };
-        between();
-        let ends = sum(rule.at([Wide::ZERO, Wide::ONE], between), rule.at([Wide::ONE, Wide::ZERO], between));
-        let inner = rule.sums_of(nodes - 1, step, between);
+        pause();
+        let ends = sum(rule.at([Wide::ZERO, Wide::ONE], pause), rule.at([Wide::ONE, Wide::ZERO], pause));
+        let inner = rule.sums_of(nodes - 1, step, pause);
         rule.sums = sum(ends.map(Wide::halved), inner);
         (rule, needed)
     }
 
     /// Adds a node between each two. Returns the estimated relative error.
     #[inline(never)]
-    fn double_nodes(&mut self, between: &mut dyn FnMut()) -> f64 {
+    fn double_nodes(&mut self, pause: &mut dyn FnMut()) -> f64 {
         let [sine, cosine] = self.step;
         let half_cosine = (Wide::ONE + cosine).halved().sqrt();
         let half_step = [sine / half_cosine.doubled(), half_cosine];
-        between();
-        let odd = self.sums_of(self.nodes, half_step, between);
+        pause();
+        let odd = self.sums_of(self.nodes, half_step, pause);
         let difference = sum(odd, self.sums.map(|sum| -sum));
         self.sums = sum(self.sums, odd);
         (self.nodes, self.step) = (2 * self.nodes, half_step);
@@ -87,11 +87,11 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
     }
 
     /// Sums over nodes that are a step apart.
-    fn sums_of(&self, nodes: u32, first: [Wide<WORDS>; 2], between: &mut dyn FnMut()) -> [Wide<WORDS>; 3] {
+    fn sums_of(&self, nodes: u32, first: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) -> [Wide<WORDS>; 3] {
         let ([step_sine, step_cosine], [mut sine, mut cosine]) = (self.step, first);
         let mut sums = [Wide::ZERO; 3];
         for _ in 0..nodes {
-            sums = sum(sums, self.at([sine, cosine], between));
+            sums = sum(sums, self.at([sine, cosine], pause));
             (sine, cosine) =
                 (sine * step_cosine + cosine * step_sine, cosine * step_cosine - sine * step_sine);
         }
@@ -99,15 +99,15 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
     }
 
     #[inline(never)]
-    fn at(&self, angle: [Wide<WORDS>; 2], between: &mut dyn FnMut()) -> [Wide<WORDS>; 3] {
+    fn at(&self, angle: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) -> [Wide<WORDS>; 3] {
         let squares = self.landen.squares_at_angle(angle);
-        between();
+        pause();
         let integrands = self.equations.at(&squares);
-        between();
+        pause();
         integrands
     }
 
-    /// Changes relative to the sums: of the time, and of the slow phases, which are compared with the sum of their magnitudes.
+    /// Changes of the time and of the slow phases, relative to the sums of magnitudes.
     fn relative(&self, change: [Wide<WORDS>; 3]) -> [f64; 2] {
         let [alpha_scale, beta_scale] = self.equations.slow_scales().map(f64::abs);
         let magnitudes = |sums: [Wide<WORDS>; 3]| {
@@ -139,10 +139,9 @@ fn sum<F: Ring>([a, b, c]: [F; 3], [x, y, z]: [F; 3]) -> [F; 3] {
     [a + x, b + y, c + z]
 }
 
-/// Estimated error of a trapezoid sum, from the changes of the last two doublings: the sum of two estimates for geometric
-/// convergence.
+/// Estimated error of a trapezoid sum from its last two changes, for geometric convergence.
 fn remaining_error(change: f64, before: f64) -> f64 {
-    // both changes may be 0: a slow and small nutation may change no sum; before the first change there is none
+    // both changes may be 0
     let ratio = change / before.max(change).max(f64::MIN_POSITIVE);
     change * (3.0 * change + 30.0 * ratio * ratio)
 }

@@ -112,7 +112,7 @@ impl<const WORDS: usize> Float for Wide<WORDS> {
         }
         let odd = self.exponent & 1;
         let short = short_inverse_root(leading(&self.significand) >> odd);
-        let mut inverse = Self::from_integer(short, -62 - (self.exponent + odd) / 2);
+        let mut inverse = Self::from_integer(short.into(), -62 - (self.exponent + odd) / 2, false);
         // each step of Newton's method doubles the 52 correct bits
         for _ in 1..WORDS {
             let rest = Self::residual(Self::ONE, [self * inverse, inverse]);

@@ -1,7 +1,7 @@
 //! Wide numbers from and to `f64`, phases, integers and other widths.
 
 use super::number::{Exact, Wide};
-use crate::phase::{FRACTION_BITS, Phase, integer_parts, shifted};
+use crate::phase::{FRACTION_BITS, Phase, integer_parts};
 use crate::scalar::{Float, Ring};
 
 impl<const WORDS: usize> Wide<WORDS> {
@@ -16,7 +16,7 @@ impl<const WORDS: usize> Wide<WORDS> {
 
     /// Number ±value · 2^exponent, rounded to the nearest.
     #[inline(never)]
-    fn scaled(value: u128, exponent: i32, negative: bool) -> Self {
+    pub(super) fn from_integer(value: u128, exponent: i32, negative: bool) -> Self {
         let (mut words, mut rest) = ([[0; WORDS]; 2], value);
         for word in words.as_flattened_mut() {
             (*word, rest) = ((rest >> 64) as u64, rest << 64);
@@ -34,7 +34,7 @@ impl<const WORDS: usize> Wide<WORDS> {
     /// Number of another width, rounded to the nearest.
     #[inline(never)]
     pub(crate) fn resized<const OTHER: usize>(number: Wide<OTHER>) -> Self {
-        Self::scaled(number.upper(), number.exponent - 128, number.negative)
+        Self::from_integer(number.upper(), number.exponent - 128, number.negative)
     }
 
     /// Phase of this number of turns, modulo 2^32 turns, rounded to the nearest.
@@ -69,27 +69,34 @@ impl<const WORDS: usize> Wide<WORDS> {
 
     /// Largest whole number not above this one, modulo 2^128, and the remainder in [0, 1).
     pub(crate) fn floor_and_rest(self) -> (i128, Self) {
-        let integer = |x: f64| {
-            let (mantissa, exponent) = integer_parts(x);
-            shifted(mantissa.into(), exponent)
+        let (upper, exponent) = (self.upper(), self.exponent);
+        let whole = match 128 - exponent {
+            shift @ 0.. => upper.checked_shr(shift as u32),
+            shift => upper.checked_shl(shift.unsigned_abs()),
         };
-        let [leading, low] = self.parts().map(libm::floor);
-        let rest = (self - leading.into()) - low.into();
-        let whole = integer(leading).wrapping_add(integer(low));
-        if rest < Self::ONE { (whole, rest) } else { (whole.wrapping_add(1), rest - Self::ONE) }
+        let whole = whole.unwrap_or(0) as i128;
+        let rest = match exponent {
+            1.. => Self::from_integer(upper.checked_shl(exponent as u32).unwrap_or(0), -128, false),
+            _ => self.abs(),
+        };
+        if !self.negative {
+            return (whole, rest);
+        }
+        let rest = Self::ONE - rest;
+        if rest < Self::ONE { (!whole, rest) } else { (whole.wrapping_neg(), Self::ZERO) }
     }
 }
 
 impl<const WORDS: usize> From<f64> for Wide<WORDS> {
     fn from(x: f64) -> Self {
         let (mantissa, exponent) = integer_parts(x);
-        Self { negative: mantissa < 0, ..Self::from_integer(mantissa.unsigned_abs(), exponent) }
+        Self::from_integer(mantissa.unsigned_abs().into(), exponent, mantissa < 0)
     }
 }
 
 impl<const WORDS: usize> From<i64> for Wide<WORDS> {
     fn from(number: i64) -> Self {
-        Self { negative: number < 0, ..Self::from_integer(number.unsigned_abs(), 0) }
+        Self::from_integer(number.unsigned_abs().into(), 0, number < 0)
     }
 }
 
@@ -97,7 +104,7 @@ impl<const WORDS: usize> From<Phase> for Wide<WORDS> {
     /// Number of turns, whole turns included.
     fn from(phase: Phase) -> Self {
         let bits = phase.to_bits();
-        Self::scaled(bits.unsigned_abs(), -FRACTION_BITS, bits < 0)
+        Self::from_integer(bits.unsigned_abs(), -FRACTION_BITS, bits < 0)
     }
 }
 
@@ -113,5 +120,16 @@ mod tests {
         assert_eq!((Extended::TWO_PI * 0.25.into()).in_turns().to_phase(), Phase::QUARTER);
         let (whole, rest) = Extended::sum(1e20, 0.75).floor_and_rest();
         assert_eq!((whole, rest.to_f64()), (10_i128.pow(20), 0.75));
+        for (x, floor, left) in [
+            (-2.25, -3, 0.75),
+            (-2.0, -2, 0.0),
+            (-0.5, -1, 0.5),
+            (-1e-60, 0, 0.0),
+            (0.0, 0, 0.0),
+            (1e300, 0, 0.0),
+        ] {
+            let (whole, rest) = Extended::from(x).floor_and_rest();
+            assert_eq!((whole, rest.to_f64()), (floor, left), "{x}");
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Wide numbers, and the numbers of twice as many words that hold their products.
 
-use super::words::{add, add_word, leading, product, shift_left, shift_right, subtract};
+use super::words::{add, add_word, leading, product, shift_left, shift_right};
 use crate::scalar::power_of_two;
 use core::mem::replace;
 
@@ -46,17 +46,6 @@ impl<const WORDS: usize> Wide<WORDS> {
             significand[1] = value as u64;
         }
         Self { significand, exponent, negative: false }
-    }
-
-    /// Number value · 2^exponent, exact.
-    #[inline(never)]
-    pub(crate) fn from_integer(value: u64, exponent: i32) -> Self {
-        let (mut significand, spare) = ([0; WORDS], value.leading_zeros());
-        match significand.first_mut() {
-            Some(first) if value != 0 => *first = value << spare,
-            _ => return Self { significand, exponent: 0, negative: false },
-        }
-        Self { significand, exponent: exponent + 64 - spare as i32, negative: false }
     }
 }
 
@@ -127,9 +116,9 @@ impl<const WORDS: usize> Exact<WORDS> {
         shift_right(smaller.words.as_flattened_mut(), distance);
         let words = sum.words.as_flattened_mut();
         if sum.negative != smaller.negative {
-            subtract(words, smaller.words.as_flattened());
+            add(words, smaller.words.as_flattened(), u64::overflowing_sub);
             sum.normalise();
-        } else if add(words, smaller.words.as_flattened()) {
+        } else if add(words, smaller.words.as_flattened(), u64::overflowing_add) {
             shift_right(words, 1);
             if let Some(first) = words.first_mut() {
                 *first |= LEADING;

@@ -30,12 +30,12 @@ pub(super) fn shift_right(words: &mut [u64], bits: u32) {
     }
 }
 
-/// Adds another number. Returns the carry.
+/// Adds another number, or subtracts it, by the operation on one word. Returns the carry.
 #[inline(always)]
-pub(super) fn add(words: &mut [u64], other: &[u64]) -> bool {
+pub(super) fn add(words: &mut [u64], other: &[u64], operation: impl Fn(u64, u64) -> (u64, bool)) -> bool {
     words.iter_mut().zip(other).rev().fold(false, |carry, (word, other)| {
-        let (sum, first) = word.overflowing_add(*other);
-        let (sum, second) = sum.overflowing_add(carry.into());
+        let (sum, first) = operation(*word, *other);
+        let (sum, second) = operation(sum, carry.into());
         *word = sum;
         first || second
     })
@@ -51,21 +51,9 @@ pub(super) fn add_word(words: &mut [u64], other: u64) -> u64 {
     })
 }
 
-/// Subtracts a smaller number.
-#[inline(always)]
-pub(super) fn subtract(words: &mut [u64], other: &[u64]) {
-    words.iter_mut().zip(other).rev().fold(false, |borrow, (word, other)| {
-        let (difference, first) = word.overflowing_sub(*other);
-        let (difference, second) = difference.overflowing_sub(borrow.into());
-        *word = difference;
-        first || second
-    });
-}
-
 /// Complete product: upper and lower half.
 #[inline(always)]
 pub(super) fn product<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) -> [[u64; WORDS]; 2] {
-    // the product with each word of b is added to the words from there on; the lowest of them is then complete
     let (mut upper, mut lower) = ([0; WORDS], [0; WORDS]);
     for (factor, complete) in b.iter().zip(&mut lower).rev() {
         let mut carry = 0;
@@ -80,8 +68,7 @@ pub(super) fn product<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) ->
     [upper, lower]
 }
 
-/// Quotient a/b of numbers with the leading bit set, times 2^(56 (WORDS + 1)): digits of 56 bits, each computed from the reciprocal of
-/// the leading word of b and at most 4 too small.
+/// Quotient a/b of numbers with the leading bit set, times 2^(56 (WORDS + 1)), in digits of 56 bits that are at most 4 too small.
 #[inline(always)]
 pub(super) fn quotient<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) -> [[u64; WORDS]; 2] {
     // at most the true one
@@ -159,8 +146,8 @@ mod tests {
     /// The first approximations have the stated accuracy over their whole range.
     #[test]
     fn reciprocals_and_roots_begin_well() {
-        let whole = |number: u64| Extended::from_integer(number, 0);
-        let power = |exponent| Extended::from_integer(1, exponent);
+        let whole = |number: u64| Extended::from_integer(number.into(), 0, false);
+        let power = |exponent| Extended::from_integer(1, exponent, false);
         let (mut worst, steps) = ([0.0_f64; 2], if cfg!(miri) { 300 } else { 100_000 });
         for k in 0..=steps {
             let divisor = (1 << 63) + k * ((u64::MAX >> 1) / steps);

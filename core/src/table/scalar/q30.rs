@@ -23,7 +23,11 @@ impl Q30 {
         if SOFT_FLOAT {
             // the same bits as the product below: a product with a power of two is exact
             let converted = (number as f32).to_bits();
-            return if number == 0 { 0.0 } else { f32::from_bits(converted.wrapping_add_signed(exponent << 23)) };
+            return if number == 0 {
+                0.0
+            } else {
+                f32::from_bits(converted.wrapping_add_signed(exponent << 23))
+            };
         }
         number as f32 * f32::from_bits(((exponent + 127) as u32) << 23)
     }
