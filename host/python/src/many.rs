@@ -11,7 +11,7 @@ use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyIterator, PyList, PySlice};
 use std::sync::Arc;
-use toytop_page::constants::{CONSTANTS, MotionConstants};
+use toytop_model::constants::{CONSTANTS, MotionConstants};
 
 /// Motions of many tops or many launches, computed on all cores without the interpreter's lock.
 ///

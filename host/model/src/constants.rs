@@ -95,12 +95,6 @@ pub const CONSTANTS: [Constant; 34] = [
     ("m_z", |motion| momentum(motion)[2]),
 ];
 
-/// Names of all that [`launch`](crate::exports::launch) puts into the numbers: the constants, the bound on the orientation
-/// error at t = 0, rad, and its growth, rad/s.
-pub fn names() -> impl Iterator<Item = &'static str> {
-    CONSTANTS.iter().map(|(name, _)| *name).chain(["error", "error_growth"])
-}
-
 /// Number of a support: 0 sliding, 1 held, 2 free.
 fn support(support: Support) -> f64 {
     match support {
