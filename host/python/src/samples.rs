@@ -1,7 +1,6 @@
 //! Class `Samples`, motions at given times.
 
-use crate::arrays::{Given, Numbers, array};
-use crate::error::{failed, value_error};
+use crate::arguments::{Given, Numbers, array, failed, value_error};
 use crate::interrupt;
 use numpy::PyArrayMethods;
 use pyo3::exceptions::PyTypeError;

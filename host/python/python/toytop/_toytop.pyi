@@ -1,36 +1,36 @@
 """Compiled part of toytop. Import from toytop instead."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from os import PathLike
-from typing import Any, ClassVar, Literal, TypeAlias, final, overload
+from typing import Any, ClassVar, Literal, TypeAlias, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._many import Many
+from ._notebook import Page
+
 __all__ = [
     "ClosedForm",
-    "Fitted",
-    "Many",
+    "FittedLaunch",
     "Motion",
-    "Page",
     "Samples",
-    "Score",
     "Top",
     "__version__",
+    "constant",
     "fit",
-    "many",
+    "launched",
     "order",
+    "samples",
     "score",
     "simulate",
+    "text_of",
 ]
 
 __version__: str
 
 _Array: TypeAlias = NDArray[np.float64]
 _Scalar: TypeAlias = Literal["f64", "f32", "q31", "q15"]
-_Free: TypeAlias = Literal[
-    "transverse_inertia", "axial_inertia", "com_height", "mass", "mass_moment", "gravity"
-]
 
 @final
 class Top:
@@ -237,143 +237,39 @@ class ClosedForm:
     def __reduce__(self) -> tuple[Any, ...]: ...
 
 @final
-class Many:
-    def at(self, t: ArrayLike, *, scalar: _Scalar = "f64") -> Samples: ...
-    def constant(self, name: str) -> _Array: ...
-    @staticmethod
-    def _of(motions: list[Motion]) -> Many: ...
-    def __len__(self) -> int: ...
-    @overload
-    def __getitem__(self, index: int, /) -> Motion: ...
-    @overload
-    def __getitem__(self, index: slice, /) -> Many: ...
-    def __iter__(self) -> Iterator[Motion]: ...
-    def __copy__(self) -> Many: ...
-    def __deepcopy__(self, _memo: Any) -> Many: ...
-    def __reduce__(self) -> tuple[Any, ...]: ...
+class FittedLaunch:
+    def orientation_covariance(self, motion: Motion, t: ArrayLike) -> _Array: ...
 
-@final
-class Score:
-    @property
-    def max_error(self) -> float: ...
-    @property
-    def rms_error(self) -> float: ...
-    @property
-    def final_error(self) -> float: ...
-    @property
-    def max_u_error(self) -> float: ...
-    @property
-    def nutation_error(self) -> float | None: ...
-    @property
-    def precession_error(self) -> float | None: ...
-    @property
-    def spin_error(self) -> float | None: ...
-    @property
-    def residual(self) -> float | None: ...
-    @property
-    def drift_h(self) -> float | None: ...
-    @property
-    def drift_l(self) -> float | None: ...
-    @property
-    def drift_n(self) -> float | None: ...
-    @property
-    def norm_error(self) -> float: ...
-    @property
-    def truth_bound(self) -> float: ...
-    @property
-    def doubt(self) -> str | None: ...
-
-@final
-class Fitted:
-    @property
-    def converged(self) -> bool: ...
-    @property
-    def reason(self) -> str | None: ...
-    @property
-    def motion(self) -> Motion: ...
-    @property
-    def epoch(self) -> float: ...
-    @property
-    def quaternion(self) -> _Array: ...
-    @property
-    def omega(self) -> _Array: ...
-    @property
-    def spin(self) -> tuple[float, float]: ...
-    @property
-    def tilt(self) -> tuple[float, float]: ...
-    @property
-    def unknowns(self) -> list[str]: ...
-    @property
-    def covariance(self) -> _Array: ...
-    @property
-    def deviations(self) -> _Array: ...
-    @property
-    def drift(self) -> tuple[_Array, _Array] | None: ...
-    @property
-    def losses(self) -> dict[str, tuple[float, float]] | None: ...
-    @property
-    def free(self) -> dict[str, tuple[float, float]]: ...
-    @property
-    def biases(self) -> dict[str, tuple[_Array, _Array]]: ...
-    @property
-    def undetermined(self) -> list[Literal["yaw", "roll", "spin", "other"]]: ...
-    @property
-    def alternatives(self) -> int: ...
-    @property
-    def chi_squared(self) -> float: ...
-    @property
-    def reduced_chi_squared(self) -> float: ...
-    @property
-    def used(self) -> int: ...
-    @property
-    def saturated(self) -> int: ...
-    @property
-    def outliers(self) -> int: ...
-    @property
-    def residuals(self) -> dict[str, _Array]: ...
-    def orientation_covariance(self, t: ArrayLike) -> _Array: ...
-
-@final
-class Page:
-    @property
-    def html(self) -> str: ...
-    def save(self, path: str | PathLike[str]) -> None: ...
-    def _repr_html_(self) -> str: ...
-
-# releases: also a data frame; quaternion: also a scipy Rotation; neither is a dependency
-def many(
-    tops: Top | Iterable[Top],
-    releases: Any = None,
-    *,
-    quaternion: Any = None,
-    omega: ArrayLike | None = None,
-    omega_body: ArrayLike | None = None,
-) -> Many: ...
-# quaternion: also a scipy Rotation, which is no dependency
+def constant(motions: Sequence[Motion], name: str) -> _Array: ...
+def fit(
+    samples: dict[str, Any],
+    top: Top,
+    sensors: tuple[str, str] | None,
+    free: Sequence[str],
+    huber: float,
+    drift: float | None,
+) -> dict[str, Any]: ...
+def launched(
+    tops: Sequence[Top],
+    releases: _Array | None,
+    quaternion: Any,
+    omega: ArrayLike | None,
+    omega_body: ArrayLike | None,
+) -> list[Motion]: ...
+def order(steps: ArrayLike, errors: ArrayLike) -> float | None: ...
+def samples(many: Many, motions: Sequence[Motion], t: ArrayLike, scalar: _Scalar) -> Samples: ...
 def score(
     motion: Motion,
     t: ArrayLike,
     quaternion: Any,
-    *,
-    omega: ArrayLike | None = None,
-    omega_body: ArrayLike | None = None,
-) -> Score: ...
-# samples: a mapping, a structured array or a data frame, which is no dependency
-def fit(
-    samples: Any,
-    top: Top,
-    sensors: Mapping[str, Any] | str | PathLike[str] | None = None,
-    *,
-    free: Sequence[_Free] = ...,
-    huber: float = 3.0,
-    drift: float | None = None,
-) -> Fitted: ...
+    omega: ArrayLike | None,
+    omega_body: ArrayLike | None,
+) -> dict[str, Any]: ...
 def simulate(
     motion: Motion,
-    sensors: Mapping[str, Any] | str | PathLike[str] | None = None,
-    *,
-    hertz: float | None = None,
-    duration: float | None = None,
-    seed: int = 1,
+    sensors: tuple[str, str] | None,
+    hertz: float | None,
+    duration: float | None,
+    seed: int,
 ) -> dict[str, _Array]: ...
-def order(steps: ArrayLike, errors: ArrayLike) -> float | None: ...
+def text_of(path: str | PathLike[str]) -> str: ...
