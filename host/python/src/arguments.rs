@@ -79,17 +79,6 @@ impl Given {
         };
         Ok(Self { numbers, shape: array.shape().to_vec() })
     }
-
-    /// Numbers in rows of N, for an array of two axes whose last one has that length.
-    ///
-    /// # Errors
-    /// `ValueError`: another shape.
-    pub(crate) fn rows<const N: usize>(&self, name: &str) -> PyResult<&[[f64; N]]> {
-        match self.shape[..] {
-            [_, last] if last == N => Ok(self.numbers.as_chunks().0),
-            _ => Err(value_error(name, format!("must be of shape (n, {N}), not {:?}", self.shape))),
-        }
-    }
 }
 
 /// Finite times of an argument `t`: a number, or an array of any shape.

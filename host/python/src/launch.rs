@@ -7,62 +7,36 @@ use pyo3::prelude::*;
 use toytop::{InitialPhases, Motion, Orientation, ParameterError, Release, Sign, Signs, State};
 use toytop_host::truth::motions::Start;
 
-/// Launch of a top.
-pub(crate) enum Launch {
-    /// Tilt, spin, precession, nutation, azimuth and roll.
-    Release([f64; 6]),
-    Attitude {
-        quaternion: [f64; 4],
-        omega: [f64; 3],
-        /// Name of the argument ω: `omega` in the fixed frame, `omega_body` in the body frame.
-        name: &'static str,
-    },
-}
-
 impl PyTop {
-    /// Motion of the top from a launch.
+    /// Motion from tilt, spin, precession, nutation, azimuth and roll.
     ///
     /// # Errors
     /// `ValueError` that names the parameter.
-    pub(crate) fn launched(&self, launch: &Launch) -> PyResult<PyMotion> {
-        let (state, rate) = match *launch {
-            Launch::Release([tilt, spin, precession, nutation, azimuth, roll]) => {
-                let rates = [("spin", spin), ("precession", precession), ("nutation", nutation)];
-                let fastest = rates.into_iter().max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));
-                let release = Release { tilt, azimuth, roll, spin, precession, nutation };
-                (State::release(&release).map_err(refused)?, fastest.map_or("spin", |(name, _)| name))
-            }
-            Launch::Attitude { quaternion, omega, name } => {
-                let state = match name {
-                    "omega" => State::new(Orientation::from_quaternion(quaternion), omega),
-                    _ => State::from_quaternion_and_gyro(quaternion, omega),
-                };
-                let refuse = |error: ParameterError| match error.parameter() {
-                    "alpha" | "beta" => {
-                        let reason = "must be of unit norm: | w^2 + x^2 + y^2 + z^2 - 1 | <= 1e-6";
-                        value_error("quaternion", reason)
-                    }
-                    _ => renamed(error, &[("gyro", name)]),
-                };
-                (state.map_err(refuse)?, name)
-            }
-        };
-        PyMotion::launched(self, &state, rate)
+    pub(crate) fn released(&self, numbers: [f64; 6]) -> PyResult<PyMotion> {
+        let [tilt, spin, precession, nutation, azimuth, roll] = numbers;
+        let rates = [("spin", spin), ("precession", precession), ("nutation", nutation)];
+        let fastest = rates.into_iter().max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));
+        let release = Release { tilt, azimuth, roll, spin, precession, nutation };
+        let state = State::release(&release).map_err(refused)?;
+        PyMotion::launched(self, &state, fastest.map_or("spin", |(name, _)| name))
     }
-}
 
-/// Name and value of the one of two arguments that is given; `None` where neither is.
-///
-/// # Errors
-/// `ValueError`: both are given.
-pub(crate) fn rates<'a, 'py>(
-    omega: Option<&'a Bound<'py, PyAny>>,
-    omega_body: Option<&'a Bound<'py, PyAny>>,
-) -> PyResult<Option<(&'static str, &'a Bound<'py, PyAny>)>> {
-    match (omega, omega_body) {
-        (Some(_), Some(_)) => Err(value_error("omega", "must be left out if omega_body is given")),
-        (Some(omega), None) => Ok(Some(("omega", omega))),
-        (None, omega_body) => Ok(omega_body.map(|omega| ("omega_body", omega))),
+    /// Motion from a quaternion and an angular velocity, `omega` in the fixed frame or `omega_body` in the body frame.
+    ///
+    /// # Errors
+    /// `ValueError` that names the parameter.
+    pub(crate) fn launched(&self, quaternion: [f64; 4], name: &str, omega: [f64; 3]) -> PyResult<PyMotion> {
+        let state = match name {
+            "omega" => State::new(Orientation::from_quaternion(quaternion), omega),
+            _ => State::from_quaternion_and_gyro(quaternion, omega),
+        };
+        let refuse = |error: ParameterError| match error.parameter() {
+            "alpha" | "beta" => {
+                value_error("quaternion", "must be of unit norm: | w^2 + x^2 + y^2 + z^2 - 1 | <= 1e-6")
+            }
+            _ => renamed(error, &[("gyro", name)]),
+        };
+        PyMotion::launched(self, &state.map_err(refuse)?, name)
     }
 }
 
@@ -90,7 +64,7 @@ impl PyTop {
         azimuth: f64,
         roll: f64,
     ) -> PyResult<PyMotion> {
-        self.launched(&Launch::Release([tilt, spin, precession, nutation, azimuth, roll]))
+        self.released([tilt, spin, precession, nutation, azimuth, roll])
     }
 
     /// Motion of this top from an orientation and an angular velocity, as sensors measure them.
@@ -110,11 +84,13 @@ impl PyTop {
         omega: Option<&Bound<'_, PyAny>>,
         omega_body: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<PyMotion> {
-        let Some((name, omega)) = rates(omega, omega_body)? else {
-            return Err(value_error("omega", "must be given, or else omega_body"));
+        let (name, omega) = match (omega, omega_body) {
+            (Some(omega), None) => ("omega", omega),
+            (None, Some(omega)) => ("omega_body", omega),
+            (None, None) => return Err(value_error("omega", "must be given, or else omega_body")),
+            _ => return Err(value_error("omega", "must be left out if omega_body is given")),
         };
-        let (quaternion, omega) = (vector("quaternion", quaternion)?, vector(name, omega)?);
-        self.launched(&Launch::Attitude { quaternion, omega, name })
+        self.launched(vector("quaternion", quaternion)?, name, vector(name, omega)?)
     }
 
     /// Motion of this top with given branch points -1 <= e1 <= e2 <= 1 <= e3 of the paper: u, the cosine of the tilt, oscillates

@@ -2,7 +2,6 @@
 
 use crate::arguments::{Given, Numbers, array, value_error};
 use crate::interrupt;
-use crate::launch::{Launch, rates};
 use crate::motion::{PyMotion, scalar_named};
 use crate::samples::{Samples, Source};
 use crate::top::PyTop;
@@ -10,9 +9,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use toytop_model::constants::{CONSTANTS, MotionConstants};
 
-/// Motions of many tops or many launches, in equal number or one of them single.
-///
-/// * `releases`: rows of tilt, spin, precession, nutation, azimuth and roll, in place of `quaternion` and one of the rates
+/// Motions of tops by rows: the numbers of a release, or a quaternion and the rates of this name. A single top or row counts for all.
 ///
 /// # Errors
 /// `ValueError` that names the launch and the parameter.
@@ -20,51 +17,22 @@ use toytop_model::constants::{CONSTANTS, MotionConstants};
 pub(crate) fn launched(
     py: Python<'_>,
     tops: Vec<Py<PyTop>>,
-    releases: Option<&Bound<'_, PyAny>>,
-    quaternion: Option<&Bound<'_, PyAny>>,
-    omega: Option<&Bound<'_, PyAny>>,
-    omega_body: Option<&Bound<'_, PyAny>>,
-) -> PyResult<Vec<PyMotion>> {
-    let (name, launches): (_, Vec<Launch>) = match (releases, quaternion, rates(omega, omega_body)?) {
-        (Some(releases), None, None) => {
-            let releases = Given::read("releases", releases)?;
-            ("releases", releases.rows("releases")?.iter().copied().map(Launch::Release).collect())
-        }
-        (None, Some(quaternion), Some((name, omega))) => {
-            let (quaternions, omega) = (Given::read("quaternion", quaternion)?, Given::read(name, omega)?);
-            let (quaternions, omega) = (quaternions.rows("quaternion")?, omega.rows(name)?);
-            if omega.len() != quaternions.len() {
-                let (wanted, rows) = (quaternions.len(), omega.len());
-                return Err(value_error(name, format!("must have {wanted} rows, as quaternion; has {rows}")));
-            }
-            let launch = |(quaternion, omega): (&_, &_)| Launch::Attitude {
-                quaternion: *quaternion,
-                omega: *omega,
-                name,
-            };
-            ("quaternion", quaternions.iter().zip(omega).map(launch).collect())
-        }
-        _ => {
-            let reason = "must be given, or else quaternion and one of omega and omega_body";
-            return Err(value_error("releases", reason));
-        }
-    };
-    for (name, length) in [("tops", tops.len()), (name, launches.len())] {
-        if length == 0 {
-            return Err(value_error(name, "must not be empty"));
-        }
-    }
-    let count = tops.len().max(launches.len());
-    if ![tops.len(), launches.len()].iter().all(|length| [1, count].contains(length)) {
-        let reason = format!("must be one or {} as {name}, not {}", launches.len(), tops.len());
-        return Err(value_error("tops", reason));
-    }
-    let motions = interrupt::map(py, count, |index| {
-        let top = tops.get(index).unwrap_or(&tops[0]).get();
-        top.launched(launches.get(index).unwrap_or(&launches[0]))
+    rates: &str,
+    rows: Given,
+) -> PyResult<Vec<Py<PyMotion>>> {
+    let rows: Vec<_> = rows.numbers.chunks(rows.shape[1]).collect();
+    let motions = interrupt::map(py, tops.len().max(rows.len()), |index| {
+        let top = tops[index % tops.len()].get();
+        let (name, motion) = match *rows[index % rows.len()] {
+            [w, x, y, z, a, b, c] => ("quaternion", top.launched([w, x, y, z], rates, [a, b, c])),
+            [a, b, c, d, e, f] => ("releases", top.released([a, b, c, d, e, f])),
+            _ => ("rows", Err(value_error("rows", "must be of 6 or 7 numbers"))),
+        };
+        motion.map(Box::new).map_err(|error| (name, error))
     })?;
-    let named = motions.into_iter().enumerate().map(|(index, motion)| {
-        motion.map_err(|error| PyValueError::new_err(format!("{name}[{index}]: {}", error.value(py))))
+    let named = motions.into_iter().enumerate().map(|(index, motion)| match motion {
+        Ok(motion) => Py::new(py, *motion),
+        Err((name, error)) => Err(PyValueError::new_err(format!("{name}[{index}]: {}", error.value(py)))),
     });
     named.collect()
 }

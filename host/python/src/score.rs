@@ -1,8 +1,7 @@
 //! Functions of the Python module `score`: errors of an integrator.
 
-use crate::arguments::{Given, failed, value_error};
+use crate::arguments::{Given, failed};
 use crate::interrupt;
-use crate::launch::rates;
 use crate::motion::PyMotion;
 use pyo3::prelude::*;
 use toytop::Orientation;
@@ -36,34 +35,19 @@ pub(crate) struct ScoreFields {
 pub(crate) fn score(
     py: Python<'_>,
     motion: &PyMotion,
-    t: &Bound<'_, PyAny>,
-    quaternion: &Bound<'_, PyAny>,
-    omega: Option<&Bound<'_, PyAny>>,
-    omega_body: Option<&Bound<'_, PyAny>>,
+    t: Given,
+    quaternion: Given,
+    omega: Option<Given>,
+    in_body: bool,
 ) -> PyResult<ScoreFields> {
-    let times = Given::read("t", t)?.numbers;
-    let orientations = Given::read("quaternion", quaternion)?.rows("quaternion")?.to_vec();
-    let (name, rates) = match rates(omega, omega_body)? {
-        Some((name, omega)) => (name, Some(Given::read(name, omega)?.rows::<3>(name)?.to_vec())),
-        None => ("omega", None),
-    };
-    let count = times.len();
-    for (name, length) in [("quaternion", orientations.len()), (name, rates.as_ref().map_or(count, Vec::len))]
-    {
-        if length != count {
-            return Err(value_error(name, format!("must have {count} rows, as t; has {length}")));
-        }
-    }
-    let goes_on = times.is_sorted_by(|a, b| a < b) || times.is_sorted_by(|a, b| a > b);
-    if count == 0 || !goes_on {
-        return Err(value_error("t", "must be at least one time, and go on in one direction"));
-    }
+    let count = t.numbers.len();
     let row = move |i: usize| {
-        let (orientation, norm_error) = normalised(Orientation::from_quaternion(orientations[i]))
-            .map_err(|reason| Failure::Input(format!("quaternion: row {i}: {reason}")))?;
-        let in_fixed = |rate: [f64; 3]| if name == "omega" { rate } else { orientation.adjoint(rate) };
-        let omega = rates.as_ref().map(|rates| in_fixed(rates[i]));
-        Ok(Row { t: times[i], orientation, norm_error, omega, tip: None, com: None })
+        let given = Orientation::from_quaternion(quaternion.numbers.as_chunks().0[i]);
+        let (orientation, norm_error) =
+            normalised(given).map_err(|reason| Failure::Input(format!("quaternion: row {i}: {reason}")))?;
+        let in_fixed = |rate: [f64; 3]| if in_body { orientation.adjoint(rate) } else { rate };
+        let omega = omega.as_ref().map(|rates| in_fixed(rates.numbers.as_chunks().0[i]));
+        Ok(Row { t: t.numbers[i], orientation, norm_error, omega, tip: None, com: None })
     };
     let scenario = Scenario { name: "motion".into(), motion: motion.motion, given: None, units: Units::Si };
     let score = interrupt::alone(py, move || {
@@ -93,13 +77,8 @@ pub(crate) fn score(
     })
 }
 
-/// Order of convergence, fitted to the errors of several step sizes; None where fewer than two of them tell it.
+/// Order of convergence, fitted to rows of a step size and its error.
 #[pyfunction]
-pub(crate) fn order(steps: &Bound<'_, PyAny>, errors: &Bound<'_, PyAny>) -> PyResult<Option<f64>> {
-    let (steps, errors) = (Given::read("steps", steps)?.numbers, Given::read("errors", errors)?.numbers);
-    if steps.len() != errors.len() {
-        return Err(value_error("errors", format!("must be {} numbers, as steps", steps.len())));
-    }
-    let runs: Vec<_> = steps.into_iter().zip(errors).map(|(step, error)| [step, error]).collect();
-    Ok(convergence::fitted(&runs))
+pub(crate) fn order(runs: Given) -> Option<f64> {
+    convergence::fitted(runs.numbers.as_chunks().0)
 }

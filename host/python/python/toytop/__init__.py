@@ -17,8 +17,8 @@ points upward, the third body axis from the tip to the centre of mass. All class
 from ._fit import Fitted, fit, simulate
 from ._many import Many, many
 from ._notebook import Page
-from ._score import Score, score
-from ._toytop import ClosedForm, Motion, Samples, Top, __version__, order
+from ._score import Score, order, score
+from ._toytop import ClosedForm, Motion, Samples, Top, __version__
 
 __all__ = [
     "ClosedForm",

@@ -1,4 +1,4 @@
-"""Arguments that hold numbers: arrays, and columns by name."""
+"""Arguments that hold numbers: arrays, rows, and columns by name."""
 
 from __future__ import annotations
 
@@ -29,6 +29,45 @@ def numbers(name: str, given: Any) -> NDArray[np.float64]:
     if numbers is None:
         raise ValueError(f"{name}: must be numbers, not {array.dtype}")
     return numbers
+
+
+def finite(name: str, given: Any) -> NDArray[np.float64]:
+    """Array of finite numbers.
+
+    Raises:
+        ValueError: as numbers, or a number is not finite.
+    """
+    import numpy as np
+
+    array = numbers(name, given)
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name}: must be finite")
+    return array
+
+
+def rows(name: str, given: Any, width: int) -> NDArray[np.float64]:
+    """Array of finite numbers in rows of this width.
+
+    Raises:
+        ValueError: as finite, or another shape.
+    """
+    array = finite(name, given)
+    if array.ndim != 2 or array.shape[1] != width:
+        raise ValueError(f"{name}: must be of shape (n, {width}), not {list(array.shape)}")
+    return array
+
+
+def rates(omega: Any, omega_body: Any) -> tuple[str, Any]:
+    """Name and value of the one of two angular velocities that is given; the value is None where neither is.
+
+    Raises:
+        ValueError: both are given.
+    """
+    if omega is None and omega_body is not None:
+        return "omega_body", omega_body
+    if omega_body is not None:
+        raise ValueError("omega: must be left out if omega_body is given")
+    return "omega", omega
 
 
 def columns(parameter: str, given: Any) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, Literal, final, overload
 
 from . import _toytop
-from ._arguments import columns, numbers
+from ._arguments import columns, finite, rates, rows
 
 if TYPE_CHECKING:
     import numpy as np
@@ -39,9 +39,25 @@ def many(
     Raises:
         ValueError: a number is out of range; the message names the launch and the number.
     """
+    import numpy as np
+
     tops = [tops] if isinstance(tops, _toytop.Top) else list(tops)
-    rows = None if releases is None else release_rows(releases)
-    return Many(_toytop.launched(tops, rows, quaternion, omega, omega_body))
+    name, rate = rates(omega, omega_body)
+    if releases is not None and quaternion is None and rate is None:
+        kind, launches = "releases", release_rows(releases)
+    elif releases is None and quaternion is not None and rate is not None:
+        kind, quaternions, velocities = "quaternion", rows("quaternion", quaternion, 4), rows(name, rate, 3)
+        if len(velocities) != len(quaternions):
+            raise ValueError(f"{name}: must have {len(quaternions)} rows, as quaternion; has {len(velocities)}")
+        launches = np.hstack([quaternions, velocities])
+    else:
+        raise ValueError("releases: must be given, or else quaternion and one of omega and omega_body")
+    for given, length in (("tops", len(tops)), (kind, len(launches))):
+        if length == 0:
+            raise ValueError(f"{given}: must not be empty")
+    if len(tops) != len(launches) and 1 not in (len(tops), len(launches)):
+        raise ValueError(f"tops: must be one or {len(launches)} as {kind}, not {len(tops)}")
+    return Many(_toytop.launched(tops, name, launches))
 
 
 @final
@@ -107,11 +123,11 @@ def release_rows(releases: Any) -> NDArray[np.float64]:
 
     if not isinstance(releases, (list, tuple)):
         return rows_of_columns("releases", releases)
-    rows = [rows_of_columns(f"releases[{index}]", release) for index, release in enumerate(releases)]
-    for index, row in enumerate(rows):
+    found = [rows_of_columns(f"releases[{index}]", release) for index, release in enumerate(releases)]
+    for index, row in enumerate(found):
         if len(row) != 1:
             raise ValueError(f"releases[{index}]: must hold numbers, not arrays")
-    return np.concatenate([np.empty((0, len(RELEASE))), *rows])
+    return np.concatenate([np.empty((0, len(RELEASE))), *found])
 
 
 def rows_of_columns(parameter: str, release: Any) -> NDArray[np.float64]:
@@ -125,13 +141,11 @@ def rows_of_columns(parameter: str, release: Any) -> NDArray[np.float64]:
     for name in RELEASE[:REQUIRED]:
         if name not in given:
             raise ValueError(f"{parameter}: {name}: missing")
-    read = {name: numbers(f"{parameter}: {name}", given[name]) for name in RELEASE if name in given}
+    read = {name: finite(f"{parameter}: {name}", given[name]) for name in RELEASE if name in given}
     length = next((column.size for column in read.values() if column.ndim and column.size != 1), 1)
-    rows = np.zeros((length, len(RELEASE)))
+    found = np.zeros((length, len(RELEASE)))
     for name, column in read.items():
-        if not np.isfinite(column).all():
-            raise ValueError(f"{parameter}: {name}: must be finite")
         if column.ndim > 1 or column.size not in (1, length):
             raise ValueError(f"{parameter}: {name}: must be a number or of shape ({length},), as the others")
-        rows[:, RELEASE.index(name)] = column
-    return rows
+        found[:, RELEASE.index(name)] = column
+    return found

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, final
 
 from . import _toytop
+from ._arguments import finite, rates, rows
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -30,7 +31,25 @@ def score(
     Raises:
         ValueError: an array is of the wrong shape, holds no rotation, or t does not go on; the message names it.
     """
-    return Score(**_toytop.score(motion, t, quaternion, omega, omega_body))
+    name, rate = rates(omega, omega_body)
+    times, quaternions = finite("t", t).ravel(), rows("quaternion", quaternion, 4)
+    velocities = None if rate is None else rows(name, rate, 3)
+    for column, array in (("quaternion", quaternions), (name, velocities)):
+        if array is not None and len(array) != len(times):
+            raise ValueError(f"{column}: must have {len(times)} rows, as t; has {len(array)}")
+    if len(times) == 0 or not ((times[1:] > times[:-1]).all() or (times[1:] < times[:-1]).all()):
+        raise ValueError("t: must be at least one time, and go on in one direction")
+    return Score(**_toytop.score(motion, times, quaternions, velocities, name == "omega_body"))
+
+
+def order(steps: ArrayLike, errors: ArrayLike) -> float | None:
+    """Order of convergence, fitted to the errors of several step sizes; None where fewer than two of them tell it."""
+    import numpy as np
+
+    given, found = finite("steps", steps).ravel(), finite("errors", errors).ravel()
+    if len(given) != len(found):
+        raise ValueError(f"errors: must be {len(given)} numbers, as steps")
+    return _toytop.order(np.column_stack([given, found]))
 
 
 @final

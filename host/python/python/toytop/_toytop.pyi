@@ -249,21 +249,11 @@ def fit(
     huber: float,
     drift: float | None,
 ) -> dict[str, Any]: ...
-def launched(
-    tops: Sequence[Top],
-    releases: _Array | None,
-    quaternion: Any,
-    omega: ArrayLike | None,
-    omega_body: ArrayLike | None,
-) -> list[Motion]: ...
-def order(steps: ArrayLike, errors: ArrayLike) -> float | None: ...
+def launched(tops: Sequence[Top], rates: str, rows: _Array) -> list[Motion]: ...
+def order(runs: _Array) -> float | None: ...
 def samples(many: Many, motions: Sequence[Motion], t: ArrayLike, scalar: _Scalar) -> Samples: ...
 def score(
-    motion: Motion,
-    t: ArrayLike,
-    quaternion: Any,
-    omega: ArrayLike | None,
-    omega_body: ArrayLike | None,
+    motion: Motion, t: _Array, quaternion: _Array, omega: _Array | None, in_body: bool
 ) -> dict[str, Any]: ...
 def simulate(
     motion: Motion,

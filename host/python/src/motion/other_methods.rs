@@ -98,22 +98,17 @@ impl PyMotion {
     ///     digits: significant digits, from 1 to 50; the truth itself has more than thirty.
     #[pyo3(signature = (t, *, digits=30))]
     fn reference_digits<'py>(&self, py: Python<'py>, t: Given, digits: i64) -> PyResult<Bound<'py, PyAny>> {
-        let Given { numbers: times, mut shape } = t;
         if !(1..=50).contains(&digits) {
             return Err(value_error("digits", "must be between 1 and 50"));
         }
-        self.within_reach(&times)?;
+        self.within_reach(&t.numbers)?;
         let truth = py.detach(|| self.truth());
-        let texts = interrupt::map(py, times.len(), |index| {
-            let phi = truth.at(&precise(times[index]));
+        let texts = interrupt::map(py, t.numbers.len(), |index| {
+            let phi = truth.at(&precise(t.numbers[index]));
             let [[w, z], [y, x]] = [phi.alpha, phi.beta];
             [w, x, -y, z].map(|component| decimal(&component, digits as usize))
         })?;
-        let exact = py.import("decimal")?.getattr("Decimal")?;
-        let numbers = texts.into_iter().flatten().map(|text| exact.call1((text,)));
-        let numbers = numbers.collect::<PyResult<Vec<_>>>()?;
-        shape.push(4);
-        py.import("numpy")?.call_method1("array", (numbers, "object"))?.call_method1("reshape", (shape,))
+        py.import("toytop._samples")?.call_method1("decimals", (texts, t.shape))
     }
 }
 
