@@ -39,16 +39,16 @@ impl PyTop {
             ("transverse_inertia", given.transverse_inertia),
             ("axial_inertia", given.axial_inertia),
             ("rotor_momentum", given.rotor_momentum),
+            ("gravity", given.gravity),
+            ("mass", given.mass),
+            ("mass_moment", given.mass_moment),
+            ("com_height", given.com_height),
         ];
-        if self.top.support() != Support::Free {
-            numbers.extend([
-                ("gravity", given.gravity),
-                ("mass", given.mass),
-                ("mass_moment", given.mass_moment),
-                ("com_height", given.com_height),
-            ]);
-        }
-        numbers.retain(|(name, x)| *x != 0.0 || ["axial_inertia", "gravity"].contains(name));
+        numbers.retain(|(name, x)| match *name {
+            "axial_inertia" => true,
+            "gravity" => self.top.support() != Support::Free,
+            _ => *x != 0.0,
+        });
         numbers
     }
 

@@ -87,26 +87,26 @@ impl PyMotion {
     fn sought(&self, kind: &str, value: Option<f64>) -> PyResult<Vec<EventQuery>> {
         let (motion, top) = (&self.motion, self.motion.top());
         let named = |error| renamed(error, &[("tilt", "value"), ("radius", "value")]);
-        let given = || value.ok_or_else(|| value_error("value", format!("must be given for {kind:?}")));
-        Ok(match kind {
-            "tilt" => vec![EventQuery::Crossing(Level::of_tilt(given()?).map_err(named)?)],
-            "direction" => match given()? {
-                angle if angle.abs() <= 1e6 => {
-                    vec![EventQuery::TipAngle(Phase::new(angle / std::f64::consts::TAU))]
-                }
-                _ => return Err(value_error("value", "must be within ±1e6 rad")),
-            },
-            "circle" => Level::of_circle(top, given()?).map_err(named)?.map(EventQuery::Crossing).to_vec(),
-            "turning" | "lift_off" if value.is_some() => {
+        let levels = |levels: &[Level]| levels.iter().copied().map(EventQuery::Crossing).collect();
+        Ok(match (kind, value) {
+            ("turning", None) => vec![EventQuery::Turning],
+            ("tilt", Some(tilt)) => levels(&[Level::of_tilt(tilt).map_err(named)?]),
+            ("direction", Some(angle)) if angle.abs() <= 1e6 => {
+                vec![EventQuery::TipAngle(Phase::new(angle / std::f64::consts::TAU))]
+            }
+            ("direction", Some(_)) => return Err(value_error("value", "must be within ±1e6 rad")),
+            ("circle", Some(radius)) => levels(&Level::of_circle(top, radius).map_err(named)?),
+            ("lift_off", None) if top.support() == Support::Sliding => {
+                levels(Level::of_lift_off(motion).as_slice())
+            }
+            ("lift_off", None) => {
+                return Err(value_error("kind", "must not be 'lift_off': the tip does not slide on a plane"));
+            }
+            ("turning" | "lift_off", _) => {
                 return Err(value_error("value", format!("must be left out for {kind:?}")));
             }
-            "turning" => vec![EventQuery::Turning],
-            "lift_off" if top.support() == Support::Sliding => {
-                Level::of_lift_off(motion).map(EventQuery::Crossing).into_iter().collect()
-            }
-            "lift_off" => {
-                let reason = "must not be 'lift_off': the tip does not slide on a plane";
-                return Err(value_error("kind", reason));
+            ("tilt" | "direction" | "circle", _) => {
+                return Err(value_error("value", format!("must be given for {kind:?}")));
             }
             _ => {
                 let kinds = "'turning', 'tilt', 'direction', 'circle', 'lift_off'";
