@@ -5,7 +5,7 @@
 
 use crate::ghost::Ghost;
 use crate::scenario::{self, MotionNumbers, TopNumbers};
-use crate::table::{self, Table, moment_at};
+use crate::table::{self, Table};
 use core::array::from_fn;
 use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
@@ -75,7 +75,7 @@ fn launched(top: &TopNumbers, kind: u32, numbers: &MotionNumbers) -> Result<Moti
 /// Puts the moment t after t = 0 into the numbers.
 #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 pub extern "C" fn moment(t: f64) {
-    put(moment_at(&TABLE.lock(), t));
+    put(table::moment(TABLE.lock().at(t)));
 }
 
 /// Puts axis and tip at `count` times into the numbers, the first at `from`, `step` apart.
@@ -83,7 +83,7 @@ pub extern "C" fn moment(t: f64) {
 pub extern "C" fn curve(from: f64, step: f64, count: u32) {
     let table = TABLE.lock();
     put((0..count).flat_map(|i| {
-        let [.., r1, r2, r3, c1, c2] = moment_at(&table, from + step * f64::from(i));
+        let [.., r1, r2, r3, c1, c2] = table::moment(table.at(from + step * f64::from(i)));
         [r1, r2, r3, c1, c2]
     }));
 }
@@ -102,7 +102,7 @@ pub extern "C" fn ghost_moment(t: f64) -> u32 {
     let Some(ghost) = &mut *GHOST.lock() else { return 0 };
     let (reached, orientation, tip) = ghost.go(t);
     let distance = TABLE.lock().at(reached).0.distance(&orientation);
-    put(table::moment(&orientation, tip).into_iter().chain([reached, distance]));
+    put(table::moment((orientation, tip)).into_iter().chain([reached, distance]));
     1
 }
 

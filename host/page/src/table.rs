@@ -86,14 +86,8 @@ impl Table {
     }
 }
 
-/// Moment t after t = 0, with t taken as exact.
-pub fn moment_at(table: &Table, t: f64) -> Moment {
-    let (orientation, tip) = table.at(t);
-    moment(&orientation, tip)
-}
-
-/// Numbers of a moment.
-pub fn moment(orientation: &Orientation<f64>, tip: Complex<f64>) -> Moment {
+/// Moment of an orientation and a tip.
+pub fn moment((orientation, tip): (Orientation<f64>, Complex<f64>)) -> Moment {
     let (Orientation { alpha, beta }, [x, y, z]) = (orientation, orientation.axis());
     [alpha.re, alpha.im, beta.re, beta.im, orientation.clamped_u(), x, y, z, tip.re, tip.im]
 }

@@ -8,7 +8,7 @@ use toytop_model::ticks::tick;
 use toytop_page::exports::launch_names;
 use toytop_page::ghost::{Ghost, MOST_STEPS};
 use toytop_page::scenario;
-use toytop_page::table::{Table, moment_at};
+use toytop_page::table::{Table, moment};
 
 /// The toy top of the README: support, A, C, s, M, p, g.
 const TOY_TOP: [f64; 8] = [0.0, 3.0e-5, 2.0e-5, 0.03, 0.05, 0.0, 9.81, 0.0];
@@ -124,7 +124,7 @@ fn a_moment_is_the_cores() {
         table.set_up(&motion).unwrap();
         let core = EphemerisF64::new(&motion, tick(&motion).unwrap()).unwrap();
         for t in [0.0, 0.3125, -7.1, 1e6] {
-            let [a, b, c, d, u, .., x, y] = moment_at(&table, t);
+            let [a, b, c, d, u, .., x, y] = moment(table.at(t));
             let Pose { orientation: phi, tip, .. } = core.at(t).pose();
             assert_eq!([a, b, c, d], [phi.alpha.re, phi.alpha.im, phi.beta.re, phi.beta.im]);
             assert_eq!([u, x, y], [phi.clamped_u(), tip.re, tip.im]);

@@ -6,9 +6,9 @@ use crate::motion::PyMotion;
 use crate::top::PyTop;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyString};
+use pyo3::types::{IntoPyDict, PyDict, PyString};
 use toml::{Table, Value};
-use toytop_fit::{Drift, Measurement, Sensitivity};
+use toytop_fit::{Drift, Measurement};
 use toytop_host::fit::columns::{Columns, keep_present};
 use toytop_host::fit::launch::FitInput;
 use toytop_host::fit::report::FitReport;
@@ -24,14 +24,12 @@ pub(crate) struct FittedFields<'py> {
     _core: FittedLaunch,
     /// Motion, or the reason why there is none.
     _launched: Bound<'py, PyAny>,
-    converged: bool,
     reason: Option<String>,
     epoch: f64,
     quaternion: Array<'py>,
     omega: Array<'py>,
     spin: (f64, f64),
     tilt: (f64, f64),
-    unknowns: Vec<String>,
     covariance: Bound<'py, Numbers>,
     deviations: Array<'py>,
     drift: Option<(Array<'py>, Array<'py>)>,
@@ -119,45 +117,32 @@ fn fields<'py>(py: Python<'py>, report: &FitReport, residuals: Columns) -> PyRes
         (None, Ok(text)) => Bound::new(py, PyMotion::parsed("fitted", &text)?)?.into_any(),
     };
     let numbers = |numbers: &[f64]| numbers.to_vec().into_pyarray(py);
-    let all = core.deviations();
-    let mut unknowns: Vec<_> = Sensitivity::NAMES[..6].iter().map(|name| (*name).to_owned()).collect();
-    let (free, biases) = (PyDict::new(py), PyDict::new(py));
-    for (key, value, deviation) in report.freed() {
-        free.set_item(key, (value, deviation))?;
-        unknowns.push(key.to_owned());
-    }
-    let mut losses = None;
-    if let Some(drift) = &core.drift {
-        let by_name = PyDict::new(py);
-        for (name, loss) in Drift::LOSSES.into_iter().zip(drift.losses) {
-            by_name.set_item(name, (loss, all[unknowns.len()]))?;
-            unknowns.push(name.to_owned());
-        }
-        losses = Some(by_name);
-    }
-    for (name, values, deviations) in report.biases() {
-        biases.set_item(name, (numbers(&values), numbers(&deviations)))?;
-        unknowns.extend(["x", "y", "z"].map(|axis| format!("{name}_bias_{axis}")));
-    }
+    let (deviations, freed) = (core.deviations(), report.freed());
+    let of_losses = &deviations[6 + freed.len()..];
+    let losses = core.drift.map(|drift| {
+        let values = drift.losses.into_iter().zip(of_losses.iter().copied());
+        Drift::LOSSES.into_iter().zip(values).into_py_dict(py)
+    });
+    let free = freed.into_iter().map(|(key, value, deviation)| (key, (value, deviation)));
+    let biases = report.biases().into_iter();
+    let biases = biases.map(|(name, values, deviations)| (name, (numbers(&values), numbers(&deviations))));
     let (count, [spin, tilt]) = (core.count, report.spin_and_tilt());
     let covariance = (0..count * count).map(|at| core.covariance.get(at / count, at % count)).collect();
     Ok(FittedFields {
         _core: FittedLaunch(core),
         _launched: launched,
-        converged: core.converged(),
         reason: report.reason.clone(),
         epoch: core.epoch,
         quaternion: numbers(&core.launch.orientation.quaternion()),
         omega: numbers(&core.launch.omega),
         spin,
         tilt,
-        unknowns,
         covariance: array(py, covariance, &[count, count])?,
-        deviations: numbers(&all[..count]),
+        deviations: numbers(&deviations[..count]),
         drift: core.drift.map(|drift| (numbers(&drift.rates), numbers(&drift.deviations()))),
-        free,
-        losses,
-        biases,
+        free: free.into_py_dict(py)?,
+        losses: losses.transpose()?,
+        biases: biases.into_py_dict(py)?,
         undetermined: report.undetermined(),
         alternatives: core.alternatives,
         chi_squared: core.statistics.chi_squared,
@@ -235,10 +220,7 @@ fn columns(samples: &Bound<'_, PyDict>, sensors: &mut Sensors, all: bool) -> PyR
 }
 
 /// Columns as a dictionary of arrays.
-fn dictionary<'py>(py: Python<'py>, columns: Columns) -> PyResult<Bound<'py, PyDict>> {
-    let dictionary = PyDict::new(py);
-    for (name, numbers) in [("t", columns.t)].into_iter().chain(columns.readings) {
-        dictionary.set_item(name, numbers.into_pyarray(py))?;
-    }
-    Ok(dictionary)
+fn dictionary(py: Python<'_>, columns: Columns) -> PyResult<Bound<'_, PyDict>> {
+    let columns = [("t", columns.t)].into_iter().chain(columns.readings);
+    columns.map(|(name, numbers)| (name, numbers.into_pyarray(py))).into_py_dict(py)
 }

@@ -104,17 +104,12 @@ class Fitted:
     """Launch of a top fitted to samples, with its error bars. It is made by toytop.fit.
 
     Attributes:
-        converged: whether the launch may be trusted.
         reason: reason why the launch must not be trusted; None where it may be.
         epoch: time of the launch among the samples, s: that of the first one; with a drift, that of the last one.
         quaternion: quaternion w, x, y, z of the launch.
         omega: angular velocity of the launch in the fixed frame, rad/s.
         spin: component of the angular velocity along the axis, rad/s, and its standard deviation.
         tilt: angle of the axis from the upward vertical at the epoch, rad, and its standard deviation.
-        unknowns: names of the rows and columns of the covariance: the rotation vector of the orientation in the fixed frame (rad), the
-            change of omega in the frame that this rotation turns (rad/s), in which a poorly known yaw does not make omega uncertain, the
-            logarithms of the free numbers of the top, the losses of rotation (1/s) if there is a drift, and the biases in the units of
-            their sensors.
         covariance: covariance of the unknowns. In a direction that is undetermined the standard deviation is 10 rad, or ten times omega.
         deviations: standard deviations of the unknowns.
         drift: mean rates of change of the first integrals l, n (N m) and h (W) during the samples, and their standard deviations; None
@@ -136,14 +131,12 @@ class Fitted:
 
     _core: _toytop.FittedLaunch
     _launched: _toytop.Motion | str
-    converged: bool
     reason: str | None
     epoch: float
     quaternion: _Array
     omega: _Array
     spin: tuple[float, float]
     tilt: tuple[float, float]
-    unknowns: list[str]
     covariance: _Array
     deviations: _Array
     drift: tuple[_Array, _Array] | None
@@ -158,6 +151,20 @@ class Fitted:
     saturated: int
     outliers: int
     residuals: dict[str, _Array]
+
+    @property
+    def converged(self) -> bool:
+        """Whether the launch may be trusted."""
+        return self.reason is None
+
+    @property
+    def unknowns(self) -> list[str]:
+        """Names of the rows and columns of the covariance: the rotation vector of the orientation in the fixed frame (rad), the change of
+        omega in the frame that this rotation turns (rad/s), in which a poorly known yaw does not make omega uncertain, the logarithms of
+        the free numbers of the top, the losses of rotation (1/s) if there is a drift, and the biases in the units of their sensors.
+        """
+        of_biases = [f"{name}_bias_{axis}" for name in self.biases for axis in "xyz"]
+        return [*_toytop.Motion.partial_names[:6], *self.free, *(self.losses or ()), *of_biases]
 
     @property
     def motion(self) -> _toytop.Motion:

@@ -85,33 +85,30 @@ impl PyMotion {
 impl PyMotion {
     /// Searches for the events of a kind: two where two levels of u belong to a circle, none where a top does not leave the plane.
     fn sought(&self, kind: &str, value: Option<f64>) -> PyResult<Vec<EventQuery>> {
-        let (motion, top) = (&self.motion, self.motion.top());
+        let top = self.motion.top();
         let named = |error| renamed(error, &[("tilt", "value"), ("radius", "value")]);
         let levels = |levels: &[Level]| levels.iter().copied().map(EventQuery::Crossing).collect();
-        Ok(match (kind, value) {
-            ("turning", None) => vec![EventQuery::Turning],
-            ("tilt", Some(tilt)) => levels(&[Level::of_tilt(tilt).map_err(named)?]),
+        let (name, reason) = match (kind, value) {
+            ("turning", None) => return Ok(vec![EventQuery::Turning]),
+            ("tilt", Some(tilt)) => return Ok(levels(&[Level::of_tilt(tilt).map_err(named)?])),
             ("direction", Some(angle)) if angle.abs() <= 1e6 => {
-                vec![EventQuery::TipAngle(Phase::new(angle / std::f64::consts::TAU))]
+                return Ok(vec![EventQuery::TipAngle(Phase::new(angle / std::f64::consts::TAU))]);
             }
-            ("direction", Some(_)) => return Err(value_error("value", "must be within ±1e6 rad")),
-            ("circle", Some(radius)) => levels(&Level::of_circle(top, radius).map_err(named)?),
+            ("circle", Some(radius)) => return Ok(levels(&Level::of_circle(top, radius).map_err(named)?)),
             ("lift_off", None) if top.support() == Support::Sliding => {
-                levels(Level::of_lift_off(motion).as_slice())
+                return Ok(levels(Level::of_lift_off(&self.motion).as_slice()));
             }
+            ("direction", Some(_)) => ("value", "must be within ±1e6 rad".to_owned()),
+            ("turning" | "lift_off", Some(_)) => ("value", format!("must be left out for {kind:?}")),
+            ("tilt" | "direction" | "circle", None) => ("value", format!("must be given for {kind:?}")),
             ("lift_off", None) => {
-                return Err(value_error("kind", "must not be 'lift_off': the tip does not slide on a plane"));
-            }
-            ("turning" | "lift_off", _) => {
-                return Err(value_error("value", format!("must be left out for {kind:?}")));
-            }
-            ("tilt" | "direction" | "circle", _) => {
-                return Err(value_error("value", format!("must be given for {kind:?}")));
+                ("kind", "must not be 'lift_off': the tip does not slide on a plane".to_owned())
             }
             _ => {
                 let kinds = "'turning', 'tilt', 'direction', 'circle', 'lift_off'";
-                return Err(value_error("kind", format!("must be one of {kinds}")));
+                ("kind", format!("must be one of {kinds}"))
             }
-        })
+        };
+        Err(value_error(name, reason))
     }
 }
