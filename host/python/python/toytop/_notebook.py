@@ -44,9 +44,8 @@ def tip_curve(points: Sequence[Sequence[float]], radii: Sequence[float]) -> str:
     largest = max([*radii, *(math.hypot(x, y) for x, y in points)], default=0.0)
     scale = 0.45 * side / largest if largest > 0.0 else 1.0
     places = [f"{middle + scale * x:.2f},{middle - scale * y:.2f}" for x, y in points]
-    circles = "".join(
-        f'<circle cx="{middle}" cy="{middle}" r="{scale * radius:.2f}" fill="none" stroke="#8a8a8a"/>' for radius in radii
-    )
+    circle = f'<circle cx="{middle}" cy="{middle}" r="{{:.2f}}" fill="none" stroke="#8a8a8a"/>'
+    circles = "".join(circle.format(scale * radius) for radius in radii)
     x, y = places[0].split(",")
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{side}" height="{side}" viewBox="0 0 {side} {side}">'

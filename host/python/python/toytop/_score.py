@@ -91,5 +91,5 @@ class Score:
     doubt: str | None
 
     def __repr__(self) -> str:
-        errors = f"greatest error {self.max_error:.1e} rad, rms {self.rms_error:.1e} rad, last {self.final_error:.1e} rad"
-        return f"<Score: {errors}>"
+        errors = self.max_error, self.rms_error, self.final_error
+        return "<Score: greatest error {:.1e} rad, rms {:.1e} rad, last {:.1e} rad>".format(*errors)
