@@ -114,7 +114,7 @@ fn fields<'py>(py: Python<'py>, report: &FitReport, residuals: Columns) -> PyRes
     let launched = match (core.reason, report.scenario(None)) {
         (Some(reason), _) => refused(format!("must be that of a fit that has converged: {reason}")),
         (None, Err(failure)) => refused(failure.to_string()),
-        (None, Ok(text)) => Bound::new(py, PyMotion::parsed("fitted", &text)?)?.into_any(),
+        (None, Ok(text)) => Bound::new(py, PyMotion::from_text("fitted", &text)?)?.into_any(),
     };
     let numbers = |numbers: &[f64]| numbers.to_vec().into_pyarray(py);
     let (deviations, freed) = (core.deviations(), report.freed());

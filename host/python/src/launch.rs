@@ -12,20 +12,25 @@ impl PyTop {
     ///
     /// # Errors
     /// `ValueError` that names the parameter.
-    pub(crate) fn released(&self, numbers: [f64; 6]) -> PyResult<PyMotion> {
+    pub(crate) fn motion_of_release(&self, numbers: [f64; 6]) -> PyResult<PyMotion> {
         let [tilt, spin, precession, nutation, azimuth, roll] = numbers;
         let rates = [("spin", spin), ("precession", precession), ("nutation", nutation)];
         let fastest = rates.into_iter().max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));
         let release = Release { tilt, azimuth, roll, spin, precession, nutation };
         let state = State::release(&release).map_err(refused)?;
-        PyMotion::launched(self, &state, fastest.map_or("spin", |(name, _)| name))
+        PyMotion::from_state(self, &state, fastest.map_or("spin", |(name, _)| name))
     }
 
     /// Motion from a quaternion and an angular velocity, `omega` in the fixed frame or `omega_body` in the body frame.
     ///
     /// # Errors
     /// `ValueError` that names the parameter.
-    pub(crate) fn launched(&self, quaternion: [f64; 4], name: &str, omega: [f64; 3]) -> PyResult<PyMotion> {
+    pub(crate) fn motion_of_attitude(
+        &self,
+        quaternion: [f64; 4],
+        name: &str,
+        omega: [f64; 3],
+    ) -> PyResult<PyMotion> {
         let state = match name {
             "omega" => State::new(Orientation::from_quaternion(quaternion), omega),
             _ => State::from_quaternion_and_gyro(quaternion, omega),
@@ -36,7 +41,7 @@ impl PyTop {
             }
             _ => renamed(error, &[("gyro", name)]),
         };
-        PyMotion::launched(self, &state.map_err(refuse)?, name)
+        PyMotion::from_state(self, &state.map_err(refuse)?, name)
     }
 }
 
@@ -64,7 +69,7 @@ impl PyTop {
         azimuth: f64,
         roll: f64,
     ) -> PyResult<PyMotion> {
-        self.released([tilt, spin, precession, nutation, azimuth, roll])
+        self.motion_of_release([tilt, spin, precession, nutation, azimuth, roll])
     }
 
     /// Motion of this top from an orientation and an angular velocity, as sensors measure them.
@@ -90,7 +95,7 @@ impl PyTop {
             (None, None) => return Err(value_error("omega", "must be given, or else omega_body")),
             _ => return Err(value_error("omega", "must be left out if omega_body is given")),
         };
-        self.launched(vector("quaternion", quaternion)?, name, vector(name, omega)?)
+        self.motion_of_attitude(vector("quaternion", quaternion)?, name, vector(name, omega)?)
     }
 
     /// Motion of this top with given branch points -1 <= e1 <= e2 <= 1 <= e3 of the paper: u, the cosine of the tilt, oscillates

@@ -35,7 +35,7 @@ mod _toytop {
     #[pymodule_export]
     use super::fit::{FittedLaunch, fit, simulate};
     #[pymodule_export]
-    use super::many::{constant, launched, samples};
+    use super::many::{constant_of_many, launch_many, sample_many};
     #[pymodule_export]
     use super::motion::{PyClosedForm, PyMotion, text_of};
     #[pymodule_export]

@@ -14,7 +14,7 @@ use toytop_model::constants::{CONSTANTS, MotionConstants};
 /// # Errors
 /// `ValueError` that names the launch and the parameter.
 #[pyfunction]
-pub(crate) fn launched(
+pub(crate) fn launch_many(
     py: Python<'_>,
     tops: Vec<Py<PyTop>>,
     rates: &str,
@@ -24,8 +24,8 @@ pub(crate) fn launched(
     let motions = interrupt::map(py, tops.len().max(rows.len()), |index| {
         let top = tops[index % tops.len()].get();
         let (name, motion) = match *rows[index % rows.len()] {
-            [w, x, y, z, a, b, c] => ("quaternion", top.launched([w, x, y, z], rates, [a, b, c])),
-            [a, b, c, d, e, f] => ("releases", top.released([a, b, c, d, e, f])),
+            [w, x, y, z, a, b, c] => ("quaternion", top.motion_of_attitude([w, x, y, z], rates, [a, b, c])),
+            [a, b, c, d, e, f] => ("releases", top.motion_of_release([a, b, c, d, e, f])),
             _ => ("rows", Err(value_error("rows", "must be of 6 or 7 numbers"))),
         };
         motion.map(Box::new).map_err(|error| (name, error))
@@ -39,7 +39,7 @@ pub(crate) fn launched(
 
 /// Samples of all motions of a `Many` at time t, s.
 #[pyfunction]
-pub(crate) fn samples(
+pub(crate) fn sample_many(
     many: Bound<'_, PyAny>,
     motions: Vec<Py<PyMotion>>,
     t: Given,
@@ -53,7 +53,7 @@ pub(crate) fn samples(
 
 /// Constant of each motion as an array.
 #[pyfunction]
-pub(crate) fn constant<'py>(
+pub(crate) fn constant_of_many<'py>(
     py: Python<'py>,
     motions: Vec<Py<PyMotion>>,
     name: &str,

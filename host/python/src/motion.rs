@@ -67,7 +67,7 @@ impl PyMotion {
     ///
     /// # Errors
     /// `ValueError` that names the parameter.
-    pub(crate) fn launched(top: &PyTop, state: &State, rate: &str) -> PyResult<Self> {
+    pub(crate) fn from_state(top: &PyTop, state: &State, rate: &str) -> PyResult<Self> {
         let motion = Motion::launch(&top.top, state).map_err(|error| renamed(error, &[("omega", rate)]))?;
         Ok(Self::new(*top, Start::from(state), motion))
     }
@@ -76,7 +76,7 @@ impl PyMotion {
     ///
     /// # Errors
     /// `ValueError` that names the key.
-    pub(crate) fn parsed(file: &str, text: &str) -> PyResult<Self> {
+    pub(crate) fn from_text(file: &str, text: &str) -> PyResult<Self> {
         let Scenario { motion, given, .. } = Scenario::parse(file, text).map_err(failed)?;
         let Numbers { top: parameters, start } =
             given.ok_or_else(|| value_error(file, "must have numbers"))?;
@@ -130,7 +130,7 @@ impl PyMotion {
     ///     OSError: the file cannot be read.
     #[staticmethod]
     fn from_toml(path: PathBuf) -> PyResult<Self> {
-        Self::parsed(&path.display().to_string(), &text_of(path)?)
+        Self::from_text(&path.display().to_string(), &text_of(path)?)
     }
 
     /// Motion of the text of a scenario file.
@@ -139,7 +139,7 @@ impl PyMotion {
     ///     ValueError: a key is wrong; the message names it and what is allowed.
     #[staticmethod]
     fn from_toml_text(text: &str) -> PyResult<Self> {
-        Self::parsed("text", text)
+        Self::from_text("text", text)
     }
 
     /// Text of a scenario file with this motion, exact to the last bit.

@@ -57,7 +57,7 @@ def many(
             raise ValueError(f"{given}: must not be empty")
     if len(tops) != len(launches) and 1 not in (len(tops), len(launches)):
         raise ValueError(f"tops: must be one or {len(launches)} as {kind}, not {len(tops)}")
-    return Many(_toytop.launched(tops, name, launches))
+    return Many(_toytop.launch_many(tops, name, launches))
 
 
 @final
@@ -82,7 +82,7 @@ class Many:
         Raises:
             ValueError: t is not finite or beyond 2^62 ticks of a motion.
         """
-        return _toytop.samples(self, self._motions, t, scalar)
+        return _toytop.sample_many(self, self._motions, t, scalar)
 
     def constant(self, name: str) -> NDArray[np.float64]:
         """Constant of every motion as an array, NaN where it does not exist: e1, e2, e3, e4, l, n, h, period, alpha_turns, beta_turns,
@@ -91,7 +91,7 @@ class Many:
         Raises:
             ValueError: there is no constant of this name; the message lists them.
         """
-        return _toytop.constant(self._motions, name)
+        return _toytop.constant_of_many(self._motions, name)
 
     def __len__(self) -> int:
         return len(self._motions)

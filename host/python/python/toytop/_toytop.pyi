@@ -17,11 +17,11 @@ __all__ = [
     "Samples",
     "Top",
     "__version__",
-    "constant",
+    "constant_of_many",
     "fit",
-    "launched",
+    "launch_many",
     "order",
-    "samples",
+    "sample_many",
     "score",
     "simulate",
     "text_of",
@@ -240,7 +240,7 @@ class ClosedForm:
 class FittedLaunch:
     def orientation_covariance(self, motion: Motion, t: ArrayLike) -> _Array: ...
 
-def constant(motions: Sequence[Motion], name: str) -> _Array: ...
+def constant_of_many(motions: Sequence[Motion], name: str) -> _Array: ...
 def fit(
     samples: dict[str, Any],
     top: Top,
@@ -249,9 +249,9 @@ def fit(
     huber: float,
     drift: float | None,
 ) -> dict[str, Any]: ...
-def launched(tops: Sequence[Top], rates: str, rows: _Array) -> list[Motion]: ...
+def launch_many(tops: Sequence[Top], rates: str, rows: _Array) -> list[Motion]: ...
 def order(runs: _Array) -> float | None: ...
-def samples(many: Many, motions: Sequence[Motion], t: ArrayLike, scalar: _Scalar) -> Samples: ...
+def sample_many(many: Many, motions: Sequence[Motion], t: ArrayLike, scalar: _Scalar) -> Samples: ...
 def score(
     motion: Motion, t: _Array, quaternion: _Array, omega: _Array | None, in_body: bool
 ) -> dict[str, Any]: ...

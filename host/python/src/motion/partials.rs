@@ -80,7 +80,7 @@ impl PyMotion {
     ) -> PyResult<Self> {
         let (state, impulse, point) = (self.state(t)?, vector("impulse", impulse)?, vector("point", point)?);
         let struck = state.with_impulse(&self.top.top, impulse, point).map_err(refused)?;
-        Self::launched(&self.top, &struck, "impulse")
+        Self::from_state(&self.top, &struck, "impulse")
     }
 
     /// Impulse of the support's reaction to an impulse, N s in the fixed frame. Where its third component is negative, a real sliding top
