@@ -21,7 +21,9 @@ const NOT_OURS: [&str; 6] = [
 
 fn main() {
     println!("cargo:rerun-if-env-changed=TOYTOP_PAGE_WASM");
-    for input in ["../core/src", "../core/closed-forms/src", "../core/Cargo.toml", "page", "../Cargo.lock"] {
+    for input in
+        ["../core/src", "../core/closed-forms/src", "../core/Cargo.toml", "model", "page", "../Cargo.lock"]
+    {
         println!("cargo:rerun-if-changed={input}");
     }
     let file = match var_os("TOYTOP_PAGE_WASM") {

@@ -11,4 +11,4 @@ pub mod full_solver;
 pub mod newton_euler;
 pub mod solution;
 
-pub use toytop_page::equations;
+pub use toytop_model::equations;

@@ -12,7 +12,7 @@ pub mod propagate;
 pub mod tip_angle;
 
 use toytop::{Complex, Motion, Orientation, Regime, Top};
-use toytop_page::equations::{FullState, FullTop};
+use toytop_model::equations::{FullState, FullTop};
 
 /// Complex number in `f64`, each part by `to_f64`.
 pub fn widened<R>(z: Complex<R>, to_f64: impl Fn(R) -> f64) -> Complex<f64> {

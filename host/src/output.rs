@@ -9,7 +9,7 @@ pub mod stdout;
 pub mod whole_file;
 
 pub use base64::base64;
-pub use toytop_page::names;
+pub use toytop_model::names;
 
 #[cfg(feature = "program")]
 use comfy_table::presets::NOTHING;

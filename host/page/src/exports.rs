@@ -3,15 +3,15 @@
 //! A result stays there until the next call, and JavaScript copies the data that it keeps. The functions are exported by their
 //! unmangled names only on WebAssembly, because elsewhere another function could have the same name.
 
-use crate::constants::{CONSTANTS, MotionConstants};
 use crate::ghost::Ghost;
-use crate::names;
 use crate::scenario::{self, MotionNumbers, TopNumbers};
-use crate::table::{self, Table, moment_at};
+use crate::table::{self, Table};
 use core::array::from_fn;
 use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
 use toytop::{Motion, ParameterError};
+use toytop_model::constants::{CONSTANTS, MotionConstants};
+use toytop_model::names;
 
 /// Points of a curve that one call computes at most.
 const POINTS: usize = 4096;
@@ -37,12 +37,18 @@ pub extern "C" fn words() -> *const AtomicU8 {
     WORDS.as_ptr()
 }
 
+/// Names of the numbers that [`launch`] returns: the constants, the bound on the orientation error at t = 0, rad, and its
+/// growth, rad/s.
+pub fn launch_names() -> impl Iterator<Item = &'static str> {
+    CONSTANTS.iter().map(|(name, _)| *name).chain(["error", "error_growth"])
+}
+
 /// Shows the motion of this kind (0 release, 1 state, 2 branch points) whose numbers stand in the array: those of the top,
 /// then those of the motion. After a refusal no motion is shown.
 ///
 /// The result is the length of the words. It is positive if all is well: the words are regime and class of the tip curve,
-/// and the numbers are the constants in the order of [`CONSTANTS`], then the bound on the orientation error at t = 0, rad,
-/// and its growth, rad/s. It is negative after a refusal: the words are the parameter and what is allowed.
+/// and the numbers are those of [`launch_names`]. It is negative after a refusal: the words are the parameter and what is
+/// allowed.
 #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 pub extern "C" fn launch(kind: u32) -> i32 {
     let top: TopNumbers = from_fn(number);
@@ -69,7 +75,7 @@ fn launched(top: &TopNumbers, kind: u32, numbers: &MotionNumbers) -> Result<Moti
 /// Puts the moment t after t = 0 into the numbers.
 #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 pub extern "C" fn moment(t: f64) {
-    put(moment_at(&TABLE.lock(), t));
+    put(table::moment(TABLE.lock().at(t)));
 }
 
 /// Puts axis and tip at `count` times into the numbers, the first at `from`, `step` apart.
@@ -77,7 +83,7 @@ pub extern "C" fn moment(t: f64) {
 pub extern "C" fn curve(from: f64, step: f64, count: u32) {
     let table = TABLE.lock();
     put((0..count).flat_map(|i| {
-        let [.., r1, r2, r3, c1, c2] = moment_at(&table, from + step * f64::from(i));
+        let [.., r1, r2, r3, c1, c2] = table::moment(table.at(from + step * f64::from(i)));
         [r1, r2, r3, c1, c2]
     }));
 }
@@ -96,7 +102,7 @@ pub extern "C" fn ghost_moment(t: f64) -> u32 {
     let Some(ghost) = &mut *GHOST.lock() else { return 0 };
     let (reached, orientation, tip) = ghost.go(t);
     let distance = TABLE.lock().at(reached).0.distance(&orientation);
-    put(table::moment(&orientation, tip).into_iter().chain([reached, distance]));
+    put(table::moment((orientation, tip)).into_iter().chain([reached, distance]));
     1
 }
 

@@ -1,7 +1,7 @@
 //! The same motion by the classical Runge-Kutta method in equal steps, for comparison with the exact one.
 
-use crate::equations::{Equations, FullState, FullTop, Vector7};
 use toytop::{Complex, Motion, Orientation, Stepper};
+use toytop_model::equations::{Equations, FullState, FullTop, Vector7};
 
 /// Integration of the full equations from t = 0, forwards or backwards.
 pub struct Ghost {

@@ -4,21 +4,15 @@
 //! |---|---|
 //! | [`scenario`] | a top and its motion from numbers in the order of a scenario's keys |
 //! | [`table`] | table of a motion in `f64`: any time, at the same cost |
-//! | [`constants`] | constants of the motion by name |
-//! | [`names`] | words for regimes and tip curves |
 //! | [`ghost`] | the same motion by the classical Runge-Kutta method, for comparison |
-//! | [`equations`] | the full equations, which the ghost and the host's full solver integrate |
 //! | [`exports`] | functions that JavaScript calls |
 //!
 //! On WebAssembly the crate has no `std` and no allocator. Elsewhere it is an ordinary library, whose tests run on the host.
 
 #![cfg_attr(target_family = "wasm", no_std)]
 
-pub mod constants;
-pub mod equations;
 pub mod exports;
 pub mod ghost;
-pub mod names;
 pub mod scenario;
 pub mod table;
 

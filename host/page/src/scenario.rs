@@ -1,10 +1,10 @@
 //! A top and its motion from numbers in the order of a scenario's keys.
 
-use core::f64::consts::PI;
 use toytop::{
     Complex, InitialPhases, Motion, Orientation, ParameterError, Release, Sign, Signs, State, Top,
     TopParameters,
 };
+use toytop_model::angles::{angle, tilt};
 
 /// Numbers of a top: 1 for a held tip, 2 for a free body and 0 for a sliding tip, then A, C, s, M, p, g and K, with 0 for what is not given.
 pub type TopNumbers = [f64; 8];
@@ -60,21 +60,4 @@ pub fn motion(top: &Top, kind: u32, numbers: &MotionNumbers) -> Result<Motion, P
             Motion::from_branch_points(top, [a, b, c], signs, &start)
         }
     }
-}
-
-/// Tilt in rad from degrees. 180, and no other number, becomes the π that means exactly downward.
-pub fn tilt(degrees: f64) -> f64 {
-    if degrees < 180.0 {
-        degrees.to_radians().min(PI.next_down())
-    } else if degrees == 180.0 {
-        PI
-    } else {
-        degrees.to_radians()
-    }
-}
-
-/// Azimuth or roll in rad from degrees. Only half of either enters a state, so that two whole turns, dropped exactly,
-/// change nothing.
-pub fn angle(degrees: f64) -> f64 {
-    (degrees % 720.0).to_radians()
 }

@@ -1,12 +1,10 @@
 //! Table of a motion in `f64`: the orientation at any time, at the same cost.
 
-use crate::constants::period;
-use toytop::scalar::Float;
 use toytop::{
     Complex, Ephemeris, EphemerisMemory, EphemerisScalar, Motion, Orientation, ParameterError, SetUp,
-    Stepper, Tick,
 };
 use toytop_closed_forms::Aperiodic;
+use toytop_model::ticks::{tick, ticks_per_time};
 
 /// Table with the largest capacity that there is, or the closed form of an aperiodic motion.
 pub struct Table {
@@ -88,36 +86,8 @@ impl Table {
     }
 }
 
-/// Moment t after t = 0, with t taken as exact.
-pub fn moment_at(table: &Table, t: f64) -> Moment {
-    let (orientation, tip) = table.at(t);
-    moment(&orientation, tip)
-}
-
-/// Numbers of a moment.
-pub fn moment(orientation: &Orientation<f64>, tip: Complex<f64>) -> Moment {
+/// Moment of an orientation and a tip.
+pub fn moment((orientation, tip): (Orientation<f64>, Complex<f64>)) -> Moment {
     let (Orientation { alpha, beta }, [x, y, z]) = (orientation, orientation.axis());
     [alpha.re, alpha.im, beta.re, beta.im, orientation.clamped_u(), x, y, z, tip.re, tip.im]
-}
-
-/// Ticks in a unit of time, a power of two: at least a thousand in a period, and more than one in a turn.
-pub fn ticks_per_time(motion: &Motion) -> f64 {
-    /// A [`Tick`] has 32 bits on both sides.
-    const MOST: f64 = (1_u32 << 31) as f64;
-    let [x, y, z] = Stepper::<f64>::new(motion).attitude_state().omega();
-    let fastest = Float::sqrt(x * x + y * y + z * z).max(1000.0 / period(motion));
-    let mut rate = MOST.recip();
-    while rate < fastest.min(MOST) {
-        rate *= 2.0;
-    }
-    rate
-}
-
-/// Tick of a motion. A page asks for times and not for ticks, so that any tick will do that is short enough.
-///
-/// # Errors
-/// None: the rate is a power of two from 2^-31 to 2^31.
-pub fn tick(motion: &Motion) -> Result<Tick, ParameterError> {
-    let rate = ticks_per_time(motion);
-    if rate >= 1.0 { Tick::hertz(rate as u32) } else { Tick::ratio(1, rate.recip() as u32) }
 }

@@ -2,10 +2,13 @@
 
 use toytop::scalar::Float;
 use toytop::{EphemerisF64, Motion, Pose, Release, State, Stepper, Support};
-use toytop_page::constants::{self, CONSTANTS, MotionConstants};
+use toytop_model::angles;
+use toytop_model::constants::{CONSTANTS, MotionConstants};
+use toytop_model::ticks::tick;
+use toytop_page::exports::launch_names;
 use toytop_page::ghost::{Ghost, MOST_STEPS};
 use toytop_page::scenario;
-use toytop_page::table::{Table, moment_at, tick};
+use toytop_page::table::{Table, moment};
 
 /// The toy top of the README: support, A, C, s, M, p, g.
 const TOY_TOP: [f64; 8] = [0.0, 3.0e-5, 2.0e-5, 0.03, 0.05, 0.0, 9.81, 0.0];
@@ -67,7 +70,7 @@ fn angles_and_rates_at_the_start_are_those_of_the_throw() {
         let found = constant(&motion, name);
         assert!((found / given - 1.0).abs() < 1e-12, "{name}: {found} for {given}");
     }
-    assert_eq!(constants::names().count(), CONSTANTS.len() + 2);
+    assert_eq!(launch_names().count(), CONSTANTS.len() + 2);
 }
 
 /// Where no torque acts the angular momentum stands still, Aω + ((C - A)⟨ω, r⟩ + K) r; elsewhere it does not.
@@ -109,8 +112,8 @@ fn what_is_no_motion_is_refused_by_its_name() {
         [refused(0, 180.1), refused(0, -1.0), refused(1, f64::NAN), refused(2, 1e12)],
         ["tilt", "tilt", "spin", "precession"]
     );
-    assert_eq!(scenario::tilt(180.0), std::f64::consts::PI);
-    assert!(scenario::tilt(180_f64.next_down()) < std::f64::consts::PI);
+    assert_eq!(angles::tilt(180.0), std::f64::consts::PI);
+    assert!(angles::tilt(180_f64.next_down()) < std::f64::consts::PI);
 }
 
 #[test]
@@ -121,7 +124,7 @@ fn a_moment_is_the_cores() {
         table.set_up(&motion).unwrap();
         let core = EphemerisF64::new(&motion, tick(&motion).unwrap()).unwrap();
         for t in [0.0, 0.3125, -7.1, 1e6] {
-            let [a, b, c, d, u, .., x, y] = moment_at(&table, t);
+            let [a, b, c, d, u, .., x, y] = moment(table.at(t));
             let Pose { orientation: phi, tip, .. } = core.at(t).pose();
             assert_eq!([a, b, c, d], [phi.alpha.re, phi.alpha.im, phi.beta.re, phi.beta.im]);
             assert_eq!([u, x, y], [phi.clamped_u(), tip.re, tip.im]);

@@ -1,61 +1,92 @@
-//! `fit` and `simulate`: from samples of sensors to a launch, and back.
+//! Functions of the Python module `fit`: from samples of sensors to a launch, and back.
 
-use crate::arrays::{Frame, Given, number};
-use crate::error::{failed, value_error};
-use crate::fitted::{Fitted, dictionary};
+use crate::arguments::{Given, Numbers, array, failed, number, value_error};
 use crate::interrupt;
-use crate::motion::{PyMotion, TopDefinition, text_of};
+use crate::motion::PyMotion;
 use crate::top::PyTop;
-use pyo3::exceptions::PyTypeError;
+use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyFloat, PyInt, PyMapping};
-use std::path::PathBuf;
+use pyo3::types::{IntoPyDict, PyDict, PyString};
 use toml::{Table, Value};
-use toytop_fit::Measurement;
+use toytop_fit::{Drift, Measurement};
 use toytop_host::fit::columns::{Columns, keep_present};
 use toytop_host::fit::launch::FitInput;
+use toytop_host::fit::report::FitReport;
 use toytop_host::fit::sensors::{Body, Sensors};
 use toytop_host::fit::simulated::{MOST_SAMPLES, Recording, measurements};
 
-/// Launch of a top, fitted to samples of sensors on it or beside it, without a first guess.
-///
-/// Args:
-///     samples: columns by name, in a mapping, a structured array or a data frame: t (s), and those of the sensors, such as gyro_x,
-///         gyro_y, gyro_z. NaN means that a sensor has no reading at this time. Other columns are not read.
-///     top: the top.
-///     sensors: noise, bias, range and mounting of the sensors, as a mapping of mappings with the keys of host/docs/fit.md, such as
-///         {"gyroscope": {"noise": 0.002}}, or the path of such a TOML file; without it, those of a telephone, as far as the samples
-///         have their columns.
-///     free: names of numbers of the top that are unknown too, at most four, such as ["axial_inertia"].
-///     huber: residual, in standard deviations, from which a sample is an outlier, at least 1; inf for least squares.
-///     drift: standard deviation of a slow loss of rotation, in units of the rotation itself, 1/s, such as 1/60 where the spin may be
-///         lost in a minute. The loss is then unknown too, and the launch is that of the last sample.
-///
-/// A launch that must not be trusted has converged = False and a reason; this is no exception.
-///
-/// Raises:
-///     ValueError: a column, a sensor, a key or a row is wrong; the message names it.
+/// Array of one axis for Python.
+type Array<'py> = Bound<'py, PyArray1<f64>>;
+
+/// Fields of the Python class `Fitted`.
+#[derive(IntoPyObject)]
+pub(crate) struct FittedFields<'py> {
+    _core: FittedLaunch,
+    /// Motion, or the reason why there is none.
+    _launched: Bound<'py, PyAny>,
+    reason: Option<String>,
+    epoch: f64,
+    quaternion: Array<'py>,
+    omega: Array<'py>,
+    spin: (f64, f64),
+    tilt: (f64, f64),
+    covariance: Bound<'py, Numbers>,
+    deviations: Array<'py>,
+    drift: Option<(Array<'py>, Array<'py>)>,
+    free: Bound<'py, PyDict>,
+    losses: Option<Bound<'py, PyDict>>,
+    biases: Bound<'py, PyDict>,
+    undetermined: Vec<&'static str>,
+    alternatives: usize,
+    chi_squared: f64,
+    reduced_chi_squared: f64,
+    used: u32,
+    saturated: u32,
+    outliers: u32,
+    residuals: Bound<'py, PyDict>,
+}
+
+/// Fitted launch with the covariance of its unknowns.
+#[pyclass(module = "toytop._toytop", frozen)]
+pub(crate) struct FittedLaunch(toytop_fit::Fitted);
+
+#[pymethods]
+impl FittedLaunch {
+    /// Covariance of the predicted orientation at the time t of the motion.
+    fn orientation_covariance<'py>(
+        &self,
+        py: Python<'py>,
+        motion: &PyMotion,
+        t: Given,
+    ) -> PyResult<Bound<'py, Numbers>> {
+        let Given { numbers, shape } = t;
+        let found = motion.partials_at(py, &numbers, |partials| self.0.orientation_covariance(partials))?;
+        let refuse = || value_error("t", "must not be so far for a motion without a period");
+        let found = found.ok_or_else(refuse)?.into_iter().flatten().flatten().collect();
+        array(py, found, &[&shape[..], &[3, 3]].concat())
+    }
+}
+
+/// Fields of the launch of a top that is fitted to samples of sensors, which are columns by name.
 #[pyfunction]
-#[pyo3(signature = (samples, top, sensors=None, *, free=Vec::new(), huber=3.0, drift=None))]
-pub(crate) fn fit(
-    py: Python<'_>,
-    samples: &Bound<'_, PyAny>,
+pub(crate) fn fit<'py>(
+    py: Python<'py>,
+    samples: &Bound<'py, PyDict>,
     top: &PyTop,
-    sensors: Option<&Bound<'_, PyAny>>,
+    sensors: Option<(String, String)>,
     free: Vec<String>,
     huber: f64,
     drift: Option<f64>,
-) -> PyResult<Fitted> {
-    let definition = top.0;
-    let file: Table = definition.to_toml().parse().unwrap_or_default();
+) -> PyResult<FittedFields<'py>> {
+    let file: Table = top.to_toml().parse().unwrap_or_default();
     let table = file.get("top").and_then(Value::as_table).cloned().unwrap_or_default();
-    let mut instruments = self::sensors(sensors, &definition)?;
+    let mut instruments = self::sensors(sensors.as_ref(), top)?;
     let given = columns(samples, &mut instruments, sensors.is_some())?;
     let rows = given.measurements(&instruments).map_err(|refused| {
         value_error("samples", format!("{}: row {}: {}", refused.column, refused.row, refused.reason))
     })?;
     let readings: Vec<Measurement> = rows.iter().map(|(_, measurement)| *measurement).collect();
-    let input = FitInput { top: definition.top, table, free, sensors: instruments, huber, drift };
+    let input = FitInput { top: top.top, table, free, sensors: instruments, huber, drift };
     let (report, residuals) = interrupt::alone(py, move || {
         let report = input.fitted(&readings)?;
         let residuals = report.residuals(&readings);
@@ -74,37 +105,73 @@ pub(crate) fn fit(
             by_column.readings.push((*name, column));
         }
     }
-    Fitted::new(py, &report, by_column)
+    fields(py, &report, by_column)
 }
 
-/// Samples that sensors on a top would give: arrays by name, as fit takes them, with NaN where a sensor has no reading.
-///
-/// Args:
-///     sensors: as those of fit; without it, a gyroscope, an accelerometer and a magnetometer of a telephone at the centre of mass.
-///     hertz: samples a second.
-///     duration: length of the recording, s, from t = 0.
-///     seed: another seed gives other noise and other biases.
-///
-/// Raises:
-///     ValueError: a number or a sensor is wrong, or the motion has no period and cannot be followed for so long.
+fn fields<'py>(py: Python<'py>, report: &FitReport, residuals: Columns) -> PyResult<FittedFields<'py>> {
+    let core = report.fitted;
+    let refused = |reason: String| PyString::new(py, &reason).into_any();
+    let launched = match (core.reason, report.scenario(None)) {
+        (Some(reason), _) => refused(format!("must be that of a fit that has converged: {reason}")),
+        (None, Err(failure)) => refused(failure.to_string()),
+        (None, Ok(text)) => Bound::new(py, PyMotion::from_text("fitted", &text)?)?.into_any(),
+    };
+    let numbers = |numbers: &[f64]| numbers.to_vec().into_pyarray(py);
+    let (deviations, freed) = (core.deviations(), report.freed());
+    let of_losses = &deviations[6 + freed.len()..];
+    let losses = core.drift.map(|drift| {
+        let values = drift.losses.into_iter().zip(of_losses.iter().copied());
+        Drift::LOSSES.into_iter().zip(values).into_py_dict(py)
+    });
+    let free = freed.into_iter().map(|(key, value, deviation)| (key, (value, deviation)));
+    let biases = report.biases().into_iter();
+    let biases = biases.map(|(name, values, deviations)| (name, (numbers(&values), numbers(&deviations))));
+    let (count, [spin, tilt]) = (core.count, report.spin_and_tilt());
+    let covariance = (0..count * count).map(|at| core.covariance.get(at / count, at % count)).collect();
+    Ok(FittedFields {
+        _core: FittedLaunch(core),
+        _launched: launched,
+        reason: report.reason.clone(),
+        epoch: core.epoch,
+        quaternion: numbers(&core.launch.orientation.quaternion()),
+        omega: numbers(&core.launch.omega),
+        spin,
+        tilt,
+        covariance: array(py, covariance, &[count, count])?,
+        deviations: numbers(&deviations[..count]),
+        drift: core.drift.map(|drift| (numbers(&drift.rates), numbers(&drift.deviations()))),
+        free: free.into_py_dict(py)?,
+        losses: losses.transpose()?,
+        biases: biases.into_py_dict(py)?,
+        undetermined: report.undetermined(),
+        alternatives: core.alternatives,
+        chi_squared: core.statistics.chi_squared,
+        reduced_chi_squared: core.statistics.reduced_chi_squared(count),
+        used: core.statistics.used,
+        saturated: core.statistics.unused,
+        outliers: core.statistics.outliers,
+        residuals: dictionary(py, residuals)?,
+    })
+}
+
+/// Samples that sensors on a top would give, as columns by name.
 #[pyfunction]
-#[pyo3(signature = (motion, sensors=None, *, hertz=None, duration=None, seed=1))]
 pub(crate) fn simulate<'py>(
     py: Python<'py>,
     motion: &PyMotion,
-    sensors: Option<&Bound<'py, PyAny>>,
+    sensors: Option<(String, String)>,
     hertz: Option<&Bound<'py, PyAny>>,
     duration: Option<&Bound<'py, PyAny>>,
     seed: i128,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let sensors = self::sensors(sensors, &motion.0.top)?;
+    let sensors = self::sensors(sensors.as_ref(), &motion.top)?;
     let hertz = number("hertz", hertz)?.unwrap_or(1000.0);
     let duration = number("duration", duration)?.unwrap_or(1.0);
     let seed = seed.try_into().map_err(|_| value_error("seed", "must be between 0 and 2^64 - 1"))?;
     let recording = Recording::new(hertz, duration, seed).ok_or_else(|| {
         value_error("hertz, duration", format!("must give from 1 to {MOST_SAMPLES:e} samples"))
     })?;
-    let motion = motion.0.motion;
+    let motion = motion.motion;
     let found = interrupt::alone(py, move || {
         measurements(&motion, &sensors, &recording).map(|found| Columns::of(&sensors, &found))
     })?;
@@ -112,57 +179,33 @@ pub(crate) fn simulate<'py>(
     dictionary(py, found.ok_or_else(refuse)?)
 }
 
-/// Sensors of a mapping, of a file, or those of a telephone.
+/// Sensors of a file's name and text, or those of a telephone.
 ///
 /// # Errors
-/// `ValueError` that names the key; `OSError` for a file that cannot be read.
-fn sensors(given: Option<&Bound<'_, PyAny>>, top: &TopDefinition) -> PyResult<Sensors> {
+/// `ValueError` that names the key.
+fn sensors(given: Option<&(String, String)>, top: &PyTop) -> PyResult<Sensors> {
     let body = Body::of(&top.top, top.parameters.com_height);
-    let Some(given) = given else { return Ok(Sensors::telephone(body)) };
-    let sensors = if let Ok(tables) = given.cast::<PyMapping>() {
-        Sensors::of_table("sensors", &table(tables)?, body)
-    } else {
-        let path: PathBuf = given
-            .extract()
-            .map_err(|_| PyTypeError::new_err("sensors: must be a mapping or the path of a file"))?;
-        Sensors::parse(&path.display().to_string(), &text_of(&path)?, body)
-    };
-    sensors.map_err(failed)
-}
-
-/// Tables of the sensors: numbers, and arrays of numbers, by name.
-fn table(given: &Bound<'_, PyMapping>) -> PyResult<Table> {
-    let mut table = Table::new();
-    for pair in given.items()?.iter() {
-        let (key, value): (String, Bound<'_, PyAny>) = pair.extract()?;
-        let value = if let Ok(inner) = value.cast::<PyMapping>() {
-            Value::Table(self::table(inner)?)
-        } else if value.is_instance_of::<PyFloat>() || value.is_instance_of::<PyInt>() {
-            Value::Float(value.extract()?)
-        } else {
-            let numbers = Given::read_any("sensors", &value)?.numbers;
-            Value::Array(numbers.into_iter().map(Value::Float).collect())
-        };
-        table.insert(key, value);
+    match given {
+        None => Ok(Sensors::telephone(body)),
+        Some((file, text)) => Sensors::parse(file, text, body).map_err(failed),
     }
-    Ok(table)
 }
 
-/// Samples by column: a mapping, a structured array or a data frame. The sensors without columns are removed.
+/// Samples by column. The sensors without columns are removed.
 ///
 /// * `all`: whether every sensor must have its columns
 ///
 /// # Errors
 /// `ValueError` that names the column.
-fn columns(samples: &Bound<'_, PyAny>, sensors: &mut Sensors, all: bool) -> PyResult<Columns> {
-    let frame = Frame::read("samples", samples)?;
-    if !frame.has("t") {
+fn columns(samples: &Bound<'_, PyDict>, sensors: &mut Sensors, all: bool) -> PyResult<Columns> {
+    let has = |name: &str| samples.contains(name).unwrap_or(false);
+    if !has("t") {
         return Err(value_error("samples", "must have a column t"));
     }
-    keep_present(sensors, |name| frame.has(name), all).map_err(|reason| value_error("samples", reason))?;
+    keep_present(sensors, has, all).map_err(|reason| value_error("samples", reason))?;
     let column = |name: &str, rows: Option<usize>| -> PyResult<Vec<f64>> {
-        let full_name = frame.full_name(name);
-        let Given { numbers, shape } = Given::read_any(&full_name, &frame.column(name)?)?;
+        let full_name = format!("samples: {name}");
+        let Given { numbers, shape } = Given::read_any(&full_name, &samples.as_any().get_item(name)?)?;
         let reason = match shape[..] {
             [length] if rows.is_none_or(|rows| rows == length) => return Ok(numbers),
             [length] => format!("must have as many rows as t; has {length}"),
@@ -174,4 +217,10 @@ fn columns(samples: &Bound<'_, PyAny>, sensors: &mut Sensors, all: bool) -> PyRe
     let wanted = sensors.instruments.iter().flat_map(|instrument| instrument.kind.columns.iter().copied());
     let readings: PyResult<Vec<_>> = wanted.map(|name| Ok((name, column(name, Some(t.len()))?))).collect();
     Ok(Columns { t, readings: readings? })
+}
+
+/// Columns as a dictionary of arrays.
+fn dictionary(py: Python<'_>, columns: Columns) -> PyResult<Bound<'_, PyDict>> {
+    let columns = [("t", columns.t)].into_iter().chain(columns.readings);
+    columns.map(|(name, numbers)| (name, numbers.into_pyarray(py))).into_py_dict(py)
 }

@@ -1,6 +1,6 @@
 //! Computations without the interpreter's lock, which Ctrl-C ends.
 
-use crate::error::failed;
+use crate::arguments::failed;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};

@@ -2,38 +2,30 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`error`] | refusals as exceptions |
-//! | [`arrays`] | arrays and columns of Python to and from numbers |
+//! | [`arguments`] | numbers of arguments, their refusals, and arrays for Python |
 //! | [`interrupt`] | computations without the interpreter's lock, which Ctrl-C ends |
 //! | [`samples`] | `Samples`: a motion at given times |
-//! | [`motion`], [`constants`] | `Motion`: at any time, and its constants |
-//! | [`launch`], [`top`] | launches, and `Top` |
-//! | [`many`] | `many`: motions on all cores |
-//! | [`events`] | times of turning points, tilts, directions, circles and lift-off |
-//! | [`partials`] | partial derivatives, and impulses |
-//! | [`other_methods`] | closed form and truth of a motion at a time |
-//! | [`fit`], [`fitted`] | `fit` and `simulate`: from samples of sensors to a launch, and back |
-//! | [`score`] | `score`: errors of an integrator |
-//! | [`page`] | pictures for a notebook |
+//! | [`top`] | `Top` |
+//! | [`motion`] | `Motion`: at any time, its constants, events and partial derivatives; `ClosedForm` |
+//! | [`launch`] | launches of a `Top` |
+//! | [`many`] | motions on all cores |
+//! | [`fit`] | from samples of sensors to a launch, and back |
+//! | [`score`] | errors of an integrator |
 //!
 //! Computations run without the interpreter's lock, and every class is immutable, so that threads can share objects.
 
-mod arrays;
-mod constants;
-mod error;
-mod events;
-mod fit;
-mod fitted;
+mod arguments;
 mod interrupt;
+mod samples;
+mod top;
+
+mod motion;
+
 mod launch;
 mod many;
-mod motion;
-mod other_methods;
-mod page;
-mod partials;
-mod samples;
+
+mod fit;
 mod score;
-mod top;
 
 use pyo3::prelude::*;
 
@@ -41,21 +33,15 @@ use pyo3::prelude::*;
 #[pymodule(gil_used = false)]
 mod _toytop {
     #[pymodule_export]
-    use super::fit::{fit, simulate};
+    use super::fit::{FittedLaunch, fit, simulate};
     #[pymodule_export]
-    use super::fitted::Fitted;
+    use super::many::{constant_of_many, launch_many, sample_many};
     #[pymodule_export]
-    use super::many::{Many, many};
-    #[pymodule_export]
-    use super::motion::PyMotion;
-    #[pymodule_export]
-    use super::other_methods::PyClosedForm;
-    #[pymodule_export]
-    use super::page::Page;
+    use super::motion::{PyClosedForm, PyMotion, text_of};
     #[pymodule_export]
     use super::samples::Samples;
     #[pymodule_export]
-    use super::score::{Score, order, score};
+    use super::score::{order, score};
     #[pymodule_export]
     use super::top::PyTop;
     #[pymodule_export]

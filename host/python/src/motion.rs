@@ -1,103 +1,37 @@
 //! Class `Motion`, which computes a motion at any time, and its input to full precision.
 
-use crate::arrays::{Given, number, within};
-use crate::error::{failed, refused, renamed, value_error};
+mod constants;
+mod events;
+mod other_methods;
+mod partials;
+
+pub(crate) use other_methods::PyClosedForm;
+
+use crate::arguments::{Given, failed, number, renamed, value_error, within};
 use crate::samples::{Samples, Source, Table};
+use crate::top::PyTop;
 use pyo3::prelude::*;
-use std::path::{Path, PathBuf};
-use std::sync::{Arc, OnceLock};
+use std::path::PathBuf;
+use std::sync::OnceLock;
 use std::{fs, io};
-use toytop::{InitialPhases, Motion, State, Support, Top, TopParameters};
-use toytop_host::input::scenario::{Given as Numbers, Scenario};
+use toytop::{InitialPhases, Motion, State};
+use toytop_host::input::scenario::{Given as Numbers, Scenario, ScenarioFile};
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::{furthest_time, smallest};
+use toytop_host::pictures::curve::Curve;
+use toytop_host::pictures::view;
 use toytop_host::truth::exact::Exact;
 use toytop_host::truth::motions::Start;
-
-/// Top with the numbers of its input.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct TopDefinition {
-    pub(crate) parameters: TopParameters,
-    pub(crate) top: Top,
-}
-
-impl TopDefinition {
-    /// Top of this support.
-    ///
-    /// # Errors
-    /// `ValueError` that names the parameter.
-    pub(crate) fn new(support: Support, parameters: TopParameters) -> PyResult<Self> {
-        let top = match support {
-            Support::Sliding => Top::sliding(&parameters),
-            Support::Fixed => Top::fixed(&parameters),
-            Support::Free => Top::free(&parameters),
-        };
-        Ok(Self { parameters, top: top.map_err(refused)? })
-    }
-
-    /// Name of the support: `sliding`, `fixed` or `free`.
-    pub(crate) fn support(&self) -> &'static str {
-        match self.top.support() {
-            Support::Sliding => "sliding",
-            Support::Fixed => "fixed",
-            Support::Free => "free",
-        }
-    }
-
-    /// Numbers by their names, without those that are 0 because they are not given.
-    pub(crate) fn numbers(&self) -> Vec<(&'static str, f64)> {
-        let given = &self.parameters;
-        let mut numbers = vec![
-            ("transverse_inertia", given.transverse_inertia),
-            ("axial_inertia", given.axial_inertia),
-            ("rotor_momentum", given.rotor_momentum),
-        ];
-        if self.top.support() != Support::Free {
-            numbers.extend([
-                ("gravity", given.gravity),
-                ("mass", given.mass),
-                ("mass_moment", given.mass_moment),
-                ("com_height", given.com_height),
-            ]);
-        }
-        numbers.retain(|(name, x)| *x != 0.0 || ["axial_inertia", "gravity"].contains(name));
-        numbers
-    }
-
-    /// Table `[top]` of a scenario file.
-    pub(crate) fn to_toml(self) -> String {
-        let lines: String = self.numbers().iter().map(|(name, x)| format!("{name} = {x:?}\n")).collect();
-        format!("[top]\nsupport = \"{}\"\n{lines}", self.support())
-    }
-}
-
-/// Table `[motion]` of a scenario file.
-pub(crate) fn start_to_toml(start: &Start) -> String {
-    match start {
-        Start::State { phi: [alpha, beta], omega } => {
-            format!("[motion]\nkind = \"state\"\nalpha = {alpha:?}\nbeta = {beta:?}\nomega = {omega:?}\n")
-        }
-        Start::BranchPoints { e: [e1, e2, e3], signs, phases } => {
-            let (plus, minus) = (signs.l_plus_n.factor(), signs.l_minus_n.factor());
-            let InitialPhases { theta, arg_alpha, arg_beta } = phases;
-            format!(
-                "[motion]\nkind = \"branch_points\"\ne1 = {e1:?}\ne2 = {e2:?}\ne3 = {e3:?}\nsign_l_plus_n = {plus}\n\
-                 sign_l_minus_n = {minus}\nnutation_phase = {theta:?}\narg_alpha = {arg_alpha:?}\narg_beta = {arg_beta:?}\n"
-            )
-        }
-    }
-}
 
 /// Exact motion of one throw, at any time, past or future.
 ///
 /// It is made by a Top, or by Motion.from_toml from a scenario file, and is immutable: threads may share it. Its constants are
 /// attributes. The first call of at sets up a table, from which every time costs the same and has an error within a stated bound.
 #[pyclass(name = "Motion", module = "toytop", frozen)]
-pub(crate) struct PyMotion(pub(crate) Arc<Single>);
-
-/// Motion with its input, and its tables.
-pub(crate) struct Single {
-    pub(crate) top: TopDefinition,
+pub(crate) struct PyMotion {
+    /// Top of the motion.
+    #[pyo3(get)]
+    pub(crate) top: PyTop,
     pub(crate) start: Start,
     pub(crate) motion: Motion,
     tables: [OnceLock<Result<Table, String>>; Scalar::ALL.len()],
@@ -118,21 +52,22 @@ pub(crate) fn scalar_named(name: &str) -> PyResult<Scalar> {
 ///
 /// # Errors
 /// `OSError` with the name of the file.
-pub(crate) fn text_of(path: &Path) -> PyResult<String> {
+#[pyfunction]
+pub(crate) fn text_of(path: PathBuf) -> PyResult<String> {
     let named = |error: io::Error| io::Error::new(error.kind(), format!("{}: {error}", path.display()));
-    Ok(fs::read_to_string(path).map_err(named)?)
+    Ok(fs::read_to_string(&path).map_err(named)?)
 }
 
-impl Single {
-    pub(crate) fn new(top: TopDefinition, start: Start, motion: Motion) -> Arc<Self> {
-        Arc::new(Self { top, start, motion, tables: Default::default(), truth: OnceLock::new() })
+impl PyMotion {
+    pub(crate) fn new(top: PyTop, start: Start, motion: Motion) -> Self {
+        Self { top, start, motion, tables: Default::default(), truth: OnceLock::new() }
     }
 
     /// Motion from a state, with this name of the rates in error messages.
     ///
     /// # Errors
     /// `ValueError` that names the parameter.
-    pub(crate) fn launched(top: &TopDefinition, state: &State, rate: &str) -> PyResult<Arc<Self>> {
+    pub(crate) fn from_state(top: &PyTop, state: &State, rate: &str) -> PyResult<Self> {
         let motion = Motion::launch(&top.top, state).map_err(|error| renamed(error, &[("omega", rate)]))?;
         Ok(Self::new(*top, Start::from(state), motion))
     }
@@ -141,16 +76,11 @@ impl Single {
     ///
     /// # Errors
     /// `ValueError` that names the key.
-    pub(crate) fn parsed(file: &str, text: &str) -> PyResult<Arc<Self>> {
+    pub(crate) fn from_text(file: &str, text: &str) -> PyResult<Self> {
         let Scenario { motion, given, .. } = Scenario::parse(file, text).map_err(failed)?;
         let Numbers { top: parameters, start } =
             given.ok_or_else(|| value_error(file, "must have numbers"))?;
-        Ok(Self::new(TopDefinition { parameters, top: *motion.top() }, start, motion))
-    }
-
-    /// Text of a scenario file.
-    pub(crate) fn text(&self) -> String {
-        format!("{}\n{}", self.top.to_toml(), start_to_toml(&self.start))
+        Ok(Self::new(PyTop { parameters, top: *motion.top() }, start, motion))
     }
 
     /// Table in a scalar, set up at its first use.
@@ -181,13 +111,11 @@ impl Single {
     pub(crate) fn within_reach(&self, times: &[f64]) -> PyResult<()> {
         within(furthest_time(&self.motion), times)
     }
-}
 
-impl PyMotion {
     /// Table in a scalar, and a time as its number of ticks.
     fn table_and_ticks(&self, t: Option<&Bound<'_, PyAny>>, scalar: &str) -> PyResult<(Table, f64)> {
         let t = number("t", t)?.unwrap_or(0.0);
-        let table = self.0.table(scalar_named(scalar)?)?;
+        let table = self.table(scalar_named(scalar)?)?;
         let ticks = t * table.ticks_per_time();
         Ok((table, ticks))
     }
@@ -202,7 +130,7 @@ impl PyMotion {
     ///     OSError: the file cannot be read.
     #[staticmethod]
     fn from_toml(path: PathBuf) -> PyResult<Self> {
-        Single::parsed(&path.display().to_string(), &text_of(&path)?).map(Self)
+        Self::from_text(&path.display().to_string(), &text_of(path)?)
     }
 
     /// Motion of the text of a scenario file.
@@ -211,12 +139,39 @@ impl PyMotion {
     ///     ValueError: a key is wrong; the message names it and what is allowed.
     #[staticmethod]
     fn from_toml_text(text: &str) -> PyResult<Self> {
-        Single::parsed("text", text).map(Self)
+        Self::from_text("text", text)
     }
 
     /// Text of a scenario file with this motion, exact to the last bit.
-    fn to_toml(&self) -> String {
-        self.0.text()
+    pub(crate) fn to_toml(&self) -> String {
+        let motion = match &self.start {
+            Start::State { phi: [alpha, beta], omega } => {
+                format!("kind = \"state\"\nalpha = {alpha:?}\nbeta = {beta:?}\nomega = {omega:?}\n")
+            }
+            Start::BranchPoints { e: [e1, e2, e3], signs, phases } => {
+                let (plus, minus) = (signs.l_plus_n.factor(), signs.l_minus_n.factor());
+                let InitialPhases { theta, arg_alpha, arg_beta } = phases;
+                format!(
+                    "kind = \"branch_points\"\ne1 = {e1:?}\ne2 = {e2:?}\ne3 = {e3:?}\nsign_l_plus_n = {plus}\n\
+                     sign_l_minus_n = {minus}\nnutation_phase = {theta:?}\narg_alpha = {arg_alpha:?}\narg_beta = {arg_beta:?}\n"
+                )
+            }
+        };
+        format!("{}\n[motion]\n{motion}", self.top.to_toml())
+    }
+
+    /// Page with the top in motion, for a notebook or a browser: it computes in the page itself and needs no network.
+    fn view<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let file = ScenarioFile::parse("A spinning top", &self.to_toml()).map_err(failed)?;
+        let html = view::page(&file).map_err(failed)?;
+        py.import("toytop._notebook")?.call_method1("Page", (html,))
+    }
+
+    /// Picture of the curve that the tip draws, for a notebook.
+    fn _repr_html_<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let Curve { points, circles, .. } = py.detach(|| Curve::of(&self.motion)).map_err(failed)?;
+        let radii: Vec<_> = circles.iter().map(|circle| circle.radius).collect();
+        py.import("toytop._notebook")?.call_method1("tip_curve", (points, radii))
     }
 
     /// Samples of the motion at time t, s: a number, or an array of any shape.
@@ -229,7 +184,7 @@ impl PyMotion {
     ///     ValueError: t is not finite or beyond 2^62 ticks; no table in this scalar is large enough.
     #[pyo3(signature = (t, *, scalar="f64"))]
     fn at(slf: &Bound<'_, Self>, t: Given, scalar: &str) -> PyResult<Samples> {
-        let (motion, scalar) = (&slf.get().0, scalar_named(scalar)?);
+        let (motion, scalar) = (slf.get(), scalar_named(scalar)?);
         let table = slf.py().detach(|| motion.table_for(scalar, &t.numbers))?;
         let origin = slf.clone().into_any().unbind();
         Ok(Samples::new((origin, "at", Some(scalar)), t, None, Source::Tables(vec![table])))
@@ -251,20 +206,20 @@ impl PyMotion {
     }
 
     fn __repr__(&self) -> String {
-        let (e, regime, support) = (self.0.motion.branch_points(), self.regime(), self.0.top.support());
+        let (e, regime, support) = (self.motion.branch_points(), self.regime(), self.top.support());
         format!("<Motion of a {support} top: {regime}, e1 = {:?}, e2 = {:?}, e3 = {:?}>", e.e1, e.e2, e.e3)
     }
 
     fn __eq__(&self, other: &Self) -> bool {
-        self.0.top == other.0.top && self.0.start == other.0.start
+        self.top == other.top && self.start == other.start
     }
 
     fn __hash__(&self) -> u64 {
-        let integrals = self.0.motion.first_integrals();
+        let integrals = self.motion.first_integrals();
         [integrals.l, integrals.n, integrals.h].iter().fold(0, |hash, x| hash.rotate_left(9) ^ x.to_bits())
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (String,))> {
-        Ok((py.get_type::<Self>().getattr("from_toml_text")?, (self.0.text(),)))
+        Ok((py.get_type::<Self>().getattr("from_toml_text")?, (self.to_toml(),)))
     }
 }

@@ -1,13 +1,12 @@
 //! Class `Samples`, motions at given times.
 
-use crate::arrays::{Given, Numbers, array};
-use crate::error::{failed, value_error};
+use crate::arguments::{Given, Numbers, array, failed, value_error};
 use crate::interrupt;
 use numpy::PyArrayMethods;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::{PyDict, PySlice};
+use pyo3::types::PyDict;
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use std::sync::Arc;
@@ -226,28 +225,9 @@ impl Samples {
     /// Columns of a table, one-dimensional arrays by name: t, w, x, y, z (quaternion), omega_x, omega_y, omega_z (fixed frame),
     /// omega_body_x, omega_body_y, omega_body_z (body frame), u, tip_x, tip_y, phi (tip angle). Samples of many motions begin
     /// with the column motion, the index of the motion.
-    fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let columns = PyDict::new(py);
-        if let Some(motions) = self.motions {
-            let indices = py.import("numpy")?.call_method1("arange", (motions,))?;
-            columns.set_item("motion", indices.call_method1("repeat", (self.times.numbers.len(),))?)?;
-        }
-        columns.set_item("t", self.t(py)?.call_method0("ravel")?)?;
-        let quantities: [(Column, &[&str]); 6] = [
-            (Column::Quaternion, &["w", "x", "y", "z"]),
-            (Column::Omega, &["omega_x", "omega_y", "omega_z"]),
-            (Column::OmegaBody, &["omega_body_x", "omega_body_y", "omega_body_z"]),
-            (Column::U, &["u"]),
-            (Column::Tip, &["tip_x", "tip_y"]),
-            (Column::Phi, &["phi"]),
-        ];
-        for (quantity, names) in quantities {
-            let numbers = self.of(py, quantity)?.bind(py).call_method1("reshape", (-1, names.len()))?;
-            for (component, name) in names.iter().enumerate() {
-                columns.set_item(name, numbers.get_item((PySlice::full(py), component))?)?;
-            }
-        }
-        Ok(columns)
+    fn columns<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        let Self { motions, times, .. } = slf.get();
+        slf.py().import("toytop._samples")?.call_method1("columns", (slf, motions, times.numbers.len()))
     }
 
     fn __len__(&self) -> PyResult<usize> {

@@ -1,13 +1,9 @@
-//! Class `Top`, and its launches.
+//! Class `Top`: the numbers of a top.
 
-use crate::arrays::{quaternion, vector};
-use crate::error::{renamed, value_error};
-use crate::launch::{Launch, rates};
-use crate::motion::{PyMotion, Single, TopDefinition};
+use crate::arguments::refused;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyType};
-use toytop::{InitialPhases, Motion, Release, Sign, Signs, Support, TopParameters};
-use toytop_host::truth::motions::Start;
+use toytop::{Support, Top, TopParameters};
 
 /// Symmetric top whose tip slides on a horizontal plane, or is held at a point, or a free symmetric body.
 ///
@@ -20,7 +16,48 @@ use toytop_host::truth::motions::Start;
 /// 0.075985
 #[pyclass(name = "Top", module = "toytop", frozen, eq)]
 #[derive(Clone, Copy, PartialEq)]
-pub(crate) struct PyTop(pub(crate) TopDefinition);
+pub(crate) struct PyTop {
+    /// Numbers as they were given.
+    pub(crate) parameters: TopParameters,
+    pub(crate) top: Top,
+}
+
+impl PyTop {
+    fn new(support: Support, parameters: TopParameters) -> PyResult<Self> {
+        let top = match support {
+            Support::Sliding => Top::sliding(&parameters),
+            Support::Fixed => Top::fixed(&parameters),
+            Support::Free => Top::free(&parameters),
+        };
+        Ok(Self { parameters, top: top.map_err(refused)? })
+    }
+
+    /// Numbers by their names, without those that are 0 because they are not given.
+    fn numbers(&self) -> Vec<(&'static str, f64)> {
+        let given = &self.parameters;
+        let mut numbers = vec![
+            ("transverse_inertia", given.transverse_inertia),
+            ("axial_inertia", given.axial_inertia),
+            ("rotor_momentum", given.rotor_momentum),
+            ("gravity", given.gravity),
+            ("mass", given.mass),
+            ("mass_moment", given.mass_moment),
+            ("com_height", given.com_height),
+        ];
+        numbers.retain(|(name, x)| match *name {
+            "axial_inertia" => true,
+            "gravity" => self.top.support() != Support::Free,
+            _ => *x != 0.0,
+        });
+        numbers
+    }
+
+    /// Table `[top]` of a scenario file.
+    pub(crate) fn to_toml(self) -> String {
+        let lines: String = self.numbers().iter().map(|(name, x)| format!("{name} = {x:?}\n")).collect();
+        format!("[top]\nsupport = \"{}\"\n{lines}", self.support())
+    }
+}
 
 #[pymethods]
 impl PyTop {
@@ -58,7 +95,7 @@ impl PyTop {
             gravity,
             rotor_momentum,
         };
-        TopDefinition::new(Support::Sliding, parameters).map(Self)
+        Self::new(Support::Sliding, parameters)
     }
 
     /// Top whose tip is held at a fixed point: the Lagrange top.
@@ -95,7 +132,7 @@ impl PyTop {
             gravity,
             rotor_momentum,
         };
-        TopDefinition::new(Support::Fixed, parameters).map(Self)
+        Self::new(Support::Fixed, parameters)
     }
 
     /// Body without torque: thrown, or in orbit. Its tip is 2 alpha beta, the axis as a complex number.
@@ -112,169 +149,73 @@ impl PyTop {
     fn free(transverse_inertia: f64, axial_inertia: f64, rotor_momentum: f64) -> PyResult<Self> {
         let parameters =
             TopParameters { transverse_inertia, axial_inertia, rotor_momentum, ..TopParameters::default() };
-        TopDefinition::new(Support::Free, parameters).map(Self)
-    }
-
-    /// Motion of this top when it is released with these angles (rad) and rates (rad/s).
-    ///
-    /// Args:
-    ///     tilt: angle of the axis from the upward vertical, in [0, pi].
-    ///     spin: the whole component of the angular velocity along the axis, precession included.
-    ///     precession: rate of the azimuth.
-    ///     nutation: rate of the tilt.
-    ///     azimuth: horizontal direction in which the axis leans, from the first fixed axis.
-    ///     roll: rotation of the body about its axis.
-    ///
-    /// Raises:
-    ///     ValueError: a number is out of range; the message names it.
-    #[pyo3(signature = (*, tilt, spin, precession=0.0, nutation=0.0, azimuth=0.0, roll=0.0))]
-    fn release(
-        &self,
-        tilt: f64,
-        spin: f64,
-        precession: f64,
-        nutation: f64,
-        azimuth: f64,
-        roll: f64,
-    ) -> PyResult<PyMotion> {
-        let release = Release { tilt, azimuth, roll, spin, precession, nutation };
-        Launch::Release(release).of(&self.0).map(PyMotion)
-    }
-
-    /// Motion of this top from an orientation and an angular velocity, as sensors measure them.
-    ///
-    /// Args:
-    ///     quaternion: unit quaternion w, x, y, z from body to fixed coordinates, or a scipy Rotation. Its norm may differ from 1
-    ///         by 1e-6. The third body axis points from the tip to the centre of mass, the third fixed axis upward.
-    ///     omega: angular velocity in the fixed frame, rad/s; either this or omega_body.
-    ///     omega_body: angular velocity in the body frame, rad/s, as a gyroscope measures it.
-    ///
-    /// Raises:
-    ///     ValueError: a number is out of range; the message names it.
-    #[pyo3(signature = (quaternion, omega=None, *, omega_body=None))]
-    fn launch(
-        &self,
-        quaternion: &Bound<'_, PyAny>,
-        omega: Option<&Bound<'_, PyAny>>,
-        omega_body: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<PyMotion> {
-        let Some((name, omega)) = rates(omega, omega_body)? else {
-            return Err(value_error("omega", "must be given, or else omega_body"));
-        };
-        let quaternion = self::quaternion("quaternion", quaternion)?;
-        Launch::Attitude { quaternion, omega: vector(name, omega)?, name }.of(&self.0).map(PyMotion)
-    }
-
-    /// Motion of this top with given branch points -1 <= e1 <= e2 <= 1 <= e3 of the paper: u, the cosine of the tilt, oscillates
-    /// between e1 and e2.
-    ///
-    /// Args:
-    ///     sign_l_plus_n, sign_l_minus_n: signs of l + n and of l - n, 1 or -1.
-    ///     nutation_phase: phase of the nutation at t = 0, rad: 0 at u = e1, pi at u = e2.
-    ///     arg_alpha, arg_beta: arguments of the Cayley-Klein parameters at t = 0, rad; of the derivative where a parameter is 0.
-    ///
-    /// Raises:
-    ///     ValueError: a number is out of range; the message names it.
-    #[pyo3(signature = (e1, e2, e3, *, sign_l_plus_n, sign_l_minus_n, nutation_phase=0.0, arg_alpha=0.0, arg_beta=0.0))]
-    #[expect(clippy::too_many_arguments, reason = "they are keywords of Python")]
-    fn branch_points(
-        &self,
-        e1: f64,
-        e2: f64,
-        e3: f64,
-        sign_l_plus_n: f64,
-        sign_l_minus_n: f64,
-        nutation_phase: f64,
-        arg_alpha: f64,
-        arg_beta: f64,
-    ) -> PyResult<PyMotion> {
-        let signs = Signs {
-            l_plus_n: sign("sign_l_plus_n", sign_l_plus_n)?,
-            l_minus_n: sign("sign_l_minus_n", sign_l_minus_n)?,
-        };
-        let (e, phases) = ([e1, e2, e3], InitialPhases { theta: nutation_phase, arg_alpha, arg_beta });
-        let motion = Motion::from_branch_points(&self.0.top, e, signs, &phases)
-            .map_err(|error| renamed(error, &[("theta", "nutation_phase")]))?;
-        Ok(PyMotion(Single::new(self.0, Start::BranchPoints { e, signs, phases }, motion)))
+        Self::new(Support::Free, parameters)
     }
 
     /// Support of the tip: "sliding", "fixed" or "free".
     #[getter]
-    fn support(&self) -> &'static str {
-        self.0.support()
+    pub(crate) fn support(&self) -> &'static str {
+        match self.top.support() {
+            Support::Sliding => "sliding",
+            Support::Fixed => "fixed",
+            Support::Free => "free",
+        }
     }
 
     /// Transverse moment of inertia A, kg m²: about the centre of mass for a sliding tip, about the tip for a fixed one.
     #[getter]
     fn transverse_inertia(&self) -> f64 {
-        self.0.top.transverse_inertia()
+        self.top.transverse_inertia()
     }
 
     /// Axial moment of inertia C, kg m².
     #[getter]
     fn axial_inertia(&self) -> f64 {
-        self.0.top.axial_inertia()
+        self.top.axial_inertia()
     }
 
     /// Distance s of the centre of mass from a sliding tip, m; 0 for a fixed tip, for which only the mass moment matters.
     #[getter]
     fn com_height(&self) -> f64 {
-        self.0.top.com_height()
+        self.top.com_height()
     }
 
     /// Mass moment p = M s, kg m.
     #[getter]
     fn mass_moment(&self) -> f64 {
-        self.0.top.mass_moment()
+        self.top.mass_moment()
     }
 
     /// Axial angular momentum K of a wheel inside, relative to the body, kg m²/s.
     #[getter]
     fn rotor_momentum(&self) -> f64 {
-        self.0.top.rotor_momentum()
+        self.top.rotor_momentum()
     }
 
     /// Gravity g, m/s².
     #[getter]
     fn gravity(&self) -> f64 {
-        self.0.top.gravity()
+        self.top.gravity()
     }
 
     /// Branch point e4 = sqrt(1 + A/(p s)); None for a fixed tip.
     #[getter]
     fn e4(&self) -> Option<f64> {
-        self.0.top.e4()
+        self.top.e4()
     }
 
     fn __repr__(&self) -> String {
-        let arguments: Vec<_> = self.0.numbers().iter().map(|(name, x)| format!("{name}={x:?}")).collect();
+        let arguments: Vec<_> = self.numbers().iter().map(|(name, x)| format!("{name}={x:?}")).collect();
         format!("Top.{}({})", self.support(), arguments.join(", "))
     }
 
     fn __hash__(&self) -> u64 {
-        self.0.numbers().iter().fold(0, |hash, (_, x)| hash.rotate_left(9) ^ x.to_bits())
+        self.numbers().iter().fold(0, |hash, (_, x)| hash.rotate_left(9) ^ x.to_bits())
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Bound<'py, PyType>,))> {
-        let numbers = self.0.numbers().into_py_dict(py)?;
+        let numbers = self.numbers().into_py_dict(py)?;
         let caller = py.import("operator")?.getattr("methodcaller")?;
         Ok((caller.call((self.support(),), Some(&numbers))?, (py.get_type::<Self>(),)))
-    }
-}
-
-#[pymethods]
-impl PyMotion {
-    /// Top of the motion.
-    #[getter]
-    fn top(&self) -> PyTop {
-        PyTop(self.0.top)
-    }
-}
-
-fn sign(name: &str, number: f64) -> PyResult<Sign> {
-    match number {
-        1.0 => Ok(Sign::Plus),
-        -1.0 => Ok(Sign::Minus),
-        _ => Err(value_error(name, "must be 1 or -1")),
     }
 }

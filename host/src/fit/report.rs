@@ -9,7 +9,7 @@ use crate::Failure;
 use crate::output::{number, short};
 use toml::{Table, Value};
 use toytop_fit::{Drift, Fitted, Measurement};
-use toytop_page::equations::dot;
+use toytop_model::equations::dot;
 
 /// First integrals, and the units of their rates.
 const RATES: [(&str, &str); 3] = [("l", "N m"), ("n", "N m"), ("h", "W")];

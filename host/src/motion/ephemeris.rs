@@ -6,7 +6,7 @@ mod sizes;
 
 pub use samples::{EventQuery, FoundEvent, RateSample, TimedSample};
 pub use sizes::{Size, approximate, smaller, smallest, table};
-pub use toytop_page::table::ticks_per_time;
+pub use toytop_model::ticks::ticks_per_time;
 
 use crate::bake::{Bake, Parts};
 use crate::motion::propagate::Sample;

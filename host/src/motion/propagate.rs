@@ -6,7 +6,7 @@ use crate::output::progress::Progress;
 use toytop::scalar::Real;
 use toytop::{AttitudeState, Complex, Motion, Orientation, Phase, Stepper};
 
-pub use toytop_page::constants::{natural_time, period};
+pub use toytop_model::constants::{natural_time, period};
 
 /// Motion at one time in `f64`, by any method.
 #[derive(Clone, Copy)]

@@ -9,7 +9,7 @@ use kuva::render::render::{Scene, TextAnchor};
 use std::f64::consts::PI;
 use std::io::{self, Write};
 use toytop::Support;
-use toytop_page::equations::dot;
+use toytop_model::equations::dot;
 
 const WIDTH: f64 = 720.0;
 const HEIGHT: f64 = 700.0;

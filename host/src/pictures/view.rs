@@ -8,7 +8,7 @@ use crate::motion::Scalar;
 use crate::motion::ephemeris::smallest;
 use crate::output::{base64, html};
 use serde_json::json;
-use toytop_page::constants;
+use toytop_page::exports::launch_names;
 
 /// The core as WebAssembly; empty in a program that was compiled without that target.
 const CORE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/core.wasm"));
@@ -65,7 +65,7 @@ pub fn page(start: &ScenarioFile) -> Result<String, Failure> {
     let data = json!({
         "name": scenario.name,
         "scenario": serde_json::to_value(&start.keys).map_err(unwritten)?,
-        "constants": constants::names().collect::<Vec<_>>(),
+        "constants": launch_names().collect::<Vec<_>>(),
         "figures": FIGURES.map(|(figure, signs, e3s)| json!([figure, signs.l_minus_n.factor(), e3s])),
         "toy_top": serde_json::to_value(toy_top()?.keys).map_err(unwritten)?,
     });

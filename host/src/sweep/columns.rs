@@ -14,7 +14,7 @@ use serde_json::Value;
 use std::cell::OnceCell;
 use std::str::FromStr;
 use toytop::{Motion, Orientation};
-use toytop_page::constants::MotionConstants;
+use toytop_model::constants::MotionConstants;
 
 /// Column of a sweep, or the columns of a quantity at every time.
 #[derive(Clone, Copy)]

@@ -179,8 +179,6 @@ const LARGE: &[&str] = &[
     "host/src",
     "host/src/full_equations/full_solver.rs",
     "host/src/truth/exact.rs",
-    "host/python/src",
-    "host/python/src/top.rs",
     "host/src/commands",
 ];
 

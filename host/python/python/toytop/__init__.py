@@ -14,22 +14,11 @@ Units are SI, or any consistent ones. Quaternions are w, x, y, z (scalar first) 
 points upward, the third body axis from the tip to the centre of mass. All classes are immutable.
 """
 
-from ._toytop import (
-    ClosedForm,
-    Fitted,
-    Many,
-    Motion,
-    Page,
-    Samples,
-    Score,
-    Top,
-    __version__,
-    fit,
-    many,
-    order,
-    score,
-    simulate,
-)
+from ._fit import Fitted, fit, simulate
+from ._many import Many, many
+from ._notebook import Page
+from ._score import Score, order, score
+from ._toytop import ClosedForm, Motion, Samples, Top, __version__
 
 __all__ = [
     "ClosedForm",

@@ -10,7 +10,7 @@ use serde_json::Value;
 use std::f64::consts::PI;
 use std::path::PathBuf;
 use toytop::{Motion, PeriodAdvance};
-use toytop_page::constants::{CONSTANTS, MotionConstants};
+use toytop_model::constants::{CONSTANTS, MotionConstants};
 
 /// `toytop constants`
 #[derive(Args)]

@@ -5,7 +5,7 @@ use crate::Failure;
 use crate::input::section::{Key, Section};
 use crate::truth::motions::Start;
 use toytop::{Complex, InitialPhases, Motion, Orientation, Release, Sign, Signs, State, Top};
-use toytop_page::scenario::{angle, tilt};
+use toytop_model::angles::{angle, tilt};
 
 /// Motion, and its launch.
 pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure> {

@@ -4,7 +4,7 @@ use crate::motion::greater;
 use crate::motion::propagate::Sample;
 use toytop::su2::OrientationRate;
 use toytop::{Complex, EphemerisScalar, EphemerisView, Event, Level, Phase};
-use toytop_page::equations::dot;
+use toytop_model::equations::dot;
 
 /// Sample of an ephemeris with the rates and the phase that only an ephemeris has.
 pub struct TimedSample {

@@ -7,7 +7,7 @@ use crate::bake::Bake;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
 use toytop::{Ephemeris, EphemerisMemory, EphemerisView, ErrorBound, Motion, SetUp, SetUpError, Tick};
-use toytop_page::table::tick;
+use toytop_model::ticks::tick;
 
 /// Capacity of a table.
 #[derive(Clone, Copy)]

@@ -1,9 +1,8 @@
 //! Changes of a `Motion`: partial derivatives by its launch and its top, and impulses.
 
-use crate::arrays::{Given, Numbers, array, number, vector};
-use crate::error::{refused, value_error};
+use crate::arguments::{Given, Numbers, array, number, refused, value_error, vector};
 use crate::interrupt;
-use crate::motion::{PyMotion, Single};
+use crate::motion::PyMotion;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use toytop::{Complex, Orientation, State};
@@ -51,12 +50,8 @@ impl PyMotion {
     ///     ValueError: t is not finite or too far.
     fn partials<'py>(&self, py: Python<'py>, t: Given) -> PyResult<Bound<'py, PyDict>> {
         let Given { numbers, shape } = t;
-        let sensitivity = py.detach(|| Sensitivity::new(&self.0.motion));
-        let found = interrupt::map(py, numbers.len(), |index| {
-            let now = sensitivity.at(numbers[index])?;
-            Some(QUANTITIES.map(|(_, _, derivatives)| derivatives(&now)))
-        })?;
-        let found: Option<Vec<_>> = found.into_iter().collect();
+        let rows = |now: &Partials| QUANTITIES.map(|(_, _, derivatives)| derivatives(now));
+        let found = self.partials_at(py, &numbers, rows)?;
         let found = found.ok_or_else(|| value_error("t", "must not be so far"))?;
         let partials = PyDict::new(py);
         for (place, (name, components, _)) in QUANTITIES.into_iter().enumerate() {
@@ -84,8 +79,8 @@ impl PyMotion {
         t: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         let (state, impulse, point) = (self.state(t)?, vector("impulse", impulse)?, vector("point", point)?);
-        let struck = state.with_impulse(&self.0.top.top, impulse, point).map_err(refused)?;
-        Single::launched(&self.0.top, &struck, "impulse").map(Self)
+        let struck = state.with_impulse(&self.top.top, impulse, point).map_err(refused)?;
+        Self::from_state(&self.top, &struck, "impulse")
     }
 
     /// Impulse of the support's reaction to an impulse, N s in the fixed frame. Where its third component is negative, a real sliding top
@@ -105,21 +100,33 @@ impl PyMotion {
         t: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Bound<'py, Numbers>> {
         let (state, impulse, point) = (self.state(t)?, vector("impulse", impulse)?, vector("point", point)?);
-        let reaction = state.reaction_impulse(&self.0.top.top, impulse, point).map_err(refused)?;
+        let reaction = state.reaction_impulse(&self.top.top, impulse, point).map_err(refused)?;
         array(py, reaction.to_vec(), &[3])
     }
 }
 
 impl PyMotion {
+    /// Values of a function of the partial derivatives at these times; `None` where one of them is too far.
+    pub(crate) fn partials_at<T: Send>(
+        &self,
+        py: Python<'_>,
+        times: &[f64],
+        of: impl Fn(&Partials) -> T + Sync + Send,
+    ) -> PyResult<Option<Vec<T>>> {
+        let sensitivity = py.detach(|| Sensitivity::new(&self.motion));
+        let found = interrupt::map(py, times.len(), |index| Some(of(&sensitivity.at(times[index])?)))?;
+        Ok(found.into_iter().collect())
+    }
+
     /// State at a time; that of the launch without a rounding.
     fn state(&self, t: Option<&Bound<'_, PyAny>>) -> PyResult<State> {
         let t = number("t", t)?.unwrap_or(0.0);
-        let (phi, omega) = match self.0.start {
+        let (phi, omega) = match self.start {
             Start::State { phi: [[a, b], [c, d]], omega } if t == 0.0 => {
                 (Orientation { alpha: Complex::new(a, b), beta: Complex::new(c, d) }, omega)
             }
             _ => {
-                let now = self.0.table_for(Scalar::F64, &[t])?.at(t).sample;
+                let now = self.table_for(Scalar::F64, &[t])?.at(t).sample;
                 (now.orientation(), now.omega)
             }
         };

@@ -1,10 +1,10 @@
 //! Other methods for a motion at a time: its closed form, where it has one, and the truth to more than thirty digits.
 
-use crate::arrays::{Given, within};
-use crate::error::value_error;
+use crate::arguments::{Given, value_error, within};
 use crate::interrupt;
-use crate::motion::{PyMotion, Single};
+use crate::motion::PyMotion;
 use crate::samples::Samples;
+use crate::top::PyTop;
 use pyo3::prelude::*;
 use toytop::Support;
 use toytop_closed_forms::ClosedForm;
@@ -43,7 +43,7 @@ impl PyClosedForm {
     ///     ValueError: t is not finite, or beyond 1e12 periods.
     fn at(slf: &Bound<'_, Self>, t: Given) -> PyResult<Samples> {
         let Self { motion, form } = slf.get();
-        let motion = &motion.get().0.motion;
+        let motion = &motion.get().motion;
         within(MOST_PERIODS * period(motion), &t.numbers)?;
         let origin = slf.clone().into_any().unbind();
         Samples::of_points(slf.py(), (origin, "at", None), t, motion, None, |t| {
@@ -64,21 +64,6 @@ impl PyClosedForm {
 /// Bound on the rounding of α and β to `f64`: 2 √4 2^-54 rad.
 const ROUNDING: f64 = 0.25 * f64::EPSILON * 4.0;
 
-/// Motion in numbers of 192 bits, with the mass moment p = M s, whose product is not rounded to `f64`.
-fn truth(single: &Single) -> &Exact {
-    single.truth.get_or_init(|| {
-        let (top, given) = (&single.top.top, &single.top.parameters);
-        let p = match top.support() {
-            Support::Free => precise(0.0),
-            _ if given.mass == 0.0 => precise(given.mass_moment),
-            _ => precise(given.mass) * precise(given.com_height),
-        };
-        let (a, c, s, g) = (top.transverse_inertia(), top.axial_inertia(), top.com_height(), top.gravity());
-        let numbers = [a, c, s, top.mass_moment(), g, top.rotor_momentum()];
-        Exact::with_mass_moment(&Numbers { top: numbers, start: single.start }, &p)
-    })
-}
-
 #[pymethods]
 impl PyMotion {
     /// Closed form of the motion, in elementary or elliptic functions.
@@ -86,7 +71,7 @@ impl PyMotion {
     /// Raises:
     ///     ValueError: the motion has none; the message says which motions do.
     fn closed_form(slf: &Bound<'_, Self>) -> PyResult<PyClosedForm> {
-        let form = ClosedForm::of(&slf.get().0.motion).map_err(|none| value_error("closed_form", none))?;
+        let form = ClosedForm::of(&slf.get().motion).map_err(|none| value_error("closed_form", none))?;
         Ok(PyClosedForm { motion: slf.clone().unbind(), form })
     }
 
@@ -96,11 +81,11 @@ impl PyMotion {
     /// Raises:
     ///     ValueError: t is not finite or beyond 2^62 ticks.
     fn reference(slf: &Bound<'_, Self>, t: Given) -> PyResult<Samples> {
-        let (py, single) = (slf.py(), &slf.get().0);
-        single.within_reach(&t.numbers)?;
-        let (truth, unit) = (py.detach(|| truth(single)), period(&single.motion));
+        let (py, own) = (slf.py(), slf.get());
+        own.within_reach(&t.numbers)?;
+        let (truth, unit) = (py.detach(|| own.truth()), period(&own.motion));
         let origin = slf.clone().into_any().unbind();
-        Samples::of_points(py, (origin, "reference", None), t, &single.motion, Some(ROUNDING), |t| {
+        Samples::of_points(py, (origin, "reference", None), t, &own.motion, Some(ROUNDING), |t| {
             let rates = truth.rates(&precise(t), unit);
             (truth.at(&precise(t)).to_f64(), rates.omega, rates.udot)
         })
@@ -113,21 +98,33 @@ impl PyMotion {
     ///     digits: significant digits, from 1 to 50; the truth itself has more than thirty.
     #[pyo3(signature = (t, *, digits=30))]
     fn reference_digits<'py>(&self, py: Python<'py>, t: Given, digits: i64) -> PyResult<Bound<'py, PyAny>> {
-        let Given { numbers: times, mut shape } = t;
         if !(1..=50).contains(&digits) {
             return Err(value_error("digits", "must be between 1 and 50"));
         }
-        self.0.within_reach(&times)?;
-        let truth = py.detach(|| truth(&self.0));
-        let texts = interrupt::map(py, times.len(), |index| {
-            let phi = truth.at(&precise(times[index]));
+        self.within_reach(&t.numbers)?;
+        let truth = py.detach(|| self.truth());
+        let texts = interrupt::map(py, t.numbers.len(), |index| {
+            let phi = truth.at(&precise(t.numbers[index]));
             let [[w, z], [y, x]] = [phi.alpha, phi.beta];
             [w, x, -y, z].map(|component| decimal(&component, digits as usize))
         })?;
-        let exact = py.import("decimal")?.getattr("Decimal")?;
-        let numbers = texts.into_iter().flatten().map(|text| exact.call1((text,)));
-        let numbers = numbers.collect::<PyResult<Vec<_>>>()?;
-        shape.push(4);
-        py.import("numpy")?.call_method1("array", (numbers, "object"))?.call_method1("reshape", (shape,))
+        py.import("toytop._samples")?.call_method1("decimals", (texts, t.shape))
+    }
+}
+
+impl PyMotion {
+    /// Motion in numbers of 192 bits, with the mass moment p = M s, whose product is not rounded to `f64`.
+    fn truth(&self) -> &Exact {
+        self.truth.get_or_init(|| {
+            let PyTop { top, parameters: given } = &self.top;
+            let p = match top.support() {
+                Support::Free => precise(0.0),
+                _ if given.mass == 0.0 => precise(given.mass_moment),
+                _ => precise(given.mass) * precise(given.com_height),
+            };
+            let (a, c, s) = (top.transverse_inertia(), top.axial_inertia(), top.com_height());
+            let top = [a, c, s, top.mass_moment(), top.gravity(), top.rotor_momentum()];
+            Exact::with_mass_moment(&Numbers { top, start: self.start }, &p)
+        })
     }
 }

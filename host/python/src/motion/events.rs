@@ -1,7 +1,6 @@
 //! Events of a `Motion`: times at which it turns, or reaches a tilt, a direction or a circle, or lifts off.
 
-use crate::arrays::number;
-use crate::error::{renamed, value_error};
+use crate::arguments::{number, renamed, value_error};
 use crate::interrupt;
 use crate::motion::PyMotion;
 use numpy::IntoPyArray;
@@ -54,33 +53,31 @@ impl PyMotion {
         if !(1..=MOST).contains(&count) {
             return Err(value_error("count", format!("must be between 1 and {MOST}")));
         }
-        let table = py.detach(|| self.0.table(Scalar::F64))?;
-        self.0.within_reach(&[start]).map_err(|_| value_error("start", "must be within 2^62 ticks"))?;
+        let table = py.detach(|| self.table(Scalar::F64))?;
+        self.within_reach(&[start]).map_err(|_| value_error("start", "must be within 2^62 ticks"))?;
         let (from, most) = ((start * table.ticks_per_time()).floor() as i64, count as usize);
         let wanted = move |t: f64, up: bool| t >= start && upward.is_none_or(|only: bool| only == up);
         let mut found = interrupt::alone(py, move || {
             let events = |sought: EventQuery| {
                 let events = table.events(sought, from, &wanted, most).into_iter();
-                events.map(move |event| (event.time_error(&sought), event))
+                events.map(move |event| (event.time_error(&sought).unwrap_or(f64::NAN), event))
             };
             searches.into_iter().flat_map(events).collect::<Vec<_>>()
         })?;
         found.sort_by(|(_, a), (_, b)| a.t.total_cmp(&b.t));
         found.truncate(most);
-        let column = |of: fn(&FoundEvent) -> f64| {
-            let numbers: Vec<f64> = found.iter().map(|(_, event)| of(event)).collect();
-            numbers.into_pyarray(py)
-        };
-        let errors: Vec<f64> = found.iter().map(|(error, _)| error.unwrap_or(f64::NAN)).collect();
-        let upward: Vec<bool> = found.iter().map(|(_, event)| event.upward).collect();
         let events = PyDict::new(py);
-        events.set_item("t", column(|event| event.t))?;
-        events.set_item("t_error", errors.into_pyarray(py))?;
-        events.set_item("up", upward.into_pyarray(py))?;
-        events.set_item("u", column(|event| event.state.sample.u))?;
-        events.set_item("tip_x", column(|event| event.state.sample.tip.re))?;
-        events.set_item("tip_y", column(|event| event.state.sample.tip.im))?;
-        events.set_item("phi", column(|event| event.state.sample.phi.unwrap_or(f64::NAN)))?;
+        let set = |name: &str, of: fn(&(f64, FoundEvent)) -> f64| {
+            events.set_item(name, found.iter().map(of).collect::<Vec<_>>().into_pyarray(py))
+        };
+        set("t", |(_, event)| event.t)?;
+        set("t_error", |(error, _)| *error)?;
+        let up: Vec<bool> = found.iter().map(|(_, event)| event.upward).collect();
+        events.set_item("up", up.into_pyarray(py))?;
+        set("u", |(_, event)| event.state.sample.u)?;
+        set("tip_x", |(_, event)| event.state.sample.tip.re)?;
+        set("tip_y", |(_, event)| event.state.sample.tip.im)?;
+        set("phi", |(_, event)| event.state.sample.phi.unwrap_or(f64::NAN))?;
         Ok(events)
     }
 }
@@ -88,33 +85,30 @@ impl PyMotion {
 impl PyMotion {
     /// Searches for the events of a kind: two where two levels of u belong to a circle, none where a top does not leave the plane.
     fn sought(&self, kind: &str, value: Option<f64>) -> PyResult<Vec<EventQuery>> {
-        let (motion, top) = (&self.0.motion, self.0.motion.top());
+        let top = self.motion.top();
         let named = |error| renamed(error, &[("tilt", "value"), ("radius", "value")]);
-        let given = || value.ok_or_else(|| value_error("value", format!("must be given for {kind:?}")));
-        Ok(match kind {
-            "tilt" => vec![EventQuery::Crossing(Level::of_tilt(given()?).map_err(named)?)],
-            "direction" => match given()? {
-                angle if angle.abs() <= 1e6 => {
-                    vec![EventQuery::TipAngle(Phase::new(angle / std::f64::consts::TAU))]
-                }
-                _ => return Err(value_error("value", "must be within ±1e6 rad")),
-            },
-            "circle" => Level::of_circle(top, given()?).map_err(named)?.map(EventQuery::Crossing).to_vec(),
-            "turning" | "lift_off" if value.is_some() => {
-                return Err(value_error("value", format!("must be left out for {kind:?}")));
+        let levels = |levels: &[Level]| levels.iter().copied().map(EventQuery::Crossing).collect();
+        let (name, reason) = match (kind, value) {
+            ("turning", None) => return Ok(vec![EventQuery::Turning]),
+            ("tilt", Some(tilt)) => return Ok(levels(&[Level::of_tilt(tilt).map_err(named)?])),
+            ("direction", Some(angle)) if angle.abs() <= 1e6 => {
+                return Ok(vec![EventQuery::TipAngle(Phase::new(angle / std::f64::consts::TAU))]);
             }
-            "turning" => vec![EventQuery::Turning],
-            "lift_off" if top.support() == Support::Sliding => {
-                Level::of_lift_off(motion).map(EventQuery::Crossing).into_iter().collect()
+            ("circle", Some(radius)) => return Ok(levels(&Level::of_circle(top, radius).map_err(named)?)),
+            ("lift_off", None) if top.support() == Support::Sliding => {
+                return Ok(levels(Level::of_lift_off(&self.motion).as_slice()));
             }
-            "lift_off" => {
-                let reason = "must not be 'lift_off': the tip does not slide on a plane";
-                return Err(value_error("kind", reason));
+            ("direction", Some(_)) => ("value", "must be within ±1e6 rad".to_owned()),
+            ("turning" | "lift_off", Some(_)) => ("value", format!("must be left out for {kind:?}")),
+            ("tilt" | "direction" | "circle", None) => ("value", format!("must be given for {kind:?}")),
+            ("lift_off", None) => {
+                ("kind", "must not be 'lift_off': the tip does not slide on a plane".to_owned())
             }
             _ => {
                 let kinds = "'turning', 'tilt', 'direction', 'circle', 'lift_off'";
-                return Err(value_error("kind", format!("must be one of {kinds}")));
+                ("kind", format!("must be one of {kinds}"))
             }
-        })
+        };
+        Err(value_error(name, reason))
     }
 }

@@ -1,10 +1,12 @@
 //! Constants of the motion by name, in the order in which the page receives them.
 
+use crate::equations::cross;
+use core::array::from_fn;
 use core::cell::OnceCell;
 use core::f64::consts::PI;
 use core::ops::Deref;
 use toytop::scalar::{Float, Real, Ring};
-use toytop::{AttitudeState, Motion, PeriodAdvance, Regime, Stepper, Support};
+use toytop::{AttitudeState, Motion, PeriodAdvance, Regime, Stepper};
 
 /// Constant by its name and its function; NaN where it does not exist.
 pub type Constant = (&'static str, fn(&MotionConstants) -> f64);
@@ -59,7 +61,8 @@ impl Deref for MotionConstants {
 
 /// All constants of a motion.
 pub const CONSTANTS: [Constant; 34] = [
-    ("support", |motion| support(motion.top().support())),
+    // 0 sliding, 1 fixed, 2 free
+    ("support", |motion| f64::from(motion.top().support() as u8)),
     ("A", |motion| motion.top().transverse_inertia()),
     ("C", |motion| motion.top().axial_inertia()),
     ("s", |motion| motion.top().com_height()),
@@ -95,21 +98,6 @@ pub const CONSTANTS: [Constant; 34] = [
     ("m_z", |motion| momentum(motion)[2]),
 ];
 
-/// Names of all that [`launch`](crate::exports::launch) puts into the numbers: the constants, the bound on the orientation
-/// error at t = 0, rad, and its growth, rad/s.
-pub fn names() -> impl Iterator<Item = &'static str> {
-    CONSTANTS.iter().map(|(name, _)| *name).chain(["error", "error_growth"])
-}
-
-/// Number of a support: 0 sliding, 1 held, 2 free.
-fn support(support: Support) -> f64 {
-    match support {
-        Support::Sliding => 0.0,
-        Support::Fixed => 1.0,
-        Support::Free => 2.0,
-    }
-}
-
 /// Natural time T₀ = 2π √((A/p + s)/g) of the top for motions that have no period, s. Without torque it is the time in which
 /// the axis turns once about the angular momentum, and 1 for a body at rest.
 pub fn natural_time(motion: &Motion) -> f64 {
@@ -134,7 +122,7 @@ fn at_start(motion: &Motion) -> AttitudeState<f64> {
 /// at which the axis leaves.
 fn axis_at_start(motion: &Motion) -> [f64; 4] {
     let state = at_start(motion);
-    let ([x, y, _], [rx, ry, rz]) = (state.axis(), axis_rate(&state));
+    let ([x, y, _], [rx, ry, rz]) = (state.axis(), cross(state.omega(), state.axis()));
     let (level, u) = (Float::sqrt(x * x + y * y), state.u());
     let [precession, nutation] = if level > 0.0 {
         [(x * ry - y * rx) / level.squared(), (x * rx + y * ry) / level * u - rz * level]
@@ -144,19 +132,13 @@ fn axis_at_start(motion: &Motion) -> [f64; 4] {
     [Real::atan2(level, u), Real::atan2(y, x), precession, nutation]
 }
 
-/// Rate of the axis r' = ω × r, 1/s.
-fn axis_rate(state: &AttitudeState<f64>) -> [f64; 3] {
-    let ([wx, wy, wz], [x, y, z]) = (state.omega(), state.axis());
-    [wy * z - wz * y, wz * x - wx * z, wx * y - wy * x]
-}
-
 /// Angular momentum m = A r × r' + n r of a body on which no torque acts, kg m²/s; NaN where one does.
 fn momentum(motion: &Motion) -> [f64; 3] {
     if !motion.top().is_torque_free() {
         return [f64::NAN; 3];
     }
     let state = at_start(motion);
-    let ([x, y, z], [rx, ry, rz]) = (state.axis(), axis_rate(&state));
-    let (a, n) = (motion.top().transverse_inertia(), motion.first_integrals().n);
-    [a * (y * rz - z * ry) + n * x, a * (z * rx - x * rz) + n * y, a * (x * ry - y * rx) + n * z]
+    let (r, n) = (state.axis(), motion.first_integrals().n);
+    let swing = cross(r, cross(state.omega(), r));
+    from_fn(|i| motion.top().transverse_inertia() * swing[i] + n * r[i])
 }

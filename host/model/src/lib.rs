@@ -1,0 +1,19 @@
+//! The motion of a top in `f64`, as the program, the page and the Python package share it.
+//!
+//! | module | content |
+//! |---|---|
+//! | [`equations`] | full 3-D equations of motion |
+//! | [`names`] | words for regimes and tip curves |
+//! | [`angles`] | angles of a scenario from degrees |
+//! | [`constants`] | constants of a motion by name |
+//! | [`ticks`] | ticks of a table for any time |
+//!
+//! The crate has no `std` and no allocator, because the page has none.
+
+#![no_std]
+
+pub mod angles;
+pub mod constants;
+pub mod equations;
+pub mod names;
+pub mod ticks;

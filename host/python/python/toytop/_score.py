@@ -1,0 +1,95 @@
+"""Errors of an integrator's output against the exact motion."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, final
+
+from . import _toytop
+from ._arguments import finite, rates, rows
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+
+def score(
+    motion: _toytop.Motion,
+    t: ArrayLike,
+    quaternion: Any,
+    *,
+    omega: ArrayLike | None = None,
+    omega_body: ArrayLike | None = None,
+) -> Score:
+    """Errors of the output of an integrator, from the state of motion.at(0), against the exact motion.
+
+    Args:
+        t: times, s, which go on in one direction.
+        quaternion: an array of shape (len(t), 4) with w, x, y, z from body to fixed coordinates, or a scipy Rotation.
+        omega: angular velocities in the fixed frame, rad/s, of shape (len(t), 3).
+        omega_body: angular velocities in the body frame instead. Without either, drifts are found from differences.
+
+    Raises:
+        ValueError: an array is of the wrong shape, holds no rotation, or t does not go on; the message names it.
+    """
+    name, rate = rates(omega, omega_body)
+    times, quaternions = finite("t", t).ravel(), rows("quaternion", quaternion, 4)
+    velocities = None if rate is None else rows(name, rate, 3)
+    for column, array in (("quaternion", quaternions), (name, velocities)):
+        if array is not None and len(array) != len(times):
+            raise ValueError(f"{column}: must have {len(times)} rows, as t; has {len(array)}")
+    if len(times) == 0 or not ((times[1:] > times[:-1]).all() or (times[1:] < times[:-1]).all()):
+        raise ValueError("t: must be at least one time, and go on in one direction")
+    return Score(**_toytop.score(motion, times, quaternions, velocities, name == "omega_body"))
+
+
+def order(steps: ArrayLike, errors: ArrayLike) -> float | None:
+    """Order of convergence, fitted to the errors of several step sizes; None where fewer than two of them tell it."""
+    import numpy as np
+
+    given, found = finite("steps", steps).ravel(), finite("errors", errors).ravel()
+    if len(given) != len(found):
+        raise ValueError(f"errors: must be {len(given)} numbers, as steps")
+    return _toytop.order(np.column_stack([given, found]))
+
+
+@final
+@dataclass(frozen=True, repr=False)
+class Score:
+    """Errors of an integrator's output against the exact motion.
+
+    Attributes:
+        max_error: greatest error of the orientation, 2 sqrt(|d alpha|^2 + |d beta|^2) with the nearer sign, rad.
+        rms_error: root of the mean square error of the orientation, rad.
+        final_error: error of the orientation in the last row, rad.
+        max_u_error: greatest error of u, the cosine of the tilt.
+        nutation_error: phase error of the nutation over the last nutation period, rad, above 0 where the result is ahead; None where the
+            axis does not nutate, or for an aperiodic motion.
+        precession_error: phase error of the precession over the last nutation period, rad; None where the axis is vertical.
+        spin_error: phase error of the spin over the last nutation period, rad.
+        residual: root of the mean square of the error that no phase error explains, rad.
+        drift_h: greatest change of h in units of the greater of |h| and p g; None where no angular velocity is known.
+        drift_l: greatest change of l in units of the greatest of |l|, |n| and sqrt(2 A p g); None where no angular velocity is known.
+        drift_n: greatest change of n in the unit of drift_l; None where no angular velocity is known.
+        norm_error: greatest distance of the quaternions from unit norm.
+        truth_bound: upper bound on the error of the exact motion itself, rad.
+        doubt: likely reason why the first row is far from the motion, if it is; otherwise None.
+    """
+
+    max_error: float
+    rms_error: float
+    final_error: float
+    max_u_error: float
+    nutation_error: float | None
+    precession_error: float | None
+    spin_error: float | None
+    residual: float | None
+    drift_h: float | None
+    drift_l: float | None
+    drift_n: float | None
+    norm_error: float
+    truth_bound: float
+    doubt: str | None
+
+    def __repr__(self) -> str:
+        errors = self.max_error, self.rms_error, self.final_error
+        return "<Score: greatest error {:.1e} rad, rms {:.1e} rad, last {:.1e} rad>".format(*errors)

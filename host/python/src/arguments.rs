@@ -1,0 +1,137 @@
+//! Arguments: their numbers, their refusals as `ValueError` whose message begins with the name, and arrays for Python.
+
+use numpy::{IntoPyArray, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
+use pyo3::exceptions::{PyOSError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyFloat, PyInt};
+use std::fmt::Display;
+use toytop::ParameterError;
+use toytop_host::Failure;
+
+/// Exception for a parameter that core refuses.
+pub(crate) fn refused(error: ParameterError) -> PyErr {
+    renamed(error, &[])
+}
+
+/// Exception for a parameter that core refuses; `names` lists the parameters with another name here.
+pub(crate) fn renamed(error: ParameterError, names: &[(&str, &str)]) -> PyErr {
+    let parameter = error.parameter();
+    let name = names.iter().find(|(core, _)| *core == parameter).map_or(parameter, |(_, name)| name);
+    value_error(name, format!("must be {}", error.allowed()))
+}
+
+/// Exception for a parameter and the reason.
+pub(crate) fn value_error(parameter: &str, reason: impl Display) -> PyErr {
+    PyValueError::new_err(format!("{parameter}: {reason}"))
+}
+
+/// Exception for a failure of the host library.
+pub(crate) fn failed(failure: Failure) -> PyErr {
+    match failure {
+        Failure::Input(_) | Failure::Method(_) => PyValueError::new_err(failure.to_string()),
+        Failure::Output(_) | Failure::Tool(_) => PyOSError::new_err(failure.to_string()),
+    }
+}
+
+/// Array of numbers for Python.
+pub(crate) type Numbers = PyArrayDyn<f64>;
+
+/// Numbers in row-major order with their shape; a single number has an empty shape.
+pub(crate) struct Given {
+    pub(crate) numbers: Vec<f64>,
+    pub(crate) shape: Vec<usize>,
+}
+
+impl Given {
+    /// Finite numbers of an argument.
+    ///
+    /// # Errors
+    /// `ValueError` that names the argument: no numbers, or a number that is not finite.
+    pub(crate) fn read(name: &str, object: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let given = Self::read_any(name, object)?;
+        match given.numbers.iter().all(|x| x.is_finite()) {
+            true => Ok(given),
+            false => Err(value_error(name, "must be finite")),
+        }
+    }
+
+    /// Numbers of an argument, finite or not.
+    ///
+    /// # Errors
+    /// `ValueError` that names the argument: no numbers.
+    pub(crate) fn read_any(name: &str, object: &Bound<'_, PyAny>) -> PyResult<Self> {
+        static NUMBERS: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
+        if object.is_instance_of::<PyFloat>() || object.is_exact_instance_of::<PyInt>() {
+            return Ok(Self { numbers: vec![object.extract()?], shape: Vec::new() });
+        }
+        let array = match object.cast_exact::<Numbers>() {
+            Ok(array) => array.clone(),
+            Err(_) => {
+                let numbers = NUMBERS.import(object.py(), "toytop._arguments", "numbers")?;
+                numbers.call1((name, object))?.cast_into()?
+            }
+        };
+        let array = array.try_readonly()?;
+        let numbers = match array.as_slice() {
+            Ok(numbers) if array.is_c_contiguous() => numbers.to_vec(),
+            _ => array.as_array().iter().copied().collect(),
+        };
+        Ok(Self { numbers, shape: array.shape().to_vec() })
+    }
+}
+
+/// Finite times of an argument `t`: a number, or an array of any shape.
+impl FromPyObject<'_, '_> for Given {
+    type Error = PyErr;
+
+    fn extract(t: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        Self::read("t", &t)
+    }
+}
+
+/// Finite number, if it is given.
+///
+/// # Errors
+/// `ValueError` that names the argument.
+pub(crate) fn number(name: &str, object: Option<&Bound<'_, PyAny>>) -> PyResult<Option<f64>> {
+    let Some(object) = object else { return Ok(None) };
+    let Given { numbers, shape } = Given::read(name, object)?;
+    match shape.is_empty() {
+        true => Ok(Some(numbers[0])),
+        false => Err(value_error(name, format!("must be a number, not of shape {shape:?}"))),
+    }
+}
+
+/// N finite numbers.
+///
+/// # Errors
+/// `ValueError` that names the argument.
+pub(crate) fn vector<const N: usize>(name: &str, object: &Bound<'_, PyAny>) -> PyResult<[f64; N]> {
+    let Given { numbers, shape } = Given::read(name, object)?;
+    match shape[..] {
+        [length] if length == N => Ok(numbers.as_chunks().0[0]),
+        _ => Err(value_error(name, format!("must be {N} numbers, not of shape {shape:?}"))),
+    }
+}
+
+/// Checks that the times are within a distance from t = 0.
+///
+/// # Errors
+/// `ValueError`: one of the times is not.
+pub(crate) fn within(reach: f64, times: &[f64]) -> PyResult<()> {
+    let furthest = times.iter().fold(0.0, |furthest, t| f64::max(furthest, t.abs()));
+    match furthest <= reach {
+        true => Ok(()),
+        false => Err(value_error("t", format!("{furthest:e} must be within ±{reach:.1e}"))),
+    }
+}
+
+/// Array of these numbers, which are not copied.
+pub(crate) fn array<'py>(
+    py: Python<'py>,
+    numbers: Vec<f64>,
+    shape: &[usize],
+) -> PyResult<Bound<'py, Numbers>> {
+    numbers.into_pyarray(py).reshape(shape)
+}
