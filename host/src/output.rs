@@ -34,11 +34,6 @@ impl Record {
     fn get(&self, name: &str) -> Option<&Value> {
         self.0.iter().find(|(other, _)| *other == name).map(|(_, value)| value)
     }
-
-    /// Columns with the names of the values as headings.
-    pub fn columns(&self, of_number: fn(f64) -> String) -> Vec<Column<'static>> {
-        self.0.iter().map(|(name, _)| (*name, *name, of_number)).collect()
-    }
 }
 
 /// Form of the output.
@@ -68,6 +63,11 @@ pub fn render(format: Format, lists: &Lists<'_>, table: impl FnOnce() -> String)
 
 /// Column of a table: name of a value, heading, and text of a number.
 pub type Column<'a> = (&'static str, &'a str, fn(f64) -> String);
+
+/// Columns of all values of records, with their names as headings.
+pub fn all_columns(records: &[Record], of_number: fn(f64) -> String) -> Vec<Column<'static>> {
+    records.first().iter().flat_map(|record| &record.0).map(|(name, _)| (*name, *name, of_number)).collect()
+}
 
 /// Header and rows of a table. A value that is absent is a dash.
 pub fn rows(records: &[Record], shown: &[Column<'_>]) -> Vec<Vec<String>> {
