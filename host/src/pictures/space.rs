@@ -1,10 +1,11 @@
 //! Pictures of space: the curve of the axis on the unit sphere, and the top in motion, at exact times, as a GIF or as pictures for a
 //! program that makes films.
 
+use super::curve::Bound;
+use super::drawing::{BOUND, CAPTION, CURVE, START, disc, line, raster, text};
+use super::span::Span;
+use super::tip::caption;
 use crate::input::scenario::Scenario;
-use crate::pictures::curve::Bound;
-use crate::pictures::drawing::{BOUND, CAPTION, CURVE, START, disc, line, raster, text};
-use crate::pictures::span::Span;
 use kuva::render::render::{Scene, TextAnchor};
 use std::f64::consts::PI;
 use std::io::{self, Write};
@@ -18,15 +19,15 @@ const RADIUS: f64 = 265.0;
 /// Horizontal position at which the names of the parallels begin, pixels.
 const LABELS: f64 = 572.0;
 
-/// Draws the curve of the axis over a span of time; the lines of the caption are below the title.
-pub fn draw(scenario: &Scenario, span: &Span, caption: &[String]) -> Scene {
+/// Draws the curve of the axis over a span of time.
+pub fn draw(scenario: &Scenario, span: &Span) -> Scene {
     let mut scene = Scene::new(WIDTH, HEIGHT);
     let picture = &mut scene;
     let camera = Camera::new(-1.05, 0.42, MIDDLE, RADIUS);
     let middle = TextAnchor::Middle;
     let title = format!("{}: the axis on the unit sphere", scenario.name);
     text(picture, &title, [MIDDLE[0], 34.0], 18, middle, "black");
-    for (line, y) in caption.iter().zip([58.0, 76.0]) {
+    for (line, y) in caption(scenario, span, "").iter().zip([58.0, 76.0]) {
         text(picture, line, [MIDDLE[0], y], 12, middle, CAPTION);
     }
     disc(picture, MIDDLE.into(), RADIUS, "#fbfbfb", Some(BOUND));
@@ -114,7 +115,7 @@ impl Camera {
 fn circle(radius: f64, height: f64) -> Vec<[f64; 3]> {
     const CORNERS: u32 = 180;
     let corner = |i: u32| {
-        let angle = 2.0 * std::f64::consts::PI * f64::from(i) / f64::from(CORNERS);
+        let angle = 2.0 * PI * f64::from(i) / f64::from(CORNERS);
         [radius * angle.cos(), radius * angle.sin(), height]
     };
     (0..=CORNERS).map(corner).collect()
@@ -214,8 +215,7 @@ impl<'a> Film<'a> {
         let mut encoder = gif::Encoder::new(out, side, side, &[]).map_err(io::Error::other)?;
         encoder.set_repeat(gif::Repeat::Infinite).map_err(io::Error::other)?;
         for frame in 0..self.frames {
-            let (width, height, mut pixels) = pixels(&self.png(frame)?)?;
-            let mut picture = gif::Frame::from_rgba_speed(width, height, &mut pixels, 10);
+            let mut picture = gif::Frame::from_rgba_speed(side, side, &mut pixels(&self.png(frame)?)?, 10);
             picture.delay = delay;
             encoder.write_frame(&picture).map_err(io::Error::other)?;
             done();
@@ -224,17 +224,12 @@ impl<'a> Film<'a> {
     }
 }
 
-/// Width, height and pixels of a PNG file, four bytes each.
-fn pixels(png: &[u8]) -> io::Result<(u16, u16, Vec<u8>)> {
-    let mut decoder = png::Decoder::new(io::Cursor::new(png));
-    decoder.set_transformations(png::Transformations::ALPHA | png::Transformations::STRIP_16);
-    let mut reader = decoder.read_info().map_err(io::Error::other)?;
-    let size = reader.output_buffer_size().ok_or_else(|| io::Error::other("a frame is too large"))?;
-    let mut bytes = vec![0; size];
-    let info = reader.next_frame(&mut bytes).map_err(io::Error::other)?;
-    bytes.truncate(info.buffer_size());
-    let narrow = |x: u32| u16::try_from(x).map_err(io::Error::other);
-    Ok((narrow(info.width)?, narrow(info.height)?, bytes))
+/// Pixels of a PNG file, four bytes each.
+fn pixels(png: &[u8]) -> io::Result<Vec<u8>> {
+    let mut reader = png::Decoder::new(io::Cursor::new(png)).read_info()?;
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap_or_default()];
+    reader.next_frame(&mut bytes)?;
+    Ok(bytes)
 }
 
 #[cfg(test)]

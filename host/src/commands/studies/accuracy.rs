@@ -15,7 +15,7 @@ use crate::motion::{Scalar, first_integrals, greater, natural_scales};
 use crate::output::doc_markers::{self, Page};
 use crate::output::progress::Progress;
 use crate::output::{self, Column, Format, Record};
-use crate::pictures::charts::chart::{Chart, Curve};
+use crate::pictures::chart::{Chart, Curve};
 use crate::pictures::drawing;
 use crate::thread_pool;
 use crate::truth::exact::{Exact, PreciseOrientation};
