@@ -16,9 +16,9 @@ pub struct Curve {
     /// Points \[x, y\].
     pub points: Vec<[f64; 2]>,
     /// Width of the line through the points; 0 for none.
-    pub width: f64,
+    width: f64,
     /// Whether every point has a mark.
-    pub marked: bool,
+    marked: bool,
 }
 
 impl Curve {
@@ -30,6 +30,11 @@ impl Curve {
     /// Line through points with marks.
     pub fn marked(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
         Self { marked: true, ..Self::line(name, points) }
+    }
+
+    /// Marks without a line.
+    pub fn dots(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
+        Self { width: 0.0, ..Self::marked(name, points) }
     }
 }
 

@@ -116,7 +116,7 @@ pub fn potential(scenario: &Scenario) -> Scene {
     let curves = [
         Curve::line("effective potential", all.map(above).collect()),
         Curve::line("energy", vec![[from, 0.0], [until, 0.0]]),
-        Curve::marked("least, greatest tilt", ends.map(|tilt| above(tilt.clamp(from, until))).into()),
+        Curve::dots("least, greatest tilt", ends.map(|tilt| above(tilt.clamp(from, until))).into()),
     ];
     Chart {
         title: &format!("{}: effective potential of the nutation", scenario.name),

@@ -127,7 +127,7 @@ fn picture(all: &[Accuracy], limits: &Limits) -> Scene {
         };
         let unit = if Model::of(chip).is_some() { "cycles" } else { "instructions" };
         let points = all.iter().filter_map(point).collect();
-        Curve { width: 0.0, ..Curve::marked(format!("{}, {unit}", chip.core), points) }
+        Curve::dots(format!("{}, {unit}", chip.core), points)
     };
     let name = |accuracy: &Accuracy| format!("{} {:.0e}", accuracy.scalar.name(), angle(accuracy));
     let names: Vec<_> = all.iter().map(name).collect();
