@@ -1,6 +1,5 @@
 //! Records as an aligned table, CSV or JSON. In CSV and JSON a number has 17 significant digits, from which a reader obtains the same `f64`.
 
-mod base64;
 pub mod doc_markers;
 #[cfg_attr(not(feature = "program"), path = "output/silent.rs")]
 pub mod progress;
@@ -8,7 +7,6 @@ pub mod progress;
 pub mod stdout;
 pub mod whole_file;
 
-pub use base64::base64;
 pub use toytop_page::names;
 
 #[cfg(feature = "program")]
@@ -124,11 +122,6 @@ pub fn shown(text: &str) -> String {
     const MOST: usize = 60;
     let beginning: String = text.chars().take(MOST).collect();
     if beginning.len() < text.len() { format!("{beginning}...") } else { beginning }
-}
-
-/// Text for HTML.
-pub fn html(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 /// Records as CSV, with a header line.

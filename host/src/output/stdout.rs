@@ -23,7 +23,7 @@ extern "C" fn look() {
 ///
 /// # Errors
 /// It was closed.
-pub fn require_open() -> io::Result<()> {
+fn require_open() -> io::Result<()> {
     if CLOSED.load(Relaxed) { Err(io::Error::other("stdout is closed")) } else { Ok(()) }
 }
 
@@ -76,12 +76,19 @@ fn print(report: &Report) -> Result<ExitCode, Failure> {
         let _ = writeln!(io::stderr(), "{note}");
     }
     if !report.text.is_empty() {
-        require_open().map_err(Failure::Output)?;
+        write(|out| out.write_all(report.text.as_bytes()))?;
     }
-    let mut stdout = io::stdout().lock();
-    match stdout.write_all(report.text.as_bytes()).and_then(|()| stdout.flush()) {
+    Ok(ExitCode::from(u8::from(report.missed)))
+}
+
+/// Writes to stdout. A reader that closes it early (`| head`) is no failure.
+///
+/// # Errors
+/// [`Failure::Output`]: stdout was closed, or the error of `fill`.
+pub fn write(fill: impl FnOnce(&mut io::Stdout) -> io::Result<()>) -> Result<(), Failure> {
+    let mut out = io::stdout();
+    match require_open().and_then(|()| fill(&mut out)).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(error)),
-        // a reader that closes the pipe (`| head`) is no failure
-        _ => Ok(ExitCode::from(u8::from(report.missed))),
+        _ => Ok(()),
     }
 }
