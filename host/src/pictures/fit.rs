@@ -95,15 +95,15 @@ pub fn prediction(report: &FitReport, motion: &Motion) -> Scene {
         let [long, short] = ellipse(&covariance, partials.axis());
         Some([trace.max(0.0).sqrt(), long, short])
     };
-    'intervals: for interval in 0..INTERVALS {
+    for interval in 0..INTERVALS {
         let [from, until] = [begin(interval), begin(interval + 1)];
         let times = ((until - from) / step).ceil().clamp(1.0, MOST_TIMES) as u32;
-        let mut greatest = [0.0; 3];
-        for time in 1..=times {
-            let ahead = from + (until - from) * f64::from(time) / f64::from(times);
-            let Some(now) = deviations(ahead) else { break 'intervals };
-            greatest = [0, 1, 2].map(|k| f64::max(greatest[k], now[k]));
-        }
+        let ahead = |time: u32| from + (until - from) * f64::from(time) / f64::from(times);
+        let greatest = (1..=times).try_fold([0.0; 3], |most: [f64; 3], time| {
+            let now = deviations(ahead(time))?;
+            Some([0, 1, 2].map(|k| f64::max(most[k], now[k])))
+        });
+        let Some(greatest) = greatest else { break };
         for (curve, value) in curves.iter_mut().zip(greatest) {
             curve.points.push([until, value]);
         }

@@ -66,16 +66,16 @@ struct Row {
 }
 
 impl Row {
-    /// Greatest error of the orientation, rad, and its bound.
-    fn error_and_bound(&self) -> [Option<f64>; 2] {
-        [self.measured.as_ref().map(|(errors, _)| errors[0]), self.bound]
+    /// Greatest error of the orientation, rad.
+    fn error(&self) -> Option<f64> {
+        self.measured.as_ref().map(|(errors, _)| errors[0])
     }
 
     fn verdict(&self) -> &'static str {
-        match self.error_and_bound() {
-            [None, _] => "no fit",
-            [_, None] => "no bound",
-            [Some(error), Some(bound)] if error <= bound => "ok",
+        match (self.error(), self.bound) {
+            (None, _) => "no fit",
+            (_, None) => "no bound",
+            (Some(error), Some(bound)) if error <= bound => "ok",
             _ => "MISS",
         }
     }

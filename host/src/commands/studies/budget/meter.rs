@@ -40,7 +40,7 @@ pub fn measure(chip: &Chip, elf: &Path) -> Result<Costs, Failure> {
     let bytes = read(elf)?;
     let image = Image::new(parsed(elf, &bytes)?);
     let prices = Model::of(chip).map(Prices::new).transpose()?;
-    let mut meter = Meter { image, prices, calls: BTreeMap::new(), before: None, running: None };
+    let mut meter = Meter { image, prices, calls: BTreeMap::new(), end: 0, running: None };
     let printed = trace::run(chip, elf, &["-d", "in_asm,exec,nochain"], |block| meter.executed(block))?;
     if meter.calls.is_empty() {
         return Err(Failure::Input(format!("{}: calls no function named {PREFIX}...", elf.display())));
@@ -119,20 +119,20 @@ struct Meter<'a> {
     prices: Option<Prices>,
     /// Costs of the calls that have returned, and addresses of the functions that they ran through.
     calls: BTreeMap<String, (Cost, BTreeSet<u64>)>,
-    /// Block before the one that is executed.
-    before: Option<Block>,
+    /// End of the block before the one that is executed.
+    end: u64,
     running: Option<Running>,
 }
 
 /// Call that has not returned.
+#[derive(Default)]
 struct Running {
     call: String,
     return_to: u64,
     instructions: u64,
     cycles: i64,
     functions: BTreeSet<u64>,
-    /// Last block of the call, with its last instruction.
-    last: Option<(Block, Instruction)>,
+    last: Option<Instruction>,
 }
 
 impl Meter<'_> {
@@ -143,11 +143,8 @@ impl Meter<'_> {
         let function = self.image.around(block.start);
         let call = function.filter(|(address, ..)| *address == block.start);
         let call = call.and_then(|(_, name, _)| name.strip_prefix(PREFIX));
-        if let (None, Some(call), Some(caller)) = (&self.running, call, self.before) {
-            let (call, functions) = (call.to_owned(), BTreeSet::new());
-            let running =
-                Running { call, return_to: caller.end, instructions: 0, cycles: 0, functions, last: None };
-            self.running = Some(running);
+        if let (None, Some(call)) = (&self.running, call) {
+            self.running = Some(Running { call: call.to_owned(), return_to: self.end, ..Running::default() });
         }
         if let Some(running) = &mut self.running {
             running.instructions += block.count;
@@ -155,16 +152,16 @@ impl Meter<'_> {
             if let Some(prices) = &mut self.prices {
                 let Priced { cycles, first, last } = prices.price(&self.image, block)?;
                 running.cycles += cycles;
-                if let Some((before, last)) = running.last {
+                if let Some(last) = running.last {
                     running.cycles += prices.model.after(&last, &first);
-                    if before.end != block.start {
+                    if self.end != block.start {
                         running.cycles += prices.model.jump(&last, Some(&first));
                     }
                 }
-                running.last = Some((block, last));
+                running.last = Some(last);
             }
         }
-        self.before = Some(block);
+        self.end = block.end;
         Ok(())
     }
 
@@ -174,7 +171,7 @@ impl Meter<'_> {
         let size = |address: &u64| self.image.around(*address).map_or(0, |(_, _, size)| *size);
         cost.flash = functions.iter().map(size).sum();
         cost.instructions = cost.instructions.max(running.instructions);
-        if let (Some(Prices { model, .. }), Some((_, last))) = (&self.prices, running.last) {
+        if let (Some(Prices { model, .. }), Some(last)) = (&self.prices, running.last) {
             let cycles = running.cycles + model.jump(&last, None);
             cost.cycles = cost.cycles.max(u64::try_from(cycles).ok());
         }

@@ -79,9 +79,9 @@ fn summary_line(rows: &[Row]) -> Vec<String> {
     let mut cells = vec![rows[0].motion.clone()];
     let (mut share, mut slowest) = (0.0_f64, 0.0_f64);
     for row in rows {
-        let [error, bound] = row.error_and_bound();
+        let error = row.error();
         cells.push(error.map_or("-".to_owned(), |error| format!("{error:.0e}")));
-        share = share.max(error.zip(bound).map_or(0.0, |(error, bound)| error / bound));
+        share = share.max(error.zip(row.bound).map_or(0.0, |(error, bound)| error / bound));
         let look_up = row.measured.as_ref().filter(|(_, run)| run.table.is_some());
         slowest = slowest.max(look_up.map_or(0.0, |(_, run)| 1e9 * run.call));
     }
