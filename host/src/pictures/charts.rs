@@ -12,14 +12,17 @@ use kuva::render::render::Scene;
 use std::f64::consts::PI;
 use toytop::{Motion, Regime};
 
+/// Subtraction of a number, for a label.
+fn minus(x: f64, unit: &str) -> String {
+    format!(" {} {}{unit}", if x > 0.0 { '-' } else { '+' }, x.abs())
+}
+
 /// Label of the axis of time, which counts from the origin of the span.
 fn time_label(scenario: &Scenario, span: &Span) -> String {
     let origin = span.origin();
-    if origin == 0.0 {
-        return "t".to_owned() + scenario.units.name(", s");
-    }
-    let sign = if origin > 0.0 { '-' } else { '+' };
-    format!("t {sign} {}{}", origin.abs(), scenario.units.name(" s"))
+    let units = scenario.units;
+    "t".to_owned()
+        + &if origin == 0.0 { units.name(", s").to_owned() } else { minus(origin, units.name(" s")) }
 }
 
 /// Tilt between its bounds, against time.
@@ -78,11 +81,7 @@ pub fn precession(scenario: &Scenario, span: &Span) -> Result<Scene, Failure> {
         let unit = if scenario.units.name("s").is_empty() { "" } else { " degrees/s" };
         curves.push(Curve::line(format!("its mean: {}{unit}", short(rate, 4)), mean));
     }
-    let less = if turns == 0.0 {
-        String::new()
-    } else {
-        format!(" {} {} turns", if turns > 0.0 { '-' } else { '+' }, turns.abs())
-    };
+    let less = if turns == 0.0 { String::new() } else { minus(turns, " turns") };
     let chart = Chart {
         title: &format!("{}: precession", scenario.name),
         labels: [&time_label(scenario, span), &format!("azimuth of the axis{less}, degrees")],

@@ -20,24 +20,26 @@ const OUTLIER: f64 = 3.0;
 /// Residuals in standard deviations: a strip for each sensor, with a dot for each sample and lines at ±3. Those at the end of the range
 /// of a sensor are left out.
 pub fn residuals(report: &FitReport, measurements: &[Measurement]) -> Scene {
-    let instruments = &report.input.sensors.instruments;
-    let mut columns: Vec<Vec<Vec<(f64, f64)>>> =
-        instruments.iter().map(|one| vec![Vec::new(); one.kind.residuals().len()]).collect();
     let found = report.residuals(measurements);
-    for (Measurement { time, sensor, .. }, residual) in measurements.iter().zip(found) {
-        for (points, value) in columns[*sensor].iter_mut().zip(residual) {
-            if value.is_finite() {
-                points.push((*time, value));
+    let ends = ends_of(measurements);
+    let level = |x: f64| {
+        LinePlot::new().with_data(ends.map(|t| (t, x))).with_color(BOUND).with_stroke_width(0.8).into()
+    };
+    let (mut strips, mut layouts) = (Vec::new(), Vec::new());
+    for (sensor, instrument) in report.input.sensors.instruments.iter().enumerate() {
+        let mut strip: Vec<Plot> = vec![level(OUTLIER), level(-OUTLIER)];
+        let mut furthest = 4.0;
+        for (k, (name, color)) in instrument.kind.residuals().iter().zip(COLORS).enumerate() {
+            let of_sensor = measurements.iter().zip(&found).filter(|(sample, _)| sample.sensor == sensor);
+            let points = of_sensor.map(|(sample, residual)| (sample.time, residual[k]));
+            let points: Vec<_> = points.filter(|(_, residual)| residual.is_finite()).collect();
+            if !points.is_empty() {
+                furthest = points.iter().map(|(_, residual)| residual.abs()).fold(furthest, f64::max);
+                let dots = ScatterPlot::new().with_data(points).with_color(color).with_size(1.6);
+                strip.push(dots.with_legend(*name).into());
             }
         }
-    }
-    let ends = ends_of(measurements);
-    let (mut strips, mut layouts) = (Vec::new(), Vec::new());
-    for (instrument, columns) in instruments.iter().zip(&columns) {
-        let (name, names) = (&instrument.kind.name, instrument.kind.residuals());
-        let furthest = columns.iter().flatten().map(|(_, x)| x.abs()).fold(4.0, f64::max);
-        let strip = strip(names, columns, ends);
-        let title = format!("{name}: residuals of the fit, standard deviations");
+        let title = format!("{}: residuals of the fit, standard deviations", instrument.kind.name);
         let range = [-1.1 * furthest, 1.1 * furthest];
         let layout = frame(&strip, &title, "t, s", [ends, range]).with_title_size(14).with_show_grid(false);
         layouts.push(layout.with_force_margins(60.0, 110.0));
@@ -52,21 +54,6 @@ fn ends_of(measurements: &[Measurement]) -> [f64; 2] {
     let time = |measurement: Option<&Measurement>| measurement.map_or(0.0, |one| one.time);
     let [from, until] = [time(measurements.first()), time(measurements.last())];
     if from < until { [from, until] } else { [from - 0.5, from + 0.5] }
-}
-
-/// Lines at ±3 and dots of the columns of a sensor.
-fn strip(names: &[&str], columns: &[Vec<(f64, f64)>], ends: [f64; 2]) -> Vec<Plot> {
-    let level = |x: f64| {
-        LinePlot::new().with_data(ends.map(|t| (t, x))).with_color(BOUND).with_stroke_width(0.8).into()
-    };
-    let mut plots: Vec<Plot> = vec![level(OUTLIER), level(-OUTLIER)];
-    for ((name, points), color) in names.iter().zip(columns).zip(COLORS) {
-        if !points.is_empty() {
-            let dots = ScatterPlot::new().with_data(points.clone()).with_color(color).with_size(1.6);
-            plots.push(dots.with_legend(*name).into());
-        }
-    }
-    plots
 }
 
 /// Number of intervals of time in the picture of the prediction.
