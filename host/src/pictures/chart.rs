@@ -12,29 +12,29 @@ use std::sync::Arc;
 /// Curve of a chart.
 pub struct Curve {
     /// Name in the legend.
-    pub name: String,
+    name: String,
     /// Points \[x, y\].
     pub points: Vec<[f64; 2]>,
-    /// Width of the line through the points; 0 for none.
-    width: f64,
+    /// Whether there is a line through the points.
+    is_line: bool,
     /// Whether every point has a mark.
-    marked: bool,
+    is_marked: bool,
 }
 
 impl Curve {
     /// Line through points.
     pub fn line(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
-        Self { name: name.into(), points, width: 1.8, marked: false }
+        Self { name: name.into(), points, is_line: true, is_marked: false }
     }
 
     /// Line through points with marks.
     pub fn marked(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
-        Self { marked: true, ..Self::line(name, points) }
+        Self { is_marked: true, ..Self::line(name, points) }
     }
 
     /// Marks without a line.
     pub fn dots(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
-        Self { width: 0.0, ..Self::marked(name, points) }
+        Self { is_line: false, ..Self::marked(name, points) }
     }
 }
 
@@ -71,13 +71,13 @@ impl Chart<'_> {
             let place = |&[x, y]: &[f64; 2]| Some((place(x, self.powers[0])?, place(y, self.powers[1])?));
             let points: Vec<(f64, f64)> = curve.points.iter().filter_map(place).collect();
             all.extend(points.iter().copied());
-            let line = LinePlot::new().with_data(points.clone()).with_color(color);
-            let line = line.with_stroke_width(curve.width);
-            if curve.marked {
+            if curve.is_line {
+                let line = LinePlot::new().with_data(points.clone()).with_color(color).with_stroke_width(1.8);
+                plots.push(if curve.is_marked { line } else { line.with_legend(&*curve.name) }.into());
+            }
+            if curve.is_marked {
                 let dots = ScatterPlot::new().with_data(points).with_color(color).with_size(4.5);
-                plots.extend([line.into(), dots.with_marker(mark).with_legend(&*curve.name).into()]);
-            } else {
-                plots.push(line.with_legend(&*curve.name).into());
+                plots.push(dots.with_marker(mark).with_legend(&*curve.name).into());
             }
         }
         let [mut x, mut y] = [ends(all.iter().map(|(x, _)| *x)), ends(all.iter().map(|(_, y)| *y))];
