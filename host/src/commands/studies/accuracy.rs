@@ -165,7 +165,7 @@ impl Errors {
         (sum / count.max(1) as f64).sqrt()
     }
 
-    fn and(self, other: Self) -> Self {
+    fn merged(self, other: Self) -> Self {
         let ((sum, count), (more, others)) = (self.squares, other.squares);
         Self {
             greatest: std::array::from_fn(|i| greater(self.greatest[i], other.greatest[i])),
@@ -183,7 +183,7 @@ struct Accuracy {
 impl Accuracy {
     /// Errors over all ticks.
     fn all(&self) -> Errors {
-        self.octaves.iter().copied().fold(Errors::default(), Errors::and)
+        self.octaves.iter().copied().fold(Errors::default(), Errors::merged)
     }
 }
 
@@ -192,14 +192,14 @@ fn measured(scalars: &[Scalar]) -> Result<Vec<Accuracy>, Failure> {
     let motions: Vec<_> =
         builtin::scenarios()?.iter().filter_map(|scenario| numbers(&scenario.motion)).collect();
     let progress = Progress::new(motions.len() as u64, "motions");
-    let of_motion = |numbers: &Numbers| on(numbers, scalars).inspect(|_| progress.add(1));
+    let errors = |numbers: &Numbers| of_motion(numbers, scalars).inspect(|_| progress.add(1));
     // in the order of the motions, so that sums do not depend on the order in which threads finish
     let found: Vec<_> = thread_pool::of_all_cores()?
-        .install(|| motions.par_iter().map(of_motion).collect::<Result<_, Failure>>())?;
+        .install(|| motions.par_iter().map(errors).collect::<Result<_, Failure>>())?;
     let together = |(index, &scalar): (usize, &Scalar)| {
         let mut octaves = vec![Errors::default(); OCTAVES + 1];
         for motion in &found {
-            octaves.iter_mut().zip(&motion[index]).for_each(|(sum, errors)| *sum = sum.and(*errors));
+            octaves.iter_mut().zip(&motion[index]).for_each(|(sum, errors)| *sum = sum.merged(*errors));
         }
         Accuracy { scalar, octaves }
     };
@@ -219,7 +219,7 @@ fn numbers(motion: &Motion) -> Option<Numbers> {
 }
 
 /// Errors of each scalar on a motion, by octave.
-fn on(numbers: &Numbers, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
+fn of_motion(numbers: &Numbers, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
     let motion = numbers.motion().map_err(|error| Failure::Input(format!("{numbers}: {error}")))?;
     let tables = scalars.iter().map(|&scalar| smallest(scalar, &motion)).collect::<Result<Vec<_>, _>>()?;
     let truth = Exact::new(numbers);
@@ -235,7 +235,7 @@ fn on(numbers: &Numbers, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure
             for (table, octaves) in tables.iter().zip(&mut found) {
                 // this quotient is exact, because the rate is a power of two
                 let errors = errors(&motion, &**table, (n, n as f64 / rate), &phi);
-                octaves[octave] = octaves[octave].and(errors);
+                octaves[octave] = octaves[octave].merged(errors);
             }
         }
     }
