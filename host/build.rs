@@ -62,26 +62,14 @@ fn compiled() -> PathBuf {
     let target = out.ancestors().nth(4).map_or(out.join("page"), |target| target.join("page"));
     let mut cargo = Command::new(var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     // the dependencies have been fetched for the program itself
-    cargo.args([
-        "build",
-        "--package",
-        "toytop-page",
-        "--profile",
-        "page",
-        "--locked",
-        "--offline",
-        "--target",
-        TARGET,
-    ]);
-    cargo.current_dir(env!("CARGO_MANIFEST_DIR")).arg("--target-dir").arg(&target);
+    cargo.args(["build", "--package", "toytop-page", "--profile", "page", "--locked", "--offline"]);
+    cargo.current_dir(env!("CARGO_MANIFEST_DIR")).args(["--target", TARGET, "--target-dir"]).arg(&target);
     // the sources of the Python package have no other workspace
     if !Path::new("../Cargo.lock").exists() {
         cargo.args(["--manifest-path", "python/Cargo.toml"]);
     }
-    for variable in NOT_OURS {
-        cargo.env_remove(variable);
-    }
-    for (name, _) in env::vars_os().filter(|(name, _)| name.to_string_lossy().starts_with("CARGO_PROFILE_")) {
+    let is_not_ours = |name: &str| NOT_OURS.contains(&name) || name.starts_with("CARGO_PROFILE_");
+    for (name, _) in env::vars_os().filter(|(name, _)| name.to_str().is_some_and(is_not_ours)) {
         cargo.env_remove(name);
     }
     let output = cargo.output().expect("cargo runs");

@@ -1,14 +1,16 @@
-//! Command line of `toytop`: its commands, their help texts and their arguments.
+//! Command line of `toytop`: its commands, their help texts and their arguments. Any program with commands reads its line by [`report`].
 
 use crate::Failure;
-use crate::commands::Report;
 use crate::commands::data::{benchmark, fit, score, simulate};
 use crate::commands::motion::{bake, constants, events, state};
 use crate::commands::options::FormatArgs;
 use crate::commands::pictures::{animate, figures, plot, view};
 use crate::commands::studies::{accuracy, bench, budget, compare, errata, sweep};
-use clap::{CommandFactory, Parser, Subcommand};
+use crate::output::stdout::Report;
+use clap::error::ErrorKind;
+use clap::{Arg, CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
+use std::ffi::OsString;
 
 /// Exact motion of a spinning top whose tip slides on a plane or is held, or of a free body.
 #[derive(Parser)]
@@ -17,15 +19,15 @@ use clap_complete::Shell;
     version,
     help_template = "{about}\n{usage-heading} {usage}; each command has --help, and toytop has --version\n\nCommands:\n{subcommands}\n"
 )]
-pub struct Cli {
+struct Cli {
     /// Command to run.
     #[command(subcommand)]
-    pub command: Command,
+    command: Command,
 }
 
 /// Command with its arguments.
 #[derive(Subcommand)]
-pub enum Command {
+enum Command {
     /// Errors of the core against an integration of the full 3-D equations
     ///
     /// The exit code is 1 if a bound is missed.
@@ -156,12 +158,12 @@ pub enum Command {
     },
 }
 
-/// Report of a command.
+/// Report of one command line of `toytop`.
 ///
 /// # Errors
 /// See [`Failure`].
-pub fn run(command: &Command) -> Result<Report, Failure> {
-    match command {
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<Report, Failure> {
+    report(arguments, |cli: &Cli| match &cli.command {
         Command::Compare(arguments) => compare::run(arguments),
         Command::State(arguments) => state::run(arguments),
         Command::Constants(arguments) => constants::run(arguments),
@@ -185,5 +187,50 @@ pub fn run(command: &Command) -> Result<Report, Failure> {
             clap_complete::generate(*shell, &mut Cli::command(), "toytop", &mut script);
             Ok(String::from_utf8_lossy(&script).into_owned().into())
         }
+    })
+}
+
+/// Report of `run`, or the help or the version that the command line asks for; it begins with the program's name.
+///
+/// # Errors
+/// [`Failure::Input`] for everything that clap refuses, and the failures of `run`.
+pub fn report<C: Parser>(
+    arguments: impl IntoIterator<Item = OsString>,
+    run: impl FnOnce(&C) -> Result<Report, Failure>,
+) -> Result<Report, Failure> {
+    let parsed = with_negative_numbers(C::command())
+        .try_get_matches_from(arguments)
+        .and_then(|matches| C::from_arg_matches(&matches));
+    let error = match parsed {
+        Ok(cli) => return run(&cli),
+        Err(error) => error,
+    };
+    match error.kind() {
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => Ok(error.render().to_string().into()),
+        ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            Err(Failure::Input(format!("no command given; see {} --help", C::command().get_name())))
+        }
+        _ => Err(Failure::Input(in_one_line(&error.render().to_string()))),
     }
+}
+
+/// Command whose options take negative numbers as values, so that the check of their range refuses them, and not as other options.
+fn with_negative_numbers(command: clap::Command) -> clap::Command {
+    let takes_one = |argument: &Arg| !argument.is_positional() && argument.get_action().takes_values();
+    command
+        .mut_args(
+            |argument| if takes_one(&argument) { argument.allow_negative_numbers(true) } else { argument },
+        )
+        .mut_subcommands(with_negative_numbers)
+}
+
+/// Message of clap in one line: its first paragraph, which names the error and the allowed values, and its suggestion.
+fn in_one_line(message: &str) -> String {
+    let paragraph = message.lines().take_while(|line| !line.trim().is_empty());
+    let line = paragraph.map(str::trim).collect::<Vec<_>>().join(" ");
+    let meant = message
+        .lines()
+        .find_map(|line| line.trim().strip_prefix("tip: ").filter(|tip| tip.contains("similar")));
+    let meant = meant.map(|tip| format!("; {tip}")).unwrap_or_default();
+    line.trim_start_matches("error: ").to_owned() + &meant
 }

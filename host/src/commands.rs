@@ -1,45 +1,56 @@
 //! Commands of `toytop`, one file for each, in folders by their purpose. A command returns its whole output, and nothing is printed before it is complete.
 
-pub mod data;
-pub mod motion;
 pub mod options;
-pub mod pictures;
-pub mod studies;
+
+/// Commands on one motion: its states, constants, events and tables.
+pub mod motion {
+    pub mod bake;
+    pub mod constants;
+    pub mod events;
+    pub mod state;
+    pub mod times;
+
+    use super::{Report, options, warnings};
+}
+
+/// Commands on samples of sensors and on the output of integrators.
+pub mod data {
+    pub mod benchmark;
+    pub mod fit;
+    pub mod score;
+    pub mod simulate;
+
+    use super::motion::times;
+    use super::{Report, options};
+}
+
+/// Commands that draw a motion.
+pub mod pictures {
+    pub mod animate;
+    pub mod figures;
+    pub mod plot;
+    pub mod view;
+
+    use super::{Report, options, warnings};
+}
+
+/// Commands on many motions: errors of the core and of the paper, costs on chips, computing times, sweeps.
+pub mod studies {
+    pub mod budget;
+
+    pub mod accuracy;
+    pub mod bench;
+    pub mod compare;
+    pub mod errata;
+    pub mod sweep;
+
+    use super::{Report, options, warnings};
+}
 
 use crate::input::scenario::Scenario;
 use crate::motion::tilts;
+use crate::output::stdout::Report;
 use toytop::{Motion, Regime, Support};
-
-/// Report of a command.
-#[derive(Default)]
-pub struct Report {
-    /// Text for stdout.
-    pub text: String,
-    /// Lines for stderr.
-    pub notes: Vec<String>,
-    /// Whether a stated bound was missed.
-    pub missed: bool,
-}
-
-impl From<String> for Report {
-    fn from(text: String) -> Self {
-        Self { text, ..Self::default() }
-    }
-}
-
-impl Report {
-    /// Report with remarks on the result: in the text below a table, but on stderr if another program will read the text.
-    pub fn with_remarks(mut self, remarks: impl IntoIterator<Item = String>, below: bool) -> Self {
-        for remark in remarks {
-            if below {
-                self.text.push_str(&format!("{remark}\n"));
-            } else {
-                self.notes.push(remark);
-            }
-        }
-        self
-    }
-}
 
 /// Warnings that a real top on a plane would move differently, one line for each reason, with the names of the motions.
 fn warnings(scenarios: &[Scenario]) -> Vec<String> {

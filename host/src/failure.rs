@@ -28,10 +28,11 @@ impl Failure {
 
     /// Failure with the name of its object in front.
     pub fn of(self, name: &str) -> Self {
+        let named = |message: String| format!("{name}: {message}");
         match self {
-            Self::Input(message) => Self::Input(format!("{name}: {message}")),
-            Self::Method(message) => Self::Method(format!("{name}: {message}")),
-            Self::Tool(message) => Self::Tool(format!("{name}: {message}")),
+            Self::Input(message) => Self::Input(named(message)),
+            Self::Method(message) => Self::Method(named(message)),
+            Self::Tool(message) => Self::Tool(named(message)),
             output @ Self::Output(_) => output,
         }
     }

@@ -6,10 +6,7 @@
 //! | [`motion`] | the core's stepper and ephemeris at given times |
 //! | [`full_equations`] | integration of the full 3-D equations |
 //! | [`truth`] | the paper's integrals to more than thirty digits |
-//! | `accuracy` | errors of the core against the truth |
 //! | `benchmarks` | catalogue of problems that integrators are tested with |
-//! | [`budget`] | cost of a call on an emulated chip |
-//! | [`errata`] | errors of the printed paper, and their corrections |
 //! | [`samples`] | samples of a motion as tables of chosen columns |
 //! | [`fit`] | sensors, samples and a launch fitted to them |
 //! | [`score`] | output of an integrator against the exact motion |
@@ -17,7 +14,7 @@
 //! | [`bake`] | ephemeris as Rust or C |
 //! | [`pictures`] | curve of the tip, figures, page for a browser |
 //! | [`output`] | tables, CSV, JSON, files, progress |
-//! | `cli`, `commands`, [`program`] | command line, one file for each command, exit codes |
+//! | [`cli`], `commands` | command line, one file for each command |
 //!
 //! A command computes everything that can fail before the first byte is printed, so a failure leaves no partial output.
 //! The program `toytop-lab` (the folder `lab`) uses this library for studies that check the core itself.
@@ -25,19 +22,13 @@
 // Visibility is that of the modules: what a private one declares `pub` is its interface within the crate.
 #![allow(unreachable_pub)]
 
-#[cfg(feature = "program")]
-mod accuracy;
 pub mod bake;
 #[cfg(feature = "program")]
 mod benchmarks;
 #[cfg(feature = "program")]
-pub mod budget;
-#[cfg(feature = "program")]
-mod cli;
+pub mod cli;
 #[cfg(feature = "program")]
 mod commands;
-#[cfg(feature = "program")]
-pub mod errata;
 mod failure;
 pub mod fit;
 #[cfg(feature = "program")]
@@ -46,8 +37,6 @@ pub mod input;
 pub mod motion;
 pub mod output;
 pub mod pictures;
-#[cfg(feature = "program")]
-pub mod program;
 pub mod samples;
 pub mod score;
 #[cfg(feature = "program")]
@@ -56,17 +45,7 @@ pub mod thread_pool;
 pub mod truth;
 
 #[cfg(feature = "program")]
-pub use commands::Report;
+pub use commands::studies::errata;
 pub use failure::Failure;
-
 #[cfg(feature = "program")]
-use std::ffi::OsString;
-
-/// Report of one command line, which begins with the program's name.
-///
-/// # Errors
-/// See [`Failure`].
-#[cfg(feature = "program")]
-pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<Report, Failure> {
-    program::report(arguments, |cli: &cli::Cli| cli::run(&cli.command))
-}
+pub use output::stdout::Report;

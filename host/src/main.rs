@@ -1,8 +1,8 @@
 //! Program `toytop`: parses the command line, runs the command, prints its report and returns the exit code.
 
 use std::process::ExitCode;
-use toytop_host::{program, run};
+use toytop_host::{cli, output::stdout};
 
 fn main() -> ExitCode {
-    program::finish(run(std::env::args_os()))
+    stdout::finish(cli::run(std::env::args_os()))
 }

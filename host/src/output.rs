@@ -1,6 +1,5 @@
 //! Records as an aligned table, CSV or JSON. In CSV and JSON a number has 17 significant digits, from which a reader obtains the same `f64`.
 
-mod base64;
 pub mod doc_markers;
 #[cfg_attr(not(feature = "program"), path = "output/silent.rs")]
 pub mod progress;
@@ -8,7 +7,6 @@ pub mod progress;
 pub mod stdout;
 pub mod whole_file;
 
-pub use base64::base64;
 pub use toytop_model::names;
 
 #[cfg(feature = "program")]
@@ -33,11 +31,6 @@ impl Record {
 
     fn get(&self, name: &str) -> Option<&Value> {
         self.0.iter().find(|(other, _)| *other == name).map(|(_, value)| value)
-    }
-
-    /// Columns with the names of the values as headings.
-    pub fn columns(&self, of_number: fn(f64) -> String) -> Vec<Column<'static>> {
-        self.0.iter().map(|(name, _)| (*name, *name, of_number)).collect()
     }
 }
 
@@ -68,6 +61,11 @@ pub fn render(format: Format, lists: &Lists<'_>, table: impl FnOnce() -> String)
 
 /// Column of a table: name of a value, heading, and text of a number.
 pub type Column<'a> = (&'static str, &'a str, fn(f64) -> String);
+
+/// Columns of all values of records, with their names as headings.
+pub fn all_columns(records: &[Record], of_number: fn(f64) -> String) -> Vec<Column<'static>> {
+    records.first().iter().flat_map(|record| &record.0).map(|(name, _)| (*name, *name, of_number)).collect()
+}
 
 /// Header and rows of a table. A value that is absent is a dash.
 pub fn rows(records: &[Record], shown: &[Column<'_>]) -> Vec<Vec<String>> {
@@ -124,11 +122,6 @@ pub fn shown(text: &str) -> String {
     const MOST: usize = 60;
     let beginning: String = text.chars().take(MOST).collect();
     if beginning.len() < text.len() { format!("{beginning}...") } else { beginning }
-}
-
-/// Text for HTML.
-pub fn html(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 /// Records as CSV, with a header line.

@@ -17,7 +17,7 @@ use std::path::PathBuf;
 use toytop_host::output::Format;
 use toytop_host::output::doc_markers::{self, Page};
 use toytop_host::output::{self, Record};
-use toytop_host::{Failure, Report, program};
+use toytop_host::{Failure, Report, cli};
 
 /// Studies of random launches that check toytop itself.
 #[derive(Parser)]
@@ -71,7 +71,7 @@ struct Study {
 /// # Errors
 /// See [`Failure`].
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<Report, Failure> {
-    program::report(arguments, |cli: &Cli| match &cli.command {
+    cli::report(arguments, |cli: &Cli| match &cli.command {
         Command::Corners { study, truths } => {
             study.run("toytop-lab corners: corners", || corners::run(study, *truths))
         }
@@ -96,7 +96,7 @@ impl Study {
         // a missing place in the page is reported before the computation
         let page = self.accept.as_deref().map(|path| Page::read(path, mark)).transpose()?;
         let Found { headline, rows, failures } = study()?;
-        let columns = rows.first().map(|row| row.columns(|x| output::short(x, 2))).unwrap_or_default();
+        let columns = output::all_columns(&rows, |x| output::short(x, 2));
         let mut table = output::rows(&rows, &columns);
         for heading in &mut table[0] {
             *heading = heading.replace('_', " ");

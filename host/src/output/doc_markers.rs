@@ -48,7 +48,7 @@ impl Page {
 /// Table in Markdown, whose first row is the header. Columns of numbers are aligned to the right, and whole numbers are grouped.
 pub fn table(rows: &[Vec<String>]) -> String {
     let Some((header, rows)) = rows.split_first() else { return String::new() };
-    let is_number = |cell: &String| cell == NO_FIGURE || cell.parse::<f64>().is_ok();
+    let is_number = |cell: &String| cell == "-" || cell.parse::<f64>().is_ok();
     let rule = |column| {
         let are_numbers = rows.iter().all(|row| row.get(column).is_some_and(is_number));
         if are_numbers { "--:" } else { "---" }.to_owned()
@@ -63,9 +63,6 @@ pub fn table(rows: &[Vec<String>]) -> String {
             .map(|row| line(row.iter().map(|cell| grouped(cell)).collect(), " "))
             .collect::<String>()
 }
-
-/// Cell of a figure that is not known.
-pub const NO_FIGURE: &str = "-";
 
 /// Whole number with spaces between groups of three digits: 12345 is "12 345". Other words remain as they are.
 pub fn grouped(number: &str) -> String {

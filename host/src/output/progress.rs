@@ -1,15 +1,14 @@
 //! Progress bar on stderr for work that takes more than a second; there is none where stderr is no terminal.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::io::{IsTerminal, stderr};
-use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+use std::sync::Once;
 use std::time::{Duration, Instant};
 
 /// Progress of work with a known total.
 pub struct Progress {
     bar: ProgressBar,
     started: Instant,
-    possible: AtomicBool,
+    shown: Once,
 }
 
 /// Time before the bar is shown.
@@ -24,15 +23,14 @@ impl Progress {
             bar.set_style(style);
         }
         bar.set_message(unit);
-        Self { bar, started: Instant::now(), possible: stderr().is_terminal().into() }
+        Self { bar, started: Instant::now(), shown: Once::new() }
     }
 
     /// Adds units of finished work.
     pub fn add(&self, units: u64) {
         self.bar.inc(units);
-        let due = self.possible.load(Relaxed) && self.started.elapsed() > PATIENCE;
-        if due && self.possible.swap(false, Relaxed) {
-            self.bar.set_draw_target(ProgressDrawTarget::stderr());
+        if self.started.elapsed() > PATIENCE {
+            self.shown.call_once(|| self.bar.set_draw_target(ProgressDrawTarget::stderr()));
         }
     }
 }

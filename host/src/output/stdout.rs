@@ -1,6 +1,8 @@
-//! Standard output, which may be closed.
+//! Report of a command, and its way to standard output, which may be closed.
 
-use std::io;
+use crate::Failure;
+use std::io::{self, Write};
+use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// Whether stdout was closed when the process began. The standard library then opens a device in its place, which accepts everything.
@@ -21,6 +23,72 @@ extern "C" fn look() {
 ///
 /// # Errors
 /// It was closed.
-pub fn require_open() -> io::Result<()> {
+fn require_open() -> io::Result<()> {
     if CLOSED.load(Relaxed) { Err(io::Error::other("stdout is closed")) } else { Ok(()) }
+}
+
+/// Report of a command.
+#[derive(Default)]
+pub struct Report {
+    /// Text for stdout.
+    pub text: String,
+    /// Lines for stderr.
+    pub notes: Vec<String>,
+    /// Whether a stated bound was missed.
+    pub missed: bool,
+}
+
+impl From<String> for Report {
+    fn from(text: String) -> Self {
+        Self { text, ..Self::default() }
+    }
+}
+
+impl Report {
+    /// Report with remarks on the result: in the text below a table, but on stderr if another program will read the text.
+    pub fn with_remarks(mut self, remarks: impl IntoIterator<Item = String>, below: bool) -> Self {
+        for remark in remarks {
+            if below {
+                self.text.push_str(&format!("{remark}\n"));
+            } else {
+                self.notes.push(remark);
+            }
+        }
+        self
+    }
+}
+
+/// Exit code, after the report or the failure of a command is printed.
+pub fn finish(result: Result<Report, Failure>) -> ExitCode {
+    match result.and_then(|report| print(&report)) {
+        Ok(code) => code,
+        Err(failure) => {
+            // if stderr is closed, the message cannot be shown
+            let _ = writeln!(io::stderr(), "error: {failure}");
+            ExitCode::from(failure.exit_code())
+        }
+    }
+}
+
+/// Exit code after the report is printed. Everything was computed before, so the output is complete.
+fn print(report: &Report) -> Result<ExitCode, Failure> {
+    for note in &report.notes {
+        let _ = writeln!(io::stderr(), "{note}");
+    }
+    if !report.text.is_empty() {
+        write(|out| out.write_all(report.text.as_bytes()))?;
+    }
+    Ok(ExitCode::from(u8::from(report.missed)))
+}
+
+/// Writes to stdout. A reader that closes it early (`| head`) is no failure.
+///
+/// # Errors
+/// [`Failure::Output`]: stdout was closed, or the error of `fill`.
+pub fn write(fill: impl FnOnce(&mut io::Stdout) -> io::Result<()>) -> Result<(), Failure> {
+    let mut out = io::stdout();
+    match require_open().and_then(|()| fill(&mut out)).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(error)),
+        _ => Ok(()),
+    }
 }

@@ -69,14 +69,18 @@ pub fn require_other(option: &str, output: Option<&Path>, inputs: &[Option<&Path
 /// Failure for an error of a file: bad input for a wrong path, otherwise an output that cannot be written, such as a full disk.
 pub fn refused(option: &str, path: &Path, error: io::Error) -> Failure {
     let message = format!("{option}: {}: {error}", path.display());
-    match error.kind() {
+    let is_of_the_device = matches!(
+        error.kind(),
         ErrorKind::StorageFull
-        | ErrorKind::QuotaExceeded
-        | ErrorKind::FileTooLarge
-        | ErrorKind::WriteZero
-        | ErrorKind::BrokenPipe => Failure::Output(io::Error::new(error.kind(), message)),
-        _ if error.raw_os_error() == Some(EIO) => Failure::Output(io::Error::new(error.kind(), message)),
-        _ => Failure::Input(message),
+            | ErrorKind::QuotaExceeded
+            | ErrorKind::FileTooLarge
+            | ErrorKind::WriteZero
+            | ErrorKind::BrokenPipe
+    );
+    if is_of_the_device || error.raw_os_error() == Some(EIO) {
+        Failure::Output(io::Error::new(error.kind(), message))
+    } else {
+        Failure::Input(message)
     }
 }
 

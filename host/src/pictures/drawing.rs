@@ -1,10 +1,12 @@
-//! Colours of the pictures, texts, dots and lines in them, and their files.
+//! Axes and colours of the pictures, texts, dots and lines in them, and their files.
 
 use crate::Failure;
 use crate::output::whole_file;
 use kuva::backend::raster::RasterBackend;
 use kuva::backend::svg::SvgBackend;
 use kuva::render::color::Color;
+use kuva::render::layout::Layout;
+use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor};
 use std::io;
 use std::path::Path;
@@ -15,6 +17,19 @@ pub const BOUND: &str = "#8a8a8a";
 pub const START: &str = "#c0392b";
 pub const CAPTION: &str = "#555555";
 
+/// Frame with a title, a label below it, and these ranges of x and y.
+pub fn frame(plots: &[Plot], title: &str, label: &str, [x, y]: [[f64; 2]; 2]) -> Layout {
+    Layout::auto_from_plots(plots)
+        .with_title(title)
+        .with_x_label(label)
+        .with_x_axis_min(x[0])
+        .with_x_axis_max(x[1])
+        .with_y_axis_min(y[0])
+        .with_y_axis_max(y[1])
+        .with_box_axes()
+        .with_legend_box(false)
+}
+
 /// Writes a picture as SVG or PNG, by the ending of the file's name. `width` is in pixels; without it an SVG has the size of its layout, and
 /// a PNG two pixels for each of its units.
 ///
@@ -23,7 +38,7 @@ pub const CAPTION: &str = "#555555";
 pub fn write(option: &str, path: &Path, scene: &Scene, width: Option<u32>) -> Result<(), Failure> {
     let scale = width.map(|width| f64::from(width) / scene.width);
     let bytes = if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
-        raster(scene, scale.unwrap_or(2.0)).map_err(Failure::Output)?
+        raster(scene, scale.unwrap_or(2.0))?
     } else {
         let svg = SvgBackend::default().render_scene(scene);
         let size =
@@ -43,6 +58,11 @@ pub fn raster(scene: &Scene, scale: f64) -> io::Result<Vec<u8>> {
 pub fn text(scene: &mut Scene, content: &str, [x, y]: [f64; 2], size: u32, anchor: TextAnchor, color: &str) {
     let (content, color) = (content.to_owned(), Some(Color::from(color)));
     scene.add(Primitive::Text { x, y, content, size, anchor, rotate: None, bold: false, color });
+}
+
+/// Adds the label of the vertical axis, horizontally above the frame, because rotated text is not sharp in a raster picture.
+pub fn label_above(scene: &mut Scene, content: &str, place: [f64; 2]) {
+    text(scene, content, place, 14, TextAnchor::Start, "black");
 }
 
 /// Adds a disc, with an outline of another colour if there is one.

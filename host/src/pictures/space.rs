@@ -1,10 +1,12 @@
 //! Pictures of space: the curve of the axis on the unit sphere, and the top in motion, at exact times, as a GIF or as pictures for a
 //! program that makes films.
 
+use super::curve::Bound;
+use super::drawing::{BOUND, CAPTION, CURVE, START, disc, line, raster, text};
+use super::span::Span;
+use super::tip::caption;
 use crate::input::scenario::Scenario;
-use crate::pictures::curve::Bound;
-use crate::pictures::drawing::{BOUND, CAPTION, CURVE, START, disc, line, raster, text};
-use crate::pictures::span::Span;
+use crate::output::progress::Progress;
 use kuva::render::render::{Scene, TextAnchor};
 use std::f64::consts::PI;
 use std::io::{self, Write};
@@ -18,15 +20,15 @@ const RADIUS: f64 = 265.0;
 /// Horizontal position at which the names of the parallels begin, pixels.
 const LABELS: f64 = 572.0;
 
-/// Draws the curve of the axis over a span of time; the lines of the caption are below the title.
-pub fn draw(scenario: &Scenario, span: &Span, caption: &[String]) -> Scene {
+/// Draws the curve of the axis over a span of time.
+pub fn draw(scenario: &Scenario, span: &Span) -> Scene {
     let mut scene = Scene::new(WIDTH, HEIGHT);
     let picture = &mut scene;
     let camera = Camera::new(-1.05, 0.42, MIDDLE, RADIUS);
     let middle = TextAnchor::Middle;
     let title = format!("{}: the axis on the unit sphere", scenario.name);
     text(picture, &title, [MIDDLE[0], 34.0], 18, middle, "black");
-    for (line, y) in caption.iter().zip([58.0, 76.0]) {
+    for (line, y) in caption(scenario, span, "").iter().zip([58.0, 76.0]) {
         text(picture, line, [MIDDLE[0], y], 12, middle, CAPTION);
     }
     disc(picture, MIDDLE.into(), RADIUS, "#fbfbfb", Some(BOUND));
@@ -114,7 +116,7 @@ impl Camera {
 fn circle(radius: f64, height: f64) -> Vec<[f64; 3]> {
     const CORNERS: u32 = 180;
     let corner = |i: u32| {
-        let angle = 2.0 * std::f64::consts::PI * f64::from(i) / f64::from(CORNERS);
+        let angle = 2.0 * PI * f64::from(i) / f64::from(CORNERS);
         [radius * angle.cos(), radius * angle.sin(), height]
     };
     (0..=CORNERS).map(corner).collect()
@@ -128,29 +130,16 @@ const AXIS: f64 = 1.45;
 /// Number of points of the path of the tip, or of the axis if the tip is held.
 const PATH: u64 = 1500;
 
-/// Frames of a motion over a span of time.
+/// Film of a motion over a span of time, in frames that are evenly spread over it.
 pub struct Film<'a> {
-    scenario: &'a Scenario,
-    span: &'a Span,
-    frames: u64,
-    camera: Camera,
+    pub scenario: &'a Scenario,
+    pub span: &'a Span,
+    pub frames: u64,
     /// Width and height of a frame, pixels.
-    size: u32,
-    /// Points of the path, in units of the height of the centre of mass.
-    path: Vec<[f64; 3]>,
+    pub size: u32,
 }
 
-impl<'a> Film<'a> {
-    /// Film of this many frames, evenly spread over the span, each `size` pixels wide and high.
-    pub fn new(scenario: &'a Scenario, span: &'a Span, frames: u64, size: u32) -> Self {
-        let camera = Camera::new(-1.05, 0.38, [0.5 * SIDE, 0.72 * SIDE], 0.27 * SIDE);
-        let mut film = Self { scenario, span, frames, camera, size, path: Vec::new() };
-        // what leaves a trace is the tip that slides, or the upper end of the axis
-        let traced = usize::from(scenario.motion.top().support() != Support::Sliding);
-        film.path = span.times(PATH).map(|t| film.ends(t)[traced]).collect();
-        film
-    }
-
+impl Film<'_> {
     /// Lower and upper end of the axis.
     fn ends(&self, t: f64) -> [[f64; 3]; 2] {
         let [x, y, z] = self.span.at(t).orientation().axis();
@@ -164,17 +153,20 @@ impl<'a> Film<'a> {
 
     /// Picture of one frame.
     fn scene(&self, frame: u64) -> Scene {
+        let share = frame as f64 / (self.frames.max(2) - 1) as f64;
         let t = self.span.times(self.frames).nth(frame as usize).unwrap_or_default();
         let phi = self.span.at(t).orientation();
         let [tip, end] = self.ends(t);
         let mut scene = Scene::new(SIDE, SIDE);
-        let camera = &self.camera;
+        let camera = Camera::new(-1.05, 0.38, [0.5 * SIDE, 0.72 * SIDE], 0.27 * SIDE);
         for radius in [0.5, 1.0] {
             camera.line(&mut scene, &circle(radius, 0.0), "#dedede", 1.0);
         }
-        let share = frame as f64 / (self.frames.max(2) - 1) as f64;
-        let traced = ((share * PATH as f64) as usize).clamp(1, self.path.len());
-        camera.line(&mut scene, &self.path[..traced], CURVE, 1.6);
+        // what leaves a trace is the tip that slides, or the upper end of the axis
+        let traced = usize::from(self.scenario.motion.top().support() != Support::Sliding);
+        let count = ((share * PATH as f64) as usize).max(1);
+        let path: Vec<_> = self.span.times(PATH).take(count).map(|t| self.ends(t)[traced]).collect();
+        camera.line(&mut scene, &path, CURVE, 1.6);
         camera.line(&mut scene, &[tip, end], CAPTION, 4.0);
         // disc about the centre of mass, with spokes that turn with the body
         let rim = |angle: f64, radius: f64| {
@@ -204,37 +196,30 @@ impl<'a> Film<'a> {
         raster(&self.scene(frame), f64::from(self.size) / SIDE)
     }
 
-    /// All frames as a GIF that repeats without end. Each frame lasts `delay` hundredths of a second; `done` is called
-    /// after each.
+    /// All frames as a GIF that repeats without end. Each frame lasts `delay` hundredths of a second.
     ///
     /// # Errors
     /// The errors of the writer.
-    pub fn gif(&self, delay: u16, out: impl Write, mut done: impl FnMut()) -> io::Result<()> {
+    pub fn gif(&self, delay: u16, out: impl Write, progress: &Progress) -> io::Result<()> {
         let side = u16::try_from(self.size).map_err(io::Error::other)?;
         let mut encoder = gif::Encoder::new(out, side, side, &[]).map_err(io::Error::other)?;
         encoder.set_repeat(gif::Repeat::Infinite).map_err(io::Error::other)?;
         for frame in 0..self.frames {
-            let (width, height, mut pixels) = pixels(&self.png(frame)?)?;
-            let mut picture = gif::Frame::from_rgba_speed(width, height, &mut pixels, 10);
+            let mut picture = gif::Frame::from_rgba_speed(side, side, &mut pixels(&self.png(frame)?)?, 10);
             picture.delay = delay;
             encoder.write_frame(&picture).map_err(io::Error::other)?;
-            done();
+            progress.add(1);
         }
         Ok(())
     }
 }
 
-/// Width, height and pixels of a PNG file, four bytes each.
-fn pixels(png: &[u8]) -> io::Result<(u16, u16, Vec<u8>)> {
-    let mut decoder = png::Decoder::new(io::Cursor::new(png));
-    decoder.set_transformations(png::Transformations::ALPHA | png::Transformations::STRIP_16);
-    let mut reader = decoder.read_info().map_err(io::Error::other)?;
-    let size = reader.output_buffer_size().ok_or_else(|| io::Error::other("a frame is too large"))?;
-    let mut bytes = vec![0; size];
-    let info = reader.next_frame(&mut bytes).map_err(io::Error::other)?;
-    bytes.truncate(info.buffer_size());
-    let narrow = |x: u32| u16::try_from(x).map_err(io::Error::other);
-    Ok((narrow(info.width)?, narrow(info.height)?, bytes))
+/// Pixels of a PNG file, four bytes each.
+fn pixels(png: &[u8]) -> io::Result<Vec<u8>> {
+    let mut reader = png::Decoder::new(io::Cursor::new(png)).read_info()?;
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap_or_default()];
+    reader.next_frame(&mut bytes)?;
+    Ok(bytes)
 }
 
 #[cfg(test)]

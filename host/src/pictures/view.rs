@@ -6,7 +6,8 @@ use crate::input::builtin::{FIGURES, TOY_TOP};
 use crate::input::scenario::ScenarioFile;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::smallest;
-use crate::output::{base64, html};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use serde_json::json;
 use toytop_page::exports::launch_names;
 
@@ -14,7 +15,7 @@ use toytop_page::exports::launch_names;
 const CORE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/core.wasm"));
 
 /// Scripts of every page, in the order of dependence.
-const SCRIPTS: [&str; 25] = [
+const SCRIPTS: &str = concat!(
     include_str!("view/engine.js"),
     include_str!("view/scenario.js"),
     include_str!("view/geometry.js"),
@@ -40,7 +41,7 @@ const SCRIPTS: [&str; 25] = [
     include_str!("view/state.js"),
     include_str!("view/listen.js"),
     include_str!("view/main.js"),
-];
+);
 
 /// Toy top, with which a page starts without a scenario.
 ///
@@ -74,11 +75,16 @@ pub fn page(start: &ScenarioFile) -> Result<String, Failure> {
         ("style", concat!(include_str!("view/style.css"), include_str!("view/layout.css")).to_owned()),
         // without characters that could end the element of a script
         ("data", data.to_string().replace('<', "\\u003c")),
-        ("core", base64(CORE)),
+        ("core", STANDARD.encode(CORE)),
         ("version", env!("CARGO_PKG_VERSION").to_owned()),
-        ("script", SCRIPTS.concat()),
+        ("script", SCRIPTS.to_owned()),
     ];
     Ok(filled(include_str!("view/page.html"), &values))
+}
+
+/// Text for HTML.
+fn html(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 /// Template with every {{name}} replaced. Names in the replacement texts are not replaced.

@@ -6,7 +6,7 @@ use crate::output::stdout;
 use crate::output::whole_file;
 use crate::thread_pool;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, Write};
 use std::ops::Range;
 use std::path::Path;
 
@@ -45,19 +45,16 @@ pub fn rows(count: u64, encode: &Encode<'_>, out: &mut dyn Write) -> io::Result<
     out.flush()
 }
 
-/// Output that `fill` writes: a complete file, or stdout. A reader that closes stdout early (`| head`) is no failure.
+/// Output that `fill` writes: a complete file, or stdout.
 ///
 /// # Errors
-/// The failures of [`whole_file::write_by`], or [`Failure::Output`] for stdout.
+/// The failures of [`whole_file::write_by`], or of [`stdout::write`].
 pub fn to(
     path: Option<&Path>,
     fill: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
 ) -> Result<(), Failure> {
     match path {
         Some(path) => whole_file::write_by("--output", path, |file| fill(file)),
-        None => match stdout::require_open().and_then(|()| fill(&mut io::stdout())) {
-            Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Output(error)),
-            _ => Ok(()),
-        },
+        None => stdout::write(|out| fill(out)),
     }
 }

@@ -1,7 +1,6 @@
 //! Tests of the command line: exit codes, stdout, stderr, JSON.
 
 mod command;
-mod errata;
 
 /// State, constants and events of a motion, and the scenario files that they are read from.
 mod motion {
@@ -43,6 +42,7 @@ mod studies {
     mod bench;
     mod budget;
     mod compare;
+    mod errata;
     mod sweep;
 }
 

@@ -1,11 +1,11 @@
-//! Chips that the programs run on.
+//! Chips that the programs run on; `toytop budget` describes them.
 
 use anyhow::{Context, Result};
 #[allow(unreachable_pub)]
-#[path = "../../src/budget/chips.rs"]
+#[path = "../../src/commands/studies/budget/chips.rs"]
 mod chips;
 
-pub(crate) use chips::{Chip, M0, M0PLUS, M4F, M7, M33, RISCV};
+pub(crate) use chips::{Chip, M0, M0PLUS, M4F, M7, M33, RISCV, target_dir};
 
 /// All chips.
 pub(crate) const ALL: &[&Chip] = &[&M4F, &M0, &M7, &M33, &RISCV, &M0PLUS];

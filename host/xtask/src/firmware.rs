@@ -44,8 +44,6 @@ pub(crate) const PROGRAMS: &[Program] = &[
 const BITS: &str = "bits";
 /// Program that ends with a panic.
 const PANICS: &str = "panics";
-/// Programs of the package `toytop-cost`, which `toytop budget` runs. They have no expected log.
-const COSTS: &[&str] = &["cost", "corpus", "fit_cost", "flash", "empty"];
 
 /// Longest time of a run; a program that takes longer is killed.
 const LIMIT: Duration = Duration::from_secs(60);
@@ -170,7 +168,7 @@ pub(crate) fn list() {
         let chips: Vec<_> = chips.iter().map(|chip| chip.name).collect();
         println!("{name:12} {}", chips.join(" "));
     }
-    println!("{}\n", COSTS.join(" "));
+    println!();
     for chip in chip::ALL {
         println!("{:8} {}, {}, QEMU: {}", chip.name, chip.core, chip.target, chip.machine.join(" "));
     }
@@ -193,15 +191,6 @@ fn shown(chip: &Chip, elf: &Path) -> Result<ExitCode> {
     print!("{log}");
     eprint!("{errors}");
     Ok(u8::try_from(exit_code).map_or(ExitCode::FAILURE, ExitCode::from))
-}
-
-/// Path of a program after its build.
-pub(crate) fn elf(name: &str, chip: &Chip) -> Result<PathBuf> {
-    let selection = match COSTS.contains(&name) {
-        true => format!("--package toytop-cost --bin {name}"),
-        false => Program::named(name)?.selection(),
-    };
-    Ok(build(chip, &selection)?.join(name))
 }
 
 /// Runs a program on its chips, and writes the logs as the expected ones.
@@ -246,17 +235,9 @@ fn build(chip: &Chip, what: &str) -> Result<PathBuf> {
 /// Command that builds for a chip, and the folder of the ELF.
 fn build_command(chip: &Chip, what: &str) -> Result<(Command, PathBuf)> {
     CHIPS.provide()?;
-    // the memory map is not that of the target
-    let memory = (chip.name == chip::M0PLUS.name).then_some("memory/mps2.x");
-    let own = if chip.rustflags.is_empty() && memory.is_none() { "" } else { chip.name };
-    let dir = firmware_target_dir().join(own);
-    let mut command = cargo("firmware-examples", &format!("build --release --target {} {what}", chip.target));
-    command.arg("--target-dir").arg(&dir).envs(memory.map(|memory| ("MEMORY_X", memory)));
-    if !chip.rustflags.is_empty() {
-        let flags = std::env::var("RUSTFLAGS").unwrap_or_default();
-        command.env("RUSTFLAGS", format!("{flags} {}", chip.rustflags).trim_start());
-    }
-    Ok((command, dir.join(chip.target).join("release")))
+    let mut command = cargo("firmware-examples", &format!("build {what}"));
+    let folder = chip.build(&mut command, &root());
+    Ok((command, folder))
 }
 
 /// Result of the run of an ELF. One instruction takes one virtual nanosecond, and a sleeping processor continues immediately at its next

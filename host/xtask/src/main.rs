@@ -23,8 +23,6 @@ usage: cargo xtask VERB
   size                         prints the tokens of Rust by room, and fails where one is above its cap
   firmware NAME [--chip CHIP]  runs a program under QEMU and shows its log
   firmware NAME --overwrite    runs a program and writes its log as the expected one
-  firmware NAME --chip CHIP --elf
-                               builds a program, also `cost`, and prints only the path of the ELF
   firmware --list              lists programs and chips
   nopanic --planted            shows that a panic does not link
   c-archive --target NAME [--to FOLDER]
@@ -51,9 +49,6 @@ fn run(words: &[&str]) -> Result<ExitCode> {
         ["firmware", "--list"] => firmware::list(),
         ["firmware", name] => return firmware::show(name, None),
         ["firmware", name, "--chip", chip] => return firmware::show(name, Some(chip)),
-        ["firmware", name, "--chip", chip, "--elf"] => {
-            println!("{}", firmware::elf(name, chip::named(chip)?)?.display());
-        }
         ["firmware", name, "--overwrite"] => firmware::overwrite(name)?,
         ["qemu", chip, elf] => return firmware::qemu(chip, elf),
         ["nopanic", "--planted"] => println!("{}", firmware::planted()?),

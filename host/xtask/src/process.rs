@@ -20,12 +20,9 @@ pub(crate) fn target_dir() -> PathBuf {
     root().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
 }
 
-/// Target folder of the firmware workspace: beside its sources, or below `CARGO_TARGET_DIR`.
+/// Target folder of the firmware workspace.
 pub(crate) fn firmware_target_dir() -> PathBuf {
-    match env::var_os("CARGO_TARGET_DIR") {
-        Some(dir) => root().join(dir).join("firmware"),
-        None => root().join("firmware-examples/target"),
-    }
+    crate::chip::target_dir(&root())
 }
 
 /// Command from words, in a folder of the repository.

@@ -9,7 +9,7 @@ use crate::benchmarks;
 use crate::input::scenario::Scenario;
 use crate::motion::propagate::period;
 use crate::output::{self, Column, Format, Lists, Record, error, short};
-use crate::pictures::charts::chart::Chart;
+use crate::pictures::chart::Chart;
 use crate::pictures::drawing;
 use crate::score::judge::Judge;
 use crate::score::trajectory::Trajectory;

@@ -9,9 +9,10 @@ use crate::output::whole_file;
 use crate::pictures::space::Film;
 use crate::pictures::span::{Span, require_at_most};
 use clap::Args;
+use std::fs;
 use std::io::{BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{ChildStdin, Command, Stdio};
 
 /// `toytop animate`
 #[derive(Args)]
@@ -48,14 +49,13 @@ pub fn run(arguments: &AnimateArgs) -> Result<Report, Failure> {
     }
     let span =
         Span::new(&scenario.motion, arguments.times).map_err(|failure| failure.of_motion(&scenario.name))?;
-    let film = Film::new(&scenario, &span, frames, arguments.size);
+    let film = Film { scenario: &scenario, span: &span, frames, size: arguments.size };
     let progress = Progress::new(frames, "frames");
     if is_gif {
-        whole_file::write_by("--output", path, |file| {
-            film.gif((100 / GIF_RATE) as u16, BufWriter::new(file), || progress.add(1))
-        })?;
+        let delay = (100 / GIF_RATE) as u16;
+        whole_file::write_by("--output", path, |file| film.gif(delay, BufWriter::new(file), &progress))?;
     } else {
-        by_ffmpeg(&film, frames, path, || progress.add(1))?;
+        by_ffmpeg(&film, path, &progress)?;
     }
     Ok(Report::default().with_remarks(warnings(&[scenario]), false))
 }
@@ -67,33 +67,33 @@ const FILM_RATE: u32 = 30;
 const FRAMES_PER_CYCLE: u64 = 2;
 
 /// Film that ffmpeg makes of the frames in a temporary file, which becomes the output when it is complete.
-fn by_ffmpeg(film: &Film<'_>, frames: u64, path: &Path, mut done: impl FnMut()) -> Result<(), Failure> {
+fn by_ffmpeg(film: &Film<'_>, path: &Path, progress: &Progress) -> Result<(), Failure> {
     let failed = |what: &str| Failure::Tool(format!("ffmpeg: {what}"));
     let ending = format!(".{}", path.extension().unwrap_or_default().display());
-    let beside = tempfile::Builder::new().suffix(&ending).tempfile().map_err(Failure::Output)?;
-    let rate = FILM_RATE.to_string();
-    let started = Command::new("ffmpeg")
-        .args(["-loglevel", "error", "-y", "-f", "image2pipe", "-framerate", &rate, "-i", "-"])
-        .args(["-pix_fmt", "yuv420p"])
+    let beside = tempfile::Builder::new().suffix(&ending).tempfile()?;
+    let mut ffmpeg = Command::new("ffmpeg")
+        .args(["-loglevel", "error", "-y", "-f", "image2pipe", "-framerate", &FILM_RATE.to_string()])
+        .args(["-i", "-", "-pix_fmt", "yuv420p"])
         .arg(beside.path())
         .stdin(Stdio::piped())
         .stdout(Stdio::null())
         .stderr(Stdio::null())
-        .spawn();
-    let mut ffmpeg = started.map_err(|error| match error.kind() {
-        ErrorKind::NotFound => failed("not installed, but needed for .webm and .mp4 (a .gif needs nothing)"),
-        _ => failed(&error.to_string()),
-    })?;
-    let mut pipe = ffmpeg.stdin.take();
-    let written = (0..frames).try_for_each(|frame| {
-        let png = film.png(frame)?;
-        pipe.as_mut().map_or(Ok(()), |pipe| pipe.write_all(&png))?;
-        done();
-        Ok::<(), std::io::Error>(())
-    });
-    drop(pipe);
-    let good = ffmpeg.wait().is_ok_and(|status| status.success()) && written.is_ok();
-    match std::fs::read(beside.path()) {
+        .spawn()
+        .map_err(|error| match error.kind() {
+            ErrorKind::NotFound => {
+                failed("not installed, but needed for .webm and .mp4 (a .gif needs nothing)")
+            }
+            _ => failed(&error.to_string()),
+        })?;
+    let write = |mut pipe: ChildStdin| {
+        (0..film.frames).try_for_each(|frame| {
+            progress.add(1);
+            pipe.write_all(&film.png(frame)?)
+        })
+    };
+    let written = ffmpeg.stdin.take().map(write);
+    let good = ffmpeg.wait().is_ok_and(|status| status.success()) && matches!(written, Some(Ok(())));
+    match fs::read(beside.path()) {
         Ok(bytes) if good => whole_file::write("--output", path, &bytes),
         _ => Err(failed("failed to make a film of the frames")),
     }

@@ -1,13 +1,11 @@
 //! `toytop figures`: the curves of figures 2 and 3 of the paper, as `plot` draws them.
 
 use super::Report;
-use super::plot::{PlotKind, caption};
 use crate::Failure;
 use crate::input::builtin;
 use crate::output::whole_file;
-use crate::pictures::drawing;
 use crate::pictures::span::Span;
-use crate::pictures::tip;
+use crate::pictures::{drawing, tip};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -25,7 +23,7 @@ pub fn run(arguments: &FiguresArgs) -> Result<Report, Failure> {
     let mut text = String::new();
     for scenario in builtin::figures()?.concat() {
         let span = Span::new(&scenario.motion, None)?;
-        let scene = tip::draw(&scenario, &span, &caption(PlotKind::Tip, &scenario, &span));
+        let scene = tip::draw(&scenario, &span);
         let path = folder.join(scenario.name.replace([' ', '='], "_") + ".svg");
         drawing::write("--output", &path, &scene, None)?;
         text.push_str(&format!("{}\n", path.display()));

@@ -4,17 +4,11 @@ use super::options::{PICTURE, ending_in, span};
 use super::{Report, warnings};
 use crate::Failure;
 use crate::input::scenario::Scenario;
-use crate::output::names::tip_class;
-use crate::output::short;
-use crate::pictures::charts::motion;
-use crate::pictures::drawing;
-use crate::pictures::space;
 use crate::pictures::span::{Span, require_at_most};
-use crate::pictures::tip;
+use crate::pictures::{charts, drawing, space, tip};
 use clap::{Args, ValueEnum};
 use kuva::render::render::Scene;
 use std::path::PathBuf;
-use toytop::{Sign, Support};
 
 /// `toytop plot`
 #[derive(Args)]
@@ -38,7 +32,7 @@ pub struct PlotArgs {
 
 /// Kind of picture that `plot` draws.
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
-pub enum PlotKind {
+enum PlotKind {
     /// Curve of the tip between its two bounding circles, from above; for a held tip, the curve of the axis
     Tip,
     /// Curve of the axis on the unit sphere
@@ -64,7 +58,7 @@ fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
         if times.is_some() {
             return Err(Failure::Input("--times: not for --kind potential".to_owned()));
         }
-        return Ok(motion::potential(scenario));
+        return Ok(charts::potential(scenario));
     }
     if let Some(times) = times {
         // more would fill the frame
@@ -76,45 +70,10 @@ fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
         require_at_most(most, scenario, times, kind)?;
     }
     let span = Span::new(&scenario.motion, times)?;
-    let caption = || caption(arguments.kind, scenario, &span);
     Ok(match arguments.kind {
-        PlotKind::Tilt => motion::tilt(scenario, &span),
-        PlotKind::Precession => motion::precession(scenario, &span)?,
-        PlotKind::Axis => space::draw(scenario, &span, &caption()),
-        _ => tip::draw(scenario, &span, &caption()),
+        PlotKind::Tilt => charts::tilt(scenario, &span),
+        PlotKind::Precession => charts::precession(scenario, &span)?,
+        PlotKind::Axis => space::draw(scenario, &span),
+        _ => tip::draw(scenario, &span),
     })
-}
-
-/// Class of the curve and numbers of the scenario, in two lines.
-pub fn caption(kind: PlotKind, scenario: &Scenario, span: &Span) -> [String; 2] {
-    let motion = &scenario.motion;
-    let (top, e, signs) = (motion.top(), motion.branch_points(), motion.signs());
-    let class = tip_class(motion.tip_class()).replace('_', " ");
-    let periods = span.periods.map(|periods| format!(", {periods} periods")).unwrap_or_default();
-    let shown = |e: f64| if e.is_finite() { short(e, 4) } else { "∞".to_owned() };
-    let [e1, e2, e3] = [e.e1, e.e2, e.e3].map(shown);
-    // (l + n)² and (l - n)² are proportional to these
-    let vanishes = [e.one_plus_e1 * (1.0 + e.e2), (1.0 - e.e1) * e.one_minus_e2 * e.e3_minus_one];
-    let sign = |sign: Sign, vanishes: f64| match sign {
-        _ if vanishes == 0.0 => '=',
-        Sign::Plus => '>',
-        Sign::Minus => '<',
-    };
-    let (plus, minus) = (sign(signs.l_plus_n, vanishes[0]), sign(signs.l_minus_n, vanishes[1]));
-    let ratio = format!("C/A = {}", short(top.axial_inertia() / top.transverse_inertia(), 4));
-    let roots = format!("{class}{periods}: e₁ = {e1}, e₂ = {e2}, e₃ = {e3}");
-    let signs = format!("l + n {plus} 0, l - n {minus} 0");
-    let support = match top.support() {
-        Support::Sliding => {
-            let slenderness = top.transverse_inertia() / (top.mass_moment() * top.com_height());
-            return [roots, format!("{signs}, A/(ps) = {}, {ratio}", short(slenderness, 4))];
-        }
-        Support::Free => "free body",
-        Support::Fixed => "tip held",
-    };
-    let curve = match kind {
-        PlotKind::Axis => "",
-        _ => ": seen from above, the end of a unit vector along the axis",
-    };
-    [format!("{roots}, {ratio}"), format!("{signs}, {support}{curve}")]
 }

@@ -80,9 +80,18 @@ fn fail(error: impl std::fmt::Display) -> Failure {
     Failure::Method(format!("bench: {error}"))
 }
 
-/// Time of a state, and the states of all places.
-fn states<P: Copy, T>(places: &[P], state: impl Fn(P) -> T) -> (f64, Vec<T>) {
-    least(STATES, || places.iter().map(|&place| state(place)).collect())
+/// Task that computes the states at places, times with their ticks. `begin` begins a run and returns the orientation at a place.
+fn states<F: FnMut(f64, i64) -> Orientation<f64>>(
+    what: &str,
+    (places, truth): (&[(f64, i64)], &[FullState]),
+    begin: impl Fn() -> F,
+) -> Record {
+    let (seconds, found) = least(STATES, || {
+        let mut state = begin();
+        places.iter().map(|&(t, n)| state(t, n)).collect::<Vec<_>>()
+    });
+    let errors = found.iter().zip(truth).map(|(found, truth)| found.distance(&truth.orientation()));
+    row(what, seconds, Some(errors.fold(0.0, f64::max)))
 }
 
 fn rows(scenario: &Scenario) -> Result<Vec<Record>, Failure> {
@@ -90,56 +99,52 @@ fn rows(scenario: &Scenario) -> Result<Vec<Record>, Failure> {
     let period = motion.period_advance().map_or(1.0, |advance| advance.period);
     // whole ticks whose times are exact in f64, so that all methods compute the same times
     let apart = (f64::from(PERIODS) * period / f64::from(STATES) * f64::from(HERTZ)).round();
-    let ticks: Vec<i64> = (1..=i64::from(STATES)).map(|i| i * apart as i64).collect();
-    let apart = apart / f64::from(HERTZ);
-    let times: Vec<f64> = (1..=STATES).map(|i| f64::from(i) * apart).collect();
+    let place = |i: u32| (f64::from(i) * (apart / f64::from(HERTZ)), i64::from(i) * apart as i64);
+    let places: Vec<_> = (1..=STATES).map(place).collect();
+    let truth = solution::states(scenario, &places.iter().map(|(t, _)| *t).collect::<Vec<_>>())?;
     let tick = Tick::hertz(HERTZ).map_err(fail)?;
-    let truth = solution::states(scenario, &times)?;
-    let error = |found: &[Orientation<f64>]| {
-        Some(
-            found
-                .iter()
-                .zip(&truth)
-                .map(|(found, truth)| found.distance(&truth.orientation()))
-                .fold(0.0, f64::max),
-        )
-    };
-    let of_states =
-        |states: &[FullState]| error(&states.iter().map(FullState::orientation).collect::<Vec<_>>());
-
     let (top, state) = solution::start(scenario);
-    let (solver_time, solved) = least(STATES, || {
-        let mut solver = FullSolver::new(top, state, TOLERANCE);
-        times.iter().map(|&t| solver.advance_to(t)).collect::<Result<Vec<_>, _>>()
-    });
-    let solved = solved.map_err(fail)?;
-    let (steps_time, stepped) = least(STATES, || {
-        let (equations, step) = (Equations::of(&top, &state), apart / f64::from(STEPS));
-        let mut y = equations.numbers(&state);
-        let mut state = || {
-            (0..STEPS).for_each(|_| y = equations.runge_kutta(&y, step));
-            equations.state(&y)
-        };
-        times.iter().map(|_| state()).collect::<Vec<_>>()
-    });
     let (set_up, table) = least(1, || EphemerisF64::new(motion, tick));
     let table = table.map_err(fail)?;
-    let (both, _) = states(&times, |t| {
-        let now = table.at(t);
-        (now.orientation(), now.omega())
-    });
-    let (any, phis) = states(&times, |t| table.at(t).orientation());
-    let (at_tick, _) = states(&ticks, |n| table.at_tick(n).orientation());
-    let per_period = STEPS * STATES / PERIODS;
-    let solver = format!("full solver, tolerance {TOLERANCE:.0e}: orientation and angular velocity");
-    let steps = format!("Runge-Kutta of the full equations, {per_period} steps a period: the same");
     let single = EphemerisF32::new(motion, tick).map_err(fail)?;
+    let of_states = (&*places, &*truth);
     let mut rows = vec![
-        row(&solver, solver_time, of_states(&solved)),
-        row(&steps, steps_time, of_states(&stepped)),
-        row("ephemeris f64, 48x11, at any time: the same", both, error(&phis)),
-        row("ephemeris f64, 48x11, at any time: orientation", any, error(&phis)),
-        row("ephemeris f64, 48x11, at any tick: orientation", at_tick, error(&phis)),
+        states(
+            &format!("full solver, tolerance {TOLERANCE:.0e}: orientation and angular velocity"),
+            of_states,
+            || {
+                let mut solver = FullSolver::new(top, state, TOLERANCE);
+                move |t, _| solver.advance_to(t).map_or(Orientation::IDENTITY, |state| state.orientation())
+            },
+        ),
+        states(
+            &format!(
+                "Runge-Kutta of the full equations, {} steps a period: the same",
+                STEPS * STATES / PERIODS
+            ),
+            of_states,
+            || {
+                let (equations, step) = (Equations::of(&top, &state), places[0].0 / f64::from(STEPS));
+                let mut y = equations.numbers(&state);
+                move |_, _| {
+                    (0..STEPS).for_each(|_| y = equations.runge_kutta(&y, step));
+                    equations.state(&y).orientation()
+                }
+            },
+        ),
+        states("ephemeris f64, 48x11, at any time: the same", of_states, || {
+            |t, _| {
+                let now = table.at(t);
+                black_box(now.omega());
+                now.orientation()
+            }
+        }),
+        states("ephemeris f64, 48x11, at any time: orientation", of_states, || {
+            |t, _| table.at(t).orientation()
+        }),
+        states("ephemeris f64, 48x11, at any tick: orientation", of_states, || {
+            |_, n| table.at_tick(n).orientation()
+        }),
         row("ephemeris f64: its set-up, once", set_up, None),
     ];
     rows.extend(ephemeris("f32", &single));

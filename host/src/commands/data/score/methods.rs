@@ -1,7 +1,7 @@
 //! Runs of integrators, grouped by their methods.
 
 use crate::Failure;
-use crate::pictures::charts::chart::Curve;
+use crate::pictures::chart::Curve;
 use crate::score::judge::Score;
 use crate::score::order;
 use crate::score::trajectory::Trajectory;

@@ -87,39 +87,26 @@ pub fn bound(
     Some(core + solver).filter(|bound| *bound < WORST)
 }
 
-/// Time over which a motion is compared.
-pub struct Span {
-    /// The nutation period or, where there is none, a natural time of the top, s.
-    pub period: f64,
-    /// Time over which the motion is compared, s.
-    pub time: f64,
-    /// Reason why the time is shorter than requested.
-    pub remark: Option<String>,
-}
-
 /// Greatest growth of rounding errors. Near the upright position the errors of the full equations grow like e^{λt}; the comparison ends
 /// when they have grown by this factor.
 const MOST_AMPLIFIED: f64 = 1e4;
 
-/// Time of `periods` periods. For an aperiodic motion the time ends shortly before the axis reaches the vertical, because from there the
-/// solution of the full equations, unlike that of the core, falls again.
-pub fn horizon(motion: &Motion, periods: u32) -> Span {
-    let period = period(motion);
-    let time = period * f64::from(periods);
-    let span = Span { period, time, remark: None };
+/// Time of `periods` periods, s, or a shorter one with the reason. For an aperiodic motion the time ends shortly before the axis reaches
+/// the vertical, because from there the solution of the full equations, unlike that of the core, falls again.
+pub fn horizon(motion: &Motion, periods: u32) -> (f64, Option<String>) {
+    let time = period(motion) * f64::from(periods);
     if motion.regime() != Regime::Aperiodic {
-        return span;
+        return (time, None);
     }
     // λ = √(4 A p g - n²)/(2 A)
     let (top, n) = (motion.top(), motion.first_integrals().n);
     let rate = (4.0 * top.transverse_inertia() * top.mass_moment() * top.gravity() - n * n).sqrt()
         / (2.0 * top.transverse_inertia());
     let sensible = MOST_AMPLIFIED.ln() / rate;
-    if sensible >= time {
-        return span;
-    }
-    let remark = format!(
-        "followed for {sensible:.3e} s only; from there on the full equations fall away from the vertical"
-    );
-    Span { time: sensible, remark: Some(remark), ..span }
+    let remark = || {
+        format!(
+            "followed for {sensible:.3e} s only; from there on the full equations fall away from the vertical"
+        )
+    };
+    (sensible.min(time), (sensible < time).then(remark))
 }

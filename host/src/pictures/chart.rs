@@ -1,35 +1,40 @@
 //! Chart of curves over linear or logarithmic axes. (The logarithmic axes of kuva have no ticks below 1e-10.)
 
-use crate::pictures::drawing::text;
+use super::drawing::{frame, label_above};
 use crate::sweep::axis::ends;
+use kuva::plot::LinePlot;
 use kuva::plot::scatter::{MarkerShape, ScatterPlot};
-use kuva::plot::{LegendPosition, LinePlot};
-use kuva::render::layout::{Layout, TickFormat};
+use kuva::render::layout::TickFormat;
 use kuva::render::plots::Plot;
-use kuva::render::render::{Scene, TextAnchor, render_multiple};
+use kuva::render::render::{Scene, render_multiple};
 use std::sync::Arc;
 
 /// Curve of a chart.
 pub struct Curve {
     /// Name in the legend.
-    pub name: String,
+    name: String,
     /// Points \[x, y\].
     pub points: Vec<[f64; 2]>,
-    /// Width of the line through the points; 0 for none.
-    pub width: f64,
+    /// Whether there is a line through the points.
+    is_line: bool,
     /// Whether every point has a mark.
-    pub marked: bool,
+    is_marked: bool,
 }
 
 impl Curve {
     /// Line through points.
     pub fn line(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
-        Self { name: name.into(), points, width: 1.8, marked: false }
+        Self { name: name.into(), points, is_line: true, is_marked: false }
     }
 
     /// Line through points with marks.
     pub fn marked(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
-        Self { marked: true, ..Self::line(name, points) }
+        Self { is_marked: true, ..Self::line(name, points) }
+    }
+
+    /// Marks without a line.
+    pub fn dots(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
+        Self { is_line: false, ..Self::marked(name, points) }
     }
 }
 
@@ -56,61 +61,41 @@ const MARKS: [MarkerShape; 5] = [
     MarkerShape::TriangleDown,
 ];
 
-/// Size of the chart, and margins above and below its frame, pixels.
-const SIZE: [f64; 2] = [920.0, 520.0];
-const ABOVE: f64 = 84.0;
-const BELOW: f64 = 62.0;
-
 impl Chart<'_> {
-    /// Chart of these curves.
+    /// Chart of these curves. A logarithmic axis ends at whole powers of ten; another one of y has a margin above and below its points.
     pub fn draw(&self, curves: &[Curve]) -> Scene {
         let mut plots: Vec<Plot> = Vec::new();
         let mut all = Vec::new();
-        let mut marks = MARKS.into_iter().cycle();
-        for (curve, color) in curves.iter().zip(COLORS.into_iter().cycle()) {
+        let looks = COLORS.into_iter().cycle().zip(MARKS.into_iter().cycle());
+        for (curve, (color, mark)) in curves.iter().zip(looks) {
             let place = |&[x, y]: &[f64; 2]| Some((place(x, self.powers[0])?, place(y, self.powers[1])?));
             let points: Vec<(f64, f64)> = curve.points.iter().filter_map(place).collect();
             all.extend(points.iter().copied());
-            let line = LinePlot::new().with_data(points.clone()).with_color(color);
-            let line = line.with_stroke_width(curve.width);
-            match marks.next().filter(|_| curve.marked) {
-                Some(mark) => {
-                    let dots = ScatterPlot::new().with_data(points).with_color(color).with_size(4.5);
-                    plots.extend([line.into(), dots.with_marker(mark).with_legend(&*curve.name).into()]);
-                }
-                None => plots.push(line.with_legend(&*curve.name).into()),
+            if curve.is_line {
+                let line = LinePlot::new().with_data(points.clone()).with_color(color).with_stroke_width(1.8);
+                plots.push(if curve.is_marked { line } else { line.with_legend(&*curve.name) }.into());
+            }
+            if curve.is_marked {
+                let dots = ScatterPlot::new().with_data(points).with_color(color).with_size(4.5);
+                plots.push(dots.with_marker(mark).with_legend(&*curve.name).into());
             }
         }
-        let layout = self.layout(&plots, &all);
-        let mut scene = render_multiple(plots, layout);
-        // horizontal text above the axis, because rotated text is not sharp in the raster picture
-        text(&mut scene, self.labels[1], [16.0, 66.0], 14, TextAnchor::Start, "black");
-        scene
-    }
-
-    /// Axes with whole powers of ten at their ends, or with the range of the points and a margin above and below.
-    fn layout(&self, plots: &[Plot], points: &[(f64, f64)]) -> Layout {
-        let [x, y] = [ends(points.iter().map(|(x, _)| *x)), ends(points.iter().map(|(_, y)| *y))];
-        let x = if self.powers[0] { whole(x) } else { x };
-        // a curve that is constant to rounding is drawn in the middle
-        let margin = if y[1] - y[0] > 1e-9 * y[1].abs() { 0.06 * (y[1] - y[0]) } else { 1.0 };
-        let margin = if self.powers[1] { 0.1 } else { margin };
-        let y = [y[0] - margin, y[1] + margin];
-        let y = if self.powers[1] { whole(y) } else { y };
-        let mut layout = Layout::auto_from_plots(plots)
-            .with_width(SIZE[0])
-            .with_height(SIZE[1])
-            .with_title(self.title)
-            .with_title_size(18)
-            .with_x_label(self.labels[0])
-            .with_force_margins_y(ABOVE, BELOW)
-            .with_box_axes()
-            .with_legend_position(LegendPosition::OutsideRightTop)
-            .with_legend_box(false)
-            .with_x_axis_min(x[0])
-            .with_x_axis_max(x[1])
-            .with_y_axis_min(y[0])
-            .with_y_axis_max(y[1]);
+        let [mut x, mut y] = [ends(all.iter().map(|(x, _)| *x)), ends(all.iter().map(|(_, y)| *y))];
+        let height = y[1] - y[0];
+        let margin = match self.powers[1] {
+            true => 0.1,
+            false if height > 1e-9 * y[1].abs() => 0.06 * height,
+            // a curve that is constant to rounding is drawn in the middle
+            false => 1.0,
+        };
+        y = [y[0] - margin, y[1] + margin];
+        for (ends, power) in [&mut x, &mut y].into_iter().zip(self.powers) {
+            *ends = if power { whole(*ends) } else { *ends };
+        }
+        let mut layout = frame(&plots, self.title, self.labels[0], [x, y])
+            .with_width(920.0)
+            .with_height(520.0)
+            .with_force_margins_y(84.0, 62.0);
         let power = || TickFormat::Custom(Arc::new(power_of_ten));
         if self.powers[0] {
             layout = layout.with_x_tick_step(1.0).with_x_tick_format(power());
@@ -119,10 +104,13 @@ impl Chart<'_> {
             let step = if y[1] - y[0] > 9.0 { 2.0 } else { 1.0 };
             layout = layout.with_y_tick_step(step).with_y_tick_format(power());
         }
-        layout
+        let mut scene = render_multiple(plots, layout);
+        label_above(&mut scene, self.labels[1], [16.0, 66.0]);
+        scene
     }
 }
 
+/// Place of a number on an axis: its logarithm, if the axis has one.
 fn place(x: f64, power: bool) -> Option<f64> {
     if power { (x > 0.0).then(|| x.log10()) } else { Some(x) }
 }

@@ -10,7 +10,7 @@
 //! * SDIV and UDIV take 2 to 12 cycles: always 12, because the operands are not known
 //! * an instruction that a condition skips takes as many cycles as if it were executed
 
-use super::Chip;
+use super::chips::Chip;
 use capstone::arch::ArchDetail;
 use capstone::arch::arm::{ArchMode, ArmOperandType, ArmReg};
 use capstone::prelude::*;
@@ -36,26 +36,8 @@ impl Model {
 
     /// Cycles of consecutive instructions.
     pub fn cycles(self, instructions: &[Instruction]) -> i64 {
-        let alone: i64 = instructions.iter().map(|instruction| self.alone(instruction)).sum();
+        let alone: i64 = instructions.iter().map(|instruction| instruction.cycles[self as usize]).sum();
         alone + instructions.windows(2).map(|pair| self.after(&pair[0], &pair[1])).sum::<i64>()
-    }
-
-    /// Cycles of an instruction by itself.
-    fn alone(self, instruction: &Instruction) -> i64 {
-        let cycles = match (self, instruction.kind) {
-            (_, Kind::Several { words }) => 1 + words,
-            (Self::M0Plus, Kind::Load { .. } | Kind::Store { .. }) => 2,
-            (Self::M0Plus, Kind::System) => 3,
-            (Self::M0Plus, _) => 1,
-            (Self::M4, Kind::Load { .. } | Kind::Store { indexed: true } | Kind::System) => 2,
-            (Self::M4, Kind::FloatMove { two: true }) => 2,
-            (Self::M4, Kind::Divide) => 12,
-            (Self::M4, Kind::FloatMultiplyAdd) => 3,
-            (Self::M4, Kind::FloatDivide) => 14,
-            (Self::M4, Kind::FloatLoad { words } | Kind::FloatStore { words }) => 1 + words,
-            (Self::M4, _) => 1,
-        };
-        cycles.into()
     }
 
     /// Additional cycles, which may be negative, because of the instruction before it.
@@ -63,24 +45,22 @@ impl Model {
         if self == Self::M0Plus {
             return 0;
         }
-        let waits_for_float = match before.kind {
-            Kind::Float | Kind::FloatMultiplyAdd | Kind::FloatDivide => {
-                meet(before.writes, instruction.reads)
+        let needs_address = meet(before.writes, instruction.addressing);
+        match before.kind {
+            Kind::Float => i64::from(meet(before.writes, instruction.reads)),
+            Kind::Plain => i64::from(needs_address),
+            Kind::Load => {
+                let follows = matches!(instruction.kind, Kind::Load | Kind::IndexedStore);
+                -i64::from(follows && !needs_address && !meet(before.writes, PC))
             }
-            _ => false,
-        };
-        let waits_for_address = before.kind == Kind::Plain && meet(before.writes, instruction.addressing);
-        let overlaps = matches!(before.kind, Kind::Load { .. })
-            && matches!(instruction.kind, Kind::Load { .. } | Kind::Store { indexed: true })
-            && !meet(before.writes, PC)
-            && !meet(before.writes, instruction.addressing);
-        i64::from(waits_for_float) + i64::from(waits_for_address) - i64::from(overlaps)
+            _ => 0,
+        }
     }
 
     /// Additional cycles of a jump to an instruction other than the next one.
     pub fn jump(self, instruction: &Instruction, target: Option<&Instruction>) -> i64 {
         match (self, instruction.kind) {
-            (Self::M0Plus, Kind::Call | Kind::Several { .. }) => 2,
+            (Self::M0Plus, Kind::Call | Kind::Several) => 2,
             (Self::M0Plus, _) => 1,
             (Self::M4, Kind::Table) => 5,
             (Self::M4, kind) => {
@@ -107,60 +87,68 @@ fn meet(a: Registers, b: Registers) -> bool {
     a & b != 0
 }
 
-/// Class of an instruction by its cycles.
+/// Class of an instruction, by its effect on the cycles of others.
 #[derive(Clone, Copy, PartialEq)]
-pub enum Kind {
-    /// Data processing, multiplication included.
+enum Kind {
+    /// Data processing, multiplication included: an address that is its result comes a cycle later.
     Plain,
-    /// IT.
-    IfThen,
-    /// SDIV, UDIV.
-    Divide,
-    /// Barrier, or access to a special register.
-    System,
-    /// Load of one word or less; `indexed` if a register is added to the address.
-    Load { indexed: bool },
-    /// Store of one word or less; `indexed` if a register is added to the address.
-    Store { indexed: bool },
-    /// Transfer of this many words: LDM, STM, LDRD, STRD, PUSH, POP, VLDM, VSTM.
-    Several { words: u32 },
-    /// VADD, VMUL, VCVT and others, whose result is not ready for the next instruction.
+    /// Load of one word or less, which overlaps with the next.
+    Load,
+    /// Store of one word or less.
+    Store,
+    /// Store of one word or less to the sum of two registers.
+    IndexedStore,
+    /// Transfer of several words between memory and core registers, or VPUSH, VPOP, VLDM, VSTM.
+    Several,
+    /// VLDR, VSTR.
+    FloatTransfer,
+    /// Operation of the FPU, whose result is not ready for the next instruction.
     Float,
-    /// VMLA, VFMA and others.
-    FloatMultiplyAdd,
-    /// VDIV, VSQRT.
-    FloatDivide,
-    /// VMOV, VCMP, VNEG and others; `two` if two core registers are moved.
-    FloatMove { two: bool },
-    /// VLDR.
-    FloatLoad { words: u32 },
-    /// VSTR.
-    FloatStore { words: u32 },
+    /// VMOV, VCMP, VNEG and others.
+    FloatMove,
     /// B to an address in the instruction.
     Branch,
     /// BL to an address in the instruction.
     Call,
-    /// B with a condition, CBZ, CBNZ.
-    Conditional,
-    /// BX, BLX.
-    ToRegister,
     /// TBB, TBH.
     Table,
+    /// Any other instruction.
+    Other,
 }
+
+/// Names of instructions, or their beginnings before a star, with the cycles on the Cortex-M0+ and the Cortex-M4 and the class. The first
+/// row that fits counts. Transferred words and a second moved register are added.
+const TIMINGS: [(&str, [i64; 2], Kind); 16] = [
+    ("b", [1, 1], Kind::Branch),
+    ("bl", [1, 1], Kind::Call),
+    ("beq bne bcs bhs bcc blo bmi bpl bvs bvc bhi bls bge blt bgt ble", [1, 1], Kind::Other),
+    ("bx blx bxns blxns cbz cbnz it*", [1, 1], Kind::Other),
+    ("tbb tbh", [1, 1], Kind::Table),
+    ("dmb dsb isb mrs msr cpsie cpsid svc bkpt", [3, 2], Kind::Other),
+    ("push pop ldm* stm* ldrd* strd* vpush* vpop* vldm* vstm*", [1, 1], Kind::Several),
+    ("vldr* vstr*", [1, 1], Kind::FloatTransfer),
+    ("vmla* vmls* vnmla* vnmls* vfma* vfms* vfnma* vfnms*", [1, 3], Kind::Float),
+    ("vdiv* vsqrt*", [1, 14], Kind::Float),
+    ("vadd* vsub* vmul* vnmul* vcvt* vrint*", [1, 1], Kind::Float),
+    ("v*", [1, 1], Kind::FloatMove),
+    ("ldr*", [2, 2], Kind::Load),
+    ("str*", [2, 1], Kind::Store),
+    ("sdiv* udiv*", [1, 12], Kind::Other),
+    ("*", [1, 1], Kind::Plain),
+];
 
 /// Decoded instruction.
 #[derive(Clone, Copy)]
 pub struct Instruction {
-    /// Class by its cycles.
-    pub kind: Kind,
-    /// Registers that it reads.
-    pub reads: Registers,
-    /// Registers that it writes.
-    pub writes: Registers,
+    /// Cycles by itself on the Cortex-M0+ and the Cortex-M4.
+    cycles: [i64; 2],
+    kind: Kind,
+    reads: Registers,
+    writes: Registers,
     /// Registers that it computes an address from.
-    pub addressing: Registers,
+    addressing: Registers,
     /// Whether it has four bytes at an address that is no multiple of four, which makes a jump to it slow.
-    pub straddles: bool,
+    straddles: bool,
 }
 
 /// Decoder of Thumb code.
@@ -200,9 +188,11 @@ impl Decoder {
         }
         // the number 0 is no register
         addressing.retain(|register| register.0 != 0);
-        let mnemonic = instruction.mnemonic().unwrap_or_default();
+        let ([on_m0plus, on_m4], kind) = timing(instruction.mnemonic().unwrap_or_default(), &operands);
+        let is_indexed = kind == Kind::Store && addressing.len() > 1;
         Ok(Instruction {
-            kind: kind(mnemonic, &operands, addressing.len() > 1),
+            cycles: [on_m0plus, on_m4 + i64::from(is_indexed)],
+            kind: if is_indexed { Kind::IndexedStore } else { kind },
             reads: set(detail.regs_read()),
             writes: set(detail.regs_write()),
             addressing: set(&addressing),
@@ -211,40 +201,26 @@ impl Decoder {
     }
 }
 
-/// Class of an instruction by its name without width, condition and data types.
-fn kind(mnemonic: &str, operands: &[String], indexed: bool) -> Kind {
+/// Cycles and class of an instruction by its name without width, condition and data types, and by the names of its registers.
+fn timing(mnemonic: &str, registers: &[String]) -> ([i64; 2], Kind) {
     let name = mnemonic.split('.').next().unwrap_or_default();
-    let of = |prefixes: &[&str]| prefixes.iter().any(|prefix| name.starts_with(prefix));
-    let words = |names: &[String]| names.iter().map(|name| if name.starts_with('d') { 2 } else { 1 }).sum();
-    match name {
-        "b" => Kind::Branch,
-        "bl" => Kind::Call,
-        "bx" | "blx" | "bxns" | "blxns" => Kind::ToRegister,
-        "cbz" | "cbnz" => Kind::Conditional,
-        "tbb" | "tbh" => Kind::Table,
-        "push" | "pop" => Kind::Several { words: words(operands) },
-        "dmb" | "dsb" | "isb" | "mrs" | "msr" | "cpsie" | "cpsid" | "svc" | "bkpt" => Kind::System,
-        _ if name.len() == 3 && name.starts_with('b') && name != "bic" && name != "bfi" && name != "bfc" => {
-            Kind::Conditional
+    let fits =
+        |pattern: &str| pattern.strip_suffix('*').map_or(name == pattern, |start| name.starts_with(start));
+    let row = TIMINGS.iter().find(|(patterns, ..)| patterns.split(' ').any(fits));
+    let (_, cycles, kind) = *row.unwrap_or(&TIMINGS[TIMINGS.len() - 1]);
+    let words =
+        |registers: &[String]| registers.iter().map(|name| if name.starts_with('d') { 2 } else { 1 }).sum();
+    let more: i64 = match kind {
+        Kind::Several if name.starts_with("ldrd") || name.starts_with("strd") => 2,
+        // the first register has the address
+        Kind::Several if name.contains("ldm") || name.contains("stm") => {
+            words(registers.get(1..).unwrap_or_default())
         }
-        _ if name.starts_with("it") => Kind::IfThen,
-        _ if of(&["vldr"]) => Kind::FloatLoad { words: words(operands) },
-        _ if of(&["vstr"]) => Kind::FloatStore { words: words(operands) },
-        _ if of(&["vpush", "vpop"]) => Kind::Several { words: words(operands) },
-        _ if of(&["vldm", "vstm"]) => Kind::Several { words: words(operands.get(1..).unwrap_or_default()) },
-        _ if of(&["vmla", "vmls", "vnmla", "vnmls", "vfma", "vfms", "vfnma", "vfnms"]) => {
-            Kind::FloatMultiplyAdd
-        }
-        _ if of(&["vdiv", "vsqrt"]) => Kind::FloatDivide,
-        _ if of(&["vadd", "vsub", "vmul", "vnmul", "vcvt", "vrint"]) => Kind::Float,
-        _ if name.starts_with('v') => Kind::FloatMove { two: operands.len() > 2 },
-        _ if of(&["ldrd", "strd"]) => Kind::Several { words: 2 },
-        _ if of(&["ldm", "stm"]) => Kind::Several { words: words(operands.get(1..).unwrap_or_default()) },
-        _ if of(&["ldr"]) => Kind::Load { indexed },
-        _ if of(&["str"]) => Kind::Store { indexed },
-        _ if of(&["sdiv", "udiv"]) => Kind::Divide,
-        _ => Kind::Plain,
-    }
+        Kind::Several | Kind::FloatTransfer => words(registers),
+        Kind::FloatMove => i64::from(registers.len() > 2),
+        _ => 0,
+    };
+    (cycles.map(|cycles| cycles + more), kind)
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Allowed cost of each call: `firmware-examples/budgets.toml`.
 
-use super::{Chip, Cost, Costs};
+use super::chips::Chip;
+use super::meter::{Cost, Costs};
 use crate::Failure;
 use crate::output::whole_file;
 use serde::Deserialize;
@@ -33,7 +34,7 @@ impl Limits {
     /// # Errors
     /// As [`Limits::parse`], which a test excludes.
     pub fn built_in() -> Result<Self, Failure> {
-        Self::parse(include_str!("../../../firmware-examples/budgets.toml"))
+        Self::parse(include_str!("../../../../../firmware-examples/budgets.toml"))
     }
 
     /// Limits of a file.
@@ -44,18 +45,18 @@ impl Limits {
         Self::parse(&whole_file::read(&path.display().to_string(), path, 1)?)
     }
 
-    /// Limits that exceed the measured costs by a twentieth.
+    /// Limits that exceed the measured costs by a twentieth. RAM is the size of a type, which does not vary.
     pub fn around(mut measured: BTreeMap<String, Costs>) -> Self {
         let more = |figure: u64| figure + figure.div_ceil(SLACK);
-        for Cost { instructions, cycles, stack, flash, ram: _ } in
-            measured.values_mut().flat_map(BTreeMap::values_mut)
-        {
-            // RAM is the size of a type, which does not vary
-            [instructions, flash]
-                .into_iter()
-                .chain(cycles)
-                .chain(stack)
-                .for_each(|figure| *figure = more(*figure));
+        for cost in measured.values_mut().flat_map(BTreeMap::values_mut) {
+            let Cost { instructions, cycles, stack, flash, ram } = *cost;
+            *cost = Cost {
+                instructions: more(instructions),
+                cycles: cycles.map(more),
+                stack: stack.map(more),
+                flash: more(flash),
+                ram,
+            };
         }
         Self(measured)
     }

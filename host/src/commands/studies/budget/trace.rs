@@ -3,7 +3,7 @@
 //! With `-d in_asm,exec,nochain` QEMU lists the instructions of a block when it translates it, and writes a line whenever a block begins.
 //! A block ends with a branch, or where QEMU ends its translation. A block is identified by the address of its translation.
 
-use super::Chip;
+use super::chips::Chip;
 use crate::Failure;
 use std::collections::HashMap;
 use std::io::{BufRead, BufReader, Read, Seek};
@@ -24,13 +24,14 @@ pub struct Block {
     pub count: u64,
 }
 
-/// Output of an ELF that QEMU runs. `executed` is called for every executed block.
+/// Output of an ELF that QEMU runs with these arguments. `executed` is called for every executed block that QEMU logs.
 ///
 /// # Errors
 /// [`Failure::Tool`]: there is no QEMU, the program did not end in time and with exit code 0, or the log cannot be read.
 pub fn run(
     chip: &Chip,
     elf: &Path,
+    arguments: &[&str],
     executed: impl FnMut(Block) -> Result<(), Failure>,
 ) -> Result<String, Failure> {
     let fail = |what: String| Failure::Tool(format!("budget: {}: {what}", chip.name));
@@ -38,7 +39,7 @@ pub fn run(
     let mut printed = tempfile::tempfile()?;
     let mut qemu = chip
         .qemu(elf)
-        .args(["-d", "in_asm,exec,nochain"])
+        .args(arguments)
         .stdout(printed.try_clone()?)
         .spawn()
         .map_err(|error| fail(format!("cannot run {} ({error}); install QEMU", chip.emulator)))?;

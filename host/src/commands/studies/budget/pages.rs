@@ -1,23 +1,48 @@
 //! Parts of pages that have costs: tables of the limits, and of the set-up of many launches.
 
-use super::{CorpusCost, Cost, Limits};
-use crate::output::doc_markers::{self, NO_FIGURE, grouped};
+use super::limits::Limits;
+use super::meter::Cost;
+use crate::Failure;
+use crate::commands::Report;
+use crate::output::doc_markers::{Page, grouped, table};
+use crate::output::{self, Record, eight};
+use std::path::Path;
 
-/// Part of a page: the page, its mark, and its text by the costs.
-pub type Part<T> = (&'static str, &'static str, fn(&T) -> String);
+/// Part of a page: the page, its mark, and its text.
+pub type Part = (&'static str, &'static str, String);
 
 const COSTS: &str = "host/docs/costs.md";
 const FRONT_PAGE: &str = "README.md";
 
 /// Parts of pages that have limits.
-pub const OF_LIMITS: [Part<Limits>; 2] =
-    [(COSTS, "toytop budget: calls", calls), (FRONT_PAGE, "toytop budget: front page", front_page)];
+pub fn of_limits(limits: &Limits) -> [Part; 2] {
+    [
+        (COSTS, "toytop budget: calls", calls(limits)),
+        (FRONT_PAGE, "toytop budget: front page", front_page(limits)),
+    ]
+}
 
 /// Parts of pages that have costs of many launches.
-pub const OF_CORPUS: [Part<[CorpusCost]>; 2] = [
-    (COSTS, "toytop budget: launches", launches),
-    (FRONT_PAGE, "toytop budget: median launch", median_launch),
-];
+pub fn of_corpus(rows: &[Record]) -> [Part; 2] {
+    let rows = of_launches(rows);
+    [
+        (COSTS, "toytop budget: launches", table(&rows)),
+        (FRONT_PAGE, "toytop budget: median launch", median_launch(&rows)),
+    ]
+}
+
+/// Writes parts of pages below a folder, after each of them was found to have a place.
+///
+/// # Errors
+/// The failures of [`Page::read`] and [`Page::write`].
+pub fn write(root: &Path, parts: &[Part]) -> Result<Report, Failure> {
+    let pages = parts.iter().map(|(name, mark, _)| Page::read(&root.join(name), mark));
+    for (page, (.., text)) in pages.collect::<Result<Vec<_>, _>>()?.iter().zip(parts) {
+        page.write(text)?;
+    }
+    let names: Vec<_> = parts.iter().map(|(name, ..)| *name).collect();
+    Ok(format!("written: the tables in {}\n", names.join(" and ")).into())
+}
 
 /// Calls, each with its text on the page.
 const ROWS: [(&str, &str); 24] = [
@@ -70,13 +95,14 @@ const COLUMNS: [(&str, &str, Figure); 6] = [
 ];
 
 fn calls(limits: &Limits) -> String {
-    let mut header = vec!["from a tick to α, β, u and the tip in memory, at most"];
-    header.extend(COLUMNS.map(|(heading, ..)| heading));
     let row = |(call, what): (&str, &str)| {
-        let figures = COLUMNS.map(|(_, chip, figure)| cell(limits.of(chip, call).and_then(figure)));
-        [&[what.to_owned()][..], &figures].concat()
+        let row = Record::default().with("from a tick to α, β, u and the tip in memory, at most", what);
+        let figure = |row: Record, (heading, chip, figure): &(&'static str, &str, Figure)| {
+            row.with(heading, limits.of(chip, call).and_then(figure))
+        };
+        COLUMNS.iter().fold(row, figure)
     };
-    table(&header, ROWS.map(row))
+    markdown(&ROWS.map(row))
 }
 
 /// Rows of the front page: chip, call and text.
@@ -90,49 +116,38 @@ const FRONT_ROWS: [(&str, &str, &str); 4] = [
 fn front_page(limits: &Limits) -> String {
     let row = |(chip, call, what): (&str, &str, &str)| {
         let Cost { cycles, ram, stack, flash, .. } = limits.of(chip, call).copied().unwrap_or_default();
-        [&[what.to_owned()][..], &[cycles, ram, stack, Some(flash)].map(cell)].concat()
+        let row = Record::default().with("at most", what).with("cycles", cycles);
+        row.with("kept, bytes", ram).with("stack, bytes", stack).with("flash, bytes", flash)
     };
-    table(&["at most", "cycles", "kept, bytes", "stack, bytes", "flash, bytes"], FRONT_ROWS.map(row))
+    markdown(&FRONT_ROWS.map(row))
 }
 
-fn launches(costs: &[CorpusCost]) -> String {
-    let header = [
-        "chip",
-        "scalar",
-        "result",
-        "launches",
-        "median cycles",
-        "greatest cycles",
-        "cycles of the longest slice",
+fn markdown(rows: &[Record]) -> String {
+    table(&output::rows(rows, &output::all_columns(rows, eight)))
+}
+
+/// Table of the launches, whose first row is the header.
+fn of_launches(rows: &[Record]) -> Vec<Vec<String>> {
+    let columns = [
+        ("chip", "chip"),
+        ("scalar", "scalar"),
+        ("result", "result"),
+        ("launches", "launches"),
+        ("median_cycles_model", "median cycles"),
+        ("greatest_cycles_model", "greatest cycles"),
+        ("slice_cycles_model", "cycles of the longest slice"),
     ];
-    let rows = costs.iter().map(|cost| {
-        let CorpusCost { chip, scalar, result, launches, cycles, .. } = cost;
-        let words = [(*chip).to_owned(), scalar.clone(), result.clone(), launches.to_string()];
-        words.into_iter().chain(cycles.map(cell)).collect()
-    });
-    table(&header, rows)
+    output::rows(rows, &columns.map(|(name, heading)| (name, heading, eight as fn(f64) -> String)))
 }
 
 /// Cost of the launches in one sentence; empty if those of this chip and scalar are not known.
-fn median_launch(costs: &[CorpusCost]) -> String {
-    let of_chip = |cost: &&CorpusCost| cost.chip == "m4f" && cost.scalar == "f32" && cost.result == "ready";
-    let Some(cost) = costs.iter().find(of_chip) else { return String::new() };
-    let [median, greatest, slice] = cost.cycles.map(|figure| grouped(&cell(figure)));
-    let launches = cost.launches;
+fn median_launch(rows: &[Vec<String>]) -> String {
+    let Some(row) = rows.iter().find(|row| row[..3] == ["m4f", "f32", "ready"]) else { return String::new() };
+    let [launches, median, greatest, slice] = [3, 4, 5, 6].map(|place| grouped(&row[place]));
     format!(
         "Set-up of {launches} [very different launches](host/docs/costs.md#set-up-of-200-launches): median {median} cycles, worst {greatest}. Other work can run at \
          least every {slice} cycles.\n"
     )
-}
-
-fn table(header: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
-    let header = header.iter().map(|&word| word.to_owned()).collect();
-    doc_markers::table(&std::iter::once(header).chain(rows).collect::<Vec<_>>())
-}
-
-/// Figure, or a dash where it is not known.
-fn cell(figure: Option<u64>) -> String {
-    figure.map_or(NO_FIGURE.to_owned(), |figure| figure.to_string())
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
-//! Chips that toytop is tested on, with the QEMU machines that emulate them. Their memory maps are in firmware-examples/memory/.
+//! Chips that toytop is tested on, and how firmware is built and emulated for them.
 
-use std::path::Path;
+use std::env;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// Processor core with its Rust target and QEMU machine.
@@ -11,8 +12,10 @@ pub struct Chip {
     pub core: &'static str,
     /// Rust's target triple.
     pub target: &'static str,
-    /// Flags of the compiler. A chip with flags has a target folder of its own.
+    /// Flags of the compiler.
     pub rustflags: &'static str,
+    /// Memory map in `firmware-examples`, where it is not that of the target.
+    pub memory: Option<&'static str>,
     /// Program of QEMU.
     pub emulator: &'static str,
     /// Arguments that choose the machine of QEMU.
@@ -25,14 +28,20 @@ pub const M0: Chip = Chip {
     core: "Cortex-M0",
     target: "thumbv6m-none-eabi",
     rustflags: "",
+    memory: None,
     emulator: "qemu-system-arm",
     machine: &["-machine", "microbit"],
 };
 
 /// Chip with the instructions of [`M0`]. QEMU does not emulate it with memory for large tables, so a Cortex-M3 replaces it, which executes
 /// the same instructions.
-pub const M0PLUS: Chip =
-    Chip { name: "m0plus", core: "Cortex-M0+", machine: &["-machine", "mps2-an385"], ..M0 };
+pub const M0PLUS: Chip = Chip {
+    name: "m0plus",
+    core: "Cortex-M0+",
+    memory: Some("memory/mps2.x"),
+    machine: &["-machine", "mps2-an385"],
+    ..M0
+};
 
 /// Chip with an FPU for `f32`, on which a multiplication and a sum are faster than a multiply-add.
 pub const M4F: Chip = Chip {
@@ -40,6 +49,7 @@ pub const M4F: Chip = Chip {
     core: "Cortex-M4F",
     target: "thumbv7em-none-eabihf",
     rustflags: "-C target-cpu=cortex-m4",
+    memory: None,
     emulator: "qemu-system-arm",
     machine: &["-machine", "mps2-an386"],
 };
@@ -59,6 +69,7 @@ pub const M33: Chip = Chip {
     core: "Cortex-M33",
     target: "thumbv8m.main-none-eabihf",
     rustflags: "",
+    memory: None,
     emulator: "qemu-system-arm",
     machine: &["-machine", "mps2-an505"],
 };
@@ -69,11 +80,34 @@ pub const RISCV: Chip = Chip {
     core: "RISC-V (RV32IMAC)",
     target: "riscv32imac-unknown-none-elf",
     rustflags: "",
+    memory: None,
     emulator: "qemu-system-riscv32",
     machine: &["-machine", "virt", "-bios", "none"],
 };
 
+/// Target folder of the firmware: beside its sources, or below `CARGO_TARGET_DIR`.
+pub fn target_dir(root: &Path) -> PathBuf {
+    match env::var_os("CARGO_TARGET_DIR") {
+        Some(dir) => root.join(dir).join("firmware"),
+        None => root.join("firmware-examples/target"),
+    }
+}
+
 impl Chip {
+    /// Makes a `cargo build` one for this chip, and returns the folder of its ELFs. A chip with flags or a memory map has a target folder
+    /// of its own.
+    pub fn build(&self, cargo: &mut Command, root: &Path) -> PathBuf {
+        let own = if self.rustflags.is_empty() && self.memory.is_none() { "" } else { self.name };
+        let folder = target_dir(root).join(own);
+        cargo.args(["--release", "--target", self.target, "--target-dir"]).arg(&folder);
+        cargo.envs(self.memory.map(|memory| ("MEMORY_X", memory)));
+        if !self.rustflags.is_empty() {
+            let flags = env::var("RUSTFLAGS").unwrap_or_default();
+            cargo.env("RUSTFLAGS", format!("{flags} {}", self.rustflags).trim_start());
+        }
+        folder.join(self.target).join("release")
+    }
+
     /// Command that runs an ELF to its end: no input, and the semihosting of the host. Both outputs are piped.
     pub fn qemu(&self, elf: &Path) -> Command {
         let mut command = Command::new(self.emulator);

@@ -1,0 +1,70 @@
+//! Cost of many set-ups: the firmware `corpus` launches 200 tops and counts its own instructions.
+
+use super::chips::Chip;
+use super::limits::Limits;
+use super::trace;
+use crate::Failure;
+use crate::output::Record;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// Costs of the launches of an ELF on an emulated chip: a row for each scalar and each result, `ready` or `refused`. Cycles are in
+/// proportion to those of the call `launch`, and absent where the chip has no model. A slice is the longest time between two calls of the
+/// set-up's function.
+///
+/// # Errors
+/// [`Failure::Tool`]: there is no QEMU, the program did not end with exit code 0, or a line of its output cannot be read.
+pub fn corpus(chip: &Chip, elf: &Path, limits: &Limits) -> Result<Vec<Record>, Failure> {
+    // an instruction takes one nanosecond of virtual time
+    let text = trace::run(chip, elf, &["-icount", "shift=0,sleep=off"], |_| Ok(()))?;
+    let ratio = limits.of(chip.name, "launch").and_then(|cost| Some((cost.cycles?, cost.instructions)));
+    let ratio = ratio.map(|(cycles, instructions)| cycles as f64 / instructions as f64);
+    let mut groups: BTreeMap<[&str; 2], (Vec<u64>, u64)> = BTreeMap::new();
+    for line in text.lines() {
+        let unknown = || Failure::Tool(format!("budget: {}: not a line of the corpus: {line}", chip.name));
+        let (key, [motion, table, slice]) = parsed(line).ok_or_else(unknown)?;
+        let (launches, greatest) = groups.entry(key).or_default();
+        launches.push(motion + table);
+        *greatest = slice.max(*greatest);
+    }
+    let cycles = |instructions: u64| Some((ratio? * instructions as f64).round() as u64);
+    let row = |([scalar, result], (mut launches, slice)): ([&str; 2], (Vec<u64>, u64))| {
+        launches.sort_unstable();
+        let launch = |place: usize| launches.get(place).copied().unwrap_or_default();
+        let [median, greatest] = [launch(launches.len() / 2), launch(launches.len() - 1)];
+        Record::default()
+            .with("chip", chip.name)
+            .with("scalar", scalar)
+            .with("result", result)
+            .with("launches", launches.len())
+            .with("median_instructions", median)
+            .with("greatest_instructions", greatest)
+            .with("median_cycles_model", cycles(median))
+            .with("greatest_cycles_model", cycles(greatest))
+            .with("slice_cycles_model", cycles(slice))
+    };
+    Ok(groups.into_iter().map(row).collect())
+}
+
+/// Scalar and result of a line, and the instructions of the motion, of the table and of the longest slice.
+fn parsed(line: &str) -> Option<([&str; 2], [u64; 3])> {
+    let words: Vec<_> = line.split_whitespace().collect();
+    let [scalar, _, result, "motion", motion, "table", table, "slice", slice] = words[..] else {
+        return None;
+    };
+    let number = |word: &str| word.parse().ok();
+    Some(([scalar, result], [number(motion)?, number(table)?, number(slice)?]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_has_a_launch() {
+        let launch = (["q31", "ready"], [40, 80, 9]);
+        assert_eq!(parsed("q31 7 ready motion 40 table 80 slice 9"), Some(launch));
+        assert_eq!(parsed("q31 7 ready motion 40"), None);
+        assert_eq!(parsed("panicked at the corpus"), None);
+    }
+}
