@@ -1,8 +1,11 @@
 //! Numbers of a motion, and random ones near degenerate cases.
 
 use crate::input::random::Random;
+use std::f64::consts::PI;
 use std::fmt;
-use toytop::{Complex, InitialPhases, Motion, Orientation, ParameterError, Signs, State, Top, TopParameters};
+use toytop::{
+    Complex, InitialPhases, Motion, Orientation, ParameterError, Sign, Signs, State, Top, TopParameters,
+};
 
 /// Numbers of a motion, taken as exact.
 #[derive(Clone, Copy)]
@@ -41,7 +44,27 @@ impl From<&State> for Start {
     }
 }
 
+/// Least difference of random branch points that is not 0.
+const LEAST: f64 = 1e-12;
+/// Greatest random e₃ - 1, at which the body makes some 10^6 turns in the time in which the axis would fall.
+const MOST: f64 = 1e12;
+
 impl Numbers {
+    /// Random motion of a toy top, log-uniform near the degenerate cases: A/(ps) in \[1e-3, 1e6\], C/A in \[1e-3, 2\], 1 + e₁, e₂ - e₁, 1 - e₂
+    /// and e₃ - 1 down to 1e-12, and one in sixteen at 0.
+    pub fn random(random: &mut Random) -> Self {
+        let [s, p, g] = [(); 3].map(|()| random.scale(0.1, 10.0));
+        let a = random.scale(1e-3, 1e6) * p * s;
+        let c = a * random.scale(1e-3, 2.0);
+        let e = branch_points(random);
+        let mut sign = || if random.one_in(2) { Sign::Plus } else { Sign::Minus };
+        let signs = Signs { l_plus_n: sign(), l_minus_n: sign() };
+        let [theta, arg_alpha, arg_beta] = [(); 3].map(|()| random.between(-PI, PI));
+        let at_corner = [0.0, PI].into_iter().find(|_| random.one_in(16));
+        let phases = InitialPhases { theta: at_corner.unwrap_or(theta), arg_alpha, arg_beta };
+        Self { top: [a, c, s, p, g, 0.0], start: Start::BranchPoints { e, signs, phases } }
+    }
+
     /// Motion of the core.
     ///
     /// # Errors
@@ -72,10 +95,10 @@ impl Numbers {
     }
 }
 
-/// Random branch points: differences down to `least`, e₃ - 1 up to `most`.
-pub fn branch_points(random: &mut Random, least: f64, most: f64) -> [f64; 3] {
+/// Random branch points.
+fn branch_points(random: &mut Random) -> [f64; 3] {
     // 1 + e₁, e₂ - e₁ and 1 - e₂ add up to 2: a random one of them follows from the other two
-    let parts = [(); 2].map(|()| random.scale(least, 0.999));
+    let parts = [(); 2].map(|()| random.scale(LEAST, 0.999));
     let rotation = random.between(0.0, 3.0) as u32;
     let [below, above] = match rotation {
         0 => [parts[0], parts[1]],
@@ -89,7 +112,7 @@ pub fn branch_points(random: &mut Random, least: f64, most: f64) -> [f64; 3] {
         (true, false) => [e2, e2],
         _ => [e1.min(e2), e2],
     };
-    let e3 = if random.one_in(16) { 1.0 } else { 1.0 + random.scale(least, most) };
+    let e3 = if random.one_in(16) { 1.0 } else { 1.0 + random.scale(LEAST, MOST) };
     [e1, e2, e3]
 }
 

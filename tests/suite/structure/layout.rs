@@ -178,7 +178,6 @@ const FILES: usize = 12;
 const LARGE: &[&str] = &[
     "host/src",
     "host/src/full_equations/full_solver.rs",
-    "host/src/truth/exact.rs",
     "host/python/src",
     "host/python/src/top.rs",
     "host/src/commands",

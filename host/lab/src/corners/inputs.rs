@@ -1,24 +1,21 @@
 //! Input of a launch: branch points or a state, in the allowed range or outside of it; and ticks of its motion with the truth at each.
 
 use std::f64::consts::{FRAC_PI_2, PI};
-use toytop::{InitialPhases, Release, Sign, Signs, State, Stepper};
+use toytop::{Release, State, Stepper};
 use toytop_host::input::random::Random;
 use toytop_host::motion::ephemeris::RateSample;
 use toytop_host::truth::exact::{Exact, MotionKind, PreciseOrientation};
-use toytop_host::truth::motions::{Numbers, Start, branch_points};
-use toytop_host::truth::precise::{Precise, precise, to_f64, to_floor, to_nearest, whole};
+use toytop_host::truth::motions::{Numbers, Start};
+use toytop_host::truth::precise::{Precise, precise, to_f64, to_nearest, whole};
 
-/// Least difference of branch points that is not 0; its root is the least tilt from the vertical.
-const LEAST: f64 = 1e-12;
-/// Greatest e₃ - 1, at which the body makes some 10^6 turns in the time in which the axis would fall.
-const MOST: f64 = 1e12;
+/// Least tilt from the vertical that is not 0, rad.
+const LEAST_TILT: f64 = 1e-6;
 
-/// Random input, log-uniform near the degenerate cases: A/(ps) in \[1e-3, 1e6\], C/A in \[1e-3, 2\], 1 + e₁, e₂ - e₁, 1 - e₂ and e₃ - 1 down to
-/// 1e-12, and one in sixteen at 0. Half of them are branch points; a quarter are states on such motions, in `f64`; a
-/// quarter are releases: tilts down to 1e-6 from either vertical, spins from 1e-3 to 1e6 rad/s, and in every second one a top that
-/// the paper does not contain.
+/// Random input near the degenerate cases. Half are branch points; a quarter are states on such motions, in `f64`; a quarter are
+/// releases: tilts down to 1e-6 from either vertical, spins from 1e-3 to 1e6 rad/s, and in every second one a top that the paper does
+/// not contain.
 pub fn random(random: &mut Random) -> Numbers {
-    let numbers = on_paper(random);
+    let numbers = Numbers::random(random);
     if random.one_in(2) {
         return numbers;
     }
@@ -73,20 +70,6 @@ fn other_top(random: &mut Random, top: [f64; 6]) -> [f64; 6] {
     }
 }
 
-/// Numbers of a motion that the paper contains.
-fn on_paper(random: &mut Random) -> Numbers {
-    let [s, p, g] = [(); 3].map(|()| random.scale(0.1, 10.0));
-    let a = random.scale(1e-3, 1e6) * p * s;
-    let c = a * random.scale(1e-3, 2.0);
-    let e = branch_points(random, LEAST, MOST);
-    let mut sign = || if random.one_in(2) { Sign::Plus } else { Sign::Minus };
-    let signs = Signs { l_plus_n: sign(), l_minus_n: sign() };
-    let [theta, arg_alpha, arg_beta] = [(); 3].map(|()| random.between(-PI, PI));
-    let at_corner = [0.0, PI].into_iter().find(|_| random.one_in(16));
-    let phases = InitialPhases { theta: at_corner.unwrap_or(theta), arg_alpha, arg_beta };
-    Numbers { top: [a, c, s, p, g, 0.0], start: Start::BranchPoints { e, signs, phases } }
-}
-
 /// State at t = 0 of a motion, rounded to `f64`, which is a state of a slightly different motion.
 fn on_motion(numbers: &Numbers) -> Option<State> {
     let attitude = Stepper::<f64>::new(&numbers.motion().ok()?).attitude_state();
@@ -96,8 +79,8 @@ fn on_motion(numbers: &Numbers) -> Option<State> {
 fn release(random: &mut Random) -> Release {
     let tilt = match (random.one_in(16), random.one_in(3)) {
         (true, _) => 0.0,
-        (false, true) => PI - random.scale(LEAST.sqrt(), FRAC_PI_2),
-        (false, false) => random.scale(LEAST.sqrt(), FRAC_PI_2),
+        (false, true) => PI - random.scale(LEAST_TILT, FRAC_PI_2),
+        (false, false) => random.scale(LEAST_TILT, FRAC_PI_2),
     };
     let [azimuth, roll] = [(); 2].map(|()| random.between(-PI, PI));
     let mut rate = |one_in_rests: u64, most: f64| match (random.one_in(one_in_rests), random.one_in(2)) {
@@ -172,7 +155,7 @@ fn near(exact: &Exact, (rate, period): (f64, f64), random: &mut Random) -> Vec<i
 
 /// Tick that is closest to the fastest part of a period, among the periods after a tick.
 fn nearest_to_fast(fast: &Precise, period: &Precise, tick: i64) -> Option<i64> {
-    let first = to_floor(&((whole(tick) - fast) / period)).unwrap_or(0);
+    let first = to_nearest(&((whole(tick) - fast) / period)).unwrap_or(0);
     let there = |periods: i64| {
         let place = fast + whole(first + periods) * period;
         let nearest = to_nearest(&place)?;
