@@ -1,4 +1,4 @@
-//! Truth of a motion to more than thirty digits ([`exact`]): the paper's integrals, with their poles, in numbers of 512 bits (154 digits).
+//! Truth of a motion to more than thirty digits ([`exact`]): the paper's integrals, with their poles, in numbers of 640 bits (192 digits).
 //!
 //! It shares no formula and no arithmetic with the core: it uses neither the regularised phase equations nor its series or its stepping, and every
 //! operation is dashu's. The relative error of the quadrature is some 1e-37 (tested by other panels, and against vectors of 30 digits), which
@@ -7,15 +7,15 @@
 //! | module | contents |
 //! |---|---|
 //! | [`motions`] | numbers of a motion: its top, and branch points or a state |
-//! | `half_period` | constants of a motion, its rates, their quadrature along half a period |
+//! | `nutation` | constants of a motion, its rates, their integrals over a nutation |
 //! | `launch` | constants from branch points or a state |
 //! | [`exact`] | orientation and rates at a time |
 //! | [`precise`] | arithmetic |
 
 pub mod exact;
-mod half_period;
 mod launch;
 pub mod motions;
+mod nutation;
 pub mod precise;
 
 #[cfg(test)]
@@ -44,7 +44,7 @@ mod tests {
     /// Number of a text of thirty digits, with all of them.
     fn digits(json: &Value) -> Precise {
         let decimal: FBig<HalfEven, 10> = json.as_str().expect("a text").parse().expect("a number");
-        decimal.with_precision(80).value().with_base_and_precision::<2>(512).value()
+        decimal.with_precision(80).value().with_base_and_precision::<2>(640).value()
     }
 
     /// Samples of a vector, with those after many periods.

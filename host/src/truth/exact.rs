@@ -2,9 +2,9 @@
 //!
 //! |α|² = (1 + u)/2 and |β|² = (1 - u)/2; where e₁ = -1 (e₂ = 1) α (β) changes sign instead of turning. The arguments are integrals.
 
-use super::half_period::{HalfPeriod, HalfPhase, Integrals, RATIO, add};
 use super::launch::Launched;
 use super::motions::Numbers;
+use super::nutation::{HalfPhase, Integrals, Nutation, RATIO, add};
 pub use super::precise::PreciseOrientation;
 use super::precise::{Precise, cis, is_zero, precise, product, root, to_f64, whole};
 use crate::motion::ephemeris::RateSample;
@@ -12,21 +12,9 @@ use crate::motion::ephemeris::RateSample;
 /// Motion with its integrals from turning point to turning point.
 pub struct Exact {
     launched: Launched,
-    /// Integrals from χ = 0 to the launch.
+    /// Nutation of a motion in which u is not constant, and the integrals from its beginning to the launch.
+    nutation: Option<Nutation>,
     passed: Integrals,
-    /// Integrals of a motion in which u is not constant.
-    half_period: Option<HalfPeriod>,
-}
-
-/// Behaviour of u.
-#[derive(PartialEq)]
-pub enum MotionKind {
-    /// Constant u.
-    Steady,
-    /// Oscillation of u between e₁ and e₂.
-    Nutating,
-    /// Convergence of u to 1.
-    Aperiodic,
 }
 
 impl Exact {
@@ -41,56 +29,37 @@ impl Exact {
     }
 
     fn with_panels(launched: Launched, ratio: f64) -> Self {
-        let half_period = (!launched.is_steady()).then(|| HalfPeriod::new(&launched.constants, ratio));
-        let nothing = || [(); 3].map(|()| whole(0));
-        let passed =
-            half_period.as_ref().map_or_else(nothing, |half_period| half_period.passed(&launched.half_phase));
-        Self { launched, passed, half_period }
-    }
-
-    /// Kind of motion, by the branch points of the truth.
-    pub fn kind(&self) -> MotionKind {
-        match &self.half_period {
-            None => MotionKind::Steady,
-            Some(half_period) if half_period.arrives => MotionKind::Nutating,
-            Some(_) => MotionKind::Aperiodic,
-        }
+        let nutation = (!launched.is_steady()).then(|| Nutation::new(&launched.constants, ratio));
+        let passed = nutation.as_ref().map(|nutation| nutation.passed(&launched.half_phase));
+        let passed = passed.unwrap_or_else(|| [(); 3].map(|()| whole(0)));
+        Self { launched, passed, nutation }
     }
 
     /// Nutation period; `None` for a motion that does not nutate.
     pub fn period(&self) -> Option<Precise> {
-        let half_period = self.half_period.as_ref().filter(|half_period| half_period.arrives)?;
-        Some(&half_period.whole[0] * 2)
+        self.nutation
+            .as_ref()
+            .filter(|nutation| nutation.is_periodic)
+            .map(|nutation| nutation.total[0].clone())
     }
 
-    /// Time after the launch at which χ has this value, from -π to π; 0 for a steady motion.
-    pub fn time_of(&self, half_phase: f64) -> Precise {
-        let place = [half_phase.cos(), half_phase.sin()].map(precise);
-        let time = |half_period: &HalfPeriod| &half_period.passed(&place)[0] - &self.passed[0];
-        self.half_period.as_ref().map_or(whole(0), time)
-    }
-
-    /// Time after the launch, in one of the periods, at which Φ without its mean rotation changes fastest; 0 for a motion that does not
-    /// nutate.
-    pub fn fastest(&self) -> Precise {
-        let time = |half_period: &HalfPeriod| half_period.fastest() - &self.passed[0];
-        self.half_period.as_ref().map_or(whole(0), time)
+    /// Time after the launch at which tan χ has this value: 0 at u = e₁, infinite at u = e₂. For a steady motion it is 0.
+    pub fn time_of(&self, tangent: f64) -> Precise {
+        let place = [whole(1), precise(tangent)];
+        let time = |nutation: &Nutation| &nutation.passed(&place)[0] - &self.passed[0];
+        self.nutation.as_ref().map_or(whole(0), time)
     }
 
     /// Orientation Φ at a time after the launch, which is taken as exact.
     pub fn at(&self, t: &Precise) -> PreciseOrientation {
         let Launched { constants, half_tau, half_phase, directions } = &self.launched;
-        let (place, turned) = match &self.half_period {
+        let (place, [_, alpha, beta]) = match &self.nutation {
             None => {
-                let heights = constants.heights(half_phase);
-                let turned = |i: usize| match &constants.momenta[i] {
-                    momentum if is_zero(momentum) => whole(0),
-                    momentum => momentum / &heights[i] * t,
-                };
-                (half_phase.clone(), [t.clone(), turned(0), turned(1)])
+                let [alpha, beta] = constants.turning_rates(&constants.heights(half_phase));
+                (half_phase.clone(), [t.clone(), alpha * t, beta * t])
             }
-            Some(half_period) => {
-                let (place, now) = half_period.at(&(&self.passed[0] + t));
+            Some(nutation) => {
+                let (place, now) = nutation.at(&(&self.passed[0] + t));
                 (place, add(&now, &self.passed, -1))
             }
         };
@@ -101,7 +70,6 @@ impl Exact {
             let modulus = root(&(heights[i].clone() >> 1)) * (signs[i] * signs_then[i]);
             product(&directions[i], &cis(&angle)).map(|part| part * &modulus)
         };
-        let [_, alpha, beta] = turned;
         PreciseOrientation { alpha: parameter(0, alpha + &drift), beta: parameter(1, beta - drift) }
     }
 
@@ -148,14 +116,14 @@ mod tests {
         for stream in 0..60 {
             let numbers = Numbers::random(&mut Random::new(7, stream));
             let exact = Exact::new(&numbers);
-            if exact.kind() != MotionKind::Nutating {
+            if exact.period().is_none() {
                 continue;
             }
             let finer = Exact::with_panels(Launched::new(&numbers, &precise(numbers.top[3])), 0.6);
-            let [Some(half_period), Some(finer)] = [&exact.half_period, &finer.half_period] else {
+            let [Some(nutation), Some(finer)] = [&exact.nutation, &finer.nutation] else {
                 panic!("both nutate")
             };
-            for (i, (a, b)) in half_period.whole.iter().zip(&finer.whole).enumerate() {
+            for (i, (a, b)) in nutation.total.iter().zip(&finer.total).enumerate() {
                 let size = if i == 0 { to_f64(a) } else { 1.0 + to_f64(a).abs() };
                 worst = worst.max(to_f64(&(a - b)).abs() / size);
             }
@@ -170,13 +138,13 @@ mod tests {
         for stream in 0..60 {
             let mut random = Random::new(8, stream);
             let exact = Exact::new(&Numbers::random(&mut random));
-            let (Some(period), Some(half_period)) = (exact.period(), &exact.half_period) else { continue };
+            let (Some(period), Some(nutation)) = (exact.period(), &exact.nutation) else { continue };
             for time in [random.share(), -random.share(), 1e15 * random.share()] {
                 let time = &period * precise(time);
-                let (place, [t, alpha, _]) = half_period.at(&time);
-                let back = half_period.passed(&place);
+                let (place, [t, alpha, _]) = nutation.at(&time);
+                let back = nutation.passed(&place);
                 let periods = to_nearest(&((&time - &back[0]) / &period)).expect("a number of periods");
-                let [back, alpha_back, _] = add(&back, &half_period.whole, 2 * periods);
+                let [back, alpha_back, _] = add(&back, &nutation.total, periods);
                 worst = worst.max(to_f64(&((&back - &time) / &period)).abs());
                 assert!(to_f64(&((t - time) / &period)).abs() < 1e-40);
                 assert!(to_f64(&(alpha - alpha_back)).abs() < 1e-20);

@@ -3,11 +3,10 @@
 //! Those of a state follow from their definitions; so many digits make cancellation harmless. The core computes them by formulas without
 //! cancellation.
 //!
-//! (u - e₁)(u - e₂)(u - e₃) = u³ - E u² - u + E - κ (l - nu)² with κ = 1/(2Apg) and E = (h - n²/2C)/(pg). Newton's method
-//! from beyond the roots converges to e₁ and e₃ without passing them.
+//! (u - e₁)(u - e₂)(u - e₃) = u³ - E u² - u + E - κ (l - nu)² with κ = 1/(2Apg) and E = (h - n²/2C)/(pg).
 
-use super::half_period::{Constants, HalfPhase};
 use super::motions::{Numbers, Start};
+use super::nutation::{Constants, HalfPhase};
 use super::precise::{
     ComplexPrecise, Precise, cis, conjugate, is_zero, norm_squared, precise, product, root, to_f64, whole,
 };
@@ -150,41 +149,21 @@ fn gap(difference: Precise) -> Precise {
     if to_f64(&difference) < SAME { whole(0) } else { difference }
 }
 
-/// Roots e₁ <= e₂ <= e₃.
+/// Roots e₁ <= e₂ <= e₃ of u³ - E u² - u + E - κ (l - nu)², by Viète's formula.
 fn roots(energy: &Precise, kappa: &Precise, l: &Precise, n: &Precise) -> [Precise; 3] {
-    /// Greatest number of Newton steps, which halve the distance to a double root.
-    const MOST_STEPS: u32 = 4000;
-    let value_and_slope = |u: &Precise| {
-        let moment = l - n * u;
-        let value = (u - energy) * (u.sqr() - 1) - kappa * moment.sqr();
-        let slope = u.sqr() * 3 - energy * u * 2 - 1 + kappa * n * moment * 2;
-        (value, slope)
-    };
-    let newton = |mut u: Precise| {
-        let mut before = f64::INFINITY;
-        for _ in 0..MOST_STEPS {
-            let (value, slope) = value_and_slope(&u);
-            if to_f64(&slope) == 0.0 {
-                break;
-            }
-            let step = value / slope;
-            let size = to_f64(&step).abs();
-            // the steps are monotone until rounding dominates
-            if size == 0.0 || (size < 1e-70 && size >= before) {
-                break;
-            }
-            before = size;
-            u -= step;
-        }
-        u
-    };
-    let sum = energy + kappa * n.sqr();
-    // e₂ from the sum of the roots, of which two are at least -1
-    let high: Precise = &sum + 2;
-    let e3 = newton(high.max(precise(2.0)));
-    let e1 = newton(precise(-1.0));
-    let e2 = sum - &e1 - &e3;
-    [e1, e2, e3]
+    // with v = u - mean: v³ - 3 q v - 2 r
+    let mean = (energy + kappa * n.sqr()) / whole(3);
+    let linear: Precise = kappa * l * n * 2 - 1;
+    let q = mean.sqr() - &linear / whole(3);
+    let r = mean.sqr() * &mean + (kappa * l.sqr() - energy - &mean * linear) / whole(2);
+    let radius = root(&q);
+    if is_zero(&radius) {
+        return [mean.clone(), mean.clone(), mean];
+    }
+    let angle = (r / (q * &radius)).clamp(whole(-1), whole(1)).acos() / whole(3);
+    let [forward, across] = cis(&angle).map(|part| part * &radius);
+    let across = across * whole(3).sqrt();
+    [&mean - &forward - &across, &mean - &forward + across, mean + forward * 2]
 }
 
 /// Directions α/|α| and β/|β|, or those of the derivative of a parameter that is 0: there 2α' = (ω₂ - iω₁) β̄ and 2β' = -(ω₂ - iω₁) ᾱ.

@@ -1,18 +1,18 @@
-//! Arithmetic of the truth in numbers of 512 bits, independent of core, and orientations in them.
+//! Arithmetic of the truth in numbers of 640 bits, independent of core, and orientations in them.
 
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 use toytop::{Complex, Orientation};
 
-/// Number of 512 bits, if it comes from [`precise`] or [`whole`] or is computed from such numbers.
+/// Number of 640 bits, if it comes from [`precise`] or [`whole`] or is computed from such numbers.
 pub type Precise = FBig<HalfEven>;
 
 /// Complex number, as its real and imaginary part.
 pub type ComplexPrecise = [Precise; 2];
 
-/// Number of bits of a [`Precise`], 154 digits. A double root of a cubic has half of them, and an argument of 2^62 turns has 135 after
+/// Number of bits of a [`Precise`], 192 digits. A double root of a cubic has half of them, and an argument of 2^62 turns has 173 after
 /// the point.
-const BITS: usize = 512;
+const BITS: usize = 640;
 
 /// Number that equals a finite `f64`; 0 for any other, which every constructor of core refuses.
 pub fn precise(x: f64) -> Precise {

@@ -1,0 +1,88 @@
+//! Random input of a launch: branch points or a state, in the allowed range or outside of it.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+use toytop::{Release, State, Stepper};
+use toytop_host::input::random::Random;
+use toytop_host::truth::motions::{Numbers, Start};
+
+/// Least tilt from the vertical that is not 0, rad.
+const LEAST_TILT: f64 = 1e-6;
+
+/// Random input near the degenerate cases. Half are branch points; a quarter are states on such motions, in `f64`; a quarter are
+/// releases: tilts down to 1e-6 from either vertical, spins from 1e-3 to 1e6 rad/s, and in every second one a top that the paper does
+/// not contain.
+pub fn random(random: &mut Random) -> Numbers {
+    let numbers = Numbers::random(random);
+    if random.one_in(2) {
+        return numbers;
+    }
+    let thrown = random.one_in(2);
+    let release = release(random);
+    let state = if thrown { State::release(&release).ok() } else { on_motion(&numbers) };
+    // a release in range, and a point of a motion with valid constants, give a state
+    state.map_or(numbers, |state| {
+        let top = if thrown { other_top(random, numbers.top) } else { numbers.top };
+        Numbers { top, start: Start::from(&state) }
+    })
+}
+
+/// Random input with one number outside the allowed range.
+pub fn beyond(random: &mut Random) -> Numbers {
+    let Numbers { mut top, mut start } = self::random(random);
+    let far = random.scale(1e3, 1e12);
+    let not_finite = if random.one_in(2) { f64::NAN } else { f64::INFINITY };
+    match (&mut start, random.between(0.0, 6.0) as u32) {
+        (_, 0) => top[0] = 1e-7 / far * top[2] * top[3],
+        (_, 1) => top[1] = (2.0 + 1e-3 * far) * top[0],
+        (Start::BranchPoints { e, .. }, 2) => e[2] = 1e12 * far,
+        (Start::BranchPoints { e, .. }, 3) => e[0] = -1.0 - 1e-15 * far,
+        (Start::BranchPoints { e, .. }, 4) => e[1] = 1.0 + 1e-15 * far,
+        (Start::BranchPoints { phases, .. }, _) => phases.theta = not_finite,
+        (Start::State { omega, .. }, 2) => omega[2] = 1e10 * far,
+        (Start::State { phi, .. }, 3) => *phi = phi.map(|z| z.map(|x| (1.0 + 1e-9 * far) * x)),
+        (Start::State { .. }, 4) => top[4] = if top[4] > 0.0 { -top[4] } else { f64::NAN },
+        (Start::State { omega, .. }, _) => omega[0] = not_finite,
+    }
+    Numbers { top, start }
+}
+
+/// Numbers A, C, s, p, g and K of a top, which in every second draw is one that the paper does not contain: with a rotor inside, held, a
+/// rod, a ring, free, or a combination of these.
+fn other_top(random: &mut Random, top: [f64; 6]) -> [f64; 6] {
+    let [a, c, s, p, g, _] = top;
+    if random.one_in(2) {
+        return top;
+    }
+    let c = match random.between(0.0, 4.0) as u32 {
+        0 => 0.0,
+        1 => 2.0 * a,
+        _ => c,
+    };
+    let rotor = random.scale(1e-6, 1e6) * a * random.sign();
+    let k = if random.one_in(2) { rotor } else { 0.0 };
+    match random.between(0.0, 3.0) as u32 {
+        0 => [a, c, s, p, g, k],
+        1 => [a, c, 0.0, p, g, k],
+        _ => [a, c, 0.0, 0.0, 0.0, k],
+    }
+}
+
+/// State at t = 0 of a motion, rounded to `f64`, which is a state of a slightly different motion.
+fn on_motion(numbers: &Numbers) -> Option<State> {
+    let attitude = Stepper::<f64>::new(&numbers.motion().ok()?).attitude_state();
+    State::new(attitude.orientation, attitude.omega()).ok()
+}
+
+fn release(random: &mut Random) -> Release {
+    let tilt = match (random.one_in(16), random.one_in(3)) {
+        (true, _) => 0.0,
+        (false, true) => PI - random.scale(LEAST_TILT, FRAC_PI_2),
+        (false, false) => random.scale(LEAST_TILT, FRAC_PI_2),
+    };
+    let [azimuth, roll] = [(); 2].map(|()| random.between(-PI, PI));
+    let mut rate = |one_in_rests: u64, most: f64| {
+        if random.one_in(one_in_rests) { 0.0 } else { random.sign() * random.scale(1e-3, most) }
+    };
+    let (spin, precession, nutation) = (rate(16, 1e6), rate(3, 1e3), rate(3, 1e3));
+    Release { tilt, azimuth, roll, spin, precession, nutation }
+}
