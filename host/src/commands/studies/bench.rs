@@ -3,8 +3,8 @@
 use super::Report;
 use super::options::FormatArgs;
 use crate::Failure;
+use crate::full_equations;
 use crate::full_equations::full_solver::{Equations, FullSolver, FullState};
-use crate::full_equations::solution;
 use crate::input::builtin;
 use crate::input::scenario::Scenario;
 use crate::output::{self, Record, short};
@@ -94,7 +94,7 @@ fn rows(scenario: &Scenario) -> Result<Vec<Record>, Failure> {
     let apart = apart / f64::from(HERTZ);
     let times: Vec<f64> = (1..=STATES).map(|i| f64::from(i) * apart).collect();
     let tick = Tick::hertz(HERTZ).map_err(fail)?;
-    let truth = solution::states(scenario, &times)?;
+    let truth = full_equations::states(scenario, &times)?;
     let error = |found: &[Orientation<f64>]| {
         Some(
             found
@@ -107,7 +107,7 @@ fn rows(scenario: &Scenario) -> Result<Vec<Record>, Failure> {
     let of_states =
         |states: &[FullState]| error(&states.iter().map(FullState::orientation).collect::<Vec<_>>());
 
-    let (top, state) = solution::start(scenario);
+    let (top, state) = full_equations::start(scenario);
     let (solver_time, solved) = least(STATES, || {
         let mut solver = FullSolver::new(top, state, TOLERANCE);
         times.iter().map(|&t| solver.advance_to(t)).collect::<Result<Vec<_>, _>>()

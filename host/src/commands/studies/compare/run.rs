@@ -4,8 +4,8 @@ use super::bounds::steps_per_period;
 use super::{RUNS, Row};
 use crate::Failure;
 use crate::commands::options::Method;
+use crate::full_equations;
 use crate::full_equations::full_solver::FullState;
-use crate::full_equations::solution;
 use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::smallest;
 use crate::motion::propagate::{Sample, TimedStepper};
@@ -121,7 +121,7 @@ impl Reference {
     pub fn errors(&mut self, scenario: &Scenario, run: &Run) -> Result<[f64; 6], Failure> {
         let times: Vec<f64> = run.samples.iter().map(|(sample, _)| sample.t).collect();
         if times != self.times {
-            self.states = solution::states(scenario, &times)?;
+            self.states = full_equations::states(scenario, &times)?;
             self.times = times;
         }
         let (motion, constants) = (&scenario.motion, scenario.motion.first_integrals());
