@@ -56,14 +56,17 @@ impl FullSolver {
         // a body at rest without weight has no natural rate
         let rate_unit = if rate > 0.0 { power_of_two(rate) } else { 1.0 };
         let inertia_unit = power_of_two(top.a);
-        let equations = Equations {
-            k: top.k / inertia_unit / rate_unit,
-            spin: dot(state.omega, state.axis()) / rate_unit,
-            a: top.a / inertia_unit,
-            c: top.c / inertia_unit,
-            ps: top.p * top.s / inertia_unit,
-            pg: top.p * top.g / inertia_unit / rate_unit / rate_unit,
-        };
+        let equations = Equations::of(
+            &FullTop {
+                a: top.a / inertia_unit,
+                c: top.c / inertia_unit,
+                p: top.p / inertia_unit,
+                g: top.g / rate_unit / rate_unit,
+                k: top.k / inertia_unit / rate_unit,
+                ..top
+            },
+            &FullState { omega: state.omega.map(|w| w / rate_unit), ..state },
+        );
         let ([a, b], [c, d]) = (state.alpha, state.beta);
         let norm = (a * a + b * b + c * c + d * d).sqrt();
         // If the norm is 1 up to rounding, the numbers are kept, and `project` computes their deviation.

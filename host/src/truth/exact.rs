@@ -31,8 +31,7 @@ impl Exact {
     fn with_panels(launched: Launched, ratio: f64) -> Self {
         let nutation = (!launched.is_steady()).then(|| Nutation::new(&launched.constants, ratio));
         let passed = nutation.as_ref().map(|nutation| nutation.passed(&launched.half_phase));
-        let passed = passed.unwrap_or_else(|| [(); 3].map(|()| whole(0)));
-        Self { launched, passed, nutation }
+        Self { passed: passed.unwrap_or([Precise::ZERO; 3]), launched, nutation }
     }
 
     /// Nutation period; `None` for a motion that does not nutate.

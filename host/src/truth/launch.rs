@@ -80,17 +80,12 @@ impl Launched {
         };
         let half_tau = (spin - &n / a) / whole(2);
         let constants = constants(a, [&e1, &e2], below_e3, field, [&l + &n, l - n]);
-        let [[at_e1, at_e2], _, [_, e3_minus_e2]] = &constants.ends;
+        let [at_e1, at_e2] = &constants.ends[0];
         let half_phase = if at_e1 == at_e2 {
             [whole(1), whole(0)]
         } else {
-            let [cosine, sine] = [e2 - &u, u - e1].map(|part| root(&(gap(part) / (at_e2 - at_e1))));
-            match (udot < whole(0), is_zero(e3_minus_e2)) {
-                (false, _) => [cosine, sine],
-                (true, false) => [-cosine, sine],
-                // an aperiodic motion that falls begins at χ = -π/2, not at π/2
-                (true, true) => [cosine, -sine],
-            }
+            let [cosine, sine] = [e2 - &u, u - e1].map(|part| root(&gap(part)));
+            [cosine, if udot < Precise::ZERO { -sine } else { sine }]
         };
         let directions = directions(&alpha, &beta, &omega);
         Self { constants, half_tau, half_phase, directions }
@@ -173,10 +168,7 @@ fn directions(alpha: &ComplexPrecise, beta: &ComplexPrecise, omega: &[Precise; 3
         [product(&[w2.clone(), -w1], &conjugate(beta)), product(&[-w2, w1.clone()], &conjugate(alpha))];
     let direction = |z: &ComplexPrecise, leaving: &ComplexPrecise| {
         let z = [z, leaving].into_iter().find(|z| !is_zero(&norm_squared(z)));
-        z.map_or([whole(1), whole(0)], |z| {
-            let length = root(&norm_squared(z));
-            z.each_ref().map(|part| part / &length)
-        })
+        z.map_or([whole(1), whole(0)], |z| z.each_ref().map(|part| part / root(&norm_squared(z))))
     };
     [direction(alpha, &leaving[0]), direction(beta, &leaving[1])]
 }
@@ -194,10 +186,11 @@ mod tests {
         let start = Start::State { phi: [[root, 0.0], [-0.5, 0.0]], omega: [root, 0.0, 1.5_f64.next_up()] };
         let numbers = Numbers { top: [1.0, 1.0, 1.0, 1.0, 1.0, 0.0], start };
         let Launched { constants, half_phase, .. } = Launched::new(&numbers, &precise(1.0));
-        assert!(to_f64(&(norm_squared(&half_phase) - 1)).abs() < 1e-55);
         let [[one_plus_e1, one_plus_e2], [_, one_minus_e2], _] = &constants.ends;
         assert!(to_f64(&(one_plus_e2 + one_minus_e2 - 2)).abs() < 1e-55);
-        let swing = to_f64(&(one_plus_e2 - one_plus_e1));
+        let swing = one_plus_e2 - one_plus_e1;
+        assert!(to_f64(&(norm_squared(&half_phase) / &swing - 1)).abs() < 1e-55);
+        let swing = to_f64(&swing);
         assert!(swing > 1e-18 && swing < 1e-14, "{swing:e}");
     }
 }

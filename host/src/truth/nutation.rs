@@ -12,7 +12,6 @@ use super::precise::{
     ComplexPrecise, Precise, conjugate, is_zero, norm_squared, precise, root, to_f64, to_nearest, whole,
 };
 use std::f64::consts::PI;
-use std::iter::successors;
 use std::sync::LazyLock;
 
 /// Ratio of tan χ at the ends of a panel.
@@ -92,15 +91,12 @@ impl Nutation {
         let gaps = [one_plus_e1, one_minus_e2, e3_minus_e2].map(to_f64).into_iter().chain([spread]);
         let least = gaps.filter(|gap| *gap > 0.0).fold(1.0, f64::min);
         let shortest = if is_periodic { 0.25 * least.sqrt() } else { LEAST_COSINE };
-        let count = (shortest.ln() / ratio.ln()).ceil() as usize;
-        let powers: Vec<_> =
-            successors(Some(whole(1)), |power| Some(power * precise(ratio))).take(count + 1).collect();
-        let last = is_periodic.then(|| whole(0));
-        let below_half = powers.iter().rev().map(|tangent| [whole(1), tangent.clone()]);
-        let above_half = powers.iter().skip(1).chain(&last).map(|cotangent| [cotangent.clone(), whole(1)]);
-        let rising: Vec<_> = below_half.chain(above_half).collect();
+        let count = (shortest.ln() / ratio.ln()).ceil() as i32;
+        let power = |exponent: i32| precise(ratio.powi(exponent.max(0)));
+        let last = is_periodic.then(|| [whole(0), whole(1)]);
+        let rising: Vec<_> = (-count..=count).map(|k| [power(k), power(-k)]).chain(last).collect();
         let mut panels: Vec<(HalfPhase, Integrals)> = Vec::new();
-        let mut total = [(); 3].map(|()| whole(0));
+        let mut total = [Precise::ZERO; 3];
         for place in rising.iter().rev().map(conjugate).chain(rising.iter().cloned()) {
             if let Some((from, _)) = panels.last() {
                 total = add(&total, &constants.integrals(from, &place), 1);
@@ -200,7 +196,7 @@ fn legendre(x: &Precise) -> (Precise, Precise) {
 
 /// Integrals of `f` from 0 to 1.
 fn integrate<const N: usize>(f: impl Fn(&Precise) -> [Precise; N]) -> [Precise; N] {
-    let mut sums = [(); N].map(|()| whole(0));
+    let mut sums = [Precise::ZERO; N];
     for (x, weight) in NODES.iter() {
         for (sum, value) in sums.iter_mut().zip(f(x)) {
             *sum += weight * value;

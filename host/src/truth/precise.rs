@@ -112,7 +112,7 @@ impl PreciseOrientation {
     /// Distance 2 √(|Δα|² + |Δβ|²) of two orientations, rad.
     pub fn apart(&self, other: &Self) -> f64 {
         let pairs = [(&self.alpha, &other.alpha), (&self.beta, &other.beta)];
-        let squares = pairs.map(|(x, y)| to_f64(&(&x[0] - &y[0])).powi(2) + to_f64(&(&x[1] - &y[1])).powi(2));
+        let squares = pairs.map(|(x, y)| to_f64(&norm_squared(&[&x[0] - &y[0], &x[1] - &y[1]])));
         2.0 * (squares[0] + squares[1]).sqrt()
     }
 
