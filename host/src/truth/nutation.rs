@@ -113,7 +113,9 @@ impl Nutation {
             return add(&self.passed(&[-cosine, -sine]), &self.total, turn);
         }
         let (from, passed) = &self.panels[self.panel(|([x, y], _)| x * sine >= y * cosine)];
-        add(passed, &self.constants.integrals(from, &[cosine.clone(), sine.clone()]), 1)
+        // tan χ is nearly linear between places whose greater part is 1
+        let size = cosine.clone().max(sine.clone()).max(-sine);
+        add(passed, &self.constants.integrals(from, &[cosine / &size, sine / size]), 1)
     }
 
     /// Place at a time after the beginning, by Newton's method, and the integrals from there.
