@@ -15,7 +15,7 @@ pub fn run(study: &Study, truths: u64) -> Result<Found, Failure> {
     // launches are independent, so that those with the truth may be spread evenly
     let spacing = (study.motions / truths).max(1);
     let trial = |launch: u64| trial::run(study.seed, launch, launch.is_multiple_of(spacing));
-    let (mut launched, mut refused, mut beyond, mut failures) = (Vec::new(), Vec::new(), 0, Vec::new());
+    let (mut launched, mut refused, mut failures) = (Vec::new(), Vec::new(), Vec::new());
     for (launch, outcome) in thread_pool::map((study.motions, "launches"), trial)?.into_iter().enumerate() {
         match outcome {
             Outcome::Launched { input, motion_regime, tables } => {
@@ -27,15 +27,14 @@ pub fn run(study: &Study, truths: u64) -> Result<Found, Failure> {
                 launched.push((regime(motion_regime), tables));
             }
             Outcome::Refused(parameter) => refused.push(parameter),
-            Outcome::Beyond => beyond += 1,
-            Outcome::Failed(reason) => failures.push(format!("{launch}: {reason}")),
+            Outcome::Panicked(input) => failures.push(format!("{launch}: panicked: {input}")),
         }
     }
     let refusals = refused.len();
     refused.sort_unstable();
     refused.dedup();
     let headline = format!(
-        "toytop {}, seed {}: {} launches; refused in range: {refusals} {refused:?}; beyond the range: {beyond}, all refused; failures: {}.",
+        "toytop {}, seed {}: {} launches; refused: {refusals} {refused:?}; failures: {}.",
         env!("CARGO_PKG_VERSION"),
         study.seed,
         study.motions,

@@ -64,7 +64,7 @@ impl PyClosedForm {
 /// Bound on the rounding of α and β to `f64`: 2 √4 2^-54 rad.
 const ROUNDING: f64 = 0.25 * f64::EPSILON * 4.0;
 
-/// Motion in numbers of 192 bits, with the mass moment p = M s, whose product is not rounded to `f64`.
+/// Motion in numbers of 640 bits, with the mass moment p = M s, whose product is not rounded to `f64`.
 fn truth(single: &Single) -> &Exact {
     single.truth.get_or_init(|| {
         let (top, given) = (&single.top.top, &single.top.parameters);
@@ -90,7 +90,7 @@ impl PyMotion {
         Ok(PyClosedForm { motion: slf.clone().unbind(), form })
     }
 
-    /// Truth at time t, s, rounded to float64: the paper's integrals in numbers of 192 bits, which share no formula and no
+    /// Truth at time t, s, rounded to float64: the paper's integrals in numbers of 640 bits, which share no formula and no
     /// arithmetic with Motion.at. It takes about a millisecond a time.
     ///
     /// Raises:

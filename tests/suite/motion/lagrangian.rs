@@ -13,7 +13,9 @@
 use crate::motion::full_solver::solver;
 use toytop::su2::{Vector, cross, dot};
 use toytop::{Complex, FirstIntegrals, Orientation, State, Top};
-use toytop_host::full_equations::full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullState, FullTop};
+use toytop_host::full_equations::full_solver::{
+    Equations, FULL_SOLVER_TOLERANCE, FullSolver, FullState, FullTop,
+};
 use toytop_tests::{check, greater, tolerance, vectors};
 
 const UP: Vector<f64> = [0.0, 0.0, 1.0];
@@ -91,6 +93,21 @@ fn accelerations(top: &FullTop, state: &FullState) -> (Vector<f64>, f64) {
     let height = (bend - p * g * dot(q, q) - axial * dot(turn, q)) / (a + p * s * dot(q, q));
     let push = p * (g + s * height);
     (std::array::from_fn(|i| (-push * q[i] - axial * turn[i]) / a), height)
+}
+
+/// ω × m + DL by the variational principle, against the simplified form that the full solver integrates.
+#[test]
+fn the_torque_of_the_full_equations_is_the_lagrangians() {
+    let top = FullTop { a: 1.3, c: 0.7, s: 0.8, p: 1.1, g: 1.0, k: 0.0 };
+    let state = FullState { alpha: [0.48, 0.64], beta: [0.36, -0.48], omega: [0.4, -0.3, 2.1] };
+    let lagrangian = Lagrangian { a: top.a, axial: top.c - top.a, ps: top.p * top.s, pg: top.p * top.g };
+    let equations = Equations::of(&top, &state);
+    let y = equations.numbers(&state);
+    let rate = lagrangian.momentum_rate(state.axis(), state.omega);
+    for i in 0..3 {
+        assert!((rate[i] - equations.derivative(&y)[4 + i]).abs() < 2e-15);
+        assert!((equations.state(&y).omega[i] - state.omega[i]).abs() < 1e-15);
+    }
 }
 
 /// Comparison with differences of ω along the full solution, for both supports, with and without a rotor.

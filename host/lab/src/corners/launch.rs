@@ -1,4 +1,4 @@
-//! Random input of a launch: branch points or a state, in the allowed range or outside of it.
+//! Random input of a launch: branch points or a state.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use toytop::{Release, State, Stepper};
@@ -24,26 +24,6 @@ pub fn random(random: &mut Random) -> Numbers {
         let top = if thrown { other_top(random, numbers.top) } else { numbers.top };
         Numbers { top, start: Start::from(&state) }
     })
-}
-
-/// Random input with one number outside the allowed range.
-pub fn beyond(random: &mut Random) -> Numbers {
-    let Numbers { mut top, mut start } = self::random(random);
-    let far = random.scale(1e3, 1e12);
-    let not_finite = if random.one_in(2) { f64::NAN } else { f64::INFINITY };
-    match (&mut start, random.between(0.0, 6.0) as u32) {
-        (_, 0) => top[0] = 1e-7 / far * top[2] * top[3],
-        (_, 1) => top[1] = (2.0 + 1e-3 * far) * top[0],
-        (Start::BranchPoints { e, .. }, 2) => e[2] = 1e12 * far,
-        (Start::BranchPoints { e, .. }, 3) => e[0] = -1.0 - 1e-15 * far,
-        (Start::BranchPoints { e, .. }, 4) => e[1] = 1.0 + 1e-15 * far,
-        (Start::BranchPoints { phases, .. }, _) => phases.theta = not_finite,
-        (Start::State { omega, .. }, 2) => omega[2] = 1e10 * far,
-        (Start::State { phi, .. }, 3) => *phi = phi.map(|z| z.map(|x| (1.0 + 1e-9 * far) * x)),
-        (Start::State { .. }, 4) => top[4] = if top[4] > 0.0 { -top[4] } else { f64::NAN },
-        (Start::State { omega, .. }, _) => omega[0] = not_finite,
-    }
-    Numbers { top, start }
 }
 
 /// Numbers A, C, s, p, g and K of a top, which in every second draw is one that the paper does not contain: with a rotor inside, held, a

@@ -19,11 +19,9 @@ pub enum Outcome {
         motion_regime: Regime,
         tables: [Option<Errors>; 4],
     },
-    /// Input in range that was refused, by the name of the parameter.
+    /// Refusal, by the name of the parameter.
     Refused(&'static str),
-    /// Refusal of an input outside of the range.
-    Beyond,
-    Failed(String),
+    Panicked(Numbers),
 }
 
 /// Errors of a table.
@@ -50,8 +48,6 @@ impl Errors {
     }
 }
 
-/// Reciprocal of the share of inputs outside the allowed range.
-const ONE_BEYOND_IN: u64 = 64;
 /// Number of times without truth.
 const TIMES: usize = 4;
 /// Number of random ticks with truth, each in the first period, near a turning point, and distant.
@@ -68,18 +64,11 @@ const FINE: f64 = 1e-18;
 /// Draws the launch of this number and tries it.
 pub fn run(seed: u64, number: u64, with_truth: bool) -> Outcome {
     let mut random = Random::new(seed, number);
-    if random.one_in(ONE_BEYOND_IN) {
-        let input = launch::beyond(&mut random);
-        return match input.motion() {
-            Ok(_) => Outcome::Failed(format!("beyond the range, but launched: {input}")),
-            Err(_) => Outcome::Beyond,
-        };
-    }
     let input = launch::random(&mut random);
     match catch_unwind(AssertUnwindSafe(|| tables(&input, &mut random, with_truth))) {
         Ok(Ok((motion_regime, tables))) => Outcome::Launched { input, motion_regime, tables },
         Ok(Err(refusal)) => Outcome::Refused(refusal.parameter()),
-        Err(_) => Outcome::Failed(format!("panicked: {input}")),
+        Err(_) => Outcome::Panicked(input),
     }
 }
 
