@@ -6,28 +6,26 @@ mod trial;
 use crate::{Found, Study};
 use std::collections::BTreeSet;
 use toytop_host::motion::{Scalar, greater};
-use toytop_host::output::Record;
-use toytop_host::output::names::regime;
+use toytop_host::output::{Record, names};
 use toytop_host::{Failure, thread_pool};
-use trial::{Errors, Outcome};
+use trial::{Errors, Tried};
 
 pub fn run(study: &Study, truths: u64) -> Result<Found, Failure> {
     // launches are independent, so that those with the truth may be spread evenly
     let spacing = (study.motions / truths).max(1);
     let trial = |launch: u64| trial::run(study.seed, launch, launch.is_multiple_of(spacing));
     let (mut launched, mut refused, mut failures) = (Vec::new(), Vec::new(), Vec::new());
-    for (launch, outcome) in thread_pool::map((study.motions, "launches"), trial)?.into_iter().enumerate() {
-        match outcome {
-            Outcome::Launched { input, motion_regime, tables } => {
+    for (launch, tried) in thread_pool::map((study.motions, "launches"), trial)?.into_iter().enumerate() {
+        match tried {
+            Err(refusal) => refused.push(refusal.parameter()),
+            Ok(Tried { input, regime, tables }) => {
                 for (scalar, errors) in Scalar::ALL.iter().zip(&tables) {
                     if let Some(errors) = errors.filter(Errors::beyond_bound) {
-                        failures.push(format!("{launch}: {}: {errors:?}: {input}", scalar.name()));
+                        failures.push(format!("{launch}: {}: {errors:?}: {input:?}", scalar.name()));
                     }
                 }
-                launched.push((regime(motion_regime), tables));
+                launched.push((names::regime(regime), tables));
             }
-            Outcome::Refused(parameter) => refused.push(parameter),
-            Outcome::Panicked(input) => failures.push(format!("{launch}: panicked: {input}")),
         }
     }
     let refusals = refused.len();

@@ -53,9 +53,8 @@ impl FullSolver {
     pub fn new(top: FullTop, state: FullState, tolerance: f64) -> Self {
         let rotor = top.k / top.a;
         let rate = (top.p * top.g.abs() / top.a + dot(state.omega, state.omega) + rotor * rotor).sqrt();
-        // a body at rest without weight has no natural rate
-        let rate_unit = if rate > 0.0 { power_of_two(rate) } else { 1.0 };
-        let inertia_unit = power_of_two(top.a);
+        // a body at rest without weight has no natural rate, and its unit is 1
+        let (rate_unit, inertia_unit) = (power_of_two(rate), power_of_two(top.a));
         let equations = Equations::of(
             &FullTop {
                 a: top.a / inertia_unit,

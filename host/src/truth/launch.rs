@@ -152,10 +152,9 @@ fn roots(energy: &Precise, kappa: &Precise, l: &Precise, n: &Precise) -> [Precis
     let q = mean.sqr() - &linear / whole(3);
     let r = mean.sqr() * &mean + (kappa * l.sqr() - energy - &mean * linear) / whole(2);
     let radius = root(&q);
-    if is_zero(&radius) {
-        return [mean.clone(), mean.clone(), mean];
-    }
-    let angle = (r / (q * &radius)).clamp(whole(-1), whole(1)).acos() / whole(3);
+    // three equal roots have no angle
+    let cube = (q * &radius).max(precise(1e-300));
+    let angle = (r / cube).clamp(whole(-1), whole(1)).acos() / whole(3);
     let [forward, across] = cis(&angle).map(|part| part * &radius);
     let across = across * whole(3).sqrt();
     [&mean - &forward - &across, &mean - &forward + across, mean + forward * 2]
@@ -164,13 +163,12 @@ fn roots(energy: &Precise, kappa: &Precise, l: &Precise, n: &Precise) -> [Precis
 /// Directions α/|α| and β/|β|, or those of the derivative of a parameter that is 0: there 2α' = (ω₂ - iω₁) β̄ and 2β' = -(ω₂ - iω₁) ᾱ.
 fn directions(alpha: &ComplexPrecise, beta: &ComplexPrecise, omega: &[Precise; 3]) -> [ComplexPrecise; 2] {
     let [w1, w2, _] = omega;
-    let leaving =
-        [product(&[w2.clone(), -w1], &conjugate(beta)), product(&[-w2, w1.clone()], &conjugate(alpha))];
-    let direction = |z: &ComplexPrecise, leaving: &ComplexPrecise| {
-        let z = [z, leaving].into_iter().find(|z| !is_zero(&norm_squared(z)));
+    let direction = |z: &ComplexPrecise, other: &ComplexPrecise, sign: i64| {
+        let leaving = product(&[w2 * sign, -w1 * sign], &conjugate(other));
+        let z = [z, &leaving].into_iter().find(|z| !is_zero(&norm_squared(z)));
         z.map_or([whole(1), whole(0)], |z| z.each_ref().map(|part| part / root(&norm_squared(z))))
     };
-    [direction(alpha, &leaving[0]), direction(beta, &leaving[1])]
+    [direction(alpha, beta, 1), direction(beta, alpha, -1)]
 }
 
 #[cfg(test)]

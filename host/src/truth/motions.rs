@@ -2,13 +2,12 @@
 
 use crate::input::random::Random;
 use std::f64::consts::PI;
-use std::fmt;
 use toytop::{
     Complex, InitialPhases, Motion, Orientation, ParameterError, Sign, Signs, State, Top, TopParameters,
 };
 
 /// Numbers of a motion, taken as exact.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Numbers {
     /// Numbers A, C, s, p, g and K of the top. The tip slides if s > 0, and is held if s = 0 and p > 0; for p = 0 the body is free.
     pub top: [f64; 6],
@@ -93,12 +92,5 @@ impl Numbers {
                 Motion::launch(&top, &State::new(Orientation { alpha, beta }, omega)?)
             }
         }
-    }
-}
-
-impl fmt::Display for Numbers {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [a, c, s, p, g, k] = self.top;
-        write!(f, "A={a:?} C={c:?} s={s:?} p={p:?} g={g:?} K={k:?} {:?}", self.start)
     }
 }

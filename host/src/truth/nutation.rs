@@ -175,25 +175,22 @@ static NODES: LazyLock<Vec<(Precise, Precise)>> = LazyLock::new(|| {
     let node = |i: i64| {
         let mut x = precise(-(PI * (i as f64 + 0.75) / (NODE_COUNT as f64 + 0.5)).cos());
         for _ in 0..7 {
-            let (value, slope) = legendre(&x);
-            x -= value / slope;
+            let [before, last] = legendre(&x);
+            x -= (whole(1) - x.sqr()) * &last / ((before - &x * last) * NODE_COUNT);
         }
-        let (_, slope) = legendre(&x);
-        let weight = whole(1) / ((whole(1) - x.sqr()) * slope.sqr());
+        let [before, _] = legendre(&x);
+        let weight = (whole(1) - x.sqr()) / (before * NODE_COUNT).sqr();
         ((x + 1) * precise(0.5), weight)
     };
     (0..NODE_COUNT).map(node).collect()
 });
 
-/// Legendre polynomial of the degree [`NODE_COUNT`] and its derivative.
-fn legendre(x: &Precise) -> (Precise, Precise) {
-    let (mut before, mut last) = (whole(1), x.clone());
-    for k in 2..=NODE_COUNT {
+/// Legendre polynomials of the degrees [`NODE_COUNT`] - 1 and [`NODE_COUNT`].
+fn legendre(x: &Precise) -> [Precise; 2] {
+    (2..=NODE_COUNT).fold([whole(1), x.clone()], |[before, last], k| {
         let next = (x * &last * (2 * k - 1) - before * (k - 1)) / whole(k);
-        (before, last) = (last, next);
-    }
-    let slope = (before - x * &last) * NODE_COUNT / (whole(1) - x.sqr());
-    (last, slope)
+        [last, next]
+    })
 }
 
 /// Integrals of `f` from 0 to 1.

@@ -33,32 +33,20 @@ fn other_top(random: &mut Random, top: [f64; 6]) -> [f64; 6] {
     if random.one_in(2) {
         return top;
     }
-    let c = match random.between(0.0, 4.0) as u32 {
-        0 => 0.0,
-        1 => 2.0 * a,
-        _ => c,
-    };
-    let rotor = random.scale(1e-6, 1e6) * a * random.sign();
-    let k = if random.one_in(2) { rotor } else { 0.0 };
-    match random.between(0.0, 3.0) as u32 {
-        0 => [a, c, s, p, g, k],
-        1 => [a, c, 0.0, p, g, k],
-        _ => [a, c, 0.0, 0.0, 0.0, k],
-    }
+    let c = [0.0, 2.0 * a, c, c][random.between(0.0, 4.0) as usize];
+    let k = if random.one_in(2) { random.sign() * random.scale(1e-6, 1e6) * a } else { 0.0 };
+    let [s, p, g] = [[s, p, g], [0.0, p, g], [0.0; 3]][random.between(0.0, 3.0) as usize];
+    [a, c, s, p, g, k]
 }
 
 /// State at t = 0 of a motion, rounded to `f64`, which is a state of a slightly different motion.
 fn on_motion(numbers: &Numbers) -> Option<State> {
-    let attitude = Stepper::<f64>::new(&numbers.motion().ok()?).attitude_state();
-    State::new(attitude.orientation, attitude.omega()).ok()
+    Stepper::<f64>::new(&numbers.motion().ok()?).attitude_state().state().ok()
 }
 
 fn release(random: &mut Random) -> Release {
-    let tilt = match (random.one_in(16), random.one_in(3)) {
-        (true, _) => 0.0,
-        (false, true) => PI - random.scale(LEAST_TILT, FRAC_PI_2),
-        (false, false) => random.scale(LEAST_TILT, FRAC_PI_2),
-    };
+    let tilt = if random.one_in(16) { 0.0 } else { random.scale(LEAST_TILT, FRAC_PI_2) };
+    let tilt = if random.one_in(3) { PI - tilt } else { tilt };
     let [azimuth, roll] = [(); 2].map(|()| random.between(-PI, PI));
     let mut rate = |one_in_rests: u64, most: f64| {
         if random.one_in(one_in_rests) { 0.0 } else { random.sign() * random.scale(1e-3, most) }

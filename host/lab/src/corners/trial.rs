@@ -1,7 +1,6 @@
 //! Trial of one launch: its table in each scalar, compared with the truth and with its own bounds.
 
 use super::launch;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use toytop::{Motion, ParameterError, Regime};
 use toytop_host::input::random::Random;
 use toytop_host::motion::ephemeris::{AnyEphemeris, approximate, smallest, ticks_per_time};
@@ -11,17 +10,12 @@ use toytop_host::truth::exact::Exact;
 use toytop_host::truth::motions::Numbers;
 use toytop_host::truth::precise::{Precise, precise, to_nearest, whole};
 
-/// Result of a launch.
-pub enum Outcome {
-    /// Motion, and the errors of its table in each scalar; `None` where no table is large enough.
-    Launched {
-        input: Numbers,
-        motion_regime: Regime,
-        tables: [Option<Errors>; 4],
-    },
-    /// Refusal, by the name of the parameter.
-    Refused(&'static str),
-    Panicked(Numbers),
+/// Launch that was tried.
+pub struct Tried {
+    pub input: Numbers,
+    pub regime: Regime,
+    /// Errors of the table in each scalar; `None` where no table is large enough.
+    pub tables: [Option<Errors>; 4],
 }
 
 /// Errors of a table.
@@ -62,21 +56,12 @@ const COMPARED: i64 = 2048;
 const FINE: f64 = 1e-18;
 
 /// Draws the launch of this number and tries it.
-pub fn run(seed: u64, number: u64, with_truth: bool) -> Outcome {
+///
+/// # Errors
+/// The refusal of the launch.
+pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Tried, ParameterError> {
     let mut random = Random::new(seed, number);
     let input = launch::random(&mut random);
-    match catch_unwind(AssertUnwindSafe(|| tables(&input, &mut random, with_truth))) {
-        Ok(Ok((motion_regime, tables))) => Outcome::Launched { input, motion_regime, tables },
-        Ok(Err(refusal)) => Outcome::Refused(refusal.parameter()),
-        Err(_) => Outcome::Panicked(input),
-    }
-}
-
-fn tables(
-    input: &Numbers,
-    random: &mut Random,
-    with_truth: bool,
-) -> Result<(Regime, [Option<Errors>; 4]), ParameterError> {
     let motion = input.motion()?;
     let (period, rate) = (period(&motion), ticks_per_time(&motion));
     let tables = Scalar::ALL.map(|scalar| smallest(scalar, &motion).ok());
@@ -86,8 +71,8 @@ fn tables(
         Some(Errors { norm_and_height: norm_and_height(table, &motion, &times), ..Errors::default() })
     });
     if with_truth {
-        let exact = Exact::new(input);
-        let ticks = ticks(&exact, (rate, period), random);
+        let exact = Exact::new(&input);
+        let ticks = ticks(&exact, (rate, period), &mut random);
         for tick in ticks.into_iter().chain(doubtful(&tables, &motion, period * rate)) {
             let t = whole(tick) / precise(rate);
             let (phi, rates) = (exact.at(&t), exact.rates(&t, period));
@@ -104,7 +89,7 @@ fn tables(
             }
         }
     }
-    Ok((motion.regime(), errors))
+    Ok(Tried { input, regime: motion.regime(), tables: errors })
 }
 
 /// Greatest error of the norm at these times, and of u at both turning points, as a share of the bound.
