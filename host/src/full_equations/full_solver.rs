@@ -1,4 +1,4 @@
-//! Full solver: step by step integration of the three-dimensional equations of motion. It shares no code and no formula with the core, so
+//! Full solver: step-by-step integration of the three-dimensional equations of motion. It shares no code and no formula with the core, so
 //! that it is an independent reference.
 //!
 //! The integrator is Verner's 9(8) pair from `differential-equations`, called for one step at a time, so that the last step ends exactly at

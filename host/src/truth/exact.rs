@@ -9,12 +9,11 @@ pub use super::precise::PreciseOrientation;
 use super::precise::{Precise, cis, is_zero, precise, product, root, to_f64, whole};
 use crate::motion::ephemeris::RateSample;
 
-/// Motion with its integrals from turning point to turning point.
+/// Motion with its integrals over a nutation.
 pub struct Exact {
     launched: Launched,
     /// Nutation of a motion in which u is not constant, and the integrals from its beginning to the launch.
-    nutation: Option<Nutation>,
-    passed: Integrals,
+    nutation: Option<(Nutation, Integrals)>,
 }
 
 impl Exact {
@@ -26,24 +25,24 @@ impl Exact {
     /// Motion of these numbers with another mass moment, which as a product of mass and height need not be an `f64`.
     pub fn with_mass_moment(numbers: &Numbers, p: &Precise) -> Self {
         let launched = Launched::new(numbers, p);
-        let nutation = (!launched.is_steady()).then(|| Nutation::new(&launched.constants, RATIO));
-        let passed = nutation.as_ref().map(|nutation| nutation.passed(&launched.half_phase));
-        Self { passed: passed.unwrap_or([Precise::ZERO; 3]), launched, nutation }
+        let nutation = (!launched.is_steady()).then(|| {
+            let nutation = Nutation::new(&launched.constants, RATIO);
+            let passed = nutation.passed(&launched.half_phase);
+            (nutation, passed)
+        });
+        Self { launched, nutation }
     }
 
     /// Nutation period; `None` for a motion that does not nutate.
     pub fn period(&self) -> Option<Precise> {
-        self.nutation
-            .as_ref()
-            .filter(|nutation| nutation.is_periodic)
-            .map(|nutation| nutation.total[0].clone())
+        let (nutation, _) = self.nutation.as_ref()?;
+        nutation.is_periodic.then(|| nutation.total[0].clone())
     }
 
     /// Time after the launch at which tan χ has this value: 0 at u = e₁, infinite at u = e₂. For a steady motion it is 0.
     pub fn time_of(&self, tangent: f64) -> Precise {
         let place = [whole(1), precise(tangent)];
-        let time = |nutation: &Nutation| &nutation.passed(&place)[0] - &self.passed[0];
-        self.nutation.as_ref().map_or(whole(0), time)
+        self.nutation.as_ref().map_or(whole(0), |(nutation, passed)| &nutation.passed(&place)[0] - &passed[0])
     }
 
     /// Orientation Φ at a time after the launch, which is taken as exact.
@@ -54,9 +53,9 @@ impl Exact {
                 let [alpha, beta] = constants.turning_rates(&constants.heights(half_phase));
                 (half_phase.clone(), [t.clone(), alpha * t, beta * t])
             }
-            Some(nutation) => {
-                let (place, now) = nutation.at(&(&self.passed[0] + t));
-                (place, add(&now, &self.passed, -1))
+            Some((nutation, passed)) => {
+                let (place, now) = nutation.at(&(&passed[0] + t));
+                (place, add(&now, passed, -1))
             }
         };
         let (signs, signs_then) = (self.signs(&place), self.signs(half_phase));
@@ -112,7 +111,9 @@ mod tests {
         for stream in 0..60 {
             let numbers = Numbers::random(&mut Random::new(7, stream));
             let exact = Exact::new(&numbers);
-            let Some(nutation) = exact.nutation.filter(|nutation| nutation.is_periodic) else { continue };
+            let Some((nutation, _)) = exact.nutation.filter(|(nutation, _)| nutation.is_periodic) else {
+                continue;
+            };
             let finer = Nutation::new(&exact.launched.constants, 0.6);
             for (i, (a, b)) in nutation.total.iter().zip(&finer.total).enumerate() {
                 let size = if i == 0 { to_f64(a) } else { 1.0 + to_f64(a).abs() };
@@ -129,7 +130,7 @@ mod tests {
         for stream in 0..60 {
             let mut random = Random::new(8, stream);
             let exact = Exact::new(&Numbers::random(&mut random));
-            let (Some(period), Some(nutation)) = (exact.period(), &exact.nutation) else { continue };
+            let (Some(period), Some((nutation, _))) = (exact.period(), &exact.nutation) else { continue };
             for time in [random.share(), -random.share(), 1e15 * random.share()] {
                 let time = &period * precise(time);
                 let (place, [t, alpha, _]) = nutation.at(&time);

@@ -1,6 +1,6 @@
 //! Constants of a motion: from its branch points, or from a state.
 //!
-//! Those of a state follow from their definitions; so many digits make cancellation harmless. The core computes them by formulas without
+//! Those of a state follow from their definitions: with 192 digits, cancellation is harmless. The core computes them by formulas without
 //! cancellation.
 //!
 //! (u - e₁)(u - e₂)(u - e₃) = u³ - E u² - u + E - κ (l - nu)² with κ = 1/(2Apg) and E = (h - n²/2C)/(pg).
@@ -27,13 +27,8 @@ impl Launched {
     pub fn new(numbers: &Numbers, p: &Precise) -> Self {
         let top = numbers.top.map(precise);
         match numbers.start {
-            Start::BranchPoints { e, signs, phases } => {
-                Self::from_branch_points(&top, p, e.map(precise), signs, phases)
-            }
-            Start::State { phi: [alpha, beta], omega } => {
-                let orientation = [alpha, beta].map(|z| z.map(precise));
-                Self::from_state(&top, p, orientation, omega.map(precise))
-            }
+            Start::BranchPoints { e, signs, phases } => Self::from_branch_points(&top, p, e, signs, phases),
+            Start::State { phi, omega } => Self::from_state(&top, p, phi, omega),
         }
     }
 
@@ -46,18 +41,19 @@ impl Launched {
     fn from_state(
         [a, c, s, _, g, k]: &[Precise; 6],
         p: &Precise,
-        [alpha, beta]: [ComplexPrecise; 2],
-        omega: [Precise; 3],
+        phi: [[f64; 2]; 2],
+        omega: [f64; 3],
     ) -> Self {
+        let [alpha, beta] = phi.map(|z| z.map(precise));
+        let [w1, w2, w3] = omega.map(precise);
         let norm = norm_squared(&alpha) + norm_squared(&beta);
         let u = (norm_squared(&alpha) - norm_squared(&beta)) / &norm;
         // r₁ + i r₂ = -2αβ
         let [r1, r2] = product(&alpha, &beta).map(|part| part * -2 / &norm);
-        let [w1, w2, w3] = &omega;
-        let spin: Precise = w1 * &r1 + w2 * &r2 + w3 * &u;
+        let spin: Precise = &w1 * &r1 + &w2 * &r2 + &w3 * &u;
         let n = c * &spin + k;
-        let l = a * w3 + (&n - a * &spin) * &u;
-        let udot: Precise = w1 * &r2 - w2 * &r1;
+        let l = a * &w3 + (&n - a * &spin) * &u;
+        let udot: Precise = &w1 * &r2 - &w2 * &r1;
         // |ω × r|²
         let across = w1.sqr() + w2.sqr() + w3.sqr() - spin.sqr();
         let momentum_squared = a.sqr() * &across + n.sqr();
@@ -87,14 +83,14 @@ impl Launched {
             let [cosine, sine] = [e2 - &u, u - e1].map(|part| root(&gap(part)));
             [cosine, if udot < Precise::ZERO { -sine } else { sine }]
         };
-        let directions = directions(&alpha, &beta, &omega);
+        let directions = directions(&alpha, &beta, [&w1, &w2]);
         Self { constants, half_tau, half_phase, directions }
     }
 
     fn from_branch_points(
         [a, c, s, _, g, k]: &[Precise; 6],
         p: &Precise,
-        e: [Precise; 3],
+        e: [f64; 3],
         signs: Signs,
         phases: InitialPhases,
     ) -> Self {
@@ -102,7 +98,7 @@ impl Launched {
             let [x, y, z] = factors;
             root(&(a * p * g * 2 * x * y * z)) * if sign == Sign::Plus { 1 } else { -1 }
         };
-        let [e1, e2, e3] = &e;
+        let [e1, e2, e3] = &e.map(precise);
         let l_plus_n = root_of(signs.l_plus_n, [e1 + 1, e2 + 1, e3 + 1]);
         let l_minus_n = root_of(signs.l_minus_n, [-e1 + 1, -e2 + 1, e3 - 1]);
         let n = (&l_plus_n - &l_minus_n) / whole(2);
@@ -161,8 +157,7 @@ fn roots(energy: &Precise, kappa: &Precise, l: &Precise, n: &Precise) -> [Precis
 }
 
 /// Directions α/|α| and β/|β|, or those of the derivative of a parameter that is 0: there 2α' = (ω₂ - iω₁) β̄ and 2β' = -(ω₂ - iω₁) ᾱ.
-fn directions(alpha: &ComplexPrecise, beta: &ComplexPrecise, omega: &[Precise; 3]) -> [ComplexPrecise; 2] {
-    let [w1, w2, _] = omega;
+fn directions(alpha: &ComplexPrecise, beta: &ComplexPrecise, [w1, w2]: [&Precise; 2]) -> [ComplexPrecise; 2] {
     let direction = |z: &ComplexPrecise, other: &ComplexPrecise, sign: i64| {
         let leaving = product(&[w2 * sign, -w1 * sign], &conjugate(other));
         let z = [z, &leaving].into_iter().find(|z| !is_zero(&norm_squared(z)));
