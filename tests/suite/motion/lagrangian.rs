@@ -104,8 +104,8 @@ fn the_torque_of_the_full_equations_is_the_lagrangians() {
     let equations = Equations::of(&top, &state);
     let y = equations.numbers(&state);
     let rate = lagrangian.momentum_rate(state.axis(), state.omega);
-    for i in 0..3 {
-        assert!((rate[i] - equations.derivative(&y)[4 + i]).abs() < 2e-15);
+    for (i, rate) in rate.into_iter().enumerate() {
+        assert!((rate - equations.derivative(&y)[4 + i]).abs() < 2e-15);
         assert!((equations.state(&y).omega[i] - state.omega[i]).abs() < 1e-15);
     }
 }

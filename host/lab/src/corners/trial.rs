@@ -143,9 +143,9 @@ fn doubtful(tables: &[Option<Box<dyn AnyEphemeris>>], motion: &Motion, period: f
     let Ok(finer) = approximate(motion, FINE) else { return Vec::new() };
     let tick = |place: i64| (period * place as f64 / COMPARED as f64) as i64;
     let fine: Vec<_> = (0..COMPARED).map(tick).map(|tick| (tick, finer.rates_at_tick(tick))).collect();
-    let most = |table: &Box<dyn AnyEphemeris>| {
+    let most = |table: &dyn AnyEphemeris| {
         let apart = fine.iter().map(|(tick, rates)| (*tick, table.rates_at_tick(*tick).distance(rates)));
         apart.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(tick, _)| tick)
     };
-    tables.iter().flatten().filter_map(most).collect()
+    tables.iter().flatten().filter_map(|table| most(&**table)).collect()
 }
