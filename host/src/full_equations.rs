@@ -1,14 +1,55 @@
-//! Full 3-D equations of motion: a reference that shares no formula with the core.
-//!
-//! | module | contents |
-//! |---|---|
-//! | [`equations`] | equations of Euler and Poisson, by the momentum |
-//! | [`newton_euler`] | equations with the force of the plane, at one time |
-//! | [`full_solver`] | integration with a tolerance |
-//! | [`solution`] | full solver of a scenario at given times |
+//! Motion of a scenario by the full 3-D equations, a reference that shares no formula with the core.
 
 pub mod full_solver;
-pub mod newton_euler;
-pub mod solution;
 
-pub use toytop_model::equations;
+use crate::Failure;
+use crate::input::scenario::{Given, Scenario};
+use crate::motion::propagate::{Sample, visit_times};
+use crate::motion::tip_angle::TipAngle;
+use crate::truth::motions::Start;
+use full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullState, FullTop};
+use toytop::Stepper;
+
+/// Top and initial state of the full equations.
+///
+/// The state of a scenario is used without change. For a motion given by branch points, the state is that of the core's stepper at t = 0:
+/// only the initial conditions (α, β, ω) come from the core, and the motion from the full solver.
+pub fn start(scenario: &Scenario) -> (FullTop, FullState) {
+    let state = match scenario.given {
+        Some(Given { start: Start::State { phi: [alpha, beta], omega }, .. }) => {
+            FullState { alpha, beta, omega }
+        }
+        _ => {
+            let state = Stepper::<f64>::new(&scenario.motion).attitude_state();
+            FullState::new(&state.orientation, state.omega())
+        }
+    };
+    (scenario.motion.top().into(), state)
+}
+
+/// State of the full solver at each time, in the order of the times.
+///
+/// # Errors
+/// [`Failure::Method`]: the solver cannot integrate that far.
+pub fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<FullState>, Failure> {
+    let (top, state) = start(scenario);
+    let solver = || FullSolver::new(top, state, FULL_SOLVER_TOLERANCE);
+    visit_times(times, solver, |solver, t| solver.advance_to(t).map_err(|failure| failure.of(&scenario.name)))
+}
+
+/// Samples of the full solver at the given times.
+///
+/// # Errors
+/// As [`states`] and [`TipAngle::of`].
+pub fn samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failure> {
+    /// Least |αβ| at which the rounding of the full solver (some 1e-14) changes the argument of αβ by less than 1e-5 rad.
+    const NO_ARGUMENT: f64 = 1e-9;
+    let states = states(scenario, times)?;
+    // An orientation determines its tip angle up to whole turns. The number of whole turns is that of the core's ephemeris; the angle
+    // itself is the full solver's.
+    let angle = TipAngle::of(&scenario.motion, NO_ARGUMENT)?;
+    let sample = |(&t, state): (&f64, &FullState)| {
+        angle.sample(t, state.orientation(), state.omega, state.axis_height_rate())
+    };
+    Ok(times.iter().zip(&states).map(sample).collect())
+}

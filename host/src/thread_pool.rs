@@ -20,18 +20,19 @@ pub fn of_all_cores() -> Result<ThreadPool, Failure> {
         .map_err(|error| Failure::Output(io::Error::other(error)))
 }
 
-/// Sum of the results of independent trials, with a progress bar that names them `what`. `add` performs the trial of a number.
-pub fn tally<T: Default + Send>(
-    cores: &ThreadPool,
+/// Results of independent trials on all processor cores, in the order of their numbers, with a progress bar that names them `what`.
+///
+/// # Errors
+/// As [`of_all_cores`].
+pub fn map<T: Send>(
     (trials, what): (u64, &'static str),
-    add: impl Fn(&mut T, u64) + Sync,
-    merged: impl Fn(T, T) -> T + Sync,
-) -> T {
+    trial: impl Fn(u64) -> T + Sync,
+) -> Result<Vec<T>, Failure> {
     let progress = Progress::new(trials, what);
-    let each = |mut tally: T, trial| {
-        add(&mut tally, trial);
+    let each = |number| {
+        let result = trial(number);
         progress.add(1);
-        tally
+        result
     };
-    cores.install(|| (0..trials).into_par_iter().fold(T::default, each).reduce(T::default, &merged))
+    Ok(of_all_cores()?.install(|| (0..trials).into_par_iter().map(each).collect()))
 }

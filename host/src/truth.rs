@@ -1,4 +1,4 @@
-//! Truth of a motion to more than thirty digits ([`exact`]): the paper's integrals, with their poles, in numbers of 192 bits (57 digits).
+//! Truth of a motion to more than thirty digits ([`exact`]): the paper's integrals, with their poles, in numbers of 640 bits (192 digits).
 //!
 //! It shares no formula and no arithmetic with the core: it uses neither the regularised phase equations nor its series or its stepping, and every
 //! operation is dashu's. The relative error of the quadrature is some 1e-37 (tested by other panels, and against vectors of 30 digits), which
@@ -7,46 +7,27 @@
 //! | module | contents |
 //! |---|---|
 //! | [`motions`] | numbers of a motion: its top, and branch points or a state |
-//! | `launch` | constants of a motion |
-//! | `integrals`, `half_period` | integrands, their quadrature, integrals along half a period |
+//! | `nutation` | constants of a motion, its rates, their integrals over a nutation |
+//! | `launch` | constants from branch points or a state |
 //! | [`exact`] | orientation and rates at a time |
 //! | [`precise`] | arithmetic |
 
 pub mod exact;
-mod half_period;
-mod integrals;
 mod launch;
 pub mod motions;
+mod nutation;
 pub mod precise;
 
 #[cfg(test)]
 mod tests {
     use super::exact::{Exact, PreciseOrientation};
-    use super::motions::{Numbers, Start, branch_points};
-    use super::precise::{Precise, rounded, to_f64};
-    use crate::input::random::Random;
+    use super::motions::{Numbers, Start};
+    use super::precise::{Precise, to_f64};
     use dashu_float::FBig;
     use dashu_float::round::mode::HalfEven;
     use serde_json::Value;
-    use std::f64::consts::PI;
     use std::path::Path;
     use toytop::{InitialPhases, Sign, Signs};
-
-    /// Random motion, log-uniform: A/(ps) in \[1e-2, 1e3\], C/A in \[0.02, 2\], differences of the branch points down to 1e-9, and e₃ up to
-    /// 1e4.
-    pub(super) fn numbers(random: &mut Random) -> Numbers {
-        let (s, p, g) = (random.scale(0.1, 10.0), random.scale(0.1, 10.0), random.scale(0.1, 10.0));
-        let a = random.scale(1e-2, 1e3) * p * s;
-        let c = a * random.scale(0.02, 2.0);
-        let e = branch_points(random, 1e-9, 1e4);
-        let sign = |random: &mut Random| if random.one_in(2) { Sign::Plus } else { Sign::Minus };
-        let signs = Signs { l_plus_n: sign(random), l_minus_n: sign(random) };
-        let mut angle = || random.between(-PI, PI);
-        let phases = InitialPhases { theta: angle(), arg_alpha: angle(), arg_beta: angle() };
-        let at_corner = [0.0, PI].into_iter().find(|_| random.one_in(16));
-        let phases = InitialPhases { theta: at_corner.unwrap_or(phases.theta), ..phases };
-        Numbers { top: [a, c, s, p, g, 0.0], start: Start::BranchPoints { e, signs, phases } }
-    }
 
     /// Reference vector of this name.
     fn read(name: &str) -> Value {
@@ -63,7 +44,7 @@ mod tests {
     /// Number of a text of thirty digits, with all of them.
     fn digits(json: &Value) -> Precise {
         let decimal: FBig<HalfEven, 10> = json.as_str().expect("a text").parse().expect("a number");
-        rounded(&decimal.with_precision(80).value().with_base_and_precision::<2>(256).value())
+        decimal.with_precision(80).value().with_base_and_precision::<2>(640).value()
     }
 
     /// Samples of a vector, with those after many periods.

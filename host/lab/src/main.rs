@@ -1,9 +1,108 @@
-//! Program `toytop-lab`: parses the command line, runs the command, prints its report and returns the exit code.
+//! Program `toytop-lab`: two studies of random launches that check the core itself.
+//!
+//! | module | contents |
+//! |---|---|
+//! | `corners` | tables of motions near every degenerate case, against the truth and their bounds |
+//! | `fit` | launches fitted to simulated samples, and their error bars |
 
+// Visibility is that of the modules.
+#![allow(unreachable_pub)]
+
+mod corners;
+mod fit;
+
+use clap::{Args, Parser, Subcommand};
+use std::path::PathBuf;
 use std::process::ExitCode;
-use toytop_host::output::stdout;
-use toytop_lab::run;
+use toytop_host::output::Format;
+use toytop_host::output::doc_markers::{self, Page};
+use toytop_host::output::{self, Record, stdout};
+use toytop_host::{Failure, Report, cli};
+
+/// Studies of random launches that check toytop itself.
+#[derive(Parser)]
+#[command(name = "toytop-lab", version)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Errors of tables near every degenerate case, in four scalars, beside their bounds
+    ///
+    /// The exit code is 1 if a bound is exceeded.
+    #[command(
+        after_help = "Example: toytop-lab corners --motions 20000 --truths 400 --accept host/docs/accuracy.md"
+    )]
+    Corners {
+        #[command(flatten)]
+        study: Study,
+        /// Number of launches that are compared with the truth
+        #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(1..))]
+        truths: u64,
+    },
+    /// Launches fitted to simulated samples of three sets of sensors
+    ///
+    /// The exit code is 1 if a wrong launch is not refused.
+    #[command(after_help = "Example: toytop-lab fit --motions 1000 --seed 2")]
+    Fit(Study),
+}
+
+/// Arguments of both studies.
+#[derive(Args)]
+struct Study {
+    /// Number of launches
+    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
+    motions: u64,
+    /// Seed of the random launches
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    seed: u64,
+    /// Markdown page whose table is rewritten
+    #[arg(long, value_name = "FILE")]
+    accept: Option<PathBuf>,
+    /// Form of the output
+    #[arg(long, value_enum, default_value_t = Format::Table)]
+    format: Format,
+}
 
 fn main() -> ExitCode {
-    stdout::finish(run(std::env::args_os()))
+    stdout::finish(cli::report(std::env::args_os(), |cli: &Cli| match &cli.command {
+        Command::Corners { study, truths } => {
+            study.run("toytop-lab corners: corners", || corners::run(study, *truths))
+        }
+        Command::Fit(study) => study.run("toytop-lab fit: launches", || fit::run(study)),
+    }))
+}
+
+/// Result of a study.
+struct Found {
+    headline: String,
+    rows: Vec<Record>,
+    /// Launches that must not occur.
+    failures: Vec<String>,
+}
+
+impl Study {
+    /// Report of a study, whose table goes into the page that is named, at this mark.
+    fn run(&self, mark: &str, study: impl FnOnce() -> Result<Found, Failure>) -> Result<Report, Failure> {
+        /// Largest number of failures in a report.
+        const REPORTED: usize = 20;
+        // a missing place in the page is reported before the computation
+        let page = self.accept.as_deref().map(|path| Page::read(path, mark)).transpose()?;
+        let Found { headline, rows, failures } = study()?;
+        let columns = output::all_columns(&rows, |x| output::short(x, 2));
+        let mut table = output::rows(&rows, &columns);
+        for heading in &mut table[0] {
+            *heading = heading.replace('_', " ");
+        }
+        if let Some(page) = page {
+            page.write(&format!("{headline}\n\n{}", doc_markers::table(&table)))?;
+        }
+        let aligned = || format!("{headline}\n{}", output::columns(table, 2));
+        let text = output::render(self.format, &output::list("rows", &rows), aligned)?;
+        let first = failures.iter().take(REPORTED).map(|failure| format!("FAILURE: {failure}"));
+        Ok(Report { text, missed: !failures.is_empty(), ..Report::default() }
+            .with_remarks(first, self.format == Format::Table))
+    }
 }

@@ -35,7 +35,7 @@ pub(crate) struct PyMotion {
     pub(crate) start: Start,
     pub(crate) motion: Motion,
     tables: [OnceLock<Result<Table, String>>; Scalar::ALL.len()],
-    /// Motion in numbers of 192 bits.
+    /// Motion in numbers of 640 bits.
     pub(crate) truth: OnceLock<Exact>,
 }
 

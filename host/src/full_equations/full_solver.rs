@@ -1,4 +1,4 @@
-//! Full solver: step by step integration of the three-dimensional equations of motion. It shares no code and no formula with the core, so
+//! Full solver: step-by-step integration of the three-dimensional equations of motion. It shares no code and no formula with the core, so
 //! that it is an independent reference.
 //!
 //! The integrator is Verner's 9(8) pair from `differential-equations`, called for one step at a time, so that the last step ends exactly at
@@ -9,34 +9,21 @@
 //!   compensation (the integrator's own sums and its error estimate would be rounded relative to the state);
 //! - after each step the orientation is normalised, by a change of its length only.
 
-pub use super::equations::{Equations, FullState, FullTop, Vector7, cross, dot};
-use core::fmt;
+use crate::Failure;
 use differential_equations::methods::ExplicitRungeKutta;
 use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
 use differential_equations::status::Status;
+pub use toytop_model::equations::{Equations, FullState, FullTop};
+use toytop_model::equations::{Vector7, dot};
 
 /// Default tolerance per step. By measurement, smaller ones increase the number of evaluations, but not the accuracy.
 pub const FULL_SOLVER_TOLERANCE: f64 = 3e-16;
-/// Default limit on evaluations of the equations, which takes about five seconds, for some thirty thousand nutations.
-pub const FULL_SOLVER_EVALUATIONS: u64 = 100_000_000;
+/// Limit on evaluations of the equations, which takes about five seconds, for some thirty thousand nutations.
+const MOST_EVALUATIONS: u64 = 100_000_000;
 
-/// Reason why [`FullSolver::advance_to`] failed, in words.
-#[derive(Debug, Clone)]
-pub struct FullSolverError(String);
-
-impl FullSolverError {
-    fn no_step(time: f64) -> Self {
-        Self(format!("no step meets the tolerance at t = {time:e}"))
-    }
+fn failure(reason: &str) -> Failure {
+    Failure::Method(format!("full solver: {reason}"))
 }
-
-impl fmt::Display for FullSolverError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "full solver: {}", self.0)
-    }
-}
-
-impl core::error::Error for FullSolverError {}
 
 /// Numerical integration of a motion from t = 0.
 #[derive(Clone)]
@@ -66,17 +53,19 @@ impl FullSolver {
     pub fn new(top: FullTop, state: FullState, tolerance: f64) -> Self {
         let rotor = top.k / top.a;
         let rate = (top.p * top.g.abs() / top.a + dot(state.omega, state.omega) + rotor * rotor).sqrt();
-        // a body at rest without weight has no natural rate
-        let rate_unit = if rate > 0.0 { power_of_two(rate) } else { 1.0 };
-        let inertia_unit = power_of_two(top.a);
-        let equations = Equations {
-            k: top.k / inertia_unit / rate_unit,
-            spin: dot(state.omega, state.axis()) / rate_unit,
-            a: top.a / inertia_unit,
-            c: top.c / inertia_unit,
-            ps: top.p * top.s / inertia_unit,
-            pg: top.p * top.g / inertia_unit / rate_unit / rate_unit,
-        };
+        // a body at rest without weight has no natural rate, and its unit is 1
+        let (rate_unit, inertia_unit) = (power_of_two(rate), power_of_two(top.a));
+        let equations = Equations::of(
+            &FullTop {
+                a: top.a / inertia_unit,
+                c: top.c / inertia_unit,
+                p: top.p / inertia_unit,
+                g: top.g / rate_unit / rate_unit,
+                k: top.k / inertia_unit / rate_unit,
+                ..top
+            },
+            &FullState { omega: state.omega.map(|w| w / rate_unit), ..state },
+        );
         let ([a, b], [c, d]) = (state.alpha, state.beta);
         let norm = (a * a + b * b + c * c + d * d).sqrt();
         // If the norm is 1 up to rounding, the numbers are kept, and `project` computes their deviation.
@@ -103,7 +92,7 @@ impl FullSolver {
             equations,
             rate_unit,
             tolerances,
-            limit: FULL_SOLVER_EVALUATIONS,
+            limit: MOST_EVALUATIONS,
             usable,
             time: 0.0,
             y,
@@ -113,43 +102,34 @@ impl FullSolver {
         }
     }
 
-    /// State at exactly the time `t`, s, after an integration forward or backward. After an error the solver is in the state before the
-    /// call. Cost: about 2700 evaluations (0.05 microseconds each) per nutation.
+    /// State at exactly the time `t`, s, after an integration forward or backward. Cost: about 2700 evaluations (0.05 microseconds each)
+    /// per nutation.
     ///
     /// # Errors
-    /// [`FullSolverError`]. A returned state is finite.
-    pub fn advance_to(&mut self, t: f64) -> Result<FullState, FullSolverError> {
+    /// [`Failure::Method`]: the numbers are unusable, or it takes too many evaluations.
+    pub fn advance_to(&mut self, t: f64) -> Result<FullState, Failure> {
         let span = (t - self.time) * self.rate_unit;
         if !self.usable || !span.is_finite() {
             let reason = "the numbers of top, state and time must be finite and not too far apart in size";
-            return Err(FullSolverError(reason.to_owned()));
+            return Err(failure(reason));
         }
-        let (y, low) = (self.y, self.low);
-        let reached = self.integrate(span).and_then(|()| {
-            let state = self.state();
-            let finite = state.omega.iter().all(|w| w.is_finite());
-            if finite { Ok(state) } else { Err(FullSolverError::no_step(t)) }
-        });
-        match reached {
-            Ok(_) => self.time = t,
-            Err(_) => (self.y, self.low) = (y, low),
-        }
-        reached
+        self.integrate(span)?;
+        self.time = t;
+        Ok(self.state())
     }
 
-    /// State at [`time`](Self::time).
+    /// State at the time of the last call of [`advance_to`](Self::advance_to).
     pub fn state(&self) -> FullState {
         let state = self.equations.state(&self.y);
         FullState { omega: state.omega.map(|w| w * self.rate_unit), ..state }
     }
 
     /// Integrates over `span` in natural time.
-    fn integrate(&mut self, span: f64) -> Result<(), FullSolverError> {
+    fn integrate(&mut self, span: f64) -> Result<(), Failure> {
         // A new method for each span, because the old one would refuse a span much shorter than its last step.
         let mut method = ExplicitRungeKutta::rkv988e().rtol(0.0).atol(self.tolerances).max_steps(usize::MAX);
         let mut done = 0.0;
         while done != span {
-            let time = self.time + done / self.rate_unit;
             let rest = span - done;
             // Two equal last steps replace a long one and a very short one.
             let planned = match self.step / rest.abs() {
@@ -158,7 +138,8 @@ impl FullSolver {
                 _ => self.step.copysign(rest),
             };
             let change = Change { equations: &self.equations, from: &self.y };
-            let failed = || FullSolverError::no_step(time);
+            let time = self.time + done / self.rate_unit;
+            let failed = || failure(&format!("no step meets the tolerance at t = {time:e}"));
             method.h0 = planned;
             let start = method.init(&change, 0.0, rest, &self.low).map_err(|_| failed())?;
             self.evaluations += start.function as u64;
@@ -170,11 +151,10 @@ impl FullSolver {
                     return Err(failed());
                 }
                 if self.evaluations > self.limit {
-                    let given_up = format!(
-                        "gives up at t = {time:.2e} after {} evaluations of the equations",
+                    return Err(failure(&format!(
+                        "gives up at t = {time:.2e} after {} evaluations of the equations; ask for earlier times",
                         self.limit
-                    );
-                    return Err(FullSolverError(given_up + "; ask for earlier times"));
+                    )));
                 }
                 if !matches!(method.status(), Status::RejectedStep) {
                     break;
@@ -240,7 +220,6 @@ fn project(y: &Vector7, low: &mut Vector7) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::full_equations::equations::cross;
 
     const TOP: FullTop = FullTop { a: 1.3, c: 0.7, s: 0.8, p: 1.1, g: 1.0, k: 0.0 };
     const START: FullState = FullState { alpha: [0.48, 0.64], beta: [0.36, -0.48], omega: [0.4, -0.3, 2.1] };
@@ -299,23 +278,6 @@ mod tests {
             let [l2, n2, h2] = top.first_integrals(&solver.state());
             assert!([l2 / l, n2 / n, h2 / h].iter().all(|x| (x - 1.0).abs() < 5e-14), "{l2} {n2} {h2}");
             assert!(angle(solver.advance_to(0.0).unwrap(), start) < 1e-12);
-        }
-    }
-
-    #[test]
-    fn the_torque_is_the_lagrangians() {
-        // omega x m + DL by the variational principle, against the simplified form that is integrated.
-        let equations = Equations::of(&TOP, &START);
-        let (r, w, k) = (START.axis(), START.omega, [0.0, 0.0, 1.0]);
-        let m = equations.momentum(&START);
-        let (gyro, tip, rk) = (cross(r, w), cross(r, cross(k, w)), cross(r, k));
-        let y = [0.48, 0.64, 0.36, -0.48, m[0], m[1], m[2]];
-        for i in 0..3 {
-            let lagrangian =
-                cross(w, m)[i] + (TOP.c - TOP.a) * dot(w, r) * gyro[i] + equations.ps * dot(w, rk) * tip[i]
-                    - equations.pg * rk[i];
-            assert!((lagrangian - equations.derivative(&y)[4 + i]).abs() < 2e-15);
-            assert!((equations.state(&y).omega[i] - w[i]).abs() < 1e-15);
         }
     }
 

@@ -37,4 +37,9 @@ impl Random {
     pub fn one_in(&mut self, n: u64) -> bool {
         self.bits().is_multiple_of(n)
     }
+
+    /// 1 or -1.
+    pub fn sign(&mut self) -> f64 {
+        if self.one_in(2) { 1.0 } else { -1.0 }
+    }
 }

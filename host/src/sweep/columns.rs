@@ -1,7 +1,7 @@
 //! Columns of a sweep, and what is computed of a motion for them.
 
 use crate::commands::motion::constants;
-use crate::full_equations::solution;
+use crate::full_equations;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{AnyEphemeris, approximate, smallest};
@@ -123,7 +123,7 @@ impl Measured {
         let solved = || {
             let scenario =
                 Scenario { name: String::new(), motion: *self.motion, given: None, units: Units::None };
-            let states = solution::states(&scenario, &self.times).ok()?;
+            let states = full_equations::states(&scenario, &self.times).ok()?;
             Some(states.iter().map(|state| state.orientation()).collect())
         };
         self.full.get_or_init(solved).as_ref()

@@ -1,11 +1,13 @@
 //! Numbers of a motion, and random ones near degenerate cases.
 
 use crate::input::random::Random;
-use std::fmt;
-use toytop::{Complex, InitialPhases, Motion, Orientation, ParameterError, Signs, State, Top, TopParameters};
+use std::f64::consts::PI;
+use toytop::{
+    Complex, InitialPhases, Motion, Orientation, ParameterError, Sign, Signs, State, Top, TopParameters,
+};
 
 /// Numbers of a motion, taken as exact.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Numbers {
     /// Numbers A, C, s, p, g and K of the top. The tip slides if s > 0, and is held if s = 0 and p > 0; for p = 0 the body is free.
     pub top: [f64; 6],
@@ -42,6 +44,27 @@ impl From<&State> for Start {
 }
 
 impl Numbers {
+    /// Random motion of a toy top, log-uniform near the degenerate cases: A/(ps) in \[1e-3, 1e6\], C/A in \[1e-3, 2\], 1 + e₁, e₂ - e₁, 1 - e₂
+    /// and e₃ - 1 down to 1e-12, and one in sixteen at 0.
+    pub fn random(random: &mut Random) -> Self {
+        let [s, p, g] = [(); 3].map(|()| random.scale(0.1, 10.0));
+        let a = random.scale(1e-3, 1e6) * p * s;
+        let c = a * random.scale(1e-3, 2.0);
+        // 1 + e₁, e₂ - e₁ and 1 - e₂ add up to 2
+        let mut gap = || if random.one_in(16) { 0.0 } else { random.scale(1e-12, 1.0) };
+        let [below, swing, above] = [gap(), gap(), gap()];
+        let unit = 0.5 * (below + swing + above).max(1e-12);
+        let e1 = below / unit - 1.0;
+        let e2 = if swing == 0.0 { e1 } else { (1.0 - above / unit).max(e1) };
+        let e3 = if random.one_in(16) { 1.0 } else { 1.0 + random.scale(1e-12, 1e12) };
+        let mut sign = || if random.one_in(2) { Sign::Plus } else { Sign::Minus };
+        let signs = Signs { l_plus_n: sign(), l_minus_n: sign() };
+        let [theta, arg_alpha, arg_beta] = [(); 3].map(|()| random.between(-PI, PI));
+        let at_corner = [0.0, PI].into_iter().find(|_| random.one_in(16));
+        let phases = InitialPhases { theta: at_corner.unwrap_or(theta), arg_alpha, arg_beta };
+        Self { top: [a, c, s, p, g, 0.0], start: Start::BranchPoints { e: [e1, e2, e3], signs, phases } }
+    }
+
     /// Motion of the core.
     ///
     /// # Errors
@@ -69,33 +92,5 @@ impl Numbers {
                 Motion::launch(&top, &State::new(Orientation { alpha, beta }, omega)?)
             }
         }
-    }
-}
-
-/// Random branch points: differences down to `least`, e₃ - 1 up to `most`.
-pub fn branch_points(random: &mut Random, least: f64, most: f64) -> [f64; 3] {
-    // 1 + e₁, e₂ - e₁ and 1 - e₂ add up to 2: a random one of them follows from the other two
-    let parts = [(); 2].map(|()| random.scale(least, 0.999));
-    let rotation = random.between(0.0, 3.0) as u32;
-    let [below, above] = match rotation {
-        0 => [parts[0], parts[1]],
-        1 => [parts[0], 2.0 - parts[0] - parts[1]],
-        _ => [2.0 - parts[0] - parts[1], parts[1]],
-    };
-    let e1 = if random.one_in(16) { -1.0 } else { (below - 1.0).clamp(-1.0, 1.0) };
-    let e2 = if random.one_in(16) { 1.0 } else { (1.0 - above).clamp(e1, 1.0) };
-    let [e1, e2] = match (random.one_in(16), random.one_in(2)) {
-        (true, true) => [e1, e1],
-        (true, false) => [e2, e2],
-        _ => [e1.min(e2), e2],
-    };
-    let e3 = if random.one_in(16) { 1.0 } else { 1.0 + random.scale(least, most) };
-    [e1, e2, e3]
-}
-
-impl fmt::Display for Numbers {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [a, c, s, p, g, k] = self.top;
-        write!(f, "A={a:?} C={c:?} s={s:?} p={p:?} g={g:?} K={k:?} {:?}", self.start)
     }
 }

@@ -1,31 +1,27 @@
-//! Arithmetic of the truth in numbers of 192 bits, independent of core, and orientations in them.
+//! Arithmetic of the truth in numbers of 640 bits, independent of core, and orientations in them.
 
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 use toytop::{Complex, Orientation};
 
-/// Number of 192 bits, if it comes from [`precise`] or [`whole`] or is computed from such numbers.
+/// Number of 640 bits, if it comes from [`precise`] or [`whole`] or is computed from such numbers.
 pub type Precise = FBig<HalfEven>;
 
 /// Complex number, as its real and imaginary part.
 pub type ComplexPrecise = [Precise; 2];
 
-/// Number of bits of a [`Precise`], 57 digits. An argument of 2^62 turns has 38 digits after the point.
-pub const BITS: usize = 192;
+/// Number of bits of a [`Precise`], 192 digits. A double root of a cubic has half of them, and an argument of 2^62 turns has 173 after
+/// the point.
+const BITS: usize = 640;
 
 /// Number that equals a finite `f64`; 0 for any other, which every constructor of core refuses.
 pub fn precise(x: f64) -> Precise {
-    rounded(&Precise::try_from(x).unwrap_or(Precise::ZERO))
+    Precise::try_from(x).unwrap_or(Precise::ZERO).with_precision(BITS).value()
 }
 
 /// Number that equals an integer.
 pub fn whole(n: i64) -> Precise {
-    rounded(&Precise::from(n))
-}
-
-/// Number of any precision, rounded to [`BITS`].
-pub fn rounded(x: &Precise) -> Precise {
-    x.clone().with_precision(BITS).value()
+    Precise::from(n).with_precision(BITS).value()
 }
 
 /// Nearest `f64`.
@@ -43,14 +39,9 @@ pub fn to_nearest(x: &Precise) -> Option<i64> {
     i64::try_from(x.round().to_int().value()).ok()
 }
 
-/// Greatest integer that is at most x; `None` beyond 64 bits.
-pub fn to_floor(x: &Precise) -> Option<i64> {
-    i64::try_from(x.floor().to_int().value()).ok()
-}
-
 /// Square root of a number that is not negative; 0 for a negative one.
 pub fn root(x: &Precise) -> Precise {
-    if *x > Precise::ZERO { x.sqrt() } else { precise(0.0) }
+    if *x > Precise::ZERO { x.sqrt() } else { whole(0) }
 }
 
 /// Whether x is exactly 0.
@@ -74,6 +65,11 @@ pub fn conjugate([re, im]: &ComplexPrecise) -> ComplexPrecise {
     [re.clone(), -im]
 }
 
+/// Square of the absolute value of a complex number.
+pub fn norm_squared([re, im]: &ComplexPrecise) -> Precise {
+    re.sqr() + im.sqr()
+}
+
 /// Orientation: α and β, each as its real and imaginary part.
 pub struct PreciseOrientation {
     /// Cayley-Klein parameter α.
@@ -85,8 +81,21 @@ pub struct PreciseOrientation {
 impl PreciseOrientation {
     /// Cosine of the tilt.
     pub(super) fn u(&self) -> Precise {
-        let norm = |z: &ComplexPrecise| z[0].sqr() + z[1].sqr();
-        norm(&self.alpha) - norm(&self.beta)
+        norm_squared(&self.alpha) - norm_squared(&self.beta)
+    }
+
+    /// Inverse Φ⁻¹.
+    pub(super) fn inverse(&self) -> Self {
+        Self { alpha: conjugate(&self.alpha), beta: self.beta.each_ref().map(|part| -part) }
+    }
+
+    /// Half of the rotation vector of Φ Φ₀⁻¹, for a small rotation.
+    pub(super) fn half_rotation_from(&self, Self { alpha, beta }: &Self) -> [Precise; 3] {
+        let ([a1, a2], [b1, b2]) = (product(&self.beta, alpha), product(&self.alpha, beta));
+        let axial = [(&self.alpha, alpha), (&self.beta, beta)]
+            .map(|(to, from)| &to[1] * &from[0] - &to[0] * &from[1]);
+        let [c1, c2] = axial;
+        [a2 - b2, b1 - a1, c1 + c2]
     }
 
     /// Distance 2 √(|Δα|² + |Δβ|²) from an orientation whose numbers are taken as exact, rad.
@@ -103,7 +112,7 @@ impl PreciseOrientation {
     /// Distance 2 √(|Δα|² + |Δβ|²) of two orientations, rad.
     pub fn apart(&self, other: &Self) -> f64 {
         let pairs = [(&self.alpha, &other.alpha), (&self.beta, &other.beta)];
-        let squares = pairs.map(|(x, y)| to_f64(&(&x[0] - &y[0])).powi(2) + to_f64(&(&x[1] - &y[1])).powi(2));
+        let squares = pairs.map(|(x, y)| to_f64(&norm_squared(&[&x[0] - &y[0], &x[1] - &y[1]])));
         2.0 * (squares[0] + squares[1]).sqrt()
     }
 
@@ -133,7 +142,6 @@ mod tests {
 
     #[test]
     fn integers() {
-        assert_eq!(to_floor(&precise(-0.5)), Some(-1));
         assert_eq!(to_nearest(&(whole(i64::MAX) - precise(0.25))), Some(i64::MAX));
         assert_eq!(to_nearest(&(whole(i64::MAX) + precise(1.0))), None);
     }

@@ -1,4 +1,4 @@
-//! Partial derivatives, against central differences of launches in 192 bits, and where they grow without bound.
+//! Partial derivatives, against central differences of launches in 640 bits, and where they grow without bound.
 
 use toytop::su2::Vector;
 use toytop::{Motion, Orientation, State};

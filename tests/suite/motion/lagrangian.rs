@@ -10,10 +10,12 @@
 //! m' = ω × m + DL                                        (equation (3.1))
 //! ```
 
-use crate::motion::full_solver::{full_state, full_top, solver};
+use crate::motion::full_solver::solver;
 use toytop::su2::{Vector, cross, dot};
 use toytop::{Complex, FirstIntegrals, Orientation, State, Top};
-use toytop_host::full_equations::newton_euler::accelerations;
+use toytop_host::full_equations::full_solver::{
+    Equations, FULL_SOLVER_TOLERANCE, FullSolver, FullState, FullTop,
+};
 use toytop_tests::{check, greater, tolerance, vectors};
 
 const UP: Vector<f64> = [0.0, 0.0, 1.0];
@@ -73,17 +75,70 @@ fn tops() -> [Top; 2] {
     ["generic_AneC", "lagrange_exact"].map(|name| vectors::named(name).top())
 }
 
+/// Accelerations ω' and u'' of a top with a sliding or, for s = 0, a fixed tip, by Newton's equation for the centre of mass and Euler's
+/// for the rotation about it, with the unknown force N of the plane. They use neither the Lagrangian nor m.
+///
+/// ```text
+/// M s u'' = N - M g        d/dt (A ω + ((C - A) ⟨ω, r⟩ + K) r) = (-s r) × (N k) = -s N q
+/// ```
+///
+/// The axial part is ⟨ω, r⟩' = 0; the part along q, with u' = ⟨ω, q⟩, is one linear equation for u''.
+fn accelerations(top: &FullTop, state: &FullState) -> (Vector<f64>, f64) {
+    let FullTop { a, c, s, p, g, k } = *top;
+    let (r, omega) = (state.axis(), state.omega);
+    let (q, turn) = (cross(r, UP), cross(omega, r));
+    let axial = (c - a) * dot(omega, r) + k;
+    // u'' = ⟨ω', q⟩ + ⟨ω, r' × k⟩ and A ω' = -p (g + s u'') q - axial r'
+    let bend = a * dot(omega, cross(turn, UP));
+    let height = (bend - p * g * dot(q, q) - axial * dot(turn, q)) / (a + p * s * dot(q, q));
+    let push = p * (g + s * height);
+    (std::array::from_fn(|i| (-push * q[i] - axial * turn[i]) / a), height)
+}
+
+/// ω × m + DL by the variational principle, against the simplified form that the full solver integrates.
+#[test]
+fn the_torque_of_the_full_equations_is_the_lagrangians() {
+    let top = FullTop { a: 1.3, c: 0.7, s: 0.8, p: 1.1, g: 1.0, k: 0.0 };
+    let state = FullState { alpha: [0.48, 0.64], beta: [0.36, -0.48], omega: [0.4, -0.3, 2.1] };
+    let lagrangian = Lagrangian { a: top.a, axial: top.c - top.a, ps: top.p * top.s, pg: top.p * top.g };
+    let equations = Equations::of(&top, &state);
+    let y = equations.numbers(&state);
+    let rate = lagrangian.momentum_rate(state.axis(), state.omega);
+    for (i, rate) in rate.into_iter().enumerate() {
+        assert!((rate - equations.derivative(&y)[4 + i]).abs() < 2e-15);
+        assert!((equations.state(&y).omega[i] - state.omega[i]).abs() < 1e-15);
+    }
+}
+
+/// Comparison with differences of ω along the full solution, for both supports, with and without a rotor.
+#[test]
+fn newton_euler_is_the_acceleration_of_the_full_solution() {
+    for (s, k) in [(0.6, 0.0), (0.6, 1.7), (0.0, -2.3)] {
+        let top = FullTop { a: 1.1, c: 0.8, s, p: 0.9, g: 1.3, k };
+        let state = FullState { alpha: [0.6, 0.0], beta: [0.0, 0.8], omega: [0.3, -0.2, 2.5] };
+        let solver = FullSolver::new(top, state, FULL_SOLVER_TOLERANCE);
+        let at = |t: f64| solver.clone().advance_to(t).unwrap();
+        let ((omega, height), step) = (accelerations(&top, &at(0.7)), 3e-5);
+        let (before, after) = (at(0.7 - step), at(0.7 + step));
+        for i in 0..3 {
+            let difference = (after.omega[i] - before.omega[i]) / (2.0 * step);
+            assert!((difference - omega[i]).abs() < 1e-7, "{i}: {difference} {omega:?}");
+        }
+        let rise = (after.axis_height_rate() - before.axis_height_rate()) / (2.0 * step);
+        assert!((rise - height).abs() < 1e-7 && (height.abs() > 1e-2), "{rise} {height}");
+    }
+}
+
 /// Rate of the momentum by the laws of Newton and Euler: m' = ∂m/∂ω ω' + ∂m/∂Φ Φ', with ω' from the contact force.
 fn newton_euler_rate(top: &Top, state: &State) -> Vector<f64> {
     let (Lagrangian { a, axial, ps, .. }, omega) = (Lagrangian::new(top), state.omega());
-    let truth = accelerations(&full_top(top), &full_state(state));
+    let full_state = FullState::new(&state.orientation(), omega);
+    let (omega_rate, height) = accelerations(&top.into(), &full_state);
     let r = state.orientation().axis();
     let (q, turn) = (cross(r, UP), cross(omega, r));
     let q_dot = cross(turn, UP);
     std::array::from_fn(|i| {
-        a * truth.omega[i]
-            + axial * dot(omega, r) * turn[i]
-            + ps * (truth.height * q[i] + dot(omega, q) * q_dot[i])
+        a * omega_rate[i] + axial * dot(omega, r) * turn[i] + ps * (height * q[i] + dot(omega, q) * q_dot[i])
     })
 }
 

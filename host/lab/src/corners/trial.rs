@@ -1,6 +1,6 @@
 //! Trial of one launch: its table in each scalar, compared with the truth and with its own bounds.
 
-use super::inputs::{self, Place};
+use super::launch;
 use toytop::{Motion, ParameterError, Regime};
 use toytop_host::input::random::Random;
 use toytop_host::motion::ephemeris::{AnyEphemeris, approximate, smallest, ticks_per_time};
@@ -8,24 +8,23 @@ use toytop_host::motion::propagate::period;
 use toytop_host::motion::{Scalar, greater};
 use toytop_host::truth::exact::Exact;
 use toytop_host::truth::motions::Numbers;
+use toytop_host::truth::precise::{Precise, precise, to_nearest, whole};
 
-/// Counts and greatest errors of the tables of one scalar.
+/// Launch that was tried.
+pub struct Tried {
+    pub input: Numbers,
+    pub regime: Regime,
+    /// Errors of the table in each scalar; `None` where no table is large enough.
+    pub tables: [Option<Errors>; 4],
+}
+
+/// Errors of a table.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Errors {
-    /// Number of motions.
-    pub motions: u64,
-    /// Number of motions for which no table is large enough.
-    pub no_table: u64,
-    /// Number of motions that were compared with the truth.
-    pub truths: u64,
-    /// Number of these whose greatest error is at least a hundredth of its bound.
-    pub close: u64,
-    /// Number of these whose greatest error of the rates is at least a hundredth of its bound.
-    pub rates_close: u64,
-    /// Number of ticks at which they were compared.
-    pub places: u64,
+    /// Number of ticks that were compared with the truth.
+    pub places: usize,
     /// Number of these at which more than half of the bound comes from the number of ticks.
-    pub places_by_ticks: u64,
+    pub places_by_ticks: usize,
     /// Greatest error of Φ's norm, and of u at its turning points, as a share of the bound.
     pub norm_and_height: f64,
     /// Greatest error, rad.
@@ -34,128 +33,119 @@ pub struct Errors {
     pub of_bound: f64,
     /// Greatest error of the rates as a share of its bound.
     pub rates_of_bound: f64,
-    /// Number of motions with an error beyond its bound.
-    pub beyond_bound: u64,
 }
 
-/// Least share of the bound for an error that counts as close to it.
-const CLOSE: f64 = 0.01;
-/// Number of random times without truth.
-const TIMES: usize = 4;
-/// Truncation error far below the rounding of `f64`, rad.
-const FINE: f64 = 1e-18;
-
 impl Errors {
-    /// Adds the errors of other motions.
-    pub fn add(&mut self, other: &Self) {
-        self.motions += other.motions;
-        self.no_table += other.no_table;
-        self.truths += other.truths;
-        self.close += other.close;
-        self.rates_close += other.rates_close;
-        self.places += other.places;
-        self.places_by_ticks += other.places_by_ticks;
-        self.norm_and_height = self.norm_and_height.max(other.norm_and_height);
-        self.error = self.error.max(other.error);
-        self.of_bound = self.of_bound.max(other.of_bound);
-        self.rates_of_bound = self.rates_of_bound.max(other.rates_of_bound);
-        self.beyond_bound += other.beyond_bound;
+    /// Whether an error is beyond its bound.
+    pub fn beyond_bound(&self) -> bool {
+        self.norm_and_height.max(self.of_bound).max(self.rates_of_bound) > 1.0
     }
 }
 
-/// Regime of a launch and the errors of its table in each scalar, compared with the truth if `with_truth`.
+/// Number of times without truth.
+const TIMES: usize = 4;
+/// Number of random ticks with truth, each in the first period, near a turning point, and distant.
+const EACH: usize = 4;
+/// Binary logarithms of the distant ticks that are moved to a turning point.
+const DISTANT_POWERS: [u32; 3] = [40, 50, 62];
+/// Number of periods that are searched for the tick closest to a turning point.
+const SEARCHED: i64 = 64;
+/// Number of ticks of the first period at which the rates are compared with those of a finer table.
+const COMPARED: i64 = 2048;
+/// Truncation error of the finer table, far below the rounding of `f64`, rad.
+const FINE: f64 = 1e-18;
+
+/// Draws the launch of this number and tries it.
 ///
 /// # Errors
 /// The refusal of the launch.
-pub fn run(
-    input: &Numbers,
-    random: &mut Random,
-    with_truth: bool,
-) -> Result<(Regime, [Errors; 4]), ParameterError> {
+pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Tried, ParameterError> {
+    let mut random = Random::new(seed, number);
+    let input = launch::random(&mut random);
     let motion = input.motion()?;
-    let period = period(&motion);
+    let (period, rate) = (period(&motion), ticks_per_time(&motion));
     let tables = Scalar::ALL.map(|scalar| smallest(scalar, &motion).ok());
     let times = [(); TIMES].map(|()| random.between(0.0, period));
-    let rate = ticks_per_time(&motion);
-    let places = if with_truth {
-        let doubtful = doubtful(&tables, &motion, period, rate);
-        inputs::with_truth(&Exact::new(input), (rate, period), &doubtful, random)
-    } else {
-        Vec::new()
-    };
-    let errors = tables.map(|table| match table {
-        None => Errors { motions: 1, no_table: 1, ..Errors::default() },
-        Some(table) => {
-            let norm_and_height = norm_and_height(&*table, &motion, &times, (rate, period));
-            Errors { norm_and_height, ..against(&*table, &places) }.judged(!places.is_empty())
-        }
+    let mut errors = tables.each_ref().map(|table| {
+        let table = table.as_deref()?;
+        Some(Errors { norm_and_height: norm_and_height(table, &motion, &times), ..Errors::default() })
     });
-    Ok((motion.regime(), errors))
+    if with_truth {
+        let exact = Exact::new(&input);
+        let ticks = ticks(&exact, (rate, period), &mut random);
+        for tick in ticks.into_iter().chain(doubtful(&tables, &motion, period * rate)) {
+            let t = whole(tick) / precise(rate);
+            let (phi, rates) = (exact.at(&t), exact.rates(&t, period));
+            for (table, errors) in tables.iter().flatten().zip(errors.iter_mut().flatten()) {
+                let (bound, rate_bound) = (table.error_bound(), table.rate_error_bound());
+                let (within, rates_within) = (bound.after(tick as f64), rate_bound.after(tick as f64));
+                let error = phi.distance(&table.at_tick(tick, 0.0).sample.orientation());
+                let rate_error = rates.distance(&table.rates_at_tick(tick));
+                errors.places += 1;
+                errors.places_by_ticks += usize::from(within > 2.0 * bound.constant);
+                errors.error = greater(errors.error, error);
+                errors.of_bound = greater(errors.of_bound, error / within);
+                errors.rates_of_bound = greater(errors.rates_of_bound, rate_error / rates_within);
+            }
+        }
+    }
+    Ok(Tried { input, regime: motion.regime(), tables: errors })
 }
 
 /// Greatest error of the norm at these times, and of u at both turning points, as a share of the bound.
-fn norm_and_height(
-    table: &dyn AnyEphemeris,
-    motion: &Motion,
-    times: &[f64],
-    (rate, period): (f64, f64),
-) -> f64 {
+fn norm_and_height(table: &dyn AnyEphemeris, motion: &Motion, times: &[f64]) -> f64 {
     let start = table.at(0.0).nutation_phase.to_f64();
     let e = motion.branch_points();
-    let turning = [(1.0, e.e1), (0.5, e.e2)].map(|(phase, u)| ((phase - start) * period, u));
+    let turning = [(1.0, e.e1), (0.5, e.e2)].map(|(phase, u)| ((phase - start) * period(motion), u));
     let turning = turning.into_iter().filter(|_| motion.regime() == Regime::Nutating);
     let norms = times.iter().map(|&t| (t, table.at(t).sample.orientation().norm_squared() - 1.0));
     let heights = turning.map(|(t, u)| (t, table.at(t).sample.orientation().u() - u));
-    let share = |(t, error): (f64, f64)| error.abs() / table.error_bound().after(t * rate);
+    let share = |(t, error): (f64, f64)| error.abs() / table.error_bound().after(t * table.ticks_per_time());
     norms.chain(heights).map(share).fold(0.0, greater)
 }
 
-/// Errors of a table at these places.
-fn against(table: &dyn AnyEphemeris, places: &[Place]) -> Errors {
-    let (bound, rate_bound) = (table.error_bound(), table.rate_error_bound());
-    let mut errors = Errors::default();
-    for Place { tick, phi, rates } in places {
-        let within = bound.after(*tick as f64);
-        let error = phi.distance(&table.at_tick(*tick, 0.0).sample.orientation());
-        let rate_error = rates.distance(&table.rates_at_tick(*tick)) / rate_bound.after(*tick as f64);
-        errors.places += 1;
-        errors.places_by_ticks += u64::from(within > 2.0 * bound.constant);
-        errors.error = greater(errors.error, error);
-        errors.of_bound = greater(errors.of_bound, error / within);
-        errors.rates_of_bound = greater(errors.rates_of_bound, rate_error);
+/// Ticks in the first period and up to ±2^62. The number of ticks in a unit of time is a power of two, so that the time of a tick is
+/// exact; a motion without a period is given its natural time.
+fn ticks(exact: &Exact, (rate, period): (f64, f64), random: &mut Random) -> Vec<i64> {
+    let time_of = |tangent: f64| exact.time_of(tangent) * precise(rate);
+    let mut ticks = Vec::new();
+    for _ in 0..EACH {
+        ticks.push((random.share() * period * rate) as i64);
+        let tangent = random.sign() * random.scale(1e-6, 1e6);
+        ticks.extend(to_nearest(&time_of(tangent)));
+        let distant = random.sign() * random.scale(40_f64.exp2(), 62_f64.exp2());
+        ticks.push(distant as i64);
     }
-    errors
-}
-
-impl Errors {
-    /// Errors of one motion, counted.
-    fn judged(self, with_truth: bool) -> Self {
-        let greatest = self.norm_and_height.max(self.of_bound).max(self.rates_of_bound);
-        Self {
-            motions: 1,
-            truths: u64::from(with_truth),
-            close: u64::from(self.of_bound >= CLOSE),
-            rates_close: u64::from(self.rates_of_bound >= CLOSE),
-            beyond_bound: u64::from(greatest > 1.0),
-            ..self
+    for (sense, tangent) in [(1, 0.0), (-1, 1e30)] {
+        for tick in DISTANT_POWERS.map(|power| sense << power) {
+            match exact.period() {
+                Some(period) => ticks.extend(nearest(tick, &time_of(tangent), &(period * precise(rate)))),
+                None => ticks.push(tick),
+            }
         }
     }
+    ticks
+}
+
+/// Tick that is closest to a place of a period, among the periods after a tick. Place and period are in ticks.
+fn nearest(tick: i64, place: &Precise, period: &Precise) -> Option<i64> {
+    let first = to_nearest(&((whole(tick) - place) / period))?;
+    let places = (first..first + SEARCHED).map(|number| place + period * number);
+    let closest = places.min_by_key(|place| {
+        let apart = place - place.round();
+        if apart < whole(0) { -apart } else { apart }
+    });
+    closest.and_then(|place| to_nearest(&place))
 }
 
 /// For each scalar, the tick of the first period at which its rates differ most from those of a finer table.
-fn doubtful(
-    tables: &[Option<Box<dyn AnyEphemeris>>; 4],
-    motion: &Motion,
-    period: f64,
-    rate: f64,
-) -> Vec<i64> {
-    const COMPARED: i64 = 2048;
+fn doubtful(tables: &[Option<Box<dyn AnyEphemeris>>], motion: &Motion, period: f64) -> Vec<i64> {
     let Ok(finer) = approximate(motion, FINE) else { return Vec::new() };
-    let tick = |place: i64| (period * rate * place as f64 / COMPARED as f64) as i64;
+    let tick = |place: i64| (period * place as f64 / COMPARED as f64) as i64;
     let fine: Vec<_> = (0..COMPARED).map(tick).map(|tick| (tick, finer.rates_at_tick(tick))).collect();
     let most = |table: &dyn AnyEphemeris| {
         let apart = fine.iter().map(|(tick, rates)| (*tick, table.rates_at_tick(*tick).distance(rates)));
         apart.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(tick, _)| tick)
     };
-    tables.iter().flatten().filter_map(|table| most(table.as_ref())).collect()
+    tables.iter().flatten().filter_map(|table| most(&**table)).collect()
 }

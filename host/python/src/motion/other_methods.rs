@@ -75,7 +75,7 @@ impl PyMotion {
         Ok(PyClosedForm { motion: slf.clone().unbind(), form })
     }
 
-    /// Truth at time t, s, rounded to float64: the paper's integrals in numbers of 192 bits, which share no formula and no
+    /// Truth at time t, s, rounded to float64: the paper's integrals in numbers of 640 bits, which share no formula and no
     /// arithmetic with Motion.at. It takes about a millisecond a time.
     ///
     /// Raises:
@@ -113,7 +113,7 @@ impl PyMotion {
 }
 
 impl PyMotion {
-    /// Motion in numbers of 192 bits, with the mass moment p = M s, whose product is not rounded to `f64`.
+    /// Motion in numbers of 640 bits, with the mass moment p = M s, whose product is not rounded to `f64`.
     fn truth(&self) -> &Exact {
         self.truth.get_or_init(|| {
             let PyTop { top, parameters: given } = &self.top;

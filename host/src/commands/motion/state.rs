@@ -4,7 +4,7 @@ use super::options::{Method, hertz};
 use super::times::{self, Instants, TimesArgs};
 use super::{Report, warnings};
 use crate::Failure;
-use crate::full_equations::solution;
+use crate::full_equations;
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{Size, furthest_time, smallest, table};
@@ -98,7 +98,7 @@ fn source(arguments: &StateArgs, scenario: &Scenario, instants: Instants) -> Res
     let samples = match (arguments.method, arguments.scalar) {
         (Method::Ephemeris, scalar) => return by_ephemeris(scalar, scenario, instants, &option),
         (Method::Stepper, scalar) => stepped(scalar, motion, &listed()?, step)?,
-        (Method::Full, Scalar::F64) => solution::samples(scenario, &listed()?)?,
+        (Method::Full, Scalar::F64) => full_equations::samples(scenario, &listed()?)?,
         (Method::ClosedForm, Scalar::F64) => return by_closed_form(scenario, instants, &option),
         (method, scalar) => {
             let (name, method) = (scalar.name(), method.name());

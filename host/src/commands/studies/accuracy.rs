@@ -220,7 +220,7 @@ fn numbers(motion: &Motion) -> Option<Numbers> {
 
 /// Errors of each scalar on a motion, by octave.
 fn of_motion(numbers: &Numbers, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
-    let motion = numbers.motion().map_err(|error| Failure::Input(format!("{numbers}: {error}")))?;
+    let motion = numbers.motion().map_err(|error| Failure::Input(format!("{numbers:?}: {error}")))?;
     let tables = scalars.iter().map(|&scalar| smallest(scalar, &motion)).collect::<Result<Vec<_>, _>>()?;
     let truth = Exact::new(numbers);
     let rate = ticks_per_time(&motion);

@@ -3,8 +3,8 @@
 use super::Report;
 use super::options::FormatArgs;
 use crate::Failure;
+use crate::full_equations;
 use crate::full_equations::full_solver::{Equations, FullSolver, FullState};
-use crate::full_equations::solution;
 use crate::input::builtin;
 use crate::input::scenario::Scenario;
 use crate::output::{self, Record, short};
@@ -101,9 +101,9 @@ fn rows(scenario: &Scenario) -> Result<Vec<Record>, Failure> {
     let apart = (f64::from(PERIODS) * period / f64::from(STATES) * f64::from(HERTZ)).round();
     let place = |i: u32| (f64::from(i) * (apart / f64::from(HERTZ)), i64::from(i) * apart as i64);
     let places: Vec<_> = (1..=STATES).map(place).collect();
-    let truth = solution::states(scenario, &places.iter().map(|(t, _)| *t).collect::<Vec<_>>())?;
+    let truth = full_equations::states(scenario, &places.iter().map(|(t, _)| *t).collect::<Vec<_>>())?;
     let tick = Tick::hertz(HERTZ).map_err(fail)?;
-    let (top, state) = solution::start(scenario);
+    let (top, state) = full_equations::start(scenario);
     let (set_up, table) = least(1, || EphemerisF64::new(motion, tick));
     let table = table.map_err(fail)?;
     let single = EphemerisF32::new(motion, tick).map_err(fail)?;

@@ -6,8 +6,8 @@ mod tables;
 use super::options::{Method, ScalarChoice};
 use super::{Report, warnings};
 use crate::Failure;
+use crate::full_equations;
 use crate::full_equations::full_solver::FullState;
-use crate::full_equations::solution;
 use crate::input::builtin;
 use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::smallest;
@@ -223,7 +223,7 @@ impl Reference {
     fn errors(&mut self, scenario: &Scenario, run: &Run) -> Result<[f64; 6], Failure> {
         let times: Vec<f64> = run.samples.iter().map(|(sample, _)| sample.t).collect();
         if times != self.times {
-            self.states = solution::states(scenario, &times)?;
+            self.states = full_equations::states(scenario, &times)?;
             self.times = times;
         }
         let (motion, constants) = (&scenario.motion, scenario.motion.first_integrals());

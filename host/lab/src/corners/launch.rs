@@ -1,0 +1,56 @@
+//! Random input of a launch: branch points or a state.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+use toytop::{Release, State, Stepper};
+use toytop_host::input::random::Random;
+use toytop_host::truth::motions::{Numbers, Start};
+
+/// Least tilt from the vertical that is not 0, rad.
+const LEAST_TILT: f64 = 1e-6;
+
+/// Random input near the degenerate cases. Half are branch points; a quarter are states on such motions, in `f64`; a quarter are
+/// releases: tilts down to 1e-6 from either vertical, spins from 1e-3 to 1e6 rad/s, and in every second one a top that the paper does
+/// not contain.
+pub fn random(random: &mut Random) -> Numbers {
+    let numbers = Numbers::random(random);
+    if random.one_in(2) {
+        return numbers;
+    }
+    let thrown = random.one_in(2);
+    let release = release(random);
+    let state = if thrown { State::release(&release).ok() } else { on_motion(&numbers) };
+    // a release in range, and a point of a motion with valid constants, give a state
+    state.map_or(numbers, |state| {
+        let top = if thrown { other_top(random, numbers.top) } else { numbers.top };
+        Numbers { top, start: Start::from(&state) }
+    })
+}
+
+/// Numbers A, C, s, p, g and K of a top, which in every second draw is one that the paper does not contain: with a rotor inside, held, a
+/// rod, a ring, free, or a combination of these.
+fn other_top(random: &mut Random, top: [f64; 6]) -> [f64; 6] {
+    let [a, c, s, p, g, _] = top;
+    if random.one_in(2) {
+        return top;
+    }
+    let c = [0.0, 2.0 * a, c, c][random.between(0.0, 4.0) as usize];
+    let k = if random.one_in(2) { random.sign() * random.scale(1e-6, 1e6) * a } else { 0.0 };
+    let [s, p, g] = [[s, p, g], [0.0, p, g], [0.0; 3]][random.between(0.0, 3.0) as usize];
+    [a, c, s, p, g, k]
+}
+
+/// State at t = 0 of a motion, rounded to `f64`, which is a state of a slightly different motion.
+fn on_motion(numbers: &Numbers) -> Option<State> {
+    Stepper::<f64>::new(&numbers.motion().ok()?).attitude_state().state().ok()
+}
+
+fn release(random: &mut Random) -> Release {
+    let tilt = if random.one_in(16) { 0.0 } else { random.scale(LEAST_TILT, FRAC_PI_2) };
+    let tilt = if random.one_in(3) { PI - tilt } else { tilt };
+    let [azimuth, roll] = [(); 2].map(|()| random.between(-PI, PI));
+    let mut rate = |one_in_rests: u64, most: f64| {
+        if random.one_in(one_in_rests) { 0.0 } else { random.sign() * random.scale(1e-3, most) }
+    };
+    let (spin, precession, nutation) = (rate(16, 1e6), rate(3, 1e3), rate(3, 1e3));
+    Release { tilt, azimuth, roll, spin, precession, nutation }
+}
