@@ -1,10 +1,10 @@
 //! Search for a launch without a first guess, on longer and longer parts of the measurements.
 
+use crate::estimate::Estimate;
 use crate::fit::correction::SETTLED;
+use crate::fit::error::{FitError, Reason};
 use crate::fit::first_guess::{FIRST_INSTANTS, Guesses, upright_to};
-use crate::fit::fitted::{FitError, Reason};
 use crate::fit::pass::{Fit, Pass};
-use crate::model::Estimate;
 use crate::sensors::{Hint, Measurement, Measurements};
 use crate::vector::{Vector, cross, dot, scaled};
 use toytop::scalar::Real;
@@ -74,7 +74,7 @@ impl<F: Real> Fit<'_, F> {
             let change = estimate.change_from(&best.0).map(F::from_f64);
             if *cost < best.1 - EQUAL {
                 others = 0;
-            } else if *cost < best.1 + EQUAL && information.size(&change).to_f64() > OTHER {
+            } else if *cost < best.1 + EQUAL && information.square(&change).to_f64() > OTHER * OTHER {
                 others += 1;
             }
             if *cost < best.1 {
@@ -90,7 +90,8 @@ impl<F: Real> Fit<'_, F> {
     /// Passes over all measurements. Returns the reason why the estimate must not be trusted.
     pub(super) fn settle_finally(&mut self, measurements: &impl Measurements) -> Option<Reason> {
         let settled = self.settle(measurements, usize::MAX, SETTLED);
-        let found = self.best.estimate.spin();
+        let launch = &self.best.estimate;
+        let found = dot(launch.omega, launch.orientation.axis());
         let least = measurements.clone().find_map(|measurement| match self.hint(&measurement) {
             Hint::Rate { omega: [.., low], axial_is_saturated: true } if low != 0.0 => Some(low),
             _ => None,
@@ -124,7 +125,7 @@ impl<F: Real> Fit<'_, F> {
         // only the biases are corrected; the launch is held fixed
         for index in 0..self.model.count {
             let deviation = if index < self.model.common() { 1e-9 } else { 1e6 };
-            self.current.information.add_known(index, F::ZERO, F::from_f64(deviation));
+            self.current.information.add_known(index, F::from_f64(deviation));
         }
         let change = self.current.information.solution();
         self.current.estimate = self.current.estimate.moved(&change.map(F::to_f64));
