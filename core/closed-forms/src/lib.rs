@@ -4,10 +4,8 @@
 // Modules in the order of dependence: each one uses only those above it.
 pub mod elliptic;
 
-// Parts of the solutions.
+// Part of the solutions.
 mod orientation;
-
-mod periods;
 
 // Solutions, one for each kind of motion that has one.
 mod free_body;

@@ -27,7 +27,7 @@ use toytop::scalar::{Extended, Float, Ring};
 /// let (p, slope) = (lattice.p(z), lattice.p_prime(z));
 /// let defect = slope * slope - (p * p * p - p).scaled(4.0);
 /// assert!(defect.norm_squared() < 1e-24);
-/// assert!((lattice.half_periods()[0] - 1.311_028_777_146_06).abs() < 1e-15);
+/// assert!((lattice.half_periods[0] - 1.311_028_777_146_06).abs() < 1e-15);
 /// # Ok::<(), toytop::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,13 +63,13 @@ impl Weierstrass {
     /// Roots e₁, e₂, e₃, with sum 0.
     #[must_use]
     pub fn roots(&self) -> [f64; 3] {
-        self.lattice.roots().map(Float::to_f64)
+        self.lattice.roots.map(Float::to_f64)
     }
 
     /// Half periods ω and |ω'|.
     #[must_use]
     pub fn half_periods(&self) -> [f64; 2] {
-        self.lattice.half_periods().map(Float::to_f64)
+        self.lattice.half_periods.map(Float::to_f64)
     }
 
     /// Quasi-periods η = ζ(ω) and η'/i, where η' = ζ(ω'); Legendre's relation is η ω' - η' ω = iπ/2.
@@ -81,7 +81,7 @@ impl Weierstrass {
     /// Invariants g₂ and g₃ of ℘'² = 4℘³ - g₂℘ - g₃.
     #[must_use]
     pub fn invariants(&self) -> [f64; 2] {
-        let [e1, e2, e3] = self.lattice.roots();
+        let [e1, e2, e3] = self.lattice.roots;
         let second = (e1.squared() + e2.squared() + e3.squared()).doubled();
         [second, e1 * e2 * e3 * Extended::from(4.0)].map(Float::to_f64)
     }
