@@ -162,7 +162,7 @@ impl Solution {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use toytop::{Top, TopParameters};
+    use toytop::{Signs, Top, TopParameters};
 
     /// √(1 + A/(ps)) = 3/2 exactly, and with a difference of one unit in the last place.
     #[test]

@@ -10,15 +10,10 @@
 //!
 //! Equal signs give the fast precession, different signs the slow one; at the same e and e₃ their product is pg/A.
 
-use toytop::AttitudeState;
-use toytop::Complex;
-use toytop::Motion;
-use toytop::Stepper;
-use toytop::Top;
 use toytop::internal::{Constants, ScaledTop, finite, phase_of, require};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
-use toytop::{ParameterError, Regime, Signs};
+use toytop::{AttitudeState, Complex, Motion, ParameterError, Regime, Signs, Stepper, Top};
 
 /// Motion at constant tilt as a function of time.
 ///

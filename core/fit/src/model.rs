@@ -1,6 +1,5 @@
 //! Order, units and prior information of the unknowns of a fit, and the motion that they determine.
 
-use crate::course::Course;
 use crate::estimate::{Estimate, FreeRatio};
 use crate::sensitivity::{
     Coefficients, Equations, Flow, LAUNCH, LOSSES, Partials, RATIOS, Sensitivity, coefficients, exponents,
@@ -134,11 +133,6 @@ impl Model {
             *share = if ratio.is_finite() { *share * ratio } else { 0.0 };
         }
         shares
-    }
-
-    /// Course before the first pass.
-    pub(crate) fn course<F: Real>(&self, estimate: &Estimate) -> Course<F> {
-        Course::new(self.top.tip_scale(), &self.equations(estimate))
     }
 
     /// Coefficients of an estimate; `None` where no ratio is free.

@@ -2,10 +2,9 @@
 
 use crate::elliptic::elementary::{Wide, rounded, widened};
 use crate::elliptic::lattice::Lattice;
-use toytop::Complex;
-use toytop::ParameterError;
 use toytop::internal::{finite, require};
 use toytop::scalar::{Extended, Float, Ring};
+use toytop::{Complex, ParameterError};
 
 /// Weierstrass's functions of one lattice: half periods ω > 0 and ω' = i|ω'|, roots e₁ > e₂ > e₃ with sum 0, where
 /// ℘(ω) = e₁, ℘(ω + ω') = e₂, ℘(ω') = e₃ and ℘'² = 4 (℘ - e₁)(℘ - e₂)(℘ - e₃).

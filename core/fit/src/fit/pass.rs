@@ -154,7 +154,7 @@ impl<'a, F: Real> Fit<'a, F> {
             damping: FIRST_DAMPING,
             last_change: None,
             curvature: f64::INFINITY,
-            course: model.course(&estimate),
+            course: Course::new(model.top.tip_scale(), &model.equations(&estimate)),
             rate_unit: 1.0,
             prior,
         }

@@ -92,10 +92,8 @@ impl<F: Real> Fit<'_, F> {
         let settled = self.settle(measurements, usize::MAX, SETTLED);
         let launch = &self.best.estimate;
         let found = dot(launch.omega, launch.orientation.axis());
-        let least = measurements.clone().find_map(|measurement| match self.hint(&measurement) {
-            Hint::Rate { omega: [.., low], axial_is_saturated: true } if low != 0.0 => Some(low),
-            _ => None,
-        });
+        let bound = |([_, _, low], saturated): (Vector<f64>, bool)| (saturated && low != 0.0).then_some(low);
+        let least = self.rates(measurements).find_map(bound);
         // the axial rate is constant, so that one reading at the end of the range bounds it
         let spin = least.filter(|least| found / least < WITHIN).unwrap_or(found);
         let reason = self.reason(settled && spin == found);
@@ -150,15 +148,20 @@ impl<F: Real> Fit<'_, F> {
         if has_noise && (reason.is_none() || in_degrees < 0.1 * chi_squared) {
             return Some(Reason::RatesInDegrees);
         }
-        let mut rates = measurements.clone().filter_map(|measurement| match self.hint(&measurement) {
-            Hint::Rate { omega, axial_is_saturated } => Some((omega, axial_is_saturated)),
-            _ => None,
-        });
+        let mut rates = self.rates(measurements);
         // below 0.1 per unit time, a bias may explain the rates
         let is_small = |(omega, saturated): (Vector<f64>, bool)| {
             !saturated && omega.iter().all(|x| libm::fabs(*x) < 0.1)
         };
         (rates.next().is_some_and(is_small) && rates.all(is_small)).then_some(Reason::AtRest)
+    }
+
+    /// Rates in the body frame, and whether their axial component is beyond the range.
+    fn rates(&self, measurements: &impl Measurements) -> impl Iterator<Item = (Vector<f64>, bool)> {
+        measurements.clone().filter_map(|measurement| match self.hint(&measurement) {
+            Hint::Rate { omega, axial_is_saturated } => Some((omega, axial_is_saturated)),
+            _ => None,
+        })
     }
 
     /// Extent of the measurements, of which every one is checked.
