@@ -63,12 +63,10 @@ impl ConstantArguments {
             (value, rounded(closed.slope) * factor + value.times_i().scaled(tau))
         };
         let [a, b] = self.angles;
-        let alpha = placed(alpha, a + alpha_turns + half_tau_phase, half_tau);
-        let beta = placed(beta, b + beta_turns - half_tau_phase, -half_tau);
-        AttitudeState {
-            orientation: Orientation { alpha: alpha.0, beta: beta.0 },
-            rate: OrientationRate { alpha: alpha.1, beta: beta.1 },
-        }
+        let (alpha, alpha_rate) = placed(alpha, a + alpha_turns + half_tau_phase, half_tau);
+        let (beta, beta_rate) = placed(beta, b + beta_turns - half_tau_phase, -half_tau);
+        let rate = OrientationRate { alpha: alpha_rate, beta: beta_rate };
+        AttitudeState { orientation: Orientation { alpha, beta }, rate }
     }
 }
 

@@ -106,14 +106,13 @@ impl RegularPrecession {
     pub fn at(&self, t: f64) -> AttitudeState<f64> {
         let turned = |z: Complex<f64>, rate: Extended| {
             let value = z * Complex::cis(phase_of(rate * t.into()));
-            (value, value.times_i().scaled(rate.to_f64()))
+            [value, value.times_i().scaled(rate.to_f64())]
         };
-        let [alpha_rate, beta_rate] = self.turning;
-        let (alpha, beta) = (turned(self.start.alpha, alpha_rate), turned(self.start.beta, beta_rate));
-        AttitudeState {
-            orientation: Orientation { alpha: alpha.0, beta: beta.0 },
-            rate: OrientationRate { alpha: alpha.1, beta: beta.1 },
-        }
+        let [alpha_turning, beta_turning] = self.turning;
+        let [[alpha, alpha_rate], [beta, beta_rate]] =
+            [turned(self.start.alpha, alpha_turning), turned(self.start.beta, beta_turning)];
+        let rate = OrientationRate { alpha: alpha_rate, beta: beta_rate };
+        AttitudeState { orientation: Orientation { alpha, beta }, rate }
     }
 }
 

@@ -79,10 +79,10 @@ impl<'a, F: Real> Fit<'a, F> {
     ///
     /// # Errors
     /// [`FitError`]: no measurement, or one that is not finite, not in order, or of an unknown sensor.
-    pub fn run<I>(&mut self, measurements: I) -> Result<Fitted, FitError>
-    where
-        I: Iterator<Item = Measurement> + Clone,
-    {
+    pub fn run(
+        &mut self,
+        measurements: impl Iterator<Item = Measurement> + Clone,
+    ) -> Result<Fitted, FitError> {
         let extent = self.checked(&measurements)?;
         let (reason, alternatives) = self.search(&measurements, &extent);
         let mut fitted = self.fitted(&extent, reason, alternatives);
@@ -97,10 +97,11 @@ impl<'a, F: Real> Fit<'a, F> {
     ///
     /// # Errors
     /// The errors of [`Fit::run`].
-    pub fn run_from<I>(&mut self, guess: Estimate, measurements: I) -> Result<Fitted, FitError>
-    where
-        I: Iterator<Item = Measurement> + Clone,
-    {
+    pub fn run_from(
+        &mut self,
+        guess: Estimate,
+        measurements: impl Iterator<Item = Measurement> + Clone,
+    ) -> Result<Fitted, FitError> {
         let extent = self.checked(&measurements)?;
         self.start_from(&guess);
         let reason = self.settle_finally(&measurements);
@@ -113,10 +114,12 @@ impl<'a, F: Real> Fit<'a, F> {
     ///
     /// # Errors
     /// The errors of [`Fit::run`], and [`FitError::OutOfOrder`] where the last fit cannot be followed to the block.
-    pub fn track<I>(&mut self, last: &Fitted, drift: f64, measurements: I) -> Result<Tracked, FitError>
-    where
-        I: Iterator<Item = Measurement> + Clone,
-    {
+    pub fn track(
+        &mut self,
+        last: &Fitted,
+        drift: f64,
+        measurements: impl Iterator<Item = Measurement> + Clone,
+    ) -> Result<Tracked, FitError> {
         let extent = self.checked(&measurements)?;
         let span = extent.first - last.epoch;
         let followed = self.model.predicted(&last.launch, span).filter(|_| span >= 0.0);
