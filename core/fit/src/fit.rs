@@ -143,9 +143,15 @@ impl<'a, F: Real> Fit<'a, F> {
         self.start_from(&predicted);
         let settled = self.settle(&measurements, usize::MAX, SETTLED);
         let fitted = self.fitted(&extent, self.reason(settled), 0);
-        self.prior = self.model.prior();
+        self.reset_prior();
         let turn = self.best.estimate.orientation.compose(&predicted.orientation.inverse());
         let drift = self.mean_rates([&last.launch, &fitted.launch], fitted.epoch - last.epoch);
         Ok(Tracked { fitted, jump: rotation_vector(&turn), drift })
+    }
+
+    /// Sets the information before the measurements to that of the model.
+    #[inline(never)] // its copy is on the stack only during the call
+    fn reset_prior(&mut self) {
+        self.prior = self.model.prior();
     }
 }
