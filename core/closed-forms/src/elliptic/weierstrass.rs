@@ -26,7 +26,7 @@ use toytop::{Complex, ParameterError};
 /// let (p, slope) = (lattice.p(z), lattice.p_prime(z));
 /// let defect = slope * slope - (p * p * p - p).scaled(4.0);
 /// assert!(defect.norm_squared() < 1e-24);
-/// assert!((lattice.half_periods[0] - 1.311_028_777_146_06).abs() < 1e-15);
+/// assert!((lattice.half_periods()[0] - 1.311_028_777_146_06).abs() < 1e-15);
 /// # Ok::<(), toytop::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
