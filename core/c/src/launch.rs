@@ -113,15 +113,14 @@ pub unsafe extern "C" fn toytop_state_from_release(
     state: *mut toytop_state,
     error: *mut toytop_error,
 ) -> toytop_status {
-    let result = || -> Result<(), Refusal> {
-        // SAFETY: the caller guarantees valid pointers, here and below.
-        let toytop_release { tilt, azimuth, roll, spin, precession, nutation } = unsafe { read(release)? };
-        let thrown = State::release(&Release { tilt, azimuth, roll, spin, precession, nutation })?;
-        // SAFETY: see above.
-        unsafe { write(state, toytop_state::of(&thrown)) }
-    };
-    // SAFETY: see above.
-    unsafe { status_of(result(), error) }
+    // SAFETY: the caller guarantees valid pointers.
+    unsafe {
+        status_of(error, || {
+            let toytop_release { tilt, azimuth, roll, spin, precession, nutation } = read(release)?;
+            let thrown = State::release(&Release { tilt, azimuth, roll, spin, precession, nutation })?;
+            write(state, toytop_state::of(&thrown))
+        })
+    }
 }
 
 /// State from sensors.
@@ -137,15 +136,14 @@ pub unsafe extern "C" fn toytop_state_from_quaternion_and_gyro(
     state: *mut toytop_state,
     error: *mut toytop_error,
 ) -> toytop_status {
-    let result = || -> Result<(), Refusal> {
-        // SAFETY: the caller guarantees valid pointers, here and below.
-        let (quaternion, gyro) = unsafe { (read(quaternion.cast())?, read(gyro.cast())?) };
-        let measured = State::from_quaternion_and_gyro(quaternion, gyro)?;
-        // SAFETY: see above.
-        unsafe { write(state, toytop_state::of(&measured)) }
-    };
-    // SAFETY: see above.
-    unsafe { status_of(result(), error) }
+    // SAFETY: the caller guarantees valid pointers.
+    unsafe {
+        status_of(error, || {
+            let (quaternion, gyro) = (read(quaternion.cast())?, read(gyro.cast())?);
+            let measured = State::from_quaternion_and_gyro(quaternion, gyro)?;
+            write(state, toytop_state::of(&measured))
+        })
+    }
 }
 
 /// State after an impulse and the reaction of the support. `before` and `after` may be the same object.
@@ -163,15 +161,14 @@ pub unsafe extern "C" fn toytop_impulse(
     after: *mut toytop_state,
     error: *mut toytop_error,
 ) -> toytop_status {
-    let result = || -> Result<(), Refusal> {
-        // SAFETY: the caller guarantees valid pointers, here and below.
-        let (top, before, impulse, point) = unsafe { stroke(top, before, impulse, point)? };
-        let struck = before.with_impulse(&top, impulse, point)?;
-        // SAFETY: see above.
-        unsafe { write(after, toytop_state::of(&struck)) }
-    };
-    // SAFETY: see above.
-    unsafe { status_of(result(), error) }
+    // SAFETY: the caller guarantees valid pointers.
+    unsafe {
+        status_of(error, || {
+            let (top, before, impulse, point) = stroke(top, before, impulse, point)?;
+            let struck = before.with_impulse(&top, impulse, point)?;
+            write(after, toytop_state::of(&struck))
+        })
+    }
 }
 
 /// Arguments of an impulse.
@@ -205,13 +202,12 @@ pub unsafe extern "C" fn toytop_reaction_impulse(
     reaction: *mut f64,
     error: *mut toytop_error,
 ) -> toytop_status {
-    let result = || -> Result<(), Refusal> {
-        // SAFETY: the caller guarantees valid pointers, here and below.
-        let (top, before, impulse, point) = unsafe { stroke(top, before, impulse, point)? };
-        let answered = before.reaction_impulse(&top, impulse, point)?;
-        // SAFETY: see above.
-        unsafe { write(reaction.cast(), answered) }
-    };
-    // SAFETY: see above.
-    unsafe { status_of(result(), error) }
+    // SAFETY: the caller guarantees valid pointers.
+    unsafe {
+        status_of(error, || {
+            let (top, before, impulse, point) = stroke(top, before, impulse, point)?;
+            let answered = before.reaction_impulse(&top, impulse, point)?;
+            write(reaction.cast(), answered)
+        })
+    }
 }

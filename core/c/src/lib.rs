@@ -15,8 +15,6 @@ mod launch;
 
 mod motion;
 
-mod partials;
-
 // Functions that run at every tick.
 mod table;
 
@@ -24,33 +22,19 @@ mod set_up;
 
 mod sample;
 
-mod events;
+// Functions of each scalar, `toytop_f32_...`, `toytop_f64_...` and `toytop_q31_...`, by one macro for tables and one for samples.
+mod table_functions;
 
-mod scalars;
+mod sample_functions;
 
-pub use events::toytop_event;
-pub use launch::{
-    TOYTOP_FIXED, TOYTOP_FREE, TOYTOP_SLIDING, TOYTOP_STANDARD_GRAVITY, toytop_impulse,
-    toytop_reaction_impulse, toytop_release, toytop_state, toytop_state_from_quaternion_and_gyro,
-    toytop_state_from_release, toytop_top,
-};
-pub use motion::{
-    TOYTOP_MOTION_SIZE, toytop_constants, toytop_launch, toytop_motion, toytop_motion_constants,
-    toytop_regime,
-};
-pub use partials::{toytop_motion_partials, toytop_partials};
-pub use sample::{
-    TOYTOP_EPHEMERIS_CURSOR_SIZE, TOYTOP_EPHEMERIS_SAMPLE_SIZE, toytop_ephemeris_cursor,
-    toytop_ephemeris_cursor_tick, toytop_ephemeris_sample,
-};
-pub use scalars::*;
-pub use set_up::{TOYTOP_SET_UP_SIZE, toytop_between, toytop_set_up};
-pub use status::{TOYTOP_TEXT_SIZE, toytop_error, toytop_status, toytop_status_text};
-pub use table::{
-    TOYTOP_EPHEMERIS_ALIGNMENT, TOYTOP_EPHEMERIS_F32_SIZE, TOYTOP_EPHEMERIS_F64_SIZE,
-    TOYTOP_EPHEMERIS_Q31_SIZE, toytop_ephemeris_f32, toytop_ephemeris_f64, toytop_ephemeris_q31,
-    toytop_error_bounds, toytop_hertz, toytop_tick,
-};
+pub use launch::*;
+pub use motion::*;
+pub use sample::*;
+pub use sample_functions::*;
+pub use set_up::*;
+pub use status::*;
+pub use table::*;
+pub use table_functions::*;
 
 /// Panic handler, which the compiler requires in an archive. It calls a function that does not exist. If no code can panic, the archive
 /// contains neither of them, which `cargo xtask c-archive` checks.

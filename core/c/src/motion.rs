@@ -1,9 +1,10 @@
-//! Motion of one launch, and its constants.
+//! Motion of one launch, its constants, and its partial derivatives.
 
 use crate::launch::{toytop_state, toytop_top};
 use crate::memory::{Kept, keep, kept, read, write};
 use crate::status::{Refusal, status_of, toytop_error, toytop_status};
-use toytop::{Motion, Regime};
+use toytop::{Complex, Motion, Regime};
+use toytop_fit::Sensitivity;
 
 /// Bytes of a motion.
 pub const TOYTOP_MOTION_SIZE: usize = 1024;
@@ -79,15 +80,13 @@ pub unsafe extern "C" fn toytop_launch(
     motion: *mut toytop_motion,
     error: *mut toytop_error,
 ) -> toytop_status {
-    let result = || -> Result<(), Refusal> {
-        // SAFETY: the caller guarantees valid pointers, here and below.
-        let (top, state) = unsafe { (read(top)?.checked()?, read(state)?.checked()?) };
-        let launched = Motion::launch(&top, &state)?;
-        // SAFETY: see above.
-        unsafe { keep(motion, launched) }
-    };
-    // SAFETY: see above.
-    unsafe { status_of(result(), error) }
+    // SAFETY: the caller guarantees valid pointers.
+    unsafe {
+        status_of(error, || {
+            let (top, state) = (read(top)?.checked()?, read(state)?.checked()?);
+            keep(motion, Motion::launch(&top, &state)?)
+        })
+    }
 }
 
 /// Constants of a motion. The call integrates the period, as a set-up does, so it takes too long for an interrupt.
@@ -96,11 +95,9 @@ pub unsafe extern "C" fn toytop_motion_constants(
     motion: *const toytop_motion,
     constants: *mut toytop_constants,
 ) -> toytop_status {
-    let result = || -> Result<(), Refusal> {
-        // SAFETY: the caller guarantees valid pointers, here and below.
-        let motion: Motion = unsafe { kept(motion)? };
+    let found = |motion: Motion| {
         let (integrals, e) = (motion.first_integrals(), motion.branch_points());
-        let found = toytop_constants {
+        toytop_constants {
             regime: regime(motion.regime()) as u32,
             l: integrals.l,
             n: integrals.n,
@@ -110,22 +107,61 @@ pub unsafe extern "C" fn toytop_motion_constants(
             e3: e.e3,
             period: motion.period_advance().map_or(f64::NAN, |advance| advance.period),
             min_normal_force: motion.min_normal_force().unwrap_or(f64::NAN),
-        };
-        // SAFETY: see above.
-        unsafe { write(constants, found) }
+        }
     };
-    result().into()
+    // SAFETY: the caller guarantees valid pointers.
+    unsafe { kept(motion).and_then(|motion| write(constants, found(motion))) }.into()
 }
 
 fn regime(regime: Regime) -> toytop_regime {
+    use toytop_regime::*;
     match regime {
-        Regime::Nutating => toytop_regime::TOYTOP_NUTATING,
-        Regime::SlowPrecession => toytop_regime::TOYTOP_SLOW_PRECESSION,
-        Regime::FastPrecession => toytop_regime::TOYTOP_FAST_PRECESSION,
-        Regime::SleepingStable => toytop_regime::TOYTOP_SLEEPING_STABLE,
-        Regime::SleepingUnstable => toytop_regime::TOYTOP_SLEEPING_UNSTABLE,
-        Regime::Hanging => toytop_regime::TOYTOP_HANGING,
-        Regime::Aperiodic => toytop_regime::TOYTOP_APERIODIC,
-        _ => toytop_regime::TOYTOP_OTHER_REGIME,
+        Regime::Nutating => TOYTOP_NUTATING,
+        Regime::SlowPrecession => TOYTOP_SLOW_PRECESSION,
+        Regime::FastPrecession => TOYTOP_FAST_PRECESSION,
+        Regime::SleepingStable => TOYTOP_SLEEPING_STABLE,
+        Regime::SleepingUnstable => TOYTOP_SLEEPING_UNSTABLE,
+        Regime::Hanging => TOYTOP_HANGING,
+        Regime::Aperiodic => TOYTOP_APERIODIC,
+        _ => TOYTOP_OTHER_REGIME,
     }
+}
+
+/// Partial derivatives of a motion at one time.
+///
+/// In each array they are with respect to: the rotation vector in the fixed frame that turns the orientation of the launch, rad (0 to
+/// 2); omega of the launch in the fixed frame, rad/s (3 to 5); A/C (6); A/(p s), for a fixed tip A/p (7); the height s of the centre of
+/// mass (8); gravity (9). Relative to the largest derivative of a column the error is about 1e-12.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct toytop_partials {
+    /// Derivatives of the orientation: rotation vectors in the fixed frame, rad.
+    pub orientation: [[f64; 3]; 10],
+    /// Derivatives of the angular velocity in the fixed frame, rad/s.
+    pub omega: [[f64; 3]; 10],
+    /// Derivatives of the angular velocity in the body frame, rad/s.
+    pub omega_body: [[f64; 3]; 10],
+    /// Derivatives of the position of the tip, m; 1 for a fixed tip.
+    pub tip: [[f64; 2]; 10],
+}
+
+/// Partial derivatives at a time, s from the launch. The call integrates over a nutation period, so it takes too long for an interrupt.
+/// `TOYTOP_NONE` where the time is not finite, or a derivative is beyond 1e150.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn toytop_motion_partials(
+    motion: *const toytop_motion,
+    time: f64,
+    partials: *mut toytop_partials,
+) -> toytop_status {
+    let found = |motion: Motion| -> Result<_, Refusal> {
+        let now = Sensitivity::new(&motion).at(time).ok_or(toytop_status::TOYTOP_NONE)?;
+        Ok(toytop_partials {
+            orientation: now.orientation(),
+            omega: now.omega(),
+            omega_body: now.omega_body(),
+            tip: now.tip().map(|Complex { re, im }| [re, im]),
+        })
+    };
+    // SAFETY: the caller guarantees valid pointers.
+    unsafe { kept(motion).and_then(|motion| write(partials, found(motion)?)) }.into()
 }

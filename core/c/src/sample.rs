@@ -1,11 +1,11 @@
-//! Reading of a table: any tick, cursors, and the quantities of a sample.
+//! Reading of a table: any tick, cursors, the quantities of a sample, and events.
 
+use crate::launch::toytop_state;
 use crate::memory::{Kept, keep, kept, write};
 use crate::status::{Refusal, toytop_status};
-use crate::table::{Table, Tabulated, toytop_error_bounds, view};
-use crate::toytop_state;
+use crate::table::{Table, Tabulated, view};
 use toytop::internal::Ticks;
-use toytop::{Complex, EphemerisView, ParameterError, Sample};
+use toytop::{Complex, EphemerisView, Event, Events, ParameterError, Phase, Sample};
 
 /// Bytes of a cursor.
 pub const TOYTOP_EPHEMERIS_CURSOR_SIZE: usize = 64;
@@ -183,14 +183,6 @@ pub unsafe extern "C" fn toytop_ephemeris_cursor_tick(
     unsafe { kept(place).and_then(|of: CursorOf| write(tick, of.ticks.tick())) }.into()
 }
 
-/// Error bounds of a table at a tick.
-pub(crate) fn error_bounds<R: Tabulated>(
-    view: &EphemerisView<R>,
-    tick: i64,
-) -> Result<toytop_error_bounds, Refusal> {
-    Ok(toytop_error_bounds { orientation: view.error_bound_at(tick), rate: view.rate_error_bound_at(tick) })
-}
-
 /// Parts of a complex number, {re, im}.
 pub(crate) fn parts<R>(z: Complex<R>) -> [R; 2] {
     [z.re, z.im]
@@ -212,4 +204,30 @@ pub(crate) fn tip_angle<R: Tabulated>(sample: Sample<'_, R>) -> Result<f64, Refu
 /// State to launch from.
 pub(crate) fn state<R: Tabulated>(sample: Sample<'_, R>) -> Result<toytop_state, Refusal> {
     Ok(toytop_state::of(&sample.attitude_state().state()?))
+}
+
+/// Event of a motion: its instant in ticks, and the sense of the change.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct toytop_event {
+    /// Last tick at or before the event.
+    pub tick: i64,
+    /// Fraction of the following tick that passes before the event, in [0, 1).
+    pub fraction: f64,
+    /// 1 or 0: see the function that found the event.
+    pub upward: u32,
+}
+
+/// First event of an iterator.
+pub(crate) fn first_event<R: Tabulated>(mut events: Events<'_, R>) -> Result<toytop_event, Refusal> {
+    let Event { tick, fraction, upward } = events.next().ok_or(toytop_status::TOYTOP_NONE)?;
+    Ok(toytop_event { tick, fraction, upward: upward.into() })
+}
+
+/// Direction of the tip, from an angle in rad.
+pub(crate) fn direction(angle: f64) -> Result<Phase, Refusal> {
+    if !angle.is_finite() {
+        return Err(ParameterError::NotFinite { parameter: "direction" }.into());
+    }
+    Ok(Phase::from_radians(angle))
 }

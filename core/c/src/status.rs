@@ -113,13 +113,17 @@ impl From<Result<(), Refusal>> for toytop_status {
     }
 }
 
-/// Status of a result. The reason for a refusal goes to `error`, unless that is null.
+/// Status of a call. The reason for a refusal goes to `error`, unless that is null.
 ///
 /// # Safety
 /// `error` is null or valid for writing.
-pub(crate) unsafe fn status_of(result: Result<(), Refusal>, error: *mut toytop_error) -> toytop_status {
+pub(crate) unsafe fn status_of(
+    error: *mut toytop_error,
+    call: impl FnOnce() -> Result<(), Refusal>,
+) -> toytop_status {
+    let result = call();
     if !error.is_null() {
-        let refusal = result.err().unwrap_or(Refusal::from(TOYTOP_OK));
+        let refusal = result.err().unwrap_or(TOYTOP_OK.into());
         // SAFETY: the caller guarantees that the pointer, which is not null, is valid.
         unsafe { error.write_unaligned(refusal.described()) };
     }

@@ -12,15 +12,11 @@
 
 mod rise;
 
-mod fixed;
-
 mod sliding;
 
 use crate::elliptic::theta::ValueAndSlope;
-use crate::orientation::ConstantArguments;
-use crate::periods::solve_rising;
-use fixed::Fixed;
-use rise::{Rise, RiseValues};
+use crate::orientation::{ConstantArguments, solve_rising};
+use rise::{Fixed, Rise, RiseValues};
 use sliding::Sliding;
 use toytop::internal::{NutationVariable, ScaledTop, phase_of};
 use toytop::scalar::{Extended, Float, Ring};

@@ -1,15 +1,12 @@
 //! Closed form of a motion, of whichever kind applies.
 
 use crate::aperiodic::Aperiodic;
-use crate::e3_equals_e4;
-use crate::e3_equals_e4::E3EqualsE4;
+use crate::e3_equals_e4::{E3EqualsE4, difference};
 use crate::free_body::FreeBody;
 use crate::lagrange::Lagrange;
 use crate::precession::RegularPrecession;
 use core::fmt;
-use toytop::AttitudeState;
-use toytop::Motion;
-use toytop::Phase;
+use toytop::{AttitudeState, Motion, Phase};
 
 /// Motion that elementary or elliptic functions express.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,17 +55,17 @@ impl ClosedForm {
     /// # Errors
     /// [`NoClosedForm`]: the motion is that of a nutating toy top with e₃ ≠ e₄.
     pub fn of(motion: &Motion) -> Result<Self, NoClosedForm> {
-        let free = || FreeBody::new(motion).map(Self::FreeBody);
-        let steady = || RegularPrecession::new(motion).map(Self::RegularPrecession);
-        let rising = || Aperiodic::new(motion).map(Self::Aperiodic);
-        let held = || Lagrange::new(motion).map(Self::Lagrange);
-        let sliding = || E3EqualsE4::new(motion).map(Self::E3EqualsE4);
-        let refusal = || NoClosedForm {
-            e3: motion.branch_points().e3,
-            e4: motion.top().e4().unwrap_or(f64::INFINITY),
-            e3_minus_e4: e3_equals_e4::difference(motion),
-        };
-        free().or_else(steady).or_else(rising).or_else(held).or_else(sliding).ok_or_else(refusal)
+        FreeBody::new(motion)
+            .map(Self::FreeBody)
+            .or_else(|| RegularPrecession::new(motion).map(Self::RegularPrecession))
+            .or_else(|| Aperiodic::new(motion).map(Self::Aperiodic))
+            .or_else(|| Lagrange::new(motion).map(Self::Lagrange))
+            .or_else(|| E3EqualsE4::new(motion).map(Self::E3EqualsE4))
+            .ok_or_else(|| NoClosedForm {
+                e3: motion.branch_points().e3,
+                e4: motion.top().e4().unwrap_or(f64::INFINITY),
+                e3_minus_e4: difference(motion),
+            })
     }
 
     /// Orientation Φ and rate Φ' at t. A t that is not finite counts as 0.

@@ -12,22 +12,14 @@
 //! x increases along the imaginary axis, from u = e₂ at x = 0. The paper prints √R instead of 1/√R in a and b, ω₁
 //! instead of ω₂ in the shift, and the opposite direction of x.
 
-use crate::elliptic::agm::first_kind;
 use crate::elliptic::carlson_rf;
 use crate::elliptic::elementary::{imaginary, of_turns, real};
-use crate::elliptic::lattice::{Lattice, NONE, OMEGA, OMEGA_PRIME};
+use crate::elliptic::lattice::{Lattice, NONE, OMEGA, OMEGA_PRIME, ThetaQuotient, zeros};
 use crate::elliptic::theta::ValueAndSlope;
-use crate::elliptic::theta_quotient::ThetaQuotient;
-use crate::orientation::ConstantArguments;
-use crate::periods::{Periods, half_turns, solve_rising};
-use toytop::AttitudeState;
-use toytop::Complex;
-use toytop::Motion;
-use toytop::Phase;
-use toytop::Signs;
-use toytop::Support;
+use crate::orientation::{ConstantArguments, Periods, half_turns, solve_rising};
 use toytop::internal::{NutationVariable, ScaledTop};
 use toytop::scalar::{Extended, Float, Ring};
+use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 
 /// Nutating toy top with e₃ = e₄ as a function of time.
 ///
@@ -44,7 +36,6 @@ pub struct E3EqualsE4 {
 /// Solution for t, α and β as functions of x = iy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Solution {
-    lattice: Lattice,
     /// Time √(2s/g).
     time_scale: Extended,
     /// Coefficient (e₁ + e₂ + 2e₃)/3.
@@ -70,38 +61,24 @@ impl E3EqualsE4 {
         let ScaledTop { a: inertia, s, g, .. } = motion.scaled_top();
         let (e2_plus_e3, e1_plus_e3) = (e.one_plus_e3() - e.one_minus_e2, e.one_plus_e1 + e.e3_minus_one);
         let lattice = Lattice::of_gaps(e.e2_minus_e1, e1_plus_e3);
-        let [_, half] = lattice.half_periods();
+        let [_, half] = lattice.half_periods;
         let time_scale = (s.doubled() / g).sqrt();
 
-        // a and b, where u is -1 and 1
-        let zero = Extended::ZERO;
-        let to_minus_one = first_kind(
-            e.one_plus_e1,
-            [zero, e.e2_minus_e1, e1_plus_e3],
-            [e.one_plus_e1, e.one_plus_e2(), e.e3_minus_one],
-        );
-        let to_one = first_kind(
-            e.one_minus_e2,
-            [e.one_minus_e1(), e.one_minus_e2, e.one_plus_e3()],
-            [e.e2_minus_e1, zero, e2_plus_e3],
-        );
-        let Signs { l_plus_n, l_minus_n } = motion.signs();
-        let a = real(-l_plus_n.times(to_minus_one.halved()));
-        let b = real(-l_minus_n.times(to_one.halved()));
-
-        // w₋₁/(2(e₃ - 1)) = √(s/2g) (l + n)/A, and w₊₁ likewise; |k₁| follows from |α| at u = e₂ and |k₂| from |β| at
-        // u = e₁, which are never 0
+        let third = [e.e3_minus_one, e1_plus_e3, e2_plus_e3, e.one_plus_e3()];
+        let [a, b] = zeros(&e, motion.signs(), third).map(|x| real(-x));
+        // |k₁| follows from |α| at u = e₂ and |k₂| from |β| at u = e₁, which are never 0
+        let (highest, lowest) = (Complex::ZERO, imaginary(-half));
+        let [alpha_size, beta_size] = [e.one_plus_e2(), e.one_minus_e1()].map(|x| x.halved().sqrt());
+        // w₋₁/(2(e₃ - 1)) = √(s/2g) (l + n)/A, and w₊₁ likewise
+        let quotient = |half, zero, momentum: Extended, point| {
+            let rate_offset = real((time_scale * momentum / inertia).halved());
+            ThetaQuotient::through(&lattice, [half, OMEGA], zero, rate_offset, point)
+        };
         let integrals = motion.exact_integrals();
-        let rate_offset = |momentum: Extended| real((time_scale * momentum / inertia).halved());
-        let modulus = |x: Extended| x.halved().sqrt();
-        let lowest = imaginary(-half);
-        let (at_highest, at_lowest) =
-            ((Complex::ZERO, modulus(e.one_plus_e2())), (lowest, modulus(e.one_minus_e1())));
-        let [alpha_rate, beta_rate] = [integrals.l_plus_n, -integrals.l_minus_n].map(rate_offset);
-        let alpha = ThetaQuotient::through(&lattice, [OMEGA_PRIME, OMEGA], a, alpha_rate, at_highest);
-        let beta = ThetaQuotient::through(&lattice, [NONE, OMEGA], b, beta_rate, at_lowest);
+        let alpha = quotient(OMEGA_PRIME, a, integrals.l_plus_n, (highest, alpha_size));
+        let beta = quotient(NONE, b, -integrals.l_minus_n, (lowest, beta_size));
         let whole = imaginary(half.doubled());
-        let turns = [alpha.turns(&lattice, Complex::ZERO, whole), beta.turns(&lattice, lowest, whole)];
+        let turns = [alpha.turns(highest, whole), beta.turns(lowest, whole)];
 
         // y(0) within half a period of u = e₂, from cos²χ = sn²(√(e₂ + e₃) y)
         let rest = half_turns(chi);
@@ -110,7 +87,7 @@ impl E3EqualsE4 {
         let start = sine * carlson_rf(e2_plus_e3 * cosine.squared(), middle, e2_plus_e3);
 
         let linear = (e.e1 + e.e2 + e.e3.doubled()) / 3.0.into();
-        let solution = Solution { lattice, time_scale, linear, alpha, beta };
+        let solution = Solution { time_scale, linear, alpha, beta };
         let (period, origin) = (solution.time(half).0.doubled(), solution.time(start).0);
         let arguments = ConstantArguments::new(motion, solution.parameters(start));
         Some(Self { solution, periods: Periods { period, turns, origin, arguments } })
@@ -138,38 +115,39 @@ impl E3EqualsE4 {
 }
 
 /// Difference e₃² - e₄², and e₄² - 1 = A/(ps).
-fn squares(motion: &Motion) -> (Extended, Extended) {
+fn squares(motion: &Motion) -> [Extended; 2] {
     let (e, ScaledTop { a, s, p, .. }) = (motion.exact_branch_points(), motion.scaled_top());
     let spread = a / (p * s);
-    (e.e3_minus_one * e.one_plus_e3() - spread, spread)
+    [e.e3_minus_one * e.one_plus_e3() - spread, spread]
 }
 
 /// Difference e₃ - e₄ for a sliding tip.
 pub(super) fn difference(motion: &Motion) -> f64 {
-    let (apart, spread) = squares(motion);
+    let [apart, spread] = squares(motion);
     (apart / (motion.exact_branch_points().e3 + (Extended::ONE + spread).sqrt())).to_f64()
 }
 
 /// Whether e₃ = e₄ to the tolerance.
 fn coincide(motion: &Motion) -> bool {
-    let (e, (apart, spread)) = (motion.exact_branch_points(), squares(motion));
-    let [apart, allowed] = [apart.abs(), Extended::from(E3EqualsE4::TOLERANCE)];
-    apart <= spread * allowed && apart <= e.e3_minus_e2 * e.e3.doubled() * allowed
+    let (e, [apart, spread]) = (motion.exact_branch_points(), squares(motion));
+    let allowed = Extended::from(E3EqualsE4::TOLERANCE);
+    apart.abs() <= spread * allowed && apart.abs() <= e.e3_minus_e2 * e.e3.doubled() * allowed
 }
 
 impl Solution {
     /// Time t and derivative dt/dy at x = iy.
     fn time(&self, y: Extended) -> (Extended, Extended) {
-        let zeta = self.lattice.theta(OMEGA, imaginary(y)).log_slope().im;
-        let linear = self.lattice.kappa().doubled() - self.linear;
-        let [shift, _] = self.lattice.half_periods();
-        let [_, _, u_plus_e3] = self.lattice.differences(Complex::new(-shift, y));
+        let lattice = &self.alpha.lattice;
+        let zeta = lattice.theta(OMEGA, imaginary(y)).log_slope().im;
+        let linear = lattice.kappa.doubled() - self.linear;
+        let [shift, _] = lattice.half_periods;
+        let [_, _, u_plus_e3] = lattice.differences(Complex::new(-shift, y));
         (-(self.time_scale * (zeta + linear * y)), self.time_scale * u_plus_e3.re)
     }
 
     /// Coordinate y at a time within half a period of u = e₂.
     fn y_at(&self, time: Extended, period: Extended) -> Extended {
-        let [_, half] = self.lattice.half_periods();
+        let [_, half] = self.alpha.lattice.half_periods;
         solve_rising(time, [-half, half], half.doubled() * time / period, |y| self.time(y))
     }
 
@@ -177,14 +155,14 @@ impl Solution {
     fn parameters(&self, y: Extended) -> [ValueAndSlope; 2] {
         let (_, per_y) = self.time(y);
         let rate = imaginary(Extended::ONE / per_y);
-        [self.alpha, self.beta].map(|parameter| parameter.at(&self.lattice, imaginary(y)).by(rate))
+        [self.alpha, self.beta].map(|parameter| parameter.at(imaginary(y)).by(rate))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use toytop::{Top, TopParameters};
+    use toytop::{Signs, Top, TopParameters};
 
     /// √(1 + A/(ps)) = 3/2 exactly, and with a difference of one unit in the last place.
     #[test]

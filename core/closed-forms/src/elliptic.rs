@@ -12,8 +12,6 @@ pub(crate) mod theta;
 
 pub(crate) mod lattice;
 
-pub(crate) mod theta_quotient;
-
 mod jacobi;
 
 mod weierstrass;

@@ -9,14 +9,10 @@
 //!
 //! No branch point and no nutation phase is needed, so that this is an independent check of the tables.
 
-use toytop::AttitudeState;
-use toytop::Complex;
-use toytop::Motion;
-use toytop::Phase;
-use toytop::Stepper;
 use toytop::internal::{NutationVariable, ScaledTop, phase_of};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate, Vector, dot};
+use toytop::{AttitudeState, Complex, Motion, Phase, Stepper};
 
 /// Motion of a body without torque as a function of time: a free body, or a top with a fixed tip and g = 0.
 ///

@@ -10,22 +10,14 @@
 //!
 //! z increases along the real axis, from u = e₁ at z = 0.
 
-use crate::elliptic::agm::first_kind;
 use crate::elliptic::carlson_rf;
 use crate::elliptic::elementary::{imaginary, of_turns, real};
-use crate::elliptic::lattice::{Lattice, NONE, OMEGA, OMEGA_PRIME};
+use crate::elliptic::lattice::{Lattice, NONE, OMEGA, OMEGA_PRIME, ThetaQuotient, zeros};
 use crate::elliptic::theta::ValueAndSlope;
-use crate::elliptic::theta_quotient::ThetaQuotient;
-use crate::orientation::ConstantArguments;
-use crate::periods::{Periods, half_turns};
-use toytop::AttitudeState;
-use toytop::Complex;
-use toytop::Motion;
-use toytop::Phase;
-use toytop::Support;
+use crate::orientation::{ConstantArguments, Periods, half_turns};
 use toytop::internal::{NutationVariable, ScaledTop};
 use toytop::scalar::{Extended, Float, Ring};
-use toytop::{BranchPoints, Signs};
+use toytop::{AttitudeState, BranchPoints, Complex, Motion, Phase, Support};
 
 /// Nutating Lagrange top as a function of time.
 ///
@@ -41,7 +33,6 @@ pub struct Lagrange {
 /// Solution for α and β within a period.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Solution {
-    lattice: Lattice,
     /// Rate of z per unit of time.
     z_rate: Extended,
     alpha: ThetaQuotient,
@@ -59,36 +50,25 @@ impl Lagrange {
         let e = motion.exact_branch_points();
         let (swing, gap) = (e.e2_minus_e1, e.e3_minus_e2);
         let lattice = Lattice::of_gaps(gap, swing);
-        let [half, _] = lattice.half_periods();
+        let [half, _] = lattice.half_periods;
         let ScaledTop { a, p, g, .. } = motion.scaled_top();
         let z_rate = (p * g / a).halved().sqrt();
 
-        // from u = -1 up to e₁ and from e₂ up to 1, along imaginary z
-        let to_e1 = first_kind(
-            e.one_plus_e1,
-            [Extended::ZERO, swing, e.e3_minus_e1()],
-            [e.one_plus_e1, e.one_plus_e2(), e.one_plus_e3()],
-        );
-        let to_one = first_kind(
-            e.one_minus_e2,
-            [e.one_minus_e1(), e.one_minus_e2, e.e3_minus_one],
-            [swing, Extended::ZERO, gap],
-        );
-        let Signs { l_plus_n, l_minus_n } = motion.signs();
-        let a = imaginary(l_plus_n.times(to_e1.halved()));
-        let b = imaginary(l_minus_n.times(to_one.halved()));
-        let highest = real(half);
+        // along imaginary z
+        let third = [e.one_plus_e3(), e.e3_minus_e1(), gap, e.e3_minus_one];
+        let [a, b] = zeros(&e, motion.signs(), third).map(imaginary);
         // |k| from |α| at u = e₂ and from |β| at u = e₁, which are never 0
-        let modulus = |x: Extended| x.halved().sqrt();
-        let zero = Complex::ZERO;
-        let (at_highest, at_lowest) =
-            ((highest, modulus(e.one_plus_e2())), (zero, modulus(e.one_minus_e1())));
-        let alpha = ThetaQuotient::through(&lattice, [NONE, OMEGA_PRIME], a, zero, at_highest);
-        let beta = ThetaQuotient::through(&lattice, [OMEGA, OMEGA_PRIME], b, zero, at_lowest);
+        let (highest, lowest) = (real(half), Complex::ZERO);
+        let [alpha_size, beta_size] = [e.one_plus_e2(), e.one_minus_e1()].map(|x| x.halved().sqrt());
+        let quotient = |half, zero, point| {
+            ThetaQuotient::through(&lattice, [half, OMEGA_PRIME], zero, Complex::ZERO, point)
+        };
+        let alpha = quotient(NONE, a, (highest, alpha_size));
+        let beta = quotient(OMEGA, b, (lowest, beta_size));
         let whole = real(half.doubled());
-        let turns = [alpha.turns(&lattice, -highest, whole), beta.turns(&lattice, zero, whole)];
+        let turns = [alpha.turns(-highest, whole), beta.turns(lowest, whole)];
 
-        let solution = Solution { lattice, z_rate, alpha, beta };
+        let solution = Solution { z_rate, alpha, beta };
         let origin = since_lowest(&e, chi) / z_rate;
         let (period, arguments) =
             (half.doubled() / z_rate, ConstantArguments::new(motion, solution.parameters(origin)));
@@ -127,6 +107,6 @@ impl Solution {
     /// α and β, and their time derivatives, at this time since u = e₁.
     fn parameters(&self, time: Extended) -> [ValueAndSlope; 2] {
         let z = real(self.z_rate * time);
-        [self.alpha, self.beta].map(|parameter| parameter.at(&self.lattice, z).by(real(self.z_rate)))
+        [self.alpha, self.beta].map(|parameter| parameter.at(z).by(real(self.z_rate)))
     }
 }

@@ -6,10 +6,8 @@ pub mod moebius;
 
 pub mod elliptic;
 
-// Parts of the solutions.
+// Part of the solutions.
 mod orientation;
-
-mod periods;
 
 // Solutions, one for each kind of motion that has one.
 mod free_body;

@@ -1,14 +1,11 @@
-//! Orientation of a motion from a closed form of α and β, adapted to their arguments at t = 0.
+//! Orientation of a motion at any time, from α and β of a closed form within a period, and the inverse of an increasing function.
 
 use crate::elliptic::elementary::{Wide, angle, of_turns, real, rounded, tanh_sech};
 use crate::elliptic::theta::ValueAndSlope;
-use toytop::AttitudeState;
-use toytop::Complex;
-use toytop::Motion;
-use toytop::Phase;
 use toytop::internal::{NutationVariable, phase_of};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
+use toytop::{AttitudeState, Complex, Motion, Phase};
 
 /// Constant arguments of α and β, and the rates ±τ/2 of a top with A ≠ C.
 ///
@@ -38,14 +35,9 @@ impl ConstantArguments {
         };
         let rates = motion.equations().rates(sine, cosine);
         let root = |x: Extended| x.halved().sqrt();
-        let (alpha_root, beta_root) = (root(e.one_plus_e2()), root(e.one_minus_e2));
-        let axes = [
-            [root(e.one_plus_e1), signs.l_plus_n.times(alpha_root)],
-            [root(e.one_minus_e1()), signs.l_minus_n.times(beta_root)],
-        ];
-        let [alpha_axes, beta_axes] = axes;
-        let [alpha, beta] = closed;
-        let [alpha_phase, beta_phase] = motion.slow_phases();
+        let alpha_axes = [root(e.one_plus_e1), signs.l_plus_n.times(root(e.one_plus_e2()))];
+        let beta_axes = [root(e.one_minus_e1()), signs.l_minus_n.times(root(e.one_minus_e2))];
+        let ([alpha, beta], [alpha_phase, beta_phase]) = (closed, motion.slow_phases());
         let argument =
             |axes, turning, closed| argument(axes, [sine, cosine], [rates.nutation, turning], closed);
         let angles = [
@@ -71,12 +63,10 @@ impl ConstantArguments {
             (value, rounded(closed.slope) * factor + value.times_i().scaled(tau))
         };
         let [a, b] = self.angles;
-        let alpha = placed(alpha, a + alpha_turns + half_tau_phase, half_tau);
-        let beta = placed(beta, b + beta_turns - half_tau_phase, -half_tau);
-        AttitudeState {
-            orientation: Orientation { alpha: alpha.0, beta: beta.0 },
-            rate: OrientationRate { alpha: alpha.1, beta: beta.1 },
-        }
+        let (alpha, alpha_rate) = placed(alpha, a + alpha_turns + half_tau_phase, half_tau);
+        let (beta, beta_rate) = placed(beta, b + beta_turns - half_tau_phase, -half_tau);
+        let rate = OrientationRate { alpha: alpha_rate, beta: beta_rate };
+        AttitudeState { orientation: Orientation { alpha, beta }, rate }
     }
 }
 
@@ -93,4 +83,108 @@ fn argument(
     let rate_squared = nutation.squared() + turning.squared();
     let sum = value * closed.value.conj() * real(rate_squared) + slope * closed.slope.conj();
     phase_of(angle(sum.im, sum.re))
+}
+
+/// Periods of a closed form, which reduce any time to a time of its solution, within half a period of 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Periods {
+    /// Nutation period.
+    pub(super) period: Extended,
+    /// Rotation of α and β over one period, for C = A.
+    pub(super) turns: [Phase; 2],
+    /// Time of the solution at t = 0 of the motion.
+    pub(super) origin: Extended,
+    pub(super) arguments: ConstantArguments,
+}
+
+impl Periods {
+    /// Attitude state at t, from α, β and their derivatives at a time of the solution.
+    pub(super) fn attitude_state(
+        &self,
+        t: f64,
+        parameters: impl Fn(Extended) -> [ValueAndSlope; 2],
+    ) -> AttitudeState<f64> {
+        let (periods, rest) = split(self.origin, t, self.period);
+        self.arguments.attitude_state(t, parameters(rest), self.turns.map(|turns| turns.times(periods)))
+    }
+
+    /// Number of periods from time 0 of the solution until t, as a phase of one turn for each period.
+    pub(super) fn phase(&self, t: f64) -> Phase {
+        let (periods, rest) = split(self.origin, t, self.period);
+        Phase::ONE.times(periods) + (rest / self.period).to_phase()
+    }
+}
+
+/// Remainder of a phase modulo half a turn, in [0, 1/2).
+pub(super) fn half_turns(phase: Phase) -> Phase {
+    Phase::from_bits(phase.to_bits() & (Phase::HALF.to_bits() - 1))
+}
+
+/// Nearest whole number of periods in origin + t, and the remainder, which is 0 beyond 9e15 periods. A t that is not
+/// finite counts as 0.
+fn split(origin: Extended, t: f64, period: Extended) -> (i64, Extended) {
+    let t = if t.is_finite() { t } else { 0.0 };
+    let time = origin + t.into();
+    let periods = libm::round(time.to_f64() / period.to_f64());
+    if Float::abs(periods) >= 9e15 {
+        return (0, Extended::ZERO);
+    }
+    (periods as i64, time - period * periods.into())
+}
+
+/// Solution y in [low, high] of `function`(y) = `target` for an increasing function: Newton's method, with bisection
+/// where a step would leave the interval. `function` returns value and slope > 0.
+pub(super) fn solve_rising(
+    target: Extended,
+    [low, high]: [Extended; 2],
+    guess: Extended,
+    function: impl Fn(Extended) -> (Extended, Extended),
+) -> Extended {
+    const MOST_STEPS: usize = 150;
+    /// Relative step after which the iteration ends. The error after a step of Newton's method is about the square of
+    /// the step.
+    const LAST_STEP: f64 = 1e-18;
+    let (mut low, mut high, mut y) = (low, high, guess);
+    for _ in 0..MOST_STEPS {
+        let (value, slope) = function(y);
+        let residual = value - target;
+        if residual > Extended::ZERO {
+            high = y
+        } else {
+            low = y
+        }
+        let newton = y - residual / slope;
+        let next = if newton >= low && newton <= high { newton } else { (low + high).halved() };
+        let done = (next - y).abs() <= next.abs() * LAST_STEP.into();
+        y = next;
+        if done || residual == Extended::ZERO {
+            break;
+        }
+    }
+    y
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whole_periods_are_taken_off_exactly() {
+        let period = Extended::ONE / 3.0.into();
+        let (periods, rest) = split(Extended::from(0.125), 1e9, period);
+        assert_eq!(periods, 3_000_000_000);
+        assert!((rest.to_f64() - 0.125).abs() < 1e-22, "{rest:?}");
+        assert_eq!(split(Extended::ZERO, 1e300, Extended::ONE), (0, Extended::ZERO));
+    }
+
+    #[test]
+    fn the_inverse_of_a_stiff_function() {
+        let small = Extended::from(1e-9);
+        let stiff = |y: Extended| (y.squared() * y + small * y, y.squared() * 3.0.into() + small);
+        for target in [-1.0, -1e-12, 0.0, 1e-20, 0.3] {
+            let y = solve_rising(target.into(), [(-2.0).into(), 2.0.into()], 1.0.into(), stiff);
+            let error = (stiff(y).0 - target.into()).abs().to_f64();
+            assert!(error <= 1e-30 * target.abs(), "{target}: {error:e}");
+        }
+    }
 }

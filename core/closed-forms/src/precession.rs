@@ -10,15 +10,10 @@
 //!
 //! Equal signs give the fast precession, different signs the slow one; at the same e and e₃ their product is pg/A.
 
-use toytop::AttitudeState;
-use toytop::Complex;
-use toytop::Motion;
-use toytop::Stepper;
-use toytop::Top;
 use toytop::internal::{ScaledTop, finite, phase_of, require};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
-use toytop::{ParameterError, Regime, Signs};
+use toytop::{AttitudeState, Complex, Motion, ParameterError, Regime, Signs, Stepper, Top};
 
 /// Motion at constant tilt as a function of time.
 ///
@@ -110,14 +105,13 @@ impl RegularPrecession {
     pub fn at(&self, t: f64) -> AttitudeState<f64> {
         let turned = |z: Complex<f64>, rate: Extended| {
             let value = z * Complex::cis(phase_of(rate * t.into()));
-            (value, value.times_i().scaled(rate.to_f64()))
+            [value, value.times_i().scaled(rate.to_f64())]
         };
-        let [alpha_rate, beta_rate] = self.turning;
-        let (alpha, beta) = (turned(self.start.alpha, alpha_rate), turned(self.start.beta, beta_rate));
-        AttitudeState {
-            orientation: Orientation { alpha: alpha.0, beta: beta.0 },
-            rate: OrientationRate { alpha: alpha.1, beta: beta.1 },
-        }
+        let [alpha_turning, beta_turning] = self.turning;
+        let [[alpha, alpha_rate], [beta, beta_rate]] =
+            [turned(self.start.alpha, alpha_turning), turned(self.start.beta, beta_turning)];
+        let rate = OrientationRate { alpha: alpha_rate, beta: beta_rate };
+        AttitudeState { orientation: Orientation { alpha, beta }, rate }
     }
 }
 

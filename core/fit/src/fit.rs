@@ -1,11 +1,9 @@
-//! Fit of a launch to measurements.
+//! Fit of a launch to measurements: without a first guess, from one, and from the fit of the block before.
 //!
 //! A pass reads the measurements and stores none of them; then the launch is corrected, and the next pass begins (`docs/partials.md`).
 
 // In the order of dependence.
-mod statistics;
-
-mod fitted;
+mod error;
 
 mod pass;
 
@@ -15,13 +13,145 @@ mod first_guess;
 
 mod search;
 
-mod result;
+mod fitted;
 
-mod tracking;
+use crate::estimate::{Estimate, FreeRatio};
+use crate::model::Model;
+use crate::sensitivity::LAUNCH;
+use crate::sensors::{Measurement, Sensor};
+use crate::vector::{UNITS, Vector, norm, rotation_vector};
+use correction::SETTLED;
+pub use error::{FitError, Reason};
+pub use fitted::{Drift, Fitted, Unobservable};
+pub use pass::{Fit, Statistics};
+use toytop::Top;
+use toytop::scalar::Real;
 
-mod run;
+/// Fit of a block, and its difference from the prediction of the last block.
+#[derive(Clone, Copy, Debug)]
+pub struct Tracked {
+    /// Fit of the block.
+    pub fitted: Fitted,
+    /// Rotation vector from the predicted to the fitted orientation, rad: the jump to an ephemeris of the new launch.
+    pub jump: Vector<f64>,
+    /// Rates at which l, n and h changed between the two launches, per unit time.
+    pub drift: Vector<f64>,
+}
 
-pub use fitted::{Drift, FitError, Fitted, Reason, Unobservable};
-pub use pass::Fit;
-pub use statistics::Statistics;
-pub use tracking::Tracked;
+impl<'a, F: Real> Fit<'a, F> {
+    /// Fit of a launch of this top by these sensors.
+    ///
+    /// * `ratios`: unknown ratios of the top, at most four
+    ///
+    /// # Errors
+    /// [`FitError::TooManyUnknowns`]: more than four sensors or ratios.
+    pub fn new(top: &Top, sensors: &'a [&'a dyn Sensor<F>], ratios: &[FreeRatio]) -> Result<Self, FitError> {
+        let model = Model::new(top, sensors, ratios, None).ok_or(FitError::TooManyUnknowns)?;
+        Ok(Self::with_model(sensors, model))
+    }
+
+    /// Sets the residual, in standard deviations, from which an observation counts linearly instead of quadratically
+    /// (Huber); infinite for least squares. The default is 3.
+    #[must_use]
+    pub fn with_huber(mut self, residual: f64) -> Self {
+        self.huber = residual;
+        self
+    }
+
+    /// Adds three losses of rotation to the unknowns: about the axis, across it and about the vertical. At most one ratio may then
+    /// be free.
+    ///
+    /// * `deviation`: standard deviation of each loss before the fit, as a share of the rotation per unit time: 1/60 where the spin may
+    ///   be lost in a minute
+    ///
+    /// # Errors
+    /// [`FitError::TooManyUnknowns`]: more than one free ratio. [`FitError::DriftDeviation`]: not a positive number.
+    pub fn with_drift(self, deviation: f64) -> Result<Self, FitError> {
+        if !(deviation.is_finite() && deviation > 0.0) {
+            return Err(FitError::DriftDeviation);
+        }
+        let model = Model::new(&self.model.top, self.sensors, self.model.free(), Some(deviation));
+        let model = model.ok_or(FitError::TooManyUnknowns)?;
+        Ok(Self::with_model(self.sensors, model).with_huber(self.huber))
+    }
+
+    /// Launch from all measurements, without a first guess. The measurements are read several times.
+    ///
+    /// # Errors
+    /// [`FitError`]: no measurement, or one that is not finite, not in order, or of an unknown sensor.
+    pub fn run(
+        &mut self,
+        measurements: impl Iterator<Item = Measurement> + Clone,
+    ) -> Result<Fitted, FitError> {
+        let extent = self.checked(&measurements)?;
+        let (reason, alternatives) = self.search(&measurements, &extent);
+        let mut fitted = self.fitted(&extent, reason, alternatives);
+        if matches!(fitted.reason, Some(Reason::Misfit | Reason::NotSettled)) {
+            let cause = self.cause(&measurements, &extent, fitted.statistics.chi_squared);
+            fitted.reason = cause.or(fitted.reason);
+        }
+        Ok(fitted)
+    }
+
+    /// Launch from all measurements, from a first guess at the time of the first measurement.
+    ///
+    /// # Errors
+    /// The errors of [`Fit::run`].
+    pub fn run_from(
+        &mut self,
+        guess: Estimate,
+        measurements: impl Iterator<Item = Measurement> + Clone,
+    ) -> Result<Fitted, FitError> {
+        let extent = self.checked(&measurements)?;
+        self.start_from(&guess);
+        let reason = self.settle_finally(&measurements);
+        Ok(self.fitted(&extent, reason, 0))
+    }
+
+    /// Fits the next block of measurements from the fit of the last one, carried to it with its covariance.
+    ///
+    /// * `drift`: standard deviation of the relative change of ω per unit time, as by friction: 1/60 where the spin is lost in a minute
+    ///
+    /// # Errors
+    /// The errors of [`Fit::run`], and [`FitError::OutOfOrder`] where the last fit cannot be followed to the block.
+    pub fn track(
+        &mut self,
+        last: &Fitted,
+        drift: f64,
+        measurements: impl Iterator<Item = Measurement> + Clone,
+    ) -> Result<Tracked, FitError> {
+        let extent = self.checked(&measurements)?;
+        let span = extent.first - last.epoch;
+        let followed = self.model.predicted(&last.launch, span).filter(|_| span >= 0.0);
+        let (predicted, at) = followed.ok_or(FitError::OutOfOrder { index: 0 })?;
+        let mut covariance = last.covariance;
+        covariance.carry(&at.flow.tangents);
+        let noise = drift * norm(predicted.omega) * span;
+        for index in 0..LAUNCH {
+            let noise = if index < 3 { 0.5 * span * noise } else { noise };
+            covariance.set(index, index, covariance.get(index, index) + noise * noise);
+        }
+        // the losses may be others now
+        for loss in self.model.losses() {
+            (0..last.count).for_each(|other| covariance.set(loss, other, 0.0));
+            covariance.set(loss, loss, self.model.prior_variance(loss));
+        }
+        // to changes along the body axes
+        let body = predicted.orientation.inverse();
+        covariance.turn(&UNITS.map(|axis| body.adjoint(axis)));
+        self.prior = (predicted, covariance.information(last.count));
+        self.start_from(&predicted);
+        let settled = self.settle(&measurements, usize::MAX, SETTLED);
+        let fitted = self.fitted(&extent, self.reason(settled), 0);
+        self.reset_prior();
+        let turn = self.best.estimate.orientation.compose(&predicted.orientation.inverse());
+        let drift = self.mean_rates([&last.launch, &fitted.launch], fitted.epoch - last.epoch);
+        Ok(Tracked { fitted, jump: rotation_vector(&turn), drift })
+    }
+
+    /// Sets the information before the measurements to that of the model.
+    #[inline(never)] // its copy is on the stack only during the call
+    fn reset_prior(&mut self) {
+        self.prior = self.model.prior();
+    }
+}

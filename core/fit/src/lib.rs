@@ -8,9 +8,13 @@ mod sensitivity;
 
 mod sensors;
 
-mod least_squares;
+mod triangle;
+
+mod covariance;
 
 mod course;
+
+mod estimate;
 
 mod model;
 
@@ -20,11 +24,13 @@ mod fit;
 #[doc = include_str!("../docs/partials.md")]
 pub mod partials {}
 
+pub use covariance::Covariance;
+pub use estimate::{Estimate, FreeRatio};
 pub use fit::{Drift, Fit, FitError, Fitted, Reason, Statistics, Tracked, Unobservable};
-pub use least_squares::{Covariance, MOST_UNKNOWNS};
-pub use model::{Estimate, FreeRatio, MOST_RATIOS, MOST_SENSORS};
+pub use model::{MOST_RATIOS, MOST_SENSORS};
 pub use sensitivity::{Partials, Sensitivity, SensitivityCursor};
 pub use sensors::{
     Accelerometer, AxisCamera, Gyroscope, Hint, Magnetometer, Mark, Measurement, Mounting, Noise,
     OrientationCamera, Prediction, Sensor, TipCamera,
 };
+pub use triangle::MOST_UNKNOWNS;

@@ -1,10 +1,218 @@
-//! Unknowns of a fit, and the motion that they determine.
+//! Order, units and prior information of the unknowns of a fit, and the motion that they determine.
 
-// In the order of dependence.
-mod estimate;
+use crate::estimate::{Estimate, FreeRatio};
+use crate::sensitivity::{
+    Coefficients, Equations, Flow, LAUNCH, LOSSES, Partials, RATIOS, Sensitivity, coefficients, exponents,
+    ratios, with_coefficients,
+};
+use crate::sensors::Sensor;
+use crate::triangle::{MOST_COMMON, MOST_UNKNOWNS, Triangle, Unknowns, single};
+use crate::vector::{UNITS, Vector, norm, scaled};
+use core::iter::repeat_n;
+use core::ops::Range;
+use toytop::scalar::Real;
+use toytop::{Motion, Orientation, Top};
 
-mod unknowns;
+/// Largest number of sensors.
+pub const MOST_SENSORS: usize = 4;
+/// Largest number of ratios that are unknowns.
+pub const MOST_RATIOS: usize = RATIOS;
 
-pub use estimate::{Estimate, FreeRatio};
-pub(crate) use unknowns::Model;
-pub use unknowns::{MOST_RATIOS, MOST_SENSORS};
+/// Unknowns of a fit: the launch, the free ratios, the losses of rotation, and the biases.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Model {
+    pub(crate) top: Top,
+    free: [FreeRatio; MOST_RATIOS],
+    free_count: usize,
+    /// Number of the losses that are unknowns.
+    loss_count: usize,
+    /// First bias of each sensor among the unknowns.
+    biases: [Option<usize>; MOST_SENSORS],
+    /// Prior standard deviations; infinite where there is no prior information.
+    deviations: Unknowns,
+    pub(crate) count: usize,
+}
+
+impl Model {
+    /// Model of these unknowns; `drift` is the prior deviation of the losses. `None` where there are too many.
+    pub(crate) fn new<F>(
+        top: &Top,
+        sensors: &[&dyn Sensor<F>],
+        ratios: &[FreeRatio],
+        drift: Option<f64>,
+    ) -> Option<Self> {
+        let loss_count = drift.map_or(0, |_| LOSSES);
+        let common = LAUNCH + ratios.len() + loss_count;
+        if sensors.len() > MOST_SENSORS || common > MOST_COMMON {
+            return None;
+        }
+        let mut model = Self {
+            top: *top,
+            free: [FreeRatio::new([0.0; RATIOS]); MOST_RATIOS],
+            free_count: ratios.len(),
+            loss_count,
+            biases: [None; MOST_SENSORS],
+            deviations: [f64::INFINITY; MOST_UNKNOWNS],
+            count: common,
+        };
+        model.free.iter_mut().zip(ratios).for_each(|(slot, ratio)| *slot = *ratio);
+        let mut slots = model.deviations.iter_mut().skip(LAUNCH);
+        let losses = repeat_n(drift.unwrap_or(f64::INFINITY), loss_count);
+        let known = ratios.iter().map(|ratio| ratio.deviation).chain(losses);
+        known.zip(&mut slots).for_each(|(deviation, slot)| *slot = deviation);
+        for (first, sensor) in model.biases.iter_mut().zip(sensors) {
+            let deviation = sensor.bias_deviation();
+            if deviation > 0.0 {
+                *first = Some(model.count);
+                slots.by_ref().take(3).for_each(|slot| *slot = deviation);
+                model.count += 3;
+            }
+        }
+        Some(model)
+    }
+
+    /// Free ratios.
+    pub(crate) fn free(&self) -> &[FreeRatio] {
+        self.free.get(..self.free_count).unwrap_or(&[])
+    }
+
+    /// Whether the losses are unknowns.
+    pub(crate) fn has_losses(&self) -> bool {
+        self.loss_count > 0
+    }
+
+    /// Places of the losses among the unknowns.
+    pub(crate) fn losses(&self) -> Range<usize> {
+        LAUNCH + self.free_count..self.common()
+    }
+
+    /// Number of unknowns that are not biases.
+    pub(crate) fn common(&self) -> usize {
+        LAUNCH + self.free_count + self.loss_count
+    }
+
+    /// First bias of a sensor among the unknowns.
+    pub(crate) fn bias(&self, sensor: usize) -> Option<usize> {
+        self.biases.get(sensor).copied().flatten()
+    }
+
+    /// Losses of an estimate.
+    pub(crate) fn losses_of(&self, estimate: &Estimate) -> [f64; LOSSES] {
+        let losses = estimate.other.get(self.free_count..).and_then(<[f64]>::first_chunk);
+        losses.copied().filter(|_| self.has_losses()).unwrap_or([0.0; LOSSES])
+    }
+
+    /// Equations of an estimate. Their columns after those of the launch are the free ratios and the losses.
+    pub(crate) fn equations(&self, estimate: &Estimate) -> Equations<f64> {
+        let mut coefficients = coefficients(&self.top);
+        let mut changes: [Coefficients; _] = [[0.0; _]; _];
+        let exponents = |free: &FreeRatio| exponents(self.top.support(), free.direction);
+        for (free, value) in self.free().iter().zip(estimate.other) {
+            let factors = exponents(free).map(|by| libm::exp(by * value));
+            coefficients.iter_mut().zip(factors).for_each(|(slot, factor)| *slot *= factor);
+        }
+        let [.., axial, across, vertical] = &mut coefficients;
+        [*axial, *across, *vertical] = self.losses_of(estimate);
+        let mut columns = changes.iter_mut();
+        for (free, column) in self.free().iter().zip(&mut columns) {
+            let shares = coefficients.iter().zip(exponents(free));
+            column.iter_mut().zip(shares).for_each(|(slot, (value, by))| *slot = value * by);
+        }
+        for ([.., axial, across, vertical], unit) in columns.take(self.loss_count).zip(UNITS) {
+            [*axial, *across, *vertical] = unit;
+        }
+        Equations { coefficients, changes, columns: self.common(), lossy: self.has_losses() }
+    }
+
+    /// Derivatives of the ratios with respect to those that are free; 0 for the infinite A/C of a thin rod, whose motion does not
+    /// depend on it.
+    pub(crate) fn ratio_shares(&self, estimate: &Estimate) -> [[f64; RATIOS]; MOST_RATIOS] {
+        let ratios = ratios(&self.equations(estimate).coefficients, self.top.support());
+        let mut shares = self.free.map(|free| free.direction);
+        for (share, ratio) in shares.iter_mut().flat_map(|direction| direction.iter_mut().zip(ratios)) {
+            *share = if ratio.is_finite() { *share * ratio } else { 0.0 };
+        }
+        shares
+    }
+
+    /// Coefficients of an estimate; `None` where no ratio is free.
+    pub(crate) fn coefficients(&self, estimate: &Estimate) -> Option<Coefficients> {
+        (self.free_count > 0).then(|| self.equations(estimate).coefficients)
+    }
+
+    /// Derivatives of the motion of an estimate with respect to the unknowns.
+    fn sensitivity(&self, estimate: &Estimate) -> Option<Sensitivity> {
+        let equations = self.equations(estimate);
+        if self.has_losses() {
+            return Some(Sensitivity::launched(equations, 0.0, &estimate.orientation, estimate.omega));
+        }
+        let top = with_coefficients(&self.top, &self.coefficients(estimate)).ok()?;
+        let motion = Motion::launch(&top, &estimate.state().ok()?).ok()?;
+        Some(Sensitivity::with_equations(&motion, equations))
+    }
+
+    /// Launch at a later time, with the derivatives there with respect to the unknowns.
+    pub(crate) fn predicted(&self, estimate: &Estimate, span: f64) -> Option<(Estimate, Partials)> {
+        let at = self.sensitivity(estimate)?.cursor().with_turned_omega(span)?;
+        let (orientation, omega) = (at.orientation_now(), at.angular_velocity());
+        Some((Estimate { orientation, omega, ..*estimate }, at))
+    }
+
+    /// First integrals l, n and h of an estimate.
+    pub(crate) fn integrals(&self, estimate: &Estimate) -> Vector<f64> {
+        let flow = Flow::launched(&estimate.orientation, estimate.omega);
+        scaled(self.equations(estimate).integrals(&flow), self.top.transverse_inertia())
+    }
+
+    /// Prior variance of an unknown.
+    pub(crate) fn prior_variance(&self, unknown: usize) -> f64 {
+        self.deviations.get(unknown).map_or(0.0, |deviation| deviation * deviation)
+    }
+
+    /// Information before the first measurement, and the estimate from which it is counted: losses, biases and changes of the ratios are near 0.
+    pub(crate) fn prior<F: Real>(&self) -> (Estimate, Triangle<F>) {
+        let mut information = Triangle::new(self.count);
+        for (index, deviation) in self.deviations.iter().enumerate() {
+            information.add_known(index, F::from_f64(*deviation));
+        }
+        (Estimate::new(Orientation::IDENTITY, [0.0; 3]), information)
+    }
+
+    /// Unit of each unknown: 1 rad, a change of ω or of a ratio by its own size, and ten times a prior deviation, so that an unknown
+    /// that only its prior determines counts as determined.
+    pub(crate) fn units(&self, estimate: &Estimate) -> Unknowns {
+        let [_, moment, _, gravity, ..] = self.equations(estimate).coefficients;
+        let rate = norm([norm(estimate.omega), libm::sqrt(moment * gravity), 0.0]);
+        let mut units =
+            self.deviations.map(|deviation| if deviation.is_finite() { 10.0 * deviation } else { 1.0 });
+        units.iter_mut().take(LAUNCH).skip(3).for_each(|unit| *unit = rate);
+        units
+    }
+
+    /// Adds the information that damps a correction: a share `damping` of that along each unknown, as Marquardt does, and a standard
+    /// deviation of `limit` units. It is along the fixed axes, because there may be none about a rotation about the vertical.
+    #[inline(never)] // its directions are on the stack between passes only
+    pub(crate) fn damp<F: Real>(
+        &self,
+        estimate: &Estimate,
+        information: &Triangle<F>,
+        [damping, limit]: [f64; 2],
+        damped: &mut Triangle<F>,
+    ) {
+        let body = estimate.orientation.inverse();
+        for (index, unit) in self.units(estimate).into_iter().enumerate().take(self.count) {
+            let mut direction = [F::ZERO; MOST_UNKNOWNS];
+            match [UNITS, UNITS].as_flattened().get(index) {
+                Some(axis) => {
+                    let slots = direction.iter_mut().skip(index / 3 * 3);
+                    slots.zip(body.adjoint(*axis)).for_each(|(slot, x)| *slot = F::from_f64(x));
+                }
+                None => direction = single(index, F::ONE),
+            }
+            let least = F::from_f64(1.0 / (limit * unit));
+            let square = information.square(&direction) * F::from_f64(damping);
+            let weight = (square + least.squared()).sqrt();
+            damped.add(direction.map(|x| weight * x), F::ZERO);
+        }
+    }
+}

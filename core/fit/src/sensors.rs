@@ -1,13 +1,125 @@
-//! Sensors of a top: their predictions of a reading, and what a reading tells about a state.
-
-// In the order of dependence.
-mod sensor;
+//! Sensors: the predicted reading of an instrument at a state, and its derivatives with respect to the launch.
 
 mod inertial;
 
 mod optical;
 
+use crate::sensitivity::{COLUMNS, Partials};
+use crate::vector::{UNITS, UP, Vector, cast};
 pub use inertial::{Accelerometer, Gyroscope, Magnetometer};
 pub use optical::{AxisCamera, Mark, OrientationCamera, TipCamera};
-pub(crate) use sensor::Measurements;
-pub use sensor::{Hint, Measurement, Mounting, Noise, Prediction, Sensor};
+use toytop::scalar::Real;
+use toytop::su2::Orientation;
+
+/// One reading of a sensor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measurement {
+    /// Time, in the unit of time (s).
+    pub time: f64,
+    /// Index of the sensor in the list that the fit was given.
+    pub sensor: usize,
+    /// Values of the reading; a sensor with fewer leaves the rest 0.
+    pub values: [f64; 4],
+}
+
+/// Measurements in the order of time, which are read several times.
+pub(crate) trait Measurements: Iterator<Item = Measurement> + Clone {}
+
+impl<I: Iterator<Item = Measurement> + Clone> Measurements for I {}
+
+/// Difference of a reading from what a state predicts, in up to three components.
+#[derive(Clone, Copy, Debug)]
+pub struct Prediction<F = f64> {
+    /// Measured minus predicted value, without bias.
+    pub difference: Vector<F>,
+    /// Standard deviation of the noise; infinite for a component without information.
+    pub deviation: Vector<F>,
+    /// Derivatives of the predicted value, in the order of the columns of the state's [`Partials`].
+    pub columns: [Vector<F>; COLUMNS],
+}
+
+/// Information of a reading from which a fit makes its first guess.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Hint {
+    /// No information that a first guess can use.
+    None,
+    /// Angular velocity in the body frame; a component may be only a lower bound of the magnitude.
+    Rate {
+        /// Angular velocity Ω, rad per unit time.
+        omega: Vector<f64>,
+        /// Whether the component along the axis is beyond the range of the sensor.
+        axial_is_saturated: bool,
+    },
+    /// Direction that is known in the fixed frame, seen in the body frame.
+    Direction {
+        /// Unit vector in the fixed frame.
+        fixed: Vector<f64>,
+        /// Vector along the same direction in the body frame, of any length.
+        body: Vector<f64>,
+    },
+    /// Orientation Φ, of either sign.
+    Orientation(Orientation<f64>),
+    /// Axis r in the fixed frame.
+    Axis(Vector<f64>),
+}
+
+/// Sensor on the top or beside it, for fits in the scalar `F`. Implement it for an instrument of your own.
+pub trait Sensor<F = f64> {
+    /// Difference of a reading from the prediction at a state, with its derivatives.
+    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F>;
+
+    /// Prior standard deviation of a constant bias of each component; 0 where there is no bias.
+    fn bias_deviation(&self) -> f64 {
+        0.0
+    }
+
+    /// Information about the state, from which a fit may make its first guess.
+    fn hint(&self, values: &[f64; 4]) -> Hint {
+        let _ = values;
+        Hint::None
+    }
+}
+
+/// Noise and bias of a sensor with three equal components.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Noise {
+    /// Standard deviation of one reading.
+    pub deviation: f64,
+    /// Standard deviation of the constant bias; 0 for none.
+    pub bias: f64,
+}
+
+/// Mounting of a sensor in the body.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Mounting {
+    /// Rotation from sensor to body coordinates.
+    pub rotation: Orientation<f64>,
+    /// Body coordinates of its place, m: from the centre of mass of a sliding top, and from a fixed tip.
+    pub place: Vector<f64>,
+}
+
+impl Mounting {
+    /// Axes of the sensor in the fixed frame.
+    pub(crate) fn axes<F: Real>(&self, at: &Partials<F>) -> [Vector<F>; 3] {
+        if self.rotation == Orientation::IDENTITY {
+            return at.flow.axes();
+        }
+        UNITS.map(|unit| at.in_fixed(cast(self.in_body(unit))))
+    }
+
+    /// Axis of the top in the coordinates of the sensor.
+    pub(crate) fn axis(&self) -> Vector<f64> {
+        if self.rotation == Orientation::IDENTITY { UP } else { self.rotation.inverse().axis() }
+    }
+
+    /// Body coordinates of a vector that is given in sensor coordinates.
+    pub(crate) fn in_body(&self, sensor: Vector<f64>) -> Vector<f64> {
+        self.rotation.adjoint(sensor)
+    }
+}
+
+/// First three values of a reading.
+pub(crate) fn three([x, y, z, _]: &[f64; 4]) -> Vector<f64> {
+    [*x, *y, *z]
+}

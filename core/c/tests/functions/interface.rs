@@ -1,6 +1,6 @@
 //! Tests of the functions as a program in C calls them: they give the bits of the crate, and a status for each error.
 
-use crate::top::{RELEASE, TOP, f32_size, f64_table, launched, parameters, state, text, told};
+use crate::top::{RELEASE, TOP, f32_size, f64_table, launched, numbers, parameters, state, text, told};
 use core::ffi::CStr;
 use core::mem::{MaybeUninit, size_of};
 use core::ptr::{null, null_mut};
@@ -21,13 +21,13 @@ fn every_quantity_has_the_bits_of_the_crate() {
         for n in [0, 1, -5000, 1 << 40, i64::MAX] {
             let sample = expected.at_tick(n);
             let now = &told(|to| toytop_f64_at_tick(table, n, to));
-            assert_eq!(told(|to: *mut [f64; 4]| toytop_f64_quaternion(now, to.cast())), sample.quaternion());
-            assert_eq!(told(|to: *mut [f64; 3]| toytop_f64_axis(now, to.cast())), sample.axis());
-            assert_eq!(told(|to: *mut [f64; 3]| toytop_f64_omega(now, to.cast())), sample.omega());
-            assert_eq!(told(|to: *mut [f64; 3]| toytop_f64_omega_body(now, to.cast())), sample.omega_body());
+            assert_eq!(numbers(|to| toytop_f64_quaternion(now, to)), sample.quaternion());
+            assert_eq!(numbers(|to| toytop_f64_axis(now, to)), sample.axis());
+            assert_eq!(numbers(|to| toytop_f64_omega(now, to)), sample.omega());
+            assert_eq!(numbers(|to| toytop_f64_omega_body(now, to)), sample.omega_body());
             let parts = |z: Complex<f64>| [z.re, z.im];
-            assert_eq!(told(|to: *mut [f64; 2]| toytop_f64_tip(now, to.cast())), parts(sample.tip()));
-            let velocity = told(|to: *mut [f64; 2]| toytop_f64_tip_velocity(now, to.cast()));
+            assert_eq!(numbers(|to| toytop_f64_tip(now, to)), parts(sample.tip()));
+            let velocity = numbers(|to| toytop_f64_tip_velocity(now, to));
             assert_eq!(velocity, parts(sample.tip_velocity()));
             let angle = sample.tip_angle().expect("an angle").to_radians();
             assert_eq!(told(|to| toytop_f64_tip_angle(now, to)), angle);
@@ -82,8 +82,8 @@ fn a_cursor_an_epoch_and_a_time_agree() {
     let set_up = |epoch| unsafe {
         toytop_q31_set_up(table, size, &motion, toytop_hertz(1000), epoch, 0.0, null_mut())
     };
-    let quaternion = |now: toytop_ephemeris_sample| unsafe {
-        told(|to: *mut [i32; 4]| toytop_q31_quaternion(&now, to.cast()))
+    let quaternion = |now: toytop_ephemeris_sample| -> [i32; 4] {
+        unsafe { numbers(|to| toytop_q31_quaternion(&now, to)) }
     };
     unsafe {
         assert_eq!(set_up(0), TOYTOP_OK);
@@ -92,10 +92,7 @@ fn a_cursor_an_epoch_and_a_time_agree() {
         let delayed = quaternion(told(|to| toytop_q31_at_tick(table, 107, to)));
         assert!(before.iter().zip(delayed).all(|(x, y)| x.abs_diff(y) < 8), "{before:?} {delayed:?}");
         let mut cursor = told(|to| toytop_q31_cursor(table, 107, to));
-        assert_eq!(
-            told(|to: *mut [i32; 4]| toytop_q31_next_quaternion(table, &mut cursor, to.cast())),
-            delayed
-        );
+        assert_eq!(numbers(|to| toytop_q31_next_quaternion(table, &mut cursor, to)), delayed);
         assert_eq!(told(|to| toytop_ephemeris_cursor_tick(&cursor, to)), 107);
         let mut now = told(|to| toytop_q31_at(table, 0.107, to));
         assert_eq!(quaternion(now), delayed);

@@ -1,6 +1,6 @@
 //! Tests of set-ups with other work in between, and of free bodies and rotors.
 
-use crate::top::{TOP, launched, parameters, state, told};
+use crate::top::{TOP, launched, numbers, parameters, state, told};
 use core::ffi::c_void;
 use core::mem::size_of;
 use core::ptr::null_mut;
@@ -72,7 +72,7 @@ fn free_bodies_and_rotors_are_those_of_the_crate() {
             assert_eq!(constants.min_normal_force.is_nan(), support == TOYTOP_FREE);
             assert_eq!(constants.e3.is_infinite(), support == TOYTOP_FREE);
             let now = told(|to| toytop_f32_at_tick(table, 777, to));
-            told(|to: *mut [f32; 4]| toytop_f32_quaternion(&now, to.cast()))
+            numbers(|to| toytop_f32_quaternion(&now, to))
         };
         assert_eq!(q, expected.at_tick(777).quaternion());
     }

@@ -50,6 +50,11 @@ pub(crate) fn told<T>(call: impl FnOnce(*mut T) -> toytop_status) -> T {
     unsafe { value.assume_init() }
 }
 
+/// Numbers that a function writes.
+pub(crate) fn numbers<T, const N: usize>(call: impl FnOnce(*mut T) -> toytop_status) -> [T; N] {
+    told(|to: *mut [T; N]| call(to.cast()))
+}
+
 /// Motion of a top with this release.
 pub(crate) fn launched(top: &toytop_top) -> toytop_motion {
     unsafe {

@@ -17,16 +17,14 @@
 use crate::aperiodic::rise::{Rise, RiseValues};
 use crate::elliptic::agm::{first_kind, first_kind_per_length};
 use crate::elliptic::elementary::{Wide, angle, cis, imaginary, ln, real};
-use crate::elliptic::lattice::{BOTH, Lattice, NONE};
+use crate::elliptic::lattice::{BOTH, Lattice, NONE, ThetaQuotient};
 use crate::elliptic::theta::ValueAndSlope;
-use crate::elliptic::theta_quotient::ThetaQuotient;
 use toytop::Complex;
 use toytop::scalar::{Extended, Float, Ring};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Sliding {
     rise: Rise,
-    lattice: Lattice,
     /// Branch point e₄, and e₄ - 1.
     e4: [Extended; 2],
     /// Modulus |b|; b = -i|b|.
@@ -59,7 +57,7 @@ impl Sliding {
         let e4_minus_one = spread / (e4 + one);
         let (below, above) = (one_minus_e1 + e4_minus_one, one_plus_e1 + e4_minus_one); // e₄ ∓ e₁
         let lattice = Lattice::of_gaps(below, above);
-        let [across, up] = lattice.half_periods();
+        let [across, up] = lattice.half_periods;
         let lowest = [zero, below, above];
         let b = first_kind(one_minus_e1, [one_minus_e1, e4_minus_one, e4 + one], lowest).halved();
         let to_minus_one = first_kind(one_plus_e1, lowest, [one_plus_e1, e4 + one, e4_minus_one]).halved();
@@ -82,10 +80,9 @@ impl Sliding {
 
         let of_log = -(spread / w_plus);
         let zetas = log_slope(BOTH, b_point).im;
-        let of_y = one + e1 / 3.0.into() - lattice.kappa().doubled() + of_log.doubled() * zetas;
+        let of_y = one + e1 / 3.0.into() - lattice.kappa.doubled() + of_log.doubled() * zetas;
         Self {
             rise: *rise,
-            lattice,
             e4: [e4, e4_minus_one],
             b,
             time_scale,
@@ -117,7 +114,7 @@ impl Sliding {
     fn near(&self, left: Extended) -> (Extended, Wide) {
         // below this distance the theta function is linear to all digits
         const TINY: f64 = 1e-40;
-        let at = |left: Extended| (self.lattice.theta(NONE, imaginary(left)), left);
+        let at = |left: Extended| (self.alpha.lattice.theta(NONE, imaginary(left)), left);
         let (theta, left) = at(if left.to_f64() < TINY { TINY.into() } else { left });
         (theta.value.modulus() / left, theta.log_slope() * imaginary(left))
     }
@@ -126,7 +123,7 @@ impl Sliding {
     fn log(&self, point: &RiseValues, position: &PathPosition) -> (Extended, Wide) {
         let PathPosition { y, left_per_below } = *position;
         let (near, near_slope) = self.near(left_per_below * point.below);
-        let far = self.lattice.theta(NONE, imaginary(-(y.abs() + self.b)));
+        let far = self.alpha.lattice.theta(NONE, imaginary(-(y.abs() + self.b)));
         let rest = ln(left_per_below * near / far.value.modulus());
         let log = ln(self.rise.one_minus_e1) + point.ln_sech.doubled() + rest;
         // (1 - u)/(x - b) · (x - b) ϑ'(x - b)/ϑ(x - b)
@@ -138,7 +135,7 @@ impl Sliding {
     pub(super) fn time(&self, point: &RiseValues) -> Extended {
         let position = self.position(point);
         let [of_y, of_log] = self.time_factors;
-        let zeta = self.lattice.theta(BOTH, imaginary(-position.y)).log_slope().im;
+        let zeta = self.alpha.lattice.theta(BOTH, imaginary(-position.y)).log_slope().im;
         self.time_scale * (zeta + of_y * position.y + of_log * self.log(point, &position).0)
     }
 
@@ -146,7 +143,8 @@ impl Sliding {
     pub(super) fn argument(&self, point: &RiseValues) -> Extended {
         let position = self.position(point);
         let x = imaginary(-position.y);
-        let [here, lowest] = [x, Complex::ZERO].map(|x| self.lattice.theta(NONE, x - self.alpha.zero).value);
+        let [here, lowest] =
+            [x, Complex::ZERO].map(|x| self.alpha.lattice.theta(NONE, x - self.alpha.zero).value);
         let turned = here * lowest.conj();
         let log = self.log_power * self.log(point, &position).0;
         (self.alpha.rate * x).im + angle(turned.im, turned.re) + log
@@ -154,7 +152,7 @@ impl Sliding {
 
     pub(super) fn alpha(&self, point: &RiseValues) -> ValueAndSlope {
         let position = self.position(point);
-        let ValueAndSlope { value, slope } = self.alpha.at(&self.lattice, imaginary(-position.y));
+        let ValueAndSlope { value, slope } = self.alpha.at(imaginary(-position.y));
         // dx/dt = -i (1 - u)/(√(2s/g) (e₄² - u²))
         let [_, from_e4, to_e4] = self.factors(point);
         let speed = imaginary(-(Extended::ONE / (self.time_scale * from_e4 * to_e4)));

@@ -57,7 +57,7 @@ impl Jacobi {
     /// Quarter period K. Relative error: below 1.2e-16, the rounding of the result.
     #[must_use]
     pub fn quarter_period(&self) -> f64 {
-        self.lattice.half_periods()[0].to_f64()
+        self.lattice.half_periods[0].to_f64()
     }
 
     /// Values of the functions at a real u.
@@ -66,7 +66,7 @@ impl Jacobi {
     /// arithmetic in extended precision on u. Cost: four theta functions and one arctangent in extended precision.
     #[must_use]
     pub fn at(&self, u: f64) -> JacobiValues {
-        let [quarter, _] = self.lattice.half_periods();
+        let [quarter, _] = self.lattice.half_periods;
         let halves = libm::round(u / quarter.doubled().to_f64());
         let rest = Extended::from(u) - quarter.doubled() * halves.into();
         let [none, omega, omega_prime, both] = self.lattice.scaled_thetas(real(rest)).map(|theta| theta.re);

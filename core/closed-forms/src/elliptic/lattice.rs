@@ -1,17 +1,20 @@
-//! Weierstrass's functions on rectangular lattices, in extended precision.
+//! Weierstrass's functions on rectangular lattices in extended precision, and quotients of their theta functions.
 
-use crate::elliptic::agm::agm;
-use crate::elliptic::elementary::{Wide, complex_exp, complex_ln, exp, half_pi, imaginary, quotient, real};
+use crate::elliptic::agm::{agm, first_kind};
+use crate::elliptic::elementary::{
+    Wide, angle, complex_exp, complex_ln, exp, half_pi, imaginary, quotient, real,
+};
 use crate::elliptic::theta::{ValueAndSlope, eisenstein, thetas};
-use toytop::Complex;
+use toytop::internal::phase_of;
 use toytop::scalar::{Extended, Float, Ring};
+use toytop::{BranchPoints, Complex, Phase, Signs};
 
 /// Lattice of the periods 2ω and 2ω', with ω > 0 and ω' = i|ω'|; ℘ has the values e₁ > e₂ > e₃ at ω, ω + ω', ω'.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Lattice {
-    roots: [Extended; 3],
+    pub(crate) roots: [Extended; 3],
     /// Half periods ω and |ω'|.
-    half_periods: [Extended; 2],
+    pub(crate) half_periods: [Extended; 2],
     /// Whether ω > |ω'|. The theta functions are then those of the lattice rotated by a right angle, whose nome is at most e^{-π} too.
     turned: bool,
     /// Logarithm of the nome q.
@@ -22,7 +25,7 @@ pub(crate) struct Lattice {
     /// Factors that make the slope of the first theta function and the values of the others 1 at 0.
     scales: [Wide; 4],
     /// Coefficient κ in σ(z) = e^{κz²} ϑ₁(Uz)/(U ϑ₁'(0)).
-    kappa: Extended,
+    pub(crate) kappa: Extended,
 }
 
 /// Half period, or 0: the bits are the numbers of ω and of ω'. Theta functions are denoted by the half period at which they are 0.
@@ -59,23 +62,11 @@ impl Lattice {
         Self { scales: at_zero.map(|z| quotient(Complex::ONE, z)), ..unscaled }
     }
 
-    pub(crate) fn roots(&self) -> [Extended; 3] {
-        self.roots
-    }
-
-    pub(crate) fn half_periods(&self) -> [Extended; 2] {
-        self.half_periods
-    }
-
     /// Quasi-periods ζ(ω) and ζ(ω')/i. The longer period has the term of Legendre's relation.
     pub(crate) fn quasi_periods(&self) -> [Extended; 2] {
         let [across, up] = self.half_periods.map(|half| self.kappa.doubled() * half);
         let [omega, omega_prime] = self.half_periods;
         if self.turned { [across + half_pi() / omega_prime, up] } else { [across, up - half_pi() / omega] }
-    }
-
-    pub(crate) fn kappa(&self) -> Extended {
-        self.kappa
     }
 
     /// Theta functions at Uz with their derivatives by z, in the order of [`Half`], for z within a period of 0.
@@ -166,4 +157,60 @@ impl Lattice {
         let (value, exponent, _) = self.sigma_parts(z);
         value * complex_exp(exponent)
     }
+}
+
+/// Cayley-Klein parameter in an elliptic case: k e^{lx} σ(x - a - h)/σ(x - c), where h and c are half periods. Each period multiplies it
+/// by a constant.
+///
+/// It is stored as k̂ e^{λx} ϑ(x - a)/ϑ(x) with the theta functions that are 0 at h and at c. All constants of the sigma functions
+/// cancel: for l = ζ(a + h - c) + `rate_offset`, λ is `rate_offset` plus the logarithmic derivative at a of the theta function that is 0 at h + c.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ThetaQuotient {
+    pub(crate) lattice: Lattice,
+    scale: Extended,
+    pub(crate) rate: Wide,
+    pub(crate) zero: Wide,
+    halves: [Half; 2],
+}
+
+impl ThetaQuotient {
+    /// Quotient with the zero a + h and the pole c, and the given modulus at x; the argument of k is arbitrary.
+    pub(crate) fn through(
+        lattice: &Lattice,
+        halves: [Half; 2],
+        zero: Wide,
+        rate_offset: Wide,
+        (x, size): (Wide, Extended),
+    ) -> Self {
+        let [h, c] = halves;
+        let rate = rate_offset + lattice.theta(h ^ c, zero).log_slope();
+        let unscaled = Self { lattice: *lattice, scale: Extended::ONE, rate, zero, halves };
+        Self { scale: size / unscaled.at(x).value.modulus(), ..unscaled }
+    }
+
+    pub(crate) fn at(&self, x: Wide) -> ValueAndSlope {
+        let [h, c] = self.halves;
+        let (above, below) = (self.lattice.theta(h, x - self.zero), self.lattice.theta(c, x));
+        let factor = quotient(complex_exp(self.rate * x).scaled(self.scale), below.value);
+        let rate = self.rate - below.log_slope();
+        ValueAndSlope { value: factor * above.value, slope: factor * (above.slope + rate * above.value) }
+    }
+
+    /// Change of the argument from `x` to `x` + `period` in turns, modulo 1; the value must not be 0 there.
+    pub(crate) fn turns(&self, x: Wide, period: Wide) -> Phase {
+        let turned = self.at(x + period).value * self.at(x).value.conj();
+        phase_of(angle(turned.im, turned.re))
+    }
+}
+
+/// Distances of u = -1 from u = e₁ and of u = 1 from u = e₂ in the argument of ℘, with the signs of l + n and l - n: α and β are 0 there.
+///
+/// * `third`: third factor of w²/4 beside u - e₁ and u - e₂, at u = -1, e₁, e₂ and 1
+pub(crate) fn zeros(e: &BranchPoints<Extended>, signs: Signs, third: [Extended; 4]) -> [Extended; 2] {
+    let ([at_minus_one, at_e1, at_e2, at_one], zero) = (third, Extended::ZERO);
+    let lower = [e.one_plus_e1, e.one_plus_e2(), at_minus_one];
+    let below = first_kind(e.one_plus_e1, [zero, e.e2_minus_e1, at_e1], lower);
+    let upper = [e.one_minus_e1(), e.one_minus_e2, at_one];
+    let above = first_kind(e.one_minus_e2, upper, [e.e2_minus_e1, zero, at_e2]);
+    [signs.l_plus_n.times(below.halved()), signs.l_minus_n.times(above.halved())]
 }

@@ -2,10 +2,9 @@
 
 use crate::elliptic::elementary::{Wide, rounded, widened};
 use crate::elliptic::lattice::Lattice;
-use toytop::Complex;
-use toytop::ParameterError;
 use toytop::internal::{finite, require};
 use toytop::scalar::{Extended, Float, Ring};
+use toytop::{Complex, ParameterError};
 
 /// Weierstrass's functions of one lattice: half periods ω > 0 and ω' = i|ω'|, roots e₁ > e₂ > e₃ with sum 0, where
 /// ℘(ω) = e₁, ℘(ω + ω') = e₂, ℘(ω') = e₃ and ℘'² = 4 (℘ - e₁)(℘ - e₂)(℘ - e₃).
@@ -63,13 +62,13 @@ impl Weierstrass {
     /// Roots e₁, e₂, e₃, with sum 0.
     #[must_use]
     pub fn roots(&self) -> [f64; 3] {
-        self.lattice.roots().map(Float::to_f64)
+        self.lattice.roots.map(Float::to_f64)
     }
 
     /// Half periods ω and |ω'|.
     #[must_use]
     pub fn half_periods(&self) -> [f64; 2] {
-        self.lattice.half_periods().map(Float::to_f64)
+        self.lattice.half_periods.map(Float::to_f64)
     }
 
     /// Quasi-periods η = ζ(ω) and η'/i, where η' = ζ(ω'); Legendre's relation is η ω' - η' ω = iπ/2.
@@ -81,7 +80,7 @@ impl Weierstrass {
     /// Invariants g₂ and g₃ of ℘'² = 4℘³ - g₂℘ - g₃.
     #[must_use]
     pub fn invariants(&self) -> [f64; 2] {
-        let [e1, e2, e3] = self.lattice.roots();
+        let [e1, e2, e3] = self.lattice.roots;
         let second = (e1.squared() + e2.squared() + e3.squared()).doubled();
         [second, e1 * e2 * e3 * Extended::from(4.0)].map(Float::to_f64)
     }

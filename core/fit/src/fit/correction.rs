@@ -1,10 +1,10 @@
 //! Correction of the estimate after a pass, by the method of Levenberg and Marquardt.
 
-use crate::fit::fitted::Reason;
+use crate::fit::error::Reason;
 use crate::fit::pass::{FIRST_DAMPING, Fit};
-use crate::least_squares::MOST_UNKNOWNS;
 use crate::sensitivity::LAUNCH;
 use crate::sensors::Measurements;
+use crate::triangle::MOST_UNKNOWNS;
 use toytop::scalar::Real;
 
 /// Size of a correction, in standard deviations, below which the fit has converged. The next correction would be about
@@ -71,7 +71,7 @@ impl<F: Real> Fit<'_, F> {
         self.model.damp(&best.estimate, &best.information, [self.damping, 1000.0], damped);
         let change = damped.solution();
         let next = best.estimate.moved(&change.map(F::to_f64));
-        let size = best.information.size(&change).to_f64();
+        let size = best.information.square(&change).sqrt().to_f64();
         if !size.is_finite() {
             return Some(false);
         }

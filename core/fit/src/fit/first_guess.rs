@@ -3,8 +3,8 @@
 //! Two directions, or a camera, give the orientation. One direction leaves a rotation open, the axis alone the rate about it, and
 //! rates alone the orientation: several guesses are then tried.
 
+use crate::estimate::Estimate;
 use crate::fit::pass::Fit;
-use crate::model::Estimate;
 use crate::sensors::{Hint, Measurements};
 use crate::vector::{UP, Vector, add_scaled, cast, cross, dot, from_axes, norm, rotation_vector, scaled};
 use core::f64::consts::PI;

@@ -1,98 +1,18 @@
 //! Result of a fit: the launch, its covariance, and how far both can be trusted.
 
-use crate::fit::statistics::Statistics;
-use crate::least_squares::{Columns, Covariance, MOST_UNKNOWNS};
-use crate::model::{Estimate, MOST_RATIOS};
+use crate::covariance::Covariance;
+use crate::estimate::Estimate;
+use crate::fit::error::Reason;
+use crate::fit::pass::{Fit, Pass, Statistics};
+use crate::fit::search::Extent;
+use crate::model::MOST_RATIOS;
 use crate::sensitivity::{
-    COLUMNS, Coefficients, Equations, LAUNCH, LOSSES, Partials, RATIOS, Sensitivity, with_coefficients,
+    COLUMNS, Coefficients, Equations, Flow, LAUNCH, LOSSES, Partials, RATIOS, Sensitivity, with_coefficients,
 };
-use crate::vector::{UNITS, Vector, add_scaled, cross};
-use core::fmt;
+use crate::triangle::{MOST_UNKNOWNS, Unknowns};
+use crate::vector::{UNITS, UP, Vector, add_scaled, cross, scaled};
+use toytop::scalar::Real;
 use toytop::{Motion, ParameterError, State, Top};
-
-/// Input that a fit refuses. `index` counts the measurements from 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum FitError {
-    /// A time or a value is NaN or infinite.
-    NotFinite {
-        /// Index of the measurement.
-        index: usize,
-    },
-    /// A measurement is earlier than the one before.
-    OutOfOrder {
-        /// Index of the measurement.
-        index: usize,
-    },
-    /// A measurement names a sensor that is not in the list.
-    UnknownSensor {
-        /// Index of the measurement.
-        index: usize,
-    },
-    /// There is no measurement.
-    NoMeasurements,
-    /// There are more than four sensors, or more than four free ratios, or more than one with a drift.
-    TooManyUnknowns,
-    /// The deviation of a drift is not a positive number.
-    DriftDeviation,
-}
-
-impl fmt::Display for FitError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (index, what) = match self {
-            Self::NotFinite { index } => (index, "must be finite"),
-            Self::OutOfOrder { index } => (index, "must not be earlier than the one before"),
-            Self::UnknownSensor { index } => (index, "must be of a sensor in the list"),
-            Self::NoMeasurements => return f.write_str("measurements: must not be empty"),
-            Self::TooManyUnknowns => {
-                return f.write_str("sensors, ratios: must be at most four each, and one ratio with a drift");
-            }
-            Self::DriftDeviation => return f.write_str("drift: must be a positive number"),
-        };
-        write!(f, "measurement {index}: {what}")
-    }
-}
-
-impl core::error::Error for FitError {}
-
-/// Reason why a launch must not be trusted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Reason {
-    /// The corrections did not become small.
-    NotSettled,
-    /// The residuals of a sensor are far larger than the noise: the model, a unit, the noise or the solution is wrong.
-    Misfit,
-    /// The residuals become small when the rates are read as degrees per second.
-    RatesInDegrees,
-    /// All rates are below 0.1 per unit time, and the residuals are large: the top does not move freely.
-    AtRest,
-    /// Every component of every measurement was at the end of its range.
-    AllSaturated,
-    /// Fewer observations than unknowns of a launch.
-    TooFew,
-    /// The top is upright, and no measurement determines its rate about the axis.
-    SpinUnknown,
-    /// The measurements contain neither an orientation, nor an axis, nor rates within the range.
-    NoBeginning,
-}
-
-impl fmt::Display for Reason {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::NotSettled => "the corrections did not become small",
-            Self::Misfit => "the residuals are far larger than the noise",
-            Self::RatesInDegrees => "the rates seem to be in degrees per second: the residuals then are small",
-            Self::AtRest => "the top is at rest, held by something that the model does not know",
-            Self::AllSaturated => "every component is at the end of its range",
-            Self::TooFew => "there are fewer observations than unknowns",
-            Self::SpinUnknown => "the top stands upright, and nothing tells its rate about the axis",
-            Self::NoBeginning => {
-                "the measurements do not say where to begin: they need an orientation, an axis, or rates within the range"
-            }
-        })
-    }
-}
 
 /// Directions of the launch that the measurements do not determine to 1 rad, or to a change of ω by its own size.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -181,10 +101,7 @@ impl Fitted {
     /// # Errors
     /// The errors of [`Top::sliding`].
     pub fn top(&self, given: &Top) -> Result<Top, ParameterError> {
-        match &self.coefficients {
-            Some(coefficients) => with_coefficients(given, coefficients),
-            None => Ok(*given),
-        }
+        with_coefficients(given, &self.coefficients)
     }
 
     /// Motion of the launch.
@@ -224,7 +141,7 @@ impl Fitted {
     }
 
     /// Derivatives with respect to the unknowns, from those with respect to the launch and the ratios.
-    fn columns(&self, by: &[Vector<f64>; COLUMNS]) -> Columns {
+    fn columns(&self, by: &[Vector<f64>; COLUMNS]) -> [Vector<f64>; MOST_UNKNOWNS] {
         let [_, _, _, by_omega @ .., _, _, _, _] = by;
         let (_, ratios) = by.split_at(LAUNCH);
         let mut columns = [[0.0; 3]; MOST_UNKNOWNS];
@@ -242,4 +159,107 @@ impl Fitted {
         }
         columns
     }
+}
+
+impl<F: Real> Fit<'_, F> {
+    /// Result of the best estimate.
+    pub(super) fn fitted(&mut self, extent: &Extent, reason: Option<Reason>, alternatives: usize) -> Fitted {
+        self.limit_information();
+        let launch = self.best.estimate;
+        let mut fitted = Fitted {
+            epoch: extent.first,
+            launch,
+            covariance: Covariance::ZERO,
+            statistics: self.best.statistics,
+            unobservable: Unobservable::default(),
+            reason,
+            alternatives,
+            count: self.model.count,
+            coefficients: self.model.coefficients(&launch),
+            ratio_shares: self.model.ratio_shares(&launch),
+            drift: None,
+        };
+        fitted.covariance.add_inverse(&self.current.information, self.model.count);
+        fitted.covariance.turn(&Flow::launched(&launch.orientation, launch.omega).axes());
+        fitted.unobservable = unobservable(&fitted, &self.model.units(&launch));
+        if self.model.has_losses() && self.carry_to_end(&mut fitted, extent.last).is_none() {
+            fitted.reason = fitted.reason.or(Some(Reason::NotSettled));
+        }
+        fitted
+    }
+
+    /// Copies the information of the best pass to the current one, and limits the deviations of undetermined directions.
+    #[inline(never)] // its numbers and the result must not be on the stack together
+    fn limit_information(&mut self) {
+        let Pass { estimate, information, .. } = &self.best;
+        // not larger, so that the covariance keeps the digits of what is determined
+        self.current.information.clone_from(information);
+        self.model.damp(estimate, information, [0.0, 10.0], &mut self.current.information);
+    }
+
+    /// Moves the launch to the last measurement, and adds the drift. `None` where the motion cannot be followed.
+    ///
+    /// From the last measurement on, the motion is exact (`docs/partials.md`).
+    #[inline(never)] // only a fit with a drift needs its matrices
+    fn carry_to_end(&self, fitted: &mut Fitted, end: f64) -> Option<()> {
+        let span = end - fitted.epoch;
+        let (launch, at) = self.model.predicted(&fitted.launch, span)?;
+        let rates = self.mean_rates([&fitted.launch, &launch], span);
+        // a change of a loss changes nothing at the launch, and the integrals at the end by their gradients
+        let gradients = at.equations.gradients(&at.flow);
+        let [inertia, ..] = at.equations.coefficients;
+        let per_time = self.model.top.transverse_inertia() / span;
+        let mut rates_by = [[0.0; 3]; MOST_UNKNOWNS];
+        let losses = rates_by.iter_mut().zip(&at.flow.tangents).enumerate();
+        for (_, (slot, tangent)) in losses.filter(|(index, _)| self.model.losses().contains(index)) {
+            let [l, spin, h] = gradients.map(|by| by.inner(tangent));
+            *slot = scaled([l, inertia * spin, h], per_time);
+        }
+        let covariance = fitted.covariance.of_vector(&rates_by);
+        fitted.drift = Some(Drift { rates, covariance, losses: self.model.losses_of(&launch) });
+        fitted.covariance.carry(&at.flow.tangents);
+        (fitted.epoch, fitted.launch) = (end, launch);
+        Some(())
+    }
+
+    /// Mean rates of l, n and h between two launches that are `span` apart; 0 where that is 0.
+    pub(super) fn mean_rates(&self, [before, after]: [&Estimate; 2], span: f64) -> Vector<f64> {
+        let change = add_scaled(self.model.integrals(after), self.model.integrals(before), -1.0);
+        scaled(change, if span > 0.0 { 1.0 / span } else { 0.0 })
+    }
+}
+
+/// Sine of the angle from an undetermined direction within which a named one is called undetermined.
+const ALONG: f64 = 0.1;
+
+/// Directions of the launch that the measurements do not determine to one unit.
+///
+/// With the covariance C in these units, a direction of variance λ counts as λ/(1 + λ), which is about 0 or 1: an eigenvalue of
+/// 1 - (1 + C)⁻¹. A named direction d is undetermined if its information d (ε² + C)⁻¹ d is below 1, for a small ε: at a small tilt, yaw and
+/// roll are nearly the same rotation.
+#[inline(never)] // its matrices must not be on the stack during other work
+fn unobservable(fitted: &Fitted, units: &Unknowns) -> Unobservable {
+    let Fitted { launch, count, .. } = *fitted;
+    let factor = |least: f64, count: usize| {
+        let mut sum = fitted.covariance;
+        for (i, x) in units.iter().enumerate() {
+            for (j, y) in units.iter().enumerate().take(i + 1) {
+                sum.set(i, j, sum.get(i, j) / (x * y) + if i == j { least } else { 0.0 });
+            }
+        }
+        sum.factor(count)
+    };
+    let squares = |numbers: &[f64]| numbers.iter().map(|x| x * x).sum::<f64>();
+    let sum = factor(1.0, count);
+    let determined: f64 = (0..count).map(|index| squares(&sum.inverse_column(index))).sum();
+    let undetermined = libm::round((count as f64 - determined).max(0.0)) as usize;
+    let sum = factor(ALONG * ALONG, LAUNCH);
+    let (axis, none) = (launch.orientation.axis(), [0.0; 3]);
+    let [yaw, roll, spin] = [[UP, none], [axis, cross(launch.omega, axis)], [none, axis]].map(|direction| {
+        let mut along = [0.0; MOST_UNKNOWNS];
+        let parts = direction.as_flattened().iter().zip(units);
+        along.iter_mut().zip(parts).for_each(|(slot, (x, unit))| *slot = x / unit);
+        squares(&sum.solved(along)) < squares(&along)
+    });
+    Unobservable { yaw, roll, spin, count: undetermined }
 }

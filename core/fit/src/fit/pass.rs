@@ -1,15 +1,102 @@
-//! Passes over the measurements.
+//! Passes over the measurements, and the residuals of a pass.
 
 use crate::course::Course;
-use crate::fit::statistics::Statistics;
-use crate::least_squares::{MOST_UNKNOWNS, Triangle};
-use crate::model::{Estimate, MOST_SENSORS, Model};
+use crate::estimate::Estimate;
+use crate::model::{MOST_SENSORS, Model};
 use crate::sensors::{Hint, Measurement, Measurements, Prediction, Sensor};
+use crate::triangle::{MOST_UNKNOWNS, Triangle};
 use toytop::scalar::Real;
-use toytop::su2::Orientation;
 
 /// Marquardt's damping at the beginning.
 pub(super) const FIRST_DAMPING: f64 = 1e-3;
+/// Number of standard deviations of a sum of squares beyond which the residuals are larger than the noise explains.
+const MISFIT: f64 = 5.0;
+/// Residual, in standard deviations, of a reading that no noise explains.
+const GROSS: f64 = 10.0;
+/// Largest sum of squares of the differences from prior values, of which there are at most a dozen.
+const MOST_PRIOR: f64 = 60.0;
+
+/// Residuals of a fit.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Statistics {
+    /// Number of components that were used.
+    pub used: u32,
+    /// Number of components that are not used, because they are at the end of their range.
+    pub unused: u32,
+    /// Number of components whose weight was reduced.
+    pub outliers: u32,
+    /// Sum of the squares of all residuals in standard deviations; the residual of an outlier counts as the limit.
+    pub chi_squared: f64,
+    /// Largest residual in standard deviations.
+    pub largest: f64,
+    /// Sum of the squares of the differences from prior values, such as those of biases, in standard deviations.
+    pub prior: f64,
+    /// Sum of squares in which an outlier counts linearly.
+    pub(super) cost: f64,
+    /// Number of residuals that no noise explains.
+    gross: u32,
+    /// Residual from which a component is an outlier.
+    huber: f64,
+    /// Whether the readings of one of the sensors contradict the motion.
+    contradicted: bool,
+}
+
+impl Statistics {
+    /// Statistics without residuals.
+    pub(super) fn new(huber: f64, prior: f64) -> Self {
+        Self { huber, prior, cost: prior, ..Self::default() }
+    }
+
+    /// Adds a residual in standard deviations; returns the square root of its weight.
+    pub(super) fn add<F: Real>(&mut self, residual: F) -> F {
+        let (size, huber) = (residual.abs(), F::from_f64(self.huber));
+        let limited = if size > huber { huber } else { size };
+        self.used += 1;
+        // an addition of many numbers in `f32` would lose their digits
+        self.chi_squared += limited.squared().to_f64();
+        self.cost += (limited * (size.doubled() - limited)).to_f64();
+        self.largest = self.largest.max(size.to_f64());
+        if size <= huber {
+            return F::ONE;
+        }
+        self.outliers += 1;
+        self.gross += u32::from(size > F::from_f64(GROSS));
+        (huber / size).sqrt()
+    }
+
+    /// Adds the statistics of a sensor.
+    pub(super) fn add_sensor(&mut self, sensor: &Self) {
+        self.contradicted |= sensor.is_misfit(0);
+        self.used += sensor.used;
+        self.unused += sensor.unused;
+        self.outliers += sensor.outliers;
+        self.gross += sensor.gross;
+        self.chi_squared += sensor.chi_squared;
+        self.cost += sensor.cost;
+        self.largest = self.largest.max(sensor.largest);
+    }
+
+    /// Sum of squares over the number of degrees of freedom, observations minus unknowns: about 1 where model and noise
+    /// are right.
+    #[must_use]
+    pub fn reduced_chi_squared(&self, unknowns: usize) -> f64 {
+        let freedom = f64::from(self.used) - unknowns as f64;
+        self.chi_squared / freedom.max(1.0)
+    }
+
+    /// Whether a fifth of the residuals of a sensor or of all are outliers, a twentieth are beyond ten standard deviations, or the
+    /// sum n of squares of the others exceeds its mean by five standard deviations √(2 n); or the prior is contradicted.
+    pub(super) fn is_misfit(&self, unknowns: usize) -> bool {
+        let outliers = f64::from(self.outliers);
+        let limited = if self.outliers > 0 { self.huber * self.huber * outliers } else { 0.0 };
+        let freedom = (f64::from(self.used) - outliers - unknowns as f64).max(1.0);
+        self.contradicted
+            || self.prior > MOST_PRIOR
+            || self.outliers > self.used / 5 + 3
+            || self.gross > self.used / 20 + 3
+            || self.chi_squared - limited > freedom + MISFIT * libm::sqrt(2.0 * freedom)
+    }
+}
 
 /// Fit of a launch to measurements.
 ///
@@ -34,8 +121,8 @@ pub struct Fit<'a, F = f64> {
     course: Course<F>,
     /// Factor by which the readings of rate gyroscopes are multiplied, to try another unit where the fit is bad.
     pub(super) rate_unit: f64,
-    /// Information about the launch from earlier measurements, and the estimate that it is about.
-    pub(super) prior: Option<(Estimate, Triangle<F>)>,
+    /// Information before the measurements, and the estimate that it is about.
+    pub(super) prior: (Estimate, Triangle<F>),
 }
 
 /// One pass over the measurements.
@@ -51,7 +138,7 @@ pub(super) struct Pass<F> {
 impl<'a, F: Real> Fit<'a, F> {
     /// Fit of these unknowns.
     pub(super) fn with_model(sensors: &'a [&'a dyn Sensor<F>], model: Model) -> Self {
-        let estimate = Estimate::new(Orientation::IDENTITY, [0.0; 3]);
+        let prior @ (estimate, _) = model.prior();
         let pass = Pass {
             estimate,
             information: Triangle::new(model.count),
@@ -67,9 +154,9 @@ impl<'a, F: Real> Fit<'a, F> {
             damping: FIRST_DAMPING,
             last_change: None,
             curvature: f64::INFINITY,
-            course: model.course(&estimate),
+            course: Course::new(model.top.tip_scale(), &model.equations(&estimate)),
             rate_unit: 1.0,
-            prior: None,
+            prior,
         }
     }
 
@@ -110,18 +197,13 @@ impl<'a, F: Real> Fit<'a, F> {
     #[inline(never)] // its matrices are on the stack between passes only
     fn begin_pass(&mut self) -> f64 {
         let Pass { estimate, information, statistics, .. } = &mut self.current;
-        information.clear();
         *statistics = Statistics::default();
-        let cost = match &self.prior {
-            Some((known, prior)) => {
-                information.clone_from(prior);
-                let change = known.change_from(estimate).map(F::from_f64);
-                information.point_to(&change).to_f64()
-            }
-            None => self.model.add_prior(estimate, information),
-        };
+        let (known, prior) = &self.prior;
+        information.clone_from(prior);
+        let change = known.change_from(estimate).map(F::from_f64);
+        information.point_to(&change);
         self.course.begin(&estimate.orientation, estimate.omega, &self.model.equations(estimate));
-        cost
+        prior.square(&change).to_f64()
     }
 
     /// Adds one measurement to the current pass, at the time to which the course was moved. `None` where there is no such

@@ -1,10 +1,10 @@
 //! Search for a launch without a first guess, on longer and longer parts of the measurements.
 
+use crate::estimate::Estimate;
 use crate::fit::correction::SETTLED;
+use crate::fit::error::{FitError, Reason};
 use crate::fit::first_guess::{FIRST_INSTANTS, Guesses, upright_to};
-use crate::fit::fitted::{FitError, Reason};
 use crate::fit::pass::{Fit, Pass};
-use crate::model::Estimate;
 use crate::sensors::{Hint, Measurement, Measurements};
 use crate::vector::{Vector, cross, dot, scaled};
 use toytop::scalar::Real;
@@ -74,7 +74,7 @@ impl<F: Real> Fit<'_, F> {
             let change = estimate.change_from(&best.0).map(F::from_f64);
             if *cost < best.1 - EQUAL {
                 others = 0;
-            } else if *cost < best.1 + EQUAL && information.size(&change).to_f64() > OTHER {
+            } else if *cost < best.1 + EQUAL && information.square(&change).to_f64() > OTHER * OTHER {
                 others += 1;
             }
             if *cost < best.1 {
@@ -90,11 +90,10 @@ impl<F: Real> Fit<'_, F> {
     /// Passes over all measurements. Returns the reason why the estimate must not be trusted.
     pub(super) fn settle_finally(&mut self, measurements: &impl Measurements) -> Option<Reason> {
         let settled = self.settle(measurements, usize::MAX, SETTLED);
-        let found = self.best.estimate.spin();
-        let least = measurements.clone().find_map(|measurement| match self.hint(&measurement) {
-            Hint::Rate { omega: [.., low], axial_is_saturated: true } if low != 0.0 => Some(low),
-            _ => None,
-        });
+        let launch = &self.best.estimate;
+        let found = dot(launch.omega, launch.orientation.axis());
+        let bound = |([_, _, low], saturated): (Vector<f64>, bool)| (saturated && low != 0.0).then_some(low);
+        let least = self.rates(measurements).find_map(bound);
         // the axial rate is constant, so that one reading at the end of the range bounds it
         let spin = least.filter(|least| found / least < WITHIN).unwrap_or(found);
         let reason = self.reason(settled && spin == found);
@@ -124,7 +123,7 @@ impl<F: Real> Fit<'_, F> {
         // only the biases are corrected; the launch is held fixed
         for index in 0..self.model.count {
             let deviation = if index < self.model.common() { 1e-9 } else { 1e6 };
-            self.current.information.add_known(index, F::ZERO, F::from_f64(deviation));
+            self.current.information.add_known(index, F::from_f64(deviation));
         }
         let change = self.current.information.solution();
         self.current.estimate = self.current.estimate.moved(&change.map(F::to_f64));
@@ -149,15 +148,20 @@ impl<F: Real> Fit<'_, F> {
         if has_noise && (reason.is_none() || in_degrees < 0.1 * chi_squared) {
             return Some(Reason::RatesInDegrees);
         }
-        let mut rates = measurements.clone().filter_map(|measurement| match self.hint(&measurement) {
-            Hint::Rate { omega, axial_is_saturated } => Some((omega, axial_is_saturated)),
-            _ => None,
-        });
+        let mut rates = self.rates(measurements);
         // below 0.1 per unit time, a bias may explain the rates
         let is_small = |(omega, saturated): (Vector<f64>, bool)| {
             !saturated && omega.iter().all(|x| libm::fabs(*x) < 0.1)
         };
         (rates.next().is_some_and(is_small) && rates.all(is_small)).then_some(Reason::AtRest)
+    }
+
+    /// Rates in the body frame, and whether their axial component is beyond the range.
+    fn rates(&self, measurements: &impl Measurements) -> impl Iterator<Item = (Vector<f64>, bool)> {
+        measurements.clone().filter_map(|measurement| match self.hint(&measurement) {
+            Hint::Rate { omega, axial_is_saturated } => Some((omega, axial_is_saturated)),
+            _ => None,
+        })
     }
 
     /// Extent of the measurements, of which every one is checked.

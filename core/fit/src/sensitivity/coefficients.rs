@@ -19,11 +19,12 @@ pub(crate) fn coefficients(top: &Top) -> Coefficients {
     [top.axial_inertia() / a, moment, top.com_height(), top.gravity(), rotor, 0.0, 0.0, 0.0]
 }
 
-/// Top with these coefficients, and with the A, the rotor and the support of a given one.
+/// Top with these coefficients, and with the A, the rotor and the support of a given one; without coefficients, the given one.
 pub(crate) fn with_coefficients(
     given: &Top,
-    &[inertia, moment, com_height, gravity, ..]: &Coefficients,
+    coefficients: &Option<Coefficients>,
 ) -> Result<Top, ParameterError> {
+    let Some([inertia, moment, com_height, gravity, ..]) = *coefficients else { return Ok(*given) };
     let a = given.transverse_inertia();
     let make = match given.support() {
         Support::Sliding => Top::sliding,

@@ -35,6 +35,20 @@ pub(crate) struct Flow<F, const N: usize> {
 impl<F: Float> Tangent<F> {
     pub(crate) const ZERO: Self = Self { theta: [F::ZERO; 3], eta: [F::ZERO; 3] };
 
+    /// Changes of θ, then of η, along three axes; the others are 0.
+    pub(crate) fn along_axes<const N: usize>(axes: &[Vector<f64>; 3]) -> [Self; N] {
+        let mut tangents = [Self::ZERO; N];
+        let (turns, rates) = tangents.split_at_mut(axes.len().min(N));
+        turns.iter_mut().zip(axes).for_each(|(tangent, axis)| tangent.theta = cast(*axis));
+        rates.iter_mut().zip(axes).for_each(|(tangent, axis)| tangent.eta = cast(*axis));
+        tangents
+    }
+
+    /// Inner product of all six numbers.
+    pub(crate) fn inner(&self, other: &Self) -> F {
+        dot(self.theta, other.theta) + dot(self.eta, other.eta)
+    }
+
     /// Sum of this tangent and f times another.
     pub(crate) fn plus(&self, other: &Self, f: F) -> Self {
         Self { theta: add_scaled(self.theta, other.theta, f), eta: add_scaled(self.eta, other.eta, f) }
@@ -92,13 +106,10 @@ impl Flow<f64, 0> {
         Self { axis, side, across: add_scaled(omega, axis, -spin), spin, tangents: [] }
     }
 
-    /// State with tangents. The first six are changes of θ and of η along these axes; the others are 0.
+    /// State with tangents: changes of θ, then of η, along these axes; the others are 0.
     pub(crate) fn with_tangents<F: Float, const N: usize>(&self, axes: &[Vector<f64>; 3]) -> Flow<F, N> {
-        let mut flow = Flow::ZERO;
+        let mut flow = Flow { tangents: Tangent::along_axes(axes), ..Flow::ZERO };
         flow.set_state(self);
-        let (turns, rates) = flow.tangents.split_at_mut(axes.len().min(N));
-        turns.iter_mut().zip(axes).for_each(|(tangent, axis)| tangent.theta = cast(*axis));
-        rates.iter_mut().zip(axes).for_each(|(tangent, axis)| tangent.eta = cast(*axis));
         flow
     }
 }

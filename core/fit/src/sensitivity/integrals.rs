@@ -1,7 +1,10 @@
-//! First integrals l, n and h, and their gradients.
+//! First integrals l, n and h, their gradients, and the growth of the derivatives in a period.
+//!
+//! A change of the launch that keeps l, n and h does not grow. The error of the integration makes it grow a million times in a
+//! million periods; the projection of the growth onto the gradients removes it.
 
 use crate::sensitivity::equations::{Equations, cross_vertical};
-use crate::sensitivity::flow::{Flow, Tangent};
+use crate::sensitivity::flow::{COLUMNS, Flow, LAUNCH, Tangent};
 use crate::vector::{UP, Vector, add_scaled, cross, dot, scaled};
 
 impl Equations<f64> {
@@ -35,4 +38,44 @@ impl Equations<f64> {
         let square = dot(flow.across, flow.across) + inertia * spin * spin + moment * height * rise * rise;
         [vertical + n * u, n, 0.5 * square + moment * gravity * u]
     }
+}
+
+/// Length, relative to a gradient, below which its component orthogonal to the other gradients is a rounding error.
+const ROUNDING: f64 = 1e-14;
+
+/// Growth of the columns in a period, without that of changes of the launch which keep l, n and h.
+///
+/// * `rate`: unit of η
+pub(crate) fn projected(
+    gradients: &[Tangent<f64>; 3],
+    rate: f64,
+    growth: &[Tangent<f64>; COLUMNS],
+) -> [Tangent<f64>; COLUMNS] {
+    let mut projected = *growth;
+    projected.iter_mut().take(LAUNCH).for_each(|slot| *slot = Tangent::ZERO);
+    // orthonormal directions, whose η is in units of the rate; 0 for a gradient that depends on those before
+    let mut directions = [Tangent::ZERO; 3];
+    for (index, gradient) in gradients.iter().enumerate() {
+        let gradient = Tangent { theta: gradient.theta, eta: scaled(gradient.eta, rate) };
+        let mut rest = gradient;
+        // twice, because the first subtraction leaves rounding errors of what it subtracts
+        for direction in [directions, directions].as_flattened() {
+            rest = rest.plus(direction, -rest.inner(direction));
+        }
+        let length = libm::sqrt(rest.inner(&rest));
+        if length <= ROUNDING * libm::sqrt(gradient.inner(&gradient)) {
+            continue;
+        }
+        let direction = Tangent::ZERO.plus(&rest, 1.0 / length);
+        let (up, down) = (scaled(direction.eta, rate), scaled(direction.eta, 1.0 / rate));
+        let mut along = Tangent::ZERO;
+        for (column, share) in growth.iter().zip([direction.theta, up].as_flattened()) {
+            along = along.plus(column, *share);
+        }
+        for (slot, share) in projected.iter_mut().zip([direction.theta, down].as_flattened()) {
+            *slot = slot.plus(&along, *share);
+        }
+        directions.iter_mut().skip(index).take(1).for_each(|slot| *slot = direction);
+    }
+    projected
 }

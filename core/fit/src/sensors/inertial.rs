@@ -1,7 +1,7 @@
 //! Instruments on the body: gyroscope, accelerometer and magnetometer.
 
 use crate::sensitivity::Partials;
-use crate::sensors::sensor::{Hint, Mounting, Noise, Prediction, Sensor, three};
+use crate::sensors::{Hint, Mounting, Noise, Prediction, Sensor, three};
 use crate::vector::{UP, Vector, add_scaled, along, cast, dot, norm, scaled};
 use toytop::scalar::Real;
 

@@ -1,7 +1,7 @@
 //! Optical instruments beside the top: cameras, and a mark that passes a photo diode.
 
 use crate::sensitivity::Partials;
-use crate::sensors::sensor::{Hint, Prediction, Sensor, three};
+use crate::sensors::{Hint, Prediction, Sensor, three};
 use crate::vector::{Vector, add_scaled, cast, cross, norm, rotation_vector, scaled};
 use toytop::Phase;
 use toytop::scalar::Real;

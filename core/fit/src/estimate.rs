@@ -1,8 +1,8 @@
-//! Unknowns of a fit: a launch, free ratios of the top, losses and biases.
+//! Estimate of the unknowns of a fit: a launch, free ratios of the top, losses and biases.
 
-use crate::least_squares::{MOST_UNKNOWNS, Unknowns};
 use crate::sensitivity::{LAUNCH, RATIOS};
-use crate::vector::{Vector, add_scaled, dot, rotation_vector};
+use crate::triangle::{MOST_UNKNOWNS, Unknowns};
+use crate::vector::{Vector, add_scaled, rotation_vector};
 use toytop::su2::Orientation;
 use toytop::{ParameterError, State};
 
@@ -89,19 +89,10 @@ impl Estimate {
 
     /// Change of the unknowns from another estimate to this one.
     pub(crate) fn change_from(&self, from: &Self) -> Unknowns {
-        let [d1, d2, d3] = rotation_vector(&from.orientation.inverse().compose(&self.orientation));
-        let [w1, w2, w3] = add_scaled(self.omega_body(), from.omega_body(), -1.0);
-        let mut change = [0.0; MOST_UNKNOWNS];
-        let [a, b, c, d, e, f, others @ ..] = &mut change;
-        [*a, *b, *c, *d, *e, *f] = [d1, d2, d3, w1, w2, w3];
-        for (slot, (x, y)) in others.iter_mut().zip(self.other.iter().zip(from.other)) {
-            *slot = x - y;
-        }
-        change
-    }
-
-    /// Component of ω along the axis.
-    pub(crate) fn spin(&self) -> f64 {
-        dot(self.omega, self.orientation.axis())
+        let turn = rotation_vector(&from.orientation.inverse().compose(&self.orientation));
+        let rate = add_scaled(self.omega_body(), from.omega_body(), -1.0);
+        let others = self.other.iter().zip(from.other).map(|(x, y)| x - y);
+        let mut change = turn.into_iter().chain(rate).chain(others);
+        core::array::from_fn(|_| change.next().unwrap_or(0.0))
     }
 }

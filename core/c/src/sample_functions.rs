@@ -1,9 +1,9 @@
 //! Quantities of a sample.
 
+use crate::launch::toytop_state;
 use crate::sample::{self, parts, toytop_ephemeris_sample};
 use crate::status::toytop_status;
 use crate::table::Tabulated;
-use crate::toytop_state;
 use toytop::fixed::types::I2F30;
 
 /// Sample of a table in memory of the caller.

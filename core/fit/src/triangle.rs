@@ -67,9 +67,9 @@ impl<F: Real> Triangle<F> {
         }
     }
 
-    /// Adds the information that one unknown has this value, with this standard deviation > 0.
-    pub(crate) fn add_known(&mut self, index: usize, value: F, deviation: F) {
-        self.add(single(index, F::ONE / deviation), value / deviation);
+    /// Adds the information that one unknown is 0, with this standard deviation > 0.
+    pub(crate) fn add_known(&mut self, index: usize, deviation: F) {
+        self.add(single(index, F::ONE / deviation), F::ZERO);
     }
 
     /// Row of the matrix, and its right-hand side.
@@ -81,7 +81,7 @@ impl<F: Real> Triangle<F> {
     }
 
     /// Solution of R x = y; entries without information are 0.
-    fn solved(&self, mut y: Unknowns<F>) -> Unknowns<F> {
+    pub(crate) fn solved(&self, mut y: Unknowns<F>) -> Unknowns<F> {
         for index in 0..self.count {
             let (row, _) = self.row(index);
             let known = inner(row.iter().take(index), &y);
@@ -102,22 +102,34 @@ impl<F: Real> Triangle<F> {
         self.solved(single(index, F::ONE))
     }
 
-    /// Sets the right-hand side to that of a solution; returns the square of its size in standard deviations.
-    pub(crate) fn point_to(&mut self, point: &Unknowns<F>) -> F {
-        let mut square = F::ZERO;
+    /// Matrix R⁻¹ in another scalar, with the right-hand side 0.
+    pub(crate) fn inverse<G: Real>(&self) -> Triangle<G> {
+        let mut inverse = Triangle::new(self.count);
         for index in 0..self.count {
-            if let Some([row @ .., side]) = self.entries.get_mut(place(index)) {
-                *side = inner(row.iter(), point);
-                square = square + side.squared();
+            for (row, value) in self.inverse_column(index).iter().enumerate().take(self.count).skip(index) {
+                let slot = inverse.entries.get_mut(place(row).start + index);
+                slot.into_iter().for_each(|slot| *slot = G::from_f64(value.to_f64()));
             }
         }
-        square
+        inverse
     }
 
-    /// Norm |R δ|: the size of a change in standard deviations.
-    pub(crate) fn size(&self, change: &Unknowns<F>) -> F {
-        let square = |index| inner(self.row(index).0.iter(), change).squared();
-        (0..self.count).map(square).fold(F::ZERO, |sum, x| sum + x).sqrt()
+    /// Product R x of a change x: its components in standard deviations.
+    fn product(&self, change: &Unknowns<F>) -> Unknowns<F> {
+        core::array::from_fn(|index| inner(self.row(index).0.iter(), change))
+    }
+
+    /// Sets the right-hand side to that of a solution.
+    pub(crate) fn point_to(&mut self, point: &Unknowns<F>) {
+        for (index, value) in self.product(point).into_iter().enumerate().take(self.count) {
+            let side = self.entries.get_mut(place(index)).and_then(<[F]>::last_mut);
+            side.into_iter().for_each(|side| *side = value);
+        }
+    }
+
+    /// Square |R x|² of the size of a change, in standard deviations.
+    pub(crate) fn square(&self, change: &Unknowns<F>) -> F {
+        self.product(change).into_iter().fold(F::ZERO, |sum, x| sum + x.squared())
     }
 }
 

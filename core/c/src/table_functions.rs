@@ -1,14 +1,10 @@
 //! Set-up and reading of a table.
 
-use crate::events::{self, toytop_event};
 use crate::motion::toytop_motion;
-use crate::sample::{self, toytop_ephemeris_cursor, toytop_ephemeris_sample};
+use crate::sample::{self, toytop_ephemeris_cursor, toytop_ephemeris_sample, toytop_event};
 use crate::set_up::{self, Launched, toytop_between, toytop_set_up};
 use crate::status::{status_of, toytop_error, toytop_status};
-use crate::table::{
-    toytop_ephemeris_f32, toytop_ephemeris_f64, toytop_ephemeris_q31, toytop_error_bounds, toytop_tick,
-    write_from,
-};
+use crate::table::*;
 use core::ffi::c_void;
 use toytop::Level;
 use toytop::fixed::types::I2F30;
@@ -48,7 +44,7 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up>](
 ) -> toytop_status {
     let launched = Launched { motion, tick, epoch, truncation };
     // SAFETY: the caller guarantees valid pointers.
-    unsafe { status_of(set_up::on_stack::<$scalar>((table.cast(), size), launched), error) }
+    unsafe { status_of(error, || set_up::on_stack::<$scalar>((table.cast(), size), launched)) }
 }
 
 /// Sets up a table as the function without `_between` does, with its memory in a static instead of on the stack, and with other work in between.
@@ -70,7 +66,7 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up_between>](
     let launched = Launched { motion, tick, epoch, truncation };
     // SAFETY: the caller guarantees valid pointers.
     unsafe {
-        status_of(set_up::run::<$scalar>((table.cast(), size), set_up, launched, (between, context)), error)
+        status_of(error, || set_up::run::<$scalar>((table.cast(), size), set_up, launched, (between, context)))
     }
 }
 
@@ -87,7 +83,11 @@ pub unsafe extern "C" fn [<toytop_ $name _segments_needed>](motion: *const toyto
 reader! {
 /// Error bounds of a table at a tick.
 [<toytop_ $name _error_bounds>](table: $table; tick: i64, bounds: *mut toytop_error_bounds)
-    |table, tick, bounds| write_from::<$scalar, _>(table, bounds, |view| sample::error_bounds(view, tick))
+    |table, tick, bounds| {
+        write_from::<$scalar, _>(table, bounds, |view| {
+            Ok(toytop_error_bounds { orientation: view.error_bound_at(tick), rate: view.rate_error_bound_at(tick) })
+        })
+    }
 }
 
 reader! {
@@ -124,7 +124,7 @@ reader! {
 /// First turning point of u at tick `from` or later; `upward` is 1 where u = e2. `TOYTOP_NONE` where there is none. The next one is
 /// found from `tick + 1` of this one, here and below.
 [<toytop_ $name _turning_point>](table: $table; from: i64, event: *mut toytop_event)
-    |table, from, event| write_from::<$scalar, _>(table, event, |view| events::first(view.turning_points(from)))
+    |table, from, event| write_from::<$scalar, _>(table, event, |view| sample::first_event(view.turning_points(from)))
 }
 
 reader! {
@@ -132,7 +132,7 @@ reader! {
 /// the axis rises. `TOYTOP_NONE` where the motion does not reach it.
 [<toytop_ $name _tilt_reached>](table: $table; tilt: f64, from: i64, event: *mut toytop_event)
     |table, tilt, from, event| {
-        write_from::<$scalar, _>(table, event, |view| events::first(view.crossings(Level::of_tilt(tilt)?, from)))
+        write_from::<$scalar, _>(table, event, |view| sample::first_event(view.crossings(Level::of_tilt(tilt)?, from)))
     }
 }
 
@@ -141,7 +141,7 @@ reader! {
 /// angle of the tip increases. `TOYTOP_NONE` where the axis is always vertical or the direction is not reached.
 [<toytop_ $name _direction_reached>](table: $table; direction: f64, from: i64, event: *mut toytop_event)
     |table, angle, from, event| {
-        write_from::<$scalar, _>(table, event, |view| events::first(view.tip_angles(events::direction(angle)?, from)))
+        write_from::<$scalar, _>(table, event, |view| sample::first_event(view.tip_angles(sample::direction(angle)?, from)))
     }
 }
 

@@ -1,11 +1,10 @@
 //! Covariance of the unknowns of a fit.
 
-use crate::least_squares::triangle::{MOST_UNKNOWNS, Triangle, Unknowns};
+use crate::sensitivity::{LAUNCH, Tangent};
+use crate::triangle::{MOST_UNKNOWNS, Triangle};
 use crate::vector::Vector;
 use toytop::scalar::Real;
 
-/// Number of unknowns of a launch.
-const LAUNCH: usize = 6;
 /// Entries of a symmetric matrix on and below its diagonal.
 const ENTRIES: usize = MOST_UNKNOWNS * (MOST_UNKNOWNS + 1) / 2;
 /// Least variance of an unknown given those before it: an unknown whose variance is negative by rounding counts as
@@ -19,9 +18,6 @@ pub struct Covariance {
     entries: [f64; ENTRIES],
 }
 
-/// Derivatives of a vector with respect to the unknowns.
-pub(crate) type Columns = [Vector<f64>; MOST_UNKNOWNS];
-
 impl Covariance {
     pub(crate) const ZERO: Self = Self { entries: [0.0; ENTRIES] };
 
@@ -31,7 +27,6 @@ impl Covariance {
         self.entries.get(place(i, j)).copied().unwrap_or(0.0)
     }
 
-    /// Sets the covariance of two unknowns.
     pub(crate) fn set(&mut self, i: usize, j: usize, value: f64) {
         if let Some(slot) = self.entries.get_mut(place(i, j)) {
             *slot = value;
@@ -57,11 +52,12 @@ impl Covariance {
         }
     }
 
-    /// Replaces the covariance of the launch by that of two vectors, of which the derivatives are given.
-    pub(crate) fn carry(&mut self, first: &Columns, second: &Columns) {
+    /// Replaces the covariance of the launch by that of a change of a motion, of which the derivatives with respect to the unknowns are
+    /// given; those that are left out are 0.
+    pub(crate) fn carry(&mut self, columns: &[Tangent<f64>]) {
         let share = |index: usize, unknown: usize| {
-            let columns = if index < 3 { first } else { second };
-            columns.get(unknown).and_then(|column| column.get(index % 3)).copied().unwrap_or(0.0)
+            let change = columns.get(unknown).map_or([[0.0; 3]; 2], |by| [by.theta, by.eta]);
+            change.as_flattened().get(index).copied().unwrap_or(0.0)
         };
         // the other unknowns are kept, so that only the rows of the launch have to be multiplied
         let mut rows = [[0.0; MOST_UNKNOWNS]; LAUNCH];
@@ -80,47 +76,36 @@ impl Covariance {
 
     /// Replaces the covariance of a launch along other axes by that along the fixed ones.
     pub(crate) fn turn(&mut self, axes: &[Vector<f64>; 3]) {
-        let [mut turns, mut rates]: [Columns; 2] = [[[0.0; 3]; MOST_UNKNOWNS]; 2];
-        turns.iter_mut().zip(axes).for_each(|(slot, axis)| *slot = *axis);
-        rates.iter_mut().skip(3).zip(axes).for_each(|(slot, axis)| *slot = *axis);
-        self.carry(&turns, &rates);
+        self.carry(&Tangent::along_axes::<LAUNCH>(axes));
     }
 
-    /// Covariance of a vector, of which the derivatives are given.
-    pub(crate) fn of_vector(&self, columns: &Columns) -> [Vector<f64>; 3] {
+    /// Covariance of a vector, of which the derivatives with respect to the unknowns are given.
+    pub(crate) fn of_vector(&self, columns: &[Vector<f64>; MOST_UNKNOWNS]) -> [Vector<f64>; 3] {
         let mut carried = *self;
-        carried.carry(columns, columns);
+        carried.carry(&columns.map(|theta| Tangent { theta, eta: [0.0; 3] }));
         [0, 1, 2].map(|i| [0, 1, 2].map(|j| carried.get(i, j)))
     }
 
-    /// Replaces the covariance L Lᵀ of the first `count` unknowns by the lower triangle L, by Cholesky's method.
-    pub(crate) fn factorise(&mut self, count: usize) {
-        for i in 0..count {
-            for j in 0..=i {
-                let known: f64 = (0..j).map(|k| self.get(i, k) * self.get(j, k)).sum();
-                let rest = self.get(i, j) - known;
-                let root = if i == j { libm::sqrt(rest.max(LEAST_VARIANCE)) } else { rest / self.get(j, j) };
-                self.set(i, j, root);
-            }
-        }
+    /// Information of the first `count` unknowns: the inverse of Cholesky's triangle.
+    #[inline(never)] // the triangle is on the stack only during the call
+    pub(crate) fn information<F: Real>(&self, count: usize) -> Triangle<F> {
+        self.factor(count).inverse()
     }
 
-    /// Row of L⁻¹ of a lower triangle L.
-    pub(crate) fn inverse_row(&self, index: usize) -> Unknowns {
-        let mut row = [0.0; MOST_UNKNOWNS];
-        for unknown in (0..=index).rev() {
-            let known: f64 =
-                row.iter().enumerate().skip(unknown + 1).map(|(k, x)| x * self.get(k, unknown)).sum();
-            let unit = if unknown == index { 1.0 } else { 0.0 };
-            if let Some(slot) = row.get_mut(unknown) {
-                *slot = (unit - known) / self.get(unknown, unknown);
-            }
+    /// Cholesky's lower triangle L of the covariance L Lᵀ of the first `count` unknowns.
+    pub(crate) fn factor(&self, count: usize) -> Triangle<f64> {
+        let mut factor = Triangle::new(count);
+        for index in 0..count {
+            let mut row = factor.solved(core::array::from_fn(|other| self.get(index, other)));
+            let known: f64 = row.iter().take(index).map(|x| x * x).sum();
+            let pivot = libm::sqrt((self.get(index, index) - known).max(LEAST_VARIANCE));
+            row.iter_mut().skip(index).take(1).for_each(|slot| *slot = pivot);
+            factor.add(row, 0.0);
         }
-        row
+        factor
     }
 }
 
-/// Index of an entry.
 fn place(i: usize, j: usize) -> usize {
     let (row, column) = if i < j { (j, i) } else { (i, j) };
     row * (row + 1) / 2 + column
@@ -140,12 +125,12 @@ mod tests {
     }
 
     #[test]
-    fn the_rows_of_the_inverse_factor_make_the_covariance_one() {
-        let mut factor = covariance();
-        factor.factorise(8);
+    fn the_inverse_factor_makes_the_covariance_one() {
+        let factor = covariance().factor(8);
+        let inverse = [0, 1, 2, 3, 4, 5, 6, 7].map(|index| factor.inverse_column(index));
         for i in 0..8 {
             for j in 0..8 {
-                let [x, y] = [i, j].map(|index| factor.inverse_row(index));
+                let [x, y] = [i, j].map(|row| inverse.map(|column| column[row]));
                 let product: f64 =
                     (0..8).flat_map(|k| (0..8).map(move |l| x[k] * covariance().get(k, l) * y[l])).sum();
                 assert!((product - f64::from(u8::from(i == j))).abs() < 1e-10, "{i} {j}: {product}");
@@ -155,22 +140,18 @@ mod tests {
 
     #[test]
     fn a_carried_covariance_is_that_of_the_carried_unknowns() {
-        let column = |shift: usize| {
-            let mut columns = [[0.0; 3]; MOST_UNKNOWNS];
-            for (k, column) in columns.iter_mut().enumerate().take(8) {
-                *column = [0.3, 1.1, 2.3].map(|x| libm::cos(x * (k + shift) as f64));
-            }
-            columns
-        };
-        let columns = [column(0), column(5)];
+        let column = |shift: usize, k: usize| [0.3, 1.1, 2.3].map(|x| libm::cos(x * (k + shift) as f64));
+        let columns = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| Tangent { theta: column(0, k), eta: column(5, k) });
         let mut carried = covariance();
-        carried.carry(&columns[0], &columns[1]);
+        carried.carry(&columns);
         let mut expected = Covariance::ZERO;
         for k in 0..9 {
             let before = |i: u32| libm::sin(f64::from(i * i + 3 * k * i + k));
             let after = |i: usize| {
                 if i < 6 {
-                    (0..8).map(|j| columns[i / 3][j][i % 3] * before(j as u32)).sum()
+                    (0..8)
+                        .map(|j| [columns[j].theta, columns[j].eta].as_flattened()[i] * before(j as u32))
+                        .sum()
                 } else {
                     before(i as u32)
                 }
