@@ -157,6 +157,13 @@ impl Expansion {
         [size(&self.chi), larger_or_nan(alpha, beta) + y * self.variation_size]
     }
 
+    /// Whether the coefficients of an expansion over twice the distance should be in range.
+    pub(crate) fn may_double(&self) -> bool {
+        /// Greatest relative change of dχ/dy at y = 1 by its first power.
+        const GREATEST_CHANGE: f32 = 1.25;
+        self.chi.term(1, 1.0) <= GREATEST_CHANGE * self.chi.term(0, 1.0)
+    }
+
     /// Upper bound on |dθ/dx| for x in [-1, 1], without the truncation error.
     pub(crate) fn greatest_theta_slope(&self) -> f32 {
         let greatest = |rate: &Rate| rate.bound(rate.variation.size(1, self.terms, 0.0));

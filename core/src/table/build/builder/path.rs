@@ -109,12 +109,14 @@ impl SetUp {
         (self.border, self.centre) = (position, None);
     }
 
-    /// Goes on to the next span. It is twice as long where the series are accurate at x = 2 or `in_any_case`.
+    /// Goes on to the next span. It is twice as long where its expansion should converge and the series are accurate at
+    /// x = 2 or `in_any_case`.
     pub(super) fn leave(&mut self, in_any_case: bool) {
         let next = Span { begin: self.span.end(), ..self.span };
         let twice = Span { depth: self.span.depth - 1, ..next };
         let allowed = self.allowed();
-        let doubles = twice.exists() && (in_any_case || self.expansion.truncation_error(2) <= allowed);
+        let accurate = in_any_case || self.expansion.truncation_error(2) <= allowed;
+        let doubles = twice.exists() && self.expansion.may_double() && accurate;
         let x = if doubles { 3 } else { 2 };
         self.centre = self.after(x, f64::from(x) * allowed);
         self.border = self.end;
