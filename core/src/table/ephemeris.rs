@@ -6,6 +6,7 @@ use crate::table::cell::{CELLS, Cell, SEGMENTS_AT_LEVEL_0};
 use crate::table::clock::Clock;
 use crate::table::scalar::{Coefficient, EphemerisScalar};
 use crate::table::series::TERMS;
+use core::borrow::Borrow;
 use core::ops::{Deref, DerefMut};
 
 /// Ephemeris of one motion with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.
@@ -85,16 +86,26 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for Ephemeris<R, SEGMENTS>
     }
 }
 
+impl<R: EphemerisScalar, const SEGMENTS: usize> Borrow<EphemerisView<R>> for Ephemeris<R, SEGMENTS> {
+    #[inline(always)]
+    fn borrow(&self) -> &EphemerisView<R> {
+        self
+    }
+}
+
 /// Memory of a table, for a static: `EphemerisMemory<EphemerisF32>`.
 #[derive(Debug)]
-#[repr(transparent)]
-pub struct EphemerisMemory<T: ?Sized>(T);
+pub struct EphemerisMemory<T: ?Sized> {
+    /// Whether the last set-up succeeded.
+    pub(crate) is_set_up: bool,
+    pub(crate) table: T,
+}
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> EphemerisMemory<Ephemeris<R, SEGMENTS>> {
     /// Memory without a table. A static of it takes no flash.
     #[must_use]
     pub const fn new() -> Self {
-        Self(Ephemeris::EMPTY)
+        Self { is_set_up: false, table: Ephemeris::EMPTY }
     }
 }
 
@@ -108,12 +119,7 @@ impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
     /// Table, if the last set-up succeeded.
     #[must_use]
     pub fn get(&self) -> Option<&EphemerisView<R>> {
-        let Self(table) = self;
-        table.is_set_up().then_some(table)
-    }
-
-    pub(crate) fn table_mut(&mut self) -> &mut EphemerisView<R> {
-        &mut self.0
+        self.is_set_up.then_some(&self.table)
     }
 }
 
@@ -133,20 +139,13 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> DerefMut for EphemerisMemory<Eph
 
 /// Table that was set up, with the exclusive use of its memory.
 #[derive(Debug)]
-#[repr(transparent)]
-pub struct ReadyEphemeris<'a, R: EphemerisScalar>(&'a mut EphemerisMemory<EphemerisView<R>>);
+pub struct ReadyEphemeris<'a, R: EphemerisScalar>(pub(crate) &'a mut EphemerisMemory<EphemerisView<R>>);
 
 impl<'a, R: EphemerisScalar> ReadyEphemeris<'a, R> {
-    /// Table of a memory that was just set up.
-    pub(crate) fn new(memory: &'a mut EphemerisMemory<EphemerisView<R>>) -> Self {
-        Self(memory)
-    }
-
     /// Table for any number of readers, as long as its memory lives.
     #[must_use]
     pub fn share(self) -> &'a EphemerisView<R> {
-        let EphemerisMemory(table) = self.0;
-        table
+        &self.0.table
     }
 
     /// Memory of the table, for the next set-up.
@@ -161,17 +160,11 @@ impl<R: EphemerisScalar> Deref for ReadyEphemeris<'_, R> {
 
     #[inline(always)]
     fn deref(&self) -> &EphemerisView<R> {
-        let EphemerisMemory(table) = &*self.0;
-        table
+        &self.0.table
     }
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Whether a set-up has written all fields. It writes the error bound last, so that a positive one means a complete table.
-    fn is_set_up(&self) -> bool {
-        self.error_bound.constant > 0.0
-    }
-
     /// Number of segments that the memory can hold.
     #[must_use]
     pub fn capacity(&self) -> usize {

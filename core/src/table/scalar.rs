@@ -41,12 +41,17 @@ pub struct EvaluationErrors {
 }
 
 /// Scalar of an ephemeris: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
-pub trait EphemerisScalar: Scalar + Into<f64> {
+pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
     /// Coefficient of the table.
     #[doc(hidden)]
     type Coefficient: Coefficient<Quantity = Self::Quantity>;
     /// Segment: coefficients of Re α, Im α, Re β and Im β side by side, lowest power first.
-    type Segment: Copy + Debug + PartialEq + AsRef<[[Self::Coefficient; 4]]> + AsMut<[[Self::Coefficient; 4]]>;
+    type Segment: Copy
+        + Debug
+        + PartialEq
+        + 'static
+        + AsRef<[[Self::Coefficient; 4]]>
+        + AsMut<[[Self::Coefficient; 4]]>;
     /// Type of lengths and rates: the scalar itself, or `f32` for fixed point, whose range is too small.
     type Quantity: Real;
 

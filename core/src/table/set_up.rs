@@ -5,7 +5,7 @@ use core::fmt;
 use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::table::build::Limits;
-use crate::table::build::bound::{ErrorBound, error_bounds};
+use crate::table::build::bound::error_bounds;
 use crate::table::build::builder::SetUp;
 use crate::table::cell::{Cell, SEGMENTS_AT_LEVEL_0};
 use crate::table::clock::Clock;
@@ -59,7 +59,6 @@ impl SetUp {
         epoch: i64,
         between: &mut dyn FnMut(),
     ) -> Result<(), SetUpError> {
-        table.error_bound = ErrorBound::NONE;
         let capacity = table.capacity();
         self.tabulate::<R>(motion, &mut table.segments, capacity, between)?;
         between();
@@ -131,8 +130,10 @@ impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
         epoch: i64,
         between: &mut dyn FnMut(),
     ) -> Result<ReadyEphemeris<'_, R>, SetUpError> {
-        set_up.fill(self.table_mut(), motion, tick, epoch, between)?;
-        Ok(ReadyEphemeris::new(self))
+        self.is_set_up = false;
+        set_up.fill(&mut self.table, motion, tick, epoch, between)?;
+        self.is_set_up = true;
+        Ok(ReadyEphemeris(self))
     }
 }
 
