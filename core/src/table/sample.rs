@@ -9,7 +9,7 @@ use crate::scalar::{Extended, Float};
 use crate::su2::{Orientation, OrientationRate, Vector};
 use crate::table::cell::{Cell, LEVEL_0_BITS};
 use crate::table::ephemeris::EphemerisView;
-use crate::table::scalar::{Coefficient, EphemerisScalar, SegmentPoint};
+use crate::table::scalar::{Coefficient, EphemerisScalar, SegmentPoint, orientation, orientation_and_rates};
 
 /// Sample of a motion at one time. Each method evaluates the table anew; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
 /// [`Sample::attitude_state`] return several quantities of one evaluation.
@@ -64,7 +64,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     pub fn pose(&self) -> Pose<R, R::Quantity> {
         let numbers = self.evaluated();
         let product = numbers.alpha * numbers.beta;
-        let [re, im] = [product.re, product.im].map(R::Coefficient::wide);
+        let [re, im] = [product.re, product.im].map(R::Quantity::from);
         Pose {
             orientation: converted(&numbers, R::rounded),
             u: R::rounded(numbers.u()),
@@ -142,7 +142,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R::Quantity> {
         let (numbers, omega_body) = self.numbers_and_omega_body();
-        let orientation = converted(&numbers, R::Coefficient::wide);
+        let orientation = converted(&numbers, R::Quantity::from);
         AttitudeState { orientation, rate: OrientationRate::from_body(&orientation, omega_body) }
     }
 
@@ -151,7 +151,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     fn evaluated(&self) -> Orientation<NumberOf<R>> {
         let [nutation, a, b] = self.phases;
         let LocatedSegment { terms, point, .. } = self.ephemeris.locate(nutation);
-        R::Coefficient::orientation(terms, point, [a, b])
+        orientation(terms, point, [a, b])
     }
 
     /// Orientation before its conversion, angular velocity Ω in the body frame over a power of two, and the exponent of that power.
@@ -159,7 +159,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     fn evaluated_with_rates(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
         let [nutation, a, b] = self.phases;
         let LocatedSegment { terms, point, .. } = self.ephemeris.locate(nutation);
-        R::Coefficient::orientation_and_rates(terms, point, [a, b], self.ephemeris.clock.rates)
+        orientation_and_rates(terms, point, [a, b], self.ephemeris.clock.rates)
     }
 
     /// Orientation before its conversion, and angular velocity Ω in the body frame.

@@ -11,7 +11,7 @@ use crate::phase::Phase;
 use crate::table::clock::Clock;
 use crate::table::ephemeris::EphemerisView;
 use crate::table::sample::{LocatedSegment, Sample};
-use crate::table::scalar::{Coefficient, EphemerisScalar, values_and_slopes};
+use crate::table::scalar::{Coefficient, EphemerisScalar};
 
 impl<R: EphemerisScalar> Sample<'_, R> {
     /// Tip angle φ = arg c, continuous in time from φ(0) in (-1/2, 1/2] turn, whole turns included (modulo 2^32
@@ -99,9 +99,12 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// or to 0.
     fn winding_in(&self, found: &LocatedSegment<'_, R>, mut winding: Winding) -> Winding {
         let x = found.point.x as f64 / (1_u64 << 63) as f64;
-        let numbers = |(power, row): (usize, &[R::Coefficient; 4])| row.map(|c| c.value(power));
-        let [value, slope] = values_and_slopes(found.terms.iter().enumerate().rev().map(numbers), x);
-        let ([a, b], [a_slope, b_slope]) = (complex(value), complex(slope));
+        let [mut a, mut b, mut a_slope, mut b_slope] = [Complex::ZERO; 4];
+        for (power, row) in found.terms.iter().enumerate().rev() {
+            let [a_term, b_term] = complex(row.map(|c| c.value(power)));
+            (a_slope, b_slope) = (a_slope.scaled(x) + a, b_slope.scaled(x) + b);
+            (a, b) = (a.scaled(x) + a_term, b.scaled(x) + b_term);
+        }
         let (product, change) = (a * b, a_slope * b + a * b_slope);
         let least = LEAST_MODULUS * R::ROUNDING;
         let near_zero = product.norm_squared() <= least * least;

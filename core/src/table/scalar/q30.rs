@@ -24,13 +24,15 @@ impl Q30 {
         }
         f32::from_bits((self.0 as f32).to_bits().wrapping_add_signed((exponent - 30) << 23))
     }
+}
 
-    /// Nearest `f32`.
+/// Nearest `f32`.
+impl From<Q30> for f32 {
     #[inline(always)]
-    pub(crate) fn to_f32(self) -> f32 {
+    fn from(number: Q30) -> Self {
         const UNIT: f32 = 1.0 / (1_u32 << 30) as f32;
         // the same bits: a product with a power of two is exact
-        if SOFT_FLOAT { self.times_power_of_two(0) } else { self.0 as f32 * UNIT }
+        if SOFT_FLOAT { number.times_power_of_two(0) } else { number.0 as f32 * UNIT }
     }
 }
 
@@ -99,7 +101,7 @@ mod tests {
         let zeros = [(0, 73), (1 << 30, -96), (5, -167)];
         assert_eq!(zeros.map(|(number, exponent)| Q30(number).times_power_of_two(exponent)), [0.0; 3]);
         for number in [0, 1, -1, 1 << 30, i32::MIN, 123_456_789, -987_654_321] {
-            assert_eq!(Q30(number).to_f32(), Q30(number).times_power_of_two(0));
+            assert_eq!(f32::from(Q30(number)), Q30(number).times_power_of_two(0));
         }
     }
 }
