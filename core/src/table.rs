@@ -30,8 +30,8 @@ mod cursor;
 mod set_up;
 
 pub use baked::{Baked, BakedError};
+pub use build::SetUp;
 pub use build::bound::ErrorBound;
-pub use build::builder::SetUp;
 pub use clock::Clock;
 pub use cursor::{Cursor, Ticks};
 pub use ephemeris::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisView, ReadyEphemeris};

@@ -4,9 +4,8 @@ use core::fmt;
 
 use crate::constants::Regime;
 use crate::motion::Motion;
-use crate::table::build::Limits;
 use crate::table::build::bound::error_bounds;
-use crate::table::build::builder::SetUp;
+use crate::table::build::{Limits, Outline, SetUp};
 use crate::table::cell::{Cell, SEGMENTS_AT_LEVEL_0};
 use crate::table::clock::Clock;
 use crate::table::ephemeris::{Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, put};
@@ -81,15 +80,13 @@ impl SetUp {
         if motion.regime() == Regime::Aperiodic {
             return Err(SetUpError::Aperiodic);
         }
-        match R::RATE_WORDS {
-            1 => self.compute_rates::<1>(motion, between),
-            _ => self.compute_rates::<2>(motion, between),
-        }
-        between();
         let limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
         let store = &mut |segment, which, parts: [&_; 2]| put::<R>(segments, segment, which, parts);
-        self.build(motion, limits, store, between)
-            .ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
+        let built = match R::RATE_WORDS {
+            1 => self.build::<1>(motion, limits, store, between),
+            _ => self.build::<2>(motion, limits, store, between),
+        };
+        built.ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
     }
 
     /// Writes the cells, the clock and the error bounds.
@@ -102,14 +99,15 @@ impl SetUp {
         epoch: i64,
         between: &mut dyn FnMut(),
     ) {
-        table.cells = self.cells;
-        table.segments.get_mut(self.segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
+        let Outline { cells, segments, error, speeds } = &self.outline;
+        table.cells = *cells;
+        table.segments.get_mut(*segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
         table.clock = Clock::new(motion, tick, epoch, &self.rates, self.start.phases);
         between();
         table.start_tip_angle(motion, self.start.phases, epoch, between);
         between();
         [table.error_bound, table.rate_error_bound] =
-            error_bounds(&R::ERRORS, motion, tick.length(), &self.rates, &self.speeds, self.error);
+            error_bounds(&R::ERRORS, motion, tick.length(), &self.rates, speeds, *error);
         between();
     }
 }
@@ -163,6 +161,6 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let mut set_up = SetUp::within(truncation);
         set_up.tabulate::<R>(motion, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
-        Some(set_up.segments.max(SEGMENTS_AT_LEVEL_0) as u32)
+        Some(set_up.outline.segments.max(SEGMENTS_AT_LEVEL_0) as u32)
     }
 }

@@ -1,6 +1,6 @@
 //! Error bounds of an ephemeris; `core/docs/error_bound.md` derives every term.
 
-use super::{MeanRates, Speeds};
+use super::mean_rates::MeanRates;
 use crate::motion::Motion;
 use crate::scalar::{Extended, Float, Ring, Scalar};
 use crate::table::scalar::EvaluationErrors;
@@ -39,7 +39,26 @@ const FIXED_VARIANCE: f64 = 12.0;
 const PER_TURN: f64 = 0.56 + 1.0 / 512.0;
 /// Standard deviation of a step's rounding error, relative to its terms, in units of 2^-53.
 const STEP: f64 = 2.1;
+
+/// Upper bounds on the speeds of α and β without their mean rotation, from the magnitudes of coefficients.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Speeds {
+    /// Angular velocity 2 √(|dα/dt|² + |dβ/dt|²), rad per half period.
+    pub(super) sweep: f64,
+    /// Twice the rate of θ_A or θ_B, rad per half period.
+    pub(super) turning: f64,
+    /// Acceleration 2 √(|d²α/dt²|² + |d²β/dt²|²), rad per half period squared.
+    pub(super) acceleration: f64,
+    /// Truncation error of the angular velocity, rad per half period.
+    pub(super) sweep_error: f64,
+    /// Rate of the local coordinate x, per half period.
+    pub(super) x_rate: f64,
+}
+
 impl Speeds {
+    pub(super) const ZERO: Self =
+        Self { sweep: 0.0, turning: 0.0, acceleration: 0.0, sweep_error: 0.0, x_rate: 0.0 };
+
     /// Greatest change of the orientation on half a segment, rad: a segment has two cells at most.
     fn steepness(&self) -> f64 {
         self.sweep / 16.0

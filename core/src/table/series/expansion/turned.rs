@@ -151,7 +151,7 @@ mod tests {
                     weight: (alpha.abs().max(beta.abs()) / chi).max(1.0),
                 };
                 let mut expansion = Expansion::EMPTY;
-                expansion.expand(&rounded, &slopes, &mut || {});
+                expansion.expand(&exact, &slopes, &mut || {});
                 assert!(expansion.terms > 2, "{spread} {e:?} {turns}");
                 for x in [-1.0, 0.5, 1.0] {
                     let (PhasePoint { chi: at, theta }, slope) = expansion.at(x);

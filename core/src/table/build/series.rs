@@ -3,12 +3,12 @@
 //! The highest term c x^k is left out together with the lower powers that make it c 2^(1-k) T_k(x). As |T_k| <= 1, the value changes by
 //! at most |c| 2^(1-k).
 
-use super::{Part, Series, SpanSeries};
+use super::bound::Speeds;
+use super::limits::{Limits, OMITTED};
 use crate::product::{long_product, signed_product};
 use crate::scalar::{Float, Ring, short_float};
-use crate::table::build::{Limits, OMITTED, SegmentErrors};
 use crate::table::series::TERMS;
-use crate::table::series::expansion::{Expansion, larger_or_nan};
+use crate::table::series::expansion::{Expansion, TABLE_UNIT, larger_or_nan};
 
 /// Fraction bits of [`FACTORS`].
 const FACTOR_BITS: u32 = TERMS as u32 - 2;
@@ -38,6 +38,78 @@ fn times(c: i64, factor: i32) -> i64 {
     let half = 1 << (FACTOR_BITS - 1);
     (signed_product((c >> LOW_BITS) as i32, factor) << (LOW_BITS - FACTOR_BITS))
         + ((signed_product(low, factor) + half) >> FACTOR_BITS)
+}
+
+/// Errors and slopes of a segment, in units of 2^-62, in `f32` because soft `f64` is slow.
+#[derive(Default)]
+pub(super) struct SegmentErrors {
+    /// Greatest error of the stored coefficients.
+    stored: f32,
+    /// Sums of the squares of the truncation errors, the slopes, the errors of the slopes and the curvatures.
+    change: f32,
+    slope: f32,
+    slope_error: f32,
+    curvature: f32,
+}
+
+impl SegmentErrors {
+    /// Orientation error by truncation and rounding, in units of 2^-62 rad.
+    pub(super) fn error(&self) -> f32 {
+        larger_or_nan(2.0 * Float::sqrt(self.change), self.stored)
+    }
+
+    /// Includes the speeds on the segment, for the rate of x per half period and a bound on dθ/dx.
+    pub(super) fn include_in(&self, speeds: &mut Speeds, x_rate: f32, theta_slope: f32) {
+        let root = |squares: f32| 2.0 * TABLE_UNIT as f32 * Float::sqrt(squares);
+        let include = |greatest: &mut f64, speed: f32| *greatest = larger_or_nan(*greatest, speed.into());
+        include(&mut speeds.sweep, root(self.slope) * x_rate);
+        include(&mut speeds.turning, 2.0 * theta_slope * x_rate);
+        include(&mut speeds.acceleration, root(self.curvature) * x_rate * x_rate);
+        include(&mut speeds.sweep_error, root(self.slope_error) * x_rate);
+        include(&mut speeds.x_rate, x_rate);
+    }
+}
+
+/// Real or imaginary part of a series.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Part {
+    pub(super) coefficients: [i64; TERMS],
+    /// Upper bounds on the changes of the value and of the derivative by the terms left out, in units of 2^-62.
+    left_out: i64,
+    slope_left_out: i64,
+}
+
+/// Power series on an interval, in x from -1 to 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Series {
+    pub(super) parts: [Part; 2],
+    terms: usize,
+}
+
+impl Part {
+    const ZERO: Self = Self { coefficients: [0; TERMS], left_out: 0, slope_left_out: 0 };
+}
+
+impl Series {
+    pub(super) const ZERO: Self = Self { parts: [Part::ZERO; 2], terms: 0 };
+}
+
+/// Series of α or of β on a span, and on the part of it that was halved last.
+#[derive(Debug)]
+pub(super) struct SpanSeries {
+    /// Coefficients of e^{iχ} and e^{-iχ} in the ellipse.
+    pub(super) exponentials: [f64; 2],
+    whole: Series,
+    /// Estimate of the terms beyond the last, in units of 2^-62.
+    pub(super) omitted: f32,
+    halved: Series,
+    /// Number of that part and of the halvings.
+    part: Option<(usize, u32)>,
+}
+
+impl SpanSeries {
+    pub(super) const ZERO: Self =
+        Self { exponentials: [0.0; 2], whole: Series::ZERO, omitted: 0.0, halved: Series::ZERO, part: None };
 }
 
 impl Part {
