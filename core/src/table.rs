@@ -7,8 +7,6 @@
 
 mod cell;
 
-mod tick;
-
 mod series;
 
 /// Scalars, and the evaluation of a segment.
@@ -32,7 +30,7 @@ mod set_up;
 pub use baked::{Baked, BakedError};
 pub use build::SetUp;
 pub use build::bound::ErrorBound;
-pub use clock::Clock;
+pub use clock::{Clock, Tick};
 pub use cursor::{Cursor, Ticks};
 pub use ephemeris::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisView, ReadyEphemeris};
 #[cfg(feature = "fixed")]
@@ -40,4 +38,3 @@ pub use ephemeris::{EphemerisQ15, EphemerisQ31};
 pub use sample::{Pose, Sample};
 pub use scalar::EphemerisScalar;
 pub use set_up::SetUpError;
-pub use tick::Tick;

@@ -1,12 +1,57 @@
 //! Clock of an ephemeris: the phases at any tick, and at any time between two ticks.
 
+use crate::body::{ParameterError, require};
 use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::phase::{Phase, PhaseFraction, integer_parts, shifted};
 use crate::scalar::{Extended, Float};
 use crate::table::build::MeanRates;
 use crate::table::cell::SEGMENTS_AT_LEVEL_0;
-use crate::table::tick::Tick;
+
+/// Tick length as an exact fraction of a second (of the motion's unit of time).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Tick {
+    ticks: u32,
+    seconds: u32,
+}
+
+impl Tick {
+    /// Tick length for a frequency in Hz.
+    ///
+    /// # Errors
+    /// `tick`: the frequency is 0.
+    pub fn hertz(frequency: u32) -> Result<Self, ParameterError> {
+        Self::ratio(frequency, 1)
+    }
+
+    /// Tick length for `ticks` ticks in `seconds` seconds: (44100, 2) means 44100/2 Hz.
+    ///
+    /// # Errors
+    /// `tick`: one of the two is 0.
+    pub fn ratio(ticks: u32, seconds: u32) -> Result<Self, ParameterError> {
+        require(
+            ticks > 0 && seconds > 0,
+            "tick",
+            "a positive number of ticks in a positive number of seconds",
+        )?;
+        Ok(Self { ticks, seconds })
+    }
+
+    /// Length of a tick in units of time.
+    pub(crate) fn length(self) -> Extended {
+        quotient(self.seconds, self.ticks)
+    }
+
+    /// Number of ticks in a unit of time.
+    pub(crate) fn rate(self) -> Extended {
+        quotient(self.ticks, self.seconds)
+    }
+}
+
+fn quotient(a: u32, b: u32) -> Extended {
+    Extended::from(f64::from(a)) / Extended::from(f64::from(b))
+}
 
 /// Phases and their increments per tick, and the scales of lengths and rates, as plain numbers: see `core/docs/table_format.md`.
 #[derive(Clone, Copy, Debug, PartialEq)]

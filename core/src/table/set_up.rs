@@ -7,10 +7,9 @@ use crate::motion::Motion;
 use crate::table::build::bound::error_bounds;
 use crate::table::build::{Limits, Outline, SetUp};
 use crate::table::cell::{Cell, SEGMENTS_AT_LEVEL_0};
-use crate::table::clock::Clock;
+use crate::table::clock::{Clock, Tick};
 use crate::table::ephemeris::{Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, put};
 use crate::table::scalar::EphemerisScalar;
-use crate::table::tick::Tick;
 
 /// Reason why a motion has no table.
 #[derive(Clone, Copy, Debug, PartialEq)]

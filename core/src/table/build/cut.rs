@@ -11,8 +11,7 @@
 
 use super::bound::Speeds;
 use super::series::SegmentErrors;
-use super::span::{CELL, HALF_PERIOD};
-use super::{Limits, OpenCell, SetUp};
+use super::{CELL, HALF_PERIOD, Limits, OpenCell, SetUp};
 use crate::motion::Motion;
 use crate::table::cell::{Cell, cells_covered, segments_per_cell};
 use crate::table::series::TERMS;

@@ -1,12 +1,11 @@
 //! Path along half a nutation period, from one expansion of the motion to the next, and the start on it.
 
-use super::{Limits, MeanRates, OpenCell, Outline, PathPoint, SetUp, Start};
+use super::{HALF_PERIOD, Limits, MeanRates, OpenCell, Outline, PathPoint, SetUp, Span, Start};
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::phase_equations::PhaseRates;
 use crate::motion::{Motion, NutationVariable};
 use crate::phase::Phase;
 use crate::scalar::{Float, Scalar, Wide};
-use crate::table::build::span::{HALF_PERIOD, Span};
 use crate::table::series::TERMS;
 use crate::table::series::expansion::{Expansion, PhasePoint, Slopes, larger_or_nan};
 

@@ -4,7 +4,7 @@
 //! at most |c| 2^(1-k).
 
 use super::bound::Speeds;
-use super::limits::{Limits, OMITTED};
+use super::{Limits, OMITTED};
 use crate::product::{long_product, signed_product};
 use crate::scalar::{Float, Ring, short_float};
 use crate::table::series::TERMS;
