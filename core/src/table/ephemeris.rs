@@ -62,11 +62,9 @@ pub type EphemerisQ31 = Ephemeris<fixed::types::I2F30, 32>;
 pub type EphemerisQ15 = Ephemeris<fixed::types::I2F14, 16>;
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
-    const SIZE_IS_VALID: () = assert!(SEGMENTS >= SEGMENTS_AT_LEVEL_0 && SEGMENTS <= Cell::MOST_SEGMENTS);
-
     /// Memory of a table. All its bits are 0, so that it takes no flash.
-    pub(crate) const EMPTY: Self = {
-        let () = Self::SIZE_IS_VALID;
+    const EMPTY: Self = {
+        assert!(SEGMENTS >= SEGMENTS_AT_LEVEL_0 && SEGMENTS <= Cell::MOST_SEGMENTS);
         Self {
             clock: Clock::STOPPED,
             error_bound: ErrorBound::NONE,

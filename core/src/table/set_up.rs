@@ -47,23 +47,6 @@ impl fmt::Display for SetUpError {
 impl core::error::Error for SetUpError {}
 
 impl SetUp {
-    /// Fills a table.
-    #[inline(never)]
-    fn fill<R: EphemerisScalar>(
-        &mut self,
-        table: &mut EphemerisView<R>,
-        motion: &Motion,
-        tick: Tick,
-        epoch: i64,
-        between: &mut dyn FnMut(),
-    ) -> Result<(), SetUpError> {
-        let capacity = table.capacity();
-        self.tabulate::<R>(motion, &mut table.segments, capacity, between)?;
-        between();
-        self.describe(table, motion, tick, epoch, between);
-        Ok(())
-    }
-
     /// Computes the segments. The memory may hold none.
     fn tabulate<R: EphemerisScalar>(
         &mut self,
@@ -127,9 +110,13 @@ impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
         epoch: i64,
         between: &mut dyn FnMut(),
     ) -> Result<ReadyEphemeris<'_, R>, SetUpError> {
-        self.is_set_up = false;
-        set_up.fill(&mut self.table, motion, tick, epoch, between)?;
-        self.is_set_up = true;
+        let Self { is_set_up, table } = self;
+        *is_set_up = false;
+        let capacity = table.capacity();
+        set_up.tabulate::<R>(motion, &mut table.segments, capacity, between)?;
+        between();
+        set_up.describe(table, motion, tick, epoch, between);
+        *is_set_up = true;
         Ok(ReadyEphemeris(self))
     }
 }
@@ -148,9 +135,9 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
     /// # Errors
     /// [`SetUpError`]
     pub fn within(motion: &Motion, tick: Tick, truncation: f64) -> Result<Self, SetUpError> {
-        let mut ephemeris = Self::EMPTY;
-        SetUp::within(truncation).fill(&mut ephemeris, motion, tick, 0, &mut || {})?;
-        Ok(ephemeris)
+        let mut memory = EphemerisMemory::<Self>::new();
+        memory.set_up(&mut SetUp::within(truncation), motion, tick, 0, &mut || {})?;
+        Ok(memory.table)
     }
 }
 

@@ -24,7 +24,7 @@ impl EphemerisScalar for f64 {
         relative_rate: 5.0 * <Self as Scalar>::ROUNDING,
     };
 
-    #[inline(always)]
+    #[inline]
     fn rounded(number: Self) -> Self {
         number
     }
@@ -54,12 +54,12 @@ impl Coefficient for f64 {
         point.x as f64 * UNIT
     }
 
-    #[inline(always)]
+    #[inline]
     fn sum(self) -> f64 {
         self
     }
 
-    #[inline(always)]
+    #[inline]
     fn slope(sum: f64) -> f64 {
         sum
     }
@@ -101,7 +101,7 @@ impl Coefficient for f64 {
         ([2.0 * n.im, -2.0 * n.re, axial], 0)
     }
 
-    #[inline(always)]
+    #[inline]
     fn rate(number: Self, _: i32) -> Self {
         number
     }

@@ -40,7 +40,7 @@ impl EphemerisScalar for f32 {
     const CODE: u32 = 32;
     const ERRORS: EvaluationErrors = EvaluationErrors { tick: SINGLE_ERROR, ..ERRORS };
 
-    #[inline(always)]
+    #[inline]
     fn rounded(number: Q30) -> Self {
         number.into()
     }
@@ -58,7 +58,7 @@ impl EphemerisScalar for I2F30 {
     const ERRORS: EvaluationErrors = ERRORS;
     const TRUNCATION: f64 = 4.0 * Self::ROUNDING;
 
-    #[inline(always)]
+    #[inline]
     fn rounded(number: Q30) -> Self {
         Self::from_bits(number.0)
     }
@@ -120,17 +120,17 @@ impl Coefficient for i32 {
         times_power_of_two(self.into(), -31 - power as i32)
     }
 
-    #[inline(always)]
+    #[inline]
     fn coordinate(point: SegmentPoint) -> i32 {
         point.short_x
     }
 
-    #[inline(always)]
+    #[inline]
     fn sum(self) -> i32 {
         self
     }
 
-    #[inline(always)]
+    #[inline]
     fn slope(sum: i32) -> i32 {
         sum >> 1
     }
@@ -175,7 +175,7 @@ impl Coefficient for i32 {
         omega_body(polynomials, point.mirrored, difference, point.level, rates)
     }
 
-    #[inline(always)]
+    #[inline]
     fn rate(number: Q30, exponent: i32) -> f32 {
         number.times_power_of_two(exponent)
     }

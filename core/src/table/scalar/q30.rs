@@ -56,7 +56,7 @@ impl Ring for Q30 {
 
 impl Add for Q30 {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn add(self, other: Self) -> Self {
         Self(self.0.wrapping_add(other.0))
     }
@@ -64,7 +64,7 @@ impl Add for Q30 {
 
 impl Sub for Q30 {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn sub(self, other: Self) -> Self {
         Self(self.0.wrapping_sub(other.0))
     }
@@ -82,7 +82,7 @@ impl Mul for Q30 {
 
 impl Neg for Q30 {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn neg(self) -> Self {
         Self(self.0.wrapping_neg())
     }

@@ -32,7 +32,7 @@ impl EphemerisScalar for I2F14 {
         ..ERRORS
     };
 
-    #[inline(always)]
+    #[inline]
     fn rounded(number: Q30) -> Self {
         Self::from_bits((number.0 >> 16) as i16)
     }
@@ -60,17 +60,17 @@ impl Coefficient for i16 {
         times_power_of_two(self.into(), -15 - power as i32)
     }
 
-    #[inline(always)]
+    #[inline]
     fn coordinate(point: SegmentPoint) -> i32 {
         ((point.short_x >> 15) + 1) >> 1
     }
 
-    #[inline(always)]
+    #[inline]
     fn sum(self) -> i32 {
         i32::from(self) << 16
     }
 
-    #[inline(always)]
+    #[inline]
     fn slope(sum: i32) -> i32 {
         sum >> 1
     }
@@ -111,7 +111,7 @@ impl Coefficient for i16 {
         omega_body(polynomials, point.mirrored, difference, point.level, rates)
     }
 
-    #[inline(always)]
+    #[inline]
     fn rate(number: Q30, exponent: i32) -> f32 {
         number.times_power_of_two(exponent)
     }
