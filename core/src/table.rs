@@ -1,9 +1,8 @@
 //! Table of a motion: the motion at any tick, from short polynomials and three integer phases.
 //!
-//! A tick takes these steps: the nutation phase (an integer) gives a cell, a segment and the local coordinate on it; four polynomials are
-//! evaluated by Horner's rule; α and β are rotated by the slow phases (also integers). There is no square root, no division, no library
-//! function and no loop whose length depends on data. Every tick has the same cost, and the error does not grow with the number of ticks
-//! except by the rounding of the rates.
+//! In a tick the nutation phase (an integer) gives a cell, a segment and the local coordinate on it; four polynomials are evaluated by
+//! Horner's rule; α and β are rotated by the slow phases (also integers). Every tick has the same cost, and the error grows only by the
+//! rounding of the rates.
 
 mod cell;
 

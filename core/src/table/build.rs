@@ -194,28 +194,8 @@ impl Outline {
     const NONE: Self = Self { cells: [0; CELLS], segments: 0, error: 0.0, speeds: Speeds::ZERO };
 }
 
-/// Memory of a set-up, 4.4 KiB, and the truncation error that it allows. A program with a small stack keeps it in a static.
-///
-/// ```
-/// use toytop::{EphemerisF32, EphemerisMemory, Motion, Release, SetUp, State, Tick, Top, TopParameters};
-/// # let top = Top::sliding(&TopParameters {
-/// #     transverse_inertia: 3.0e-5,
-/// #     axial_inertia: 2.0e-5,
-/// #     com_height: 0.03,
-/// #     mass: 0.05,
-/// #     ..TopParameters::default()
-/// # })?;
-/// # let release = Release { tilt: 0.35, spin: 150.0, ..Release::default() };
-/// let motion = Motion::launch(&top, &State::release(&release)?)?;
-/// let mut set_up = SetUp::new();
-/// let mut memory = EphemerisMemory::<EphemerisF32>::new();
-/// let launched_at = 5000; // tick of a running counter
-/// let table = memory.set_up(&mut set_up, &motion, Tick::hertz(1000)?, launched_at, &mut || {
-///     // feed the watchdog
-/// })?;
-/// assert!(table.at_tick(launched_at).u() > 0.93);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
+/// Memory of a set-up, 4.2 KiB, and the truncation error that it allows. A program with a small stack keeps it in a static;
+/// [`Cursor`](crate::Cursor) shows its use.
 #[derive(Debug)]
 pub struct SetUp {
     /// Truncation error, rad; `None` for that of the scalar.

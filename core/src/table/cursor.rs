@@ -12,8 +12,8 @@ use crate::table::scalar::EphemerisScalar;
 
 /// Table with the phases of consecutive ticks, which three additions advance.
 ///
-/// The table is a `&EphemerisView`, or a [`ReadyEphemeris`](crate::ReadyEphemeris), whose memory is free for another set-up after an exchange. An interrupt exchanges
-/// tables without lock and copy; all of them count the ticks of one counter.
+/// The table is a `&EphemerisView`, or a [`ReadyEphemeris`](crate::ReadyEphemeris), whose memory is free for another set-up after an
+/// exchange. An interrupt exchanges tables without lock and copy.
 ///
 /// ```
 /// # use toytop::{Cursor, EphemerisF32, EphemerisMemory, Motion, Release, SetUp, State, Tick, Top, TopParameters};
@@ -25,12 +25,14 @@ use crate::table::scalar::EphemerisScalar;
 /// #     ..TopParameters::default()
 /// # })?;
 /// # let tick = Tick::hertz(1000)?;
-/// # let launched = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
-/// # let mut set_up = SetUp::new();
-/// # let [mut first, mut second] = [(); 2].map(|()| EphemerisMemory::<EphemerisF32>::new());
-/// # let first = first.set_up(&mut set_up, &Motion::launch(&top, &launched)?, tick, 0, &mut || {})?;
+/// # let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
+/// # let motion = Motion::launch(&top, &state)?;
+/// let mut set_up = SetUp::new();
+/// let [mut first, mut second] = [(); 2].map(|()| EphemerisMemory::<EphemerisF32>::new());
+/// let first = first.set_up(&mut set_up, &motion, tick, 0, &mut || { /* feed the watchdog */ })?;
 /// # let struck = first.at_tick(3).attitude_state().state()?.with_impulse(&top, [0.0, 1e-3, 0.0], [0.03, 0.0, 0.03])?;
-/// # let second = second.set_up(&mut set_up, &Motion::launch(&top, &struck)?, tick, 3, &mut || {})?;
+/// # let struck = Motion::launch(&top, &struck)?;
+/// let second = second.set_up(&mut set_up, &struck, tick, 3, &mut || {})?; // launched at tick 3
 /// let mut cursor = Cursor::new(first, 0);
 /// for _ in 0..4 {
 ///     let _orientation = cursor.next().orientation(); // ticks 0 to 3
@@ -89,8 +91,7 @@ impl<R: EphemerisScalar, S: ?Sized + 'static> EphemerisView<R, S>
 where
     Self: Borrow<EphemerisView<R>>,
 {
-    /// Cursor whose first sample is that of tick `first`. That of an [`Ephemeris`](crate::Ephemeris) knows the number of segments, which saves
-    /// some cycles a tick.
+    /// Cursor whose first sample is that of tick `first`. A capacity in the type saves some cycles a tick.
     #[must_use]
     pub fn cursor(&self, first: i64) -> Cursor<&Self> {
         Cursor::new(self, first)

@@ -11,8 +11,8 @@ use core::ops::{Deref, DerefMut};
 
 /// Ephemeris of one motion with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.
 ///
-/// It is immutable, and dereferences to an [`EphemerisView`], which any number of readers share without locks. Size: 4 · SEGMENTS ·
-/// [`EphemerisScalar::TERMS`] coefficients and about 300 bytes.
+/// It dereferences to an [`EphemerisView`], which any number of readers share. Size: 4 · SEGMENTS · [`EphemerisScalar::TERMS`]
+/// coefficients and about 300 bytes.
 ///
 /// ```
 /// use toytop::{EphemerisF32, Motion, Release, State, Tick, Top, TopParameters};
@@ -216,17 +216,17 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     }
 }
 
-/// Stores the polynomial of α (`which` = 0) or of β (1) on a segment, if the table contains it. Returns the error of the orientation
-/// that short products and coefficients out of range cause, and that of the derivative by rounding, in units of 2^-62 rad.
+/// Stores a polynomial in two columns of a segment, if the table contains it. Returns the error of the orientation by short products and
+/// coefficients out of range, and that of the derivative by rounding, in units of 2^-62 rad.
 pub(crate) fn put<R: EphemerisScalar>(
     segments: &mut [R::Segment],
     segment: usize,
-    which: usize,
+    column: usize,
     parts: [&[i64; TERMS]; 2],
 ) -> [f32; 2] {
     let place = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
     let (mut largest, mut slope_squares) = (0.0, 0.0);
-    for (column, part) in (2 * which..).zip(parts) {
+    for (column, part) in (column..).zip(parts) {
         let part = part.get(..R::TERMS).unwrap_or(part);
         // Σ k |error of c_k|
         let (mut errors, mut slope_error) = (0_u64, 0_u64);

@@ -198,8 +198,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Sample of the motion t units of time after tick 0, with t taken as exact. A t that is not finite counts as 0.
     ///
-    /// It equals [`EphemerisView::at_tick`] to the bit where t is a whole number of ticks and the tick rate a multiple of 1/2. Beyond 2^63
-    /// ticks the motion continues without a jump.
+    /// It equals [`EphemerisView::at_tick`] to the bit where t is a whole number of ticks and the tick rate a multiple of 1/2.
     #[inline(always)] // so that the mean tip angle is computed only where the caller uses it
     #[must_use]
     pub fn at(&self, t: f64) -> Sample<'_, R> {

@@ -63,7 +63,7 @@ impl SetUp {
             return Err(SetUpError::Aperiodic);
         }
         let limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
-        let store = &mut |segment, which, parts: [&_; 2]| put::<R>(segments, segment, which, parts);
+        let store = &mut |segment, column, parts: [&_; 2]| put::<R>(segments, segment, column, parts);
         let built = match R::RATE_WORDS {
             1 => self.build::<1>(motion, limits, store, between),
             _ => self.build::<2>(motion, limits, store, between),

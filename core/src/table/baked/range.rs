@@ -1,7 +1,5 @@
-//! Range checks of literal data: in a tick no sum of integers overflows, and no floating-point number becomes
-//! infinite except the velocity of the tip.
-//!
-//! Data written by set-up always pass.
+//! Range checks of literal data: in a tick no sum of integers overflows, and no number but the velocity of the tip becomes infinite. Data
+//! from set-up always pass.
 
 /// Largest rate, length or coefficient in `f64`. Products of three such numbers and of powers of two stay finite.
 const GREATEST_DOUBLE: f64 = 1e60;

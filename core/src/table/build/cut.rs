@@ -7,7 +7,7 @@
 //! |                   |         |         |      |  |  |     |         |              |    spans: one expansion of the motion
 //! ```
 //!
-//! The segments of a cell are equal, and the longest with an allowed error. Where they prove too long, the cell is cut again.
+//! The segments of a cell are equal, and the longest with an allowed error. A cell whose segments prove too long is cut again.
 
 use super::bound::Speeds;
 use super::series::SegmentErrors;
@@ -17,8 +17,8 @@ use crate::table::cell::{Cell, cells_covered, segments_per_cell};
 use crate::table::series::TERMS;
 use crate::table::series::expansion::TABLE_UNIT;
 
-/// Function that stores a polynomial: index of the segment, 0 for α or 1 for β, coefficients of the real and of the imaginary part. It
-/// returns the errors of the orientation and of the derivative by rounding them. All are in units of 2^-62.
+/// Function that stores a polynomial: segment, column of the real part, coefficients of both parts. It returns the errors of the
+/// orientation and of the derivative by rounding them. All are in units of 2^-62.
 pub(crate) type Store<'a> = dyn FnMut(usize, usize, [&[i64; TERMS]; 2]) -> [f32; 2] + 'a;
 
 impl SetUp {
@@ -49,11 +49,11 @@ impl SetUp {
     /// Stores the polynomials of a motion in which u is constant.
     #[inline(never)]
     fn store_constants(&mut self, store: &mut Store<'_>) {
-        for (which, series) in self.series.iter().enumerate() {
+        for (series, column) in self.series.iter().zip([0, 2]) {
             let [plus, minus] = series.exponentials;
             let mut re = [0; TERMS];
             re[0] = libm::round((plus + minus) / TABLE_UNIT) as i64;
-            store(0, which, [&re, &[0; TERMS]]);
+            store(0, column, [&re, &[0; TERMS]]);
         }
         self.outline.segments = 1;
         self.outline.error = Speeds::ZERO.rounding([0.0; 2], 0.0);
@@ -76,9 +76,9 @@ impl SetUp {
     /// Computes the series of α and β on the span; `None` where they are not accurate.
     fn expand_span<const WORDS: usize>(&mut self, between: &mut dyn FnMut()) -> Option<()> {
         self.expand_motion::<WORDS>(between)?;
-        for (which, series) in self.series.iter_mut().enumerate() {
+        for (slow, series) in self.series.iter_mut().enumerate() {
             between();
-            series.compute(&mut self.expansion, which, &self.limits, between)?;
+            series.compute(&mut self.expansion, slow, &self.limits, between)?;
         }
         between();
         self.start.search(&self.expansion, self.end.phases.chi, self.span);
@@ -150,13 +150,13 @@ impl SetUp {
         let parts = (1_u32 << halvings) as f32;
         let index = self.outline.segments + (place - cell.begin) / length;
         let mut errors = SegmentErrors::default();
-        for (which, series) in self.series.iter_mut().enumerate() {
+        for (series, column) in self.series.iter_mut().zip([0, 2]) {
             series.restrict(place / length, halvings, limits.left_out, segment);
             segment.shorten(limits.terms, i64::MAX);
             between();
             let omitted = [series.omitted, TERMS as f32 * series.omitted / parts];
             let parts = segment.parts.each_ref().map(|part| &part.coefficients);
-            segment.add_errors(&mut errors, omitted, store(index, which, parts));
+            segment.add_errors(&mut errors, omitted, store(index, column, parts));
             between();
         }
         let part = span.half_length() as f32 / parts;

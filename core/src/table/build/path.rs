@@ -9,7 +9,7 @@ use crate::scalar::{Float, Scalar, Wide};
 use crate::table::series::TERMS;
 use crate::table::series::expansion::{Expansion, PhasePoint, Slopes, larger_or_nan};
 
-/// Negligible term of the phases at x = 2 over that of α and β at x = 1. From x = 1 to x = 2 each term after the sixth grows at least 64 times.
+/// Negligible term of the phases at x = 2 over that of α and β at x = 1. It limits the steps of tables with a large allowed error.
 const PHASE_TERM: f64 = 32.0;
 
 impl Start {

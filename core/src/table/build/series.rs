@@ -203,18 +203,18 @@ impl Series {
 }
 
 impl SpanSeries {
-    /// Computes the series of α (`which` = 0) or β (1); `None` where it is not accurate.
+    /// Computes the series with this slow phase; `None` where it is not accurate.
     pub(super) fn compute(
         &mut self,
         expansion: &mut Expansion,
-        which: usize,
+        slow: usize,
         limits: &Limits,
         between: &mut dyn FnMut(),
     ) -> Option<()> {
         let series = &mut self.whole;
         (*series, self.part) = (Series::ZERO, None);
         let parts = series.parts.each_mut().map(|part| &mut part.coefficients);
-        series.terms = expansion.turned(which, self.exponentials, limits.least_term(), parts)?;
+        series.terms = expansion.turned(slow, self.exponentials, limits.least_term(), parts)?;
         between();
         let [re, im] = series.parts.each_ref().map(Part::omitted);
         let omitted = 2.0 * larger_or_nan(re, im);

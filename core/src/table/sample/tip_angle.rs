@@ -15,8 +15,8 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     /// Tip angle φ = arg c, continuous in time from φ(0) in (-1/2, 1/2] turn, whole turns included (modulo 2^32
     /// turns); `None` where the axis is vertical at all times. Error: that of the orientation over 2|αβ|.
     ///
-    /// Where the curve passes through the centre (e₁ = -1 or e₂ = 1), φ is smooth there and the radius changes sign:
-    /// c = ±ρ e^{iφ}. Cost: an arctangent, and a complex product for every segment between u = e₁ and the sample.
+    /// Where the curve passes through the centre, φ is smooth and the radius changes sign: c = ±ρ e^{iφ}. Cost: an arctangent, and a
+    /// complex product for every segment from u = e₁ to the sample.
     #[must_use]
     pub fn tip_angle(&self) -> Option<Phase> {
         self.ephemeris.clock.tip_exists.then(|| self.any_tip_angle())
@@ -74,8 +74,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         Phase::from_bits(i128::from(nutation as i64) << 31).times(self.clock.tip_passes.into())
     }
 
-    /// Argument of the tabulated αβ at a nutation phase, continued from u = e₁ through the centres of all segments up to the one of the
-    /// phase. Near 0 the direction is that of the motion from 0 or to 0. `between` is called after every sixteen segments.
+    /// Argument of the tabulated αβ at a nutation phase, continued from u = e₁ through the centres of all segments before. Near 0 it is the
+    /// direction of the motion from 0 or to 0. `between` is called after every sixteen segments.
     fn tabulated_tip_angle(&self, nutation: u64, between: &mut dyn FnMut()) -> Phase {
         const SEGMENTS: usize = 16;
         let found = self.locate(nutation);

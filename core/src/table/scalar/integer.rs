@@ -2,7 +2,7 @@
 //!
 //! A coefficient of x^k is stored as c·2^(31+k) (in 16 bits as c·2^(15+k)). The upper word of its product with x·2^31 has half the scale,
 //! that of the next lower coefficient. The sums for a derivative have half the scale, because they may be twice as large. Set-up refuses
-//! segments in which a sum could overflow; the last sum saturates.
+//! sums that could overflow; the last one saturates.
 //!
 //! For the powers above half the number of terms, 16 bits of x are enough, because their coefficients are small: set-up verifies it.
 
@@ -98,8 +98,8 @@ impl Coefficient for i32 {
     type Number = Q30;
     type Quantity = f32;
 
-    /// The coefficient has half a unit more, because the product that is added to it is rounded down. The constant has not, so that the
-    /// bitwise complement of the last sum is its negative.
+    /// The coefficient has half a unit more, because the product added to it is rounded down. The constant has not: the bitwise complement
+    /// of the last sum is its negative.
     fn nearest(value: i64, power: usize) -> (Self, i64) {
         let dropped = TABLE_BITS - 31 - power as u32;
         let rounded =

@@ -4,8 +4,8 @@ use crate::product::high_product;
 use crate::su2::Vector;
 use crate::table::scalar::q30::Q30;
 
-/// Angular velocity Ω over a power of two, with the exponent of that power: from values and derivatives in
-/// units of 2^-31 and from e^{i(B-A)} in units of 2^-30. Sums wrap, which happens only with invalid literal data.
+/// Angular velocity Ω over a power of two, with its exponent: from values and derivatives in units of 2^-31, and e^{i(B-A)} in units of
+/// 2^-30. Sums wrap only with invalid literal data.
 #[inline(always)]
 pub(super) fn omega_body(
     polynomials: [[i32; 4]; 2],

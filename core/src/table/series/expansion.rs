@@ -171,8 +171,7 @@ impl Expansion {
         0.25 * larger_or_nan(alpha, beta)
     }
 
-    /// Estimate of the truncation error of the phases at a whole x > 0, rad, from the last two terms of their rates. A further term is at
-    /// most a quarter of the one before.
+    /// Estimate of the truncation error of the phases at a whole x > 0, rad: a further term is at most a quarter of the one before.
     pub(crate) fn truncation_error(&self, x: u32) -> f64 {
         let Some(before) = self.terms.checked_sub(2) else { return f64::INFINITY };
         let y = 0.25 * x as f32;
