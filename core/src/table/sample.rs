@@ -203,11 +203,10 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     #[must_use]
     pub fn at(&self, t: f64) -> Sample<'_, R> {
         match self.clock.instant(t) {
-            Some(instant) => Sample {
-                ephemeris: self,
-                phases: self.clock.at_instant(instant),
-                mean_tip: self.clock.mean_tip_at(instant),
-            },
+            Some(instant) => {
+                let (phases, mean_tip) = self.clock.at_instant(instant);
+                Sample { ephemeris: self, phases, mean_tip }
+            }
             None => self.after(self.clock.ticks(t)),
         }
     }
