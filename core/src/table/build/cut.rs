@@ -63,7 +63,6 @@ impl SetUp {
     fn enter_span<const WORDS: usize>(&mut self, place: usize, between: &mut dyn FnMut()) -> Option<()> {
         if place > self.span.begin {
             self.leave(place == self.cell.end && self.coarser(place) < self.span.least_level());
-            between();
         } else if place < self.span.begin {
             self.go_to(place, self.cell.beginning);
         }

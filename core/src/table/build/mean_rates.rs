@@ -42,7 +42,7 @@ impl MeanRates {
         }
     }
 
-    pub(super) fn steady(motion: &Motion) -> Self {
+    fn steady(motion: &Motion) -> Self {
         let [alpha, beta] = motion.steady_rates().map(Extended::in_turns);
         let relative = OPERATIONS * Extended::OPERATION_ERROR + STORED + motion.rounding.relative;
         // a rate is the sum of a quotient and ±τ/2, which may cancel

@@ -93,13 +93,13 @@ impl SetUp {
 
     #[inline(never)] // the deepest stack of set-up, without the constants
     fn compute_rates<const WORDS: usize>(&mut self, motion: &Motion, between: &mut dyn FnMut()) {
-        self.rates = if motion.is_steady() {
-            MeanRates::steady(motion)
-        } else {
+        let mut period = None;
+        if !motion.is_steady() {
             self.equations = motion.equations();
             between();
-            MeanRates::new(motion, motion.period::<WORDS>(&self.equations, between))
-        };
+            period = motion.period::<WORDS>(&self.equations, between);
+        }
+        self.rates = MeanRates::new(motion, period);
     }
 
     /// Begins a span at an earlier point.
