@@ -93,6 +93,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Borrow<EphemerisView<R>> for Eph
 
 /// Memory of a table, for a static: `EphemerisMemory<EphemerisF32>`.
 #[derive(Debug)]
+#[repr(C)] // the C interface reads it by its address
 pub struct EphemerisMemory<T: ?Sized> {
     /// Whether the last set-up succeeded.
     pub(crate) is_set_up: bool,
