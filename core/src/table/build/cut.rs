@@ -9,8 +9,7 @@
 //!
 //! The segments of a cell are equal, and the longest with an allowed error. A cell whose segments prove too long is cut again.
 
-use super::bound::Speeds;
-use super::series::SegmentErrors;
+use super::bound::{SegmentErrors, Speeds};
 use super::{CELL, HALF_PERIOD, Limits, OpenCell, SetUp};
 use crate::motion::Motion;
 use crate::table::cell::{Cell, cells_covered, segments_per_cell};

@@ -3,12 +3,12 @@
 //! The highest term c x^k is left out together with the lower powers that make it c 2^(1-k) T_k(x). As |T_k| <= 1, the value changes by
 //! at most |c| 2^(1-k).
 
-use super::bound::Speeds;
-use super::{Limits, OMITTED};
+use super::bound::SegmentErrors;
+use super::limits::{Limits, OMITTED};
 use crate::product::{long_product, signed_product};
 use crate::scalar::{Float, Ring, short_float};
 use crate::table::series::TERMS;
-use crate::table::series::expansion::{Expansion, TABLE_UNIT, larger_or_nan};
+use crate::table::series::expansion::{Expansion, larger_or_nan};
 
 /// Fraction bits of [`FACTORS`].
 const FACTOR_BITS: u32 = TERMS as u32 - 2;
@@ -40,36 +40,6 @@ fn times(c: i64, factor: i32) -> i64 {
         + ((signed_product(low, factor) + half) >> FACTOR_BITS)
 }
 
-/// Errors and slopes of a segment, in units of 2^-62, in `f32` because soft `f64` is slow.
-#[derive(Default)]
-pub(super) struct SegmentErrors {
-    /// Greatest error of the stored coefficients.
-    stored: f32,
-    /// Sums of the squares of the truncation errors, the slopes, the errors of the slopes and the curvatures.
-    change: f32,
-    slope: f32,
-    slope_error: f32,
-    curvature: f32,
-}
-
-impl SegmentErrors {
-    /// Orientation error by truncation and rounding, in units of 2^-62 rad.
-    pub(super) fn error(&self) -> f32 {
-        larger_or_nan(2.0 * Float::sqrt(self.change), self.stored)
-    }
-
-    /// Includes the speeds on the segment, for the rate of x per half period and a bound on dθ/dx.
-    pub(super) fn include_in(&self, speeds: &mut Speeds, x_rate: f32, theta_slope: f32) {
-        let root = |squares: f32| 2.0 * TABLE_UNIT as f32 * Float::sqrt(squares);
-        let include = |greatest: &mut f64, speed: f32| *greatest = larger_or_nan(*greatest, speed.into());
-        include(&mut speeds.sweep, root(self.slope) * x_rate);
-        include(&mut speeds.turning, 2.0 * theta_slope * x_rate);
-        include(&mut speeds.acceleration, root(self.curvature) * x_rate * x_rate);
-        include(&mut speeds.sweep_error, root(self.slope_error) * x_rate);
-        include(&mut speeds.x_rate, x_rate);
-    }
-}
-
 /// Real or imaginary part of a series.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part {
@@ -86,14 +56,6 @@ pub(super) struct Series {
     terms: usize,
 }
 
-impl Part {
-    const ZERO: Self = Self { coefficients: [0; TERMS], left_out: 0, slope_left_out: 0 };
-}
-
-impl Series {
-    pub(super) const ZERO: Self = Self { parts: [Part::ZERO; 2], terms: 0 };
-}
-
 /// Series of α or of β on a span, and on the part of it that was halved last.
 #[derive(Debug)]
 pub(super) struct SpanSeries {
@@ -107,12 +69,9 @@ pub(super) struct SpanSeries {
     part: Option<(usize, u32)>,
 }
 
-impl SpanSeries {
-    pub(super) const ZERO: Self =
-        Self { exponentials: [0.0; 2], whole: Series::ZERO, omitted: 0.0, halved: Series::ZERO, part: None };
-}
-
 impl Part {
+    const ZERO: Self = Self { coefficients: [0; TERMS], left_out: 0, slope_left_out: 0 };
+
     /// Leaves out the last term.
     fn leave_out(&mut self, degree: usize) {
         let last = self.coefficients.get_mut(degree).map_or(0, core::mem::take);
@@ -140,6 +99,8 @@ impl Part {
 }
 
 impl Series {
+    pub(super) const ZERO: Self = Self { parts: [Part::ZERO; 2], terms: 0 };
+
     /// Leaves out last terms down to `fewest`, as long as the changes add up to at most `most`.
     #[inline(never)] // here and below: the stack frames of set-up must not add up
     pub(super) fn shorten(&mut self, fewest: usize, most: i64) {
@@ -180,7 +141,6 @@ impl Series {
         [omitted, slope_omitted]: [f32; 2],
         [stored, slope_stored]: [f32; 2],
     ) {
-        /// Unit of the upper words.
         const WORD: f32 = (1_u64 << 32) as f32;
         for part in &self.parts {
             let (mut slope, mut curvature) = (0, 0);
@@ -203,6 +163,9 @@ impl Series {
 }
 
 impl SpanSeries {
+    pub(super) const ZERO: Self =
+        Self { exponentials: [0.0; 2], whole: Series::ZERO, omitted: 0.0, halved: Series::ZERO, part: None };
+
     /// Computes the series with this slow phase; `None` where it is not accurate.
     pub(super) fn compute(
         &mut self,
@@ -245,19 +208,17 @@ mod tests {
     use super::*;
     use crate::table::series::expansion::TABLE_UNIT;
 
-    /// Series of a function of at most 1 whose terms decrease by a factor.
     fn series(ratio: f64, sense: f64) -> Series {
         let mut part = [0; TERMS];
         for (power, c) in part.iter_mut().enumerate() {
-            let sign = if power % 2 == 1 { sense } else { 1.0 };
-            *c = (sign * (1.0 - ratio) * ratio.powi(power as i32) / TABLE_UNIT) as i64;
+            *c =
+                (sense.powi(power as i32 % 2) * (1.0 - ratio) * ratio.powi(power as i32) / TABLE_UNIT) as i64;
         }
         let half = part.map(|c| c / 2);
         let parts = if sense > 0.0 { [part, half] } else { [half, part] };
         Series { parts: parts.map(|coefficients| Part { coefficients, ..Part::ZERO }), terms: TERMS }
     }
 
-    /// Value, or a derivative, at x.
     fn derivative(series: &Series, order: i32, x: f64) -> [f64; 2] {
         series.parts.map(|part| {
             let factor = |k: i32| (0..order).map(|m| f64::from(k - m)).product::<f64>();
@@ -270,7 +231,6 @@ mod tests {
         (other_re - re).hypot(other_im - im)
     }
 
-    /// The series of every part of an interval has the values of the whole.
     #[test]
     fn a_part_has_the_values_of_the_whole() {
         for (ratio, sense) in [(0.5, 1.0), (0.3, -1.0), (0.05, 1.0)] {
@@ -289,7 +249,6 @@ mod tests {
         }
     }
 
-    /// The bounds are above the changes and derivatives, but not by much.
     #[test]
     fn fewer_terms_change_no_more_than_the_bounds_say() {
         let exact = series(0.3, 1.0);
@@ -331,7 +290,6 @@ mod tests {
         assert_eq!(series.terms, 16);
         series.shorten(0, last);
         assert_eq!((series.terms, series.parts.iter().map(|part| part.left_out).sum::<i64>()), (15, last));
-        // what was left out before counts, and the derivative of a half by half as much
         let before = size(&series, 14);
         series.shorten(0, last + before - 1);
         assert_eq!(series.terms, 15);
