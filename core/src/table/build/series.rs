@@ -1,7 +1,6 @@
 //! Power series of α or of β on a span, on its parts, and with fewer terms.
 //!
-//! The highest term c x^k is left out together with the lower powers that make it c 2^(1-k) T_k(x). As |T_k| <= 1, the value changes by
-//! at most |c| 2^(1-k).
+//! The highest term c x^k is left out together with the lower powers that make it c 2^(1-k) T_k(x), at most |c| 2^(1-k).
 
 use super::bound::SegmentErrors;
 use super::limits::{Limits, OMITTED};
