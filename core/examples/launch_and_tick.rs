@@ -2,7 +2,7 @@
 //!
 //! Set-up runs once per launch and may refuse its input; what an interrupt calls cannot fail.
 
-use toytop::{EphemerisF32, Motion, Release, State, Tick, Top, TopParameters};
+use toytop::{EphemerisF32, Motion, Pose, Release, State, Tick, Top, TopParameters};
 
 fn main() -> Result<(), Box<dyn core::error::Error>> {
     // SI units: A and C [kg m²], s [m], M [kg], g [m/s²].
@@ -22,8 +22,8 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     // The next tick, three additions after the last one.
     let mut cursor = ephemeris.cursor(0);
     for _ in 0..3 {
-        let sample = cursor.next();
-        println!("tick {}: quaternion {:?}, u = {}", cursor.tick(), sample.quaternion(), sample.u());
+        let Pose { orientation, u, .. } = cursor.next().pose();
+        println!("tick {}: quaternion {:?}, u = {u}", cursor.tick(), orientation.quaternion());
     }
 
     // Any other tick costs the same, and the error bound is known before.

@@ -1,13 +1,10 @@
 //! Table of a motion: the motion at any tick, from short polynomials and three integer phases.
 //!
-//! A tick takes these steps: the nutation phase (an integer) gives a cell, a segment and the local coordinate on it; four polynomials are
-//! evaluated by Horner's rule; α and β are rotated by the slow phases (also integers). There is no square root, no division, no library
-//! function and no loop whose length depends on data. Every tick has the same cost, and the error does not grow with the number of ticks
-//! except by the rounding of the rates.
+//! In a tick the nutation phase (an integer) gives a cell, a segment and the local coordinate on it; four polynomials are evaluated by
+//! Horner's rule; α and β are rotated by the slow phases (also integers). Every tick has the same cost, and the error grows only by the
+//! rounding of the rates.
 
 mod cell;
-
-mod tick;
 
 mod series;
 
@@ -30,9 +27,9 @@ mod cursor;
 mod set_up;
 
 pub use baked::{Baked, BakedError};
+pub use build::SetUp;
 pub use build::bound::ErrorBound;
-pub use build::builder::SetUp;
-pub use clock::Clock;
+pub use clock::{Clock, Tick};
 pub use cursor::{Cursor, Ticks};
 pub use ephemeris::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisView, ReadyEphemeris};
 #[cfg(feature = "fixed")]
@@ -40,4 +37,3 @@ pub use ephemeris::{EphemerisQ15, EphemerisQ31};
 pub use sample::{Pose, Sample};
 pub use scalar::EphemerisScalar;
 pub use set_up::SetUpError;
-pub use tick::Tick;

@@ -37,13 +37,13 @@
 #define TOYTOP_MOTION_SIZE 1024
 
 // Bytes of a table in `f32` of the standard size, 25 segments.
-#define TOYTOP_EPHEMERIS_F32_SIZE 2256
+#define TOYTOP_EPHEMERIS_F32_SIZE 2264
 
 // Bytes of a table in `f64` of the standard size, 48 segments.
-#define TOYTOP_EPHEMERIS_F64_SIZE 17168
+#define TOYTOP_EPHEMERIS_F64_SIZE 17176
 
 // Bytes of a table in fixed point of the standard size, 32 segments.
-#define TOYTOP_EPHEMERIS_Q31_SIZE 2304
+#define TOYTOP_EPHEMERIS_Q31_SIZE 2312
 
 // Alignment of the memory of a table, bytes.
 #define TOYTOP_EPHEMERIS_ALIGNMENT 8
@@ -240,7 +240,7 @@ typedef struct toytop_ephemeris_cursor {
 // Table of a motion in `f32`. Memory of `TOYTOP_EPHEMERIS_F32_SIZE_OF(segments)` bytes with the same alignment may be used
 // as a larger or smaller table.
 typedef struct toytop_ephemeris_f32 {
-  uint64_t opaque[282];
+  uint64_t opaque[283];
 } toytop_ephemeris_f32;
 
 // Memory of a set-up, which need not be initialised, and which a program may use for something else afterwards.
@@ -278,12 +278,12 @@ typedef struct toytop_event {
 
 // Table of a motion in `f64`; see `toytop_ephemeris_f32`.
 typedef struct toytop_ephemeris_f64 {
-  uint64_t opaque[2146];
+  uint64_t opaque[2147];
 } toytop_ephemeris_f64;
 
 // Table of a motion in fixed point of 32 bits; see `toytop_ephemeris_f32`.
 typedef struct toytop_ephemeris_q31 {
-  uint64_t opaque[288];
+  uint64_t opaque[289];
 } toytop_ephemeris_q31;
 
 #ifdef __cplusplus

@@ -7,11 +7,11 @@ use toytop::fixed::types::I2F30;
 use toytop::{Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView};
 
 /// Bytes of a table in `f32` of the standard size, 25 segments.
-pub const TOYTOP_EPHEMERIS_F32_SIZE: usize = 2256;
+pub const TOYTOP_EPHEMERIS_F32_SIZE: usize = 2264;
 /// Bytes of a table in `f64` of the standard size, 48 segments.
-pub const TOYTOP_EPHEMERIS_F64_SIZE: usize = 17168;
+pub const TOYTOP_EPHEMERIS_F64_SIZE: usize = 17176;
 /// Bytes of a table in fixed point of the standard size, 32 segments.
-pub const TOYTOP_EPHEMERIS_Q31_SIZE: usize = 2304;
+pub const TOYTOP_EPHEMERIS_Q31_SIZE: usize = 2312;
 /// Alignment of the memory of a table, bytes.
 pub const TOYTOP_EPHEMERIS_ALIGNMENT: usize = 8;
 
@@ -20,21 +20,21 @@ pub const TOYTOP_EPHEMERIS_ALIGNMENT: usize = 8;
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_ephemeris_f32 {
-    opaque: [u64; 282],
+    opaque: [u64; 283],
 }
 
 /// Table of a motion in `f64`; see `toytop_ephemeris_f32`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_ephemeris_f64 {
-    opaque: [u64; 2146],
+    opaque: [u64; 2147],
 }
 
 /// Table of a motion in fixed point of 32 bits; see `toytop_ephemeris_f32`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_ephemeris_q31 {
-    opaque: [u64; 288],
+    opaque: [u64; 289],
 }
 
 /// Length of a tick, as an exact fraction of a second: `ticks` ticks in `seconds` seconds.
@@ -125,7 +125,7 @@ const MOST: usize = 4096;
 
 /// Bytes of a table with this many segments.
 const fn size_of_table<R: EphemerisScalar>(segments: usize) -> usize {
-    size_of::<Head>() + size_of::<Ephemeris<R, LEAST>>() - LEAST * size_of::<R::Segment>()
+    size_of::<Head>() + size_of::<EphemerisMemory<Ephemeris<R, LEAST>>>() - LEAST * size_of::<R::Segment>()
         + segments * size_of::<R::Segment>()
 }
 
@@ -135,7 +135,7 @@ const _: () = {
         size_of::<T>() == size
             && size_of_table::<R>(segments) == size
             && size_of::<R::Segment>() == segment
-            && align_of::<Ephemeris<R, LEAST>>() <= TOYTOP_EPHEMERIS_ALIGNMENT
+            && align_of::<EphemerisMemory<Ephemeris<R, LEAST>>>() <= TOYTOP_EPHEMERIS_ALIGNMENT
     }
     assert!(sizes_agree::<f32, toytop_ephemeris_f32>(TOYTOP_EPHEMERIS_F32_SIZE, 25, 80));
     assert!(sizes_agree::<f64, toytop_ephemeris_f64>(TOYTOP_EPHEMERIS_F64_SIZE, 48, 352));
@@ -154,11 +154,11 @@ fn checked_head(table: *const u8) -> Result<*const Head, Refusal> {
     }
 }
 
-/// Table after a head, with this many segments.
-fn behind<R: Tabulated>(head: *const Head, segments: usize) -> *mut EphemerisView<R> {
+/// Memory of a table after a head, with this many segments.
+fn behind<R: Tabulated>(head: *const Head, segments: usize) -> *mut EphemerisMemory<EphemerisView<R>> {
     let first = head.wrapping_add(1).cast_mut().cast::<R::Segment>();
-    // the pointer to a table is that to its first byte, with the number of segments in place of the array's
-    slice_from_raw_parts_mut(first, segments) as *mut EphemerisView<R>
+    // the pointer to a memory is that to its first byte, with the number of segments in place of the array's
+    slice_from_raw_parts_mut(first, segments) as *mut EphemerisMemory<EphemerisView<R>>
 }
 
 /// Table that was set up in memory of the caller.
@@ -174,7 +174,8 @@ pub(crate) unsafe fn view<'a, R: Tabulated>(address: *const u8) -> Result<Table<
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
     }
     // SAFETY: the caller guarantees valid memory; `Memory::ready` wrote as many segments as it says.
-    let view = unsafe { &*behind::<R>(head, segments.into()) };
+    let memory = unsafe { &*behind::<R>(head, segments.into()) };
+    let view = memory.get().ok_or(toytop_status::TOYTOP_NOT_SET_UP)?;
     Ok(Table { view, address, identity: tag << 16 | u32::from(generation) })
 }
 
@@ -226,7 +227,7 @@ impl Memory {
             least.write(EphemerisMemory::new());
             let rest = least.wrapping_add(1).cast::<R::Segment>();
             (LEAST..self.segments).zip(0..).for_each(|(_, place)| rest.add(place).write(R::ZERO_SEGMENT));
-            &mut *(behind::<R>(self.head, self.segments) as *mut EphemerisMemory<EphemerisView<R>>)
+            &mut *behind::<R>(self.head, self.segments)
         }
     }
 

@@ -12,8 +12,8 @@ use toy_top::TOY_TOP;
 fn main() -> Result<(), Box<dyn core::error::Error>> {
     let mut cursor = TOY_TOP.cursor(0);
     for _ in 0..3 {
-        let sample = cursor.next();
-        println!("tick {}: quaternion {:?}", cursor.tick(), sample.quaternion());
+        let quaternion = cursor.next().quaternion();
+        println!("tick {}: quaternion {quaternion:?}", cursor.tick());
     }
     println!("error bound at tick 0: {:.1e} rad", TOY_TOP.error_bound_at(0));
 

@@ -17,8 +17,8 @@ const FORMAT: u32 = 7;
 
 /// Fields of an [`Ephemeris`] as plain numbers, which a program writes as source text and the compiler reads: `toytop bake SCENARIO`.
 ///
-/// Data in which a number was changed, lost or rounded are refused; in a constant, the refusal is a compile error. Numbers that would
-/// overflow in a tick are refused whatever the checksum is. `core/docs/table_format.md` specifies every field.
+/// Changed data, and numbers that would overflow in a tick, are refused: in a constant, by a compile error.
+/// `core/docs/table_format.md` specifies every field.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
     /// Version of the format: [`Baked::FORMAT`].
@@ -54,8 +54,7 @@ pub enum BakedError {
         /// Checksum computed from the data.
         computed: u32,
     },
-    /// A field contains a number that is not finite, or so large that a tick would overflow. Set-up writes no such
-    /// number.
+    /// A number is not finite, or so large that a tick would overflow.
     OutOfRange {
         /// Name of the field.
         field: &'static str,
@@ -174,7 +173,7 @@ macro_rules! baked {
                 table.crc32()
             }
 
-            /// Ephemeris of these data, if they pass all checks. The function copies the table, and is meant for constants.
+            /// Ephemeris of these data, copied. It is meant for constants.
             ///
             /// # Errors
             /// [`BakedError`]: the data have another format, were changed, or contain numbers that a tick cannot
@@ -197,8 +196,7 @@ macro_rules! baked {
         }
 
         impl<const SEGMENTS: usize> Ephemeris<$scalar, SEGMENTS> {
-            /// Literal data of the ephemeris, from which an equal one can be made. The result is as large as the
-            /// table, too large for the stack of a chip.
+            /// Literal data of the ephemeris, too large for the stack of a chip.
             #[must_use]
             pub fn to_baked(&self) -> Baked<$scalar, SEGMENTS> {
                 Baked {

@@ -1,41 +1,31 @@
-//! Build of a table: the data that its parts share.
+//! Build of a table: from the equations of a motion to the polynomials of half a period.
 
 mod mean_rates;
 
 pub(super) mod bound;
 
-pub(super) mod builder;
+mod limits;
 
+mod series;
+
+mod path;
+
+mod cut;
+
+use crate::motion::phase_equations::PhaseEquations;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring, power_of_two};
+use crate::scalar::{Extended, power_of_two};
 use crate::table::cell::{CELLS, Cell, LEVEL_0_BITS};
-use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
+use crate::table::series::expansion::{Expansion, PhasePoint};
+use bound::Speeds;
+use series::{Series, SpanSeries};
 
-/// Rates of the nutation phase and of the mean slow phases.
-#[derive(Debug)]
-pub(crate) struct MeanRates {
-    /// Half period T/2; 0 where u is constant.
-    half_period: Extended,
-    /// Constants θ_A' - ψ_A' and θ_B' - ψ_B': ±τ/2 minus the mean rate, rad per unit time.
-    theta_offset: [Extended; 2],
-    /// Nutation frequency 1/T and mean rates of α and β, in turns per unit time.
-    pub(super) turns: [Extended; 3],
-    /// Errors of `turns`, turns per unit time.
-    errors: [f64; 3],
-}
-
-impl MeanRates {
-    const ZERO: Self = Self {
-        half_period: Extended::ZERO,
-        theta_offset: [Extended::ZERO; 2],
-        turns: [Extended::ZERO; 3],
-        errors: [0.0; 3],
-    };
-}
+pub(super) use limits::Limits;
+pub(super) use mean_rates::MeanRates;
 
 /// Span: one of the 2^depth equal parts of half a period, with one expansion of the motion for all its segments.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Span {
+struct Span {
     /// Beginning in units of the shortest segment.
     begin: usize,
     depth: u32,
@@ -89,106 +79,128 @@ impl Span {
     }
 }
 
-/// Upper bounds on the speeds of α and β without their mean rotation, from the magnitudes of coefficients.
+/// Point of the path along half a period, with the errors of the steps to it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Speeds {
-    /// Angular velocity 2 √(|dα/dt|² + |dβ/dt|²), rad per half period.
-    sweep: f64,
-    /// Twice the rate of θ_A or θ_B, rad per half period.
-    turning: f64,
-    /// Acceleration 2 √(|d²α/dt²|² + |d²β/dt²|²), rad per half period squared.
-    acceleration: f64,
-    /// Truncation error of the angular velocity, rad per half period.
-    sweep_error: f64,
-    /// Rate of the local coordinate x, per half period.
-    x_rate: f64,
+struct PathPoint {
+    phases: PhasePoint,
+    /// Truncation error.
+    truncation: f64,
+    /// Sums of the squares of the terms of χ, as delays in half periods, and of θ, rad.
+    squares: [f32; 2],
 }
 
-impl Speeds {
-    const ZERO: Self = Self { sweep: 0.0, turning: 0.0, acceleration: 0.0, sweep_error: 0.0, x_rate: 0.0 };
+impl PathPoint {
+    /// Point u = e₁.
+    const FIRST: Self = Self { phases: PhasePoint::ZERO, truncation: 0.0, squares: [0.0; 2] };
 }
 
-/// Errors and slopes of a segment, in units of 2^-62, in `f32` because soft `f64` is slow.
-#[derive(Default)]
-struct SegmentErrors {
-    /// Greatest error of the stored coefficients.
-    stored: f32,
-    /// Sums of the squares of the truncation errors, the slopes, the errors of the slopes and the curvatures.
-    change: f32,
-    slope: f32,
-    slope_error: f32,
-    curvature: f32,
+/// Start of a motion.
+#[derive(Debug)]
+pub(crate) struct Start {
+    /// Half phase, folded into [0, 1/4] turn; `None` once its span is found.
+    chi: Option<Phase>,
+    /// Whether u is falling.
+    mirrored: bool,
+    /// Nutation phase and mean slow phases.
+    pub(crate) phases: [Phase; 3],
+    /// Delay by a relative rounding of χ or of a quarter turn minus χ, in half periods.
+    delay: f64,
 }
 
-impl SegmentErrors {
-    /// Orientation error by truncation and rounding, in units of 2^-62 rad.
-    fn error(&self) -> f32 {
-        larger_or_nan(2.0 * Float::sqrt(self.change), self.stored)
+/// Cell whose segments are computed, or two cells with one segment. The unit is the shortest segment.
+#[derive(Debug)]
+struct OpenCell {
+    begin: usize,
+    end: usize,
+    level: u32,
+    /// Point at the beginning, if a span begins there.
+    beginning: PathPoint,
+    /// Speeds up to here, and the greatest error in the cell, in units of 2^-62 rad.
+    speeds: Speeds,
+    error: f32,
+}
+
+impl OpenCell {
+    const NONE: Self =
+        Self { begin: 0, end: 0, level: 0, beginning: PathPoint::FIRST, speeds: Speeds::ZERO, error: 0.0 };
+}
+
+/// Cells of a table, and what its error bounds follow from.
+#[derive(Debug)]
+pub(crate) struct Outline {
+    pub(crate) cells: [u16; CELLS],
+    /// Number of segments.
+    pub(crate) segments: usize,
+    /// Orientation error besides that of a tick, rad.
+    pub(crate) error: f64,
+    pub(crate) speeds: Speeds,
+}
+
+impl Outline {
+    const NONE: Self = Self { cells: [0; CELLS], segments: 0, error: 0.0, speeds: Speeds::ZERO };
+}
+
+/// Memory of a set-up, 4.2 KiB, and the truncation error that it allows. A program with a small stack keeps it in a static;
+/// [`Cursor`](crate::Cursor) shows its use.
+#[derive(Debug)]
+pub struct SetUp {
+    /// Truncation error, rad; `None` for that of the scalar.
+    pub(crate) truncation: Option<f64>,
+    // constants of the motion
+    equations: PhaseEquations<Extended>,
+    pub(crate) rates: MeanRates,
+    limits: Limits,
+    /// Rates of χ, θ_A and θ_B together at the faster turning point, rad per half period.
+    fastest: f64,
+    pub(crate) start: Start,
+    // a span: its beginning, its centre (where it is known) and its end, and the series of α and of β
+    span: Span,
+    beginning: PathPoint,
+    centre: Option<PathPoint>,
+    end: PathPoint,
+    expansion: Expansion,
+    series: [SpanSeries; 2],
+    // a cell, and a series on one of its segments
+    cell: OpenCell,
+    segment: Series,
+    // the result
+    pub(crate) outline: Outline,
+}
+
+impl Default for SetUp {
+    fn default() -> Self {
+        Self::new()
     }
-
-    /// Includes the speeds on the segment, for the rate of x per half period and a bound on dθ/dx.
-    fn include_in(&self, speeds: &mut Speeds, x_rate: f32, theta_slope: f32) {
-        let root = |squares: f32| 2.0 * TABLE_UNIT as f32 * Float::sqrt(squares);
-        let include = |greatest: &mut f64, speed: f32| *greatest = larger_or_nan(*greatest, speed.into());
-        include(&mut speeds.sweep, root(self.slope) * x_rate);
-        include(&mut speeds.turning, 2.0 * theta_slope * x_rate);
-        include(&mut speeds.acceleration, root(self.curvature) * x_rate * x_rate);
-        include(&mut speeds.sweep_error, root(self.slope_error) * x_rate);
-        include(&mut speeds.x_rate, x_rate);
-    }
 }
 
-/// Limits of the errors and of the size of a table.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Limits {
-    /// Number of coefficients of a polynomial.
-    terms: usize,
-    /// Largest number of segments.
-    capacity: usize,
-    /// Truncation error of all steps, rad.
-    steps: f64,
-    /// Truncation error of a polynomial, in units of 2^-62 rad.
-    polynomial: f32,
-    /// Sum of the terms that may be left out of a span's series, in units of 2^-62.
-    left_out: i64,
-    /// Term of a series that is negligible, rad.
-    least: f64,
-}
-
-/// Part of the allowed error reserved for the steps.
-const STEPS: f64 = 0.125;
-/// Part of a polynomial's allowed error reserved for terms left out of the series of a span.
-const LEFT_OUT: f32 = 1.0 / 512.0;
-/// Part reserved for terms beyond the sixteenth.
-const OMITTED: f32 = 1.0 / 32.0;
-/// Part that a segment of two cells may use, because its derivative is less accurate.
-const LONG: f32 = 0.125;
-/// Negligible part of the allowed error.
-const NEGLIGIBLE: f64 = 1.0 / 256.0;
-
-impl Limits {
-    /// Limits for a truncation error `allowed`, rad, with series at least as accurate as for the error `usual`.
-    pub(super) fn new(terms: usize, allowed: f64, usual: f64, capacity: usize) -> Self {
-        let polynomial = |error: f64| (((1.0 - STEPS) * error / TABLE_UNIT) as f32).clamp(f32::MIN, f32::MAX);
-        let of_series = allowed.min(usual);
+impl SetUp {
+    /// Set-up with the truncation error of the scalar, [`EphemerisScalar::TRUNCATION`](crate::EphemerisScalar::TRUNCATION). A static of it
+    /// takes no flash.
+    #[must_use]
+    pub const fn new() -> Self {
         Self {
-            terms,
-            capacity,
-            steps: STEPS * allowed,
-            polynomial: polynomial(allowed),
-            left_out: (LEFT_OUT * polynomial(of_series)) as i64,
-            least: NEGLIGIBLE * of_series,
+            truncation: None,
+            equations: PhaseEquations::ZERO,
+            rates: MeanRates::ZERO,
+            limits: Limits::NONE,
+            fastest: 0.0,
+            start: Start { chi: None, mirrored: false, phases: [Phase::ZERO; 3], delay: 0.0 },
+            span: Span { begin: 0, depth: 0 },
+            beginning: PathPoint::FIRST,
+            centre: None,
+            end: PathPoint::FIRST,
+            expansion: Expansion::EMPTY,
+            series: [SpanSeries::ZERO; 2],
+            cell: OpenCell::NONE,
+            segment: Series::ZERO,
+            outline: Outline::NONE,
         }
     }
 
-    /// Truncation error of a segment of this level, in units of 2^-62 rad.
-    fn segment(&self, level: u32) -> f32 {
-        if level == 0 { LONG * self.polynomial } else { self.polynomial }
-    }
-
-    /// Negligible term of α and β in units of 2^-62. The terms after two such ones are not larger.
-    fn least_term(&self) -> i64 {
-        (self.least / TABLE_UNIT) as i64
+    /// Set-up with another truncation error, rad, finite and positive: a smaller table for a larger error.
+    #[must_use]
+    pub const fn within(truncation: f64) -> Self {
+        Self { truncation: Some(truncation), ..Self::new() }
     }
 }
 

@@ -1,12 +1,57 @@
 //! Clock of an ephemeris: the phases at any tick, and at any time between two ticks.
 
+use crate::body::{ParameterError, require};
 use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::phase::{Phase, PhaseFraction, integer_parts, shifted};
 use crate::scalar::{Extended, Float};
 use crate::table::build::MeanRates;
 use crate::table::cell::SEGMENTS_AT_LEVEL_0;
-use crate::table::tick::Tick;
+
+/// Tick length as an exact fraction of a second (of the motion's unit of time).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Tick {
+    ticks: u32,
+    seconds: u32,
+}
+
+impl Tick {
+    /// Tick length for a frequency in Hz.
+    ///
+    /// # Errors
+    /// `tick`: the frequency is 0.
+    pub fn hertz(frequency: u32) -> Result<Self, ParameterError> {
+        Self::ratio(frequency, 1)
+    }
+
+    /// Tick length for `ticks` ticks in `seconds` seconds: (44100, 2) means 44100/2 Hz.
+    ///
+    /// # Errors
+    /// `tick`: one of the two is 0.
+    pub fn ratio(ticks: u32, seconds: u32) -> Result<Self, ParameterError> {
+        require(
+            ticks > 0 && seconds > 0,
+            "tick",
+            "a positive number of ticks in a positive number of seconds",
+        )?;
+        Ok(Self { ticks, seconds })
+    }
+
+    /// Length of a tick in units of time.
+    pub(crate) fn length(self) -> Extended {
+        quotient(self.seconds, self.ticks)
+    }
+
+    /// Number of ticks in a unit of time.
+    pub(crate) fn rate(self) -> Extended {
+        quotient(self.ticks, self.seconds)
+    }
+}
+
+fn quotient(a: u32, b: u32) -> Extended {
+    Extended::from(f64::from(a)) / Extended::from(f64::from(b))
+}
 
 /// Phases and their increments per tick, and the scales of lengths and rates, as plain numbers: see `core/docs/table_format.md`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,13 +86,6 @@ pub struct Clock<W> {
     pub epoch: i64,
 }
 
-/// Time as the tick before it, and the time since that tick in units of 2^-64 ticks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Instant {
-    pub(crate) tick: i64,
-    pub(crate) share: u64,
-}
-
 impl<W: Float> Clock<W> {
     /// Clock before set-up.
     pub(crate) const STOPPED: Self = Self {
@@ -74,6 +112,13 @@ impl<W: Float> Clock<W> {
         let mean = ((alpha + beta) * Extended::TWO_PI).to_f64();
         // x changes by 2 over each segment
         let x_rate = 4.0 * SEGMENTS_AT_LEVEL_0 as f64 * frequency.to_f64();
+        // not a product of `i128`, which LLVM 22 compiles to a wrong one for RISC-V where the epoch is known
+        let ticks = epoch.wrapping_sub(i64::MIN) as u64;
+        let mut first = [0; 3];
+        for ((first, start), step) in first.iter_mut().zip(start).zip(exact_step) {
+            let before = PhaseFraction::from_phase(step.to_phase()).times(ticks);
+            *first = PhaseFraction::from_phase(start).minus(before).leading();
+        }
         let [alpha_winding, beta_winding] = motion.windings();
         let tip_passes = u8::from(alpha_winding == 0) + u8::from(beta_winding == 0);
         Self {
@@ -84,7 +129,7 @@ impl<W: Float> Clock<W> {
             has_turning_points: motion.regime() == Regime::Nutating,
             tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
             rates: [x_rate, mean, motion.axial_rate()].map(W::from_f64),
-            first: first_phases(start, epoch, exact_step),
+            first,
             exact_step: exact_step.map(Extended::parts),
             ticks_per_time: tick.rate().parts(),
             tip_start: [0; 4],
@@ -117,35 +162,34 @@ impl<W> Clock<W> {
         self.tick_rate() * if t.is_finite() { t } else { 0.0 }.into()
     }
 
-    /// Instant of a time, rounded to 2^-64 ticks; `None` from 2^62 ticks on, and where this is too coarse because a phase turns by half a
-    /// turn or more in a tick. A time that is not finite counts as 0.
+    /// Last tick before a time, and the time since that tick in units of 2^-64 ticks; `None` from 2^62 ticks on, and where this is too coarse
+    /// because a phase turns by half a turn or more in a tick. A time that is not finite counts as 0.
     #[inline(always)]
-    pub(crate) fn instant(&self, t: f64) -> Option<Instant> {
+    pub(crate) fn instant(&self, t: f64) -> Option<(i64, u64)> {
         const MOST_TICKS: f64 = (1_u64 << 62) as f64;
         let [hi, lo] = self.ticks_per_time;
         let (time, exponent) = integer_parts(t);
         let near = (t * hi).abs() < MOST_TICKS || !t.is_finite();
-        let slow = |[turns, _]: [f64; 2]| turns.abs() < 0.5;
-        let [nutation_step, a_step, b_step] = self.exact_step;
-        let exact = slow(nutation_step) && slow(a_step) && slow(b_step);
+        let exact = self.exact_step.iter().all(|[turns, _]| turns.abs() < 0.5);
         (near && exact).then(|| {
             let product = |rate: f64| {
                 let (rate, rate_exponent) = integer_parts(rate);
                 shifted(i128::from(time) * i128::from(rate), exponent + rate_exponent + 64)
             };
             let ticks = if lo == 0.0 { product(hi) } else { product(hi).wrapping_add(product(lo)) };
-            Instant { tick: (ticks >> 64) as i64, share: ticks as u64 }
+            ((ticks >> 64) as i64, ticks as u64)
         })
     }
 
-    /// Leading 64 bits of nutation phase, A and B at an instant.
+    /// Leading 64 bits of nutation phase, A and B, and the mean tip angle, at an instant.
     #[inline(always)]
-    pub(crate) fn at_instant(&self, Instant { tick, share }: Instant) -> [u64; 3] {
+    pub(crate) fn at_instant(&self, (tick, share): (i64, u64)) -> ([u64; 3], Phase) {
         let since_first = tick.wrapping_sub(i64::MIN) as u64;
         let ([nutation, a, b], [nutation_step, a_step, b_step]) = (self.first, self.steps());
         let after =
             |first: u64, step: PhaseFraction| first.wrapping_add(step.leading_after(since_first, share));
-        [after(nutation, nutation_step), after(a, a_step), after(b, b_step)]
+        let phases = [after(nutation, nutation_step), after(a, a_step), after(b, b_step)];
+        (phases, self.mean_tip(tick) + self.tip_turn().share(share))
     }
 
     /// Nutation phase, A and B at tick n.
@@ -188,28 +232,10 @@ impl<W> Clock<W> {
     pub(crate) fn mean_tip(&self, n: i64) -> Phase {
         Phase::from_words(self.tip_start) + self.tip_turn().times(n)
     }
-
-    /// Mean tip angle at an instant.
-    #[inline(always)]
-    pub(crate) fn mean_tip_at(&self, Instant { tick, share }: Instant) -> Phase {
-        self.mean_tip(tick) + self.tip_turn().share(share)
-    }
 }
 
 /// Increment of the mean tip angle per tick, in turns. A and B include half a turn per period for a parameter that passes through 0; the
 /// tip angle does not.
 fn exact_tip_step([nutation, a, b]: [Extended; 3], passes: u8) -> Extended {
     a + b - nutation * Extended::from(0.5 * f64::from(passes))
-}
-
-/// Phases at tick `i64::MIN`, in units of 2^-64 turns, from those at tick `epoch` and the increments in turns. The product is not one of
-/// `i128`, which LLVM 22 compiles to a wrong one for RISC-V where the epoch is known.
-fn first_phases(start: [Phase; 3], epoch: i64, exact_step: [Extended; 3]) -> [u64; 3] {
-    let ticks = epoch.wrapping_sub(i64::MIN) as u64;
-    let mut first = [0; 3];
-    for ((first, start), step) in first.iter_mut().zip(start).zip(exact_step) {
-        let before = PhaseFraction::from_phase(step.to_phase()).times(ticks);
-        *first = PhaseFraction::from_phase(start).minus(before).leading();
-    }
-    first
 }

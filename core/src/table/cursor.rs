@@ -1,18 +1,19 @@
 //! Cursor: evaluation of consecutive ticks by adding increments to the phases.
 
+use core::borrow::Borrow;
 use core::ops::Deref;
 
 use crate::phase::{Phase, PhaseFraction};
 use crate::su2::Orientation;
 use crate::table::clock::Clock;
-use crate::table::ephemeris::{Ephemeris, EphemerisView, ReadyEphemeris};
+use crate::table::ephemeris::EphemerisView;
 use crate::table::sample::Sample;
 use crate::table::scalar::EphemerisScalar;
 
 /// Table with the phases of consecutive ticks, which three additions advance.
 ///
-/// The table is a `&EphemerisView`, or a [`ReadyEphemeris`], whose memory is free for another set-up after an exchange. An interrupt exchanges
-/// tables without lock and copy; all of them count the ticks of one counter.
+/// The table is a `&EphemerisView`, or a [`ReadyEphemeris`](crate::ReadyEphemeris), whose memory is free for another set-up after an
+/// exchange. An interrupt exchanges tables without lock and copy.
 ///
 /// ```
 /// # use toytop::{Cursor, EphemerisF32, EphemerisMemory, Motion, Release, SetUp, State, Tick, Top, TopParameters};
@@ -24,12 +25,14 @@ use crate::table::scalar::EphemerisScalar;
 /// #     ..TopParameters::default()
 /// # })?;
 /// # let tick = Tick::hertz(1000)?;
-/// # let launched = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
-/// # let mut set_up = SetUp::new();
-/// # let [mut first, mut second] = [(); 2].map(|()| EphemerisMemory::<EphemerisF32>::new());
-/// # let first = first.set_up(&mut set_up, &Motion::launch(&top, &launched)?, tick, 0, &mut || {})?;
+/// # let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
+/// # let motion = Motion::launch(&top, &state)?;
+/// let mut set_up = SetUp::new();
+/// let [mut first, mut second] = [(); 2].map(|()| EphemerisMemory::<EphemerisF32>::new());
+/// let first = first.set_up(&mut set_up, &motion, tick, 0, &mut || { /* feed the watchdog */ })?;
 /// # let struck = first.at_tick(3).attitude_state().state()?.with_impulse(&top, [0.0, 1e-3, 0.0], [0.03, 0.0, 0.03])?;
-/// # let second = second.set_up(&mut set_up, &Motion::launch(&top, &struck)?, tick, 3, &mut || {})?;
+/// # let struck = Motion::launch(&top, &struck)?;
+/// let second = second.set_up(&mut set_up, &struck, tick, 3, &mut || {})?; // launched at tick 3
 /// let mut cursor = Cursor::new(first, 0);
 /// for _ in 0..4 {
 ///     let _orientation = cursor.next().orientation(); // ticks 0 to 3
@@ -46,7 +49,11 @@ pub struct Cursor<T> {
     table: T,
 }
 
-impl<R: EphemerisScalar, T: Deref<Target = EphemerisView<R>>> Cursor<T> {
+impl<R: EphemerisScalar, S: ?Sized + 'static, T> Cursor<T>
+where
+    T: Deref<Target = EphemerisView<R, S>>,
+    EphemerisView<R, S>: Borrow<EphemerisView<R>>,
+{
     /// Cursor whose first sample is that of tick `first`.
     #[must_use]
     pub fn new(table: T, first: i64) -> Self {
@@ -56,7 +63,21 @@ impl<R: EphemerisScalar, T: Deref<Target = EphemerisView<R>>> Cursor<T> {
     /// Table of the next sample.
     #[must_use]
     pub fn table(&self) -> &EphemerisView<R> {
-        &self.table
+        self.table.deref().borrow()
+    }
+
+    /// Sample of the next tick, to be used before the one after. The sequence has no end and cannot fail.
+    #[expect(clippy::should_implement_trait, reason = "an iterator cannot lend from itself")]
+    #[inline(always)]
+    pub fn next(&mut self) -> Sample<'_, R> {
+        self.ticks.next(self.table.deref().borrow())
+    }
+
+    /// Tick of the last sample; before the first sample, the tick before that one. It wraps after 2^63 - 1.
+    #[inline(always)]
+    #[must_use]
+    pub fn tick(&self) -> i64 {
+        self.ticks.tick()
     }
 
     /// Exchanges the table and returns the previous one. The tick number continues.
@@ -66,47 +87,14 @@ impl<R: EphemerisScalar, T: Deref<Target = EphemerisView<R>>> Cursor<T> {
     }
 }
 
-impl<T> Cursor<T> {
-    /// Tick of the last sample; before the first sample, the tick before that one. It wraps after 2^63 - 1.
-    #[inline(always)]
-    #[must_use]
-    pub fn tick(&self) -> i64 {
-        self.ticks.tick()
-    }
-}
-
-impl<'a, R: EphemerisScalar, const SEGMENTS: usize> Cursor<&'a Ephemeris<R, SEGMENTS>> {
-    /// Sample of the next tick. The sequence has no end and cannot fail.
-    #[expect(clippy::should_implement_trait, reason = "there is always a next sample")]
-    #[inline(always)]
-    pub fn next(&mut self) -> Sample<'a, R> {
-        self.ticks.next(self.table)
-    }
-}
-
-impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
-    /// Cursor whose first sample is that of tick `first`. It knows the number of segments, which saves some cycles a tick.
+impl<R: EphemerisScalar, S: ?Sized + 'static> EphemerisView<R, S>
+where
+    Self: Borrow<EphemerisView<R>>,
+{
+    /// Cursor whose first sample is that of tick `first`. A capacity in the type saves some cycles a tick.
     #[must_use]
     pub fn cursor(&self, first: i64) -> Cursor<&Self> {
-        Cursor { ticks: Ticks::new(&self.clock, first), table: self }
-    }
-}
-
-impl<'a, R: EphemerisScalar> Cursor<&'a EphemerisView<R>> {
-    /// Sample of the next tick. The sequence has no end and cannot fail.
-    #[expect(clippy::should_implement_trait, reason = "there is always a next sample")]
-    #[inline(always)]
-    pub fn next(&mut self) -> Sample<'a, R> {
-        self.ticks.next(self.table)
-    }
-}
-
-impl<R: EphemerisScalar> Cursor<ReadyEphemeris<'_, R>> {
-    /// Sample of the next tick, to be used before the table is exchanged.
-    #[expect(clippy::should_implement_trait, reason = "an iterator cannot lend from itself")]
-    #[inline(always)]
-    pub fn next(&mut self) -> Sample<'_, R> {
-        self.ticks.next(&self.table)
+        Cursor::new(self, first)
     }
 }
 
@@ -163,16 +151,10 @@ impl Ticks {
 const BLOCK: usize = 16;
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Cursor whose first sample is that of tick `first`.
-    #[must_use]
-    pub fn cursor(&self, first: i64) -> Cursor<&Self> {
-        Cursor::new(self, first)
-    }
-
     /// Samples at the ticks first, first + 1, ..., without end.
     pub fn samples(&self, first: i64) -> impl Iterator<Item = Sample<'_, R>> + Clone {
-        let mut cursor = self.cursor(first);
-        core::iter::repeat_with(move || cursor.next())
+        let mut ticks = Ticks::new(&self.clock, first);
+        core::iter::repeat_with(move || ticks.next(self))
     }
 
     /// Fills `out` with the orientations at the ticks first, first + 1, .... The bits are those of [`EphemerisView::at_tick`]; a large
@@ -198,8 +180,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
 /// Tick of the last sample.
 #[cfg(feature = "defmt")]
-impl<R: EphemerisScalar, T: Deref<Target = EphemerisView<R>>> defmt::Format for Cursor<T> {
+impl<T> defmt::Format for Cursor<T> {
     fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "cursor at tick {=i64}", self.tick());
+        defmt::write!(f, "cursor at tick {=i64}", self.ticks.tick());
     }
 }

@@ -6,12 +6,13 @@ use crate::table::cell::{CELLS, Cell, SEGMENTS_AT_LEVEL_0};
 use crate::table::clock::Clock;
 use crate::table::scalar::{Coefficient, EphemerisScalar};
 use crate::table::series::TERMS;
+use core::borrow::Borrow;
 use core::ops::{Deref, DerefMut};
 
 /// Ephemeris of one motion with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.
 ///
-/// It is immutable, and dereferences to an [`EphemerisView`], which any number of readers share without locks. Size: 4 · SEGMENTS ·
-/// [`EphemerisScalar::TERMS`] coefficients and about 300 bytes.
+/// It dereferences to an [`EphemerisView`], which any number of readers share. Size: 4 · SEGMENTS · [`EphemerisScalar::TERMS`]
+/// coefficients and about 300 bytes.
 ///
 /// ```
 /// use toytop::{EphemerisF32, Motion, Release, State, Tick, Top, TopParameters};
@@ -61,11 +62,9 @@ pub type EphemerisQ31 = Ephemeris<fixed::types::I2F30, 32>;
 pub type EphemerisQ15 = Ephemeris<fixed::types::I2F14, 16>;
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
-    const SIZE_IS_VALID: () = assert!(SEGMENTS >= SEGMENTS_AT_LEVEL_0 && SEGMENTS <= Cell::MOST_SEGMENTS);
-
     /// Memory of a table. All its bits are 0, so that it takes no flash.
-    pub(crate) const EMPTY: Self = {
-        let () = Self::SIZE_IS_VALID;
+    const EMPTY: Self = {
+        assert!(SEGMENTS >= SEGMENTS_AT_LEVEL_0 && SEGMENTS <= Cell::MOST_SEGMENTS);
         Self {
             clock: Clock::STOPPED,
             error_bound: ErrorBound::NONE,
@@ -85,16 +84,27 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for Ephemeris<R, SEGMENTS>
     }
 }
 
+impl<R: EphemerisScalar, const SEGMENTS: usize> Borrow<EphemerisView<R>> for Ephemeris<R, SEGMENTS> {
+    #[inline(always)]
+    fn borrow(&self) -> &EphemerisView<R> {
+        self
+    }
+}
+
 /// Memory of a table, for a static: `EphemerisMemory<EphemerisF32>`.
 #[derive(Debug)]
-#[repr(transparent)]
-pub struct EphemerisMemory<T: ?Sized>(T);
+#[repr(C)] // the C interface reads it by its address
+pub struct EphemerisMemory<T: ?Sized> {
+    /// Whether the last set-up succeeded.
+    pub(crate) is_set_up: bool,
+    pub(crate) table: T,
+}
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> EphemerisMemory<Ephemeris<R, SEGMENTS>> {
     /// Memory without a table. A static of it takes no flash.
     #[must_use]
     pub const fn new() -> Self {
-        Self(Ephemeris::EMPTY)
+        Self { is_set_up: false, table: Ephemeris::EMPTY }
     }
 }
 
@@ -108,12 +118,7 @@ impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
     /// Table, if the last set-up succeeded.
     #[must_use]
     pub fn get(&self) -> Option<&EphemerisView<R>> {
-        let Self(table) = self;
-        table.is_set_up().then_some(table)
-    }
-
-    pub(crate) fn table_mut(&mut self) -> &mut EphemerisView<R> {
-        &mut self.0
+        self.is_set_up.then_some(&self.table)
     }
 }
 
@@ -133,20 +138,13 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> DerefMut for EphemerisMemory<Eph
 
 /// Table that was set up, with the exclusive use of its memory.
 #[derive(Debug)]
-#[repr(transparent)]
-pub struct ReadyEphemeris<'a, R: EphemerisScalar>(&'a mut EphemerisMemory<EphemerisView<R>>);
+pub struct ReadyEphemeris<'a, R: EphemerisScalar>(pub(crate) &'a mut EphemerisMemory<EphemerisView<R>>);
 
 impl<'a, R: EphemerisScalar> ReadyEphemeris<'a, R> {
-    /// Table of a memory that was just set up.
-    pub(crate) fn new(memory: &'a mut EphemerisMemory<EphemerisView<R>>) -> Self {
-        Self(memory)
-    }
-
     /// Table for any number of readers, as long as its memory lives.
     #[must_use]
     pub fn share(self) -> &'a EphemerisView<R> {
-        let EphemerisMemory(table) = self.0;
-        table
+        &self.0.table
     }
 
     /// Memory of the table, for the next set-up.
@@ -161,17 +159,11 @@ impl<R: EphemerisScalar> Deref for ReadyEphemeris<'_, R> {
 
     #[inline(always)]
     fn deref(&self) -> &EphemerisView<R> {
-        let EphemerisMemory(table) = &*self.0;
-        table
+        &self.0.table
     }
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Whether a set-up has written all fields. It writes the error bound last, so that a positive one means a complete table.
-    fn is_set_up(&self) -> bool {
-        self.error_bound.constant > 0.0
-    }
-
     /// Number of segments that the memory can hold.
     #[must_use]
     pub fn capacity(&self) -> usize {
@@ -225,17 +217,17 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     }
 }
 
-/// Stores the polynomial of α (`which` = 0) or of β (1) on a segment, if the table contains it. Returns the error of the orientation
-/// that short products and coefficients out of range cause, and that of the derivative by rounding, in units of 2^-62 rad.
+/// Stores a polynomial in two columns of a segment, if the table contains it. Returns the error of the orientation by short products and
+/// coefficients out of range, and that of the derivative by rounding, in units of 2^-62 rad.
 pub(crate) fn put<R: EphemerisScalar>(
     segments: &mut [R::Segment],
     segment: usize,
-    which: usize,
+    column: usize,
     parts: [&[i64; TERMS]; 2],
 ) -> [f32; 2] {
     let place = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
     let (mut largest, mut slope_squares) = (0.0, 0.0);
-    for (column, part) in (2 * which..).zip(parts) {
+    for (column, part) in (column..).zip(parts) {
         let part = part.get(..R::TERMS).unwrap_or(part);
         // Σ k |error of c_k|
         let (mut errors, mut slope_error) = (0_u64, 0_u64);

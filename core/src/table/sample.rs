@@ -8,7 +8,7 @@ use crate::scalar::{Extended, Float};
 use crate::su2::{AttitudeState, Orientation, OrientationRate, Vector};
 use crate::table::cell::{Cell, LEVEL_0_BITS};
 use crate::table::ephemeris::EphemerisView;
-use crate::table::scalar::{Coefficient, EphemerisScalar, SegmentPoint};
+use crate::table::scalar::{Coefficient, EphemerisScalar, SegmentPoint, orientation, orientation_and_rates};
 
 /// Sample of a motion at one time. Each method evaluates the table anew; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
 /// [`Sample::attitude_state`] return several quantities of one evaluation.
@@ -63,7 +63,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     pub fn pose(&self) -> Pose<R, R::Quantity> {
         let numbers = self.evaluated();
         let product = numbers.alpha * numbers.beta;
-        let [re, im] = [product.re, product.im].map(R::Coefficient::wide);
+        let [re, im] = [product.re, product.im].map(R::Quantity::from);
         Pose {
             orientation: converted(&numbers, R::rounded),
             u: R::rounded(numbers.u()),
@@ -141,7 +141,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R::Quantity> {
         let (numbers, omega_body) = self.numbers_and_omega_body();
-        let orientation = converted(&numbers, R::Coefficient::wide);
+        let orientation = converted(&numbers, R::Quantity::from);
         AttitudeState { orientation, rate: OrientationRate::from_body(&orientation, omega_body) }
     }
 
@@ -150,7 +150,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     fn evaluated(&self) -> Orientation<NumberOf<R>> {
         let [nutation, a, b] = self.phases;
         let LocatedSegment { terms, point, .. } = self.ephemeris.locate(nutation);
-        R::Coefficient::orientation(terms, point, [a, b])
+        orientation(terms, point, [a, b])
     }
 
     /// Orientation before its conversion, angular velocity Ω in the body frame over a power of two, and the exponent of that power.
@@ -158,7 +158,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     fn evaluated_with_rates(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
         let [nutation, a, b] = self.phases;
         let LocatedSegment { terms, point, .. } = self.ephemeris.locate(nutation);
-        R::Coefficient::orientation_and_rates(terms, point, [a, b], self.ephemeris.clock.rates)
+        orientation_and_rates(terms, point, [a, b], self.ephemeris.clock.rates)
     }
 
     /// Orientation before its conversion, and angular velocity Ω in the body frame.
@@ -197,17 +197,15 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Sample of the motion t units of time after tick 0, with t taken as exact. A t that is not finite counts as 0.
     ///
-    /// It equals [`EphemerisView::at_tick`] to the bit where t is a whole number of ticks and the tick rate a multiple of 1/2. Beyond 2^63
-    /// ticks the motion continues without a jump.
+    /// It equals [`EphemerisView::at_tick`] to the bit where t is a whole number of ticks and the tick rate a multiple of 1/2.
     #[inline(always)] // so that the mean tip angle is computed only where the caller uses it
     #[must_use]
     pub fn at(&self, t: f64) -> Sample<'_, R> {
         match self.clock.instant(t) {
-            Some(instant) => Sample {
-                ephemeris: self,
-                phases: self.clock.at_instant(instant),
-                mean_tip: self.clock.mean_tip_at(instant),
-            },
+            Some(instant) => {
+                let (phases, mean_tip) = self.clock.at_instant(instant);
+                Sample { ephemeris: self, phases, mean_tip }
+            }
             None => self.after(self.clock.ticks(t)),
         }
     }

@@ -1,15 +1,26 @@
-//! Scalars of a table, and the evaluation of a segment: in integers for `f32` and fixed point, and in `f64`.
+//! Scalars of a table, and the evaluation of a segment: four polynomials by Horner's rule and two rotations.
+//!
+//! `f32` and fixed point are evaluated in integers, with the same bits on every chip. With α = a e^{iA} and β = b e^{iB}, where a and b
+//! are tabulated, the angular velocity Ω = Φ⁻¹Φ' in the body frame has the transverse part
+//!
+//! ```text
+//! Ω₁ + iΩ₂ = -2i (ᾱβ' - βᾱ') = -2i e^{i(B-A)} N,    N = x' (ā db/dx - b dā/dx) + i (A' + B') ā b
+//! ```
+//!
+//! Where u falls, a and b become their complex conjugates, and N becomes -N̄. The axial part Ω₃ = (n - K)/C is constant.
 
 mod q30;
 
-mod word;
-
-mod float;
+mod integer_rates;
 
 mod integer;
 
-pub(crate) use float::values_and_slopes;
+#[cfg(feature = "fixed")]
+mod short_integer;
 
+mod float;
+
+use crate::complex::Complex;
 use crate::scalar::{Real, Ring, Scalar};
 use crate::su2::{Orientation, Vector};
 use core::fmt::Debug;
@@ -41,14 +52,19 @@ pub struct EvaluationErrors {
 }
 
 /// Scalar of an ephemeris: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
-pub trait EphemerisScalar: Scalar + Into<f64> {
+pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
     /// Coefficient of the table.
     #[doc(hidden)]
     type Coefficient: Coefficient<Quantity = Self::Quantity>;
     /// Segment: coefficients of Re α, Im α, Re β and Im β side by side, lowest power first.
-    type Segment: Copy + Debug + PartialEq + AsRef<[[Self::Coefficient; 4]]> + AsMut<[[Self::Coefficient; 4]]>;
+    type Segment: Copy
+        + Debug
+        + PartialEq
+        + AsRef<[[Self::Coefficient; 4]]>
+        + AsMut<[[Self::Coefficient; 4]]>
+        + 'static;
     /// Type of lengths and rates: the scalar itself, or `f32` for fixed point, whose range is too small.
-    type Quantity: Real;
+    type Quantity: Real + From<<Self::Coefficient as Coefficient>::Number>;
 
     /// Truncation error of a table unless another one is chosen, rad.
     const TRUNCATION: f64 = 2.0 * Self::ROUNDING;
@@ -72,9 +88,11 @@ pub trait EphemerisScalar: Scalar + Into<f64> {
     fn rounded(number: <Self::Coefficient as Coefficient>::Number) -> Self;
 }
 
-/// Coefficient of a table, and the evaluator for it.
+/// Coefficient of a table, and the arithmetic of its evaluation.
 #[doc(hidden)]
 pub trait Coefficient: Copy + Debug + PartialEq {
+    /// Number of the polynomials and of the local coordinate.
+    type Sum: Copy + Default;
     /// Number of the results; rates are its multiples by a power of two.
     type Number: Ring;
     /// Type of lengths and rates.
@@ -86,21 +104,118 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     fn error(polynomial: &[i64]) -> f32;
     /// Value of a coefficient of x^power, exact.
     fn value(self, power: usize) -> f64;
-    /// Orientation at a point of a segment.
+
+    /// Local coordinate.
+    fn coordinate(point: SegmentPoint) -> Self::Sum;
+    /// Coefficient as a sum.
+    fn sum(self) -> Self::Sum;
+    /// Sum for the values in the scale of the sums for the derivatives.
+    fn slope(sum: Self::Sum) -> Self::Sum;
+    /// Step of Horner's rule, `added` + `sum` x; `short` if few bits of x are enough.
+    fn step(added: Self::Sum, sum: Self::Sum, x: Self::Sum, short: bool) -> Self::Sum;
+    /// Last step, to the value of a polynomial with this constant.
+    fn last_step(constant: Self, sum: Self::Sum, x: Self::Sum) -> Self::Sum;
+    /// Sine and cosine of a phase, given by its 64 leading bits, for polynomials of this many terms.
+    fn sine_cosine(phase: u64, terms: usize) -> [Self::Sum; 2];
+    /// Tabulated complex number, turned by an angle with this sine and cosine.
+    fn rotated(number: [Self::Sum; 2], mirrored: bool, by: [Self::Sum; 2]) -> Complex<Self::Number>;
+    /// Angular velocity Ω over a power of two, with the exponent of that power.
     ///
-    /// * `slow`: mean rotations of α and β, the 64 leading bits of a fraction of a turn
-    fn orientation(terms: &[[Self; 4]], point: SegmentPoint, slow: [u64; 2]) -> Orientation<Self::Number>;
-    /// Orientation, and the angular velocity Ω in the body frame over a power of two, with the exponent of that power.
-    ///
+    /// * `polynomials`: values and derivatives
+    /// * `turns`: sines and cosines of A and B
     /// * `rates`: rates of x at level 0, of A + B, and about the axis
-    fn orientation_and_rates(
-        terms: &[[Self; 4]],
+    fn omega_body(
+        polynomials: [[Self::Sum; 4]; 2],
+        turns: [[Self::Sum; 2]; 2],
         point: SegmentPoint,
-        slow: [u64; 2],
         rates: [Self::Quantity; 3],
-    ) -> (Orientation<Self::Number>, Vector<Self::Number>, i32);
-    /// Number in the type of lengths and rates.
-    fn wide(number: Self::Number) -> Self::Quantity;
+    ) -> (Vector<Self::Number>, i32);
     /// Product with a power of two, in the type of lengths and rates.
     fn rate(number: Self::Number, exponent: i32) -> Self::Quantity;
+}
+
+/// Whether the four polynomials are evaluated together. It suits vector units; the smallest chips have too few registers for four integers.
+const fn four_at_a_time<C: Coefficient>() -> bool {
+    cfg!(target_pointer_width = "64") || size_of::<C>() == 8
+}
+
+/// Whether 16 bits of x are enough for a sum that is multiplied by this power of x.
+#[inline(always)]
+const fn is_short(power: usize, terms: usize) -> bool {
+    2 * power > terms
+}
+
+/// Orientation at a point of a segment, from the 64 leading bits of A and B.
+#[inline(always)]
+pub(crate) fn orientation<C: Coefficient>(
+    terms: &[[C; 4]],
+    point: SegmentPoint,
+    [a, b]: [u64; 2],
+) -> Orientation<C::Number> {
+    let [[re_a, im_a, re_b, im_b], _] = polynomials::<C, false>(terms, point);
+    // each sine is computed when it is needed: the smallest chips have few registers
+    let alpha = C::rotated([re_a, im_a], point.mirrored, C::sine_cosine(a, terms.len()));
+    let beta = C::rotated([re_b, im_b], point.mirrored, C::sine_cosine(b, terms.len()));
+    Orientation { alpha, beta }
+}
+
+/// Orientation, and the angular velocity Ω in the body frame over a power of two, with the exponent of that power.
+#[inline(always)]
+pub(crate) fn orientation_and_rates<C: Coefficient>(
+    terms: &[[C; 4]],
+    point: SegmentPoint,
+    slow: [u64; 2],
+    rates: [C::Quantity; 3],
+) -> (Orientation<C::Number>, Vector<C::Number>, i32) {
+    let [a, b] = slow.map(|phase| C::sine_cosine(phase, terms.len()));
+    let polynomials = polynomials::<C, true>(terms, point);
+    let [[re_a, im_a, re_b, im_b], _] = polynomials;
+    let alpha = C::rotated([re_a, im_a], point.mirrored, a);
+    let beta = C::rotated([re_b, im_b], point.mirrored, b);
+    let (omega, exponent) = C::omega_body(polynomials, [a, b], point, rates);
+    (Orientation { alpha, beta }, omega, exponent)
+}
+
+/// Polynomials and, if `SLOPES`, their derivatives.
+#[inline(always)]
+fn polynomials<C: Coefficient, const SLOPES: bool>(
+    terms: &[[C; 4]],
+    point: SegmentPoint,
+) -> [[C::Sum; 4]; 2] {
+    let x = C::coordinate(point);
+    if four_at_a_time::<C>() {
+        return horner::<C, 4, SLOPES>(terms, x, |four| *four);
+    }
+    let [[re_b, im_b], [re_slope_b, im_slope_b]] =
+        horner::<C, 2, SLOPES>(terms, x, |&[_, _, re, im]| [re, im]);
+    let [[re_a, im_a], [re_slope_a, im_slope_a]] =
+        horner::<C, 2, SLOPES>(terms, x, |&[re, im, _, _]| [re, im]);
+    [[re_a, im_a, re_b, im_b], [re_slope_a, im_slope_a, re_slope_b, im_slope_b]]
+}
+
+/// Polynomials and, if `SLOPES`, their derivatives by Horner's rule. A row is borrowed because the compiler then recognises a vector.
+#[inline(always)]
+fn horner<C: Coefficient, const N: usize, const SLOPES: bool>(
+    terms: &[[C; 4]],
+    x: C::Sum,
+    part: impl Fn(&[C; 4]) -> [C; N],
+) -> [[C::Sum; N]; 2] {
+    let (mut sums, mut slopes) = ([C::Sum::default(); N], [C::Sum::default(); N]);
+    let [constant, higher @ ..] = terms else { return [sums, slopes] };
+    for (power, coefficients) in higher.iter().enumerate().map(|(below, four)| (below + 2, four)).rev() {
+        let short = is_short(power, terms.len());
+        for ((sum, slope), c) in sums.iter_mut().zip(&mut slopes).zip(&part(coefficients)) {
+            if SLOPES {
+                *slope = C::step(C::slope(*sum), *slope, x, short);
+            }
+            *sum = C::step(c.sum(), *sum, x, short);
+        }
+    }
+    for ((sum, slope), c) in sums.iter_mut().zip(&mut slopes).zip(part(constant)) {
+        if SLOPES {
+            *slope = C::step(C::slope(*sum), *slope, x, false);
+        }
+        *sum = C::last_step(c, *sum, x);
+    }
+    [sums, slopes]
 }

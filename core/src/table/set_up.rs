@@ -4,14 +4,12 @@ use core::fmt;
 
 use crate::constants::Regime;
 use crate::motion::Motion;
-use crate::table::build::Limits;
-use crate::table::build::bound::{ErrorBound, error_bounds};
-use crate::table::build::builder::SetUp;
+use crate::table::build::bound::error_bounds;
+use crate::table::build::{Limits, Outline, SetUp};
 use crate::table::cell::{Cell, SEGMENTS_AT_LEVEL_0};
-use crate::table::clock::Clock;
+use crate::table::clock::{Clock, Tick};
 use crate::table::ephemeris::{Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, put};
 use crate::table::scalar::EphemerisScalar;
-use crate::table::tick::Tick;
 
 /// Reason why a motion has no table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,24 +47,6 @@ impl fmt::Display for SetUpError {
 impl core::error::Error for SetUpError {}
 
 impl SetUp {
-    /// Fills a table.
-    #[inline(never)]
-    fn fill<R: EphemerisScalar>(
-        &mut self,
-        table: &mut EphemerisView<R>,
-        motion: &Motion,
-        tick: Tick,
-        epoch: i64,
-        between: &mut dyn FnMut(),
-    ) -> Result<(), SetUpError> {
-        table.error_bound = ErrorBound::NONE;
-        let capacity = table.capacity();
-        self.tabulate::<R>(motion, &mut table.segments, capacity, between)?;
-        between();
-        self.describe(table, motion, tick, epoch, between);
-        Ok(())
-    }
-
     /// Computes the segments. The memory may hold none.
     fn tabulate<R: EphemerisScalar>(
         &mut self,
@@ -82,15 +62,13 @@ impl SetUp {
         if motion.regime() == Regime::Aperiodic {
             return Err(SetUpError::Aperiodic);
         }
-        match R::RATE_WORDS {
-            1 => self.compute_rates::<1>(motion, between),
-            _ => self.compute_rates::<2>(motion, between),
-        }
-        between();
         let limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
-        let store = &mut |segment, which, parts: [&_; 2]| put::<R>(segments, segment, which, parts);
-        self.build(motion, limits, store, between)
-            .ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
+        let store = &mut |segment, column, parts: [&_; 2]| put::<R>(segments, segment, column, parts);
+        let built = match R::RATE_WORDS {
+            1 => self.build::<1>(motion, limits, store, between),
+            _ => self.build::<2>(motion, limits, store, between),
+        };
+        built.ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
     }
 
     /// Writes the cells, the clock and the error bounds.
@@ -103,14 +81,15 @@ impl SetUp {
         epoch: i64,
         between: &mut dyn FnMut(),
     ) {
-        table.cells = self.cells;
-        table.segments.get_mut(self.segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
+        let Outline { cells, segments, error, speeds } = &self.outline;
+        table.cells = *cells;
+        table.segments.get_mut(*segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
         table.clock = Clock::new(motion, tick, epoch, &self.rates, self.start.phases);
         between();
         table.start_tip_angle(motion, self.start.phases, epoch, between);
         between();
         [table.error_bound, table.rate_error_bound] =
-            error_bounds(&R::ERRORS, motion, tick.length(), &self.rates, &self.speeds, self.error);
+            error_bounds(&R::ERRORS, motion, tick.length(), &self.rates, speeds, *error);
         between();
     }
 }
@@ -131,8 +110,14 @@ impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
         epoch: i64,
         between: &mut dyn FnMut(),
     ) -> Result<ReadyEphemeris<'_, R>, SetUpError> {
-        set_up.fill(self.table_mut(), motion, tick, epoch, between)?;
-        Ok(ReadyEphemeris::new(self))
+        let Self { is_set_up, table } = self;
+        *is_set_up = false;
+        let capacity = table.capacity();
+        set_up.tabulate::<R>(motion, &mut table.segments, capacity, between)?;
+        between();
+        set_up.describe(table, motion, tick, epoch, between);
+        *is_set_up = true;
+        Ok(ReadyEphemeris(self))
     }
 }
 
@@ -150,9 +135,9 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
     /// # Errors
     /// [`SetUpError`]
     pub fn within(motion: &Motion, tick: Tick, truncation: f64) -> Result<Self, SetUpError> {
-        let mut ephemeris = Self::EMPTY;
-        SetUp::within(truncation).fill(&mut ephemeris, motion, tick, 0, &mut || {})?;
-        Ok(ephemeris)
+        let mut memory = EphemerisMemory::<Self>::new();
+        memory.set_up(&mut SetUp::within(truncation), motion, tick, 0, &mut || {})?;
+        Ok(memory.table)
     }
 }
 
@@ -162,6 +147,6 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let mut set_up = SetUp::within(truncation);
         set_up.tabulate::<R>(motion, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
-        Some(set_up.segments.max(SEGMENTS_AT_LEVEL_0) as u32)
+        Some(set_up.outline.segments.max(SEGMENTS_AT_LEVEL_0) as u32)
     }
 }

@@ -1,7 +1,5 @@
-//! Range checks of literal data: in a tick no sum of integers overflows, and no floating-point number becomes
-//! infinite except the velocity of the tip.
-//!
-//! Data written by set-up always pass.
+//! Range checks of literal data: in a tick no sum of integers overflows, and no number but the velocity of the tip becomes infinite. Data
+//! from set-up always pass.
 
 /// Largest rate, length or coefficient in `f64`. Products of three such numbers and of powers of two stay finite.
 const GREATEST_DOUBLE: f64 = 1e60;
@@ -9,9 +7,6 @@ const GREATEST_DOUBLE: f64 = 1e60;
 const GREATEST_SINGLE: f32 = 1e30;
 /// Largest 32-bit sum. The smallest chip computes a product from the halves of its factors, which allows no larger sum.
 const GREATEST_SUM: u64 = (1 << 31) - (1 << 15);
-/// Largest 32-bit sum for 16-bit coefficients.
-#[cfg(feature = "fixed")]
-const GREATEST_SHORT_SUM: u64 = 1 << 31;
 
 /// Whether no number is NaN or of a larger size.
 const fn within(mut numbers: &[f64], greatest: f64) -> bool {
@@ -45,17 +40,17 @@ pub(crate) const fn f32(mut numbers: &[f32]) -> bool {
     true
 }
 
-/// Whether the sums of Horner's rule stay in range, from the highest power of four polynomials down. The constants are left out: the last
-/// sum saturates and needs no check.
+/// Whether the sums of Horner's rule stay in range, from the highest power of four polynomials down. A sum is at most the size of its
+/// coefficient plus half of the sum before, rounded up. The constants are left out: the last sum saturates.
 macro_rules! sums_in_range {
-    ($coefficient:ident, $greatest:ident, $next:ident) => {
+    ($coefficient:ident, $fraction_bits:literal) => {
         pub(crate) const fn $coefficient(coefficients: &[$coefficient]) -> bool {
             let [_, _, _, _, powers @ ..] = coefficients else { return true };
-            let (mut powers, mut sums) = (powers, [0; 4]);
+            let (mut powers, mut sums) = (powers, [0_u64; 4]);
             while let [rest @ .., coefficient] = powers {
                 let [a, b, c, sum] = sums;
-                let sum = $next(sum, *coefficient);
-                if sum >= $greatest {
+                let sum = ((coefficient.unsigned_abs() as u64) << (31 - $fraction_bits)) + sum.div_ceil(2);
+                if sum >= GREATEST_SUM {
                     return false;
                 }
                 (powers, sums) = (rest, [sum, a, b, c]);
@@ -65,18 +60,6 @@ macro_rules! sums_in_range {
     };
 }
 
-sums_in_range!(i32, GREATEST_SUM, next);
+sums_in_range!(i32, 31);
 #[cfg(feature = "fixed")]
-sums_in_range!(i16, GREATEST_SHORT_SUM, next_short);
-
-/// Upper bound on the magnitude of the next sum: half of the previous sum, rounded away from 0, plus the coefficient.
-const fn next(sum: u64, coefficient: i32) -> u64 {
-    coefficient.unsigned_abs() as u64 + sum.div_ceil(2)
-}
-
-/// Upper bound on the magnitude of the next sum, where the 16 upper bits of the previous sum are multiplied by up to
-/// 2^15.
-#[cfg(feature = "fixed")]
-const fn next_short(sum: u64, coefficient: i16) -> u64 {
-    ((coefficient.unsigned_abs() as u64) << 16) + (((sum >> 16) + 1) << 15)
-}
+sums_in_range!(i16, 15);

@@ -1,9 +1,10 @@
 //! Error bounds of an ephemeris; `core/docs/error_bound.md` derives every term.
 
-use super::{MeanRates, Speeds};
+use super::mean_rates::MeanRates;
 use crate::motion::Motion;
 use crate::scalar::{Extended, Float, Ring, Scalar};
 use crate::table::scalar::EvaluationErrors;
+use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
 
 /// Upper bound on an error at any tick: `constant` plus `per_tick` for each tick from the launch.
 ///
@@ -39,7 +40,26 @@ const FIXED_VARIANCE: f64 = 12.0;
 const PER_TURN: f64 = 0.56 + 1.0 / 512.0;
 /// Standard deviation of a step's rounding error, relative to its terms, in units of 2^-53.
 const STEP: f64 = 2.1;
+
+/// Upper bounds on the speeds of α and β without their mean rotation, from the magnitudes of coefficients.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Speeds {
+    /// Angular velocity 2 √(|dα/dt|² + |dβ/dt|²), rad per half period.
+    sweep: f64,
+    /// Twice the rate of θ_A or θ_B, rad per half period.
+    turning: f64,
+    /// Acceleration 2 √(|d²α/dt²|² + |d²β/dt²|²), rad per half period squared.
+    acceleration: f64,
+    /// Truncation error of the angular velocity, rad per half period.
+    sweep_error: f64,
+    /// Rate of the local coordinate x, per half period.
+    x_rate: f64,
+}
+
 impl Speeds {
+    pub(super) const ZERO: Self =
+        Self { sweep: 0.0, turning: 0.0, acceleration: 0.0, sweep_error: 0.0, x_rate: 0.0 };
+
     /// Greatest change of the orientation on half a segment, rad: a segment has two cells at most.
     fn steepness(&self) -> f64 {
         self.sweep / 16.0
@@ -61,6 +81,36 @@ impl Speeds {
         let others = self.delayed(start).squared() + self.steepness().squared();
         let deviation = Float::sqrt(FIXED_VARIANCE + steps + others);
         (DEVIATIONS * deviation + PER_TURN * (sweep + TURN)) * f64::ROUNDING
+    }
+}
+
+/// Errors and slopes of a segment, in units of 2^-62, in `f32` because soft `f64` is slow.
+#[derive(Default)]
+pub(super) struct SegmentErrors {
+    /// Greatest error of the stored coefficients.
+    pub(super) stored: f32,
+    /// Sums of the squares of the truncation errors, the slopes, the errors of the slopes and the curvatures.
+    pub(super) change: f32,
+    pub(super) slope: f32,
+    pub(super) slope_error: f32,
+    pub(super) curvature: f32,
+}
+
+impl SegmentErrors {
+    /// Orientation error by truncation and rounding, in units of 2^-62 rad.
+    pub(super) fn error(&self) -> f32 {
+        larger_or_nan(2.0 * Float::sqrt(self.change), self.stored)
+    }
+
+    /// Includes the speeds on the segment, for the rate of x per half period and a bound on dθ/dx.
+    pub(super) fn include_in(&self, speeds: &mut Speeds, x_rate: f32, theta_slope: f32) {
+        let root = |squares: f32| 2.0 * TABLE_UNIT as f32 * Float::sqrt(squares);
+        let include = |greatest: &mut f64, speed: f32| *greatest = larger_or_nan(*greatest, speed.into());
+        include(&mut speeds.sweep, root(self.slope) * x_rate);
+        include(&mut speeds.turning, 2.0 * theta_slope * x_rate);
+        include(&mut speeds.acceleration, root(self.curvature) * x_rate * x_rate);
+        include(&mut speeds.sweep_error, root(self.slope_error) * x_rate);
+        include(&mut speeds.x_rate, x_rate);
     }
 }
 

@@ -1,6 +1,5 @@
 //! Mean rates of a motion, and their errors.
 
-use super::MeanRates;
 use crate::constants::LaunchRounding;
 use crate::motion::Motion;
 use crate::motion::period::Period;
@@ -13,7 +12,27 @@ const STORED: f64 = 1.0 / (1_u128 << 106) as f64;
 /// Number of roundings per node of the quadrature.
 const OPERATIONS_PER_NODE: f64 = 2.0;
 
+/// Rates of the nutation phase and of the mean slow phases.
+#[derive(Debug)]
+pub(crate) struct MeanRates {
+    /// Half period T/2; 0 where u is constant.
+    pub(super) half_period: Extended,
+    /// Constants θ_A' - ψ_A' and θ_B' - ψ_B': ±τ/2 minus the mean rate, rad per unit time.
+    pub(super) theta_offset: [Extended; 2],
+    /// Nutation frequency 1/T and mean rates of α and β, in turns per unit time.
+    pub(crate) turns: [Extended; 3],
+    /// Errors of `turns`, turns per unit time.
+    pub(super) errors: [f64; 3],
+}
+
 impl MeanRates {
+    pub(super) const ZERO: Self = Self {
+        half_period: Extended::ZERO,
+        theta_offset: [Extended::ZERO; 2],
+        turns: [Extended::ZERO; 3],
+        errors: [0.0; 3],
+    };
+
     /// Mean rates of a motion with this period; `None` where u is constant.
     #[inline(never)]
     pub(super) fn new(motion: &Motion, period: Option<Period>) -> Self {
@@ -23,7 +42,7 @@ impl MeanRates {
         }
     }
 
-    pub(super) fn steady(motion: &Motion) -> Self {
+    fn steady(motion: &Motion) -> Self {
         let [alpha, beta] = motion.steady_rates().map(Extended::in_turns);
         let relative = OPERATIONS * Extended::OPERATION_ERROR + STORED + motion.rounding.relative;
         // a rate is the sum of a quotient and ±τ/2, which may cancel

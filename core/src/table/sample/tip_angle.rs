@@ -3,22 +3,20 @@
 //! While u rises, the periodic part is the argument of the tabulated αβ; while u falls, it is its negative. αβ may wind around 0 many
 //! times, so its crossings of the negative real axis are counted at the centres of the segments. All scalars are evaluated in `f64`.
 
-use core::ops::Range;
-
 use crate::complex::Complex;
 use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::table::clock::Clock;
 use crate::table::ephemeris::EphemerisView;
-use crate::table::sample::{LocatedSegment, Sample};
-use crate::table::scalar::{Coefficient, EphemerisScalar, values_and_slopes};
+use crate::table::sample::Sample;
+use crate::table::scalar::{Coefficient, EphemerisScalar};
 
 impl<R: EphemerisScalar> Sample<'_, R> {
     /// Tip angle φ = arg c, continuous in time from φ(0) in (-1/2, 1/2] turn, whole turns included (modulo 2^32
     /// turns); `None` where the axis is vertical at all times. Error: that of the orientation over 2|αβ|.
     ///
-    /// Where the curve passes through the centre (e₁ = -1 or e₂ = 1), φ is smooth there and the radius changes sign:
-    /// c = ±ρ e^{iφ}. Cost: an arctangent, and a complex product for every segment between u = e₁ and the sample.
+    /// Where the curve passes through the centre, φ is smooth and the radius changes sign: c = ±ρ e^{iφ}. Cost: an arctangent, and a
+    /// complex product for every segment from u = e₁ to the sample.
     #[must_use]
     pub fn tip_angle(&self) -> Option<Phase> {
         self.ephemeris.clock.tip_exists.then(|| self.any_tip_angle())
@@ -41,35 +39,25 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Periodic part of the tip angle at a nutation phase, given by its 64 leading bits.
     fn periodic_tip_angle(&self, nutation: u64) -> Phase {
-        let found = self.locate(nutation);
-        let mut winding = Winding::START;
-        self.continue_over(0..found.index + 1, &mut winding);
-        self.signed_part(nutation) + self.winding_in(&found, winding).angle_on(nutation)
+        self.signed_part(nutation) + self.tabulated_tip_angle(nutation, &mut || {})
     }
 
     /// Sets the mean tip angle so that the tip angle at the launch is the argument of c in (-1/2, 1/2] turn.
     ///
     /// * `start`: nutation phase, A and B at the launch
     /// * `epoch`: tick of the launch
-    /// * `between`: called after every sixteen segments
     pub(crate) fn start_tip_angle(
         &mut self,
         motion: &Motion,
-        [nutation, a, b]: [Phase; 3],
+        start: [Phase; 3],
         epoch: i64,
         between: &mut dyn FnMut(),
     ) {
-        const SEGMENTS: usize = 16;
+        let [nutation, a, b] = start;
         let nutation = nutation.fraction();
         let Clock { tip_quarter, tip_passes, .. } = self.clock;
         let quarter_turn = Phase::QUARTER.times(tip_quarter.into());
-        let found = self.locate(nutation);
-        let mut winding = Winding::START;
-        for first in (0..found.index + 1).step_by(SEGMENTS) {
-            self.continue_over(first..(found.index + 1).min(first + SEGMENTS), &mut winding);
-            between();
-        }
-        let tabulated = self.winding_in(&found, winding).angle_on(nutation);
+        let tabulated = self.tabulated_tip_angle(nutation, between);
         // whole turns from the table, and the rest from the motion, because near the centre the table's angle is inexact
         let argument = motion.tip_angle_at_start();
         let exact = argument - a - b - if is_falling(nutation) { -quarter_turn } else { quarter_turn };
@@ -86,22 +74,27 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         Phase::from_bits(i128::from(nutation as i64) << 31).times(self.clock.tip_passes.into())
     }
 
-    /// Continues the argument of αβ through the centres of these segments.
-    fn continue_over(&self, segments: Range<usize>, winding: &mut Winding) {
-        for segment in self.segments.get(segments).unwrap_or_default() {
+    /// Argument of the tabulated αβ at a nutation phase, continued from u = e₁ through the centres of all segments before. Near 0 it is the
+    /// direction of the motion from 0 or to 0. `between` is called after every sixteen segments.
+    fn tabulated_tip_angle(&self, nutation: u64, between: &mut dyn FnMut()) -> Phase {
+        const SEGMENTS: usize = 16;
+        let found = self.locate(nutation);
+        let mut winding = Winding::START;
+        for (index, segment) in self.segments.iter().enumerate().take(found.index + 1) {
             let [centre, ..] = segment.as_ref() else { continue };
             let [a, b] = complex(centre.map(|coefficient| coefficient.value(0)));
             winding.reach(self.rotated_back(a * b));
+            if index % SEGMENTS == SEGMENTS - 1 {
+                between();
+            }
         }
-    }
-
-    /// Argument of the tabulated αβ at a place on a segment, from that at its centre. Near 0 the direction is that of the motion from 0
-    /// or to 0.
-    fn winding_in(&self, found: &LocatedSegment<'_, R>, mut winding: Winding) -> Winding {
         let x = found.point.x as f64 / (1_u64 << 63) as f64;
-        let numbers = |(power, row): (usize, &[R::Coefficient; 4])| row.map(|c| c.value(power));
-        let [value, slope] = values_and_slopes(found.terms.iter().enumerate().rev().map(numbers), x);
-        let ([a, b], [a_slope, b_slope]) = (complex(value), complex(slope));
+        let [mut a, mut b, mut a_slope, mut b_slope] = [Complex::ZERO; 4];
+        for (power, row) in found.terms.iter().enumerate().rev() {
+            let [a_term, b_term] = complex(row.map(|c| c.value(power)));
+            (a_slope, b_slope) = (a_slope.scaled(x) + a, b_slope.scaled(x) + b);
+            (a, b) = (a.scaled(x) + a_term, b.scaled(x) + b_term);
+        }
         let (product, change) = (a * b, a_slope * b + a * b_slope);
         let least = LEAST_MODULUS * R::ROUNDING;
         let near_zero = product.norm_squared() <= least * least;
@@ -111,7 +104,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
             (true, false) => -change,
         };
         winding.reach(self.rotated_back(direction));
-        winding
+        winding.angle_on(nutation)
     }
 
     /// Product αβ, turned so that at u = e₁ it leaves along the positive real axis.

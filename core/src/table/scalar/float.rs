@@ -1,16 +1,8 @@
-//! Evaluation in `f64`: four polynomials by Horner's rule and two rotations.
-//!
-//! With α = a e^{iA} and β = b e^{iB}, where a and b are tabulated, Ω = Φ⁻¹Φ' has the transverse part
-//!
-//! ```text
-//! Ω₁ + iΩ₂ = -2i (ᾱβ' - βᾱ') = -2i e^{i(B-A)} N,    N = x' (ā db/dx - b dā/dx) + i (A' + B') ā b
-//! ```
-//!
-//! Where u falls, N becomes -N̄. The axial part Ω₃ = (n - K)/C is constant.
+//! Evaluation in `f64`.
 
 use crate::complex::Complex;
 use crate::scalar::{Scalar, fraction_of_word, sine_cosine_f64};
-use crate::su2::{Orientation, Vector};
+use crate::su2::Vector;
 use crate::table::scalar::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint};
 use crate::table::series::expansion::TABLE_UNIT;
 
@@ -32,13 +24,14 @@ impl EphemerisScalar for f64 {
         relative_rate: 5.0 * <Self as Scalar>::ROUNDING,
     };
 
-    #[inline(always)]
+    #[inline]
     fn rounded(number: Self) -> Self {
         number
     }
 }
 
 impl Coefficient for f64 {
+    type Sum = Self;
     type Number = Self;
     type Quantity = Self;
 
@@ -56,84 +49,59 @@ impl Coefficient for f64 {
     }
 
     #[inline(always)]
-    fn orientation(terms: &[[Self; 4]], point: SegmentPoint, slow: [u64; 2]) -> Orientation<Self> {
-        let [values, _] = at_point(terms, point.x);
-        rotated(values, point.mirrored, slow.map(direction))
+    fn coordinate(point: SegmentPoint) -> f64 {
+        2.0 * fraction_of_word(point.x)
+    }
+
+    #[inline]
+    fn sum(self) -> f64 {
+        self
+    }
+
+    #[inline]
+    fn slope(sum: f64) -> f64 {
+        sum
     }
 
     #[inline(always)]
-    fn orientation_and_rates(
-        terms: &[[Self; 4]],
+    fn step(added: f64, sum: f64, x: f64, _: bool) -> f64 {
+        sum * x + added
+    }
+
+    #[inline(always)]
+    fn last_step(constant: f64, sum: f64, x: f64) -> f64 {
+        sum * x + constant
+    }
+
+    #[inline(always)]
+    fn sine_cosine(phase: u64, _: usize) -> [f64; 2] {
+        sine_cosine_f64(phase).into()
+    }
+
+    #[inline(always)]
+    fn rotated([re, im]: [f64; 2], mirrored: bool, [sine, cosine]: [f64; 2]) -> Complex<f64> {
+        Complex::new(re, if mirrored { -im } else { im }) * Complex::new(cosine, sine)
+    }
+
+    #[inline(always)]
+    fn omega_body(
+        polynomials: [[f64; 4]; 2],
+        turns: [[f64; 2]; 2],
         point: SegmentPoint,
-        slow: [u64; 2],
-        [x, mean, axial]: [Self; 3],
-    ) -> (Orientation<Self>, Vector<Self>, i32) {
-        let polynomials = at_point(terms, point.x);
-        let [a, b] = slow.map(direction);
-        let orientation = rotated(polynomials[0], point.mirrored, [a, b]);
-        let rates = [x * Self::from(1_u16 << point.level), mean, axial];
-        (orientation, omega_body(polynomials, point.mirrored, a.conj() * b, rates), 0)
+        [x, mean, axial]: [f64; 3],
+    ) -> (Vector<f64>, i32) {
+        let [turn_a, turn_b] = turns.map(|[sine, cosine]| Complex::new(cosine, sine));
+        let pair = |[re_a, im_a, re_b, im_b]: [f64; 4]| [Complex::new(re_a, im_a), Complex::new(re_b, im_b)];
+        let [[a, b], [a_slope, b_slope]] = polynomials.map(pair);
+        let x = x * Self::from(1_u16 << point.level);
+        let change = (a.conj() * b_slope - b * a_slope.conj()).scaled(x);
+        let n = change + (a.conj() * b).times_i().scaled(mean);
+        let n = if point.mirrored { -n.conj() } else { n } * (turn_a.conj() * turn_b);
+        ([2.0 * n.im, -2.0 * n.re, axial], 0)
     }
 
-    #[inline(always)]
-    fn wide(number: Self) -> Self {
-        number
-    }
-
-    #[inline(always)]
+    #[inline]
     fn rate(number: Self, _: i32) -> Self {
         number
     }
-}
-
-/// e^{iA} from the leading bits of A.
-#[inline(always)]
-fn direction(phase: u64) -> Complex<f64> {
-    let (sine, cosine) = sine_cosine_f64(phase);
-    Complex::new(cosine, sine)
-}
-
-#[inline(always)]
-fn at_point(terms: &[[f64; 4]], x: i64) -> [[f64; 4]; 2] {
-    values_and_slopes(terms.iter().rev().copied(), 2.0 * fraction_of_word(x))
-}
-
-/// Four polynomials at x and their derivatives, from rows of coefficients, the highest power first.
-#[inline(always)]
-pub(crate) fn values_and_slopes(mut rows: impl Iterator<Item = [f64; 4]>, x: f64) -> [[f64; 4]; 2] {
-    let (mut sums, mut slopes) = (rows.next().unwrap_or_default(), [0.0; 4]);
-    for coefficients in rows {
-        for ((sum, slope), c) in sums.iter_mut().zip(&mut slopes).zip(coefficients) {
-            *slope = *slope * x + *sum;
-            *sum = *sum * x + c;
-        }
-    }
-    [sums, slopes]
-}
-
-/// Orientation from the tabulated values, e^{iA} and e^{iB}.
-#[inline(always)]
-fn rotated(
-    [re_a, im_a, re_b, im_b]: [f64; 4],
-    mirrored: bool,
-    [a, b]: [Complex<f64>; 2],
-) -> Orientation<f64> {
-    let sign = |y: f64| if mirrored { -y } else { y };
-    Orientation { alpha: Complex::new(re_a, sign(im_a)) * a, beta: Complex::new(re_b, sign(im_b)) * b }
-}
-
-/// Angular velocity Ω from values and derivatives, e^{i(B-A)}, and the rates of x, of A + B and about the axis.
-#[inline(always)]
-pub(super) fn omega_body(
-    polynomials: [[f64; 4]; 2],
-    mirrored: bool,
-    turn: Complex<f64>,
-    [x, mean, axial]: [f64; 3],
-) -> Vector<f64> {
-    let pair = |[re_a, im_a, re_b, im_b]: [f64; 4]| [Complex::new(re_a, im_a), Complex::new(re_b, im_b)];
-    let [[a, b], [a_slope, b_slope]] = polynomials.map(pair);
-    let change = (a.conj() * b_slope - b * a_slope.conj()).scaled(x);
-    let n = change + (a.conj() * b).times_i().scaled(mean);
-    let n = if mirrored { -n.conj() } else { n } * turn;
-    [2.0 * n.im, -2.0 * n.re, axial]
 }

@@ -1,14 +1,20 @@
-//! Evaluation in integers, with the same bits on every chip: four polynomials by Horner's rule and two rotations.
+//! Evaluation in integers. Sums have 32 bits, in units of 2^-31.
+//!
+//! A coefficient of x^k is stored as c·2^(31+k) (in 16 bits as c·2^(15+k)). The upper word of its product with x·2^31 has half the scale,
+//! that of the next lower coefficient. The sums for a derivative have half the scale, because they may be twice as large. Set-up refuses
+//! sums that could overflow; the last one saturates.
+//!
+//! For the powers above half the number of terms, 16 bits of x are enough, because their coefficients are small: set-up verifies it.
 
 use crate::complex::Complex;
-use crate::product::high_product;
-use crate::scalar::{Scalar, times_power_of_two};
-use crate::su2::{Orientation, Vector};
+use crate::product::{high_product, high_product_of_less, short_product};
+use crate::scalar::{Scalar, sine_cosine_q26, sine_cosine_q31, times_power_of_two};
+use crate::su2::Vector;
+use crate::table::scalar::integer_rates::omega_body;
 use crate::table::scalar::q30::Q30;
-use crate::table::scalar::word::{Word, is_short};
-use crate::table::scalar::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint};
+use crate::table::scalar::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, is_short};
 #[cfg(feature = "fixed")]
-use fixed::types::{I2F14, I2F30};
+use fixed::types::I2F30;
 
 /// Unit of the results, 2^-30.
 const UNIT: f64 = 1.0 / (1_u64 << 30) as f64;
@@ -16,16 +22,13 @@ const UNIT: f64 = 1.0 / (1_u64 << 30) as f64;
 const SINGLE_ERROR: f64 = (17.2 + 2.83 * 12.5) * UNIT + f32::EPSILON as f64;
 
 /// Errors in 32 bits: `core/docs/error_bound.md` lists their parts.
-const ERRORS: EvaluationErrors = EvaluationErrors {
+pub(super) const ERRORS: EvaluationErrors = EvaluationErrors {
     tick: (17.2 + 2.83 * 1.23) * UNIT,
     slope: PLACE,
     rate: 40.0 * UNIT,
     relative_rate: 3.7 * <f32 as Scalar>::ROUNDING,
 };
-const PLACE: f64 = 2.0 / (1_u64 << 32) as f64;
-/// Unit of the sums in 16 bits, 2^-15.
-#[cfg(feature = "fixed")]
-const SHORT_UNIT: f64 = 1.0 / (1_u64 << 15) as f64;
+pub(super) const PLACE: f64 = 2.0 / (1_u64 << 32) as f64;
 
 impl EphemerisScalar for f32 {
     type Coefficient = i32;
@@ -37,9 +40,9 @@ impl EphemerisScalar for f32 {
     const CODE: u32 = 32;
     const ERRORS: EvaluationErrors = EvaluationErrors { tick: SINGLE_ERROR, ..ERRORS };
 
-    #[inline(always)]
+    #[inline]
     fn rounded(number: Q30) -> Self {
-        number.to_f32()
+        number.into()
     }
 }
 
@@ -55,245 +58,164 @@ impl EphemerisScalar for I2F30 {
     const ERRORS: EvaluationErrors = ERRORS;
     const TRUNCATION: f64 = 4.0 * Self::ROUNDING;
 
-    #[inline(always)]
+    #[inline]
     fn rounded(number: Q30) -> Self {
         Self::from_bits(number.0)
     }
 }
 
-#[cfg(feature = "fixed")]
-impl EphemerisScalar for I2F14 {
-    type Coefficient = i16;
-    type Segment = [[i16; 4]; 3];
-    type Quantity = f32;
+/// Fraction bits of the values that coefficients are made from.
+pub(super) const TABLE_BITS: u32 = 62;
+/// Error of short products that counts as part of a tick, in units of 2^-62: 2^-31.
+const SHORT_ERROR: f32 = (1_u32 << 31) as f32;
+/// Least sum that could overflow, with a margin of 2^-15 plus some thousand roundings of a coefficient.
+const OVERFLOW: i64 = overflow_limit(3.2e-5);
 
-    const TERMS: usize = 3;
-    const ZERO_SEGMENT: Self::Segment = [[0; 4]; 3];
-    const CODE: u32 = 15;
-    const ERRORS: EvaluationErrors = EvaluationErrors {
-        tick: 16.83 * SHORT_UNIT + 2.6e-5,
-        slope: 0.5 * SHORT_UNIT + PLACE,
-        rate: 2.001 * SHORT_UNIT,
-        ..ERRORS
-    };
-
-    #[inline(always)]
-    fn rounded(number: Q30) -> Self {
-        Self::from_bits((number.0 >> 16) as i16)
-    }
+/// 1 minus `margin`, in units of 2^-62.
+pub(super) const fn overflow_limit(margin: f64) -> i64 {
+    ((1.0 - margin) * (1_i64 << TABLE_BITS) as f64) as i64
 }
 
-impl<W: Word> Coefficient for W {
+/// Upper bound on the sum of the factors of x in short products, in units of 2^-30; `None` where a sum could exceed `limit`.
+pub(super) fn short_factors(polynomial: &[i64], limit: i64) -> Option<u32> {
+    let limit = (limit >> 32) as u32;
+    let (mut sum, mut factors) = (0_u32, 0);
+    for (power, value) in polynomial.iter().enumerate().skip(1).rev() {
+        // rounded up; a sum that is not too large has room for another coefficient
+        sum += (value.unsigned_abs() >> 32) as u32 + 1;
+        if sum > limit >> power {
+            return None;
+        }
+        if is_short(power, polynomial.len()) {
+            factors += sum;
+        }
+    }
+    Some(factors)
+}
+
+impl Coefficient for i32 {
+    type Sum = i32;
     type Number = Q30;
     type Quantity = f32;
 
+    /// The coefficient has half a unit more, because the product added to it is rounded down. The constant has not: the bitwise complement
+    /// of the last sum is its negative.
     fn nearest(value: i64, power: usize) -> (Self, i64) {
-        W::nearest(value, power)
+        let dropped = TABLE_BITS - 31 - power as u32;
+        let rounded =
+            if power == 0 { (value >> (dropped - 1)).saturating_add(1) >> 1 } else { (value >> dropped) + 1 };
+        let held = rounded.clamp(i32::MIN.into(), i32::MAX.into()) as i32;
+        // both are equal modulo 2^32 up to the error, which is smaller
+        (held, (held << dropped).wrapping_sub(value as i32).into())
     }
 
     fn error(polynomial: &[i64]) -> f32 {
-        W::error(polynomial)
+        let Some(factors) = short_factors(polynomial, OVERFLOW) else { return f32::INFINITY };
+        // from units of 2^-30, times the truncation of x to 2^-15
+        let error = factors as f32 * (1_u32 << (TABLE_BITS - 30 - 15)) as f32;
+        if error > SHORT_ERROR { error - SHORT_ERROR } else { 0.0 }
     }
 
     fn value(self, power: usize) -> f64 {
-        times_power_of_two(self.sum().into(), -31 - power as i32)
+        times_power_of_two(self.into(), -31 - power as i32)
+    }
+
+    #[inline]
+    fn coordinate(point: SegmentPoint) -> i32 {
+        point.short_x
+    }
+
+    #[inline]
+    fn sum(self) -> i32 {
+        self
+    }
+
+    #[inline]
+    fn slope(sum: i32) -> i32 {
+        sum >> 1
     }
 
     #[inline(always)]
-    fn orientation(terms: &[[W; 4]], point: SegmentPoint, slow: [u64; 2]) -> Orientation<Q30> {
-        let [values, _] = polynomials::<W, false>(terms, point.short_x);
-        let [a, b] = slow.map(|phase| (phase >> 32) as u32);
-        let count = terms.len();
-        rotated::<W>(values, point.mirrored, || W::sine_cosine(a, count), || W::sine_cosine(b, count))
+    fn step(added: i32, sum: i32, x: i32, short: bool) -> i32 {
+        added + if short { short_product(sum, x) } else { high_product_of_less(sum, x) }
     }
 
     #[inline(always)]
-    fn orientation_and_rates(
-        terms: &[[W; 4]],
+    fn last_step(constant: Self, sum: i32, x: i32) -> i32 {
+        constant.saturating_add(high_product_of_less(sum, x))
+    }
+
+    /// With five terms the results become `f32`, which needs fewer bits.
+    #[inline(always)]
+    fn sine_cosine(phase: u64, terms: usize) -> [i32; 2] {
+        let phase = (phase >> 32) as u32;
+        if terms < 5 { sine_cosine_q31(phase).into() } else { sine_cosine_q26(phase).into() }
+    }
+
+    #[inline(always)]
+    fn rotated([re, im]: [i32; 2], mirrored: bool, [sine, cosine]: [i32; 2]) -> Complex<Q30> {
+        let im = im ^ -i32::from(mirrored);
+        Complex::new(
+            Q30(high_product(!im, sine) + high_product(re, cosine)),
+            Q30(high_product(im, cosine) + high_product(re, sine)),
+        )
+    }
+
+    #[inline(always)]
+    fn omega_body(
+        polynomials: [[i32; 4]; 2],
+        [[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2],
         point: SegmentPoint,
-        slow: [u64; 2],
         rates: [f32; 3],
-    ) -> (Orientation<Q30>, Vector<Q30>, i32) {
-        let [a, b] = slow.map(|phase| W::sine_cosine((phase >> 32) as u32, terms.len()));
-        let polynomials = polynomials::<W, true>(terms, point.short_x);
-        let orientation = rotated::<W>(polynomials[0], point.mirrored, || a, || b);
-        let (omega, exponent) =
-            omega_body(polynomials, point.mirrored, W::difference(a, b), point.level, rates);
-        (orientation, omega, exponent)
+    ) -> (Vector<Q30>, i32) {
+        let difference = [
+            high_product(cosine_a, cosine_b) + high_product(sine_a, sine_b),
+            high_product(cosine_a, sine_b) - high_product(sine_a, cosine_b),
+        ];
+        omega_body(polynomials, point.mirrored, difference, point.level, rates)
     }
 
-    #[inline(always)]
-    fn wide(number: Q30) -> f32 {
-        number.to_f32()
-    }
-
-    #[inline(always)]
+    #[inline]
     fn rate(number: Q30, exponent: i32) -> f32 {
         number.times_power_of_two(exponent)
-    }
-}
-
-/// Orientation from the tabulated values and the sines and cosines of A and B, each computed when it is needed.
-#[inline(always)]
-fn rotated<W: Word>(
-    [re_a, im_a, re_b, im_b]: [i32; 4],
-    mirrored: bool,
-    a: impl FnOnce() -> (i32, i32),
-    b: impl FnOnce() -> (i32, i32),
-) -> Orientation<Q30> {
-    let mask = -i32::from(mirrored);
-    let turned = |re, im: i32, by| {
-        let [re, im] = W::rotated([re, im ^ mask], by).map(Q30);
-        Complex::new(re, im)
-    };
-    Orientation { alpha: turned(re_a, im_a, a()), beta: turned(re_b, im_b, b()) }
-}
-
-/// Whether the four polynomials are evaluated together, which suits vector units; the smallest chips have too few registers.
-const FOUR_AT_A_TIME: bool = cfg!(target_pointer_width = "64");
-
-/// Polynomials and, if `SLOPES`, their derivatives, from the local coordinate times 2^31.
-#[inline(always)]
-fn polynomials<W: Word, const SLOPES: bool>(terms: &[[W; 4]], x: i32) -> [[i32; 4]; 2] {
-    if FOUR_AT_A_TIME {
-        return horner::<W, 4, SLOPES>(terms, x, |four| *four);
-    }
-    let [[re_b, im_b], [re_slope_b, im_slope_b]] =
-        horner::<W, 2, SLOPES>(terms, x, |&[_, _, re, im]| [re, im]);
-    let [[re_a, im_a], [re_slope_a, im_slope_a]] =
-        horner::<W, 2, SLOPES>(terms, x, |&[re, im, _, _]| [re, im]);
-    [[re_a, im_a, re_b, im_b], [re_slope_a, im_slope_a, re_slope_b, im_slope_b]]
-}
-
-/// Polynomials and, if `SLOPES`, their derivatives by Horner's rule. The sums for a derivative have half the scale, because they may be
-/// twice as large. A row is borrowed because the compiler then recognises a vector.
-#[inline(always)]
-fn horner<W: Word, const N: usize, const SLOPES: bool>(
-    terms: &[[W; 4]],
-    x: i32,
-    part: impl Fn(&[W; 4]) -> [W; N],
-) -> [[i32; N]; 2] {
-    let [constant, higher @ ..] = terms else { return [[0; N]; 2] };
-    let x = W::coordinate(x);
-    let (mut sums, mut slopes) = ([0; N], [0; N]);
-    for (power, coefficients) in higher.iter().enumerate().map(|(below, four)| (below + 2, four)).rev() {
-        let short = is_short(power, terms.len());
-        for ((sum, slope), c) in sums.iter_mut().zip(&mut slopes).zip(&part(coefficients)) {
-            if SLOPES {
-                *slope = (*sum >> 1) + W::product(*slope, x, short);
-            }
-            *sum = c.sum() + W::product(*sum, x, short);
-        }
-    }
-    for ((sum, slope), c) in sums.iter_mut().zip(&mut slopes).zip(part(constant)) {
-        if SLOPES {
-            *slope = (*sum >> 1) + W::product(*slope, x, false);
-        }
-        *sum = (c.sum() + W::HALF).saturating_add(W::product(*sum, x, false));
-    }
-    [sums, slopes]
-}
-
-/// Angular velocity Ω over a power of two, with the exponent of that power: the formula of `float.rs`, from values and derivatives in
-/// units of 2^-31 and from e^{i(B-A)} in units of 2^-30. Sums wrap, which happens only with invalid literal data.
-#[inline(always)]
-fn omega_body(
-    polynomials: [[i32; 4]; 2],
-    mirrored: bool,
-    [cosine, sine]: [i32; 2],
-    level: u32,
-    rates: [f32; 3],
-) -> (Vector<Q30>, i32) {
-    let [[a, ia, b, ib], [da, dia, db, dib]] = polynomials;
-    // x ȳ of complex numbers, to units of 2^-30
-    let times_conj = |[x, ix]: [i32; 2], [y, iy]: [i32; 2]| {
-        let re = high_product(x, y).wrapping_add(high_product(ix, iy));
-        [re, high_product(ix, y).wrapping_sub(high_product(x, iy))]
-    };
-    let [forth, iforth] = times_conj([db, dib], [a, ia]);
-    let [back, iback] = times_conj([b, ib], [da, dia]);
-    let [product, iproduct] = times_conj([b, ib], [a, ia]);
-    let [x, mean, axial] = rates.map(Significand::new);
-    let x = Significand { exponent: x.exponent + level as i32, ..x };
-    let exponent = x.exponent.max(mean.exponent);
-    let sum = |change: i32, turned: i32| x.times(change, exponent).wrapping_add(mean.times(turned, exponent));
-    let re = sum(forth.wrapping_sub(back), iproduct.wrapping_neg());
-    let n = [if mirrored { re.wrapping_neg() } else { re }, sum(iforth.wrapping_sub(iback), product)];
-    // shifted left as far as the sum of two products allows
-    let [size, isize] = n.map(|part| part ^ (part >> 31));
-    let spare = (size | isize).leading_zeros().saturating_sub(2);
-    let [re, im] = n.map(|part| part << spare);
-    let transverse = [
-        high_product(re, sine).wrapping_add(high_product(im, cosine)) << 2,
-        high_product(im, sine).wrapping_sub(high_product(re, cosine)) << 2,
-    ];
-    let own = exponent + 3 - spare as i32;
-    let exponent = own.max(axial.exponent + 1);
-    let [x1, x2] = transverse.map(|part| part >> (exponent - own).min(31));
-    let omega = [x1, x2, axial.digits >> (exponent - axial.exponent).min(31)];
-    (omega.map(Q30), exponent - 127)
-}
-
-/// Number `digits` · 2^(`exponent` - 157), where 2^30 <= |`digits`| < 2^31; 0 below 2^-126.
-#[derive(Clone, Copy)]
-struct Significand {
-    digits: i32,
-    exponent: i32,
-}
-
-impl Significand {
-    #[inline(always)]
-    fn new(number: f32) -> Self {
-        let bits = number.to_bits();
-        let exponent = (bits >> 23 & 0xff) as i32;
-        let digits = ((bits << 7 | 1 << 30) & 0x7fff_ffff) as i32;
-        let digits = if exponent == 0 { 0 } else { digits };
-        Self { digits: if bits >> 31 == 0 { digits } else { -digits }, exponent }
-    }
-
-    /// Product with an integer in units of 2^-30, in units of 2^(`exponent` - 155).
-    #[inline(always)]
-    fn times(self, integer: i32, exponent: i32) -> i32 {
-        high_product(self.digits, integer) >> (exponent - self.exponent).min(31)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::scalar::float;
+    use crate::table::series::expansion::TABLE_UNIT;
 
-    /// Rates of any size and sign have an error below 3e-8 of their sum.
+    /// With six terms the products with the fourth and the fifth power are short, and the sum of the lower one
+    /// contains both.
     #[test]
-    fn integers_give_what_floating_point_gives() {
-        let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
-        let mut random = || {
-            bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
-            (bits >> 32) as i32
-        };
-        let mut worst = 0.0_f64;
-        for case in 0..if cfg!(miri) { 100 } else { 20_000 } {
-            let values = [(); 4].map(|()| random() >> 2);
-            let slopes = [(); 4].map(|()| random() >> (3 + case % 20));
-            let angle = f64::from(random());
-            let turn = [libm::cos(angle), libm::sin(angle)];
-            let mut rate = || (libm::exp2(f64::from(random() % 9)) * f64::from(random()) / 2e9) as f32;
-            let rates = [rate().abs(), rate(), rate()];
-            let (level, mirrored) = (case % 12, case % 2 == 1);
-            let unit = 1.0 / (1_u64 << 31) as f64;
-            let wide = [values, slopes].map(|four| four.map(|number| f64::from(number) * unit));
-            let [x, mean, axial] = rates.map(f64::from);
-            let x = x * f64::from(1_u32 << level);
-            let exact = float::omega_body(wide, mirrored, Complex::new(turn[0], turn[1]), [x, mean, axial]);
-            let turn = turn.map(|part| (part * (1_u64 << 30) as f64) as i32);
-            let (omega, exponent) = omega_body([values, slopes], mirrored, turn, level, rates);
-            let allowed = 3e-8 * (x + mean.abs() + axial.abs());
-            for (number, exact) in omega.into_iter().zip(exact) {
-                // a rotated number may exceed 1 by up to √2
-                assert!(number.0.unsigned_abs() < 3 << 29, "{case}: {number:?}");
-                worst = worst.max((f64::from(number.times_power_of_two(exponent)) - exact).abs() / allowed);
+    fn what_short_products_lose() {
+        let near =
+            |found: f64, expected: f64| assert!((found - expected).abs() < 2e-13, "{found:e} {expected:e}");
+        let error = |values| TABLE_UNIT * f64::from(i32::error(&polynomial(values)));
+        let accepted = TABLE_UNIT * f64::from(SHORT_ERROR);
+        // in range, but the short products are not accurate enough
+        near(error([0.0, 0.0, 0.0, 0.0, 0.02, 0.01]), 0.04 / 32768.0 - accepted);
+        near(error([0.9, 0.3, 0.05, 0.02, -0.03, 0.01]), 0.05 / 32768.0 - accepted);
+        assert_eq!(error([0.9, 0.3, 0.05, 0.02, 0.0, 1e-9]), 0.0);
+        assert_eq!(error([0.0, 0.0, 0.0, 0.0, 0.02, 0.04]), f64::INFINITY);
+    }
+
+    #[test]
+    fn a_coefficient_knows_its_error() {
+        for power in 0..16 {
+            for value in [0.2, -0.2, 1e-9, 0.0].map(|value| value * 0.5_f64.powi(power)) {
+                let [value] = polynomial([value]);
+                let (held, error) = i32::nearest(value, power as usize);
+                let truth = f64::from(held) * 2_f64.powi(-31 - power) - value as f64 * 2_f64.powi(-62);
+                assert!((error as f64 * 2_f64.powi(-62) - truth).abs() < 1e-16, "{power} {value}");
+                assert!(truth.abs() <= 2_f64.powi(-31 - power));
             }
         }
-        assert!(worst < 1.0 && worst > 0.1, "{worst}");
+        assert_eq!(i32::nearest(i64::MAX, 1).0, i32::MAX);
+    }
+
+    fn polynomial<const N: usize>(values: [f64; N]) -> [i64; N] {
+        values.map(|value| (value * 2_f64.powi(62)) as i64)
     }
 }

@@ -31,11 +31,13 @@ impl Q30 {
         }
         number as f32 * f32::from_bits(((exponent + 127) as u32) << 23)
     }
+}
 
-    /// Nearest `f32`.
+/// Nearest `f32`.
+impl From<Q30> for f32 {
     #[inline(always)]
-    pub(crate) fn to_f32(self) -> f32 {
-        self.times_power_of_two(0)
+    fn from(number: Q30) -> Self {
+        number.times_power_of_two(0)
     }
 }
 
@@ -59,7 +61,7 @@ impl Ring for Q30 {
 
 impl Add for Q30 {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn add(self, other: Self) -> Self {
         Self(self.0.wrapping_add(other.0))
     }
@@ -67,7 +69,7 @@ impl Add for Q30 {
 
 impl Sub for Q30 {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn sub(self, other: Self) -> Self {
         Self(self.0.wrapping_sub(other.0))
     }
@@ -85,7 +87,7 @@ impl Mul for Q30 {
 
 impl Neg for Q30 {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn neg(self) -> Self {
         Self(self.0.wrapping_neg())
     }

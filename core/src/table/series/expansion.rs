@@ -157,6 +157,13 @@ impl Expansion {
         [size(&self.chi), larger_or_nan(alpha, beta) + y * self.variation_size]
     }
 
+    /// Whether the coefficients of an expansion over twice the distance should be in range.
+    pub(crate) fn may_double(&self) -> bool {
+        /// Greatest relative change of dχ/dy at y = 1 by its first power.
+        const GREATEST_CHANGE: f32 = 1.25;
+        self.chi.term(1, 1.0) <= GREATEST_CHANGE * self.chi.term(0, 1.0)
+    }
+
     /// Upper bound on |dθ/dx| for x in [-1, 1], without the truncation error.
     pub(crate) fn greatest_theta_slope(&self) -> f32 {
         let greatest = |rate: &Rate| rate.bound(rate.variation.size(1, self.terms, 0.0));
@@ -164,8 +171,7 @@ impl Expansion {
         0.25 * larger_or_nan(alpha, beta)
     }
 
-    /// Estimate of the truncation error of the phases at a whole x > 0, rad, from the last two terms of their rates. A further term is at
-    /// most a quarter of the one before.
+    /// Estimate of the truncation error of the phases at a whole x > 0, rad: a further term is at most a quarter of the one before.
     pub(crate) fn truncation_error(&self, x: u32) -> f64 {
         let Some(before) = self.terms.checked_sub(2) else { return f64::INFINITY };
         let y = 0.25 * x as f32;

@@ -2,7 +2,7 @@
 
 use super::{Expansion, NOISE, Rate, Slopes, larger_or_nan};
 use crate::motion::phase_equations::PhaseEquations;
-use crate::scalar::Float;
+use crate::scalar::{Extended, Float};
 use crate::table::series::{BITS, Block, Factor, TERMS, in_range, integrated, scaled, sum_in_range};
 
 /// Whether the k-th coefficient is a rounding error, or its term at y = 1/2 is below `least` units.
@@ -83,8 +83,13 @@ const STEEPEST: f64 = 4.0;
 impl Expansion {
     /// Expands the motion around a point.
     #[inline(never)]
-    pub(crate) fn expand(&mut self, law: &PhaseEquations<f64>, slopes: &Slopes, between: &mut dyn FnMut()) {
-        let recurrence = self.begin(law, slopes);
+    pub(crate) fn expand(
+        &mut self,
+        equations: &PhaseEquations<Extended>,
+        slopes: &Slopes,
+        between: &mut dyn FnMut(),
+    ) {
+        let recurrence = self.begin(equations, slopes);
         self.terms = self.recur(&recurrence, between).unwrap_or_default();
         let [.., delta, _] = &self.scratch;
         self.variation_size *= delta.size(3, self.terms, 0.0);
@@ -92,15 +97,16 @@ impl Expansion {
 
     /// Constants of the recurrence, and the first coefficients.
     #[inline(never)] // the frame must not remain below those of the recurrence
-    fn begin(&mut self, law: &PhaseEquations<f64>, slopes: &Slopes) -> Recurrence {
+    fn begin(&mut self, equations: &PhaseEquations<Extended>, slopes: &Slopes) -> Recurrence {
+        let equations: PhaseEquations<f64> = equations.cast();
         let Slopes { sine: point_sine, cosine: point_cosine, unit, chi: chi_slope, least, .. } = *slopes;
-        let swing = law.e2_minus_e1 * point_cosine * point_cosine;
-        let one_minus_u = swing + law.one_minus_e2;
-        let one_plus_u = law.one_plus_e1 + law.e2_minus_e1 * point_sine * point_sine;
-        let per_d = 1.0 / (law.a_over_p + law.s * one_minus_u * one_plus_u);
-        let eta = law.e2_minus_e1 / (law.e3_minus_e2 + swing);
-        let s_per_d = law.s * law.e2_minus_e1 * per_d;
-        let (linear, quadratic) = (2.0 * (s_per_d * (1.0 - one_minus_u)), s_per_d * law.e2_minus_e1);
+        let swing = equations.e2_minus_e1 * point_cosine * point_cosine;
+        let one_minus_u = swing + equations.one_minus_e2;
+        let one_plus_u = equations.one_plus_e1 + equations.e2_minus_e1 * point_sine * point_sine;
+        let per_d = 1.0 / (equations.a_over_p + equations.s * one_minus_u * one_plus_u);
+        let eta = equations.e2_minus_e1 / (equations.e3_minus_e2 + swing);
+        let s_per_d = equations.s * equations.e2_minus_e1 * per_d;
+        let (linear, quadratic) = (2.0 * (s_per_d * (1.0 - one_minus_u)), s_per_d * equations.e2_minus_e1);
 
         // sin χ and cos χ, and the variations of cos²χ, of D and of D dχ/dx
         let Self { chi, theta: [alpha, beta], scratch: [sine, cosine, square, delta, drive], .. } = self;
@@ -118,14 +124,18 @@ impl Expansion {
         let _ = cosine.put(0, scaled(point_cosine, cosine.exponent));
 
         // the denominators of ψ_A' and ψ_B' over D are combinations of 1 and dχ/dx
-        let scale = unit * unit * law.e2_minus_e1 * per_d;
+        let scale = unit * unit * equations.e2_minus_e1 * per_d;
         let factors = |numerator: f64, constant: f64, smoothing: f64| {
             let smoothed = smoothing * chi_slope;
             let per_divisor = 1.0 / (constant + smoothed);
             [numerator * (scale * per_divisor), constant * per_divisor, smoothed * per_divisor]
         };
-        let of_alpha = factors(law.s * law.alpha_scale, unit, law.alpha_smoothing);
-        let of_beta = factors(-law.s_e3 * law.beta_scale, unit * law.root_e3, law.beta_smoothing);
+        let of_alpha = factors(equations.s * equations.alpha_scale, unit, equations.alpha_smoothing);
+        let of_beta = factors(
+            -equations.s_e3 * equations.beta_scale,
+            unit * equations.root_e3,
+            equations.beta_smoothing,
+        );
         let series = [&*square, &*delta, &*drive];
         let [alpha_psi, beta_psi] = slopes.psi;
         let slow = [

@@ -14,18 +14,18 @@ fn of_x(coefficient: i64, k: usize) -> i64 {
 }
 
 impl Expansion {
-    /// Ellipse p e^{iχ} + q e^{-iχ} times e^{iθ} of α (`which` = 0) or β (1). Its coefficients of x^k are added to `sums`, which were 0.
+    /// Ellipse p e^{iχ} + q e^{-iχ} times e^{iθ}, with θ of this index. Its coefficients of x^k are added to `sums`, which were 0.
     /// Returns the number of terms that are not below `least`; `None` where they do not converge.
     #[inline(never)]
     pub(crate) fn turned(
         &mut self,
-        which: usize,
+        slow: usize,
         [p, q]: [f64; 2],
         least: i64,
         mut sums: [&mut [i64; TERMS]; 2],
     ) -> Option<usize> {
         let Self { chi: fast, theta, origin, scratch: [forwards, backwards, re, im, _], terms, .. } = self;
-        let (slow, theta) = (theta.get(which)?, *origin.theta.get(which)?);
+        let (slow, theta) = (theta.get(slow)?, *origin.theta.get(slow)?);
         // θ' + χ' and θ' - χ' in a common unit
         let size = |rate: &Rate| rate.variation.magnitude_times(Float::abs(rate.scale));
         let slopes = Float::abs(slow.slope) + Float::abs(fast.slope);
@@ -151,7 +151,7 @@ mod tests {
                     weight: (alpha.abs().max(beta.abs()) / chi).max(1.0),
                 };
                 let mut expansion = Expansion::EMPTY;
-                expansion.expand(&rounded, &slopes, &mut || {});
+                expansion.expand(&exact, &slopes, &mut || {});
                 assert!(expansion.terms > 2, "{spread} {e:?} {turns}");
                 for x in [-1.0, 0.5, 1.0] {
                     let (PhasePoint { chi: at, theta }, slope) = expansion.at(x);

@@ -1,12 +1,11 @@
 //! Power series of α or of β on a span, on its parts, and with fewer terms.
 //!
-//! The highest term c x^k is left out together with the lower powers that make it c 2^(1-k) T_k(x). As |T_k| <= 1, the value changes by
-//! at most |c| 2^(1-k).
+//! The highest term c x^k is left out together with the lower powers that make it c 2^(1-k) T_k(x), at most |c| 2^(1-k).
 
-use super::{Part, Series, SpanSeries};
+use super::bound::SegmentErrors;
+use super::limits::{Limits, OMITTED};
 use crate::product::{long_product, signed_product};
 use crate::scalar::{Float, Ring, short_float};
-use crate::table::build::{Limits, OMITTED, SegmentErrors};
 use crate::table::series::TERMS;
 use crate::table::series::expansion::{Expansion, larger_or_nan};
 
@@ -40,7 +39,38 @@ fn times(c: i64, factor: i32) -> i64 {
         + ((signed_product(low, factor) + half) >> FACTOR_BITS)
 }
 
+/// Real or imaginary part of a series.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Part {
+    pub(super) coefficients: [i64; TERMS],
+    /// Upper bounds on the changes of the value and of the derivative by the terms left out, in units of 2^-62.
+    left_out: i64,
+    slope_left_out: i64,
+}
+
+/// Power series on an interval, in x from -1 to 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Series {
+    pub(super) parts: [Part; 2],
+    terms: usize,
+}
+
+/// Series of α or of β on a span, and on the part of it that was halved last.
+#[derive(Debug)]
+pub(super) struct SpanSeries {
+    /// Coefficients of e^{iχ} and e^{-iχ} in the ellipse.
+    pub(super) exponentials: [f64; 2],
+    whole: Series,
+    /// Estimate of the terms beyond the last, in units of 2^-62.
+    pub(super) omitted: f32,
+    halved: Series,
+    /// Number of that part and of the halvings.
+    part: Option<(usize, u32)>,
+}
+
 impl Part {
+    const ZERO: Self = Self { coefficients: [0; TERMS], left_out: 0, slope_left_out: 0 };
+
     /// Leaves out the last term.
     fn leave_out(&mut self, degree: usize) {
         let last = self.coefficients.get_mut(degree).map_or(0, core::mem::take);
@@ -68,6 +98,8 @@ impl Part {
 }
 
 impl Series {
+    pub(super) const ZERO: Self = Self { parts: [Part::ZERO; 2], terms: 0 };
+
     /// Leaves out last terms down to `fewest`, as long as the changes add up to at most `most`.
     #[inline(never)] // here and below: the stack frames of set-up must not add up
     pub(super) fn shorten(&mut self, fewest: usize, most: i64) {
@@ -108,7 +140,6 @@ impl Series {
         [omitted, slope_omitted]: [f32; 2],
         [stored, slope_stored]: [f32; 2],
     ) {
-        /// Unit of the upper words.
         const WORD: f32 = (1_u64 << 32) as f32;
         for part in &self.parts {
             let (mut slope, mut curvature) = (0, 0);
@@ -131,18 +162,21 @@ impl Series {
 }
 
 impl SpanSeries {
-    /// Computes the series of α (`which` = 0) or β (1); `None` where it is not accurate.
+    pub(super) const ZERO: Self =
+        Self { exponentials: [0.0; 2], whole: Series::ZERO, omitted: 0.0, halved: Series::ZERO, part: None };
+
+    /// Computes the series with this slow phase; `None` where it is not accurate.
     pub(super) fn compute(
         &mut self,
         expansion: &mut Expansion,
-        which: usize,
+        slow: usize,
         limits: &Limits,
         between: &mut dyn FnMut(),
     ) -> Option<()> {
         let series = &mut self.whole;
         (*series, self.part) = (Series::ZERO, None);
         let parts = series.parts.each_mut().map(|part| &mut part.coefficients);
-        series.terms = expansion.turned(which, self.exponentials, limits.least_term(), parts)?;
+        series.terms = expansion.turned(slow, self.exponentials, limits.least_term(), parts)?;
         between();
         let [re, im] = series.parts.each_ref().map(Part::omitted);
         let omitted = 2.0 * larger_or_nan(re, im);
@@ -173,19 +207,17 @@ mod tests {
     use super::*;
     use crate::table::series::expansion::TABLE_UNIT;
 
-    /// Series of a function of at most 1 whose terms decrease by a factor.
     fn series(ratio: f64, sense: f64) -> Series {
         let mut part = [0; TERMS];
         for (power, c) in part.iter_mut().enumerate() {
-            let sign = if power % 2 == 1 { sense } else { 1.0 };
-            *c = (sign * (1.0 - ratio) * ratio.powi(power as i32) / TABLE_UNIT) as i64;
+            *c =
+                (sense.powi(power as i32 % 2) * (1.0 - ratio) * ratio.powi(power as i32) / TABLE_UNIT) as i64;
         }
         let half = part.map(|c| c / 2);
         let parts = if sense > 0.0 { [part, half] } else { [half, part] };
         Series { parts: parts.map(|coefficients| Part { coefficients, ..Part::ZERO }), terms: TERMS }
     }
 
-    /// Value, or a derivative, at x.
     fn derivative(series: &Series, order: i32, x: f64) -> [f64; 2] {
         series.parts.map(|part| {
             let factor = |k: i32| (0..order).map(|m| f64::from(k - m)).product::<f64>();
@@ -198,7 +230,6 @@ mod tests {
         (other_re - re).hypot(other_im - im)
     }
 
-    /// The series of every part of an interval has the values of the whole.
     #[test]
     fn a_part_has_the_values_of_the_whole() {
         for (ratio, sense) in [(0.5, 1.0), (0.3, -1.0), (0.05, 1.0)] {
@@ -217,7 +248,6 @@ mod tests {
         }
     }
 
-    /// The bounds are above the changes and derivatives, but not by much.
     #[test]
     fn fewer_terms_change_no_more_than_the_bounds_say() {
         let exact = series(0.3, 1.0);
@@ -259,7 +289,6 @@ mod tests {
         assert_eq!(series.terms, 16);
         series.shorten(0, last);
         assert_eq!((series.terms, series.parts.iter().map(|part| part.left_out).sum::<i64>()), (15, last));
-        // what was left out before counts, and the derivative of a half by half as much
         let before = size(&series, 14);
         series.shorten(0, last + before - 1);
         assert_eq!(series.terms, 15);

@@ -1,17 +1,15 @@
 //! Path along half a nutation period, from one expansion of the motion to the next, and the start on it.
 
-use super::{Cut, Position, SetUp, Start};
+use super::{HALF_PERIOD, Limits, MeanRates, OpenCell, Outline, PathPoint, SetUp, Span, Start};
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::phase_equations::PhaseRates;
 use crate::motion::{Motion, NutationVariable};
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Scalar, Wide};
-use crate::table::build::{HALF_PERIOD, Limits, MeanRates, Span, Speeds};
-use crate::table::cell::CELLS;
+use crate::scalar::{Float, Scalar, Wide};
 use crate::table::series::TERMS;
 use crate::table::series::expansion::{Expansion, PhasePoint, Slopes, larger_or_nan};
 
-/// Negligible term of the phases at x = 2 over that of α and β at x = 1. From x = 1 to x = 2 each term after the sixth grows at least 64 times.
+/// Negligible term of the phases at x = 2 over that of α and β at x = 1. It limits the steps of tables with a large allowed error.
 const PHASE_TERM: f64 = 32.0;
 
 impl Start {
@@ -66,58 +64,61 @@ fn coordinate(expansion: &Expansion, chi: Phase) -> f64 {
 }
 
 impl SetUp {
-    /// Computes the equations and, in numbers of this many words, the mean rates.
+    /// Computes the equations, the mean rates in numbers of this many words, and the other constants; begins at u = e₁.
     #[inline(never)]
-    pub(crate) fn compute_rates<const WORDS: usize>(&mut self, motion: &Motion, between: &mut dyn FnMut()) {
-        self.rates = if motion.is_steady() {
-            MeanRates::steady(motion)
-        } else {
-            self.slopes_of = Some(Self::slopes::<WORDS>);
-            self.law = motion.equations();
-            self.rounded_law = self.law.cast();
-            between();
-            MeanRates::new(motion, motion.period::<WORDS>(&self.law, between))
-        };
-    }
-
-    /// Begins a table at u = e₁.
-    #[inline(never)]
-    pub(super) fn begin(&mut self, motion: &Motion, limits: Limits) {
-        (self.limits, self.start, self.cut) = (limits, Start::new(motion), Cut::NONE);
-        (self.cells, self.segments) = ([0; CELLS], 0);
-        (self.error, self.speeds) = (0.0, Speeds::ZERO);
+    pub(super) fn begin<const WORDS: usize>(
+        &mut self,
+        motion: &Motion,
+        limits: Limits,
+        between: &mut dyn FnMut(),
+    ) {
+        self.compute_rates::<WORDS>(motion, between);
+        between();
+        (self.limits, self.start) = (limits, Start::new(motion));
+        (self.cell, self.outline) = (OpenCell::NONE, Outline::NONE);
         let Ellipses { alpha, beta } = motion.ellipses::<f64>();
         for (series, ellipse) in self.series.iter_mut().zip([alpha, beta]) {
             series.exponentials = ellipse.exponentials();
         }
-        let half_period = self.rates.half_period.to_f64();
         let [alpha, beta] = self.rates.theta_offset.map(Float::to_f64);
         let speed = |rates: &PhaseRates<f64>| {
             Float::abs(rates.nutation) + (Float::abs(rates.alpha + alpha) + Float::abs(rates.beta + beta))
         };
-        let [begin, end] =
-            [(0.0, 1.0), (1.0, 0.0)].map(|(sine, cosine)| self.rounded_law.rates(sine, cosine));
-        self.fastest = half_period * larger_or_nan(speed(&begin), speed(&end));
-        self.nutation_at_end = half_period * end.nutation;
+        let equations = self.equations.cast();
+        let [begin, end] = [(0.0, 1.0), (1.0, 0.0)].map(|(sine, cosine)| equations.rates(sine, cosine));
+        self.fastest = self.rates.half_period.to_f64() * larger_or_nan(speed(&begin), speed(&end));
         self.span = Span::FIRST;
-        self.go_to(0, Position::BEGINNING);
+        self.go_to(0, PathPoint::FIRST);
     }
 
-    /// Begins a span at an earlier position.
-    pub(super) fn go_to(&mut self, begin: usize, position: Position) {
+    #[inline(never)] // the deepest stack of set-up, without the constants
+    fn compute_rates<const WORDS: usize>(&mut self, motion: &Motion, between: &mut dyn FnMut()) {
+        let mut period = None;
+        if !motion.is_steady() {
+            self.equations = motion.equations();
+            between();
+            period = motion.period::<WORDS>(&self.equations, between);
+        }
+        self.rates = MeanRates::new(motion, period);
+    }
+
+    /// Begins a span at an earlier point.
+    pub(super) fn go_to(&mut self, begin: usize, point: PathPoint) {
         self.span.begin = begin;
-        (self.border, self.centre) = (position, None);
+        (self.beginning, self.centre) = (point, None);
     }
 
-    /// Goes on to the next span. It is twice as long where the series are accurate at x = 2 or `in_any_case`.
+    /// Goes on to the next span. It is twice as long where its expansion should converge and the series are accurate at
+    /// x = 2 or `in_any_case`.
     pub(super) fn leave(&mut self, in_any_case: bool) {
         let next = Span { begin: self.span.end(), ..self.span };
         let twice = Span { depth: self.span.depth - 1, ..next };
         let allowed = self.allowed();
-        let doubles = twice.exists() && (in_any_case || self.expansion.truncation_error(2) <= allowed);
+        let accurate = in_any_case || self.expansion.truncation_error(2) <= allowed;
+        let doubles = twice.exists() && self.expansion.may_double() && accurate;
         let x = if doubles { 3 } else { 2 };
         self.centre = self.after(x, f64::from(x) * allowed);
-        self.border = self.end;
+        self.beginning = self.end;
         self.span = if doubles { twice } else { next };
     }
 
@@ -139,13 +140,13 @@ impl SetUp {
 
     /// Expands the motion around the centre of the span; `None` where a truncation error is too large.
     #[inline(never)]
-    pub(super) fn expand_law(&mut self, between: &mut dyn FnMut()) -> Option<()> {
+    pub(super) fn expand_motion<const WORDS: usize>(&mut self, between: &mut dyn FnMut()) -> Option<()> {
         let allowed = self.allowed();
         if self.centre.is_none() {
-            self.expand(between);
+            self.expand::<WORDS>(between);
             self.centre = Some(self.after(1, allowed)?);
         }
-        self.expand(between);
+        self.expand::<WORDS>(between);
         self.end = self.after(1, allowed)?;
         Some(())
     }
@@ -155,28 +156,27 @@ impl SetUp {
         self.limits.steps * self.span.half_length()
     }
 
-    /// Position around which the motion is expanded: the centre, or the beginning where that is not known.
-    fn here(&self) -> &Position {
-        self.centre.as_ref().unwrap_or(&self.border)
+    /// Point around which the motion is expanded: the centre, or the beginning where that is not known.
+    fn here(&self) -> &PathPoint {
+        self.centre.as_ref().unwrap_or(&self.beginning)
     }
 
-    fn expand(&mut self, between: &mut dyn FnMut()) {
-        let Some(slopes_of) = self.slopes_of else { return };
+    fn expand<const WORDS: usize>(&mut self, between: &mut dyn FnMut()) {
         between();
-        // time of y = 1, two spans
-        let unit = (1..self.span.depth).fold(self.rates.half_period, |unit, _| unit.halved());
-        let slopes = slopes_of(self, unit);
+        let slopes = self.slopes::<WORDS>();
         between();
-        self.expansion.expand(&self.rounded_law, &slopes, between);
+        self.expansion.expand(&self.equations, &slopes, between);
         between();
     }
 
     /// Derivatives of the phases, in wide numbers because a slow phase may hardly differ from its mean.
     #[inline(never)]
-    fn slopes<const WORDS: usize>(&self, unit: Extended) -> Slopes {
-        let point = self.here().point;
+    fn slopes<const WORDS: usize>(&self) -> Slopes {
+        // time of y = 1, two spans
+        let unit = (1..self.span.depth).fold(self.rates.half_period, |unit, _| unit.halved());
+        let point = self.here().phases;
         let (sine, cosine) = point.sine_cosine();
-        let rates = self.law.map(Wide::<WORDS>::resized).rates(sine.into(), cosine.into());
+        let rates = self.equations.map(Wide::<WORDS>::resized).rates(sine.into(), cosine.into());
         let [alpha_offset, beta_offset] = self.rates.theta_offset.map(Wide::resized);
         let unit = Wide::resized(unit);
         let slope = |rate: Wide<WORDS>| (unit * rate).to_f64();
@@ -196,17 +196,17 @@ impl SetUp {
         }
     }
 
-    /// Position at `x`; `None` where the truncation error is above `allowed`.
+    /// Point at `x`; `None` where the truncation error is above `allowed`.
     #[inline(never)]
-    fn after(&self, x: u32, allowed: f64) -> Option<Position> {
+    fn after(&self, x: u32, allowed: f64) -> Option<PathPoint> {
         let truncation_error = self.expansion.truncation_error(x);
         (truncation_error <= allowed).then(|| {
-            let Position { truncation, squares: [delays, angles], .. } = self.here();
-            let (point, slope) = self.expansion.at(x.into());
+            let PathPoint { truncation, squares: [delays, angles], .. } = self.here();
+            let (phases, slope) = self.expansion.at(x.into());
             let [chi, theta] = self.expansion.sizes(x);
             let delay = chi / slope as f32 * self.span.half_length() as f32;
-            Position {
-                point,
+            PathPoint {
+                phases,
                 truncation: truncation + truncation_error,
                 squares: [delays + delay * delay, angles + theta * theta],
             }
@@ -215,8 +215,8 @@ impl SetUp {
 
     /// Orientation error by the path and the rounding of the start, rad.
     pub(super) fn path_error(&self) -> f64 {
-        let speeds = &self.speeds;
-        let Position { point: PhasePoint { chi, theta }, truncation, squares } = self.end;
+        let speeds = &self.outline.speeds;
+        let PathPoint { phases: PhasePoint { chi, theta }, truncation, squares } = self.end;
         // distance from an odd number of quarter turns, rad
         let miss = |angle: Phase| {
             let (_, rest) = (angle + Phase::QUARTER).halves();
@@ -224,7 +224,9 @@ impl SetUp {
         };
         // at u = e₂, cos χ = 0 and cos θ = 0
         let [alpha, beta] = theta.map(miss);
-        let delay = truncation / self.fastest + miss(chi) / self.nutation_at_end;
+        let nutation =
+            self.rates.half_period.to_f64() * self.equations.cast::<f64>().rates(1.0, 0.0).nutation;
+        let delay = truncation / self.fastest + miss(chi) / nutation;
         speeds.delayed(delay)
             + 2.0 * (truncation + alpha.max(beta))
             + speeds.rounding(squares.map(f64::from), self.start.delay)

@@ -7,30 +7,30 @@
 //! |                   |         |         |      |  |  |     |         |              |    spans: one expansion of the motion
 //! ```
 //!
-//! The segments of a cell are equal, and the longest with an allowed error. Where they prove too long, the cell is cut again.
+//! The segments of a cell are equal, and the longest with an allowed error. A cell whose segments prove too long is cut again.
 
-use super::{Cut, SetUp};
+use super::bound::{SegmentErrors, Speeds};
+use super::{CELL, HALF_PERIOD, Limits, OpenCell, SetUp};
 use crate::motion::Motion;
-use crate::table::build::{CELL, HALF_PERIOD, Limits, SegmentErrors, Speeds};
 use crate::table::cell::{Cell, cells_covered, segments_per_cell};
 use crate::table::series::TERMS;
 use crate::table::series::expansion::TABLE_UNIT;
 
-/// Function that stores a polynomial: index of the segment, 0 for α or 1 for β, coefficients of the real and of the imaginary part. It
-/// returns the errors of the orientation and of the derivative by rounding them. All are in units of 2^-62.
+/// Function that stores a polynomial: segment, column of the real part, coefficients of both parts. It returns the errors of the
+/// orientation and of the derivative by rounding them. All are in units of 2^-62.
 pub(crate) type Store<'a> = dyn FnMut(usize, usize, [&[i64; TERMS]; 2]) -> [f32; 2] + 'a;
 
 impl SetUp {
     /// Computes all segments; `None` where they are too many. One may be stored more than once.
     #[inline(never)]
-    pub(crate) fn build(
+    pub(crate) fn build<const WORDS: usize>(
         &mut self,
         motion: &Motion,
         limits: Limits,
         store: &mut Store<'_>,
         between: &mut dyn FnMut(),
     ) -> Option<()> {
-        self.begin(motion, limits);
+        self.begin::<WORDS>(motion, limits, between);
         if motion.is_steady() {
             self.store_constants(store);
             return Some(());
@@ -38,83 +38,80 @@ impl SetUp {
         between();
         let mut place = 0;
         while place < HALF_PERIOD {
-            self.enter_span(place, between)?;
+            self.enter_span::<WORDS>(place, between)?;
             place = self.cut_span(store, between)?;
         }
-        self.error += self.path_error();
+        self.outline.error += self.path_error();
         Some(())
     }
 
     /// Stores the polynomials of a motion in which u is constant.
     #[inline(never)]
     fn store_constants(&mut self, store: &mut Store<'_>) {
-        for (which, series) in self.series.iter().enumerate() {
+        for (series, column) in self.series.iter().zip([0, 2]) {
             let [plus, minus] = series.exponentials;
             let mut re = [0; TERMS];
             re[0] = libm::round((plus + minus) / TABLE_UNIT) as i64;
-            store(0, which, [&re, &[0; TERMS]]);
+            store(0, column, [&re, &[0; TERMS]]);
         }
-        self.segments = 1;
-        self.error = Speeds::ZERO.rounding([0.0; 2], 0.0);
+        self.outline.segments = 1;
+        self.outline.error = Speeds::ZERO.rounding([0.0; 2], 0.0);
     }
 
     /// Expands the motion on the span that begins at `place`, which is the next one unless a cell is cut again.
-    fn enter_span(&mut self, place: usize, between: &mut dyn FnMut()) -> Option<()> {
+    fn enter_span<const WORDS: usize>(&mut self, place: usize, between: &mut dyn FnMut()) -> Option<()> {
         if place > self.span.begin {
-            self.leave(place == self.cut.end && self.coarser(place) < self.span.least_level());
-            between();
+            self.leave(place == self.cell.end && self.coarser(place) < self.span.least_level());
         } else if place < self.span.begin {
-            self.go_to(place, self.cut.border);
+            self.go_to(place, self.cell.beginning);
         }
-        while self.expand_span(between).is_none() {
+        while self.expand_span::<WORDS>(between).is_none() {
             self.shorten_span()?;
         }
         Some(())
     }
 
     /// Computes the series of α and β on the span; `None` where they are not accurate.
-    fn expand_span(&mut self, between: &mut dyn FnMut()) -> Option<()> {
-        self.expand_law(between)?;
-        for (which, series) in self.series.iter_mut().enumerate() {
+    fn expand_span<const WORDS: usize>(&mut self, between: &mut dyn FnMut()) -> Option<()> {
+        self.expand_motion::<WORDS>(between)?;
+        for (slow, series) in self.series.iter_mut().enumerate() {
             between();
-            series.compute(&mut self.expansion, which, &self.limits, between)?;
+            series.compute(&mut self.expansion, slow, &self.limits, between)?;
         }
         between();
-        self.theta_slope = self.expansion.greatest_theta_slope();
-        between();
-        self.start.search(&self.expansion, self.end.point.chi, self.span);
+        self.start.search(&self.expansion, self.end.phases.chi, self.span);
         Some(())
     }
 
     /// Level that is tried first: segments of twice the length. Two cells with one segment begin with an even number.
     fn coarser(&self, begin: usize) -> u32 {
-        self.cut.level.saturating_sub(1).max((begin / CELL % 2) as u32)
+        self.cell.level.saturating_sub(1).max((begin / CELL % 2) as u32)
     }
 
     /// Cuts the span into segments. Returns its end, or the place of a cell that must be cut again from an earlier span on.
     fn cut_span(&mut self, store: &mut Store<'_>, between: &mut dyn FnMut()) -> Option<usize> {
         let span = self.span;
         let (mut place, least) = (span.begin, span.least_level());
-        if place < self.cut.end && self.cut.level < least {
+        if place < self.cell.end && self.cell.level < least {
             // the segments of the unfinished cell are longer than the span
             self.cut_again(least)?;
-            place = self.cut.begin;
+            place = self.cell.begin;
         }
         while span.begin <= place && place < span.end() {
-            if place == self.cut.end {
-                (self.cut.begin, self.cut.border) = (place, self.border);
+            if place == self.cell.end {
+                (self.cell.begin, self.cell.beginning) = (place, self.beginning);
                 self.cut_again(self.coarser(place).max(least))?;
             }
             let error = self.store_segment(place, store, between);
-            if error <= self.limits.segment(self.cut.level) {
-                self.cut.error = self.cut.error.max(error);
-                place += segment_length(self.cut.level);
-                if place == self.cut.end {
+            if error <= self.limits.segment(self.cell.level) {
+                self.cell.error = self.cell.error.max(error);
+                place += segment_length(self.cell.level);
+                if place == self.cell.end {
                     self.end_cell();
                 }
             } else {
-                self.cut_again(self.cut.level + 1)?;
-                place = self.cut.begin;
+                self.cut_again(self.cell.level + 1)?;
+                place = self.cell.begin;
             }
         }
         Some(place)
@@ -122,41 +119,46 @@ impl SetUp {
 
     /// Begins the cell anew with segments of this level; `None` where they are too many.
     fn cut_again(&mut self, level: u32) -> Option<()> {
-        let end = self.cut.begin + cells_covered(level) * CELL;
-        self.cut = Cut { end, level, speeds: self.speeds, error: 0.0, ..self.cut };
+        let end = self.cell.begin + cells_covered(level) * CELL;
+        self.cell = OpenCell { end, level, speeds: self.outline.speeds, error: 0.0, ..self.cell };
         let rest = HALF_PERIOD.saturating_sub(end).div_ceil(2 * CELL);
-        let segments = self.segments + segments_per_cell(level) + rest;
+        let segments = self.outline.segments + segments_per_cell(level) + rest;
         (segments <= self.limits.capacity && level <= Cell::DEEPEST).then_some(())
     }
 
     fn end_cell(&mut self) {
-        let Cut { begin, level, speeds, error, .. } = self.cut;
-        let Cell(entry) = Cell::new(self.segments, begin / segment_length(level), level);
-        self.cells.iter_mut().skip(begin / CELL).take(cells_covered(level)).for_each(|cell| *cell = entry);
-        self.segments += segments_per_cell(level);
-        self.error = self.error.max(TABLE_UNIT * f64::from(error));
-        self.speeds = speeds;
+        let OpenCell { begin, level, speeds, error, .. } = self.cell;
+        let Cell(entry) = Cell::new(self.outline.segments, begin / segment_length(level), level);
+        self.outline
+            .cells
+            .iter_mut()
+            .skip(begin / CELL)
+            .take(cells_covered(level))
+            .for_each(|cell| *cell = entry);
+        self.outline.segments += segments_per_cell(level);
+        self.outline.error = self.outline.error.max(TABLE_UNIT * f64::from(error));
+        self.outline.speeds = speeds;
     }
 
     /// Stores the polynomials of the segment at `place`. Returns their error in units of 2^-62 rad.
     fn store_segment(&mut self, place: usize, store: &mut Store<'_>, between: &mut dyn FnMut()) -> f32 {
-        let Self { segment, cut, limits, span, .. } = self;
-        let length = segment_length(cut.level);
-        let halvings = span.halvings(cut.level);
+        let Self { segment, cell, limits, span, .. } = self;
+        let length = segment_length(cell.level);
+        let halvings = span.halvings(cell.level);
         let parts = (1_u32 << halvings) as f32;
-        let index = self.segments + (place - cut.begin) / length;
+        let index = self.outline.segments + (place - cell.begin) / length;
         let mut errors = SegmentErrors::default();
-        for (which, series) in self.series.iter_mut().enumerate() {
+        for (series, column) in self.series.iter_mut().zip([0, 2]) {
             series.restrict(place / length, halvings, limits.left_out, segment);
             segment.shorten(limits.terms, i64::MAX);
             between();
             let omitted = [series.omitted, TERMS as f32 * series.omitted / parts];
             let parts = segment.parts.each_ref().map(|part| &part.coefficients);
-            segment.add_errors(&mut errors, omitted, store(index, which, parts));
+            segment.add_errors(&mut errors, omitted, store(index, column, parts));
             between();
         }
         let part = span.half_length() as f32 / parts;
-        errors.include_in(&mut cut.speeds, 1.0 / part, self.theta_slope / parts);
+        errors.include_in(&mut cell.speeds, 1.0 / part, self.expansion.greatest_theta_slope() / parts);
         errors.error()
     }
 }
