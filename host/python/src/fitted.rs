@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use toytop_fit::{Drift, Sensitivity};
 use toytop_host::fit::columns::Columns;
-use toytop_host::fit::report::FitReport;
+use toytop_host::fit::launch::FitReport;
 
 /// Array of one axis for Python.
 type Array = Py<PyArray1<f64>>;

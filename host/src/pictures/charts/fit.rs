@@ -1,7 +1,7 @@
 //! Pictures of a fit: its residuals, and how the error of its prediction grows.
 
 use super::chart::{COLORS, Chart, Curve};
-use crate::fit::report::FitReport;
+use crate::fit::launch::FitReport;
 use crate::motion::propagate::period;
 use kuva::plot::scatter::ScatterPlot;
 use kuva::plot::{LegendPosition, LinePlot};
