@@ -1,6 +1,6 @@
 //! Samples by column, and their CSV: a time for each row, and the readings of the sensors; an empty field means that there is no reading.
 
-use super::sensors::{Instrument, KINDS, Sensors};
+use super::sensors::{KINDS, Sensors};
 use crate::Failure;
 use crate::input::{finite, rows};
 use crate::output::{number, shown};
@@ -14,7 +14,7 @@ const BEYOND: f64 = 1.01;
 pub struct Columns {
     /// Time of each row, s.
     pub t: Vec<f64>,
-    /// Columns of readings with their names, as long as `t`.
+    /// Columns of readings with their names, as long as `t`, in the order of the sensors.
     pub readings: Vec<(&'static str, Vec<f64>)>,
 }
 
@@ -33,29 +33,27 @@ impl Columns {
     pub fn of(sensors: &Sensors, measurements: &[Measurement]) -> Self {
         let same = |a: &Measurement, b: &Measurement| a.time == b.time && a.sensor < b.sensor;
         let rows: Vec<_> = measurements.chunk_by(same).collect();
-        let column = |(sensor, component, name)| {
-            let reading = |row: &&[Measurement]| {
-                let own = row.iter().find(|measurement| measurement.sensor == sensor);
-                own.map_or(f64::NAN, |measurement| measurement.values[component])
-            };
-            (name, rows.iter().map(reading).collect())
-        };
-        let t = rows.iter().map(|row| row[0].time).collect();
-        Self { t, readings: sensors.columns().map(column).collect() }
+        let mut readings = Vec::new();
+        for (sensor, instrument) in sensors.instruments.iter().enumerate() {
+            for (component, name) in instrument.kind.columns.iter().enumerate() {
+                let reading = |row: &&[Measurement]| {
+                    let own = row.iter().find(|measurement| measurement.sensor == sensor);
+                    own.map_or(f64::NAN, |measurement| measurement.values[component])
+                };
+                readings.push((*name, rows.iter().map(reading).collect()));
+            }
+        }
+        Self { t: rows.iter().map(|row| row[0].time).collect(), readings }
     }
 
-    /// Measurements in the order of the rows, each with its row. Sensors whose columns are missing have none.
+    /// Measurements in the order of the rows, each with its row.
+    ///
+    /// * `sensors`: those whose columns these are, in their order
     ///
     /// # Errors
     /// [`RefusedRow`]: a time that is not finite or earlier than the one before, a sensor with only some of its readings, or a
     /// reading beyond its range.
     pub fn measurements(&self, sensors: &Sensors) -> Result<Vec<(usize, Measurement)>, RefusedRow> {
-        let column = |name: &&'static str| {
-            let own = self.readings.iter().find(|(own, _)| own == name);
-            own.map(|(name, readings)| (*name, readings))
-        };
-        let columns = |instrument: &Instrument| instrument.kind.columns.iter().map(column).collect();
-        let by_sensor: Vec<Option<Vec<_>>> = sensors.instruments.iter().map(columns).collect();
         let mut measurements = Vec::new();
         let mut last = f64::NEG_INFINITY;
         for (row, time) in self.t.iter().copied().enumerate() {
@@ -67,8 +65,10 @@ impl Columns {
                 return refuse("t", "must not be earlier than in the row before");
             }
             last = time;
-            for (sensor, (instrument, columns)) in sensors.instruments.iter().zip(&by_sensor).enumerate() {
-                let Some(columns) = columns else { continue };
+            let mut rest = &self.readings[..];
+            for (sensor, instrument) in sensors.instruments.iter().enumerate() {
+                let (columns, others) = rest.split_at(instrument.kind.columns.len());
+                rest = others;
                 if columns.iter().all(|(_, readings)| readings[row].is_nan()) {
                     continue;
                 }

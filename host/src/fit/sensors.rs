@@ -18,8 +18,8 @@ pub struct Kind {
     pub name: &'static str,
     /// Columns of the samples.
     pub columns: &'static [&'static str],
-    /// Keys of the table.
-    keys: &'static [&'static str],
+    /// Keys of the table, separated by spaces.
+    keys: &'static str,
 }
 
 impl Kind {
@@ -29,34 +29,23 @@ impl Kind {
     }
 }
 
-const fn kind(name: &'static str, columns: &'static [&'static str], keys: &'static [&'static str]) -> Kind {
+const fn kind(name: &'static str, columns: &'static [&'static str], keys: &'static str) -> Kind {
     Kind { name, columns, keys }
 }
 
-/// Keys of a camera.
-const CAMERA: &[&str] = &["noise", "quantum", "every"];
-
 /// All kinds.
 pub const KINDS: [Kind; 7] = [
-    kind(
-        "gyroscope",
-        &["gyro_x", "gyro_y", "gyro_z"],
-        &["noise", "bias", "range", "rotation", "quantum", "every"],
-    ),
+    kind("gyroscope", &["gyro_x", "gyro_y", "gyro_z"], "noise bias range rotation quantum every"),
     kind(
         "accelerometer",
         &["accel_x", "accel_y", "accel_z"],
-        &["noise", "bias", "range", "rotation", "position", "quantum", "every"],
+        "noise bias range rotation position quantum every",
     ),
-    kind(
-        "magnetometer",
-        &["mag_x", "mag_y", "mag_z"],
-        &["noise", "bias", "field", "rotation", "quantum", "every"],
-    ),
-    kind("orientation", &["w", "x", "y", "z"], CAMERA),
-    kind("axis", &["axis_x", "axis_y", "axis_z"], CAMERA),
-    kind("tip", &["tip_x", "tip_y"], CAMERA),
-    kind("mark", &["mark"], &["noise", "position"]),
+    kind("magnetometer", &["mag_x", "mag_y", "mag_z"], "noise bias field rotation quantum every"),
+    kind("orientation", &["w", "x", "y", "z"], "noise quantum every"),
+    kind("axis", &["axis_x", "axis_y", "axis_z"], "noise quantum every"),
+    kind("tip", &["tip_x", "tip_y"], "noise quantum every"),
+    kind("mark", &["mark"], "noise position"),
 ];
 
 /// One sensor.
@@ -129,15 +118,6 @@ impl Sensors {
     /// Sensors as the core takes them.
     pub fn listed(&self) -> Vec<&dyn Sensor> {
         self.instruments.iter().map(|instrument| &*instrument.sensor as &dyn Sensor).collect()
-    }
-
-    /// Columns of the samples by sensor: index of the sensor, component of its reading, name.
-    pub fn columns(&self) -> impl Iterator<Item = (usize, usize, &'static str)> {
-        let columns = |(sensor, instrument): (usize, &Instrument)| {
-            let names = instrument.kind.columns.iter().enumerate();
-            names.map(move |(component, name)| (sensor, component, *name))
-        };
-        self.instruments.iter().enumerate().flat_map(columns)
     }
 
     /// A consumer MEMS gyroscope (2000 degrees per second, noise 0.005 degrees per second and root hertz in 500 Hz, bias 1
@@ -218,7 +198,8 @@ static POSITION: Key = Key::required("position", "an array of 3 finite numbers")
 static FIELD: Key = Key::required("field", "an array of 3 finite numbers, not all 0");
 
 fn instrument(section: &Section<'_>, kind: Kind, body: Body) -> Result<Instrument, Failure> {
-    section.only(UNKNOWN, kind.keys)?;
+    let keys: Vec<_> = kind.keys.split(' ').collect();
+    section.only(UNKNOWN, &keys)?;
     let [deviation, bias, range, quantum, every] = section.numbers(&NUMBERS)?;
     let noise = Noise { deviation, bias };
     if every.fract() != 0.0 {

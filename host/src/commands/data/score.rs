@@ -15,6 +15,7 @@ use crate::score::judge::Judge;
 use crate::score::trajectory::Trajectory;
 use clap::Args;
 use methods::{Method, Run, work};
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// `toytop score`
@@ -83,15 +84,12 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
         drawing::write("--plot", path, &chart.draw(&curves), None)?;
     }
     doubts.extend(methods.iter().flat_map(|method| method.doubts.clone()));
-    let numbered =
-        methods.iter().flat_map(|method| method.runs.iter().map(|run| (run.file, record(run, method.order))));
-    let mut numbered: Vec<_> = numbered.collect();
-    let records = |numbered: &[(usize, Record)]| -> Vec<_> {
-        numbered.iter().map(|(_, record)| record.clone()).collect()
-    };
-    let ranked = records(&numbered);
-    numbered.sort_by_key(|(file, _)| *file);
-    let by_file = records(&numbered);
+    let mut ranked = Vec::new();
+    for Method { runs, order, .. } in &methods {
+        ranked.extend(runs.iter().map(|run| (run.file, record(run, *order))));
+    }
+    let by_file: Vec<_> = BTreeMap::from_iter(ranked.clone()).into_values().collect();
+    let ranked: Vec<_> = ranked.into_iter().map(|(_, record)| record).collect();
     let summary = |Method { name, runs, order, .. }: &Method| {
         Record::default().with("method", &**name).with("files", runs.len()).with("order", *order)
     };

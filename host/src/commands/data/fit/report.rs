@@ -138,16 +138,25 @@ pub fn json(report: &FitReport) -> Value {
 }
 
 /// Launch in one row.
-pub fn record(report: &FitReport) -> Record {
-    let fitted = &report.fitted;
-    let deviations = fitted.deviations();
-    let mut record = Record::default().with("reason", report.reason.as_deref()).with("epoch", fitted.epoch);
-    let mut add = |names: &[&'static str], values: &[f64]| {
-        record.0.extend(names.iter().zip(values).map(|(name, value)| (*name, Value::from(*value))));
-    };
-    add(&["w", "x", "y", "z"], &fitted.launch.orientation.quaternion());
-    add(&["omega_x", "omega_y", "omega_z"], &fitted.launch.omega);
-    add(&["theta_x_deviation", "theta_y_deviation", "theta_z_deviation"], &deviations[..3]);
-    add(&["omega_x_deviation", "omega_y_deviation", "omega_z_deviation"], &deviations[3..]);
+pub fn record(FitReport { fitted, reason, .. }: &FitReport) -> Record {
+    const NAMES: [&str; 13] = [
+        "w",
+        "x",
+        "y",
+        "z",
+        "omega_x",
+        "omega_y",
+        "omega_z",
+        "theta_x_deviation",
+        "theta_y_deviation",
+        "theta_z_deviation",
+        "omega_x_deviation",
+        "omega_y_deviation",
+        "omega_z_deviation",
+    ];
+    let launch = &fitted.launch;
+    let values = launch.orientation.quaternion().into_iter().chain(launch.omega).chain(fitted.deviations());
+    let mut record = Record::default().with("reason", reason.as_deref()).with("epoch", fitted.epoch);
+    record.0.extend(NAMES.into_iter().zip(values.map(Value::from)));
     record.with("reduced_chi_squared", fitted.statistics.reduced_chi_squared(fitted.count))
 }
