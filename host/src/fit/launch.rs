@@ -116,9 +116,6 @@ fn has_beginning(sensors: &Sensors, measurements: &[Measurement]) -> bool {
     direction && rate
 }
 
-/// First integrals, and the units of their rates.
-pub const RATES: [(&str, &str); 3] = [("l", "N m"), ("n", "N m"), ("h", "W")];
-
 /// Fitted launch with its standard deviations.
 pub struct FitReport {
     /// Input of the fit.
@@ -159,6 +156,14 @@ impl FitReport {
         let biased = instruments.filter(|instrument| instrument.sensor.bias_deviation() > 0.0);
         let biases = biased.zip(values.iter().zip(deviations));
         biases.map(|(instrument, (value, deviation))| (instrument.kind.name, *value, *deviation)).collect()
+    }
+
+    /// Mean rates of change of l, n and h during the samples, with their standard deviations and units; none without a drift.
+    pub fn drift_rates(&self) -> Vec<(&'static str, f64, f64, &'static str)> {
+        let Some(drift) = &self.fitted.drift else { return Vec::new() };
+        let deviations = drift.deviations();
+        let names = [("dl/dt", "N m"), ("dn/dt", "N m"), ("dh/dt", "W")].into_iter().enumerate();
+        names.map(|(k, (name, unit))| (name, drift.rates[k], deviations[k], unit)).collect()
     }
 
     /// Whether the launch follows from the samples. Without any value that was used it is that of the beginning.
@@ -223,13 +228,11 @@ impl FitReport {
         let state = self.fitted.state().map_err(refuse)?;
         let mut text =
             format!("# Fitted by `toytop fit`; t = 0 is t = {} of the samples.\n", number(self.fitted.epoch));
-        if let Some(drift) = &self.fitted.drift {
-            let deviations = drift.deviations();
-            let rate = |k: usize| {
-                let (name, unit) = RATES[k];
-                format!("d{name}/dt = {} +- {} {unit}", short(drift.rates[k], 4), short(deviations[k], 2))
-            };
-            let rates = [0, 1, 2].map(rate).join(", ");
+        let rate = |(name, rate, deviation, unit)| {
+            format!("{name} = {} +- {} {unit}", short(rate, 4), short(deviation, 2))
+        };
+        let rates = self.drift_rates().into_iter().map(rate).collect::<Vec<_>>().join(", ");
+        if !rates.is_empty() {
             text +=
                 &format!("# Drift during the samples, which the motion below does not contain: {rates}\n");
         }

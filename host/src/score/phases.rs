@@ -49,13 +49,13 @@ pub fn last(motion: &Motion, table: &dyn AnyEphemeris, rows: &[Row]) -> PhaseErr
         [advance.alpha_turns, advance.beta_turns, 1.0].map(|turns| 2.0 * PI * turns / period)
     });
     let fit = Fit { table, period, rates, exist };
-    let (mut angles, mut residual) = ([Vector3::zeros(); 2], None);
+    let (mut angles, mut residual) = (Vector6::zeros(), None);
     for window in fit.windows(rows) {
         // from the middle of one window to that of the next
-        angles[0] += angles[1];
+        (0..3).for_each(|i| angles[i] += angles[i + 3]);
         (angles, residual) = fit.fitted(window, angles);
     }
-    let angle = |i: usize| Some(angles[0][i]).filter(|_| exist[i] && residual.is_some());
+    let angle = |i: usize| Some(angles[i]).filter(|_| exist[i] && residual.is_some());
     PhaseErrors { nutation: angle(0), precession: angle(1), spin: angle(2), residual }
 }
 
@@ -88,13 +88,14 @@ impl Fit<'_> {
 
     /// Angles in the middle of the rows, and their change in a period, by Gauss-Newton iteration from a first guess, and the root of the mean
     /// square of the remaining rotation. With the change, an error of a rate is not mistaken for one of another angle.
-    fn fitted(&self, rows: &[Row], mut angles: [Vector3<f64>; 2]) -> ([Vector3<f64>; 2], Option<f64>) {
+    fn fitted(&self, rows: &[Row], mut angles: Vector6<f64>) -> (Vector6<f64>, Option<f64>) {
         const MOST: usize = 20;
         const ENOUGH: f64 = 1e-3;
         let middle = 0.5 * (rows[0].t + rows[rows.len() - 1].t);
         let share = |row: &Row| (row.t - middle) / self.period;
-        let at = |angles: &[Vector3<f64>; 2], row: &Row| {
-            self.linearised(row, &(angles[0] + angles[1] * share(row)))
+        let at = |angles: &Vector6<f64>, row: &Row| {
+            let angles = angles.fixed_rows::<3>(0) + angles.fixed_rows::<3>(3) * share(row);
+            self.linearised(row, &angles)
         };
         for _ in 0..MOST {
             let (mut gram, mut right) = (Matrix6::zeros(), Vector6::zeros());
@@ -111,8 +112,7 @@ impl Fit<'_> {
             }
             let Some(factors) = gram.cholesky() else { return (angles, None) };
             let step = factors.solve(&right);
-            angles[0] += step.fixed_rows::<3>(0);
-            angles[1] += step.fixed_rows::<3>(3);
+            angles += step;
             // after a small step, the remaining rotation is known to first order
             if step.amax() < ENOUGH {
                 break;

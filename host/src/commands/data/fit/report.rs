@@ -1,6 +1,6 @@
 //! Fitted launch as a table, as JSON, and as a row of CSV.
 
-use crate::fit::launch::{FitReport, RATES, variance};
+use crate::fit::launch::{FitReport, variance};
 use crate::output::{Record, columns, short};
 use serde_json::{Value, json};
 use toytop_fit::{Fitted, Sensitivity};
@@ -33,18 +33,18 @@ pub fn table(report: &FitReport) -> String {
     if !report.has_launch() {
         return state + "\n";
     }
-    let Fitted { launch, statistics, drift, epoch, count, alternatives, .. } = report.fitted;
+    let Fitted { launch, statistics, epoch, count, alternatives, .. } = report.fitted;
     let deviations = report.fitted.deviations();
-    let line = |name: String, value: f64, deviation: f64, unit: &str| {
-        vec![name, short(value, 9), format!("+- {}", short(deviation, 2)), unit.to_owned()]
+    let line = |name: &str, value: f64, deviation: f64, unit: &str| {
+        vec![name.to_owned(), short(value, 9), format!("+- {}", short(deviation, 2)), unit.to_owned()]
     };
     let [(spin, spin_deviation), (tilt, tilt_deviation)] = report.spin_and_tilt();
     let mut rows = vec![
-        line("tilt".to_owned(), tilt.to_degrees(), tilt_deviation.to_degrees(), "degrees"),
-        line("spin".to_owned(), spin, spin_deviation, "rad/s"),
+        line("tilt", tilt.to_degrees(), tilt_deviation.to_degrees(), "degrees"),
+        line("spin", spin, spin_deviation, "rad/s"),
     ];
     for (k, axis) in AXES.into_iter().enumerate() {
-        rows.push(line(format!("omega_{axis}"), launch.omega[k], deviations[3 + k], "rad/s"));
+        rows.push(line(&format!("omega_{axis}"), launch.omega[k], deviations[3 + k], "rad/s"));
     }
     let quaternion = launch.orientation.quaternion().map(|x| short(x, 9)).join(" ");
     let turned = [0, 1, 2].map(|k| short(deviations[k].to_degrees(), 2)).join(" ");
@@ -54,18 +54,15 @@ pub fn table(report: &FitReport) -> String {
             .to_vec(),
     );
     for (key, value, deviation) in report.freed() {
-        rows.push(line(key.to_owned(), value, deviation, ""));
+        rows.push(line(key, value, deviation, ""));
     }
     for (name, values, errors) in report.biases() {
         for (k, axis) in AXES.into_iter().enumerate() {
-            rows.push(line(format!("bias of {name} {axis}"), values[k], errors[k], ""));
+            rows.push(line(&format!("bias of {name} {axis}"), values[k], errors[k], ""));
         }
     }
-    if let Some(drift) = &drift {
-        let errors = drift.deviations();
-        for (k, (name, unit)) in RATES.into_iter().enumerate() {
-            rows.push(line(format!("d{name}/dt"), drift.rates[k], errors[k], unit));
-        }
+    for (name, rate, deviation, unit) in report.drift_rates() {
+        rows.push(line(name, rate, deviation, unit));
     }
     let mut text = format!(
         "{state}\n\nlaunch at t = {}\n{}\n\
