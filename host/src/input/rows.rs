@@ -13,13 +13,14 @@ pub fn read(name: &str, path: &Path) -> Result<String, Failure> {
     whole_file::read(name, path, 1024)
 }
 
+/// Row with its line, or the reason why it cannot be read.
+type Row = Result<(u64, StringRecord), String>;
+
 /// Names of the columns of a CSV text without their units, and its rows, each with its line. A # begins a comment.
 ///
 /// # Errors
 /// Column whose unit is another one than the program's. Line of a row with another number of fields than the header.
-pub fn parse(
-    text: &str,
-) -> Result<(Vec<String>, impl Iterator<Item = Result<(u64, StringRecord), String>>), String> {
+pub fn parse(text: &str) -> Result<(Vec<String>, impl Iterator<Item = Row>), String> {
     let mut builder = csv::ReaderBuilder::new();
     let mut reader = builder.comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
     let header = reader.headers().map_err(reason)?;

@@ -109,7 +109,7 @@ fn record(run: &Run, method_order: Option<f64>) -> Record {
     Record::default()
         .with("name", &*run.name)
         .with("method", Some(&*run.method).filter(|name| !name.is_empty()))
-        .with("rows", run.rows as u64)
+        .with("rows", run.rows)
         .with("step", run.step.map(|(step, _)| step))
         .with("step_from", run.step.map(|(_, from)| from))
         .with("evaluations", run.evaluations)
@@ -147,25 +147,27 @@ fn tables(records: &[Record], methods: &[Method]) -> String {
         ("max_position_error", "position", error),
         ("order", "order", two),
     ];
-    let details: [Column<'_>; 8] = [
-        ("name", "", error),
-        ("nutation_error_rad", "nutation", error),
-        ("precession_error_rad", "precession", error),
-        ("spin_error_rad", "spin", error),
-        ("residual_rad", "residual", error),
-        ("drift_h", "h", error),
-        ("drift_l", "l", error),
-        ("drift_n", "n", error),
+    let details = [
+        ("name", ""),
+        ("nutation_error_rad", "nutation"),
+        ("precession_error_rad", "precession"),
+        ("spin_error_rad", "spin"),
+        ("residual_rad", "residual"),
+        ("drift_h", "h"),
+        ("drift_l", "l"),
+        ("drift_n", "n"),
     ];
+    let details: [Column<'_>; 8] = details.map(|(name, heading)| (name, heading, error as _));
     let mut orders = String::new();
     for Method { name, order, .. } in methods {
         let of = if name.is_empty() { String::new() } else { format!(" of {name}") };
         orders.extend(order.map(|order| format!("Order of convergence{of}: {order:.2}\n")));
     }
     let scores = || methods.iter().flat_map(|method| &method.runs).map(|run| &run.score);
-    let by = match scores().any(|score| score.drift.from == Some("differences")) {
-        true => ", for files without angular velocity computed from differences of the error",
-        false => "",
+    let by = if scores().any(|score| score.drift.from == Some("differences")) {
+        ", for files without angular velocity computed from differences of the error"
+    } else {
+        ""
     };
     let bound = scores().map(|score| score.truth_bound).fold(0.0, f64::max);
     format!(
