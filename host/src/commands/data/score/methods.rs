@@ -76,12 +76,10 @@ impl Method {
         });
         let step = |run: &Run| run.step.map_or(0.0, |(step, _)| step);
         runs.sort_by(|a, b| step(b).total_cmp(&step(a)));
-        for fine in 1..runs.len() {
-            let [coarse, fine] = &mut runs[fine - 1..=fine] else { continue };
-            if fine.is_as_long_as(coarse) {
-                let points = coarse.point().zip(fine.point());
-                fine.order = points.and_then(|(coarse, fine)| order::between(coarse, fine));
-            }
+        for i in 1..runs.len() {
+            let [coarse, fine] = [&runs[i - 1], &runs[i]];
+            let points = coarse.point().zip(fine.point()).filter(|_| fine.is_as_long_as(coarse));
+            runs[i].order = points.and_then(|(coarse, fine)| order::between(coarse, fine));
         }
         let points: Vec<_> = runs.iter().filter_map(Run::point).collect();
         let order = order::fitted(&points).filter(|_| uneven.is_none());
@@ -90,8 +88,9 @@ impl Method {
     }
 }
 
-/// Unit of the work, and a curve of greatest error against work for each method. The work is the number of evaluations of the equations if every file states it,
-/// otherwise the number of steps.
+/// Unit of the work, and a curve of greatest error against work for each method.
+///
+/// The work is the number of evaluations of the equations if every file states it, otherwise the number of steps.
 pub fn work(methods: &[Method], period: f64) -> Result<(&'static str, Vec<Curve>), Failure> {
     let counted = methods.iter().flat_map(|method| &method.runs).all(|run| run.evaluations.is_some());
     let point = |run: &Run| {
