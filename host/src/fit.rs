@@ -2,6 +2,5 @@
 
 pub mod columns;
 pub mod launch;
-pub mod report;
 pub mod sensors;
 pub mod simulated;

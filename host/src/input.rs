@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`scenario`], [`builtin`] | motion from a TOML file; motions that need no file |
 //! | [`random`] | random numbers fixed by a seed |
-//! | `rows` | messages for rows of CSV files |
+//! | `rows` | columns and rows of CSV files |
 //! | `section` | table of a TOML file |
 
 pub mod builtin;

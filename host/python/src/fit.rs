@@ -11,7 +11,7 @@ use toml::{Table, Value};
 use toytop_fit::{Drift, Measurement};
 use toytop_host::fit::columns::{Columns, keep_present};
 use toytop_host::fit::launch::FitInput;
-use toytop_host::fit::report::FitReport;
+use toytop_host::fit::launch::FitReport;
 use toytop_host::fit::sensors::{Body, Sensors};
 use toytop_host::fit::simulated::{MOST_SAMPLES, Recording, measurements};
 

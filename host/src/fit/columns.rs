@@ -2,8 +2,7 @@
 
 use super::sensors::{KINDS, Sensors};
 use crate::Failure;
-use crate::input::finite;
-use crate::input::rows::{self, csv_error};
+use crate::input::{finite, rows};
 use crate::output::{number, shown};
 use std::path::Path;
 use toytop_fit::Measurement;
@@ -15,7 +14,7 @@ const BEYOND: f64 = 1.01;
 pub struct Columns {
     /// Time of each row, s.
     pub t: Vec<f64>,
-    /// Columns of readings with their names, as long as `t`.
+    /// Columns of readings with their names, as long as `t`, in the order of the sensors.
     pub readings: Vec<(&'static str, Vec<f64>)>,
 }
 
@@ -34,7 +33,6 @@ impl Columns {
     pub fn of(sensors: &Sensors, measurements: &[Measurement]) -> Self {
         let same = |a: &Measurement, b: &Measurement| a.time == b.time && a.sensor < b.sensor;
         let rows: Vec<_> = measurements.chunk_by(same).collect();
-        let t = rows.iter().map(|row| row[0].time).collect();
         let mut readings = Vec::new();
         for (sensor, instrument) in sensors.instruments.iter().enumerate() {
             for (component, name) in instrument.kind.columns.iter().enumerate() {
@@ -45,23 +43,17 @@ impl Columns {
                 readings.push((*name, rows.iter().map(reading).collect()));
             }
         }
-        Self { t, readings }
+        Self { t: rows.iter().map(|row| row[0].time).collect(), readings }
     }
 
-    /// Measurements in the order of the rows, each with its row. Sensors whose columns are missing have none.
+    /// Measurements in the order of the rows, each with its row.
+    ///
+    /// * `sensors`: those whose columns these are, in their order
     ///
     /// # Errors
     /// [`RefusedRow`]: a time that is not finite or earlier than the one before, a sensor with only some of its readings, or a
     /// reading beyond its range.
     pub fn measurements(&self, sensors: &Sensors) -> Result<Vec<(usize, Measurement)>, RefusedRow> {
-        let column = |name: &&str| {
-            self.readings.iter().find(|(own, _)| own == name).map(|(_, readings)| readings.as_slice())
-        };
-        let columns: Vec<Option<Vec<&[f64]>>> = sensors
-            .instruments
-            .iter()
-            .map(|instrument| instrument.kind.columns.iter().map(column).collect())
-            .collect();
         let mut measurements = Vec::new();
         let mut last = f64::NEG_INFINITY;
         for (row, time) in self.t.iter().copied().enumerate() {
@@ -73,18 +65,20 @@ impl Columns {
                 return refuse("t", "must not be earlier than in the row before");
             }
             last = time;
-            for (sensor, (instrument, columns)) in sensors.instruments.iter().zip(&columns).enumerate() {
-                let Some(columns) = columns else { continue };
-                if columns.iter().all(|column| column[row].is_nan()) {
+            let mut rest = &self.readings[..];
+            for (sensor, instrument) in sensors.instruments.iter().enumerate() {
+                let (columns, others) = rest.split_at(instrument.kind.columns.len());
+                rest = others;
+                if columns.iter().all(|(_, readings)| readings[row].is_nan()) {
                     continue;
                 }
                 let mut values = [0.0; 4];
-                for ((slot, column), name) in values.iter_mut().zip(columns).zip(instrument.kind.columns) {
-                    *slot = column[row];
-                    if !slot.is_finite() {
+                for (value, (name, readings)) in values.iter_mut().zip(columns) {
+                    *value = readings[row];
+                    if !value.is_finite() {
                         return refuse(name, "must be a finite number, as the sensor has a reading");
                     }
-                    if slot.abs() > BEYOND * instrument.range {
+                    if value.abs() > BEYOND * instrument.range {
                         return refuse(name, "must be at most the range of the sensor: another unit?");
                     }
                 }
@@ -130,56 +124,52 @@ pub fn read(
 ) -> Result<(Vec<Measurement>, Vec<String>), Failure> {
     let file = path.display().to_string();
     let text = rows::read(&file, path)?;
-    let refuse = |line: u64, reason: String| Failure::Input(format!("{file}: line {line}: {reason}"));
-    let mut reader = rows::reader(&text);
-    let header = reader.headers().map_err(|error| refuse(1, error.to_string()))?;
-    let header = rows::names(header).map_err(|reason| refuse(1, reason))?;
+    parse(&text, sensors, all).map_err(|reason| Failure::Input(format!("{file}: {reason}")))
+}
+
+fn parse(text: &str, sensors: &mut Sensors, all: bool) -> Result<(Vec<Measurement>, Vec<String>), String> {
+    let in_header = |reason: String| format!("line 1: {reason}");
+    let (header, rows) = rows::parse(text).map_err(in_header)?;
     let place = |name: &str| header.iter().position(|column| column == name);
-    let time = place("t").ok_or_else(|| refuse(1, "must have a column t".to_owned()))?;
-    keep_present(sensors, |name| place(name).is_some(), all).map_err(|reason| refuse(1, reason))?;
-    let names = sensors.instruments.iter().flat_map(|instrument| instrument.kind.columns.iter().copied());
-    let mut columns = Columns { t: Vec::new(), readings: names.map(|name| (name, Vec::new())).collect() };
+    let time = place("t").ok_or_else(|| in_header("must have a column t".to_owned()))?;
+    keep_present(sensors, |name| place(name).is_some(), all).map_err(in_header)?;
+    let mut columns = Columns::of(sensors, &[]);
     let places: Vec<_> = columns.readings.iter().filter_map(|(name, _)| place(name)).collect();
-    let used = |name: &&String| *name == "t" || columns.readings.iter().any(|(own, _)| own == name);
-    let unused: Vec<_> = header.iter().filter(|name| !used(name)).cloned().collect();
     let mut lines = Vec::new();
-    for record in reader.records() {
-        let record = record.map_err(|error| Failure::Input(format!("{file}: {}", csv_error(&error))))?;
-        let line = record.position().map_or(0, csv::Position::line);
-        let value = |place: usize, name: &str| {
-            let field = record.get(place).unwrap_or_default();
-            finite(field).ok_or_else(|| {
-                refuse(line, format!("{name}: must be a finite number, not {:?}", shown(field)))
-            })
+    for row in rows {
+        let (line, row) = row?;
+        let value = |place: usize| {
+            let (name, field) = (&header[place], &row[place]);
+            let refused = || format!("line {line}: {name}: must be a finite number, not {:?}", shown(field));
+            finite(field).ok_or_else(refused)
         };
-        columns.t.push(value(time, "t")?);
-        for ((name, readings), place) in columns.readings.iter_mut().zip(&places) {
-            let empty = record.get(*place).unwrap_or_default().is_empty();
-            readings.push(if empty { f64::NAN } else { value(*place, name)? });
+        columns.t.push(value(time)?);
+        for ((_, readings), place) in columns.readings.iter_mut().zip(&places) {
+            readings.push(if row[*place].is_empty() { f64::NAN } else { value(*place)? });
         }
         lines.push(line);
     }
     let measurements = columns
         .measurements(sensors)
-        .map_err(|refused| refuse(lines[refused.row], format!("{}: {}", refused.column, refused.reason)))?;
+        .map_err(|RefusedRow { row, column, reason }| format!("line {}: {column}: {reason}", lines[row]))?;
+    let used = |name: &str| name == "t" || columns.readings.iter().any(|(own, _)| *own == name);
+    let unused = header.iter().filter(|name| !used(name)).cloned().collect();
     Ok((measurements.into_iter().map(|(_, measurement)| measurement).collect(), unused))
 }
 
 /// Measurements as CSV, those of one time in one row.
-pub fn written(sensors: &Sensors, measurements: &[Measurement]) -> String {
+pub fn csv(sensors: &Sensors, measurements: &[Measurement]) -> String {
     let Columns { t, readings } = Columns::of(sensors, measurements);
-    let names = readings.iter().map(|(name, _)| *name);
-    let header: Vec<_> = std::iter::once("t").chain(names).collect();
-    let mut text = header.join(",") + "\n";
+    let mut text = "t".to_owned();
+    readings.iter().for_each(|(name, _)| text += &format!(",{name}"));
     for (row, time) in t.iter().enumerate() {
-        text += &number(*time);
+        text += &format!("\n{}", number(*time));
         for (_, readings) in &readings {
             text.push(',');
             if !readings[row].is_nan() {
                 text += &number(readings[row]);
             }
         }
-        text.push('\n');
     }
-    text
+    text + "\n"
 }

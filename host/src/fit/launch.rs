@@ -1,11 +1,14 @@
-//! Fit of a launch, and of free keys of its top, to measurements.
+//! Launch of a top, and free keys of the top, fitted to measurements.
 
-use super::report::FitReport;
 use super::sensors::Sensors;
-use crate::input::section::number;
-use toml::Table;
+use crate::Failure;
+use crate::input::section;
+use crate::output::{number, short};
+use std::collections::BTreeMap;
+use toml::{Table, Value};
 use toytop::{Support, Top};
-use toytop_fit::{Fit, FitError, FreeRatio, Hint, MOST_RATIOS, Measurement, Reason};
+use toytop_fit::{Drift, Fit, FitError, Fitted, FreeRatio, Hint, MOST_RATIOS, Measurement, Reason};
+use toytop_model::equations::dot;
 
 /// Everything that a fit needs beside the measurements.
 pub struct FitInput {
@@ -29,7 +32,7 @@ impl FitInput {
     /// # Errors
     /// Name of the parameter that is refused, `free`, `huber`, `drift` or `samples`, and the reason.
     pub fn fitted(self, measurements: &[Measurement]) -> Result<FitReport, (&'static str, String)> {
-        let ratios = ratios(&self.table, &self.top, &self.free).map_err(|reason| ("free", reason))?;
+        let ratios = self.ratios().map_err(|reason| ("free", reason))?;
         if self.huber.is_nan() || self.huber < 1.0 {
             return Err(("huber", "must be a number from 1, or inf".to_owned()));
         }
@@ -48,7 +51,7 @@ impl FitInput {
         let fitted = fit.run(measurements.iter().copied()).map_err(refuse)?;
         let reason = fitted.reason.map(|reason| match reason {
             // the sensors that the core asks for exist, so that its advice would mislead
-            Reason::NoBeginning if state_a_beginning(&self.sensors, measurements) => {
+            Reason::NoBeginning if has_beginning(&self.sensors, measurements) => {
                 "no start fits the samples: are they of another top?".to_owned()
             }
             reason => reason.to_string(),
@@ -57,63 +60,201 @@ impl FitInput {
         drop(listed);
         Ok(FitReport { input: self, fitted, reason, end })
     }
-}
 
-/// Whether the first measurements contain an orientation, an axis, or a direction and rates.
-fn state_a_beginning(sensors: &Sensors, measurements: &[Measurement]) -> bool {
-    const FIRST: usize = 64;
-    let hint = |measurement: &Measurement| {
-        let instrument = sensors.instruments.get(measurement.sensor);
-        instrument.map_or(Hint::None, |instrument| instrument.sensor.hint(&measurement.values))
-    };
-    let has = |wanted: fn(&Hint) -> bool| measurements.iter().take(FIRST).any(|one| wanted(&hint(one)));
-    has(|hint| matches!(hint, Hint::Orientation(_) | Hint::Axis(_)))
-        || has(|hint| matches!(hint, Hint::Direction { .. })) && has(|hint| matches!(hint, Hint::Rate { .. }))
+    /// Directions of the ratios of the top that belong to the free keys.
+    ///
+    /// # Errors
+    /// Key and reason: the table does not have the key, or it is named twice; too many keys.
+    fn ratios(&self) -> Result<Vec<FreeRatio>, String> {
+        let held = self.top.support() == Support::Fixed;
+        let has = |key: &str| self.table.contains_key(key);
+        let mut ratios = Vec::new();
+        for (place, key) in self.free.iter().enumerate() {
+            if self.free[..place].contains(key) {
+                return Err(format!("{key}: must be named once"));
+            }
+            ratios.push(match key.as_str() {
+                "gravity" => FreeRatio::GRAVITY,
+                key if !FREE_KEYS.contains(&key) => {
+                    return Err(format!("{key:?} must be one of {}", FREE_KEYS.join(", ")));
+                }
+                key if !has(key) => {
+                    let described = FREE_KEYS.into_iter().filter(|key| has(key) || *key == "gravity");
+                    let allowed = described.collect::<Vec<_>>().join(", ");
+                    return Err(format!(
+                        "{key}: must be one of the numbers that describe the top: {allowed}"
+                    ));
+                }
+                "axial_inertia" => FreeRatio::AXIAL_INERTIA,
+                "transverse_inertia" => FreeRatio::TRANSVERSE_INERTIA,
+                // p = M s changes too where the mass is given
+                "com_height" if !held && has("mass") => FreeRatio::new([0.0, -2.0, 1.0, 0.0]),
+                "com_height" if !held => FreeRatio::COM_HEIGHT,
+                _ => FreeRatio::MASS_MOMENT,
+            });
+        }
+        if ratios.len() > MOST_RATIOS { Err("must be at most four keys".to_owned()) } else { Ok(ratios) }
+    }
 }
 
 /// Keys of a top that a fit may change.
 pub const FREE_KEYS: [&str; 6] =
     ["transverse_inertia", "axial_inertia", "com_height", "mass", "mass_moment", "gravity"];
 
-/// Value of a key before the fit: the fitted one is this times e to the power of its unknown.
-pub(super) fn given(key: &str, table: &Table, top: &Top) -> f64 {
-    table.get(key).and_then(number).unwrap_or(top.gravity())
+/// Whether the first measurements contain an orientation, an axis, or a direction and rates.
+fn has_beginning(sensors: &Sensors, measurements: &[Measurement]) -> bool {
+    const FIRST: usize = 64;
+    let [mut direction, mut rate] = [false; 2];
+    for Measurement { sensor, values, .. } in measurements.iter().take(FIRST) {
+        match sensors.instruments.get(*sensor).map(|instrument| instrument.sensor.hint(values)) {
+            Some(Hint::Orientation(_) | Hint::Axis(_)) => return true,
+            Some(Hint::Direction { .. }) => direction = true,
+            Some(Hint::Rate { .. }) => rate = true,
+            _ => {}
+        }
+    }
+    direction && rate
 }
 
-/// Directions of the ratios of a top that belong to free keys.
-///
-/// * `table`: table `[top]` of its file
-///
-/// # Errors
-/// Key and reason: the table does not have the key, or it is named twice; too many keys.
-pub(super) fn ratios(table: &Table, top: &Top, keys: &[String]) -> Result<Vec<FreeRatio>, String> {
-    let held = top.support() == Support::Fixed;
-    let has = |key: &str| table.contains_key(key);
-    let mut ratios = Vec::new();
-    for (place, key) in keys.iter().enumerate() {
-        if keys[..place].contains(key) {
-            return Err(format!("{key}: must be named once"));
+/// Fitted launch with its standard deviations.
+pub struct FitReport {
+    /// Input of the fit.
+    pub input: FitInput,
+    /// Result of the fit.
+    pub fitted: Fitted,
+    /// Reason why the launch must not be trusted, in words; `None` where it may be.
+    pub reason: Option<String>,
+    /// Time of the last measurement, s.
+    pub end: f64,
+}
+
+impl FitReport {
+    /// Values of the free keys with their standard deviations.
+    pub fn freed(&self) -> Vec<(&str, f64, f64)> {
+        let FitInput { top, table, free, .. } = &self.input;
+        let deviations = self.fitted.deviations();
+        // the logarithm of the fitted value over the given one is the unknown
+        let logarithms = self.fitted.launch.other_unknowns().iter().zip(&deviations[6..]);
+        free.iter()
+            .zip(logarithms)
+            .map(|(key, (logarithm, deviation))| {
+                let given = table.get(key).and_then(section::number).unwrap_or(top.gravity());
+                let fitted = given * logarithm.exp();
+                (key.as_str(), fitted, fitted * deviation)
+            })
+            .collect()
+    }
+
+    /// Biases by sensor, with their standard deviations.
+    pub fn biases(&self) -> Vec<(&'static str, [f64; 3], [f64; 3])> {
+        let deviations = self.fitted.deviations();
+        let losses = if self.fitted.drift.is_some() { Drift::LOSSES.len() } else { 0 };
+        let before = self.input.free.len() + losses;
+        let values = self.fitted.launch.other_unknowns()[before..].as_chunks().0;
+        let deviations = deviations[6 + before..].as_chunks().0;
+        let instruments = self.input.sensors.instruments.iter();
+        let biased = instruments.filter(|instrument| instrument.sensor.bias_deviation() > 0.0);
+        let biases = biased.zip(values.iter().zip(deviations));
+        biases.map(|(instrument, (value, deviation))| (instrument.kind.name, *value, *deviation)).collect()
+    }
+
+    /// Mean rates of change of l, n and h during the samples, with their standard deviations and units; none without a drift.
+    pub fn drift_rates(&self) -> Vec<(&'static str, f64, f64, &'static str)> {
+        let Some(drift) = &self.fitted.drift else { return Vec::new() };
+        let deviations = drift.deviations();
+        let names = [("dl/dt", "N m"), ("dn/dt", "N m"), ("dh/dt", "W")].into_iter().enumerate();
+        names.map(|(k, (name, unit))| (name, drift.rates[k], deviations[k], unit)).collect()
+    }
+
+    /// Whether the launch follows from the samples. Without any value that was used it is that of the beginning.
+    pub fn has_launch(&self) -> bool {
+        self.fitted.statistics.used > 0
+    }
+
+    /// Spin ω·r and tilt (rad), each with its standard deviation.
+    pub fn spin_and_tilt(&self) -> [(f64, f64); 2] {
+        let launch = &self.fitted.launch;
+        let (r, w) = (launch.orientation.axis(), launch.omega);
+        let deviation = |row: [f64; 6]| variance(row, |i, j| self.fitted.covariance.get(i, j)).sqrt();
+        // ω turns with the axis
+        let spin = deviation([0.0, 0.0, 0.0, r[0], r[1], r[2]]);
+        let level = (r[0] * r[0] + r[1] * r[1]).sqrt();
+        let lean = if level > 0.0 { [-r[1] / level, r[0] / level] } else { [1.0, 0.0] };
+        let tilt = deviation([lean[0], lean[1], 0.0, 0.0, 0.0, 0.0]);
+        [(dot(w, r), spin), (level.atan2(r[2]), tilt)]
+    }
+
+    /// Names of the directions of the launch that the samples do not determine.
+    pub fn undetermined(&self) -> Vec<&'static str> {
+        let found = self.fitted.unobservable;
+        let named = [(found.yaw, "yaw"), (found.roll, "roll"), (found.spin, "spin")];
+        let mut names: Vec<_> = named.iter().filter(|(is, _)| *is).map(|(_, name)| *name).collect();
+        if found.count > names.len() {
+            names.push("other");
         }
-        ratios.push(match key.as_str() {
-            "gravity" => FreeRatio::GRAVITY,
-            key if !FREE_KEYS.contains(&key) => {
-                return Err(format!("{key:?} must be one of {}", FREE_KEYS.join(", ")));
-            }
-            key if !has(key) => {
-                let described = FREE_KEYS.into_iter().filter(|key| has(key) || *key == "gravity");
-                let allowed = described.collect::<Vec<_>>().join(", ");
-                return Err(format!("{key}: must be one of the numbers that describe the top: {allowed}"));
-            }
-            "axial_inertia" => FreeRatio::AXIAL_INERTIA,
-            "transverse_inertia" => FreeRatio::TRANSVERSE_INERTIA,
-            // p = M s changes too where the mass is given
-            "com_height" if !held && has("mass") => FreeRatio::new([0.0, -2.0, 1.0, 0.0]),
-            "com_height" if !held => FreeRatio::COM_HEIGHT,
-            _ => FreeRatio::MASS_MOMENT,
-        });
+        names
     }
-    if ratios.len() > MOST_RATIOS {
-        return Err("must be at most four keys".to_owned());
+
+    /// Residuals of each measurement in standard deviations of the noise, after subtraction of the fitted bias. NaN stands for a
+    /// component that the sensor does not have or that is at the end of its range, and for a measurement at a time at which
+    /// the derivatives of the motion cannot be computed. All residuals are NaN if no top has the fitted numbers.
+    pub fn residuals(&self, measurements: &[Measurement]) -> Vec<[f64; 3]> {
+        let Ok(sensitivity) = self.fitted.sensitivity(&self.input.top) else {
+            return vec![[f64::NAN; 3]; measurements.len()];
+        };
+        let mut cursor = sensitivity.cursor();
+        let biases = self.biases();
+        let residual = |Measurement { time, sensor, values }: &Measurement| {
+            let Some(partials) = cursor.at(time - self.fitted.epoch) else { return [f64::NAN; 3] };
+            let instrument = &self.input.sensors.instruments[*sensor];
+            let bias = biases.iter().find(|(name, ..)| *name == instrument.kind.name);
+            let bias = bias.map_or([0.0; 3], |(_, bias, _)| *bias);
+            let predicted = instrument.sensor.predict(&partials, values);
+            [0, 1, 2].map(|k| {
+                let deviation = predicted.deviation[k];
+                if deviation.is_finite() { (predicted.difference[k] - bias[k]) / deviation } else { f64::NAN }
+            })
+        };
+        measurements.iter().map(residual).collect()
     }
-    Ok(ratios)
+
+    /// Scenario of the fitted launch, which is its state at t = 0.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: no top has the fitted numbers.
+    pub fn scenario(&self, units: Option<&str>) -> Result<String, Failure> {
+        let refuse = |error: toytop::ParameterError| Failure::Input(format!("the fitted top: {error}"));
+        self.fitted.motion(&self.input.top).map_err(refuse)?;
+        let state = self.fitted.state().map_err(refuse)?;
+        let mut text =
+            format!("# Fitted by `toytop fit`; t = 0 is t = {} of the samples.\n", number(self.fitted.epoch));
+        let rate = |(name, rate, deviation, unit)| {
+            format!("{name} = {} +- {} {unit}", short(rate, 4), short(deviation, 2))
+        };
+        let rates = self.drift_rates().into_iter().map(rate).collect::<Vec<_>>().join(", ");
+        if !rates.is_empty() {
+            text +=
+                &format!("# Drift during the samples, which the motion below does not contain: {rates}\n");
+        }
+        let mut top = self.input.table.clone();
+        top.extend(self.freed().into_iter().map(|(key, value, _)| (key.to_owned(), Value::from(value))));
+        let (phi, omega) = (state.orientation(), state.omega());
+        let motion = BTreeMap::from([
+            ("kind", Value::from("state")),
+            ("alpha", Value::from(vec![phi.alpha.re, phi.alpha.im])),
+            ("beta", Value::from(vec![phi.beta.re, phi.beta.im])),
+            ("omega", Value::from(omega.to_vec())),
+        ]);
+        let mut root = Table::from_iter([
+            ("top".to_owned(), Value::Table(top)),
+            ("motion".to_owned(), Value::from(motion)),
+        ]);
+        root.extend(units.map(|units| ("units".to_owned(), Value::from(units))));
+        Ok(format!("{text}\n{root}"))
+    }
+}
+
+/// Variance of a sum of unknowns with these factors.
+pub fn variance<const N: usize>(factors: [f64; N], covariance: impl Fn(usize, usize) -> f64) -> f64 {
+    (0..N).map(|i| (0..N).map(|j| factors[i] * covariance(i, j) * factors[j]).sum::<f64>()).sum()
 }

@@ -18,6 +18,8 @@ pub struct Kind {
     pub name: &'static str,
     /// Columns of the samples.
     pub columns: &'static [&'static str],
+    /// Keys of the table, separated by spaces.
+    keys: &'static str,
 }
 
 impl Kind {
@@ -27,15 +29,23 @@ impl Kind {
     }
 }
 
+const fn kind(name: &'static str, columns: &'static [&'static str], keys: &'static str) -> Kind {
+    Kind { name, columns, keys }
+}
+
 /// All kinds.
 pub const KINDS: [Kind; 7] = [
-    Kind { name: "gyroscope", columns: &["gyro_x", "gyro_y", "gyro_z"] },
-    Kind { name: "accelerometer", columns: &["accel_x", "accel_y", "accel_z"] },
-    Kind { name: "magnetometer", columns: &["mag_x", "mag_y", "mag_z"] },
-    Kind { name: "orientation", columns: &["w", "x", "y", "z"] },
-    Kind { name: "axis", columns: &["axis_x", "axis_y", "axis_z"] },
-    Kind { name: "tip", columns: &["tip_x", "tip_y"] },
-    Kind { name: "mark", columns: &["mark"] },
+    kind("gyroscope", &["gyro_x", "gyro_y", "gyro_z"], "noise bias range rotation quantum every"),
+    kind(
+        "accelerometer",
+        &["accel_x", "accel_y", "accel_z"],
+        "noise bias range rotation position quantum every",
+    ),
+    kind("magnetometer", &["mag_x", "mag_y", "mag_z"], "noise bias field rotation quantum every"),
+    kind("orientation", &["w", "x", "y", "z"], "noise quantum every"),
+    kind("axis", &["axis_x", "axis_y", "axis_z"], "noise quantum every"),
+    kind("tip", &["tip_x", "tip_y"], "noise quantum every"),
+    kind("mark", &["mark"], "noise position"),
 ];
 
 /// One sensor.
@@ -147,14 +157,16 @@ impl Sensors {
                 return refuse(format!("{}: must be a table", shown(name)));
             };
             let section = Section { file, name, table };
-            if name == "timing" {
-                section.only(UNKNOWN, &["jitter", "dropped"])?;
-                [sensors.jitter, sensors.dropped] = section.numbers(&TIMING)?;
-            } else if let Some(kind) = KINDS.into_iter().find(|kind| kind.name == name) {
-                sensors.instruments.push(instrument(&section, kind, body)?);
-            } else {
-                let allowed = KINDS.map(|kind| kind.name).join(", ");
-                return refuse(format!("{}: unknown sensor; allowed: timing, {allowed}", shown(name)));
+            match KINDS.into_iter().find(|kind| kind.name == name) {
+                Some(kind) => sensors.instruments.push(instrument(&section, kind, body)?),
+                None if name == "timing" => {
+                    section.only(UNKNOWN, &["jitter", "dropped"])?;
+                    [sensors.jitter, sensors.dropped] = section.numbers(&TIMING)?;
+                }
+                None => {
+                    let allowed = KINDS.map(|kind| kind.name).join(", ");
+                    return refuse(format!("{}: unknown sensor; allowed: timing, {allowed}", shown(name)));
+                }
             }
         }
         if !(1..=4).contains(&sensors.instruments.len()) {
@@ -186,14 +198,8 @@ static POSITION: Key = Key::required("position", "an array of 3 finite numbers")
 static FIELD: Key = Key::required("field", "an array of 3 finite numbers, not all 0");
 
 fn instrument(section: &Section<'_>, kind: Kind, body: Body) -> Result<Instrument, Failure> {
-    let allowed: &[&str] = match kind.name {
-        "gyroscope" => &["noise", "bias", "range", "rotation", "quantum", "every"],
-        "accelerometer" => &["noise", "bias", "range", "rotation", "position", "quantum", "every"],
-        "magnetometer" => &["noise", "bias", "field", "rotation", "quantum", "every"],
-        "mark" => &["noise", "position"],
-        _ => &["noise", "quantum", "every"],
-    };
-    section.only(UNKNOWN, allowed)?;
+    let keys: Vec<_> = kind.keys.split(' ').collect();
+    section.only(UNKNOWN, &keys)?;
     let [deviation, bias, range, quantum, every] = section.numbers(&NUMBERS)?;
     let noise = Noise { deviation, bias };
     if every.fract() != 0.0 {

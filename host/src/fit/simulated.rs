@@ -1,6 +1,6 @@
 //! Simulated measurements of a motion.
 
-use super::sensors::Sensors;
+use super::sensors::{Instrument, Sensors};
 use crate::input::random::Random;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
@@ -34,68 +34,57 @@ pub fn measurements(motion: &Motion, sensors: &Sensors, recording: &Recording) -
     let sensitivity = Sensitivity::new(motion);
     let mut cursor = sensitivity.cursor();
     let mut random = Random::new(recording.seed, 0);
-    let biases: Vec<[f64; 3]> =
-        sensors.instruments.iter().map(|one| [0; 3].map(|_| one.noise.bias * normal(&mut random))).collect();
+    let instruments = &sensors.instruments;
+    let biases: Vec<_> =
+        instruments.iter().map(|one| [0; 3].map(|_| one.noise.bias * normal(&mut random))).collect();
     let mut found = Vec::new();
-    let mut marks_before: Vec<Option<f64>> = vec![None; sensors.instruments.len()];
+    // angles of the marks at the sample before
+    let mut before: Vec<Option<f64>> = vec![None; instruments.len()];
     for n in 0..recording.count {
         let time = n as f64 / recording.hertz;
         let partials = cursor.at(time + sensors.jitter * normal(&mut random))?;
         let dropped = random.share() < sensors.dropped;
-        for (sensor, instrument) in sensors.instruments.iter().enumerate() {
-            if instrument.kind.name == "mark" {
-                let [ahead, ..] = instrument.sensor.predict(&partials, &[0.0; 4]).difference;
-                if let Some(before) = marks_before[sensor].replace(ahead)
-                    && let Some(passage) = passage(
-                        &sensitivity,
-                        &*instrument.sensor,
-                        [time - 1.0 / recording.hertz, time],
-                        [before, ahead],
-                    )
+        for (sensor, instrument) in instruments.iter().enumerate() {
+            let Instrument { kind, noise, range, quantum, every, .. } = instrument;
+            // the difference of a reading of 0 from the prediction
+            let difference = |partials: &Partials| instrument.sensor.predict(partials, &[0.0; 4]).difference;
+            if kind.name == "mark" {
+                let ahead = |time| Some(difference(&sensitivity.at(time)?)[0]);
+                let [now, ..] = difference(&partials);
+                if let Some(before) = before[sensor].replace(now)
+                    && let Some(passage) = passage(ahead, [time - 1.0 / recording.hertz, time], [before, now])
                 {
-                    let time = passage + instrument.noise.deviation * normal(&mut random);
+                    let time = passage + noise.deviation * normal(&mut random);
                     found.push(Measurement { time, sensor, values: [0.0; 4] });
                 }
                 continue;
             }
-            if dropped || n % instrument.every != 0 {
+            if dropped || n % every != 0 {
                 continue;
             }
-            let noise = [0; 3].map(|_| instrument.noise.deviation * normal(&mut random));
-            let values = if instrument.kind.name == "orientation" {
-                Orientation::exp(noise).compose(&partials.orientation_now()).quaternion()
+            let error = [0; 3].map(|_| noise.deviation * normal(&mut random));
+            let exact = if kind.name == "orientation" {
+                Orientation::exp(error).compose(&partials.orientation_now()).quaternion()
             } else {
-                reading(&*instrument.sensor, &partials, biases[sensor], noise)
+                let (bias, difference) = (biases[sensor], difference(&partials));
+                let [x, y, z] = [0, 1, 2].map(|k| bias[k] + error[k] - difference[k]);
+                [x, y, z, 0.0]
             };
-            let used = instrument.kind.columns.len();
-            let mut coarse = values.map(|x| {
-                let quantum = instrument.quantum;
-                let rounded = if quantum > 0.0 { (x / quantum).round() * quantum } else { x };
-                rounded.clamp(-instrument.range, instrument.range)
-            });
-            coarse[used..].fill(0.0);
-            found.push(Measurement { time, sensor, values: coarse });
+            let mut values = [0.0; 4];
+            for (value, exact) in values.iter_mut().zip(exact).take(kind.columns.len()) {
+                let rounded = if *quantum > 0.0 { (exact / quantum).round() * quantum } else { exact };
+                *value = rounded.clamp(-range, *range);
+            }
+            found.push(Measurement { time, sensor, values });
         }
     }
     found.sort_by(|a, b| a.time.total_cmp(&b.time).then(a.sensor.cmp(&b.sensor)));
     Some(found)
 }
 
-/// Reading with bias and noise. The prediction is the negative of the difference between a reading of 0 and the prediction.
-fn reading(
-    sensor: &dyn toytop_fit::Sensor,
-    partials: &Partials,
-    bias: [f64; 3],
-    noise: [f64; 3],
-) -> [f64; 4] {
-    let [x, y, z] = sensor.predict(partials, &[0.0; 4]).difference;
-    [bias[0] + noise[0] - x, bias[1] + noise[1] - y, bias[2] + noise[2] - z, 0.0]
-}
-
-/// Time at which a mark passes, between two times at which it is ahead by these angles.
+/// Time at which a mark passes, between two times at which it is ahead by the angles `before` and `after`.
 fn passage(
-    sensitivity: &Sensitivity,
-    sensor: &dyn toytop_fit::Sensor,
+    ahead: impl Fn(f64) -> Option<f64>,
     [mut low, mut high]: [f64; 2],
     [before, after]: [f64; 2],
 ) -> Option<f64> {
@@ -105,8 +94,7 @@ fn passage(
     }
     for _ in 0..50 {
         let middle = 0.5 * (low + high);
-        let [ahead, ..] = sensor.predict(&sensitivity.at(middle)?, &[0.0; 4]).difference;
-        if ahead.signum() == before.signum() { low = middle } else { high = middle }
+        if ahead(middle)?.signum() == before.signum() { low = middle } else { high = middle }
     }
     Some(0.5 * (low + high))
 }

@@ -1,7 +1,8 @@
-//! CSV files: names of columns without their units, errors with the line.
+//! CSV files: columns by name, and rows with their lines.
 
 use crate::Failure;
 use crate::output::whole_file;
+use csv::{ErrorKind, Position, StringRecord};
 use std::path::Path;
 
 /// Text of a file; `name` is its name in messages.
@@ -12,45 +13,46 @@ pub fn read(name: &str, path: &Path) -> Result<String, Failure> {
     whole_file::read(name, path, 1024)
 }
 
-/// Reader of a text with a header, in which # begins a comment.
-pub fn reader(text: &str) -> csv::Reader<&[u8]> {
-    csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes())
-}
+/// Row with its line, or the reason why it cannot be read.
+type Row = Result<(u64, StringRecord), String>;
 
-/// Names of columns without the units that follow in brackets.
+/// Names of the columns of a CSV text without their units, and its rows, each with its line. A # begins a comment.
 ///
 /// # Errors
-/// Column whose unit is another one than the program's.
-pub fn names(header: &csv::StringRecord) -> Result<Vec<String>, String> {
-    let name = |field: &str| {
-        let (name, unit) = field.split_once(['[', '(']).unwrap_or((field, ""));
-        let (name, unit) = (name.trim(), unit.trim_end_matches([']', ')', ' ']).trim());
-        let allowed = units(name);
-        if !unit.is_empty() && !allowed.is_empty() && !allowed.contains(&unit) {
-            return Err(format!("{name}: must be in {}, not {unit}", allowed[0]));
-        }
-        Ok(name.to_owned())
-    };
-    header.iter().map(name).collect()
+/// Column whose unit is another one than the program's. Line of a row with another number of fields than the header.
+pub fn parse(text: &str) -> Result<(Vec<String>, impl Iterator<Item = Row>), String> {
+    let mut builder = csv::ReaderBuilder::new();
+    let mut reader = builder.comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
+    let header = reader.headers().map_err(reason)?;
+    let names = header.iter().map(without_unit).collect::<Result<_, _>>()?;
+    let line = |row: StringRecord| (row.position().map_or(0, Position::line), row);
+    Ok((names, reader.into_records().map(move |row| row.map(line).map_err(reason))))
 }
 
-/// Spellings of the unit of a column; none where it is a pure number or unknown.
-fn units(name: &str) -> &'static [&'static str] {
-    match name.split('_').next().unwrap_or_default() {
+/// Name of a column without the unit that follows in brackets.
+fn without_unit(field: &str) -> Result<String, String> {
+    let (name, unit) = field.split_once(['[', '(']).unwrap_or((field, ""));
+    let (name, unit) = (name.trim(), unit.trim_end_matches([']', ')', ' ']).trim());
+    let allowed: &[&str] = match name.split('_').next().unwrap_or_default() {
         "t" => &["s"],
         "gyro" | "omega" | "wx" | "wy" | "wz" => &["rad/s"],
         "accel" => &["m/s^2", "m/s²", "m/s2"],
         "tip" => &["m"],
         "mark" => &["rad"],
-        _ => &[],
+        _ => &[unit],
+    };
+    if unit.is_empty() || allowed.contains(&unit) {
+        Ok(name.to_owned())
+    } else {
+        Err(format!("{name}: must be in {}, not {unit}", allowed[0]))
     }
 }
 
-/// Text of an error of the reader of CSV, with the line if a row has another number of fields than the header.
-pub fn csv_error(error: &csv::Error) -> String {
+/// Text of an error of the reader, with the line.
+fn reason(error: csv::Error) -> String {
     match error.kind() {
-        csv::ErrorKind::UnequalLengths { pos, expected_len, len } => {
-            let line = pos.as_ref().map_or(0, csv::Position::line);
+        ErrorKind::UnequalLengths { pos, expected_len, len } => {
+            let line = pos.as_ref().map_or(0, Position::line);
             format!("line {line}: must have {expected_len} fields, as the header; has {len}")
         }
         _ => error.to_string(),

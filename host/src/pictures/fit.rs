@@ -2,7 +2,7 @@
 
 use super::chart::{COLORS, Chart, Curve};
 use super::drawing::{BOUND, frame};
-use crate::fit::report::FitReport;
+use crate::fit::launch::FitReport;
 use crate::motion::propagate::period;
 use kuva::plot::LinePlot;
 use kuva::plot::scatter::ScatterPlot;

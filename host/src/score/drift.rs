@@ -63,7 +63,7 @@ fn greatest(motion: &Motion, states: impl Iterator<Item = (Orientation<f64>, [f6
     })
 }
 
-/// Orientation of a row and its error ε.
+/// Error ε of the orientation of a row.
 struct ErrorAt {
     t: f64,
     orientation: Orientation<f64>,

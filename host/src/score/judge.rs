@@ -1,7 +1,7 @@
 //! Errors of a trajectory.
 
 use super::drift::{self, Drift};
-use super::phases::{Fit, PhaseErrors};
+use super::phases::{self, PhaseErrors};
 use super::trajectory::{Row, Trajectory};
 use crate::Failure;
 use crate::input::scenario::Scenario;
@@ -9,6 +9,7 @@ use crate::motion::Scalar;
 use crate::motion::ephemeris::{AnyEphemeris, furthest_time, smallest};
 use crate::motion::propagate::period;
 use nalgebra::Vector3;
+use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
 
 /// Exact motion that trajectories are compared with.
@@ -63,37 +64,32 @@ impl<'a> Judge<'a> {
     ///
     /// # Errors
     /// [`Failure::Input`]: a time at which the ephemeris cannot be evaluated.
-    pub fn score(&self, trajectory: &Trajectory) -> Result<Score, Failure> {
-        let rows = &trajectory.rows;
-        let furthest = rows.iter().map(|row| row.t.abs()).fold(0.0, f64::max);
+    pub fn score(&self, Trajectory { name, rows, .. }: &Trajectory) -> Result<Score, Failure> {
+        let furthest = greatest(rows.iter().map(|row| row.t.abs()));
         let reach = furthest_time(self.motion);
         if furthest > reach {
-            let reason = format!("t: {furthest:e} must be within ±{reach:.1e} s");
-            return Err(Failure::Input(format!("{}: {reason}", trajectory.name)));
+            return Err(Failure::Input(format!("{name}: t: {furthest:e} must be within ±{reach:.1e} s")));
         }
-        let mut errors = Vec::with_capacity(rows.len());
-        let mut max_u_error = 0.0_f64;
-        for row in rows {
-            let exact = self.table.at(row.t).sample.orientation();
-            errors.push(distance(&exact, &row.orientation));
-            max_u_error = max_u_error.max((row.orientation.u() - exact.u()).abs());
-        }
-        let mean_square = errors.iter().map(|error| error * error).sum::<f64>() / rows.len() as f64;
-        let greatest = |numbers: &mut dyn Iterator<Item = f64>| numbers.fold(0.0, f64::max);
-        let positions = rows.iter().filter_map(|row| self.position_error(row));
-        let fit = Fit::new(self.motion, &*self.table);
+        let errors: Vec<_> = rows.iter().map(|row| self.errors(row)).collect();
+        let mean_square = errors.iter().map(|[error, _]| error * error).sum::<f64>() / rows.len() as f64;
         Ok(Score {
-            max_error: greatest(&mut errors.iter().copied()),
+            max_error: greatest(errors.iter().map(|[error, _]| *error)),
             rms_error: mean_square.sqrt(),
-            final_error: errors.last().copied().unwrap_or_default(),
-            max_u_error,
-            max_position_error: positions.reduce(f64::max),
-            phases: fit.map(|fit| fit.last(rows)).unwrap_or_default(),
+            final_error: errors.last().map_or(0.0, |[error, _]| *error),
+            max_u_error: greatest(errors.iter().map(|[_, u_error]| *u_error)),
+            max_position_error: rows.iter().filter_map(|row| self.position_error(row)).reduce(f64::max),
+            phases: phases::last(self.motion, &*self.table, rows),
             drift: drift::along(rows, self.motion, &*self.table),
-            norm_error: greatest(&mut rows.iter().map(|row| row.norm_error)),
+            norm_error: greatest(rows.iter().map(|row| row.norm_error)),
             truth_bound: self.table.error_bound().after(furthest * self.table.ticks_per_time()),
             doubt: rows.first().and_then(|row| self.doubt(row)),
         })
+    }
+
+    /// Errors of the orientation of a row, rad, and of its u.
+    fn errors(&self, row: &Row) -> [f64; 2] {
+        let exact = self.table.at(row.t).sample.orientation();
+        [distance(&exact, &row.orientation), (row.orientation.u() - exact.u()).abs()]
     }
 
     /// Greatest error of the positions of a row.
@@ -106,30 +102,34 @@ impl<'a> Judge<'a> {
 
     /// Reason why the first row is far from the motion; `None` if it is near.
     fn doubt(&self, first: &Row) -> Option<String> {
-        let sample = self.table.at(first.t).sample;
-        let exact = sample.orientation();
-        let [error, inverse] =
-            [first.orientation, first.orientation.inverse()].map(|found| distance(&exact, &found));
-        let speed = apart(sample.omega, [0.0; 3]).max(2.0 * std::f64::consts::PI / period(self.motion));
+        let exact = self.table.at(first.t).sample;
+        let [error, _] = self.errors(first);
+        let inverse = distance(&exact.orientation(), &first.orientation.inverse());
+        let speed = apart(exact.omega, [0.0; 3]).max(2.0 * PI / period(self.motion));
         let length = if self.length > 0.0 { self.length } else { 1.0 };
-        let off = |error: Option<f64>, unit: f64| error.map(|error| error / unit).filter(|x| *x >= FAR);
-        let reason = if error >= FAR {
-            let far = format!("the first row is {error:.1e} rad from the motion;");
-            if inverse < FAR {
-                let transposed = "are the columns from fixed to body coordinates?";
-                return Some(format!("{far} and its inverse {inverse:.1e} rad: {transposed}"));
-            }
+        let rate_error = first.omega.map_or(0.0, |omega| apart(omega, exact.omega)) / speed;
+        let position_error = self.position_error(first).unwrap_or(0.0) / length;
+        let far = format!("the first row is {error:.1e} rad from the motion;");
+        let reason = if error >= FAR && inverse < FAR {
+            let transposed = "are the columns from fixed to body coordinates?";
+            return Some(format!("{far} and its inverse {inverse:.1e} rad: {transposed}"));
+        } else if error >= FAR {
             far
-        } else if let Some(error) = off(first.omega.map(|omega| apart(omega, sample.omega)), speed) {
+        } else if rate_error >= FAR {
             format!(
-                "the angular velocity of the first row is off by {error:.1e} of its size: are wx,wy,wz in the body frame, and"
+                "the angular velocity of the first row is off by {rate_error:.1e} of its size: are wx,wy,wz in the body frame, and"
             )
+        } else if position_error >= FAR {
+            format!("the position of the first row is off by {position_error:.1e} of the length of the top;")
         } else {
-            let error = off(self.position_error(first), length)?;
-            format!("the position of the first row is off by {error:.1e} of the length of the top;")
+            return None;
         };
         Some(format!("{reason} does the run start from the state of this motion? ({})", self.start))
     }
+}
+
+fn greatest(numbers: impl Iterator<Item = f64>) -> f64 {
+    numbers.fold(0.0, f64::max)
 }
 
 /// Distance of two vectors.

@@ -13,20 +13,20 @@ pub fn between([coarse_step, coarse_error]: [f64; 2], [fine_step, fine_error]: [
 /// order between two runs is below seven tenths of the order before, or below 1/2. `None` if fewer than two runs remain.
 pub fn fitted(runs: &[[f64; 2]]) -> Option<f64> {
     const LOST: f64 = 0.5;
-    let mut sorted: Vec<_> =
-        runs.iter().copied().filter(|[_, error]| *error > 0.0 && *error < LOST).collect();
-    sorted.sort_by(|[a, _], [b, _]| b.total_cmp(a));
+    let mut points = runs.to_vec();
+    points.retain(|[_, error]| *error > 0.0 && *error < LOST);
+    points.sort_by(|[a, _], [b, _]| b.total_cmp(a));
     let mut before = 0.0_f64;
-    let falls = |pair: &[[f64; 2]]| {
+    let falls = |pair: &&[[f64; 2]]| {
         let order = between(pair[0], pair[1]).filter(|order| *order > 0.5 && *order > 0.7 * before);
         before = order.unwrap_or(before);
         order.is_some()
     };
-    let used = 1 + sorted.windows(2).map(falls).take_while(|falls| *falls).count();
-    let points: Vec<_> = sorted.iter().take(used).map(|run| run.map(f64::ln)).collect();
-    if points.len() < 2 {
+    let pairs = points.windows(2).take_while(falls).count();
+    if pairs == 0 {
         return None;
     }
+    let points: Vec<_> = points[..=pairs].iter().map(|run| run.map(f64::ln)).collect();
     let mean = |i: usize| points.iter().map(|point| point[i]).sum::<f64>() / points.len() as f64;
     let (x, y) = (mean(0), mean(1));
     let products = points.iter().map(|point| (point[0] - x) * (point[1] - y)).sum::<f64>();

@@ -32,8 +32,35 @@ pub struct PhaseErrors {
     pub residual: Option<f64>,
 }
 
+/// Least number of rows of a fit.
+const LEAST_ROWS: usize = 8;
+
+/// Phase errors in the middle of the last nutation period of the rows (of the last eight rows, if these take longer); none for an aperiodic
+/// motion. The fit goes through the periods before it one by one, so that errors of more than half a turn are recognised.
+pub fn last(motion: &Motion, table: &dyn AnyEphemeris, rows: &[Row]) -> PhaseErrors {
+    let exist = match motion.regime() {
+        Regime::Nutating => [true; 3],
+        Regime::Aperiodic => return PhaseErrors::default(),
+        regime if regime.is_vertical() => [false, false, true],
+        _ => [false, true, true],
+    };
+    let period = period(motion);
+    let rates = motion.period_advance().map_or([0.0; 3], |advance| {
+        [advance.alpha_turns, advance.beta_turns, 1.0].map(|turns| 2.0 * PI * turns / period)
+    });
+    let fit = Fit { table, period, rates, exist };
+    let (mut angles, mut residual) = (Vector6::zeros(), None);
+    for window in fit.windows(rows) {
+        // from the middle of one window to that of the next
+        (0..3).for_each(|i| angles[i] += angles[i + 3]);
+        (angles, residual) = fit.fitted(window, angles);
+    }
+    let angle = |i: usize| Some(angles[i]).filter(|_| exist[i] && residual.is_some());
+    PhaseErrors { nutation: angle(0), precession: angle(1), spin: angle(2), residual }
+}
+
 /// Fit of phase errors to rows.
-pub struct Fit<'a> {
+struct Fit<'a> {
     table: &'a dyn AnyEphemeris,
     /// Time that a fit covers, s.
     period: f64,
@@ -43,39 +70,7 @@ pub struct Fit<'a> {
     exist: [bool; 3],
 }
 
-/// Least number of rows of a fit.
-const LEAST_ROWS: usize = 8;
-
-impl<'a> Fit<'a> {
-    /// Fit for a motion with its ephemeris; `None` for an aperiodic motion, which has no such phases.
-    pub fn new(motion: &Motion, table: &'a dyn AnyEphemeris) -> Option<Self> {
-        let exist = match motion.regime() {
-            Regime::Nutating => [true; 3],
-            Regime::Aperiodic => return None,
-            regime if regime.is_vertical() => [false, false, true],
-            _ => [false, true, true],
-        };
-        let period = period(motion);
-        let rates = motion.period_advance().map_or([0.0; 3], |advance| {
-            [advance.alpha_turns, advance.beta_turns, 1.0].map(|turns| 2.0 * PI * turns / period)
-        });
-        Some(Self { table, period, rates, exist })
-    }
-
-    /// Phase errors in the middle of the last nutation period of the rows (of the last eight rows, if these take longer). The fit goes
-    /// through the periods before it one by one, so that errors of more than half a turn are recognised.
-    pub fn last(&self, rows: &[Row]) -> PhaseErrors {
-        let mut angles = [Vector3::zeros(); 2];
-        let mut residual = None;
-        for window in self.windows(rows) {
-            // from the middle of one window to that of the next
-            angles[0] += angles[1];
-            (angles, residual) = self.fitted(window, angles);
-        }
-        let angle = |i: usize| Some(angles[0][i]).filter(|_| self.exist[i] && residual.is_some());
-        PhaseErrors { nutation: angle(0), precession: angle(1), spin: angle(2), residual }
-    }
-
+impl Fit<'_> {
     /// Consecutive windows, counted from the last row.
     fn windows<'r>(&self, rows: &'r [Row]) -> Vec<&'r [Row]> {
         let mut windows = Vec::new();
@@ -93,13 +88,14 @@ impl<'a> Fit<'a> {
 
     /// Angles in the middle of the rows, and their change in a period, by Gauss-Newton iteration from a first guess, and the root of the mean
     /// square of the remaining rotation. With the change, an error of a rate is not mistaken for one of another angle.
-    fn fitted(&self, rows: &[Row], mut angles: [Vector3<f64>; 2]) -> ([Vector3<f64>; 2], Option<f64>) {
+    fn fitted(&self, rows: &[Row], mut angles: Vector6<f64>) -> (Vector6<f64>, Option<f64>) {
         const MOST: usize = 20;
         const ENOUGH: f64 = 1e-3;
         let middle = 0.5 * (rows[0].t + rows[rows.len() - 1].t);
         let share = |row: &Row| (row.t - middle) / self.period;
-        let at = |angles: &[Vector3<f64>; 2], row: &Row| {
-            self.linearised(row, &(angles[0] + angles[1] * share(row)))
+        let at = |angles: &Vector6<f64>, row: &Row| {
+            let angles = angles.fixed_rows::<3>(0) + angles.fixed_rows::<3>(3) * share(row);
+            self.linearised(row, &angles)
         };
         for _ in 0..MOST {
             let (mut gram, mut right) = (Matrix6::zeros(), Vector6::zeros());
@@ -116,8 +112,7 @@ impl<'a> Fit<'a> {
             }
             let Some(factors) = gram.cholesky() else { return (angles, None) };
             let step = factors.solve(&right);
-            angles[0] += step.fixed_rows::<3>(0);
-            angles[1] += step.fixed_rows::<3>(3);
+            angles += step;
             // after a small step, the remaining rotation is known to first order
             if step.amax() < ENOUGH {
                 break;
@@ -133,28 +128,29 @@ impl<'a> Fit<'a> {
         // t + τ is rounded; the rest of Δθ is taken into account to first order
         let t = if angles[0] == 0.0 { row.t } else { row.t + angles[0] / theta_rate };
         let shift = t - row.t;
-        let exact = self.table.at(t);
+        let exact = self.table.at(t).sample;
         let turned = |z: Complex<f64>, angle: f64| z * Complex::new(angle.cos(), angle.sin());
-        let phi = exact.sample.orientation();
         let azimuth = angles[1] - (a_rate + b_rate) * shift;
         let roll = angles[2] - (a_rate - b_rate) * shift;
         let there = Orientation {
-            alpha: turned(phi.alpha, 0.5 * (azimuth + roll)),
-            beta: turned(phi.beta, 0.5 * (azimuth - roll)),
+            alpha: turned(exact.alpha, 0.5 * (azimuth + roll)),
+            beta: turned(exact.beta, 0.5 * (azimuth - roll)),
         };
-        let (axis, up, zero) = (Vector3::from(there.axis()), Vector3::z(), Vector3::zeros());
-        let nutation = if self.exist[0] {
+        let (axis, up) = (Vector3::from(there.axis()), Vector3::z());
+        let mut slopes = Matrix3::from_columns(&[Vector3::zeros(), Vector3::zeros(), axis]);
+        let mut left = Vector3::from(rotation_between(&there, &row.orientation));
+        if self.exist[1] {
+            slopes.set_column(1, &up);
+        }
+        if self.exist[0] {
             // ω of the motion, turned by the azimuth, minus the contribution of the mean rotations
-            let [x, y, z] = exact.sample.omega;
+            let [x, y, z] = exact.omega;
             let across = turned(Complex::new(x, y), azimuth);
             let omega = Vector3::new(across.re, across.im, z);
-            (omega - up * (a_rate + b_rate) - axis * (a_rate - b_rate)) / theta_rate
-        } else {
-            zero
-        };
-        let slopes = Matrix3::from_columns(&[nutation, if self.exist[1] { up } else { zero }, axis]);
-        let left = Vector3::from(rotation_between(&there, &row.orientation));
-        let rounded = if self.exist[0] { angles[0] - shift * theta_rate } else { 0.0 };
-        (slopes, left - nutation * rounded)
+            let nutation = (omega - up * (a_rate + b_rate) - axis * (a_rate - b_rate)) / theta_rate;
+            slopes.set_column(0, &nutation);
+            left -= nutation * (angles[0] - shift * theta_rate);
+        }
+        (slopes, left)
     }
 }

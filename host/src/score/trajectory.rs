@@ -2,8 +2,9 @@
 
 use crate::Failure;
 use crate::input::finite;
-use crate::input::rows::{self, csv_error};
+use crate::input::rows;
 use crate::output::shown;
+use csv::StringRecord;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 use std::path::Path;
 use toytop::{Complex, Orientation};
@@ -53,48 +54,50 @@ impl Trajectory {
     /// of order.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.display().to_string();
-        Self::parse(&name, &rows::read(&name, path)?)
+        match Self::parse(&rows::read(&name, path)?) {
+            Ok(trajectory) => Ok(Self { name, ..trajectory }),
+            Err(reason) => Err(Failure::Input(format!("{name}: {reason}"))),
+        }
     }
 
-    fn parse(name: &str, text: &str) -> Result<Self, Failure> {
-        let refuse = |reason: String| Failure::Input(format!("{name}: {reason}"));
+    fn parse(text: &str) -> Result<Self, String> {
         // a byte order mark would hide the first comment
         let text = text.trim_start_matches('\u{feff}');
         let stated = |key: &str| {
             let mut comments = text.lines().map_while(|line| line.strip_prefix('#')?.split_once('='));
             comments.find(|(own, _)| own.trim() == key).map(|(_, value)| value.trim())
         };
-        let positive = |key: &str| match stated(key) {
-            None => Ok(None),
-            Some(value) => match finite(value) {
-                Some(x) if x > 0.0 => Ok(Some(x)),
-                _ => Err(refuse(format!("# {key} = {}: must be a number above 0", shown(value)))),
-            },
+        let positive = |key: &str| {
+            let number = |text| {
+                let refused = || format!("# {key} = {}: must be a number above 0", shown(text));
+                finite(text).filter(|x| *x > 0.0).ok_or_else(refused)
+            };
+            stated(key).map(number).transpose()
         };
         let (step, evaluations) = (positive("step")?, positive("evaluations")?);
-        let mut reader = rows::reader(text);
-        let columns =
-            Columns::of(reader.headers().map_err(|error| refuse(error.to_string()))?).map_err(&refuse)?;
+        let (header, records) = rows::parse(text)?;
+        let has = |names: &[&str]| places(&header, names).is_some();
+        if !has(&["t"]) || !(has(&QUATERNION) || has(&ALPHA_BETA) || has(&MATRIX)) {
+            let allowed = "t with w,x,y,z (body to fixed), alpha_re,alpha_im,beta_re,beta_im or r11,r12,...,r33 (by rows)";
+            return Err(format!("columns: must have {allowed}; has {}", shown(&header.join(","))));
+        }
         let mut rows: Vec<Row> = Vec::new();
-        for record in reader.records() {
-            let record = record.map_err(|error| refuse(csv_error(&error)))?;
-            let line = record.position().map_or(0, csv::Position::line);
-            let row = columns.row(&record).map_err(|reason| refuse(format!("line {line}: {reason}")))?;
-            if !goes_on(&rows, row.t) {
-                return Err(refuse(format!("line {line}: t: must go on in one direction from row to row")));
+        for record in records {
+            let (line, record) = record?;
+            let row = row(&header, &record).map_err(|reason| format!("line {line}: {reason}"))?;
+            let goes_on = rows.last().is_none_or(|last| {
+                row.t != last.t && (rows.len() == 1 || (row.t > last.t) == (last.t > rows[0].t))
+            });
+            if !goes_on {
+                return Err(format!("line {line}: t: must go on in one direction from row to row"));
             }
             rows.push(row);
         }
         if rows.is_empty() {
-            return Err(refuse("must hold at least one row below the header".to_owned()));
+            return Err("must hold at least one row below the header".to_owned());
         }
-        Ok(Self {
-            name: name.to_owned(),
-            method: stated("method").map(str::to_owned),
-            step,
-            evaluations,
-            rows,
-        })
+        let method = stated("method").map(str::to_owned);
+        Ok(Self { name: String::new(), method, step, evaluations, rows })
     }
 
     /// Trajectory in other body axes, where `body` takes the file's body coordinates to the new ones.
@@ -115,76 +118,45 @@ impl Trajectory {
     }
 }
 
-/// Whether a time continues the rows in their direction.
-fn goes_on(rows: &[Row], t: f64) -> bool {
-    match rows {
-        [] => true,
-        [only] => t != only.t,
-        [first, .., last] => (t > last.t) == (last.t > first.t) && t != last.t,
-    }
+/// Places of columns in a header, where of equal names the first counts; `None` if one is missing.
+fn places(header: &[String], names: &[&str]) -> Option<Vec<usize>> {
+    names.iter().map(|name| header.iter().position(|own| own == name)).collect()
 }
 
-/// Names of the columns; of equal names the first counts.
-struct Columns(Vec<String>);
+/// Row of a record.
+fn row(header: &[String], record: &StringRecord) -> Result<Row, String> {
+    let given = match numbers(header, record, QUATERNION)? {
+        Some(quaternion) => Some(Orientation::from_quaternion(quaternion)),
+        None => numbers(header, record, ALPHA_BETA)?
+            .map(|[a, b, c, d]| Orientation { alpha: Complex::new(a, b), beta: Complex::new(c, d) }),
+    };
+    let (orientation, norm_error) = match given {
+        Some(given) => normalised(given).map_err(|reason| format!("orientation: {reason}"))?,
+        None => nearest_rotation(numbers(header, record, MATRIX)?.unwrap_or_default())?,
+    };
+    let omega = match numbers(header, record, ["wx", "wy", "wz"])? {
+        Some(omega) => Some(orientation.adjoint(omega)),
+        None => numbers(header, record, ["omega_x", "omega_y", "omega_z"])?,
+    };
+    let tip = numbers(header, record, ["tip_x", "tip_y"])?;
+    let com = numbers(header, record, ["x_com", "y_com", "z_com"])?;
+    let [t] = numbers(header, record, ["t"])?.unwrap_or_default();
+    Ok(Row { t, orientation, norm_error, omega, tip, com })
+}
 
-impl Columns {
-    fn of(header: &csv::StringRecord) -> Result<Self, String> {
-        let columns = Self(rows::names(header)?);
-        let orientation = columns.have(&QUATERNION) || columns.have(&ALPHA_BETA) || columns.have(&MATRIX);
-        if orientation && columns.have(&["t"]) {
-            return Ok(columns);
-        }
-        let allowed =
-            "t with w,x,y,z (body to fixed), alpha_re,alpha_im,beta_re,beta_im or r11,r12,...,r33 (by rows)";
-        Err(format!("columns: must have {allowed}; has {}", shown(&columns.0.join(","))))
+/// Numbers of a record in these columns; `None` where one of the columns is missing.
+fn numbers<const N: usize>(
+    header: &[String],
+    record: &StringRecord,
+    names: [&str; N],
+) -> Result<Option<[f64; N]>, String> {
+    let Some(places) = places(header, &names) else { return Ok(None) };
+    let mut numbers = [0.0; N];
+    for ((number, name), place) in numbers.iter_mut().zip(names).zip(places) {
+        let refused = || format!("{name}: {:?} must be a finite number", shown(&record[place]));
+        *number = finite(&record[place]).ok_or_else(refused)?;
     }
-
-    fn place(&self, name: &str) -> Option<usize> {
-        self.0.iter().position(|own| own == name)
-    }
-
-    fn have(&self, names: &[&str]) -> bool {
-        names.iter().all(|name| self.place(name).is_some())
-    }
-
-    /// Numbers of a row in these columns; `None` where one of the columns is missing.
-    fn numbers<const N: usize>(
-        &self,
-        record: &csv::StringRecord,
-        names: [&str; N],
-    ) -> Result<Option<[f64; N]>, String> {
-        if !self.have(&names) {
-            return Ok(None);
-        }
-        let mut numbers = [0.0; N];
-        for (number, name) in numbers.iter_mut().zip(names) {
-            let text = self.place(name).and_then(|place| record.get(place)).unwrap_or_default();
-            *number =
-                finite(text).ok_or_else(|| format!("{name}: {:?} must be a finite number", shown(text)))?;
-        }
-        Ok(Some(numbers))
-    }
-
-    fn row(&self, record: &csv::StringRecord) -> Result<Row, String> {
-        let named = |reason: String| format!("orientation: {reason}");
-        let (orientation, norm_error) = if let Some(quaternion) = self.numbers(record, QUATERNION)? {
-            normalised(Orientation::from_quaternion(quaternion)).map_err(named)?
-        } else if let Some([a, b, c, d]) = self.numbers(record, ALPHA_BETA)? {
-            normalised(Orientation { alpha: Complex::new(a, b), beta: Complex::new(c, d) }).map_err(named)?
-        } else {
-            let matrix = self.numbers(record, MATRIX)?.unwrap_or_default();
-            nearest_rotation(&Matrix3::from_row_slice(&matrix))?
-        };
-        let body = self.numbers(record, ["wx", "wy", "wz"])?.map(|omega| orientation.adjoint(omega));
-        let omega = match body {
-            None => self.numbers(record, ["omega_x", "omega_y", "omega_z"])?,
-            body => body,
-        };
-        let tip = self.numbers(record, ["tip_x", "tip_y"])?;
-        let com = self.numbers(record, ["x_com", "y_com", "z_com"])?;
-        let [t] = self.numbers(record, ["t"])?.unwrap_or_default();
-        Ok(Row { t, orientation, norm_error, omega, tip, com })
-    }
+    Ok(Some(numbers))
 }
 
 /// Orientation of unit norm, and the distance of a given one from it.
@@ -200,7 +172,8 @@ pub fn normalised(given: Orientation<f64>) -> Result<(Orientation<f64>, f64), St
 }
 
 /// Orientation of the rotation nearest to a matrix from body to fixed coordinates, and half the distance of RᵀR from the unit matrix.
-fn nearest_rotation(given: &Matrix3<f64>) -> Result<(Orientation<f64>, f64), String> {
+fn nearest_rotation(rows: [f64; 9]) -> Result<(Orientation<f64>, f64), String> {
+    let given = Matrix3::from_row_slice(&rows);
     let norm_error = 0.5 * (given.transpose() * given - Matrix3::identity()).amax();
     if given.determinant() <= 0.1 || norm_error > 10.0 {
         return Err(format!("r11..r33: must be a rotation (its determinant is {:.1e})", given.determinant()));
@@ -234,7 +207,7 @@ mod tests {
                 "\u{feff}# method = Euler\n#evaluations= 7\nt,r11,r12,r13,r21,r22,r23,r31,r32,r33\n1,{m}\n"
             ),
         ];
-        let read = texts.map(|text| Trajectory::parse("a.csv", &text).unwrap());
+        let read = texts.map(|text| Trajectory::parse(&text).unwrap());
         for (trajectory, has_omega) in read.iter().zip([true, true, false]) {
             let [row] = trajectory.rows[..] else { panic!("one row") };
             assert!(row.t == 1.0 && row.norm_error < 1e-15);
@@ -256,11 +229,8 @@ mod tests {
             ("t,w,x,y\n0,1,0,0\n", "has t,w,x,y"),
             ("t,w,x,y,z\n", "at least one row"),
             ("t,w,x,y,z\n0,1,0,0,NaN\n", "line 2: z: \"NaN\" must be a finite number"),
-            ("t,w,x,y,z\n0,1,0,0\n", "a.csv: line 2: must have 5 fields, as the header; has 4"),
-            (
-                "# step = 1\nt,w,x,y,z\n0,1,0,0,0\n1,1\n",
-                "a.csv: line 4: must have 5 fields, as the header; has 2",
-            ),
+            ("t,w,x,y,z\n0,1,0,0\n", "line 2: must have 5 fields, as the header; has 4"),
+            ("# step = 1\nt,w,x,y,z\n0,1,0,0,0\n1,1\n", "line 4: must have 5 fields, as the header; has 2"),
             ("t,w,x,y,z\n0,1e-3,0,0,0\n", "line 2: orientation: must be of unit norm"),
             ("# no step\nt,w,x,y,z\n0,1,0,0,0\n0,1,0,0,0\n", "line 4: t: must go on in one direction"),
             ("t,w,x,y,z\n0,1,0,0,0\n-1,1,0,0,0\n0,1,0,0,0\n", "line 4: t: must go on"),
@@ -270,8 +240,8 @@ mod tests {
                 "line 2: r11..r33: must be a rotation",
             ),
         ] {
-            let message = Trajectory::parse("a.csv", text).unwrap_err().to_string();
-            assert!(message.starts_with("a.csv: ") && message.contains(part), "{text:?}: {message}");
+            let message = Trajectory::parse(text).unwrap_err();
+            assert!(message.contains(part), "{text:?}: {message}");
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::Report;
 use super::times;
 use crate::Failure;
-use crate::benchmarks::{self, Printed, Problem};
+use crate::benchmarks::{self, Printed, Problem, Reference};
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{furthest_time, smallest};
 use crate::output::doc_markers::{self, Page};
@@ -32,70 +32,65 @@ pub struct BenchmarkArgs {
 }
 
 pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
-    let name = arguments.name.as_deref();
-    let problem = name.map(benchmarks::named).transpose().map_err(|failure| failure.of("benchmark"))?;
-    if let Some(problem) = problem.as_ref().filter(|_| arguments.scenario) {
-        return Ok(problem.text.to_owned().into());
-    }
-    if let Some(page) = &arguments.accept {
-        let page = Page::read(page, &format!("toytop benchmark: {}", name.unwrap_or("catalogue")))?;
+    let BenchmarkArgs { name, times, scenario, accept, format } = arguments;
+    let problem = name.as_deref().map(benchmarks::named).transpose();
+    let problem = problem.map_err(|failure| failure.of("benchmark"))?;
+    if let Some(page) = accept {
+        let page =
+            Page::read(page, &format!("toytop benchmark: {}", name.as_deref().unwrap_or("catalogue")))?;
         page.write(&match &problem {
-            Some(problem) => tables(problem, &references(problem), "<br>", |rows| doc_markers::table(&rows)),
-            None => catalogue(&benchmarks::all()?),
+            Some(problem) => {
+                tables(problem, &references(problem), true, "<br>", |rows| doc_markers::table(&rows))
+            }
+            None => catalogue(),
         })?;
         return Ok(Report::default());
     }
     let Some(problem) = problem else {
-        let summaries: Vec<_> = benchmarks::all()?.iter().map(summary).collect();
+        let summaries: Vec<_> = benchmarks::all().iter().map(summary).collect();
         let table = || {
             output::aligned(&summaries, &[("benchmark", "", eight), ("title", "", eight)])
                 + "\ntoytop benchmark NAME prints 30 digits; --scenario its scenario file; toytop score --benchmark NAME judges a run.\n"
         };
-        let object = output::list("problems", &summaries);
-        return Ok(output::render(arguments.format, &object, table)?.into());
+        return Ok(output::render(*format, &output::list("problems", &summaries), table)?.into());
     };
-    let records = match &arguments.times {
+    if *scenario {
+        return Ok(problem.text.to_owned().into());
+    }
+    let records = match times {
         Some(times) => computed(&problem, times)?,
         None => references(&problem),
     };
+    let about = &problem.about;
     let rest = Record::default()
         .with("benchmark", problem.name())
-        .with("source", &*problem.source)
-        .with("symmetry_axis", problem.conventions.symmetry_axis as u64);
-    let object = Lists(vec![("samples", &records)], rest);
-    let table = || heading(&problem) + &tables(&problem, &records, "\n", |rows| output::columns(rows, 3));
-    Ok(output::render(arguments.format, &object, table)?.into())
-}
-
-/// Values at the times of records and, at the times of the source, the published values; `line` separates the numbers of a quantity.
-fn tables(
-    problem: &Problem,
-    records: &[Record],
-    line: &str,
-    table: fn(Vec<Vec<String>>) -> String,
-) -> String {
-    let text = table(values(records, line));
-    let of_source = records.iter().all(|Record(cells)| cells[0].1.is_string());
-    if !of_source || problem.printed.is_empty() {
-        return text;
-    }
-    text + "\n" + &table(printed(problem, line))
+        .with("source", &*about.source)
+        .with("symmetry_axis", about.symmetry_axis);
+    let table = || {
+        let tables = tables(&problem, &records, times.is_none(), "\n", |rows| output::columns(rows, 3));
+        format!(
+            "{}\n{}\n\nThe third fixed axis points up, body axis {} from the tip to the centre of mass. position: of the centre of mass\n\
+             relative to the tip; quaternion w, x, y, z: from body to fixed axes; omega_body: along the body axes.\n\n{tables}",
+            about.title, about.source, about.symmetry_axis
+        )
+    };
+    Ok(output::render(*format, &Lists(vec![("samples", &records)], rest), table)?.into())
 }
 
 /// Names of the columns of a time. `toytop score` reads the time, the orientation and the rates by these names.
 const COLUMNS: [&str; 11] = ["t", "x_com", "y_com", "z_com", "w", "x", "y", "z", "wx", "wy", "wz"];
 
-fn record(cells: impl Iterator<Item = Value>) -> Record {
-    Record(COLUMNS.into_iter().zip(cells).collect())
+fn record(t: Value, values: impl IntoIterator<Item = Value>) -> Record {
+    Record(COLUMNS.into_iter().zip(std::iter::once(t).chain(values)).collect())
 }
 
 /// Reference values at the source's times, with 30 digits.
 fn references(problem: &Problem) -> Vec<Record> {
-    let of = |reference: &benchmarks::Reference| {
-        let values = [&reference.position[..], &reference.quaternion, &reference.omega_body].concat();
-        record(std::iter::once(&reference.t).chain(&values).map(|text| Value::from(text.as_str())))
+    let digits = |Reference { t, position, quaternion, omega_body }: &Reference| {
+        let values = position.iter().chain(quaternion).chain(omega_body);
+        record(t.as_str().into(), values.map(|digits| digits.as_str().into()))
     };
-    problem.references.iter().map(of).collect()
+    problem.references.iter().map(digits).collect()
 }
 
 /// Values of the ephemeris at any times, with 17 digits.
@@ -104,28 +99,23 @@ fn computed(problem: &Problem, times: &str) -> Result<Vec<Record>, Failure> {
     let instants = times::times(times)?;
     instants.require_within(furthest_time(motion), "").map_err(|failure| failure.of("--times"))?;
     let table = smallest(Scalar::F64, motion).map_err(|failure| failure.of(problem.name()))?;
-    let of = |t: &f64| {
-        let values = problem.conventions.values(&table.at(*t).sample);
-        record(std::iter::once(*t).chain(values).map(Value::from))
-    };
-    Ok(instants.times()?.iter().map(of).collect())
-}
-
-fn heading(problem: &Problem) -> String {
-    let axis = problem.conventions.symmetry_axis;
-    format!(
-        "{}\n{}\n\nThe third fixed axis points up, body axis {axis} from the tip to the centre of mass. position: of the centre of mass\n\
-         relative to the tip; quaternion w, x, y, z: from body to fixed axes; omega_body: along the body axes.\n\n",
-        problem.title, problem.source
-    )
+    let values = |t: &f64| problem.values(&table.at(*t).sample).into_iter().map(Value::from);
+    Ok(instants.times()?.iter().map(|t| record((*t).into(), values(t))).collect())
 }
 
 fn words<const N: usize>(words: [&str; N]) -> Vec<String> {
-    words.map(str::to_owned).to_vec()
+    words.map(str::to_owned).into()
 }
 
-/// Rows of a table with the quantities of each time; `line` is between the numbers of one quantity.
-fn values(records: &[Record], line: &str) -> Vec<Vec<String>> {
+/// Table of the quantities of each record, and, with `others`, one of the values that others printed with their errors; `line`
+/// separates the numbers of a quantity.
+fn tables(
+    problem: &Problem,
+    records: &[Record],
+    others: bool,
+    line: &str,
+    table: fn(Vec<Vec<String>>) -> String,
+) -> String {
     let mut rows = vec![words(["t", "quantity", "value"])];
     for record in records {
         let numbers: Vec<_> = output::flat(record).into_iter().map(|(_, number)| number).collect();
@@ -133,18 +123,17 @@ fn values(records: &[Record], line: &str) -> Vec<Vec<String>> {
             rows.push(words([&numbers[0], name, &numbers[range].join(line)]));
         }
     }
-    rows
-}
-
-/// Rows of a table with the values that others printed, and their errors.
-fn printed(problem: &Problem, line: &str) -> Vec<Vec<String>> {
-    let row = |printed: &Printed| {
+    let text = table(rows);
+    if !others || problem.about.printed.is_empty() {
+        return text;
+    }
+    let mut rows = vec![words(["printed by", "t", "quantity", "printed", "off by"])];
+    for printed in &problem.about.printed {
         let values: Vec<_> = printed.values.iter().map(f64::to_string).collect();
-        let (quantity, off) = (&printed.quantity, off(problem, printed));
-        words([&printed.by, &printed.t, quantity, &values.join(line), &off])
-    };
-    let header = words(["printed by", "t", "quantity", "printed", "off by"]);
-    std::iter::once(header).chain(problem.printed.iter().map(row)).collect()
+        let Printed { by, t, quantity, .. } = printed;
+        rows.push(words([by, t, quantity, &values.join(line), &off(problem, printed)]));
+    }
+    text + "\n" + &table(rows)
 }
 
 fn off(problem: &Problem, printed: &Printed) -> String {
@@ -152,40 +141,42 @@ fn off(problem: &Problem, printed: &Printed) -> String {
 }
 
 /// Time and height of the centre of mass at the last of the source's times.
-fn last(problem: &Problem) -> [String; 2] {
-    problem.references.last().map_or([String::new(), String::new()], |reference| {
-        [reference.t.clone(), reference.position.last().cloned().unwrap_or_default()]
-    })
+fn last(problem: &Problem) -> [&str; 2] {
+    problem.references.last().map_or([""; 2], |Reference { t, position: [.., height], .. }| [t, height])
 }
 
 fn summary(problem: &Problem) -> Record {
     let [t, height] = last(problem);
     Record::default()
         .with("benchmark", problem.name())
-        .with("title", &*problem.title)
-        .with("seconds", problem.seconds)
-        .with("t", &*t)
-        .with("height", &*height)
-        .with("used_by", &*problem.used_by.join("; "))
+        .with("title", &*problem.about.title)
+        .with("seconds", problem.about.seconds)
+        .with("t", t)
+        .with("height", height)
+        .with("used_by", problem.about.used_by.join("; "))
 }
 
 /// Table of the page: problem, reference value, what others printed, who used it.
-fn catalogue(problems: &[Problem]) -> String {
-    let row = |problem: &Problem| {
-        let ([t, height], name) = (last(problem), problem.name());
+fn catalogue() -> String {
+    let mut rows = vec![words([
+        "problem",
+        "height of the centre of mass above the tip",
+        "printed elsewhere: off by",
+        "used by",
+    ])];
+    for problem in &benchmarks::all() {
+        let ([t, height], name, about) = (last(problem), problem.name(), &problem.about);
         let one = |printed: &Printed| {
             let Printed { by, t, quantity, .. } = printed;
             format!("{by}, {quantity} at {t}: {}", off(problem, printed))
         };
-        let printed = problem.printed.iter().map(one).collect::<Vec<_>>().join("<br>");
-        words([
-            &format!("[{}]({name}/README.md), `{name}`", problem.title),
+        let printed = about.printed.iter().map(one).collect::<Vec<_>>().join("<br>");
+        rows.push(words([
+            &format!("[{}]({name}/README.md), `{name}`", about.title),
             &format!("{height} at t = {t}"),
             if printed.is_empty() { "no value" } else { &printed },
-            &problem.used_by.join("; "),
-        ])
-    };
-    let header =
-        ["problem", "height of the centre of mass above the tip", "printed elsewhere: off by", "used by"];
-    doc_markers::table(&std::iter::once(words(header)).chain(problems.iter().map(row)).collect::<Vec<_>>())
+            &about.used_by.join("; "),
+        ]));
+    }
+    doc_markers::table(&rows)
 }

@@ -1,20 +1,19 @@
 //! `toytop fit`: the launch of a top from samples.
 
+mod report;
+
 use super::Report;
 use super::options::{PICTURE, ending_in, positive};
 use crate::Failure;
 use crate::fit::columns;
-use crate::fit::launch::FREE_KEYS;
-use crate::fit::launch::FitInput;
-use crate::fit::report::FitReport;
+use crate::fit::launch::{FREE_KEYS, FitInput};
 use crate::fit::sensors::{Body, Sensors};
 use crate::input::scenario::ScenarioFile;
-use crate::output::{self, Format, Record, shown, whole_file};
+use crate::output::{self, Format, shown, whole_file};
 use crate::pictures::drawing;
 use crate::pictures::fit as pictures;
 use clap::Args;
-use serde_json::Value;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// `toytop fit`
 #[derive(Args)]
@@ -56,77 +55,61 @@ fn huber(text: &str) -> Result<f64, &'static str> {
 }
 
 pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
-    let inputs = [Some(&*arguments.samples), Some(&*arguments.top), arguments.sensors.as_deref()];
-    whole_file::require_other("--output", arguments.output.as_deref(), &inputs)?;
-    let plots =
-        [("--plot-residuals", &arguments.plot_residuals), ("--plot-prediction", &arguments.plot_prediction)];
-    let scenario = ScenarioFile::read(&arguments.top)?;
+    let FitArgs { samples, top, sensors, free, huber, drift, output, .. } = arguments;
+    let inputs = [Some(&**samples), Some(&**top), sensors.as_deref()];
+    whole_file::require_other("--output", output.as_deref(), &inputs)?;
+    let scenario = ScenarioFile::read(top)?;
     let (top, parameters) = scenario.top()?;
-    let body = Body::of(&top, parameters.com_height);
-    let mut sensors = Sensors::read(arguments.sensors.as_deref(), body)?;
-    let (measurements, unused) =
-        columns::read(&arguments.samples, &mut sensors, arguments.sensors.is_some())?;
+    let all = sensors.is_some();
+    let mut sensors = Sensors::read(sensors.as_deref(), Body::of(&top, parameters.com_height))?;
+    let (measurements, unused) = columns::read(samples, &mut sensors, all)?;
     let table = scenario.keys.get("top").and_then(toml::Value::as_table).cloned().unwrap_or_default();
-    let FitArgs { free, huber, drift, .. } = arguments;
     let input = FitInput { top, table, free: free.clone(), sensors, huber: *huber, drift: *drift };
-    let samples = arguments.samples.display();
-    let report = input.fitted(&measurements).map_err(|(parameter, reason)| {
+    let samples = samples.display();
+    let fit = input.fitted(&measurements).map_err(|(parameter, reason)| {
         Failure::Input(match parameter {
             "samples" => format!("{samples}: {reason}"),
             _ => format!("--{parameter}: {reason} ({})", scenario.file),
         })
     })?;
-    let fitted = &report.fitted;
+    let converged = fit.fitted.converged();
     let mut notes = Vec::new();
     if !unused.is_empty() {
         let names: Vec<_> = unused.iter().map(|name| shown(name)).collect();
         notes.push(format!("{samples}: columns that no sensor reads: {}", names.join(", ")));
     }
-    match (&arguments.output, fitted.converged()) {
-        (Some(path), true) => {
+    let not_written = |path: &Path, reason| format!("{}: not written, because {reason}", path.display());
+    match output {
+        Some(path) if converged => {
             let units = scenario.keys.get("units").and_then(toml::Value::as_str);
-            let text = report.scenario(units)?;
-            whole_file::write("--output", path, text.as_bytes())?;
+            whole_file::write("--output", path, fit.scenario(units)?.as_bytes())?;
         }
-        (Some(path), false) => {
-            notes.push(format!("{}: not written, because the fit has not converged", path.display()));
-        }
-        (None, _) => {}
+        Some(path) => notes.push(not_written(path, "the fit has not converged")),
+        None => {}
     }
+    let motion = match fit.fitted.motion(&top) {
+        _ if !fit.has_launch() => Err("there is no launch"),
+        motion => motion.map_err(|_| "no top has the fitted numbers"),
+    };
+    let plots =
+        [("--plot-residuals", &arguments.plot_residuals), ("--plot-prediction", &arguments.plot_prediction)];
     for (option, path) in plots {
         let Some(path) = path else { continue };
-        let motion = Some(fitted.motion(&top)).filter(|_| report.has_launch());
-        let Some(Ok(motion)) = motion else {
-            let reason = motion.map_or("there is no launch", |_| "no top has the fitted numbers");
-            notes.push(format!("{}: not written, because {reason}", path.display()));
-            continue;
-        };
-        let picture = match option {
-            "--plot-residuals" => pictures::residuals(&report, &measurements),
-            _ => pictures::prediction(&report, &motion),
-        };
-        drawing::write(option, path, &picture, None)?;
+        match &motion {
+            Err(reason) => notes.push(not_written(path, reason)),
+            Ok(motion) => {
+                let picture = match option {
+                    "--plot-residuals" => pictures::residuals(&fit, &measurements),
+                    _ => pictures::prediction(&fit, motion),
+                };
+                drawing::write(option, path, &picture, None)?;
+            }
+        }
     }
     let text = match arguments.format {
-        Format::Table => report.table(),
-        Format::Json => format!("{}\n", report.json()),
-        Format::Csv => output::csv(&[record(&report)])?,
+        Format::Table => report::table(&fit),
+        Format::Json => format!("{}\n", report::json(&fit)),
+        Format::Csv => output::csv(&[report::record(&fit)])?,
     };
-    Ok(Report { text, notes, missed: !fitted.converged() })
-}
-
-/// Launch in one row.
-fn record(report: &FitReport) -> Record {
-    let fitted = &report.fitted;
-    let deviations = fitted.deviations();
-    let mut cells = vec![("reason", report.reason.as_deref().into()), ("epoch", fitted.epoch.into())];
-    let mut add = |names: &[&'static str], values: &[f64]| {
-        cells.extend(names.iter().copied().zip(values.iter().copied().map(Value::from)));
-    };
-    add(&["w", "x", "y", "z"], &fitted.launch.orientation.quaternion());
-    add(&["omega_x", "omega_y", "omega_z"], &fitted.launch.omega);
-    add(&["theta_x_deviation", "theta_y_deviation", "theta_z_deviation"], &deviations[..3]);
-    add(&["omega_x_deviation", "omega_y_deviation", "omega_z_deviation"], &deviations[3..]);
-    add(&["reduced_chi_squared"], &[fitted.statistics.reduced_chi_squared(fitted.count)]);
-    Record(cells)
+    Ok(Report { text, notes, missed: !converged })
 }

@@ -14,7 +14,8 @@ use crate::pictures::drawing;
 use crate::score::judge::Judge;
 use crate::score::trajectory::Trajectory;
 use clap::Args;
-use methods::{Group, Run, work};
+use methods::{Method, Run, work};
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// `toytop score`
@@ -40,9 +41,9 @@ pub struct ScoreArgs {
 }
 
 pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
-    let first = &arguments.scenario;
-    let problem = arguments.benchmark.as_deref().map(benchmarks::named);
-    let problem = problem.transpose().map_err(|failure| failure.of("--benchmark"))?;
+    let ScoreArgs { scenario: first, results, benchmark, steps, plot, format } = arguments;
+    let problem = benchmark.as_deref().map(benchmarks::named).transpose();
+    let problem = problem.map_err(|failure| failure.of("--benchmark"))?;
     // command that prints the state from which a run has to start
     let (scenario, start) = match &problem {
         Some(problem) => {
@@ -50,69 +51,65 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
         }
         None => (Scenario::read(first)?, format!("toytop state {} --times 0", first.display())),
     };
-    let results: Vec<_> = problem.iter().map(|_| first).chain(&arguments.results).collect();
-    let (steps, files) = (&arguments.steps, results.len());
-    if !steps.is_empty() && steps.len() != files {
-        return Err(Failure::Input(format!("--steps: must be {files} numbers, one for each file")));
+    let files: Vec<_> = problem.iter().map(|_| first).chain(results).collect();
+    if !steps.is_empty() && steps.len() != files.len() {
+        return Err(Failure::Input(format!("--steps: must be {} numbers, one for each file", files.len())));
     }
     let mut judge = Judge::new(&scenario, &start)?;
     if let Some(problem) = &problem {
-        judge.length = problem.conventions.length;
+        judge.length = problem.about.length;
     }
-    let (mut runs, mut doubts) = (Vec::new(), Vec::new());
-    for (index, path) in results.into_iter().enumerate() {
+    let (mut methods, mut doubts) = (Vec::<Vec<Run>>::new(), Vec::new());
+    for (file, path) in files.into_iter().enumerate() {
         let mut trajectory = Trajectory::read(path)?;
         if let Some(problem) = &problem {
-            trajectory = trajectory.in_body_axes(&problem.conventions.to_core());
+            trajectory = trajectory.in_body_axes(&problem.to_core());
         }
         let score = judge.score(&trajectory)?;
         doubts.extend(score.doubt.iter().map(|doubt| format!("warning: {}: {doubt}", trajectory.name)));
-        runs.push(Run::new(index, trajectory, score, steps.get(index).copied()));
-    }
-    let mut methods: Vec<String> = Vec::new();
-    for run in &runs {
-        if !methods.contains(&run.method) {
-            methods.push(run.method.clone());
+        let run = Run::new(file, trajectory, score, steps.get(file).copied());
+        match methods.iter_mut().find(|runs| runs[0].method == run.method) {
+            Some(runs) => runs.push(run),
+            None => methods.push(vec![run]),
         }
     }
-    let groups: Vec<_> = methods.iter().map(|name| Group::new(name, &runs)).collect();
-    if let Some(path) = &arguments.plot {
-        let (unit, lines) = work(&groups, period(&scenario.motion))?;
+    let methods: Vec<_> = methods.into_iter().map(Method::new).collect();
+    if let Some(path) = plot {
+        let (unit, curves) = work(&methods, period(&scenario.motion))?;
         let chart = Chart {
             title: &format!("Work and precision: {}", scenario.name),
             labels: [unit, "greatest error of the orientation, rad"],
             powers: [true; 2],
         };
-        drawing::write("--plot", path, &chart.draw(&lines), None)?;
+        drawing::write("--plot", path, &chart.draw(&curves), None)?;
     }
-    doubts.extend(groups.iter().flat_map(Group::doubts));
-    let with_orders = groups.iter().flat_map(|group| group.with_orders().map(move |run| (group.order, run)));
-    let mut rows: Vec<_> =
-        with_orders.map(|(all, (run, order))| (run.file, record(run, all, order))).collect();
-    let ranked: Vec<_> = rows.iter().map(|(_, record)| record.clone()).collect();
-    rows.sort_by_key(|(file, _)| *file);
-    let records: Vec<_> = rows.into_iter().map(|(_, record)| record).collect();
-    let of_method = |group: &Group<'_>| {
-        let files = group.runs.len() as u64;
-        Record::default().with("method", group.method).with("files", files).with("order", group.order)
+    doubts.extend(methods.iter().flat_map(|method| method.doubts.clone()));
+    let mut ranked = Vec::new();
+    for Method { runs, order, .. } in &methods {
+        ranked.extend(runs.iter().map(|run| (run.file, record(run, *order))));
+    }
+    let by_file: Vec<_> = BTreeMap::from_iter(ranked.clone()).into_values().collect();
+    let ranked: Vec<_> = ranked.into_iter().map(|(_, record)| record).collect();
+    let summary = |Method { name, runs, order, .. }: &Method| {
+        Record::default().with("method", &**name).with("files", runs.len()).with("order", *order)
     };
-    let of_methods: Vec<_> = groups.iter().map(of_method).collect();
-    let order = if let [only] = &groups[..] { only.order } else { None };
+    let summaries: Vec<_> = methods.iter().map(summary).collect();
+    let order = if let [only] = &methods[..] { only.order } else { None };
     let rest =
         Record::default().with("order", order).with("scenario", &*scenario.name).with("sign", "nearest");
-    let object = Lists(vec![("files", &records), ("methods", &of_methods)], rest);
-    let text = output::render(arguments.format, &object, || tables(&ranked, &groups))?;
-    Ok(Report::from(text).with_remarks(doubts, arguments.format == Format::Table))
+    let object = Lists(vec![("files", &by_file), ("methods", &summaries)], rest);
+    let text = output::render(*format, &object, || tables(&ranked, &methods))?;
+    Ok(Report::from(text).with_remarks(doubts, *format == Format::Table))
 }
 
-fn record(run: &Run, method_order: Option<f64>, order: Option<f64>) -> Record {
-    let Run { score, .. } = run;
+fn record(run: &Run, method_order: Option<f64>) -> Record {
+    let Run { score, order, .. } = run;
     let (phases, drift) = (&score.phases, &score.drift);
     let [l, n, h] = [0, 1, 2].map(|i| drift.integrals.map(|drifts| drifts[i]));
     Record::default()
         .with("name", &*run.name)
         .with("method", Some(&*run.method).filter(|name| !name.is_empty()))
-        .with("rows", run.rows as u64)
+        .with("rows", run.rows)
         .with("step", run.step.map(|(step, _)| step))
         .with("step_from", run.step.map(|(_, from)| from))
         .with("evaluations", run.evaluations)
@@ -133,11 +130,11 @@ fn record(run: &Run, method_order: Option<f64>, order: Option<f64>) -> Record {
         .with("max_norm_error", score.norm_error)
         .with("truth_bound_rad", score.truth_bound)
         .with("method_order", method_order)
-        .with("order", order)
+        .with("order", *order)
 }
 
 /// Table of the errors, table of the phase errors and drifts, and the orders of convergence.
-fn tables(records: &[Record], groups: &[Group<'_>]) -> String {
+fn tables(records: &[Record], methods: &[Method]) -> String {
     let two = |x| format!("{x:.2}");
     let errors: [Column<'_>; 9] = [
         ("name", "", two),
@@ -150,24 +147,24 @@ fn tables(records: &[Record], groups: &[Group<'_>]) -> String {
         ("max_position_error", "position", error),
         ("order", "order", two),
     ];
-    let details: [Column<'_>; 8] = [
-        ("name", "", error),
-        ("nutation_error_rad", "nutation", error),
-        ("precession_error_rad", "precession", error),
-        ("spin_error_rad", "spin", error),
-        ("residual_rad", "residual", error),
-        ("drift_h", "h", error),
-        ("drift_l", "l", error),
-        ("drift_n", "n", error),
+    let details = [
+        ("name", ""),
+        ("nutation_error_rad", "nutation"),
+        ("precession_error_rad", "precession"),
+        ("spin_error_rad", "spin"),
+        ("residual_rad", "residual"),
+        ("drift_h", "h"),
+        ("drift_l", "l"),
+        ("drift_n", "n"),
     ];
-    let order = |group: &Group<'_>| {
-        let of = if group.method.is_empty() { String::new() } else { format!(" of {}", group.method) };
-        group.order.map(|order| format!("Order of convergence{of}: {order:.2}\n"))
-    };
-    let orders: String = groups.iter().filter_map(order).collect();
-    let scores = || groups.iter().flat_map(|group| &group.runs).map(|run| &run.score);
-    let differences = scores().any(|score| score.drift.from == Some("differences"));
-    let by = if differences {
+    let details: [Column<'_>; 8] = details.map(|(name, heading)| (name, heading, error as _));
+    let mut orders = String::new();
+    for Method { name, order, .. } in methods {
+        let of = if name.is_empty() { String::new() } else { format!(" of {name}") };
+        orders.extend(order.map(|order| format!("Order of convergence{of}: {order:.2}\n")));
+    }
+    let scores = || methods.iter().flat_map(|method| &method.runs).map(|run| &run.score);
+    let by = if scores().any(|score| score.drift.from == Some("differences")) {
         ", for files without angular velocity computed from differences of the error"
     } else {
         ""

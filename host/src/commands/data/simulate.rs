@@ -47,7 +47,7 @@ pub fn run(arguments: &SimulateArgs) -> Result<Report, Failure> {
         let reason = "the motion has no period, and cannot be followed for so long";
         Failure::Method(format!("{}: {reason}", scenario.name))
     })?;
-    let text = columns::written(&sensors, &found);
+    let text = columns::csv(&sensors, &found);
     whole_file::write("--output", &arguments.output, text.as_bytes())?;
     Ok(Report::default())
 }

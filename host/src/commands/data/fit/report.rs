@@ -1,0 +1,159 @@
+//! Fitted launch as a table, as JSON, and as a row of CSV.
+
+use crate::fit::launch::{FitReport, variance};
+use crate::output::{Record, columns, short};
+use serde_json::{Value, json};
+use toytop_fit::{Fitted, Sensitivity};
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Times of the prediction up to ten seconds after the samples, s, each with the standard deviations of the orientation and of the axis, rad.
+fn predictions(report: &FitReport) -> Vec<[f64; 3]> {
+    const AHEAD: [f64; 5] = [0.0, 1.0, 2.0, 5.0, 10.0];
+    let FitReport { input, fitted, end, .. } = report;
+    let motion = fitted.motion(&input.top).ok().filter(|_| report.has_launch());
+    let Some(sensitivity) = motion.map(|motion| Sensitivity::new(&motion)) else { return Vec::new() };
+    let at = |ahead: &f64| {
+        let t = end + ahead;
+        let partials = sensitivity.at(t - fitted.epoch)?;
+        let covariance = fitted.orientation_covariance(&partials);
+        let trace: f64 = (0..3).map(|k| covariance[k][k]).sum();
+        let along = variance(partials.axis(), |i, j| covariance[i][j]);
+        Some([t, trace.sqrt(), (trace - along).max(0.0).sqrt()])
+    };
+    AHEAD.iter().filter_map(at).collect()
+}
+
+/// Report as text; of a launch that does not exist, the reason.
+pub fn table(report: &FitReport) -> String {
+    let state = match &report.reason {
+        None => "converged".to_owned(),
+        Some(reason) => format!("NOT CONVERGED: {reason}"),
+    };
+    if !report.has_launch() {
+        return state + "\n";
+    }
+    let Fitted { launch, statistics, epoch, count, alternatives, .. } = report.fitted;
+    let deviations = report.fitted.deviations();
+    let line = |name: &str, value: f64, deviation: f64, unit: &str| {
+        vec![name.to_owned(), short(value, 9), format!("+- {}", short(deviation, 2)), unit.to_owned()]
+    };
+    let [(spin, spin_deviation), (tilt, tilt_deviation)] = report.spin_and_tilt();
+    let mut rows = vec![
+        line("tilt", tilt.to_degrees(), tilt_deviation.to_degrees(), "degrees"),
+        line("spin", spin, spin_deviation, "rad/s"),
+    ];
+    for (k, axis) in AXES.into_iter().enumerate() {
+        rows.push(line(&format!("omega_{axis}"), launch.omega[k], deviations[3 + k], "rad/s"));
+    }
+    let quaternion = launch.orientation.quaternion().map(|x| short(x, 9)).join(" ");
+    let turned = [0, 1, 2].map(|k| short(deviations[k].to_degrees(), 2)).join(" ");
+    rows.push(
+        ["orientation", &quaternion, &format!("+- {turned}"), "degrees about x, y, z"]
+            .map(str::to_owned)
+            .to_vec(),
+    );
+    for (key, value, deviation) in report.freed() {
+        rows.push(line(key, value, deviation, ""));
+    }
+    for (name, values, errors) in report.biases() {
+        for (k, axis) in AXES.into_iter().enumerate() {
+            rows.push(line(&format!("bias of {name} {axis}"), values[k], errors[k], ""));
+        }
+    }
+    for (name, rate, deviation, unit) in report.drift_rates() {
+        rows.push(line(name, rate, deviation, unit));
+    }
+    let mut text = format!(
+        "{state}\n\nlaunch at t = {}\n{}\n\
+         chi squared by degrees of freedom {}; {} values used, {} at the end of the range, {} outliers, largest residual {} sigma\n",
+        short(epoch, 9),
+        columns(rows, 4),
+        short(statistics.reduced_chi_squared(count), 4),
+        statistics.used,
+        statistics.unused,
+        statistics.outliers,
+        short(statistics.largest, 3)
+    );
+    let undetermined = report.undetermined();
+    if !undetermined.is_empty() {
+        text += &format!("not determined by these samples: {}\n", undetermined.join(", "));
+    }
+    if alternatives > 0 {
+        text += &format!("{alternatives} other launches fit the first samples as well\n");
+    }
+    let mut ahead = vec![["t, s", "orientation +-, rad", "axis +-, rad"].map(str::to_owned).to_vec()];
+    for [t, orientation, axis] in predictions(report) {
+        ahead.push(vec![short(t, 6), short(orientation, 2), short(axis, 2)]);
+    }
+    text + "\nprediction\n" + &columns(ahead, 0) + "\n"
+}
+
+/// Report as JSON.
+pub fn json(report: &FitReport) -> Value {
+    let Fitted { launch, statistics, drift, count, covariance, .. } = &report.fitted;
+    let deviations = report.fitted.deviations();
+    let [(spin, spin_deviation), (tilt, tilt_deviation)] = report.spin_and_tilt();
+    let free = report.freed().into_iter();
+    let free = free.map(|(key, value, deviation)| (key, json!({"value": value, "deviation": deviation})));
+    let biases = report.biases().into_iter();
+    let biases = biases.map(|(name, values, errors)| (name, json!({"value": values, "deviation": errors})));
+    let covariance = |i: usize| (0..*count).map(|j| covariance.get(i, j)).collect::<Vec<_>>();
+    let prediction =
+        |[t, orientation, axis]: [f64; 3]| json!({"t": t, "orientation_rad": orientation, "axis_rad": axis});
+    json!({
+        "converged": report.fitted.converged(),
+        "reason": report.reason,
+        "epoch": report.fitted.epoch,
+        "quaternion": launch.orientation.quaternion(),
+        "orientation_deviation": deviations[..3],
+        "omega": launch.omega,
+        "omega_deviation": deviations[3..6],
+        "spin": spin,
+        "spin_deviation": spin_deviation,
+        "tilt_deg": tilt.to_degrees(),
+        "tilt_deviation_deg": tilt_deviation.to_degrees(),
+        "free": free.collect::<Value>(),
+        "biases": biases.collect::<Value>(),
+        "drift": drift.map(|drift| json!({
+            "rates": drift.rates,
+            "deviation": drift.deviations(),
+            "losses": drift.losses,
+        })),
+        "covariance": (0..*count).map(covariance).collect::<Vec<_>>(),
+        "covariance_of": "rotation vector delta of the orientation in the fixed frame, change of omega in the frame that delta turns, others",
+        "reduced_chi_squared": statistics.reduced_chi_squared(*count),
+        "chi_squared": statistics.chi_squared,
+        "used": statistics.used,
+        "saturated": statistics.unused,
+        "outliers": statistics.outliers,
+        "largest_residual": statistics.largest,
+        "undetermined": report.undetermined(),
+        "alternatives": report.fitted.alternatives,
+        "prediction": predictions(report).into_iter().map(prediction).collect::<Value>(),
+    })
+}
+
+/// Launch in one row.
+pub fn record(FitReport { fitted, reason, .. }: &FitReport) -> Record {
+    const NAMES: [&str; 13] = [
+        "w",
+        "x",
+        "y",
+        "z",
+        "omega_x",
+        "omega_y",
+        "omega_z",
+        "theta_x_deviation",
+        "theta_y_deviation",
+        "theta_z_deviation",
+        "omega_x_deviation",
+        "omega_y_deviation",
+        "omega_z_deviation",
+    ];
+    let launch = &fitted.launch;
+    let values = launch.orientation.quaternion().into_iter().chain(launch.omega).chain(fitted.deviations());
+    let mut record = Record::default().with("reason", reason.as_deref()).with("epoch", fitted.epoch);
+    record.0.extend(NAMES.into_iter().zip(values.map(Value::from)));
+    record.with("reduced_chi_squared", fitted.statistics.reduced_chi_squared(fitted.count))
+}
