@@ -107,7 +107,7 @@ fn motions() -> Result<Vec<Numbers>, Failure> {
             start: Start::BranchPoints { e: [e.e1, e.e2, e.e3], signs: motion.signs(), phases },
         })
     };
-    Ok(builtin::scenarios()?.into_iter().filter_map(|scenario| numbers(scenario.motion)).collect())
+    Ok(builtin::scenarios().into_iter().filter_map(|scenario| numbers(scenario.motion)).collect())
 }
 
 /// Errors of each scalar on a motion, by octave.

@@ -3,18 +3,15 @@
 //! | module | contents |
 //! |---|---|
 //! | [`input`] | scenario files, built-in motions, random numbers |
-//! | [`motion`] | the core's stepper and ephemeris at given times |
+//! | [`motion`] | the core's stepper and ephemeris at given times, their samples and constants |
 //! | [`full_equations`] | integration of the full 3-D equations |
 //! | [`truth`] | the paper's integrals to more than thirty digits |
 //! | `accuracy` | errors of the core against the truth |
 //! | `benchmarks` | catalogue of problems that integrators are tested with |
 //! | [`budget`] | cost of a call on an emulated chip |
 //! | [`errata`] | errors of the printed paper, and their corrections |
-//! | [`samples`] | samples of a motion as tables of chosen columns |
 //! | [`fit`] | sensors, samples and a launch fitted to them |
 //! | [`score`] | output of an integrator against the exact motion |
-//! | `sweep` | many motions, one row for each |
-//! | [`bake`] | ephemeris as Rust or C |
 //! | [`pictures`] | curve of the tip, figures, page for a browser |
 //! | [`output`] | tables, CSV, JSON, files, progress |
 //! | `cli`, `commands`, [`program`] | command line, one file for each command, exit codes |
@@ -27,7 +24,6 @@
 
 #[cfg(feature = "program")]
 mod accuracy;
-pub mod bake;
 #[cfg(feature = "program")]
 mod benchmarks;
 #[cfg(feature = "program")]
@@ -48,16 +44,13 @@ pub mod output;
 pub mod pictures;
 #[cfg(feature = "program")]
 pub mod program;
-pub mod samples;
 pub mod score;
-#[cfg(feature = "program")]
-pub mod sweep;
-pub mod thread_pool;
 pub mod truth;
 
 #[cfg(feature = "program")]
 pub use commands::Report;
 pub use failure::Failure;
+pub use motion::thread_pool;
 
 #[cfg(feature = "program")]
 use std::ffi::OsString;

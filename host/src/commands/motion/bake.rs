@@ -1,14 +1,26 @@
-//! `toytop bake`: the table of a motion as a file for another program.
+//! `toytop bake`: the table of a motion as a file for another program, a Rust module or a C header with its evaluator.
+//!
+//! Both contain the numbers of a [`Baked`](toytop::Baked) of any size, with format version and checksum. A Rust module in which a
+//! number was changed does not compile; the C header has a function that checks the numbers. Both give the bits of the crate.
+//!
+//! In C, fixed point uses integers only, and `f32` uses integers up to α and β, so that these bits do not depend on the compiler. In u, c
+//! and `f64` every product that is added passes a barrier, without which compilers would fuse the product and the sum by default.
+
+mod c;
+mod label;
+mod rust;
 
 use super::options::hertz;
 use super::{Report, warnings};
 use crate::Failure;
-use crate::bake::{Label, Parts, header, module, split_files};
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{Size, smaller, table};
+use crate::motion::ephemeris::{Parts, Size, smaller, table};
 use crate::output::whole_file;
+use c::{header, split_files};
 use clap::{Args, ValueEnum};
+use label::Label;
+use rust::module;
 use std::path::PathBuf;
 use toytop::{ErrorBound, Tick};
 

@@ -1,22 +1,23 @@
 //! `toytop state`: orientation, rates and tip at given times.
 
+mod sheet;
+
 use super::options::{Method, hertz};
 use super::times::{self, Instants, TimesArgs};
 use super::{Report, warnings};
 use crate::Failure;
 use crate::full_equations::solution;
 use crate::input::scenario::Scenario;
-use crate::motion::Scalar;
-use crate::motion::ephemeris::{Size, furthest_time, smallest, table};
+use crate::motion::column::{Column, DEFAULT_COLUMNS};
+use crate::motion::ephemeris::{Size, furthest_time, require_scalar, smallest, table};
 use crate::motion::propagate::{Sample, period, stepped};
 use crate::motion::tip_angle::TipAngle;
+use crate::motion::{Scalar, stream};
 use crate::output::whole_file;
-use crate::samples::column::{Column, DEFAULT_COLUMNS};
-use crate::samples::sheet::{SampleFormat, Sheet};
-use crate::samples::stream;
 use clap::{ArgGroup, Args};
+use sheet::{SampleFormat, Sheet};
 use std::path::PathBuf;
-use toytop::{Regime, Tick};
+use toytop::Tick;
 use toytop_closed_forms::ClosedForm;
 
 /// Sample at a time, by the index of the time in the request.
@@ -115,10 +116,8 @@ fn by_ephemeris(
     option: &str,
 ) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
-    if motion.regime() == Regime::Aperiodic && scalar != Scalar::F64 {
-        let reason = format!("{}: an aperiodic motion has a closed form in f64, and no table", scalar.name());
-        return Err(Failure::Method(format!("{}: --scalar: {reason}", scenario.name)));
-    }
+    let named = |failure: Failure| failure.of(&format!("{}: --scalar: {}", scenario.name, scalar.name()));
+    require_scalar(scalar, motion).map_err(named)?;
     let table = if let Some([ticks, seconds]) = instants.rate {
         let refused = |error| Failure::Input(format!("--hertz: {error}"));
         table(scalar, motion, Tick::ratio(ticks, seconds).map_err(refused)?, Size::Smallest)

@@ -1,9 +1,9 @@
 //! Times at which a motion is computed: times or ticks on the command line, or a file of times.
 
 use crate::Failure;
+use crate::input::axis::{Axis, ends};
 use crate::input::finite;
 use crate::output::{shown, whole_file};
-use crate::sweep::axis::{Axis, ends};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -99,12 +99,10 @@ pub fn option(arguments: &TimesArgs) -> String {
 /// [`Failure::Input`]: an unreadable file, an entry that is no finite number, or no tick.
 pub fn read(arguments: &TimesArgs, rate: [u32; 2]) -> Result<Instants, Failure> {
     if let (Some(from), Some(to), Some(count)) = (arguments.from, arguments.to, arguments.count) {
-        // {:?} has the digits that read back the same number
-        let axis = format!("{from:?}..{to:?}/{count}").parse().map_err(|_| {
-            let allowed = "must be two finite times, --from first, and a number from 2";
-            Failure::Input(format!("--from, --to, --count: {allowed}"))
-        })?;
-        return Ok(Instants::of_axis(axis));
+        let axis = Axis::range(from, to, false, Some(count));
+        let finite = axis.ok().filter(|_| from.is_finite() && to.is_finite());
+        let refused = "--from, --to, --count: must be two finite times, --from first, and a number from 2";
+        return finite.map(Instants::of_axis).ok_or_else(|| Failure::Input(refused.to_owned()));
     }
     match (&arguments.times, &arguments.times_file, &arguments.ticks) {
         (Some(text), ..) => times(text),
@@ -123,7 +121,7 @@ pub fn read(arguments: &TimesArgs, rate: [u32; 2]) -> Result<Instants, Failure> 
 pub fn times(text: &str) -> Result<Instants, Failure> {
     let refused = |reason: &str| Failure::Input(format!("--times: {}: {reason}", shown(text)));
     let axis = if text.contains("..") {
-        text.parse().map_err(|reason: String| refused(&reason))?
+        text.parse().map_err(refused)?
     } else {
         Axis::List(text.split(',').map(|entry| time(entry, "--times")).collect::<Result<_, _>>()?)
     };
@@ -141,26 +139,28 @@ fn ticks(text: &str, rate: [u32; 2]) -> Result<Instants, Failure> {
     };
     let number = |text: &str| text.trim().parse::<i64>().map_err(|_| refused());
     let [ticks, seconds] = rate.map(f64::from);
-    let time = move |tick: i64| tick as f64 * seconds / ticks;
+    let timed = move |tick: i64| (tick as f64 * seconds / ticks, tick);
+    let ends = |ticks: &[i64]| ends(ticks.iter().map(|tick| timed(*tick).0));
     let Some((first, last)) = text.split_once("..") else {
         let list = text.split(',').map(number).collect::<Result<Vec<_>, _>>()?;
+        let (count, ends) = (list.len() as u64, ends(&list));
         return Ok(Instants {
-            count: list.len() as u64,
-            ends: ends(list.iter().map(|tick| time(*tick))),
+            count,
+            ends,
             rate: Some(rate),
-            at: Box::new(move |index| (time(list[index as usize]), list[index as usize])),
+            at: Box::new(move |i| timed(list[i as usize])),
         });
     };
     let (first, last) = (number(first)?, number(last)?);
     if first > last || last.abs_diff(first) == u64::MAX {
         return Err(refused());
     }
-    let at = move |index| first.wrapping_add_unsigned(index);
+    let (count, ends) = (last.abs_diff(first) + 1, ends(&[first, last]));
     Ok(Instants {
-        count: last.abs_diff(first) + 1,
-        ends: [first, last].map(time),
+        count,
+        ends,
         rate: Some(rate),
-        at: Box::new(move |index| (time(at(index)), at(index))),
+        at: Box::new(move |i| timed(first.wrapping_add_unsigned(i))),
     })
 }
 

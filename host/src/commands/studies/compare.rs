@@ -9,8 +9,8 @@ use crate::Failure;
 use crate::input::builtin;
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
+use crate::motion::spread_times;
 use crate::output::{self, Format};
-use crate::samples::spread_times;
 use bounds::{bound, horizon, steps_per_period};
 use clap::Args;
 use run::{Reference, Run, SAMPLES, look_up, step_through};
@@ -76,7 +76,7 @@ pub struct CompareArgs {
 pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     let built_in = arguments.scenarios.is_empty();
     let scenarios = if built_in {
-        builtin::scenarios()?
+        builtin::scenarios()
     } else {
         arguments.scenarios.iter().map(|path| Scenario::read(path)).collect::<Result<_, _>>()?
     };

@@ -1,14 +1,20 @@
 //! `toytop sweep`: many motions, one row for each, in one CSV file.
 
+mod columns;
+mod table;
+
+pub use table::Sweep;
+
 use super::Report;
 use crate::Failure;
+use crate::input::axis::Axis;
 use crate::input::scenario::ScenarioFile;
+use crate::motion::stream;
 use crate::output::whole_file;
 use crate::pictures::charts::heat_map::HeatMap;
 use crate::pictures::drawing;
-use crate::samples::stream;
-use crate::sweep::{Axis, Column, DEFAULT_COLUMNS, Sweep};
 use clap::Args;
+use columns::{Column, DEFAULT_COLUMNS};
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};

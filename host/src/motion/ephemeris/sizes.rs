@@ -1,12 +1,14 @@
 //! Capacities that a table may have, and the choice among them.
 
-use super::rise::Rise;
-use super::{AnyEphemeris, Boxed};
+use super::aperiodic::AperiodicMotion;
+use super::parts::TableScalar;
+use super::{AnyEphemeris, Table};
 use crate::Failure;
-use crate::bake::Bake;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
-use toytop::{Ephemeris, EphemerisMemory, EphemerisView, ErrorBound, Motion, SetUp, SetUpError, Tick};
+use toytop::{
+    Ephemeris, EphemerisMemory, EphemerisView, ErrorBound, Motion, Regime, SetUp, SetUpError, Tick,
+};
 use toytop_model::ticks::tick;
 
 /// Capacity of a table.
@@ -60,21 +62,20 @@ pub fn table(
         Scalar::Q31 => table_in::<I2F30>,
         Scalar::Q15 => table_in::<I2F14>,
     };
-    of_scalar(scalar, motion, tick, size)
+    of_scalar(motion, tick, size)
 }
 
-fn table_in<R: Bake>(
-    scalar: Scalar,
+fn table_in<R: TableScalar>(
     motion: &Motion,
     tick: Tick,
     size: Size,
 ) -> Result<Box<dyn AnyEphemeris>, Failure> {
     let truncation = if let Size::Within(truncation) = size { truncation } else { R::TRUNCATION };
-    let mut allowed = allowed(scalar);
+    let mut allowed = allowed(R::SCALAR);
     let mut largest = format!("4096x{} segments, the most", R::TERMS);
     let tried = match size {
         Size::Smallest | Size::Within(_) => CAPACITIES.to_vec(),
-        Size::Default => allowed.iter().copied().filter(|size| *size >= default_size(scalar)).collect(),
+        Size::Default => allowed.iter().copied().filter(|size| *size >= default_size(R::SCALAR)).collect(),
         Size::Exactly(segments) if allowed.contains(&segments) => {
             largest = format!("{segments} segments");
             vec![segments]
@@ -88,7 +89,7 @@ fn table_in<R: Bake>(
     for segments in tried {
         let mut memory = memory::<R>(segments);
         match memory.set_up(&mut SetUp::within(truncation), motion, tick, 0, &mut || {}) {
-            Ok(_) => return Ok(Box::new(Boxed(memory))),
+            Ok(_) => return Ok(Box::new(Table(memory))),
             Err(error @ SetUpError::TooSmall { .. }) => refusal = error.to_string(),
             Err(error) => return Err(Failure::Method(format!("no ephemeris: {error}"))),
         }
@@ -104,8 +105,8 @@ fn table_in<R: Bake>(
 }
 
 /// Memory of a table of this many segments, one of the [`allowed`] capacities.
-fn memory<R: Bake>(segments: u32) -> Box<EphemerisMemory<EphemerisView<R>>> {
-    fn boxed<R: Bake, const N: usize>() -> Box<EphemerisMemory<EphemerisView<R>>> {
+fn memory<R: TableScalar>(segments: u32) -> Box<EphemerisMemory<EphemerisView<R>>> {
+    fn boxed<R: TableScalar, const N: usize>() -> Box<EphemerisMemory<EphemerisView<R>>> {
         Box::new(EphemerisMemory::<Ephemeris<R, N>>::new())
     }
     match segments {
@@ -122,6 +123,17 @@ fn memory<R: Bake>(segments: u32) -> Box<EphemerisMemory<EphemerisView<R>>> {
         2048 => boxed::<R, 2048>(),
         _ => boxed::<R, 4096>(),
     }
+}
+
+/// Refusal of a scalar for an aperiodic motion, which has no table and whose closed form is in `f64`.
+///
+/// # Errors
+/// [`Failure::Method`]: the motion is aperiodic, and the scalar is not `f64`.
+pub fn require_scalar(scalar: Scalar, motion: &Motion) -> Result<(), Failure> {
+    if motion.regime() == Regime::Aperiodic && scalar != Scalar::F64 {
+        return Err(Failure::Method("an aperiodic motion has a closed form in f64, and no table".into()));
+    }
+    Ok(())
 }
 
 /// Smallest table whose truncation error is within the rounding of the scalar, or the closed form of an aperiodic motion.
@@ -141,8 +153,8 @@ pub fn approximate(motion: &Motion, truncation: f64) -> Result<Box<dyn AnyEpheme
 }
 
 fn at_any_time(scalar: Scalar, motion: &Motion, size: Size) -> Result<Box<dyn AnyEphemeris>, Failure> {
-    if let Some(rise) = Rise::new(motion) {
-        return Ok(Box::new(rise));
+    if let Some(closed_form) = AperiodicMotion::new(motion) {
+        return Ok(Box::new(closed_form));
     }
     let tick = tick(motion).map_err(|error| Failure::Method(error.to_string()))?;
     table(scalar, motion, tick, size)

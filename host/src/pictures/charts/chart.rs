@@ -1,7 +1,7 @@
 //! Chart of curves over linear or logarithmic axes. (The logarithmic axes of kuva have no ticks below 1e-10.)
 
+use crate::input::axis::ends;
 use crate::pictures::drawing::text;
-use crate::sweep::axis::ends;
 use kuva::plot::scatter::{MarkerShape, ScatterPlot};
 use kuva::plot::{LegendPosition, LinePlot};
 use kuva::render::layout::{Layout, TickFormat};

@@ -1,8 +1,9 @@
 //! Heat map of one column of a sweep over two of its axes.
 
 use crate::Failure;
+use crate::commands::studies::sweep::Sweep;
+use crate::input::axis::Axis;
 use crate::pictures::drawing::text;
-use crate::sweep::{Axis, Sweep};
 use kuva::plot::colormap::ColorMap;
 use kuva::plot::heatmap::Heatmap;
 use kuva::render::layout::Layout;

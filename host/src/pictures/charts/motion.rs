@@ -29,7 +29,7 @@ pub fn tilt(scenario: &Scenario, span: &Span) -> Scene {
     let origin = span.origin();
     let degrees = |t: f64| {
         let phi = span.at(t).orientation();
-        [t - origin, crate::samples::angles::tilt_azimuth_roll(&phi)[0].to_degrees()]
+        [t - origin, crate::motion::angles::tilt_azimuth_roll(&phi)[0].to_degrees()]
     };
     let mut curves = vec![Curve::line("tilt", span.times_of_curve().map(degrees).collect())];
     curves.extend(Bound::of(&scenario.motion).into_iter().map(|bound| {
@@ -166,7 +166,7 @@ mod tests {
     /// At the turning points the effective potential equals the energy; between them it is smaller.
     #[test]
     fn the_potential_is_the_energy_at_the_turning_points() {
-        for scenario in builtin::figures().unwrap().concat() {
+        for scenario in builtin::figures().concat() {
             let (e, h) = (scenario.motion.branch_points(), scenario.motion.first_integrals().h);
             for u in [e.e1, e.e2] {
                 let potential = effective_potential(&scenario.motion, u);

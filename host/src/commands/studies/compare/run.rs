@@ -7,7 +7,7 @@ use crate::commands::options::Method;
 use crate::full_equations::full_solver::FullState;
 use crate::full_equations::solution;
 use crate::input::scenario::Scenario;
-use crate::motion::ephemeris::smallest;
+use crate::motion::ephemeris::{require_scalar, smallest};
 use crate::motion::propagate::{Sample, TimedStepper};
 use crate::motion::{Scalar, greater, widened};
 use crate::motion::{first_integrals, natural_scales};
@@ -16,7 +16,7 @@ use crate::output::{self, Column, Record, error};
 use std::time::Instant;
 use toytop::scalar::Real;
 use toytop::su2::OrientationRate;
-use toytop::{Motion, Regime, Top};
+use toytop::{Motion, Top};
 
 /// Samples and cost of a run.
 pub struct Run {
@@ -82,9 +82,7 @@ fn stepped<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Run {
 /// # Errors
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
 pub fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
-    if motion.regime() == Regime::Aperiodic && scalar != Scalar::F64 {
-        return Err(Failure::Method("an aperiodic motion has a closed form in f64, and no table".into()));
-    }
+    require_scalar(scalar, motion)?;
     let table = smallest(scalar, motion)?;
     let mut found = Vec::new();
     let call = median(|| {

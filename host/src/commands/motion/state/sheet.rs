@@ -1,7 +1,7 @@
 //! Rows of chosen columns as CSV, JSON, a NumPy file or an aligned table.
 
-use super::column::Column;
 use crate::input::scenario::Units;
+use crate::motion::column::Column;
 use crate::motion::propagate::Sample;
 use crate::output::{self, Record, number, short};
 use toytop::Support;

@@ -6,8 +6,9 @@
 
 mod shared;
 
-use super::{Label, Parts};
+use super::label::Label;
 use crate::motion::Scalar;
+use crate::motion::ephemeris::Parts;
 use toytop::{Clock, ErrorBound};
 
 use shared::{SHARED_HEADER, SHARED_SOURCE, header as shared_header, source as shared_source};

@@ -1,10 +1,10 @@
 //! Rows that are written while they are computed, block after block on all cores, so that memory does not grow with their number.
 
+use super::thread_pool;
 use crate::Failure;
 use crate::output::progress::Progress;
 use crate::output::stdout;
 use crate::output::whole_file;
-use crate::thread_pool;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::io::{self, ErrorKind, Write};
 use std::ops::Range;

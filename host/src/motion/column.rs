@@ -1,8 +1,8 @@
 //! Quantities of a sample, each one number or several.
 
 use super::angles;
+use super::propagate::Sample;
 use crate::input::scenario::Units;
-use crate::motion::propagate::Sample;
 use toytop::{Complex, Support};
 
 /// Quantity of a sample: a group of columns.
@@ -71,12 +71,12 @@ impl Column {
 
     /// Unit of its numbers; empty where there is none.
     pub fn unit(self, units: Units, support: Support) -> &'static str {
-        match (self, support) {
-            (Self::T, _) => units.name("s"),
-            (Self::Udot, _) => units.name("1/s"),
-            (Self::Omega | Self::OmegaBody, _) => units.name("rad/s"),
-            (Self::Phi | Self::Angles | Self::EulerZxz | Self::ErrorBound, _) => "rad",
-            (Self::Tip, Support::Sliding) => units.name("m"),
+        match self {
+            Self::T => units.name("s"),
+            Self::Udot => units.name("1/s"),
+            Self::Omega | Self::OmegaBody => units.name("rad/s"),
+            Self::Phi | Self::Angles | Self::EulerZxz | Self::ErrorBound => "rad",
+            Self::Tip if support == Support::Sliding => units.name("m"),
             _ => "",
         }
     }
