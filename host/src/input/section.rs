@@ -64,10 +64,15 @@ impl Section<'_> {
         Failure::Input(format!("{}: {}.{}: {reason}", self.file, shown(self.name), shown(key)))
     }
 
-    /// Failure for an error of the core, whose parameters have the names of the keys, except for those that `renamed` lists.
-    pub fn refused(&self, error: &ParameterError, renamed: &[(&str, &str)]) -> Failure {
-        let parameter = error.parameter();
-        let key = renamed.iter().find(|(name, _)| *name == parameter).map_or(parameter, |(_, key)| key);
+    /// Failure for an error of the core, whose parameters have the names of the keys, except for the angles.
+    pub fn refused(&self, error: &ParameterError) -> Failure {
+        let key = match error.parameter() {
+            "tilt" => "tilt_deg",
+            "azimuth" => "azimuth_deg",
+            "roll" => "roll_deg",
+            "theta" => "nutation_phase",
+            parameter => parameter,
+        };
         self.refuse(key, &format!("must be {}", error.allowed()))
     }
 

@@ -7,7 +7,7 @@ mod sizes;
 
 pub use events::{EventQuery, FoundEvent, RateSample, TimedSample};
 pub use parts::Parts;
-pub use sizes::{Size, approximate, require_scalar, smaller, smallest, table};
+pub use sizes::{CAPACITIES, approximate, require_scalar, sizes, smaller, smallest, table};
 pub use toytop_model::ticks::ticks_per_time;
 
 use crate::motion::column::Column;

@@ -15,7 +15,7 @@ use super::{Report, warnings};
 use crate::Failure;
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{Parts, Size, smaller, table};
+use crate::motion::ephemeris::{Parts, sizes, smaller, table};
 use crate::output::whole_file;
 use c::{header, split_files};
 use clap::{Args, ValueEnum};
@@ -71,7 +71,11 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     }
     let [ticks, seconds] = arguments.hertz;
     let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::Input(format!("--hertz: {error}")))?;
-    let (parts, smaller) = baked(arguments, &scenario, tick)?;
+    let (scalar, motion) = (arguments.scalar, &scenario.motion);
+    let table = table(scalar, motion, tick, &sizes(scalar, arguments.size)?)
+        .map_err(|failure| failure.of_motion(&scenario.name))?;
+    let parts = table.parts().expect("a table");
+    let smaller = smaller(scalar, motion, tick, &*table).and_then(|table| table.parts());
     let label = Label {
         name: arguments.name.clone().unwrap_or_else(|| scenario.name.clone()),
         tick: if seconds == 1 { format!("{ticks} Hz") } else { format!("{ticks}/{seconds} Hz") },
@@ -98,15 +102,6 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     }
     let remarks = std::iter::once(summary(&label, &parts, smaller.as_ref())).chain(warnings(&[scenario]));
     Ok(report.with_remarks(remarks, false))
-}
-
-/// Table that is written, and the smallest one that would be enough, if that has fewer segments.
-fn baked(arguments: &BakeArgs, scenario: &Scenario, tick: Tick) -> Result<(Parts, Option<Parts>), Failure> {
-    let (scalar, motion) = (arguments.scalar, &scenario.motion);
-    let size = arguments.size.map_or(Size::Default, Size::Exactly);
-    let table = table(scalar, motion, tick, size).map_err(|failure| failure.of_motion(&scenario.name))?;
-    let parts = table.parts().expect("a table");
-    Ok((parts, smaller(scalar, motion, tick, &*table).and_then(|table| table.parts())))
 }
 
 /// Line that states the scalar, the size and the error bound of the table that was written, and the size of a smaller table with the same

@@ -9,7 +9,7 @@ use crate::Failure;
 use crate::full_equations::solution;
 use crate::input::scenario::Scenario;
 use crate::motion::column::{Column, DEFAULT_COLUMNS};
-use crate::motion::ephemeris::{Size, furthest_time, require_scalar, smallest, table};
+use crate::motion::ephemeris::{CAPACITIES, furthest_time, require_scalar, smallest, table};
 use crate::motion::propagate::{Sample, period, stepped};
 use crate::motion::tip_angle::TipAngle;
 use crate::motion::{Scalar, stream};
@@ -115,7 +115,7 @@ fn by_ephemeris(scalar: Scalar, scenario: &Scenario, instants: Instants) -> Resu
     if let Some([ticks, seconds]) = instants.rate {
         let refused = |error| Failure::Input(format!("--hertz: {error}"));
         let tick = Tick::ratio(ticks, seconds).map_err(refused)?;
-        let table = table(scalar, motion, tick, Size::Smallest).map_err(named)?;
+        let table = table(scalar, motion, tick, &CAPACITIES).map_err(named)?;
         return Ok(Box::new(move |index| {
             let (t, tick) = (instants.at)(index);
             table.at_tick(tick, t).sample

@@ -73,7 +73,7 @@ pub struct SweepArgs {
 
 impl SweepArgs {
     /// Keys of the scenario that vary, each with its axis.
-    pub fn varied(&self) -> Vec<(String, Axis)> {
+    fn varied(&self) -> Vec<(String, Axis)> {
         let of_release = [
             ("spin", &self.spin),
             ("tilt_deg", &self.tilt),
@@ -107,9 +107,9 @@ pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
     whole_file::require_other("--output", Some(&arguments.output), &[Some(&arguments.scenario)])?;
     let sweep = Sweep::new(
         ScenarioFile::read(&arguments.scenario)?,
-        &arguments.varied(),
+        arguments.varied(),
         arguments.motions.map(|motions| (motions, arguments.seed)),
-        &arguments.columns,
+        arguments.columns.clone(),
         (arguments.samples, arguments.periods),
     )?;
     let [part, parts] = arguments.part;

@@ -64,7 +64,7 @@ pub fn numbers(kind: &str) -> &'static [Key] {
 
 /// Motion, and its launch.
 pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure> {
-    let refused = |error| section.refused(&error, &ANGLES);
+    let refused = |error| section.refused(&error);
     let (state, release) = match section.choice("kind", &["release", "state", "branch_points"], None)? {
         "branch_points" => return branch_points(section, top),
         "release" => {
@@ -93,7 +93,7 @@ fn state(section: &Section<'_>) -> Result<State, Failure> {
     let [alpha, beta, omega] = &STATE;
     let complex = |key| section.array(key, None).map(|[re, im]| Complex::new(re, im));
     let phi = Orientation { alpha: complex(alpha)?, beta: complex(beta)? };
-    State::new(phi, section.array(omega, None)?).map_err(|error| section.refused(&error, &[]))
+    State::new(phi, section.array(omega, None)?).map_err(|error| section.refused(&error))
 }
 
 fn branch_points(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure> {
@@ -107,8 +107,8 @@ fn branch_points(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Fa
     let signs =
         Signs { l_plus_n: sign(plus, &BRANCH_POINTS[3])?, l_minus_n: sign(minus, &BRANCH_POINTS[4])? };
     let (e, phases) = ([e1, e2, e3], InitialPhases { theta, arg_alpha, arg_beta });
-    let motion = Motion::from_branch_points(top, e, signs, &phases)
-        .map_err(|error| section.refused(&error, &[("theta", "nutation_phase")]))?;
+    let motion =
+        Motion::from_branch_points(top, e, signs, &phases).map_err(|error| section.refused(&error))?;
     Ok((motion, Start::BranchPoints { e, signs, phases }))
 }
 

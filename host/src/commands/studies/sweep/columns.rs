@@ -63,7 +63,7 @@ impl FromStr for Column {
 
 impl Column {
     /// Names in the header.
-    pub fn header(self, times: u32) -> Vec<String> {
+    pub fn names(self, times: u32) -> Vec<String> {
         match self {
             Self::Constant(name, _) | Self::Figure(name, _) => vec![name.to_owned()],
             Self::Sample(quantity) => {
@@ -73,12 +73,25 @@ impl Column {
         }
     }
 
-    /// Fields of a row whose numbers the scenario refuses.
-    pub fn refused(self, times: u32) -> Vec<String> {
-        match self {
-            Self::Constant("regime", _) => vec!["refused".to_owned()],
-            _ => vec![String::new(); self.header(times).len()],
-        }
+    /// Fields of a motion, or of numbers that the scenario refuses; an absent value is an empty field. A number has the shortest decimal
+    /// that reads back the same `f64`.
+    pub fn fields(self, motion: Option<&Measured>, times: u32) -> Vec<String> {
+        let number = |x: f64| if x.is_nan() { String::new() } else { format!("{x:?}") };
+        let absent = || vec![String::new(); self.names(times).len()];
+        let value = match (self, motion) {
+            (Self::Constant(_, value), Some(motion)) => value(&motion.motion),
+            (Self::Figure(_, value), Some(motion)) => value(motion),
+            (Self::Constant("regime", _), None) => "refused".into(),
+            (Self::Sample(quantity), Some(motion)) => match motion.double() {
+                Some(run) => {
+                    let numbers = run.samples.iter().flat_map(|sample| quantity.numbers(sample));
+                    return numbers.map(number).collect();
+                }
+                None => return absent(),
+            },
+            _ => return absent(),
+        };
+        vec![text(&value, number).unwrap_or_default()]
     }
 }
 
@@ -143,19 +156,5 @@ impl Measured {
         };
         let truth = self.full.get_or_init(solved).as_ref()?;
         Some(run?.error(truth.iter().copied()))
-    }
-
-    /// Fields of a column; an absent value is an empty field. A number has the shortest decimal that reads back the same `f64`.
-    pub fn fields(&self, column: Column) -> Vec<String> {
-        let number = |x: f64| if x.is_nan() { String::new() } else { format!("{x:?}") };
-        let value = match column {
-            Column::Constant(_, value) => value(&self.motion),
-            Column::Figure(_, value) => value(self),
-            Column::Sample(quantity) => {
-                let Some(run) = self.double() else { return column.refused(self.times.len() as u32) };
-                return run.samples.iter().flat_map(|sample| quantity.numbers(sample)).map(number).collect();
-            }
-        };
-        vec![text(&value, number).unwrap_or_default()]
     }
 }

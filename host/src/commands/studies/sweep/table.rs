@@ -35,33 +35,32 @@ impl Sweep {
     /// first motion is refused for a key that does not vary.
     pub fn new(
         template: ScenarioFile,
-        axes: &[(String, Axis)],
+        varied: Vec<(String, Axis)>,
         sample: Option<(u64, u64)>,
-        columns: &[Column],
+        columns: Vec<Column>,
         (times, periods): (u32, f64),
     ) -> Result<Self, Failure> {
         let refuse = |reason: String| Err(Failure::Input(reason));
-        if axes.is_empty() {
+        if varied.is_empty() {
             return refuse("a sweep: needs at least one of --spin, --tilt, ..., --axis".to_owned());
         }
-        let mut keys: Vec<(&'static str, Axis)> = Vec::new();
-        for (name, axis) in axes {
-            let key = template.number(name)?;
-            if keys.iter().any(|(other, _)| *other == key) {
+        let mut axes: Vec<(&'static str, Axis)> = Vec::new();
+        for (name, axis) in varied {
+            let key = template.number(&name)?;
+            if axes.iter().any(|(other, _)| *other == key) {
                 return refuse(format!("{name}: must be one axis only"));
             }
             if sample.is_none() && axis.count().is_none() {
                 let forms = "must be LOW..HIGH/PLACES or numbers (or draw a sample: --motions N)";
                 return refuse(format!("{name}: a range in a grid: {forms}"));
             }
-            keys.push((key, axis.clone()));
+            axes.push((key, axis));
         }
-        let places = || keys.iter().try_fold(1_u64, |count, (_, axis)| count.checked_mul(axis.size()));
+        let places = || axes.iter().try_fold(1_u64, |count, (_, axis)| count.checked_mul(axis.size()));
         let Some(count) = sample.map(|(motions, _)| motions).or_else(places) else {
             return refuse("a grid: must have at most 2^64 places".to_owned());
         };
-        let columns = columns.to_vec();
-        let sweep = Self { template, axes: keys, sample, count, columns, times, periods };
+        let sweep = Self { template, axes, sample, count, columns, times, periods };
         match sweep.template.with(&sweep.numbers(0)) {
             Err(Failure::Input(message)) if !sweep.axes.iter().any(|(key, _)| message.contains(key)) => {
                 refuse(message)
@@ -105,9 +104,10 @@ impl Sweep {
 
     /// Names of the columns, with a line break.
     pub fn header(&self) -> String {
-        let keys = self.axes.iter().map(|(key, _)| (*key).to_owned());
-        let names = keys.chain(self.columns.iter().flat_map(|column| column.header(self.times)));
-        names.fold("index".to_owned(), |line, name| line + "," + &name) + "\n"
+        let mut names = vec!["index".to_owned()];
+        names.extend(self.axes.iter().map(|(key, _)| (*key).to_owned()));
+        names.extend(self.columns.iter().flat_map(|column| column.names(self.times)));
+        names.join(",") + "\n"
     }
 
     /// Appends the row with this index, with a line break; the result is whether the scenario has these numbers.
@@ -115,17 +115,12 @@ impl Sweep {
         let numbers = self.numbers(index);
         let motion = self.motion(&numbers).ok();
         let measured = motion.map(|motion| Measured::new(motion, self.times, self.periods));
-        let mut row = index.to_string();
-        numbers.iter().for_each(|(_, number)| row += &format!(",{number:?}"));
+        let mut fields = vec![index.to_string()];
+        fields.extend(numbers.iter().map(|(_, number)| format!("{number:?}")));
         for column in &self.columns {
-            let fields = match &measured {
-                Some(measured) => measured.fields(*column),
-                None => column.refused(self.times),
-            };
-            fields.iter().for_each(|field| row += &format!(",{field}"));
+            fields.extend(column.fields(measured.as_ref(), self.times));
         }
-        text.extend_from_slice(row.as_bytes());
-        text.push(b'\n');
+        text.extend_from_slice((fields.join(",") + "\n").as_bytes());
         measured.is_some()
     }
 
