@@ -46,65 +46,72 @@ pub enum Column {
 /// Columns without `--columns`.
 pub const DEFAULT_COLUMNS: &str = "t,u,udot,alpha,beta,quaternion,omega,tip,phi,error_bound";
 
+/// Description of a quantity: key of JSON, names of its numbers as columns of CSV, unit in SI, and its numbers in a sample.
+type Description = (&'static str, &'static [&'static str], &'static str, fn(&Sample) -> Vec<f64>);
+
 impl Column {
+    fn description(self) -> Description {
+        match self {
+            Self::T => ("t", &["t"], "s", |sample| vec![sample.t]),
+            Self::U => ("u", &["u"], "", |sample| vec![sample.u]),
+            Self::Udot => ("udot", &["udot"], "1/s", |sample| vec![sample.udot]),
+            Self::Alpha => ("alpha", &["alpha_re", "alpha_im"], "", |sample| parts(sample.alpha)),
+            Self::Beta => ("beta", &["beta_re", "beta_im"], "", |sample| parts(sample.beta)),
+            Self::Gamma => {
+                ("gamma", &["gamma_re", "gamma_im"], "", |sample| parts(sample.orientation().gamma()))
+            }
+            Self::Delta => {
+                ("delta", &["delta_re", "delta_im"], "", |sample| parts(sample.orientation().delta()))
+            }
+            Self::Omega => {
+                ("omega", &["omega_x", "omega_y", "omega_z"], "rad/s", |sample| sample.omega.into())
+            }
+            Self::Tip => ("tip", &["tip_x", "tip_y"], "m", |sample| parts(sample.tip)),
+            Self::Phi => ("phi", &["phi"], "rad", |sample| vec![sample.phi.unwrap_or(f64::NAN)]),
+            Self::Quaternion => {
+                ("quaternion", &["w", "x", "y", "z"], "", |sample| sample.orientation().quaternion().into())
+            }
+            Self::Axis => ("axis", &["axis_x", "axis_y", "axis_z"], "", |sample| {
+                let [x, y, _] = sample.orientation().axis();
+                vec![x, y, sample.u]
+            }),
+            Self::OmegaBody => ("omega_body", &["wx", "wy", "wz"], "rad/s", |sample| {
+                sample.orientation().inverse().adjoint(sample.omega).into()
+            }),
+            Self::Angles => ("angles", &["tilt", "azimuth", "roll"], "rad", |sample| {
+                angles::tilt_azimuth_roll(&sample.orientation()).into()
+            }),
+            Self::EulerZxz => ("euler_zxz", &["euler_phi", "euler_theta", "euler_psi"], "rad", |sample| {
+                angles::zxz(&sample.orientation()).into()
+            }),
+            Self::ErrorBound => ("error_bound", &["error_bound"], "rad", |sample| {
+                vec![sample.error_bound.unwrap_or(f64::NAN)]
+            }),
+        }
+    }
+
     /// Key of JSON, and names of its numbers as columns of CSV.
     pub fn names(self) -> (&'static str, &'static [&'static str]) {
-        match self {
-            Self::T => ("t", &["t"]),
-            Self::U => ("u", &["u"]),
-            Self::Udot => ("udot", &["udot"]),
-            Self::Alpha => ("alpha", &["alpha_re", "alpha_im"]),
-            Self::Beta => ("beta", &["beta_re", "beta_im"]),
-            Self::Gamma => ("gamma", &["gamma_re", "gamma_im"]),
-            Self::Delta => ("delta", &["delta_re", "delta_im"]),
-            Self::Omega => ("omega", &["omega_x", "omega_y", "omega_z"]),
-            Self::Tip => ("tip", &["tip_x", "tip_y"]),
-            Self::Phi => ("phi", &["phi"]),
-            Self::Quaternion => ("quaternion", &["w", "x", "y", "z"]),
-            Self::Axis => ("axis", &["axis_x", "axis_y", "axis_z"]),
-            Self::OmegaBody => ("omega_body", &["wx", "wy", "wz"]),
-            Self::Angles => ("angles", &["tilt", "azimuth", "roll"]),
-            Self::EulerZxz => ("euler_zxz", &["euler_phi", "euler_theta", "euler_psi"]),
-            Self::ErrorBound => ("error_bound", &["error_bound"]),
-        }
+        let (key, names, ..) = self.description();
+        (key, names)
     }
 
     /// Unit of its numbers; empty where there is none.
     pub fn unit(self, units: Units, support: Support) -> &'static str {
-        match self {
-            Self::T => units.name("s"),
-            Self::Udot => units.name("1/s"),
-            Self::Omega | Self::OmegaBody => units.name("rad/s"),
-            Self::Phi | Self::Angles | Self::EulerZxz | Self::ErrorBound => "rad",
-            Self::Tip if support == Support::Sliding => units.name("m"),
-            _ => "",
+        match self.description() {
+            (_, _, "rad", _) => "rad",
+            (_, _, "m", _) if support != Support::Sliding => "",
+            (_, _, unit, _) => units.name(unit),
         }
     }
 
     /// Numbers of a sample; NaN stands for what does not exist.
     pub fn numbers(self, sample: &Sample) -> Vec<f64> {
-        let phi = sample.orientation();
-        let pair = |z: Complex<f64>| vec![z.re, z.im];
-        match self {
-            Self::T => vec![sample.t],
-            Self::U => vec![sample.u],
-            Self::Udot => vec![sample.udot],
-            Self::Alpha => pair(phi.alpha),
-            Self::Beta => pair(phi.beta),
-            Self::Gamma => pair(phi.gamma()),
-            Self::Delta => pair(phi.delta()),
-            Self::Omega => sample.omega.into(),
-            Self::Tip => pair(sample.tip),
-            Self::Phi => vec![sample.phi.unwrap_or(f64::NAN)],
-            Self::Quaternion => phi.quaternion().into(),
-            Self::Axis => {
-                let [x, y, _] = phi.axis();
-                vec![x, y, sample.u]
-            }
-            Self::OmegaBody => phi.inverse().adjoint(sample.omega).into(),
-            Self::Angles => angles::tilt_azimuth_roll(&phi).into(),
-            Self::EulerZxz => angles::zxz(&phi).into(),
-            Self::ErrorBound => vec![sample.error_bound.unwrap_or(f64::NAN)],
-        }
+        let (.., numbers) = self.description();
+        numbers(sample)
     }
+}
+
+fn parts(z: Complex<f64>) -> Vec<f64> {
+    vec![z.re, z.im]
 }

@@ -1,6 +1,6 @@
 //! Rust module with one `static`, which does not compile if one of its bits was changed.
 
-use super::label::Label;
+use super::Label;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::Parts;
 use toytop::{Clock, ErrorBound};
