@@ -84,7 +84,7 @@ impl<R: EphemerisScalar> Table<R> {
                 alpha: exact(orientation.alpha),
                 beta: exact(orientation.beta),
                 error_bound: Some(self.table().error_bound().after(ticks)),
-                ..Sample::of(t, &state, now.tip(), phi)
+                ..Sample::from_state(t, &state, now.tip(), phi)
             },
             rate: OrientationRate { alpha: wide(state.rate.alpha), beta: wide(state.rate.beta) },
             tip_over_s: exact(orientation.tip_over_s()),
@@ -161,7 +161,7 @@ impl<R: TableScalar> AnyEphemeris for Table<R> {
     ) -> Vec<FoundEvent> {
         let table = self.table();
         let state = |event: &_, t| self.timed(t, t * self.ticks_per_time(), table.at_event(event));
-        events::found(table, sought, from, wanted, most, state)
+        events::find(table, sought, from, wanted, most, state)
     }
 
     fn parts(&self) -> Option<Parts> {

@@ -33,7 +33,7 @@ pub struct Sample {
 
 impl Sample {
     /// Sample of an attitude state of the core at time t.
-    pub fn of<R: Real>(t: f64, state: &AttitudeState<R>, tip: Complex<R>, phi: Option<f64>) -> Self {
+    pub fn from_state<R: Real>(t: f64, state: &AttitudeState<R>, tip: Complex<R>, phi: Option<f64>) -> Self {
         let widen = |z: Complex<R>| widened(z, R::to_f64);
         Self {
             t,
@@ -172,7 +172,7 @@ impl<R: Real> TimedStepper<R> {
     /// Sample at the elapsed time, which contains the rounding of the last step to the scalar.
     pub fn sample(&self) -> Sample {
         let phi = self.last.tip_angle().map(Phase::to_radians);
-        Sample::of(self.elapsed, &self.last.attitude_state(), self.last.tip(), phi)
+        Sample::from_state(self.elapsed, &self.last.attitude_state(), self.last.tip(), phi)
     }
 }
 

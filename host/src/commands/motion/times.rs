@@ -62,7 +62,7 @@ impl Instants {
                     let allowed = "must be two finite times, --from first, and a number from 2";
                     Failure::Input(format!("--from, --to, --count: {allowed}"))
                 })?;
-                Ok(Self::of_axis(axis, "--from, --to".to_owned()))
+                Ok(Self::from_axis(axis, "--from, --to".to_owned()))
             }
             _ => Err(Failure::Input("--times, --times-file, --ticks or --from is required".to_owned())),
         }
@@ -82,7 +82,7 @@ impl Instants {
         if axis.count().is_none() {
             return Err(refused("must be T1,T2,... or LOW..HIGH/PLACES or log:LOW..HIGH/PLACES"));
         }
-        Ok(Self::of_axis(axis, "--times".to_owned()))
+        Ok(Self::from_axis(axis, "--times".to_owned()))
     }
 
     /// Ticks of a text `N1,N2,...` or `FIRST..LAST`, as an interrupt counts them.
@@ -129,10 +129,10 @@ impl Instants {
                 "{name}: must hold at least one time, one finite number a line"
             )));
         }
-        Ok(Self::of_axis(Axis::List(times), format!("--times-file: {name}")))
+        Ok(Self::from_axis(Axis::List(times), format!("--times-file: {name}")))
     }
 
-    fn of_axis(axis: Axis, option: String) -> Self {
+    fn from_axis(axis: Axis, option: String) -> Self {
         let (count, ends) = (axis.size(), axis.ends());
         Self { option, count, ends, rate: None, at: Box::new(move |index| (axis.at(index), 0)) }
     }

@@ -82,7 +82,7 @@ impl AnyEphemeris for AperiodicMotion {
         let state = self.form.at(t);
         let sample = Sample {
             error_bound: Some(self.error_bound().after(t * self.ticks)),
-            ..Sample::of(t, &state, self.form.tip(t), Some(self.angle(t)))
+            ..Sample::from_state(t, &state, self.form.tip(t), Some(self.angle(t)))
         };
         let tip_over_s = state.orientation.tip_over_s();
         TimedSample { sample, rate: state.rate, tip_over_s, nutation_phase: Phase::ZERO }
