@@ -1,7 +1,6 @@
 //! Built-in motions, which `compare` runs without a scenario file.
 
 use crate::input::scenario::{Scenario, Units};
-use crate::motion::Scalar;
 use toytop::{InitialPhases, Motion, Sign, Signs, Top, TopParameters};
 
 /// Scenarios of the paper's figures 2 and 3, of seven tops in SI units, and of two motions near the separatrix.
@@ -22,16 +21,6 @@ pub struct OwnBounds {
     pub full_solver: f64,
     /// Bound on the error of the stepper in f32. In f64 the bound of the full solver is larger.
     pub stepper_f32: f64,
-}
-
-impl OwnBounds {
-    /// Bound on the error of the stepper alone, rad.
-    pub fn stepper(&self, scalar: Scalar) -> f64 {
-        match scalar {
-            Scalar::F64 => 0.0,
-            _ => self.stepper_f32,
-        }
-    }
 }
 
 /// e₃ - e₂ of the two motions near the separatrix, and their bounds. The measured errors are 1.7e-11 and 5e-6 rad for the first, 4.1e-9
