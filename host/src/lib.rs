@@ -3,15 +3,12 @@
 //! | module | contents |
 //! |---|---|
 //! | [`input`] | scenario files, built-in motions, random numbers |
-//! | [`motion`] | the core's stepper and ephemeris at given times |
+//! | [`motion`] | the core's stepper and ephemeris at given times, their samples and constants |
 //! | [`full_equations`] | integration of the full 3-D equations |
 //! | [`truth`] | the paper's integrals to more than thirty digits |
 //! | `benchmarks` | catalogue of problems that integrators are tested with |
-//! | [`samples`] | samples of a motion as tables of chosen columns |
 //! | [`fit`] | sensors, samples and a launch fitted to them |
 //! | [`score`] | output of an integrator against the exact motion |
-//! | `sweep` | many motions, one row for each |
-//! | [`bake`] | ephemeris as Rust or C |
 //! | [`pictures`] | curve of the tip, figures, page for a browser |
 //! | [`output`] | tables, CSV, JSON, files, progress |
 //! | [`cli`], `commands` | command line, one file for each command |
@@ -22,7 +19,6 @@
 // Visibility is that of the modules: what a private one declares `pub` is its interface within the crate.
 #![allow(unreachable_pub)]
 
-pub mod bake;
 #[cfg(feature = "program")]
 mod benchmarks;
 #[cfg(feature = "program")]
@@ -37,15 +33,13 @@ pub mod input;
 pub mod motion;
 pub mod output;
 pub mod pictures;
-pub mod samples;
 pub mod score;
-#[cfg(feature = "program")]
-pub mod sweep;
-pub mod thread_pool;
 pub mod truth;
 
 #[cfg(feature = "program")]
 pub use commands::studies::errata;
 pub use failure::Failure;
+pub use motion::thread_pool;
+
 #[cfg(feature = "program")]
 pub use output::stdout::Report;

@@ -2,16 +2,27 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`propagate`] | stepper at given times |
+//! | [`Scalar`] | scalar types of the core |
+//! | [`constants`] | constants by name |
+//! | [`propagate`] | samples, and the stepper at given times |
+//! | [`column`], [`angles`] | quantities of a sample |
 //! | [`ephemeris`] | ephemeris in the smallest table that fits |
 //! | [`tip_angle`] | tip angle of an ephemeris, continued from t = 0 |
-//! | [`Scalar`] | scalar types of the core |
+//! | [`thread_pool`], `stream` | threads on all cores, and rows that they compute |
 
+pub mod angles;
+pub mod column;
+pub mod constants;
 pub mod ephemeris;
 pub mod propagate;
+#[cfg(feature = "program")]
+pub mod stream;
+pub mod thread_pool;
 pub mod tip_angle;
 
-use toytop::{Complex, Motion, Orientation, Regime, Top};
+pub use constants::tilts;
+
+use toytop::{Complex, Motion, Orientation, Top};
 use toytop_model::equations::{FullState, FullTop};
 
 /// Complex number in `f64`, each part by `to_f64`.
@@ -22,18 +33,6 @@ pub fn widened<R>(z: Complex<R>, to_f64: impl Fn(R) -> f64) -> Complex<f64> {
 /// Greater of two errors; infinite where the second is no number.
 pub fn greater(a: f64, b: f64) -> f64 {
     if b.is_nan() { f64::INFINITY } else { a.max(b) }
-}
-
-/// Least and greatest tilt of the axis, degrees.
-pub fn tilts(motion: &Motion) -> [f64; 2] {
-    let e = motion.branch_points();
-    let tilt =
-        |one_plus_e: f64, one_minus_e: f64| 2.0 * one_minus_e.sqrt().atan2(one_plus_e.sqrt()).to_degrees();
-    match motion.regime() {
-        Regime::Hanging => [180.0; 2],
-        regime if regime.is_vertical() => [0.0; 2],
-        _ => [tilt(2.0 - e.one_minus_e2, e.one_minus_e2), tilt(e.one_plus_e1, 2.0 - e.one_plus_e1)],
-    }
 }
 
 /// Scalar types of the core.
@@ -81,6 +80,15 @@ pub fn natural_scales(motion: &Motion) -> [f64; 3] {
     let momentum = (2.0 * a * weight).sqrt().max(constants.l.abs()).max(constants.n.abs());
     let momentum = if top.is_torque_free() { momentum.max((2.0 * a * energy).sqrt()) } else { momentum };
     [momentum, momentum, energy]
+}
+
+/// Times from 0 to `horizon`, s: one in each of `count` equal parts, at a place in its part that is a multiple of the golden section
+/// modulo 1.
+#[cfg(feature = "program")]
+pub(crate) fn spread_times(horizon: f64, count: u32) -> Vec<f64> {
+    const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
+    let part = horizon / f64::from(count);
+    (0..count).map(|i| part * (f64::from(i) + (f64::from(i) * GOLDEN_SECTION).fract())).collect()
 }
 
 #[cfg(test)]

@@ -1,26 +1,17 @@
 //! Built-in motions, which `compare` runs without a scenario file.
 
-use crate::Failure;
-use crate::input::scenario::Scenario;
-use crate::motion::Scalar;
-use toytop::{Sign, Signs};
+use crate::input::scenario::{Scenario, Units};
+use toytop::{InitialPhases, Motion, Sign, Signs, Top, TopParameters};
 
 /// Scenarios of the paper's figures 2 and 3, of seven tops in SI units, and of two motions near the separatrix.
-///
-/// # Errors
-/// None: every one is valid, and a test runs them.
-pub fn scenarios() -> Result<Vec<Scenario>, Failure> {
-    let mut scenarios = figures()?.concat();
-    for (name, text) in SAMPLES {
-        scenarios.push(Scenario::parse(name, text)?);
-    }
-    for (gap, _) in SEPARATRIX {
+pub fn scenarios() -> Vec<Scenario> {
+    let samples = SAMPLES.map(|(name, text)| Scenario::parse(name, text).expect("a valid sample"));
+    let near_separatrix = SEPARATRIX.map(|(gap, _)| {
         // e₂ and e₃ are on both sides of 1 and so close that the axis stays near the vertical for a long part of every period; A and C differ
-        let top = "transverse_inertia = 1.1\naxial_inertia = 0.8\ncom_height = 0.6\nmass_moment = 0.9";
         let e = [0.2, 1.0 - 0.5 * gap, 1.0 + 0.5 * gap];
-        scenarios.push(curve(&separatrix_name(gap), top, e, SAME)?);
-    }
-    Ok(scenarios)
+        curve(separatrix_name(gap), [1.1, 0.8, 0.6, 0.9], e, SAME)
+    });
+    figures().into_iter().flatten().chain(samples).chain(near_separatrix).collect()
 }
 
 /// Bounds on the errors of a built-in motion over ten periods, rad, in place of those of any motion.
@@ -30,16 +21,6 @@ pub struct OwnBounds {
     pub full_solver: f64,
     /// Bound on the error of the stepper in f32. In f64 the bound of the full solver is larger.
     pub stepper_f32: f64,
-}
-
-impl OwnBounds {
-    /// Bound on the error of the stepper alone, rad.
-    pub fn stepper(&self, scalar: Scalar) -> f64 {
-        match scalar {
-            Scalar::F64 => 0.0,
-            _ => self.stepper_f32,
-        }
-    }
 }
 
 /// e₃ - e₂ of the two motions near the separatrix, and their bounds. The measured errors are 1.7e-11 and 5e-6 rad for the first, 4.1e-9
@@ -82,24 +63,25 @@ pub const FIGURES: [(&str, Signs, &[f64]); 2] =
     [("figure 2", SAME, &[1.0, 2.0, 100.0]), ("figure 3", DIFFERENT, &[1.0, 1.1, 1.3, 1.85, 2.5, 3.0])];
 
 /// Curves of the paper's figures 2 and 3.
-///
-/// # Errors
-/// None: every one is valid, and a test runs them.
-pub fn figures() -> Result<[Vec<Scenario>; 2], Failure> {
-    let top = "transverse_inertia = 1\naxial_inertia = 1\ncom_height = 1\nmass_moment = 1";
-    let [second, third] = FIGURES.map(|(figure, signs, e3s)| {
-        let curve = |e3: &f64| curve(&format!("{figure} e3={e3}"), top, [0.7, 0.9, *e3], signs);
-        e3s.iter().map(curve).collect::<Result<_, _>>()
-    });
-    Ok([second?, third?])
+pub fn figures() -> [Vec<Scenario>; 2] {
+    FIGURES.map(|(figure, signs, e3s)| {
+        let curve = |e3: &f64| curve(format!("{figure} e3={e3}"), [1.0; 4], [0.7, 0.9, *e3], signs);
+        e3s.iter().map(curve).collect()
+    })
 }
 
-fn curve(name: &str, top: &str, [e1, e2, e3]: [f64; 3], signs: Signs) -> Result<Scenario, Failure> {
-    let [plus, minus] = [signs.l_plus_n, signs.l_minus_n].map(Sign::factor);
-    // {:?} has the digits that read back the same number
-    let numbers =
-        format!("e1 = {e1:?}\ne2 = {e2:?}\ne3 = {e3:?}\nsign_l_plus_n = {plus}\nsign_l_minus_n = {minus}");
-    let text =
-        format!("units = \"none\"\n[top]\ngravity = 1\n{top}\n[motion]\nkind = \"branch_points\"\n{numbers}");
-    Scenario::parse(name, &text)
+/// Scenario without units of a sliding top with A, C, s, p and gravity 1.
+fn curve(name: String, top: [f64; 4], e: [f64; 3], signs: Signs) -> Scenario {
+    let [transverse_inertia, axial_inertia, com_height, mass_moment] = top;
+    let parameters = TopParameters {
+        transverse_inertia,
+        axial_inertia,
+        com_height,
+        mass_moment,
+        gravity: 1.0,
+        ..TopParameters::default()
+    };
+    let motion = Top::sliding(&parameters)
+        .and_then(|top| Motion::from_branch_points(&top, e, signs, &InitialPhases::default()));
+    Scenario { name, motion: motion.expect("a valid motion"), given: None, units: Units::None }
 }

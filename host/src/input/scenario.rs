@@ -5,16 +5,14 @@
 
 mod motion;
 mod top;
-mod units;
 
-use super::section::{self, Section};
+use super::section::{self, Key, Section};
+use super::units::{self, DEGREES, RADIANS};
 use crate::Failure;
 use crate::output::{shown, whole_file};
-use crate::truth::motions::Start;
-use std::fmt;
 use std::path::Path;
 use toml::{Table, Value};
-use toytop::{Motion, Top, TopParameters};
+use toytop::{InitialPhases, Motion, Orientation, Signs, State, Top, TopParameters};
 
 /// Units of a scenario's numbers.
 #[derive(Clone, Copy, PartialEq)]
@@ -57,6 +55,34 @@ pub struct Given {
     pub start: Start,
 }
 
+/// Launch of a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Start {
+    /// Branch points e₁, e₂ and e₃.
+    BranchPoints {
+        /// Branch points.
+        e: [f64; 3],
+        /// Signs of l + n and l - n.
+        signs: Signs,
+        /// Phases at t = 0.
+        phases: InitialPhases,
+    },
+    /// Orientation and angular velocity.
+    State {
+        /// Parameters α and β, whose norm need not be 1; they stand for the normalised pair.
+        phi: [[f64; 2]; 2],
+        /// Angular velocity ω in the fixed frame.
+        omega: [f64; 3],
+    },
+}
+
+impl From<&State> for Start {
+    fn from(state: &State) -> Self {
+        let Orientation { alpha, beta } = state.orientation();
+        Self::State { phi: [alpha, beta].map(|z| [z.re, z.im]), omega: state.omega() }
+    }
+}
+
 impl Scenario {
     /// Scenario of a file, with the name of the file.
     ///
@@ -72,20 +98,6 @@ impl Scenario {
     /// As [`ScenarioFile::parse`] and [`ScenarioFile::scenario`].
     pub fn parse(file: &str, text: &str) -> Result<Self, Failure> {
         ScenarioFile::parse(file, text)?.scenario()
-    }
-}
-
-/// Key whose value is one number: its table and its name.
-#[derive(Clone, Copy, PartialEq)]
-pub struct Key {
-    table: &'static str,
-    /// Name of the key.
-    pub name: &'static str,
-}
-
-impl fmt::Display for Key {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}.{}", self.table, self.name)
     }
 }
 
@@ -116,7 +128,19 @@ impl ScenarioFile {
     /// # Errors
     /// [`Failure::Input`]: no TOML, or a text in place of a number that is not a number with a unit of its key.
     pub fn parse(file: &str, text: &str) -> Result<Self, Failure> {
-        let keys = units::in_units_of_keys(file, section::parse(file, text)?)?;
+        let written = section::parse(file, text)?;
+        let has_units = written.get("units").and_then(Value::as_str) != Some("none");
+        let mut keys = written.clone();
+        for (name, value) in &mut keys {
+            let (Value::Table(table), Some(Value::Table(written))) = (value, written.get(name)) else {
+                continue;
+            };
+            let section = Section { file, name, table: written };
+            replace_units(&section, table, has_units)?;
+            if table.get("kind").and_then(Value::as_str) == Some("release") {
+                replace_angles(&section, table)?;
+            }
+        }
         Ok(Self { file: file.to_owned(), name: file.to_owned(), keys })
     }
 
@@ -156,33 +180,81 @@ impl ScenarioFile {
         }
     }
 
-    /// Key of this name.
+    /// Name of the scenario's number with this name.
     ///
     /// # Errors
     /// [`Failure::Input`]: the scenario has no such number; the message lists those it has.
-    pub fn key(&self, name: &str) -> Result<Key, Failure> {
+    pub fn number(&self, name: &str) -> Result<&'static str, Failure> {
         let kind = self.keys.get("motion").and_then(|motion| motion.get("kind")).and_then(Value::as_str);
-        let of_motion = motion::numbers(kind.unwrap_or_default()).iter().map(|key| ("motion", key.name));
-        let keys: Vec<_> = top::KEYS.iter().map(|key| ("top", key.name)).chain(of_motion).collect();
-        let found = keys.iter().find(|(_, key)| *key == name).map(|&(table, name)| Key { table, name });
-        found.ok_or_else(|| {
-            let allowed: Vec<_> = keys.iter().map(|(_, key)| *key).collect();
-            let (name, allowed) = (shown(name), allowed.join(", "));
+        let numbers = top::KEYS.iter().chain(motion::numbers(kind.unwrap_or_default()));
+        let names: Vec<_> = numbers.map(|key| key.name).collect();
+        names.iter().copied().find(|known| *known == name).ok_or_else(|| {
+            let (name, allowed) = (shown(name), names.join(", "));
             Failure::Input(format!("{}: {name}: no number of this scenario; allowed: {allowed}", self.file))
         })
     }
 
-    /// Scenario with these numbers, whose keys may be missing in the file.
+    /// Scenario with other numbers, whose keys may be missing in the file.
     ///
     /// # Errors
     /// As [`ScenarioFile::scenario`].
-    pub fn with(&self, numbers: &[(Key, f64)]) -> Result<Scenario, Failure> {
+    pub fn with(&self, numbers: &[(&'static str, f64)]) -> Result<Scenario, Failure> {
         let mut changed = self.clone();
-        for (key, number) in numbers {
-            if let Some(Value::Table(table)) = changed.keys.get_mut(key.table) {
-                table.insert(key.name.to_owned(), Value::Float(*number));
+        for (name, number) in numbers {
+            let of_top = top::KEYS.iter().any(|key| key.name == *name);
+            if let Some(Value::Table(table)) = changed.keys.get_mut(if of_top { "top" } else { "motion" }) {
+                table.insert((*name).to_owned(), Value::Float(*number));
             }
         }
         changed.scenario()
     }
+}
+
+/// Replaces numbers with units by numbers in the units of their keys.
+fn replace_units(section: &Section<'_>, table: &mut Table, has_units: bool) -> Result<(), Failure> {
+    for Key { name, quantity, .. } in top::KEYS.iter().chain(motion::keys()) {
+        let entries = match table.get_mut(*name) {
+            Some(Value::Array(entries)) => &mut entries[..],
+            Some(value) => std::slice::from_mut(value),
+            None => continue,
+        };
+        for entry in entries {
+            if let Value::String(text) = entry
+                && !quantity.is_empty()
+            {
+                if !has_units && *quantity != RADIANS {
+                    return Err(section.refuse(name, "must be a number, because of units = \"none\""));
+                }
+                let number = units::number(text, quantity).map_err(|reason| section.refuse(name, &reason))?;
+                *entry = Value::Float(number);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Replaces the angles of a release, which have units, by angles in degrees.
+fn replace_angles(section: &Section<'_>, table: &mut Table) -> Result<(), Failure> {
+    for (key, in_degrees) in motion::ANGLES {
+        if let Some(Value::String(text)) = table.get(in_degrees)
+            && units::number(text, DEGREES).is_ok()
+        {
+            let reason = format!("must be a number of degrees; with a unit: {key} = {:?}", shown(text));
+            return Err(section.refuse(in_degrees, &reason));
+        }
+        let Some(value) = table.remove(key) else { continue };
+        // one reader would take a number without a unit for degrees, and another for radians
+        let Value::String(text) = value else {
+            let reason = format!("must be a text with a unit, as \"20 deg\", or {in_degrees} a number");
+            return Err(section.refuse(key, &reason));
+        };
+        let degrees = units::number(&text, DEGREES).map_err(|reason| section.refuse(key, &reason))?;
+        if key == "tilt" && !(0.0..=180.0).contains(&degrees) {
+            return Err(section.refuse(key, "must be from 0 to 180 deg"));
+        }
+        if table.insert(in_degrees.to_owned(), Value::Float(degrees)).is_some() {
+            return Err(section.refuse(key, &format!("allowed only without {in_degrees}")));
+        }
+    }
+    Ok(())
 }

@@ -1,5 +1,6 @@
 //! One table of a TOML file. Each [`Key`] states its allowed values, by which the table is read.
 
+use super::units::Quantity;
 use crate::Failure;
 use crate::output::shown;
 use toml::{Table, Value};
@@ -14,11 +15,13 @@ pub struct Key {
     default: Option<f64>,
     /// Least and greatest value.
     range: [f64; 2],
+    /// Units of a value that is a text; none where it must be a number.
+    pub quantity: Quantity,
 }
 
 impl Key {
     pub const fn required(name: &'static str, allowed: &'static str) -> Self {
-        Self { name, allowed, default: None, range: [f64::MIN, f64::MAX] }
+        Self { name, allowed, default: None, range: [f64::MIN, f64::MAX], quantity: &[] }
     }
 
     pub const fn optional(name: &'static str, default: f64, allowed: &'static str) -> Self {
@@ -28,6 +31,11 @@ impl Key {
     /// Key whose value is in this range.
     pub const fn within(self, low: f64, high: f64) -> Self {
         Self { range: [low, high], ..self }
+    }
+
+    /// Key whose value may have one of these units.
+    pub const fn with_units(self, quantity: Quantity) -> Self {
+        Self { quantity, ..self }
     }
 }
 
@@ -56,15 +64,20 @@ impl Section<'_> {
         Failure::Input(format!("{}: {}.{}: {reason}", self.file, shown(self.name), shown(key)))
     }
 
-    /// Failure for an error of the core, whose parameters have the names of the keys, except for those that `renamed` lists.
-    pub fn refused(&self, error: &ParameterError, renamed: &[(&str, &str)]) -> Failure {
-        let parameter = error.parameter();
-        let key = renamed.iter().find(|(name, _)| *name == parameter).map_or(parameter, |(_, key)| key);
+    /// Failure for an error of the core, whose parameters have the names of the keys, except for the angles.
+    pub fn refused(&self, error: &ParameterError) -> Failure {
+        let key = match error.parameter() {
+            "tilt" => "tilt_deg",
+            "azimuth" => "azimuth_deg",
+            "roll" => "roll_deg",
+            "theta" => "nutation_phase",
+            parameter => parameter,
+        };
         self.refuse(key, &format!("must be {}", error.allowed()))
     }
 
-    pub fn has(&self, key: &Key) -> bool {
-        self.table.contains_key(key.name)
+    pub fn has(&self, key: &str) -> bool {
+        self.table.contains_key(key)
     }
 
     /// Failure if there is a key other than these; `reason` begins the message.
@@ -109,18 +122,13 @@ impl Section<'_> {
         self.value((key, &allowed), default, word)
     }
 
-    /// Value of a key that is a number in the key's range.
-    pub fn number(&self, key: &Key) -> Result<f64, Failure> {
-        let [low, high] = key.range;
-        let within = |value: &Value| number(value).filter(|number| (low..=high).contains(number));
-        self.value((key.name, key.allowed), key.default, within)
-    }
-
     /// Values of these keys, each a number in its range.
     pub fn numbers<const N: usize>(&self, keys: &[Key; N]) -> Result<[f64; N], Failure> {
         let mut numbers = [0.0; N];
         for (slot, key) in numbers.iter_mut().zip(keys) {
-            *slot = self.number(key)?;
+            let [low, high] = key.range;
+            let within = |value: &Value| number(value).filter(|number| (low..=high).contains(number));
+            *slot = self.value((key.name, key.allowed), key.default, within)?;
         }
         Ok(numbers)
     }

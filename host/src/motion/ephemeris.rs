@@ -1,17 +1,19 @@
 //! Ephemeris of the core with as many segments as a motion needs, behind a trait that hides scalar and capacity.
 
-mod rise;
-mod samples;
+mod aperiodic;
+mod events;
+mod parts;
 mod sizes;
 
-pub use samples::{EventQuery, FoundEvent, RateSample, TimedSample};
-pub use sizes::{Size, approximate, smaller, smallest, table};
+pub use events::{EventQuery, FoundEvent, RateSample, TimedSample};
+pub use parts::Parts;
+pub use sizes::{CAPACITIES, approximate, require_scalar, sizes, smaller, smallest, table};
 pub use toytop_model::ticks::ticks_per_time;
 
-use crate::bake::{Bake, Parts};
+use crate::motion::column::Column;
 use crate::motion::propagate::Sample;
 use crate::motion::widened;
-use crate::samples::column::Column;
+use parts::TableScalar;
 use std::f64::consts::TAU;
 use toytop::scalar::Float;
 use toytop::su2::OrientationRate;
@@ -63,10 +65,10 @@ pub fn furthest_time(motion: &Motion) -> f64 {
     62_f64.exp2() / ticks_per_time(motion)
 }
 
-/// Ephemeris on the heap, whose memory was set up.
-struct Boxed<R: EphemerisScalar>(Box<EphemerisMemory<EphemerisView<R>>>);
+/// Table on the heap, which was set up.
+struct Table<R: EphemerisScalar>(Box<EphemerisMemory<EphemerisView<R>>>);
 
-impl<R: EphemerisScalar> Boxed<R> {
+impl<R: EphemerisScalar> Table<R> {
     fn table(&self) -> &EphemerisView<R> {
         self.0.get().expect("set up")
     }
@@ -82,7 +84,7 @@ impl<R: EphemerisScalar> Boxed<R> {
                 alpha: exact(orientation.alpha),
                 beta: exact(orientation.beta),
                 error_bound: Some(self.table().error_bound().after(ticks)),
-                ..Sample::of(t, &state, now.tip(), phi)
+                ..Sample::from_state(t, &state, now.tip(), phi)
             },
             rate: OrientationRate { alpha: wide(state.rate.alpha), beta: wide(state.rate.beta) },
             tip_over_s: exact(orientation.tip_over_s()),
@@ -95,7 +97,7 @@ impl<R: EphemerisScalar> Boxed<R> {
     }
 }
 
-impl<R: Bake> AnyEphemeris for Boxed<R> {
+impl<R: TableScalar> AnyEphemeris for Table<R> {
     fn size(&self) -> [usize; 2] {
         [self.table().capacity(), R::TERMS]
     }
@@ -159,7 +161,7 @@ impl<R: Bake> AnyEphemeris for Boxed<R> {
     ) -> Vec<FoundEvent> {
         let table = self.table();
         let state = |event: &_, t| self.timed(t, t * self.ticks_per_time(), table.at_event(event));
-        samples::found(table, sought, from, wanted, most, state)
+        events::find(table, sought, from, wanted, most, state)
     }
 
     fn parts(&self) -> Option<Parts> {

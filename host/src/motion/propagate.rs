@@ -33,7 +33,7 @@ pub struct Sample {
 
 impl Sample {
     /// Sample of an attitude state of the core at time t.
-    pub fn of<R: Real>(t: f64, state: &AttitudeState<R>, tip: Complex<R>, phi: Option<f64>) -> Self {
+    pub fn from_state<R: Real>(t: f64, state: &AttitudeState<R>, tip: Complex<R>, phi: Option<f64>) -> Self {
         let widen = |z: Complex<R>| widened(z, R::to_f64);
         Self {
             t,
@@ -64,13 +64,11 @@ const MOST_STEPS: f64 = 1e10;
 pub fn steps_needed(times: &[f64], step: f64) -> Result<u64, Failure> {
     let furthest = |sign: f64| times.iter().fold(0.0_f64, |most, t| most.max(sign * t));
     let steps = (furthest(1.0) + furthest(-1.0)) / step + times.len() as f64;
-    if steps <= MOST_STEPS {
-        Ok(steps as u64)
-    } else {
-        Err(Failure::Input(format!(
-            "--steps-per-period: {steps:.1e} steps of {step:.1e} s; must be at most 1e10 steps"
-        )))
+    if steps > MOST_STEPS {
+        let reason = format!("{steps:.1e} steps of {step:.1e} s; must be at most 1e10 steps");
+        return Err(Failure::Input(format!("--steps-per-period: {reason}")));
     }
+    Ok(steps as u64)
 }
 
 /// Results of `reach` at `times`, in their order. The times are visited in two passes away from t = 0, one forward and one backward,
@@ -83,14 +81,13 @@ pub fn visit_times<S, T>(
     start: impl Fn() -> S,
     mut reach: impl FnMut(&mut S, f64) -> Result<T, Failure>,
 ) -> Result<Vec<T>, Failure> {
-    let mut indexed: Vec<(usize, f64)> = times.iter().copied().enumerate().collect();
-    indexed.sort_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
-    let (backwards, forwards): (Vec<_>, Vec<_>) = indexed.into_iter().partition(|(_, t)| *t < 0.0);
+    let mut outwards: Vec<(usize, f64)> = times.iter().copied().enumerate().collect();
+    outwards.sort_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
     let mut results = Vec::with_capacity(times.len());
-    for direction in [forwards, backwards] {
+    for backwards in [false, true] {
         let mut state = start();
-        for (index, t) in direction {
-            results.push((index, reach(&mut state, t)?));
+        for (index, t) in outwards.iter().filter(|(_, t)| (*t < 0.0) == backwards) {
+            results.push((*index, reach(&mut state, *t)?));
         }
     }
     results.sort_by_key(|(index, _)| *index);
@@ -175,7 +172,7 @@ impl<R: Real> TimedStepper<R> {
     /// Sample at the elapsed time, which contains the rounding of the last step to the scalar.
     pub fn sample(&self) -> Sample {
         let phi = self.last.tip_angle().map(Phase::to_radians);
-        Sample::of(self.elapsed, &self.last.attitude_state(), self.last.tip(), phi)
+        Sample::from_state(self.elapsed, &self.last.attitude_state(), self.last.tip(), phi)
     }
 }
 

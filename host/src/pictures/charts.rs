@@ -5,9 +5,9 @@ use super::curve::Bound;
 use super::span::Span;
 use crate::Failure;
 use crate::input::scenario::{Scenario, Units};
+use crate::motion::angles::tilt_azimuth_roll;
 use crate::motion::tilts;
 use crate::output::short;
-use crate::samples::angles::tilt_azimuth_roll;
 use kuva::render::render::Scene;
 use std::f64::consts::PI;
 use toytop::{Motion, Regime};
@@ -144,7 +144,7 @@ mod tests {
     /// At the turning points the effective potential equals the energy; between them it is smaller.
     #[test]
     fn the_potential_is_the_energy_at_the_turning_points() {
-        for scenario in builtin::figures().unwrap().concat() {
+        for scenario in builtin::figures().concat() {
             let (e, h) = (scenario.motion.branch_points(), scenario.motion.first_integrals().h);
             for u in [e.e1, e.e2] {
                 let potential = effective_potential(&scenario.motion, u);

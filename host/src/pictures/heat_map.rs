@@ -2,7 +2,8 @@
 
 use super::drawing::{frame, label_above, text};
 use crate::Failure;
-use crate::sweep::{Axis, Sweep};
+use crate::commands::studies::sweep::Sweep;
+use crate::input::axis::Axis;
 use kuva::plot::colormap::ColorMap;
 use kuva::plot::heatmap::Heatmap;
 use kuva::render::plots::Plot;

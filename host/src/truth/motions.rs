@@ -1,5 +1,7 @@
 //! Numbers of a motion, and random ones near degenerate cases.
 
+pub use crate::input::scenario::Start;
+
 use crate::input::random::Random;
 use std::f64::consts::PI;
 use toytop::{
@@ -13,34 +15,6 @@ pub struct Numbers {
     pub top: [f64; 6],
     /// Launch.
     pub start: Start,
-}
-
-/// Launch of a motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Start {
-    /// Branch points e₁, e₂ and e₃.
-    BranchPoints {
-        /// Branch points.
-        e: [f64; 3],
-        /// Signs of l + n and l - n.
-        signs: Signs,
-        /// Phases at t = 0.
-        phases: InitialPhases,
-    },
-    /// Orientation and angular velocity.
-    State {
-        /// Parameters α and β, whose norm need not be 1; they stand for the normalised pair.
-        phi: [[f64; 2]; 2],
-        /// Angular velocity ω in the fixed frame.
-        omega: [f64; 3],
-    },
-}
-
-impl From<&State> for Start {
-    fn from(state: &State) -> Self {
-        let Orientation { alpha, beta } = state.orientation();
-        Self::State { phi: [alpha, beta].map(|z| [z.re, z.im]), omega: state.omega() }
-    }
 }
 
 impl Numbers {

@@ -1,7 +1,7 @@
 //! `toytop benchmark`: reference values of the problems that other integrators are tested with.
 
 use super::Report;
-use super::times;
+use super::times::Instants;
 use crate::Failure;
 use crate::benchmarks::{self, Printed, Problem, Reference};
 use crate::motion::Scalar;
@@ -96,8 +96,8 @@ fn references(problem: &Problem) -> Vec<Record> {
 /// Values of the ephemeris at any times, with 17 digits.
 fn computed(problem: &Problem, times: &str) -> Result<Vec<Record>, Failure> {
     let motion = &problem.scenario.motion;
-    let instants = times::times(times)?;
-    instants.require_within(furthest_time(motion), "").map_err(|failure| failure.of("--times"))?;
+    let instants = Instants::parse(times)?;
+    instants.require_within(furthest_time(motion), "")?;
     let table = smallest(Scalar::F64, motion).map_err(|failure| failure.of(problem.name()))?;
     let values = |t: &f64| problem.values(&table.at(*t).sample).into_iter().map(Value::from);
     Ok(instants.times()?.iter().map(|t| record((*t).into(), values(t))).collect())

@@ -1,14 +1,24 @@
-//! `toytop bake`: the table of a motion as a file for another program.
+//! `toytop bake`: the table of a motion as a file for another program, a Rust module or a C header with its evaluator.
+//!
+//! Both contain the numbers of a [`Baked`](toytop::Baked) of any size, with format version and checksum. A Rust module in which a
+//! number was changed does not compile; the C header has a function that checks the numbers. Both give the bits of the crate.
+//!
+//! In C, fixed point uses integers only, and `f32` uses integers up to α and β, so that these bits do not depend on the compiler. In u, c
+//! and `f64` every product that is added passes a barrier, without which compilers would fuse the product and the sum by default.
+
+mod c;
+mod rust;
 
 use super::options::hertz;
 use super::{Report, warnings};
 use crate::Failure;
-use crate::bake::{Label, Parts, header, module, split_files};
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{Size, smaller, table};
+use crate::motion::ephemeris::{Parts, sizes, smaller, table};
 use crate::output::whole_file;
+use c::{header, split_files};
 use clap::{Args, ValueEnum};
+use rust::module;
 use std::path::PathBuf;
 use toytop::{ErrorBound, Tick};
 
@@ -59,7 +69,11 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     }
     let [ticks, seconds] = arguments.hertz;
     let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::Input(format!("--hertz: {error}")))?;
-    let (parts, smaller) = baked(arguments, &scenario, tick)?;
+    let (scalar, motion) = (arguments.scalar, &scenario.motion);
+    let table = table(scalar, motion, tick, &sizes(scalar, arguments.size)?)
+        .map_err(|failure| failure.of_motion(&scenario.name))?;
+    let parts = table.parts().expect("a table");
+    let smaller = smaller(scalar, motion, tick, &*table).and_then(|table| table.parts());
     let label = Label {
         name: arguments.name.clone().unwrap_or_else(|| scenario.name.clone()),
         tick: if seconds == 1 { format!("{ticks} Hz") } else { format!("{ticks}/{seconds} Hz") },
@@ -88,15 +102,6 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     Ok(report.with_remarks(remarks, false))
 }
 
-/// Table that is written, and the smallest one that would be enough, if that has fewer segments.
-fn baked(arguments: &BakeArgs, scenario: &Scenario, tick: Tick) -> Result<(Parts, Option<Parts>), Failure> {
-    let (scalar, motion) = (arguments.scalar, &scenario.motion);
-    let size = arguments.size.map_or(Size::Default, Size::Exactly);
-    let table = table(scalar, motion, tick, size).map_err(|failure| failure.of_motion(&scenario.name))?;
-    let parts = table.parts().expect("a table");
-    Ok((parts, smaller(scalar, motion, tick, &*table).and_then(|table| table.parts())))
-}
-
 /// Line that states the scalar, the size and the error bound of the table that was written, and the size of a smaller table with the same
 /// bound.
 fn summary(label: &Label, parts: &Parts, smaller: Option<&Parts>) -> String {
@@ -109,4 +114,80 @@ fn summary(label: &Label, parts: &Parts, smaller: Option<&Parts>) -> String {
         "{}: {segments}x{terms} in {scalar}, {bytes} bytes, {}; orientation within {constant:.1e} rad + {per_tick:.1e} rad a tick{advice}",
         label.name, label.tick,
     )
+}
+
+/// Description of the motion of a table, for the comment of a file.
+pub struct Label {
+    /// Name of the scenario.
+    pub name: String,
+    /// Length of a tick, as text.
+    pub tick: String,
+}
+
+impl Label {
+    /// Name as an identifier in lower case: letters and digits of ASCII are kept, any other letter or digit becomes `u` and at least four
+    /// hexadecimal digits, and everything between becomes one underscore, but not at the ends.
+    pub fn identifier(&self) -> String {
+        let mut identifier = String::new();
+        for c in self.name.chars() {
+            match c {
+                _ if c.is_ascii_alphanumeric() => identifier.push(c.to_ascii_lowercase()),
+                _ if c.is_alphanumeric() => identifier += &format!("u{:04x}", u32::from(c)),
+                _ if identifier.is_empty() || identifier.ends_with('_') => {}
+                _ => identifier.push('_'),
+            }
+        }
+        let identifier = identifier.trim_end_matches('_');
+        if identifier.starts_with(|c: char| c.is_ascii_lowercase()) {
+            identifier.to_owned()
+        } else {
+            format!("top_{identifier}")
+        }
+    }
+
+    /// Identifier as a name in C and C++, and of a file. A single word or a name that ends in `_t` may belong to the language or to a library
+    /// (`int`, `clock`), and a name that begins with `toytop_` may belong to this library. Such a name gets the prefix `top_`.
+    pub fn c_name(&self) -> String {
+        let name = self.identifier();
+        let free = name.contains('_') && !name.ends_with("_t") && !name.starts_with("toytop_");
+        if free { name } else { format!("top_{name}") }
+    }
+
+    /// Name and properties of the table for a comment, without characters that could end the comment.
+    fn headline(&self, parts: &Parts) -> String {
+        let printable = |c: &char| !c.is_control() && !['*', '/', '\\'].contains(c);
+        let name: String = self.name.chars().filter(printable).collect();
+        let ([segments, terms], ErrorBound { constant, per_tick }) = (parts.size, parts.error_bound);
+        format!(
+            "{name}, {}: {segments} x {terms} in {}; within {constant:.1e} rad + {per_tick:.1e} rad a tick",
+            self.tick,
+            parts.scalar.name(),
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_name_becomes_an_unused_identifier() {
+        let named = |name: &str| Label { name: name.to_owned(), tick: String::new() };
+        for (name, identifier, c_name) in [
+            ("int", "int", "top_int"),
+            ("Clock", "clock", "top_clock"),
+            ("time_t", "time_t", "top_time_t"),
+            ("toytop_f32", "toytop_f32", "top_toytop_f32"),
+            ("toy_top", "toy_top", "toy_top"),
+            ("2 tops", "top_2_tops", "top_2_tops"),
+            ("_a__b_", "a_b", "a_b"),
+            ("Kreisel ä", "kreisel_u00e4", "kreisel_u00e4"),
+            ("Kreisel ö", "kreisel_u00f6", "kreisel_u00f6"),
+            ("陀螺", "u9640u87ba", "top_u9640u87ba"),
+            ("...", "top_", "top_"),
+        ] {
+            let label = named(name);
+            assert_eq!([label.identifier(), label.c_name()], [identifier, c_name], "{name}");
+        }
+    }
 }

@@ -10,7 +10,7 @@ use crate::motion::tilts;
 use crate::output::{self, Column, Format, Record, eight};
 use clap::Args;
 use std::path::PathBuf;
-use toytop::{Level, Motion, ParameterError, Phase, Support};
+use toytop::{Level, Motion, Phase, Support};
 
 /// `toytop events`
 #[derive(Args)]
@@ -32,10 +32,9 @@ pub struct EventsArgs {
     format: Format,
 }
 
-/// Kind of event on the command line.
+/// Events on the command line.
 #[derive(Clone, PartialEq)]
 pub struct Kind {
-    /// Kind of the event.
     what: What,
     /// Whether only upward (`true`) or only downward (`false`) events count; `None` for both.
     upward: Option<bool>,
@@ -43,18 +42,18 @@ pub struct Kind {
     text: String,
 }
 
-/// Kinds of event.
+/// Kind of an event.
 #[derive(Clone, Debug, PartialEq)]
-pub enum What {
+enum What {
     /// Turning point of u.
     Turning,
-    /// Time at which the tilt has this value, degrees.
+    /// Tilt, degrees.
     Tilt(f64),
-    /// Time at which the tip angle has this value, degrees, modulo whole turns.
+    /// Tip angle modulo whole turns, degrees.
     TipAngle(f64),
-    /// Time at which the tip is at this distance from the centre, m.
+    /// Distance of the tip from the centre, m.
     Circle(f64),
-    /// Time at which the normal force is 0.
+    /// Normal force 0.
     LiftOff,
 }
 
@@ -118,28 +117,28 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
 
 /// Searches for the events of a kind: two where two levels of u belong to a circle, none where a top does not leave the plane.
 fn sought(kind: &Kind, motion: &Motion) -> Result<Vec<EventQuery>, Failure> {
-    let refused = |error: ParameterError| Failure::Input(format!("{}: {error}", kind.text));
+    let refused = |reason: String| Failure::Input(format!("{}: {reason}", kind.text));
     let top = motion.top();
-    Ok(match kind.what {
-        What::Turning => vec![EventQuery::Turning],
+    let levels = match kind.what {
+        What::Turning => return Ok(vec![EventQuery::Turning]),
+        What::TipAngle(degrees) => return Ok(vec![EventQuery::TipAngle(Phase::new(degrees / 360.0))]),
         What::Tilt(degrees) => {
-            vec![EventQuery::Crossing(Level::of_tilt(degrees.to_radians()).map_err(refused)?)]
+            vec![Level::of_tilt(degrees.to_radians()).map_err(|error| refused(error.to_string()))?]
         }
-        What::TipAngle(degrees) => vec![EventQuery::TipAngle(Phase::new(degrees / 360.0))],
         What::Circle(radius) => {
-            let levels = Level::of_circle(top, radius).map_err(|_| {
-                let allowed = format!("must be above 0 and below {}", output::short(top.tip_scale(), 6));
-                Failure::Input(format!("{}: {allowed}", kind.text))
-            })?;
-            levels.map(EventQuery::Crossing).to_vec()
+            let below = output::short(top.tip_scale(), 6);
+            let allowed = |_| refused(format!("must be above 0 and below {below}"));
+            Level::of_circle(top, radius).map_err(allowed)?.to_vec()
         }
-        What::LiftOff if top.support() != Support::Sliding => {
-            return Err(Failure::Method(
-                "lift-off: none, because the tip does not slide on a plane".to_owned(),
-            ));
+        What::LiftOff if top.support() == Support::Sliding => {
+            Level::of_lift_off(motion).into_iter().collect()
         }
-        What::LiftOff => Level::of_lift_off(motion).map(EventQuery::Crossing).into_iter().collect(),
-    })
+        What::LiftOff => {
+            let reason = "lift-off: none, because the tip does not slide on a plane";
+            return Err(Failure::Method(reason.to_owned()));
+        }
+    };
+    Ok(levels.into_iter().map(EventQuery::Crossing).collect())
 }
 
 fn record(kind: &Kind, sought: &EventQuery, event: &FoundEvent) -> Record {

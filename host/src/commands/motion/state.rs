@@ -1,22 +1,23 @@
 //! `toytop state`: orientation, rates and tip at given times.
 
+mod sheet;
+
 use super::options::{Method, hertz};
-use super::times::{self, Instants, TimesArgs};
+use super::times::{Instants, TimesArgs};
 use super::{Report, warnings};
 use crate::Failure;
 use crate::full_equations;
 use crate::input::scenario::Scenario;
-use crate::motion::Scalar;
-use crate::motion::ephemeris::{Size, furthest_time, smallest, table};
+use crate::motion::column::{Column, DEFAULT_COLUMNS};
+use crate::motion::ephemeris::{CAPACITIES, furthest_time, require_scalar, smallest, table};
 use crate::motion::propagate::{Sample, period, stepped};
 use crate::motion::tip_angle::TipAngle;
+use crate::motion::{Scalar, stream};
 use crate::output::whole_file;
-use crate::samples::column::{Column, DEFAULT_COLUMNS};
-use crate::samples::sheet::{SampleFormat, Sheet};
-use crate::samples::stream;
 use clap::{ArgGroup, Args};
+use sheet::{SampleFormat, Sheet};
 use std::path::PathBuf;
-use toytop::{Regime, Tick};
+use toytop::Tick;
 use toytop_closed_forms::ClosedForm;
 
 /// Sample at a time, by the index of the time in the request.
@@ -65,7 +66,7 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     if arguments.hertz.is_some() && arguments.times.ticks.is_none() {
         return Err(Failure::Input("--hertz: needs --ticks".to_owned()));
     }
-    let instants = times::read(&arguments.times, arguments.hertz.unwrap_or([1000, 1]))?;
+    let instants = Instants::read(&arguments.times, arguments.hertz.unwrap_or([1000, 1]))?;
     let format = arguments.format;
     let mut columns = arguments.columns.clone();
     // a program that reads JSON always gets the bound
@@ -93,13 +94,11 @@ fn source(arguments: &StateArgs, scenario: &Scenario, instants: Instants) -> Res
         return Err(Failure::Input("--steps-per-period: needs --method stepper".to_owned()));
     }
     let step = period(motion) / f64::from(arguments.steps_per_period.unwrap_or(4096));
-    let option = times::option(&arguments.times);
-    let listed = || instants.times().map_err(|failure| failure.of(&option));
     let samples = match (arguments.method, arguments.scalar) {
-        (Method::Ephemeris, scalar) => return by_ephemeris(scalar, scenario, instants, &option),
-        (Method::Stepper, scalar) => stepped(scalar, motion, &listed()?, step)?,
-        (Method::Full, Scalar::F64) => full_equations::samples(scenario, &listed()?)?,
-        (Method::ClosedForm, Scalar::F64) => return by_closed_form(scenario, instants, &option),
+        (Method::Ephemeris, scalar) => return by_ephemeris(scalar, scenario, instants),
+        (Method::Stepper, scalar) => stepped(scalar, motion, &instants.times()?, step)?,
+        (Method::Full, Scalar::F64) => full_equations::samples(scenario, &instants.times()?)?,
+        (Method::ClosedForm, Scalar::F64) => return by_closed_form(scenario, instants),
         (method, scalar) => {
             let (name, method) = (scalar.name(), method.name());
             return Err(Failure::Input(format!("--scalar: {name}: must be f64 with --method {method}")));
@@ -108,43 +107,34 @@ fn source(arguments: &StateArgs, scenario: &Scenario, instants: Instants) -> Res
     Ok(Box::new(move |index| samples[index as usize]))
 }
 
-fn by_ephemeris(
-    scalar: Scalar,
-    scenario: &Scenario,
-    instants: Instants,
-    option: &str,
-) -> Result<Box<At>, Failure> {
+fn by_ephemeris(scalar: Scalar, scenario: &Scenario, instants: Instants) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
-    if motion.regime() == Regime::Aperiodic && scalar != Scalar::F64 {
-        let reason = format!("{}: an aperiodic motion has a closed form in f64, and no table", scalar.name());
-        return Err(Failure::Method(format!("{}: --scalar: {reason}", scenario.name)));
-    }
-    let table = if let Some([ticks, seconds]) = instants.rate {
+    let named = |failure: Failure| failure.of(&scenario.name);
+    let of_scalar = |failure: Failure| failure.of(&format!("--scalar: {}", scalar.name()));
+    require_scalar(scalar, motion).map_err(of_scalar).map_err(named)?;
+    if let Some([ticks, seconds]) = instants.rate {
         let refused = |error| Failure::Input(format!("--hertz: {error}"));
-        table(scalar, motion, Tick::ratio(ticks, seconds).map_err(refused)?, Size::Smallest)
-    } else {
-        let within = instants.require_within(furthest_time(motion), " with --method ephemeris");
-        within.map_err(|failure| failure.of(option))?;
-        smallest(scalar, motion)
-    };
-    let table = table.map_err(|failure| failure.of(&scenario.name))?;
-    Ok(Box::new(move |index| {
-        let (t, tick) = instants.at(index);
-        if instants.rate.is_some() { table.at_tick(tick, t).sample } else { table.at(t).sample }
-    }))
+        let tick = Tick::ratio(ticks, seconds).map_err(refused)?;
+        let table = table(scalar, motion, tick, &CAPACITIES).map_err(named)?;
+        return Ok(Box::new(move |index| {
+            let (t, tick) = (instants.at)(index);
+            table.at_tick(tick, t).sample
+        }));
+    }
+    instants.require_within(furthest_time(motion), " with --method ephemeris")?;
+    let table = smallest(scalar, motion).map_err(named)?;
+    Ok(Box::new(move |index| table.at((instants.at)(index).0).sample))
 }
 
 /// Function that computes samples by the closed form, if the motion has one.
-fn by_closed_form(scenario: &Scenario, instants: Instants, option: &str) -> Result<Box<At>, Failure> {
+fn by_closed_form(scenario: &Scenario, instants: Instants) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
     let form =
         ClosedForm::of(motion).map_err(|refusal| Failure::Method(refusal.to_string()).of(&scenario.name))?;
-    instants
-        .require_within(MOST_PERIODS * period(motion), " with --method closed-form")
-        .map_err(|failure| failure.of(option))?;
+    instants.require_within(MOST_PERIODS * period(motion), " with --method closed-form")?;
     let angle = TipAngle::of(motion, NOISE)?;
     Ok(Box::new(move |index| {
-        let (t, _) = instants.at(index);
+        let (t, _) = (instants.at)(index);
         let state = form.at(t);
         angle.sample(t, state.orientation, state.omega(), state.udot())
     }))

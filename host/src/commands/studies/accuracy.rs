@@ -190,7 +190,7 @@ impl Accuracy {
 /// Errors of each of the scalars over all motions.
 fn measured(scalars: &[Scalar]) -> Result<Vec<Accuracy>, Failure> {
     let motions: Vec<_> =
-        builtin::scenarios()?.iter().filter_map(|scenario| numbers(&scenario.motion)).collect();
+        builtin::scenarios().iter().filter_map(|scenario| numbers(&scenario.motion)).collect();
     let progress = Progress::new(motions.len() as u64, "motions");
     let errors = |numbers: &Numbers| of_motion(numbers, scalars).inspect(|_| progress.add(1));
     // in the order of the motions, so that sums do not depend on the order in which threads finish

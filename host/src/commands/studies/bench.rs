@@ -38,7 +38,7 @@ fn least<T>(states: u32, mut task: impl FnMut() -> T) -> (f64, T) {
 }
 
 pub fn run(arguments: &FormatArgs) -> Result<Report, Failure> {
-    let figures = builtin::figures()?.concat();
+    let figures = builtin::figures().concat();
     // a curve with cusps
     let [.., scenario, _, _] = &figures[..] else { return Err(Failure::Tool("bench: no motion".into())) };
     let rows = rows(scenario)?;

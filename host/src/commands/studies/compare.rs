@@ -10,19 +10,18 @@ use crate::full_equations;
 use crate::full_equations::full_solver::FullState;
 use crate::input::builtin;
 use crate::input::scenario::Scenario;
-use crate::motion::ephemeris::smallest;
+use crate::motion::ephemeris::{require_scalar, smallest};
 use crate::motion::propagate::{Sample, TimedStepper, period};
-use crate::motion::{Scalar, first_integrals, greater, natural_scales, widened};
+use crate::motion::{Scalar, first_integrals, greater, natural_scales, spread_times, widened};
 use crate::output::progress::Progress;
 use crate::output::{self, Format};
-use crate::samples::spread_times;
 use bounds::{bound, horizon, steps_per_period};
 use clap::Args;
 use std::path::PathBuf;
 use std::time::Instant;
+use toytop::Motion;
 use toytop::scalar::Real;
 use toytop::su2::OrientationRate;
-use toytop::{Motion, Regime};
 
 /// `toytop compare`
 #[derive(Args)]
@@ -103,7 +102,7 @@ impl Run {
 pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     let built_in = arguments.scenarios.is_empty();
     let scenarios = if built_in {
-        builtin::scenarios()?
+        builtin::scenarios()
     } else {
         arguments.scenarios.iter().map(|path| Scenario::read(path)).collect::<Result<_, _>>()?
     };
@@ -195,9 +194,7 @@ fn step_through<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run 
 /// # Errors
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
 fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
-    if motion.regime() == Regime::Aperiodic && scalar != Scalar::F64 {
-        return Err(Failure::Method("an aperiodic motion has a closed form in f64, and no table".into()));
-    }
+    require_scalar(scalar, motion)?;
     let table = smallest(scalar, motion)?;
     let mut found = Vec::new();
     let call = median(|| {

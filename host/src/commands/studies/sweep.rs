@@ -1,14 +1,20 @@
 //! `toytop sweep`: many motions, one row for each, in one CSV file.
 
+mod columns;
+mod table;
+
+pub use table::Sweep;
+
 use super::Report;
 use crate::Failure;
+use crate::input::axis::Axis;
 use crate::input::scenario::ScenarioFile;
+use crate::motion::stream;
 use crate::output::whole_file;
 use crate::pictures::drawing;
 use crate::pictures::heat_map::HeatMap;
-use crate::samples::stream;
-use crate::sweep::{Axis, Column, DEFAULT_COLUMNS, Sweep};
 use clap::Args;
+use columns::{Column, DEFAULT_COLUMNS};
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
@@ -67,7 +73,7 @@ pub struct SweepArgs {
 
 impl SweepArgs {
     /// Keys of the scenario that vary, each with its axis.
-    pub fn varied(&self) -> Vec<(String, Axis)> {
+    fn varied(&self) -> Vec<(String, Axis)> {
         let of_release = [
             ("spin", &self.spin),
             ("tilt_deg", &self.tilt),
@@ -101,9 +107,9 @@ pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
     whole_file::require_other("--output", Some(&arguments.output), &[Some(&arguments.scenario)])?;
     let sweep = Sweep::new(
         ScenarioFile::read(&arguments.scenario)?,
-        &arguments.varied(),
+        arguments.varied(),
         arguments.motions.map(|motions| (motions, arguments.seed)),
-        &arguments.columns,
+        arguments.columns.clone(),
         (arguments.samples, arguments.periods),
     )?;
     let [part, parts] = arguments.part;

@@ -2,69 +2,56 @@
 
 use crate::Failure;
 use crate::input::section::{Key, Section};
+use crate::input::units::{ACCELERATION, ANGULAR_MOMENTUM, INERTIA, LENGTH, MASS, MOMENT};
 use toytop::{Top, TopParameters};
 
 const MAGNITUDE: &str = "a number between 1e-60 and 1e60";
 
-pub const KEYS: [Key; 7] = [
-    Key::required("transverse_inertia", MAGNITUDE),
-    Key::required("axial_inertia", "a number between 0 and twice transverse_inertia"),
-    Key::optional("gravity", 9.80665, MAGNITUDE),
-    Key::required("com_height", MAGNITUDE),
-    Key::required("mass", MAGNITUDE),
-    Key::required("mass_moment", MAGNITUDE),
-    Key::optional("rotor_momentum", 0.0, "a finite number of kg m^2/s"),
+/// Keys of a top. A default of 0 stands for a number that is not given.
+pub static KEYS: [Key; 7] = [
+    Key::required("transverse_inertia", MAGNITUDE).with_units(INERTIA),
+    Key::required("axial_inertia", "a number between 0 and twice transverse_inertia").with_units(INERTIA),
+    Key::optional("gravity", 9.80665, MAGNITUDE).with_units(ACCELERATION),
+    Key::optional("com_height", 0.0, MAGNITUDE).with_units(LENGTH),
+    Key::optional("mass", 0.0, MAGNITUDE).with_units(MASS),
+    Key::optional("mass_moment", 0.0, MAGNITUDE).with_units(MOMENT),
+    Key::optional("rotor_momentum", 0.0, "a finite number of kg m^2/s").with_units(ANGULAR_MOMENTUM),
 ];
 
 /// Top, and the numbers that are given for it.
 pub fn read(section: &Section<'_>) -> Result<(Top, TopParameters), Failure> {
     section.only_with("support", &KEYS)?;
     let support = section.choice("support", &["sliding", "fixed", "free"], Some("sliding"))?;
-    let [transverse, axial, gravity, height, mass, moment, rotor] = &KEYS;
-    let mut parameters = TopParameters {
-        transverse_inertia: section.number(transverse)?,
-        axial_inertia: section.number(axial)?,
-        gravity: section.number(gravity)?,
-        rotor_momentum: section.number(rotor)?,
-        ..TopParameters::default()
-    };
-    // of a free body these keys are allowed and have no effect
-    let is_free = support == "free";
-    let needs_height = !is_free && (support == "sliding" || section.has(mass));
-    match (section.has(mass), section.has(moment)) {
-        _ if is_free => {}
-        (true, true) => return Err(section.refuse(moment.name, "allowed only without mass")),
-        (false, false) => return Err(section.refuse(mass.name, "missing; exactly one of mass, mass_moment")),
-        _ if section.has(height) && !needs_height => {
-            let reason = "unneeded: with support = \"fixed\" allowed only together with mass";
-            return Err(section.refuse(height.name, reason));
+    let [transverse_inertia, axial_inertia, gravity, com_height, mass, mass_moment, rotor_momentum] =
+        section.numbers(&KEYS)?;
+    let inertias =
+        TopParameters { transverse_inertia, axial_inertia, rotor_momentum, ..TopParameters::default() };
+    let refused = |error| section.refused(&error);
+    // of a free body the other keys are allowed and have no effect
+    if support == "free" {
+        return Ok((Top::free(&inertias).map_err(refused)?, inertias));
+    }
+    let [has_height, has_mass, has_moment] =
+        ["com_height", "mass", "mass_moment"].map(|key| section.has(key));
+    let needs_height = support == "sliding" || has_mass;
+    let positive = "must be positive, between 1e-60 and 1e60";
+    let fault = match (has_mass, has_moment) {
+        (true, true) => Some(("mass_moment", "allowed only without mass")),
+        (false, false) => Some(("mass", "missing; exactly one of mass, mass_moment")),
+        _ if has_height && !needs_height => {
+            Some(("com_height", "unneeded: with support = \"fixed\" allowed only together with mass"))
         }
-        _ => {}
-    }
-    for (key, value) in [(mass, &mut parameters.mass), (moment, &mut parameters.mass_moment)] {
-        if section.has(key) {
-            *value = section.number(key)?;
-            // in the parameters of a top, 0 stands for a mass or mass moment that is not given
-            if *value == 0.0 && !is_free {
-                return Err(section.refuse(key.name, "must be positive, between 1e-60 and 1e60"));
-            }
+        (true, false) if mass == 0.0 => Some(("mass", positive)),
+        (false, true) if mass_moment == 0.0 => Some(("mass_moment", positive)),
+        _ if needs_height && !has_height => {
+            Some(("com_height", "missing; must be a number between 1e-60 and 1e60"))
         }
-    }
-    if needs_height || section.has(height) {
-        parameters.com_height = section.number(height)?;
-    }
-    if is_free {
-        parameters = TopParameters {
-            transverse_inertia: parameters.transverse_inertia,
-            axial_inertia: parameters.axial_inertia,
-            rotor_momentum: parameters.rotor_momentum,
-            ..TopParameters::default()
-        };
-    }
-    let top = match support {
-        "sliding" => Top::sliding(&parameters),
-        "fixed" => Top::fixed(&parameters),
-        _ => Top::free(&parameters),
+        _ => None,
     };
-    Ok((top.map_err(|error| section.refused(&error, &[]))?, parameters))
+    if let Some((key, reason)) = fault {
+        return Err(section.refuse(key, reason));
+    }
+    let parameters = TopParameters { gravity, com_height, mass, mass_moment, ..inertias };
+    let top = if support == "sliding" { Top::sliding(&parameters) } else { Top::fixed(&parameters) };
+    Ok((top.map_err(refused)?, parameters))
 }

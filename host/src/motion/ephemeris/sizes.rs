@@ -1,29 +1,19 @@
 //! Capacities that a table may have, and the choice among them.
 
-use super::rise::Rise;
-use super::{AnyEphemeris, Boxed};
+use super::aperiodic::AperiodicMotion;
+use super::parts::TableScalar;
+use super::{AnyEphemeris, Table};
 use crate::Failure;
-use crate::bake::Bake;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
-use toytop::{Ephemeris, EphemerisMemory, EphemerisView, ErrorBound, Motion, SetUp, SetUpError, Tick};
+use toytop::{
+    Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, ErrorBound, Motion, Regime, SetUp,
+    SetUpError, Tick,
+};
 use toytop_model::ticks::tick;
 
-/// Capacity of a table.
-#[derive(Clone, Copy)]
-pub enum Size {
-    /// Smallest that is enough.
-    Smallest,
-    /// Smallest with a truncation error of at most this, rad.
-    Within(f64),
-    /// Capacity of the crate's own type if that is enough, otherwise the smallest that is.
-    Default,
-    /// Number of segments.
-    Exactly(u32),
-}
-
 /// Capacities besides the defaults, in ascending order.
-const CAPACITIES: [u32; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096];
+pub const CAPACITIES: [u32; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096];
 
 /// Segments of the crate's own type of a scalar, which fits most motions.
 fn default_size(scalar: Scalar) -> u32 {
@@ -43,69 +33,75 @@ fn allowed(scalar: Scalar) -> Vec<u32> {
     allowed
 }
 
-/// Table of a motion in a scalar with ticks of this length, whose truncation error is within the rounding of the scalar.
+/// Capacities to try for a table of this many segments or, without a number, for one of the crate's own capacity or more.
 ///
 /// # Errors
-/// [`Failure::Method`]: no table is large enough, or the given size is not; the message states the size that would be.
-/// [`Failure::Input`]: there is no such size.
+/// [`Failure::Input`]: no table has this many segments.
+pub fn sizes(scalar: Scalar, segments: Option<u32>) -> Result<Vec<u32>, Failure> {
+    let mut sizes = allowed(scalar);
+    match segments {
+        None => sizes.retain(|size| *size >= default_size(scalar)),
+        Some(segments) if sizes.contains(&segments) => sizes = vec![segments],
+        Some(segments) => {
+            let names: Vec<_> = sizes.iter().map(u32::to_string).collect();
+            return Err(Failure::Input(format!("--size: {segments}: must be one of {}", names.join(", "))));
+        }
+    }
+    Ok(sizes)
+}
+
+/// Table of a motion in a scalar with ticks of this length, whose truncation error is within the rounding of the scalar.
+///
+/// * `sizes`: capacities, of which the first that is enough is taken
+///
+/// # Errors
+/// [`Failure::Method`]: none of them is enough; the message states the capacity that would be.
 pub fn table(
     scalar: Scalar,
     motion: &Motion,
     tick: Tick,
-    size: Size,
+    sizes: &[u32],
 ) -> Result<Box<dyn AnyEphemeris>, Failure> {
-    let of_scalar = match scalar {
-        Scalar::F64 => table_in::<f64>,
-        Scalar::F32 => table_in::<f32>,
-        Scalar::Q31 => table_in::<I2F30>,
-        Scalar::Q15 => table_in::<I2F14>,
-    };
-    of_scalar(scalar, motion, tick, size)
+    match scalar {
+        Scalar::F64 => table_in::<f64>(motion, tick, sizes, f64::TRUNCATION),
+        Scalar::F32 => table_in::<f32>(motion, tick, sizes, f32::TRUNCATION),
+        Scalar::Q31 => table_in::<I2F30>(motion, tick, sizes, I2F30::TRUNCATION),
+        Scalar::Q15 => table_in::<I2F14>(motion, tick, sizes, I2F14::TRUNCATION),
+    }
 }
 
-fn table_in<R: Bake>(
-    scalar: Scalar,
+fn table_in<R: TableScalar>(
     motion: &Motion,
     tick: Tick,
-    size: Size,
+    sizes: &[u32],
+    truncation: f64,
 ) -> Result<Box<dyn AnyEphemeris>, Failure> {
-    let truncation = if let Size::Within(truncation) = size { truncation } else { R::TRUNCATION };
-    let mut allowed = allowed(scalar);
-    let mut largest = format!("4096x{} segments, the most", R::TERMS);
-    let tried = match size {
-        Size::Smallest | Size::Within(_) => CAPACITIES.to_vec(),
-        Size::Default => allowed.iter().copied().filter(|size| *size >= default_size(scalar)).collect(),
-        Size::Exactly(segments) if allowed.contains(&segments) => {
-            largest = format!("{segments} segments");
-            vec![segments]
-        }
-        Size::Exactly(segments) => {
-            let names: Vec<_> = allowed.iter().map(u32::to_string).collect();
-            return Err(Failure::Input(format!("--size: {segments}: must be one of {}", names.join(", "))));
-        }
-    };
     let mut refusal = String::new();
-    for segments in tried {
-        let mut memory = memory::<R>(segments);
+    for segments in sizes {
+        let mut memory = memory::<R>(*segments);
         match memory.set_up(&mut SetUp::within(truncation), motion, tick, 0, &mut || {}) {
-            Ok(_) => return Ok(Box::new(Boxed(memory))),
+            Ok(_) => return Ok(Box::new(Table(memory))),
             Err(error @ SetUpError::TooSmall { .. }) => refusal = error.to_string(),
             Err(error) => return Err(Failure::Method(format!("no ephemeris: {error}"))),
         }
     }
+    let tried = match sizes {
+        [segments] => format!("{segments} segments"),
+        _ => format!("4096x{} segments, the most", R::TERMS),
+    };
     let needed = EphemerisView::<R>::segments_needed(motion, truncation);
-    allowed.retain(|size| needed.is_some_and(|needed| *size >= needed));
-    let enough = match (needed, allowed.first()) {
+    let sufficient = allowed(R::SCALAR).into_iter().find(|size| needed.is_some_and(|needed| *size >= needed));
+    let enough = match (needed, sufficient) {
         (_, Some(size)) => format!("at least --size {size}"),
         (Some(needed), None) => format!("{needed} segments of this degree"),
         (None, None) => "not even 4096 segments of this degree".to_owned(),
     };
-    Err(Failure::Method(format!("no ephemeris of {largest}: {refusal}; {enough} would be enough")))
+    Err(Failure::Method(format!("no ephemeris of {tried}: {refusal}; {enough} would be enough")))
 }
 
 /// Memory of a table of this many segments, one of the [`allowed`] capacities.
-fn memory<R: Bake>(segments: u32) -> Box<EphemerisMemory<EphemerisView<R>>> {
-    fn boxed<R: Bake, const N: usize>() -> Box<EphemerisMemory<EphemerisView<R>>> {
+fn memory<R: TableScalar>(segments: u32) -> Box<EphemerisMemory<EphemerisView<R>>> {
+    fn boxed<R: TableScalar, const N: usize>() -> Box<EphemerisMemory<EphemerisView<R>>> {
         Box::new(EphemerisMemory::<Ephemeris<R, N>>::new())
     }
     match segments {
@@ -124,12 +120,23 @@ fn memory<R: Bake>(segments: u32) -> Box<EphemerisMemory<EphemerisView<R>>> {
     }
 }
 
+/// Refusal of a scalar for an aperiodic motion, which has no table and whose closed form is in `f64`.
+///
+/// # Errors
+/// [`Failure::Method`]: the motion is aperiodic, and the scalar is not `f64`.
+pub fn require_scalar(scalar: Scalar, motion: &Motion) -> Result<(), Failure> {
+    if motion.regime() == Regime::Aperiodic && scalar != Scalar::F64 {
+        return Err(Failure::Method("an aperiodic motion has a closed form in f64, and no table".into()));
+    }
+    Ok(())
+}
+
 /// Smallest table whose truncation error is within the rounding of the scalar, or the closed form of an aperiodic motion.
 ///
 /// # Errors
 /// [`Failure::Method`]: no table is large enough; the message states the size that would be.
 pub fn smallest(scalar: Scalar, motion: &Motion) -> Result<Box<dyn AnyEphemeris>, Failure> {
-    at_any_time(scalar, motion, Size::Smallest)
+    at_any_time(motion, |tick| table(scalar, motion, tick, &CAPACITIES))
 }
 
 /// Smallest table in `f64` with a truncation error of at most `truncation`, rad.
@@ -137,15 +144,17 @@ pub fn smallest(scalar: Scalar, motion: &Motion) -> Result<Box<dyn AnyEphemeris>
 /// # Errors
 /// As [`smallest`].
 pub fn approximate(motion: &Motion, truncation: f64) -> Result<Box<dyn AnyEphemeris>, Failure> {
-    at_any_time(Scalar::F64, motion, Size::Within(truncation))
+    at_any_time(motion, |tick| table_in::<f64>(motion, tick, &CAPACITIES, truncation))
 }
 
-fn at_any_time(scalar: Scalar, motion: &Motion, size: Size) -> Result<Box<dyn AnyEphemeris>, Failure> {
-    if let Some(rise) = Rise::new(motion) {
-        return Ok(Box::new(rise));
+fn at_any_time(
+    motion: &Motion,
+    table: impl FnOnce(Tick) -> Result<Box<dyn AnyEphemeris>, Failure>,
+) -> Result<Box<dyn AnyEphemeris>, Failure> {
+    match AperiodicMotion::new(motion) {
+        Some(closed_form) => Ok(Box::new(closed_form)),
+        None => table(tick(motion).map_err(|error| Failure::Method(error.to_string()))?),
     }
-    let tick = tick(motion).map_err(|error| Failure::Method(error.to_string()))?;
-    table(scalar, motion, tick, size)
 }
 
 /// Smallest table of fewer segments than another one, with an error bound that is larger by a hundredth at most; `None` if there is none.
@@ -162,7 +171,7 @@ pub fn smaller(
     };
     let fewer = allowed(scalar).into_iter().filter(|&size| (size as usize) < segments);
     fewer
-        .filter_map(|size| table(scalar, motion, tick, Size::Exactly(size)).ok())
+        .filter_map(|size| table(scalar, motion, tick, &[size]).ok())
         .find(|table| close(table.error_bound()))
 }
 
@@ -177,7 +186,7 @@ mod tests {
             let table = smallest(scalar, motion).unwrap();
             let tick = tick(motion).unwrap();
             for segments in CAPACITIES.into_iter().filter(|&segments| (segments as usize) < table.size()[0]) {
-                let refused = super::table(scalar, motion, tick, Size::Exactly(segments)).is_err();
+                let refused = super::table(scalar, motion, tick, &[segments]).is_err();
                 assert!(refused, "{segments} segments would do");
             }
             table.size()[0]

@@ -82,7 +82,12 @@ pub fn bound(
         Method::Ephemeris => {
             table.map_or(of_the_ephemeris(scalar), |table| of_the_ephemeris(scalar).min(table))
         }
-        _ => own.map_or_else(|| of_the_stepper(motion, scalar), |own| own.stepper(scalar)) * tens,
+        _ => {
+            own.map_or_else(
+                || of_the_stepper(motion, scalar),
+                |own| if scalar == Scalar::F64 { 0.0 } else { own.stepper_f32 },
+            ) * tens
+        }
     };
     Some(core + solver).filter(|bound| *bound < WORST)
 }

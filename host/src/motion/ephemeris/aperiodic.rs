@@ -1,14 +1,15 @@
 //! Aperiodic motion by its closed form, which has no table.
 
-use super::{AnyEphemeris, EventQuery, FoundEvent, RateSample, TimedSample, ticks_per_time, unwrapped};
-use crate::bake::Parts;
+use super::{
+    AnyEphemeris, EventQuery, FoundEvent, Parts, RateSample, TimedSample, ticks_per_time, unwrapped,
+};
 use crate::motion::propagate::{Sample, natural_time};
 use std::f64::consts::TAU;
 use toytop::{ErrorBound, Motion, Phase};
 use toytop_closed_forms::Aperiodic;
 
 /// Closed form of an aperiodic motion.
-pub struct Rise {
+pub struct AperiodicMotion {
     form: Aperiodic,
     /// Ticks in a unit of time.
     ticks: f64,
@@ -22,7 +23,7 @@ const UPRIGHT: f64 = 40.0;
 /// Number of intervals on either side of the lowest point, at most one event in each.
 const INTERVALS: i32 = 8192;
 
-impl Rise {
+impl AperiodicMotion {
     /// Closed form of a motion; `None` if it is not aperiodic.
     pub fn new(motion: &Motion) -> Option<Self> {
         let form = Aperiodic::new(motion)?;
@@ -55,7 +56,7 @@ fn root(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
     }
 }
 
-impl AnyEphemeris for Rise {
+impl AnyEphemeris for AperiodicMotion {
     fn size(&self) -> [usize; 2] {
         [0; 2]
     }
@@ -81,7 +82,7 @@ impl AnyEphemeris for Rise {
         let state = self.form.at(t);
         let sample = Sample {
             error_bound: Some(self.error_bound().after(t * self.ticks)),
-            ..Sample::of(t, &state, self.form.tip(t), Some(self.angle(t)))
+            ..Sample::from_state(t, &state, self.form.tip(t), Some(self.angle(t)))
         };
         let tip_over_s = state.orientation.tip_over_s();
         TimedSample { sample, rate: state.rate, tip_over_s, nutation_phase: Phase::ZERO }

@@ -92,7 +92,7 @@ impl FoundEvent {
 const MOST_UNWANTED: u32 = 10_000;
 
 /// Events at tick `from` or later, at times that `wanted` accepts.
-pub fn found<R: EphemerisScalar>(
+pub fn find<R: EphemerisScalar>(
     view: &EphemerisView<R>,
     sought: EventQuery,
     from: i64,

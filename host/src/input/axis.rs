@@ -1,7 +1,7 @@
-//! Values of one number of a sweep: a list, or a range.
+//! Values of one number: a list, or a range.
 
-use crate::input::finite;
-use crate::input::random::Random;
+use super::finite;
+use super::random::Random;
 use std::str::FromStr;
 
 /// Values of one number, from a text such as `0.7`, `0.7,0.8,0.9`, `0.1..0.9`, `0.1..0.9/17` or `log:1e-3..1e3/7`.
@@ -23,6 +23,23 @@ pub enum Axis {
 }
 
 impl Axis {
+    /// Range from `low` to `high`.
+    ///
+    /// # Errors
+    /// Condition that the numbers do not meet.
+    pub fn range(low: f64, high: f64, log: bool, places: Option<u32>) -> Result<Self, &'static str> {
+        if low >= high {
+            return Err("LOW must be below HIGH");
+        }
+        if log && low <= 0.0 {
+            return Err("LOW must be above 0 with log:");
+        }
+        if places.is_some_and(|places| places < 2) {
+            return Err("PLACES must be a whole number from 2 to 4294967295");
+        }
+        Ok(Self::Range { low, high, log, places })
+    }
+
     /// Number of values; `None` where there are all of a range.
     pub fn count(&self) -> Option<u64> {
         match self {
@@ -41,31 +58,37 @@ impl Axis {
         matches!(self, Self::Range { places: Some(_), .. })
     }
 
-    /// Value with this index, which is 0 where there are all of a range.
-    pub fn at(&self, place: u64) -> f64 {
-        self.at_share(place, place as f64 / (self.size().max(2) - 1) as f64)
+    /// Whether the values are spread evenly in the logarithm.
+    pub fn is_log(&self) -> bool {
+        matches!(self, Self::Range { log: true, .. })
     }
 
-    /// Value with this index of a list, or at this share of a range.
-    fn at_share(&self, place: u64, share: f64) -> f64 {
-        match *self {
-            Self::List(ref numbers) => numbers.get(place as usize).copied().unwrap_or(f64::NAN),
-            // rounding must neither change the ends nor pass them
-            Self::Range { low, .. } if share == 0.0 => low,
-            Self::Range { high, .. } if share == 1.0 => high,
-            Self::Range { low, high, log, .. } => {
-                let between = |low: f64, high: f64| low + (high - low) * share;
-                let x = if log { between(low.ln(), high.ln()).exp() } else { between(low, high) };
-                x.clamp(low, high)
-            }
+    /// Value with this index, which is 0 where there are all of a range.
+    pub fn at(&self, index: u64) -> f64 {
+        match self {
+            Self::List(numbers) => numbers.get(index as usize).copied().unwrap_or(f64::NAN),
+            _ => self.between(index as f64 / (self.size().max(2) - 1) as f64),
         }
     }
 
-    /// Random number.
-    pub(super) fn draw(&self, random: &mut Random) -> f64 {
+    /// Number between the ends, at this share of the way.
+    fn between(&self, share: f64) -> f64 {
+        let [low, high] = self.ends();
+        let between = |low: f64, high: f64| low + (high - low) * share;
+        // rounding must neither change the ends nor pass them
+        match share {
+            0.0 => low,
+            1.0 => high,
+            _ if self.is_log() => between(low.ln(), high.ln()).exp().clamp(low, high),
+            _ => between(low, high).clamp(low, high),
+        }
+    }
+
+    /// Random value.
+    pub fn draw(&self, random: &mut Random) -> f64 {
         let share = random.share();
         match self.count() {
-            None => self.at_share(0, share),
+            None => self.between(share),
             Some(size) => self.at((share * size as f64) as u64),
         }
     }
@@ -76,11 +99,6 @@ impl Axis {
         let [low, high] = self.ends().map(|end| if self.is_log() { end.log10() } else { end });
         let half = 0.5 * (high - low) / (self.count().unwrap_or(2) as f64 - 1.0).max(1.0);
         [low - half, high + half]
-    }
-
-    /// Whether the values are spread evenly in the logarithm.
-    pub fn is_log(&self) -> bool {
-        matches!(self, Self::Range { log: true, .. })
     }
 
     /// Least and greatest value.
@@ -98,32 +116,21 @@ pub fn ends(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
 }
 
 const FORMS: &str =
-    "a number, X,Y,... or LOW..HIGH or LOW..HIGH/PLACES (log:LOW..HIGH: even in the logarithm)";
+    "must be a number, X,Y,... or LOW..HIGH or LOW..HIGH/PLACES (log:LOW..HIGH: even in the logarithm)";
 
 impl FromStr for Axis {
-    type Err = String;
+    type Err = &'static str;
 
-    fn from_str(text: &str) -> Result<Self, String> {
-        let refused = || format!("must be {FORMS}");
-        let number = |text: &str| finite(text).ok_or_else(refused);
+    fn from_str(text: &str) -> Result<Self, &'static str> {
+        let number = |text: &str| finite(text).ok_or(FORMS);
         let (log, rest) = text.strip_prefix("log:").map_or((false, text), |rest| (true, rest));
         let Some((low, rest)) = rest.split_once("..") else {
-            let list = text.split(',').map(number).collect::<Result<_, _>>()?;
-            return Ok(Self::List(list));
+            return Ok(Self::List(text.split(',').map(number).collect::<Result<_, _>>()?));
         };
         let (high, places) = rest.split_once('/').map_or((rest, None), |(high, places)| (high, Some(places)));
-        let (low, high) = (number(low)?, number(high)?);
-        if low >= high {
-            return Err("LOW must be below HIGH".to_owned());
-        }
-        if log && low <= 0.0 {
-            return Err("LOW must be above 0 with log:".to_owned());
-        }
-        let places = places.map(|places| {
-            let places = places.trim().parse().ok().filter(|places| *places >= 2);
-            places.ok_or("PLACES must be a whole number from 2 to 4294967295")
-        });
-        Ok(Self::Range { low, high, log, places: places.transpose()? })
+        // a text that is no number is refused as 0 is
+        let places = places.map(|places| places.trim().parse().unwrap_or(0));
+        Self::range(number(low)?, number(high)?, log, places)
     }
 }
 
@@ -172,7 +179,7 @@ mod tests {
         for (text, reason) in
             [("2..1", "LOW must be below HIGH"), ("log:0..1/3", "LOW must be above 0 with log:")]
         {
-            assert_eq!(text.parse::<Axis>(), Err(reason.to_owned()));
+            assert_eq!(text.parse::<Axis>(), Err(reason));
         }
     }
 }

@@ -1,7 +1,8 @@
 //! Rust module with one `static`, which does not compile if one of its bits was changed.
 
-use super::{Label, Parts};
+use super::Label;
 use crate::motion::Scalar;
+use crate::motion::ephemeris::Parts;
 use toytop::{Clock, ErrorBound};
 
 /// Text of the module. Numbers are printed by Rust, which reads back the same bits.

@@ -1,14 +1,13 @@
 //! Columns of a sweep, and what is computed of a motion for them.
 
-use crate::commands::motion::constants;
 use crate::full_equations;
 use crate::input::scenario::{Scenario, Units};
-use crate::motion::Scalar;
+use crate::motion::column::Column as Quantity;
+use crate::motion::constants::CONSTANTS;
 use crate::motion::ephemeris::{AnyEphemeris, approximate, smallest};
 use crate::motion::propagate::Sample;
+use crate::motion::{Scalar, spread_times};
 use crate::output::text;
-use crate::samples::column::Column as Quantity;
-use crate::samples::spread_times;
 use clap::ValueEnum;
 use serde_json::Value;
 use std::cell::OnceCell;
@@ -19,15 +18,29 @@ use toytop_model::constants::MotionConstants;
 /// Column of a sweep, or the columns of a quantity at every time.
 #[derive(Clone, Copy)]
 pub enum Column {
-    /// Constant of the motion or figure of its tables, by its name.
-    Named(&'static str),
+    /// Constant of the motion, by its name and function.
+    Constant(&'static str, fn(&MotionConstants) -> Value),
+    /// Figure of the motion's tables, by its name and function.
+    Figure(&'static str, fn(&Measured) -> Value),
     /// Quantity of a sample, at every time.
     Sample(Quantity),
 }
 
+/// Figure of a motion's tables: its name and its value; null where a table or the solver has none.
+type Figure = (&'static str, fn(&Measured) -> Value);
+
 /// Figures of the tables of a motion over the times: greatest error of the f32 ephemeris against the f64 ephemeris, rad; error bound
 /// that the f32 ephemeris states, rad; segments of the f32 table; greatest errors of both against the full solver, rad.
-const FIGURES: [&str; 5] = ["error_f32", "bound_f32", "segments_f32", "full_error_f64", "full_error_f32"];
+const FIGURES: [Figure; 5] = [
+    ("error_f32", |motion| {
+        let exact = motion.double().map(|run| run.samples.iter().map(Sample::orientation));
+        motion.single().zip(exact).map(|(run, exact)| run.error(exact)).into()
+    }),
+    ("bound_f32", |motion| motion.single().map(|run| run.bound).into()),
+    ("segments_f32", |motion| motion.single().map(|run| run.segments).into()),
+    ("full_error_f64", |motion| motion.full_error(motion.double()).into()),
+    ("full_error_f32", |motion| motion.full_error(motion.single()).into()),
+];
 
 /// Columns without the option.
 pub const DEFAULT_COLUMNS: &str = "regime,tip_class,period,phi_per_period,min_normal_force";
@@ -36,12 +49,13 @@ impl FromStr for Column {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Self, String> {
-        let constants = constants::ALL.map(|(name, _)| name);
-        let mut named = constants.into_iter().chain(FIGURES);
-        let named = named.find(|known| *known == name).map(Self::Named);
+        let constants = CONSTANTS.map(|(name, _, value)| (name, Self::Constant(name, value)));
+        let figures = FIGURES.map(|(name, value)| (name, Self::Figure(name, value)));
+        let named = constants.into_iter().chain(figures).find(|(known, _)| *known == name);
         let sample = || Quantity::from_str(name, false).ok().map(Self::Sample);
-        named.or_else(sample).ok_or_else(|| {
-            let (constants, figures) = (constants.join(", "), FIGURES.join(", "));
+        named.map(|(_, column)| column).or_else(sample).ok_or_else(|| {
+            let (constants, figures) = (constants.map(|(name, _)| name), figures.map(|(name, _)| name));
+            let (constants, figures) = (constants.join(", "), figures.join(", "));
             format!("must be a column of toytop state, {constants}, {figures}")
         })
     }
@@ -49,9 +63,9 @@ impl FromStr for Column {
 
 impl Column {
     /// Names in the header.
-    pub fn header(self, times: u32) -> Vec<String> {
+    pub fn names(self, times: u32) -> Vec<String> {
         match self {
-            Self::Named(name) => vec![name.to_owned()],
+            Self::Constant(name, _) | Self::Figure(name, _) => vec![name.to_owned()],
             Self::Sample(quantity) => {
                 let at = |time| quantity.names().1.iter().map(move |part| format!("{part}_{time}"));
                 (1..=times).flat_map(at).collect()
@@ -59,12 +73,25 @@ impl Column {
         }
     }
 
-    /// Fields of a row whose numbers the scenario refuses.
-    pub fn refused(self, times: u32) -> Vec<String> {
-        match self {
-            Self::Named("regime") => vec!["refused".to_owned()],
-            _ => vec![String::new(); self.header(times).len()],
-        }
+    /// Fields of a motion, or of numbers that the scenario refuses; an absent value is an empty field. A number has the shortest decimal
+    /// that reads back the same `f64`.
+    pub fn fields(self, motion: Option<&Measured>, times: u32) -> Vec<String> {
+        let number = |x: f64| if x.is_nan() { String::new() } else { format!("{x:?}") };
+        let absent = || vec![String::new(); self.names(times).len()];
+        let value = match (self, motion) {
+            (Self::Constant(_, value), Some(motion)) => value(&motion.motion),
+            (Self::Figure(_, value), Some(motion)) => value(motion),
+            (Self::Constant("regime", _), None) => "refused".into(),
+            (Self::Sample(quantity), Some(motion)) => match motion.double() {
+                Some(run) => {
+                    let numbers = run.samples.iter().flat_map(|sample| quantity.numbers(sample));
+                    return numbers.map(number).collect();
+                }
+                None => return absent(),
+            },
+            _ => return absent(),
+        };
+        vec![text(&value, number).unwrap_or_default()]
     }
 }
 
@@ -110,47 +137,24 @@ impl Measured {
     fn double(&self) -> Option<&Run> {
         /// Truncation error, rad.
         const WITHIN: f64 = 1e-13;
-        let table = || approximate(&self.motion, WITHIN).ok();
-        self.double.get_or_init(|| table().map(|table| self.run(&*table))).as_ref()
+        let run = || approximate(&self.motion, WITHIN).ok().map(|table| self.run(&*table));
+        self.double.get_or_init(run).as_ref()
     }
 
     fn single(&self) -> Option<&Run> {
-        let table = || smallest(Scalar::F32, &self.motion).ok();
-        self.single.get_or_init(|| table().map(|table| self.run(&*table))).as_ref()
+        let run = || smallest(Scalar::F32, &self.motion).ok().map(|table| self.run(&*table));
+        self.single.get_or_init(run).as_ref()
     }
 
-    fn full(&self) -> Option<&Vec<Orientation<f64>>> {
+    /// Greatest distance of a run from the full solver, rad.
+    fn full_error(&self, run: Option<&Run>) -> Option<f64> {
         let solved = || {
             let scenario =
                 Scenario { name: String::new(), motion: *self.motion, given: None, units: Units::None };
             let states = full_equations::states(&scenario, &self.times).ok()?;
             Some(states.iter().map(|state| state.orientation()).collect())
         };
-        self.full.get_or_init(solved).as_ref()
-    }
-
-    /// Fields of a column; an absent value is an empty field. A number has the shortest decimal that reads back the same `f64`.
-    pub fn fields(&self, column: Column) -> Vec<String> {
-        let number = |x: f64| if x.is_nan() { String::new() } else { format!("{x:?}") };
-        match column {
-            Column::Named(name) => vec![text(&self.value(name), number).unwrap_or_default()],
-            Column::Sample(quantity) => {
-                let Some(run) = self.double() else { return column.refused(self.times.len() as u32) };
-                run.samples.iter().flat_map(|sample| quantity.numbers(sample)).map(number).collect()
-            }
-        }
-    }
-
-    fn value(&self, name: &str) -> Value {
-        let exact = || self.double().map(|run| run.samples.iter().map(Sample::orientation));
-        let against_full = |run: Option<&Run>| Some(run?.error(self.full()?.iter().copied()));
-        match name {
-            "error_f32" => self.single().zip(exact()).map(|(run, exact)| run.error(exact)).into(),
-            "bound_f32" => self.single().map(|run| run.bound).into(),
-            "segments_f32" => self.single().map(|run| run.segments).into(),
-            "full_error_f64" => against_full(self.double()).into(),
-            "full_error_f32" => against_full(self.single()).into(),
-            _ => constants::value(&self.motion, name),
-        }
+        let truth = self.full.get_or_init(solved).as_ref()?;
+        Some(run?.error(truth.iter().copied()))
     }
 }

@@ -2,23 +2,19 @@
 //!
 //! A row depends only on the options of the sweep and on its index, so that parts from different machines fit together.
 
-pub mod axis;
-mod columns;
-
-pub use axis::Axis;
-pub use columns::{Column, DEFAULT_COLUMNS};
-
+use super::columns::{Column, Measured};
 use crate::Failure;
+use crate::input::axis::Axis;
 use crate::input::random::Random;
-use crate::input::scenario::{Key, ScenarioFile};
+use crate::input::scenario::ScenarioFile;
 use crate::output::short;
-use columns::Measured;
 use toytop::Motion;
 
 /// Table of a sweep: a header, and a row for each motion.
 pub struct Sweep {
     template: ScenarioFile,
-    axes: Vec<(Key, Axis)>,
+    /// Numbers that vary, by their keys.
+    axes: Vec<(&'static str, Axis)>,
     /// Number of motions to draw, and the seed; `None` for the grid of all combinations.
     sample: Option<(u64, u64)>,
     /// Number of motions.
@@ -39,35 +35,34 @@ impl Sweep {
     /// first motion is refused for a key that does not vary.
     pub fn new(
         template: ScenarioFile,
-        axes: &[(String, Axis)],
+        varied: Vec<(String, Axis)>,
         sample: Option<(u64, u64)>,
-        columns: &[Column],
+        columns: Vec<Column>,
         (times, periods): (u32, f64),
     ) -> Result<Self, Failure> {
         let refuse = |reason: String| Err(Failure::Input(reason));
-        if axes.is_empty() {
+        if varied.is_empty() {
             return refuse("a sweep: needs at least one of --spin, --tilt, ..., --axis".to_owned());
         }
-        let mut keys: Vec<(Key, Axis)> = Vec::new();
-        for (name, axis) in axes {
-            let key = template.key(name)?;
-            if keys.iter().any(|(other, _)| *other == key) {
+        let mut axes: Vec<(&'static str, Axis)> = Vec::new();
+        for (name, axis) in varied {
+            let key = template.number(&name)?;
+            if axes.iter().any(|(other, _)| *other == key) {
                 return refuse(format!("{name}: must be one axis only"));
             }
             if sample.is_none() && axis.count().is_none() {
                 let forms = "must be LOW..HIGH/PLACES or numbers (or draw a sample: --motions N)";
                 return refuse(format!("{name}: a range in a grid: {forms}"));
             }
-            keys.push((key, axis.clone()));
+            axes.push((key, axis));
         }
-        let places = || keys.iter().try_fold(1_u64, |count, (_, axis)| count.checked_mul(axis.size()));
+        let places = || axes.iter().try_fold(1_u64, |count, (_, axis)| count.checked_mul(axis.size()));
         let Some(count) = sample.map(|(motions, _)| motions).or_else(places) else {
             return refuse("a grid: must have at most 2^64 places".to_owned());
         };
-        let columns = columns.to_vec();
-        let sweep = Self { template, axes: keys, sample, count, columns, times, periods };
+        let sweep = Self { template, axes, sample, count, columns, times, periods };
         match sweep.template.with(&sweep.numbers(0)) {
-            Err(Failure::Input(message)) if !sweep.axes.iter().any(|(key, _)| message.contains(key.name)) => {
+            Err(Failure::Input(message)) if !sweep.axes.iter().any(|(key, _)| message.contains(key)) => {
                 refuse(message)
             }
             _ => Ok(sweep),
@@ -76,16 +71,16 @@ impl Sweep {
 
     /// Axis of a key of a grid.
     pub fn axis(&self, name: &str) -> Option<&Axis> {
-        self.axes.iter().find(|(key, _)| key.name == name && self.sample.is_none()).map(|(_, axis)| axis)
+        self.axes.iter().find(|(key, _)| *key == name && self.sample.is_none()).map(|(_, axis)| axis)
     }
 
     /// Place of a row of a grid on the axis of a key.
     pub fn place(&self, name: &str, index: u64) -> Option<u64> {
-        self.places(index).find(|((key, _), _)| key.name == name).map(|(_, place)| place)
+        self.places(index).find(|((key, _), _)| *key == name).map(|(_, place)| place)
     }
 
     /// Axes, each with the place of a row of a grid on it; the last key changes fastest.
-    fn places(&self, index: u64) -> impl Iterator<Item = (&(Key, Axis), u64)> {
+    fn places(&self, index: u64) -> impl Iterator<Item = (&(&'static str, Axis), u64)> {
         let mut cells = self.count;
         self.axes.iter().map(move |axis| {
             cells /= axis.1.size();
@@ -94,24 +89,25 @@ impl Sweep {
     }
 
     /// Numbers of the motion with this index.
-    fn numbers(&self, index: u64) -> Vec<(Key, f64)> {
+    fn numbers(&self, index: u64) -> Vec<(&'static str, f64)> {
         let mut random = self.sample.map(|(_, seed)| Random::new(seed, index));
-        let number = |((key, axis), place): (&(Key, Axis), u64)| match &mut random {
+        let number = |((key, axis), place): (&(&'static str, Axis), u64)| match &mut random {
             Some(random) => (*key, axis.draw(random)),
             None => (*key, axis.at(place)),
         };
         self.places(index).map(number).collect()
     }
 
-    fn motion(&self, numbers: &[(Key, f64)]) -> Result<Motion, Failure> {
+    fn motion(&self, numbers: &[(&'static str, f64)]) -> Result<Motion, Failure> {
         Ok(self.template.with(numbers)?.motion)
     }
 
     /// Names of the columns, with a line break.
     pub fn header(&self) -> String {
-        let keys = self.axes.iter().map(|(key, _)| key.name.to_owned());
-        let names = keys.chain(self.columns.iter().flat_map(|column| column.header(self.times)));
-        names.fold("index".to_owned(), |line, name| line + "," + &name) + "\n"
+        let mut names = vec!["index".to_owned()];
+        names.extend(self.axes.iter().map(|(key, _)| (*key).to_owned()));
+        names.extend(self.columns.iter().flat_map(|column| column.names(self.times)));
+        names.join(",") + "\n"
     }
 
     /// Appends the row with this index, with a line break; the result is whether the scenario has these numbers.
@@ -119,17 +115,12 @@ impl Sweep {
         let numbers = self.numbers(index);
         let motion = self.motion(&numbers).ok();
         let measured = motion.map(|motion| Measured::new(motion, self.times, self.periods));
-        let mut row = index.to_string();
-        numbers.iter().for_each(|(_, number)| row += &format!(",{number:?}"));
+        let mut fields = vec![index.to_string()];
+        fields.extend(numbers.iter().map(|(_, number)| format!("{number:?}")));
         for column in &self.columns {
-            let fields = match &measured {
-                Some(measured) => measured.fields(*column),
-                None => column.refused(self.times),
-            };
-            fields.iter().for_each(|field| row += &format!(",{field}"));
+            fields.extend(column.fields(measured.as_ref(), self.times));
         }
-        text.extend_from_slice(row.as_bytes());
-        text.push(b'\n');
+        text.extend_from_slice((fields.join(",") + "\n").as_bytes());
         measured.is_some()
     }
 
@@ -139,8 +130,8 @@ impl Sweep {
         let message = self.motion(&numbers).err()?.to_string();
         let reason = message.strip_prefix(&format!("{}: ", self.template.file)).unwrap_or(&message);
         let of_key = numbers.iter().find_map(|(key, number)| {
-            let reason = reason.strip_prefix(&format!("{key}: "))?;
-            Some(format!("{} = {}: {reason}", key.name, short(*number, 5)))
+            let (_, reason) = reason.split_once(&format!(".{key}: "))?;
+            Some(format!("{key} = {}: {reason}", short(*number, 5)))
         });
         Some(of_key.unwrap_or_else(|| reason.to_owned()))
     }

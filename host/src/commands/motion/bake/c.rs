@@ -6,8 +6,9 @@
 
 mod shared;
 
-use super::{Label, Parts};
+use super::Label;
 use crate::motion::Scalar;
+use crate::motion::ephemeris::Parts;
 use toytop::{Clock, ErrorBound};
 
 use shared::{SHARED_HEADER, SHARED_SOURCE, header as shared_header, source as shared_source};
@@ -92,6 +93,8 @@ fn guarded(label: &Label, parts: &Parts, content: &str) -> String {
 /// Definition of a table.
 fn table(label: &Label, parts: &Parts, linkage: &str) -> String {
     let (name, scalar) = (label.c_name(), parts.scalar.name());
+    // scale of the tip, the rates of x and of A + B, and the axial angular velocity
+    let Clock { tip_scale, rates: [x, mean, axial], .. } = parts.clock;
     let ctype = match parts.scalar {
         Scalar::F64 => "double",
         Scalar::F32 | Scalar::Q31 => "int32_t",
@@ -113,7 +116,7 @@ fn table(label: &Label, parts: &Parts, linkage: &str) -> String {
 ",
         count = parts.coefficients.len(),
         clock = clock(parts),
-        scales = scales(parts)
+        scales = [tip_scale, x, mean, axial]
             .map(|x| if parts.scalar == Scalar::F64 { decimal(x) } else { format!("{:.8e}f", x as f32) })
             .join(", "),
     )
@@ -144,12 +147,6 @@ fn clock(parts: &Parts) -> String {
         format!("{{{}}}", parts.cells.map(|cell| cell.to_string()).join(", ")),
     ];
     lines.iter().map(|line| format!("        {line},\n")).collect()
-}
-
-/// Scale of the tip, the rates of x and of A + B, and the axial angular velocity.
-fn scales(parts: &Parts) -> [f64; 4] {
-    let Clock { tip_scale, rates: [x, mean, axial], .. } = parts.clock;
-    [tip_scale, x, mean, axial]
 }
 
 /// Constant of 32 bits in C, where -2147483648 would be the negative of a constant that does not fit 32 bits.

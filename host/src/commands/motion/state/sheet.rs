@@ -1,7 +1,7 @@
 //! Rows of chosen columns as CSV, JSON, a NumPy file or an aligned table.
 
-use super::column::Column;
 use crate::input::scenario::Units;
+use crate::motion::column::Column;
 use crate::motion::propagate::Sample;
 use crate::output::{self, Record, number, short};
 use toytop::Support;
@@ -46,19 +46,17 @@ impl Sheet {
 
     /// Appends the row of this index.
     pub fn row(&self, index: u64, sample: &Sample, bytes: &mut Vec<u8>) {
-        let parts: Vec<_> = self.columns.iter().map(|column| (column, column.numbers(sample))).collect();
-        let separator = |text: &'static str| if index == 0 { "" } else { text };
+        let numbers = self.columns.iter().flat_map(|column| column.numbers(sample));
         let text = match self.format {
+            SampleFormat::Npy => return numbers.for_each(|x| bytes.extend((x + 0.0).to_le_bytes())),
             SampleFormat::Csv => {
-                let fields: Vec<_> = parts.iter().flat_map(|(_, numbers)| numbers).map(field).collect();
-                fields.join(",") + "\n"
+                let field = |x: f64| if x.is_nan() { String::new() } else { number(x) };
+                numbers.map(field).collect::<Vec<_>>().join(",") + "\n"
             }
-            SampleFormat::Json => separator(",").to_owned() + &object(&parts),
-            SampleFormat::Npy => {
-                let numbers = parts.iter().flat_map(|(_, numbers)| numbers);
-                return numbers.for_each(|x| bytes.extend_from_slice(&(x + 0.0).to_le_bytes()));
-            }
-            SampleFormat::Table => separator("\n").to_owned() + &self.block(&parts),
+            SampleFormat::Json if index == 0 => self.object(sample),
+            SampleFormat::Json => format!(",{}", self.object(sample)),
+            SampleFormat::Table if index == 0 => self.block(sample),
+            SampleFormat::Table => format!("\n{}", self.block(sample)),
         };
         bytes.extend_from_slice(text.as_bytes());
     }
@@ -79,64 +77,52 @@ impl Sheet {
 
     /// Names of all numbers of a row.
     fn names(&self) -> Vec<String> {
-        let name = |column: &Column, name: &str| match column.unit(self.units, self.support) {
-            unit if self.named_units && !unit.is_empty() => format!("{name} [{unit}]"),
-            _ => name.to_owned(),
+        let names = |column: &Column| {
+            let unit = if self.named_units { column.unit(self.units, self.support) } else { "" };
+            let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
+            column.names().1.iter().map(move |name| format!("{name}{unit}"))
         };
-        let names =
-            |column: &Column| column.names().1.iter().map(|part| name(column, part)).collect::<Vec<_>>();
         self.columns.iter().flat_map(names).collect()
     }
 
-    /// Block of lines, because one line would be too long for a screen.
-    fn block(&self, parts: &[Part<'_>]) -> String {
-        let most = parts.iter().map(|(_, numbers)| numbers.len()).max().unwrap_or(0);
-        let line = |(column, numbers): &Part<'_>| {
+    /// Lines of a sample, because one line would be too long for a screen.
+    fn block(&self, sample: &Sample) -> String {
+        let line = |column: &Column| {
             let digits = match column {
                 Column::T => 17,
                 Column::ErrorBound => 2,
                 _ => 8,
             };
-            let unit = column.unit(self.units, self.support).to_owned();
-            let mut line = vec![column.names().0.to_owned(), unit];
-            line.extend(numbers.iter().filter(|x| !x.is_nan()).map(|x| short(*x, digits)));
-            line.resize(2 + most, String::new());
-            line
+            let (name, unit) = (column.names().0, column.unit(self.units, self.support));
+            let numbers = column.numbers(sample).into_iter().filter(|x| !x.is_nan());
+            let texts = [name.to_owned(), unit.to_owned()];
+            texts.into_iter().chain(numbers.map(|x| short(x, digits))).collect()
         };
-        output::columns(parts.iter().map(line).collect(), 2)
+        output::columns(self.columns.iter().map(line).collect(), 2)
     }
-}
 
-/// Column with its numbers of a row.
-type Part<'a> = (&'a Column, Vec<f64>);
-
-/// Field of CSV.
-fn field(x: &f64) -> String {
-    if x.is_nan() { String::new() } else { number(*x) }
-}
-
-/// Object of JSON.
-fn object(parts: &[Part<'_>]) -> String {
-    let entry = |(column, numbers): &Part<'_>| {
-        let value = if let [x] = numbers[..] { x.into() } else { numbers.clone().into() };
-        (column.names().0, value)
-    };
-    // a write to memory does not fail
-    output::json(&Record(parts.iter().map(entry).collect())).unwrap_or_default().trim_end().to_owned()
+    /// JSON object of a sample.
+    fn object(&self, sample: &Sample) -> String {
+        let entry = |column: &Column| {
+            let numbers = column.numbers(sample);
+            let value = if let [x] = numbers[..] { x.into() } else { numbers.into() };
+            (column.names().0, value)
+        };
+        // a write to memory does not fail
+        let object = output::json(&Record(self.columns.iter().map(entry).collect())).unwrap_or_default();
+        object.trim_end().to_owned()
+    }
 }
 
 /// Header of a file with columns of these names and this many rows (format 1.0: magic, length, and a Python literal that ends at a multiple of 64 bytes).
 fn npy_header(names: &[String], rows: u64) -> Vec<u8> {
-    const BEFORE: usize = 10;
     let fields: String = names.iter().map(|name| format!("('{name}', '<f8'), ")).collect();
-    let mut text = format!("{{'descr': [{fields}], 'fortran_order': False, 'shape': ({rows},), }}");
-    while !(BEFORE + text.len() + 1).is_multiple_of(64) {
-        text.push(' ');
-    }
-    text.push('\n');
+    let text = format!("{{'descr': [{fields}], 'fortran_order': False, 'shape': ({rows},), }}");
+    let before = b"\x93NUMPY\x01\x00".len() + 2;
+    let length = (before + text.len() + 1).next_multiple_of(64) - before;
     let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
     // the header has some hundred bytes, so its length fits 16 bits
-    bytes.extend_from_slice(&(text.len() as u16).to_le_bytes());
-    bytes.extend_from_slice(text.as_bytes());
+    bytes.extend_from_slice(&(length as u16).to_le_bytes());
+    bytes.extend_from_slice(format!("{text:<0$}\n", length - 1).as_bytes());
     bytes
 }

@@ -12,7 +12,7 @@ pub const SHARED_SOURCE: &str = "toytop_baked.c";
 /// Part of the code: its types and its functions, of which the public ones begin with [`API`].
 struct Part {
     /// Macro that is defined if the part is included.
-    guard: &'static str,
+    guard: String,
     types: String,
     functions: String,
 }
@@ -21,49 +21,46 @@ struct Part {
 const API: &str = "TOYTOP_API ";
 
 /// Part from its template, in which a line separates types and functions.
-fn part(guard: &'static str, template: &str, constants: &str, more: &str) -> Part {
+fn part(name: &str, template: &str, constants: &str, more: &str) -> Part {
     let (types, functions) = template.split_once("/* Functions. */\n").unwrap_or((template, ""));
+    let guard = format!("TOYTOP_{}", name.to_uppercase());
     Part { guard, types: types.to_owned(), functions: [constants, functions, more].concat() }
 }
 
 /// Part for a scalar: its arithmetic, and the functions that are written for all scalars.
 fn evaluator(scalar: &Scalar) -> Part {
     let (name, intact) = (scalar.name(), include_str!("intact.h"));
-    let (guard, template, constants, intact, number) = match scalar {
-        Scalar::F32 => ("TOYTOP_F32", include_str!("f32.h"), points(), intact, "float"),
-        Scalar::Q31 => ("TOYTOP_Q31", include_str!("q31.h"), String::new(), intact, "int32_t"),
-        Scalar::Q15 => ("TOYTOP_Q15", include_str!("q15.h"), String::new(), intact, "int16_t"),
-        Scalar::F64 => {
-            ("TOYTOP_F64", include_str!("f64.h"), series(), include_str!("intact_f64.h"), "double")
-        }
+    let (template, constants, intact, number) = match scalar {
+        Scalar::F32 => (include_str!("f32.h"), points(), intact, "float"),
+        Scalar::Q31 => (include_str!("q31.h"), String::new(), intact, "int32_t"),
+        Scalar::Q15 => (include_str!("q15.h"), String::new(), intact, "int16_t"),
+        Scalar::F64 => (include_str!("f64.h"), series(), include_str!("intact_f64.h"), "double"),
     };
     let functions = [include_str!("accessors.h"), intact].concat();
     let functions = functions.replace("SCALAR", name).replace("BITS", &name[1..]).replace("NUMBER", number);
-    part(guard, template, &constants, &functions)
+    part(name, template, &constants, &functions)
 }
 
 /// Part for phases, and those of the scalars.
 fn parts(scalars: &[Scalar]) -> Vec<Part> {
-    let clock = part("TOYTOP_CLOCK", include_str!("clock.h"), "", "");
+    let clock = part("clock", include_str!("clock.h"), "", "");
     std::iter::once(clock).chain(scalars.iter().map(evaluator)).collect()
 }
 
-/// All parts, which the shared files contain.
-fn all() -> Vec<Part> {
-    parts(&[Scalar::F32, Scalar::Q31, Scalar::Q15, Scalar::F64])
-}
+/// Scalars of the shared files. Each but the last needs the code of those before it: fixed point uses the integers of f32, and 16 bits
+/// the vectors of 32 bits.
+const SCALARS: [Scalar; 4] = [Scalar::F32, Scalar::Q31, Scalar::Q15, Scalar::F64];
 
 /// Version of the format, the value of the macros.
 const FORMAT: u32 = toytop::Baked::<f32, 16>::FORMAT;
 
 /// Code for a header that needs no other file: every function is `static inline`, and included once.
 pub fn inlined(scalar: Scalar) -> String {
-    // fixed point uses the integers of f32, and 16 bits the vectors of 32 bits
-    let needed: &[Scalar] = match scalar {
-        Scalar::F64 => &[Scalar::F64],
-        Scalar::F32 => &[Scalar::F32],
-        Scalar::Q31 => &[Scalar::F32, Scalar::Q31],
-        Scalar::Q15 => &[Scalar::F32, Scalar::Q31, Scalar::Q15],
+    let needed = match scalar {
+        Scalar::F32 => &SCALARS[..1],
+        Scalar::Q31 => &SCALARS[..2],
+        Scalar::Q15 => &SCALARS[..3],
+        Scalar::F64 => &SCALARS[3..],
     };
     let mut text = "#ifndef TOYTOP_API\n#define TOYTOP_API static inline\n#endif\n".to_owned();
     for Part { guard, types, functions } in parts(needed) {
@@ -78,7 +75,7 @@ pub fn header() -> String {
         "/* What all tables of `toytop bake` share: types and functions, defined in {SHARED_SOURCE}. C99 and C++11 or later. */\n\
          #ifndef TOYTOP_BAKED_H\n#define TOYTOP_BAKED_H\n"
     );
-    let parts = all();
+    let parts = parts(&SCALARS);
     for Part { guard, types, .. } in &parts {
         text += &format!("#define {guard} {FORMAT}\n{types}");
     }
@@ -92,7 +89,7 @@ pub fn source() -> String {
     let mut text = format!(
         "/* What all tables of `toytop bake` share: the functions. C99. */\n#include \"{SHARED_HEADER}\"\n\n#define TOYTOP_API\n"
     );
-    all().iter().for_each(|part| text += &format!("\n{}", part.functions));
+    parts(&SCALARS).iter().for_each(|part| text += &format!("\n{}", part.functions));
     text
 }
 
