@@ -4,11 +4,9 @@
 //! |---|---|
 //! | [`input`] | scenario files, built-in motions, random numbers |
 //! | [`motion`] | the core's stepper and ephemeris at given times, their samples and constants |
-//! | [`full_equations`] | integration of the full 3-D equations |
-//! | [`truth`] | the paper's integrals to more than thirty digits |
-//! | `benchmarks` | catalogue of problems that integrators are tested with |
+//! | [`truth`] | the paper's integrals to more than thirty digits; integration of the full 3-D equations |
 //! | [`fit`] | sensors, samples and a launch fitted to them |
-//! | [`score`] | output of an integrator against the exact motion |
+//! | [`score`] | output of an integrator against the exact motion; problems that integrators are tested with |
 //! | [`pictures`] | curve of the tip, figures, page for a browser |
 //! | [`output`] | tables, CSV, JSON, files, progress |
 //! | [`cli`], `commands` | command line, one file for each command |
@@ -20,15 +18,11 @@
 #![allow(unreachable_pub)]
 
 #[cfg(feature = "program")]
-mod benchmarks;
-#[cfg(feature = "program")]
 pub mod cli;
 #[cfg(feature = "program")]
 mod commands;
 mod failure;
 pub mod fit;
-#[cfg(feature = "program")]
-pub mod full_equations;
 pub mod input;
 pub mod motion;
 pub mod output;

@@ -6,8 +6,11 @@
 //! | [`judge`] | errors of a trajectory |
 //! | `phases` | phase errors of nutation, precession and spin |
 //! | [`drift`] | drift of l, n and h |
+//! | `benchmarks` | catalogue of problems that integrators are tested with |
 //! | [`order`] | order of convergence of several step sizes |
 
+#[cfg(feature = "program")]
+pub(crate) mod benchmarks;
 pub mod drift;
 pub mod judge;
 pub mod order;

@@ -1,6 +1,7 @@
-//! Truth of a motion to more than thirty digits ([`exact`]): the paper's integrals, with their poles, in numbers of 640 bits (192 digits).
+//! Truths of a motion, which share no formula with the core: the paper's integrals, with their poles, in numbers of 640 bits
+//! (192 digits), and the full 3-D equations by a solver.
 //!
-//! It shares no formula and no arithmetic with the core: it uses neither the regularised phase equations nor its series or its stepping, and every
+//! The first shares no formula and no arithmetic with the core: it uses neither the regularised phase equations nor its series or its stepping, and every
 //! operation is dashu's. The relative error of the quadrature is some 1e-37 (tested by other panels, and against vectors of 30 digits), which
 //! at tick 2^62 is still below 1e-17 rad; times are exact.
 //!
@@ -11,8 +12,11 @@
 //! | `launch` | constants from branch points or a state |
 //! | [`exact`] | orientation and rates at a time |
 //! | [`precise`] | arithmetic |
+//! | [`full_equations`] | integration of the full 3-D equations |
 
 pub mod exact;
+#[cfg(feature = "program")]
+pub mod full_equations;
 mod launch;
 pub mod motions;
 mod nutation;

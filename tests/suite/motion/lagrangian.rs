@@ -13,7 +13,7 @@
 use crate::motion::full_solver::solver;
 use toytop::su2::{Vector, cross, dot};
 use toytop::{Complex, FirstIntegrals, Orientation, State, Top};
-use toytop_host::full_equations::full_solver::{
+use toytop_host::truth::full_equations::full_solver::{
     Equations, FULL_SOLVER_TOLERANCE, FullSolver, FullState, FullTop,
 };
 use toytop_tests::{check, greater, tolerance, vectors};

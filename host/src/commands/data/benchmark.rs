@@ -3,11 +3,11 @@
 use super::Report;
 use super::times::Instants;
 use crate::Failure;
-use crate::benchmarks::{self, Printed, Problem, Reference};
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{furthest_time, smallest};
 use crate::output::doc_markers::{self, Page};
 use crate::output::{self, Format, Lists, Record, eight};
+use crate::score::benchmarks::{self, Printed, Problem, Reference};
 use clap::Args;
 use serde_json::Value;
 use std::path::PathBuf;

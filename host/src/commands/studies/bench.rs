@@ -3,11 +3,11 @@
 use super::Report;
 use super::options::FormatArgs;
 use crate::Failure;
-use crate::full_equations;
-use crate::full_equations::full_solver::{Equations, FullSolver, FullState};
 use crate::input::builtin;
 use crate::input::scenario::Scenario;
 use crate::output::{self, Record, short};
+use crate::truth::full_equations;
+use crate::truth::full_equations::full_solver::{Equations, FullSolver, FullState};
 use std::hint::black_box;
 use std::time::Instant;
 use toytop::scalar::Real;

@@ -1,6 +1,5 @@
 //! Columns of a sweep, and what is computed of a motion for them.
 
-use crate::full_equations;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::column::Column as Quantity;
 use crate::motion::constants::CONSTANTS;
@@ -8,6 +7,7 @@ use crate::motion::ephemeris::{AnyEphemeris, approximate, smallest};
 use crate::motion::propagate::Sample;
 use crate::motion::{Scalar, spread_times};
 use crate::output::text;
+use crate::truth::full_equations;
 use clap::ValueEnum;
 use serde_json::Value;
 use std::cell::OnceCell;

@@ -10,9 +10,9 @@ use toytop::{Orientation, Stepper};
 macro_rules! files {
     ($($name:literal)*) => { [$((
         $name,
-        include_str!(concat!("../benchmarks/", $name, "/scenario.toml")),
-        include_str!(concat!("../benchmarks/", $name, "/problem.toml")),
-        include_str!(concat!("../benchmarks/", $name, "/reference.json")),
+        include_str!(concat!("../../benchmarks/", $name, "/scenario.toml")),
+        include_str!(concat!("../../benchmarks/", $name, "/problem.toml")),
+        include_str!(concat!("../../benchmarks/", $name, "/reference.json")),
     )),*] };
 }
 
