@@ -53,7 +53,7 @@ impl SetUp {
         motion: &Motion,
         segments: &mut [R::Segment],
         capacity: usize,
-        between: &mut dyn FnMut(),
+        pause: &mut dyn FnMut(),
     ) -> Result<(), SetUpError> {
         let truncation = self.truncation.unwrap_or(R::TRUNCATION);
         if !(truncation > 0.0 && truncation < f64::INFINITY) {
@@ -65,8 +65,8 @@ impl SetUp {
         let limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
         let store = &mut |segment, column, parts: [&_; 2]| put::<R>(segments, segment, column, parts);
         let built = match R::RATE_WORDS {
-            1 => self.build::<1>(motion, limits, store, between),
-            _ => self.build::<2>(motion, limits, store, between),
+            1 => self.build::<1>(motion, limits, store, pause),
+            _ => self.build::<2>(motion, limits, store, pause),
         };
         built.ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
     }
@@ -79,18 +79,18 @@ impl SetUp {
         motion: &Motion,
         tick: Tick,
         epoch: i64,
-        between: &mut dyn FnMut(),
+        pause: &mut dyn FnMut(),
     ) {
         let Outline { cells, segments, error, speeds } = &self.outline;
         table.cells = *cells;
         table.segments.get_mut(*segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
         table.clock = Clock::new(motion, tick, epoch, &self.rates, self.start.phases);
-        between();
-        table.start_tip_angle(motion, self.start.phases, epoch, between);
-        between();
+        pause();
+        table.start_tip_angle(motion, self.start.phases, epoch, pause);
+        pause();
         [table.error_bound, table.rate_error_bound] =
             error_bounds(&R::ERRORS, motion, tick.length(), &self.rates, speeds, *error);
-        between();
+        pause();
     }
 }
 
@@ -98,7 +98,7 @@ impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
     /// Sets up the table of a motion.
     ///
     /// * `epoch`: tick of the launch on a running counter
-    /// * `between`: called at least every 50 000 cycles of a Cortex-M4F (200 000 of a Cortex-M0+)
+    /// * `pause`: called at least every 50 000 cycles of a Cortex-M4F (200 000 of a Cortex-M0+)
     ///
     /// # Errors
     /// [`SetUpError`]; the memory then contains no table.
@@ -108,14 +108,14 @@ impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
         motion: &Motion,
         tick: Tick,
         epoch: i64,
-        between: &mut dyn FnMut(),
+        pause: &mut dyn FnMut(),
     ) -> Result<ReadyEphemeris<'_, R>, SetUpError> {
         let Self { is_set_up, table } = self;
         *is_set_up = false;
         let capacity = table.capacity();
-        set_up.tabulate::<R>(motion, &mut table.segments, capacity, between)?;
-        between();
-        set_up.describe(table, motion, tick, epoch, between);
+        set_up.tabulate::<R>(motion, &mut table.segments, capacity, pause)?;
+        pause();
+        set_up.describe(table, motion, tick, epoch, pause);
         *is_set_up = true;
         Ok(ReadyEphemeris(self))
     }

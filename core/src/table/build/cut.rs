@@ -28,18 +28,18 @@ impl SetUp {
         motion: &Motion,
         limits: Limits,
         store: &mut Store<'_>,
-        between: &mut dyn FnMut(),
+        pause: &mut dyn FnMut(),
     ) -> Option<()> {
-        self.begin::<WORDS>(motion, limits, between);
+        self.begin::<WORDS>(motion, limits, pause);
         if motion.is_steady() {
             self.store_constants(store);
             return Some(());
         }
-        between();
+        pause();
         let mut place = 0;
         while place < HALF_PERIOD {
-            self.enter_span::<WORDS>(place, between)?;
-            place = self.cut_span(store, between)?;
+            self.enter_span::<WORDS>(place, pause)?;
+            place = self.cut_span(store, pause)?;
         }
         self.outline.error += self.path_error();
         Some(())
@@ -59,26 +59,26 @@ impl SetUp {
     }
 
     /// Expands the motion on the span that begins at `place`, which is the next one unless a cell is cut again.
-    fn enter_span<const WORDS: usize>(&mut self, place: usize, between: &mut dyn FnMut()) -> Option<()> {
+    fn enter_span<const WORDS: usize>(&mut self, place: usize, pause: &mut dyn FnMut()) -> Option<()> {
         if place > self.span.begin {
             self.leave(place == self.cell.end && self.coarser(place) < self.span.least_level());
         } else if place < self.span.begin {
             self.go_to(place, self.cell.beginning);
         }
-        while self.expand_span::<WORDS>(between).is_none() {
+        while self.expand_span::<WORDS>(pause).is_none() {
             self.shorten_span()?;
         }
         Some(())
     }
 
     /// Computes the series of α and β on the span; `None` where they are not accurate.
-    fn expand_span<const WORDS: usize>(&mut self, between: &mut dyn FnMut()) -> Option<()> {
-        self.expand_motion::<WORDS>(between)?;
+    fn expand_span<const WORDS: usize>(&mut self, pause: &mut dyn FnMut()) -> Option<()> {
+        self.expand_motion::<WORDS>(pause)?;
         for (slow, series) in self.series.iter_mut().enumerate() {
-            between();
-            series.compute(&mut self.expansion, slow, &self.limits, between)?;
+            pause();
+            series.compute(&mut self.expansion, slow, &self.limits, pause)?;
         }
-        between();
+        pause();
         self.start.search(&self.expansion, self.end.phases.chi, self.span);
         Some(())
     }
@@ -89,7 +89,7 @@ impl SetUp {
     }
 
     /// Cuts the span into segments. Returns its end, or the place of a cell that must be cut again from an earlier span on.
-    fn cut_span(&mut self, store: &mut Store<'_>, between: &mut dyn FnMut()) -> Option<usize> {
+    fn cut_span(&mut self, store: &mut Store<'_>, pause: &mut dyn FnMut()) -> Option<usize> {
         let span = self.span;
         let (mut place, least) = (span.begin, span.least_level());
         if place < self.cell.end && self.cell.level < least {
@@ -102,7 +102,7 @@ impl SetUp {
                 (self.cell.begin, self.cell.beginning) = (place, self.beginning);
                 self.cut_again(self.coarser(place).max(least))?;
             }
-            let error = self.store_segment(place, store, between);
+            let error = self.store_segment(place, store, pause);
             if error <= self.limits.segment(self.cell.level) {
                 self.cell.error = self.cell.error.max(error);
                 place += segment_length(self.cell.level);
@@ -141,7 +141,7 @@ impl SetUp {
     }
 
     /// Stores the polynomials of the segment at `place`. Returns their error in units of 2^-62 rad.
-    fn store_segment(&mut self, place: usize, store: &mut Store<'_>, between: &mut dyn FnMut()) -> f32 {
+    fn store_segment(&mut self, place: usize, store: &mut Store<'_>, pause: &mut dyn FnMut()) -> f32 {
         let Self { segment, cell, limits, span, .. } = self;
         let length = segment_length(cell.level);
         let halvings = span.halvings(cell.level);
@@ -151,11 +151,11 @@ impl SetUp {
         for (series, column) in self.series.iter_mut().zip([0, 2]) {
             series.restrict(place / length, halvings, limits.left_out, segment);
             segment.shorten(limits.terms, i64::MAX);
-            between();
+            pause();
             let omitted = [series.omitted, TERMS as f32 * series.omitted / parts];
             let parts = segment.parts.each_ref().map(|part| &part.coefficients);
             segment.add_errors(&mut errors, omitted, store(index, column, parts));
-            between();
+            pause();
         }
         let part = span.half_length() as f32 / parts;
         errors.include_in(&mut cell.speeds, 1.0 / part, self.expansion.greatest_theta_slope() / parts);

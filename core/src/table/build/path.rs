@@ -70,10 +70,10 @@ impl SetUp {
         &mut self,
         motion: &Motion,
         limits: Limits,
-        between: &mut dyn FnMut(),
+        pause: &mut dyn FnMut(),
     ) {
-        self.compute_rates::<WORDS>(motion, between);
-        between();
+        self.compute_rates::<WORDS>(motion, pause);
+        pause();
         (self.limits, self.start) = (limits, Start::new(motion));
         (self.cell, self.outline) = (OpenCell::NONE, Outline::NONE);
         let Ellipses { alpha, beta } = motion.ellipses::<f64>();
@@ -92,12 +92,12 @@ impl SetUp {
     }
 
     #[inline(never)] // the deepest stack of set-up, without the constants
-    fn compute_rates<const WORDS: usize>(&mut self, motion: &Motion, between: &mut dyn FnMut()) {
+    fn compute_rates<const WORDS: usize>(&mut self, motion: &Motion, pause: &mut dyn FnMut()) {
         let mut period = None;
         if !motion.is_steady() {
             self.equations = motion.equations();
-            between();
-            period = motion.period::<WORDS>(&self.equations, between);
+            pause();
+            period = motion.period::<WORDS>(&self.equations, pause);
         }
         self.rates = MeanRates::new(motion, period);
     }
@@ -140,13 +140,13 @@ impl SetUp {
 
     /// Expands the motion around the centre of the span; `None` where a truncation error is too large.
     #[inline(never)]
-    pub(super) fn expand_motion<const WORDS: usize>(&mut self, between: &mut dyn FnMut()) -> Option<()> {
+    pub(super) fn expand_motion<const WORDS: usize>(&mut self, pause: &mut dyn FnMut()) -> Option<()> {
         let allowed = self.allowed();
         if self.centre.is_none() {
-            self.expand::<WORDS>(between);
+            self.expand::<WORDS>(pause);
             self.centre = Some(self.after(1, allowed)?);
         }
-        self.expand::<WORDS>(between);
+        self.expand::<WORDS>(pause);
         self.end = self.after(1, allowed)?;
         Some(())
     }
@@ -161,12 +161,12 @@ impl SetUp {
         self.centre.as_ref().unwrap_or(&self.beginning)
     }
 
-    fn expand<const WORDS: usize>(&mut self, between: &mut dyn FnMut()) {
-        between();
+    fn expand<const WORDS: usize>(&mut self, pause: &mut dyn FnMut()) {
+        pause();
         let slopes = self.slopes::<WORDS>();
-        between();
-        self.expansion.expand(&self.equations, &slopes, between);
-        between();
+        pause();
+        self.expansion.expand(&self.equations, &slopes, pause);
+        pause();
     }
 
     /// Derivatives of the phases, in wide numbers because a slow phase may hardly differ from its mean.

@@ -171,13 +171,13 @@ impl SpanSeries {
         expansion: &mut Expansion,
         slow: usize,
         limits: &Limits,
-        between: &mut dyn FnMut(),
+        pause: &mut dyn FnMut(),
     ) -> Option<()> {
         let series = &mut self.whole;
         (*series, self.part) = (Series::ZERO, None);
         let parts = series.parts.each_mut().map(|part| &mut part.coefficients);
         series.terms = expansion.turned(slow, self.exponentials, limits.least_term(), parts)?;
-        between();
+        pause();
         let [re, im] = series.parts.each_ref().map(Part::omitted);
         let omitted = 2.0 * larger_or_nan(re, im);
         (2.0 * omitted <= OMITTED * limits.polynomial).then_some(())?;

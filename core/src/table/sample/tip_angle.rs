@@ -51,13 +51,13 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         motion: &Motion,
         start: [Phase; 3],
         epoch: i64,
-        between: &mut dyn FnMut(),
+        pause: &mut dyn FnMut(),
     ) {
         let [nutation, a, b] = start;
         let nutation = nutation.fraction();
         let Clock { tip_quarter, tip_passes, .. } = self.clock;
         let quarter_turn = Phase::QUARTER.times(tip_quarter.into());
-        let tabulated = self.tabulated_tip_angle(nutation, between);
+        let tabulated = self.tabulated_tip_angle(nutation, pause);
         // whole turns from the table, and the rest from the motion, because near the centre the table's angle is inexact
         let argument = motion.tip_angle_at_start();
         let exact = argument - a - b - if is_falling(nutation) { -quarter_turn } else { quarter_turn };
@@ -75,8 +75,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     }
 
     /// Argument of the tabulated αβ at a nutation phase, continued from u = e₁ through the centres of all segments before. Near 0 it is the
-    /// direction of the motion from 0 or to 0. `between` is called after every sixteen segments.
-    fn tabulated_tip_angle(&self, nutation: u64, between: &mut dyn FnMut()) -> Phase {
+    /// direction of the motion from 0 or to 0. `pause` is called after every sixteen segments, and before the polynomials are evaluated.
+    fn tabulated_tip_angle(&self, nutation: u64, pause: &mut dyn FnMut()) -> Phase {
         const SEGMENTS: usize = 16;
         let found = self.locate(nutation);
         let mut winding = Winding::START;
@@ -85,9 +85,10 @@ impl<R: EphemerisScalar> EphemerisView<R> {
             let [a, b] = complex(centre.map(|coefficient| coefficient.value(0)));
             winding.reach(self.rotated_back(a * b));
             if index % SEGMENTS == SEGMENTS - 1 {
-                between();
+                pause();
             }
         }
+        pause();
         let x = found.point.x as f64 / (1_u64 << 63) as f64;
         let [mut a, mut b, mut a_slope, mut b_slope] = [Complex::ZERO; 4];
         for (power, row) in found.terms.iter().enumerate().rev() {

@@ -46,7 +46,7 @@ fn run<R: EphemerisScalar>(
 ) {
     let (top, state) = launch(number).expect("a possible launch");
     let (launched, of_motion, longest_of_motion) =
-        interrupted(counter, |between| Motion::launch_between(black_box(&top), black_box(&state), between));
+        interrupted(counter, |pause| Motion::launch_between(black_box(&top), black_box(&state), pause));
     let Ok(motion) = launched else {
         println!("{scalar} {number} refused motion {of_motion} table 0 slice {longest_of_motion}");
         return;
@@ -54,7 +54,7 @@ fn run<R: EphemerisScalar>(
     let tick = Tick::hertz(1000).expect("positive");
     let mut set_up = SetUp::new();
     let (result, of_table, longest_of_table) =
-        interrupted(counter, |between| memory.set_up(&mut set_up, &motion, tick, 0, between).map(drop));
+        interrupted(counter, |pause| memory.set_up(&mut set_up, &motion, tick, 0, pause).map(drop));
     let longest = longest_of_motion.max(longest_of_table);
     let result = if result.is_ok() { "ready" } else { "refused" };
     println!("{scalar} {number} {result} motion {of_motion} table {of_table} slice {longest}");

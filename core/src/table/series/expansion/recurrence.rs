@@ -87,10 +87,10 @@ impl Expansion {
         &mut self,
         equations: &PhaseEquations<Extended>,
         slopes: &Slopes,
-        between: &mut dyn FnMut(),
+        pause: &mut dyn FnMut(),
     ) {
         let recurrence = self.begin(equations, slopes);
-        self.terms = self.recur(&recurrence, between).unwrap_or_default();
+        self.terms = self.recur(&recurrence, pause).unwrap_or_default();
         let [.., delta, _] = &self.scratch;
         self.variation_size *= delta.size(3, self.terms, 0.0);
     }
@@ -162,12 +162,12 @@ impl Expansion {
 
     /// Computes the coefficients until two in succession are negligible. Returns their number; `None` where one is out of range.
     #[inline(never)]
-    fn recur(&mut self, recurrence: &Recurrence, between: &mut dyn FnMut()) -> Option<usize> {
+    fn recur(&mut self, recurrence: &Recurrence, pause: &mut dyn FnMut()) -> Option<usize> {
         (self.chi.slope <= STEEPEST).then_some(())?;
         let mut before = false;
         for k in 0..TERMS {
             if k % 4 == 0 {
-                between();
+                pause();
             }
             let rates = k > 0 && self.advance(recurrence, k)?;
             let negligible = self.turn(recurrence, k)? && rates;
