@@ -45,7 +45,7 @@ pub mod table_format {}
 pub mod internal {
     pub use crate::body::{ScaledTop, finite, require};
     pub use crate::motion::{NutationVariable, phase_of};
-    pub use crate::table::Ticks;
+    pub use crate::table::CursorPhases;
 }
 
 pub use body::{ParameterError, Release, State, Support, Top, TopParameters};

@@ -96,7 +96,7 @@ impl<R: Real> Stepper<R> {
                 change
             }
         };
-        let changes = [change.alpha, change.beta];
+        let changes = [change.slow_a, change.slow_b];
         for ((phase, change), (rate, _)) in self.phases.iter_mut().zip(changes).zip(self.constant_rates) {
             *phase += turns(change) + (rate * dt.to_f64().into()).to_phase();
         }
@@ -161,8 +161,8 @@ impl<R: Real> Stepper<R> {
             }
         };
         let [(_, alpha), (_, beta)] = self.constant_rates;
-        rates.alpha = rates.alpha + alpha;
-        rates.beta = rates.beta + beta;
+        rates.slow_a = rates.slow_a + alpha;
+        rates.slow_b = rates.slow_b + beta;
         rates
     }
 
@@ -189,7 +189,7 @@ fn runge_kutta<R: Real>(dt: R, rates: impl Fn(R) -> PhaseRates<R>) -> PhaseRates
     let sixth = dt * R::from_f64(1.0 / 6.0);
     let mean =
         |part: fn(&PhaseRates<R>) -> R| (part(&k1) + (part(&k2) + part(&k3)).doubled() + part(&k4)) * sixth;
-    PhaseRates { nutation: mean(|k| k.nutation), alpha: mean(|k| k.alpha), beta: mean(|k| k.beta) }
+    PhaseRates { nutation: mean(|k| k.nutation), slow_a: mean(|k| k.slow_a), slow_b: mean(|k| k.slow_b) }
 }
 
 /// Sum, and its rounding error (Knuth's exact addition).

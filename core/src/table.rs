@@ -30,7 +30,7 @@ pub use baked::{Baked, BakedError};
 pub use build::SetUp;
 pub use build::bound::ErrorBound;
 pub use clock::{Clock, Tick};
-pub use cursor::{Cursor, Ticks};
+pub use cursor::{Cursor, CursorPhases};
 pub use ephemeris::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisView, ReadyEphemeris};
 #[cfg(feature = "fixed")]
 pub use ephemeris::{EphemerisQ15, EphemerisQ31};

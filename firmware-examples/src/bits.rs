@@ -166,8 +166,17 @@ impl Hash {
     }
 
     fn branch_points(self, e: &BranchPoints) -> Self {
-        let BranchPoints { e1, e2, e3, one_plus_e1, one_minus_e2, e2_minus_e1, e3_minus_e2, e3_minus_one } =
-            *e;
+        let BranchPoints {
+            e1,
+            e2,
+            e3,
+            one_plus_e1,
+            one_minus_e2,
+            e2_minus_e1,
+            e3_minus_e2,
+            e3_minus_one,
+            ..
+        } = *e;
         self.numbers([e1, e2, e3, one_plus_e1, one_minus_e2, e2_minus_e1, e3_minus_e2, e3_minus_one])
     }
 

@@ -4,7 +4,7 @@ use crate::launch::toytop_state;
 use crate::memory::{Kept, keep, kept, write};
 use crate::status::{Refusal, toytop_status};
 use crate::table::{Table, Tabulated, view};
-use toytop::internal::Ticks;
+use toytop::internal::CursorPhases;
 use toytop::{Complex, EphemerisView, Event, Events, ParameterError, Phase, Sample};
 
 /// Bytes of a cursor.
@@ -38,7 +38,7 @@ const _: () = assert!(
 /// Cursor with the identity of its table.
 struct CursorOf {
     table: u32,
-    ticks: Ticks,
+    ticks: CursorPhases,
 }
 
 impl Kept for CursorOf {
@@ -124,7 +124,7 @@ pub(crate) unsafe fn cursor<R: Tabulated>(
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
         let table = view::<R>(table)?;
-        keep(place, CursorOf { table: table.identity, ticks: Ticks::new(table.view.clock(), first) })
+        keep(place, CursorOf { table: table.identity, ticks: CursorPhases::new(table.view.clock(), first) })
     }
 }
 

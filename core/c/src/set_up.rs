@@ -76,7 +76,7 @@ pub(crate) unsafe fn run<R: Tabulated>(
     let truncation = given::<R>(launched.truncation)?;
     // SAFETY: the pointer is neither null nor unaligned, and the memory is large enough.
     let set_up = unsafe {
-        set_up.write(SetUp::within(truncation));
+        set_up.write(SetUp::with_truncation(truncation));
         &mut *set_up
     };
     let mut call = || {

@@ -41,8 +41,8 @@ impl ConstantArguments {
         let argument =
             |axes, turning, closed| argument(axes, [sine, cosine], [rates.nutation, turning], closed);
         let angles = [
-            alpha_phase + argument(alpha_axes, rates.alpha, alpha),
-            beta_phase + argument(beta_axes, rates.beta, beta),
+            alpha_phase + argument(alpha_axes, rates.slow_a, alpha),
+            beta_phase + argument(beta_axes, rates.slow_b, beta),
         ];
         Self { angles, half_tau: motion.half_tau() }
     }

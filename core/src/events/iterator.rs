@@ -82,7 +82,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Tip angle after a number of ticks.
     fn tip_angle_after(&self, ticks: Extended) -> Phase {
-        self.after(ticks).any_tip_angle()
+        self.after(ticks).tip_angle_unchecked()
     }
 
     /// Nutation phase in (0, 1/2) turn at which φ' changes its sign, at most once because |c|² φ' is s² (l - n u)/A.

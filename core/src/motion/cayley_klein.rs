@@ -75,8 +75,8 @@ impl<R: Real> Ellipses<R> {
         rates: &PhaseRates<R>,
     ) -> OrientationRate<R> {
         OrientationRate {
-            alpha: self.alpha.rate(chi, [rates.nutation, rates.alpha]) * a,
-            beta: self.beta.rate(chi, [rates.nutation, rates.beta]) * b,
+            alpha: self.alpha.rate(chi, [rates.nutation, rates.slow_a]) * a,
+            beta: self.beta.rate(chi, [rates.nutation, rates.slow_b]) * b,
         }
     }
 }

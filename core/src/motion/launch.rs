@@ -60,9 +60,10 @@ impl Motion {
     /// Motion from branch points -1 <= e₁ <= e₂ <= 1 <= e₃, which count as exact, and its phases at t = 0.
     ///
     /// # Errors
-    /// `e1`, `e2`, `e3`: not finite or not in this order; `theta`, `arg_alpha`, `arg_beta`: not finite or beyond
-    /// ±1e6 rad; `e3` also where no torque acts, because branch points then determine no rate, and where the axial rate
-    /// (n - K)/C exceeds 1e24 per unit of time, or C = 0 and the branch points do not have n = K.
+    /// * `e1`, `e2`, `e3`: not finite or not in this order
+    /// * `theta`, `arg_alpha`, `arg_beta`: not finite or beyond ±1e6 rad
+    /// * `e3`: no torque acts, so that branch points determine no rate
+    /// * `e3`: the axial rate (n - K)/C exceeds 1e24 per unit of time, or C = 0 and n is not K
     pub fn from_branch_points(
         top: &Top,
         e: [f64; 3],

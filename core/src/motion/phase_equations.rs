@@ -20,14 +20,14 @@ use crate::scalar::{Float, Real, Ring, Scalar, exponent};
 pub struct PhaseRates<R> {
     /// Rate χ' for a nutating motion, v' for an aperiodic one.
     pub nutation: R,
-    /// Rate ψ_A'.
-    pub alpha: R,
-    /// Rate ψ_B'.
-    pub beta: R,
+    /// Rate ψ_A', or A' where ±τ/2 is added.
+    pub slow_a: R,
+    /// Rate ψ_B', or B'.
+    pub slow_b: R,
 }
 
 impl<R: Ring> PhaseRates<R> {
-    pub(crate) const ZERO: Self = Self { nutation: R::ZERO, alpha: R::ZERO, beta: R::ZERO };
+    pub(crate) const ZERO: Self = Self { nutation: R::ZERO, slow_a: R::ZERO, slow_b: R::ZERO };
 }
 
 /// Unit complex number e^{iχ} = sech v + i tanh v, for χ the Gudermannian of v.
@@ -69,10 +69,10 @@ pub struct PhaseEquations<F> {
     /// Length A/p, m.
     pub(crate) a_over_p: F,
     /// Length A/(p (e₃ + 1)), m.
-    pub(crate) a_over_p_e3: F,
+    pub(crate) a_over_p_by_e3_plus_one: F,
     pub(crate) s: F,
     /// Length s (e₃ - 1), m.
-    pub(crate) s_e3: F,
+    pub(crate) s_times_e3_minus_one: F,
     /// Half of the gravity, g/2, m/s².
     pub(crate) half_g: F,
     /// Rate (l + n)/(2A), rad per unit time.
@@ -82,7 +82,7 @@ pub struct PhaseEquations<F> {
     /// Rate s₋ √(2 A p g (1-e₁)(1-e₂))/(2A), rad per unit time.
     pub(crate) beta_scale: F,
     /// Root √(e₃ - 1).
-    pub(crate) root_e3: F,
+    pub(crate) root_e3_minus_one: F,
     /// Time 2 √(A/(2 p g)); its product with χ' makes ψ_B' smooth.
     pub(crate) beta_smoothing: F,
 }
@@ -100,14 +100,14 @@ impl<F: Float> PhaseEquations<F> {
             e2_minus_e1: convert(self.e2_minus_e1),
             e3_minus_e2: convert(self.e3_minus_e2),
             a_over_p: convert(self.a_over_p),
-            a_over_p_e3: convert(self.a_over_p_e3),
+            a_over_p_by_e3_plus_one: convert(self.a_over_p_by_e3_plus_one),
             s: convert(self.s),
-            s_e3: convert(self.s_e3),
+            s_times_e3_minus_one: convert(self.s_times_e3_minus_one),
             half_g: convert(self.half_g),
             alpha_scale: convert(self.alpha_scale),
             alpha_smoothing: convert(self.alpha_smoothing),
             beta_scale: convert(self.beta_scale),
-            root_e3: convert(self.root_e3),
+            root_e3_minus_one: convert(self.root_e3_minus_one),
             beta_smoothing: convert(self.beta_smoothing),
         }
     }
@@ -119,14 +119,14 @@ impl<F: Float> PhaseEquations<F> {
         e2_minus_e1: F::ZERO,
         e3_minus_e2: F::ZERO,
         a_over_p: F::ZERO,
-        a_over_p_e3: F::ZERO,
+        a_over_p_by_e3_plus_one: F::ZERO,
         s: F::ZERO,
-        s_e3: F::ZERO,
+        s_times_e3_minus_one: F::ZERO,
         half_g: F::ZERO,
         alpha_scale: F::ZERO,
         alpha_smoothing: F::ZERO,
         beta_scale: F::ZERO,
-        root_e3: F::ZERO,
+        root_e3_minus_one: F::ZERO,
         beta_smoothing: F::ZERO,
     };
 
@@ -141,14 +141,14 @@ impl<F: Float> PhaseEquations<F> {
             e2_minus_e1: e.e2_minus_e1,
             e3_minus_e2: e.e3_minus_e2,
             a_over_p,
-            a_over_p_e3: a_over_p / e.one_plus_e3(),
+            a_over_p_by_e3_plus_one: a_over_p / e.one_plus_e3(),
             s,
-            s_e3: s * e.e3_minus_one,
+            s_times_e3_minus_one: s * e.e3_minus_one,
             half_g: g.halved(),
             alpha_scale: l_plus_n / a.doubled(),
             alpha_smoothing: (per_g / e.one_plus_e3()).sqrt().doubled(),
             beta_scale: signs.l_minus_n.times(beta_scale),
-            root_e3: e.e3_minus_one.sqrt(),
+            root_e3_minus_one: e.e3_minus_one.sqrt(),
             beta_smoothing: per_g.sqrt().doubled(),
         }
     }
@@ -163,7 +163,7 @@ impl<F: Float> PhaseEquations<F> {
             e3_minus_e2: F::ONE,
             a_over_p: F::ONE,
             half_g: chi_rate.squared(),
-            root_e3: F::ONE,
+            root_e3_minus_one: F::ONE,
             ..Self::ZERO
         }
     }
@@ -181,18 +181,18 @@ impl<F: Float> PhaseEquations<F> {
         let e3_minus_u = self.e3_minus_e2 + self.e2_minus_e1 * cosine.squared();
         let per_d = F::ONE / (self.a_over_p + self.s * one_minus_u * one_plus_u);
         let nutation = (self.half_g * e3_minus_u * per_d).sqrt();
-        let beta_divisor = self.root_e3 + self.beta_smoothing * nutation;
+        let beta_divisor = self.root_e3_minus_one + self.beta_smoothing * nutation;
         // for e₂ = e₃ = 1 and u = 1 numerator and denominator are 0, and ψ_B' is 0
         let beta = if beta_divisor > F::ZERO {
-            self.beta_scale * (self.s_e3 * one_plus_u - self.a_over_p) * per_d / beta_divisor
+            self.beta_scale * (self.s_times_e3_minus_one * one_plus_u - self.a_over_p) * per_d / beta_divisor
         } else {
             F::ZERO
         };
-        PhaseRates { nutation, alpha: self.alpha_rate(one_minus_u, per_d, nutation), beta }
+        PhaseRates { nutation, slow_a: self.alpha_rate(one_minus_u, per_d, nutation), slow_b: beta }
     }
 
     fn alpha_rate(&self, one_minus_u: F, per_d: F, chi_rate: F) -> F {
-        self.alpha_scale * (self.a_over_p_e3 + self.s * one_minus_u) * per_d
+        self.alpha_scale * (self.a_over_p_by_e3_plus_one + self.s * one_minus_u) * per_d
             / (F::ONE + self.alpha_smoothing * chi_rate)
     }
 
@@ -202,7 +202,7 @@ impl<F: Float> PhaseEquations<F> {
         let per_d = F::ONE / (self.a_over_p + self.s * one_minus_u * one_plus_u);
         let nutation = (self.half_g * self.e2_minus_e1 * per_d).sqrt();
         let chi_rate = nutation * chi.re; // χ' = v' sech v
-        PhaseRates { nutation, alpha: self.alpha_rate(one_minus_u, per_d, chi_rate), beta: F::ZERO }
+        PhaseRates { nutation, slow_a: self.alpha_rate(one_minus_u, per_d, chi_rate), slow_b: F::ZERO }
     }
 }
 

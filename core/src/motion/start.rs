@@ -77,12 +77,12 @@ impl Motion {
             self.integrals.l_plus_n.to_f64(),
             self.torque_free_rate.to_f64(),
         );
-        let PhaseRates { nutation, alpha, beta } = equations.rates(chi.im, chi.re);
+        let PhaseRates { nutation, slow_a, slow_b } = equations.rates(chi.im, chi.re);
         let half_tau = self.half_tau.to_f64();
         let Ellipses { alpha: alpha_ellipse, beta: beta_ellipse } = &self.ellipses;
         self.phases = [
-            slow_phase(alpha_ellipse, chi, [nutation, alpha + half_tau], [phi.alpha, rate.alpha]),
-            slow_phase(beta_ellipse, chi, [nutation, beta - half_tau], [phi.beta, rate.beta]),
+            slow_phase(alpha_ellipse, chi, [nutation, slow_a + half_tau], [phi.alpha, rate.alpha]),
+            slow_phase(beta_ellipse, chi, [nutation, slow_b - half_tau], [phi.beta, rate.beta]),
         ];
     }
 }

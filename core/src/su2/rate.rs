@@ -66,7 +66,7 @@ pub struct AttitudeState<R> {
 }
 
 impl<R: Ring> AttitudeState<R> {
-    /// Cosine of the tilt, u = ⟨r, k⟩, in [-1, 1].
+    /// Cosine of the tilt, u = ⟨r, k⟩, limited to [-1, 1] unlike [`Sample::u`](crate::Sample::u).
     pub fn u(&self) -> R {
         self.orientation.clamped_u()
     }

@@ -33,7 +33,7 @@ pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
     pub rate_error_bound: ErrorBound,
     /// Level and first segment of each sixteenth of half a period.
     pub cells: [u16; CELLS],
-    /// Segments: coefficients of Re α, Im α, Re β and Im β, lowest power first.
+    /// Segments: coefficients of Re a, Im a, Re b and Im b, lowest power first.
     pub segments: [R::Segment; SEGMENTS],
 }
 

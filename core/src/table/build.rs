@@ -199,7 +199,7 @@ impl SetUp {
 
     /// Set-up with another truncation error, rad, finite and positive: a smaller table for a larger error.
     #[must_use]
-    pub const fn within(truncation: f64) -> Self {
+    pub const fn with_truncation(truncation: f64) -> Self {
         Self { truncation: Some(truncation), ..Self::new() }
     }
 }

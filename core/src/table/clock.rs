@@ -59,7 +59,7 @@ fn quotient(a: u32, b: u32) -> Extended {
 pub struct Clock<W> {
     /// Increments per tick of nutation phase, A and B, in units of 2^-96 turns, the least significant word first.
     pub step: [[u32; 3]; 3],
-    /// Quarter turns of the argument of the tabulated αβ at u = e₁: 0; 1 or -1 where e₁ = -1.
+    /// Quarter turns of the argument of the tabulated ab at u = e₁: 0; 1 or -1 where e₁ = -1.
     pub tip_quarter: i8,
     /// Number of the parameters α and β that pass through 0: 0, 1 or 2.
     pub tip_passes: u8,
@@ -67,7 +67,7 @@ pub struct Clock<W> {
     pub tip_exists: bool,
     /// Whether u has turning points; false where u is constant to 2^-49.
     pub has_turning_points: bool,
-    /// Scale of the tip curve, 2 s in m; 2 for a fixed tip.
+    /// Scale 2 s of the tip curve, m, twice [`Top::tip_scale`](crate::Top::tip_scale); 2 for a fixed tip.
     pub tip_scale: W,
     /// Three rates: dx/dt on a segment of an eighth of half a period, per unit time; the mean rate of A + B, rad per unit time; the axial
     /// component (n - K)/C of the angular velocity, rad per unit time.
@@ -162,8 +162,8 @@ impl<W> Clock<W> {
         self.tick_rate() * if t.is_finite() { t } else { 0.0 }.into()
     }
 
-    /// Last tick before a time, and the time since that tick in units of 2^-64 ticks; `None` from 2^62 ticks on, and where this is too coarse
-    /// because a phase turns by half a turn or more in a tick. A time that is not finite counts as 0.
+    /// Last tick before a time, and the time since that tick in units of 2^-64 ticks; `None` beyond 2^62 ticks,
+    /// or if a phase turns by half a turn or more in a tick. A time that is not finite counts as 0.
     #[inline(always)]
     pub(crate) fn instant(&self, t: f64) -> Option<(i64, u64)> {
         const MOST_TICKS: f64 = (1_u64 << 62) as f64;

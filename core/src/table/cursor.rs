@@ -45,7 +45,7 @@ use crate::table::scalar::EphemerisScalar;
 #[derive(Clone, Debug)]
 #[repr(C)]
 pub struct Cursor<T> {
-    ticks: Ticks,
+    ticks: CursorPhases,
     table: T,
 }
 
@@ -57,7 +57,7 @@ where
     /// Cursor whose first sample is that of tick `first`.
     #[must_use]
     pub fn new(table: T, first: i64) -> Self {
-        Self { ticks: Ticks::new(&table.clock, first), table }
+        Self { ticks: CursorPhases::new(&table.clock, first), table }
     }
 
     /// Table of the next sample.
@@ -82,7 +82,7 @@ where
 
     /// Exchanges the table and returns the previous one. The tick number continues.
     pub fn exchange(&mut self, table: T) -> T {
-        self.ticks = Ticks::new(&table.clock, self.tick().wrapping_add(1));
+        self.ticks = CursorPhases::new(&table.clock, self.tick().wrapping_add(1));
         core::mem::replace(&mut self.table, table)
     }
 }
@@ -101,7 +101,7 @@ where
 /// Phases of consecutive ticks of a table that is kept elsewhere.
 #[derive(Clone, Debug)]
 #[repr(C)]
-pub struct Ticks {
+pub struct CursorPhases {
     /// Phases of the previous tick.
     phases: [PhaseFraction; 3],
     /// Number of the last tick, `base + count`. A count of 32 bits, with a rare branch for its carry, needs fewer registers of a small
@@ -110,7 +110,7 @@ pub struct Ticks {
     base: i64,
 }
 
-impl Ticks {
+impl CursorPhases {
     /// Phases before tick `first`.
     pub fn new<W>(clock: &Clock<W>, first: i64) -> Self {
         let mut phases = clock.at(first);
@@ -153,7 +153,7 @@ const BLOCK: usize = 16;
 impl<R: EphemerisScalar> EphemerisView<R> {
     /// Samples at the ticks first, first + 1, ..., without end.
     pub fn samples(&self, first: i64) -> impl Iterator<Item = Sample<'_, R>> + Clone {
-        let mut ticks = Ticks::new(&self.clock, first);
+        let mut ticks = CursorPhases::new(&self.clock, first);
         core::iter::repeat_with(move || ticks.next(self))
     }
 

@@ -219,7 +219,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
 /// Stores a polynomial in two columns of a segment, if the table contains it. Returns the error of the orientation by short products and
 /// coefficients out of range, and that of the derivative by rounding, in units of 2^-62 rad.
-pub(crate) fn put<R: EphemerisScalar>(
+pub(crate) fn store_polynomial<R: EphemerisScalar>(
     segments: &mut [R::Segment],
     segment: usize,
     column: usize,

@@ -56,7 +56,7 @@ pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
     /// Coefficient of the table.
     #[doc(hidden)]
     type Coefficient: Coefficient<Quantity = Self::Quantity>;
-    /// Segment: coefficients of Re α, Im α, Re β and Im β side by side, lowest power first.
+    /// Segment: coefficients of Re a, Im a, Re b and Im b side by side, lowest power first.
     type Segment: Copy
         + Debug
         + PartialEq

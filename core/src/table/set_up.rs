@@ -8,7 +8,7 @@ use crate::table::build::bound::error_bounds;
 use crate::table::build::{Limits, Outline, SetUp};
 use crate::table::cell::{Cell, SEGMENTS_AT_LEVEL_0};
 use crate::table::clock::{Clock, Tick};
-use crate::table::ephemeris::{Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, put};
+use crate::table::ephemeris::{Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, store_polynomial};
 use crate::table::scalar::EphemerisScalar;
 
 /// Reason why a motion has no table.
@@ -63,7 +63,8 @@ impl SetUp {
             return Err(SetUpError::Aperiodic);
         }
         let limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
-        let store = &mut |segment, column, parts: [&_; 2]| put::<R>(segments, segment, column, parts);
+        let store =
+            &mut |segment, column, parts: [&_; 2]| store_polynomial::<R>(segments, segment, column, parts);
         let built = match R::RATE_WORDS {
             1 => self.build::<1>(motion, limits, store, pause),
             _ => self.build::<2>(motion, limits, store, pause),
@@ -73,7 +74,7 @@ impl SetUp {
 
     /// Writes the cells, the clock and the error bounds.
     #[inline(never)]
-    fn describe<R: EphemerisScalar>(
+    fn finish<R: EphemerisScalar>(
         &self,
         table: &mut EphemerisView<R>,
         motion: &Motion,
@@ -115,7 +116,7 @@ impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
         let capacity = table.capacity();
         set_up.tabulate::<R>(motion, &mut table.segments, capacity, pause)?;
         pause();
-        set_up.describe(table, motion, tick, epoch, pause);
+        set_up.finish(table, motion, tick, epoch, pause);
         *is_set_up = true;
         Ok(ReadyEphemeris(self))
     }
@@ -127,16 +128,16 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
     /// # Errors
     /// [`SetUpError`]
     pub fn new(motion: &Motion, tick: Tick) -> Result<Self, SetUpError> {
-        Self::within(motion, tick, R::TRUNCATION)
+        Self::with_truncation(motion, tick, R::TRUNCATION)
     }
 
     /// Ephemeris with a given truncation error, rad, finite and positive: a smaller table for a larger error.
     ///
     /// # Errors
     /// [`SetUpError`]
-    pub fn within(motion: &Motion, tick: Tick, truncation: f64) -> Result<Self, SetUpError> {
+    pub fn with_truncation(motion: &Motion, tick: Tick, truncation: f64) -> Result<Self, SetUpError> {
         let mut memory = EphemerisMemory::<Self>::new();
-        memory.set_up(&mut SetUp::within(truncation), motion, tick, 0, &mut || {})?;
+        memory.set_up(&mut SetUp::with_truncation(truncation), motion, tick, 0, &mut || {})?;
         Ok(memory.table)
     }
 }
@@ -145,7 +146,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// Number of segments that is enough for a truncation error, rad; `None` if 4096, the largest number, are not, or the motion has no table.
     #[must_use]
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
-        let mut set_up = SetUp::within(truncation);
+        let mut set_up = SetUp::with_truncation(truncation);
         set_up.tabulate::<R>(motion, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
         Some(set_up.outline.segments.max(SEGMENTS_AT_LEVEL_0) as u32)
     }

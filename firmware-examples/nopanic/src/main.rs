@@ -201,7 +201,7 @@ fn events<R: EphemerisScalar>(table: &EphemerisView<R>, motion: &Motion) {
 /// Calls of an ephemeris: set-up, all ways to read it, and exchange.
 fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     let Ok(tick) = Tick::hertz(black_box(1000)) else { return };
-    let Ok(ephemeris) = Ephemeris::<R, SEGMENTS>::within(motion, tick, unknown()) else { return };
+    let Ok(ephemeris) = Ephemeris::<R, SEGMENTS>::with_truncation(motion, tick, unknown()) else { return };
     black_box(ephemeris.at_tick(black_box(7)).orientation());
     let sample = ephemeris.at(unknown());
     black_box((sample.pose(), sample.u(), sample.axis(), sample.quaternion(), sample.tip()));
@@ -216,7 +216,7 @@ fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     let mut out = [Orientation::<R>::IDENTITY; 4];
     ephemeris.fill(black_box(0), &mut out);
     black_box(out);
-    let mut set_up = SetUp::within(unknown());
+    let mut set_up = SetUp::with_truncation(unknown());
     let [mut first, mut second] = [(); 2].map(|()| EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new());
     let mut calls = 0;
     let mut between = || calls += 1;

@@ -11,14 +11,14 @@ fn start() -> ! {
     use core::cell::RefCell;
     use critical_section::Mutex;
     // a static, because the stack of the smallest chip is short
-    static SET_UP: Mutex<RefCell<SetUp>> = Mutex::new(RefCell::new(SetUp::within(f64::MAX)));
+    static SET_UP: Mutex<RefCell<SetUp>> = Mutex::new(RefCell::new(SetUp::with_truncation(f64::MAX)));
     critical_section::with(|section| report(&mut SET_UP.borrow_ref_mut(section)));
     toytop_firmware::exit()
 }
 
 #[cfg(not(target_os = "none"))]
 fn main() {
-    report(&mut SetUp::within(f64::MAX));
+    report(&mut SetUp::with_truncation(f64::MAX));
 }
 
 fn report(set_up: &mut SetUp) {

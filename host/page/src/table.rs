@@ -49,7 +49,7 @@ impl Table {
             return Ok(());
         }
         let mut fits = |truncation: &f64| {
-            self.memory.set_up(&mut SetUp::within(*truncation), motion, tick, 0, &mut || {}).is_ok()
+            self.memory.set_up(&mut SetUp::with_truncation(*truncation), motion, tick, 0, &mut || {}).is_ok()
         };
         if TRUNCATIONS.iter().any(&mut fits) {
             return Ok(());

@@ -167,11 +167,11 @@ fn a_truncation_error_is_finite_and_positive() {
     let motion = vectors::motion("exact_generic_pp");
     let tick = kilohertz();
     for truncation in [f64::INFINITY, f64::NAN, 0.0, -0.0, -1e-9, f64::NEG_INFINITY] {
-        let refused = Ephemeris::<f64, 48>::within(&motion, tick, truncation);
+        let refused = Ephemeris::<f64, 48>::with_truncation(&motion, tick, truncation);
         assert_eq!(refused, Err(SetUpError::Truncation), "{truncation}");
     }
     for truncation in [f64::MAX, 1e-15] {
-        let bound = Ephemeris::<f64, 48>::within(&motion, tick, truncation).unwrap().error_bound();
+        let bound = Ephemeris::<f64, 48>::with_truncation(&motion, tick, truncation).unwrap().error_bound();
         assert!(bound.after(1.0).is_finite(), "{truncation:e}: {bound:?}");
     }
 }

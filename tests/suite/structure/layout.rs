@@ -19,7 +19,7 @@ fn crates() -> Vec<BTreeMap<Vec<String>, Module>> {
     sources.iter().filter(|source| source.exists()).map(|source| modules(source)).collect()
 }
 
-/// All modules of a crate by their paths, such as ["ephemeris", "cell"].
+/// All modules of a crate by their paths, such as ["table", "cell"].
 fn modules(root: &Path) -> BTreeMap<Vec<String>, Module> {
     let mut found = BTreeMap::new();
     let mut open: Vec<(Vec<String>, PathBuf)> = vec![(Vec::new(), root.join("lib.rs"))];

@@ -44,7 +44,7 @@ fn a_table_too_small_is_refused() {
         fitting::<f32, 26>(&motion, kilohertz()).is_none()
             && fitting::<f32, 27>(&motion, kilohertz()).is_some()
     );
-    assert!(Ephemeris::<f32, 16>::within(&motion, kilohertz(), 1e-4).is_ok());
+    assert!(Ephemeris::<f32, 16>::with_truncation(&motion, kilohertz(), 1e-4).is_ok());
     let calls = |memory: &mut EphemerisMemory<EphemerisView<f32>>| {
         let mut calls = 0;
         let refused = memory.set_up(&mut SetUp::new(), &motion, kilohertz(), 0, &mut || calls += 1).err();
@@ -67,7 +67,7 @@ fn tables_of_the_needed_size<R: EphemerisScalar, const SEGMENTS: usize>() -> usi
             let (exactly, enough) =
                 (needed == Some(SEGMENTS as u32), needed.is_some_and(|n| n <= SEGMENTS as u32));
             if exactly || SEGMENTS == 16 {
-                let table = Ephemeris::<R, SEGMENTS>::within(&motion, kilohertz(), truncation);
+                let table = Ephemeris::<R, SEGMENTS>::with_truncation(&motion, kilohertz(), truncation);
                 assert_eq!(table.is_ok(), enough, "{}, {truncation:e}: {needed:?}", vector.name);
                 tables += usize::from(exactly);
             }
@@ -118,7 +118,9 @@ fn tables_are_handed_over_while_they_are_sampled() {
     type Memory = EphemerisMemory<EphemerisF32>;
     let set_up = |memory: &'static mut EphemerisMemory<_>, name, epoch| -> ReadyEphemeris<'static, f32> {
         let motion = vectors::motion(name);
-        memory.set_up(&mut SetUp::within(1e-3), &motion, Tick::hertz(16).unwrap(), epoch, &mut || {}).unwrap()
+        memory
+            .set_up(&mut SetUp::with_truncation(1e-3), &motion, Tick::hertz(16).unwrap(), epoch, &mut || {})
+            .unwrap()
     };
     let first = set_up(Box::leak(Box::new(Memory::new())), "generic_AneC", 0);
     let spare = set_up(Box::leak(Box::new(Memory::new())), "fig3_diff_e3_3", 100);
@@ -160,7 +162,7 @@ fn memory_has_a_table_after_a_set_up() {
     assert!(memory.get().unwrap().error_bound().after(1e9) < 1e-12);
     for (truncation, motion) in [(1e-19, &hard), (1e-15, &rising), (f64::INFINITY, &easy), (-1.0, &easy)] {
         assert!(memory.set_up(&mut SetUp::new(), &easy, tick, 0, &mut || {}).is_ok());
-        assert!(memory.set_up(&mut SetUp::within(truncation), motion, tick, 0, &mut || {}).is_err());
+        assert!(memory.set_up(&mut SetUp::with_truncation(truncation), motion, tick, 0, &mut || {}).is_err());
         assert!(memory.get().is_none());
     }
 }

@@ -31,7 +31,7 @@ where
 {
     let Ok(motion) = input.motion() else { return };
     let Ok(tick) = input.tick(&motion) else { return };
-    let Ok(ephemeris) = Ephemeris::<R, SEGMENTS>::within(&motion, tick, input.truncation()) else {
+    let Ok(ephemeris) = Ephemeris::<R, SEGMENTS>::with_truncation(&motion, tick, input.truncation()) else {
         return;
     };
     let bound = ephemeris.error_bound();

@@ -27,7 +27,7 @@ pub(super) struct EllipticEquations<'a, F> {
     /// Values of d₊ at e₁ and e₂.
     roots: [F; 2],
     /// Whether e₄ < e₃, so that the elliptic functions belong to e₄.
-    of_e4: bool,
+    e4_is_nearer: bool,
     /// Values of f at e₁ and e₂.
     distances: [F; 2],
     /// Factors of dn v, or of √(e₃ - u), in the denominators of ψ_A and ψ_B.
@@ -42,9 +42,9 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
         let at_e1 = least_root + root_s * equations.one_plus_e1;
         let at_e2 = at_e1 + root_s * equations.e2_minus_e1;
         // e₄ - 1 < e₃ - 1, times s
-        let of_e4 = root_s * least_root < equations.s_e3;
+        let e4_is_nearer = root_s * least_root < equations.s_times_e3_minus_one;
         let (from_e1, ratio, from_e2);
-        if of_e4 {
+        if e4_is_nearer {
             from_e2 = least_root + root_s * equations.one_minus_e2;
             from_e1 = from_e2 + root_s * equations.e2_minus_e1;
             ratio = at_e1 / from_e1;
@@ -58,7 +58,7 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
             root_s,
             least_root,
             roots: [at_e1, at_e2],
-            of_e4,
+            e4_is_nearer,
             distances: [from_e1, from_e2],
             smoothing: [equations.alpha_smoothing * rate, equations.beta_smoothing * rate],
         }
@@ -71,7 +71,7 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
             equations, root_s, least_root, roots: [at_e1, at_e2], distances: [from_e1, from_e2], ..
         } = *self;
         // d₊ at the lesser of e₃ and e₄, in the unit of f
-        let beyond = if self.of_e4 {
+        let beyond = if self.e4_is_nearer {
             (least_root + root_s).doubled() * root_s
         } else {
             at_e2 + root_s * equations.e3_minus_e2
@@ -95,22 +95,22 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
         let d_plus = *at_e1 + *root_s * above_e1;
         let d_minus = *least_root + *root_s * one_minus_u;
         // numerators of ψ_A' and ψ_B' times D
-        let alpha = equations.a_over_p_e3 + equations.s * one_minus_u;
-        let beta = equations.s_e3 * one_plus_u - equations.a_over_p;
-        if self.of_e4 {
+        let alpha = equations.a_over_p_by_e3_plus_one + equations.s * one_minus_u;
+        let beta = equations.s_times_e3_minus_one * one_plus_u - equations.a_over_p;
+        if self.e4_is_nearer {
             let root = (equations.e3_minus_e2 + below_e2).sqrt();
             let slow = d_plus * dn;
             [
                 d_minus * d_plus / root,
                 alpha * slow / (root * (slow + alpha_smoothing * root)),
-                beta * slow / (root * (equations.root_e3 * slow + beta_smoothing * root)),
+                beta * slow / (root * (equations.root_e3_minus_one * slow + beta_smoothing * root)),
             ]
         } else {
             let root = d_minus.sqrt();
             [
                 root * d_plus,
                 alpha / (root + alpha_smoothing * dn),
-                beta / (equations.root_e3 * root + beta_smoothing * dn),
+                beta / (equations.root_e3_minus_one * root + beta_smoothing * dn),
             ]
         }
     }

@@ -119,7 +119,7 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
     }
 
     fn period(&self, relative_error: f64) -> Period {
-        // The two halves of the period are equal: 2 K over the number of nodes is twice the weight of half a period.
+        // both halves of the period are equal, so that a node has the weight 2 K over the number of nodes
         let weight = self.landen.quarter_period().doubled() / Wide::from(f64::from(self.nodes));
         let ([time, alpha, beta], [of_time, of_alpha, of_beta]) = (self.sums, self.equations.factors());
         let integrals = [time * of_time, alpha * of_alpha, beta * of_beta];

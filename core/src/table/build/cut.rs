@@ -16,8 +16,8 @@ use crate::table::cell::{Cell, cells_covered, segments_per_cell};
 use crate::table::series::TERMS;
 use crate::table::series::expansion::TABLE_UNIT;
 
-/// Function that stores a polynomial: segment, column of the real part, coefficients of both parts. It returns the errors of the
-/// orientation and of the derivative by rounding them. All are in units of 2^-62.
+/// Function that stores a polynomial. Its arguments are the segment, the column of the real part and the coefficients of both parts. It
+/// returns the errors of the orientation and of the derivative by their rounding. All are in units of 2^-62.
 pub(crate) type Store<'a> = dyn FnMut(usize, usize, [&[i64; TERMS]; 2]) -> [f32; 2] + 'a;
 
 impl SetUp {
@@ -61,7 +61,7 @@ impl SetUp {
     /// Expands the motion on the span that begins at `place`, which is the next one unless a cell is cut again.
     fn enter_span<const WORDS: usize>(&mut self, place: usize, pause: &mut dyn FnMut()) -> Option<()> {
         if place > self.span.begin {
-            self.leave(place == self.cell.end && self.coarser(place) < self.span.least_level());
+            self.next_span(place == self.cell.end && self.coarser(place) < self.span.least_level());
         } else if place < self.span.begin {
             self.go_to(place, self.cell.beginning);
         }

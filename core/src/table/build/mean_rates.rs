@@ -33,7 +33,9 @@ impl MeanRates {
         errors: [0.0; 3],
     };
 
-    /// Mean rates of a motion with this period; `None` where u is constant.
+    /// Mean rates of a motion.
+    ///
+    /// * `period`: `None` where u is constant
     #[inline(never)]
     pub(super) fn new(motion: &Motion, period: Option<Period>) -> Self {
         match period {

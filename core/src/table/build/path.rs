@@ -82,7 +82,7 @@ impl SetUp {
         }
         let [alpha, beta] = self.rates.theta_offset.map(Float::to_f64);
         let speed = |rates: &PhaseRates<f64>| {
-            Float::abs(rates.nutation) + (Float::abs(rates.alpha + alpha) + Float::abs(rates.beta + beta))
+            Float::abs(rates.nutation) + (Float::abs(rates.slow_a + alpha) + Float::abs(rates.slow_b + beta))
         };
         let equations = self.equations.cast();
         let [begin, end] = [(0.0, 1.0), (1.0, 0.0)].map(|(sine, cosine)| equations.rates(sine, cosine));
@@ -109,12 +109,12 @@ impl SetUp {
     }
 
     /// Goes on to the next span. It is twice as long where its expansion should converge and the series are accurate at
-    /// x = 2 or `in_any_case`.
-    pub(super) fn leave(&mut self, in_any_case: bool) {
+    /// x = 2 or `may_skip_accuracy`.
+    pub(super) fn next_span(&mut self, may_skip_accuracy: bool) {
         let next = Span { begin: self.span.end(), ..self.span };
         let twice = Span { depth: self.span.depth - 1, ..next };
         let allowed = self.allowed();
-        let accurate = in_any_case || self.expansion.truncation_error(2) <= allowed;
+        let accurate = may_skip_accuracy || self.expansion.truncation_error(2) <= allowed;
         let doubles = twice.exists() && self.expansion.may_double() && accurate;
         let x = if doubles { 3 } else { 2 };
         self.centre = self.after(x, f64::from(x) * allowed);
@@ -188,8 +188,8 @@ impl SetUp {
             cosine,
             unit: unit.to_f64(),
             chi,
-            psi: [rates.alpha, rates.beta].map(slope),
-            theta: [rates.alpha + alpha_offset, rates.beta + beta_offset].map(slope),
+            psi: [rates.slow_a, rates.slow_b].map(slope),
+            theta: [rates.slow_a + alpha_offset, rates.slow_b + beta_offset].map(slope),
             weight: weight.max(1.0),
             // a term of this size causes an estimated error of a twentieth of it at x = 2, and of two thirds of it at x = 3
             least: (PHASE_TERM * self.limits.least).min(4.0 * self.allowed()),

@@ -176,7 +176,7 @@ impl SpanSeries {
         let series = &mut self.whole;
         (*series, self.part) = (Series::ZERO, None);
         let parts = series.parts.each_mut().map(|part| &mut part.coefficients);
-        series.terms = expansion.turned(slow, self.exponentials, limits.least_term(), parts)?;
+        series.terms = expansion.parameter_series(slow, self.exponentials, limits.least_term(), parts)?;
         pause();
         let [re, im] = series.parts.each_ref().map(Part::omitted);
         let omitted = 2.0 * larger_or_nan(re, im);

@@ -1,6 +1,6 @@
 //! Tip angle: the sum of its mean, which is linear in time, and of a periodic part from the table.
 //!
-//! While u rises, the periodic part is the argument of the tabulated αβ; while u falls, it is its negative. αβ may wind around 0 many
+//! While u rises, the periodic part is the argument of the tabulated ab; while u falls, it is its negative. ab may wind around 0 many
 //! times, so its crossings of the negative real axis are counted at the centres of the segments. All scalars are evaluated in `f64`.
 
 use crate::complex::Complex;
@@ -19,11 +19,11 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     /// complex product for every segment from u = e₁ to the sample.
     #[must_use]
     pub fn tip_angle(&self) -> Option<Phase> {
-        self.ephemeris.clock.tip_exists.then(|| self.any_tip_angle())
+        self.ephemeris.clock.tip_exists.then(|| self.tip_angle_unchecked())
     }
 
     /// Tip angle, if it exists.
-    pub(crate) fn any_tip_angle(&self) -> Phase {
+    pub(crate) fn tip_angle_unchecked(&self) -> Phase {
         let [nutation, ..] = self.phases;
         self.mean_tip + self.ephemeris.periodic_tip_angle(nutation)
     }
@@ -74,7 +74,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         Phase::from_bits(i128::from(nutation as i64) << 31).times(self.clock.tip_passes.into())
     }
 
-    /// Argument of the tabulated αβ at a nutation phase, continued from u = e₁ through the centres of all segments before. Near 0 it is the
+    /// Argument of the tabulated ab at a nutation phase, continued from u = e₁ through the centres of all segments before. Near 0 it is the
     /// direction of the motion from 0 or to 0. `pause` is called after every sixteen segments, and before the polynomials are evaluated.
     fn tabulated_tip_angle(&self, nutation: u64, pause: &mut dyn FnMut()) -> Phase {
         const SEGMENTS: usize = 16;
@@ -108,7 +108,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         winding.angle_on(nutation)
     }
 
-    /// Product αβ, turned so that at u = e₁ it leaves along the positive real axis.
+    /// Product ab, turned so that at u = e₁ it leaves along the positive real axis.
     fn rotated_back(&self, product: Complex<f64>) -> Complex<f64> {
         match self.clock.tip_quarter {
             0 => product,

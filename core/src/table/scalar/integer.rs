@@ -24,11 +24,11 @@ const SINGLE_ERROR: f64 = (17.2 + 2.83 * 12.5) * UNIT + f32::EPSILON as f64;
 /// Errors in 32 bits: `core/docs/error_bound.md` lists their parts.
 pub(super) const ERRORS: EvaluationErrors = EvaluationErrors {
     tick: (17.2 + 2.83 * 1.23) * UNIT,
-    slope: PLACE,
+    slope: COORDINATE_ERROR,
     rate: 40.0 * UNIT,
     relative_rate: 3.7 * <f32 as Scalar>::ROUNDING,
 };
-pub(super) const PLACE: f64 = 2.0 / (1_u64 << 32) as f64;
+pub(super) const COORDINATE_ERROR: f64 = 2.0 / (1_u64 << 32) as f64;
 
 impl EphemerisScalar for f32 {
     type Coefficient = i32;

@@ -4,7 +4,7 @@
 use crate::complex::Complex;
 use crate::scalar::{sine_cosine_q15, times_power_of_two};
 use crate::su2::Vector;
-use crate::table::scalar::integer::{ERRORS, PLACE, TABLE_BITS, overflow_limit, short_factors};
+use crate::table::scalar::integer::{COORDINATE_ERROR, ERRORS, TABLE_BITS, overflow_limit, short_factors};
 use crate::table::scalar::integer_rates::omega_body;
 use crate::table::scalar::q30::Q30;
 use crate::table::scalar::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint};
@@ -27,7 +27,7 @@ impl EphemerisScalar for I2F14 {
     const CODE: u32 = 15;
     const ERRORS: EvaluationErrors = EvaluationErrors {
         tick: 16.83 * SHORT_UNIT + 2.6e-5,
-        slope: 0.5 * SHORT_UNIT + PLACE,
+        slope: 0.5 * SHORT_UNIT + COORDINATE_ERROR,
         rate: 2.001 * SHORT_UNIT,
         ..ERRORS
     };

@@ -79,7 +79,7 @@ fn table_in<R: TableScalar>(
     let mut refusal = String::new();
     for segments in sizes {
         let mut memory = memory::<R>(*segments);
-        match memory.set_up(&mut SetUp::within(truncation), motion, tick, 0, &mut || {}) {
+        match memory.set_up(&mut SetUp::with_truncation(truncation), motion, tick, 0, &mut || {}) {
             Ok(_) => return Ok(Box::new(Table(memory))),
             Err(error @ SetUpError::TooSmall { .. }) => refusal = error.to_string(),
             Err(error) => return Err(Failure::Method(format!("no ephemeris: {error}"))),

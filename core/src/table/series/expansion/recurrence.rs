@@ -132,8 +132,8 @@ impl Expansion {
         };
         let of_alpha = factors(equations.s * equations.alpha_scale, unit, equations.alpha_smoothing);
         let of_beta = factors(
-            -equations.s_e3 * equations.beta_scale,
-            unit * equations.root_e3,
+            -equations.s_times_e3_minus_one * equations.beta_scale,
+            unit * equations.root_e3_minus_one,
             equations.beta_smoothing,
         );
         let series = [&*square, &*delta, &*drive];

@@ -14,10 +14,10 @@ fn of_x(coefficient: i64, k: usize) -> i64 {
 }
 
 impl Expansion {
-    /// Ellipse p e^{iχ} + q e^{-iχ} times e^{iθ}, with θ of this index. Its coefficients of x^k are added to `sums`, which were 0.
+    /// Ellipse p e^{iχ} + q e^{-iχ} times e^{iθ}, with θ of this index. Its coefficients of x^k are written to `sums`, which must be 0.
     /// Returns the number of terms that are not below `least`; `None` where they do not converge.
     #[inline(never)]
-    pub(crate) fn turned(
+    pub(crate) fn parameter_series(
         &mut self,
         slow: usize,
         [p, q]: [f64; 2],
@@ -135,10 +135,10 @@ mod tests {
                 let (sine, cosine) = point.sine_cosine();
                 let rates = exact.rates(sine.into(), cosine.into());
                 let beyond = rounded.rates(sine, cosine);
-                let size = [beyond.nutation, beyond.alpha, beyond.beta].into_iter().map(f64::abs);
+                let size = [beyond.nutation, beyond.slow_a, beyond.slow_b].into_iter().map(f64::abs);
                 let unit = 0.02 * spread.sqrt().min(1.0) / size.fold(0.0, f64::max).max(1.0);
                 let [chi, alpha, beta] =
-                    [rates.nutation, rates.alpha, rates.beta].map(|rate| (rate * unit.into()).to_f64());
+                    [rates.nutation, rates.slow_a, rates.slow_b].map(|rate| (rate * unit.into()).to_f64());
                 let slopes = Slopes {
                     point,
                     sine,
@@ -161,10 +161,10 @@ mod tests {
                     let [alpha, beta] =
                         expansion.theta.each_ref().map(|rate| 0.25 * rate.value(0.25 * x, expansion.terms));
                     worst[0] = worst[0].max(slopes.weight * (slope - of(rates.nutation)).abs());
-                    worst[1] = worst[1].max((alpha - of(rates.alpha)).abs());
-                    worst[2] = worst[2].max((beta - of(rates.beta)).abs());
+                    worst[1] = worst[1].max((alpha - of(rates.slow_a)).abs());
+                    worst[2] = worst[2].max((beta - of(rates.slow_b)).abs());
                     let ([p, q], mut parts) = ([0.6, -0.3], [[0; TERMS]; 2]);
-                    expansion.turned(0, [p, q], 5, parts.each_mut()).unwrap();
+                    expansion.parameter_series(0, [p, q], 5, parts.each_mut()).unwrap();
                     let [re, im] = parts
                         .map(|part| part.iter().rev().fold(0.0, |sum, c| sum * x + *c as f64 * TABLE_UNIT));
                     let [up, down] = [at, -at].map(|chi| Complex::cis(chi + theta[0]));
