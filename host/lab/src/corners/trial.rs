@@ -84,12 +84,17 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Tried, ParameterE
                 errors.places += 1;
                 errors.places_by_ticks += usize::from(within > 2.0 * bound.constant);
                 errors.error = greater(errors.error, error);
-                errors.of_bound = greater(errors.of_bound, error / within);
-                errors.rates_of_bound = greater(errors.rates_of_bound, rate_error / rates_within);
+                errors.of_bound = greater(errors.of_bound, share(error, within));
+                errors.rates_of_bound = greater(errors.rates_of_bound, share(rate_error, rates_within));
             }
         }
     }
     Ok(Tried { input, regime: motion.regime(), tables: errors })
+}
+
+/// Error as a share of its bound. A body at rest has rates without error, and 0 as their bound.
+fn share(error: f64, bound: f64) -> f64 {
+    if error == 0.0 { 0.0 } else { error / bound }
 }
 
 /// Greatest error of the norm at these times, and of u at both turning points, as a share of the bound.
@@ -100,8 +105,9 @@ fn norm_and_height(table: &dyn AnyEphemeris, motion: &Motion, times: &[f64]) -> 
     let turning = turning.into_iter().filter(|_| motion.regime() == Regime::Nutating);
     let norms = times.iter().map(|&t| (t, table.at(t).sample.orientation().norm_squared() - 1.0));
     let heights = turning.map(|(t, u)| (t, table.at(t).sample.orientation().u() - u));
-    let share = |(t, error): (f64, f64)| error.abs() / table.error_bound().after(t * table.ticks_per_time());
-    norms.chain(heights).map(share).fold(0.0, greater)
+    let of_bound =
+        |(t, error): (f64, f64)| share(error.abs(), table.error_bound().after(t * table.ticks_per_time()));
+    norms.chain(heights).map(of_bound).fold(0.0, greater)
 }
 
 /// Ticks in the first period and up to ±2^62. The number of ticks in a unit of time is a power of two, so that the time of a tick is
