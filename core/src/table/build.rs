@@ -6,7 +6,7 @@ pub(super) mod bound;
 
 mod limits;
 
-mod series;
+mod span_series;
 
 mod path;
 
@@ -18,7 +18,7 @@ use crate::scalar::{Extended, power_of_two};
 use crate::table::cell::{CELLS, Cell, LEVEL_0_BITS};
 use crate::table::series::expansion::{Expansion, PhasePoint};
 use bound::Speeds;
-use series::{Series, SpanSeries};
+use span_series::{Series, SpanSeries};
 
 pub(super) use limits::Limits;
 pub(super) use mean_rates::MeanRates;
