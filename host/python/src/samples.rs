@@ -12,9 +12,9 @@ use rayon::slice::ParallelSliceMut;
 use std::sync::Arc;
 use toytop::{Motion, Orientation};
 use toytop_host::motion::Scalar;
-use toytop_host::motion::quantity::Quantity;
 use toytop_host::motion::ephemeris::AnyEphemeris;
 use toytop_host::motion::propagate::Sample;
+use toytop_host::motion::quantity::Quantity;
 use toytop_host::motion::tip_angle::TipAngle;
 
 /// A motion at given times, or many of them, as arrays. An attribute is computed when it is first asked for, and kept.

@@ -11,7 +11,7 @@ use crate::output::{self, Column, Format, Lists, Record, short, two_digits};
 use crate::pictures::chart::Chart;
 use crate::pictures::drawing;
 use crate::score::benchmarks;
-use crate::score::judge::ExactReference;
+use crate::score::exact_reference::ExactReference;
 use crate::score::trajectory::Trajectory;
 use clap::Args;
 use methods::{Method, Run, work};
@@ -55,9 +55,9 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     if !steps.is_empty() && steps.len() != files.len() {
         return Err(Failure::Input(format!("--steps: must be {} numbers, one for each file", files.len())));
     }
-    let mut judge = ExactReference::new(&scenario, &start)?;
+    let mut reference = ExactReference::new(&scenario, &start)?;
     if let Some(problem) = &problem {
-        judge.length = problem.about.length;
+        reference.length = problem.about.length;
     }
     let (mut methods, mut warnings) = (Vec::<Vec<Run>>::new(), Vec::new());
     for (file, path) in files.into_iter().enumerate() {
@@ -65,7 +65,7 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
         if let Some(problem) = &problem {
             trajectory = trajectory.in_body_axes(&problem.to_core());
         }
-        let score = judge.score(&trajectory)?;
+        let score = reference.score(&trajectory)?;
         warnings
             .extend(score.warning.iter().map(|warning| format!("warning: {}: {warning}", trajectory.name)));
         let run = Run::new(file, trajectory, score, steps.get(file).copied());

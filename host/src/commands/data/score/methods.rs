@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use crate::pictures::chart::Curve;
-use crate::score::judge::Score;
+use crate::score::exact_reference::Score;
 use crate::score::order;
 use crate::score::trajectory::Trajectory;
 
