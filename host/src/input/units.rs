@@ -5,7 +5,8 @@ use std::f64::consts::PI;
 
 /// Units of a quantity; the first one is the key's.
 ///
-/// Each is (name, m, d): x in this unit is x m/d in the key's unit. Both factors are whole powers of ten for decimal units, so that `"30 g"` has the bits of `0.03`.
+/// Each is (name, m, d): x in this unit is x m/d in the key's unit. Both factors are whole powers of ten for decimal
+/// units, so that `"30 g"` has the bits of `0.03`.
 pub type Quantity = &'static [(&'static str, f64, f64)];
 
 pub const MASS: Quantity = &[("kg", 1.0, 1.0), ("g", 1.0, 1e3), ("mg", 1.0, 1e6)];

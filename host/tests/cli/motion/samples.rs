@@ -58,7 +58,6 @@ fn ticks_of_an_aperiodic_motion_are_times() {
     let ticks = toytop(format!("state {rising} --format csv --ticks=-3..4 --hertz 8")).ok();
     let times = toytop(format!("state {rising} --format csv --times=-0.375..0.5/8")).ok();
     assert_eq!(ticks, times);
-    toytop(format!("state {rising} --ticks 1 --hertz 8 --scalar f32")).refused(3, "--scalar: f32");
 }
 
 /// Ticks give the same bits as the clock of a program on a chip.
