@@ -2,7 +2,8 @@
 //! (192 digits), and the full 3-D equations by a solver.
 //!
 //! The integrals use neither the regularised phase equations nor the core's series or stepping, and their arithmetic is dashu's. The relative
-//! error of the quadrature is some 1e-37 (tested by other panels, and against vectors of 30 digits), which at tick 2^62 is still below 1e-17 rad; times are exact.
+//! error of the quadrature is some 1e-37 (tested by other panels, and against vectors of 30 digits), which at tick 2^62 is still below
+//! 1e-17 rad; times are exact.
 //!
 //! | module | contents |
 //! |---|---|
