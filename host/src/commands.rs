@@ -1,4 +1,5 @@
-//! Commands of `toytop`, one file for each, in folders by their purpose. A command returns its whole output, and nothing is printed before it is complete.
+//! Commands of `toytop`, one file for each, in folders by their purpose. All input is checked before the first byte;
+//! `state` and `sweep` then stream rows.
 
 pub mod options;
 

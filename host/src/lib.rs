@@ -11,7 +11,7 @@
 //! | [`output`] | tables, CSV, JSON, files, progress |
 //! | [`cli`], `commands` | command line, one file for each command |
 //!
-//! A command computes everything that can fail before the first byte is printed, so a failure leaves no partial output.
+//! All input is checked before the first byte; `state` and `sweep` then stream rows.
 //! The program `toytop-lab` (the folder `lab`) uses this library for studies that check the core itself.
 
 // Visibility is that of the modules: what a private one declares `pub` is its interface within the crate.

@@ -5,16 +5,16 @@
 //! | [`Scalar`] | scalar types of the core |
 //! | [`constants`] | constants by name |
 //! | [`propagate`] | samples, and the stepper at given times |
-//! | [`column`], [`angles`] | quantities of a sample |
+//! | [`quantity`], [`angles`] | quantities of a sample |
 //! | [`ephemeris`] | ephemeris in the smallest table that fits |
 //! | [`tip_angle`] | tip angle of an ephemeris, continued from t = 0 |
 //! | [`thread_pool`], `stream` | threads on all cores, and rows that they compute |
 
 pub mod angles;
-pub mod column;
 pub mod constants;
 pub mod ephemeris;
 pub mod propagate;
+pub mod quantity;
 #[cfg(feature = "program")]
 pub mod stream;
 pub mod thread_pool;
@@ -97,7 +97,7 @@ mod tests {
     use toytop::{Complex, FirstIntegrals, State, TopParameters};
 
     #[test]
-    fn they_agree_with_the_core() {
+    fn first_integrals_agree_with_the_core() {
         let sliding = Top::sliding(&TopParameters {
             transverse_inertia: 1.1,
             axial_inertia: 0.8,

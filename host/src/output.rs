@@ -93,12 +93,12 @@ pub fn aligned(records: &[Record], shown: &[Column<'_>]) -> String {
 }
 
 /// Number with eight significant digits.
-pub fn eight(x: f64) -> String {
+pub fn eight_digits(x: f64) -> String {
     short(x, 8)
 }
 
 /// Error with two significant digits.
-pub fn error(x: f64) -> String {
+pub fn two_digits(x: f64) -> String {
     format!("{x:.1e}")
 }
 

@@ -10,7 +10,7 @@
 //! | `chart` | curves over linear or logarithmic axes |
 //! | `charts` | tilt and precession against time, effective potential |
 //! | `fit` | residuals of a fit, error of its prediction |
-//! | `heat_map` | column of a sweep over two axes |
+//! | `heat_map` | a quantity over two axes |
 //! | [`view`] | page for a browser |
 
 #[cfg(feature = "program")]

@@ -3,7 +3,7 @@
 //! | module | contents |
 //! |---|---|
 //! | [`trajectory`] | times and orientations from a file |
-//! | [`judge`] | errors of a trajectory |
+//! | [`exact_reference`] | errors of a trajectory |
 //! | `phases` | phase errors of nutation, precession and spin |
 //! | [`drift`] | drift of l, n and h |
 //! | `benchmarks` | catalogue of problems that integrators are tested with |
@@ -12,7 +12,7 @@
 #[cfg(feature = "program")]
 pub(crate) mod benchmarks;
 pub mod drift;
-pub mod judge;
+pub mod exact_reference;
 pub mod order;
 mod phases;
 pub mod trajectory;

@@ -1,9 +1,9 @@
 //! Truths of a motion, which share no formula with the core: the paper's integrals, with their poles, in numbers of 640 bits
 //! (192 digits), and the full 3-D equations by a solver.
 //!
-//! The first shares no formula and no arithmetic with the core: it uses neither the regularised phase equations nor its series or its stepping, and every
-//! operation is dashu's. The relative error of the quadrature is some 1e-37 (tested by other panels, and against vectors of 30 digits), which
-//! at tick 2^62 is still below 1e-17 rad; times are exact.
+//! The integrals use neither the regularised phase equations nor the core's series or stepping, and their arithmetic is dashu's. The relative
+//! error of the quadrature is some 1e-37 (tested by other panels, and against vectors of 30 digits), which at tick 2^62 is still below
+//! 1e-17 rad; times are exact.
 //!
 //! | module | contents |
 //! |---|---|

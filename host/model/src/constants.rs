@@ -118,8 +118,8 @@ fn at_start(motion: &Motion) -> AttitudeState<f64> {
     Stepper::new(motion).attitude_state()
 }
 
-/// Tilt and azimuth of the axis at t = 0, rad, and their rates, rad/s. Where the axis is vertical the azimuth has no rate, and the tilt that
-/// at which the axis leaves.
+/// Tilt and azimuth of the axis at t = 0, rad, and their rates, rad/s. Where the axis is vertical the azimuth
+/// rate is 0, and the tilt rate is that of leaving the vertical.
 fn axis_at_start(motion: &Motion) -> [f64; 4] {
     let state = at_start(motion);
     let ([x, y, _], [rx, ry, rz]) = (state.axis(), cross(state.omega(), state.axis()));

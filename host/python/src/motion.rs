@@ -17,7 +17,7 @@ use std::{fs, io};
 use toytop::{InitialPhases, Motion, State};
 use toytop_host::input::scenario::{Given as Numbers, Scenario, ScenarioFile};
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::{furthest_time, smallest};
+use toytop_host::motion::ephemeris::{furthest_time, smallest_ephemeris};
 use toytop_host::pictures::curve::Curve;
 use toytop_host::pictures::view;
 use toytop_host::truth::exact::Exact;
@@ -88,8 +88,9 @@ impl PyMotion {
     /// # Errors
     /// `ValueError`: no table in this scalar is large enough.
     pub(crate) fn table(&self, scalar: Scalar) -> PyResult<Table> {
-        let set_up =
-            || smallest(scalar, &self.motion).map(Table::from).map_err(|failure| failure.to_string());
+        let set_up = || {
+            smallest_ephemeris(scalar, &self.motion).map(Table::from).map_err(|failure| failure.to_string())
+        };
         let table = self.tables[scalar as usize].get_or_init(set_up).clone();
         table.map_err(|reason| value_error("scalar", reason))
     }

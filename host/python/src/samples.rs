@@ -12,9 +12,9 @@ use rayon::slice::ParallelSliceMut;
 use std::sync::Arc;
 use toytop::{Motion, Orientation};
 use toytop_host::motion::Scalar;
-use toytop_host::motion::column::Column;
 use toytop_host::motion::ephemeris::AnyEphemeris;
 use toytop_host::motion::propagate::Sample;
+use toytop_host::motion::quantity::Quantity;
 use toytop_host::motion::tip_angle::TipAngle;
 
 /// A motion at given times, or many of them, as arrays. An attribute is computed when it is first asked for, and kept.
@@ -33,7 +33,7 @@ pub(crate) struct Samples {
 }
 
 /// Number of columns that can be kept.
-const KEPT: usize = Column::ErrorBound as usize + 1;
+const KEPT: usize = Quantity::ErrorBound as usize + 1;
 
 /// Call that returns samples: an object, its method, and a scalar.
 pub(crate) type Origin = (Py<PyAny>, &'static str, Option<Scalar>);
@@ -90,12 +90,12 @@ impl Samples {
     }
 
     /// Array of a column, kept for the next call.
-    fn of(&self, py: Python<'_>, column: Column) -> Array {
+    fn of(&self, py: Python<'_>, column: Quantity) -> Array {
         let array = self.kept[column as usize].get_or_try_init(py, || self.computed(py, column));
         Ok(array?.clone_ref(py))
     }
 
-    fn computed(&self, py: Python<'_>, column: Column) -> Array {
+    fn computed(&self, py: Python<'_>, column: Quantity) -> Array {
         let (times, mut shape) = (&self.times.numbers, self.shape());
         let width = column.names().1.len();
         if width > 1 {
@@ -145,56 +145,56 @@ impl Samples {
     /// Unit quaternions w, x, y, z (scalar first) from body to fixed coordinates. Their sign is continuous in time.
     #[getter]
     fn quaternion(&self, py: Python<'_>) -> Array {
-        self.of(py, Column::Quaternion)
+        self.of(py, Quantity::Quaternion)
     }
 
     /// Unit vectors from the tip to the centre of mass, in the fixed frame.
     #[getter]
     fn axis(&self, py: Python<'_>) -> Array {
-        self.of(py, Column::Axis)
+        self.of(py, Quantity::Axis)
     }
 
     /// Cosines of the tilt.
     #[getter]
     fn u(&self, py: Python<'_>) -> Array {
-        self.of(py, Column::U)
+        self.of(py, Quantity::U)
     }
 
     /// Rates of u, 1/s.
     #[getter]
     fn udot(&self, py: Python<'_>) -> Array {
-        self.of(py, Column::Udot)
+        self.of(py, Quantity::Udot)
     }
 
     /// Angular velocities in the fixed frame, rad/s.
     #[getter]
     fn omega(&self, py: Python<'_>) -> Array {
-        self.of(py, Column::Omega)
+        self.of(py, Quantity::Omega)
     }
 
     /// Angular velocities in the body frame, rad/s.
     #[getter]
     fn omega_body(&self, py: Python<'_>) -> Array {
-        self.of(py, Column::OmegaBody)
+        self.of(py, Quantity::OmegaBody)
     }
 
     /// Positions x, y of the tip on the plane relative to the point below the centre of mass, m; for a fixed tip minus the
     /// horizontal part of the axis, without unit.
     #[getter]
     fn tip(&self, py: Python<'_>) -> Array {
-        self.of(py, Column::Tip)
+        self.of(py, Quantity::Tip)
     }
 
     /// Angles of the tip's position, continued from t = 0, rad; NaN where the axis is vertical at all times.
     #[getter]
     fn tip_angle(&self, py: Python<'_>) -> Array {
-        self.of(py, Column::Phi)
+        self.of(py, Quantity::Phi)
     }
 
     /// Upper bounds on the orientation error, rad; NaN where none is known, as for a closed form.
     #[getter]
     fn error_bound(&self, py: Python<'_>) -> Array {
-        self.of(py, Column::ErrorBound)
+        self.of(py, Quantity::ErrorBound)
     }
 
     /// Euler angles, rad: of the sequence "zxz" (phi, theta, psi: Rz(phi) Rx(theta) Rz(psi)) or "zyz" (azimuth, tilt, roll, as
@@ -205,9 +205,9 @@ impl Samples {
     #[pyo3(signature = (sequence="zxz"))]
     fn euler(&self, py: Python<'_>, sequence: &str) -> PyResult<Py<PyAny>> {
         match sequence {
-            "zxz" => Ok(self.of(py, Column::EulerZxz)?.into_any()),
+            "zxz" => Ok(self.of(py, Quantity::EulerZxz)?.into_any()),
             "zyz" => {
-                let tilt_azimuth_roll = self.of(py, Column::Angles)?;
+                let tilt_azimuth_roll = self.of(py, Quantity::Angles)?;
                 let angles = tilt_azimuth_roll.call_method1(py, "take", ([1, 0, 2], -1))?;
                 angles.call_method1(py, "setflags", (false,))?;
                 Ok(angles)

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use toytop::Orientation;
 use toytop_host::Failure;
 use toytop_host::input::scenario::{Scenario, Units};
-use toytop_host::score::judge::Judge;
+use toytop_host::score::exact_reference::ExactReference;
 use toytop_host::score::order as convergence;
 use toytop_host::score::trajectory::{Row, Trajectory, normalised};
 
@@ -54,7 +54,7 @@ pub(crate) fn score(
         let rows = (0..count).map(row).collect::<Result<_, Failure>>()?;
         let trajectory =
             Trajectory { name: "result".into(), method: None, step: None, evaluations: None, rows };
-        Judge::new(&scenario, "motion.at(times[0])")?.score(&trajectory)
+        ExactReference::new(&scenario, "motion.at(times[0])")?.score(&trajectory)
     })?;
     let score = score.map_err(failed)?;
     let drift = score.drift.integrals.map(|[l, n, h]| [Some(l), Some(n), Some(h)]).unwrap_or_default();
@@ -73,7 +73,7 @@ pub(crate) fn score(
         drift_n,
         norm_error: score.norm_error,
         truth_bound: score.truth_bound,
-        doubt: score.doubt,
+        doubt: score.warning,
     })
 }
 

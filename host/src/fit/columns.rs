@@ -3,7 +3,7 @@
 use super::sensors::{KINDS, Sensors};
 use crate::Failure;
 use crate::input::{finite, rows};
-use crate::output::{number, shown};
+use crate::output::{number, shown, whole_file};
 use std::path::Path;
 use toytop_fit::Measurement;
 
@@ -123,7 +123,7 @@ pub fn read(
     all: bool,
 ) -> Result<(Vec<Measurement>, Vec<String>), Failure> {
     let file = path.display().to_string();
-    let text = rows::read(&file, path)?;
+    let text = whole_file::read(&file, path, rows::LARGEST)?;
     parse(&text, sensors, all).map_err(|reason| Failure::Input(format!("{file}: {reason}")))
 }
 

@@ -40,7 +40,7 @@ impl Axis {
         Ok(Self::Range { low, high, log, places })
     }
 
-    /// Number of values; `None` where there are all of a range.
+    /// Number of values; `None` for a continuous range.
     pub fn count(&self) -> Option<u64> {
         match self {
             Self::List(numbers) => Some(numbers.len() as u64),
@@ -48,7 +48,7 @@ impl Axis {
         }
     }
 
-    /// Number of values, of which all of a range count as one.
+    /// As [`count`](Self::count), but 1 for a continuous range.
     pub fn size(&self) -> u64 {
         self.count().unwrap_or(1)
     }
@@ -63,7 +63,7 @@ impl Axis {
         matches!(self, Self::Range { log: true, .. })
     }
 
-    /// Value with this index, which is 0 where there are all of a range.
+    /// Value with this index, which is 0 for a continuous range.
     pub fn at(&self, index: u64) -> f64 {
         match self {
             Self::List(numbers) => numbers.get(index as usize).copied().unwrap_or(f64::NAN),

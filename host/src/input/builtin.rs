@@ -6,38 +6,16 @@ use toytop::{InitialPhases, Motion, Sign, Signs, Top, TopParameters};
 /// Scenarios of the paper's figures 2 and 3, of seven tops in SI units, and of two motions near the separatrix.
 pub fn scenarios() -> Vec<Scenario> {
     let samples = SAMPLES.map(|(name, text)| Scenario::parse(name, text).expect("a valid sample"));
-    let near_separatrix = SEPARATRIX.map(|(gap, _)| {
+    let near_separatrix = NEAR_SEPARATRIX.map(|(name, gap)| {
         // e₂ and e₃ are on both sides of 1 and so close that the axis stays near the vertical for a long part of every period; A and C differ
         let e = [0.2, 1.0 - 0.5 * gap, 1.0 + 0.5 * gap];
-        curve(separatrix_name(gap), [1.1, 0.8, 0.6, 0.9], e, SAME)
+        curve(name.to_owned(), [1.1, 0.8, 0.6, 0.9], e, SAME)
     });
     figures().into_iter().flatten().chain(samples).chain(near_separatrix).collect()
 }
 
-/// Bounds on the errors of a built-in motion over ten periods, rad, in place of those of any motion.
-#[derive(Clone, Copy)]
-pub struct OwnBounds {
-    /// Bound on the error of the full solver.
-    pub full_solver: f64,
-    /// Bound on the error of the stepper in f32. In f64 the bound of the full solver is larger.
-    pub stepper_f32: f64,
-}
-
-/// e₃ - e₂ of the two motions near the separatrix, and their bounds. The measured errors are 1.7e-11 and 5e-6 rad for the first, 4.1e-9
-/// and 1.6e-5 rad for the second.
-const SEPARATRIX: [(f64, OwnBounds); 2] = [
-    (1e-3, OwnBounds { full_solver: 1e-10, stepper_f32: 2e-5 }),
-    (1e-6, OwnBounds { full_solver: 1e-8, stepper_f32: 5e-5 }),
-];
-
-/// Own bounds of a built-in motion; `None` for every other motion.
-pub fn own_bounds(scenario: &Scenario) -> Option<OwnBounds> {
-    SEPARATRIX.iter().find(|(gap, _)| scenario.name == separatrix_name(*gap)).map(|(_, bounds)| *bounds)
-}
-
-fn separatrix_name(gap: f64) -> String {
-    format!("near separatrix {gap:e}")
-}
+/// Names of the two motions near the separatrix, and their e₃ - e₂.
+const NEAR_SEPARATRIX: [(&str, f64); 2] = [("near separatrix 1e-3", 1e-3), ("near separatrix 1e-6", 1e-6)];
 
 /// Scenario file of the toy top.
 pub const TOY_TOP: &str = include_str!("../../scenarios/toy_top.toml");

@@ -1,17 +1,9 @@
 //! CSV files: columns by name, and rows with their lines.
 
-use crate::Failure;
-use crate::output::whole_file;
 use csv::{ErrorKind, Position, StringRecord};
-use std::path::Path;
 
-/// Text of a file; `name` is its name in messages.
-///
-/// # Errors
-/// [`Failure::Input`]: it cannot be read, is larger than 1 GiB, or is not UTF-8.
-pub fn read(name: &str, path: &Path) -> Result<String, Failure> {
-    whole_file::read(name, path, 1024)
-}
+/// Size of the largest CSV file that is read, MiB.
+pub const LARGEST: u64 = 1024;
 
 /// Row with its line, or the reason why it cannot be read.
 type Row = Result<(u64, StringRecord), String>;

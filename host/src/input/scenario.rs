@@ -223,9 +223,10 @@ fn replace_units(section: &Section<'_>, table: &mut Table, has_units: bool) -> R
                 && !quantity.is_empty()
             {
                 if !has_units && *quantity != RADIANS {
-                    return Err(section.refuse(name, "must be a number, because of units = \"none\""));
+                    return Err(section.failure(name, "must be a number, because of units = \"none\""));
                 }
-                let number = units::number(text, quantity).map_err(|reason| section.refuse(name, &reason))?;
+                let number =
+                    units::number(text, quantity).map_err(|reason| section.failure(name, &reason))?;
                 *entry = Value::Float(number);
             }
         }
@@ -240,20 +241,20 @@ fn replace_angles(section: &Section<'_>, table: &mut Table) -> Result<(), Failur
             && units::number(text, DEGREES).is_ok()
         {
             let reason = format!("must be a number of degrees; with a unit: {key} = {:?}", shown(text));
-            return Err(section.refuse(in_degrees, &reason));
+            return Err(section.failure(in_degrees, &reason));
         }
         let Some(value) = table.remove(key) else { continue };
         // one reader would take a number without a unit for degrees, and another for radians
         let Value::String(text) = value else {
             let reason = format!("must be a text with a unit, as \"20 deg\", or {in_degrees} a number");
-            return Err(section.refuse(key, &reason));
+            return Err(section.failure(key, &reason));
         };
-        let degrees = units::number(&text, DEGREES).map_err(|reason| section.refuse(key, &reason))?;
+        let degrees = units::number(&text, DEGREES).map_err(|reason| section.failure(key, &reason))?;
         if key == "tilt" && !(0.0..=180.0).contains(&degrees) {
-            return Err(section.refuse(key, "must be from 0 to 180 deg"));
+            return Err(section.failure(key, "must be from 0 to 180 deg"));
         }
         if table.insert(in_degrees.to_owned(), Value::Float(degrees)).is_some() {
-            return Err(section.refuse(key, &format!("allowed only without {in_degrees}")));
+            return Err(section.failure(key, &format!("allowed only without {in_degrees}")));
         }
     }
     Ok(())

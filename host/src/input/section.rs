@@ -60,12 +60,12 @@ pub struct Section<'a> {
 
 impl Section<'_> {
     /// Failure that names a key and the reason.
-    pub fn refuse(&self, key: &str, reason: &str) -> Failure {
+    pub fn failure(&self, key: &str, reason: &str) -> Failure {
         Failure::Input(format!("{}: {}.{}: {reason}", self.file, shown(self.name), shown(key)))
     }
 
     /// Failure for an error of the core, whose parameters have the names of the keys, except for the angles.
-    pub fn refused(&self, error: &ParameterError) -> Failure {
+    pub fn core_failure(&self, error: &ParameterError) -> Failure {
         let key = match error.parameter() {
             "tilt" => "tilt_deg",
             "azimuth" => "azimuth_deg",
@@ -73,7 +73,7 @@ impl Section<'_> {
             "theta" => "nutation_phase",
             parameter => parameter,
         };
-        self.refuse(key, &format!("must be {}", error.allowed()))
+        self.failure(key, &format!("must be {}", error.allowed()))
     }
 
     pub fn has(&self, key: &str) -> bool {
@@ -83,7 +83,7 @@ impl Section<'_> {
     /// Failure if there is a key other than these; `reason` begins the message.
     pub fn only(&self, reason: &str, names: &[&str]) -> Result<(), Failure> {
         match self.table.keys().find(|key| !names.contains(&key.as_str())) {
-            Some(key) => Err(self.refuse(key, &format!("{reason}: {}", names.join(", ")))),
+            Some(key) => Err(self.failure(key, &format!("{reason}: {}", names.join(", ")))),
             None => Ok(()),
         }
     }
@@ -104,8 +104,8 @@ impl Section<'_> {
         read: impl Fn(&Value) -> Option<T>,
     ) -> Result<T, Failure> {
         match self.table.get(key) {
-            Some(value) => read(value).ok_or_else(|| self.refuse(key, &format!("must be {allowed}"))),
-            None => default.ok_or_else(|| self.refuse(key, &format!("missing; must be {allowed}"))),
+            Some(value) => read(value).ok_or_else(|| self.failure(key, &format!("must be {allowed}"))),
+            None => default.ok_or_else(|| self.failure(key, &format!("missing; must be {allowed}"))),
         }
     }
 
@@ -143,7 +143,7 @@ impl Section<'_> {
 
     /// Failure that states the allowed values of a key.
     pub fn not_allowed(&self, key: &Key) -> Failure {
-        self.refuse(key.name, &format!("must be {}", key.allowed))
+        self.failure(key.name, &format!("must be {}", key.allowed))
     }
 }
 

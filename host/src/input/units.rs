@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 
 /// Units of a quantity; the first one is the key's.
 ///
-/// Each has a name and two factors. A number of it, times the first and divided by the second, is a number of the key's unit. Both are
-/// whole powers of ten for decimal units, so that `"30 g"` has the bits of `0.03`.
+/// Each is (name, m, d): x in this unit is x m/d in the key's unit. Both factors are whole powers of ten for decimal
+/// units, so that `"30 g"` has the bits of `0.03`.
 pub type Quantity = &'static [(&'static str, f64, f64)];
 
 pub const MASS: Quantity = &[("kg", 1.0, 1.0), ("g", 1.0, 1e3), ("mg", 1.0, 1e6)];

@@ -6,12 +6,14 @@ mod parts;
 mod sizes;
 
 pub use events::{EventQuery, FoundEvent, RateSample, TimedSample};
-pub use parts::Parts;
-pub use sizes::{CAPACITIES, approximate, require_scalar, sizes, smaller, smallest, table};
+pub use parts::BakedNumbers;
+pub use sizes::{
+    CAPACITIES, approximate, ephemeris_of_size, require_scalar, sizes, smaller, smallest_ephemeris,
+};
 pub use toytop_model::ticks::ticks_per_time;
 
-use crate::motion::column::Column;
 use crate::motion::propagate::Sample;
+use crate::motion::quantity::Quantity;
 use crate::motion::widened;
 use parts::TableScalar;
 use std::f64::consts::TAU;
@@ -42,8 +44,8 @@ pub trait AnyEphemeris: Send + Sync {
     /// Rates at tick n.
     fn rates_at_tick(&self, n: i64) -> RateSample;
 
-    /// Numbers of a column at the times, a row for each, without those of other columns.
-    fn fill(&self, column: Column, times: &[f64], rows: &mut [f64]) {
+    /// Writes one column at each time; computes no other.
+    fn fill(&self, column: Quantity, times: &[f64], rows: &mut [f64]) {
         fill_from_samples(column, times, rows, |t| self.at(t).sample);
     }
 
@@ -57,7 +59,7 @@ pub trait AnyEphemeris: Send + Sync {
     ) -> Vec<FoundEvent>;
 
     /// Numbers of the table; `None` for a motion without one.
-    fn parts(&self) -> Option<Parts>;
+    fn parts(&self) -> Option<BakedNumbers>;
 }
 
 /// Greatest distance of a time from t = 0 at which an ephemeris can be evaluated, because ticks are counted in 64 bits.
@@ -129,23 +131,23 @@ impl<R: TableScalar> AnyEphemeris for Table<R> {
         RateSample { omega: wide(now.omega()), omega_body: wide(now.omega_body()), udot: now.udot().to_f64() }
     }
 
-    fn fill(&self, column: Column, times: &[f64], rows: &mut [f64]) {
+    fn fill(&self, column: Quantity, times: &[f64], rows: &mut [f64]) {
         let (table, wide) = (self.table(), <R::Quantity as Float>::to_f64);
         match column {
-            Column::Quaternion => fill(times, rows, |t| table.at(t).quaternion().map(Into::into)),
-            Column::Axis => fill(times, rows, |t| table.at(t).axis().map(Into::into)),
-            Column::U => fill(times, rows, |t| [table.at(t).u().into()]),
-            Column::Udot => fill(times, rows, |t| [wide(table.at(t).udot())]),
-            Column::Omega => fill(times, rows, |t| table.at(t).omega().map(wide)),
-            Column::OmegaBody => fill(times, rows, |t| table.at(t).omega_body().map(wide)),
-            Column::Tip => fill(times, rows, |t| {
+            Quantity::Quaternion => fill(times, rows, |t| table.at(t).quaternion().map(Into::into)),
+            Quantity::Axis => fill(times, rows, |t| table.at(t).axis().map(Into::into)),
+            Quantity::U => fill(times, rows, |t| [table.at(t).u().into()]),
+            Quantity::Udot => fill(times, rows, |t| [wide(table.at(t).udot())]),
+            Quantity::Omega => fill(times, rows, |t| table.at(t).omega().map(wide)),
+            Quantity::OmegaBody => fill(times, rows, |t| table.at(t).omega_body().map(wide)),
+            Quantity::Tip => fill(times, rows, |t| {
                 let tip = table.at(t).tip();
                 [tip.re, tip.im].map(wide)
             }),
-            Column::Phi => fill(times, rows, |t| {
+            Quantity::Phi => fill(times, rows, |t| {
                 [table.at(t).tip_angle().map_or(f64::NAN, |angle| self.unwrapped(angle, t))]
             }),
-            Column::ErrorBound => {
+            Quantity::ErrorBound => {
                 fill(times, rows, |t| [self.error_bound().after(t * self.ticks_per_time())])
             }
             _ => fill_from_samples(column, times, rows, |t| self.at(t).sample),
@@ -164,7 +166,7 @@ impl<R: TableScalar> AnyEphemeris for Table<R> {
         events::find(table, sought, from, wanted, most, state)
     }
 
-    fn parts(&self) -> Option<Parts> {
+    fn parts(&self) -> Option<BakedNumbers> {
         Some(R::parts(self.table()))
     }
 }
@@ -177,7 +179,7 @@ fn fill<const N: usize>(times: &[f64], rows: &mut [f64], of: impl Fn(f64) -> [f6
 }
 
 /// Rows of a column's numbers, one for each time, from whole samples.
-fn fill_from_samples(column: Column, times: &[f64], rows: &mut [f64], at: impl Fn(f64) -> Sample) {
+fn fill_from_samples(column: Quantity, times: &[f64], rows: &mut [f64], at: impl Fn(f64) -> Sample) {
     let (_, names) = column.names();
     for (t, row) in times.iter().zip(rows.chunks_exact_mut(names.len())) {
         row.copy_from_slice(&column.numbers(&at(*t)));

@@ -26,14 +26,19 @@ pub struct Sample {
     /// Position of the tip c = 2 s αβ, m; 2 αβ for a fixed tip.
     pub tip: Complex<f64>,
     /// Tip angle continued from t = 0, rad; `None` where the axis is vertical at all times.
-    pub phi: Option<f64>,
+    pub tip_angle: Option<f64>,
     /// Upper bound on the error of the orientation, rad, where the method has one.
     pub error_bound: Option<f64>,
 }
 
 impl Sample {
     /// Sample of an attitude state of the core at time t.
-    pub fn from_state<R: Real>(t: f64, state: &AttitudeState<R>, tip: Complex<R>, phi: Option<f64>) -> Self {
+    pub fn from_state<R: Real>(
+        t: f64,
+        state: &AttitudeState<R>,
+        tip: Complex<R>,
+        tip_angle: Option<f64>,
+    ) -> Self {
         let widen = |z: Complex<R>| widened(z, R::to_f64);
         Self {
             t,
@@ -43,7 +48,7 @@ impl Sample {
             beta: widen(state.orientation.beta),
             omega: state.omega().map(R::to_f64),
             tip: widen(tip),
-            phi,
+            tip_angle,
             error_bound: None,
         }
     }
@@ -97,14 +102,14 @@ pub fn visit_times<S, T>(
 /// Samples by the stepper at `times`, in steps of `step`, s.
 ///
 /// # Errors
-/// [`Failure::Method`]: there is no stepper in fixed point. [`Failure::Input`]: as [`steps_needed`].
+/// [`Failure::Input`]: there is no stepper in fixed point, or as [`steps_needed`].
 pub fn stepped(scalar: Scalar, motion: &Motion, times: &[f64], step: f64) -> Result<Vec<Sample>, Failure> {
     match scalar {
         Scalar::F64 => stepped_in::<f64>(motion, times, step),
         Scalar::F32 => stepped_in::<f32>(motion, times, step),
         _ => {
             let name = scalar.name();
-            Err(Failure::Method(format!(
+            Err(Failure::Input(format!(
                 "--method stepper: none in {name}: use --method ephemeris, which has {name}"
             )))
         }
@@ -171,8 +176,8 @@ impl<R: Real> TimedStepper<R> {
 
     /// Sample at the elapsed time, which contains the rounding of the last step to the scalar.
     pub fn sample(&self) -> Sample {
-        let phi = self.last.tip_angle().map(Phase::to_radians);
-        Sample::from_state(self.elapsed, &self.last.attitude_state(), self.last.tip(), phi)
+        let tip_angle = self.last.tip_angle().map(Phase::to_radians);
+        Sample::from_state(self.elapsed, &self.last.attitude_state(), self.last.tip(), tip_angle)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{AnyEphemeris, smallest};
+use crate::motion::ephemeris::{AnyEphemeris, smallest_ephemeris};
 use crate::motion::propagate::Sample;
 use std::f64::consts::PI;
 use toytop::{Complex, Motion, Orientation, TipClass};
@@ -29,7 +29,7 @@ impl TipAngle {
     /// [`Failure::Method`]: no ephemeris is large enough.
     pub fn of(motion: &Motion, noise: f64) -> Result<Self, Failure> {
         let vertical = motion.regime().is_vertical();
-        let ephemeris = if vertical { None } else { Some(smallest(Scalar::F64, motion)?) };
+        let ephemeris = if vertical { None } else { Some(smallest_ephemeris(Scalar::F64, motion)?) };
         let signed = matches!(motion.tip_class(), TipClass::ThroughOrigin | TipClass::Spiral);
         let scale = motion.top().tip_scale();
         Ok(Self { ephemeris, scale, noise, unit: if signed { PI } else { 2.0 * PI } })
@@ -46,14 +46,14 @@ impl TipAngle {
             beta,
             omega,
             tip: phi.tip_over_s().scaled(self.scale),
-            phi: self.continued(t, alpha * beta),
+            tip_angle: self.continued(t, alpha * beta),
             error_bound: None,
         }
     }
 
     /// Argument of αβ closest to the motion's tip angle at t, rad; the motion's tip angle itself where |αβ| is below the noise.
     fn continued(&self, t: f64, product: Complex<f64>) -> Option<f64> {
-        let guide = self.ephemeris.as_ref()?.at(t).sample.phi?;
+        let guide = self.ephemeris.as_ref()?.at(t).sample.tip_angle?;
         if product.norm_squared() < self.noise * self.noise {
             return Some(guide);
         }

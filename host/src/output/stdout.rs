@@ -10,12 +10,12 @@ static CLOSED: AtomicBool = AtomicBool::new(false);
 
 #[cfg(target_os = "linux")]
 #[used]
-// SAFETY: the system calls the functions of this section before `main`, and ignores nothing that this one returns
+// SAFETY: the system calls the functions of this section before `main`; this one takes no arguments, returns nothing, stores one atomic
 #[unsafe(link_section = ".init_array")]
-static BEFORE_MAIN: extern "C" fn() = look;
+static BEFORE_MAIN: extern "C" fn() = record_closed_stdout;
 
 #[cfg(target_os = "linux")]
-extern "C" fn look() {
+extern "C" fn record_closed_stdout() {
     CLOSED.store(std::fs::symlink_metadata("/proc/self/fd/1").is_err(), Relaxed);
 }
 
@@ -70,7 +70,7 @@ pub fn finish(result: Result<Report, Failure>) -> ExitCode {
     }
 }
 
-/// Exit code after the report is printed. Everything was computed before, so the output is complete.
+/// Exit code after the report is printed.
 fn print(report: &Report) -> Result<ExitCode, Failure> {
     for note in &report.notes {
         let _ = writeln!(io::stderr(), "{note}");

@@ -62,13 +62,13 @@ fn without_rounding(degrees: f64) -> f64 {
 /// [`Failure::Method`]: the axis is vertical at all times.
 pub fn precession(scenario: &Scenario, span: &Span) -> Result<Scene, Failure> {
     // the axis leans in the direction opposite to the tip, so that its azimuth differs from the tip angle by half a turn
-    let start = span.at(0.0).phi.ok_or_else(|| {
+    let start = span.at(0.0).tip_angle.ok_or_else(|| {
         Failure::Method("the axis is vertical at all times, so that it has no azimuth".to_owned())
     })?;
     let turn = if start > 0.0 { -PI } else { PI };
     let origin = span.origin();
     let [from, until] = span.ends;
-    let continued = |t: f64| (span.at(t).phi.unwrap_or(f64::NAN) + turn).to_degrees();
+    let continued = |t: f64| (span.at(t).tip_angle.unwrap_or(f64::NAN) + turn).to_degrees();
     // far from t = 0 the labels of the axis would need many digits
     let turns = if origin == 0.0 { 0.0 } else { (continued(from) / 360.0).trunc() };
     let azimuth = |t: f64| without_rounding(continued(t) - 360.0 * turns);

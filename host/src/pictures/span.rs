@@ -3,7 +3,7 @@
 use crate::Failure;
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{AnyEphemeris, furthest_time, smallest};
+use crate::motion::ephemeris::{AnyEphemeris, furthest_time, smallest_ephemeris};
 use crate::motion::propagate::{Sample, natural_time, period};
 use crate::output::short;
 use std::f64::consts::PI;
@@ -31,7 +31,7 @@ impl Span {
         if let Some(t) = ends.iter().flatten().find(|t| t.abs() > furthest) {
             return Err(Failure::Input(format!("--times: {t:e} must be within ±{furthest:.1e} s")));
         }
-        let table = smallest(Scalar::F64, motion)?;
+        let table = smallest_ephemeris(Scalar::F64, motion)?;
         let periods = periods(motion).filter(|_| ends.is_none());
         let ends = ends.unwrap_or_else(|| {
             let time = match (periods, motion.regime()) {

@@ -5,7 +5,7 @@ use crate::Failure;
 use crate::input::builtin::{FIGURES, TOY_TOP};
 use crate::input::scenario::ScenarioFile;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::smallest;
+use crate::motion::ephemeris::smallest_ephemeris;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::json;
@@ -61,7 +61,7 @@ pub fn page(start: &ScenarioFile) -> Result<String, Failure> {
         return Err(Failure::Tool(format!("this toytop was compiled without the page: {install}")));
     }
     let scenario = start.scenario()?;
-    smallest(Scalar::F64, &scenario.motion)?;
+    smallest_ephemeris(Scalar::F64, &scenario.motion)?;
     let unwritten = |error: serde_json::Error| Failure::Method(format!("view: {error}"));
     let data = json!({
         "name": scenario.name,

@@ -3,7 +3,7 @@
 use crate::Failure;
 use crate::input::finite;
 use crate::input::rows;
-use crate::output::shown;
+use crate::output::{shown, whole_file};
 use csv::StringRecord;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 use std::path::Path;
@@ -54,7 +54,7 @@ impl Trajectory {
     /// of order.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.display().to_string();
-        match Self::parse(&rows::read(&name, path)?) {
+        match Self::parse(&whole_file::read(&name, path, rows::LARGEST)?) {
             Ok(trajectory) => Ok(Self { name, ..trajectory }),
             Err(reason) => Err(Failure::Input(format!("{name}: {reason}"))),
         }

@@ -170,8 +170,8 @@ fn directions(alpha: &ComplexPrecise, beta: &ComplexPrecise, [w1, w2]: [&Precise
 mod tests {
     use super::*;
 
-    /// Difference e₂ - e₁ of a state that is close to a regular precession: half of its digits cancel in a cubic, so that of 512 bits more than
-    /// 57 digits must remain. u - e₁ and e₂ - u add up to it.
+    /// Difference e₂ - e₁ of a state that is close to a regular precession: in a cubic half of
+    /// the 192 digits cancel; 57 must remain. u - e₁ and e₂ - u add up to it.
     #[test]
     fn a_swing_of_the_last_place_is_known_to_all_digits() {
         // tilt 60°, precession 1, spin 3/2 would be steady; ω₃ is one unit in the last place too large

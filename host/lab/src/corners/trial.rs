@@ -3,7 +3,7 @@
 use super::launch;
 use toytop::{Motion, ParameterError, Regime};
 use toytop_host::input::random::Random;
-use toytop_host::motion::ephemeris::{AnyEphemeris, approximate, smallest, ticks_per_time};
+use toytop_host::motion::ephemeris::{AnyEphemeris, approximate, smallest_ephemeris, ticks_per_time};
 use toytop_host::motion::propagate::period;
 use toytop_host::motion::{Scalar, greater};
 use toytop_host::truth::exact::Exact;
@@ -64,7 +64,7 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Tried, ParameterE
     let input = launch::random(&mut random);
     let motion = input.motion()?;
     let (period, rate) = (period(&motion), ticks_per_time(&motion));
-    let tables = Scalar::ALL.map(|scalar| smallest(scalar, &motion).ok());
+    let tables = Scalar::ALL.map(|scalar| smallest_ephemeris(scalar, &motion).ok());
     let times = [(); TIMES].map(|()| random.between(0.0, period));
     let mut errors = tables.each_ref().map(|table| {
         let table = table.as_deref()?;
@@ -79,7 +79,7 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Tried, ParameterE
             for (table, errors) in tables.iter().flatten().zip(errors.iter_mut().flatten()) {
                 let (bound, rate_bound) = (table.error_bound(), table.rate_error_bound());
                 let (within, rates_within) = (bound.after(tick as f64), rate_bound.after(tick as f64));
-                let error = phi.distance(&table.at_tick(tick, 0.0).sample.orientation());
+                let error = phi.distance(&table.at_tick(tick, tick as f64 / rate).sample.orientation());
                 let rate_error = rates.distance(&table.rates_at_tick(tick));
                 errors.places += 1;
                 errors.places_by_ticks += usize::from(within > 2.0 * bound.constant);

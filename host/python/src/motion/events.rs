@@ -77,7 +77,7 @@ impl PyMotion {
         set("u", |(_, event)| event.state.sample.u)?;
         set("tip_x", |(_, event)| event.state.sample.tip.re)?;
         set("tip_y", |(_, event)| event.state.sample.tip.im)?;
-        set("phi", |(_, event)| event.state.sample.phi.unwrap_or(f64::NAN))?;
+        set("phi", |(_, event)| event.state.sample.tip_angle.unwrap_or(f64::NAN))?;
         Ok(events)
     }
 }

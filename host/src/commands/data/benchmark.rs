@@ -4,9 +4,9 @@ use super::Report;
 use super::times::Instants;
 use crate::Failure;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{furthest_time, smallest};
+use crate::motion::ephemeris::{furthest_time, smallest_ephemeris};
 use crate::output::doc_markers::{self, Page};
-use crate::output::{self, Format, Lists, Record, eight};
+use crate::output::{self, Format, Lists, Record, eight_digits};
 use crate::score::benchmarks::{self, Printed, Problem, Reference};
 use clap::Args;
 use serde_json::Value;
@@ -49,7 +49,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
     let Some(problem) = problem else {
         let summaries: Vec<_> = benchmarks::all().iter().map(summary).collect();
         let table = || {
-            output::aligned(&summaries, &[("benchmark", "", eight), ("title", "", eight)])
+            output::aligned(&summaries, &[("benchmark", "", eight_digits), ("title", "", eight_digits)])
                 + "\ntoytop benchmark NAME prints 30 digits; --scenario its scenario file; toytop score --benchmark NAME judges a run.\n"
         };
         return Ok(output::render(*format, &output::list("problems", &summaries), table)?.into());
@@ -98,7 +98,7 @@ fn computed(problem: &Problem, times: &str) -> Result<Vec<Record>, Failure> {
     let motion = &problem.scenario.motion;
     let instants = Instants::parse(times)?;
     instants.require_within(furthest_time(motion), "")?;
-    let table = smallest(Scalar::F64, motion).map_err(|failure| failure.of(problem.name()))?;
+    let table = smallest_ephemeris(Scalar::F64, motion).map_err(|failure| failure.of(problem.name()))?;
     let values = |t: &f64| problem.values(&table.at(*t).sample).into_iter().map(Value::from);
     Ok(instants.times()?.iter().map(|t| record((*t).into(), values(t))).collect())
 }
@@ -137,7 +137,7 @@ fn tables(
 }
 
 fn off(problem: &Problem, printed: &Printed) -> String {
-    problem.off(printed).map_or("-".to_owned(), output::error)
+    problem.off(printed).map_or("-".to_owned(), output::two_digits)
 }
 
 /// Time and height of the centre of mass at the last of the source's times.

@@ -7,11 +7,11 @@ use super::options::{PICTURE, ending_in, positive};
 use crate::Failure;
 use crate::input::scenario::Scenario;
 use crate::motion::propagate::period;
-use crate::output::{self, Column, Format, Lists, Record, error, short};
+use crate::output::{self, Column, Format, Lists, Record, short, two_digits};
 use crate::pictures::chart::Chart;
 use crate::pictures::drawing;
 use crate::score::benchmarks;
-use crate::score::judge::Judge;
+use crate::score::exact_reference::ExactReference;
 use crate::score::trajectory::Trajectory;
 use clap::Args;
 use methods::{Method, Run, work};
@@ -55,18 +55,19 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     if !steps.is_empty() && steps.len() != files.len() {
         return Err(Failure::Input(format!("--steps: must be {} numbers, one for each file", files.len())));
     }
-    let mut judge = Judge::new(&scenario, &start)?;
+    let mut reference = ExactReference::new(&scenario, &start)?;
     if let Some(problem) = &problem {
-        judge.length = problem.about.length;
+        reference.length = problem.about.length;
     }
-    let (mut methods, mut doubts) = (Vec::<Vec<Run>>::new(), Vec::new());
+    let (mut methods, mut warnings) = (Vec::<Vec<Run>>::new(), Vec::new());
     for (file, path) in files.into_iter().enumerate() {
         let mut trajectory = Trajectory::read(path)?;
         if let Some(problem) = &problem {
             trajectory = trajectory.in_body_axes(&problem.to_core());
         }
-        let score = judge.score(&trajectory)?;
-        doubts.extend(score.doubt.iter().map(|doubt| format!("warning: {}: {doubt}", trajectory.name)));
+        let score = reference.score(&trajectory)?;
+        warnings
+            .extend(score.warning.iter().map(|warning| format!("warning: {}: {warning}", trajectory.name)));
         let run = Run::new(file, trajectory, score, steps.get(file).copied());
         match methods.iter_mut().find(|runs| runs[0].method == run.method) {
             Some(runs) => runs.push(run),
@@ -83,7 +84,7 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
         };
         drawing::write("--plot", path, &chart.draw(&curves), None)?;
     }
-    doubts.extend(methods.iter().flat_map(|method| method.doubts.clone()));
+    warnings.extend(methods.iter().flat_map(|method| method.warnings.clone()));
     let mut ranked = Vec::new();
     for Method { runs, order, .. } in &methods {
         ranked.extend(runs.iter().map(|run| (run.file, record(run, *order))));
@@ -99,7 +100,7 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
         Record::default().with("order", order).with("scenario", &*scenario.name).with("sign", "nearest");
     let object = Lists(vec![("files", &by_file), ("methods", &summaries)], rest);
     let text = output::render(*format, &object, || tables(&ranked, &methods))?;
-    Ok(Report::from(text).with_remarks(doubts, *format == Format::Table))
+    Ok(Report::from(text).with_remarks(warnings, *format == Format::Table))
 }
 
 fn record(run: &Run, method_order: Option<f64>) -> Record {
@@ -140,11 +141,11 @@ fn tables(records: &[Record], methods: &[Method]) -> String {
         ("name", "", two),
         ("rows", "rows", two),
         ("step", "step, s", |step| short(step, 4)),
-        ("max_error_rad", "max, rad", error),
-        ("rms_error_rad", "rms, rad", error),
-        ("final_error_rad", "final, rad", error),
-        ("max_u_error", "u", error),
-        ("max_position_error", "position", error),
+        ("max_error_rad", "max, rad", two_digits),
+        ("rms_error_rad", "rms, rad", two_digits),
+        ("final_error_rad", "final, rad", two_digits),
+        ("max_u_error", "u", two_digits),
+        ("max_position_error", "position", two_digits),
         ("order", "order", two),
     ];
     let details = [
@@ -157,7 +158,7 @@ fn tables(records: &[Record], methods: &[Method]) -> String {
         ("drift_l", "l"),
         ("drift_n", "n"),
     ];
-    let details: [Column<'_>; 8] = details.map(|(name, heading)| (name, heading, error as _));
+    let details: [Column<'_>; 8] = details.map(|(name, heading)| (name, heading, two_digits as _));
     let mut orders = String::new();
     for Method { name, order, .. } in methods {
         let of = if name.is_empty() { String::new() } else { format!(" of {name}") };

@@ -14,7 +14,7 @@ use super::{Report, warnings};
 use crate::Failure;
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{Parts, sizes, smaller, table};
+use crate::motion::ephemeris::{BakedNumbers, ephemeris_of_size, sizes, smaller};
 use crate::output::whole_file;
 use c::{header, split_files};
 use clap::{Args, ValueEnum};
@@ -70,7 +70,7 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     let [ticks, seconds] = arguments.hertz;
     let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::Input(format!("--hertz: {error}")))?;
     let (scalar, motion) = (arguments.scalar, &scenario.motion);
-    let table = table(scalar, motion, tick, &sizes(scalar, arguments.size)?)
+    let table = ephemeris_of_size(scalar, motion, tick, &sizes(scalar, arguments.size)?)
         .map_err(|failure| failure.of_motion(&scenario.name))?;
     let parts = table.parts().expect("a table");
     let smaller = smaller(scalar, motion, tick, &*table).and_then(|table| table.parts());
@@ -104,7 +104,7 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
 
 /// Line that states the scalar, the size and the error bound of the table that was written, and the size of a smaller table with the same
 /// bound.
-fn summary(label: &Label, parts: &Parts, smaller: Option<&Parts>) -> String {
+fn summary(label: &Label, parts: &BakedNumbers, smaller: Option<&BakedNumbers>) -> String {
     let ([segments, terms], ErrorBound { constant, per_tick }) = (parts.size, parts.error_bound);
     let (scalar, bytes) = (parts.scalar.name(), parts.table_bytes());
     let advice = smaller.map_or_else(String::new, |parts| {
@@ -154,7 +154,7 @@ impl Label {
     }
 
     /// Name and properties of the table for a comment, without characters that could end the comment.
-    fn headline(&self, parts: &Parts) -> String {
+    fn headline(&self, parts: &BakedNumbers) -> String {
         let printable = |c: &char| !c.is_control() && !['*', '/', '\\'].contains(c);
         let name: String = self.name.chars().filter(printable).collect();
         let ([segments, terms], ErrorBound { constant, per_tick }) = (parts.size, parts.error_bound);

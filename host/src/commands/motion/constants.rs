@@ -4,7 +4,7 @@ use super::{Report, warnings};
 use crate::Failure;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::constants::{CONSTANTS, Constant};
-use crate::output::{self, Format, Lists, Record, eight};
+use crate::output::{self, Format, Lists, Record, eight_digits};
 use clap::Args;
 use std::path::PathBuf;
 use toytop_model::constants::MotionConstants;
@@ -32,7 +32,7 @@ pub fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
         };
         output::aligned(
             &CONSTANTS.map(line),
-            &[("key", "", eight), ("value", "", eight), ("unit", "", eight)],
+            &[("key", "", eight_digits), ("value", "", eight_digits), ("unit", "", eight_digits)],
         )
     };
     let text = output::render(arguments.format, &Lists(Vec::new(), record), table)?;

@@ -5,9 +5,9 @@ use crate::Failure;
 use crate::input::finite;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{EventQuery, FoundEvent, furthest_time, smallest};
+use crate::motion::ephemeris::{EventQuery, FoundEvent, furthest_time, smallest_ephemeris};
 use crate::motion::tilts;
-use crate::output::{self, Column, Format, Record, eight};
+use crate::output::{self, Column, Format, Record, eight_digits};
 use clap::Args;
 use std::path::PathBuf;
 use toytop::{Level, Motion, Phase, Support};
@@ -20,7 +20,7 @@ pub struct EventsArgs {
     /// Events to list, separated by commas: turning, tilt=DEGREES, tip-angle=DEGREES, circle=RADIUS, lift-off. With :up or :down
     /// after its name an event counts only where u (or the tip angle) rises or falls
     #[arg(long = "kind", value_name = "KIND,...", value_delimiter = ',', default_value = "turning", allow_hyphen_values = true, value_parser = kind)]
-    kinds: Vec<Kind>,
+    kinds: Vec<KindFilter>,
     /// Time of the earliest event to list, s
     #[arg(long, value_name = "T", default_value_t = 0.0, allow_hyphen_values = true, value_parser = time)]
     from: f64,
@@ -34,8 +34,8 @@ pub struct EventsArgs {
 
 /// Events on the command line.
 #[derive(Clone, PartialEq)]
-pub struct Kind {
-    what: What,
+pub struct KindFilter {
+    event: EventKind,
     /// Whether only upward (`true`) or only downward (`false`) events count; `None` for both.
     upward: Option<bool>,
     /// Text of the command line that names it.
@@ -44,7 +44,7 @@ pub struct Kind {
 
 /// Kind of an event.
 #[derive(Clone, Debug, PartialEq)]
-enum What {
+enum EventKind {
     /// Turning point of u.
     Turning,
     /// Tilt, degrees.
@@ -57,7 +57,7 @@ enum What {
     LiftOff,
 }
 
-fn kind(text: &str) -> Result<Kind, String> {
+fn kind(text: &str) -> Result<KindFilter, String> {
     const ALLOWED: &str = "must be turning, tilt=DEGREES, tip-angle=DEGREES, circle=RADIUS or lift-off, with or without :up or :down";
     let (rest, upward) = match text.rsplit_once(':') {
         Some((rest, "up")) => (rest, Some(true)),
@@ -65,18 +65,18 @@ fn kind(text: &str) -> Result<Kind, String> {
         Some(_) => return Err(ALLOWED.to_owned()),
         None => (text, None),
     };
-    let what = match rest.split_once('=').map(|(name, value)| (name, finite(value))) {
-        None if rest == "turning" => What::Turning,
-        None if rest == "lift-off" => What::LiftOff,
-        Some(("tilt", Some(degrees))) if (0.0..=180.0).contains(&degrees) => What::Tilt(degrees),
+    let event = match rest.split_once('=').map(|(name, value)| (name, finite(value))) {
+        None if rest == "turning" => EventKind::Turning,
+        None if rest == "lift-off" => EventKind::LiftOff,
+        Some(("tilt", Some(degrees))) if (0.0..=180.0).contains(&degrees) => EventKind::Tilt(degrees),
         Some(("tilt", Some(_))) => return Err("tilt: must be in [0, 180] degrees".to_owned()),
-        Some(("tip-angle", Some(degrees))) if degrees.abs() <= 1e6 => What::TipAngle(degrees),
+        Some(("tip-angle", Some(degrees))) if degrees.abs() <= 1e6 => EventKind::TipAngle(degrees),
         Some(("tip-angle", Some(_))) => return Err("tip-angle: must be within ±1e6 degrees".to_owned()),
-        Some(("circle", Some(radius))) if radius > 0.0 => What::Circle(radius),
+        Some(("circle", Some(radius))) if radius > 0.0 => EventKind::Circle(radius),
         Some(("circle", Some(_))) => return Err("circle: must be above 0".to_owned()),
         _ => return Err(ALLOWED.to_owned()),
     };
-    Ok(Kind { what, upward, text: text.to_owned() })
+    Ok(KindFilter { event, upward, text: text.to_owned() })
 }
 
 fn time(text: &str) -> Result<f64, &'static str> {
@@ -90,7 +90,7 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     if arguments.from.abs() > reach {
         return Err(Failure::Input(format!("--from: {:e} must be within ±{reach:.1e} s", arguments.from)));
     }
-    let table = smallest(Scalar::F64, motion).map_err(|failure| failure.of(&scenario.name))?;
+    let table = smallest_ephemeris(Scalar::F64, motion).map_err(|failure| failure.of(&scenario.name))?;
     let from = (arguments.from * table.ticks_per_time()).floor() as i64;
     let mut events = Vec::new();
     for kind in &arguments.kinds {
@@ -110,30 +110,30 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     };
     let text = output::render(arguments.format, &output::list("events", &records), table)?;
     // no warning that the top leaves the plane if the command asks for these times
-    let asked = arguments.kinds.iter().any(|kind| kind.what == What::LiftOff);
+    let asked = arguments.kinds.iter().any(|kind| kind.event == EventKind::LiftOff);
     let remarks = if asked { Vec::new() } else { warnings(&[scenario]) };
     Ok(Report::from(text).with_remarks(remarks, arguments.format == Format::Table))
 }
 
 /// Searches for the events of a kind: two where two levels of u belong to a circle, none where a top does not leave the plane.
-fn sought(kind: &Kind, motion: &Motion) -> Result<Vec<EventQuery>, Failure> {
+fn sought(kind: &KindFilter, motion: &Motion) -> Result<Vec<EventQuery>, Failure> {
     let refused = |reason: String| Failure::Input(format!("{}: {reason}", kind.text));
     let top = motion.top();
-    let levels = match kind.what {
-        What::Turning => return Ok(vec![EventQuery::Turning]),
-        What::TipAngle(degrees) => return Ok(vec![EventQuery::TipAngle(Phase::new(degrees / 360.0))]),
-        What::Tilt(degrees) => {
+    let levels = match kind.event {
+        EventKind::Turning => return Ok(vec![EventQuery::Turning]),
+        EventKind::TipAngle(degrees) => return Ok(vec![EventQuery::TipAngle(Phase::new(degrees / 360.0))]),
+        EventKind::Tilt(degrees) => {
             vec![Level::of_tilt(degrees.to_radians()).map_err(|error| refused(error.to_string()))?]
         }
-        What::Circle(radius) => {
+        EventKind::Circle(radius) => {
             let below = output::short(top.tip_scale(), 6);
             let allowed = |_| refused(format!("must be above 0 and below {below}"));
             Level::of_circle(top, radius).map_err(allowed)?.to_vec()
         }
-        What::LiftOff if top.support() == Support::Sliding => {
+        EventKind::LiftOff if top.support() == Support::Sliding => {
             Level::of_lift_off(motion).into_iter().collect()
         }
-        What::LiftOff => {
+        EventKind::LiftOff => {
             let reason = "lift-off: none, because the tip does not slide on a plane";
             return Err(Failure::Method(reason.to_owned()));
         }
@@ -141,7 +141,7 @@ fn sought(kind: &Kind, motion: &Motion) -> Result<Vec<EventQuery>, Failure> {
     Ok(levels.into_iter().map(EventQuery::Crossing).collect())
 }
 
-fn record(kind: &Kind, sought: &EventQuery, event: &FoundEvent) -> Record {
+fn record(kind: &KindFilter, sought: &EventQuery, event: &FoundEvent) -> Record {
     let sample = &event.state.sample;
     let sense = match (sought, event.upward) {
         (EventQuery::Turning, true) => "upper",
@@ -157,14 +157,15 @@ fn record(kind: &Kind, sought: &EventQuery, event: &FoundEvent) -> Record {
         .with("u", sample.u)
         .with("tilt_deg", tilt.to_degrees())
         .with("tip", [sample.tip.re, sample.tip.im])
-        .with("phi_deg", sample.phi.map(f64::to_degrees))
+        .with("phi_deg", sample.tip_angle.map(f64::to_degrees))
         .with("time_error", event.time_error(sought))
 }
 
 /// Text in place of a table without events, with the range of the tilt if no tilt that was sought is in it.
-fn none(kinds: &[Kind], motion: &Motion) -> String {
+fn none(kinds: &[KindFilter], motion: &Motion) -> String {
     let [least, greatest] = tilts(motion);
-    let outside = |kind: &Kind| matches!(kind.what, What::Tilt(tilt) if tilt < least || tilt > greatest);
+    let outside =
+        |kind: &KindFilter| matches!(kind.event, EventKind::Tilt(tilt) if tilt < least || tilt > greatest);
     if !kinds.iter().all(outside) {
         return "no such event\n".to_owned();
     }
@@ -181,12 +182,12 @@ fn columns(units: Units) -> [Column<'static>; 6] {
         Units::None => ["t", "error of t at most"],
     };
     [
-        ("kind", "event", eight),
-        ("sense", "sense", eight),
+        ("kind", "event", eight_digits),
+        ("sense", "sense", eight_digits),
         ("t", t, |t| output::short(t, 17)),
-        ("tilt_deg", "tilt, degrees", eight),
-        ("phi_deg", "tip angle, degrees", eight),
-        ("time_error", error, output::error),
+        ("tilt_deg", "tilt, degrees", eight_digits),
+        ("phi_deg", "tip angle, degrees", eight_digits),
+        ("time_error", error, output::two_digits),
     ]
 }
 
@@ -196,12 +197,12 @@ mod tests {
 
     #[test]
     fn kinds_are_read_and_refused() {
-        assert_eq!(kind("turning").map(|kind| (kind.what, kind.upward)), Ok((What::Turning, None)));
+        assert_eq!(kind("turning").map(|kind| (kind.event, kind.upward)), Ok((EventKind::Turning, None)));
         assert_eq!(
-            kind("tilt=30:up").map(|kind| (kind.what, kind.upward)),
-            Ok((What::Tilt(30.0), Some(true)))
+            kind("tilt=30:up").map(|kind| (kind.event, kind.upward)),
+            Ok((EventKind::Tilt(30.0), Some(true)))
         );
-        assert_eq!(kind("tip-angle=-90").map(|kind| kind.what), Ok(What::TipAngle(-90.0)));
+        assert_eq!(kind("tip-angle=-90").map(|kind| kind.event), Ok(EventKind::TipAngle(-90.0)));
         for bad in [
             "",
             "tilt",

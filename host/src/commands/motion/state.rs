@@ -7,9 +7,11 @@ use super::times::{Instants, TimesArgs};
 use super::{Report, warnings};
 use crate::Failure;
 use crate::input::scenario::Scenario;
-use crate::motion::column::{Column, DEFAULT_COLUMNS};
-use crate::motion::ephemeris::{CAPACITIES, furthest_time, require_scalar, smallest, table};
+use crate::motion::ephemeris::{
+    CAPACITIES, ephemeris_of_size, furthest_time, require_scalar, smallest_ephemeris,
+};
 use crate::motion::propagate::{Sample, period, stepped};
+use crate::motion::quantity::{DEFAULT_COLUMNS, Quantity};
 use crate::motion::tip_angle::TipAngle;
 use crate::motion::{Scalar, stream};
 use crate::output::whole_file;
@@ -17,7 +19,7 @@ use crate::truth::full_equations;
 use clap::{ArgGroup, Args};
 use sheet::{SampleFormat, Sheet};
 use std::path::PathBuf;
-use toytop::Tick;
+use toytop::{Regime, Tick};
 use toytop_closed_forms::ClosedForm;
 
 /// Sample at a time, by the index of the time in the request.
@@ -47,7 +49,7 @@ pub struct StateArgs {
     hertz: Option<[u32; 2]>,
     /// Columns, in the order of the output
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS)]
-    columns: Vec<Column>,
+    columns: Vec<Quantity>,
     /// Add units to the column names, as in omega_x [rad/s]
     #[arg(long)]
     units: bool,
@@ -70,8 +72,8 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     let format = arguments.format;
     let mut columns = arguments.columns.clone();
     // a program that reads JSON always gets the bound
-    if format == SampleFormat::Json && !columns.contains(&Column::ErrorBound) {
-        columns.push(Column::ErrorBound);
+    if format == SampleFormat::Json && !columns.contains(&Quantity::ErrorBound) {
+        columns.push(Quantity::ErrorBound);
     }
     let support = scenario.motion.top().support();
     let sheet = Sheet { format, columns, units: scenario.units, support, named_units: arguments.units };
@@ -112,17 +114,17 @@ fn by_ephemeris(scalar: Scalar, scenario: &Scenario, instants: Instants) -> Resu
     let named = |failure: Failure| failure.of(&scenario.name);
     let of_scalar = |failure: Failure| failure.of(&format!("--scalar: {}", scalar.name()));
     require_scalar(scalar, motion).map_err(of_scalar).map_err(named)?;
-    if let Some([ticks, seconds]) = instants.rate {
+    if let Some([ticks, seconds]) = instants.rate.filter(|_| motion.regime() != Regime::Aperiodic) {
         let refused = |error| Failure::Input(format!("--hertz: {error}"));
         let tick = Tick::ratio(ticks, seconds).map_err(refused)?;
-        let table = table(scalar, motion, tick, &CAPACITIES).map_err(named)?;
+        let table = ephemeris_of_size(scalar, motion, tick, &CAPACITIES).map_err(named)?;
         return Ok(Box::new(move |index| {
             let (t, tick) = (instants.at)(index);
             table.at_tick(tick, t).sample
         }));
     }
     instants.require_within(furthest_time(motion), " with --method ephemeris")?;
-    let table = smallest(scalar, motion).map_err(named)?;
+    let table = smallest_ephemeris(scalar, motion).map_err(named)?;
     Ok(Box::new(move |index| table.at((instants.at)(index).0).sample))
 }
 

@@ -10,7 +10,7 @@ use super::options::{PICTURE, ScalarChoice, ending_in};
 use crate::Failure;
 use crate::input::builtin;
 use crate::input::random::Random;
-use crate::motion::ephemeris::{AnyEphemeris, smallest, ticks_per_time};
+use crate::motion::ephemeris::{AnyEphemeris, smallest_ephemeris, ticks_per_time};
 use crate::motion::{Scalar, first_integrals, greater, natural_scales};
 use crate::output::doc_markers::{self, Page};
 use crate::output::progress::Progress;
@@ -59,7 +59,7 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
              mean square. Tip: in units of s. Norm: of alpha and beta. Energy: from alpha, beta and their rates (in fixed point, f32),\n\
              relative. Cost of the next tick, at most, from firmware-examples/budgets.toml; cycles are modelled. CSV and JSON have the\n\
              errors over each octave of ticks. {micromath}",
-            output::aligned(&scalars, &columns(output::error)),
+            output::aligned(&scalars, &columns(output::two_digits)),
         )
     };
     let octaves: Vec<_> = all.iter().flat_map(|one| of_octaves(one, &limits)).collect();
@@ -221,7 +221,8 @@ fn numbers(motion: &Motion) -> Option<Numbers> {
 /// Errors of each scalar on a motion, by octave.
 fn of_motion(numbers: &Numbers, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
     let motion = numbers.motion().map_err(|error| Failure::Input(format!("{numbers:?}: {error}")))?;
-    let tables = scalars.iter().map(|&scalar| smallest(scalar, &motion)).collect::<Result<Vec<_>, _>>()?;
+    let tables =
+        scalars.iter().map(|&scalar| smallest_ephemeris(scalar, &motion)).collect::<Result<Vec<_>, _>>()?;
     let truth = Exact::new(numbers);
     let rate = ticks_per_time(&motion);
     let mut random = Random::new(1, 0);

@@ -25,7 +25,7 @@ use super::Report;
 use super::options::positive;
 use crate::Failure;
 use crate::output::doc_markers::Page;
-use crate::output::{self, Column, Format, Record, eight, short, whole_file};
+use crate::output::{self, Column, Format, Record, eight_digits, short, whole_file};
 pub use chips::Chip;
 use clap::Args;
 use corpus::corpus;
@@ -179,7 +179,7 @@ fn launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&'static Chip>) -> R
             "{}\nMotion and table of 200 launches: tilt 0 to 180 degrees, spin 0 to 1000 rad/s, A/(ps) 0.01 to 1000, both \
              supports, corners; at most 64 segments. Instructions are exact to 40; cycles are those of bench_launch in \
              proportion (model). A slice is the time between two calls of the set-up's function.\n",
-            output::aligned(&rows, &output::all_columns(&rows, eight))
+            output::aligned(&rows, &output::all_columns(&rows, eight_digits))
         )
     };
     Ok(output::render(arguments.format, &output::list("rows", &rows), table)?.into())

@@ -8,7 +8,7 @@ use super::{Report, warnings};
 use crate::Failure;
 use crate::input::builtin;
 use crate::input::scenario::Scenario;
-use crate::motion::ephemeris::{require_scalar, smallest};
+use crate::motion::ephemeris::{require_scalar, smallest_ephemeris};
 use crate::motion::propagate::{Sample, TimedStepper, period};
 use crate::motion::{Scalar, first_integrals, greater, natural_scales, spread_times, widened};
 use crate::output::progress::Progress;
@@ -131,7 +131,7 @@ fn of_motion(
     remarks: &mut Vec<String>,
 ) -> Result<Vec<Row>, Failure> {
     let (motion, name, periods) = (&scenario.motion, &scenario.name, arguments.periods);
-    let own = arguments.scenarios.is_empty().then(|| builtin::own_bounds(scenario)).flatten();
+    let own = arguments.scenarios.is_empty().then(|| bounds::own_bounds(&scenario.name)).flatten();
     let (time, remark) = horizon(motion, periods);
     remarks.extend(remark.map(|remark| format!("{name}: {remark}")));
     let times = spread_times(time, SAMPLES * periods);
@@ -195,7 +195,7 @@ fn step_through<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run 
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
 fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
     require_scalar(scalar, motion)?;
-    let table = smallest(scalar, motion)?;
+    let table = smallest_ephemeris(scalar, motion)?;
     let mut found = Vec::new();
     let call = median(|| {
         found = times.iter().map(|&t| table.at(t)).collect();
@@ -207,7 +207,7 @@ fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failur
     Ok(Run { samples, steps: None, table: Some((table.size(), bound)), call })
 }
 
-/// States of the full solver at the times of the last run, which most other runs share.
+/// Cached full-solver states, reused for equal times.
 #[derive(Default)]
 struct Reference {
     times: Vec<f64>,

@@ -3,7 +3,7 @@
 mod columns;
 mod table;
 
-pub use table::Sweep;
+mod plot;
 
 use super::Report;
 use crate::Failure;
@@ -12,13 +12,14 @@ use crate::input::scenario::ScenarioFile;
 use crate::motion::stream;
 use crate::output::whole_file;
 use crate::pictures::drawing;
-use crate::pictures::heat_map::HeatMap;
 use clap::Args;
 use columns::{Column, DEFAULT_COLUMNS};
+use plot::HeatMap;
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::Instant;
+use table::Sweep;
 
 /// Size of the largest file that is drawn, MiB.
 const LARGEST_PLOTTED: u64 = 4096;

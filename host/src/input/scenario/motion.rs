@@ -64,7 +64,7 @@ pub fn numbers(kind: &str) -> &'static [Key] {
 
 /// Motion, and its launch.
 pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure> {
-    let refused = |error| section.refused(&error);
+    let refused = |error| section.core_failure(&error);
     let (state, release) = match section.choice("kind", &["release", "state", "branch_points"], None)? {
         "branch_points" => return branch_points(section, top),
         "release" => {
@@ -75,7 +75,7 @@ pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure
     };
     let motion = Motion::launch(top, &state).map_err(|error| match (error.parameter(), &release) {
         ("omega", Some(release)) => too_fast(section, top, release),
-        ("omega", None) => section.refuse("omega", &format!("must be {SLOW}")),
+        ("omega", None) => section.failure("omega", &format!("must be {SLOW}")),
         _ => refused(error),
     })?;
     Ok((motion, Start::from(&state)))
@@ -93,7 +93,7 @@ fn state(section: &Section<'_>) -> Result<State, Failure> {
     let [alpha, beta, omega] = &STATE;
     let complex = |key| section.array(key, None).map(|[re, im]| Complex::new(re, im));
     let phi = Orientation { alpha: complex(alpha)?, beta: complex(beta)? };
-    State::new(phi, section.array(omega, None)?).map_err(|error| section.refused(&error))
+    State::new(phi, section.array(omega, None)?).map_err(|error| section.core_failure(&error))
 }
 
 fn branch_points(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure> {
@@ -108,7 +108,7 @@ fn branch_points(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Fa
         Signs { l_plus_n: sign(plus, &BRANCH_POINTS[3])?, l_minus_n: sign(minus, &BRANCH_POINTS[4])? };
     let (e, phases) = ([e1, e2, e3], InitialPhases { theta, arg_alpha, arg_beta });
     let motion =
-        Motion::from_branch_points(top, e, signs, &phases).map_err(|error| section.refused(&error))?;
+        Motion::from_branch_points(top, e, signs, &phases).map_err(|error| section.core_failure(&error))?;
     Ok((motion, Start::BranchPoints { e, signs, phases }))
 }
 
@@ -135,7 +135,7 @@ fn too_fast(section: &Section<'_>, top: &Top, release: &Release) -> Failure {
     let limit = limit(value.abs(), exists).map_or_else(String::new, |limit| {
         format!("at most {limit:e} rad/s in size with the other numbers of this file, ")
     });
-    section.refuse(key, &format!("must be {limit}{SLOW}"))
+    section.failure(key, &format!("must be {limit}{SLOW}"))
 }
 
 /// Greatest size below `high` with which there is a motion, rounded down to three digits; `None` if there is none even near 0.

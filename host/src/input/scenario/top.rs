@@ -26,7 +26,7 @@ pub fn read(section: &Section<'_>) -> Result<(Top, TopParameters), Failure> {
         section.numbers(&KEYS)?;
     let inertias =
         TopParameters { transverse_inertia, axial_inertia, rotor_momentum, ..TopParameters::default() };
-    let refused = |error| section.refused(&error);
+    let refused = |error| section.core_failure(&error);
     // of a free body the other keys are allowed and have no effect
     if support == "free" {
         return Ok((Top::free(&inertias).map_err(refused)?, inertias));
@@ -49,7 +49,7 @@ pub fn read(section: &Section<'_>) -> Result<(Top, TopParameters), Failure> {
         _ => None,
     };
     if let Some((key, reason)) = fault {
-        return Err(section.refuse(key, reason));
+        return Err(section.failure(key, reason));
     }
     let parameters = TopParameters { gravity, com_height, mass, mass_moment, ..inertias };
     let top = if support == "sliding" { Top::sliding(&parameters) } else { Top::fixed(&parameters) };

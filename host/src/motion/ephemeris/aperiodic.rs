@@ -1,7 +1,7 @@
 //! Aperiodic motion by its closed form, which has no table.
 
 use super::{
-    AnyEphemeris, EventQuery, FoundEvent, Parts, RateSample, TimedSample, ticks_per_time, unwrapped,
+    AnyEphemeris, BakedNumbers, EventQuery, FoundEvent, RateSample, TimedSample, ticks_per_time, unwrapped,
 };
 use crate::motion::propagate::{Sample, natural_time};
 use std::f64::consts::TAU;
@@ -88,8 +88,8 @@ impl AnyEphemeris for AperiodicMotion {
         TimedSample { sample, rate: state.rate, tip_over_s, nutation_phase: Phase::ZERO }
     }
 
-    fn at_tick(&self, n: i64, _: f64) -> TimedSample {
-        self.at(n as f64 / self.ticks)
+    fn at_tick(&self, _: i64, t: f64) -> TimedSample {
+        self.at(t)
     }
 
     fn rates_at_tick(&self, n: i64) -> RateSample {
@@ -132,7 +132,7 @@ impl AnyEphemeris for AperiodicMotion {
         found
     }
 
-    fn parts(&self) -> Option<Parts> {
+    fn parts(&self) -> Option<BakedNumbers> {
         None
     }
 }

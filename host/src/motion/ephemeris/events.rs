@@ -88,7 +88,7 @@ impl FoundEvent {
     }
 }
 
-/// Number of events in a row that are not wanted, after which none is expected: a sense may never occur.
+/// Consecutive rejected events after which the search stops: a sense may never occur.
 const MOST_UNWANTED: u32 = 10_000;
 
 /// Events at tick `from` or later, at times that `wanted` accepts.

@@ -56,7 +56,7 @@ pub fn sizes(scalar: Scalar, segments: Option<u32>) -> Result<Vec<u32>, Failure>
 ///
 /// # Errors
 /// [`Failure::Method`]: none of them is enough; the message states the capacity that would be.
-pub fn table(
+pub fn ephemeris_of_size(
     scalar: Scalar,
     motion: &Motion,
     tick: Tick,
@@ -135,14 +135,14 @@ pub fn require_scalar(scalar: Scalar, motion: &Motion) -> Result<(), Failure> {
 ///
 /// # Errors
 /// [`Failure::Method`]: no table is large enough; the message states the size that would be.
-pub fn smallest(scalar: Scalar, motion: &Motion) -> Result<Box<dyn AnyEphemeris>, Failure> {
-    at_any_time(motion, |tick| table(scalar, motion, tick, &CAPACITIES))
+pub fn smallest_ephemeris(scalar: Scalar, motion: &Motion) -> Result<Box<dyn AnyEphemeris>, Failure> {
+    at_any_time(motion, |tick| ephemeris_of_size(scalar, motion, tick, &CAPACITIES))
 }
 
 /// Smallest table in `f64` with a truncation error of at most `truncation`, rad.
 ///
 /// # Errors
-/// As [`smallest`].
+/// As [`smallest_ephemeris`].
 pub fn approximate(motion: &Motion, truncation: f64) -> Result<Box<dyn AnyEphemeris>, Failure> {
     at_any_time(motion, |tick| table_in::<f64>(motion, tick, &CAPACITIES, truncation))
 }
@@ -171,7 +171,7 @@ pub fn smaller(
     };
     let fewer = allowed(scalar).into_iter().filter(|&size| (size as usize) < segments);
     fewer
-        .filter_map(|size| table(scalar, motion, tick, &[size]).ok())
+        .filter_map(|size| ephemeris_of_size(scalar, motion, tick, &[size]).ok())
         .find(|table| close(table.error_bound()))
 }
 
@@ -183,10 +183,10 @@ mod tests {
     /// Sizes that are chosen. Every smaller size is refused, and the motions of the test need every size.
     fn sizes_chosen(scalar: Scalar, motions: &[Motion]) -> Vec<usize> {
         let chosen = |motion: &Motion| {
-            let table = smallest(scalar, motion).unwrap();
+            let table = smallest_ephemeris(scalar, motion).unwrap();
             let tick = tick(motion).unwrap();
             for segments in CAPACITIES.into_iter().filter(|&segments| (segments as usize) < table.size()[0]) {
-                let refused = super::table(scalar, motion, tick, &[segments]).is_err();
+                let refused = super::ephemeris_of_size(scalar, motion, tick, &[segments]).is_err();
                 assert!(refused, "{segments} segments would do");
             }
             table.size()[0]
@@ -208,6 +208,6 @@ mod tests {
         assert_eq!(sizes_chosen(Scalar::F64, &motions).first(), Some(&8));
         assert!(sizes_chosen(Scalar::F32, &motions).len() > 4);
         // an aperiodic motion has a closed form and no table
-        assert_eq!(smallest(Scalar::F32, &motion(1.0, [0.2, 1.0, 1.0])).unwrap().size()[0], 0);
+        assert_eq!(smallest_ephemeris(Scalar::F32, &motion(1.0, [0.2, 1.0, 1.0])).unwrap().size()[0], 0);
     }
 }

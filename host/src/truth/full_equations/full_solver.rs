@@ -80,14 +80,15 @@ impl FullSolver {
         // A rounding of m changes the angular velocity by momentum / min(A, C), to which the step control must not
         // react. The factor is 1 for ordinary tops, and larger for slender ones and for p s >> A. The quarter is
         // an empirical value.
-        let thin = if equations.c > 0.0 { equations.c } else { equations.a };
-        let blur = (0.25 * momentum / equations.a.min(thin)).max(1.0);
-        let usable = [equations.c, equations.pg, rate_unit, momentum * blur].iter().all(|x| x.is_finite())
-            && equations.a > 0.0
-            && (norm - 1.0).abs() <= 1e-6
-            && (1e-17..=1e-2).contains(&tolerance);
-        let mut tolerances = [tolerance * blur; 7];
-        tolerances[4..].fill(tolerance * blur * momentum);
+        let least_inertia = if equations.c > 0.0 { equations.c } else { equations.a };
+        let tolerance_factor = (0.25 * momentum / equations.a.min(least_inertia)).max(1.0);
+        let usable =
+            [equations.c, equations.pg, rate_unit, momentum * tolerance_factor].iter().all(|x| x.is_finite())
+                && equations.a > 0.0
+                && (norm - 1.0).abs() <= 1e-6
+                && (1e-17..=1e-2).contains(&tolerance);
+        let mut tolerances = [tolerance * tolerance_factor; 7];
+        tolerances[4..].fill(tolerance * tolerance_factor * momentum);
         Self {
             equations,
             rate_unit,

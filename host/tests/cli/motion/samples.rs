@@ -1,6 +1,6 @@
 //! Rows of `toytop state`: times, ticks, chosen columns, formats for programs, and many rows.
 
-use crate::command::{count, csv, folder, json, path, read, samples, toytop};
+use crate::command::{branch_points, count, csv, folder, json, path, read, samples, scenario, toytop};
 use std::f64::consts::PI;
 
 #[test]
@@ -49,6 +49,15 @@ fn times_spread_evenly() {
     for spread in ["--times=-1..1/5", "--from -1 --to 1 --count 5"] {
         assert_eq!(toytop(format!("state @toy_top --format csv {spread}")).ok(), listed);
     }
+}
+
+/// Ticks of an aperiodic motion, which has no table, are the times of its closed form.
+#[test]
+fn ticks_of_an_aperiodic_motion_are_times() {
+    let rising = scenario("ticks_rising", &branch_points([0.2, 1.0, 1.0], 1));
+    let ticks = toytop(format!("state {rising} --format csv --ticks=-3..4 --hertz 8")).ok();
+    let times = toytop(format!("state {rising} --format csv --times=-0.375..0.5/8")).ok();
+    assert_eq!(ticks, times);
 }
 
 /// Ticks give the same bits as the clock of a program on a chip.

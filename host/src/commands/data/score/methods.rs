@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use crate::pictures::chart::Curve;
-use crate::score::judge::Score;
+use crate::score::exact_reference::Score;
 use crate::score::order;
 use crate::score::trajectory::Trajectory;
 
@@ -45,7 +45,7 @@ impl Run {
     }
 
     /// Warning about an order below 0.
-    fn doubt(&self) -> Option<String> {
+    fn warning(&self) -> Option<String> {
         let order = self.order.filter(|order| *order < 0.0)?;
         let question = match self.step {
             Some((_, "option")) => "do --steps belong to these files",
@@ -65,7 +65,7 @@ pub struct Method {
     /// Order of convergence.
     pub order: Option<f64>,
     /// Warnings about orders.
-    pub doubts: Vec<String>,
+    pub warnings: Vec<String>,
 }
 
 impl Method {
@@ -83,8 +83,8 @@ impl Method {
         }
         let points: Vec<_> = runs.iter().filter_map(Run::point).collect();
         let order = order::fitted(&points).filter(|_| uneven.is_none());
-        let doubts = runs.iter().filter_map(Run::doubt).chain(uneven).collect();
-        Self { name: runs[0].method.clone(), runs, order, doubts }
+        let warnings = runs.iter().filter_map(Run::warning).chain(uneven).collect();
+        Self { name: runs[0].method.clone(), runs, order, warnings }
     }
 }
 

@@ -8,19 +8,19 @@ mod shared;
 
 use super::Label;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::Parts;
+use crate::motion::ephemeris::BakedNumbers;
 use toytop::{Clock, ErrorBound};
 
 use shared::{SHARED_HEADER, SHARED_SOURCE, header as shared_header, source as shared_source};
 
 /// Text of a header that needs no other file. If one file includes several headers, the code that they share is compiled once.
-pub fn header(label: &Label, parts: &Parts) -> String {
+pub fn header(label: &Label, parts: &BakedNumbers) -> String {
     let evaluators = shared::inlined(parts.scalar);
     guarded(label, parts, &format!("{evaluators}\n{}", table(label, parts, "static const")))
 }
 
 /// Names and texts of the files that all tables share, and of the header and the source of a table.
-pub fn split_files(label: &Label, parts: &Parts) -> Vec<(String, String)> {
+pub fn split_files(label: &Label, parts: &BakedNumbers) -> Vec<(String, String)> {
     let name = label.c_name();
     vec![
         (SHARED_HEADER.to_owned(), shared_header()),
@@ -31,7 +31,7 @@ pub fn split_files(label: &Label, parts: &Parts) -> Vec<(String, String)> {
 }
 
 /// Text of a header that declares the table of a [`source()`].
-fn declaration(label: &Label, parts: &Parts) -> String {
+fn declaration(label: &Label, parts: &BakedNumbers) -> String {
     let (name, scalar) = (label.c_name(), parts.scalar.name());
     let declared = format!(
         "#include \"{SHARED_HEADER}\"\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\nextern const toytop_{scalar} {name};\n\
@@ -41,7 +41,7 @@ fn declaration(label: &Label, parts: &Parts) -> String {
 }
 
 /// Text of the source of a table.
-fn source(label: &Label, parts: &Parts) -> String {
+fn source(label: &Label, parts: &BakedNumbers) -> String {
     let name = label.c_name();
     format!(
         "/* {headline}. Written by `toytop bake`. */\n#include \"{name}.h\"\n\n#if TOYTOP_CLOCK != {format}\n\
@@ -53,7 +53,7 @@ fn source(label: &Label, parts: &Parts) -> String {
 }
 
 /// Header around its content: a comment, the include guard, and size and error bounds as macros.
-fn guarded(label: &Label, parts: &Parts, content: &str) -> String {
+fn guarded(label: &Label, parts: &BakedNumbers, content: &str) -> String {
     let name = label.c_name();
     let (scalar, upper) = (parts.scalar.name(), name.to_uppercase());
     let bounds = [parts.error_bound, parts.rate_error_bound];
@@ -91,7 +91,7 @@ fn guarded(label: &Label, parts: &Parts, content: &str) -> String {
 }
 
 /// Definition of a table.
-fn table(label: &Label, parts: &Parts, linkage: &str) -> String {
+fn table(label: &Label, parts: &BakedNumbers, linkage: &str) -> String {
     let (name, scalar) = (label.c_name(), parts.scalar.name());
     // scale of the tip, the rates of x and of A + B, and the axial angular velocity
     let Clock { tip_scale, rates: [x, mean, axial], .. } = parts.clock;
@@ -123,7 +123,7 @@ fn table(label: &Label, parts: &Parts, linkage: &str) -> String {
 }
 
 /// Initialisers of a `toytop_clock`.
-fn clock(parts: &Parts) -> String {
+fn clock(parts: &BakedNumbers) -> String {
     let [segments, terms] = parts.size;
     let wide = |bits: u64| format!("{bits:#x}u");
     let phase = |[low, middle, upper]: [u32; 3]| {

@@ -2,11 +2,11 @@
 
 use super::Label;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::Parts;
+use crate::motion::ephemeris::BakedNumbers;
 use toytop::{Clock, ErrorBound};
 
 /// Text of the module. Numbers are printed by Rust, which reads back the same bits.
-pub fn module(label: &Label, parts: &Parts) -> String {
+pub fn module(label: &Label, parts: &BakedNumbers) -> String {
     let name = label.identifier().to_uppercase();
     let [segments, _] = parts.size;
     let scalar = match parts.scalar {
@@ -77,7 +77,7 @@ pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
 }
 
 /// Coefficients with one row in each line, and brackets around each segment.
-fn rows(parts: &Parts) -> String {
+fn rows(parts: &BakedNumbers) -> String {
     let line = |row: &[f64; 4]| match parts.scalar {
         Scalar::F64 => format!("            {row:?},\n"),
         _ => format!("            {:?},\n", row.map(|x| x as i32)),

@@ -1,8 +1,8 @@
 //! Rows of chosen columns as CSV, JSON, a NumPy file or an aligned table.
 
 use crate::input::scenario::Units;
-use crate::motion::column::Column;
 use crate::motion::propagate::Sample;
+use crate::motion::quantity::Quantity;
 use crate::output::{self, Record, number, short};
 use toytop::Support;
 
@@ -24,7 +24,7 @@ pub struct Sheet {
     /// Form of the output.
     pub format: SampleFormat,
     /// Columns in their order.
-    pub columns: Vec<Column>,
+    pub columns: Vec<Quantity>,
     /// Units of the scenario.
     pub units: Units,
     /// Support of the tip, which decides the unit of its position.
@@ -69,7 +69,7 @@ impl Sheet {
             (SampleFormat::Table, Support::Free) => "the body is free",
             _ => return String::new(),
         };
-        if !self.columns.contains(&Column::Tip) {
+        if !self.columns.contains(&Quantity::Tip) {
             return String::new();
         }
         format!("\ntip: 2 alpha beta, minus the horizontal part of the axis ({reason})\n")
@@ -77,7 +77,7 @@ impl Sheet {
 
     /// Names of all numbers of a row.
     fn names(&self) -> Vec<String> {
-        let names = |column: &Column| {
+        let names = |column: &Quantity| {
             let unit = if self.named_units { column.unit(self.units, self.support) } else { "" };
             let unit = if unit.is_empty() { String::new() } else { format!(" [{unit}]") };
             column.names().1.iter().map(move |name| format!("{name}{unit}"))
@@ -87,10 +87,10 @@ impl Sheet {
 
     /// Lines of a sample, because one line would be too long for a screen.
     fn block(&self, sample: &Sample) -> String {
-        let line = |column: &Column| {
+        let line = |column: &Quantity| {
             let digits = match column {
-                Column::T => 17,
-                Column::ErrorBound => 2,
+                Quantity::T => 17,
+                Quantity::ErrorBound => 2,
                 _ => 8,
             };
             let (name, unit) = (column.names().0, column.unit(self.units, self.support));
@@ -103,7 +103,7 @@ impl Sheet {
 
     /// JSON object of a sample.
     fn object(&self, sample: &Sample) -> String {
-        let entry = |column: &Column| {
+        let entry = |column: &Quantity| {
             let numbers = column.numbers(sample);
             let value = if let [x] = numbers[..] { x.into() } else { numbers.into() };
             (column.names().0, value)

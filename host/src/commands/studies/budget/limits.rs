@@ -16,8 +16,8 @@ pub struct Limits(pub BTreeMap<String, Costs>);
 const SLACK: u64 = 20;
 
 const HEAD: &str = "\
-# Limits of what each call costs on each chip: the measured figures plus 5 %. `cargo xtask test` measures every call and fails where
-# one exceeds its limit, or is so far below it (a quarter) that the limit is out of date.
+# Limits of what each call costs on each chip: the measured figures plus 5 %. `cargo xtask test` measures every call on m0plus and
+# m4f, with --all on every chip, and fails where one exceeds its limit, or is so far below it (a quarter) that the limit is out of date.
 #
 # To change them: see what costs more and why (`cargo run --release --bin toytop -- budget`), then
 #     cargo run --release --bin toytop -- budget --accept

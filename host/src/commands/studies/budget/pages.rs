@@ -5,7 +5,7 @@ use super::meter::Cost;
 use crate::Failure;
 use crate::commands::Report;
 use crate::output::doc_markers::{Page, grouped, table};
-use crate::output::{self, Record, eight};
+use crate::output::{self, Record, eight_digits};
 use std::path::Path;
 
 /// Part of a page: the page, its mark, and its text.
@@ -123,7 +123,7 @@ fn front_page(limits: &Limits) -> String {
 }
 
 fn markdown(rows: &[Record]) -> String {
-    table(&output::rows(rows, &output::all_columns(rows, eight)))
+    table(&output::rows(rows, &output::all_columns(rows, eight_digits)))
 }
 
 /// Table of the launches, whose first row is the header.
@@ -137,7 +137,7 @@ fn of_launches(rows: &[Record]) -> Vec<Vec<String>> {
         ("greatest_cycles_model", "greatest cycles"),
         ("slice_cycles_model", "cycles of the longest slice"),
     ];
-    output::rows(rows, &columns.map(|(name, heading)| (name, heading, eight as fn(f64) -> String)))
+    output::rows(rows, &columns.map(|(name, heading)| (name, heading, eight_digits as fn(f64) -> String)))
 }
 
 /// Cost of the launches in one sentence; empty if those of this chip and scalar are not known.

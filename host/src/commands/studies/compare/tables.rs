@@ -3,7 +3,7 @@
 use super::bounds::steps_per_period;
 use super::{Row, Run, SAMPLES};
 use crate::motion::Scalar;
-use crate::output::{self, Column, Record, error};
+use crate::output::{self, Column, Record, two_digits};
 
 /// Names of the errors: of the orientation, 2 √(|Δα|² + |Δβ|²), rad; of u; of the tip in units of s; of h, l and n as recomputed from
 /// α, β and their rates, in units of their natural scales.
@@ -33,11 +33,11 @@ pub fn all(rows: &[Row], periods: u32) -> String {
     let names = ["motion", "scalar", "method"].into_iter().chain(ERRORS).chain(["size"]);
     let headings = ["motion", "type", "method", "angle", "u", "tip", "h", "l", "n", "steps"];
     let mut columns: Vec<Column<'_>> =
-        names.zip(headings).map(|(name, heading)| (name, heading, error as fn(f64) -> String)).collect();
+        names.zip(headings).map(|(name, heading)| (name, heading, two_digits as fn(f64) -> String)).collect();
     columns.extend([
         ("ns", "ns", (|ns| format!("{ns:.0}")) as fn(f64) -> String),
         ("bound_rad", "bound", |bound| format!("{bound:.0e}")),
-        ("verdict", "result", error),
+        ("verdict", "result", two_digits),
     ]);
     let size = |run: &Run| run.table.map_or_else(|| run.calls().to_string(), |(size, _)| by(size));
     let line = |row: &Row| {

@@ -1,10 +1,10 @@
 //! Columns of a sweep, and what is computed of a motion for them.
 
 use crate::input::scenario::{Scenario, Units};
-use crate::motion::column::Column as Quantity;
 use crate::motion::constants::CONSTANTS;
-use crate::motion::ephemeris::{AnyEphemeris, approximate, smallest};
+use crate::motion::ephemeris::{AnyEphemeris, approximate, smallest_ephemeris};
 use crate::motion::propagate::Sample;
+use crate::motion::quantity::Quantity;
 use crate::motion::{Scalar, spread_times};
 use crate::output::text;
 use crate::truth::full_equations;
@@ -142,7 +142,7 @@ impl Measured {
     }
 
     fn single(&self) -> Option<&Run> {
-        let run = || smallest(Scalar::F32, &self.motion).ok().map(|table| self.run(&*table));
+        let run = || smallest_ephemeris(Scalar::F32, &self.motion).ok().map(|table| self.run(&*table));
         self.single.get_or_init(run).as_ref()
     }
 

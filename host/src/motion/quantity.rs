@@ -8,7 +8,7 @@ use toytop::{Complex, Support};
 /// Quantity of a sample: a group of columns.
 #[derive(Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "program", derive(clap::ValueEnum), value(rename_all = "snake_case"))]
-pub enum Column {
+pub enum Quantity {
     /// Time
     T,
     /// Cosine of the tilt
@@ -49,7 +49,7 @@ pub const DEFAULT_COLUMNS: &str = "t,u,udot,alpha,beta,quaternion,omega,tip,phi,
 /// Description of a quantity: key of JSON, names of its numbers as columns of CSV, unit in SI, and its numbers in a sample.
 type Description = (&'static str, &'static [&'static str], &'static str, fn(&Sample) -> Vec<f64>);
 
-impl Column {
+impl Quantity {
     fn description(self) -> Description {
         match self {
             Self::T => ("t", &["t"], "s", |sample| vec![sample.t]),
@@ -67,7 +67,7 @@ impl Column {
                 ("omega", &["omega_x", "omega_y", "omega_z"], "rad/s", |sample| sample.omega.into())
             }
             Self::Tip => ("tip", &["tip_x", "tip_y"], "m", |sample| parts(sample.tip)),
-            Self::Phi => ("phi", &["phi"], "rad", |sample| vec![sample.phi.unwrap_or(f64::NAN)]),
+            Self::Phi => ("phi", &["phi"], "rad", |sample| vec![sample.tip_angle.unwrap_or(f64::NAN)]),
             Self::Quaternion => {
                 ("quaternion", &["w", "x", "y", "z"], "", |sample| sample.orientation().quaternion().into())
             }

@@ -6,14 +6,14 @@ use super::trajectory::{Row, Trajectory};
 use crate::Failure;
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{AnyEphemeris, furthest_time, smallest};
+use crate::motion::ephemeris::{AnyEphemeris, furthest_time, smallest_ephemeris};
 use crate::motion::propagate::period;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
 
 /// Exact motion that trajectories are compared with.
-pub struct Judge<'a> {
+pub struct ExactReference<'a> {
     motion: &'a Motion,
     table: Box<dyn AnyEphemeris>,
     /// Distance from the tip to the centre of mass in the files.
@@ -43,20 +43,20 @@ pub struct Score {
     /// Upper bound on the error of the exact motion itself, rad.
     pub truth_bound: f64,
     /// Question that suggests why the first row is far from the motion, most often a convention.
-    pub doubt: Option<String>,
+    pub warning: Option<String>,
 }
 
 /// Distance from which a first row is far: rad, or a share.
 const FAR: f64 = 0.01;
 
-impl<'a> Judge<'a> {
+impl<'a> ExactReference<'a> {
     /// Exact motion of a scenario, by its ephemeris in `f64`; `start` is the command that prints the state from which a run has to start.
     ///
     /// # Errors
     /// [`Failure::Method`]: no ephemeris is large enough.
     pub fn new(scenario: &'a Scenario, start: &str) -> Result<Self, Failure> {
         let motion = &scenario.motion;
-        let table = smallest(Scalar::F64, motion).map_err(|failure| failure.of(&scenario.name))?;
+        let table = smallest_ephemeris(Scalar::F64, motion).map_err(|failure| failure.of(&scenario.name))?;
         Ok(Self { motion, table, length: motion.top().com_height(), start: start.to_owned() })
     }
 
@@ -82,7 +82,7 @@ impl<'a> Judge<'a> {
             drift: drift::along(rows, self.motion, &*self.table),
             norm_error: greatest(rows.iter().map(|row| row.norm_error)),
             truth_bound: self.table.error_bound().after(furthest * self.table.ticks_per_time()),
-            doubt: rows.first().and_then(|row| self.doubt(row)),
+            warning: rows.first().and_then(|row| self.warning(row)),
         })
     }
 
@@ -101,7 +101,7 @@ impl<'a> Judge<'a> {
     }
 
     /// Reason why the first row is far from the motion; `None` if it is near.
-    fn doubt(&self, first: &Row) -> Option<String> {
+    fn warning(&self, first: &Row) -> Option<String> {
         let exact = self.table.at(first.t).sample;
         let [error, _] = self.errors(first);
         let inverse = distance(&exact.orientation(), &first.orientation.inverse());
