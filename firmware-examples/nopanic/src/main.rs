@@ -219,7 +219,7 @@ fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     let mut set_up = SetUp::with_truncation(unknown());
     let [mut first, mut second] = [(); 2].map(|()| EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new());
     let mut calls = 0;
-    let mut between = || calls += 1;
+    let mut pause = || calls += 1;
     let Ok(ready) = first.set_up(&mut set_up, motion, tick, black_box(-7), &mut pause) else { return };
     let Ok(spare) = second.set_up(&mut set_up, motion, tick, black_box(7), &mut pause) else { return };
     let mut cursor = Cursor::new(ready, black_box(3));
