@@ -14,9 +14,9 @@
 #include <stdint.h>
 
 /* Size in bytes of a table with the given number of segments, from 8 to 4096. */
-#define TOYTOP_EPHEMERIS_F32_SIZE_OF(segments) (256 + 80 * sizeof(char) * (segments))
-#define TOYTOP_EPHEMERIS_F64_SIZE_OF(segments) (272 + 352 * sizeof(char) * (segments))
-#define TOYTOP_EPHEMERIS_Q31_SIZE_OF(segments) (256 + 64 * sizeof(char) * (segments))
+#define TOYTOP_EPHEMERIS_F32_SIZE_OF(segments) (264 + 80 * sizeof(char) * (segments))
+#define TOYTOP_EPHEMERIS_F64_SIZE_OF(segments) (280 + 352 * sizeof(char) * (segments))
+#define TOYTOP_EPHEMERIS_Q31_SIZE_OF(segments) (264 + 64 * sizeof(char) * (segments))
 
 // Bytes of the text of an error, the closing zero included.
 #define TOYTOP_TEXT_SIZE 192
