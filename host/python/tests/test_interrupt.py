@@ -30,6 +30,8 @@ motion = top.release(tilt=0.35, spin=150.0)
 motion.at(0.0)
 times = np.linspace(0.0, 100.0, 2_000_000)
 many = toytop.many(top, {"tilt": np.linspace(0.1, 1.0, 20_000), "spin": 150.0})
+# a shell that starts the tests in the background makes them ignore Ctrl-C
+signal.signal(signal.SIGINT, signal.default_int_handler)
 sent = []
 def interrupt():
     sent.append(time.monotonic())
