@@ -76,7 +76,7 @@ impl PyMotion {
     }
 
     /// Truth at time t, s, rounded to float64: the paper's integrals in numbers of 640 bits, which share no formula and no
-    /// arithmetic with Motion.at. It takes about a millisecond a time.
+    /// arithmetic with Motion.at. It takes some milliseconds a time.
     ///
     /// Raises:
     ///     ValueError: t is not finite or beyond 2^62 ticks.
