@@ -96,10 +96,14 @@ impl<R: Real> Stepper<R> {
                 change
             }
         };
-        let changes = [change.slow_a, change.slow_b];
-        for ((phase, change), (rate, _)) in self.phases.iter_mut().zip(changes).zip(self.constant_rates) {
-            *phase += turns(change) + (rate * dt.to_f64().into()).to_phase();
-        }
+        let turned = |(rate, _): (Extended, R)| (rate * dt.to_f64().into()).to_phase();
+        let [rate_a, rate_b] = self.constant_rates;
+        let turned_a = turned(rate_a);
+        // the product is dear, and the rates are ±τ/2 unless u is constant
+        let turned_b = if self.nutation == NutationVariable::Steady { turned(rate_b) } else { -turned_a };
+        let [a, b] = &mut self.phases;
+        *a += turns(change.slow_a) + turned_a;
+        *b += turns(change.slow_b) + turned_b;
     }
 
     /// Orientation Φ. Cost: three sine-cosine pairs and twelve products.

@@ -182,7 +182,7 @@ impl Coefficient for i32 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::table::series::expansion::TABLE_UNIT;
 
@@ -215,7 +215,8 @@ mod tests {
         assert_eq!(i32::nearest(i64::MAX, 1).0, i32::MAX);
     }
 
-    fn polynomial<const N: usize>(values: [f64; N]) -> [i64; N] {
+    /// Coefficients in units of 2^-62.
+    pub(in crate::table::scalar) fn polynomial<const N: usize>(values: [f64; N]) -> [i64; N] {
         values.map(|value| (value * 2_f64.powi(62)) as i64)
     }
 }
