@@ -11,8 +11,8 @@ mod state;
 
 mod impulse;
 
-pub(crate) use error::within;
-pub use error::{ParameterError, finite, require};
+pub(crate) use error::check_range;
+pub use error::{ParameterError, check, check_finite};
 pub use parameters::TopParameters;
 pub use scaled_top::ScaledTop;
 pub(crate) use state::half_tilt;

@@ -43,7 +43,7 @@ pub mod table_format {}
 /// Parts of toytop that its sibling crates share; not covered by semantic versioning.
 #[doc(hidden)]
 pub mod internal {
-    pub use crate::body::{ScaledTop, finite, require};
+    pub use crate::body::{ScaledTop, check, check_finite};
     pub use crate::motion::{NutationVariable, phase_of};
     pub use crate::table::CursorPhases;
 }

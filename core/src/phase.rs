@@ -6,7 +6,7 @@ mod fraction;
 
 pub(crate) use fraction::PhaseFraction;
 
-use core::ops::{Add, AddAssign, Neg, Sub};
+use core::ops::{Add, AddAssign, Mul, Neg, Sub};
 
 /// Phase in turns: a signed fixed-point number with 96 fraction bits.
 ///
@@ -85,12 +85,6 @@ impl Phase {
         if wrapped.0 == -Self::HALF.0 { Self::HALF } else { wrapped }
     }
 
-    /// n times the phase, modulo 2^32 turns.
-    #[must_use]
-    pub fn times(self, n: i64) -> Self {
-        Self(self.0.wrapping_mul(n.into()))
-    }
-
     /// Product with a number in [0, 1) in units of 2^-64, rounded down.
     #[inline]
     pub(crate) fn share(self, share: u64) -> Self {
@@ -146,6 +140,15 @@ impl Neg for Phase {
     #[inline]
     fn neg(self) -> Self {
         Self(self.0.wrapping_neg())
+    }
+}
+
+/// Multiple, modulo 2^32 turns.
+impl Mul<i64> for Phase {
+    type Output = Self;
+    #[inline]
+    fn mul(self, n: i64) -> Self {
+        Self(self.0.wrapping_mul(n.into()))
     }
 }
 

@@ -86,14 +86,14 @@ pub trait Ring:
     /// Larger of two numbers; the other one where this is NaN.
     #[inline]
     #[must_use]
-    fn larger(self, other: Self) -> Self {
+    fn max(self, other: Self) -> Self {
         if self > other { self } else { other }
     }
 
     /// Number limited to [-1, 1]. A NaN remains NaN.
     #[inline]
     #[must_use]
-    fn limited(self) -> Self {
+    fn clamp_to_one(self) -> Self {
         if self > Self::ONE {
             Self::ONE
         } else if self < -Self::ONE {

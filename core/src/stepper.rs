@@ -210,7 +210,7 @@ fn turns<R: Real>(radians: R) -> Phase {
 
 /// Quotient x/|z|², also where |z|² underflows; 0 for z = 0.
 fn over_square<R: Real>(x: R, z: Complex<R>) -> R {
-    let size = z.re.abs().larger(z.im.abs());
+    let size = z.re.abs().max(z.im.abs());
     if x == R::ZERO || size == R::ZERO {
         return R::ZERO;
     }

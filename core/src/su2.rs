@@ -138,7 +138,7 @@ impl<R: Ring> Orientation<R> {
 
     /// u limited to [-1, 1]. A NaN remains NaN.
     pub fn clamped_u(&self) -> R {
-        self.u().limited()
+        self.u().clamp_to_one()
     }
 }
 
@@ -166,7 +166,7 @@ impl<R: Real> Orientation<R> {
     /// Exponential of an element of su(2): the rotation by |x| rad about x; the identity where a component is not finite.
     pub fn exp(x: Vector<R>) -> Self {
         let [a, b, c] = x.map(R::abs);
-        let size = a.larger(b).larger(c);
+        let size = a.max(b).max(c);
         let is_finite = x.iter().all(|component| component.to_f64().is_finite());
         if !is_finite || size == R::ZERO {
             return Self::IDENTITY;

@@ -35,8 +35,8 @@ impl ConstantArguments {
         };
         let rates = motion.equations().rates(sine, cosine);
         let root = |x: Extended| x.halved().sqrt();
-        let alpha_axes = [root(e.one_plus_e1), signs.l_plus_n.times(root(e.one_plus_e2()))];
-        let beta_axes = [root(e.one_minus_e1()), signs.l_minus_n.times(root(e.one_minus_e2))];
+        let alpha_axes = [root(e.one_plus_e1), signs.l_plus_n.apply(root(e.one_plus_e2()))];
+        let beta_axes = [root(e.one_minus_e1()), signs.l_minus_n.apply(root(e.one_minus_e2))];
         let ([alpha, beta], [alpha_phase, beta_phase]) = (closed, motion.slow_phases());
         let argument =
             |axes, turning, closed| argument(axes, [sine, cosine], [rates.nutation, turning], closed);
@@ -105,13 +105,13 @@ impl Periods {
         parameters: impl Fn(Extended) -> [ValueAndSlope; 2],
     ) -> AttitudeState<f64> {
         let (periods, rest) = split(self.origin, t, self.period);
-        self.arguments.attitude_state(t, parameters(rest), self.turns.map(|turns| turns.times(periods)))
+        self.arguments.attitude_state(t, parameters(rest), self.turns.map(|turns| turns * periods))
     }
 
     /// Number of periods from time 0 of the solution until t, as a phase of one turn for each period.
     pub(super) fn phase(&self, t: f64) -> Phase {
         let (periods, rest) = split(self.origin, t, self.period);
-        Phase::ONE.times(periods) + (rest / self.period).to_phase()
+        Phase::ONE * periods + (rest / self.period).to_phase()
     }
 }
 

@@ -10,7 +10,7 @@
 //!
 //! Equal signs give the fast precession, different signs the slow one; at the same e and e₃ their product is pg/A.
 
-use toytop::internal::{ScaledTop, finite, phase_of, require};
+use toytop::internal::{ScaledTop, check, check_finite, phase_of};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 use toytop::{AttitudeState, Complex, Motion, ParameterError, Regime, Signs, Stepper, Top};
@@ -121,7 +121,7 @@ fn precession_of(weight_per_a: Extended, e3_minus_one: Extended, signs: Signs) -
     let two = Extended::ONE.doubled();
     let sum = (two + e3_minus_one).sqrt() + e3_minus_one.sqrt();
     let roots = if signs.l_plus_n == signs.l_minus_n { sum } else { two / sum };
-    signs.l_plus_n.times(weight_per_a.halved().sqrt() * roots)
+    signs.l_plus_n.apply(weight_per_a.halved().sqrt() * roots)
 }
 
 /// Steady precessions of a top at given tilt and spin: the roots of A e φ'² - n φ' + p g = 0.
@@ -171,10 +171,10 @@ impl SteadyPrecession {
     /// # Errors
     /// `tilt`: not strictly between 0 and π; `spin`: above 1e11 in magnitude; either not finite.
     pub fn new(top: &Top, tilt: f64, spin: f64) -> Result<Self, ParameterError> {
-        finite("tilt", tilt)?;
-        finite("spin", spin)?;
-        require(tilt > 0.0 && tilt < core::f64::consts::PI, "tilt", "strictly between 0 and pi")?;
-        require(Float::abs(spin) <= 1e11, "spin", "between -1e11 and 1e11 rad/s")?;
+        check_finite("tilt", tilt)?;
+        check_finite("spin", spin)?;
+        check(tilt > 0.0 && tilt < core::f64::consts::PI, "tilt", "strictly between 0 and pi")?;
+        check(Float::abs(spin) <= 1e11, "spin", "between -1e11 and 1e11 rad/s")?;
         let ScaledTop { a, c, p, g, k, .. } = ScaledTop::<f64>::new(top);
         let (n, weight) = (c * spin + k, p * g);
         // the f64 nearest to π/2 means a horizontal axis

@@ -173,7 +173,7 @@ impl SensitivityCursor<'_> {
             && count != self.count
         {
             (self.flow, self.rest, self.count) = (*start, 0.0, count);
-            self.flow.roll(about_axis.times(count));
+            self.flow.roll(*about_axis * count);
             for (tangent, growth) in self.flow.tangents.iter_mut().zip(growth) {
                 *tangent = tangent.plus(growth, count as f64);
             }
@@ -182,7 +182,7 @@ impl SensitivityCursor<'_> {
         self.rest = rest;
         let mut flow = self.flow;
         if let Some(Period { turns: [about_vertical, _], .. }) = period {
-            flow.turn(f64::sine_cosine(about_vertical.times(count)));
+            flow.turn(f64::sine_cosine(*about_vertical * count));
         }
         flow.roll(rolled(start.spin, &equations.coefficients, rest));
         Some(Partials::new(equations, flow, *tip_scale))

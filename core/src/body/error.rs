@@ -54,21 +54,21 @@ impl defmt::Format for ParameterError {
 impl core::error::Error for ParameterError {}
 
 /// The value, or an error where it is not finite.
-pub fn finite(parameter: &'static str, value: f64) -> Result<f64, ParameterError> {
+pub fn check_finite(parameter: &'static str, value: f64) -> Result<f64, ParameterError> {
     if value.is_finite() { Ok(value) } else { Err(ParameterError::NotFinite { parameter }) }
 }
 
 /// Error unless `holds`.
-pub fn require(holds: bool, parameter: &'static str, allowed: &'static str) -> Result<(), ParameterError> {
+pub fn check(holds: bool, parameter: &'static str, allowed: &'static str) -> Result<(), ParameterError> {
     if holds { Ok(()) } else { Err(ParameterError::OutOfRange { parameter, allowed }) }
 }
 
 /// Error unless a value is in a range; `allowed` are the words for it.
-pub(crate) fn within(
+pub(crate) fn check_range(
     range: RangeInclusive<f64>,
     parameter: &'static str,
     value: f64,
     allowed: &'static str,
 ) -> Result<(), ParameterError> {
-    require(range.contains(&finite(parameter, value)?), parameter, allowed)
+    check(range.contains(&check_finite(parameter, value)?), parameter, allowed)
 }

@@ -16,7 +16,7 @@
 //! about the axis.
 
 use super::state::FASTEST;
-use super::{ParameterError, State, Support, Top, require, within};
+use super::{ParameterError, State, Support, Top, check, check_range};
 use crate::su2::{Vector, cross, dot};
 
 impl State {
@@ -53,7 +53,7 @@ impl State {
         let mut omega = self.omega_change(top, impulse, point)?;
         for (component, before) in omega.iter_mut().zip(self.omega) {
             *component += before;
-            require(
+            check(
                 component.abs() <= FASTEST,
                 "impulse",
                 "such that no component of omega exceeds 1e12 rad/s",
@@ -95,7 +95,7 @@ impl State {
     ) -> Result<Vector<f64>, ParameterError> {
         for (name, vector) in [("impulse", impulse), ("point", point)] {
             for component in vector {
-                within(-1e12..=1e12, name, component, "between -1e12 and 1e12 in every component")?;
+                check_range(-1e12..=1e12, name, component, "between -1e12 and 1e12 in every component")?;
             }
         }
         let (a, c, s, p) = (top.a, top.c, top.s, top.mass_moment());

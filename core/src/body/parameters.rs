@@ -1,6 +1,6 @@
 //! Parameters of a top, and their allowed ranges.
 
-use super::{ParameterError, Support, Top, finite, require, within};
+use super::{ParameterError, Support, Top, check, check_finite, check_range};
 use crate::scalar::{Extended, Float, Ring};
 
 /// Parameters of a top, in SI or other consistent units.
@@ -41,9 +41,9 @@ impl Default for TopParameters {
 }
 
 fn magnitude(parameter: &'static str, value: f64) -> Result<f64, ParameterError> {
-    finite(parameter, value)?;
-    require(value > 0.0, parameter, "positive, between 1e-60 and 1e60")?;
-    within(1e-60..=1e60, parameter, value, "between 1e-60 and 1e60")?;
+    check_finite(parameter, value)?;
+    check(value > 0.0, parameter, "positive, between 1e-60 and 1e60")?;
+    check_range(1e-60..=1e60, parameter, value, "between 1e-60 and 1e60")?;
     Ok(value)
 }
 
@@ -69,7 +69,7 @@ impl Top {
     /// 0, or between 1e-60 A and 2A; A/(ps) between 1e-6 and 1e30; √(pg/A) between 1e-9 and 1e9, and |K|/A at most 1e12, per unit
     /// of time.
     pub fn sliding(parameters: &TopParameters) -> Result<Self, ParameterError> {
-        require(
+        check(
             parameters.gravity != 0.0,
             "gravity",
             "positive: without weight nothing keeps the tip on the plane, and the body is free",
@@ -80,7 +80,7 @@ impl Top {
             None => magnitude("mass_moment", parameters.mass_moment)?.into(),
         };
         let top = Self::new(Support::Sliding, parameters, s, p)?;
-        within(
+        check_range(
             1e-6..=1e30,
             "transverse_inertia",
             top.a / (top.mass_moment() * s),
@@ -99,7 +99,7 @@ impl Top {
         /// Relative tolerance for the rounding of A.
         const ROUNDING: f64 = 1e-9;
         let Some(mass) = parameters.given_mass()? else {
-            require(
+            check(
                 parameters.com_height == 0.0,
                 "com_height",
                 "left out where the tip is fixed and mass_moment is given",
@@ -110,7 +110,7 @@ impl Top {
         let p = Extended::product(mass, magnitude("com_height", parameters.com_height)?);
         let top = Self::new(Support::Fixed, parameters, 0.0, p)?;
         let least = top.mass_moment() * parameters.com_height + 0.5 * top.c;
-        require(
+        check(
             top.a >= least * (1.0 - ROUNDING),
             "transverse_inertia",
             "the moment about the tip, at least mass x com_height^2 + axial_inertia / 2",
@@ -124,10 +124,10 @@ impl Top {
     /// A not between 1e-60 and 1e60, C neither 0 nor between 1e-20 A and 2A, |K|/A above 1e12 per unit of time, or another
     /// parameter not finite.
     pub fn free(parameters: &TopParameters) -> Result<Self, ParameterError> {
-        finite("com_height", parameters.com_height)?;
-        finite("mass", parameters.mass)?;
-        finite("mass_moment", parameters.mass_moment)?;
-        finite("gravity", parameters.gravity)?;
+        check_finite("com_height", parameters.com_height)?;
+        check_finite("mass", parameters.mass)?;
+        check_finite("mass_moment", parameters.mass_moment)?;
+        check_finite("gravity", parameters.gravity)?;
         let weightless = TopParameters { gravity: 0.0, ..*parameters };
         Self::new(Support::Free, &weightless, 0.0, Extended::ZERO)
     }
@@ -148,31 +148,31 @@ impl Top {
         const SLOWEST_ROTOR: f64 = 1e-60;
         let a = magnitude("transverse_inertia", parameters.transverse_inertia)?;
         let c = parameters.axial_inertia;
-        within(
+        check_range(
             0.0..=2.0 * a,
             "axial_inertia",
             c,
             "between 0 and twice transverse_inertia (no body has C > 2A)",
         )?;
-        require(
+        check(
             c == 0.0 || c >= LEAST_RATIO * a,
             "axial_inertia",
             "0, or at least 1e-60 times transverse_inertia",
         )?;
         let g = if parameters.gravity == 0.0 { 0.0 } else { magnitude("gravity", parameters.gravity)? };
-        require(
+        check(
             g > 0.0 || c == 0.0 || c >= LEAST_TORQUE_FREE_RATIO * a,
             "axial_inertia",
             "0, or without gravity at least 1e-20 times transverse_inertia",
         )?;
-        require(
+        check(
             g == 0.0 || (1e-18..=1e18).contains(&(g * (p.to_f64() / a))),
             "gravity",
             "such that sqrt(mass_moment x gravity / transverse_inertia) is between 1e-9 and 1e9 per second (change the \
              unit of time), or a free body instead",
         )?;
-        let k = finite("rotor_momentum", parameters.rotor_momentum)?;
-        require(
+        let k = check_finite("rotor_momentum", parameters.rotor_momentum)?;
+        check(
             k.abs() <= FASTEST_ROTOR * a,
             "rotor_momentum",
             "at most 1e12 per second times transverse_inertia in magnitude",

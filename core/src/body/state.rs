@@ -1,6 +1,6 @@
 //! State of a top at t = 0: orientation and angular velocity.
 
-use super::{ParameterError, finite, require, within};
+use super::{ParameterError, check, check_finite, check_range};
 use crate::complex::Complex;
 use crate::scalar::{Extended, Float, Ring, sine_cosine_of_radians};
 use crate::su2::{AttitudeState, Orientation, Vector, dot};
@@ -44,16 +44,16 @@ impl State {
     /// `alpha`, `beta`, `omega`: a component is not finite; `alpha`: the squared norm differs from 1 by more than 1e-6; `omega`: above 1e12 rad/s.
     pub fn new(orientation: Orientation<f64>, omega: Vector<f64>) -> Result<Self, ParameterError> {
         for (name, z) in [("alpha", orientation.alpha), ("beta", orientation.beta)] {
-            finite(name, z.re)?;
-            finite(name, z.im)?;
+            check_finite(name, z.re)?;
+            check_finite(name, z.im)?;
         }
-        require(
+        check(
             is_unit(&orientation),
             "alpha",
             "of unit norm with beta: | |alpha|^2 + |beta|^2 - 1 | <= 1e-6",
         )?;
         for component in omega {
-            within(
+            check_range(
                 -FASTEST..=FASTEST,
                 "omega",
                 component,
@@ -79,14 +79,14 @@ impl State {
     /// finite, or the magnitude is above 1e12 rad/s.
     pub fn from_quaternion_and_gyro(quaternion: [f64; 4], gyro: Vector<f64>) -> Result<Self, ParameterError> {
         for component in quaternion {
-            finite("quaternion", component)?;
+            check_finite("quaternion", component)?;
         }
         for component in gyro {
-            finite("gyro", component)?;
+            check_finite("gyro", component)?;
         }
         let orientation = Orientation::from_quaternion(quaternion);
-        require(is_unit(&orientation), "quaternion", "of unit norm: | w^2 + x^2 + y^2 + z^2 - 1 | <= 1e-6")?;
-        require(dot(gyro, gyro) <= FASTEST * FASTEST, "gyro", "at most 1e12 rad/s in magnitude")?;
+        check(is_unit(&orientation), "quaternion", "of unit norm: | w^2 + x^2 + y^2 + z^2 - 1 | <= 1e-6")?;
+        check(dot(gyro, gyro) <= FASTEST * FASTEST, "gyro", "at most 1e12 rad/s in magnitude")?;
         Ok(Self { orientation, omega: orientation.normalised().adjoint(gyro) })
     }
 
@@ -102,10 +102,10 @@ impl State {
     pub fn release(release: &Release) -> Result<Self, ParameterError> {
         let Release { tilt, azimuth, roll, spin, precession, nutation } = *release;
         for (name, angle) in [("azimuth", azimuth), ("roll", roll)] {
-            within(-1e6..=1e6, name, angle, "between -1e6 and 1e6 rad")?;
+            check_range(-1e6..=1e6, name, angle, "between -1e6 and 1e6 rad")?;
         }
         for (name, rate) in [("spin", spin), ("precession", precession), ("nutation", nutation)] {
-            within(-1e11..=1e11, name, rate, "between -1e11 and 1e11 rad/s")?;
+            check_range(-1e11..=1e11, name, rate, "between -1e11 and 1e11 rad/s")?;
         }
         let (half_sine, half_cosine) = half_tilt(tilt)?;
         let cis = |angle: f64| {
@@ -157,7 +157,7 @@ impl<R: Float> AttitudeState<R> {
 /// # Errors
 /// `tilt`: not in [0, π].
 pub(crate) fn half_tilt(tilt: f64) -> Result<(f64, f64), ParameterError> {
-    within(0.0..=PI, "tilt", tilt, "between 0 and pi")?;
+    check_range(0.0..=PI, "tilt", tilt, "between 0 and pi")?;
     Ok(if tilt == PI { (1.0, 0.0) } else { sine_cosine_of_radians(0.5 * tilt) })
 }
 

@@ -9,7 +9,7 @@ mod from_state;
 
 mod integrals;
 
-use crate::body::{ParameterError, within};
+use crate::body::{ParameterError, check_range};
 use crate::scalar::{Extended, Float};
 
 /// Branch points and their differences; none has a unit.
@@ -51,9 +51,9 @@ impl BranchPoints {
 impl BranchPoints<Extended> {
     /// Branch points from three numbers, with exact differences.
     pub(crate) fn exact([e1, e2, e3]: [f64; 3]) -> Result<Self, ParameterError> {
-        within(-1.0..=1.0, "e1", e1, "in [-1, e2]")?;
-        within(e1..=1.0, "e2", e2, "in [e1, 1]")?;
-        within(1.0..=LARGEST_E3, "e3", e3, "in [1, 1e14]")?;
+        check_range(-1.0..=1.0, "e1", e1, "in [-1, e2]")?;
+        check_range(e1..=1.0, "e2", e2, "in [e1, 1]")?;
+        check_range(1.0..=LARGEST_E3, "e3", e3, "in [1, 1e14]")?;
         let [one, e1, e2, e3] = [1.0, e1, e2, e3].map(Extended::from);
         Ok(Self {
             e1,

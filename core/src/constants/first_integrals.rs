@@ -22,7 +22,7 @@ impl Sign {
     }
 
     /// x with this sign as a factor, ±x.
-    pub fn times<R: Ring>(self, x: R) -> R {
+    pub fn apply<R: Ring>(self, x: R) -> R {
         match self {
             Self::Plus => x,
             Self::Minus => -x,

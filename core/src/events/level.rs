@@ -1,6 +1,6 @@
 //! Values of u at which events occur.
 
-use crate::body::{ParameterError, ScaledTop, Support, Top, finite, half_tilt, require};
+use crate::body::{ParameterError, ScaledTop, Support, Top, check, check_finite, half_tilt};
 use crate::complex::Complex;
 use crate::constants::normal_force;
 use crate::events::{HALF_PERIOD, at_phase, bisect};
@@ -24,8 +24,8 @@ impl Level {
     /// # Errors
     /// `u`: not finite or not in [-1, 1].
     pub fn of_u(u: f64) -> Result<Self, ParameterError> {
-        finite("u", u)?;
-        require((-1.0..=1.0).contains(&u), "u", "in [-1, 1]")?;
+        check_finite("u", u)?;
+        check((-1.0..=1.0).contains(&u), "u", "in [-1, 1]")?;
         Ok(Self { one_minus_u: 1.0 - u, one_plus_u: 1.0 + u })
     }
 
@@ -44,9 +44,9 @@ impl Level {
     /// # Errors
     /// `radius`: not finite, or not in (0, s) (for a fixed tip in (0, 1)).
     pub fn of_circle(top: &Top, radius: f64) -> Result<[Self; 2], ParameterError> {
-        finite("radius", radius)?;
+        check_finite("radius", radius)?;
         let scale = top.tip_scale();
-        require(radius > 0.0 && radius < scale, "radius", "above 0 and below the greatest |c|")?;
+        check(radius > 0.0 && radius < scale, "radius", "above 0 and below the greatest |c|")?;
         let (radius, scale) = (Extended::from(radius), Extended::from(scale));
         // 1 - √(1 - x²) = x²/(1 + √(1 - x²)) with x = radius/s
         let root = ((scale - radius) * (scale + radius)).sqrt() / scale;

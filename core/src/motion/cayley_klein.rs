@@ -30,8 +30,8 @@ impl Ellipses<f64> {
         let root = |x: Extended| x.halved().sqrt().to_f64();
         let (a2, b2) = (root(e.one_plus_e2()), root(e.one_minus_e2));
         Self {
-            alpha: Ellipse { x: root(e.one_plus_e1), y: signs.l_plus_n.times(a2) },
-            beta: Ellipse { x: root(e.one_minus_e1()), y: signs.l_minus_n.times(b2) },
+            alpha: Ellipse { x: root(e.one_plus_e1), y: signs.l_plus_n.apply(a2) },
+            beta: Ellipse { x: root(e.one_minus_e1()), y: signs.l_minus_n.apply(b2) },
         }
     }
 
@@ -126,6 +126,6 @@ impl<R: Real> Ellipse<R> {
         // arg(x cos χ + i y sin χ) - χ
         let correction =
             R::atan2((y - self.x) * chi.im * chi.re, self.x * chi.re.squared() + y * chi.im.squared());
-        (turned + Phase::from_radians(correction.to_f64())).times(sense.into())
+        (turned + Phase::from_radians(correction.to_f64())) * sense.into()
     }
 }

@@ -1,6 +1,6 @@
 //! Launch of a motion: from a state, or from branch points and phases.
 
-use crate::body::{ParameterError, ScaledTop, State, Top, require, within};
+use crate::body::{ParameterError, ScaledTop, State, Top, check, check_range};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs};
 use crate::motion::cayley_klein::Ellipses;
@@ -70,7 +70,7 @@ impl Motion {
         signs: Signs,
         start: &InitialPhases,
     ) -> Result<Self, ParameterError> {
-        require(
+        check(
             !top.is_torque_free(),
             "e3",
             "left out without torque, where it is infinite and branch points tell no rate: give a state or a release",
@@ -78,10 +78,10 @@ impl Motion {
         let e = BranchPoints::exact(e)?;
         let InitialPhases { theta, arg_alpha, arg_beta } = *start;
         for (name, angle) in [("theta", theta), ("arg_alpha", arg_alpha), ("arg_beta", arg_beta)] {
-            within(-1e6..=1e6, name, angle, "between -1e6 and 1e6 rad")?;
+            check_range(-1e6..=1e6, name, angle, "between -1e6 and 1e6 rad")?;
         }
         let integrals = e.integrals_in(top, signs);
-        require(
+        check(
             has_axial_rate(top, &integrals),
             "e3",
             "such that (n - rotor_momentum)/axial_inertia is at most 1e24 rad/s, and n = rotor_momentum for a rod",

@@ -147,7 +147,7 @@ impl<F: Float> PhaseEquations<F> {
             half_g: g.halved(),
             alpha_scale: l_plus_n / a.doubled(),
             alpha_smoothing: (per_g / e.one_plus_e3()).sqrt().doubled(),
-            beta_scale: signs.l_minus_n.times(beta_scale),
+            beta_scale: signs.l_minus_n.apply(beta_scale),
             root_e3_minus_one: e.e3_minus_one.sqrt(),
             beta_smoothing: per_g.sqrt().doubled(),
         }

@@ -1,6 +1,6 @@
 //! Clock of an ephemeris: the phases at any tick, and at any time between two ticks.
 
-use crate::body::{ParameterError, require};
+use crate::body::{ParameterError, check};
 use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::phase::{Phase, PhaseFraction, integer_parts, shifted};
@@ -30,7 +30,7 @@ impl Tick {
     /// # Errors
     /// `tick`: one of the two is 0.
     pub fn ratio(ticks: u32, seconds: u32) -> Result<Self, ParameterError> {
-        require(
+        check(
             ticks > 0 && seconds > 0,
             "tick",
             "a positive number of ticks in a positive number of seconds",
@@ -230,7 +230,7 @@ impl<W> Clock<W> {
     /// Mean tip angle at tick n.
     #[inline(always)]
     pub(crate) fn mean_tip(&self, n: i64) -> Phase {
-        Phase::from_words(self.tip_start) + self.tip_turn().times(n)
+        Phase::from_words(self.tip_start) + self.tip_turn() * n
     }
 }
 

@@ -6,7 +6,7 @@
 use crate::elliptic::elementary::{angle, half_pi, real};
 use crate::elliptic::lattice::Lattice;
 use toytop::ParameterError;
-use toytop::internal::{finite, require};
+use toytop::internal::{check, check_finite};
 use toytop::scalar::{Extended, Float, Ring};
 
 /// Jacobi's functions sn, cn, dn and am of one parameter m.
@@ -43,11 +43,11 @@ impl Jacobi {
     /// # Errors
     /// `m`, `m1`: not finite, negative, m₁ below 1e-300, or their sum more than 1e-12 from 1.
     pub fn new(m: f64, m1: f64) -> Result<Self, ParameterError> {
-        finite("m", m)?;
-        finite("m1", m1)?;
-        require((0.0..=1.0).contains(&m), "m", "in [0, 1]")?;
-        require((1e-300..=1.0).contains(&m1), "m1", "in [1e-300, 1]")?;
-        require(Float::abs(m + m1 - 1.0) <= 1e-12, "m1", "1 - m")?;
+        check_finite("m", m)?;
+        check_finite("m1", m1)?;
+        check((0.0..=1.0).contains(&m), "m", "in [0, 1]")?;
+        check((1e-300..=1.0).contains(&m1), "m1", "in [1e-300, 1]")?;
+        check(Float::abs(m + m1 - 1.0) <= 1e-12, "m1", "1 - m")?;
         let [exact, complement] = [m, m1].map(Extended::from);
         let one = Extended::ONE;
         let (m, m1) = if m < m1 { (exact, one - exact) } else { (one - complement, complement) };

@@ -2,7 +2,7 @@
 
 use crate::elliptic::elementary::{Wide, rounded, widened};
 use crate::elliptic::lattice::Lattice;
-use toytop::internal::{finite, require};
+use toytop::internal::{check, check_finite};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{Complex, ParameterError};
 
@@ -43,10 +43,10 @@ impl Weierstrass {
     /// # Errors
     /// `upper_gap`, `lower_gap`: not finite, not between 1e-200 and 1e90, or one below 1e-290 times the other.
     pub fn from_gaps(upper_gap: f64, lower_gap: f64) -> Result<Self, ParameterError> {
-        finite("upper_gap", upper_gap)?;
-        finite("lower_gap", lower_gap)?;
+        check_finite("upper_gap", upper_gap)?;
+        check_finite("lower_gap", lower_gap)?;
         for (name, gap, other) in [("upper_gap", upper_gap, lower_gap), ("lower_gap", lower_gap, upper_gap)] {
-            require((1e-200..=1e90).contains(&gap) && gap / other >= 1e-290, name, ALLOWED)?;
+            check((1e-200..=1e90).contains(&gap) && gap / other >= 1e-290, name, ALLOWED)?;
         }
         Ok(Self { lattice: Lattice::of_gaps(upper_gap.into(), lower_gap.into()) })
     }

@@ -35,7 +35,7 @@ impl Cubic {
         let (Self { g0, g1, g2 }, zero) = (*self, Extended::ZERO);
         // a power of two, because the cube root of libm would take much of a chip's flash
         let cube_root = Extended::from(power_of_two((exponent(g0.to_f64()) + 2).div_euclid(3)));
-        let above = g2.abs().larger(g1.abs().sqrt()).larger(cube_root).doubled();
+        let above = g2.abs().max(g1.abs().sqrt()).max(cube_root).doubled();
         if g2 <= zero {
             return above;
         }
@@ -43,7 +43,7 @@ impl Cubic {
         let root = (g1.squared() - (g2 * g0).doubled().doubled()).sqrt();
         let of_quadratic = if g1 > zero { -g0.doubled() / (g1 + root) } else { (root - g1) / g2.doubled() };
         let of_quadratic = of_quadratic * Extended::from(1.0 + 1e-15);
-        if of_quadratic < above { of_quadratic.larger(zero) } else { above }
+        if of_quadratic < above { of_quadratic.max(zero) } else { above }
     }
 
     /// Largest root, by Newton's method from above, where the iterates decrease.

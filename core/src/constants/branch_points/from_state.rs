@@ -11,13 +11,13 @@
 
 use super::cubic::Cubic;
 use super::{BranchPoints, LARGEST_E3};
-use crate::body::{ParameterError, ScaledTop, State, Top, require};
+use crate::body::{ParameterError, ScaledTop, State, Top, check};
 use crate::constants::{FirstIntegrals, ReducedPoint};
 use crate::scalar::{Extended, Float, Ring};
 
 /// Error where e₃ is above [`LARGEST_E3`].
 fn require_slow(holds: bool) -> Result<(), ParameterError> {
-    require(
+    check(
         holds,
         "omega",
         "slow enough for e3 <= 1e14 (faster, a body feels no torque: Top::free is then exact)",

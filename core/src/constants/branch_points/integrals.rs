@@ -1,7 +1,7 @@
 //! Branch points from the first integrals, and first integrals from the branch points.
 
 use super::BranchPoints;
-use crate::body::{ParameterError, ScaledTop, Top, finite};
+use crate::body::{ParameterError, ScaledTop, Top, check_finite};
 use crate::constants::{FirstIntegrals, ReducedPoint, Signs};
 use crate::scalar::{Extended, Float, Ring};
 
@@ -12,7 +12,8 @@ impl BranchPoints {
     /// `h`: too low for any motion with these l and n; `l`, `n`, `h`: not finite, or e₃ above 1e14.
     pub fn from_integrals(top: &Top, l: f64, n: f64, h: f64) -> Result<Self, ParameterError> {
         let unit = top.inertia_unit();
-        let [l, n, h] = [finite("l", l)?, finite("n", n)?, finite("h", h)?].map(|x| Extended::from(x / unit));
+        let [l, n, h] = [check_finite("l", l)?, check_finite("n", n)?, check_finite("h", h)?]
+            .map(|x| Extended::from(x / unit));
         let spin = ScaledTop::new(top).spin(n);
         let integrals = FirstIntegrals { l, n, h, spin, l_plus_n: l + n, l_minus_n: l - n };
         let point = fastest_point(top, &integrals).ok_or(ParameterError::OutOfRange {
@@ -38,7 +39,7 @@ impl BranchPoints<Extended> {
         let scale = (a * p * g).doubled();
         let plus = (scale * self.one_plus_e1 * self.one_plus_e2() * self.one_plus_e3()).sqrt();
         let minus = (scale * self.one_minus_e1() * self.one_minus_e2 * self.e3_minus_one).sqrt();
-        let (l_plus_n, l_minus_n) = (signs.l_plus_n.times(plus), signs.l_minus_n.times(minus));
+        let (l_plus_n, l_minus_n) = (signs.l_plus_n.apply(plus), signs.l_minus_n.apply(minus));
         let n = (l_plus_n - l_minus_n).halved();
         let spin = quantities.spin(n);
         // h = p g (e₁ + e₂ + e₃) + (C ⟨ω, r⟩² - n²/A)/2
@@ -68,7 +69,7 @@ fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<Redu
         if across < least || horizontal < least || square <= zero {
             return None;
         }
-        let udot = (horizontal.larger(zero) * across.larger(zero) / square).sqrt() / a;
+        let udot = (horizontal.max(zero) * across.max(zero) / square).sqrt() / a;
         return Some(point(l * n / square, udot, axis_and_height));
     }
     // f(u) = u³ - b u² + c₁ u + c₀
@@ -86,8 +87,8 @@ fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<Redu
     if u.abs() > one + noise.sqrt() || peak < -noise || found.axis_energy < -noise.sqrt() {
         return None;
     }
-    let u = u.limited();
-    let found = point(u, zero, (energy - u).larger(zero));
+    let u = u.clamp_to_one();
+    let found = point(u, zero, (energy - u).max(zero));
     let d = a / p + s * found.one_minus_u * found.one_plus_u;
-    Some(ReducedPoint { udot: (g.doubled() * peak.larger(zero) / d).sqrt(), ..found })
+    Some(ReducedPoint { udot: (g.doubled() * peak.max(zero) / d).sqrt(), ..found })
 }

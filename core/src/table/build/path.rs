@@ -19,7 +19,7 @@ impl Start {
         let (folded, rest) = start.halves();
         let mirrored = rest > Phase::QUARTER;
         let (folded, chi) = if mirrored { (folded + 1, Phase::HALF - rest) } else { (folded, rest) };
-        let [alpha, beta] = motion.phases.map(|phase| phase + Phase::HALF.times(folded));
+        let [alpha, beta] = motion.phases.map(|phase| phase + Phase::HALF * folded);
         Self { chi: Some(chi), mirrored, phases: [Phase::ZERO, alpha, beta], delay: 0.0 }
     }
 

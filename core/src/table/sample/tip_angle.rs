@@ -56,7 +56,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let [nutation, a, b] = start;
         let nutation = nutation.fraction();
         let Clock { tip_quarter, tip_passes, .. } = self.clock;
-        let quarter_turn = Phase::QUARTER.times(tip_quarter.into());
+        let quarter_turn = Phase::QUARTER * tip_quarter.into();
         let tabulated = self.tabulated_tip_angle(nutation, pause);
         // whole turns from the table, and the rest from the motion, because near the centre the table's angle is inexact
         let argument = motion.tip_angle_at_start();
@@ -66,12 +66,12 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let off =
             if tip_quarter != 0 || tip_passes != 0 { half_turn_remainder(off) } else { off.principal() };
         let at_launch = argument - self.signed_part(nutation) - tabulated - off;
-        self.clock.tip_start = (at_launch - self.clock.tip_turn().times(epoch)).words();
+        self.clock.tip_start = (at_launch - self.clock.tip_turn() * epoch).words();
     }
 
     /// Half a turn per period for each parameter that passes through 0.
     fn signed_part(&self, nutation: u64) -> Phase {
-        Phase::from_bits(i128::from(nutation as i64) << 31).times(self.clock.tip_passes.into())
+        Phase::from_bits(i128::from(nutation as i64) << 31) * self.clock.tip_passes.into()
     }
 
     /// Argument of the tabulated ab at a nutation phase, continued from u = e₁ through the centres of all segments before. Near 0 it is the
@@ -128,7 +128,7 @@ const LEAST_MODULUS: f64 = 64.0;
 
 /// Difference of a phase and the nearest multiple of half a turn.
 fn half_turn_remainder(phase: Phase) -> Phase {
-    Phase::from_bits(phase.times(2).principal().to_bits() >> 1)
+    Phase::from_bits((phase * 2).principal().to_bits() >> 1)
 }
 
 /// Whether u falls at a nutation phase.
@@ -162,7 +162,7 @@ impl Winding {
 
     /// Argument at this nutation phase: the negative one on the second half of the period.
     fn angle_on(&self, nutation: u64) -> Phase {
-        let angle = Phase::from_radians(self.z.arg()) + Phase::ONE.times(self.turns);
+        let angle = Phase::from_radians(self.z.arg()) + Phase::ONE * self.turns;
         if is_falling(nutation) { -angle } else { angle }
     }
 }
