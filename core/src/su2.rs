@@ -3,14 +3,11 @@
 //! A vector x of R³ stands for the matrix ½ ((i x₃, -x₂ + i x₁), (x₂ + i x₁, -i x₃)) of su(2), whose Lie bracket is the cross
 //! product. x = Φ X Φ⁻¹ takes body coordinates X to fixed ones. Φ and -Φ are the same rotation; the sign makes Φ continuous in time.
 
-mod rate;
-
 #[cfg(feature = "nalgebra")]
 mod nalgebra;
 
 use crate::complex::Complex;
 use crate::scalar::{Float, Real, Ring};
-pub use rate::{AttitudeState, OrientationRate};
 
 /// Vector of R³, identified with an element of su(2).
 pub type Vector<R> = [R; 3];
@@ -178,5 +175,87 @@ impl<R: Real> Orientation<R> {
         let scale = R::from_f64(sine) / length;
         let [x1, x2, x3] = direction.map(|component| component * scale);
         Self::from_quaternion([R::from_f64(cosine), x1, x2, x3])
+    }
+}
+
+/// Rate of change Φ' of an orientation.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct OrientationRate<R> {
+    /// Rate α', per unit time.
+    pub alpha: Complex<R>,
+    /// Rate β', per unit time.
+    pub beta: Complex<R>,
+}
+
+/// Orientation and its rate at one instant, with the quantities that follow by products.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct AttitudeState<R> {
+    /// Orientation Φ.
+    pub orientation: Orientation<R>,
+    /// Rate Φ' of the orientation, per unit time.
+    pub rate: OrientationRate<R>,
+}
+
+impl<R: Float> AttitudeState<R> {
+    /// State from Φ and the angular velocity ω in the fixed frame: Φ' = ω Φ.
+    pub fn from_fixed(orientation: Orientation<R>, omega: Vector<R>) -> Self {
+        let [w1, w2, w3] = omega.map(Float::halved);
+        let Orientation { alpha, beta } =
+            Orientation::from_quaternion([R::ZERO, w1, w2, w3]).compose(&orientation);
+        Self { orientation, rate: OrientationRate { alpha, beta } }
+    }
+
+    /// State from Φ and the angular velocity Ω in the body frame: Φ' = Φ Ω.
+    pub fn from_body(orientation: Orientation<R>, omega: Vector<R>) -> Self {
+        let [x1, x2, x3] = omega.map(Float::halved);
+        let (diagonal, transverse) = (Complex::new(R::ZERO, x3), Complex::new(x1, x2));
+        let Orientation { alpha, beta } = orientation;
+        let rate = OrientationRate {
+            alpha: alpha * diagonal + (beta * transverse.conj()).times_i(),
+            beta: (alpha * transverse).times_i() - beta * diagonal,
+        };
+        Self { orientation, rate }
+    }
+}
+
+impl<R: Ring> AttitudeState<R> {
+    /// Cosine of the tilt, u = ⟨r, k⟩, limited to [-1, 1] unlike [`Sample::u`](crate::Sample::u).
+    pub fn u(&self) -> R {
+        self.orientation.clamped_u()
+    }
+
+    /// Rate u' = d(|α|² - |β|²)/dt of the cosine of the tilt, per unit time.
+    pub fn udot(&self) -> R {
+        let Self { orientation: phi, rate } = self;
+        ((phi.alpha.conj() * rate.alpha).re - (phi.beta.conj() * rate.beta).re).doubled()
+    }
+
+    /// Unit vector r from the tip to the centre of mass, in the fixed frame.
+    pub fn axis(&self) -> Vector<R> {
+        self.orientation.axis()
+    }
+
+    /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give quaternions of opposite sign.
+    pub fn quaternion(&self) -> [R; 4] {
+        self.orientation.quaternion()
+    }
+
+    /// Angular velocity ω = Φ' Φ⁻¹ in the fixed frame, rad per unit time: equation (2.2) of the paper, erratum 1 corrected.
+    pub fn omega(&self) -> Vector<R> {
+        let Self { orientation: phi, rate } = self;
+        let diagonal = rate.alpha * phi.delta() - rate.beta * phi.gamma();
+        let upper = rate.beta * phi.alpha - rate.alpha * phi.beta;
+        [upper.im.doubled(), -upper.re.doubled(), diagonal.im.doubled()]
+    }
+
+    /// Angular velocity Ω = Φ⁻¹ Φ' in the body frame, rad per unit time: equation (2.3) of the paper, erratum 2 corrected.
+    pub fn omega_body(&self) -> Vector<R> {
+        let Self { orientation: phi, rate } = self;
+        let (gamma, delta) = (-rate.beta.conj(), rate.alpha.conj());
+        let diagonal = phi.delta() * rate.alpha - phi.beta * gamma;
+        let upper = phi.delta() * rate.beta - phi.beta * delta;
+        [upper.im.doubled(), -upper.re.doubled(), diagonal.im.doubled()]
     }
 }

@@ -11,7 +11,7 @@
 
 use toytop::internal::{NutationVariable, ScaledTop, phase_of};
 use toytop::scalar::{Extended, Float, Ring};
-use toytop::su2::{Orientation, OrientationRate, Vector, dot};
+use toytop::su2::{Orientation, Vector, dot};
 use toytop::{AttitudeState, Complex, Motion, Phase, Stepper};
 
 /// Motion of a body without torque as a function of time: a free body, or a top with a fixed tip and g = 0.
@@ -90,7 +90,7 @@ impl FreeBody {
         for (component, r) in omega.iter_mut().zip(orientation.axis()) {
             *component += slow * r;
         }
-        AttitudeState { orientation, rate: OrientationRate::from_fixed(&orientation, omega) }
+        AttitudeState::from_fixed(orientation, omega)
     }
 
     /// Nutation phase at t, whole periods included: 0 at u = e₁, half a turn at u = e₂. `None` where u is constant.

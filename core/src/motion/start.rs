@@ -91,10 +91,9 @@ impl Motion {
 #[inline(never)]
 pub(super) fn attitude(state: &State) -> AttitudeState<f64> {
     let (phi, omega) = state.exact();
-    let phi = phi.normalised();
-    let rate = OrientationRate::from_fixed(&phi, omega);
+    let AttitudeState { orientation, rate } = AttitudeState::from_fixed(phi.normalised(), omega);
     AttitudeState {
-        orientation: phi.cast(),
+        orientation: orientation.cast(),
         rate: OrientationRate { alpha: rate.alpha.cast(), beta: rate.beta.cast() },
     }
 }

@@ -5,7 +5,7 @@ mod tip_angle;
 use crate::complex::Complex;
 use crate::phase::{Phase, PhaseFraction};
 use crate::scalar::{Extended, Float};
-use crate::su2::{AttitudeState, Orientation, OrientationRate, Vector};
+use crate::su2::{AttitudeState, Orientation, Vector};
 use crate::table::cell::{Cell, LEVEL_0_BITS};
 use crate::table::ephemeris::EphemerisView;
 use crate::table::scalar::{Coefficient, EphemerisScalar, SegmentPoint, orientation, orientation_and_rates};
@@ -142,7 +142,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     pub fn attitude_state(&self) -> AttitudeState<R::Quantity> {
         let (numbers, omega_body) = self.numbers_and_omega_body();
         let orientation = converted(&numbers, R::Quantity::from);
-        AttitudeState { orientation, rate: OrientationRate::from_body(&orientation, omega_body) }
+        AttitudeState::from_body(orientation, omega_body)
     }
 
     /// Orientation before its conversion to the scalar.

@@ -3,7 +3,7 @@
 use super::curve::{Curve, Form, I, Place};
 use crate::motion::full_solver::solver;
 use num_complex::Complex64 as C;
-use toytop::su2::OrientationRate;
+use toytop::su2::AttitudeState;
 use toytop::{Complex, FirstIntegrals, Motion, Orientation, Top};
 use toytop_tests::{SIGNS, by_branch_points, check, greater, tolerance, top_of, worst};
 
@@ -66,8 +66,8 @@ fn eqn_t_and_eqn_abgdints_on_the_full_solution() {
             let state = path.advance_to(0.23 * f64::from(i)).unwrap();
             let [alpha, beta] = [state.alpha, state.beta].map(|[re, im]| Complex::new(re, im));
             let phi = Orientation { alpha, beta };
-            let rate = OrientationRate::from_fixed(&phi, state.omega);
-            let (u, udot) = (phi.u(), rate.udot(&phi));
+            let attitude = AttitudeState::from_fixed(phi, state.omega);
+            let (u, udot) = (phi.u(), attitude.udot());
             if udot.abs() < 0.05 {
                 continue; // at a turning point the integrands are infinite
             }
@@ -76,7 +76,7 @@ fn eqn_t_and_eqn_abgdints_on_the_full_solution() {
             let off = [(at.w * at.w - r).norm() / r.norm().max(1.0), (curve.time(at) * udot - 1.0).norm()];
             curve_worst = off.into_iter().fold(curve_worst, greater);
             let wide = |z: Complex<f64>| C::new(z.re, z.im);
-            let [a, b] = [wide(rate.alpha) / wide(alpha), wide(rate.beta) / wide(beta)];
+            let [a, b] = [wide(attitude.rate.alpha) / wide(alpha), wide(attitude.rate.beta) / wide(beta)];
             let tau = I * 0.5 * curve.tau;
             let drift = [tau, -tau, tau, -tau];
             for (k, truth) in [a, b, b.conj(), a.conj()].into_iter().enumerate() {

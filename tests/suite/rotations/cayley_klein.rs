@@ -1,6 +1,6 @@
 //! Sections 2.1 and 3.4: R³ as su(2), and the relations between Cayley-Klein parameters, ω and l, n.
 
-use toytop::su2::{OrientationRate, Vector, cross, dot};
+use toytop::su2::{AttitudeState, OrientationRate, Vector, cross, dot};
 use toytop::{Complex, FirstIntegrals, Orientation, State, Top};
 use toytop_tests::{SIGNS, apart, by_branch_points, check, greater, tolerance, top_of, vectors, worst};
 
@@ -55,14 +55,15 @@ fn r3_is_su2() {
         worst = greater(worst, far(turned, matrix(phi.adjoint(x))));
         // equations (2.2) and (2.3) with the middle matrices corrected
         let omega = y.map(|component| 2.0 * component);
-        let rate = OrientationRate::from_fixed(&phi, omega);
+        let attitude = AttitudeState::from_fixed(phi, omega);
+        let rate = attitude.rate;
         worst = greater(worst, far(product(of_rate(&rate), of_phi(&phi.inverse())), matrix(omega)));
         let turning = cross(omega, phi.axis());
-        let body = rate.omega_body(&phi);
-        let again = OrientationRate::from_body(&phi, body);
+        let body = attitude.omega_body();
+        let again = AttitudeState::from_body(phi, body).rate;
         worst = greater(worst, far(of_rate(&again), of_rate(&rate)));
         worst = greater(worst, apart(phi.axis_rate(body), turning));
-        worst = greater(worst, (rate.udot(&phi) - turning[2]).abs());
+        worst = greater(worst, (attitude.udot() - turning[2]).abs());
         worst = greater(worst, far(product(of_phi(&phi.inverse()), of_rate(&rate)), matrix(body)));
     }
     check("su(2)", worst, tolerance::CAYLEY_KLEIN_SU_2);
@@ -77,10 +78,11 @@ fn eqn_up1um1_to_eqn_omegasum() {
         let [x, y, z] = vector(i);
         let phi = Orientation { alpha: Complex::new(x, y), beta: Complex::new(z, 0.3) }.normalised();
         let omega = vector(i + 12).map(|w| 2.0 * w);
-        let rate = OrientationRate::from_fixed(&phi, omega);
+        let attitude = AttitudeState::from_fixed(phi, omega);
+        let rate = attitude.rate;
         let [alpha, beta, gamma, delta] = of_phi(&phi);
         let [alpha_dot, beta_dot, gamma_dot, delta_dot] = of_rate(&rate);
-        let (u, udot) = (phi.axis()[2], rate.udot(&phi));
+        let (u, udot) = (phi.axis()[2], attitude.udot());
         let mut off = |z: Complex<f64>| worst = greater(worst, z.modulus());
         let real = |x: f64| Complex::new(x, 0.0);
         // equations (3.13) and (3.14)
@@ -89,7 +91,7 @@ fn eqn_up1um1_to_eqn_omegasum() {
         off((delta * alpha_dot + alpha * delta_dot).scaled(2.0) - real(udot));
         off((gamma * beta_dot + beta * gamma_dot).scaled(2.0) - real(udot));
         // equation (3.15)
-        let (fixed, body) = (omega[2], rate.omega_body(&phi)[2]);
+        let (fixed, body) = (omega[2], attitude.omega_body()[2]);
         let (sum, difference) = (Complex::new(udot, body + fixed), Complex::new(udot, body - fixed));
         off(sum - (delta * alpha_dot).scaled(4.0));
         off(difference - (gamma * beta_dot).scaled(4.0));

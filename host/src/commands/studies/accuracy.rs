@@ -26,7 +26,7 @@ use kuva::render::render::Scene;
 use micromath::F32Ext;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::path::PathBuf;
-use toytop::{InitialPhases, Motion, Regime, Support};
+use toytop::{AttitudeState, InitialPhases, Motion, Regime, Support};
 
 /// `toytop accuracy`
 #[derive(Args)]
@@ -263,7 +263,8 @@ fn errors(
 fn energy(motion: &Motion, table: &dyn AnyEphemeris, t: f64) -> f64 {
     let instant = table.at(t);
     let phi = instant.sample.orientation();
-    let [.., h] = first_integrals(motion.top(), &phi, instant.rate.omega_fixed(&phi));
+    let attitude = AttitudeState { orientation: phi, rate: instant.rate };
+    let [.., h] = first_integrals(motion.top(), &phi, attitude.omega());
     let [.., scale] = natural_scales(motion);
     (h - motion.first_integrals().h).abs() / scale
 }

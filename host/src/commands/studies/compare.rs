@@ -19,6 +19,7 @@ use bounds::{bound, horizon, steps_per_period};
 use clap::Args;
 use std::path::PathBuf;
 use std::time::Instant;
+use toytop::AttitudeState;
 use toytop::Motion;
 use toytop::scalar::Real;
 use toytop::su2::OrientationRate;
@@ -228,7 +229,8 @@ impl Reference {
         let errors = |((sample, rate), state): (&(Sample, OrientationRate<f64>), &FullState)| {
             let (found, phi) = (sample.orientation(), state.orientation());
             // in f64 from α, β and their rates, so that l, n and h do not contain the rounding of a product
-            let [l, n, h] = first_integrals(top, &found, rate.omega_fixed(&found));
+            let omega = AttitudeState { orientation: found, rate: *rate }.omega();
+            let [l, n, h] = first_integrals(top, &found, omega);
             let tip = sample.tip.scaled(1.0 / top.tip_scale()) - (phi.alpha * phi.beta).scaled(2.0);
             [
                 found.distance(&phi),
