@@ -17,9 +17,9 @@ use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs, TipClass, normal_force};
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::period::{Period, PeriodAdvance};
-use crate::motion::phase_equations::{PhaseEquations, gudermannian};
+use crate::motion::phase_equations::{PhaseEquations, inverse_gudermannian};
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Real, Ring, Wide};
+use crate::scalar::{Extended, Float, Ring, Wide};
 
 /// Motion of one launch, from which steppers and ephemerides are made.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,8 @@ pub struct Motion {
     pub(crate) half_tau: Extended,
     ellipses: Ellipses<f64>,
     regime: Regime,
-    pub(crate) nutation: NutationVariable<f64>,
+    /// Half phase χ at t = 0.
+    pub(crate) chi: HalfPhase,
     /// Slow phases A and B at t = 0.
     pub(crate) phases: [Phase; 2],
     pub(crate) rounding: LaunchRounding,
@@ -40,24 +41,24 @@ pub struct Motion {
     torque_free_rate: Extended,
 }
 
-/// Variable of the nutation with its value.
+/// Half phase χ of the nutation.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum NutationVariable<R> {
+pub enum HalfPhase {
     /// None: u and the rates of A and B are constant.
     Steady,
-    /// Half phase χ.
+    /// χ of a motion between two turning points.
     Nutating(Phase),
-    /// Variable v of an aperiodic motion, with χ = gd v (Gudermannian).
-    Aperiodic(R),
+    /// e^{iχ} of an aperiodic motion, with full relative precision near the vertical.
+    Aperiodic(Complex<f64>),
 }
 
-impl<R: Real> NutationVariable<R> {
+impl HalfPhase {
     /// Unit complex number e^{iχ}; 1 for a steady motion.
-    pub(crate) fn direction(self) -> Complex<R> {
+    pub(crate) fn direction(self) -> Complex<f64> {
         match self {
             Self::Steady => Complex::ONE,
             Self::Nutating(chi) => Complex::cis(chi),
-            Self::Aperiodic(v) => gudermannian(v),
+            Self::Aperiodic(direction) => direction,
         }
     }
 }
@@ -137,7 +138,7 @@ impl Motion {
 
     /// Tip angle at t = 0, in (-1/2, 1/2] turn.
     pub(crate) fn tip_angle_at_start(&self) -> Phase {
-        self.ellipses.tip_angle(self.nutation.direction(), self.phases)
+        self.ellipses.tip_angle(self.chi.direction(), self.phases)
     }
 
     /// Least normal force, in units of the weight; `None` unless the tip slides. Where it is negative, a real top leaves the plane.
@@ -146,19 +147,6 @@ impl Motion {
             let ScaledTop { a, p, s, .. } = self.scaled_top();
             if self.is_steady() { 1.0 } else { normal_force::minimum(&self.e, a / p / s) }
         })
-    }
-
-    fn equations_with<F: Float>(
-        &self,
-        e: &BranchPoints<F>,
-        l_plus_n: F,
-        torque_free_rate: F,
-    ) -> PhaseEquations<F> {
-        if self.top.is_torque_free() {
-            PhaseEquations::torque_free(torque_free_rate, e)
-        } else {
-            PhaseEquations::new(&self.top, e, l_plus_n, self.signs)
-        }
     }
 
     pub(crate) fn ellipses<R: Float>(&self) -> Ellipses<R> {
@@ -186,7 +174,7 @@ impl Motion {
 
     /// Whether u is constant.
     pub(crate) fn is_steady(&self) -> bool {
-        matches!(self.nutation, NutationVariable::Steady)
+        self.chi == HalfPhase::Steady
     }
 }
 
@@ -208,7 +196,11 @@ impl Motion {
 
     #[inline(never)] // set-up needs it in several places
     pub fn equations(&self) -> PhaseEquations<Extended> {
-        self.equations_with(&self.e, self.integrals.l_plus_n, self.torque_free_rate)
+        if self.top.is_torque_free() {
+            PhaseEquations::torque_free(self.torque_free_rate, &self.e)
+        } else {
+            PhaseEquations::new(&self.top, &self.e, self.integrals.l_plus_n, self.signs)
+        }
     }
 
     /// Rate τ/2, rad per unit time.
@@ -216,8 +208,14 @@ impl Motion {
         self.half_tau
     }
 
-    pub fn nutation(&self) -> NutationVariable<f64> {
-        self.nutation
+    pub fn half_phase(&self) -> HalfPhase {
+        self.chi
+    }
+
+    /// Variable v of an aperiodic motion at t = 0, with χ = gd v (Gudermannian).
+    pub fn aperiodic_variable(&self) -> Option<f64> {
+        let HalfPhase::Aperiodic(direction) = self.chi else { return None };
+        Some(inverse_gudermannian(direction))
     }
 
     /// Slow phases A and B.

@@ -4,8 +4,8 @@
 
 use crate::complex::Complex;
 use crate::motion::cayley_klein::Ellipses;
-use crate::motion::phase_equations::{PhaseEquations, PhaseRates, gudermannian};
-use crate::motion::{Motion, NutationVariable};
+use crate::motion::phase_equations::{PhaseEquations, PhaseRates, gudermannian, inverse_gudermannian};
+use crate::motion::{HalfPhase, Motion};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real};
 use crate::su2::{AttitudeState, Orientation};
@@ -18,9 +18,7 @@ use crate::su2::{AttitudeState, Orientation};
 pub struct Stepper<R> {
     ellipses: Ellipses<R>,
     equations: PhaseEquations<R>,
-    nutation: NutationVariable<R>,
-    /// Rounding error of the last addition to v in an aperiodic motion.
-    rest: R,
+    nutation: Nutation<R>,
     /// Slow phases A and B.
     phases: [Phase; 2],
     /// Constant parts of the rates of A and B, in turns and in rad per unit time: ±τ/2, or all where u is constant.
@@ -33,18 +31,48 @@ pub struct Stepper<R> {
     phi_origin: Option<Phase>,
 }
 
+/// Nutation variable of a stepper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Nutation<R> {
+    /// None: u and the rates of A and B are constant.
+    Steady,
+    /// Half phase χ.
+    Nutating(Phase),
+    /// Variable v of an aperiodic motion, with χ = gd v (Gudermannian).
+    Aperiodic {
+        v: R,
+        /// Rounding error of the last addition to v.
+        rest: R,
+    },
+}
+
+impl<R: Real> Nutation<R> {
+    fn new(motion: &Motion) -> Self {
+        match motion.half_phase() {
+            HalfPhase::Steady => Self::Steady,
+            HalfPhase::Nutating(chi) => Self::Nutating(chi),
+            HalfPhase::Aperiodic(direction) => {
+                let exact = inverse_gudermannian(direction);
+                let v = R::from_f64(exact);
+                Self::Aperiodic { v, rest: R::from_f64(exact - v.to_f64()) }
+            }
+        }
+    }
+
+    /// Unit complex number e^{iχ}; 1 for a steady motion.
+    fn direction(self) -> Complex<R> {
+        match self {
+            Self::Steady => Complex::ONE,
+            Self::Nutating(chi) => Complex::cis(chi),
+            Self::Aperiodic { v, .. } => gudermannian(v),
+        }
+    }
+}
+
 impl<R: Real> Stepper<R> {
     /// Stepper at t = 0. Its constants are rounded once from extended precision to `R`.
     #[must_use]
     pub fn new(motion: &Motion) -> Self {
-        let (nutation, rest) = match motion.nutation {
-            NutationVariable::Steady => (NutationVariable::Steady, 0.0),
-            NutationVariable::Nutating(chi) => (NutationVariable::Nutating(chi), 0.0),
-            NutationVariable::Aperiodic(v) => {
-                let rounded = R::from_f64(v);
-                (NutationVariable::Aperiodic(rounded), v - rounded.to_f64())
-            }
-        };
         let rates =
             if motion.is_steady() { motion.steady_rates() } else { [motion.half_tau, -motion.half_tau] };
         let (top, integrals) = (motion.top(), motion.first_integrals());
@@ -52,8 +80,7 @@ impl<R: Real> Stepper<R> {
         let mut stepper = Self {
             ellipses: motion.ellipses(),
             equations: motion.equations().cast(),
-            nutation,
-            rest: R::from_f64(rest),
+            nutation: Nutation::new(motion),
             phases: motion.phases,
             constant_rates: rates.map(|rate| (rate.in_turns(), R::from_f64(rate.to_f64()))),
             tip_scale: R::from_f64(top.tip_scale()),
@@ -73,26 +100,26 @@ impl<R: Real> Stepper<R> {
             return;
         }
         let change = match self.nutation {
-            NutationVariable::Steady => PhaseRates::ZERO,
-            NutationVariable::Nutating(chi) => {
+            Nutation::Steady => PhaseRates::ZERO,
+            Nutation::Nutating(chi) => {
                 let change = runge_kutta(dt, |delta| {
                     let (sine, cosine) = R::sine_cosine(chi + turns(delta));
                     self.equations.rates(sine, cosine)
                 });
-                self.nutation = NutationVariable::Nutating(chi + turns(change.nutation));
+                self.nutation = Nutation::Nutating(chi + turns(change.nutation));
                 change
             }
-            NutationVariable::Aperiodic(v) => {
+            Nutation::Aperiodic { v, rest } => {
                 let change = runge_kutta(dt, |delta| {
-                    let [v, _] = exact_sum(v, delta + self.rest);
+                    let [v, _] = exact_sum(v, delta + rest);
                     self.equations.aperiodic_rates(gudermannian(v))
                 });
-                let [v, rest] = exact_sum(v, change.nutation + self.rest);
+                let [v, rest] = exact_sum(v, change.nutation + rest);
                 // beyond 1e30 cos χ is 0 in every scalar
                 let far = R::from_f64(1e30);
                 let bounded = if v < R::ZERO { -far } else { far };
                 let (v, rest) = if v.abs() <= far { (v, rest) } else { (bounded, R::ZERO) };
-                (self.nutation, self.rest) = (NutationVariable::Aperiodic(v), rest);
+                self.nutation = Nutation::Aperiodic { v, rest };
                 change
             }
         };
@@ -100,7 +127,7 @@ impl<R: Real> Stepper<R> {
         let [rate_a, rate_b] = self.constant_rates;
         let turned_a = turned(rate_a);
         // the product is dear, and the rates are ±τ/2 unless u is constant
-        let turned_b = if self.nutation == NutationVariable::Steady { turned(rate_b) } else { -turned_a };
+        let turned_b = if self.nutation == Nutation::Steady { turned(rate_b) } else { -turned_a };
         let [a, b] = &mut self.phases;
         *a += turns(change.slow_a) + turned_a;
         *b += turns(change.slow_b) + turned_b;
@@ -157,9 +184,9 @@ impl<R: Real> Stepper<R> {
     /// Rates of χ, A and B at e^{iχ}, rad per unit time.
     fn rates(&self, chi: Complex<R>) -> PhaseRates<R> {
         let mut rates = match self.nutation {
-            NutationVariable::Steady => PhaseRates::ZERO,
-            NutationVariable::Nutating(_) => self.equations.rates(chi.im, chi.re),
-            NutationVariable::Aperiodic(_) => {
+            Nutation::Steady => PhaseRates::ZERO,
+            Nutation::Nutating(_) => self.equations.rates(chi.im, chi.re),
+            Nutation::Aperiodic { .. } => {
                 let rates = self.equations.aperiodic_rates(chi);
                 PhaseRates { nutation: rates.nutation * chi.re, ..rates } // χ' = v' sech v
             }
@@ -174,9 +201,9 @@ impl<R: Real> Stepper<R> {
     fn continued_phi(&self) -> Phase {
         let (chi, [a, b]) = (self.nutation.direction(), self.phases);
         let turned = match self.nutation {
-            NutationVariable::Steady => Phase::ZERO,
-            NutationVariable::Nutating(chi) => chi,
-            NutationVariable::Aperiodic(_) => turns(chi.arg()),
+            Nutation::Steady => Phase::ZERO,
+            Nutation::Nutating(chi) => chi,
+            Nutation::Aperiodic { .. } => turns(chi.arg()),
         };
         let Ellipses { alpha, beta } = &self.ellipses;
         a + b + alpha.continued_argument(chi, turned) + beta.continued_argument(chi, turned)

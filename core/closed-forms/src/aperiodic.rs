@@ -18,7 +18,7 @@ use crate::elliptic::theta::ValueAndSlope;
 use crate::orientation::{ConstantArguments, solve_rising};
 use rise::{Fixed, Rise, RiseValues};
 use sliding::Sliding;
-use toytop::internal::{NutationVariable, ScaledTop, phase_of};
+use toytop::internal::{ScaledTop, phase_of};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 
@@ -94,8 +94,7 @@ impl Aperiodic {
     /// Closed form of a motion; `None` unless e₂ = e₃ = 1 and u < 1.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let NutationVariable::Aperiodic(v) = motion.nutation() else { return None };
-        let v = Extended::from(v);
+        let v = Extended::from(motion.aperiodic_variable()?);
         let (e, ScaledTop { a, p, s, g, .. }) = (motion.exact_branch_points(), motion.scaled_top());
         let one_minus_e1 = e.one_minus_e1();
         let rise = Rise { e1: e.e1, one_plus_e1: e.one_plus_e1, one_minus_e1, a_over_p: a / p, s, g };

@@ -17,7 +17,7 @@ use crate::elliptic::elementary::{imaginary, of_turns, real};
 use crate::elliptic::lattice::{Lattice, NONE, OMEGA, OMEGA_PRIME, ThetaQuotient, zeros};
 use crate::elliptic::theta::ValueAndSlope;
 use crate::orientation::{ConstantArguments, Periods, half_turns, solve_rising};
-use toytop::internal::{NutationVariable, ScaledTop};
+use toytop::internal::{HalfPhase, ScaledTop};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 
@@ -53,7 +53,7 @@ impl E3EqualsE4 {
     /// - e₄²| relative to e₄² - 1, and |e₃ - e₄| relative to e₃ - e₂.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let NutationVariable::Nutating(chi) = motion.nutation() else { return None };
+        let HalfPhase::Nutating(chi) = motion.half_phase() else { return None };
         if motion.top().support() == Support::Fixed || !coincide(motion) {
             return None;
         }

@@ -9,7 +9,7 @@
 //!
 //! No branch point and no nutation phase is needed, so that this is an independent check of the tables.
 
-use toytop::internal::{NutationVariable, ScaledTop, phase_of};
+use toytop::internal::{HalfPhase, ScaledTop, phase_of};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, Vector, dot};
 use toytop::{AttitudeState, Complex, Motion, Phase, Stepper};
@@ -52,8 +52,8 @@ impl FreeBody {
                 .period_and_turns()
                 .map_or(Extended::ZERO, |(period, _)| Extended::TWO_PI / period),
             half_tau: motion.half_tau(),
-            nutation: match motion.nutation() {
-                NutationVariable::Nutating(chi) => Some(chi),
+            nutation: match motion.half_phase() {
+                HalfPhase::Nutating(chi) => Some(chi),
                 _ => None,
             },
         })

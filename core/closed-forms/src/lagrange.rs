@@ -15,7 +15,7 @@ use crate::elliptic::elementary::{imaginary, of_turns, real};
 use crate::elliptic::lattice::{Lattice, NONE, OMEGA, OMEGA_PRIME, ThetaQuotient, zeros};
 use crate::elliptic::theta::ValueAndSlope;
 use crate::orientation::{ConstantArguments, Periods, half_turns};
-use toytop::internal::{NutationVariable, ScaledTop};
+use toytop::internal::{HalfPhase, ScaledTop};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, BranchPoints, Complex, Motion, Phase, Support};
 
@@ -43,7 +43,7 @@ impl Lagrange {
     /// Closed form of a motion; `None` unless the tip is fixed and u oscillates, e₁ < e₂ < e₃.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let NutationVariable::Nutating(chi) = motion.nutation() else { return None };
+        let HalfPhase::Nutating(chi) = motion.half_phase() else { return None };
         if motion.top().support() != Support::Fixed || motion.top().is_torque_free() {
             return None;
         }

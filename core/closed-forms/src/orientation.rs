@@ -1,8 +1,8 @@
 //! Orientation of a motion at any time, from α and β of a closed form within a period, and the inverse of an increasing function.
 
-use crate::elliptic::elementary::{Wide, angle, of_turns, real, rounded, tanh_sech};
+use crate::elliptic::elementary::{Wide, angle, of_turns, real, rounded};
 use crate::elliptic::theta::ValueAndSlope;
-use toytop::internal::{NutationVariable, phase_of};
+use toytop::internal::{HalfPhase, phase_of};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 use toytop::{AttitudeState, Complex, Motion, Phase};
@@ -25,13 +25,10 @@ impl ConstantArguments {
     /// 0 at t = 0.
     pub(super) fn new(motion: &Motion, closed: [ValueAndSlope; 2]) -> Self {
         let (e, signs) = (motion.exact_branch_points(), motion.signs());
-        let (sine, cosine) = match motion.nutation() {
-            NutationVariable::Nutating(chi) => of_turns(chi),
-            NutationVariable::Aperiodic(v) => {
-                let (tanh, sech, _) = tanh_sech(v.into());
-                (tanh, sech)
-            }
-            NutationVariable::Steady => (Extended::ZERO, Extended::ONE),
+        let (sine, cosine) = match motion.half_phase() {
+            HalfPhase::Nutating(chi) => of_turns(chi),
+            HalfPhase::Aperiodic(direction) => (direction.im.into(), direction.re.into()),
+            HalfPhase::Steady => (Extended::ZERO, Extended::ONE),
         };
         let rates = motion.equations().rates(sine, cosine);
         let root = |x: Extended| x.halved().sqrt();

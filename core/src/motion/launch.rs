@@ -4,9 +4,8 @@ use crate::body::{ParameterError, ScaledTop, State, Top, check, check_range};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs};
 use crate::motion::cayley_klein::Ellipses;
-use crate::motion::phase_equations::inverse_gudermannian;
 use crate::motion::start::{attitude, half_phase_of};
-use crate::motion::{InitialPhases, Motion, NutationVariable, phase_of};
+use crate::motion::{HalfPhase, InitialPhases, Motion, phase_of};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 
@@ -53,7 +52,7 @@ impl Motion {
         pause();
         motion.start_nutation(&point);
         pause();
-        motion.start_slow_phases(&attitude(state));
+        motion.start_slow_phases(&attitude(state), pause);
         Ok(motion)
     }
 
@@ -90,14 +89,12 @@ impl Motion {
         let upright = chi.halves().1 == Phase::QUARTER;
         let mut motion = Self::with_constants(top, &integrals, e, signs, upright);
         motion.phases = [arg_alpha, arg_beta].map(|angle| phase_of(angle.into()));
-        motion.nutation = match motion.nutation {
-            NutationVariable::Steady => return Ok(motion),
-            NutationVariable::Nutating(_) => NutationVariable::Nutating(chi),
-            NutationVariable::Aperiodic(_) => {
-                NutationVariable::Aperiodic(inverse_gudermannian(Complex::cis(chi)))
-            }
+        motion.chi = match motion.chi {
+            HalfPhase::Steady => return Ok(motion),
+            HalfPhase::Nutating(_) => HalfPhase::Nutating(chi),
+            HalfPhase::Aperiodic(_) => HalfPhase::Aperiodic(Complex::cis(chi)),
         };
-        let arguments = motion.ellipses.arguments(motion.nutation.direction());
+        let arguments = motion.ellipses.arguments(motion.chi.direction());
         for (phase, argument) in motion.phases.iter_mut().zip(arguments) {
             *phase = *phase - argument;
         }
@@ -127,10 +124,10 @@ impl Motion {
             half_tau: ((a - c) / a * integrals.spin - k / a).halved(),
             ellipses: Ellipses::swinging(&e, signs),
             regime,
-            nutation: match regime {
-                _ if is_steady => NutationVariable::Steady,
-                Regime::Aperiodic => NutationVariable::Aperiodic(0.0),
-                _ => NutationVariable::Nutating(Phase::ZERO),
+            chi: match regime {
+                _ if is_steady => HalfPhase::Steady,
+                Regime::Aperiodic => HalfPhase::Aperiodic(Complex::ONE),
+                _ => HalfPhase::Nutating(Phase::ZERO),
             },
             phases: [Phase::ZERO; 2],
             rounding: LaunchRounding::default(),

@@ -4,8 +4,8 @@ use crate::body::{ScaledTop, State};
 use crate::complex::Complex;
 use crate::constants::{ReducedPoint, Regime};
 use crate::motion::cayley_klein::{Ellipse, Ellipses};
-use crate::motion::phase_equations::{PhaseRates, inverse_gudermannian};
-use crate::motion::{Motion, NutationVariable};
+use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
+use crate::motion::{HalfPhase, Motion};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 use crate::su2::{AttitudeState, OrientationRate};
@@ -24,7 +24,7 @@ pub struct InitialPhases {
 }
 
 impl Motion {
-    /// Sets the nutation variable at a point of the reduced curve.
+    /// Sets the half phase at a point of the reduced curve.
     ///
     /// √(e₂ - e₁) sin χ = √(u - e₁), and √(e₂ - e₁) cos χ = ±√(e₂ - u) with the sign of u'. In an aperiodic motion sin χ has that sign
     /// instead. The smaller difference comes from (u - e₁)(e₂ - u) = g₀/(e₃ - u), without a subtraction.
@@ -54,29 +54,28 @@ impl Motion {
         };
         let rising = Complex::new(below_e2.sqrt().to_f64(), above_e1.sqrt().to_f64());
         let falls = udot < Extended::ZERO;
-        self.nutation = if self.regime == Regime::Aperiodic {
-            NutationVariable::Aperiodic(inverse_gudermannian(if falls { rising.conj() } else { rising }))
+        self.chi = if self.regime == Regime::Aperiodic {
+            let rising = rising.scaled(1.0 / rising.norm_squared().sqrt());
+            HalfPhase::Aperiodic(if falls { rising.conj() } else { rising })
         } else {
-            NutationVariable::Nutating(half_phase(if falls { -rising.conj() } else { rising }))
+            HalfPhase::Nutating(half_phase(if falls { -rising.conj() } else { rising }))
         };
     }
 
-    /// Sets the slow phases at an attitude, whose nutation variable is known.
+    /// Sets the slow phases at an attitude, whose half phase is known.
     #[inline(never)] // as above
     pub(super) fn start_slow_phases(
         &mut self,
         AttitudeState { orientation: phi, rate }: &AttitudeState<f64>,
+        pause: &mut dyn FnMut(),
     ) {
         if self.is_steady() {
             self.phases = [phi.alpha, phi.beta].map(|z| Phase::from_radians(z.arg()));
             return;
         }
-        let chi = self.nutation.direction();
-        let equations = self.equations_with(
-            &self.e.to_f64(),
-            self.integrals.l_plus_n.to_f64(),
-            self.torque_free_rate.to_f64(),
-        );
+        let equations: PhaseEquations<f64> = self.equations().cast();
+        pause();
+        let chi = self.chi.direction();
         let PhaseRates { nutation, slow_a, slow_b } = equations.rates(chi.im, chi.re);
         let half_tau = self.half_tau.to_f64();
         let Ellipses { alpha: alpha_ellipse, beta: beta_ellipse } = &self.ellipses;

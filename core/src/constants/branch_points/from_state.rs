@@ -36,6 +36,7 @@ impl BranchPoints {
 }
 
 impl BranchPoints<Extended> {
+    #[inline(never)] // the stack frames of a launch must not add up
     pub(crate) fn from_point(
         top: &Top,
         integrals: &FirstIntegrals<Extended>,
@@ -74,7 +75,7 @@ impl BranchPoints<Extended> {
     }
 
     /// Branch points without torque; e₁ = e₂ = u for a body at rest.
-    #[inline(never)] // the stack frames of a launch must not add up
+    #[inline(never)] // as above
     fn torque_free(top: &Top, integrals: &FirstIntegrals<Extended>, point: &ReducedPoint) -> Self {
         let (ScaledTop { a, .. }, zero) = (ScaledTop::new(top), Extended::ZERO);
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;

@@ -3,7 +3,7 @@
 use super::{HALF_PERIOD, Limits, MeanRates, OpenCell, Outline, PathPoint, SetUp, Span, Start};
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::phase_equations::PhaseRates;
-use crate::motion::{Motion, NutationVariable};
+use crate::motion::{HalfPhase, Motion};
 use crate::phase::Phase;
 use crate::scalar::{Float, Scalar, Wide};
 use crate::table::series::TERMS;
@@ -15,7 +15,7 @@ const PHASE_TERM: f64 = 32.0;
 impl Start {
     /// Start whose place is not found yet; u = e₁ without a nutation.
     fn new(motion: &Motion) -> Self {
-        let start = if let NutationVariable::Nutating(chi) = motion.nutation { chi } else { Phase::ZERO };
+        let start = if let HalfPhase::Nutating(chi) = motion.chi { chi } else { Phase::ZERO };
         let (folded, rest) = start.halves();
         let mirrored = rest > Phase::QUARTER;
         let (folded, chi) = if mirrored { (folded + 1, Phase::HALF - rest) } else { (folded, rest) };
