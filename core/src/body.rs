@@ -15,6 +15,6 @@ pub(crate) use error::check_range;
 pub use error::{ParameterError, check, check_finite};
 pub use parameters::TopParameters;
 pub use scaled_top::ScaledTop;
-pub(crate) use state::half_tilt;
+pub(crate) use state::half_tilt_sine_cosine;
 pub use state::{Release, State};
 pub use top::{Support, Top};

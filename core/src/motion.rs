@@ -81,7 +81,7 @@ impl Motion {
 
     /// First integrals l, n and h.
     pub fn first_integrals(&self) -> FirstIntegrals {
-        self.integrals.as_given(&self.top)
+        self.integrals.in_top_units(&self.top)
     }
 
     /// Axial rate ⟨ω, r⟩ of the body, rad per unit time; without a rotor the quotient of the rounded n and C.
@@ -103,7 +103,7 @@ impl Motion {
     /// Nutation period, and advance of α and β over it; this call integrates them. Where u is constant, they are those of a small
     /// nutation. `None` for e₂ = e₃.
     pub fn period_advance(&self) -> Option<PeriodAdvance> {
-        let windings = Ellipses::swinging(&self.e, self.signs).windings();
+        let windings = Ellipses::oscillating(&self.e, self.signs).windings();
         let period = self.period::<2>(&self.equations(), &mut || {})?;
         Some(PeriodAdvance::new(&period, self.half_tau, windings))
     }

@@ -26,7 +26,7 @@ pub struct Stepper<R> {
     /// Length s, m; 1 for a fixed tip.
     tip_scale: R,
     /// Rates (l + n)/(4A) and (l - n)/(4A), rad per unit time.
-    momenta: [R; 2],
+    momentum_rates: [R; 2],
     /// Difference of φ and the continued arg α + arg β; `None` where φ does not exist.
     phi_origin: Option<Phase>,
 }
@@ -84,7 +84,8 @@ impl<R: Real> Stepper<R> {
             phases: motion.phases,
             constant_rates: rates.map(|rate| (rate.in_turns(), R::from_f64(rate.to_f64()))),
             tip_scale: R::from_f64(top.tip_scale()),
-            momenta: [integrals.l_plus_n, integrals.l_minus_n].map(|momentum| R::from_f64(momentum * per_a)),
+            momentum_rates: [integrals.l_plus_n, integrals.l_minus_n]
+                .map(|momentum| R::from_f64(momentum * per_a)),
             phi_origin: None,
         };
         if !motion.regime().is_vertical() {
@@ -172,8 +173,8 @@ impl<R: Real> Stepper<R> {
     #[must_use]
     pub fn tip_angle_rate(&self) -> R {
         // φ' = (l+n)/(4A |α|²) + (l-n)/(4A |β|²), without a term whose parameter is 0
-        let (Orientation { alpha, beta }, [plus, minus]) = (self.orientation(), self.momenta);
-        let rate = over_square(plus, alpha) + over_square(minus, beta);
+        let (Orientation { alpha, beta }, [plus, minus]) = (self.orientation(), self.momentum_rates);
+        let rate = over_norm_squared(plus, alpha) + over_norm_squared(minus, beta);
         if rate.to_f64().is_finite() {
             return rate;
         }
@@ -236,7 +237,7 @@ fn turns<R: Real>(radians: R) -> Phase {
 }
 
 /// Quotient x/|z|², also where |z|² underflows; 0 for z = 0.
-fn over_square<R: Real>(x: R, z: Complex<R>) -> R {
+fn over_norm_squared<R: Real>(x: R, z: Complex<R>) -> R {
     let size = z.re.abs().max(z.im.abs());
     if x == R::ZERO || size == R::ZERO {
         return R::ZERO;

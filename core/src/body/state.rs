@@ -107,7 +107,7 @@ impl State {
         for (name, rate) in [("spin", spin), ("precession", precession), ("nutation", nutation)] {
             check_range(-1e11..=1e11, name, rate, "between -1e11 and 1e11 rad/s")?;
         }
-        let (half_sine, half_cosine) = half_tilt(tilt)?;
+        let (half_sine, half_cosine) = half_tilt_sine_cosine(tilt)?;
         let cis = |angle: f64| {
             let (im, re) = sine_cosine_of_radians(angle);
             Complex::new(re, im)
@@ -134,7 +134,7 @@ impl State {
     }
 
     /// Φ and ω, with 0 for components below 1e-60.
-    pub(crate) fn exact(&self) -> (Orientation<Extended>, Vector<Extended>) {
+    pub(crate) fn in_extended(&self) -> (Orientation<Extended>, Vector<Extended>) {
         let exact = |x: f64| if x.abs() < 1e-60 { Extended::ZERO } else { x.into() };
         let number = |z: Complex<f64>| Complex::new(exact(z.re), exact(z.im));
         let Orientation { alpha, beta } = self.orientation;
@@ -156,7 +156,7 @@ impl<R: Float> AttitudeState<R> {
 ///
 /// # Errors
 /// `tilt`: not in [0, π].
-pub(crate) fn half_tilt(tilt: f64) -> Result<(f64, f64), ParameterError> {
+pub(crate) fn half_tilt_sine_cosine(tilt: f64) -> Result<(f64, f64), ParameterError> {
     check_range(0.0..=PI, "tilt", tilt, "between 0 and pi")?;
     Ok(if tilt == PI { (1.0, 0.0) } else { sine_cosine_of_radians(0.5 * tilt) })
 }

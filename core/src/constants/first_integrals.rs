@@ -110,7 +110,7 @@ struct Axis {
 impl Axis {
     #[inline(never)] // the stack frames of a launch must not add up
     fn new(state: &State) -> Self {
-        let (phi, omega) = state.exact();
+        let (phi, omega) = state.in_extended();
         let (zero, one) = (Extended::ZERO, Extended::ONE);
         // without a square root a simple fraction remains exact
         let norm = phi.norm_squared();
@@ -132,13 +132,13 @@ impl Axis {
 impl FirstIntegrals {
     /// First integrals of a state. Error: one `f64` rounding of the result.
     pub fn from_state(top: &Top, state: &State) -> Self {
-        FirstIntegrals::with_point(top, state).0.as_given(top)
+        FirstIntegrals::with_reduced_point(top, state).0.in_top_units(top)
     }
 }
 
 impl FirstIntegrals<Extended> {
     /// First integrals in the units of a [`ScaledTop`], and the point of the reduced curve.
-    pub(crate) fn with_point(top: &Top, state: &State) -> (Self, ReducedPoint) {
+    pub(crate) fn with_reduced_point(top: &Top, state: &State) -> (Self, ReducedPoint) {
         Self::from_axis(top, &Axis::new(state))
     }
 
@@ -175,7 +175,7 @@ impl FirstIntegrals<Extended> {
     }
 
     /// First integrals in the units of the caller, rounded to `f64`.
-    pub(crate) fn as_given(self, top: &Top) -> FirstIntegrals {
+    pub(crate) fn in_top_units(self, top: &Top) -> FirstIntegrals {
         let unit = top.inertia_unit();
         let rounded = |x: Extended| x.to_f64() * unit;
         FirstIntegrals {

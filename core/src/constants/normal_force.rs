@@ -10,7 +10,7 @@
 use crate::constants::BranchPoints;
 use crate::scalar::{Extended, Float, Ring};
 
-/// Partial fractions of N; `spread` is A/(ps) = e₄² - 1.
+/// Partial fractions of N; `a_over_ps` is A/(ps) = e₄² - 1.
 struct PartialFractions {
     e4: Extended,
     e4_minus_one: Extended,
@@ -21,9 +21,9 @@ struct PartialFractions {
 }
 
 impl PartialFractions {
-    fn new(e: &BranchPoints<Extended>, spread: Extended) -> Self {
-        let e4 = (Extended::ONE + spread).sqrt();
-        let e4_minus_one = spread / (Extended::ONE + e4);
+    fn new(e: &BranchPoints<Extended>, a_over_ps: Extended) -> Self {
+        let e4 = (Extended::ONE + a_over_ps).sqrt();
+        let e4_minus_one = a_over_ps / (Extended::ONE + e4);
         let plus = (e4_minus_one + e.one_minus_e1())
             * (e4_minus_one + e.one_minus_e2)
             * (e4_minus_one - e.e3_minus_one);
@@ -35,8 +35,8 @@ impl PartialFractions {
 }
 
 /// Least N over u in [e₁, e₂].
-pub(crate) fn minimum(e: &BranchPoints<Extended>, spread: Extended) -> f64 {
-    let PartialFractions { e4, e4_minus_one, plus, minus } = PartialFractions::new(e, spread);
+pub(crate) fn minimum(e: &BranchPoints<Extended>, a_over_ps: Extended) -> f64 {
+    let PartialFractions { e4, e4_minus_one, plus, minus } = PartialFractions::new(e, a_over_ps);
     if plus > Extended::ZERO {
         let (plus, minus) = (cube_root(plus), cube_root(minus));
         // e₄ - u at the minimum is 2 e₄ ∛F₊/(∛F₊ + ∛F₋)
@@ -45,12 +45,12 @@ pub(crate) fn minimum(e: &BranchPoints<Extended>, spread: Extended) -> f64 {
             return (root.squared() * root).to_f64();
         }
     }
-    at_e2(e, spread)
+    at_e2(e, a_over_ps)
 }
 
 /// 1 - u and 1 + u where N is 0; `None` where it is positive for all u.
-pub(crate) fn zero(e: &BranchPoints<Extended>, spread: Extended) -> Option<[Extended; 2]> {
-    let PartialFractions { e4, e4_minus_one, plus, minus } = PartialFractions::new(e, spread);
+pub(crate) fn sign_change(e: &BranchPoints<Extended>, a_over_ps: Extended) -> Option<[Extended; 2]> {
+    let PartialFractions { e4, e4_minus_one, plus, minus } = PartialFractions::new(e, a_over_ps);
     let one = Extended::ONE;
     (plus < Extended::ZERO).then(|| {
         let q = (-plus / minus).sqrt();
@@ -59,10 +59,10 @@ pub(crate) fn zero(e: &BranchPoints<Extended>, spread: Extended) -> Option<[Exte
 }
 
 /// N at u = e₂, where f' = -(e₂ - e₁)(e₃ - e₂).
-fn at_e2(e: &BranchPoints<Extended>, spread: Extended) -> f64 {
+fn at_e2(e: &BranchPoints<Extended>, a_over_ps: Extended) -> f64 {
     /// Magnitude below which N counts as 0.
     const NOISE: f64 = 1e-20;
-    let d_over_s = spread + e.one_minus_e2 * e.one_plus_e2();
+    let d_over_s = a_over_ps + e.one_minus_e2 * e.one_plus_e2();
     let force = (d_over_s - e.e2_minus_e1 * e.e3_minus_e2) / d_over_s;
     if force.abs() > Extended::from(NOISE) { force.to_f64() } else { 0.0 }
 }
@@ -78,15 +78,15 @@ fn cube_root(x: Extended) -> Extended {
 mod tests {
     use super::*;
 
-    fn least(e: [f64; 3], spread: f64) -> f64 {
-        minimum(&BranchPoints::exact(e).unwrap(), spread.into())
+    fn least(e: [f64; 3], a_over_ps: f64) -> f64 {
+        minimum(&BranchPoints::exact(e).unwrap(), a_over_ps.into())
     }
 
     /// Comparison with a fine scan of the same rational function, by central differences of f/D. Some cases have the
     /// minimum at e₂, the others between e₁ and e₂.
     #[test]
     fn the_minimum_is_not_undercut_by_a_scan() {
-        for ([e1, e2, e3], spread, is_between) in [
+        for ([e1, e2, e3], a_over_ps, is_between) in [
             ([0.7, 0.9, 100.0], 1.0, false),
             ([-0.9, 0.95, 1.2], 0.05, false),
             ([-0.5, 0.5, 3.0], 2.0 / 0.3, false),
@@ -94,8 +94,8 @@ mod tests {
             ([-0.95, 0.93, 1.01], 3.7, true),
             ([0.5, 0.97, 1.002], 0.02, true),
         ] {
-            let least = least([e1, e2, e3], spread);
-            let ratio = |u: f64| (u - e1) * (u - e2) * (u - e3) / (spread + (1.0 - u * u));
+            let least = least([e1, e2, e3], a_over_ps);
+            let ratio = |u: f64| (u - e1) * (u - e2) * (u - e3) / (a_over_ps + (1.0 - u * u));
             let force = |i: u32| {
                 let u = e1 + (e2 - e1) * f64::from(i) / 20_000.0;
                 1.0 + (ratio(u + 1e-6) - ratio(u - 1e-6)) / 2e-6

@@ -28,7 +28,7 @@ impl Regime {
     /// Regime of branch points; `upright` tells whether a motion with e₂ = e₃ = 1 has u = 1.
     pub(crate) fn new(e: &BranchPoints<Extended>, signs: Signs, upright: bool) -> Self {
         let zero = Extended::ZERO;
-        if !swings(e) {
+        if !u_oscillates(e) {
             if e.one_minus_e2 == zero {
                 Self::SleepingStable
             } else if e.one_plus_e1 == zero {
@@ -56,7 +56,7 @@ impl Regime {
 }
 
 /// Whether the tilt oscillates by more than 2^-49 rad, the rounding of a state, or passes through the vertical.
-fn swings(e: &BranchPoints<Extended>) -> bool {
+fn u_oscillates(e: &BranchPoints<Extended>) -> bool {
     const STILL: f64 = 1.0 / (1_u64 << 49) as f64;
     let zero = Extended::ZERO;
     let passes_vertical = e.one_minus_e2 == zero || e.one_plus_e1 == zero;

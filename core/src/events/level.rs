@@ -1,6 +1,6 @@
 //! Values of u at which events occur.
 
-use crate::body::{ParameterError, ScaledTop, Support, Top, check, check_finite, half_tilt};
+use crate::body::{ParameterError, ScaledTop, Support, Top, check, check_finite, half_tilt_sine_cosine};
 use crate::complex::Complex;
 use crate::constants::normal_force;
 use crate::events::{HALF_PERIOD, at_phase, bisect};
@@ -34,7 +34,7 @@ impl Level {
     /// # Errors
     /// `tilt`: not finite or not in [0, π].
     pub fn of_tilt(tilt: f64) -> Result<Self, ParameterError> {
-        let (sine, cosine) = half_tilt(tilt)?;
+        let (sine, cosine) = half_tilt_sine_cosine(tilt)?;
         Ok(Self { one_minus_u: 2.0 * sine * sine, one_plus_u: 2.0 * cosine * cosine })
     }
 
@@ -65,7 +65,7 @@ impl Level {
             return None;
         }
         let (e, ScaledTop { a, p, s, .. }) = (&motion.e, motion.scaled_top());
-        let [one_minus_u, one_plus_u] = normal_force::zero(e, a / (p * s))?;
+        let [one_minus_u, one_plus_u] = normal_force::sign_change(e, a / (p * s))?;
         let reached = one_minus_u > e.one_minus_e2 && one_plus_u > e.one_plus_e1;
         reached.then_some(Self { one_minus_u: one_minus_u.to_f64(), one_plus_u: one_plus_u.to_f64() })
     }

@@ -26,7 +26,7 @@ pub(crate) struct Ellipse<R> {
 
 impl Ellipses<f64> {
     /// Ellipses of a motion whose u oscillates between e₁ and e₂, or rises from e₁ to 1.
-    pub(crate) fn swinging(e: &BranchPoints<Extended>, signs: Signs) -> Self {
+    pub(crate) fn oscillating(e: &BranchPoints<Extended>, signs: Signs) -> Self {
         let root = |x: Extended| x.halved().sqrt().to_f64();
         let (a2, b2) = (root(e.one_plus_e2()), root(e.one_minus_e2));
         Self {
@@ -88,13 +88,13 @@ impl<R: Real> Ellipse<R> {
     }
 
     /// Derivative of the ellipse with respect to χ.
-    fn along(&self, chi: Complex<R>) -> Complex<R> {
+    fn derivative(&self, chi: Complex<R>) -> Complex<R> {
         self.at(chi.times_i())
     }
 
     /// Rate of the Cayley-Klein parameter divided by e^{i slow phase}, from the rates of χ and of the slow phase.
     pub(crate) fn rate(&self, chi: Complex<R>, [nutation, slow]: [R; 2]) -> Complex<R> {
-        self.along(chi).scaled(nutation) + self.at(chi).times_i().scaled(slow)
+        self.derivative(chi).scaled(nutation) + self.at(chi).times_i().scaled(slow)
     }
 
     /// Winding number of the ellipse around 0 over 2π of χ: 1, -1, or 0 where it passes through 0.
@@ -110,14 +110,14 @@ impl<R: Real> Ellipse<R> {
     /// Argument of the ellipse; where the ellipse is 0, the argument of its derivative with respect to χ.
     fn argument(&self, chi: Complex<R>) -> Phase {
         let value = self.at(chi);
-        let value = if value == Complex::ZERO { self.along(chi) } else { value };
+        let value = if value == Complex::ZERO { self.derivative(chi) } else { value };
         Phase::from_radians(value.arg().to_f64())
     }
 
     /// Argument of the ellipse, continuous in χ: ±χ plus at most a quarter turn; 0 where the ellipse passes through 0.
     ///
-    /// * `turned`: χ with its whole turns
-    pub(crate) fn continued_argument(&self, chi: Complex<R>, turned: Phase) -> Phase {
+    /// * `whole_chi`: χ with its whole turns
+    pub(crate) fn continued_argument(&self, chi: Complex<R>, whole_chi: Phase) -> Phase {
         let sense = self.winding();
         if sense == 0 {
             return Phase::ZERO;
@@ -126,6 +126,6 @@ impl<R: Real> Ellipse<R> {
         // arg(x cos χ + i y sin χ) - χ
         let correction =
             R::atan2((y - self.x) * chi.im * chi.re, self.x * chi.re.squared() + y * chi.im.squared());
-        (turned + Phase::from_radians(correction.to_f64())) * sense.into()
+        (whole_chi + Phase::from_radians(correction.to_f64())) * sense.into()
     }
 }

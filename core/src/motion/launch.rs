@@ -4,7 +4,7 @@ use crate::body::{ParameterError, ScaledTop, State, Top, check, check_range};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs};
 use crate::motion::cayley_klein::Ellipses;
-use crate::motion::start::{attitude, half_phase_of};
+use crate::motion::start::{attitude, half_phase_of_angle};
 use crate::motion::{HalfPhase, InitialPhases, Motion, phase_of};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
@@ -42,9 +42,9 @@ impl Motion {
     /// See [`launch`](Self::launch).
     #[inline(never)] // a launch must not remain on the stack during the work that follows
     pub fn launch_between(top: &Top, state: &State, pause: &mut dyn FnMut()) -> Result<Self, ParameterError> {
-        let (integrals, point) = FirstIntegrals::with_point(top, state);
+        let (integrals, point) = FirstIntegrals::with_reduced_point(top, state);
         pause();
-        let e = BranchPoints::from_point(top, &integrals, &point, pause)?;
+        let e = BranchPoints::from_reduced_point(top, &integrals, &point, pause)?;
         pause();
         let mut motion = Self::with_constants(top, &integrals, e, integrals.signs(), point.rests_upright());
         pause();
@@ -79,13 +79,13 @@ impl Motion {
         for (name, angle) in [("theta", theta), ("arg_alpha", arg_alpha), ("arg_beta", arg_beta)] {
             check_range(-1e6..=1e6, name, angle, "between -1e6 and 1e6 rad")?;
         }
-        let integrals = e.integrals_in(top, signs);
+        let integrals = e.scaled_integrals(top, signs);
         check(
             has_axial_rate(top, &integrals),
             "e3",
             "such that (n - rotor_momentum)/axial_inertia is at most 1e24 rad/s, and n = rotor_momentum for a rod",
         )?;
-        let chi = half_phase_of(theta);
+        let chi = half_phase_of_angle(theta);
         let upright = chi.halves().1 == Phase::QUARTER;
         let mut motion = Self::with_constants(top, &integrals, e, signs, upright);
         motion.phases = [arg_alpha, arg_beta].map(|angle| phase_of(angle.into()));
@@ -122,7 +122,7 @@ impl Motion {
             e,
             integrals: *integrals,
             half_tau: ((a - c) / a * integrals.spin - k / a).halved(),
-            ellipses: Ellipses::swinging(&e, signs),
+            ellipses: Ellipses::oscillating(&e, signs),
             regime,
             chi: match regime {
                 _ if is_steady => HalfPhase::Steady,

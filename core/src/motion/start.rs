@@ -58,7 +58,7 @@ impl Motion {
             let rising = rising.scaled(1.0 / rising.norm_squared().sqrt());
             HalfPhase::Aperiodic(if falls { rising.conj() } else { rising })
         } else {
-            HalfPhase::Nutating(half_phase(if falls { -rising.conj() } else { rising }))
+            HalfPhase::Nutating(half_phase_of_direction(if falls { -rising.conj() } else { rising }))
         };
     }
 
@@ -89,7 +89,7 @@ impl Motion {
 /// Orientation of a state and its rate, computed in extended precision.
 #[inline(never)]
 pub(super) fn attitude(state: &State) -> AttitudeState<f64> {
-    let (phi, omega) = state.exact();
+    let (phi, omega) = state.in_extended();
     let AttitudeState { orientation, rate } = AttitudeState::from_fixed(phi.normalised(), omega);
     AttitudeState {
         orientation: orientation.cast(),
@@ -98,7 +98,7 @@ pub(super) fn attitude(state: &State) -> AttitudeState<f64> {
 }
 
 /// Half phase χ in [0, 1/2] turn of a number along e^{iχ}, with full relative precision near 0, 1/4 and 1/2 turn.
-fn half_phase(Complex { re: cosine, im: sine }: Complex<f64>) -> Phase {
+fn half_phase_of_direction(Complex { re: cosine, im: sine }: Complex<f64>) -> Phase {
     let from = |y: f64, x: f64| Phase::from_radians(libm::atan2(y, x));
     if cosine.abs() < sine {
         Phase::QUARTER - from(cosine, sine)
@@ -110,7 +110,7 @@ fn half_phase(Complex { re: cosine, im: sine }: Complex<f64>) -> Phase {
 }
 
 /// Half phase χ = θ/2.
-pub(super) fn half_phase_of(theta: f64) -> Phase {
+pub(super) fn half_phase_of_angle(theta: f64) -> Phase {
     let nearest = libm::round(theta * core::f64::consts::FRAC_1_PI);
     let multiple = Extended::TWO_PI.halved() * nearest.into();
     if nearest != 0.0 && multiple.to_f64() == theta {
@@ -152,16 +152,20 @@ mod tests {
         for k in 1..=most {
             let theta = nearest_to_multiple(k);
             let turns = Phase::from_bits(i128::from(k) * (Phase::QUARTER.to_bits()));
-            assert_eq!([half_phase_of(theta), half_phase_of(-theta)], [turns, -turns], "{k}: {theta:e}");
+            assert_eq!(
+                [half_phase_of_angle(theta), half_phase_of_angle(-theta)],
+                [turns, -turns],
+                "{k}: {theta:e}"
+            );
             // a neighbouring number is a different, close angle
             for near in [theta.next_up(), theta.next_down()] {
-                let off = half_phase_of(near) - turns;
+                let off = half_phase_of_angle(near) - turns;
                 let unit = (near - theta).abs() * 0.25 * core::f64::consts::FRAC_1_PI;
                 let share = off.to_f64().abs() / unit;
                 assert!((0.49..1.51).contains(&share), "{k}: {share}");
-                assert!((half_phase_of(-near) + half_phase_of(near)).to_bits().abs() <= 1, "{k}");
+                assert!((half_phase_of_angle(-near) + half_phase_of_angle(near)).to_bits().abs() <= 1, "{k}");
             }
         }
-        assert_eq!(half_phase_of(0.0), Phase::ZERO);
+        assert_eq!(half_phase_of_angle(0.0), Phase::ZERO);
     }
 }

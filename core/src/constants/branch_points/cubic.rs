@@ -22,7 +22,7 @@ impl Cubic {
     }
 
     /// Simple root, improved from an approximate value by three steps of Newton's method.
-    pub(super) fn polished(&self, start: Extended) -> Extended {
+    pub(super) fn refined(&self, start: Extended) -> Extended {
         (0..3).fold(start, |y, _| {
             let slope = self.slope(y);
             if slope == Extended::ZERO { y } else { y - self.value(y) / slope }
@@ -31,26 +31,26 @@ impl Cubic {
 
     /// Upper bound on the largest root, so close that even linear convergence, to a multiple root, takes few steps.
     #[inline(never)] // the stack frames of a launch must not add up
-    fn above(&self) -> Extended {
+    fn upper_bound(&self) -> Extended {
         let (Self { g0, g1, g2 }, zero) = (*self, Extended::ZERO);
         // a power of two, because the cube root of libm would take much of a chip's flash
         let cube_root = Extended::from(power_of_two((exponent(g0.to_f64()) + 2).div_euclid(3)));
-        let above = g2.abs().max(g1.abs().sqrt()).max(cube_root).doubled();
+        let bound = g2.abs().max(g1.abs().sqrt()).max(cube_root).doubled();
         if g2 <= zero {
-            return above;
+            return bound;
         }
         // y³ >= 0 at every iterate, so the root of the quadratic is another upper bound, close for small coefficients
         let root = (g1.squared() - (g2 * g0).doubled().doubled()).sqrt();
         let of_quadratic = if g1 > zero { -g0.doubled() / (g1 + root) } else { (root - g1) / g2.doubled() };
         let of_quadratic = of_quadratic * Extended::from(1.0 + 1e-15);
-        if of_quadratic < above { of_quadratic.max(zero) } else { above }
+        if of_quadratic < bound { of_quadratic.max(zero) } else { bound }
     }
 
     /// Largest root, by Newton's method from above, where the iterates decrease.
     #[inline(never)] // as above
     pub(super) fn largest_root(&self, pause: &mut dyn FnMut()) -> Extended {
         const MOST_STEPS: u32 = 200;
-        let mut y = self.above();
+        let mut y = self.upper_bound();
         for _ in 0..MOST_STEPS {
             let (value, slope) = (self.value(y), self.slope(y));
             if value <= Extended::ZERO || slope <= Extended::ZERO {

@@ -16,7 +16,7 @@ use crate::constants::{FirstIntegrals, ReducedPoint};
 use crate::scalar::{Extended, Float, Ring};
 
 /// Error where e₃ is above [`LARGEST_E3`].
-fn require_slow(holds: bool) -> Result<(), ParameterError> {
+fn require_limited_e3(holds: bool) -> Result<(), ParameterError> {
     check(
         holds,
         "omega",
@@ -30,14 +30,14 @@ impl BranchPoints {
     /// # Errors
     /// `omega`: so large that e₃ would exceed 1e14.
     pub fn from_state(top: &Top, state: &State) -> Result<Self, ParameterError> {
-        let (integrals, point) = FirstIntegrals::with_point(top, state);
-        Ok(BranchPoints::from_point(top, &integrals, &point, &mut || {})?.to_f64())
+        let (integrals, point) = FirstIntegrals::with_reduced_point(top, state);
+        Ok(BranchPoints::from_reduced_point(top, &integrals, &point, &mut || {})?.to_f64())
     }
 }
 
 impl BranchPoints<Extended> {
     #[inline(never)] // the stack frames of a launch must not add up
-    pub(crate) fn from_point(
+    pub(crate) fn from_reduced_point(
         top: &Top,
         integrals: &FirstIntegrals<Extended>,
         point: &ReducedPoint,
@@ -50,7 +50,7 @@ impl BranchPoints<Extended> {
         } else {
             let pair = LowerPair::new(&ScaledTop::new(top), integrals, point, pause)?;
             pause();
-            Self::above(&pair, integrals, point)
+            Self::from_lower_pair(&pair, integrals, point)
         }
     }
 
@@ -104,7 +104,7 @@ impl BranchPoints<Extended> {
     ) -> Result<Self, ParameterError> {
         let (zero, two, scale) = (Extended::ZERO, Extended::ONE.doubled(), (a * p * g).doubled());
         let gap = Extended::difference_of_products([n, n], [(a * g).doubled().doubled(), p]) / scale;
-        require_slow(gap <= LARGEST_E3.into())?;
+        require_limited_e3(gap <= LARGEST_E3.into())?;
         Ok(if gap >= zero {
             Self::from_differences(two, zero, zero, [gap; 2])
         } else {
@@ -114,12 +114,12 @@ impl BranchPoints<Extended> {
 
     /// All branch points from the lower two.
     #[inline(never)] // as above
-    fn above(
+    fn from_lower_pair(
         pair: &LowerPair,
         integrals: &FirstIntegrals<Extended>,
         point: &ReducedPoint,
     ) -> Result<Self, ParameterError> {
-        let LowerPair { kappa, x1, e2_minus_e1, is_closer } = *pair;
+        let LowerPair { kappa, x1, e2_minus_e1, e2_is_nearer_e1 } = *pair;
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
         let ReducedPoint { one_minus_u, axis_energy, .. } = *point;
         let (zero, one) = (Extended::ZERO, Extended::ONE);
@@ -134,7 +134,7 @@ impl BranchPoints<Extended> {
             let x3 = (e3_minus_e2 - x_sum).halved();
             (if x3 > zero { -x_product / x3 } else { zero }, x3)
         };
-        let e2_minus_e1 = if is_closer { e2_minus_e1 } else { x1 - one_minus_e2 };
+        let e2_minus_e1 = if e2_is_nearer_e1 { e2_minus_e1 } else { x1 - one_minus_e2 };
         let one_minus_e1 = one_minus_e2 + e2_minus_e1;
         let one_plus_e1 = if one_minus_e1 < one {
             one.doubled() - one_minus_e1
@@ -142,7 +142,7 @@ impl BranchPoints<Extended> {
             // (1 + e₁)(1 + e₂) = κ (l+n)²/(1 + e₃)
             lesser_factor(kappa * l_plus_n.squared() / (one.doubled() + e3_minus_one), e2_minus_e1)
         };
-        require_slow(e3_minus_one <= LARGEST_E3.into())?;
+        require_limited_e3(e3_minus_one <= LARGEST_E3.into())?;
         Ok(Self::from_differences(one_plus_e1, one_minus_e2, e2_minus_e1, [e3_minus_e2, e3_minus_one]))
     }
 }
@@ -160,7 +160,7 @@ struct LowerPair {
     x1: Extended,
     e2_minus_e1: Extended,
     /// Whether e₂ - e₁ <= e₃ - e₂.
-    is_closer: bool,
+    e2_is_nearer_e1: bool,
 }
 
 impl LowerPair {
@@ -174,7 +174,7 @@ impl LowerPair {
         let (kappa, n) = (top.kappa(), integrals.n);
         let ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy } = *point;
         let (limit, spin_energy) = (Extended::from(LARGEST_E3), kappa * n.squared());
-        require_slow(spin_energy < limit && axis_energy < limit)?;
+        require_limited_e3(spin_energy < limit && axis_energy < limit)?;
         let sine_squared = one_minus_u * one_plus_u;
         let d_of_u = top.a / top.p + top.s * sine_squared;
         let cubic = Cubic {
@@ -186,22 +186,22 @@ impl LowerPair {
         pause();
         let y3 = cubic.largest_root(pause);
         pause();
-        Ok(Self::below(&cubic, y3, kappa, one_minus_u))
+        Ok(Self::from_largest_root(&cubic, y3, kappa, one_minus_u))
     }
 
     /// Pair below the largest root y₃ of the cubic.
     #[inline(never)]
-    fn below(cubic: &Cubic, y3: Extended, kappa: Extended, one_minus_u: Extended) -> Self {
+    fn from_largest_root(cubic: &Cubic, y3: Extended, kappa: Extended, one_minus_u: Extended) -> Self {
         let (Cubic { g0, g1, g2 }, zero) = (*cubic, Extended::ZERO);
         let (product, sum) = if y3 > zero { (-g0 / y3, (g1 + g0 / y3) / y3) } else { (zero, -g2) };
         let e2_minus_e1 = (sum.squared() - product.doubled().doubled()).sqrt();
         let y2 = (sum + e2_minus_e1).halved();
-        let is_closer = e2_minus_e1 <= y3 - y2;
+        let e2_is_nearer_e1 = e2_minus_e1 <= y3 - y2;
         let y1 = (sum - e2_minus_e1).halved();
-        let y1 = if is_closer && sum > zero && y2 > zero { product / y2 } else { y1 };
-        let y1 = if is_closer { y1 } else { cubic.polished(y1) };
+        let y1 = if e2_is_nearer_e1 && sum > zero && y2 > zero { product / y2 } else { y1 };
+        let y1 = if e2_is_nearer_e1 { y1 } else { cubic.refined(y1) };
         let y1 = if y1 < zero { y1 } else { zero };
-        Self { kappa, x1: one_minus_u - y1, e2_minus_e1, is_closer }
+        Self { kappa, x1: one_minus_u - y1, e2_minus_e1, e2_is_nearer_e1 }
     }
 }
 
@@ -214,11 +214,11 @@ mod tests {
     fn the_border_is_sharp() {
         let (factor, third) = (Extended::from(1.0 + f64::EPSILON), Extended::ONE / 3.0.into());
         let p = Extended::product(1.0 + f64::EPSILON, 0.1);
-        let quantities =
+        let scaled =
             ScaledTop { a: factor * 0.25.into(), c: third, s: third, p, g: 0.1.into(), k: Extended::ZERO };
-        let (n, scale) = (factor * Extended::from(0.1), (quantities.a * p * quantities.g).doubled());
+        let (n, scale) = (factor * Extended::from(0.1), (scaled.a * p * scaled.g).doubled());
         let gap = |n| {
-            let e = BranchPoints::upright(&quantities, n).unwrap();
+            let e = BranchPoints::upright(&scaled, n).unwrap();
             e.e3_minus_e2 - e.e2_minus_e1
         };
         assert_eq!(gap(n), Extended::ZERO);

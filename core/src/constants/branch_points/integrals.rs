@@ -16,32 +16,32 @@ impl BranchPoints {
             .map(|x| Extended::from(x / unit));
         let spin = ScaledTop::new(top).spin(n);
         let integrals = FirstIntegrals { l, n, h, spin, l_plus_n: l + n, l_minus_n: l - n };
-        let point = fastest_point(top, &integrals).ok_or(ParameterError::OutOfRange {
+        let point = point_of_greatest_cubic(top, &integrals).ok_or(ParameterError::OutOfRange {
             parameter: "h",
             allowed: "the energy of some motion with these l and n (it is too low)",
         })?;
         let refused = |_| ParameterError::OutOfRange { parameter: "h", allowed: "such that e3 <= 1e14" };
-        Ok(BranchPoints::from_point(top, &integrals, &point, &mut || {}).map_err(refused)?.to_f64())
+        Ok(BranchPoints::from_reduced_point(top, &integrals, &point, &mut || {}).map_err(refused)?.to_f64())
     }
 
     /// First integrals of the motion with these branch points and signs (equation (3.6) of the paper). Without torque the branch
     /// points do not determine them, and the result has l = n = 0.
     pub fn integrals(&self, top: &Top, signs: Signs) -> FirstIntegrals {
-        self.map(Extended::from).integrals_in(top, signs).as_given(top)
+        self.map(Extended::from).scaled_integrals(top, signs).in_top_units(top)
     }
 }
 
 impl BranchPoints<Extended> {
     /// First integrals in the units of a [`ScaledTop`].
-    pub(crate) fn integrals_in(&self, top: &Top, signs: Signs) -> FirstIntegrals<Extended> {
-        let quantities = ScaledTop::<Extended>::new(top);
-        let ScaledTop { a, c, p, g, .. } = quantities;
+    pub(crate) fn scaled_integrals(&self, top: &Top, signs: Signs) -> FirstIntegrals<Extended> {
+        let scaled = ScaledTop::<Extended>::new(top);
+        let ScaledTop { a, c, p, g, .. } = scaled;
         let scale = (a * p * g).doubled();
         let plus = (scale * self.one_plus_e1 * self.one_plus_e2() * self.one_plus_e3()).sqrt();
         let minus = (scale * self.one_minus_e1() * self.one_minus_e2 * self.e3_minus_one).sqrt();
         let (l_plus_n, l_minus_n) = (signs.l_plus_n.apply(plus), signs.l_minus_n.apply(minus));
         let n = (l_plus_n - l_minus_n).halved();
-        let spin = quantities.spin(n);
+        let spin = scaled.spin(n);
         // h = p g (e₁ + e₂ + e₃) + (C ⟨ω, r⟩² - n²/A)/2
         let h = p * g * (self.e1 + self.e2 + self.e3) + (c * spin.squared() - n.squared() / a).halved();
         FirstIntegrals { l: (l_plus_n + l_minus_n).halved(), n, h, spin, l_plus_n, l_minus_n }
@@ -49,7 +49,7 @@ impl BranchPoints<Extended> {
 }
 
 /// Point of the reduced curve at which (e₄² - u²) u'² is greatest; `None` where no motion has these integrals.
-fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<ReducedPoint> {
+fn point_of_greatest_cubic(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<ReducedPoint> {
     /// Largest effect of one `f64` rounding of l, n and h, relative to the terms.
     const NOISE: f64 = 1e-15;
     let (zero, one, noise) = (Extended::ZERO, Extended::ONE, Extended::from(NOISE));
@@ -57,8 +57,8 @@ fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<Redu
         let (one_minus_u, one_plus_u) = (one - u, one + u);
         ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy }
     };
-    let quantities = ScaledTop::<Extended>::new(top);
-    let ScaledTop { a, c, s, p, g, .. } = quantities;
+    let scaled = ScaledTop::<Extended>::new(top);
+    let ScaledTop { a, c, s, p, g, .. } = scaled;
     let FirstIntegrals { l, n, h, spin, .. } = *integrals;
     let axis_and_height = h - (c * spin.squared()).halved();
     if top.is_torque_free() {
@@ -73,7 +73,7 @@ fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<Redu
         return Some(point(l * n / square, udot, axis_and_height));
     }
     // f(u) = u³ - b u² + c₁ u + c₀
-    let (kappa, energy) = (quantities.kappa(), axis_and_height / quantities.energy_unit());
+    let (kappa, energy) = (scaled.kappa(), axis_and_height / scaled.energy_unit());
     let b = energy + kappa * n.squared();
     let c1 = (kappa * l * n).doubled() - one;
     let c0 = energy - kappa * l.squared();

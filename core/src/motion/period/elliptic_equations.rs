@@ -13,7 +13,7 @@
 //! v runs from 0 at u = e₁ to K at u = e₂. All singularities have the imaginary part K', so K/K' tells the number of nodes. For s = 0, e₄ is
 //! infinite.
 
-use super::landen::SquaresOfWhole;
+use super::landen::JacobiFractions;
 use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::Float;
 
@@ -23,13 +23,13 @@ pub(super) struct EllipticEquations<'a, F> {
     equations: &'a PhaseEquations<F>,
     root_s: F,
     /// Difference E - √s, which is d₋ at u = 1 and d₊ at u = -1.
-    least_root: F,
+    d_plus_at_minus_one: F,
     /// Values of d₊ at e₁ and e₂.
-    roots: [F; 2],
+    d_plus: [F; 2],
     /// Whether e₄ < e₃, so that the elliptic functions belong to e₄.
     e4_is_nearer: bool,
     /// Values of f at e₁ and e₂.
-    distances: [F; 2],
+    f: [F; 2],
     /// Factors of dn v, or of √(e₃ - u), in the denominators of ψ_A and ψ_B.
     smoothing: [F; 2],
 }
@@ -38,14 +38,14 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
     #[inline(never)] // the stack frames of a launch must not add up
     pub(super) fn new(equations: &'a PhaseEquations<F>) -> Self {
         let root_s = equations.s.sqrt();
-        let least_root = equations.a_over_p / ((equations.a_over_p + equations.s).sqrt() + root_s);
-        let at_e1 = least_root + root_s * equations.one_plus_e1;
+        let d_plus_at_minus_one = equations.a_over_p / ((equations.a_over_p + equations.s).sqrt() + root_s);
+        let at_e1 = d_plus_at_minus_one + root_s * equations.one_plus_e1;
         let at_e2 = at_e1 + root_s * equations.e2_minus_e1;
         // e₄ - 1 < e₃ - 1, times s
-        let e4_is_nearer = root_s * least_root < equations.s_times_e3_minus_one;
+        let e4_is_nearer = root_s * d_plus_at_minus_one < equations.s_times_e3_minus_one;
         let (from_e1, ratio, from_e2);
         if e4_is_nearer {
-            from_e2 = least_root + root_s * equations.one_minus_e2;
+            from_e2 = d_plus_at_minus_one + root_s * equations.one_minus_e2;
             from_e1 = from_e2 + root_s * equations.e2_minus_e1;
             ratio = at_e1 / from_e1;
         } else {
@@ -56,10 +56,10 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
         Self {
             equations,
             root_s,
-            least_root,
-            roots: [at_e1, at_e2],
+            d_plus_at_minus_one,
+            d_plus: [at_e1, at_e2],
             e4_is_nearer,
-            distances: [from_e1, from_e2],
+            f: [from_e1, from_e2],
             smoothing: [equations.alpha_smoothing * rate, equations.beta_smoothing * rate],
         }
     }
@@ -68,11 +68,16 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
     #[inline(never)]
     pub(super) fn parameters(&self) -> [F; 2] {
         let Self {
-            equations, root_s, least_root, roots: [at_e1, at_e2], distances: [from_e1, from_e2], ..
+            equations,
+            root_s,
+            d_plus_at_minus_one,
+            d_plus: [at_e1, at_e2],
+            f: [from_e1, from_e2],
+            ..
         } = *self;
         // d₊ at the lesser of e₃ and e₄, in the unit of f
         let beyond = if self.e4_is_nearer {
-            (least_root + root_s).doubled() * root_s
+            (d_plus_at_minus_one + root_s).doubled() * root_s
         } else {
             at_e2 + root_s * equations.e3_minus_e2
         };
@@ -81,19 +86,19 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
     }
 
     /// Derivatives dt/dv, dψ_A/dv and dψ_B/dv, each divided by its factor.
-    pub(super) fn at(&self, squares: &SquaresOfWhole<F>) -> [F; 3] {
-        let Self { equations, root_s, least_root, roots: [at_e1, at_e2], smoothing, .. } = self;
-        let SquaresOfWhole { sn, cn, dn, whole_of_dn } = *squares;
+    pub(super) fn at(&self, squares: &JacobiFractions<F>) -> [F; 3] {
+        let Self { equations, root_s, d_plus_at_minus_one, d_plus: [at_e1, at_e2], smoothing, .. } = self;
+        let JacobiFractions { sn, cn, dn, dn_denominator } = *squares;
         let ([low, high], [alpha_smoothing, beta_smoothing]) = ([*at_e1 * sn, *at_e2 * cn], *smoothing);
         let sum = low + high;
         // one division for 1/P and dn
-        let per_both = F::ONE / (sum * whole_of_dn);
-        let (spread, dn) = (equations.e2_minus_e1 * per_both * whole_of_dn, dn * per_both * sum);
-        let (above_e1, below_e2) = (spread * low, spread * high);
+        let per_both = F::ONE / (sum * dn_denominator);
+        let (swing_per_p, dn) = (equations.e2_minus_e1 * per_both * dn_denominator, dn * per_both * sum);
+        let (above_e1, below_e2) = (swing_per_p * low, swing_per_p * high);
         let one_minus_u = equations.one_minus_e2 + below_e2;
         let one_plus_u = equations.one_plus_e1 + above_e1;
         let d_plus = *at_e1 + *root_s * above_e1;
-        let d_minus = *least_root + *root_s * one_minus_u;
+        let d_minus = *d_plus_at_minus_one + *root_s * one_minus_u;
         // numerators of ψ_A' and ψ_B' times D
         let alpha = equations.a_over_p_by_e3_plus_one + equations.s * one_minus_u;
         let beta = equations.s_times_e3_minus_one * one_plus_u - equations.a_over_p;
@@ -122,7 +127,7 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
 
     /// Factors of the derivatives.
     pub(super) fn factors(&self) -> [F; 3] {
-        let ([_, at_e2], [from_e1, _]) = (self.roots, self.distances);
+        let ([_, at_e2], [from_e1, _]) = (self.d_plus, self.f);
         let factor = F::ONE / (self.equations.half_g * from_e1 * at_e2).sqrt();
         [factor, self.equations.alpha_scale * factor, self.equations.beta_scale * factor]
     }

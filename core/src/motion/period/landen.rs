@@ -4,7 +4,7 @@ use crate::scalar::{Float, Ring, Wide};
 
 /// Squares sn² u and cn² u, and dn u, as fractions that are not divided yet. The denominator of both squares is their sum.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct SquaresOfWhole<F> {
+pub(super) struct JacobiFractions<F> {
     /// Numerator of sn².
     pub(super) sn: F,
     /// Numerator of cn².
@@ -12,7 +12,7 @@ pub(super) struct SquaresOfWhole<F> {
     /// Numerator of dn.
     pub(super) dn: F,
     /// Denominator of dn.
-    pub(super) whole_of_dn: F,
+    pub(super) dn_denominator: F,
 }
 
 /// Sequence of Landen transformations of one parameter.
@@ -22,7 +22,7 @@ pub(super) struct Landen<const WORDS: usize> {
     /// Product of (1 + k)² over all steps.
     scale: Wide<WORDS>,
     /// Number of steps, from the first, with 1 - k <= 1/8.
-    near_one: usize,
+    steps_near_one: usize,
 }
 
 /// Largest number of nodes on half a period. A motion with m₁ = 1e-300 needs 2560.
@@ -33,7 +33,7 @@ pub(super) const MOST_NODES: u32 = 1 << 13;
 struct LandenStep<F> {
     modulus: F,
     /// Difference 1 - k.
-    rest: F,
+    complement: F,
     /// Modulus times the product of (1 + k)² over the steps to smaller moduli.
     scaled_modulus: F,
 }
@@ -47,27 +47,27 @@ impl<const WORDS: usize> Landen<WORDS> {
 
     /// Sequence for m = 0.
     pub(super) const NONE: Self = Self {
-        steps: [LandenStep { modulus: Wide::ZERO, rest: Wide::ONE, scaled_modulus: Wide::ZERO };
+        steps: [LandenStep { modulus: Wide::ZERO, complement: Wide::ONE, scaled_modulus: Wide::ZERO };
             LANDEN_STEPS],
         scale: Wide::ONE,
-        near_one: 0,
+        steps_near_one: 0,
     };
 
     /// Fills the sequence for m and m₁ = 1 - m, each given with full relative precision.
     #[inline(never)]
     pub(super) fn fill(&mut self, [m, m1]: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) {
         // k₁ = (1 - k')/(1 + k') = k²/(1 + k')²,  k₁' = 2 √k'/(1 + k')
-        let (mut modulus_squared, mut complement) = (m, m1.sqrt());
+        let (mut modulus_squared, mut conjugate) = (m, m1.sqrt());
         for step in &mut self.steps {
-            let per_sum = Wide::ONE / (Wide::ONE + complement);
+            let per_sum = Wide::ONE / (Wide::ONE + conjugate);
             let modulus = modulus_squared * per_sum.squared();
             if modulus.to_f64() <= Self::LEAST_MODULUS {
                 break;
             }
-            let rest = complement.doubled() * per_sum;
-            *step = LandenStep { modulus, rest, scaled_modulus: modulus };
-            self.near_one += usize::from(rest.to_f64() <= 0.125);
-            complement = complement.sqrt().doubled() * per_sum;
+            let complement = conjugate.doubled() * per_sum;
+            *step = LandenStep { modulus, complement, scaled_modulus: modulus };
+            self.steps_near_one += usize::from(complement.to_f64() <= 0.125);
+            conjugate = conjugate.sqrt().doubled() * per_sum;
             modulus_squared = modulus.squared();
             pause();
         }
@@ -77,7 +77,7 @@ impl<const WORDS: usize> Landen<WORDS> {
         }
     }
 
-    fn changing(&self) -> impl Iterator<Item = &LandenStep<Wide<WORDS>>> {
+    fn active_steps(&self) -> impl Iterator<Item = &LandenStep<Wide<WORDS>>> {
         self.steps.iter().filter(|step| step.modulus > Wide::ZERO)
     }
 
@@ -85,12 +85,12 @@ impl<const WORDS: usize> Landen<WORDS> {
     pub(super) fn quarter_period(&self) -> Wide<WORDS> {
         // π/2 to 32 digits
         let half_pi = Wide::sum(core::f64::consts::FRAC_PI_2, 6.123233995736766e-17);
-        self.changing().fold(half_pi, |product, step| product * (Wide::ONE + step.modulus))
+        self.active_steps().fold(half_pi, |product, step| product * (Wide::ONE + step.modulus))
     }
 
     /// Division of K with which the trapezoid rule decreases its error by this number of bits: the first division, into 1, 3 or 5 parts,
     /// and the number of nodes after at least two doublings, which the estimate of the error needs.
-    pub(super) fn division(&self, bits: f64) -> (u32, u32) {
+    pub(super) fn node_counts(&self, bits: f64) -> (u32, u32) {
         let nodes = bits / self.bits_per_node();
         let doubled = |division: u32| {
             let mut count = 4 * division;
@@ -108,7 +108,7 @@ impl<const WORDS: usize> Landen<WORDS> {
     /// Number of bits by which each node decreases the error: -2 log₂ q for the nome q = e^{-πK'/K}, to a few percent.
     fn bits_per_node(&self) -> f64 {
         // the modulus after n transformations is nearly 4 q^(2^(n-1)); its exponent is its logarithm to a percent
-        let last = self.changing().fold((1.0, 64.0), |(weight, _), step| {
+        let last = self.active_steps().fold((1.0, 64.0), |(weight, _), step| {
             let exponent = 1023 - (step.modulus.to_f64().to_bits() >> 52) as i32;
             (0.5 * weight, weight * f64::from(2 + exponent))
         });
@@ -117,24 +117,27 @@ impl<const WORDS: usize> Landen<WORDS> {
 
     /// Squares at u = 2 K φ/π, from sin φ and cos φ, without a division: sn² and cn² are kept as fractions X/W and Y/W.
     #[inline(never)]
-    pub(super) fn squares_at_angle(&self, [sine, cosine]: [Wide<WORDS>; 2]) -> SquaresOfWhole<Wide<WORDS>> {
+    pub(super) fn fractions_at_angle(
+        &self,
+        [sine, cosine]: [Wide<WORDS>; 2],
+    ) -> JacobiFractions<Wide<WORDS>> {
         // X without its constant factors (1 + k)²
         let (mut x, mut y, mut w) = (sine.squared(), cosine.squared(), Wide::ONE);
         let (mut sum, mut difference) = (Wide::ONE, Wide::ONE);
         for (number, step) in self.steps.iter().enumerate().rev() {
-            let LandenStep { modulus, rest, scaled_modulus } = *step;
+            let LandenStep { modulus, complement, scaled_modulus } = *step;
             if modulus == Wide::ZERO {
                 continue;
             }
             let kx = scaled_modulus * x;
             sum = w + kx;
             // W - k X = (1 - k) W + k Y, whose rounding error is smaller where k is near 1
-            difference = if number < self.near_one { rest * w + modulus * y } else { w - kx };
-            y = y * (difference + rest * kx);
+            difference = if number < self.steps_near_one { complement * w + modulus * y } else { w - kx };
+            y = y * (difference + complement * kx);
             x = x * w;
             w = sum.squared();
         }
-        SquaresOfWhole { sn: self.scale * x, cn: y, dn: difference, whole_of_dn: sum }
+        JacobiFractions { sn: self.scale * x, cn: y, dn: difference, dn_denominator: sum }
     }
 }
 
@@ -154,6 +157,6 @@ mod tests {
         });
         let (bits, expected) = (half.bits_per_node(), 2.0 * core::f64::consts::PI / core::f64::consts::LN_2);
         assert!((bits / expected - 1.0).abs() < 0.02, "{bits}");
-        assert_eq!([half, small, least].map(|landen| landen.division(105.0).1), [12, 160, 2560]);
+        assert_eq!([half, small, least].map(|landen| landen.node_counts(105.0).1), [12, 160, 2560]);
     }
 }

@@ -58,7 +58,7 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         landen: &'a Landen<WORDS>,
         pause: &mut dyn FnMut(),
     ) -> (Self, u32) {
-        let (nodes, needed) = landen.division(Self::BITS);
+        let (nodes, needed) = landen.node_counts(Self::BITS);
         let step = part_of_right_angle(nodes);
         let mut rule =
             Self { equations, landen, sums: [Wide::ZERO; 3], nodes, step, changes: [f64::INFINITY; 2] };
@@ -100,7 +100,7 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
 
     #[inline(never)]
     fn at(&self, angle: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) -> [Wide<WORDS>; 3] {
-        let squares = self.landen.squares_at_angle(angle);
+        let squares = self.landen.fractions_at_angle(angle);
         pause();
         let integrands = self.equations.at(&squares);
         pause();
