@@ -1,6 +1,6 @@
 //! Events: instants at which a motion turns, reaches a tilt, a circle or a tip angle, or lifts off.
 //!
-//! An event of u has one nutation phase while u rises, which a bisection of the table finds once, and its mirror image while u falls. The
+//! An event of u has one nutation phase while u rises, found once by bisection, and the mirrored one while u falls. The
 //! tip angle is bisected in time. All work is bounded.
 
 mod level;

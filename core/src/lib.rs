@@ -82,7 +82,7 @@ mod tests {
         held::<(EphemerisQ31, EphemerisQ15)>();
     }
 
-    /// Every public type for firmware but [`Baked`], which is a table, has a format for logs.
+    /// Public types whose values a program may log have a format for logs; tables and their memory have none.
     #[cfg(feature = "defmt")]
     #[test]
     fn firmware_may_log_everything() {

@@ -100,8 +100,8 @@ impl Motion {
         self.signs
     }
 
-    /// Nutation period, and advance of α and β over it; this call integrates them. Where u is constant, they are those of a small
-    /// nutation. `None` for e₂ = e₃.
+    /// Nutation period, and advance of α and β over it, by integration. For a constant u they are those of a small nutation.
+    /// `None` for e₂ = e₃.
     pub fn period_advance(&self) -> Option<PeriodAdvance> {
         let windings = Ellipses::oscillating(&self.e, self.signs).windings();
         let period = self.period::<2>(&self.equations(), &mut || {})?;

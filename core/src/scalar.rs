@@ -48,7 +48,7 @@ pub trait Ring:
     /// One.
     const ONE: Self;
 
-    /// Product; in fixed point a faster one than `*`.
+    /// Product. In fixed point it is rounded down, and faster than `*`.
     #[inline(always)]
     #[must_use]
     fn product(self, other: Self) -> Self {
@@ -83,7 +83,7 @@ pub trait Ring:
         self + self
     }
 
-    /// Larger of two numbers; the other one where this is NaN.
+    /// Larger of two numbers; `other` if `self` is NaN.
     #[inline]
     #[must_use]
     fn max(self, other: Self) -> Self {
@@ -106,7 +106,7 @@ pub trait Ring:
 
 /// Number type of a tick: a ring with the sine and cosine of an integer phase.
 pub trait Scalar: Ring {
-    /// (sin 2πx, cos 2πx) of a phase of x turns. Error: below 3.2e-8 in `f32`, absolute; below 2e-16 in `f64`, relative near the zeros.
+    /// (sin 2πx, cos 2πx) of a phase of x turns. Absolute error in `f32`: below 3.2e-8. Error in `f64`: below 2e-16, relative near the zeros.
     fn sine_cosine(phase: Phase) -> (Self, Self);
 
     /// Half a unit in the last place of 1: the rounding error of a sum.
@@ -119,7 +119,7 @@ pub trait Float: Ring + Div<Output = Self> {
     fn from_f64(x: f64) -> Self;
     /// Nearest `f64`.
     fn to_f64(self) -> f64;
-    /// Square root; 0 for a number that rounding made negative.
+    /// Square root; 0 for a negative number.
     #[must_use]
     fn sqrt(self) -> Self;
 

@@ -1,4 +1,4 @@
-//! Stepper: integration of the motion by one Runge-Kutta step for three phases per time step.
+//! Stepper: one Runge-Kutta step of the three phases per time step.
 //!
 //! The rates depend on χ alone. Orientation and first integrals are functions of the phases, so |Φ|, l, n and h do not drift.
 
@@ -127,7 +127,7 @@ impl<R: Real> Stepper<R> {
         let turned = |(rate, _): (Extended, R)| (rate * dt.to_f64().into()).to_phase();
         let [rate_a, rate_b] = self.constant_rates;
         let turned_a = turned(rate_a);
-        // the product is dear, and the rates are ±τ/2 unless u is constant
+        // the constant rates are ±τ/2 unless u is constant, and a product costs much
         let turned_b = if self.nutation == Nutation::Steady { turned(rate_b) } else { -turned_a };
         let [a, b] = &mut self.phases;
         *a += turns(change.slow_a) + turned_a;
@@ -168,8 +168,8 @@ impl<R: Real> Stepper<R> {
         self.phi_origin.map(|origin| origin + self.continued_phi())
     }
 
-    /// Rate φ' of the tip angle, rad per unit time (equation (4.1) of the paper); at most the largest finite `f32`, and 0 for a vertical
-    /// axis.
+    /// Rate φ' of the tip angle, rad per unit time (equation (4.1) of the paper); 0 for a vertical axis, and the largest finite `f32`
+    /// where it overflows.
     #[must_use]
     pub fn tip_angle_rate(&self) -> R {
         // φ' = (l+n)/(4A |α|²) + (l-n)/(4A |β|²), without a term whose parameter is 0

@@ -12,8 +12,8 @@
 //! R = (p ⟨d × J, q⟩ - A J₃) / (A + p s |q|²)
 //! ```
 //!
-//! *Fixed tip, free body.* s = 0, and d is from the point to which A and C belong. K does not change. Where C = 0, J has no moment
-//! about the axis.
+//! *Fixed tip, free body.* s = 0, and d is from the point to which A and C belong. K does not change. A rod (C = 0) gets no axial
+//! rate.
 
 use super::state::FASTEST;
 use super::{ParameterError, State, Support, Top, check, check_range};
@@ -22,7 +22,7 @@ use crate::su2::{Vector, cross, dot};
 impl State {
     /// State after an impulse J, N s in the fixed frame, at a point X of the body, m in the body frame *from the tip*.
     ///
-    /// For a free body the point is relative to the centre of mass, which otherwise is at [0, 0, s]. A pair J at X + D and -J at X is an
+    /// X is from the tip, where the centre of mass is at [0, 0, s]; for a free body it is from the centre of mass. A pair J at X + D and -J at X is an
     /// angular impulse D × J.
     ///
     /// ```
@@ -62,8 +62,8 @@ impl State {
         Ok(Self { omega, ..*self })
     }
 
-    /// Reaction of the support to an impulse, N s in the fixed frame: p Δω × r - J, and its vertical part under a sliding tip. Where
-    /// that is negative, a real top leaves the plane.
+    /// Reaction of the support to an impulse, N s in the fixed frame: p Δω × r - J; for a sliding tip only its vertical
+    /// part. Where that is negative, a real top leaves the plane.
     ///
     /// # Errors
     /// `impulse`, `point`: a component is not finite or is above 1e12.

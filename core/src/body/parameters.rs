@@ -5,8 +5,7 @@ use crate::scalar::{Extended, Float, Ring};
 
 /// Parameters of a top, in SI or other consistent units.
 ///
-/// Both moments of inertia are required: they are NaN in the default, which every top refuses by name. A mass, mass moment or height
-/// of 0 counts as not given.
+/// Both moments of inertia are required: they default to NaN, which is refused. A mass, mass moment or height of 0 counts as not given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TopParameters {

@@ -81,7 +81,7 @@ mod tests {
         rotor_momentum: 0.0,
     };
 
-    /// The units inside are powers of two: what is a quotient of given numbers keeps its bits.
+    /// The units are powers of two, so that quotients of given numbers keep their bits.
     #[test]
     fn units_inside_make_inertia_and_moment_one() {
         for scale in [1e-40, 1.0, 3e30] {

@@ -58,7 +58,7 @@ pub struct FirstIntegrals<F = f64> {
     pub n: F,
     /// Energy h = T + V, J; V = 0 at the height of the tip. T excludes a rotor's motion relative to the body.
     pub h: F,
-    /// Axial rate ⟨ω, r⟩ of the body, rad per unit time: (n - K)/C, and a constant of its own where C = 0.
+    /// Axial rate ⟨ω, r⟩ of the body, rad per unit time: (n - K)/C; a further constant where C = 0.
     pub spin: F,
     /// Sum l + n, kg m²/s.
     pub l_plus_n: F,
@@ -108,7 +108,7 @@ struct Axis {
 }
 
 impl Axis {
-    #[inline(never)] // the stack frames of a launch must not add up
+    #[inline(never)] // keeps the stack small
     fn new(state: &State) -> Self {
         let (phi, omega) = state.in_extended();
         let (zero, one) = (Extended::ZERO, Extended::ONE);
@@ -117,7 +117,7 @@ impl Axis {
         let one_minus_u = phi.beta.norm_squared().doubled() / norm;
         let one_plus_u = phi.alpha.norm_squared().doubled() / norm;
         let [r1, r2, u] = phi.axis().map(|component| component / norm);
-        // on the vertical the values are exact, so that n is the exact product of C and ω₃
+        // exact on the vertical, where n = C ω₃
         let (u, one_minus_u, one_plus_u) = if one_minus_u == zero {
             (one, zero, one.doubled())
         } else if one_plus_u == zero {
@@ -142,7 +142,7 @@ impl FirstIntegrals<Extended> {
         Self::from_axis(top, &Axis::new(state))
     }
 
-    #[inline(never)] // as above
+    #[inline(never)] // keeps the stack small
     fn from_axis(top: &Top, axis: &Axis) -> (Self, ReducedPoint) {
         let scaled = ScaledTop::<Extended>::new(top);
         let (ScaledTop { a, c, s, p, g, k }, unit) = (scaled, scaled.energy_unit());

@@ -19,7 +19,7 @@ const OPERATIONS: f64 = 32.0;
 
 impl LaunchRounding {
     /// Errors of a launch from a state: see `core/docs/error_bound.md`.
-    #[inline(never)] // the stack frames of a launch must not add up
+    #[inline(never)] // keeps the stack small
     pub(crate) fn new(
         top: &Top,
         integrals: &FirstIntegrals<Extended>,
@@ -51,7 +51,7 @@ impl LaunchRounding {
         let lower_terms = 2.0 * axis_energy + one_minus_u * one_plus_u + 2.0 * kappa * n * l_minus_nu;
         let lower = lower_terms / (e.e3_minus_one + one_minus_u);
         let condition = upper / e.e3_minus_e2 + lower * (1.0 / e.e3_minus_e1() + 2.0 * u.abs() * p * s / a);
-        // an infinite condition is that of e₂ = e₃, where no period exists
+        // infinite for e₂ = e₃, which has no period
         Self { relative: if condition.is_finite() { rounding * condition } else { 0.0 }, slow_rates }
     }
 }

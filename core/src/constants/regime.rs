@@ -10,9 +10,9 @@ use crate::scalar::{Extended, Float, Ring};
 pub enum Regime {
     /// e₁ < e₂ < e₃: u oscillates between e₁ and e₂.
     Nutating,
-    /// e₁ = e₂ within ±1 and |l| < |n|: the slower regular precession at this tilt and spin.
+    /// -1 < e₁ = e₂ < 1 and |l| < |n|: the slower regular precession at this tilt and spin.
     SlowPrecession,
-    /// e₁ = e₂ within ±1 and |l| >= |n|: the faster regular precession at this tilt and spin.
+    /// -1 < e₁ = e₂ < 1 and |l| >= |n|: the faster regular precession at this tilt and spin.
     FastPrecession,
     /// e₁ = e₂ = 1: the axis is upright, and a small push causes a small nutation.
     SleepingStable,
@@ -55,7 +55,7 @@ impl Regime {
     }
 }
 
-/// Whether the tilt oscillates by more than 2^-49 rad, the rounding of a state, or passes through the vertical.
+/// Whether the tilt oscillates by more than 2^-49 rad (the rounding of a state), or passes through the vertical.
 fn u_oscillates(e: &BranchPoints<Extended>) -> bool {
     const STILL: f64 = 1.0 / (1_u64 << 49) as f64;
     let zero = Extended::ZERO;

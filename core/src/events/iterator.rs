@@ -57,7 +57,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.events([Some(Phase::HALF), Some(Phase::ZERO), None, None], from)
     }
 
-    /// Instants at tick `from` or later at which u crosses a level. Within the error bound of e₁ or e₂ a rounding decides.
+    /// Instants at tick `from` or later at which u crosses a level. Roundings decide whether a level within the error bound of e₁ or e₂ is reached.
     ///
     /// Error of the time: the error bound of the orientation over the rate |u'|/√(1 - u²) of the tilt, and 2^-54 ticks. Cost: 65
     /// orientations, once.
@@ -105,7 +105,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 }
 
 impl<R: EphemerisScalar> Events<'_, R> {
-    /// Events with the angle at the start moved back by a rounding, which finds an event at the start.
+    /// Moves the start back by a rounding, so that an event at the start counts.
     fn started(mut self) -> Self {
         let mut after = self.view.clock.tip_turn();
         for _ in 0..PIECES {

@@ -10,7 +10,7 @@ use crate::scalar::{Extended, Float, Ring};
 use crate::su2::Orientation;
 use crate::table::{EphemerisScalar, EphemerisView};
 
-/// Value of u, the cosine of the tilt, that a motion may reach, as 1 - u and 1 + u.
+/// Value of u, the cosine of the tilt, stored as 1 - u and 1 + u.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Level {

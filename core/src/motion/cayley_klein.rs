@@ -114,7 +114,7 @@ impl<R: Real> Ellipse<R> {
         Phase::from_radians(value.arg().to_f64())
     }
 
-    /// Argument of the ellipse, continuous in χ: ±χ plus at most a quarter turn; 0 where the ellipse passes through 0.
+    /// Argument of the ellipse, continuous in χ: ±χ plus at most a quarter turn. It counts as 0 where the ellipse passes through 0.
     ///
     /// * `whole_chi`: χ with its whole turns
     pub(crate) fn continued_argument(&self, chi: Complex<R>, whole_chi: Phase) -> Phase {

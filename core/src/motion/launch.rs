@@ -18,7 +18,7 @@ impl Motion {
         Self::launch_between(top, state, &mut || {})
     }
 
-    /// Motion from a state, for a program that has other work meanwhile.
+    /// Motion from a state, with pauses for other work.
     ///
     /// * `pause`: called at least every 50 000 cycles of a Cortex-M4F
     ///
@@ -72,7 +72,7 @@ impl Motion {
         check(
             !top.is_torque_free(),
             "e3",
-            "left out without torque, where it is infinite and branch points tell no rate: give a state or a release",
+            "that of a motion with torque: without it branch points tell no rate; give a state or a release",
         )?;
         let e = BranchPoints::exact(e)?;
         let InitialPhases { theta, arg_alpha, arg_beta } = *start;
@@ -114,7 +114,7 @@ impl Motion {
     ) -> Self {
         let ScaledTop { a, c, k, .. } = ScaledTop::<Extended>::new(top);
         let regime = Regime::new(&e, signs, upright);
-        // a nutation that is too small to count in the regime has its own mean rates
+        // also a nutation below the threshold of the regime has a period
         let is_steady = e.e2_minus_e1 == Extended::ZERO || regime == Regime::SleepingUnstable;
         let mut motion = Self {
             top: *top,

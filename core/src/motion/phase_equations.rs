@@ -1,4 +1,4 @@
-//! Phase equations: rates of the nutation phase and of the two slow phases.
+//! Phase equations: rates of χ, ψ_A and ψ_B.
 //!
 //! With the half phase χ = θ/2, sin²χ = (u - e₁)/(e₂ - e₁), they are smooth at the turning points and at the vertical:
 //!
@@ -8,7 +8,7 @@
 //! √2 β = [√(1-e₁) cos χ + i s₋ √(1-e₂) sin χ] e^{i(b + ψ_B - τt/2)}
 //! ```
 //!
-//! The ellipses contain the logarithmic poles of the paper's integrals (equation (3.10)), 1 - u and 1 + u in a denominator.
+//! The ellipses absorb the factors 1/(1 ± u) of the paper's integrals (equation (3.10)).
 
 use crate::body::{ScaledTop, Top};
 use crate::complex::Complex;
@@ -92,7 +92,7 @@ impl<F: Float> PhaseEquations<F> {
         self.map(|x| R::from_f64(x.to_f64()))
     }
 
-    #[inline(never)] // fourteen conversions in each place would take much flash
+    #[inline(never)] // saves flash
     pub(crate) fn map<R>(&self, convert: fn(F) -> R) -> PhaseEquations<R> {
         PhaseEquations {
             one_plus_e1: convert(self.one_plus_e1),
@@ -155,7 +155,7 @@ impl<F: Float> PhaseEquations<F> {
 
     /// Equations of a body without torque, the limit e₃ → ∞: χ' is constant, and ψ_A' and ψ_B' are 0.
     ///
-    /// The torque enters χ' by g (e₃ - u)/D alone: e₃ - u and D = A/p count as 1, and g/2 as χ'².
+    /// The constants are e₃ - u = D = 1 and g/2 = χ'², so that the formula of χ' gives the constant rate.
     pub(crate) fn torque_free(chi_rate: F, e: &BranchPoints<F>) -> Self {
         Self {
             one_plus_e1: e.one_plus_e1,

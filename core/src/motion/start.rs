@@ -14,7 +14,7 @@ use crate::su2::{AttitudeState, OrientationRate};
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InitialPhases {
-    /// Nutation phase θ(0): 0 at u = e₁, π at u = e₂, with u rising in between. The `f64` nearest to a multiple of π counts as it. θ = π with
+    /// Nutation angle θ(0) = 2χ(0): 0 at u = e₁, π at u = e₂, with u rising in between. The `f64` nearest to a multiple of π counts as it. θ = π with
     /// e₂ = e₃ = 1 means the sleeping top.
     pub theta: f64,
     /// Argument of α(0); where α(0) = 0, that of α'(0).
@@ -28,7 +28,7 @@ impl Motion {
     ///
     /// √(e₂ - e₁) sin χ = √(u - e₁), and √(e₂ - e₁) cos χ = ±√(e₂ - u) with the sign of u'. In an aperiodic motion sin χ has that sign
     /// instead. The smaller difference comes from (u - e₁)(e₂ - u) = g₀/(e₃ - u), without a subtraction.
-    #[inline(never)] // the stack frames of a launch must not add up
+    #[inline(never)] // keeps the stack small
     pub(super) fn start_nutation(&mut self, point: &ReducedPoint) {
         let ScaledTop { a, s, p, g, .. } = self.scaled_top();
         let ReducedPoint { one_minus_u, one_plus_u, udot, .. } = *point;
@@ -63,7 +63,7 @@ impl Motion {
     }
 
     /// Sets the slow phases at an attitude, whose half phase is known.
-    #[inline(never)] // as above
+    #[inline(never)] // keeps the stack small
     pub(super) fn start_slow_phases(
         &mut self,
         AttitudeState { orientation: phi, rate }: &AttitudeState<f64>,
@@ -119,7 +119,7 @@ pub(super) fn half_phase_of_angle(theta: f64) -> Phase {
     (Extended::from(theta).in_turns() * Extended::from(0.5)).to_phase()
 }
 
-/// Slow phase of a parameter z with rate z': the rotation that best maps the ellipse and its rate to both.
+/// Slow phase of a parameter z with rate z': the least-squares rotation of the ellipse and its rate to z and z'.
 fn slow_phase(ellipse: &Ellipse<f64>, chi: Complex<f64>, rates: [f64; 2], z: [Complex<f64>; 2]) -> Phase {
     let [value, rate] = z;
     let (model, model_rate) = (ellipse.at(chi), ellipse.rate(chi, rates));

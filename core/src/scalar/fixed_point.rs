@@ -6,15 +6,15 @@ use crate::product::high_product;
 use crate::scalar::{Ring, Scalar, sine_cosine_q31};
 use fixed::types::{I2F14, I2F30};
 
-/// Scalar traits of a type of fixed point. `$high` is a product with all bits that are needed, `$kept` the number from a sum of them,
-/// and `$short` the number from a sine in units of 2^-31.
+/// Scalar traits of a type of fixed point. `$high` makes a product from bits, `$kept` the bits of a number from a sum of
+/// products, and `$short` those from a sine in units of 2^-31.
 macro_rules! fixed_scalar {
     ($fixed:ty, $rounding:expr, $high:expr, $kept:expr, $short:expr) => {
         impl Ring for $fixed {
             const ZERO: Self = Self::ZERO;
             const ONE: Self = Self::ONE;
 
-            /// Wrapping sum x + x: only products that occur in no motion leave the range when doubled.
+            /// Sum x + x. It wraps only for numbers that no motion has.
             #[inline(always)]
             fn doubled(self) -> Self {
                 self.wrapping_add(self)

@@ -1,4 +1,4 @@
-//! All sines and cosines.
+//! Sines and cosines of phases and of angles.
 //!
 //! | function | argument | result |
 //! |---|---|---|
@@ -58,8 +58,8 @@ pub(super) fn sine_cosine_of_phase(phase: Phase) -> (f64, f64) {
     quarter_turns(quadrant, rest.to_f64())
 }
 
-/// (sin x, cos x) of an angle of x rad up to 1e6. Error: below 4e-16, relative to the result near its zeros. Those of libm would take
-/// several kilobytes of flash.
+/// (sin x, cos x) of an angle of x rad up to 1e6. Error: below 4e-16, relative to the result near its zeros. The functions of libm would
+/// take several kilobytes of flash.
 pub(crate) fn sine_cosine_of_radians(x: f64) -> (f64, f64) {
     if x.abs() < core::f64::consts::FRAC_PI_4 {
         return quarter_turns(0, x * (0.5 * core::f64::consts::FRAC_1_PI));
@@ -104,7 +104,7 @@ pub static SINES: [i32; POINTS + POINTS / 4] = {
     sines
 };
 
-/// Largest distance of a phase from its nearest point, rad: d = DISTANCE x with x in [-1, 1).
+/// Largest distance of a phase from its nearest point, rad: d/DISTANCE is in [-1, 1).
 const DISTANCE: f64 = 2.0 * core::f64::consts::PI / 1024.0;
 /// Coefficient of d, times 2^38.
 pub const LINEAR: i32 = (DISTANCE * (1_u64 << 38) as f64) as i32;

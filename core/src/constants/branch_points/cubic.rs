@@ -30,7 +30,7 @@ impl Cubic {
     }
 
     /// Upper bound on the largest root, so close that even linear convergence, to a multiple root, takes few steps.
-    #[inline(never)] // the stack frames of a launch must not add up
+    #[inline(never)] // keeps the stack small
     fn upper_bound(&self) -> Extended {
         let (Self { g0, g1, g2 }, zero) = (*self, Extended::ZERO);
         // a power of two, because the cube root of libm would take much of a chip's flash
@@ -47,7 +47,7 @@ impl Cubic {
     }
 
     /// Largest root, by Newton's method from above, where the iterates decrease.
-    #[inline(never)] // as above
+    #[inline(never)] // keeps the stack small
     pub(super) fn largest_root(&self, pause: &mut dyn FnMut()) -> Extended {
         const MOST_STEPS: u32 = 200;
         let mut y = self.upper_bound();

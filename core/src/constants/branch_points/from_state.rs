@@ -36,7 +36,7 @@ impl BranchPoints {
 }
 
 impl BranchPoints<Extended> {
-    #[inline(never)] // the stack frames of a launch must not add up
+    #[inline(never)] // keeps the stack small
     pub(crate) fn from_reduced_point(
         top: &Top,
         integrals: &FirstIntegrals<Extended>,
@@ -75,7 +75,7 @@ impl BranchPoints<Extended> {
     }
 
     /// Branch points without torque; e₁ = e₂ = u for a body at rest.
-    #[inline(never)] // as above
+    #[inline(never)] // keeps the stack small
     fn torque_free(top: &Top, integrals: &FirstIntegrals<Extended>, point: &ReducedPoint) -> Self {
         let (ScaledTop { a, .. }, zero) = (ScaledTop::new(top), Extended::ZERO);
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
@@ -97,7 +97,7 @@ impl BranchPoints<Extended> {
 
     /// Branch points of an upright axis at rest. The third root is n²/(2 A p g) - 1; the top sleeps if it is at least 1.
     /// The number n² - 4 A p g has a single rounding, so it is 0 exactly on the border of stability.
-    #[inline(never)] // as above
+    #[inline(never)] // keeps the stack small
     fn upright(
         &ScaledTop { a, p, g, .. }: &ScaledTop<Extended>,
         n: Extended,
@@ -113,7 +113,7 @@ impl BranchPoints<Extended> {
     }
 
     /// All branch points from the lower two.
-    #[inline(never)] // as above
+    #[inline(never)] // keeps the stack small
     fn from_lower_pair(
         pair: &LowerPair,
         integrals: &FirstIntegrals<Extended>,
@@ -153,7 +153,7 @@ fn lesser_factor(product: Extended, difference: Extended) -> Extended {
     if product > Extended::ZERO { product.doubled() / (difference + sum) } else { Extended::ZERO }
 }
 
-/// First two branch points, as far as the cubic in e - u determines them without cancellation.
+/// First two branch points, from the cubic in e - u.
 struct LowerPair {
     kappa: Extended,
     /// Difference 1 - e₁.
@@ -164,7 +164,7 @@ struct LowerPair {
 }
 
 impl LowerPair {
-    #[inline(never)] // as above
+    #[inline(never)] // keeps the stack small
     fn new(
         top: &ScaledTop<Extended>,
         integrals: &FirstIntegrals<Extended>,

@@ -50,7 +50,7 @@ impl BranchPoints<Extended> {
 
 /// Point of the reduced curve at which (e₄² - u²) u'² is greatest; `None` where no motion has these integrals.
 fn point_of_greatest_cubic(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<ReducedPoint> {
-    /// Largest effect of one `f64` rounding of l, n and h, relative to the terms.
+    /// Relative tolerance for the `f64` roundings of l, n and h.
     const NOISE: f64 = 1e-15;
     let (zero, one, noise) = (Extended::ZERO, Extended::ONE, Extended::from(NOISE));
     let point = |u: Extended, udot: Extended, axis_energy: Extended| {

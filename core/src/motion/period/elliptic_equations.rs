@@ -26,7 +26,7 @@ pub(super) struct EllipticEquations<'a, F> {
     d_plus_at_minus_one: F,
     /// Values of d₊ at e₁ and e₂.
     d_plus: [F; 2],
-    /// Whether e₄ < e₃, so that the elliptic functions belong to e₄.
+    /// Whether e₄ < e₃; f is then d₋.
     e4_is_nearer: bool,
     /// Values of f at e₁ and e₂.
     f: [F; 2],
@@ -35,7 +35,7 @@ pub(super) struct EllipticEquations<'a, F> {
 }
 
 impl<'a, F: Float> EllipticEquations<'a, F> {
-    #[inline(never)] // the stack frames of a launch must not add up
+    #[inline(never)] // keeps the stack small
     pub(super) fn new(equations: &'a PhaseEquations<F>) -> Self {
         let root_s = equations.s.sqrt();
         let d_plus_at_minus_one = equations.a_over_p / ((equations.a_over_p + equations.s).sqrt() + root_s);

@@ -2,7 +2,7 @@
 
 use crate::scalar::{Float, Ring, Wide};
 
-/// Squares sn² u and cn² u, and dn u, as fractions that are not divided yet. The denominator of both squares is their sum.
+/// Fractions sn² u, cn² u and dn u before their division. The first two have the denominator sn + cn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct JacobiFractions<F> {
     /// Numerator of sn².

@@ -46,13 +46,13 @@ struct TrapezoidRule<'a, const WORDS: usize> {
 }
 
 impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
-    /// Number of bits by which the first nodes decrease the error. Few motions then need a doubling.
+    /// Bits of accuracy that the first nodes should reach. Few motions then need a doubling.
     const BITS: f64 = if WORDS == 1 { 66.0 } else { 105.0 };
-    /// Estimated relative error at which no more nodes are added. 2^62 ticks with a thousand ticks a period multiply it by 3e16.
+    /// Estimated relative error at which no more nodes are added. After 2^62 ticks, a thousand a period, it is 3e16 times as large.
     const SETTLED: f64 = if WORDS == 1 { 1e-17 } else { 1e-28 };
 
     /// Rule with the least number of nodes, and the number of nodes that the rate of convergence requires.
-    #[inline(never)] // the stack frames of a launch must not add up
+    #[inline(never)] // keeps the stack small
     fn new(
         equations: &'a EllipticEquations<'a, Wide<WORDS>>,
         landen: &'a Landen<WORDS>,
@@ -69,7 +69,7 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         (rule, needed)
     }
 
-    /// Adds a node between each two. Returns the estimated relative error.
+    /// Halves the distance of the nodes. Returns the estimated relative error.
     #[inline(never)]
     fn double_nodes(&mut self, pause: &mut dyn FnMut()) -> f64 {
         let [sine, cosine] = self.step;

@@ -67,7 +67,7 @@ impl<const WORDS: usize> Wide<WORDS> {
         [leading, (self - leading.into()).to_f64()]
     }
 
-    /// Largest whole number not above this one, modulo 2^128, and the remainder in [0, 1).
+    /// Floor modulo 2^128, and the remainder in [0, 1).
     pub(crate) fn floor_and_rest(self) -> (i128, Self) {
         let (upper, exponent) = (self.upper(), self.exponent);
         let whole = match 128 - exponent {

@@ -4,10 +4,10 @@ use super::words::{add, add_word, leading, product, shift_left, shift_right};
 use crate::scalar::power_of_two;
 use core::mem::replace;
 
-/// Number ±s · 2^exponent with a significand s in [1/2, 1) of `WORDS` words. The relative error of an operation is half a unit in the
-/// last place, 2^(-64 WORDS), or a little more.
+/// Number ±s · 2^exponent with a significand s in [1/2, 1) of `WORDS` words. The relative error of an operation is at most
+/// 1.1 · 2^(-64 WORDS).
 ///
-/// No result of a launch leaves the range. Infinity and NaN become 0, and a quotient by 0 a number larger than every `f64`.
+/// Infinity and NaN become 0. A quotient by 0 is larger than every `f64`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Wide<const WORDS: usize> {

@@ -97,7 +97,7 @@ pub(super) fn quotient<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) -
 #[inline(never)]
 fn short_reciprocal(divisor: u64) -> u64 {
     let word = (divisor >> 32) as u32;
-    // setting the leading bit again shows the compiler that the divisor is not 0
+    // setting the leading bit tells the compiler that the divisor is not 0
     let first = u32::MAX / ((word >> 16) | (1 << 15));
     // 2^48 less the product of word and inverse, which is nearly 2^48
     let rest = (1_i64 << 48) - long_product(word, first) as i64;
