@@ -2,7 +2,9 @@
 
 mod mean_rates;
 
-pub(super) mod bound;
+mod series;
+
+mod bound;
 
 mod limits;
 
@@ -12,16 +14,20 @@ mod path;
 
 mod cut;
 
+mod set_up;
+
 use crate::motion::phase_equations::PhaseEquations;
 use crate::phase::Phase;
 use crate::scalar::{Extended, power_of_two};
-use crate::table::cell::{CELLS, Cell, LEVEL_0_BITS};
-use crate::table::series::expansion::{Expansion, PhasePoint};
+use crate::table::build::series::expansion::{Expansion, PhasePoint};
+use crate::table::data::cell::{CELLS, Cell, LEVEL_0_BITS};
 use bound::Speeds;
 use span_series::{Series, SpanSeries};
 
-pub(super) use limits::Limits;
-pub(super) use mean_rates::MeanRates;
+use limits::Limits;
+use mean_rates::MeanRates;
+
+pub use set_up::SetUpError;
 
 /// Span: one of the 2^depth equal parts of half a period, with one expansion of the motion for all its segments.
 #[derive(Clone, Copy, Debug)]

@@ -25,6 +25,11 @@ use crate::scalar::{Real, Ring, Scalar};
 use crate::su2::{Orientation, Vector};
 use core::fmt::Debug;
 
+/// Fraction bits of the values that coefficients are made from.
+pub(crate) const TABLE_BITS: u32 = 62;
+/// Unit of these values, 2^-62.
+pub(crate) const TABLE_UNIT: f64 = 1.0 / (1_u64 << TABLE_BITS) as f64;
+
 /// Place on a segment.
 #[derive(Clone, Copy, Debug)]
 pub struct SegmentPoint {

@@ -12,9 +12,9 @@
 use super::bound::{SegmentErrors, Speeds};
 use super::{CELL, HALF_PERIOD, Limits, OpenCell, SetUp};
 use crate::motion::Motion;
-use crate::table::cell::{Cell, cells_covered, segments_per_cell};
-use crate::table::series::TERMS;
-use crate::table::series::expansion::TABLE_UNIT;
+use crate::table::build::series::TERMS;
+use crate::table::data::cell::{Cell, cells_covered, segments_per_cell};
+use crate::table::scalar::TABLE_UNIT;
 
 /// Function that stores a polynomial. Its arguments are the segment, the column of the real part and the coefficients of both parts. It
 /// returns the errors of the orientation and of the derivative by their rounding. All are in units of 2^-62.

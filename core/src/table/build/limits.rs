@@ -1,6 +1,6 @@
 //! Limits of the errors and of the size of a table.
 
-use crate::table::series::expansion::TABLE_UNIT;
+use crate::table::scalar::TABLE_UNIT;
 
 /// Limits of the errors and of the size of a table.
 #[derive(Clone, Copy, Debug)]

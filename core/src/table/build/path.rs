@@ -6,8 +6,8 @@ use crate::motion::phase_equations::PhaseRates;
 use crate::motion::{Motion, NutationVariable};
 use crate::phase::Phase;
 use crate::scalar::{Float, Scalar, Wide};
-use crate::table::series::TERMS;
-use crate::table::series::expansion::{Expansion, PhasePoint, Slopes, larger_or_nan};
+use crate::table::build::series::TERMS;
+use crate::table::build::series::expansion::{Expansion, PhasePoint, Slopes, larger_or_nan};
 
 /// Negligible term of the phases at x = 2 over that of α and β at x = 1. It limits the steps of tables with a large allowed error.
 const PHASE_TERM: f64 = 32.0;

@@ -6,8 +6,8 @@ use super::bound::SegmentErrors;
 use super::limits::{Limits, OMITTED};
 use crate::product::{long_product, signed_product};
 use crate::scalar::{Float, Ring, short_float};
-use crate::table::series::TERMS;
-use crate::table::series::expansion::{Expansion, larger_or_nan};
+use crate::table::build::series::TERMS;
+use crate::table::build::series::expansion::{Expansion, larger_or_nan};
 
 /// Fraction bits of [`FACTORS`].
 const FACTOR_BITS: u32 = TERMS as u32 - 2;
@@ -205,7 +205,7 @@ impl SpanSeries {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::series::expansion::TABLE_UNIT;
+    use crate::table::scalar::TABLE_UNIT;
 
     fn series(ratio: f64, sense: f64) -> Series {
         let mut part = [0; TERMS];

@@ -3,8 +3,7 @@
 use crate::complex::Complex;
 use crate::scalar::{Scalar, fraction_of_word, sine_cosine_f64};
 use crate::su2::Vector;
-use crate::table::scalar::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint};
-use crate::table::series::expansion::TABLE_UNIT;
+use crate::table::scalar::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_UNIT};
 
 impl EphemerisScalar for f64 {
     type Coefficient = Self;

@@ -12,7 +12,9 @@ use crate::scalar::{Scalar, sine_cosine_q26, sine_cosine_q31, times_power_of_two
 use crate::su2::Vector;
 use crate::table::scalar::integer_rates::omega_body;
 use crate::table::scalar::q30::Q30;
-use crate::table::scalar::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, is_short};
+use crate::table::scalar::{
+    Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_BITS, is_short,
+};
 #[cfg(feature = "fixed")]
 use fixed::types::I2F30;
 
@@ -64,8 +66,6 @@ impl EphemerisScalar for I2F30 {
     }
 }
 
-/// Fraction bits of the values that coefficients are made from.
-pub(super) const TABLE_BITS: u32 = 62;
 /// Error of short products that counts as part of a tick, in units of 2^-62: 2^-31.
 const SHORT_ERROR: f32 = (1_u32 << 31) as f32;
 /// Least sum that could overflow, with a margin of 2^-15 plus some thousand roundings of a coefficient.
@@ -184,7 +184,7 @@ impl Coefficient for i32 {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::table::series::expansion::TABLE_UNIT;
+    use crate::table::scalar::TABLE_UNIT;
 
     /// With six terms the products with the fourth and the fifth power are short, and the sum of the lower one
     /// contains both.

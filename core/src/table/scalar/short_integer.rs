@@ -4,10 +4,10 @@
 use crate::complex::Complex;
 use crate::scalar::{sine_cosine_q15, times_power_of_two};
 use crate::su2::Vector;
-use crate::table::scalar::integer::{COORDINATE_ERROR, ERRORS, TABLE_BITS, overflow_limit, short_factors};
+use crate::table::scalar::integer::{COORDINATE_ERROR, ERRORS, overflow_limit, short_factors};
 use crate::table::scalar::integer_rates::omega_body;
 use crate::table::scalar::q30::Q30;
-use crate::table::scalar::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint};
+use crate::table::scalar::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_BITS};
 use fixed::types::I2F14;
 
 /// Unit of the sums in 16 bits, 2^-15.

@@ -1,13 +1,16 @@
 //! Series of α and β: solutions of linear equations whose rates are those of the phases.
 
-use super::{Expansion, Rate, TABLE_BITS, larger_or_nan};
+use super::{Expansion, Rate, larger_or_nan};
 use crate::scalar::Float;
-use crate::table::series::sincos::{FRACTION, sine_cosine};
-use crate::table::series::{BITS, Block, Factor, Split, TERMS, in_range, integrated, scaled, scaled_product};
+use crate::table::build::series::sincos::{FRACTION, sine_cosine};
+use crate::table::build::series::{
+    BITS, Block, Factor, Split, TERMS, in_range, integrated, scaled, scaled_product,
+};
+use crate::table::scalar::TABLE_BITS;
 
 /// Coefficient of x^k in units of 2^-62, from that of yᵏ = (x/4)^k in units of 2^-56.
 fn of_x(coefficient: i64, k: usize) -> i64 {
-    match 2 * k as i32 - (TABLE_BITS - BITS) {
+    match 2 * k as i32 - (TABLE_BITS as i32 - BITS) {
         shift @ 1.. => ((coefficient >> (shift - 1)) + 1) >> 1,
         shift => coefficient << -shift,
     }
@@ -80,7 +83,7 @@ fn exponential(rate: &Block, terms: usize, least: i64, re: &mut Block, im: &mut 
         if limit < i64::MAX >> 3 {
             limit <<= 2;
         }
-        let negligible = next_re.abs().max(next_im.abs()) <= limit >> (TABLE_BITS - BITS);
+        let negligible = next_re.abs().max(next_im.abs()) <= limit >> (TABLE_BITS as i32 - BITS);
         if negligible && before {
             return Some(k + 2);
         }
@@ -99,7 +102,7 @@ mod tests {
     use crate::motion::phase_equations::PhaseEquations;
     use crate::phase::Phase;
     use crate::scalar::{Extended, Scalar};
-    use crate::table::series::expansion::TABLE_UNIT;
+    use crate::table::scalar::TABLE_UNIT;
 
     fn law(spread: f64, [e1, e2, e3]: [f64; 3]) -> PhaseEquations<Extended> {
         let parameters = TopParameters {

@@ -3,7 +3,7 @@
 use super::{Expansion, NOISE, Rate, Slopes, larger_or_nan};
 use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::{Extended, Float};
-use crate::table::series::{BITS, Block, Factor, TERMS, in_range, integrated, scaled, sum_in_range};
+use crate::table::build::series::{BITS, Block, Factor, TERMS, in_range, integrated, scaled, sum_in_range};
 
 /// Whether the k-th coefficient is a rounding error, or its term at y = 1/2 is below `least` units.
 fn is_negligible(coefficient: i64, k: usize, least: i64) -> bool {

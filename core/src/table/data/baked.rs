@@ -5,10 +5,10 @@ mod range;
 
 use core::fmt;
 
-use crate::table::build::bound::ErrorBound;
-use crate::table::cell::CELLS;
-use crate::table::clock::Clock;
-use crate::table::ephemeris::{Ephemeris, EphemerisView};
+use crate::table::data::Clock;
+use crate::table::data::ErrorBound;
+use crate::table::data::cell::CELLS;
+use crate::table::data::ephemeris::{Ephemeris, EphemerisView};
 use crate::table::scalar::EphemerisScalar;
 use crc32::Crc32;
 
@@ -91,12 +91,6 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Baked<R, SEGMENTS> {
             cells: self.cells,
             segments: self.segments,
         }
-    }
-}
-
-impl ErrorBound {
-    const fn numbers(self) -> [f64; 2] {
-        [self.constant, self.per_tick]
     }
 }
 

@@ -6,9 +6,9 @@
 use crate::complex::Complex;
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::table::clock::Clock;
-use crate::table::ephemeris::EphemerisView;
-use crate::table::sample::Sample;
+use crate::table::data::Clock;
+use crate::table::data::EphemerisView;
+use crate::table::read::sample::Sample;
 use crate::table::scalar::{Coefficient, EphemerisScalar};
 
 impl<R: EphemerisScalar> Sample<'_, R> {

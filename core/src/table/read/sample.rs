@@ -1,13 +1,11 @@
 //! Sample of a motion: three phases, and the quantities computed from them on demand.
 
-mod tip_angle;
-
 use crate::complex::Complex;
 use crate::phase::{Phase, PhaseFraction};
 use crate::scalar::{Extended, Float};
 use crate::su2::{AttitudeState, Orientation, OrientationRate, Vector};
-use crate::table::cell::{Cell, LEVEL_0_BITS};
-use crate::table::ephemeris::EphemerisView;
+use crate::table::data::EphemerisView;
+use crate::table::data::cell::{Cell, LEVEL_0_BITS};
 use crate::table::scalar::{Coefficient, EphemerisScalar, SegmentPoint, orientation, orientation_and_rates};
 
 /// Sample of a motion at one time. Each method evaluates the table anew; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
@@ -179,12 +177,12 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
 }
 
 /// Segment that contains a nutation phase, and the place on it.
-struct LocatedSegment<'a, R: EphemerisScalar> {
+pub(super) struct LocatedSegment<'a, R: EphemerisScalar> {
     /// Coefficients, lowest power first.
-    terms: &'a [[R::Coefficient; 4]],
+    pub(super) terms: &'a [[R::Coefficient; 4]],
     /// Index of the segment in the table.
-    index: usize,
-    point: SegmentPoint,
+    pub(super) index: usize,
+    pub(super) point: SegmentPoint,
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
@@ -227,7 +225,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Segment of a nutation phase, given by its 64 leading bits.
     #[inline(always)]
-    fn locate(&self, nutation: u64) -> LocatedSegment<'_, R> {
+    pub(super) fn locate(&self, nutation: u64) -> LocatedSegment<'_, R> {
         let falling = (nutation as i64) >> 63;
         // the fraction of half a period, and its 32 leading bits
         let half = (nutation ^ falling as u64) << 1;

@@ -4,12 +4,13 @@ use core::fmt;
 
 use crate::constants::Regime;
 use crate::motion::Motion;
+use crate::scalar::{Float, short_float};
 use crate::table::build::bound::error_bounds;
+use crate::table::build::series::TERMS;
 use crate::table::build::{Limits, Outline, SetUp};
-use crate::table::cell::{Cell, SEGMENTS_AT_LEVEL_0};
-use crate::table::clock::{Clock, Tick};
-use crate::table::ephemeris::{Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, store_polynomial};
-use crate::table::scalar::EphemerisScalar;
+use crate::table::data::cell::{Cell, SEGMENTS_AT_LEVEL_0};
+use crate::table::data::{Clock, Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, Tick};
+use crate::table::scalar::{Coefficient, EphemerisScalar};
 
 /// Reason why a motion has no table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,7 +86,7 @@ impl SetUp {
         let Outline { cells, segments, error, speeds } = &self.outline;
         table.cells = *cells;
         table.segments.get_mut(*segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
-        table.clock = Clock::new(motion, tick, epoch, &self.rates, self.start.phases);
+        table.clock = Clock::new(motion, tick, epoch, self.rates.turns, self.start.phases);
         pause();
         table.start_tip_angle(motion, self.start.phases, epoch, pause);
         pause();
@@ -150,4 +151,36 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         set_up.tabulate::<R>(motion, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
         Some(set_up.outline.segments.max(SEGMENTS_AT_LEVEL_0) as u32)
     }
+}
+
+/// Stores a polynomial in two columns of a segment, if the table contains it. Returns the error of the orientation by short products and
+/// coefficients out of range, and that of the derivative by rounding, in units of 2^-62 rad.
+fn store_polynomial<R: EphemerisScalar>(
+    segments: &mut [R::Segment],
+    segment: usize,
+    column: usize,
+    parts: [&[i64; TERMS]; 2],
+) -> [f32; 2] {
+    let place = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
+    let (mut largest, mut slope_squares) = (0.0, 0.0);
+    for (column, part) in (column..).zip(parts) {
+        let part = part.get(..R::TERMS).unwrap_or(part);
+        // Σ k |error of c_k|
+        let (mut errors, mut slope_error) = (0_u64, 0_u64);
+        for (power, (four, &value)) in place.iter_mut().zip(part).enumerate().rev() {
+            if let Some(held) = four.get_mut(column) {
+                let (coefficient, error) = R::Coefficient::nearest(value, power);
+                *held = coefficient;
+                if power > 0 {
+                    errors = errors.saturating_add(error.unsigned_abs());
+                    slope_error = slope_error.saturating_add(errors);
+                }
+            }
+        }
+        let error = R::Coefficient::error(part);
+        largest = if error > largest { error } else { largest };
+        let slope_error = short_float(slope_error);
+        slope_squares += slope_error * slope_error;
+    }
+    [4.0 * largest, Float::sqrt(slope_squares)]
 }

@@ -5,9 +5,9 @@ use core::ops::Deref;
 
 use crate::phase::{Phase, PhaseFraction};
 use crate::su2::Orientation;
-use crate::table::clock::Clock;
-use crate::table::ephemeris::EphemerisView;
-use crate::table::sample::Sample;
+use crate::table::data::Clock;
+use crate::table::data::EphemerisView;
+use crate::table::read::sample::Sample;
 use crate::table::scalar::EphemerisScalar;
 
 /// Table with the phases of consecutive ticks, which three additions advance.

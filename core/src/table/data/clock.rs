@@ -5,8 +5,7 @@ use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::phase::{Phase, PhaseFraction, integer_parts, shifted};
 use crate::scalar::{Extended, Float};
-use crate::table::build::MeanRates;
-use crate::table::cell::SEGMENTS_AT_LEVEL_0;
+use crate::table::data::cell::SEGMENTS_AT_LEVEL_0;
 
 /// Tick length as an exact fraction of a second (of the motion's unit of time).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,10 +104,16 @@ impl<W: Float> Clock<W> {
     };
 
     /// Clock of a motion that is launched at tick `epoch`; [`Clock::tip_start`] is not set yet.
-    pub(crate) fn new(motion: &Motion, tick: Tick, epoch: i64, rates: &MeanRates, start: [Phase; 3]) -> Self {
+    pub(crate) fn new(
+        motion: &Motion,
+        tick: Tick,
+        epoch: i64,
+        turns: [Extended; 3],
+        start: [Phase; 3],
+    ) -> Self {
         let length = tick.length();
-        let exact_step = rates.turns.map(|turns| turns * length);
-        let [frequency, alpha, beta] = rates.turns;
+        let exact_step = turns.map(|turns| turns * length);
+        let [frequency, alpha, beta] = turns;
         let mean = ((alpha + beta) * Extended::TWO_PI).to_f64();
         // x changes by 2 over each segment
         let x_rate = 4.0 * SEGMENTS_AT_LEVEL_0 as f64 * frequency.to_f64();

@@ -13,11 +13,6 @@ use super::{Block, integrated};
 use crate::phase::Phase;
 use crate::scalar::{Float, Scalar, power_of_two, short_power_of_two};
 
-/// Unit of the coefficients of α and β, 2^-62.
-pub(crate) const TABLE_UNIT: f64 = power_of_two(-TABLE_BITS);
-
-const TABLE_BITS: i32 = 62;
-
 /// Larger of two numbers, or NaN if one of them is NaN.
 pub(crate) fn larger_or_nan<F: Float>(a: F, b: F) -> F {
     if b <= a || a.partial_cmp(&a).is_none() { a } else { b }
