@@ -2,9 +2,9 @@
 
 mod error_bound;
 
-mod clock;
-
 pub(super) mod cell;
+
+mod clock;
 
 mod ephemeris;
 
