@@ -1,49 +1,69 @@
-//! Power series of the motion, in integers of a common exponent.
+//! Power series in integers of a common exponent.
 //!
 //! The coefficients of a converging series do not grow, so that one exponent serves all.
 
-mod sincos;
-
-pub(super) mod expansion;
+pub(super) mod sine;
 
 use core::ops::Range;
 
 use crate::phase::integer_parts;
 use crate::product::signed_product;
 use crate::scalar::{exponent, short_power_of_two, times_power_of_two};
+use crate::table::scalar::shifted_right;
 
 /// Largest number of terms of a series.
-pub(crate) const TERMS: usize = 16;
+pub(super) const MOST_TERMS: usize = 16;
 
 /// Bits of a coefficient of the expected magnitude. One may be four times as large.
-const BITS: i32 = 56;
+pub(super) const BITS: i32 = 56;
 
-/// Bits of the lower part of a [`Split`].
-const LOW_BITS: u32 = 30;
+/// Bits of the lower limb.
+const LIMB_BITS: u32 = 30;
 
 /// Integer high · 2^30 + low, with low in [0, 2^30), as products need it.
 #[derive(Clone, Copy, Debug)]
-struct Split {
+pub(super) struct Limbs {
     high: i32,
     low: i32,
 }
 
-impl Split {
+impl Limbs {
     const ZERO: Self = Self { high: 0, low: 0 };
 
-    const fn of(value: i64) -> Self {
-        Self { high: (value >> LOW_BITS) as i32, low: value as i32 & ((1 << LOW_BITS) - 1) }
+    pub(super) const fn new(value: i64) -> Self {
+        Self { high: (value >> LIMB_BITS) as i32, low: value as i32 & ((1 << LIMB_BITS) - 1) }
+    }
+
+    fn value(self) -> i64 {
+        (i64::from(self.high) << LIMB_BITS) + i64::from(self.low)
+    }
+
+    /// Product with a factor of 32 bits divided by 2^SHIFT, for a SHIFT below 30, rounded to the nearest.
+    pub(super) fn times_word<const SHIFT: u32>(self, factor: i32) -> i64 {
+        let half = 1 << (SHIFT - 1);
+        (signed_product(self.high, factor) << (LIMB_BITS - SHIFT))
+            + ((signed_product(self.low, factor) + half) >> SHIFT)
     }
 }
 
-/// Least shift of a quotient in range.
+/// Product of two integers divided by 2^SHIFT, for a SHIFT of 54 to 60, rounded to the nearest.
+#[inline(never)]
+pub(super) fn scaled_product<const SHIFT: u32>(a: Limbs, b: i64) -> i64 {
+    let b = Limbs::new(b);
+    let lower = signed_product(a.low, b.low) >> LIMB_BITS;
+    let mixed = signed_product(a.high, b.low) + signed_product(a.low, b.high) + lower;
+    let half = 1 << (SHIFT - LIMB_BITS - 1);
+    (signed_product(a.high, b.high) << (2 * LIMB_BITS - SHIFT)) + ((mixed + half) >> (SHIFT - LIMB_BITS))
+}
+
+/// First number beyond 59 bits, which stands for every number out of range. The negative one is its complement.
+const OVERFLOW: i64 = 1 << (BITS + 3);
+
+/// Least shift of a sum in range.
 const LEAST_SHIFT: i32 = 33;
-/// Quotients out of range: the first numbers beyond 59 bits.
-const BEYOND: i64 = 1 << (BITS + 3);
-const BELOW: i64 = -BEYOND - 1;
 
 /// Sum upper · 2^60 + lower · 2^30 divided by 2^shift, rounded to the nearest, with lower in [0, 2^30).
-fn rounded(upper: i64, lower: u32, shift: i32) -> i64 {
+fn shifted_sum(upper: i64, lower: u32, shift: i32) -> i64 {
     let twice = match shift {
         61.. => upper >> (shift - 61).min(63),
         // whether upper is below 2^(shift - 1)
@@ -51,19 +71,9 @@ fn rounded(upper: i64, lower: u32, shift: i32) -> i64 {
             (upper << (61 - shift)) + i64::from(lower >> (shift - 31))
         }
         _ if upper == 0 && lower == 0 => return 0,
-        _ => return if upper < 0 { BELOW } else { BEYOND },
+        _ => return OVERFLOW ^ (upper >> 63),
     };
     (twice >> 1) + (twice & 1)
-}
-
-/// Product of two integers divided by 2^SHIFT, for a SHIFT of 54 to 60, rounded to the nearest.
-#[inline(never)]
-fn scaled_product<const SHIFT: u32>(a: Split, b: i64) -> i64 {
-    let b = Split::of(b);
-    let lower = signed_product(a.low, b.low) >> LOW_BITS;
-    let across = signed_product(a.high, b.low) + signed_product(a.low, b.high) + lower;
-    let half = 1 << (SHIFT - LOW_BITS - 1);
-    (signed_product(a.high, b.high) << (2 * LOW_BITS - SHIFT)) + ((across + half) >> (SHIFT - LOW_BITS))
 }
 
 /// Whether a number has at most this number of bits besides its sign, at least 32.
@@ -75,68 +85,68 @@ const fn has_bits(value: i64, bits: i32) -> bool {
 
 /// Number that is small enough for a coefficient; `None` otherwise, where the series does not converge.
 #[inline(always)]
-fn in_range(value: i64) -> Option<i64> {
+pub(super) fn in_range(value: i64) -> Option<i64> {
     has_bits(value, BITS + 2).then_some(value)
 }
 
-/// Sum of quotients; `None` where one is out of range, because two such ones could cancel.
+/// Sum of numbers; `None` where one is out of range, because two such ones could cancel.
 #[inline(always)]
-fn sum_in_range<const N: usize>(quotients: [i64; N]) -> Option<i64> {
-    quotients.iter().all(|quotient| has_bits(*quotient, BITS + 3)).then(|| quotients.iter().sum())
+pub(super) fn sum_in_range<const N: usize>(numbers: [i64; N]) -> Option<i64> {
+    numbers.iter().all(|number| has_bits(*number, BITS + 3)).then(|| numbers.iter().sum())
 }
 
 /// Integer nearest to x / 2^exponent, at most ±2^62.
 #[inline(never)]
-fn scaled(x: f64, exponent: i32) -> i64 {
+pub(super) fn in_units(x: f64, exponent: i32) -> i64 {
     let (mantissa, own) = integer_parts(x);
     match own.saturating_sub(exponent) {
         10.. => mantissa.signum() << 62,
         shift @ 0.. => mantissa << shift,
-        shift @ -62.. => ((mantissa >> (-shift - 1)) + 1) >> 1,
+        shift @ -62.. => shifted_right(mantissa, -shift as u32),
         _ => 0,
     }
 }
 
-/// Constant factor between two series.
-struct Factor {
-    /// Factor in units of 2^(`doublings` - 60).
-    mantissa: Split,
-    doublings: u32,
-}
-
-/// Fraction bits of a [`Factor`], of an inverse and of y.
+/// Fraction bits of a [`UnitFactor`], of an inverse and of y.
 const FACTOR_BITS: u32 = 60;
 
-impl Factor {
-    /// Factor from a series to another one, whose exponents are known.
-    fn new(factor: f64, from: &Block, to: &Block) -> Self {
+/// Constant factor between the units of two series.
+pub(super) struct UnitFactor {
+    /// Factor in units of 2^(`shift` - 60).
+    mantissa: Limbs,
+    shift: u32,
+}
+
+impl UnitFactor {
+    /// Factor from one series to another, whose exponents are known.
+    pub(super) fn new(factor: f64, from: &PowerSeries, to: &PowerSeries) -> Self {
         let (_, exponent) = integer_parts(factor);
         let least = to.exponent - from.exponent - FACTOR_BITS as i32;
         // 53 bits become 60 at most
         let own = least.max(exponent - 7);
-        Self { mantissa: Split::of(scaled(factor, own)), doublings: (own - least).min(62) as u32 }
+        Self { mantissa: Limbs::new(in_units(factor, own)), shift: (own - least).min(62) as u32 }
     }
 
-    /// Product, rounded to the nearest; [`BEYOND`] marks overflow.
-    fn times(&self, value: i64) -> i64 {
+    /// Product, rounded to the nearest, or [`OVERFLOW`].
+    pub(super) fn times(&self, value: i64) -> i64 {
         let product = scaled_product::<FACTOR_BITS>(self.mantissa, value);
-        if self.doublings == 0 {
+        if self.shift == 0 {
             return product;
         }
-        product.saturating_mul(1 << self.doublings).clamp(BELOW, BEYOND)
+        product.saturating_mul(1 << self.shift).clamp(!OVERFLOW, OVERFLOW)
     }
 }
 
-/// Integral of a term c y^k: the quotient c/(k + 1), rounded to the nearest.
-fn integrated(c: i64, k: usize) -> i64 {
+/// Coefficient c/(k + 1) of the integral of a term c y^k, rounded to the nearest.
+pub(super) fn integrated(c: i64, k: usize) -> i64 {
     /// 1/(k + 1), rounded.
     #[allow(clippy::indexing_slicing)]
-    static INVERSES: [Split; TERMS] = {
-        let mut inverses = [Split::ZERO; TERMS];
+    static INVERSES: [Limbs; MOST_TERMS] = {
+        let mut inverses = [Limbs::ZERO; MOST_TERMS];
         let mut k = 0;
-        while k < TERMS {
+        while k < MOST_TERMS {
             let divisor = k as i64 + 1;
-            inverses[k] = Split::of(((1 << FACTOR_BITS) + divisor / 2) / divisor);
+            inverses[k] = Limbs::new(((1 << FACTOR_BITS) + divisor / 2) / divisor);
             k += 1;
         }
         inverses
@@ -146,68 +156,68 @@ fn integrated(c: i64, k: usize) -> i64 {
 
 /// Coefficients of 1, y, y², ..., in units of 2^exponent.
 #[derive(Debug)]
-struct Block {
-    coefficients: [Split; TERMS],
-    exponent: i32,
+pub(super) struct PowerSeries {
+    coefficients: [Limbs; MOST_TERMS],
+    pub(super) exponent: i32,
 }
 
-impl Block {
-    const ZERO: Self = Self { coefficients: [Split::ZERO; TERMS], exponent: 0 };
+impl PowerSeries {
+    pub(super) const ZERO: Self = Self { coefficients: [Limbs::ZERO; MOST_TERMS], exponent: 0 };
 
     /// Sets the exponent for coefficients that are expected to be at most `magnitude`.
-    fn scale_for(&mut self, magnitude: f64) {
+    pub(super) fn set_exponent(&mut self, magnitude: f64) {
         self.exponent = exponent(magnitude).max(-900) - BITS;
     }
 
     /// Product of a factor and the expected magnitude of a coefficient.
-    fn magnitude_times(&self, factor: f64) -> f64 {
+    pub(super) fn magnitude_times(&self, factor: f64) -> f64 {
         times_power_of_two(factor, self.exponent + BITS)
     }
 
-    fn get(&self, k: usize) -> i64 {
-        self.coefficients.get(k).map_or(0, |c| (i64::from(c.high) << LOW_BITS) + i64::from(c.low))
+    pub(super) fn coefficient(&self, k: usize) -> i64 {
+        self.coefficients.get(k).map_or(0, |c| c.value())
     }
 
-    /// Stores a coefficient; `None` where it is out of range.
-    fn put(&mut self, k: usize, value: i64) -> Option<()> {
-        let value = Split::of(in_range(value)?);
+    /// Sets a coefficient; `None` where it is out of range.
+    pub(super) fn set(&mut self, k: usize, value: i64) -> Option<()> {
+        let value = Limbs::new(in_range(value)?);
         if let Some(coefficient) = self.coefficients.get_mut(k) {
             *coefficient = value;
         }
         Some(())
     }
 
-    /// Coefficient of y^k of a product of two series, from these terms of the first one: an exact sum, divided by 2^shift and rounded to the
-    /// nearest. [`BEYOND`] marks overflow.
+    /// Coefficient of y^k of the product of these terms and another series: an exact sum, divided by 2^shift and rounded to the nearest, or
+    /// [`OVERFLOW`].
     #[inline(never)] // a call: set-up multiplies in dozens of places
-    fn product(&self, other: &Self, terms: Range<usize>, k: usize, shift: i32) -> i64 {
+    pub(super) fn product(&self, other: &Self, terms: Range<usize>, k: usize, shift: i32) -> i64 {
         let first = terms.start;
         let ours = self.coefficients.get(terms).unwrap_or_default();
         let theirs = other.coefficients.get(..=k.saturating_sub(first)).unwrap_or_default();
-        let (mut upper, mut across, mut lower) = (0, 0, 0_u64);
+        let (mut upper, mut mixed, mut lower) = (0, 0, 0_u64);
         for (a, b) in ours.iter().zip(theirs.iter().rev()) {
             upper += signed_product(a.high, b.high);
-            across += signed_product(a.high, b.low) + signed_product(a.low, b.high);
+            mixed += signed_product(a.high, b.low) + signed_product(a.low, b.high);
             lower += signed_product(a.low, b.low) as u64;
         }
-        across += (lower >> LOW_BITS) as i64;
-        rounded(upper + (across >> LOW_BITS), across as u32 & ((1 << LOW_BITS) - 1), shift)
+        mixed += (lower >> LIMB_BITS) as i64;
+        shifted_sum(upper + (mixed >> LIMB_BITS), mixed as u32 & ((1 << LIMB_BITS) - 1), shift)
     }
 
     /// Sum Σ t(c, k) yᵏ⁻¹ over the coefficients c of k = 1 to `terms` - 1, at y in [-1, 1].
-    fn sum(&self, y: f64, terms: usize, term: fn(i64, usize) -> i64) -> f64 {
-        let y = Split::of(scaled(y, -(FACTOR_BITS as i32)));
+    pub(super) fn sum(&self, y: f64, terms: usize, term: fn(i64, usize) -> i64) -> f64 {
+        let y = Limbs::new(in_units(y, -(FACTOR_BITS as i32)));
         // beyond the range only where the series does not converge
-        let next = |sum, k| scaled_product::<FACTOR_BITS>(y, sum) + term(self.get(k), k);
+        let next = |sum, k| scaled_product::<FACTOR_BITS>(y, sum) + term(self.coefficient(k), k);
         times_power_of_two((1..terms).rev().fold(0, next) as f64, self.exponent)
     }
 
     /// Upper bound on the sum Σ |c| yᵏ over these coefficients at y = `quarters`/4, with the first one larger by `noise`.
-    fn size(&self, quarters: u32, terms: usize, noise: f32) -> f32 {
+    pub(super) fn bound(&self, quarters: u32, terms: usize, noise: f32) -> f32 {
         let coefficients = self.coefficients.get(1..terms).unwrap_or_default().iter().rev();
         let sum = coefficients.fold(0, |sum: u32, c| ((sum * quarters + 3) >> 2) + c.high.unsigned_abs() + 1);
         0.25 * quarters as f32
-            * (((1_u32 << LOW_BITS) as f32 * sum as f32 + noise) * short_power_of_two(self.exponent))
+            * (((1_u32 << LIMB_BITS) as f32 * sum as f32 + noise) * short_power_of_two(self.exponent))
     }
 }
 
@@ -215,24 +225,24 @@ impl Block {
 mod tests {
     use super::*;
 
-    /// A quotient beyond the range is seen before it can cancel with another, whatever its sign.
+    /// A number beyond the range is seen before it can cancel with another, whatever its sign.
     #[test]
-    fn quotients_beyond_the_range_do_not_cancel() {
+    fn numbers_beyond_the_range_do_not_cancel() {
         for (upper, shift) in
-            [(BEYOND, 60), (2 * BEYOND, 61), (-BEYOND - 1, 60), (1 << 40, 33), (-(1 << 40), 33)]
+            [(OVERFLOW, 60), (2 * OVERFLOW, 61), (-OVERFLOW - 1, 60), (1 << 40, 33), (-(1 << 40), 33)]
         {
-            let quotient = rounded(upper, 0, shift);
+            let quotient = shifted_sum(upper, 0, shift);
             assert_eq!(sum_in_range([quotient, -quotient / 2]), None, "{upper:x}");
         }
-        let limit = BEYOND / 2;
+        let limit = OVERFLOW / 2;
         assert_eq!(sum_in_range([limit, -limit]), Some(0));
-        let eight = Factor::new(8.0, &Block::ZERO, &Block::ZERO);
+        let eight = UnitFactor::new(8.0, &PowerSeries::ZERO, &PowerSeries::ZERO);
         for value in [limit, -limit] {
             assert_eq!(sum_in_range([eight.times(value), -value]), None, "{value}");
         }
     }
 
-    /// Sums in words round like wide integers, also where a quotient leaves the range.
+    /// Sums in words round like wide integers, also where one leaves the range.
     #[test]
     fn sums_round_in_words_as_a_whole() {
         let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
@@ -241,13 +251,13 @@ mod tests {
             bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
             let (upper, lower) = (bits as i64 >> (5 + bits % 56), (bits >> 34) as u32);
             let shift = LEAST_SHIFT + (bits >> 40) as i32 % 90;
-            let sum = (i128::from(upper) << (2 * LOW_BITS)) + (i128::from(lower) << LOW_BITS);
+            let sum = (i128::from(upper) << (2 * LIMB_BITS)) + (i128::from(lower) << LIMB_BITS);
             let exact = ((sum >> (shift - 1)) + 1) >> 1;
-            let (found, in_range) = (rounded(upper, lower, shift), exact.abs() < i128::from(BEYOND));
+            let (found, in_range) = (shifted_sum(upper, lower, shift), exact.abs() < i128::from(OVERFLOW));
             assert!(!in_range || i128::from(found) == exact, "{upper} {lower} {shift}: {found}");
             assert_eq!(
                 has_bits(found, BITS + 3),
-                in_range || exact == i128::from(-BEYOND),
+                in_range || exact == i128::from(-OVERFLOW),
                 "{upper} {lower} {shift}"
             );
             seen[usize::from(found != 0) + usize::from(!in_range)] += 1;

@@ -2,12 +2,20 @@
 
 use core::fmt;
 
+use super::bound::error_bounds;
+use super::cut::{Cut, Store};
+use super::expansion::ParameterSeries;
+use super::limits::Limits;
+use super::mean_rates::MeanRates;
+use super::path::{ComputeOrigin, Path};
+use super::polynomial::Polynomial;
+use super::series::MOST_TERMS;
+use super::span::HALF_PERIOD;
+use super::start::Start;
 use crate::constants::Regime;
 use crate::motion::Motion;
-use crate::scalar::{Float, short_float};
-use crate::table::build::bound::error_bounds;
-use crate::table::build::series::TERMS;
-use crate::table::build::{Limits, Outline, SetUp};
+use crate::motion::cayley_klein::Ellipses;
+use crate::scalar::{Extended64, Float, short_float};
 use crate::table::data::cell::{Cell, SEGMENTS_AT_LEVEL_0};
 use crate::table::data::{Clock, Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, Tick};
 use crate::table::scalar::{Coefficient, EphemerisScalar};
@@ -47,7 +55,53 @@ impl fmt::Display for SetUpError {
 
 impl core::error::Error for SetUpError {}
 
+/// Memory of a set-up, and the truncation error that it allows. A program with a small stack keeps it in a static;
+/// [`Cursor`](crate::Cursor) shows its use.
+#[derive(Debug)]
+pub struct SetUp {
+    /// Truncation error, rad; `None` for that of the scalar.
+    truncation: Option<f64>,
+    limits: Limits,
+    rates: MeanRates,
+    start: Start,
+    path: Path,
+    series: ParameterSeries,
+    /// Polynomials of α and β on a span, and one of them on a segment.
+    polynomials: [Polynomial; 2],
+    segment: Polynomial,
+    cut: Cut,
+}
+
+impl Default for SetUp {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl SetUp {
+    /// Set-up with the truncation error of the scalar, [`EphemerisScalar::TRUNCATION`](crate::EphemerisScalar::TRUNCATION). A static of it
+    /// takes no flash.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            truncation: None,
+            limits: Limits::ZERO,
+            rates: MeanRates::ZERO,
+            start: Start::ZERO,
+            path: Path::ZERO,
+            series: ParameterSeries::ZERO,
+            polynomials: [Polynomial::ZERO; 2],
+            segment: Polynomial::ZERO,
+            cut: Cut::ZERO,
+        }
+    }
+
+    /// Set-up with another truncation error, rad, finite and positive: a smaller table for a larger error.
+    #[must_use]
+    pub const fn with_truncation(truncation: f64) -> Self {
+        Self { truncation: Some(truncation), ..Self::new() }
+    }
+
     /// Computes the segments. The memory may hold none.
     fn tabulate<R: EphemerisScalar>(
         &mut self,
@@ -63,14 +117,83 @@ impl SetUp {
         if motion.regime() == Regime::Aperiodic {
             return Err(SetUpError::Aperiodic);
         }
-        let limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
+        self.limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
         let store =
             &mut |segment, column, parts: [&_; 2]| store_polynomial::<R>(segments, segment, column, parts);
-        let built = match R::RATE_WORDS {
-            1 => self.build::<1>(motion, limits, store, pause),
-            _ => self.build::<2>(motion, limits, store, pause),
+        let origin: ComputeOrigin = match R::RATE_WORDS {
+            1 => |path| path.compute_origin(Extended64::resized),
+            _ => |path| path.compute_origin(|constant| constant),
         };
+        self.begin::<R>(motion, pause);
+        let built = self.build(motion, origin, store, pause);
         built.ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
+    }
+
+    /// Computes the equations and the mean rates; begins at u = e₁.
+    #[inline(never)]
+    fn begin<R: EphemerisScalar>(&mut self, motion: &Motion, pause: &mut dyn FnMut()) {
+        let mut period = None;
+        if !motion.is_steady() {
+            self.path.equations = motion.equations();
+            pause();
+            period = match R::RATE_WORDS {
+                1 => motion.period::<1>(&self.path.equations, pause),
+                _ => motion.period::<2>(&self.path.equations, pause),
+            };
+        }
+        self.rates = MeanRates::new(motion, period.as_ref());
+        pause();
+        (self.start, self.cut) = (Start::new(motion), Cut::ZERO);
+        if let Some(period) = period {
+            self.path.begin(motion, period.time.halved(), &self.rates, &self.limits);
+        }
+    }
+
+    /// Computes all segments; `None` where they are too many. One may be stored more than once.
+    #[inline(never)]
+    fn build(
+        &mut self,
+        motion: &Motion,
+        origin: ComputeOrigin,
+        store: &mut Store<'_>,
+        pause: &mut dyn FnMut(),
+    ) -> Option<()> {
+        let Ellipses { alpha, beta } = motion.ellipses::<f64>();
+        let ellipses = [alpha, beta].map(|ellipse| ellipse.exponentials());
+        if motion.is_steady() {
+            self.cut.store_constants(&ellipses, store);
+            return Some(());
+        }
+        pause();
+        let Self { limits, start, path, polynomials, segment, cut, .. } = self;
+        let mut place = 0;
+        while place < HALF_PERIOD {
+            cut.enter_span(path, place);
+            while path
+                .expand(origin, pause)
+                .and_then(|()| {
+                    let ellipses = ellipses.iter().enumerate();
+                    polynomials.iter_mut().zip(ellipses).try_for_each(|(polynomial, (index, ellipse))| {
+                        pause();
+                        polynomial.compute(
+                            &mut self.series,
+                            &path.expansion,
+                            (index, *ellipse),
+                            limits,
+                            pause,
+                        )
+                    })
+                })
+                .is_none()
+            {
+                path.shorten_span()?;
+            }
+            pause();
+            start.search(&path.expansion, path.end.phases.chi, path.span);
+            place = cut.cut_span(path, polynomials, segment, limits, store, pause)?;
+        }
+        cut.error += path.error(&cut.speeds, start.delay);
+        Some(())
     }
 
     /// Writes the cells, the clock and the error bounds.
@@ -83,7 +206,7 @@ impl SetUp {
         epoch: i64,
         pause: &mut dyn FnMut(),
     ) {
-        let Outline { cells, segments, error, speeds } = &self.outline;
+        let Cut { cells, segments, error, speeds, .. } = &self.cut;
         table.cells = *cells;
         table.segments.get_mut(*segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
         table.clock = Clock::new(motion, tick, epoch, self.rates.turns, self.start.phases);
@@ -149,7 +272,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let mut set_up = SetUp::with_truncation(truncation);
         set_up.tabulate::<R>(motion, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
-        Some(set_up.outline.segments.max(SEGMENTS_AT_LEVEL_0) as u32)
+        Some(set_up.cut.segments.max(SEGMENTS_AT_LEVEL_0) as u32)
     }
 }
 
@@ -159,7 +282,7 @@ fn store_polynomial<R: EphemerisScalar>(
     segments: &mut [R::Segment],
     segment: usize,
     column: usize,
-    parts: [&[i64; TERMS]; 2],
+    parts: [&[i64; MOST_TERMS]; 2],
 ) -> [f32; 2] {
     let place = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
     let (mut largest, mut slope_squares) = (0.0, 0.0);

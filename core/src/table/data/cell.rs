@@ -42,16 +42,6 @@ impl Cell {
     }
 }
 
-/// Number of segments of a cell; 1 for one that it shares with the next cell.
-pub(crate) const fn segments_per_cell(level: u32) -> usize {
-    if level == 0 { 1 } else { 1 << (level - 1) }
-}
-
-/// Number of cells that the segments of a cell cover: two at level 0.
-pub(crate) const fn cells_covered(level: u32) -> usize {
-    if level == 0 { 2 } else { 1 }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -67,7 +57,6 @@ mod tests {
             (1, 0, Cell::DEEPEST),
         ] {
             let count = [1, 1, 2, 4, 8, 16].get(level as usize).copied().unwrap_or(Cell::MOST_SEGMENTS);
-            assert_eq!(segments_per_cell(level), count);
             let place = (number << level) >> 1;
             let cell = Cell::new(first, place, level);
             let (begin, length) = ((number as u32) << 28, (1 << 29) >> level);
