@@ -15,7 +15,7 @@ use super::start::Start;
 use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::motion::cayley_klein::Ellipses;
-use crate::scalar::{Extended64, Float, short_float};
+use crate::scalar::{Float, short_float};
 use crate::table::data::cell::{Cell, SEGMENTS_AT_LEVEL_0};
 use crate::table::data::{Clock, Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, Tick};
 use crate::table::scalar::{Coefficient, EphemerisScalar};
@@ -121,7 +121,7 @@ impl SetUp {
         let store =
             &mut |segment, column, parts: [&_; 2]| store_polynomial::<R>(segments, segment, column, parts);
         let origin: ComputeOrigin = match R::RATE_WORDS {
-            1 => |path| path.compute_origin(Extended64::resized),
+            1 => |path| path.compute_origin(Float::to_f64),
             _ => |path| path.compute_origin(|constant| constant),
         };
         self.begin::<R>(motion, pause);
