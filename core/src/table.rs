@@ -1,10 +1,10 @@
 //! Table of a motion: the motion at any tick, from short polynomials and three integer phases.
 //!
 //! Set-up (`build`) writes the table (`data`), which any tick reads (`read`). In a tick the nutation phase gives a cell, a segment and the
-//! local coordinate on it; four polynomials are evaluated by Horner's rule (`scalar`); α and β are rotated by the slow phases. Every tick has
+//! local coordinate on it; four polynomials are evaluated by Horner's rule (`evaluation`); α and β are rotated by the slow phases. Every tick has
 //! the same cost, and the error grows only by the rounding of the rates.
 
-mod scalar;
+mod evaluation;
 
 mod data;
 
@@ -19,5 +19,5 @@ pub use data::{
 };
 #[cfg(feature = "fixed")]
 pub use data::{EphemerisQ15, EphemerisQ31};
+pub use evaluation::EphemerisScalar;
 pub use read::{Cursor, CursorPhases, Pose, Sample};
-pub use scalar::EphemerisScalar;

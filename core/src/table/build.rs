@@ -22,8 +22,12 @@ mod path;
 
 mod start;
 
+mod store;
+
 mod cut;
 
 mod set_up;
+
+mod ephemeris;
 
 pub use set_up::{SetUp, SetUpError};

@@ -5,7 +5,7 @@ use super::mean_rates::MeanRates;
 use crate::motion::Motion;
 use crate::scalar::{Extended, Float, Ring, Scalar};
 use crate::table::data::ErrorBound;
-use crate::table::scalar::{EvaluationErrors, TABLE_UNIT};
+use crate::table::evaluation::{EvaluationErrors, TABLE_UNIT};
 
 /// One turn in rad.
 const TURN: f64 = 2.0 * core::f64::consts::PI;
@@ -109,7 +109,7 @@ pub(super) fn error_bounds(
         *growth = *growth * tick.to_f64() + increment_error(turns * tick).abs();
     }
     let [nutation, alpha, beta] = growth;
-    let constant = error + errors.tick + errors.slope * speeds.half_segment_change();
+    let constant = error + errors.orientation + errors.coordinate * speeds.half_segment_change();
     let orientation = ErrorBound { constant, per_tick: 2.0 * (angular * nutation + TURN * alpha.max(beta)) };
 
     // terms of the angular velocity, which may cancel: of the transverse part, and of the whole
@@ -122,10 +122,10 @@ pub(super) fn error_bounds(
     // change of the angular velocity by a delay of half a period, and by a turn of 1 rad
     let delay = acceleration * half_periods + angular * whole;
     let turned = if angular > 0.0 { acceleration / angular * half_periods } else { 0.0 };
-    let relative = errors.relative_rate + DEVIATIONS * f64::ROUNDING;
+    let relative = errors.relative_omega + DEVIATIONS * f64::ROUNDING;
     let rate = ErrorBound {
         constant: speeds.angular_error * half_periods
-            + errors.rate * (speeds.x_rate * half_periods + mean)
+            + errors.omega * (speeds.x_rate * half_periods + mean)
             + relative * (whole + rotor)
             + (turned + terms + whole) * constant,
         per_tick: 2.0 * nutation * delay + TURN * (alpha + beta) * whole,
@@ -143,7 +143,7 @@ fn increment_error(exact: Extended) -> f64 {
 mod tests {
     use super::*;
     use crate::phase::Phase;
-    use crate::table::scalar::EphemerisScalar;
+    use crate::table::evaluation::EphemerisScalar;
     use crate::{InitialPhases, Signs, Top, TopParameters};
 
     /// Errors of the rates far above the rounding of the increments: the bound must contain each of them completely.

@@ -16,12 +16,9 @@ use super::path::{Path, PathPoint};
 use super::polynomial::Polynomial;
 use super::series::MOST_TERMS;
 use super::span::{CELL, HALF_PERIOD, Span};
+use super::store::Store;
 use crate::table::data::cell::{CELLS, Cell, LEVEL_0_BITS};
-use crate::table::scalar::TABLE_UNIT;
-
-/// Function that stores a polynomial. Its arguments are the segment, the column of the real part and the coefficients of both parts. It
-/// returns the errors of the orientation and of the derivative by their rounding. All are in units of 2^-62.
-pub(super) type Store<'a> = dyn FnMut(usize, usize, [&[i64; MOST_TERMS]; 2]) -> [f32; 2] + 'a;
+use crate::table::evaluation::TABLE_UNIT;
 
 /// Cell whose segments are computed, or two cells with one segment.
 #[derive(Debug)]

@@ -1,7 +1,7 @@
 //! Limits of the errors and of the size of a table.
 
 use crate::table::data::cell::LEVEL_0_BITS;
-use crate::table::scalar::TABLE_UNIT;
+use crate::table::evaluation::TABLE_UNIT;
 
 /// Limits that a set-up keeps.
 #[derive(Clone, Copy, Debug)]

@@ -183,7 +183,7 @@ impl Polynomial {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::scalar::TABLE_UNIT;
+    use crate::table::evaluation::TABLE_UNIT;
 
     fn polynomial(ratio: f64, sense: f64) -> Polynomial {
         let mut part = [0; MOST_TERMS];

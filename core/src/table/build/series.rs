@@ -9,7 +9,7 @@ use core::ops::Range;
 use crate::phase::integer_parts;
 use crate::product::signed_product;
 use crate::scalar::{exponent, short_power_of_two, times_power_of_two};
-use crate::table::scalar::shifted_right;
+use crate::table::evaluation::shifted_right;
 
 /// Largest number of terms of a series.
 pub(super) const MOST_TERMS: usize = 16;

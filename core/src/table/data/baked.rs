@@ -9,7 +9,7 @@ use crate::table::data::Clock;
 use crate::table::data::ErrorBound;
 use crate::table::data::cell::CELLS;
 use crate::table::data::ephemeris::{Ephemeris, EphemerisView};
-use crate::table::scalar::EphemerisScalar;
+use crate::table::evaluation::EphemerisScalar;
 use crc32::Crc32;
 
 /// Version of the format.

@@ -2,7 +2,7 @@
 
 use crate::table::data::cell::{CELLS, Cell, SEGMENTS_AT_LEVEL_0};
 use crate::table::data::{Clock, ErrorBound};
-use crate::table::scalar::EphemerisScalar;
+use crate::table::evaluation::EphemerisScalar;
 use core::borrow::Borrow;
 use core::ops::{Deref, DerefMut};
 

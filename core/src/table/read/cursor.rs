@@ -7,8 +7,8 @@ use crate::phase::{Phase, PhaseFraction};
 use crate::su2::Orientation;
 use crate::table::data::Clock;
 use crate::table::data::EphemerisView;
+use crate::table::evaluation::EphemerisScalar;
 use crate::table::read::sample::Sample;
-use crate::table::scalar::EphemerisScalar;
 
 /// Table with the phases of consecutive ticks, which three additions advance.
 ///

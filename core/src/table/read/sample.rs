@@ -6,7 +6,9 @@ use crate::scalar::{Extended, Float};
 use crate::su2::{AttitudeState, Orientation, OrientationRate, Vector};
 use crate::table::data::EphemerisView;
 use crate::table::data::cell::{Cell, LEVEL_0_BITS};
-use crate::table::scalar::{Coefficient, EphemerisScalar, SegmentPoint, orientation, orientation_and_rates};
+use crate::table::evaluation::{
+    EphemerisScalar, Number, NumberOf, SegmentPoint, orientation, orientation_and_omega_body,
+};
 
 /// Sample of a motion at one time. Each method evaluates the table anew; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
 /// [`Sample::attitude_state`] return several quantities of one evaluation.
@@ -33,8 +35,6 @@ pub struct Pose<R, W> {
     pub tip: Complex<W>,
 }
 
-type NumberOf<R> = <<R as EphemerisScalar>::Coefficient as Coefficient>::Number;
-
 impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[inline(always)]
     pub(crate) fn new(ephemeris: &'a EphemerisView<R>, phases: [PhaseFraction; 3], mean_tip: Phase) -> Self {
@@ -52,19 +52,19 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[inline(always)]
     #[must_use]
     pub fn orientation(&self) -> Orientation<R> {
-        converted(&self.evaluated(), R::rounded)
+        map_parts(&self.unrounded(), R::from_number)
     }
 
     /// Orientation, u and tip.
     #[inline(always)]
     #[must_use]
     pub fn pose(&self) -> Pose<R, R::Quantity> {
-        let numbers = self.evaluated();
+        let numbers = self.unrounded();
         let product = numbers.alpha * numbers.beta;
-        let [re, im] = [product.re, product.im].map(R::Quantity::from);
+        let [re, im] = [product.re, product.im].map(Into::into);
         Pose {
-            orientation: converted(&numbers, R::rounded),
-            u: R::rounded(numbers.u()),
+            orientation: map_parts(&numbers, R::from_number),
+            u: R::from_number(numbers.u()),
             tip: Complex::new(re, im).scaled(self.ephemeris.clock.tip_scale),
         }
     }
@@ -72,13 +72,13 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     /// Cosine u of the tilt, which a rounding can take past ±1.
     #[must_use]
     pub fn u(&self) -> R {
-        R::rounded(self.evaluated().u())
+        R::from_number(self.unrounded().u())
     }
 
     /// Unit vector r from the tip to the centre of mass, in the fixed frame.
     #[must_use]
     pub fn axis(&self) -> Vector<R> {
-        self.evaluated().axis().map(R::rounded)
+        self.unrounded().axis().map(R::from_number)
     }
 
     /// Unit quaternion [w, x, y, z] from body to fixed coordinates.
@@ -98,8 +98,8 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[inline(always)]
     #[must_use]
     pub fn omega(&self) -> Vector<R::Quantity> {
-        let (orientation, omega_body, exponent) = self.evaluated_with_rates();
-        orientation.adjoint(omega_body).map(|rate| R::Coefficient::rate(rate, exponent))
+        let (orientation, omega_body, exponent) = self.unrounded_with_omega_body();
+        orientation.adjoint(omega_body).map(|rate| rate.times_power_of_two(exponent))
     }
 
     /// Angular velocity Ω in the body frame, rad per unit time.
@@ -114,8 +114,8 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[inline(always)]
     #[must_use]
     pub fn orientation_and_omega_body(&self) -> (Orientation<R>, Vector<R::Quantity>) {
-        let (orientation, omega_body) = self.numbers_and_omega_body();
-        (converted(&orientation, R::rounded), omega_body)
+        let (numbers, omega_body) = self.numbers_and_omega_body();
+        (map_parts(&numbers, R::from_number), omega_body)
     }
 
     /// Rate u' of the cosine of the tilt, per unit time.
@@ -139,47 +139,43 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R::Quantity> {
         let (numbers, omega_body) = self.numbers_and_omega_body();
-        let orientation = converted(&numbers, R::Quantity::from);
+        let orientation = map_parts(&numbers, Into::into);
         AttitudeState { orientation, rate: OrientationRate::from_body(&orientation, omega_body) }
     }
 
-    /// Orientation before its conversion to the scalar.
     #[inline(always)]
-    fn evaluated(&self) -> Orientation<NumberOf<R>> {
-        let [nutation, a, b] = self.phases;
-        let LocatedSegment { terms, point, .. } = self.ephemeris.locate(nutation);
-        orientation(terms, point, [a, b])
+    fn unrounded(&self) -> Orientation<NumberOf<R>> {
+        self.ephemeris.unrounded_orientation(self.phases)
     }
 
     /// Orientation before its conversion, angular velocity Ω in the body frame over a power of two, and the exponent of that power.
     #[inline(always)]
-    fn evaluated_with_rates(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
+    fn unrounded_with_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
         let [nutation, a, b] = self.phases;
-        let LocatedSegment { terms, point, .. } = self.ephemeris.locate(nutation);
-        orientation_and_rates(terms, point, [a, b], self.ephemeris.clock.rates)
+        let LocatedSegment { rows, point, .. } = self.ephemeris.segment_at(nutation);
+        orientation_and_omega_body(rows, point, [a, b], self.ephemeris.clock.rates)
     }
 
     /// Orientation before its conversion, and angular velocity Ω in the body frame.
     #[inline(always)]
     fn numbers_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
-        let (orientation, [x1, x2, _], exponent) = self.evaluated_with_rates();
+        let (orientation, [x1, x2, _], exponent) = self.unrounded_with_omega_body();
         let [.., axial] = self.ephemeris.clock.rates;
-        let rate = |number| R::Coefficient::rate(number, exponent);
-        (orientation, [rate(x1), rate(x2), axial])
+        (orientation, [x1.times_power_of_two(exponent), x2.times_power_of_two(exponent), axial])
     }
 
     /// Rate r' of the axis in the fixed frame.
     #[inline(always)]
     fn axis_rate(&self) -> Vector<R::Quantity> {
-        let (orientation, omega_body, exponent) = self.evaluated_with_rates();
-        orientation.axis_rate(omega_body).map(|rate| R::Coefficient::rate(rate, exponent))
+        let (orientation, omega_body, exponent) = self.unrounded_with_omega_body();
+        orientation.axis_rate(omega_body).map(|rate| rate.times_power_of_two(exponent))
     }
 }
 
 /// Segment that contains a nutation phase, and the place on it.
 pub(super) struct LocatedSegment<'a, R: EphemerisScalar> {
-    /// Coefficients, lowest power first.
-    pub(super) terms: &'a [[R::Coefficient; 4]],
+    /// Coefficients of each power, the lowest first.
+    pub(super) rows: &'a [[R::Coefficient; 4]],
     /// Index of the segment in the table.
     pub(super) index: usize,
     pub(super) point: SegmentPoint,
@@ -223,9 +219,16 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         (1_u64 << 63) as f64 / ticks_per_time
     }
 
+    /// Orientation before its conversion to the scalar, from the leading 64 bits of nutation phase, A and B.
+    #[inline(always)]
+    pub(super) fn unrounded_orientation(&self, [nutation, a, b]: [u64; 3]) -> Orientation<NumberOf<R>> {
+        let LocatedSegment { rows, point, .. } = self.segment_at(nutation);
+        orientation(rows, point, [a, b])
+    }
+
     /// Segment of a nutation phase, given by its 64 leading bits.
     #[inline(always)]
-    pub(super) fn locate(&self, nutation: u64) -> LocatedSegment<'_, R> {
+    pub(super) fn segment_at(&self, nutation: u64) -> LocatedSegment<'_, R> {
         let falling = (nutation as i64) >> 63;
         // the fraction of half a period, and its 32 leading bits
         let half = (nutation ^ falling as u64) << 1;
@@ -237,18 +240,18 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         // the fraction of a segment of level 0, and its 32 leading bits
         let (eighth, short) = (half << LEVEL_0_BITS, (half >> (32 - LEVEL_0_BITS)) as u32);
         // the range [0, 1) becomes [-1, 1) by flipping the upper bit
-        let (x, short_x) = ((eighth << level) ^ (1 << 63), (short << level) ^ (1 << 31));
+        let (x64, x32) = ((eighth << level) ^ (1 << 63), (short << level) ^ (1 << 31));
         LocatedSegment {
-            terms: segment.map_or(&[], |segment| segment.as_ref()),
+            rows: segment.map_or(&[], |segment| segment.as_ref()),
             index,
-            point: SegmentPoint { x: x as i64, short_x: short_x as i32, level, mirrored: falling < 0 },
+            point: SegmentPoint { x64: x64 as i64, x32: x32 as i32, level, is_falling: falling < 0 },
         }
     }
 }
 
 /// Orientation in another type of number.
 #[inline(always)]
-fn converted<A: Copy, B>(orientation: &Orientation<A>, number: impl Fn(A) -> B) -> Orientation<B> {
+fn map_parts<A: Copy, B>(orientation: &Orientation<A>, number: impl Fn(A) -> B) -> Orientation<B> {
     let parts = |z: Complex<A>| Complex::new(number(z.re), number(z.im));
     Orientation { alpha: parts(orientation.alpha), beta: parts(orientation.beta) }
 }

@@ -8,8 +8,8 @@ use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::table::data::Clock;
 use crate::table::data::EphemerisView;
+use crate::table::evaluation::{Coefficient, EphemerisScalar};
 use crate::table::read::sample::Sample;
-use crate::table::scalar::{Coefficient, EphemerisScalar};
 
 impl<R: EphemerisScalar> Sample<'_, R> {
     /// Tip angle φ = arg c, continuous in time from φ(0) in (-1/2, 1/2] turn, whole turns included (modulo 2^32
@@ -78,21 +78,21 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// direction of the motion from 0 or to 0. `pause` is called after every sixteen segments, and before the polynomials are evaluated.
     fn tabulated_tip_angle(&self, nutation: u64, pause: &mut dyn FnMut()) -> Phase {
         const SEGMENTS: usize = 16;
-        let found = self.locate(nutation);
+        let found = self.segment_at(nutation);
         let mut winding = Winding::START;
         for (index, segment) in self.segments.iter().enumerate().take(found.index + 1) {
             let [centre, ..] = segment.as_ref() else { continue };
-            let [a, b] = complex(centre.map(|coefficient| coefficient.value(0)));
+            let [a, b] = complex(centre.map(|coefficient| coefficient.to_f64(0)));
             winding.reach(self.rotated_back(a * b));
             if index % SEGMENTS == SEGMENTS - 1 {
                 pause();
             }
         }
         pause();
-        let x = found.point.x as f64 / (1_u64 << 63) as f64;
+        let x = found.point.x64 as f64 / (1_u64 << 63) as f64;
         let [mut a, mut b, mut a_slope, mut b_slope] = [Complex::ZERO; 4];
-        for (power, row) in found.terms.iter().enumerate().rev() {
-            let [a_term, b_term] = complex(row.map(|c| c.value(power)));
+        for (power, row) in found.rows.iter().enumerate().rev() {
+            let [a_term, b_term] = complex(row.map(|c| c.to_f64(power)));
             (a_slope, b_slope) = (a_slope.scaled(x) + a, b_slope.scaled(x) + b);
             (a, b) = (a.scaled(x) + a_term, b.scaled(x) + b_term);
         }

@@ -3,7 +3,7 @@
 use super::{Expansion, MOST_TERMS, PowerSeries, RateSeries, larger_or_nan};
 use crate::table::build::series::sine::{FRACTION, sine_cosine};
 use crate::table::build::series::{BITS, Limbs, UnitFactor, in_range, in_units, integrated, scaled_product};
-use crate::table::scalar::{TABLE_BITS, shifted_right};
+use crate::table::evaluation::{TABLE_BITS, shifted_right};
 
 /// Series from which those of α and β are made: the rates of ρ + χ and of ρ - χ, and an exponential.
 #[derive(Debug)]
@@ -122,7 +122,7 @@ mod tests {
     use crate::motion::phase_equations::PhaseEquations;
     use crate::phase::Phase;
     use crate::scalar::{Extended, Float, Scalar};
-    use crate::table::scalar::TABLE_UNIT;
+    use crate::table::evaluation::TABLE_UNIT;
 
     fn equations(spread: f64, [e1, e2, e3]: [f64; 3]) -> PhaseEquations<Extended> {
         let parameters = TopParameters {
