@@ -87,7 +87,7 @@ pub struct Clock<W> {
 
 impl<W: Float> Clock<W> {
     /// Clock before set-up.
-    pub(crate) const STOPPED: Self = Self {
+    pub(crate) const ZERO: Self = Self {
         step: [[0; 3]; 3],
         tip_quarter: 0,
         tip_passes: 0,
@@ -103,7 +103,10 @@ impl<W: Float> Clock<W> {
         epoch: 0,
     };
 
-    /// Clock of a motion that is launched at tick `epoch`; [`Clock::tip_start`] is not set yet.
+    /// Clock of a motion that is launched at tick `epoch`, without [`Clock::tip_start`].
+    ///
+    /// * `turns`: nutation frequency and mean rates of A and B, turns per unit time
+    /// * `start`: nutation phase, A and B at the launch
     pub(crate) fn new(
         motion: &Motion,
         tick: Tick,
@@ -119,15 +122,16 @@ impl<W: Float> Clock<W> {
         let x_rate = 4.0 * SEGMENTS_AT_LEVEL_0 as f64 * frequency.to_f64();
         // not a product of `i128`, which LLVM 22 compiles to a wrong one for RISC-V where the epoch is known
         let ticks = epoch.wrapping_sub(i64::MIN) as u64;
-        let mut first = [0; 3];
-        for ((first, start), step) in first.iter_mut().zip(start).zip(exact_step) {
-            let before = PhaseFraction::from_phase(step.to_phase()).times(ticks);
-            *first = PhaseFraction::from_phase(start).minus(before).leading();
+        let (mut first, mut step) = ([0; 3], [[0; 3]; 3]);
+        for (((first, words), start), turns) in first.iter_mut().zip(&mut step).zip(start).zip(exact_step) {
+            let step = PhaseFraction::from_phase(turns.to_phase());
+            *words = step.words();
+            *first = PhaseFraction::from_phase(start).minus(step.times(ticks)).leading();
         }
         let [alpha_winding, beta_winding] = motion.windings();
         let tip_passes = u8::from(alpha_winding == 0) + u8::from(beta_winding == 0);
         Self {
-            step: exact_step.map(|step| PhaseFraction::from_phase(step.to_phase()).words()),
+            step,
             tip_quarter: if alpha_winding == 0 { motion.signs().l_plus_n.factor() as i8 } else { 0 },
             tip_passes,
             tip_exists: !motion.regime().is_vertical(),
@@ -167,34 +171,32 @@ impl<W> Clock<W> {
         self.tick_rate() * if t.is_finite() { t } else { 0.0 }.into()
     }
 
-    /// Last tick before a time, and the time since that tick in units of 2^-64 ticks; `None` beyond 2^62 ticks,
-    /// or if a phase turns by half a turn or more in a tick. A time that is not finite counts as 0.
+    /// Leading 64 bits of nutation phase, A and B, and the mean tip angle, at a time. A time that is not finite counts as 0.
+    ///
+    /// `None` beyond 2^62 ticks, and for fast ticks, in which a phase turns by half a turn or more.
     #[inline(always)]
-    pub(crate) fn instant(&self, t: f64) -> Option<(i64, u64)> {
+    pub(crate) fn at_time(&self, t: f64) -> Option<([u64; 3], Phase)> {
         const MOST_TICKS: f64 = (1_u64 << 62) as f64;
         let [hi, lo] = self.ticks_per_time;
-        let (time, exponent) = integer_parts(t);
         let near = (t * hi).abs() < MOST_TICKS || !t.is_finite();
-        let exact = self.exact_step.iter().all(|[turns, _]| turns.abs() < 0.5);
-        (near && exact).then(|| {
-            let product = |rate: f64| {
-                let (rate, rate_exponent) = integer_parts(rate);
-                shifted(i128::from(time) * i128::from(rate), exponent + rate_exponent + 64)
-            };
-            let ticks = if lo == 0.0 { product(hi) } else { product(hi).wrapping_add(product(lo)) };
-            ((ticks >> 64) as i64, ticks as u64)
-        })
-    }
-
-    /// Leading 64 bits of nutation phase, A and B, and the mean tip angle, at an instant.
-    #[inline(always)]
-    pub(crate) fn at_instant(&self, (tick, share): (i64, u64)) -> ([u64; 3], Phase) {
+        let slow = self.exact_step.iter().all(|[turns, _]| turns.abs() < 0.5);
+        if !(near && slow) {
+            return None;
+        }
+        let (time, exponent) = integer_parts(t);
+        let product = |rate: f64| {
+            let (rate, rate_exponent) = integer_parts(rate);
+            shifted(i128::from(time) * i128::from(rate), exponent + rate_exponent + 64)
+        };
+        // in units of 2^-64 ticks
+        let ticks = if lo == 0.0 { product(hi) } else { product(hi).wrapping_add(product(lo)) };
+        let (tick, fraction) = ((ticks >> 64) as i64, ticks as u64);
         let since_first = tick.wrapping_sub(i64::MIN) as u64;
         let ([nutation, a, b], [nutation_step, a_step, b_step]) = (self.first, self.steps());
         let after =
-            |first: u64, step: PhaseFraction| first.wrapping_add(step.leading_after(since_first, share));
+            |first: u64, step: PhaseFraction| first.wrapping_add(step.leading_after(since_first, fraction));
         let phases = [after(nutation, nutation_step), after(a, a_step), after(b, b_step)];
-        (phases, self.mean_tip(tick) + self.tip_turn().share(share))
+        Some((phases, self.mean_tip(tick) + self.tip_turn().share(fraction)))
     }
 
     /// Nutation phase, A and B at tick n.
@@ -213,16 +215,16 @@ impl<W> Clock<W> {
     #[cold]
     #[inline(never)]
     pub(crate) fn after(&self, ticks: Extended) -> ([PhaseFraction; 3], Phase) {
-        let (ticks, share) = ticks.floor_and_rest();
+        let (ticks, fraction) = ticks.floor_and_rest();
         let since_first = ticks.wrapping_sub(i64::MIN.into());
         let turned = |step: Phase, ticks: i128| Phase::from_bits(step.to_bits().wrapping_mul(ticks));
         let mut phases = self.steps();
         for ((phase, exact), first) in phases.iter_mut().zip(self.exact_steps()).zip(self.first) {
-            let part = (exact * share).to_phase();
+            let part = (exact * fraction).to_phase();
             *phase =
                 PhaseFraction::from_phase(turned(phase.to_phase(), since_first) + part).plus_leading(first);
         }
-        let part = (exact_tip_step(self.exact_steps(), self.tip_passes) * share).to_phase();
+        let part = (exact_tip_step(self.exact_steps(), self.tip_passes) * fraction).to_phase();
         (phases, Phase::from_words(self.tip_start) + turned(self.tip_turn(), ticks) + part)
     }
 

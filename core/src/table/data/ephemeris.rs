@@ -63,9 +63,9 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
     const EMPTY: Self = {
         assert!(SEGMENTS >= SEGMENTS_AT_LEVEL_0 && SEGMENTS <= Cell::MOST_SEGMENTS);
         Self {
-            clock: Clock::STOPPED,
-            error_bound: ErrorBound::NONE,
-            rate_error_bound: ErrorBound::NONE,
+            clock: Clock::ZERO,
+            error_bound: ErrorBound::ZERO,
+            rate_error_bound: ErrorBound::ZERO,
             cells: [0; CELLS],
             segments: [R::ZERO_SEGMENT; SEGMENTS],
         }

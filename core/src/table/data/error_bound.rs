@@ -17,7 +17,7 @@ pub struct ErrorBound {
 
 impl ErrorBound {
     /// Bound of a table before its set-up.
-    pub(crate) const NONE: Self = Self { constant: 0.0, per_tick: 0.0 };
+    pub(crate) const ZERO: Self = Self { constant: 0.0, per_tick: 0.0 };
 
     /// Upper bound on the error at a number of ticks from the launch, of either sign.
     #[must_use]

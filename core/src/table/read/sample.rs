@@ -195,11 +195,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     #[inline(always)] // so that the mean tip angle is computed only where the caller uses it
     #[must_use]
     pub fn at(&self, t: f64) -> Sample<'_, R> {
-        match self.clock.instant(t) {
-            Some(instant) => {
-                let (phases, mean_tip) = self.clock.at_instant(instant);
-                Sample { ephemeris: self, phases, mean_tip }
-            }
+        match self.clock.at_time(t) {
+            Some((phases, mean_tip)) => Sample { ephemeris: self, phases, mean_tip },
             None => self.after(self.clock.ticks(t)),
         }
     }
@@ -251,7 +248,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
 /// Orientation in another type of number.
 #[inline(always)]
-fn map_parts<A: Copy, B>(orientation: &Orientation<A>, number: impl Fn(A) -> B) -> Orientation<B> {
+pub(super) fn map_parts<A: Copy, B>(orientation: &Orientation<A>, number: impl Fn(A) -> B) -> Orientation<B> {
     let parts = |z: Complex<A>| Complex::new(number(z.re), number(z.im));
     Orientation { alpha: parts(orientation.alpha), beta: parts(orientation.beta) }
 }
