@@ -162,7 +162,7 @@ mod tests {
             Motion::from_branch_points(&top, [-0.5, 0.5, 1.5], Signs::default(), &InitialPhases::default())
                 .unwrap();
         let per_tick = |errors, turns| {
-            let rates = MeanRates { turns: [turns; 3], errors, ..MeanRates::ZERO };
+            let rates = MeanRates { turns: [turns; 3], errors };
             let [bound, _] = error_bounds(&f64::ERRORS, &motion, 0.5.into(), &rates, &speeds, 0.0);
             bound.per_tick
         };

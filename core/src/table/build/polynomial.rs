@@ -81,13 +81,15 @@ pub(super) struct Polynomial {
 impl Polynomial {
     pub(super) const ZERO: Self = Self { parts: [Part::ZERO; 2], terms: 0, remainder: 0.0 };
 
-    /// Polynomial of the first (0) or the second parameter (1) on a span, from its ellipse p e^{iχ} + q e^{-iχ}; `None` where it is not
-    /// accurate.
+    /// Becomes the polynomial of α (index 0) or β (1) on a span; `None` where that is not accurate.
+    ///
+    /// * `ellipse`: coefficients of e^{iχ} and e^{-iχ} in its ellipse
     pub(super) fn compute(
         &mut self,
         series: &mut ParameterSeries,
         expansion: &Expansion,
-        (index, ellipse): (usize, [f64; 2]),
+        index: usize,
+        ellipse: [f64; 2],
         limits: &Limits,
         pause: &mut dyn FnMut(),
     ) -> Option<()> {

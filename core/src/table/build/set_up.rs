@@ -14,7 +14,7 @@ use super::store::{Store, store_polynomial};
 use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::motion::cayley_klein::Ellipses;
-use crate::scalar::Float;
+use crate::scalar::{Extended, Float, Ring};
 use crate::table::evaluation::EphemerisScalar;
 
 /// Reason why a motion has no table.
@@ -117,33 +117,33 @@ impl SetUp {
         self.limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
         let store =
             &mut |segment, column, parts: [&_; 2]| store_polynomial::<R>(segments, segment, column, parts);
+        // a slow phase may hardly differ from its mean, which the table of an `f64` must resolve
         let origin: ComputeOrigin = match R::PERIOD_WORDS {
             1 => |path| path.compute_origin(Float::to_f64),
             _ => |path| path.compute_origin(|constant| constant),
         };
-        self.begin::<R>(motion, pause);
+        match R::PERIOD_WORDS {
+            1 => self.begin::<1>(motion, pause),
+            _ => self.begin::<2>(motion, pause),
+        }
         let built = self.build(motion, origin, store, pause);
         built.ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
     }
 
-    /// Computes the equations and the mean rates; begins at u = e₁.
+    /// Computes the equations, and the mean rates by numbers of this many words. Begins at u = e₁.
     #[inline(never)]
-    fn begin<R: EphemerisScalar>(&mut self, motion: &Motion, pause: &mut dyn FnMut()) {
+    fn begin<const WORDS: usize>(&mut self, motion: &Motion, pause: &mut dyn FnMut()) {
         let mut period = None;
         if !motion.is_steady() {
             self.path.equations = motion.equations();
             pause();
-            period = match R::PERIOD_WORDS {
-                1 => motion.period::<1>(&self.path.equations, pause),
-                _ => motion.period::<2>(&self.path.equations, pause),
-            };
+            period = motion.period::<WORDS>(&self.path.equations, pause);
         }
         self.rates = MeanRates::new(motion, period.as_ref());
         pause();
         (self.start, self.cut) = (Start::new(motion), Cut::ZERO);
-        if let Some(period) = period {
-            self.path.begin(motion, period.time.halved(), &self.rates, &self.limits);
-        }
+        let half_period = period.map_or(Extended::ZERO, |period| period.time.halved());
+        self.path.begin(motion, half_period, &self.rates, &self.limits);
     }
 
     /// Computes all segments; `None` where they are too many. One may be stored more than once.
@@ -162,34 +162,34 @@ impl SetUp {
             return Some(());
         }
         pause();
-        let Self { limits, start, path, polynomials, segment, cut, .. } = self;
         let mut place = 0;
         while place < HALF_PERIOD {
-            cut.enter_span(path, place);
-            while path
-                .expand(origin, pause)
-                .and_then(|()| {
-                    let ellipses = ellipses.iter().enumerate();
-                    polynomials.iter_mut().zip(ellipses).try_for_each(|(polynomial, (index, ellipse))| {
-                        pause();
-                        polynomial.compute(
-                            &mut self.series,
-                            &path.expansion,
-                            (index, *ellipse),
-                            limits,
-                            pause,
-                        )
-                    })
-                })
-                .is_none()
-            {
-                path.shorten_span()?;
+            self.cut.enter_span(&mut self.path, place);
+            while self.expand_span(origin, &ellipses, pause).is_none() {
+                self.path.shorten_span()?;
             }
+            let Self { limits, start, path, polynomials, segment, cut, .. } = self;
             pause();
             start.search(&path.expansion, path.end.phases.chi, path.span);
             place = cut.cut_span(path, polynomials, segment, limits, store, pause)?;
         }
-        cut.error += path.error(&cut.speeds, start.delay);
+        self.cut.error += self.path.error(&self.cut.speeds, self.start.delay);
+        Some(())
+    }
+
+    /// Expands the motion on the span and computes the polynomials of α and β; `None` where they are not accurate.
+    fn expand_span(
+        &mut self,
+        origin: ComputeOrigin,
+        ellipses: &[[f64; 2]; 2],
+        pause: &mut dyn FnMut(),
+    ) -> Option<()> {
+        let Self { limits, path, series, polynomials, .. } = self;
+        path.expand(origin, pause)?;
+        for (index, (polynomial, ellipse)) in polynomials.iter_mut().zip(ellipses).enumerate() {
+            pause();
+            polynomial.compute(series, &path.expansion, index, *ellipse, limits, pause)?;
+        }
         Some(())
     }
 }

@@ -52,34 +52,34 @@ fn quotient(a: u32, b: u32) -> Extended {
     Extended::from(f64::from(a)) / Extended::from(f64::from(b))
 }
 
-/// Phases and their increments per tick, and the scales of lengths and rates, as plain numbers: see `core/docs/table_format.md`.
+/// Phases, their increments per tick, and the scales of lengths and rates: see `core/docs/table_format.md`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)] // the increments lie first, within the short address range of the smallest chip's load instructions
 pub struct Clock<W> {
     /// Increments per tick of nutation phase, A and B, in units of 2^-96 turns, the least significant word first.
     pub step: [[u32; 3]; 3],
-    /// Quarter turns of the argument of the tabulated ab at u = e₁: 0; 1 or -1 where e₁ = -1.
+    /// Argument of the tabulated ab at u = e₁ in quarter turns: 0, or ±1 for e₁ = -1.
     pub tip_quarter: i8,
-    /// Number of the parameters α and β that pass through 0: 0, 1 or 2.
+    /// Number of the parameters α and β that pass through 0.
     pub tip_passes: u8,
-    /// Whether the tip angle exists; false where the axis is vertical at all times.
+    /// Whether the tip angle exists: false where the axis is vertical at all times.
     pub tip_exists: bool,
-    /// Whether u has turning points; false where u is constant to 2^-49.
+    /// Whether u has turning points: false where u is constant to 2^-49.
     pub has_turning_points: bool,
     /// Scale 2 s of the tip curve, m, twice [`Top::tip_scale`](crate::Top::tip_scale); 2 for a fixed tip.
     pub tip_scale: W,
-    /// Three rates: dx/dt on a segment of an eighth of half a period, per unit time; the mean rate of A + B, rad per unit time; the axial
-    /// component (n - K)/C of the angular velocity, rad per unit time.
+    /// Rates per unit time: dx/dt on a segment of an eighth of half a period; the mean rate of A + B, rad; the axial angular velocity
+    /// (n - K)/C, rad.
     pub rates: [W; 3],
     /// Nutation phase, A and B at tick `i64::MIN`, in units of 2^-64 turns.
     pub first: [u64; 3],
-    /// Increments in turns, whole turns included, each as the sum of two `f64`.
+    /// Increments per tick in turns, whole turns included, each as the sum of two `f64`.
     pub exact_step: [[f64; 2]; 3],
     /// Number of ticks in a unit of time, as the sum of two `f64`.
     pub ticks_per_time: [f64; 2],
     /// Mean tip angle at tick 0, whole turns included, in units of 2^-96 turns, the least significant word first.
     pub tip_start: [u32; 4],
-    /// Increment of the mean tip angle per tick, in the same units.
+    /// Increment of the mean tip angle per tick, in units of 2^-96 turns.
     pub tip_step: [u32; 4],
     /// Tick of the launch, from which the error bounds grow.
     pub epoch: i64,
@@ -166,7 +166,7 @@ impl<W> Clock<W> {
         Extended::sum(hi, lo)
     }
 
-    /// Number of ticks until a time; a time that is not finite counts as 0.
+    /// Number of ticks until a time. A time that is not finite counts as 0.
     pub(crate) fn ticks(&self, t: f64) -> Extended {
         self.tick_rate() * if t.is_finite() { t } else { 0.0 }.into()
     }
@@ -241,8 +241,7 @@ impl<W> Clock<W> {
     }
 }
 
-/// Increment of the mean tip angle per tick, in turns. A and B include half a turn per period for a parameter that passes through 0; the
-/// tip angle does not.
+/// Increment of the mean tip angle per tick, in turns. Unlike A and B it has no half turn per period for a parameter that passes through 0.
 fn exact_tip_step([nutation, a, b]: [Extended; 3], passes: u8) -> Extended {
     a + b - nutation * Extended::from(0.5 * f64::from(passes))
 }

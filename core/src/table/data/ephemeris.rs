@@ -1,4 +1,4 @@
-//! Ephemeris of one motion: clock, error bound, cells and segments.
+//! Table of one motion, and the memory for it.
 
 use crate::table::data::cell::{CELLS, Cell, SEGMENTS_AT_LEVEL_0};
 use crate::table::data::{Clock, ErrorBound};
@@ -8,8 +8,8 @@ use core::ops::{Deref, DerefMut};
 
 /// Ephemeris of one motion with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.
 ///
-/// It dereferences to an [`EphemerisView`], which any number of readers share. Size: 4 · SEGMENTS · [`EphemerisScalar::TERMS`]
-/// coefficients and about 300 bytes.
+/// It dereferences to an [`EphemerisView`], which has its methods and which any number of readers share. Size: 4 · SEGMENTS ·
+/// [`EphemerisScalar::TERMS`] coefficients and about 300 bytes.
 ///
 /// ```
 /// use toytop::{EphemerisF32, Motion, Release, State, Tick, Top, TopParameters};
@@ -31,8 +31,9 @@ use core::ops::{Deref, DerefMut};
 /// ```
 pub type Ephemeris<R, const SEGMENTS: usize> = EphemerisView<R, [<R as EphemerisScalar>::Segment; SEGMENTS]>;
 
-/// Ephemeris of any capacity behind a reference, `&EphemerisView<f32>`: the argument type of all readers. With an array of segments in
-/// place of the slice it is an [`Ephemeris`].
+/// Ephemeris without its capacity in the type. Readers take an `&EphemerisView<f32>`.
+///
+/// The parameter S is the type of the segments: a slice, or the array of an [`Ephemeris`].
 #[derive(Debug, PartialEq)]
 #[repr(C)] // the increments lie first, within the short address range of the smallest chip's load instructions
 pub struct EphemerisView<R: EphemerisScalar, S: ?Sized = [<R as EphemerisScalar>::Segment]> {
@@ -59,7 +60,7 @@ pub type EphemerisQ31 = Ephemeris<fixed::types::I2F30, 32>;
 pub type EphemerisQ15 = Ephemeris<fixed::types::I2F14, 16>;
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
-    /// Memory of a table. All its bits are 0, so that it takes no flash.
+    /// Table before set-up. All its bits are 0, so that it takes no flash.
     const EMPTY: Self = {
         assert!(SEGMENTS >= SEGMENTS_AT_LEVEL_0 && SEGMENTS <= Cell::MOST_SEGMENTS);
         Self {
@@ -88,7 +89,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Borrow<EphemerisView<R>> for Eph
     }
 }
 
-/// Memory of a table, for a static: `EphemerisMemory<EphemerisF32>`.
+/// Memory of a table, which a static may hold: `EphemerisMemory<EphemerisF32>`. The table cannot be read before its set-up.
 #[derive(Debug)]
 #[repr(C)] // the C interface reads it by its address
 pub struct EphemerisMemory<T: ?Sized> {
@@ -133,7 +134,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> DerefMut for EphemerisMemory<Eph
     }
 }
 
-/// Table that was set up, with the exclusive use of its memory.
+/// Exclusive reference to a table that is set up.
 #[derive(Debug)]
 pub struct ReadyEphemeris<'a, R: EphemerisScalar>(pub(crate) &'a mut EphemerisMemory<EphemerisView<R>>);
 
@@ -161,7 +162,7 @@ impl<R: EphemerisScalar> Deref for ReadyEphemeris<'_, R> {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Number of segments that the memory can hold.
+    /// Largest number of segments.
     #[must_use]
     pub fn capacity(&self) -> usize {
         self.segments.len()
@@ -197,7 +198,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.error_bound.after(self.ticks_from_launch(tick))
     }
 
-    /// Upper bound on |Δω|, |ΔΩ| and |Δu'|, rad per unit time, and on the error of the tip's velocity over s (1 for a fixed tip).
+    /// Upper bound on |Δω|, |ΔΩ| and |Δu'|, rad per unit time. The error of the tip's velocity is at most s times as large.
     #[must_use]
     pub fn rate_error_bound(&self) -> ErrorBound {
         self.rate_error_bound
@@ -214,7 +215,6 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     }
 }
 
-/// Capacity and error bound, not the table.
 #[cfg(feature = "defmt")]
 impl<R: EphemerisScalar, const SEGMENTS: usize> defmt::Format for Ephemeris<R, SEGMENTS> {
     fn format(&self, f: defmt::Formatter<'_>) {

@@ -1,11 +1,12 @@
 //! Error bound of a table.
 
-use crate::scalar::Float;
-
 /// Upper bound on an error at any tick: `constant` plus `per_tick` for each tick from the launch.
 ///
-/// That of the orientation is 2 √(|Δα|² + |Δβ|²), relative to the exact motion of the numbers that were launched. It counts the worst case
-/// of integer roundings, six standard deviations of those in `f64`, and an estimate of the series' remainders.
+/// The error of an orientation is 2 √(|Δα|² + |Δβ|²), relative to the exact motion of the numbers that were launched. The bound contains
+///
+/// * the worst case of the roundings of integers,
+/// * six standard deviations of the roundings in `f64`,
+/// * an estimate of the remainders of the series.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ErrorBound {
@@ -16,13 +17,12 @@ pub struct ErrorBound {
 }
 
 impl ErrorBound {
-    /// Bound of a table before its set-up.
     pub(crate) const ZERO: Self = Self { constant: 0.0, per_tick: 0.0 };
 
     /// Upper bound on the error at a number of ticks from the launch, of either sign.
     #[must_use]
     pub fn after(&self, ticks: f64) -> f64 {
-        self.constant + self.per_tick * Float::abs(ticks)
+        self.constant + self.per_tick * ticks.abs()
     }
 
     pub(super) const fn numbers(self) -> [f64; 2] {

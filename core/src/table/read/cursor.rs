@@ -12,8 +12,8 @@ use crate::table::read::sample::{Sample, map_parts};
 
 /// Reader of consecutive ticks of a table, by three additions each.
 ///
-/// The table is a `&EphemerisView`, or a [`ReadyEphemeris`](crate::ReadyEphemeris), whose memory is free for another set-up after an
-/// exchange. An interrupt exchanges tables without lock and copy.
+/// The table is a `&EphemerisView`, or a [`ReadyEphemeris`](crate::ReadyEphemeris), whose memory an exchange frees for another set-up. An
+/// interrupt exchanges tables without a lock and without a copy.
 ///
 /// ```
 /// # use toytop::{Cursor, EphemerisF32, EphemerisMemory, Motion, Release, SetUp, State, Tick, Top, TopParameters};
@@ -73,7 +73,7 @@ where
         self.phases.next(self.table.deref().borrow())
     }
 
-    /// Tick of the last sample; before the first sample, the tick before that one. It wraps after 2^63 - 1.
+    /// Tick of the last sample, or the one before the first sample. It wraps after 2^63 - 1.
     #[inline(always)]
     #[must_use]
     pub fn tick(&self) -> i64 {

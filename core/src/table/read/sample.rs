@@ -1,4 +1,4 @@
-//! Sample of a motion: three phases, and the quantities computed from them on demand.
+//! Sample of a motion: three phases, from which every quantity is computed when it is asked for.
 
 use crate::complex::Complex;
 use crate::phase::{Phase, PhaseFraction};
@@ -10,7 +10,7 @@ use crate::table::evaluation::{
     EphemerisScalar, Number, NumberOf, SegmentPoint, orientation, orientation_and_omega_body,
 };
 
-/// Sample of a motion at one time. Each method evaluates the table anew; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
+/// Sample of a motion at one time. Each method evaluates the table. [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
 /// [`Sample::attitude_state`] return several quantities of one evaluation.
 ///
 /// Lengths and rates are in [`EphemerisScalar::Quantity`]: R itself in floating point, `f32` in fixed point.
@@ -69,7 +69,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         }
     }
 
-    /// Cosine u of the tilt, which a rounding can take past ±1.
+    /// Cosine u of the tilt. A rounding may take it past ±1.
     #[must_use]
     pub fn u(&self) -> R {
         R::from_number(self.unrounded().u())
@@ -87,7 +87,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         self.orientation().quaternion()
     }
 
-    /// Tip position c = 2 s αβ, in m, relative to the point of the plane below the centre of mass; for a fixed tip 2αβ.
+    /// Position c = 2 s αβ of the tip, in m, relative to the point of the plane below the centre of mass. For a fixed tip it is 2αβ.
     #[inline(always)]
     #[must_use]
     pub fn tip(&self) -> Complex<R::Quantity> {
@@ -126,7 +126,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         udot
     }
 
-    /// Velocity c' of the tip, m per unit time; per unit time for a fixed tip.
+    /// Velocity c' of the tip, m per unit time. For a fixed tip it is that of 2αβ.
     #[inline(always)]
     #[must_use]
     pub fn tip_velocity(&self) -> Complex<R::Quantity> {
@@ -189,9 +189,10 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         Sample::new(self, self.clock.at(n), self.clock.mean_tip(n))
     }
 
-    /// Sample of the motion t units of time after tick 0, with t taken as exact. A t that is not finite counts as 0.
+    /// Sample of the motion t units of time after tick 0. The t is taken as exact; one that is not finite counts as 0.
     ///
-    /// It equals [`EphemerisView::at_tick`] to the bit where t is a whole number of ticks and the tick rate a multiple of 1/2.
+    /// It equals [`EphemerisView::at_tick`] to the bit where t is a whole number of ticks and the tick rate a multiple of 1/2. It is slow beyond
+    /// 2^62 ticks, and where a phase turns by half a turn or more in a tick.
     #[inline(always)] // so that the mean tip angle is computed only where the caller uses it
     #[must_use]
     pub fn at(&self, t: f64) -> Sample<'_, R> {
@@ -201,7 +202,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         }
     }
 
-    /// Sample of the motion after any number of ticks.
+    /// Sample of the motion after a number of ticks without limit.
     #[cold]
     #[inline(never)]
     pub(crate) fn after(&self, ticks: Extended) -> Sample<'_, R> {
