@@ -22,12 +22,11 @@ mod path;
 
 mod start;
 
-mod store;
-
 mod cut;
 
 mod set_up;
 
 mod ephemeris;
 
-pub use set_up::{SetUp, SetUpError};
+pub use ephemeris::SetUpError;
+pub use set_up::SetUp;

@@ -16,9 +16,12 @@ use super::path::{Path, PathPoint};
 use super::polynomial::Polynomial;
 use super::series::MOST_TERMS;
 use super::span::{CELL, HALF_PERIOD, Span};
-use super::store::Store;
 use crate::table::data::cell::{CELLS, Cell, LEVEL_0_BITS};
 use crate::table::evaluation::TABLE_UNIT;
+
+/// Function that stores a polynomial of α (column 0) or β (column 2) in a segment. Its arguments are the segment, the column and the
+/// coefficients of both parts; its results are the errors of the orientation and of the derivative by their rounding, in units of 2^-62 rad.
+pub(super) type Store<'a> = dyn FnMut(usize, usize, [&[i64; MOST_TERMS]; 2]) -> [f32; 2] + 'a;
 
 /// Cell whose segments are computed, or two cells with one segment.
 #[derive(Debug)]

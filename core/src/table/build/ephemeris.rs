@@ -1,14 +1,87 @@
 //! Set-up of an ephemeris: from a motion to the whole table.
 
+use core::fmt;
+
 use super::bound::error_bounds;
 use super::cut::Cut;
-use super::set_up::{SetUp, SetUpError};
+use super::limits::Limits;
+use super::path::ComputeOrigin;
+use super::series::MOST_TERMS;
+use super::set_up::SetUp;
+use crate::constants::Regime;
 use crate::motion::Motion;
+use crate::scalar::{Float, short_float};
 use crate::table::data::cell::{Cell, SEGMENTS_AT_LEVEL_0};
 use crate::table::data::{Clock, Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, Tick};
-use crate::table::evaluation::EphemerisScalar;
+use crate::table::evaluation::{Coefficient, EphemerisScalar};
+
+/// Reason why a motion has no table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum SetUpError {
+    /// The table has too few segments for the truncation error.
+    TooSmall {
+        /// Allowed truncation error, rad.
+        truncation: f64,
+        /// Number of segments; [`EphemerisView::segments_needed`](crate::EphemerisView::segments_needed) finds a sufficient one.
+        segments: u32,
+    },
+    /// The motion is aperiodic; a stepper or its closed form follows it.
+    Aperiodic,
+    /// The truncation error is not finite and positive.
+    Truncation,
+}
+
+impl fmt::Display for SetUpError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooSmall { truncation, segments } => {
+                write!(
+                    f,
+                    "a table of {segments} segments cannot follow the motion to within {truncation:.1e} rad"
+                )
+            }
+            Self::Aperiodic => f.write_str("an aperiodic motion has no table"),
+            Self::Truncation => f.write_str("truncation: must be finite and positive"),
+        }
+    }
+}
+
+impl core::error::Error for SetUpError {}
 
 impl SetUp {
+    /// Computes the segments. The memory may hold none.
+    fn tabulate<R: EphemerisScalar>(
+        &mut self,
+        motion: &Motion,
+        segments: &mut [R::Segment],
+        capacity: usize,
+        pause: &mut dyn FnMut(),
+    ) -> Result<(), SetUpError> {
+        let truncation = self.truncation.unwrap_or(R::TRUNCATION);
+        if !(truncation > 0.0 && truncation < f64::INFINITY) {
+            return Err(SetUpError::Truncation);
+        }
+        if motion.regime() == Regime::Aperiodic {
+            return Err(SetUpError::Aperiodic);
+        }
+        self.limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
+        let store =
+            &mut |segment, column, parts: [&_; 2]| store_polynomial::<R>(segments, segment, column, parts);
+        // a slow phase may hardly differ from its mean, which the table of an `f64` must resolve
+        let origin: ComputeOrigin = match R::PERIOD_WORDS {
+            1 => |path| path.compute_origin(&path.rounded_equations, Float::to_f64),
+            _ => |path| path.compute_origin(&path.equations, |constant| constant),
+        };
+        match R::PERIOD_WORDS {
+            1 => self.begin::<1>(motion, pause),
+            _ => self.begin::<2>(motion, pause),
+        }
+        let built = self.build(motion, origin, store, pause);
+        built.ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
+    }
+
     /// Writes the cells, the clock and the error bounds.
     #[inline(never)]
     fn finish<R: EphemerisScalar>(
@@ -87,4 +160,36 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         set_up.tabulate::<R>(motion, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
         Some(set_up.cut.segments.max(SEGMENTS_AT_LEVEL_0) as u32)
     }
+}
+
+/// Stores a polynomial in two columns of a segment, if the table contains it. Returns the error of the orientation by short products and
+/// coefficients out of range, and that of the derivative by rounding, in units of 2^-62 rad.
+fn store_polynomial<R: EphemerisScalar>(
+    segments: &mut [R::Segment],
+    segment: usize,
+    column: usize,
+    parts: [&[i64; MOST_TERMS]; 2],
+) -> [f32; 2] {
+    let place = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
+    let (mut largest, mut slope_squares) = (0.0, 0.0);
+    for (column, part) in (column..).zip(parts) {
+        let part = part.get(..R::TERMS).unwrap_or(part);
+        // Σ k |error of c_k|
+        let (mut errors, mut slope_error) = (0_u64, 0_u64);
+        for (power, (four, &value)) in place.iter_mut().zip(part).enumerate().rev() {
+            if let Some(held) = four.get_mut(column) {
+                let (coefficient, error) = R::Coefficient::nearest(value, power);
+                *held = coefficient;
+                if power > 0 {
+                    errors = errors.saturating_add(error.unsigned_abs());
+                    slope_error = slope_error.saturating_add(errors);
+                }
+            }
+        }
+        let error = R::Coefficient::error(part);
+        largest = if error > largest { error } else { largest };
+        let slope_error = short_float(slope_error);
+        slope_squares += slope_error * slope_error;
+    }
+    [4.0 * largest, Float::sqrt(slope_squares)]
 }

@@ -37,6 +37,7 @@ pub(super) type ComputeOrigin = fn(&Path) -> Origin;
 pub(super) struct Path {
     // constants of the motion
     pub(super) equations: PhaseEquations<Extended>,
+    pub(super) rounded_equations: PhaseEquations<f64>,
     half_period: Extended,
     /// Residual rates minus ψ_A' and ψ_B', rad per unit time.
     residual_offsets: [Extended; 2],
@@ -57,6 +58,7 @@ pub(super) struct Path {
 impl Path {
     pub(super) const ZERO: Self = Self {
         equations: PhaseEquations::ZERO,
+        rounded_equations: PhaseEquations::ZERO,
         half_period: Extended::ZERO,
         residual_offsets: [Extended::ZERO; 2],
         fastest: 0.0,
@@ -83,10 +85,10 @@ impl Path {
         self.residual_offsets = [motion.half_tau - alpha, -motion.half_tau - beta];
         (self.allowed, self.negligible) = (limits.steps, PHASE_TERM * limits.negligible);
         let [alpha, beta] = self.residual_offsets.map(Float::to_f64);
-        let equations = self.equations.cast();
+        self.rounded_equations = self.equations.cast();
         let [begin, end] = [(0.0, 1.0), (1.0, 0.0)].map(|(sine, cosine)| {
-            let PhaseRates { nutation, slow_a, slow_b } = equations.rates(sine, cosine);
-            f64::abs(nutation) + (f64::abs(slow_a + alpha) + f64::abs(slow_b + beta))
+            let PhaseRates { nutation, slow_a, slow_b } = self.rounded_equations.rates(sine, cosine);
+            nutation.abs() + ((slow_a + alpha).abs() + (slow_b + beta).abs())
         });
         self.fastest = half_period.to_f64() * larger_or_nan(begin, end);
         self.span = Span::FIRST;
@@ -146,7 +148,7 @@ impl Path {
         pause();
         let origin = origin(self);
         pause();
-        self.expansion.expand(&self.equations, &origin, pause);
+        self.expansion.expand(&self.rounded_equations, &origin, pause);
         pause();
     }
 
@@ -160,15 +162,18 @@ impl Path {
         self.centre.as_ref().unwrap_or(&self.beginning)
     }
 
-    /// Derivatives of the phases at the origin, in numbers to which the constants of the motion are converted.
+    /// Derivatives of the phases at the origin, computed in numbers of this type.
     #[inline(never)]
-    pub(super) fn compute_origin<F: Float>(&self, convert: fn(Extended) -> F) -> Origin {
+    pub(super) fn compute_origin<F: Float>(
+        &self,
+        equations: &PhaseEquations<F>,
+        convert: fn(Extended) -> F,
+    ) -> Origin {
         // two spans
         let unit = (1..self.span.depth).fold(self.half_period, |unit, _| unit.halved());
         let phases = self.origin().phases;
         let (sine, cosine) = phases.sine_cosine();
-        let PhaseRates { nutation, slow_a, slow_b } =
-            self.equations.map(convert).rates(F::from_f64(sine), F::from_f64(cosine));
+        let PhaseRates { nutation, slow_a, slow_b } = equations.rates(F::from_f64(sine), F::from_f64(cosine));
         let [alpha_offset, beta_offset] = self.residual_offsets.map(convert);
         let unit = convert(unit);
         let by_y = |rate: F| (unit * rate).to_f64();
@@ -217,7 +222,7 @@ impl Path {
         };
         // at u = e₂, cos χ = 0 and the cosines of the residual phases are 0
         let [alpha, beta] = residual.map(miss);
-        let nutation = self.half_period.to_f64() * self.equations.cast::<f64>().rates(1.0, 0.0).nutation;
+        let nutation = self.half_period.to_f64() * self.rounded_equations.rates(1.0, 0.0).nutation;
         let delay = truncation / self.fastest + miss(chi) / nutation;
         speeds.error_of_delay(delay)
             + 2.0 * (truncation + alpha.max(beta))

@@ -1,8 +1,6 @@
 //! Set-up: from a motion to the segments of its table.
 
-use core::fmt;
-
-use super::cut::Cut;
+use super::cut::{Cut, Store};
 use super::expansion::ParameterSeries;
 use super::limits::Limits;
 use super::mean_rates::MeanRates;
@@ -10,55 +8,17 @@ use super::path::{ComputeOrigin, Path};
 use super::polynomial::Polynomial;
 use super::span::HALF_PERIOD;
 use super::start::Start;
-use super::store::{Store, store_polynomial};
-use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::motion::cayley_klein::Ellipses;
 use crate::scalar::{Extended, Float, Ring};
-use crate::table::evaluation::EphemerisScalar;
-
-/// Reason why a motion has no table.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum SetUpError {
-    /// The table has too few segments for the truncation error.
-    TooSmall {
-        /// Allowed truncation error, rad.
-        truncation: f64,
-        /// Number of segments; [`EphemerisView::segments_needed`](crate::EphemerisView::segments_needed) finds a sufficient one.
-        segments: u32,
-    },
-    /// The motion is aperiodic; a stepper or its closed form follows it.
-    Aperiodic,
-    /// The truncation error is not finite and positive.
-    Truncation,
-}
-
-impl fmt::Display for SetUpError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TooSmall { truncation, segments } => {
-                write!(
-                    f,
-                    "a table of {segments} segments cannot follow the motion to within {truncation:.1e} rad"
-                )
-            }
-            Self::Aperiodic => f.write_str("an aperiodic motion has no table"),
-            Self::Truncation => f.write_str("truncation: must be finite and positive"),
-        }
-    }
-}
-
-impl core::error::Error for SetUpError {}
 
 /// Memory of a set-up, and the truncation error that it allows. A program with a small stack keeps it in a static;
 /// [`Cursor`](crate::Cursor) shows its use.
 #[derive(Debug)]
 pub struct SetUp {
     /// Truncation error, rad; `None` for that of the scalar.
-    truncation: Option<f64>,
-    limits: Limits,
+    pub(super) truncation: Option<f64>,
+    pub(super) limits: Limits,
     pub(super) rates: MeanRates,
     pub(super) start: Start,
     path: Path,
@@ -99,40 +59,9 @@ impl SetUp {
         Self { truncation: Some(truncation), ..Self::new() }
     }
 
-    /// Computes the segments. The memory may hold none.
-    pub(super) fn tabulate<R: EphemerisScalar>(
-        &mut self,
-        motion: &Motion,
-        segments: &mut [R::Segment],
-        capacity: usize,
-        pause: &mut dyn FnMut(),
-    ) -> Result<(), SetUpError> {
-        let truncation = self.truncation.unwrap_or(R::TRUNCATION);
-        if !(truncation > 0.0 && truncation < f64::INFINITY) {
-            return Err(SetUpError::Truncation);
-        }
-        if motion.regime() == Regime::Aperiodic {
-            return Err(SetUpError::Aperiodic);
-        }
-        self.limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
-        let store =
-            &mut |segment, column, parts: [&_; 2]| store_polynomial::<R>(segments, segment, column, parts);
-        // a slow phase may hardly differ from its mean, which the table of an `f64` must resolve
-        let origin: ComputeOrigin = match R::PERIOD_WORDS {
-            1 => |path| path.compute_origin(Float::to_f64),
-            _ => |path| path.compute_origin(|constant| constant),
-        };
-        match R::PERIOD_WORDS {
-            1 => self.begin::<1>(motion, pause),
-            _ => self.begin::<2>(motion, pause),
-        }
-        let built = self.build(motion, origin, store, pause);
-        built.ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
-    }
-
     /// Computes the equations, and the mean rates by numbers of this many words. Begins at u = e₁.
     #[inline(never)]
-    fn begin<const WORDS: usize>(&mut self, motion: &Motion, pause: &mut dyn FnMut()) {
+    pub(super) fn begin<const WORDS: usize>(&mut self, motion: &Motion, pause: &mut dyn FnMut()) {
         let mut period = None;
         if !motion.is_steady() {
             self.path.equations = motion.equations();
@@ -148,7 +77,7 @@ impl SetUp {
 
     /// Computes all segments; `None` where they are too many. One may be stored more than once.
     #[inline(never)]
-    fn build(
+    pub(super) fn build(
         &mut self,
         motion: &Motion,
         origin: ComputeOrigin,

@@ -2,7 +2,6 @@
 
 use super::{Expansion, MOST_TERMS, NOISE, Origin, PowerSeries, RateSeries, larger_or_nan};
 use crate::motion::phase_equations::PhaseEquations;
-use crate::scalar::Extended;
 use crate::table::build::series::{BITS, UnitFactor, in_range, in_units, integrated, sum_in_range};
 
 /// Whether the k-th coefficient is a rounding error, or its term at y = 1/2 is below `least` units.
@@ -86,7 +85,7 @@ impl Expansion {
     #[inline(never)]
     pub(in crate::table::build) fn expand(
         &mut self,
-        equations: &PhaseEquations<Extended>,
+        equations: &PhaseEquations<f64>,
         origin: &Origin,
         pause: &mut dyn FnMut(),
     ) {
@@ -97,8 +96,7 @@ impl Expansion {
 
     /// Constants of the recurrence, and the first coefficients.
     #[inline(never)] // keeps the stack small
-    fn begin(&mut self, equations: &PhaseEquations<Extended>, origin: &Origin) -> Recurrence {
-        let equations: PhaseEquations<f64> = equations.cast();
+    fn begin(&mut self, equations: &PhaseEquations<f64>, origin: &Origin) -> Recurrence {
         let Origin { unit, chi_rate, psi_rates: [alpha_psi, beta_psi], negligible, .. } = *origin;
         let swing = equations.e2_minus_e1 * origin.cosine * origin.cosine;
         let one_minus_u = swing + equations.one_minus_e2;
