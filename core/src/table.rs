@@ -12,12 +12,7 @@ mod read;
 
 mod build;
 
-pub use build::{SetUp, SetUpError};
-pub use data::{
-    Baked, BakedError, Clock, Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisView,
-    ErrorBound, ReadyEphemeris, Tick,
-};
-#[cfg(feature = "fixed")]
-pub use data::{EphemerisQ15, EphemerisQ31};
+pub use build::*;
+pub use data::*;
 pub use evaluation::EphemerisScalar;
-pub use read::{Cursor, CursorPhases, Pose, Sample};
+pub use read::*;

@@ -103,7 +103,10 @@ impl Coefficient for i16 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::evaluation::coefficient_i32::tests::polynomial;
+
+    fn polynomial<const N: usize>(values: [f64; N]) -> [i64; N] {
+        values.map(|value| (value * 2_f64.powi(62)) as i64)
+    }
 
     #[test]
     fn sums_stay_below_their_powers_by_a_margin() {

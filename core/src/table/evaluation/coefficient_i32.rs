@@ -161,7 +161,7 @@ impl Coefficient for i32 {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+mod tests {
     use super::*;
     use crate::table::evaluation::TABLE_UNIT;
 
@@ -195,7 +195,7 @@ pub(super) mod tests {
     }
 
     /// Coefficients in units of 2^-62.
-    pub(in crate::table::evaluation) fn polynomial<const N: usize>(values: [f64; N]) -> [i64; N] {
+    fn polynomial<const N: usize>(values: [f64; N]) -> [i64; N] {
         values.map(|value| (value * 2_f64.powi(62)) as i64)
     }
 }

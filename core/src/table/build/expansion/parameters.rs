@@ -7,7 +7,7 @@ use crate::table::evaluation::{TABLE_BITS, shifted_right};
 
 /// Series from which those of α and β are made: the rates of ρ + χ and of ρ - χ, and an exponential.
 #[derive(Debug)]
-pub(in crate::table::build) struct ParameterSeries {
+pub(crate) struct ParameterSeries {
     forwards: PowerSeries,
     backwards: PowerSeries,
     re: PowerSeries,
@@ -18,7 +18,7 @@ pub(in crate::table::build) struct ParameterSeries {
 const MORE_BITS: i32 = TABLE_BITS as i32 - BITS;
 
 impl ParameterSeries {
-    pub(in crate::table::build) const ZERO: Self = Self {
+    pub(crate) const ZERO: Self = Self {
         forwards: PowerSeries::ZERO,
         backwards: PowerSeries::ZERO,
         re: PowerSeries::ZERO,
@@ -28,7 +28,7 @@ impl ParameterSeries {
     /// Ellipse p e^{iχ} + q e^{-iχ} times e^{iρ}, with the residual phase of this index. Its coefficients of x^k are written to `sums`, which
     /// must be 0, in units of 2^-62. Returns the number of terms that are not below `least`; `None` where they do not converge.
     #[inline(never)]
-    pub(in crate::table::build) fn compute(
+    pub(crate) fn compute(
         &mut self,
         expansion: &Expansion,
         index: usize,

@@ -83,7 +83,7 @@ const STEEPEST: f64 = 4.0;
 impl Expansion {
     /// Expands the motion around a point.
     #[inline(never)]
-    pub(in crate::table::build) fn expand(
+    pub(crate) fn expand(
         &mut self,
         equations: &PhaseEquations<f64>,
         origin: &Origin,

@@ -5,7 +5,7 @@ use crate::phase::Phase;
 use crate::product::signed_product;
 
 /// Fraction bits of [`sine_cosine`].
-pub(in crate::table::build) const FRACTION: i32 = 57;
+pub(crate) const FRACTION: i32 = 57;
 
 /// Series of sin r/r in powers of r², in units of 2^-58. The last coefficients and their products with r² have at most 32 bits.
 const SINE: ([i64; 6], [i32; 4]) = (
@@ -38,7 +38,7 @@ fn sum((long, short): &([i64; 6], [i32; 4]), square: i64) -> i64 {
 
 /// (sin 2πx, cos 2πx) of a phase of x turns, in units of 2^-57. Error: below 2^-56.
 #[inline(never)]
-pub(in crate::table::build) fn sine_cosine(phase: Phase) -> (i64, i64) {
+pub(crate) fn sine_cosine(phase: Phase) -> (i64, i64) {
     /// π/2 in units of 2^-57.
     const QUARTER_TURN: Limbs = Limbs::new(226375608064910089);
     let (quadrant, rest) = phase.quadrant();
