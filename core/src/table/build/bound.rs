@@ -37,6 +37,20 @@ impl Speeds {
     pub(super) const ZERO: Self =
         Self { angular: 0.0, residual: 0.0, acceleration: 0.0, angular_error: 0.0, x_rate: 0.0 };
 
+    /// Includes the speeds on a segment.
+    ///
+    /// * `x_rate`: rate of x per half period
+    /// * `residual_rate`: bound on the rates of the residual phases by x
+    pub(super) fn include(&mut self, segment: &SegmentErrors, x_rate: f32, residual_rate: f32) {
+        let root = |squares: f32| 2.0 * TABLE_UNIT as f32 * Float::sqrt(squares);
+        let include = |greatest: &mut f64, speed: f32| *greatest = larger_or_nan(*greatest, speed.into());
+        include(&mut self.angular, root(segment.slope) * x_rate);
+        include(&mut self.residual, 2.0 * residual_rate * x_rate);
+        include(&mut self.acceleration, root(segment.curvature) * x_rate * x_rate);
+        include(&mut self.angular_error, root(segment.slope_error) * x_rate);
+        include(&mut self.x_rate, x_rate);
+    }
+
     /// Greatest change of the orientation on half a segment, which is at most one cell, rad.
     fn half_segment_change(&self) -> f64 {
         self.angular / 16.0
@@ -66,7 +80,7 @@ impl Speeds {
 pub(super) struct SegmentErrors {
     /// Greatest error of the stored coefficients.
     pub(super) stored: f32,
-    /// Sum of the squares of the truncation errors; below, of the first derivatives, of their errors and of the second derivatives.
+    /// Sum of the squares of the truncation errors. Those below are of first derivatives, of their errors, and of second derivatives.
     pub(super) change: f32,
     pub(super) slope: f32,
     pub(super) slope_error: f32,
@@ -77,20 +91,6 @@ impl SegmentErrors {
     /// Orientation error by truncation and rounding, in units of 2^-62 rad.
     pub(super) fn error(&self) -> f32 {
         larger_or_nan(2.0 * Float::sqrt(self.change), self.stored)
-    }
-
-    /// Includes the speeds on the segment.
-    ///
-    /// * `x_rate`: rate of x per half period
-    /// * `residual_rate`: bound on the rates of the residual phases by x
-    pub(super) fn include_in(&self, speeds: &mut Speeds, x_rate: f32, residual_rate: f32) {
-        let root = |squares: f32| 2.0 * TABLE_UNIT as f32 * Float::sqrt(squares);
-        let include = |greatest: &mut f64, speed: f32| *greatest = larger_or_nan(*greatest, speed.into());
-        include(&mut speeds.angular, root(self.slope) * x_rate);
-        include(&mut speeds.residual, 2.0 * residual_rate * x_rate);
-        include(&mut speeds.acceleration, root(self.curvature) * x_rate * x_rate);
-        include(&mut speeds.angular_error, root(self.slope_error) * x_rate);
-        include(&mut speeds.x_rate, x_rate);
     }
 }
 

@@ -132,7 +132,7 @@ impl Cut {
             }
             let parts = (1_u32 << halvings) as f32;
             let residual_rate = path.expansion.greatest_residual_rate() / parts;
-            errors.include_in(&mut self.cell.speeds, parts / span.half_length() as f32, residual_rate);
+            self.cell.speeds.include(&errors, parts / span.half_length() as f32, residual_rate);
             let error = errors.error();
             if error <= limits.segment_error(depth) {
                 self.cell.error = self.cell.error.max(error);

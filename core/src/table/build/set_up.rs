@@ -70,7 +70,6 @@ impl SetUp {
         }
         self.rates = MeanRates::new(motion, period.as_ref());
         pause();
-        (self.start, self.cut) = (Start::new(motion), Cut::ZERO);
         let half_period = period.map_or(Extended::ZERO, |period| period.time.halved());
         self.path.begin(motion, half_period, &self.rates, &self.limits);
     }
@@ -84,6 +83,8 @@ impl SetUp {
         store: &mut Store<'_>,
         pause: &mut dyn FnMut(),
     ) -> Option<()> {
+        self.start = Start::new(motion);
+        self.cut = Cut::ZERO;
         let Ellipses { alpha, beta } = motion.ellipses::<f64>();
         let ellipses = [alpha, beta].map(|ellipse| ellipse.exponentials());
         if motion.is_steady() {
