@@ -20,7 +20,7 @@ mod polynomial;
 
 mod path;
 
-mod start;
+mod launch_place;
 
 mod cut;
 

@@ -80,7 +80,7 @@ pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
     const TRUNCATION: f64 = 2.0 * Self::ROUNDING;
     /// Number of coefficients of a polynomial.
     const TERMS: usize;
-    /// Number of 64-bit words of the wide numbers in which its period is integrated.
+    /// Number of 64-bit words of the numbers in which its period is integrated. With 1 word the rates along the path are `f64`.
     #[doc(hidden)]
     const PERIOD_WORDS: usize = 1;
     /// Segment whose coefficients are all 0.

@@ -78,7 +78,7 @@ impl Cut {
         self.error = Speeds::ZERO.rounding([0.0; 2], 0.0);
     }
 
-    /// Goes on to the span at `place`, which is the next one unless a cell is cut again.
+    /// Goes to the span at `place`.
     pub(super) fn enter_span(&self, path: &mut Path, place: usize) {
         if place > path.span.begin {
             path.go_to_next_span(place == self.cell.end && self.first_depth(place) < path.span.depth);

@@ -95,9 +95,9 @@ impl SetUp {
         let Cut { cells, segments, error, speeds, .. } = &self.cut;
         table.cells = *cells;
         table.segments.get_mut(*segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
-        table.clock = Clock::new(motion, tick, epoch, self.rates.turns, self.start.phases);
+        table.clock = Clock::new(motion, tick, epoch, self.rates.turns, self.launch.phases);
         pause();
-        table.start_tip_angle(motion, self.start.phases, epoch, pause);
+        table.start_tip_angle(motion, self.launch.phases, epoch, pause);
         pause();
         [table.error_bound, table.rate_error_bound] =
             error_bounds(&R::ERRORS, motion, tick.length(), &self.rates, speeds, *error);
@@ -171,7 +171,7 @@ fn store_polynomial<R: EphemerisScalar>(
     parts: [&[i64; MOST_TERMS]; 2],
 ) -> [f32; 2] {
     let place = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
-    let (mut largest, mut slope_squares) = (0.0, 0.0);
+    let (mut largest, mut slope_squares) = (0.0_f32, 0.0);
     for (column, part) in (column..).zip(parts) {
         let part = part.get(..R::TERMS).unwrap_or(part);
         // Σ k |error of c_k|
@@ -186,8 +186,7 @@ fn store_polynomial<R: EphemerisScalar>(
                 }
             }
         }
-        let error = R::Coefficient::error(part);
-        largest = if error > largest { error } else { largest };
+        largest = largest.max(R::Coefficient::error(part));
         let slope_error = short_float(slope_error);
         slope_squares += slope_error * slope_error;
     }

@@ -2,25 +2,26 @@
 
 use super::cut::{Cut, Store};
 use super::expansion::ParameterSeries;
+use super::launch_place::LaunchPlace;
 use super::limits::Limits;
 use super::mean_rates::MeanRates;
 use super::path::{ComputeOrigin, Path};
 use super::polynomial::Polynomial;
 use super::span::HALF_PERIOD;
-use super::start::Start;
 use crate::motion::Motion;
 use crate::motion::cayley_klein::Ellipses;
 use crate::scalar::{Extended, Float, Ring};
 
-/// Memory of a set-up, and the truncation error that it allows. A program with a small stack keeps it in a static;
-/// [`Cursor`](crate::Cursor) shows its use.
+/// Memory of a set-up, 4 KiB, and the truncation error that it allows.
+///
+/// A program with a small stack keeps it in a static. [`Cursor`](crate::Cursor) shows its use.
 #[derive(Debug)]
 pub struct SetUp {
     /// Truncation error, rad; `None` for that of the scalar.
     pub(super) truncation: Option<f64>,
     pub(super) limits: Limits,
     pub(super) rates: MeanRates,
-    pub(super) start: Start,
+    pub(super) launch: LaunchPlace,
     path: Path,
     series: ParameterSeries,
     /// Polynomials of α and β on a span, and one of them on a segment.
@@ -44,7 +45,7 @@ impl SetUp {
             truncation: None,
             limits: Limits::ZERO,
             rates: MeanRates::ZERO,
-            start: Start::ZERO,
+            launch: LaunchPlace::ZERO,
             path: Path::ZERO,
             series: ParameterSeries::ZERO,
             polynomials: [Polynomial::ZERO; 2],
@@ -83,7 +84,7 @@ impl SetUp {
         store: &mut Store<'_>,
         pause: &mut dyn FnMut(),
     ) -> Option<()> {
-        self.start = Start::new(motion);
+        self.launch = LaunchPlace::new(motion);
         self.cut = Cut::ZERO;
         let Ellipses { alpha, beta } = motion.ellipses::<f64>();
         let ellipses = [alpha, beta].map(|ellipse| ellipse.exponentials());
@@ -98,12 +99,12 @@ impl SetUp {
             while self.expand_span(origin, &ellipses, pause).is_none() {
                 self.path.shorten_span()?;
             }
-            let Self { limits, start, path, polynomials, segment, cut, .. } = self;
+            let Self { limits, launch, path, polynomials, segment, cut, .. } = self;
             pause();
-            start.search(&path.expansion, path.end.phases.chi, path.span);
+            launch.search(&path.expansion, path.end.phases.chi, path.span);
             place = cut.cut_span(path, polynomials, segment, limits, store, pause)?;
         }
-        self.cut.error += self.path.error(&self.cut.speeds, self.start.delay);
+        self.cut.error += self.path.error(&self.cut.speeds, self.launch.delay);
         Some(())
     }
 

@@ -6,10 +6,10 @@ use crate::motion::{Motion, NutationVariable};
 use crate::phase::Phase;
 use crate::scalar::Scalar;
 
-/// Start of a motion.
+/// Phases of a launch, and the place where a path reaches them.
 #[derive(Debug)]
-pub(super) struct Start {
-    /// Half phase, folded into [0, 1/4] turn; `None` once its span is found.
+pub(super) struct LaunchPlace {
+    /// Half phase χ, folded into [0, 1/4] turn; `None` once its span is found.
     chi: Option<Phase>,
     is_falling: bool,
     /// Nutation phase and mean slow phases.
@@ -18,10 +18,10 @@ pub(super) struct Start {
     pub(super) delay: f64,
 }
 
-impl Start {
+impl LaunchPlace {
     pub(super) const ZERO: Self = Self { chi: None, is_falling: false, phases: [Phase::ZERO; 3], delay: 0.0 };
 
-    /// Start whose place is not found yet; u = e₁ without a nutation.
+    /// Place of a launch, not found yet. Without a nutation it is u = e₁.
     pub(super) fn new(motion: &Motion) -> Self {
         let chi = if let NutationVariable::Nutating(chi) = motion.nutation { chi } else { Phase::ZERO };
         let (half_turns, rest) = chi.halves();
@@ -32,7 +32,7 @@ impl Start {
         Self { chi: Some(chi), is_falling, phases: [Phase::ZERO, alpha, beta], delay: 0.0 }
     }
 
-    /// Finds the place in this span, which ends at χ = `end`, if it is there or the span is the last.
+    /// Finds the place if it is in this span, which ends at χ = `end`, or if the span is the last.
     #[inline(never)]
     pub(super) fn search(&mut self, expansion: &Expansion, end: Phase, span: Span) {
         let Some(chi) = self.chi else { return };
@@ -41,7 +41,7 @@ impl Start {
             Phase::ZERO => -1.0,
             _ if (chi == Phase::QUARTER || end < chi) && span.end() < HALF_PERIOD => return,
             Phase::QUARTER => 1.0,
-            _ => coordinate(expansion, chi),
+            _ => coordinate_of(expansion, chi),
         };
         let (PathPhases { residual, .. }, chi_rate) = expansion.at(x);
         let nearest = chi.min(Phase::QUARTER - chi).to_radians();
@@ -54,7 +54,7 @@ impl Start {
 }
 
 /// Coordinate x of χ on a span, by Newton's method.
-fn coordinate(expansion: &Expansion, chi: Phase) -> f64 {
+fn coordinate_of(expansion: &Expansion, chi: Phase) -> f64 {
     const STEPS: usize = 8;
     /// Step of some roundings.
     const LAST_STEP: f64 = 4.0 * f64::ROUNDING;
