@@ -69,7 +69,7 @@ fn a_bit_flipped_anywhere_is_refused() {
         |baked| baked.clock.ticks_per_time[1] = -baked.clock.ticks_per_time[1],
         |baked| baked.error_bound.constant = f64::from_bits(baked.error_bound.constant.to_bits() ^ 1),
         |baked| baked.rate_error_bound.per_tick *= 1.5,
-        |baked| baked.clock.tip_scale = -baked.clock.tip_scale,
+        |baked| baked.clock.twice_tip_scale = -baked.clock.twice_tip_scale,
         |baked| baked.clock.rates[0] = f32::from_bits(baked.clock.rates[0].to_bits() ^ 1),
         |baked| baked.cells[15] ^= 1,
         |baked| baked.segments[0][0][0] ^= 1,
@@ -178,7 +178,7 @@ fn a_field_beyond_its_range_is_named() {
         (|baked| baked.clock.ticks_per_time[0] = f64::INFINITY, "ticks_per_time"),
         (|baked| baked.error_bound.constant = f64::NAN, "error_bound"),
         (|baked| baked.error_bound.per_tick = f64::NEG_INFINITY, "error_bound"),
-        (|baked| baked.clock.tip_scale = f32::MAX, "tip_scale"),
+        (|baked| baked.clock.twice_tip_scale = f32::MAX, "twice_tip_scale"),
         (|baked| baked.clock.rates[2] = f32::NAN, "rates"),
         // a sum of 2^31 - 2^15 is the smallest that is too large
         (|baked| baked.segments[3][1..].fill([i32::MAX - 0x7fff, 0, 0, 0]), "segments"),

@@ -126,7 +126,7 @@ macro_rules! baked {
             /// Checksum of the table, as in table data.
             #[must_use]
             pub const fn crc32(&self) -> u32 {
-                let head = self.crc32_of_head().$wide(&[self.clock.tip_scale]).$wide(&self.clock.rates);
+                let head = self.crc32_of_head().$wide(&[self.clock.twice_tip_scale]).$wide(&self.clock.rates);
                 head.$coefficient(self.segments.as_flattened().as_flattened()).value()
             }
 
@@ -143,7 +143,7 @@ macro_rules! baked {
                     ("ticks_per_time", range::finite(&self.clock.ticks_per_time)),
                     ("error_bound", range::finite(&self.error_bound.numbers())),
                     ("rate_error_bound", range::finite(&self.rate_error_bound.numbers())),
-                    ("tip_scale", range::$wide(&[self.clock.tip_scale])),
+                    ("twice_tip_scale", range::$wide(&[self.clock.twice_tip_scale])),
                     ("rates", range::$wide(&self.clock.rates)),
                     ("segments", segments.is_empty()),
                 ];

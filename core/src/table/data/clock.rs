@@ -66,8 +66,8 @@ pub struct Clock<W> {
     pub tip_exists: bool,
     /// Whether u has turning points: false where u is constant to 2^-49.
     pub has_turning_points: bool,
-    /// Scale 2 s of the tip curve, m, twice [`Top::tip_scale`](crate::Top::tip_scale); 2 for a fixed tip.
-    pub tip_scale: W,
+    /// Twice [`Top::tip_scale`](crate::Top::tip_scale), 2 s, m; 2 for a fixed tip. The tip is at c = 2 s αβ.
+    pub twice_tip_scale: W,
     /// Rates per unit time: dx/dt on a segment of an eighth of half a period; the mean rate of A + B, rad; the axial angular velocity
     /// (n - K)/C, rad.
     pub rates: [W; 3],
@@ -93,7 +93,7 @@ impl<W: Float> Clock<W> {
         tip_passes: 0,
         tip_exists: false,
         has_turning_points: false,
-        tip_scale: W::ZERO,
+        twice_tip_scale: W::ZERO,
         rates: [W::ZERO; 3],
         first: [0; 3],
         exact_step: [[0.0; 2]; 3],
@@ -136,7 +136,7 @@ impl<W: Float> Clock<W> {
             tip_passes,
             tip_exists: !motion.regime().is_vertical(),
             has_turning_points: motion.regime() == Regime::Nutating,
-            tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
+            twice_tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
             rates: [x_rate, mean, motion.axial_rate()].map(W::from_f64),
             first,
             exact_step: exact_step.map(Extended::parts),

@@ -65,7 +65,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         Pose {
             orientation: map_parts(&numbers, R::from_number),
             u: R::from_number(numbers.u()),
-            tip: Complex::new(re, im).scaled(self.ephemeris.clock.tip_scale),
+            tip: Complex::new(re, im).scaled(self.ephemeris.clock.twice_tip_scale),
         }
     }
 
@@ -132,7 +132,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     pub fn tip_velocity(&self) -> Complex<R::Quantity> {
         let [x, y, _] = self.axis_rate();
         // c = -s (r₁ + i r₂), and the scale of the tip is 2 s
-        Complex::new(x, y).scaled(-self.ephemeris.clock.tip_scale.halved())
+        Complex::new(x, y).scaled(-self.ephemeris.clock.twice_tip_scale.halved())
     }
 
     /// Orientation and its rate, from which ω, u' and a [`State`](crate::State) follow.
