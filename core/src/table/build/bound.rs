@@ -1,34 +1,11 @@
 //! Error bounds of an ephemeris; `core/docs/error_bound.md` derives every term.
 
+use super::expansion::larger_or_nan;
 use super::mean_rates::MeanRates;
 use crate::motion::Motion;
 use crate::scalar::{Extended, Float, Ring, Scalar};
-use crate::table::scalar::EvaluationErrors;
-use crate::table::series::expansion::{TABLE_UNIT, larger_or_nan};
-
-/// Upper bound on an error at any tick: `constant` plus `per_tick` for each tick from the launch.
-///
-/// That of the orientation is 2 √(|Δα|² + |Δβ|²), relative to the exact motion of the numbers that were launched. It counts the worst case
-/// of integer roundings, six standard deviations of those in `f64`, and an estimate of the series' remainders.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ErrorBound {
-    /// Error at the tick of the launch, rad (rad per unit time for rates).
-    pub constant: f64,
-    /// Growth of the error per tick from the launch, rad (rad per unit time for rates).
-    pub per_tick: f64,
-}
-
-impl ErrorBound {
-    /// Bound of a table before its set-up.
-    pub(crate) const NONE: Self = Self { constant: 0.0, per_tick: 0.0 };
-
-    /// Upper bound on the error at a number of ticks from the launch, of either sign.
-    #[must_use]
-    pub fn after(&self, ticks: f64) -> f64 {
-        self.constant + self.per_tick * Float::abs(ticks)
-    }
-}
+use crate::table::data::ErrorBound;
+use crate::table::evaluation::{EvaluationErrors, TABLE_UNIT};
 
 /// One turn in rad.
 const TURN: f64 = 2.0 * core::f64::consts::PI;
@@ -41,55 +18,69 @@ const PER_TURN: f64 = 0.56 + 1.0 / 512.0;
 /// Standard deviation of a step's rounding error, relative to its terms, in units of 2^-53.
 const STEP: f64 = 2.1;
 
-/// Upper bounds on the speeds of α and β without their mean rotation, from the magnitudes of coefficients.
+/// Upper bounds on the speeds of α and β without their mean rotation, in half periods, from the magnitudes of coefficients.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Speeds {
-    /// Angular velocity 2 √(|dα/dt|² + |dβ/dt|²), rad per half period.
-    sweep: f64,
-    /// Twice the rate of θ_A or θ_B, rad per half period.
-    turning: f64,
-    /// Acceleration 2 √(|d²α/dt²|² + |d²β/dt²|²), rad per half period squared.
+pub(super) struct Speeds {
+    /// Angular speed 2 √(|dα/dt|² + |dβ/dt|²), rad.
+    angular: f64,
+    /// Twice the greater rate of a residual phase, rad.
+    residual: f64,
+    /// Acceleration 2 √(|d²α/dt²|² + |d²β/dt²|²), rad.
     acceleration: f64,
-    /// Truncation error of the angular velocity, rad per half period.
-    sweep_error: f64,
-    /// Rate of the local coordinate x, per half period.
+    /// Truncation error of the angular speed, rad.
+    angular_error: f64,
+    /// Rate of the local coordinate x.
     x_rate: f64,
 }
 
 impl Speeds {
     pub(super) const ZERO: Self =
-        Self { sweep: 0.0, turning: 0.0, acceleration: 0.0, sweep_error: 0.0, x_rate: 0.0 };
+        Self { angular: 0.0, residual: 0.0, acceleration: 0.0, angular_error: 0.0, x_rate: 0.0 };
 
-    /// Greatest change of the orientation on half a segment, rad: a segment has two cells at most.
-    fn steepness(&self) -> f64 {
-        self.sweep / 16.0
+    /// Includes the speeds on a segment.
+    ///
+    /// * `x_rate`: rate of x per half period
+    /// * `residual_rate`: bound on the rates of the residual phases by x
+    pub(super) fn include(&mut self, segment: &SegmentErrors, x_rate: f32, residual_rate: f32) {
+        let root = |squares: f32| 2.0 * TABLE_UNIT as f32 * Float::sqrt(squares);
+        let include = |greatest: &mut f64, speed: f32| *greatest = larger_or_nan(*greatest, speed.into());
+        include(&mut self.angular, root(segment.slope) * x_rate);
+        include(&mut self.residual, 2.0 * residual_rate * x_rate);
+        include(&mut self.acceleration, root(segment.curvature) * x_rate * x_rate);
+        include(&mut self.angular_error, root(segment.slope_error) * x_rate);
+        include(&mut self.x_rate, x_rate);
+    }
+
+    /// Greatest change of the orientation on half a segment, which is at most one cell, rad.
+    fn half_segment_change(&self) -> f64 {
+        self.angular / 16.0
     }
 
     /// Orientation error by a delay of χ alone, in half periods.
-    pub(crate) fn delayed(&self, delay: f64) -> f64 {
-        (self.sweep + self.turning) * delay
+    pub(super) fn error_of_delay(&self, delay: f64) -> f64 {
+        (self.angular + self.residual) * delay
     }
 
     /// Orientation error, rad, of all roundings in `f64`.
     ///
-    /// * `delays`, `angles`: sums of the squares of the steps' terms of χ, as delays in half periods, and of θ
+    /// * `delays`, `angles`: sums of the squares of the steps' terms of χ, as delays in half periods, and of the residual phases, rad
     /// * `start`: delay by a rounding of χ at t = 0, in half periods
-    pub(crate) fn rounding(&self, [delays, angles]: [f64; 2], start: f64) -> f64 {
-        let Self { sweep, turning, .. } = *self;
-        let steps = STEP * STEP * (delays * (sweep * sweep + turning * turning) + 4.0 * angles);
+    pub(super) fn rounding(&self, [delays, angles]: [f64; 2], start: f64) -> f64 {
+        let Self { angular, residual, .. } = *self;
+        let steps = STEP * STEP * (delays * (angular * angular + residual * residual) + 4.0 * angles);
         // of the half phase at the launch, and of the coefficients after the first
-        let others = self.delayed(start).squared() + self.steepness().squared();
+        let others = self.error_of_delay(start).squared() + self.half_segment_change().squared();
         let deviation = Float::sqrt(FIXED_VARIANCE + steps + others);
-        (DEVIATIONS * deviation + PER_TURN * (sweep + TURN)) * f64::ROUNDING
+        (DEVIATIONS * deviation + PER_TURN * (angular + TURN)) * f64::ROUNDING
     }
 }
 
-/// Errors and slopes of a segment, in units of 2^-62, in `f32` because soft `f64` is slow.
+/// Errors and derivatives of a segment, in units of 2^-62. They are `f32` because `f64` is slow without a unit for it.
 #[derive(Default)]
 pub(super) struct SegmentErrors {
     /// Greatest error of the stored coefficients.
     pub(super) stored: f32,
-    /// Sums of the squares of the truncation errors, the slopes, the errors of the slopes and the curvatures.
+    /// Sum of the squares of the truncation errors. Those below are of first derivatives, of their errors, and of second derivatives.
     pub(super) change: f32,
     pub(super) slope: f32,
     pub(super) slope_error: f32,
@@ -101,21 +92,10 @@ impl SegmentErrors {
     pub(super) fn error(&self) -> f32 {
         larger_or_nan(2.0 * Float::sqrt(self.change), self.stored)
     }
-
-    /// Includes the speeds on the segment, for the rate of x per half period and a bound on dθ/dx.
-    pub(super) fn include_in(&self, speeds: &mut Speeds, x_rate: f32, theta_slope: f32) {
-        let root = |squares: f32| 2.0 * TABLE_UNIT as f32 * Float::sqrt(squares);
-        let include = |greatest: &mut f64, speed: f32| *greatest = larger_or_nan(*greatest, speed.into());
-        include(&mut speeds.sweep, root(self.slope) * x_rate);
-        include(&mut speeds.turning, 2.0 * theta_slope * x_rate);
-        include(&mut speeds.acceleration, root(self.curvature) * x_rate * x_rate);
-        include(&mut speeds.sweep_error, root(self.slope_error) * x_rate);
-        include(&mut speeds.x_rate, x_rate);
-    }
 }
 
 /// Error bounds of the orientation and of the angular velocity, from the length of a tick and the `error` of the table.
-pub(crate) fn error_bounds(
+pub(super) fn error_bounds(
     errors: &EvaluationErrors,
     motion: &Motion,
     tick: Extended,
@@ -123,29 +103,29 @@ pub(crate) fn error_bounds(
     speeds: &Speeds,
     error: f64,
 ) -> [ErrorBound; 2] {
-    let Speeds { sweep, acceleration, .. } = *speeds;
+    let Speeds { angular, acceleration, .. } = *speeds;
     let mut growth = rates.errors;
     for (growth, turns) in growth.iter_mut().zip(rates.turns) {
-        *growth = *growth * tick.to_f64() + Float::abs(increment_error(turns * tick));
+        *growth = *growth * tick.to_f64() + increment_error(turns * tick).abs();
     }
     let [nutation, alpha, beta] = growth;
-    let constant = error + errors.tick + errors.slope * speeds.steepness();
-    let orientation = ErrorBound { constant, per_tick: 2.0 * (sweep * nutation + TURN * alpha.max(beta)) };
+    let constant = error + errors.orientation + errors.coordinate * speeds.half_segment_change();
+    let orientation = ErrorBound { constant, per_tick: 2.0 * (angular * nutation + TURN * alpha.max(beta)) };
 
     // terms of the angular velocity, which may cancel: of the transverse part, and of the whole
     let [frequency, alpha_rate, beta_rate] = rates.turns;
     let half_periods = 2.0 * frequency.to_f64();
-    let mean = TURN * Float::abs((alpha_rate + beta_rate).to_f64());
-    let terms = sweep * half_periods + mean;
-    let whole = terms + Float::abs(motion.axial_rate());
-    let rotor = Float::abs(motion.top().rotor_momentum()) / motion.top().transverse_inertia();
+    let mean = TURN * (alpha_rate + beta_rate).to_f64().abs();
+    let terms = angular * half_periods + mean;
+    let whole = terms + motion.axial_rate().abs();
+    let rotor = motion.top().rotor_momentum().abs() / motion.top().transverse_inertia();
     // change of the angular velocity by a delay of half a period, and by a turn of 1 rad
-    let delay = acceleration * half_periods + sweep * whole;
-    let turned = if sweep > 0.0 { acceleration / sweep * half_periods } else { 0.0 };
-    let relative = errors.relative_rate + DEVIATIONS * f64::ROUNDING;
+    let delay = acceleration * half_periods + angular * whole;
+    let turned = if angular > 0.0 { acceleration / angular * half_periods } else { 0.0 };
+    let relative = errors.relative_omega + DEVIATIONS * f64::ROUNDING;
     let rate = ErrorBound {
-        constant: speeds.sweep_error * half_periods
-            + errors.rate * (speeds.x_rate * half_periods + mean)
+        constant: speeds.angular_error * half_periods
+            + errors.omega * (speeds.x_rate * half_periods + mean)
             + relative * (whole + rotor)
             + (turned + terms + whole) * constant,
         per_tick: 2.0 * nutation * delay + TURN * (alpha + beta) * whole,
@@ -163,13 +143,13 @@ fn increment_error(exact: Extended) -> f64 {
 mod tests {
     use super::*;
     use crate::phase::Phase;
-    use crate::table::scalar::EphemerisScalar;
+    use crate::table::evaluation::EphemerisScalar;
     use crate::{InitialPhases, Signs, Top, TopParameters};
 
     /// Errors of the rates far above the rounding of the increments: the bound must contain each of them completely.
     #[test]
     fn the_rates_errors_are_in_it() {
-        let speeds = Speeds { sweep: 5.0, turning: 3.0, ..Speeds::ZERO };
+        let speeds = Speeds { angular: 5.0, residual: 3.0, ..Speeds::ZERO };
         let parameters = TopParameters {
             transverse_inertia: 1.0,
             axial_inertia: 0.7,
@@ -182,7 +162,7 @@ mod tests {
             Motion::from_branch_points(&top, [-0.5, 0.5, 1.5], Signs::default(), &InitialPhases::default())
                 .unwrap();
         let per_tick = |errors, turns| {
-            let rates = MeanRates { turns: [turns; 3], errors, ..MeanRates::ZERO };
+            let rates = MeanRates { turns: [turns; 3], errors };
             let [bound, _] = error_bounds(&f64::ERRORS, &motion, 0.5.into(), &rates, &speeds, 0.0);
             bound.per_tick
         };

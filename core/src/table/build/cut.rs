@@ -7,162 +7,177 @@
 //! |                   |         |         |      |  |  |     |         |              |    spans: one expansion of the motion
 //! ```
 //!
-//! The segments of a cell are equal, and the longest with an allowed error. A cell whose segments prove too long is cut again.
+//! The segments of a cell are equal, and the longest with an allowed error. A cell whose segments prove too long is cut again. Places are in
+//! units of the shortest segment, and a segment of depth d is a part of 2^-d of half a period.
 
 use super::bound::{SegmentErrors, Speeds};
-use super::{CELL, HALF_PERIOD, Limits, OpenCell, SetUp};
-use crate::motion::Motion;
-use crate::table::cell::{Cell, cells_covered, segments_per_cell};
-use crate::table::series::TERMS;
-use crate::table::series::expansion::TABLE_UNIT;
+use super::limits::Limits;
+use super::path::{Path, PathPoint};
+use super::polynomial::Polynomial;
+use super::series::MOST_TERMS;
+use super::span::{CELL, HALF_PERIOD, Span};
+use crate::table::data::cell::{CELLS, Cell, LEVEL_0_BITS};
+use crate::table::evaluation::TABLE_UNIT;
 
-/// Function that stores a polynomial. Its arguments are the segment, the column of the real part and the coefficients of both parts. It
-/// returns the errors of the orientation and of the derivative by their rounding. All are in units of 2^-62.
-pub(crate) type Store<'a> = dyn FnMut(usize, usize, [&[i64; TERMS]; 2]) -> [f32; 2] + 'a;
+/// Function that stores a polynomial of α (column 0) or β (column 2) in a segment. Its arguments are the segment, the column and the
+/// coefficients of both parts; its results are the errors of the orientation and of the derivative by their rounding, in units of 2^-62 rad.
+pub(super) type Store<'a> = dyn FnMut(usize, usize, [&[i64; MOST_TERMS]; 2]) -> [f32; 2] + 'a;
 
-impl SetUp {
-    /// Computes all segments; `None` where they are too many. One may be stored more than once.
+/// Cell whose segments are computed, or two cells with one segment.
+#[derive(Debug)]
+struct OpenCell {
+    begin: usize,
+    end: usize,
+    /// Depth of the segments.
+    depth: u32,
+    /// Point at the beginning, if a span begins there.
+    beginning: PathPoint,
+    /// Speeds up to here.
+    speeds: Speeds,
+    /// Greatest error in the cell, in units of 2^-62 rad.
+    error: f32,
+}
+
+/// Cells and segments of a table, and what its error bounds follow from.
+#[derive(Debug)]
+pub(super) struct Cut {
+    pub(super) cells: [u16; CELLS],
+    /// Number of segments.
+    pub(super) segments: usize,
+    /// Orientation error besides that of a tick, rad.
+    pub(super) error: f64,
+    pub(super) speeds: Speeds,
+    cell: OpenCell,
+}
+
+impl Cut {
+    pub(super) const ZERO: Self = Self {
+        cells: [0; CELLS],
+        segments: 0,
+        error: 0.0,
+        speeds: Speeds::ZERO,
+        cell: OpenCell {
+            begin: 0,
+            end: 0,
+            depth: 0,
+            beginning: PathPoint::FIRST,
+            speeds: Speeds::ZERO,
+            error: 0.0,
+        },
+    };
+
+    /// Stores the polynomials of a motion in which u is constant: the sums of the coefficients of both ellipses.
     #[inline(never)]
-    pub(crate) fn build<const WORDS: usize>(
+    pub(super) fn store_constants(&mut self, ellipses: &[[f64; 2]; 2], store: &mut Store<'_>) {
+        for ([plus, minus], column) in ellipses.iter().zip([0, 2]) {
+            let mut re = [0; MOST_TERMS];
+            re[0] = libm::round((plus + minus) / TABLE_UNIT) as i64;
+            store(0, column, [&re, &[0; MOST_TERMS]]);
+        }
+        self.segments = 1;
+        self.error = Speeds::ZERO.rounding([0.0; 2], 0.0);
+    }
+
+    /// Goes to the span at `place`.
+    pub(super) fn enter_span(&self, path: &mut Path, place: usize) {
+        if place > path.span.begin {
+            path.go_to_next_span(place == self.cell.end && self.first_depth(place) < path.span.depth);
+        } else if place < path.span.begin {
+            path.set_beginning(place, self.cell.beginning);
+        }
+    }
+
+    /// Depth that is tried first: segments of twice the length. Two cells with one segment begin with an even number.
+    fn first_depth(&self, begin: usize) -> u32 {
+        self.cell.depth.saturating_sub(1).max(LEVEL_0_BITS + (begin / CELL % 2) as u32)
+    }
+
+    /// Cuts the span into segments. Returns its end, or the place of a cell that must be cut again from an earlier span on; `None` where the
+    /// segments are too many.
+    ///
+    /// * `polynomials`: those of α and β on the span
+    /// * `segment`: memory for one of them on a segment
+    pub(super) fn cut_span(
         &mut self,
-        motion: &Motion,
-        limits: Limits,
+        path: &Path,
+        polynomials: &[Polynomial; 2],
+        segment: &mut Polynomial,
+        limits: &Limits,
         store: &mut Store<'_>,
         pause: &mut dyn FnMut(),
-    ) -> Option<()> {
-        self.begin::<WORDS>(motion, limits, pause);
-        if motion.is_steady() {
-            self.store_constants(store);
-            return Some(());
-        }
-        pause();
-        let mut place = 0;
-        while place < HALF_PERIOD {
-            self.enter_span::<WORDS>(place, pause)?;
-            place = self.cut_span(store, pause)?;
-        }
-        self.outline.error += self.path_error();
-        Some(())
-    }
-
-    /// Stores the polynomials of a motion in which u is constant.
-    #[inline(never)]
-    fn store_constants(&mut self, store: &mut Store<'_>) {
-        for (series, column) in self.series.iter().zip([0, 2]) {
-            let [plus, minus] = series.exponentials;
-            let mut re = [0; TERMS];
-            re[0] = libm::round((plus + minus) / TABLE_UNIT) as i64;
-            store(0, column, [&re, &[0; TERMS]]);
-        }
-        self.outline.segments = 1;
-        self.outline.error = Speeds::ZERO.rounding([0.0; 2], 0.0);
-    }
-
-    /// Expands the motion on the span that begins at `place`, which is the next one unless a cell is cut again.
-    fn enter_span<const WORDS: usize>(&mut self, place: usize, pause: &mut dyn FnMut()) -> Option<()> {
-        if place > self.span.begin {
-            self.next_span(place == self.cell.end && self.coarser(place) < self.span.least_level());
-        } else if place < self.span.begin {
-            self.go_to(place, self.cell.beginning);
-        }
-        while self.expand_span::<WORDS>(pause).is_none() {
-            self.shorten_span()?;
-        }
-        Some(())
-    }
-
-    /// Computes the series of α and β on the span; `None` where they are not accurate.
-    fn expand_span<const WORDS: usize>(&mut self, pause: &mut dyn FnMut()) -> Option<()> {
-        self.expand_motion::<WORDS>(pause)?;
-        for (slow, series) in self.series.iter_mut().enumerate() {
-            pause();
-            series.compute(&mut self.expansion, slow, &self.limits, pause)?;
-        }
-        pause();
-        self.start.search(&self.expansion, self.end.phases.chi, self.span);
-        Some(())
-    }
-
-    /// Level that is tried first: segments of twice the length. Two cells with one segment begin with an even number.
-    fn coarser(&self, begin: usize) -> u32 {
-        self.cell.level.saturating_sub(1).max((begin / CELL % 2) as u32)
-    }
-
-    /// Cuts the span into segments. Returns its end, or the place of a cell that must be cut again from an earlier span on.
-    fn cut_span(&mut self, store: &mut Store<'_>, pause: &mut dyn FnMut()) -> Option<usize> {
-        let span = self.span;
-        let (mut place, least) = (span.begin, span.least_level());
-        if place < self.cell.end && self.cell.level < least {
+    ) -> Option<usize> {
+        let span = path.span;
+        let mut place = span.begin;
+        if place < self.cell.end && self.cell.depth < span.depth {
             // the segments of the unfinished cell are longer than the span
-            self.cut_again(least)?;
+            self.restart_cell(span.depth, limits)?;
             place = self.cell.begin;
         }
         while span.begin <= place && place < span.end() {
             if place == self.cell.end {
-                (self.cell.begin, self.cell.beginning) = (place, self.beginning);
-                self.cut_again(self.coarser(place).max(least))?;
+                (self.cell.begin, self.cell.beginning) = (place, path.beginning);
+                self.restart_cell(self.first_depth(place).max(span.depth), limits)?;
             }
-            let error = self.store_segment(place, store, pause);
-            if error <= self.limits.segment(self.cell.level) {
+            let depth = self.cell.depth;
+            let mut errors = SegmentErrors::default();
+            let (length, halvings) = (segment_length(depth), depth.saturating_sub(span.depth));
+            let index = self.segments + (place - self.cell.begin) / length;
+            for (whole, column) in polynomials.iter().zip([0, 2]) {
+                segment.restrict(whole, place / length, halvings, limits.dropped);
+                segment.shorten(limits.coefficients, i64::MAX);
+                pause();
+                let stored = store(index, column, segment.parts.each_ref().map(|part| &part.coefficients));
+                segment.add_errors(&mut errors, halvings, stored);
+                pause();
+            }
+            let parts = (1_u32 << halvings) as f32;
+            let residual_rate = path.expansion.greatest_residual_rate() / parts;
+            self.cell.speeds.include(&errors, parts / span.half_length() as f32, residual_rate);
+            let error = errors.error();
+            if error <= limits.segment_error(depth) {
                 self.cell.error = self.cell.error.max(error);
-                place += segment_length(self.cell.level);
+                place += length;
                 if place == self.cell.end {
-                    self.end_cell();
+                    self.finish_cell();
                 }
             } else {
-                self.cut_again(self.cell.level + 1)?;
+                self.restart_cell(depth + 1, limits)?;
                 place = self.cell.begin;
             }
         }
         Some(place)
     }
 
-    /// Begins the cell anew with segments of this level; `None` where they are too many.
-    fn cut_again(&mut self, level: u32) -> Option<()> {
-        let end = self.cell.begin + cells_covered(level) * CELL;
-        self.cell = OpenCell { end, level, speeds: self.outline.speeds, error: 0.0, ..self.cell };
-        let rest = HALF_PERIOD.saturating_sub(end).div_ceil(2 * CELL);
-        let segments = self.outline.segments + segments_per_cell(level) + rest;
-        (segments <= self.limits.capacity && level <= Cell::DEEPEST).then_some(())
-    }
-
-    fn end_cell(&mut self) {
-        let OpenCell { begin, level, speeds, error, .. } = self.cell;
-        let Cell(entry) = Cell::new(self.outline.segments, begin / segment_length(level), level);
-        self.outline
-            .cells
-            .iter_mut()
-            .skip(begin / CELL)
-            .take(cells_covered(level))
-            .for_each(|cell| *cell = entry);
-        self.outline.segments += segments_per_cell(level);
-        self.outline.error = self.outline.error.max(TABLE_UNIT * f64::from(error));
-        self.outline.speeds = speeds;
-    }
-
-    /// Stores the polynomials of the segment at `place`. Returns their error in units of 2^-62 rad.
-    fn store_segment(&mut self, place: usize, store: &mut Store<'_>, pause: &mut dyn FnMut()) -> f32 {
-        let Self { segment, cell, limits, span, .. } = self;
-        let length = segment_length(cell.level);
-        let halvings = span.halvings(cell.level);
-        let parts = (1_u32 << halvings) as f32;
-        let index = self.outline.segments + (place - cell.begin) / length;
-        let mut errors = SegmentErrors::default();
-        for (series, column) in self.series.iter_mut().zip([0, 2]) {
-            series.restrict(place / length, halvings, limits.left_out, segment);
-            segment.shorten(limits.terms, i64::MAX);
-            pause();
-            let omitted = [series.omitted, TERMS as f32 * series.omitted / parts];
-            let parts = segment.parts.each_ref().map(|part| &part.coefficients);
-            segment.add_errors(&mut errors, omitted, store(index, column, parts));
-            pause();
+    /// Begins the cell anew with segments of this depth; `None` where they are too many.
+    fn restart_cell(&mut self, depth: u32, limits: &Limits) -> Option<()> {
+        if depth > Span::DEEPEST {
+            return None;
         }
-        let part = span.half_length() as f32 / parts;
-        errors.include_in(&mut cell.speeds, 1.0 / part, self.expansion.greatest_theta_slope() / parts);
-        errors.error()
+        let end = self.cell.begin + CELL.max(segment_length(depth));
+        self.cell = OpenCell { end, depth, speeds: self.speeds, error: 0.0, ..self.cell };
+        let rest = HALF_PERIOD.saturating_sub(end).div_ceil(2 * CELL);
+        let segments = self.segments + self.cell.segments() + rest;
+        (segments <= limits.capacity).then_some(())
+    }
+
+    fn finish_cell(&mut self) {
+        let OpenCell { begin, end, depth, speeds, error, .. } = self.cell;
+        let Cell(entry) = Cell::new(self.segments, begin / segment_length(depth), depth - LEVEL_0_BITS);
+        let cells = self.cells.iter_mut().skip(begin / CELL).take((end - begin) / CELL);
+        cells.for_each(|cell| *cell = entry);
+        self.segments += self.cell.segments();
+        self.error = self.error.max(TABLE_UNIT * f64::from(error));
+        self.speeds = speeds;
     }
 }
 
-fn segment_length(level: u32) -> usize {
-    1 << (Cell::DEEPEST - level)
+impl OpenCell {
+    /// Number of its segments.
+    fn segments(&self) -> usize {
+        (self.end - self.begin) / segment_length(self.depth)
+    }
+}
+
+fn segment_length(depth: u32) -> usize {
+    1 << (Span::DEEPEST - depth)
 }

@@ -1,61 +1,62 @@
 //! Limits of the errors and of the size of a table.
 
-use crate::table::series::expansion::TABLE_UNIT;
+use crate::table::data::cell::LEVEL_0_BITS;
+use crate::table::evaluation::TABLE_UNIT;
 
-/// Limits of the errors and of the size of a table.
+/// Limits that a set-up keeps.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Limits {
+pub(super) struct Limits {
     /// Number of coefficients of a polynomial.
-    pub(super) terms: usize,
+    pub(super) coefficients: usize,
     /// Largest number of segments.
     pub(super) capacity: usize,
-    /// Truncation error of all steps, rad.
+    /// Truncation error of all steps along half a period, rad.
     pub(super) steps: f64,
     /// Truncation error of a polynomial, in units of 2^-62 rad.
     pub(super) polynomial: f32,
-    /// Sum of the terms that may be left out of a span's series, in units of 2^-62.
-    pub(super) left_out: i64,
-    /// Term of a series that is negligible, rad.
-    pub(super) least: f64,
+    /// Sum of the terms that are dropped before the last halving, in units of 2^-62.
+    pub(super) dropped: i64,
+    /// Negligible term of α and β, rad.
+    pub(super) negligible: f64,
 }
 
-/// Part of the allowed error reserved for the steps.
-const STEPS: f64 = 0.125;
-/// Part of a polynomial's allowed error reserved for terms left out of the series of a span.
-const LEFT_OUT: f32 = 1.0 / 512.0;
-/// Part reserved for terms beyond the sixteenth.
-pub(super) const OMITTED: f32 = 1.0 / 32.0;
-/// Part that a segment of two cells may use, because its derivative is less accurate.
-const LONG: f32 = 0.125;
+/// Part of the allowed error for the steps.
+const STEPS_PART: f64 = 0.125;
+/// Part of a polynomial's allowed error for terms dropped before the last halving.
+const DROPPED_PART: f32 = 1.0 / 512.0;
+/// Part for terms beyond the sixteenth.
+pub(super) const REMAINDER_PART: f32 = 1.0 / 32.0;
+/// Part for a segment of two cells, whose derivative is less accurate.
+const TWO_CELLS_PART: f32 = 0.125;
 /// Negligible part of the allowed error.
-const NEGLIGIBLE: f64 = 1.0 / 256.0;
+const NEGLIGIBLE_PART: f64 = 1.0 / 256.0;
 
 impl Limits {
-    /// Limits before a set-up.
-    pub(super) const NONE: Self =
-        Self { terms: 0, capacity: 0, steps: 0.0, polynomial: 0.0, left_out: 0, least: 0.0 };
+    pub(super) const ZERO: Self =
+        Self { coefficients: 0, capacity: 0, steps: 0.0, polynomial: 0.0, dropped: 0, negligible: 0.0 };
 
     /// Limits for a truncation error `allowed`, rad, with series at least as accurate as for the error `usual`.
-    pub(crate) fn new(terms: usize, allowed: f64, usual: f64, capacity: usize) -> Self {
-        let polynomial = |error: f64| (((1.0 - STEPS) * error / TABLE_UNIT) as f32).clamp(f32::MIN, f32::MAX);
+    pub(super) fn new(coefficients: usize, allowed: f64, usual: f64, capacity: usize) -> Self {
+        let polynomial =
+            |error: f64| (((1.0 - STEPS_PART) * error / TABLE_UNIT) as f32).clamp(f32::MIN, f32::MAX);
         let of_series = allowed.min(usual);
         Self {
-            terms,
+            coefficients,
             capacity,
-            steps: STEPS * allowed,
+            steps: STEPS_PART * allowed,
             polynomial: polynomial(allowed),
-            left_out: (LEFT_OUT * polynomial(of_series)) as i64,
-            least: NEGLIGIBLE * of_series,
+            dropped: (DROPPED_PART * polynomial(of_series)) as i64,
+            negligible: NEGLIGIBLE_PART * of_series,
         }
     }
 
-    /// Truncation error of a segment of this level, in units of 2^-62 rad.
-    pub(super) fn segment(&self, level: u32) -> f32 {
-        if level == 0 { LONG * self.polynomial } else { self.polynomial }
+    /// Truncation error of a segment of this depth, in units of 2^-62 rad.
+    pub(super) fn segment_error(&self, depth: u32) -> f32 {
+        if depth == LEVEL_0_BITS { TWO_CELLS_PART * self.polynomial } else { self.polynomial }
     }
 
-    /// Negligible term of α and β in units of 2^-62. The terms after two such ones are not larger.
-    pub(super) fn least_term(&self) -> i64 {
-        (self.least / TABLE_UNIT) as i64
+    /// Negligible term in units of 2^-62. Those after two negligible ones count as not larger.
+    pub(super) fn negligible_term(&self) -> i64 {
+        (self.negligible / TABLE_UNIT) as i64
     }
 }

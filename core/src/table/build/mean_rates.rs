@@ -14,32 +14,23 @@ const OPERATIONS_PER_NODE: f64 = 2.0;
 
 /// Rates of the nutation phase and of the mean slow phases.
 #[derive(Debug)]
-pub(crate) struct MeanRates {
-    /// Half period T/2; 0 where u is constant.
-    pub(super) half_period: Extended,
-    /// Constants θ_A' - ψ_A' and θ_B' - ψ_B': ±τ/2 minus the mean rate, rad per unit time.
-    pub(super) theta_offset: [Extended; 2],
+pub(super) struct MeanRates {
     /// Nutation frequency 1/T and mean rates of α and β, in turns per unit time.
-    pub(crate) turns: [Extended; 3],
+    pub(super) turns: [Extended; 3],
     /// Errors of `turns`, turns per unit time.
     pub(super) errors: [f64; 3],
 }
 
 impl MeanRates {
-    pub(super) const ZERO: Self = Self {
-        half_period: Extended::ZERO,
-        theta_offset: [Extended::ZERO; 2],
-        turns: [Extended::ZERO; 3],
-        errors: [0.0; 3],
-    };
+    pub(super) const ZERO: Self = Self { turns: [Extended::ZERO; 3], errors: [0.0; 3] };
 
     /// Mean rates of a motion.
     ///
     /// * `period`: `None` where u is constant
     #[inline(never)]
-    pub(super) fn new(motion: &Motion, period: Option<Period>) -> Self {
+    pub(super) fn new(motion: &Motion, period: Option<&Period>) -> Self {
         match period {
-            Some(period) => Self::periodic(motion, &period),
+            Some(period) => Self::periodic(motion, period),
             None => Self::steady(motion),
         }
     }
@@ -50,8 +41,8 @@ impl MeanRates {
         // a rate is the sum of a quotient and ±τ/2, which may cancel
         let half_tau = size_in_turns(motion.half_tau);
         let slow = size_in_turns(motion.rounding.slow_rates.into());
-        let error = |rate: Extended| (Float::abs(rate.to_f64()) + 2.0 * half_tau) * relative + slow;
-        Self { turns: [Extended::ZERO, alpha, beta], errors: [0.0, error(alpha), error(beta)], ..Self::ZERO }
+        let error = |rate: Extended| (rate.to_f64().abs() + 2.0 * half_tau) * relative + slow;
+        Self { turns: [Extended::ZERO, alpha, beta], errors: [0.0, error(alpha), error(beta)] }
     }
 
     fn periodic(motion: &Motion, period: &Period) -> Self {
@@ -64,17 +55,12 @@ impl MeanRates {
             *turns = whole * frequency;
         }
         let [alpha, beta] = slow;
-        Self {
-            half_period: period.time.halved(),
-            theta_offset: [half_tau - Extended::TWO_PI * alpha, -half_tau - Extended::TWO_PI * beta],
-            turns: [frequency, alpha, beta],
-            errors: errors(motion, period),
-        }
+        Self { turns: [frequency, alpha, beta], errors: errors(motion, period) }
     }
 }
 
 fn size_in_turns(angle: Extended) -> f64 {
-    Float::abs(angle.in_turns().to_f64())
+    angle.in_turns().to_f64().abs()
 }
 
 /// Errors of 1/T and of the mean rates of α and β, turns per unit time.

@@ -64,7 +64,7 @@ pub trait TableScalar:
                 tip_passes: clock.tip_passes,
                 tip_exists: clock.tip_exists,
                 has_turning_points: clock.has_turning_points,
-                tip_scale: clock.tip_scale.to_f64(),
+                twice_tip_scale: clock.twice_tip_scale.to_f64(),
                 rates: clock.rates.map(Float::to_f64),
                 first: clock.first,
                 exact_step: clock.exact_step,

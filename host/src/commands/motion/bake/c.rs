@@ -94,7 +94,7 @@ fn guarded(label: &Label, parts: &BakedNumbers, content: &str) -> String {
 fn table(label: &Label, parts: &BakedNumbers, linkage: &str) -> String {
     let (name, scalar) = (label.c_name(), parts.scalar.name());
     // scale of the tip, the rates of x and of A + B, and the axial angular velocity
-    let Clock { tip_scale, rates: [x, mean, axial], .. } = parts.clock;
+    let Clock { twice_tip_scale, rates: [x, mean, axial], .. } = parts.clock;
     let ctype = match parts.scalar {
         Scalar::F64 => "double",
         Scalar::F32 | Scalar::Q31 => "int32_t",
@@ -116,7 +116,7 @@ fn table(label: &Label, parts: &BakedNumbers, linkage: &str) -> String {
 ",
         count = parts.coefficients.len(),
         clock = clock(parts),
-        scales = [tip_scale, x, mean, axial]
+        scales = [twice_tip_scale, x, mean, axial]
             .map(|x| if parts.scalar == Scalar::F64 { decimal(x) } else { format!("{:.8e}f", x as f32) })
             .join(", "),
     )

@@ -1,5 +1,5 @@
-//! Range checks of literal data: in a tick no sum of integers overflows, and no number but the velocity of the tip becomes infinite. Data
-//! from set-up always pass.
+//! Ranges of literal data, in which no sum of integers in a tick overflows and no number but the velocity of the tip becomes infinite. A
+//! table from set-up is always in range.
 
 /// Largest rate, length or coefficient in `f64`. Products of three such numbers and of powers of two stay finite.
 const GREATEST_DOUBLE: f64 = 1e60;

@@ -2,6 +2,9 @@
 
 use crate::product::high_product;
 use crate::scalar::{Ring, sealed::Sealed};
+use crate::su2::Vector;
+use crate::table::evaluation::integer_omega::omega_body;
+use crate::table::evaluation::{Number, SegmentPoint};
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// Integer multiple of 2^-30 in [-2, 2). Sums and products wrap, which happens only with invalid table data.
@@ -14,10 +17,37 @@ const SOFT_FLOAT: bool = cfg!(any(
     all(target_arch = "riscv32", not(target_feature = "f"))
 ));
 
-impl Q30 {
-    /// Product with 2^exponent, rounded to `f32`; 0 for an exponent below -95, at which it could be subnormal.
+/// Nearest `f32`.
+impl From<Q30> for f32 {
     #[inline(always)]
-    pub(crate) fn times_power_of_two(self, exponent: i32) -> f32 {
+    fn from(number: Q30) -> Self {
+        number.times_power_of_two(0)
+    }
+}
+
+impl Number for Q30 {
+    type Sum = i32;
+    type Quantity = f32;
+
+    #[inline]
+    fn derivative_sum(sum: i32) -> i32 {
+        sum >> 1
+    }
+
+    #[inline(always)]
+    fn omega_body(
+        polynomials: [[i32; 4]; 2],
+        difference: [i32; 2],
+        point: SegmentPoint,
+        rates: [f32; 3],
+    ) -> (Vector<Self>, i32) {
+        let (omega, exponent) = omega_body(polynomials, difference, point, rates);
+        (omega.map(Self), exponent)
+    }
+
+    /// Product rounded to `f32`; 0 for an exponent below -95, at which it could be subnormal.
+    #[inline(always)]
+    fn times_power_of_two(self, exponent: i32) -> f32 {
         let number = if exponent < -95 { 0 } else { self.0 };
         let exponent = exponent.max(-95) - 30;
         if SOFT_FLOAT {
@@ -30,14 +60,6 @@ impl Q30 {
             };
         }
         number as f32 * f32::from_bits(((exponent + 127) as u32) << 23)
-    }
-}
-
-/// Nearest `f32`.
-impl From<Q30> for f32 {
-    #[inline(always)]
-    fn from(number: Q30) -> Self {
-        number.times_power_of_two(0)
     }
 }
 

@@ -1,15 +1,19 @@
-//! Set-up of an ephemeris: from a motion to the table and the clock.
+//! Set-up of an ephemeris: from a motion to the whole table.
 
 use core::fmt;
 
+use super::bound::error_bounds;
+use super::cut::Cut;
+use super::limits::Limits;
+use super::path::ComputeOrigin;
+use super::series::MOST_TERMS;
+use super::set_up::SetUp;
 use crate::constants::Regime;
 use crate::motion::Motion;
-use crate::table::build::bound::error_bounds;
-use crate::table::build::{Limits, Outline, SetUp};
-use crate::table::cell::{Cell, SEGMENTS_AT_LEVEL_0};
-use crate::table::clock::{Clock, Tick};
-use crate::table::ephemeris::{Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, store_polynomial};
-use crate::table::scalar::EphemerisScalar;
+use crate::scalar::{Float, short_float};
+use crate::table::data::cell::{Cell, SEGMENTS_AT_LEVEL_0};
+use crate::table::data::{Clock, Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, Tick};
+use crate::table::evaluation::{Coefficient, EphemerisScalar};
 
 /// Reason why a motion has no table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,13 +66,19 @@ impl SetUp {
         if motion.regime() == Regime::Aperiodic {
             return Err(SetUpError::Aperiodic);
         }
-        let limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
+        self.limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
         let store =
             &mut |segment, column, parts: [&_; 2]| store_polynomial::<R>(segments, segment, column, parts);
-        let built = match R::RATE_WORDS {
-            1 => self.build::<1>(motion, limits, store, pause),
-            _ => self.build::<2>(motion, limits, store, pause),
+        // a slow phase may hardly differ from its mean, which the table of an `f64` must resolve
+        let origin: ComputeOrigin = match R::PERIOD_WORDS {
+            1 => |path| path.compute_origin(&path.rounded_equations, Float::to_f64),
+            _ => |path| path.compute_origin(&path.equations, |constant| constant),
         };
+        match R::PERIOD_WORDS {
+            1 => self.begin::<1>(motion, pause),
+            _ => self.begin::<2>(motion, pause),
+        }
+        let built = self.build(motion, origin, store, pause);
         built.ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
     }
 
@@ -82,12 +92,12 @@ impl SetUp {
         epoch: i64,
         pause: &mut dyn FnMut(),
     ) {
-        let Outline { cells, segments, error, speeds } = &self.outline;
+        let Cut { cells, segments, error, speeds, .. } = &self.cut;
         table.cells = *cells;
         table.segments.get_mut(*segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
-        table.clock = Clock::new(motion, tick, epoch, &self.rates, self.start.phases);
+        table.clock = Clock::new(motion, tick, epoch, self.rates.turns, self.launch.phases);
         pause();
-        table.start_tip_angle(motion, self.start.phases, epoch, pause);
+        table.start_tip_angle(motion, self.launch.phases, epoch, pause);
         pause();
         [table.error_bound, table.rate_error_bound] =
             error_bounds(&R::ERRORS, motion, tick.length(), &self.rates, speeds, *error);
@@ -148,6 +158,37 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let mut set_up = SetUp::with_truncation(truncation);
         set_up.tabulate::<R>(motion, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
-        Some(set_up.outline.segments.max(SEGMENTS_AT_LEVEL_0) as u32)
+        Some(set_up.cut.segments.max(SEGMENTS_AT_LEVEL_0) as u32)
     }
+}
+
+/// Stores a polynomial in two columns of a segment, if the table contains it. Returns the error of the orientation by short products and
+/// coefficients out of range, and that of the derivative by rounding, in units of 2^-62 rad.
+fn store_polynomial<R: EphemerisScalar>(
+    segments: &mut [R::Segment],
+    segment: usize,
+    column: usize,
+    parts: [&[i64; MOST_TERMS]; 2],
+) -> [f32; 2] {
+    let place = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
+    let (mut largest, mut slope_squares) = (0.0_f32, 0.0);
+    for (column, part) in (column..).zip(parts) {
+        let part = part.get(..R::TERMS).unwrap_or(part);
+        // Σ k |error of c_k|
+        let (mut errors, mut slope_error) = (0_u64, 0_u64);
+        for (power, (four, &value)) in place.iter_mut().zip(part).enumerate().rev() {
+            if let Some(held) = four.get_mut(column) {
+                let (coefficient, error) = R::Coefficient::nearest(value, power);
+                *held = coefficient;
+                if power > 0 {
+                    errors = errors.saturating_add(error.unsigned_abs());
+                    slope_error = slope_error.saturating_add(errors);
+                }
+            }
+        }
+        largest = largest.max(R::Coefficient::error(part));
+        let slope_error = short_float(slope_error);
+        slope_squares += slope_error * slope_error;
+    }
+    [4.0 * largest, Float::sqrt(slope_squares)]
 }

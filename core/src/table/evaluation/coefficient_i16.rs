@@ -3,17 +3,19 @@
 
 use crate::complex::Complex;
 use crate::scalar::{sine_cosine_q15, times_power_of_two};
-use crate::su2::Vector;
-use crate::table::scalar::integer::{COORDINATE_ERROR, ERRORS, TABLE_BITS, overflow_limit, short_factors};
-use crate::table::scalar::integer_rates::omega_body;
-use crate::table::scalar::q30::Q30;
-use crate::table::scalar::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint};
+use crate::table::evaluation::coefficient_i32::{
+    COORDINATE_ERROR, INTEGER_ERRORS, overflow_limit, truncated_factors,
+};
+use crate::table::evaluation::q30::Q30;
+use crate::table::evaluation::{
+    Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_BITS, shifted_right,
+};
 use fixed::types::I2F14;
 
 /// Unit of the sums in 16 bits, 2^-15.
-const SHORT_UNIT: f64 = 1.0 / (1_u64 << 15) as f64;
+const UNIT: f64 = 1.0 / (1_u64 << 15) as f64;
 /// Least sum in 16 bits that could overflow, with a margin of about thirty roundings of a coefficient.
-const SHORT_OVERFLOW: i64 = overflow_limit(1e-3);
+const OVERFLOW: i64 = overflow_limit(1e-3);
 /// Factor 1 - 9.4e-6 of the coefficients of 16 bits, in units of 2^-30. It halves the error of their sines, which are up to 1.9e-5 too large.
 const SHRINK: i64 = (1 << 30) - 10093;
 
@@ -26,53 +28,45 @@ impl EphemerisScalar for I2F14 {
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 3];
     const CODE: u32 = 15;
     const ERRORS: EvaluationErrors = EvaluationErrors {
-        tick: 16.83 * SHORT_UNIT + 2.6e-5,
-        slope: 0.5 * SHORT_UNIT + COORDINATE_ERROR,
-        rate: 2.001 * SHORT_UNIT,
-        ..ERRORS
+        orientation: 16.83 * UNIT + 2.6e-5,
+        coordinate: 0.5 * UNIT + COORDINATE_ERROR,
+        omega: 2.001 * UNIT,
+        ..INTEGER_ERRORS
     };
 
     #[inline]
-    fn rounded(number: Q30) -> Self {
+    fn from_number(number: Q30) -> Self {
         Self::from_bits((number.0 >> 16) as i16)
     }
 }
 
 impl Coefficient for i16 {
-    type Sum = i32;
     type Number = Q30;
-    type Quantity = f32;
 
     fn nearest(value: i64, power: usize) -> (Self, i64) {
         let dropped = TABLE_BITS - 15 - power as u32;
         // 2^-30 of the value's unit is far below the rounding
         let shrunk = (value >> 30) * SHRINK;
-        let rounded = (shrunk >> (dropped - 1)).saturating_add(1) >> 1;
-        let held = rounded.clamp(i16::MIN.into(), i16::MAX.into());
+        let held = shifted_right(shrunk, dropped).clamp(i16::MIN.into(), i16::MAX.into());
         (held as i16, (held << dropped).saturating_sub(value))
     }
 
     fn error(polynomial: &[i64]) -> f32 {
-        short_factors(polynomial, SHORT_OVERFLOW).map_or(f32::INFINITY, |_| 0.0)
+        truncated_factors(polynomial, OVERFLOW).map_or(f32::INFINITY, |_| 0.0)
     }
 
-    fn value(self, power: usize) -> f64 {
+    fn to_f64(self, power: usize) -> f64 {
         times_power_of_two(self.into(), -15 - power as i32)
     }
 
     #[inline]
     fn coordinate(point: SegmentPoint) -> i32 {
-        ((point.short_x >> 15) + 1) >> 1
+        ((point.x32 >> 15) + 1) >> 1
     }
 
     #[inline]
-    fn sum(self) -> i32 {
+    fn to_sum(self) -> i32 {
         i32::from(self) << 16
-    }
-
-    #[inline]
-    fn slope(sum: i32) -> i32 {
-        sum >> 1
     }
 
     #[inline(always)]
@@ -80,10 +74,10 @@ impl Coefficient for i16 {
         added + (sum >> 16) * x
     }
 
-    /// Value with half the weight of the last bit that a rotation uses.
+    /// Value plus half a unit of 2^-15, so that the shift in a rotation rounds.
     #[inline(always)]
     fn last_step(constant: Self, sum: i32, x: i32) -> i32 {
-        (constant.sum() + (1 << 15)).saturating_add((sum >> 16) * x)
+        (constant.to_sum() + (1 << 15)).saturating_add((sum >> 16) * x)
     }
 
     #[inline(always)]
@@ -94,33 +88,25 @@ impl Coefficient for i16 {
 
     /// Result rounded to 2^-14.
     #[inline(always)]
-    fn rotated([re, im]: [i32; 2], mirrored: bool, [sine, cosine]: [i32; 2]) -> Complex<Q30> {
-        let [re, im] = [re, im ^ -i32::from(mirrored)].map(|part| part >> 16);
+    fn rotated([re, im]: [i32; 2], is_falling: bool, [sine, cosine]: [i32; 2]) -> Complex<Q30> {
+        let [re, im] = [re, im ^ -i32::from(is_falling)].map(|part| part >> 16);
         let rounded = |part: i32| Q30((part + (1 << 15)) >> 16 << 16);
         Complex::new(rounded(re * cosine - im * sine), rounded(re * sine + im * cosine))
     }
 
     #[inline(always)]
-    fn omega_body(
-        polynomials: [[i32; 4]; 2],
-        [[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2],
-        point: SegmentPoint,
-        rates: [f32; 3],
-    ) -> (Vector<Q30>, i32) {
-        let difference = [cosine_a * cosine_b + sine_a * sine_b, cosine_a * sine_b - sine_a * cosine_b];
-        omega_body(polynomials, point.mirrored, difference, point.level, rates)
-    }
-
-    #[inline]
-    fn rate(number: Q30, exponent: i32) -> f32 {
-        number.times_power_of_two(exponent)
+    fn difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> [i32; 2] {
+        [cosine_a * cosine_b + sine_a * sine_b, cosine_a * sine_b - sine_a * cosine_b]
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::scalar::integer::tests::polynomial;
+
+    fn polynomial<const N: usize>(values: [f64; N]) -> [i64; N] {
+        values.map(|value| (value * 2_f64.powi(62)) as i64)
+    }
 
     #[test]
     fn sums_stay_below_their_powers_by_a_margin() {

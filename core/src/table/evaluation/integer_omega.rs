@@ -1,19 +1,18 @@
 //! Angular velocity in integers.
 
 use crate::product::high_product;
-use crate::su2::Vector;
-use crate::table::scalar::q30::Q30;
+use crate::table::evaluation::SegmentPoint;
 
-/// Angular velocity Ω over a power of two, with its exponent: from values and derivatives in units of 2^-31, and e^{i(B-A)} in units of
-/// 2^-30. Sums wrap only with invalid literal data.
+/// Angular velocity Ω over a power of two, in units of 2^-30, with the exponent of that power.
+///
+/// Values and derivatives are in units of 2^-31, cosine and sine of B - A in units of 2^-30. Sums wrap only with invalid table data.
 #[inline(always)]
 pub(super) fn omega_body(
     polynomials: [[i32; 4]; 2],
-    mirrored: bool,
     [cosine, sine]: [i32; 2],
-    level: u32,
+    point: SegmentPoint,
     rates: [f32; 3],
-) -> (Vector<Q30>, i32) {
+) -> ([i32; 3], i32) {
     let [[a, ia, b, ib], [da, dia, db, dib]] = polynomials;
     // x ȳ of complex numbers, to units of 2^-30
     let times_conj = |[x, ix]: [i32; 2], [y, iy]: [i32; 2]| {
@@ -24,11 +23,11 @@ pub(super) fn omega_body(
     let [back, iback] = times_conj([b, ib], [da, dia]);
     let [product, iproduct] = times_conj([b, ib], [a, ia]);
     let [x, mean, axial] = rates.map(Significand::new);
-    let x = Significand { exponent: x.exponent + level as i32, ..x };
+    let x = Significand { exponent: x.exponent + point.level as i32, ..x };
     let exponent = x.exponent.max(mean.exponent);
     let sum = |change: i32, turned: i32| x.times(change, exponent).wrapping_add(mean.times(turned, exponent));
     let re = sum(forth.wrapping_sub(back), iproduct.wrapping_neg());
-    let n = [if mirrored { re.wrapping_neg() } else { re }, sum(iforth.wrapping_sub(iback), product)];
+    let n = [if point.is_falling { re.wrapping_neg() } else { re }, sum(iforth.wrapping_sub(iback), product)];
     // shifted left as far as the sum of two products allows
     let [size, isize] = n.map(|part| part ^ (part >> 31));
     let spare = (size | isize).leading_zeros().saturating_sub(2);
@@ -41,7 +40,7 @@ pub(super) fn omega_body(
     let exponent = own.max(axial.exponent + 1);
     let [x1, x2] = transverse.map(|part| part >> (exponent - own).min(31));
     let omega = [x1, x2, axial.digits >> (exponent - axial.exponent).min(31)];
-    (omega.map(Q30), exponent - 127)
+    (omega, exponent - 127)
 }
 
 /// Number `digits` · 2^(`exponent` - 157), where 2^30 <= |`digits`| < 2^31; 0 below 2^-126.
@@ -71,7 +70,8 @@ impl Significand {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::scalar::{Coefficient, SegmentPoint};
+    use crate::table::evaluation::Number;
+    use crate::table::evaluation::q30::Q30;
 
     /// Rates of any size and sign have an error below 3e-8 of their sum.
     #[test]
@@ -89,20 +89,21 @@ mod tests {
             let turn = [libm::cos(angle), libm::sin(angle)];
             let mut rate = || (libm::exp2(f64::from(random() % 9)) * f64::from(random()) / 2e9) as f32;
             let rates = [rate().abs(), rate(), rate()];
-            let (level, mirrored) = (case % 12, case % 2 == 1);
+            let (level, is_falling) = (case % 12, case % 2 == 1);
             let unit = 1.0 / (1_u64 << 31) as f64;
             let wide = [values, slopes].map(|four| four.map(|number| f64::from(number) * unit));
             let [x, mean, axial] = rates.map(f64::from);
-            let point = SegmentPoint { x: 0, short_x: 0, level, mirrored };
+            let point = SegmentPoint { x64: 0, x32: 0, level, is_falling };
             let [cosine, sine] = turn;
-            let (exact, _) = f64::omega_body(wide, [[0.0, 1.0], [sine, cosine]], point, [x, mean, axial]);
+            let (exact, _) = f64::omega_body(wide, [cosine, sine], point, [x, mean, axial]);
             let turn = turn.map(|part| (part * (1_u64 << 30) as f64) as i32);
-            let (omega, exponent) = omega_body([values, slopes], mirrored, turn, level, rates);
+            let (omega, exponent) = omega_body([values, slopes], turn, point, rates);
             let allowed = 3e-8 * (x * f64::from(1_u32 << level) + mean.abs() + axial.abs());
             for (number, exact) in omega.into_iter().zip(exact) {
                 // a rotated number may exceed 1 by up to √2
-                assert!(number.0.unsigned_abs() < 3 << 29, "{case}: {number:?}");
-                worst = worst.max((f64::from(number.times_power_of_two(exponent)) - exact).abs() / allowed);
+                assert!(number.unsigned_abs() < 3 << 29, "{case}: {number:?}");
+                worst =
+                    worst.max((f64::from(Q30(number).times_power_of_two(exponent)) - exact).abs() / allowed);
             }
         }
         assert!(worst < 1.0 && worst > 0.1, "{worst}");

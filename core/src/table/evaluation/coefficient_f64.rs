@@ -3,8 +3,9 @@
 use crate::complex::Complex;
 use crate::scalar::{Scalar, fraction_of_word, sine_cosine_f64};
 use crate::su2::Vector;
-use crate::table::scalar::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint};
-use crate::table::series::expansion::TABLE_UNIT;
+use crate::table::evaluation::{
+    Coefficient, EphemerisScalar, EvaluationErrors, Number, SegmentPoint, TABLE_UNIT,
+};
 
 impl EphemerisScalar for f64 {
     type Coefficient = Self;
@@ -12,28 +13,26 @@ impl EphemerisScalar for f64 {
     type Quantity = Self;
 
     const TERMS: usize = 11;
-    const RATE_WORDS: usize = 2;
+    const PERIOD_WORDS: usize = 2;
     const ZERO_SEGMENT: Self::Segment = [[0.0; 4]; 11];
     const CODE: u32 = 64;
     /// The random roundings of a tick are counted with those of set-up. Those of the rotation of the angular velocity are five standard
     /// deviations of one rounding.
     const ERRORS: EvaluationErrors = EvaluationErrors {
-        tick: 0.0,
-        slope: 0.0,
-        rate: 0.0,
-        relative_rate: 5.0 * <Self as Scalar>::ROUNDING,
+        orientation: 0.0,
+        coordinate: 0.0,
+        omega: 0.0,
+        relative_omega: 5.0 * <Self as Scalar>::ROUNDING,
     };
 
     #[inline]
-    fn rounded(number: Self) -> Self {
+    fn from_number(number: Self) -> Self {
         number
     }
 }
 
 impl Coefficient for f64 {
-    type Sum = Self;
     type Number = Self;
-    type Quantity = Self;
 
     fn nearest(value: i64, _: usize) -> (Self, i64) {
         let nearest = value as f64;
@@ -44,23 +43,18 @@ impl Coefficient for f64 {
         0.0
     }
 
-    fn value(self, _: usize) -> f64 {
+    fn to_f64(self, _: usize) -> f64 {
         self
     }
 
     #[inline(always)]
     fn coordinate(point: SegmentPoint) -> f64 {
-        2.0 * fraction_of_word(point.x)
+        2.0 * fraction_of_word(point.x64)
     }
 
     #[inline]
-    fn sum(self) -> f64 {
+    fn to_sum(self) -> f64 {
         self
-    }
-
-    #[inline]
-    fn slope(sum: f64) -> f64 {
-        sum
     }
 
     #[inline(always)]
@@ -79,29 +73,44 @@ impl Coefficient for f64 {
     }
 
     #[inline(always)]
-    fn rotated([re, im]: [f64; 2], mirrored: bool, [sine, cosine]: [f64; 2]) -> Complex<f64> {
-        Complex::new(re, if mirrored { -im } else { im }) * Complex::new(cosine, sine)
+    fn rotated([re, im]: [f64; 2], is_falling: bool, [sine, cosine]: [f64; 2]) -> Complex<f64> {
+        Complex::new(re, if is_falling { -im } else { im }) * Complex::new(cosine, sine)
+    }
+
+    #[inline(always)]
+    fn difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[f64; 2]; 2]) -> [f64; 2] {
+        let difference = Complex::new(cosine_a, sine_a).conj() * Complex::new(cosine_b, sine_b);
+        [difference.re, difference.im]
+    }
+}
+
+impl Number for f64 {
+    type Sum = Self;
+    type Quantity = Self;
+
+    #[inline]
+    fn derivative_sum(sum: f64) -> f64 {
+        sum
     }
 
     #[inline(always)]
     fn omega_body(
         polynomials: [[f64; 4]; 2],
-        turns: [[f64; 2]; 2],
+        [cosine, sine]: [f64; 2],
         point: SegmentPoint,
         [x, mean, axial]: [f64; 3],
     ) -> (Vector<f64>, i32) {
-        let [turn_a, turn_b] = turns.map(|[sine, cosine]| Complex::new(cosine, sine));
         let pair = |[re_a, im_a, re_b, im_b]: [f64; 4]| [Complex::new(re_a, im_a), Complex::new(re_b, im_b)];
         let [[a, b], [a_slope, b_slope]] = polynomials.map(pair);
         let x = x * Self::from(1_u16 << point.level);
         let change = (a.conj() * b_slope - b * a_slope.conj()).scaled(x);
         let n = change + (a.conj() * b).times_i().scaled(mean);
-        let n = if point.mirrored { -n.conj() } else { n } * (turn_a.conj() * turn_b);
+        let n = if point.is_falling { -n.conj() } else { n } * Complex::new(cosine, sine);
         ([2.0 * n.im, -2.0 * n.re, axial], 0)
     }
 
     #[inline]
-    fn rate(number: Self, _: i32) -> Self {
-        number
+    fn times_power_of_two(self, _: i32) -> f64 {
+        self
     }
 }

@@ -1,11 +1,11 @@
 //! Sine and cosine in the integers of the series.
 
-use super::{Split, scaled_product};
+use super::{Limbs, scaled_product};
 use crate::phase::Phase;
 use crate::product::signed_product;
 
 /// Fraction bits of [`sine_cosine`].
-pub(super) const FRACTION: i32 = 57;
+pub(crate) const FRACTION: i32 = 57;
 
 /// Series of sin r/r in powers of r², in units of 2^-58. The last coefficients and their products with r² have at most 32 bits.
 const SINE: ([i64; 6], [i32; 4]) = (
@@ -30,7 +30,7 @@ fn sum((long, short): &([i64; 6], [i32; 4]), square: i64) -> i64 {
     let word = (square >> 27) as i32;
     let times_square = |sum: i32| (signed_product(sum, word) >> 31) as i32;
     let short = short.iter().rev().fold(0, |sum, c| c + times_square(sum));
-    let square = Split::of(square);
+    let square = Limbs::new(square);
     let [first @ .., last] = long;
     let last = last + i64::from(times_square(short));
     first.iter().rev().fold(last, |sum, c| c + scaled_product::<58>(square, sum))
@@ -38,14 +38,14 @@ fn sum((long, short): &([i64; 6], [i32; 4]), square: i64) -> i64 {
 
 /// (sin 2πx, cos 2πx) of a phase of x turns, in units of 2^-57. Error: below 2^-56.
 #[inline(never)]
-pub(super) fn sine_cosine(phase: Phase) -> (i64, i64) {
+pub(crate) fn sine_cosine(phase: Phase) -> (i64, i64) {
     /// π/2 in units of 2^-57.
-    const QUARTER_TURN: Split = Split::of(226375608064910089);
+    const QUARTER_TURN: Limbs = Limbs::new(226375608064910089);
     let (quadrant, rest) = phase.quadrant();
     // from units of 2^-62 turns to rad in units of 2^-58
     let angle = scaled_product::<59>(QUARTER_TURN, (rest.to_bits() >> 34) as i64);
-    let square = scaled_product::<58>(Split::of(angle), angle);
-    let sine = scaled_product::<59>(Split::of(angle), sum(&SINE, square));
+    let square = scaled_product::<58>(Limbs::new(angle), angle);
+    let sine = scaled_product::<59>(Limbs::new(angle), sum(&SINE, square));
     let cosine = (sum(&COSINE, square) + 1) >> 1;
     match quadrant % 4 {
         0 => (sine, cosine),

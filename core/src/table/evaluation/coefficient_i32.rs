@@ -9,10 +9,10 @@
 use crate::complex::Complex;
 use crate::product::{high_product, high_product_of_less, short_product};
 use crate::scalar::{Scalar, sine_cosine_q26, sine_cosine_q31, times_power_of_two};
-use crate::su2::Vector;
-use crate::table::scalar::integer_rates::omega_body;
-use crate::table::scalar::q30::Q30;
-use crate::table::scalar::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, is_short};
+use crate::table::evaluation::q30::Q30;
+use crate::table::evaluation::{
+    Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_BITS, is_by_16_bits, shifted_right,
+};
 #[cfg(feature = "fixed")]
 use fixed::types::I2F30;
 
@@ -22,11 +22,11 @@ const UNIT: f64 = 1.0 / (1_u64 << 30) as f64;
 const SINGLE_ERROR: f64 = (17.2 + 2.83 * 12.5) * UNIT + f32::EPSILON as f64;
 
 /// Errors in 32 bits: `core/docs/error_bound.md` lists their parts.
-pub(super) const ERRORS: EvaluationErrors = EvaluationErrors {
-    tick: (17.2 + 2.83 * 1.23) * UNIT,
-    slope: COORDINATE_ERROR,
-    rate: 40.0 * UNIT,
-    relative_rate: 3.7 * <f32 as Scalar>::ROUNDING,
+pub(super) const INTEGER_ERRORS: EvaluationErrors = EvaluationErrors {
+    orientation: (17.2 + 2.83 * 1.23) * UNIT,
+    coordinate: COORDINATE_ERROR,
+    omega: 40.0 * UNIT,
+    relative_omega: 3.7 * <f32 as Scalar>::ROUNDING,
 };
 pub(super) const COORDINATE_ERROR: f64 = 2.0 / (1_u64 << 32) as f64;
 
@@ -38,10 +38,10 @@ impl EphemerisScalar for f32 {
     const TERMS: usize = 5;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 5];
     const CODE: u32 = 32;
-    const ERRORS: EvaluationErrors = EvaluationErrors { tick: SINGLE_ERROR, ..ERRORS };
+    const ERRORS: EvaluationErrors = EvaluationErrors { orientation: SINGLE_ERROR, ..INTEGER_ERRORS };
 
     #[inline]
-    fn rounded(number: Q30) -> Self {
+    fn from_number(number: Q30) -> Self {
         number.into()
     }
 }
@@ -55,19 +55,17 @@ impl EphemerisScalar for I2F30 {
     const TERMS: usize = 4;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 4];
     const CODE: u32 = 31;
-    const ERRORS: EvaluationErrors = ERRORS;
+    const ERRORS: EvaluationErrors = INTEGER_ERRORS;
     const TRUNCATION: f64 = 4.0 * Self::ROUNDING;
 
     #[inline]
-    fn rounded(number: Q30) -> Self {
+    fn from_number(number: Q30) -> Self {
         Self::from_bits(number.0)
     }
 }
 
-/// Fraction bits of the values that coefficients are made from.
-pub(super) const TABLE_BITS: u32 = 62;
-/// Error of short products that counts as part of a tick, in units of 2^-62: 2^-31.
-const SHORT_ERROR: f32 = (1_u32 << 31) as f32;
+/// Error of products by 16 bits of x that counts as part of a tick, in units of 2^-62: 2^-31.
+const ACCEPTED_ERROR: f32 = (1_u32 << 31) as f32;
 /// Least sum that could overflow, with a margin of 2^-15 plus some thousand roundings of a coefficient.
 const OVERFLOW: i64 = overflow_limit(3.2e-5);
 
@@ -76,8 +74,8 @@ pub(super) const fn overflow_limit(margin: f64) -> i64 {
     ((1.0 - margin) * (1_i64 << TABLE_BITS) as f64) as i64
 }
 
-/// Upper bound on the sum of the factors of x in short products, in units of 2^-30; `None` where a sum could exceed `limit`.
-pub(super) fn short_factors(polynomial: &[i64], limit: i64) -> Option<u32> {
+/// Upper bound on the sum of the factors by which 16 bits of x are multiplied, in units of 2^-30; `None` where a sum could exceed `limit`.
+pub(super) fn truncated_factors(polynomial: &[i64], limit: i64) -> Option<u32> {
     let limit = (limit >> 32) as u32;
     let (mut sum, mut factors) = (0_u32, 0);
     for (power, value) in polynomial.iter().enumerate().skip(1).rev() {
@@ -86,7 +84,7 @@ pub(super) fn short_factors(polynomial: &[i64], limit: i64) -> Option<u32> {
         if sum > limit >> power {
             return None;
         }
-        if is_short(power, polynomial.len()) {
+        if is_by_16_bits(power, polynomial.len()) {
             factors += sum;
         }
     }
@@ -94,50 +92,42 @@ pub(super) fn short_factors(polynomial: &[i64], limit: i64) -> Option<u32> {
 }
 
 impl Coefficient for i32 {
-    type Sum = i32;
     type Number = Q30;
-    type Quantity = f32;
 
-    /// The coefficient has half a unit more, because the product added to it is rounded down. The constant has not: the bitwise complement
-    /// of the last sum is its negative.
+    /// The coefficient has half a unit more, because the product added to it is rounded down. The constant is rounded to the nearest, because a
+    /// complement changes its sign.
     fn nearest(value: i64, power: usize) -> (Self, i64) {
         let dropped = TABLE_BITS - 31 - power as u32;
-        let rounded =
-            if power == 0 { (value >> (dropped - 1)).saturating_add(1) >> 1 } else { (value >> dropped) + 1 };
+        let rounded = if power == 0 { shifted_right(value, dropped) } else { (value >> dropped) + 1 };
         let held = rounded.clamp(i32::MIN.into(), i32::MAX.into()) as i32;
         // both are equal modulo 2^32 up to the error, which is smaller
         (held, (held << dropped).wrapping_sub(value as i32).into())
     }
 
     fn error(polynomial: &[i64]) -> f32 {
-        let Some(factors) = short_factors(polynomial, OVERFLOW) else { return f32::INFINITY };
+        let Some(factors) = truncated_factors(polynomial, OVERFLOW) else { return f32::INFINITY };
         // from units of 2^-30, times the truncation of x to 2^-15
         let error = factors as f32 * (1_u32 << (TABLE_BITS - 30 - 15)) as f32;
-        if error > SHORT_ERROR { error - SHORT_ERROR } else { 0.0 }
+        if error > ACCEPTED_ERROR { error - ACCEPTED_ERROR } else { 0.0 }
     }
 
-    fn value(self, power: usize) -> f64 {
+    fn to_f64(self, power: usize) -> f64 {
         times_power_of_two(self.into(), -31 - power as i32)
     }
 
     #[inline]
     fn coordinate(point: SegmentPoint) -> i32 {
-        point.short_x
+        point.x32
     }
 
     #[inline]
-    fn sum(self) -> i32 {
+    fn to_sum(self) -> i32 {
         self
     }
 
-    #[inline]
-    fn slope(sum: i32) -> i32 {
-        sum >> 1
-    }
-
     #[inline(always)]
-    fn step(added: i32, sum: i32, x: i32, short: bool) -> i32 {
-        added + if short { short_product(sum, x) } else { high_product_of_less(sum, x) }
+    fn step(added: i32, sum: i32, x: i32, by_16_bits: bool) -> i32 {
+        added + if by_16_bits { short_product(sum, x) } else { high_product_of_less(sum, x) }
     }
 
     #[inline(always)]
@@ -153,8 +143,8 @@ impl Coefficient for i32 {
     }
 
     #[inline(always)]
-    fn rotated([re, im]: [i32; 2], mirrored: bool, [sine, cosine]: [i32; 2]) -> Complex<Q30> {
-        let im = im ^ -i32::from(mirrored);
+    fn rotated([re, im]: [i32; 2], is_falling: bool, [sine, cosine]: [i32; 2]) -> Complex<Q30> {
+        let im = im ^ -i32::from(is_falling);
         Complex::new(
             Q30(high_product(!im, sine) + high_product(re, cosine)),
             Q30(high_product(im, cosine) + high_product(re, sine)),
@@ -162,29 +152,18 @@ impl Coefficient for i32 {
     }
 
     #[inline(always)]
-    fn omega_body(
-        polynomials: [[i32; 4]; 2],
-        [[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2],
-        point: SegmentPoint,
-        rates: [f32; 3],
-    ) -> (Vector<Q30>, i32) {
-        let difference = [
+    fn difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> [i32; 2] {
+        [
             high_product(cosine_a, cosine_b) + high_product(sine_a, sine_b),
             high_product(cosine_a, sine_b) - high_product(sine_a, cosine_b),
-        ];
-        omega_body(polynomials, point.mirrored, difference, point.level, rates)
-    }
-
-    #[inline]
-    fn rate(number: Q30, exponent: i32) -> f32 {
-        number.times_power_of_two(exponent)
+        ]
     }
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+mod tests {
     use super::*;
-    use crate::table::series::expansion::TABLE_UNIT;
+    use crate::table::evaluation::TABLE_UNIT;
 
     /// With six terms the products with the fourth and the fifth power are short, and the sum of the lower one
     /// contains both.
@@ -193,7 +172,7 @@ pub(super) mod tests {
         let near =
             |found: f64, expected: f64| assert!((found - expected).abs() < 2e-13, "{found:e} {expected:e}");
         let error = |values| TABLE_UNIT * f64::from(i32::error(&polynomial(values)));
-        let accepted = TABLE_UNIT * f64::from(SHORT_ERROR);
+        let accepted = TABLE_UNIT * f64::from(ACCEPTED_ERROR);
         // in range, but the short products are not accurate enough
         near(error([0.0, 0.0, 0.0, 0.0, 0.02, 0.01]), 0.04 / 32768.0 - accepted);
         near(error([0.9, 0.3, 0.05, 0.02, -0.03, 0.01]), 0.05 / 32768.0 - accepted);
@@ -216,7 +195,7 @@ pub(super) mod tests {
     }
 
     /// Coefficients in units of 2^-62.
-    pub(in crate::table::scalar) fn polynomial<const N: usize>(values: [f64; N]) -> [i64; N] {
+    fn polynomial<const N: usize>(values: [f64; N]) -> [i64; N] {
         values.map(|value| (value * 2_f64.powi(62)) as i64)
     }
 }

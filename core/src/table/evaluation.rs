@@ -1,4 +1,4 @@
-//! Scalars of a table, and the evaluation of a segment: four polynomials by Horner's rule and two rotations.
+//! Evaluation of a segment: four polynomials by Horner's rule and two rotations.
 //!
 //! `f32` and fixed point are evaluated in integers, with the same bits on every chip. With α = a e^{iA} and β = b e^{iB}, where a and b
 //! are tabulated, the angular velocity Ω = Φ⁻¹Φ' in the body frame has the transverse part
@@ -9,53 +9,63 @@
 //!
 //! Where u falls, a and b become their complex conjugates, and N becomes -N̄. The axial part Ω₃ = (n - K)/C is constant.
 
+mod integer_omega;
+
 mod q30;
 
-mod integer_rates;
-
-mod integer;
+mod coefficient_i32;
 
 #[cfg(feature = "fixed")]
-mod short_integer;
+mod coefficient_i16;
 
-mod float;
+mod coefficient_f64;
 
 use crate::complex::Complex;
 use crate::scalar::{Real, Ring, Scalar};
 use crate::su2::{Orientation, Vector};
 use core::fmt::Debug;
 
+/// Fraction bits of the values that coefficients are made from.
+pub(crate) const TABLE_BITS: u32 = 62;
+/// Unit of these values, 2^-62.
+pub(crate) const TABLE_UNIT: f64 = 1.0 / (1_u64 << TABLE_BITS) as f64;
+
+/// Integer divided by 2^bits, for bits of 1 to 63, rounded to the nearest.
+pub(crate) const fn shifted_right(value: i64, bits: u32) -> i64 {
+    ((value >> (bits - 1)) + 1) >> 1
+}
+
 /// Place on a segment.
 #[derive(Clone, Copy, Debug)]
 pub struct SegmentPoint {
     /// Local coordinate x·2^63 with x in [-1, 1).
-    pub(crate) x: i64,
+    pub(crate) x64: i64,
     /// Local coordinate x·2^31, rounded down to a multiple of 2^level.
-    pub(crate) short_x: i32,
+    pub(crate) x32: i32,
     /// Level of the segment: base-2 logarithm of the rate of x over that at level 0.
     pub(crate) level: u32,
     /// Whether u is falling, where the tabulated values become their complex conjugates.
-    pub(crate) mirrored: bool,
+    pub(crate) is_falling: bool,
 }
 
 /// Upper bounds on the rounding errors of a tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EvaluationErrors {
-    /// Orientation error, rad, besides that of `slope`.
-    pub(crate) tick: f64,
+    /// Orientation error, rad, besides that of `coordinate`.
+    pub(crate) orientation: f64,
     /// Orientation error over the greatest change of the orientation on half a segment.
-    pub(crate) slope: f64,
+    pub(crate) coordinate: f64,
     /// Error of the angular velocity, divided by x' + |A' + B'|.
-    pub(crate) rate: f64,
+    pub(crate) omega: f64,
     /// Further error of the angular velocity, relative to its greatest value.
-    pub(crate) relative_rate: f64,
+    pub(crate) relative_omega: f64,
 }
 
 /// Scalar of an ephemeris: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
 pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
     /// Coefficient of the table.
     #[doc(hidden)]
-    type Coefficient: Coefficient<Quantity = Self::Quantity>;
+    type Coefficient: Coefficient<Number: Number<Quantity = Self::Quantity>>;
     /// Segment: coefficients of Re a, Im a, Re b and Im b side by side, lowest power first.
     type Segment: Copy
         + Debug
@@ -64,15 +74,15 @@ pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
         + AsMut<[[Self::Coefficient; 4]]>
         + 'static;
     /// Type of lengths and rates: the scalar itself, or `f32` for fixed point, whose range is too small.
-    type Quantity: Real + From<<Self::Coefficient as Coefficient>::Number>;
+    type Quantity: Real;
 
     /// Truncation error of a table unless another one is chosen, rad.
     const TRUNCATION: f64 = 2.0 * Self::ROUNDING;
     /// Number of coefficients of a polynomial.
     const TERMS: usize;
-    /// Number of 64-bit words of the wide numbers in which its rates are computed.
+    /// Number of 64-bit words of the numbers in which its period is integrated. With 1 word the rates along the path are `f64`.
     #[doc(hidden)]
-    const RATE_WORDS: usize = 1;
+    const PERIOD_WORDS: usize = 1;
     /// Segment whose coefficients are all 0.
     #[doc(hidden)]
     const ZERO_SEGMENT: Self::Segment;
@@ -83,137 +93,151 @@ pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
     #[doc(hidden)]
     const ERRORS: EvaluationErrors;
 
-    /// Result in the scalar.
+    /// Nearest value of the scalar.
     #[doc(hidden)]
-    fn rounded(number: <Self::Coefficient as Coefficient>::Number) -> Self;
+    fn from_number(number: NumberOf<Self>) -> Self;
+}
+
+/// Number of the results in a scalar.
+pub(crate) type NumberOf<R> = <<R as EphemerisScalar>::Coefficient as Coefficient>::Number;
+
+/// Sum of Horner's rule for a coefficient.
+type SumOf<C> = <<C as Coefficient>::Number as Number>::Sum;
+
+/// Number of the results. Angular velocities are its multiples by a power of two.
+#[doc(hidden)]
+pub trait Number: Ring + Into<Self::Quantity> {
+    /// Sum of Horner's rule, and the local coordinate.
+    type Sum: Copy + Default;
+    /// Type of lengths and rates.
+    type Quantity: Real;
+
+    /// Sum for a value in the scale of the sums for a derivative.
+    fn derivative_sum(sum: Self::Sum) -> Self::Sum;
+    /// Angular velocity Ω over a power of two, with the exponent of that power.
+    ///
+    /// * `polynomials`: values and derivatives
+    /// * `difference`: cosine and sine of B - A
+    /// * `rates`: rates of x at level 0, of A + B, and about the axis
+    fn omega_body(
+        polynomials: [[Self::Sum; 4]; 2],
+        difference: [Self::Sum; 2],
+        point: SegmentPoint,
+        rates: [Self::Quantity; 3],
+    ) -> (Vector<Self>, i32);
+    /// Product with a power of two.
+    fn times_power_of_two(self, exponent: i32) -> Self::Quantity;
 }
 
 /// Coefficient of a table, and the arithmetic of its evaluation.
 #[doc(hidden)]
 pub trait Coefficient: Copy + Debug + PartialEq {
-    /// Number of the polynomials and of the local coordinate.
-    type Sum: Copy + Default;
-    /// Number of the results; rates are its multiples by a power of two.
-    type Number: Ring;
-    /// Type of lengths and rates.
-    type Quantity: Real;
+    /// Number of the results.
+    type Number: Number;
 
     /// Coefficient of x^power nearest to a value in units of 2^-62, and its error in these units.
     fn nearest(value: i64, power: usize) -> (Self, i64);
     /// Error that the coefficients of a polynomial cause, both in units of 2^-62; infinite where a sum could overflow.
     fn error(polynomial: &[i64]) -> f32;
     /// Value of a coefficient of x^power, exact.
-    fn value(self, power: usize) -> f64;
+    fn to_f64(self, power: usize) -> f64;
 
     /// Local coordinate.
-    fn coordinate(point: SegmentPoint) -> Self::Sum;
+    fn coordinate(point: SegmentPoint) -> SumOf<Self>;
     /// Coefficient as a sum.
-    fn sum(self) -> Self::Sum;
-    /// Sum for the values in the scale of the sums for the derivatives.
-    fn slope(sum: Self::Sum) -> Self::Sum;
-    /// Step of Horner's rule, `added` + `sum` x; `short` if few bits of x are enough.
-    fn step(added: Self::Sum, sum: Self::Sum, x: Self::Sum, short: bool) -> Self::Sum;
+    fn to_sum(self) -> SumOf<Self>;
+    /// Step of Horner's rule, `added` + `sum` x, with 16 bits of x if they are enough.
+    fn step(added: SumOf<Self>, sum: SumOf<Self>, x: SumOf<Self>, by_16_bits: bool) -> SumOf<Self>;
     /// Last step, to the value of a polynomial with this constant.
-    fn last_step(constant: Self, sum: Self::Sum, x: Self::Sum) -> Self::Sum;
+    fn last_step(constant: Self, sum: SumOf<Self>, x: SumOf<Self>) -> SumOf<Self>;
     /// Sine and cosine of a phase, given by its 64 leading bits, for polynomials of this many terms.
-    fn sine_cosine(phase: u64, terms: usize) -> [Self::Sum; 2];
+    fn sine_cosine(phase: u64, terms: usize) -> [SumOf<Self>; 2];
     /// Tabulated complex number, turned by an angle with this sine and cosine.
-    fn rotated(number: [Self::Sum; 2], mirrored: bool, by: [Self::Sum; 2]) -> Complex<Self::Number>;
-    /// Angular velocity Ω over a power of two, with the exponent of that power.
-    ///
-    /// * `polynomials`: values and derivatives
-    /// * `turns`: sines and cosines of A and B
-    /// * `rates`: rates of x at level 0, of A + B, and about the axis
-    fn omega_body(
-        polynomials: [[Self::Sum; 4]; 2],
-        turns: [[Self::Sum; 2]; 2],
-        point: SegmentPoint,
-        rates: [Self::Quantity; 3],
-    ) -> (Vector<Self::Number>, i32);
-    /// Product with a power of two, in the type of lengths and rates.
-    fn rate(number: Self::Number, exponent: i32) -> Self::Quantity;
-}
-
-/// Whether the four polynomials are evaluated together. It suits vector units; the smallest chips have too few registers for four integers.
-const fn four_at_a_time<C: Coefficient>() -> bool {
-    cfg!(target_pointer_width = "64") || size_of::<C>() == 8
+    fn rotated(
+        number: [SumOf<Self>; 2],
+        is_falling: bool,
+        sine_cosine: [SumOf<Self>; 2],
+    ) -> Complex<Self::Number>;
+    /// Cosine and sine of B - A, from the sines and cosines of A and B.
+    fn difference(sines_cosines: [[SumOf<Self>; 2]; 2]) -> [SumOf<Self>; 2];
 }
 
 /// Whether 16 bits of x are enough for a sum that is multiplied by this power of x.
 #[inline(always)]
-const fn is_short(power: usize, terms: usize) -> bool {
+const fn is_by_16_bits(power: usize, terms: usize) -> bool {
     2 * power > terms
 }
 
 /// Orientation at a point of a segment, from the 64 leading bits of A and B.
 #[inline(always)]
 pub(crate) fn orientation<C: Coefficient>(
-    terms: &[[C; 4]],
+    rows: &[[C; 4]],
     point: SegmentPoint,
     [a, b]: [u64; 2],
 ) -> Orientation<C::Number> {
-    let [[re_a, im_a, re_b, im_b], _] = polynomials::<C, false>(terms, point);
+    let [[re_a, im_a, re_b, im_b], _] = polynomials::<C, false>(rows, point);
     // each sine is computed when it is needed: the smallest chips have few registers
-    let alpha = C::rotated([re_a, im_a], point.mirrored, C::sine_cosine(a, terms.len()));
-    let beta = C::rotated([re_b, im_b], point.mirrored, C::sine_cosine(b, terms.len()));
+    let alpha = C::rotated([re_a, im_a], point.is_falling, C::sine_cosine(a, rows.len()));
+    let beta = C::rotated([re_b, im_b], point.is_falling, C::sine_cosine(b, rows.len()));
     Orientation { alpha, beta }
 }
 
 /// Orientation, and the angular velocity Ω in the body frame over a power of two, with the exponent of that power.
 #[inline(always)]
-pub(crate) fn orientation_and_rates<C: Coefficient>(
-    terms: &[[C; 4]],
+pub(crate) fn orientation_and_omega_body<C: Coefficient>(
+    rows: &[[C; 4]],
     point: SegmentPoint,
     slow: [u64; 2],
-    rates: [C::Quantity; 3],
+    rates: [<C::Number as Number>::Quantity; 3],
 ) -> (Orientation<C::Number>, Vector<C::Number>, i32) {
-    let [a, b] = slow.map(|phase| C::sine_cosine(phase, terms.len()));
-    let polynomials = polynomials::<C, true>(terms, point);
+    let [a, b] = slow.map(|phase| C::sine_cosine(phase, rows.len()));
+    let polynomials = polynomials::<C, true>(rows, point);
     let [[re_a, im_a, re_b, im_b], _] = polynomials;
-    let alpha = C::rotated([re_a, im_a], point.mirrored, a);
-    let beta = C::rotated([re_b, im_b], point.mirrored, b);
-    let (omega, exponent) = C::omega_body(polynomials, [a, b], point, rates);
+    let alpha = C::rotated([re_a, im_a], point.is_falling, a);
+    let beta = C::rotated([re_b, im_b], point.is_falling, b);
+    let (omega, exponent) = Number::omega_body(polynomials, C::difference([a, b]), point, rates);
     (Orientation { alpha, beta }, omega, exponent)
 }
 
 /// Polynomials and, if `SLOPES`, their derivatives.
 #[inline(always)]
 fn polynomials<C: Coefficient, const SLOPES: bool>(
-    terms: &[[C; 4]],
+    rows: &[[C; 4]],
     point: SegmentPoint,
-) -> [[C::Sum; 4]; 2] {
+) -> [[SumOf<C>; 4]; 2] {
     let x = C::coordinate(point);
-    if four_at_a_time::<C>() {
-        return horner::<C, 4, SLOPES>(terms, x, |four| *four);
+    // all together suit vector units; the smallest chips have too few registers for four integers
+    if cfg!(target_pointer_width = "64") || size_of::<C>() == 8 {
+        return horner::<C, 4, SLOPES>(rows, x, |four| *four);
     }
     let [[re_b, im_b], [re_slope_b, im_slope_b]] =
-        horner::<C, 2, SLOPES>(terms, x, |&[_, _, re, im]| [re, im]);
+        horner::<C, 2, SLOPES>(rows, x, |&[_, _, re, im]| [re, im]);
     let [[re_a, im_a], [re_slope_a, im_slope_a]] =
-        horner::<C, 2, SLOPES>(terms, x, |&[re, im, _, _]| [re, im]);
+        horner::<C, 2, SLOPES>(rows, x, |&[re, im, _, _]| [re, im]);
     [[re_a, im_a, re_b, im_b], [re_slope_a, im_slope_a, re_slope_b, im_slope_b]]
 }
 
 /// Polynomials and, if `SLOPES`, their derivatives by Horner's rule. A row is borrowed because the compiler then recognises a vector.
 #[inline(always)]
 fn horner<C: Coefficient, const N: usize, const SLOPES: bool>(
-    terms: &[[C; 4]],
-    x: C::Sum,
+    rows: &[[C; 4]],
+    x: SumOf<C>,
     part: impl Fn(&[C; 4]) -> [C; N],
-) -> [[C::Sum; N]; 2] {
-    let (mut sums, mut slopes) = ([C::Sum::default(); N], [C::Sum::default(); N]);
-    let [constant, higher @ ..] = terms else { return [sums, slopes] };
+) -> [[SumOf<C>; N]; 2] {
+    let (mut sums, mut slopes) = ([Default::default(); N], [Default::default(); N]);
+    let [constant, higher @ ..] = rows else { return [sums, slopes] };
     for (power, coefficients) in higher.iter().enumerate().map(|(below, four)| (below + 2, four)).rev() {
-        let short = is_short(power, terms.len());
+        let by_16_bits = is_by_16_bits(power, rows.len());
         for ((sum, slope), c) in sums.iter_mut().zip(&mut slopes).zip(&part(coefficients)) {
             if SLOPES {
-                *slope = C::step(C::slope(*sum), *slope, x, short);
+                *slope = C::step(C::Number::derivative_sum(*sum), *slope, x, by_16_bits);
             }
-            *sum = C::step(c.sum(), *sum, x, short);
+            *sum = C::step(c.to_sum(), *sum, x, by_16_bits);
         }
     }
     for ((sum, slope), c) in sums.iter_mut().zip(&mut slopes).zip(part(constant)) {
         if SLOPES {
-            *slope = C::step(C::slope(*sum), *slope, x, false);
+            *slope = C::step(C::Number::derivative_sum(*sum), *slope, x, false);
         }
         *sum = C::last_step(c, *sum, x);
     }

@@ -1,6 +1,6 @@
-//! Division of half a nutation period into 16 cells, by which a tick finds its segment. The segments of a cell are equal.
+//! Cells, by which a tick finds its segment: sixteenths of half a nutation period.
 //!
-//! At level l the half period would have 8 · 2^l segments. A segment of level 0 covers two cells.
+//! The segments of a cell are equal. At level l the half period would have 8 · 2^l segments; one of level 0 covers two cells.
 
 /// Number of cells in half a period.
 pub(crate) const CELLS: usize = 16;
@@ -11,8 +11,8 @@ pub(crate) const SEGMENTS_AT_LEVEL_0: usize = 1 << LEVEL_0_BITS;
 /// Base-2 logarithm of [`SEGMENTS_AT_LEVEL_0`].
 pub(crate) const LEVEL_0_BITS: u32 = 3;
 
-/// Entry of a cell. The lower 4 bits are the level of its segments. The upper 12 bits are added to the number of a segment of half a
-/// period at that level, modulo 4096, and give its place in the table.
+/// Entry of a cell: the level of its segments in the lower 4 bits, and an offset m in the upper 12. Segment i of half a period at that level
+/// is number m + i of the table, modulo 4096.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Cell(pub(crate) u16);
 
@@ -23,7 +23,7 @@ impl Cell {
     /// Greatest level; one cell could then contain all segments.
     pub(crate) const DEEPEST: u32 = Self::MOST_SEGMENTS.ilog2() + 1;
 
-    /// Cell in which segment `place` of half a period, at this level, is `number` in the table.
+    /// Cell in which segment `place` of half a period at this level is `number` of the table.
     pub(crate) const fn new(number: usize, place: usize, level: u32) -> Self {
         Self((number.wrapping_sub(place) as u16) << Self::LEVEL_BITS | level as u16)
     }
@@ -42,16 +42,6 @@ impl Cell {
     }
 }
 
-/// Number of segments of a cell; 1 for one that it shares with the next cell.
-pub(crate) const fn segments_per_cell(level: u32) -> usize {
-    if level == 0 { 1 } else { 1 << (level - 1) }
-}
-
-/// Number of cells that the segments of a cell cover: two at level 0.
-pub(crate) const fn cells_covered(level: u32) -> usize {
-    if level == 0 { 2 } else { 1 }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -67,7 +57,6 @@ mod tests {
             (1, 0, Cell::DEEPEST),
         ] {
             let count = [1, 1, 2, 4, 8, 16].get(level as usize).copied().unwrap_or(Cell::MOST_SEGMENTS);
-            assert_eq!(segments_per_cell(level), count);
             let place = (number << level) >> 1;
             let cell = Cell::new(first, place, level);
             let (begin, length) = ((number as u32) << 28, (1 << 29) >> level);

@@ -1,19 +1,19 @@
-//! Cursor: evaluation of consecutive ticks by adding increments to the phases.
+//! Cursor: consecutive ticks by adding increments to the phases.
 
 use core::borrow::Borrow;
 use core::ops::Deref;
 
 use crate::phase::{Phase, PhaseFraction};
 use crate::su2::Orientation;
-use crate::table::clock::Clock;
-use crate::table::ephemeris::EphemerisView;
-use crate::table::sample::Sample;
-use crate::table::scalar::EphemerisScalar;
+use crate::table::data::Clock;
+use crate::table::data::EphemerisView;
+use crate::table::evaluation::EphemerisScalar;
+use crate::table::read::sample::{Sample, map_parts};
 
-/// Table with the phases of consecutive ticks, which three additions advance.
+/// Reader of consecutive ticks of a table, by three additions each.
 ///
-/// The table is a `&EphemerisView`, or a [`ReadyEphemeris`](crate::ReadyEphemeris), whose memory is free for another set-up after an
-/// exchange. An interrupt exchanges tables without lock and copy.
+/// The table is a `&EphemerisView`, or a [`ReadyEphemeris`](crate::ReadyEphemeris), whose memory an exchange frees for another set-up. An
+/// interrupt exchanges tables without a lock and without a copy.
 ///
 /// ```
 /// # use toytop::{Cursor, EphemerisF32, EphemerisMemory, Motion, Release, SetUp, State, Tick, Top, TopParameters};
@@ -45,7 +45,7 @@ use crate::table::scalar::EphemerisScalar;
 #[derive(Clone, Debug)]
 #[repr(C)]
 pub struct Cursor<T> {
-    ticks: CursorPhases,
+    phases: CursorPhases,
     table: T,
 }
 
@@ -57,7 +57,7 @@ where
     /// Cursor whose first sample is that of tick `first`.
     #[must_use]
     pub fn new(table: T, first: i64) -> Self {
-        Self { ticks: CursorPhases::new(&table.clock, first), table }
+        Self { phases: CursorPhases::new(&table.clock, first), table }
     }
 
     /// Table of the next sample.
@@ -66,23 +66,23 @@ where
         self.table.deref().borrow()
     }
 
-    /// Sample of the next tick, to be used before the one after. The sequence has no end and cannot fail.
+    /// Sample of the next tick. It borrows the cursor. The sequence has no end and cannot fail.
     #[expect(clippy::should_implement_trait, reason = "an iterator cannot lend from itself")]
     #[inline(always)]
     pub fn next(&mut self) -> Sample<'_, R> {
-        self.ticks.next(self.table.deref().borrow())
+        self.phases.next(self.table.deref().borrow())
     }
 
-    /// Tick of the last sample; before the first sample, the tick before that one. It wraps after 2^63 - 1.
+    /// Tick of the last sample, or the one before the first sample. It wraps after 2^63 - 1.
     #[inline(always)]
     #[must_use]
     pub fn tick(&self) -> i64 {
-        self.ticks.tick()
+        self.phases.tick()
     }
 
     /// Exchanges the table and returns the previous one. The tick number continues.
     pub fn exchange(&mut self, table: T) -> T {
-        self.ticks = CursorPhases::new(&table.clock, self.tick().wrapping_add(1));
+        self.phases = CursorPhases::new(&table.clock, self.tick().wrapping_add(1));
         core::mem::replace(&mut self.table, table)
     }
 }
@@ -102,12 +102,11 @@ where
 #[derive(Clone, Debug)]
 #[repr(C)]
 pub struct CursorPhases {
-    /// Phases of the previous tick.
+    /// Phases of the last tick.
     phases: [PhaseFraction; 3],
-    /// Number of the last tick, `base + count`. A count of 32 bits, with a rare branch for its carry, needs fewer registers of a small
-    /// chip than one of 64 bits.
-    count: u32,
-    base: i64,
+    /// Number of the last tick, `high + low`. A rare carry of 32 bits needs fewer registers of a small chip than a number of 64 bits.
+    low: u32,
+    high: i64,
 }
 
 impl CursorPhases {
@@ -117,7 +116,7 @@ impl CursorPhases {
         for (phase, step) in phases.iter_mut().zip(clock.steps()) {
             *phase = phase.minus(step);
         }
-        Self { phases, count: 0, base: first.wrapping_sub(1) }
+        Self { phases, low: 0, high: first.wrapping_sub(1) }
     }
 
     /// Sample of the next tick of the table that made the phases.
@@ -126,8 +125,8 @@ impl CursorPhases {
         for (phase, step) in self.phases.iter_mut().zip(table.clock.steps()) {
             *phase = phase.plus(step);
         }
-        let (count, carry) = self.count.overflowing_add(1);
-        self.count = count;
+        let (low, carry) = self.low.overflowing_add(1);
+        self.low = low;
         if carry {
             self.carry();
         }
@@ -137,42 +136,33 @@ impl CursorPhases {
     /// Tick of the last sample.
     #[inline(always)]
     pub fn tick(&self) -> i64 {
-        self.base.wrapping_add(self.count.into())
+        self.high.wrapping_add(self.low.into())
     }
 
     #[cold]
     #[inline(never)]
     fn carry(&mut self) {
-        self.base = self.base.wrapping_add(1 << 32);
+        self.high = self.high.wrapping_add(1 << 32);
     }
 }
 
-/// Number of ticks whose phases are computed before their orientations, which then do not depend on each other.
-const BLOCK: usize = 16;
-
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Samples at the ticks first, first + 1, ..., without end.
-    pub fn samples(&self, first: i64) -> impl Iterator<Item = Sample<'_, R>> + Clone {
-        let mut ticks = CursorPhases::new(&self.clock, first);
-        core::iter::repeat_with(move || ticks.next(self))
-    }
-
-    /// Fills `out` with the orientations at the ticks first, first + 1, .... The bits are those of [`EphemerisView::at_tick`]; a large
-    /// processor takes less time than for separate calls.
+    /// Fills `out` with the orientations at the ticks first, first + 1, .... The bits are those of [`EphemerisView::at_tick`]; on a large
+    /// processor it is faster.
     pub fn fill(&self, first: i64, out: &mut [Orientation<R>]) {
+        /// Number of ticks whose phases are computed before their orientations, which then do not depend on each other.
+        const BLOCK: usize = 16;
         // as 128-bit numbers: three words would have to be assembled for every tick
-        let step = self.clock.steps().map(|step| step.to_phase());
-        let mut now = self.clock.at(first).map(|phase| phase.to_phase());
+        let step = self.clock.steps().map(PhaseFraction::to_phase);
+        let mut now = self.clock.at(first).map(PhaseFraction::to_phase);
         let mut phases = [[0; 3]; BLOCK];
         for block in out.chunks_mut(BLOCK) {
             for phases in phases.iter_mut().take(block.len()) {
                 *phases = now.map(Phase::fraction);
-                for (now, step) in now.iter_mut().zip(step) {
-                    *now += step;
-                }
+                now.iter_mut().zip(step).for_each(|(now, step)| *now += step);
             }
-            for (orientation, &phases) in block.iter_mut().zip(&phases) {
-                *orientation = Sample { ephemeris: self, phases, mean_tip: Phase::ZERO }.orientation();
+            for (orientation, phases) in block.iter_mut().zip(phases) {
+                *orientation = map_parts(&self.unrounded_orientation(phases), R::from_number);
             }
         }
     }
@@ -182,6 +172,6 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 #[cfg(feature = "defmt")]
 impl<T> defmt::Format for Cursor<T> {
     fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "cursor at tick {=i64}", self.ticks.tick());
+        defmt::write!(f, "cursor at tick {=i64}", self.phases.tick());
     }
 }

@@ -1,16 +1,16 @@
-//! Sample of a motion: three phases, and the quantities computed from them on demand.
-
-mod tip_angle;
+//! Sample of a motion: three phases, from which every quantity is computed when it is asked for.
 
 use crate::complex::Complex;
 use crate::phase::{Phase, PhaseFraction};
 use crate::scalar::{Extended, Float};
 use crate::su2::{AttitudeState, Orientation, Vector};
-use crate::table::cell::{Cell, LEVEL_0_BITS};
-use crate::table::ephemeris::EphemerisView;
-use crate::table::scalar::{Coefficient, EphemerisScalar, SegmentPoint, orientation, orientation_and_rates};
+use crate::table::data::EphemerisView;
+use crate::table::data::cell::{Cell, LEVEL_0_BITS};
+use crate::table::evaluation::{
+    EphemerisScalar, Number, NumberOf, SegmentPoint, orientation, orientation_and_omega_body,
+};
 
-/// Sample of a motion at one time. Each method evaluates the table anew; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
+/// Sample of a motion at one time. Each method evaluates the table. [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
 /// [`Sample::attitude_state`] return several quantities of one evaluation.
 ///
 /// Lengths and rates are in [`EphemerisScalar::Quantity`]: R itself in floating point, `f32` in fixed point.
@@ -35,8 +35,6 @@ pub struct Pose<R, W> {
     pub tip: Complex<W>,
 }
 
-type NumberOf<R> = <<R as EphemerisScalar>::Coefficient as Coefficient>::Number;
-
 impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[inline(always)]
     pub(crate) fn new(ephemeris: &'a EphemerisView<R>, phases: [PhaseFraction; 3], mean_tip: Phase) -> Self {
@@ -54,33 +52,33 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[inline(always)]
     #[must_use]
     pub fn orientation(&self) -> Orientation<R> {
-        converted(&self.evaluated(), R::rounded)
+        map_parts(&self.unrounded(), R::from_number)
     }
 
     /// Orientation, u and tip.
     #[inline(always)]
     #[must_use]
     pub fn pose(&self) -> Pose<R, R::Quantity> {
-        let numbers = self.evaluated();
+        let numbers = self.unrounded();
         let product = numbers.alpha * numbers.beta;
-        let [re, im] = [product.re, product.im].map(R::Quantity::from);
+        let [re, im] = [product.re, product.im].map(Into::into);
         Pose {
-            orientation: converted(&numbers, R::rounded),
-            u: R::rounded(numbers.u()),
-            tip: Complex::new(re, im).scaled(self.ephemeris.clock.tip_scale),
+            orientation: map_parts(&numbers, R::from_number),
+            u: R::from_number(numbers.u()),
+            tip: Complex::new(re, im).scaled(self.ephemeris.clock.twice_tip_scale),
         }
     }
 
-    /// Cosine u of the tilt, which a rounding can take past ±1.
+    /// Cosine u of the tilt. A rounding may take it past ±1.
     #[must_use]
     pub fn u(&self) -> R {
-        R::rounded(self.evaluated().u())
+        R::from_number(self.unrounded().u())
     }
 
     /// Unit vector r from the tip to the centre of mass, in the fixed frame.
     #[must_use]
     pub fn axis(&self) -> Vector<R> {
-        self.evaluated().axis().map(R::rounded)
+        self.unrounded().axis().map(R::from_number)
     }
 
     /// Unit quaternion [w, x, y, z] from body to fixed coordinates.
@@ -89,7 +87,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         self.orientation().quaternion()
     }
 
-    /// Tip position c = 2 s αβ, in m, relative to the point of the plane below the centre of mass; for a fixed tip 2αβ.
+    /// Position c = 2 s αβ of the tip, in m, relative to the point of the plane below the centre of mass. For a fixed tip it is 2αβ.
     #[inline(always)]
     #[must_use]
     pub fn tip(&self) -> Complex<R::Quantity> {
@@ -100,8 +98,8 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[inline(always)]
     #[must_use]
     pub fn omega(&self) -> Vector<R::Quantity> {
-        let (orientation, omega_body, exponent) = self.evaluated_with_rates();
-        orientation.adjoint(omega_body).map(|rate| R::Coefficient::rate(rate, exponent))
+        let (orientation, omega_body, exponent) = self.unrounded_with_omega_body();
+        orientation.adjoint(omega_body).map(|rate| rate.times_power_of_two(exponent))
     }
 
     /// Angular velocity Ω in the body frame, rad per unit time.
@@ -116,8 +114,8 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[inline(always)]
     #[must_use]
     pub fn orientation_and_omega_body(&self) -> (Orientation<R>, Vector<R::Quantity>) {
-        let (orientation, omega_body) = self.numbers_and_omega_body();
-        (converted(&orientation, R::rounded), omega_body)
+        let (numbers, omega_body) = self.numbers_and_omega_body();
+        (map_parts(&numbers, R::from_number), omega_body)
     }
 
     /// Rate u' of the cosine of the tilt, per unit time.
@@ -128,63 +126,59 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         udot
     }
 
-    /// Velocity c' of the tip, m per unit time; per unit time for a fixed tip.
+    /// Velocity c' of the tip, m per unit time. For a fixed tip it is that of 2αβ.
     #[inline(always)]
     #[must_use]
     pub fn tip_velocity(&self) -> Complex<R::Quantity> {
         let [x, y, _] = self.axis_rate();
         // c = -s (r₁ + i r₂), and the scale of the tip is 2 s
-        Complex::new(x, y).scaled(-self.ephemeris.clock.tip_scale.halved())
+        Complex::new(x, y).scaled(-self.ephemeris.clock.twice_tip_scale.halved())
     }
 
     /// Orientation and its rate, from which ω, u' and a [`State`](crate::State) follow.
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R::Quantity> {
         let (numbers, omega_body) = self.numbers_and_omega_body();
-        let orientation = converted(&numbers, R::Quantity::from);
+        let orientation = map_parts(&numbers, Into::into);
         AttitudeState::from_body(orientation, omega_body)
     }
 
-    /// Orientation before its conversion to the scalar.
     #[inline(always)]
-    fn evaluated(&self) -> Orientation<NumberOf<R>> {
-        let [nutation, a, b] = self.phases;
-        let LocatedSegment { terms, point, .. } = self.ephemeris.locate(nutation);
-        orientation(terms, point, [a, b])
+    fn unrounded(&self) -> Orientation<NumberOf<R>> {
+        self.ephemeris.unrounded_orientation(self.phases)
     }
 
     /// Orientation before its conversion, angular velocity Ω in the body frame over a power of two, and the exponent of that power.
     #[inline(always)]
-    fn evaluated_with_rates(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
+    fn unrounded_with_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
         let [nutation, a, b] = self.phases;
-        let LocatedSegment { terms, point, .. } = self.ephemeris.locate(nutation);
-        orientation_and_rates(terms, point, [a, b], self.ephemeris.clock.rates)
+        let LocatedSegment { rows, point, .. } = self.ephemeris.segment_at(nutation);
+        orientation_and_omega_body(rows, point, [a, b], self.ephemeris.clock.rates)
     }
 
     /// Orientation before its conversion, and angular velocity Ω in the body frame.
     #[inline(always)]
     fn numbers_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
-        let (orientation, [x1, x2, _], exponent) = self.evaluated_with_rates();
+        let (orientation, [x1, x2, _], exponent) = self.unrounded_with_omega_body();
         let [.., axial] = self.ephemeris.clock.rates;
-        let rate = |number| R::Coefficient::rate(number, exponent);
-        (orientation, [rate(x1), rate(x2), axial])
+        (orientation, [x1.times_power_of_two(exponent), x2.times_power_of_two(exponent), axial])
     }
 
     /// Rate r' of the axis in the fixed frame.
     #[inline(always)]
     fn axis_rate(&self) -> Vector<R::Quantity> {
-        let (orientation, omega_body, exponent) = self.evaluated_with_rates();
-        orientation.axis_rate(omega_body).map(|rate| R::Coefficient::rate(rate, exponent))
+        let (orientation, omega_body, exponent) = self.unrounded_with_omega_body();
+        orientation.axis_rate(omega_body).map(|rate| rate.times_power_of_two(exponent))
     }
 }
 
 /// Segment that contains a nutation phase, and the place on it.
-struct LocatedSegment<'a, R: EphemerisScalar> {
-    /// Coefficients, lowest power first.
-    terms: &'a [[R::Coefficient; 4]],
+pub(super) struct LocatedSegment<'a, R: EphemerisScalar> {
+    /// Coefficients of each power, the lowest first.
+    pub(super) rows: &'a [[R::Coefficient; 4]],
     /// Index of the segment in the table.
-    index: usize,
-    point: SegmentPoint,
+    pub(super) index: usize,
+    pub(super) point: SegmentPoint,
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
@@ -195,22 +189,20 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         Sample::new(self, self.clock.at(n), self.clock.mean_tip(n))
     }
 
-    /// Sample of the motion t units of time after tick 0, with t taken as exact. A t that is not finite counts as 0.
+    /// Sample of the motion t units of time after tick 0. The t is taken as exact; one that is not finite counts as 0.
     ///
-    /// It equals [`EphemerisView::at_tick`] to the bit where t is a whole number of ticks and the tick rate a multiple of 1/2.
+    /// It equals [`EphemerisView::at_tick`] to the bit where t is a whole number of ticks and the tick rate a multiple of 1/2. It is slow beyond
+    /// 2^62 ticks, and where a phase turns by half a turn or more in a tick.
     #[inline(always)] // so that the mean tip angle is computed only where the caller uses it
     #[must_use]
     pub fn at(&self, t: f64) -> Sample<'_, R> {
-        match self.clock.instant(t) {
-            Some(instant) => {
-                let (phases, mean_tip) = self.clock.at_instant(instant);
-                Sample { ephemeris: self, phases, mean_tip }
-            }
+        match self.clock.at_time(t) {
+            Some((phases, mean_tip)) => Sample { ephemeris: self, phases, mean_tip },
             None => self.after(self.clock.ticks(t)),
         }
     }
 
-    /// Sample of the motion after any number of ticks.
+    /// Sample of the motion after a number of ticks without limit.
     #[cold]
     #[inline(never)]
     pub(crate) fn after(&self, ticks: Extended) -> Sample<'_, R> {
@@ -225,9 +217,16 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         (1_u64 << 63) as f64 / ticks_per_time
     }
 
+    /// Orientation before its conversion to the scalar, from the leading 64 bits of nutation phase, A and B.
+    #[inline(always)]
+    pub(super) fn unrounded_orientation(&self, [nutation, a, b]: [u64; 3]) -> Orientation<NumberOf<R>> {
+        let LocatedSegment { rows, point, .. } = self.segment_at(nutation);
+        orientation(rows, point, [a, b])
+    }
+
     /// Segment of a nutation phase, given by its 64 leading bits.
     #[inline(always)]
-    fn locate(&self, nutation: u64) -> LocatedSegment<'_, R> {
+    pub(super) fn segment_at(&self, nutation: u64) -> LocatedSegment<'_, R> {
         let falling = (nutation as i64) >> 63;
         // the fraction of half a period, and its 32 leading bits
         let half = (nutation ^ falling as u64) << 1;
@@ -239,18 +238,18 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         // the fraction of a segment of level 0, and its 32 leading bits
         let (eighth, short) = (half << LEVEL_0_BITS, (half >> (32 - LEVEL_0_BITS)) as u32);
         // the range [0, 1) becomes [-1, 1) by flipping the upper bit
-        let (x, short_x) = ((eighth << level) ^ (1 << 63), (short << level) ^ (1 << 31));
+        let (x64, x32) = ((eighth << level) ^ (1 << 63), (short << level) ^ (1 << 31));
         LocatedSegment {
-            terms: segment.map_or(&[], |segment| segment.as_ref()),
+            rows: segment.map_or(&[], |segment| segment.as_ref()),
             index,
-            point: SegmentPoint { x: x as i64, short_x: short_x as i32, level, mirrored: falling < 0 },
+            point: SegmentPoint { x64: x64 as i64, x32: x32 as i32, level, is_falling: falling < 0 },
         }
     }
 }
 
 /// Orientation in another type of number.
 #[inline(always)]
-fn converted<A: Copy, B>(orientation: &Orientation<A>, number: impl Fn(A) -> B) -> Orientation<B> {
+pub(super) fn map_parts<A: Copy, B>(orientation: &Orientation<A>, number: impl Fn(A) -> B) -> Orientation<B> {
     let parts = |z: Complex<A>| Complex::new(number(z.re), number(z.im));
     Orientation { alpha: parts(orientation.alpha), beta: parts(orientation.beta) }
 }

@@ -1,21 +1,21 @@
-//! Tip angle: the sum of its mean, which is linear in time, and of a periodic part from the table.
+//! Tip angle: its mean, which is linear in time, plus a periodic part from the table.
 //!
-//! While u rises, the periodic part is the argument of the tabulated ab; while u falls, it is its negative. ab may wind around 0 many
-//! times, so its crossings of the negative real axis are counted at the centres of the segments. All scalars are evaluated in `f64`.
+//! The periodic part is the argument of the tabulated ab while u rises, and its negative while u falls. As ab may wind around 0 many times, its
+//! crossings of the negative real axis are counted at the centres of the segments. Every scalar is evaluated in `f64`.
 
 use crate::complex::Complex;
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::table::clock::Clock;
-use crate::table::ephemeris::EphemerisView;
-use crate::table::sample::Sample;
-use crate::table::scalar::{Coefficient, EphemerisScalar};
+use crate::table::data::Clock;
+use crate::table::data::EphemerisView;
+use crate::table::evaluation::{Coefficient, EphemerisScalar};
+use crate::table::read::sample::Sample;
 
 impl<R: EphemerisScalar> Sample<'_, R> {
-    /// Tip angle φ = arg c, continuous in time from φ(0) in (-1/2, 1/2] turn, whole turns included (modulo 2^32
-    /// turns); `None` where the axis is vertical at all times. Error: that of the orientation over 2|αβ|.
+    /// Tip angle φ = arg c with whole turns (modulo 2^32), continuous in time from φ(0) in (-1/2, 1/2] turn; `None` where the axis is
+    /// vertical at all times. Error: that of the orientation over 2|αβ|.
     ///
-    /// Where the curve passes through the centre, φ is smooth and the radius changes sign: c = ±ρ e^{iφ}. Cost: an arctangent, and a
+    /// Where the curve passes through the centre, φ is smooth and the radius changes its sign: c = ±ρ e^{iφ}. The cost is an arctangent, and a
     /// complex product for every segment from u = e₁ to the sample.
     #[must_use]
     pub fn tip_angle(&self) -> Option<Phase> {
@@ -25,7 +25,10 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     /// Tip angle, if it exists.
     pub(crate) fn tip_angle_unchecked(&self) -> Phase {
         let [nutation, ..] = self.phases;
-        self.mean_tip + self.ephemeris.periodic_tip_angle(nutation)
+        let ephemeris = self.ephemeris;
+        self.mean_tip
+            + ephemeris.passage_angle(nutation)
+            + ephemeris.tabulated_tip_angle(nutation, &mut || {})
     }
 }
 
@@ -35,11 +38,6 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     pub fn mean_tip_angle_rate(&self) -> f64 {
         let [ticks_per_time, _] = self.clock.ticks_per_time;
         self.clock.tip_turn().to_f64() * ticks_per_time
-    }
-
-    /// Periodic part of the tip angle at a nutation phase, given by its 64 leading bits.
-    fn periodic_tip_angle(&self, nutation: u64) -> Phase {
-        self.signed_part(nutation) + self.tabulated_tip_angle(nutation, &mut || {})
     }
 
     /// Sets the mean tip angle so that the tip angle at the launch is the argument of c in (-1/2, 1/2] turn.
@@ -56,43 +54,46 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let [nutation, a, b] = start;
         let nutation = nutation.fraction();
         let Clock { tip_quarter, tip_passes, .. } = self.clock;
-        let quarter_turn = Phase::QUARTER * tip_quarter.into();
+        let quarter_turn = Phase::QUARTER * i64::from(tip_quarter);
         let tabulated = self.tabulated_tip_angle(nutation, pause);
         // whole turns from the table, and the rest from the motion, because near the centre the table's angle is inexact
         let argument = motion.tip_angle_at_start();
         let exact = argument - a - b - if is_falling(nutation) { -quarter_turn } else { quarter_turn };
         let off = exact - tabulated;
-        // where the curve passes through the centre, the radius has a sign, which half a turn of the angle changes
-        let off =
-            if tip_quarter != 0 || tip_passes != 0 { half_turn_remainder(off) } else { off.principal() };
-        let at_launch = argument - self.signed_part(nutation) - tabulated - off;
+        // modulo half a turn where the curve passes through the centre, because the radius then has a sign
+        let off = if tip_quarter != 0 || tip_passes != 0 {
+            Phase::from_bits((off * 2).principal().to_bits() >> 1)
+        } else {
+            off.principal()
+        };
+        let at_launch = argument - self.passage_angle(nutation) - tabulated - off;
         self.clock.tip_start = (at_launch - self.clock.tip_turn() * epoch).words();
     }
 
     /// Half a turn per period for each parameter that passes through 0.
-    fn signed_part(&self, nutation: u64) -> Phase {
-        Phase::from_bits(i128::from(nutation as i64) << 31) * self.clock.tip_passes.into()
+    fn passage_angle(&self, nutation: u64) -> Phase {
+        Phase::from_bits(i128::from(nutation as i64) << 31) * i64::from(self.clock.tip_passes)
     }
 
-    /// Argument of the tabulated ab at a nutation phase, continued from u = e₁ through the centres of all segments before. Near 0 it is the
-    /// direction of the motion from 0 or to 0. `pause` is called after every sixteen segments, and before the polynomials are evaluated.
+    /// Argument of the tabulated ab at a nutation phase, continued from u = e₁ through the centres of all segments before. Where ab is near 0,
+    /// the direction from 0 or to 0 replaces it.
     fn tabulated_tip_angle(&self, nutation: u64, pause: &mut dyn FnMut()) -> Phase {
         const SEGMENTS: usize = 16;
-        let found = self.locate(nutation);
-        let mut winding = Winding::START;
+        let found = self.segment_at(nutation);
+        let mut winding = Winding::ZERO;
         for (index, segment) in self.segments.iter().enumerate().take(found.index + 1) {
             let [centre, ..] = segment.as_ref() else { continue };
-            let [a, b] = complex(centre.map(|coefficient| coefficient.value(0)));
-            winding.reach(self.rotated_back(a * b));
+            let [a, b] = complex(centre.map(|coefficient| coefficient.to_f64(0)));
+            winding.continue_to(self.relative_to_start(a * b));
             if index % SEGMENTS == SEGMENTS - 1 {
                 pause();
             }
         }
         pause();
-        let x = found.point.x as f64 / (1_u64 << 63) as f64;
+        let x = found.point.x64 as f64 / (1_u64 << 63) as f64;
         let [mut a, mut b, mut a_slope, mut b_slope] = [Complex::ZERO; 4];
-        for (power, row) in found.terms.iter().enumerate().rev() {
-            let [a_term, b_term] = complex(row.map(|c| c.value(power)));
+        for (power, row) in found.rows.iter().enumerate().rev() {
+            let [a_term, b_term] = complex(row.map(|c| c.to_f64(power)));
             (a_slope, b_slope) = (a_slope.scaled(x) + a, b_slope.scaled(x) + b);
             (a, b) = (a.scaled(x) + a_term, b.scaled(x) + b_term);
         }
@@ -104,12 +105,12 @@ impl<R: EphemerisScalar> EphemerisView<R> {
             (true, true) => change,
             (true, false) => -change,
         };
-        winding.reach(self.rotated_back(direction));
+        winding.continue_to(self.relative_to_start(direction));
         winding.angle_on(nutation)
     }
 
     /// Product ab, turned so that at u = e₁ it leaves along the positive real axis.
-    fn rotated_back(&self, product: Complex<f64>) -> Complex<f64> {
+    fn relative_to_start(&self, product: Complex<f64>) -> Complex<f64> {
         match self.clock.tip_quarter {
             0 => product,
             1.. => -product.times_i(),
@@ -123,20 +124,15 @@ fn complex([re_alpha, im_alpha, re_beta, im_beta]: [f64; 4]) -> [Complex<f64>; 2
     [Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)]
 }
 
-/// Value of |αβ|, in roundings of the scalar, below which its argument counts as unknown.
+/// Value of |αβ|, in roundings of the scalar, below which its argument is unknown.
 const LEAST_MODULUS: f64 = 64.0;
-
-/// Difference of a phase and the nearest multiple of half a turn.
-fn half_turn_remainder(phase: Phase) -> Phase {
-    Phase::from_bits((phase * 2).principal().to_bits() >> 1)
-}
 
 /// Whether u falls at a nutation phase.
 fn is_falling(nutation: u64) -> bool {
     (nutation as i64) < 0
 }
 
-/// Argument of a complex number that moves by less than half a turn at a time, continued from 0.
+/// Argument of a complex number that turns by less than half a turn at a time, continued from 0.
 #[derive(Clone, Copy, Debug)]
 struct Winding {
     z: Complex<f64>,
@@ -144,10 +140,10 @@ struct Winding {
 }
 
 impl Winding {
-    const START: Self = Self { z: Complex::new(1.0, 0.0), turns: 0 };
+    const ZERO: Self = Self { z: Complex::new(1.0, 0.0), turns: 0 };
 
-    /// Continues the argument to z; z = 0 has no argument and changes nothing.
-    fn reach(&mut self, z: Complex<f64>) {
+    /// Continues the argument to z; 0 has no argument and changes nothing.
+    fn continue_to(&mut self, z: Complex<f64>) {
         if z == Complex::ZERO {
             return;
         }
@@ -160,7 +156,7 @@ impl Winding {
         self.z = z;
     }
 
-    /// Argument at this nutation phase: the negative one on the second half of the period.
+    /// Argument at this nutation phase, negative where u falls.
     fn angle_on(&self, nutation: u64) -> Phase {
         let angle = Phase::from_radians(self.z.arg()) + Phase::ONE * self.turns;
         if is_falling(nutation) { -angle } else { angle }
@@ -174,10 +170,10 @@ mod tests {
     #[test]
     fn an_argument_is_continued_through_any_number_of_turns() {
         for sense in [1.0, -1.0] {
-            let mut winding = Winding::START;
+            let mut winding = Winding::ZERO;
             for step in 1..40 {
                 let angle = sense * 0.9 * f64::from(step);
-                winding.reach(Complex::new(angle.cos(), angle.sin()));
+                winding.continue_to(Complex::new(angle.cos(), angle.sin()));
                 assert!((winding.angle_on(0).to_radians() - angle).abs() < 1e-12, "{angle}");
             }
         }

@@ -1,18 +1,15 @@
-//! Ephemeris of one motion: clock, error bound, cells and segments.
+//! Table of one motion, and the memory for it.
 
-use crate::scalar::{Float, short_float};
-use crate::table::build::bound::ErrorBound;
-use crate::table::cell::{CELLS, Cell, SEGMENTS_AT_LEVEL_0};
-use crate::table::clock::Clock;
-use crate::table::scalar::{Coefficient, EphemerisScalar};
-use crate::table::series::TERMS;
+use crate::table::data::cell::{CELLS, Cell, SEGMENTS_AT_LEVEL_0};
+use crate::table::data::{Clock, ErrorBound};
+use crate::table::evaluation::EphemerisScalar;
 use core::borrow::Borrow;
 use core::ops::{Deref, DerefMut};
 
 /// Ephemeris of one motion with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.
 ///
-/// It dereferences to an [`EphemerisView`], which any number of readers share. Size: 4 · SEGMENTS · [`EphemerisScalar::TERMS`]
-/// coefficients and about 300 bytes.
+/// It dereferences to an [`EphemerisView`], which has its methods and which any number of readers share. Size: 4 · SEGMENTS ·
+/// [`EphemerisScalar::TERMS`] coefficients and about 300 bytes.
 ///
 /// ```
 /// use toytop::{EphemerisF32, Motion, Release, State, Tick, Top, TopParameters};
@@ -34,8 +31,9 @@ use core::ops::{Deref, DerefMut};
 /// ```
 pub type Ephemeris<R, const SEGMENTS: usize> = EphemerisView<R, [<R as EphemerisScalar>::Segment; SEGMENTS]>;
 
-/// Ephemeris of any capacity behind a reference, `&EphemerisView<f32>`: the argument type of all readers. With an array of segments in
-/// place of the slice it is an [`Ephemeris`].
+/// Ephemeris without its capacity in the type. Readers take an `&EphemerisView<f32>`.
+///
+/// The parameter S is the type of the segments: a slice, or the array of an [`Ephemeris`].
 #[derive(Debug, PartialEq)]
 #[repr(C)] // the increments lie first, within the short address range of the smallest chip's load instructions
 pub struct EphemerisView<R: EphemerisScalar, S: ?Sized = [<R as EphemerisScalar>::Segment]> {
@@ -62,13 +60,13 @@ pub type EphemerisQ31 = Ephemeris<fixed::types::I2F30, 32>;
 pub type EphemerisQ15 = Ephemeris<fixed::types::I2F14, 16>;
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
-    /// Memory of a table. All its bits are 0, so that it takes no flash.
+    /// Table before set-up. All its bits are 0, so that it takes no flash.
     const EMPTY: Self = {
         assert!(SEGMENTS >= SEGMENTS_AT_LEVEL_0 && SEGMENTS <= Cell::MOST_SEGMENTS);
         Self {
-            clock: Clock::STOPPED,
-            error_bound: ErrorBound::NONE,
-            rate_error_bound: ErrorBound::NONE,
+            clock: Clock::ZERO,
+            error_bound: ErrorBound::ZERO,
+            rate_error_bound: ErrorBound::ZERO,
             cells: [0; CELLS],
             segments: [R::ZERO_SEGMENT; SEGMENTS],
         }
@@ -91,7 +89,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Borrow<EphemerisView<R>> for Eph
     }
 }
 
-/// Memory of a table, for a static: `EphemerisMemory<EphemerisF32>`.
+/// Memory of a table, which a static may hold: `EphemerisMemory<EphemerisF32>`. The table cannot be read before its set-up.
 #[derive(Debug)]
 #[repr(C)] // the C interface reads it by its address
 pub struct EphemerisMemory<T: ?Sized> {
@@ -136,7 +134,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> DerefMut for EphemerisMemory<Eph
     }
 }
 
-/// Table that was set up, with the exclusive use of its memory.
+/// Exclusive reference to a table that is set up.
 #[derive(Debug)]
 pub struct ReadyEphemeris<'a, R: EphemerisScalar>(pub(crate) &'a mut EphemerisMemory<EphemerisView<R>>);
 
@@ -164,7 +162,7 @@ impl<R: EphemerisScalar> Deref for ReadyEphemeris<'_, R> {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Number of segments that the memory can hold.
+    /// Largest number of segments.
     #[must_use]
     pub fn capacity(&self) -> usize {
         self.segments.len()
@@ -200,7 +198,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.error_bound.after(self.ticks_from_launch(tick))
     }
 
-    /// Upper bound on |Δω|, |ΔΩ| and |Δu'|, rad per unit time, and on the error of the tip's velocity over s (1 for a fixed tip).
+    /// Upper bound on |Δω|, |ΔΩ| and |Δu'|, rad per unit time. The error of the tip's velocity is at most s times as large.
     #[must_use]
     pub fn rate_error_bound(&self) -> ErrorBound {
         self.rate_error_bound
@@ -217,39 +215,6 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     }
 }
 
-/// Stores a polynomial in two columns of a segment, if the table contains it. Returns the error of the orientation by short products and
-/// coefficients out of range, and that of the derivative by rounding, in units of 2^-62 rad.
-pub(crate) fn store_polynomial<R: EphemerisScalar>(
-    segments: &mut [R::Segment],
-    segment: usize,
-    column: usize,
-    parts: [&[i64; TERMS]; 2],
-) -> [f32; 2] {
-    let place = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
-    let (mut largest, mut slope_squares) = (0.0, 0.0);
-    for (column, part) in (column..).zip(parts) {
-        let part = part.get(..R::TERMS).unwrap_or(part);
-        // Σ k |error of c_k|
-        let (mut errors, mut slope_error) = (0_u64, 0_u64);
-        for (power, (four, &value)) in place.iter_mut().zip(part).enumerate().rev() {
-            if let Some(held) = four.get_mut(column) {
-                let (coefficient, error) = R::Coefficient::nearest(value, power);
-                *held = coefficient;
-                if power > 0 {
-                    errors = errors.saturating_add(error.unsigned_abs());
-                    slope_error = slope_error.saturating_add(errors);
-                }
-            }
-        }
-        let error = R::Coefficient::error(part);
-        largest = if error > largest { error } else { largest };
-        let slope_error = short_float(slope_error);
-        slope_squares += slope_error * slope_error;
-    }
-    [4.0 * largest, Float::sqrt(slope_squares)]
-}
-
-/// Capacity and error bound, not the table.
 #[cfg(feature = "defmt")]
 impl<R: EphemerisScalar, const SEGMENTS: usize> defmt::Format for Ephemeris<R, SEGMENTS> {
     fn format(&self, f: defmt::Formatter<'_>) {

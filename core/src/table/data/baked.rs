@@ -1,24 +1,23 @@
-//! Baked ephemeris: an ephemeris as literal data, set up on a host and compiled into the flash of a chip.
+//! Baked table: an ephemeris as literal data, set up on a host and compiled into the flash of a chip.
 
 mod crc32;
 mod range;
 
 use core::fmt;
 
-use crate::table::build::bound::ErrorBound;
-use crate::table::cell::CELLS;
-use crate::table::clock::Clock;
-use crate::table::ephemeris::{Ephemeris, EphemerisView};
-use crate::table::scalar::EphemerisScalar;
+use crate::table::data::Clock;
+use crate::table::data::ErrorBound;
+use crate::table::data::cell::CELLS;
+use crate::table::data::ephemeris::{Ephemeris, EphemerisView};
+use crate::table::evaluation::EphemerisScalar;
 use crc32::Crc32;
 
 /// Version of the format.
 const FORMAT: u32 = 7;
 
-/// Fields of an [`Ephemeris`] as plain numbers, which a program writes as source text and the compiler reads: `toytop bake SCENARIO`.
+/// Fields of an [`Ephemeris`] as plain numbers, as `toytop bake SCENARIO` writes them. `core/docs/table_format.md` specifies every field.
 ///
-/// Changed data, and numbers that would overflow in a tick, are refused: in a constant, by a compile error.
-/// `core/docs/table_format.md` specifies every field.
+/// Changed data, and numbers that would overflow in a tick, are refused; in a constant they do not compile.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
     /// Version of the format: [`Baked::FORMAT`].
@@ -37,17 +36,17 @@ pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
     pub segments: [R::Segment; SEGMENTS],
 }
 
-/// Reason why literal data are refused.
+/// Reason why a baked table is refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum BakedError {
-    /// Field `format`: the data were written by another version.
+    /// The data have another version of the format.
     Format {
         /// Version found.
         found: u32,
     },
-    /// Field `crc32`: the checksum does not match the data.
+    /// The checksum does not match the data.
     Checksum {
         /// Checksum in the data.
         stated: u32,
@@ -94,12 +93,6 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Baked<R, SEGMENTS> {
     }
 }
 
-impl ErrorBound {
-    const fn numbers(self) -> [f64; 2] {
-        [self.constant, self.per_tick]
-    }
-}
-
 impl<R: EphemerisScalar> EphemerisView<R> {
     /// Checksum of the fields whose type does not depend on the scalar.
     const fn crc32_of_head(&self) -> Crc32 {
@@ -126,18 +119,18 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     }
 }
 
-/// Functions that must be `const`, which a trait cannot declare; the macro defines them for each scalar.
+/// Functions of each scalar. They are `const`, which a trait cannot declare.
 macro_rules! baked {
     ($scalar:ty, $wide:ident, $coefficient:ident) => {
         impl EphemerisView<$scalar> {
             /// Checksum of the table, as in table data.
             #[must_use]
             pub const fn crc32(&self) -> u32 {
-                let head = self.crc32_of_head().$wide(&[self.clock.tip_scale]).$wide(&self.clock.rates);
+                let head = self.crc32_of_head().$wide(&[self.clock.twice_tip_scale]).$wide(&self.clock.rates);
                 head.$coefficient(self.segments.as_flattened().as_flattened()).value()
             }
 
-            /// Name of the first field with a number that a tick cannot compute with.
+            /// First field with a number out of range.
             const fn out_of_range(&self) -> Option<&'static str> {
                 let mut segments = &self.segments;
                 while let [segment, rest @ ..] = segments
@@ -150,7 +143,7 @@ macro_rules! baked {
                     ("ticks_per_time", range::finite(&self.clock.ticks_per_time)),
                     ("error_bound", range::finite(&self.error_bound.numbers())),
                     ("rate_error_bound", range::finite(&self.rate_error_bound.numbers())),
-                    ("tip_scale", range::$wide(&[self.clock.tip_scale])),
+                    ("twice_tip_scale", range::$wide(&[self.clock.twice_tip_scale])),
                     ("rates", range::$wide(&self.clock.rates)),
                     ("segments", segments.is_empty()),
                 ];
@@ -166,18 +159,10 @@ macro_rules! baked {
         }
 
         impl<const SEGMENTS: usize> Baked<$scalar, SEGMENTS> {
-            /// Checksum of the data, which may differ from the field `crc32`.
-            #[must_use]
-            pub const fn computed_crc32(&self) -> u32 {
-                let table: &EphemerisView<$scalar> = &self.unchecked();
-                table.crc32()
-            }
-
-            /// Ephemeris of these data, copied. It is meant for constants.
+            /// Ephemeris of these data, for a constant.
             ///
             /// # Errors
-            /// [`BakedError`]: the data have another format, were changed, or contain numbers that a tick cannot
-            /// compute with.
+            /// [`BakedError`]
             pub const fn ephemeris(&self) -> Result<Ephemeris<$scalar, SEGMENTS>, BakedError> {
                 if self.format != FORMAT {
                     return Err(BakedError::Format { found: self.format });
@@ -196,7 +181,7 @@ macro_rules! baked {
         }
 
         impl<const SEGMENTS: usize> Ephemeris<$scalar, SEGMENTS> {
-            /// Literal data of the ephemeris, too large for the stack of a chip.
+            /// Literal data of the ephemeris. They may be too large for the stack of a chip.
             #[must_use]
             pub fn to_baked(&self) -> Baked<$scalar, SEGMENTS> {
                 Baked {

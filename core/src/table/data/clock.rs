@@ -5,8 +5,7 @@ use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::phase::{Phase, PhaseFraction, integer_parts, shifted};
 use crate::scalar::{Extended, Float};
-use crate::table::build::MeanRates;
-use crate::table::cell::SEGMENTS_AT_LEVEL_0;
+use crate::table::data::cell::SEGMENTS_AT_LEVEL_0;
 
 /// Tick length as an exact fraction of a second (of the motion's unit of time).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,34 +52,34 @@ fn quotient(a: u32, b: u32) -> Extended {
     Extended::from(f64::from(a)) / Extended::from(f64::from(b))
 }
 
-/// Phases and their increments per tick, and the scales of lengths and rates, as plain numbers: see `core/docs/table_format.md`.
+/// Phases, their increments per tick, and the scales of lengths and rates: see `core/docs/table_format.md`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)] // the increments lie first, within the short address range of the smallest chip's load instructions
 pub struct Clock<W> {
     /// Increments per tick of nutation phase, A and B, in units of 2^-96 turns, the least significant word first.
     pub step: [[u32; 3]; 3],
-    /// Quarter turns of the argument of the tabulated ab at u = e₁: 0; 1 or -1 where e₁ = -1.
+    /// Argument of the tabulated ab at u = e₁ in quarter turns: 0, or ±1 for e₁ = -1.
     pub tip_quarter: i8,
-    /// Number of the parameters α and β that pass through 0: 0, 1 or 2.
+    /// Number of the parameters α and β that pass through 0.
     pub tip_passes: u8,
-    /// Whether the tip angle exists; false where the axis is vertical at all times.
+    /// Whether the tip angle exists: false where the axis is vertical at all times.
     pub tip_exists: bool,
-    /// Whether u has turning points; false where u is constant to 2^-49.
+    /// Whether u has turning points: false where u is constant to 2^-49.
     pub has_turning_points: bool,
-    /// Scale 2 s of the tip curve, m, twice [`Top::tip_scale`](crate::Top::tip_scale); 2 for a fixed tip.
-    pub tip_scale: W,
-    /// Three rates: dx/dt on a segment of an eighth of half a period, per unit time; the mean rate of A + B, rad per unit time; the axial
-    /// component (n - K)/C of the angular velocity, rad per unit time.
+    /// Twice [`Top::tip_scale`](crate::Top::tip_scale), 2 s, m; 2 for a fixed tip. The tip is at c = 2 s αβ.
+    pub twice_tip_scale: W,
+    /// Rates per unit time: dx/dt on a segment of an eighth of half a period; the mean rate of A + B, rad; the axial angular velocity
+    /// (n - K)/C, rad.
     pub rates: [W; 3],
     /// Nutation phase, A and B at tick `i64::MIN`, in units of 2^-64 turns.
     pub first: [u64; 3],
-    /// Increments in turns, whole turns included, each as the sum of two `f64`.
+    /// Increments per tick in turns, whole turns included, each as the sum of two `f64`.
     pub exact_step: [[f64; 2]; 3],
     /// Number of ticks in a unit of time, as the sum of two `f64`.
     pub ticks_per_time: [f64; 2],
     /// Mean tip angle at tick 0, whole turns included, in units of 2^-96 turns, the least significant word first.
     pub tip_start: [u32; 4],
-    /// Increment of the mean tip angle per tick, in the same units.
+    /// Increment of the mean tip angle per tick, in units of 2^-96 turns.
     pub tip_step: [u32; 4],
     /// Tick of the launch, from which the error bounds grow.
     pub epoch: i64,
@@ -88,13 +87,13 @@ pub struct Clock<W> {
 
 impl<W: Float> Clock<W> {
     /// Clock before set-up.
-    pub(crate) const STOPPED: Self = Self {
+    pub(crate) const ZERO: Self = Self {
         step: [[0; 3]; 3],
         tip_quarter: 0,
         tip_passes: 0,
         tip_exists: false,
         has_turning_points: false,
-        tip_scale: W::ZERO,
+        twice_tip_scale: W::ZERO,
         rates: [W::ZERO; 3],
         first: [0; 3],
         exact_step: [[0.0; 2]; 3],
@@ -104,30 +103,40 @@ impl<W: Float> Clock<W> {
         epoch: 0,
     };
 
-    /// Clock of a motion that is launched at tick `epoch`; [`Clock::tip_start`] is not set yet.
-    pub(crate) fn new(motion: &Motion, tick: Tick, epoch: i64, rates: &MeanRates, start: [Phase; 3]) -> Self {
+    /// Clock of a motion that is launched at tick `epoch`, without [`Clock::tip_start`].
+    ///
+    /// * `turns`: nutation frequency and mean rates of A and B, turns per unit time
+    /// * `start`: nutation phase, A and B at the launch
+    pub(crate) fn new(
+        motion: &Motion,
+        tick: Tick,
+        epoch: i64,
+        turns: [Extended; 3],
+        start: [Phase; 3],
+    ) -> Self {
         let length = tick.length();
-        let exact_step = rates.turns.map(|turns| turns * length);
-        let [frequency, alpha, beta] = rates.turns;
+        let exact_step = turns.map(|turns| turns * length);
+        let [frequency, alpha, beta] = turns;
         let mean = ((alpha + beta) * Extended::TWO_PI).to_f64();
         // x changes by 2 over each segment
         let x_rate = 4.0 * SEGMENTS_AT_LEVEL_0 as f64 * frequency.to_f64();
         // not a product of `i128`, which LLVM 22 compiles to a wrong one for RISC-V where the epoch is known
         let ticks = epoch.wrapping_sub(i64::MIN) as u64;
-        let mut first = [0; 3];
-        for ((first, start), step) in first.iter_mut().zip(start).zip(exact_step) {
-            let before = PhaseFraction::from_phase(step.to_phase()).times(ticks);
-            *first = PhaseFraction::from_phase(start).minus(before).leading();
+        let (mut first, mut step) = ([0; 3], [[0; 3]; 3]);
+        for (((first, words), start), turns) in first.iter_mut().zip(&mut step).zip(start).zip(exact_step) {
+            let step = PhaseFraction::from_phase(turns.to_phase());
+            *words = step.words();
+            *first = PhaseFraction::from_phase(start).minus(step.times(ticks)).leading();
         }
         let [alpha_winding, beta_winding] = motion.windings();
         let tip_passes = u8::from(alpha_winding == 0) + u8::from(beta_winding == 0);
         Self {
-            step: exact_step.map(|step| PhaseFraction::from_phase(step.to_phase()).words()),
+            step,
             tip_quarter: if alpha_winding == 0 { motion.signs().l_plus_n.factor() as i8 } else { 0 },
             tip_passes,
             tip_exists: !motion.regime().is_vertical(),
             has_turning_points: motion.regime() == Regime::Nutating,
-            tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
+            twice_tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
             rates: [x_rate, mean, motion.axial_rate()].map(W::from_f64),
             first,
             exact_step: exact_step.map(Extended::parts),
@@ -157,39 +166,37 @@ impl<W> Clock<W> {
         Extended::sum(hi, lo)
     }
 
-    /// Number of ticks until a time; a time that is not finite counts as 0.
+    /// Number of ticks until a time. A time that is not finite counts as 0.
     pub(crate) fn ticks(&self, t: f64) -> Extended {
         self.tick_rate() * if t.is_finite() { t } else { 0.0 }.into()
     }
 
-    /// Last tick before a time, and the time since that tick in units of 2^-64 ticks; `None` beyond 2^62 ticks,
-    /// or if a phase turns by half a turn or more in a tick. A time that is not finite counts as 0.
+    /// Leading 64 bits of nutation phase, A and B, and the mean tip angle, at a time. A time that is not finite counts as 0.
+    ///
+    /// `None` beyond 2^62 ticks, and for fast ticks, in which a phase turns by half a turn or more.
     #[inline(always)]
-    pub(crate) fn instant(&self, t: f64) -> Option<(i64, u64)> {
+    pub(crate) fn at_time(&self, t: f64) -> Option<([u64; 3], Phase)> {
         const MOST_TICKS: f64 = (1_u64 << 62) as f64;
         let [hi, lo] = self.ticks_per_time;
-        let (time, exponent) = integer_parts(t);
         let near = (t * hi).abs() < MOST_TICKS || !t.is_finite();
-        let exact = self.exact_step.iter().all(|[turns, _]| turns.abs() < 0.5);
-        (near && exact).then(|| {
-            let product = |rate: f64| {
-                let (rate, rate_exponent) = integer_parts(rate);
-                shifted(i128::from(time) * i128::from(rate), exponent + rate_exponent + 64)
-            };
-            let ticks = if lo == 0.0 { product(hi) } else { product(hi).wrapping_add(product(lo)) };
-            ((ticks >> 64) as i64, ticks as u64)
-        })
-    }
-
-    /// Leading 64 bits of nutation phase, A and B, and the mean tip angle, at an instant.
-    #[inline(always)]
-    pub(crate) fn at_instant(&self, (tick, share): (i64, u64)) -> ([u64; 3], Phase) {
+        let slow = self.exact_step.iter().all(|[turns, _]| turns.abs() < 0.5);
+        if !(near && slow) {
+            return None;
+        }
+        let (time, exponent) = integer_parts(t);
+        let product = |rate: f64| {
+            let (rate, rate_exponent) = integer_parts(rate);
+            shifted(i128::from(time) * i128::from(rate), exponent + rate_exponent + 64)
+        };
+        // in units of 2^-64 ticks
+        let ticks = if lo == 0.0 { product(hi) } else { product(hi).wrapping_add(product(lo)) };
+        let (tick, fraction) = ((ticks >> 64) as i64, ticks as u64);
         let since_first = tick.wrapping_sub(i64::MIN) as u64;
         let ([nutation, a, b], [nutation_step, a_step, b_step]) = (self.first, self.steps());
         let after =
-            |first: u64, step: PhaseFraction| first.wrapping_add(step.leading_after(since_first, share));
+            |first: u64, step: PhaseFraction| first.wrapping_add(step.leading_after(since_first, fraction));
         let phases = [after(nutation, nutation_step), after(a, a_step), after(b, b_step)];
-        (phases, self.mean_tip(tick) + self.tip_turn().share(share))
+        Some((phases, self.mean_tip(tick) + self.tip_turn().share(fraction)))
     }
 
     /// Nutation phase, A and B at tick n.
@@ -208,16 +215,16 @@ impl<W> Clock<W> {
     #[cold]
     #[inline(never)]
     pub(crate) fn after(&self, ticks: Extended) -> ([PhaseFraction; 3], Phase) {
-        let (ticks, share) = ticks.floor_and_rest();
+        let (ticks, fraction) = ticks.floor_and_rest();
         let since_first = ticks.wrapping_sub(i64::MIN.into());
         let turned = |step: Phase, ticks: i128| Phase::from_bits(step.to_bits().wrapping_mul(ticks));
         let mut phases = self.steps();
         for ((phase, exact), first) in phases.iter_mut().zip(self.exact_steps()).zip(self.first) {
-            let part = (exact * share).to_phase();
+            let part = (exact * fraction).to_phase();
             *phase =
                 PhaseFraction::from_phase(turned(phase.to_phase(), since_first) + part).plus_leading(first);
         }
-        let part = (exact_tip_step(self.exact_steps(), self.tip_passes) * share).to_phase();
+        let part = (exact_tip_step(self.exact_steps(), self.tip_passes) * fraction).to_phase();
         (phases, Phase::from_words(self.tip_start) + turned(self.tip_turn(), ticks) + part)
     }
 
@@ -234,8 +241,7 @@ impl<W> Clock<W> {
     }
 }
 
-/// Increment of the mean tip angle per tick, in turns. A and B include half a turn per period for a parameter that passes through 0; the
-/// tip angle does not.
+/// Increment of the mean tip angle per tick, in turns. Unlike A and B it has no half turn per period for a parameter that passes through 0.
 fn exact_tip_step([nutation, a, b]: [Extended; 3], passes: u8) -> Extended {
     a + b - nutation * Extended::from(0.5 * f64::from(passes))
 }

@@ -1,0 +1,205 @@
+//! Expansion of the motion around a point of its path, in y = x/4. One unit of x is half a span, and x is at most 3.
+//!
+//! Quantities at the point have the index 0. The variations in Greek letters are power series in y.
+//!
+//! ```text
+//! v = cos²χ - cos²χ₀
+//! D        = D₀ (1 + δ)             δ = 2 c (u₀ v) - c e v²     with e = e₂ - e₁ and c = s e/D₀
+//! e₃ - u   = (e₃ - u₀) (1 + η)      η = e/(e₃ - u₀) v
+//! dχ/dy    = (dχ/dy)₀ (1 + ξ)       (1 + ξ)² (1 + δ) = 1 + η
+//! D dχ/dy  = D₀ (dχ/dy)₀ (1 + μ)    1 + μ = (1 + ξ) (1 + δ)
+//! ```
+//!
+//! The rate of a slow phase is a linear function of v divided by a combination of D and D dχ/dy:
+//!
+//! ```text
+//! dψ/dy = (dψ/dy)₀ + π              (1 + κ) ((dψ/dy)₀ + π) = (dψ/dy)₀ + a v,    κ = b δ + d μ
+//! ```
+//!
+//! Each coefficient follows from those before. A residual phase is ψ minus its mean rotation, which changes only (dψ/dy)₀.
+
+mod recurrence;
+
+mod parameters;
+
+use super::series::sine::{FRACTION, sine_cosine};
+use super::series::{MOST_TERMS, PowerSeries, integrated};
+use crate::phase::Phase;
+use crate::scalar::{Float, Scalar, power_of_two, short_power_of_two};
+
+pub(super) use parameters::ParameterSeries;
+
+/// Larger of two numbers, or NaN if one of them is NaN.
+pub(super) fn larger_or_nan<F: Float>(a: F, b: F) -> F {
+    if b <= a || a.partial_cmp(&a).is_none() { a } else { b }
+}
+
+/// Largest rounding error of a coefficient, in units of its series.
+const NOISE: i64 = 4;
+
+/// Rate of a phase along y: `at_origin` + `scale` · `variation`.
+#[derive(Debug)]
+struct RateSeries {
+    at_origin: f64,
+    /// 1, or for χ the rate at the origin.
+    scale: f64,
+    variation: PowerSeries,
+}
+
+impl RateSeries {
+    const ZERO: Self = Self { at_origin: 0.0, scale: 0.0, variation: PowerSeries::ZERO };
+
+    /// Rate at y in [-1, 1].
+    fn value(&self, y: f64, terms: usize) -> f64 {
+        self.at_origin + y * (self.variation.sum(y, terms, |c, _| c) * self.scale)
+    }
+
+    /// Integral from 0 to y.
+    fn integral(&self, y: f64, terms: usize) -> f64 {
+        y * (self.at_origin + y * (self.variation.sum(y, terms, integrated) * self.scale))
+    }
+
+    /// Upper bound on the rate at y = `quarters`/4.
+    fn bound(&self, quarters: u32, terms: usize, noise: f32) -> f32 {
+        self.at_origin.abs() as f32 + self.variation.bound(quarters, terms, noise) * self.scale.abs() as f32
+    }
+
+    /// Magnitude of the k-th coefficient; 0 where it is a rounding error.
+    fn term(&self, k: usize, weight: f32) -> f32 {
+        let size = self.variation.coefficient(k).abs();
+        match k {
+            0 => (weight * self.at_origin as f32).abs(),
+            _ if size <= NOISE => 0.0,
+            _ => {
+                size as f32 * short_power_of_two(self.variation.exponent) * (weight * self.scale as f32).abs()
+            }
+        }
+    }
+}
+
+/// Phases at a point of the path. Steps add to them without rounding.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PathPhases {
+    pub(super) chi: Phase,
+    /// Residual phases of α and β: ψ_A and ψ_B minus their mean rotation.
+    pub(super) residual: [Phase; 2],
+}
+
+impl PathPhases {
+    pub(super) const ZERO: Self = Self { chi: Phase::ZERO, residual: [Phase::ZERO; 2] };
+
+    /// sin χ and cos χ. Error: below 2^-53, relative to the result near its zeros.
+    pub(super) fn sine_cosine(&self) -> (f64, f64) {
+        /// Least result of the integer arithmetic, which costs a chip a fifth of that in `f64`.
+        const LEAST: i64 = 1 << (FRACTION - 3);
+        let (sine, cosine) = sine_cosine(self.chi);
+        if sine.abs().min(cosine.abs()) < LEAST {
+            f64::sine_cosine(self.chi)
+        } else {
+            let number = |part: i64| part as f64 * power_of_two(-FRACTION);
+            (number(sine), number(cosine))
+        }
+    }
+}
+
+/// Point around which the motion is expanded, with derivatives by y. The pairs are those of α and β.
+pub(super) struct Origin {
+    pub(super) phases: PathPhases,
+    /// sin χ and cos χ.
+    pub(super) sine: f64,
+    pub(super) cosine: f64,
+    /// Time of y = 1.
+    pub(super) unit: f64,
+    pub(super) chi_rate: f64,
+    pub(super) psi_rates: [f64; 2],
+    pub(super) residual_rates: [f64; 2],
+    /// Weight of an error of χ over one of a residual phase, large where χ changes slowly.
+    pub(super) weight: f64,
+    /// Magnitude below which a term at x = 2 is negligible, rad.
+    pub(super) negligible: f64,
+}
+
+/// Expansion of the motion around a point.
+#[derive(Debug)]
+pub(super) struct Expansion {
+    origin: PathPhases,
+    chi: RateSeries,
+    residual: [RateSeries; 2],
+    /// Series κ of the two slow phases.
+    divisors: [PowerSeries; 2],
+    sine: PowerSeries,
+    cosine: PowerSeries,
+    /// Series v, δ and μ.
+    square: PowerSeries,
+    delta: PowerSeries,
+    momentum: PowerSeries,
+    weight: f32,
+    /// Sum of the magnitudes in the variation of dψ/dy.
+    psi_variation: f32,
+    /// Number of terms; 0 where the series do not converge.
+    terms: usize,
+}
+
+impl Expansion {
+    pub(super) const ZERO: Self = Self {
+        origin: PathPhases::ZERO,
+        chi: RateSeries::ZERO,
+        residual: [RateSeries::ZERO; 2],
+        divisors: [PowerSeries::ZERO; 2],
+        sine: PowerSeries::ZERO,
+        cosine: PowerSeries::ZERO,
+        square: PowerSeries::ZERO,
+        delta: PowerSeries::ZERO,
+        momentum: PowerSeries::ZERO,
+        weight: 0.0,
+        psi_variation: 0.0,
+        terms: 0,
+    };
+
+    /// Phases at x, and dχ/dx.
+    pub(super) fn at(&self, x: f64) -> (PathPhases, f64) {
+        let y = 0.25 * x;
+        let after =
+            |origin: Phase, rate: &RateSeries| origin + Phase::from_radians(rate.integral(y, self.terms));
+        let PathPhases { chi, mut residual } = self.origin;
+        residual.iter_mut().zip(&self.residual).for_each(|(phase, rate)| *phase = after(*phase, rate));
+        (PathPhases { chi: after(chi, &self.chi), residual }, 0.25 * self.chi.value(y, self.terms))
+    }
+
+    /// Upper bounds on the magnitudes of the terms of the changes of χ and of the residual phases at a whole x > 0, rad.
+    pub(super) fn step_magnitudes(&self, x: u32) -> [f32; 2] {
+        // a rounding error of the coefficients counts as the term of which it would be the rounding in f64
+        let noise = (NOISE as f64 / f64::ROUNDING) as f32;
+        let y = 0.25 * x as f32;
+        let size = |rate: &RateSeries| y * rate.bound(x, self.terms, noise);
+        let [alpha, beta] = self.residual.each_ref().map(size);
+        [size(&self.chi), larger_or_nan(alpha, beta) + y * self.psi_variation]
+    }
+
+    /// Whether the coefficients of an expansion over twice the distance should be in range.
+    pub(super) fn may_double(&self) -> bool {
+        /// Greatest relative change of dχ/dy at y = 1 by its first power.
+        const GREATEST_CHANGE: f32 = 1.25;
+        self.chi.term(1, 1.0) <= GREATEST_CHANGE * self.chi.term(0, 1.0)
+    }
+
+    /// Upper bound on the rates of the residual phases by x in [-1, 1], without the truncation error.
+    pub(super) fn greatest_residual_rate(&self) -> f32 {
+        let greatest = |rate: &RateSeries| rate.bound(1, self.terms, 0.0);
+        let [alpha, beta] = self.residual.each_ref().map(greatest);
+        0.25 * larger_or_nan(alpha, beta)
+    }
+
+    /// Estimate of the truncation error of the phases at a whole x > 0, rad. A further term is taken as a quarter of the one before.
+    pub(super) fn truncation_error(&self, x: u32) -> f64 {
+        let Some(before) = self.terms.checked_sub(2) else { return f64::INFINITY };
+        let y = 0.25 * x as f32;
+        let power = (0..before).fold(1.0, |power, _| power * y);
+        let term = |k: usize| {
+            let [alpha, beta] = self.residual.each_ref().map(|rate| rate.term(k, 1.0));
+            larger_or_nan(self.chi.term(k, self.weight), larger_or_nan(alpha, beta))
+        };
+        let last = larger_or_nan(term(before) * power, term(before + 1) * power * y);
+        (last * y / (3 * self.terms) as f32).into()
+    }
+}

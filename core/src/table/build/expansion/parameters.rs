@@ -1,0 +1,205 @@
+//! Series of α and β without their mean rotation: solutions of linear equations whose rates are those of the phases.
+
+use super::{Expansion, MOST_TERMS, PowerSeries, RateSeries, larger_or_nan};
+use crate::table::build::series::sine::{FRACTION, sine_cosine};
+use crate::table::build::series::{BITS, Limbs, UnitFactor, in_range, in_units, integrated, scaled_product};
+use crate::table::evaluation::{TABLE_BITS, shifted_right};
+
+/// Series from which those of α and β are made: the rates of ρ + χ and of ρ - χ, and an exponential.
+#[derive(Debug)]
+pub(crate) struct ParameterSeries {
+    forwards: PowerSeries,
+    backwards: PowerSeries,
+    re: PowerSeries,
+    im: PowerSeries,
+}
+
+/// Fraction bits that a coefficient of α or β has more than one of an exponential.
+const MORE_BITS: i32 = TABLE_BITS as i32 - BITS;
+
+impl ParameterSeries {
+    pub(crate) const ZERO: Self = Self {
+        forwards: PowerSeries::ZERO,
+        backwards: PowerSeries::ZERO,
+        re: PowerSeries::ZERO,
+        im: PowerSeries::ZERO,
+    };
+
+    /// Ellipse p e^{iχ} + q e^{-iχ} times e^{iρ}, with the residual phase of this index. Its coefficients of x^k are written to `sums`, which
+    /// must be 0, in units of 2^-62. Returns the number of terms that are not below `least`; `None` where they do not converge.
+    #[inline(never)]
+    pub(crate) fn compute(
+        &mut self,
+        expansion: &Expansion,
+        index: usize,
+        [p, q]: [f64; 2],
+        least: i64,
+        mut sums: [&mut [i64; MOST_TERMS]; 2],
+    ) -> Option<usize> {
+        let Self { forwards, backwards, re, im } = self;
+        let Expansion { chi, residual, origin, terms, .. } = expansion;
+        let (residual, residual_phase) = (residual.get(index)?, *origin.residual.get(index)?);
+        let size = |rate: &RateSeries| rate.variation.magnitude_times(rate.scale.abs());
+        let at_origin = residual.at_origin.abs() + chi.at_origin.abs();
+        forwards.set_exponent(larger_or_nan(at_origin, size(residual) + size(chi)));
+        let exponent = forwards.exponent;
+        backwards.exponent = exponent;
+        let rates =
+            [residual, chi].map(|rate| (rate, UnitFactor::new(rate.scale, &rate.variation, forwards)));
+        for k in 0..*terms {
+            let [slow, fast] = rates.each_ref().map(|(rate, factor)| match k {
+                0 => in_units(rate.at_origin, exponent),
+                _ => factor.times(rate.variation.coefficient(k)),
+            });
+            forwards.set(k, slow + fast)?;
+            backwards.set(k, slow - fast)?;
+        }
+        let mut most = 0;
+        for (rate, phase, scale) in [(&*forwards, origin.chi, p), (&*backwards, -origin.chi, q)] {
+            let (sine, cosine) = sine_cosine(residual_phase + phase);
+            let scale = Limbs::new(in_units(scale, -FRACTION));
+            let start = |part: i64| scaled_product::<{ (2 * FRACTION - BITS) as u32 }>(scale, part);
+            re.set(0, start(cosine))?;
+            im.set(0, start(sine))?;
+            let computed = continue_exponential(rate, *terms, least, re, im)?;
+            for (sum, part) in sums.iter_mut().zip([&*re, &*im]) {
+                for (k, sum) in sum.iter_mut().enumerate().take(computed) {
+                    *sum += part.coefficient(k);
+                }
+            }
+            most = most.max(computed);
+        }
+        for sum in sums {
+            for (k, sum) in (0..).zip(sum.iter_mut()).take(most) {
+                // the coefficient of x^k is that of y^k over 4^k
+                let shift = 2 * k - MORE_BITS;
+                *sum = if shift > 0 { shifted_right(*sum, shift as u32) } else { *sum << -shift };
+            }
+        }
+        Some(most)
+    }
+}
+
+/// Solves z' = i z rate for z = re + i im in units of 2^-56 from the first coefficient, until two terms in succession are at most `least` units
+/// of 2^-62 at x = 1. Returns the number of terms; `None` where they do not converge.
+#[inline(never)]
+fn continue_exponential(
+    rate: &PowerSeries,
+    terms: usize,
+    least: i64,
+    re: &mut PowerSeries,
+    im: &mut PowerSeries,
+) -> Option<usize> {
+    // limit of a coefficient of yᵏ, in units of 2^-62
+    let (mut limit, mut before) = (least, false);
+    for k in 0..MOST_TERMS - 1 {
+        let next = |part: &PowerSeries| {
+            in_range(rate.product(part, 0..terms.min(k + 1), k, -rate.exponent))
+                .map(|next| integrated(next, k))
+        };
+        let (next_re, next_im) = (-next(im)?, next(re)?);
+        re.set(k + 1, next_re)?;
+        im.set(k + 1, next_im)?;
+        if limit < i64::MAX >> 3 {
+            limit <<= 2;
+        }
+        let negligible = next_re.abs().max(next_im.abs()) <= limit >> MORE_BITS;
+        if negligible && before {
+            return Some(k + 2);
+        }
+        before = negligible;
+    }
+    Some(MOST_TERMS)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Origin, PathPhases};
+    use super::*;
+    use crate::body::{Top, TopParameters};
+    use crate::complex::Complex;
+    use crate::constants::{BranchPoints, Sign, Signs};
+    use crate::motion::phase_equations::PhaseEquations;
+    use crate::phase::Phase;
+    use crate::scalar::{Extended, Float, Scalar};
+    use crate::table::evaluation::TABLE_UNIT;
+
+    fn equations(spread: f64, [e1, e2, e3]: [f64; 3]) -> PhaseEquations<Extended> {
+        let parameters = TopParameters {
+            transverse_inertia: spread,
+            axial_inertia: 0.7 * spread,
+            com_height: 1.0,
+            mass_moment: 1.0,
+            gravity: 1.0,
+            ..TopParameters::default()
+        };
+        let top = Top::sliding(&parameters).unwrap();
+        let e = BranchPoints::<Extended>::exact([e1, e2, e3]).unwrap();
+        let signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus };
+        PhaseEquations::new(&top, &e, e.integrals_in(&top, signs).l_plus_n, signs)
+    }
+
+    /// At other points of the segment the series have the rates of the equations, and α and β the value that the phases
+    /// give.
+    #[test]
+    fn the_series_solve_the_equations() {
+        let mut worst = [0.0_f64; 4];
+        for (spread, e) in [
+            (1.0, [-0.5, 0.5, 1.5]),
+            (0.01, [-0.9, 1.0, 1.0 + 1e-6]),
+            (1e3, [0.5, 0.5 + 1e-9, 1e4]),
+            (1.0, [-0.3, 0.4, 1.0]),
+            (1e-5, [-1.0, 0.26, 28.8]),
+        ] {
+            let exact = equations(spread, e);
+            let rounded: PhaseEquations<f64> = exact.cast();
+            for turns in [0.0, 1e-9, 0.1, 0.17, 0.2499, 0.25] {
+                let phases =
+                    PathPhases { chi: Phase::new(turns), residual: [Phase::new(0.3), Phase::new(-0.4)] };
+                let (sine, cosine) = phases.sine_cosine();
+                let rates = exact.rates(sine.into(), cosine.into());
+                let beyond = rounded.rates(sine, cosine);
+                let size = [beyond.nutation, beyond.slow_a, beyond.slow_b].into_iter().map(f64::abs);
+                let unit = 0.02 * spread.sqrt().min(1.0) / size.fold(0.0, f64::max).max(1.0);
+                let [chi, alpha, beta] =
+                    [rates.nutation, rates.slow_a, rates.slow_b].map(|rate| (rate * unit.into()).to_f64());
+                let origin = Origin {
+                    phases,
+                    sine,
+                    cosine,
+                    unit: 4.0 * unit,
+                    negligible: 1e-18,
+                    chi_rate: 4.0 * chi,
+                    psi_rates: [4.0 * alpha, 4.0 * beta],
+                    residual_rates: [4.0 * alpha, 4.0 * beta],
+                    weight: (alpha.abs().max(beta.abs()) / chi).max(1.0),
+                };
+                let mut expansion = Expansion::ZERO;
+                expansion.expand(&rounded, &origin, &mut || {});
+                assert!(expansion.terms > 2, "{spread} {e:?} {turns}");
+                for x in [-1.0, 0.5, 1.0] {
+                    let (PathPhases { chi: at, residual }, slope) = expansion.at(x);
+                    let (sine, cosine) = f64::sine_cosine(at);
+                    let rates = exact.rates(sine.into(), cosine.into());
+                    let of = |rate: Extended| (rate * unit.into()).to_f64();
+                    let [alpha, beta] = expansion
+                        .residual
+                        .each_ref()
+                        .map(|rate| 0.25 * rate.value(0.25 * x, expansion.terms));
+                    worst[0] = worst[0].max(origin.weight * (slope - of(rates.nutation)).abs());
+                    worst[1] = worst[1].max((alpha - of(rates.slow_a)).abs());
+                    worst[2] = worst[2].max((beta - of(rates.slow_b)).abs());
+                    let ([p, q], mut parts) = ([0.6, -0.3], [[0; MOST_TERMS]; 2]);
+                    let mut series = ParameterSeries::ZERO;
+                    series.compute(&expansion, 0, [p, q], 5, parts.each_mut()).unwrap();
+                    let [re, im] = parts
+                        .map(|part| part.iter().rev().fold(0.0, |sum, c| sum * x + *c as f64 * TABLE_UNIT));
+                    let [up, down] = [at, -at].map(|chi| Complex::cis(chi + residual[0]));
+                    let truth = up.scaled(p) + down.scaled(q);
+                    worst[3] = worst[3].max((re - truth.re).abs()).max((im - truth.im).abs());
+                }
+            }
+        }
+        assert!(worst.into_iter().all(|worst| (1e-19..5e-15).contains(&worst)), "{worst:?}");
+    }
+}

@@ -1,0 +1,222 @@
+//! Coefficients of an expansion, one after another.
+
+use super::{Expansion, MOST_TERMS, NOISE, Origin, PowerSeries, RateSeries, larger_or_nan};
+use crate::motion::phase_equations::PhaseEquations;
+use crate::table::build::series::{BITS, UnitFactor, in_range, in_units, integrated, sum_in_range};
+
+/// Whether the k-th coefficient is a rounding error, or its term at y = 1/2 is below `least` units.
+fn is_negligible(coefficient: i64, k: usize, least: i64) -> bool {
+    let size = coefficient.abs();
+    size <= NOISE || size >> k < least
+}
+
+/// Constant factors of the recurrence for one slow phase.
+struct SlowFactors {
+    square_to_rate: UnitFactor,
+    divisor_to_rate: UnitFactor,
+    delta_to_divisor: UnitFactor,
+    momentum_to_divisor: UnitFactor,
+    negligible: i64,
+}
+
+impl SlowFactors {
+    /// Factors from dψ/dy and the factors a, b and d of v, δ and μ. It sets the exponents of the rate and of the divisor.
+    fn new(
+        rate: &mut RateSeries,
+        divisor: &mut PowerSeries,
+        psi_rate: f64,
+        [of_square, of_delta, of_momentum]: [f64; 3],
+        [square, delta, momentum]: [&PowerSeries; 3],
+        negligible: f64,
+    ) -> Self {
+        let RateSeries { variation, scale, .. } = rate;
+        divisor.set_exponent(delta.magnitude_times(of_delta) + momentum.magnitude_times(of_momentum));
+        variation
+            .set_exponent(divisor.magnitude_times(psi_rate.abs()) + square.magnitude_times(of_square.abs()));
+        *scale = 1.0;
+        Self {
+            square_to_rate: UnitFactor::new(of_square, square, variation),
+            divisor_to_rate: UnitFactor::new(psi_rate, divisor, variation),
+            delta_to_divisor: UnitFactor::new(of_delta, delta, divisor),
+            momentum_to_divisor: UnitFactor::new(of_momentum, momentum, divisor),
+            negligible: in_units(negligible, variation.exponent),
+        }
+    }
+
+    /// Computes the k-th coefficients of κ and π. Returns whether that of π is negligible; `None` where one is out of range.
+    fn advance(
+        &self,
+        rate: &mut RateSeries,
+        divisor: &mut PowerSeries,
+        k: usize,
+        [square, delta, momentum]: [i64; 3],
+    ) -> Option<bool> {
+        let variation = &mut rate.variation;
+        let kappa =
+            sum_in_range([self.delta_to_divisor.times(delta), self.momentum_to_divisor.times(momentum)])?;
+        let known = divisor.product(variation, 1..k, k, -divisor.exponent);
+        let pi =
+            sum_in_range([self.square_to_rate.times(square), -self.divisor_to_rate.times(kappa), -known])?;
+        divisor.set(k, kappa)?;
+        variation.set(k, pi)?;
+        Some(is_negligible(pi, k, self.negligible))
+    }
+}
+
+/// Constant factors of the recurrence. `quadratic` is the factor of v² in δ.
+struct Recurrence {
+    slow: [SlowFactors; 2],
+    square_to_eta: UnitFactor,
+    square_to_delta: UnitFactor,
+    quadratic: UnitFactor,
+    delta_to_momentum: UnitFactor,
+    cosine_to_sine: UnitFactor,
+    sine_to_cosine: UnitFactor,
+    negligible_sine: i64,
+    negligible_cosine: i64,
+    negligible_xi: i64,
+}
+
+/// Largest dχ/dy at which series may converge fast enough to be used.
+const STEEPEST: f64 = 4.0;
+
+impl Expansion {
+    /// Expands the motion around a point.
+    #[inline(never)]
+    pub(crate) fn expand(
+        &mut self,
+        equations: &PhaseEquations<f64>,
+        origin: &Origin,
+        pause: &mut dyn FnMut(),
+    ) {
+        let recurrence = self.begin(equations, origin);
+        self.terms = self.recur(&recurrence, pause).unwrap_or_default();
+        self.psi_variation *= self.delta.bound(3, self.terms, 0.0);
+    }
+
+    /// Constants of the recurrence, and the first coefficients.
+    #[inline(never)] // keeps the stack small
+    fn begin(&mut self, equations: &PhaseEquations<f64>, origin: &Origin) -> Recurrence {
+        let Origin { unit, chi_rate, psi_rates: [alpha_psi, beta_psi], negligible, .. } = *origin;
+        let swing = equations.e2_minus_e1 * origin.cosine * origin.cosine;
+        let one_minus_u = swing + equations.one_minus_e2;
+        let one_plus_u = equations.one_plus_e1 + equations.e2_minus_e1 * origin.sine * origin.sine;
+        let per_d = 1.0 / (equations.a_over_p + equations.s * one_minus_u * one_plus_u);
+        let of_eta = equations.e2_minus_e1 / (equations.e3_minus_e2 + swing);
+        let s_per_d = equations.s * equations.e2_minus_e1 * per_d;
+        let (linear, quadratic) = (2.0 * (s_per_d * (1.0 - one_minus_u)), s_per_d * equations.e2_minus_e1);
+
+        let Self { chi, residual: [alpha, beta], sine, cosine, square, delta, momentum, .. } = self;
+        let magnitude = |own: f64, other: f64| larger_or_nan(own.abs(), (chi_rate * other).abs());
+        sine.set_exponent(magnitude(origin.sine, origin.cosine));
+        cosine.set_exponent(magnitude(origin.cosine, origin.sine));
+        square.exponent = 2 * cosine.exponent + BITS;
+        let delta_size = square.magnitude_times(linear.abs() + square.magnitude_times(quadratic));
+        delta.set_exponent(delta_size);
+        momentum.set_exponent(delta_size + square.magnitude_times(of_eta));
+        chi.variation.exponent = momentum.exponent;
+        (chi.at_origin, chi.scale) = (chi_rate, chi_rate);
+        // in range by their exponents
+        let _ = sine.set(0, in_units(origin.sine, sine.exponent));
+        let _ = cosine.set(0, in_units(origin.cosine, cosine.exponent));
+
+        let scale = unit * unit * equations.e2_minus_e1 * per_d;
+        // factors of v, δ and μ
+        let factors = |numerator: f64, constant: f64, smoothing: f64| {
+            let smoothed = smoothing * chi_rate;
+            let per_divisor = 1.0 / (constant + smoothed);
+            [numerator * (scale * per_divisor), constant * per_divisor, smoothed * per_divisor]
+        };
+        let of_alpha = factors(equations.s * equations.alpha_scale, unit, equations.alpha_smoothing);
+        let of_beta = factors(
+            -equations.s_times_e3_minus_one * equations.beta_scale,
+            unit * equations.root_e3_minus_one,
+            equations.beta_smoothing,
+        );
+        let series = [&*square, &*delta, &*momentum];
+        let [alpha_divisor, beta_divisor] = &mut self.divisors;
+        let slow = [
+            SlowFactors::new(alpha, alpha_divisor, alpha_psi, of_alpha, series, negligible),
+            SlowFactors::new(beta, beta_divisor, beta_psi, of_beta, series, negligible),
+        ];
+        [alpha.at_origin, beta.at_origin] = origin.residual_rates;
+        (self.origin, self.weight) = (origin.phases, origin.weight as f32);
+        self.psi_variation = larger_or_nan(alpha_psi.abs(), beta_psi.abs()) as f32;
+        let negligible_xi = (negligible / (origin.weight * chi_rate).abs()).min(f64::MAX);
+        Recurrence {
+            slow,
+            square_to_eta: UnitFactor::new(of_eta, square, momentum),
+            square_to_delta: UnitFactor::new(linear, square, delta),
+            quadratic: UnitFactor::new(-square.magnitude_times(quadratic), square, delta),
+            delta_to_momentum: UnitFactor::new(1.0, delta, momentum),
+            cosine_to_sine: UnitFactor::new(chi_rate, cosine, sine),
+            sine_to_cosine: UnitFactor::new(-chi_rate, sine, cosine),
+            negligible_sine: in_units(negligible, sine.exponent),
+            negligible_cosine: in_units(negligible, cosine.exponent),
+            negligible_xi: in_units(negligible_xi, momentum.exponent),
+        }
+    }
+
+    /// Computes the coefficients until two in succession are negligible. Returns their number; `None` where one is out of range.
+    #[inline(never)]
+    fn recur(&mut self, recurrence: &Recurrence, pause: &mut dyn FnMut()) -> Option<usize> {
+        (self.chi.at_origin <= STEEPEST).then_some(())?;
+        let mut before = false;
+        for k in 0..MOST_TERMS {
+            if k % 4 == 0 {
+                pause();
+            }
+            let rates = k > 0 && self.advance_rates(recurrence, k)?;
+            let negligible = self.advance_sine_cosine(recurrence, k)? && rates;
+            if negligible && before {
+                return Some(k + 1);
+            }
+            before = negligible;
+        }
+        Some(MOST_TERMS)
+    }
+
+    /// Computes the k-th coefficients of the rates. Returns whether they are negligible.
+    fn advance_rates(&mut self, recurrence: &Recurrence, k: usize) -> Option<bool> {
+        let xi_series = &mut self.chi.variation;
+        let square = self.cosine.product(&self.cosine, 0..k + 1, k, BITS);
+        let square_squared = sum_in_range([self.square.product(&self.square, 1..k, k, BITS)])?;
+        let delta = sum_in_range([
+            recurrence.square_to_delta.times(square),
+            recurrence.quadratic.times(square_squared),
+        ])?;
+        let mixed = |series: &PowerSeries| series.product(xi_series, 1..k, k, -series.exponent);
+        // μ = known + ξ, and (1 + ξ) (1 + μ) = 1 + η
+        let known = sum_in_range([recurrence.delta_to_momentum.times(delta), mixed(&self.delta)])?;
+        let eta = recurrence.square_to_eta.times(square);
+        let xi = sum_in_range([eta, -known, -mixed(&self.momentum)])? >> 1;
+        let momentum = known + xi;
+        self.square.set(k, square)?;
+        self.delta.set(k, delta)?;
+        xi_series.set(k, xi)?;
+        self.momentum.set(k, momentum)?;
+        let mut negligible = is_negligible(xi, k, recurrence.negligible_xi);
+        let series = self.residual.iter_mut().zip(&mut self.divisors);
+        for ((rate, divisor), factors) in series.zip(&recurrence.slow) {
+            negligible &= factors.advance(rate, divisor, k, [square, delta, momentum])?;
+        }
+        Some(negligible)
+    }
+
+    /// Computes coefficient k + 1 of sin χ and of cos χ. Returns whether both are negligible.
+    fn advance_sine_cosine(&mut self, recurrence: &Recurrence, k: usize) -> Option<bool> {
+        let xi = &self.chi.variation;
+        let next = |factor: &UnitFactor, part: &PowerSeries| {
+            let rate = sum_in_range([part.coefficient(k), xi.product(part, 1..k + 1, k, -xi.exponent)])?;
+            Some(integrated(in_range(factor.times(rate))?, k))
+        };
+        let sine = next(&recurrence.cosine_to_sine, &self.cosine)?;
+        let cosine = next(&recurrence.sine_to_cosine, &self.sine)?;
+        self.sine.set(k + 1, sine)?;
+        self.cosine.set(k + 1, cosine)?;
+        Some(
+            is_negligible(sine, k, recurrence.negligible_sine)
+                && is_negligible(cosine, k, recurrence.negligible_cosine),
+        )
+    }
+}

@@ -1,0 +1,73 @@
+//! Place of a launch on the path along half a nutation period.
+
+use super::expansion::{Expansion, PathPhases};
+use super::span::{HALF_PERIOD, Span};
+use crate::motion::{HalfPhase, Motion};
+use crate::phase::Phase;
+use crate::scalar::Scalar;
+
+/// Phases of a launch, and the place where a path reaches them.
+#[derive(Debug)]
+pub(super) struct LaunchPlace {
+    /// Half phase χ, folded into [0, 1/4] turn; `None` once its span is found.
+    chi: Option<Phase>,
+    is_falling: bool,
+    /// Nutation phase and mean slow phases.
+    pub(super) phases: [Phase; 3],
+    /// Delay by a relative rounding of χ or of a quarter turn minus χ, in half periods.
+    pub(super) delay: f64,
+}
+
+impl LaunchPlace {
+    pub(super) const ZERO: Self = Self { chi: None, is_falling: false, phases: [Phase::ZERO; 3], delay: 0.0 };
+
+    /// Place of a launch, not found yet. Without a nutation it is u = e₁.
+    pub(super) fn new(motion: &Motion) -> Self {
+        let chi = if let HalfPhase::Nutating(chi) = motion.chi { chi } else { Phase::ZERO };
+        let (half_turns, rest) = chi.halves();
+        let is_falling = rest > Phase::QUARTER;
+        let (half_turns, chi) =
+            if is_falling { (half_turns + 1, Phase::HALF - rest) } else { (half_turns, rest) };
+        let [alpha, beta] = motion.phases.map(|phase| phase + Phase::HALF * half_turns);
+        Self { chi: Some(chi), is_falling, phases: [Phase::ZERO, alpha, beta], delay: 0.0 }
+    }
+
+    /// Finds the place if it is in this span, which ends at χ = `end`, or if the span is the last.
+    #[inline(never)]
+    pub(super) fn search(&mut self, expansion: &Expansion, end: Phase, span: Span) {
+        let Some(chi) = self.chi else { return };
+        // a turning point is an end of the half period whatever the errors of the series
+        let x = match chi {
+            Phase::ZERO => -1.0,
+            _ if (chi == Phase::QUARTER || end < chi) && span.end() < HALF_PERIOD => return,
+            Phase::QUARTER => 1.0,
+            _ => coordinate_of(expansion, chi),
+        };
+        let (PathPhases { residual, .. }, chi_rate) = expansion.at(x);
+        let nearest = chi.min(Phase::QUARTER - chi).to_radians();
+        let change = if chi_rate > 0.0 { nearest / chi_rate } else { 0.0 };
+        let mirror = |phase: Phase| if self.is_falling { -phase } else { phase };
+        let ([_, alpha, beta], [alpha_residual, beta_residual]) = (self.phases, residual.map(mirror));
+        self.phases = [mirror(span.phase(x)), alpha - alpha_residual, beta - beta_residual];
+        (self.chi, self.delay) = (None, change * span.half_length());
+    }
+}
+
+/// Coordinate x of χ on a span, by Newton's method.
+fn coordinate_of(expansion: &Expansion, chi: Phase) -> f64 {
+    const STEPS: usize = 8;
+    /// Step of some roundings.
+    const LAST_STEP: f64 = 4.0 * f64::ROUNDING;
+    let mut x = 0.0_f64;
+    for _ in 0..STEPS {
+        let (phases, chi_rate) = expansion.at(x);
+        let miss = (phases.chi - chi).to_radians();
+        let next = if chi_rate > 0.0 { (x - miss / chi_rate).clamp(-1.0, 1.0) } else { x };
+        let change = (next - x).abs();
+        x = next;
+        if change <= LAST_STEP {
+            break;
+        }
+    }
+    x
+}

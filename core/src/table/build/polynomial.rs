@@ -1,0 +1,284 @@
+//! Polynomials of α and β: on a span, on its parts, and with fewer terms.
+//!
+//! Dropping the highest term c x^k also subtracts the lower powers of c 2^(1-k) T_k(x), so that no value changes by more than |c| 2^(1-k).
+
+use super::bound::SegmentErrors;
+use super::expansion::{Expansion, ParameterSeries, larger_or_nan};
+use super::limits::{Limits, REMAINDER_PART};
+use super::series::{Limbs, MOST_TERMS};
+use crate::product::long_product;
+use crate::scalar::{Float, Ring, short_float};
+
+/// Fraction bits of [`CHEBYSHEV`].
+const FRACTION_BITS: u32 = MOST_TERMS as u32 - 2;
+
+/// Coefficients of x^(k-2), x^(k-4), ... in T_k(x) 2^(1-k), for each k.
+#[allow(clippy::indexing_slicing)] // evaluated by the compiler, which would refuse an index out of range
+static CHEBYSHEV: [[i32; MOST_TERMS / 2]; MOST_TERMS] = {
+    let mut coefficients = [[0; MOST_TERMS / 2]; MOST_TERMS];
+    let mut k = 2;
+    while k < MOST_TERMS {
+        let (mut coefficient, mut m) = (1_i64 << FRACTION_BITS, 0);
+        while 2 * m + 2 <= k {
+            coefficient *= -(((k - 2 * m) * (k - 2 * m - 1)) as i64);
+            coefficient /= (4 * (m + 1) * (k - m - 1)) as i64;
+            coefficients[k][m] = coefficient as i32;
+            m += 1;
+        }
+        k += 1;
+    }
+    coefficients
+};
+
+/// Real or imaginary part of a polynomial. The unit is 2^-62.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Part {
+    pub(super) coefficients: [i64; MOST_TERMS],
+    /// Upper bounds on the changes of the value and of the derivative by the dropped terms.
+    dropped: i64,
+    slope_dropped: i64,
+}
+
+impl Part {
+    const ZERO: Self = Self { coefficients: [0; MOST_TERMS], dropped: 0, slope_dropped: 0 };
+
+    fn drop_last(&mut self, degree: usize) {
+        let last = self.coefficients.get_mut(degree).map_or(0, core::mem::take);
+        self.dropped += last.abs() >> (degree - 1);
+        self.slope_dropped += (last.abs() * (degree * degree) as i64) >> (degree - 1);
+        let lower = self.coefficients.iter_mut().take(degree).rev().skip(1).step_by(2);
+        let factors = CHEBYSHEV.get(degree).into_iter().flatten();
+        lower
+            .zip(factors)
+            .for_each(|(c, factor)| *c -= Limbs::new(last).times_word::<FRACTION_BITS>(*factor));
+    }
+
+    /// Estimate of the terms beyond the sixteenth by a geometric series from the last four; infinite where they do not decrease.
+    fn remainder(&self) -> f32 {
+        /// Magnitude of rounding errors, 3e-17.
+        const NEGLIGIBLE: i64 = 138;
+        let [.., c12, c13, c14, c15] = self.coefficients.map(i64::abs);
+        // in pairs, because a series may be even or odd
+        let (before, last) = (c12 + c13, c14 + c15);
+        if last <= NEGLIGIBLE {
+            return 0.0;
+        }
+        let (before, last) = (before as f32, last as f32);
+        let ratio = last / before;
+        if ratio < 1.0 { last * ratio / (1.0 - ratio) } else { f32::INFINITY }
+    }
+}
+
+/// Polynomial of α or of β in x from -1 to 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Polynomial {
+    pub(super) parts: [Part; 2],
+    terms: usize,
+    /// Estimate of the terms of the series on the span that are not computed, in units of 2^-62.
+    remainder: f32,
+}
+
+impl Polynomial {
+    pub(super) const ZERO: Self = Self { parts: [Part::ZERO; 2], terms: 0, remainder: 0.0 };
+
+    /// Becomes the polynomial of α (index 0) or β (1) on a span; `None` where that is not accurate.
+    ///
+    /// * `ellipse`: coefficients of e^{iχ} and e^{-iχ} in its ellipse
+    pub(super) fn compute(
+        &mut self,
+        series: &mut ParameterSeries,
+        expansion: &Expansion,
+        index: usize,
+        ellipse: [f64; 2],
+        limits: &Limits,
+        pause: &mut dyn FnMut(),
+    ) -> Option<()> {
+        *self = Self::ZERO;
+        let parts = self.parts.each_mut().map(|part| &mut part.coefficients);
+        self.terms = series.compute(expansion, index, ellipse, limits.negligible_term(), parts)?;
+        pause();
+        let [re, im] = self.parts.each_ref().map(Part::remainder);
+        let remainder = 2.0 * larger_or_nan(re, im);
+        (2.0 * remainder <= REMAINDER_PART * limits.polynomial).then_some(())?;
+        self.shorten(0, limits.dropped);
+        self.remainder = remainder + limits.negligible_term() as f32;
+        Some(())
+    }
+
+    /// Drops last terms down to `fewest`, as long as the changes add up to at most `most`.
+    #[inline(never)] // here and below: keeps the stack small
+    pub(super) fn shorten(&mut self, fewest: usize, most: i64) {
+        while self.terms > fewest.max(2) {
+            let degree = self.terms - 1;
+            let last = |part: &Part| part.coefficients.get(degree).map_or(0, |c| c.abs() >> (degree - 1));
+            if self.parts.iter().map(|part| part.dropped + last(part)).sum::<i64>() > most {
+                break;
+            }
+            self.parts.iter_mut().for_each(|part| part.drop_last(degree));
+            self.terms = degree;
+        }
+    }
+
+    /// Replaces the polynomial by that on half of the interval, by Horner's rule for x = (y ± 1)/2. Errors do not grow, as |x| <= 1; all
+    /// roundings together stay below 2^-57.
+    #[inline(never)]
+    fn halve(&mut self, upper: bool) {
+        for part in &mut self.parts {
+            let mut half = [0; MOST_TERMS];
+            for (degree, c) in part.coefficients.iter().take(self.terms).rev().enumerate() {
+                let mut lower_power = 0;
+                for power in half.iter_mut().take(degree + 1) {
+                    let moved = if upper { *power } else { -*power };
+                    (*power, lower_power) = ((moved + lower_power + 1) >> 1, *power);
+                }
+                half[0] += c;
+            }
+            part.coefficients = half;
+            part.slope_dropped = (part.slope_dropped + 1) >> 1;
+        }
+    }
+
+    /// Becomes the polynomial on one of 2^halvings parts of a span. Before the last halving it drops terms whose changes add up to at most
+    /// `dropped`.
+    pub(super) fn restrict(&mut self, whole: &Self, part: usize, halvings: u32, dropped: i64) {
+        self.clone_from(whole);
+        for halving in (0..halvings).rev() {
+            self.halve((part >> halving) & 1 == 1);
+            if halving > 0 {
+                self.shorten(0, dropped);
+            }
+        }
+    }
+
+    /// Adds the errors of the value and of the derivative, and the bounds Σ k |c_k| and Σ k (k - 1) |c_k| on the derivatives.
+    ///
+    /// * `halvings`: number of the halvings since the span
+    /// * `stored`, `slope_stored`: errors by the rounding of the coefficients
+    pub(super) fn add_errors(
+        &self,
+        sums: &mut SegmentErrors,
+        halvings: u32,
+        [stored, slope_stored]: [f32; 2],
+    ) {
+        const WORD: f32 = (1_u64 << 32) as f32;
+        for part in &self.parts {
+            let (mut slope, mut curvature) = (0, 0);
+            for (c, k) in part.coefficients.iter().zip(0_u32..).take(self.terms) {
+                let size = (c.unsigned_abs() >> 32) as u32 + 1;
+                slope += long_product(size, k);
+                curvature += long_product(size, k * k.saturating_sub(1));
+            }
+            sums.slope += Ring::squared(short_float(slope) * WORD);
+            sums.curvature += Ring::squared(short_float(curvature) * WORD);
+        }
+        let norm = |of: fn(&Part) -> i64| {
+            let [re, im] = self.parts.each_ref().map(|part| short_float(of(part).unsigned_abs()));
+            Float::sqrt(re * re + im * im)
+        };
+        let slope_remainder = MOST_TERMS as f32 * self.remainder / (1_u32 << halvings) as f32;
+        sums.change += Ring::squared(norm(|part| part.dropped) + self.remainder);
+        sums.slope_error += Ring::squared(norm(|part| part.slope_dropped) + slope_remainder + slope_stored);
+        sums.stored = larger_or_nan(sums.stored, stored);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::table::evaluation::TABLE_UNIT;
+
+    fn polynomial(ratio: f64, sense: f64) -> Polynomial {
+        let mut part = [0; MOST_TERMS];
+        for (power, c) in part.iter_mut().enumerate() {
+            *c =
+                (sense.powi(power as i32 % 2) * (1.0 - ratio) * ratio.powi(power as i32) / TABLE_UNIT) as i64;
+        }
+        let half = part.map(|c| c / 2);
+        let parts = if sense > 0.0 { [part, half] } else { [half, part] };
+        Polynomial {
+            parts: parts.map(|coefficients| Part { coefficients, ..Part::ZERO }),
+            terms: MOST_TERMS,
+            remainder: 0.0,
+        }
+    }
+
+    fn derivative(series: &Polynomial, order: i32, x: f64) -> [f64; 2] {
+        series.parts.map(|part| {
+            let factor = |k: i32| (0..order).map(|m| f64::from(k - m)).product::<f64>();
+            let terms = part.coefficients.iter().zip(0..MOST_TERMS as i32).skip(order as usize).rev();
+            TABLE_UNIT * terms.fold(0.0, |sum, (c, k)| sum * x + factor(k) * *c as f64)
+        })
+    }
+
+    fn distance([re, im]: [f64; 2], [other_re, other_im]: [f64; 2]) -> f64 {
+        (other_re - re).hypot(other_im - im)
+    }
+
+    #[test]
+    fn a_part_has_the_values_of_the_whole() {
+        for (ratio, sense) in [(0.5, 1.0), (0.3, -1.0), (0.05, 1.0)] {
+            let whole = polynomial(ratio, sense);
+            for (halvings, part) in
+                (0..5).flat_map(|halvings| (0..1 << halvings).map(move |part| (halvings, part)))
+            {
+                let mut own = Polynomial::ZERO;
+                own.restrict(&whole, part, halvings, 0);
+                for x in [-1.0, -0.6, -0.3, 0.0, 0.7, 1.0] {
+                    let place = (x + (2 * part + 1) as f64) / f64::from(1 << halvings) - 1.0;
+                    let error = distance(derivative(&whole, 0, place), derivative(&own, 0, x));
+                    assert!(error < 2.5e-16, "{ratio} {part}/{halvings} {x}: {error:e}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn fewer_terms_change_no_more_than_the_bounds_say() {
+        let exact = polynomial(0.3, 1.0);
+        let points = if cfg!(miri) { 40 } else { 1000 };
+        let greatest = |of: &dyn Fn(f64) -> f64| {
+            (0..=points).map(|i| of(2.0 * f64::from(i) / f64::from(points) - 1.0)).fold(0.0, f64::max)
+        };
+        for terms in 2..MOST_TERMS {
+            let mut short = exact;
+            short.shorten(terms, i64::MAX);
+            assert!(short.parts.iter().all(|part| part.coefficients[terms..].iter().all(|c| *c == 0)));
+            let mut sums = SegmentErrors::default();
+            short.add_errors(&mut sums, 0, [0.0; 2]);
+            let change =
+                |order| greatest(&|x| distance(derivative(&exact, order, x), derivative(&short, order, x)));
+            let size = |order| greatest(&|x| distance(derivative(&short, order, x), [0.0; 2]));
+            for (worst, bound, most) in [
+                (change(0), sums.change, 1.5),
+                (change(1), sums.slope_error, 2.5),
+                (size(1), sums.slope, 1.5),
+                (size(2), sums.curvature, 1.5),
+            ] {
+                let bound = TABLE_UNIT * f64::from(bound.sqrt());
+                assert!(worst <= bound * 1.000_001 + 3e-16, "{terms}: {worst:e} {bound:e}");
+                assert!(bound <= most * worst + 1e-8, "{terms}: {worst:e} {bound:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn terms_are_dropped_up_to_a_sum() {
+        let exact = polynomial(0.3, 1.0);
+        let size = |series: &Polynomial, degree: usize| -> i64 {
+            series.parts.iter().map(|part| part.coefficients[degree].abs() >> (degree - 1)).sum()
+        };
+        let mut series = exact;
+        let last = size(&exact, 15);
+        series.shorten(0, last - 1);
+        assert_eq!(series.terms, 16);
+        series.shorten(0, last);
+        assert_eq!((series.terms, series.parts.iter().map(|part| part.dropped).sum::<i64>()), (15, last));
+        let before = size(&series, 14);
+        series.shorten(0, last + before - 1);
+        assert_eq!(series.terms, 15);
+        let slopes = |series: &Polynomial| series.parts.map(|part| part.slope_dropped);
+        let before = slopes(&series);
+        series.halve(false);
+        assert_eq!(slopes(&series), before.map(|slope| (slope + 1) / 2));
+    }
+}

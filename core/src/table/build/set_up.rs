@@ -1,0 +1,126 @@
+//! Set-up: from a motion to the segments of its table.
+
+use super::cut::{Cut, Store};
+use super::expansion::ParameterSeries;
+use super::launch_place::LaunchPlace;
+use super::limits::Limits;
+use super::mean_rates::MeanRates;
+use super::path::{ComputeOrigin, Path};
+use super::polynomial::Polynomial;
+use super::span::HALF_PERIOD;
+use crate::motion::Motion;
+use crate::motion::cayley_klein::Ellipses;
+use crate::scalar::{Extended, Float, Ring};
+
+/// Memory of a set-up, 4 KiB, and the truncation error that it allows.
+///
+/// A program with a small stack keeps it in a static. [`Cursor`](crate::Cursor) shows its use.
+#[derive(Debug)]
+pub struct SetUp {
+    /// Truncation error, rad; `None` for that of the scalar.
+    pub(super) truncation: Option<f64>,
+    pub(super) limits: Limits,
+    pub(super) rates: MeanRates,
+    pub(super) launch: LaunchPlace,
+    path: Path,
+    series: ParameterSeries,
+    /// Polynomials of α and β on a span, and one of them on a segment.
+    polynomials: [Polynomial; 2],
+    segment: Polynomial,
+    pub(super) cut: Cut,
+}
+
+impl Default for SetUp {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl SetUp {
+    /// Set-up with the truncation error of the scalar, [`EphemerisScalar::TRUNCATION`](crate::EphemerisScalar::TRUNCATION). A static of it
+    /// takes no flash.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            truncation: None,
+            limits: Limits::ZERO,
+            rates: MeanRates::ZERO,
+            launch: LaunchPlace::ZERO,
+            path: Path::ZERO,
+            series: ParameterSeries::ZERO,
+            polynomials: [Polynomial::ZERO; 2],
+            segment: Polynomial::ZERO,
+            cut: Cut::ZERO,
+        }
+    }
+
+    /// Set-up with another truncation error, rad, finite and positive: a smaller table for a larger error.
+    #[must_use]
+    pub const fn with_truncation(truncation: f64) -> Self {
+        Self { truncation: Some(truncation), ..Self::new() }
+    }
+
+    /// Computes the equations, and the mean rates by numbers of this many words. Begins at u = e₁.
+    #[inline(never)]
+    pub(super) fn begin<const WORDS: usize>(&mut self, motion: &Motion, pause: &mut dyn FnMut()) {
+        let mut period = None;
+        if !motion.is_steady() {
+            self.path.equations = motion.equations();
+            pause();
+            period = motion.period::<WORDS>(&self.path.equations, pause);
+        }
+        self.rates = MeanRates::new(motion, period.as_ref());
+        pause();
+        let half_period = period.map_or(Extended::ZERO, |period| period.time.halved());
+        self.path.begin(motion, half_period, &self.rates, &self.limits);
+    }
+
+    /// Computes all segments; `None` where they are too many. One may be stored more than once.
+    #[inline(never)]
+    pub(super) fn build(
+        &mut self,
+        motion: &Motion,
+        origin: ComputeOrigin,
+        store: &mut Store<'_>,
+        pause: &mut dyn FnMut(),
+    ) -> Option<()> {
+        self.launch = LaunchPlace::new(motion);
+        self.cut = Cut::ZERO;
+        let Ellipses { alpha, beta } = motion.ellipses::<f64>();
+        let ellipses = [alpha, beta].map(|ellipse| ellipse.exponentials());
+        if motion.is_steady() {
+            self.cut.store_constants(&ellipses, store);
+            return Some(());
+        }
+        pause();
+        let mut place = 0;
+        while place < HALF_PERIOD {
+            self.cut.enter_span(&mut self.path, place);
+            while self.expand_span(origin, &ellipses, pause).is_none() {
+                self.path.shorten_span()?;
+            }
+            let Self { limits, launch, path, polynomials, segment, cut, .. } = self;
+            pause();
+            launch.search(&path.expansion, path.end.phases.chi, path.span);
+            place = cut.cut_span(path, polynomials, segment, limits, store, pause)?;
+        }
+        self.cut.error += self.path.error(&self.cut.speeds, self.launch.delay);
+        Some(())
+    }
+
+    /// Expands the motion on the span and computes the polynomials of α and β; `None` where they are not accurate.
+    fn expand_span(
+        &mut self,
+        origin: ComputeOrigin,
+        ellipses: &[[f64; 2]; 2],
+        pause: &mut dyn FnMut(),
+    ) -> Option<()> {
+        let Self { limits, path, series, polynomials, .. } = self;
+        path.expand(origin, pause)?;
+        for (index, (polynomial, ellipse)) in polynomials.iter_mut().zip(ellipses).enumerate() {
+            pause();
+            polynomial.compute(series, &path.expansion, index, *ellipse, limits, pause)?;
+        }
+        Some(())
+    }
+}

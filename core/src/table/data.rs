@@ -1,0 +1,18 @@
+//! Table as plain numbers: the clock, the error bounds, the cells and the segments.
+
+mod error_bound;
+
+pub(super) mod cell;
+
+mod clock;
+
+mod ephemeris;
+
+mod baked;
+
+pub use baked::{Baked, BakedError};
+pub use clock::{Clock, Tick};
+pub use ephemeris::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisView, ReadyEphemeris};
+#[cfg(feature = "fixed")]
+pub use ephemeris::{EphemerisQ15, EphemerisQ31};
+pub use error_bound::ErrorBound;

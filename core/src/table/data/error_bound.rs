@@ -1,0 +1,31 @@
+//! Error bound of a table.
+
+/// Upper bound on an error at any tick: `constant` plus `per_tick` for each tick from the launch.
+///
+/// The error of an orientation is 2 √(|Δα|² + |Δβ|²), relative to the exact motion of the numbers that were launched. The bound contains
+///
+/// * the worst case of the roundings of integers,
+/// * six standard deviations of the roundings in `f64`,
+/// * an estimate of the remainders of the series.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ErrorBound {
+    /// Error at the tick of the launch, rad (rad per unit time for rates).
+    pub constant: f64,
+    /// Growth of the error per tick from the launch, rad (rad per unit time for rates).
+    pub per_tick: f64,
+}
+
+impl ErrorBound {
+    pub(crate) const ZERO: Self = Self { constant: 0.0, per_tick: 0.0 };
+
+    /// Upper bound on the error at a number of ticks from the launch, of either sign.
+    #[must_use]
+    pub fn after(&self, ticks: f64) -> f64 {
+        self.constant + self.per_tick * ticks.abs()
+    }
+
+    pub(super) const fn numbers(self) -> [f64; 2] {
+        [self.constant, self.per_tick]
+    }
+}
