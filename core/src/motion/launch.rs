@@ -46,14 +46,18 @@ impl Motion {
         pause();
         let e = BranchPoints::from_reduced_point(top, &integrals, &point, pause)?;
         pause();
-        let mut motion = Self::with_constants(top, &integrals, e, integrals.signs(), point.rests_upright());
-        pause();
-        motion.rounding = LaunchRounding::new(top, &integrals, &point, &e, state);
-        pause();
-        motion.start_nutation(&point);
-        pause();
-        motion.start_slow_phases(&attitude(state), pause);
-        Ok(motion)
+        let mut launched =
+            Ok(Self::with_constants(top, &integrals, e, integrals.signs(), point.rests_upright()));
+        // in place, because a copy would double the stack
+        if let Ok(motion) = &mut launched {
+            pause();
+            motion.rounding = LaunchRounding::new(top, &integrals, &point, &e, state);
+            pause();
+            motion.start_nutation(&point);
+            pause();
+            motion.start_slow_phases(&attitude(state), pause);
+        }
+        launched
     }
 
     /// Motion from branch points -1 <= e₁ <= e₂ <= 1 <= e₃, which count as exact, and its phases at t = 0.

@@ -90,10 +90,11 @@ pub(crate) type Memory<const SEGMENTS: usize> = EphemerisMemory<Ephemeris<f32, S
 fn set_up(
     memory: &mut EphemerisMemory<EphemerisView<f32>>,
     set_up: &mut SetUp,
-    launched: (Result<Top, ParameterError>, Result<State, ParameterError>),
+    top: &Top,
+    state: &State,
 ) -> bool {
-    let ((Ok(top), Ok(state)), Ok(tick)) = (launched, Tick::hertz(TICK_RATE)) else { return false };
-    let motion = Motion::launch(&top, &state);
+    let Ok(tick) = Tick::hertz(TICK_RATE) else { return false };
+    let motion = Motion::launch(top, state);
     let Ok(motion) = &motion else { return false };
     memory.set_up(set_up, motion, tick, 0, &mut || {}).is_ok()
 }
@@ -101,7 +102,8 @@ fn set_up(
 /// Set-up with its own memory on the stack.
 #[inline(never)]
 fn on_stack(memory: &mut EphemerisMemory<EphemerisView<f32>>, measured: &Measured) -> bool {
-    set_up(memory, &mut SetUp::new(), (measured.top(), measured.state()))
+    let (Ok(top), Ok(state)) = (measured.top(), measured.state()) else { return false };
+    set_up(memory, &mut SetUp::new(), &top, &state)
 }
 
 /// Set-up from measured numbers to a complete table, once per launch.
@@ -143,7 +145,7 @@ pub(crate) extern "C" fn bench_slices(
     memory: &mut Memory<25>,
     (top, state): &(Top, State),
 ) -> bool {
-    set_up(memory, scratch, (Ok(*top), Ok(*state)))
+    set_up(memory, scratch, top, state)
 }
 
 #[inline(never)]

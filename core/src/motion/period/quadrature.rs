@@ -20,7 +20,8 @@ impl Period {
         let mut landen = Landen::NONE;
         landen.fill(elliptic.parameters(), pause);
         pause();
-        let (mut rule, needed) = TrapezoidRule::new(&elliptic, &landen, pause);
+        let (nodes, needed) = landen.node_counts(TrapezoidRule::<WORDS>::BITS);
+        let mut rule = TrapezoidRule::new(&elliptic, &landen, nodes, pause);
         // beyond twice the number needed only roundings are left
         let most = MOST_NODES.min(2 * needed);
         loop {
@@ -51,14 +52,14 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
     /// Estimated relative error at which no more nodes are added. After 2^62 ticks, a thousand a period, it is 3e16 times as large.
     const SETTLED: f64 = if WORDS == 1 { 1e-17 } else { 1e-28 };
 
-    /// Rule with the least number of nodes, and the number of nodes that the rate of convergence requires.
+    /// Rule with the first nodes.
     #[inline(never)] // keeps the stack small
     fn new(
         equations: &'a EllipticEquations<'a, Wide<WORDS>>,
         landen: &'a Landen<WORDS>,
+        nodes: u32,
         pause: &mut dyn FnMut(),
-    ) -> (Self, u32) {
-        let (nodes, needed) = landen.node_counts(Self::BITS);
+    ) -> Self {
         let step = part_of_right_angle(nodes);
         let mut rule =
             Self { equations, landen, sums: [Wide::ZERO; 3], nodes, step, changes: [f64::INFINITY; 2] };
@@ -66,7 +67,7 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         let ends = sum(rule.at([Wide::ZERO, Wide::ONE], pause), rule.at([Wide::ONE, Wide::ZERO], pause));
         let inner = rule.sums_of(nodes - 1, step, pause);
         rule.sums = sum(ends.map(Wide::halved), inner);
-        (rule, needed)
+        rule
     }
 
     /// Halves the distance of the nodes. Returns the estimated relative error.
@@ -196,7 +197,8 @@ mod tests {
         let elliptic = EllipticEquations::new(&equations);
         let mut landen = Landen::NONE;
         landen.fill(elliptic.parameters(), &mut || {});
-        let (mut rule, _) = TrapezoidRule::new(&elliptic, &landen, &mut || {});
+        let (nodes, _) = landen.node_counts(TrapezoidRule::<2>::BITS);
+        let mut rule = TrapezoidRule::new(&elliptic, &landen, nodes, &mut || {});
         while rule.nodes < 2 * first.nodes {
             rule.double_nodes(&mut || {});
         }
