@@ -24,9 +24,8 @@ pub struct SetUp {
     pub(super) launch: LaunchPlace,
     path: Path,
     series: ParameterSeries,
-    /// Polynomials of α and β on a span, and one of them on a segment.
+    /// Polynomials of α and β on a span.
     polynomials: [Polynomial; 2],
-    segment: Polynomial,
     pub(super) cut: Cut,
 }
 
@@ -49,7 +48,6 @@ impl SetUp {
             path: Path::ZERO,
             series: ParameterSeries::ZERO,
             polynomials: [Polynomial::ZERO; 2],
-            segment: Polynomial::ZERO,
             cut: Cut::ZERO,
         }
     }
@@ -99,10 +97,10 @@ impl SetUp {
             while self.expand_span(origin, &ellipses, pause).is_none() {
                 self.path.shorten_span()?;
             }
-            let Self { limits, launch, path, polynomials, segment, cut, .. } = self;
+            let Self { limits, launch, path, polynomials, cut, .. } = self;
             pause();
             launch.search(&path.expansion, path.end.phases.chi, path.span);
-            place = cut.cut_span(path, polynomials, segment, limits, store, pause)?;
+            place = cut.cut_span(path, polynomials, limits, store, pause)?;
         }
         self.cut.error += self.path.error(&self.cut.speeds, self.launch.delay);
         Some(())

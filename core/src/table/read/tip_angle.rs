@@ -15,7 +15,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     /// Tip angle φ = arg c with whole turns (modulo 2^32), continuous in time from φ(0) in (-1/2, 1/2] turn; `None` where the axis is
     /// vertical at all times. Error: that of the orientation over 2|αβ|.
     ///
-    /// Where the curve passes through the centre, φ is smooth and the radius changes its sign: c = ±ρ e^{iφ}. The cost is an arctangent, and a
+    /// Where the curve passes through the centre, φ is smooth and the radius changes its sign: c = ±|c| e^{iφ}. The cost is an arctangent, and a
     /// complex product for every segment from u = e₁ to the sample.
     #[must_use]
     pub fn tip_angle(&self) -> Option<Phase> {
