@@ -70,7 +70,7 @@ impl SetUp {
         let store =
             &mut |segment, column, parts: [&_; 2]| store_polynomial::<R>(segments, segment, column, parts);
         // a slow phase may hardly differ from its mean, which the table of an `f64` must resolve
-        let origin: ComputeOrigin = match R::PERIOD_WORDS {
+        let compute_origin: ComputeOrigin = match R::PERIOD_WORDS {
             1 => |path| path.compute_origin(&path.rounded_equations, Float::to_f64),
             _ => |path| path.compute_origin(&path.equations, |constant| constant),
         };
@@ -78,7 +78,7 @@ impl SetUp {
             1 => self.begin::<1>(motion, pause),
             _ => self.begin::<2>(motion, pause),
         }
-        let built = self.build(motion, origin, store, pause);
+        let built = self.build(motion, compute_origin, store, pause);
         built.ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
     }
 

@@ -78,7 +78,7 @@ impl SetUp {
     pub(super) fn build(
         &mut self,
         motion: &Motion,
-        origin: ComputeOrigin,
+        compute_origin: ComputeOrigin,
         store: &mut Store<'_>,
         pause: &mut dyn FnMut(),
     ) -> Option<()> {
@@ -94,7 +94,7 @@ impl SetUp {
         let mut place = 0;
         while place < HALF_PERIOD {
             self.cut.enter_span(&mut self.path, place);
-            while self.expand_span(origin, &ellipses, pause).is_none() {
+            while self.expand_span(compute_origin, &ellipses, pause).is_none() {
                 self.path.shorten_span()?;
             }
             let Self { limits, launch, path, polynomials, cut, .. } = self;
@@ -109,12 +109,12 @@ impl SetUp {
     /// Expands the motion on the span and computes the polynomials of α and β; `None` where they are not accurate.
     fn expand_span(
         &mut self,
-        origin: ComputeOrigin,
+        compute_origin: ComputeOrigin,
         ellipses: &[[f64; 2]; 2],
         pause: &mut dyn FnMut(),
     ) -> Option<()> {
         let Self { limits, path, series, polynomials, .. } = self;
-        path.expand(origin, pause)?;
+        path.expand(compute_origin, pause)?;
         for (index, (polynomial, ellipse)) in polynomials.iter_mut().zip(ellipses).enumerate() {
             pause();
             polynomial.compute(series, &path.expansion, index, *ellipse, limits, pause)?;
