@@ -61,7 +61,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let exact = argument - a - b - if is_falling(nutation) { -quarter_turn } else { quarter_turn };
         let off = exact - tabulated;
         // modulo half a turn where the curve passes through the centre, because the radius then has a sign
-        let off = if tip_quarter != 0 || tip_passes != 0 {
+        let off = if tip_passes > 0 {
             Phase::from_bits(off.times(2).principal().to_bits() >> 1)
         } else {
             off.principal()
