@@ -42,7 +42,6 @@ struct OpenCell {
 #[derive(Debug)]
 pub(super) struct Cut {
     pub(super) cells: [u16; CELLS],
-    /// Number of segments.
     pub(super) segments: usize,
     /// Orientation error besides that of a tick, rad.
     pub(super) error: f64,

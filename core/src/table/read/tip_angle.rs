@@ -22,7 +22,6 @@ impl<R: EphemerisScalar> Sample<'_, R> {
         self.ephemeris.clock.tip_exists.then(|| self.tip_angle_unchecked())
     }
 
-    /// Tip angle, if it exists.
     pub(crate) fn tip_angle_unchecked(&self) -> Phase {
         let [nutation, ..] = self.phases;
         let ephemeris = self.ephemeris;
@@ -127,7 +126,6 @@ fn complex([re_alpha, im_alpha, re_beta, im_beta]: [f64; 4]) -> [Complex<f64>; 2
 /// Value of |αβ|, in roundings of the scalar, below which its argument is unknown.
 const LEAST_MODULUS: f64 = 64.0;
 
-/// Whether u falls at a nutation phase.
 fn is_falling(nutation: u64) -> bool {
     (nutation as i64) < 0
 }
