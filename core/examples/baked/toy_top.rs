@@ -7,7 +7,7 @@
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25> {
     format: 7,
-    crc32: 0xea6f4327,
+    crc32: 0x83e09a34,
     clock: toytop::Clock {
         step: [[2668364299, 588342322, 56542227], [1444926868, 672778249, 51392304], [1879647339, 2227764775, 4247109518]],
         tip_quarter: 0,
@@ -16,15 +16,15 @@ pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25>
         has_turning_points: true,
         twice_tip_scale: 0.06,
         rates: [421.27243, 5.170723, 150.0],
-        first: [3493103337845293056, 6120415215266720256, 14410232149199845376],
+        first: [3493103337845293056, 6120415215266720256, 14410232149199845632],
         exact_step: [[0.013164763137927308, -7.252620283208037e-19], [0.01196570325564672, 5.061285186898859e-19], [-0.011142757134816631, 4.0319524518681763e-19]],
         ticks_per_time: [1000.0, 0.0],
-        tip_start: [0, 4292272640, 2147483647, 0],
+        tip_start: [0, 4292272896, 2147483647, 0],
         tip_step: [3324574207, 2900543024, 3534526, 0],
         epoch: 0,
     },
-    error_bound: toytop::ErrorBound { constant: 1.7307138314906143e-7, per_tick: 1.6825931213952776e-18 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.00013611330695043912, per_tick: 2.5762183420191765e-16 },
+    error_bound: toytop::ErrorBound { constant: 1.7307138283244377e-7, per_tick: 1.6825931213952776e-18 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.00013611330687219187, per_tick: 2.5762183420191765e-16 },
     cells: [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
     segments: [
         [

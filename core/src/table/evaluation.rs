@@ -51,7 +51,7 @@ pub struct SegmentPoint {
 /// Upper bounds on the rounding errors of a tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EvaluationErrors {
-    /// Orientation error, rad, besides that of `coordinate`.
+    /// Orientation error but for that of `coordinate`, rad.
     pub(crate) orientation: f64,
     /// Orientation error over the greatest change of the orientation on half a segment.
     pub(crate) coordinate: f64,
@@ -152,7 +152,7 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     fn last_step(constant: Self, sum: SumOf<Self>, x: SumOf<Self>) -> SumOf<Self>;
     /// Sine and cosine of a phase, given by its 64 leading bits, for polynomials of this many terms.
     fn sine_cosine(phase: u64, terms: usize) -> [SumOf<Self>; 2];
-    /// Tabulated complex number, turned by an angle with this sine and cosine.
+    /// Complex number of the table, turned by the angle with this sine and cosine.
     fn rotated(
         number: [SumOf<Self>; 2],
         is_falling: bool,

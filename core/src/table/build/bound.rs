@@ -133,7 +133,7 @@ pub(super) fn error_bounds(
     [orientation, rate]
 }
 
-/// Rounding error of a step as a phase, in turns; whole turns do not count.
+/// Rounding error of an increment as a phase, in turns; whole turns do not count.
 fn increment_error(exact: Extended) -> f64 {
     let difference = (exact - exact.to_phase().into()).to_f64();
     difference - libm::round(difference)

@@ -42,12 +42,13 @@ struct OpenCell {
 #[derive(Debug)]
 pub(super) struct Cut {
     pub(super) cells: [u16; CELLS],
-    /// Number of segments.
     pub(super) segments: usize,
     /// Orientation error besides that of a tick, rad.
     pub(super) error: f64,
     pub(super) speeds: Speeds,
     cell: OpenCell,
+    /// Polynomial of α or β on a segment.
+    segment: Polynomial,
 }
 
 impl Cut {
@@ -64,6 +65,7 @@ impl Cut {
             speeds: Speeds::ZERO,
             error: 0.0,
         },
+        segment: Polynomial::ZERO,
     };
 
     /// Stores the polynomials of a motion in which u is constant: the sums of the coefficients of both ellipses.
@@ -96,12 +98,10 @@ impl Cut {
     /// segments are too many.
     ///
     /// * `polynomials`: those of α and β on the span
-    /// * `segment`: memory for one of them on a segment
     pub(super) fn cut_span(
         &mut self,
         path: &Path,
         polynomials: &[Polynomial; 2],
-        segment: &mut Polynomial,
         limits: &Limits,
         store: &mut Store<'_>,
         pause: &mut dyn FnMut(),
@@ -123,11 +123,12 @@ impl Cut {
             let (length, halvings) = (segment_length(depth), depth.saturating_sub(span.depth));
             let index = self.segments + (place - self.cell.begin) / length;
             for (whole, column) in polynomials.iter().zip([0, 2]) {
-                segment.restrict(whole, place / length, halvings, limits.dropped);
-                segment.shorten(limits.coefficients, i64::MAX);
+                self.segment.restrict(whole, place / length, halvings, limits.dropped);
+                self.segment.shorten(limits.coefficients, i64::MAX);
                 pause();
-                let stored = store(index, column, segment.parts.each_ref().map(|part| &part.coefficients));
-                segment.add_errors(&mut errors, halvings, stored);
+                let parts = self.segment.parts.each_ref().map(|part| &part.coefficients);
+                let stored = store(index, column, parts);
+                self.segment.add_errors(&mut errors, halvings, stored);
                 pause();
             }
             let parts = (1_u32 << halvings) as f32;

@@ -51,7 +51,7 @@ impl fmt::Display for SetUpError {
 impl core::error::Error for SetUpError {}
 
 impl SetUp {
-    /// Computes the segments. The memory may hold none.
+    /// Computes the segments and stores those for which there is memory.
     fn tabulate<R: EphemerisScalar>(
         &mut self,
         motion: &Motion,
@@ -70,7 +70,7 @@ impl SetUp {
         let store =
             &mut |segment, column, parts: [&_; 2]| store_polynomial::<R>(segments, segment, column, parts);
         // a slow phase may hardly differ from its mean, which the table of an `f64` must resolve
-        let origin: ComputeOrigin = match R::PERIOD_WORDS {
+        let compute_origin: ComputeOrigin = match R::PERIOD_WORDS {
             1 => |path| path.compute_origin(&path.rounded_equations, Float::to_f64),
             _ => |path| path.compute_origin(&path.equations, |constant| constant),
         };
@@ -78,7 +78,7 @@ impl SetUp {
             1 => self.begin::<1>(motion, pause),
             _ => self.begin::<2>(motion, pause),
         }
-        let built = self.build(motion, origin, store, pause);
+        let built = self.build(motion, compute_origin, store, pause);
         built.ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
     }
 
@@ -133,7 +133,8 @@ impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
 }
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
-    /// Ephemeris of a motion that is launched at tick 0. It needs 14 KiB of stack on a Cortex-M4F in `f32`; [`EphemerisMemory::set_up`] needs 5 KiB.
+    /// Ephemeris of a motion that is launched at tick 0. It needs 14 KiB of stack on a Cortex-M4F in `f32`;
+    /// [`EphemerisMemory::set_up`] needs 5 KiB.
     ///
     /// # Errors
     /// [`SetUpError`]
@@ -153,7 +154,8 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Number of segments that is enough for a truncation error, rad; `None` if 4096, the largest number, are not, or the motion has no table.
+    /// Number of segments that is enough for a truncation error, rad; `None` where 4096, the largest number, are too few, or the motion has no
+    /// table.
     #[must_use]
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let mut set_up = SetUp::with_truncation(truncation);
@@ -162,21 +164,21 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     }
 }
 
-/// Stores a polynomial in two columns of a segment, if the table contains it. Returns the error of the orientation by short products and
-/// coefficients out of range, and that of the derivative by rounding, in units of 2^-62 rad.
+/// Stores both parts of a polynomial in the columns from `column` on, if the table contains the segment. Returns the error of the orientation
+/// by products with 16 bits and by coefficients out of range, and that of the derivative by rounding, in units of 2^-62 rad.
 fn store_polynomial<R: EphemerisScalar>(
     segments: &mut [R::Segment],
     segment: usize,
     column: usize,
     parts: [&[i64; MOST_TERMS]; 2],
 ) -> [f32; 2] {
-    let place = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
+    let rows = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
     let (mut largest, mut slope_squares) = (0.0_f32, 0.0);
     for (column, part) in (column..).zip(parts) {
         let part = part.get(..R::TERMS).unwrap_or(part);
-        // Σ k |error of c_k|
+        // Σ k |error of c_k|, by sums of sums
         let (mut errors, mut slope_error) = (0_u64, 0_u64);
-        for (power, (four, &value)) in place.iter_mut().zip(part).enumerate().rev() {
+        for (power, (four, &value)) in rows.iter_mut().zip(part).enumerate().rev() {
             if let Some(held) = four.get_mut(column) {
                 let (coefficient, error) = R::Coefficient::nearest(value, power);
                 *held = coefficient;

@@ -13,10 +13,10 @@
 //! The rate of a slow phase is a linear function of v divided by a combination of D and D dχ/dy:
 //!
 //! ```text
-//! dψ/dy = (dψ/dy)₀ + π              (1 + κ) ((dψ/dy)₀ + π) = (dψ/dy)₀ + a v,    κ = b δ + d μ
+//! dψ/dy = (dψ/dy)₀ + σ              (1 + κ) ((dψ/dy)₀ + σ) = (dψ/dy)₀ + a v,    κ = b δ + d μ
 //! ```
 //!
-//! Each coefficient follows from those before. A residual phase is ψ minus its mean rotation, which changes only (dψ/dy)₀.
+//! Each coefficient follows from those before. The residual phase ρ is ψ minus its mean rotation: only the constant of its rate differs.
 
 mod recurrence;
 
@@ -81,7 +81,7 @@ impl RateSeries {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PathPhases {
     pub(super) chi: Phase,
-    /// Residual phases of α and β: ψ_A and ψ_B minus their mean rotation.
+    /// Residual phases ρ of α and β.
     pub(super) residual: [Phase; 2],
 }
 

@@ -133,20 +133,20 @@ impl Path {
 
     /// Expands the motion around the centre of the span; `None` where a truncation error is too large.
     #[inline(never)]
-    pub(super) fn expand(&mut self, origin: ComputeOrigin, pause: &mut dyn FnMut()) -> Option<()> {
+    pub(super) fn expand(&mut self, compute_origin: ComputeOrigin, pause: &mut dyn FnMut()) -> Option<()> {
         let allowed = self.allowed_step();
         if self.centre.is_none() {
-            self.expand_at_origin(origin, pause);
+            self.expand_at_origin(compute_origin, pause);
             self.centre = Some(self.point_at(1, allowed)?);
         }
-        self.expand_at_origin(origin, pause);
+        self.expand_at_origin(compute_origin, pause);
         self.end = self.point_at(1, allowed)?;
         Some(())
     }
 
-    fn expand_at_origin(&mut self, origin: ComputeOrigin, pause: &mut dyn FnMut()) {
+    fn expand_at_origin(&mut self, compute_origin: ComputeOrigin, pause: &mut dyn FnMut()) {
         pause();
-        let origin = origin(self);
+        let origin = compute_origin(self);
         pause();
         self.expansion.expand(&self.rounded_equations, &origin, pause);
         pause();
@@ -157,8 +157,7 @@ impl Path {
         self.allowed * self.span.half_length()
     }
 
-    /// Centre of the span, or its beginning where the centre is not known.
-    fn origin(&self) -> &PathPoint {
+    fn centre_or_beginning(&self) -> &PathPoint {
         self.centre.as_ref().unwrap_or(&self.beginning)
     }
 
@@ -171,7 +170,7 @@ impl Path {
     ) -> Origin {
         // two spans
         let unit = (1..self.span.depth).fold(self.half_period, |unit, _| unit.halved());
-        let phases = self.origin().phases;
+        let phases = self.centre_or_beginning().phases;
         let (sine, cosine) = phases.sine_cosine();
         let PhaseRates { nutation, slow_a, slow_b } = equations.rates(F::from_f64(sine), F::from_f64(cosine));
         let [alpha_offset, beta_offset] = self.residual_offsets.map(convert);
@@ -198,7 +197,7 @@ impl Path {
     fn point_at(&self, x: u32, allowed: f64) -> Option<PathPoint> {
         let truncation_error = self.expansion.truncation_error(x);
         (truncation_error <= allowed).then(|| {
-            let PathPoint { truncation, squares: [delays, angles], .. } = self.origin();
+            let PathPoint { truncation, squares: [delays, angles], .. } = self.centre_or_beginning();
             let (phases, chi_rate) = self.expansion.at(x.into());
             let [chi, residual] = self.expansion.step_magnitudes(x);
             let delay = chi / chi_rate as f32 * self.span.half_length() as f32;

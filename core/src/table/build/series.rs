@@ -139,7 +139,6 @@ impl UnitFactor {
 
 /// Coefficient c/(k + 1) of the integral of a term c y^k, rounded to the nearest.
 pub(super) fn integrated(c: i64, k: usize) -> i64 {
-    /// 1/(k + 1), rounded.
     #[allow(clippy::indexing_slicing)]
     static INVERSES: [Limbs; MOST_TERMS] = {
         let mut inverses = [Limbs::ZERO; MOST_TERMS];

@@ -24,9 +24,8 @@ pub struct SetUp {
     pub(super) launch: LaunchPlace,
     path: Path,
     series: ParameterSeries,
-    /// Polynomials of α and β on a span, and one of them on a segment.
+    /// Polynomials of α and β on a span.
     polynomials: [Polynomial; 2],
-    segment: Polynomial,
     pub(super) cut: Cut,
 }
 
@@ -49,7 +48,6 @@ impl SetUp {
             path: Path::ZERO,
             series: ParameterSeries::ZERO,
             polynomials: [Polynomial::ZERO; 2],
-            segment: Polynomial::ZERO,
             cut: Cut::ZERO,
         }
     }
@@ -80,7 +78,7 @@ impl SetUp {
     pub(super) fn build(
         &mut self,
         motion: &Motion,
-        origin: ComputeOrigin,
+        compute_origin: ComputeOrigin,
         store: &mut Store<'_>,
         pause: &mut dyn FnMut(),
     ) -> Option<()> {
@@ -96,13 +94,13 @@ impl SetUp {
         let mut place = 0;
         while place < HALF_PERIOD {
             self.cut.enter_span(&mut self.path, place);
-            while self.expand_span(origin, &ellipses, pause).is_none() {
+            while self.expand_span(compute_origin, &ellipses, pause).is_none() {
                 self.path.shorten_span()?;
             }
-            let Self { limits, launch, path, polynomials, segment, cut, .. } = self;
+            let Self { limits, launch, path, polynomials, cut, .. } = self;
             pause();
             launch.search(&path.expansion, path.end.phases.chi, path.span);
-            place = cut.cut_span(path, polynomials, segment, limits, store, pause)?;
+            place = cut.cut_span(path, polynomials, limits, store, pause)?;
         }
         self.cut.error += self.path.error(&self.cut.speeds, self.launch.delay);
         Some(())
@@ -111,12 +109,12 @@ impl SetUp {
     /// Expands the motion on the span and computes the polynomials of α and β; `None` where they are not accurate.
     fn expand_span(
         &mut self,
-        origin: ComputeOrigin,
+        compute_origin: ComputeOrigin,
         ellipses: &[[f64; 2]; 2],
         pause: &mut dyn FnMut(),
     ) -> Option<()> {
         let Self { limits, path, series, polynomials, .. } = self;
-        path.expand(origin, pause)?;
+        path.expand(compute_origin, pause)?;
         for (index, (polynomial, ellipse)) in polynomials.iter_mut().zip(ellipses).enumerate() {
             pause();
             polynomial.compute(series, &path.expansion, index, *ellipse, limits, pause)?;

@@ -11,10 +11,10 @@ pub(super) struct Span {
     pub(super) depth: u32,
 }
 
-/// Half a period.
+/// Length of half a period.
 pub(super) const HALF_PERIOD: usize = 1 << Span::DEEPEST;
 
-/// Cell.
+/// Length of a cell.
 pub(super) const CELL: usize = HALF_PERIOD / CELLS;
 
 impl Span {

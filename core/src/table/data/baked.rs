@@ -81,16 +81,6 @@ impl core::error::Error for BakedError {}
 impl<R: EphemerisScalar, const SEGMENTS: usize> Baked<R, SEGMENTS> {
     /// Version of the format that this version of the crate reads.
     pub const FORMAT: u32 = FORMAT;
-
-    const fn unchecked(&self) -> Ephemeris<R, SEGMENTS> {
-        EphemerisView {
-            clock: self.clock,
-            error_bound: self.error_bound,
-            rate_error_bound: self.rate_error_bound,
-            cells: self.cells,
-            segments: self.segments,
-        }
-    }
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
@@ -167,7 +157,13 @@ macro_rules! baked {
                 if self.format != FORMAT {
                     return Err(BakedError::Format { found: self.format });
                 }
-                let table = self.unchecked();
+                let table = EphemerisView {
+                    clock: self.clock,
+                    error_bound: self.error_bound,
+                    rate_error_bound: self.rate_error_bound,
+                    cells: self.cells,
+                    segments: self.segments,
+                };
                 let view: &EphemerisView<$scalar> = &table;
                 let computed = view.crc32();
                 if self.crc32 != computed {

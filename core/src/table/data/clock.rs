@@ -86,7 +86,6 @@ pub struct Clock<W> {
 }
 
 impl<W: Float> Clock<W> {
-    /// Clock before set-up.
     pub(crate) const ZERO: Self = Self {
         step: [[0; 3]; 3],
         tip_quarter: 0,

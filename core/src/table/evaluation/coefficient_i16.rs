@@ -1,5 +1,5 @@
-//! Evaluation in integers with coefficients of 16 bits. Both factors of every product have 16 bits, so that a product is one instruction on
-//! the smallest chip.
+//! Evaluation with coefficients of 16 bits: c·2^(15+k) for x^k. Both factors of every product have 16 bits, so that a product is one
+//! instruction on the smallest chip.
 
 use crate::complex::Complex;
 use crate::scalar::{sine_cosine_q15, times_power_of_two};
@@ -14,9 +14,9 @@ use fixed::types::I2F14;
 
 /// Unit of the sums in 16 bits, 2^-15.
 const UNIT: f64 = 1.0 / (1_u64 << 15) as f64;
-/// Least sum in 16 bits that could overflow, with a margin of about thirty roundings of a coefficient.
+/// Least sum that could overflow: 1 minus about thirty roundings of a coefficient.
 const OVERFLOW: i64 = overflow_limit(1e-3);
-/// Factor 1 - 9.4e-6 of the coefficients of 16 bits, in units of 2^-30. It halves the error of their sines, which are up to 1.9e-5 too large.
+/// Factor 1 - 9.4e-6 of the coefficients, in units of 2^-30. It halves the error of the sines, which are up to 1.9e-5 too large.
 const SHRINK: i64 = (1 << 30) - 10093;
 
 impl EphemerisScalar for I2F14 {

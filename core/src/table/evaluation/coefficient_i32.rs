@@ -1,10 +1,10 @@
-//! Evaluation in integers. Sums have 32 bits, in units of 2^-31.
+//! Evaluation in integers of 32 bits. Sums are in units of 2^-31.
 //!
-//! A coefficient of x^k is stored as c·2^(31+k) (in 16 bits as c·2^(15+k)). The upper word of its product with x·2^31 has half the scale,
-//! that of the next lower coefficient. The sums for a derivative have half the scale, because they may be twice as large. Set-up refuses
-//! sums that could overflow; the last one saturates.
+//! A coefficient of x^k is stored as c·2^(31+k). The upper word of its product with x·2^31 has half the scale, which is that of the next lower
+//! coefficient. The sums for a derivative have half the scale, because they may be twice as large. Set-up refuses sums that could overflow; the
+//! last one saturates.
 //!
-//! For the powers above half the number of terms, 16 bits of x are enough, because their coefficients are small: set-up verifies it.
+//! For the powers above half the number of terms 16 bits of x are enough, because their coefficients are small. Set-up verifies it.
 
 use crate::complex::Complex;
 use crate::product::{high_product, high_product_of_less, short_product};
@@ -66,7 +66,7 @@ impl EphemerisScalar for I2F30 {
 
 /// Error of products by 16 bits of x that counts as part of a tick, in units of 2^-62: 2^-31.
 const ACCEPTED_ERROR: f32 = (1_u32 << 31) as f32;
-/// Least sum that could overflow, with a margin of 2^-15 plus some thousand roundings of a coefficient.
+/// Least sum that could overflow: 1 minus 2^-15 and some thousand roundings of a coefficient.
 const OVERFLOW: i64 = overflow_limit(3.2e-5);
 
 /// 1 minus `margin`, in units of 2^-62.

@@ -1,4 +1,4 @@
-//! Number in units of 2^-30, whose products are those of [`crate::product::high_product`].
+//! Numbers in units of 2^-30, the results in `f32` and fixed point.
 
 use crate::product::high_product;
 use crate::scalar::{Ring, sealed::Sealed};

@@ -19,7 +19,6 @@ pub struct Sample<'a, R: EphemerisScalar> {
     pub(crate) ephemeris: &'a EphemerisView<R>,
     /// Leading 64 bits of nutation phase, A and B.
     pub(crate) phases: [u64; 3],
-    /// Mean tip angle.
     pub(crate) mean_tip: Phase,
 }
 
@@ -172,7 +171,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     }
 }
 
-/// Segment that contains a nutation phase, and the place on it.
+/// Segment of a nutation phase, and the place on it.
 pub(super) struct LocatedSegment<'a, R: EphemerisScalar> {
     /// Coefficients of each power, the lowest first.
     pub(super) rows: &'a [[R::Coefficient; 4]],
@@ -236,9 +235,9 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         // no cell refers to a segment beyond the last; the fallback to the first segment avoids a branch for a panic
         let segment = self.segments.get(index).or(self.segments.first());
         // the fraction of a segment of level 0, and its 32 leading bits
-        let (eighth, short) = (half << LEVEL_0_BITS, (half >> (32 - LEVEL_0_BITS)) as u32);
+        let (eighth, leading) = (half << LEVEL_0_BITS, (half >> (32 - LEVEL_0_BITS)) as u32);
         // the range [0, 1) becomes [-1, 1) by flipping the upper bit
-        let (x64, x32) = ((eighth << level) ^ (1 << 63), (short << level) ^ (1 << 31));
+        let (x64, x32) = ((eighth << level) ^ (1 << 63), (leading << level) ^ (1 << 31));
         LocatedSegment {
             rows: segment.map_or(&[], |segment| segment.as_ref()),
             index,

@@ -15,14 +15,13 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     /// Tip angle φ = arg c with whole turns (modulo 2^32), continuous in time from φ(0) in (-1/2, 1/2] turn; `None` where the axis is
     /// vertical at all times. Error: that of the orientation over 2|αβ|.
     ///
-    /// Where the curve passes through the centre, φ is smooth and the radius changes its sign: c = ±ρ e^{iφ}. The cost is an arctangent, and a
+    /// Where the curve passes through the centre, φ is smooth and the radius changes its sign: c = ±|c| e^{iφ}. The cost is an arctangent, and a
     /// complex product for every segment from u = e₁ to the sample.
     #[must_use]
     pub fn tip_angle(&self) -> Option<Phase> {
         self.ephemeris.clock.tip_exists.then(|| self.tip_angle_unchecked())
     }
 
-    /// Tip angle, if it exists.
     pub(crate) fn tip_angle_unchecked(&self) -> Phase {
         let [nutation, ..] = self.phases;
         let ephemeris = self.ephemeris;
@@ -61,7 +60,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let exact = argument - a - b - if is_falling(nutation) { -quarter_turn } else { quarter_turn };
         let off = exact - tabulated;
         // modulo half a turn where the curve passes through the centre, because the radius then has a sign
-        let off = if tip_quarter != 0 || tip_passes != 0 {
+        let off = if tip_passes > 0 {
             Phase::from_bits((off * 2).principal().to_bits() >> 1)
         } else {
             off.principal()
@@ -127,7 +126,6 @@ fn complex([re_alpha, im_alpha, re_beta, im_beta]: [f64; 4]) -> [Complex<f64>; 2
 /// Value of |αβ|, in roundings of the scalar, below which its argument is unknown.
 const LEAST_MODULUS: f64 = 64.0;
 
-/// Whether u falls at a nutation phase.
 fn is_falling(nutation: u64) -> bool {
     (nutation as i64) < 0
 }

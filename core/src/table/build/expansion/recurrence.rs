@@ -43,7 +43,7 @@ impl SlowFactors {
         }
     }
 
-    /// Computes the k-th coefficients of κ and π. Returns whether that of π is negligible; `None` where one is out of range.
+    /// Computes the k-th coefficients of κ and σ. Returns whether that of σ is negligible; `None` where one is out of range.
     fn advance(
         &self,
         rate: &mut RateSeries,
@@ -55,11 +55,11 @@ impl SlowFactors {
         let kappa =
             sum_in_range([self.delta_to_divisor.times(delta), self.momentum_to_divisor.times(momentum)])?;
         let known = divisor.product(variation, 1..k, k, -divisor.exponent);
-        let pi =
+        let sigma =
             sum_in_range([self.square_to_rate.times(square), -self.divisor_to_rate.times(kappa), -known])?;
         divisor.set(k, kappa)?;
-        variation.set(k, pi)?;
-        Some(is_negligible(pi, k, self.negligible))
+        variation.set(k, sigma)?;
+        Some(is_negligible(sigma, k, self.negligible))
     }
 }
 

@@ -1,4 +1,6 @@
-//! Sine and cosine in the integers of the series.
+//! Sine and cosine to 56 bits in integers.
+//!
+//! They take a chip a fifth of the time of those in `f64`. With the 53 bits of those, a release from rest would not be an event at its tick.
 
 use super::{Limbs, scaled_product};
 use crate::phase::Phase;
@@ -7,7 +9,7 @@ use crate::product::signed_product;
 /// Fraction bits of [`sine_cosine`].
 pub(crate) const FRACTION: i32 = 57;
 
-/// Series of sin r/r in powers of r², in units of 2^-58. The last coefficients and their products with r² have at most 32 bits.
+/// Series of sin r/r in powers of r², in units of 2^-58. The last four coefficients and their products with r² have at most 32 bits.
 const SINE: ([i64; 6], [i32; 4]) = (
     [288230376151711744, -48038396025285291, 2401919801264265, -57188566696768, 794285648566, -7220778623],
     [46287042, -220414, 810, -2],
@@ -25,15 +27,15 @@ const COSINE: ([i64; 6], [i32; 4]) = (
     [601731552, -3306217, 13776, -45],
 );
 
-/// Sum of a series for r² in units of 2^-58, which is below 0.62.
-fn sum((long, short): &([i64; 6], [i32; 4]), square: i64) -> i64 {
+/// Value of a series at r² in units of 2^-58, which is below 0.62.
+fn evaluate((first, last): &([i64; 6], [i32; 4]), square: i64) -> i64 {
     let word = (square >> 27) as i32;
     let times_square = |sum: i32| (signed_product(sum, word) >> 31) as i32;
-    let short = short.iter().rev().fold(0, |sum, c| c + times_square(sum));
+    let last = last.iter().rev().fold(0, |sum, c| c + times_square(sum));
     let square = Limbs::new(square);
-    let [first @ .., last] = long;
-    let last = last + i64::from(times_square(short));
-    first.iter().rev().fold(last, |sum, c| c + scaled_product::<58>(square, sum))
+    let [first @ .., middle] = first;
+    let middle = middle + i64::from(times_square(last));
+    first.iter().rev().fold(middle, |sum, c| c + scaled_product::<58>(square, sum))
 }
 
 /// (sin 2πx, cos 2πx) of a phase of x turns, in units of 2^-57. Error: below 2^-56.
@@ -45,8 +47,8 @@ pub(crate) fn sine_cosine(phase: Phase) -> (i64, i64) {
     // from units of 2^-62 turns to rad in units of 2^-58
     let angle = scaled_product::<59>(QUARTER_TURN, (rest.to_bits() >> 34) as i64);
     let square = scaled_product::<58>(Limbs::new(angle), angle);
-    let sine = scaled_product::<59>(Limbs::new(angle), sum(&SINE, square));
-    let cosine = (sum(&COSINE, square) + 1) >> 1;
+    let sine = scaled_product::<59>(Limbs::new(angle), evaluate(&SINE, square));
+    let cosine = (evaluate(&COSINE, square) + 1) >> 1;
     match quadrant % 4 {
         0 => (sine, cosine),
         1 => (cosine, -sine),
