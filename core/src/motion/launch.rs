@@ -46,7 +46,7 @@ impl Motion {
         pause();
         let e = BranchPoints::from_reduced_point(top, &integrals, &point, pause)?;
         pause();
-        let mut motion = Self::with_constants(top, &integrals, e, integrals.signs(), point.rests_upright());
+        let mut motion = Self::with_constants(top, &integrals, e, integrals.signs(), point.is_sleeping());
         pause();
         motion.rounding = LaunchRounding::new(top, &integrals, &point, &e, state);
         pause();
@@ -74,14 +74,17 @@ impl Motion {
             "e3",
             "that of a motion with torque: without it branch points tell no rate; give a state or a release",
         )?;
-        let e = BranchPoints::exact(e)?;
+        let e = BranchPoints::from_roots(e)?;
         let InitialPhases { theta, arg_alpha, arg_beta } = *start;
         for (name, angle) in [("theta", theta), ("arg_alpha", arg_alpha), ("arg_beta", arg_beta)] {
             check_range(-1e6..=1e6, name, angle, "between -1e6 and 1e6 rad")?;
         }
         let integrals = e.scaled_integrals(top, signs);
+        let (FirstIntegrals { n, spin, l_plus_n, l_minus_n, .. }, ScaledTop { c, k, .. }) =
+            (integrals, ScaledTop::<Extended>::new(top));
+        let rounding = (l_plus_n.abs() + l_minus_n.abs() + k.abs()) * Extended::from(f64::EPSILON);
         check(
-            has_axial_rate(top, &integrals),
+            if c > Extended::ZERO { spin.abs() <= 1e24.into() } else { (n - k).abs() <= rounding },
             "e3",
             "such that (n - rotor_momentum)/axial_inertia is at most 1e24 rad/s, and n = rotor_momentum for a rod",
         )?;
@@ -138,13 +141,4 @@ impl Motion {
         }
         motion
     }
-}
-
-/// Whether the axial rate (n - K)/C is at most 1e24 per unit of time, or n = K to a rounding where C is 0.
-fn has_axial_rate(top: &Top, integrals: &FirstIntegrals<Extended>) -> bool {
-    const FASTEST: f64 = 1e24;
-    let (FirstIntegrals { n, spin, l_plus_n, l_minus_n, .. }, ScaledTop { c, k, .. }) =
-        (*integrals, ScaledTop::<Extended>::new(top));
-    let noise = (l_plus_n.abs() + l_minus_n.abs() + k.abs()) * Extended::from(f64::EPSILON);
-    if c > Extended::ZERO { spin.abs() <= Extended::from(FASTEST) } else { (n - k).abs() <= noise }
 }

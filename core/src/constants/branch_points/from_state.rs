@@ -45,7 +45,7 @@ impl BranchPoints<Extended> {
     ) -> Result<Self, ParameterError> {
         if top.is_torque_free() {
             Ok(Self::torque_free(top, integrals, point))
-        } else if point.rests_upright() {
+        } else if point.is_sleeping() {
             Self::upright(&ScaledTop::new(top), integrals.n)
         } else {
             let pair = LowerPair::new(&ScaledTop::new(top), integrals, point, pause)?;
@@ -91,7 +91,7 @@ impl BranchPoints<Extended> {
         let half_difference = (half_sum.squared() + (a * point.udot / momentum).squared()).sqrt();
         let e2_minus_e1 = half_difference.doubled();
         let [one_plus_e1, one_minus_e2] =
-            [l_plus_n, l_minus_n].map(|sum| lesser_factor((sum / momentum).squared(), e2_minus_e1));
+            [l_plus_n, l_minus_n].map(|sum| smaller_factor((sum / momentum).squared(), e2_minus_e1));
         Self::from_differences(one_plus_e1, one_minus_e2, e2_minus_e1, infinite)
     }
 
@@ -140,7 +140,7 @@ impl BranchPoints<Extended> {
             one.doubled() - one_minus_e1
         } else {
             // (1 + e₁)(1 + e₂) = κ (l+n)²/(1 + e₃)
-            lesser_factor(kappa * l_plus_n.squared() / (one.doubled() + e3_minus_one), e2_minus_e1)
+            smaller_factor(kappa * l_plus_n.squared() / (one.doubled() + e3_minus_one), e2_minus_e1)
         };
         require_limited_e3(e3_minus_one <= LARGEST_E3.into())?;
         Ok(Self::from_differences(one_plus_e1, one_minus_e2, e2_minus_e1, [e3_minus_e2, e3_minus_one]))
@@ -148,7 +148,7 @@ impl BranchPoints<Extended> {
 }
 
 /// Lesser of two numbers from their product and their difference.
-fn lesser_factor(product: Extended, difference: Extended) -> Extended {
+fn smaller_factor(product: Extended, difference: Extended) -> Extended {
     let sum = (difference.squared() + product.doubled().doubled()).sqrt();
     if product > Extended::ZERO { product.doubled() / (difference + sum) } else { Extended::ZERO }
 }

@@ -3,8 +3,8 @@
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::number::{Exact, Wide};
 use super::words::{leading, quotient, short_inverse_root};
+use super::{Exact, Wide};
 use crate::scalar::{Float, Ring, times_power_of_two};
 
 impl<const WORDS: usize> Wide<WORDS> {
