@@ -61,7 +61,7 @@ pub(crate) const fn wrapping_product(a: u64, b: u64) -> u64 {
 
 /// Complete 128-bit product of two unsigned numbers: upper and lower half.
 #[inline(always)]
-pub(crate) fn product_of_long(a: u64, b: u64) -> [u64; 2] {
+pub(crate) fn product_u64(a: u64, b: u64) -> [u64; 2] {
     if cfg!(target_pointer_width = "64") {
         let product = u128::from(a) * u128::from(b);
         return [(product >> 64) as u64, product as u64];
@@ -143,7 +143,7 @@ mod tests {
             assert_eq!(wrapping_product(wide.0, wide.1), wide.0.wrapping_mul(wide.1), "{a} {b}");
             let [x, y] =
                 [(a, b), (b, !a)].map(|(high, low)| u64::from(high as u32) << 32 | u64::from(low as u32));
-            assert_eq!(product_by_words(x, y), product_of_long(x, y), "{x} {y}");
+            assert_eq!(product_by_words(x, y), product_u64(x, y), "{x} {y}");
             let (a, b) = (a as u32, b as u32);
             assert_eq!(long_product_by_halves(a, b), u64::from(a) * u64::from(b), "{a} {b}");
         }
