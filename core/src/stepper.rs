@@ -4,7 +4,8 @@
 
 use crate::complex::Complex;
 use crate::motion::cayley_klein::Ellipses;
-use crate::motion::phase_equations::{PhaseEquations, PhaseRates, gudermannian, inverse_gudermannian};
+use crate::motion::gudermannian::{gudermannian, inverse_gudermannian};
+use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::motion::{HalfPhase, Motion};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real};

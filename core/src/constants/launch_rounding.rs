@@ -14,7 +14,7 @@ pub(crate) struct LaunchRounding {
     pub(crate) slow_rates: f64,
 }
 
-/// Number of successive roundings from a state to the momentum_rates, or to a coefficient of the cubics.
+/// Number of successive roundings from a state to the momenta, or to a coefficient of the cubics.
 const OPERATIONS: f64 = 32.0;
 
 impl LaunchRounding {
