@@ -1,7 +1,7 @@
 //! Gudermannian function, by which the half phase of an aperiodic motion is χ = gd v.
 
 use crate::complex::Complex;
-use crate::scalar::{Float, Real, Ring, Scalar, exponent};
+use crate::scalar::{Real, Scalar, exponent};
 
 /// Unit complex number e^{iχ} = sech v + i tanh v, for χ the Gudermannian of v.
 pub(crate) fn gudermannian<R: Real>(v: R) -> Complex<R> {

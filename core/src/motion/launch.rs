@@ -15,7 +15,7 @@ impl Motion {
     /// # Errors
     /// `omega`: so large that e₃ would exceed 1e14.
     pub fn launch(top: &Top, state: &State) -> Result<Self, ParameterError> {
-        Self::launch_between(top, state, &mut || {})
+        Self::launch_with_pauses(top, state, &mut || {})
     }
 
     /// Motion from a state, with pauses for other work.
@@ -33,7 +33,7 @@ impl Motion {
     /// # })?;
     /// # let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
     /// let mut fed = 0;
-    /// let motion = Motion::launch_between(&top, &state, &mut || fed += 1)?;
+    /// let motion = Motion::launch_with_pauses(&top, &state, &mut || fed += 1)?;
     /// assert!(motion == Motion::launch(&top, &state)? && fed > 5);
     /// # Ok::<(), toytop::ParameterError>(())
     /// ```
@@ -41,7 +41,11 @@ impl Motion {
     /// # Errors
     /// See [`launch`](Self::launch).
     #[inline(never)] // a launch must not remain on the stack during the work that follows
-    pub fn launch_between(top: &Top, state: &State, pause: &mut dyn FnMut()) -> Result<Self, ParameterError> {
+    pub fn launch_with_pauses(
+        top: &Top,
+        state: &State,
+        pause: &mut dyn FnMut(),
+    ) -> Result<Self, ParameterError> {
         let (integrals, point) = FirstIntegrals::with_reduced_point(top, state);
         pause();
         let e = BranchPoints::from_reduced_point(top, &integrals, &point, pause)?;
