@@ -29,9 +29,6 @@ pub struct Wide<const WORDS: usize> {
 /// Number of 128 bits, some 38 digits.
 pub type Extended = Wide<2>;
 
-/// Number of 64 bits, some 19 digits.
-pub type Extended64 = Wide<1>;
-
 impl<const WORDS: usize> Wide<WORDS> {
     /// Upper bound on the relative error of one sum, product, quotient or root.
     pub(crate) const OPERATION_ERROR: f64 = 1.1 * power_of_two(-64 * WORDS as i32);

@@ -162,7 +162,6 @@ fn part_of_right_angle<F: Float>(division: u32) -> [F; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::Extended64;
     use crate::{Complex, InitialPhases, Motion, Orientation, Release, Signs, State, Top, TopParameters};
 
     fn sliding([transverse_inertia, axial_inertia, com_height, mass_moment]: [f64; 4], gravity: f64) -> Top {
@@ -253,7 +252,7 @@ mod tests {
                 worst = worst.max(error);
             }
         }
-        assert!(worst > Extended64::OPERATION_ERROR || cfg!(miri), "{worst:e}");
+        assert!(worst > Wide::<1>::OPERATION_ERROR || cfg!(miri), "{worst:e}");
     }
 
     #[test]

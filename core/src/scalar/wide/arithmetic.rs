@@ -136,7 +136,9 @@ impl<const WORDS: usize> Float for Wide<WORDS> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::{Extended, Extended64};
+    use crate::scalar::Extended;
+
+    type Extended64 = Wide<1>;
 
     /// Numbers of all signs and sizes, some with few bits.
     fn samples() -> impl Iterator<Item = f64> {
