@@ -1,5 +1,7 @@
 //! Motion of one launch: its kind, its constants, and its phases at t = 0.
 
+pub(crate) mod gudermannian;
+
 pub(crate) mod phase_equations;
 
 pub(crate) mod cayley_klein;
@@ -16,8 +18,9 @@ use crate::body::{ScaledTop, Support, Top};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs, TipClass, normal_force};
 use crate::motion::cayley_klein::Ellipses;
+use crate::motion::gudermannian::inverse_gudermannian;
 use crate::motion::period::{Period, PeriodAdvance};
-use crate::motion::phase_equations::{PhaseEquations, inverse_gudermannian};
+use crate::motion::phase_equations::PhaseEquations;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring, Wide};
 

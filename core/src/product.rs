@@ -9,7 +9,11 @@ const BY_HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "3
 /// Upper 32 bits of the 64-bit product, a·b·2^-32 rounded down: one cycle of a Cortex-M4, an addition included (SMMLA).
 #[inline(always)]
 pub(crate) const fn high_product(a: i32, b: i32) -> i32 {
-    if BY_HALVES { product_of_halves(halves(a), halves(b)) } else { ((a as i64 * b as i64) >> 32) as i32 }
+    if BY_HALVES {
+        product_of_halves(split_halves(a), split_halves(b))
+    } else {
+        ((a as i64 * b as i64) >> 32) as i32
+    }
 }
 
 /// [`high_product`] for a < 2^31 - 2^15, one cycle shorter where it is made of halves.
@@ -17,7 +21,7 @@ pub(crate) const fn high_product(a: i32, b: i32) -> i32 {
 pub(crate) const fn high_product_of_less(a: i32, b: i32) -> i32 {
     if BY_HALVES {
         let low = a as i16 as i32;
-        product_of_halves([low, (a - low) >> 16], halves(b))
+        product_of_halves([low, (a - low) >> 16], split_halves(b))
     } else {
         high_product(a, b)
     }
@@ -57,7 +61,7 @@ pub(crate) const fn wrapping_product(a: u64, b: u64) -> u64 {
 
 /// Complete 128-bit product of two unsigned numbers: upper and lower half.
 #[inline(always)]
-pub(crate) fn product_of_long(a: u64, b: u64) -> [u64; 2] {
+pub(crate) fn product_u64(a: u64, b: u64) -> [u64; 2] {
     if cfg!(target_pointer_width = "64") {
         let product = u128::from(a) * u128::from(b);
         return [(product >> 64) as u64, product as u64];
@@ -77,7 +81,7 @@ fn product_by_words(a: u64, b: u64) -> [u64; 2] {
 
 /// Signed lower half of a number, and its upper half rounded to the nearest, in -2^15..=2^15.
 #[inline(always)]
-const fn halves(number: i32) -> [i32; 2] {
+const fn split_halves(number: i32) -> [i32; 2] {
     [number as i16 as i32, ((number >> 15) + 1) >> 1]
 }
 
@@ -131,7 +135,7 @@ mod tests {
             };
             let (a, b) = (pick(bits as i32, k / 3), pick((bits >> 32) as i32, k / 24));
             let high = ((i64::from(a) * i64::from(b)) >> 32) as i32;
-            assert_eq!(product_of_halves(halves(a), halves(b)), high, "{a} {b}");
+            assert_eq!(product_of_halves(split_halves(a), split_halves(b)), high, "{a} {b}");
             let short = ((i64::from(a) * i64::from(b & !0xffff)) >> 32) as i32;
             assert_eq!([short_product_by_halves(a, b), short_product(a, b)], [short; 2], "{a} {b}");
             assert_eq!(signed_product_by_halves(a, b), i64::from(a) * i64::from(b), "{a} {b}");
@@ -139,7 +143,7 @@ mod tests {
             assert_eq!(wrapping_product(wide.0, wide.1), wide.0.wrapping_mul(wide.1), "{a} {b}");
             let [x, y] =
                 [(a, b), (b, !a)].map(|(high, low)| u64::from(high as u32) << 32 | u64::from(low as u32));
-            assert_eq!(product_by_words(x, y), product_of_long(x, y), "{x} {y}");
+            assert_eq!(product_by_words(x, y), product_u64(x, y), "{x} {y}");
             let (a, b) = (a as u32, b as u32);
             assert_eq!(long_product_by_halves(a, b), u64::from(a) * u64::from(b), "{a} {b}");
         }

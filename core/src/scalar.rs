@@ -2,7 +2,7 @@
 //!
 //! There is no fused multiply-add. Functions come from `libm` on every target, never from `std`, so that a host and a chip agree to the bit.
 //!
-//! | trait | requires | `f32` `f64` | [`Extended`], [`Extended64`] | fixed point |
+//! | trait | requires | `f32` `f64` | [`Wide`] | fixed point |
 //! |---|---|---|---|---|
 //! | [`Ring`] | `+ - *`, order, 0 and 1 | yes | yes | yes |
 //! | [`Scalar`] | sine and cosine of an integer phase: what a *tick* needs | yes | no | yes |
@@ -25,7 +25,7 @@ pub(crate) use sine::{
     fraction_of_word, sine_cosine_f64, sine_cosine_of_radians, sine_cosine_q26, sine_cosine_q31,
 };
 
-pub use wide::{Extended, Extended64, Wide};
+pub use wide::{Extended, Wide};
 
 use crate::phase::Phase;
 use core::fmt::Debug;

@@ -4,7 +4,8 @@
 
 use crate::complex::Complex;
 use crate::motion::cayley_klein::Ellipses;
-use crate::motion::phase_equations::{PhaseEquations, PhaseRates, gudermannian, inverse_gudermannian};
+use crate::motion::gudermannian::{gudermannian, inverse_gudermannian};
+use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::motion::{HalfPhase, Motion};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real};
@@ -104,10 +105,10 @@ impl<R: Real> Stepper<R> {
             Nutation::Steady => PhaseRates::ZERO,
             Nutation::Nutating(chi) => {
                 let change = runge_kutta(dt, |delta| {
-                    let (sine, cosine) = R::sine_cosine(chi + turns(delta));
+                    let (sine, cosine) = R::sine_cosine(chi + phase_from_radians(delta));
                     self.equations.rates(sine, cosine)
                 });
-                self.nutation = Nutation::Nutating(chi + turns(change.nutation));
+                self.nutation = Nutation::Nutating(chi + phase_from_radians(change.nutation));
                 change
             }
             Nutation::Aperiodic { v, rest } => {
@@ -130,8 +131,8 @@ impl<R: Real> Stepper<R> {
         // the constant rates are ±τ/2 unless u is constant, and a product costs much
         let turned_b = if self.nutation == Nutation::Steady { turned(rate_b) } else { -turned_a };
         let [a, b] = &mut self.phases;
-        *a += turns(change.slow_a) + turned_a;
-        *b += turns(change.slow_b) + turned_b;
+        *a += phase_from_radians(change.slow_a) + turned_a;
+        *b += phase_from_radians(change.slow_b) + turned_b;
     }
 
     /// Orientation Φ. Cost: three sine-cosine pairs and twelve products.
@@ -204,7 +205,7 @@ impl<R: Real> Stepper<R> {
         let turned = match self.nutation {
             Nutation::Steady => Phase::ZERO,
             Nutation::Nutating(chi) => chi,
-            Nutation::Aperiodic { .. } => turns(chi.arg()),
+            Nutation::Aperiodic { .. } => phase_from_radians(chi.arg()),
         };
         let Ellipses { alpha, beta } = &self.ellipses;
         a + b + alpha.continued_argument(chi, turned) + beta.continued_argument(chi, turned)
@@ -232,8 +233,8 @@ fn exact_sum<R: Real>(a: R, b: R) -> [R; 2] {
 }
 
 /// Angle in rad as an integer phase.
-fn turns<R: Real>(radians: R) -> Phase {
-    Phase::new((radians * R::from_f64(0.5 * core::f64::consts::FRAC_1_PI)).to_f64())
+fn phase_from_radians<R: Real>(angle: R) -> Phase {
+    Phase::new((angle * R::from_f64(0.5 * core::f64::consts::FRAC_1_PI)).to_f64())
 }
 
 /// Quotient x/|z|², also where |z|² underflows; 0 for z = 0.

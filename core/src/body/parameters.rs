@@ -64,9 +64,13 @@ impl Top {
     /// Top whose tip slides on a plane: Springborn's toy top. It needs A, C, s, and either M or p.
     ///
     /// # Errors
-    /// [`ParameterError`] names the wrong parameter. A, s, g, and M or p must be between 1e-60 and 1e60; C
-    /// 0, or between 1e-60 A and 2A; A/(ps) between 1e-6 and 1e30; √(pg/A) between 1e-9 and 1e9, and |K|/A at most 1e12, per unit
-    /// of time.
+    /// [`ParameterError`] names the wrong parameter. The ranges are
+    ///
+    /// * A, s, g, and M or p: 1e-60 to 1e60
+    /// * C: 0, or 1e-60 A to 2A
+    /// * A/(ps): 1e-6 to 1e30
+    /// * √(pg/A): 1e-9 to 1e9 per unit of time
+    /// * |K|/A: at most 1e12 per unit of time
     pub fn sliding(parameters: &TopParameters) -> Result<Self, ParameterError> {
         check(
             parameters.gravity != 0.0,
@@ -92,8 +96,8 @@ impl Top {
     /// s. Without gravity the motion is that of [`Top::free`].
     ///
     /// # Errors
-    /// The errors of [`Top::sliding`]; without gravity, C between 0 and 1e-20 A; with a mass, A below M s² + C/2, which no body
-    /// has about its tip.
+    /// [`ParameterError`] names the wrong parameter. The ranges are those of [`Top::sliding`], except that g may be 0, and A/(ps) is
+    /// free. Without gravity C must be 0 or at least 1e-20 A. With a mass, A must be at least M s² + C/2.
     pub fn fixed(parameters: &TopParameters) -> Result<Self, ParameterError> {
         /// Relative tolerance for the rounding of A.
         const ROUNDING: f64 = 1e-9;
@@ -120,8 +124,8 @@ impl Top {
     /// Body without support. It needs A and C, both about its centre of mass; of the other parameters only K has an effect.
     ///
     /// # Errors
-    /// A not between 1e-60 and 1e60, C neither 0 nor between 1e-20 A and 2A, |K|/A above 1e12 per unit of time, or another
-    /// parameter not finite.
+    /// [`ParameterError`] names the wrong parameter. A must be 1e-60 to 1e60; C 0, or 1e-20 A to 2A; |K|/A at most 1e12 per unit of
+    /// time; and the others finite.
     pub fn free(parameters: &TopParameters) -> Result<Self, ParameterError> {
         check_finite("com_height", parameters.com_height)?;
         check_finite("mass", parameters.mass)?;

@@ -44,13 +44,13 @@ impl BranchPoints {
     /// # Errors
     /// `e1`, `e2`, `e3`: not finite, or not -1 <= e1 <= e2 <= 1 <= e3 <= 1e14.
     pub fn new(e1: f64, e2: f64, e3: f64) -> Result<Self, ParameterError> {
-        Ok(BranchPoints::exact([e1, e2, e3])?.to_f64())
+        Ok(BranchPoints::from_roots([e1, e2, e3])?.to_f64())
     }
 }
 
 impl BranchPoints<Extended> {
     /// Branch points from three numbers, with exact differences.
-    pub(crate) fn exact([e1, e2, e3]: [f64; 3]) -> Result<Self, ParameterError> {
+    pub(crate) fn from_roots([e1, e2, e3]: [f64; 3]) -> Result<Self, ParameterError> {
         check_range(-1.0..=1.0, "e1", e1, "in [-1, e2]")?;
         check_range(e1..=1.0, "e2", e2, "in [e1, 1]")?;
         check_range(1.0..=LARGEST_E3, "e3", e3, "in [1, 1e14]")?;

@@ -79,7 +79,7 @@ pub(crate) struct ReducedPoint {
 
 impl ReducedPoint {
     /// Whether the axis is upright and does not move.
-    pub(crate) fn rests_upright(&self) -> bool {
+    pub(crate) fn is_sleeping(&self) -> bool {
         self.one_minus_u == Extended::ZERO && self.axis_energy == Extended::ZERO
     }
 

@@ -79,7 +79,7 @@ mod tests {
     use super::*;
 
     fn least(e: [f64; 3], a_over_ps: f64) -> f64 {
-        minimum(&BranchPoints::exact(e).unwrap(), a_over_ps.into())
+        minimum(&BranchPoints::from_roots(e).unwrap(), a_over_ps.into())
     }
 
     /// Comparison with a fine scan of the same rational function, by central differences of f/D. Some cases have the

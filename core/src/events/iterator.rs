@@ -13,7 +13,7 @@ use crate::table::{EphemerisScalar, EphemerisView};
 pub struct Events<'a, R: EphemerisScalar> {
     view: &'a EphemerisView<R>,
     /// Instants of the events, or those at which the tip angle may change direction.
-    instants: Recurring,
+    instants: RecurringInstants,
     /// Tip angle that is searched; whole turns do not matter.
     target: Option<Phase>,
     /// First instant that counts, in ticks.
@@ -37,17 +37,17 @@ impl<R: EphemerisScalar> Iterator for Events<'_, R> {
 }
 
 /// Phase difference below which the start counts as an event: the rounding of a tip angle.
-const AT_THE_START: Phase = Phase::from_bits(1 << 48);
+const START_TOLERANCE: Phase = Phase::from_bits(1 << 48);
 /// Number of consecutive pieces that contain a whole period.
-const PIECES: usize = 5;
-/// Largest number of times that periods are skipped.
+const PIECES_OF_A_PERIOD: usize = 5;
+/// Largest number of times that periods are skipped. Each leaves two periods and a billionth of the rest, and 2^63 ticks have 19 digits.
 const MOST_SKIPS: usize = 8;
 
 impl<R: EphemerisScalar> EphemerisView<R> {
     /// Events at these nutation phases; only those at the first one are upward.
     fn events(&self, phases: [Option<Phase>; 4], from: i64) -> Events<'_, R> {
         let start = Extended::from(from);
-        let instants = Recurring::new(self, phases, from);
+        let instants = RecurringInstants::new(self, phases, from);
         Events { view: self, instants, target: None, from: start, at: start, angle: Phase::ZERO }
     }
 
@@ -77,7 +77,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let mut events = self.events(phases, from);
         events.target = Some(angle);
         events.angle = self.tip_angle_after(events.from);
-        events.started()
+        events.including_start()
     }
 
     /// Tip angle after a number of ticks.
@@ -106,25 +106,25 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
 impl<R: EphemerisScalar> Events<'_, R> {
     /// Moves the start back by a rounding, so that an event at the start counts.
-    fn started(mut self) -> Self {
+    fn including_start(mut self) -> Self {
         let mut after = self.view.clock.tip_turn();
-        for _ in 0..PIECES {
+        for _ in 0..PIECES_OF_A_PERIOD {
             let Some((_, end)) = self.instants.peek() else {
                 break;
             };
             after = if end > self.at { self.view.tip_angle_after(end) - self.angle } else { Phase::ZERO };
             // a change by a rounding has no direction, as at a cusp
-            if !(-AT_THE_START..=AT_THE_START).contains(&after) {
+            if !(-START_TOLERANCE..=START_TOLERANCE).contains(&after) {
                 break;
             }
             self.instants.pop();
         }
-        self.angle = self.angle - if after < Phase::ZERO { -AT_THE_START } else { AT_THE_START };
+        self.angle = self.angle - if after < Phase::ZERO { -START_TOLERANCE } else { START_TOLERANCE };
         self
     }
 
     /// Rotation from an angle to the next target angle, in (0, 1] turn or in [-1, 0).
-    fn ahead(&self, angle: Phase, upward: bool) -> Phase {
+    fn turn_to_target(&self, angle: Phase, upward: bool) -> Phase {
         let target = self.target.unwrap_or_default();
         let distance = if upward { target - angle } else { angle - target };
         let distance = PhaseFraction::from_phase(distance).to_phase();
@@ -133,10 +133,10 @@ impl<R: EphemerisScalar> Events<'_, R> {
     }
 
     /// Event on the piece until `end`, on which φ is monotone and reaches `after`.
-    fn on_piece(&mut self, end: Extended, after: Phase) -> Option<Event> {
+    fn find_on_piece(&mut self, end: Extended, after: Phase) -> Option<Event> {
         let turned = after - self.angle;
         let upward = turned > Phase::ZERO;
-        let ahead = self.ahead(self.angle, upward);
+        let ahead = self.turn_to_target(self.angle, upward);
         let passed = |turned: Phase| if upward { turned >= ahead } else { turned <= ahead };
         if turned == Phase::ZERO || !passed(turned) {
             return None;
@@ -151,23 +151,24 @@ impl<R: EphemerisScalar> Events<'_, R> {
     }
 
     /// Event of a steady motion, at most one turn ahead, or two because of rounding.
-    fn at_constant_rate(&mut self) -> Option<Event> {
+    fn next_at_constant_rate(&mut self) -> Option<Event> {
         let turn = Extended::ONE / Extended::from(self.view.clock.tip_turn()).abs();
         [turn, turn.doubled()].into_iter().find_map(|length| {
             let end = self.at + length;
             Event::at(end, true)?;
-            self.on_piece(end, self.view.tip_angle_after(end))
+            self.find_on_piece(end, self.view.tip_angle_after(end))
         })
     }
 
     /// Skips periods that do not reach the target. `least` and `greatest` bound the change of the angle over the last period.
-    fn skip(&mut self, period: Extended, [least, greatest]: [Phase; 2]) -> Option<()> {
-        /// Part of the periods that is skipped at once, because of rounding.
-        const CAUTION: f64 = 1.0 - 1e-9;
+    fn skip_periods(&mut self, period: Extended, [least, greatest]: [Phase; 2]) -> Option<()> {
+        /// Part of the periods that is skipped at once; the rest allows for roundings.
+        const SKIPPED_PART: f64 = 1.0 - 1e-9;
         let per_period = Extended::from(self.view.clock.tip_turn()) * period;
         let upward = per_period > Extended::ZERO;
         let edge = self.angle + if upward { greatest } else { least };
-        let periods = Extended::from(self.ahead(edge, upward)) / per_period * Extended::from(CAUTION);
+        let periods =
+            Extended::from(self.turn_to_target(edge, upward)) / per_period * Extended::from(SKIPPED_PART);
         let (_, rest) = periods.floor_and_rest();
         let periods = periods - rest - Extended::ONE;
         if periods > Extended::ZERO {
@@ -185,14 +186,14 @@ impl<R: EphemerisScalar> Events<'_, R> {
         if !self.view.clock.tip_exists {
             return None;
         }
-        let Some(period) = self.instants.period else { return self.at_constant_rate() };
+        let Some(period) = self.instants.period else { return self.next_at_constant_rate() };
         for _ in 0..MOST_SKIPS {
             let start = self.angle;
             let (mut least, mut greatest) = (Phase::ZERO, Phase::ZERO);
-            for _ in 0..PIECES {
+            for _ in 0..PIECES_OF_A_PERIOD {
                 let (_, end) = self.instants.peek()?;
                 let after = self.view.tip_angle_after(end);
-                if let Some(event) = self.on_piece(end, after) {
+                if let Some(event) = self.find_on_piece(end, after) {
                     return Some(event);
                 }
                 self.instants.pop();
@@ -201,24 +202,24 @@ impl<R: EphemerisScalar> Events<'_, R> {
                 greatest = greatest.max(after - start);
             }
             let turned = self.angle - start;
-            self.skip(period, [least - turned, greatest - turned])?;
+            self.skip_periods(period, [least - turned, greatest - turned])?;
         }
         None
     }
 }
 
 /// Phase difference below which a phase counts as that of an event: the rounding of a start.
-const TOLERANCE: Phase = Phase::from_bits(1 << 46);
+const PHASE_TOLERANCE: Phase = Phase::from_bits(1 << 46);
 
 /// Next instants of up to four nutation phases, in ticks.
 #[derive(Clone, Copy, Debug)]
-struct Recurring {
+struct RecurringInstants {
     next: [Option<Extended>; 4],
     /// Nutation period, in ticks; `None` where u is constant.
     period: Option<Extended>,
 }
 
-impl Recurring {
+impl RecurringInstants {
     /// Instants at tick `from` or later. There are none where u is constant.
     fn new<R: EphemerisScalar>(view: &EphemerisView<R>, phases: [Option<Phase>; 4], from: i64) -> Self {
         let nowhere = Self { next: [None; 4], period: None };
@@ -229,8 +230,8 @@ impl Recurring {
         let start = Extended::from(from);
         let [now, ..] = view.clock.at(from).map(PhaseFraction::to_phase);
         let ahead = |phase: Phase| {
-            let ahead = PhaseFraction::from_phase(phase - now + TOLERANCE).to_phase() - TOLERANCE;
-            if ahead <= TOLERANCE { start } else { start + Extended::from(ahead) / step }
+            let ahead = PhaseFraction::from_phase(phase - now + PHASE_TOLERANCE).to_phase() - PHASE_TOLERANCE;
+            if ahead <= PHASE_TOLERANCE { start } else { start + Extended::from(ahead) / step }
         };
         Self { next: phases.map(|phase| phase.map(ahead)), period: Some(Extended::ONE / step) }
     }

@@ -1,6 +1,8 @@
 //! Values of u at which events occur.
 
-use crate::body::{ParameterError, ScaledTop, Support, Top, check, check_finite, half_tilt_sine_cosine};
+use crate::body::{
+    ParameterError, ScaledTop, Support, Top, check, check_finite, check_range, half_tilt_sine_cosine,
+};
 use crate::complex::Complex;
 use crate::constants::normal_force;
 use crate::events::{HALF_PERIOD, at_phase, bisect};
@@ -24,8 +26,7 @@ impl Level {
     /// # Errors
     /// `u`: not finite or not in [-1, 1].
     pub fn of_u(u: f64) -> Result<Self, ParameterError> {
-        check_finite("u", u)?;
-        check((-1.0..=1.0).contains(&u), "u", "in [-1, 1]")?;
+        check_range(-1.0..=1.0, "u", u, "in [-1, 1]")?;
         Ok(Self { one_minus_u: 1.0 - u, one_plus_u: 1.0 + u })
     }
 

@@ -15,7 +15,7 @@ impl Motion {
     /// # Errors
     /// `omega`: so large that e₃ would exceed 1e14.
     pub fn launch(top: &Top, state: &State) -> Result<Self, ParameterError> {
-        Self::launch_between(top, state, &mut || {})
+        Self::launch_with_pauses(top, state, &mut || {})
     }
 
     /// Motion from a state, with pauses for other work.
@@ -33,7 +33,7 @@ impl Motion {
     /// # })?;
     /// # let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
     /// let mut fed = 0;
-    /// let motion = Motion::launch_between(&top, &state, &mut || fed += 1)?;
+    /// let motion = Motion::launch_with_pauses(&top, &state, &mut || fed += 1)?;
     /// assert!(motion == Motion::launch(&top, &state)? && fed > 5);
     /// # Ok::<(), toytop::ParameterError>(())
     /// ```
@@ -41,13 +41,17 @@ impl Motion {
     /// # Errors
     /// See [`launch`](Self::launch).
     #[inline(never)] // a launch must not remain on the stack during the work that follows
-    pub fn launch_between(top: &Top, state: &State, pause: &mut dyn FnMut()) -> Result<Self, ParameterError> {
+    pub fn launch_with_pauses(
+        top: &Top,
+        state: &State,
+        pause: &mut dyn FnMut(),
+    ) -> Result<Self, ParameterError> {
         let (integrals, point) = FirstIntegrals::with_reduced_point(top, state);
         pause();
         let e = BranchPoints::from_reduced_point(top, &integrals, &point, pause)?;
         pause();
         let mut launched =
-            Ok(Self::with_constants(top, &integrals, e, integrals.signs(), point.rests_upright()));
+            Ok(Self::with_constants(top, &integrals, e, integrals.signs(), point.is_sleeping()));
         // in place, because a copy would double the stack
         if let Ok(motion) = &mut launched {
             pause();
@@ -78,14 +82,17 @@ impl Motion {
             "e3",
             "that of a motion with torque: without it branch points tell no rate; give a state or a release",
         )?;
-        let e = BranchPoints::exact(e)?;
+        let e = BranchPoints::from_roots(e)?;
         let InitialPhases { theta, arg_alpha, arg_beta } = *start;
         for (name, angle) in [("theta", theta), ("arg_alpha", arg_alpha), ("arg_beta", arg_beta)] {
             check_range(-1e6..=1e6, name, angle, "between -1e6 and 1e6 rad")?;
         }
         let integrals = e.scaled_integrals(top, signs);
+        let (FirstIntegrals { n, spin, l_plus_n, l_minus_n, .. }, ScaledTop { c, k, .. }) =
+            (integrals, ScaledTop::<Extended>::new(top));
+        let rounding = (l_plus_n.abs() + l_minus_n.abs() + k.abs()) * Extended::from(f64::EPSILON);
         check(
-            has_axial_rate(top, &integrals),
+            if c > Extended::ZERO { spin.abs() <= 1e24.into() } else { (n - k).abs() <= rounding },
             "e3",
             "such that (n - rotor_momentum)/axial_inertia is at most 1e24 rad/s, and n = rotor_momentum for a rod",
         )?;
@@ -142,13 +149,4 @@ impl Motion {
         }
         motion
     }
-}
-
-/// Whether the axial rate (n - K)/C is at most 1e24 per unit of time, or n = K to a rounding where C is 0.
-fn has_axial_rate(top: &Top, integrals: &FirstIntegrals<Extended>) -> bool {
-    const FASTEST: f64 = 1e24;
-    let (FirstIntegrals { n, spin, l_plus_n, l_minus_n, .. }, ScaledTop { c, k, .. }) =
-        (*integrals, ScaledTop::<Extended>::new(top));
-    let noise = (l_plus_n.abs() + l_minus_n.abs() + k.abs()) * Extended::from(f64::EPSILON);
-    if c > Extended::ZERO { spin.abs() <= Extended::from(FASTEST) } else { (n - k).abs() <= noise }
 }

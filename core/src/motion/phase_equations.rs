@@ -13,7 +13,7 @@
 use crate::body::{ScaledTop, Top};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, Signs};
-use crate::scalar::{Float, Real, Ring, Scalar, exponent};
+use crate::scalar::{Float, Ring};
 
 /// Rates of the three phases, rad per unit time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,35 +28,6 @@ pub struct PhaseRates<R> {
 
 impl<R: Ring> PhaseRates<R> {
     pub(crate) const ZERO: Self = Self { nutation: R::ZERO, slow_a: R::ZERO, slow_b: R::ZERO };
-}
-
-/// Unit complex number e^{iχ} = sech v + i tanh v, for χ the Gudermannian of v.
-pub(crate) fn gudermannian<R: Real>(v: R) -> Complex<R> {
-    // q = e^-|v| and 1 - q from one function, which saves flash
-    let growth = v.abs().exp_minus_one();
-    let q = R::ONE / (R::ONE + growth);
-    let one_minus_q = if q > R::ZERO { growth * q } else { R::ONE };
-    let per_sum = R::ONE / (R::ONE + q.squared());
-    let tanh = one_minus_q * (R::ONE + q) * per_sum;
-    Complex::new(q.doubled() * per_sum, if v < R::ZERO { -tanh } else { tanh })
-}
-
-/// Variable v whose Gudermannian is the argument of a number with a positive real part, by Newton's method.
-pub(crate) fn inverse_gudermannian(direction: Complex<f64>) -> f64 {
-    const MOST_STEPS: u32 = 10;
-    let tangent = direction.im.abs() / direction.re;
-    // above v, or close to it where v is small
-    let mut v =
-        if tangent < 1.0 { tangent } else { f64::from(exponent(tangent) + 1) * core::f64::consts::LN_2 };
-    for _ in 0..MOST_STEPS {
-        let at_v = gudermannian(v);
-        let change = at_v.im - tangent * at_v.re;
-        v -= change;
-        if change.abs() <= f64::ROUNDING * v {
-            break;
-        }
-    }
-    if direction.im < 0.0 { -v } else { v }
 }
 
 /// Constants of the equations of one motion.
@@ -203,23 +174,5 @@ impl<F: Float> PhaseEquations<F> {
         let nutation = (self.half_g * self.e2_minus_e1 * per_d).sqrt();
         let chi_rate = nutation * chi.re; // χ' = v' sech v
         PhaseRates { nutation, slow_a: self.alpha_rate(one_minus_u, per_d, chi_rate), slow_b: F::ZERO }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_gudermannian_keeps_its_digits_at_both_ends() {
-        for v in [1e-20, 3e-9, 0.1, 2.0, 30.0, 700.0_f64] {
-            let direction = gudermannian(v);
-            let Complex { re: sech, im: tanh } = direction;
-            assert!((tanh / libm::tanh(v) - 1.0).abs() < 5e-16, "{v}: {tanh:e}");
-            assert!((sech * libm::cosh(v) - 1.0).abs() < 5e-16, "{v}: {sech:e}");
-            assert_eq!(gudermannian(-v), direction.conj());
-            let inverse = inverse_gudermannian(direction);
-            assert!((inverse / v - 1.0).abs() < 5e-16, "{v}: {inverse:e}");
-        }
     }
 }

@@ -45,7 +45,7 @@ impl BranchPoints<Extended> {
     ) -> Result<Self, ParameterError> {
         if top.is_torque_free() {
             Ok(Self::torque_free(top, integrals, point))
-        } else if point.rests_upright() {
+        } else if point.is_sleeping() {
             Self::upright(&ScaledTop::new(top), integrals.n)
         } else {
             let pair = LowerPair::new(&ScaledTop::new(top), integrals, point, pause)?;
@@ -91,7 +91,7 @@ impl BranchPoints<Extended> {
         let half_difference = (half_sum.squared() + (a * point.udot / momentum).squared()).sqrt();
         let e2_minus_e1 = half_difference.doubled();
         let [one_plus_e1, one_minus_e2] =
-            [l_plus_n, l_minus_n].map(|sum| lesser_factor((sum / momentum).squared(), e2_minus_e1));
+            [l_plus_n, l_minus_n].map(|sum| smaller_factor((sum / momentum).squared(), e2_minus_e1));
         Self::from_differences(one_plus_e1, one_minus_e2, e2_minus_e1, infinite)
     }
 
@@ -119,36 +119,36 @@ impl BranchPoints<Extended> {
         integrals: &FirstIntegrals<Extended>,
         point: &ReducedPoint,
     ) -> Result<Self, ParameterError> {
-        let LowerPair { kappa, x1, e2_minus_e1, e2_is_nearer_e1 } = *pair;
+        let LowerPair { kappa, one_minus_e1, e2_minus_e1, e2_is_nearer_e1 } = *pair;
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
         let ReducedPoint { one_minus_u, axis_energy, .. } = *point;
         let (zero, one) = (Extended::ZERO, Extended::ONE);
-        // sum x₂ + x₃ and product x₂ x₃ of the two upper roots, with x = 1 - e
-        let x_product = -kappa * l_minus_n.squared() / x1;
-        let x_sum = (-(axis_energy - one_minus_u - kappa * l_minus_n * n).doubled() - x_product) / x1;
-        let e3_minus_e2 = (x_sum.squared() - x_product.doubled().doubled()).sqrt();
-        let (one_minus_e2, e3_minus_one) = if x_sum > zero {
-            let x2 = (x_sum + e3_minus_e2).halved();
-            (x2, -x_product / x2)
+        // product and sum of 1 - e₂ and 1 - e₃
+        let product = -kappa * l_minus_n.squared() / one_minus_e1;
+        let sum = (-(axis_energy - one_minus_u - kappa * l_minus_n * n).doubled() - product) / one_minus_e1;
+        let e3_minus_e2 = (sum.squared() - product.doubled().doubled()).sqrt();
+        let (one_minus_e2, e3_minus_one) = if sum > zero {
+            let one_minus_e2 = (sum + e3_minus_e2).halved();
+            (one_minus_e2, -product / one_minus_e2)
         } else {
-            let x3 = (e3_minus_e2 - x_sum).halved();
-            (if x3 > zero { -x_product / x3 } else { zero }, x3)
+            let e3_minus_one = (e3_minus_e2 - sum).halved();
+            (if e3_minus_one > zero { -product / e3_minus_one } else { zero }, e3_minus_one)
         };
-        let e2_minus_e1 = if e2_is_nearer_e1 { e2_minus_e1 } else { x1 - one_minus_e2 };
+        let e2_minus_e1 = if e2_is_nearer_e1 { e2_minus_e1 } else { one_minus_e1 - one_minus_e2 };
         let one_minus_e1 = one_minus_e2 + e2_minus_e1;
         let one_plus_e1 = if one_minus_e1 < one {
             one.doubled() - one_minus_e1
         } else {
             // (1 + e₁)(1 + e₂) = κ (l+n)²/(1 + e₃)
-            lesser_factor(kappa * l_plus_n.squared() / (one.doubled() + e3_minus_one), e2_minus_e1)
+            smaller_factor(kappa * l_plus_n.squared() / (one.doubled() + e3_minus_one), e2_minus_e1)
         };
         require_limited_e3(e3_minus_one <= LARGEST_E3.into())?;
         Ok(Self::from_differences(one_plus_e1, one_minus_e2, e2_minus_e1, [e3_minus_e2, e3_minus_one]))
     }
 }
 
-/// Lesser of two numbers from their product and their difference.
-fn lesser_factor(product: Extended, difference: Extended) -> Extended {
+/// Smaller of two numbers, from their product and their difference.
+fn smaller_factor(product: Extended, difference: Extended) -> Extended {
     let sum = (difference.squared() + product.doubled().doubled()).sqrt();
     if product > Extended::ZERO { product.doubled() / (difference + sum) } else { Extended::ZERO }
 }
@@ -156,8 +156,7 @@ fn lesser_factor(product: Extended, difference: Extended) -> Extended {
 /// First two branch points, from the cubic in e - u.
 struct LowerPair {
     kappa: Extended,
-    /// Difference 1 - e₁.
-    x1: Extended,
+    one_minus_e1: Extended,
     e2_minus_e1: Extended,
     /// Whether e₂ - e₁ <= e₃ - e₂.
     e2_is_nearer_e1: bool,
@@ -184,24 +183,37 @@ impl LowerPair {
             g2: u.doubled() - axis_energy - spin_energy,
         };
         pause();
-        let y3 = cubic.largest_root(pause);
+        let e3_minus_u = cubic.largest_root(pause);
         pause();
-        Ok(Self::from_largest_root(&cubic, y3, kappa, one_minus_u))
+        Ok(Self::from_largest_root(&cubic, e3_minus_u, kappa, one_minus_u))
     }
 
-    /// Pair below the largest root y₃ of the cubic.
+    /// Pair from the largest root of the cubic, e₃ - u.
     #[inline(never)]
-    fn from_largest_root(cubic: &Cubic, y3: Extended, kappa: Extended, one_minus_u: Extended) -> Self {
+    fn from_largest_root(
+        cubic: &Cubic,
+        e3_minus_u: Extended,
+        kappa: Extended,
+        one_minus_u: Extended,
+    ) -> Self {
         let (Cubic { g0, g1, g2 }, zero) = (*cubic, Extended::ZERO);
-        let (product, sum) = if y3 > zero { (-g0 / y3, (g1 + g0 / y3) / y3) } else { (zero, -g2) };
+        let (product, sum) = if e3_minus_u > zero {
+            (-g0 / e3_minus_u, (g1 + g0 / e3_minus_u) / e3_minus_u)
+        } else {
+            (zero, -g2)
+        };
         let e2_minus_e1 = (sum.squared() - product.doubled().doubled()).sqrt();
-        let y2 = (sum + e2_minus_e1).halved();
-        let e2_is_nearer_e1 = e2_minus_e1 <= y3 - y2;
-        let y1 = (sum - e2_minus_e1).halved();
-        let y1 = if e2_is_nearer_e1 && sum > zero && y2 > zero { product / y2 } else { y1 };
-        let y1 = if e2_is_nearer_e1 { y1 } else { cubic.refined(y1) };
-        let y1 = if y1 < zero { y1 } else { zero };
-        Self { kappa, x1: one_minus_u - y1, e2_minus_e1, e2_is_nearer_e1 }
+        let e2_minus_u = (sum + e2_minus_e1).halved();
+        let e2_is_nearer_e1 = e2_minus_e1 <= e3_minus_u - e2_minus_u;
+        let e1_minus_u = (sum - e2_minus_e1).halved();
+        let e1_minus_u = if e2_is_nearer_e1 && sum > zero && e2_minus_u > zero {
+            product / e2_minus_u
+        } else {
+            e1_minus_u
+        };
+        let e1_minus_u = if e2_is_nearer_e1 { e1_minus_u } else { cubic.refined(e1_minus_u) };
+        let e1_minus_u = if e1_minus_u < zero { e1_minus_u } else { zero };
+        Self { kappa, one_minus_e1: one_minus_u - e1_minus_u, e2_minus_e1, e2_is_nearer_e1 }
     }
 }
 

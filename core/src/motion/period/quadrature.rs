@@ -64,9 +64,12 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         let mut rule =
             Self { equations, landen, sums: [Wide::ZERO; 3], nodes, step, changes: [f64::INFINITY; 2] };
         pause();
-        let ends = sum(rule.at([Wide::ZERO, Wide::ONE], pause), rule.at([Wide::ONE, Wide::ZERO], pause));
-        let inner = rule.sums_of(nodes - 1, step, pause);
-        rule.sums = sum(ends.map(Wide::halved), inner);
+        let ends = add(
+            rule.integrands_at([Wide::ZERO, Wide::ONE], pause),
+            rule.integrands_at([Wide::ONE, Wide::ZERO], pause),
+        );
+        let inner = rule.sum_nodes(nodes - 1, step, pause);
+        rule.sums = add(ends.map(Wide::halved), inner);
         rule
     }
 
@@ -77,9 +80,9 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         let half_cosine = (Wide::ONE + cosine).halved().sqrt();
         let half_step = [sine / half_cosine.doubled(), half_cosine];
         pause();
-        let odd = self.sums_of(self.nodes, half_step, pause);
-        let difference = sum(odd, self.sums.map(|sum| -sum));
-        self.sums = sum(self.sums, odd);
+        let odd = self.sum_nodes(self.nodes, half_step, pause);
+        let difference = add(odd, self.sums.map(|sum| -sum));
+        self.sums = add(self.sums, odd);
         (self.nodes, self.step) = (2 * self.nodes, half_step);
         let (changes, before) = (self.relative(difference), self.changes);
         self.changes = changes;
@@ -88,11 +91,11 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
     }
 
     /// Sums over nodes that are a step apart.
-    fn sums_of(&self, nodes: u32, first: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) -> [Wide<WORDS>; 3] {
+    fn sum_nodes(&self, nodes: u32, first: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) -> [Wide<WORDS>; 3] {
         let ([step_sine, step_cosine], [mut sine, mut cosine]) = (self.step, first);
         let mut sums = [Wide::ZERO; 3];
         for _ in 0..nodes {
-            sums = sum(sums, self.at([sine, cosine], pause));
+            sums = add(sums, self.integrands_at([sine, cosine], pause));
             (sine, cosine) =
                 (sine * step_cosine + cosine * step_sine, cosine * step_cosine - sine * step_sine);
         }
@@ -100,7 +103,7 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
     }
 
     #[inline(never)]
-    fn at(&self, angle: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) -> [Wide<WORDS>; 3] {
+    fn integrands_at(&self, angle: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) -> [Wide<WORDS>; 3] {
         let squares = self.landen.fractions_at_angle(angle);
         pause();
         let integrands = self.equations.at(&squares);
@@ -136,7 +139,7 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
 }
 
 #[inline(never)]
-fn sum<F: Ring>([a, b, c]: [F; 3], [x, y, z]: [F; 3]) -> [F; 3] {
+fn add<F: Ring>([a, b, c]: [F; 3], [x, y, z]: [F; 3]) -> [F; 3] {
     [a + x, b + y, c + z]
 }
 
@@ -160,7 +163,6 @@ fn part_of_right_angle<F: Float>(division: u32) -> [F; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::Extended64;
     use crate::{Complex, InitialPhases, Motion, Orientation, Release, Signs, State, Top, TopParameters};
 
     fn sliding([transverse_inertia, axial_inertia, com_height, mass_moment]: [f64; 4], gravity: f64) -> Top {
@@ -252,7 +254,7 @@ mod tests {
                 worst = worst.max(error);
             }
         }
-        assert!(worst > Extended64::OPERATION_ERROR || cfg!(miri), "{worst:e}");
+        assert!(worst > Wide::<1>::OPERATION_ERROR || cfg!(miri), "{worst:e}");
     }
 
     #[test]

@@ -3,8 +3,8 @@
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::number::{Exact, Wide};
 use super::words::{leading, quotient, short_inverse_root};
+use super::{Exact, Wide};
 use crate::scalar::{Float, Ring, times_power_of_two};
 
 impl<const WORDS: usize> Wide<WORDS> {
@@ -136,7 +136,9 @@ impl<const WORDS: usize> Float for Wide<WORDS> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::{Extended, Extended64};
+    use crate::scalar::Extended;
+
+    type Extended64 = Wide<1>;
 
     /// Numbers of all signs and sizes, some with few bits.
     fn samples() -> impl Iterator<Item = f64> {

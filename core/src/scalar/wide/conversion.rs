@@ -1,6 +1,6 @@
 //! Wide numbers from and to `f64`, phases, integers and other widths.
 
-use super::number::{Exact, Wide};
+use super::{Exact, Wide};
 use crate::phase::{FRACTION_BITS, Phase, integer_parts};
 use crate::scalar::{Float, Ring};
 

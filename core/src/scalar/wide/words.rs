@@ -1,6 +1,6 @@
 //! Integers of several words of 64 bits, the most significant first.
 
-use crate::product::{long_product, product_of_long};
+use crate::product::{long_product, product_u64};
 use core::mem::replace;
 
 #[inline(always)]
@@ -58,7 +58,7 @@ pub(super) fn product<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) ->
     for (factor, complete) in b.iter().zip(&mut lower).rev() {
         let mut carry = 0;
         for (word, sum) in a.iter().zip(&mut upper).rev() {
-            let [high, low] = product_of_long(*word, *factor);
+            let [high, low] = product_u64(*word, *factor);
             let (low, first) = low.overflowing_add(*sum);
             let (low, second) = low.overflowing_add(carry);
             (*sum, carry) = (low, high + u64::from(first) + u64::from(second));
@@ -77,10 +77,10 @@ pub(super) fn quotient<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) -
     for _ in 0..=WORDS {
         above = above << 56 | leading(&rest) >> 8;
         shift_left(&mut rest, 56);
-        let [digit, _] = product_of_long(above << 5 | leading(&rest) >> 59, inverse);
+        let [digit, _] = product_u64(above << 5 | leading(&rest) >> 59, inverse);
         let digit = digit >> 3;
         let borrow = rest.iter_mut().zip(b).rev().fold(0, |borrow, (word, factor)| {
-            let [high, low] = product_of_long(digit, *factor);
+            let [high, low] = product_u64(digit, *factor);
             let (low, first) = low.overflowing_add(borrow);
             let (difference, second) = word.overflowing_sub(low);
             *word = difference;
@@ -108,7 +108,7 @@ fn short_reciprocal(divisor: u64) -> u64 {
     let rest = (1_u64 << 63).wrapping_sub(product) as i64;
     let third = (u64::from(second) << 31).wrapping_add_signed((i64::from(second) * (rest >> 6)) >> 26);
     // 2^62 less the product, which is a small number
-    let rest = (1_u64 << 62).wrapping_sub(high_product_of_long(divisor, third)) as i64;
+    let rest = (1_u64 << 62).wrapping_sub(high_product_u64(divisor, third)) as i64;
     third.wrapping_add_signed((rest * (third >> 54) as i64) >> 8)
 }
 
@@ -125,16 +125,16 @@ pub(super) fn short_inverse_root(number: u64) -> u64 {
         (long_product(inverse, (3 << 28) - product) >> 29) as u32
     });
     let inverse = u64::from(short) << 32;
-    let square = high_product_of_long(inverse, inverse);
+    let square = high_product_u64(inverse, inverse);
     // 2^60 times the product, which is nearly 1
-    let product = high_product_of_long(number, square);
-    high_product_of_long(inverse, (3 << 60) - product) << 3
+    let product = high_product_u64(number, square);
+    high_product_u64(inverse, (3 << 60) - product) << 3
 }
 
 /// Upper 64 bits of the product of two unsigned numbers.
 #[inline(never)]
-fn high_product_of_long(a: u64, b: u64) -> u64 {
-    let [high, _] = product_of_long(a, b);
+fn high_product_u64(a: u64, b: u64) -> u64 {
+    let [high, _] = product_u64(a, b);
     high
 }
 

@@ -46,7 +46,7 @@ fn run<R: EphemerisScalar>(
 ) {
     let (top, state) = launch(number).expect("a possible launch");
     let (launched, of_motion, longest_of_motion) =
-        interrupted(counter, |pause| Motion::launch_between(black_box(&top), black_box(&state), pause));
+        interrupted(counter, |pause| Motion::launch_with_pauses(black_box(&top), black_box(&state), pause));
     let Ok(motion) = launched else {
         println!("{scalar} {number} refused motion {of_motion} table 0 slice {longest_of_motion}");
         return;

@@ -134,7 +134,7 @@ mod tests {
             ..TopParameters::default()
         };
         let top = Top::sliding(&parameters).unwrap();
-        let e = BranchPoints::<Extended>::exact([e1, e2, e3]).unwrap();
+        let e = BranchPoints::<Extended>::from_roots([e1, e2, e3]).unwrap();
         let signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus };
         PhaseEquations::new(&top, &e, e.scaled_integrals(&top, signs).l_plus_n, signs)
     }
