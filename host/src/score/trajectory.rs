@@ -22,8 +22,6 @@ pub struct Row {
     pub omega: Option<[f64; 3]>,
     /// Position of the tip, if the file has it.
     pub tip: Option<[f64; 2]>,
-    /// Position of the centre of mass relative to the tip, if the file has it.
-    pub com: Option<[f64; 3]>,
 }
 
 /// Times and orientations of one run of an integrator.
@@ -33,7 +31,7 @@ pub struct Trajectory {
     pub name: String,
     /// Name of the method, from a line `# method = NAME`.
     pub method: Option<String>,
-    /// Step size in s, from a line `# step = H`.
+    /// Step size, s: from a line `# step = H`, or else the spacing of the rows, if it is constant to a millionth.
     pub step: Option<f64>,
     /// Evaluations of the equations, from a line `# evaluations = N`.
     pub evaluations: Option<f64>,
@@ -97,25 +95,32 @@ impl Trajectory {
             return Err("must hold at least one row below the header".to_owned());
         }
         let method = stated("method").map(str::to_owned);
+        let step = step.or_else(|| spacing(&rows));
         Ok(Self { name: String::new(), method, step, evaluations, rows })
     }
 
-    /// Trajectory in other body axes, where `body` takes the file's body coordinates to the new ones.
-    pub fn in_body_axes(mut self, body: &Orientation<f64>) -> Self {
-        let inverse = body.inverse();
+    /// Trajectory in the body axes of the core, of which the third is the axis of symmetry. `axis` is the number of this axis in the file.
+    pub fn with_symmetry_axis(mut self, axis: u8) -> Self {
+        // a quarter turn about the second or the first axis
+        let to_third = match axis {
+            1 => [1.0, 0.0, -1.0, 0.0],
+            2 => [1.0, 1.0, 0.0, 0.0],
+            _ => return self,
+        };
+        let inverse = Orientation::from_quaternion(to_third).normalised().inverse();
         for row in &mut self.rows {
             row.orientation = row.orientation.compose(&inverse);
         }
         self
     }
+}
 
-    /// Spacing of the rows, s, if it is constant to a millionth; `None` otherwise.
-    pub fn spacing(&self) -> Option<f64> {
-        let [first, .., last] = &self.rows[..] else { return None };
-        let mean = (last.t - first.t) / (self.rows.len() - 1) as f64;
-        let even = |pair: &[Row]| (pair[1].t - pair[0].t - mean).abs() <= 1e-6 * mean.abs();
-        self.rows.windows(2).all(even).then_some(mean.abs())
-    }
+/// Spacing of rows, s, if it is constant to a millionth.
+fn spacing(rows: &[Row]) -> Option<f64> {
+    let [first, .., last] = rows else { return None };
+    let mean = (last.t - first.t) / (rows.len() - 1) as f64;
+    let even = |pair: &[Row]| (pair[1].t - pair[0].t - mean).abs() <= 1e-6 * mean.abs();
+    rows.windows(2).all(even).then_some(mean.abs())
 }
 
 /// Places of columns in a header, where of equal names the first counts; `None` if one is missing.
@@ -139,9 +144,8 @@ fn row(header: &[String], record: &StringRecord) -> Result<Row, String> {
         None => numbers(header, record, ["omega_x", "omega_y", "omega_z"])?,
     };
     let tip = numbers(header, record, ["tip_x", "tip_y"])?;
-    let com = numbers(header, record, ["x_com", "y_com", "z_com"])?;
     let [t] = numbers(header, record, ["t"])?.unwrap_or_default();
-    Ok(Row { t, orientation, norm_error, omega, tip, com })
+    Ok(Row { t, orientation, norm_error, omega, tip })
 }
 
 /// Numbers of a record in these columns; `None` where one of the columns is missing.
