@@ -137,7 +137,7 @@ enum Command {
     ///
     /// Each motion is one row. All processor cores are used, and a sweep can be divided into parts.
     #[command(
-        after_help = "Example: toytop sweep host/scenarios/toy_top.toml --spin 90..300/200 --tilt 1..60/100 --plot spin,tilt,period -o grid.csv\n         toytop sweep host/scenarios/figure_3_loops.toml --axis e1=-0.9..0.1/41 --axis e3=log:1.01..100/33 -o grid.csv\n         toytop sweep host/scenarios/toy_top.toml --spin 90..300 --motions 1000000 --part 3/100 -o part_003.csv"
+        after_help = "Example: toytop sweep host/scenarios/toy_top.toml --axis spin=90..300/200 --axis tilt_deg=1..60/100 -o grid.csv\n         toytop sweep host/scenarios/figure_3_loops.toml --axis e1=-0.9..0.1/41 --axis e3=log:1.01..100/33 -o grid.csv\n         toytop sweep host/scenarios/toy_top.toml --axis spin=90..300 --motions 1000000 --part 3/100 -o part_003.csv"
     )]
     Sweep(Box<sweep::SweepArgs>),
     /// Completions for a shell

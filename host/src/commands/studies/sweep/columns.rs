@@ -1,18 +1,16 @@
 //! Columns of a sweep, and what is computed of a motion for them.
 
-use crate::input::scenario::{Scenario, Units};
 use crate::motion::constants::CONSTANTS;
 use crate::motion::ephemeris::{AnyEphemeris, approximate, smallest_ephemeris};
 use crate::motion::propagate::Sample;
 use crate::motion::quantity::Quantity;
 use crate::motion::{Scalar, spread_times};
 use crate::output::text;
-use crate::truth::full_equations;
 use clap::ValueEnum;
 use serde_json::Value;
 use std::cell::OnceCell;
 use std::str::FromStr;
-use toytop::{Motion, Orientation};
+use toytop::Motion;
 use toytop_model::constants::MotionConstants;
 
 /// Column of a sweep, or the columns of a quantity at every time.
@@ -26,20 +24,17 @@ pub enum Column {
     Sample(Quantity),
 }
 
-/// Figure of a motion's tables: its name and its value; null where a table or the solver has none.
+/// Figure of a motion's tables: its name and its value; null where there is no table.
 type Figure = (&'static str, fn(&Measured) -> Value);
 
 /// Figures of the tables of a motion over the times: greatest error of the f32 ephemeris against the f64 ephemeris, rad; error bound
-/// that the f32 ephemeris states, rad; segments of the f32 table; greatest errors of both against the full solver, rad.
-const FIGURES: [Figure; 5] = [
+/// that the f32 ephemeris states, rad; segments of the f32 table.
+const FIGURES: [Figure; 3] = [
     ("error_f32", |motion| {
-        let exact = motion.double().map(|run| run.samples.iter().map(Sample::orientation));
-        motion.single().zip(exact).map(|(run, exact)| run.error(exact)).into()
+        motion.single().and_then(|single| motion.double().map(|double| single.error(double))).into()
     }),
-    ("bound_f32", |motion| motion.single().map(|run| run.bound).into()),
-    ("segments_f32", |motion| motion.single().map(|run| run.segments).into()),
-    ("full_error_f64", |motion| motion.full_error(motion.double()).into()),
-    ("full_error_f32", |motion| motion.full_error(motion.single()).into()),
+    ("bound_f32", |motion| motion.single().map(|single| single.bound).into()),
+    ("segments_f32", |motion| motion.single().map(|single| single.segments).into()),
 ];
 
 /// Columns without the option.
@@ -83,8 +78,8 @@ impl Column {
             (Self::Figure(_, value), Some(motion)) => value(motion),
             (Self::Constant("regime", _), None) => "refused".into(),
             (Self::Sample(quantity), Some(motion)) => match motion.double() {
-                Some(run) => {
-                    let numbers = run.samples.iter().flat_map(|sample| quantity.numbers(sample));
+                Some(table) => {
+                    let numbers = table.samples.iter().flat_map(|sample| quantity.numbers(sample));
                     return numbers.map(number).collect();
                 }
                 None => return absent(),
@@ -95,28 +90,27 @@ impl Column {
     }
 }
 
-/// Motion of a row, with its tables and the full solver as far as columns need them.
+/// Motion of a row, with its tables as far as columns need them.
 pub struct Measured {
     motion: MotionConstants,
     times: Vec<f64>,
-    double: OnceCell<Option<Run>>,
-    single: OnceCell<Option<Run>>,
-    full: OnceCell<Option<Vec<Orientation<f64>>>>,
+    double: OnceCell<Option<Evaluated>>,
+    single: OnceCell<Option<Evaluated>>,
 }
 
-/// Values of an ephemeris at the times.
-struct Run {
+/// Samples of an ephemeris at the times.
+struct Evaluated {
     samples: Vec<Sample>,
     segments: usize,
     /// Error bound at t = 0, rad; the part per tick is negligible below millions of periods.
     bound: f64,
 }
 
-impl Run {
-    /// Greatest distance from the truth, rad.
-    fn error(&self, truth: impl IntoIterator<Item = Orientation<f64>>) -> f64 {
-        let pairs = self.samples.iter().zip(truth);
-        pairs.map(|(sample, truth)| sample.orientation().distance(&truth)).fold(0.0, f64::max)
+impl Evaluated {
+    /// Greatest distance of the orientations of two tables, rad.
+    fn error(&self, truth: &Self) -> f64 {
+        let pairs = self.samples.iter().zip(&truth.samples);
+        pairs.map(|(x, y)| x.orientation().distance(&y.orientation())).fold(0.0, f64::max)
     }
 }
 
@@ -125,36 +119,24 @@ impl Measured {
     pub fn new(motion: Motion, count: u32, periods: f64) -> Self {
         let motion = MotionConstants::new(motion);
         let times = spread_times(periods * motion.nutation_period(), count);
-        let (double, single, full) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
-        Self { motion, times, double, single, full }
+        Self { motion, times, double: OnceCell::new(), single: OnceCell::new() }
     }
 
-    fn run(&self, table: &dyn AnyEphemeris) -> Run {
+    fn evaluated(&self, table: &dyn AnyEphemeris) -> Evaluated {
         let samples = self.times.iter().map(|&t| table.at(t).sample).collect();
-        Run { samples, segments: table.size()[0], bound: table.error_bound().constant }
+        Evaluated { samples, segments: table.size()[0], bound: table.error_bound().constant }
     }
 
-    fn double(&self) -> Option<&Run> {
+    fn double(&self) -> Option<&Evaluated> {
         /// Truncation error, rad.
         const WITHIN: f64 = 1e-13;
-        let run = || approximate(&self.motion, WITHIN).ok().map(|table| self.run(&*table));
-        self.double.get_or_init(run).as_ref()
+        let table = || approximate(&self.motion, WITHIN).ok().map(|table| self.evaluated(&*table));
+        self.double.get_or_init(table).as_ref()
     }
 
-    fn single(&self) -> Option<&Run> {
-        let run = || smallest_ephemeris(Scalar::F32, &self.motion).ok().map(|table| self.run(&*table));
-        self.single.get_or_init(run).as_ref()
-    }
-
-    /// Greatest distance of a run from the full solver, rad.
-    fn full_error(&self, run: Option<&Run>) -> Option<f64> {
-        let solved = || {
-            let scenario =
-                Scenario { name: String::new(), motion: *self.motion, given: None, units: Units::None };
-            let states = full_equations::states(&scenario, &self.times).ok()?;
-            Some(states.iter().map(|state| state.orientation()).collect())
-        };
-        let truth = self.full.get_or_init(solved).as_ref()?;
-        Some(run?.error(truth.iter().copied()))
+    fn single(&self) -> Option<&Evaluated> {
+        let table =
+            || smallest_ephemeris(Scalar::F32, &self.motion).ok().map(|table| self.evaluated(&*table));
+        self.single.get_or_init(table).as_ref()
     }
 }

@@ -42,7 +42,7 @@ impl Sweep {
     ) -> Result<Self, Failure> {
         let refuse = |reason: String| Err(Failure::Input(reason));
         if varied.is_empty() {
-            return refuse("a sweep: needs at least one of --spin, --tilt, ..., --axis".to_owned());
+            return refuse("a sweep: needs at least one --axis".to_owned());
         }
         let mut axes: Vec<(&'static str, Axis)> = Vec::new();
         for (name, axis) in varied {
@@ -67,16 +67,6 @@ impl Sweep {
             }
             _ => Ok(sweep),
         }
-    }
-
-    /// Axis of a key of a grid.
-    pub fn axis(&self, name: &str) -> Option<&Axis> {
-        self.axes.iter().find(|(key, _)| *key == name && self.sample.is_none()).map(|(_, axis)| axis)
-    }
-
-    /// Place of a row of a grid on the axis of a key.
-    pub fn place(&self, name: &str, index: u64) -> Option<u64> {
-        self.places(index).find(|((key, _), _)| *key == name).map(|(_, place)| place)
     }
 
     /// Axes, each with the place of a row of a grid on it; the last key changes fastest.
