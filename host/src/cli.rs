@@ -130,8 +130,8 @@ enum Command {
     #[command(after_help = "Example: toytop errata --format csv")]
     /// Errors of the printed paper and their corrections
     Errata(FormatArgs),
-    /// Errors of each scalar up to tick 2^40, beside its cost on each chip
-    #[command(after_help = "Example: toytop accuracy --plot accuracy.svg")]
+    /// Errors of each scalar up to tick 2^40
+    #[command(after_help = "Example: toytop accuracy --scalar f32,q31")]
     Accuracy(accuracy::AccuracyArgs),
     /// Constants and errors of many motions of a scenario, a grid or a random sample
     ///

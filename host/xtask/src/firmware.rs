@@ -170,7 +170,7 @@ pub(crate) fn list() {
     }
     println!();
     for chip in chip::ALL {
-        println!("{:8} {}, {}, QEMU: {}", chip.name, chip.core, chip.target, chip.machine.join(" "));
+        println!("{:8} {}, QEMU: {}", chip.name, chip.target, chip.machine.join(" "));
     }
 }
 

@@ -26,18 +26,17 @@ use super::options::positive;
 use crate::Failure;
 use crate::output::doc_markers::Page;
 use crate::output::{self, Column, Format, Record, eight_digits, short, whole_file};
-pub use chips::Chip;
+use chips::Chip;
 use clap::Args;
 use corpus::corpus;
-pub use limits::Limits;
+use limits::Limits;
 use meter::{Cost, Costs, flash, measure};
-pub use model::Model;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// Chips whose calls are measured.
-pub const CHIPS: [Chip; 5] = [chips::M0PLUS, chips::M4F, chips::M7, chips::M33, chips::RISCV];
+const CHIPS: [Chip; 5] = [chips::M0PLUS, chips::M4F, chips::M7, chips::M33, chips::RISCV];
 
 /// Frequency of the interrupt that a tick has to fit into, Hz.
 const TICK_RATE: f64 = 1000.0;

@@ -1,6 +1,5 @@
 //! Allowed cost of each call: `firmware-examples/budgets.toml`.
 
-use super::chips::Chip;
 use super::meter::{Cost, Costs};
 use crate::Failure;
 use crate::output::whole_file;
@@ -29,14 +28,6 @@ const HEAD: &str = "\
 ";
 
 impl Limits {
-    /// Limits at the time of the build.
-    ///
-    /// # Errors
-    /// As [`Limits::parse`], which a test excludes.
-    pub fn built_in() -> Result<Self, Failure> {
-        Self::parse(include_str!("../../../../../firmware-examples/budgets.toml"))
-    }
-
     /// Limits of a file.
     ///
     /// # Errors
@@ -86,13 +77,6 @@ impl Limits {
     /// Limit of a call on a chip.
     pub fn of(&self, chip: &str, call: &str) -> Option<&Cost> {
         self.0.get(chip)?.get(call)
-    }
-
-    /// Greatest cost of the next tick, from a cursor to α, β, u and the tip in memory: modelled cycles, or instructions where the chip has
-    /// no model. `None` where it was not measured.
-    pub fn next_tick(&self, scalar: &str, chip: &Chip) -> Option<u64> {
-        let cost = self.of(chip.name, &format!("cursor_{scalar}"))?;
-        Some(cost.cycles.unwrap_or(cost.instructions))
     }
 
     /// Line for each figure that is not within its limit, and for each call that has a measurement or a limit but not both.
