@@ -5,21 +5,13 @@ use crate::motion::Scalar;
 use crate::motion::propagate::period;
 use toytop::{Motion, Regime};
 
-/// Bounds on the errors of a built-in motion over ten periods, rad, in place of those of any motion.
-#[derive(Clone, Copy)]
-pub struct OwnBounds {
-    /// Bound on the error of the full solver.
-    full_solver: f64,
-    /// Bound on the error of the stepper in f32. In f64 the bound of the full solver is larger.
-    stepper_f32: f64,
-}
-
-/// Own bounds of a built-in motion by its name; `None` for every other motion. The measured errors are 1.7e-11 and 5e-6 rad for the first,
+/// Bounds on the errors of the full solver, and of the stepper in f32, of a built-in motion over ten periods, rad, in place of those of any
+/// motion. In f64 the bound of the full solver is the larger one. The measured errors are 1.7e-11 and 5e-6 rad for the first motion,
 /// 4.1e-9 and 1.6e-5 rad for the second.
-pub fn own_bounds(name: &str) -> Option<OwnBounds> {
+pub fn own_bounds(name: &str) -> Option<[f64; 2]> {
     match name {
-        "near separatrix 1e-3" => Some(OwnBounds { full_solver: 1e-10, stepper_f32: 2e-5 }),
-        "near separatrix 1e-6" => Some(OwnBounds { full_solver: 1e-8, stepper_f32: 5e-5 }),
+        "near separatrix 1e-3" => Some([1e-10, 2e-5]),
+        "near separatrix 1e-6" => Some([1e-8, 5e-5]),
         _ => None,
     }
 }
@@ -91,21 +83,18 @@ pub fn bound(
     motion: &Motion,
     (method, scalar): (Method, Scalar),
     periods: u32,
-    own: Option<OwnBounds>,
+    own: Option<[f64; 2]>,
     table: Option<f64>,
 ) -> Option<f64> {
     let tens = (f64::from(periods) / 10.0).max(1.0);
-    let solver = own.map_or_else(|| of_the_full_solver(motion), |own| own.full_solver) * tens * tens;
-    let core = match method {
-        Method::Ephemeris => {
+    let solver = own.map_or_else(|| of_the_full_solver(motion), |[solver, _]| solver) * tens * tens;
+    let core = match (method, own, scalar) {
+        (Method::Ephemeris, ..) => {
             table.map_or(of_the_ephemeris(scalar), |table| of_the_ephemeris(scalar).min(table))
         }
-        _ => {
-            own.map_or_else(
-                || of_the_stepper(motion, scalar),
-                |own| if scalar == Scalar::F64 { 0.0 } else { own.stepper_f32 },
-            ) * tens
-        }
+        (_, Some(_), Scalar::F64) => 0.0,
+        (_, Some([_, stepper]), _) => stepper * tens,
+        (_, None, _) => of_the_stepper(motion, scalar) * tens,
     };
     Some(core + solver).filter(|bound| *bound < WORST)
 }
