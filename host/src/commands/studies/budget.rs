@@ -22,10 +22,8 @@ mod pages;
 mod trace;
 
 use super::Report;
-use super::options::positive;
 use crate::Failure;
-use crate::output::doc_markers::Page;
-use crate::output::{self, Column, Format, Record, eight_digits, short, whole_file};
+use crate::output::{self, Format, Record, eight_digits, whole_file};
 use chips::Chip;
 use clap::Args;
 use corpus::corpus;
@@ -38,28 +36,22 @@ use std::process::{Command, Stdio};
 /// Chips whose calls are measured.
 const CHIPS: [Chip; 5] = [chips::M0PLUS, chips::M4F, chips::M7, chips::M33, chips::RISCV];
 
-/// Frequency of the interrupt that a tick has to fit into, Hz.
-const TICK_RATE: f64 = 1000.0;
-
 /// `toytop budget`
 #[derive(Args)]
 #[command(
-    after_help = "Example: toytop budget --chip m4f,m0plus --clock 48\nNeeds QEMU (qemu-system-arm, qemu-system-misc) and, without --elf, the repository."
+    after_help = "Example: toytop budget --chip m4f,m0plus\nNeeds QEMU (qemu-system-arm, qemu-system-misc) and, without --elf, the repository."
 )]
 pub struct BudgetArgs {
     /// Chips, separated by commas: m0plus, m4f, m7, m33, riscv; without it, all
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     chip: Vec<String>,
-    /// Clock of the chip, MHz, from which times follow
-    #[arg(long, value_name = "MHZ", default_value_t = 64.0, value_parser = positive)]
-    clock: f64,
     /// ELF file of your own, whose functions named bench_... are measured
     #[arg(long, value_name = "FILE", conflicts_with_all = ["check", "accept"])]
     elf: Option<PathBuf>,
-    /// Compare with firmware-examples/budgets.toml, and that file with the tables of host/docs/costs.md and README.md
+    /// Compare with firmware-examples/budgets.toml
     #[arg(long, conflicts_with = "accept")]
     check: bool,
-    /// Measure all chips, and rewrite these files
+    /// Measure all chips, and rewrite that file and the tables of host/docs/costs.md and README.md
     #[arg(long, conflicts_with = "chip")]
     accept: bool,
     /// Measure the set-up of 200 different launches: median and greatest cost on each chip; with --accept, on those with a model
@@ -93,23 +85,28 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
     if arguments.corpus {
         return launches(arguments, &root, chips);
     }
-    let measured =
-        chips.into_iter().map(|chip| Ok((chip.name.to_owned(), measured(arguments, &root, chip)?)));
-    let measured = measured.collect::<Result<BTreeMap<_, _>, Failure>>()?;
+    let mut all = BTreeMap::new();
+    for chip in chips {
+        all.insert(chip.name.to_owned(), measured(arguments, &root, chip)?);
+    }
     if arguments.accept {
-        let limits = Limits::around(measured);
+        let limits = Limits::around(all);
         let report = pages::write(&root, &pages::of_limits(&limits))?;
         whole_file::write("--accept", &root.join(LIMITS), limits.to_toml().as_bytes())?;
         return Ok(report);
     }
-    let report = shown(arguments, &measured)?;
+    let report = shown(arguments, &all)?;
     if !arguments.check {
         return Ok(report);
     }
-    let complaints = complaints(&root, &measured)?;
+    let mut complaints = Limits::read(&root.join(LIMITS))?.complaints(&all);
     let missed = !complaints.is_empty();
-    let remarks = if missed { complaints } else { vec!["within budget".to_owned()] };
-    Ok(Report { missed, ..report }.with_remarks(remarks, arguments.format == Format::Table))
+    complaints.push(if missed {
+        format!("how to change a budget: the head of {LIMITS}")
+    } else {
+        "within budget".into()
+    });
+    Ok(Report { missed, ..report }.with_remarks(complaints, arguments.format == Format::Table))
 }
 
 fn chosen(names: &[String]) -> Result<Vec<&'static Chip>, Failure> {
@@ -171,7 +168,7 @@ fn launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&'static Chip>) -> R
         rows.extend(corpus(chip, &build(root, chip, "corpus", arguments.size)?, &limits)?);
     }
     if arguments.accept {
-        return pages::write(root, &pages::of_corpus(&rows));
+        return pages::write(root, &[pages::of_corpus(&rows)]);
     }
     let table = || {
         format!(
@@ -184,59 +181,27 @@ fn launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&'static Chip>) -> R
     Ok(output::render(arguments.format, &output::list("rows", &rows), table)?.into())
 }
 
-fn complaints(root: &Path, measured: &BTreeMap<String, Costs>) -> Result<Vec<String>, Failure> {
-    let limits = Limits::read(&root.join(LIMITS))?;
-    let mut complaints: Vec<_> =
-        measured.iter().flat_map(|(chip, costs)| limits.complaints(chip, costs)).collect();
-    if !complaints.is_empty() {
-        complaints.push(format!("how to change a budget: the head of {LIMITS}"));
-    }
-    for (name, mark, text) in pages::of_limits(&limits) {
-        if !Page::read(&root.join(name), mark)?.has(&text) {
-            complaints.push(format!("{name}: the table is not that of {LIMITS}: toytop budget --accept"));
-        }
-    }
-    Ok(complaints)
-}
-
 fn shown(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -> Result<Report, Failure> {
+    let record = |chip: &str, call: &str, cost: &Cost| {
+        Record::default()
+            .with("chip", chip)
+            .with("call", call)
+            .with("instructions", cost.instructions)
+            .with("cycles_model", cost.cycles)
+            .with("stack", cost.stack)
+            .with("flash", cost.flash)
+            .with("ram", cost.ram)
+    };
     let mut records = Vec::new();
     for (chip, costs) in measured {
-        records.extend(costs.iter().map(|(call, cost)| record(chip, call, cost, arguments.clock)));
+        records.extend(costs.iter().map(|(call, cost)| record(chip, call, cost)));
     }
-    let microseconds = format!("µs at {} MHz", arguments.clock);
-    let columns = [
-        ("chip", "chip"),
-        ("call", "call"),
-        ("instructions", "instructions"),
-        ("cycles_model", "cycles (model)"),
-        ("microseconds", &microseconds),
-        ("tick_percent", "% of a 1 kHz tick"),
-        ("stack", "stack"),
-        ("flash", "flash"),
-        ("ram", "RAM"),
-    ];
-    let columns = columns.map(|(name, heading)| -> Column<'_> { (name, heading, |x| short(x, 3)) });
     let table = || {
         format!(
             "{}\nThe costliest of several calls. Instructions are exact; cycles are a model (published timings, no wait states); \
              stack, flash, RAM in bytes.\n",
-            output::aligned(&records, &columns)
+            output::aligned(&records, &output::all_columns(&records, eight_digits))
         )
     };
     Ok(output::render(arguments.format, &output::list("rows", &records), table)?.into())
-}
-
-fn record(chip: &str, call: &str, cost: &Cost, megahertz: f64) -> Record {
-    let microseconds = cost.cycles.map(|cycles| cycles as f64 / megahertz);
-    Record::default()
-        .with("chip", chip)
-        .with("call", call)
-        .with("instructions", cost.instructions)
-        .with("cycles_model", cost.cycles)
-        .with("microseconds", microseconds)
-        .with("tick_percent", microseconds.map(|time| time * 1e-6 * TICK_RATE * 100.0))
-        .with("stack", cost.stack)
-        .with("flash", cost.flash)
-        .with("ram", cost.ram)
 }

@@ -80,7 +80,11 @@ impl Limits {
     }
 
     /// Line for each figure that is not within its limit, and for each call that has a measurement or a limit but not both.
-    pub fn complaints(&self, chip: &str, measured: &Costs) -> Vec<String> {
+    pub fn complaints(&self, measured: &BTreeMap<String, Costs>) -> Vec<String> {
+        measured.iter().flat_map(|(chip, costs)| self.of_chip(chip, costs)).collect()
+    }
+
+    fn of_chip(&self, chip: &str, measured: &Costs) -> Vec<String> {
         let mut lines = Vec::new();
         let limits = self.0.get(chip).into_iter().flat_map(BTreeMap::keys);
         for call in limits.chain(measured.keys()).collect::<BTreeSet<_>>() {
@@ -145,7 +149,7 @@ mod tests {
     #[test]
     fn costs_above_and_far_below_the_limit_are_reported() {
         let limits = Limits::around(BTreeMap::from([("m4f".into(), costs("tick", cost(300)))]));
-        let said = |measured: &Costs| limits.complaints("m4f", measured);
+        let said = |measured: &Costs| limits.complaints(&BTreeMap::from([("m4f".into(), measured.clone())]));
         let of_tick = |cost: Cost| said(&costs("tick", cost));
         assert_eq!(of_tick(cost(315)), Vec::<String>::new());
         assert_eq!(of_tick(cost(316)), ["m4f: tick: 316 instructions, 315 allowed: 1 too many (0.3 %)"]);

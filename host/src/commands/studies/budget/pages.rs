@@ -4,8 +4,8 @@ use super::limits::Limits;
 use super::meter::Cost;
 use crate::Failure;
 use crate::commands::Report;
-use crate::output::doc_markers::{Page, grouped, table};
-use crate::output::{self, Record, eight_digits};
+use crate::output::doc_markers::{Page, table};
+use crate::output::{self, Column, Record, eight_digits};
 use std::path::Path;
 
 /// Part of a page: the page, its mark, and its text.
@@ -22,13 +22,19 @@ pub fn of_limits(limits: &Limits) -> [Part; 2] {
     ]
 }
 
-/// Parts of pages that have costs of many launches.
-pub fn of_corpus(rows: &[Record]) -> [Part; 2] {
-    let rows = of_launches(rows);
-    [
-        (COSTS, "toytop budget: launches", table(&rows)),
-        (FRONT_PAGE, "toytop budget: median launch", median_launch(&rows)),
-    ]
+/// Part of a page that has the costs of many launches.
+pub fn of_corpus(rows: &[Record]) -> Part {
+    let columns = [
+        ("chip", "chip"),
+        ("scalar", "scalar"),
+        ("result", "result"),
+        ("launches", "launches"),
+        ("median_cycles_model", "median cycles"),
+        ("greatest_cycles_model", "greatest cycles"),
+        ("slice_cycles_model", "cycles of the longest slice"),
+    ];
+    let columns = columns.map(|(name, heading)| -> Column<'_> { (name, heading, eight_digits) });
+    (COSTS, "toytop budget: launches", table(&output::rows(rows, &columns)))
 }
 
 /// Writes parts of pages below a folder, after each of them was found to have a place.
@@ -126,30 +132,6 @@ fn markdown(rows: &[Record]) -> String {
     table(&output::rows(rows, &output::all_columns(rows, eight_digits)))
 }
 
-/// Table of the launches, whose first row is the header.
-fn of_launches(rows: &[Record]) -> Vec<Vec<String>> {
-    let columns = [
-        ("chip", "chip"),
-        ("scalar", "scalar"),
-        ("result", "result"),
-        ("launches", "launches"),
-        ("median_cycles_model", "median cycles"),
-        ("greatest_cycles_model", "greatest cycles"),
-        ("slice_cycles_model", "cycles of the longest slice"),
-    ];
-    output::rows(rows, &columns.map(|(name, heading)| (name, heading, eight_digits as fn(f64) -> String)))
-}
-
-/// Cost of the launches in one sentence; empty if those of this chip and scalar are not known.
-fn median_launch(rows: &[Vec<String>]) -> String {
-    let Some(row) = rows.iter().find(|row| row[..3] == ["m4f", "f32", "ready"]) else { return String::new() };
-    let [launches, median, greatest, slice] = [3, 4, 5, 6].map(|place| grouped(&row[place]));
-    format!(
-        "Set-up of {launches} [very different launches](host/docs/costs.md#set-up-of-200-launches): median {median} cycles, worst {greatest}. Other work can run at \
-         least every {slice} cycles.\n"
-    )
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -163,5 +145,15 @@ mod tests {
         let limits = Limits(BTreeMap::from([("m4f".into(), costs(260)), ("m0plus".into(), costs(1221))]));
         assert!(front_page(&limits).contains("Cortex-M0+ | 1 221 | - | - | 0 |"));
         assert!(calls(&limits).contains("the tip in units of s | 1 221 | 260 | - | - |"));
+    }
+
+    #[test]
+    fn the_pages_have_the_tables_of_the_limits() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let limits = Limits::read(&root.join("firmware-examples/budgets.toml")).expect("the limits");
+        for (name, mark, text) in of_limits(&limits) {
+            let page = Page::read(&root.join(name), mark).expect("a page");
+            assert!(page.has(&text), "{name}: toytop budget --accept writes it anew:\n{text}");
+        }
     }
 }
