@@ -1,7 +1,7 @@
 //! Command line of `toytop`: its commands, their help texts and their arguments. Any program with commands reads its line by [`report`].
 
 use crate::Failure;
-use crate::commands::data::{fit, score, simulate};
+use crate::commands::data::{benchmark, fit, score, simulate};
 use crate::commands::motion::{bake, constants, events, state};
 use crate::commands::options::FormatArgs;
 use crate::commands::pictures::{animate, figures, plot, view};
@@ -101,10 +101,17 @@ enum Command {
             alpha_re,alpha_im,beta_re,beta_im, or r11,r12,...,r33 (matrix by rows, body to fixed). The drifts of h, l and n need\n\
             wx,wy,wz (rad/s, body frame) or omega_x,omega_y,omega_z (fixed frame). Other columns are ignored. The two signs of a quaternion are one rotation. Lines above the header may state: # method = RK4,\n\
             # step = 0.001, # evaluations = 40000. Files of one method with different steps give its order of convergence.\n\n\
-            Example: toytop score host/scenarios/toy_top.toml rk4_*.csv\n         \
+            Example: toytop score host/scenarios/toy_top.toml rk4_*.csv --plot rk4.svg\n         \
             toytop state TOP.toml --times 0..1/1001 --method stepper --format csv > s.csv && toytop score TOP.toml s.csv"
     )]
     Score(score::ScoreArgs),
+    /// Reference values of the heavy tops that integrators are tested with
+    #[command(
+        after_help = "The values have 30 digits, and two integrations confirm each of them. The conventions are those of the problem's source.\n\n\
+            Example: toytop benchmark bruls_cardona --format json\n         \
+            toytop benchmark bruls_cardona --times 0..2/2001 --format csv > run.csv && toytop score --benchmark bruls_cardona run.csv"
+    )]
+    Benchmark(benchmark::BenchmarkArgs),
     /// Samples of sensors on a top, with noise, bias and limited range
     #[command(
         after_help = "Example: toytop simulate host/scenarios/toy_top.toml --hertz 1000 --duration 1 --seed 7 -o samples.csv"
@@ -137,7 +144,7 @@ enum Command {
     ///
     /// Each motion is one row. All processor cores are used, and a sweep can be divided into parts.
     #[command(
-        after_help = "Example: toytop sweep host/scenarios/toy_top.toml --axis spin=90..300/200 --axis tilt_deg=1..60/100 -o grid.csv\n         toytop sweep host/scenarios/figure_3_loops.toml --axis e1=-0.9..0.1/41 --axis e3=log:1.01..100/33 -o grid.csv\n         toytop sweep host/scenarios/toy_top.toml --axis spin=90..300 --motions 1000000 --part 3/100 -o part_003.csv"
+        after_help = "Example: toytop sweep host/scenarios/toy_top.toml --spin 90..300/200 --tilt 1..60/100 -o grid.csv\n         toytop sweep host/scenarios/figure_3_loops.toml --axis e1=-0.9..0.1/41 --axis e3=log:1.01..100/33 -o grid.csv\n         toytop sweep host/scenarios/toy_top.toml --spin 90..300 --motions 1000000 --part 3/100 -o part_003.csv"
     )]
     Sweep(Box<sweep::SweepArgs>),
     /// Completions for a shell
@@ -166,6 +173,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<Report, Fail
         Command::Bake(arguments) => bake::run(arguments),
         Command::Figures(arguments) => figures::run(arguments),
         Command::Score(arguments) => score::run(arguments),
+        Command::Benchmark(arguments) => benchmark::run(arguments),
         Command::Simulate(arguments) => simulate::run(arguments),
         Command::Fit(arguments) => fit::run(arguments),
         Command::Bench(arguments) => bench::run(arguments),

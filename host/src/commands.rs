@@ -16,10 +16,12 @@ pub mod motion {
 
 /// Commands on samples of sensors and on the output of integrators.
 pub mod data {
+    pub mod benchmark;
     pub mod fit;
     pub mod score;
     pub mod simulate;
 
+    use super::motion::times;
     use super::{Report, options};
 }
 

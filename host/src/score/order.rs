@@ -1,7 +1,7 @@
 //! Order of convergence: the slope of the error against the step size, both in logarithms.
 
 /// Order of convergence between two runs \[step, error\]; `None` where the second step is not smaller by a twentieth at least.
-fn between([coarse_step, coarse_error]: [f64; 2], [fine_step, fine_error]: [f64; 2]) -> Option<f64> {
+pub fn between([coarse_step, coarse_error]: [f64; 2], [fine_step, fine_error]: [f64; 2]) -> Option<f64> {
     const SMALLER: f64 = 1.05;
     let order = (coarse_error / fine_error).ln() / (coarse_step / fine_step).ln();
     (order.is_finite() && coarse_step >= SMALLER * fine_step).then_some(order)

@@ -31,7 +31,7 @@ pub struct Trajectory {
     pub name: String,
     /// Name of the method, from a line `# method = NAME`.
     pub method: Option<String>,
-    /// Step size, s: from a line `# step = H`, or else the spacing of the rows, if it is constant to a millionth.
+    /// Step size in s, from a line `# step = H`.
     pub step: Option<f64>,
     /// Evaluations of the equations, from a line `# evaluations = N`.
     pub evaluations: Option<f64>,
@@ -95,32 +95,34 @@ impl Trajectory {
             return Err("must hold at least one row below the header".to_owned());
         }
         let method = stated("method").map(str::to_owned);
-        let step = step.or_else(|| spacing(&rows));
         Ok(Self { name: String::new(), method, step, evaluations, rows })
     }
 
     /// Trajectory in the body axes of the core, of which the third is the axis of symmetry. `axis` is the number of this axis in the file.
     pub fn with_symmetry_axis(mut self, axis: u8) -> Self {
-        // a quarter turn about the second or the first axis
-        let to_third = match axis {
-            1 => [1.0, 0.0, -1.0, 0.0],
-            2 => [1.0, 1.0, 0.0, 0.0],
-            _ => return self,
-        };
-        let inverse = Orientation::from_quaternion(to_third).normalised().inverse();
+        let inverse = to_symmetry_axis(axis).inverse();
         for row in &mut self.rows {
             row.orientation = row.orientation.compose(&inverse);
         }
         self
     }
+
+    /// Spacing of the rows, s, if it is constant to a millionth.
+    pub fn spacing(&self) -> Option<f64> {
+        let [first, .., last] = &self.rows[..] else { return None };
+        let mean = (last.t - first.t) / (self.rows.len() - 1) as f64;
+        let even = |pair: &[Row]| (pair[1].t - pair[0].t - mean).abs() <= 1e-6 * mean.abs();
+        self.rows.windows(2).all(even).then_some(mean.abs())
+    }
 }
 
-/// Spacing of rows, s, if it is constant to a millionth.
-fn spacing(rows: &[Row]) -> Option<f64> {
-    let [first, .., last] = rows else { return None };
-    let mean = (last.t - first.t) / (rows.len() - 1) as f64;
-    let even = |pair: &[Row]| (pair[1].t - pair[0].t - mean).abs() <= 1e-6 * mean.abs();
-    rows.windows(2).all(even).then_some(mean.abs())
+/// Rotation that takes body coordinates, whose second or third axis is the axis of symmetry, to those of the core, where it is the third.
+pub fn to_symmetry_axis(axis: u8) -> Orientation<f64> {
+    match axis {
+        // a quarter turn about the first axis takes the second axis to the third
+        2 => Orientation::from_quaternion([1.0, 1.0, 0.0, 0.0]).normalised(),
+        _ => Orientation::IDENTITY,
+    }
 }
 
 /// Places of columns in a header, where of equal names the first counts; `None` if one is missing.

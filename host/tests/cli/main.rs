@@ -30,6 +30,7 @@ mod bake {
 
 /// Launches found from samples, and scores of trajectories.
 mod fit {
+    mod benchmark;
     mod from_samples;
     mod integrators;
     mod score;

@@ -1,110 +1,203 @@
 //! `toytop score`: output of an integrator, compared with the exact motion.
 
 use super::Report;
+use super::options::{PICTURE, ending_in, positive};
 use crate::Failure;
 use crate::input::scenario::Scenario;
+use crate::motion::propagate::period;
 use crate::output::{self, Column, Format, Lists, Record, short, two_digits};
+use crate::pictures::chart::{Chart, Curve};
+use crate::pictures::drawing;
+use crate::score::benchmarks;
 use crate::score::exact_reference::{ExactReference, Score};
 use crate::score::order;
 use crate::score::trajectory::Trajectory;
 use clap::Args;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// `toytop score`
 #[derive(Args)]
 pub struct ScoreArgs {
-    /// Scenario file
-    scenario: PathBuf,
-    /// CSV files with the output of integrators for this scenario: one file for each step size and method
-    #[arg(value_name = "RESULT.csv", required = true)]
-    results: Vec<PathBuf>,
-    /// Body axis of the files that is the axis of symmetry, from the tip to the centre of mass
-    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u8).range(1..=3))]
-    symmetry_axis: u8,
+    /// Scenario file, and CSV files with the output of integrators for it: one file for each step size and method
+    #[arg(value_names = ["SCENARIO", "RESULT.csv"], num_args = 1.., required = true)]
+    files: Vec<PathBuf>,
+    /// Problem of `toytop benchmark` in place of the scenario; the files are in the conventions of its source
+    #[arg(long, value_name = "NAME")]
+    benchmark: Option<String>,
+    /// Step size of each file, s; without it, the step size that the file states, or the spacing of its rows
+    #[arg(long, value_name = "H1,H2,...", value_delimiter = ',', allow_hyphen_values = true, value_parser = positive)]
+    steps: Vec<f64>,
+    /// Picture of the greatest error against the work, whose name ends in .svg or .png
+    #[arg(long, value_name = "FILE", value_parser = ending_in(PICTURE))]
+    plot: Option<PathBuf>,
     /// Form of the output
     #[arg(long, default_value = "table")]
     format: Format,
 }
 
 /// Trajectory of a file with its errors.
-struct Scored {
+struct ScoredFile {
     trajectory: Trajectory,
     score: Score,
+    /// Step size, s, and its source.
+    step: Option<(f64, &'static str)>,
+    /// Order of convergence from the next larger step of the same method.
+    order: Option<f64>,
 }
 
-/// Integration method with its order of convergence.
-struct Integrator<'a> {
-    name: &'a str,
-    files: Vec<&'a Scored>,
+impl ScoredFile {
+    /// Name of the method; empty if the file does not state it.
+    fn method(&self) -> &str {
+        self.trajectory.method.as_deref().unwrap_or_default()
+    }
+
+    fn end(&self) -> f64 {
+        self.trajectory.rows.last().map_or(0.0, |row| row.t)
+    }
+
+    /// Step size and greatest error.
+    fn point(&self) -> Option<[f64; 2]> {
+        self.step.map(|(step, _)| [step, self.score.max_error])
+    }
+}
+
+/// Integration method with its number of files and its order of convergence.
+struct Integrator {
+    name: String,
+    files: usize,
     order: Option<f64>,
 }
 
 pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
-    let ScoreArgs { scenario, results, symmetry_axis, format } = arguments;
-    let start = format!("toytop state {} --times 0", scenario.display());
-    let scenario = Scenario::read(scenario)?;
+    let ScoreArgs { files, benchmark, steps, plot, format } = arguments;
+    let problem = benchmark.as_deref().map(benchmarks::named).transpose();
+    let problem = problem.map_err(|failure| failure.of("--benchmark"))?;
+    // command that prints the state from which a run has to start
+    let (scenario, start, results) = match (&problem, &files[..]) {
+        (Some(problem), results) => {
+            let start = format!("toytop benchmark {} --times 0 --format csv", problem.scenario.name);
+            (problem.scenario.clone(), start, results)
+        }
+        (None, [scenario, results @ ..]) if !results.is_empty() => {
+            (Scenario::read(scenario)?, format!("toytop state {} --times 0", scenario.display()), results)
+        }
+        _ => return Err(Failure::Input("score: needs SCENARIO and at least one RESULT.csv".into())),
+    };
+    if !steps.is_empty() && steps.len() != results.len() {
+        return Err(Failure::Input(format!("--steps: must be {} numbers, one for each file", results.len())));
+    }
     let reference = ExactReference::new(&scenario, &start)?;
     let (mut files, mut warnings) = (Vec::new(), Vec::new());
-    for path in results {
-        let trajectory = Trajectory::read(path)?.with_symmetry_axis(*symmetry_axis);
+    for (index, path) in results.iter().enumerate() {
+        let axis = problem.as_ref().map_or(3, |problem| problem.about.symmetry_axis);
+        let trajectory = Trajectory::read(path)?.with_symmetry_axis(axis);
         let score = reference.score(&trajectory)?;
         warnings
             .extend(score.warning.iter().map(|warning| format!("warning: {}: {warning}", trajectory.name)));
-        files.push(Scored { trajectory, score });
+        let steps = [
+            (steps.get(index).copied(), "option"),
+            (trajectory.step, "file"),
+            (trajectory.spacing(), "rows"),
+        ];
+        let step = steps.into_iter().find_map(|(step, source)| Some((step?, source)));
+        files.push(ScoredFile { trajectory, score, step, order: None });
     }
-    let integrators = integrators(&files, &mut warnings);
-    let order =
-        |name: &str| integrators.iter().find(|other| other.name == name).and_then(|found| found.order);
-    let records: Vec<_> = files.iter().map(|file| record(file, order(method(file)))).collect();
-    let summary = |Integrator { name, files, order }: &Integrator<'_>| {
-        Record::default().with("method", *name).with("files", files.len()).with("order", *order)
+    let integrators = integrators(&mut files, &mut warnings);
+    if let Some(path) = plot {
+        draw(path, &scenario, &files, &integrators)?;
+    }
+    let records: Vec<_> = files.iter().map(|file| record(file, &integrators)).collect();
+    let summary = |Integrator { name, files, order }: &Integrator| {
+        Record::default().with("method", &**name).with("files", *files).with("order", *order)
     };
     let summaries: Vec<_> = integrators.iter().map(summary).collect();
     let order = if let [only] = &integrators[..] { only.order } else { None };
     let rest =
         Record::default().with("order", order).with("scenario", &*scenario.name).with("sign", "nearest");
     let object = Lists(vec![("files", &records), ("methods", &summaries)], rest);
-    let text = output::render(*format, &object, || tables(&records, &integrators))?;
+    let text = output::render(*format, &object, || tables(&files, &records, &integrators))?;
     Ok(Report::from(text).with_remarks(warnings, *format == Format::Table))
 }
 
-/// Name of the method of a file; empty if the file does not state it.
-fn method(file: &Scored) -> &str {
-    file.trajectory.method.as_deref().unwrap_or_default()
-}
-
-/// Methods in the order of their first files. Files of one method over different times have no order, which a warning states.
-fn integrators<'a>(files: &'a [Scored], warnings: &mut Vec<String>) -> Vec<Integrator<'a>> {
-    let mut integrators: Vec<Integrator<'a>> = Vec::new();
-    for file in files {
-        match integrators.iter_mut().find(|integrator| integrator.name == method(file)) {
-            Some(integrator) => integrator.files.push(file),
-            None => integrators.push(Integrator { name: method(file), files: vec![file], order: None }),
+/// Methods in the order of their first files, after the order of each file is set. Files of one method over different times have no order,
+/// which a warning states.
+fn integrators(files: &mut [ScoredFile], warnings: &mut Vec<String>) -> Vec<Integrator> {
+    let mut names: Vec<String> = Vec::new();
+    for file in &*files {
+        if !names.iter().any(|name| name == file.method()) {
+            names.push(file.method().to_owned());
         }
     }
-    for Integrator { files, order, .. } in &mut integrators {
-        let end = |file: &Scored| file.trajectory.rows.last().map_or(0.0, |row| row.t);
-        let first = files[0];
-        let other = files.iter().find(|file| (end(file) - end(first)).abs() > 1e-6 * end(first).abs());
-        if let Some(other) = other {
-            let names = [first, other].map(|file| &*file.trajectory.name);
-            warnings.push(format!("warning: no order: {} end at different times", names.join(" and ")));
-            continue;
+    let mut integrator = |name: String| {
+        let mut files: Vec<_> = files.iter_mut().filter(|file| file.method() == name).collect();
+        let count = files.len();
+        let first = files[0].end();
+        if let Some(other) = files.iter().find(|file| (file.end() - first).abs() > 1e-6 * first.abs()) {
+            let names = [&files[0].trajectory.name, &other.trajectory.name];
+            warnings.push(format!("warning: no order: {} and {} end at different times", names[0], names[1]));
+            return Integrator { name, files: count, order: None };
         }
-        let point = |file: &&Scored| Some([file.trajectory.step?, file.score.max_error]);
-        *order = order::fitted(&files.iter().filter_map(point).collect::<Vec<_>>());
-    }
-    integrators
+        files.retain(|file| file.step.is_some());
+        let step = |file: &ScoredFile| file.step.map_or(0.0, |(step, _)| step);
+        files.sort_by(|a, b| step(b).total_cmp(&step(a)));
+        let points: Vec<_> = files.iter().filter_map(|file| file.point()).collect();
+        for (file, pair) in files.iter_mut().skip(1).zip(points.windows(2)) {
+            file.order = order::between(pair[0], pair[1]);
+        }
+        Integrator { name, files: count, order: order::fitted(&points) }
+    };
+    names.into_iter().map(&mut integrator).collect()
 }
 
-fn record(Scored { trajectory, score }: &Scored, order: Option<f64>) -> Record {
+/// Draws the greatest error against the work for each method. The work is the number of evaluations of the equations if every file states
+/// it, otherwise the number of steps.
+fn draw(
+    path: &Path,
+    scenario: &Scenario,
+    files: &[ScoredFile],
+    integrators: &[Integrator],
+) -> Result<(), Failure> {
+    let counted = files.iter().all(|file| file.trajectory.evaluations.is_some());
+    let period = period(&scenario.motion);
+    let point = |file: &ScoredFile| {
+        let steps = file.step.map(|(step, _)| period / step);
+        let work = if counted { file.trajectory.evaluations } else { steps }.ok_or_else(|| {
+            let needed = "needs a line # evaluations = N in every file, or --steps";
+            let name = &file.trajectory.name;
+            Failure::Input(format!("--plot: {name}: {needed}, because its rows are uneven"))
+        })?;
+        Ok([work, file.score.max_error])
+    };
+    let mut curves = Vec::new();
+    for Integrator { name, order, .. } in integrators {
+        let order = order.map(|order| format!("measured order {order:.2}"));
+        let label: Vec<_> =
+            [Some(name.clone()).filter(|name| !name.is_empty()), order].into_iter().flatten().collect();
+        let of_method = files.iter().filter(|file| file.method() == name);
+        let mut points = of_method.map(point).collect::<Result<Vec<_>, Failure>>()?;
+        points.sort_by(|[a, _], [b, _]| a.total_cmp(b));
+        curves.push(Curve::marked(label.join(", "), points));
+    }
+    let work = if counted { "evaluations of the equations" } else { "steps in a nutation period" };
+    let chart = Chart {
+        title: &format!("Work and precision: {}", scenario.name),
+        labels: [work, "greatest error of the orientation, rad"],
+        powers: [true; 2],
+    };
+    drawing::write("--plot", path, &chart.draw(&curves), None)
+}
+
+fn record(file: &ScoredFile, integrators: &[Integrator]) -> Record {
+    let ScoredFile { trajectory, score, step, order } = file;
+    let method = integrators.iter().find(|integrator| integrator.name == file.method());
     let phases = &score.phases;
     let [l, n, h] = [0, 1, 2].map(|i| score.drift.map(|drift| drift[i]));
     Record::default()
         .with("name", &*trajectory.name)
         .with("method", trajectory.method.clone())
         .with("rows", trajectory.rows.len())
-        .with("step", trajectory.step)
+        .with("step", step.map(|(step, _)| step))
+        .with("step_from", step.map(|(_, source)| source))
         .with("evaluations", trajectory.evaluations)
         .with("max_error_rad", score.max_error)
         .with("rms_error_rad", score.rms_error)
@@ -120,12 +213,13 @@ fn record(Scored { trajectory, score }: &Scored, order: Option<f64>) -> Record {
         .with("drift_n", n)
         .with("max_norm_error", score.norm_error)
         .with("truth_bound_rad", score.truth_bound)
-        .with("method_order", order)
+        .with("method_order", method.and_then(|method| method.order))
+        .with("order", *order)
 }
 
 /// Table of the errors, table of the phase errors and drifts, and the orders of convergence.
-fn tables(records: &[Record], integrators: &[Integrator<'_>]) -> String {
-    let errors: [Column<'_>; 8] = [
+fn tables(files: &[ScoredFile], records: &[Record], integrators: &[Integrator]) -> String {
+    let errors: [Column<'_>; 9] = [
         ("name", "", two_digits),
         ("rows", "rows", two_digits),
         ("step", "step, s", |step| short(step, 4)),
@@ -134,6 +228,7 @@ fn tables(records: &[Record], integrators: &[Integrator<'_>]) -> String {
         ("final_error_rad", "final, rad", two_digits),
         ("max_u_error", "u", two_digits),
         ("max_position_error", "position", two_digits),
+        ("order", "order", |order| format!("{order:.2}")),
     ];
     let details = [
         ("name", ""),
@@ -151,12 +246,11 @@ fn tables(records: &[Record], integrators: &[Integrator<'_>]) -> String {
         let of = if name.is_empty() { String::new() } else { format!(" of {name}") };
         orders.extend(order.map(|order| format!("Order of convergence{of}: {order:.2}\n")));
     }
-    let files = integrators.iter().flat_map(|integrator| &integrator.files);
-    let bound = files.map(|file| file.score.truth_bound).fold(0.0, f64::max);
+    let bound = files.iter().map(|file| file.score.truth_bound).fold(0.0, f64::max);
     format!(
         "Errors against the exact motion\n{}\nPhase errors over the last nutation period, rad (above 0: ahead), and relative drifts of h, l and n\n{}\n\
          {orders}The exact motion is within {bound:.1e} rad. Errors of the orientation are 2 sqrt(|d alpha|^2 + |d beta|^2) with the nearer\n\
-         sign. Residual: what no phase error explains. Drifts: of h in units of max(|h|, p g), of l and n in units of\n\
+         sign. Residual: what no phase error explains. Order: from the next larger step of the same method. Drifts: of h in units of max(|h|, p g), of l and n in units of\n\
          max(|l|, |n|, sqrt(2 A p g)).\n",
         output::aligned(records, &errors),
         output::aligned(records, &details),

@@ -19,6 +19,7 @@ use crate::truth::exact::{Exact, PreciseOrientation};
 use crate::truth::motions::{Numbers, Start};
 use crate::truth::precise::{precise, whole};
 use clap::Args;
+use micromath::F32Ext;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::path::PathBuf;
 use toytop::{InitialPhases, Motion, Regime, Support};
@@ -66,11 +67,13 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
     };
     let table: Vec<_> = scalars.iter().zip(&all).map(of_scalar).collect();
     let columns = |of_number| COLUMNS.map(|(name, heading)| -> Column<'_> { (name, heading, of_number) });
+    let micromath =
+        format!("The sine of micromath, an approximation for f32, is off by up to {:.0e}.\n", micromath());
     let text = || {
         format!(
             "{}\nThe ephemeris in each scalar, over ticks from 1 to 2^{OCTAVES}, against the truth to thirty digits. Tip: in units of s. Norm:\n\
              of alpha and beta. Energy: from alpha, beta and their rates (in fixed point, f32), relative. CSV and JSON have the\n\
-             errors over each octave of ticks.\n",
+             errors over each octave of ticks. {micromath}",
             output::aligned(&table, &columns(output::two_digits)),
         )
     };
@@ -84,9 +87,16 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
     }
     let text = output::render(arguments.format, &output::list("rows", &octaves), text)?;
     if let Some(page) = page {
-        page.write(&doc_markers::table(&output::rows(&table, &columns(|x| format!("{x:.0e}")))))?;
+        let rows = output::rows(&table, &columns(|x| format!("{x:.0e}")));
+        page.write(&format!("{}\n{micromath}", doc_markers::table(&rows)))?;
     }
     Ok(text.into())
+}
+
+/// Greatest error of micromath's sine over one turn.
+fn micromath() -> f64 {
+    let error = |x: f32| (f64::from(F32Ext::sin(x)) - f64::from(x).sin()).abs();
+    (0..=u16::MAX).map(|i| error(1e-4 * f32::from(i))).fold(0.0, f64::max)
 }
 
 fn record(scalar: Scalar, errors: Errors) -> Record {

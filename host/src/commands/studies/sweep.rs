@@ -25,9 +25,20 @@ pub struct SweepArgs {
     /// CSV file to write (- is stdout); it appears under its name when it is complete
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// Number of the scenario that varies, in the unit of its key: spin=90,120 or spin=LOW..HIGH, in a grid spin=LOW..HIGH/PLACES; with
-    /// log: in front of LOW even in the logarithm
-    #[arg(long, value_name = "KEY=AXIS", required = true, value_parser = key_and_axis)]
+    /// Spin of a release, rad/s: X,Y,... or LOW..HIGH, in a grid LOW..HIGH/COUNT; with log: in front even in the logarithm
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    spin: Option<Axis>,
+    /// Tilt of a release, degrees
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    tilt: Option<Axis>,
+    /// Precession of a release, rad/s
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    precession: Option<Axis>,
+    /// Nutation of a release, rad/s
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    nutation: Option<Axis>,
+    /// Any number of the scenario, in the unit of its key: --axis com_height=0.02..0.04/21
+    #[arg(long, value_name = "KEY=AXIS", value_parser = key_and_axis)]
     axis: Vec<(String, Axis)>,
     /// Number of random motions; without it, the motions are the grid of all combinations
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000_000_000))]
@@ -48,6 +59,17 @@ pub struct SweepArgs {
     /// Every N-th motion, beginning with the I-th; only part 1 has the header, so that cat joins all parts
     #[arg(long, value_name = "I/N", default_value = "1/1", value_parser = part)]
     part: [u64; 2],
+}
+
+impl SweepArgs {
+    /// Keys of the scenario that vary, each with its axis.
+    fn varied(&self) -> Vec<(String, Axis)> {
+        let Self { spin, tilt, precession, nutation, axis, .. } = self;
+        let keys = ["spin", "tilt_deg", "precession", "nutation"].map(str::to_owned);
+        let of_release = keys.into_iter().zip([spin, tilt, precession, nutation]);
+        let given = of_release.filter_map(|(key, axis)| Some((key, axis.clone()?)));
+        given.chain(axis.iter().cloned()).collect()
+    }
 }
 
 fn key_and_axis(text: &str) -> Result<(String, Axis), String> {
@@ -72,7 +94,7 @@ pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
     whole_file::require_other("--output", Some(&arguments.output), &[Some(&arguments.scenario)])?;
     let sweep = Sweep::new(
         ScenarioFile::read(&arguments.scenario)?,
-        arguments.axis.clone(),
+        arguments.varied(),
         arguments.motions.map(|motions| (motions, arguments.seed)),
         arguments.columns.clone(),
         (arguments.samples, arguments.periods),

@@ -45,7 +45,7 @@ fn is_written_as_a_whole(line: &str, to: &str) {
 fn a_killed_command_leaves_the_old_file_or_the_new() {
     folder("robust_killed");
     is_written_as_a_whole("bake @toy_top --scalar f64 -o robust_killed/top.rs", "robust_killed/top.rs");
-    let sweep = "sweep @toy_top --motions 20000 --axis spin=90..300 -o robust_killed/rows.csv";
+    let sweep = "sweep @toy_top --motions 20000 --spin 90..300 -o robust_killed/rows.csv";
     is_written_as_a_whole(sweep, "robust_killed/rows.csv");
     is_written_as_a_whole("figures -o robust_killed", "robust_killed/figure_3_e3_3.svg");
 }
@@ -69,7 +69,7 @@ fn only_the_output_is_written() {
         format!("state {own} --times 0 -o {own}"),
         format!("bake {own} -o {own}"),
         format!("simulate {own} -o {own}"),
-        format!("sweep {own} --axis spin=90..300/3 -o {own}"),
+        format!("sweep {own} --spin 90..300/3 -o {own}"),
         format!("fit /dev/null --top {own} -o {own}"),
     ] {
         toytop(line).refused(2, "must not be a file that the command reads");
@@ -107,7 +107,7 @@ fn a_full_disk_leaves_no_file_and_exits_with_1() {
     for (line, to) in [
         ("bake @toy_top --scalar f64", "robust_full/top.rs"),
         ("plot @toy_top", "robust_full/top.svg"),
-        ("sweep @toy_top --axis spin=90..300 --motions 1000", "robust_full/rows.csv"),
+        ("sweep @toy_top --spin 90..300 --motions 1000", "robust_full/rows.csv"),
         ("figures", "robust_full"),
     ] {
         let run = bash("trap '' XFSZ; ulimit -f 4; exec \"$@\"", format!("{line} -o {to}"));
@@ -138,7 +138,7 @@ fn a_place_that_cannot_be_written_exits_with_2() {
         for line in [
             format!("plot @toy_top -o {place}.svg"),
             format!("bake @toy_top -o {place}.rs"),
-            format!("sweep @toy_top --axis spin=1,2 -o {place}.csv"),
+            format!("sweep @toy_top --spin 1,2 -o {place}.csv"),
             format!("figures -o {place}"),
         ] {
             toytop(line).refused(2, place);

@@ -1,7 +1,7 @@
 //! `toytop score`: trajectories with known errors, and runs with a known order.
 
 use crate::command::{
-    all_refused, csv, json, list, number, read, repository, sample, scenario, toytop, write,
+    all_refused, csv, folder, json, list, number, path, read, sample, scenario, toytop, write,
 };
 use serde_json::Value;
 use std::f64::consts::PI;
@@ -51,7 +51,7 @@ fn exact_rows_have_no_error_whatever_their_signs() {
     let found = json("score @toy_top score_exact.csv");
     assert_eq!((&found["order"], &found["sign"]), (&Value::Null, &Value::from("nearest")));
     let scored = &found["files"][0];
-    assert_eq!(scored["rows"], 201);
+    assert_eq!((&scored["rows"], &scored["step_from"]), (&Value::from(201), &Value::from("rows")));
     assert!((number(&scored["step"]) - 0.005).abs() < 1e-15);
     for key in ["max_error_rad", "rms_error_rad", "final_error_rad", "max_u_error", "residual_rad"] {
         assert!(number(&scored[key]) < 1e-15, "{key}: {scored}");
@@ -134,15 +134,26 @@ fn stepped(name: &str, steps: u32, times: &str, step: f64) -> String {
 fn the_steppers_order_is_measured() {
     let period = number(&json("constants @figure_3_loops")["period"]);
     let times = format!("0..{}/161", 5.0 * period);
-    let files = [128, 64, 256, 512].map(|steps| stepped("work", steps, &times, period / f64::from(steps)));
-    let line = format!("score @figure_3_loops {}", files.join(" "));
-    let found = json(&line);
+    let counts = [128, 64, 256, 512];
+    let files = counts.map(|steps| stepped("work", steps, &times, 1.0));
+    let steps = counts.map(|steps| (period / f64::from(steps)).to_string()).join(",");
+    let line = format!("score @figure_3_loops {} --steps={steps}", files.join(" "));
+    let found = json(format!("{line} --plot work.svg"));
     let order = number(&found["order"]);
     assert!(order > 3.9 && order < 4.1, "{order}");
     assert_eq!(found["methods"][0]["files"], 4);
-    // the files keep their order
-    assert_eq!(found["files"][1]["name"], files[1].as_str());
-    assert!(toytop(line).ok().contains(&format!("Order of convergence: {order:.2}\n")));
+    // the files keep their order; the one with the largest step has none to compare with
+    for (file, name) in list(&found["files"]).iter().zip(&files) {
+        assert_eq!((&file["name"], &file["step_from"]), (&Value::from(&**name), &Value::from("option")));
+        let is_fourth = file["order"].as_f64().is_some_and(|order| order > 3.8 && order < 4.2);
+        assert_eq!(is_fourth, !name.contains("work_64"), "{file}");
+    }
+    assert!(toytop(line).ok().contains("Order of convergence: "));
+    let svg = read("work.svg");
+    // ticks between powers of ten, from 64 to 512 steps
+    for part in ["steps in a nutation period", "measured order", ">10²<", ">10³<"] {
+        assert!(svg.contains(part), "{part}");
+    }
 }
 
 /// Files of different lengths have no order, and the reason is printed.
@@ -192,58 +203,20 @@ fn positions_and_rates_are_checked() {
 #[test]
 fn invalid_results_are_refused_in_one_line() {
     written("score_good.csv", &rows("@toy_top", &[0.0, 0.1, 0.2]), WITHOUT_RATES);
+    written("score_uneven.csv", &rows("@toy_top", &[0.0, 0.1, 0.3]), WITHOUT_RATES);
     write("score_far.csv", "t,w,x,y,z\n1e300,1,0,0,0\n");
+    folder("score_refused");
     all_refused(
         "score @toy_top",
         &[
             ("", "RESULT.csv"),
             ("no_such.csv", "no_such.csv: "),
             ("score_far.csv", "score_far.csv: t: 1e300 must be within ±"),
-            ("score_good.csv --symmetry-axis 0", "--symmetry-axis"),
+            ("score_good.csv --steps 0.1,0.2", "--steps: must be 1 numbers, one for each file"),
+            ("score_good.csv --steps -1", "--steps"),
+            ("score_good.csv --plot work.jpg", "'work.jpg' for '--plot <FILE>': must end in"),
+            ("score_uneven.csv --plot score_refused/a.svg", "# evaluations = N in every file, or --steps"),
         ],
     );
-}
-
-/// Folders of host/benchmarks.
-const PROBLEMS: [&str; 9] = [
-    "bruls_cardona",
-    "critical_spin",
-    "diffman",
-    "drake_cylinder",
-    "kinon_betsch",
-    "parker",
-    "simo_wong",
-    "springborn_cusp",
-    "springborn_loops",
-];
-
-/// The ephemeris of each benchmark problem has the digits of its reference.
-#[test]
-fn the_benchmark_problems_have_their_reference_digits() {
-    let mut samples = 0;
-    for name in PROBLEMS {
-        let [scenario, reference] = ["scenario.toml", "reference.json"]
-            .map(|file| repository(&format!("host/benchmarks/{name}/{file}")));
-        let reference: Value = serde_json::from_str(&read(&reference)).expect("JSON");
-        for sample in list(&reference["samples"]) {
-            let digits = |key: &str| {
-                let number = |digits: &Value| digits.as_str().expect("digits").parse().expect("a number");
-                list(&sample[key]).iter().map(number).collect::<Vec<f64>>()
-            };
-            let t = sample["t"].as_str().expect("a time");
-            // the angular velocity of the reference is along the body axes
-            let columns = format!(
-                "t,w,x,y,z,wx,wy,wz\n{t},{},{}\n",
-                joined(&digits("quaternion")),
-                joined(&digits("omega_body"))
-            );
-            let file = write(&format!("score_{name}.csv"), columns).to_owned();
-            let axis = if name == "bruls_cardona" { 2 } else { 3 };
-            let scored = score(&format!("{scenario} {file} --symmetry-axis {axis}"));
-            assert!(number(&scored["max_error_rad"]) < 1e-12, "{name} at {t}: {scored}");
-            assert!(number(&scored["drift_h"]) < 1e-12, "{name} at {t}: {scored}");
-            samples += 1;
-        }
-    }
-    assert!(samples > 20, "{samples}");
+    assert!(!path("score_refused/a.svg").exists());
 }

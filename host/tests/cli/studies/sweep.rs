@@ -26,7 +26,7 @@ fn field<'a>(table: &'a str, row: usize, name: &str) -> &'a str {
 fn parts_make_the_whole() {
     for (name, more) in [
         ("grid", "@figure_3_loops --axis e1=-0.5..0.5/3 --axis e2=0.2,0.6 --axis e3=log:1.1..9/3"),
-        ("lot", "@toy_top --motions 50 --axis spin=log:100..1000 --axis tilt_deg=1..30"),
+        ("lot", "@toy_top --motions 50 --spin log:100..1000 --tilt 1..30"),
     ] {
         let whole = sweep(&format!("sweep_{name}.csv"), more);
         let joined = [1, 2, 3, 4]
@@ -45,7 +45,7 @@ fn parts_make_the_whole() {
 fn a_row_is_the_scenario_with_its_numbers() {
     let constant = "regime,tip_class,l,n,h,period,alpha_turns,beta_turns,phi_per_period,min_normal_force";
     let line = format!("@toy_top --columns {constant},u,alpha,beta,tip,phi --samples 3 --periods 2.5");
-    let axes = "--axis spin=120..180/3 --axis tilt_deg=0,20 --axis com_height=0.02,0.03";
+    let axes = "--spin 120..180/3 --tilt 0,20 --axis com_height=0.02,0.03";
     let table = sweep("sweep_launches.csv", &format!("{line} {axes}"));
     assert!(table.starts_with("index,spin,tilt_deg,com_height,regime,"), "{table}");
     assert_eq!(table.lines().count(), 13);
@@ -87,23 +87,20 @@ fn a_row_is_the_scenario_with_its_numbers() {
 
 #[test]
 fn numbers_that_a_scenario_cannot_have_are_refused_rows() {
-    let table = sweep("sweep_refused.csv", "@toy_top --axis tilt_deg=-10..190/3 --columns regime,period");
+    let table = sweep("sweep_refused.csv", "@toy_top --tilt -10..190/3 --columns regime,period");
     assert_eq!([0, 1, 2].map(|row| field(&table, row, "regime")), ["refused", "nutating", "refused"]);
     // the summary counts them, and says why the first one is no motion
     for (axes, summary) in [
         (
-            "--axis tilt_deg=0..602/10",
+            "--tilt 0..602/10",
             ": 10 motions, 7 of them refused (first: row 3, tilt_deg = 200.67: must be a number in [0, 180]), in ",
         ),
-        (
-            "--axis tilt_deg=0..602/10 --part 2/2",
-            ": 5 motions, 4 of them refused (first: row 3, tilt_deg = 200.67: ",
-        ),
+        ("--tilt 0..602/10 --part 2/2", ": 5 motions, 4 of them refused (first: row 3, tilt_deg = 200.67: "),
         (
             "--axis com_height=-1,0.03",
             ": 2 motions, 1 of them refused (first: row 0, com_height = -1: must be positive, ",
         ),
-        ("--axis tilt_deg=0,180", ": 2 motions in "),
+        ("--tilt 0,180", ": 2 motions in "),
     ] {
         let said = toytop(format!("sweep -o sweep_counted.csv @toy_top {axes}")).ok();
         assert!(said.contains(summary), "{said}");
@@ -131,11 +128,11 @@ fn wrong_arguments_are_refused() {
     all_refused(
         "sweep -o sweep_kept.csv @toy_top",
         &[
-            ("--axis tilt_deg=1..2", "tilt_deg: a range in a grid"),
+            ("--tilt 1..2", "tilt_deg: a range in a grid"),
             ("--axis speed=1,2", "speed: no number of this scenario; allowed: transverse_inertia"),
-            ("--axis spin=1,2 --axis spin=3", "spin: must be one axis only"),
-            ("", "--axis <KEY=AXIS>"),
-            ("--motions 3 --axis spin=x", "'--axis <KEY=AXIS>'"),
+            ("--axis spin=1,2 --spin 3", "spin: must be one axis only"),
+            ("", "needs at least one of --spin"),
+            ("--motions 3 --spin x", "'--spin <AXIS>'"),
             ("--motions 0", "--motions"),
             ("--motions 3 --part 0/4", "I/N with I from 1 to N"),
             ("--motions 3 --part 5/4", "I/N with I from 1 to N"),
@@ -145,18 +142,18 @@ fn wrong_arguments_are_refused() {
         ],
     );
     assert_eq!(read("sweep_kept.csv"), "kept");
-    toytop("sweep -o no/such/folder/a.csv @toy_top --axis spin=1,2").refused(2, "--output");
-    assert_eq!(toytop("sweep -o sweep_kept.csv --axis spin=1,2").code, Some(2));
+    toytop("sweep -o no/such/folder/a.csv @toy_top --spin 1,2").refused(2, "--output");
+    assert_eq!(toytop("sweep -o sweep_kept.csv --spin 1,2").code, Some(2));
 }
 
 #[test]
 fn a_minus_is_stdout() {
-    let more = "@toy_top --motions 1500 --axis spin=90..300 --columns regime,u";
+    let more = "@toy_top --motions 1500 --spin 90..300 --columns regime,u";
     let whole = sweep("sweep_in_a_file.csv", more);
     let run = toytop(format!("sweep -o - {more}"));
     assert!(run.err.contains("1500 motions") && !path("-").exists(), "{}", run.err);
     assert_eq!(run.ok(), whole);
     let script = "\"$@\" 2> /dev/null | head -n 1; exit ${PIPESTATUS[0]}";
-    let first = bash(script, "sweep @toy_top -o - --axis spin=90..300 --motions 20000 --columns regime").ok();
+    let first = bash(script, "sweep @toy_top -o - --spin 90..300 --motions 20000 --columns regime").ok();
     assert!(first.starts_with("index,spin,regime"), "{first}");
 }

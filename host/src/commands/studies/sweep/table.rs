@@ -42,7 +42,7 @@ impl Sweep {
     ) -> Result<Self, Failure> {
         let refuse = |reason: String| Err(Failure::Input(reason));
         if varied.is_empty() {
-            return refuse("a sweep: needs at least one --axis".to_owned());
+            return refuse("a sweep: needs at least one of --spin, --tilt, ..., --axis".to_owned());
         }
         let mut axes: Vec<(&'static str, Axis)> = Vec::new();
         for (name, axis) in varied {

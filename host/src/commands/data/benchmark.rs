@@ -1,0 +1,118 @@
+//! `toytop benchmark`: reference values of the problems that other integrators are tested with.
+
+use super::Report;
+use super::times::Instants;
+use crate::Failure;
+use crate::motion::Scalar;
+use crate::motion::ephemeris::{furthest_time, smallest_ephemeris};
+use crate::output::{self, Format, Lists, Record, eight_digits};
+use crate::score::benchmarks::{self, Problem};
+use crate::score::trajectory::to_symmetry_axis;
+use clap::Args;
+use serde_json::Value;
+
+/// `toytop benchmark`
+#[derive(Args)]
+pub struct BenchmarkArgs {
+    /// Name of a problem; without it, all problems are listed
+    name: Option<String>,
+    /// Times, s, in place of the source's, with 17 digits in place of 30: T1,T2,... or LOW..HIGH/PLACES
+    #[arg(long, value_name = "T1,T2,...", allow_hyphen_values = true, requires = "name")]
+    times: Option<String>,
+    /// Print the scenario file of the problem
+    #[arg(long, requires = "name", conflicts_with_all = ["times", "format"])]
+    scenario: bool,
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
+}
+
+/// Names of the columns. `toytop score` reads the time, the orientation and the rates by these names.
+const COLUMNS: [&str; 11] = ["t", "x_com", "y_com", "z_com", "w", "x", "y", "z", "wx", "wy", "wz"];
+
+pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
+    let BenchmarkArgs { name, times, scenario, format } = arguments;
+    let Some(name) = name else { return list(*format) };
+    let problem = benchmarks::named(name).map_err(|failure| failure.of("benchmark"))?;
+    if *scenario {
+        return Ok(problem.text.to_owned().into());
+    }
+    let rows = match times {
+        Some(times) => computed(&problem, times)?,
+        None => problem.samples.iter().map(digits).collect(),
+    };
+    let row = |row: Vec<Value>| Record(COLUMNS.into_iter().zip(row).collect());
+    let records: Vec<_> = rows.into_iter().map(row).collect();
+    let about = &problem.about;
+    let rest = Record::default()
+        .with("benchmark", &**name)
+        .with("source", &*about.source)
+        .with("symmetry_axis", about.symmetry_axis);
+    let table = || {
+        let one_by_one = records.iter().flat_map(|Record(values)| {
+            let value = |(name, value): &(&str, Value)| {
+                Record::default()
+                    .with("t", values[0].1.clone())
+                    .with("quantity", *name)
+                    .with("value", value.clone())
+            };
+            values[1..].iter().map(value).collect::<Vec<_>>()
+        });
+        let lines: Vec<_> = one_by_one.collect();
+        format!(
+            "{}\n{}\n\nThe third fixed axis points up, body axis {} from the tip to the centre of mass. x_com, y_com, z_com: of the\n\
+             centre of mass relative to the tip; w, x, y, z: quaternion from body to fixed axes; wx, wy, wz: angular velocity along\n\
+             the body axes.\n\n{}",
+            about.title,
+            about.source,
+            about.symmetry_axis,
+            output::aligned(&lines, &output::all_columns(&lines, eight_digits))
+        )
+    };
+    Ok(output::render(*format, &Lists(vec![("samples", &records)], rest), table)?.into())
+}
+
+/// List of all problems, each with the height of the centre of mass at its last time.
+fn list(format: Format) -> Result<Report, Failure> {
+    let summary = |Problem { scenario, about, samples, .. }: &Problem| {
+        let last = samples.last().unwrap_or(&Value::Null);
+        let seconds = last["t"].as_str().and_then(|t| t.parse::<f64>().ok());
+        Record::default()
+            .with("benchmark", &*scenario.name)
+            .with("title", &*about.title)
+            .with("seconds", seconds)
+            .with("t", last["t"].clone())
+            .with("height", last["position"][2].clone())
+            .with("used_by", about.used_by.join("; "))
+    };
+    let problems: Vec<_> = benchmarks::all().iter().map(summary).collect();
+    let table = || {
+        output::aligned(&problems, &[("benchmark", "", eight_digits), ("title", "", eight_digits)])
+            + "\ntoytop benchmark NAME prints 30 digits; --scenario its scenario file; toytop score --benchmark NAME judges a run.\n"
+    };
+    Ok(output::render(format, &output::list("problems", &problems), table)?.into())
+}
+
+/// Values of a sample with 30 digits, by [`COLUMNS`].
+fn digits(sample: &Value) -> Vec<Value> {
+    let lists = ["position", "quaternion", "omega_body"].map(|key| sample[key].as_array().cloned());
+    std::iter::once(sample["t"].clone()).chain(lists.into_iter().flatten().flatten()).collect()
+}
+
+/// Values of the ephemeris at any times, with 17 digits, by [`COLUMNS`].
+fn computed(problem: &Problem, times: &str) -> Result<Vec<Vec<Value>>, Failure> {
+    let Problem { scenario, about, .. } = problem;
+    let instants = Instants::parse(times)?;
+    instants.require_within(furthest_time(&scenario.motion), "")?;
+    let table =
+        smallest_ephemeris(Scalar::F64, &scenario.motion).map_err(|failure| failure.of(&scenario.name))?;
+    let values = |t: &f64| {
+        let sample = table.at(*t).sample;
+        let orientation = sample.orientation().compose(&to_symmetry_axis(about.symmetry_axis));
+        let position = sample.orientation().axis().map(|x| about.length * x);
+        let omega = orientation.inverse().adjoint(sample.omega);
+        let numbers = [&[*t][..], &position, &orientation.quaternion(), &omega].concat();
+        numbers.into_iter().map(Value::from).collect()
+    };
+    Ok(instants.times()?.iter().map(values).collect())
+}

@@ -1,0 +1,86 @@
+//! `toytop benchmark` and `score --benchmark`.
+
+use crate::command::{all_refused, json, list, number, read, repository, toytop, write};
+use serde_json::Value;
+
+fn names() -> Vec<String> {
+    let problems = json("benchmark");
+    let name = |problem: &Value| problem["benchmark"].as_str().expect("a name").to_owned();
+    list(&problems["problems"]).iter().map(name).collect()
+}
+
+/// The printed scenario can be read, and its ephemeris reaches the 30 digits of every problem, in the axes of the source.
+#[test]
+fn the_scenario_agrees_with_the_reference_digits() {
+    for name in names() {
+        let text = toytop(format!("benchmark {name} --scenario")).ok();
+        toytop(format!("constants {}", write(&format!("{name}_printed.toml"), text))).ok();
+        let digits = json(format!("benchmark {name}"));
+        for sample in list(&digits["samples"]) {
+            let t = sample["t"].as_str().expect("a time");
+            let ours = &json(format!("benchmark {name} --times={t}"))["samples"][0];
+            let pairs = |keys: &'static str| {
+                keys.split(' ').map(|key| {
+                    let truth: f64 = sample[key].as_str().expect("digits").parse().expect("a number");
+                    (truth, number(&ours[key]))
+                })
+            };
+            let off = |keys, sign: f64| pairs(keys).map(|(x, y)| (x - sign * y).abs()).fold(0.0, f64::max);
+            let place = "x_com y_com z_com";
+            let length = pairs(place).map(|(x, _)| x * x).sum::<f64>().sqrt();
+            assert!(off(place, 1.0) < 2e-13 * length, "{name} at {t}");
+            assert!(off("w x y z", 1.0).min(off("w x y z", -1.0)) < 1e-12, "{name} at {t}");
+            assert!(off("wx wy wz", 1.0) < 1e-10, "{name} at {t}");
+        }
+    }
+}
+
+/// A run in the source's axes has no error, and one in other axes has a large error.
+#[test]
+fn a_run_is_judged_in_the_axes_of_its_source() {
+    let scored = |of: &str, judged_as: &str| {
+        let rows = toytop(format!("benchmark {of} --times=0..0.4/41 --format csv")).ok();
+        let file = format!("{of}_as_{judged_as}.csv");
+        let score = json(format!("score --benchmark {judged_as} {}", write(&file, rows)));
+        assert_eq!(score["scenario"], judged_as);
+        number(&score["files"][0]["max_error_rad"])
+    };
+    for name in names() {
+        assert!(scored(&name, &name) < 1e-11, "{name}");
+    }
+    assert!(scored("parker", "bruls_cardona") > 0.1, "the rows of one problem are no run of another");
+}
+
+/// The pages contain the digits.
+#[test]
+fn the_pages_have_the_digits() {
+    for name in names() {
+        let page = read(&repository(&format!("host/benchmarks/{name}/README.md")));
+        let digits = json(format!("benchmark {name}"));
+        for sample in list(&digits["samples"]) {
+            let numbers: Vec<_> =
+                sample.as_object().expect("an object").values().filter_map(Value::as_str).collect();
+            assert_eq!(numbers.len(), 11, "{name}");
+            for number in numbers {
+                assert!(page.contains(number), "{name}: {number}");
+            }
+        }
+    }
+}
+
+#[test]
+fn bad_input_is_one_line() {
+    write("rows.csv", "t,w,x,y,z\n0,1,0,0,0\n");
+    all_refused(
+        "",
+        &[
+            ("benchmark nothing", "benchmark: nothing: must be one of bruls_cardona"),
+            ("benchmark parker --times x", "--times"),
+            ("benchmark parker --times 1e300", "must be within"),
+            ("benchmark --times 1", "NAME"),
+            ("score --benchmark nothing rows.csv", "--benchmark: nothing: must be one of"),
+            ("score rows.csv", "RESULT.csv"),
+            ("score --benchmark parker", "RESULT.csv"),
+        ],
+    );
+}
