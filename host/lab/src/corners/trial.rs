@@ -7,12 +7,12 @@ use toytop_host::motion::ephemeris::{AnyEphemeris, approximate, smallest_ephemer
 use toytop_host::motion::propagate::period;
 use toytop_host::motion::{Scalar, greater};
 use toytop_host::truth::exact::Exact;
-use toytop_host::truth::motions::Numbers;
-use toytop_host::truth::precise::{Precise, precise, to_nearest, whole};
+use toytop_host::truth::motions::ExactInput;
+use toytop_host::truth::precise::{Precise, from_f64, from_i64, to_i64};
 
 /// Launch that was tried.
 pub struct Tried {
-    pub input: Numbers,
+    pub input: ExactInput,
     pub regime: Regime,
     /// Errors of the table in each scalar; `None` where no table is large enough.
     pub tables: [Option<Errors>; 4],
@@ -74,12 +74,12 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Tried, ParameterE
         let exact = Exact::new(&input);
         let ticks = ticks(&exact, (rate, period), &mut random);
         for tick in ticks.into_iter().chain(doubtful(&tables, &motion, period * rate)) {
-            let t = whole(tick) / precise(rate);
+            let t = from_i64(tick) / from_f64(rate);
             let (phi, rates) = (exact.at(&t), exact.rates(&t, period));
             for (table, errors) in tables.iter().flatten().zip(errors.iter_mut().flatten()) {
                 let (bound, rate_bound) = (table.error_bound(), table.rate_error_bound());
                 let (within, rates_within) = (bound.after(tick as f64), rate_bound.after(tick as f64));
-                let error = phi.distance(&table.at_tick(tick, tick as f64 / rate).sample.orientation());
+                let error = phi.error_of(&table.at_tick(tick, tick as f64 / rate).sample.orientation());
                 let rate_error = rates.distance(&table.rates_at_tick(tick));
                 errors.places += 1;
                 errors.places_by_ticks += usize::from(within > 2.0 * bound.constant);
@@ -113,19 +113,19 @@ fn norm_and_height(table: &dyn AnyEphemeris, motion: &Motion, times: &[f64]) -> 
 /// Ticks in the first period and up to ±2^62. The number of ticks in a unit of time is a power of two, so that the time of a tick is
 /// exact; a motion without a period is given its natural time.
 fn ticks(exact: &Exact, (rate, period): (f64, f64), random: &mut Random) -> Vec<i64> {
-    let time_of = |tangent: f64| exact.time_of(tangent) * precise(rate);
+    let time_of = |tangent: f64| exact.time_of(tangent) * from_f64(rate);
     let mut ticks = Vec::new();
     for _ in 0..EACH {
         ticks.push((random.share() * period * rate) as i64);
         let tangent = random.sign() * random.scale(1e-6, 1e6);
-        ticks.extend(to_nearest(&time_of(tangent)));
+        ticks.extend(to_i64(&time_of(tangent)));
         let distant = random.sign() * random.scale(40_f64.exp2(), 62_f64.exp2());
         ticks.push(distant as i64);
     }
     for (sense, tangent) in [(1, 0.0), (-1, 1e30)] {
         for tick in DISTANT_POWERS.map(|power| sense << power) {
             match exact.period() {
-                Some(period) => ticks.extend(nearest(tick, &time_of(tangent), &(period * precise(rate)))),
+                Some(period) => ticks.extend(nearest(tick, &time_of(tangent), &(period * from_f64(rate)))),
                 None => ticks.push(tick),
             }
         }
@@ -135,13 +135,13 @@ fn ticks(exact: &Exact, (rate, period): (f64, f64), random: &mut Random) -> Vec<
 
 /// Tick that is closest to a place of a period, among the periods after a tick. Place and period are in ticks.
 fn nearest(tick: i64, place: &Precise, period: &Precise) -> Option<i64> {
-    let first = to_nearest(&((whole(tick) - place) / period))?;
+    let first = to_i64(&((from_i64(tick) - place) / period))?;
     let places = (first..first + SEARCHED).map(|number| place + period * number);
     let closest = places.min_by_key(|place| {
         let apart = place - place.round();
-        if apart < whole(0) { -apart } else { apart }
+        if apart < from_i64(0) { -apart } else { apart }
     });
-    closest.and_then(|place| to_nearest(&place))
+    closest.and_then(|place| to_i64(&place))
 }
 
 /// For each scalar, the tick of the first period at which its rates differ most from those of a finer table.

@@ -16,8 +16,8 @@ use crate::output::progress::Progress;
 use crate::output::{self, Column, Format, Record};
 use crate::thread_pool;
 use crate::truth::exact::{Exact, PreciseOrientation};
-use crate::truth::motions::{Numbers, Start};
-use crate::truth::precise::{precise, whole};
+use crate::truth::motions::{ExactInput, Start};
+use crate::truth::precise::{from_f64, from_i64};
 use clap::Args;
 use micromath::F32Ext;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -113,7 +113,7 @@ fn measured(scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
     let motions: Vec<_> =
         builtin::scenarios().iter().filter_map(|scenario| numbers(&scenario.motion)).collect();
     let progress = Progress::new(motions.len() as u64, "motions");
-    let errors = |numbers: &Numbers| of_motion(numbers, scalars).inspect(|_| progress.add(1));
+    let errors = |numbers: &ExactInput| of_motion(numbers, scalars).inspect(|_| progress.add(1));
     let nothing = || vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];
     let together = |mut all: Vec<Vec<Errors>>, motion: Vec<Vec<Errors>>| {
         all.iter_mut().flatten().zip(motion.iter().flatten()).for_each(|(a, b)| *a = greatest(*a, *b));
@@ -123,19 +123,19 @@ fn measured(scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
 }
 
 /// Numbers of a motion, if [`Exact`] can compute it.
-fn numbers(motion: &Motion) -> Option<Numbers> {
+fn numbers(motion: &Motion) -> Option<ExactInput> {
     let (top, e) = (motion.top(), motion.branch_points());
     let known = motion.regime() == Regime::Nutating && top.support() == Support::Sliding;
     let (a, c) = (top.transverse_inertia(), top.axial_inertia());
     let phases = InitialPhases::default();
-    known.then(|| Numbers {
+    known.then(|| ExactInput {
         top: [a, c, top.com_height(), top.mass_moment(), top.gravity(), 0.0],
         start: Start::BranchPoints { e: [e.e1, e.e2, e.e3], signs: motion.signs(), phases },
     })
 }
 
 /// Errors of each scalar on a motion, by octave.
-fn of_motion(numbers: &Numbers, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
+fn of_motion(numbers: &ExactInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
     let motion = numbers.motion().map_err(|error| Failure::Input(format!("{numbers:?}: {error}")))?;
     let tables =
         scalars.iter().map(|&scalar| smallest_ephemeris(scalar, &motion)).collect::<Result<Vec<_>, _>>()?;
@@ -148,7 +148,7 @@ fn of_motion(numbers: &Numbers, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, 
         for _ in 0..SAMPLES.min(first) {
             let more = if octave < OCTAVES { random.share() * first as f64 } else { 0.0 };
             let n = (first + more as u64) as i64;
-            let phi = truth.at(&(whole(n) / precise(rate)));
+            let phi = truth.at(&(from_i64(n) / from_f64(rate)));
             for (table, octaves) in tables.iter().zip(&mut found) {
                 // this quotient is exact, because the rate is a power of two
                 let errors = errors(&motion, &**table, (n, n as f64 / rate), &phi);
@@ -176,5 +176,5 @@ fn errors(
     let [.., h] = first_integrals(motion.top(), &phi, now.rate.omega_fixed(&phi));
     let [.., scale] = natural_scales(motion);
     let energy = (h - motion.first_integrals().h).abs() / scale;
-    [truth.distance(&orientation), tip.norm_squared().sqrt(), norm, energy]
+    [truth.error_of(&orientation), tip.norm_squared().sqrt(), norm, energy]
 }
