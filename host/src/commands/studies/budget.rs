@@ -1,7 +1,7 @@
 //! `toytop budget`: cost of each call on each emulated chip, compared with its budget.
 //!
-//! The firmware `cost` gives every call a symbol of its own. QEMU runs it and logs the blocks of code that it executes, and those between the
-//! entry of a call and its return are counted. No clock is used: the same ELF gives the same figures.
+//! QEMU runs the firmware `cost` and logs the blocks of code that it executes; those between the entry of a call and its return are counted.
+//! No clock is used: the same ELF gives the same figures.
 //!
 //! | module | contents |
 //! |---|---|
@@ -9,13 +9,13 @@
 //! | `trace` | blocks of code that QEMU executes |
 //! | `model` | cycles of an instruction, from published timings |
 //! | `meter` | cost of each call |
-//! | `limits` | allowed costs, `firmware-examples/budgets.toml` |
+//! | `budgets` | allowed costs, `firmware-examples/budgets.toml` |
 //! | `corpus` | set-up of many launches |
 //! | `pages` | tables of pages |
 
+mod budgets;
 mod chips;
 mod corpus;
-mod limits;
 mod meter;
 mod model;
 mod pages;
@@ -24,10 +24,10 @@ mod trace;
 use super::Report;
 use crate::Failure;
 use crate::output::{self, Format, Record, eight_digits, whole_file};
+use budgets::Budgets;
 use chips::Chip;
 use clap::Args;
 use corpus::corpus;
-use limits::Limits;
 use meter::{Cost, Costs, flash, measure};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -68,9 +68,9 @@ pub struct BudgetArgs {
 
 /// File of the limits.
 const LIMITS: &str = "firmware-examples/budgets.toml";
-/// Chip on which the fit of a launch is measured: one, because a trace of the fit takes long.
+/// Only chip on which the fit of a launch is measured: its trace is long.
 const FITTING_CHIP: &str = "m4f";
-/// Calls whose flash is that of a program with a launch, a table and a tick, minus that of the same program without them.
+/// Calls whose flash is the difference of two programs, with and without a launch, a table and a tick.
 const SET_UPS: [&str; 5] = ["launch", "new", "slices", "launch_slow", "launch_falling"];
 
 pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
@@ -79,7 +79,7 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
         let [chip] = chips[..] else {
             return Err(Failure::Input("--elf: needs one --chip, for which the file was built".into()));
         };
-        return shown(arguments, &BTreeMap::from([(chip.name.to_owned(), measure(chip, elf)?)]));
+        return report(arguments, &BTreeMap::from([(chip.name.to_owned(), measure(chip, elf)?)]));
     }
     let root = repository()?;
     if arguments.corpus {
@@ -90,23 +90,23 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
         all.insert(chip.name.to_owned(), measured(arguments, &root, chip)?);
     }
     if arguments.accept {
-        let limits = Limits::around(all);
-        let report = pages::write(&root, &pages::of_limits(&limits))?;
-        whole_file::write("--accept", &root.join(LIMITS), limits.to_toml().as_bytes())?;
+        let budgets = Budgets::with_slack(all);
+        let report = pages::write(&root, &pages::of_budgets(&budgets))?;
+        whole_file::write("--accept", &root.join(LIMITS), budgets.to_toml().as_bytes())?;
         return Ok(report);
     }
-    let report = shown(arguments, &all)?;
+    let report = report(arguments, &all)?;
     if !arguments.check {
         return Ok(report);
     }
-    let mut complaints = Limits::read(&root.join(LIMITS))?.complaints(&all);
-    let missed = !complaints.is_empty();
-    complaints.push(if missed {
+    let mut violations = Budgets::read(&root.join(LIMITS))?.violations(&all);
+    let missed = !violations.is_empty();
+    violations.push(if missed {
         format!("how to change a budget: the head of {LIMITS}")
     } else {
         "within budget".into()
     });
-    Ok(Report { missed, ..report }.with_remarks(complaints, arguments.format == Format::Table))
+    Ok(Report { missed, ..report }.with_remarks(violations, arguments.format == Format::Table))
 }
 
 fn chosen(names: &[String]) -> Result<Vec<&'static Chip>, Failure> {
@@ -137,7 +137,9 @@ fn measured(arguments: &BudgetArgs, root: &Path, chip: &Chip) -> Result<Costs, F
     let with_table = program("flash")?;
     let linked = flash(&with_table)? - flash(&program("empty")?)?;
     for call in SET_UPS {
-        costs.entry(call.to_owned()).and_modify(|cost| cost.flash = linked);
+        if let Some(cost) = costs.get_mut(call) {
+            cost.insert("flash".to_owned(), linked);
+        }
     }
     costs.extend(measure(chip, &with_table)?);
     Ok(costs)
@@ -161,11 +163,11 @@ fn build(root: &Path, chip: &Chip, program: &str, size: bool) -> Result<PathBuf,
 
 /// Report on the set-up of many launches on each chip.
 fn launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&'static Chip>) -> Result<Report, Failure> {
-    let limits = Limits::read(&root.join(LIMITS))?;
-    let modelled = |chip: &Chip| limits.of(chip.name, "launch").is_some_and(|cost| cost.cycles.is_some());
+    let budgets = Budgets::read(&root.join(LIMITS))?;
+    let modelled = |chip: &Chip| budgets.of(chip.name, "launch", "cycles").is_some();
     let mut rows = Vec::new();
     for chip in chips.into_iter().filter(|chip| !arguments.accept || modelled(chip)) {
-        rows.extend(corpus(chip, &build(root, chip, "corpus", arguments.size)?, &limits)?);
+        rows.extend(corpus(chip, &build(root, chip, "corpus", arguments.size)?, &budgets)?);
     }
     if arguments.accept {
         return pages::write(root, &[pages::of_corpus(&rows)]);
@@ -181,16 +183,12 @@ fn launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&'static Chip>) -> R
     Ok(output::render(arguments.format, &output::list("rows", &rows), table)?.into())
 }
 
-fn shown(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -> Result<Report, Failure> {
+fn report(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -> Result<Report, Failure> {
     let record = |chip: &str, call: &str, cost: &Cost| {
-        Record::default()
-            .with("chip", chip)
-            .with("call", call)
-            .with("instructions", cost.instructions)
-            .with("cycles_model", cost.cycles)
-            .with("stack", cost.stack)
-            .with("flash", cost.flash)
-            .with("ram", cost.ram)
+        let record = Record::default().with("chip", chip).with("call", call);
+        let figures = ["instructions", "cycles_model", "stack", "flash", "ram"];
+        let figure = |name: &str| cost.get(name.trim_end_matches("_model")).copied();
+        figures.into_iter().fold(record, |record, name| record.with(name, figure(name)))
     };
     let mut records = Vec::new();
     for (chip, costs) in measured {

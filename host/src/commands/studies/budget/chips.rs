@@ -45,7 +45,7 @@ pub const M4F: Chip = Chip {
     machine: &["-machine", "mps2-an386"],
 };
 
-/// Cortex-M7, with an FPU for `f32` and `f64`. Its ELF does not run on an M4F, and gives no message there.
+/// Cortex-M7, with an FPU for `f32` and `f64`.
 pub const M7: Chip =
     Chip { name: "m7", rustflags: "-C target-cpu=cortex-m7", machine: &["-machine", "mps2-an500"], ..M4F };
 
@@ -78,8 +78,8 @@ pub fn target_dir(root: &Path) -> PathBuf {
 }
 
 impl Chip {
-    /// Makes a `cargo build` one for this chip, and returns the folder of its ELFs. A chip with flags or a memory map has a target folder
-    /// of its own.
+    /// Adds the arguments for this chip to a `cargo build`, and returns the folder of its ELFs. A chip with flags or a memory map has a target
+    /// folder of its own.
     pub fn build(&self, cargo: &mut Command, root: &Path) -> PathBuf {
         let own = if self.rustflags.is_empty() && self.memory.is_none() { "" } else { self.name };
         let folder = target_dir(root).join(own);

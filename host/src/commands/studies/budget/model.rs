@@ -46,11 +46,12 @@ impl Model {
             return 0;
         }
         let needs_address = meet(before.writes, instruction.addressing);
-        match before.kind {
-            Kind::Float => i64::from(meet(before.writes, instruction.reads)),
-            Kind::Plain => i64::from(needs_address),
-            Kind::Load => {
-                let follows = matches!(instruction.kind, Kind::Load | Kind::IndexedStore);
+        match before.class {
+            InstructionClass::Float => i64::from(meet(before.writes, instruction.reads)),
+            InstructionClass::Plain => i64::from(needs_address),
+            InstructionClass::Load => {
+                let follows =
+                    matches!(instruction.class, InstructionClass::Load | InstructionClass::IndexedStore);
                 -i64::from(follows && !needs_address && !meet(before.writes, PC))
             }
             _ => 0,
@@ -59,12 +60,13 @@ impl Model {
 
     /// Additional cycles of a jump to an instruction other than the next one.
     pub fn jump(self, instruction: &Instruction, target: Option<&Instruction>) -> i64 {
-        match (self, instruction.kind) {
-            (Self::M0Plus, Kind::Call | Kind::Several) => 2,
+        match (self, instruction.class) {
+            (Self::M0Plus, InstructionClass::Call | InstructionClass::Several) => 2,
             (Self::M0Plus, _) => 1,
-            (Self::M4, Kind::Table) => 5,
-            (Self::M4, kind) => {
-                let refill = if matches!(kind, Kind::Branch | Kind::Call) { 1 } else { 2 };
+            (Self::M4, InstructionClass::Table) => 5,
+            (Self::M4, class) => {
+                let refill =
+                    if matches!(class, InstructionClass::Branch | InstructionClass::Call) { 1 } else { 2 };
                 let straddles = target.is_some_and(|target| target.straddles);
                 (refill + i64::from(straddles)).min(3)
             }
@@ -89,7 +91,7 @@ fn meet(a: Registers, b: Registers) -> bool {
 
 /// Class of an instruction, by its effect on the cycles of others.
 #[derive(Clone, Copy, PartialEq)]
-enum Kind {
+enum InstructionClass {
     /// Data processing, multiplication included: an address that is its result comes a cycle later.
     Plain,
     /// Load of one word or less, which overlaps with the next.
@@ -116,25 +118,25 @@ enum Kind {
     Other,
 }
 
-/// Names of instructions, or their beginnings before a star, with the cycles on the Cortex-M0+ and the Cortex-M4 and the class. The first
+/// Names of instructions, where a star stands for any ending, with the cycles on the Cortex-M0+ and the Cortex-M4, and the class. The first
 /// row that fits counts. Transferred words and a second moved register are added.
-const TIMINGS: [(&str, [i64; 2], Kind); 16] = [
-    ("b", [1, 1], Kind::Branch),
-    ("bl", [1, 1], Kind::Call),
-    ("beq bne bcs bhs bcc blo bmi bpl bvs bvc bhi bls bge blt bgt ble", [1, 1], Kind::Other),
-    ("bx blx bxns blxns cbz cbnz it*", [1, 1], Kind::Other),
-    ("tbb tbh", [1, 1], Kind::Table),
-    ("dmb dsb isb mrs msr cpsie cpsid svc bkpt", [3, 2], Kind::Other),
-    ("push pop ldm* stm* ldrd* strd* vpush* vpop* vldm* vstm*", [1, 1], Kind::Several),
-    ("vldr* vstr*", [1, 1], Kind::FloatTransfer),
-    ("vmla* vmls* vnmla* vnmls* vfma* vfms* vfnma* vfnms*", [1, 3], Kind::Float),
-    ("vdiv* vsqrt*", [1, 14], Kind::Float),
-    ("vadd* vsub* vmul* vnmul* vcvt* vrint*", [1, 1], Kind::Float),
-    ("v*", [1, 1], Kind::FloatMove),
-    ("ldr*", [2, 2], Kind::Load),
-    ("str*", [2, 1], Kind::Store),
-    ("sdiv* udiv*", [1, 12], Kind::Other),
-    ("*", [1, 1], Kind::Plain),
+const TIMINGS: [(&str, [i64; 2], InstructionClass); 16] = [
+    ("b", [1, 1], InstructionClass::Branch),
+    ("bl", [1, 1], InstructionClass::Call),
+    ("beq bne bcs bhs bcc blo bmi bpl bvs bvc bhi bls bge blt bgt ble", [1, 1], InstructionClass::Other),
+    ("bx blx bxns blxns cbz cbnz it*", [1, 1], InstructionClass::Other),
+    ("tbb tbh", [1, 1], InstructionClass::Table),
+    ("dmb dsb isb mrs msr cpsie cpsid svc bkpt", [3, 2], InstructionClass::Other),
+    ("push pop ldm* stm* ldrd* strd* vpush* vpop* vldm* vstm*", [1, 1], InstructionClass::Several),
+    ("vldr* vstr*", [1, 1], InstructionClass::FloatTransfer),
+    ("vmla* vmls* vnmla* vnmls* vfma* vfms* vfnma* vfnms*", [1, 3], InstructionClass::Float),
+    ("vdiv* vsqrt*", [1, 14], InstructionClass::Float),
+    ("vadd* vsub* vmul* vnmul* vcvt* vrint*", [1, 1], InstructionClass::Float),
+    ("v*", [1, 1], InstructionClass::FloatMove),
+    ("ldr*", [2, 2], InstructionClass::Load),
+    ("str*", [2, 1], InstructionClass::Store),
+    ("sdiv* udiv*", [1, 12], InstructionClass::Other),
+    ("*", [1, 1], InstructionClass::Plain),
 ];
 
 /// Decoded instruction.
@@ -142,7 +144,7 @@ const TIMINGS: [(&str, [i64; 2], Kind); 16] = [
 pub struct Instruction {
     /// Cycles by itself on the Cortex-M0+ and the Cortex-M4.
     cycles: [i64; 2],
-    kind: Kind,
+    class: InstructionClass,
     reads: Registers,
     writes: Registers,
     /// Registers that it computes an address from.
@@ -188,11 +190,11 @@ impl Decoder {
         }
         // the number 0 is no register
         addressing.retain(|register| register.0 != 0);
-        let ([on_m0plus, on_m4], kind) = timing(instruction.mnemonic().unwrap_or_default(), &operands);
-        let is_indexed = kind == Kind::Store && addressing.len() > 1;
+        let ([on_m0plus, on_m4], class) = timing(instruction.mnemonic().unwrap_or_default(), &operands);
+        let is_indexed = class == InstructionClass::Store && addressing.len() > 1;
         Ok(Instruction {
             cycles: [on_m0plus, on_m4 + i64::from(is_indexed)],
-            kind: if is_indexed { Kind::IndexedStore } else { kind },
+            class: if is_indexed { InstructionClass::IndexedStore } else { class },
             reads: set(detail.regs_read()),
             writes: set(detail.regs_write()),
             addressing: set(&addressing),
@@ -202,25 +204,25 @@ impl Decoder {
 }
 
 /// Cycles and class of an instruction by its name without width, condition and data types, and by the names of its registers.
-fn timing(mnemonic: &str, registers: &[String]) -> ([i64; 2], Kind) {
+fn timing(mnemonic: &str, registers: &[String]) -> ([i64; 2], InstructionClass) {
     let name = mnemonic.split('.').next().unwrap_or_default();
     let fits =
         |pattern: &str| pattern.strip_suffix('*').map_or(name == pattern, |start| name.starts_with(start));
     let row = TIMINGS.iter().find(|(patterns, ..)| patterns.split(' ').any(fits));
-    let (_, cycles, kind) = *row.unwrap_or(&TIMINGS[TIMINGS.len() - 1]);
+    let (_, cycles, class) = *row.unwrap_or(&TIMINGS[TIMINGS.len() - 1]);
     let words =
         |registers: &[String]| registers.iter().map(|name| if name.starts_with('d') { 2 } else { 1 }).sum();
-    let more: i64 = match kind {
-        Kind::Several if name.starts_with("ldrd") || name.starts_with("strd") => 2,
+    let more: i64 = match class {
+        InstructionClass::Several if name.starts_with("ldrd") || name.starts_with("strd") => 2,
         // the first register has the address
-        Kind::Several if name.contains("ldm") || name.contains("stm") => {
+        InstructionClass::Several if name.contains("ldm") || name.contains("stm") => {
             words(registers.get(1..).unwrap_or_default())
         }
-        Kind::Several | Kind::FloatTransfer => words(registers),
-        Kind::FloatMove => i64::from(registers.len() > 2),
+        InstructionClass::Several | InstructionClass::FloatTransfer => words(registers),
+        InstructionClass::FloatMove => i64::from(registers.len() > 2),
         _ => 0,
     };
-    (cycles.map(|cycles| cycles + more), kind)
+    (cycles.map(|cycles| cycles + more), class)
 }
 
 #[cfg(test)]

@@ -1,7 +1,6 @@
-//! Parts of pages that have costs: tables of the limits, and of the set-up of many launches.
+//! Parts of pages that have costs: tables of the budgets, and of the set-up of many launches.
 
-use super::limits::Limits;
-use super::meter::Cost;
+use super::budgets::Budgets;
 use crate::Failure;
 use crate::commands::Report;
 use crate::output::doc_markers::{Page, table};
@@ -14,11 +13,11 @@ pub type Part = (&'static str, &'static str, String);
 const COSTS: &str = "host/docs/costs.md";
 const FRONT_PAGE: &str = "README.md";
 
-/// Parts of pages that have limits.
-pub fn of_limits(limits: &Limits) -> [Part; 2] {
+/// Parts of pages that have budgets.
+pub fn of_budgets(budgets: &Budgets) -> [Part; 2] {
     [
-        (COSTS, "toytop budget: calls", calls(limits)),
-        (FRONT_PAGE, "toytop budget: front page", front_page(limits)),
+        (COSTS, "toytop budget: calls", calls(budgets)),
+        (FRONT_PAGE, "toytop budget: front page", front_page(budgets)),
     ]
 }
 
@@ -87,26 +86,21 @@ const ROWS: [(&str, &str); 24] = [
     ),
 ];
 
-/// Figure of a cost.
-type Figure = fn(&Cost) -> Option<u64>;
-
 /// Columns, each with its heading, its chip and its figure.
-const COLUMNS: [(&str, &str, Figure); 6] = [
-    ("M0+ cycles", "m0plus", |cost| cost.cycles),
-    ("M4F cycles", "m4f", |cost| cost.cycles),
-    ("M7 instr.", "m7", |cost| Some(cost.instructions)),
-    ("RISC-V instr.", "riscv", |cost| Some(cost.instructions)),
-    ("M4F stack, bytes", "m4f", |cost| cost.stack),
-    ("kept, bytes", "m4f", |cost| cost.ram),
+const COLUMNS: [(&str, &str, &str); 6] = [
+    ("M0+ cycles", "m0plus", "cycles"),
+    ("M4F cycles", "m4f", "cycles"),
+    ("M7 instr.", "m7", "instructions"),
+    ("RISC-V instr.", "riscv", "instructions"),
+    ("M4F stack, bytes", "m4f", "stack"),
+    ("kept, bytes", "m4f", "ram"),
 ];
 
-fn calls(limits: &Limits) -> String {
+fn calls(budgets: &Budgets) -> String {
     let row = |(call, what): (&str, &str)| {
         let row = Record::default().with("from a tick to α, β, u and the tip in memory, at most", what);
-        let figure = |row: Record, (heading, chip, figure): &(&'static str, &str, Figure)| {
-            row.with(heading, limits.of(chip, call).and_then(figure))
-        };
-        COLUMNS.iter().fold(row, figure)
+        let figure = |row: Record, (heading, chip, figure)| row.with(heading, budgets.of(chip, call, figure));
+        COLUMNS.into_iter().fold(row, figure)
     };
     markdown(&ROWS.map(row))
 }
@@ -119,11 +113,16 @@ const FRONT_ROWS: [(&str, &str, &str); 4] = [
     ("m4f", "slices", "set-up in static memory, once per launch, Cortex-M4F"),
 ];
 
-fn front_page(limits: &Limits) -> String {
+fn front_page(budgets: &Budgets) -> String {
     let row = |(chip, call, what): (&str, &str, &str)| {
-        let Cost { cycles, ram, stack, flash, .. } = limits.of(chip, call).copied().unwrap_or_default();
-        let row = Record::default().with("at most", what).with("cycles", cycles);
-        row.with("kept, bytes", ram).with("stack, bytes", stack).with("flash, bytes", flash)
+        let figures = [
+            ("cycles", "cycles"),
+            ("kept, bytes", "ram"),
+            ("stack, bytes", "stack"),
+            ("flash, bytes", "flash"),
+        ];
+        let figure = |row: Record, (heading, figure)| row.with(heading, budgets.of(chip, call, figure));
+        figures.into_iter().fold(Record::default().with("at most", what), figure)
     };
     markdown(&FRONT_ROWS.map(row))
 }
@@ -135,23 +134,12 @@ fn markdown(rows: &[Record]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::collections::BTreeMap;
-
-    #[test]
-    fn tables_have_figures_of_several_chips() {
-        let costs = |cycles| {
-            BTreeMap::from([("cursor_q31".into(), Cost { cycles: Some(cycles), ..Cost::default() })])
-        };
-        let limits = Limits(BTreeMap::from([("m4f".into(), costs(260)), ("m0plus".into(), costs(1221))]));
-        assert!(front_page(&limits).contains("Cortex-M0+ | 1 221 | - | - | 0 |"));
-        assert!(calls(&limits).contains("the tip in units of s | 1 221 | 260 | - | - |"));
-    }
 
     #[test]
     fn the_pages_have_the_tables_of_the_limits() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-        let limits = Limits::read(&root.join("firmware-examples/budgets.toml")).expect("the limits");
-        for (name, mark, text) in of_limits(&limits) {
+        let budgets = Budgets::read(&root.join("firmware-examples/budgets.toml")).expect("the budgets");
+        for (name, mark, text) in of_budgets(&budgets) {
             let page = Page::read(&root.join(name), mark).expect("a page");
             assert!(page.has(&text), "{name}: toytop budget --accept writes it anew:\n{text}");
         }
