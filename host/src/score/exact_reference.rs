@@ -1,12 +1,12 @@
 //! Errors of a trajectory.
 
 use super::phases::{self, PhaseErrors};
-use super::trajectory::{Row, Trajectory};
+use super::trajectory::{Pose, Trajectory};
 use crate::Failure;
 use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::{AnyEphemeris, furthest_time, smallest_ephemeris};
 use crate::motion::propagate::period;
-use crate::motion::{Scalar, first_integrals, greater, natural_scales};
+use crate::motion::{Scalar, drift, greater};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
@@ -39,12 +39,12 @@ pub struct Score {
     pub norm_error: f64,
     /// Upper bound on the error of the exact motion itself, rad.
     pub truth_bound: f64,
-    /// Question that suggests why the first row is far from the motion, most often a convention.
+    /// Likely reason why the first row is far from the motion, most often a convention.
     pub warning: Option<String>,
 }
 
-/// Distance from which a first row is far: rad, or a share.
-const FAR: f64 = 0.01;
+/// Distance from which a first row is suspect: rad, or relative.
+const SUSPECT_DISTANCE: f64 = 0.01;
 
 impl<'a> ExactReference<'a> {
     /// Exact motion of a scenario, by its ephemeris in `f64`; `start` is the command that prints the state from which a run has to start.
@@ -84,27 +84,25 @@ impl<'a> ExactReference<'a> {
     }
 
     /// Errors of the orientation of a row, rad, and of its u.
-    fn errors(&self, row: &Row) -> [f64; 2] {
+    fn errors(&self, row: &Pose) -> [f64; 2] {
         let exact = self.table.at(row.t).sample.orientation();
         [distance(&exact, &row.orientation), (row.orientation.u() - exact.u()).abs()]
     }
 
-    fn tip_error(&self, row: &Row) -> Option<f64> {
+    fn tip_error(&self, row: &Pose) -> Option<f64> {
         let exact = self.table.at(row.t).sample.tip;
         row.tip.map(|[x, y]| (x - exact.re).hypot(y - exact.im))
     }
 
-    fn drift(&self, rows: &[Row]) -> Option<[f64; 3]> {
-        let (exact, scales) = (self.motion.first_integrals(), natural_scales(self.motion));
+    fn drift(&self, rows: &[Pose]) -> Option<[f64; 3]> {
         rows.iter().try_fold([0.0; 3], |most: [f64; 3], row| {
-            let found = first_integrals(self.motion.top(), &row.orientation, row.omega?);
-            let exact = [exact.l, exact.n, exact.h];
-            Some(std::array::from_fn(|i| greater(most[i], (found[i] - exact[i]).abs() / scales[i])))
+            let now = drift(self.motion, &row.orientation, row.omega?);
+            Some(std::array::from_fn(|i| greater(most[i], now[i])))
         })
     }
 
     /// Reason why the first row is far from the motion; `None` if it is near.
-    fn warning(&self, first: &Row) -> Option<String> {
+    fn warning(&self, first: &Pose) -> Option<String> {
         let exact = self.table.at(first.t).sample;
         let [error, _] = self.errors(first);
         let inverse = distance(&exact.orientation(), &first.orientation.inverse());
@@ -112,16 +110,16 @@ impl<'a> ExactReference<'a> {
         let rate_error = first.omega.map_or(0.0, |omega| apart(omega, exact.omega)) / speed;
         let tip_error = self.tip_error(first).unwrap_or(0.0) / self.motion.top().tip_scale();
         let far = format!("the first row is {error:.1e} rad from the motion;");
-        let reason = if error >= FAR && inverse < FAR {
+        let reason = if error >= SUSPECT_DISTANCE && inverse < SUSPECT_DISTANCE {
             let transposed = "are the columns from fixed to body coordinates?";
             return Some(format!("{far} and its inverse {inverse:.1e} rad: {transposed}"));
-        } else if error >= FAR {
+        } else if error >= SUSPECT_DISTANCE {
             far
-        } else if rate_error >= FAR {
+        } else if rate_error >= SUSPECT_DISTANCE {
             format!(
                 "the angular velocity of the first row is off by {rate_error:.1e} of its size: are wx,wy,wz in the body frame, and"
             )
-        } else if tip_error >= FAR {
+        } else if tip_error >= SUSPECT_DISTANCE {
             format!("the position of the first row is off by {tip_error:.1e} of the length of the top;")
         } else {
             return None;

@@ -5,7 +5,7 @@ use super::options::{PICTURE, ending_in, positive};
 use crate::Failure;
 use crate::input::scenario::Scenario;
 use crate::motion::propagate::period;
-use crate::output::{self, Column, Format, Lists, Record, short, two_digits};
+use crate::output::{self, Column, Format, Lists, Record, short, two_digits, whole_file};
 use crate::pictures::chart::{Chart, Curve};
 use crate::pictures::drawing;
 use crate::score::benchmarks;
@@ -104,6 +104,8 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     }
     let integrators = integrators(&mut files, &mut warnings);
     if let Some(path) = plot {
+        let inputs: Vec<_> = arguments.files.iter().map(|path| Some(&**path)).collect();
+        whole_file::require_other("--plot", Some(path), &inputs)?;
         draw(path, &scenario, &files, &integrators)?;
     }
     let records: Vec<_> = files.iter().map(|file| record(file, &integrators)).collect();

@@ -10,7 +10,7 @@ use crate::Failure;
 use crate::input::builtin;
 use crate::input::random::Random;
 use crate::motion::ephemeris::{AnyEphemeris, smallest_ephemeris, ticks_per_time};
-use crate::motion::{Scalar, first_integrals, greater, natural_scales};
+use crate::motion::{Scalar, drift, greater};
 use crate::output::doc_markers::{self, Page};
 use crate::output::progress::Progress;
 use crate::output::{self, Column, Format, Record};
@@ -173,8 +173,6 @@ fn errors(
     let norm = (orientation.norm_squared() - 1.0).abs();
     let now = table.at(t);
     let phi = now.sample.orientation();
-    let [.., h] = first_integrals(motion.top(), &phi, now.rate.omega_fixed(&phi));
-    let [.., scale] = natural_scales(motion);
-    let energy = (h - motion.first_integrals().h).abs() / scale;
+    let [.., energy] = drift(motion, &phi, now.rate.omega_fixed(&phi));
     [truth.error_of(&orientation), tip.norm_squared().sqrt(), norm, energy]
 }

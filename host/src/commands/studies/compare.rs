@@ -9,7 +9,7 @@ use crate::input::builtin;
 use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::{require_scalar, smallest_ephemeris};
 use crate::motion::propagate::{Sample, TimedStepper, period};
-use crate::motion::{Scalar, first_integrals, greater, natural_scales, spread_times, widened};
+use crate::motion::{Scalar, drift, greater, spread_times, widened};
 use crate::output::progress::Progress;
 use crate::output::{self, Format, Record, short};
 use crate::truth::full_equations;
@@ -230,20 +230,19 @@ impl Reference {
             self.states = full_equations::states(scenario, &times)?;
             self.times = times;
         }
-        let (motion, constants) = (&scenario.motion, scenario.motion.first_integrals());
-        let (top, scales) = (motion.top(), natural_scales(motion));
+        let motion = &scenario.motion;
         let errors = |((sample, rate), state): (&(Sample, OrientationRate<f64>), &FullState)| {
             let (found, phi) = (sample.orientation(), state.orientation());
             // in f64 from α, β and their rates, so that l, n and h do not contain the rounding of a product
-            let [l, n, h] = first_integrals(top, &found, rate.omega_fixed(&found));
-            let tip = sample.tip.scaled(1.0 / top.tip_scale()) - (phi.alpha * phi.beta).scaled(2.0);
+            let [l, n, h] = drift(motion, &found, rate.omega_fixed(&found));
+            let tip = sample.tip.scaled(1.0 / motion.top().tip_scale()) - (phi.alpha * phi.beta).scaled(2.0);
             [
                 found.distance(&phi),
                 (sample.u - (phi.alpha.norm_squared() - phi.beta.norm_squared())).abs(),
                 tip.norm_squared().sqrt(),
-                (h - constants.h).abs() / scales[2],
-                (l - constants.l).abs() / scales[0],
-                (n - constants.n).abs() / scales[1],
+                h,
+                l,
+                n,
             ]
         };
         let greatest = |most: [f64; 6], now: [f64; 6]| std::array::from_fn(|i| greater(most[i], now[i]));

@@ -10,7 +10,7 @@ use crate::input::scenario::ScenarioFile;
 use crate::motion::stream;
 use crate::output::whole_file;
 use clap::Args;
-use columns::{Column, DEFAULT_COLUMNS};
+use columns::{DEFAULT_COLUMNS, SweepColumn};
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
@@ -48,8 +48,8 @@ pub struct SweepArgs {
     seed: u64,
     /// Columns of each motion: constants by their names in toytop constants; columns of toytop state, at every time; error_f32, the
     /// greatest error of the f32 ephemeris against the f64 ephemeris, bound_f32 and segments_f32
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS, value_parser = Column::from_str)]
-    columns: Vec<Column>,
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS, value_parser = SweepColumn::from_str)]
+    columns: Vec<SweepColumn>,
     /// Number of times at which each motion is evaluated
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=4096))]
     samples: u32,

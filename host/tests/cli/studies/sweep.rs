@@ -70,11 +70,10 @@ fn a_row_is_the_scenario_with_its_numbers() {
         if constants["regime"] != "nutating" {
             continue;
         }
-        // the times are not in the row: a third of 2.5 periods each, moved on by multiples of the golden section
+        // the times are not in the row: in each third of 2.5 periods one, moved on by multiples of the golden section
         let part = 2.5 * number(&constants["period"]) / 3.0;
-        let golden = (5_f64.sqrt() - 1.0) / 2.0;
-        for tick in 1..=3 {
-            let t = part * (f64::from(tick - 1) + (f64::from(tick - 1) * golden).fract());
+        for (tick, thirds) in [(1, 0.0), (2, 1.618_033_988_749_895), (3, 2.236_067_977_499_79)] {
+            let t = part * thirds;
             let truth = numbers(&samples(format!("{own} --times={t:?}"))[0], "u alpha beta tip phi");
             let names = ["u", "alpha_re", "alpha_im", "beta_re", "beta_im", "tip_x", "tip_y", "phi"];
             for (name, expected) in names.into_iter().zip(truth) {

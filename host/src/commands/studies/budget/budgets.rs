@@ -1,6 +1,6 @@
 //! Allowed cost of each call: `firmware-examples/budgets.toml`.
 
-use super::meter::{Cost, Costs};
+use super::meter::Costs;
 use crate::Failure;
 use crate::output::whole_file;
 use serde::Deserialize;
@@ -109,6 +109,7 @@ fn figures(costs: &Costs) -> BTreeMap<(&str, &str), u64> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::meter::Cost;
     use super::*;
 
     fn cost(instructions: u64) -> Cost {
