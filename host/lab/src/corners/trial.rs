@@ -11,7 +11,7 @@ use toytop_host::truth::motions::ExactInput;
 use toytop_host::truth::precise::{Precise, from_f64, from_i64, to_i64};
 
 /// Launch that was tried.
-pub struct Tried {
+pub struct Trial {
     pub input: ExactInput,
     pub regime: Regime,
     /// Errors of the table in each scalar; `None` where no table is large enough.
@@ -25,13 +25,13 @@ pub struct Errors {
     pub places: usize,
     /// Number of these at which more than half of the bound comes from the number of ticks.
     pub places_by_ticks: usize,
-    /// Greatest error of Φ's norm, and of u at its turning points, as a share of the bound.
+    /// Greatest error of Φ's norm, and of u at its turning points, over the bound.
     pub norm_and_height: f64,
     /// Greatest error, rad.
     pub error: f64,
-    /// Greatest error as a share of its bound.
+    /// Greatest error over its bound.
     pub of_bound: f64,
-    /// Greatest error of the rates as a share of its bound.
+    /// Greatest error of the rates over its bound.
     pub rates_of_bound: f64,
 }
 
@@ -59,7 +59,7 @@ const FINE: f64 = 1e-18;
 ///
 /// # Errors
 /// The refusal of the launch.
-pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Tried, ParameterError> {
+pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterError> {
     let mut random = Random::new(seed, number);
     let input = launch::random(&mut random);
     let motion = input.motion()?;
@@ -73,7 +73,7 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Tried, ParameterE
     if with_truth {
         let exact = Exact::new(&input);
         let ticks = ticks(&exact, (rate, period), &mut random);
-        for tick in ticks.into_iter().chain(doubtful(&tables, &motion, period * rate)) {
+        for tick in ticks.into_iter().chain(most_different_rates(&tables, &motion, period * rate)) {
             let t = from_i64(tick) / from_f64(rate);
             let (phi, rates) = (exact.at(&t), exact.rates(&t, period));
             for (table, errors) in tables.iter().flatten().zip(errors.iter_mut().flatten()) {
@@ -84,20 +84,20 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Tried, ParameterE
                 errors.places += 1;
                 errors.places_by_ticks += usize::from(within > 2.0 * bound.constant);
                 errors.error = greater(errors.error, error);
-                errors.of_bound = greater(errors.of_bound, share(error, within));
-                errors.rates_of_bound = greater(errors.rates_of_bound, share(rate_error, rates_within));
+                errors.of_bound = greater(errors.of_bound, ratio(error, within));
+                errors.rates_of_bound = greater(errors.rates_of_bound, ratio(rate_error, rates_within));
             }
         }
     }
-    Ok(Tried { input, regime: motion.regime(), tables: errors })
+    Ok(Trial { input, regime: motion.regime(), tables: errors })
 }
 
-/// Error as a share of its bound. A body at rest has rates without error, and 0 as their bound.
-fn share(error: f64, bound: f64) -> f64 {
+/// Error over its bound. A body at rest has rates without error, and 0 as their bound.
+fn ratio(error: f64, bound: f64) -> f64 {
     if error == 0.0 { 0.0 } else { error / bound }
 }
 
-/// Greatest error of the norm at these times, and of u at both turning points, as a share of the bound.
+/// Greatest error of the norm at these times, and of u at both turning points, over the bound.
 fn norm_and_height(table: &dyn AnyEphemeris, motion: &Motion, times: &[f64]) -> f64 {
     let start = table.at(0.0).nutation_phase.to_f64();
     let e = motion.branch_points();
@@ -106,7 +106,7 @@ fn norm_and_height(table: &dyn AnyEphemeris, motion: &Motion, times: &[f64]) -> 
     let norms = times.iter().map(|&t| (t, table.at(t).sample.orientation().norm_squared() - 1.0));
     let heights = turning.map(|(t, u)| (t, table.at(t).sample.orientation().u() - u));
     let of_bound =
-        |(t, error): (f64, f64)| share(error.abs(), table.error_bound().after(t * table.ticks_per_time()));
+        |(t, error): (f64, f64)| ratio(error.abs(), table.error_bound().after(t * table.ticks_per_time()));
     norms.chain(heights).map(of_bound).fold(0.0, greater)
 }
 
@@ -145,7 +145,7 @@ fn nearest(tick: i64, place: &Precise, period: &Precise) -> Option<i64> {
 }
 
 /// For each scalar, the tick of the first period at which its rates differ most from those of a finer table.
-fn doubtful(tables: &[Option<Box<dyn AnyEphemeris>>], motion: &Motion, period: f64) -> Vec<i64> {
+fn most_different_rates(tables: &[Option<Box<dyn AnyEphemeris>>], motion: &Motion, period: f64) -> Vec<i64> {
     let Ok(finer) = approximate(motion, FINE) else { return Vec::new() };
     let tick = |place: i64| (period * place as f64 / COMPARED as f64) as i64;
     let fine: Vec<_> = (0..COMPARED).map(tick).map(|tick| (tick, finer.rates_at_tick(tick))).collect();
