@@ -1,8 +1,4 @@
 //! `toytop accuracy`: error of each scalar at ticks 1 to 2^40, against the truth to thirty digits.
-//!
-//! The motions are the built-in ones that nutate and whose tip slides, launched at u = e₁ from numbers that are taken as exact. The number
-//! of ticks in a unit of time is a power of two, with at least a thousand ticks in a period and one in a radian, so that tick 2^40 comes
-//! after some 10^9 periods.
 
 use super::Report;
 use super::options::ScalarChoice;
@@ -38,8 +34,12 @@ pub struct AccuracyArgs {
     format: Format,
 }
 
-/// Greatest errors: of the orientation, 2 √(|Δα|² + |Δβ|²), rad; of the tip, |Δc|/s; of the norm |α|² + |β|²; of h as computed from α, β
-/// and their rates, in units of its natural scale.
+/// Greatest errors:
+///
+/// * orientation: 2 √(|Δα|² + |Δβ|²), rad
+/// * tip: |Δc|/s
+/// * norm |α|² + |β|²
+/// * energy h, from α, β and their rates, in units of its natural scale
 type Errors = [f64; 4];
 
 /// Columns of the scalar and of its errors, each with its heading.
@@ -108,12 +108,12 @@ fn greatest(a: Errors, b: Errors) -> Errors {
     std::array::from_fn(|i| greater(a[i], b[i]))
 }
 
-/// Errors of each of the scalars over all motions: over the ticks from 2^k to 2^(k+1) - 1 for each k below [`OCTAVES`], and at tick 2^40.
+/// Errors of each scalar over all motions: at ticks from 2^k to 2^(k+1) - 1 for each k below [`OCTAVES`], and at tick 2^40.
 fn measured(scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
     let motions: Vec<_> =
-        builtin::scenarios().iter().filter_map(|scenario| numbers(&scenario.motion)).collect();
+        builtin::scenarios().iter().filter_map(|scenario| input(&scenario.motion)).collect();
     let progress = Progress::new(motions.len() as u64, "motions");
-    let errors = |numbers: &ExactInput| of_motion(numbers, scalars).inspect(|_| progress.add(1));
+    let errors = |input: &ExactInput| of_motion(input, scalars).inspect(|_| progress.add(1));
     let nothing = || vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];
     let together = |mut all: Vec<Vec<Errors>>, motion: Vec<Vec<Errors>>| {
         all.iter_mut().flatten().zip(motion.iter().flatten()).for_each(|(a, b)| *a = greatest(*a, *b));
@@ -122,8 +122,8 @@ fn measured(scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
     thread_pool::of_all_cores()?.install(|| motions.par_iter().map(errors).try_reduce(nothing, together))
 }
 
-/// Numbers of a motion, if [`Exact`] can compute it.
-fn numbers(motion: &Motion) -> Option<ExactInput> {
+/// Input of a motion that nutates and whose tip slides, launched at u = e₁.
+fn input(motion: &Motion) -> Option<ExactInput> {
     let (top, e) = (motion.top(), motion.branch_points());
     let known = motion.regime() == Regime::Nutating && top.support() == Support::Sliding;
     let (a, c) = (top.transverse_inertia(), top.axial_inertia());
@@ -135,11 +135,11 @@ fn numbers(motion: &Motion) -> Option<ExactInput> {
 }
 
 /// Errors of each scalar on a motion, by octave.
-fn of_motion(numbers: &ExactInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
-    let motion = numbers.motion().map_err(|error| Failure::Input(format!("{numbers:?}: {error}")))?;
+fn of_motion(input: &ExactInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
+    let motion = input.motion().map_err(|error| Failure::Input(format!("{input:?}: {error}")))?;
     let tables =
         scalars.iter().map(|&scalar| smallest_ephemeris(scalar, &motion)).collect::<Result<Vec<_>, _>>()?;
-    let truth = Exact::new(numbers);
+    let truth = Exact::new(input);
     let rate = ticks_per_time(&motion);
     let mut random = Random::new(1, 0);
     let mut found = vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];

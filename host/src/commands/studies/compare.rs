@@ -27,7 +27,7 @@ pub struct CompareArgs {
     /// Scenario files; without any, the built-in motions are compared
     #[arg(value_name = "SCENARIO")]
     scenarios: Vec<PathBuf>,
-    /// Nutation periods to compare over (for a motion without a period: times of 2 pi sqrt((A/p + s)/g))
+    /// Nutation periods to compare over; for a motion without a period, natural times 2 pi sqrt((A/p + s)/g)
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     periods: u32,
     /// Scalar types of the core
@@ -218,8 +218,7 @@ struct Reference {
 }
 
 impl Reference {
-    /// Greatest errors of a run, by [`ERRORS`], at the times that the run has reached, because an f32 step ends near the requested
-    /// time, not at it.
+    /// Greatest errors of a run, by [`ERRORS`], at the times that it has reached: an f32 step misses the requested one.
     fn errors(
         &mut self,
         scenario: &Scenario,

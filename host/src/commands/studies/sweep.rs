@@ -53,7 +53,7 @@ pub struct SweepArgs {
     /// Number of times at which each motion is evaluated
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=4096))]
     samples: u32,
-    /// Nutation periods that these times are spread over (for a motion without a period: times of 2 pi sqrt((A/p + s)/g))
+    /// Nutation periods that these times are spread over; for a motion without a period, natural times 2 pi sqrt((A/p + s)/g)
     #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = periods, allow_hyphen_values = true)]
     periods: f64,
     /// Every N-th motion, beginning with the I-th; only part 1 has the header, so that cat joins all parts
