@@ -9,6 +9,7 @@
 //! | [`score`] | output of an integrator against the exact motion; problems that integrators are tested with |
 //! | [`pictures`] | curve of the tip, figures, page for a browser |
 //! | [`output`] | tables, CSV, JSON, files, progress |
+//! | `budget` | costs of calls on emulated chips |
 //! | [`cli`], `commands` | command line, one file for each command |
 //!
 //! All input is checked before the first byte; `state` and `sweep` then stream rows.
@@ -17,6 +18,8 @@
 // Visibility is that of the modules: what a private one declares `pub` is its interface within the crate.
 #![allow(unreachable_pub)]
 
+#[cfg(feature = "program")]
+mod budget;
 #[cfg(feature = "program")]
 pub mod cli;
 #[cfg(feature = "program")]

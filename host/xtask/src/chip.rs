@@ -2,7 +2,7 @@
 
 use anyhow::{Context, Result};
 #[allow(unreachable_pub)]
-#[path = "../../src/commands/studies/budget/chips.rs"]
+#[path = "../../src/budget/chips.rs"]
 mod chips;
 
 pub(crate) use chips::{Chip, M0, M0PLUS, M4F, M7, M33, RISCV, target_dir};

@@ -1,34 +1,15 @@
 //! `toytop budget`: cost of each call on each emulated chip, compared with its budget.
-//!
-//! QEMU runs the firmware `cost` and logs the blocks of code that it executes; those between the entry of a call and its return are counted.
-//! No clock is used: the same ELF gives the same figures.
-//!
-//! | module | contents |
-//! |---|---|
-//! | `chips` | chips with their compilers and emulators |
-//! | `trace` | blocks of code that QEMU executes |
-//! | `model` | cycles of an instruction, from published timings |
-//! | `meter` | cost of each call |
-//! | `budgets` | allowed costs, `firmware-examples/budgets.toml` |
-//! | `corpus` | set-up of many launches |
-//! | `pages` | tables of pages |
 
-mod budgets;
-mod chips;
-mod corpus;
-mod meter;
-mod model;
 mod pages;
-mod trace;
 
 use super::Report;
 use crate::Failure;
+use crate::budget::budgets::Budgets;
+use crate::budget::chips::{self, Chip};
+use crate::budget::corpus::corpus;
+use crate::budget::meter::{Cost, Costs, flash, measure};
 use crate::output::{self, Format, Record, eight_digits, whole_file};
-use budgets::Budgets;
-use chips::Chip;
 use clap::Args;
-use corpus::corpus;
-use meter::{Cost, Costs, flash, measure};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -43,7 +24,7 @@ const CHIPS: [Chip; 5] = [chips::M0PLUS, chips::M4F, chips::M7, chips::M33, chip
 )]
 pub struct BudgetArgs {
     /// Chips, separated by commas: m0plus, m4f, m7, m33, riscv; without it, all
-    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = CHIPS.map(|chip| chip.name))]
     chip: Vec<String>,
     /// ELF file of your own, whose functions named bench_... are measured
     #[arg(long, value_name = "FILE", conflicts_with_all = ["check", "accept"])]
@@ -74,7 +55,9 @@ const FITTING_CHIP: &str = "m4f";
 const SET_UPS: [&str; 5] = ["launch", "new", "slices", "launch_slow", "launch_falling"];
 
 pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
-    let chips = chosen(&arguments.chip)?;
+    let chosen =
+        |chip: &&Chip| arguments.chip.is_empty() || arguments.chip.iter().any(|name| name == chip.name);
+    let chips: Vec<_> = CHIPS.iter().filter(chosen).collect();
     if let Some(elf) = &arguments.elf {
         let [chip] = chips[..] else {
             return Err(Failure::Input("--elf: needs one --chip, for which the file was built".into()));
@@ -107,15 +90,6 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
         "within budget".into()
     });
     Ok(Report { missed, ..report }.with_remarks(violations, arguments.format == Format::Table))
-}
-
-fn chosen(names: &[String]) -> Result<Vec<&'static Chip>, Failure> {
-    let find = |name: &String| {
-        let all = || CHIPS.map(|chip| chip.name).join(", ");
-        let unknown = || Failure::Input(format!("--chip {name}: one of {}", all()));
-        CHIPS.iter().find(|chip| chip.name == name).ok_or_else(unknown)
-    };
-    if names.is_empty() { Ok(CHIPS.iter().collect()) } else { names.iter().map(find).collect() }
 }
 
 /// Root of the repository: the current folder, or one above it.
