@@ -138,13 +138,15 @@ pub struct TimedStepper<R> {
     /// Stepper at the elapsed time.
     pub last: Stepper<R>,
     elapsed: f64,
+    /// Number of steps.
+    pub steps: u64,
 }
 
 impl<R: Real> TimedStepper<R> {
     /// Stepper at t = 0 with steps of h = `step`, s.
     pub fn new(motion: &Motion, step: f64) -> Self {
         let (stepper, step) = (Stepper::new(motion), R::from_f64(step));
-        Self { stepper, whole: 0, step, last: stepper, elapsed: 0.0 }
+        Self { stepper, whole: 0, step, last: stepper, elapsed: 0.0, steps: 0 }
     }
 
     /// Steps to the time `t`, s, in either direction.
@@ -154,6 +156,7 @@ impl<R: Real> TimedStepper<R> {
         let whole = (t / h) as i64;
         let step = if whole < self.whole { -self.step } else { self.step };
         let mut left = whole.abs_diff(self.whole);
+        self.steps += left;
         while left > 0 {
             let batch = left.min(BATCH);
             (0..batch).for_each(|_| self.stepper.step(step));
@@ -166,6 +169,7 @@ impl<R: Real> TimedStepper<R> {
         self.last = self.stepper;
         if rest != R::ZERO {
             self.last.step(rest);
+            self.steps += 1;
         }
         self.elapsed = (whole as f64).mul_add(h, rest.to_f64());
     }

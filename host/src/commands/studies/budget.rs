@@ -3,12 +3,13 @@
 mod pages;
 
 use super::Report;
+use super::options::positive;
 use crate::Failure;
 use crate::budget::budgets::Budgets;
 use crate::budget::chips::{self, Chip};
 use crate::budget::corpus::corpus;
 use crate::budget::meter::{Cost, Costs, flash, measure};
-use crate::output::{self, Format, Record, eight_digits, whole_file};
+use crate::output::{self, Format, Record, eight_digits, short, whole_file};
 use clap::Args;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -17,15 +18,21 @@ use std::process::{Command, Stdio};
 /// Chips whose calls are measured.
 const CHIPS: [Chip; 5] = [chips::M0PLUS, chips::M4F, chips::M7, chips::M33, chips::RISCV];
 
+/// Frequency of the interrupt that a tick has to fit into, Hz.
+const TICK_RATE: f64 = 1000.0;
+
 /// `toytop budget`
 #[derive(Args)]
 #[command(
-    after_help = "Example: toytop budget --chip m4f,m0plus\nNeeds QEMU (qemu-system-arm, qemu-system-misc) and, without --elf, the repository."
+    after_help = "Example: toytop budget --chip m4f,m0plus --clock 48\nNeeds QEMU (qemu-system-arm, qemu-system-misc) and, without --elf, the repository."
 )]
 pub struct BudgetArgs {
     /// Chips, separated by commas: m0plus, m4f, m7, m33, riscv; without it, all
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = CHIPS.map(|chip| chip.name))]
     chip: Vec<String>,
+    /// Clock of the chip, MHz, from which times follow
+    #[arg(long, value_name = "MHZ", default_value_t = 64.0, value_parser = positive)]
+    clock: f64,
     /// ELF file of your own, whose functions named bench_... are measured
     #[arg(long, value_name = "FILE", conflicts_with_all = ["check", "accept"])]
     elf: Option<PathBuf>,
@@ -159,10 +166,18 @@ fn launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&'static Chip>) -> R
 
 fn report(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -> Result<Report, Failure> {
     let record = |chip: &str, call: &str, cost: &Cost| {
-        let record = Record::default().with("chip", chip).with("call", call);
-        let figures = ["instructions", "cycles_model", "stack", "flash", "ram"];
-        let figure = |name: &str| cost.get(name.trim_end_matches("_model")).copied();
-        figures.into_iter().fold(record, |record, name| record.with(name, figure(name)))
+        let figure = |name: &str| cost.get(name).copied();
+        let microseconds = figure("cycles").map(|cycles| cycles as f64 / arguments.clock);
+        Record::default()
+            .with("chip", chip)
+            .with("call", call)
+            .with("instructions", figure("instructions"))
+            .with("cycles_model", figure("cycles"))
+            .with("microseconds", microseconds)
+            .with("tick_percent", microseconds.map(|time| time * 1e-6 * TICK_RATE * 100.0))
+            .with("stack", figure("stack"))
+            .with("flash", figure("flash"))
+            .with("ram", figure("ram"))
     };
     let mut records = Vec::new();
     for (chip, costs) in measured {
@@ -171,8 +186,8 @@ fn report(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -> Result<
     let table = || {
         format!(
             "{}\nThe costliest of several calls. Instructions are exact; cycles are a model (published timings, no wait states); \
-             stack, flash, RAM in bytes.\n",
-            output::aligned(&records, &output::all_columns(&records, eight_digits))
+             stack, flash, RAM in bytes; tick_percent of a tick of 1 kHz.\n",
+            output::aligned(&records, &output::all_columns(&records, |x| short(x, 3)))
         )
     };
     Ok(output::render(arguments.format, &output::list("rows", &records), table)?.into())

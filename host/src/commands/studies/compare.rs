@@ -64,6 +64,8 @@ struct Comparison {
     heading: &'static str,
     /// Greatest errors, by [`ERRORS`]; `None` where no table is large enough.
     errors: Option<[f64; 6]>,
+    /// Number of steps of the stepper.
+    steps: Option<u64>,
     /// Segments and terms of the table.
     table: Option<[usize; 2]>,
     /// Upper bound on the error of the orientation, rad.
@@ -89,6 +91,7 @@ impl Comparison {
             record = record.with(name, self.errors.map(|errors| errors[i]));
         }
         record
+            .with("steps", self.steps)
             .with("table", self.table.map(|[segments, terms]| format!("{segments}x{terms}")))
             .with("bound_rad", self.bound)
             .with("verdict", self.verdict())
@@ -160,16 +163,25 @@ fn of_motion(
             (_, Scalar::F64) => Ok(step_through::<f64>(scalar, motion, &times)),
             _ => Ok(step_through::<f32>(scalar, motion, &times)),
         };
-        let (errors, table) = match run {
-            Ok(Run { states, table }) => (Some(reference.errors(scenario, &states)?), table),
+        let (errors, steps, table) = match run {
+            Ok(Run { states, steps, table }) => (Some(reference.errors(scenario, &states)?), steps, table),
             Err(failure) => {
                 remarks.push(format!("{name} {}: {failure}", scalar.name()));
-                (None, None)
+                (None, None, None)
             }
         };
         let (table, table_bound) = table.unzip();
         let bound = bound(motion, (method, scalar), periods, own, table_bound);
-        comparisons.push(Comparison { motion: name.clone(), scalar, method, heading, errors, table, bound });
+        comparisons.push(Comparison {
+            motion: name.clone(),
+            scalar,
+            method,
+            heading,
+            errors,
+            steps,
+            table,
+            bound,
+        });
     }
     Ok(comparisons)
 }
@@ -178,6 +190,8 @@ fn of_motion(
 struct Run {
     /// Samples in the order of the times, with the rates of α and β.
     states: Vec<(Sample, OrientationRate<f64>)>,
+    /// Number of steps of a stepper.
+    steps: Option<u64>,
     /// Segments and terms of a table, and the bound on its error at the last time, rad.
     table: Option<([usize; 2], f64)>,
 }
@@ -193,7 +207,8 @@ fn step_through<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run 
         let [alpha, beta] = [rate.alpha, rate.beta].map(|z| widened(z, R::to_f64));
         (timed.sample(), OrientationRate { alpha, beta })
     };
-    Run { states: times.iter().map(state).collect(), table: None }
+    let states = times.iter().map(state).collect();
+    Run { states, steps: Some(timed.steps), table: None }
 }
 
 /// Run of an ephemeris at the times.
@@ -207,7 +222,7 @@ fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failur
     let states = found.map(|now| (now.sample, now.rate)).collect();
     let last = times.last().copied().unwrap_or(0.0);
     let bound = table.error_bound().after(last * table.ticks_per_time());
-    Ok(Run { states, table: Some((table.size(), bound)) })
+    Ok(Run { states, steps: None, table: Some((table.size(), bound)) })
 }
 
 /// Cached full-solver states, reused for equal times.

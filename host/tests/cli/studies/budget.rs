@@ -9,6 +9,7 @@ fn bad_input_is_refused_in_one_line() {
         "budget",
         &[
             ("--chip m5", "m0plus, m4f, m7, m33, riscv"),
+            ("--clock 0", "a number above 0"),
             ("--elf no_program.elf", "--chip"),
             ("--elf no_program.elf --chip m4f", "no_program.elf"),
             ("--check --accept", "--accept"),

@@ -136,7 +136,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_pages_have_the_tables_of_the_limits() {
+    fn the_pages_have_the_tables_of_the_budgets() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
         let budgets = Budgets::read(&root.join("firmware-examples/budgets.toml")).expect("the budgets");
         for (name, mark, text) in of_budgets(&budgets) {
