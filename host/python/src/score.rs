@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use toytop::Orientation;
 use toytop_host::Failure;
 use toytop_host::input::scenario::{Scenario, Units};
-use toytop_host::score::exact_reference::ExactReference;
+use toytop_host::score::errors::ExactReference;
 use toytop_host::score::order as convergence;
 use toytop_host::score::trajectory::{Pose, Trajectory, normalised};
 

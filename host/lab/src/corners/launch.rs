@@ -6,7 +6,7 @@ use toytop_host::input::random::Random;
 use toytop_host::truth::motions::{ExactInput, Start};
 
 /// Least tilt from the vertical that is not 0, rad.
-const LEAST_TILT: f64 = 1e-6;
+const MIN_TILT: f64 = 1e-6;
 
 /// Random input near the degenerate cases. Half are branch points; a quarter are states on such motions, in `f64`; a quarter are
 /// releases: tilts down to 1e-6 from either vertical, spins from 1e-3 to 1e6 rad/s, and in every second one a top that the paper does
@@ -45,7 +45,7 @@ fn on_motion(numbers: &ExactInput) -> Option<State> {
 }
 
 fn release(random: &mut Random) -> Release {
-    let tilt = if random.one_in(16) { 0.0 } else { random.scale(LEAST_TILT, FRAC_PI_2) };
+    let tilt = if random.one_in(16) { 0.0 } else { random.scale(MIN_TILT, FRAC_PI_2) };
     let tilt = if random.one_in(3) { PI - tilt } else { tilt };
     let [azimuth, roll] = [(); 2].map(|()| random.between(-PI, PI));
     let mut rate = |one_in_rests: u64, most: f64| {

@@ -75,11 +75,12 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
         let ticks = ticks(&exact, (rate, period), &mut random);
         for tick in ticks.into_iter().chain(most_different_rates(&tables, &motion, period * rate)) {
             let t = from_i64(tick) / from_f64(rate);
-            let (phi, rates) = (exact.at(&t), exact.rates(&t, period));
+            let (orientation, rates) = (exact.at(&t), exact.rates(&t, period));
             for (table, errors) in tables.iter().flatten().zip(errors.iter_mut().flatten()) {
                 let (bound, rate_bound) = (table.error_bound(), table.rate_error_bound());
                 let (within, rates_within) = (bound.after(tick as f64), rate_bound.after(tick as f64));
-                let error = phi.error_of(&table.at_tick(tick, tick as f64 / rate).sample.orientation());
+                let error =
+                    orientation.error_of(&table.at_tick(tick, tick as f64 / rate).sample.orientation());
                 let rate_error = rates.distance(&table.rates_at_tick(tick));
                 errors.places += 1;
                 errors.places_by_ticks += usize::from(within > 2.0 * bound.constant);

@@ -9,7 +9,7 @@ use crate::output::{self, Column, Format, Lists, Record, short, two_digits, whol
 use crate::pictures::chart::{Chart, Curve};
 use crate::pictures::drawing;
 use crate::score::benchmarks;
-use crate::score::exact_reference::{ExactReference, Score};
+use crate::score::errors::{ExactReference, Score};
 use crate::score::order;
 use crate::score::trajectory::Trajectory;
 use clap::Args;

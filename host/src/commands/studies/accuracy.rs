@@ -148,10 +148,10 @@ fn of_motion(input: &ExactInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>,
         for _ in 0..SAMPLES.min(first) {
             let more = if octave < OCTAVES { random.share() * first as f64 } else { 0.0 };
             let n = (first + more as u64) as i64;
-            let phi = truth.at(&(from_i64(n) / from_f64(rate)));
+            let exact = truth.at(&(from_i64(n) / from_f64(rate)));
             for (table, octaves) in tables.iter().zip(&mut found) {
                 // this quotient is exact, because the rate is a power of two
-                let errors = errors(&motion, &**table, (n, n as f64 / rate), &phi);
+                let errors = errors(&motion, &**table, (n, n as f64 / rate), &exact);
                 octaves[octave] = greatest(octaves[octave], errors);
             }
         }
@@ -172,7 +172,7 @@ fn errors(
     let tip = found.tip_over_s - (exact.alpha * exact.beta).scaled(2.0);
     let norm = (orientation.norm_squared() - 1.0).abs();
     let now = table.at(t);
-    let phi = now.sample.orientation();
-    let [.., energy] = drift(motion, &phi, now.rate.omega_fixed(&phi));
+    let there = now.sample.orientation();
+    let [.., energy] = drift(motion, &there, now.rate.omega_fixed(&there));
     [truth.error_of(&orientation), tip.norm_squared().sqrt(), norm, energy]
 }

@@ -246,13 +246,14 @@ impl Reference {
         }
         let motion = &scenario.motion;
         let errors = |((sample, rate), state): (&(Sample, OrientationRate<f64>), &FullState)| {
-            let (found, phi) = (sample.orientation(), state.orientation());
+            let (found, exact) = (sample.orientation(), state.orientation());
             // in f64 from α, β and their rates, so that l, n and h do not contain the rounding of a product
             let [l, n, h] = drift(motion, &found, rate.omega_fixed(&found));
-            let tip = sample.tip.scaled(1.0 / motion.top().tip_scale()) - (phi.alpha * phi.beta).scaled(2.0);
+            let tip =
+                sample.tip.scaled(1.0 / motion.top().tip_scale()) - (exact.alpha * exact.beta).scaled(2.0);
             [
-                found.distance(&phi),
-                (sample.u - (phi.alpha.norm_squared() - phi.beta.norm_squared())).abs(),
+                found.distance(&exact),
+                (sample.u - (exact.alpha.norm_squared() - exact.beta.norm_squared())).abs(),
                 tip.norm_squared().sqrt(),
                 h,
                 l,
