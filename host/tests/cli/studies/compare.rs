@@ -28,6 +28,8 @@ fn compare_holds_its_bounds() {
         let is_table = row["method"] == "ephemeris";
         assert_eq!(["steps", "table"].map(|key| row[key].is_null()), [is_table, !is_table], "{row}");
         assert!(!is_table || row["scalar"] != "f32" || bound < 5.11e-7, "{row}");
+        // the bound of a table is not far above its error; in f64 the bound of the reference dominates
+        assert!(!is_table || row["scalar"] == "f64" || error > 0.2 * bound, "{row}");
         assert!(row["scalar"] != "q31" || error < 2e-8 && error > 1e-9, "{row}");
         assert!(row["scalar"] != "q15" || error < 5e-4, "{row}");
     }
