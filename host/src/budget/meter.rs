@@ -1,11 +1,11 @@
 //! Cost of each call, from the log of a run.
 
 use super::chips::Chip;
-use super::model::{Decoder, Instruction, Model};
+use super::model::{BlockCycles, CycleModel, Instruction};
 use super::trace::{self, Block};
 use crate::Failure;
 use object::{Architecture, File, Object, ObjectSection, ObjectSymbol, SectionKind, SymbolKind};
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
@@ -31,7 +31,7 @@ const PREFIX: &str = "bench_";
 pub fn measure(chip: &Chip, elf: &Path) -> Result<Costs, Failure> {
     let bytes = read(elf)?;
     let image = Image::new(parsed(elf, &bytes)?);
-    let cycle_model = Model::of(chip).map(CycleModel::new).transpose()?;
+    let cycle_model = CycleModel::of(chip)?;
     let mut profile = Profile { image, cycle_model, calls: BTreeMap::new(), end: 0, running: None };
     let printed = trace::run(chip, elf, &["-d", "in_asm,exec,nochain"], |block| profile.executed(block))?;
     if profile.calls.is_empty() {
@@ -143,12 +143,13 @@ impl Profile<'_> {
             running.instructions += block.count;
             running.functions.extend(function.map(|(address, ..)| *address));
             if let Some(cycle_model) = &mut self.cycle_model {
-                let BlockCycles { cycles, first, last } = cycle_model.cycles(&self.image, block)?;
+                let BlockCycles { cycles, first, last } =
+                    cycle_model.block(block, self.image.code(block).unwrap_or_default())?;
                 running.cycles += cycles;
                 if let Some(last) = running.last {
-                    running.cycles += cycle_model.model.after(&last, &first);
+                    running.cycles += cycle_model.after(&last, &first);
                     if self.end != block.start {
-                        running.cycles += cycle_model.model.jump(&last, Some(&first));
+                        running.cycles += cycle_model.jump(&last, Some(&first));
                     }
                 }
                 running.last = Some(last);
@@ -168,45 +169,9 @@ impl Profile<'_> {
             *greatest = figure.max(*greatest);
         };
         raise("instructions", running.instructions);
-        if let (Some(CycleModel { model, .. }), Some(last)) = (&self.cycle_model, running.last) {
+        if let (Some(model), Some(last)) = (&self.cycle_model, running.last) {
             let cycles = running.cycles + model.jump(&last, None);
             raise("cycles", u64::try_from(cycles).unwrap_or_default());
         }
-    }
-}
-
-/// Cycles of blocks; each block is decoded once.
-struct CycleModel {
-    model: Model,
-    decoder: Decoder,
-    known: HashMap<Block, BlockCycles>,
-}
-
-#[derive(Clone, Copy)]
-struct BlockCycles {
-    /// Cycles without those that depend on the block before and the block after.
-    cycles: i64,
-    first: Instruction,
-    last: Instruction,
-}
-
-impl CycleModel {
-    fn new(model: Model) -> Result<Self, Failure> {
-        let decoder = Decoder::new().map_err(|error| Failure::Tool(format!("budget: {error}")))?;
-        Ok(Self { model, decoder, known: HashMap::new() })
-    }
-
-    fn cycles(&mut self, image: &Image<'_>, block: Block) -> Result<BlockCycles, Failure> {
-        if let Some(known) = self.known.get(&block) {
-            return Ok(*known);
-        }
-        let code = image.code(block).unwrap_or_default();
-        let instructions = self.decoder.decode(code, block.start).unwrap_or_default();
-        let ([first, ..], [.., last]) = (&instructions[..], &instructions[..]) else {
-            return Err(Failure::Tool(format!("budget: code at {:#x} cannot be decoded", block.start)));
-        };
-        let cycles = BlockCycles { cycles: self.model.cycles(&instructions), first: *first, last: *last };
-        self.known.insert(block, cycles);
-        Ok(cycles)
     }
 }
