@@ -99,8 +99,9 @@ enum Command {
     #[command(
         after_help = "A RESULT has a header, and a row for each time: t in s, and w,x,y,z (unit quaternion from body to fixed coordinates), or\n\
             alpha_re,alpha_im,beta_re,beta_im, or r11,r12,...,r33 (matrix by rows, body to fixed). The drifts of h, l and n need\n\
-            wx,wy,wz (rad/s, body frame) or omega_x,omega_y,omega_z (fixed frame). Other columns are ignored. The two signs of a quaternion are one rotation. Lines above the header may state: # method = RK4,\n\
-            # step = 0.001, # evaluations = 40000. Files of one method with different steps give its order of convergence.\n\n\
+            wx,wy,wz (rad/s, body frame) or omega_x,omega_y,omega_z (fixed frame). Other columns are\n\
+            ignored. The two signs of a quaternion are one rotation. Lines above the header may state: # method = RK4, # step = 0.001,\n\
+            # evaluations = 40000. Files of one method with different steps give its order of convergence.\n\n\
             Example: toytop score host/scenarios/toy_top.toml rk4_*.csv --plot rk4.svg\n         \
             toytop state TOP.toml --times 0..1/1001 --method stepper --format csv > s.csv && toytop score TOP.toml s.csv"
     )]

@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 #[derive(Args)]
 pub struct ScoreArgs {
     /// Scenario file, and CSV files with the output of integrators for it: one file for each step size and method
-    #[arg(value_names = ["SCENARIO", "RESULT.csv"], num_args = 1.., required = true)]
+    #[arg(value_names = ["SCENARIO", "RESULT.csv"], num_args = 0..)]
     files: Vec<PathBuf>,
     /// Problem of `toytop benchmark` in place of the scenario; the files are in the conventions of its source
     #[arg(long, value_name = "NAME")]
@@ -74,14 +74,18 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     let problem = problem.map_err(|failure| failure.of("--benchmark"))?;
     // command that prints the state from which a run has to start
     let (scenario, start, results) = match (&problem, &files[..]) {
-        (Some(problem), results) => {
+        (Some(problem), results) if !results.is_empty() => {
             let start = format!("toytop benchmark {} --times 0 --format csv", problem.scenario.name);
             (problem.scenario.clone(), start, results)
         }
         (None, [scenario, results @ ..]) if !results.is_empty() => {
             (Scenario::read(scenario)?, format!("toytop state {} --times 0", scenario.display()), results)
         }
-        _ => return Err(Failure::Input("score: needs SCENARIO and at least one RESULT.csv".into())),
+        _ => {
+            return Err(Failure::Input(
+                "score: needs SCENARIO RESULT.csv..., or --benchmark NAME RESULT.csv...".into(),
+            ));
+        }
     };
     if !steps.is_empty() && steps.len() != results.len() {
         return Err(Failure::Input(format!("--steps: must be {} numbers, one for each file", results.len())));
