@@ -11,16 +11,16 @@ SCORE = HERE.parent / "docs" / "score"
 METHODS = {"SciPy DOP853": ("scipy_dop853.py", "#1f77b4"), "heyoka": ("heyoka_taylor.py", "#d62728"), "Lie group": ("lie_group.py", "#2ca02c")}
 
 
-def problems(program):
-    answer = json.loads(subprocess.check_output([program, "benchmark", "--format", "json"]))
-    return [(entry["benchmark"], entry["seconds"]) for entry in answer["problems"]]
+def problems():
+    """Name and length in seconds of each problem: its last time."""
+    for file in sorted(HERE.glob("*/reference.json")):
+        yield file.parent.name, float(json.loads(file.read_text())["samples"][-1]["t"])
 
 
 def points(program, name, seconds, folder):
     """Work and greatest error of each run, by method."""
     folder.mkdir(parents=True, exist_ok=True)
-    scenario = folder / f"{name}.toml"
-    scenario.write_bytes(subprocess.check_output([program, "benchmark", name, "--scenario"]))
+    scenario = HERE / name / "scenario.toml"
     for script, _ in METHODS.values():
         subprocess.check_call([sys.executable, str(SCORE / script), program, str(scenario), str(seconds), str(folder)])
     files = sorted(map(str, folder.glob("*.csv")))
@@ -66,7 +66,7 @@ def picture(panels):
 
 program, folder, target, *chosen = sys.argv[1:]
 panels = {}
-for name, seconds in problems(program):
+for name, seconds in problems():
     if not chosen or name in chosen:
         panels[name] = points(program, name, seconds, pathlib.Path(folder) / name)
         for method, runs in panels[name].items():

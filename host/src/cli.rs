@@ -98,10 +98,10 @@ enum Command {
     /// Errors of your integrator's output against the exact motion
     #[command(
         after_help = "A RESULT has a header, and a row for each time: t in s, and w,x,y,z (unit quaternion from body to fixed coordinates), or\n\
-            alpha_re,alpha_im,beta_re,beta_im, or r11,r12,...,r33 (matrix by rows, body to fixed). The drifts of h, l and n are computed from\n\
-            wx,wy,wz (rad/s, body frame) or omega_x,omega_y,omega_z (fixed frame), or without these columns from differences of the rows. Other\n\
-            columns are ignored. The two signs of a quaternion are one rotation. Lines above the header may state: # method = RK4,\n\
-            # step = 0.001, # evaluations = 40000. Files of one method with different steps give its order of convergence.\n\n\
+            alpha_re,alpha_im,beta_re,beta_im, or r11,r12,...,r33 (matrix by rows, body to fixed). The drifts of h, l and n need\n\
+            wx,wy,wz (rad/s, body frame) or omega_x,omega_y,omega_z (fixed frame). Other columns are\n\
+            ignored. The two signs of a quaternion are one rotation. Lines above the header may state: # method = RK4, # step = 0.001,\n\
+            # evaluations = 40000. Files of one method with different steps give its order of convergence.\n\n\
             Example: toytop score host/scenarios/toy_top.toml rk4_*.csv --plot rk4.svg\n         \
             toytop state TOP.toml --times 0..1/1001 --method stepper --format csv > s.csv && toytop score TOP.toml s.csv"
     )]
@@ -138,14 +138,14 @@ enum Command {
     #[command(after_help = "Example: toytop errata --format csv")]
     /// Errors of the printed paper and their corrections
     Errata(FormatArgs),
-    /// Errors of each scalar up to tick 2^40, beside its cost on each chip
-    #[command(after_help = "Example: toytop accuracy --plot accuracy.svg")]
+    /// Errors of each scalar up to tick 2^40
+    #[command(after_help = "Example: toytop accuracy --scalar f32,q31")]
     Accuracy(accuracy::AccuracyArgs),
     /// Constants and errors of many motions of a scenario, a grid or a random sample
     ///
     /// Each motion is one row. All processor cores are used, and a sweep can be divided into parts.
     #[command(
-        after_help = "Example: toytop sweep host/scenarios/toy_top.toml --spin 90..300/200 --tilt 1..60/100 --plot spin,tilt,period -o grid.csv\n         toytop sweep host/scenarios/figure_3_loops.toml --axis e1=-0.9..0.1/41 --axis e3=log:1.01..100/33 -o grid.csv\n         toytop sweep host/scenarios/toy_top.toml --spin 90..300 --motions 1000000 --part 3/100 -o part_003.csv"
+        after_help = "Example: toytop sweep host/scenarios/toy_top.toml --spin 90..300/200 --tilt 1..60/100 -o grid.csv\n         toytop sweep host/scenarios/figure_3_loops.toml --axis e1=-0.9..0.1/41 --axis e3=log:1.01..100/33 -o grid.csv\n         toytop sweep host/scenarios/toy_top.toml --spin 90..300 --motions 1000000 --part 3/100 -o part_003.csv"
     )]
     Sweep(Box<sweep::SweepArgs>),
     /// Completions for a shell

@@ -37,10 +37,9 @@ pub mod pictures {
 
 /// Commands on many motions: errors of the core and of the paper, costs on chips, computing times, sweeps.
 pub mod studies {
-    pub mod budget;
-
     pub mod accuracy;
     pub mod bench;
+    pub mod budget;
     pub mod compare;
     pub mod errata;
     pub mod sweep;

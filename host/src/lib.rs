@@ -9,6 +9,7 @@
 //! | [`score`] | output of an integrator against the exact motion; problems that integrators are tested with |
 //! | [`pictures`] | curve of the tip, figures, page for a browser |
 //! | [`output`] | tables, CSV, JSON, files, progress |
+//! | `budget` | costs of calls on emulated chips |
 //! | [`cli`], `commands` | command line, one file for each command |
 //!
 //! All input is checked before the first byte; `state` and `sweep` then stream rows.
@@ -17,6 +18,26 @@
 // Visibility is that of the modules: what a private one declares `pub` is its interface within the crate.
 #![allow(unreachable_pub)]
 
+/// Costs of calls on emulated chips: QEMU runs the firmware `cost` and logs the blocks of code that it executes. No clock is used: the same
+/// ELF gives the same figures.
+///
+/// | module | contents |
+/// |---|---|
+/// | `chips` | chips with their compilers and emulators |
+/// | `trace` | blocks of code that QEMU executes |
+/// | `model` | cycles of an instruction, from published timings |
+/// | `meter` | cost of each call: the blocks between its entry and its return |
+/// | `budgets` | allowed costs, `firmware-examples/budgets.toml` |
+/// | `corpus` | set-up of many launches |
+#[cfg(feature = "program")]
+mod budget {
+    pub mod budgets;
+    pub mod chips;
+    pub mod corpus;
+    pub mod meter;
+    mod model;
+    mod trace;
+}
 #[cfg(feature = "program")]
 pub mod cli;
 #[cfg(feature = "program")]

@@ -65,13 +65,13 @@ impl Scalar {
 }
 
 /// First integrals [l, n, h] in kg m²/s and kg m²/s², by the full equations.
-pub fn first_integrals(top: &Top, phi: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
+fn first_integrals(top: &Top, phi: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
     FullTop::from(top).first_integrals(&FullState::new(phi, omega))
 }
 
 /// Scales of l, n and h: the greatest of the motion's own values, of the values √(2 A p g) and p g that belong to the top's weight, and
 /// of √(2 A h), the momentum of a body that has all its energy in a motion of the axis.
-pub fn natural_scales(motion: &Motion) -> [f64; 3] {
+fn natural_scales(motion: &Motion) -> [f64; 3] {
     let (top, constants) = (motion.top(), motion.first_integrals());
     let weight = top.mass_moment() * top.gravity();
     let a = top.transverse_inertia();
@@ -80,6 +80,14 @@ pub fn natural_scales(motion: &Motion) -> [f64; 3] {
     let momentum = (2.0 * a * weight).sqrt().max(constants.l.abs()).max(constants.n.abs());
     let momentum = if top.is_torque_free() { momentum.max((2.0 * a * energy).sqrt()) } else { momentum };
     [momentum, momentum, energy]
+}
+
+/// Differences of l, n and h from those of the motion, in units of their natural scales.
+pub fn drift(motion: &Motion, orientation: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
+    let (constants, scales) = (motion.first_integrals(), natural_scales(motion));
+    let exact = [constants.l, constants.n, constants.h];
+    let found = first_integrals(motion.top(), orientation, omega);
+    std::array::from_fn(|i| (found[i] - exact[i]).abs() / scales[i])
 }
 
 /// Times from 0 to `horizon`, s: one in each of `count` equal parts, at a place in its part that is a multiple of the golden section

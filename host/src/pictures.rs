@@ -10,7 +10,6 @@
 //! | `chart` | curves over linear or logarithmic axes |
 //! | `charts` | tilt and precession against time, effective potential |
 //! | `fit` | residuals of a fit, error of its prediction |
-//! | `heat_map` | a quantity over two axes |
 //! | [`view`] | page for a browser |
 
 #[cfg(feature = "program")]
@@ -22,8 +21,6 @@ pub mod curve;
 pub(crate) mod drawing;
 #[cfg(feature = "program")]
 pub(crate) mod fit;
-#[cfg(feature = "program")]
-pub(crate) mod heat_map;
 #[cfg(feature = "program")]
 pub(crate) mod space;
 pub mod span;

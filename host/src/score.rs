@@ -3,16 +3,14 @@
 //! | module | contents |
 //! |---|---|
 //! | [`trajectory`] | times and orientations from a file |
-//! | [`exact_reference`] | errors of a trajectory |
+//! | [`errors`] | errors of a trajectory, and drifts of l, n and h |
 //! | `phases` | phase errors of nutation, precession and spin |
-//! | [`drift`] | drift of l, n and h |
-//! | `benchmarks` | catalogue of problems that integrators are tested with |
+//! | `benchmarks` | problems that integrators are tested with |
 //! | [`order`] | order of convergence of several step sizes |
 
 #[cfg(feature = "program")]
 pub(crate) mod benchmarks;
-pub mod drift;
-pub mod exact_reference;
+pub mod errors;
 pub mod order;
 mod phases;
 pub mod trajectory;

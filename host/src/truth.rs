@@ -1,14 +1,12 @@
-//! Truths of a motion, which share no formula with the core: the paper's integrals, with their poles, in numbers of 640 bits
-//! (192 digits), and the full 3-D equations by a solver.
+//! Two references that share no formula with the core: the paper's integrals in numbers of 640 bits (192 digits), and an integration of
+//! the full 3-D equations.
 //!
-//! The integrals use neither the regularised phase equations nor the core's series or stepping, and their arithmetic is dashu's. The relative
-//! error of the quadrature is some 1e-37 (tested by other panels, and against vectors of 30 digits), which at tick 2^62 is still below
-//! 1e-17 rad; times are exact.
+//! The arithmetic of the integrals is dashu's. The relative error of their quadrature is 1e-37, which at tick 2^62 is below 1e-17 rad.
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`motions`] | numbers of a motion: its top, and branch points or a state |
-//! | `nutation` | constants of a motion, its rates, their integrals over a nutation |
+//! | [`motions`] | input: the numbers of a top, and branch points or a state |
+//! | `nutation` | rates of a motion, and their integrals over a nutation |
 //! | `launch` | constants from branch points or a state |
 //! | [`exact`] | orientation and rates at a time |
 //! | [`precise`] | arithmetic |
@@ -25,7 +23,7 @@ pub mod precise;
 #[cfg(test)]
 mod tests {
     use super::exact::{Exact, PreciseOrientation};
-    use super::motions::{Numbers, Start};
+    use super::motions::{ExactInput, Start};
     use super::precise::{Precise, to_f64};
     use dashu_float::FBig;
     use dashu_float::round::mode::HalfEven;
@@ -60,7 +58,7 @@ mod tests {
     /// Distance 2 √(|Δα|² + |Δβ|²) of an orientation from a sample, rad.
     fn error(phi: &PreciseOrientation, sample: &Value) -> f64 {
         let parameter = |key: &str| [0, 1].map(|i| digits(&sample[key][i]));
-        phi.apart(&PreciseOrientation { alpha: parameter("alpha"), beta: parameter("beta") })
+        phi.distance(&PreciseOrientation { alpha: parameter("alpha"), beta: parameter("beta") })
     }
 
     /// Relative error of a number against a text of thirty digits.
@@ -69,7 +67,7 @@ mod tests {
     }
 
     /// Reference vector that is given by branch points, all exact in f64.
-    fn branch_points_vector(name: &str) -> (Numbers, Value) {
+    fn branch_points_vector(name: &str) -> (ExactInput, Value) {
         let json = read(name);
         let params = |key: &str| number(&json["params"][key]);
         let sign = |key: &str| if json[key] == -1 { Sign::Minus } else { Sign::Plus };
@@ -83,7 +81,7 @@ mod tests {
             },
         };
         let [a, c, s, p] = ["A", "C", "s", "p"].map(params);
-        (Numbers { top: [a, c, s, p, 1.0, 0.0], start }, json)
+        (ExactInput { top: [a, c, s, p, 1.0, 0.0], start }, json)
     }
 
     #[test]
@@ -123,7 +121,7 @@ mod tests {
     }
 
     /// Reference vector that is given by a state, all exact in f64.
-    fn state_vector(name: &str) -> (Numbers, Value) {
+    fn state_vector(name: &str) -> (ExactInput, Value) {
         let json = read(name);
         let params = &json["params"];
         let top = ["A", "C", "s", "p"].map(|key| number(&params[key]));
@@ -131,7 +129,7 @@ mod tests {
         let z = |key: &str| [0, 1].map(|i| number(&params[key][i]));
         let omega = [0, 1, 2].map(|i| number(&params["omega0"][i]));
         let start = Start::State { phi: [z("alpha0"), z("beta0")], omega };
-        (Numbers { top: [a, c, s, p, 1.0, 0.0], start }, json)
+        (ExactInput { top: [a, c, s, p, 1.0, 0.0], start }, json)
     }
 
     #[test]

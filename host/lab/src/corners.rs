@@ -3,14 +3,14 @@
 mod launch;
 mod trial;
 
-use crate::{Found, Study};
+use crate::{Study, Summary};
 use std::collections::BTreeSet;
 use toytop_host::motion::{Scalar, greater};
 use toytop_host::output::{Record, names};
 use toytop_host::{Failure, thread_pool};
-use trial::{Errors, Tried};
+use trial::{Errors, Trial};
 
-pub fn run(study: &Study, truths: u64) -> Result<Found, Failure> {
+pub fn run(study: &Study, truths: u64) -> Result<Summary, Failure> {
     // launches are independent, so that those with the truth may be spread evenly
     let spacing = (study.motions / truths).max(1);
     let trial = |launch: u64| trial::run(study.seed, launch, launch.is_multiple_of(spacing));
@@ -18,7 +18,7 @@ pub fn run(study: &Study, truths: u64) -> Result<Found, Failure> {
     for (launch, tried) in thread_pool::map((study.motions, "launches"), trial)?.into_iter().enumerate() {
         match tried {
             Err(refusal) => refused.push(refusal.parameter()),
-            Ok(Tried { input, regime, tables }) => {
+            Ok(Trial { input, regime, tables }) => {
                 for (scalar, errors) in Scalar::ALL.iter().zip(&tables) {
                     if let Some(errors) = errors.filter(Errors::beyond_bound) {
                         failures.push(format!("{launch}: {}: {errors:?}: {input:?}", scalar.name()));
@@ -47,7 +47,7 @@ pub fn run(study: &Study, truths: u64) -> Result<Found, Failure> {
             rows.push(row(name, scalar.name(), &tables));
         }
     }
-    Ok(Found { headline, rows, failures })
+    Ok(Summary { headline, rows, failures })
 }
 
 /// Least share of the bound for an error that counts as close to it.

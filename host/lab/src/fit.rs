@@ -1,6 +1,6 @@
 //! `toytop-lab fit`: launches fitted to simulated samples.
 
-use crate::{Found, Study};
+use crate::{Study, Summary};
 use nalgebra::{Matrix6, Vector6};
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
@@ -32,7 +32,7 @@ struct Accepted {
     freedom: usize,
 }
 
-pub fn run(study: &Study) -> Result<Found, Failure> {
+pub fn run(study: &Study) -> Result<Summary, Failure> {
     let trials = thread_pool::map((3 * study.motions, "launches"), |stream| {
         let noise = study.seed.wrapping_mul(1_000_003).wrapping_add(stream);
         trial(&mut Random::new(study.seed, stream), (stream % 3) as usize, noise)
@@ -66,7 +66,7 @@ pub fn run(study: &Study) -> Result<Found, Failure> {
         rows.push(row);
     }
     let headline = format!("{} launches of each set, seed {}.", study.motions, study.seed);
-    Ok(Found { headline, rows, failures })
+    Ok(Summary { headline, rows, failures })
 }
 
 /// Simulates a launch and fits it.

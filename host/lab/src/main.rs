@@ -76,7 +76,7 @@ fn main() -> ExitCode {
 }
 
 /// Result of a study.
-struct Found {
+struct Summary {
     headline: String,
     rows: Vec<Record>,
     /// Launches that must not occur.
@@ -85,12 +85,12 @@ struct Found {
 
 impl Study {
     /// Report of a study, whose table goes into the page that is named, at this mark.
-    fn run(&self, mark: &str, study: impl FnOnce() -> Result<Found, Failure>) -> Result<Report, Failure> {
+    fn run(&self, mark: &str, study: impl FnOnce() -> Result<Summary, Failure>) -> Result<Report, Failure> {
         /// Largest number of failures in a report.
         const REPORTED: usize = 20;
         // a missing place in the page is reported before the computation
         let page = self.accept.as_deref().map(|path| Page::read(path, mark)).transpose()?;
-        let Found { headline, rows, failures } = study()?;
+        let Summary { headline, rows, failures } = study()?;
         let columns = output::all_columns(&rows, |x| output::short(x, 2));
         let mut table = output::rows(&rows, &columns);
         for heading in &mut table[0] {

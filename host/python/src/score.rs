@@ -7,9 +7,9 @@ use pyo3::prelude::*;
 use toytop::Orientation;
 use toytop_host::Failure;
 use toytop_host::input::scenario::{Scenario, Units};
-use toytop_host::score::exact_reference::ExactReference;
+use toytop_host::score::errors::ExactReference;
 use toytop_host::score::order as convergence;
-use toytop_host::score::trajectory::{Row, Trajectory, normalised};
+use toytop_host::score::trajectory::{Pose, Trajectory, normalised};
 
 /// Fields of the Python class `Score`.
 #[derive(IntoPyObject)]
@@ -47,7 +47,7 @@ pub(crate) fn score(
             normalised(given).map_err(|reason| Failure::Input(format!("quaternion: row {i}: {reason}")))?;
         let in_fixed = |rate: [f64; 3]| if in_body { orientation.adjoint(rate) } else { rate };
         let omega = omega.as_ref().map(|rates| in_fixed(rates.numbers.as_chunks().0[i]));
-        Ok(Row { t: t.numbers[i], orientation, norm_error, omega, tip: None, com: None })
+        Ok(Pose { t: t.numbers[i], orientation, norm_error, omega, tip: None })
     };
     let scenario = Scenario { name: "motion".into(), motion: motion.motion, given: None, units: Units::Si };
     let score = interrupt::alone(py, move || {
@@ -57,7 +57,7 @@ pub(crate) fn score(
         ExactReference::new(&scenario, "motion.at(times[0])")?.score(&trajectory)
     })?;
     let score = score.map_err(failed)?;
-    let drift = score.drift.integrals.map(|[l, n, h]| [Some(l), Some(n), Some(h)]).unwrap_or_default();
+    let drift = score.drift.map(|[l, n, h]| [Some(l), Some(n), Some(h)]).unwrap_or_default();
     let [drift_l, drift_n, drift_h] = drift;
     Ok(ScoreFields {
         max_error: score.max_error,

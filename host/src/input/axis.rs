@@ -53,13 +53,8 @@ impl Axis {
         self.count().unwrap_or(1)
     }
 
-    /// Whether the values are those of a range in even steps.
-    pub fn is_grid(&self) -> bool {
-        matches!(self, Self::Range { places: Some(_), .. })
-    }
-
     /// Whether the values are spread evenly in the logarithm.
-    pub fn is_log(&self) -> bool {
+    fn is_log(&self) -> bool {
         matches!(self, Self::Range { log: true, .. })
     }
 
@@ -91,14 +86,6 @@ impl Axis {
             None => self.between(share),
             Some(size) => self.at((share * size as f64) as u64),
         }
-    }
-
-    /// Ends of the cells of a grid, half a step beyond its values, as logarithms where the values are spread evenly in
-    /// the logarithm.
-    pub fn drawn_ends(&self) -> [f64; 2] {
-        let [low, high] = self.ends().map(|end| if self.is_log() { end.log10() } else { end });
-        let half = 0.5 * (high - low) / (self.count().unwrap_or(2) as f64 - 1.0).max(1.0);
-        [low - half, high + half]
     }
 
     /// Least and greatest value.

@@ -7,10 +7,11 @@ pub fn between([coarse_step, coarse_error]: [f64; 2], [fine_step, fine_error]: [
     (order.is_finite() && coarse_step >= SMALLER * fine_step).then_some(order)
 }
 
-/// Order fitted by least squares to runs \[step, error\].
+/// Order fitted by least squares to runs \[step, error\]; `None` if fewer than two of them count.
 ///
-/// Runs with an error above half a radian are left out. Towards small steps the fit ends where rounding dominates: where the
-/// order between two runs is below seven tenths of the order before, or below 1/2. `None` if fewer than two runs remain.
+/// * Runs with an error above half a radian do not count.
+/// * From the largest step on, runs count until rounding dominates: until the order between two of them is below 1/2, or below seven
+///   tenths of the order before.
 pub fn fitted(runs: &[[f64; 2]]) -> Option<f64> {
     const LOST: f64 = 0.5;
     let mut points = runs.to_vec();

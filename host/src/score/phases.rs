@@ -8,11 +8,11 @@
 //! ```
 //!
 //! with the mean rates A' and B' of arg α and arg β. The phase errors are the Δθ, Δψ and Δφ that bring this closest to a trajectory,
-//! by least squares over the rows of one nutation period, in which they may change at constant rates. The distance that remains is not a phase error: the trajectory is on another
-//! torus, with other values of l, n, h.
+//! by least squares over the rows of one nutation period, in which they may change at constant rates. The distance that remains is no phase
+//! error: the trajectory is on another torus, with other values of l, n and h.
 
 use super::rotation_between;
-use super::trajectory::Row;
+use super::trajectory::Pose;
 use crate::motion::ephemeris::AnyEphemeris;
 use crate::motion::propagate::period;
 use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3, Vector6};
@@ -33,11 +33,11 @@ pub struct PhaseErrors {
 }
 
 /// Least number of rows of a fit.
-const LEAST_ROWS: usize = 8;
+const MIN_ROWS: usize = 8;
 
-/// Phase errors in the middle of the last nutation period of the rows (of the last eight rows, if these take longer); none for an aperiodic
-/// motion. The fit goes through the periods before it one by one, so that errors of more than half a turn are recognised.
-pub fn last(motion: &Motion, table: &dyn AnyEphemeris, rows: &[Row]) -> PhaseErrors {
+/// Phase errors in the middle of the last nutation period, or of the last eight rows if these take longer; none for an aperiodic motion.
+/// The fit goes through all periods, so that errors of more than half a turn are recognised.
+pub fn last(motion: &Motion, table: &dyn AnyEphemeris, rows: &[Pose]) -> PhaseErrors {
     let exist = match motion.regime() {
         Regime::Nutating => [true; 3],
         Regime::Aperiodic => return PhaseErrors::default(),
@@ -72,13 +72,13 @@ struct Fit<'a> {
 
 impl Fit<'_> {
     /// Consecutive windows, counted from the last row.
-    fn windows<'r>(&self, rows: &'r [Row]) -> Vec<&'r [Row]> {
+    fn windows<'r>(&self, rows: &'r [Pose]) -> Vec<&'r [Pose]> {
         let mut windows = Vec::new();
         let mut rest = rows;
-        while rest.len() >= LEAST_ROWS {
+        while rest.len() >= MIN_ROWS {
             let last = rest[rest.len() - 1].t;
             let inside = rest.iter().rev().take_while(|row| (row.t - last).abs() <= self.period).count();
-            let (before, window) = rest.split_at(rest.len() - inside.max(LEAST_ROWS));
+            let (before, window) = rest.split_at(rest.len() - inside.max(MIN_ROWS));
             windows.push(window);
             rest = before;
         }
@@ -86,23 +86,23 @@ impl Fit<'_> {
         windows
     }
 
-    /// Angles in the middle of the rows, and their change in a period, by Gauss-Newton iteration from a first guess, and the root of the mean
-    /// square of the remaining rotation. With the change, an error of a rate is not mistaken for one of another angle.
-    fn fitted(&self, rows: &[Row], mut angles: Vector6<f64>) -> (Vector6<f64>, Option<f64>) {
-        const MOST: usize = 20;
+    /// Angles in the middle of the rows with their change in a period, and the root of the mean square of the remaining rotation, by
+    /// Gauss-Newton iteration. With the change, an error of a rate is not mistaken for one of another angle.
+    fn fitted(&self, rows: &[Pose], mut angles: Vector6<f64>) -> (Vector6<f64>, Option<f64>) {
+        const MAX_STEPS: usize = 20;
         const ENOUGH: f64 = 1e-3;
         let middle = 0.5 * (rows[0].t + rows[rows.len() - 1].t);
-        let share = |row: &Row| (row.t - middle) / self.period;
-        let at = |angles: &Vector6<f64>, row: &Row| {
-            let angles = angles.fixed_rows::<3>(0) + angles.fixed_rows::<3>(3) * share(row);
+        let fraction = |row: &Pose| (row.t - middle) / self.period;
+        let at = |angles: &Vector6<f64>, row: &Pose| {
+            let angles = angles.fixed_rows::<3>(0) + angles.fixed_rows::<3>(3) * fraction(row);
             self.linearised(row, &angles)
         };
-        for _ in 0..MOST {
+        for _ in 0..MAX_STEPS {
             let (mut gram, mut right) = (Matrix6::zeros(), Vector6::zeros());
             for row in rows {
                 let (slopes, left) = at(&angles, row);
                 let both = SMatrix::<f64, 3, 6>::from_fn(|i, j| {
-                    if j < 3 { slopes[(i, j)] } else { slopes[(i, j - 3)] * share(row) }
+                    if j < 3 { slopes[(i, j)] } else { slopes[(i, j - 3)] * fraction(row) }
                 });
                 gram += both.transpose() * both;
                 right += both.transpose() * left;
@@ -123,7 +123,7 @@ impl Fit<'_> {
     }
 
     /// Rotation that each angle adds, rad per rad, as columns, and the rotation that remains, rad.
-    fn linearised(&self, row: &Row, angles: &Vector3<f64>) -> (Matrix3<f64>, Vector3<f64>) {
+    fn linearised(&self, row: &Pose, angles: &Vector3<f64>) -> (Matrix3<f64>, Vector3<f64>) {
         let [a_rate, b_rate, theta_rate] = self.rates;
         // t + τ is rounded; the rest of Δθ is taken into account to first order
         let t = if angles[0] == 0.0 { row.t } else { row.t + angles[0] / theta_rate };

@@ -9,9 +9,9 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 use std::path::Path;
 use toytop::{Complex, Orientation};
 
-/// Row of a trajectory.
+/// Time and orientation of a trajectory, with what else the file has.
 #[derive(Clone, Copy, Debug)]
-pub struct Row {
+pub struct Pose {
     /// Time, s.
     pub t: f64,
     /// Orientation, normalised. Its sign is the file's.
@@ -22,8 +22,6 @@ pub struct Row {
     pub omega: Option<[f64; 3]>,
     /// Position of the tip, if the file has it.
     pub tip: Option<[f64; 2]>,
-    /// Position of the centre of mass relative to the tip, if the file has it.
-    pub com: Option<[f64; 3]>,
 }
 
 /// Times and orientations of one run of an integrator.
@@ -38,7 +36,7 @@ pub struct Trajectory {
     /// Evaluations of the equations, from a line `# evaluations = N`.
     pub evaluations: Option<f64>,
     /// Rows, at least one, with monotone times.
-    pub rows: Vec<Row>,
+    pub rows: Vec<Pose>,
 }
 
 /// Columns of an orientation, one of three sets; the first that is complete counts.
@@ -76,12 +74,12 @@ impl Trajectory {
         };
         let (step, evaluations) = (positive("step")?, positive("evaluations")?);
         let (header, records) = rows::parse(text)?;
-        let has = |names: &[&str]| places(&header, names).is_some();
+        let has = |names: &[&str]| column_indices(&header, names).is_some();
         if !has(&["t"]) || !(has(&QUATERNION) || has(&ALPHA_BETA) || has(&MATRIX)) {
             let allowed = "t with w,x,y,z (body to fixed), alpha_re,alpha_im,beta_re,beta_im or r11,r12,...,r33 (by rows)";
             return Err(format!("columns: must have {allowed}; has {}", shown(&header.join(","))));
         }
-        let mut rows: Vec<Row> = Vec::new();
+        let mut rows: Vec<Pose> = Vec::new();
         for record in records {
             let (line, record) = record?;
             let row = row(&header, &record).map_err(|reason| format!("line {line}: {reason}"))?;
@@ -100,31 +98,40 @@ impl Trajectory {
         Ok(Self { name: String::new(), method, step, evaluations, rows })
     }
 
-    /// Trajectory in other body axes, where `body` takes the file's body coordinates to the new ones.
-    pub fn in_body_axes(mut self, body: &Orientation<f64>) -> Self {
-        let inverse = body.inverse();
+    /// Trajectory in the body axes of the core, of which the third is the axis of symmetry. `axis` is the number of this axis in the file.
+    pub fn with_symmetry_axis(mut self, axis: u8) -> Self {
+        let inverse = to_symmetry_axis(axis).inverse();
         for row in &mut self.rows {
             row.orientation = row.orientation.compose(&inverse);
         }
         self
     }
 
-    /// Spacing of the rows, s, if it is constant to a millionth; `None` otherwise.
+    /// Spacing of the rows, s, if it is constant to a millionth.
     pub fn spacing(&self) -> Option<f64> {
         let [first, .., last] = &self.rows[..] else { return None };
         let mean = (last.t - first.t) / (self.rows.len() - 1) as f64;
-        let even = |pair: &[Row]| (pair[1].t - pair[0].t - mean).abs() <= 1e-6 * mean.abs();
+        let even = |pair: &[Pose]| (pair[1].t - pair[0].t - mean).abs() <= 1e-6 * mean.abs();
         self.rows.windows(2).all(even).then_some(mean.abs())
     }
 }
 
-/// Places of columns in a header, where of equal names the first counts; `None` if one is missing.
-fn places(header: &[String], names: &[&str]) -> Option<Vec<usize>> {
+/// Rotation that takes body coordinates, whose second or third axis is the axis of symmetry, to those of the core, where it is the third.
+pub fn to_symmetry_axis(axis: u8) -> Orientation<f64> {
+    match axis {
+        // a quarter turn about the first axis takes the second axis to the third
+        2 => Orientation::from_quaternion([1.0, 1.0, 0.0, 0.0]).normalised(),
+        _ => Orientation::IDENTITY,
+    }
+}
+
+/// Indices of columns in a header, where of equal names the first counts; `None` if one is missing.
+fn column_indices(header: &[String], names: &[&str]) -> Option<Vec<usize>> {
     names.iter().map(|name| header.iter().position(|own| own == name)).collect()
 }
 
-/// Row of a record.
-fn row(header: &[String], record: &StringRecord) -> Result<Row, String> {
+/// Pose of a record.
+fn row(header: &[String], record: &StringRecord) -> Result<Pose, String> {
     let given = match numbers(header, record, QUATERNION)? {
         Some(quaternion) => Some(Orientation::from_quaternion(quaternion)),
         None => numbers(header, record, ALPHA_BETA)?
@@ -139,9 +146,8 @@ fn row(header: &[String], record: &StringRecord) -> Result<Row, String> {
         None => numbers(header, record, ["omega_x", "omega_y", "omega_z"])?,
     };
     let tip = numbers(header, record, ["tip_x", "tip_y"])?;
-    let com = numbers(header, record, ["x_com", "y_com", "z_com"])?;
     let [t] = numbers(header, record, ["t"])?.unwrap_or_default();
-    Ok(Row { t, orientation, norm_error, omega, tip, com })
+    Ok(Pose { t, orientation, norm_error, omega, tip })
 }
 
 /// Numbers of a record in these columns; `None` where one of the columns is missing.
@@ -150,11 +156,11 @@ fn numbers<const N: usize>(
     record: &StringRecord,
     names: [&str; N],
 ) -> Result<Option<[f64; N]>, String> {
-    let Some(places) = places(header, &names) else { return Ok(None) };
+    let Some(indices) = column_indices(header, &names) else { return Ok(None) };
     let mut numbers = [0.0; N];
-    for ((number, name), place) in numbers.iter_mut().zip(names).zip(places) {
-        let refused = || format!("{name}: {:?} must be a finite number", shown(&record[place]));
-        *number = finite(&record[place]).ok_or_else(refused)?;
+    for ((number, name), index) in numbers.iter_mut().zip(names).zip(indices) {
+        let refused = || format!("{name}: {:?} must be a finite number", shown(&record[index]));
+        *number = finite(&record[index]).ok_or_else(refused)?;
     }
     Ok(Some(numbers))
 }

@@ -1,12 +1,13 @@
 //! Motion to more than thirty digits at any time.
 //!
-//! |α|² = (1 + u)/2 and |β|² = (1 - u)/2; where e₁ = -1 (e₂ = 1) α (β) changes sign instead of turning. The arguments are integrals.
+//! |α|² = (1 + u)/2 and |β|² = (1 - u)/2. The arguments of α and β are integrals. Where e₁ = -1, α passes through 0 and changes its sign;
+//! where e₂ = 1, β does.
 
 use super::launch::Launched;
-use super::motions::Numbers;
+use super::motions::ExactInput;
 use super::nutation::{HalfPhase, Integrals, Nutation, RATIO, add};
 pub use super::precise::PreciseOrientation;
-use super::precise::{Precise, cis, is_zero, precise, product, root, to_f64, whole};
+use super::precise::{Precise, cis, from_f64, from_i64, is_zero, product, root, to_f64};
 use crate::motion::ephemeris::RateSample;
 
 /// Motion with its integrals over a nutation.
@@ -17,17 +18,17 @@ pub struct Exact {
 }
 
 impl Exact {
-    /// Motion of these numbers.
-    pub fn new(numbers: &Numbers) -> Self {
-        Self::with_mass_moment(numbers, &precise(numbers.top[3]))
+    /// Motion of this input.
+    pub fn new(numbers: &ExactInput) -> Self {
+        Self::with_mass_moment(numbers, &from_f64(numbers.top[3]))
     }
 
-    /// Motion of these numbers with another mass moment, which as a product of mass and height need not be an `f64`.
-    pub fn with_mass_moment(numbers: &Numbers, p: &Precise) -> Self {
+    /// Motion of this input with another mass moment, which as a product of mass and height need not be an `f64`.
+    pub fn with_mass_moment(numbers: &ExactInput, p: &Precise) -> Self {
         let launched = Launched::new(numbers, p);
         let nutation = (!launched.is_steady()).then(|| {
             let nutation = Nutation::new(&launched.constants, RATIO);
-            let passed = nutation.passed(&launched.half_phase);
+            let passed = nutation.integrals_to(&launched.half_phase);
             (nutation, passed)
         });
         Self { launched, nutation }
@@ -41,8 +42,10 @@ impl Exact {
 
     /// Time after the launch at which tan χ has this value: 0 at u = e₁, infinite at u = e₂. For a steady motion it is 0.
     pub fn time_of(&self, tangent: f64) -> Precise {
-        let place = [whole(1), precise(tangent)];
-        self.nutation.as_ref().map_or(whole(0), |(nutation, passed)| &nutation.passed(&place)[0] - &passed[0])
+        let place = [from_i64(1), from_f64(tangent)];
+        self.nutation
+            .as_ref()
+            .map_or(from_i64(0), |(nutation, passed)| &nutation.integrals_to(&place)[0] - &passed[0])
     }
 
     /// Orientation Φ at a time after the launch, which is taken as exact.
@@ -50,7 +53,7 @@ impl Exact {
         let Launched { constants, half_tau, half_phase, directions } = &self.launched;
         let (place, [_, alpha, beta]) = match &self.nutation {
             None => {
-                let [alpha, beta] = constants.turning_rates(&constants.heights(half_phase));
+                let [alpha, beta] = constants.turning_rates(&constants.linear_factors(half_phase));
                 (half_phase.clone(), [t.clone(), alpha * t, beta * t])
             }
             Some((nutation, passed)) => {
@@ -59,22 +62,22 @@ impl Exact {
             }
         };
         let (signs, signs_then) = (self.signs(&place), self.signs(half_phase));
-        let heights = constants.heights(&place);
+        let linear_factors = constants.linear_factors(&place);
         let drift = half_tau * t;
         let parameter = |i: usize, angle: Precise| {
-            let modulus = root(&(heights[i].clone() >> 1)) * (signs[i] * signs_then[i]);
+            let modulus = root(&(linear_factors[i].clone() >> 1)) * (signs[i] * signs_then[i]);
             product(&directions[i], &cis(&angle)).map(|part| part * &modulus)
         };
         PreciseOrientation { alpha: parameter(0, alpha + &drift), beta: parameter(1, beta - drift) }
     }
 
-    /// Signs of α and β, of those that pass through 0, or of the derivative of one that is 0; 1 for the others.
+    /// Signs of α and β where they pass through 0, and of the derivative at 0; 1 for one that does not.
     fn signs(&self, [cosine, sine]: &HalfPhase) -> [i32; 2] {
         let sign = |parts: [&Precise; 2]| match parts.into_iter().find(|part| !is_zero(part)) {
-            Some(part) if *part < whole(0) => -1,
+            Some(part) if *part < from_i64(0) => -1,
             _ => 1,
         };
-        let [[one_plus_e1, _], [_, one_minus_e2], _] = &self.launched.constants.ends;
+        let [[one_plus_e1, _], [_, one_minus_e2], _] = &self.launched.constants.at_turning_points;
         [
             if is_zero(one_plus_e1) { sign([sine, cosine]) } else { 1 },
             if is_zero(one_minus_e2) { sign([cosine, &-sine]) } else { 1 },
@@ -87,7 +90,7 @@ impl Exact {
     pub fn rates(&self, t: &Precise, unit: f64) -> RateSample {
         /// Half the time between the two orientations, as a share of the unit of time. The relative error of the rates is below 1e-20.
         const SHARE: f64 = 1.0 / (1_u128 << 80) as f64;
-        let step = precise(unit) * precise(SHARE);
+        let step = from_f64(unit) * from_f64(SHARE);
         let (before, after) = (self.at(&(t - &step)), self.at(&(t + &step)));
         let per_time = |x: Precise| to_f64(&(x / &step));
         RateSample {
@@ -102,14 +105,14 @@ impl Exact {
 mod tests {
     use super::*;
     use crate::input::random::Random;
-    use crate::truth::precise::to_nearest;
+    use crate::truth::precise::to_i64;
 
     /// With other panels only the error of the quadrature changes; at tick 2^62 it is still below 1e-15 rad.
     #[test]
     fn other_panels_the_same_truth() {
         let mut worst = 0.0_f64;
         for stream in 0..60 {
-            let numbers = Numbers::random(&mut Random::new(7, stream));
+            let numbers = ExactInput::random(&mut Random::new(7, stream));
             let exact = Exact::new(&numbers);
             let Some((nutation, _)) = exact.nutation.filter(|(nutation, _)| nutation.is_periodic) else {
                 continue;
@@ -129,13 +132,13 @@ mod tests {
         let mut worst = 0.0_f64;
         for stream in 0..60 {
             let mut random = Random::new(8, stream);
-            let exact = Exact::new(&Numbers::random(&mut random));
+            let exact = Exact::new(&ExactInput::random(&mut random));
             let (Some(period), Some((nutation, _))) = (exact.period(), &exact.nutation) else { continue };
             for time in [random.share(), -random.share(), 1e15 * random.share()] {
-                let time = &period * precise(time);
+                let time = &period * from_f64(time);
                 let (place, [t, alpha, _]) = nutation.at(&time);
-                let back = nutation.passed(&place);
-                let periods = to_nearest(&((&time - &back[0]) / &period)).expect("a number of periods");
+                let back = nutation.integrals_to(&place);
+                let periods = to_i64(&((&time - &back[0]) / &period)).expect("a number of periods");
                 let [back, alpha_back, _] = add(&back, &nutation.total, periods);
                 worst = worst.max(to_f64(&((&back - &time) / &period)).abs());
                 assert!(to_f64(&((t - time) / &period)).abs() < 1e-40);

@@ -12,8 +12,7 @@ use toytop::Stepper;
 
 /// Top and initial state of the full equations.
 ///
-/// The state of a scenario is used without change. For a motion given by branch points, the state is that of the core's stepper at t = 0:
-/// only the initial conditions (α, β, ω) come from the core, and the motion from the full solver.
+/// The state of a scenario is used without change. For a motion given by branch points it is the state of the core's stepper at t = 0.
 pub fn start(scenario: &Scenario) -> (FullTop, FullState) {
     let state = match scenario.given {
         Some(Given { start: Start::State { phi: [alpha, beta], omega }, .. }) => {
@@ -42,12 +41,11 @@ pub fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<FullState>, Fail
 /// # Errors
 /// As [`states`] and [`TipAngle::of`].
 pub fn samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failure> {
-    /// Least |αβ| at which the rounding of the full solver (some 1e-14) changes the argument of αβ by less than 1e-5 rad.
-    const NO_ARGUMENT: f64 = 1e-9;
+    /// Least |αβ| whose argument is not noise of the full solver.
+    const MIN_PRODUCT: f64 = 1e-9;
     let states = states(scenario, times)?;
-    // An orientation determines its tip angle up to whole turns. The number of whole turns is that of the core's ephemeris; the angle
-    // itself is the full solver's.
-    let angle = TipAngle::of(&scenario.motion, NO_ARGUMENT)?;
+    // the whole turns of the tip angle are those of the core's ephemeris, the angle itself is the full solver's
+    let angle = TipAngle::of(&scenario.motion, MIN_PRODUCT)?;
     let sample = |(&t, state): (&f64, &FullState)| {
         angle.sample(t, state.orientation(), state.omega, state.axis_height_rate())
     };

@@ -1,14 +1,13 @@
 //! Constants of a motion: from its branch points, or from a state.
 //!
-//! Those of a state follow from their definitions: with 192 digits, cancellation is harmless. The core computes them by formulas without
-//! cancellation.
+//! Those of a state follow from their definitions, because 192 digits absorb the cancellation.
 //!
 //! (u - e₁)(u - e₂)(u - e₃) = u³ - E u² - u + E - κ (l - nu)² with κ = 1/(2Apg) and E = (h - n²/2C)/(pg).
 
-use super::motions::{Numbers, Start};
+use super::motions::{ExactInput, Start};
 use super::nutation::{Constants, HalfPhase};
 use super::precise::{
-    ComplexPrecise, Precise, cis, conjugate, is_zero, norm_squared, precise, product, root, to_f64, whole,
+    ComplexPrecise, Precise, cis, conjugate, from_f64, from_i64, is_zero, norm_squared, product, root, to_f64,
 };
 use std::f64::consts::PI;
 use toytop::{InitialPhases, Sign, Signs};
@@ -23,9 +22,9 @@ pub struct Launched {
 }
 
 impl Launched {
-    /// Constants of these numbers with another mass moment, which as a product of mass and height need not be an `f64`.
-    pub fn new(numbers: &Numbers, p: &Precise) -> Self {
-        let top = numbers.top.map(precise);
+    /// Constants of this input with another mass moment.
+    pub fn new(numbers: &ExactInput, p: &Precise) -> Self {
+        let top = numbers.top.map(from_f64);
         match numbers.start {
             Start::BranchPoints { e, signs, phases } => Self::from_branch_points(&top, p, e, signs, phases),
             Start::State { phi, omega } => Self::from_state(&top, p, phi, omega),
@@ -34,7 +33,7 @@ impl Launched {
 
     /// Whether u is constant: e₁ = e₂, or an upright top at rest with e₃ = 1.
     pub fn is_steady(&self) -> bool {
-        let [[at_e1, at_e2], _, [_, e3_minus_e2]] = &self.constants.ends;
+        let [[at_e1, at_e2], _, [_, e3_minus_e2]] = &self.constants.at_turning_points;
         at_e1 == at_e2 || (is_zero(e3_minus_e2) && is_zero(&self.half_phase[0]))
     }
 
@@ -44,8 +43,8 @@ impl Launched {
         phi: [[f64; 2]; 2],
         omega: [f64; 3],
     ) -> Self {
-        let [alpha, beta] = phi.map(|z| z.map(precise));
-        let [w1, w2, w3] = omega.map(precise);
+        let [alpha, beta] = phi.map(|z| z.map(from_f64));
+        let [w1, w2, w3] = omega.map(from_f64);
         let norm = norm_squared(&alpha) + norm_squared(&beta);
         let u = (norm_squared(&alpha) - norm_squared(&beta)) / &norm;
         // r₁ + i r₂ = -2αβ
@@ -60,25 +59,25 @@ impl Launched {
         let weight = p * g * 2;
         let ([e1, e2], below_e3, field) = if !is_zero(&weight) {
             let energy = &u + (a * across + p * s * udot.sqr()) / &weight;
-            let [e1, e2, e3] = roots(&energy, &(whole(1) / (a * weight)), &l, &n);
+            let [e1, e2, e3] = roots(&energy, &(from_i64(1) / (a * weight)), &l, &n);
             let below_e3 = [&e3 - &e1, e3 - &e2].map(gap);
             ([e1, e2], below_e3, [s.clone(), g.clone(), a / p])
         } else {
             // A² u'² = |m|² (u - e₁)(e₂ - u): the integrands with D = 1, e₃ - u = 1 and g = |m|²/2A²
             let (middle, half) = if is_zero(&momentum_squared) {
-                (u.clone(), whole(0))
+                (u.clone(), from_i64(0))
             } else {
                 let horizontal = (&momentum_squared - l.sqr()) * (&momentum_squared - n.sqr());
                 (&l * &n / &momentum_squared, root(&horizontal) / &momentum_squared)
             };
-            let field = [whole(0), momentum_squared / (a.sqr() * 2), whole(1)];
-            ([&middle - &half, middle + half], [whole(1), whole(1)], field)
+            let field = [from_i64(0), momentum_squared / (a.sqr() * 2), from_i64(1)];
+            ([&middle - &half, middle + half], [from_i64(1), from_i64(1)], field)
         };
-        let half_tau = (spin - &n / a) / whole(2);
+        let half_tau = (spin - &n / a) / from_i64(2);
         let constants = constants(a, [&e1, &e2], below_e3, field, [&l + &n, l - n]);
-        let [at_e1, at_e2] = &constants.ends[0];
+        let [at_e1, at_e2] = &constants.at_turning_points[0];
         let half_phase = if at_e1 == at_e2 {
-            [whole(1), whole(0)]
+            [from_i64(1), from_i64(0)]
         } else {
             let [cosine, sine] = [e2 - &u, u - e1].map(|part| root(&gap(part)));
             [cosine, if udot < Precise::ZERO { -sine } else { sine }]
@@ -98,19 +97,19 @@ impl Launched {
             let [x, y, z] = factors;
             root(&(a * p * g * 2 * x * y * z)) * if sign == Sign::Plus { 1 } else { -1 }
         };
-        let [e1, e2, e3] = &e.map(precise);
+        let [e1, e2, e3] = &e.map(from_f64);
         let l_plus_n = root_of(signs.l_plus_n, [e1 + 1, e2 + 1, e3 + 1]);
         let l_minus_n = root_of(signs.l_minus_n, [-e1 + 1, -e2 + 1, e3 - 1]);
-        let n = (&l_plus_n - &l_minus_n) / whole(2);
-        let spin = if is_zero(c) { whole(0) } else { (&n - k) / c };
-        let half_tau = (spin - n / a) / whole(2);
+        let n = (&l_plus_n - &l_minus_n) / from_i64(2);
+        let spin = if is_zero(c) { from_i64(0) } else { (&n - k) / c };
+        let half_tau = (spin - n / a) / from_i64(2);
         let half_phase = if phases.theta.abs() == PI {
             // the f64 nearest to π stands for π
-            [whole(0), precise(phases.theta.signum())]
+            [from_i64(0), from_f64(phases.theta.signum())]
         } else {
-            cis(&precise(0.5 * phases.theta))
+            cis(&from_f64(0.5 * phases.theta))
         };
-        let directions = [phases.arg_alpha, phases.arg_beta].map(|angle| cis(&precise(angle)));
+        let directions = [phases.arg_alpha, phases.arg_beta].map(|angle| cis(&from_f64(angle)));
         let (below_e3, field) = ([e3 - e1, e3 - e2], [s.clone(), g.clone(), a / p]);
         let constants = constants(a, [e1, e2], below_e3, field, [l_plus_n, l_minus_n]);
         Self { constants, half_tau, half_phase, directions }
@@ -126,33 +125,32 @@ fn constants(
     [l_plus_n, l_minus_n]: [Precise; 2],
 ) -> Constants {
     let [one_plus_e1, one_minus_e2, swing] = [e1 + 1, -e2 + 1, e2 - e1].map(gap);
-    let momentum = |sum: Precise, gap: &Precise| if is_zero(gap) { whole(0) } else { sum / (a * 2) };
-    let momenta = [momentum(l_plus_n, &one_plus_e1), momentum(l_minus_n, &one_minus_e2)];
+    let momentum = |sum: Precise, gap: &Precise| if is_zero(gap) { from_i64(0) } else { sum / (a * 2) };
+    let momentum_rates = [momentum(l_plus_n, &one_plus_e1), momentum(l_minus_n, &one_minus_e2)];
     let above = [one_plus_e1.clone(), one_plus_e1 + &swing];
     let below = [&one_minus_e2 + swing, one_minus_e2];
-    Constants { s, g, a_over_p, ends: [above, below, below_e3], momenta }
+    Constants { s, g, a_over_p, at_turning_points: [above, below, below_e3], momentum_rates }
 }
 
-/// Difference of two roots; 0 where it is so small that they are equal. A double root is known to half of the digits, and no state
-/// in `f64` has roots at such a small distance.
+/// Difference of two roots; 0 where it is below the error of a double root, which is known to half of the digits.
 fn gap(difference: Precise) -> Precise {
     const SAME: f64 = 1e-60;
-    if to_f64(&difference) < SAME { whole(0) } else { difference }
+    if to_f64(&difference) < SAME { from_i64(0) } else { difference }
 }
 
 /// Roots e₁ <= e₂ <= e₃ of u³ - E u² - u + E - κ (l - nu)², by Viète's formula.
 fn roots(energy: &Precise, kappa: &Precise, l: &Precise, n: &Precise) -> [Precise; 3] {
     // with v = u - mean: v³ - 3 q v - 2 r
-    let mean = (energy + kappa * n.sqr()) / whole(3);
+    let mean = (energy + kappa * n.sqr()) / from_i64(3);
     let linear: Precise = kappa * l * n * 2 - 1;
-    let q = mean.sqr() - &linear / whole(3);
-    let r = mean.sqr() * &mean + (kappa * l.sqr() - energy - &mean * linear) / whole(2);
+    let q = mean.sqr() - &linear / from_i64(3);
+    let r = mean.sqr() * &mean + (kappa * l.sqr() - energy - &mean * linear) / from_i64(2);
     let radius = root(&q);
     // three equal roots have no angle
-    let cube = (q * &radius).max(precise(1e-300));
-    let angle = (r / cube).clamp(whole(-1), whole(1)).acos() / whole(3);
+    let cube = (q * &radius).max(from_f64(1e-300));
+    let angle = (r / cube).clamp(from_i64(-1), from_i64(1)).acos() / from_i64(3);
     let [forward, across] = cis(&angle).map(|part| part * &radius);
-    let across = across * whole(3).sqrt();
+    let across = across * from_i64(3).sqrt();
     [&mean - &forward - &across, &mean - &forward + across, mean + forward * 2]
 }
 
@@ -161,7 +159,7 @@ fn directions(alpha: &ComplexPrecise, beta: &ComplexPrecise, [w1, w2]: [&Precise
     let direction = |z: &ComplexPrecise, other: &ComplexPrecise, sign: i64| {
         let leaving = product(&[w2 * sign, -w1 * sign], &conjugate(other));
         let z = [z, &leaving].into_iter().find(|z| !is_zero(&norm_squared(z)));
-        z.map_or([whole(1), whole(0)], |z| z.each_ref().map(|part| part / root(&norm_squared(z))))
+        z.map_or([from_i64(1), from_i64(0)], |z| z.each_ref().map(|part| part / root(&norm_squared(z))))
     };
     [direction(alpha, beta, 1), direction(beta, alpha, -1)]
 }
@@ -170,16 +168,15 @@ fn directions(alpha: &ComplexPrecise, beta: &ComplexPrecise, [w1, w2]: [&Precise
 mod tests {
     use super::*;
 
-    /// Difference e₂ - e₁ of a state that is close to a regular precession: in a cubic half of
-    /// the 192 digits cancel; 57 must remain. u - e₁ and e₂ - u add up to it.
+    /// Difference e₂ - e₁ of a state close to a regular precession: half of the digits of the cubic cancel, and 57 must remain.
     #[test]
     fn a_swing_of_the_last_place_is_known_to_all_digits() {
         // tilt 60°, precession 1, spin 3/2 would be steady; ω₃ is one unit in the last place too large
         let root = 0.75_f64.sqrt();
         let start = Start::State { phi: [[root, 0.0], [-0.5, 0.0]], omega: [root, 0.0, 1.5_f64.next_up()] };
-        let numbers = Numbers { top: [1.0, 1.0, 1.0, 1.0, 1.0, 0.0], start };
-        let Launched { constants, half_phase, .. } = Launched::new(&numbers, &precise(1.0));
-        let [[one_plus_e1, one_plus_e2], [_, one_minus_e2], _] = &constants.ends;
+        let numbers = ExactInput { top: [1.0, 1.0, 1.0, 1.0, 1.0, 0.0], start };
+        let Launched { constants, half_phase, .. } = Launched::new(&numbers, &from_f64(1.0));
+        let [[one_plus_e1, one_plus_e2], [_, one_minus_e2], _] = &constants.at_turning_points;
         assert!(to_f64(&(one_plus_e2 + one_minus_e2 - 2)).abs() < 1e-55);
         let swing = one_plus_e2 - one_plus_e1;
         assert!(to_f64(&(norm_squared(&half_phase) / &swing - 1)).abs() < 1e-55);

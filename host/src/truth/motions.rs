@@ -1,4 +1,4 @@
-//! Numbers of a motion, and random ones near degenerate cases.
+//! Input of a motion, taken as exact, and random input near degenerate cases.
 
 pub use crate::input::scenario::Start;
 
@@ -8,16 +8,16 @@ use toytop::{
     Complex, InitialPhases, Motion, Orientation, ParameterError, Sign, Signs, State, Top, TopParameters,
 };
 
-/// Numbers of a motion, taken as exact.
+/// Numbers of a top and its launch, taken as exact.
 #[derive(Clone, Copy, Debug)]
-pub struct Numbers {
+pub struct ExactInput {
     /// Numbers A, C, s, p, g and K of the top. The tip slides if s > 0, and is held if s = 0 and p > 0; for p = 0 the body is free.
     pub top: [f64; 6],
     /// Launch.
     pub start: Start,
 }
 
-impl Numbers {
+impl ExactInput {
     /// Random motion of a toy top, log-uniform near the degenerate cases: A/(ps) in \[1e-3, 1e6\], C/A in \[1e-3, 2\], 1 + e₁, e₂ - e₁, 1 - e₂
     /// and e₃ - 1 down to 1e-12, and one in sixteen at 0.
     pub fn random(random: &mut Random) -> Self {

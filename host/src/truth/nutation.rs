@@ -5,11 +5,11 @@
 //! d(arg α)/dt = (l + n)/(2A (1 + u)) + τ/2,    d(arg β)/dt = (l - n)/(2A (1 - u)) - τ/2,    τ = (1/C - 1/A) n
 //! ```
 //!
-//! All singularities of these rates are at negative tan²χ. So panels whose ends have tan χ in the ratio 1 : 2 suffice for every motion,
-//! down to the smallest singularity; 26 nodes give a relative error of (3 + √8)^-52, 1e-39.
+//! All singularities of these rates are at negative tan²χ. So panels whose ends have tan χ in the ratio 1 : 2 suffice for every motion.
+//! With 26 nodes the relative error is (3 + √8)^-52, 1e-39.
 
 use super::precise::{
-    ComplexPrecise, Precise, conjugate, is_zero, norm_squared, precise, root, to_f64, to_nearest, whole,
+    ComplexPrecise, Precise, conjugate, from_f64, from_i64, is_zero, norm_squared, root, to_f64, to_i64,
 };
 use std::f64::consts::PI;
 use std::sync::LazyLock;
@@ -18,8 +18,8 @@ use std::sync::LazyLock;
 pub const RATIO: f64 = 0.5;
 /// Number of nodes of a panel.
 const NODE_COUNT: i64 = 26;
-/// Least cos χ of an aperiodic motion that is integrated. There |β| is below 1e-24, and α turns at a constant rate.
-const LEAST_COSINE: f64 = 1e-24;
+/// Least cos χ of an aperiodic motion that is integrated; beyond it α turns at a constant rate, and |β| is below 1e-24.
+const MIN_COSINE: f64 = 1e-24;
 
 /// Half phase χ, as a positive multiple of cos χ + i sin χ.
 pub type HalfPhase = ComplexPrecise;
@@ -33,37 +33,37 @@ pub struct Constants {
     pub s: Precise,
     pub g: Precise,
     pub a_over_p: Precise,
-    /// Values of 1 + u, 1 - u and e₃ - u, each at u = e₁ and at u = e₂. Without torque, the integrals are those with e₃ - u = 1.
-    pub ends: [[Precise; 2]; 3],
+    /// Linear factors 1 + u, 1 - u and e₃ - u, each at u = e₁ and at u = e₂. Without torque e₃ - u stands for 1.
+    pub at_turning_points: [[Precise; 2]; 3],
     /// Rates (l ± n)/(2A).
-    pub momenta: [Precise; 2],
+    pub momentum_rates: [Precise; 2],
 }
 
 impl Constants {
-    /// Values of 1 + u, 1 - u and e₃ - u.
-    pub fn heights(&self, place: &HalfPhase) -> [Precise; 3] {
-        let square = norm_squared(place);
-        let [lower, upper] = place.each_ref().map(|part| part.sqr() / &square);
-        self.ends.each_ref().map(|[at_e1, at_e2]| at_e1 * &lower + at_e2 * &upper)
+    /// Linear factors 1 + u, 1 - u and e₃ - u.
+    pub fn linear_factors(&self, half_phase: &HalfPhase) -> [Precise; 3] {
+        let square = norm_squared(half_phase);
+        let [lower, upper] = half_phase.each_ref().map(|part| part.sqr() / &square);
+        self.at_turning_points.each_ref().map(|[at_e1, at_e2]| at_e1 * &lower + at_e2 * &upper)
     }
 
     /// Rates of arg α and arg β without ±τ/2; 0 for a parameter that passes through 0.
-    pub fn turning_rates(&self, heights: &[Precise; 3]) -> [Precise; 2] {
-        [0, 1].map(|i| match &self.momenta[i] {
-            momentum if is_zero(momentum) => whole(0),
-            momentum => momentum / &heights[i],
+    pub fn turning_rates(&self, linear_factors: &[Precise; 3]) -> [Precise; 2] {
+        [0, 1].map(|i| match &self.momentum_rates[i] {
+            momentum if is_zero(momentum) => from_i64(0),
+            momentum => momentum / &linear_factors[i],
         })
     }
 
     /// Derivatives of the integrals with respect to x, at the place from + x (to - from).
     fn rates(&self, from: &HalfPhase, to: &HalfPhase, x: &Precise) -> Integrals {
         let place = between(from, to, x);
-        let heights = self.heights(&place);
-        let [one_plus_u, one_minus_u, below_e3] = &heights;
+        let linear_factors = self.linear_factors(&place);
+        let [one_plus_u, one_minus_u, below_e3] = &linear_factors;
         let d = &self.a_over_p + &self.s * one_plus_u * one_minus_u;
         let phase_rate = (&from[0] * &to[1] - &from[1] * &to[0]) / norm_squared(&place);
         let slowness = root(&(d * 2 / (&self.g * below_e3))) * phase_rate;
-        let [alpha, beta] = self.turning_rates(&heights).map(|rate| rate * &slowness);
+        let [alpha, beta] = self.turning_rates(&linear_factors).map(|rate| rate * &slowness);
         [slowness, alpha, beta]
     }
 
@@ -85,15 +85,15 @@ pub struct Nutation {
 impl Nutation {
     /// Nutation of a motion in which u changes.
     pub fn new(constants: &Constants, ratio: f64) -> Self {
-        let [[one_plus_e1, _], [_, one_minus_e2], [_, e3_minus_e2]] = &constants.ends;
+        let [[one_plus_e1, _], [_, one_minus_e2], [_, e3_minus_e2]] = &constants.at_turning_points;
         let is_periodic = !is_zero(e3_minus_e2);
         let spread = to_f64(&constants.a_over_p) / to_f64(&constants.s);
         let gaps = [one_plus_e1, one_minus_e2, e3_minus_e2].map(to_f64).into_iter().chain([spread]);
         let least = gaps.filter(|gap| *gap > 0.0).fold(1.0, f64::min);
-        let shortest = if is_periodic { 0.25 * least.sqrt() } else { LEAST_COSINE };
+        let shortest = if is_periodic { 0.25 * least.sqrt() } else { MIN_COSINE };
         let count = (shortest.ln() / ratio.ln()).ceil() as i32;
-        let power = |exponent: i32| precise(ratio.powi(exponent.max(0)));
-        let last = is_periodic.then(|| [whole(0), whole(1)]);
+        let power = |exponent: i32| from_f64(ratio.powi(exponent.max(0)));
+        let last = is_periodic.then(|| [from_i64(0), from_i64(1)]);
         let rising: Vec<_> = (-count..=count).map(|k| [power(k), power(-k)]).chain(last).collect();
         let mut panels: Vec<(HalfPhase, Integrals)> = Vec::new();
         let mut total = [Precise::ZERO; 3];
@@ -107,10 +107,10 @@ impl Nutation {
     }
 
     /// Integrals from the beginning to a place.
-    pub fn passed(&self, [cosine, sine]: &HalfPhase) -> Integrals {
-        if *cosine < whole(0) {
-            let turn = if *sine < whole(0) { -1 } else { 1 };
-            return add(&self.passed(&[-cosine, -sine]), &self.total, turn);
+    pub fn integrals_to(&self, [cosine, sine]: &HalfPhase) -> Integrals {
+        if *cosine < from_i64(0) {
+            let turn = if *sine < from_i64(0) { -1 } else { 1 };
+            return add(&self.integrals_to(&[-cosine, -sine]), &self.total, turn);
         }
         let (from, passed) = &self.panels[self.panel(|([x, y], _)| x * sine >= y * cosine)];
         // tan χ is nearly linear between places whose greater part is 1
@@ -120,15 +120,14 @@ impl Nutation {
 
     /// Place at a time after the beginning, by Newton's method, and the integrals from there.
     pub fn at(&self, time: &Precise) -> (HalfPhase, Integrals) {
-        const MOST_STEPS: u32 = 20;
+        const MAX_STEPS: u32 = 20;
         /// Step whose square is far below the errors that the truth is compared with, also in differences of neighbouring launches.
         const NEAR: f64 = 1e-18;
         let [period, _, _] = &self.total;
-        // times are less than 2^63 ticks, and a period contains many ticks
-        let floor = to_nearest(&(time / period - precise(0.5))).unwrap_or(0);
+        let floor = to_i64(&(time / period - from_f64(0.5))).unwrap_or(0);
         let periods = if self.is_periodic { floor } else { 0 };
         let late = time - period * periods;
-        let within = late.clone().clamp(whole(0), period.clone());
+        let within = late.clone().clamp(from_i64(0), period.clone());
         let index = self.panel(|(_, passed)| passed[0] <= within).min(self.panels.len() - 2);
         let [(from, passed), (to, passed_at_end)] = [&self.panels[index], &self.panels[index + 1]];
         let mut x = (&within - &passed[0]) / (&passed_at_end[0] - &passed[0]);
@@ -139,19 +138,19 @@ impl Nutation {
             let step = (&within - t) / slowness;
             x += &step;
             steps += 1;
-            // the step is so short that the integrals are linear on it
-            if to_f64(&step).abs() <= NEAR || steps == MOST_STEPS {
+            // the integrals are linear on so short a step
+            if to_f64(&step).abs() <= NEAR || steps == MAX_STEPS {
                 // χ increases by π in a period
                 let sign = if periods % 2 == 0 { 1 } else { -1 };
                 // before and after an aperiodic motion, α turns at a constant rate
-                let turned_upright = (&late - within) * &self.constants.momenta[0] / whole(2);
+                let turned_upright = (&late - within) * &self.constants.momentum_rates[0] / from_i64(2);
                 let integrals = [late, alpha + alpha_rate * &step + turned_upright, beta + beta_rate * step];
                 return (
                     between(from, to, &x).map(|part| part * sign),
                     add(&integrals, &self.total, periods),
                 );
             }
-            x = x.clamp(whole(0), whole(1));
+            x = x.clamp(from_i64(0), from_i64(1));
         }
     }
 
@@ -173,22 +172,22 @@ pub fn add(a: &Integrals, b: &Integrals, times: i64) -> Integrals {
 /// Gauss-Legendre nodes in \[0, 1\] with their weights, by Newton's method on the Legendre polynomial.
 static NODES: LazyLock<Vec<(Precise, Precise)>> = LazyLock::new(|| {
     let node = |i: i64| {
-        let mut x = precise(-(PI * (i as f64 + 0.75) / (NODE_COUNT as f64 + 0.5)).cos());
+        let mut x = from_f64(-(PI * (i as f64 + 0.75) / (NODE_COUNT as f64 + 0.5)).cos());
         for _ in 0..7 {
             let [before, last] = legendre(&x);
-            x -= (whole(1) - x.sqr()) * &last / ((before - &x * last) * NODE_COUNT);
+            x -= (from_i64(1) - x.sqr()) * &last / ((before - &x * last) * NODE_COUNT);
         }
         let [before, _] = legendre(&x);
-        let weight = (whole(1) - x.sqr()) / (before * NODE_COUNT).sqr();
-        ((x + 1) * precise(0.5), weight)
+        let weight = (from_i64(1) - x.sqr()) / (before * NODE_COUNT).sqr();
+        ((x + 1) * from_f64(0.5), weight)
     };
     (0..NODE_COUNT).map(node).collect()
 });
 
 /// Legendre polynomials of the degrees [`NODE_COUNT`] - 1 and [`NODE_COUNT`].
 fn legendre(x: &Precise) -> [Precise; 2] {
-    (2..=NODE_COUNT).fold([whole(1), x.clone()], |[before, last], k| {
-        let next = (x * &last * (2 * k - 1) - before * (k - 1)) / whole(k);
+    (2..=NODE_COUNT).fold([from_i64(1), x.clone()], |[before, last], k| {
+        let next = (x * &last * (2 * k - 1) - before * (k - 1)) / from_i64(k);
         [last, next]
     })
 }
@@ -210,10 +209,10 @@ mod tests {
 
     #[test]
     fn polynomials_of_degree_51_are_exact() {
-        let power = |x: &Precise, n: usize| (0..n).fold(precise(1.0), |product, _| product * x);
+        let power = |x: &Precise, n: usize| (0..n).fold(from_f64(1.0), |product, _| product * x);
         for n in [0, 1, 2, 17, 50, 51] {
             let [integral] = integrate(|x| [power(&(x + 1), n)]);
-            let exact = (power(&precise(2.0), n + 1) - precise(1.0)) / whole(n as i64 + 1);
+            let exact = (power(&from_f64(2.0), n + 1) - from_f64(1.0)) / from_i64(n as i64 + 1);
             let error = to_f64(&((integral - &exact) / exact)).abs();
             assert!(error < 1e-54, "{n}: {error:e}");
         }

@@ -4,23 +4,22 @@ use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 use toytop::{Complex, Orientation};
 
-/// Number of 640 bits, if it comes from [`precise`] or [`whole`] or is computed from such numbers.
+/// Number of 640 bits, if it comes from [`from_f64`] or [`from_i64`] or is computed from such numbers.
 pub type Precise = FBig<HalfEven>;
 
 /// Complex number, as its real and imaginary part.
 pub type ComplexPrecise = [Precise; 2];
 
-/// Number of bits of a [`Precise`], 192 digits. A double root of a cubic has half of them, and an argument of 2^62 turns has 173 after
-/// the point.
+/// Number of bits of a [`Precise`]: 192 digits. A double root of a cubic has half of them.
 const BITS: usize = 640;
 
 /// Number that equals a finite `f64`; 0 for any other, which every constructor of core refuses.
-pub fn precise(x: f64) -> Precise {
+pub fn from_f64(x: f64) -> Precise {
     Precise::try_from(x).unwrap_or(Precise::ZERO).with_precision(BITS).value()
 }
 
 /// Number that equals an integer.
-pub fn whole(n: i64) -> Precise {
+pub fn from_i64(n: i64) -> Precise {
     Precise::from(n).with_precision(BITS).value()
 }
 
@@ -35,13 +34,13 @@ pub fn decimal(x: &Precise, digits: usize) -> String {
 }
 
 /// Nearest integer; `None` beyond 64 bits.
-pub fn to_nearest(x: &Precise) -> Option<i64> {
+pub fn to_i64(x: &Precise) -> Option<i64> {
     i64::try_from(x.round().to_int().value()).ok()
 }
 
 /// Square root of a number that is not negative; 0 for a negative one.
 pub fn root(x: &Precise) -> Precise {
-    if *x > Precise::ZERO { x.sqrt() } else { whole(0) }
+    if *x > Precise::ZERO { x.sqrt() } else { from_i64(0) }
 }
 
 /// Whether x is exactly 0.
@@ -49,7 +48,7 @@ pub fn is_zero(x: &Precise) -> bool {
     *x == Precise::ZERO
 }
 
-/// Number e^{ix}, by dashu's correctly rounded sine and cosine.
+/// Number e^{ix}.
 pub fn cis(x: &Precise) -> ComplexPrecise {
     let (sine, cosine) = x.sin_cos();
     [cosine, sine]
@@ -98,19 +97,18 @@ impl PreciseOrientation {
         [a2 - b2, b1 - a1, c1 + c2]
     }
 
-    /// Distance 2 √(|Δα|² + |Δβ|²) from an orientation whose numbers are taken as exact, rad.
-    pub fn distance(&self, found: &Orientation<f64>) -> f64 {
+    /// Error 2 √(|Δα|² + |Δβ|²) of an orientation in `f64`, rad; infinite if it is not finite.
+    pub fn error_of(&self, found: &Orientation<f64>) -> f64 {
         let Orientation { alpha, beta } = found;
-        // for a number that is not finite, the distance is the greatest one
         if ![alpha.re, alpha.im, beta.re, beta.im].iter().all(|x| x.is_finite()) {
             return f64::INFINITY;
         }
-        let lift = |z: &Complex<f64>| [precise(z.re), precise(z.im)];
-        self.apart(&Self { alpha: lift(alpha), beta: lift(beta) })
+        let lift = |z: &Complex<f64>| [from_f64(z.re), from_f64(z.im)];
+        self.distance(&Self { alpha: lift(alpha), beta: lift(beta) })
     }
 
     /// Distance 2 √(|Δα|² + |Δβ|²) of two orientations, rad.
-    pub fn apart(&self, other: &Self) -> f64 {
+    pub fn distance(&self, other: &Self) -> f64 {
         let pairs = [(&self.alpha, &other.alpha), (&self.beta, &other.beta)];
         let squares = pairs.map(|(x, y)| to_f64(&norm_squared(&[&x[0] - &y[0], &x[1] - &y[1]])));
         2.0 * (squares[0] + squares[1]).sqrt()
@@ -130,19 +128,19 @@ mod tests {
     #[test]
     fn sines_of_large_arguments_keep_their_digits() {
         // e^{ix} of x = 2^64 and of its half: one is the square of the other
-        let x = precise(64_f64.exp2());
-        let half = cis(&precise(63_f64.exp2()));
+        let x = from_f64(64_f64.exp2());
+        let half = cis(&from_f64(63_f64.exp2()));
         let off: f64 = product(&half, &half).iter().zip(cis(&x)).map(|(a, b)| to_f64(&(a - b)).abs()).sum();
         assert!(off < 1e-55, "{off:e}");
         // sin 1 to 32 digits
-        let sine = precise(0.841_470_984_807_896_5) + precise(1.776_845_092_935_536e-18);
-        assert!(to_f64(&(&cis(&precise(1.0))[1] - sine)).abs() < 1e-32);
-        assert_eq!(cis(&precise(0.0)).map(|x| to_f64(&x)), [1.0, 0.0]);
+        let sine = from_f64(0.841_470_984_807_896_5) + from_f64(1.776_845_092_935_536e-18);
+        assert!(to_f64(&(&cis(&from_f64(1.0))[1] - sine)).abs() < 1e-32);
+        assert_eq!(cis(&from_f64(0.0)).map(|x| to_f64(&x)), [1.0, 0.0]);
     }
 
     #[test]
     fn integers() {
-        assert_eq!(to_nearest(&(whole(i64::MAX) - precise(0.25))), Some(i64::MAX));
-        assert_eq!(to_nearest(&(whole(i64::MAX) + precise(1.0))), None);
+        assert_eq!(to_i64(&(from_i64(i64::MAX) - from_f64(0.25))), Some(i64::MAX));
+        assert_eq!(to_i64(&(from_i64(i64::MAX) + from_f64(1.0))), None);
     }
 }

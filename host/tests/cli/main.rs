@@ -28,12 +28,16 @@ mod bake {
     mod contents;
 }
 
-/// Launches found from samples, and scores of trajectories.
+/// Launches found from samples.
 mod fit {
-    mod benchmark;
     mod from_samples;
+}
+
+/// Scores of trajectories, and the problems that integrators are tested with.
+mod score {
+    mod benchmark;
     mod integrators;
-    mod score;
+    mod trajectories;
 }
 
 /// Accuracy, cost, and sweeps over many launches.

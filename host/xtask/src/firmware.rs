@@ -10,7 +10,7 @@ use anyhow::{Context, Result, bail};
 
 use crate::chip::{self, Chip};
 use crate::process::{cargo, firmware_target_dir, root, run, run_within};
-use crate::tools::{CHIPS, QEMU};
+use crate::tools::{self, QEMU};
 
 /// Program with the folder of its source in firmware-examples and the chips that it runs on; `show` uses the first one.
 pub(crate) struct Program {
@@ -40,6 +40,15 @@ pub(crate) const PROGRAMS: &[Program] = &[
     Program { name: "rtic", folder: "rtic/src", chips: &[&chip::M4F] },
     program(PANICS, &[&chip::M0, &chip::RISCV]),
 ];
+/// All chips.
+const CHIPS: [&Chip; 6] = [&chip::M4F, &chip::M0, &chip::M7, &chip::M33, &chip::RISCV, &chip::M0PLUS];
+
+fn chip_named(name: &str) -> Result<&'static Chip> {
+    let names = || CHIPS.map(|chip| chip.name).join(" ");
+    let found = CHIPS.into_iter().find(|chip| chip.name == name);
+    found.with_context(|| format!("no chip {name}; there are: {}", names()))
+}
+
 /// Program that also runs on the host, with the same log.
 const BITS: &str = "bits";
 /// Program that ends with a panic.
@@ -169,21 +178,21 @@ pub(crate) fn list() {
         println!("{name:12} {}", chips.join(" "));
     }
     println!();
-    for chip in chip::ALL {
-        println!("{:8} {}, {}, QEMU: {}", chip.name, chip.core, chip.target, chip.machine.join(" "));
+    for chip in CHIPS {
+        println!("{:8} {}, QEMU: {}", chip.name, chip.target, chip.machine.join(" "));
     }
 }
 
 /// Runs a program on one chip and shows its log.
 pub(crate) fn show(name: &str, chip: Option<&str>) -> Result<ExitCode> {
     let program = Program::named(name)?;
-    let chip = chip.map_or(Ok(program.chips[0]), chip::named)?;
+    let chip = chip.map_or(Ok(program.chips[0]), chip_named)?;
     shown(chip, &build(chip, &program.selection())?.join(name))
 }
 
 /// Runs an ELF on a chip and shows its log.
 pub(crate) fn qemu(chip: &str, elf: &str) -> Result<ExitCode> {
-    shown(chip::named(chip)?, Path::new(elf))
+    shown(chip_named(chip)?, Path::new(elf))
 }
 
 fn shown(chip: &Chip, elf: &Path) -> Result<ExitCode> {
@@ -234,7 +243,7 @@ fn build(chip: &Chip, what: &str) -> Result<PathBuf> {
 
 /// Command that builds for a chip, and the folder of the ELF.
 fn build_command(chip: &Chip, what: &str) -> Result<(Command, PathBuf)> {
-    CHIPS.provide()?;
+    tools::CHIPS.provide()?;
     let mut command = cargo("firmware-examples", &format!("build {what}"));
     let folder = chip.build(&mut command, &root());
     Ok((command, folder))

@@ -2,6 +2,9 @@
 
 mod c;
 mod checks;
+// the library of the host has the chips, and takes long to build
+#[allow(unreachable_pub)]
+#[path = "../../src/budget/chips.rs"]
 mod chip;
 mod firmware;
 mod process;

@@ -116,23 +116,22 @@ pub(crate) fn run_one(name: &str) -> Result<ExitCode> {
 /// Runs the chosen steps. A step that could not run is not a success.
 pub(crate) fn run(chosen: impl Fn(&Step) -> bool + Sync) -> Result<ExitCode> {
     let start = Instant::now();
-    let (failed, not_run, passed) = (Mutex::new(Vec::new()), Mutex::new(Vec::new()), Mutex::new(Vec::new()));
+    let results = Mutex::new(Vec::new());
     let in_order = |steps: &'static [Step]| {
         for step in steps.iter().filter(|step| chosen(step)) {
-            let names = match step.result() {
-                Outcome::Passed => &passed,
-                Outcome::Failed => &failed,
-                Outcome::NotRun => &not_run,
-            };
-            names.lock().unwrap_or_else(PoisonError::into_inner).push(step.name);
+            let result = (step.name, step.result());
+            results.lock().unwrap_or_else(PoisonError::into_inner).push(result);
         }
     };
     thread::scope(|scope| {
         scope.spawn(|| in_order(ON_CHIPS));
         in_order(ON_HOST);
     });
-    let [failed, not_run, passed] =
-        [failed, not_run, passed].map(|names| names.into_inner().unwrap_or_else(PoisonError::into_inner));
+    let results = results.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let with =
+        |outcome| results.iter().filter(|(_, other)| *other == outcome).map(|(name, _)| *name).collect();
+    let [passed, failed, not_run]: [Vec<&str>; 3] =
+        [Outcome::Passed, Outcome::Failed, Outcome::NotRun].map(with);
     print!("\n{} steps passed in {:.0} s", passed.len(), start.elapsed().as_secs_f64());
     for (what, names) in [("failed", &failed), ("not run", &not_run)] {
         if !names.is_empty() {

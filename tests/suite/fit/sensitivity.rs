@@ -4,8 +4,8 @@ use toytop::su2::Vector;
 use toytop::{Motion, Orientation, State};
 use toytop_fit::{Partials, Sensitivity};
 use toytop_host::truth::exact::{Exact, PreciseOrientation};
-use toytop_host::truth::motions::{Numbers, Start};
-use toytop_host::truth::precise::{Precise, precise, product, to_f64};
+use toytop_host::truth::motions::{ExactInput, Start};
+use toytop_host::truth::precise::{Precise, from_f64, product, to_f64};
 use toytop_tests::{apart, check, greater, length, tolerance, top_of, worst};
 
 /// Relative change of an input: so small that its square is negligible after a million periods, and exact in `f64` for
@@ -36,8 +36,8 @@ impl Given {
         Self { top, phi: phi.map(|pair| pair.map(|x| (x / norm * few).round() / few)), omega }
     }
 
-    fn numbers(&self) -> Numbers {
-        Numbers { top: self.top, start: Start::State { phi: self.phi, omega: self.omega } }
+    fn numbers(&self) -> ExactInput {
+        ExactInput { top: self.top, start: Start::State { phi: self.phi, omega: self.omega } }
     }
 
     fn partials(&self, t: f64) -> Partials {
@@ -57,15 +57,15 @@ impl Given {
 
     /// Ratios A/C, A/(ps) (A/p for a held tip), s and g.
     fn ratios(&self) -> [Precise; 4] {
-        let [a, c, s, p, g, _] = self.top.map(precise);
+        let [a, c, s, p, g, _] = self.top.map(from_f64);
         // a ratio that is infinite has no effect
-        let over = |x: Precise| if x == precise(0.0) { x } else { &a / x };
+        let over = |x: Precise| if x == from_f64(0.0) { x } else { &a / x };
         [over(c), over(if self.top[2] == 0.0 { p } else { p * &s }), s, g]
     }
 
     fn unit(&self) -> PreciseOrientation {
-        let [alpha, beta] = self.phi.map(|pair| pair.map(precise));
-        let norm = [&alpha, &beta].into_iter().flatten().fold(precise(0.0), |sum, x| sum + x * x).sqrt();
+        let [alpha, beta] = self.phi.map(|pair| pair.map(from_f64));
+        let norm = [&alpha, &beta].into_iter().flatten().fold(from_f64(0.0), |sum, x| sum + x * x).sqrt();
         PreciseOrientation { alpha: alpha.map(|x| x / &norm), beta: beta.map(|x| x / &norm) }
     }
 }
@@ -102,9 +102,9 @@ fn error(given: &Given, periods: &[f64]) -> f64 {
             };
             let theta = predicted(partials.orientation());
             let eta = partials.in_fixed(predicted(partials.omega_body()));
-            let dt = precise(period * INSTANT);
+            let dt = from_f64(period * INSTANT);
             let [before, now, after] = [-1.0, 0.0, 1.0].map(|k| {
-                let t = precise(t) + precise(k) * &dt;
+                let t = from_f64(t) + from_f64(k) * &dt;
                 rotation(&up.at(&t), &down.at(&t))
             });
             let true_theta = now.map(|x| to_f64(&x));

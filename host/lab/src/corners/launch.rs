@@ -3,16 +3,16 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use toytop::{Release, State, Stepper};
 use toytop_host::input::random::Random;
-use toytop_host::truth::motions::{Numbers, Start};
+use toytop_host::truth::motions::{ExactInput, Start};
 
 /// Least tilt from the vertical that is not 0, rad.
-const LEAST_TILT: f64 = 1e-6;
+const MIN_TILT: f64 = 1e-6;
 
 /// Random input near the degenerate cases. Half are branch points; a quarter are states on such motions, in `f64`; a quarter are
 /// releases: tilts down to 1e-6 from either vertical, spins from 1e-3 to 1e6 rad/s, and in every second one a top that the paper does
 /// not contain.
-pub fn random(random: &mut Random) -> Numbers {
-    let numbers = Numbers::random(random);
+pub fn random(random: &mut Random) -> ExactInput {
+    let numbers = ExactInput::random(random);
     if random.one_in(2) {
         return numbers;
     }
@@ -22,7 +22,7 @@ pub fn random(random: &mut Random) -> Numbers {
     // a release in range, and a point of a motion with valid constants, give a state
     state.map_or(numbers, |state| {
         let top = if thrown { other_top(random, numbers.top) } else { numbers.top };
-        Numbers { top, start: Start::from(&state) }
+        ExactInput { top, start: Start::from(&state) }
     })
 }
 
@@ -40,12 +40,12 @@ fn other_top(random: &mut Random, top: [f64; 6]) -> [f64; 6] {
 }
 
 /// State at t = 0 of a motion, rounded to `f64`, which is a state of a slightly different motion.
-fn on_motion(numbers: &Numbers) -> Option<State> {
+fn on_motion(numbers: &ExactInput) -> Option<State> {
     Stepper::<f64>::new(&numbers.motion().ok()?).attitude_state().state().ok()
 }
 
 fn release(random: &mut Random) -> Release {
-    let tilt = if random.one_in(16) { 0.0 } else { random.scale(LEAST_TILT, FRAC_PI_2) };
+    let tilt = if random.one_in(16) { 0.0 } else { random.scale(MIN_TILT, FRAC_PI_2) };
     let tilt = if random.one_in(3) { PI - tilt } else { tilt };
     let [azimuth, roll] = [(); 2].map(|()| random.between(-PI, PI));
     let mut rate = |one_in_rests: u64, most: f64| {

@@ -7,12 +7,12 @@ use toytop_host::motion::ephemeris::{AnyEphemeris, approximate, smallest_ephemer
 use toytop_host::motion::propagate::period;
 use toytop_host::motion::{Scalar, greater};
 use toytop_host::truth::exact::Exact;
-use toytop_host::truth::motions::Numbers;
-use toytop_host::truth::precise::{Precise, precise, to_nearest, whole};
+use toytop_host::truth::motions::ExactInput;
+use toytop_host::truth::precise::{Precise, from_f64, from_i64, to_i64};
 
 /// Launch that was tried.
-pub struct Tried {
-    pub input: Numbers,
+pub struct Trial {
+    pub input: ExactInput,
     pub regime: Regime,
     /// Errors of the table in each scalar; `None` where no table is large enough.
     pub tables: [Option<Errors>; 4],
@@ -25,13 +25,13 @@ pub struct Errors {
     pub places: usize,
     /// Number of these at which more than half of the bound comes from the number of ticks.
     pub places_by_ticks: usize,
-    /// Greatest error of Φ's norm, and of u at its turning points, as a share of the bound.
+    /// Greatest error of Φ's norm, and of u at its turning points, over the bound.
     pub norm_and_height: f64,
     /// Greatest error, rad.
     pub error: f64,
-    /// Greatest error as a share of its bound.
+    /// Greatest error over its bound.
     pub of_bound: f64,
-    /// Greatest error of the rates as a share of its bound.
+    /// Greatest error of the rates over its bound.
     pub rates_of_bound: f64,
 }
 
@@ -59,7 +59,7 @@ const FINE: f64 = 1e-18;
 ///
 /// # Errors
 /// The refusal of the launch.
-pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Tried, ParameterError> {
+pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterError> {
     let mut random = Random::new(seed, number);
     let input = launch::random(&mut random);
     let motion = input.motion()?;
@@ -73,31 +73,32 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Tried, ParameterE
     if with_truth {
         let exact = Exact::new(&input);
         let ticks = ticks(&exact, (rate, period), &mut random);
-        for tick in ticks.into_iter().chain(doubtful(&tables, &motion, period * rate)) {
-            let t = whole(tick) / precise(rate);
-            let (phi, rates) = (exact.at(&t), exact.rates(&t, period));
+        for tick in ticks.into_iter().chain(most_different_rates(&tables, &motion, period * rate)) {
+            let t = from_i64(tick) / from_f64(rate);
+            let (orientation, rates) = (exact.at(&t), exact.rates(&t, period));
             for (table, errors) in tables.iter().flatten().zip(errors.iter_mut().flatten()) {
                 let (bound, rate_bound) = (table.error_bound(), table.rate_error_bound());
                 let (within, rates_within) = (bound.after(tick as f64), rate_bound.after(tick as f64));
-                let error = phi.distance(&table.at_tick(tick, tick as f64 / rate).sample.orientation());
+                let error =
+                    orientation.error_of(&table.at_tick(tick, tick as f64 / rate).sample.orientation());
                 let rate_error = rates.distance(&table.rates_at_tick(tick));
                 errors.places += 1;
                 errors.places_by_ticks += usize::from(within > 2.0 * bound.constant);
                 errors.error = greater(errors.error, error);
-                errors.of_bound = greater(errors.of_bound, share(error, within));
-                errors.rates_of_bound = greater(errors.rates_of_bound, share(rate_error, rates_within));
+                errors.of_bound = greater(errors.of_bound, ratio(error, within));
+                errors.rates_of_bound = greater(errors.rates_of_bound, ratio(rate_error, rates_within));
             }
         }
     }
-    Ok(Tried { input, regime: motion.regime(), tables: errors })
+    Ok(Trial { input, regime: motion.regime(), tables: errors })
 }
 
-/// Error as a share of its bound. A body at rest has rates without error, and 0 as their bound.
-fn share(error: f64, bound: f64) -> f64 {
+/// Error over its bound. A body at rest has rates without error, and 0 as their bound.
+fn ratio(error: f64, bound: f64) -> f64 {
     if error == 0.0 { 0.0 } else { error / bound }
 }
 
-/// Greatest error of the norm at these times, and of u at both turning points, as a share of the bound.
+/// Greatest error of the norm at these times, and of u at both turning points, over the bound.
 fn norm_and_height(table: &dyn AnyEphemeris, motion: &Motion, times: &[f64]) -> f64 {
     let start = table.at(0.0).nutation_phase.to_f64();
     let e = motion.branch_points();
@@ -106,26 +107,26 @@ fn norm_and_height(table: &dyn AnyEphemeris, motion: &Motion, times: &[f64]) -> 
     let norms = times.iter().map(|&t| (t, table.at(t).sample.orientation().norm_squared() - 1.0));
     let heights = turning.map(|(t, u)| (t, table.at(t).sample.orientation().u() - u));
     let of_bound =
-        |(t, error): (f64, f64)| share(error.abs(), table.error_bound().after(t * table.ticks_per_time()));
+        |(t, error): (f64, f64)| ratio(error.abs(), table.error_bound().after(t * table.ticks_per_time()));
     norms.chain(heights).map(of_bound).fold(0.0, greater)
 }
 
 /// Ticks in the first period and up to ±2^62. The number of ticks in a unit of time is a power of two, so that the time of a tick is
 /// exact; a motion without a period is given its natural time.
 fn ticks(exact: &Exact, (rate, period): (f64, f64), random: &mut Random) -> Vec<i64> {
-    let time_of = |tangent: f64| exact.time_of(tangent) * precise(rate);
+    let time_of = |tangent: f64| exact.time_of(tangent) * from_f64(rate);
     let mut ticks = Vec::new();
     for _ in 0..EACH {
         ticks.push((random.share() * period * rate) as i64);
         let tangent = random.sign() * random.scale(1e-6, 1e6);
-        ticks.extend(to_nearest(&time_of(tangent)));
+        ticks.extend(to_i64(&time_of(tangent)));
         let distant = random.sign() * random.scale(40_f64.exp2(), 62_f64.exp2());
         ticks.push(distant as i64);
     }
     for (sense, tangent) in [(1, 0.0), (-1, 1e30)] {
         for tick in DISTANT_POWERS.map(|power| sense << power) {
             match exact.period() {
-                Some(period) => ticks.extend(nearest(tick, &time_of(tangent), &(period * precise(rate)))),
+                Some(period) => ticks.extend(nearest(tick, &time_of(tangent), &(period * from_f64(rate)))),
                 None => ticks.push(tick),
             }
         }
@@ -135,17 +136,17 @@ fn ticks(exact: &Exact, (rate, period): (f64, f64), random: &mut Random) -> Vec<
 
 /// Tick that is closest to a place of a period, among the periods after a tick. Place and period are in ticks.
 fn nearest(tick: i64, place: &Precise, period: &Precise) -> Option<i64> {
-    let first = to_nearest(&((whole(tick) - place) / period))?;
+    let first = to_i64(&((from_i64(tick) - place) / period))?;
     let places = (first..first + SEARCHED).map(|number| place + period * number);
     let closest = places.min_by_key(|place| {
         let apart = place - place.round();
-        if apart < whole(0) { -apart } else { apart }
+        if apart < from_i64(0) { -apart } else { apart }
     });
-    closest.and_then(|place| to_nearest(&place))
+    closest.and_then(|place| to_i64(&place))
 }
 
 /// For each scalar, the tick of the first period at which its rates differ most from those of a finer table.
-fn doubtful(tables: &[Option<Box<dyn AnyEphemeris>>], motion: &Motion, period: f64) -> Vec<i64> {
+fn most_different_rates(tables: &[Option<Box<dyn AnyEphemeris>>], motion: &Motion, period: f64) -> Vec<i64> {
     let Ok(finer) = approximate(motion, FINE) else { return Vec::new() };
     let tick = |place: i64| (period * place as f64 / COMPARED as f64) as i64;
     let fine: Vec<_> = (0..COMPARED).map(tick).map(|tick| (tick, finer.rates_at_tick(tick))).collect();

@@ -26,7 +26,7 @@ def score(
         t: times, s, which go on in one direction.
         quaternion: an array of shape (len(t), 4) with w, x, y, z from body to fixed coordinates, or a scipy Rotation.
         omega: angular velocities in the fixed frame, rad/s, of shape (len(t), 3).
-        omega_body: angular velocities in the body frame instead. Without either, drifts are found from differences.
+        omega_body: angular velocities in the body frame instead. Without either, the drifts are None.
 
     Raises:
         ValueError: an array is of the wrong shape, holds no rotation, or t does not go on; the message names it.
@@ -67,9 +67,9 @@ class Score:
         precession_error: phase error of the precession over the last nutation period, rad; None where the axis is vertical.
         spin_error: phase error of the spin over the last nutation period, rad.
         residual: root of the mean square of the error that no phase error explains, rad.
-        drift_h: greatest change of h in units of the greater of |h| and p g; None where no angular velocity is known.
-        drift_l: greatest change of l in units of the greatest of |l|, |n| and sqrt(2 A p g); None where no angular velocity is known.
-        drift_n: greatest change of n in the unit of drift_l; None where no angular velocity is known.
+        drift_h: greatest change of h in units of the greater of |h| and p g; None without angular velocity.
+        drift_l: greatest change of l in units of the greatest of |l|, |n| and sqrt(2 A p g); None without angular velocity.
+        drift_n: greatest change of n in the unit of drift_l; None without angular velocity.
         norm_error: greatest distance of the quaternions from unit norm.
         truth_bound: upper bound on the error of the exact motion itself, rad.
         doubt: likely reason why the first row is far from the motion, if it is; otherwise None.

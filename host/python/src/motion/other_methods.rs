@@ -10,8 +10,8 @@ use toytop::Support;
 use toytop_closed_forms::ClosedForm;
 use toytop_host::motion::propagate::period;
 use toytop_host::truth::exact::Exact;
-use toytop_host::truth::motions::Numbers;
-use toytop_host::truth::precise::{decimal, precise};
+use toytop_host::truth::motions::ExactInput;
+use toytop_host::truth::precise::{decimal, from_f64};
 
 /// Motion in elementary or elliptic functions: no step, no table, no quadrature. It is slower than Motion.at.
 #[pyclass(name = "ClosedForm", module = "toytop", frozen)]
@@ -86,8 +86,8 @@ impl PyMotion {
         let (truth, unit) = (py.detach(|| own.truth()), period(&own.motion));
         let origin = slf.clone().into_any().unbind();
         Samples::of_points(py, (origin, "reference", None), t, &own.motion, Some(ROUNDING), |t| {
-            let rates = truth.rates(&precise(t), unit);
-            (truth.at(&precise(t)).to_f64(), rates.omega, rates.udot)
+            let rates = truth.rates(&from_f64(t), unit);
+            (truth.at(&from_f64(t)).to_f64(), rates.omega, rates.udot)
         })
     }
 
@@ -104,7 +104,7 @@ impl PyMotion {
         self.within_reach(&t.numbers)?;
         let truth = py.detach(|| self.truth());
         let texts = interrupt::map(py, t.numbers.len(), |index| {
-            let phi = truth.at(&precise(t.numbers[index]));
+            let phi = truth.at(&from_f64(t.numbers[index]));
             let [[w, z], [y, x]] = [phi.alpha, phi.beta];
             [w, x, -y, z].map(|component| decimal(&component, digits as usize))
         })?;
@@ -118,13 +118,13 @@ impl PyMotion {
         self.truth.get_or_init(|| {
             let PyTop { top, parameters: given } = &self.top;
             let p = match top.support() {
-                Support::Free => precise(0.0),
-                _ if given.mass == 0.0 => precise(given.mass_moment),
-                _ => precise(given.mass) * precise(given.com_height),
+                Support::Free => from_f64(0.0),
+                _ if given.mass == 0.0 => from_f64(given.mass_moment),
+                _ => from_f64(given.mass) * from_f64(given.com_height),
             };
             let (a, c, s) = (top.transverse_inertia(), top.axial_inertia(), top.com_height());
             let top = [a, c, s, top.mass_moment(), top.gravity(), top.rotor_momentum()];
-            Exact::with_mass_moment(&Numbers { top, start: self.start }, &p)
+            Exact::with_mass_moment(&ExactInput { top, start: self.start }, &p)
         })
     }
 }

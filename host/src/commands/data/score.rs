@@ -1,32 +1,27 @@
 //! `toytop score`: output of an integrator, compared with the exact motion.
 
-mod methods;
-
 use super::Report;
 use super::options::{PICTURE, ending_in, positive};
 use crate::Failure;
 use crate::input::scenario::Scenario;
 use crate::motion::propagate::period;
-use crate::output::{self, Column, Format, Lists, Record, short, two_digits};
-use crate::pictures::chart::Chart;
+use crate::output::{self, Column, Format, Lists, Record, short, two_digits, whole_file};
+use crate::pictures::chart::{Chart, Curve};
 use crate::pictures::drawing;
 use crate::score::benchmarks;
-use crate::score::exact_reference::ExactReference;
+use crate::score::errors::{ExactReference, Score};
+use crate::score::order;
 use crate::score::trajectory::Trajectory;
 use clap::Args;
-use methods::{Method, Run, work};
-use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// `toytop score`
 #[derive(Args)]
 pub struct ScoreArgs {
-    /// Scenario file; with --benchmark, the first CSV file
-    scenario: PathBuf,
-    /// CSV files with the output of integrators for this scenario: one file for each step size and method
-    #[arg(value_name = "RESULT.csv", required_unless_present = "benchmark")]
-    results: Vec<PathBuf>,
-    /// Problem of `toytop benchmark` that replaces the scenario; the files are in the conventions of its source
+    /// Scenario file, and CSV files with the output of integrators for it: one file for each step size and method
+    #[arg(value_names = ["SCENARIO", "RESULT.csv"], num_args = 0..)]
+    files: Vec<PathBuf>,
+    /// Problem of `toytop benchmark` in place of the scenario; the files are in the conventions of its source
     #[arg(long, value_name = "NAME")]
     benchmark: Option<String>,
     /// Step size of each file, s; without it, the step size that the file states, or the spacing of its rows
@@ -40,85 +35,181 @@ pub struct ScoreArgs {
     format: Format,
 }
 
+/// Trajectory of a file with its errors.
+struct ScoredFile {
+    trajectory: Trajectory,
+    score: Score,
+    /// Step size, s, and its source.
+    step: Option<(f64, &'static str)>,
+    /// Order of convergence from the next larger step of the same method.
+    order: Option<f64>,
+}
+
+impl ScoredFile {
+    /// Name of the method; empty if the file does not state it.
+    fn method(&self) -> &str {
+        self.trajectory.method.as_deref().unwrap_or_default()
+    }
+
+    fn end(&self) -> f64 {
+        self.trajectory.rows.last().map_or(0.0, |row| row.t)
+    }
+
+    /// Step size and greatest error.
+    fn point(&self) -> Option<[f64; 2]> {
+        self.step.map(|(step, _)| [step, self.score.max_error])
+    }
+}
+
+/// Integration method with its number of files and its order of convergence.
+struct Integrator {
+    name: String,
+    files: usize,
+    order: Option<f64>,
+}
+
 pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
-    let ScoreArgs { scenario: first, results, benchmark, steps, plot, format } = arguments;
+    let ScoreArgs { files, benchmark, steps, plot, format } = arguments;
     let problem = benchmark.as_deref().map(benchmarks::named).transpose();
     let problem = problem.map_err(|failure| failure.of("--benchmark"))?;
     // command that prints the state from which a run has to start
-    let (scenario, start) = match &problem {
-        Some(problem) => {
-            (problem.scenario.clone(), format!("toytop benchmark {} --times 0 --format csv", problem.name()))
+    let (scenario, start, results) = match (&problem, &files[..]) {
+        (Some(problem), results) if !results.is_empty() => {
+            let start = format!("toytop benchmark {} --times 0 --format csv", problem.scenario.name);
+            (problem.scenario.clone(), start, results)
         }
-        None => (Scenario::read(first)?, format!("toytop state {} --times 0", first.display())),
+        (None, [scenario, results @ ..]) if !results.is_empty() => {
+            (Scenario::read(scenario)?, format!("toytop state {} --times 0", scenario.display()), results)
+        }
+        _ => {
+            return Err(Failure::Input(
+                "score: needs SCENARIO RESULT.csv..., or --benchmark NAME RESULT.csv...".into(),
+            ));
+        }
     };
-    let files: Vec<_> = problem.iter().map(|_| first).chain(results).collect();
-    if !steps.is_empty() && steps.len() != files.len() {
-        return Err(Failure::Input(format!("--steps: must be {} numbers, one for each file", files.len())));
+    if !steps.is_empty() && steps.len() != results.len() {
+        return Err(Failure::Input(format!("--steps: must be {} numbers, one for each file", results.len())));
     }
-    let mut reference = ExactReference::new(&scenario, &start)?;
-    if let Some(problem) = &problem {
-        reference.length = problem.about.length;
-    }
-    let (mut methods, mut warnings) = (Vec::<Vec<Run>>::new(), Vec::new());
-    for (file, path) in files.into_iter().enumerate() {
-        let mut trajectory = Trajectory::read(path)?;
-        if let Some(problem) = &problem {
-            trajectory = trajectory.in_body_axes(&problem.to_core());
-        }
+    let reference = ExactReference::new(&scenario, &start)?;
+    let (mut files, mut warnings) = (Vec::new(), Vec::new());
+    for (index, path) in results.iter().enumerate() {
+        let axis = problem.as_ref().map_or(3, |problem| problem.about.symmetry_axis);
+        let trajectory = Trajectory::read(path)?.with_symmetry_axis(axis);
         let score = reference.score(&trajectory)?;
         warnings
             .extend(score.warning.iter().map(|warning| format!("warning: {}: {warning}", trajectory.name)));
-        let run = Run::new(file, trajectory, score, steps.get(file).copied());
-        match methods.iter_mut().find(|runs| runs[0].method == run.method) {
-            Some(runs) => runs.push(run),
-            None => methods.push(vec![run]),
-        }
+        let steps = [
+            (steps.get(index).copied(), "option"),
+            (trajectory.step, "file"),
+            (trajectory.spacing(), "rows"),
+        ];
+        let step = steps.into_iter().find_map(|(step, source)| Some((step?, source)));
+        files.push(ScoredFile { trajectory, score, step, order: None });
     }
-    let methods: Vec<_> = methods.into_iter().map(Method::new).collect();
+    let integrators = integrators(&mut files, &mut warnings);
     if let Some(path) = plot {
-        let (unit, curves) = work(&methods, period(&scenario.motion))?;
-        let chart = Chart {
-            title: &format!("Work and precision: {}", scenario.name),
-            labels: [unit, "greatest error of the orientation, rad"],
-            powers: [true; 2],
-        };
-        drawing::write("--plot", path, &chart.draw(&curves), None)?;
+        let inputs: Vec<_> = arguments.files.iter().map(|path| Some(&**path)).collect();
+        whole_file::require_other("--plot", Some(path), &inputs)?;
+        draw(path, &scenario, &files, &integrators)?;
     }
-    warnings.extend(methods.iter().flat_map(|method| method.warnings.clone()));
-    let mut ranked = Vec::new();
-    for Method { runs, order, .. } in &methods {
-        ranked.extend(runs.iter().map(|run| (run.file, record(run, *order))));
-    }
-    let by_file: Vec<_> = BTreeMap::from_iter(ranked.clone()).into_values().collect();
-    let ranked: Vec<_> = ranked.into_iter().map(|(_, record)| record).collect();
-    let summary = |Method { name, runs, order, .. }: &Method| {
-        Record::default().with("method", &**name).with("files", runs.len()).with("order", *order)
+    let records: Vec<_> = files.iter().map(|file| record(file, &integrators)).collect();
+    let summary = |Integrator { name, files, order }: &Integrator| {
+        Record::default().with("method", &**name).with("files", *files).with("order", *order)
     };
-    let summaries: Vec<_> = methods.iter().map(summary).collect();
-    let order = if let [only] = &methods[..] { only.order } else { None };
+    let summaries: Vec<_> = integrators.iter().map(summary).collect();
+    let order = if let [only] = &integrators[..] { only.order } else { None };
     let rest =
         Record::default().with("order", order).with("scenario", &*scenario.name).with("sign", "nearest");
-    let object = Lists(vec![("files", &by_file), ("methods", &summaries)], rest);
-    let text = output::render(*format, &object, || tables(&ranked, &methods))?;
+    let object = Lists(vec![("files", &records), ("methods", &summaries)], rest);
+    let text = output::render(*format, &object, || tables(&files, &records, &integrators))?;
     Ok(Report::from(text).with_remarks(warnings, *format == Format::Table))
 }
 
-fn record(run: &Run, method_order: Option<f64>) -> Record {
-    let Run { score, order, .. } = run;
-    let (phases, drift) = (&score.phases, &score.drift);
-    let [l, n, h] = [0, 1, 2].map(|i| drift.integrals.map(|drifts| drifts[i]));
+/// Methods in the order of their first files, after the order of each file is set. Files of one method over different times have no order,
+/// which a warning states.
+fn integrators(files: &mut [ScoredFile], warnings: &mut Vec<String>) -> Vec<Integrator> {
+    let mut names: Vec<String> = Vec::new();
+    for file in &*files {
+        if !names.iter().any(|name| name == file.method()) {
+            names.push(file.method().to_owned());
+        }
+    }
+    let mut integrator = |name: String| {
+        let mut files: Vec<_> = files.iter_mut().filter(|file| file.method() == name).collect();
+        let count = files.len();
+        let first = files[0].end();
+        if let Some(other) = files.iter().find(|file| (file.end() - first).abs() > 1e-6 * first.abs()) {
+            let names = [&files[0].trajectory.name, &other.trajectory.name];
+            warnings.push(format!("warning: no order: {} and {} end at different times", names[0], names[1]));
+            return Integrator { name, files: count, order: None };
+        }
+        files.retain(|file| file.step.is_some());
+        let step = |file: &ScoredFile| file.step.map_or(0.0, |(step, _)| step);
+        files.sort_by(|a, b| step(b).total_cmp(&step(a)));
+        let points: Vec<_> = files.iter().filter_map(|file| file.point()).collect();
+        for (file, pair) in files.iter_mut().skip(1).zip(points.windows(2)) {
+            file.order = order::between(pair[0], pair[1]);
+        }
+        Integrator { name, files: count, order: order::fitted(&points) }
+    };
+    names.into_iter().map(&mut integrator).collect()
+}
+
+/// Draws the greatest error against the work for each method. The work is the number of evaluations of the equations if every file states
+/// it, otherwise the number of steps.
+fn draw(
+    path: &Path,
+    scenario: &Scenario,
+    files: &[ScoredFile],
+    integrators: &[Integrator],
+) -> Result<(), Failure> {
+    let counted = files.iter().all(|file| file.trajectory.evaluations.is_some());
+    let period = period(&scenario.motion);
+    let point = |file: &ScoredFile| {
+        let steps = file.step.map(|(step, _)| period / step);
+        let work = if counted { file.trajectory.evaluations } else { steps }.ok_or_else(|| {
+            let needed = "needs a line # evaluations = N in every file, or --steps";
+            let name = &file.trajectory.name;
+            Failure::Input(format!("--plot: {name}: {needed}, because its rows are uneven"))
+        })?;
+        Ok([work, file.score.max_error])
+    };
+    let mut curves = Vec::new();
+    for Integrator { name, order, .. } in integrators {
+        let order = order.map(|order| format!("measured order {order:.2}"));
+        let label: Vec<_> =
+            [Some(name.clone()).filter(|name| !name.is_empty()), order].into_iter().flatten().collect();
+        let of_method = files.iter().filter(|file| file.method() == name);
+        let mut points = of_method.map(point).collect::<Result<Vec<_>, Failure>>()?;
+        points.sort_by(|[a, _], [b, _]| a.total_cmp(b));
+        curves.push(Curve::marked(label.join(", "), points));
+    }
+    let work = if counted { "evaluations of the equations" } else { "steps in a nutation period" };
+    let chart = Chart {
+        title: &format!("Work and precision: {}", scenario.name),
+        labels: [work, "greatest error of the orientation, rad"],
+        powers: [true; 2],
+    };
+    drawing::write("--plot", path, &chart.draw(&curves), None)
+}
+
+fn record(file: &ScoredFile, integrators: &[Integrator]) -> Record {
+    let ScoredFile { trajectory, score, step, order } = file;
+    let method = integrators.iter().find(|integrator| integrator.name == file.method());
+    let phases = &score.phases;
+    let [l, n, h] = [0, 1, 2].map(|i| score.drift.map(|drift| drift[i]));
     Record::default()
-        .with("name", &*run.name)
-        .with("method", Some(&*run.method).filter(|name| !name.is_empty()))
-        .with("rows", run.rows)
-        .with("step", run.step.map(|(step, _)| step))
-        .with("step_from", run.step.map(|(_, from)| from))
-        .with("evaluations", run.evaluations)
+        .with("name", &*trajectory.name)
+        .with("method", trajectory.method.clone())
+        .with("rows", trajectory.rows.len())
+        .with("step", step.map(|(step, _)| step))
+        .with("step_from", step.map(|(_, source)| source))
+        .with("evaluations", trajectory.evaluations)
         .with("max_error_rad", score.max_error)
         .with("rms_error_rad", score.rms_error)
         .with("final_error_rad", score.final_error)
         .with("max_u_error", score.max_u_error)
-        .with("max_position_error", score.max_position_error)
+        .with("max_position_error", score.max_tip_error)
         .with("nutation_error_rad", phases.nutation)
         .with("precession_error_rad", phases.precession)
         .with("spin_error_rad", phases.spin)
@@ -126,27 +217,24 @@ fn record(run: &Run, method_order: Option<f64>) -> Record {
         .with("drift_h", h)
         .with("drift_l", l)
         .with("drift_n", n)
-        .with("drift_from", drift.from)
-        .with("drift_uncertainty", drift.uncertainty)
         .with("max_norm_error", score.norm_error)
         .with("truth_bound_rad", score.truth_bound)
-        .with("method_order", method_order)
+        .with("method_order", method.and_then(|method| method.order))
         .with("order", *order)
 }
 
 /// Table of the errors, table of the phase errors and drifts, and the orders of convergence.
-fn tables(records: &[Record], methods: &[Method]) -> String {
-    let two = |x| format!("{x:.2}");
+fn tables(files: &[ScoredFile], records: &[Record], integrators: &[Integrator]) -> String {
     let errors: [Column<'_>; 9] = [
-        ("name", "", two),
-        ("rows", "rows", two),
+        ("name", "", two_digits),
+        ("rows", "rows", two_digits),
         ("step", "step, s", |step| short(step, 4)),
         ("max_error_rad", "max, rad", two_digits),
         ("rms_error_rad", "rms, rad", two_digits),
         ("final_error_rad", "final, rad", two_digits),
         ("max_u_error", "u", two_digits),
         ("max_position_error", "position", two_digits),
-        ("order", "order", two),
+        ("order", "order", |order| format!("{order:.2}")),
     ];
     let details = [
         ("name", ""),
@@ -160,22 +248,16 @@ fn tables(records: &[Record], methods: &[Method]) -> String {
     ];
     let details: [Column<'_>; 8] = details.map(|(name, heading)| (name, heading, two_digits as _));
     let mut orders = String::new();
-    for Method { name, order, .. } in methods {
+    for Integrator { name, order, .. } in integrators {
         let of = if name.is_empty() { String::new() } else { format!(" of {name}") };
         orders.extend(order.map(|order| format!("Order of convergence{of}: {order:.2}\n")));
     }
-    let scores = || methods.iter().flat_map(|method| &method.runs).map(|run| &run.score);
-    let by = if scores().any(|score| score.drift.from == Some("differences")) {
-        ", for files without angular velocity computed from differences of the error"
-    } else {
-        ""
-    };
-    let bound = scores().map(|score| score.truth_bound).fold(0.0, f64::max);
+    let bound = files.iter().map(|file| file.score.truth_bound).fold(0.0, f64::max);
     format!(
         "Errors against the exact motion\n{}\nPhase errors over the last nutation period, rad (above 0: ahead), and relative drifts of h, l and n\n{}\n\
          {orders}The exact motion is within {bound:.1e} rad. Errors of the orientation are 2 sqrt(|d alpha|^2 + |d beta|^2) with the nearer\n\
-         sign. Residual: what no phase error explains. Order: from the next larger step of the same method. Drifts: of h in units of\n\
-         max(|h|, p g), of l and n in units of max(|l|, |n|, sqrt(2 A p g)){by}.\n",
+         sign. Residual: what no phase error explains. Order: from the next larger step of the same method. Drifts: of h in units of max(|h|, p g), of l and n in units of\n\
+         max(|l|, |n|, sqrt(2 A p g)).\n",
         output::aligned(records, &errors),
         output::aligned(records, &details),
     )

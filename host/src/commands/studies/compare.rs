@@ -1,7 +1,6 @@
 //! `toytop compare`: errors of the core against the full 3-D equations, for each motion, each scalar and both propagators.
 
 mod bounds;
-mod tables;
 
 use super::options::{Method, ScalarChoice};
 use super::{Report, warnings};
@@ -10,15 +9,14 @@ use crate::input::builtin;
 use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::{require_scalar, smallest_ephemeris};
 use crate::motion::propagate::{Sample, TimedStepper, period};
-use crate::motion::{Scalar, first_integrals, greater, natural_scales, spread_times, widened};
+use crate::motion::{Scalar, drift, greater, spread_times, widened};
 use crate::output::progress::Progress;
-use crate::output::{self, Format};
+use crate::output::{self, Format, Record, short};
 use crate::truth::full_equations;
 use crate::truth::full_equations::full_solver::FullState;
 use bounds::{bound, horizon, steps_per_period};
 use clap::Args;
 use std::path::PathBuf;
-use std::time::Instant;
 use toytop::AttitudeState;
 use toytop::Motion;
 use toytop::scalar::Real;
@@ -30,164 +28,188 @@ pub struct CompareArgs {
     /// Scenario files; without any, the built-in motions are compared
     #[arg(value_name = "SCENARIO")]
     scenarios: Vec<PathBuf>,
-    /// Nutation periods to compare over (for a motion without a period: times of 2 pi sqrt((A/p + s)/g))
+    /// Nutation periods to compare over; for a motion without a period, natural times 2 pi sqrt((A/p + s)/g)
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     periods: u32,
     /// Scalar types of the core
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "all")]
     scalar: Vec<ScalarChoice>,
-    /// Print one row for each run of the built-in motions, not one for each motion. CSV and JSON always contain every run
-    #[arg(long)]
-    all: bool,
-    /// Form of the output
+    /// Form of the output. CSV and JSON have a row for each method and scalar, with all errors
     #[arg(long, default_value = "table")]
     format: Format,
 }
 
-/// Propagators of the core with their scalars; in fixed point it has no stepper.
-const RUNS: [(Method, Scalar); 6] = [
-    (Method::Stepper, Scalar::F64),
-    (Method::Stepper, Scalar::F32),
-    (Method::Ephemeris, Scalar::F64),
-    (Method::Ephemeris, Scalar::F32),
-    (Method::Ephemeris, Scalar::Q31),
-    (Method::Ephemeris, Scalar::Q15),
+/// Propagators of the core with their scalars, each with its heading; in fixed point there is no stepper.
+const PROPAGATORS: [(Method, Scalar, &str); 6] = [
+    (Method::Stepper, Scalar::F64, "step f64"),
+    (Method::Stepper, Scalar::F32, "step f32"),
+    (Method::Ephemeris, Scalar::F64, "f64"),
+    (Method::Ephemeris, Scalar::F32, "f32"),
+    (Method::Ephemeris, Scalar::Q31, "q31"),
+    (Method::Ephemeris, Scalar::Q15, "q15"),
 ];
-
-/// Comparison of one motion in one scalar by one method.
-struct Row {
-    motion: String,
-    scalar: Scalar,
-    method: Method,
-    /// Greatest errors and run; `None` where no table is large enough.
-    measured: Option<([f64; 6], Run)>,
-    /// Upper bound on the error of the orientation, rad.
-    bound: Option<f64>,
-}
-
-impl Row {
-    /// Greatest error of the orientation, rad.
-    fn error(&self) -> Option<f64> {
-        self.measured.as_ref().map(|(errors, _)| errors[0])
-    }
-
-    fn verdict(&self) -> &'static str {
-        match (self.error(), self.bound) {
-            (None, _) => "no fit",
-            (_, None) => "no bound",
-            (Some(error), Some(bound)) if error <= bound => "ok",
-            _ => "MISS",
-        }
-    }
-}
-
-/// Run of the core through the times of a comparison.
-struct Run {
-    /// Samples in the order of the times, with the rates of α and β.
-    samples: Vec<(Sample, OrientationRate<f64>)>,
-    /// Number of steps of a stepper.
-    steps: Option<u64>,
-    /// Segments and terms of a table, and the bound on its error at the last time, rad.
-    table: Option<([usize; 2], f64)>,
-    /// Median time of a step or of an evaluation, s.
-    call: f64,
-}
-
-impl Run {
-    /// Number of steps or evaluations.
-    fn calls(&self) -> u64 {
-        self.steps.unwrap_or(self.samples.len() as u64)
-    }
-}
-
-pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
-    let built_in = arguments.scenarios.is_empty();
-    let scenarios = if built_in {
-        builtin::scenarios()
-    } else {
-        arguments.scenarios.iter().map(|path| Scenario::read(path)).collect::<Result<_, _>>()?
-    };
-    let (mut rows, mut remarks) = (Vec::new(), Vec::new());
-    for scenario in &scenarios {
-        rows.extend(of_motion(scenario, arguments, &mut remarks)?);
-    }
-    let records: Vec<_> = rows.iter().map(tables::record).collect();
-    let text = output::render(arguments.format, &output::list("rows", &records), || {
-        let table = if built_in && !arguments.all { tables::summary } else { tables::all };
-        table(&rows, arguments.periods)
-    })?;
-    remarks.extend(warnings(&scenarios));
-    let missed = rows.iter().any(|row| row.verdict() == "MISS");
-    let below = arguments.format == Format::Table;
-    Ok(Report { text, missed, ..Report::default() }.with_remarks(remarks, below))
-}
 
 /// Samples in a period.
 const SAMPLES: u32 = 64;
 
-/// Rows of a motion.
+/// Names of the errors: of the orientation, 2 √(|Δα|² + |Δβ|²), rad; of u; of the tip in units of s; of h, l and n as recomputed from
+/// α, β and their rates, in units of their natural scales.
+const ERRORS: [&str; 6] =
+    ["max_orientation_error_rad", "max_u_error", "max_tip_error_per_s", "h_drift", "l_drift", "n_drift"];
+
+/// Comparison of one motion by one propagator.
+struct Comparison {
+    motion: String,
+    scalar: Scalar,
+    method: Method,
+    heading: &'static str,
+    /// Greatest errors, by [`ERRORS`]; `None` where no table is large enough.
+    errors: Option<[f64; 6]>,
+    /// Number of steps of the stepper.
+    steps: Option<u64>,
+    /// Segments and terms of the table.
+    table: Option<[usize; 2]>,
+    /// Upper bound on the error of the orientation, rad.
+    bound: Option<f64>,
+}
+
+impl Comparison {
+    fn verdict(&self) -> &'static str {
+        match (self.errors, self.bound) {
+            (None, _) => "no fit",
+            (_, None) => "no bound",
+            (Some([error, ..]), Some(bound)) if error <= bound => "ok",
+            _ => "MISS",
+        }
+    }
+
+    fn record(&self) -> Record {
+        let mut record = Record::default()
+            .with("motion", &*self.motion)
+            .with("scalar", self.scalar.name())
+            .with("method", self.method.name());
+        for (i, name) in ERRORS.into_iter().enumerate() {
+            record = record.with(name, self.errors.map(|errors| errors[i]));
+        }
+        record
+            .with("steps", self.steps)
+            .with("table", self.table.map(|[segments, terms]| format!("{segments}x{terms}")))
+            .with("bound_rad", self.bound)
+            .with("verdict", self.verdict())
+    }
+}
+
+pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
+    let scenarios = if arguments.scenarios.is_empty() {
+        builtin::scenarios()
+    } else {
+        arguments.scenarios.iter().map(|path| Scenario::read(path)).collect::<Result<_, _>>()?
+    };
+    let (mut motions, mut remarks) = (Vec::new(), Vec::new());
+    for scenario in &scenarios {
+        motions.push(of_motion(scenario, arguments, &mut remarks)?);
+    }
+    let records: Vec<_> = motions.iter().flatten().map(Comparison::record).collect();
+    let table = || table(&motions, arguments.periods);
+    let text = output::render(arguments.format, &output::list("rows", &records), table)?;
+    remarks.extend(warnings(&scenarios));
+    let missed = motions.iter().flatten().any(|one| one.verdict() == "MISS");
+    let below = arguments.format == Format::Table;
+    Ok(Report { text, missed, ..Report::default() }.with_remarks(remarks, below))
+}
+
+/// Table with one row for each motion: error of each propagator, greatest share of a bound, and whether all bounds are kept.
+fn table(motions: &[Vec<Comparison>], periods: u32) -> String {
+    let line = |all: &Vec<Comparison>| {
+        let mut line = Record::default().with("motion", &*all[0].motion);
+        let mut share = 0.0_f64;
+        for one in all {
+            let error = one.errors.map(|[error, ..]| error);
+            line = line.with(one.heading, error);
+            share = share.max(error.zip(one.bound).map_or(0.0, |(error, bound)| error / bound));
+        }
+        let has = |verdict: &&str| all.iter().any(|one| one.verdict() == *verdict);
+        let worst = ["MISS", "no fit", "no bound"].into_iter().find(has).unwrap_or("ok");
+        line.with("of bound", share).with("result", worst)
+    };
+    let lines: Vec<_> = motions.iter().map(line).collect();
+    format!(
+        "{}\nThe core against the full 3-D equations, {SAMPLES} times in a period over {periods} periods: greatest error of\n\
+         the orientation, 2 sqrt(|d alpha|^2 + |d beta|^2), rad, by stepper and ephemeris, and its share\n\
+         of its bound. Steps a period: {} in f64, {} in f32. Other errors: --format csv.\n",
+        output::aligned(&lines, &output::all_columns(&lines, |x| short(x, 1))),
+        steps_per_period(Scalar::F64),
+        steps_per_period(Scalar::F32),
+    )
+}
+
+/// Comparisons of a motion.
 fn of_motion(
     scenario: &Scenario,
     arguments: &CompareArgs,
     remarks: &mut Vec<String>,
-) -> Result<Vec<Row>, Failure> {
+) -> Result<Vec<Comparison>, Failure> {
     let (motion, name, periods) = (&scenario.motion, &scenario.name, arguments.periods);
-    let own = arguments.scenarios.is_empty().then(|| bounds::own_bounds(&scenario.name)).flatten();
+    let own = arguments.scenarios.is_empty().then(|| bounds::own_bounds(name)).flatten();
     let (time, remark) = horizon(motion, periods);
     remarks.extend(remark.map(|remark| format!("{name}: {remark}")));
     let times = spread_times(time, SAMPLES * periods);
     let mut reference = Reference::default();
     let chosen = ScalarChoice::chosen(&arguments.scalar);
-    let mut rows = Vec::new();
-    for (method, scalar) in RUNS.into_iter().filter(|(_, scalar)| chosen.contains(scalar)) {
+    let mut comparisons = Vec::new();
+    for (method, scalar, heading) in PROPAGATORS.into_iter().filter(|(_, scalar, _)| chosen.contains(scalar))
+    {
         let run = match (method, scalar) {
             (Method::Ephemeris, _) => look_up(scalar, motion, &times),
             (_, Scalar::F64) => Ok(step_through::<f64>(scalar, motion, &times)),
             _ => Ok(step_through::<f32>(scalar, motion, &times)),
         };
-        let measured = match run {
-            Ok(run) => Some((reference.errors(scenario, &run)?, run)),
+        let (errors, steps, table) = match run {
+            Ok(Run { states, steps, table }) => (Some(reference.errors(scenario, &states)?), steps, table),
             Err(failure) => {
                 remarks.push(format!("{name} {}: {failure}", scalar.name()));
-                None
+                (None, None, None)
             }
         };
-        let table = measured.as_ref().and_then(|(_, run)| run.table).map(|(_, bound)| bound);
-        let bound = bound(motion, (method, scalar), periods, own, table);
-        rows.push(Row { motion: name.clone(), scalar, method, measured, bound });
+        let (table, table_bound) = table.unzip();
+        let bound = bound(motion, (method, scalar), periods, own, table_bound);
+        comparisons.push(Comparison {
+            motion: name.clone(),
+            scalar,
+            method,
+            heading,
+            errors,
+            steps,
+            table,
+            bound,
+        });
     }
-    Ok(rows)
+    Ok(comparisons)
 }
 
-/// Median time of a call in five runs, each of which returns the number of its calls.
-fn median(mut run: impl FnMut() -> u64) -> f64 {
-    let mut times = [(); 5].map(|()| {
-        let started = Instant::now();
-        let calls = run();
-        started.elapsed().as_secs_f64() / calls.max(1) as f64
-    });
-    times.sort_by(f64::total_cmp);
-    times[2]
+/// Run of the core through the times of a comparison.
+struct Run {
+    /// Samples in the order of the times, with the rates of α and β.
+    states: Vec<(Sample, OrientationRate<f64>)>,
+    /// Number of steps of a stepper.
+    steps: Option<u64>,
+    /// Segments and terms of a table, and the bound on its error at the last time, rad.
+    table: Option<([usize; 2], f64)>,
 }
 
 /// Run of the stepper through the times.
 fn step_through<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
     let step = period(motion) / f64::from(steps_per_period(scalar));
     let progress = Progress::new(0, "steps");
-    let (mut samples, mut steps) = (Vec::new(), 0);
-    let call = median(|| {
-        let mut timed = TimedStepper::<R>::new(motion, step);
-        let sample = |&t: &f64| {
-            timed.reach(t, &progress);
-            let rate = timed.last.attitude_state().rate;
-            let [alpha, beta] = [rate.alpha, rate.beta].map(|z| widened(z, R::to_f64));
-            (timed.sample(), OrientationRate { alpha, beta })
-        };
-        samples = times.iter().map(sample).collect();
-        steps = timed.steps;
-        steps
-    });
-    Run { samples, steps: Some(steps), table: None, call }
+    let mut timed = TimedStepper::<R>::new(motion, step);
+    let state = |&t: &f64| {
+        timed.reach(t, &progress);
+        let rate = timed.last.attitude_state().rate;
+        let [alpha, beta] = [rate.alpha, rate.beta].map(|z| widened(z, R::to_f64));
+        (timed.sample(), OrientationRate { alpha, beta })
+    };
+    let states = times.iter().map(state).collect();
+    Run { states, steps: Some(timed.steps), table: None }
 }
 
 /// Run of an ephemeris at the times.
@@ -197,15 +219,11 @@ fn step_through<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run 
 fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
     require_scalar(scalar, motion)?;
     let table = smallest_ephemeris(scalar, motion)?;
-    let mut found = Vec::new();
-    let call = median(|| {
-        found = times.iter().map(|&t| table.at(t)).collect();
-        times.len() as u64
-    });
-    let samples = found.iter().map(|now| (now.sample, now.rate)).collect();
+    let found = times.iter().map(|&t| table.at(t));
+    let states = found.map(|now| (now.sample, now.rate)).collect();
     let last = times.last().copied().unwrap_or(0.0);
     let bound = table.error_bound().after(last * table.ticks_per_time());
-    Ok(Run { samples, steps: None, table: Some((table.size(), bound)), call })
+    Ok(Run { states, steps: None, table: Some((table.size(), bound)) })
 }
 
 /// Cached full-solver states, reused for equal times.
@@ -216,32 +234,34 @@ struct Reference {
 }
 
 impl Reference {
-    /// Greatest errors of a run, by [`tables::ERRORS`], at the times that the run has reached, because an f32 step ends near the requested
-    /// time, not at it.
-    fn errors(&mut self, scenario: &Scenario, run: &Run) -> Result<[f64; 6], Failure> {
-        let times: Vec<f64> = run.samples.iter().map(|(sample, _)| sample.t).collect();
+    /// Greatest errors of a run, by [`ERRORS`], at the times that it has reached: an f32 step misses the requested one.
+    fn errors(
+        &mut self,
+        scenario: &Scenario,
+        run: &[(Sample, OrientationRate<f64>)],
+    ) -> Result<[f64; 6], Failure> {
+        let times: Vec<f64> = run.iter().map(|(sample, _)| sample.t).collect();
         if times != self.times {
             self.states = full_equations::states(scenario, &times)?;
             self.times = times;
         }
-        let (motion, constants) = (&scenario.motion, scenario.motion.first_integrals());
-        let (top, scales) = (motion.top(), natural_scales(motion));
+        let motion = &scenario.motion;
         let errors = |((sample, rate), state): (&(Sample, OrientationRate<f64>), &FullState)| {
-            let (found, phi) = (sample.orientation(), state.orientation());
+            let (found, exact) = (sample.orientation(), state.orientation());
             // in f64 from α, β and their rates, so that l, n and h do not contain the rounding of a product
-            let omega = AttitudeState { orientation: found, rate: *rate }.omega();
-            let [l, n, h] = first_integrals(top, &found, omega);
-            let tip = sample.tip.scaled(1.0 / top.tip_scale()) - (phi.alpha * phi.beta).scaled(2.0);
+            let [l, n, h] = drift(motion, &found, AttitudeState { orientation: found, rate: *rate }.omega());
+            let tip =
+                sample.tip.scaled(1.0 / motion.top().tip_scale()) - (exact.alpha * exact.beta).scaled(2.0);
             [
-                found.distance(&phi),
-                (sample.u - (phi.alpha.norm_squared() - phi.beta.norm_squared())).abs(),
+                found.distance(&exact),
+                (sample.u - (exact.alpha.norm_squared() - exact.beta.norm_squared())).abs(),
                 tip.norm_squared().sqrt(),
-                (h - constants.h).abs() / scales[2],
-                (l - constants.l).abs() / scales[0],
-                (n - constants.n).abs() / scales[1],
+                h,
+                l,
+                n,
             ]
         };
         let greatest = |most: [f64; 6], now: [f64; 6]| std::array::from_fn(|i| greater(most[i], now[i]));
-        Ok(run.samples.iter().zip(&self.states).map(errors).fold([0.0; 6], greatest))
+        Ok(run.iter().zip(&self.states).map(errors).fold([0.0; 6], greatest))
     }
 }

@@ -22,19 +22,18 @@ pub(crate) fn run(arguments: &FormatArgs) -> Result<Report, Failure> {
     Ok(output::render(arguments.format, &output::list("slips", &records), table)?.into())
 }
 
-/// Table with four lines for each erratum: its place, the quantity that it is compared with, and the two versions with their residuals.
+/// Text of all errata: place, quantity that the formula is compared with, and both versions with their residuals.
 fn table() -> String {
-    let line = |cells: [&str; 4]| cells.map(str::to_owned).to_vec();
-    let mut lines = vec![line(["", "", "", "residual"])];
-    for (number, erratum) in (1..).zip(ERRATA) {
-        let [printed, corrected] = erratum.residuals;
-        let corrected = if corrected == 0.0 { "0".to_owned() } else { format!("< {corrected:e}") };
-        lines.push(line([&format!("{number:2}"), "", erratum.place, ""]));
-        lines.push(line(["", "against", erratum.against, ""]));
-        lines.push(line(["", "printed", erratum.printed, &format!("{printed:.2}")]));
-        lines.push(line(["", "corrected", erratum.corrected, &corrected]));
-    }
-    output::columns(lines, 3)
+    let lines = |(number, erratum): (u64, &Erratum)| {
+        let Erratum { place, against, printed, corrected, residuals: [wrong, right] } = erratum;
+        let right = if *right == 0.0 { "0".to_owned() } else { format!("< {right:e}") };
+        format!(
+            "{number:2}  {place}\n    against              {against}\n    printed    {wrong:>8.2}  {printed}\n    \
+             corrected  {right:>8}  {corrected}\n"
+        )
+    };
+    let heading = "               residual\n".to_owned();
+    (1..).zip(&ERRATA).fold(heading, |text, erratum| text + &lines(erratum))
 }
 
 /// Wrong formula of the paper with its correction.

@@ -3,26 +3,19 @@
 mod columns;
 mod table;
 
-mod plot;
-
 use super::Report;
 use crate::Failure;
 use crate::input::axis::Axis;
 use crate::input::scenario::ScenarioFile;
 use crate::motion::stream;
 use crate::output::whole_file;
-use crate::pictures::drawing;
 use clap::Args;
-use columns::{Column, DEFAULT_COLUMNS};
-use plot::HeatMap;
+use columns::{DEFAULT_COLUMNS, SweepColumn};
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::Instant;
 use table::Sweep;
-
-/// Size of the largest file that is drawn, MiB.
-const LARGEST_PLOTTED: u64 = 4096;
 
 /// `toytop sweep`
 #[derive(Args)]
@@ -32,7 +25,7 @@ pub struct SweepArgs {
     /// CSV file to write (- is stdout); it appears under its name when it is complete
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// Spin of a release, rad/s: X,Y,... or LOW..HIGH, in a grid LOW..HIGH/PLACES; with log: in front even in the logarithm
+    /// Spin of a release, rad/s: X,Y,... or LOW..HIGH, in a grid LOW..HIGH/COUNT; with log: in front even in the logarithm
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     spin: Option<Axis>,
     /// Tilt of a release, degrees
@@ -44,12 +37,9 @@ pub struct SweepArgs {
     /// Nutation of a release, rad/s
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     nutation: Option<Axis>,
-    /// Any other number of the scenario, in the key's unit: --axis com_height=0.02..0.04/21
+    /// Any number of the scenario, in the unit of its key: --axis com_height=0.02..0.04/21
     #[arg(long, value_name = "KEY=AXIS", value_parser = key_and_axis)]
     axis: Vec<(String, Axis)>,
-    /// Heat map of a column over two keys of a grid, as an SVG file beside the output
-    #[arg(long, value_name = "X,Y,COLUMN")]
-    plot: Option<String>,
     /// Number of random motions; without it, the motions are the grid of all combinations
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000_000_000))]
     motions: Option<u64>,
@@ -57,14 +47,13 @@ pub struct SweepArgs {
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
     /// Columns of each motion: constants by their names in toytop constants; columns of toytop state, at every time; error_f32, the
-    /// greatest error of the f32 ephemeris against the f64 ephemeris, bound_f32 and segments_f32; full_error_f64 and full_error_f32,
-    /// the greatest errors against the full solver (slow)
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS, value_parser = Column::from_str)]
-    columns: Vec<Column>,
+    /// greatest error of the f32 ephemeris against the f64 ephemeris, bound_f32 and segments_f32
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS, value_parser = SweepColumn::from_str)]
+    columns: Vec<SweepColumn>,
     /// Number of times at which each motion is evaluated
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=4096))]
     samples: u32,
-    /// Nutation periods that these times are spread over (for a motion without a period: times of 2 pi sqrt((A/p + s)/g))
+    /// Nutation periods that these times are spread over; for a motion without a period, natural times 2 pi sqrt((A/p + s)/g)
     #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = periods, allow_hyphen_values = true)]
     periods: f64,
     /// Every N-th motion, beginning with the I-th; only part 1 has the header, so that cat joins all parts
@@ -75,14 +64,11 @@ pub struct SweepArgs {
 impl SweepArgs {
     /// Keys of the scenario that vary, each with its axis.
     fn varied(&self) -> Vec<(String, Axis)> {
-        let of_release = [
-            ("spin", &self.spin),
-            ("tilt_deg", &self.tilt),
-            ("precession", &self.precession),
-            ("nutation", &self.nutation),
-        ];
-        let named = of_release.into_iter().filter_map(|(key, axis)| Some((key.to_owned(), axis.clone()?)));
-        named.chain(self.axis.iter().cloned()).collect()
+        let Self { spin, tilt, precession, nutation, axis, .. } = self;
+        let keys = ["spin", "tilt_deg", "precession", "nutation"].map(str::to_owned);
+        let of_release = keys.into_iter().zip([spin, tilt, precession, nutation]);
+        let given = of_release.filter_map(|(key, axis)| Some((key, axis.clone()?)));
+        given.chain(axis.iter().cloned()).collect()
     }
 }
 
@@ -115,11 +101,6 @@ pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
     )?;
     let [part, parts] = arguments.part;
     let file = (arguments.output.as_os_str() != "-").then_some(&*arguments.output);
-    let map = match (&arguments.plot, file) {
-        (Some(text), Some(file)) if parts == 1 => Some((HeatMap::new(text, &sweep)?, file)),
-        (Some(_), _) => return Err(Failure::Input("--plot: needs a whole file, not a part".to_owned())),
-        (None, _) => None,
-    };
     let count = (sweep.count + parts - part) / parts;
     let (refused, first) = (AtomicU64::new(0), AtomicU64::new(u64::MAX));
     let row = |row: u64, text: &mut Vec<u8>| {
@@ -134,10 +115,6 @@ pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
         out.write_all(if part == 1 { sweep.header() } else { String::new() }.as_bytes())?;
         stream::rows(count, &row, out)
     })?;
-    if let Some((map, file)) = map {
-        let csv = whole_file::read("--output", file, LARGEST_PLOTTED)?;
-        drawing::write("--plot", &file.with_extension("svg"), &map.draw(&sweep, &csv)?, None)?;
-    }
     let refused = match refused.into_inner() {
         0 => String::new(),
         refused => {

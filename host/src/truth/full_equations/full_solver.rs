@@ -19,7 +19,7 @@ use toytop_model::equations::{Vector7, dot};
 /// Default tolerance per step. By measurement, smaller ones increase the number of evaluations, but not the accuracy.
 pub const FULL_SOLVER_TOLERANCE: f64 = 3e-16;
 /// Limit on evaluations of the equations, which takes about five seconds, for some thirty thousand nutations.
-const MOST_EVALUATIONS: u64 = 100_000_000;
+const MAX_EVALUATIONS: u64 = 100_000_000;
 
 fn failure(reason: &str) -> Failure {
     Failure::Method(format!("full solver: {reason}"))
@@ -93,7 +93,7 @@ impl FullSolver {
             equations,
             rate_unit,
             tolerances,
-            limit: MOST_EVALUATIONS,
+            limit: MAX_EVALUATIONS,
             usable,
             time: 0.0,
             y,

@@ -28,12 +28,11 @@ fn compare_holds_its_bounds() {
         let is_table = row["method"] == "ephemeris";
         assert_eq!(["steps", "table"].map(|key| row[key].is_null()), [is_table, !is_table], "{row}");
         assert!(!is_table || row["scalar"] != "f32" || bound < 5.11e-7, "{row}");
-        assert!(row["scalar"] != "q31" || error < 3e-8 && error > 1e-9, "{row}");
+        // the bound of a table is not far above its error; in f64 the bound of the reference dominates
+        assert!(!is_table || row["scalar"] == "f64" || error > 0.2 * bound, "{row}");
+        assert!(row["scalar"] != "q31" || error < 2e-8 && error > 1e-9, "{row}");
+        assert!(row["scalar"] != "q15" || error < 5e-4, "{row}");
     }
-    let table = toytop("compare --all --scalar f64").ok();
-    assert!(table.lines().all(|line| line.chars().count() <= 120));
-    assert_eq!(table.matches(" ok\n").count(), 36);
-    assert!(table.contains("figure 2 e3=100 (-15.65"), "the warning is below the table");
 }
 
 /// An error without a bound is judged by none: over 100 periods no error of an orientation is larger than the bound of the reference.
@@ -53,7 +52,7 @@ fn compare_fits_one_screen() {
     let text = toytop("compare").ok();
     assert!(text.lines().count() <= 24 && text.lines().all(|line| line.chars().count() <= 100), "{text}");
     assert_eq!(text.matches(" ok\n").count(), 18, "{text}");
-    assert!(text.contains("--all"), "{text}");
+    assert!(text.contains("figure 2 e3=100 (-15.65"), "the warning is below the table");
 }
 
 #[test]
@@ -68,13 +67,18 @@ fn compare_reads_scenarios_and_reports_a_missed_bound() {
 
     // A/(ps) = 1e-4 near the vertical is too steep for 4096 steps a period.
     let file = scenario("slender", &slender([-0.9, 0.99, 1.18], ["5.4e-5", "5e-5"]));
-    let run = toytop(format!("compare {file} --scalar f64,f32"));
-    assert_eq!((run.code, run.out.matches(" MISS\n").count()), (Some(1), 2), "{}", run.out);
-    let of_the_ephemeris = |line: &&str| line.contains(" ephemeris ") && line.ends_with(" ok");
-    assert_eq!(run.out.lines().filter(of_the_ephemeris).count(), 2, "{}", run.out);
+    let line = format!("{file} --scalar f64,f32");
+    let run = toytop(format!("compare {line}"));
+    assert_eq!((run.code, run.out.matches(" MISS\n").count()), (Some(1), 1), "{}", run.out);
+    let run = toytop(format!("compare {line} --format json"));
+    let rows: Value = serde_json::from_str(&run.out).expect("JSON");
+    for row in list(&rows["rows"]) {
+        let expected = if row["method"] == "stepper" { "MISS" } else { "ok" };
+        assert_eq!((run.code, &row["verdict"]), (Some(1), &Value::from(expected)), "{row}");
+    }
 
     // at 1e-6 no table is large enough, which is stated and no missed bound
-    let run = toytop(format!("compare {} --scalar f32 --periods 1", needle("needle_compared")));
-    assert!(run.out.contains("needle_compared f32: no ephemeris"), "{}", run.out);
-    assert!(run.out.lines().any(|line| line.contains(" ephemeris ") && line.ends_with(" no fit")));
+    let run = toytop(format!("compare {} --scalar f32 --periods 1 --format csv", needle("needle_compared")));
+    assert!(run.err.contains("needle_compared f32: no ephemeris"), "{}", run.err);
+    assert!(run.out.contains(",ephemeris,,,") && run.out.ends_with(",no fit\n"), "{}", run.out);
 }

@@ -70,11 +70,10 @@ fn a_row_is_the_scenario_with_its_numbers() {
         if constants["regime"] != "nutating" {
             continue;
         }
-        // the times are not in the row: a third of 2.5 periods each, moved on by multiples of the golden section
+        // the times are not in the row: in each third of 2.5 periods one, moved on by multiples of the golden section
         let part = 2.5 * number(&constants["period"]) / 3.0;
-        let golden = (5_f64.sqrt() - 1.0) / 2.0;
-        for tick in 1..=3 {
-            let t = part * (f64::from(tick - 1) + (f64::from(tick - 1) * golden).fract());
+        for (tick, thirds) in [(1, 0.0), (2, 1.618_033_988_749_895), (3, 2.236_067_977_499_79)] {
+            let t = part * thirds;
             let truth = numbers(&samples(format!("{own} --times={t:?}"))[0], "u alpha beta tip phi");
             let names = ["u", "alpha_re", "alpha_im", "beta_re", "beta_im", "tip_x", "tip_y", "phi"];
             for (name, expected) in names.into_iter().zip(truth) {
@@ -110,32 +109,16 @@ fn numbers_that_a_scenario_cannot_have_are_refused_rows() {
 #[test]
 fn errors_are_those_of_the_scalars() {
     let axes = "--axis transverse_inertia=0.5..2 --axis e1=-0.9..0.2 --axis e2=0.3..0.9 --axis e3=1.2..3";
-    let columns = ["error_f32", "bound_f32", "segments_f32", "full_error_f64", "full_error_f32"];
+    let columns = ["error_f32", "bound_f32", "segments_f32"];
     let line = format!("@figure_3_loops --motions 40 --columns {} {axes}", columns.join(","));
     let table = sweep("sweep_errors.csv", &line);
     for row in 0..40 {
-        let [error, bound, segments, double, single] =
+        let [error, bound, segments] =
             columns.map(|name| field(&table, row, name).parse::<f64>().expect(name));
         assert!(error > 1e-8 && error < bound && bound < 1e-6, "{error:e} {bound:e}");
-        assert!(
-            double > 1e-16 && double < 1e-12 && (single - error).abs() <= double,
-            "{double:e} {single:e}"
-        );
         // nothing here is near a corner
         assert!(segments == 16.0 || segments == 32.0, "{segments}");
     }
-}
-
-#[test]
-fn a_heat_map_shows_a_column() {
-    let axes = "--spin 90..300/12 --tilt -5..60/14";
-    // the picture is beside the table
-    sweep("sweep_map.csv", &format!("@toy_top {axes} --plot spin,tilt,period"));
-    let svg = read("sweep_map.svg");
-    for part in ["period, s", "tilt, degrees", "spin, rad/s", "grey: no value", "#c8c8c8"] {
-        assert!(svg.contains(part), "{part}");
-    }
-    assert!(svg.matches("<rect").count() >= 12 * 14);
 }
 
 #[test]
@@ -144,10 +127,6 @@ fn wrong_arguments_are_refused() {
     all_refused(
         "sweep -o sweep_kept.csv @toy_top",
         &[
-            ("--spin 90..300/12 --plot spin,tilt,period", "tilt_deg: must be a key that varies"),
-            ("--spin 1,2 --tilt 1..2/2 --plot spin,tilt,period", "spin: must be a key that varies"),
-            ("--spin 1..2/2 --tilt 1..2/2 --plot spin,tilt,colour", "colour: must be one of"),
-            ("--spin 1..2/2 --plot spin", "must be X,Y,COLUMN"),
             ("--tilt 1..2", "tilt_deg: a range in a grid"),
             ("--axis speed=1,2", "speed: no number of this scenario; allowed: transverse_inertia"),
             ("--axis spin=1,2 --spin 3", "spin: must be one axis only"),

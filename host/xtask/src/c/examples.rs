@@ -66,7 +66,7 @@ pub(crate) fn on_chip() -> Result<String> {
     command.arg("-o").arg(&elf).args(["main.c", "chip.c"].map(|file| sources.join(file)));
     run(command.arg(archives.join("lib/cortex-m4-hard/libtoytop.a")).arg("-Wl,--gc-sections"))?;
 
-    let mut qemu = chip::named("m4f")?.qemu(&elf);
+    let mut qemu = chip::M4F.qemu(&elf);
     let ended = run_within(qemu.args(["-icount", "shift=0,sleep=off"]), Duration::from_secs(60))?;
     if !ended.success {
         bail!("{}\nthe program failed", ended.output.trim_end());

@@ -1,11 +1,10 @@
-//! Parts of pages that have costs: tables of the limits, and of the set-up of many launches.
+//! Parts of pages that have costs: tables of the budgets, and of the set-up of many launches.
 
-use super::limits::Limits;
-use super::meter::Cost;
 use crate::Failure;
+use crate::budget::budgets::Budgets;
 use crate::commands::Report;
-use crate::output::doc_markers::{Page, grouped, table};
-use crate::output::{self, Record, eight_digits};
+use crate::output::doc_markers::{Page, table};
+use crate::output::{self, Column, Record, eight_digits};
 use std::path::Path;
 
 /// Part of a page: the page, its mark, and its text.
@@ -14,21 +13,27 @@ pub type Part = (&'static str, &'static str, String);
 const COSTS: &str = "host/docs/costs.md";
 const FRONT_PAGE: &str = "README.md";
 
-/// Parts of pages that have limits.
-pub fn of_limits(limits: &Limits) -> [Part; 2] {
+/// Parts of pages that have budgets.
+pub fn of_budgets(budgets: &Budgets) -> [Part; 2] {
     [
-        (COSTS, "toytop budget: calls", calls(limits)),
-        (FRONT_PAGE, "toytop budget: front page", front_page(limits)),
+        (COSTS, "toytop budget: calls", calls(budgets)),
+        (FRONT_PAGE, "toytop budget: front page", front_page(budgets)),
     ]
 }
 
-/// Parts of pages that have costs of many launches.
-pub fn of_corpus(rows: &[Record]) -> [Part; 2] {
-    let rows = of_launches(rows);
-    [
-        (COSTS, "toytop budget: launches", table(&rows)),
-        (FRONT_PAGE, "toytop budget: median launch", median_launch(&rows)),
-    ]
+/// Part of a page that has the costs of many launches.
+pub fn of_corpus(rows: &[Record]) -> Part {
+    let columns = [
+        ("chip", "chip"),
+        ("scalar", "scalar"),
+        ("result", "result"),
+        ("launches", "launches"),
+        ("median_cycles_model", "median cycles"),
+        ("greatest_cycles_model", "greatest cycles"),
+        ("slice_cycles_model", "cycles of the longest slice"),
+    ];
+    let columns = columns.map(|(name, heading)| -> Column<'_> { (name, heading, eight_digits) });
+    (COSTS, "toytop budget: launches", table(&output::rows(rows, &columns)))
 }
 
 /// Writes parts of pages below a folder, after each of them was found to have a place.
@@ -81,26 +86,21 @@ const ROWS: [(&str, &str); 24] = [
     ),
 ];
 
-/// Figure of a cost.
-type Figure = fn(&Cost) -> Option<u64>;
-
 /// Columns, each with its heading, its chip and its figure.
-const COLUMNS: [(&str, &str, Figure); 6] = [
-    ("M0+ cycles", "m0plus", |cost| cost.cycles),
-    ("M4F cycles", "m4f", |cost| cost.cycles),
-    ("M7 instr.", "m7", |cost| Some(cost.instructions)),
-    ("RISC-V instr.", "riscv", |cost| Some(cost.instructions)),
-    ("M4F stack, bytes", "m4f", |cost| cost.stack),
-    ("kept, bytes", "m4f", |cost| cost.ram),
+const COLUMNS: [(&str, &str, &str); 6] = [
+    ("M0+ cycles", "m0plus", "cycles"),
+    ("M4F cycles", "m4f", "cycles"),
+    ("M7 instr.", "m7", "instructions"),
+    ("RISC-V instr.", "riscv", "instructions"),
+    ("M4F stack, bytes", "m4f", "stack"),
+    ("kept, bytes", "m4f", "ram"),
 ];
 
-fn calls(limits: &Limits) -> String {
+fn calls(budgets: &Budgets) -> String {
     let row = |(call, what): (&str, &str)| {
         let row = Record::default().with("from a tick to α, β, u and the tip in memory, at most", what);
-        let figure = |row: Record, (heading, chip, figure): &(&'static str, &str, Figure)| {
-            row.with(heading, limits.of(chip, call).and_then(figure))
-        };
-        COLUMNS.iter().fold(row, figure)
+        let figure = |row: Record, (heading, chip, figure)| row.with(heading, budgets.of(chip, call, figure));
+        COLUMNS.into_iter().fold(row, figure)
     };
     markdown(&ROWS.map(row))
 }
@@ -113,11 +113,16 @@ const FRONT_ROWS: [(&str, &str, &str); 4] = [
     ("m4f", "slices", "set-up in static memory, once per launch, Cortex-M4F"),
 ];
 
-fn front_page(limits: &Limits) -> String {
+fn front_page(budgets: &Budgets) -> String {
     let row = |(chip, call, what): (&str, &str, &str)| {
-        let Cost { cycles, ram, stack, flash, .. } = limits.of(chip, call).copied().unwrap_or_default();
-        let row = Record::default().with("at most", what).with("cycles", cycles);
-        row.with("kept, bytes", ram).with("stack, bytes", stack).with("flash, bytes", flash)
+        let figures = [
+            ("cycles", "cycles"),
+            ("kept, bytes", "ram"),
+            ("stack, bytes", "stack"),
+            ("flash, bytes", "flash"),
+        ];
+        let figure = |row: Record, (heading, figure)| row.with(heading, budgets.of(chip, call, figure));
+        figures.into_iter().fold(Record::default().with("at most", what), figure)
     };
     markdown(&FRONT_ROWS.map(row))
 }
@@ -126,42 +131,17 @@ fn markdown(rows: &[Record]) -> String {
     table(&output::rows(rows, &output::all_columns(rows, eight_digits)))
 }
 
-/// Table of the launches, whose first row is the header.
-fn of_launches(rows: &[Record]) -> Vec<Vec<String>> {
-    let columns = [
-        ("chip", "chip"),
-        ("scalar", "scalar"),
-        ("result", "result"),
-        ("launches", "launches"),
-        ("median_cycles_model", "median cycles"),
-        ("greatest_cycles_model", "greatest cycles"),
-        ("slice_cycles_model", "cycles of the longest slice"),
-    ];
-    output::rows(rows, &columns.map(|(name, heading)| (name, heading, eight_digits as fn(f64) -> String)))
-}
-
-/// Cost of the launches in one sentence; empty if those of this chip and scalar are not known.
-fn median_launch(rows: &[Vec<String>]) -> String {
-    let Some(row) = rows.iter().find(|row| row[..3] == ["m4f", "f32", "ready"]) else { return String::new() };
-    let [launches, median, greatest, slice] = [3, 4, 5, 6].map(|place| grouped(&row[place]));
-    format!(
-        "Set-up of {launches} [very different launches](host/docs/costs.md#set-up-of-200-launches): median {median} cycles, worst {greatest}. Other work can run at \
-         least every {slice} cycles.\n"
-    )
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::collections::BTreeMap;
 
     #[test]
-    fn tables_have_figures_of_several_chips() {
-        let costs = |cycles| {
-            BTreeMap::from([("cursor_q31".into(), Cost { cycles: Some(cycles), ..Cost::default() })])
-        };
-        let limits = Limits(BTreeMap::from([("m4f".into(), costs(260)), ("m0plus".into(), costs(1221))]));
-        assert!(front_page(&limits).contains("Cortex-M0+ | 1 221 | - | - | 0 |"));
-        assert!(calls(&limits).contains("the tip in units of s | 1 221 | 260 | - | - |"));
+    fn the_pages_have_the_tables_of_the_budgets() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let budgets = Budgets::read(&root.join("firmware-examples/budgets.toml")).expect("the budgets");
+        for (name, mark, text) in of_budgets(&budgets) {
+            let page = Page::read(&root.join(name), mark).expect("a page");
+            assert!(page.has(&text), "{name}: toytop budget --accept writes it anew:\n{text}");
+        }
     }
 }

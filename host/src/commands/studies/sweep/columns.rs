@@ -1,71 +1,66 @@
 //! Columns of a sweep, and what is computed of a motion for them.
 
-use crate::input::scenario::{Scenario, Units};
 use crate::motion::constants::CONSTANTS;
 use crate::motion::ephemeris::{AnyEphemeris, approximate, smallest_ephemeris};
 use crate::motion::propagate::Sample;
 use crate::motion::quantity::Quantity;
 use crate::motion::{Scalar, spread_times};
 use crate::output::text;
-use crate::truth::full_equations;
 use clap::ValueEnum;
 use serde_json::Value;
 use std::cell::OnceCell;
 use std::str::FromStr;
-use toytop::{Motion, Orientation};
+use toytop::Motion;
 use toytop_model::constants::MotionConstants;
 
 /// Column of a sweep, or the columns of a quantity at every time.
 #[derive(Clone, Copy)]
-pub enum Column {
+pub enum SweepColumn {
     /// Constant of the motion, by its name and function.
     Constant(&'static str, fn(&MotionConstants) -> Value),
-    /// Figure of the motion's tables, by its name and function.
-    Figure(&'static str, fn(&Measured) -> Value),
+    /// Measurement of the motion's tables, by its name and function.
+    Measured(&'static str, fn(&Measured) -> Value),
     /// Quantity of a sample, at every time.
     Sample(Quantity),
 }
 
-/// Figure of a motion's tables: its name and its value; null where a table or the solver has none.
-type Figure = (&'static str, fn(&Measured) -> Value);
+/// Column of a motion's tables: its name and its value; null where there is no table.
+type MeasuredColumn = (&'static str, fn(&Measured) -> Value);
 
-/// Figures of the tables of a motion over the times: greatest error of the f32 ephemeris against the f64 ephemeris, rad; error bound
-/// that the f32 ephemeris states, rad; segments of the f32 table; greatest errors of both against the full solver, rad.
-const FIGURES: [Figure; 5] = [
+/// Columns of the tables: greatest error of the f32 ephemeris against the f64 ephemeris, rad; bound that the f32 ephemeris states, rad; its
+/// number of segments.
+const MEASURED: [MeasuredColumn; 3] = [
     ("error_f32", |motion| {
-        let exact = motion.double().map(|run| run.samples.iter().map(Sample::orientation));
-        motion.single().zip(exact).map(|(run, exact)| run.error(exact)).into()
+        motion.f32_table().and_then(|table| motion.f64_table().map(|exact| table.error(exact))).into()
     }),
-    ("bound_f32", |motion| motion.single().map(|run| run.bound).into()),
-    ("segments_f32", |motion| motion.single().map(|run| run.segments).into()),
-    ("full_error_f64", |motion| motion.full_error(motion.double()).into()),
-    ("full_error_f32", |motion| motion.full_error(motion.single()).into()),
+    ("bound_f32", |motion| motion.f32_table().map(|table| table.bound).into()),
+    ("segments_f32", |motion| motion.f32_table().map(|table| table.segments).into()),
 ];
 
 /// Columns without the option.
 pub const DEFAULT_COLUMNS: &str = "regime,tip_class,period,phi_per_period,min_normal_force";
 
-impl FromStr for Column {
+impl FromStr for SweepColumn {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Self, String> {
         let constants = CONSTANTS.map(|(name, _, value)| (name, Self::Constant(name, value)));
-        let figures = FIGURES.map(|(name, value)| (name, Self::Figure(name, value)));
-        let named = constants.into_iter().chain(figures).find(|(known, _)| *known == name);
+        let measured = MEASURED.map(|(name, value)| (name, Self::Measured(name, value)));
+        let named = constants.into_iter().chain(measured).find(|(known, _)| *known == name);
         let sample = || Quantity::from_str(name, false).ok().map(Self::Sample);
         named.map(|(_, column)| column).or_else(sample).ok_or_else(|| {
-            let (constants, figures) = (constants.map(|(name, _)| name), figures.map(|(name, _)| name));
-            let (constants, figures) = (constants.join(", "), figures.join(", "));
-            format!("must be a column of toytop state, {constants}, {figures}")
+            let (constants, measured) = (constants.map(|(name, _)| name), measured.map(|(name, _)| name));
+            let (constants, measured) = (constants.join(", "), measured.join(", "));
+            format!("must be a column of toytop state, {constants}, {measured}")
         })
     }
 }
 
-impl Column {
+impl SweepColumn {
     /// Names in the header.
     pub fn names(self, times: u32) -> Vec<String> {
         match self {
-            Self::Constant(name, _) | Self::Figure(name, _) => vec![name.to_owned()],
+            Self::Constant(name, _) | Self::Measured(name, _) => vec![name.to_owned()],
             Self::Sample(quantity) => {
                 let at = |time| quantity.names().1.iter().map(move |part| format!("{part}_{time}"));
                 (1..=times).flat_map(at).collect()
@@ -73,18 +68,18 @@ impl Column {
         }
     }
 
-    /// Fields of a motion, or of numbers that the scenario refuses; an absent value is an empty field. A number has the shortest decimal
-    /// that reads back the same `f64`.
+    /// Fields of CSV, empty where a value is absent or the scenario refuses the numbers. A number is the shortest decimal that reads back the
+    /// same `f64`.
     pub fn fields(self, motion: Option<&Measured>, times: u32) -> Vec<String> {
         let number = |x: f64| if x.is_nan() { String::new() } else { format!("{x:?}") };
         let absent = || vec![String::new(); self.names(times).len()];
         let value = match (self, motion) {
             (Self::Constant(_, value), Some(motion)) => value(&motion.motion),
-            (Self::Figure(_, value), Some(motion)) => value(motion),
+            (Self::Measured(_, value), Some(motion)) => value(motion),
             (Self::Constant("regime", _), None) => "refused".into(),
-            (Self::Sample(quantity), Some(motion)) => match motion.double() {
-                Some(run) => {
-                    let numbers = run.samples.iter().flat_map(|sample| quantity.numbers(sample));
+            (Self::Sample(quantity), Some(motion)) => match motion.f64_table() {
+                Some(table) => {
+                    let numbers = table.samples.iter().flat_map(|sample| quantity.numbers(sample));
                     return numbers.map(number).collect();
                 }
                 None => return absent(),
@@ -95,28 +90,27 @@ impl Column {
     }
 }
 
-/// Motion of a row, with its tables and the full solver as far as columns need them.
+/// Motion of a row, with its tables as far as columns need them.
 pub struct Measured {
     motion: MotionConstants,
     times: Vec<f64>,
-    double: OnceCell<Option<Run>>,
-    single: OnceCell<Option<Run>>,
-    full: OnceCell<Option<Vec<Orientation<f64>>>>,
+    f64_table: OnceCell<Option<TableSamples>>,
+    f32_table: OnceCell<Option<TableSamples>>,
 }
 
-/// Values of an ephemeris at the times.
-struct Run {
+/// Samples of an ephemeris at the times.
+struct TableSamples {
     samples: Vec<Sample>,
     segments: usize,
     /// Error bound at t = 0, rad; the part per tick is negligible below millions of periods.
     bound: f64,
 }
 
-impl Run {
-    /// Greatest distance from the truth, rad.
-    fn error(&self, truth: impl IntoIterator<Item = Orientation<f64>>) -> f64 {
-        let pairs = self.samples.iter().zip(truth);
-        pairs.map(|(sample, truth)| sample.orientation().distance(&truth)).fold(0.0, f64::max)
+impl TableSamples {
+    /// Greatest distance of the orientations of two tables, rad.
+    fn error(&self, truth: &Self) -> f64 {
+        let pairs = self.samples.iter().zip(&truth.samples);
+        pairs.map(|(x, y)| x.orientation().distance(&y.orientation())).fold(0.0, f64::max)
     }
 }
 
@@ -125,36 +119,24 @@ impl Measured {
     pub fn new(motion: Motion, count: u32, periods: f64) -> Self {
         let motion = MotionConstants::new(motion);
         let times = spread_times(periods * motion.nutation_period(), count);
-        let (double, single, full) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
-        Self { motion, times, double, single, full }
+        Self { motion, times, f64_table: OnceCell::new(), f32_table: OnceCell::new() }
     }
 
-    fn run(&self, table: &dyn AnyEphemeris) -> Run {
+    fn samples_of(&self, table: &dyn AnyEphemeris) -> TableSamples {
         let samples = self.times.iter().map(|&t| table.at(t).sample).collect();
-        Run { samples, segments: table.size()[0], bound: table.error_bound().constant }
+        TableSamples { samples, segments: table.size()[0], bound: table.error_bound().constant }
     }
 
-    fn double(&self) -> Option<&Run> {
+    fn f64_table(&self) -> Option<&TableSamples> {
         /// Truncation error, rad.
         const WITHIN: f64 = 1e-13;
-        let run = || approximate(&self.motion, WITHIN).ok().map(|table| self.run(&*table));
-        self.double.get_or_init(run).as_ref()
+        let table = || approximate(&self.motion, WITHIN).ok().map(|table| self.samples_of(&*table));
+        self.f64_table.get_or_init(table).as_ref()
     }
 
-    fn single(&self) -> Option<&Run> {
-        let run = || smallest_ephemeris(Scalar::F32, &self.motion).ok().map(|table| self.run(&*table));
-        self.single.get_or_init(run).as_ref()
-    }
-
-    /// Greatest distance of a run from the full solver, rad.
-    fn full_error(&self, run: Option<&Run>) -> Option<f64> {
-        let solved = || {
-            let scenario =
-                Scenario { name: String::new(), motion: *self.motion, given: None, units: Units::None };
-            let states = full_equations::states(&scenario, &self.times).ok()?;
-            Some(states.iter().map(|state| state.orientation()).collect())
-        };
-        let truth = self.full.get_or_init(solved).as_ref()?;
-        Some(run?.error(truth.iter().copied()))
+    fn f32_table(&self) -> Option<&TableSamples> {
+        let table =
+            || smallest_ephemeris(Scalar::F32, &self.motion).ok().map(|table| self.samples_of(&*table));
+        self.f32_table.get_or_init(table).as_ref()
     }
 }

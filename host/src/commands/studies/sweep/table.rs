@@ -2,7 +2,7 @@
 //!
 //! A row depends only on the options of the sweep and on its index, so that parts from different machines fit together.
 
-use super::columns::{Column, Measured};
+use super::columns::{Measured, SweepColumn};
 use crate::Failure;
 use crate::input::axis::Axis;
 use crate::input::random::Random;
@@ -20,7 +20,7 @@ pub struct Sweep {
     /// Number of motions.
     pub count: u64,
     /// Columns after those of the numbers that vary.
-    columns: Vec<Column>,
+    columns: Vec<SweepColumn>,
     /// Number of times at which each motion is evaluated.
     times: u32,
     /// Number of nutation periods over which these times are spread.
@@ -37,7 +37,7 @@ impl Sweep {
         template: ScenarioFile,
         varied: Vec<(String, Axis)>,
         sample: Option<(u64, u64)>,
-        columns: Vec<Column>,
+        columns: Vec<SweepColumn>,
         (times, periods): (u32, f64),
     ) -> Result<Self, Failure> {
         let refuse = |reason: String| Err(Failure::Input(reason));
@@ -69,18 +69,8 @@ impl Sweep {
         }
     }
 
-    /// Axis of a key of a grid.
-    pub fn axis(&self, name: &str) -> Option<&Axis> {
-        self.axes.iter().find(|(key, _)| *key == name && self.sample.is_none()).map(|(_, axis)| axis)
-    }
-
-    /// Place of a row of a grid on the axis of a key.
-    pub fn place(&self, name: &str, index: u64) -> Option<u64> {
-        self.places(index).find(|((key, _), _)| *key == name).map(|(_, place)| place)
-    }
-
-    /// Axes, each with the place of a row of a grid on it; the last key changes fastest.
-    fn places(&self, index: u64) -> impl Iterator<Item = (&(&'static str, Axis), u64)> {
+    /// Axes, each with the index of a row of a grid on it; the last key changes fastest.
+    fn indices(&self, index: u64) -> impl Iterator<Item = (&(&'static str, Axis), u64)> {
         let mut cells = self.count;
         self.axes.iter().map(move |axis| {
             cells /= axis.1.size();
@@ -95,7 +85,7 @@ impl Sweep {
             Some(random) => (*key, axis.draw(random)),
             None => (*key, axis.at(place)),
         };
-        self.places(index).map(number).collect()
+        self.indices(index).map(number).collect()
     }
 
     fn motion(&self, numbers: &[(&'static str, f64)]) -> Result<Motion, Failure> {
@@ -110,7 +100,7 @@ impl Sweep {
         names.join(",") + "\n"
     }
 
-    /// Appends the row with this index, with a line break; the result is whether the scenario has these numbers.
+    /// Appends the row with this index and a line break; false if the scenario refuses its numbers.
     pub fn row(&self, index: u64, text: &mut Vec<u8>) -> bool {
         let numbers = self.numbers(index);
         let motion = self.motion(&numbers).ok();

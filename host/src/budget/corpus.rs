@@ -1,7 +1,7 @@
 //! Cost of many set-ups: the firmware `corpus` launches 200 tops and counts its own instructions.
 
+use super::budgets::Budgets;
 use super::chips::Chip;
-use super::limits::Limits;
 use super::trace;
 use crate::Failure;
 use crate::output::Record;
@@ -9,16 +9,16 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Costs of the launches of an ELF on an emulated chip: a row for each scalar and each result, `ready` or `refused`. Cycles are in
-/// proportion to those of the call `launch`, and absent where the chip has no model. A slice is the longest time between two calls of the
-/// set-up's function.
+/// proportion to those of the call `launch`. A slice is the longest time between two calls of the set-up's function.
 ///
 /// # Errors
 /// [`Failure::Tool`]: there is no QEMU, the program did not end with exit code 0, or a line of its output cannot be read.
-pub fn corpus(chip: &Chip, elf: &Path, limits: &Limits) -> Result<Vec<Record>, Failure> {
+pub fn corpus(chip: &Chip, elf: &Path, budgets: &Budgets) -> Result<Vec<Record>, Failure> {
     // an instruction takes one nanosecond of virtual time
     let text = trace::run(chip, elf, &["-icount", "shift=0,sleep=off"], |_| Ok(()))?;
-    let ratio = limits.of(chip.name, "launch").and_then(|cost| Some((cost.cycles?, cost.instructions)));
-    let ratio = ratio.map(|(cycles, instructions)| cycles as f64 / instructions as f64);
+    let launch = |figure| budgets.of(chip.name, "launch", figure).map(|count| count as f64);
+    let ratio =
+        launch("cycles").zip(launch("instructions")).map(|(cycles, instructions)| cycles / instructions);
     let mut groups: BTreeMap<[&str; 2], (Vec<u64>, u64)> = BTreeMap::new();
     for line in text.lines() {
         let unknown = || Failure::Tool(format!("budget: {}: not a line of the corpus: {line}", chip.name));

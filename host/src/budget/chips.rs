@@ -8,8 +8,6 @@ use std::process::{Command, Stdio};
 pub struct Chip {
     /// Name on the command line and in `firmware-examples/budgets.toml`.
     pub name: &'static str,
-    /// Name in tables.
-    pub core: &'static str,
     /// Rust's target triple.
     pub target: &'static str,
     /// Flags of the compiler.
@@ -22,10 +20,9 @@ pub struct Chip {
     pub machine: &'static [&'static str],
 }
 
-/// Chip without FPU and division, with 16 KiB of RAM.
+/// Cortex-M0, without FPU and division, with 16 KiB of RAM.
 pub const M0: Chip = Chip {
     name: "m0",
-    core: "Cortex-M0",
     target: "thumbv6m-none-eabi",
     rustflags: "",
     memory: None,
@@ -33,20 +30,14 @@ pub const M0: Chip = Chip {
     machine: &["-machine", "microbit"],
 };
 
-/// Chip with the instructions of [`M0`]. QEMU does not emulate it with memory for large tables, so a Cortex-M3 replaces it, which executes
+/// Cortex-M0+, with the instructions of [`M0`]. QEMU does not emulate it with memory for large tables, so a Cortex-M3 replaces it, which executes
 /// the same instructions.
-pub const M0PLUS: Chip = Chip {
-    name: "m0plus",
-    core: "Cortex-M0+",
-    memory: Some("memory/mps2.x"),
-    machine: &["-machine", "mps2-an385"],
-    ..M0
-};
+pub const M0PLUS: Chip =
+    Chip { name: "m0plus", memory: Some("memory/mps2.x"), machine: &["-machine", "mps2-an385"], ..M0 };
 
-/// Chip with an FPU for `f32`, on which a multiplication and a sum are faster than a multiply-add.
+/// Cortex-M4F, with an FPU for `f32`, on which a multiplication and a sum are faster than a multiply-add.
 pub const M4F: Chip = Chip {
     name: "m4f",
-    core: "Cortex-M4F",
     target: "thumbv7em-none-eabihf",
     rustflags: "-C target-cpu=cortex-m4",
     memory: None,
@@ -54,19 +45,13 @@ pub const M4F: Chip = Chip {
     machine: &["-machine", "mps2-an386"],
 };
 
-/// Chip with an FPU for `f32` and `f64`. Its ELF does not run on an M4F, and gives no message there.
-pub const M7: Chip = Chip {
-    name: "m7",
-    core: "Cortex-M7",
-    rustflags: "-C target-cpu=cortex-m7",
-    machine: &["-machine", "mps2-an500"],
-    ..M4F
-};
+/// Cortex-M7, with an FPU for `f32` and `f64`.
+pub const M7: Chip =
+    Chip { name: "m7", rustflags: "-C target-cpu=cortex-m7", machine: &["-machine", "mps2-an500"], ..M4F };
 
-/// Chip of Armv8-M with an FPU for `f32`.
+/// Cortex-M33, with an FPU for `f32`.
 pub const M33: Chip = Chip {
     name: "m33",
-    core: "Cortex-M33",
     target: "thumbv8m.main-none-eabihf",
     rustflags: "",
     memory: None,
@@ -74,10 +59,9 @@ pub const M33: Chip = Chip {
     machine: &["-machine", "mps2-an505"],
 };
 
-/// Chip of RISC-V without FPU.
+/// RISC-V chip without FPU.
 pub const RISCV: Chip = Chip {
     name: "riscv",
-    core: "RISC-V (RV32IMAC)",
     target: "riscv32imac-unknown-none-elf",
     rustflags: "",
     memory: None,
@@ -94,8 +78,8 @@ pub fn target_dir(root: &Path) -> PathBuf {
 }
 
 impl Chip {
-    /// Makes a `cargo build` one for this chip, and returns the folder of its ELFs. A chip with flags or a memory map has a target folder
-    /// of its own.
+    /// Adds the arguments for this chip to a `cargo build`, and returns the folder of its ELFs. A chip with flags or a memory map has a target
+    /// folder of its own.
     pub fn build(&self, cargo: &mut Command, root: &Path) -> PathBuf {
         let own = if self.rustflags.is_empty() && self.memory.is_none() { "" } else { self.name };
         let folder = target_dir(root).join(own);

@@ -1,13 +1,12 @@
 //! Errors of a trajectory.
 
-use super::drift::{self, Drift};
 use super::phases::{self, PhaseErrors};
-use super::trajectory::{Row, Trajectory};
+use super::trajectory::{Pose, Trajectory};
 use crate::Failure;
 use crate::input::scenario::Scenario;
-use crate::motion::Scalar;
 use crate::motion::ephemeris::{AnyEphemeris, furthest_time, smallest_ephemeris};
 use crate::motion::propagate::period;
+use crate::motion::{Scalar, drift, greater};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
@@ -16,8 +15,6 @@ use toytop::{Motion, Orientation};
 pub struct ExactReference<'a> {
     motion: &'a Motion,
     table: Box<dyn AnyEphemeris>,
-    /// Distance from the tip to the centre of mass in the files.
-    pub length: f64,
     /// Command that prints the state from which a run has to start.
     start: String,
 }
@@ -32,22 +29,22 @@ pub struct Score {
     pub final_error: f64,
     /// Greatest error of u.
     pub max_u_error: f64,
-    /// Greatest error of the positions of tip and centre of mass, if the file has any.
-    pub max_position_error: Option<f64>,
+    /// Greatest error of the tip, if the file has it.
+    pub max_tip_error: Option<f64>,
     /// Phase errors over the last nutation period.
     pub phases: PhaseErrors,
-    /// Drift of l, n and h.
-    pub drift: Drift,
+    /// Greatest differences of l, n and h from those of the motion, in units of their natural scales, if the file has the angular velocity.
+    pub drift: Option<[f64; 3]>,
     /// Greatest distance of the file's orientations from unit norm.
     pub norm_error: f64,
     /// Upper bound on the error of the exact motion itself, rad.
     pub truth_bound: f64,
-    /// Question that suggests why the first row is far from the motion, most often a convention.
+    /// Likely reason why the first row is far from the motion, most often a convention.
     pub warning: Option<String>,
 }
 
-/// Distance from which a first row is far: rad, or a share.
-const FAR: f64 = 0.01;
+/// Distance from which a first row is suspect: rad, or relative.
+const SUSPECT_DISTANCE: f64 = 0.01;
 
 impl<'a> ExactReference<'a> {
     /// Exact motion of a scenario, by its ephemeris in `f64`; `start` is the command that prints the state from which a run has to start.
@@ -57,7 +54,7 @@ impl<'a> ExactReference<'a> {
     pub fn new(scenario: &'a Scenario, start: &str) -> Result<Self, Failure> {
         let motion = &scenario.motion;
         let table = smallest_ephemeris(Scalar::F64, motion).map_err(|failure| failure.of(&scenario.name))?;
-        Ok(Self { motion, table, length: motion.top().com_height(), start: start.to_owned() })
+        Ok(Self { motion, table, start: start.to_owned() })
     }
 
     /// Errors of a trajectory.
@@ -77,9 +74,9 @@ impl<'a> ExactReference<'a> {
             rms_error: mean_square.sqrt(),
             final_error: errors.last().map_or(0.0, |[error, _]| *error),
             max_u_error: greatest(errors.iter().map(|[_, u_error]| *u_error)),
-            max_position_error: rows.iter().filter_map(|row| self.position_error(row)).reduce(f64::max),
+            max_tip_error: rows.iter().filter_map(|row| self.tip_error(row)).reduce(f64::max),
             phases: phases::last(self.motion, &*self.table, rows),
-            drift: drift::along(rows, self.motion, &*self.table),
+            drift: self.drift(rows),
             norm_error: greatest(rows.iter().map(|row| row.norm_error)),
             truth_bound: self.table.error_bound().after(furthest * self.table.ticks_per_time()),
             warning: rows.first().and_then(|row| self.warning(row)),
@@ -87,40 +84,43 @@ impl<'a> ExactReference<'a> {
     }
 
     /// Errors of the orientation of a row, rad, and of its u.
-    fn errors(&self, row: &Row) -> [f64; 2] {
+    fn errors(&self, row: &Pose) -> [f64; 2] {
         let exact = self.table.at(row.t).sample.orientation();
         [distance(&exact, &row.orientation), (row.orientation.u() - exact.u()).abs()]
     }
 
-    /// Greatest error of the positions of a row.
-    fn position_error(&self, row: &Row) -> Option<f64> {
-        let exact = self.table.at(row.t).sample;
-        let tip = row.tip.map(|[x, y]| (x - exact.tip.re).hypot(y - exact.tip.im));
-        let com = row.com.map(|com| apart(com, exact.orientation().axis().map(|x| self.length * x)));
-        [tip, com].into_iter().flatten().reduce(f64::max)
+    fn tip_error(&self, row: &Pose) -> Option<f64> {
+        let exact = self.table.at(row.t).sample.tip;
+        row.tip.map(|[x, y]| (x - exact.re).hypot(y - exact.im))
+    }
+
+    fn drift(&self, rows: &[Pose]) -> Option<[f64; 3]> {
+        rows.iter().try_fold([0.0; 3], |most: [f64; 3], row| {
+            let now = drift(self.motion, &row.orientation, row.omega?);
+            Some(std::array::from_fn(|i| greater(most[i], now[i])))
+        })
     }
 
     /// Reason why the first row is far from the motion; `None` if it is near.
-    fn warning(&self, first: &Row) -> Option<String> {
+    fn warning(&self, first: &Pose) -> Option<String> {
         let exact = self.table.at(first.t).sample;
         let [error, _] = self.errors(first);
         let inverse = distance(&exact.orientation(), &first.orientation.inverse());
         let speed = apart(exact.omega, [0.0; 3]).max(2.0 * PI / period(self.motion));
-        let length = if self.length > 0.0 { self.length } else { 1.0 };
         let rate_error = first.omega.map_or(0.0, |omega| apart(omega, exact.omega)) / speed;
-        let position_error = self.position_error(first).unwrap_or(0.0) / length;
+        let tip_error = self.tip_error(first).unwrap_or(0.0) / self.motion.top().tip_scale();
         let far = format!("the first row is {error:.1e} rad from the motion;");
-        let reason = if error >= FAR && inverse < FAR {
+        let reason = if error >= SUSPECT_DISTANCE && inverse < SUSPECT_DISTANCE {
             let transposed = "are the columns from fixed to body coordinates?";
             return Some(format!("{far} and its inverse {inverse:.1e} rad: {transposed}"));
-        } else if error >= FAR {
+        } else if error >= SUSPECT_DISTANCE {
             far
-        } else if rate_error >= FAR {
+        } else if rate_error >= SUSPECT_DISTANCE {
             format!(
                 "the angular velocity of the first row is off by {rate_error:.1e} of its size: are wx,wy,wz in the body frame, and"
             )
-        } else if position_error >= FAR {
-            format!("the position of the first row is off by {position_error:.1e} of the length of the top;")
+        } else if tip_error >= SUSPECT_DISTANCE {
+            format!("the position of the first row is off by {tip_error:.1e} of the length of the top;")
         } else {
             return None;
         };
