@@ -170,7 +170,7 @@ impl PyMotion {
 
     /// Picture of the curve that the tip draws, for a notebook.
     fn _repr_html_<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let Curve { points, circles, .. } = py.detach(|| Curve::of(&self.motion)).map_err(failed)?;
+        let Curve { points, circles, .. } = py.detach(|| Curve::new(&self.motion, None)).map_err(failed)?;
         let radii: Vec<_> = circles.iter().map(|circle| circle.radius).collect();
         py.import("toytop._notebook")?.call_method1("tip_curve", (points, radii))
     }

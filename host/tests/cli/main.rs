@@ -12,11 +12,10 @@ mod motion {
     pub(crate) mod vectors;
 }
 
-/// Pictures, films and pages.
+/// Pictures and pages.
 mod pictures {
-    mod animate;
     mod figures;
-    pub(crate) mod plot;
+    mod plot;
     pub(crate) mod view;
 }
 
