@@ -4,7 +4,7 @@ use crate::Failure;
 use crate::commands::data::{benchmark, fit, score, simulate};
 use crate::commands::motion::{bake, constants, events, state};
 use crate::commands::options::FormatArgs;
-use crate::commands::pictures::{figures, plot, view};
+use crate::commands::pictures::{animate, figures, plot, view};
 use crate::commands::studies::{accuracy, bench, budget, compare, errata, sweep};
 use crate::output::stdout::Report;
 use clap::error::ErrorKind;
@@ -62,15 +62,22 @@ enum Command {
             toytop events host/scenarios/toy_top.toml --kind tilt=22 --from 1e6 --format json"
     )]
     Events(events::EventsArgs),
-    /// Curve of the tip from above, between its bounding circles
+    /// Picture of a motion: curve of the tip or axis, tilt, precession, potential
     ///
-    /// For a held tip it is the curve of the end of a unit vector along the axis, which is minus the tip of toytop state.
+    /// For a held tip the curve from above is that of the end of a unit vector along the axis, which is minus the tip of toytop state.
     #[command(
-        after_help = "Symbols: u: cosine of the tilt; e1 <= u <= e2: its bounds; e3: third root of the cubic of the nutation; l, n: angular momenta\n\
-            about the vertical and about the axis of the top. The page of toytop view has the other pictures of a motion.\n\n\
-            Example: toytop plot host/scenarios/figure_3_loops.toml -o tip.svg"
+        after_help = "Symbols: u: cosine of the tilt; e1 <= u <= e2: its bounds; e3: third root of the cubic of the nutation; rho: distance of the\n\
+            tip from the centre, s sqrt(1 - u^2); l, n: angular momenta about the vertical and about the axis of the top.\n\n\
+            Example: toytop plot host/scenarios/figure_3_loops.toml -o tip.svg\n         toytop plot host/scenarios/toy_top.toml --kind tilt --times 0..0.5 --size 1200 -o tilt.png"
     )]
     Plot(plot::PlotArgs),
+    /// Animation of a motion, as a GIF
+    #[command(
+        after_help = "Each frame shows the top at one exact time. A red spoke of the disc turns with the body. A fast spin can be seen only in slow motion:\n\
+            --times 0..0.2 shows a fifth of a second over the whole film.\n\n\
+            Example: toytop animate host/scenarios/toy_top.toml --times 0..0.2 -o top.gif"
+    )]
+    Animate(animate::AnimateArgs),
     /// Page for a browser that shows a top, with sliders for its launch
     ///
     /// The page needs no network and no other file. It contains the core, which computes the motion that the sliders set.
@@ -162,6 +169,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> Result<Report, Fail
         Command::Constants(arguments) => constants::run(arguments),
         Command::Events(arguments) => events::run(arguments),
         Command::Plot(arguments) => plot::run(arguments),
+        Command::Animate(arguments) => animate::run(arguments),
         Command::View(arguments) => view::run(arguments),
         Command::Bake(arguments) => bake::run(arguments),
         Command::Figures(arguments) => figures::run(arguments),

@@ -27,6 +27,7 @@ pub mod data {
 
 /// Commands that draw a motion.
 pub mod pictures {
+    pub mod animate;
     pub mod figures;
     pub mod plot;
     pub mod view;

@@ -1,4 +1,4 @@
-//! Chart of curves over logarithmic axes. (The logarithmic axes of kuva have no ticks below 1e-10.)
+//! Chart of curves over linear or logarithmic axes. (The logarithmic axes of kuva have no ticks below 1e-10.)
 
 use super::drawing::{frame, label_above};
 use crate::input::axis::ends;
@@ -9,18 +9,47 @@ use kuva::render::plots::Plot;
 use kuva::render::render::{Scene, render_multiple};
 use std::sync::Arc;
 
-/// Curve of a chart, with a mark at every point.
+/// Curve of a chart.
 pub struct Curve {
     /// Name in the legend.
-    pub name: String,
-    /// Points \[x, y\]; those with a number that is not above 0 are left out.
+    name: String,
+    /// Points \[x, y\].
     pub points: Vec<[f64; 2]>,
-    /// Whether a line joins the points.
-    pub is_line: bool,
+    /// Whether there is a line through the points.
+    is_line: bool,
+    /// Whether every point has a mark.
+    is_marked: bool,
+}
+
+impl Curve {
+    /// Line through points.
+    pub fn line(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
+        Self { name: name.into(), points, is_line: true, is_marked: false }
+    }
+
+    /// Line through points with marks.
+    pub fn marked(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
+        Self { is_marked: true, ..Self::line(name, points) }
+    }
+
+    /// Marks without a line.
+    pub fn dots(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
+        Self { is_line: false, ..Self::marked(name, points) }
+    }
+}
+
+/// Chart with the names of its curves in a legend.
+pub struct Chart<'a> {
+    /// Title above the axes.
+    pub title: &'a str,
+    /// Labels of x and y.
+    pub labels: [&'a str; 2],
+    /// Whether the axes of x and of y are logarithmic; numbers that are not above 0 are then left out.
+    pub powers: [bool; 2],
 }
 
 /// Colours of the curves, which colour-blind readers can distinguish (the palette of Okabe and Ito).
-const COLORS: [&str; 9] =
+pub const COLORS: [&str; 9] =
     ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#999933", "#882255"];
 
 /// Marks that distinguish the curves without their colours.
@@ -32,36 +61,58 @@ const MARKS: [MarkerShape; 5] = [
     MarkerShape::TriangleDown,
 ];
 
-/// Chart with a title, the labels of x and y, and the names of the curves in a legend. Its axes end at whole powers of ten.
-pub fn draw(title: &str, labels: [&str; 2], curves: &[Curve]) -> Scene {
-    let mut plots: Vec<Plot> = Vec::new();
-    let mut all = Vec::new();
-    let looks = COLORS.into_iter().cycle().zip(MARKS.into_iter().cycle());
-    for (curve, (color, mark)) in curves.iter().zip(looks) {
-        let shown = curve.points.iter().filter(|[x, y]| *x > 0.0 && *y > 0.0);
-        let points: Vec<(f64, f64)> = shown.map(|[x, y]| (x.log10(), y.log10())).collect();
-        all.extend(points.iter().copied());
-        if curve.is_line {
-            let line = LinePlot::new().with_data(points.clone());
-            plots.push(line.with_color(color).with_stroke_width(1.8).into());
+impl Chart<'_> {
+    /// Chart of these curves. A logarithmic axis ends at whole powers of ten; another one of y has a margin above and below its points.
+    pub fn draw(&self, curves: &[Curve]) -> Scene {
+        let mut plots: Vec<Plot> = Vec::new();
+        let mut all = Vec::new();
+        let looks = COLORS.into_iter().cycle().zip(MARKS.into_iter().cycle());
+        for (curve, (color, mark)) in curves.iter().zip(looks) {
+            let place = |&[x, y]: &[f64; 2]| Some((place(x, self.powers[0])?, place(y, self.powers[1])?));
+            let points: Vec<(f64, f64)> = curve.points.iter().filter_map(place).collect();
+            all.extend(points.iter().copied());
+            if curve.is_line {
+                let line = LinePlot::new().with_data(points.clone()).with_color(color).with_stroke_width(1.8);
+                plots.push(if curve.is_marked { line } else { line.with_legend(&*curve.name) }.into());
+            }
+            if curve.is_marked {
+                let dots = ScatterPlot::new().with_data(points).with_color(color).with_size(4.5);
+                plots.push(dots.with_marker(mark).with_legend(&*curve.name).into());
+            }
         }
-        let dots = ScatterPlot::new().with_data(points).with_color(color).with_size(4.5);
-        plots.push(dots.with_marker(mark).with_legend(&*curve.name).into());
+        let [mut x, mut y] = [ends(all.iter().map(|(x, _)| *x)), ends(all.iter().map(|(_, y)| *y))];
+        let height = y[1] - y[0];
+        let margin = match self.powers[1] {
+            true => 0.1,
+            false if height > 1e-9 * y[1].abs() => 0.06 * height,
+            // a curve that is constant to rounding is drawn in the middle
+            false => 1.0,
+        };
+        y = [y[0] - margin, y[1] + margin];
+        for (ends, power) in [&mut x, &mut y].into_iter().zip(self.powers) {
+            *ends = if power { whole(*ends) } else { *ends };
+        }
+        let mut layout = frame(&plots, self.title, self.labels[0], [x, y])
+            .with_width(920.0)
+            .with_height(520.0)
+            .with_force_margins_y(84.0, 62.0);
+        let power = || TickFormat::Custom(Arc::new(power_of_ten));
+        if self.powers[0] {
+            layout = layout.with_x_tick_step(1.0).with_x_tick_format(power());
+        }
+        if self.powers[1] {
+            let step = if y[1] - y[0] > 9.0 { 2.0 } else { 1.0 };
+            layout = layout.with_y_tick_step(step).with_y_tick_format(power());
+        }
+        let mut scene = render_multiple(plots, layout);
+        label_above(&mut scene, self.labels[1], [16.0, 66.0]);
+        scene
     }
-    let [x, y] = [ends(all.iter().map(|(x, _)| *x)), ends(all.iter().map(|(_, y)| *y))];
-    let [x, y] = [whole(x), whole([y[0] - 0.1, y[1] + 0.1])];
-    let power = || TickFormat::Custom(Arc::new(power_of_ten));
-    let layout = frame(&plots, title, labels[0], [x, y])
-        .with_width(920.0)
-        .with_height(520.0)
-        .with_force_margins_y(84.0, 62.0)
-        .with_x_tick_step(1.0)
-        .with_x_tick_format(power())
-        .with_y_tick_step(if y[1] - y[0] > 9.0 { 2.0 } else { 1.0 })
-        .with_y_tick_format(power());
-    let mut scene = render_multiple(plots, layout);
-    label_above(&mut scene, labels[1], [16.0, 66.0]);
-    scene
+}
+
+/// Place of a number on an axis: its logarithm, if the axis has one.
+fn place(x: f64, power: bool) -> Option<f64> {
+    if power { (x > 0.0).then(|| x.log10()) } else { Some(x) }
 }
 
 /// Next whole numbers below and above; a number that is almost whole counts as whole.

@@ -1,4 +1,4 @@
-//! Frame of a picture, texts in it, and its file.
+//! Axes and colours of the pictures, texts, dots and lines in them, and their files.
 
 use crate::Failure;
 use crate::output::whole_file;
@@ -10,6 +10,12 @@ use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor};
 use std::io;
 use std::path::Path;
+
+/// Colours of the tip or axis, of its bounds, of its start, and of captions.
+pub const CURVE: &str = "#1f4e8c";
+pub const BOUND: &str = "#8a8a8a";
+pub const START: &str = "#c0392b";
+pub const CAPTION: &str = "#555555";
 
 /// Frame with a title, a label below it, and these ranges of x and y.
 pub fn frame(plots: &[Plot], title: &str, label: &str, [x, y]: [[f64; 2]; 2]) -> Layout {
@@ -24,17 +30,34 @@ pub fn frame(plots: &[Plot], title: &str, label: &str, [x, y]: [[f64; 2]; 2]) ->
         .with_legend_box(false)
 }
 
-/// Writes a picture as SVG or PNG, by the ending of the file's name. A PNG has two pixels for each unit of the layout.
+/// Writes a picture, encoded as by [`encoded`].
 ///
 /// # Errors
 /// The failures of [`whole_file::write`], or [`Failure::Output`]: the picture cannot be encoded.
-pub fn write(option: &str, path: &Path, scene: &Scene) -> Result<(), Failure> {
-    let is_png = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
-    let bytes = match is_png {
-        true => RasterBackend::new().with_scale(2.0).render_scene(scene).map_err(io::Error::other)?,
-        false => SvgBackend::default().render_scene(scene).into_bytes(),
-    };
-    whole_file::write(option, path, &bytes)
+pub fn write(option: &str, path: &Path, scene: &Scene, width: Option<u32>) -> Result<(), Failure> {
+    whole_file::write(option, path, &encoded(path, scene, width)?)
+}
+
+/// Picture as SVG or PNG, by the ending of the file's name. `width` is in pixels; without it an SVG has the size of its layout, and a PNG
+/// two pixels for each of its units.
+///
+/// # Errors
+/// The picture cannot be encoded.
+pub fn encoded(path: &Path, scene: &Scene, width: Option<u32>) -> io::Result<Vec<u8>> {
+    let scale = width.map(|width| f64::from(width) / scene.width);
+    if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
+        return raster(scene, scale.unwrap_or(2.0));
+    }
+    let svg = SvgBackend::default().render_scene(scene);
+    let Some(scale) = scale else { return Ok(svg.into_bytes()) };
+    let size = |scale: f64| format!("width=\"{}\" height=\"{}\"", scale * scene.width, scale * scene.height);
+    let scaled = format!("{} viewBox=\"0 0 {} {}\"", size(scale), scene.width, scene.height);
+    Ok(svg.replacen(&size(1.0), &scaled, 1).into_bytes())
+}
+
+/// PNG with `scale` pixels for each unit of the layout.
+pub fn raster(scene: &Scene, scale: f64) -> io::Result<Vec<u8>> {
+    RasterBackend::new().with_scale(scale as f32).render_scene(scene).map_err(io::Error::other)
 }
 
 /// Adds a line of text.
@@ -46,4 +69,17 @@ pub fn text(scene: &mut Scene, content: &str, [x, y]: [f64; 2], size: u32, ancho
 /// Adds the label of the vertical axis, horizontally above the frame, because rotated text is not sharp in a raster picture.
 pub fn label_above(scene: &mut Scene, content: &str, place: [f64; 2]) {
     text(scene, content, place, 14, TextAnchor::Start, "black");
+}
+
+/// Adds a disc, with an outline of another colour if there is one.
+pub fn disc(scene: &mut Scene, (cx, cy): (f64, f64), r: f64, fill: &str, outline: Option<&str>) {
+    let (fill, stroke) = (Color::from(fill), outline.map(Color::from));
+    let stroke_width = outline.map(|_| 1.0);
+    scene.add(Primitive::Circle { cx, cy, r, fill, fill_opacity: None, stroke, stroke_width });
+}
+
+/// Adds a line through points.
+pub fn line(scene: &mut Scene, points: Vec<(f64, f64)>, color: &str, stroke_width: f64) {
+    let stroke = Color::from(color);
+    scene.add(Primitive::PolyLine { points, stroke, stroke_width, stroke_dasharray: None });
 }

@@ -1,8 +1,8 @@
 //! Picture of a curve, for a white page.
 
-use super::curve::Curve;
-use super::drawing::{frame, label_above, text};
-use crate::Failure;
+use super::curve::TipCurve;
+use super::drawing::{BOUND, CAPTION, CURVE, START, frame, label_above, text};
+use super::span::Span;
 use crate::input::scenario::{Scenario, Units};
 use crate::output::names::tip_class;
 use crate::output::short;
@@ -10,14 +10,8 @@ use kuva::plot::scatter::ScatterPlot;
 use kuva::plot::{LegendPosition, LinePlot, LineStyle};
 use kuva::render::plots::Plot;
 use kuva::render::render::{Scene, TextAnchor, render_multiple};
-use std::f64::consts::TAU;
-use toytop::{Motion, Sign, Support};
-
-/// Colours of the curve, of its bounds, of its start, and of captions.
-const CURVE: &str = "#1f4e8c";
-const BOUND: &str = "#8a8a8a";
-const START: &str = "#c0392b";
-const CAPTION: &str = "#555555";
+use std::f64::consts::PI;
+use toytop::{Sign, Support};
 
 /// Sizes of the layout in pixels: side of the square for the curve, and margins around it.
 const SIDE: f64 = 560.0;
@@ -26,21 +20,18 @@ const RIGHT: f64 = 20.0;
 const ABOVE: f64 = 92.0;
 const BELOW: f64 = 58.0;
 
-/// Draws the curve between two times, s, or without them over about one turn around the centre.
-///
-/// # Errors
-/// The failures of [`Curve::new`].
-pub fn draw(scenario: &Scenario, times: Option<[f64; 2]>) -> Result<Scene, Failure> {
-    let (top, units) = (scenario.motion.top(), scenario.units);
-    let mut curve = Curve::new(&scenario.motion, times)?;
+/// Draws the curve over a span of time.
+pub fn draw(scenario: &Scenario, span: &Span) -> Scene {
+    let mut curve = TipCurve::over(&scenario.motion, span);
+    let s = scenario.motion.top().tip_scale();
     // in mm, or in units of s where the scenario names no units
-    let (name, unit, scale) = match (top.support(), units) {
+    let (name, unit, scale) = match (scenario.motion.top().support(), scenario.units) {
         (Support::Sliding, Units::Si) => ("tip", ", mm", 1e-3),
-        (Support::Sliding, Units::None) => ("tip", " in units of s", top.tip_scale()),
+        (Support::Sliding, Units::None) => ("tip", " in units of s", s),
         (Support::Fixed | Support::Free, _) => ("axis", " of the axis (length 1)", 1.0),
     };
     curve.points.iter_mut().flatten().for_each(|x| *x /= scale);
-    curve.circles.iter_mut().for_each(|circle| circle.radius /= scale);
+    curve.circles.iter_mut().for_each(|(radius, _)| *radius /= scale);
     let extent = extent(&curve);
     let plots = lines(&curve, extent, name);
     let layout = frame(&plots, &scenario.name, &format!("x{unit}"), [[-extent, extent]; 2])
@@ -56,32 +47,27 @@ pub fn draw(scenario: &Scenario, times: Option<[f64; 2]>) -> Result<Scene, Failu
     let mut caption_at = |content: &str, place: [f64; 2], size: u32| {
         text(&mut scene, content, place, size, TextAnchor::Middle, CAPTION);
     };
-    for (line, y) in caption(&scenario.motion, curve.periods).iter().zip([51.0, 67.0]) {
+    let seen = ": seen from above, the end of a unit vector along the axis";
+    for (line, y) in caption(scenario, span, seen).iter().zip([51.0, 67.0]) {
         caption_at(line, [middle, y], 12);
     }
     if curve.circles.is_empty() {
         let rests = format!("The axis is vertical for ever: the {name} rests.");
         caption_at(&rests, [middle, ABOVE + 0.5 * SIDE + 30.0], 14);
     }
-    let [from, until] = ends_as_text(curve.ends);
-    let shown = format!("t = {from} to {until}{}", units.name(" s"));
+    let [from, until] = span.ends_as_text();
+    let shown = format!("t = {from} to {until}{}", scenario.units.name(" s"));
     caption_at(&shown, [LEFT + 0.88 * SIDE, ABOVE + SIDE + BELOW - 12.0], 12);
     label_above(&mut scene, &format!("y{unit}"), [12.0, ABOVE - 8.0]);
-    Ok(scene)
+    scene
 }
 
-/// First and last time as text, with as many digits as distinguish a thousandth of their difference.
-fn ends_as_text([from, until]: [f64; 2]) -> [String; 2] {
-    let parts = from.abs().max(until.abs()) / (until - from);
-    let digits = 4 + parts.log10().clamp(0.0, 13.0).ceil() as usize;
-    [from, until].map(|t| short(t, digits))
-}
-
-/// Caption in two lines: class of the curve, and numbers of the motion.
-fn caption(motion: &Motion, periods: Option<u32>) -> [String; 2] {
+/// Caption of the curve of the tip or the axis, two lines: its class and numbers of the scenario; for a held tip, `seen` states what is drawn.
+pub fn caption(scenario: &Scenario, span: &Span, seen: &str) -> [String; 2] {
+    let motion = &scenario.motion;
     let (top, e, signs) = (motion.top(), motion.branch_points(), motion.signs());
     let class = tip_class(motion.tip_class()).replace('_', " ");
-    let periods = periods.map(|periods| format!(", {periods} periods")).unwrap_or_default();
+    let periods = span.periods.map(|periods| format!(", {periods} periods")).unwrap_or_default();
     let shown = |e: f64| if e.is_finite() { short(e, 4) } else { "∞".to_owned() };
     let [e1, e2, e3] = [e.e1, e.e2, e.e3].map(shown);
     // (l + n)² and (l - n)² are proportional to these
@@ -103,8 +89,7 @@ fn caption(motion: &Motion, periods: Option<u32>) -> [String; 2] {
         Support::Free => "free body",
         Support::Fixed => "tip held",
     };
-    let seen = "seen from above, the end of a unit vector along the axis";
-    [format!("{roots}, {ratio}"), format!("{signs}, {support}: {seen}")]
+    [format!("{roots}, {ratio}"), format!("{signs}, {support}{seen}")]
 }
 
 /// Head of an arrow on the curve, near its start; none where the curve is a point.
@@ -121,19 +106,19 @@ fn arrow(points: &[[f64; 2]], extent: f64) -> Option<Plot> {
 }
 
 /// Circles, then the curve, then its start, each drawn over the one before.
-fn lines(curve: &Curve, extent: f64, name: &str) -> Vec<Plot> {
+fn lines(curve: &TipCurve, extent: f64, name: &str) -> Vec<Plot> {
     // rounded, so that the last bits of a table do not change the picture
     let unit = 10_f64.powf(extent.log10().floor() - 5.0);
     let rounded = |x: f64| (x / unit).round() * unit;
     let place = |&[x, y]: &[f64; 2]| (rounded(x), rounded(y));
     let mut plots: Vec<Plot> = Vec::new();
-    for (circle, style) in curve.circles.iter().zip(STYLES) {
+    for ((radius, limit), style) in curve.circles.iter().zip(STYLES) {
         let corner = |i: u32| {
-            let (sin, cos) = (TAU * f64::from(i) / f64::from(CORNERS)).sin_cos();
-            (circle.radius * cos, circle.radius * sin)
+            let (sin, cos) = (2.0 * PI * f64::from(i) / f64::from(CORNERS)).sin_cos();
+            (radius * cos, radius * sin)
         };
         let line = LinePlot::new().with_color(BOUND).with_stroke_width(1.1).with_line_style(style);
-        plots.push(line.with_data((0..=CORNERS).map(corner)).with_legend(&*circle.name).into());
+        plots.push(line.with_data((0..=CORNERS).map(corner)).with_legend(limit.to_string()).into());
     }
     let tip = LinePlot::new().with_color(CURVE).with_stroke_width(1.7).with_legend(name);
     plots.push(tip.with_data(curve.points.iter().map(place)).into());
@@ -151,8 +136,8 @@ const CORNERS: u32 = 720;
 const STYLES: [LineStyle; 3] = [LineStyle::Solid, LineStyle::Dashed, LineStyle::Dotted];
 
 /// Half the width of the picture, which contains all points, circles and a margin.
-fn extent(curve: &Curve) -> f64 {
+fn extent(curve: &TipCurve) -> f64 {
     let points = curve.points.iter().map(|[x, y]| x.hypot(*y));
-    let largest = curve.circles.iter().map(|circle| circle.radius).chain(points).fold(0.0, f64::max);
+    let largest = curve.circles.iter().map(|(radius, _)| *radius).chain(points).fold(0.0, f64::max);
     1.18 * if largest > 0.0 { largest } else { 1.0 }
 }

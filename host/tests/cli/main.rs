@@ -12,10 +12,11 @@ mod motion {
     pub(crate) mod vectors;
 }
 
-/// Pictures and pages.
+/// Pictures, films and pages.
 mod pictures {
+    mod animate;
     mod figures;
-    mod plot;
+    pub(crate) mod plot;
     pub(crate) mod view;
 }
 

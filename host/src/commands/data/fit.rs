@@ -3,15 +3,17 @@
 mod report;
 
 use super::Report;
-use super::options::positive;
+use super::options::{PICTURE, ending_in, positive};
 use crate::Failure;
 use crate::fit::columns;
 use crate::fit::launch::{FREE_KEYS, FitInput};
 use crate::fit::sensors::{Body, Sensors};
 use crate::input::scenario::ScenarioFile;
 use crate::output::{self, Format, shown, whole_file};
+use crate::pictures::drawing;
+use crate::pictures::fit as pictures;
 use clap::Args;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// `toytop fit`
 #[derive(Args)]
@@ -37,6 +39,12 @@ pub struct FitArgs {
     /// Form of the output
     #[arg(long, default_value = "table")]
     format: Format,
+    /// Residuals against time, as a picture: a file that ends in .svg or .png
+    #[arg(long, value_name = "FILE", value_parser = ending_in(PICTURE))]
+    plot_residuals: Option<PathBuf>,
+    /// Error of the prediction against time, as a picture
+    #[arg(long, value_name = "FILE", value_parser = ending_in(PICTURE))]
+    plot_prediction: Option<PathBuf>,
     /// Scenario file to write
     #[arg(short, long, value_name = "FITTED.toml")]
     output: Option<PathBuf>,
@@ -70,16 +78,36 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
         let names: Vec<_> = unused.iter().map(|name| shown(name)).collect();
         notes.push(format!("{samples}: columns that no sensor reads: {}", names.join(", ")));
     }
+    let not_written = |path: &Path, reason| format!("{}: not written, because {reason}", path.display());
+    let mut files: Vec<(&str, &Path, Vec<u8>)> = Vec::new();
     match output {
         Some(path) if converged => {
             let units = scenario.keys.get("units").and_then(toml::Value::as_str);
-            whole_file::write("--output", path, fit.scenario(units)?.as_bytes())?;
+            files.push(("--output", path, fit.scenario(units)?.into_bytes()));
         }
-        Some(path) => {
-            notes.push(format!("{}: not written, because the fit has not converged", path.display()));
-        }
+        Some(path) => notes.push(not_written(path, "the fit has not converged")),
         None => {}
     }
+    let motion = match fit.fitted.motion(&top) {
+        _ if !fit.has_launch() => Err("there is no launch"),
+        motion => motion.map_err(|_| "no top has the fitted numbers"),
+    };
+    let plots =
+        [("--plot-residuals", &arguments.plot_residuals), ("--plot-prediction", &arguments.plot_prediction)];
+    for (option, path) in plots {
+        let Some(path) = path else { continue };
+        match &motion {
+            Err(reason) => notes.push(not_written(path, reason)),
+            Ok(motion) => {
+                let picture = match option {
+                    "--plot-residuals" => pictures::residuals(&fit, &measurements),
+                    _ => pictures::prediction(&fit, motion),
+                };
+                files.push((option, path, drawing::encoded(path, &picture, None)?));
+            }
+        }
+    }
+    whole_file::write_all(&files)?;
     let text = match arguments.format {
         Format::Table => report::table(&fit),
         Format::Json => output::json(&report::object(&fit))?,

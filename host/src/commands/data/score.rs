@@ -8,7 +8,8 @@ use crate::Failure;
 use crate::input::scenario::Scenario;
 use crate::motion::propagate::period;
 use crate::output::{self, Column, Format, Lists, Record, short, two_digits};
-use crate::pictures::{chart, drawing};
+use crate::pictures::chart::Chart;
+use crate::pictures::drawing;
 use crate::score::benchmarks;
 use crate::score::exact_reference::ExactReference;
 use crate::score::trajectory::Trajectory;
@@ -76,9 +77,12 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     let methods: Vec<_> = methods.into_iter().map(Method::new).collect();
     if let Some(path) = plot {
         let (unit, curves) = work(&methods, period(&scenario.motion))?;
-        let title = format!("Work and precision: {}", scenario.name);
-        let labels = [unit, "greatest error of the orientation, rad"];
-        drawing::write("--plot", path, &chart::draw(&title, labels, &curves))?;
+        let chart = Chart {
+            title: &format!("Work and precision: {}", scenario.name),
+            labels: [unit, "greatest error of the orientation, rad"],
+            powers: [true; 2],
+        };
+        drawing::write("--plot", path, &chart.draw(&curves), None)?;
     }
     warnings.extend(methods.iter().flat_map(|method| method.warnings.clone()));
     let mut ranked = Vec::new();

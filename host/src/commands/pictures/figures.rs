@@ -1,9 +1,10 @@
-//! `toytop figures`: the curves of figures 2 and 3 of the paper, as `toytop plot` draws them.
+//! `toytop figures`: the curves of figures 2 and 3 of the paper, as `plot` draws them.
 
 use super::Report;
 use crate::Failure;
 use crate::input::builtin;
 use crate::output::whole_file;
+use crate::pictures::span::{MOST_CYCLES, Span};
 use crate::pictures::{drawing, tip};
 use clap::Args;
 use std::path::PathBuf;
@@ -21,9 +22,10 @@ pub fn run(arguments: &FiguresArgs) -> Result<Report, Failure> {
     std::fs::create_dir_all(folder).map_err(|error| whole_file::refused("--output", folder, error))?;
     let mut text = String::new();
     for scenario in builtin::figures().concat() {
-        let scene = tip::draw(&scenario, None)?;
+        let span = Span::new(&scenario.motion, None, MOST_CYCLES)?;
+        let scene = tip::draw(&scenario, &span);
         let path = folder.join(scenario.name.replace([' ', '='], "_") + ".svg");
-        drawing::write("--output", &path, &scene)?;
+        drawing::write("--output", &path, &scene, None)?;
         text.push_str(&format!("{}\n", path.display()));
     }
     Ok(text.into())

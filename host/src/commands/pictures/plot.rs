@@ -1,11 +1,13 @@
-//! `toytop plot`: the curve of the tip between its bounding circles.
+//! `toytop plot`: curve of the tip between its bounding circles, and other pictures of a motion.
 
 use super::options::{PICTURE, ending_in, span};
 use super::{Report, warnings};
 use crate::Failure;
 use crate::input::scenario::Scenario;
-use crate::pictures::{drawing, tip};
-use clap::Args;
+use crate::pictures::span::{MOST_CYCLES, Span};
+use crate::pictures::{charts, drawing, space, tip};
+use clap::{Args, ValueEnum};
+use kuva::render::render::Scene;
 use std::path::PathBuf;
 
 /// `toytop plot`
@@ -13,17 +15,56 @@ use std::path::PathBuf;
 pub struct PlotArgs {
     /// Scenario file
     scenario: PathBuf,
-    /// Times to draw, s, at most 1000 nutation periods; without it, from 0 over about one turn of the tip around the centre
+    /// Kind of picture
+    #[arg(long, default_value = "tip")]
+    kind: PlotKind,
+    /// Times to draw, s, at most 1000 nutation periods, and none for the potential; without it, from 0 over about one turn of the tip
+    /// around the centre
     #[arg(long, value_name = "LOW..HIGH", value_parser = span, allow_hyphen_values = true)]
     times: Option<[f64; 2]>,
+    /// Width of the picture, pixels
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(100..=10_000))]
+    size: Option<u32>,
     /// Output file, whose name ends in .svg or .png
     #[arg(short, long, value_name = "FILE", value_parser = ending_in(PICTURE))]
     output: PathBuf,
 }
 
+/// Kind of picture that `plot` draws.
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum PlotKind {
+    /// Curve of the tip between its two bounding circles, from above; for a held tip, the curve of the axis
+    Tip,
+    /// Curve of the axis on the unit sphere
+    Axis,
+    /// Tilt of the axis against time
+    Tilt,
+    /// Azimuth of the axis against time
+    Precession,
+    /// Effective potential of the nutation against the tilt
+    Potential,
+}
+
 pub fn run(arguments: &PlotArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
-    let scene = tip::draw(&scenario, arguments.times).map_err(|failure| failure.of_motion(&scenario.name))?;
-    drawing::write("--output", &arguments.output, &scene)?;
+    let scene = scene(arguments, &scenario).map_err(|failure| failure.of_motion(&scenario.name))?;
+    drawing::write("--output", &arguments.output, &scene, arguments.size)?;
     Ok(Report::default().with_remarks(warnings(&[scenario]), false))
+}
+
+fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
+    let times = arguments.times;
+    if arguments.kind == PlotKind::Potential {
+        if times.is_some() {
+            return Err(Failure::Input("--times: not for --kind potential".to_owned()));
+        }
+        return Ok(charts::potential(scenario));
+    }
+    let span = Span::new(&scenario.motion, times, MOST_CYCLES)?;
+    Ok(match arguments.kind {
+        PlotKind::Tilt => charts::tilt(scenario, &span),
+        PlotKind::Precession => charts::precession(scenario, &span)?,
+        PlotKind::Axis => space::draw(scenario, &span),
+        _ => tip::draw(scenario, &span),
+    })
 }

@@ -15,7 +15,7 @@ use crate::motion::{Scalar, first_integrals, greater, natural_scales};
 use crate::output::doc_markers::{self, Page};
 use crate::output::progress::Progress;
 use crate::output::{self, Column, Format, Record};
-use crate::pictures::chart::{self, Curve};
+use crate::pictures::chart::{Chart, Curve};
 use crate::pictures::drawing;
 use crate::thread_pool;
 use crate::truth::exact::{Exact, PreciseOrientation};
@@ -65,7 +65,7 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
     let octaves: Vec<_> = all.iter().flat_map(|one| of_octaves(one, &limits)).collect();
     let text = output::render(arguments.format, &output::list("rows", &octaves), table)?;
     if let Some(path) = &arguments.plot {
-        drawing::write("--plot", path, &picture(&all, &limits))?;
+        drawing::write("--plot", path, &picture(&all, &limits), None)?;
     }
     if let Some(page) = page {
         let rows = output::rows(&scalars, &columns(|x| format!("{x:.0e}")));
@@ -127,16 +127,19 @@ fn picture(all: &[Accuracy], limits: &Limits) -> Scene {
         };
         let unit = if Model::of(chip).is_some() { "cycles" } else { "instructions" };
         let points = all.iter().filter_map(point).collect();
-        Curve { name: format!("{}, {unit}", chip.core), points, is_line: false }
+        Curve::dots(format!("{}, {unit}", chip.core), points)
     };
     let name = |accuracy: &Accuracy| format!("{} {:.0e}", accuracy.scalar.name(), angle(accuracy));
     let names: Vec<_> = all.iter().map(name).collect();
-    let labels = [
-        "cost of the next tick: modelled cycles, or instructions executed",
-        &format!("greatest error over ticks 1 to 2⁴⁰, rad: {}", names.join(", ")),
-    ];
-    let curves: Vec<_> = CHIPS.iter().map(curve).collect();
-    chart::draw("What an orientation costs, and how exact it is", labels, &curves)
+    let chart = Chart {
+        title: "What an orientation costs, and how exact it is",
+        labels: [
+            "cost of the next tick: modelled cycles, or instructions executed",
+            &format!("greatest error over ticks 1 to 2⁴⁰, rad: {}", names.join(", ")),
+        ],
+        powers: [true; 2],
+    };
+    chart.draw(&CHIPS.iter().map(curve).collect::<Vec<_>>())
 }
 
 /// Binary logarithm of the last tick.

@@ -136,7 +136,7 @@ pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
     })?;
     if let Some((map, file)) = map {
         let csv = whole_file::read("--output", file, LARGEST_PLOTTED)?;
-        drawing::write("--plot", &file.with_extension("svg"), &map.draw(&sweep, &csv)?)?;
+        drawing::write("--plot", &file.with_extension("svg"), &map.draw(&sweep, &csv)?, None)?;
     }
     let refused = match refused.into_inner() {
         0 => String::new(),

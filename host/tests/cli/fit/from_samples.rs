@@ -1,8 +1,9 @@
 //! `toytop simulate` and `toytop fit`: from a scenario to samples and back.
 
 use crate::command::{
-    all_refused, folder, json, number, numbers, path, read, sample, samples, scenario, toytop, write,
+    all_refused, count, folder, json, number, numbers, path, read, sample, samples, scenario, toytop, write,
 };
+use crate::pictures::plot::lines;
 use serde_json::Value;
 
 /// Samples of the toy top in a file of this name, 0.3 s at 1 kHz.
@@ -97,6 +98,37 @@ fn a_drift_is_reported_with_its_error_bars() {
             ("--drift 0", "--drift"),
         ],
     );
+}
+
+/// Residuals are dots, in a strip for each sensor, and no lines join them. The error of the axis across the vertical grows with the
+/// time, and does not seem to oscillate.
+#[test]
+fn pictures_of_a_fit_can_be_read() {
+    simulated("fit_pictures.csv", "");
+    let plots = "--plot-residuals fit_residuals.svg --plot-prediction fit_prediction.svg";
+    toytop(format!("fit fit_pictures.csv --top @toy_top {plots}")).ok();
+    // a file that cannot be written leaves no other
+    folder("fit_half");
+    let line = "fit fit_pictures.csv --top @toy_top -o fit_half/fitted.toml --plot-residuals fit_half/a.svg";
+    toytop(format!("{line} --plot-prediction fit_half/no/b.svg")).refused(2, "--plot-prediction: ");
+    assert_eq!(count("fit_half"), 0);
+    let svg = read("fit_residuals.svg");
+    for sensor in ["gyroscope", "accelerometer", "magnetometer"] {
+        assert!(svg.contains(&format!(">{sensor}: residuals of the fit, standard deviations<")), "{sensor}");
+    }
+    // 300 samples of two rates and three accelerations, and 30 of the field; the rate about the axis is beyond the range
+    assert_eq!(svg.matches("r=\"1.6\"").count(), 300 * 5 + 30 * 3);
+    assert_eq!(svg.matches("stroke=\"#8a8a8a\"").count(), 6, "lines at 3 and -3");
+    let longest = svg
+        .split("d=\"M ")
+        .skip(1)
+        .map(|path| path.split('"').next().map_or(0, |path| path.matches('L').count()));
+    assert!(longest.max() <= Some(1), "no line joins the dots");
+
+    let short = lines(&read("fit_prediction.svg"), "#009e73").remove(0);
+    let late = &short[short.len() / 2..];
+    assert!(late.len() >= 40 && late[0][1] - late[late.len() - 1][1] > 100.0, "{late:?}");
+    assert!(late.windows(2).all(|pair| pair[1][1] < pair[0][1] + 1.0), "it never falls: {late:?}");
 }
 
 #[test]

@@ -11,7 +11,7 @@ fn svg(line: &str, to: &str) -> String {
 }
 
 /// Points of every line of this colour, in pixels from the middle of the frame.
-fn lines(svg: &str, color: &str) -> Vec<Vec<[f64; 2]>> {
+pub(crate) fn lines(svg: &str, color: &str) -> Vec<Vec<[f64; 2]>> {
     const MIDDLE: [f64; 2] = [352.0, 372.0];
     let point = |pair: &str| {
         let (x, y) = pair.trim().split_once(' ').expect("x y");
@@ -69,65 +69,117 @@ fn the_curve_lies_between_its_circles() {
 }
 
 #[test]
-fn png_has_two_pixels_for_a_unit() {
+fn png_has_its_size() {
     folder("plot_png");
-    toytop("plot @sleeping -o plot_png/a.PNG").ok();
-    let bytes = std::fs::read(path("plot_png/a.PNG")).expect("the picture");
-    assert!(bytes.starts_with(b"\x89PNG\r\n\x1a\n") && bytes.ends_with(b"IEND\xaeB`\x82"));
-    let number = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().expect("four bytes"));
-    assert_eq!([number(16), number(20)], [1304, 1420]);
+    for (line, size) in [("@sleeping", [1304, 1420]), ("@toy_top --size 163", [163, 178])] {
+        toytop(format!("plot {line} -o plot_png/a.PNG")).ok();
+        let bytes = std::fs::read(path("plot_png/a.PNG")).expect("the picture");
+        assert!(bytes.starts_with(b"\x89PNG\r\n\x1a\n") && bytes.ends_with(b"IEND\xaeB`\x82"));
+        let number = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().expect("four bytes"));
+        assert_eq!([number(16), number(20)], size, "{line}");
+    }
 }
 
-/// The axes have names and units, in SI and without units. A part after "not" is missing.
+/// Every kind of picture has names and units at its axes, in SI and without units. A part after "not" is missing.
 #[test]
-fn a_picture_says_what_it_shows() {
-    folder("plot_says");
+fn every_kind_says_what_it_shows() {
+    folder("plot_kinds");
     for (line, parts) in [
         ("@toy_top", "x, mm ... y, mm ... t = 0 to 1.215 s"),
         ("@figure_3_loops", "x in units of s ... >lowest: tilt 45.57°< ... >highest: tilt 25.84°<"),
         ("@toy_top --times 1e6..1000000.2", "t = 1e6 to 1.0000002e6 s"),
         ("@lagrange", ">axis< ... tip held ... not >tip<"),
+        ("@lagrange --kind axis", "the axis on the unit sphere ... lowest: tilt 27.55°"),
+        (
+            "@toy_top --kind tilt",
+            "t, s ... tilt, degrees ... >highest: tilt 20.00°< ... >lowest: tilt 22.23°<",
+        ),
+        ("@toy_top --kind precession", "azimuth of the axis, degrees ... its mean: 296.3 degrees/s"),
+        ("@toy_top --kind potential", "effective potential minus the energy h, mJ"),
         ("@sleeping", "the tip rests ... l - n = 0, ... not #8a8a8a"),
+        // an azimuth that is constant but for roundings stands in the middle of a degree on each side
+        ("@pendulum --kind precession", "its mean: 0 degrees/s ... >-0.5< ... >0.5<"),
     ] {
-        let picture = svg(line, "plot_says/a.svg");
+        let picture = svg(line, "plot_kinds/a.svg");
         for part in parts.split(" ... ") {
             let (part, is_there) = part.strip_prefix("not ").map_or((part, true), |part| (part, false));
             assert_eq!(picture.contains(part), is_there, "{line}: {part}");
         }
     }
-    let resting = lines(&svg("@sleeping", "plot_says/a.svg"), "#1f4e8c");
+    let resting = lines(&svg("@sleeping", "plot_kinds/a.svg"), "#1f4e8c");
     assert!(resting.iter().all(|line| radii(line).all(|r| r < 0.1)), "a point is no circle");
     let needle = needle("plot_needle");
     toytop(format!("plot {needle} -o a.svg")).refused(3, "plot_needle: no ephemeris");
+    toytop("plot @sleeping --kind precession -o a.svg")
+        .refused(3, "sleeping: the axis is vertical at all times");
+    all_refused("plot @toy_top", &[("-o tip.jpg", ".svg or .png"), ("-o tip", ".svg or .png")]);
     all_refused(
-        "plot",
+        "plot @sleeping -o a.svg",
         &[
-            ("@toy_top -o tip.jpg", ".svg or .png"),
-            ("@toy_top -o tip", ".svg or .png"),
-            ("@sleeping -o a.svg --times 2..1", "must be LOW..HIGH"),
-            ("@sleeping -o a.svg --times 0..1e300", "--times: 1e300 must be within"),
+            ("--times 2..1", "must be LOW..HIGH"),
+            ("--kind tilt --times 0..1e300", "--times: 1e300 must be within"),
+            ("--size 5", "--size"),
+            ("--kind top", "tip, axis, tilt, precession, potential"),
         ],
     );
 }
 
-/// More periods than a frame can show are refused before anything is computed; the longest time that the message allows is drawn, with
-/// at least 63 points in a nutation period (75.96 ms), which show no alias of the motion.
+/// A curve with fewer than 32 points in a nutation period (75.96 ms) would show an alias of the motion.
+#[test]
+fn a_curve_has_points_in_every_period() {
+    folder("plot_points");
+    for (kind, color, times, least) in [
+        ("tilt", "#0072b2", "-11..11.7", 9562),
+        ("precession", "#0072b2", "5..27", 9267),
+        ("tip", "#1f4e8c", "0..75", 63_193),
+    ] {
+        let svg = svg(&format!("@toy_top --kind {kind} --times={times}"), "plot_points/a.svg");
+        let points = lines(&svg, color).iter().map(Vec::len).max();
+        assert!(points >= Some(least), "{kind}: {points:?}");
+    }
+}
+
+/// More periods than a frame can show are refused before anything is computed; the longest time that the message allows is drawn.
 #[test]
 fn more_periods_than_a_picture_can_show_are_refused() {
     folder("plot_periods");
+    let spiral = scenario("plot_rises", &branch_points([0.2, 1.0, 1.0], 1));
     let circle = scenario("plot_turns", &branch_points([0.5, 0.5, 1.7], -1));
-    for (file, times, longest, points) in
-        [("@toy_top", "-38..38", "75.96", 63_000), (&*circle, "0..1e5", "12180", 63_000)]
-    {
-        let drawn = |times: &str| toytop(format!("plot {file} --times={times} -o plot_periods/a.svg"));
-        let message =
-            format!("error: --times: {times}: must span at most {longest} (1000 periods or turns)\n");
-        drawn(times).refused(2, &message);
-        assert_eq!(count("plot_periods"), 0, "{file}");
-        drawn(&format!("0..{}", 0.9999 * longest.parse::<f64>().expect("a number"))).ok();
-        let curve = lines(&read("plot_periods/a.svg"), "#1f4e8c").iter().map(Vec::len).max();
-        assert!(curve >= Some(points), "{file}: {curve:?}");
-        std::fs::remove_file(path("plot_periods/a.svg")).expect("the picture");
+    for (file, kind, times, longest) in [
+        ("@toy_top", "precession", "1e6..2e6", "75.96"),
+        ("@toy_top", "tip", "-38..38", "75.96"),
+        (&spiral, "tilt", "0..1e5", "8482"),
+        (&circle, "axis", "0..1e5", "12180"),
+    ] {
+        let line = format!("plot {file} --kind {kind} --times={times} -o plot_periods/a.svg");
+        let most = format!("must span at most {longest} (1000 nutation periods or turns)");
+        toytop(line).refused(2, &format!("error: --times: {times}: {most}\n"));
+    }
+    toytop("plot @toy_top --kind potential --times=0..1 -o plot_periods/a.svg")
+        .refused(2, "error: --times: not for --kind potential\n");
+    assert_eq!(count("plot_periods"), 0);
+    toytop("plot @toy_top --times=0..75.95 -o plot_periods/a.svg").ok();
+}
+
+/// The labels of the axes have few digits, because they count from the first time and whole turns.
+#[test]
+fn an_axis_counts_from_its_beginning() {
+    folder("plot_far");
+    for (kind, times, titles) in [
+        ("tilt", "1000000..1000000.2", "t - 1000000 s"),
+        (
+            "precession",
+            "-1000000.5..-1000000",
+            "t + 1000000.5 s ... azimuth of the axis + 822946 turns, degrees",
+        ),
+        ("tilt", "0..0.2", "t, s"),
+    ] {
+        let svg = svg(&format!("@toy_top --kind {kind} --times={times}"), "plot_far/a.svg");
+        let texts: Vec<_> =
+            svg.split("</text>").filter_map(|part| part.rsplit_once('>')).map(|(_, text)| text).collect();
+        assert!(titles.split(" ... ").all(|title| texts.contains(&title)), "{titles}: {texts:?}");
+        let ticks: Vec<_> = texts.iter().filter(|text| text.parse::<f64>().is_ok()).collect();
+        assert!(ticks.len() > 5 && ticks.iter().all(|tick| tick.len() < 7), "{ticks:?}");
     }
 }
 

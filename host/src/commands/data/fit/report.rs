@@ -1,6 +1,6 @@
 //! Fitted launch as a table, as JSON, and as a row of CSV.
 
-use crate::fit::launch::{FitReport, variance};
+use crate::fit::launch::FitReport;
 use crate::output::{Record, columns, short};
 use serde_json::{Value, json};
 use toytop_fit::{Fitted, Sensitivity};
@@ -15,11 +15,8 @@ fn predictions(report: &FitReport) -> Vec<[f64; 3]> {
     let Some(sensitivity) = motion.map(|motion| Sensitivity::new(&motion)) else { return Vec::new() };
     let at = |ahead: &f64| {
         let t = end + ahead;
-        let partials = sensitivity.at(t - fitted.epoch)?;
-        let covariance = fitted.orientation_covariance(&partials);
-        let trace: f64 = (0..3).map(|k| covariance[k][k]).sum();
-        let along = variance(partials.axis(), |i, j| covariance[i][j]);
-        Some([t, trace.sqrt(), (trace - along).max(0.0).sqrt()])
+        let [orientation, axis] = report.predicted(&sensitivity.at(t - fitted.epoch)?);
+        Some([t, orientation, axis])
     };
     AHEAD.iter().filter_map(at).collect()
 }

@@ -108,7 +108,7 @@ pub fn work(methods: &[Method], period: f64) -> Result<(&'static str, Vec<Curve>
         label.retain(|word| !word.is_empty());
         let mut points = runs.iter().map(point).collect::<Result<Vec<_>, Failure>>()?;
         points.sort_by(|[a, _], [b, _]| a.total_cmp(b));
-        curves.push(Curve { name: label.join(", "), points, is_line: true });
+        curves.push(Curve::marked(label.join(", "), points));
     }
     Ok((if counted { "evaluations of the equations" } else { "steps in a nutation period" }, curves))
 }
