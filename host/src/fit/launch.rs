@@ -61,7 +61,7 @@ impl FitInput {
         Ok(FitReport { input: self, fitted, reason, end })
     }
 
-    /// Directions of the ratios of the top that belong to the free keys.
+    /// Changes of the ratios of the top with the logarithm of each free key.
     ///
     /// # Errors
     /// Key and reason: the table does not have the key, or it is named twice; too many keys.

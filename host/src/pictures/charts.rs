@@ -44,8 +44,8 @@ pub fn tilt(scenario: &Scenario, span: &Span) -> Scene {
     chart(&title, [&time_label(scenario, from), "tilt, degrees"], &curves)
 }
 
-/// Angle in degrees, rounded to nine decimals, because the azimuth of an axis that stays in a plane is constant except for rounding. The
-/// added 0 turns -0 into 0.
+/// Angle in degrees, rounded to nine decimals: the azimuth of an axis that stays in a plane is constant except for rounding. The added 0
+/// turns -0 into 0.
 fn without_rounding(degrees: f64) -> f64 {
     (degrees * 1e9).round() / 1e9 + 0.0
 }
@@ -79,7 +79,7 @@ pub fn precession(scenario: &Scenario, span: &Span) -> Result<Scene, Failure> {
     Ok(chart(&title, [&time_label(scenario, from), &label], &curves))
 }
 
-/// Distance from the vertical to which the potential is drawn, degrees. It may be infinite at the vertical.
+/// Least distance from the vertical at which the potential is drawn, degrees. It may be infinite at the vertical.
 const NEAREST: f64 = 0.05;
 
 /// Effective potential minus the energy, against the tilt: the axis moves where it is negative.

@@ -1,4 +1,4 @@
-//! `toytop plot`: curve of the tip between its bounding circles, and other pictures of a motion.
+//! `toytop plot`: pictures of a motion.
 
 use super::options::{PICTURE, ending_in, span};
 use super::{Report, warnings};

@@ -7,7 +7,7 @@ use toytop_fit::{Fitted, Sensitivity};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Times of the prediction up to ten seconds after the samples, s, each with the standard deviations of the orientation and of the axis, rad.
+/// Times up to ten seconds after the samples, s, each with the standard deviations of the orientation and of the axis, rad.
 fn predictions(report: &FitReport) -> Vec<[f64; 3]> {
     const AHEAD: [f64; 5] = [0.0, 1.0, 2.0, 5.0, 10.0];
     let FitReport { input, fitted, end, .. } = report;
@@ -21,7 +21,7 @@ fn predictions(report: &FitReport) -> Vec<[f64; 3]> {
     AHEAD.iter().filter_map(at).collect()
 }
 
-/// Report as text; of a launch that does not exist, the reason.
+/// Report as text, or the reason why there is no launch.
 pub fn table(report: &FitReport) -> String {
     let state = match &report.reason {
         None => "converged".to_owned(),
