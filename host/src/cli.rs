@@ -71,7 +71,7 @@ enum Command {
             Example: toytop plot host/scenarios/figure_3_loops.toml -o tip.svg\n         toytop plot host/scenarios/toy_top.toml --kind tilt --times 0..0.5 --size 1200 -o tilt.png"
     )]
     Plot(plot::PlotArgs),
-    /// Animation of a motion: a GIF, or a film that ffmpeg makes
+    /// Animation of a motion, as a GIF
     #[command(
         after_help = "Each frame shows the top at one exact time. A red spoke of the disc turns with the body. A fast spin can be seen only in slow motion:\n\
             --times 0..0.2 shows a fifth of a second over the whole film.\n\n\

@@ -89,17 +89,6 @@ fn a_free_body_has_its_angular_momentum() {
     assert_eq!(constant(&motion, "support"), 2.0);
 }
 
-/// A pendulum does not precess: its advances are 0, not a rounding.
-#[test]
-fn a_pendulum_does_not_precess() {
-    let top = scenario::top(&[1.0, 3.0e-5, 0.0, 0.0, 0.0, 0.0015, 9.81, 0.0]).unwrap();
-    let motion = scenario::motion(&top, RELEASE, &[170.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).unwrap();
-    for name in ["alpha_turns", "beta_turns", "phi_per_period"] {
-        assert_eq!(constant(&motion, name), 0.0, "{name}");
-        assert!(constant(&thrown(), name) != 0.0, "{name}");
-    }
-}
-
 #[test]
 fn what_is_no_motion_is_refused_by_its_name() {
     let top = scenario::top(&TOY_TOP).unwrap();

@@ -18,7 +18,7 @@ use toytop::{InitialPhases, Motion, State};
 use toytop_host::input::scenario::{Given as Numbers, Scenario, ScenarioFile};
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::{furthest_time, smallest_ephemeris};
-use toytop_host::pictures::curve::Curve;
+use toytop_host::pictures::curve::TipCurve;
 use toytop_host::pictures::view;
 use toytop_host::truth::exact::Exact;
 use toytop_host::truth::motions::Start;
@@ -170,8 +170,8 @@ impl PyMotion {
 
     /// Picture of the curve that the tip draws, for a notebook.
     fn _repr_html_<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let Curve { points, circles, .. } = py.detach(|| Curve::of(&self.motion)).map_err(failed)?;
-        let radii: Vec<_> = circles.iter().map(|circle| circle.radius).collect();
+        let TipCurve { points, circles } = py.detach(|| TipCurve::new(&self.motion)).map_err(failed)?;
+        let radii: Vec<_> = circles.iter().map(|(radius, _)| *radius).collect();
         py.import("toytop._notebook")?.call_method1("tip_curve", (points, radii))
     }
 

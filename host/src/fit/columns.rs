@@ -1,4 +1,4 @@
-//! Samples by column, and their CSV: a time for each row, and the readings of the sensors; an empty field means that there is no reading.
+//! Samples by column, and their CSV. A row has a time and the readings of the sensors; an empty field is no reading.
 
 use super::sensors::{KINDS, Sensors};
 use crate::Failure;
@@ -7,8 +7,8 @@ use crate::output::{number, shown, whole_file};
 use std::path::Path;
 use toytop_fit::Measurement;
 
-/// Share of a sensor's range that a reading may reach: data sheets and registers round it.
-const BEYOND: f64 = 1.01;
+/// Share of a sensor's range that a reading may reach, because data sheets round the range.
+const RANGE_TOLERANCE: f64 = 1.01;
 
 /// Samples by column. NaN means that there is no reading.
 pub struct Columns {
@@ -78,7 +78,7 @@ impl Columns {
                     if !value.is_finite() {
                         return refuse(name, "must be a finite number, as the sensor has a reading");
                     }
-                    if value.abs() > BEYOND * instrument.range {
+                    if value.abs() > RANGE_TOLERANCE * instrument.range {
                         return refuse(name, "must be at most the range of the sensor: another unit?");
                     }
                 }

@@ -7,7 +7,7 @@ use crate::output::{number, short};
 use std::collections::BTreeMap;
 use toml::{Table, Value};
 use toytop::{Support, Top};
-use toytop_fit::{Drift, Fit, FitError, Fitted, FreeRatio, Hint, MOST_RATIOS, Measurement, Reason};
+use toytop_fit::{Drift, Fit, FitError, Fitted, FreeRatio, Hint, MOST_RATIOS, Measurement, Partials, Reason};
 use toytop_model::equations::dot;
 
 /// Everything that a fit needs beside the measurements.
@@ -61,7 +61,7 @@ impl FitInput {
         Ok(FitReport { input: self, fitted, reason, end })
     }
 
-    /// Directions of the ratios of the top that belong to the free keys.
+    /// Changes of the ratios of the top with the logarithm of each free key.
     ///
     /// # Errors
     /// Key and reason: the table does not have the key, or it is named twice; too many keys.
@@ -184,6 +184,14 @@ impl FitReport {
         [(dot(w, r), spin), (level.atan2(r[2]), tilt)]
     }
 
+    /// Standard deviations of the orientation and of the axis, rad, at a time with these derivatives.
+    pub fn predicted(&self, partials: &Partials) -> [f64; 2] {
+        let covariance = self.fitted.orientation_covariance(partials);
+        let trace: f64 = (0..3).map(|k| covariance[k][k]).sum();
+        let along = variance(partials.axis(), |i, j| covariance[i][j]);
+        [trace, trace - along].map(|variance| variance.max(0.0).sqrt())
+    }
+
     /// Names of the directions of the launch that the samples do not determine.
     pub fn undetermined(&self) -> Vec<&'static str> {
         let found = self.fitted.unobservable;
@@ -255,6 +263,6 @@ impl FitReport {
 }
 
 /// Variance of a sum of unknowns with these factors.
-pub fn variance<const N: usize>(factors: [f64; N], covariance: impl Fn(usize, usize) -> f64) -> f64 {
+fn variance<const N: usize>(factors: [f64; N], covariance: impl Fn(usize, usize) -> f64) -> f64 {
     (0..N).map(|i| (0..N).map(|j| factors[i] * covariance(i, j) * factors[j]).sum::<f64>()).sum()
 }

@@ -26,6 +26,21 @@ pub fn write_by(
     write_whole(path, fill).map_err(|error| refused(option, path, error))
 }
 
+/// Writes files as [`write()`] does, all or none: none gets its name before the bytes of all are on the disk.
+///
+/// # Errors
+/// The failures of [`write()`].
+pub fn write_all(files: &[(&str, &Path, Vec<u8>)]) -> Result<(), Failure> {
+    let Some(((option, path, bytes), others)) = files.split_first() else { return Ok(()) };
+    let mut rest = Ok(());
+    let written = write_by(option, path, |file| {
+        file.write_all(bytes)?;
+        rest = write_all(others);
+        if rest.is_ok() { Ok(()) } else { Err(ErrorKind::Other.into()) }
+    });
+    rest.and(written)
+}
+
 fn write_whole(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
     let path = followed(path);
     let there = fs::metadata(&path);

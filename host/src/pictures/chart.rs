@@ -62,7 +62,7 @@ const MARKS: [MarkerShape; 5] = [
 ];
 
 impl Chart<'_> {
-    /// Chart of these curves. A logarithmic axis ends at whole powers of ten; another one of y has a margin above and below its points.
+    /// Draws the curves. A logarithmic axis ends at whole powers of ten; another one of y has a margin.
     pub fn draw(&self, curves: &[Curve]) -> Scene {
         let mut plots: Vec<Plot> = Vec::new();
         let mut all = Vec::new();

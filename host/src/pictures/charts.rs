@@ -1,7 +1,7 @@
 //! Tilt and precession against time, and the effective potential of the nutation.
 
 use super::chart::{Chart, Curve};
-use super::curve::Bound;
+use super::curve::TiltLimit;
 use super::span::Span;
 use crate::Failure;
 use crate::input::scenario::{Scenario, Units};
@@ -12,46 +12,40 @@ use kuva::render::render::Scene;
 use std::f64::consts::PI;
 use toytop::{Motion, Regime};
 
-/// Subtraction of a number, for a label.
+/// Subtraction of a number, for a label; empty for 0.
 fn minus(x: f64, unit: &str) -> String {
-    format!(" {} {}{unit}", if x > 0.0 { '-' } else { '+' }, x.abs())
+    if x == 0.0 { String::new() } else { format!(" {} {}{unit}", if x > 0.0 { '-' } else { '+' }, x.abs()) }
 }
 
-/// Label of the axis of time, which counts from the origin of the span.
-fn time_label(scenario: &Scenario, span: &Span) -> String {
-    let origin = span.origin();
-    let units = scenario.units;
-    "t".to_owned()
-        + &if origin == 0.0 { units.name(", s").to_owned() } else { minus(origin, units.name(" s")) }
+/// Label of the axis of time, which counts from the first time, because the labels of later times would need many digits.
+fn time_label(scenario: &Scenario, from: f64) -> String {
+    let unit = scenario.units.name(", s");
+    if from == 0.0 { format!("t{unit}") } else { format!("t{}", minus(from, scenario.units.name(" s"))) }
 }
 
-/// Tilt between its bounds, against time.
+/// Chart over linear axes.
+fn chart(title: &str, labels: [&str; 2], curves: &[Curve]) -> Scene {
+    Chart { title, labels, powers: [false; 2] }.draw(curves)
+}
+
+/// Tilt between its limits, against time.
 pub fn tilt(scenario: &Scenario, span: &Span) -> Scene {
-    let origin = span.origin();
+    let [from, until] = span.ends;
     let degrees = |t: f64| {
-        let phi = span.at(t).orientation();
-        [t - origin, tilt_azimuth_roll(&phi)[0].to_degrees()]
+        let orientation = span.at(t).orientation();
+        [t - from, tilt_azimuth_roll(&orientation)[0].to_degrees()]
     };
     let mut curves = vec![Curve::line("tilt", span.times_of_curve().map(degrees).collect())];
-    curves.extend(Bound::of(&scenario.motion).into_iter().map(|bound| {
-        let name = match bound.place {
-            "lowest" => "greatest",
-            "highest" => "least",
-            _ => "constant",
-        };
-        let tilt = bound.tilt();
-        Curve::line(format!("{name}: {tilt:.2}°"), span.ends.map(|t| [t - origin, tilt]).into())
+    curves.extend(TiltLimit::all(&scenario.motion).into_iter().map(|limit| {
+        let tilt = limit.u.acos().to_degrees();
+        Curve::line(limit.to_string(), vec![[0.0, tilt], [until - from, tilt]])
     }));
-    Chart {
-        title: &format!("{}: tilt of the axis from the vertical", scenario.name),
-        labels: [&time_label(scenario, span), "tilt, degrees"],
-        powers: [false; 2],
-    }
-    .draw(&curves)
+    let title = format!("{}: tilt of the axis from the vertical", scenario.name);
+    chart(&title, [&time_label(scenario, from), "tilt, degrees"], &curves)
 }
 
-/// Angle in degrees, rounded to nine decimals, because the azimuth of an axis that stays in a plane is constant except for rounding. The
-/// added 0 turns -0 into 0.
+/// Angle in degrees, rounded to nine decimals: the azimuth of an axis that stays in a plane is constant except for rounding. The added 0
+/// turns -0 into 0.
 fn without_rounding(degrees: f64) -> f64 {
     (degrees * 1e9).round() / 1e9 + 0.0
 }
@@ -66,31 +60,26 @@ pub fn precession(scenario: &Scenario, span: &Span) -> Result<Scene, Failure> {
         Failure::Method("the axis is vertical at all times, so that it has no azimuth".to_owned())
     })?;
     let turn = if start > 0.0 { -PI } else { PI };
-    let origin = span.origin();
     let [from, until] = span.ends;
     let continued = |t: f64| (span.at(t).tip_angle.unwrap_or(f64::NAN) + turn).to_degrees();
-    // far from t = 0 the labels of the axis would need many digits
-    let turns = if origin == 0.0 { 0.0 } else { (continued(from) / 360.0).trunc() };
+    // the labels of the axis count from whole turns, as those of the time
+    let turns = (continued(from) / 360.0).trunc();
     let azimuth = |t: f64| without_rounding(continued(t) - 360.0 * turns);
-    let degrees = |t: f64| [t - origin, azimuth(t)];
+    let degrees = |t: f64| [t - from, azimuth(t)];
     let mut curves = vec![Curve::line("azimuth of the axis", span.times_of_curve().map(degrees).collect())];
     if let Some(advance) = scenario.motion.period_advance() {
         let rate = without_rounding(advance.phi_per_period().to_degrees()) / advance.period;
         let first = azimuth(from);
-        let mean = vec![[from - origin, first], [until - origin, first + rate * (until - from)]];
+        let mean = vec![[0.0, first], [until - from, first + rate * (until - from)]];
         let unit = if scenario.units.name("s").is_empty() { "" } else { " degrees/s" };
         curves.push(Curve::line(format!("its mean: {}{unit}", short(rate, 4)), mean));
     }
-    let less = if turns == 0.0 { String::new() } else { minus(turns, " turns") };
-    let chart = Chart {
-        title: &format!("{}: precession", scenario.name),
-        labels: [&time_label(scenario, span), &format!("azimuth of the axis{less}, degrees")],
-        powers: [false; 2],
-    };
-    Ok(chart.draw(&curves))
+    let title = format!("{}: precession", scenario.name);
+    let label = format!("azimuth of the axis{}, degrees", minus(turns, " turns"));
+    Ok(chart(&title, [&time_label(scenario, from), &label], &curves))
 }
 
-/// Distance from the vertical to which the potential is drawn, degrees. It may be infinite at the vertical.
+/// Least distance from the vertical at which the potential is drawn, degrees. It may be infinite at the vertical.
 const NEAREST: f64 = 0.05;
 
 /// Effective potential minus the energy, against the tilt: the axis moves where it is negative.
@@ -112,17 +101,15 @@ pub fn potential(scenario: &Scenario) -> Scene {
     let (unit, scale) = if scenario.units == Units::Si { (", mJ", 1e3) } else { ("", 1.0) };
     let above =
         |degrees: f64| [degrees, scale * (effective_potential(motion, degrees.to_radians().cos()) - h)];
+    let limits = ends.map(|tilt| above(tilt.clamp(from, until))).into();
     let curves = [
         Curve::line("effective potential", all.map(above).collect()),
         Curve::line("energy", vec![[from, 0.0], [until, 0.0]]),
-        Curve::dots("least, greatest tilt", ends.map(|tilt| above(tilt.clamp(from, until))).into()),
+        Curve::dots("least, greatest tilt", limits),
     ];
-    Chart {
-        title: &format!("{}: effective potential of the nutation", scenario.name),
-        labels: ["tilt, degrees", &format!("effective potential minus the energy h{unit}")],
-        powers: [false; 2],
-    }
-    .draw(&curves)
+    let title = format!("{}: effective potential of the nutation", scenario.name);
+    let label = format!("effective potential minus the energy h{unit}");
+    chart(&title, ["tilt, degrees", &label], &curves)
 }
 
 /// Effective potential at a cosine of the tilt between -1 and 1, without cancellation near -1 and 1.

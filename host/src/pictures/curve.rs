@@ -1,72 +1,78 @@
-//! Curve of the tip, and the bounds between which the axis and the tip stay.
+//! Curve of the tip, and the limits between which the axis and the tip stay.
 
 use crate::Failure;
-use crate::pictures::span::Span;
+use crate::pictures::span::{MOST_CYCLES, Span};
 use toytop::{Motion, Support};
 
-/// Bound between which the axis stays.
-#[derive(Clone, Copy)]
-pub struct Bound {
-    /// Place of the axis as legends name it: `lowest` (u = e₁), `highest` (u = e₂), `constant` where both are one, or `horizontal` (u = 0).
-    pub place: &'static str,
+/// Limit of the tilt.
+pub struct TiltLimit {
+    /// Name in a legend: `lowest` (u = e₁), `highest` (u = e₂), `constant` where both are one, or `horizontal` (u = 0).
+    pub name: &'static str,
     /// Cosine u of the tilt, from -1 to 1.
     pub u: f64,
+    /// Sine of the tilt.
+    pub sine: f64,
 }
 
-impl Bound {
-    /// Lowest place of the axis, then the highest; one place where the tilt is constant, none where the axis is
-    /// vertical at all times.
-    pub fn of(motion: &Motion) -> Vec<Self> {
+impl TiltLimit {
+    /// Lowest place of the axis, then the highest; one place where the tilt is constant, none where the axis is vertical at all times.
+    pub fn all(motion: &Motion) -> Vec<Self> {
         let e = motion.branch_points();
-        let bound = |place, u: f64| Self { place, u: u.clamp(-1.0, 1.0) };
+        let limit = |name, u: f64, sine_squared: f64| Self {
+            name,
+            u: u.clamp(-1.0, 1.0),
+            sine: sine_squared.max(0.0).sqrt(),
+        };
+        let lowest = limit("lowest", e.e1, e.one_plus_e1 * (2.0 - e.one_plus_e1));
+        let highest = |name| limit(name, e.e2, (2.0 - e.one_minus_e2) * e.one_minus_e2);
         match motion.regime() {
             regime if regime.is_vertical() => Vec::new(),
-            regime if regime.is_regular_precession() => vec![bound("constant", e.e2)],
-            _ => vec![bound("lowest", e.e1), bound("highest", e.e2)],
+            regime if regime.is_regular_precession() => vec![highest("constant")],
+            _ => vec![lowest, highest("highest")],
         }
-    }
-
-    /// Tilt, degrees, from 0 to 180.
-    pub fn tilt(self) -> f64 {
-        self.u.acos().to_degrees()
     }
 }
 
 /// Name and tilt, as in `lowest: tilt 45.57°`.
-impl std::fmt::Display for Bound {
+impl std::fmt::Display for TiltLimit {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}: tilt {:.2}°", self.place, self.tilt())
+        write!(f, "{}: tilt {:.2}°", self.name, self.u.acos().to_degrees())
     }
 }
 
 /// Curve of the tip (of the axis, if the tip is held) and the circles between which it stays.
-pub struct Curve {
+pub struct TipCurve {
     /// Points (x, y), m (without unit for a fixed tip).
     pub points: Vec<[f64; 2]>,
-    /// Circles at e₁ and e₂, and at u = 0 if that is between them; none where the tip stays at the centre.
-    pub circles: Vec<Circle>,
+    /// Radii s √(1 - u²) of the circles at e₁ and e₂, and at u = 0 if that is between them, with their limits; none where the tip stays
+    /// at the centre.
+    pub circles: Vec<(f64, TiltLimit)>,
 }
 
-/// Circle of radius ρ(e) = s √(1 - e²), a bound on the distance from the centre.
-pub struct Circle {
-    /// Radius, in the unit of the curve.
-    pub radius: f64,
-    /// Bound on the height of the axis.
-    pub bound: Bound,
-}
-
-impl Curve {
+impl TipCurve {
     /// Curve over about one turn of the tip around the centre.
     ///
     /// # Errors
     /// [`Failure::Method`]: no ephemeris is large enough.
-    pub fn of(motion: &Motion) -> Result<Self, Failure> {
-        Ok(Self::over(motion, &Span::new(motion, None)?))
+    pub fn new(motion: &Motion) -> Result<Self, Failure> {
+        Ok(Self::over(motion, &Span::new(motion, None, MOST_CYCLES)?))
     }
 
     /// Curve over a span of time.
     pub fn over(motion: &Motion, span: &Span) -> Self {
-        let circles = circles(motion);
+        let mut limits = TiltLimit::all(motion);
+        // between e₁ and e₂ the axis is horizontal, which is the largest circle
+        if let [low, high] = &limits[..]
+            && low.u < 0.0
+            && high.u > 0.0
+        {
+            limits.push(TiltLimit { name: "horizontal", u: 0.0, sine: 1.0 });
+        }
+        let circles: Vec<_> = limits
+            .into_iter()
+            .map(|limit| (motion.top().tip_scale() * limit.sine, limit))
+            .filter(|(radius, _)| *radius > 0.0)
+            .collect();
         // where the tip does not slide, the curve of the axis is drawn: -2αβ
         let sense = if motion.top().support() == Support::Sliding { 1.0 } else { -1.0 };
         let tip = |t: f64| {
@@ -78,24 +84,6 @@ impl Curve {
             if circles.is_empty() { vec![[0.0; 2]] } else { span.times_of_curve().map(tip).collect() };
         Self { points, circles }
     }
-}
-
-fn circles(motion: &Motion) -> Vec<Circle> {
-    let (e, scale) = (motion.branch_points(), motion.top().tip_scale());
-    let mut bounds = Bound::of(motion);
-    // between e₁ and e₂ the axis is horizontal, which is the largest circle
-    if e.e1 < 0.0 && e.e2 > 0.0 && bounds.len() == 2 {
-        bounds.push(Bound { place: "horizontal", u: 0.0 });
-    }
-    let circle = |bound: Bound| {
-        let (one_plus_u, one_minus_u) = match bound.place {
-            "lowest" => (e.one_plus_e1, 2.0 - e.one_plus_e1),
-            "horizontal" => (1.0, 1.0),
-            _ => (2.0 - e.one_minus_e2, e.one_minus_e2),
-        };
-        Circle { radius: scale * (one_plus_u * one_minus_u).sqrt(), bound }
-    };
-    bounds.into_iter().map(circle).filter(|circle| circle.radius > 0.0).collect()
 }
 
 #[cfg(test)]
@@ -128,7 +116,7 @@ mod tests {
         })
         .unwrap();
         for (top, scale) in [(slid, -0.03), (held, 1.0)] {
-            let curve = Curve::of(&Motion::launch(&top, &state).unwrap()).unwrap();
+            let curve = TipCurve::new(&Motion::launch(&top, &state).unwrap()).unwrap();
             let [at_x, at_y] = curve.points[0];
             assert!((at_x - scale * x).hypot(at_y - scale * y) < 1e-6 * scale.abs(), "{at_x} {at_y}");
         }

@@ -30,23 +30,29 @@ pub fn frame(plots: &[Plot], title: &str, label: &str, [x, y]: [[f64; 2]; 2]) ->
         .with_legend_box(false)
 }
 
-/// Writes a picture as SVG or PNG, by the ending of the file's name. `width` is in pixels; without it an SVG has the size of its layout, and
-/// a PNG two pixels for each of its units.
+/// Writes a picture, encoded as by [`encoded`].
 ///
 /// # Errors
 /// The failures of [`whole_file::write`], or [`Failure::Output`]: the picture cannot be encoded.
 pub fn write(option: &str, path: &Path, scene: &Scene, width: Option<u32>) -> Result<(), Failure> {
+    whole_file::write(option, path, &encoded(path, scene, width)?)
+}
+
+/// Picture as SVG or PNG, by the ending of the file's name. `width` is in pixels; without it an SVG has the size of its layout, and a PNG
+/// two pixels for each of its units.
+///
+/// # Errors
+/// The picture cannot be encoded.
+pub fn encoded(path: &Path, scene: &Scene, width: Option<u32>) -> io::Result<Vec<u8>> {
     let scale = width.map(|width| f64::from(width) / scene.width);
-    let bytes = if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
-        raster(scene, scale.unwrap_or(2.0))?
-    } else {
-        let svg = SvgBackend::default().render_scene(scene);
-        let size =
-            |scale: f64| format!("width=\"{}\" height=\"{}\"", scale * scene.width, scale * scene.height);
-        let scaled = |scale| format!("{} viewBox=\"0 0 {} {}\"", size(scale), scene.width, scene.height);
-        scale.map_or_else(|| svg.clone(), |scale| svg.replacen(&size(1.0), &scaled(scale), 1)).into_bytes()
-    };
-    whole_file::write(option, path, &bytes)
+    if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
+        return raster(scene, scale.unwrap_or(2.0));
+    }
+    let svg = SvgBackend::default().render_scene(scene);
+    let Some(scale) = scale else { return Ok(svg.into_bytes()) };
+    let size = |scale: f64| format!("width=\"{}\" height=\"{}\"", scale * scene.width, scale * scene.height);
+    let scaled = format!("{} viewBox=\"0 0 {} {}\"", size(scale), scene.width, scene.height);
+    Ok(svg.replacen(&size(1.0), &scaled, 1).into_bytes())
 }
 
 /// PNG with `scale` pixels for each unit of the layout.

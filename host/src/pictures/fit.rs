@@ -60,9 +60,9 @@ fn ends_of(measurements: &[Measurement]) -> [f64; 2] {
 const INTERVALS: u32 = 80;
 /// Begin of the first interval and end of the last, after the end of the samples, s.
 const AHEAD: [f64; 2] = [0.01, 100.0];
-/// Number of times in a nutation period, and greatest number in an interval, at which the standard deviations are computed. They
-/// oscillate with the nutation, so that one time in an interval would show an alias.
+/// Number of times in a nutation period, with which the standard deviations oscillate: one time in an interval would show an alias.
 const PER_PERIOD: f64 = 16.0;
+/// Greatest number of times in an interval.
 const MOST_TIMES: f64 = 200.0;
 
 /// Greatest standard deviation of the predicted orientation, and greatest half axes of the error ellipse of the predicted axis, in
@@ -77,10 +77,9 @@ pub fn prediction(report: &FitReport, motion: &Motion) -> Scene {
         |interval: u32| AHEAD[0] * (AHEAD[1] / AHEAD[0]).powf(f64::from(interval) / f64::from(INTERVALS));
     let mut deviations = |ahead: f64| {
         let partials = cursor.at(report.end + ahead - report.fitted.epoch)?;
-        let covariance = report.fitted.orientation_covariance(&partials);
-        let trace: f64 = (0..3).map(|k| covariance[k][k]).sum();
-        let [long, short] = ellipse(&covariance, partials.axis());
-        Some([trace.max(0.0).sqrt(), long, short])
+        let [orientation, _] = report.predicted(&partials);
+        let [long, short] = ellipse(&report.fitted.orientation_covariance(&partials), partials.axis());
+        Some([orientation, long, short])
     };
     for interval in 0..INTERVALS {
         let [from, until] = [begin(interval), begin(interval + 1)];

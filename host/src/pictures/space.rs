@@ -1,7 +1,6 @@
-//! Pictures of space: the curve of the axis on the unit sphere, and the top in motion, at exact times, as a GIF or as pictures for a
-//! program that makes films.
+//! Pictures of space: the curve of the axis on the unit sphere, and the top in motion as a GIF.
 
-use super::curve::Bound;
+use super::curve::TiltLimit;
 use super::drawing::{BOUND, CAPTION, CURVE, START, disc, line, raster, text};
 use super::span::Span;
 use super::tip::caption;
@@ -37,15 +36,14 @@ pub fn draw(scenario: &Scenario, span: &Span) -> Scene {
     let (x, y) = camera.place([0.0, 0.0, 1.15]);
     text(picture, "up", [x, y - 2.0], 12, middle, CAPTION);
     let (_, highest) = camera.place([0.0, 0.0, scenario.motion.branch_points().e2]);
-    for bound in Bound::of(&scenario.motion) {
-        let radius = (1.0 - bound.u * bound.u).max(0.0).sqrt();
-        camera.line_on_sphere(picture, &circle(radius, bound.u), ["#6a6a6a", "#cfcfcf"], 1.2);
+    for limit in TiltLimit::all(&scenario.motion) {
+        camera.line_on_sphere(picture, &circle(limit.sine, limit.u), ["#6a6a6a", "#cfcfcf"], 1.2);
         // beside the sphere, with a line from the right end of the parallel
-        let (x, y) = camera.place([0.0, 0.0, bound.u]);
-        let label = if bound.place == "lowest" { y.max(highest + 18.0) } else { y };
-        let ends = [(x + RADIUS * radius + 3.0, y), (LABELS - 6.0, label - 4.0)];
+        let (x, y) = camera.place([0.0, 0.0, limit.u]);
+        let label = if limit.name == "lowest" { y.max(highest + 18.0) } else { y };
+        let ends = [(x + RADIUS * limit.sine + 3.0, y), (LABELS - 6.0, label - 4.0)];
         line(picture, ends.into(), "#cfcfcf", 1.0);
-        text(picture, &bound.to_string(), [LABELS, label], 12, TextAnchor::Start, "#333333");
+        text(picture, &limit.to_string(), [LABELS, label], 12, TextAnchor::Start, "#333333");
     }
     let points: Vec<_> = span.times_of_curve().map(|t| span.at(t).orientation().axis()).collect();
     camera.line_on_sphere(picture, &points, [CURVE, "#b4c6dd"], 1.8);
@@ -136,7 +134,7 @@ pub struct Film<'a> {
     pub span: &'a Span,
     pub frames: u64,
     /// Width and height of a frame, pixels.
-    pub size: u32,
+    pub size: u16,
 }
 
 impl Film<'_> {
@@ -188,12 +186,13 @@ impl Film<'_> {
         scene
     }
 
-    /// One frame as a PNG file.
-    ///
-    /// # Errors
-    /// The frame cannot be encoded.
-    pub fn png(&self, frame: u64) -> io::Result<Vec<u8>> {
-        raster(&self.scene(frame), f64::from(self.size) / SIDE)
+    /// Pixels of one frame, four bytes each.
+    fn pixels(&self, frame: u64) -> io::Result<Vec<u8>> {
+        let png = raster(&self.scene(frame), f64::from(self.size) / SIDE)?;
+        let mut reader = png::Decoder::new(io::Cursor::new(png)).read_info()?;
+        let mut bytes = vec![0; reader.output_buffer_size().unwrap_or_default()];
+        reader.next_frame(&mut bytes)?;
+        Ok(bytes)
     }
 
     /// All frames as a GIF that repeats without end. Each frame lasts `delay` hundredths of a second.
@@ -201,25 +200,17 @@ impl Film<'_> {
     /// # Errors
     /// The errors of the writer.
     pub fn gif(&self, delay: u16, out: impl Write, progress: &Progress) -> io::Result<()> {
-        let side = u16::try_from(self.size).map_err(io::Error::other)?;
-        let mut encoder = gif::Encoder::new(out, side, side, &[]).map_err(io::Error::other)?;
+        let mut encoder = gif::Encoder::new(out, self.size, self.size, &[]).map_err(io::Error::other)?;
         encoder.set_repeat(gif::Repeat::Infinite).map_err(io::Error::other)?;
         for frame in 0..self.frames {
-            let mut picture = gif::Frame::from_rgba_speed(side, side, &mut pixels(&self.png(frame)?)?, 10);
+            let mut pixels = self.pixels(frame)?;
+            let mut picture = gif::Frame::from_rgba_speed(self.size, self.size, &mut pixels, 10);
             picture.delay = delay;
             encoder.write_frame(&picture).map_err(io::Error::other)?;
             progress.add(1);
         }
         Ok(())
     }
-}
-
-/// Pixels of a PNG file, four bytes each.
-fn pixels(png: &[u8]) -> io::Result<Vec<u8>> {
-    let mut reader = png::Decoder::new(io::Cursor::new(png)).read_info()?;
-    let mut bytes = vec![0; reader.output_buffer_size().unwrap_or_default()];
-    reader.next_frame(&mut bytes)?;
-    Ok(bytes)
 }
 
 #[cfg(test)]

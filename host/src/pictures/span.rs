@@ -1,12 +1,11 @@
 //! Motion over a span of time, for pictures.
 
 use crate::Failure;
-use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{AnyEphemeris, furthest_time, smallest_ephemeris};
 use crate::motion::propagate::{Sample, natural_time, period};
 use crate::output::short;
-use std::f64::consts::PI;
+use std::f64::consts::TAU;
 use toytop::{Motion, Regime};
 
 /// Motion between two times.
@@ -14,41 +13,44 @@ pub struct Span {
     table: Box<dyn AnyEphemeris>,
     /// First and last time, s.
     pub ends: [f64; 2],
-    /// Number of nutation periods, where they set the span.
+    /// Number of nutation periods, where they determine the last time.
     pub periods: Option<u32>,
-    /// Length of a cycle, s; `None` where the axis is at rest.
-    cycle: Option<f64>,
+    /// Time in which the axis does the same again, s.
+    cycle: f64,
 }
+
+/// Greatest number of nutation periods or turns in a picture: more would fill its frame.
+pub const MOST_CYCLES: f64 = 1000.0;
 
 impl Span {
     /// Span between two times, s. Without them it begins at 0 and is about one turn of the tip around the centre: a whole number of
     /// nutation periods, one turn where u is constant, or the time until the tip of an aperiodic motion is at the centre.
     ///
+    /// * `most_cycles`: greatest number of nutation periods or turns
+    ///
     /// # Errors
-    /// [`Failure::Input`]: times beyond the reach of the ephemeris. [`Failure::Method`]: no ephemeris is large enough.
-    pub fn new(motion: &Motion, ends: Option<[f64; 2]>) -> Result<Self, Failure> {
-        let furthest = furthest_time(motion);
-        if let Some(t) = ends.iter().flatten().find(|t| t.abs() > furthest) {
+    /// [`Failure::Input`]: times beyond the reach of the ephemeris, or too many cycles. [`Failure::Method`]: no ephemeris is large
+    /// enough.
+    pub fn new(motion: &Motion, times: Option<[f64; 2]>, most_cycles: f64) -> Result<Self, Failure> {
+        let (regime, cycle, furthest) = (motion.regime(), cycle(motion), furthest_time(motion));
+        if let Some(t) = times.iter().flatten().find(|t| t.abs() > furthest) {
             return Err(Failure::Input(format!("--times: {t:e} must be within ±{furthest:.1e} s")));
         }
+        let longest = most_cycles * cycle;
+        if let Some([from, until]) = times.filter(|[from, until]| until - from > longest)
+            && !regime.is_vertical()
+        {
+            let [from, until, longest] = [(from, 17), (until, 17), (longest, 4)].map(|(t, n)| short(t, n));
+            let reason = format!("must span at most {longest} ({most_cycles} nutation periods or turns)");
+            return Err(Failure::Input(format!("--times: {from}..{until}: {reason}")));
+        }
         let table = smallest_ephemeris(Scalar::F64, motion)?;
-        let periods = periods(motion).filter(|_| ends.is_none());
-        let ends = ends.unwrap_or_else(|| {
-            let time = match (periods, motion.regime()) {
-                (Some(periods), _) => period(motion) * f64::from(periods),
-                (None, Regime::Aperiodic) => rise(motion, &*table),
-                _ => turn(motion).unwrap_or_else(|| natural_time(motion)),
-            };
-            [0.0, time]
+        let periods = periods(motion).filter(|_| times.is_none());
+        let ends = times.unwrap_or_else(|| match regime {
+            Regime::Aperiodic => [0.0, time_to_vertical(motion, &*table)],
+            _ => [0.0, cycle * periods.map_or(1.0, f64::from)],
         });
-        Ok(Self { table, ends, periods, cycle: cycle(motion).map(|(time, _)| time) })
-    }
-
-    /// Time from which a chart counts, s: 0, or the first time where the labels of an axis would need more than a few digits.
-    pub fn origin(&self) -> f64 {
-        const FARTHEST: f64 = 1000.0;
-        let [from, until] = self.ends;
-        if from.abs() > FARTHEST * (until - from) { from } else { 0.0 }
+        Ok(Self { table, ends, periods, cycle })
     }
 
     /// Sample at a time.
@@ -67,8 +69,8 @@ impl Span {
         const LEAST: u64 = 1500;
         const IN_A_CYCLE: f64 = 64.0;
         let [from, until] = self.ends;
-        let cycles = self.cycle.map_or(0.0, |time| (until - from) / time);
-        self.times(LEAST.max((IN_A_CYCLE * cycles.ceil()) as u64 + 1))
+        let cycles = ((until - from) / self.cycle).ceil().min(MOST_CYCLES);
+        self.times(LEAST.max((IN_A_CYCLE * cycles) as u64 + 1))
     }
 
     /// First and last time as text, with as many digits as distinguish a thousandth of the span.
@@ -80,18 +82,33 @@ impl Span {
     }
 }
 
+/// Time in which the axis does the same again, s: the nutation period, or a turn about the vertical where the tilt is constant. It is
+/// the natural time of a motion that has neither.
+fn cycle(motion: &Motion) -> f64 {
+    let turn = || {
+        let advance = motion.period_advance()?;
+        let rate = advance.phi_per_period().abs() / advance.period;
+        (rate > 0.0).then(|| TAU / rate)
+    };
+    match motion.regime() {
+        Regime::Nutating => period(motion),
+        regime if regime.is_regular_precession() => turn().unwrap_or_else(|| natural_time(motion)),
+        _ => natural_time(motion),
+    }
+}
+
 /// Number of nutation periods in which the tip goes round the centre once, within limits; `None` where the motion does not nutate. Where
 /// the precession is very slow it is the least number, in which the tip makes a small part of a turn.
 fn periods(motion: &Motion) -> Option<u32> {
     const LEAST: f64 = 3.0;
     const MOST: f64 = 24.0;
     let advance = motion.period_advance().filter(|_| motion.regime() == Regime::Nutating)?;
-    let once_round = (2.0 * PI / advance.phi_per_period().abs()).ceil();
+    let once_round = (TAU / advance.phi_per_period().abs()).ceil();
     Some(if once_round > 4.0 * MOST { LEAST } else { once_round.clamp(LEAST, MOST) } as u32)
 }
 
 /// Time until the tip of an aperiodic motion stays at the centre, s.
-fn rise(motion: &Motion, table: &dyn AnyEphemeris) -> f64 {
+fn time_to_vertical(motion: &Motion, table: &dyn AnyEphemeris) -> f64 {
     const AT_THE_CENTRE: f64 = 4e-3;
     const MOST: u32 = 4096;
     let one_plus_e1 = motion.branch_points().one_plus_e1;
@@ -102,46 +119,4 @@ fn rise(motion: &Motion, table: &dyn AnyEphemeris) -> f64 {
     };
     let step = 0.25 * natural_time(motion);
     (1..MOST).map(|n| step * f64::from(n)).find(is_at_rest).unwrap_or(step)
-}
-
-/// Mean time in which the axis goes once round the vertical, s; `None` where it does not.
-fn turn(motion: &Motion) -> Option<f64> {
-    let advance = motion.period_advance()?;
-    let rate = advance.phi_per_period().abs() / advance.period;
-    (rate > 0.0 && !motion.regime().is_vertical()).then(|| 2.0 * PI / rate)
-}
-
-/// Time in which tilt and azimuth of the axis do the same again, s, with its name in the plural: the nutation period; a turn about the
-/// vertical where the tilt is constant; the natural time of an aperiodic motion. `None` where the axis is at rest.
-fn cycle(motion: &Motion) -> Option<(f64, &'static str)> {
-    match motion.regime() {
-        Regime::Nutating => Some((period(motion), "nutation periods")),
-        Regime::Aperiodic => Some((natural_time(motion), "times 2 pi sqrt((A/p + s)/g)")),
-        regime if regime.is_regular_precession() => Some((turn(motion)?, "turns about the vertical")),
-        _ => None,
-    }
-}
-
-/// Refuses times that span more than `most` cycles of a motion, which a picture cannot show; `kind` ends the message.
-///
-/// # Errors
-/// [`Failure::Input`]: the times span more; the message states how long a span may be.
-pub fn require_at_most(
-    most: u32,
-    scenario: &Scenario,
-    [from, until]: [f64; 2],
-    kind: &str,
-) -> Result<(), Failure> {
-    let Some((time, name)) = cycle(&scenario.motion) else { return Ok(()) };
-    let longest = f64::from(most) * time;
-    if until - from <= longest {
-        return Ok(());
-    }
-    let [from, until] = [from, until].map(|t| short(t, 17));
-    // rounded down, so that a span of that length is drawn
-    let unit = 10_f64.powf(longest.log10().floor() - 3.0);
-    let longest = short((longest / unit).floor() * unit, 4) + scenario.units.name(" s");
-    Err(Failure::Input(format!(
-        "--times: {from}..{until}: must span at most {most} {name} ({longest}){kind}"
-    )))
 }

@@ -1,6 +1,6 @@
 //! Picture of a curve, for a white page.
 
-use super::curve::Curve;
+use super::curve::TipCurve;
 use super::drawing::{BOUND, CAPTION, CURVE, START, frame, label_above, text};
 use super::span::Span;
 use crate::input::scenario::{Scenario, Units};
@@ -22,7 +22,7 @@ const BELOW: f64 = 58.0;
 
 /// Draws the curve over a span of time.
 pub fn draw(scenario: &Scenario, span: &Span) -> Scene {
-    let mut curve = Curve::over(&scenario.motion, span);
+    let mut curve = TipCurve::over(&scenario.motion, span);
     let s = scenario.motion.top().tip_scale();
     // in mm, or in units of s where the scenario names no units
     let (name, unit, scale) = match (scenario.motion.top().support(), scenario.units) {
@@ -31,7 +31,7 @@ pub fn draw(scenario: &Scenario, span: &Span) -> Scene {
         (Support::Fixed | Support::Free, _) => ("axis", " of the axis (length 1)", 1.0),
     };
     curve.points.iter_mut().flatten().for_each(|x| *x /= scale);
-    curve.circles.iter_mut().for_each(|circle| circle.radius /= scale);
+    curve.circles.iter_mut().for_each(|(radius, _)| *radius /= scale);
     let extent = extent(&curve);
     let plots = lines(&curve, extent, name);
     let layout = frame(&plots, &scenario.name, &format!("x{unit}"), [[-extent, extent]; 2])
@@ -106,19 +106,19 @@ fn arrow(points: &[[f64; 2]], extent: f64) -> Option<Plot> {
 }
 
 /// Circles, then the curve, then its start, each drawn over the one before.
-fn lines(curve: &Curve, extent: f64, name: &str) -> Vec<Plot> {
+fn lines(curve: &TipCurve, extent: f64, name: &str) -> Vec<Plot> {
     // rounded, so that the last bits of a table do not change the picture
     let unit = 10_f64.powf(extent.log10().floor() - 5.0);
     let rounded = |x: f64| (x / unit).round() * unit;
     let place = |&[x, y]: &[f64; 2]| (rounded(x), rounded(y));
     let mut plots: Vec<Plot> = Vec::new();
-    for (circle, style) in curve.circles.iter().zip(STYLES) {
+    for ((radius, limit), style) in curve.circles.iter().zip(STYLES) {
         let corner = |i: u32| {
             let (sin, cos) = (2.0 * PI * f64::from(i) / f64::from(CORNERS)).sin_cos();
-            (circle.radius * cos, circle.radius * sin)
+            (radius * cos, radius * sin)
         };
         let line = LinePlot::new().with_color(BOUND).with_stroke_width(1.1).with_line_style(style);
-        plots.push(line.with_data((0..=CORNERS).map(corner)).with_legend(circle.bound.to_string()).into());
+        plots.push(line.with_data((0..=CORNERS).map(corner)).with_legend(limit.to_string()).into());
     }
     let tip = LinePlot::new().with_color(CURVE).with_stroke_width(1.7).with_legend(name);
     plots.push(tip.with_data(curve.points.iter().map(place)).into());
@@ -136,8 +136,8 @@ const CORNERS: u32 = 720;
 const STYLES: [LineStyle; 3] = [LineStyle::Solid, LineStyle::Dashed, LineStyle::Dotted];
 
 /// Half the width of the picture, which contains all points, circles and a margin.
-fn extent(curve: &Curve) -> f64 {
+fn extent(curve: &TipCurve) -> f64 {
     let points = curve.points.iter().map(|[x, y]| x.hypot(*y));
-    let largest = curve.circles.iter().map(|circle| circle.radius).chain(points).fold(0.0, f64::max);
+    let largest = curve.circles.iter().map(|(radius, _)| *radius).chain(points).fold(0.0, f64::max);
     1.18 * if largest > 0.0 { largest } else { 1.0 }
 }

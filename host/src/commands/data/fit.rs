@@ -79,10 +79,11 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
         notes.push(format!("{samples}: columns that no sensor reads: {}", names.join(", ")));
     }
     let not_written = |path: &Path, reason| format!("{}: not written, because {reason}", path.display());
+    let mut files: Vec<(&str, &Path, Vec<u8>)> = Vec::new();
     match output {
         Some(path) if converged => {
             let units = scenario.keys.get("units").and_then(toml::Value::as_str);
-            whole_file::write("--output", path, fit.scenario(units)?.as_bytes())?;
+            files.push(("--output", path, fit.scenario(units)?.into_bytes()));
         }
         Some(path) => notes.push(not_written(path, "the fit has not converged")),
         None => {}
@@ -102,14 +103,15 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
                     "--plot-residuals" => pictures::residuals(&fit, &measurements),
                     _ => pictures::prediction(&fit, motion),
                 };
-                drawing::write(option, path, &picture, None)?;
+                files.push((option, path, drawing::encoded(path, &picture, None)?));
             }
         }
     }
+    whole_file::write_all(&files)?;
     let text = match arguments.format {
         Format::Table => report::table(&fit),
-        Format::Json => format!("{}\n", report::json(&fit)),
-        Format::Csv => output::csv(&[report::record(&fit)])?,
+        Format::Json => output::json(&report::object(&fit))?,
+        Format::Csv => output::csv(&[report::row(&fit)])?,
     };
     Ok(Report { text, notes, missed: !converged })
 }

@@ -4,7 +4,7 @@ use super::Report;
 use crate::Failure;
 use crate::input::builtin;
 use crate::output::whole_file;
-use crate::pictures::span::Span;
+use crate::pictures::span::{MOST_CYCLES, Span};
 use crate::pictures::{drawing, tip};
 use clap::Args;
 use std::path::PathBuf;
@@ -22,7 +22,7 @@ pub fn run(arguments: &FiguresArgs) -> Result<Report, Failure> {
     std::fs::create_dir_all(folder).map_err(|error| whole_file::refused("--output", folder, error))?;
     let mut text = String::new();
     for scenario in builtin::figures().concat() {
-        let span = Span::new(&scenario.motion, None)?;
+        let span = Span::new(&scenario.motion, None, MOST_CYCLES)?;
         let scene = tip::draw(&scenario, &span);
         let path = folder.join(scenario.name.replace([' ', '='], "_") + ".svg");
         drawing::write("--output", &path, &scene, None)?;

@@ -1,10 +1,10 @@
-//! `toytop plot`: curve of the tip between its bounding circles, and other pictures of a motion.
+//! `toytop plot`: pictures of a motion.
 
 use super::options::{PICTURE, ending_in, span};
 use super::{Report, warnings};
 use crate::Failure;
 use crate::input::scenario::Scenario;
-use crate::pictures::span::{Span, require_at_most};
+use crate::pictures::span::{MOST_CYCLES, Span};
 use crate::pictures::{charts, drawing, space, tip};
 use clap::{Args, ValueEnum};
 use kuva::render::render::Scene;
@@ -18,8 +18,8 @@ pub struct PlotArgs {
     /// Kind of picture
     #[arg(long, default_value = "tip")]
     kind: PlotKind,
-    /// Times to draw, s, at most 1000 nutation periods for the tip and the axis, 300 for tilt and precession, and none for the
-    /// potential; without it, from 0 over about one turn of the tip around the centre
+    /// Times to draw, s, at most 1000 nutation periods, and none for the potential; without it, from 0 over about one turn of the tip
+    /// around the centre
     #[arg(long, value_name = "LOW..HIGH", value_parser = span, allow_hyphen_values = true)]
     times: Option<[f64; 2]>,
     /// Width of the picture, pixels
@@ -60,16 +60,7 @@ fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
         }
         return Ok(charts::potential(scenario));
     }
-    if let Some(times) = times {
-        // more would fill the frame
-        let (most, kind) = match arguments.kind {
-            PlotKind::Tilt => (300, " for --kind tilt"),
-            PlotKind::Precession => (300, " for --kind precession"),
-            _ => (1000, ""),
-        };
-        require_at_most(most, scenario, times, kind)?;
-    }
-    let span = Span::new(&scenario.motion, times)?;
+    let span = Span::new(&scenario.motion, times, MOST_CYCLES)?;
     Ok(match arguments.kind {
         PlotKind::Tilt => charts::tilt(scenario, &span),
         PlotKind::Precession => charts::precession(scenario, &span)?,

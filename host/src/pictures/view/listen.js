@@ -113,7 +113,6 @@ function listenToPictures() {
     film.setAttribute("aria-pressed", String(isFilming));
     if (isFilming) play(true);
   }));
-  listenToGif(element("gif"));
   element("save-toml").addEventListener("click", () => {
     download(fileName("scenario", "toml"), new Blob([toToml(state.scenario, state.name)], { type: "text/plain" }));
   });

@@ -34,20 +34,38 @@ fn fusing() -> Vec<&'static str> {
     flags
 }
 
-/// Output of a program, compiled by each C compiler in C99, and by default with fused products.
-fn printed(folder: &Path, source: &str, files: &[PathBuf]) -> Vec<String> {
-    let [code, program] = ["main.c", "main"].map(|name| folder.join(name));
-    std::fs::write(&code, source).expect("the source");
+/// Installed C compilers with fused products.
+fn fusing_builds() -> Vec<(&'static str, Vec<&'static str>)> {
     let compilers = there(&["gcc", "clang"]);
     assert!(!compilers.is_empty(), "no C compiler");
-    let flags = [[vec!["-std=c99", "-O2"], WARNINGS.to_vec()].concat(), fusing()];
-    let built = compilers.iter().flat_map(|compiler| flags.iter().map(move |flags| (compiler, flags)));
-    built
-        .map(|(compiler, flags)| {
-            finished(Command::new(compiler).args(flags).arg("-o").arg(&program).arg(&code).args(files)).ok();
-            finished(&mut Command::new(&program)).ok()
-        })
-        .collect()
+    compilers.into_iter().map(|compiler| (compiler, fusing())).collect()
+}
+
+/// Installed compilers of C and C++ with each standard and all warnings.
+fn standard_builds() -> Vec<(&'static str, Vec<&'static str>)> {
+    let languages = [
+        (["gcc", "clang"], "c", ["-std=c99", "-std=c11", "-std=c17"]),
+        (["g++", "clang++"], "c++", ["-std=c++11", "-std=c++14", "-std=c++17"]),
+    ];
+    let mut builds = Vec::new();
+    for (names, language, standards) in languages {
+        for compiler in there(&names) {
+            let flags = |standard| [vec!["-x", language, standard, "-O1"], WARNINGS.to_vec()].concat();
+            builds.extend(standards.map(|standard| (compiler, flags(standard))));
+        }
+    }
+    builds
+}
+
+/// Output of a program by each of these compilers with their flags.
+fn printed(folder: &Path, source: &str, files: &[PathBuf], builds: &[(&str, Vec<&str>)]) -> Vec<String> {
+    let [code, program] = ["main.c", "main"].map(|name| folder.join(name));
+    std::fs::write(&code, source).expect("the source");
+    let run = |(compiler, flags): &(&str, Vec<&str>)| {
+        finished(Command::new(compiler).args(flags).arg("-o").arg(&program).arg(&code).args(files)).ok();
+        finished(&mut Command::new(&program)).ok()
+    };
+    builds.iter().map(run).collect()
 }
 
 /// Program that prints the numbers of every table as the bits of doubles, those of fixed point without its unit.
@@ -134,7 +152,7 @@ int main(void) {{
     )
 }
 
-/// Headers that need no other file, and tables beside the shared files, give the crate's numbers.
+/// Headers that need no other file give the crate's numbers in every standard of C and C++, and tables beside the shared files too.
 #[test]
 fn c_gives_the_same_bits() {
     let (whole, split, cases) = (folder("bake_c"), folder("bake_c_split"), cases());
@@ -146,10 +164,12 @@ fn c_gives_the_same_bits() {
         toytop(format!("bake --lang c --split bake_c_split {}", case.arguments())).ok();
         files.push(split.join(format!("{table}.c")));
     }
-    for (folder, files) in [(&whole, &[][..]), (&split, &files)] {
-        for printed in printed(folder, &source, files) {
-            assert_lines(&printed, &cases, |case| case.truth().concat());
-        }
+    let builds = [standard_builds(), fusing_builds()].concat();
+    let mut outputs = printed(&whole, &source, &[], &builds);
+    outputs.extend(printed(&split, &source, &files, &fusing_builds()));
+    assert_lines(&outputs[0], &cases, |case| case.truth().concat());
+    for (index, output) in outputs.iter().enumerate() {
+        assert!(*output == outputs[0], "build {index} has other bits: {builds:?}");
     }
 
     // a changed bit of the table is detected
@@ -159,51 +179,6 @@ fn c_gives_the_same_bits() {
     write("bake_c/toy_top.h", changed);
     finished(Command::new("cc").args(["-std=c99", "-o", "bake_c/main", "bake_c/main.c"])).ok();
     assert_eq!(finished(&mut Command::new(whole.join("main"))).code, Some(1));
-}
-
-/// Installed compilers of C and C++, each with a standard.
-fn compilers() -> Vec<(&'static str, &'static str)> {
-    let c = there(&["cc", "clang"]).into_iter().flat_map(|name| ["c99", "c11", "c17"].map(|std| (name, std)));
-    let cpp = there(&["g++", "clang++"]).into_iter();
-    c.chain(cpp.flat_map(|name| ["c++11", "c++14", "c++17"].map(|std| (name, std)))).collect()
-}
-
-/// In every standard a header of every scalar compiles without a warning, and has the same numbers.
-#[test]
-fn c_and_cpp_of_every_standard_read_the_same_numbers() {
-    let folder = folder("bake_standards");
-    let (mut includes, mut checks) = (String::new(), String::new());
-    for (motion, scalar) in
-        [("toy_top", "f32"), ("figure_3_loops", "f64"), ("lagrange", "q31"), ("sleeping", "q15")]
-    {
-        toytop(format!("bake @{motion} --scalar {scalar} --lang c -o bake_standards/{motion}.h")).ok();
-        includes += &format!("#include \"{motion}.h\"\n");
-        let name = if motion.contains('_') { motion.to_owned() } else { format!("top_{motion}") };
-        checks += &format!(
-            "    if (!toytop_intact_{scalar}(&{name})) return 1;
-    {{ toytop_cursor at = toytop_at(&{name}.clock, -3);
-      for (int i = 0; i < 9; i++) {{
-        toytop_sample_{scalar} m = toytop_next_{scalar}(&{name}, &at);
-        unsigned char bytes[sizeof m];
-        memcpy(bytes, &m, sizeof m);
-        for (unsigned j = 0; j < sizeof m; j++) printf(\"%02x\", bytes[j]);
-      }} }}\n"
-        );
-    }
-    let code = format!("#include <stdio.h>\n{includes}int main(void) {{\n{checks}    return 0;\n}}\n");
-    let mut printed = Vec::new();
-    let compilers = compilers();
-    assert!(compilers.iter().any(|(name, _)| *name == "cc"), "no C compiler");
-    for (compiler, standard) in compilers {
-        let source = folder.join(if standard.starts_with("c++") { "main.cpp" } else { "main.c" });
-        std::fs::write(&source, &code).expect("the source");
-        let program = folder.join(format!("{compiler}_{standard}"));
-        let mut command = Command::new(compiler);
-        command.arg(format!("-std={standard}")).args(WARNINGS).args(["-O1", "-o"]).arg(&program).arg(&source);
-        finished(&mut command).ok();
-        printed.push(finished(&mut Command::new(&program)).ok());
-    }
-    assert!(printed[0].len() > 1000 && printed.iter().all(|text| *text == printed[0]));
 }
 
 /// The compiler refuses the second of two motions from files of one name.

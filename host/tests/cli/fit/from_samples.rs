@@ -1,7 +1,7 @@
 //! `toytop simulate` and `toytop fit`: from a scenario to samples and back.
 
 use crate::command::{
-    all_refused, folder, json, number, numbers, path, read, sample, samples, scenario, toytop, write,
+    all_refused, count, folder, json, number, numbers, path, read, sample, samples, scenario, toytop, write,
 };
 use crate::pictures::plot::lines;
 use serde_json::Value;
@@ -107,6 +107,11 @@ fn pictures_of_a_fit_can_be_read() {
     simulated("fit_pictures.csv", "");
     let plots = "--plot-residuals fit_residuals.svg --plot-prediction fit_prediction.svg";
     toytop(format!("fit fit_pictures.csv --top @toy_top {plots}")).ok();
+    // a file that cannot be written leaves no other
+    folder("fit_half");
+    let line = "fit fit_pictures.csv --top @toy_top -o fit_half/fitted.toml --plot-residuals fit_half/a.svg";
+    toytop(format!("{line} --plot-prediction fit_half/no/b.svg")).refused(2, "--plot-prediction: ");
+    assert_eq!(count("fit_half"), 0);
     let svg = read("fit_residuals.svg");
     for sensor in ["gyroscope", "accelerometer", "magnetometer"] {
         assert!(svg.contains(&format!(">{sensor}: residuals of the fit, standard deviations<")), "{sensor}");
@@ -156,11 +161,10 @@ fn samples_of_another_top_have_no_launch() {
     folder("fit_other");
     simulated("fit_other/a.csv", "");
     for top in ["@lagrange", "@pendulum", "@figure_3_loops"] {
-        let line = format!("fit fit_other/a.csv --top {top} -o fit_other/a.toml");
+        let line = format!("fit fit_other/a.csv --top {top} -o fit_other/a.toml --format json");
         let run = toytop(&line);
         assert_eq!(run.code, Some(1), "{}", run.out);
-        assert!(run.out.starts_with("NOT CONVERGED: "), "{}", run.out);
-        let found: Value = serde_json::from_str(&toytop(format!("{line} --format json")).out).expect("JSON");
+        let found: Value = serde_json::from_str(&run.out).expect("JSON");
         assert!(found["converged"] == false && found["reason"].is_string(), "{found}");
         assert!(!path("fit_other/a.toml").exists());
     }

@@ -1,13 +1,13 @@
 //! Fitted launch as a table, as JSON, and as a row of CSV.
 
-use crate::fit::launch::{FitReport, variance};
+use crate::fit::launch::FitReport;
 use crate::output::{Record, columns, short};
 use serde_json::{Value, json};
 use toytop_fit::{Fitted, Sensitivity};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Times of the prediction up to ten seconds after the samples, s, each with the standard deviations of the orientation and of the axis, rad.
+/// Times up to ten seconds after the samples, s, each with the standard deviations of the orientation and of the axis, rad.
 fn predictions(report: &FitReport) -> Vec<[f64; 3]> {
     const AHEAD: [f64; 5] = [0.0, 1.0, 2.0, 5.0, 10.0];
     let FitReport { input, fitted, end, .. } = report;
@@ -15,16 +15,13 @@ fn predictions(report: &FitReport) -> Vec<[f64; 3]> {
     let Some(sensitivity) = motion.map(|motion| Sensitivity::new(&motion)) else { return Vec::new() };
     let at = |ahead: &f64| {
         let t = end + ahead;
-        let partials = sensitivity.at(t - fitted.epoch)?;
-        let covariance = fitted.orientation_covariance(&partials);
-        let trace: f64 = (0..3).map(|k| covariance[k][k]).sum();
-        let along = variance(partials.axis(), |i, j| covariance[i][j]);
-        Some([t, trace.sqrt(), (trace - along).max(0.0).sqrt()])
+        let [orientation, axis] = report.predicted(&sensitivity.at(t - fitted.epoch)?);
+        Some([t, orientation, axis])
     };
     AHEAD.iter().filter_map(at).collect()
 }
 
-/// Report as text; of a launch that does not exist, the reason.
+/// Report as text, or the reason why there is no launch.
 pub fn table(report: &FitReport) -> String {
     let state = match &report.reason {
         None => "converged".to_owned(),
@@ -89,71 +86,65 @@ pub fn table(report: &FitReport) -> String {
     text + "\nprediction\n" + &columns(ahead, 0) + "\n"
 }
 
-/// Report as JSON.
-pub fn json(report: &FitReport) -> Value {
-    let Fitted { launch, statistics, drift, count, covariance, .. } = &report.fitted;
+/// Report as an object of JSON.
+pub fn object(report: &FitReport) -> Record {
+    let Fitted { launch, statistics, drift, count, covariance, alternatives, epoch, .. } = &report.fitted;
     let deviations = report.fitted.deviations();
     let [(spin, spin_deviation), (tilt, tilt_deviation)] = report.spin_and_tilt();
     let free = report.freed().into_iter();
     let free = free.map(|(key, value, deviation)| (key, json!({"value": value, "deviation": deviation})));
     let biases = report.biases().into_iter();
     let biases = biases.map(|(name, values, errors)| (name, json!({"value": values, "deviation": errors})));
+    let drift = drift
+        .as_ref()
+        .map(|drift| json!({"rates": drift.rates, "deviation": drift.deviations(), "losses": drift.losses}));
     let covariance = |i: usize| (0..*count).map(|j| covariance.get(i, j)).collect::<Vec<_>>();
     let prediction =
         |[t, orientation, axis]: [f64; 3]| json!({"t": t, "orientation_rad": orientation, "axis_rad": axis});
-    json!({
-        "converged": report.fitted.converged(),
-        "reason": report.reason,
-        "epoch": report.fitted.epoch,
-        "quaternion": launch.orientation.quaternion(),
-        "orientation_deviation": deviations[..3],
-        "omega": launch.omega,
-        "omega_deviation": deviations[3..6],
-        "spin": spin,
-        "spin_deviation": spin_deviation,
-        "tilt_deg": tilt.to_degrees(),
-        "tilt_deviation_deg": tilt_deviation.to_degrees(),
-        "free": free.collect::<Value>(),
-        "biases": biases.collect::<Value>(),
-        "drift": drift.map(|drift| json!({
-            "rates": drift.rates,
-            "deviation": drift.deviations(),
-            "losses": drift.losses,
-        })),
-        "covariance": (0..*count).map(covariance).collect::<Vec<_>>(),
-        "covariance_of": "rotation vector delta of the orientation in the fixed frame, change of omega in the frame that delta turns, others",
-        "reduced_chi_squared": statistics.reduced_chi_squared(*count),
-        "chi_squared": statistics.chi_squared,
-        "used": statistics.used,
-        "saturated": statistics.unused,
-        "outliers": statistics.outliers,
-        "largest_residual": statistics.largest,
-        "undetermined": report.undetermined(),
-        "alternatives": report.fitted.alternatives,
-        "prediction": predictions(report).into_iter().map(prediction).collect::<Value>(),
-    })
+    Record::default()
+        .with("converged", report.fitted.converged())
+        .with("reason", report.reason.as_deref())
+        .with("epoch", *epoch)
+        .with("quaternion", launch.orientation.quaternion())
+        .with("orientation_deviation", &deviations[..3])
+        .with("omega", launch.omega)
+        .with("omega_deviation", &deviations[3..6])
+        .with("spin", spin)
+        .with("spin_deviation", spin_deviation)
+        .with("tilt_deg", tilt.to_degrees())
+        .with("tilt_deviation_deg", tilt_deviation.to_degrees())
+        .with("free", free.collect::<Value>())
+        .with("biases", biases.collect::<Value>())
+        .with("drift", drift)
+        .with("covariance", (0..*count).map(covariance).collect::<Value>())
+        .with("covariance_of", COVARIANCE)
+        .with("reduced_chi_squared", statistics.reduced_chi_squared(*count))
+        .with("chi_squared", statistics.chi_squared)
+        .with("used", statistics.used)
+        .with("saturated", statistics.unused)
+        .with("outliers", statistics.outliers)
+        .with("largest_residual", statistics.largest)
+        .with("undetermined", report.undetermined())
+        .with("alternatives", *alternatives)
+        .with("prediction", predictions(report).into_iter().map(prediction).collect::<Value>())
 }
 
+/// Unknowns of the covariance.
+const COVARIANCE: &str = "rotation vector delta of the orientation in the fixed frame, change of omega in the frame that delta turns, others";
+
 /// Launch in one row.
-pub fn record(FitReport { fitted, reason, .. }: &FitReport) -> Record {
-    const NAMES: [&str; 13] = [
-        "w",
-        "x",
-        "y",
-        "z",
-        "omega_x",
-        "omega_y",
-        "omega_z",
-        "theta_x_deviation",
-        "theta_y_deviation",
-        "theta_z_deviation",
-        "omega_x_deviation",
-        "omega_y_deviation",
-        "omega_z_deviation",
-    ];
-    let launch = &fitted.launch;
-    let values = launch.orientation.quaternion().into_iter().chain(launch.omega).chain(fitted.deviations());
-    let mut record = Record::default().with("reason", reason.as_deref()).with("epoch", fitted.epoch);
-    record.0.extend(NAMES.into_iter().zip(values.map(Value::from)));
-    record.with("reduced_chi_squared", fitted.statistics.reduced_chi_squared(fitted.count))
+pub fn row(FitReport { fitted, reason, .. }: &FitReport) -> Record {
+    let [w, x, y, z] = fitted.launch.orientation.quaternion();
+    let deviations = fitted.deviations();
+    Record::default()
+        .with("reason", reason.as_deref())
+        .with("epoch", fitted.epoch)
+        .with("w", w)
+        .with("x", x)
+        .with("y", y)
+        .with("z", z)
+        .with("omega", fitted.launch.omega)
+        .with("orientation_deviation", &deviations[..3])
+        .with("omega_deviation", &deviations[3..6])
+        .with("reduced_chi_squared", fitted.statistics.reduced_chi_squared(fitted.count))
 }

@@ -4,7 +4,6 @@
 
 mod addresses;
 mod controls;
-mod film;
 
 use super::{element, folder, view};
 use crate::command::{list, sample, samples};
