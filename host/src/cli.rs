@@ -41,7 +41,7 @@ enum Command {
             The CSV columns have the names of the JSON keys, except for quaternion (w,x,y,z), omega_body (wx,wy,wz), angles (tilt,azimuth,roll)\n\
             and euler_zxz (euler_phi,euler_theta,euler_psi).\n\n\
             Example: toytop state host/scenarios/toy_top.toml --times 0,0.5,1e6 --format json\n         \
-            toytop state host/scenarios/toy_top.toml --from 0 --to 10 --count 1000001 --columns t,quaternion,omega_body --format npy -o top.npy\n         \
+            toytop state host/scenarios/toy_top.toml --from 0 --to 10 --count 1000001 --columns t,quaternion,omega_body --format csv -o top.csv\n         \
             toytop state host/scenarios/toy_top.toml --ticks 0..999 --hertz 8000 --scalar q15 --format csv"
     )]
     State(state::StateArgs),

@@ -10,7 +10,7 @@ pub use parts::BakedNumbers;
 pub use sizes::{
     CAPACITIES, approximate, ephemeris_of_size, require_scalar, sizes, smaller, smallest_ephemeris,
 };
-pub use toytop_model::ticks::ticks_per_time;
+pub use toytop_model::constants::ticks_per_time;
 
 use crate::motion::propagate::Sample;
 use crate::motion::quantity::Quantity;

@@ -6,7 +6,7 @@ use crate::Failure;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{furthest_time, smallest_ephemeris};
 use crate::output::doc_markers::{self, Page};
-use crate::output::{self, Format, Lists, Record, eight_digits};
+use crate::output::{self, Format, Lists, Record};
 use crate::score::benchmarks::{self, Printed, Problem, Reference};
 use clap::Args;
 use serde_json::Value;
@@ -49,10 +49,11 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
     let Some(problem) = problem else {
         let summaries: Vec<_> = benchmarks::all().iter().map(summary).collect();
         let table = || {
-            output::aligned(&summaries, &[("benchmark", "", eight_digits), ("title", "", eight_digits)])
+            let line = |problem: &Problem| vec![problem.name().to_owned(), problem.about.title.clone()];
+            output::columns(benchmarks::all().iter().map(line).collect(), 2)
                 + "\ntoytop benchmark NAME prints 30 digits; --scenario its scenario file; toytop score --benchmark NAME judges a run.\n"
         };
-        return Ok(output::render(*format, &output::list("problems", &summaries), table)?.into());
+        return Ok(output::render(*format, &output::list("problems", &summaries), table).into());
     };
     if *scenario {
         return Ok(problem.text.to_owned().into());
@@ -74,7 +75,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
             about.title, about.source, about.symmetry_axis
         )
     };
-    Ok(output::render(*format, &Lists(vec![("samples", &records)], rest), table)?.into())
+    Ok(output::render(*format, &Lists(vec![("samples", &records)], rest), table).into())
 }
 
 /// Names of the columns of a time. `toytop score` reads the time, the orientation and the rates by these names.
@@ -100,7 +101,7 @@ fn computed(problem: &Problem, times: &str) -> Result<Vec<Record>, Failure> {
     instants.require_within(furthest_time(motion), "")?;
     let table = smallest_ephemeris(Scalar::F64, motion).map_err(|failure| failure.of(problem.name()))?;
     let values = |t: &f64| problem.values(&table.at(*t).sample).into_iter().map(Value::from);
-    Ok(instants.times()?.iter().map(|t| record((*t).into(), values(t))).collect())
+    Ok(instants.times.iter().map(|t| record((*t).into(), values(t))).collect())
 }
 
 fn words<const N: usize>(words: [&str; N]) -> Vec<String> {
@@ -118,7 +119,8 @@ fn tables(
 ) -> String {
     let mut rows = vec![words(["t", "quantity", "value"])];
     for record in records {
-        let numbers: Vec<_> = output::flat(record).into_iter().map(|(_, number)| number).collect();
+        let numbers: Vec<_> =
+            record.0.iter().filter_map(|(_, value)| output::text(value, output::number)).collect();
         for (name, range) in [("position", 1..4), ("quaternion", 4..8), ("omega_body", 8..11)] {
             rows.push(words([&numbers[0], name, &numbers[range].join(line)]));
         }

@@ -108,8 +108,8 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     }
     let text = match arguments.format {
         Format::Table => report::table(&fit),
-        Format::Json => format!("{}\n", report::json(&fit)),
-        Format::Csv => output::csv(&[report::record(&fit)])?,
+        Format::Json => output::json(&report::json(&fit)) + "\n",
+        Format::Csv => output::csv(&[report::record(&fit)]),
     };
     Ok(Report { text, notes, missed: !converged })
 }

@@ -99,7 +99,7 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     let rest =
         Record::default().with("order", order).with("scenario", &*scenario.name).with("sign", "nearest");
     let object = Lists(vec![("files", &by_file), ("methods", &summaries)], rest);
-    let text = output::render(*format, &object, || tables(&ranked, &methods))?;
+    let text = output::render(*format, &object, || tables(&ranked, &methods));
     Ok(Report::from(text).with_remarks(warnings, *format == Format::Table))
 }
 

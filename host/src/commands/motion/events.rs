@@ -108,7 +108,7 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
         [] => none(&arguments.kinds, motion),
         _ => output::aligned(&records, &columns(scenario.units)),
     };
-    let text = output::render(arguments.format, &output::list("events", &records), table)?;
+    let text = output::render(arguments.format, &output::list("events", &records), table);
     // no warning that the top leaves the plane if the command asks for these times
     let asked = arguments.kinds.iter().any(|kind| kind.event == EventKind::LiftOff);
     let remarks = if asked { Vec::new() } else { warnings(&[scenario]) };

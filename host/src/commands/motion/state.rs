@@ -11,13 +11,13 @@ use crate::motion::ephemeris::{
     CAPACITIES, ephemeris_of_size, furthest_time, require_scalar, smallest_ephemeris,
 };
 use crate::motion::propagate::{Sample, period, stepped};
-use crate::motion::quantity::{DEFAULT_COLUMNS, Quantity};
+use crate::motion::quantity::Quantity;
 use crate::motion::tip_angle::TipAngle;
 use crate::motion::{Scalar, stream};
-use crate::output::whole_file;
+use crate::output::{Format, whole_file};
 use crate::truth::full_equations;
 use clap::{ArgGroup, Args};
-use sheet::{SampleFormat, Sheet};
+use sheet::Sheet;
 use std::path::PathBuf;
 use toytop::{Regime, Tick};
 use toytop_closed_forms::ClosedForm;
@@ -47,15 +47,12 @@ pub struct StateArgs {
     /// Ticks in a second, for --ticks: N, or A/B for A ticks in B seconds; 1000 without this option
     #[arg(long, value_name = "N", value_parser = hertz)]
     hertz: Option<[u32; 2]>,
-    /// Columns, in the order of the output
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS)]
+    /// Columns, in the order of the output; without this option t,u,udot,alpha,beta,quaternion,omega,tip,phi,error_bound, and in JSON gamma,delta too
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
     columns: Vec<Quantity>,
-    /// Add units to the column names, as in omega_x [rad/s]
-    #[arg(long)]
-    units: bool,
     /// Form of the output
     #[arg(long, default_value = "table")]
-    format: SampleFormat,
+    format: Format,
     /// Output file; without it, stdout
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -68,38 +65,50 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     if arguments.hertz.is_some() && arguments.times.ticks.is_none() {
         return Err(Failure::Input("--hertz: needs --ticks".to_owned()));
     }
-    let instants = Instants::read(&arguments.times, arguments.hertz.unwrap_or([1000, 1]))?;
+    let rate = arguments.hertz.unwrap_or([1000, 1]);
+    let instants = Instants::read(&arguments.times, rate)?;
     let format = arguments.format;
     let mut columns = arguments.columns.clone();
+    let further = if columns.is_empty() {
+        columns.extend(Quantity::DEFAULT);
+        &[Quantity::Gamma, Quantity::Delta][..]
+    } else {
+        &[Quantity::ErrorBound]
+    };
     // a program that reads JSON always gets the bound
-    if format == SampleFormat::Json && !columns.contains(&Quantity::ErrorBound) {
-        columns.push(Quantity::ErrorBound);
+    if format == Format::Json {
+        columns.extend(further.iter().filter(|column| !arguments.columns.contains(column)));
     }
     let support = scenario.motion.top().support();
-    let sheet = Sheet { format, columns, units: scenario.units, support, named_units: arguments.units };
-    let count = instants.count;
-    let at = source(arguments, &scenario, instants)?;
+    let sheet = Sheet { format, columns, units: scenario.units, support };
+    let count = instants.times.len() as u64;
+    let at = source(arguments, &scenario, instants, rate)?;
     // from here on the input cannot cause a failure
     stream::to(arguments.output.as_deref(), |out| {
-        out.write_all(&sheet.head(count))?;
-        stream::rows(count, &|row, bytes| sheet.row(row, &at(row), bytes), out)?;
+        out.write_all(sheet.head().as_bytes())?;
+        stream::rows(count, &|row, bytes| bytes.extend(sheet.row(row, &at(row)).bytes()), out)?;
         out.write_all(sheet.end().as_bytes())
     })?;
-    let table = format == SampleFormat::Table && arguments.output.is_none();
+    let table = format == Format::Table && arguments.output.is_none();
     Ok(Report::default().with_remarks(warnings(&[scenario]), table))
 }
 
 /// Function that computes samples by a method.
-fn source(arguments: &StateArgs, scenario: &Scenario, instants: Instants) -> Result<Box<At>, Failure> {
+fn source(
+    arguments: &StateArgs,
+    scenario: &Scenario,
+    instants: Instants,
+    rate: [u32; 2],
+) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
     if arguments.steps_per_period.is_some() && arguments.method != Method::Stepper {
         return Err(Failure::Input("--steps-per-period: needs --method stepper".to_owned()));
     }
     let step = period(motion) / f64::from(arguments.steps_per_period.unwrap_or(4096));
     let samples = match (arguments.method, arguments.scalar) {
-        (Method::Ephemeris, scalar) => return by_ephemeris(scalar, scenario, instants),
-        (Method::Stepper, scalar) => stepped(scalar, motion, &instants.times()?, step)?,
-        (Method::Full, Scalar::F64) => full_equations::samples(scenario, &instants.times()?)?,
+        (Method::Ephemeris, scalar) => return by_ephemeris(scalar, scenario, instants, rate),
+        (Method::Stepper, scalar) => stepped(scalar, motion, &instants.times, step)?,
+        (Method::Full, Scalar::F64) => full_equations::samples(scenario, &instants.times)?,
         (Method::ClosedForm, Scalar::F64) => return by_closed_form(scenario, instants),
         (method, scalar) => {
             let (name, method) = (scalar.name(), method.name());
@@ -109,23 +118,28 @@ fn source(arguments: &StateArgs, scenario: &Scenario, instants: Instants) -> Res
     Ok(Box::new(move |index| samples[index as usize]))
 }
 
-fn by_ephemeris(scalar: Scalar, scenario: &Scenario, instants: Instants) -> Result<Box<At>, Failure> {
+/// * `rate`: number of ticks, and of the seconds in which they are
+fn by_ephemeris(
+    scalar: Scalar,
+    scenario: &Scenario,
+    instants: Instants,
+    rate: [u32; 2],
+) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
     let named = |failure: Failure| failure.of(&scenario.name);
     let of_scalar = |failure: Failure| failure.of(&format!("--scalar: {}", scalar.name()));
     require_scalar(scalar, motion).map_err(of_scalar).map_err(named)?;
-    if let Some([ticks, seconds]) = instants.rate.filter(|_| motion.regime() != Regime::Aperiodic) {
+    if !instants.ticks.is_empty() && motion.regime() != Regime::Aperiodic {
         let refused = |error| Failure::Input(format!("--hertz: {error}"));
-        let tick = Tick::ratio(ticks, seconds).map_err(refused)?;
+        let tick = Tick::ratio(rate[0], rate[1]).map_err(refused)?;
         let table = ephemeris_of_size(scalar, motion, tick, &CAPACITIES).map_err(named)?;
         return Ok(Box::new(move |index| {
-            let (t, tick) = (instants.at)(index);
-            table.at_tick(tick, t).sample
+            table.at_tick(instants.ticks[index as usize], instants.times[index as usize]).sample
         }));
     }
     instants.require_within(furthest_time(motion), " with --method ephemeris")?;
     let table = smallest_ephemeris(scalar, motion).map_err(named)?;
-    Ok(Box::new(move |index| table.at((instants.at)(index).0).sample))
+    Ok(Box::new(move |index| table.at(instants.times[index as usize]).sample))
 }
 
 /// Function that computes samples by the closed form, if the motion has one.
@@ -136,7 +150,7 @@ fn by_closed_form(scenario: &Scenario, instants: Instants) -> Result<Box<At>, Fa
     instants.require_within(MOST_PERIODS * period(motion), " with --method closed-form")?;
     let angle = TipAngle::of(motion, NOISE)?;
     Ok(Box::new(move |index| {
-        let (t, _) = (instants.at)(index);
+        let t = instants.times[index as usize];
         let state = form.at(t);
         angle.sample(t, state.orientation, state.omega(), state.udot())
     }))

@@ -182,7 +182,7 @@ fn launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&'static Chip>) -> R
             output::aligned(&rows, &output::all_columns(&rows, eight_digits))
         )
     };
-    Ok(output::render(arguments.format, &output::list("rows", &rows), table)?.into())
+    Ok(output::render(arguments.format, &output::list("rows", &rows), table).into())
 }
 
 fn complaints(root: &Path, measured: &BTreeMap<String, Costs>) -> Result<Vec<String>, Failure> {
@@ -225,7 +225,7 @@ fn shown(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -> Result<R
             output::aligned(&records, &columns)
         )
     };
-    Ok(output::render(arguments.format, &output::list("rows", &records), table)?.into())
+    Ok(output::render(arguments.format, &output::list("rows", &records), table).into())
 }
 
 fn record(chip: &str, call: &str, cost: &Cost, megahertz: f64) -> Record {

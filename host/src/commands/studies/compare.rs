@@ -114,7 +114,7 @@ pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     let text = output::render(arguments.format, &output::list("rows", &records), || {
         let table = if built_in && !arguments.all { tables::summary } else { tables::all };
         table(&rows, arguments.periods)
-    })?;
+    });
     remarks.extend(warnings(&scenarios));
     let missed = rows.iter().any(|row| row.verdict() == "MISS");
     let below = arguments.format == Format::Table;

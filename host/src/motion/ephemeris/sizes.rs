@@ -10,7 +10,7 @@ use toytop::{
     Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, ErrorBound, Motion, Regime, SetUp,
     SetUpError, Tick,
 };
-use toytop_model::ticks::tick;
+use toytop_model::constants::tick;
 
 /// Capacities besides the defaults, in ascending order.
 pub const CAPACITIES: [u32; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096];

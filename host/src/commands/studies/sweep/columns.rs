@@ -1,25 +1,23 @@
 //! Columns of a sweep, and what is computed of a motion for them.
 
 use crate::input::scenario::{Scenario, Units};
-use crate::motion::constants::CONSTANTS;
 use crate::motion::ephemeris::{AnyEphemeris, approximate, smallest_ephemeris};
 use crate::motion::propagate::Sample;
 use crate::motion::quantity::Quantity;
-use crate::motion::{Scalar, spread_times};
-use crate::output::text;
+use crate::motion::{Scalar, spread_times, value};
 use crate::truth::full_equations;
 use clap::ValueEnum;
 use serde_json::Value;
 use std::cell::OnceCell;
 use std::str::FromStr;
 use toytop::{Motion, Orientation};
-use toytop_model::constants::MotionConstants;
+use toytop_model::constants::{CONSTANTS, Constant, MotionConstants};
 
 /// Column of a sweep, or the columns of a quantity at every time.
 #[derive(Clone, Copy)]
 pub enum Column {
-    /// Constant of the motion, by its name and function.
-    Constant(&'static str, fn(&MotionConstants) -> Value),
+    /// Constant of the motion.
+    Constant(&'static Constant),
     /// Figure of the motion's tables, by its name and function.
     Figure(&'static str, fn(&Measured) -> Value),
     /// Quantity of a sample, at every time.
@@ -49,15 +47,16 @@ impl FromStr for Column {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Self, String> {
-        let constants = CONSTANTS.map(|(name, _, value)| (name, Self::Constant(name, value)));
+        let constants = CONSTANTS.iter().map(|constant| (constant.name, Self::Constant(constant)));
         let figures = FIGURES.map(|(name, value)| (name, Self::Figure(name, value)));
-        let named = constants.into_iter().chain(figures).find(|(known, _)| *known == name);
+        let named = constants.chain(figures);
         let sample = || Quantity::from_str(name, false).ok().map(Self::Sample);
-        named.map(|(_, column)| column).or_else(sample).ok_or_else(|| {
-            let (constants, figures) = (constants.map(|(name, _)| name), figures.map(|(name, _)| name));
-            let (constants, figures) = (constants.join(", "), figures.join(", "));
-            format!("must be a column of toytop state, {constants}, {figures}")
-        })
+        named.clone().find(|(known, _)| *known == name).map(|(_, column)| column).or_else(sample).ok_or_else(
+            || {
+                let names: Vec<_> = named.map(|(name, _)| name).collect();
+                format!("must be a column of toytop state, {}", names.join(", "))
+            },
+        )
     }
 }
 
@@ -65,7 +64,8 @@ impl Column {
     /// Names in the header.
     pub fn names(self, times: u32) -> Vec<String> {
         match self {
-            Self::Constant(name, _) | Self::Figure(name, _) => vec![name.to_owned()],
+            Self::Constant(Constant { name, .. }) => vec![(*name).to_owned()],
+            Self::Figure(name, _) => vec![name.to_owned()],
             Self::Sample(quantity) => {
                 let at = |time| quantity.names().1.iter().map(move |part| format!("{part}_{time}"));
                 (1..=times).flat_map(at).collect()
@@ -73,25 +73,19 @@ impl Column {
         }
     }
 
-    /// Fields of a motion, or of numbers that the scenario refuses; an absent value is an empty field. A number has the shortest decimal
-    /// that reads back the same `f64`.
-    pub fn fields(self, motion: Option<&Measured>, times: u32) -> Vec<String> {
-        let number = |x: f64| if x.is_nan() { String::new() } else { format!("{x:?}") };
-        let absent = || vec![String::new(); self.names(times).len()];
-        let value = match (self, motion) {
-            (Self::Constant(_, value), Some(motion)) => value(&motion.motion),
-            (Self::Figure(_, value), Some(motion)) => value(motion),
-            (Self::Constant("regime", _), None) => "refused".into(),
-            (Self::Sample(quantity), Some(motion)) => match motion.double() {
-                Some(run) => {
-                    let numbers = run.samples.iter().flat_map(|sample| quantity.numbers(sample));
-                    return numbers.map(number).collect();
-                }
-                None => return absent(),
-            },
-            _ => return absent(),
-        };
-        vec![text(&value, number).unwrap_or_default()]
+    /// Values of a motion, or of numbers that the scenario refuses.
+    pub fn values(self, motion: Option<&Measured>, times: u32) -> Vec<Value> {
+        match (self, motion) {
+            (Self::Constant(constant), Some(motion)) => vec![value(constant, &motion.motion)],
+            (Self::Figure(_, value), Some(motion)) => vec![value(motion)],
+            (Self::Constant(Constant { name: "regime", .. }), None) => vec!["refused".into()],
+            (Self::Sample(quantity), _) if motion.is_some_and(|motion| motion.double().is_some()) => {
+                let run = motion.and_then(Measured::double);
+                let samples = run.iter().flat_map(|run| &run.samples);
+                samples.flat_map(|sample| quantity.numbers(sample)).map(Value::from).collect()
+            }
+            _ => vec![Value::Null; self.names(times).len()],
+        }
     }
 }
 
