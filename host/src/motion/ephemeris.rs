@@ -7,9 +7,7 @@ mod sizes;
 
 pub use events::{EventQuery, FoundEvent, RateSample, TimedSample};
 pub use parts::BakedNumbers;
-pub use sizes::{
-    CAPACITIES, approximate, ephemeris_of_size, require_scalar, sizes, smaller, smallest_ephemeris,
-};
+pub use sizes::{CAPACITIES, approximate, ephemeris_of_size, require_scalar, sizes, smallest_ephemeris};
 pub use toytop_model::constants::ticks_per_time;
 
 use crate::motion::propagate::Sample;

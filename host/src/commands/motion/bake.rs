@@ -14,7 +14,7 @@ use super::{Report, warnings};
 use crate::Failure;
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{BakedNumbers, ephemeris_of_size, sizes, smaller};
+use crate::motion::ephemeris::{BakedNumbers, ephemeris_of_size, sizes};
 use crate::output::whole_file;
 use c::{header, split_files};
 use clap::{Args, ValueEnum};
@@ -73,7 +73,6 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     let table = ephemeris_of_size(scalar, motion, tick, &sizes(scalar, arguments.size)?)
         .map_err(|failure| failure.of_motion(&scenario.name))?;
     let parts = table.parts().expect("a table");
-    let smaller = smaller(scalar, motion, tick, &*table).and_then(|table| table.parts());
     let label = Label {
         name: arguments.name.clone().unwrap_or_else(|| scenario.name.clone()),
         tick: if seconds == 1 { format!("{ticks} Hz") } else { format!("{ticks}/{seconds} Hz") },
@@ -98,20 +97,16 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
             }
         }
     }
-    let remarks = std::iter::once(summary(&label, &parts, smaller.as_ref())).chain(warnings(&[scenario]));
+    let remarks = std::iter::once(summary(&label, &parts)).chain(warnings(&[scenario]));
     Ok(report.with_remarks(remarks, false))
 }
 
-/// Line that states the scalar, the size and the error bound of the table that was written, and the size of a smaller table with the same
-/// bound.
-fn summary(label: &Label, parts: &BakedNumbers, smaller: Option<&BakedNumbers>) -> String {
+/// Line that states the scalar, the size and the error bound of the table that was written.
+fn summary(label: &Label, parts: &BakedNumbers) -> String {
     let ([segments, terms], ErrorBound { constant, per_tick }) = (parts.size, parts.error_bound);
     let (scalar, bytes) = (parts.scalar.name(), parts.table_bytes());
-    let advice = smaller.map_or_else(String::new, |parts| {
-        format!("; --size {} would be enough ({} bytes)", parts.size[0], parts.table_bytes())
-    });
     format!(
-        "{}: {segments}x{terms} in {scalar}, {bytes} bytes, {}; orientation within {constant:.1e} rad + {per_tick:.1e} rad a tick{advice}",
+        "{}: {segments}x{terms} in {scalar}, {bytes} bytes, {}; orientation within {constant:.1e} rad + {per_tick:.1e} rad a tick",
         label.name, label.tick,
     )
 }
