@@ -89,7 +89,7 @@ enum Command {
     ///
     /// A table in C contains the code that evaluates it.
     #[command(
-        after_help = "Example: toytop bake top.toml --hertz 8000 -o src/top.rs         a static; it does not compile if a bit was changed\n         toytop bake top.toml --lang c --hertz 44100/2 -o top.h   C99 or C++11, with the same results to the bit\n         toytop bake top.toml --lang c --split src --name toy_1   src/toy_1.h and .c, beside the code that all tables share"
+        after_help = "Example: toytop bake top.toml --hertz 8000 -o src/top.rs         a static; it does not compile if a bit was changed\n         toytop bake top.toml --lang c --hertz 44100/2 -o top.h   C99 or C++11, with the same results to the bit"
     )]
     Bake(bake::BakeArgs),
     /// Curves of figures 2 and 3 of the paper, as SVG

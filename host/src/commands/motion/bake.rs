@@ -16,7 +16,7 @@ use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{BakedNumbers, ephemeris_of_size, sizes};
 use crate::output::whole_file;
-use c::{header, split_files};
+use c::header;
 use clap::{Args, ValueEnum};
 use rust::module;
 use std::path::PathBuf;
@@ -46,10 +46,6 @@ pub struct BakeArgs {
     /// Output file; without it, stdout
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Folder for NAME.h and NAME.c in C, beside toytop_baked.h and toytop_baked.c, which all tables share. Without it, C is one
-    /// header that needs no other file
-    #[arg(long, value_name = "FOLDER", conflicts_with = "output")]
-    split: Option<PathBuf>,
 }
 
 /// Language that `bake` writes.
@@ -64,9 +60,6 @@ pub enum Language {
 pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     whole_file::require_other("--output", arguments.output.as_deref(), &[Some(&arguments.scenario)])?;
     let scenario = Scenario::read(&arguments.scenario)?;
-    if arguments.split.is_some() && arguments.lang != Language::C {
-        return Err(Failure::Input("--split: needs --lang c".to_owned()));
-    }
     let [ticks, seconds] = arguments.hertz;
     let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::Input(format!("--hertz: {error}")))?;
     let (scalar, motion) = (arguments.scalar, &scenario.motion);
@@ -78,24 +71,13 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
         tick: if seconds == 1 { format!("{ticks} Hz") } else { format!("{ticks}/{seconds} Hz") },
     };
     let mut report = Report::default();
-    match &arguments.split {
-        Some(folder) => {
-            std::fs::create_dir_all(folder).map_err(|error| whole_file::refused("--split", folder, error))?;
-            // the files that all tables share are the first
-            for (name, text) in split_files(&label, &parts) {
-                whole_file::write("--split", &folder.join(name), text.as_bytes())?;
-            }
-        }
-        None => {
-            let text = match arguments.lang {
-                Language::Rust => module(&label, &parts),
-                Language::C => header(&label, &parts),
-            };
-            match &arguments.output {
-                None => report.text = text,
-                Some(path) => whole_file::write("--output", path, text.as_bytes())?,
-            }
-        }
+    let text = match arguments.lang {
+        Language::Rust => module(&label, &parts),
+        Language::C => header(&label, &parts),
+    };
+    match &arguments.output {
+        None => report.text = text,
+        Some(path) => whole_file::write("--output", path, text.as_bytes())?,
     }
     let remarks = std::iter::once(summary(&label, &parts)).chain(warnings(&[scenario]));
     Ok(report.with_remarks(remarks, false))
