@@ -57,7 +57,7 @@ impl Section<'_> {
     }
 
     /// Failure for an error of the core, whose parameters have the names of the keys, except for the angles.
-    pub fn core_failure(&self, error: &ParameterError) -> Failure {
+    pub fn refusal(&self, error: &ParameterError) -> Failure {
         let key = match error.parameter() {
             "tilt" => "tilt_deg",
             "azimuth" => "azimuth_deg",
@@ -73,7 +73,7 @@ impl Section<'_> {
     }
 
     /// Failure if there is a key other than these; `reason` begins the message.
-    pub fn only(&self, reason: &str, names: &[&str]) -> Result<(), Failure> {
+    pub fn allow_only(&self, reason: &str, names: &[&str]) -> Result<(), Failure> {
         match self.table.keys().find(|key| !names.contains(&key.as_str())) {
             Some(key) => Err(self.failure(key, &format!("{reason}: {}", names.join(", ")))),
             None => Ok(()),
@@ -81,11 +81,11 @@ impl Section<'_> {
     }
 
     /// Failure if there is a key other than `choice`, which selects among the kinds of a table, and those listed.
-    pub fn only_with(&self, choice: &str, keys: &[Key]) -> Result<(), Failure> {
+    pub fn allow_only_with(&self, choice: &str, keys: &[Key]) -> Result<(), Failure> {
         let names: Vec<_> = std::iter::once(choice).chain(keys.iter().map(|key| key.name)).collect();
         let selected = self.table.get(choice).and_then(Value::as_str);
         let place = selected.map_or(String::new(), |value| format!(" with {choice} = {:?}", shown(value)));
-        self.only(&format!("unknown or unneeded key; allowed{place}"), &names)
+        self.allow_only(&format!("unknown or unneeded key; allowed{place}"), &names)
     }
 
     /// Value of a key by `read`, or the default where it is missing.

@@ -1,7 +1,7 @@
 //! `toytop benchmark`: reference values of the problems that other integrators are tested with.
 
 use super::Report;
-use super::times::Instants;
+use super::times::Times;
 use crate::Failure;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{furthest_time, smallest_ephemeris};
@@ -97,11 +97,11 @@ fn references(problem: &Problem) -> Vec<Record> {
 /// Values of the ephemeris at any times, with 17 digits.
 fn computed(problem: &Problem, times: &str) -> Result<Vec<Record>, Failure> {
     let motion = &problem.scenario.motion;
-    let instants = Instants::parse(times)?;
-    instants.require_within(furthest_time(motion), "")?;
+    let times = Times::parse(times)?;
+    times.require_within(furthest_time(motion), "")?;
     let table = smallest_ephemeris(Scalar::F64, motion).map_err(|failure| failure.of(problem.name()))?;
     let values = |t: &f64| problem.values(&table.at(*t).sample).into_iter().map(Value::from);
-    Ok(instants.times.iter().map(|t| record((*t).into(), values(t))).collect())
+    Ok(times.seconds.iter().map(|t| record((*t).into(), values(t))).collect())
 }
 
 fn words<const N: usize>(words: [&str; N]) -> Vec<String> {

@@ -14,7 +14,7 @@ use super::{Report, warnings};
 use crate::Failure;
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{BakedNumbers, ephemeris_of_size, sizes};
+use crate::motion::ephemeris::{TableData, ephemeris_of_size, sizes};
 use crate::output::whole_file;
 use c::header;
 use clap::{Args, ValueEnum};
@@ -66,7 +66,7 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     let table = ephemeris_of_size(scalar, motion, tick, &sizes(scalar, arguments.size)?)
         .map_err(|failure| failure.of_motion(&scenario.name))?;
     let parts = table.parts().expect("a table");
-    let label = Label {
+    let label = TableName {
         name: arguments.name.clone().unwrap_or_else(|| scenario.name.clone()),
         tick: if seconds == 1 { format!("{ticks} Hz") } else { format!("{ticks}/{seconds} Hz") },
     };
@@ -84,7 +84,7 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
 }
 
 /// Line that states the scalar, the size and the error bound of the table that was written.
-fn summary(label: &Label, parts: &BakedNumbers) -> String {
+fn summary(label: &TableName, parts: &TableData) -> String {
     let ([segments, terms], ErrorBound { constant, per_tick }) = (parts.size, parts.error_bound);
     let (scalar, bytes) = (parts.scalar.name(), parts.table_bytes());
     format!(
@@ -94,14 +94,14 @@ fn summary(label: &Label, parts: &BakedNumbers) -> String {
 }
 
 /// Description of the motion of a table, for the comment of a file.
-pub struct Label {
+pub struct TableName {
     /// Name of the scenario.
     pub name: String,
     /// Length of a tick, as text.
     pub tick: String,
 }
 
-impl Label {
+impl TableName {
     /// Name as an identifier in lower case: letters and digits of ASCII are kept, any other letter or digit becomes `u` and at least four
     /// hexadecimal digits, and everything between becomes one underscore, but not at the ends.
     pub fn identifier(&self) -> String {
@@ -131,7 +131,7 @@ impl Label {
     }
 
     /// Name and properties of the table for a comment, without characters that could end the comment.
-    fn headline(&self, parts: &BakedNumbers) -> String {
+    fn headline(&self, parts: &TableData) -> String {
         let printable = |c: &char| !c.is_control() && !['*', '/', '\\'].contains(c);
         let name: String = self.name.chars().filter(printable).collect();
         let ([segments, terms], ErrorBound { constant, per_tick }) = (parts.size, parts.error_bound);
@@ -149,7 +149,7 @@ mod tests {
 
     #[test]
     fn every_name_becomes_an_unused_identifier() {
-        let named = |name: &str| Label { name: name.to_owned(), tick: String::new() };
+        let named = |name: &str| TableName { name: name.to_owned(), tick: String::new() };
         for (name, identifier, c_name) in [
             ("int", "int", "top_int"),
             ("Clock", "clock", "top_clock"),

@@ -3,7 +3,7 @@
 mod sheet;
 
 use super::options::{Method, hertz};
-use super::times::{Instants, TimesArgs};
+use super::times::{Times, TimesArgs};
 use super::{Report, warnings};
 use crate::Failure;
 use crate::input::scenario::Scenario;
@@ -66,7 +66,7 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
         return Err(Failure::Input("--hertz: needs --ticks".to_owned()));
     }
     let rate = arguments.hertz.unwrap_or([1000, 1]);
-    let instants = Instants::read(&arguments.times, rate)?;
+    let times = Times::read(&arguments.times, rate)?;
     let format = arguments.format;
     let mut columns = arguments.columns.clone();
     let further = if columns.is_empty() {
@@ -81,8 +81,8 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     }
     let support = scenario.motion.top().support();
     let sheet = Sheet { format, columns, units: scenario.units, support };
-    let count = instants.times.len() as u64;
-    let at = source(arguments, &scenario, instants, rate)?;
+    let count = times.seconds.len() as u64;
+    let at = source(arguments, &scenario, times, rate)?;
     // from here on the input cannot cause a failure
     stream::to(arguments.output.as_deref(), |out| {
         out.write_all(sheet.head().as_bytes())?;
@@ -97,7 +97,7 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
 fn source(
     arguments: &StateArgs,
     scenario: &Scenario,
-    instants: Instants,
+    times: Times,
     rate: [u32; 2],
 ) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
@@ -106,10 +106,10 @@ fn source(
     }
     let step = period(motion) / f64::from(arguments.steps_per_period.unwrap_or(4096));
     let samples = match (arguments.method, arguments.scalar) {
-        (Method::Ephemeris, scalar) => return by_ephemeris(scalar, scenario, instants, rate),
-        (Method::Stepper, scalar) => stepped(scalar, motion, &instants.times, step)?,
-        (Method::Full, Scalar::F64) => full_equations::samples(scenario, &instants.times)?,
-        (Method::ClosedForm, Scalar::F64) => return by_closed_form(scenario, instants),
+        (Method::Ephemeris, scalar) => return by_ephemeris(scalar, scenario, times, rate),
+        (Method::Stepper, scalar) => stepped(scalar, motion, &times.seconds, step)?,
+        (Method::Full, Scalar::F64) => full_equations::samples(scenario, &times.seconds)?,
+        (Method::ClosedForm, Scalar::F64) => return by_closed_form(scenario, times),
         (method, scalar) => {
             let (name, method) = (scalar.name(), method.name());
             return Err(Failure::Input(format!("--scalar: {name}: must be f64 with --method {method}")));
@@ -122,35 +122,35 @@ fn source(
 fn by_ephemeris(
     scalar: Scalar,
     scenario: &Scenario,
-    instants: Instants,
+    times: Times,
     rate: [u32; 2],
 ) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
     let named = |failure: Failure| failure.of(&scenario.name);
     let of_scalar = |failure: Failure| failure.of(&format!("--scalar: {}", scalar.name()));
     require_scalar(scalar, motion).map_err(of_scalar).map_err(named)?;
-    if !instants.ticks.is_empty() && motion.regime() != Regime::Aperiodic {
+    if !times.ticks.is_empty() && motion.regime() != Regime::Aperiodic {
         let refused = |error| Failure::Input(format!("--hertz: {error}"));
         let tick = Tick::ratio(rate[0], rate[1]).map_err(refused)?;
         let table = ephemeris_of_size(scalar, motion, tick, &CAPACITIES).map_err(named)?;
         return Ok(Box::new(move |index| {
-            table.at_tick(instants.ticks[index as usize], instants.times[index as usize]).sample
+            table.at_tick(times.ticks[index as usize], times.seconds[index as usize]).sample
         }));
     }
-    instants.require_within(furthest_time(motion), " with --method ephemeris")?;
+    times.require_within(furthest_time(motion), " with --method ephemeris")?;
     let table = smallest_ephemeris(scalar, motion).map_err(named)?;
-    Ok(Box::new(move |index| table.at(instants.times[index as usize]).sample))
+    Ok(Box::new(move |index| table.at(times.seconds[index as usize]).sample))
 }
 
 /// Function that computes samples by the closed form, if the motion has one.
-fn by_closed_form(scenario: &Scenario, instants: Instants) -> Result<Box<At>, Failure> {
+fn by_closed_form(scenario: &Scenario, times: Times) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
     let form =
         ClosedForm::of(motion).map_err(|refusal| Failure::Method(refusal.to_string()).of(&scenario.name))?;
-    instants.require_within(MOST_PERIODS * period(motion), " with --method closed-form")?;
+    times.require_within(MOST_PERIODS * period(motion), " with --method closed-form")?;
     let angle = TipAngle::of(motion, NOISE)?;
     Ok(Box::new(move |index| {
-        let t = instants.times[index as usize];
+        let t = times.seconds[index as usize];
         let state = form.at(t);
         angle.sample(t, state.orientation, state.omega(), state.udot())
     }))

@@ -33,11 +33,11 @@ pub struct TimesArgs {
 }
 
 /// Times in the order of the request, at least one.
-pub struct Instants {
+pub struct Times {
     /// Option that states them, in messages.
     option: String,
     /// Times, s.
-    pub times: Vec<f64>,
+    pub seconds: Vec<f64>,
     /// Ticks at these times; none where they are not those of ticks.
     pub ticks: Vec<i64>,
 }
@@ -45,7 +45,7 @@ pub struct Instants {
 /// Greatest number of times.
 const MOST: u64 = 10_000_000;
 
-impl Instants {
+impl Times {
     /// Times of the command line; `rate` is the number of ticks, and of the seconds in which they are.
     ///
     /// # Errors
@@ -100,9 +100,9 @@ impl Instants {
             Some(ticks) if !range => ticks.to_vec(),
             _ => return Err(refused(allowed)),
         };
-        let [per, seconds] = rate.map(f64::from);
-        let times = ticks.iter().map(|tick| *tick as f64 * seconds / per).collect();
-        Ok(Self { option: "--ticks".to_owned(), times, ticks })
+        let [per, length] = rate.map(f64::from);
+        let seconds = ticks.iter().map(|tick| *tick as f64 * length / per).collect();
+        Ok(Self { option: "--ticks".to_owned(), seconds, ticks })
     }
 
     fn read_file(path: &Path) -> Result<Self, Failure> {
@@ -127,8 +127,8 @@ impl Instants {
 
     fn new(option: String, axis: &Axis) -> Result<Self, Failure> {
         require_few(axis.size()).map_err(|reason| Failure::Input(reason).of(&option))?;
-        let times = (0..axis.size()).map(|index| axis.at(index)).collect();
-        Ok(Self { option, times, ticks: Vec::new() })
+        let seconds = (0..axis.size()).map(|index| axis.at(index)).collect();
+        Ok(Self { option, seconds, ticks: Vec::new() })
     }
 
     /// Refuses times further from t = 0 than `most`, s; `method` ends the message.
@@ -140,7 +140,7 @@ impl Instants {
             let reason = format!("{t:e} must be within ±{most:.1e} s{method}");
             Err(Failure::Input(reason).of(&self.option))
         };
-        self.times.iter().find(|t| t.abs() > most).map_or(Ok(()), beyond)
+        self.seconds.iter().find(|t| t.abs() > most).map_or(Ok(()), beyond)
     }
 }
 
@@ -159,32 +159,32 @@ mod tests {
 
     #[test]
     fn spread_evenly_with_both_ends() {
-        let all = |text: &str| Instants::parse(text).unwrap().times;
+        let all = |text: &str| Times::parse(text).unwrap().seconds;
         assert_eq!(all("-1..1/5"), [-1.0, -0.5, 0.0, 0.5, 1.0]);
         let third = all("0..0.3/4");
         assert_eq!((third.len(), third[0], third[3]), (4, 0.0, 0.3));
         let log = all("log:0.01..100/3");
         assert!(log[0] == 0.01 && (log[1] - 1.0).abs() < 1e-14 && log[2] == 100.0, "{log:?}");
-        let far = Instants::parse("-3..1/5").unwrap();
+        let far = Times::parse("-3..1/5").unwrap();
         assert!(far.require_within(3.0, "").is_ok());
         assert_eq!(
             far.require_within(2.9, "").unwrap_err().to_string(),
             "--times: -3e0 must be within ±2.9e0 s"
         );
         for refused in ["0..1", "1..0/3", "0..1/1", "0..1/5000000000", "0..x/3"] {
-            let message = Instants::parse(refused).err().unwrap().to_string();
+            let message = Times::parse(refused).err().unwrap().to_string();
             assert!(message.starts_with(&format!("--times: {refused}: ")), "{message}");
         }
     }
 
     #[test]
     fn ticks_are_exact_fractions_of_a_second() {
-        let ticks = |text: &str| Instants::parse_ticks(text, [44100, 2]);
+        let ticks = |text: &str| Times::parse_ticks(text, [44100, 2]);
         let run = ticks("-2..2").unwrap();
         assert_eq!(run.ticks, [-2, -1, 0, 1, 2]);
-        assert_eq!((run.times[0], run.times[4]), (-4.0 / 44100.0, 4.0 / 44100.0));
+        assert_eq!((run.seconds[0], run.seconds[4]), (-4.0 / 44100.0, 4.0 / 44100.0));
         let list = ticks("7,-99, 3").unwrap();
-        assert_eq!((list.ticks[1], list.times[1], list.times.len()), (-99, -198.0 / 44100.0, 3));
+        assert_eq!((list.ticks[1], list.seconds[1], list.seconds.len()), (-99, -198.0 / 44100.0, 3));
         for refused in ["", "1.5", "2..1", "1,,2", "0..99999999999999999999", "0..10000001"] {
             let message = ticks(refused).err().unwrap().to_string();
             assert!(message.starts_with(&format!("--ticks: {refused}: ")), "{message}");

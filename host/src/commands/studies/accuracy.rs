@@ -6,7 +6,7 @@
 
 use super::Report;
 use super::budget::{CHIPS, Chip, Limits, Model};
-use super::options::{PICTURE, ScalarChoice, ending_in};
+use super::options::{PICTURE, Scalars, ending_in, scalars};
 use crate::Failure;
 use crate::input::builtin;
 use crate::input::random::Random;
@@ -32,8 +32,8 @@ use toytop::{InitialPhases, Motion, Regime, Support};
 #[derive(Args)]
 pub struct AccuracyArgs {
     /// Scalar types
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "all")]
-    scalar: Vec<ScalarChoice>,
+    #[arg(long, value_name = "LIST", default_value = "all", value_parser = scalars)]
+    scalar: Scalars,
     /// Picture of error against cost, whose name ends in .svg or .png
     #[arg(long, value_name = "FILE", value_parser = ending_in(PICTURE))]
     plot: Option<PathBuf>,
@@ -49,7 +49,7 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
     let page = arguments.accept.as_deref().map(|path| Page::read(path, "toytop accuracy: scalars"));
     let page = page.transpose()?;
     let limits = Limits::built_in()?;
-    let all = measured(&ScalarChoice::chosen(&arguments.scalar))?;
+    let all = measured(&arguments.scalar.0)?;
     let scalars: Vec<_> = all.iter().map(|one| record(one.scalar, &one.all(), &limits)).collect();
     let micromath =
         format!("The sine of micromath, an approximation for f32, is off by up to {:.0e}.\n", micromath());

@@ -3,7 +3,7 @@
 mod bounds;
 mod tables;
 
-use super::options::{Method, ScalarChoice};
+use super::options::{Method, Scalars, scalars};
 use super::{Report, warnings};
 use crate::Failure;
 use crate::input::builtin;
@@ -33,8 +33,8 @@ pub struct CompareArgs {
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     periods: u32,
     /// Scalar types of the core
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "all")]
-    scalar: Vec<ScalarChoice>,
+    #[arg(long, value_name = "LIST", default_value = "all", value_parser = scalars)]
+    scalar: Scalars,
     /// Print one row for each run of the built-in motions, not one for each motion. CSV and JSON always contain every run
     #[arg(long)]
     all: bool,
@@ -136,7 +136,7 @@ fn of_motion(
     remarks.extend(remark.map(|remark| format!("{name}: {remark}")));
     let times = spread_times(time, SAMPLES * periods);
     let mut reference = Reference::default();
-    let chosen = ScalarChoice::chosen(&arguments.scalar);
+    let Scalars(chosen) = &arguments.scalar;
     let mut rows = Vec::new();
     for (method, scalar) in RUNS.into_iter().filter(|(_, scalar)| chosen.contains(scalar)) {
         let run = match (method, scalar) {

@@ -54,7 +54,7 @@ pub fn numbers(kind: &str) -> &'static [Key] {
 
 /// Motion, and its launch.
 pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure> {
-    let refused = |error| section.core_failure(&error);
+    let refused = |error| section.refusal(&error);
     let (state, release) = match section.choice("kind", &["release", "state", "branch_points"], None)? {
         "branch_points" => return branch_points(section, top),
         "release" => {
@@ -74,22 +74,22 @@ pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure
 }
 
 fn release(section: &Section<'_>) -> Result<Release, Failure> {
-    section.only_with("kind", &RELEASE)?;
+    section.allow_only_with("kind", &RELEASE)?;
     let [tilt_deg, spin, precession, nutation, azimuth_deg, roll_deg] = section.numbers(&RELEASE)?;
     let (tilt, azimuth, roll) = (tilt(tilt_deg), angle(azimuth_deg), angle(roll_deg));
     Ok(Release { tilt, azimuth, roll, spin, precession, nutation })
 }
 
 fn state(section: &Section<'_>) -> Result<State, Failure> {
-    section.only_with("kind", &STATE)?;
+    section.allow_only_with("kind", &STATE)?;
     let [alpha, beta, omega] = &STATE;
     let complex = |key| section.array(key, None).map(|[re, im]| Complex::new(re, im));
     let phi = Orientation { alpha: complex(alpha)?, beta: complex(beta)? };
-    State::new(phi, section.array(omega, None)?).map_err(|error| section.core_failure(&error))
+    State::new(phi, section.array(omega, None)?).map_err(|error| section.refusal(&error))
 }
 
 fn branch_points(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure> {
-    section.only_with("kind", &BRANCH_POINTS)?;
+    section.allow_only_with("kind", &BRANCH_POINTS)?;
     let [e1, e2, e3, plus, minus, theta, arg_alpha, arg_beta] = section.numbers(&BRANCH_POINTS)?;
     let sign = |number: f64, key: &Key| match number {
         1.0 => Ok(Sign::Plus),
@@ -100,7 +100,7 @@ fn branch_points(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Fa
         Signs { l_plus_n: sign(plus, &BRANCH_POINTS[3])?, l_minus_n: sign(minus, &BRANCH_POINTS[4])? };
     let (e, phases) = ([e1, e2, e3], InitialPhases { theta, arg_alpha, arg_beta });
     let motion =
-        Motion::from_branch_points(top, e, signs, &phases).map_err(|error| section.core_failure(&error))?;
+        Motion::from_branch_points(top, e, signs, &phases).map_err(|error| section.refusal(&error))?;
     Ok((motion, Start::BranchPoints { e, signs, phases }))
 }
 

@@ -4,15 +4,15 @@
 //! Numbers are decimal, because C++ has hexadecimal ones only since C++17, with enough digits to determine every number (9 in single, 17
 //! in double precision). The value of the include guard of a table is its checksum, so that another table of the same name is an error.
 
-use super::Label;
+use super::TableName;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::BakedNumbers;
+use crate::motion::ephemeris::TableData;
 use toytop::scalar::sine::{COSINE, CUBIC, LINEAR, SECANT, SINE, SINES, VERSINE};
 use toytop::{Clock, ErrorBound};
 
 /// Text of a header: a comment, the include guard, size and error bounds as macros, the code and the table. If one file includes several
 /// headers, the code that they share is compiled once.
-pub fn header(label: &Label, parts: &BakedNumbers) -> String {
+pub fn header(label: &TableName, parts: &TableData) -> String {
     let name = label.c_name();
     let (scalar, upper) = (parts.scalar.name(), name.to_uppercase());
     let bounds = [parts.error_bound, parts.rate_error_bound];
@@ -53,7 +53,7 @@ pub fn header(label: &Label, parts: &BakedNumbers) -> String {
 }
 
 /// Definition of a table.
-fn table(label: &Label, parts: &BakedNumbers) -> String {
+fn table(label: &TableName, parts: &TableData) -> String {
     let (name, scalar) = (label.c_name(), parts.scalar.name());
     // scale of the tip, the rates of x and of A + B, and the axial angular velocity
     let Clock { tip_scale, rates: [x, mean, axial], .. } = parts.clock;
@@ -85,7 +85,7 @@ static const toytop_{scalar} {name} = {{
 }
 
 /// Initialisers of a `toytop_clock`.
-fn clock(parts: &BakedNumbers) -> String {
+fn clock(parts: &TableData) -> String {
     let [segments, terms] = parts.size;
     let wide = |bits: u64| format!("{bits:#x}u");
     let phase = |[low, middle, upper]: [u32; 3]| {
