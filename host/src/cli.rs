@@ -214,7 +214,7 @@ pub fn report<C: Parser>(
     }
 }
 
-/// Command whose options take negative numbers as values, so that the check of their range refuses them, and not as other options.
+/// Command whose options take negative numbers as values.
 fn with_negative_numbers(command: clap::Command) -> clap::Command {
     let takes_one = |argument: &Arg| !argument.is_positional() && argument.get_action().takes_values();
     command
@@ -224,7 +224,7 @@ fn with_negative_numbers(command: clap::Command) -> clap::Command {
         .mut_subcommands(with_negative_numbers)
 }
 
-/// Message of clap in one line: its first paragraph, which names the error and the allowed values, and its suggestion.
+/// Message of clap in one line: its first paragraph and its suggestion.
 fn in_one_line(message: &str) -> String {
     let paragraph = message.lines().take_while(|line| !line.trim().is_empty());
     let line = paragraph.map(str::trim).collect::<Vec<_>>().join(" ");

@@ -49,7 +49,7 @@ pub fn scalars(text: &str) -> Result<Scalars, &'static str> {
 /// Endings of a picture.
 pub const PICTURE: &str = ".svg or .png";
 
-/// Reader of the name of a file that has one of these endings.
+/// Parser of the name of a file with one of these endings.
 pub fn ending_in(allowed: &'static str) -> impl Fn(&str) -> Result<PathBuf, String> + Clone {
     move |name| {
         let mut endings = allowed.split([',', ' ']).filter(|word| word.starts_with('.'));
@@ -80,7 +80,7 @@ pub fn span(text: &str) -> Result<[f64; 2], &'static str> {
     ends.filter(|[from, until]| from < until).ok_or("must be LOW..HIGH, two times in s")
 }
 
-/// Tick rate as a fraction: a number of ticks, and of seconds.
+/// Tick rate: a number of ticks, and of the seconds in which they are.
 pub fn hertz(text: &str) -> Result<[u32; 2], &'static str> {
     let (ticks, seconds) = text.split_once('/').unwrap_or((text, "1"));
     let whole = |text: &str| text.parse::<u32>().ok().filter(|n| *n > 0);

@@ -180,7 +180,7 @@ impl ScenarioFile {
         })
     }
 
-    /// Scenario with other numbers, whose keys may be missing in the file.
+    /// Scenario with these numbers in place of its own.
     ///
     /// # Errors
     /// As [`ScenarioFile::scenario`].

@@ -56,7 +56,7 @@ impl Section<'_> {
         Failure::Input(format!("{}: {}.{}: {reason}", self.file, shown(self.name), shown(key)))
     }
 
-    /// Failure for an error of the core, whose parameters have the names of the keys, except for the angles.
+    /// Failure that names the key of an error of the core.
     pub fn refusal(&self, error: &ParameterError) -> Failure {
         let key = match error.parameter() {
             "tilt" => "tilt_deg",

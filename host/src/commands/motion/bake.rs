@@ -102,8 +102,8 @@ pub struct TableName {
 }
 
 impl TableName {
-    /// Name as an identifier in lower case: letters and digits of ASCII are kept, any other letter or digit becomes `u` and at least four
-    /// hexadecimal digits, and everything between becomes one underscore, but not at the ends.
+    /// Identifier in lower case: letters and digits of ASCII are kept, any other letter or digit becomes `u` and its code, and everything
+    /// between becomes one underscore.
     pub fn identifier(&self) -> String {
         let mut identifier = String::new();
         for c in self.name.chars() {
@@ -122,8 +122,7 @@ impl TableName {
         }
     }
 
-    /// Identifier as a name in C and C++, and of a file. A single word or a name that ends in `_t` may belong to the language or to a library
-    /// (`int`, `clock`), and a name that begins with `toytop_` may belong to this library. Such a name gets the prefix `top_`.
+    /// Identifier in C and C++. A name that may belong to the language or to a library (`int`, `time_t`, `toytop_f32`) has the prefix `top_`.
     pub fn c_name(&self) -> String {
         let name = self.identifier();
         let free = name.contains('_') && !name.ends_with("_t") && !name.starts_with("toytop_");

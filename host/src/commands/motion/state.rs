@@ -156,9 +156,8 @@ fn by_closed_form(scenario: &Scenario, times: Times) -> Result<Box<At>, Failure>
     }))
 }
 
-/// Greatest number of periods of a closed form. If e₃ = e₄ holds only up to rounding, the form loses up to 5e-14 rad in a period, and
-/// beyond this number no digit is correct.
+/// Greatest number of periods of a closed form, whose error grows by up to 5e-14 rad in a period where e₃ = e₄ holds up to rounding.
 const MOST_PERIODS: f64 = 1e12;
 
-/// Least |αβ| at which the rounding of α and β changes the argument of αβ by less than 1e-5 rad.
+/// Least |αβ| whose argument is known to 1e-5 rad.
 const NOISE: f64 = 1e-11;

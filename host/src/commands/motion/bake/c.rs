@@ -111,7 +111,7 @@ fn clock(parts: &TableData) -> String {
     lines.iter().map(|line| format!("        {line},\n")).collect()
 }
 
-/// Constant of 32 bits in C, where -2147483648 would be the negative of a constant that does not fit 32 bits.
+/// Constant of 32 bits in C, which has no literal -2147483648.
 fn integer(x: i32) -> String {
     if x == i32::MIN { "INT32_MIN".to_owned() } else { x.to_string() }
 }

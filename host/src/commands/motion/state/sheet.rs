@@ -15,7 +15,7 @@ pub struct Sheet {
     pub columns: Vec<Quantity>,
     /// Units of the scenario.
     pub units: Units,
-    /// Support of the tip, which decides the unit of its position.
+    /// Support of the tip; decides the unit of its position.
     pub support: Support,
 }
 
@@ -70,7 +70,7 @@ impl Sheet {
         format!("\ntip: 2 alpha beta, minus the horizontal part of the axis ({reason})\n")
     }
 
-    /// Lines of a sample, because one line would be too long for a screen.
+    /// Sample over several lines.
     fn block(&self, sample: &Sample) -> String {
         let line = |column: &Quantity| {
             let digits = match column {
