@@ -41,7 +41,7 @@ enum Command {
             The CSV columns have the names of the JSON keys, except for quaternion (w,x,y,z), omega_body (wx,wy,wz), angles (tilt,azimuth,roll)\n\
             and euler_zxz (euler_phi,euler_theta,euler_psi).\n\n\
             Example: toytop state host/scenarios/toy_top.toml --times 0,0.5,1e6 --format json\n         \
-            toytop state host/scenarios/toy_top.toml --from 0 --to 10 --count 1000001 --columns t,quaternion,omega_body --format npy -o top.npy\n         \
+            toytop state host/scenarios/toy_top.toml --from 0 --to 10 --count 1000001 --columns t,quaternion,omega_body --format csv -o top.csv\n         \
             toytop state host/scenarios/toy_top.toml --ticks 0..999 --hertz 8000 --scalar q15 --format csv"
     )]
     State(state::StateArgs),
@@ -89,7 +89,7 @@ enum Command {
     ///
     /// A table in C contains the code that evaluates it.
     #[command(
-        after_help = "Example: toytop bake top.toml --hertz 8000 -o src/top.rs         a static; it does not compile if a bit was changed\n         toytop bake top.toml --lang c --hertz 44100/2 -o top.h   C99 or C++11, with the same results to the bit\n         toytop bake top.toml --lang c --split src --name toy_1   src/toy_1.h and .c, beside the code that all tables share"
+        after_help = "Example: toytop bake top.toml --hertz 8000 -o src/top.rs         a static; it does not compile if a bit was changed\n         toytop bake top.toml --lang c --hertz 44100/2 -o top.h   C99 or C++11, with the same results to the bit"
     )]
     Bake(bake::BakeArgs),
     /// Curves of figures 2 and 3 of the paper, as SVG
@@ -214,7 +214,7 @@ pub fn report<C: Parser>(
     }
 }
 
-/// Command whose options take negative numbers as values, so that the check of their range refuses them, and not as other options.
+/// Command whose options take negative numbers as values.
 fn with_negative_numbers(command: clap::Command) -> clap::Command {
     let takes_one = |argument: &Arg| !argument.is_positional() && argument.get_action().takes_values();
     command
@@ -224,7 +224,7 @@ fn with_negative_numbers(command: clap::Command) -> clap::Command {
         .mut_subcommands(with_negative_numbers)
 }
 
-/// Message of clap in one line: its first paragraph, which names the error and the allowed values, and its suggestion.
+/// Message of clap in one line: its first paragraph and its suggestion.
 fn in_one_line(message: &str) -> String {
     let paragraph = message.lines().take_while(|line| !line.trim().is_empty());
     let line = paragraph.map(str::trim).collect::<Vec<_>>().join(" ");

@@ -3,7 +3,6 @@
 //! | module | contents |
 //! |---|---|
 //! | [`Scalar`] | scalar types of the core |
-//! | [`constants`] | constants by name |
 //! | [`propagate`] | samples, and the stepper at given times |
 //! | [`quantity`], [`angles`] | quantities of a sample |
 //! | [`ephemeris`] | ephemeris in the smallest table that fits |
@@ -11,7 +10,6 @@
 //! | [`thread_pool`], `stream` | threads on all cores, and rows that they compute |
 
 pub mod angles;
-pub mod constants;
 pub mod ephemeris;
 pub mod propagate;
 pub mod quantity;
@@ -20,9 +18,11 @@ pub mod stream;
 pub mod thread_pool;
 pub mod tip_angle;
 
-pub use constants::tilts;
+pub use toytop_model::constants::{regime, tilts};
 
+use serde_json::Value;
 use toytop::{Complex, Motion, Orientation, Top};
+use toytop_model::constants::{self, Constant, MotionConstants};
 use toytop_model::equations::{FullState, FullTop};
 
 /// Complex number in `f64`, each part by `to_f64`.
@@ -61,6 +61,14 @@ impl Scalar {
             Self::Q31 => "q31",
             Self::Q15 => "q15",
         }
+    }
+}
+
+/// Value of a constant; null where the motion does not have it.
+pub fn value(constant: &Constant, motion: &MotionConstants) -> Value {
+    match constant.value {
+        constants::Value::Number(value) => value(motion).into(),
+        constants::Value::Word(value) => value(motion).into(),
     }
 }
 

@@ -7,16 +7,10 @@ pub mod progress;
 pub mod stdout;
 pub mod whole_file;
 
-pub use toytop_model::names;
-
 #[cfg(feature = "program")]
-use comfy_table::presets::NOTHING;
-#[cfg(feature = "program")]
-use comfy_table::{CellAlignment, Row, Table};
-use serde::ser::{Serialize, SerializeMap, Serializer};
+use comfy_table::{CellAlignment, Row, Table, presets::NOTHING};
 use serde_json::Value;
-use serde_json::ser::Formatter;
-use std::io;
+use std::iter::once;
 
 /// Named values, in order: words, numbers, arrays of numbers, and null for an absent value.
 #[derive(Clone, Default)]
@@ -29,8 +23,25 @@ impl Record {
         self
     }
 
-    fn get(&self, name: &str) -> Option<&Value> {
-        self.0.iter().find(|(other, _)| *other == name).map(|(_, value)| value)
+    /// Names and values of the columns of CSV. Those of an array end in x, y and z.
+    pub fn flat(&self) -> Vec<(String, &Value)> {
+        let mut columns = Vec::new();
+        for (name, value) in &self.0 {
+            match value {
+                Value::Array(parts) => {
+                    columns.extend(
+                        parts.iter().zip(["x", "y", "z"]).map(|(part, end)| (format!("{name}_{end}"), part)),
+                    );
+                }
+                value => columns.push(((*name).to_owned(), value)),
+            }
+        }
+        columns
+    }
+
+    /// Object of JSON.
+    pub fn json(&self) -> String {
+        object(self.0.iter().map(|(name, value)| (*name, json(value))))
     }
 }
 
@@ -46,17 +57,67 @@ pub enum Format {
     Json,
 }
 
-/// Records in a form. CSV contains only the first list, or else one line with the other entries; `table` makes the table.
-///
-/// # Errors
-/// None: the writers' types can fail, but a write to memory does not.
+/// Lists of records by their keys, and further values.
+pub struct Lists<'a>(pub Vec<(&'static str, &'a [Record])>, pub Record);
+
+/// One list without further values.
+pub fn list<'a>(key: &'static str, records: &'a [Record]) -> Lists<'a> {
+    Lists(vec![(key, records)], Record::default())
+}
+
+/// Records in a form. CSV contains only the first list, or else one line with the other values; `table` makes the table. JSON is
+/// the object `{"key":[record, ...], ..., "other":value, ...}`.
 #[cfg(feature = "program")]
-pub fn render(format: Format, lists: &Lists<'_>, table: impl FnOnce() -> String) -> io::Result<String> {
+pub fn render(format: Format, Lists(lists, rest): &Lists<'_>, table: impl FnOnce() -> String) -> String {
     match format {
-        Format::Table => Ok(table()),
-        Format::Csv => csv(lists.0.first().map_or(std::slice::from_ref(&lists.1), |(_, records)| records)),
-        Format::Json => json(lists),
+        Format::Table => table(),
+        Format::Csv => csv(lists.first().map_or(std::slice::from_ref(rest), |(_, records)| records)),
+        Format::Json => {
+            let list =
+                |(key, records): &(&'static str, &[Record])| (*key, array(records.iter().map(Record::json)));
+            let rest = rest.0.iter().map(|(key, value)| (*key, json(value)));
+            object(lists.iter().map(list).chain(rest)) + "\n"
+        }
     }
+}
+
+/// Value as JSON.
+pub fn json(value: &Value) -> String {
+    match value {
+        Value::Number(x) if x.is_f64() => x.as_f64().map_or_else(String::new, number),
+        Value::Array(parts) => array(parts.iter().map(json)),
+        Value::Object(entries) => object(entries.iter().map(|(key, value)| (&**key, json(value)))),
+        value => value.to_string(),
+    }
+}
+
+fn array(parts: impl Iterator<Item = String>) -> String {
+    format!("[{}]", parts.collect::<Vec<_>>().join(","))
+}
+
+fn object<'a>(entries: impl Iterator<Item = (&'a str, String)>) -> String {
+    let entries = entries.map(|(key, value)| format!("{}:{value}", Value::from(key)));
+    format!("{{{}}}", entries.collect::<Vec<_>>().join(","))
+}
+
+/// Records as CSV, with a header line.
+pub fn csv(records: &[Record]) -> String {
+    let header = |record: &Record| csv_line(record.flat().into_iter().map(|(name, _)| name.into()));
+    let line = |record: &Record| csv_line(record.flat().into_iter().map(|(_, value)| value.clone()));
+    records.first().map(header).into_iter().chain(records.iter().map(line)).collect()
+}
+
+/// Line of CSV. An absent value is an empty field.
+pub fn csv_line(values: impl IntoIterator<Item = Value>) -> String {
+    let field = |value| {
+        let text = text(&value, number).unwrap_or_default();
+        if text.contains([',', '"', '\n', '\r']) {
+            format!("\"{}\"", text.replace('"', "\"\""))
+        } else {
+            text
+        }
+    };
+    values.into_iter().map(field).collect::<Vec<_>>().join(",") + "\n"
 }
 
 /// Column of a table: name of a value, heading, and text of a number.
@@ -70,26 +131,46 @@ pub fn all_columns(records: &[Record], of_number: fn(f64) -> String) -> Vec<Colu
 /// Header and rows of a table. A value that is absent is a dash.
 pub fn rows(records: &[Record], shown: &[Column<'_>]) -> Vec<Vec<String>> {
     let row = |record: &Record| {
-        let text = |(name, _, of_number): &Column<'_>| {
-            record.get(name).and_then(|value| text(value, *of_number)).unwrap_or_else(|| "-".to_owned())
+        let cell = |(name, _, of_number): &Column<'_>| {
+            let value = record.0.iter().find(|(other, _)| other == name).map(|(_, value)| value);
+            value.and_then(|value| text(value, *of_number)).unwrap_or_else(|| "-".to_owned())
         };
-        shown.iter().map(text).collect()
+        shown.iter().map(cell).collect()
     };
     let header = shown.iter().map(|(_, heading, _)| (*heading).to_owned()).collect();
-    std::iter::once(header).chain(records.iter().map(row)).collect()
+    once(header).chain(records.iter().map(row)).collect()
 }
 
-/// Records as aligned columns below their headings; texts are aligned to the left.
+/// Text of a word or number; `None` for any other value.
+pub fn text(value: &Value, of_number: impl Fn(f64) -> String) -> Option<String> {
+    match value {
+        Value::String(text) => Some(text.clone()),
+        Value::Number(whole) if !whole.is_f64() => Some(whole.to_string()),
+        value => value.as_f64().map(of_number),
+    }
+}
+
+/// Records as aligned columns below their headings; the first columns are aligned to the left as long as they contain words.
 #[cfg(feature = "program")]
 pub fn aligned(records: &[Record], shown: &[Column<'_>]) -> String {
-    let mut rows = rows(records, shown);
-    if shown.iter().all(|(_, heading, _)| heading.is_empty()) {
-        rows.remove(0);
-    }
-    let is_text = |index: usize| {
-        records.iter().all(|record| matches!(record.get(shown[index].0), Some(Value::String(_)) | None))
+    let is_word = |column: &&Column<'_>| {
+        records
+            .iter()
+            .all(|record| record.0.iter().any(|(name, value)| name == &column.0 && value.is_string()))
     };
-    text_of(rows, is_text)
+    columns(rows(records, shown), shown.iter().take_while(is_word).count())
+}
+
+/// Rows as aligned columns without rules, the first `left` columns aligned to the left and the others to the right.
+#[cfg(feature = "program")]
+pub fn columns(rows: Vec<Vec<String>>, left: usize) -> String {
+    let mut table = Table::new();
+    table.load_style(NOTHING).add_rows(rows.into_iter().map(Row::from));
+    for (index, column) in table.column_iter_mut().enumerate() {
+        column.set_padding((0, 2));
+        column.set_cell_alignment(if index < left { CellAlignment::Left } else { CellAlignment::Right });
+    }
+    table.lines().map(|line| format!("{}\n", line.trim_end())).collect()
 }
 
 /// Number with eight significant digits.
@@ -122,104 +203,4 @@ pub fn shown(text: &str) -> String {
     const MOST: usize = 60;
     let beginning: String = text.chars().take(MOST).collect();
     if beginning.len() < text.len() { format!("{beginning}...") } else { beginning }
-}
-
-/// Records as CSV, with a header line.
-///
-/// # Errors
-/// None: the writer's type can fail, but a write to memory does not.
-pub fn csv(records: &[Record]) -> io::Result<String> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    if let Some(first) = records.first() {
-        writer.write_record(flat(first).into_iter().map(|(name, _)| name))?;
-    }
-    for record in records {
-        writer.write_record(flat(record).into_iter().map(|(_, value)| value))?;
-    }
-    let bytes = writer.into_inner().map_err(io::Error::other)?;
-    String::from_utf8(bytes).map_err(io::Error::other)
-}
-
-/// Word or number of a record as text; `None` for an absent value.
-pub fn text(value: &Value, of_number: impl Fn(f64) -> String) -> Option<String> {
-    match value {
-        Value::String(text) => Some(text.clone()),
-        Value::Number(whole) if !whole.is_f64() => Some(whole.to_string()),
-        value => value.as_f64().map(of_number),
-    }
-}
-
-/// Column names and values of a record. The columns of an array end in x, y and z.
-pub fn flat(record: &Record) -> Vec<(String, String)> {
-    let field = |value: &Value| text(value, number).unwrap_or_default();
-    let columns = |(name, value): &(&'static str, Value)| match value {
-        Value::Array(parts) => {
-            let parts = parts.iter().zip(["x", "y", "z"]);
-            parts.map(|(part, suffix)| (format!("{name}_{suffix}"), field(part))).collect()
-        }
-        value => vec![((*name).to_owned(), field(value))],
-    };
-    record.0.iter().flat_map(columns).collect()
-}
-
-/// Object of JSON `{"key":[record, ...], ...}`, with the entries of another record after the lists.
-pub struct Lists<'a>(pub Vec<(&'static str, &'a [Record])>, pub Record);
-
-impl Serialize for Lists<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Self(lists, Record(rest)) = self;
-        let mut map = serializer.serialize_map(None)?;
-        lists.iter().try_for_each(|(key, records)| map.serialize_entry(key, records))?;
-        rest.iter().try_for_each(|(key, value)| map.serialize_entry(key, value))?;
-        map.end()
-    }
-}
-
-/// Object of JSON with one list.
-pub fn list<'a>(key: &'static str, records: &'a [Record]) -> Lists<'a> {
-    Lists(vec![(key, records)], Record::default())
-}
-
-/// Value as JSON, on one line.
-///
-/// # Errors
-/// None: the writer's type can fail, but a write to memory does not.
-pub fn json(value: &impl Serialize) -> io::Result<String> {
-    let mut bytes = Vec::new();
-    let mut serializer = serde_json::Serializer::with_formatter(&mut bytes, SeventeenDigits);
-    value.serialize(&mut serializer)?;
-    bytes.push(b'\n');
-    String::from_utf8(bytes).map_err(io::Error::other)
-}
-
-impl Serialize for Record {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
-    }
-}
-
-struct SeventeenDigits;
-
-impl Formatter for SeventeenDigits {
-    fn write_f64<W: ?Sized + io::Write>(&mut self, writer: &mut W, value: f64) -> io::Result<()> {
-        writer.write_all(number(value).as_bytes())
-    }
-}
-
-/// Rows as aligned columns without rules, the first `left` columns aligned to the left and the others to the right.
-#[cfg(feature = "program")]
-pub fn columns(rows: Vec<Vec<String>>, left: usize) -> String {
-    text_of(rows, |index| index < left)
-}
-
-/// Rows as aligned columns without rules; `left` selects those that are aligned to the left.
-#[cfg(feature = "program")]
-fn text_of(rows: Vec<Vec<String>>, left: impl Fn(usize) -> bool) -> String {
-    let mut table = Table::new();
-    table.load_style(NOTHING).add_rows(rows.into_iter().map(Row::from));
-    for (index, column) in table.column_iter_mut().enumerate() {
-        column.set_padding((0, 2));
-        column.set_cell_alignment(if left(index) { CellAlignment::Left } else { CellAlignment::Right });
-    }
-    table.lines().map(|line| format!("{}\n", line.trim_end())).collect()
 }

@@ -6,7 +6,7 @@ mod trial;
 use crate::{Study, Summary};
 use std::collections::BTreeSet;
 use toytop_host::motion::{Scalar, greater};
-use toytop_host::output::{Record, names};
+use toytop_host::output::Record;
 use toytop_host::{Failure, thread_pool};
 use trial::{Errors, Trial};
 
@@ -24,7 +24,7 @@ pub fn run(study: &Study, truths: u64) -> Result<Summary, Failure> {
                         failures.push(format!("{launch}: {}: {errors:?}: {input:?}", scalar.name()));
                     }
                 }
-                launched.push((names::regime(regime), tables));
+                launched.push((toytop_host::motion::regime(regime), tables));
             }
         }
     }

@@ -1,4 +1,4 @@
-//! Constants of the motion by name, in the order in which the page receives them.
+//! Constants of a motion by name, words for its regime and its tip curve, and the ticks of its table.
 
 use crate::equations::cross;
 use core::array::from_fn;
@@ -6,10 +6,98 @@ use core::cell::OnceCell;
 use core::f64::consts::PI;
 use core::ops::Deref;
 use toytop::scalar::{Float, Real, Ring};
-use toytop::{AttitudeState, Motion, PeriodAdvance, Regime, Stepper};
+use toytop::{AttitudeState, Motion, ParameterError, PeriodAdvance, Regime, Stepper, Tick, TipClass};
 
-/// Constant by its name and its function; NaN where it does not exist.
-pub type Constant = (&'static str, fn(&MotionConstants) -> f64);
+/// Constant of a motion.
+#[derive(Clone, Copy)]
+pub struct Constant {
+    /// Key of its value.
+    pub name: &'static str,
+    /// Unit of a scenario in SI units. Without units, a second stands for the unit of time.
+    pub unit: &'static str,
+    /// Function of the motion.
+    pub value: Value,
+}
+
+/// Value of a constant.
+#[derive(Clone, Copy)]
+pub enum Value {
+    /// Number; NaN where the motion does not have it.
+    Number(fn(&MotionConstants) -> f64),
+    /// Word.
+    Word(fn(&MotionConstants) -> &'static str),
+}
+
+const fn number(name: &'static str, unit: &'static str, value: fn(&MotionConstants) -> f64) -> Constant {
+    Constant { name, unit, value: Value::Number(value) }
+}
+
+const fn word(name: &'static str, value: fn(&MotionConstants) -> &'static str) -> Constant {
+    Constant { name, unit: "", value: Value::Word(value) }
+}
+
+/// Constants that are numbers, and those of the top and of the start, by their names and functions.
+pub fn numbers() -> impl Iterator<Item = (&'static str, fn(&MotionConstants) -> f64)> {
+    CONSTANTS.iter().chain(&TOP_AND_START).filter_map(|constant| match constant.value {
+        Value::Number(value) => Some((constant.name, value)),
+        Value::Word(_) => None,
+    })
+}
+
+/// Constants of a motion, as `toytop constants` prints them.
+pub static CONSTANTS: [Constant; 28] = [
+    number("l", "kg m^2/s", |motion| motion.first_integrals().l),
+    number("n", "kg m^2/s", |motion| motion.first_integrals().n),
+    number("h", "kg m^2/s^2", |motion| motion.first_integrals().h),
+    number("e1", "", |motion| motion.branch_points().e1),
+    number("e2", "", |motion| motion.branch_points().e2),
+    number("e3", "", |motion| motion.branch_points().e3),
+    number("e4", "", |motion| motion.top().e4().unwrap_or(f64::NAN)),
+    number("one_plus_e1", "", |motion| motion.branch_points().one_plus_e1),
+    number("one_minus_e2", "", |motion| motion.branch_points().one_minus_e2),
+    number("e2_minus_e1", "", |motion| motion.branch_points().e2_minus_e1),
+    number("e3_minus_e2", "", |motion| motion.branch_points().e3_minus_e2),
+    number("e3_minus_one", "", |motion| motion.branch_points().e3_minus_one),
+    word("regime", |motion| regime(motion.regime())),
+    number("period", "s", |motion| motion.period()),
+    number("alpha_turns", "turns a period", |motion| motion.turning(|advance| advance.alpha_turns)),
+    number("beta_turns", "turns a period", |motion| motion.turning(|advance| advance.beta_turns)),
+    number("phi_per_period", "rad a period", |motion| motion.phi_per_period()),
+    word("tip_class", |motion| tip_class(motion.tip_class())),
+    number("min_normal_force", "weights", |motion| motion.min_normal_force().unwrap_or(f64::NAN)),
+    number("min_tilt_deg", "degrees", |motion| tilts(motion)[0]),
+    number("max_tilt_deg", "degrees", |motion| tilts(motion)[1]),
+    number("nutation_hz", "1/s", |motion| 1.0 / motion.period()),
+    number("mean_precession_deg_per_s", "degrees/s", |motion| 360.0 * mean_precession(motion)),
+    number("mean_precession_rpm", "turns/min", |motion| 60.0 * mean_precession(motion)),
+    number("spin_deg_per_s", "degrees/s", |motion| 360.0 * spin(motion)),
+    number("spin_rpm", "turns/min", |motion| 60.0 * spin(motion)),
+    number("critical_spin_deg_per_s", "degrees/s", |motion| 360.0 * critical_spin(motion)),
+    number("critical_spin_rpm", "turns/min", |motion| 60.0 * critical_spin(motion)),
+];
+
+/// Numbers of the top and of the motion at t = 0.
+static TOP_AND_START: [Constant; 18] = [
+    // 0 sliding, 1 fixed, 2 free
+    number("support", "", |motion| f64::from(motion.top().support() as u8)),
+    number("A", "kg m^2", |motion| motion.top().transverse_inertia()),
+    number("C", "kg m^2", |motion| motion.top().axial_inertia()),
+    number("s", "m", |motion| motion.top().com_height()),
+    number("p", "kg m", |motion| motion.top().mass_moment()),
+    number("g", "m/s^2", |motion| motion.top().gravity()),
+    number("K", "kg m^2/s", |motion| motion.top().rotor_momentum()),
+    number("sign_l_plus_n", "", |motion| motion.signs().l_plus_n.factor().into()),
+    number("sign_l_minus_n", "", |motion| motion.signs().l_minus_n.factor().into()),
+    number("natural_time", "s", |motion| natural_time(motion)),
+    number("tilt", "rad", |motion| axis_at_start(motion)[0]),
+    number("azimuth", "rad", |motion| axis_at_start(motion)[1]),
+    number("spin", "rad/s", |motion| motion.first_integrals().spin),
+    number("precession", "rad/s", |motion| axis_at_start(motion)[2]),
+    number("nutation", "rad/s", |motion| axis_at_start(motion)[3]),
+    number("m_x", "kg m^2/s", |motion| momentum(motion)[0]),
+    number("m_y", "kg m^2/s", |motion| momentum(motion)[1]),
+    number("m_z", "kg m^2/s", |motion| momentum(motion)[2]),
+];
 
 /// Motion whose constants are asked for. Its period takes a quadrature, which runs once, and only if a constant needs it.
 pub struct MotionConstants {
@@ -42,12 +130,17 @@ impl MotionConstants {
 
     /// Advance of an angle in a period. It is exactly 0 where l = n = 0: the axis then stays in a vertical plane, and the arguments of α and β
     /// are constant, which quadratures reach only up to rounding.
-    pub fn turning(&self, of: fn(&PeriodAdvance) -> f64) -> f64 {
+    fn turning(&self, of: fn(&PeriodAdvance) -> f64) -> f64 {
         let integrals = self.first_integrals();
         match self.advance() {
             Some(_) if integrals.l == 0.0 && integrals.n == 0.0 => 0.0,
             advance => advance.as_ref().map_or(f64::NAN, of),
         }
+    }
+
+    /// Advance of the tip angle in a period, rad; NaN where the axis is vertical.
+    fn phi_per_period(&self) -> f64 {
+        if self.regime().is_vertical() { f64::NAN } else { self.turning(PeriodAdvance::phi_per_period) }
     }
 }
 
@@ -59,44 +152,36 @@ impl Deref for MotionConstants {
     }
 }
 
-/// All constants of a motion.
-pub const CONSTANTS: [Constant; 34] = [
-    // 0 sliding, 1 fixed, 2 free
-    ("support", |motion| f64::from(motion.top().support() as u8)),
-    ("A", |motion| motion.top().transverse_inertia()),
-    ("C", |motion| motion.top().axial_inertia()),
-    ("s", |motion| motion.top().com_height()),
-    ("p", |motion| motion.top().mass_moment()),
-    ("g", |motion| motion.top().gravity()),
-    ("K", |motion| motion.top().rotor_momentum()),
-    ("e1", |motion| motion.branch_points().e1),
-    ("e2", |motion| motion.branch_points().e2),
-    ("e3", |motion| motion.branch_points().e3),
-    ("e4", |motion| motion.top().e4().unwrap_or(f64::NAN)),
-    ("one_plus_e1", |motion| motion.branch_points().one_plus_e1),
-    ("one_minus_e2", |motion| motion.branch_points().one_minus_e2),
-    ("e2_minus_e1", |motion| motion.branch_points().e2_minus_e1),
-    ("e3_minus_one", |motion| motion.branch_points().e3_minus_one),
-    ("l", |motion| motion.first_integrals().l),
-    ("n", |motion| motion.first_integrals().n),
-    ("h", |motion| motion.first_integrals().h),
-    ("sign_l_plus_n", |motion| motion.signs().l_plus_n.factor().into()),
-    ("sign_l_minus_n", |motion| motion.signs().l_minus_n.factor().into()),
-    ("period", |motion| motion.period()),
-    ("alpha_turns", |motion| motion.turning(|advance| advance.alpha_turns)),
-    ("beta_turns", |motion| motion.turning(|advance| advance.beta_turns)),
-    ("phi_per_period", |motion| motion.turning(PeriodAdvance::phi_per_period)),
-    ("min_normal_force", |motion| motion.min_normal_force().unwrap_or(f64::NAN)),
-    ("natural_time", |motion| natural_time(motion)),
-    ("tilt", |motion| axis_at_start(motion)[0]),
-    ("azimuth", |motion| axis_at_start(motion)[1]),
-    ("spin", |motion| motion.first_integrals().spin),
-    ("precession", |motion| axis_at_start(motion)[2]),
-    ("nutation", |motion| axis_at_start(motion)[3]),
-    ("m_x", |motion| momentum(motion)[0]),
-    ("m_y", |motion| momentum(motion)[1]),
-    ("m_z", |motion| momentum(motion)[2]),
-];
+/// Least and greatest tilt of the axis, degrees.
+pub fn tilts(motion: &Motion) -> [f64; 2] {
+    let e = motion.branch_points();
+    let tilt = |one_plus_e: f64, one_minus_e: f64| {
+        2.0 * Real::atan2(Float::sqrt(one_minus_e), Float::sqrt(one_plus_e)).to_degrees()
+    };
+    match motion.regime() {
+        Regime::Hanging => [180.0; 2],
+        regime if regime.is_vertical() => [0.0; 2],
+        _ => [tilt(2.0 - e.one_minus_e2, e.one_minus_e2), tilt(e.one_plus_e1, 2.0 - e.one_plus_e1)],
+    }
+}
+
+/// Mean rate of the axis about the vertical, turns/s.
+fn mean_precession(motion: &MotionConstants) -> f64 {
+    motion.phi_per_period() / (2.0 * PI * motion.period())
+}
+
+/// Component of the angular velocity along the axis, turns/s.
+fn spin(motion: &Motion) -> f64 {
+    motion.first_integrals().spin / (2.0 * PI)
+}
+
+/// Spin above which an upright axis is stable, turns/s: there e₃ > 1, because n² > 4 A p g, where n = C spin + K.
+fn critical_spin(motion: &Motion) -> f64 {
+    let top = motion.top();
+    let momentum = 2.0 * Float::sqrt(top.transverse_inertia() * top.mass_moment() * top.gravity())
+        - top.rotor_momentum();
+    momentum / top.axial_inertia() / (2.0 * PI)
+}
 
 /// Natural time T₀ = 2π √((A/p + s)/g) of the top for motions that have no period, s. Without torque it is the time in which
 /// the axis turns once about the angular momentum, and 1 for a body at rest.
@@ -141,4 +226,53 @@ fn momentum(motion: &Motion) -> [f64; 3] {
     let (r, n) = (state.axis(), motion.first_integrals().n);
     let swing = cross(r, cross(state.omega(), r));
     from_fn(|i| motion.top().transverse_inertia() * swing[i] + n * r[i])
+}
+
+/// Word for a regime: `nutating`, `regular_precession`, ...
+pub fn regime(regime: Regime) -> &'static str {
+    match regime {
+        Regime::Nutating => "nutating",
+        Regime::SlowPrecession | Regime::FastPrecession => "regular_precession",
+        Regime::SleepingStable => "sleeping_stable",
+        Regime::SleepingUnstable => "sleeping_unstable",
+        Regime::Hanging => "hanging",
+        Regime::Aperiodic => "aperiodic",
+        _ => "unknown",
+    }
+}
+
+/// Word for a class of tip curve: `smooth`, `cusp`, `loops`, ...
+pub fn tip_class(class: TipClass) -> &'static str {
+    match class {
+        TipClass::Smooth => "smooth",
+        TipClass::Cusp => "cusp",
+        TipClass::Loops => "loops",
+        TipClass::Circle => "circle",
+        TipClass::ThroughOrigin => "through_origin",
+        TipClass::Spiral => "spiral",
+        TipClass::Point => "point",
+        _ => "unknown",
+    }
+}
+
+/// Ticks in a unit of time, a power of two: at least a thousand in a period, and more than one in a turn.
+pub fn ticks_per_time(motion: &Motion) -> f64 {
+    /// A [`Tick`] has 32 bits on both sides.
+    const MOST: f64 = (1_u32 << 31) as f64;
+    let [x, y, z] = Stepper::<f64>::new(motion).attitude_state().omega();
+    let fastest = Float::sqrt(x * x + y * y + z * z).max(1000.0 / period(motion));
+    let mut rate = MOST.recip();
+    while rate < fastest.min(MOST) {
+        rate *= 2.0;
+    }
+    rate
+}
+
+/// Tick of a motion.
+///
+/// # Errors
+/// None: the rate is a power of two from 2^-31 to 2^31.
+pub fn tick(motion: &Motion) -> Result<Tick, ParameterError> {
+    let rate = ticks_per_time(motion);
+    if rate >= 1.0 { Tick::hertz(rate as u32) } else { Tick::ratio(1, rate.recip() as u32) }
 }

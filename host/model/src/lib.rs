@@ -3,10 +3,8 @@
 //! | module | content |
 //! |---|---|
 //! | [`equations`] | full 3-D equations of motion |
-//! | [`names`] | words for regimes and tip curves |
 //! | [`angles`] | angles of a scenario from degrees |
-//! | [`constants`] | constants of a motion by name |
-//! | [`ticks`] | ticks of a table for any time |
+//! | [`constants`] | constants of a motion by name, and the ticks of its table |
 //!
 //! The crate has no `std` and no allocator, because the page has none.
 
@@ -15,5 +13,3 @@
 pub mod angles;
 pub mod constants;
 pub mod equations;
-pub mod names;
-pub mod ticks;

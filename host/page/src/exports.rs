@@ -10,8 +10,7 @@ use core::array::from_fn;
 use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
 use toytop::{Motion, ParameterError};
-use toytop_model::constants::{CONSTANTS, MotionConstants};
-use toytop_model::names;
+use toytop_model::constants::{MotionConstants, numbers as constants, regime, tip_class};
 
 /// Points of a curve that one call computes at most.
 const POINTS: usize = 4096;
@@ -40,7 +39,7 @@ pub extern "C" fn words() -> *const AtomicU8 {
 /// Names of the numbers that [`launch`] returns: the constants, the bound on the orientation error at t = 0, rad, and its
 /// growth, rad/s.
 pub fn launch_names() -> impl Iterator<Item = &'static str> {
-    CONSTANTS.iter().map(|(name, _)| *name).chain(["error", "error_growth"])
+    constants().map(|(name, _)| name).chain(["error", "error_growth"])
 }
 
 /// Shows the motion of this kind (0 release, 1 state, 2 branch points) whose numbers stand in the array: those of the top,
@@ -57,10 +56,10 @@ pub extern "C" fn launch(kind: u32) -> i32 {
     match launched(&top, kind, &motion) {
         Ok(motion) => {
             let bound = TABLE.lock().error_bound();
-            let constants = MotionConstants::new(motion);
-            put(CONSTANTS.iter().map(|(_, value)| value(&constants)).chain(bound));
+            let of = MotionConstants::new(motion);
+            put(constants().map(|(_, value)| value(&of)).chain(bound));
             *MOTION.lock() = Some(motion);
-            say([names::regime(motion.regime()), names::tip_class(motion.tip_class())])
+            say([regime(motion.regime()), tip_class(motion.tip_class())])
         }
         Err(error) => -say([error.parameter(), error.allowed()]),
     }

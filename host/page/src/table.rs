@@ -4,7 +4,7 @@ use toytop::{
     Complex, Ephemeris, EphemerisMemory, EphemerisScalar, Motion, Orientation, ParameterError, SetUp,
 };
 use toytop_closed_forms::Aperiodic;
-use toytop_model::ticks::{tick, ticks_per_time};
+use toytop_model::constants::{tick, ticks_per_time};
 
 /// Table with the largest capacity that there is, or the closed form of an aperiodic motion.
 pub struct Table {

@@ -3,8 +3,7 @@
 use toytop::scalar::Float;
 use toytop::{EphemerisF64, Motion, Pose, Release, State, Stepper, Support};
 use toytop_model::angles;
-use toytop_model::constants::{CONSTANTS, MotionConstants};
-use toytop_model::ticks::tick;
+use toytop_model::constants::{MotionConstants, numbers, tick};
 use toytop_page::exports::launch_names;
 use toytop_page::ghost::{Ghost, MOST_STEPS};
 use toytop_page::scenario;
@@ -22,7 +21,7 @@ fn thrown() -> Motion {
 }
 
 fn constant(motion: &Motion, name: &str) -> f64 {
-    let (_, value) = CONSTANTS.iter().find(|(other, _)| *other == name).unwrap();
+    let (_, value) = numbers().find(|(other, _)| *other == name).unwrap();
     value(&MotionConstants::new(*motion))
 }
 
@@ -70,7 +69,7 @@ fn angles_and_rates_at_the_start_are_those_of_the_throw() {
         let found = constant(&motion, name);
         assert!((found / given - 1.0).abs() < 1e-12, "{name}: {found} for {given}");
     }
-    assert_eq!(launch_names().count(), CONSTANTS.len() + 2);
+    assert_eq!(launch_names().count(), numbers().count() + 2);
 }
 
 /// Where no torque acts the angular momentum stands still, Aω + ((C - A)⟨ω, r⟩ + K) r; elsewhere it does not.

@@ -7,7 +7,7 @@ use crate::samples::{Samples, Source};
 use crate::top::PyTop;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use toytop_model::constants::{CONSTANTS, MotionConstants};
+use toytop_model::constants::{MotionConstants, numbers};
 
 /// Motions of tops by rows: the numbers of a release, or a quaternion and the rates of this name. A single top or row counts for all.
 ///
@@ -58,8 +58,8 @@ pub(crate) fn constant_of_many<'py>(
     motions: Vec<Py<PyMotion>>,
     name: &str,
 ) -> PyResult<Bound<'py, Numbers>> {
-    let Some((_, of)) = CONSTANTS.iter().find(|(known, _)| *known == name) else {
-        let names = CONSTANTS.map(|(name, _)| name).join(", ");
+    let Some((_, of)) = numbers().find(|(known, _)| *known == name) else {
+        let names = numbers().map(|(name, _)| name).collect::<Vec<_>>().join(", ");
         return Err(value_error("name", format!("must be one of {names}")));
     };
     let number = |index: usize| of(&MotionConstants::new(motions[index].get().motion));

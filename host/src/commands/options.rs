@@ -31,34 +31,25 @@ impl Method {
     }
 }
 
-/// One scalar type, or all of them.
-#[derive(Clone, PartialEq, ValueEnum)]
-pub enum ScalarChoice {
-    /// Double precision
-    F64,
-    /// Single precision
-    F32,
-    /// Fixed point of 32 bits
-    Q31,
-    /// Fixed point of 16 bits
-    Q15,
-    /// All scalar types
-    All,
-}
+/// Scalar types of a list.
+#[derive(Clone)]
+pub struct Scalars(pub Vec<Scalar>);
 
-impl ScalarChoice {
-    /// Chosen types, each once, in the order of their declaration.
-    pub fn chosen(choices: &[Self]) -> Vec<Scalar> {
-        let types = [Self::F64, Self::F32, Self::Q31, Self::Q15].into_iter().zip(Scalar::ALL);
-        let chosen = types.filter(|(choice, _)| choices.contains(choice) || choices.contains(&Self::All));
-        chosen.map(|(_, scalar)| scalar).collect()
+/// Scalar types of a text such as `f64,q31` or `all`, each once, in the order of their declaration.
+pub fn scalars(text: &str) -> Result<Scalars, &'static str> {
+    let names: Vec<_> = text.split(',').collect();
+    let is_known = |name: &&str| *name == "all" || Scalar::ALL.iter().any(|scalar| scalar.name() == *name);
+    if !names.iter().all(is_known) {
+        return Err("must be a list of f64, f32, q31, q15, all");
     }
+    let is_chosen = |scalar: &Scalar| names.contains(&scalar.name()) || names.contains(&"all");
+    Ok(Scalars(Scalar::ALL.into_iter().filter(is_chosen).collect()))
 }
 
 /// Endings of a picture.
 pub const PICTURE: &str = ".svg or .png";
 
-/// Reader of the name of a file that has one of these endings.
+/// Parser of the name of a file with one of these endings.
 pub fn ending_in(allowed: &'static str) -> impl Fn(&str) -> Result<PathBuf, String> + Clone {
     move |name| {
         let mut endings = allowed.split([',', ' ']).filter(|word| word.starts_with('.'));
@@ -89,7 +80,7 @@ pub fn span(text: &str) -> Result<[f64; 2], &'static str> {
     ends.filter(|[from, until]| from < until).ok_or("must be LOW..HIGH, two times in s")
 }
 
-/// Tick rate as a fraction: a number of ticks, and of seconds.
+/// Tick rate: a number of ticks, and of the seconds in which they are.
 pub fn hertz(text: &str) -> Result<[u32; 2], &'static str> {
     let (ticks, seconds) = text.split_once('/').unwrap_or((text, "1"));
     let whole = |text: &str| text.parse::<u32>().ok().filter(|n| *n > 0);

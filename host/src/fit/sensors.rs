@@ -160,7 +160,7 @@ impl Sensors {
             match KINDS.into_iter().find(|kind| kind.name == name) {
                 Some(kind) => sensors.instruments.push(instrument(&section, kind, body)?),
                 None if name == "timing" => {
-                    section.only(UNKNOWN, &["jitter", "dropped"])?;
+                    section.allow_only(UNKNOWN, &["jitter", "dropped"])?;
                     [sensors.jitter, sensors.dropped] = section.numbers(&TIMING)?;
                 }
                 None => {
@@ -199,7 +199,7 @@ static FIELD: Key = Key::required("field", "an array of 3 finite numbers, not al
 
 fn instrument(section: &Section<'_>, kind: Kind, body: Body) -> Result<Instrument, Failure> {
     let keys: Vec<_> = kind.keys.split(' ').collect();
-    section.only(UNKNOWN, &keys)?;
+    section.allow_only(UNKNOWN, &keys)?;
     let [deviation, bias, range, quantum, every] = section.numbers(&NUMBERS)?;
     let noise = Noise { deviation, bias };
     if every.fract() != 0.0 {

@@ -1,6 +1,5 @@
 //! One table of a TOML file. Each [`Key`] states its allowed values, by which the table is read.
 
-use super::units::Quantity;
 use crate::Failure;
 use crate::output::shown;
 use toml::{Table, Value};
@@ -15,13 +14,11 @@ pub struct Key {
     default: Option<f64>,
     /// Least and greatest value.
     range: [f64; 2],
-    /// Units of a value that is a text; none where it must be a number.
-    pub quantity: Quantity,
 }
 
 impl Key {
     pub const fn required(name: &'static str, allowed: &'static str) -> Self {
-        Self { name, allowed, default: None, range: [f64::MIN, f64::MAX], quantity: &[] }
+        Self { name, allowed, default: None, range: [f64::MIN, f64::MAX] }
     }
 
     pub const fn optional(name: &'static str, default: f64, allowed: &'static str) -> Self {
@@ -31,11 +28,6 @@ impl Key {
     /// Key whose value is in this range.
     pub const fn within(self, low: f64, high: f64) -> Self {
         Self { range: [low, high], ..self }
-    }
-
-    /// Key whose value may have one of these units.
-    pub const fn with_units(self, quantity: Quantity) -> Self {
-        Self { quantity, ..self }
     }
 }
 
@@ -64,8 +56,8 @@ impl Section<'_> {
         Failure::Input(format!("{}: {}.{}: {reason}", self.file, shown(self.name), shown(key)))
     }
 
-    /// Failure for an error of the core, whose parameters have the names of the keys, except for the angles.
-    pub fn core_failure(&self, error: &ParameterError) -> Failure {
+    /// Failure that names the key of an error of the core.
+    pub fn refusal(&self, error: &ParameterError) -> Failure {
         let key = match error.parameter() {
             "tilt" => "tilt_deg",
             "azimuth" => "azimuth_deg",
@@ -81,7 +73,7 @@ impl Section<'_> {
     }
 
     /// Failure if there is a key other than these; `reason` begins the message.
-    pub fn only(&self, reason: &str, names: &[&str]) -> Result<(), Failure> {
+    pub fn allow_only(&self, reason: &str, names: &[&str]) -> Result<(), Failure> {
         match self.table.keys().find(|key| !names.contains(&key.as_str())) {
             Some(key) => Err(self.failure(key, &format!("{reason}: {}", names.join(", ")))),
             None => Ok(()),
@@ -89,11 +81,11 @@ impl Section<'_> {
     }
 
     /// Failure if there is a key other than `choice`, which selects among the kinds of a table, and those listed.
-    pub fn only_with(&self, choice: &str, keys: &[Key]) -> Result<(), Failure> {
+    pub fn allow_only_with(&self, choice: &str, keys: &[Key]) -> Result<(), Failure> {
         let names: Vec<_> = std::iter::once(choice).chain(keys.iter().map(|key| key.name)).collect();
         let selected = self.table.get(choice).and_then(Value::as_str);
         let place = selected.map_or(String::new(), |value| format!(" with {choice} = {:?}", shown(value)));
-        self.only(&format!("unknown or unneeded key; allowed{place}"), &names)
+        self.allow_only(&format!("unknown or unneeded key; allowed{place}"), &names)
     }
 
     /// Value of a key by `read`, or the default where it is missing.

@@ -6,11 +6,9 @@ mod parts;
 mod sizes;
 
 pub use events::{EventQuery, FoundEvent, RateSample, TimedSample};
-pub use parts::BakedNumbers;
-pub use sizes::{
-    CAPACITIES, approximate, ephemeris_of_size, require_scalar, sizes, smaller, smallest_ephemeris,
-};
-pub use toytop_model::ticks::ticks_per_time;
+pub use parts::TableData;
+pub use sizes::{CAPACITIES, approximate, ephemeris_of_size, require_scalar, sizes, smallest_ephemeris};
+pub use toytop_model::constants::ticks_per_time;
 
 use crate::motion::propagate::Sample;
 use crate::motion::quantity::Quantity;
@@ -59,7 +57,7 @@ pub trait AnyEphemeris: Send + Sync {
     ) -> Vec<FoundEvent>;
 
     /// Numbers of the table; `None` for a motion without one.
-    fn parts(&self) -> Option<BakedNumbers>;
+    fn parts(&self) -> Option<TableData>;
 }
 
 /// Greatest distance of a time from t = 0 at which an ephemeris can be evaluated, because ticks are counted in 64 bits.
@@ -166,7 +164,7 @@ impl<R: TableScalar> AnyEphemeris for Table<R> {
         events::find(table, sought, from, wanted, most, state)
     }
 
-    fn parts(&self) -> Option<BakedNumbers> {
+    fn parts(&self) -> Option<TableData> {
         Some(R::parts(self.table()))
     }
 }

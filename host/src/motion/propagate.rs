@@ -76,8 +76,7 @@ pub fn steps_needed(times: &[f64], step: f64) -> Result<u64, Failure> {
     Ok(steps as u64)
 }
 
-/// Results of `reach` at `times`, in their order. The times are visited in two passes away from t = 0, one forward and one backward,
-/// each beginning with `start`.
+/// Results of `reach` at `times`, in their order. The times are reached from t = 0 outwards, forward and then backward, each from `start`.
 ///
 /// # Errors
 /// The first error that `reach` returns.

@@ -43,8 +43,21 @@ pub enum Quantity {
     ErrorBound,
 }
 
-/// Columns without `--columns`.
-pub const DEFAULT_COLUMNS: &str = "t,u,udot,alpha,beta,quaternion,omega,tip,phi,error_bound";
+impl Quantity {
+    /// Columns of a table and of CSV, if none are chosen.
+    pub const DEFAULT: [Self; 10] = [
+        Self::T,
+        Self::U,
+        Self::Udot,
+        Self::Alpha,
+        Self::Beta,
+        Self::Quaternion,
+        Self::Omega,
+        Self::Tip,
+        Self::Phi,
+        Self::ErrorBound,
+    ];
+}
 
 /// Description of a quantity: key of JSON, names of its numbers as columns of CSV, unit in SI, and its numbers in a sample.
 type Description = (&'static str, &'static [&'static str], &'static str, fn(&Sample) -> Vec<f64>);

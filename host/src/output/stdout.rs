@@ -1,31 +1,8 @@
-//! Report of a command, and its way to standard output, which may be closed.
+//! Report of a command, and its way to standard output.
 
 use crate::Failure;
 use std::io::{self, Write};
 use std::process::ExitCode;
-use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
-
-/// Whether stdout was closed when the process began. The standard library then opens a device in its place, which accepts everything.
-static CLOSED: AtomicBool = AtomicBool::new(false);
-
-#[cfg(target_os = "linux")]
-#[used]
-// SAFETY: the system calls the functions of this section before `main`; this one takes no arguments, returns nothing, stores one atomic
-#[unsafe(link_section = ".init_array")]
-static BEFORE_MAIN: extern "C" fn() = record_closed_stdout;
-
-#[cfg(target_os = "linux")]
-extern "C" fn record_closed_stdout() {
-    CLOSED.store(std::fs::symlink_metadata("/proc/self/fd/1").is_err(), Relaxed);
-}
-
-/// Refuses a stdout that was closed.
-///
-/// # Errors
-/// It was closed.
-fn require_open() -> io::Result<()> {
-    if CLOSED.load(Relaxed) { Err(io::Error::other("stdout is closed")) } else { Ok(()) }
-}
 
 /// Report of a command.
 #[derive(Default)]
@@ -84,10 +61,10 @@ fn print(report: &Report) -> Result<ExitCode, Failure> {
 /// Writes to stdout. A reader that closes it early (`| head`) is no failure.
 ///
 /// # Errors
-/// [`Failure::Output`]: stdout was closed, or the error of `fill`.
+/// [`Failure::Output`]: the error of `fill`.
 pub fn write(fill: impl FnOnce(&mut io::Stdout) -> io::Result<()>) -> Result<(), Failure> {
     let mut out = io::stdout();
-    match require_open().and_then(|()| fill(&mut out)).and_then(|()| out.flush()) {
+    match fill(&mut out).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(error)),
         _ => Ok(()),
     }

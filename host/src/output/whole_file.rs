@@ -81,7 +81,7 @@ pub fn require_other(option: &str, output: Option<&Path>, inputs: &[Option<&Path
     Ok(())
 }
 
-/// Failure for an error of a file: bad input for a wrong path, otherwise an output that cannot be written, such as a full disk.
+/// Failure of a file: bad input for a wrong path, otherwise an output that cannot be written.
 pub fn refused(option: &str, path: &Path, error: io::Error) -> Failure {
     let message = format!("{option}: {}: {error}", path.display());
     let is_of_the_device = matches!(

@@ -4,7 +4,6 @@ use super::curve::TipCurve;
 use super::drawing::{BOUND, CAPTION, CURVE, START, frame, label_above, text};
 use super::span::Span;
 use crate::input::scenario::{Scenario, Units};
-use crate::output::names::tip_class;
 use crate::output::short;
 use kuva::plot::scatter::ScatterPlot;
 use kuva::plot::{LegendPosition, LinePlot, LineStyle};
@@ -12,6 +11,7 @@ use kuva::render::plots::Plot;
 use kuva::render::render::{Scene, TextAnchor, render_multiple};
 use std::f64::consts::PI;
 use toytop::{Sign, Support};
+use toytop_model::constants::tip_class;
 
 /// Sizes of the layout in pixels: side of the square for the curve, and margins around it.
 const SIDE: f64 = 560.0;

@@ -8,7 +8,6 @@ mod motion {
     mod events;
     mod samples;
     mod state;
-    mod units;
     pub(crate) mod vectors;
 }
 

@@ -2,20 +2,20 @@
 
 use crate::motion::PyMotion;
 use pyo3::prelude::*;
-use toytop_host::output::names;
+use toytop_model::constants;
 
 #[pymethods]
 impl PyMotion {
     /// Kind of motion: "nutating", "regular_precession", "sleeping_stable", "sleeping_unstable", "hanging" or "aperiodic".
     #[getter]
     pub(crate) fn regime(&self) -> &'static str {
-        names::regime(self.motion.regime())
+        constants::regime(self.motion.regime())
     }
 
     /// Class of the curve that the tip draws: "smooth", "cusp", "loops", "circle", "through_origin", "spiral" or "point".
     #[getter]
     fn tip_class(&self) -> &'static str {
-        names::tip_class(self.motion.tip_class())
+        constants::tip_class(self.motion.tip_class())
     }
 
     /// Vertical angular momentum l, kg m²/s.

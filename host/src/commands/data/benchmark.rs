@@ -1,7 +1,7 @@
 //! `toytop benchmark`: reference values of the problems that other integrators are tested with.
 
 use super::Report;
-use super::times::Instants;
+use super::times::Times;
 use crate::Failure;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{furthest_time, smallest_ephemeris};
@@ -69,7 +69,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
             output::aligned(&lines, &output::all_columns(&lines, eight_digits))
         )
     };
-    Ok(output::render(*format, &Lists(vec![("samples", &records)], rest), table)?.into())
+    Ok(output::render(*format, &Lists(vec![("samples", &records)], rest), table).into())
 }
 
 /// List of all problems, each with the height of the centre of mass at its last time.
@@ -90,7 +90,7 @@ fn list(format: Format) -> Result<Report, Failure> {
         output::aligned(&problems, &[("benchmark", "", eight_digits), ("title", "", eight_digits)])
             + "\ntoytop benchmark NAME prints 30 digits; --scenario its scenario file; toytop score --benchmark NAME judges a run.\n"
     };
-    Ok(output::render(format, &output::list("problems", &problems), table)?.into())
+    Ok(output::render(format, &output::list("problems", &problems), table).into())
 }
 
 /// Values of a sample with 30 digits, by [`COLUMNS`].
@@ -102,8 +102,8 @@ fn digits(sample: &Value) -> Vec<Value> {
 /// Values of the ephemeris at any times, with 17 digits, by [`COLUMNS`].
 fn computed(problem: &Problem, times: &str) -> Result<Vec<Vec<Value>>, Failure> {
     let Problem { scenario, about, .. } = problem;
-    let instants = Instants::parse(times)?;
-    instants.require_within(furthest_time(&scenario.motion), "")?;
+    let times = Times::parse(times)?;
+    times.require_within(furthest_time(&scenario.motion), "")?;
     let table =
         smallest_ephemeris(Scalar::F64, &scenario.motion).map_err(|failure| failure.of(&scenario.name))?;
     let values = |t: &f64| {
@@ -114,5 +114,5 @@ fn computed(problem: &Problem, times: &str) -> Result<Vec<Vec<Value>>, Failure> 
         let numbers = [&[*t][..], &position, &orientation.quaternion(), &omega].concat();
         numbers.into_iter().map(Value::from).collect()
     };
-    Ok(instants.times()?.iter().map(values).collect())
+    Ok(times.seconds.iter().map(values).collect())
 }

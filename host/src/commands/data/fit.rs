@@ -110,8 +110,8 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     whole_file::write_all(&files)?;
     let text = match arguments.format {
         Format::Table => report::table(&fit),
-        Format::Json => output::json(&report::object(&fit))?,
-        Format::Csv => output::csv(&[report::row(&fit)])?,
+        Format::Json => report::object(&fit).json() + "\n",
+        Format::Csv => output::csv(&[report::row(&fit)]),
     };
     Ok(Report { text, notes, missed: !converged })
 }

@@ -121,7 +121,7 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     let rest =
         Record::default().with("order", order).with("scenario", &*scenario.name).with("sign", "nearest");
     let object = Lists(vec![("files", &records), ("methods", &summaries)], rest);
-    let text = output::render(*format, &object, || tables(&files, &records, &integrators))?;
+    let text = output::render(*format, &object, || tables(&files, &records, &integrators));
     Ok(Report::from(text).with_remarks(warnings, *format == Format::Table))
 }
 

@@ -14,9 +14,9 @@ use super::{Report, warnings};
 use crate::Failure;
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{BakedNumbers, ephemeris_of_size, sizes, smaller};
+use crate::motion::ephemeris::{TableData, ephemeris_of_size, sizes};
 use crate::output::whole_file;
-use c::{header, split_files};
+use c::header;
 use clap::{Args, ValueEnum};
 use rust::module;
 use std::path::PathBuf;
@@ -46,10 +46,6 @@ pub struct BakeArgs {
     /// Output file; without it, stdout
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Folder for NAME.h and NAME.c in C, beside toytop_baked.h and toytop_baked.c, which all tables share. Without it, C is one
-    /// header that needs no other file
-    #[arg(long, value_name = "FOLDER", conflicts_with = "output")]
-    split: Option<PathBuf>,
 }
 
 /// Language that `bake` writes.
@@ -64,69 +60,50 @@ pub enum Language {
 pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     whole_file::require_other("--output", arguments.output.as_deref(), &[Some(&arguments.scenario)])?;
     let scenario = Scenario::read(&arguments.scenario)?;
-    if arguments.split.is_some() && arguments.lang != Language::C {
-        return Err(Failure::Input("--split: needs --lang c".to_owned()));
-    }
     let [ticks, seconds] = arguments.hertz;
     let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::Input(format!("--hertz: {error}")))?;
     let (scalar, motion) = (arguments.scalar, &scenario.motion);
     let table = ephemeris_of_size(scalar, motion, tick, &sizes(scalar, arguments.size)?)
         .map_err(|failure| failure.of_motion(&scenario.name))?;
     let parts = table.parts().expect("a table");
-    let smaller = smaller(scalar, motion, tick, &*table).and_then(|table| table.parts());
-    let label = Label {
+    let label = TableName {
         name: arguments.name.clone().unwrap_or_else(|| scenario.name.clone()),
         tick: if seconds == 1 { format!("{ticks} Hz") } else { format!("{ticks}/{seconds} Hz") },
     };
     let mut report = Report::default();
-    match &arguments.split {
-        Some(folder) => {
-            std::fs::create_dir_all(folder).map_err(|error| whole_file::refused("--split", folder, error))?;
-            // the files that all tables share are the first
-            for (name, text) in split_files(&label, &parts) {
-                whole_file::write("--split", &folder.join(name), text.as_bytes())?;
-            }
-        }
-        None => {
-            let text = match arguments.lang {
-                Language::Rust => module(&label, &parts),
-                Language::C => header(&label, &parts),
-            };
-            match &arguments.output {
-                None => report.text = text,
-                Some(path) => whole_file::write("--output", path, text.as_bytes())?,
-            }
-        }
+    let text = match arguments.lang {
+        Language::Rust => module(&label, &parts),
+        Language::C => header(&label, &parts),
+    };
+    match &arguments.output {
+        None => report.text = text,
+        Some(path) => whole_file::write("--output", path, text.as_bytes())?,
     }
-    let remarks = std::iter::once(summary(&label, &parts, smaller.as_ref())).chain(warnings(&[scenario]));
+    let remarks = std::iter::once(summary(&label, &parts)).chain(warnings(&[scenario]));
     Ok(report.with_remarks(remarks, false))
 }
 
-/// Line that states the scalar, the size and the error bound of the table that was written, and the size of a smaller table with the same
-/// bound.
-fn summary(label: &Label, parts: &BakedNumbers, smaller: Option<&BakedNumbers>) -> String {
+/// Line that states the scalar, the size and the error bound of the table that was written.
+fn summary(label: &TableName, parts: &TableData) -> String {
     let ([segments, terms], ErrorBound { constant, per_tick }) = (parts.size, parts.error_bound);
     let (scalar, bytes) = (parts.scalar.name(), parts.table_bytes());
-    let advice = smaller.map_or_else(String::new, |parts| {
-        format!("; --size {} would be enough ({} bytes)", parts.size[0], parts.table_bytes())
-    });
     format!(
-        "{}: {segments}x{terms} in {scalar}, {bytes} bytes, {}; orientation within {constant:.1e} rad + {per_tick:.1e} rad a tick{advice}",
+        "{}: {segments}x{terms} in {scalar}, {bytes} bytes, {}; orientation within {constant:.1e} rad + {per_tick:.1e} rad a tick",
         label.name, label.tick,
     )
 }
 
 /// Description of the motion of a table, for the comment of a file.
-pub struct Label {
+pub struct TableName {
     /// Name of the scenario.
     pub name: String,
     /// Length of a tick, as text.
     pub tick: String,
 }
 
-impl Label {
-    /// Name as an identifier in lower case: letters and digits of ASCII are kept, any other letter or digit becomes `u` and at least four
-    /// hexadecimal digits, and everything between becomes one underscore, but not at the ends.
+impl TableName {
+    /// Identifier in lower case: letters and digits of ASCII are kept, any other letter or digit becomes `u` and its code, and everything
+    /// between becomes one underscore.
     pub fn identifier(&self) -> String {
         let mut identifier = String::new();
         for c in self.name.chars() {
@@ -145,8 +122,7 @@ impl Label {
         }
     }
 
-    /// Identifier as a name in C and C++, and of a file. A single word or a name that ends in `_t` may belong to the language or to a library
-    /// (`int`, `clock`), and a name that begins with `toytop_` may belong to this library. Such a name gets the prefix `top_`.
+    /// Identifier in C and C++. A name that may belong to the language or to a library (`int`, `time_t`, `toytop_f32`) has the prefix `top_`.
     pub fn c_name(&self) -> String {
         let name = self.identifier();
         let free = name.contains('_') && !name.ends_with("_t") && !name.starts_with("toytop_");
@@ -154,7 +130,7 @@ impl Label {
     }
 
     /// Name and properties of the table for a comment, without characters that could end the comment.
-    fn headline(&self, parts: &BakedNumbers) -> String {
+    fn headline(&self, parts: &TableData) -> String {
         let printable = |c: &char| !c.is_control() && !['*', '/', '\\'].contains(c);
         let name: String = self.name.chars().filter(printable).collect();
         let ([segments, terms], ErrorBound { constant, per_tick }) = (parts.size, parts.error_bound);
@@ -172,7 +148,7 @@ mod tests {
 
     #[test]
     fn every_name_becomes_an_unused_identifier() {
-        let named = |name: &str| Label { name: name.to_owned(), tick: String::new() };
+        let named = |name: &str| TableName { name: name.to_owned(), tick: String::new() };
         for (name, identifier, c_name) in [
             ("int", "int", "top_int"),
             ("Clock", "clock", "top_clock"),

@@ -3,11 +3,11 @@
 use super::{Report, warnings};
 use crate::Failure;
 use crate::input::scenario::{Scenario, Units};
-use crate::motion::constants::{CONSTANTS, Constant};
+use crate::motion::value;
 use crate::output::{self, Format, Lists, Record, eight_digits};
 use clap::Args;
 use std::path::PathBuf;
-use toytop_model::constants::MotionConstants;
+use toytop_model::constants::{CONSTANTS, Constant, MotionConstants};
 
 /// `toytop constants`
 #[derive(Args)]
@@ -22,19 +22,19 @@ pub struct ConstantsArgs {
 pub fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let motion = MotionConstants::new(scenario.motion);
-    let record = Record(CONSTANTS.map(|(name, _, value)| (name, value(&motion))).into());
+    let values = CONSTANTS.iter().map(|constant| (constant.name, value(constant, &motion)));
     let table = || {
-        let line = |(name, unit, value): Constant| {
+        let line = |constant: &Constant| {
+            let unit = constant.unit;
             let named = scenario.units == Units::Si
                 || !(unit.contains("kg") || ["s", "1/s", "degrees/s"].contains(&unit));
-            let unit = if named { unit } else { "" };
-            Record::default().with("key", name).with("value", value(&motion)).with("unit", unit)
+            let value = output::text(&value(constant, &motion), eight_digits);
+            [constant.name, value.as_deref().unwrap_or("-"), if named { unit } else { "" }]
+                .map(str::to_owned)
+                .to_vec()
         };
-        output::aligned(
-            &CONSTANTS.map(line),
-            &[("key", "", eight_digits), ("value", "", eight_digits), ("unit", "", eight_digits)],
-        )
+        output::columns(CONSTANTS.iter().map(line).collect(), 3)
     };
-    let text = output::render(arguments.format, &Lists(Vec::new(), record), table)?;
+    let text = output::render(arguments.format, &Lists(Vec::new(), Record(values.collect())), table);
     Ok(Report::from(text).with_remarks(warnings(&[scenario]), arguments.format == Format::Table))
 }

@@ -6,7 +6,6 @@ use crate::input::finite;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{EventQuery, FoundEvent, furthest_time, smallest_ephemeris};
-use crate::motion::tilts;
 use crate::output::{self, Column, Format, Record, eight_digits};
 use clap::Args;
 use std::path::PathBuf;
@@ -105,10 +104,10 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     events.truncate(arguments.count as usize);
     let records: Vec<_> = events.iter().map(|(kind, sought, event)| record(kind, sought, event)).collect();
     let table = || match &records[..] {
-        [] => none(&arguments.kinds, motion),
+        [] => "no such event\n".to_owned(),
         _ => output::aligned(&records, &columns(scenario.units)),
     };
-    let text = output::render(arguments.format, &output::list("events", &records), table)?;
+    let text = output::render(arguments.format, &output::list("events", &records), table);
     // no warning that the top leaves the plane if the command asks for these times
     let asked = arguments.kinds.iter().any(|kind| kind.event == EventKind::LiftOff);
     let remarks = if asked { Vec::new() } else { warnings(&[scenario]) };
@@ -159,21 +158,6 @@ fn record(kind: &KindFilter, sought: &EventQuery, event: &FoundEvent) -> Record 
         .with("tip", [sample.tip.re, sample.tip.im])
         .with("phi_deg", sample.tip_angle.map(f64::to_degrees))
         .with("time_error", event.time_error(sought))
-}
-
-/// Text in place of a table without events, with the range of the tilt if no tilt that was sought is in it.
-fn none(kinds: &[KindFilter], motion: &Motion) -> String {
-    let [least, greatest] = tilts(motion);
-    let outside =
-        |kind: &KindFilter| matches!(kind.event, EventKind::Tilt(tilt) if tilt < least || tilt > greatest);
-    if !kinds.iter().all(outside) {
-        return "no such event\n".to_owned();
-    }
-    let [least, greatest] = [least, greatest].map(|tilt| output::short(tilt, 5));
-    if least == greatest {
-        return format!("no such event: the tilt stays at {least} degrees\n");
-    }
-    format!("no such event: the tilt stays between {least} and {greatest} degrees\n")
 }
 
 fn columns(units: Units) -> [Column<'static>; 6] {

@@ -3,7 +3,7 @@
 mod sheet;
 
 use super::options::{Method, hertz};
-use super::times::{Instants, TimesArgs};
+use super::times::{Times, TimesArgs};
 use super::{Report, warnings};
 use crate::Failure;
 use crate::input::scenario::Scenario;
@@ -11,13 +11,13 @@ use crate::motion::ephemeris::{
     CAPACITIES, ephemeris_of_size, furthest_time, require_scalar, smallest_ephemeris,
 };
 use crate::motion::propagate::{Sample, period, stepped};
-use crate::motion::quantity::{DEFAULT_COLUMNS, Quantity};
+use crate::motion::quantity::Quantity;
 use crate::motion::tip_angle::TipAngle;
 use crate::motion::{Scalar, stream};
-use crate::output::whole_file;
+use crate::output::{Format, whole_file};
 use crate::truth::full_equations;
 use clap::{ArgGroup, Args};
-use sheet::{SampleFormat, Sheet};
+use sheet::Sheet;
 use std::path::PathBuf;
 use toytop::{Regime, Tick};
 use toytop_closed_forms::ClosedForm;
@@ -47,15 +47,12 @@ pub struct StateArgs {
     /// Ticks in a second, for --ticks: N, or A/B for A ticks in B seconds; 1000 without this option
     #[arg(long, value_name = "N", value_parser = hertz)]
     hertz: Option<[u32; 2]>,
-    /// Columns, in the order of the output
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS)]
+    /// Columns, in the order of the output; without this option t,u,udot,alpha,beta,quaternion,omega,tip,phi,error_bound, and in JSON gamma,delta too
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
     columns: Vec<Quantity>,
-    /// Add units to the column names, as in omega_x [rad/s]
-    #[arg(long)]
-    units: bool,
     /// Form of the output
     #[arg(long, default_value = "table")]
-    format: SampleFormat,
+    format: Format,
     /// Output file; without it, stdout
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -68,39 +65,51 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     if arguments.hertz.is_some() && arguments.times.ticks.is_none() {
         return Err(Failure::Input("--hertz: needs --ticks".to_owned()));
     }
-    let instants = Instants::read(&arguments.times, arguments.hertz.unwrap_or([1000, 1]))?;
+    let rate = arguments.hertz.unwrap_or([1000, 1]);
+    let times = Times::read(&arguments.times, rate)?;
     let format = arguments.format;
     let mut columns = arguments.columns.clone();
+    let further = if columns.is_empty() {
+        columns.extend(Quantity::DEFAULT);
+        &[Quantity::Gamma, Quantity::Delta][..]
+    } else {
+        &[Quantity::ErrorBound]
+    };
     // a program that reads JSON always gets the bound
-    if format == SampleFormat::Json && !columns.contains(&Quantity::ErrorBound) {
-        columns.push(Quantity::ErrorBound);
+    if format == Format::Json {
+        columns.extend(further.iter().filter(|column| !arguments.columns.contains(column)));
     }
     let support = scenario.motion.top().support();
-    let sheet = Sheet { format, columns, units: scenario.units, support, named_units: arguments.units };
-    let count = instants.count;
-    let at = source(arguments, &scenario, instants)?;
+    let sheet = Sheet { format, columns, units: scenario.units, support };
+    let count = times.seconds.len() as u64;
+    let at = source(arguments, &scenario, times, rate)?;
     // from here on the input cannot cause a failure
     stream::to(arguments.output.as_deref(), |out| {
-        out.write_all(&sheet.head(count))?;
-        stream::rows(count, &|row, bytes| sheet.row(row, &at(row), bytes), out)?;
+        out.write_all(sheet.head().as_bytes())?;
+        stream::rows(count, &|row, bytes| bytes.extend(sheet.row(row, &at(row)).bytes()), out)?;
         out.write_all(sheet.end().as_bytes())
     })?;
-    let table = format == SampleFormat::Table && arguments.output.is_none();
+    let table = format == Format::Table && arguments.output.is_none();
     Ok(Report::default().with_remarks(warnings(&[scenario]), table))
 }
 
 /// Function that computes samples by a method.
-fn source(arguments: &StateArgs, scenario: &Scenario, instants: Instants) -> Result<Box<At>, Failure> {
+fn source(
+    arguments: &StateArgs,
+    scenario: &Scenario,
+    times: Times,
+    rate: [u32; 2],
+) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
     if arguments.steps_per_period.is_some() && arguments.method != Method::Stepper {
         return Err(Failure::Input("--steps-per-period: needs --method stepper".to_owned()));
     }
     let step = period(motion) / f64::from(arguments.steps_per_period.unwrap_or(4096));
     let samples = match (arguments.method, arguments.scalar) {
-        (Method::Ephemeris, scalar) => return by_ephemeris(scalar, scenario, instants),
-        (Method::Stepper, scalar) => stepped(scalar, motion, &instants.times()?, step)?,
-        (Method::Full, Scalar::F64) => full_equations::samples(scenario, &instants.times()?)?,
-        (Method::ClosedForm, Scalar::F64) => return by_closed_form(scenario, instants),
+        (Method::Ephemeris, scalar) => return by_ephemeris(scalar, scenario, times, rate),
+        (Method::Stepper, scalar) => stepped(scalar, motion, &times.seconds, step)?,
+        (Method::Full, Scalar::F64) => full_equations::samples(scenario, &times.seconds)?,
+        (Method::ClosedForm, Scalar::F64) => return by_closed_form(scenario, times),
         (method, scalar) => {
             let (name, method) = (scalar.name(), method.name());
             return Err(Failure::Input(format!("--scalar: {name}: must be f64 with --method {method}")));
@@ -109,42 +118,46 @@ fn source(arguments: &StateArgs, scenario: &Scenario, instants: Instants) -> Res
     Ok(Box::new(move |index| samples[index as usize]))
 }
 
-fn by_ephemeris(scalar: Scalar, scenario: &Scenario, instants: Instants) -> Result<Box<At>, Failure> {
+/// * `rate`: number of ticks, and of the seconds in which they are
+fn by_ephemeris(
+    scalar: Scalar,
+    scenario: &Scenario,
+    times: Times,
+    rate: [u32; 2],
+) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
     let named = |failure: Failure| failure.of(&scenario.name);
     let of_scalar = |failure: Failure| failure.of(&format!("--scalar: {}", scalar.name()));
     require_scalar(scalar, motion).map_err(of_scalar).map_err(named)?;
-    if let Some([ticks, seconds]) = instants.rate.filter(|_| motion.regime() != Regime::Aperiodic) {
+    if !times.ticks.is_empty() && motion.regime() != Regime::Aperiodic {
         let refused = |error| Failure::Input(format!("--hertz: {error}"));
-        let tick = Tick::ratio(ticks, seconds).map_err(refused)?;
+        let tick = Tick::ratio(rate[0], rate[1]).map_err(refused)?;
         let table = ephemeris_of_size(scalar, motion, tick, &CAPACITIES).map_err(named)?;
         return Ok(Box::new(move |index| {
-            let (t, tick) = (instants.at)(index);
-            table.at_tick(tick, t).sample
+            table.at_tick(times.ticks[index as usize], times.seconds[index as usize]).sample
         }));
     }
-    instants.require_within(furthest_time(motion), " with --method ephemeris")?;
+    times.require_within(furthest_time(motion), " with --method ephemeris")?;
     let table = smallest_ephemeris(scalar, motion).map_err(named)?;
-    Ok(Box::new(move |index| table.at((instants.at)(index).0).sample))
+    Ok(Box::new(move |index| table.at(times.seconds[index as usize]).sample))
 }
 
 /// Function that computes samples by the closed form, if the motion has one.
-fn by_closed_form(scenario: &Scenario, instants: Instants) -> Result<Box<At>, Failure> {
+fn by_closed_form(scenario: &Scenario, times: Times) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
     let form =
         ClosedForm::of(motion).map_err(|refusal| Failure::Method(refusal.to_string()).of(&scenario.name))?;
-    instants.require_within(MOST_PERIODS * period(motion), " with --method closed-form")?;
+    times.require_within(MOST_PERIODS * period(motion), " with --method closed-form")?;
     let angle = TipAngle::of(motion, NOISE)?;
     Ok(Box::new(move |index| {
-        let (t, _) = (instants.at)(index);
+        let t = times.seconds[index as usize];
         let state = form.at(t);
         angle.sample(t, state.orientation, state.omega(), state.udot())
     }))
 }
 
-/// Greatest number of periods of a closed form. If e₃ = e₄ holds only up to rounding, the form loses up to 5e-14 rad in a period, and
-/// beyond this number no digit is correct.
+/// Greatest number of periods of a closed form, whose error grows by up to 5e-14 rad in a period where e₃ = e₄ holds up to rounding.
 const MOST_PERIODS: f64 = 1e12;
 
-/// Least |αβ| at which the rounding of α and β changes the argument of αβ by less than 1e-5 rad.
+/// Least |αβ| whose argument is known to 1e-5 rad.
 const NOISE: f64 = 1e-11;

@@ -1,7 +1,7 @@
 //! Times at which a motion is computed: times or ticks on the command line, or a file of times.
 
 use crate::Failure;
-use crate::input::axis::{Axis, ends};
+use crate::input::axis::Axis;
 use crate::input::finite;
 use crate::output::{shown, whole_file};
 use clap::Args;
@@ -33,21 +33,20 @@ pub struct TimesArgs {
 }
 
 /// Times in the order of the request, at least one.
-pub struct Instants {
+pub struct Times {
     /// Option that states them, in messages.
     option: String,
-    /// Number of times.
-    pub count: u64,
-    /// Least and greatest time, s.
-    ends: [f64; 2],
-    /// Number of ticks, and the seconds in which they are, where the times are those of ticks.
-    pub rate: Option<[u32; 2]>,
-    /// Time, s, and tick of an index; the tick is 0 where times are not counted in ticks.
-    pub at: Box<dyn Fn(u64) -> (f64, i64) + Send + Sync>,
+    /// Times, s.
+    pub seconds: Vec<f64>,
+    /// Ticks at these times; none where they are not those of ticks.
+    pub ticks: Vec<i64>,
 }
 
-impl Instants {
-    /// Times of the command line.
+/// Greatest number of times.
+const MOST: u64 = 10_000_000;
+
+impl Times {
+    /// Times of the command line; `rate` is the number of ticks, and of the seconds in which they are.
     ///
     /// # Errors
     /// [`Failure::Input`]: an unreadable file, an entry that is no finite number, or no tick.
@@ -62,7 +61,7 @@ impl Instants {
                     let allowed = "must be two finite times, --from first, and a number from 2";
                     Failure::Input(format!("--from, --to, --count: {allowed}"))
                 })?;
-                Ok(Self::from_axis(axis, "--from, --to".to_owned()))
+                Self::new("--from, --to, --count".to_owned(), &axis)
             }
             _ => Err(Failure::Input("--times, --times-file, --ticks or --from is required".to_owned())),
         }
@@ -82,34 +81,28 @@ impl Instants {
         if axis.count().is_none() {
             return Err(refused("must be T1,T2,... or LOW..HIGH/PLACES or log:LOW..HIGH/PLACES"));
         }
-        Ok(Self::from_axis(axis, "--times".to_owned()))
+        Self::new("--times".to_owned(), &axis)
     }
 
     /// Ticks of a text `N1,N2,...` or `FIRST..LAST`, as an interrupt counts them.
     fn parse_ticks(text: &str, rate: [u32; 2]) -> Result<Self, Failure> {
-        let refused = || {
-            let allowed = "must be N1,N2,... or FIRST..LAST, whole numbers of 64 bits";
-            Failure::Input(format!("--ticks: {}: {allowed}", shown(text)))
-        };
-        let number = |text: &str| text.trim().parse::<i64>().map_err(|_| refused());
-        let numbers = |separator: &str| text.split(separator).map(number).collect::<Result<Vec<_>, _>>();
-        let [ticks, seconds] = rate.map(f64::from);
-        let timed = move |tick: i64| (tick as f64 * seconds / ticks, tick);
-        let list = if text.contains("..") { numbers("..")? } else { numbers(",")? };
-        let (option, rate) = ("--ticks".to_owned(), Some(rate));
-        let ends = ends(list.iter().map(|tick| timed(*tick).0));
-        if !text.contains("..") {
-            let (count, at) = (list.len() as u64, Box::new(move |index| timed(list[index as usize])));
-            return Ok(Self { option, count, ends, rate, at });
-        }
-        match list[..] {
-            [first, last] if first <= last && last.abs_diff(first) < u64::MAX => {
-                let (count, at) =
-                    (last.abs_diff(first) + 1, move |index| timed(first.wrapping_add_unsigned(index)));
-                Ok(Self { option, count, ends, rate, at: Box::new(at) })
+        let refused = |reason: &str| Failure::Input(format!("--ticks: {}: {reason}", shown(text)));
+        let allowed = "must be N1,N2,... or FIRST..LAST, whole numbers of 64 bits";
+        let numbers =
+            |separator| text.split(separator).map(|number: &str| number.trim().parse().ok()).collect();
+        let range = text.contains("..");
+        let listed: Option<Vec<i64>> = numbers(if range { ".." } else { "," });
+        let ticks = match listed.as_deref() {
+            Some([first, last]) if range && first <= last => {
+                require_few(last.abs_diff(*first)).map_err(|reason| refused(&reason))?;
+                (*first..=*last).collect()
             }
-            _ => Err(refused()),
-        }
+            Some(ticks) if !range => ticks.to_vec(),
+            _ => return Err(refused(allowed)),
+        };
+        let [per, length] = rate.map(f64::from);
+        let seconds = ticks.iter().map(|tick| *tick as f64 * length / per).collect();
+        Ok(Self { option: "--ticks".to_owned(), seconds, ticks })
     }
 
     fn read_file(path: &Path) -> Result<Self, Failure> {
@@ -129,25 +122,13 @@ impl Instants {
                 "{name}: must hold at least one time, one finite number a line"
             )));
         }
-        Ok(Self::from_axis(Axis::List(times), format!("--times-file: {name}")))
+        Self::new(format!("--times-file: {name}"), &Axis::List(times))
     }
 
-    fn from_axis(axis: Axis, option: String) -> Self {
-        let (count, ends) = (axis.size(), axis.ends());
-        Self { option, count, ends, rate: None, at: Box::new(move |index| (axis.at(index), 0)) }
-    }
-
-    /// List of all times, s.
-    ///
-    /// # Errors
-    /// [`Failure::Input`]: too many to be held at once.
-    pub fn times(&self) -> Result<Vec<f64>, Failure> {
-        const MOST: u64 = 5_000_000;
-        if self.count > MOST {
-            let reason = format!("{} times: must be at most {MOST} with this --method", self.count);
-            return Err(Failure::Input(reason).of(&self.option));
-        }
-        Ok((0..self.count).map(|index| (self.at)(index).0).collect())
+    fn new(option: String, axis: &Axis) -> Result<Self, Failure> {
+        require_few(axis.size()).map_err(|reason| Failure::Input(reason).of(&option))?;
+        let seconds = (0..axis.size()).map(|index| axis.at(index)).collect();
+        Ok(Self { option, seconds, ticks: Vec::new() })
     }
 
     /// Refuses times further from t = 0 than `most`, s; `method` ends the message.
@@ -155,12 +136,16 @@ impl Instants {
     /// # Errors
     /// [`Failure::Input`].
     pub fn require_within(&self, most: f64, method: &str) -> Result<(), Failure> {
-        let beyond = |end: f64| {
-            let reason = format!("{end:e} must be within ±{most:.1e} s{method}");
+        let beyond = |t: &f64| {
+            let reason = format!("{t:e} must be within ±{most:.1e} s{method}");
             Err(Failure::Input(reason).of(&self.option))
         };
-        self.ends.into_iter().find(|end| end.abs() > most).map_or(Ok(()), beyond)
+        self.seconds.iter().find(|t| t.abs() > most).map_or(Ok(()), beyond)
     }
+}
+
+fn require_few(count: u64) -> Result<(), String> {
+    if count > MOST { Err(format!("{count} times: must be at most {MOST}")) } else { Ok(()) }
 }
 
 fn time(entry: &str, place: &str) -> Result<f64, Failure> {
@@ -174,32 +159,33 @@ mod tests {
 
     #[test]
     fn spread_evenly_with_both_ends() {
-        let all = |text: &str| Instants::parse(text).unwrap().times().unwrap();
+        let all = |text: &str| Times::parse(text).unwrap().seconds;
         assert_eq!(all("-1..1/5"), [-1.0, -0.5, 0.0, 0.5, 1.0]);
         let third = all("0..0.3/4");
         assert_eq!((third.len(), third[0], third[3]), (4, 0.0, 0.3));
         let log = all("log:0.01..100/3");
         assert!(log[0] == 0.01 && (log[1] - 1.0).abs() < 1e-14 && log[2] == 100.0, "{log:?}");
-        let far = Instants::parse("-3..1/5").unwrap();
+        let far = Times::parse("-3..1/5").unwrap();
         assert!(far.require_within(3.0, "").is_ok());
         assert_eq!(
             far.require_within(2.9, "").unwrap_err().to_string(),
             "--times: -3e0 must be within ±2.9e0 s"
         );
         for refused in ["0..1", "1..0/3", "0..1/1", "0..1/5000000000", "0..x/3"] {
-            let message = Instants::parse(refused).err().unwrap().to_string();
+            let message = Times::parse(refused).err().unwrap().to_string();
             assert!(message.starts_with(&format!("--times: {refused}: ")), "{message}");
         }
     }
 
     #[test]
     fn ticks_are_exact_fractions_of_a_second() {
-        let ticks = |text: &str| Instants::parse_ticks(text, [44100, 2]);
+        let ticks = |text: &str| Times::parse_ticks(text, [44100, 2]);
         let run = ticks("-2..2").unwrap();
-        assert_eq!((run.count, (run.at)(0), (run.at)(4)), (5, (-4.0 / 44100.0, -2), (4.0 / 44100.0, 2)));
+        assert_eq!(run.ticks, [-2, -1, 0, 1, 2]);
+        assert_eq!((run.seconds[0], run.seconds[4]), (-4.0 / 44100.0, 4.0 / 44100.0));
         let list = ticks("7,-99, 3").unwrap();
-        assert_eq!((list.count, (list.at)(1)), (3, (-198.0 / 44100.0, -99)));
-        for refused in ["", "1.5", "2..1", "1,,2", "0..99999999999999999999"] {
+        assert_eq!((list.ticks[1], list.seconds[1], list.seconds.len()), (-99, -198.0 / 44100.0, 3));
+        for refused in ["", "1.5", "2..1", "1,,2", "0..99999999999999999999", "0..10000001"] {
             let message = ticks(refused).err().unwrap().to_string();
             assert!(message.starts_with(&format!("--ticks: {refused}: ")), "{message}");
         }

@@ -1,7 +1,7 @@
 //! `toytop accuracy`: error of each scalar at ticks 1 to 2^40, against the truth to thirty digits.
 
 use super::Report;
-use super::options::ScalarChoice;
+use super::options::{Scalars, scalars};
 use crate::Failure;
 use crate::input::builtin;
 use crate::input::random::Random;
@@ -24,8 +24,8 @@ use toytop::{AttitudeState, InitialPhases, Motion, Regime, Support};
 #[derive(Args)]
 pub struct AccuracyArgs {
     /// Scalar types
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "all")]
-    scalar: Vec<ScalarChoice>,
+    #[arg(long, value_name = "LIST", default_value = "all", value_parser = scalars)]
+    scalar: Scalars,
     /// Markdown page whose table is rewritten
     #[arg(long, value_name = "FILE")]
     accept: Option<PathBuf>,
@@ -60,8 +60,8 @@ const SAMPLES: u64 = 16;
 pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
     let page = arguments.accept.as_deref().map(|path| Page::read(path, "toytop accuracy: scalars"));
     let page = page.transpose()?;
-    let scalars = ScalarChoice::chosen(&arguments.scalar);
-    let all = measured(&scalars)?;
+    let Scalars(scalars) = &arguments.scalar;
+    let all = measured(scalars)?;
     let of_scalar = |(scalar, octaves): (&Scalar, &Vec<Errors>)| {
         record(*scalar, octaves.iter().copied().fold(Errors::default(), greatest))
     };
@@ -85,7 +85,7 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
             octaves.push(record(*scalar, *errors).with("first_tick", first).with("last_tick", last));
         }
     }
-    let text = output::render(arguments.format, &output::list("rows", &octaves), text)?;
+    let text = output::render(arguments.format, &output::list("rows", &octaves), text);
     if let Some(page) = page {
         let rows = output::rows(&table, &columns(|x| format!("{x:.0e}")));
         page.write(&format!("{}\n{micromath}", doc_markers::table(&rows)))?;

@@ -161,7 +161,7 @@ fn launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&'static Chip>) -> R
             output::aligned(&rows, &output::all_columns(&rows, eight_digits))
         )
     };
-    Ok(output::render(arguments.format, &output::list("rows", &rows), table)?.into())
+    Ok(output::render(arguments.format, &output::list("rows", &rows), table).into())
 }
 
 fn report(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -> Result<Report, Failure> {
@@ -190,5 +190,5 @@ fn report(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -> Result<
             output::aligned(&records, &output::all_columns(&records, |x| short(x, 3)))
         )
     };
-    Ok(output::render(arguments.format, &output::list("rows", &records), table)?.into())
+    Ok(output::render(arguments.format, &output::list("rows", &records), table).into())
 }

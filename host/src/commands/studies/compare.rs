@@ -2,7 +2,7 @@
 
 mod bounds;
 
-use super::options::{Method, ScalarChoice};
+use super::options::{Method, Scalars, scalars};
 use super::{Report, warnings};
 use crate::Failure;
 use crate::input::builtin;
@@ -32,8 +32,8 @@ pub struct CompareArgs {
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     periods: u32,
     /// Scalar types of the core
-    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "all")]
-    scalar: Vec<ScalarChoice>,
+    #[arg(long, value_name = "LIST", default_value = "all", value_parser = scalars)]
+    scalar: Scalars,
     /// Form of the output. CSV and JSON have a row for each method and scalar, with all errors
     #[arg(long, default_value = "table")]
     format: Format,
@@ -111,7 +111,7 @@ pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     }
     let records: Vec<_> = motions.iter().flatten().map(Comparison::record).collect();
     let table = || table(&motions, arguments.periods);
-    let text = output::render(arguments.format, &output::list("rows", &records), table)?;
+    let text = output::render(arguments.format, &output::list("rows", &records), table);
     remarks.extend(warnings(&scenarios));
     let missed = motions.iter().flatten().any(|one| one.verdict() == "MISS");
     let below = arguments.format == Format::Table;
@@ -155,7 +155,7 @@ fn of_motion(
     remarks.extend(remark.map(|remark| format!("{name}: {remark}")));
     let times = spread_times(time, SAMPLES * periods);
     let mut reference = Reference::default();
-    let chosen = ScalarChoice::chosen(&arguments.scalar);
+    let Scalars(chosen) = &arguments.scalar;
     let mut comparisons = Vec::new();
     for (method, scalar, heading) in PROPAGATORS.into_iter().filter(|(_, scalar, _)| chosen.contains(scalar))
     {

@@ -3,7 +3,6 @@
 use super::Start;
 use crate::Failure;
 use crate::input::section::{Key, Section};
-use crate::input::units::{RADIANS, RATE};
 use toytop::{Complex, InitialPhases, Motion, Orientation, Release, Sign, Signs, State, Top};
 use toytop_model::angles::{angle, tilt};
 
@@ -18,15 +17,11 @@ const PAIR: &str = "an array of two finite numbers [re, im], of unit norm with t
 const SIGN: &str = "1 or -1";
 const ANGLE: &str = "a number between -1e6 and 1e6 rad";
 
-/// Angles of a release: their keys, which need a unit, and their keys in degrees.
-pub const ANGLES: [(&str, &str); 3] =
-    [("tilt", "tilt_deg"), ("azimuth", "azimuth_deg"), ("roll", "roll_deg")];
-
 static RELEASE: [Key; 6] = [
     Key::required("tilt_deg", "a number in [0, 180]").within(0.0, 180.0),
-    Key::required("spin", SPIN).with_units(RATE),
-    Key::optional("precession", 0.0, TURNING).with_units(RATE),
-    Key::optional("nutation", 0.0, TURNING).with_units(RATE),
+    Key::required("spin", SPIN),
+    Key::optional("precession", 0.0, TURNING),
+    Key::optional("nutation", 0.0, TURNING),
     Key::optional("azimuth_deg", 0.0, DEGREES),
     Key::optional("roll_deg", 0.0, DEGREES),
 ];
@@ -34,7 +29,7 @@ static RELEASE: [Key; 6] = [
 static STATE: [Key; 3] = [
     Key::required("alpha", PAIR),
     Key::required("beta", PAIR),
-    Key::required("omega", "an array of three finite numbers [x, y, z] in rad/s").with_units(RATE),
+    Key::required("omega", "an array of three finite numbers [x, y, z] in rad/s"),
 ];
 
 static BRANCH_POINTS: [Key; 8] = [
@@ -43,15 +38,10 @@ static BRANCH_POINTS: [Key; 8] = [
     Key::required("e3", "a number in [1, 1e14]"),
     Key::required("sign_l_plus_n", SIGN),
     Key::required("sign_l_minus_n", SIGN),
-    Key::optional("nutation_phase", 0.0, ANGLE).with_units(RADIANS),
-    Key::optional("arg_alpha", 0.0, ANGLE).with_units(RADIANS),
-    Key::optional("arg_beta", 0.0, ANGLE).with_units(RADIANS),
+    Key::optional("nutation_phase", 0.0, ANGLE),
+    Key::optional("arg_alpha", 0.0, ANGLE),
+    Key::optional("arg_beta", 0.0, ANGLE),
 ];
-
-/// Keys of all kinds.
-pub fn keys() -> impl Iterator<Item = &'static Key> {
-    RELEASE.iter().chain(&STATE).chain(&BRANCH_POINTS)
-}
 
 /// Keys of a kind that hold one number each.
 pub fn numbers(kind: &str) -> &'static [Key] {
@@ -64,7 +54,7 @@ pub fn numbers(kind: &str) -> &'static [Key] {
 
 /// Motion, and its launch.
 pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure> {
-    let refused = |error| section.core_failure(&error);
+    let refused = |error| section.refusal(&error);
     let (state, release) = match section.choice("kind", &["release", "state", "branch_points"], None)? {
         "branch_points" => return branch_points(section, top),
         "release" => {
@@ -73,31 +63,33 @@ pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure
         }
         _ => (state(section)?, None),
     };
-    let motion = Motion::launch(top, &state).map_err(|error| match (error.parameter(), &release) {
-        ("omega", Some(release)) => too_fast(section, top, release),
-        ("omega", None) => section.failure("omega", &format!("must be {SLOW}")),
+    let motion = Motion::launch(top, &state).map_err(|error| match (error.parameter(), release) {
+        ("omega", release) => {
+            let fastest = release.map_or("omega", |release| fastest(&release));
+            section.failure(fastest, &format!("must be {SLOW}"))
+        }
         _ => refused(error),
     })?;
     Ok((motion, Start::from(&state)))
 }
 
 fn release(section: &Section<'_>) -> Result<Release, Failure> {
-    section.only_with("kind", &RELEASE)?;
+    section.allow_only_with("kind", &RELEASE)?;
     let [tilt_deg, spin, precession, nutation, azimuth_deg, roll_deg] = section.numbers(&RELEASE)?;
     let (tilt, azimuth, roll) = (tilt(tilt_deg), angle(azimuth_deg), angle(roll_deg));
     Ok(Release { tilt, azimuth, roll, spin, precession, nutation })
 }
 
 fn state(section: &Section<'_>) -> Result<State, Failure> {
-    section.only_with("kind", &STATE)?;
+    section.allow_only_with("kind", &STATE)?;
     let [alpha, beta, omega] = &STATE;
     let complex = |key| section.array(key, None).map(|[re, im]| Complex::new(re, im));
     let phi = Orientation { alpha: complex(alpha)?, beta: complex(beta)? };
-    State::new(phi, section.array(omega, None)?).map_err(|error| section.core_failure(&error))
+    State::new(phi, section.array(omega, None)?).map_err(|error| section.refusal(&error))
 }
 
 fn branch_points(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure> {
-    section.only_with("kind", &BRANCH_POINTS)?;
+    section.allow_only_with("kind", &BRANCH_POINTS)?;
     let [e1, e2, e3, plus, minus, theta, arg_alpha, arg_beta] = section.numbers(&BRANCH_POINTS)?;
     let sign = |number: f64, key: &Key| match number {
         1.0 => Ok(Sign::Plus),
@@ -108,52 +100,13 @@ fn branch_points(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Fa
         Signs { l_plus_n: sign(plus, &BRANCH_POINTS[3])?, l_minus_n: sign(minus, &BRANCH_POINTS[4])? };
     let (e, phases) = ([e1, e2, e3], InitialPhases { theta, arg_alpha, arg_beta });
     let motion =
-        Motion::from_branch_points(top, e, signs, &phases).map_err(|error| section.core_failure(&error))?;
+        Motion::from_branch_points(top, e, signs, &phases).map_err(|error| section.refusal(&error))?;
     Ok((motion, Start::BranchPoints { e, signs, phases }))
 }
 
-/// Failure for a release that is too fast. It names the greatest of its rates and, if the top can have the other ones, the limit of this
-/// one.
-fn too_fast(section: &Section<'_>, top: &Top, release: &Release) -> Failure {
-    let mut key = "spin";
-    let mut value = release.spin;
-    for (other, rate) in [("precession", release.precession), ("nutation", release.nutation)] {
-        if rate.abs() > value.abs() {
-            (key, value) = (other, rate);
-        }
-    }
-    let exists = |size: f64| {
-        let mut release = *release;
-        let rate = match key {
-            "spin" => &mut release.spin,
-            "precession" => &mut release.precession,
-            _ => &mut release.nutation,
-        };
-        *rate = size.copysign(value);
-        State::release(&release).is_ok_and(|state| Motion::launch(top, &state).is_ok())
-    };
-    let limit = limit(value.abs(), exists).map_or_else(String::new, |limit| {
-        format!("at most {limit:e} rad/s in size with the other numbers of this file, ")
-    });
-    section.failure(key, &format!("must be {limit}{SLOW}"))
-}
-
-/// Greatest size below `high` with which there is a motion, rounded down to three digits; `None` if there is none even near 0.
-fn limit(mut high: f64, exists: impl Fn(f64) -> bool) -> Option<f64> {
-    /// Least limit that is found, in units of the rate that was refused.
-    const LEAST: f64 = 1e-24;
-    /// Halvings of the logarithm of the ratio, after which the limit has more than three digits.
-    const HALVINGS: usize = 20;
-    let mut low = LEAST * high;
-    if !exists(low) {
-        return None;
-    }
-    for _ in 0..HALVINGS {
-        let middle = (low * high).sqrt();
-        *if exists(middle) { &mut low } else { &mut high } = middle;
-    }
-    let unit = 10_f64.powi(low.log10().floor() as i32 - 2);
-    // the decimal nearest to the product, so that it is printed with three digits
-    let limit = format!("{:.2e}", (low / unit).floor() * unit).parse().ok()?;
-    exists(limit).then_some(limit)
+/// Key of the greatest rate of a release.
+fn fastest(release: &Release) -> &'static str {
+    let rates = [("nutation", release.nutation), ("precession", release.precession), ("spin", release.spin)];
+    let fastest = rates.into_iter().max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));
+    fastest.map_or("spin", |(key, _)| key)
 }

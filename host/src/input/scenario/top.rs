@@ -2,31 +2,30 @@
 
 use crate::Failure;
 use crate::input::section::{Key, Section};
-use crate::input::units::{ACCELERATION, ANGULAR_MOMENTUM, INERTIA, LENGTH, MASS, MOMENT};
 use toytop::{Top, TopParameters};
 
 const MAGNITUDE: &str = "a number between 1e-60 and 1e60";
 
 /// Keys of a top. A default of 0 stands for a number that is not given.
 pub static KEYS: [Key; 7] = [
-    Key::required("transverse_inertia", MAGNITUDE).with_units(INERTIA),
-    Key::required("axial_inertia", "a number between 0 and twice transverse_inertia").with_units(INERTIA),
-    Key::optional("gravity", 9.80665, MAGNITUDE).with_units(ACCELERATION),
-    Key::optional("com_height", 0.0, MAGNITUDE).with_units(LENGTH),
-    Key::optional("mass", 0.0, MAGNITUDE).with_units(MASS),
-    Key::optional("mass_moment", 0.0, MAGNITUDE).with_units(MOMENT),
-    Key::optional("rotor_momentum", 0.0, "a finite number of kg m^2/s").with_units(ANGULAR_MOMENTUM),
+    Key::required("transverse_inertia", MAGNITUDE),
+    Key::required("axial_inertia", "a number between 0 and twice transverse_inertia"),
+    Key::optional("gravity", 9.80665, MAGNITUDE),
+    Key::optional("com_height", 0.0, MAGNITUDE),
+    Key::optional("mass", 0.0, MAGNITUDE),
+    Key::optional("mass_moment", 0.0, MAGNITUDE),
+    Key::optional("rotor_momentum", 0.0, "a finite number of kg m^2/s"),
 ];
 
 /// Top, and the numbers that are given for it.
 pub fn read(section: &Section<'_>) -> Result<(Top, TopParameters), Failure> {
-    section.only_with("support", &KEYS)?;
+    section.allow_only_with("support", &KEYS)?;
     let support = section.choice("support", &["sliding", "fixed", "free"], Some("sliding"))?;
     let [transverse_inertia, axial_inertia, gravity, com_height, mass, mass_moment, rotor_momentum] =
         section.numbers(&KEYS)?;
     let inertias =
         TopParameters { transverse_inertia, axial_inertia, rotor_momentum, ..TopParameters::default() };
-    let refused = |error| section.core_failure(&error);
+    let refused = |error| section.refusal(&error);
     // of a free body the other keys are allowed and have no effect
     if support == "free" {
         return Ok((Top::free(&inertias).map_err(refused)?, inertias));

@@ -1,7 +1,7 @@
 //! Aperiodic motion by its closed form, which has no table.
 
 use super::{
-    AnyEphemeris, BakedNumbers, EventQuery, FoundEvent, RateSample, TimedSample, ticks_per_time, unwrapped,
+    AnyEphemeris, EventQuery, FoundEvent, RateSample, TableData, TimedSample, ticks_per_time, unwrapped,
 };
 use crate::motion::propagate::{Sample, natural_time};
 use std::f64::consts::TAU;
@@ -132,7 +132,7 @@ impl AnyEphemeris for AperiodicMotion {
         found
     }
 
-    fn parts(&self) -> Option<BakedNumbers> {
+    fn parts(&self) -> Option<TableData> {
         None
     }
 }

@@ -88,7 +88,7 @@ impl FoundEvent {
     }
 }
 
-/// Consecutive rejected events after which the search stops: a sense may never occur.
+/// Greatest number of consecutive events of another sense.
 const MOST_UNWANTED: u32 = 10_000;
 
 /// Events at tick `from` or later, at times that `wanted` accepts.

@@ -6,7 +6,7 @@ use toytop::scalar::Float;
 use toytop::{Clock, EphemerisScalar, EphemerisView, ErrorBound};
 
 /// Numbers of a [`Baked`](toytop::Baked) of any size and scalar.
-pub struct BakedNumbers {
+pub struct TableData {
     /// Version of the format.
     pub format: u32,
     /// CRC-32 of all other numbers.
@@ -27,7 +27,7 @@ pub struct BakedNumbers {
     pub coefficients: Vec<[f64; 4]>,
 }
 
-impl BakedNumbers {
+impl TableData {
     /// Size of the table in bytes, without the clock.
     pub fn table_bytes(&self) -> usize {
         let bytes = match self.scalar {
@@ -50,10 +50,10 @@ pub trait TableScalar:
     fn crc32_and_coefficients(table: &EphemerisView<Self>) -> (u32, Vec<[f64; 4]>);
 
     /// Numbers of a table.
-    fn parts(table: &EphemerisView<Self>) -> BakedNumbers {
+    fn parts(table: &EphemerisView<Self>) -> TableData {
         let (crc32, coefficients) = Self::crc32_and_coefficients(table);
         let clock = *table.clock();
-        BakedNumbers {
+        TableData {
             format: toytop::Baked::<Self, 16>::FORMAT,
             crc32,
             scalar: Self::SCALAR,

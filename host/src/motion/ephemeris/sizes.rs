@@ -7,10 +7,9 @@ use crate::Failure;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
 use toytop::{
-    Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, ErrorBound, Motion, Regime, SetUp,
-    SetUpError, Tick,
+    Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Regime, SetUp, SetUpError, Tick,
 };
-use toytop_model::ticks::tick;
+use toytop_model::constants::tick;
 
 /// Capacities besides the defaults, in ascending order.
 pub const CAPACITIES: [u32; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096];
@@ -155,24 +154,6 @@ fn at_any_time(
         Some(closed_form) => Ok(Box::new(closed_form)),
         None => table(tick(motion).map_err(|error| Failure::Method(error.to_string()))?),
     }
-}
-
-/// Smallest table of fewer segments than another one, with an error bound that is larger by a hundredth at most; `None` if there is none.
-pub fn smaller(
-    scalar: Scalar,
-    motion: &Motion,
-    tick: Tick,
-    than: &dyn AnyEphemeris,
-) -> Option<Box<dyn AnyEphemeris>> {
-    const LARGER: f64 = 1.01;
-    let (own, [segments, _]) = (than.error_bound(), than.size());
-    let close = |bound: ErrorBound| {
-        bound.constant <= LARGER * own.constant && bound.per_tick <= LARGER * own.per_tick
-    };
-    let fewer = allowed(scalar).into_iter().filter(|&size| (size as usize) < segments);
-    fewer
-        .filter_map(|size| ephemeris_of_size(scalar, motion, tick, &[size]).ok())
-        .find(|table| close(table.error_bound()))
 }
 
 #[cfg(test)]

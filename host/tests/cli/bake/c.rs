@@ -4,7 +4,7 @@
 use super::cases::{Case, RATES, RUNS, assert_lines, cases};
 use super::compiled::{bake, name};
 use crate::command::{finished, folder, read, sample, toytop, write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
 /// Name of the table of a case, of two words, because a single word could belong to C.
@@ -58,11 +58,11 @@ fn standard_builds() -> Vec<(&'static str, Vec<&'static str>)> {
 }
 
 /// Output of a program by each of these compilers with their flags.
-fn printed(folder: &Path, source: &str, files: &[PathBuf], builds: &[(&str, Vec<&str>)]) -> Vec<String> {
+fn printed(folder: &Path, source: &str, builds: &[(&str, Vec<&str>)]) -> Vec<String> {
     let [code, program] = ["main.c", "main"].map(|name| folder.join(name));
     std::fs::write(&code, source).expect("the source");
     let run = |(compiler, flags): &(&str, Vec<&str>)| {
-        finished(Command::new(compiler).args(flags).arg("-o").arg(&program).arg(&code).args(files)).ok();
+        finished(Command::new(compiler).args(flags).arg("-o").arg(&program).arg(&code)).ok();
         finished(&mut Command::new(&program)).ok()
     };
     builds.iter().map(run).collect()
@@ -152,21 +152,15 @@ int main(void) {{
     )
 }
 
-/// Headers that need no other file give the crate's numbers in every standard of C and C++, and tables beside the shared files too.
+/// Headers that need no other file give the crate's numbers in every standard of C and C++.
 #[test]
 fn c_gives_the_same_bits() {
-    let (whole, split, cases) = (folder("bake_c"), folder("bake_c_split"), cases());
-    let source = program(&cases);
-    let mut files = vec![split.join("toytop_baked.c")];
+    let (whole, cases) = (folder("bake_c"), cases());
     for case in &cases {
-        let table = table(case);
-        bake(case, "c", &format!("bake_c/{table}.h"));
-        toytop(format!("bake --lang c --split bake_c_split {}", case.arguments())).ok();
-        files.push(split.join(format!("{table}.c")));
+        bake(case, "c", &format!("bake_c/{}.h", table(case)));
     }
     let builds = [standard_builds(), fusing_builds()].concat();
-    let mut outputs = printed(&whole, &source, &[], &builds);
-    outputs.extend(printed(&split, &source, &files, &fusing_builds()));
+    let outputs = printed(&whole, &program(&cases), &builds);
     assert_lines(&outputs[0], &cases, |case| case.truth().concat());
     for (index, output) in outputs.iter().enumerate() {
         assert!(*output == outputs[0], "build {index} has other bits: {builds:?}");
@@ -201,42 +195,4 @@ fn two_tables_of_one_name_do_not_compile() {
     let refused = compiled("#include \"a/top.h\"\n#include \"b/top.h\"\n");
     assert_ne!(refused.code, Some(0));
     assert!(refused.err.contains("two different tables have the name top_top"), "{}", refused.err);
-}
-
-/// Code and sines are in one object for any number of motions and users, and a header that needs no other file can be used beside them.
-#[test]
-fn shared_code_is_linked_once() {
-    let folder = folder("bake_shared");
-    for line in [
-        "@toy_top --split bake_shared --name first_throw",
-        "@lagrange --split bake_shared --name second_throw",
-        "@toy_top -o bake_shared/toy_top.h",
-    ] {
-        toytop(format!("bake --lang c {line}")).ok();
-    }
-    let user = "#include \"first_throw.h\"\n#include \"second_throw.h\"\n#include \"toy_top.h\"\n";
-    let main = format!("{user}float other(void);
-int main(void) {{
-    float sum = toytop_at_tick_f32(&first_throw, 1).u + toytop_at_tick_f32(&second_throw, 1).u;
-    return sum == other() && FIRST_THROW_RATE == 1000.0 && FIRST_THROW_ERROR < 2e-7 && TOY_TOP_SEGMENTS == 25 ? 0 : 1;
-}}
-");
-    let other = format!(
-        "{user}float other(void);
-float other(void) {{ return toytop_at_tick_f32(&toy_top, 1).u + toytop_at_tick_f32(&second_throw, 1).u; }}
-"
-    );
-    let files = ["main.c", "other.c", "first_throw.c", "second_throw.c", "toytop_baked.c"]
-        .map(|name| folder.join(name));
-    write("bake_shared/main.c", main);
-    write("bake_shared/other.c", other);
-    let program = folder.join("main");
-    let mut command = Command::new("cc");
-    finished(command.args(["-std=c99", "-O0"]).args(WARNINGS).arg("-o").arg(&program).args(&files)).ok();
-    finished(&mut Command::new(&program)).ok();
-    let bytes = std::fs::read(&program).expect("the program");
-    let points = toytop::scalar::sine::SINES;
-    let sines: Vec<u8> = points.iter().flat_map(|sine| sine.to_le_bytes()).collect();
-    let copies = bytes.windows(sines.len()).filter(|bytes| *bytes == sines).count();
-    assert_eq!(copies, 1, "copies of the sines");
 }

@@ -38,7 +38,7 @@ fn arguments() {
             ("--times 1,NaN", "--times ... NaN ... finite number"),
             ("--times 0..1", "--times: 0..1: must be T1,T2,... or LOW..HIGH/PLACES"),
             ("--times 10..0/5", "error: --times: 10..0/5: LOW must be below HIGH\n"),
-            ("--times 0..1/6000000 --method full", "--times: 6000000 times: must be at most 5000000"),
+            ("--times 0..1/60000000", "--times: 60000000 times: must be at most 10000000"),
             ("--times 1,-1e300", "error: --times: -1e300 must be within ±2.8e14 s"),
             ("--times-file @no_such_file", "no_such_file.toml"),
             ("--times-file @toy_top", "toy_top.toml ... line 3 ... finite number"),

@@ -1,6 +1,6 @@
 //! Rows of `toytop state`: times, ticks, chosen columns, formats for programs, and many rows.
 
-use crate::command::{branch_points, count, csv, folder, json, path, read, samples, scenario, toytop};
+use crate::command::{branch_points, count, csv, folder, json, read, samples, scenario, toytop};
 use std::f64::consts::PI;
 
 #[test]
@@ -39,8 +39,6 @@ fn columns_follow_from_each_other() {
     let json = samples("@lagrange --times=0 --columns quaternion,u");
     let object = json[0].as_object().expect("an object");
     assert_eq!((object.len(), object["quaternion"].as_array().map(Vec::len)), (3, Some(4)));
-    let named = csv("state @lagrange --times=0 --units --columns t,u,omega,tip,phi").names;
-    assert_eq!(named, "t [s],u,omega_x [rad/s],omega_y [rad/s],omega_z [rad/s],tip_x,tip_y,phi [rad]");
 }
 
 #[test]
@@ -75,30 +73,6 @@ fn ticks_are_times_of_a_clock() {
     assert_eq!((far[0][0], far[1][0]), (1_099_511_627.776, 0.0));
     let baked = csv("state @toy_top --ticks=5 --scalar q15 --columns alpha").rows;
     assert!(baked[0].iter().all(|x| (x * 16384.0).fract() == 0.0), "16 bits: {baked:?}");
-}
-
-#[test]
-fn a_numpy_file_has_the_numbers_of_csv() {
-    folder("state_npy");
-    let line = "state @sleeping --times=0..1/3000 --columns t,omega,phi";
-    assert_eq!(toytop(format!("{line} --format npy -o state_npy/rows.npy")).ok(), "");
-    let bytes = std::fs::read(path("state_npy/rows.npy")).expect("the file");
-    let (magic, rest) = bytes.split_at(10);
-    assert_eq!(&magic[..8], b"\x93NUMPY\x01\x00");
-    let length = usize::from(u16::from_le_bytes([magic[8], magic[9]]));
-    assert_eq!((length + 10) % 64, 0);
-    let (head, numbers) = rest.split_at(length);
-    let head = String::from_utf8_lossy(head);
-    assert!(
-        head.starts_with("{'descr': [('t', '<f8'), ('omega_x', '<f8'), ") && head.ends_with('\n'),
-        "{head}"
-    );
-    assert!(head.contains("'fortran_order': False, 'shape': (3000,)"), "{head}");
-    let bits = numbers.chunks(8).map(|eight| u64::from_le_bytes(eight.try_into().expect("eight")));
-    let truth = csv(line).rows.concat();
-    assert_eq!((numbers.len(), truth.len()), (8 * 15_000, 15_000));
-    assert!(bits.zip(&truth).all(|(a, b)| a == b.to_bits() || b.is_nan() && f64::from_bits(a).is_nan()));
-    assert!(truth[4].is_nan(), "a vertical axis has no tip angle");
 }
 
 /// More rows than are in memory at once come in order.

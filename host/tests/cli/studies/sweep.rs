@@ -54,7 +54,9 @@ fn a_row_is_the_scenario_with_its_numbers() {
         let cell = |name: &str| field(&table, row, name);
         let [spin, tilt, height] =
             [["120.0", "150.0", "180.0"][row / 4], ["0.0", "20.0"][row / 2 % 2], ["0.02", "0.03"][row % 2]];
-        assert_eq!([cell("spin"), cell("tilt_deg"), cell("com_height")], [spin, tilt, height]);
+        for (name, expected) in [("spin", spin), ("tilt_deg", tilt), ("com_height", height)] {
+            assert_eq!(cell(name).parse::<f64>(), expected.parse::<f64>(), "{row}: {name}");
+        }
         let own = text
             .replace("spin = 150.0", &format!("spin = {spin}"))
             .replace("tilt_deg = 20.0", &format!("tilt_deg = {tilt}"))

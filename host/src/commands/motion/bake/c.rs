@@ -1,59 +1,18 @@
-//! Tables in C99 or C++11: one header, or a header and a source beside the code that all tables share. The code needs no library, and
-//! gives the same bits as the crate.
+//! Tables in C99 or C++11: one header with the code that evaluates the table. The code needs no library, and gives the same bits as the
+//! crate.
 //!
 //! Numbers are decimal, because C++ has hexadecimal ones only since C++17, with enough digits to determine every number (9 in single, 17
 //! in double precision). The value of the include guard of a table is its checksum, so that another table of the same name is an error.
 
-mod shared;
-
-use super::Label;
+use super::TableName;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::BakedNumbers;
+use crate::motion::ephemeris::TableData;
+use toytop::scalar::sine::{COSINE, CUBIC, LINEAR, SECANT, SINE, SINES, VERSINE};
 use toytop::{Clock, ErrorBound};
 
-use shared::{SHARED_HEADER, SHARED_SOURCE, header as shared_header, source as shared_source};
-
-/// Text of a header that needs no other file. If one file includes several headers, the code that they share is compiled once.
-pub fn header(label: &Label, parts: &BakedNumbers) -> String {
-    let evaluators = shared::inlined(parts.scalar);
-    guarded(label, parts, &format!("{evaluators}\n{}", table(label, parts, "static const")))
-}
-
-/// Names and texts of the files that all tables share, and of the header and the source of a table.
-pub fn split_files(label: &Label, parts: &BakedNumbers) -> Vec<(String, String)> {
-    let name = label.c_name();
-    vec![
-        (SHARED_HEADER.to_owned(), shared_header()),
-        (SHARED_SOURCE.to_owned(), shared_source()),
-        (format!("{name}.c"), source(label, parts)),
-        (format!("{name}.h"), declaration(label, parts)),
-    ]
-}
-
-/// Text of a header that declares the table of a [`source()`].
-fn declaration(label: &Label, parts: &BakedNumbers) -> String {
-    let (name, scalar) = (label.c_name(), parts.scalar.name());
-    let declared = format!(
-        "#include \"{SHARED_HEADER}\"\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\nextern const toytop_{scalar} {name};\n\
-         #ifdef __cplusplus\n}}\n#endif\n"
-    );
-    guarded(label, parts, &declared)
-}
-
-/// Text of the source of a table.
-fn source(label: &Label, parts: &BakedNumbers) -> String {
-    let name = label.c_name();
-    format!(
-        "/* {headline}. Written by `toytop bake`. */\n#include \"{name}.h\"\n\n#if TOYTOP_CLOCK != {format}\n\
-         #error {SHARED_HEADER} is of another version of toytop: bake this table again\n#endif\n\n{table}",
-        headline = label.headline(parts),
-        format = parts.format,
-        table = table(label, parts, "const"),
-    )
-}
-
-/// Header around its content: a comment, the include guard, and size and error bounds as macros.
-fn guarded(label: &Label, parts: &BakedNumbers, content: &str) -> String {
+/// Text of a header: a comment, the include guard, size and error bounds as macros, the code and the table. If one file includes several
+/// headers, the code that they share is compiled once.
+pub fn header(label: &TableName, parts: &TableData) -> String {
     let name = label.c_name();
     let (scalar, upper) = (parts.scalar.name(), name.to_uppercase());
     let bounds = [parts.error_bound, parts.rate_error_bound];
@@ -81,8 +40,11 @@ fn guarded(label: &Label, parts: &BakedNumbers, content: &str) -> String {
 #define {upper}_RATE_ERROR {rate} /* of the angular velocity, rad in a unit of time */
 #define {upper}_RATE_ERROR_PER_TICK {rate_growth}
 
-{content}#endif
+{code}
+{table}#endif
 ",
+        code = code(parts.scalar),
+        table = table(label, parts),
         headline = label.headline(parts),
         crc32 = parts.crc32,
         ticks = decimal(parts.clock.ticks_per_time[0]),
@@ -91,7 +53,7 @@ fn guarded(label: &Label, parts: &BakedNumbers, content: &str) -> String {
 }
 
 /// Definition of a table.
-fn table(label: &Label, parts: &BakedNumbers, linkage: &str) -> String {
+fn table(label: &TableName, parts: &TableData) -> String {
     let (name, scalar) = (label.c_name(), parts.scalar.name());
     // scale of the tip, the rates of x and of A + B, and the axial angular velocity
     let Clock { twice_tip_scale, rates: [x, mean, axial], .. } = parts.clock;
@@ -107,7 +69,7 @@ fn table(label: &Label, parts: &BakedNumbers, linkage: &str) -> String {
         "static const {ctype} {name}_coefficients[{count}][4] = {{
 {rows}}};
 
-{linkage} toytop_{scalar} {name} = {{
+static const toytop_{scalar} {name} = {{
     {{
 {clock}    }},
     {{{scales}}},
@@ -123,7 +85,7 @@ fn table(label: &Label, parts: &BakedNumbers, linkage: &str) -> String {
 }
 
 /// Initialisers of a `toytop_clock`.
-fn clock(parts: &BakedNumbers) -> String {
+fn clock(parts: &TableData) -> String {
     let [segments, terms] = parts.size;
     let wide = |bits: u64| format!("{bits:#x}u");
     let phase = |[low, middle, upper]: [u32; 3]| {
@@ -149,7 +111,7 @@ fn clock(parts: &BakedNumbers) -> String {
     lines.iter().map(|line| format!("        {line},\n")).collect()
 }
 
-/// Constant of 32 bits in C, where -2147483648 would be the negative of a constant that does not fit 32 bits.
+/// Constant of 32 bits in C, which has no literal -2147483648.
 fn integer(x: i32) -> String {
     if x == i32::MIN { "INT32_MIN".to_owned() } else { x.to_string() }
 }
@@ -157,6 +119,67 @@ fn integer(x: i32) -> String {
 /// Number in double precision with 17 significant digits, from which C and C++ obtain the same bits.
 fn decimal(x: f64) -> String {
     format!("{x:.16e}")
+}
+
+/// Scalars in the order of their code. Each but the last needs the code of those before it: fixed point uses the integers of f32, and
+/// 16 bits the vectors of 32 bits.
+const SCALARS: [Scalar; 4] = [Scalar::F32, Scalar::Q31, Scalar::Q15, Scalar::F64];
+
+/// Code that evaluates a table of this scalar: the phases, and the scalars that it needs. Each part is compiled once.
+fn code(scalar: Scalar) -> String {
+    let needed = match scalar {
+        Scalar::F32 => &SCALARS[..1],
+        Scalar::Q31 => &SCALARS[..2],
+        Scalar::Q15 => &SCALARS[..3],
+        Scalar::F64 => &SCALARS[3..],
+    };
+    let clock = ("clock", include_str!("c/clock.h").to_owned());
+    let mut text = "#ifndef TOYTOP_API\n#define TOYTOP_API static inline\n#endif\n".to_owned();
+    for (name, code) in std::iter::once(clock).chain(needed.iter().map(evaluator)) {
+        let (guard, format) = (name.to_uppercase(), toytop::Baked::<f32, 16>::FORMAT);
+        text += &format!("#ifndef TOYTOP_{guard}\n#define TOYTOP_{guard} {format}\n{code}#endif\n");
+    }
+    text
+}
+
+/// Name and code of a scalar: its arithmetic, and the functions that are written for all scalars.
+fn evaluator(scalar: &Scalar) -> (&'static str, String) {
+    let (name, intact) = (scalar.name(), include_str!("c/intact.h"));
+    let (template, constants, intact, number) = match scalar {
+        Scalar::F32 => (include_str!("c/f32.h"), points(), intact, "float"),
+        Scalar::Q31 => (include_str!("c/q31.h"), String::new(), intact, "int32_t"),
+        Scalar::Q15 => (include_str!("c/q15.h"), String::new(), intact, "int16_t"),
+        Scalar::F64 => (include_str!("c/f64.h"), series(), include_str!("c/intact_f64.h"), "double"),
+    };
+    let functions = [include_str!("c/accessors.h"), intact].concat();
+    let functions = functions.replace("SCALAR", name).replace("BITS", &name[1..]).replace("NUMBER", number);
+    (name, [&constants, template, &functions].concat())
+}
+
+/// Table of sines in C, and the coefficients of the interpolation.
+fn points() -> String {
+    let rows = SINES.chunks(8);
+    let rows: String = rows
+        .map(|row| format!("    {},\n", row.iter().map(|&x| integer(x)).collect::<Vec<_>>().join(", ")))
+        .collect();
+    let count = SINES.len();
+    format!(
+        "#define TOYTOP_LINEAR {LINEAR}\n#define TOYTOP_CUBIC {CUBIC}\n#define TOYTOP_VERSINE {VERSINE}\n\
+         #define TOYTOP_SECANT {SECANT}\n\
+         /* 2^31 sin of 0, 1/512, ... turns, at most 2^31 - 1; a quarter turn on is the cosine. */\n\
+         static const int32_t toytop_sines[{count}] = {{\n{rows}}};\n"
+    )
+}
+
+/// Coefficients in C of the series sin 2 pi x = x S(x^2), cos 2 pi x = C(x^2).
+fn series() -> String {
+    let series = |name: &str, coefficients: &[f64]| {
+        let rows: String = coefficients.iter().map(|&x| format!("    {},\n", decimal(x))).collect();
+        format!("static const double toytop_{name}[{}] = {{\n{rows}}};\n", coefficients.len())
+    };
+    "/* sin 2 pi x = x S(x^2) and cos 2 pi x = C(x^2) for |x| <= 1/8. */\n".to_owned()
+        + &series("sine", &SINE)
+        + &series("cosine", &COSINE)
 }
 
 #[cfg(test)]

@@ -1,12 +1,12 @@
 //! Rust module with one `static`, which does not compile if one of its bits was changed.
 
-use super::Label;
+use super::TableName;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::BakedNumbers;
+use crate::motion::ephemeris::TableData;
 use toytop::{Clock, ErrorBound};
 
 /// Text of the module. Numbers are printed by Rust, which reads back the same bits.
-pub fn module(label: &Label, parts: &BakedNumbers) -> String {
+pub fn module(label: &TableName, parts: &TableData) -> String {
     let name = label.identifier().to_uppercase();
     let [segments, _] = parts.size;
     let scalar = match parts.scalar {
@@ -77,7 +77,7 @@ pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
 }
 
 /// Coefficients with one row in each line, and brackets around each segment.
-fn rows(parts: &BakedNumbers) -> String {
+fn rows(parts: &TableData) -> String {
     let line = |row: &[f64; 4]| match parts.scalar {
         Scalar::F64 => format!("            {row:?},\n"),
         _ => format!("            {:?},\n", row.map(|x| x as i32)),

@@ -1,23 +1,21 @@
 //! Columns of a sweep, and what is computed of a motion for them.
 
-use crate::motion::constants::CONSTANTS;
 use crate::motion::ephemeris::{AnyEphemeris, approximate, smallest_ephemeris};
 use crate::motion::propagate::Sample;
 use crate::motion::quantity::Quantity;
-use crate::motion::{Scalar, spread_times};
-use crate::output::text;
+use crate::motion::{Scalar, spread_times, value};
 use clap::ValueEnum;
 use serde_json::Value;
 use std::cell::OnceCell;
 use std::str::FromStr;
 use toytop::Motion;
-use toytop_model::constants::MotionConstants;
+use toytop_model::constants::{CONSTANTS, Constant, MotionConstants};
 
 /// Column of a sweep, or the columns of a quantity at every time.
 #[derive(Clone, Copy)]
 pub enum SweepColumn {
-    /// Constant of the motion, by its name and function.
-    Constant(&'static str, fn(&MotionConstants) -> Value),
+    /// Constant of the motion.
+    Constant(&'static Constant),
     /// Measurement of the motion's tables, by its name and function.
     Measured(&'static str, fn(&Measured) -> Value),
     /// Quantity of a sample, at every time.
@@ -44,14 +42,13 @@ impl FromStr for SweepColumn {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Self, String> {
-        let constants = CONSTANTS.map(|(name, _, value)| (name, Self::Constant(name, value)));
-        let measured = MEASURED.map(|(name, value)| (name, Self::Measured(name, value)));
-        let named = constants.into_iter().chain(measured).find(|(known, _)| *known == name);
+        let constants = CONSTANTS.iter().map(|constant| (constant.name, Self::Constant(constant)));
+        let named = constants.chain(MEASURED.map(|(name, value)| (name, Self::Measured(name, value))));
         let sample = || Quantity::from_str(name, false).ok().map(Self::Sample);
-        named.map(|(_, column)| column).or_else(sample).ok_or_else(|| {
-            let (constants, measured) = (constants.map(|(name, _)| name), measured.map(|(name, _)| name));
-            let (constants, measured) = (constants.join(", "), measured.join(", "));
-            format!("must be a column of toytop state, {constants}, {measured}")
+        let known = named.clone().find(|(known, _)| *known == name).map(|(_, column)| column);
+        known.or_else(sample).ok_or_else(|| {
+            let names: Vec<_> = named.map(|(name, _)| name).collect();
+            format!("must be a column of toytop state, {}", names.join(", "))
         })
     }
 }
@@ -60,7 +57,8 @@ impl SweepColumn {
     /// Names in the header.
     pub fn names(self, times: u32) -> Vec<String> {
         match self {
-            Self::Constant(name, _) | Self::Measured(name, _) => vec![name.to_owned()],
+            Self::Constant(Constant { name, .. }) => vec![(*name).to_owned()],
+            Self::Measured(name, _) => vec![name.to_owned()],
             Self::Sample(quantity) => {
                 let at = |time| quantity.names().1.iter().map(move |part| format!("{part}_{time}"));
                 (1..=times).flat_map(at).collect()
@@ -68,25 +66,21 @@ impl SweepColumn {
         }
     }
 
-    /// Fields of CSV, empty where a value is absent or the scenario refuses the numbers. A number is the shortest decimal that reads back the
-    /// same `f64`.
-    pub fn fields(self, motion: Option<&Measured>, times: u32) -> Vec<String> {
-        let number = |x: f64| if x.is_nan() { String::new() } else { format!("{x:?}") };
-        let absent = || vec![String::new(); self.names(times).len()];
-        let value = match (self, motion) {
-            (Self::Constant(_, value), Some(motion)) => value(&motion.motion),
-            (Self::Measured(_, value), Some(motion)) => value(motion),
-            (Self::Constant("regime", _), None) => "refused".into(),
+    /// Values of a motion, or of numbers that the scenario refuses.
+    pub fn values(self, motion: Option<&Measured>, times: u32) -> Vec<Value> {
+        match (self, motion) {
+            (Self::Constant(constant), Some(motion)) => vec![value(constant, &motion.motion)],
+            (Self::Measured(_, value), Some(motion)) => vec![value(motion)],
+            (Self::Constant(Constant { name: "regime", .. }), None) => vec!["refused".into()],
             (Self::Sample(quantity), Some(motion)) => match motion.f64_table() {
                 Some(table) => {
                     let numbers = table.samples.iter().flat_map(|sample| quantity.numbers(sample));
-                    return numbers.map(number).collect();
+                    numbers.map(Value::from).collect()
                 }
-                None => return absent(),
+                None => vec![Value::Null; self.names(times).len()],
             },
-            _ => return absent(),
-        };
-        vec![text(&value, number).unwrap_or_default()]
+            _ => vec![Value::Null; self.names(times).len()],
+        }
     }
 }
 

@@ -7,7 +7,8 @@ use crate::Failure;
 use crate::input::axis::Axis;
 use crate::input::random::Random;
 use crate::input::scenario::ScenarioFile;
-use crate::output::short;
+use crate::output::{csv_line, short};
+use serde_json::Value;
 use toytop::Motion;
 
 /// Table of a sweep: a header, and a row for each motion.
@@ -105,12 +106,10 @@ impl Sweep {
         let numbers = self.numbers(index);
         let motion = self.motion(&numbers).ok();
         let measured = motion.map(|motion| Measured::new(motion, self.times, self.periods));
-        let mut fields = vec![index.to_string()];
-        fields.extend(numbers.iter().map(|(_, number)| format!("{number:?}")));
-        for column in &self.columns {
-            fields.extend(column.fields(measured.as_ref(), self.times));
-        }
-        text.extend_from_slice((fields.join(",") + "\n").as_bytes());
+        let mut values = vec![Value::from(index)];
+        values.extend(numbers.iter().map(|(_, number)| Value::from(*number)));
+        values.extend(self.columns.iter().flat_map(|column| column.values(measured.as_ref(), self.times)));
+        text.extend_from_slice(csv_line(values).as_bytes());
         measured.is_some()
     }
 
