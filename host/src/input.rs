@@ -5,6 +5,7 @@
 //! | [`random`] | random numbers fixed by a seed |
 //! | [`axis`] | values of one number: a list or a range |
 //! | `rows` | columns and rows of CSV files |
+//! | `units` | numbers with units |
 //! | `section` | table of a TOML file |
 //! | [`scenario`], [`builtin`] | motion from a TOML file; motions that need no file |
 
@@ -14,6 +15,7 @@ pub mod random;
 pub(crate) mod rows;
 pub mod scenario;
 pub(crate) mod section;
+mod units;
 
 /// Finite number of a text.
 pub(crate) fn finite(text: &str) -> Option<f64> {

@@ -6,7 +6,8 @@
 mod motion;
 mod top;
 
-use super::section::{self, Section};
+use super::section::{self, Key, Section};
+use super::units::{self, DEGREES, RADIANS};
 use crate::Failure;
 use crate::output::{shown, whole_file};
 use std::path::Path;
@@ -107,7 +108,7 @@ pub struct ScenarioFile {
     pub file: String,
     /// Name of its scenario.
     name: String,
-    /// Keys and values.
+    /// Keys and values, with numbers in the units of the keys.
     pub keys: Table,
 }
 
@@ -125,9 +126,22 @@ impl ScenarioFile {
     /// Keys and values of the text of a file; `file` is its name in messages.
     ///
     /// # Errors
-    /// [`Failure::Input`]: no TOML.
+    /// [`Failure::Input`]: no TOML, or a text in place of a number that is not a number with a unit of its key.
     pub fn parse(file: &str, text: &str) -> Result<Self, Failure> {
-        Ok(Self { file: file.to_owned(), name: file.to_owned(), keys: section::parse(file, text)? })
+        let written = section::parse(file, text)?;
+        let has_units = written.get("units").and_then(Value::as_str) != Some("none");
+        let mut keys = written.clone();
+        for (name, value) in &mut keys {
+            let (Value::Table(table), Some(Value::Table(written))) = (value, written.get(name)) else {
+                continue;
+            };
+            let section = Section { file, name, table: written };
+            replace_units(&section, table, has_units)?;
+            if table.get("kind").and_then(Value::as_str) == Some("release") {
+                replace_angles(&section, table)?;
+            }
+        }
+        Ok(Self { file: file.to_owned(), name: file.to_owned(), keys })
     }
 
     /// Top, and the numbers that are given for it. The motion is not read and may be missing.
@@ -194,4 +208,54 @@ impl ScenarioFile {
         }
         changed.scenario()
     }
+}
+
+/// Replaces numbers with units by numbers in the units of their keys.
+fn replace_units(section: &Section<'_>, table: &mut Table, has_units: bool) -> Result<(), Failure> {
+    for Key { name, quantity, .. } in top::KEYS.iter().chain(motion::keys()) {
+        let entries = match table.get_mut(*name) {
+            Some(Value::Array(entries)) => &mut entries[..],
+            Some(value) => std::slice::from_mut(value),
+            None => continue,
+        };
+        for entry in entries {
+            if let Value::String(text) = entry
+                && !quantity.is_empty()
+            {
+                if !has_units && *quantity != RADIANS {
+                    return Err(section.failure(name, "must be a number, because of units = \"none\""));
+                }
+                let number =
+                    units::number(text, quantity).map_err(|reason| section.failure(name, &reason))?;
+                *entry = Value::Float(number);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Replaces the angles of a release, which have units, by angles in degrees.
+fn replace_angles(section: &Section<'_>, table: &mut Table) -> Result<(), Failure> {
+    for (key, in_degrees) in motion::ANGLES {
+        if let Some(Value::String(text)) = table.get(in_degrees)
+            && units::number(text, DEGREES).is_ok()
+        {
+            let reason = format!("must be a number of degrees; with a unit: {key} = {:?}", shown(text));
+            return Err(section.failure(in_degrees, &reason));
+        }
+        let Some(value) = table.remove(key) else { continue };
+        // one reader would take a number without a unit for degrees, and another for radians
+        let Value::String(text) = value else {
+            let reason = format!("must be a text with a unit, as \"20 deg\", or {in_degrees} a number");
+            return Err(section.failure(key, &reason));
+        };
+        let degrees = units::number(&text, DEGREES).map_err(|reason| section.failure(key, &reason))?;
+        if key == "tilt" && !(0.0..=180.0).contains(&degrees) {
+            return Err(section.failure(key, "must be from 0 to 180 deg"));
+        }
+        if table.insert(in_degrees.to_owned(), Value::Float(degrees)).is_some() {
+            return Err(section.failure(key, &format!("allowed only without {in_degrees}")));
+        }
+    }
+    Ok(())
 }

@@ -1,5 +1,6 @@
 //! One table of a TOML file. Each [`Key`] states its allowed values, by which the table is read.
 
+use super::units::Quantity;
 use crate::Failure;
 use crate::output::shown;
 use toml::{Table, Value};
@@ -14,11 +15,13 @@ pub struct Key {
     default: Option<f64>,
     /// Least and greatest value.
     range: [f64; 2],
+    /// Units of a value that is a text; none where it must be a number.
+    pub quantity: Quantity,
 }
 
 impl Key {
     pub const fn required(name: &'static str, allowed: &'static str) -> Self {
-        Self { name, allowed, default: None, range: [f64::MIN, f64::MAX] }
+        Self { name, allowed, default: None, range: [f64::MIN, f64::MAX], quantity: &[] }
     }
 
     pub const fn optional(name: &'static str, default: f64, allowed: &'static str) -> Self {
@@ -28,6 +31,11 @@ impl Key {
     /// Key whose value is in this range.
     pub const fn within(self, low: f64, high: f64) -> Self {
         Self { range: [low, high], ..self }
+    }
+
+    /// Key whose value may have one of these units.
+    pub const fn with_units(self, quantity: Quantity) -> Self {
+        Self { quantity, ..self }
     }
 }
 

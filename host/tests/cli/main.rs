@@ -8,6 +8,7 @@ mod motion {
     mod events;
     mod samples;
     mod state;
+    mod units;
     pub(crate) mod vectors;
 }
 

@@ -3,6 +3,7 @@
 use super::Start;
 use crate::Failure;
 use crate::input::section::{Key, Section};
+use crate::input::units::{RADIANS, RATE};
 use toytop::{Complex, InitialPhases, Motion, Orientation, Release, Sign, Signs, State, Top};
 use toytop_model::angles::{angle, tilt};
 
@@ -17,11 +18,15 @@ const PAIR: &str = "an array of two finite numbers [re, im], of unit norm with t
 const SIGN: &str = "1 or -1";
 const ANGLE: &str = "a number between -1e6 and 1e6 rad";
 
+/// Angles of a release: their keys, which need a unit, and their keys in degrees.
+pub const ANGLES: [(&str, &str); 3] =
+    [("tilt", "tilt_deg"), ("azimuth", "azimuth_deg"), ("roll", "roll_deg")];
+
 static RELEASE: [Key; 6] = [
     Key::required("tilt_deg", "a number in [0, 180]").within(0.0, 180.0),
-    Key::required("spin", SPIN),
-    Key::optional("precession", 0.0, TURNING),
-    Key::optional("nutation", 0.0, TURNING),
+    Key::required("spin", SPIN).with_units(RATE),
+    Key::optional("precession", 0.0, TURNING).with_units(RATE),
+    Key::optional("nutation", 0.0, TURNING).with_units(RATE),
     Key::optional("azimuth_deg", 0.0, DEGREES),
     Key::optional("roll_deg", 0.0, DEGREES),
 ];
@@ -29,7 +34,7 @@ static RELEASE: [Key; 6] = [
 static STATE: [Key; 3] = [
     Key::required("alpha", PAIR),
     Key::required("beta", PAIR),
-    Key::required("omega", "an array of three finite numbers [x, y, z] in rad/s"),
+    Key::required("omega", "an array of three finite numbers [x, y, z] in rad/s").with_units(RATE),
 ];
 
 static BRANCH_POINTS: [Key; 8] = [
@@ -38,10 +43,15 @@ static BRANCH_POINTS: [Key; 8] = [
     Key::required("e3", "a number in [1, 1e14]"),
     Key::required("sign_l_plus_n", SIGN),
     Key::required("sign_l_minus_n", SIGN),
-    Key::optional("nutation_phase", 0.0, ANGLE),
-    Key::optional("arg_alpha", 0.0, ANGLE),
-    Key::optional("arg_beta", 0.0, ANGLE),
+    Key::optional("nutation_phase", 0.0, ANGLE).with_units(RADIANS),
+    Key::optional("arg_alpha", 0.0, ANGLE).with_units(RADIANS),
+    Key::optional("arg_beta", 0.0, ANGLE).with_units(RADIANS),
 ];
+
+/// Keys of all kinds.
+pub fn keys() -> impl Iterator<Item = &'static Key> {
+    RELEASE.iter().chain(&STATE).chain(&BRANCH_POINTS)
+}
 
 /// Keys of a kind that hold one number each.
 pub fn numbers(kind: &str) -> &'static [Key] {

@@ -2,19 +2,20 @@
 
 use crate::Failure;
 use crate::input::section::{Key, Section};
+use crate::input::units::{ACCELERATION, ANGULAR_MOMENTUM, INERTIA, LENGTH, MASS, MOMENT};
 use toytop::{Top, TopParameters};
 
 const MAGNITUDE: &str = "a number between 1e-60 and 1e60";
 
 /// Keys of a top. A default of 0 stands for a number that is not given.
 pub static KEYS: [Key; 7] = [
-    Key::required("transverse_inertia", MAGNITUDE),
-    Key::required("axial_inertia", "a number between 0 and twice transverse_inertia"),
-    Key::optional("gravity", 9.80665, MAGNITUDE),
-    Key::optional("com_height", 0.0, MAGNITUDE),
-    Key::optional("mass", 0.0, MAGNITUDE),
-    Key::optional("mass_moment", 0.0, MAGNITUDE),
-    Key::optional("rotor_momentum", 0.0, "a finite number of kg m^2/s"),
+    Key::required("transverse_inertia", MAGNITUDE).with_units(INERTIA),
+    Key::required("axial_inertia", "a number between 0 and twice transverse_inertia").with_units(INERTIA),
+    Key::optional("gravity", 9.80665, MAGNITUDE).with_units(ACCELERATION),
+    Key::optional("com_height", 0.0, MAGNITUDE).with_units(LENGTH),
+    Key::optional("mass", 0.0, MAGNITUDE).with_units(MASS),
+    Key::optional("mass_moment", 0.0, MAGNITUDE).with_units(MOMENT),
+    Key::optional("rotor_momentum", 0.0, "a finite number of kg m^2/s").with_units(ANGULAR_MOMENTUM),
 ];
 
 /// Top, and the numbers that are given for it.

@@ -87,7 +87,16 @@ fn releases() {
             ("spin = 3.5\n", "", "motion.spin ... missing"),
             ("tilt_deg = 40", "tilt_deg = 180.00000001", "motion.tilt_deg ... [0, 180]"),
             ("tilt_deg = 40", "tilt_deg = \"40\"", "motion.tilt_deg ... [0, 180]"),
-            ("tilt_deg = 40", "tilt_deg = \"40 deg\"", "motion.tilt_deg: must be a number in [0, 180]"),
+            (
+                "tilt_deg = 40",
+                "tilt_deg = \"40 deg\"",
+                "motion.tilt_deg: must be a number of degrees; with a unit: tilt = \"40 deg\"\n",
+            ),
+            (
+                "precession = 0.3",
+                "roll_deg = \"0.1 turns\"",
+                "motion.roll_deg: must be a number of degrees; with a unit: roll = \"0.1 turns\"\n",
+            ),
             (
                 "spin = 3.5",
                 "spin = 1e9",
