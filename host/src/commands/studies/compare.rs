@@ -17,6 +17,7 @@ use crate::truth::full_equations::full_solver::FullState;
 use bounds::{bound, horizon, steps_per_period};
 use clap::Args;
 use std::path::PathBuf;
+use std::time::Instant;
 use toytop::AttitudeState;
 use toytop::Motion;
 use toytop::scalar::Real;
@@ -69,6 +70,8 @@ struct Comparison {
     steps: Option<u64>,
     /// Segments and terms of the table.
     table: Option<[usize; 2]>,
+    /// Median time of a step or of a look-up, s.
+    call: Option<f64>,
     /// Upper bound on the error of the orientation, rad.
     bound: Option<f64>,
 }
@@ -94,6 +97,7 @@ impl Comparison {
         record
             .with("steps", self.steps)
             .with("table", self.table.map(|[segments, terms]| format!("{segments}x{terms}")))
+            .with("ns", self.call.map(|call| 1e9 * call))
             .with("bound_rad", self.bound)
             .with("verdict", self.verdict())
     }
@@ -118,25 +122,28 @@ pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     Ok(Report { text, missed, ..Report::default() }.with_remarks(remarks, below))
 }
 
-/// Table with one row for each motion: error of each propagator, greatest share of a bound, and whether all bounds are kept.
+/// Table with one row for each motion: error of each propagator, greatest share of a bound, time of the slowest look-up, and whether
+/// all bounds are kept.
 fn table(motions: &[Vec<Comparison>], periods: u32) -> String {
     let line = |all: &Vec<Comparison>| {
         let mut line = Record::default().with("motion", &*all[0].motion);
-        let mut share = 0.0_f64;
+        let (mut share, mut slowest) = (0.0_f64, 0.0_f64);
         for one in all {
             let error = one.errors.map(|[error, ..]| error);
             line = line.with(one.heading, error);
             share = share.max(error.zip(one.bound).map_or(0.0, |(error, bound)| error / bound));
+            slowest = slowest.max(one.table.and(one.call).unwrap_or(0.0));
         }
         let has = |verdict: &&str| all.iter().any(|one| one.verdict() == *verdict);
         let worst = ["MISS", "no fit", "no bound"].into_iter().find(has).unwrap_or("ok");
-        line.with("of bound", share).with("result", worst)
+        line.with("of bound", share).with("ns", 1e9 * slowest).with("result", worst)
     };
     let lines: Vec<_> = motions.iter().map(line).collect();
     format!(
         "{}\nThe core against the full 3-D equations, {SAMPLES} times in a period over {periods} periods: greatest error of\n\
          the orientation, 2 sqrt(|d alpha|^2 + |d beta|^2), rad, by stepper and ephemeris, and its share\n\
-         of its bound. Steps a period: {} in f64, {} in f32. Other errors: --format csv.\n",
+         of its bound. ns: slowest look-up in a table, the median of five runs. Steps a period: {} in f64, {} in f32.\n\
+         Other errors: --format csv.\n",
         output::aligned(&lines, &output::all_columns(&lines, |x| short(x, 1))),
         steps_per_period(Scalar::F64),
         steps_per_period(Scalar::F32),
@@ -164,11 +171,13 @@ fn of_motion(
             (_, Scalar::F64) => Ok(step_through::<f64>(scalar, motion, &times)),
             _ => Ok(step_through::<f32>(scalar, motion, &times)),
         };
-        let (errors, steps, table) = match run {
-            Ok(Run { states, steps, table }) => (Some(reference.errors(scenario, &states)?), steps, table),
+        let (errors, steps, table, call) = match run {
+            Ok(Run { states, steps, table, call }) => {
+                (Some(reference.errors(scenario, &states)?), steps, table, Some(call))
+            }
             Err(failure) => {
                 remarks.push(format!("{name} {}: {failure}", scalar.name()));
-                (None, None, None)
+                (None, None, None, None)
             }
         };
         let (table, table_bound) = table.unzip();
@@ -181,6 +190,7 @@ fn of_motion(
             errors,
             steps,
             table,
+            call,
             bound,
         });
     }
@@ -195,21 +205,39 @@ struct Run {
     steps: Option<u64>,
     /// Segments and terms of a table, and the bound on its error at the last time, rad.
     table: Option<([usize; 2], f64)>,
+    /// Median time of a step or of a look-up, s.
+    call: f64,
+}
+
+/// Median time in five runs of a function that returns its number of calls, s a call.
+fn median(mut run: impl FnMut() -> u64) -> f64 {
+    let mut times = [(); 5].map(|()| {
+        let started = Instant::now();
+        let calls = run();
+        started.elapsed().as_secs_f64() / calls.max(1) as f64
+    });
+    times.sort_by(f64::total_cmp);
+    times[2]
 }
 
 /// Run of the stepper through the times.
 fn step_through<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
     let step = period(motion) / f64::from(steps_per_period(scalar));
     let progress = Progress::new(0, "steps");
-    let mut timed = TimedStepper::<R>::new(motion, step);
-    let state = |&t: &f64| {
-        timed.reach(t, &progress);
-        let rate = timed.last.attitude_state().rate;
-        let [alpha, beta] = [rate.alpha, rate.beta].map(|z| widened(z, R::to_f64));
-        (timed.sample(), OrientationRate { alpha, beta })
-    };
-    let states = times.iter().map(state).collect();
-    Run { states, steps: Some(timed.steps), table: None }
+    let (mut states, mut steps) = (Vec::new(), 0);
+    let call = median(|| {
+        let mut timed = TimedStepper::<R>::new(motion, step);
+        let state = |&t: &f64| {
+            timed.reach(t, &progress);
+            let rate = timed.last.attitude_state().rate;
+            let [alpha, beta] = [rate.alpha, rate.beta].map(|z| widened(z, R::to_f64));
+            (timed.sample(), OrientationRate { alpha, beta })
+        };
+        states = times.iter().map(state).collect();
+        steps = timed.steps;
+        steps
+    });
+    Run { states, steps: Some(steps), table: None, call }
 }
 
 /// Run of an ephemeris at the times.
@@ -219,11 +247,15 @@ fn step_through<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run 
 fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
     require_scalar(scalar, motion)?;
     let table = smallest_ephemeris(scalar, motion)?;
-    let found = times.iter().map(|&t| table.at(t));
-    let states = found.map(|now| (now.sample, now.rate)).collect();
+    let mut found = Vec::new();
+    let call = median(|| {
+        found = times.iter().map(|&t| table.at(t)).collect();
+        times.len() as u64
+    });
+    let states = found.iter().map(|now| (now.sample, now.rate)).collect();
     let last = times.last().copied().unwrap_or(0.0);
     let bound = table.error_bound().after(last * table.ticks_per_time());
-    Ok(Run { states, steps: None, table: Some((table.size(), bound)) })
+    Ok(Run { states, steps: None, table: Some((table.size(), bound)), call })
 }
 
 /// Cached full-solver states, reused for equal times.
