@@ -38,7 +38,12 @@ pub fn tilt(scenario: &Scenario, span: &Span) -> Scene {
     let mut curves = vec![Curve::line("tilt", span.times_of_curve().map(degrees).collect())];
     curves.extend(TiltLimit::all(&scenario.motion).into_iter().map(|limit| {
         let tilt = limit.u.acos().to_degrees();
-        Curve::line(limit.to_string(), vec![[0.0, tilt], [until - from, tilt]])
+        let name = match limit.name {
+            "lowest" => "greatest",
+            "highest" => "least",
+            name => name,
+        };
+        Curve::line(format!("{name}: {tilt:.2}°"), vec![[0.0, tilt], [until - from, tilt]])
     }));
     let title = format!("{}: tilt of the axis from the vertical", scenario.name);
     chart(&title, [&time_label(scenario, from), "tilt, degrees"], &curves)
