@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`arguments`] | numbers of arguments, their refusals, and arrays for Python |
 //! | [`interrupt`] | computations without the interpreter's lock, which Ctrl-C ends |
-//! | [`samples`] | `Samples`: a motion at given times |
+//! | [`samples`] | columns of samples: a motion at given times |
 //! | [`top`] | `Top` |
 //! | [`motion`] | `Motion`: at any time, its constants, events and partial derivatives; `ClosedForm` |
 //! | [`launch`] | launches of a `Top` |
@@ -37,9 +37,9 @@ mod _toytop {
     #[pymodule_export]
     use super::many::{constant_of_many, launch_many, sample_many};
     #[pymodule_export]
-    use super::motion::{PyClosedForm, PyMotion, text_of};
+    use super::motion::{PyClosedForm, PyMotion};
     #[pymodule_export]
-    use super::samples::Samples;
+    use super::samples::Sampler;
     #[pymodule_export]
     use super::score::{order, score};
     #[pymodule_export]

@@ -3,11 +3,11 @@
 use crate::arguments::{Given, Numbers, array, value_error};
 use crate::interrupt;
 use crate::motion::{PyMotion, scalar_named};
-use crate::samples::{Samples, Source};
+use crate::samples::{Source, samples};
 use crate::top::PyTop;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use toytop_model::constants::{CONSTANTS, MotionConstants};
+use toytop_model::constants::CONSTANTS;
 
 /// Motions of tops by rows: the numbers of a release, or a quaternion and the rates of this name. A single top or row counts for all.
 ///
@@ -39,16 +39,17 @@ pub(crate) fn launch_many(
 
 /// Samples of all motions of a `Many` at time t, s.
 #[pyfunction]
-pub(crate) fn sample_many(
-    many: Bound<'_, PyAny>,
+pub(crate) fn sample_many<'py>(
+    many: Bound<'py, PyAny>,
     motions: Vec<Py<PyMotion>>,
     t: Given,
     scalar: &str,
-) -> PyResult<Samples> {
+) -> PyResult<Bound<'py, PyAny>> {
     let scalar = scalar_named(scalar)?;
     let table = |index: usize| motions[index].get().table_for(scalar, &t.numbers);
-    let tables = interrupt::map(many.py(), motions.len(), table)?.into_iter().collect::<PyResult<_>>()?;
-    Ok(Samples::new((many.unbind(), "at", Some(scalar)), t, Some(motions.len()), Source::Tables(tables)))
+    let py = many.py();
+    let tables = interrupt::map(py, motions.len(), table)?.into_iter().collect::<PyResult<_>>()?;
+    samples(py, (many.unbind(), "at", Some(scalar)), t, Some(motions.len()), Source::Tables(tables))
 }
 
 /// Constant of each motion as an array.
@@ -58,10 +59,10 @@ pub(crate) fn constant_of_many<'py>(
     motions: Vec<Py<PyMotion>>,
     name: &str,
 ) -> PyResult<Bound<'py, Numbers>> {
-    let Some((_, of)) = CONSTANTS.iter().find(|(known, _)| *known == name) else {
+    if !CONSTANTS.iter().any(|(known, _)| *known == name) {
         let names = CONSTANTS.map(|(name, _)| name).join(", ");
         return Err(value_error("name", format!("must be one of {names}")));
-    };
-    let number = |index: usize| of(&MotionConstants::new(motions[index].get().motion));
+    }
+    let number = |index: usize| motions[index].get().constant(name).unwrap_or(f64::NAN);
     array(py, interrupt::map(py, motions.len(), number)?, &[motions.len()])
 }

@@ -8,7 +8,7 @@ mod partials;
 pub(crate) use other_methods::PyClosedForm;
 
 use crate::arguments::{Given, failed, number, renamed, value_error, within};
-use crate::samples::{Samples, Source, Table};
+use crate::samples::{Source, Table, samples};
 use crate::top::PyTop;
 use pyo3::prelude::*;
 use std::path::PathBuf;
@@ -23,7 +23,7 @@ use toytop_host::pictures::view;
 use toytop_host::truth::exact::Exact;
 use toytop_host::truth::motions::Start;
 
-/// Exact motion of one throw, at any time, past or future.
+/// Exact motion of one launch, at any time, past or future.
 ///
 /// It is made by a Top, or by Motion.from_toml from a scenario file, and is immutable: threads may share it. Its constants are
 /// attributes. The first call of at sets up a table, from which every time costs the same and has an error within a stated bound.
@@ -46,16 +46,6 @@ pub(crate) struct PyMotion {
 pub(crate) fn scalar_named(name: &str) -> PyResult<Scalar> {
     let found = Scalar::ALL.into_iter().find(|scalar| scalar.name() == name);
     found.ok_or_else(|| value_error("scalar", "must be one of 'f64', 'f32', 'q31', 'q15'"))
-}
-
-/// Text of a file.
-///
-/// # Errors
-/// `OSError` with the name of the file.
-#[pyfunction]
-pub(crate) fn text_of(path: PathBuf) -> PyResult<String> {
-    let named = |error: io::Error| io::Error::new(error.kind(), format!("{}: {error}", path.display()));
-    Ok(fs::read_to_string(&path).map_err(named)?)
 }
 
 impl PyMotion {
@@ -131,7 +121,9 @@ impl PyMotion {
     ///     OSError: the file cannot be read.
     #[staticmethod]
     fn from_toml(path: PathBuf) -> PyResult<Self> {
-        Self::from_text(&path.display().to_string(), &text_of(path)?)
+        let file = path.display();
+        let named = |error: io::Error| io::Error::new(error.kind(), format!("{file}: {error}"));
+        Self::from_text(&file.to_string(), &fs::read_to_string(&path).map_err(named)?)
     }
 
     /// Motion of the text of a scenario file.
@@ -184,11 +176,11 @@ impl PyMotion {
     /// Raises:
     ///     ValueError: t is not finite or beyond 2^62 ticks; no table in this scalar is large enough.
     #[pyo3(signature = (t, *, scalar="f64"))]
-    fn at(slf: &Bound<'_, Self>, t: Given, scalar: &str) -> PyResult<Samples> {
+    fn at<'py>(slf: &Bound<'py, Self>, t: Given, scalar: &str) -> PyResult<Bound<'py, PyAny>> {
         let (motion, scalar) = (slf.get(), scalar_named(scalar)?);
         let table = slf.py().detach(|| motion.table_for(scalar, &t.numbers))?;
         let origin = slf.clone().into_any().unbind();
-        Ok(Samples::new((origin, "at", Some(scalar)), t, None, Source::Tables(vec![table])))
+        samples(slf.py(), (origin, "at", Some(scalar)), t, None, Source::Tables(vec![table]))
     }
 
     /// Upper bound on the orientation error at time t, rad: 2 sqrt(|d alpha|^2 + |d beta|^2), which is the angle of the rotation

@@ -6,6 +6,7 @@ import json
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, final
 
 from . import _toytop
@@ -86,7 +87,7 @@ def described(sensors: _Sensors) -> tuple[str, str] | None:
         path = os.fspath(sensors)
     except TypeError:
         raise TypeError("sensors: must be a mapping or the path of a file") from None
-    return path, _toytop.text_of(path)
+    return path, Path(path).read_text(encoding="utf-8")
 
 
 def toml(value: Any) -> str:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal, final, overload
 
 from . import _toytop
 from ._arguments import columns, finite, rates, rows
+from ._samples import Samples
 
 if TYPE_CHECKING:
     import numpy as np
@@ -73,7 +74,7 @@ class Many:
     def __init__(self, motions: Sequence[_toytop.Motion], /) -> None:
         self._motions = motions
 
-    def at(self, t: ArrayLike, *, scalar: Literal["f64", "f32", "q31", "q15"] = "f64") -> _toytop.Samples:
+    def at(self, t: ArrayLike, *, scalar: Literal["f64", "f32", "q31", "q15"] = "f64") -> Samples:
         """Samples of all motions at time t, s: a number or an array for all, whose shape follows the number of motions in the arrays.
 
         Args:

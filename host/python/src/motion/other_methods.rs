@@ -3,7 +3,7 @@
 use crate::arguments::{Given, value_error, within};
 use crate::interrupt;
 use crate::motion::PyMotion;
-use crate::samples::Samples;
+use crate::samples::samples_of_points;
 use crate::top::PyTop;
 use pyo3::prelude::*;
 use toytop::Support;
@@ -41,12 +41,12 @@ impl PyClosedForm {
     ///
     /// Raises:
     ///     ValueError: t is not finite, or beyond 1e12 periods.
-    fn at(slf: &Bound<'_, Self>, t: Given) -> PyResult<Samples> {
+    fn at<'py>(slf: &Bound<'py, Self>, t: Given) -> PyResult<Bound<'py, PyAny>> {
         let Self { motion, form } = slf.get();
         let motion = &motion.get().motion;
         within(MOST_PERIODS * period(motion), &t.numbers)?;
         let origin = slf.clone().into_any().unbind();
-        Samples::of_points(slf.py(), (origin, "at", None), t, motion, None, |t| {
+        samples_of_points(slf.py(), (origin, "at", None), t, motion, None, |t| {
             let state = form.at(t);
             (state.orientation, state.omega(), state.udot())
         })
@@ -80,12 +80,12 @@ impl PyMotion {
     ///
     /// Raises:
     ///     ValueError: t is not finite or beyond 2^62 ticks.
-    fn reference(slf: &Bound<'_, Self>, t: Given) -> PyResult<Samples> {
+    fn reference<'py>(slf: &Bound<'py, Self>, t: Given) -> PyResult<Bound<'py, PyAny>> {
         let (py, own) = (slf.py(), slf.get());
         own.within_reach(&t.numbers)?;
         let (truth, unit) = (py.detach(|| own.truth()), period(&own.motion));
         let origin = slf.clone().into_any().unbind();
-        Samples::of_points(py, (origin, "reference", None), t, &own.motion, Some(ROUNDING), |t| {
+        samples_of_points(py, (origin, "reference", None), t, &own.motion, Some(ROUNDING), |t| {
             let rates = truth.rates(&precise(t), unit);
             (truth.at(&precise(t)).to_f64(), rates.omega, rates.udot)
         })
