@@ -1,16 +1,14 @@
 //! Columns of samples: arrays of one quantity of motions at given times.
 
-use crate::arguments::{Given, Numbers, array, failed};
+use crate::arguments::{Array, NumericArg, array, failed};
 use crate::interrupt;
 use numpy::PyArrayMethods;
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
-use pyo3::sync::PyOnceLock;
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use std::sync::Arc;
 use toytop::{Motion, Orientation};
-use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::AnyEphemeris;
 use toytop_host::motion::propagate::Sample;
 use toytop_host::motion::quantity::Quantity;
@@ -30,9 +28,6 @@ const COLUMNS: [Quantity; 11] = [
     Quantity::EulerZxz,
     Quantity::Angles,
 ];
-
-/// Call that returns samples: an object, its method, and a scalar.
-pub(crate) type Origin = (Py<PyAny>, &'static str, Option<Scalar>);
 
 /// Ephemeris of one scalar.
 pub(crate) type Table = Arc<dyn AnyEphemeris>;
@@ -54,60 +49,49 @@ const NOISE: f64 = 1e-11;
 #[pyclass(module = "toytop._toytop", frozen)]
 pub(crate) struct Sampler {
     /// Times of every motion.
-    times: Given,
+    times: NumericArg,
     /// Number of motions, for a `Many`.
     #[pyo3(get)]
     motions: Option<usize>,
     source: Source,
 }
 
-/// Samples that a method returns, as an object of the Python class `Samples`.
-///
-/// # Errors
-/// Those of Python.
-pub(crate) fn samples<'py>(
-    py: Python<'py>,
-    (object, method, scalar): Origin,
-    times: Given,
-    motions: Option<usize>,
-    source: Source,
-) -> PyResult<Bound<'py, PyAny>> {
-    static SAMPLES: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
-    let class = SAMPLES.import(py, "toytop._samples", "Samples")?;
-    class.call1((Sampler { times, motions, source }, object, method, scalar.map(Scalar::name)))
-}
+impl Sampler {
+    pub(crate) fn new(times: NumericArg, motions: Option<usize>, source: Source) -> Self {
+        Self { times, motions, source }
+    }
 
-/// Samples of a method that computes the orientation, ω and u' at a time, with this error bound if it has one.
-///
-/// # Errors
-/// `KeyboardInterrupt`, or `ValueError`: no table is large enough for the tip angle.
-pub(crate) fn samples_of_points<'py>(
-    py: Python<'py>,
-    origin: Origin,
-    times: Given,
-    motion: &Motion,
-    error_bound: Option<f64>,
-    at: impl Fn(f64) -> (Orientation<f64>, [f64; 3], f64) + Send + Sync,
-) -> PyResult<Bound<'py, PyAny>> {
-    let angle = TipAngle::of(motion, NOISE).map_err(failed)?;
-    let points = interrupt::map(py, times.numbers.len(), |index| {
-        let t = times.numbers[index];
-        let (orientation, omega, udot) = at(t);
-        Sample { error_bound, ..angle.sample(t, orientation, omega, udot) }
-    })?;
-    samples(py, origin, times, None, Source::Points(points))
+    /// Samples of a method that computes the orientation, ω and u' at a time, with this error bound if it has one.
+    ///
+    /// # Errors
+    /// `KeyboardInterrupt`, or `ValueError`: no table is large enough for the tip angle.
+    pub(crate) fn of_points(
+        py: Python<'_>,
+        times: NumericArg,
+        motion: &Motion,
+        error_bound: Option<f64>,
+        at: impl Fn(f64) -> (Orientation<f64>, [f64; 3], f64) + Send + Sync,
+    ) -> PyResult<Self> {
+        let angle = TipAngle::of(motion, NOISE).map_err(failed)?;
+        let points = interrupt::map(py, times.numbers.len(), |index| {
+            let t = times.numbers[index];
+            let (orientation, omega, udot) = at(t);
+            Sample { error_bound, ..angle.sample(t, orientation, omega, udot) }
+        })?;
+        Ok(Self::new(times, None, Source::Points(points)))
+    }
 }
 
 #[pymethods]
 impl Sampler {
     /// Times of every motion.
     #[getter]
-    fn times<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Numbers>> {
+    fn times<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Array>> {
         array(py, self.times.numbers.clone(), &self.times.shape)
     }
 
     /// Array of the quantity of this name, which cannot be written to.
-    fn column<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, Numbers>> {
+    fn column<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, Array>> {
         let named = COLUMNS.into_iter().find(|column| column.names().0 == name);
         let column = named.ok_or_else(|| PyKeyError::new_err(name.to_owned()))?;
         let (times, width) = (&self.times.numbers, column.names().1.len());
@@ -116,7 +100,7 @@ impl Sampler {
             shape.push(width);
         }
         // NumPy asks for large pages
-        let array = Numbers::zeros(py, shape, false);
+        let array = Array::zeros(py, shape, false);
         let mut writer = array.readwrite();
         let numbers = writer.as_slice_mut()?;
         let fill = |motion: usize, first: usize, rows: &mut [f64]| match &self.source {

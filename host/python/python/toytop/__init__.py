@@ -14,13 +14,14 @@ Units are SI, or any consistent ones. Quaternions are w, x, y, z (scalar first) 
 points upward, the third body axis from the tip to the centre of mass. All classes are immutable.
 """
 
-from . import _constants  # noqa: F401
 from ._fit import Fitted, fit, simulate
 from ._many import Many, many
+from ._motion import ClosedForm, Motion
 from ._notebook import Page
 from ._samples import Samples
 from ._score import Score, order, score
-from ._toytop import ClosedForm, Motion, Top, __version__
+from ._top import Top
+from ._toytop import __version__
 
 __all__ = [
     "ClosedForm",

@@ -27,10 +27,10 @@ class Samples:
 
     __slots__ = ("_arrays", "_origin", "_sampler")
 
-    def __init__(self, sampler: _toytop.Sampler, origin: Any, method: str, scalar: str | None, /) -> None:
+    def __init__(self, sampler: _toytop.Sampler, origin: tuple[Any, str, dict[str, str]], /) -> None:
         self._arrays: dict[str, _Array] = {}
         self._sampler = sampler
-        self._origin = origin, method, scalar
+        self._origin = origin
 
     def _array(self, name: str) -> _Array:
         """Array of the quantity of this name, kept for the next call."""
@@ -154,9 +154,8 @@ class Samples:
         return self
 
     def __reduce__(self) -> tuple[Any, ...]:
-        origin, method, scalar = self._origin
-        options = {} if scalar is None else {"scalar": scalar}
-        return methodcaller(method, self._sampler.times, **options), (origin,)
+        source, method, options = self._origin
+        return methodcaller(method, self._sampler.times, **options), (source,)
 
 
 def decimals(texts: Sequence[Sequence[str]], shape: Sequence[int]) -> NDArray[np.object_]:
