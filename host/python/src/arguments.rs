@@ -35,15 +35,15 @@ pub(crate) fn failed(failure: Failure) -> PyErr {
 }
 
 /// Array of numbers for Python.
-pub(crate) type Numbers = PyArrayDyn<f64>;
+pub(crate) type Array = PyArrayDyn<f64>;
 
 /// Numbers in row-major order with their shape; a single number has an empty shape.
-pub(crate) struct Given {
+pub(crate) struct NumericArg {
     pub(crate) numbers: Vec<f64>,
     pub(crate) shape: Vec<usize>,
 }
 
-impl Given {
+impl NumericArg {
     /// Finite numbers of an argument.
     ///
     /// # Errors
@@ -65,7 +65,7 @@ impl Given {
         if object.is_instance_of::<PyFloat>() || object.is_exact_instance_of::<PyInt>() {
             return Ok(Self { numbers: vec![object.extract()?], shape: Vec::new() });
         }
-        let array = match object.cast_exact::<Numbers>() {
+        let array = match object.cast_exact::<Array>() {
             Ok(array) => array.clone(),
             Err(_) => {
                 let numbers = NUMBERS.import(object.py(), "toytop._arguments", "numbers")?;
@@ -82,36 +82,11 @@ impl Given {
 }
 
 /// Finite times of an argument `t`: a number, or an array of any shape.
-impl FromPyObject<'_, '_> for Given {
+impl FromPyObject<'_, '_> for NumericArg {
     type Error = PyErr;
 
     fn extract(t: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
         Self::read("t", &t)
-    }
-}
-
-/// Finite number, if it is given.
-///
-/// # Errors
-/// `ValueError` that names the argument.
-pub(crate) fn number(name: &str, object: Option<&Bound<'_, PyAny>>) -> PyResult<Option<f64>> {
-    let Some(object) = object else { return Ok(None) };
-    let Given { numbers, shape } = Given::read(name, object)?;
-    match shape.is_empty() {
-        true => Ok(Some(numbers[0])),
-        false => Err(value_error(name, format!("must be a number, not of shape {shape:?}"))),
-    }
-}
-
-/// N finite numbers.
-///
-/// # Errors
-/// `ValueError` that names the argument.
-pub(crate) fn vector<const N: usize>(name: &str, object: &Bound<'_, PyAny>) -> PyResult<[f64; N]> {
-    let Given { numbers, shape } = Given::read(name, object)?;
-    match shape[..] {
-        [length] if length == N => Ok(numbers.as_chunks().0[0]),
-        _ => Err(value_error(name, format!("must be {N} numbers, not of shape {shape:?}"))),
     }
 }
 
@@ -128,10 +103,6 @@ pub(crate) fn within(reach: f64, times: &[f64]) -> PyResult<()> {
 }
 
 /// Array of these numbers, which are not copied.
-pub(crate) fn array<'py>(
-    py: Python<'py>,
-    numbers: Vec<f64>,
-    shape: &[usize],
-) -> PyResult<Bound<'py, Numbers>> {
+pub(crate) fn array<'py>(py: Python<'py>, numbers: Vec<f64>, shape: &[usize]) -> PyResult<Bound<'py, Array>> {
     numbers.into_pyarray(py).reshape(shape)
 }

@@ -1,9 +1,9 @@
 //! Functions of the Python module `fit`: from samples of sensors to a launch, and back.
 
-use crate::arguments::{Given, Numbers, array, failed, number, value_error};
+use crate::arguments::{Array, NumericArg, array, failed, value_error};
 use crate::interrupt;
-use crate::motion::PyMotion;
-use crate::top::PyTop;
+use crate::motion::MotionCore;
+use crate::top::TopCore;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyString};
@@ -16,7 +16,7 @@ use toytop_host::fit::sensors::{Body, Sensors};
 use toytop_host::fit::simulated::{MOST_SAMPLES, Recording, measurements};
 
 /// Array of one axis for Python.
-type Array<'py> = Bound<'py, PyArray1<f64>>;
+type Column<'py> = Bound<'py, PyArray1<f64>>;
 
 /// Fields of the Python class `Fitted`.
 #[derive(IntoPyObject)]
@@ -26,13 +26,13 @@ pub(crate) struct FittedFields<'py> {
     _launched: Bound<'py, PyAny>,
     reason: Option<String>,
     epoch: f64,
-    quaternion: Array<'py>,
-    omega: Array<'py>,
+    quaternion: Column<'py>,
+    omega: Column<'py>,
     spin: (f64, f64),
     tilt: (f64, f64),
-    covariance: Bound<'py, Numbers>,
-    deviations: Array<'py>,
-    drift: Option<(Array<'py>, Array<'py>)>,
+    covariance: Bound<'py, Array>,
+    deviations: Column<'py>,
+    drift: Option<(Column<'py>, Column<'py>)>,
     free: Bound<'py, PyDict>,
     losses: Option<Bound<'py, PyDict>>,
     biases: Bound<'py, PyDict>,
@@ -56,10 +56,10 @@ impl FittedLaunch {
     fn orientation_covariance<'py>(
         &self,
         py: Python<'py>,
-        motion: &PyMotion,
-        t: Given,
-    ) -> PyResult<Bound<'py, Numbers>> {
-        let Given { numbers, shape } = t;
+        motion: &MotionCore,
+        t: NumericArg,
+    ) -> PyResult<Bound<'py, Array>> {
+        let NumericArg { numbers, shape } = t;
         let found = motion.partials_at(py, &numbers, |partials| self.0.orientation_covariance(partials))?;
         let refuse = || value_error("t", "must not be so far for a motion without a period");
         let found = found.ok_or_else(refuse)?.into_iter().flatten().flatten().collect();
@@ -72,7 +72,7 @@ impl FittedLaunch {
 pub(crate) fn fit<'py>(
     py: Python<'py>,
     samples: &Bound<'py, PyDict>,
-    top: &PyTop,
+    top: &TopCore,
     sensors: Option<(String, String)>,
     free: Vec<String>,
     huber: f64,
@@ -114,7 +114,7 @@ fn fields<'py>(py: Python<'py>, report: &FitReport, residuals: Columns) -> PyRes
     let launched = match (core.reason, report.scenario(None)) {
         (Some(reason), _) => refused(format!("must be that of a fit that has converged: {reason}")),
         (None, Err(failure)) => refused(failure.to_string()),
-        (None, Ok(text)) => Bound::new(py, PyMotion::from_text("fitted", &text)?)?.into_any(),
+        (None, Ok(text)) => Bound::new(py, MotionCore::from_text("fitted", &text)?)?.into_any(),
     };
     let numbers = |numbers: &[f64]| numbers.to_vec().into_pyarray(py);
     let (deviations, freed) = (core.deviations(), report.freed());
@@ -158,15 +158,13 @@ fn fields<'py>(py: Python<'py>, report: &FitReport, residuals: Columns) -> PyRes
 #[pyfunction]
 pub(crate) fn simulate<'py>(
     py: Python<'py>,
-    motion: &PyMotion,
+    motion: &MotionCore,
     sensors: Option<(String, String)>,
-    hertz: Option<&Bound<'py, PyAny>>,
-    duration: Option<&Bound<'py, PyAny>>,
+    hertz: f64,
+    duration: f64,
     seed: i128,
 ) -> PyResult<Bound<'py, PyDict>> {
     let sensors = self::sensors(sensors.as_ref(), &motion.top)?;
-    let hertz = number("hertz", hertz)?.unwrap_or(1000.0);
-    let duration = number("duration", duration)?.unwrap_or(1.0);
     let seed = seed.try_into().map_err(|_| value_error("seed", "must be between 0 and 2^64 - 1"))?;
     let recording = Recording::new(hertz, duration, seed).ok_or_else(|| {
         value_error("hertz, duration", format!("must give from 1 to {MOST_SAMPLES:e} samples"))
@@ -183,7 +181,7 @@ pub(crate) fn simulate<'py>(
 ///
 /// # Errors
 /// `ValueError` that names the key.
-fn sensors(given: Option<&(String, String)>, top: &PyTop) -> PyResult<Sensors> {
+fn sensors(given: Option<&(String, String)>, top: &TopCore) -> PyResult<Sensors> {
     let body = Body::of(&top.top, top.parameters.com_height);
     match given {
         None => Ok(Sensors::telephone(body)),
@@ -205,7 +203,8 @@ fn columns(samples: &Bound<'_, PyDict>, sensors: &mut Sensors, all: bool) -> PyR
     keep_present(sensors, has, all).map_err(|reason| value_error("samples", reason))?;
     let column = |name: &str, rows: Option<usize>| -> PyResult<Vec<f64>> {
         let full_name = format!("samples: {name}");
-        let Given { numbers, shape } = Given::read_any(&full_name, &samples.as_any().get_item(name)?)?;
+        let NumericArg { numbers, shape } =
+            NumericArg::read_any(&full_name, &samples.as_any().get_item(name)?)?;
         let reason = match shape[..] {
             [length] if rows.is_none_or(|rows| rows == length) => return Ok(numbers),
             [length] => format!("must have as many rows as t; has {length}"),

@@ -4,10 +4,9 @@
 //! |---|---|
 //! | [`arguments`] | numbers of arguments, their refusals, and arrays for Python |
 //! | [`interrupt`] | computations without the interpreter's lock, which Ctrl-C ends |
-//! | [`samples`] | `Samples`: a motion at given times |
-//! | [`top`] | `Top` |
-//! | [`motion`] | `Motion`: at any time, its constants, events and partial derivatives; `ClosedForm` |
-//! | [`launch`] | launches of a `Top` |
+//! | [`samples`] | columns of samples: a motion at given times |
+//! | [`top`] | numbers of a top, and launches |
+//! | [`motion`] | a motion: its tables, constants, events, partial derivatives and closed form |
 //! | [`many`] | motions on all cores |
 //! | [`fit`] | from samples of sensors to a launch, and back |
 //! | [`score`] | errors of an integrator |
@@ -21,7 +20,6 @@ mod top;
 
 mod motion;
 
-mod launch;
 mod many;
 
 mod fit;
@@ -37,14 +35,16 @@ mod _toytop {
     #[pymodule_export]
     use super::many::{constant_of_many, launch_many, sample_many};
     #[pymodule_export]
-    use super::motion::{PyClosedForm, PyMotion, text_of};
+    use super::motion::{ClosedFormCore, MotionCore};
     #[pymodule_export]
-    use super::samples::Samples;
+    use super::samples::Sampler;
     #[pymodule_export]
     use super::score::{order, score};
     #[pymodule_export]
-    use super::top::PyTop;
+    use super::top::TopCore;
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "the name is Python's")]
     const __version__: &str = env!("CARGO_PKG_VERSION");
+    #[pymodule_export]
+    const PARTIAL_NAMES: [&str; 10] = toytop_fit::Sensitivity::NAMES;
 }

@@ -1,13 +1,13 @@
 //! Functions of the Python module `many`.
 
-use crate::arguments::{Given, Numbers, array, value_error};
+use crate::arguments::{Array, NumericArg, array, value_error};
 use crate::interrupt;
-use crate::motion::{PyMotion, scalar_named};
-use crate::samples::{Samples, Source};
-use crate::top::PyTop;
+use crate::motion::{MotionCore, scalar_named};
+use crate::samples::{Sampler, Source};
+use crate::top::TopCore;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use toytop_model::constants::{MotionConstants, numbers};
+use toytop_model::constants::numbers;
 
 /// Motions of tops by rows: the numbers of a release, or a quaternion and the rates of this name. A single top or row counts for all.
 ///
@@ -16,16 +16,16 @@ use toytop_model::constants::{MotionConstants, numbers};
 #[pyfunction]
 pub(crate) fn launch_many(
     py: Python<'_>,
-    tops: Vec<Py<PyTop>>,
+    tops: Vec<Py<TopCore>>,
     rates: &str,
-    rows: Given,
-) -> PyResult<Vec<Py<PyMotion>>> {
+    rows: NumericArg,
+) -> PyResult<Vec<Py<MotionCore>>> {
     let rows: Vec<_> = rows.numbers.chunks(rows.shape[1]).collect();
     let motions = interrupt::map(py, tops.len().max(rows.len()), |index| {
         let top = tops[index % tops.len()].get();
         let (name, motion) = match *rows[index % rows.len()] {
-            [w, x, y, z, a, b, c] => ("quaternion", top.motion_of_attitude([w, x, y, z], rates, [a, b, c])),
-            [a, b, c, d, e, f] => ("releases", top.motion_of_release([a, b, c, d, e, f])),
+            [w, x, y, z, a, b, c] => ("quaternion", top.launch([w, x, y, z], rates, [a, b, c])),
+            [a, b, c, d, e, f] => ("releases", top.release(a, b, c, d, e, f)),
             _ => ("rows", Err(value_error("rows", "must be of 6 or 7 numbers"))),
         };
         motion.map(Box::new).map_err(|error| (name, error))
@@ -37,31 +37,31 @@ pub(crate) fn launch_many(
     named.collect()
 }
 
-/// Samples of all motions of a `Many` at time t, s.
+/// Samples of all these motions at time t, s.
 #[pyfunction]
 pub(crate) fn sample_many(
-    many: Bound<'_, PyAny>,
-    motions: Vec<Py<PyMotion>>,
-    t: Given,
+    py: Python<'_>,
+    motions: Vec<Py<MotionCore>>,
+    t: NumericArg,
     scalar: &str,
-) -> PyResult<Samples> {
+) -> PyResult<Sampler> {
     let scalar = scalar_named(scalar)?;
     let table = |index: usize| motions[index].get().table_for(scalar, &t.numbers);
-    let tables = interrupt::map(many.py(), motions.len(), table)?.into_iter().collect::<PyResult<_>>()?;
-    Ok(Samples::new((many.unbind(), "at", Some(scalar)), t, Some(motions.len()), Source::Tables(tables)))
+    let tables = interrupt::map(py, motions.len(), table)?.into_iter().collect::<PyResult<_>>()?;
+    Ok(Sampler::new(t, Some(motions.len()), Source::Tables(tables)))
 }
 
 /// Constant of each motion as an array.
 #[pyfunction]
 pub(crate) fn constant_of_many<'py>(
     py: Python<'py>,
-    motions: Vec<Py<PyMotion>>,
+    motions: Vec<Py<MotionCore>>,
     name: &str,
-) -> PyResult<Bound<'py, Numbers>> {
-    let Some((_, of)) = numbers().find(|(known, _)| *known == name) else {
+) -> PyResult<Bound<'py, Array>> {
+    if !numbers().any(|(known, _)| known == name) {
         let names = numbers().map(|(name, _)| name).collect::<Vec<_>>().join(", ");
         return Err(value_error("name", format!("must be one of {names}")));
-    };
-    let number = |index: usize| of(&MotionConstants::new(motions[index].get().motion));
+    }
+    let number = |index: usize| motions[index].get().constant(name);
     array(py, interrupt::map(py, motions.len(), number)?, &[motions.len()])
 }

@@ -1,21 +1,19 @@
-//! Class `Motion`, which computes a motion at any time, and its input to full precision.
+//! Motions: their tables, and their input to full precision.
 
+mod changes;
 mod constants;
 mod events;
 mod other_methods;
-mod partials;
 
-pub(crate) use other_methods::PyClosedForm;
+pub(crate) use other_methods::ClosedFormCore;
 
-use crate::arguments::{Given, failed, number, renamed, value_error, within};
-use crate::samples::{Samples, Source, Table};
-use crate::top::PyTop;
+use crate::arguments::{NumericArg, failed, renamed, value_error, within};
+use crate::samples::{Sampler, Source, Table};
+use crate::top::TopCore;
 use pyo3::prelude::*;
-use std::path::PathBuf;
 use std::sync::OnceLock;
-use std::{fs, io};
 use toytop::{InitialPhases, Motion, State};
-use toytop_host::input::scenario::{Given as Numbers, Scenario, ScenarioFile};
+use toytop_host::input::scenario::{Given as ScenarioInput, Scenario, ScenarioFile};
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::{furthest_time, smallest_ephemeris};
 use toytop_host::pictures::curve::TipCurve;
@@ -23,15 +21,11 @@ use toytop_host::pictures::view;
 use toytop_host::truth::exact::Exact;
 use toytop_host::truth::motions::Start;
 
-/// Exact motion of one throw, at any time, past or future.
-///
-/// It is made by a Top, or by Motion.from_toml from a scenario file, and is immutable: threads may share it. Its constants are
-/// attributes. The first call of at sets up a table, from which every time costs the same and has an error within a stated bound.
-#[pyclass(name = "Motion", module = "toytop", frozen)]
-pub(crate) struct PyMotion {
-    /// Top of the motion.
+/// Computing part of the Python class `Motion`.
+#[pyclass(module = "toytop._toytop", frozen)]
+pub(crate) struct MotionCore {
     #[pyo3(get)]
-    pub(crate) top: PyTop,
+    pub(crate) top: TopCore,
     pub(crate) start: Start,
     pub(crate) motion: Motion,
     tables: [OnceLock<Result<Table, String>>; Scalar::ALL.len()],
@@ -48,18 +42,8 @@ pub(crate) fn scalar_named(name: &str) -> PyResult<Scalar> {
     found.ok_or_else(|| value_error("scalar", "must be one of 'f64', 'f32', 'q31', 'q15'"))
 }
 
-/// Text of a file.
-///
-/// # Errors
-/// `OSError` with the name of the file.
-#[pyfunction]
-pub(crate) fn text_of(path: PathBuf) -> PyResult<String> {
-    let named = |error: io::Error| io::Error::new(error.kind(), format!("{}: {error}", path.display()));
-    Ok(fs::read_to_string(&path).map_err(named)?)
-}
-
-impl PyMotion {
-    pub(crate) fn new(top: PyTop, start: Start, motion: Motion) -> Self {
+impl MotionCore {
+    pub(crate) fn new(top: TopCore, start: Start, motion: Motion) -> Self {
         Self { top, start, motion, tables: Default::default(), truth: OnceLock::new() }
     }
 
@@ -67,20 +51,9 @@ impl PyMotion {
     ///
     /// # Errors
     /// `ValueError` that names the parameter.
-    pub(crate) fn from_state(top: &PyTop, state: &State, rate: &str) -> PyResult<Self> {
+    pub(crate) fn from_state(top: &TopCore, state: &State, rate: &str) -> PyResult<Self> {
         let motion = Motion::launch(&top.top, state).map_err(|error| renamed(error, &[("omega", rate)]))?;
         Ok(Self::new(*top, Start::from(state), motion))
-    }
-
-    /// Motion of a scenario file's text; `file` is its name in messages.
-    ///
-    /// # Errors
-    /// `ValueError` that names the key.
-    pub(crate) fn from_text(file: &str, text: &str) -> PyResult<Self> {
-        let Scenario { motion, given, .. } = Scenario::parse(file, text).map_err(failed)?;
-        let Numbers { top: parameters, start } =
-            given.ok_or_else(|| value_error(file, "must have numbers"))?;
-        Ok(Self::new(PyTop { parameters, top: *motion.top() }, start, motion))
     }
 
     /// Table in a scalar, set up at its first use.
@@ -112,38 +85,19 @@ impl PyMotion {
     pub(crate) fn within_reach(&self, times: &[f64]) -> PyResult<()> {
         within(furthest_time(&self.motion), times)
     }
-
-    /// Table in a scalar, and a time as its number of ticks.
-    fn table_and_ticks(&self, t: Option<&Bound<'_, PyAny>>, scalar: &str) -> PyResult<(Table, f64)> {
-        let t = number("t", t)?.unwrap_or(0.0);
-        let table = self.table(scalar_named(scalar)?)?;
-        let ticks = t * table.ticks_per_time();
-        Ok((table, ticks))
-    }
 }
 
 #[pymethods]
-impl PyMotion {
-    /// Motion of a scenario file, whose keys host/scenarios/README.md explains.
-    ///
-    /// Raises:
-    ///     ValueError: a key is wrong; the message names the file, the key and what is allowed.
-    ///     OSError: the file cannot be read.
-    #[staticmethod]
-    fn from_toml(path: PathBuf) -> PyResult<Self> {
-        Self::from_text(&path.display().to_string(), &text_of(path)?)
+impl MotionCore {
+    /// Motion of a scenario file's text; `file` is its name in messages.
+    #[new]
+    pub(crate) fn from_text(file: &str, text: &str) -> PyResult<Self> {
+        let Scenario { motion, given, .. } = Scenario::parse(file, text).map_err(failed)?;
+        let ScenarioInput { top: parameters, start } =
+            given.ok_or_else(|| value_error(file, "must have numbers"))?;
+        Ok(Self::new(TopCore { parameters, top: *motion.top() }, start, motion))
     }
 
-    /// Motion of the text of a scenario file.
-    ///
-    /// Raises:
-    ///     ValueError: a key is wrong; the message names it and what is allowed.
-    #[staticmethod]
-    fn from_toml_text(text: &str) -> PyResult<Self> {
-        Self::from_text("text", text)
-    }
-
-    /// Text of a scenario file with this motion, exact to the last bit.
     pub(crate) fn to_toml(&self) -> String {
         let motion = match &self.start {
             Start::State { phi: [alpha, beta], omega } => {
@@ -161,66 +115,29 @@ impl PyMotion {
         format!("{}\n[motion]\n{motion}", self.top.to_toml())
     }
 
-    /// Page with the top in motion, for a notebook or a browser: it computes in the page itself and needs no network.
-    fn view<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    /// Page with the top in motion, as HTML.
+    fn view(&self) -> PyResult<String> {
         let file = ScenarioFile::parse("A spinning top", &self.to_toml()).map_err(failed)?;
-        let html = view::page(&file).map_err(failed)?;
-        py.import("toytop._notebook")?.call_method1("Page", (html,))
+        view::page(&file).map_err(failed)
     }
 
-    /// Picture of the curve that the tip draws, for a notebook.
-    fn _repr_html_<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+    /// Points of the curve that the tip draws, and radii of its circles.
+    fn tip_curve(&self, py: Python<'_>) -> PyResult<(Vec<[f64; 2]>, Vec<f64>)> {
         let TipCurve { points, circles } = py.detach(|| TipCurve::new(&self.motion)).map_err(failed)?;
-        let radii: Vec<_> = circles.iter().map(|(radius, _)| *radius).collect();
-        py.import("toytop._notebook")?.call_method1("tip_curve", (points, radii))
+        Ok((points, circles.iter().map(|(radius, _)| *radius).collect()))
     }
 
-    /// Samples of the motion at time t, s: a number, or an array of any shape.
-    ///
-    /// Args:
-    ///     scalar: number type of the arithmetic, "f64", "f32", "q31" or "q15" (fixed point of 32 and of 16 bits); the arrays are
-    ///         float64 in any case, and hold the scalar's numbers without rounding.
-    ///
-    /// Raises:
-    ///     ValueError: t is not finite or beyond 2^62 ticks; no table in this scalar is large enough.
-    #[pyo3(signature = (t, *, scalar="f64"))]
-    fn at(slf: &Bound<'_, Self>, t: Given, scalar: &str) -> PyResult<Samples> {
-        let (motion, scalar) = (slf.get(), scalar_named(scalar)?);
-        let table = slf.py().detach(|| motion.table_for(scalar, &t.numbers))?;
-        let origin = slf.clone().into_any().unbind();
-        Ok(Samples::new((origin, "at", Some(scalar)), t, None, Source::Tables(vec![table])))
+    /// Samples at these times, of a table in a scalar.
+    fn at(&self, py: Python<'_>, t: NumericArg, scalar: &str) -> PyResult<Sampler> {
+        let scalar = scalar_named(scalar)?;
+        let table = py.detach(|| self.table_for(scalar, &t.numbers))?;
+        Ok(Sampler::new(t, None, Source::Tables(vec![table])))
     }
 
-    /// Upper bound on the orientation error at time t, rad: 2 sqrt(|d alpha|^2 + |d beta|^2), which is the angle of the rotation
-    /// between both where it is small.
-    #[pyo3(signature = (t=None, *, scalar="f64"))]
-    fn error_bound(&self, t: Option<&Bound<'_, PyAny>>, scalar: &str) -> PyResult<f64> {
-        let (table, ticks) = self.table_and_ticks(t, scalar)?;
-        Ok(table.error_bound().after(ticks))
-    }
-
-    /// Upper bound on the error of omega, omega_body and udot at time t, rad/s.
-    #[pyo3(signature = (t=None, *, scalar="f64"))]
-    fn rate_error_bound(&self, t: Option<&Bound<'_, PyAny>>, scalar: &str) -> PyResult<f64> {
-        let (table, ticks) = self.table_and_ticks(t, scalar)?;
-        Ok(table.rate_error_bound().after(ticks))
-    }
-
-    fn __repr__(&self) -> String {
-        let (e, regime, support) = (self.motion.branch_points(), self.regime(), self.top.support());
-        format!("<Motion of a {support} top: {regime}, e1 = {:?}, e2 = {:?}, e3 = {:?}>", e.e1, e.e2, e.e3)
-    }
-
-    fn __eq__(&self, other: &Self) -> bool {
-        self.top == other.top && self.start == other.start
-    }
-
-    fn __hash__(&self) -> u64 {
-        let integrals = self.motion.first_integrals();
-        [integrals.l, integrals.n, integrals.h].iter().fold(0, |hash, x| hash.rotate_left(9) ^ x.to_bits())
-    }
-
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (String,))> {
-        Ok((py.get_type::<Self>().getattr("from_toml_text")?, (self.to_toml(),)))
+    /// Bounds on the errors of the orientation, rad, and of the rates, rad/s, at a time.
+    fn error_bounds(&self, t: f64, scalar: &str) -> PyResult<[f64; 2]> {
+        let table = self.table(scalar_named(scalar)?)?;
+        let ticks = t * table.ticks_per_time();
+        Ok([table.error_bound().after(ticks), table.rate_error_bound().after(ticks)])
     }
 }

@@ -1,45 +1,33 @@
-//! Class `Samples`, motions at given times.
+//! Columns of samples: arrays of one quantity of motions at given times.
 
-use crate::arguments::{Given, Numbers, array, failed, value_error};
+use crate::arguments::{Array, NumericArg, array, failed};
 use crate::interrupt;
 use numpy::PyArrayMethods;
-use pyo3::exceptions::PyTypeError;
+use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
-use pyo3::sync::PyOnceLock;
-use pyo3::types::PyDict;
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use std::sync::Arc;
 use toytop::{Motion, Orientation};
-use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::AnyEphemeris;
 use toytop_host::motion::propagate::Sample;
 use toytop_host::motion::quantity::Quantity;
 use toytop_host::motion::tip_angle::TipAngle;
 
-/// A motion at given times, or many of them, as arrays. An attribute is computed when it is first asked for, and kept.
-///
-/// The number of motions, if there are many, and the shape of t come first in every array; vectors and quaternions add an axis. The
-/// arrays are read-only. Frames: the third fixed axis points upward, the third body axis from the tip to the centre of mass.
-#[pyclass(module = "toytop", frozen)]
-pub(crate) struct Samples {
-    origin: Origin,
-    /// Times of every motion.
-    times: Given,
-    /// Number of motions, for a `Many`.
-    motions: Option<usize>,
-    source: Source,
-    kept: [PyOnceLock<Py<Numbers>>; KEPT],
-}
-
-/// Number of columns that can be kept.
-const KEPT: usize = Quantity::ErrorBound as usize + 1;
-
-/// Call that returns samples: an object, its method, and a scalar.
-pub(crate) type Origin = (Py<PyAny>, &'static str, Option<Scalar>);
-
-/// Array of a column for Python.
-type Array = PyResult<Py<Numbers>>;
+/// Quantities of samples that an array can hold.
+const COLUMNS: [Quantity; 11] = [
+    Quantity::Quaternion,
+    Quantity::Axis,
+    Quantity::U,
+    Quantity::Udot,
+    Quantity::Omega,
+    Quantity::OmegaBody,
+    Quantity::Tip,
+    Quantity::Phi,
+    Quantity::ErrorBound,
+    Quantity::EulerZxz,
+    Quantity::Angles,
+];
 
 /// Ephemeris of one scalar.
 pub(crate) type Table = Arc<dyn AnyEphemeris>;
@@ -57,11 +45,20 @@ const BLOCK: usize = 8192;
 /// Least |αβ| at which the rounding of α and β changes the argument of αβ by less than 1e-5 rad.
 const NOISE: f64 = 1e-11;
 
-impl Samples {
-    /// Samples that this method returns.
-    pub(crate) fn new(origin: Origin, times: Given, motions: Option<usize>, source: Source) -> Self {
-        let kept = [const { PyOnceLock::new() }; KEPT];
-        Self { origin, times, motions, source, kept }
+/// Motion at given times, or many of them, whose columns are computed on demand.
+#[pyclass(module = "toytop._toytop", frozen)]
+pub(crate) struct Sampler {
+    /// Times of every motion.
+    times: NumericArg,
+    /// Number of motions, for a `Many`.
+    #[pyo3(get)]
+    motions: Option<usize>,
+    source: Source,
+}
+
+impl Sampler {
+    pub(crate) fn new(times: NumericArg, motions: Option<usize>, source: Source) -> Self {
+        Self { times, motions, source }
     }
 
     /// Samples of a method that computes the orientation, ω and u' at a time, with this error bound if it has one.
@@ -70,8 +67,7 @@ impl Samples {
     /// `KeyboardInterrupt`, or `ValueError`: no table is large enough for the tip angle.
     pub(crate) fn of_points(
         py: Python<'_>,
-        origin: Origin,
-        times: Given,
+        times: NumericArg,
         motion: &Motion,
         error_bound: Option<f64>,
         at: impl Fn(f64) -> (Orientation<f64>, [f64; 3], f64) + Send + Sync,
@@ -82,27 +78,29 @@ impl Samples {
             let (orientation, omega, udot) = at(t);
             Sample { error_bound, ..angle.sample(t, orientation, omega, udot) }
         })?;
-        Ok(Self::new(origin, times, None, Source::Points(points)))
+        Ok(Self::new(times, None, Source::Points(points)))
+    }
+}
+
+#[pymethods]
+impl Sampler {
+    /// Times of every motion.
+    #[getter]
+    fn times<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Array>> {
+        array(py, self.times.numbers.clone(), &self.times.shape)
     }
 
-    fn shape(&self) -> Vec<usize> {
-        self.motions.iter().chain(&self.times.shape).copied().collect()
-    }
-
-    /// Array of a column, kept for the next call.
-    fn of(&self, py: Python<'_>, column: Quantity) -> Array {
-        let array = self.kept[column as usize].get_or_try_init(py, || self.computed(py, column));
-        Ok(array?.clone_ref(py))
-    }
-
-    fn computed(&self, py: Python<'_>, column: Quantity) -> Array {
-        let (times, mut shape) = (&self.times.numbers, self.shape());
-        let width = column.names().1.len();
+    /// Array of the quantity of this name, which cannot be written to.
+    fn column<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, Array>> {
+        let named = COLUMNS.into_iter().find(|column| column.names().0 == name);
+        let column = named.ok_or_else(|| PyKeyError::new_err(name.to_owned()))?;
+        let (times, width) = (&self.times.numbers, column.names().1.len());
+        let mut shape: Vec<_> = self.motions.iter().chain(&self.times.shape).copied().collect();
         if width > 1 {
             shape.push(width);
         }
         // NumPy asks for large pages
-        let array = Numbers::zeros(py, shape, false);
+        let array = Array::zeros(py, shape, false);
         let mut writer = array.readwrite();
         let numbers = writer.as_slice_mut()?;
         let fill = |motion: usize, first: usize, rows: &mut [f64]| match &self.source {
@@ -125,135 +123,6 @@ impl Samples {
             interrupt::on_all_cores(py, jobs, |(motion, first, rows)| fill(motion, first, rows))?;
         }
         writer.make_nonwriteable();
-        Ok(array.unbind())
-    }
-
-    /// Times of one motion as an array.
-    fn own_times<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, Numbers>> {
-        array(py, self.times.numbers.clone(), &self.times.shape)
-    }
-}
-
-#[pymethods]
-impl Samples {
-    /// Times, s.
-    #[getter]
-    fn t<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        py.import("numpy")?.call_method1("broadcast_to", (self.own_times(py)?, self.shape()))
-    }
-
-    /// Unit quaternions w, x, y, z (scalar first) from body to fixed coordinates. Their sign is continuous in time.
-    #[getter]
-    fn quaternion(&self, py: Python<'_>) -> Array {
-        self.of(py, Quantity::Quaternion)
-    }
-
-    /// Unit vectors from the tip to the centre of mass, in the fixed frame.
-    #[getter]
-    fn axis(&self, py: Python<'_>) -> Array {
-        self.of(py, Quantity::Axis)
-    }
-
-    /// Cosines of the tilt.
-    #[getter]
-    fn u(&self, py: Python<'_>) -> Array {
-        self.of(py, Quantity::U)
-    }
-
-    /// Rates of u, 1/s.
-    #[getter]
-    fn udot(&self, py: Python<'_>) -> Array {
-        self.of(py, Quantity::Udot)
-    }
-
-    /// Angular velocities in the fixed frame, rad/s.
-    #[getter]
-    fn omega(&self, py: Python<'_>) -> Array {
-        self.of(py, Quantity::Omega)
-    }
-
-    /// Angular velocities in the body frame, rad/s.
-    #[getter]
-    fn omega_body(&self, py: Python<'_>) -> Array {
-        self.of(py, Quantity::OmegaBody)
-    }
-
-    /// Positions x, y of the tip on the plane relative to the point below the centre of mass, m; for a fixed tip minus the
-    /// horizontal part of the axis, without unit.
-    #[getter]
-    fn tip(&self, py: Python<'_>) -> Array {
-        self.of(py, Quantity::Tip)
-    }
-
-    /// Angles of the tip's position, continued from t = 0, rad; NaN where the axis is vertical at all times.
-    #[getter]
-    fn tip_angle(&self, py: Python<'_>) -> Array {
-        self.of(py, Quantity::Phi)
-    }
-
-    /// Upper bounds on the orientation error, rad; NaN where none is known, as for a closed form.
-    #[getter]
-    fn error_bound(&self, py: Python<'_>) -> Array {
-        self.of(py, Quantity::ErrorBound)
-    }
-
-    /// Euler angles, rad: of the sequence "zxz" (phi, theta, psi: Rz(phi) Rx(theta) Rz(psi)) or "zyz" (azimuth, tilt, roll, as
-    /// Top.release takes them: Rz(azimuth) Ry(tilt) Rz(roll)).
-    ///
-    /// Raises:
-    ///     ValueError: another sequence; rotation().as_euler has all.
-    #[pyo3(signature = (sequence="zxz"))]
-    fn euler(&self, py: Python<'_>, sequence: &str) -> PyResult<Py<PyAny>> {
-        match sequence {
-            "zxz" => Ok(self.of(py, Quantity::EulerZxz)?.into_any()),
-            "zyz" => {
-                let tilt_azimuth_roll = self.of(py, Quantity::Angles)?;
-                let angles = tilt_azimuth_roll.call_method1(py, "take", ([1, 0, 2], -1))?;
-                angles.call_method1(py, "setflags", (false,))?;
-                Ok(angles)
-            }
-            _ => Err(value_error("sequence", "must be 'zxz' or 'zyz'; rotation().as_euler() has all")),
-        }
-    }
-
-    /// Rotations from body to fixed coordinates as one scipy.spatial.transform.Rotation, for at most one axis of times and motions.
-    fn rotation<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let scalar_last = py.import("numpy")?.call_method1("roll", (self.quaternion(py)?, -1, -1))?;
-        py.import("scipy.spatial.transform")?.getattr("Rotation")?.call_method1("from_quat", (scalar_last,))
-    }
-
-    /// Columns of a table, one-dimensional arrays by name: t, w, x, y, z (quaternion), omega_x, omega_y, omega_z (fixed frame),
-    /// omega_body_x, omega_body_y, omega_body_z (body frame), u, tip_x, tip_y, phi (tip angle). Samples of many motions begin
-    /// with the column motion, the index of the motion.
-    fn columns<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        let Self { motions, times, .. } = slf.get();
-        slf.py().import("toytop._samples")?.call_method1("columns", (slf, motions, times.numbers.len()))
-    }
-
-    fn __len__(&self) -> PyResult<usize> {
-        let none = || PyTypeError::new_err("samples at a single time have no length");
-        self.shape().first().copied().ok_or_else(none)
-    }
-
-    fn __repr__(&self) -> String {
-        format!("<Samples of shape {:?}>", self.shape())
-    }
-
-    fn __copy__(slf: Py<Self>) -> Py<Self> {
-        slf
-    }
-
-    fn __deepcopy__(slf: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
-        slf
-    }
-
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Py<PyAny>,))> {
-        let (object, method, scalar) = &self.origin;
-        let options = PyDict::new(py);
-        if let Some(scalar) = scalar {
-            options.set_item("scalar", scalar.name())?;
-        }
-        let caller = py.import("operator")?.getattr("methodcaller")?;
-        Ok((caller.call((*method, self.own_times(py)?), Some(&options))?, (object.clone_ref(py),)))
+        Ok(array)
     }
 }

@@ -1,8 +1,8 @@
 //! Functions of the Python module `score`: errors of an integrator.
 
-use crate::arguments::{Given, failed};
+use crate::arguments::{NumericArg, failed};
 use crate::interrupt;
-use crate::motion::PyMotion;
+use crate::motion::MotionCore;
 use pyo3::prelude::*;
 use toytop::Orientation;
 use toytop_host::Failure;
@@ -34,10 +34,10 @@ pub(crate) struct ScoreFields {
 #[pyfunction]
 pub(crate) fn score(
     py: Python<'_>,
-    motion: &PyMotion,
-    t: Given,
-    quaternion: Given,
-    omega: Option<Given>,
+    motion: &MotionCore,
+    t: NumericArg,
+    quaternion: NumericArg,
+    omega: Option<NumericArg>,
     in_body: bool,
 ) -> PyResult<ScoreFields> {
     let count = t.numbers.len();
@@ -79,6 +79,6 @@ pub(crate) fn score(
 
 /// Order of convergence, fitted to rows of a step size and its error.
 #[pyfunction]
-pub(crate) fn order(runs: Given) -> Option<f64> {
+pub(crate) fn order(runs: NumericArg) -> Option<f64> {
     convergence::fitted(runs.numbers.as_chunks().0)
 }

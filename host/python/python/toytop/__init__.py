@@ -16,9 +16,12 @@ points upward, the third body axis from the tip to the centre of mass. All class
 
 from ._fit import Fitted, fit, simulate
 from ._many import Many, many
+from ._motion import ClosedForm, Motion
 from ._notebook import Page
+from ._samples import Samples
 from ._score import Score, order, score
-from ._toytop import ClosedForm, Motion, Samples, Top, __version__
+from ._top import Top
+from ._toytop import __version__
 
 __all__ = [
     "ClosedForm",

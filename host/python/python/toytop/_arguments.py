@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -55,6 +56,32 @@ def rows(name: str, given: Any, width: int) -> NDArray[np.float64]:
     if array.ndim != 2 or array.shape[1] != width:
         raise ValueError(f"{name}: must be of shape (n, {width}), not {list(array.shape)}")
     return array
+
+
+def number(name: str, given: Any) -> float:
+    """Finite number; 0 where none is given.
+
+    Raises:
+        ValueError: as finite, or an array.
+    """
+    if given is None or type(given) is float and math.isfinite(given):
+        return given or 0.0
+    found = finite(name, given)
+    if found.ndim:
+        raise ValueError(f"{name}: must be a number, not of shape {list(found.shape)}")
+    return float(found)
+
+
+def vector(name: str, given: Any, length: int) -> list[float]:
+    """Finite numbers, this many.
+
+    Raises:
+        ValueError: as finite, or another shape.
+    """
+    found = finite(name, given)
+    if found.shape != (length,):
+        raise ValueError(f"{name}: must be {length} numbers, not of shape {list(found.shape)}")
+    return [float(x) for x in found]
 
 
 def rates(omega: Any, omega_body: Any) -> tuple[str, Any]:

@@ -6,10 +6,13 @@ import json
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, final
 
 from . import _toytop
-from ._arguments import columns, numbers
+from ._arguments import columns, number, numbers
+from ._motion import Motion
+from ._top import Top
 
 if TYPE_CHECKING:
     import numpy as np
@@ -24,7 +27,7 @@ if TYPE_CHECKING:
 
 def fit(
     samples: Any,
-    top: _toytop.Top,
+    top: Top,
     sensors: _Sensors = None,
     *,
     free: Sequence[_Free] = (),
@@ -51,11 +54,14 @@ def fit(
         ValueError: a column, a sensor, a key or a row is wrong; the message names it.
     """
     given = columns("samples", samples)
-    return Fitted(**_toytop.fit(given, top, described(sensors), free, huber, drift))
+    fields = _toytop.fit(given, top._core, described(sensors), free, huber, drift)
+    launched = fields.pop("_launched")
+    motion = launched if isinstance(launched, str) else Motion(launched)
+    return Fitted(_launched=motion, **fields)
 
 
 def simulate(
-    motion: _toytop.Motion,
+    motion: Motion,
     sensors: _Sensors = None,
     *,
     hertz: float | None = None,
@@ -73,7 +79,9 @@ def simulate(
     Raises:
         ValueError: a number or a sensor is wrong, or the motion has no period and cannot be followed for so long.
     """
-    return _toytop.simulate(motion, described(sensors), hertz, duration, seed)
+    rate = 1000.0 if hertz is None else number("hertz", hertz)
+    length = 1.0 if duration is None else number("duration", duration)
+    return _toytop.simulate(motion._core, described(sensors), rate, length, seed)
 
 
 def described(sensors: _Sensors) -> tuple[str, str] | None:
@@ -86,7 +94,7 @@ def described(sensors: _Sensors) -> tuple[str, str] | None:
         path = os.fspath(sensors)
     except TypeError:
         raise TypeError("sensors: must be a mapping or the path of a file") from None
-    return path, _toytop.text_of(path)
+    return path, Path(path).read_text(encoding="utf-8")
 
 
 def toml(value: Any) -> str:
@@ -130,7 +138,7 @@ class Fitted:
     """
 
     _core: _toytop.FittedLaunch
-    _launched: _toytop.Motion | str
+    _launched: Motion | str
     reason: str | None
     epoch: float
     quaternion: _Array
@@ -164,10 +172,10 @@ class Fitted:
         the free numbers of the top, the losses of rotation (1/s) if there is a drift, and the biases in the units of their sensors.
         """
         of_biases = [f"{name}_bias_{axis}" for name in self.biases for axis in "xyz"]
-        return [*_toytop.Motion.partial_names[:6], *self.free, *(self.losses or ()), *of_biases]
+        return [*Motion.partial_names[:6], *self.free, *(self.losses or ()), *of_biases]
 
     @property
-    def motion(self) -> _toytop.Motion:
+    def motion(self) -> Motion:
         """Motion of the launch, whose t = 0 is the epoch.
 
         Raises:
@@ -184,7 +192,7 @@ class Fitted:
         Raises:
             ValueError: the fit has not converged, or the motion has no period and cannot be followed for so long.
         """
-        return self._core.orientation_covariance(self.motion, t)
+        return self._core.orientation_covariance(self.motion._core, t)
 
     def __repr__(self) -> str:
         if self.reason is not None:

@@ -7,6 +7,9 @@ from typing import TYPE_CHECKING, Any, Literal, final, overload
 
 from . import _toytop
 from ._arguments import columns, finite, rates, rows
+from ._motion import Motion
+from ._samples import Samples
+from ._top import Top
 
 if TYPE_CHECKING:
     import numpy as np
@@ -17,7 +20,7 @@ REQUIRED = 2
 
 
 def many(
-    tops: _toytop.Top | Iterable[_toytop.Top],
+    tops: Top | Iterable[Top],
     releases: Any = None,
     *,
     quaternion: Any = None,
@@ -41,7 +44,7 @@ def many(
     """
     import numpy as np
 
-    tops = [tops] if isinstance(tops, _toytop.Top) else list(tops)
+    cores = [top._core for top in ([tops] if isinstance(tops, Top) else tops)]
     name, rate = rates(omega, omega_body)
     if releases is not None and quaternion is None and rate is None:
         kind, launches = "releases", release_rows(releases)
@@ -52,12 +55,12 @@ def many(
         launches = np.hstack([quaternions, velocities])
     else:
         raise ValueError("releases: must be given, or else quaternion and one of omega and omega_body")
-    for given, length in (("tops", len(tops)), (kind, len(launches))):
+    for given, length in (("tops", len(cores)), (kind, len(launches))):
         if length == 0:
             raise ValueError(f"{given}: must not be empty")
-    if len(tops) != len(launches) and 1 not in (len(tops), len(launches)):
-        raise ValueError(f"tops: must be one or {len(launches)} as {kind}, not {len(tops)}")
-    return Many(_toytop.launch_many(tops, name, launches))
+    if len(cores) != len(launches) and 1 not in (len(cores), len(launches)):
+        raise ValueError(f"tops: must be one or {len(launches)} as {kind}, not {len(cores)}")
+    return Many([Motion(core) for core in _toytop.launch_many(cores, name, launches)])
 
 
 @final
@@ -70,10 +73,10 @@ class Many:
 
     __slots__ = ("_motions",)
 
-    def __init__(self, motions: Sequence[_toytop.Motion], /) -> None:
+    def __init__(self, motions: Sequence[Motion], /) -> None:
         self._motions = motions
 
-    def at(self, t: ArrayLike, *, scalar: Literal["f64", "f32", "q31", "q15"] = "f64") -> _toytop.Samples:
+    def at(self, t: ArrayLike, *, scalar: Literal["f64", "f32", "q31", "q15"] = "f64") -> Samples:
         """Samples of all motions at time t, s: a number or an array for all, whose shape follows the number of motions in the arrays.
 
         Args:
@@ -82,7 +85,8 @@ class Many:
         Raises:
             ValueError: t is not finite or beyond 2^62 ticks of a motion.
         """
-        return _toytop.sample_many(self, self._motions, t, scalar)
+        cores = [motion._core for motion in self._motions]
+        return Samples(_toytop.sample_many(cores, t, scalar), (self, "at", {"scalar": scalar}))
 
     def constant(self, name: str) -> NDArray[np.float64]:
         """Constant of every motion as an array, NaN where it does not exist: e1, e2, e3, e4, l, n, h, period, alpha_turns, beta_turns,
@@ -91,20 +95,20 @@ class Many:
         Raises:
             ValueError: there is no constant of this name; the message lists them.
         """
-        return _toytop.constant_of_many(self._motions, name)
+        return _toytop.constant_of_many([motion._core for motion in self._motions], name)
 
     def __len__(self) -> int:
         return len(self._motions)
 
     @overload
-    def __getitem__(self, index: int, /) -> _toytop.Motion: ...
+    def __getitem__(self, index: int, /) -> Motion: ...
     @overload
     def __getitem__(self, index: slice, /) -> Many: ...
-    def __getitem__(self, index: int | slice, /) -> _toytop.Motion | Many:
+    def __getitem__(self, index: int | slice, /) -> Motion | Many:
         found = self._motions[index]
-        return found if isinstance(found, _toytop.Motion) else Many(found)
+        return found if isinstance(found, Motion) else Many(found)
 
-    def __iter__(self) -> Iterator[_toytop.Motion]:
+    def __iter__(self) -> Iterator[Motion]:
         return iter(self._motions)
 
     def __repr__(self) -> str:

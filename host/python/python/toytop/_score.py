@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING, Any, final
 
 from . import _toytop
 from ._arguments import finite, rates, rows
+from ._motion import Motion
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
 def score(
-    motion: _toytop.Motion,
+    motion: Motion,
     t: ArrayLike,
     quaternion: Any,
     *,
@@ -39,7 +40,7 @@ def score(
             raise ValueError(f"{column}: must have {len(times)} rows, as t; has {len(array)}")
     if len(times) == 0 or not ((times[1:] > times[:-1]).all() or (times[1:] < times[:-1]).all()):
         raise ValueError("t: must be at least one time, and go on in one direction")
-    return Score(**_toytop.score(motion, times, quaternions, velocities, name == "omega_body"))
+    return Score(**_toytop.score(motion._core, times, quaternions, velocities, name == "omega_body"))
 
 
 def order(steps: ArrayLike, errors: ArrayLike) -> float | None:

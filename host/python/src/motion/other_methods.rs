@@ -1,22 +1,22 @@
 //! Other methods for a motion at a time: its closed form, where it has one, and the truth to more than thirty digits.
 
-use crate::arguments::{Given, value_error, within};
+use crate::arguments::{NumericArg, value_error, within};
 use crate::interrupt;
-use crate::motion::PyMotion;
-use crate::samples::Samples;
-use crate::top::PyTop;
+use crate::motion::MotionCore;
+use crate::samples::Sampler;
+use crate::top::TopCore;
 use pyo3::prelude::*;
-use toytop::Support;
+use toytop::{Motion, Support};
 use toytop_closed_forms::ClosedForm;
 use toytop_host::motion::propagate::period;
 use toytop_host::truth::exact::Exact;
 use toytop_host::truth::motions::ExactInput;
 use toytop_host::truth::precise::{decimal, from_f64};
 
-/// Motion in elementary or elliptic functions: no step, no table, no quadrature. It is slower than Motion.at.
-#[pyclass(name = "ClosedForm", module = "toytop", frozen)]
-pub(crate) struct PyClosedForm {
-    motion: Py<PyMotion>,
+/// Computing part of the Python class `ClosedForm`.
+#[pyclass(module = "toytop._toytop", frozen)]
+pub(crate) struct ClosedFormCore {
+    motion: Motion,
     form: ClosedForm,
 }
 
@@ -24,8 +24,14 @@ pub(crate) struct PyClosedForm {
 const MOST_PERIODS: f64 = 1e12;
 
 #[pymethods]
-impl PyClosedForm {
-    /// Kind: "free_body", "regular_precession", "aperiodic", "e3_equals_e4" or "lagrange".
+impl ClosedFormCore {
+    #[new]
+    fn new(of: &MotionCore) -> PyResult<Self> {
+        let form = ClosedForm::of(&of.motion).map_err(|none| value_error("closed_form", none))?;
+        Ok(Self { motion: of.motion, form })
+    }
+
+    /// Kind of the form.
     #[getter]
     fn kind(&self) -> &'static str {
         match self.form {
@@ -37,27 +43,13 @@ impl PyClosedForm {
         }
     }
 
-    /// Samples of the motion at time t, s: a number, or an array of any shape.
-    ///
-    /// Raises:
-    ///     ValueError: t is not finite, or beyond 1e12 periods.
-    fn at(slf: &Bound<'_, Self>, t: Given) -> PyResult<Samples> {
-        let Self { motion, form } = slf.get();
-        let motion = &motion.get().motion;
-        within(MOST_PERIODS * period(motion), &t.numbers)?;
-        let origin = slf.clone().into_any().unbind();
-        Samples::of_points(slf.py(), (origin, "at", None), t, motion, None, |t| {
-            let state = form.at(t);
+    /// Samples at these times.
+    fn at(&self, py: Python<'_>, t: NumericArg) -> PyResult<Sampler> {
+        within(MOST_PERIODS * period(&self.motion), &t.numbers)?;
+        Sampler::of_points(py, t, &self.motion, None, |t| {
+            let state = self.form.at(t);
             (state.orientation, state.omega(), state.udot())
         })
-    }
-
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, ())> {
-        Ok((self.motion.bind(py).getattr("closed_form")?, ()))
-    }
-
-    fn __repr__(&self) -> String {
-        format!("<ClosedForm: {}>", self.kind())
     }
 }
 
@@ -65,66 +57,46 @@ impl PyClosedForm {
 const ROUNDING: f64 = 0.25 * f64::EPSILON * 4.0;
 
 #[pymethods]
-impl PyMotion {
-    /// Closed form of the motion, in elementary or elliptic functions.
-    ///
-    /// Raises:
-    ///     ValueError: the motion has none; the message says which motions do.
-    fn closed_form(slf: &Bound<'_, Self>) -> PyResult<PyClosedForm> {
-        let form = ClosedForm::of(&slf.get().motion).map_err(|none| value_error("closed_form", none))?;
-        Ok(PyClosedForm { motion: slf.clone().unbind(), form })
-    }
-
-    /// Truth at time t, s, rounded to float64: the paper's integrals in numbers of 640 bits, which share no formula and no
-    /// arithmetic with Motion.at. It takes some milliseconds a time.
-    ///
-    /// Raises:
-    ///     ValueError: t is not finite or beyond 2^62 ticks.
-    fn reference(slf: &Bound<'_, Self>, t: Given) -> PyResult<Samples> {
-        let (py, own) = (slf.py(), slf.get());
-        own.within_reach(&t.numbers)?;
-        let (truth, unit) = (py.detach(|| own.truth()), period(&own.motion));
-        let origin = slf.clone().into_any().unbind();
-        Samples::of_points(py, (origin, "reference", None), t, &own.motion, Some(ROUNDING), |t| {
+impl MotionCore {
+    /// Samples of the truth at these times.
+    fn reference(&self, py: Python<'_>, t: NumericArg) -> PyResult<Sampler> {
+        self.within_reach(&t.numbers)?;
+        let (truth, unit) = (py.detach(|| self.truth()), period(&self.motion));
+        Sampler::of_points(py, t, &self.motion, Some(ROUNDING), |t| {
             let rates = truth.rates(&from_f64(t), unit);
             (truth.at(&from_f64(t)).to_f64(), rates.omega, rates.udot)
         })
     }
 
-    /// Truth at time t, s, to as many digits as wanted: an array of decimal.Decimal with the quaternion w, x, y, z in its last
-    /// axis.
-    ///
-    /// Args:
-    ///     digits: significant digits, from 1 to 50; the truth itself has more than thirty.
-    #[pyo3(signature = (t, *, digits=30))]
-    fn reference_digits<'py>(&self, py: Python<'py>, t: Given, digits: i64) -> PyResult<Bound<'py, PyAny>> {
-        if !(1..=50).contains(&digits) {
-            return Err(value_error("digits", "must be between 1 and 50"));
-        }
+    /// Quaternions of the truth to this number of digits, as texts, and the shape of the times.
+    fn reference_digits(
+        &self,
+        py: Python<'_>,
+        t: NumericArg,
+        digits: usize,
+    ) -> PyResult<(Vec<[String; 4]>, Vec<usize>)> {
         self.within_reach(&t.numbers)?;
         let truth = py.detach(|| self.truth());
         let texts = interrupt::map(py, t.numbers.len(), |index| {
             let phi = truth.at(&from_f64(t.numbers[index]));
             let [[w, z], [y, x]] = [phi.alpha, phi.beta];
-            [w, x, -y, z].map(|component| decimal(&component, digits as usize))
+            [w, x, -y, z].map(|component| decimal(&component, digits))
         })?;
-        py.import("toytop._samples")?.call_method1("decimals", (texts, t.shape))
+        Ok((texts, t.shape))
     }
 }
 
-impl PyMotion {
+impl MotionCore {
     /// Motion in numbers of 640 bits, with the mass moment p = M s, whose product is not rounded to `f64`.
     fn truth(&self) -> &Exact {
         self.truth.get_or_init(|| {
-            let PyTop { top, parameters: given } = &self.top;
+            let TopCore { top, parameters: given } = &self.top;
             let p = match top.support() {
                 Support::Free => from_f64(0.0),
                 _ if given.mass == 0.0 => from_f64(given.mass_moment),
                 _ => from_f64(given.mass) * from_f64(given.com_height),
             };
-            let (a, c, s) = (top.transverse_inertia(), top.axial_inertia(), top.com_height());
-            let top = [a, c, s, top.mass_moment(), top.gravity(), top.rotor_momentum()];
-            Exact::with_mass_moment(&ExactInput { top, start: self.start }, &p)
+            Exact::with_mass_moment(&ExactInput { top: self.top.numbers(), start: self.start }, &p)
         })
     }
 }

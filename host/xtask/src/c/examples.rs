@@ -65,6 +65,7 @@ pub(crate) fn on_chip() -> Result<String> {
     command.args("-O2 -ffreestanding -nostdlib -fuse-ld=lld -T".split(' ')).arg(sources.join("chip.ld"));
     command.arg("-o").arg(&elf).args(["main.c", "chip.c"].map(|file| sources.join(file)));
     run(command.arg(archives.join("lib/cortex-m4-hard/libtoytop.a")).arg("-Wl,--gc-sections"))?;
+    check_size(&elf)?;
 
     let mut qemu = chip::M4F.qemu(&elf);
     let ended = run_within(qemu.args(["-icount", "shift=0,sleep=off"]), Duration::from_secs(60))?;
@@ -77,6 +78,29 @@ pub(crate) fn on_chip() -> Result<String> {
     }
     let lines = compare(&ended.output)?;
     Ok(format!("{lines} lines have the bits of `toytop state`; {said}"))
+}
+
+/// Checks that the page of costs has the flash and RAM of the example, in KB. `TOYTOP_OVERWRITE=1` writes them.
+fn check_size(elf: &Path) -> Result<()> {
+    const ROW: &str = "| [`core/c/examples/cortex-m4f`](../../core/c/examples/cortex-m4f) |";
+    let sizes = run(Command::new("size").arg(elf))?;
+    let numbers = sizes.lines().nth(1).context("a line of sizes")?.split_whitespace().take(3);
+    let [text, data, bss] = numbers.map(str::parse).collect::<Result<Vec<u32>, _>>()?[..] else {
+        bail!("{sizes}: must hold text, data and bss")
+    };
+    let [flash, ram] = [text + data, data + bss].map(|bytes| bytes.div_ceil(1000));
+    let page = root().join("host/docs/costs.md");
+    let before = fs::read_to_string(&page)?;
+    let row = before.lines().find(|line| line.starts_with(ROW)).context("costs.md: no row of the example")?;
+    let after = before.replace(row, &format!("{ROW} {flash} | {ram} |"));
+    if std::env::var_os("TOYTOP_OVERWRITE").is_some() {
+        fs::write(page, after)?;
+    } else if before != after {
+        bail!(
+            "costs.md: the example takes {flash} KB of flash and {ram} KB of RAM; TOYTOP_OVERWRITE=1 writes them"
+        );
+    }
+    Ok(())
 }
 
 /// Test of the host example by CMake: by its sources, and by what these install.

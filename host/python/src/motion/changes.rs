@@ -1,0 +1,81 @@
+//! Changes of a motion: partial derivatives by its launch and its top, and impulses.
+
+use crate::arguments::{Array, NumericArg, array, refused, value_error};
+use crate::interrupt;
+use crate::motion::MotionCore;
+use pyo3::prelude::*;
+use toytop::{Complex, Orientation, State};
+use toytop_fit::{Partials, Sensitivity};
+use toytop_host::motion::Scalar;
+use toytop_host::truth::motions::Start;
+
+/// Number of derivatives.
+const COLUMNS: usize = Sensitivity::NAMES.len();
+
+fn by_component<const N: usize>(columns: [[f64; N]; COLUMNS]) -> impl Iterator<Item = f64> {
+    (0..N).flat_map(move |component| columns.map(|column| column[component]))
+}
+
+/// Derivatives of orientation, ω, Ω, axis, tip and tip angle, component by component.
+fn row(partials: &Partials) -> Vec<f64> {
+    let vectors = [partials.orientation(), partials.omega(), partials.omega_body(), partials.axis_change()];
+    let tip = by_component(partials.tip().map(|tip| [tip.re, tip.im]));
+    let angle = partials.tip_angle().unwrap_or([f64::NAN; COLUMNS]);
+    vectors.into_iter().flat_map(by_component).chain(tip).chain(angle).collect()
+}
+
+#[pymethods]
+impl MotionCore {
+    /// Derivatives at these times: fifteen components in the last axis but one, as of [`row`].
+    fn partials<'py>(&self, py: Python<'py>, t: NumericArg) -> PyResult<Bound<'py, Array>> {
+        let found = self.partials_at(py, &t.numbers, row)?;
+        let found = found.ok_or_else(|| value_error("t", "must not be so far"))?;
+        array(py, found.concat(), &[&t.shape[..], &[15, COLUMNS]].concat())
+    }
+
+    /// Motion after an impulse at time t.
+    fn with_impulse(&self, impulse: [f64; 3], point: [f64; 3], t: f64) -> PyResult<Self> {
+        let struck = self.state(t)?.with_impulse(&self.top.top, impulse, point).map_err(refused)?;
+        Self::from_state(&self.top, &struck, "impulse")
+    }
+
+    /// Impulse of the support's reaction to an impulse at time t.
+    fn reaction_impulse<'py>(
+        &self,
+        py: Python<'py>,
+        impulse: [f64; 3],
+        point: [f64; 3],
+        t: f64,
+    ) -> PyResult<Bound<'py, Array>> {
+        let reaction = self.state(t)?.reaction_impulse(&self.top.top, impulse, point).map_err(refused)?;
+        array(py, reaction.to_vec(), &[3])
+    }
+}
+
+impl MotionCore {
+    /// Values of a function of the partial derivatives at these times; `None` where one of them is too far.
+    pub(crate) fn partials_at<T: Send>(
+        &self,
+        py: Python<'_>,
+        times: &[f64],
+        of: impl Fn(&Partials) -> T + Sync + Send,
+    ) -> PyResult<Option<Vec<T>>> {
+        let sensitivity = py.detach(|| Sensitivity::new(&self.motion));
+        let found = interrupt::map(py, times.len(), |index| Some(of(&sensitivity.at(times[index])?)))?;
+        Ok(found.into_iter().collect())
+    }
+
+    /// State at a time; that of the launch without a rounding.
+    fn state(&self, t: f64) -> PyResult<State> {
+        let (phi, omega) = match self.start {
+            Start::State { phi: [[a, b], [c, d]], omega } if t == 0.0 => {
+                (Orientation { alpha: Complex::new(a, b), beta: Complex::new(c, d) }, omega)
+            }
+            _ => {
+                let now = self.table_for(Scalar::F64, &[t])?.at(t).sample;
+                (now.orientation(), now.omega)
+            }
+        };
+        State::new(phi, omega).map_err(refused)
+    }
+}
