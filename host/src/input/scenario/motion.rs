@@ -73,9 +73,11 @@ pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure
         }
         _ => (state(section)?, None),
     };
-    let motion = Motion::launch(top, &state).map_err(|error| match (error.parameter(), &release) {
-        ("omega", Some(release)) => too_fast(section, top, release),
-        ("omega", None) => section.failure("omega", &format!("must be {SLOW}")),
+    let motion = Motion::launch(top, &state).map_err(|error| match (error.parameter(), release) {
+        ("omega", release) => {
+            let fastest = release.map_or("omega", |release| fastest(&release));
+            section.failure(fastest, &format!("must be {SLOW}"))
+        }
         _ => refused(error),
     })?;
     Ok((motion, Start::from(&state)))
@@ -112,48 +114,9 @@ fn branch_points(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Fa
     Ok((motion, Start::BranchPoints { e, signs, phases }))
 }
 
-/// Failure for a release that is too fast. It names the greatest of its rates and, if the top can have the other ones, the limit of this
-/// one.
-fn too_fast(section: &Section<'_>, top: &Top, release: &Release) -> Failure {
-    let mut key = "spin";
-    let mut value = release.spin;
-    for (other, rate) in [("precession", release.precession), ("nutation", release.nutation)] {
-        if rate.abs() > value.abs() {
-            (key, value) = (other, rate);
-        }
-    }
-    let exists = |size: f64| {
-        let mut release = *release;
-        let rate = match key {
-            "spin" => &mut release.spin,
-            "precession" => &mut release.precession,
-            _ => &mut release.nutation,
-        };
-        *rate = size.copysign(value);
-        State::release(&release).is_ok_and(|state| Motion::launch(top, &state).is_ok())
-    };
-    let limit = limit(value.abs(), exists).map_or_else(String::new, |limit| {
-        format!("at most {limit:e} rad/s in size with the other numbers of this file, ")
-    });
-    section.failure(key, &format!("must be {limit}{SLOW}"))
-}
-
-/// Greatest size below `high` with which there is a motion, rounded down to three digits; `None` if there is none even near 0.
-fn limit(mut high: f64, exists: impl Fn(f64) -> bool) -> Option<f64> {
-    /// Least limit that is found, in units of the rate that was refused.
-    const LEAST: f64 = 1e-24;
-    /// Halvings of the logarithm of the ratio, after which the limit has more than three digits.
-    const HALVINGS: usize = 20;
-    let mut low = LEAST * high;
-    if !exists(low) {
-        return None;
-    }
-    for _ in 0..HALVINGS {
-        let middle = (low * high).sqrt();
-        *if exists(middle) { &mut low } else { &mut high } = middle;
-    }
-    let unit = 10_f64.powi(low.log10().floor() as i32 - 2);
-    // the decimal nearest to the product, so that it is printed with three digits
-    let limit = format!("{:.2e}", (low / unit).floor() * unit).parse().ok()?;
-    exists(limit).then_some(limit)
+/// Key of the greatest rate of a release.
+fn fastest(release: &Release) -> &'static str {
+    let rates = [("nutation", release.nutation), ("precession", release.precession), ("spin", release.spin)];
+    let fastest = rates.into_iter().max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));
+    fastest.map_or("spin", |(key, _)| key)
 }

@@ -150,22 +150,12 @@ fn branch_points_out_of_order() {
     );
 }
 
-/// The limit of a rate that a message states is one, with three digits.
+/// The message names the greatest rate.
 #[test]
-fn the_greatest_rate_is_stated() {
+fn the_greatest_rate_is_named() {
     let good = format!("{TOP}{RELEASE}");
-    for (key, number, sign) in [("spin", "3.5", 1.0), ("spin", "3.5", -1.0), ("precession", "0.3", 1.0)] {
-        let constants = |rate: f64| {
-            let text = good.replace(&format!("{key} = {number}"), &format!("{key} = {:e}", sign * rate));
-            toytop(format!("constants {}", scenario("greatest_rate", &text)))
-        };
-        let message = constants(1e9).err;
-        let (_, limit) = message.split_once(&format!("motion.{key}: must be at most ")).expect("a limit");
-        let limit: f64 = limit.split(' ').next().expect("a number").parse().expect("a number");
-        assert_eq!([limit, 1.01 * limit].map(|rate| constants(rate).code), [Some(0), Some(2)], "{message}");
+    for (from, key) in [("= 3.5", "spin"), ("= 0.3", "precession")] {
+        let file = scenario("greatest_rate", &good.replace(from, "= 1e9"));
+        toytop(format!("constants {file}")).refused(2, &format!("motion.{key}: must be slow enough for e3"));
     }
-    // no spin helps where the precession is too fast
-    let text = good.replace("= 0.3", "= 0.9e9").replace("= 3.5", "= 1e9");
-    let file = scenario("no_rate", &text);
-    toytop(format!("constants {file}")).refused(2, "motion.spin: must be slow enough for e3");
 }
