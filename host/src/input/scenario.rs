@@ -109,7 +109,7 @@ pub struct ScenarioFile {
     /// Name of its scenario.
     name: String,
     /// Keys and values, with numbers in the units of the keys.
-    pub keys: Table,
+    pub table: Table,
 }
 
 impl ScenarioFile {
@@ -128,14 +128,14 @@ impl ScenarioFile {
     /// # Errors
     /// [`Failure::Input`]: no TOML, or a text in place of a number that is not a number with a unit of its key.
     pub fn parse(file: &str, text: &str) -> Result<Self, Failure> {
-        let mut keys = section::parse(file, text)?;
-        let has_units = keys.get("units").and_then(Value::as_str) != Some("none");
-        for (name, value) in &mut keys {
+        let mut table = section::parse(file, text)?;
+        let has_units = table.get("units").and_then(Value::as_str) != Some("none");
+        for (name, value) in &mut table {
             let Value::Table(table) = value else { continue };
             let replaced = replace_units(table, has_units).and_then(|()| replace_angles(table));
             replaced.map_err(|(key, reason)| Section { file, name, table }.failure(key, &reason))?;
         }
-        Ok(Self { file: file.to_owned(), name: file.to_owned(), keys })
+        Ok(Self { file: file.to_owned(), name: file.to_owned(), table })
     }
 
     /// Top, and the numbers that are given for it. The motion is not read and may be missing.
@@ -152,10 +152,10 @@ impl ScenarioFile {
     /// [`Failure::Input`]: not the tables `[top]` and `[motion]` with exactly the keys they need, in range.
     pub fn scenario(&self) -> Result<Scenario, Failure> {
         let refuse = |reason: String| Failure::Input(format!("{}: {reason}", self.file));
-        if let Some(key) = self.keys.keys().find(|key| !["units", "top", "motion"].contains(&key.as_str())) {
+        if let Some(key) = self.table.keys().find(|key| !["units", "top", "motion"].contains(&key.as_str())) {
             return Err(refuse(format!("{}: unknown key; allowed: units, top, motion", shown(key))));
         }
-        let units = match self.keys.get("units").map(Value::as_str) {
+        let units = match self.table.get("units").map(Value::as_str) {
             None | Some(Some("SI")) => Units::Si,
             Some(Some("none")) => Units::None,
             _ => return Err(refuse("units: must be one of \"SI\", \"none\"".to_owned())),
@@ -167,19 +167,19 @@ impl ScenarioFile {
 
     fn section(&self, name: &'static str) -> Result<Section<'_>, Failure> {
         let file = &*self.file;
-        match self.keys.get(name) {
+        match self.table.get(name) {
             Some(Value::Table(table)) => Ok(Section { file, name, table }),
             Some(_) => Err(Failure::Input(format!("{file}: {name}: must be a table, [{name}]"))),
             None => Err(Failure::Input(format!("{file}: {name}: missing; must be a table, [{name}]"))),
         }
     }
 
-    /// Name of the scenario's number with this name.
+    /// Key of the scenario's number with this name.
     ///
     /// # Errors
     /// [`Failure::Input`]: the scenario has no such number; the message lists those it has.
-    pub fn number(&self, name: &str) -> Result<&'static str, Failure> {
-        let kind = self.keys.get("motion").and_then(|motion| motion.get("kind")).and_then(Value::as_str);
+    pub fn require_key(&self, name: &str) -> Result<&'static str, Failure> {
+        let kind = self.table.get("motion").and_then(|motion| motion.get("kind")).and_then(Value::as_str);
         let numbers = top::KEYS.iter().chain(motion::numbers(kind.unwrap_or_default()));
         let names: Vec<_> = numbers.map(|key| key.name).collect();
         names.iter().copied().find(|known| *known == name).ok_or_else(|| {
@@ -188,15 +188,15 @@ impl ScenarioFile {
         })
     }
 
-    /// Scenario with other numbers, whose keys may be missing in the file.
+    /// Scenario with these numbers in place of those of the file.
     ///
     /// # Errors
     /// As [`ScenarioFile::scenario`].
-    pub fn with(&self, numbers: &[(&'static str, f64)]) -> Result<Scenario, Failure> {
+    pub fn with_numbers(&self, numbers: &[(&'static str, f64)]) -> Result<Scenario, Failure> {
         let mut changed = self.clone();
         for (name, number) in numbers {
             let of_top = top::KEYS.iter().any(|key| key.name == *name);
-            if let Some(Value::Table(table)) = changed.keys.get_mut(if of_top { "top" } else { "motion" }) {
+            if let Some(Value::Table(table)) = changed.table.get_mut(if of_top { "top" } else { "motion" }) {
                 table.insert((*name).to_owned(), Value::Float(*number));
             }
         }
