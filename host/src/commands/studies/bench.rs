@@ -40,7 +40,7 @@ fn least<T>(states: u32, mut task: impl FnMut() -> T) -> (f64, T) {
 }
 
 pub fn run(arguments: &FormatArgs) -> Result<Report, Failure> {
-    let figures = builtin::figures().concat();
+    let figures = builtin::figures();
     let cusps = figures.iter().find(|scenario| scenario.name == CURVE_WITH_CUSPS);
     let rows = rows(cusps.ok_or_else(|| Failure::Tool("bench: no motion".into()))?)?;
     let table = || {
