@@ -86,7 +86,7 @@ impl Axis {
 
     /// Random value.
     pub fn draw(&self, random: &mut Random) -> f64 {
-        let share = random.share();
+        let share = random.uniform();
         match self.count() {
             None => self.between(share),
             Some(size) => self.at((share * size as f64) as u64),
