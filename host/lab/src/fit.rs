@@ -95,7 +95,7 @@ fn trial(random: &mut Random, set: usize, seed: u64) -> Result<Accepted, String>
 /// side.
 fn draw(random: &mut Random) -> Option<(Motion, State, f64)> {
     let held = random.one_in(3);
-    let mass = random.scale(0.02, 0.2);
+    let mass = random.log_uniform(0.02, 0.2);
     let height = random.between(0.015, 0.05);
     let about_com = mass * height * height * random.between(0.2, 1.5);
     let parameters = TopParameters {
@@ -112,7 +112,7 @@ fn draw(random: &mut Random) -> Option<(Motion, State, f64)> {
         tilt: random.between(0.05, 0.9),
         azimuth: random.between(-3.1, 3.1),
         roll: random.between(-3.1, 3.1),
-        spin: sign * random.scale(1.0, 250.0),
+        spin: sign * random.log_uniform(1.0, 250.0),
         precession: random.between(-3.0, 3.0),
         nutation: random.between(-3.0, 3.0),
     };

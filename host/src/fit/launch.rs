@@ -138,7 +138,7 @@ impl FitReport {
         free.iter()
             .zip(logarithms)
             .map(|(key, (logarithm, deviation))| {
-                let given = table.get(key).and_then(section::number).unwrap_or(top.gravity());
+                let given = table.get(key).and_then(section::as_f64).unwrap_or(top.gravity());
                 let fitted = given * logarithm.exp();
                 (key.as_str(), fitted, fitted * deviation)
             })

@@ -4,7 +4,7 @@ use crate::Failure;
 use crate::input::section::{self, Key, Section};
 use crate::output::{shown, whole_file};
 use std::path::Path;
-use toml::{Table, Value};
+use toml::Value;
 use toytop::{Orientation, Support, Top};
 use toytop_fit::{
     Accelerometer, AxisCamera, Gyroscope, Magnetometer, Mark, Mounting, Noise, OrientationCamera, Sensor,
@@ -54,7 +54,7 @@ pub struct Instrument {
     pub kind: Kind,
     /// Sensor of the core.
     pub sensor: Box<dyn Sensor + Send + Sync>,
-    /// Standard deviations of a simulated bias and of the noise of one reading.
+    /// Standard deviations of bias and noise.
     pub noise: Noise,
     /// Largest magnitude of a reading.
     pub range: f64,
@@ -92,8 +92,8 @@ quantum = 0.15
 every = 10
 ";
 
-/// Share of the range from which a reading counts as at its end: data sheets round the range.
-const REACHED: f64 = 0.999;
+/// Fraction of the range beyond which readings count as saturated: data sheets round the range.
+const SATURATION_FRACTION: f64 = 0.999;
 
 /// Properties of a top's body that predictions of some sensors need.
 #[derive(Clone, Copy)]
@@ -140,19 +140,11 @@ impl Sensors {
     /// Sensors of the text of a file; `file` is its name in messages.
     ///
     /// # Errors
-    /// [`Failure::Input`]: no TOML, or as [`Sensors::of_table`].
+    /// [`Failure::Input`]: no TOML, or a key is unknown, missing or out of range.
     pub fn parse(file: &str, text: &str, body: Body) -> Result<Self, Failure> {
-        Self::of_table(file, &section::parse(file, text)?, body)
-    }
-
-    /// Sensors of the tables of a file; `file` is its name in messages.
-    ///
-    /// # Errors
-    /// [`Failure::Input`]: a key is unknown, missing or out of range.
-    pub fn of_table(file: &str, root: &Table, body: Body) -> Result<Self, Failure> {
         let refuse = |reason: String| Err(Failure::Input(format!("{file}: {reason}")));
         let mut sensors = Self { instruments: Vec::new(), jitter: 0.0, dropped: 0.0 };
-        for (name, value) in root {
+        for (name, value) in &section::parse(file, text)? {
             let Value::Table(table) = value else {
                 return refuse(format!("{}: must be a table", shown(name)));
             };
@@ -160,8 +152,7 @@ impl Sensors {
             match KINDS.into_iter().find(|kind| kind.name == name) {
                 Some(kind) => sensors.instruments.push(instrument(&section, kind, body)?),
                 None if name == "timing" => {
-                    section.allow_only(UNKNOWN, &["jitter", "dropped"])?;
-                    [sensors.jitter, sensors.dropped] = section.numbers(&TIMING)?;
+                    [sensors.jitter, sensors.dropped] = section.only_numbers(None, &TIMING)?;
                 }
                 None => {
                     let allowed = KINDS.map(|kind| kind.name).join(", ");
@@ -177,8 +168,6 @@ impl Sensors {
         Ok(sensors)
     }
 }
-
-const UNKNOWN: &str = "unknown key; allowed";
 
 static TIMING: [Key; 2] = [
     Key::optional("jitter", 0.0, "a number from 0 to 1e6").within(0.0, 1e6),
@@ -198,8 +187,7 @@ static POSITION: Key = Key::required("position", "an array of 3 finite numbers")
 static FIELD: Key = Key::required("field", "an array of 3 finite numbers, not all 0");
 
 fn instrument(section: &Section<'_>, kind: Kind, body: Body) -> Result<Instrument, Failure> {
-    let keys: Vec<_> = kind.keys.split(' ').collect();
-    section.allow_only(UNKNOWN, &keys)?;
+    section.only(None, kind.keys.split(' '))?;
     let [deviation, bias, range, quantum, every] = section.numbers(&NUMBERS)?;
     let noise = Noise { deviation, bias };
     if every.fract() != 0.0 {
@@ -213,8 +201,8 @@ fn instrument(section: &Section<'_>, kind: Kind, body: Body) -> Result<Instrumen
     let rotation = Orientation::from_quaternion(rotation).normalised();
     let mounting = Mounting { rotation, place: section.array(&POSITION, Some(body.com))? };
     let sensor: Box<dyn Sensor + Send + Sync> = match kind.name {
-        "gyroscope" => Box::new(Gyroscope { noise, mounting, range: REACHED * range }),
-        "accelerometer" => Box::new(Accelerometer { noise, mounting, range: REACHED * range }),
+        "gyroscope" => Box::new(Gyroscope { noise, mounting, range: SATURATION_FRACTION * range }),
+        "accelerometer" => Box::new(Accelerometer { noise, mounting, range: SATURATION_FRACTION * range }),
         "magnetometer" => {
             let field = section.array(&FIELD, Some([20.0, 0.0, -43.0]))?;
             if field == [0.0; 3] {

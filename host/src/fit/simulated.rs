@@ -43,7 +43,7 @@ pub fn measurements(motion: &Motion, sensors: &Sensors, recording: &Recording) -
     for n in 0..recording.count {
         let time = n as f64 / recording.hertz;
         let partials = cursor.at(time + sensors.jitter * normal(&mut random))?;
-        let dropped = random.share() < sensors.dropped;
+        let dropped = random.uniform() < sensors.dropped;
         for (sensor, instrument) in instruments.iter().enumerate() {
             let Instrument { kind, noise, range, quantum, every, .. } = instrument;
             // the difference of a reading of 0 from the prediction
@@ -101,6 +101,6 @@ fn passage(
 
 /// Normally distributed number of mean 0 and variance 1, by Box and Muller.
 fn normal(random: &mut Random) -> f64 {
-    let radius = (-2.0 * (1.0 - random.share()).ln()).sqrt();
-    radius * (2.0 * PI * random.share()).cos()
+    let radius = (-2.0 * (1.0 - random.uniform()).ln()).sqrt();
+    radius * (2.0 * PI * random.uniform()).cos()
 }

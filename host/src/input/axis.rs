@@ -81,7 +81,7 @@ impl Axis {
 
     /// Random value.
     pub fn draw(&self, random: &mut Random) -> f64 {
-        let share = random.share();
+        let share = random.uniform();
         match self.count() {
             None => self.between(share),
             Some(size) => self.at((share * size as f64) as u64),
@@ -115,7 +115,7 @@ impl FromStr for Axis {
             return Ok(Self::List(text.split(',').map(number).collect::<Result<_, _>>()?));
         };
         let (high, places) = rest.split_once('/').map_or((rest, None), |(high, places)| (high, Some(places)));
-        // a text that is no number is refused as 0 is
+        // an unparsable count is refused below, as 0 is
         let places = places.map(|places| places.trim().parse().unwrap_or(0));
         Self::range(number(low)?, number(high)?, log, places)
     }

@@ -6,16 +6,14 @@ use toytop::{InitialPhases, Motion, Sign, Signs, Top, TopParameters};
 /// Scenarios of the paper's figures 2 and 3, of seven tops in SI units, and of two motions near the separatrix.
 pub fn scenarios() -> Vec<Scenario> {
     let samples = SAMPLES.map(|(name, text)| Scenario::parse(name, text).expect("a valid sample"));
-    let near_separatrix = NEAR_SEPARATRIX.map(|(name, gap)| {
-        // e₂ and e₃ are on both sides of 1 and so close that the axis stays near the vertical for a long part of every period; A and C differ
-        let e = [0.2, 1.0 - 0.5 * gap, 1.0 + 0.5 * gap];
-        curve(name.to_owned(), [1.1, 0.8, 0.6, 0.9], e, SAME)
-    });
-    figures().into_iter().flatten().chain(samples).chain(near_separatrix).collect()
+    let near_separatrix =
+        [("near separatrix 1e-3", 1e-3), ("near separatrix 1e-6", 1e-6)].map(|(name, gap)| {
+            // e₂ and e₃ are on both sides of 1, so that the axis stays near the vertical for a long part of every period; A and C differ
+            let e = [0.2, 1.0 - 0.5 * gap, 1.0 + 0.5 * gap];
+            curve(name.to_owned(), [1.1, 0.8, 0.6, 0.9], e, SAME)
+        });
+    figures().into_iter().chain(samples).chain(near_separatrix).collect()
 }
-
-/// Names of the two motions near the separatrix, and their e₃ - e₂.
-const NEAR_SEPARATRIX: [(&str, f64); 2] = [("near separatrix 1e-3", 1e-3), ("near separatrix 1e-6", 1e-6)];
 
 /// Scenario file of the toy top.
 pub const TOY_TOP: &str = include_str!("../../scenarios/toy_top.toml");
@@ -41,11 +39,11 @@ pub const FIGURES: [(&str, Signs, &[f64]); 2] =
     [("figure 2", SAME, &[1.0, 2.0, 100.0]), ("figure 3", DIFFERENT, &[1.0, 1.1, 1.3, 1.85, 2.5, 3.0])];
 
 /// Curves of the paper's figures 2 and 3.
-pub fn figures() -> [Vec<Scenario>; 2] {
-    FIGURES.map(|(figure, signs, e3s)| {
-        let curve = |e3: &f64| curve(format!("{figure} e3={e3}"), [1.0; 4], [0.7, 0.9, *e3], signs);
-        e3s.iter().map(curve).collect()
-    })
+pub fn figures() -> Vec<Scenario> {
+    let curves = FIGURES.iter().flat_map(|(figure, signs, e3s)| {
+        e3s.iter().map(move |e3| curve(format!("{figure} e3={e3}"), [1.0; 4], [0.7, 0.9, *e3], *signs))
+    });
+    curves.collect()
 }
 
 /// Scenario without units of a sliding top with A, C, s, p and gravity 1.

@@ -109,7 +109,7 @@ pub struct ScenarioFile {
     /// Name of its scenario.
     name: String,
     /// Keys and values, with numbers in the units of the keys.
-    pub keys: Table,
+    pub table: Table,
 }
 
 impl ScenarioFile {
@@ -128,20 +128,14 @@ impl ScenarioFile {
     /// # Errors
     /// [`Failure::Input`]: no TOML, or a text in place of a number that is not a number with a unit of its key.
     pub fn parse(file: &str, text: &str) -> Result<Self, Failure> {
-        let written = section::parse(file, text)?;
-        let has_units = written.get("units").and_then(Value::as_str) != Some("none");
-        let mut keys = written.clone();
-        for (name, value) in &mut keys {
-            let (Value::Table(table), Some(Value::Table(written))) = (value, written.get(name)) else {
-                continue;
-            };
-            let section = Section { file, name, table: written };
-            replace_units(&section, table, has_units)?;
-            if table.get("kind").and_then(Value::as_str) == Some("release") {
-                replace_angles(&section, table)?;
-            }
+        let mut table = section::parse(file, text)?;
+        let has_units = table.get("units").and_then(Value::as_str) != Some("none");
+        for (name, value) in &mut table {
+            let Value::Table(table) = value else { continue };
+            let replaced = replace_units(table, has_units).and_then(|()| replace_angles(table));
+            replaced.map_err(|(key, reason)| Section { file, name, table }.failure(key, &reason))?;
         }
-        Ok(Self { file: file.to_owned(), name: file.to_owned(), keys })
+        Ok(Self { file: file.to_owned(), name: file.to_owned(), table })
     }
 
     /// Top, and the numbers that are given for it. The motion is not read and may be missing.
@@ -158,10 +152,10 @@ impl ScenarioFile {
     /// [`Failure::Input`]: not the tables `[top]` and `[motion]` with exactly the keys they need, in range.
     pub fn scenario(&self) -> Result<Scenario, Failure> {
         let refuse = |reason: String| Failure::Input(format!("{}: {reason}", self.file));
-        if let Some(key) = self.keys.keys().find(|key| !["units", "top", "motion"].contains(&key.as_str())) {
+        if let Some(key) = self.table.keys().find(|key| !["units", "top", "motion"].contains(&key.as_str())) {
             return Err(refuse(format!("{}: unknown key; allowed: units, top, motion", shown(key))));
         }
-        let units = match self.keys.get("units").map(Value::as_str) {
+        let units = match self.table.get("units").map(Value::as_str) {
             None | Some(Some("SI")) => Units::Si,
             Some(Some("none")) => Units::None,
             _ => return Err(refuse("units: must be one of \"SI\", \"none\"".to_owned())),
@@ -173,19 +167,19 @@ impl ScenarioFile {
 
     fn section(&self, name: &'static str) -> Result<Section<'_>, Failure> {
         let file = &*self.file;
-        match self.keys.get(name) {
+        match self.table.get(name) {
             Some(Value::Table(table)) => Ok(Section { file, name, table }),
             Some(_) => Err(Failure::Input(format!("{file}: {name}: must be a table, [{name}]"))),
             None => Err(Failure::Input(format!("{file}: {name}: missing; must be a table, [{name}]"))),
         }
     }
 
-    /// Name of the scenario's number with this name.
+    /// Key of the scenario's number with this name.
     ///
     /// # Errors
     /// [`Failure::Input`]: the scenario has no such number; the message lists those it has.
-    pub fn number(&self, name: &str) -> Result<&'static str, Failure> {
-        let kind = self.keys.get("motion").and_then(|motion| motion.get("kind")).and_then(Value::as_str);
+    pub fn require_key(&self, name: &str) -> Result<&'static str, Failure> {
+        let kind = self.table.get("motion").and_then(|motion| motion.get("kind")).and_then(Value::as_str);
         let numbers = top::KEYS.iter().chain(motion::numbers(kind.unwrap_or_default()));
         let names: Vec<_> = numbers.map(|key| key.name).collect();
         names.iter().copied().find(|known| *known == name).ok_or_else(|| {
@@ -194,15 +188,15 @@ impl ScenarioFile {
         })
     }
 
-    /// Scenario with these numbers in place of its own.
+    /// Scenario with these numbers in place of those of the file.
     ///
     /// # Errors
     /// As [`ScenarioFile::scenario`].
-    pub fn with(&self, numbers: &[(&'static str, f64)]) -> Result<Scenario, Failure> {
+    pub fn with_numbers(&self, numbers: &[(&'static str, f64)]) -> Result<Scenario, Failure> {
         let mut changed = self.clone();
         for (name, number) in numbers {
             let of_top = top::KEYS.iter().any(|key| key.name == *name);
-            if let Some(Value::Table(table)) = changed.keys.get_mut(if of_top { "top" } else { "motion" }) {
+            if let Some(Value::Table(table)) = changed.table.get_mut(if of_top { "top" } else { "motion" }) {
                 table.insert((*name).to_owned(), Value::Float(*number));
             }
         }
@@ -210,8 +204,11 @@ impl ScenarioFile {
     }
 }
 
+/// Key, and the reason why its value is refused.
+type Refused = (&'static str, String);
+
 /// Replaces numbers with units by numbers in the units of their keys.
-fn replace_units(section: &Section<'_>, table: &mut Table, has_units: bool) -> Result<(), Failure> {
+fn replace_units(table: &mut Table, has_units: bool) -> Result<(), Refused> {
     for Key { name, quantity, .. } in top::KEYS.iter().chain(motion::keys()) {
         let entries = match table.get_mut(*name) {
             Some(Value::Array(entries)) => &mut entries[..],
@@ -219,42 +216,34 @@ fn replace_units(section: &Section<'_>, table: &mut Table, has_units: bool) -> R
             None => continue,
         };
         for entry in entries {
-            if let Value::String(text) = entry
-                && !quantity.is_empty()
-            {
-                if !has_units && *quantity != RADIANS {
-                    return Err(section.failure(name, "must be a number, because of units = \"none\""));
-                }
-                let number =
-                    units::number(text, quantity).map_err(|reason| section.failure(name, &reason))?;
-                *entry = Value::Float(number);
+            let Value::String(text) = entry else { continue };
+            if quantity.is_empty() {
+                continue;
             }
+            if !has_units && *quantity != RADIANS {
+                return Err((name, "must be a number, because of units = \"none\"".to_owned()));
+            }
+            *entry = Value::Float(units::parse(text, quantity).map_err(|reason| (*name, reason))?);
         }
     }
     Ok(())
 }
 
 /// Replaces the angles of a release, which have units, by angles in degrees.
-fn replace_angles(section: &Section<'_>, table: &mut Table) -> Result<(), Failure> {
+fn replace_angles(table: &mut Table) -> Result<(), Refused> {
+    if table.get("kind").and_then(Value::as_str) != Some("release") {
+        return Ok(());
+    }
     for (key, in_degrees) in motion::ANGLES {
-        if let Some(Value::String(text)) = table.get(in_degrees)
-            && units::number(text, DEGREES).is_ok()
-        {
-            let reason = format!("must be a number of degrees; with a unit: {key} = {:?}", shown(text));
-            return Err(section.failure(in_degrees, &reason));
-        }
         let Some(value) = table.remove(key) else { continue };
-        // one reader would take a number without a unit for degrees, and another for radians
-        let Value::String(text) = value else {
-            let reason = format!("must be a text with a unit, as \"20 deg\", or {in_degrees} a number");
-            return Err(section.failure(key, &reason));
-        };
-        let degrees = units::number(&text, DEGREES).map_err(|reason| section.failure(key, &reason))?;
-        if key == "tilt" && !(0.0..=180.0).contains(&degrees) {
-            return Err(section.failure(key, "must be from 0 to 180 deg"));
-        }
+        let refuse = |reason| (key, reason);
+        // a bare number would be ambiguous: degrees or radians
+        let text = value.as_str().ok_or_else(|| {
+            refuse(format!("must be a text with a unit, as \"20 deg\", or {in_degrees} a number"))
+        })?;
+        let degrees = units::parse(text, DEGREES).map_err(refuse)?;
         if table.insert(in_degrees.to_owned(), Value::Float(degrees)).is_some() {
-            return Err(section.failure(key, &format!("allowed only without {in_degrees}")));
+            return Err(refuse(format!("allowed only without {in_degrees}")));
         }
     }
     Ok(())

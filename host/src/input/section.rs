@@ -64,36 +64,25 @@ impl Section<'_> {
         Failure::Input(format!("{}: {}.{}: {reason}", self.file, shown(self.name), shown(key)))
     }
 
-    /// Failure that names the key of an error of the core.
+    /// Failure that names the key of the core's error.
     pub fn refusal(&self, error: &ParameterError) -> Failure {
-        let key = match error.parameter() {
-            "tilt" => "tilt_deg",
-            "azimuth" => "azimuth_deg",
-            "roll" => "roll_deg",
-            "theta" => "nutation_phase",
-            parameter => parameter,
-        };
+        let key = if error.parameter() == "theta" { "nutation_phase" } else { error.parameter() };
         self.failure(key, &format!("must be {}", error.allowed()))
     }
 
-    pub fn has(&self, key: &str) -> bool {
-        self.table.contains_key(key)
-    }
-
-    /// Failure if there is a key other than these; `reason` begins the message.
-    pub fn allow_only(&self, reason: &str, names: &[&str]) -> Result<(), Failure> {
-        match self.table.keys().find(|key| !names.contains(&key.as_str())) {
-            Some(key) => Err(self.failure(key, &format!("{reason}: {}", names.join(", ")))),
-            None => Ok(()),
-        }
-    }
-
-    /// Failure if there is a key other than `choice`, which selects among the kinds of a table, and those listed.
-    pub fn allow_only_with(&self, choice: &str, keys: &[Key]) -> Result<(), Failure> {
-        let names: Vec<_> = std::iter::once(choice).chain(keys.iter().map(|key| key.name)).collect();
-        let selected = self.table.get(choice).and_then(Value::as_str);
-        let place = selected.map_or(String::new(), |value| format!(" with {choice} = {:?}", shown(value)));
-        self.allow_only(&format!("unknown or unneeded key; allowed{place}"), &names)
+    /// Refuses keys other than these and `choice`, the key that selects among the kinds of a table, with its value.
+    pub fn only<'a>(
+        &self,
+        choice: Option<(&'a str, &str)>,
+        names: impl Iterator<Item = &'a str>,
+    ) -> Result<(), Failure> {
+        let names: Vec<_> = choice.iter().map(|(key, _)| *key).chain(names).collect();
+        let Some(key) = self.table.keys().find(|key| !names.contains(&key.as_str())) else {
+            return Ok(());
+        };
+        let place = choice.map_or_else(String::new, |(key, value)| format!(" with {key} = {value:?}"));
+        let allowed = names.join(", ");
+        Err(self.failure(key, &format!("unknown or unneeded key; allowed{place}: {allowed}")))
     }
 
     /// Value of a key by `read`, or the default where it is missing.
@@ -122,12 +111,22 @@ impl Section<'_> {
         self.value((key, &allowed), default, word)
     }
 
+    /// As [`numbers`](Self::numbers), of a table without keys other than these and `choice`.
+    pub fn only_numbers<const N: usize>(
+        &self,
+        choice: Option<(&str, &str)>,
+        keys: &[Key; N],
+    ) -> Result<[f64; N], Failure> {
+        self.only(choice, keys.iter().map(|key| key.name))?;
+        self.numbers(keys)
+    }
+
     /// Values of these keys, each a number in its range.
     pub fn numbers<const N: usize>(&self, keys: &[Key; N]) -> Result<[f64; N], Failure> {
         let mut numbers = [0.0; N];
         for (slot, key) in numbers.iter_mut().zip(keys) {
             let [low, high] = key.range;
-            let within = |value: &Value| number(value).filter(|number| (low..=high).contains(number));
+            let within = |value: &Value| as_f64(value).filter(|number| (low..=high).contains(number));
             *slot = self.value((key.name, key.allowed), key.default, within)?;
         }
         Ok(numbers)
@@ -135,19 +134,19 @@ impl Section<'_> {
 
     /// Value of a key that is an array of N finite numbers.
     pub fn array<const N: usize>(&self, key: &Key, default: Option<[f64; N]>) -> Result<[f64; N], Failure> {
-        let finite = |value: &Value| number(value).filter(|number| number.is_finite());
+        let finite = |value: &Value| as_f64(value).filter(|number| number.is_finite());
         self.value((key.name, key.allowed), default, |value| {
             value.as_array()?.iter().map(finite).collect::<Option<Vec<_>>>()?.try_into().ok()
         })
     }
 
-    /// Failure that states the allowed values of a key.
+    /// Failure for a number that is not allowed.
     pub fn not_allowed(&self, key: &Key) -> Failure {
         self.failure(key.name, &format!("must be {}", key.allowed))
     }
 }
 
 /// Number of a value; an integer is allowed.
-pub fn number(value: &Value) -> Option<f64> {
+pub fn as_f64(value: &Value) -> Option<f64> {
     value.as_float().or(value.as_integer().map(|number| number as f64))
 }

@@ -5,8 +5,7 @@ use std::f64::consts::PI;
 
 /// Units of a quantity; the first one is the key's.
 ///
-/// Each is (name, m, d): x in this unit is x m/d in the key's unit. Both factors are whole powers of ten for decimal
-/// units, so that `"30 g"` has the bits of `0.03`.
+/// Each is (name, m, d): x in this unit is x m/d in the key's unit. With two factors `"30 g"` has the bits of `0.03`.
 pub type Quantity = &'static [(&'static str, f64, f64)];
 
 pub const MASS: Quantity = &[("kg", 1.0, 1.0), ("g", 1.0, 1e3), ("mg", 1.0, 1e6)];
@@ -33,11 +32,11 @@ pub const RATE: Quantity =
 pub const RADIANS: Quantity = &[("rad", 1.0, 1.0), ("deg", PI, 180.0), ("turns", 2.0 * PI, 1.0)];
 pub const DEGREES: Quantity = &[("deg", 1.0, 1.0), ("rad", 180.0, PI), ("turns", 360.0, 1.0)];
 
-/// Number of the first unit of a quantity.
+/// Number in the first unit of a quantity, from a number with any of its units.
 ///
 /// # Errors
 /// Text that is not a number and a unit of the quantity.
-pub fn number(text: &str, quantity: Quantity) -> Result<f64, String> {
+pub fn parse(text: &str, quantity: Quantity) -> Result<f64, String> {
     let parsed = text.trim().split_once(char::is_whitespace).and_then(|(number, name)| {
         let number = number.parse::<f64>().ok()?;
         let name = name.split_whitespace().collect::<Vec<_>>().join(" ").replace('²', "^2");

@@ -136,7 +136,7 @@ mod tests {
     /// At the turning points the effective potential equals the energy; between them it is smaller.
     #[test]
     fn the_potential_is_the_energy_at_the_turning_points() {
-        for scenario in builtin::figures().concat() {
+        for scenario in builtin::figures() {
             let (e, h) = (scenario.motion.branch_points(), scenario.motion.first_integrals().h);
             for u in [e.e1, e.e2] {
                 let potential = effective_potential(&scenario.motion, u);

@@ -62,10 +62,10 @@ pub fn page(start: &ScenarioFile) -> Result<String, Failure> {
     let unwritten = |error: serde_json::Error| Failure::Method(format!("view: {error}"));
     let data = json!({
         "name": scenario.name,
-        "scenario": serde_json::to_value(&start.keys).map_err(unwritten)?,
+        "scenario": serde_json::to_value(&start.table).map_err(unwritten)?,
         "constants": launch_names().collect::<Vec<_>>(),
         "figures": FIGURES.map(|(figure, signs, e3s)| json!([figure, signs.l_minus_n.factor(), e3s])),
-        "toy_top": serde_json::to_value(toy_top()?.keys).map_err(unwritten)?,
+        "toy_top": serde_json::to_value(toy_top()?.table).map_err(unwritten)?,
     });
     let values = [
         ("name", html(&scenario.name)),

@@ -134,7 +134,7 @@ mod tests {
             let mut random = Random::new(8, stream);
             let exact = Exact::new(&ExactInput::random(&mut random));
             let (Some(period), Some((nutation, _))) = (exact.period(), &exact.nutation) else { continue };
-            for time in [random.share(), -random.share(), 1e15 * random.share()] {
+            for time in [random.uniform(), -random.uniform(), 1e15 * random.uniform()] {
                 let time = &period * from_f64(time);
                 let (place, [t, alpha, _]) = nutation.at(&time);
                 let back = nutation.integrals_to(&place);

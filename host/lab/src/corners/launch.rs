@@ -34,7 +34,7 @@ fn other_top(random: &mut Random, top: [f64; 6]) -> [f64; 6] {
         return top;
     }
     let c = [0.0, 2.0 * a, c, c][random.between(0.0, 4.0) as usize];
-    let k = if random.one_in(2) { random.sign() * random.scale(1e-6, 1e6) * a } else { 0.0 };
+    let k = if random.one_in(2) { random.sign() * random.log_uniform(1e-6, 1e6) * a } else { 0.0 };
     let [s, p, g] = [[s, p, g], [0.0, p, g], [0.0; 3]][random.between(0.0, 3.0) as usize];
     [a, c, s, p, g, k]
 }
@@ -45,11 +45,11 @@ fn on_motion(numbers: &ExactInput) -> Option<State> {
 }
 
 fn release(random: &mut Random) -> Release {
-    let tilt = if random.one_in(16) { 0.0 } else { random.scale(MIN_TILT, FRAC_PI_2) };
+    let tilt = if random.one_in(16) { 0.0 } else { random.log_uniform(MIN_TILT, FRAC_PI_2) };
     let tilt = if random.one_in(3) { PI - tilt } else { tilt };
     let [azimuth, roll] = [(); 2].map(|()| random.between(-PI, PI));
     let mut rate = |one_in_rests: u64, most: f64| {
-        if random.one_in(one_in_rests) { 0.0 } else { random.sign() * random.scale(1e-3, most) }
+        if random.one_in(one_in_rests) { 0.0 } else { random.sign() * random.log_uniform(1e-3, most) }
     };
     let (spin, precession, nutation) = (rate(16, 1e6), rate(3, 1e3), rate(3, 1e3));
     Release { tilt, azimuth, roll, spin, precession, nutation }

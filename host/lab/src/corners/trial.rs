@@ -117,10 +117,10 @@ fn ticks(exact: &Exact, (rate, period): (f64, f64), random: &mut Random) -> Vec<
     let time_of = |tangent: f64| exact.time_of(tangent) * from_f64(rate);
     let mut ticks = Vec::new();
     for _ in 0..EACH {
-        ticks.push((random.share() * period * rate) as i64);
-        let tangent = random.sign() * random.scale(1e-6, 1e6);
+        ticks.push((random.uniform() * period * rate) as i64);
+        let tangent = random.sign() * random.log_uniform(1e-6, 1e6);
         ticks.extend(to_i64(&time_of(tangent)));
-        let distant = random.sign() * random.scale(40_f64.exp2(), 62_f64.exp2());
+        let distant = random.sign() * random.log_uniform(40_f64.exp2(), 62_f64.exp2());
         ticks.push(distant as i64);
     }
     for (sense, tangent) in [(1, 0.0), (-1, 1e30)] {

@@ -63,7 +63,7 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     let all = sensors.is_some();
     let mut sensors = Sensors::read(sensors.as_deref(), Body::of(&top, parameters.com_height))?;
     let (measurements, unused) = columns::read(samples, &mut sensors, all)?;
-    let table = scenario.keys.get("top").and_then(toml::Value::as_table).cloned().unwrap_or_default();
+    let table = scenario.table.get("top").and_then(toml::Value::as_table).cloned().unwrap_or_default();
     let input = FitInput { top, table, free: free.clone(), sensors, huber: *huber, drift: *drift };
     let samples = samples.display();
     let fit = input.fitted(&measurements).map_err(|(parameter, reason)| {
@@ -82,7 +82,7 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     let mut files: Vec<(&str, &Path, Vec<u8>)> = Vec::new();
     match output {
         Some(path) if converged => {
-            let units = scenario.keys.get("units").and_then(toml::Value::as_str);
+            let units = scenario.table.get("units").and_then(toml::Value::as_str);
             files.push(("--output", path, fit.scenario(units)?.into_bytes()));
         }
         Some(path) => notes.push(not_written(path, "the fit has not converged")),

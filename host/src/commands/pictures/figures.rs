@@ -21,7 +21,7 @@ pub fn run(arguments: &FiguresArgs) -> Result<Report, Failure> {
     let folder = &arguments.output;
     std::fs::create_dir_all(folder).map_err(|error| whole_file::refused("--output", folder, error))?;
     let mut text = String::new();
-    for scenario in builtin::figures().concat() {
+    for scenario in builtin::figures() {
         let span = Span::new(&scenario.motion, None, MOST_CYCLES)?;
         let scene = tip::draw(&scenario, &span);
         let path = folder.join(scenario.name.replace([' ', '='], "_") + ".svg");

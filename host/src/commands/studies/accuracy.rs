@@ -146,7 +146,7 @@ fn of_motion(input: &ExactInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>,
     for octave in 0..=OCTAVES {
         let first = 1_u64 << octave;
         for _ in 0..SAMPLES.min(first) {
-            let more = if octave < OCTAVES { random.share() * first as f64 } else { 0.0 };
+            let more = if octave < OCTAVES { random.uniform() * first as f64 } else { 0.0 };
             let n = (first + more as u64) as i64;
             let exact = truth.at(&(from_i64(n) / from_f64(rate)));
             for (table, octaves) in tables.iter().zip(&mut found) {

@@ -72,7 +72,7 @@ fn short_seconds(seconds: f64) -> String {
 
 fn rows() -> Result<Vec<Record>, Failure> {
     let fail = |error: &dyn std::fmt::Display| Failure::Method(format!("bench: {error}"));
-    let figures = builtin::figures().concat();
+    let figures = builtin::figures();
     let scenario = figures.iter().find(|scenario| scenario.name == CURVE_WITH_CUSPS);
     let scenario = scenario.ok_or_else(|| fail(&"no motion"))?;
     let motion = &scenario.motion;

@@ -7,10 +7,6 @@ use crate::input::units::{RADIANS, RATE};
 use toytop::{Complex, InitialPhases, Motion, Orientation, Release, Sign, Signs, State, Top};
 use toytop_model::angles::{angle, tilt};
 
-/// Limit of the angular velocity in words, after `must be`.
-const SLOW: &str =
-    "slow enough for e3 <= 1e14 (faster, a body feels no torque: support = \"free\" is then exact)";
-
 const TURNING: &str = "a number of rad/s, at most 1e11 in size";
 const SPIN: &str = "a number of rad/s, at most 1e11 in size: the whole component of omega along the axis";
 const DEGREES: &str = "a finite number of degrees";
@@ -65,58 +61,46 @@ pub fn numbers(kind: &str) -> &'static [Key] {
 /// Motion, and its launch.
 pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure> {
     let refused = |error| section.refusal(&error);
-    let (state, release) = match section.choice("kind", &["release", "state", "branch_points"], None)? {
-        "branch_points" => return branch_points(section, top),
+    let kind = section.choice("kind", &["release", "state", "branch_points"], None)?;
+    let choice = Some(("kind", kind));
+    let (state, fastest) = match kind {
         "release" => {
-            let release = release(section)?;
-            (State::release(&release).map_err(refused)?, Some(release))
+            let [tilt_deg, spin, precession, nutation, azimuth_deg, roll_deg] =
+                section.only_numbers(choice, &RELEASE)?;
+            let (tilt, azimuth, roll) = (tilt(tilt_deg), angle(azimuth_deg), angle(roll_deg));
+            let release = Release { tilt, azimuth, roll, spin, precession, nutation };
+            let rates = [("nutation", nutation), ("precession", precession), ("spin", spin)];
+            let fastest = rates.into_iter().max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));
+            (State::release(&release), fastest.map_or("spin", |(key, _)| key))
         }
-        _ => (state(section)?, None),
+        "state" => {
+            section.only(choice, STATE.iter().map(|key| key.name))?;
+            let [alpha, beta, omega] = &STATE;
+            let complex = |key| section.array(key, None).map(|[re, im]| Complex::new(re, im));
+            let phi = Orientation { alpha: complex(alpha)?, beta: complex(beta)? };
+            (State::new(phi, section.array(omega, None)?), "omega")
+        }
+        _ => {
+            let [e1, e2, e3, plus, minus, theta, arg_alpha, arg_beta] =
+                section.only_numbers(choice, &BRANCH_POINTS)?;
+            for (sign, key) in [plus, minus].iter().zip(&BRANCH_POINTS[3..]) {
+                if sign.abs() != 1.0 {
+                    return Err(section.not_allowed(key));
+                }
+            }
+            let signs = Signs { l_plus_n: Sign::new(plus), l_minus_n: Sign::new(minus) };
+            let (e, phases) = ([e1, e2, e3], InitialPhases { theta, arg_alpha, arg_beta });
+            let motion = Motion::from_branch_points(top, e, signs, &phases).map_err(refused)?;
+            return Ok((motion, Start::BranchPoints { e, signs, phases }));
+        }
     };
-    let motion = Motion::launch(top, &state).map_err(|error| match (error.parameter(), release) {
-        ("omega", release) => {
-            let fastest = release.map_or("omega", |release| fastest(&release));
-            section.failure(fastest, &format!("must be {SLOW}"))
-        }
+    let state = state.map_err(refused)?;
+    let motion = Motion::launch(top, &state).map_err(|error| match error.parameter() {
+        "omega" => section.failure(
+            fastest,
+            "must be slow enough for e3 <= 1e14 (faster, a body feels no torque: support = \"free\" is then exact)",
+        ),
         _ => refused(error),
     })?;
     Ok((motion, Start::from(&state)))
-}
-
-fn release(section: &Section<'_>) -> Result<Release, Failure> {
-    section.allow_only_with("kind", &RELEASE)?;
-    let [tilt_deg, spin, precession, nutation, azimuth_deg, roll_deg] = section.numbers(&RELEASE)?;
-    let (tilt, azimuth, roll) = (tilt(tilt_deg), angle(azimuth_deg), angle(roll_deg));
-    Ok(Release { tilt, azimuth, roll, spin, precession, nutation })
-}
-
-fn state(section: &Section<'_>) -> Result<State, Failure> {
-    section.allow_only_with("kind", &STATE)?;
-    let [alpha, beta, omega] = &STATE;
-    let complex = |key| section.array(key, None).map(|[re, im]| Complex::new(re, im));
-    let phi = Orientation { alpha: complex(alpha)?, beta: complex(beta)? };
-    State::new(phi, section.array(omega, None)?).map_err(|error| section.refusal(&error))
-}
-
-fn branch_points(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure> {
-    section.allow_only_with("kind", &BRANCH_POINTS)?;
-    let [e1, e2, e3, plus, minus, theta, arg_alpha, arg_beta] = section.numbers(&BRANCH_POINTS)?;
-    let sign = |number: f64, key: &Key| match number {
-        1.0 => Ok(Sign::Plus),
-        -1.0 => Ok(Sign::Minus),
-        _ => Err(section.not_allowed(key)),
-    };
-    let signs =
-        Signs { l_plus_n: sign(plus, &BRANCH_POINTS[3])?, l_minus_n: sign(minus, &BRANCH_POINTS[4])? };
-    let (e, phases) = ([e1, e2, e3], InitialPhases { theta, arg_alpha, arg_beta });
-    let motion =
-        Motion::from_branch_points(top, e, signs, &phases).map_err(|error| section.refusal(&error))?;
-    Ok((motion, Start::BranchPoints { e, signs, phases }))
-}
-
-/// Key of the greatest rate of a release.
-fn fastest(release: &Release) -> &'static str {
-    let rates = [("nutation", release.nutation), ("precession", release.precession), ("spin", release.spin)];
-    let fastest = rates.into_iter().max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));
-    fastest.map_or("spin", |(key, _)| key)
 }

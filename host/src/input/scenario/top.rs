@@ -20,10 +20,9 @@ pub static KEYS: [Key; 7] = [
 
 /// Top, and the numbers that are given for it.
 pub fn read(section: &Section<'_>) -> Result<(Top, TopParameters), Failure> {
-    section.allow_only_with("support", &KEYS)?;
     let support = section.choice("support", &["sliding", "fixed", "free"], Some("sliding"))?;
     let [transverse_inertia, axial_inertia, gravity, com_height, mass, mass_moment, rotor_momentum] =
-        section.numbers(&KEYS)?;
+        section.only_numbers(Some(("support", support)), &KEYS)?;
     let inertias =
         TopParameters { transverse_inertia, axial_inertia, rotor_momentum, ..TopParameters::default() };
     let refused = |error| section.refusal(&error);
@@ -32,7 +31,7 @@ pub fn read(section: &Section<'_>) -> Result<(Top, TopParameters), Failure> {
         return Ok((Top::free(&inertias).map_err(refused)?, inertias));
     }
     let [has_height, has_mass, has_moment] =
-        ["com_height", "mass", "mass_moment"].map(|key| section.has(key));
+        ["com_height", "mass", "mass_moment"].map(|key| section.table.contains_key(key));
     let needs_height = support == "sliding" || has_mass;
     let positive = "must be positive, between 1e-60 and 1e60";
     let fault = match (has_mass, has_moment) {

@@ -177,7 +177,7 @@ fn bad_sensors_and_keys_are_refused() {
         ("[gyroscop]\nnoise = 1\n", "gyroscop: unknown sensor; allowed: timing, gyroscope"),
         ("[gyroscope]\nrange = 1\n", "gyroscope.noise: missing"),
         ("[gyroscope]\nnoise = -1\n", "gyroscope.noise: must be a number from"),
-        ("[gyroscope]\nnoise = 1\nfield = [1, 2, 3]\n", "gyroscope.field: unknown key"),
+        ("[gyroscope]\nnoise = 1\nfield = [1, 2, 3]\n", "gyroscope.field: unknown or unneeded key"),
         (
             "[magnetometer]\nnoise = 1\nrotation = [1, 1, 0, 0]\n",
             "magnetometer.rotation: must be a unit quaternion",

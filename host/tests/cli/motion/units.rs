@@ -121,7 +121,7 @@ fn wrong_units_are_refused() {
             "motion.tilt: must be a text with a unit, as \"20 deg\", or tilt_deg a number",
         ),
         (DECIMAL, "\"20 deg\"", "\"20 m\"", "units: deg, rad, turns"),
-        (DECIMAL, "\"20 deg\"", "\"180.5 deg\"", "motion.tilt: must be from 0 to 180 deg"),
+        (DECIMAL, "\"20 deg\"", "\"180.5 deg\"", "motion.tilt_deg: must be a number in [0, 180]"),
         (DECIMAL, "tilt =", "tilt_deg = 20\ntilt =", "motion.tilt: allowed only without tilt_deg"),
         (DECIMAL, "tilt =", "tilt_deg =", "motion.tilt_deg: must be"),
         (DECIMAL, "[top]", "units = \"none\"\n[top]", "must be a number, because of units = \"none\""),

@@ -47,7 +47,7 @@ impl Sweep {
         }
         let mut axes: Vec<(&'static str, Axis)> = Vec::new();
         for (name, axis) in varied {
-            let key = template.number(&name)?;
+            let key = template.require_key(&name)?;
             if axes.iter().any(|(other, _)| *other == key) {
                 return refuse(format!("{name}: must be one axis only"));
             }
@@ -62,7 +62,7 @@ impl Sweep {
             return refuse("a grid: must have at most 2^64 places".to_owned());
         };
         let sweep = Self { template, axes, sample, count, columns, times, periods };
-        match sweep.template.with(&sweep.numbers(0)) {
+        match sweep.template.with_numbers(&sweep.numbers(0)) {
             Err(Failure::Input(message)) if !sweep.axes.iter().any(|(key, _)| message.contains(key)) => {
                 refuse(message)
             }
@@ -90,7 +90,7 @@ impl Sweep {
     }
 
     fn motion(&self, numbers: &[(&'static str, f64)]) -> Result<Motion, Failure> {
-        Ok(self.template.with(numbers)?.motion)
+        Ok(self.template.with_numbers(numbers)?.motion)
     }
 
     /// Names of the columns, with a line break.
