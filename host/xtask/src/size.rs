@@ -34,7 +34,7 @@ const ROOMS: &[Room] = &[
     room("core/fit/", 30_000, None),
     room("core/closed-forms/", 17_000, None),
     room("core/c/", 14_000, None),
-    room("host/", 118_000, Some(136_000)),
+    room("host/", 118_000, None),
     room("host/tests/", 36_000, None),
     room("host/xtask/", 12_000, None),
     room("tests/", 80_000, None),
@@ -76,8 +76,11 @@ pub(crate) fn check() -> Result<String> {
         "room", "tokens", "cap", "unit tests", "files", "comments"
     );
     let mut above = Vec::new();
-    // a room inside another one stands after it
-    let room_of = |path: &str| ROOMS.iter().rposition(|room| path.starts_with(room.folder));
+    // a room inside another one stands after it; the tests of a crate in host/ count with those of the binary
+    let room_of = |path: &str| {
+        let path = if path.starts_with("host/") && path.contains("/tests/") { "host/tests/" } else { path };
+        ROOMS.iter().rposition(|room| path.starts_with(room.folder))
+    };
     for (index, room) in ROOMS.iter().enumerate() {
         let mut size = Size::default();
         for path in files.iter().filter(|path| room_of(path) == Some(index)) {
