@@ -5,8 +5,9 @@
 //! | [`arguments`] | numbers of arguments, their refusals, and arrays for Python |
 //! | [`interrupt`] | computations without the interpreter's lock, which Ctrl-C ends |
 //! | [`samples`] | columns of samples: a motion at given times |
-//! | [`top`] | numbers of a top, and launches |
+//! | [`top`] | numbers of a top |
 //! | [`motion`] | a motion: its tables, constants, events, partial derivatives and closed form |
+//! | [`launch`] | launches of a top |
 //! | [`many`] | motions on all cores |
 //! | [`fit`] | from samples of sensors to a launch, and back |
 //! | [`score`] | errors of an integrator |
@@ -20,6 +21,7 @@ mod top;
 
 mod motion;
 
+mod launch;
 mod many;
 
 mod fit;

@@ -1,0 +1,53 @@
+//! Launches of a top.
+
+use crate::arguments::{refused, renamed, value_error};
+use crate::motion::MotionCore;
+use crate::top::TopCore;
+use pyo3::prelude::*;
+use toytop::{InitialPhases, Motion, Orientation, ParameterError, Release, Sign, Signs, State};
+use toytop_host::truth::motions::Start;
+
+#[pymethods]
+impl TopCore {
+    /// Motion from angles and rates. A refusal of ω names the fastest rate.
+    pub(crate) fn release(
+        &self,
+        tilt: f64,
+        spin: f64,
+        precession: f64,
+        nutation: f64,
+        azimuth: f64,
+        roll: f64,
+    ) -> PyResult<MotionCore> {
+        let rates = [("spin", spin), ("precession", precession), ("nutation", nutation)];
+        let fastest = rates.into_iter().max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));
+        let release = Release { tilt, azimuth, roll, spin, precession, nutation };
+        let state = State::release(&release).map_err(refused)?;
+        MotionCore::from_state(self, &state, fastest.map_or("spin", |(name, _)| name))
+    }
+
+    /// Motion from a quaternion and an angular velocity, `omega` in the fixed frame or `omega_body` in the body frame.
+    pub(crate) fn launch(&self, quaternion: [f64; 4], name: &str, omega: [f64; 3]) -> PyResult<MotionCore> {
+        let state = match name {
+            "omega" => State::new(Orientation::from_quaternion(quaternion), omega),
+            _ => State::from_quaternion_and_gyro(quaternion, omega),
+        };
+        let refuse = |error: ParameterError| match error.parameter() {
+            "alpha" | "beta" => {
+                value_error("quaternion", "must be of unit norm: | w^2 + x^2 + y^2 + z^2 - 1 | <= 1e-6")
+            }
+            _ => renamed(error, &[("gyro", name)]),
+        };
+        MotionCore::from_state(self, &state.map_err(refuse)?, name)
+    }
+
+    /// Motion from branch points, whether l + n and l - n are positive, and the nutation phase and arguments of α and β at t = 0.
+    fn branch_points(&self, e: [f64; 3], positive: [bool; 2], phases: [f64; 3]) -> PyResult<MotionCore> {
+        let [l_plus_n, l_minus_n] = positive.map(|positive| if positive { Sign::Plus } else { Sign::Minus });
+        let [theta, arg_alpha, arg_beta] = phases;
+        let (signs, phases) = (Signs { l_plus_n, l_minus_n }, InitialPhases { theta, arg_alpha, arg_beta });
+        let motion = Motion::from_branch_points(&self.top, e, signs, &phases)
+            .map_err(|error| renamed(error, &[("theta", "nutation_phase")]))?;
+        Ok(MotionCore::new(*self, Start::BranchPoints { e, signs, phases }, motion))
+    }
+}
