@@ -16,12 +16,12 @@ const COLUMNS: usize = Sensitivity::NAMES.len();
 type Quantity = (&'static str, &'static [usize], fn(&Partials) -> Vec<f64>);
 
 const QUANTITIES: [Quantity; 6] = [
-    ("orientation", &[3], |partials| by_component(partials.orientation())),
-    ("omega", &[3], |partials| by_component(partials.omega())),
-    ("omega_body", &[3], |partials| by_component(partials.omega_body())),
-    ("axis", &[3], |partials| by_component(partials.axis_change())),
-    ("tip", &[2], |partials| by_component(partials.tip().map(|tip| [tip.re, tip.im]))),
-    ("tip_angle", &[], |partials| partials.tip_angle().unwrap_or([f64::NAN; COLUMNS]).to_vec()),
+    ("orientation", &[3], |partials| by_component(partials.d_orientation())),
+    ("omega", &[3], |partials| by_component(partials.d_omega())),
+    ("omega_body", &[3], |partials| by_component(partials.d_omega_body())),
+    ("axis", &[3], |partials| by_component(partials.d_axis())),
+    ("tip", &[2], |partials| by_component(partials.d_tip().map(|tip| [tip.re, tip.im]))),
+    ("tip_angle", &[], |partials| partials.d_tip_angle().unwrap_or([f64::NAN; COLUMNS]).to_vec()),
 ];
 
 fn by_component<const N: usize>(columns: [[f64; N]; COLUMNS]) -> Vec<f64> {

@@ -33,7 +33,7 @@ pub fn table(report: &FitReport) -> String {
     if !report.has_launch() {
         return state + "\n";
     }
-    let Fitted { launch, statistics, epoch, count, alternatives, .. } = report.fitted;
+    let Fitted { launch, statistics, epoch, unknowns: count, alternatives, .. } = report.fitted;
     let deviations = report.fitted.deviations();
     let line = |name: &str, value: f64, deviation: f64, unit: &str| {
         vec![name.to_owned(), short(value, 9), format!("+- {}", short(deviation, 2)), unit.to_owned()]
@@ -91,7 +91,7 @@ pub fn table(report: &FitReport) -> String {
 
 /// Report as JSON.
 pub fn json(report: &FitReport) -> Value {
-    let Fitted { launch, statistics, drift, count, covariance, .. } = &report.fitted;
+    let Fitted { launch, statistics, drift, unknowns: count, covariance, .. } = &report.fitted;
     let deviations = report.fitted.deviations();
     let [(spin, spin_deviation), (tilt, tilt_deviation)] = report.spin_and_tilt();
     let free = report.freed().into_iter();
@@ -102,7 +102,7 @@ pub fn json(report: &FitReport) -> Value {
     let prediction =
         |[t, orientation, axis]: [f64; 3]| json!({"t": t, "orientation_rad": orientation, "axis_rad": axis});
     json!({
-        "converged": report.fitted.converged(),
+        "converged": report.fitted.is_trusted(),
         "reason": report.reason,
         "epoch": report.fitted.epoch,
         "quaternion": launch.orientation.quaternion(),
@@ -155,5 +155,5 @@ pub fn record(FitReport { fitted, reason, .. }: &FitReport) -> Record {
     let values = launch.orientation.quaternion().into_iter().chain(launch.omega).chain(fitted.deviations());
     let mut record = Record::default().with("reason", reason.as_deref()).with("epoch", fitted.epoch);
     record.0.extend(NAMES.into_iter().zip(values.map(Value::from)));
-    record.with("reduced_chi_squared", fitted.statistics.reduced_chi_squared(fitted.count))
+    record.with("reduced_chi_squared", fitted.statistics.reduced_chi_squared(fitted.unknowns))
 }
