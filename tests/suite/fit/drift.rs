@@ -2,13 +2,12 @@
 //!
 //! The lossy motion is made of exact motions: every half millisecond, angular impulses on the body take rotation away.
 
-use super::simulated::{
-    ACCELEROMETER, GYROSCOPE, MAGNETOMETER, Random, SENSORS, fitted, held, measured, release,
-};
+use super::simulated::{ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, fitted, held, measured, release};
 use nalgebra::{Matrix6, Vector6};
 use toytop::su2::{cross, dot};
 use toytop::{Motion, State, Stepper, Top, TopParameters};
 use toytop_fit::{Distrust, Fit, FitError, Fitted, FreeRatio, Measurement, Sensitivity, Sensor};
+use toytop_tests::random::Random;
 use toytop_tests::{TOY, length, toy};
 
 /// Time between two samples, s.

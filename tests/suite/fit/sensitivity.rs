@@ -84,7 +84,7 @@ fn rotation(to: &PreciseOrientation, from: &PreciseOrientation) -> [Precise; 3] 
 fn error(given: &Given, periods: &[f64]) -> f64 {
     let motion = given.numbers().motion().unwrap();
     let sensitivity = Sensitivity::new(&motion);
-    let period = motion.period_advance().map_or(1.0, |averages| averages.period);
+    let period = motion.period_advance().map_or(1.0, |advance| advance.period);
     let frequency = std::f64::consts::TAU / period;
     let mut worst = 0.0;
     // C = 0 is the end of its range, s = 0 is a held tip, and p = 0 is a free body

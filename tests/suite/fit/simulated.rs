@@ -6,20 +6,8 @@ use toytop_fit::{
     Measurement, Mounting, Noise, OrientationCamera, Partials, Residual, Sensitivity, Sensor, TipCamera,
     Unobservable,
 };
+use toytop_tests::random::Random;
 use toytop_tests::{TOY, toy};
-
-/// Numbers near a normal distribution.
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    pub(crate) fn normal(&mut self) -> f64 {
-        let mut share = || {
-            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-        };
-        (0..12).map(|_| share()).sum::<f64>() - 6.0
-    }
-}
 
 pub(crate) fn held() -> Top {
     Top::fixed(&TopParameters { transverse_inertia: 7.5e-5, ..TOY }).unwrap()
