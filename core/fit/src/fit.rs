@@ -51,10 +51,10 @@ impl<'a, F: Real> Fit<'a, F> {
     }
 
     /// Sets the residual, in standard deviations, from which an observation counts linearly instead of quadratically
-    /// (Huber); infinite for least squares. The default is 3.
+    /// (Huber); infinite for least squares. The default is 3. A smaller number than 1, or NaN, counts as 1.
     #[must_use]
     pub fn with_huber(mut self, residual: f64) -> Self {
-        self.huber = residual;
+        self.huber = residual.max(1.0);
         self
     }
 

@@ -190,7 +190,7 @@ impl Model {
     }
 
     /// Adds the information that damps a correction: a share `damping` of that along each unknown, as Marquardt does, and a standard
-    /// deviation of `limit` units. It is along the fixed axes, because there may be none about a rotation about the vertical.
+    /// deviation of `limit` units. Damping is along the fixed axes, because yaw may be unobservable.
     #[inline(never)] // its directions are on the stack between passes only
     pub(crate) fn damp<F: Real>(
         &self,

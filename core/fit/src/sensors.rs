@@ -27,7 +27,7 @@ pub(crate) trait Measurements: Iterator<Item = Measurement> + Clone {}
 
 impl<I: Iterator<Item = Measurement> + Clone> Measurements for I {}
 
-/// Difference of a reading from what a state predicts, in up to three components.
+/// Residual of a reading: its difference from what a state predicts, in up to three components.
 #[derive(Clone, Copy, Debug)]
 pub struct Residual<F = f64> {
     /// Measured minus predicted value, without bias.
@@ -82,9 +82,9 @@ pub trait Sensor<F = f64> {
 }
 
 /// Noise and bias of a sensor with three equal components.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Noise {
-    /// Standard deviation of one reading.
+    /// Standard deviation of one reading, > 0.
     pub deviation: f64,
     /// Standard deviation of the constant bias; 0 for none.
     pub bias: f64,

@@ -84,8 +84,12 @@ impl Statistics {
         self.chi_squared / freedom.max(1.0)
     }
 
-    /// Whether a fifth of the residuals of a sensor or of all are outliers, a twentieth are beyond ten standard deviations, or the
-    /// sum n of squares of the others exceeds its mean by five standard deviations √(2 n); or the prior is contradicted.
+    /// Whether the residuals contradict the noise. One of these is then true of a sensor, or of all sensors together:
+    ///
+    /// * a fifth of the residuals are outliers;
+    /// * a twentieth are beyond ten standard deviations;
+    /// * the sum of squares of the others is five of its standard deviations above its mean;
+    /// * the differences from the prior values are too large.
     pub(super) fn is_misfit(&self, unknowns: usize) -> bool {
         let outliers = f64::from(self.outliers);
         let limited = if self.outliers > 0 { self.huber * self.huber * outliers } else { 0.0 };

@@ -104,8 +104,7 @@ impl<F: Real> Fit<'_, F> {
 
     /// Whether an upright launch with twice this spin explains the measurements equally well, so that they do not determine the spin.
     ///
-    /// A fit of an upright top whose spin is beyond the range finds a tilt as small as the noise, and the spin that then explains the
-    /// noise best.
+    /// An upright top with a saturated gyroscope fits any spin.
     #[inline(never)] // its launches are on the stack only during the call
     fn is_explained_upright(&mut self, spin: f64, measurements: &impl Measurements) -> bool {
         let found = self.best.estimate;
