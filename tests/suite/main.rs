@@ -11,8 +11,6 @@ mod rotations {
 /// From a launch to the stepper: constants, kinds of motion, first integrals, the tip.
 mod motion {
     mod conditioning;
-    #[cfg(feature = "host")]
-    pub(crate) mod full_solver;
     mod invariants;
     #[cfg(feature = "host")]
     mod lagrangian;
@@ -47,8 +45,6 @@ mod events {
 /// Sections 3 to 5 of the paper: curves, integrals and closed forms.
 mod closed_forms {
     mod aperiodic;
-    #[cfg(feature = "host")]
-    mod curve;
     mod elliptic;
     #[cfg(feature = "host")]
     mod errata;

@@ -39,9 +39,9 @@ struct Tagged<T> {
 /// Value of type `T` in a C structure of at least its size, `P`.
 ///
 /// # Safety
-/// The pointer is null or valid for reading a `P`, which is of plain words; and those are unchanged since [`keep`] wrote them, if
+/// The pointer is null or valid for reading a `P`, which is of plain words; and those are unchanged since [`store`] wrote them, if
 /// their tag is that of `T`.
-pub(crate) unsafe fn kept<P, T: Kept>(place: *const P) -> Result<T, Refusal> {
+pub(crate) unsafe fn load<P, T: Opaque>(place: *const P) -> Result<T, Refusal> {
     const { assert!(size_of::<Tagged<T>>() <= size_of::<P>()) };
     let words = place.cast::<Tagged<T>>();
     // SAFETY: the tag is in the place, which is as large as the whole; any bits are a `u32`.
@@ -49,7 +49,7 @@ pub(crate) unsafe fn kept<P, T: Kept>(place: *const P) -> Result<T, Refusal> {
     if tag != T::TAG {
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
     }
-    // SAFETY: the pointer was not null. By its tag `keep` wrote the value.
+    // SAFETY: the pointer was not null. By its tag `store` wrote the value.
     Ok(unsafe { words.read_unaligned().value.assume_init() })
 }
 
@@ -57,14 +57,14 @@ pub(crate) unsafe fn kept<P, T: Kept>(place: *const P) -> Result<T, Refusal> {
 ///
 /// # Safety
 /// The pointer is null or valid for writing a `P`.
-pub(crate) unsafe fn keep<P, T: Kept>(place: *mut P, value: T) -> Result<(), Refusal> {
+pub(crate) unsafe fn store<P, T: Opaque>(place: *mut P, value: T) -> Result<(), Refusal> {
     const { assert!(size_of::<Tagged<T>>() <= size_of::<P>()) };
     // SAFETY: the place is as large as the whole.
     unsafe { write(place.cast(), Tagged { tag: T::TAG, value: MaybeUninit::new(value) }) }
 }
 
 /// Type whose values C keeps.
-pub(crate) trait Kept: Sized {
+pub(crate) trait Opaque: Sized {
     /// Number that no other type has, and that memory of another use is unlikely to begin with.
     const TAG: u32;
 }

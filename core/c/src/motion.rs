@@ -1,7 +1,7 @@
 //! Motion of one launch, its constants, and its partial derivatives.
 
 use crate::launch::{toytop_state, toytop_top};
-use crate::memory::{Kept, keep, kept, read, write};
+use crate::memory::{Opaque, load, read, store, write};
 use crate::status::{Refusal, status_of, toytop_error, toytop_status};
 use toytop::{Complex, Motion, Regime};
 use toytop_fit::Sensitivity;
@@ -19,7 +19,7 @@ pub struct toytop_motion {
 // cbindgen accepts only a number as a length
 const _: () = assert!(size_of::<toytop_motion>() == TOYTOP_MOTION_SIZE);
 
-impl Kept for Motion {
+impl Opaque for Motion {
     const TAG: u32 = 0x746f_706d;
 }
 
@@ -84,7 +84,7 @@ pub unsafe extern "C" fn toytop_launch(
     unsafe {
         status_of(error, || {
             let (top, state) = (read(top)?.checked()?, read(state)?.checked()?);
-            keep(motion, Motion::launch(&top, &state)?)
+            store(motion, Motion::launch(&top, &state)?)
         })
     }
 }
@@ -110,7 +110,7 @@ pub unsafe extern "C" fn toytop_motion_constants(
         }
     };
     // SAFETY: the caller guarantees valid pointers.
-    unsafe { kept(motion).and_then(|motion| write(constants, found(motion))) }.into()
+    unsafe { load(motion).and_then(|motion| write(constants, found(motion))) }.into()
 }
 
 fn regime(regime: Regime) -> toytop_regime {
@@ -156,12 +156,12 @@ pub unsafe extern "C" fn toytop_motion_partials(
     let found = |motion: Motion| -> Result<_, Refusal> {
         let now = Sensitivity::new(&motion).at(time).ok_or(toytop_status::TOYTOP_NONE)?;
         Ok(toytop_partials {
-            orientation: now.orientation(),
-            omega: now.omega(),
-            omega_body: now.omega_body(),
-            tip: now.tip().map(|Complex { re, im }| [re, im]),
+            orientation: now.d_orientation(),
+            omega: now.d_omega(),
+            omega_body: now.d_omega_body(),
+            tip: now.d_tip().map(|Complex { re, im }| [re, im]),
         })
     };
     // SAFETY: the caller guarantees valid pointers.
-    unsafe { kept(motion).and_then(|motion| write(partials, found(motion)?)) }.into()
+    unsafe { load(motion).and_then(|motion| write(partials, found(motion)?)) }.into()
 }

@@ -1,9 +1,9 @@
 //! Reading of a table: any tick, cursors, the quantities of a sample, and events.
 
 use crate::launch::toytop_state;
-use crate::memory::{Kept, keep, kept, write};
+use crate::memory::{Opaque, load, store, write};
 use crate::status::{Refusal, toytop_status};
-use crate::table::{Table, Tabulated, view};
+use crate::table::{CScalar, Table, view};
 use toytop::internal::CursorPhases;
 use toytop::{Complex, EphemerisView, Event, Events, ParameterError, Phase, Sample};
 
@@ -41,18 +41,18 @@ struct CursorOf {
     ticks: CursorPhases,
 }
 
-impl Kept for CursorOf {
+impl Opaque for CursorOf {
     const TAG: u32 = 0x746f_7063;
 }
 
 /// Sample with the address and the identity of its table.
-struct SampleOf<R: Tabulated> {
+struct SampleOf<R: CScalar> {
     sample: Sample<'static, R>,
     address: *const u8,
     table: u32,
 }
 
-impl<R: Tabulated> Kept for SampleOf<R> {
+impl<R: CScalar> Opaque for SampleOf<R> {
     const TAG: u32 = R::TAG | 0x7300;
 }
 
@@ -60,11 +60,11 @@ impl<R: Tabulated> Kept for SampleOf<R> {
 ///
 /// # Safety
 /// The pointer is null or valid for reading; and the memory of the sample's table is still there.
-pub(crate) unsafe fn sample<R: Tabulated>(
+pub(crate) unsafe fn sample<R: CScalar>(
     place: *const toytop_ephemeris_sample,
 ) -> Result<Sample<'static, R>, Refusal> {
     // SAFETY: the caller guarantees that the pointer is valid.
-    let SampleOf { sample, address, table } = unsafe { kept(place)? };
+    let SampleOf { sample, address, table } = unsafe { load(place)? };
     // SAFETY: see above.
     if unsafe { view::<R>(address)? }.identity != table {
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
@@ -76,7 +76,7 @@ pub(crate) unsafe fn sample<R: Tabulated>(
 ///
 /// # Safety
 /// As for [`sample`]; `place` is null or valid for writing a `T`.
-pub(crate) unsafe fn write_quantity<R: Tabulated, T>(
+pub(crate) unsafe fn write_quantity<R: CScalar, T>(
     from: *const toytop_ephemeris_sample,
     place: *mut T,
     quantity: impl FnOnce(Sample<'static, R>) -> Result<T, Refusal>,
@@ -89,7 +89,7 @@ pub(crate) unsafe fn write_quantity<R: Tabulated, T>(
 ///
 /// # Safety
 /// The pointers are null or valid, and the table stays as long as the sample is used; here and below.
-pub(crate) unsafe fn keep_sample<R: Tabulated>(
+pub(crate) unsafe fn keep_sample<R: CScalar>(
     table: *const u8,
     place: *mut toytop_ephemeris_sample,
     sample: impl FnOnce(&'static EphemerisView<R>) -> Result<Sample<'static, R>, Refusal>,
@@ -97,12 +97,12 @@ pub(crate) unsafe fn keep_sample<R: Tabulated>(
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
         let Table { view, address, identity } = view::<R>(table)?;
-        keep(place, SampleOf { sample: sample(view)?, address, table: identity })
+        store(place, SampleOf { sample: sample(view)?, address, table: identity })
     }
 }
 
 /// Sample at a time.
-pub(crate) fn at<R: Tabulated>(view: &EphemerisView<R>, time: f64) -> Result<Sample<'_, R>, Refusal> {
+pub(crate) fn at<R: CScalar>(view: &EphemerisView<R>, time: f64) -> Result<Sample<'_, R>, Refusal> {
     if !time.is_finite() {
         return Err(ParameterError::NotFinite { parameter: "time" }.into());
     }
@@ -116,7 +116,7 @@ pub(crate) fn at<R: Tabulated>(view: &EphemerisView<R>, time: f64) -> Result<Sam
 ///
 /// # Safety
 /// As for [`keep_sample`].
-pub(crate) unsafe fn cursor<R: Tabulated>(
+pub(crate) unsafe fn cursor<R: CScalar>(
     table: *const u8,
     first: i64,
     place: *mut toytop_ephemeris_cursor,
@@ -124,7 +124,7 @@ pub(crate) unsafe fn cursor<R: Tabulated>(
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
         let table = view::<R>(table)?;
-        keep(place, CursorOf { table: table.identity, ticks: CursorPhases::new(table.view.clock(), first) })
+        store(place, CursorOf { table: table.identity, ticks: CursorPhases::new(table.view.clock(), first) })
     }
 }
 
@@ -132,26 +132,26 @@ pub(crate) unsafe fn cursor<R: Tabulated>(
 ///
 /// # Safety
 /// As for [`keep_sample`].
-unsafe fn advance<R: Tabulated>(
+unsafe fn advance<R: CScalar>(
     table: *const u8,
     place: *mut toytop_ephemeris_cursor,
     take: impl FnOnce(Sample<'static, R>) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
-    let (table, mut of): (_, CursorOf) = unsafe { (view::<R>(table)?, kept(place)?) };
+    let (table, mut of): (_, CursorOf) = unsafe { (view::<R>(table)?, load(place)?) };
     if of.table != table.identity {
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
     }
     take(of.ticks.next(table.view))?;
     // SAFETY: see above.
-    unsafe { keep(place, of) }
+    unsafe { store(place, of) }
 }
 
 /// Next sample of a cursor.
 ///
 /// # Safety
 /// As for [`keep_sample`].
-pub(crate) unsafe fn next<R: Tabulated>(
+pub(crate) unsafe fn next<R: CScalar>(
     table: *const u8,
     cursor: *mut toytop_ephemeris_cursor,
     place: *mut toytop_ephemeris_sample,
@@ -164,13 +164,13 @@ pub(crate) unsafe fn next<R: Tabulated>(
 ///
 /// # Safety
 /// As for [`keep_sample`].
-pub(crate) unsafe fn next_quaternion<R: Tabulated>(
+pub(crate) unsafe fn next_quaternion<R: CScalar>(
     table: *const u8,
     cursor: *mut toytop_ephemeris_cursor,
-    place: *mut R::Held,
+    place: *mut R::Value,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table, here and inside.
-    unsafe { advance::<R>(table, cursor, |sample| write(place.cast(), sample.quaternion().map(R::held))) }
+    unsafe { advance::<R>(table, cursor, |sample| write(place.cast(), sample.quaternion().map(R::to_c))) }
 }
 
 /// Tick of the last sample of a cursor; before the first sample, the tick before it.
@@ -180,7 +180,7 @@ pub unsafe extern "C" fn toytop_ephemeris_cursor_tick(
     tick: *mut i64,
 ) -> toytop_status {
     // SAFETY: the caller guarantees valid pointers.
-    unsafe { kept(place).and_then(|of: CursorOf| write(tick, of.ticks.tick())) }.into()
+    unsafe { load(place).and_then(|of: CursorOf| write(tick, of.ticks.tick())) }.into()
 }
 
 /// Parts of a complex number, {re, im}.
@@ -189,20 +189,20 @@ pub(crate) fn parts<R>(z: Complex<R>) -> [R; 2] {
 }
 
 /// Parts of alpha, then of beta.
-pub(crate) fn cayley_klein<R: Tabulated>(sample: Sample<'_, R>) -> Result<[R::Held; 4], Refusal> {
+pub(crate) fn cayley_klein<R: CScalar>(sample: Sample<'_, R>) -> Result<[R::Value; 4], Refusal> {
     let orientation = sample.orientation();
     let ([a, b], [c, d]) = (parts(orientation.alpha), parts(orientation.beta));
-    Ok([a, b, c, d].map(R::held))
+    Ok([a, b, c, d].map(R::to_c))
 }
 
 /// Tip angle, rad.
-pub(crate) fn tip_angle<R: Tabulated>(sample: Sample<'_, R>) -> Result<f64, Refusal> {
+pub(crate) fn tip_angle<R: CScalar>(sample: Sample<'_, R>) -> Result<f64, Refusal> {
     let angle = sample.tip_angle().ok_or(toytop_status::TOYTOP_NONE)?;
     Ok(angle.to_radians())
 }
 
 /// State to launch from.
-pub(crate) fn state<R: Tabulated>(sample: Sample<'_, R>) -> Result<toytop_state, Refusal> {
+pub(crate) fn state<R: CScalar>(sample: Sample<'_, R>) -> Result<toytop_state, Refusal> {
     Ok(toytop_state::of(&sample.attitude_state().state()?))
 }
 
@@ -219,7 +219,7 @@ pub struct toytop_event {
 }
 
 /// First event of an iterator.
-pub(crate) fn first_event<R: Tabulated>(mut events: Events<'_, R>) -> Result<toytop_event, Refusal> {
+pub(crate) fn first_event<R: CScalar>(mut events: Events<'_, R>) -> Result<toytop_event, Refusal> {
     let Event { tick, fraction, upward } = events.next().ok_or(toytop_status::TOYTOP_NONE)?;
     Ok(toytop_event { tick, fraction, upward: upward.into() })
 }

@@ -3,7 +3,7 @@
 use crate::launch::toytop_state;
 use crate::sample::{self, parts, toytop_ephemeris_sample};
 use crate::status::toytop_status;
-use crate::table::Tabulated;
+use crate::table::CScalar;
 use toytop::fixed::types::I2F30;
 
 /// Sample of a table in memory of the caller.
@@ -35,13 +35,13 @@ quantity! {
 quantity! {
 /// Unit quaternion, four numbers w, x, y, z, from body to fixed coordinates.
 [<toytop_ $name _quaternion>](quaternion: $output)
-    |sample: Sampled<$scalar>| Ok(sample.quaternion().map(Tabulated::held))
+    |sample: Sampled<$scalar>| Ok(sample.quaternion().map(CScalar::to_c))
 }
 
 quantity! {
 /// Unit vector of three components from the tip to the centre of mass, in the fixed frame. The third is u, the cosine of the
 /// tilt, which a rounding can take past 1.
-[<toytop_ $name _axis>](axis: $output) |sample: Sampled<$scalar>| Ok(sample.axis().map(Tabulated::held))
+[<toytop_ $name _axis>](axis: $output) |sample: Sampled<$scalar>| Ok(sample.axis().map(CScalar::to_c))
 }
 
 quantity! {

@@ -1,9 +1,9 @@
 //! Set-up of a table, and the number of segments that it needs.
 
-use crate::memory::kept;
+use crate::memory::load;
 use crate::motion::toytop_motion;
 use crate::status::{Refusal, toytop_status};
-use crate::table::{Memory, TOYTOP_EPHEMERIS_ALIGNMENT, Tabulated, toytop_tick};
+use crate::table::{CScalar, Memory, TOYTOP_EPHEMERIS_ALIGNMENT, toytop_tick};
 use core::ffi::c_void;
 use toytop::{EphemerisView, Motion, ParameterError, SetUp, Tick};
 
@@ -27,7 +27,7 @@ const _: () = assert!(
 );
 
 /// Truncation error that a caller gives, rad; 0 stands for that of the scalar.
-fn given<R: Tabulated>(truncation: f64) -> Result<f64, Refusal> {
+fn given<R: CScalar>(truncation: f64) -> Result<f64, Refusal> {
     match truncation {
         0.0 => Ok(R::TRUNCATION),
         given if given.is_finite() && given > 0.0 => Ok(given),
@@ -52,7 +52,7 @@ pub(crate) struct Launched {
 /// # Safety
 /// `table` is null or valid for writing `size` bytes, `set_up` is null or valid for writing, and nobody else uses them until this returns.
 /// The motion is null or valid for reading. `between` may be called with `context`.
-pub(crate) unsafe fn run<R: Tabulated>(
+pub(crate) unsafe fn run<R: CScalar>(
     (table, size): (*mut u8, usize),
     set_up: *mut toytop_set_up,
     launched: Launched,
@@ -71,7 +71,7 @@ pub(crate) unsafe fn run<R: Tabulated>(
     let words = set_up.cast::<u8>();
     let set_up = words.wrapping_add(words.align_offset(align_of::<SetUp>())).cast::<SetUp>();
     // SAFETY: the caller guarantees a valid pointer.
-    let motion: Motion = unsafe { kept(launched.motion)? };
+    let motion: Motion = unsafe { load(launched.motion)? };
     let tick = Tick::ratio(launched.tick.ticks, launched.tick.seconds)?;
     let truncation = given::<R>(launched.truncation)?;
     // SAFETY: the pointer is neither null nor unaligned, and the memory is large enough.
@@ -96,7 +96,7 @@ pub(crate) unsafe fn run<R: Tabulated>(
 /// # Safety
 /// As for [`run`].
 #[inline(never)]
-pub(crate) unsafe fn on_stack<R: Tabulated>(
+pub(crate) unsafe fn on_stack<R: CScalar>(
     table: (*mut u8, usize),
     launched: Launched,
 ) -> Result<(), Refusal> {
@@ -109,9 +109,9 @@ pub(crate) unsafe fn on_stack<R: Tabulated>(
 ///
 /// # Safety
 /// `motion` is null or valid for reading.
-pub(crate) unsafe fn segments_needed<R: Tabulated>(motion: *const toytop_motion, truncation: f64) -> u32 {
+pub(crate) unsafe fn segments_needed<R: CScalar>(motion: *const toytop_motion, truncation: f64) -> u32 {
     // SAFETY: the caller guarantees a valid pointer.
-    let motion: Result<Motion, Refusal> = unsafe { kept(motion) };
+    let motion: Result<Motion, Refusal> = unsafe { load(motion) };
     let (Ok(motion), Ok(truncation)) = (motion, given::<R>(truncation)) else {
         return 0;
     };

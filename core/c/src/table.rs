@@ -64,38 +64,38 @@ pub extern "C" fn toytop_hertz(frequency: u32) -> toytop_tick {
 }
 
 /// Scalar of a table that C can hold.
-pub(crate) trait Tabulated: EphemerisScalar + 'static {
+pub(crate) trait CScalar: EphemerisScalar + 'static {
     /// Number that the memory of a table begins with once it is set up.
     const TAG: u32;
     /// Result as C has it.
-    type Held: Copy;
+    type Value: Copy;
 
-    fn held(self) -> Self::Held;
+    fn to_c(self) -> Self::Value;
 }
 
-impl Tabulated for f32 {
+impl CScalar for f32 {
     const TAG: u32 = 0x746f_7020;
-    type Held = Self;
+    type Value = Self;
 
-    fn held(self) -> Self {
+    fn to_c(self) -> Self {
         self
     }
 }
 
-impl Tabulated for f64 {
+impl CScalar for f64 {
     const TAG: u32 = 0x746f_7040;
-    type Held = Self;
+    type Value = Self;
 
-    fn held(self) -> Self {
+    fn to_c(self) -> Self {
         self
     }
 }
 
-impl Tabulated for I2F30 {
+impl CScalar for I2F30 {
     const TAG: u32 = 0x746f_701f;
-    type Held = i32;
+    type Value = i32;
 
-    fn held(self) -> i32 {
+    fn to_c(self) -> i32 {
         self.to_bits()
     }
 }
@@ -111,7 +111,7 @@ struct Head {
 }
 
 /// Table whose set-up has succeeded.
-pub(crate) struct Table<'a, R: Tabulated> {
+pub(crate) struct Table<'a, R: CScalar> {
     pub(crate) view: &'a EphemerisView<R>,
     pub(crate) address: *const u8,
     /// Scalar and generation, which a cursor and a sample of this table carry.
@@ -155,7 +155,7 @@ fn checked_head(table: *const u8) -> Result<*const Head, Refusal> {
 }
 
 /// Memory of a table after a head, with this many segments.
-fn behind<R: Tabulated>(head: *const Head, segments: usize) -> *mut EphemerisMemory<EphemerisView<R>> {
+fn behind<R: CScalar>(head: *const Head, segments: usize) -> *mut EphemerisMemory<EphemerisView<R>> {
     let first = head.wrapping_add(1).cast_mut().cast::<R::Segment>();
     // the pointer to a memory is that to its first byte, with the number of segments in place of the array's
     slice_from_raw_parts_mut(first, segments) as *mut EphemerisMemory<EphemerisView<R>>
@@ -166,7 +166,7 @@ fn behind<R: Tabulated>(head: *const Head, segments: usize) -> *mut EphemerisMem
 /// # Safety
 /// The pointer is null or valid for reading a head; and if its tag is that of the scalar, [`Memory::ready`] wrote what follows, which
 /// nobody changes as long as the reference lives.
-pub(crate) unsafe fn view<'a, R: Tabulated>(address: *const u8) -> Result<Table<'a, R>, Refusal> {
+pub(crate) unsafe fn view<'a, R: CScalar>(address: *const u8) -> Result<Table<'a, R>, Refusal> {
     let head = checked_head(address)?;
     // SAFETY: any bits are a head.
     let Head { tag, segments, generation } = unsafe { read(head)? };
@@ -183,7 +183,7 @@ pub(crate) unsafe fn view<'a, R: Tabulated>(address: *const u8) -> Result<Table<
 ///
 /// # Safety
 /// As for [`view`]; `place` is null or valid for writing a `T`.
-pub(crate) unsafe fn write_from<R: Tabulated, T>(
+pub(crate) unsafe fn write_from<R: CScalar, T>(
     table: *const u8,
     place: *mut T,
     quantity: impl FnOnce(&'static EphemerisView<R>) -> Result<T, Refusal>,
@@ -201,7 +201,7 @@ pub(crate) struct Memory {
 
 impl Memory {
     /// Memory of `size` bytes for a table of a scalar. Null and unaligned pointers, and too few bytes, are refused.
-    pub(crate) fn of<R: Tabulated>(table: *mut u8, size: usize) -> Result<Self, Refusal> {
+    pub(crate) fn of<R: CScalar>(table: *mut u8, size: usize) -> Result<Self, Refusal> {
         let head = checked_head(table)?.cast_mut();
         let most = size.saturating_sub(size_of_table::<R>(0)) / size_of::<R::Segment>();
         let segments = most.min(MOST);
@@ -215,7 +215,7 @@ impl Memory {
     ///
     /// # Safety
     /// The memory is valid for writing, and nobody else uses it as long as the reference lives.
-    pub(crate) unsafe fn clear<'a, R: Tabulated>(self) -> &'a mut EphemerisMemory<EphemerisView<R>> {
+    pub(crate) unsafe fn clear<'a, R: CScalar>(self) -> &'a mut EphemerisMemory<EphemerisView<R>> {
         // SAFETY: there is room for a head, and behind it for a table of `segments` segments, at least 8. They are initialised
         // before a reference to them is made.
         unsafe {
@@ -235,7 +235,7 @@ impl Memory {
     ///
     /// # Safety
     /// As for [`Self::clear`], which was called before.
-    pub(crate) unsafe fn ready<R: Tabulated>(self) {
+    pub(crate) unsafe fn ready<R: CScalar>(self) {
         // SAFETY: the caller guarantees valid memory.
         unsafe { (*self.head).tag = R::TAG };
     }
@@ -248,7 +248,7 @@ mod tests {
     /// Memory of every number of segments that a motion may need is a table, from 8 on, in every scalar.
     #[test]
     fn a_table_may_have_eight_segments() {
-        fn check<R: Tabulated>() {
+        fn check<R: CScalar>() {
             let mut words = [0_u64; 2048];
             let table = words.as_mut_ptr().cast::<u8>();
             for segments in 8..=40 {

@@ -10,13 +10,13 @@
 //! The time t(v) and the argument of α are [Weierstrass functions](sliding) for a sliding tip, and elementary
 //! functions for a fixed one.
 
-mod rise;
+mod constants;
 
 mod sliding;
 
 use crate::elliptic::theta::ValueAndSlope;
-use crate::orientation::{ConstantArguments, solve_rising};
-use rise::{Fixed, Rise, RiseValues};
+use crate::orientation::{ArgumentOffsets, solve_increasing};
+use constants::{AperiodicConstants, AperiodicValues, Fixed};
 use sliding::Sliding;
 use toytop::internal::{ScaledTop, phase_of};
 use toytop::scalar::{Extended, Float, Ring};
@@ -43,11 +43,11 @@ use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 /// exponentials and two arctangents for a fixed one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aperiodic {
-    rise: Rise,
+    constants: AperiodicConstants,
     form: Form,
     /// Variable v at t = 0, and t(v) there.
     start: [Extended; 2],
-    arguments: ConstantArguments,
+    arguments: ArgumentOffsets,
     /// Length 2s, m; 2 for a fixed tip.
     tip_scale: f64,
     /// Tip angle minus the argument of α in the closed form.
@@ -63,7 +63,7 @@ enum Form {
 }
 
 impl Form {
-    fn time(&self, point: &RiseValues) -> Extended {
+    fn time(&self, point: &AperiodicValues) -> Extended {
         match self {
             Self::Sliding(form) => form.time(point),
             Self::Fixed(_) => point.v * point.dt_dv,
@@ -71,7 +71,7 @@ impl Form {
     }
 
     /// α and its time derivative for C = A.
-    fn alpha(&self, point: &RiseValues) -> ValueAndSlope {
+    fn alpha(&self, point: &AperiodicValues) -> ValueAndSlope {
         match self {
             Self::Sliding(form) => form.alpha(point),
             Self::Fixed(form) => form.alpha(point),
@@ -79,7 +79,7 @@ impl Form {
     }
 
     /// Argument of α, continuous in v, minus that at u = e₁; 0 where α passes through 0.
-    fn argument(&self, point: &RiseValues) -> Phase {
+    fn argument(&self, point: &AperiodicValues) -> Phase {
         phase_of(match self {
             Self::Sliding(form) => form.argument(point),
             Self::Fixed(form) => form.argument(point),
@@ -97,33 +97,38 @@ impl Aperiodic {
         let v = Extended::from(motion.aperiodic_variable()?);
         let (e, ScaledTop { a, p, s, g, .. }) = (motion.exact_branch_points(), motion.scaled_top());
         let one_minus_e1 = e.one_minus_e1();
-        let rise = Rise { e1: e.e1, one_plus_e1: e.one_plus_e1, one_minus_e1, a_over_p: a / p, s, g };
+        let constants =
+            AperiodicConstants { e1: e.e1, one_plus_e1: e.one_plus_e1, one_minus_e1, a_over_p: a / p, s, g };
         let form = match motion.top().support() {
-            Support::Sliding => Form::Sliding(Sliding::new(&rise, motion.exact_integrals().l / a)),
+            Support::Sliding => Form::Sliding(Sliding::new(&constants, motion.exact_integrals().l / a)),
             // the axis of a free body does not rise to the vertical
-            Support::Fixed | Support::Free => Form::Fixed(Fixed::new(&rise, motion.signs().l_plus_n)),
+            Support::Fixed | Support::Free => Form::Fixed(Fixed::new(&constants, motion.signs().l_plus_n)),
         };
-        let point = rise.at(v);
+        let point = constants.at(v);
         let alpha = form.alpha(&point);
-        let arguments = ConstantArguments::new(motion, [alpha, rise.beta(&point)]);
+        let arguments = ArgumentOffsets::new(motion, [alpha, constants.beta(&point)]);
         let [a, b] = arguments.angles;
         let at_start = form.argument(&point);
         // the argument of α at u = e₁ in the closed form
         let lowest =
-            if e.one_plus_e1 > Extended::ZERO { form.alpha(&rise.at(Extended::ZERO)) } else { alpha };
+            if e.one_plus_e1 > Extended::ZERO { form.alpha(&constants.at(Extended::ZERO)) } else { alpha };
         let origin =
             Phase::from_radians(Complex::new(lowest.value.re.to_f64(), lowest.value.im.to_f64()).arg());
         let tip_origin = (a + b + origin + at_start).principal() - at_start;
         let tip_scale = 2.0 * motion.top().tip_scale();
-        Some(Self { rise, form, start: [v, form.time(&point)], arguments, tip_scale, tip_origin })
+        Some(Self { constants, form, start: [v, form.time(&point)], arguments, tip_scale, tip_origin })
     }
 
     /// Orientation Φ and rate Φ' at t. A t that is not finite counts as 0.
     #[must_use]
     pub fn at(&self, t: f64) -> AttitudeState<f64> {
-        let point = self.rise.at(self.exact_v(t));
+        let point = self.constants.at(self.exact_v(t));
         let t = if t.is_finite() { t } else { 0.0 };
-        self.arguments.attitude_state(t, [self.form.alpha(&point), self.rise.beta(&point)], [Phase::ZERO; 2])
+        self.arguments.attitude_state(
+            t,
+            [self.form.alpha(&point), self.constants.beta(&point)],
+            [Phase::ZERO; 2],
+        )
     }
 
     /// Position c of the tip at t, m; 2αβ, without unit, for a fixed tip.
@@ -137,7 +142,7 @@ impl Aperiodic {
     /// angle is constant, and the radius changes its sign.
     #[must_use]
     pub fn tip_angle(&self, t: f64) -> Phase {
-        self.tip_origin + self.form.argument(&self.rise.at(self.exact_v(t)))
+        self.tip_origin + self.form.argument(&self.constants.at(self.exact_v(t)))
     }
 
     /// Bound on the error of an orientation, rad, at any |t| up to 1e15 times the shortest time of the motion: 2e-15, and the rounding
@@ -145,7 +150,7 @@ impl Aperiodic {
     #[must_use]
     pub fn error_bound(&self) -> f64 {
         let [v, _] = self.start.map(Float::to_f64);
-        let spread = (self.rise.s / self.rise.a_over_p).to_f64();
+        let spread = (self.constants.s / self.constants.a_over_p).to_f64();
         2e-15 + 5e-16 * Float::abs(v) * Float::sqrt(1.0 + spread)
     }
 
@@ -162,10 +167,10 @@ impl Aperiodic {
         }
         let target = origin + t.clamp(-Self::FURTHEST, Self::FURTHEST).into();
         let function = |v: Extended| {
-            let point = self.rise.at(v);
+            let point = self.constants.at(v);
             (self.form.time(&point), point.dt_dv)
         };
-        let bounds @ [low, high] = self.rise.bounds(target);
-        solve_rising(target, bounds, (low + high).halved(), function)
+        let bounds @ [low, high] = self.constants.bounds(target);
+        solve_increasing(target, bounds, (low + high).halved(), function)
     }
 }

@@ -14,9 +14,9 @@
 
 use crate::elliptic::carlson_rf;
 use crate::elliptic::elementary::{imaginary, of_turns, real};
-use crate::elliptic::lattice::{Lattice, NONE, OMEGA, OMEGA_PRIME, ThetaQuotient, zeros};
+use crate::elliptic::lattice::{Lattice, OMEGA, OMEGA_PRIME, ORIGIN, ThetaQuotient, zeros};
 use crate::elliptic::theta::ValueAndSlope;
-use crate::orientation::{ConstantArguments, Periods, half_turns, solve_rising};
+use crate::orientation::{ArgumentOffsets, Periods, half_turns, solve_increasing};
 use toytop::internal::{HalfPhase, ScaledTop};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
@@ -54,7 +54,7 @@ impl E3EqualsE4 {
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
         let HalfPhase::Nutating(chi) = motion.half_phase() else { return None };
-        if motion.top().support() == Support::Fixed || !coincide(motion) {
+        if motion.top().support() != Support::Sliding || !coincide(motion) {
             return None;
         }
         let e = motion.exact_branch_points();
@@ -76,7 +76,7 @@ impl E3EqualsE4 {
         };
         let integrals = motion.exact_integrals();
         let alpha = quotient(OMEGA_PRIME, a, integrals.l_plus_n, (highest, alpha_size));
-        let beta = quotient(NONE, b, -integrals.l_minus_n, (lowest, beta_size));
+        let beta = quotient(ORIGIN, b, -integrals.l_minus_n, (lowest, beta_size));
         let whole = imaginary(half.doubled());
         let turns = [alpha.turns(highest, whole), beta.turns(lowest, whole)];
 
@@ -89,7 +89,7 @@ impl E3EqualsE4 {
         let linear = (e.e1 + e.e2 + e.e3.doubled()) / 3.0.into();
         let solution = Solution { time_scale, linear, alpha, beta };
         let (period, origin) = (solution.time(half).0.doubled(), solution.time(start).0);
-        let arguments = ConstantArguments::new(motion, solution.parameters(start));
+        let arguments = ArgumentOffsets::new(motion, solution.parameters(start));
         Some(Self { solution, periods: Periods { period, turns, origin, arguments } })
     }
 
@@ -148,7 +148,7 @@ impl Solution {
     /// Coordinate y at a time within half a period of u = e₂.
     fn y_at(&self, time: Extended, period: Extended) -> Extended {
         let [_, half] = self.alpha.lattice.half_periods;
-        solve_rising(time, [-half, half], half.doubled() * time / period, |y| self.time(y))
+        solve_increasing(time, [-half, half], half.doubled() * time / period, |y| self.time(y))
     }
 
     /// α and β at x = iy, and their time derivatives.

@@ -12,9 +12,9 @@
 
 use crate::elliptic::carlson_rf;
 use crate::elliptic::elementary::{imaginary, of_turns, real};
-use crate::elliptic::lattice::{Lattice, NONE, OMEGA, OMEGA_PRIME, ThetaQuotient, zeros};
+use crate::elliptic::lattice::{Lattice, OMEGA, OMEGA_PRIME, ORIGIN, ThetaQuotient, zeros};
 use crate::elliptic::theta::ValueAndSlope;
-use crate::orientation::{ConstantArguments, Periods, half_turns};
+use crate::orientation::{ArgumentOffsets, Periods, half_turns};
 use toytop::internal::{HalfPhase, ScaledTop};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, BranchPoints, Complex, Motion, Phase, Support};
@@ -63,7 +63,7 @@ impl Lagrange {
         let quotient = |half, zero, point| {
             ThetaQuotient::through(&lattice, [half, OMEGA_PRIME], zero, Complex::ZERO, point)
         };
-        let alpha = quotient(NONE, a, (highest, alpha_size));
+        let alpha = quotient(ORIGIN, a, (highest, alpha_size));
         let beta = quotient(OMEGA, b, (lowest, beta_size));
         let whole = real(half.doubled());
         let turns = [alpha.turns(-highest, whole), beta.turns(lowest, whole)];
@@ -71,7 +71,7 @@ impl Lagrange {
         let solution = Solution { z_rate, alpha, beta };
         let origin = since_lowest(&e, chi) / z_rate;
         let (period, arguments) =
-            (half.doubled() / z_rate, ConstantArguments::new(motion, solution.parameters(origin)));
+            (half.doubled() / z_rate, ArgumentOffsets::new(motion, solution.parameters(origin)));
         Some(Self { solution, periods: Periods { period, turns, origin, arguments } })
     }
 

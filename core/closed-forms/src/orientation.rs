@@ -1,6 +1,6 @@
 //! Orientation of a motion at any time, from α and β of a closed form within a period, and the inverse of an increasing function.
 
-use crate::elliptic::elementary::{Wide, angle, of_turns, real, rounded};
+use crate::elliptic::elementary::{WideComplex, angle, of_turns, real, rounded};
 use crate::elliptic::theta::ValueAndSlope;
 use toytop::internal::{HalfPhase, phase_of};
 use toytop::scalar::{Extended, Float, Ring};
@@ -12,13 +12,13 @@ use toytop::{AttitudeState, Complex, Motion, Phase};
 /// The orientation is Φ(t) = diag(e^{ia}, e^{ib}) Φ_closed(t) diag(e^{iτt/2}, e^{-iτt/2}), with Φ_closed that of a
 /// top with A = C.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct ConstantArguments {
+pub(super) struct ArgumentOffsets {
     /// Angles a and b.
     pub(super) angles: [Phase; 2],
     half_tau: Extended,
 }
 
-impl ConstantArguments {
+impl ArgumentOffsets {
     /// Arguments from α, β and their time derivatives in the closed form at t = 0, for C = A.
     ///
     /// Value and derivative are averaged with weights, so that the argument is well defined also where a parameter is
@@ -74,8 +74,8 @@ fn argument(
     [nutation, turning]: [Extended; 2],
     closed: ValueAndSlope,
 ) -> Phase {
-    let value: Wide = Complex::new(x * cosine, y * sine);
-    let along: Wide = Complex::new(-(x * sine), y * cosine);
+    let value: WideComplex = Complex::new(x * cosine, y * sine);
+    let along: WideComplex = Complex::new(-(x * sine), y * cosine);
     let slope = along.scaled(nutation) + value.times_i().scaled(turning);
     let rate_squared = nutation.squared() + turning.squared();
     let sum = value * closed.value.conj() * real(rate_squared) + slope * closed.slope.conj();
@@ -91,7 +91,7 @@ pub(super) struct Periods {
     pub(super) turns: [Phase; 2],
     /// Time of the solution at t = 0 of the motion.
     pub(super) origin: Extended,
-    pub(super) arguments: ConstantArguments,
+    pub(super) arguments: ArgumentOffsets,
 }
 
 impl Periods {
@@ -131,7 +131,7 @@ fn split(origin: Extended, t: f64, period: Extended) -> (i64, Extended) {
 
 /// Solution y in [low, high] of `function`(y) = `target` for an increasing function: Newton's method, with bisection
 /// where a step would leave the interval. `function` returns value and slope > 0.
-pub(super) fn solve_rising(
+pub(super) fn solve_increasing(
     target: Extended,
     [low, high]: [Extended; 2],
     guess: Extended,
@@ -179,7 +179,7 @@ mod tests {
         let small = Extended::from(1e-9);
         let stiff = |y: Extended| (y.squared() * y + small * y, y.squared() * 3.0.into() + small);
         for target in [-1.0, -1e-12, 0.0, 1e-20, 0.3] {
-            let y = solve_rising(target.into(), [(-2.0).into(), 2.0.into()], 1.0.into(), stiff);
+            let y = solve_increasing(target.into(), [(-2.0).into(), 2.0.into()], 1.0.into(), stiff);
             let error = (stiff(y).0 - target.into()).abs().to_f64();
             assert!(error <= 1e-30 * target.abs(), "{target}: {error:e}");
         }

@@ -1,6 +1,6 @@
 //! Covariance of the unknowns of a fit.
 
-use crate::sensitivity::{LAUNCH, Tangent};
+use crate::sensitivity::{LAUNCH_COLUMNS, Tangent};
 use crate::triangle::{MOST_UNKNOWNS, Triangle};
 use crate::vector::Vector;
 use toytop::scalar::Real;
@@ -60,7 +60,7 @@ impl Covariance {
             change.as_flattened().get(index).copied().unwrap_or(0.0)
         };
         // the other unknowns are kept, so that only the rows of the launch have to be multiplied
-        let mut rows = [[0.0; MOST_UNKNOWNS]; LAUNCH];
+        let mut rows = [[0.0; MOST_UNKNOWNS]; LAUNCH_COLUMNS];
         for (index, row) in rows.iter_mut().enumerate() {
             for (unknown, slot) in row.iter_mut().enumerate() {
                 *slot = (0..MOST_UNKNOWNS).map(|k| share(index, k) * self.get(k, unknown)).sum();
@@ -69,14 +69,14 @@ impl Covariance {
         for (index, row) in rows.iter().enumerate() {
             for (unknown, entry) in row.iter().enumerate().skip(index) {
                 let product = || row.iter().enumerate().map(|(k, entry)| entry * share(unknown, k)).sum();
-                self.set(index, unknown, if unknown < LAUNCH { product() } else { *entry });
+                self.set(index, unknown, if unknown < LAUNCH_COLUMNS { product() } else { *entry });
             }
         }
     }
 
     /// Replaces the covariance of a launch along other axes by that along the fixed ones.
     pub(crate) fn turn(&mut self, axes: &[Vector<f64>; 3]) {
-        self.carry(&Tangent::along_axes::<LAUNCH>(axes));
+        self.carry(&Tangent::along_axes::<LAUNCH_COLUMNS>(axes));
     }
 
     /// Covariance of a vector, of which the derivatives with respect to the unknowns are given.

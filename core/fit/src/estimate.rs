@@ -1,6 +1,6 @@
 //! Estimate of the unknowns of a fit: a launch, free ratios of the top, losses and biases.
 
-use crate::sensitivity::{LAUNCH, RATIOS};
+use crate::sensitivity::{LAUNCH_COLUMNS, RATIOS};
 use crate::triangle::{MOST_UNKNOWNS, Unknowns};
 use crate::vector::{Vector, add_scaled, rotation_vector};
 use toytop::su2::Orientation;
@@ -42,17 +42,17 @@ pub struct Estimate {
     /// Angular velocity ω at the epoch in the fixed frame.
     pub omega: Vector<f64>,
     /// Changes of the logarithms of the free ratios, losses, and biases.
-    pub(crate) other: [f64; MOST_UNKNOWNS - LAUNCH],
+    pub(crate) other: [f64; MOST_UNKNOWNS - LAUNCH_COLUMNS],
 }
 
 impl Estimate {
     /// Estimate without biases, and with the ratios of the top.
     #[must_use]
     pub fn new(orientation: Orientation<f64>, omega: Vector<f64>) -> Self {
-        Self { orientation, omega, other: [0.0; MOST_UNKNOWNS - LAUNCH] }
+        Self { orientation, omega, other: [0.0; MOST_UNKNOWNS - LAUNCH_COLUMNS] }
     }
 
-    /// Values of the other unknowns: changes of the logarithms of the free ratios, the three losses if there is a drift, and the biases
+    /// Values of the other unknowns: changes of the logarithms of the free ratios, the three losses, if they are unknowns, and the biases
     /// of the sensors that have one.
     #[must_use]
     pub fn other_unknowns(&self) -> &[f64] {
@@ -61,7 +61,7 @@ impl Estimate {
 
     /// Value of an unknown after those of the launch.
     pub(crate) fn unknown(&self, index: usize) -> Option<f64> {
-        self.other.get(index.checked_sub(LAUNCH)?).copied()
+        self.other.get(index.checked_sub(LAUNCH_COLUMNS)?).copied()
     }
 
     /// State of the launch.

@@ -17,11 +17,11 @@ mod fitted;
 
 use crate::estimate::{Estimate, FreeRatio};
 use crate::model::Model;
-use crate::sensitivity::LAUNCH;
+use crate::sensitivity::LAUNCH_COLUMNS;
 use crate::sensors::{Measurement, Sensor};
 use crate::vector::{UNITS, Vector, norm, rotation_vector};
 use correction::SETTLED;
-pub use error::{FitError, Reason};
+pub use error::{Distrust, FitError};
 pub use fitted::{Drift, Fitted, Unobservable};
 pub use pass::{Fit, Statistics};
 use toytop::Top;
@@ -51,24 +51,24 @@ impl<'a, F: Real> Fit<'a, F> {
     }
 
     /// Sets the residual, in standard deviations, from which an observation counts linearly instead of quadratically
-    /// (Huber); infinite for least squares. The default is 3.
+    /// (Huber); infinite for least squares. The default is 3. A smaller number than 1, or NaN, counts as 1.
     #[must_use]
     pub fn with_huber(mut self, residual: f64) -> Self {
-        self.huber = residual;
+        self.huber = residual.max(1.0);
         self
     }
 
     /// Adds three losses of rotation to the unknowns: about the axis, across it and about the vertical. At most one ratio may then
     /// be free.
     ///
-    /// * `deviation`: standard deviation of each loss before the fit, as a share of the rotation per unit time: 1/60 where the spin may
-    ///   be lost in a minute
+    /// * `deviation`: standard deviation of each loss before the fit, per unit time: 1/60 /s for a spin that
+    ///   may stop in a minute
     ///
     /// # Errors
-    /// [`FitError::TooManyUnknowns`]: more than one free ratio. [`FitError::DriftDeviation`]: not a positive number.
-    pub fn with_drift(self, deviation: f64) -> Result<Self, FitError> {
+    /// [`FitError::TooManyUnknowns`]: more than one free ratio. [`FitError::LossDeviation`]: not a positive number.
+    pub fn with_losses(self, deviation: f64) -> Result<Self, FitError> {
         if !(deviation.is_finite() && deviation > 0.0) {
-            return Err(FitError::DriftDeviation);
+            return Err(FitError::LossDeviation);
         }
         let model = Model::new(&self.model.top, self.sensors, self.model.free(), Some(deviation));
         let model = model.ok_or(FitError::TooManyUnknowns)?;
@@ -84,11 +84,11 @@ impl<'a, F: Real> Fit<'a, F> {
         measurements: impl Iterator<Item = Measurement> + Clone,
     ) -> Result<Fitted, FitError> {
         let extent = self.checked(&measurements)?;
-        let (reason, alternatives) = self.search(&measurements, &extent);
-        let mut fitted = self.fitted(&extent, reason, alternatives);
-        if matches!(fitted.reason, Some(Reason::Misfit | Reason::NotSettled)) {
-            let cause = self.cause(&measurements, &extent, fitted.statistics.chi_squared);
-            fitted.reason = cause.or(fitted.reason);
+        let (distrust, alternatives) = self.search(&measurements, &extent);
+        let mut fitted = self.fitted(&extent, distrust, alternatives);
+        if matches!(fitted.distrust, Some(Distrust::Misfit | Distrust::NotSettled)) {
+            let cause = self.misfit_cause(&measurements, &extent, fitted.statistics.chi_squared);
+            fitted.distrust = cause.or(fitted.distrust);
         }
         Ok(fitted)
     }
@@ -104,20 +104,20 @@ impl<'a, F: Real> Fit<'a, F> {
     ) -> Result<Fitted, FitError> {
         let extent = self.checked(&measurements)?;
         self.start_from(&guess);
-        let reason = self.settle_finally(&measurements);
-        Ok(self.fitted(&extent, reason, 0))
+        let distrust = self.settle_finally(&measurements);
+        Ok(self.fitted(&extent, distrust, 0))
     }
 
     /// Fits the next block of measurements from the fit of the last one, carried to it with its covariance.
     ///
-    /// * `drift`: standard deviation of the relative change of ω per unit time, as by friction: 1/60 where the spin is lost in a minute
+    /// * `loss`: standard deviation of the relative change of ω per unit time: 1/60 /s for a spin that stops in a minute
     ///
     /// # Errors
     /// The errors of [`Fit::run`], and [`FitError::OutOfOrder`] where the last fit cannot be followed to the block.
     pub fn track(
         &mut self,
         last: &Fitted,
-        drift: f64,
+        loss: f64,
         measurements: impl Iterator<Item = Measurement> + Clone,
     ) -> Result<Tracked, FitError> {
         let extent = self.checked(&measurements)?;
@@ -126,23 +126,23 @@ impl<'a, F: Real> Fit<'a, F> {
         let (predicted, at) = followed.ok_or(FitError::OutOfOrder { index: 0 })?;
         let mut covariance = last.covariance;
         covariance.carry(&at.flow.tangents);
-        let noise = drift * norm(predicted.omega) * span;
-        for index in 0..LAUNCH {
+        let noise = loss * norm(predicted.omega) * span;
+        for index in 0..LAUNCH_COLUMNS {
             let noise = if index < 3 { 0.5 * span * noise } else { noise };
             covariance.set(index, index, covariance.get(index, index) + noise * noise);
         }
         // the losses may be others now
-        for loss in self.model.losses() {
-            (0..last.count).for_each(|other| covariance.set(loss, other, 0.0));
+        for loss in self.model.loss_range() {
+            (0..last.unknowns).for_each(|other| covariance.set(loss, other, 0.0));
             covariance.set(loss, loss, self.model.prior_variance(loss));
         }
         // to changes along the body axes
         let body = predicted.orientation.inverse();
         covariance.turn(&UNITS.map(|axis| body.adjoint(axis)));
-        self.prior = (predicted, covariance.information(last.count));
+        self.prior = (predicted, covariance.information(last.unknowns));
         self.start_from(&predicted);
         let settled = self.settle(&measurements, usize::MAX, SETTLED);
-        let fitted = self.fitted(&extent, self.reason(settled), 0);
+        let fitted = self.fitted(&extent, self.distrust(settled), 0);
         self.reset_prior();
         let turn = self.best.estimate.orientation.compose(&predicted.orientation.inverse());
         let drift = self.mean_rates([&last.launch, &fitted.launch], fitted.epoch - last.epoch);

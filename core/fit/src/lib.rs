@@ -12,7 +12,7 @@ mod triangle;
 
 mod covariance;
 
-mod course;
+mod trajectory;
 
 mod estimate;
 
@@ -26,11 +26,11 @@ pub mod partials {}
 
 pub use covariance::Covariance;
 pub use estimate::{Estimate, FreeRatio};
-pub use fit::{Drift, Fit, FitError, Fitted, Reason, Statistics, Tracked, Unobservable};
+pub use fit::{Distrust, Drift, Fit, FitError, Fitted, Statistics, Tracked, Unobservable};
 pub use model::{MOST_RATIOS, MOST_SENSORS};
 pub use sensitivity::{Partials, Sensitivity, SensitivityCursor};
 pub use sensors::{
     Accelerometer, AxisCamera, Gyroscope, Hint, Magnetometer, Mark, Measurement, Mounting, Noise,
-    OrientationCamera, Prediction, Sensor, TipCamera,
+    OrientationCamera, Residual, Sensor, TipCamera,
 };
 pub use triangle::MOST_UNKNOWNS;

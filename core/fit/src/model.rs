@@ -2,8 +2,8 @@
 
 use crate::estimate::{Estimate, FreeRatio};
 use crate::sensitivity::{
-    Coefficients, Equations, Flow, LAUNCH, LOSSES, Partials, RATIOS, Sensitivity, coefficients, exponents,
-    ratios, with_coefficients,
+    Coefficients, Equations, Flow, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS, Sensitivity, coefficients,
+    exponents, ratios, with_coefficients,
 };
 use crate::sensors::Sensor;
 use crate::triangle::{MOST_COMMON, MOST_UNKNOWNS, Triangle, Unknowns, single};
@@ -34,15 +34,15 @@ pub(crate) struct Model {
 }
 
 impl Model {
-    /// Model of these unknowns; `drift` is the prior deviation of the losses. `None` where there are too many.
+    /// Model of these unknowns, with the prior deviation of the losses if they are unknowns. `None` where there are too many.
     pub(crate) fn new<F>(
         top: &Top,
         sensors: &[&dyn Sensor<F>],
         ratios: &[FreeRatio],
-        drift: Option<f64>,
+        loss_deviation: Option<f64>,
     ) -> Option<Self> {
-        let loss_count = drift.map_or(0, |_| LOSSES);
-        let common = LAUNCH + ratios.len() + loss_count;
+        let loss_count = loss_deviation.map_or(0, |_| LOSS_COUNT);
+        let common = LAUNCH_COLUMNS + ratios.len() + loss_count;
         if sensors.len() > MOST_SENSORS || common > MOST_COMMON {
             return None;
         }
@@ -56,8 +56,8 @@ impl Model {
             count: common,
         };
         model.free.iter_mut().zip(ratios).for_each(|(slot, ratio)| *slot = *ratio);
-        let mut slots = model.deviations.iter_mut().skip(LAUNCH);
-        let losses = repeat_n(drift.unwrap_or(f64::INFINITY), loss_count);
+        let mut slots = model.deviations.iter_mut().skip(LAUNCH_COLUMNS);
+        let losses = repeat_n(loss_deviation.unwrap_or(f64::INFINITY), loss_count);
         let known = ratios.iter().map(|ratio| ratio.deviation).chain(losses);
         known.zip(&mut slots).for_each(|(deviation, slot)| *slot = deviation);
         for (first, sensor) in model.biases.iter_mut().zip(sensors) {
@@ -82,13 +82,13 @@ impl Model {
     }
 
     /// Places of the losses among the unknowns.
-    pub(crate) fn losses(&self) -> Range<usize> {
-        LAUNCH + self.free_count..self.common()
+    pub(crate) fn loss_range(&self) -> Range<usize> {
+        LAUNCH_COLUMNS + self.free_count..self.common()
     }
 
     /// Number of unknowns that are not biases.
     pub(crate) fn common(&self) -> usize {
-        LAUNCH + self.free_count + self.loss_count
+        LAUNCH_COLUMNS + self.free_count + self.loss_count
     }
 
     /// First bias of a sensor among the unknowns.
@@ -97,9 +97,9 @@ impl Model {
     }
 
     /// Losses of an estimate.
-    pub(crate) fn losses_of(&self, estimate: &Estimate) -> [f64; LOSSES] {
+    pub(crate) fn losses_of(&self, estimate: &Estimate) -> [f64; LOSS_COUNT] {
         let losses = estimate.other.get(self.free_count..).and_then(<[f64]>::first_chunk);
-        losses.copied().filter(|_| self.has_losses()).unwrap_or([0.0; LOSSES])
+        losses.copied().filter(|_| self.has_losses()).unwrap_or([0.0; LOSS_COUNT])
     }
 
     /// Equations of an estimate. Their columns after those of the launch are the free ratios and the losses.
@@ -154,7 +154,7 @@ impl Model {
     /// Launch at a later time, with the derivatives there with respect to the unknowns.
     pub(crate) fn predicted(&self, estimate: &Estimate, span: f64) -> Option<(Estimate, Partials)> {
         let at = self.sensitivity(estimate)?.cursor().with_turned_omega(span)?;
-        let (orientation, omega) = (at.orientation_now(), at.angular_velocity());
+        let (orientation, omega) = (at.orientation(), at.omega());
         Some((Estimate { orientation, omega, ..*estimate }, at))
     }
 
@@ -185,12 +185,12 @@ impl Model {
         let rate = norm([norm(estimate.omega), libm::sqrt(moment * gravity), 0.0]);
         let mut units =
             self.deviations.map(|deviation| if deviation.is_finite() { 10.0 * deviation } else { 1.0 });
-        units.iter_mut().take(LAUNCH).skip(3).for_each(|unit| *unit = rate);
+        units.iter_mut().take(LAUNCH_COLUMNS).skip(3).for_each(|unit| *unit = rate);
         units
     }
 
     /// Adds the information that damps a correction: a share `damping` of that along each unknown, as Marquardt does, and a standard
-    /// deviation of `limit` units. It is along the fixed axes, because there may be none about a rotation about the vertical.
+    /// deviation of `limit` units. Damping is along the fixed axes, because yaw may be unobservable.
     #[inline(never)] // its directions are on the stack between passes only
     pub(crate) fn damp<F: Real>(
         &self,

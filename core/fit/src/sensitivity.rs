@@ -18,10 +18,10 @@ mod partials;
 
 use crate::vector::{UNITS, Vector, cross};
 pub(crate) use coefficients::{
-    Coefficients, LOSSES, RATIOS, coefficients, exponents, ratios, with_coefficients,
+    Coefficients, LOSS_COUNT, RATIOS, coefficients, exponents, ratios, with_coefficients,
 };
 pub(crate) use equations::Equations;
-pub(crate) use flow::{COLUMNS, Flow, LAUNCH, Tangent};
+pub(crate) use flow::{COLUMNS, Flow, LAUNCH_COLUMNS, Tangent};
 use integrals::projected;
 pub(crate) use integration::advance;
 pub use partials::Partials;
@@ -148,7 +148,7 @@ impl SensitivityCursor<'_> {
         let mut partials = self.with_turned_omega(t)?;
         // with ω kept, a rotation δ of Φ changes ω by -δ × ω in the frame that turns by δ
         let omega = self.sensitivity.start.omega();
-        if let Some((launch, _)) = partials.flow.tangents.split_first_chunk_mut::<LAUNCH>() {
+        if let Some((launch, _)) = partials.flow.tangents.split_first_chunk_mut::<LAUNCH_COLUMNS>() {
             let [x, y, z, by_omega @ ..] = launch;
             for (slot, unit) in [x, y, z].into_iter().zip(UNITS) {
                 for (column, share) in by_omega.iter().zip(cross(omega, unit)) {

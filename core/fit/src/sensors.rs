@@ -27,9 +27,9 @@ pub(crate) trait Measurements: Iterator<Item = Measurement> + Clone {}
 
 impl<I: Iterator<Item = Measurement> + Clone> Measurements for I {}
 
-/// Difference of a reading from what a state predicts, in up to three components.
+/// Residual of a reading: its difference from what a state predicts, in up to three components.
 #[derive(Clone, Copy, Debug)]
-pub struct Prediction<F = f64> {
+pub struct Residual<F = f64> {
     /// Measured minus predicted value, without bias.
     pub difference: Vector<F>,
     /// Standard deviation of the noise; infinite for a component without information.
@@ -67,7 +67,7 @@ pub enum Hint {
 /// Sensor on the top or beside it, for fits in the scalar `F`. Implement it for an instrument of your own.
 pub trait Sensor<F = f64> {
     /// Difference of a reading from the prediction at a state, with its derivatives.
-    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F>;
+    fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F>;
 
     /// Prior standard deviation of a constant bias of each component; 0 where there is no bias.
     fn bias_deviation(&self) -> f64 {
@@ -82,9 +82,9 @@ pub trait Sensor<F = f64> {
 }
 
 /// Noise and bias of a sensor with three equal components.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Noise {
-    /// Standard deviation of one reading.
+    /// Standard deviation of one reading, > 0.
     pub deviation: f64,
     /// Standard deviation of the constant bias; 0 for none.
     pub bias: f64,

@@ -148,8 +148,8 @@ fn elliptic() -> Result<(), ParameterError> {
 fn sensitivity(motion: &Motion) {
     let sensitivity = Sensitivity::new(motion);
     let Some(partials) = sensitivity.at(unknown()) else { return };
-    black_box((partials.orientation(), partials.omega(), partials.omega_body(), partials.tip()));
-    black_box((partials.tip_angle(), partials.axis_change(), partials.orientation_now()));
+    black_box((partials.d_orientation(), partials.d_omega(), partials.d_omega_body(), partials.d_tip()));
+    black_box((partials.d_tip_angle(), partials.d_axis(), partials.orientation()));
 }
 
 /// Calls of a fit without an initial guess, and of the fit of a second block.

@@ -33,7 +33,7 @@ fn main() -> ! {
     let top = *toy_top().expect("a possible top").top();
     let mut fit = Fit::new(&top, &sensors, &[]).expect("three sensors");
     let fitted = fit.run(imu::measurements()).expect("finite readings in order");
-    match fitted.reason {
+    match fitted.distrust {
         None => defmt::info!("converged"),
         Some(_) => defmt::error!("not converged"),
     }
@@ -43,7 +43,7 @@ fn main() -> ! {
         statistics.used,
         statistics.unused,
         statistics.outliers,
-        statistics.reduced_chi_squared(fitted.count) as f32
+        statistics.reduced_chi_squared(fitted.unknowns) as f32
     );
     let deviations = fitted.deviations();
     for (name, (value, deviation)) in

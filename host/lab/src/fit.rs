@@ -82,11 +82,11 @@ fn trial(random: &mut Random, set: usize, seed: u64) -> Result<Accepted, String>
     let listed = sensors.listed();
     let mut fit = Fit::new(motion.top(), &listed, &[]).map_err(|error| error.to_string())?;
     let fitted = fit.run(samples.iter().copied()).map_err(|error| error.to_string())?;
-    match fitted.reason {
+    match fitted.distrust {
         Some(reason) => Err(reason.to_string()),
         None => Ok(Accepted {
             square: normalised_square(&fitted, &state),
-            freedom: 6 - fitted.unobservable.count.min(5),
+            freedom: 6 - fitted.unobservable.directions.min(5),
         }),
     }
 }

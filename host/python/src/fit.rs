@@ -111,7 +111,7 @@ pub(crate) fn fit<'py>(
 fn fields<'py>(py: Python<'py>, report: &FitReport, residuals: Columns) -> PyResult<FittedFields<'py>> {
     let core = report.fitted;
     let refused = |reason: String| PyString::new(py, &reason).into_any();
-    let launched = match (core.reason, report.scenario(None)) {
+    let launched = match (core.distrust, report.scenario(None)) {
         (Some(reason), _) => refused(format!("must be that of a fit that has converged: {reason}")),
         (None, Err(failure)) => refused(failure.to_string()),
         (None, Ok(text)) => Bound::new(py, MotionCore::from_text("fitted", &text)?)?.into_any(),
@@ -121,12 +121,12 @@ fn fields<'py>(py: Python<'py>, report: &FitReport, residuals: Columns) -> PyRes
     let of_losses = &deviations[6 + freed.len()..];
     let losses = core.drift.map(|drift| {
         let values = drift.losses.into_iter().zip(of_losses.iter().copied());
-        Drift::LOSSES.into_iter().zip(values).into_py_dict(py)
+        Drift::LOSS_NAMES.into_iter().zip(values).into_py_dict(py)
     });
     let free = freed.into_iter().map(|(key, value, deviation)| (key, (value, deviation)));
     let biases = report.biases().into_iter();
     let biases = biases.map(|(name, values, deviations)| (name, (numbers(&values), numbers(&deviations))));
-    let (count, [spin, tilt]) = (core.count, report.spin_and_tilt());
+    let (count, [spin, tilt]) = (core.unknowns, report.spin_and_tilt());
     let covariance = (0..count * count).map(|at| core.covariance.get(at / count, at % count)).collect();
     Ok(FittedFields {
         _core: FittedLaunch(core),

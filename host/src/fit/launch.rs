@@ -7,7 +7,9 @@ use crate::output::{number, short};
 use std::collections::BTreeMap;
 use toml::{Table, Value};
 use toytop::{Support, Top};
-use toytop_fit::{Drift, Fit, FitError, Fitted, FreeRatio, Hint, MOST_RATIOS, Measurement, Partials, Reason};
+use toytop_fit::{
+    Distrust, Drift, Fit, FitError, Fitted, FreeRatio, Hint, MOST_RATIOS, Measurement, Partials,
+};
 use toytop_model::equations::dot;
 
 /// Everything that a fit needs beside the measurements.
@@ -37,7 +39,7 @@ impl FitInput {
             return Err(("huber", "must be a number from 1, or inf".to_owned()));
         }
         let refuse = |error: FitError| match error {
-            FitError::DriftDeviation => ("drift", "must be a positive number".to_owned()),
+            FitError::LossDeviation => ("drift", "must be a positive number".to_owned()),
             FitError::TooManyUnknowns if self.drift.is_some() => {
                 ("free", "must be at most one name with a drift".to_owned())
             }
@@ -46,12 +48,12 @@ impl FitInput {
         let listed = self.sensors.listed();
         let mut fit = Fit::new(&self.top, &listed, &ratios).map_err(refuse)?.with_huber(self.huber);
         if let Some(deviation) = self.drift {
-            fit = fit.with_drift(deviation).map_err(refuse)?;
+            fit = fit.with_losses(deviation).map_err(refuse)?;
         }
         let fitted = fit.run(measurements.iter().copied()).map_err(refuse)?;
-        let reason = fitted.reason.map(|reason| match reason {
+        let reason = fitted.distrust.map(|reason| match reason {
             // the sensors that the core asks for exist, so that its advice would mislead
-            Reason::NoBeginning if has_beginning(&self.sensors, measurements) => {
+            Distrust::NoBeginning if has_beginning(&self.sensors, measurements) => {
                 "no start fits the samples: are they of another top?".to_owned()
             }
             reason => reason.to_string(),
@@ -148,7 +150,7 @@ impl FitReport {
     /// Biases by sensor, with their standard deviations.
     pub fn biases(&self) -> Vec<(&'static str, [f64; 3], [f64; 3])> {
         let deviations = self.fitted.deviations();
-        let losses = if self.fitted.drift.is_some() { Drift::LOSSES.len() } else { 0 };
+        let losses = if self.fitted.drift.is_some() { Drift::LOSS_NAMES.len() } else { 0 };
         let before = self.input.free.len() + losses;
         let values = self.fitted.launch.other_unknowns()[before..].as_chunks().0;
         let deviations = deviations[6 + before..].as_chunks().0;
@@ -197,7 +199,7 @@ impl FitReport {
         let found = self.fitted.unobservable;
         let named = [(found.yaw, "yaw"), (found.roll, "roll"), (found.spin, "spin")];
         let mut names: Vec<_> = named.iter().filter(|(is, _)| *is).map(|(_, name)| *name).collect();
-        if found.count > names.len() {
+        if found.directions > names.len() {
             names.push("other");
         }
         names
@@ -217,7 +219,7 @@ impl FitReport {
             let instrument = &self.input.sensors.instruments[*sensor];
             let bias = biases.iter().find(|(name, ..)| *name == instrument.kind.name);
             let bias = bias.map_or([0.0; 3], |(_, bias, _)| *bias);
-            let predicted = instrument.sensor.predict(&partials, values);
+            let predicted = instrument.sensor.residual(&partials, values);
             [0, 1, 2].map(|k| {
                 let deviation = predicted.deviation[k];
                 if deviation.is_finite() { (predicted.difference[k] - bias[k]) / deviation } else { f64::NAN }

@@ -47,7 +47,7 @@ pub fn measurements(motion: &Motion, sensors: &Sensors, recording: &Recording) -
         for (sensor, instrument) in instruments.iter().enumerate() {
             let Instrument { kind, noise, range, quantum, every, .. } = instrument;
             // the difference of a reading of 0 from the prediction
-            let difference = |partials: &Partials| instrument.sensor.predict(partials, &[0.0; 4]).difference;
+            let difference = |partials: &Partials| instrument.sensor.residual(partials, &[0.0; 4]).difference;
             if kind.name == "mark" {
                 let ahead = |time| Some(difference(&sensitivity.at(time)?)[0]);
                 let [now, ..] = difference(&partials);
@@ -64,7 +64,7 @@ pub fn measurements(motion: &Motion, sensors: &Sensors, recording: &Recording) -
             }
             let error = [0; 3].map(|_| noise.deviation * normal(&mut random));
             let exact = if kind.name == "orientation" {
-                Orientation::exp(error).compose(&partials.orientation_now()).quaternion()
+                Orientation::exp(error).compose(&partials.orientation()).quaternion()
             } else {
                 let (bias, difference) = (biases[sensor], difference(&partials));
                 let [x, y, z] = [0, 1, 2].map(|k| bias[k] + error[k] - difference[k]);

@@ -150,7 +150,7 @@ fn towards_every_corner() {
             continue;
         };
         judged += 1;
-        let period = motion.period_advance().map_or(1.0, |averages| averages.period);
+        let period = motion.period_advance().map_or(1.0, |advance| advance.period);
         for share in [0.0, 0.17, 0.49, 1.3, -0.9, 1e6 + 0.3] {
             let t = (share * period).clamp(-1e7, 1e7);
             worst = greater(worst, form.at(t).orientation.distance(&table.at(t).orientation()));

@@ -1,10 +1,10 @@
 //! Sections 3.3, 3.4, 5: the curves and the integrals on them, by contour quadrature and against the full solution.
 
-use super::curve::{Curve, Form, I, Place};
-use crate::motion::full_solver::solver;
 use num_complex::Complex64 as C;
 use toytop::su2::AttitudeState;
 use toytop::{Complex, FirstIntegrals, Motion, Orientation, Top};
+use toytop_tests::curve::{Curve, Form, I, Place};
+use toytop_tests::full_solver::solver;
 use toytop_tests::{SIGNS, by_branch_points, check, greater, tolerance, top_of, worst};
 
 /// Top with C ≠ A and g ≠ 1.
@@ -104,14 +104,14 @@ fn eqn_tint0_around_the_cut() {
     for signs in SIGNS {
         for (form, s) in [(Form::General, 0.6), (Form::FixedTip, 0.0)] {
             let motion = by_branch_points(&top_of([1.1, 0.8, s, 0.9], 1.3), [-0.4, 0.4, 1.7], signs);
-            let (curve, averages) = (Curve::new(form, &motion), motion.period_advance().unwrap());
+            let (curve, advance) = (Curve::new(form, &motion), motion.period_advance().unwrap());
             let turn = I * std::f64::consts::TAU;
             let time = curve.around(Place::Ellipse, |at, _| curve.time(at)) * turn;
             // the contour has the direction of the motion or the opposite one
             let sense = time.re.signum();
-            worst = greater(worst, (time * sense - averages.period).norm() / averages.period);
-            let tau = I * 0.5 * curve.tau * averages.period;
-            for (part, tau, turns) in [(0, tau, averages.alpha_turns), (1, -tau, averages.beta_turns)] {
+            worst = greater(worst, (time * sense - advance.period).norm() / advance.period);
+            let tau = I * 0.5 * curve.tau * advance.period;
+            for (part, tau, turns) in [(0, tau, advance.alpha_turns), (1, -tau, advance.beta_turns)] {
                 let found = curve.around(Place::Ellipse, |at, _| curve.logarithms(at)[part]) * turn * sense;
                 let angle = turn * turns;
                 worst = greater(worst, (found + tau - angle).norm() / angle.norm().max(1.0));

@@ -1,8 +1,8 @@
 //! Tables 1 and 2 and the pole of time: residues by contour quadrature at every possible singularity.
 
-use super::curve::{Form, Place};
 use super::hyperelliptic::curves;
 use num_complex::Complex64 as C;
+use toytop_tests::curve::{Form, Place};
 use toytop_tests::{check, greater, tolerance};
 
 /// Table 1: each logarithmic differential has residue 1 at its zero, -1 at infinity, and no other singularity:

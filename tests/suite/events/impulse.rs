@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 use toytop::su2::Vector;
 use toytop::{State, Support, Top, TopParameters};
+use toytop_tests::random::Random;
 use toytop_tests::{TOY, apart, keep, length, toy};
 
 type V = Vector3<f64>;
@@ -18,27 +19,18 @@ fn top(support: Support) -> Top {
     .unwrap()
 }
 
-/// Numbers in [-1, 1) from a linear congruential generator.
-struct Draw(u64);
+/// Vector with components in [-scale, scale).
+fn vector(random: &mut Random, scale: f64) -> Vector<f64> {
+    [0; 3].map(|_| scale * (2.0 * random.fraction() - 1.0))
+}
 
-impl Draw {
-    fn number(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    fn vector(&mut self, scale: f64) -> Vector<f64> {
-        [0; 3].map(|_| scale * self.number())
-    }
-
-    /// State of any tilt, an impulse of up to 5 mN s, and a point within 6 cm.
-    fn stroke(&mut self) -> (State, Vector<f64>, Vector<f64>) {
-        let quaternion = [0; 4].map(|_| self.number());
-        let norm = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let gyro = self.vector(100.0);
-        let state = State::from_quaternion_and_gyro(quaternion.map(|x| x / norm), gyro).unwrap();
-        (state, self.vector(5e-3), self.vector(0.06))
-    }
+/// State of any tilt, an impulse of up to 5 mN s, and a point within 6 cm.
+fn stroke(random: &mut Random) -> (State, Vector<f64>, Vector<f64>) {
+    let quaternion = [0; 4].map(|_| 2.0 * random.fraction() - 1.0);
+    let norm = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let gyro = vector(random, 100.0);
+    let state = State::from_quaternion_and_gyro(quaternion.map(|x| x / norm), gyro).unwrap();
+    (state, vector(random, 5e-3), vector(random, 0.06))
 }
 
 /// Change of ω, and the impulse of the support, by the balances of momentum about the centre of mass: the tip keeps its velocity in the
@@ -65,9 +57,9 @@ fn by_balances(support: Support, state: &State, impulse: V, point: V) -> [V; 2] 
 #[test]
 fn it_obeys_the_balances_of_momentum() {
     for support in [Support::Sliding, Support::Fixed, Support::Free] {
-        let (top, mut draw, mut errors) = (top(support), Draw(17), [0.0; 2]);
+        let (top, mut random, mut errors) = (top(support), Random(17), [0.0; 2]);
         for _ in 0..200 {
-            let (state, impulse, point) = draw.stroke();
+            let (state, impulse, point) = stroke(&mut random);
             let after = state.with_impulse(&top, impulse, point).unwrap();
             let reaction = state.reaction_impulse(&top, impulse, point).unwrap();
             let [omega, answer] =
@@ -87,9 +79,9 @@ fn it_obeys_the_balances_of_momentum() {
 /// at a sliding tip moves the top.
 #[test]
 fn impulses_along_the_reaction_have_no_effect() {
-    let mut draw = Draw(3);
+    let mut random = Random(3);
     for _ in 0..100 {
-        let (state, impulse, _) = draw.stroke();
+        let (state, impulse, _) = stroke(&mut random);
         // change of ω, relative to that by the same impulse at the rim
         let effect = |top: &Top, impulse, point| {
             let change =

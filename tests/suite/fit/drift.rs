@@ -2,13 +2,12 @@
 //!
 //! The lossy motion is made of exact motions: every half millisecond, angular impulses on the body take rotation away.
 
-use super::simulated::{
-    ACCELEROMETER, GYROSCOPE, MAGNETOMETER, Random, SENSORS, fitted, held, measured, release,
-};
+use super::simulated::{ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, fitted, held, measured, release};
 use nalgebra::{Matrix6, Vector6};
 use toytop::su2::{cross, dot};
 use toytop::{Motion, State, Stepper, Top, TopParameters};
-use toytop_fit::{Fit, FitError, Fitted, FreeRatio, Measurement, Reason, Sensitivity, Sensor};
+use toytop_fit::{Distrust, Fit, FitError, Fitted, FreeRatio, Measurement, Sensitivity, Sensor};
+use toytop_tests::random::Random;
 use toytop_tests::{TOY, length, toy};
 
 /// Time between two samples, s.
@@ -83,9 +82,9 @@ fn drift_of(top: &Top, states: &[State]) -> [f64; 3] {
     [0, 1, 2].map(|k| (end[k] - start[k]) / span)
 }
 
-fn with_drift(top: &Top, measurements: &[Measurement]) -> Fitted {
+fn with_losses(top: &Top, measurements: &[Measurement]) -> Fitted {
     let fit = Fit::new(top, &SENSORS, &[]).unwrap();
-    fit.with_drift(LOSS).unwrap().run(measurements.iter().copied()).unwrap()
+    fit.with_losses(LOSS).unwrap().run(measurements.iter().copied()).unwrap()
 }
 
 /// Square of the error of the launch in standard deviations: χ² of six degrees of freedom.
@@ -115,8 +114,8 @@ fn losses_of_every_kind_are_found() {
         let losses = [0; 3].map(|_| LOSS * random.normal());
         let states = lossy(&top, losses, 250);
         let truth = drift_of(&top, &states);
-        let found = with_drift(&top, &noisy(&top, &states, u64::from(case)));
-        assert!(found.converged(), "{case}: {:?} {:?}", found.reason, found.statistics);
+        let found = with_losses(&top, &noisy(&top, &states, u64::from(case)));
+        assert!(found.is_trusted(), "{case}: {:?} {:?}", found.distrust, found.statistics);
         let drift = found.drift.unwrap();
         for k in 0..3 {
             let off = (drift.rates[k] - truth[k]) / drift.deviations()[k];
@@ -138,15 +137,15 @@ fn the_motion_with_the_drift_is_that_of_the_measurements() {
     let top = toy();
     let states = lossy(&top, [LOSS, 0.5 * LOSS, 0.0], 300);
     let measurements = noisy(&top, &states, 3);
-    let found = with_drift(&top, &measurements);
+    let found = with_losses(&top, &measurements);
     let without = fitted(&top, &SENSORS, &[], &measurements);
-    assert_eq!(without.reason, Some(Reason::Misfit), "{:?}", without.statistics);
+    assert_eq!(without.distrust, Some(Distrust::Misfit), "{:?}", without.statistics);
     assert_eq!(found.epoch, measurements[measurements.len() - 1].time);
     let sensitivity = found.sensitivity(&top).unwrap();
     let exact = Sensitivity::new(&found.motion(&top).unwrap());
     let apart = |sensitivity: &Sensitivity, index: usize| {
         let at = sensitivity.at(index as f64 * STEP - found.epoch).unwrap();
-        let turn = at.orientation_now().compose(&states[index].orientation().inverse());
+        let turn = at.orientation().compose(&states[index].orientation().inverse());
         2.0 * turn.quaternion()[0].abs().min(1.0).acos()
     };
     for index in [0, 80, 150, 299] {
@@ -162,10 +161,10 @@ fn blocks_with_a_drift_are_tracked() {
     let states = lossy(&top, [LOSS, 0.0, 0.0], 600);
     let measurements = noisy(&top, &states, 9);
     let (first, second) = measurements.split_at(measurements.partition_point(|one| one.time < 300.0 * STEP));
-    let mut fit = Fit::new(&top, &SENSORS, &[]).unwrap().with_drift(LOSS).unwrap();
+    let mut fit = Fit::new(&top, &SENSORS, &[]).unwrap().with_losses(LOSS).unwrap();
     let last = fit.run(first.iter().copied()).unwrap();
     let tracked = fit.track(&last, LOSS, second.iter().copied()).unwrap();
-    assert!(tracked.fitted.converged(), "{:?} {:?}", tracked.fitted.reason, tracked.fitted.statistics);
+    assert!(tracked.fitted.is_trusted(), "{:?} {:?}", tracked.fitted.distrust, tracked.fitted.statistics);
     assert_eq!(tracked.fitted.epoch, measurements[measurements.len() - 1].time);
     let truth = drift_of(&top, &states[300..]);
     let drift = tracked.fitted.drift.unwrap();
@@ -183,10 +182,10 @@ fn single_precision_finds_the_drift_of_double_precision() {
     let top = toy();
     let states = lossy(&top, [LOSS, 0.0, 0.0], 300);
     let measurements = noisy(&top, &states, 21);
-    let wide = with_drift(&top, &measurements).drift.unwrap();
-    let mut fit = Fit::new(&top, &single, &[]).unwrap().with_drift(LOSS).unwrap();
+    let wide = with_losses(&top, &measurements).drift.unwrap();
+    let mut fit = Fit::new(&top, &single, &[]).unwrap().with_losses(LOSS).unwrap();
     let narrow = fit.run(measurements.iter().copied()).unwrap();
-    assert!(narrow.converged(), "{:?} {:?}", narrow.reason, narrow.statistics);
+    assert!(narrow.is_trusted(), "{:?} {:?}", narrow.distrust, narrow.statistics);
     let off = (narrow.drift.unwrap().rates[1] - wide.rates[1]) / wide.deviations()[1];
     assert!(off.abs() < 0.2, "{off}");
 }
@@ -198,9 +197,9 @@ fn one_ratio_may_be_free_with_a_drift() {
     let states = lossy(&top, [LOSS, 0.0, 0.0], 300);
     let measurements = noisy(&top, &states, 27);
     let wrong = Top::sliding(&TopParameters { axial_inertia: 2.02e-5, ..TOY }).unwrap();
-    let fit = |ratios: &[FreeRatio]| Fit::new(&wrong, &SENSORS, ratios).unwrap().with_drift(LOSS);
+    let fit = |ratios: &[FreeRatio]| Fit::new(&wrong, &SENSORS, ratios).unwrap().with_losses(LOSS);
     let found = fit(&[FreeRatio::AXIAL_INERTIA]).unwrap().run(measurements.iter().copied()).unwrap();
-    assert!(found.converged(), "{:?} {:?}", found.reason, found.statistics);
+    assert!(found.is_trusted(), "{:?} {:?}", found.distrust, found.statistics);
     let off = (found.top(&wrong).unwrap().axial_inertia() / 2e-5).ln() / found.deviations()[6];
     assert!(off.abs() < 4.0, "{off}");
     let loss = found.drift.unwrap().losses[0];
@@ -209,7 +208,7 @@ fn one_ratio_may_be_free_with_a_drift() {
     let two = fit(&[FreeRatio::AXIAL_INERTIA, FreeRatio::GRAVITY]);
     assert_eq!(two.err(), Some(FitError::TooManyUnknowns));
     for deviation in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let refused = Fit::new(&top, &SENSORS, &[]).unwrap().with_drift(deviation);
-        assert_eq!(refused.err(), Some(FitError::DriftDeviation), "{deviation}");
+        let refused = Fit::new(&top, &SENSORS, &[]).unwrap().with_losses(deviation);
+        assert_eq!(refused.err(), Some(FitError::LossDeviation), "{deviation}");
     }
 }

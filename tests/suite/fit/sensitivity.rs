@@ -84,7 +84,7 @@ fn rotation(to: &PreciseOrientation, from: &PreciseOrientation) -> [Precise; 3] 
 fn error(given: &Given, periods: &[f64]) -> f64 {
     let motion = given.numbers().motion().unwrap();
     let sensitivity = Sensitivity::new(&motion);
-    let period = motion.period_advance().map_or(1.0, |averages| averages.period);
+    let period = motion.period_advance().map_or(1.0, |advance| advance.period);
     let frequency = std::f64::consts::TAU / period;
     let mut worst = 0.0;
     // C = 0 is the end of its range, s = 0 is a held tip, and p = 0 is a free body
@@ -100,8 +100,8 @@ fn error(given: &Given, periods: &[f64]) -> f64 {
             let predicted = |columns: [Vector<f64>; 10]| {
                 [0, 1, 2].map(|k| columns.iter().zip(&change).map(|(column, by)| column[k] * by).sum::<f64>())
             };
-            let theta = predicted(partials.orientation());
-            let eta = partials.in_fixed(predicted(partials.omega_body()));
+            let theta = predicted(partials.d_orientation());
+            let eta = partials.in_fixed(predicted(partials.d_omega_body()));
             let dt = from_f64(period * INSTANT);
             let [before, now, after] = [-1.0, 0.0, 1.0].map(|k| {
                 let t = from_f64(t) + from_f64(k) * &dt;
@@ -172,7 +172,7 @@ fn derivatives_of_an_unstable_top_are_right_or_none() {
                     assert!(growth > 300.0, "{spin}, {growth}");
                     continue;
                 };
-                let [x, y, _] = found.orientation()[3];
+                let [x, y, _] = found.d_orientation()[3];
                 let off = x.hypot(y) / ((rate * t).sinh() / rate) - 1.0;
                 assert!(off.abs() < 1e-9, "{spin}, {growth}: {off:e}");
             }
@@ -197,9 +197,9 @@ fn what_follows_from_the_orientation_changes_with_it() {
     let off = apart(partials.direction(field).1[5], slope(&|at| at.in_body(field)));
     assert!(off < 1e-6, "{off:e}");
     let [x, y, _] = slope(&|at| at.axis()).map(|rate| -TOY[2] * rate);
-    let tip = partials.tip()[5];
+    let tip = partials.d_tip()[5];
     assert!((tip.re - x).abs() < 1e-8 && (tip.im - y).abs() < 1e-8, "{tip:?} {x} {y}");
     let [angle, ..] = slope(&|at| [at.axis()[1].atan2(at.axis()[0]), 0.0, 0.0]);
-    assert!((partials.tip_angle().unwrap()[5] - angle).abs() < 1e-6);
-    assert!(apart(partials.orientation_now().axis(), partials.axis()) < 1e-14);
+    assert!((partials.d_tip_angle().unwrap()[5] - angle).abs() < 1e-6);
+    assert!(apart(partials.orientation().axis(), partials.axis()) < 1e-14);
 }

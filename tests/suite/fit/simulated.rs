@@ -2,24 +2,12 @@
 
 use toytop::{Motion, Orientation, Release, State, Top, TopParameters};
 use toytop_fit::{
-    Accelerometer, AxisCamera, Fit, Fitted, FreeRatio, Gyroscope, Hint, Magnetometer, Mark, Measurement,
-    Mounting, Noise, OrientationCamera, Partials, Prediction, Reason, Sensitivity, Sensor, TipCamera,
+    Accelerometer, AxisCamera, Distrust, Fit, Fitted, FreeRatio, Gyroscope, Hint, Magnetometer, Mark,
+    Measurement, Mounting, Noise, OrientationCamera, Partials, Residual, Sensitivity, Sensor, TipCamera,
     Unobservable,
 };
+use toytop_tests::random::Random;
 use toytop_tests::{TOY, toy};
-
-/// Numbers near a normal distribution.
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    pub(crate) fn normal(&mut self) -> f64 {
-        let mut share = || {
-            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-        };
-        (0..12).map(|_| share()).sum::<f64>() - 6.0
-    }
-}
 
 pub(crate) fn held() -> Top {
     Top::fixed(&TopParameters { transverse_inertia: 7.5e-5, ..TOY }).unwrap()
@@ -74,13 +62,13 @@ pub(crate) fn measured(
         for (sensor, one) in
             sensors.iter().enumerate().filter(|(sensor, _)| *sensor < 2 || n.is_multiple_of(10))
         {
-            let Prediction { difference, deviation, .. } = one.predict(&partials, &[0.0; 4]);
+            let Residual { difference, deviation, .. } = one.residual(&partials, &[0.0; 4]);
             // a component that does not exist has an infinite deviation
             let noise = deviation
                 .map(|deviation| if deviation.is_finite() { random.normal() * deviation } else { 0.0 });
             let camera = matches!(one.hint(&[1.0, 0.0, 0.0, 0.0]), Hint::Orientation(_));
             let values = if camera {
-                Orientation::exp(noise).compose(&partials.orientation_now()).quaternion()
+                Orientation::exp(noise).compose(&partials.orientation()).quaternion()
             } else {
                 let [x, y, z] = [0, 1, 2].map(|k| biases[sensor][k] + noise[k] - difference[k]);
                 let range = if sensor == 0 { GYROSCOPE.range } else { f64::INFINITY };
@@ -115,7 +103,7 @@ fn errors(fitted: &Fitted, state: &State) -> [f64; 3] {
 }
 
 pub(crate) fn check(name: &str, fitted: &Fitted, state: &State) {
-    assert!(fitted.converged(), "{name}: {:?} {:?}", fitted.reason, fitted.statistics);
+    assert!(fitted.is_trusted(), "{name}: {:?} {:?}", fitted.distrust, fitted.statistics);
     for error in errors(fitted, state) {
         assert!(error.abs() < 4.5, "{name}: {:?}", errors(fitted, state));
     }
@@ -130,7 +118,7 @@ fn a_launch_is_found_though_the_gyroscope_is_blind_along_the_axis() {
             let state = release(tilt, spin);
             let found = simulated(&top, &state, &SENSORS, 300, 7 + seed as u64);
             check(&format!("{name} {tilt} {spin}"), &found, &state);
-            assert_eq!(found.unobservable.count, 0, "{name} {tilt} {spin}");
+            assert_eq!(found.unobservable.directions, 0, "{name} {tilt} {spin}");
         }
     }
 }
@@ -146,7 +134,12 @@ fn the_error_bars_are_those_of_the_launch() {
         let found = fitted(&top, &SENSORS, &[], &measurements);
         let mut fit = Fit::new(&top, &SENSORS, &[]).unwrap();
         let again = fit.run_from(found.launch, measurements.iter().copied()).unwrap();
-        assert!(found.converged() && again.converged(), "{seed}: {:?} {:?}", found.reason, again.reason);
+        assert!(
+            found.is_trusted() && again.is_trusted(),
+            "{seed}: {:?} {:?}",
+            found.distrust,
+            again.distrust
+        );
         for k in 0..6 {
             let ratio = found.deviations()[k] / again.deviations()[k];
             assert!((ratio - 1.0).abs() < 0.1, "{seed}: unknown {k}: {ratio}");
@@ -167,8 +160,8 @@ fn what_the_sensors_leave_open_is_said() {
     let camera = AxisCamera { deviation: 1e-3 };
     for (sensors, open) in [(&SENSORS[..2], [true, false]), (&[&camera as &dyn Sensor], [false, true])] {
         let found = simulated(&top, &state, sensors, 500, 5);
-        assert!(found.converged(), "{:?} {:?}", found.reason, found.statistics);
-        let Unobservable { yaw, roll, spin, count } = found.unobservable;
+        assert!(found.is_trusted(), "{:?} {:?}", found.distrust, found.statistics);
+        let Unobservable { yaw, roll, spin, directions: count } = found.unobservable;
         assert!([yaw, roll] == open && !spin && count == 1, "{:?}", found.unobservable);
         let [ours, truth] = [found.launch.orientation, state.orientation()].map(|phi| phi.u().acos());
         assert!((ours - truth).abs() < 2e-3, "{ours} {truth}");
@@ -183,7 +176,12 @@ fn the_spin_of_an_upright_top_is_not_believed_without_a_magnetometer() {
             let state = State::release(&Release { spin, ..Release::default() }).unwrap();
             let [without, with] =
                 [2, 3].map(|count| simulated(&top, &state, &SENSORS[..count], 300, 17 + seed as u64));
-            assert_eq!(without.reason, Some(Reason::SpinUnknown), "{name} {spin}: {:?}", without.statistics);
+            assert_eq!(
+                without.distrust,
+                Some(Distrust::SpinUnknown),
+                "{name} {spin}: {:?}",
+                without.statistics
+            );
             check(&format!("{name} {spin}"), &with, &state);
         }
     }
@@ -205,7 +203,7 @@ fn a_camera_of_the_tip_and_a_mark_tell_the_launch() {
         for (sensors, open) in [(&[&camera as &dyn Sensor] as &[&dyn Sensor], 1), (&[&camera, &mark], 0)] {
             let found = simulated(&top, &state, sensors, 500, 8);
             check("tip", &found, &state);
-            let Unobservable { roll, count, .. } = found.unobservable;
+            let Unobservable { roll, directions: count, .. } = found.unobservable;
             assert_eq!((roll, count), (open == 1, open), "{:?}", found.unobservable);
             if open == 0 {
                 // Φ and -Φ are 4 rad apart
@@ -229,7 +227,7 @@ fn a_camera_of_the_orientation_tells_the_axial_inertia() {
         let measurements = readings(&top, &state, &sensors, 500, 5);
         // 3 % wrong
         let strict = fitted(&wrong, &sensors, &[], &measurements);
-        assert_eq!(strict.reason, Some(Reason::Misfit), "{:?}", strict.statistics);
+        assert_eq!(strict.distrust, Some(Distrust::Misfit), "{:?}", strict.statistics);
         let found = fitted(&wrong, &sensors, &[FreeRatio::AXIAL_INERTIA], &measurements);
         check("orientation", &found, &state);
         let inertia = found.top(&wrong).unwrap().axial_inertia();
@@ -260,7 +258,7 @@ fn rates_in_degrees_are_recognised() {
         measurement.values = measurement.values.map(f64::to_degrees);
     }
     let found = fitted(&top, &SENSORS, &[], &measurements);
-    assert_eq!(found.reason, Some(Reason::RatesInDegrees), "{:?}", found.statistics);
+    assert_eq!(found.distrust, Some(Distrust::RatesInDegrees), "{:?}", found.statistics);
 }
 
 /// Rates of a disc whose nutation decays, fitted without losses. They fit neither as rad/s nor as degrees per second, but as degrees they are
@@ -282,6 +280,6 @@ fn a_decaying_nutation_is_not_a_wrong_unit() {
             values[..2].iter_mut().for_each(|rate| *rate *= (-damping * *time).exp());
         }
         let found = fitted(&guess, &sensors, &[FreeRatio::AXIAL_INERTIA], &damped);
-        assert_eq!(found.reason, Some(Reason::Misfit), "{damping}: {:?}", found.statistics);
+        assert_eq!(found.distrust, Some(Distrust::Misfit), "{damping}: {:?}", found.statistics);
     }
 }

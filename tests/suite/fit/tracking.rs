@@ -15,7 +15,7 @@ fn a_loss_of_spin_between_two_blocks_is_tracked_and_reported() {
     // one seed, so that the biases are those of the same sensors
     let first = readings(&top, &state, &SENSORS, 300, 21);
     let at = Sensitivity::new(&motion).at(SPAN).unwrap();
-    let slower = State::new(at.orientation_now(), at.angular_velocity().map(|x| (1.0 - LOSS) * x)).unwrap();
+    let slower = State::new(at.orientation(), at.omega().map(|x| (1.0 - LOSS) * x)).unwrap();
     let second: Vec<_> = readings(&top, &slower, &SENSORS, 300, 21)
         .into_iter()
         .map(|measurement| Measurement { time: measurement.time + SPAN, ..measurement })
@@ -41,7 +41,7 @@ fn single_precision_finds_the_launch_of_double_precision() {
         let measurements = readings(&top, &release(tilt, spin), &SENSORS, 300, 23);
         let wide = fitted(&top, &SENSORS, &[], &measurements);
         let narrow = Fit::new(&top, &single, &[]).unwrap().run(measurements.iter().copied()).unwrap();
-        assert!(narrow.converged(), "{tilt} {spin}: {:?}", narrow.reason);
+        assert!(narrow.is_trusted(), "{tilt} {spin}: {:?}", narrow.distrust);
         let deviations = wide.deviations();
         for k in 0..3 {
             let off = (narrow.launch.omega[k] - wide.launch.omega[k]) / deviations[3 + k];

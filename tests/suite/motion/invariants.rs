@@ -19,7 +19,7 @@ fn drift<R: Real + Into<f64>>(motion: &Motion, stepper: &Stepper<R>) -> f64 {
 
 /// Defect of the norm and change of the first integrals, the largest at thousand instants of 10⁶ steps.
 fn after_a_million_steps<R: Real + Into<f64>>(motion: &Motion) -> [f64; 2] {
-    let period = motion.period_advance().map_or(10.0, |averages| averages.period);
+    let period = motion.period_advance().map_or(10.0, |advance| advance.period);
     let dt = R::from_f64(period / 1000.7);
     let mut stepper = Stepper::<R>::new(motion);
     let mut errors = [0.0; 2];
@@ -55,7 +55,7 @@ fn there_and_back_with_changing_steps() {
     let mut worst = 0.0_f64;
     for vector in vectors::all() {
         let motion = vector.motion().unwrap();
-        let period = motion.period_advance().map_or(4.0, |averages| averages.period).min(10.0);
+        let period = motion.period_advance().map_or(4.0, |advance| advance.period).min(10.0);
         let mut stepper = Stepper::<f64>::new(&motion);
         let start = stepper.orientation();
         let steps: Vec<f64> = (0..4000).map(|i| period * (1.0 + f64::from(i % 7)) / 16384.0).collect();

@@ -10,12 +10,12 @@
 //! m' = ω × m + DL                                        (equation (3.1))
 //! ```
 
-use crate::motion::full_solver::solver;
 use toytop::su2::{Vector, cross, dot};
 use toytop::{Complex, FirstIntegrals, Orientation, State, Top};
 use toytop_host::truth::full_equations::full_solver::{
     Equations, FULL_SOLVER_TOLERANCE, FullSolver, FullState, FullTop,
 };
+use toytop_tests::full_solver::solver;
 use toytop_tests::{check, greater, tolerance, vectors};
 
 const UP: Vector<f64> = [0.0, 0.0, 1.0];

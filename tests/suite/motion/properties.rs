@@ -128,7 +128,7 @@ proptest! {
         let e = motion.branch_points();
         prop_assert!(e.one_plus_e1 >= 0.0 && e.e2_minus_e1 >= 0.0 && e.one_minus_e2 >= 0.0 && e.e3_minus_e2 >= 0.0);
         prop_assert!((e.one_plus_e1 + e.e2_minus_e1 + e.one_minus_e2 - 2.0).abs() < 1e-15);
-        prop_assert!(motion.period_advance().is_none_or(|averages| averages.period.is_finite()));
+        prop_assert!(motion.period_advance().is_none_or(|advance| advance.period.is_finite()));
         let mut stepper = Stepper::<f64>::new(&motion);
         let attitude = stepper.attitude_state();
         prop_assert!(attitude.orientation.distance(&state.orientation().normalised()) < 1e-14);
@@ -148,7 +148,7 @@ proptest! {
         let e = motion.branch_points();
         let spread = top.transverse_inertia() / (top.mass_moment() * top.com_height());
         prop_assume!(e.e3_minus_e2 >= 0.1 * e.e2_minus_e1 && spread >= 0.4);
-        let unit = motion.period_advance().map_or(1.0, |averages| averages.period);
+        let unit = motion.period_advance().map_or(1.0, |advance| advance.period);
         let tick = toytop::Tick::hertz((1000.0 / unit).clamp(1.0, 1e9) as u32).unwrap();
         prop_assert!(toytop::EphemerisF32::new(&motion, tick).is_ok());
         prop_assert!(toytop::EphemerisF64::new(&motion, tick).is_ok());

@@ -65,7 +65,7 @@ fn period_and_phase_advances() {
 fn follow<R: Real>(vector: &Vector, steps: f64, mut at: impl FnMut(&Stepper<R>, &vectors::Sample)) {
     let (motion, mut samples) = (vector.motion().unwrap(), vector.samples());
     samples.sort_by(|a, b| a.t.abs().total_cmp(&b.t.abs()));
-    let period = motion.period_advance().map_or(20.0, |averages| averages.period);
+    let period = motion.period_advance().map_or(20.0, |advance| advance.period);
     for forward in [true, false] {
         let mut stepper = Stepper::<R>::new(&motion);
         let mut elapsed = 0.0;

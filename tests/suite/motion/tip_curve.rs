@@ -21,7 +21,7 @@ fn turning_height(motion: &Motion) -> f64 {
 
 /// Tip position c and velocity c' at `count` instants of a period (or of ten units of time).
 fn sampled(motion: &Motion, count: u32) -> Vec<(Complex<f64>, Complex<f64>)> {
-    let time = motion.period_advance().map_or(10.0, |averages| averages.period);
+    let time = motion.period_advance().map_or(10.0, |advance| advance.period);
     let mut stepper = Stepper::<f64>::new(motion);
     let samples = (0..count).map(|_| {
         let tip = (stepper.tip(), stepper.tip_velocity());
@@ -91,7 +91,7 @@ fn angle_and_velocity_are_derivatives() {
     for vector in vectors::all() {
         let motion = vector.motion().unwrap();
         let scale = motion.top().tip_scale();
-        let period = motion.period_advance().map_or(1.0, |averages| averages.period.min(10.0));
+        let period = motion.period_advance().map_or(1.0, |advance| advance.period.min(10.0));
         let dt = period * 1e-4;
         let mut after = Stepper::<f64>::new(&motion);
         for _ in 0..15_000 {

@@ -3,6 +3,7 @@
 use toytop::{
     BranchPoints, Complex, InitialPhases, Motion, Orientation, Regime, State, Stepper, Top, TopParameters,
 };
+use toytop_tests::random::Random;
 use toytop_tests::{SAME, by_branch_points, let_go, top_of, vectors};
 
 /// Regime and branch points of an upright axis that spins at this rate.
@@ -37,9 +38,9 @@ fn has_its_border_at(top: &Top, spin: f64) {
 /// = s 2^j and p = m s, so that ω = s 2^(1 + (i + j)/2) is exactly on the border.
 #[test]
 fn the_border_of_sleep_is_exact_in_long_numbers() {
-    let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let mut draw = || {
-        bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+        let bits = random.bits();
         f64::from_bits((1023 << 52) | (bits >> 12)) * 2_f64.powi((bits >> 3) as i32 % 9 - 4)
     };
     for k in 0..4000_i32 {

@@ -58,7 +58,7 @@ fn every_test_that_is_named_exists() {
     let mut count = 0;
     for [label, _, item, tests] in rows() {
         // items without a link belong to the tests
-        let mut sources = read("suite/closed_forms/curve.rs");
+        let mut sources = read("support/curve.rs");
         for test in tests.split(", ") {
             let path = test.trim_matches('`');
             let (file, function) = path.rsplit_once("::").unwrap_or_else(|| panic!("{label}: {test}"));

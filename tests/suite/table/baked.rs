@@ -2,6 +2,7 @@
 
 use fixed::types::{I2F14, I2F30};
 use toytop::{Baked, BakedError, Ephemeris, Tick};
+use toytop_tests::random::Random;
 use toytop_tests::{kilohertz, vectors};
 
 /// Sets the checksum to that of the data.
@@ -98,11 +99,8 @@ macro_rules! wild {
             let motion = vectors::motion("exact_generic_pp");
             let table = Ephemeris::<$scalar, $segments>::new(&motion, kilohertz()).unwrap();
             let baked = table.to_baked();
-            let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
-            let mut draw = move || {
-                bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
-                bits
-            };
+            let mut random = Random(0x9e37_79b9_7f4a_7c15);
+            let mut draw = || random.bits();
             let (mut refused, mut read) = (0, 0);
             for k in 0..4000 {
                 let mut wild = baked.clone();

@@ -35,7 +35,7 @@ impl<'a> Input<'a> {
     }
 
     /// Number in [0, 1), from 32 bits.
-    fn share(&mut self) -> f64 {
+    fn fraction(&mut self) -> f64 {
         f64::from(self.word()) / (1_u64 << 32) as f64
     }
 
@@ -43,7 +43,7 @@ impl<'a> Input<'a> {
     fn decade(&mut self, low: f64, high: f64) -> f64 {
         match self.byte() {
             0xf0.. => self.bits(),
-            _ => 10_f64.powf(low + (high - low) * self.share()),
+            _ => 10_f64.powf(low + (high - low) * self.fraction()),
         }
     }
 
@@ -53,22 +53,22 @@ impl<'a> Input<'a> {
             0xf0.. => self.bits(),
             0xe0.. => 0.0,
             choice => {
-                let size = 10_f64.powf(low + (high - low) * self.share());
+                let size = 10_f64.powf(low + (high - low) * self.fraction());
                 if choice % 2 == 0 { size } else { -size }
             }
         }
     }
 
     /// One of the limits 0 and `most`, a neighbour of a limit, a number between them, or an arbitrary bit pattern.
-    fn place(&mut self, most: f64) -> f64 {
-        let near = |input: &mut Self| 10_f64.powf(-20.0 * input.share());
+    fn within(&mut self, most: f64) -> f64 {
+        let near = |input: &mut Self| 10_f64.powf(-20.0 * input.fraction());
         match self.byte() {
             0xf0.. => self.bits(),
             0xe0.. => 0.0,
             0xd0.. => most,
             0xb0.. => most * near(self),
             0x90.. => most * (1.0 - near(self)),
-            _ => most * self.share(),
+            _ => most * self.fraction(),
         }
     }
 
@@ -121,7 +121,7 @@ impl<'a> Input<'a> {
         if self.byte().is_multiple_of(2) {
             let mut rate = || unit * self.signed(-20.0, 8.0);
             let (spin, precession, nutation) = (rate(), rate(), rate());
-            let tilt = self.place(std::f64::consts::PI);
+            let tilt = self.within(std::f64::consts::PI);
             let (azimuth, roll) = (self.signed(-3.0, 6.1), self.signed(-3.0, 6.1));
             return State::release(&Release { tilt, azimuth, roll, spin, precession, nutation });
         }
@@ -145,8 +145,8 @@ impl<'a> Input<'a> {
             })?;
             return Motion::launch(&top, &state);
         }
-        let e1 = self.place(2.0) - 1.0;
-        let e2 = e1 + self.place(1.0 - e1);
+        let e1 = self.within(2.0) - 1.0;
+        let e2 = e1 + self.within(1.0 - e1);
         let e3 = 1.0 + self.signed(-20.0, 14.1).abs();
         let signs = self.byte();
         let sign = |bit: u8| if signs & bit == 0 { Sign::Plus } else { Sign::Minus };
@@ -165,7 +165,7 @@ impl<'a> Input<'a> {
         if self.byte() >= 0xe0 {
             return Tick::ratio(self.word(), self.word());
         }
-        let period = motion.period_advance().map_or(1.0, |averages| averages.period);
+        let period = motion.period_advance().map_or(1.0, |advance| advance.period);
         let length = (period * self.decade(-6.0, 0.0)).clamp(1e-9, 1e9);
         let seconds = if length < 1.0 { 1.0 } else { length.ceil() };
         Tick::ratio((seconds / length).round() as u32, seconds as u32)

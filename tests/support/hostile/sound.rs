@@ -38,9 +38,9 @@ pub(super) fn motion(motion: &Motion, input: &mut Input<'_>) {
     assert!(differences.iter().all(|difference| *difference >= 0.0), "{e:?}");
     let integrals = motion.first_integrals();
     finite("l, n, h", [integrals.l, integrals.n, integrals.h, integrals.l_plus_n, integrals.l_minus_n]);
-    if let Some(averages) = motion.period_advance() {
-        assert!(averages.period > 0.0, "{averages:?}");
-        finite("averages", [averages.period, averages.alpha_turns, averages.beta_turns]);
+    if let Some(advance) = motion.period_advance() {
+        assert!(advance.period > 0.0, "{advance:?}");
+        finite("advance", [advance.period, advance.alpha_turns, advance.beta_turns]);
     }
     finite("normal force", motion.min_normal_force());
     let _ = motion.tip_class();

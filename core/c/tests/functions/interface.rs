@@ -66,9 +66,9 @@ fn events_and_partial_derivatives_are_those_of_the_crate() {
         assert_eq!(toytop_f64_direction_reached(table, f64::NAN, 0, event), TOYTOP_NOT_FINITE);
         let partials: toytop_partials = told(|to| toytop_motion_partials(launched, 0.3, to));
         let now = Sensitivity::new(&motion()).at(0.3).expect("derivatives");
-        assert_eq!((partials.orientation, partials.omega), (now.orientation(), now.omega()));
-        assert_eq!(partials.omega_body, now.omega_body());
-        assert_eq!(partials.tip, now.tip().map(|tip| [tip.re, tip.im]));
+        assert_eq!((partials.orientation, partials.omega), (now.d_orientation(), now.d_omega()));
+        assert_eq!(partials.omega_body, now.d_omega_body());
+        assert_eq!(partials.tip, now.d_tip().map(|tip| [tip.re, tip.im]));
         let mut partials = MaybeUninit::uninit();
         assert_eq!(toytop_motion_partials(launched, f64::NAN, partials.as_mut_ptr()), TOYTOP_NONE);
     }

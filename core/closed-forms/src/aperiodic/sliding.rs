@@ -14,17 +14,17 @@
 //! The branch of L is real on the whole path. Its term ln(b - x) is computed from ln(1 - u), a function of v with
 //! full relative precision for any 1 - u.
 
-use crate::aperiodic::rise::{Rise, RiseValues};
+use crate::aperiodic::constants::{AperiodicConstants, AperiodicValues};
 use crate::elliptic::agm::{first_kind, first_kind_per_length};
-use crate::elliptic::elementary::{Wide, angle, cis, imaginary, ln, real};
-use crate::elliptic::lattice::{BOTH, Lattice, NONE, ThetaQuotient};
+use crate::elliptic::elementary::{WideComplex, angle, cis, imaginary, ln, real};
+use crate::elliptic::lattice::{Lattice, OMEGA_SUM, ORIGIN, ThetaQuotient};
 use crate::elliptic::theta::ValueAndSlope;
 use toytop::Complex;
 use toytop::scalar::{Extended, Float, Ring};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Sliding {
-    rise: Rise,
+    constants: AperiodicConstants,
     /// Branch point e₄, and e₄ - 1.
     e4: [Extended; 2],
     /// Modulus |b|; b = -i|b|.
@@ -48,8 +48,8 @@ struct PathPosition {
 
 impl Sliding {
     /// Solution for a motion; `l_per_a` is l/A, rad per unit time.
-    pub(super) fn new(rise: &Rise, l_per_a: Extended) -> Self {
-        let Rise { e1, one_plus_e1, one_minus_e1, a_over_p, s, g } = *rise;
+    pub(super) fn new(constants: &AperiodicConstants, l_per_a: Extended) -> Self {
+        let AperiodicConstants { e1, one_plus_e1, one_minus_e1, a_over_p, s, g } = *constants;
         let (zero, one) = (Extended::ZERO, Extended::ONE);
         // e₄² - 1 = A/(ps)
         let spread = a_over_p / s;
@@ -71,18 +71,18 @@ impl Sliding {
         let slope = lattice.p_prime(real(to_minus_one) - middle).re;
         let a = real(if slope * w_minus < zero { -to_minus_one } else { to_minus_one });
 
-        let log_slope = |half: usize, z: Wide| lattice.theta(half, z).log_slope();
+        let log_slope = |half: usize, z: WideComplex| lattice.theta(half, z).log_slope();
         let log_power = (w_minus / w_plus).halved();
         let p = imaginary(-log_power);
         let rate_offset = real(w_minus.halved().halved() + w_minus / spread)
-            - p * (log_slope(NONE, a + b_point) - log_slope(NONE, a - b_point));
-        let alpha = ThetaQuotient::through(&lattice, [NONE, BOTH], a, rate_offset, (b_point, one));
+            - p * (log_slope(ORIGIN, a + b_point) - log_slope(ORIGIN, a - b_point));
+        let alpha = ThetaQuotient::through(&lattice, [ORIGIN, OMEGA_SUM], a, rate_offset, (b_point, one));
 
         let of_log = -(spread / w_plus);
-        let zetas = log_slope(BOTH, b_point).im;
+        let zetas = log_slope(OMEGA_SUM, b_point).im;
         let of_y = one + e1 / 3.0.into() - lattice.kappa.doubled() + of_log.doubled() * zetas;
         Self {
-            rise: *rise,
+            constants: *constants,
             e4: [e4, e4_minus_one],
             b,
             time_scale,
@@ -93,15 +93,15 @@ impl Sliding {
     }
 
     /// Linear factors u - e₁, e₄ - u and e₄ + u of -R/4.
-    fn factors(&self, point: &RiseValues) -> [Extended; 3] {
+    fn factors(&self, point: &AperiodicValues) -> [Extended; 3] {
         let [_, e4_minus_one] = self.e4;
-        let above_e1 = self.rise.one_minus_e1 * point.tanh.squared();
-        [above_e1, e4_minus_one + point.below, e4_minus_one + point.above]
+        let above_e1 = self.constants.one_minus_e1 * point.tanh.squared();
+        [above_e1, e4_minus_one + point.one_minus_u, e4_minus_one + point.one_plus_u]
     }
 
-    fn position(&self, point: &RiseValues) -> PathPosition {
+    fn position(&self, point: &AperiodicValues) -> PathPosition {
         let [e4, e4_minus_one] = self.e4;
-        let Rise { one_minus_e1, one_plus_e1, .. } = self.rise;
+        let AperiodicConstants { one_minus_e1, one_plus_e1, .. } = self.constants;
         let here = self.factors(point);
         let [above_e1, ..] = here;
         let lowest = [Extended::ZERO, one_minus_e1 + e4_minus_one, one_plus_e1 + e4_minus_one];
@@ -111,46 +111,46 @@ impl Sliding {
     }
 
     /// |ϑ(x - b)|/|x - b|, and (x - b) ϑ'(x - b)/ϑ(x - b), at a distance from b.
-    fn near(&self, left: Extended) -> (Extended, Wide) {
+    fn near(&self, left: Extended) -> (Extended, WideComplex) {
         // below this distance the theta function is linear to all digits
         const TINY: f64 = 1e-40;
-        let at = |left: Extended| (self.alpha.lattice.theta(NONE, imaginary(left)), left);
+        let at = |left: Extended| (self.alpha.lattice.theta(ORIGIN, imaginary(left)), left);
         let (theta, left) = at(if left.to_f64() < TINY { TINY.into() } else { left });
         (theta.value.modulus() / left, theta.log_slope() * imaginary(left))
     }
 
     /// Logarithm L, and (1 - u) dL/dx, an even function of x.
-    fn log(&self, point: &RiseValues, position: &PathPosition) -> (Extended, Wide) {
+    fn log(&self, point: &AperiodicValues, position: &PathPosition) -> (Extended, WideComplex) {
         let PathPosition { y, left_per_below } = *position;
-        let (near, near_slope) = self.near(left_per_below * point.below);
-        let far = self.alpha.lattice.theta(NONE, imaginary(-(y.abs() + self.b)));
+        let (near, near_slope) = self.near(left_per_below * point.one_minus_u);
+        let far = self.alpha.lattice.theta(ORIGIN, imaginary(-(y.abs() + self.b)));
         let rest = ln(left_per_below * near / far.value.modulus());
-        let log = ln(self.rise.one_minus_e1) + point.ln_sech.doubled() + rest;
+        let log = ln(self.constants.one_minus_e1) + point.ln_sech.doubled() + rest;
         // (1 - u)/(x - b) · (x - b) ϑ'(x - b)/ϑ(x - b)
         let slope = -near_slope.times_i().scaled(Extended::ONE / left_per_below)
-            - far.log_slope().scaled(point.below);
+            - far.log_slope().scaled(point.one_minus_u);
         (point.with_sign_of_v(log), slope)
     }
 
-    pub(super) fn time(&self, point: &RiseValues) -> Extended {
+    pub(super) fn time(&self, point: &AperiodicValues) -> Extended {
         let position = self.position(point);
         let [of_y, of_log] = self.time_factors;
-        let zeta = self.alpha.lattice.theta(BOTH, imaginary(-position.y)).log_slope().im;
+        let zeta = self.alpha.lattice.theta(OMEGA_SUM, imaginary(-position.y)).log_slope().im;
         self.time_scale * (zeta + of_y * position.y + of_log * self.log(point, &position).0)
     }
 
     /// Argument of α minus that at u = e₁; 0 for e₁ = -1. The quotient of theta functions rotates by less than a right angle.
-    pub(super) fn argument(&self, point: &RiseValues) -> Extended {
+    pub(super) fn argument(&self, point: &AperiodicValues) -> Extended {
         let position = self.position(point);
         let x = imaginary(-position.y);
         let [here, lowest] =
-            [x, Complex::ZERO].map(|x| self.alpha.lattice.theta(NONE, x - self.alpha.zero).value);
+            [x, Complex::ZERO].map(|x| self.alpha.lattice.theta(ORIGIN, x - self.alpha.zero).value);
         let turned = here * lowest.conj();
         let log = self.log_power * self.log(point, &position).0;
         (self.alpha.rate * x).im + angle(turned.im, turned.re) + log
     }
 
-    pub(super) fn alpha(&self, point: &RiseValues) -> ValueAndSlope {
+    pub(super) fn alpha(&self, point: &AperiodicValues) -> ValueAndSlope {
         let position = self.position(point);
         let ValueAndSlope { value, slope } = self.alpha.at(imaginary(-position.y));
         // dx/dt = -i (1 - u)/(√(2s/g) (e₄² - u²))
@@ -161,7 +161,7 @@ impl Sliding {
         let turning = imaginary(self.log_power) * log_slope * speed;
         ValueAndSlope {
             value: value * factor,
-            slope: (slope * speed.scaled(point.below) + value * turning) * factor,
+            slope: (slope * speed.scaled(point.one_minus_u) + value * turning) * factor,
         }
     }
 }

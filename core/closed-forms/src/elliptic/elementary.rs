@@ -139,51 +139,51 @@ pub(crate) fn angle(y: Extended, x: Extended) -> Extended {
 }
 
 /// Complex number in extended precision, the number type of the closed forms.
-pub(crate) type Wide = Complex<Extended>;
+pub(crate) type WideComplex = Complex<Extended>;
 
 /// Complex number in extended precision from one in `f64`, exact.
-pub(crate) fn widened(z: Complex<f64>) -> Wide {
+pub(crate) fn widened(z: Complex<f64>) -> WideComplex {
     Complex::new(z.re.into(), z.im.into())
 }
 
 /// Complex number rounded to `f64`.
-pub(crate) fn rounded(z: Wide) -> Complex<f64> {
+pub(crate) fn rounded(z: WideComplex) -> Complex<f64> {
     Complex::new(z.re.to_f64(), z.im.to_f64())
 }
 
 /// Real number as a complex number.
-pub(crate) fn real(x: Extended) -> Wide {
+pub(crate) fn real(x: Extended) -> WideComplex {
     Complex::new(x, Extended::ZERO)
 }
 
 /// Imaginary number ix as a complex number.
-pub(crate) fn imaginary(x: Extended) -> Wide {
+pub(crate) fn imaginary(x: Extended) -> WideComplex {
     Complex::new(Extended::ZERO, x)
 }
 
 /// Quotient a / b; larger than every `f64` for b = 0.
-pub(crate) fn quotient(a: Wide, b: Wide) -> Wide {
+pub(crate) fn quotient(a: WideComplex, b: WideComplex) -> WideComplex {
     (a * b.conj()).scaled(Extended::ONE / b.norm_squared())
 }
 
 /// Unit complex number e^{ix}, x in rad.
-pub(crate) fn cis(x: Extended) -> Wide {
+pub(crate) fn cis(x: Extended) -> WideComplex {
     let (im, re) = sine_cosine(x);
     Complex::new(re, im)
 }
 
 /// Exponential function eᶻ.
-pub(crate) fn complex_exp(z: Wide) -> Wide {
+pub(crate) fn complex_exp(z: WideComplex) -> WideComplex {
     cis(z.im).scaled(exp(z.re))
 }
 
 /// Principal logarithm, with imaginary part in [-π, π].
-pub(crate) fn complex_ln(z: Wide) -> Wide {
+pub(crate) fn complex_ln(z: WideComplex) -> WideComplex {
     Complex::new(ln(z.modulus()), angle(z.im, z.re))
 }
 
 /// Sine and cosine of z, with errors relative to their modulus.
-pub(crate) fn complex_sine_cosine(z: Wide) -> (Wide, Wide) {
+pub(crate) fn complex_sine_cosine(z: WideComplex) -> (WideComplex, WideComplex) {
     let (sine, cosine) = sine_cosine(z.re);
     let (sinh, cosh) = sinh_cosh(z.im);
     (Complex::new(sine * cosh, cosine * sinh), Complex::new(cosine * cosh, -(sine * sinh)))

@@ -2,7 +2,7 @@
 
 use crate::elliptic::agm::{agm, first_kind};
 use crate::elliptic::elementary::{
-    Wide, angle, complex_exp, complex_ln, exp, half_pi, imaginary, quotient, real,
+    WideComplex, angle, complex_exp, complex_ln, exp, half_pi, imaginary, quotient, real,
 };
 use crate::elliptic::theta::{ValueAndSlope, eisenstein, thetas};
 use toytop::internal::phase_of;
@@ -21,19 +21,19 @@ pub(crate) struct Lattice {
     ln_nome: Extended,
     nome: Extended,
     /// Factor U in the argument v = Uz of the theta functions: π/2ω, or iπ/2|ω'|.
-    unit: Wide,
+    unit: WideComplex,
     /// Factors that make the slope of the first theta function and the values of the others 1 at 0.
-    scales: [Wide; 4],
+    scales: [WideComplex; 4],
     /// Coefficient κ in σ(z) = e^{κz²} ϑ₁(Uz)/(U ϑ₁'(0)).
     pub(crate) kappa: Extended,
 }
 
 /// Half period, or 0: the bits are the numbers of ω and of ω'. Theta functions are denoted by the half period at which they are 0.
-pub(crate) type Half = usize;
-pub(crate) const NONE: Half = 0;
-pub(crate) const OMEGA: Half = 1;
-pub(crate) const OMEGA_PRIME: Half = 2;
-pub(crate) const BOTH: Half = 3;
+pub(crate) type HalfPeriod = usize;
+pub(crate) const ORIGIN: HalfPeriod = 0;
+pub(crate) const OMEGA: HalfPeriod = 1;
+pub(crate) const OMEGA_PRIME: HalfPeriod = 2;
+pub(crate) const OMEGA_SUM: HalfPeriod = 3;
 
 impl Lattice {
     /// Lattice from the differences of the roots, e₁ - e₂ and e₂ - e₃, both > 0.
@@ -69,17 +69,17 @@ impl Lattice {
         if self.turned { [across + half_pi() / omega_prime, up] } else { [across, up - half_pi() / omega] }
     }
 
-    /// Theta functions at Uz with their derivatives by z, in the order of [`Half`], for z within a period of 0.
-    pub(crate) fn thetas(&self, z: Wide) -> [ValueAndSlope; 4] {
+    /// Theta functions at Uz with their derivatives by z, in the order of [`HalfPeriod`], for z within a period of 0.
+    pub(crate) fn thetas(&self, z: WideComplex) -> [ValueAndSlope; 4] {
         let [one, two, four, three] = thetas(self.nome, self.unit * z).map(|theta| theta.by(self.unit));
         if self.turned { [one, four, two, three] } else { [one, two, four, three] }
     }
 
     /// Theta function that is 0 at a half period.
-    pub(crate) fn theta(&self, half: Half, z: Wide) -> ValueAndSlope {
+    pub(crate) fn theta(&self, half: HalfPeriod, z: WideComplex) -> ValueAndSlope {
         let [none, omega, omega_prime, both] = self.thetas(z);
         match half {
-            NONE => none,
+            ORIGIN => none,
             OMEGA => omega,
             OMEGA_PRIME => omega_prime,
             _ => both,
@@ -87,46 +87,46 @@ impl Lattice {
     }
 
     /// Argument minus the nearest period, and that period by numbers of 2ω and 2ω'.
-    fn reduced(&self, z: Wide) -> (Wide, [f64; 2]) {
+    fn reduced(&self, z: WideComplex) -> (WideComplex, [f64; 2]) {
         let [across, up] = self.half_periods.map(Ring::doubled);
         let (n, m) = (libm::round((z.re / across).to_f64()), libm::round((z.im / up).to_f64()));
         (Complex::new(z.re - across * n.into(), z.im - up * m.into()), [n, m])
     }
 
     /// Values of the theta functions, scaled to slope 1 of the first and value 1 of the others at 0.
-    pub(crate) fn scaled_thetas(&self, z: Wide) -> [Wide; 4] {
+    pub(crate) fn scaled_thetas(&self, z: WideComplex) -> [WideComplex; 4] {
         let ([none, omega, omega_prime, both], [a, b, c, d]) = (self.thetas(z), self.scales);
         [none.value * a, omega.value * b, omega_prime.value * c, both.value * d]
     }
 
     /// √(℘ - e₁), √(℘ - e₂) and √(℘ - e₃), as quotients of theta functions.
-    fn root_differences(&self, z: Wide) -> [Wide; 3] {
+    fn root_differences(&self, z: WideComplex) -> [WideComplex; 3] {
         let [none, omega, omega_prime, both] = self.scaled_thetas(self.reduced(z).0);
         [omega, both, omega_prime].map(|theta| quotient(theta, none))
     }
 
     /// ℘ minus each of the three roots, computed without the subtraction.
-    pub(crate) fn differences(&self, z: Wide) -> [Wide; 3] {
+    pub(crate) fn differences(&self, z: WideComplex) -> [WideComplex; 3] {
         self.root_differences(z).map(|root| root * root)
     }
 
     /// ℘(z), from the root of least magnitude.
-    pub(crate) fn p(&self, z: Wide) -> Wide {
+    pub(crate) fn p(&self, z: WideComplex) -> WideComplex {
         let ([_, difference, _], [_, middle, _]) = (self.differences(z), self.roots);
         difference + real(middle)
     }
 
     /// ℘'(z) = -2 √((℘ - e₁)(℘ - e₂)(℘ - e₃)).
-    pub(crate) fn p_prime(&self, z: Wide) -> Wide {
+    pub(crate) fn p_prime(&self, z: WideComplex) -> WideComplex {
         let [first, second, third] = self.root_differences(z);
         let product = first * second * third;
         -(product + product)
     }
 
     /// σ(z) as a value and the exponent of a factor, and ζ(z).
-    fn sigma_parts(&self, z: Wide) -> (Wide, Wide, Wide) {
+    fn sigma_parts(&self, z: WideComplex) -> (WideComplex, WideComplex, WideComplex) {
         let (rest, [n, m]) = self.reduced(z);
-        let theta = self.theta(NONE, rest);
+        let theta = self.theta(ORIGIN, rest);
         // ϑ₁(v + nπ + mπτ) = (-1)^{n+m} q^{-m²} e^{-2imv} ϑ₁(v)
         let up = Extended::from(if self.turned { n } else { m });
         let rate = -(self.unit.times_i().scaled(up.doubled()));
@@ -142,18 +142,18 @@ impl Lattice {
     }
 
     /// ζ(z).
-    pub(crate) fn zeta(&self, z: Wide) -> Wide {
+    pub(crate) fn zeta(&self, z: WideComplex) -> WideComplex {
         self.sigma_parts(z).2
     }
 
     /// A logarithm of σ(z).
-    pub(crate) fn ln_sigma(&self, z: Wide) -> Wide {
+    pub(crate) fn ln_sigma(&self, z: WideComplex) -> WideComplex {
         let (value, exponent, _) = self.sigma_parts(z);
         exponent + complex_ln(value)
     }
 
     /// σ(z).
-    pub(crate) fn sigma(&self, z: Wide) -> Wide {
+    pub(crate) fn sigma(&self, z: WideComplex) -> WideComplex {
         let (value, exponent, _) = self.sigma_parts(z);
         value * complex_exp(exponent)
     }
@@ -168,19 +168,19 @@ impl Lattice {
 pub(crate) struct ThetaQuotient {
     pub(crate) lattice: Lattice,
     scale: Extended,
-    pub(crate) rate: Wide,
-    pub(crate) zero: Wide,
-    halves: [Half; 2],
+    pub(crate) rate: WideComplex,
+    pub(crate) zero: WideComplex,
+    halves: [HalfPeriod; 2],
 }
 
 impl ThetaQuotient {
     /// Quotient with the zero a + h and the pole c, and the given modulus at x; the argument of k is arbitrary.
     pub(crate) fn through(
         lattice: &Lattice,
-        halves: [Half; 2],
-        zero: Wide,
-        rate_offset: Wide,
-        (x, size): (Wide, Extended),
+        halves: [HalfPeriod; 2],
+        zero: WideComplex,
+        rate_offset: WideComplex,
+        (x, size): (WideComplex, Extended),
     ) -> Self {
         let [h, c] = halves;
         let rate = rate_offset + lattice.theta(h ^ c, zero).log_slope();
@@ -188,7 +188,7 @@ impl ThetaQuotient {
         Self { scale: size / unscaled.at(x).value.modulus(), ..unscaled }
     }
 
-    pub(crate) fn at(&self, x: Wide) -> ValueAndSlope {
+    pub(crate) fn at(&self, x: WideComplex) -> ValueAndSlope {
         let [h, c] = self.halves;
         let (above, below) = (self.lattice.theta(h, x - self.zero), self.lattice.theta(c, x));
         let factor = quotient(complex_exp(self.rate * x).scaled(self.scale), below.value);
@@ -197,7 +197,7 @@ impl ThetaQuotient {
     }
 
     /// Change of the argument from `x` to `x` + `period` in turns, modulo 1; the value must not be 0 there.
-    pub(crate) fn turns(&self, x: Wide, period: Wide) -> Phase {
+    pub(crate) fn turns(&self, x: WideComplex, period: WideComplex) -> Phase {
         let turned = self.at(x + period).value * self.at(x).value.conj();
         phase_of(angle(turned.im, turned.re))
     }

@@ -1,29 +1,29 @@
 //! Four theta functions of a nome q <= e^{-π}, and their derivatives.
 
-use crate::elliptic::elementary::{Wide, complex_sine_cosine, quotient, real};
+use crate::elliptic::elementary::{WideComplex, complex_sine_cosine, quotient, real};
 use toytop::Complex;
 use toytop::scalar::{Extended, Ring};
 
 /// Value and derivative of a function.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ValueAndSlope {
-    pub(crate) value: Wide,
-    pub(crate) slope: Wide,
+    pub(crate) value: WideComplex,
+    pub(crate) slope: WideComplex,
 }
 
 impl ValueAndSlope {
     /// Value and derivative with respect to another variable; `rate` is the derivative of the previous variable with
     /// respect to it.
-    pub(crate) fn by(self, rate: Wide) -> Self {
+    pub(crate) fn by(self, rate: WideComplex) -> Self {
         Self { slope: self.slope * rate, ..self }
     }
 
     /// Logarithmic derivative.
-    pub(crate) fn log_slope(self) -> Wide {
+    pub(crate) fn log_slope(self) -> WideComplex {
         quotient(self.slope, self.value)
     }
 
-    fn add(&mut self, value: Wide, slope: Wide) {
+    fn add(&mut self, value: WideComplex, slope: WideComplex) {
         (self.value, self.slope) = (self.value + value, self.slope + slope);
     }
 }
@@ -31,7 +31,7 @@ impl ValueAndSlope {
 /// ϑ₁(v)/(2q^¼), ϑ₂(v)/(2q^¼), ϑ₄(v)/2 and ϑ₃(v)/2 with their derivatives, for |Im v| <= -ln q.
 ///
 /// Each term with cos kv or sin kv is at most q^{k²/4 - k/2 - 1/2} times the largest one; the first omitted term is below 1e-33.
-pub(crate) fn thetas(nome: Extended, v: Wide) -> [ValueAndSlope; 4] {
+pub(crate) fn thetas(nome: Extended, v: WideComplex) -> [ValueAndSlope; 4] {
     const TERMS: u32 = 14;
     let (sine, cosine) = complex_sine_cosine(v);
     let starting = |x: f64| ValueAndSlope { value: real(x.into()), slope: Complex::ZERO };

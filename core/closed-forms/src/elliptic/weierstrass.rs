@@ -1,6 +1,6 @@
 //! Weierstrass's ℘, ℘', ζ, σ and ln σ of a complex argument, on rectangular lattices, whose three roots are real.
 
-use crate::elliptic::elementary::{Wide, rounded, widened};
+use crate::elliptic::elementary::{WideComplex, rounded, widened};
 use crate::elliptic::lattice::Lattice;
 use toytop::internal::{check, check_finite};
 use toytop::scalar::{Extended, Float, Ring};
@@ -86,7 +86,7 @@ impl Weierstrass {
     }
 
     /// Value of a function at z, rounded to `f64`.
-    fn value(&self, function: fn(&Lattice, Wide) -> Wide, z: Complex<f64>) -> Complex<f64> {
+    fn value(&self, function: fn(&Lattice, WideComplex) -> WideComplex, z: Complex<f64>) -> Complex<f64> {
         rounded(function(&self.lattice, widened(z)))
     }
 

@@ -1,8 +1,8 @@
 //! Correction of the estimate after a pass, by the method of Levenberg and Marquardt.
 
-use crate::fit::error::Reason;
+use crate::fit::error::Distrust;
 use crate::fit::pass::{FIRST_DAMPING, Fit};
-use crate::sensitivity::LAUNCH;
+use crate::sensitivity::LAUNCH_COLUMNS;
 use crate::sensors::Measurements;
 use crate::triangle::MOST_UNKNOWNS;
 use toytop::scalar::Real;
@@ -34,7 +34,7 @@ impl<F: Real> Fit<'_, F> {
         self.current.estimate = self.best.estimate;
         for _ in 0..MOST_PASSES {
             self.pass(measurements, count);
-            if let Some(done) = self.improve(settled) {
+            if let Some(done) = self.correct(settled) {
                 return done;
             }
         }
@@ -43,7 +43,7 @@ impl<F: Real> Fit<'_, F> {
 
     /// Corrects the estimate after a pass. `None` where there must be another pass; otherwise whether it settled.
     #[inline(never)] // its triangles are on the stack between passes only
-    fn improve(&mut self, settled: f64) -> Option<bool> {
+    fn correct(&mut self, settled: f64) -> Option<bool> {
         let previous = self.best.cost;
         let improved = self.current.cost <= previous && self.current.cost.is_finite();
         if !improved && self.current.cost - previous < ROUNDING {
@@ -97,18 +97,18 @@ impl<F: Real> Fit<'_, F> {
     }
 
     /// Reason why the best estimate must not be trusted.
-    pub(super) fn reason(&self, settled: bool) -> Option<Reason> {
+    pub(super) fn distrust(&self, settled: bool) -> Option<Distrust> {
         let statistics = &self.best.statistics;
         if statistics.used == 0 && statistics.unused > 0 {
-            Some(Reason::AllSaturated)
-        } else if statistics.used < LAUNCH as u32 {
-            Some(Reason::TooFew)
+            Some(Distrust::AllSaturated)
+        } else if statistics.used < LAUNCH_COLUMNS as u32 {
+            Some(Distrust::TooFew)
         } else if statistics.is_misfit(self.model.count) {
-            Some(Reason::Misfit)
+            Some(Distrust::Misfit)
         } else if settled {
             None
         } else {
-            Some(Reason::NotSettled)
+            Some(Distrust::NotSettled)
         }
     }
 }

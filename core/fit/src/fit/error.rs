@@ -23,10 +23,10 @@ pub enum FitError {
     },
     /// There is no measurement.
     NoMeasurements,
-    /// There are more than four sensors, or more than four free ratios, or more than one with a drift.
+    /// There are more than four sensors, or more than four free ratios, or more than one with losses.
     TooManyUnknowns,
-    /// The deviation of a drift is not a positive number.
-    DriftDeviation,
+    /// The deviation of the losses is not a positive number.
+    LossDeviation,
 }
 
 impl fmt::Display for FitError {
@@ -39,7 +39,7 @@ impl fmt::Display for FitError {
             Self::TooManyUnknowns => {
                 return f.write_str("sensors, ratios: must be at most four each, and one ratio with a drift");
             }
-            Self::DriftDeviation => return f.write_str("drift: must be a positive number"),
+            Self::LossDeviation => return f.write_str("drift: must be a positive number"),
         };
         write!(f, "measurement {index}: {what}")
     }
@@ -47,10 +47,10 @@ impl fmt::Display for FitError {
 
 impl core::error::Error for FitError {}
 
-/// Reason why a launch must not be trusted.
+/// Reason to distrust a launch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Reason {
+pub enum Distrust {
     /// The corrections did not become small.
     NotSettled,
     /// The residuals of a sensor are far larger than the noise: the model, a unit, the noise or the solution is wrong.
@@ -69,7 +69,7 @@ pub enum Reason {
     NoBeginning,
 }
 
-impl fmt::Display for Reason {
+impl fmt::Display for Distrust {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::NotSettled => "the corrections did not become small",

@@ -89,7 +89,7 @@ impl Guesses {
 }
 
 impl Instant {
-    fn learn(&mut self, hint: Hint) {
+    fn add(&mut self, hint: Hint) {
         let unit = |x: Vector<f64>| (norm(x) > 0.0).then(|| scaled(x, 1.0 / norm(x)));
         match hint {
             Hint::None => {}
@@ -163,7 +163,7 @@ impl<F: Real> Fit<'_, F> {
         let mean = mean_rate(instants.clone());
         let omega = match (rate, mean) {
             (Some(([x, y, _], true)), Some([.., axial])) => [x, y, axial],
-            (Some(([x, y, low], true)), None) => [x, y, circling::<F>(instants, low)?],
+            (Some(([x, y, low], true)), None) => [x, y, axial_rate_from_circle::<F>(instants, low)?],
             (Some((omega, false)), _) => omega,
             (None, mean) => mean?,
         };
@@ -193,7 +193,7 @@ impl<F: Real> Fit<'_, F> {
             let time = ahead.peek()?.time;
             let mut instant = Instant { time, ..Instant::default() };
             while let Some(measurement) = ahead.next_if(|measurement| measurement.time == time) {
-                instant.learn(self.hint(&measurement));
+                instant.add(self.hint(&measurement));
             }
             Some(instant)
         })
@@ -221,7 +221,10 @@ fn mean_rate(instants: impl Iterator<Item = Instant>) -> Option<Vector<f64>> {
 /// A direction K of the body frame obeys K' = -Ω × K. The rates across the axis were read; rates about it are tried. The best one is
 /// refined by halving steps.
 #[inline(never)] // its steps are on the stack only during the call
-fn circling<F: Real>(instants: impl Iterator<Item = Instant> + Clone, bound: f64) -> Option<f64> {
+fn axial_rate_from_circle<F: Real>(
+    instants: impl Iterator<Item = Instant> + Clone,
+    bound: f64,
+) -> Option<f64> {
     const HALVINGS: u32 = 12;
     let direction = |instant: &Instant| instant.directions.into_iter().flatten().next();
     let mismatch = |rate: f64| {

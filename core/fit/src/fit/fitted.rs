@@ -2,12 +2,13 @@
 
 use crate::covariance::Covariance;
 use crate::estimate::Estimate;
-use crate::fit::error::Reason;
+use crate::fit::error::Distrust;
 use crate::fit::pass::{Fit, Pass, Statistics};
 use crate::fit::search::Extent;
 use crate::model::MOST_RATIOS;
 use crate::sensitivity::{
-    COLUMNS, Coefficients, Equations, Flow, LAUNCH, LOSSES, Partials, RATIOS, Sensitivity, with_coefficients,
+    COLUMNS, Coefficients, Equations, Flow, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS, Sensitivity,
+    with_coefficients,
 };
 use crate::triangle::{MOST_UNKNOWNS, Unknowns};
 use crate::vector::{UNITS, UP, Vector, add_scaled, cross, scaled};
@@ -24,7 +25,7 @@ pub struct Unobservable {
     /// Angular velocity about the axis.
     pub spin: bool,
     /// Number of independent directions, including the named ones.
-    pub count: usize,
+    pub directions: usize,
 }
 
 /// Drift of the first integrals, averaged over the time of the measurements.
@@ -40,7 +41,7 @@ pub struct Drift {
 
 impl Drift {
     /// Names of the losses, in order.
-    pub const LOSSES: [&'static str; LOSSES] = ["loss_axial", "loss_across", "loss_vertical"];
+    pub const LOSS_NAMES: [&'static str; LOSS_COUNT] = ["loss_axial", "loss_across", "loss_vertical"];
 
     /// Standard deviations of the rates.
     #[must_use]
@@ -53,12 +54,12 @@ impl Drift {
 /// Result of a fit.
 #[derive(Clone, Copy, Debug)]
 pub struct Fitted {
-    /// Time of the launch: that of the first measurement, or with a drift that of the last one.
+    /// Time of the launch: that of the first measurement, or with losses that of the last one.
     pub epoch: f64,
     /// Launch, biases and ratios.
     pub launch: Estimate,
     /// Covariance of the unknowns: rotation vector δ of Φ in the fixed frame, change η of ω in the frame that δ turns, logarithms of the
-    /// free ratios, losses of rotation if there is a drift, biases. The true launch is exp(δ) Φ and exp(δ) (ω + η).
+    /// free ratios, losses of rotation if they are unknowns, biases. The true launch is exp(δ) Φ and exp(δ) (ω + η).
     ///
     /// In these coordinates the errors are normally distributed. Those of ω itself are not where the rotation about the vertical is
     /// poorly known.
@@ -67,12 +68,12 @@ pub struct Fitted {
     pub statistics: Statistics,
     /// Directions that the measurements do not determine. Their standard deviations are 10 rad, or ten times ω.
     pub unobservable: Unobservable,
-    /// Reason why the launch must not be trusted; `None` where it may be.
-    pub reason: Option<Reason>,
+    /// Why the launch must not be trusted; `None` where it may be.
+    pub distrust: Option<Distrust>,
     /// Number of first guesses that lead to another launch, which fits the first measurements equally well.
     pub alternatives: usize,
     /// Number of unknowns.
-    pub count: usize,
+    pub unknowns: usize,
     /// Drift of the first integrals, if it was fitted.
     pub drift: Option<Drift>,
     /// Coefficients of the top, if a ratio is free.
@@ -84,8 +85,8 @@ pub struct Fitted {
 impl Fitted {
     /// Whether the launch may be trusted.
     #[must_use]
-    pub fn converged(&self) -> bool {
-        self.reason.is_none()
+    pub fn is_trusted(&self) -> bool {
+        self.distrust.is_none()
     }
 
     /// State of the launch.
@@ -112,7 +113,7 @@ impl Fitted {
         Motion::launch(&self.top(given)?, &self.state()?)
     }
 
-    /// Derivatives of the fitted motion from the epoch on. With a drift the motion includes the losses, and the
+    /// Derivatives of the fitted motion from the epoch on. With losses the motion includes the losses, and the
     /// measurements are at t <= 0.
     ///
     /// # Errors
@@ -137,22 +138,22 @@ impl Fitted {
     /// Covariance of the rotation vector of a predicted orientation.
     #[must_use]
     pub fn orientation_covariance(&self, at: &Partials) -> [Vector<f64>; 3] {
-        self.covariance.of_vector(&self.columns(&at.orientation()))
+        self.covariance.of_vector(&self.columns(&at.d_orientation()))
     }
 
     /// Derivatives with respect to the unknowns, from those with respect to the launch and the ratios.
     fn columns(&self, by: &[Vector<f64>; COLUMNS]) -> [Vector<f64>; MOST_UNKNOWNS] {
         let [_, _, _, by_omega @ .., _, _, _, _] = by;
-        let (_, ratios) = by.split_at(LAUNCH);
+        let (_, ratios) = by.split_at(LAUNCH_COLUMNS);
         let mut columns = [[0.0; 3]; MOST_UNKNOWNS];
-        columns.iter_mut().zip(by).take(LAUNCH).for_each(|(slot, column)| *slot = *column);
+        columns.iter_mut().zip(by).take(LAUNCH_COLUMNS).for_each(|(slot, column)| *slot = *column);
         // ω turns with the orientation
         for (slot, unit) in columns.iter_mut().zip(UNITS) {
             for (column, share) in by_omega.iter().zip(cross(unit, self.launch.omega)) {
                 *slot = add_scaled(*slot, *column, share);
             }
         }
-        for (slot, shares) in columns.iter_mut().skip(LAUNCH).zip(self.ratio_shares) {
+        for (slot, shares) in columns.iter_mut().skip(LAUNCH_COLUMNS).zip(self.ratio_shares) {
             for (column, share) in ratios.iter().zip(shares) {
                 *slot = add_scaled(*slot, *column, share);
             }
@@ -163,7 +164,12 @@ impl Fitted {
 
 impl<F: Real> Fit<'_, F> {
     /// Result of the best estimate.
-    pub(super) fn fitted(&mut self, extent: &Extent, reason: Option<Reason>, alternatives: usize) -> Fitted {
+    pub(super) fn fitted(
+        &mut self,
+        extent: &Extent,
+        distrust: Option<Distrust>,
+        alternatives: usize,
+    ) -> Fitted {
         self.limit_information();
         let launch = self.best.estimate;
         let mut fitted = Fitted {
@@ -172,9 +178,9 @@ impl<F: Real> Fit<'_, F> {
             covariance: Covariance::ZERO,
             statistics: self.best.statistics,
             unobservable: Unobservable::default(),
-            reason,
+            distrust,
             alternatives,
-            count: self.model.count,
+            unknowns: self.model.count,
             coefficients: self.model.coefficients(&launch),
             ratio_shares: self.model.ratio_shares(&launch),
             drift: None,
@@ -183,7 +189,7 @@ impl<F: Real> Fit<'_, F> {
         fitted.covariance.turn(&Flow::launched(&launch.orientation, launch.omega).axes());
         fitted.unobservable = unobservable(&fitted, &self.model.units(&launch));
         if self.model.has_losses() && self.carry_to_end(&mut fitted, extent.last).is_none() {
-            fitted.reason = fitted.reason.or(Some(Reason::NotSettled));
+            fitted.distrust = fitted.distrust.or(Some(Distrust::NotSettled));
         }
         fitted
     }
@@ -200,7 +206,7 @@ impl<F: Real> Fit<'_, F> {
     /// Moves the launch to the last measurement, and adds the drift. `None` where the motion cannot be followed.
     ///
     /// From the last measurement on, the motion is exact (`docs/partials.md`).
-    #[inline(never)] // only a fit with a drift needs its matrices
+    #[inline(never)] // only a fit with losses needs its matrices
     fn carry_to_end(&self, fitted: &mut Fitted, end: f64) -> Option<()> {
         let span = end - fitted.epoch;
         let (launch, at) = self.model.predicted(&fitted.launch, span)?;
@@ -211,7 +217,7 @@ impl<F: Real> Fit<'_, F> {
         let per_time = self.model.top.transverse_inertia() / span;
         let mut rates_by = [[0.0; 3]; MOST_UNKNOWNS];
         let losses = rates_by.iter_mut().zip(&at.flow.tangents).enumerate();
-        for (_, (slot, tangent)) in losses.filter(|(index, _)| self.model.losses().contains(index)) {
+        for (_, (slot, tangent)) in losses.filter(|(index, _)| self.model.loss_range().contains(index)) {
             let [l, spin, h] = gradients.map(|by| by.inner(tangent));
             *slot = scaled([l, inertia * spin, h], per_time);
         }
@@ -239,7 +245,7 @@ const ALONG: f64 = 0.1;
 /// roll are nearly the same rotation.
 #[inline(never)] // its matrices must not be on the stack during other work
 fn unobservable(fitted: &Fitted, units: &Unknowns) -> Unobservable {
-    let Fitted { launch, count, .. } = *fitted;
+    let Fitted { launch, unknowns: count, .. } = *fitted;
     let factor = |least: f64, count: usize| {
         let mut sum = fitted.covariance;
         for (i, x) in units.iter().enumerate() {
@@ -253,7 +259,7 @@ fn unobservable(fitted: &Fitted, units: &Unknowns) -> Unobservable {
     let sum = factor(1.0, count);
     let determined: f64 = (0..count).map(|index| squares(&sum.inverse_column(index))).sum();
     let undetermined = libm::round((count as f64 - determined).max(0.0)) as usize;
-    let sum = factor(ALONG * ALONG, LAUNCH);
+    let sum = factor(ALONG * ALONG, LAUNCH_COLUMNS);
     let (axis, none) = (launch.orientation.axis(), [0.0; 3]);
     let [yaw, roll, spin] = [[UP, none], [axis, cross(launch.omega, axis)], [none, axis]].map(|direction| {
         let mut along = [0.0; MOST_UNKNOWNS];
@@ -261,5 +267,5 @@ fn unobservable(fitted: &Fitted, units: &Unknowns) -> Unobservable {
         along.iter_mut().zip(parts).for_each(|(slot, (x, unit))| *slot = x / unit);
         squares(&sum.solved(along)) < squares(&along)
     });
-    Unobservable { yaw, roll, spin, count: undetermined }
+    Unobservable { yaw, roll, spin, directions: undetermined }
 }

@@ -1,9 +1,9 @@
 //! Passes over the measurements, and the residuals of a pass.
 
-use crate::course::Course;
 use crate::estimate::Estimate;
 use crate::model::{MOST_SENSORS, Model};
-use crate::sensors::{Hint, Measurement, Measurements, Prediction, Sensor};
+use crate::sensors::{Hint, Measurement, Measurements, Residual, Sensor};
+use crate::trajectory::Trajectory;
 use crate::triangle::{MOST_UNKNOWNS, Triangle};
 use toytop::scalar::Real;
 
@@ -84,8 +84,12 @@ impl Statistics {
         self.chi_squared / freedom.max(1.0)
     }
 
-    /// Whether a fifth of the residuals of a sensor or of all are outliers, a twentieth are beyond ten standard deviations, or the
-    /// sum n of squares of the others exceeds its mean by five standard deviations √(2 n); or the prior is contradicted.
+    /// Whether the residuals contradict the noise. One of these is then true of a sensor, or of all sensors together:
+    ///
+    /// * a fifth of the residuals are outliers;
+    /// * a twentieth are beyond ten standard deviations;
+    /// * the sum of squares of the others is five of its standard deviations above its mean;
+    /// * the differences from the prior values are too large.
     pub(super) fn is_misfit(&self, unknowns: usize) -> bool {
         let outliers = f64::from(self.outliers);
         let limited = if self.outliers > 0 { self.huber * self.huber * outliers } else { 0.0 };
@@ -118,7 +122,7 @@ pub struct Fit<'a, F = f64> {
     pub(super) last_change: Option<f64>,
     /// Size of a correction over the square of the size of the one before it.
     pub(super) curvature: f64,
-    course: Course<F>,
+    trajectory: Trajectory<F>,
     /// Factor by which the readings of rate gyroscopes are multiplied, to try another unit where the fit is bad.
     pub(super) rate_unit: f64,
     /// Information before the measurements, and the estimate that it is about.
@@ -154,7 +158,7 @@ impl<'a, F: Real> Fit<'a, F> {
             damping: FIRST_DAMPING,
             last_change: None,
             curvature: f64::INFINITY,
-            course: Course::new(model.top.tip_scale(), &model.equations(&estimate)),
+            trajectory: Trajectory::new(model.top.tip_scale(), &model.equations(&estimate)),
             rate_unit: 1.0,
             prior,
         }
@@ -179,7 +183,7 @@ impl<'a, F: Real> Fit<'a, F> {
         let mut epoch = None;
         for measurement in measurements.clone().take(count) {
             let start = *epoch.get_or_insert(measurement.time);
-            let added = self.course.move_to(measurement.time - start).and_then(|()| {
+            let added = self.trajectory.move_to(measurement.time - start).and_then(|()| {
                 let sensor = sensors.get_mut(measurement.sensor)?;
                 self.add(&measurement, sensor)
             });
@@ -202,17 +206,17 @@ impl<'a, F: Real> Fit<'a, F> {
         information.clone_from(prior);
         let change = known.change_from(estimate).map(F::from_f64);
         information.point_to(&change);
-        self.course.begin(&estimate.orientation, estimate.omega, &self.model.equations(estimate));
+        self.trajectory.begin(&estimate.orientation, estimate.omega, &self.model.equations(estimate));
         prior.square(&change).to_f64()
     }
 
-    /// Adds one measurement to the current pass, at the time to which the course was moved. `None` where there is no such
+    /// Adds one measurement to the current pass, at the time to which the trajectory was moved. `None` where there is no such
     /// sensor.
     #[inline(never)] // the prediction and the motion must not be on the stack together
     fn add(&mut self, measurement: &Measurement, statistics: &mut Statistics) -> Option<()> {
         let sensor = self.sensors.get(measurement.sensor)?;
-        let prediction = sensor.predict(self.course.now(), &self.reading(measurement));
-        let Prediction { difference, deviation, columns } = &prediction;
+        let prediction = sensor.residual(self.trajectory.now(), &self.reading(measurement));
+        let Residual { difference, deviation, columns } = &prediction;
         let (bias, common) = (self.model.bias(measurement.sensor), self.model.common());
         let Pass { estimate, information, .. } = &mut self.current;
         for (component, (difference, deviation)) in difference.iter().zip(deviation).enumerate() {

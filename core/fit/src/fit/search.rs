@@ -2,7 +2,7 @@
 
 use crate::estimate::Estimate;
 use crate::fit::correction::SETTLED;
-use crate::fit::error::{FitError, Reason};
+use crate::fit::error::{Distrust, FitError};
 use crate::fit::first_guess::{FIRST_INSTANTS, Guesses, upright_to};
 use crate::fit::pass::{Fit, Pass};
 use crate::sensors::{Hint, Measurement, Measurements};
@@ -40,13 +40,13 @@ impl<F: Real> Fit<'_, F> {
         &mut self,
         measurements: &impl Measurements,
         extent: &Extent,
-    ) -> (Option<Reason>, usize) {
+    ) -> (Option<Distrust>, usize) {
         self.start_from(&Estimate::new(Orientation::IDENTITY, [0.0; 3]));
         if measurements.clone().filter(|one| one.time > extent.first).take(2).count() < 2 {
-            return (Some(Reason::TooFew), 0);
+            return (Some(Distrust::TooFew), 0);
         }
         let Some(guesses) = self.guesses(measurements, extent.first) else {
-            return (Some(Reason::NoBeginning), 0);
+            return (Some(Distrust::NoBeginning), 0);
         };
         let mut count = 4 * FIRST_INSTANTS * self.sensors.len();
         let alternatives = self.try_guesses(&guesses, measurements, count);
@@ -88,7 +88,7 @@ impl<F: Real> Fit<'_, F> {
     }
 
     /// Passes over all measurements. Returns the reason why the estimate must not be trusted.
-    pub(super) fn settle_finally(&mut self, measurements: &impl Measurements) -> Option<Reason> {
+    pub(super) fn settle_finally(&mut self, measurements: &impl Measurements) -> Option<Distrust> {
         let settled = self.settle(measurements, usize::MAX, SETTLED);
         let launch = &self.best.estimate;
         let found = dot(launch.omega, launch.orientation.axis());
@@ -96,18 +96,17 @@ impl<F: Real> Fit<'_, F> {
         let least = self.rates(measurements).find_map(bound);
         // the axial rate is constant, so that one reading at the end of the range bounds it
         let spin = least.filter(|least| found / least < WITHIN).unwrap_or(found);
-        let reason = self.reason(settled && spin == found);
-        let misfit = matches!(reason, Some(Reason::AllSaturated | Reason::TooFew | Reason::Misfit));
-        let unknown = self.explains_upright(spin, measurements);
-        if unknown && !misfit { Some(Reason::SpinUnknown) } else { reason }
+        let distrust = self.distrust(settled && spin == found);
+        let misfit = matches!(distrust, Some(Distrust::AllSaturated | Distrust::TooFew | Distrust::Misfit));
+        let unknown = self.is_explained_upright(spin, measurements);
+        if unknown && !misfit { Some(Distrust::SpinUnknown) } else { distrust }
     }
 
     /// Whether an upright launch with twice this spin explains the measurements equally well, so that they do not determine the spin.
     ///
-    /// A fit of an upright top whose spin is beyond the range finds a tilt as small as the noise, and the spin that then explains the
-    /// noise best.
+    /// An upright top with a saturated gyroscope fits any spin.
     #[inline(never)] // its launches are on the stack only during the call
-    fn explains_upright(&mut self, spin: f64, measurements: &impl Measurements) -> bool {
+    fn is_explained_upright(&mut self, spin: f64, measurements: &impl Measurements) -> bool {
         let found = self.best.estimate;
         let axis = found.orientation.axis();
         let across = cross(found.omega, axis);
@@ -133,27 +132,27 @@ impl<F: Real> Fit<'_, F> {
 
     /// Cause of residuals that are too large. The best estimate is overwritten.
     #[inline(never)] // it is called for a bad fit only
-    pub(super) fn cause(
+    pub(super) fn misfit_cause(
         &mut self,
         measurements: &impl Measurements,
         extent: &Extent,
         chi_squared: f64,
-    ) -> Option<Reason> {
+    ) -> Option<Distrust> {
         self.rate_unit = core::f64::consts::PI / 180.0;
-        let (reason, _) = self.search(measurements, extent);
+        let (distrust, _) = self.search(measurements, extent);
         self.rate_unit = 1.0;
         // smaller numbers have smaller residuals, whatever the motion is
         let in_degrees = self.best.statistics.chi_squared;
         let has_noise = in_degrees > LEAST_NOISE * f64::from(self.best.statistics.used);
-        if has_noise && (reason.is_none() || in_degrees < 0.1 * chi_squared) {
-            return Some(Reason::RatesInDegrees);
+        if has_noise && (distrust.is_none() || in_degrees < 0.1 * chi_squared) {
+            return Some(Distrust::RatesInDegrees);
         }
         let mut rates = self.rates(measurements);
         // below 0.1 per unit time, a bias may explain the rates
         let is_small = |(omega, saturated): (Vector<f64>, bool)| {
             !saturated && omega.iter().all(|x| libm::fabs(*x) < 0.1)
         };
-        (rates.next().is_some_and(is_small) && rates.all(is_small)).then_some(Reason::AtRest)
+        (rates.next().is_some_and(is_small) && rates.all(is_small)).then_some(Distrust::AtRest)
     }
 
     /// Rates in the body frame, and whether their axial component is beyond the range.

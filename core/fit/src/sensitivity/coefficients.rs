@@ -5,11 +5,11 @@ use toytop::{ParameterError, Support, Top, TopParameters};
 /// Number of ratios: A/C, A/(ps), s and g.
 pub(crate) const RATIOS: usize = 4;
 /// Number of losses.
-pub(crate) const LOSSES: usize = 3;
+pub(crate) const LOSS_COUNT: usize = 3;
 
 /// Coefficients C/A, p/A (1/m), s (m, 0 for a fixed tip), g (m/s²), K/A (rad per unit time), and the losses about the axis,
 /// across it and about the vertical (per unit time); or a change of them.
-pub(crate) type Coefficients<F = f64> = [F; 5 + LOSSES];
+pub(crate) type Coefficients<F = f64> = [F; 5 + LOSS_COUNT];
 
 /// Coefficients of a top without losses.
 pub(crate) fn coefficients(top: &Top) -> Coefficients {
@@ -59,7 +59,7 @@ pub(crate) fn ratios(
 
 /// Derivatives with respect to A/C, A/(ps), s and g; for a fixed tip, to A/C, A/p, s and g. A free body depends on A/C only.
 pub(crate) fn by_ratios(&[c, b, s, ..]: &Coefficients, support: Support) -> [Coefficients; RATIOS] {
-    let mut by = [[0.0; 5 + LOSSES]; RATIOS];
+    let mut by = [[0.0; 5 + LOSS_COUNT]; RATIOS];
     let [[by_inertia, ..], [_, by_length, ..], [_, by_height, height, ..], [_, _, _, by_gravity, ..]] =
         &mut by;
     (*by_inertia, *by_gravity) = (-c * c, 1.0);

@@ -1,7 +1,7 @@
 //! Equations of motion in the fixed frame, and the linear equations of a small change of the motion (`docs/partials.md`).
 
 use crate::sensitivity::coefficients::{Coefficients, RATIOS, by_ratios, coefficients};
-use crate::sensitivity::flow::{COLUMNS, Flow, LAUNCH, Tangent};
+use crate::sensitivity::flow::{COLUMNS, Flow, LAUNCH_COLUMNS, Tangent};
 use crate::vector::{Vector, add_scaled, cross, dot, norm, scaled};
 use toytop::Top;
 use toytop::scalar::Float;
@@ -100,7 +100,7 @@ impl<F: Float> Equations<F> {
 
     /// Change of the coefficients in a column; none in those of the launch.
     pub(crate) fn change(&self, column: usize) -> Option<&Coefficients<F>> {
-        self.changes.get(column.wrapping_sub(LAUNCH))
+        self.changes.get(column.wrapping_sub(LAUNCH_COLUMNS))
     }
 
     /// Accelerations of a state: the equations of Newton and Euler,

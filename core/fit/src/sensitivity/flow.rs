@@ -6,7 +6,7 @@ use toytop::scalar::{Float, Real};
 use toytop::su2::Orientation;
 
 /// Number of columns of the launch.
-pub(crate) const LAUNCH: usize = 6;
+pub(crate) const LAUNCH_COLUMNS: usize = 6;
 /// Number of columns: six of the launch, and those of four ratios or losses.
 pub(crate) const COLUMNS: usize = 10;
 

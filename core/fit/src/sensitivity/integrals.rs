@@ -4,7 +4,7 @@
 //! million periods; the projection of the growth onto the gradients removes it.
 
 use crate::sensitivity::equations::{Equations, cross_vertical};
-use crate::sensitivity::flow::{COLUMNS, Flow, LAUNCH, Tangent};
+use crate::sensitivity::flow::{COLUMNS, Flow, LAUNCH_COLUMNS, Tangent};
 use crate::vector::{UP, Vector, add_scaled, cross, dot, scaled};
 
 impl Equations<f64> {
@@ -52,7 +52,7 @@ pub(crate) fn projected(
     growth: &[Tangent<f64>; COLUMNS],
 ) -> [Tangent<f64>; COLUMNS] {
     let mut projected = *growth;
-    projected.iter_mut().take(LAUNCH).for_each(|slot| *slot = Tangent::ZERO);
+    projected.iter_mut().take(LAUNCH_COLUMNS).for_each(|slot| *slot = Tangent::ZERO);
     // orthonormal directions, whose η is in units of the rate; 0 for a gradient that depends on those before
     let mut directions = [Tangent::ZERO; 3];
     for (index, gradient) in gradients.iter().enumerate() {

@@ -42,13 +42,13 @@ impl<F: Float> Partials<F> {
 
     /// Orientation Φ, of either sign.
     #[must_use]
-    pub fn orientation_now(&self) -> Orientation<F> {
+    pub fn orientation(&self) -> Orientation<F> {
         from_axes(self.flow.axis, self.flow.side)
     }
 
     /// Angular velocity ω in the fixed frame, rad per unit time.
     #[must_use]
-    pub fn angular_velocity(&self) -> Vector<F> {
+    pub fn omega(&self) -> Vector<F> {
         self.flow.omega()
     }
 
@@ -66,33 +66,33 @@ impl<F: Float> Partials<F> {
 
     /// Derivatives of the orientation: rotation vectors θ in the fixed frame, with dΦ = θ Φ.
     #[must_use]
-    pub fn orientation(&self) -> [Vector<F>; COLUMNS] {
+    pub fn d_orientation(&self) -> [Vector<F>; COLUMNS] {
         self.each(|tangent, _| tangent.theta)
     }
 
     /// Derivatives of ω in the fixed frame.
     #[must_use]
-    pub fn omega(&self) -> [Vector<F>; COLUMNS] {
-        let omega = self.angular_velocity();
+    pub fn d_omega(&self) -> [Vector<F>; COLUMNS] {
+        let omega = self.omega();
         self.each(|Tangent { theta, eta }, _| add_scaled(*eta, cross(*theta, omega), F::ONE))
     }
 
     /// Derivatives of Ω in the body frame.
     #[must_use]
-    pub fn omega_body(&self) -> [Vector<F>; COLUMNS] {
+    pub fn d_omega_body(&self) -> [Vector<F>; COLUMNS] {
         let axes = self.flow.axes();
         self.each(|tangent, _| along(&axes, tangent.eta))
     }
 
     /// Derivatives of the axis r.
     #[must_use]
-    pub fn axis_change(&self) -> [Vector<F>; COLUMNS] {
+    pub fn d_axis(&self) -> [Vector<F>; COLUMNS] {
         self.each(|tangent, _| cross(tangent.theta, self.flow.axis))
     }
 
     /// Derivatives of the tip c = -s (r₁ + i r₂), m; of -(r₁ + i r₂) for a fixed tip.
     #[must_use]
-    pub fn tip(&self) -> [Complex<F>; COLUMNS] {
+    pub fn d_tip(&self) -> [Complex<F>; COLUMNS] {
         let axis = self.flow.axis;
         let changes = self.each(|tangent, change| {
             let by_height = change.map_or(F::ZERO, |&[_, _, height, ..]| height);
@@ -103,10 +103,10 @@ impl<F: Float> Partials<F> {
 
     /// Derivatives of the tip angle φ = arg c, rad; `None` where the tip is at the centre.
     #[must_use]
-    pub fn tip_angle(&self) -> Option<[F; COLUMNS]> {
+    pub fn d_tip_angle(&self) -> Option<[F; COLUMNS]> {
         let [x, y, _] = self.flow.axis;
         let square = x * x + y * y;
-        (square > F::ZERO).then(|| self.axis_change().map(|[dx, dy, _]| (x * dy - y * dx) / square))
+        (square > F::ZERO).then(|| self.d_axis().map(|[dx, dy, _]| (x * dy - y * dx) / square))
     }
 
     /// Specific force in the body frame at a point of the body, as an accelerometer there measures it, and its
@@ -165,7 +165,7 @@ impl<F: Float> Partials<F> {
         (force, changes): (Vector<F>, [Vector<F>; COLUMNS]),
     ) -> (Vector<F>, [Vector<F>; COLUMNS]) {
         let Flow { axis, across, spin, .. } = self.flow;
-        let (omega, arm) = (self.angular_velocity(), self.in_fixed(place));
+        let (omega, arm) = (self.omega(), self.in_fixed(place));
         let swing = cross(omega, arm);
         let rate = add_scaled(add_scaled(at.across, cross(across, axis), spin), axis, at.spin);
         let by_rotation = add_scaled(cross(rate, arm), cross(omega, swing), F::ONE);

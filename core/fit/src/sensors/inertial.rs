@@ -1,7 +1,7 @@
 //! Instruments on the body: gyroscope, accelerometer and magnetometer.
 
 use crate::sensitivity::Partials;
-use crate::sensors::{Hint, Mounting, Noise, Prediction, Sensor, three};
+use crate::sensors::{Hint, Mounting, Noise, Residual, Sensor, three};
 use crate::vector::{UP, Vector, add_scaled, along, cast, dot, norm, scaled};
 use toytop::scalar::Real;
 
@@ -45,13 +45,13 @@ fn deviations<F: Real>(range: f64, reading: Vector<F>, deviation: f64) -> Vector
 }
 
 impl<F: Real> Sensor<F> for Gyroscope {
-    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
+    fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F> {
         let reading = cast(three(values));
         let axes = self.mounting.axes(at);
         // the axial part is larger than the rest, and keeps its digits
         let axis = cast(self.mounting.axis());
         let rate = add_scaled(along(&axes, at.flow.across), axis, at.flow.spin);
-        Prediction {
+        Residual {
             difference: add_scaled(reading, rate, -F::ONE),
             deviation: deviations(self.range, reading, self.noise.deviation),
             columns: at.each(|tangent, _| along(&axes, tangent.eta)),
@@ -73,10 +73,10 @@ impl<F: Real> Sensor<F> for Gyroscope {
 }
 
 impl<F: Real> Sensor<F> for Accelerometer {
-    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
+    fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F> {
         let reading = cast(three(values));
         let (force, columns) = at.force_along(&self.mounting.axes(at), cast(self.mounting.place));
-        Prediction {
+        Residual {
             difference: add_scaled(reading, force, -F::ONE),
             deviation: deviations(self.range, reading, self.noise.deviation),
             columns,
@@ -97,9 +97,9 @@ impl<F: Real> Sensor<F> for Accelerometer {
 }
 
 impl<F: Real> Sensor<F> for Magnetometer {
-    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
+    fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F> {
         let (field, columns) = at.direction_along(&self.mounting.axes(at), cast(self.field));
-        Prediction {
+        Residual {
             difference: add_scaled(cast(three(values)), field, -F::ONE),
             deviation: [F::from_f64(self.noise.deviation); 3],
             columns,

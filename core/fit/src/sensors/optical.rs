@@ -1,7 +1,7 @@
 //! Optical instruments beside the top: cameras, and a mark that passes a photo diode.
 
 use crate::sensitivity::Partials;
-use crate::sensors::{Hint, Prediction, Sensor, three};
+use crate::sensors::{Hint, Residual, Sensor, three};
 use crate::vector::{Vector, add_scaled, cast, cross, norm, rotation_vector, scaled};
 use toytop::Phase;
 use toytop::scalar::Real;
@@ -42,12 +42,12 @@ pub struct Mark {
 }
 
 impl<F: Real> Sensor<F> for OrientationCamera {
-    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
+    fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F> {
         let measured = Orientation::from_quaternion(values.map(F::from_f64)).normalised();
-        Prediction {
-            difference: rotation_vector(&measured.compose(&at.orientation_now().inverse())),
+        Residual {
+            difference: rotation_vector(&measured.compose(&at.orientation().inverse())),
             deviation: [F::from_f64(self.deviation); 3],
-            columns: at.orientation(),
+            columns: at.d_orientation(),
         }
     }
 
@@ -57,11 +57,11 @@ impl<F: Real> Sensor<F> for OrientationCamera {
 }
 
 impl<F: Real> Sensor<F> for AxisCamera {
-    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
-        Prediction {
+    fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F> {
+        Residual {
             difference: add_scaled(cast(three(values)), at.axis(), -F::ONE),
             deviation: [F::from_f64(self.deviation); 3],
-            columns: at.axis_change(),
+            columns: at.d_axis(),
         }
     }
 
@@ -71,14 +71,14 @@ impl<F: Real> Sensor<F> for AxisCamera {
 }
 
 impl<F: Real> Sensor<F> for TipCamera {
-    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
+    fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F> {
         let [x, y, _]: Vector<F> = cast(three(values));
         let [r1, r2, _] = at.axis();
         let [scale, deviation, unused] = cast([self.tip_scale, self.deviation, f64::INFINITY]);
-        Prediction {
+        Residual {
             difference: [x + scale * r1, y + scale * r2, F::ZERO],
             deviation: [deviation, deviation, unused],
-            columns: at.tip().map(|c| [c.re, c.im, F::ZERO]),
+            columns: at.d_tip().map(|c| [c.re, c.im, F::ZERO]),
         }
     }
 
@@ -91,16 +91,16 @@ impl<F: Real> Sensor<F> for TipCamera {
 }
 
 impl<F: Real> Sensor<F> for Mark {
-    fn predict(&self, at: &Partials<F>, values: &[f64; 4]) -> Prediction<F> {
+    fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F> {
         let [azimuth, ..] = *values;
         let place = at.in_fixed(cast(self.place));
         let [x, y, _] = place;
         let square = x * x + y * y;
         let turned = |[dx, dy, _]: Vector<F>| (x * dy - y * dx) / square;
         let (sine, cosine) = F::sine_cosine(Phase::from_radians(azimuth));
-        let rate = turned(cross(at.angular_velocity(), place));
+        let rate = turned(cross(at.omega(), place));
         let unused = F::from_f64(f64::INFINITY);
-        Prediction {
+        Residual {
             difference: [F::atan2(sine * x - cosine * y, cosine * x + sine * y), F::ZERO, F::ZERO],
             deviation: [F::from_f64(self.deviation) * rate.abs(), unused, unused],
             columns: at.each(|tangent, _| [turned(cross(tangent.theta, place)), F::ZERO, F::ZERO]),

@@ -18,9 +18,9 @@ fn by_component<const N: usize>(columns: [[f64; N]; COLUMNS]) -> impl Iterator<I
 
 /// Derivatives of orientation, ω, Ω, axis, tip and tip angle, component by component.
 fn row(partials: &Partials) -> Vec<f64> {
-    let vectors = [partials.orientation(), partials.omega(), partials.omega_body(), partials.axis_change()];
-    let tip = by_component(partials.tip().map(|tip| [tip.re, tip.im]));
-    let angle = partials.tip_angle().unwrap_or([f64::NAN; COLUMNS]);
+    let vectors = [partials.d_orientation(), partials.d_omega(), partials.d_omega_body(), partials.d_axis()];
+    let tip = by_component(partials.d_tip().map(|tip| [tip.re, tip.im]));
+    let angle = partials.d_tip_angle().unwrap_or([f64::NAN; COLUMNS]);
     vectors.into_iter().flat_map(by_component).chain(tip).chain(angle).collect()
 }
 

@@ -72,7 +72,7 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
             _ => format!("--{parameter}: {reason} ({})", scenario.file),
         })
     })?;
-    let converged = fit.fitted.converged();
+    let converged = fit.fitted.is_trusted();
     let mut notes = Vec::new();
     if !unused.is_empty() {
         let names: Vec<_> = unused.iter().map(|name| shown(name)).collect();

@@ -30,7 +30,7 @@ pub fn table(report: &FitReport) -> String {
     if !report.has_launch() {
         return state + "\n";
     }
-    let Fitted { launch, statistics, epoch, count, alternatives, .. } = report.fitted;
+    let Fitted { launch, statistics, epoch, unknowns: count, alternatives, .. } = report.fitted;
     let deviations = report.fitted.deviations();
     let line = |name: &str, value: f64, deviation: f64, unit: &str| {
         vec![name.to_owned(), short(value, 9), format!("+- {}", short(deviation, 2)), unit.to_owned()]
@@ -88,7 +88,8 @@ pub fn table(report: &FitReport) -> String {
 
 /// Report as an object of JSON.
 pub fn object(report: &FitReport) -> Record {
-    let Fitted { launch, statistics, drift, count, covariance, alternatives, epoch, .. } = &report.fitted;
+    let Fitted { launch, statistics, drift, unknowns: count, covariance, alternatives, epoch, .. } =
+        &report.fitted;
     let deviations = report.fitted.deviations();
     let [(spin, spin_deviation), (tilt, tilt_deviation)] = report.spin_and_tilt();
     let free = report.freed().into_iter();
@@ -102,7 +103,7 @@ pub fn object(report: &FitReport) -> Record {
     let prediction =
         |[t, orientation, axis]: [f64; 3]| json!({"t": t, "orientation_rad": orientation, "axis_rad": axis});
     Record::default()
-        .with("converged", report.fitted.converged())
+        .with("converged", report.fitted.is_trusted())
         .with("reason", report.reason.as_deref())
         .with("epoch", *epoch)
         .with("quaternion", launch.orientation.quaternion())
@@ -146,5 +147,5 @@ pub fn row(FitReport { fitted, reason, .. }: &FitReport) -> Record {
         .with("omega", fitted.launch.omega)
         .with("orientation_deviation", &deviations[..3])
         .with("omega_deviation", &deviations[3..6])
-        .with("reduced_chi_squared", fitted.statistics.reduced_chi_squared(fitted.count))
+        .with("reduced_chi_squared", fitted.statistics.reduced_chi_squared(fitted.unknowns))
 }

@@ -26,35 +26,43 @@ use num_complex::Complex64 as C;
 use toytop::Motion;
 
 /// Imaginary unit.
-pub(super) const I: C = C::new(0.0, 1.0);
+pub const I: C = C::new(0.0, 1.0);
 
 /// Kind of curve.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Form {
+pub enum Form {
+    /// Sliding tip: genus 2.
     General,
+    /// Sliding tip with e₃ = e₄.
     E3EqualsE4,
+    /// Sliding tip with e₂ = e₃ = 1.
     Aperiodic,
+    /// Fixed tip.
     FixedTip,
 }
 
 /// Point (u, w) of a curve.
 #[derive(Clone, Copy)]
-pub(super) struct Point {
-    pub(super) u: C,
-    pub(super) w: C,
+pub struct Point {
+    /// Coordinate u.
+    pub u: C,
+    /// Square root w of R(u).
+    pub w: C,
 }
 
 impl Point {
-    pub(super) fn other_sheet(self) -> Self {
+    /// Point (u, -w).
+    pub fn other_sheet(self) -> Self {
         Self { w: -self.w, ..self }
     }
 }
 
 /// Curve of a motion, with its differentials.
-pub(super) struct Curve {
-    pub(super) form: Form,
+pub struct Curve {
+    /// Kind.
+    pub form: Form,
     /// Finite branch points, the zeros of R.
-    pub(super) branch_points: Vec<f64>,
+    pub branch_points: Vec<f64>,
     /// Coefficient of the highest power of u in R.
     leading: f64,
     e4: f64,
@@ -63,13 +71,13 @@ pub(super) struct Curve {
     /// Factors i(l + n)/A and i(l - n)/A.
     turning: [C; 2],
     /// Rate τ = ⟨ω, r⟩ - n/A: for C ≠ A add iτ/2 dt to dα/α and dγ/γ, and -iτ/2 dt to dβ/β and dδ/δ.
-    pub(super) tau: f64,
+    pub tau: f64,
 }
 
 impl Curve {
     /// Curve of a form that the motion has. The w of the general curve is (u - e₃)/2 times w for e₃ = e₄, and -(u - 1)/2 times w for
     /// e₂ = e₃ = 1.
-    pub(super) fn new(form: Form, motion: &Motion) -> Self {
+    pub fn new(form: Form, motion: &Motion) -> Self {
         let (top, integrals, e) = (motion.top(), motion.first_integrals(), motion.branch_points());
         let (a, s, g) = (top.transverse_inertia(), top.com_height(), top.gravity());
         let e4 = top.e4().unwrap_or_default();
@@ -86,7 +94,7 @@ impl Curve {
     }
 
     /// Polynomial R(u), the square of w.
-    pub(super) fn r(&self, u: C) -> C {
+    pub fn r(&self, u: C) -> C {
         self.branch_points.iter().map(|e| u - e).product::<C>() * self.leading
     }
 
@@ -101,7 +109,7 @@ impl Curve {
     }
 
     /// Point over u with Re w >= 0.
-    pub(super) fn point(&self, u: C) -> Point {
+    pub fn point(&self, u: C) -> Point {
         Point { u, w: self.r(u).sqrt() }
     }
 
@@ -112,18 +120,18 @@ impl Curve {
     }
 
     /// Point (u, w) of a motion with this u and u': w = f T(u) u' (equation (3.9)).
-    pub(super) fn on_motion(&self, u: f64, udot: f64) -> Point {
+    pub fn on_motion(&self, u: f64, udot: f64) -> Point {
         let u = C::from(u);
         Point { u, w: self.factor * self.density(u) * udot }
     }
 
     /// Value w₋₁ of w over u = -1 that corresponds to l + n.
-    pub(super) fn w_minus_one(&self) -> C {
+    pub fn w_minus_one(&self) -> C {
         self.turning[0] * self.factor * self.density(C::from(-1.0))
     }
 
     /// Value w₊₁ of w over u = 1 that corresponds to l - n; one of the two on the aperiodic curve, where l = n.
-    pub(super) fn w_plus_one(&self) -> C {
+    pub fn w_plus_one(&self) -> C {
         match self.form {
             Form::Aperiodic => self.r(C::from(1.0)).sqrt(),
             _ => self.turning[1] * self.factor * self.density(C::from(1.0)),
@@ -131,12 +139,12 @@ impl Curve {
     }
 
     /// Derivative dt/du at a point.
-    pub(super) fn time(&self, at: Point) -> C {
+    pub fn time(&self, at: Point) -> C {
         self.factor * self.density(at.u) / at.w
     }
 
     /// Derivatives d log α/du, d log β/du, d log γ/du and d log δ/du at a point, for C = A.
-    pub(super) fn logarithms(&self, at: Point) -> [C; 4] {
+    pub fn logarithms(&self, at: Point) -> [C; 4] {
         // F∓ w∓₁ = T(u) f i(l ± n)/A; on the aperiodic curve the second is 0
         let [plus, minus] = self.turning.map(|turning| turning * self.time(at));
         let (above, below) = ((at.u + 1.0) * 2.0, (at.u - 1.0) * 2.0);
@@ -144,20 +152,20 @@ impl Curve {
     }
 
     /// Derivative dφ/du of the tip angle at a point (equation (4.1)), for any C.
-    pub(super) fn tip_angle(&self, at: Point) -> C {
+    pub fn tip_angle(&self, at: Point) -> C {
         let [plus, minus] = self.turning.map(|turning| turning * self.time(at));
         (plus / (at.u + 1.0) - minus / (at.u - 1.0)) * -0.5 * I
     }
 
     /// Points where α, β, γ and δ are 0 (Table 1); for β and γ on the aperiodic curve the points over u = 1 (Table 2).
-    pub(super) fn zeros(&self) -> [Point; 4] {
+    pub fn zeros(&self) -> [Point; 4] {
         let alpha = Point { u: C::from(-1.0), w: self.w_minus_one() };
         let gamma = Point { u: C::from(1.0), w: self.w_plus_one() };
         [alpha, gamma.other_sheet(), gamma, alpha.other_sheet()]
     }
 
     /// Integral (1/2πi) ∮ f(point, v) du once around 0 in the parameter v of a place.
-    pub(super) fn around(&self, place: Place, f: impl Fn(Point, C) -> C) -> C {
+    pub fn around(&self, place: Place, f: impl Fn(Point, C) -> C) -> C {
         const NODES: u32 = 512;
         let radius = if matches!(place, Place::Ellipse) { 1.0 } else { 0.3 };
         // v, u and du/(i dθ)
@@ -187,7 +195,7 @@ impl Curve {
 
 /// Points that a contour surrounds. The branch points are at least 0.09 from each other and from ±1.
 #[derive(Clone, Copy)]
-pub(super) enum Place {
+pub enum Place {
     /// A point that is no branch point: u + v/3.
     Over(Point),
     /// A branch point: e + v².

@@ -6,14 +6,14 @@
 //! ψ = s₊ (√(1 - b²)/b v - 2 arctan(√((1-b)/(1+b)) tanh(v/2)))
 //! ```
 
-use crate::elliptic::elementary::{Wide, angle, cis, real, tanh_sech};
+use crate::elliptic::elementary::{WideComplex, angle, cis, real, tanh_sech};
 use crate::elliptic::theta::ValueAndSlope;
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{Complex, Sign};
 
 /// Constants of u(v), |β| and dt/dv.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Rise {
+pub(super) struct AperiodicConstants {
     pub(super) e1: Extended,
     pub(super) one_plus_e1: Extended,
     pub(super) one_minus_e1: Extended,
@@ -24,31 +24,29 @@ pub(super) struct Rise {
 
 /// Values at one v.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct RiseValues {
+pub(super) struct AperiodicValues {
     pub(super) v: Extended,
     pub(super) tanh: Extended,
     pub(super) sech: Extended,
     pub(super) ln_sech: Extended,
-    /// Difference 1 - u.
-    pub(super) below: Extended,
-    /// Sum 1 + u.
-    pub(super) above: Extended,
+    pub(super) one_minus_u: Extended,
+    pub(super) one_plus_u: Extended,
     pub(super) dt_dv: Extended,
 }
 
-impl RiseValues {
+impl AperiodicValues {
     pub(super) fn with_sign_of_v(&self, value: Extended) -> Extended {
         if self.v < Extended::ZERO { -value } else { value }
     }
 }
 
-impl Rise {
-    pub(super) fn at(&self, v: Extended) -> RiseValues {
+impl AperiodicConstants {
+    pub(super) fn at(&self, v: Extended) -> AperiodicValues {
         let (tanh, sech, ln_sech) = tanh_sech(v);
-        let below = self.one_minus_e1 * sech.squared();
-        let above = self.one_plus_e1 + self.one_minus_e1 * tanh.squared();
-        let dt_dv = self.dt_dv(self.a_over_p + self.s * below * above);
-        RiseValues { v, tanh, sech, ln_sech, below, above, dt_dv }
+        let one_minus_u = self.one_minus_e1 * sech.squared();
+        let one_plus_u = self.one_plus_e1 + self.one_minus_e1 * tanh.squared();
+        let dt_dv = self.dt_dv(self.a_over_p + self.s * one_minus_u * one_plus_u);
+        AperiodicValues { v, tanh, sech, ln_sech, one_minus_u, one_plus_u, dt_dv }
     }
 
     /// Derivative dt/dv for a value of D.
@@ -65,7 +63,7 @@ impl Rise {
     }
 
     /// β with argument 0, and its time derivative.
-    pub(super) fn beta(&self, point: &RiseValues) -> ValueAndSlope {
+    pub(super) fn beta(&self, point: &AperiodicValues) -> ValueAndSlope {
         let value = self.one_minus_e1.halved().sqrt() * point.sech;
         ValueAndSlope { value: real(value), slope: real(-(value * point.tanh / point.dt_dv)) }
     }
@@ -80,11 +78,11 @@ pub(super) struct Fixed {
 }
 
 impl Fixed {
-    pub(super) fn new(rise: &Rise, sign: Sign) -> Self {
-        Self { lowest: [rise.one_plus_e1, rise.one_minus_e1].map(|x| x.halved().sqrt()), sign }
+    pub(super) fn new(constants: &AperiodicConstants, sign: Sign) -> Self {
+        Self { lowest: [constants.one_plus_e1, constants.one_minus_e1].map(|x| x.halved().sqrt()), sign }
     }
 
-    fn psi(&self, point: &RiseValues) -> Extended {
+    fn psi(&self, point: &AperiodicValues) -> Extended {
         let [a, b] = self.lowest;
         // (1 - b)/(1 + b) = a²/(1 + b)²
         let (half, ..) = tanh_sech(point.v.halved());
@@ -92,19 +90,19 @@ impl Fixed {
     }
 
     /// Argument of α minus that at u = e₁; 0 for e₁ = -1.
-    pub(super) fn argument(&self, point: &RiseValues) -> Extended {
+    pub(super) fn argument(&self, point: &AperiodicValues) -> Extended {
         let [a, _] = self.lowest;
         self.psi(point) + angle(a * self.sign.apply(point.tanh), a * a * point.sech)
     }
 
-    pub(super) fn alpha(&self, point: &RiseValues) -> ValueAndSlope {
+    pub(super) fn alpha(&self, point: &AperiodicValues) -> ValueAndSlope {
         let [a, b] = self.lowest;
-        let RiseValues { tanh, sech, dt_dv, .. } = *point;
+        let AperiodicValues { tanh, sech, dt_dv, .. } = *point;
         let one = Extended::ONE;
         // dψ/dv = s₊ a/b / (1 + b sech v)
         let turning = self.sign.apply(a / b / (one + b * sech));
-        let brackets: Wide = Complex::new(a * sech, self.sign.apply(tanh));
-        let along: Wide = Complex::new(-(a * sech * tanh), self.sign.apply(sech.squared()));
+        let brackets: WideComplex = Complex::new(a * sech, self.sign.apply(tanh));
+        let along: WideComplex = Complex::new(-(a * sech * tanh), self.sign.apply(sech.squared()));
         let factor = cis(self.psi(point));
         let slope = (along + brackets.times_i().scaled(turning)) * factor;
         ValueAndSlope { value: brackets * factor, slope: slope.scaled(one / dt_dv) }

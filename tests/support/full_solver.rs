@@ -4,7 +4,10 @@ use toytop::{Motion, Stepper};
 use toytop_host::truth::full_equations::full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullState};
 
 /// Full solver of a motion; only the state at t = 0 is taken from core.
-pub(crate) fn solver(motion: &Motion) -> FullSolver {
+///
+/// # Panics
+/// If the state is beyond the allowed range.
+pub fn solver(motion: &Motion) -> FullSolver {
     let state = Stepper::<f64>::new(motion).attitude_state().state().unwrap();
     let state = FullState::new(&state.orientation(), state.omega());
     FullSolver::new(motion.top().into(), state, FULL_SOLVER_TOLERANCE)

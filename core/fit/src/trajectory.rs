@@ -37,7 +37,7 @@ struct Node<F> {
 
 /// Motion of a launch with its derivatives. Those of the launch are changes along its body axes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Course<F> {
+pub(crate) struct Trajectory<F> {
     now: Partials<F>,
     /// Time of `now`.
     time: f64,
@@ -54,8 +54,8 @@ pub(crate) struct Course<F> {
     last: u32,
 }
 
-impl<F: Real> Course<F> {
-    /// Course of a top at rest, before the first launch.
+impl<F: Real> Trajectory<F> {
+    /// Trajectory of a top at rest, before the first launch.
     pub(crate) fn new(tip_scale: f64, equations: &Equations<f64>) -> Self {
         let launch = Flow::launched(&Orientation::IDENTITY, [0.0; 3]);
         let flow = launch.with_tangents(&UNITS);
@@ -90,7 +90,7 @@ impl<F: Real> Course<F> {
         (last.flow, last.rate) = (self.now.flow, self.now.equations.rate(&self.now.flow));
     }
 
-    /// State and derivatives at the time to which the course was moved.
+    /// State and derivatives at the time to which the trajectory was moved.
     pub(crate) fn now(&self) -> &Partials<F> {
         &self.now
     }
@@ -179,7 +179,7 @@ impl<F: Real> Course<F> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sensitivity::{LAUNCH, Sensitivity, Tangent};
+    use crate::sensitivity::{LAUNCH_COLUMNS, Sensitivity, Tangent};
     use crate::vector::{add_scaled, along, cross, dot};
     use toytop::{Motion, Release, State, Top, TopParameters};
 
@@ -225,9 +225,9 @@ mod tests {
     fn worst<F: Real>(case: &Case) -> [f64; 2] {
         let (top, state) = launched(case);
         let motion = Motion::launch(&top, &state).unwrap();
-        let equations = Equations { columns: LAUNCH, ..Equations::new(&top) };
-        let mut course = Course::<F>::new(top.tip_scale(), &equations);
-        course.begin(&state.orientation(), state.omega(), &equations);
+        let equations = Equations { columns: LAUNCH_COLUMNS, ..Equations::new(&top) };
+        let mut trajectory = Trajectory::<F>::new(top.tip_scale(), &equations);
+        trajectory.begin(&state.orientation(), state.omega(), &equations);
         let launch = Flow::launched(&state.orientation(), state.omega());
         let axes = launch.axes();
         let sensitivity = Sensitivity::new(&motion);
@@ -238,8 +238,8 @@ mod tests {
         let apart = |x: Vector<F>, y: Vector<f64>| size(add_scaled(x.map(F::to_f64), y, -1.0));
         for n in 0..700 {
             let t = f64::from(n) / 699.0;
-            course.move_to(t).unwrap();
-            let (found, truth) = (course.now().flow, cursor.at(t).unwrap().flow);
+            trajectory.move_to(t).unwrap();
+            let (found, truth) = (trajectory.now().flow, cursor.at(t).unwrap().flow);
             off = off.max(apart(found.axis, truth.axis)).max(apart(found.side, truth.side));
             off = off.max(apart(found.across, truth.across) / frequency);
             // the columns of the truth are changes along the fixed axes, those of Φ with ω kept
