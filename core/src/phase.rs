@@ -31,8 +31,8 @@ impl Phase {
 
     /// Phase from a number of turns, rounded to 2^-96 turns, modulo 2^32 turns. A number that is not finite counts as 0.
     pub fn new(turns: f64) -> Self {
-        let (mantissa, exponent) = integer_parts(turns);
-        Self(shifted(mantissa.into(), exponent + FRACTION_BITS))
+        let (mantissa, exponent) = mantissa_and_exponent(turns);
+        Self(times_power_of_two_i128(mantissa.into(), exponent + FRACTION_BITS))
     }
 
     /// Phase of an angle in radians. Relative error: 2^-52. An angle that is not finite counts as 0.
@@ -87,16 +87,16 @@ impl Phase {
 
     /// Product with a number in [0, 1) in units of 2^-64, rounded down.
     #[inline]
-    pub(crate) fn share(self, share: u64) -> Self {
+    pub(crate) fn times_fraction(self, fraction: u64) -> Self {
         let (upper, lower) = ((self.0 >> 64) as i64, self.0 as u64);
-        let of_lower = (u128::from(lower) * u128::from(share)) >> 64;
-        Self(i128::from(upper) * i128::from(share) + of_lower as i128)
+        let of_lower = (u128::from(lower) * u128::from(fraction)) >> 64;
+        Self(i128::from(upper) * i128::from(fraction) + of_lower as i128)
     }
 
     /// Number of whole half turns, and the remainder in [0, 1/2) turn.
-    pub(crate) fn halves(self) -> (i64, Self) {
-        let halves = self.0 >> (FRACTION_BITS - 1);
-        (halves as i64, Self(self.0.wrapping_sub(halves << (FRACTION_BITS - 1))))
+    pub(crate) fn half_turns(self) -> (i64, Self) {
+        let half_turns = self.0 >> (FRACTION_BITS - 1);
+        (half_turns as i64, Self(self.0.wrapping_sub(half_turns << (FRACTION_BITS - 1))))
     }
 
     /// Nearest multiple of a quarter turn, modulo 4 (in the two lowest bits), and the remainder in [-1/8, 1/8) turn.
@@ -160,7 +160,7 @@ impl AddAssign for Phase {
 }
 
 /// Mantissa and exponent of x = mantissa · 2^exponent, with |mantissa| < 2^53; both 0 where x is not finite.
-pub(crate) fn integer_parts(x: f64) -> (i64, i32) {
+pub(crate) fn mantissa_and_exponent(x: f64) -> (i64, i32) {
     const MANTISSA_BITS: u32 = 52;
     const BIAS: i32 = 1075; // 1023 + 52
     let bits = x.to_bits();
@@ -175,7 +175,7 @@ pub(crate) fn integer_parts(x: f64) -> (i64, i32) {
 }
 
 /// value · 2^shift, rounded to the nearest integer, modulo 2^128.
-pub(crate) fn shifted(value: i128, shift: i32) -> i128 {
+pub(crate) fn times_power_of_two_i128(value: i128, shift: i32) -> i128 {
     match shift {
         128.. => 0,
         0.. => value << shift,
@@ -201,8 +201,8 @@ mod tests {
     #[test]
     fn a_share_is_rounded_down() {
         for bits in [0, 7, -7, 3 << 95, -(5 << 95) + 1, i128::MAX, i128::MIN] {
-            let share = |share| Phase(bits).share(share).0;
-            assert_eq!([share(0), share(1 << 63), share(1 << 62)], [0, bits >> 1, bits >> 2]);
+            let product = |fraction| Phase(bits).times_fraction(fraction).0;
+            assert_eq!([product(0), product(1 << 63), product(1 << 62)], [0, bits >> 1, bits >> 2]);
         }
     }
 

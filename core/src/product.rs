@@ -18,7 +18,7 @@ pub(crate) const fn high_product(a: i32, b: i32) -> i32 {
 
 /// [`high_product`] for a < 2^31 - 2^15, one cycle shorter where it is made of halves.
 #[inline(always)]
-pub(crate) const fn high_product_of_less(a: i32, b: i32) -> i32 {
+pub(crate) const fn high_product_limited(a: i32, b: i32) -> i32 {
     if BY_HALVES {
         let low = a as i16 as i32;
         product_of_halves([low, (a - low) >> 16], split_halves(b))
@@ -29,26 +29,26 @@ pub(crate) const fn high_product_of_less(a: i32, b: i32) -> i32 {
 
 /// Upper 32 bits of the product of a and the 16 upper bits of b, whose lower 16 bits count as 0 (SMLAWT).
 #[inline(always)]
-pub(crate) const fn short_product(a: i32, b: i32) -> i32 {
-    if BY_HALVES { short_product_by_halves(a, b) } else { ((a as i64 * (b >> 16) as i64) >> 16) as i32 }
+pub(crate) const fn product_32x16(a: i32, b: i32) -> i32 {
+    if BY_HALVES { product_32x16_by_halves(a, b) } else { ((a as i64 * (b >> 16) as i64) >> 16) as i32 }
 }
 
-/// [`short_product`] for a b that is known to the compiler: the same bits, by fewer instructions.
+/// [`product_32x16`] for a b that is known to the compiler: the same bits, by fewer instructions.
 #[inline(always)]
-pub(crate) const fn short_product_by_constant(a: i32, b: i32) -> i32 {
-    if BY_HALVES { short_product_by_halves(a, b) } else { high_product(a, b & !0xffff) }
+pub(crate) const fn product_32x16_by_constant(a: i32, b: i32) -> i32 {
+    if BY_HALVES { product_32x16_by_halves(a, b) } else { high_product(a, b & !0xffff) }
 }
 
 /// Complete 64-bit product of two unsigned numbers.
 #[inline(always)]
-pub(crate) const fn long_product(a: u32, b: u32) -> u64 {
-    if BY_HALVES { long_product_by_halves(a, b) } else { a as u64 * b as u64 }
+pub(crate) const fn product_u32(a: u32, b: u32) -> u64 {
+    if BY_HALVES { product_u32_by_halves(a, b) } else { a as u64 * b as u64 }
 }
 
 /// Complete 64-bit product of two signed numbers.
 #[inline(always)]
-pub(crate) const fn signed_product(a: i32, b: i32) -> i64 {
-    if BY_HALVES { signed_product_by_halves(a, b) } else { a as i64 * b as i64 }
+pub(crate) const fn product_i32(a: i32, b: i32) -> i64 {
+    if BY_HALVES { product_i32_by_halves(a, b) } else { a as i64 * b as i64 }
 }
 
 /// Product modulo 2^64.
@@ -56,7 +56,7 @@ pub(crate) const fn signed_product(a: i32, b: i32) -> i64 {
 pub(crate) const fn wrapping_product(a: u64, b: u64) -> u64 {
     let ((a_low, a_high), (b_low, b_high)) = ((a as u32, (a >> 32) as u32), (b as u32, (b >> 32) as u32));
     let across = a_high.wrapping_mul(b_low).wrapping_add(a_low.wrapping_mul(b_high));
-    long_product(a_low, b_low).wrapping_add((across as u64) << 32)
+    product_u32(a_low, b_low).wrapping_add((across as u64) << 32)
 }
 
 /// Complete 128-bit product of two unsigned numbers: upper and lower half.
@@ -72,10 +72,10 @@ pub(crate) fn product_u64(a: u64, b: u64) -> [u64; 2] {
 #[inline(always)]
 fn product_by_words(a: u64, b: u64) -> [u64; 2] {
     let ((a_low, a_high), (b_low, b_high)) = ((a as u32, (a >> 32) as u32), (b as u32, (b >> 32) as u32));
-    let low = long_product(a_low, b_low);
-    let across = long_product(a_high, b_low) + (low >> 32);
-    let back = long_product(a_low, b_high) + u64::from(across as u32);
-    let high = long_product(a_high, b_high) + (across >> 32) + (back >> 32);
+    let low = product_u32(a_low, b_low);
+    let across = product_u32(a_high, b_low) + (low >> 32);
+    let back = product_u32(a_low, b_high) + u64::from(across as u32);
+    let high = product_u32(a_high, b_high) + (across >> 32) + (back >> 32);
     [high, (back << 32) | u64::from(low as u32)]
 }
 
@@ -94,14 +94,14 @@ const fn product_of_halves([a_low, a_high]: [i32; 2], [b_low, b_high]: [i32; 2])
 }
 
 #[inline(always)]
-const fn short_product_by_halves(a: i32, b: i32) -> i32 {
+const fn product_32x16_by_halves(a: i32, b: i32) -> i32 {
     let b_high = b >> 16;
     (a >> 16) * b_high + (((a & 0xffff) * b_high) >> 16)
 }
 
-/// [`long_product`] from halves. With an unsigned half of b the compiler would call its own routine.
+/// [`product_u32`] from halves. With an unsigned half of b the compiler would call its own routine.
 #[inline(always)]
-const fn long_product_by_halves(a: u32, b: u32) -> u64 {
+const fn product_u32_by_halves(a: u32, b: u32) -> u64 {
     let (a_low, a_high) = (a & 0xffff, a >> 16);
     let b_low = b as i16 as i32;
     // at most 2^16
@@ -113,11 +113,11 @@ const fn long_product_by_halves(a: u32, b: u32) -> u64 {
     ((high as u64) << 32) | a.wrapping_mul(b) as u64
 }
 
-/// [`signed_product`] from the unsigned product: a negative factor stands for one that is 2^32 larger.
+/// [`product_i32`] from the unsigned product: a negative factor stands for one that is 2^32 larger.
 #[inline(always)]
-const fn signed_product_by_halves(a: i32, b: i32) -> i64 {
+const fn product_i32_by_halves(a: i32, b: i32) -> i64 {
     let excess = (b & (a >> 31)).wrapping_add(a & (b >> 31));
-    (long_product_by_halves(a as u32, b as u32) as i64).wrapping_sub((excess as i64) << 32)
+    (product_u32_by_halves(a as u32, b as u32) as i64).wrapping_sub((excess as i64) << 32)
 }
 
 #[cfg(test)]
@@ -137,15 +137,15 @@ mod tests {
             let high = ((i64::from(a) * i64::from(b)) >> 32) as i32;
             assert_eq!(product_of_halves(split_halves(a), split_halves(b)), high, "{a} {b}");
             let short = ((i64::from(a) * i64::from(b & !0xffff)) >> 32) as i32;
-            assert_eq!([short_product_by_halves(a, b), short_product(a, b)], [short; 2], "{a} {b}");
-            assert_eq!(signed_product_by_halves(a, b), i64::from(a) * i64::from(b), "{a} {b}");
+            assert_eq!([product_32x16_by_halves(a, b), product_32x16(a, b)], [short; 2], "{a} {b}");
+            assert_eq!(product_i32_by_halves(a, b), i64::from(a) * i64::from(b), "{a} {b}");
             let wide = (a as u64, !(b as u64));
             assert_eq!(wrapping_product(wide.0, wide.1), wide.0.wrapping_mul(wide.1), "{a} {b}");
             let [x, y] =
                 [(a, b), (b, !a)].map(|(high, low)| u64::from(high as u32) << 32 | u64::from(low as u32));
             assert_eq!(product_by_words(x, y), product_u64(x, y), "{x} {y}");
             let (a, b) = (a as u32, b as u32);
-            assert_eq!(long_product_by_halves(a, b), u64::from(a) * u64::from(b), "{a} {b}");
+            assert_eq!(product_u32_by_halves(a, b), u64::from(a) * u64::from(b), "{a} {b}");
         }
     }
 }

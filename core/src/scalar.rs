@@ -18,7 +18,7 @@ pub mod sine;
 #[cfg(feature = "fixed")]
 mod fixed_point;
 
-pub(crate) use power_of_two::{exponent, power_of_two, short_float, short_power_of_two, times_power_of_two};
+pub(crate) use power_of_two::{exponent, power_of_two, power_of_two_f32, times_power_of_two, u64_to_f32};
 #[cfg(feature = "fixed")]
 pub(crate) use sine::sine_cosine_q15;
 pub(crate) use sine::{

@@ -97,7 +97,7 @@ impl Motion {
             "such that (n - rotor_momentum)/axial_inertia is at most 1e24 rad/s, and n = rotor_momentum for a rod",
         )?;
         let chi = half_phase_of_angle(theta);
-        let upright = chi.halves().1 == Phase::QUARTER;
+        let upright = chi.half_turns().1 == Phase::QUARTER;
         let mut motion = Self::with_constants(top, &integrals, e, signs, upright);
         motion.phases = [arg_alpha, arg_beta].map(|angle| phase_of(angle.into()));
         motion.chi = match motion.chi {

@@ -161,8 +161,8 @@ mod tests {
             for near in [theta.next_up(), theta.next_down()] {
                 let off = half_phase_of_angle(near) - turns;
                 let unit = (near - theta).abs() * 0.25 * core::f64::consts::FRAC_1_PI;
-                let share = off.to_f64().abs() / unit;
-                assert!((0.49..1.51).contains(&share), "{k}: {share}");
+                let relative = off.to_f64().abs() / unit;
+                assert!((0.49..1.51).contains(&relative), "{k}: {relative}");
                 assert!((half_phase_of_angle(-near) + half_phase_of_angle(near)).to_bits().abs() <= 1, "{k}");
             }
         }

@@ -1,7 +1,7 @@
 //! Fraction of a turn as an integer of 96 bits: the type of an ephemeris' phases.
 
 use super::Phase;
-use crate::product::{long_product, wrapping_product};
+use crate::product::{product_u32, wrapping_product};
 
 /// Fraction of a turn in 96 bits; whole turns are dropped.
 ///
@@ -58,31 +58,31 @@ impl PhaseFraction {
     pub(crate) const fn times(self, n: u64) -> Self {
         let [low, ..] = self.words;
         let (n_low, n_high) = (n as u32, (n >> 32) as u32);
-        let lowest = long_product(low, n_low);
+        let lowest = product_u32(low, n_low);
         let leading = wrapping_product(self.leading(), n)
-            .wrapping_add(long_product(low, n_high))
+            .wrapping_add(product_u32(low, n_high))
             .wrapping_add(lowest >> 32);
         Self::new([lowest as u32, leading as u32, (leading >> 32) as u32])
     }
 
     /// Sum with a fraction given by its 64 leading bits, modulo one turn.
     #[inline(always)]
-    pub(crate) const fn plus_leading(self, other: u64) -> Self {
+    pub(crate) const fn plus_leading_bits(self, other: u64) -> Self {
         let ([low, ..], sum) = (self.words, self.leading().wrapping_add(other));
         Self::new([low, sum as u32, (sum >> 32) as u32])
     }
 
-    /// 64 leading bits of n times the fraction, plus `share`, in units of 2^-64, times the fraction as a signed phase. Rounded down, to
+    /// 64 leading bits of n times the fraction, plus `part`, in units of 2^-64, times the fraction as a signed phase. Rounded down, to
     /// within 2^-95 turns.
     #[inline(always)]
-    pub(crate) const fn leading_after(self, n: u64, share: u64) -> u64 {
+    pub(crate) const fn leading_bits_after(self, n: u64, part: u64) -> u64 {
         let ([low, ..], leading) = (self.words, self.leading());
         // below the product of the leading bits, in units of 2^-128 turns
         let below = ((n as u128 * low as u128) << 32)
-            .wrapping_add(leading as u128 * share as u128)
-            .wrapping_add(((share >> 32) * low as u64) as u128);
+            .wrapping_add(leading as u128 * part as u128)
+            .wrapping_add(((part >> 32) * low as u64) as u128);
         // a negative phase is a turn less than its fraction
-        let turn_less = if (leading as i64) < 0 { share } else { 0 };
+        let turn_less = if (leading as i64) < 0 { part } else { 0 };
         leading.wrapping_mul(n).wrapping_add((below >> 64) as u64).wrapping_sub(turn_less)
     }
 
@@ -102,9 +102,9 @@ mod tests {
     fn multiples_are_repeated_sums_and_wrap() {
         let step = PhaseFraction::new([0x89ab_cdef, 0x0123_4567, 0xdead_beef]);
         let start = 0x8000_0001_ffff_0000;
-        let mut sum = PhaseFraction::new([0; 3]).plus_leading(start);
+        let mut sum = PhaseFraction::new([0; 3]).plus_leading_bits(start);
         for n in 0..1000 {
-            assert_eq!(step.times(n).plus_leading(start), sum);
+            assert_eq!(step.times(n).plus_leading_bits(start), sum);
             assert_eq!(sum.plus(step).minus(step), sum);
             sum = sum.plus(step);
         }
@@ -117,21 +117,21 @@ mod tests {
 
     /// Comparison with integers of 128 bits, which hold a small number of ticks with 12 bits behind the point.
     #[test]
-    fn ticks_and_a_share_of_a_tick() {
+    fn ticks_and_a_part_of_a_tick() {
         for turns in [0.3, -0.3, 1e-9, -0.499, 0.0, -1e-25] {
             let step = PhaseFraction::from_phase(Phase::new(turns));
-            for (n, share) in [(0, 0), (0, 0xfff), (7, 1), (1000, 1 << 11), (12, (1 << 12) - 1)] {
-                let ticks = (i128::from(n) << 12) + i128::from(share);
+            for (n, part) in [(0, 0), (0, 0xfff), (7, 1), (1000, 1 << 11), (12, (1 << 12) - 1)] {
+                let ticks = (i128::from(n) << 12) + i128::from(part);
                 let exact = (step.to_phase().principal().to_bits() * ticks) >> 12;
-                let found = step.leading_after(n, (share as u64) << 52);
+                let found = step.leading_bits_after(n, (part as u64) << 52);
                 assert_eq!(
                     found,
                     PhaseFraction::from_phase(Phase::from_bits(exact)).leading(),
-                    "{turns} {n} {share}"
+                    "{turns} {n} {part}"
                 );
             }
             for n in [u64::MAX, 1 << 63, 0x7fff_ffff_0000_0001] {
-                assert_eq!(step.leading_after(n, 0), step.times(n).leading());
+                assert_eq!(step.leading_bits_after(n, 0), step.times(n).leading());
             }
         }
     }

@@ -16,7 +16,7 @@ pub(crate) fn exponent(x: f64) -> i32 {
 }
 
 /// 2^exponent in `f32`; 0 below its range of normal numbers, and infinity above it.
-pub(crate) fn short_power_of_two(exponent: i32) -> f32 {
+pub(crate) fn power_of_two_f32(exponent: i32) -> f32 {
     match exponent {
         ..-126 => 0.0,
         128.. => f32::INFINITY,
@@ -26,7 +26,7 @@ pub(crate) fn short_power_of_two(exponent: i32) -> f32 {
 
 /// Number as an `f32`, with at most two roundings. An FPU converts a word of 32 bits in one instruction, 64 bits in forty.
 #[inline(always)]
-pub(crate) fn short_float(number: u64) -> f32 {
+pub(crate) fn u64_to_f32(number: u64) -> f32 {
     const WORD: f32 = (1_u64 << 32) as f32;
     let (upper, lower) = ((number >> 32) as u32, number as u32);
     if upper == 0 { lower as f32 } else { upper as f32 * WORD + lower as f32 }

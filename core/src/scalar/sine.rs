@@ -10,7 +10,7 @@
 //! The constants are public for an evaluator in another language.
 
 use crate::phase::Phase;
-use crate::product::{high_product, short_product, short_product_by_constant};
+use crate::product::{high_product, product_32x16, product_32x16_by_constant};
 use crate::scalar::Extended;
 
 /// Coefficients of S in sin 2πx = x S(x²) for |x| <= 1/8, lowest power first: the Chebyshev interpolant on [0, 1/64]
@@ -125,10 +125,10 @@ pub(crate) fn sine_cosine_q31(phase: u32) -> (i32, i32) {
     let square = high_product(x, x);
     // 37 fraction bits, and 44
     let small_sine = high_product(x, LINEAR - (((square >> 16) * CUBIC) >> 8));
-    let versine = short_product_by_constant(square, VERSINE << 16);
+    let versine = product_32x16_by_constant(square, VERSINE << 16);
     // the corrections have 36 fraction bits
-    let sine_change = high_product(small_sine, cosine) - (short_product(versine, sine) >> 7);
-    let cosine_change = high_product(small_sine, sine) + (short_product(versine, cosine) >> 7);
+    let sine_change = high_product(small_sine, cosine) - (product_32x16(versine, sine) >> 7);
+    let cosine_change = high_product(small_sine, sine) + (product_32x16(versine, cosine) >> 7);
     (sine + ((sine_change + 16) >> 5), cosine - ((cosine_change + 16) >> 5))
 }
 

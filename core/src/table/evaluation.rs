@@ -35,7 +35,7 @@ pub(crate) const fn shifted_right(value: i64, bits: u32) -> i64 {
     ((value >> (bits - 1)) + 1) >> 1
 }
 
-/// Place on a segment.
+/// Point of a segment.
 #[derive(Clone, Copy, Debug)]
 pub struct SegmentPoint {
     /// Local coordinate x·2^63 with x in [-1, 1).

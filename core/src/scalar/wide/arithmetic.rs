@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::words::{leading, quotient, short_inverse_root};
+use super::words::{inverse_root_u64, leading, quotient};
 use super::{Exact, Wide};
 use crate::scalar::{Float, Ring, times_power_of_two};
 
@@ -111,7 +111,7 @@ impl<const WORDS: usize> Float for Wide<WORDS> {
             return Self::ZERO;
         }
         let odd = self.exponent & 1;
-        let short = short_inverse_root(leading(&self.significand) >> odd);
+        let short = inverse_root_u64(leading(&self.significand) >> odd);
         let mut inverse = Self::from_integer(short.into(), -62 - (self.exponent + odd) / 2, false);
         // each step of Newton's method doubles the 52 correct bits
         for _ in 1..WORDS {
@@ -213,7 +213,7 @@ mod tests {
     }
 
     /// Numbers with 64 significant bits, of both signs and of sizes that overlap.
-    fn short_samples() -> impl Iterator<Item = Extended64> {
+    fn samples_of_64_bits() -> impl Iterator<Item = Extended64> {
         const LEADING: u64 = 1 << 63;
         let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
         (0..if cfg!(miri) { 100 } else { 50_000 }).map(move |k| {
@@ -238,7 +238,7 @@ mod tests {
         const ROUNDING: f64 = Extended64::OPERATION_ERROR;
         let mut worst = [0.0_f64; 6];
         let mut before = Extended64::ONE;
-        for x in short_samples() {
+        for x in samples_of_64_bits() {
             let [a, b] = [x, before].map(Extended::resized);
             let errors = [
                 error(x + before, a + b),

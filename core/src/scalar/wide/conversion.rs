@@ -1,7 +1,7 @@
 //! Wide numbers from and to `f64`, phases, integers and other widths.
 
 use super::{Exact, Wide};
-use crate::phase::{FRACTION_BITS, Phase, integer_parts};
+use crate::phase::{FRACTION_BITS, Phase, mantissa_and_exponent};
 use crate::scalar::{Float, Ring};
 
 impl<const WORDS: usize> Wide<WORDS> {
@@ -89,7 +89,7 @@ impl<const WORDS: usize> Wide<WORDS> {
 
 impl<const WORDS: usize> From<f64> for Wide<WORDS> {
     fn from(x: f64) -> Self {
-        let (mantissa, exponent) = integer_parts(x);
+        let (mantissa, exponent) = mantissa_and_exponent(x);
         Self::from_integer(mantissa.unsigned_abs().into(), exponent, mantissa < 0)
     }
 }

@@ -1,6 +1,6 @@
 //! Integers of several words of 64 bits, the most significant first.
 
-use crate::product::{long_product, product_u64};
+use crate::product::{product_u32, product_u64};
 use core::mem::replace;
 
 #[inline(always)]
@@ -72,7 +72,7 @@ pub(super) fn product<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) ->
 #[inline(always)]
 pub(super) fn quotient<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) -> [[u64; WORDS]; 2] {
     // at most the true one
-    let inverse = short_reciprocal(leading(b)) - 16;
+    let inverse = reciprocal_u64(leading(b)) - 16;
     let (mut above, mut rest, mut quotient) = (0, *a, [[0; WORDS]; 2]);
     for _ in 0..=WORDS {
         above = above << 56 | leading(&rest) >> 8;
@@ -95,16 +95,16 @@ pub(super) fn quotient<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) -
 
 /// Reciprocal 2^126/d of a divisor in [2^63, 2^64), with 60 correct bits, by Newton's method.
 #[inline(never)]
-fn short_reciprocal(divisor: u64) -> u64 {
+fn reciprocal_u64(divisor: u64) -> u64 {
     let word = (divisor >> 32) as u32;
     // setting the leading bit tells the compiler that the divisor is not 0
     let first = u32::MAX / ((word >> 16) | (1 << 15));
     // 2^48 less the product of word and inverse, which is nearly 2^48
-    let rest = (1_i64 << 48) - long_product(word, first) as i64;
+    let rest = (1_i64 << 48) - product_u32(word, first) as i64;
     let second = (i64::from(first) << 15) + ((i64::from(first) * (rest >> 4)) >> 29);
     let second = u32::try_from(second).unwrap_or(u32::MAX);
     // 2^63 less the product, which is nearly 2^63
-    let product = long_product(word, second) + (long_product(divisor as u32, second) >> 32);
+    let product = product_u32(word, second) + (product_u32(divisor as u32, second) >> 32);
     let rest = (1_u64 << 63).wrapping_sub(product) as i64;
     let third = (u64::from(second) << 31).wrapping_add_signed((i64::from(second) * (rest >> 6)) >> 26);
     // 2^62 less the product, which is a small number
@@ -114,15 +114,15 @@ fn short_reciprocal(divisor: u64) -> u64 {
 
 /// Inverse root 2^94/√x of a number in [2^62, 2^64), with 52 correct bits, by Newton's method.
 #[inline(never)]
-pub(super) fn short_inverse_root(number: u64) -> u64 {
+pub(super) fn inverse_root_u64(number: u64) -> u64 {
     let word = (number >> 32) as u32;
     // 2^30 times 2.2 - 1.2 x, whose relative error is at most a seventh
-    let line = 2_362_232_012 - (long_product(word, 1_288_490_189) >> 32) as u32;
+    let line = 2_362_232_012 - (product_u32(word, 1_288_490_189) >> 32) as u32;
     let short = (0..4).fold(line, |inverse, _| {
-        let square = (long_product(inverse, inverse) >> 32) as u32;
+        let square = (product_u32(inverse, inverse) >> 32) as u32;
         // 2^28 times the product of number and square, which is nearly 1
-        let product = (long_product(word, square) >> 32) as u32;
-        (long_product(inverse, (3 << 28) - product) >> 29) as u32
+        let product = (product_u32(word, square) >> 32) as u32;
+        (product_u32(inverse, (3 << 28) - product) >> 29) as u32
     });
     let inverse = u64::from(short) << 32;
     let square = high_product_u64(inverse, inverse);
@@ -152,9 +152,9 @@ mod tests {
         for k in 0..=steps {
             let divisor = (1 << 63) + k * ((u64::MAX >> 1) / steps);
             let exact = power(126) / whole(divisor);
-            let found = whole(short_reciprocal(divisor));
+            let found = whole(reciprocal_u64(divisor));
             let number = (1 << 62) + k * ((u64::MAX - (1 << 62)) / steps);
-            let root = whole(short_inverse_root(number));
+            let root = whole(inverse_root_u64(number));
             let square = root * root * whole(number) / power(126);
             let errors =
                 [found / exact - Extended::ONE, square.halved().halved() - Extended::from(2_f64.powi(60))];

@@ -7,7 +7,7 @@
 //! |                   |         |         |      |  |  |     |         |              |    spans: one expansion of the motion
 //! ```
 //!
-//! The segments of a cell are equal, and the longest with an allowed error. A cell whose segments prove too long is cut again. Places are in
+//! The segments of a cell are equal, and the longest with an allowed error. A cell whose segments prove too long is cut again. Positions are in
 //! units of the shortest segment, and a segment of depth d is a part of 2^-d of half a period.
 
 use super::bound::{SegmentErrors, Speeds};
@@ -80,12 +80,12 @@ impl Cut {
         self.error = Speeds::ZERO.rounding([0.0; 2], 0.0);
     }
 
-    /// Goes to the span at `place`.
-    pub(super) fn enter_span(&self, path: &mut Path, place: usize) {
-        if place > path.span.begin {
-            path.go_to_next_span(place == self.cell.end && self.first_depth(place) < path.span.depth);
-        } else if place < path.span.begin {
-            path.set_beginning(place, self.cell.beginning);
+    /// Goes to the span at `position`.
+    pub(super) fn enter_span(&self, path: &mut Path, position: usize) {
+        if position > path.span.begin {
+            path.go_to_next_span(position == self.cell.end && self.first_depth(position) < path.span.depth);
+        } else if position < path.span.begin {
+            path.set_beginning(position, self.cell.beginning);
         }
     }
 
@@ -94,7 +94,7 @@ impl Cut {
         self.cell.depth.saturating_sub(1).max(LEVEL_0_BITS + (begin / CELL % 2) as u32)
     }
 
-    /// Cuts the span into segments. Returns its end, or the place of a cell that must be cut again from an earlier span on; `None` where the
+    /// Cuts the span into segments. Returns its end, or the position of a cell that must be cut again from an earlier span on; `None` where the
     /// segments are too many.
     ///
     /// * `polynomials`: those of α and β on the span
@@ -107,23 +107,23 @@ impl Cut {
         pause: &mut dyn FnMut(),
     ) -> Option<usize> {
         let span = path.span;
-        let mut place = span.begin;
-        if place < self.cell.end && self.cell.depth < span.depth {
+        let mut position = span.begin;
+        if position < self.cell.end && self.cell.depth < span.depth {
             // the segments of the unfinished cell are longer than the span
             self.restart_cell(span.depth, limits)?;
-            place = self.cell.begin;
+            position = self.cell.begin;
         }
-        while span.begin <= place && place < span.end() {
-            if place == self.cell.end {
-                (self.cell.begin, self.cell.beginning) = (place, path.beginning);
-                self.restart_cell(self.first_depth(place).max(span.depth), limits)?;
+        while span.begin <= position && position < span.end() {
+            if position == self.cell.end {
+                (self.cell.begin, self.cell.beginning) = (position, path.beginning);
+                self.restart_cell(self.first_depth(position).max(span.depth), limits)?;
             }
             let depth = self.cell.depth;
             let mut errors = SegmentErrors::default();
             let (length, halvings) = (segment_length(depth), depth.saturating_sub(span.depth));
-            let index = self.segments + (place - self.cell.begin) / length;
+            let index = self.segments + (position - self.cell.begin) / length;
             for (whole, column) in polynomials.iter().zip([0, 2]) {
-                self.segment.restrict(whole, place / length, halvings, limits.dropped);
+                self.segment.restrict(whole, position / length, halvings, limits.dropped);
                 self.segment.shorten(limits.coefficients, i64::MAX);
                 pause();
                 let parts = self.segment.parts.each_ref().map(|part| &part.coefficients);
@@ -137,16 +137,16 @@ impl Cut {
             let error = errors.error();
             if error <= limits.segment_error(depth) {
                 self.cell.error = self.cell.error.max(error);
-                place += length;
-                if place == self.cell.end {
+                position += length;
+                if position == self.cell.end {
                     self.finish_cell();
                 }
             } else {
                 self.restart_cell(depth + 1, limits)?;
-                place = self.cell.begin;
+                position = self.cell.begin;
             }
         }
-        Some(place)
+        Some(position)
     }
 
     /// Begins the cell anew with segments of this depth; `None` where they are too many.

@@ -10,7 +10,7 @@ use super::series::MOST_TERMS;
 use super::set_up::SetUp;
 use crate::constants::Regime;
 use crate::motion::Motion;
-use crate::scalar::{Float, short_float};
+use crate::scalar::{Float, u64_to_f32};
 use crate::table::data::cell::{Cell, SEGMENTS_AT_LEVEL_0};
 use crate::table::data::{Clock, Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, Tick};
 use crate::table::evaluation::{Coefficient, EphemerisScalar};
@@ -189,7 +189,7 @@ fn store_polynomial<R: EphemerisScalar>(
             }
         }
         largest = largest.max(R::Coefficient::error(part));
-        let slope_error = short_float(slope_error);
+        let slope_error = u64_to_f32(slope_error);
         slope_squares += slope_error * slope_error;
     }
     [4.0 * largest, Float::sqrt(slope_squares)]

@@ -25,7 +25,7 @@ mod parameters;
 use super::series::sine::{FRACTION, sine_cosine};
 use super::series::{MOST_TERMS, PowerSeries, integrated};
 use crate::phase::Phase;
-use crate::scalar::{Float, Scalar, power_of_two, short_power_of_two};
+use crate::scalar::{Float, Scalar, power_of_two, power_of_two_f32};
 
 pub(super) use parameters::ParameterSeries;
 
@@ -70,9 +70,7 @@ impl RateSeries {
         match k {
             0 => (weight * self.at_origin as f32).abs(),
             _ if size <= NOISE => 0.0,
-            _ => {
-                size as f32 * short_power_of_two(self.variation.exponent) * (weight * self.scale as f32).abs()
-            }
+            _ => size as f32 * power_of_two_f32(self.variation.exponent) * (weight * self.scale as f32).abs(),
         }
     }
 }

@@ -216,7 +216,7 @@ impl Path {
         let PathPoint { phases: PathPhases { chi, residual }, truncation, squares } = self.end;
         // distance from an odd number of quarter turns, rad
         let miss = |angle: Phase| {
-            let (_, rest) = (angle + Phase::QUARTER).halves();
+            let (_, rest) = (angle + Phase::QUARTER).half_turns();
             rest.min(Phase::HALF - rest).to_radians()
         };
         // at u = e₂, cos χ = 0 and the cosines of the residual phases are 0

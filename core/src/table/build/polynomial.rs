@@ -6,8 +6,8 @@ use super::bound::SegmentErrors;
 use super::expansion::{Expansion, ParameterSeries, larger_or_nan};
 use super::limits::{Limits, REMAINDER_PART};
 use super::series::{Limbs, MOST_TERMS};
-use crate::product::long_product;
-use crate::scalar::{Float, Ring, short_float};
+use crate::product::product_u32;
+use crate::scalar::{Float, Ring, u64_to_f32};
 
 /// Fraction bits of [`CHEBYSHEV`].
 const FRACTION_BITS: u32 = MOST_TERMS as u32 - 2;
@@ -165,14 +165,14 @@ impl Polynomial {
             let (mut slope, mut curvature) = (0, 0);
             for (c, k) in part.coefficients.iter().zip(0_u32..).take(self.terms) {
                 let size = (c.unsigned_abs() >> 32) as u32 + 1;
-                slope += long_product(size, k);
-                curvature += long_product(size, k * k.saturating_sub(1));
+                slope += product_u32(size, k);
+                curvature += product_u32(size, k * k.saturating_sub(1));
             }
-            sums.slope += Ring::squared(short_float(slope) * WORD);
-            sums.curvature += Ring::squared(short_float(curvature) * WORD);
+            sums.slope += Ring::squared(u64_to_f32(slope) * WORD);
+            sums.curvature += Ring::squared(u64_to_f32(curvature) * WORD);
         }
         let norm = |of: fn(&Part) -> i64| {
-            let [re, im] = self.parts.each_ref().map(|part| short_float(of(part).unsigned_abs()));
+            let [re, im] = self.parts.each_ref().map(|part| u64_to_f32(of(part).unsigned_abs()));
             Float::sqrt(re * re + im * im)
         };
         let slope_remainder = MOST_TERMS as f32 * self.remainder / (1_u32 << halvings) as f32;
@@ -224,8 +224,8 @@ mod tests {
                 let mut own = Polynomial::ZERO;
                 own.restrict(&whole, part, halvings, 0);
                 for x in [-1.0, -0.6, -0.3, 0.0, 0.7, 1.0] {
-                    let place = (x + (2 * part + 1) as f64) / f64::from(1 << halvings) - 1.0;
-                    let error = distance(derivative(&whole, 0, place), derivative(&own, 0, x));
+                    let at = (x + (2 * part + 1) as f64) / f64::from(1 << halvings) - 1.0;
+                    let error = distance(derivative(&whole, 0, at), derivative(&own, 0, x));
                     assert!(error < 2.5e-16, "{ratio} {part}/{halvings} {x}: {error:e}");
                 }
             }

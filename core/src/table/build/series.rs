@@ -6,9 +6,9 @@ pub(super) mod sine;
 
 use core::ops::Range;
 
-use crate::phase::integer_parts;
-use crate::product::signed_product;
-use crate::scalar::{exponent, short_power_of_two, times_power_of_two};
+use crate::phase::mantissa_and_exponent;
+use crate::product::product_i32;
+use crate::scalar::{exponent, power_of_two_f32, times_power_of_two};
 use crate::table::evaluation::shifted_right;
 
 /// Largest number of terms of a series.
@@ -41,8 +41,8 @@ impl Limbs {
     /// Product with a factor of 32 bits divided by 2^SHIFT, for a SHIFT below 30, rounded to the nearest.
     pub(super) fn times_word<const SHIFT: u32>(self, factor: i32) -> i64 {
         let half = 1 << (SHIFT - 1);
-        (signed_product(self.high, factor) << (LIMB_BITS - SHIFT))
-            + ((signed_product(self.low, factor) + half) >> SHIFT)
+        (product_i32(self.high, factor) << (LIMB_BITS - SHIFT))
+            + ((product_i32(self.low, factor) + half) >> SHIFT)
     }
 }
 
@@ -50,10 +50,10 @@ impl Limbs {
 #[inline(never)]
 pub(super) fn scaled_product<const SHIFT: u32>(a: Limbs, b: i64) -> i64 {
     let b = Limbs::new(b);
-    let lower = signed_product(a.low, b.low) >> LIMB_BITS;
-    let mixed = signed_product(a.high, b.low) + signed_product(a.low, b.high) + lower;
+    let lower = product_i32(a.low, b.low) >> LIMB_BITS;
+    let mixed = product_i32(a.high, b.low) + product_i32(a.low, b.high) + lower;
     let half = 1 << (SHIFT - LIMB_BITS - 1);
-    (signed_product(a.high, b.high) << (2 * LIMB_BITS - SHIFT)) + ((mixed + half) >> (SHIFT - LIMB_BITS))
+    (product_i32(a.high, b.high) << (2 * LIMB_BITS - SHIFT)) + ((mixed + half) >> (SHIFT - LIMB_BITS))
 }
 
 /// First number beyond 59 bits, which stands for every number out of range. The negative one is its complement.
@@ -98,7 +98,7 @@ pub(super) fn sum_in_range<const N: usize>(numbers: [i64; N]) -> Option<i64> {
 /// Integer nearest to x / 2^exponent, at most ±2^62.
 #[inline(never)]
 pub(super) fn in_units(x: f64, exponent: i32) -> i64 {
-    let (mantissa, own) = integer_parts(x);
+    let (mantissa, own) = mantissa_and_exponent(x);
     match own.saturating_sub(exponent) {
         10.. => mantissa.signum() << 62,
         shift @ 0.. => mantissa << shift,
@@ -120,7 +120,7 @@ pub(super) struct UnitFactor {
 impl UnitFactor {
     /// Factor from one series to another, whose exponents are known.
     pub(super) fn new(factor: f64, from: &PowerSeries, to: &PowerSeries) -> Self {
-        let (_, exponent) = integer_parts(factor);
+        let (_, exponent) = mantissa_and_exponent(factor);
         let least = to.exponent - from.exponent - FACTOR_BITS as i32;
         // 53 bits become 60 at most
         let own = least.max(exponent - 7);
@@ -195,9 +195,9 @@ impl PowerSeries {
         let theirs = other.coefficients.get(..=k.saturating_sub(first)).unwrap_or_default();
         let (mut upper, mut mixed, mut lower) = (0, 0, 0_u64);
         for (a, b) in ours.iter().zip(theirs.iter().rev()) {
-            upper += signed_product(a.high, b.high);
-            mixed += signed_product(a.high, b.low) + signed_product(a.low, b.high);
-            lower += signed_product(a.low, b.low) as u64;
+            upper += product_i32(a.high, b.high);
+            mixed += product_i32(a.high, b.low) + product_i32(a.low, b.high);
+            lower += product_i32(a.low, b.low) as u64;
         }
         mixed += (lower >> LIMB_BITS) as i64;
         shifted_sum(upper + (mixed >> LIMB_BITS), mixed as u32 & ((1 << LIMB_BITS) - 1), shift)
@@ -216,7 +216,7 @@ impl PowerSeries {
         let coefficients = self.coefficients.get(1..terms).unwrap_or_default().iter().rev();
         let sum = coefficients.fold(0, |sum: u32, c| ((sum * quarters + 3) >> 2) + c.high.unsigned_abs() + 1);
         0.25 * quarters as f32
-            * (((1_u32 << LIMB_BITS) as f32 * sum as f32 + noise) * short_power_of_two(self.exponent))
+            * (((1_u32 << LIMB_BITS) as f32 * sum as f32 + noise) * power_of_two_f32(self.exponent))
     }
 }
 

@@ -91,16 +91,16 @@ impl SetUp {
             return Some(());
         }
         pause();
-        let mut place = 0;
-        while place < HALF_PERIOD {
-            self.cut.enter_span(&mut self.path, place);
+        let mut position = 0;
+        while position < HALF_PERIOD {
+            self.cut.enter_span(&mut self.path, position);
             while self.expand_span(compute_origin, &ellipses, pause).is_none() {
                 self.path.shorten_span()?;
             }
             let Self { limits, launch, path, polynomials, cut, .. } = self;
             pause();
             launch.search(&path.expansion, path.end.phases.chi, path.span);
-            place = cut.cut_span(path, polynomials, limits, store, pause)?;
+            position = cut.cut_span(path, polynomials, limits, store, pause)?;
         }
         self.cut.error += self.path.error(&self.cut.speeds, self.launch.delay);
         Some(())

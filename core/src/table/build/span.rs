@@ -4,7 +4,7 @@ use crate::phase::Phase;
 use crate::scalar::power_of_two;
 use crate::table::data::cell::{CELLS, Cell, LEVEL_0_BITS};
 
-/// One of the 2^depth equal parts of half a period. The unit of a place is the shortest segment.
+/// One of the 2^depth equal parts of half a period. The unit of a position is the shortest segment.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Span {
     pub(super) begin: usize,
@@ -53,7 +53,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_span_has_the_phases_of_its_place() {
+    fn a_span_has_the_phases_of_its_position() {
         assert!(Span::FIRST.exists() && !Span { begin: CELL, ..Span::FIRST }.exists());
         let second = Span { begin: Span::FIRST.end(), ..Span::FIRST };
         assert_eq!((second.phase(-1.0), second.phase(1.0)), (Phase::from_bits(1 << 93), Phase::QUARTER));

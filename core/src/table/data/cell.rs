@@ -23,16 +23,16 @@ impl Cell {
     /// Greatest level; one cell could then contain all segments.
     pub(crate) const DEEPEST: u32 = Self::MOST_SEGMENTS.ilog2() + 1;
 
-    /// Cell in which segment `place` of half a period at this level is `number` of the table.
-    pub(crate) const fn new(number: usize, place: usize, level: u32) -> Self {
-        Self((number.wrapping_sub(place) as u16) << Self::LEVEL_BITS | level as u16)
+    /// Cell in which segment `index` of half a period at this level is `number` of the table.
+    pub(crate) const fn new(number: usize, index: usize, level: u32) -> Self {
+        Self((number.wrapping_sub(index) as u16) << Self::LEVEL_BITS | level as u16)
     }
 
-    /// Number of the segment at a place, given by the 32 leading bits of the fraction of half a period.
+    /// Number of the segment at a phase, given by the 32 leading bits of the fraction of half a period.
     #[inline(always)]
-    pub(crate) const fn segment(self, place: u32) -> usize {
+    pub(crate) const fn segment(self, phase: u32) -> usize {
         let shift = u32::BITS - LEVEL_0_BITS - self.level();
-        ((self.0 as u32 >> Self::LEVEL_BITS) + (place >> shift)) as usize % Self::MOST_SEGMENTS
+        ((self.0 as u32 >> Self::LEVEL_BITS) + (phase >> shift)) as usize % Self::MOST_SEGMENTS
     }
 
     /// Level, below 16.
@@ -57,12 +57,12 @@ mod tests {
             (1, 0, Cell::DEEPEST),
         ] {
             let count = [1, 1, 2, 4, 8, 16].get(level as usize).copied().unwrap_or(Cell::MOST_SEGMENTS);
-            let place = (number << level) >> 1;
-            let cell = Cell::new(first, place, level);
+            let index = (number << level) >> 1;
+            let cell = Cell::new(first, index, level);
             let (begin, length) = ((number as u32) << 28, (1 << 29) >> level);
             for index in [0, count - 1] {
                 let inside = begin + length * index as u32;
-                let found = [inside, inside + (length - 1)].map(|place| cell.segment(place));
+                let found = [inside, inside + (length - 1)].map(|phase| cell.segment(phase));
                 assert_eq!(found, [(first + index) % Cell::MOST_SEGMENTS; 2]);
             }
         }

@@ -3,7 +3,7 @@
 use crate::body::{ParameterError, check};
 use crate::constants::Regime;
 use crate::motion::Motion;
-use crate::phase::{Phase, PhaseFraction, integer_parts, shifted};
+use crate::phase::{Phase, PhaseFraction, mantissa_and_exponent, times_power_of_two_i128};
 use crate::scalar::{Extended, Float};
 use crate::table::data::cell::SEGMENTS_AT_LEVEL_0;
 
@@ -182,20 +182,21 @@ impl<W> Clock<W> {
         if !(near && slow) {
             return None;
         }
-        let (time, exponent) = integer_parts(t);
+        let (time, exponent) = mantissa_and_exponent(t);
         let product = |rate: f64| {
-            let (rate, rate_exponent) = integer_parts(rate);
-            shifted(i128::from(time) * i128::from(rate), exponent + rate_exponent + 64)
+            let (rate, rate_exponent) = mantissa_and_exponent(rate);
+            times_power_of_two_i128(i128::from(time) * i128::from(rate), exponent + rate_exponent + 64)
         };
         // in units of 2^-64 ticks
         let ticks = if lo == 0.0 { product(hi) } else { product(hi).wrapping_add(product(lo)) };
         let (tick, fraction) = ((ticks >> 64) as i64, ticks as u64);
         let since_first = tick.wrapping_sub(i64::MIN) as u64;
         let ([nutation, a, b], [nutation_step, a_step, b_step]) = (self.first, self.steps());
-        let after =
-            |first: u64, step: PhaseFraction| first.wrapping_add(step.leading_after(since_first, fraction));
+        let after = |first: u64, step: PhaseFraction| {
+            first.wrapping_add(step.leading_bits_after(since_first, fraction))
+        };
         let phases = [after(nutation, nutation_step), after(a, a_step), after(b, b_step)];
-        Some((phases, self.mean_tip(tick) + self.tip_turn().share(fraction)))
+        Some((phases, self.mean_tip(tick) + self.tip_turn().times_fraction(fraction)))
     }
 
     /// Nutation phase, A and B at tick n.
@@ -203,7 +204,7 @@ impl<W> Clock<W> {
     pub(crate) fn at(&self, n: i64) -> [PhaseFraction; 3] {
         let since_first = n.wrapping_sub(i64::MIN) as u64;
         let after =
-            |first: u64, step: [u32; 3]| PhaseFraction::new(step).times(since_first).plus_leading(first);
+            |first: u64, step: [u32; 3]| PhaseFraction::new(step).times(since_first).plus_leading_bits(first);
         let [nutation, a, b] = &self.first;
         // by reference: an array of all steps would take nine registers at once
         let [nutation_step, a_step, b_step] = &self.step;
@@ -220,8 +221,8 @@ impl<W> Clock<W> {
         let mut phases = self.steps();
         for ((phase, exact), first) in phases.iter_mut().zip(self.exact_steps()).zip(self.first) {
             let part = (exact * fraction).to_phase();
-            *phase =
-                PhaseFraction::from_phase(turned(phase.to_phase(), since_first) + part).plus_leading(first);
+            *phase = PhaseFraction::from_phase(turned(phase.to_phase(), since_first) + part)
+                .plus_leading_bits(first);
         }
         let part = (exact_tip_step(self.exact_steps(), self.tip_passes) * fraction).to_phase();
         (phases, Phase::from_words(self.tip_start) + turned(self.tip_turn(), ticks) + part)

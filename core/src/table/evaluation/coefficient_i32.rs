@@ -7,7 +7,7 @@
 //! For the powers above half the number of terms 16 bits of x are enough, because their coefficients are small. Set-up verifies it.
 
 use crate::complex::Complex;
-use crate::product::{high_product, high_product_of_less, short_product};
+use crate::product::{high_product, high_product_limited, product_32x16};
 use crate::scalar::{Scalar, sine_cosine_q26, sine_cosine_q31, times_power_of_two};
 use crate::table::evaluation::q30::Q30;
 use crate::table::evaluation::{
@@ -127,12 +127,12 @@ impl Coefficient for i32 {
 
     #[inline(always)]
     fn step(added: i32, sum: i32, x: i32, by_16_bits: bool) -> i32 {
-        added + if by_16_bits { short_product(sum, x) } else { high_product_of_less(sum, x) }
+        added + if by_16_bits { product_32x16(sum, x) } else { high_product_limited(sum, x) }
     }
 
     #[inline(always)]
     fn last_step(constant: Self, sum: i32, x: i32) -> i32 {
-        constant.saturating_add(high_product_of_less(sum, x))
+        constant.saturating_add(high_product_limited(sum, x))
     }
 
     /// With five terms the results become `f32`, which needs fewer bits.
@@ -168,7 +168,7 @@ mod tests {
     /// With six terms the products with the fourth and the fifth power are short, and the sum of the lower one
     /// contains both.
     #[test]
-    fn what_short_products_lose() {
+    fn what_16_bit_products_lose() {
         let near =
             |found: f64, expected: f64| assert!((found - expected).abs() < 2e-13, "{found:e} {expected:e}");
         let error = |values| TABLE_UNIT * f64::from(i32::error(&polynomial(values)));

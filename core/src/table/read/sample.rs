@@ -171,7 +171,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     }
 }
 
-/// Segment of a nutation phase, and the place on it.
+/// Segment of a nutation phase, and the point of it.
 pub(super) struct LocatedSegment<'a, R: EphemerisScalar> {
     /// Coefficients of each power, the lowest first.
     pub(super) rows: &'a [[R::Coefficient; 4]],

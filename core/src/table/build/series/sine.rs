@@ -4,7 +4,7 @@
 
 use super::{Limbs, scaled_product};
 use crate::phase::Phase;
-use crate::product::signed_product;
+use crate::product::product_i32;
 
 /// Fraction bits of [`sine_cosine`].
 pub(crate) const FRACTION: i32 = 57;
@@ -30,7 +30,7 @@ const COSINE: ([i64; 6], [i32; 4]) = (
 /// Value of a series at r² in units of 2^-58, which is below 0.62.
 fn evaluate((first, last): &([i64; 6], [i32; 4]), square: i64) -> i64 {
     let word = (square >> 27) as i32;
-    let times_square = |sum: i32| (signed_product(sum, word) >> 31) as i32;
+    let times_square = |sum: i32| (product_i32(sum, word) >> 31) as i32;
     let last = last.iter().rev().fold(0, |sum, c| c + times_square(sum));
     let square = Limbs::new(square);
     let [first @ .., middle] = first;
