@@ -1,4 +1,4 @@
-//! Constants of a motion in extended precision. Each follows from the one before: [`State`](crate::State) → [`FirstIntegrals`] →
+//! Constants of a motion in extended precision: [`State`](crate::State) → [`FirstIntegrals`] →
 //! [`BranchPoints`] → [`Regime`], [`TipClass`].
 
 mod first_integrals;

@@ -1,7 +1,6 @@
 //! Events: instants at which a motion turns, reaches a tilt, a circle or a tip angle, or lifts off.
 //!
-//! An event of u has one nutation phase while u rises, found once by bisection, and the mirrored one while u falls. The
-//! tip angle is bisected in time. All work is bounded.
+//! An event of u has one nutation phase while u rises, found by bisection, and the mirrored one while u falls. The tip angle is bisected in time.
 
 mod level;
 
@@ -14,7 +13,7 @@ use crate::phase::Phase;
 use crate::scalar::{Extended, Float};
 use crate::table::{EphemerisScalar, EphemerisView, Sample};
 
-/// Event of a motion: its instant in ticks, and the sense of the change.
+/// Instant in ticks, and the sense of the change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Event {
@@ -29,14 +28,14 @@ pub struct Event {
 impl Event {
     /// Event after a number of ticks; `None` outside the range of `i64`.
     fn at(ticks: Extended, upward: bool) -> Option<Self> {
-        /// Number far beyond the range of `i64`, below which a whole number of 128 bits does not wrap.
+        /// Number beyond the range of `i64` whose floor fits 128 bits.
         const COUNTABLE: f64 = (1_u128 << 100) as f64;
         if ticks.to_f64().abs() > COUNTABLE {
             return None;
         }
         let (tick, fraction) = ticks.floor_and_rest();
         let tick = i64::try_from(tick).ok()?;
-        // a fraction that rounds to 1 becomes the largest number below
+        // not rounded to 1
         let fraction = fraction.to_f64();
         let fraction = if fraction < 1.0 { fraction } else { 1.0 - 0.5 * f64::EPSILON };
         Some(Self { tick, fraction, upward })
@@ -49,7 +48,7 @@ impl Event {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Time of an event in the motion's unit of time: the nearest `f64`.
+    /// Time of an event in s: the nearest `f64`.
     #[must_use]
     pub fn time_of(&self, event: &Event) -> f64 {
         (event.ticks() / self.clock.tick_rate()).to_f64()
@@ -65,7 +64,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 /// Leading 64 bits of the last nutation phase while u rises.
 const HALF_PERIOD: u64 = u64::MAX >> 1;
 
-/// Sample at a nutation phase, given by its 64 leading bits, with both slow phases 0.
+/// Sample at the 64 leading bits of a nutation phase, with slow phases 0.
 fn at_phase<R: EphemerisScalar>(ephemeris: &EphemerisView<R>, nutation: u64) -> Sample<'_, R> {
     Sample { ephemeris, phases: [nutation, 0, 0], mean_tip: Phase::ZERO }
 }

@@ -24,14 +24,14 @@ use crate::motion::phase_equations::PhaseEquations;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring, Wide};
 
-/// Motion of one launch, from which steppers and ephemerides are made.
+/// Motion of one launch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
     top: Top,
     signs: Signs,
     pub(crate) e: BranchPoints<Extended>,
     pub(crate) integrals: FirstIntegrals<Extended>,
-    /// Half of τ = ⟨ω, r⟩ - n/A, rad per unit time. It is 0 for C = A and K = 0.
+    /// Half of τ = ⟨ω, r⟩ - n/A, rad/s.
     pub(crate) half_tau: Extended,
     ellipses: Ellipses<f64>,
     regime: Regime,
@@ -40,7 +40,7 @@ pub struct Motion {
     /// Slow phases A and B at t = 0.
     pub(crate) phases: [Phase; 2],
     pub(crate) rounding: LaunchRounding,
-    /// Rate χ' without torque, rad per unit time; 0 with one, and where the axis rests.
+    /// Rate χ' without torque, rad/s; 0 with one, and where the axis rests.
     torque_free_rate: Extended,
 }
 
@@ -56,7 +56,7 @@ pub enum HalfPhase {
 }
 
 impl HalfPhase {
-    /// Unit complex number e^{iχ}; 1 for a steady motion.
+    /// Number e^{iχ}; 1 for a steady motion.
     pub(crate) fn direction(self) -> Complex<f64> {
         match self {
             Self::Steady => Complex::ONE,
@@ -87,7 +87,7 @@ impl Motion {
         self.integrals.in_top_units(&self.top)
     }
 
-    /// Axial rate ⟨ω, r⟩ of the body, rad per unit time; without a rotor the quotient of the rounded n and C.
+    /// Axial rate ⟨ω, r⟩, rad/s; without a rotor from the rounded n and C.
     pub(crate) fn axial_rate(&self) -> f64 {
         let (FirstIntegrals { n, spin, .. }, c) = (self.first_integrals(), self.top.axial_inertia());
         if self.top.rotor_momentum() == 0.0 && c > 0.0 { n / c } else { spin }
@@ -103,8 +103,7 @@ impl Motion {
         self.signs
     }
 
-    /// Nutation period, and advance of α and β over it, by integration. For a constant u they are those of a small nutation.
-    /// `None` for e₂ = e₃.
+    /// Nutation period, and advance of α and β over it, by integration; of a small nutation for a constant u; `None` for e₂ = e₃.
     pub fn period_advance(&self) -> Option<PeriodAdvance> {
         let windings = Ellipses::oscillating(&self.e, self.signs).windings();
         let period = self.period::<2>(&self.equations(), &mut || {})?;
@@ -144,7 +143,7 @@ impl Motion {
         self.ellipses.tip_angle(self.chi.direction(), self.phases)
     }
 
-    /// Least normal force, in units of the weight; `None` unless the tip slides. Where it is negative, a real top leaves the plane.
+    /// Least normal force over the weight; `None` unless the tip slides. Where it is negative, a real top leaves the plane.
     pub fn min_normal_force(&self) -> Option<f64> {
         (self.top.support() == Support::Sliding).then(|| {
             let ScaledTop { a, p, s, .. } = self.scaled_top();
@@ -164,7 +163,7 @@ impl Motion {
         }
     }
 
-    /// Rates ((l ± n)/(A (1 ± u)) ± τ)/2 of A and B where u is constant, rad per unit time; 0 for a parameter that is 0.
+    /// Rates ((l ± n)/(A (1 ± u)) ± τ)/2 of A and B where u is constant, rad/s; 0 for a parameter that is 0.
     pub(crate) fn steady_rates(&self) -> [Extended; 2] {
         let (twice_a, zero) = (self.scaled_top().a.doubled(), Extended::ZERO);
         let rate = |momentum: Extended, complement: Extended, half_tau: Extended| {
@@ -181,7 +180,7 @@ impl Motion {
     }
 }
 
-/// Constants in extended precision and phases at t = 0, for the sibling crates.
+/// Constants and phases at t = 0, for the sibling crates.
 #[doc(hidden)]
 impl Motion {
     pub fn exact_branch_points(&self) -> BranchPoints<Extended> {
@@ -206,7 +205,7 @@ impl Motion {
         }
     }
 
-    /// Rate τ/2, rad per unit time.
+    /// Rate τ/2, rad/s.
     pub fn half_tau(&self) -> Extended {
         self.half_tau
     }

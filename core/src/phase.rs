@@ -8,7 +8,7 @@ pub(crate) use fraction::PhaseFraction;
 
 use core::ops::{Add, AddAssign, Mul, Neg, Sub};
 
-/// Phase in turns: a signed fixed-point number with 96 fraction bits.
+/// Phase in turns: a signed integer in units of 2^-96.
 ///
 /// Resolution: 2^-96 turns (8e-29 rad). Sums wrap at ±2^31 whole turns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -1,12 +1,11 @@
-//! Products of integers that are wider than a processor's multiply instruction.
+//! Integer products wider than a chip's multiply instruction.
 //!
-//! A Cortex-M0+ keeps the *lower* 32 bits of a product; the compiler's wider products cost some 40 cycles, those of 16-bit halves
-//! here 15.
+//! A Cortex-M0+ keeps the *lower* 32 bits. The compiler's wider products cost some 40 cycles, those of 16-bit halves 15.
 
 /// Whether products are made of 16-bit halves: on ARMv6-M, which lacks 32-bit atomics.
 const BY_HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
-/// Upper 32 bits of the 64-bit product, a·b·2^-32 rounded down: one cycle of a Cortex-M4, an addition included (SMMLA).
+/// Product a·b·2^-32 rounded down: one cycle of a Cortex-M4 with an addition (SMMLA).
 #[inline(always)]
 pub(crate) const fn high_product(a: i32, b: i32) -> i32 {
     if BY_HALVES {
@@ -16,7 +15,7 @@ pub(crate) const fn high_product(a: i32, b: i32) -> i32 {
     }
 }
 
-/// [`high_product`] for a < 2^31 - 2^15, one cycle shorter where it is made of halves.
+/// [`high_product`] for a < 2^31 - 2^15, one cycle shorter from halves.
 #[inline(always)]
 pub(crate) const fn high_product_limited(a: i32, b: i32) -> i32 {
     if BY_HALVES {
@@ -27,13 +26,13 @@ pub(crate) const fn high_product_limited(a: i32, b: i32) -> i32 {
     }
 }
 
-/// Upper 32 bits of the product of a and the 16 upper bits of b, whose lower 16 bits count as 0 (SMLAWT).
+/// Product a·b·2^-32 with only the 16 upper bits of b, rounded down (SMLAWT).
 #[inline(always)]
 pub(crate) const fn product_32x16(a: i32, b: i32) -> i32 {
     if BY_HALVES { product_32x16_by_halves(a, b) } else { ((a as i64 * (b >> 16) as i64) >> 16) as i32 }
 }
 
-/// [`product_32x16`] for a b that is known to the compiler: the same bits, by fewer instructions.
+/// [`product_32x16`] for a constant b, by fewer instructions.
 #[inline(always)]
 pub(crate) const fn product_32x16_by_constant(a: i32, b: i32) -> i32 {
     if BY_HALVES { product_32x16_by_halves(a, b) } else { high_product(a, b & !0xffff) }
@@ -85,7 +84,7 @@ const fn split_halves(number: i32) -> [i32; 2] {
     [number as i16 as i32, ((number >> 15) + 1) >> 1]
 }
 
-/// [`high_product`] from halves. The lower ones are signed, so the sum of the mixed products does not overflow.
+/// The lower halves are signed, so that the sum of mixed products does not overflow.
 #[inline(always)]
 const fn product_of_halves([a_low, a_high]: [i32; 2], [b_low, b_high]: [i32; 2]) -> i32 {
     let across = a_high.wrapping_mul(b_low).wrapping_add(a_low.wrapping_mul(b_high));
@@ -99,7 +98,7 @@ const fn product_32x16_by_halves(a: i32, b: i32) -> i32 {
     (a >> 16) * b_high + (((a & 0xffff) * b_high) >> 16)
 }
 
-/// [`product_u32`] from halves. With an unsigned half of b the compiler would call its own routine.
+/// With an unsigned half of b the compiler would call its own routine.
 #[inline(always)]
 const fn product_u32_by_halves(a: u32, b: u32) -> u64 {
     let (a_low, a_high) = (a & 0xffff, a >> 16);
@@ -113,7 +112,7 @@ const fn product_u32_by_halves(a: u32, b: u32) -> u64 {
     ((high as u64) << 32) | a.wrapping_mul(b) as u64
 }
 
-/// [`product_i32`] from the unsigned product: a negative factor stands for one that is 2^32 larger.
+/// Unsigned product, corrected for factors that are 2^32 larger.
 #[inline(always)]
 const fn product_i32_by_halves(a: i32, b: i32) -> i64 {
     let excess = (b & (a >> 31)).wrapping_add(a & (b >> 31));

@@ -1,6 +1,6 @@
 //! Scalars: number types, and the traits that the algorithms require of them.
 //!
-//! There is no fused multiply-add. Functions come from `libm` on every target, never from `std`, so that a host and a chip agree to the bit.
+//! Without fused multiply-add and `std` maths, a host and a chip agree to the bit.
 //!
 //! | trait | requires | `f32` `f64` | [`Wide`] | fixed point |
 //! |---|---|---|---|---|
@@ -31,7 +31,7 @@ use crate::phase::Phase;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Number type with sums, differences and products. Sealed.
+/// Sums, differences and products. Sealed.
 pub trait Ring:
     sealed::Sealed
     + Copy
@@ -104,16 +104,16 @@ pub trait Ring:
     }
 }
 
-/// Number type of a tick: a ring with the sine and cosine of an integer phase.
+/// Number type of a tick: with the sine and cosine of a phase.
 pub trait Scalar: Ring {
-    /// (sin 2πx, cos 2πx) of a phase of x turns. Absolute error in `f32`: below 3.2e-8. Error in `f64`: below 2e-16, relative near the zeros.
+    /// (sin 2πx, cos 2πx) of a phase of x turns. Error in `f32`: below 3.2e-8. In `f64`: below 2e-16, relative near the zeros.
     fn sine_cosine(phase: Phase) -> (Self, Self);
 
-    /// Half a unit in the last place of 1: the rounding error of a sum.
+    /// Half a unit in the last place of 1.
     const ROUNDING: f64;
 }
 
-/// Number type of set-up: a ring with division and square root.
+/// Number type of set-up: with division and square root.
 pub trait Float: Ring + Div<Output = Self> {
     /// Nearest value of this type.
     fn from_f64(x: f64) -> Self;
@@ -169,7 +169,7 @@ macro_rules! float_scalar {
             }
             #[inline]
             fn abs(self) -> Self {
-                // clears the sign bit, where a soft comparison would cost a call
+                // clears the sign bit without a call
                 <$float>::abs(self)
             }
         }

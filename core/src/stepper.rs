@@ -13,8 +13,8 @@ use crate::su2::{AttitudeState, Orientation};
 
 /// Stepper of one motion. The steps may have different lengths and either sign.
 ///
-/// Order 4 in dt. Error over ten periods, away from the separatrix: below 1e-12 rad with 4096 steps a period in `f64`, below
-/// 1e-5 rad with 512 in `f32`. Where u is constant, a step is exact.
+/// Order 4 in dt. Error over ten periods: below 1e-12 rad with 4096 steps a period in `f64`, below 1e-5 rad with 512 in `f32`; more near the
+/// separatrix. Where u is constant, a step is exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stepper<R> {
     ellipses: Ellipses<R>,
@@ -22,11 +22,11 @@ pub struct Stepper<R> {
     nutation: Nutation<R>,
     /// Slow phases A and B.
     phases: [Phase; 2],
-    /// Constant parts of the rates of A and B, in turns and in rad per unit time: ±τ/2, or all where u is constant.
+    /// Constant parts of the rates of A and B, in turns/s and rad/s.
     constant_rates: [(Extended, R); 2],
     /// Length s, m; 1 for a fixed tip.
     tip_scale: R,
-    /// Rates (l + n)/(4A) and (l - n)/(4A), rad per unit time.
+    /// Rates (l + n)/(4A) and (l - n)/(4A), rad/s.
     momentum_rates: [R; 2],
     /// Difference of φ and the continued arg α + arg β; `None` where φ does not exist.
     phi_origin: Option<Phase>,
@@ -60,7 +60,7 @@ impl<R: Real> Nutation<R> {
         }
     }
 
-    /// Unit complex number e^{iχ}; 1 for a steady motion.
+    /// Number e^{iχ}; 1 for a steady motion.
     fn direction(self) -> Complex<R> {
         match self {
             Self::Steady => Complex::ONE,
@@ -96,7 +96,7 @@ impl<R: Real> Stepper<R> {
         stepper
     }
 
-    /// Advances by dt, in the motion's unit of time. A dt that is not finite counts as 0.
+    /// Advances by dt, s. A dt that is not finite counts as 0.
     pub fn step(&mut self, dt: R) {
         if !dt.to_f64().is_finite() {
             return;
@@ -135,7 +135,7 @@ impl<R: Real> Stepper<R> {
         *b += phase_from_radians(change.slow_b) + turned_b;
     }
 
-    /// Orientation Φ. Cost: three sine-cosine pairs and twelve products.
+    /// Orientation Φ.
     #[must_use]
     pub fn orientation(&self) -> Orientation<R> {
         self.ellipses.orientation(self.nutation.direction(), self.phases.map(Complex::cis))
@@ -155,21 +155,21 @@ impl<R: Real> Stepper<R> {
         self.orientation().tip_over_s().scaled(self.tip_scale)
     }
 
-    /// Velocity c' of the tip, m per unit time.
+    /// Velocity c' of the tip, m/s.
     #[must_use]
     pub fn tip_velocity(&self) -> Complex<R> {
         let AttitudeState { orientation, rate } = self.attitude_state();
         (rate.alpha * orientation.beta + orientation.alpha * rate.beta).scaled(self.tip_scale.doubled())
     }
 
-    /// Tip angle φ = arg c, continuous from φ(0) in (-1/2, 1/2] turn; `None` where the axis is vertical at all times. Where the
-    /// curve passes through the centre, the radius changes sign instead.
+    /// Tip angle φ = arg c, continuous from φ(0) in (-1/2, 1/2] turn; `None` for an axis that stays vertical. At the centre the radius changes
+    /// sign instead.
     #[must_use]
     pub fn tip_angle(&self) -> Option<Phase> {
         self.phi_origin.map(|origin| origin + self.continued_phi())
     }
 
-    /// Rate φ' of the tip angle, rad per unit time (equation (4.1) of the paper); 0 for a vertical axis, and the largest finite `f32`
+    /// Rate φ' of the tip angle, rad/s (equation (4.1) of the paper); 0 for a vertical axis, and the largest finite `f32`
     /// where it overflows.
     #[must_use]
     pub fn tip_angle_rate(&self) -> R {
@@ -183,7 +183,7 @@ impl<R: Real> Stepper<R> {
         if rate < R::ZERO { -greatest } else { greatest }
     }
 
-    /// Rates of χ, A and B at e^{iχ}, rad per unit time.
+    /// Rates of χ, A and B at e^{iχ}, rad/s.
     fn rates(&self, chi: Complex<R>) -> PhaseRates<R> {
         let mut rates = match self.nutation {
             Nutation::Steady => PhaseRates::ZERO,
@@ -212,7 +212,7 @@ impl<R: Real> Stepper<R> {
     }
 }
 
-/// Changes of the phases over dt by a Runge-Kutta step of fourth order. The rates depend on the change of the nutation variable.
+/// Changes of the phases over dt by a Runge-Kutta step of order 4.
 fn runge_kutta<R: Real>(dt: R, rates: impl Fn(R) -> PhaseRates<R>) -> PhaseRates<R> {
     let half = dt.halved();
     let k1 = rates(R::ZERO);

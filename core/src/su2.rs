@@ -1,7 +1,7 @@
-//! SU(2) and its Lie algebra: orientations and the vectors that they rotate (section 2.1 of the paper).
+//! SU(2) and its Lie algebra: orientations and the vectors that they rotate (paper, section 2.1).
 //!
 //! A vector x of R³ stands for the matrix ½ ((i x₃, -x₂ + i x₁), (x₂ + i x₁, -i x₃)) of su(2), whose Lie bracket is the cross
-//! product. x = Φ X Φ⁻¹ takes body coordinates X to fixed ones. Φ and -Φ are the same rotation; the sign makes Φ continuous in time.
+//! product.
 
 #[cfg(feature = "nalgebra")]
 mod nalgebra;
@@ -96,12 +96,12 @@ impl<R: Ring> Orientation<R> {
         [-tip.re, -tip.im, self.u()]
     }
 
-    /// Rate r' = Φ (Ω × e₃) Φ⁻¹ of the symmetry axis in the fixed frame, from Ω in the body frame. Its third component is u'.
+    /// Rate r' = Φ (Ω × e₃) Φ⁻¹ of the symmetry axis in the fixed frame, from Ω in the body frame.
     pub fn axis_rate(&self, [x1, x2, _]: Vector<R>) -> Vector<R> {
         self.adjoint([x2, -x1, R::ZERO])
     }
 
-    /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give quaternions of opposite sign.
+    /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give opposite signs.
     pub fn quaternion(&self) -> [R; 4] {
         let Self { alpha, beta } = *self;
         [alpha.re, beta.im, -beta.re, alpha.im]
@@ -151,7 +151,7 @@ impl<R: Float> Orientation<R> {
         Orientation { alpha: self.alpha.cast(), beta: self.beta.cast() }
     }
 
-    /// Orientation scaled to unit norm, Φ / √(|α|² + |β|²).
+    /// Orientation of unit norm, Φ / √(|α|² + |β|²).
     #[must_use]
     pub fn normalised(&self) -> Self {
         let scale = R::ONE / self.norm_squared().sqrt();
@@ -188,7 +188,7 @@ pub struct OrientationRate<R> {
     pub beta: Complex<R>,
 }
 
-/// Orientation and its rate at one instant, with the quantities that follow by products.
+/// Orientation and its rate at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct AttitudeState<R> {
@@ -237,12 +237,12 @@ impl<R: Ring> AttitudeState<R> {
         self.orientation.axis()
     }
 
-    /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give quaternions of opposite sign.
+    /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give opposite signs.
     pub fn quaternion(&self) -> [R; 4] {
         self.orientation.quaternion()
     }
 
-    /// Angular velocity ω = Φ' Φ⁻¹ in the fixed frame, rad per unit time: equation (2.2) of the paper, erratum 1 corrected.
+    /// Angular velocity ω = Φ' Φ⁻¹ in the fixed frame, rad/s: equation (2.2) of the paper, erratum 1 corrected.
     pub fn omega(&self) -> Vector<R> {
         let Self { orientation: phi, rate } = self;
         let diagonal = rate.alpha * phi.delta() - rate.beta * phi.gamma();
@@ -250,7 +250,7 @@ impl<R: Ring> AttitudeState<R> {
         [upper.im.doubled(), -upper.re.doubled(), diagonal.im.doubled()]
     }
 
-    /// Angular velocity Ω = Φ⁻¹ Φ' in the body frame, rad per unit time: equation (2.3) of the paper, erratum 2 corrected.
+    /// Angular velocity Ω = Φ⁻¹ Φ' in the body frame, rad/s: equation (2.3) of the paper, erratum 2 corrected.
     pub fn omega_body(&self) -> Vector<R> {
         let Self { orientation: phi, rate } = self;
         let (gamma, delta) = (-rate.beta.conj(), rate.alpha.conj());

@@ -1,4 +1,4 @@
-//! Table of a motion: the motion at any tick, from short polynomials and three integer phases.
+//! Table of a motion: short polynomials and three integer phases.
 //!
 //! Set-up (`build`) writes the table (`data`), which any tick reads (`read`). In a tick the nutation phase gives a cell, a segment and the
 //! local coordinate on it; four polynomials are evaluated by Horner's rule (`evaluation`); α and β are rotated by the slow phases. Every tick has

@@ -1,6 +1,6 @@
 //! Impulse: a force so short that it changes ω only.
 //!
-//! J acts at d from the centre of mass, and the support reacts with R at the tip, -s r from there:
+//! J acts at d from the centre of mass, and the support's reaction R at -s r:
 //!
 //! ```text
 //! M Δv = J + R        A Δω + (C - A) ⟨Δω, r⟩ r = d × J - s r × R
@@ -12,8 +12,7 @@
 //! R = (p ⟨d × J, q⟩ - A J₃) / (A + p s |q|²)
 //! ```
 //!
-//! *Fixed tip, free body.* s = 0, and d is from the point to which A and C belong. K does not change. A rod (C = 0) gets no axial
-//! rate.
+//! *Fixed tip, free body.* s = 0, and d is from the point of A and C. K does not change. A rod (C = 0) gets no axial rate.
 
 use super::state::FASTEST;
 use super::{ParameterError, State, Support, Top, check, check_range};
@@ -22,8 +21,7 @@ use crate::su2::{Vector, cross, dot};
 impl State {
     /// State after an impulse J, N s in the fixed frame, at a point X of the body, m in the body frame *from the tip*.
     ///
-    /// X is from the tip, where the centre of mass is at [0, 0, s]; for a free body it is from the centre of mass. A pair J at X + D and -J at X is an
-    /// angular impulse D × J.
+    /// The centre of mass is at [0, 0, s]; for a free body X is from it. A pair J at X + D and -J at X is an angular impulse D × J.
     ///
     /// ```
     /// use toytop::{Release, State, Top, TopParameters};
@@ -62,8 +60,8 @@ impl State {
         Ok(Self { omega, ..*self })
     }
 
-    /// Reaction of the support to an impulse, N s in the fixed frame: p Δω × r - J; for a sliding tip only its vertical
-    /// part. Where that is negative, a real top leaves the plane.
+    /// Reaction of the support, N s in the fixed frame: p Δω × r - J; for a sliding tip its vertical part. Where that is negative, a real top
+    /// leaves the plane.
     ///
     /// # Errors
     /// `impulse`, `point`: a component is not finite or is above 1e12.

@@ -13,7 +13,7 @@ pub struct TopParameters {
     pub transverse_inertia: f64,
     /// Axial moment of inertia C <= 2A, kg m²; 0 for a thin rod or a point at its end.
     pub axial_inertia: f64,
-    /// Distance s of the centre of mass from the tip, m; for a fixed tip it is used only together with `mass`.
+    /// Distance s of the centre of mass from the tip, m; for a fixed tip only used with `mass`.
     pub com_height: f64,
     /// Mass M, kg.
     pub mass: f64,
@@ -21,7 +21,7 @@ pub struct TopParameters {
     pub mass_moment: f64,
     /// Gravity g, m/s²; by default 9.80665; 0 only for a fixed tip or a free body.
     pub gravity: f64,
-    /// Constant angular momentum K of a rotor inside, along the axis and relative to the body, kg m²/s. M, A and C include the rotor.
+    /// Angular momentum K of a rotor inside, along the axis and relative to the body, kg m²/s. M, A and C include it.
     pub rotor_momentum: f64,
 }
 
@@ -145,9 +145,9 @@ impl Top {
         const LEAST_RATIO: f64 = 1e-60;
         /// Least C/A other than 0 without torque.
         const LEAST_TORQUE_FREE_RATIO: f64 = 1e-20;
-        /// Greatest |K|/A, rad per unit time.
+        /// Greatest |K|/A, rad/s.
         const FASTEST_ROTOR: f64 = 1e12;
-        /// Least |K|/A that does not count as 0, rad per unit time.
+        /// Least |K|/A that does not count as 0, rad/s.
         const SLOWEST_ROTOR: f64 = 1e-60;
         let a = magnitude("transverse_inertia", parameters.transverse_inertia)?;
         let c = parameters.axial_inertia;

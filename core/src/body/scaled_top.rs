@@ -1,9 +1,9 @@
-//! Parameters of a top in units that keep every product in range.
+//! Top in units that keep every product in range.
 
 use super::Top;
 use crate::scalar::{Extended, Float, Ring, exponent, power_of_two, times_power_of_two};
 
-/// Parameters of a top by the paper's symbols, in units of inertia and length that are powers of two: A and p are in [1, 2).
+/// Parameters by the paper's symbols. The units of inertia and length are powers of two: A and p are in [1, 2).
 #[derive(Clone, Copy, Debug)]
 pub struct ScaledTop<F> {
     /// Transverse moment of inertia A.
@@ -42,7 +42,7 @@ impl<F: Float> ScaledTop<F> {
         F::ONE / (self.a * self.p * self.g).doubled()
     }
 
-    /// Axial rate ⟨ω, r⟩ = (n - K)/C of the body, rad per unit time; 0 where C = 0, because n does not determine it.
+    /// Axial rate ⟨ω, r⟩ = (n - K)/C of the body, rad/s; 0 where C = 0, because n does not determine it.
     pub(crate) fn spin(&self, n: F) -> F {
         if self.c > F::ZERO { (n - self.k) / self.c } else { F::ZERO }
     }
@@ -59,7 +59,7 @@ impl Top {
         power_of_two(inertia_exponent(self))
     }
 
-    /// Branch point e₄ = √(1 + A/(ps)) (equation (3.5) of the paper), which u never reaches; `None` unless the tip slides.
+    /// Branch point e₄ = √(1 + A/(ps)) (equation (3.5)), which u never reaches; `None` unless the tip slides.
     pub fn e4(&self) -> Option<f64> {
         let ScaledTop { a, s, p, .. } = ScaledTop::<Extended>::new(self);
         (self.s > 0.0).then(|| (Extended::ONE + a / (p * s)).sqrt().to_f64())

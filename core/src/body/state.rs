@@ -9,7 +9,7 @@ use core::f64::consts::PI;
 /// Largest component of an angular velocity, rad/s.
 pub(super) const FASTEST: f64 = 1e12;
 
-/// State at t = 0: orientation and angular velocity. Its `f64` numbers count as exact.
+/// Orientation and angular velocity at t = 0. The numbers are taken as exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct State {
@@ -23,7 +23,7 @@ pub struct State {
 pub struct Release {
     /// Tilt: angle of the axis from the upward vertical, rad, in [0, π].
     pub tilt: f64,
-    /// Azimuth: horizontal direction in which the axis leans, from the first fixed axis, rad.
+    /// Azimuth of the leaning axis, from the first fixed axis, rad.
     pub azimuth: f64,
     /// Roll: rotation of the body about its axis, rad.
     pub roll: f64,

@@ -48,7 +48,7 @@ impl Top {
         self.s
     }
 
-    /// Length that scales the tip curve c = 2 s αβ, m: s, or 1 for another support, whose 2αβ has no unit.
+    /// Length in the tip curve c = 2 s αβ, m: s, or 1 for another support.
     pub fn tip_scale(&self) -> f64 {
         match self.support {
             Support::Sliding => self.s,

@@ -1,5 +1,4 @@
-//! Branch points e₁ <= e₂ <= 1 <= e₃ of the hyperelliptic curve, and their small differences (section 3.2 of the
-//! paper).
+//! Branch points e₁ <= e₂ <= 1 <= e₃ of the hyperelliptic curve, and their differences (paper, section 3.2).
 //!
 //! On the motion, (s/2)(e₄² - u²) u'² = g (u - e₁)(u - e₂)(u - e₃). The differences are computed without cancellation.
 
@@ -35,7 +34,7 @@ pub struct BranchPoints<F = f64> {
     pub e3_minus_one: F,
 }
 
-/// Largest e₃ that is accepted. Beyond it the torque changes the motion by less than the rounding of a state.
+/// Largest e₃. Beyond it the torque has less effect than the rounding of a state.
 const LARGEST_E3: f64 = 1e14;
 
 impl BranchPoints {

@@ -38,7 +38,7 @@ impl Sign {
     }
 }
 
-/// Signs of l + n and of l - n. Equal signs mean |l| > |n|; the sign of 0 is arbitrary.
+/// Signs of l + n and l - n; equal for |l| > |n|, arbitrary for 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Signs {
@@ -58,7 +58,7 @@ pub struct FirstIntegrals<F = f64> {
     pub n: F,
     /// Energy h = T + V, J; V = 0 at the height of the tip. T excludes a rotor's motion relative to the body.
     pub h: F,
-    /// Axial rate ⟨ω, r⟩ of the body, rad per unit time: (n - K)/C; a further constant where C = 0.
+    /// Axial rate ⟨ω, r⟩ of the body, rad/s: (n - K)/C; a further constant where C = 0.
     pub spin: F,
     /// Sum l + n, kg m²/s.
     pub l_plus_n: F,
@@ -93,7 +93,7 @@ impl ReducedPoint {
         }
     }
 
-    /// Magnitude |m| of the angular momentum of a body without torque: |m|² = n² + A²|ω × r|².
+    /// Angular momentum |m| without torque: |m|² = n² + A²|ω × r|².
     pub(crate) fn momentum(&self, a: Extended, n: Extended) -> Extended {
         ((a * self.axis_energy).doubled() + n.squared()).sqrt()
     }
@@ -108,7 +108,7 @@ struct Axis {
 }
 
 impl Axis {
-    #[inline(never)] // keeps the stack small
+    #[inline(never)] // stack
     fn new(state: &State) -> Self {
         let (phi, omega) = state.in_extended();
         let (zero, one) = (Extended::ZERO, Extended::ONE);
@@ -142,7 +142,7 @@ impl FirstIntegrals<Extended> {
         Self::from_axis(top, &Axis::new(state))
     }
 
-    #[inline(never)] // keeps the stack small
+    #[inline(never)] // stack
     fn from_axis(top: &Top, axis: &Axis) -> (Self, ReducedPoint) {
         let scaled = ScaledTop::<Extended>::new(top);
         let (ScaledTop { a, c, s, p, g, k }, unit) = (scaled, scaled.energy_unit());

@@ -10,16 +10,16 @@ use crate::su2::dot;
 pub(crate) struct LaunchRounding {
     /// Relative error of the period, and of ψ_A and ψ_B over a period.
     pub(crate) relative: f64,
-    /// Error of the rates of the slow phases, rad per unit time.
+    /// Error of the rates of the slow phases, rad/s.
     pub(crate) slow_rates: f64,
 }
 
-/// Number of successive roundings from a state to the momenta, or to a coefficient of the cubics.
+/// Number of roundings to the momenta, or to a coefficient of the cubics.
 const OPERATIONS: f64 = 32.0;
 
 impl LaunchRounding {
     /// Errors of a launch from a state: see `core/docs/error_bound.md`.
-    #[inline(never)] // keeps the stack small
+    #[inline(never)] // stack
     pub(crate) fn new(
         top: &Top,
         integrals: &FirstIntegrals<Extended>,

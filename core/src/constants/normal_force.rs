@@ -1,6 +1,6 @@
-//! Normal force of the plane, N = 1 + s u''/g in units of the weight: its least value over a motion, and where it is 0.
+//! Normal force of the plane, N = 1 + s u''/g in units of the weight.
 //!
-//! Partial fractions of s u''/g at u = ±e₄ give
+//! By partial fractions of s u''/g
 //!
 //! N = (F₊/(e₄ - u)² + F₋/(e₄ + u)²)/2e₄ with F± = (e₄ ∓ e₁)(e₄ ∓ e₂)(±e₄ - e₃)(±1).
 //!
@@ -60,14 +60,14 @@ pub(crate) fn sign_change(e: &BranchPoints<Extended>, a_over_ps: Extended) -> Op
 
 /// N at u = e₂, where f' = -(e₂ - e₁)(e₃ - e₂).
 fn at_e2(e: &BranchPoints<Extended>, a_over_ps: Extended) -> f64 {
-    /// Magnitude below which N counts as 0.
+    /// N that counts as 0.
     const NOISE: f64 = 1e-20;
     let d_over_s = a_over_ps + e.one_minus_e2 * e.one_plus_e2();
     let force = (d_over_s - e.e2_minus_e1 * e.e3_minus_e2) / d_over_s;
     if force.abs() > Extended::from(NOISE) { force.to_f64() } else { 0.0 }
 }
 
-/// Cube root of x > 0: one step of Newton's method from the `f64` cube root.
+/// Cube root of x > 0 by a step of Newton's method.
 fn cube_root(x: Extended) -> Extended {
     let root = Extended::from(libm::cbrt(x.to_f64()));
     let square = root.squared();

@@ -1,4 +1,4 @@
-//! Kind of a motion, and of the curve that its tip draws (section 4.2 of the paper).
+//! Kind of a motion and of its tip curve (paper, section 4.2).
 
 use crate::constants::{BranchPoints, Signs};
 use crate::scalar::{Extended, Float, Ring};
@@ -10,9 +10,9 @@ use crate::scalar::{Extended, Float, Ring};
 pub enum Regime {
     /// e₁ < e₂ < e₃: u oscillates between e₁ and e₂.
     Nutating,
-    /// -1 < e₁ = e₂ < 1 and |l| < |n|: the slower regular precession at this tilt and spin.
+    /// -1 < e₁ = e₂ < 1 and |l| < |n|: the slower regular precession.
     SlowPrecession,
-    /// -1 < e₁ = e₂ < 1 and |l| >= |n|: the faster regular precession at this tilt and spin.
+    /// -1 < e₁ = e₂ < 1 and |l| >= |n|: the faster regular precession.
     FastPrecession,
     /// e₁ = e₂ = 1: the axis is upright, and a small push causes a small nutation.
     SleepingStable,
@@ -49,13 +49,13 @@ impl Regime {
         matches!(self, Self::SlowPrecession | Self::FastPrecession)
     }
 
-    /// Whether the axis is vertical at all times; the tip angle does not exist then.
+    /// Whether the axis stays vertical, so that the tip angle does not exist.
     pub fn is_vertical(&self) -> bool {
         matches!(self, Self::SleepingStable | Self::SleepingUnstable | Self::Hanging)
     }
 }
 
-/// Whether the tilt oscillates by more than 2^-49 rad (the rounding of a state), or passes through the vertical.
+/// Whether the tilt oscillates by more than 2^-49 rad (a state's rounding) or passes through the vertical.
 fn u_oscillates(e: &BranchPoints<Extended>) -> bool {
     const STILL: f64 = 1.0 / (1_u64 << 49) as f64;
     let zero = Extended::ZERO;

@@ -1,20 +1,20 @@
 //! Turning points, crossings of a level, and instants of a tip angle.
 //!
-//! The tip angle is monotone between the turning points of u and, on a curve with loops, the phases of u = l/n. On such a piece a bisection
-//! finds the instant. Whole periods that do not reach the angle are skipped.
+//! Between the turning points of u and, on a curve with loops, the phases of u = l/n, the tip angle is monotone: a bisection finds the instant.
+//! Whole periods that do not reach the angle are skipped.
 
 use crate::events::{Event, HALF_PERIOD, Level, at_phase, bisect};
 use crate::phase::{Phase, PhaseFraction};
 use crate::scalar::{Extended, Float, Ring, Scalar};
 use crate::table::{EphemerisScalar, EphemerisView};
 
-/// Events of one kind in the order of time, up to the last tick of `i64`.
+/// Events of one kind in order, up to the last tick of `i64`.
 #[derive(Clone, Copy, Debug)]
 pub struct Events<'a, R: EphemerisScalar> {
     view: &'a EphemerisView<R>,
-    /// Instants of the events, or those at which the tip angle may change direction.
+    /// Instants of the events, or of the ends of monotone pieces.
     instants: RecurringInstants,
-    /// Tip angle that is searched; whole turns do not matter.
+    /// Tip angle that is searched, modulo a turn.
     target: Option<Phase>,
     /// First instant that counts, in ticks.
     from: Extended,
@@ -36,7 +36,7 @@ impl<R: EphemerisScalar> Iterator for Events<'_, R> {
     }
 }
 
-/// Phase difference below which the start counts as an event: the rounding of a tip angle.
+/// Rounding of a tip angle, within which the start is an event.
 const START_TOLERANCE: Phase = Phase::from_bits(1 << 48);
 /// Number of consecutive pieces that contain a whole period.
 const PIECES_OF_A_PERIOD: usize = 5;
@@ -59,8 +59,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Instants at tick `from` or later at which u crosses a level. Roundings decide whether a level within the error bound of e₁ or e₂ is reached.
     ///
-    /// Error of the time: the error bound of the orientation over the rate |u'|/√(1 - u²) of the tilt, and 2^-54 ticks. Cost: 65
-    /// orientations, once.
+    /// Error of the time: the orientation's error bound over the tilt's rate |u'|/√(1 - u²), and 2^-54 ticks. Cost: 65 orientations, once.
     #[must_use]
     pub fn crossings(&self, level: Level, from: i64) -> Events<'_, R> {
         let rising = level.phase(self);
@@ -69,7 +68,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Instants at tick `from` or later at which [`Sample::tip_angle`](crate::Sample::tip_angle) is `angle`, whole turns aside.
     ///
-    /// Error of the time: the error bound of the orientation over 2|αβφ'|, and 2^-54 ticks. Cost: some 100 tip angles.
+    /// Error of the time: the orientation's error bound over 2|αβφ'|, and 2^-54 ticks. Cost: some 100 tip angles.
     #[must_use]
     pub fn tip_angles(&self, angle: Phase, from: i64) -> Events<'_, R> {
         let reversal = self.reversal();
@@ -85,9 +84,9 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.after(ticks).tip_angle_unchecked()
     }
 
-    /// Nutation phase in (0, 1/2) turn at which φ' changes its sign, at most once because |c|² φ' is s² (l - n u)/A.
+    /// Nutation phase in (0, 1/2) turn at which φ' changes its sign; at most one, as |c|² φ' = s² (l - n u)/A.
     fn reversal(&self) -> Option<Phase> {
-        /// Part of the greatest |c| |c'| that counts as 0, in roundings of the scalar.
+        /// Part of the greatest |c| |c'| that counts as 0, in roundings.
         const NOISE: f64 = 64.0;
         // |c|² φ' and |c| |c'|
         let turning = |nutation| {
@@ -160,9 +159,9 @@ impl<R: EphemerisScalar> Events<'_, R> {
         })
     }
 
-    /// Skips periods that do not reach the target. `least` and `greatest` bound the change of the angle over the last period.
+    /// Skips periods that do not reach the target, from the least and greatest change of the angle in the last one.
     fn skip_periods(&mut self, period: Extended, [least, greatest]: [Phase; 2]) -> Option<()> {
-        /// Part of the periods that is skipped at once; the rest allows for roundings.
+        /// Part of the periods skipped at once; the rest allows for roundings.
         const SKIPPED_PART: f64 = 1.0 - 1e-9;
         let per_period = Extended::from(self.view.clock.tip_turn()) * period;
         let upward = per_period > Extended::ZERO;
@@ -208,7 +207,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
     }
 }
 
-/// Phase difference below which a phase counts as that of an event: the rounding of a start.
+/// Rounding of a start, within which a phase is that of an event.
 const PHASE_TOLERANCE: Phase = Phase::from_bits(1 << 46);
 
 /// Next instants of up to four nutation phases, in ticks.
@@ -242,7 +241,7 @@ impl RecurringInstants {
         instants.reduce(|earliest, other| if other.1 < earliest.1 { other } else { earliest })
     }
 
-    /// Next instant, with the index of its phase. It is replaced by the instant one period later.
+    /// Next instant, with the index of its phase; replaced by that of the next period.
     fn pop(&mut self) -> Option<(usize, Extended)> {
         let (index, ticks) = self.peek()?;
         if let Some(next) = self.next.get_mut(index) {
@@ -251,7 +250,7 @@ impl RecurringInstants {
         Some((index, ticks))
     }
 
-    /// Advances all instants by a number of ticks that is a whole number of periods.
+    /// Advances all instants by whole periods, given in ticks.
     fn skip(&mut self, ticks: Extended) {
         self.next = self.next.map(|next| next.map(|next| next + ticks));
     }

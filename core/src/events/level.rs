@@ -58,8 +58,8 @@ impl Level {
         Ok([upper, Self { one_minus_u: large, one_plus_u: small }])
     }
 
-    /// Level above which the normal force is negative: a real top lifts off where u rises through it. `None` if the tip does not slide, or
-    /// the force never changes its sign ([`Motion::min_normal_force`] tells which).
+    /// Level above which the normal force is negative, so that a real top lifts off. `None` if the tip does not slide, or the force never changes
+    /// its sign: see [`Motion::min_normal_force`].
     #[must_use]
     pub fn of_lift_off(motion: &Motion) -> Option<Self> {
         if motion.top().support() != Support::Sliding || motion.is_steady() {

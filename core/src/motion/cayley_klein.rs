@@ -1,4 +1,4 @@
-//! α and β from the nutation half phase χ and the two slow phases A and B (the regularised solution).
+//! α and β from the half phase χ and the slow phases A and B.
 
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, Signs};
@@ -25,7 +25,7 @@ pub(crate) struct Ellipse<R> {
 }
 
 impl Ellipses<f64> {
-    /// Ellipses of a motion whose u oscillates between e₁ and e₂, or rises from e₁ to 1.
+    /// Ellipses of a motion whose u is not constant.
     pub(crate) fn oscillating(e: &BranchPoints<Extended>, signs: Signs) -> Self {
         let root = |x: Extended| x.halved().sqrt().to_f64();
         let (a2, b2) = (root(e.one_plus_e2()), root(e.one_minus_e2));
@@ -67,7 +67,7 @@ impl<R: Real> Ellipses<R> {
         Orientation { alpha: self.alpha.at(chi) * a, beta: self.beta.at(chi) * b }
     }
 
-    /// Rate Φ', from the rates of χ, A and B, rad per unit time.
+    /// Rate Φ', from the rates of χ, A and B, rad/s.
     pub(crate) fn rate(
         &self,
         chi: Complex<R>,
@@ -92,7 +92,7 @@ impl<R: Real> Ellipse<R> {
         self.at(chi.times_i())
     }
 
-    /// Rate of the Cayley-Klein parameter divided by e^{i slow phase}, from the rates of χ and of the slow phase.
+    /// Rate of the parameter divided by e^{i slow phase}, from the rates of χ and of the slow phase.
     pub(crate) fn rate(&self, chi: Complex<R>, [nutation, slow]: [R; 2]) -> Complex<R> {
         self.derivative(chi).scaled(nutation) + self.at(chi).times_i().scaled(slow)
     }
@@ -114,7 +114,7 @@ impl<R: Real> Ellipse<R> {
         Phase::from_radians(value.arg().to_f64())
     }
 
-    /// Argument of the ellipse, continuous in χ: ±χ plus at most a quarter turn. It counts as 0 where the ellipse passes through 0.
+    /// Argument of the ellipse, continuous in χ: ±χ plus at most a quarter turn; 0 for an ellipse through 0.
     ///
     /// * `whole_chi`: χ with its whole turns
     pub(crate) fn continued_argument(&self, chi: Complex<R>, whole_chi: Phase) -> Phase {

@@ -14,7 +14,7 @@ pub(crate) fn gudermannian<R: Real>(v: R) -> Complex<R> {
     Complex::new(q.doubled() * per_sum, if v < R::ZERO { -tanh } else { tanh })
 }
 
-/// Variable v whose Gudermannian is the argument of a number with a positive real part, by Newton's method.
+/// Variable v whose Gudermannian is the argument of a number, by Newton's method.
 pub(crate) fn inverse_gudermannian(direction: Complex<f64>) -> f64 {
     const MOST_STEPS: u32 = 10;
     let tangent = direction.im.abs() / direction.re;

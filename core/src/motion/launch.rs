@@ -10,7 +10,7 @@ use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 
 impl Motion {
-    /// Motion from a state, whose numbers count as exact.
+    /// Motion from a state.
     ///
     /// # Errors
     /// `omega`: so large that e₃ would exceed 1e14.
@@ -40,7 +40,7 @@ impl Motion {
     ///
     /// # Errors
     /// See [`launch`](Self::launch).
-    #[inline(never)] // a launch must not remain on the stack during the work that follows
+    #[inline(never)] // stack
     pub fn launch_with_pauses(
         top: &Top,
         state: &State,
@@ -52,7 +52,7 @@ impl Motion {
         pause();
         let mut launched =
             Ok(Self::with_constants(top, &integrals, e, integrals.signs(), point.is_sleeping()));
-        // in place, because a copy would double the stack
+        // in place: a copy doubles the stack
         if let Ok(motion) = &mut launched {
             pause();
             motion.rounding = LaunchRounding::new(top, &integrals, &point, &e, state);
@@ -125,7 +125,7 @@ impl Motion {
     ) -> Self {
         let ScaledTop { a, c, k, .. } = ScaledTop::<Extended>::new(top);
         let regime = Regime::new(&e, signs, upright);
-        // also a nutation below the threshold of the regime has a period
+        // also a nutation below the regime's threshold has a period
         let is_steady = e.e2_minus_e1 == Extended::ZERO || regime == Regime::SleepingUnstable;
         let mut motion = Self {
             top: *top,

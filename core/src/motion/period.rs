@@ -14,11 +14,11 @@ use crate::scalar::{Extended, Float, Ring};
 pub struct PeriodAdvance {
     /// Period T: time from u = e₁ to e₂ and back to e₁, in the unit of time (s).
     pub period: f64,
-    /// Advance (arg α(t+T) - arg α(t))/2π; for e₁ = -1, where α passes through 0, that of α with a signed modulus.
+    /// Advance (arg α(t+T) - arg α(t))/2π; for e₁ = -1 of α with a signed modulus.
     pub alpha_turns: f64,
-    /// Advance (arg β(t+T) - arg β(t))/2π; for e₂ = 1, where β passes through 0, that of β with a signed modulus.
+    /// Advance (arg β(t+T) - arg β(t))/2π; for e₂ = 1 of β with a signed modulus.
     pub beta_turns: f64,
-    /// Sum of the other two advances before they are rounded, rad.
+    /// Sum of both advances before rounding, rad.
     phi: f64,
 }
 
@@ -32,7 +32,7 @@ impl PeriodAdvance {
         Self { period: time.to_f64(), alpha_turns, beta_turns, phi: phi.to_f64() }
     }
 
-    /// Advance of the tip angle φ over one period, rad; where the curve passes through the centre, with a signed radius.
+    /// Advance of the tip angle φ over a period, rad; through the centre with a signed radius.
     pub fn phi_per_period(&self) -> f64 {
         self.phi
     }
@@ -45,7 +45,7 @@ pub(crate) struct Period {
     pub(crate) time: Extended,
     /// Angles ψ_A(T) and ψ_B(T), rad.
     pub(crate) psi: [Extended; 2],
-    /// Estimated error of the trapezoid rule: relative to the period, and relative to |ψ_A| + |ψ_B|.
+    /// Estimated error of the trapezoid rule, relative to T and to |ψ_A| + |ψ_B|.
     pub(crate) relative_error: f64,
     /// Relative error of one operation of the quadrature.
     pub(crate) operation_error: f64,

@@ -1,6 +1,6 @@
 //! Phase equations: rates of χ, ψ_A and ψ_B.
 //!
-//! With the half phase χ = θ/2, sin²χ = (u - e₁)/(e₂ - e₁), they are smooth at the turning points and at the vertical:
+//! With sin²χ = (u - e₁)/(e₂ - e₁) they are smooth at the turning points and at the vertical:
 //!
 //! ```text
 //! χ' = √( g (e₃ - u) / (2 D) ),    D(u) = A/p + s (1 - u²)
@@ -15,7 +15,7 @@ use crate::complex::Complex;
 use crate::constants::{BranchPoints, Signs};
 use crate::scalar::{Float, Ring};
 
-/// Rates of the three phases, rad per unit time.
+/// Rates of the three phases, rad/s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PhaseRates<R> {
     /// Rate χ' for a nutating motion, v' for an aperiodic one.
@@ -46,11 +46,11 @@ pub struct PhaseEquations<F> {
     pub(crate) s_times_e3_minus_one: F,
     /// Half of the gravity, g/2, m/s².
     pub(crate) half_g: F,
-    /// Rate (l + n)/(2A), rad per unit time.
+    /// Rate (l + n)/(2A), rad/s.
     pub(crate) alpha_scale: F,
     /// Time 2 √(A/(2 p g (e₃ + 1))); its product with χ' makes ψ_A' smooth.
     pub(crate) alpha_smoothing: F,
-    /// Rate s₋ √(2 A p g (1-e₁)(1-e₂))/(2A), rad per unit time.
+    /// Rate s₋ √(2 A p g (1-e₁)(1-e₂))/(2A), rad/s.
     pub(crate) beta_scale: F,
     /// Root √(e₃ - 1).
     pub(crate) root_e3_minus_one: F,
@@ -124,9 +124,9 @@ impl<F: Float> PhaseEquations<F> {
         }
     }
 
-    /// Equations of a body without torque, the limit e₃ → ∞: χ' is constant, and ψ_A' and ψ_B' are 0.
+    /// Equations without torque, the limit e₃ → ∞: χ' is constant, and ψ_A' and ψ_B' are 0.
     ///
-    /// The constants are e₃ - u = D = 1 and g/2 = χ'², so that the formula of χ' gives the constant rate.
+    /// With e₃ - u = D = 1 and g/2 = χ'² the formula of χ' gives the constant rate.
     pub(crate) fn torque_free(chi_rate: F, e: &BranchPoints<F>) -> Self {
         Self {
             one_plus_e1: e.one_plus_e1,

@@ -27,8 +27,8 @@ impl Motion {
     /// Sets the half phase at a point of the reduced curve.
     ///
     /// √(e₂ - e₁) sin χ = √(u - e₁), and √(e₂ - e₁) cos χ = ±√(e₂ - u) with the sign of u'. In an aperiodic motion sin χ has that sign
-    /// instead. The smaller difference comes from (u - e₁)(e₂ - u) = g₀/(e₃ - u), without a subtraction.
-    #[inline(never)] // keeps the stack small
+    /// instead. The smaller difference comes from (u - e₁)(e₂ - u) = g₀/(e₃ - u).
+    #[inline(never)] // stack
     pub(super) fn start_nutation(&mut self, point: &ReducedPoint) {
         let ScaledTop { a, s, p, g, .. } = self.scaled_top();
         let ReducedPoint { one_minus_u, one_plus_u, udot, .. } = *point;
@@ -63,7 +63,7 @@ impl Motion {
     }
 
     /// Sets the slow phases at an attitude, whose half phase is known.
-    #[inline(never)] // keeps the stack small
+    #[inline(never)] // stack
     pub(super) fn start_slow_phases(
         &mut self,
         AttitudeState { orientation: phi, rate }: &AttitudeState<f64>,
@@ -97,7 +97,7 @@ pub(super) fn attitude(state: &State) -> AttitudeState<f64> {
     }
 }
 
-/// Half phase χ in [0, 1/2] turn of a number along e^{iχ}, with full relative precision near 0, 1/4 and 1/2 turn.
+/// Half phase χ in [0, 1/2] turn of a number along e^{iχ}, relatively exact near 0, 1/4 and 1/2 turn.
 fn half_phase_of_direction(Complex { re: cosine, im: sine }: Complex<f64>) -> Phase {
     let from = |y: f64, x: f64| Phase::from_radians(libm::atan2(y, x));
     if cosine.abs() < sine {
@@ -119,7 +119,7 @@ pub(super) fn half_phase_of_angle(theta: f64) -> Phase {
     (Extended::from(theta).in_turns() * Extended::from(0.5)).to_phase()
 }
 
-/// Slow phase of a parameter z with rate z': the least-squares rotation of the ellipse and its rate to z and z'.
+/// Slow phase of a parameter: the least-squares rotation of the ellipse and its rate to z and z'.
 fn slow_phase(ellipse: &Ellipse<f64>, chi: Complex<f64>, rates: [f64; 2], z: [Complex<f64>; 2]) -> Phase {
     let [value, rate] = z;
     let (model, model_rate) = (ellipse.at(chi), ellipse.rate(chi, rates));

@@ -1,15 +1,15 @@
-//! Fraction of a turn as an integer of 96 bits: the type of an ephemeris' phases.
+//! Fraction of a turn, the type of a table's phases.
 
 use super::Phase;
 use crate::product::{product_u32, wrapping_product};
 
 /// Fraction of a turn in 96 bits; whole turns are dropped.
 ///
-/// The rounding of an increment to 2^-96 turns causes an error of 4e-17 rad after 2^40 ticks (1.9e-7 rad with 64 bits).
+/// Its rounding causes 4e-17 rad after 2^40 ticks (1.9e-7 rad with 64 bits).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct PhaseFraction {
-    /// Words of 32 bits, the least significant first; an array of words has no alignment gaps.
+    /// Words of 32 bits, the least significant first.
     words: [u32; 3],
 }
 
@@ -72,8 +72,7 @@ impl PhaseFraction {
         Self::new([low, sum as u32, (sum >> 32) as u32])
     }
 
-    /// 64 leading bits of n times the fraction, plus `part`, in units of 2^-64, times the fraction as a signed phase. Rounded down, to
-    /// within 2^-95 turns.
+    /// 64 leading bits of n + part · 2^-64 times the fraction, the part of a signed phase. Rounded down, to within 2^-95 turns.
     #[inline(always)]
     pub(crate) const fn leading_bits_after(self, n: u64, part: u64) -> u64 {
         let ([low, ..], leading) = (self.words, self.leading());

@@ -1,5 +1,4 @@
-//! Numbers of the crate `fixed` as scalars: [`I2F30`] and [`I2F14`], with the range [-2, 2). The quantities of a tick are at most 1 in
-//! magnitude.
+//! [`I2F30`] and [`I2F14`] of the crate `fixed` as scalars. The quantities of a tick are at most 1, and the range is [-2, 2).
 
 use crate::phase::Phase;
 use crate::product::high_product;

@@ -24,7 +24,7 @@ pub(crate) fn power_of_two_f32(exponent: i32) -> f32 {
     }
 }
 
-/// Number as an `f32`, with at most two roundings. An FPU converts a word of 32 bits in one instruction, 64 bits in forty.
+/// Number as an `f32`, with at most two roundings. An FPU converts 32 bits in one instruction, 64 bits in forty.
 #[inline(always)]
 pub(crate) fn u64_to_f32(number: u64) -> f32 {
     const WORD: f32 = (1_u64 << 32) as f32;
@@ -32,8 +32,8 @@ pub(crate) fn u64_to_f32(number: u64) -> f32 {
     if upper == 0 { lower as f32 } else { upper as f32 * WORD + lower as f32 }
 }
 
-/// Product x · 2^exponent, for a tenth of the cost of a soft multiplication.
-#[inline(never)] // a call, which takes less flash than the product that it replaces
+/// Product x · 2^exponent, at a tenth of a soft multiplication.
+#[inline(never)] // a call saves flash
 pub(crate) fn times_power_of_two(x: f64, exponent: i32) -> f64 {
     let (upper, lower) = ((x.to_bits() >> 32) as u32, x.to_bits() as u32);
     let field = ((upper >> 20) & 0x7ff) as i32;

@@ -38,7 +38,7 @@ pub const COSINE: [f64; 9] = [
     0.27945867147528963,
 ];
 
-/// Integer over 2^64, rounded once. Two conversions of 32 bits, because chips have no instruction for one of 64.
+/// Integer over 2^64, rounded once, by two conversions of 32 bits.
 #[inline(always)]
 pub(crate) const fn fraction_of_word(word: i64) -> f64 {
     const SCALE: f64 = 1.0 / (1_u64 << 32) as f64;
@@ -52,14 +52,13 @@ pub(crate) const fn sine_cosine_f64(phase: u64) -> (f64, f64) {
     quarter_turns(quadrant as u32, fraction_of_word(phase.wrapping_sub(quadrant << 62) as i64))
 }
 
-/// (sin 2πx, cos 2πx) of a phase of x turns. The error is relative to the result near its zeros.
+/// (sin 2πx, cos 2πx) of a phase of x turns. The error is relative near the zeros.
 pub(super) fn sine_cosine_of_phase(phase: Phase) -> (f64, f64) {
     let (quadrant, rest) = phase.quadrant();
     quarter_turns(quadrant, rest.to_f64())
 }
 
-/// (sin x, cos x) of an angle of x rad up to 1e6. Error: below 4e-16, relative to the result near its zeros. The functions of libm would
-/// take several kilobytes of flash.
+/// (sin x, cos x) of an angle of x rad up to 1e6. Error: below 4e-16, relative near the zeros. Those of libm take several kilobytes of flash.
 pub(crate) fn sine_cosine_of_radians(x: f64) -> (f64, f64) {
     if x.abs() < core::f64::consts::FRAC_PI_4 {
         return quarter_turns(0, x * (0.5 * core::f64::consts::FRAC_1_PI));
@@ -67,8 +66,7 @@ pub(crate) fn sine_cosine_of_radians(x: f64) -> (f64, f64) {
     sine_cosine_of_phase(Extended::from(x).in_turns().to_phase())
 }
 
-/// (sin, cos) of `quadrant` quarter turns plus x turns, |x| <= 1/8. The error is relative to the result near its
-/// zeros.
+/// (sin, cos) of `quadrant` quarter turns plus x turns, |x| <= 1/8. The error is relative near the zeros.
 #[inline]
 const fn quarter_turns(quadrant: u32, x: f64) -> (f64, f64) {
     let y = x * x;
@@ -86,11 +84,11 @@ const fn horner(mut coefficients: &[f64], y: f64) -> f64 {
     sum
 }
 
-/// Number of points on the circle; every phase is within 1/1024 turn of one of them.
+/// Number of points on the circle.
 const POINTS: usize = 512;
 
 /// Table of 2^31 sin(k/512 turn), limited to 2^31 - 1. The entries a quarter turn later are the cosines.
-#[allow(clippy::indexing_slicing)] // evaluated by the compiler, which would refuse an index out of range
+#[allow(clippy::indexing_slicing)] // in a constant, an index out of range does not compile
 pub static SINES: [i32; POINTS + POINTS / 4] = {
     let mut sines = [0; POINTS + POINTS / 4];
     let mut i = 0;
@@ -112,7 +110,7 @@ pub const LINEAR: i32 = (DISTANCE * (1_u64 << 38) as f64) as i32;
 pub const CUBIC: i32 = (DISTANCE * DISTANCE * DISTANCE / 6.0 * (1_u64 << 32) as f64 + 0.5) as i32;
 /// Coefficient of the versine d²/2, times 2^30. The next term, d⁴/24, is an eighth of a unit.
 pub const VERSINE: i32 = (DISTANCE * DISTANCE / 2.0 * (1_u64 << 30) as f64 + 0.5) as i32;
-/// Coefficient of the linear approximation d (1 - d²/8) to sin d, times 2^33. It replaces d - d³/6 where 26 bits are enough.
+/// Coefficient of d (1 - d²/8), times 2^33. It replaces d - d³/6 where 26 bits are enough.
 pub const SECANT: i32 = (DISTANCE * (1.0 - DISTANCE * DISTANCE / 8.0) * (1_u64 << 33) as f64) as i32;
 
 /// (sin 2πx, cos 2πx)·2^31 of the 32 leading bits of a phase. Error: below 2.45 units, 1.2e-9.
@@ -132,7 +130,7 @@ pub(crate) fn sine_cosine_q31(phase: u32) -> (i32, i32) {
     (sine + ((sine_change + 16) >> 5), cosine - ((cosine_change + 16) >> 5))
 }
 
-/// [`sine_cosine_q31`] with fewer bits, for conversion to `f32`. Error: below 25 units, 1.2e-8.
+/// [`sine_cosine_q31`] for conversion to `f32`. Error: below 25 units, 1.2e-8.
 #[inline(always)]
 pub(crate) fn sine_cosine_q26(phase: u32) -> (i32, i32) {
     let (sine, cosine) = point(phase);
@@ -145,8 +143,8 @@ pub(crate) fn sine_cosine_q26(phase: u32) -> (i32, i32) {
     )
 }
 
-/// (sin 2πx, cos 2πx)·2^30 as [`sine_cosine_q31`], by 16-bit products only. Error: below 2.2e-5. The nearest point is moved along
-/// its tangent, so that the results may exceed 1.
+/// (sin 2πx, cos 2πx)·2^30 as [`sine_cosine_q31`], by 16-bit products only. Error: below 2.2e-5. A point is moved along its tangent, so that
+/// results may exceed 1.
 #[cfg(feature = "fixed")]
 #[inline(always)]
 pub(crate) fn sine_cosine_q15(phase: u32) -> (i32, i32) {

@@ -1,7 +1,6 @@
-//! Floating-point numbers with a significand of one or two words of 64 bits, computed in integers.
+//! Floating-point numbers of one or two words of 64 bits, in integers.
 //!
-//! A launch computes in 128 bits, so that small differences that the `f64` input determines exactly keep their digits. An exact product
-//! has twice as many words.
+//! In 128 bits the small differences of a launch keep their digits. An exact product has twice as many words.
 
 mod words;
 
@@ -43,7 +42,7 @@ impl<const WORDS: usize> Wide<WORDS> {
     }
 
     /// Number value · 2^(exponent - 128), rounded to the nearest, for a value with the leading bit set.
-    #[allow(clippy::indexing_slicing)] // evaluated by the compiler, which would refuse an index out of range
+    #[allow(clippy::indexing_slicing)] // in a constant, an index out of range does not compile
     const fn constant(value: u128, exponent: i32) -> Self {
         let value = if WORDS == 1 { value + (value & 1 << 63) } else { value };
         let mut significand = [0; WORDS];
@@ -114,7 +113,7 @@ impl<const WORDS: usize> Exact<WORDS> {
     }
 
     /// Sum, rounded to the nearest.
-    #[inline(never)] // a call, because a copy in each operation would take much of a chip's flash
+    #[inline(never)] // a call saves flash
     fn plus(self, other: Self) -> Wide<WORDS> {
         let (mut sum, mut smaller) =
             if self.magnitude() < other.magnitude() { (other, self) } else { (self, other) };

@@ -1,13 +1,12 @@
 //! Conversions to and from the rotations of nalgebra (feature `nalgebra`).
 //!
-//! A `UnitQuaternion` and an [`Orientation`] are the same element of SU(2), *sign included*. A `Rotation3` has no sign; nalgebra
-//! chooses it.
+//! A `UnitQuaternion` keeps the sign of an [`Orientation`]. A `Rotation3` has none; nalgebra chooses it.
 
 use super::Orientation;
 use crate::scalar::Ring;
 use nalgebra::{Quaternion, RealField, Rotation3, UnitQuaternion};
 
-/// Conversion without normalisation: Φ must have unit norm, as every orientation of this crate does.
+/// Conversion without normalisation.
 impl<R: Ring + RealField> From<Orientation<R>> for UnitQuaternion<R> {
     fn from(orientation: Orientation<R>) -> Self {
         let [w, x, y, z] = orientation.quaternion();
@@ -15,7 +14,7 @@ impl<R: Ring + RealField> From<Orientation<R>> for UnitQuaternion<R> {
     }
 }
 
-/// Exact conversion: the components are copied.
+/// Exact conversion.
 impl<R: Ring + RealField> From<UnitQuaternion<R>> for Orientation<R> {
     fn from(q: UnitQuaternion<R>) -> Self {
         Self::from_quaternion([q.w, q.i, q.j, q.k])

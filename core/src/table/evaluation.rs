@@ -80,7 +80,7 @@ pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
     const TRUNCATION: f64 = 2.0 * Self::ROUNDING;
     /// Number of coefficients of a polynomial.
     const TERMS: usize;
-    /// Number of 64-bit words of the numbers in which its period is integrated. With 1 word the rates along the path are `f64`.
+    /// Number of 64-bit words in which its period is integrated. With 1 the rates along the path are `f64`.
     #[doc(hidden)]
     const PERIOD_WORDS: usize = 1;
     /// Segment whose coefficients are all 0.
@@ -104,7 +104,7 @@ pub(crate) type NumberOf<R> = <<R as EphemerisScalar>::Coefficient as Coefficien
 /// Sum of Horner's rule for a coefficient.
 type SumOf<C> = <<C as Coefficient>::Number as Number>::Sum;
 
-/// Number of the results. Angular velocities are its multiples by a power of two.
+/// Number of the results; a velocity is a multiple by a power of two.
 #[doc(hidden)]
 pub trait Number: Ring + Into<Self::Quantity> {
     /// Sum of Horner's rule, and the local coordinate.
@@ -162,7 +162,7 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     fn difference(sines_cosines: [[SumOf<Self>; 2]; 2]) -> [SumOf<Self>; 2];
 }
 
-/// Whether 16 bits of x are enough for a sum that is multiplied by this power of x.
+/// Whether 16 bits of x are enough for this power.
 #[inline(always)]
 const fn is_by_16_bits(power: usize, terms: usize) -> bool {
     2 * power > terms
@@ -176,13 +176,13 @@ pub(crate) fn orientation<C: Coefficient>(
     [a, b]: [u64; 2],
 ) -> Orientation<C::Number> {
     let [[re_a, im_a, re_b, im_b], _] = polynomials::<C, false>(rows, point);
-    // each sine is computed when it is needed: the smallest chips have few registers
+    // each sine where it is needed: the smallest chips have few registers
     let alpha = C::rotated([re_a, im_a], point.is_falling, C::sine_cosine(a, rows.len()));
     let beta = C::rotated([re_b, im_b], point.is_falling, C::sine_cosine(b, rows.len()));
     Orientation { alpha, beta }
 }
 
-/// Orientation, and the angular velocity Ω in the body frame over a power of two, with the exponent of that power.
+/// Orientation, and Ω over a power of two with its exponent.
 #[inline(always)]
 pub(crate) fn orientation_and_omega_body<C: Coefficient>(
     rows: &[[C; 4]],
@@ -206,7 +206,7 @@ fn polynomials<C: Coefficient, const SLOPES: bool>(
     point: SegmentPoint,
 ) -> [[SumOf<C>; 4]; 2] {
     let x = C::coordinate(point);
-    // all together suit vector units; the smallest chips have too few registers for four integers
+    // four for vector units, two for the few registers of the smallest chips
     if cfg!(target_pointer_width = "64") || size_of::<C>() == 8 {
         return horner::<C, 4, SLOPES>(rows, x, |four| *four);
     }
@@ -217,7 +217,7 @@ fn polynomials<C: Coefficient, const SLOPES: bool>(
     [[re_a, im_a, re_b, im_b], [re_slope_a, im_slope_a, re_slope_b, im_slope_b]]
 }
 
-/// Polynomials and, if `SLOPES`, their derivatives by Horner's rule. A row is borrowed because the compiler then recognises a vector.
+/// Polynomials and, if `SLOPES`, their derivatives by Horner's rule. A borrowed row lets the compiler recognise a vector.
 #[inline(always)]
 fn horner<C: Coefficient, const N: usize, const SLOPES: bool>(
     rows: &[[C; 4]],

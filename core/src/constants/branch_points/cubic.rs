@@ -29,11 +29,11 @@ impl Cubic {
         })
     }
 
-    /// Upper bound on the largest root, so close that even linear convergence, to a multiple root, takes few steps.
-    #[inline(never)] // keeps the stack small
+    /// Upper bound on the largest root, from which linear convergence takes few steps.
+    #[inline(never)] // stack
     fn upper_bound(&self) -> Extended {
         let (Self { g0, g1, g2 }, zero) = (*self, Extended::ZERO);
-        // a power of two, because the cube root of libm would take much of a chip's flash
+        // a power of two, because libm's cube root takes much flash
         let cube_root = Extended::from(power_of_two((exponent(g0.to_f64()) + 2).div_euclid(3)));
         let bound = g2.abs().max(g1.abs().sqrt()).max(cube_root).doubled();
         if g2 <= zero {
@@ -46,8 +46,8 @@ impl Cubic {
         if of_quadratic < bound { of_quadratic.max(zero) } else { bound }
     }
 
-    /// Largest root, by Newton's method from above, where the iterates decrease.
-    #[inline(never)] // keeps the stack small
+    /// Largest root, by Newton's method from above.
+    #[inline(never)] // stack
     pub(super) fn largest_root(&self, pause: &mut dyn FnMut()) -> Extended {
         const MOST_STEPS: u32 = 200;
         let mut y = self.upper_bound();

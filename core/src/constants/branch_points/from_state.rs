@@ -1,4 +1,4 @@
-//! Branch points of the motion through a point (u, u') of the reduced curve. Three forms avoid all cancellation:
+//! Branch points of the motion through a point (u, u') of the reduced curve, without cancellation:
 //!
 //! * With torque, e₁ - u and e₂ - u have opposite signs, which gives e₂ - e₁. So do 1 - e₂ and 1 - e₃, which gives e₃ - e₂.
 //! * With torque and an upright axis at rest, 1 is a double root, and the third root decides whether the top sleeps.
@@ -36,7 +36,7 @@ impl BranchPoints {
 }
 
 impl BranchPoints<Extended> {
-    #[inline(never)] // keeps the stack small
+    #[inline(never)] // stack
     pub(crate) fn from_reduced_point(
         top: &Top,
         integrals: &FirstIntegrals<Extended>,
@@ -54,7 +54,7 @@ impl BranchPoints<Extended> {
         }
     }
 
-    /// Branch points from their differences; the pair is e₃ - e₂ and e₃ - 1.
+    /// Branch points from their differences.
     fn from_differences(
         one_plus_e1: Extended,
         one_minus_e2: Extended,
@@ -75,7 +75,7 @@ impl BranchPoints<Extended> {
     }
 
     /// Branch points without torque; e₁ = e₂ = u for a body at rest.
-    #[inline(never)] // keeps the stack small
+    #[inline(never)] // stack
     fn torque_free(top: &Top, integrals: &FirstIntegrals<Extended>, point: &ReducedPoint) -> Self {
         let (ScaledTop { a, .. }, zero) = (ScaledTop::new(top), Extended::ZERO);
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
@@ -95,9 +95,9 @@ impl BranchPoints<Extended> {
         Self::from_differences(one_plus_e1, one_minus_e2, e2_minus_e1, infinite)
     }
 
-    /// Branch points of an upright axis at rest. The third root is n²/(2 A p g) - 1; the top sleeps if it is at least 1.
-    /// The number n² - 4 A p g has a single rounding, so it is 0 exactly on the border of stability.
-    #[inline(never)] // keeps the stack small
+    /// Branch points of an upright axis at rest. The third root n²/(2 A p g) - 1 is at least 1 for a sleeping top. n² - 4 A p g is rounded once,
+    /// so that it is exactly 0 on the border.
+    #[inline(never)] // stack
     fn upright(
         &ScaledTop { a, p, g, .. }: &ScaledTop<Extended>,
         n: Extended,
@@ -113,7 +113,7 @@ impl BranchPoints<Extended> {
     }
 
     /// All branch points from the lower two.
-    #[inline(never)] // keeps the stack small
+    #[inline(never)] // stack
     fn from_lower_pair(
         pair: &LowerPair,
         integrals: &FirstIntegrals<Extended>,
@@ -163,7 +163,7 @@ struct LowerPair {
 }
 
 impl LowerPair {
-    #[inline(never)] // keeps the stack small
+    #[inline(never)] // stack
     fn new(
         top: &ScaledTop<Extended>,
         integrals: &FirstIntegrals<Extended>,

@@ -1,4 +1,4 @@
-//! Branch points from the first integrals, and first integrals from the branch points.
+//! Branch points from first integrals, and the inverse.
 
 use super::BranchPoints;
 use crate::body::{ParameterError, ScaledTop, Top, check_finite};
@@ -24,8 +24,7 @@ impl BranchPoints {
         Ok(BranchPoints::from_reduced_point(top, &integrals, &point, &mut || {}).map_err(refused)?.to_f64())
     }
 
-    /// First integrals of the motion with these branch points and signs (equation (3.6) of the paper). Without torque the branch
-    /// points do not determine them, and the result has l = n = 0.
+    /// First integrals of branch points and signs (equation (3.6)). Without torque they are not determined, and l = n = 0.
     pub fn integrals(&self, top: &Top, signs: Signs) -> FirstIntegrals {
         self.map(Extended::from).scaled_integrals(top, signs).in_top_units(top)
     }
@@ -48,7 +47,7 @@ impl BranchPoints<Extended> {
     }
 }
 
-/// Point of the reduced curve at which (e₄² - u²) u'² is greatest; `None` where no motion has these integrals.
+/// Point at which (e₄² - u²) u'² is greatest; `None` where no motion has these integrals.
 fn point_of_greatest_cubic(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<ReducedPoint> {
     /// Relative tolerance for the `f64` roundings of l, n and h.
     const NOISE: f64 = 1e-15;

@@ -1,4 +1,4 @@
-//! Phase equations with an elliptic argument v as the variable of integration.
+//! Phase equations in an elliptic argument v.
 //!
 //! D = A/p + s (1 - u²) is the product of d₊ = E + √s u and d₋ = E - √s u, with E = √(A/p + s) = √s e₄. The elliptic functions
 //! belong to the branch points -e₄, e₁, e₂ and the lesser of e₃ and e₄. With f = e₃ - u, or f = d₋ where e₄ < e₃:
@@ -10,8 +10,7 @@
 //! e₄ < e₃:    dt/dv = √(2/(g f(e₁) d₊(e₂))) d₋ d₊/√(e₃ - u),    χ' = √(g d₊(e₁)/(2 f(e₁))) √(e₃ - u)/(d₊ dn v)
 //! ```
 //!
-//! v runs from 0 at u = e₁ to K at u = e₂. All singularities have the imaginary part K', so K/K' tells the number of nodes. For s = 0, e₄ is
-//! infinite.
+//! v runs from 0 at u = e₁ to K at u = e₂. All singularities have the imaginary part K', so that K/K' tells the number of nodes.
 
 use super::landen::JacobiFractions;
 use crate::motion::phase_equations::PhaseEquations;
@@ -35,7 +34,7 @@ pub(super) struct EllipticEquations<'a, F> {
 }
 
 impl<'a, F: Float> EllipticEquations<'a, F> {
-    #[inline(never)] // keeps the stack small
+    #[inline(never)] // stack
     pub(super) fn new(equations: &'a PhaseEquations<F>) -> Self {
         let root_s = equations.s.sqrt();
         let d_plus_at_minus_one = equations.a_over_p / ((equations.a_over_p + equations.s).sqrt() + root_s);

@@ -2,7 +2,7 @@
 
 use crate::scalar::{Float, Ring, Wide};
 
-/// Fractions sn² u, cn² u and dn u before their division. The first two have the denominator sn + cn.
+/// Fractions sn² u, cn² u and dn u before division. The first two have the denominator sn + cn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct JacobiFractions<F> {
     /// Numerator of sn².
@@ -17,7 +17,7 @@ pub(super) struct JacobiFractions<F> {
 
 /// Sequence of Landen transformations of one parameter.
 pub(super) struct Landen<const WORDS: usize> {
-    /// Transformations in order of decreasing modulus. Those that would change nothing have the modulus 0.
+    /// Transformations of decreasing modulus; 0 where nothing changes.
     steps: [LandenStep<Wide<WORDS>>; LANDEN_STEPS],
     /// Product of (1 + k)² over all steps.
     scale: Wide<WORDS>,
@@ -38,11 +38,11 @@ struct LandenStep<F> {
     scaled_modulus: F,
 }
 
-/// Greatest number of Landen transformations. Each squares a small modulus: m₁ = 1/2 needs five, 1e-15 nine, 1e-300 twelve.
+/// Greatest number of transformations: m₁ = 1/2 needs five, 1e-15 nine, 1e-300 twelve.
 const LANDEN_STEPS: usize = 12;
 
 impl<const WORDS: usize> Landen<WORDS> {
-    /// Modulus of a transformation that changes the period by less than the other errors.
+    /// Modulus whose transformation is negligible.
     const LEAST_MODULUS: f64 = if WORDS == 1 { 2e-20 } else { 1e-33 };
 
     /// Sequence for m = 0.
@@ -88,8 +88,8 @@ impl<const WORDS: usize> Landen<WORDS> {
         self.active_steps().fold(half_pi, |product, step| product * (Wide::ONE + step.modulus))
     }
 
-    /// Division of K with which the trapezoid rule decreases its error by this number of bits: the first division, into 1, 3 or 5 parts,
-    /// and the number of nodes after at least two doublings, which the estimate of the error needs.
+    /// Division of K for this number of bits: into 1, 3 or 5 parts, and the number of nodes after the doublings, two at least for the estimate of
+    /// the error.
     pub(super) fn node_counts(&self, bits: f64) -> (u32, u32) {
         let nodes = bits / self.bits_per_node();
         let doubled = |division: u32| {
@@ -105,7 +105,7 @@ impl<const WORDS: usize> Landen<WORDS> {
             .fold(doubled(1), |least, next| if next.1 < least.1 { next } else { least })
     }
 
-    /// Number of bits by which each node decreases the error: -2 log₂ q for the nome q = e^{-πK'/K}, to a few percent.
+    /// Bits of accuracy by each node: -2 log₂ q for the nome q = e^{-πK'/K}, to a few percent.
     fn bits_per_node(&self) -> f64 {
         // the modulus after n transformations is nearly 4 q^(2^(n-1)); its exponent is its logarithm to a percent
         let last = self.active_steps().fold((1.0, 64.0), |(weight, _), step| {
@@ -115,7 +115,7 @@ impl<const WORDS: usize> Landen<WORDS> {
         2.0 * last.1
     }
 
-    /// Squares at u = 2 K φ/π, from sin φ and cos φ, without a division: sn² and cn² are kept as fractions X/W and Y/W.
+    /// Squares at u = 2 K φ/π, from sin φ and cos φ, with sn² = X/W and cn² = Y/W.
     #[inline(never)]
     pub(super) fn fractions_at_angle(
         &self,

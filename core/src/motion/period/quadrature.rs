@@ -1,4 +1,4 @@
-//! Trapezoid rule over a nutation period, in the elliptic argument of [`EllipticEquations`].
+//! Trapezoid rule over a nutation period, in the argument of [`EllipticEquations`].
 //!
 //! It converges geometrically, at a known rate.
 
@@ -37,7 +37,7 @@ impl Period {
 struct TrapezoidRule<'a, const WORDS: usize> {
     equations: &'a EllipticEquations<'a, Wide<WORDS>>,
     landen: &'a Landen<WORDS>,
-    /// Sums of the integrands of t, ψ_A and ψ_B without their factors; the ends have half weight.
+    /// Sums of the integrands of t, ψ_A and ψ_B without factors; the ends count half.
     sums: [Wide<WORDS>; 3],
     nodes: u32,
     /// Sine and cosine of the angle between two nodes.
@@ -49,11 +49,11 @@ struct TrapezoidRule<'a, const WORDS: usize> {
 impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
     /// Bits of accuracy that the first nodes should reach. Few motions then need a doubling.
     const BITS: f64 = if WORDS == 1 { 66.0 } else { 105.0 };
-    /// Estimated relative error at which no more nodes are added. After 2^62 ticks, a thousand a period, it is 3e16 times as large.
+    /// Estimated relative error that ends the doublings. After 2^62 ticks, a thousand a period, it is 3e16 times as large.
     const SETTLED: f64 = if WORDS == 1 { 1e-17 } else { 1e-28 };
 
     /// Rule with the first nodes.
-    #[inline(never)] // keeps the stack small
+    #[inline(never)] // stack
     fn new(
         equations: &'a EllipticEquations<'a, Wide<WORDS>>,
         landen: &'a Landen<WORDS>,
@@ -123,7 +123,7 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
     }
 
     fn period(&self, relative_error: f64) -> Period {
-        // both halves of the period are equal, so that a node has the weight 2 K over the number of nodes
+        // a node has the weight 2 K over the number of nodes, as both halves are equal
         let weight = self.landen.quarter_period().doubled() / Wide::from(f64::from(self.nodes));
         let ([time, alpha, beta], [of_time, of_alpha, of_beta]) = (self.sums, self.equations.factors());
         let integrals = [time * of_time, alpha * of_alpha, beta * of_beta];

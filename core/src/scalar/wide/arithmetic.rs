@@ -21,7 +21,7 @@ impl<const WORDS: usize> Wide<WORDS> {
 
 impl<const WORDS: usize> Add for Wide<WORDS> {
     type Output = Self;
-    #[inline(never)] // a call, because inlining into every formula of a launch would take much of a chip's flash
+    #[inline(never)] // a call saves flash
     fn add(self, other: Self) -> Self {
         Exact::from(self).plus(Exact::from(other))
     }
@@ -84,7 +84,7 @@ impl<const WORDS: usize> Ring for Wide<WORDS> {
     const ZERO: Self = Self { significand: [0; WORDS], exponent: 0, negative: false };
     const ONE: Self = Self::constant(1 << 127, 1);
 
-    #[inline(never)] // copies of the short operations would take more flash, too
+    #[inline(never)] // calls save flash
     fn doubled(self) -> Self {
         self.with_exponent(self.exponent + 1)
     }
@@ -96,7 +96,7 @@ impl<const WORDS: usize> Float for Wide<WORDS> {
         x.into()
     }
 
-    /// Nearest `f64`, ties to even; infinity beyond its range, and 0 below its normal numbers.
+    /// Nearest `f64`, ties to even; infinity beyond its range, 0 below its normal numbers.
     #[inline(never)]
     fn to_f64(self) -> f64 {
         let sticky = self.significand.iter().skip(1).any(|word| *word != 0);

@@ -51,7 +51,7 @@ pub(super) fn add_word(words: &mut [u64], other: u64) -> u64 {
     })
 }
 
-/// Complete product: upper and lower half.
+/// Product: upper and lower half.
 #[inline(always)]
 pub(super) fn product<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) -> [[u64; WORDS]; 2] {
     let (mut upper, mut lower) = ([0; WORDS], [0; WORDS]);
@@ -97,7 +97,7 @@ pub(super) fn quotient<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) -
 #[inline(never)]
 fn reciprocal_u64(divisor: u64) -> u64 {
     let word = (divisor >> 32) as u32;
-    // setting the leading bit tells the compiler that the divisor is not 0
+    // tells the compiler that the divisor is not 0
     let first = u32::MAX / ((word >> 16) | (1 << 15));
     // 2^48 less the product of word and inverse, which is nearly 2^48
     let rest = (1_i64 << 48) - product_u32(word, first) as i64;

@@ -15,10 +15,10 @@ const DEVIATIONS: f64 = 6.0;
 const FIXED_VARIANCE: f64 = 12.0;
 /// Relative errors of the `f64` nearest to 1/2π and of two phases of 64 bits, in units of 2^-53.
 const PER_TURN: f64 = 0.56 + 1.0 / 512.0;
-/// Standard deviation of a step's rounding error, relative to its terms, in units of 2^-53.
+/// Standard deviation of a step's rounding, relative to its terms, in units of 2^-53.
 const STEP: f64 = 2.1;
 
-/// Upper bounds on the speeds of α and β without their mean rotation, in half periods, from the magnitudes of coefficients.
+/// Upper bounds on the speeds of α and β without their mean rotation. The unit of time is half a period.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Speeds {
     /// Angular speed 2 √(|dα/dt|² + |dβ/dt|²), rad.
@@ -75,7 +75,7 @@ impl Speeds {
     }
 }
 
-/// Errors and derivatives of a segment, in units of 2^-62. They are `f32` because `f64` is slow without a unit for it.
+/// Errors and derivatives of a segment, in units of 2^-62. `f64` is slow without an FPU for it.
 #[derive(Default)]
 pub(super) struct SegmentErrors {
     /// Greatest error of the stored coefficients.
@@ -94,7 +94,7 @@ impl SegmentErrors {
     }
 }
 
-/// Error bounds of the orientation and of the angular velocity, from the length of a tick and the `error` of the table.
+/// Error bounds of orientation and angular velocity, from the length of a tick and the table's `error`.
 pub(super) fn error_bounds(
     errors: &EvaluationErrors,
     motion: &Motion,
@@ -112,7 +112,7 @@ pub(super) fn error_bounds(
     let constant = error + errors.orientation + errors.coordinate * speeds.half_segment_change();
     let orientation = ErrorBound { constant, per_tick: 2.0 * (angular * nutation + TURN * alpha.max(beta)) };
 
-    // terms of the angular velocity, which may cancel: of the transverse part, and of the whole
+    // terms of the angular velocity, which may cancel: transverse, and all
     let [frequency, alpha_rate, beta_rate] = rates.turns;
     let half_periods = 2.0 * frequency.to_f64();
     let mean = TURN * (alpha_rate + beta_rate).to_f64().abs();

@@ -7,8 +7,8 @@
 //! |                   |         |         |      |  |  |     |         |              |    spans: one expansion of the motion
 //! ```
 //!
-//! The segments of a cell are equal, and the longest with an allowed error. A cell whose segments prove too long is cut again. Positions are in
-//! units of the shortest segment, and a segment of depth d is a part of 2^-d of half a period.
+//! The segments of a cell are equal, and the longest with an allowed error; a cell whose segments prove too long is cut again. Positions are in
+//! units of the shortest segment. A segment of depth d is 2^-d of half a period.
 
 use super::bound::{SegmentErrors, Speeds};
 use super::limits::Limits;
@@ -19,8 +19,8 @@ use super::span::{CELL, HALF_PERIOD, Span};
 use crate::table::data::cell::{CELLS, Cell, LEVEL_0_BITS};
 use crate::table::evaluation::TABLE_UNIT;
 
-/// Function that stores a polynomial of α (column 0) or β (column 2) in a segment. Its arguments are the segment, the column and the
-/// coefficients of both parts; its results are the errors of the orientation and of the derivative by their rounding, in units of 2^-62 rad.
+/// Storage of a polynomial of α (column 0) or β (column 2): from segment, column and coefficients to the errors of orientation and derivative by
+/// their rounding, in units of 2^-62 rad.
 pub(super) type Store<'a> = dyn FnMut(usize, usize, [&[i64; MOST_TERMS]; 2]) -> [f32; 2] + 'a;
 
 /// Cell whose segments are computed, or two cells with one segment.
@@ -68,7 +68,7 @@ impl Cut {
         segment: Polynomial::ZERO,
     };
 
-    /// Stores the polynomials of a motion in which u is constant: the sums of the coefficients of both ellipses.
+    /// Stores the polynomials of a constant u.
     #[inline(never)]
     pub(super) fn store_constants(&mut self, ellipses: &[[f64; 2]; 2], store: &mut Store<'_>) {
         for ([plus, minus], column) in ellipses.iter().zip([0, 2]) {

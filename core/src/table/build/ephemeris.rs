@@ -51,7 +51,7 @@ impl fmt::Display for SetUpError {
 impl core::error::Error for SetUpError {}
 
 impl SetUp {
-    /// Computes the segments and stores those for which there is memory.
+    /// Computes the segments and stores those that fit.
     fn tabulate<R: EphemerisScalar>(
         &mut self,
         motion: &Motion,
@@ -164,8 +164,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     }
 }
 
-/// Stores both parts of a polynomial in the columns from `column` on, if the table contains the segment. Returns the error of the orientation
-/// by products with 16 bits and by coefficients out of range, and that of the derivative by rounding, in units of 2^-62 rad.
+/// Stores both parts of a polynomial, if the table contains the segment. Returns the errors of the orientation, by products with 16 bits and
+/// coefficients out of range, and of the derivative, in units of 2^-62 rad.
 fn store_polynomial<R: EphemerisScalar>(
     segments: &mut [R::Segment],
     segment: usize,

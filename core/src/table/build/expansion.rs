@@ -1,6 +1,6 @@
 //! Expansion of the motion around a point of its path, in y = x/4. One unit of x is half a span, and x is at most 3.
 //!
-//! Quantities at the point have the index 0. The variations in Greek letters are power series in y.
+//! Index 0: at the point. Greek letters: power series in y.
 //!
 //! ```text
 //! v = cos²χ - cos²χ₀
@@ -10,13 +10,13 @@
 //! D dχ/dy  = D₀ (dχ/dy)₀ (1 + μ)    1 + μ = (1 + ξ) (1 + δ)
 //! ```
 //!
-//! The rate of a slow phase is a linear function of v divided by a combination of D and D dχ/dy:
+//! The rate of a slow phase is linear in v, over a combination of D and D dχ/dy:
 //!
 //! ```text
 //! dψ/dy = (dψ/dy)₀ + σ              (1 + κ) ((dψ/dy)₀ + σ) = (dψ/dy)₀ + a v,    κ = b δ + d μ
 //! ```
 //!
-//! Each coefficient follows from those before. The residual phase ρ is ψ minus its mean rotation: only the constant of its rate differs.
+//! Each coefficient follows from those before. The residual phase ρ is ψ minus its mean rotation.
 
 mod recurrence;
 
@@ -88,7 +88,7 @@ impl PathPhases {
 
     /// sin χ and cos χ. Error: below 2^-53, relative to the result near its zeros.
     pub(super) fn sine_cosine(&self) -> (f64, f64) {
-        /// Least result of the integer arithmetic, which costs a chip a fifth of that in `f64`.
+        /// Least result in integers, at a fifth of the cost in `f64`.
         const LEAST: i64 = 1 << (FRACTION - 3);
         let (sine, cosine) = sine_cosine(self.chi);
         if sine.abs().min(cosine.abs()) < LEAST {
@@ -164,9 +164,9 @@ impl Expansion {
         (PathPhases { chi: after(chi, &self.chi), residual }, 0.25 * self.chi.value(y, self.terms))
     }
 
-    /// Upper bounds on the magnitudes of the terms of the changes of χ and of the residual phases at a whole x > 0, rad.
+    /// Upper bounds on the terms of χ and of the residual phases at a whole x > 0, rad.
     pub(super) fn step_magnitudes(&self, x: u32) -> [f32; 2] {
-        // a rounding error of the coefficients counts as the term of which it would be the rounding in f64
+        // a rounding error counts as the term that would have it in f64
         let noise = (NOISE as f64 / f64::ROUNDING) as f32;
         let y = 0.25 * x as f32;
         let size = |rate: &RateSeries| y * rate.bound(x, self.terms, noise);
@@ -174,7 +174,7 @@ impl Expansion {
         [size(&self.chi), larger_or_nan(alpha, beta) + y * self.psi_variation]
     }
 
-    /// Whether the coefficients of an expansion over twice the distance should be in range.
+    /// Whether coefficients should be in range over twice the distance.
     pub(super) fn may_double(&self) -> bool {
         /// Greatest relative change of dχ/dy at y = 1 by its first power.
         const GREATEST_CHANGE: f32 = 1.25;
@@ -188,7 +188,7 @@ impl Expansion {
         0.25 * larger_or_nan(alpha, beta)
     }
 
-    /// Estimate of the truncation error of the phases at a whole x > 0, rad. A further term is taken as a quarter of the one before.
+    /// Estimated truncation error of the phases at a whole x > 0, rad, if each term is a quarter of the one before.
     pub(super) fn truncation_error(&self, x: u32) -> f64 {
         let Some(before) = self.terms.checked_sub(2) else { return f64::INFINITY };
         let y = 0.25 * x as f32;

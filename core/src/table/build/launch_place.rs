@@ -36,7 +36,7 @@ impl LaunchPlace {
     #[inline(never)]
     pub(super) fn search(&mut self, expansion: &Expansion, end: Phase, span: Span) {
         let Some(chi) = self.chi else { return };
-        // a turning point is an end of the half period whatever the errors of the series
+        // a turning point is an end of the half period exactly
         let x = match chi {
             Phase::ZERO => -1.0,
             _ if (chi == Phase::QUARTER || end < chi) && span.end() < HALF_PERIOD => return,

@@ -35,7 +35,7 @@ impl Limits {
     pub(super) const ZERO: Self =
         Self { coefficients: 0, capacity: 0, steps: 0.0, polynomial: 0.0, dropped: 0, negligible: 0.0 };
 
-    /// Limits for a truncation error `allowed`, rad, with series at least as accurate as for the error `usual`.
+    /// Limits for a truncation error, rad, with series at least as accurate as for the `usual` one.
     pub(super) fn new(coefficients: usize, allowed: f64, usual: f64, capacity: usize) -> Self {
         let polynomial =
             |error: f64| (((1.0 - STEPS_PART) * error / TABLE_UNIT) as f32).clamp(f32::MIN, f32::MAX);
@@ -55,7 +55,7 @@ impl Limits {
         if depth == LEVEL_0_BITS { TWO_CELLS_PART * self.polynomial } else { self.polynomial }
     }
 
-    /// Negligible term in units of 2^-62. Those after two negligible ones count as not larger.
+    /// Negligible term in units of 2^-62.
     pub(super) fn negligible_term(&self) -> i64 {
         (self.negligible / TABLE_UNIT) as i64
     }

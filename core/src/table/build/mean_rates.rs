@@ -5,7 +5,7 @@ use crate::motion::Motion;
 use crate::motion::period::Period;
 use crate::scalar::{Extended, Float, Ring};
 
-/// Number of roundings in a rate and in an increment, besides those of the quadrature's nodes.
+/// Number of roundings in a rate and an increment, without the quadrature.
 const OPERATIONS: f64 = 64.0;
 /// Relative error of an increment that is stored as the sum of two `f64`.
 const STORED: f64 = 1.0 / (1_u128 << 106) as f64;
@@ -15,9 +15,9 @@ const OPERATIONS_PER_NODE: f64 = 2.0;
 /// Rates of the nutation phase and of the mean slow phases.
 #[derive(Debug)]
 pub(super) struct MeanRates {
-    /// Nutation frequency 1/T and mean rates of α and β, in turns per unit time.
+    /// Nutation frequency 1/T and mean rates of α and β, in turns/s.
     pub(super) turns: [Extended; 3],
-    /// Errors of `turns`, turns per unit time.
+    /// Errors of `turns`, turns/s.
     pub(super) errors: [f64; 3],
 }
 
@@ -63,7 +63,7 @@ fn size_in_turns(angle: Extended) -> f64 {
     angle.in_turns().to_f64().abs()
 }
 
-/// Errors of 1/T and of the mean rates of α and β, turns per unit time.
+/// Errors of 1/T and of the mean rates of α and β, turns/s.
 fn errors(motion: &Motion, period: &Period) -> [f64; 3] {
     let LaunchRounding { relative, slow_rates } = motion.rounding;
     let operations = OPERATIONS + OPERATIONS_PER_NODE * f64::from(period.nodes);

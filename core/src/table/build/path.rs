@@ -39,7 +39,7 @@ pub(super) struct Path {
     pub(super) equations: PhaseEquations<Extended>,
     pub(super) rounded_equations: PhaseEquations<f64>,
     half_period: Extended,
-    /// Residual rates minus ψ_A' and ψ_B', rad per unit time.
+    /// Residual rates minus ψ_A' and ψ_B', rad/s.
     residual_offsets: [Extended; 2],
     /// Rates of χ and of the residual phases together at the faster turning point, rad per half period.
     fastest: f64,
@@ -115,7 +115,7 @@ impl Path {
         self.span = if doubles { twice } else { next };
     }
 
-    /// Halves the span one to four times, until the truncation error should be allowed; `None` where it becomes too short.
+    /// Halves the span up to four times; `None` where it becomes too short.
     pub(super) fn shorten_span(&mut self) -> Option<()> {
         // the last of sixteen terms over half the distance
         const PER_HALVING: f64 = 1.0 / (1_u32 << (MOST_TERMS - 1)) as f64;
@@ -187,7 +187,7 @@ impl Path {
             psi_rates: [slow_a, slow_b].map(by_y),
             residual_rates: [slow_a + alpha_offset, slow_b + beta_offset].map(by_y),
             weight: weight.max(1.0),
-            // a term of this size causes an estimated error of a twentieth of it at x = 2, and of two thirds of it at x = 3
+            // an estimated error of a twentieth of it at x = 2, of two thirds at x = 3
             negligible: self.negligible.min(4.0 * self.allowed_step()),
         }
     }

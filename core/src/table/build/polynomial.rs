@@ -1,6 +1,6 @@
 //! Polynomials of α and β: on a span, on its parts, and with fewer terms.
 //!
-//! Dropping the highest term c x^k also subtracts the lower powers of c 2^(1-k) T_k(x), so that no value changes by more than |c| 2^(1-k).
+//! Dropping c x^k subtracts c 2^(1-k) T_k(x), which changes no value by more than |c| 2^(1-k).
 
 use super::bound::SegmentErrors;
 use super::expansion::{Expansion, ParameterSeries, larger_or_nan};
@@ -13,7 +13,7 @@ use crate::scalar::{Float, Ring, u64_to_f32};
 const FRACTION_BITS: u32 = MOST_TERMS as u32 - 2;
 
 /// Coefficients of x^(k-2), x^(k-4), ... in T_k(x) 2^(1-k), for each k.
-#[allow(clippy::indexing_slicing)] // evaluated by the compiler, which would refuse an index out of range
+#[allow(clippy::indexing_slicing)] // in a constant, an index out of range does not compile
 static CHEBYSHEV: [[i32; MOST_TERMS / 2]; MOST_TERMS] = {
     let mut coefficients = [[0; MOST_TERMS / 2]; MOST_TERMS];
     let mut k = 2;
@@ -53,7 +53,7 @@ impl Part {
             .for_each(|(c, factor)| *c -= Limbs::new(last).times_word::<FRACTION_BITS>(*factor));
     }
 
-    /// Estimate of the terms beyond the sixteenth by a geometric series from the last four; infinite where they do not decrease.
+    /// Estimate of the terms beyond the sixteenth from the last four, as a geometric series; infinite where they do not decrease.
     fn remainder(&self) -> f32 {
         /// Magnitude of rounding errors, 3e-17.
         const NEGLIGIBLE: i64 = 138;
@@ -74,7 +74,7 @@ impl Part {
 pub(super) struct Polynomial {
     pub(super) parts: [Part; 2],
     terms: usize,
-    /// Estimate of the terms of the series on the span that are not computed, in units of 2^-62.
+    /// Estimate of the terms that are not computed, in units of 2^-62.
     remainder: f32,
 }
 
@@ -106,7 +106,7 @@ impl Polynomial {
     }
 
     /// Drops last terms down to `fewest`, as long as the changes add up to at most `most`.
-    #[inline(never)] // here and below: keeps the stack small
+    #[inline(never)] // stack
     pub(super) fn shorten(&mut self, fewest: usize, most: i64) {
         while self.terms > fewest.max(2) {
             let degree = self.terms - 1;
@@ -119,8 +119,7 @@ impl Polynomial {
         }
     }
 
-    /// Replaces the polynomial by that on half of the interval, by Horner's rule for x = (y ± 1)/2. Errors do not grow, as |x| <= 1; all
-    /// roundings together stay below 2^-57.
+    /// Becomes the polynomial on half of the interval, by Horner's rule for x = (y ± 1)/2. All roundings together stay below 2^-57.
     #[inline(never)]
     fn halve(&mut self, upper: bool) {
         for part in &mut self.parts {
@@ -138,8 +137,7 @@ impl Polynomial {
         }
     }
 
-    /// Becomes the polynomial on one of 2^halvings parts of a span. Before the last halving it drops terms whose changes add up to at most
-    /// `dropped`.
+    /// Becomes the polynomial on one of 2^halvings parts of a span. Before the last halving it drops terms of at most `dropped` in all.
     pub(super) fn restrict(&mut self, whole: &Self, part: usize, halvings: u32, dropped: i64) {
         self.clone_from(whole);
         for halving in (0..halvings).rev() {

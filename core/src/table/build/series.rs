@@ -20,7 +20,7 @@ pub(super) const BITS: i32 = 56;
 /// Bits of the lower limb.
 const LIMB_BITS: u32 = 30;
 
-/// Integer high · 2^30 + low, with low in [0, 2^30), as products need it.
+/// Integer high · 2^30 + low, with low in [0, 2^30).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limbs {
     high: i32,
@@ -56,7 +56,7 @@ pub(super) fn scaled_product<const SHIFT: u32>(a: Limbs, b: i64) -> i64 {
     (product_i32(a.high, b.high) << (2 * LIMB_BITS - SHIFT)) + ((mixed + half) >> (SHIFT - LIMB_BITS))
 }
 
-/// First number beyond 59 bits, which stands for every number out of range. The negative one is its complement.
+/// First number beyond 59 bits, for every number out of range; its complement is the negative one.
 const OVERFLOW: i64 = 1 << (BITS + 3);
 
 /// Least shift of a sum in range.
@@ -83,13 +83,13 @@ const fn has_bits(value: i64, bits: i32) -> bool {
     matches!((value >> 32) as i32 >> (bits - 32), -1 | 0)
 }
 
-/// Number that is small enough for a coefficient; `None` otherwise, where the series does not converge.
+/// Number in the range of a coefficient; `None` where the series does not converge.
 #[inline(always)]
 pub(super) fn in_range(value: i64) -> Option<i64> {
     has_bits(value, BITS + 2).then_some(value)
 }
 
-/// Sum of numbers; `None` where one is out of range, because two such ones could cancel.
+/// Sum; `None` where a number is out of range.
 #[inline(always)]
 pub(super) fn sum_in_range<const N: usize>(numbers: [i64; N]) -> Option<i64> {
     numbers.iter().all(|number| has_bits(*number, BITS + 3)).then(|| numbers.iter().sum())
@@ -186,8 +186,7 @@ impl PowerSeries {
         Some(())
     }
 
-    /// Coefficient of y^k of the product of these terms and another series: an exact sum, divided by 2^shift and rounded to the nearest, or
-    /// [`OVERFLOW`].
+    /// Coefficient of y^k of the product of these terms and another series, divided by 2^shift and rounded to the nearest, or [`OVERFLOW`].
     #[inline(never)] // a call: set-up multiplies in dozens of places
     pub(super) fn product(&self, other: &Self, terms: Range<usize>, k: usize, shift: i32) -> i64 {
         let first = terms.start;
@@ -203,7 +202,7 @@ impl PowerSeries {
         shifted_sum(upper + (mixed >> LIMB_BITS), mixed as u32 & ((1 << LIMB_BITS) - 1), shift)
     }
 
-    /// Sum Σ t(c, k) yᵏ⁻¹ over the coefficients c of k = 1 to `terms` - 1, at y in [-1, 1].
+    /// Sum Σ t(c, k) yᵏ⁻¹ of k = 1 to `terms` - 1, at y in [-1, 1].
     pub(super) fn sum(&self, y: f64, terms: usize, term: fn(i64, usize) -> i64) -> f64 {
         let y = Limbs::new(in_units(y, -(FACTOR_BITS as i32)));
         // beyond the range only where the series does not converge
@@ -211,7 +210,7 @@ impl PowerSeries {
         times_power_of_two((1..terms).rev().fold(0, next) as f64, self.exponent)
     }
 
-    /// Upper bound on the sum Σ |c| yᵏ over these coefficients at y = `quarters`/4, with the first one larger by `noise`.
+    /// Upper bound on Σ |c| yᵏ at y = `quarters`/4, with `noise` added to the first coefficient.
     pub(super) fn bound(&self, quarters: u32, terms: usize, noise: f32) -> f32 {
         let coefficients = self.coefficients.get(1..terms).unwrap_or_default().iter().rev();
         let sum = coefficients.fold(0, |sum: u32, c| ((sum * quarters + 3) >> 2) + c.high.unsigned_abs() + 1);

@@ -12,7 +12,7 @@ use crate::motion::Motion;
 use crate::motion::cayley_klein::Ellipses;
 use crate::scalar::{Extended, Float, Ring};
 
-/// Memory of a set-up, 4 KiB, and the truncation error that it allows.
+/// Memory of a set-up, 4 KiB, with its truncation error.
 ///
 /// A program with a small stack keeps it in a static. [`Cursor`](crate::Cursor) shows its use.
 #[derive(Debug)]
@@ -73,7 +73,7 @@ impl SetUp {
         self.path.begin(motion, half_period, &self.rates, &self.limits);
     }
 
-    /// Computes all segments; `None` where they are too many. One may be stored more than once.
+    /// Computes all segments; `None` where they are too many.
     #[inline(never)]
     pub(super) fn build(
         &mut self,

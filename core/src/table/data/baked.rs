@@ -15,7 +15,7 @@ use crc32::Crc32;
 /// Version of the format.
 const FORMAT: u32 = 7;
 
-/// Fields of an [`Ephemeris`] as plain numbers, as `toytop bake SCENARIO` writes them. `core/docs/table_format.md` specifies every field.
+/// Fields of an [`Ephemeris`] as `toytop bake SCENARIO` writes them: see `core/docs/table_format.md`.
 ///
 /// Changed data, and numbers that would overflow in a tick, are refused; in a constant they do not compile.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,7 +28,7 @@ pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
     pub clock: Clock<R::Quantity>,
     /// Error bound of the orientation, rad.
     pub error_bound: ErrorBound,
-    /// Error bound of the angular velocity, rad per unit time.
+    /// Error bound of the angular velocity, rad/s.
     pub rate_error_bound: ErrorBound,
     /// Level and first segment of each sixteenth of half a period.
     pub cells: [u16; CELLS],
@@ -177,7 +177,7 @@ macro_rules! baked {
         }
 
         impl<const SEGMENTS: usize> Ephemeris<$scalar, SEGMENTS> {
-            /// Literal data of the ephemeris. They may be too large for the stack of a chip.
+            /// Literal data of the ephemeris, perhaps too large for a chip's stack.
             #[must_use]
             pub fn to_baked(&self) -> Baked<$scalar, SEGMENTS> {
                 Baked {

@@ -54,7 +54,7 @@ fn quotient(a: u32, b: u32) -> Extended {
 
 /// Phases, their increments per tick, and the scales of lengths and rates: see `core/docs/table_format.md`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C)] // the increments lie first, within the short address range of the smallest chip's load instructions
+#[repr(C)] // the increments first, in reach of the smallest chip's load instructions
 pub struct Clock<W> {
     /// Increments per tick of nutation phase, A and B, in units of 2^-96 turns, the least significant word first.
     pub step: [[u32; 3]; 3],
@@ -62,7 +62,7 @@ pub struct Clock<W> {
     pub tip_quarter: i8,
     /// Number of the parameters α and β that pass through 0.
     pub tip_passes: u8,
-    /// Whether the tip angle exists: false where the axis is vertical at all times.
+    /// Whether the tip angle exists: the axis does not stay vertical.
     pub tip_exists: bool,
     /// Whether u has turning points: false where u is constant to 2^-49.
     pub has_turning_points: bool,
@@ -104,7 +104,7 @@ impl<W: Float> Clock<W> {
 
     /// Clock of a motion that is launched at tick `epoch`, without [`Clock::tip_start`].
     ///
-    /// * `turns`: nutation frequency and mean rates of A and B, turns per unit time
+    /// * `turns`: nutation frequency and mean rates of A and B, turns/s
     /// * `start`: nutation phase, A and B at the launch
     pub(crate) fn new(
         motion: &Motion,
@@ -119,7 +119,7 @@ impl<W: Float> Clock<W> {
         let mean = ((alpha + beta) * Extended::TWO_PI).to_f64();
         // x changes by 2 over each segment
         let x_rate = 4.0 * SEGMENTS_AT_LEVEL_0 as f64 * frequency.to_f64();
-        // not a product of `i128`, which LLVM 22 compiles to a wrong one for RISC-V where the epoch is known
+        // LLVM 22 compiles a product of `i128` wrongly for RISC-V where the epoch is known
         let ticks = epoch.wrapping_sub(i64::MIN) as u64;
         let (mut first, mut step) = ([0; 3], [[0; 3]; 3]);
         for (((first, words), start), turns) in first.iter_mut().zip(&mut step).zip(start).zip(exact_step) {
@@ -241,7 +241,7 @@ impl<W> Clock<W> {
     }
 }
 
-/// Increment of the mean tip angle per tick, in turns. Unlike A and B it has no half turn per period for a parameter that passes through 0.
+/// Increment of the mean tip angle per tick, in turns. It lacks the half turn per period of a parameter that passes through 0.
 fn exact_tip_step([nutation, a, b]: [Extended; 3], passes: u8) -> Extended {
     a + b - nutation * Extended::from(0.5 * f64::from(passes))
 }

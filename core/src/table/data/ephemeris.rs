@@ -35,7 +35,7 @@ pub type Ephemeris<R, const SEGMENTS: usize> = EphemerisView<R, [<R as Ephemeris
 ///
 /// The parameter S is the type of the segments: a slice, or the array of an [`Ephemeris`].
 #[derive(Debug, PartialEq)]
-#[repr(C)] // the increments lie first, within the short address range of the smallest chip's load instructions
+#[repr(C)] // the increments first, in reach of the smallest chip's load instructions
 pub struct EphemerisView<R: EphemerisScalar, S: ?Sized = [<R as EphemerisScalar>::Segment]> {
     pub(crate) clock: Clock<R::Quantity>,
     pub(crate) error_bound: ErrorBound,
@@ -198,7 +198,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.error_bound.after(self.ticks_from_launch(tick))
     }
 
-    /// Upper bound on |Δω|, |ΔΩ| and |Δu'|, rad per unit time. The error of the tip's velocity is at most s times as large.
+    /// Upper bound on |Δω|, |ΔΩ| and |Δu'|, rad/s. The error of the tip's velocity is at most s times as large.
     #[must_use]
     pub fn rate_error_bound(&self) -> ErrorBound {
         self.rate_error_bound

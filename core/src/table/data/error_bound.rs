@@ -10,9 +10,9 @@
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ErrorBound {
-    /// Error at the tick of the launch, rad (rad per unit time for rates).
+    /// Error at the tick of the launch, rad (rad/s for rates).
     pub constant: f64,
-    /// Growth of the error per tick from the launch, rad (rad per unit time for rates).
+    /// Growth of the error per tick from the launch, rad (rad/s for rates).
     pub per_tick: f64,
 }
 

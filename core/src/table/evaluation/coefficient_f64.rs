@@ -16,8 +16,7 @@ impl EphemerisScalar for f64 {
     const PERIOD_WORDS: usize = 2;
     const ZERO_SEGMENT: Self::Segment = [[0.0; 4]; 11];
     const CODE: u32 = 64;
-    /// The random roundings of a tick are counted with those of set-up. Those of the rotation of the angular velocity are five standard
-    /// deviations of one rounding.
+    /// Roundings of a tick are counted with those of set-up; those of the rotation of Ω are five standard deviations of one rounding.
     const ERRORS: EvaluationErrors = EvaluationErrors {
         orientation: 0.0,
         coordinate: 0.0,

@@ -1,5 +1,4 @@
-//! Evaluation with coefficients of 16 bits: c·2^(15+k) for x^k. Both factors of every product have 16 bits, so that a product is one
-//! instruction on the smallest chip.
+//! Evaluation with coefficients of 16 bits: c·2^(15+k) for x^k. Factors have 16 bits, so that a product is one instruction on the smallest chip.
 
 use crate::complex::Complex;
 use crate::scalar::{sine_cosine_q15, times_power_of_two};

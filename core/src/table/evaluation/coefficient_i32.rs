@@ -4,7 +4,7 @@
 //! coefficient. The sums for a derivative have half the scale, because they may be twice as large. Set-up refuses sums that could overflow; the
 //! last one saturates.
 //!
-//! For the powers above half the number of terms 16 bits of x are enough, because their coefficients are small. Set-up verifies it.
+//! For the upper half of the powers 16 bits of x are enough: their coefficients are small, as set-up verifies.
 
 use crate::complex::Complex;
 use crate::product::{high_product, high_product_limited, product_32x16};

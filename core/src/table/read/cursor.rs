@@ -104,7 +104,7 @@ where
 pub struct CursorPhases {
     /// Phases of the last tick.
     phases: [PhaseFraction; 3],
-    /// Number of the last tick, `high + low`. A rare carry of 32 bits needs fewer registers of a small chip than a number of 64 bits.
+    /// Number of the last tick, `high + low`. A rare carry needs fewer registers than a number of 64 bits.
     low: u32,
     high: i64,
 }
@@ -150,9 +150,9 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// Fills `out` with the orientations at the ticks first, first + 1, .... The bits are those of [`EphemerisView::at_tick`]; on a large
     /// processor it is faster.
     pub fn fill(&self, first: i64, out: &mut [Orientation<R>]) {
-        /// Number of ticks whose phases are computed before their orientations, which then do not depend on each other.
+        /// Number of ticks whose orientations are computed independently.
         const BLOCK: usize = 16;
-        // as 128-bit numbers: three words would have to be assembled for every tick
+        // as 128-bit numbers, which need no assembly from words
         let step = self.clock.steps().map(PhaseFraction::to_phase);
         let mut now = self.clock.at(first).map(PhaseFraction::to_phase);
         let mut phases = [[0; 3]; BLOCK];

@@ -93,7 +93,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         self.pose().tip
     }
 
-    /// Angular velocity ω in the fixed frame, rad per unit time.
+    /// Angular velocity ω in the fixed frame, rad/s.
     #[inline(always)]
     #[must_use]
     pub fn omega(&self) -> Vector<R::Quantity> {
@@ -101,7 +101,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         orientation.adjoint(omega_body).map(|rate| rate.times_power_of_two(exponent))
     }
 
-    /// Angular velocity Ω in the body frame, rad per unit time.
+    /// Angular velocity Ω in the body frame, rad/s.
     #[inline(always)]
     #[must_use]
     pub fn omega_body(&self) -> Vector<R::Quantity> {
@@ -109,7 +109,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         omega_body
     }
 
-    /// Orientation, and angular velocity Ω in the body frame, rad per unit time.
+    /// Orientation, and angular velocity Ω in the body frame, rad/s.
     #[inline(always)]
     #[must_use]
     pub fn orientation_and_omega_body(&self) -> (Orientation<R>, Vector<R::Quantity>) {
@@ -125,7 +125,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         udot
     }
 
-    /// Velocity c' of the tip, m per unit time. For a fixed tip it is that of 2αβ.
+    /// Velocity c' of the tip, m/s. For a fixed tip it is that of 2αβ.
     #[inline(always)]
     #[must_use]
     pub fn tip_velocity(&self) -> Complex<R::Quantity> {
@@ -147,7 +147,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         self.ephemeris.unrounded_orientation(self.phases)
     }
 
-    /// Orientation before its conversion, angular velocity Ω in the body frame over a power of two, and the exponent of that power.
+    /// Unrounded orientation, and Ω over a power of two with its exponent.
     #[inline(always)]
     fn unrounded_with_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
         let [nutation, a, b] = self.phases;
@@ -155,7 +155,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         orientation_and_omega_body(rows, point, [a, b], self.ephemeris.clock.rates)
     }
 
-    /// Orientation before its conversion, and angular velocity Ω in the body frame.
+    /// Unrounded orientation, and Ω.
     #[inline(always)]
     fn numbers_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
         let (orientation, [x1, x2, _], exponent) = self.unrounded_with_omega_body();
@@ -209,14 +209,14 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         Sample::new(self, phases, mean_tip)
     }
 
-    /// Time of the last tick, 2^63, in the motion's unit of time.
+    /// Time of the last tick, 2^63, in s.
     #[must_use]
     pub fn last_time(&self) -> f64 {
         let [ticks_per_time, _] = self.clock.ticks_per_time;
         (1_u64 << 63) as f64 / ticks_per_time
     }
 
-    /// Orientation before its conversion to the scalar, from the leading 64 bits of nutation phase, A and B.
+    /// Unrounded orientation, from the 64 leading bits of nutation phase, A and B.
     #[inline(always)]
     pub(super) fn unrounded_orientation(&self, [nutation, a, b]: [u64; 3]) -> Orientation<NumberOf<R>> {
         let LocatedSegment { rows, point, .. } = self.segment_at(nutation);
@@ -232,7 +232,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let leading = (half >> 32) as u32;
         let cell = Cell(self.cells.get((leading >> 28) as usize).copied().unwrap_or_default());
         let (level, index) = (cell.level(), cell.segment(leading));
-        // no cell refers to a segment beyond the last; the fallback to the first segment avoids a branch for a panic
+        // no cell refers beyond the last segment; the fallback avoids a panic
         let segment = self.segments.get(index).or(self.segments.first());
         // the fraction of a segment of level 0, and its 32 leading bits
         let (eighth, leading) = (half << LEVEL_0_BITS, (half >> (32 - LEVEL_0_BITS)) as u32);

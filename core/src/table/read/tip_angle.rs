@@ -1,7 +1,7 @@
 //! Tip angle: its mean, which is linear in time, plus a periodic part from the table.
 //!
-//! The periodic part is the argument of the tabulated ab while u rises, and its negative while u falls. As ab may wind around 0 many times, its
-//! crossings of the negative real axis are counted at the centres of the segments. Every scalar is evaluated in `f64`.
+//! The periodic part is the argument of the tabulated ab while u rises, and its negative while u falls. Crossings of the negative real axis are
+//! counted at the centres of the segments. Every scalar is evaluated in `f64`.
 
 use crate::complex::Complex;
 use crate::motion::Motion;
@@ -12,8 +12,7 @@ use crate::table::evaluation::{Coefficient, EphemerisScalar};
 use crate::table::read::sample::Sample;
 
 impl<R: EphemerisScalar> Sample<'_, R> {
-    /// Tip angle φ = arg c with whole turns (modulo 2^32), continuous in time from φ(0) in (-1/2, 1/2] turn; `None` where the axis is
-    /// vertical at all times. Error: that of the orientation over 2|αβ|.
+    /// Tip angle φ = arg c with whole turns (modulo 2^32), continuous in time from φ(0) in (-1/2, 1/2] turn; `None` for an axis that stays vertical. Error: that of the orientation over 2|αβ|.
     ///
     /// Where the curve passes through the centre, φ is smooth and the radius changes its sign: c = ±|c| e^{iφ}. The cost is an arctangent, and a
     /// complex product for every segment from u = e₁ to the sample.
@@ -32,7 +31,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Mean rate of the tip angle in turns per unit time; 0 where the axis is vertical at all times.
+    /// Mean rate of the tip angle in turns/s; 0 for an axis that stays vertical.
     #[must_use]
     pub fn mean_tip_angle_rate(&self) -> f64 {
         let [ticks_per_time, _] = self.clock.ticks_per_time;
@@ -55,7 +54,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let Clock { tip_quarter, tip_passes, .. } = self.clock;
         let quarter_turn = Phase::QUARTER * i64::from(tip_quarter);
         let tabulated = self.tabulated_tip_angle(nutation, pause);
-        // whole turns from the table, and the rest from the motion, because near the centre the table's angle is inexact
+        // whole turns from the table; the remainder from the motion, which is exact near the centre
         let argument = motion.tip_angle_at_start();
         let exact = argument - a - b - if is_falling(nutation) { -quarter_turn } else { quarter_turn };
         let off = exact - tabulated;

@@ -1,11 +1,11 @@
-//! Series of α and β without their mean rotation: solutions of linear equations whose rates are those of the phases.
+//! Series of α and β without their mean rotation, by linear equations with the rates of the phases.
 
 use super::{Expansion, MOST_TERMS, PowerSeries, RateSeries, larger_or_nan};
 use crate::table::build::series::sine::{FRACTION, sine_cosine};
 use crate::table::build::series::{BITS, Limbs, UnitFactor, in_range, in_units, integrated, scaled_product};
 use crate::table::evaluation::{TABLE_BITS, shifted_right};
 
-/// Series from which those of α and β are made: the rates of ρ + χ and of ρ - χ, and an exponential.
+/// Rates of ρ + χ and of ρ - χ, and an exponential.
 #[derive(Debug)]
 pub(crate) struct ParameterSeries {
     forwards: PowerSeries,
@@ -25,8 +25,8 @@ impl ParameterSeries {
         im: PowerSeries::ZERO,
     };
 
-    /// Ellipse p e^{iχ} + q e^{-iχ} times e^{iρ}, with the residual phase of this index. Its coefficients of x^k are written to `sums`, which
-    /// must be 0, in units of 2^-62. Returns the number of terms that are not below `least`; `None` where they do not converge.
+    /// Adds p e^{i(ρ+χ)} + q e^{i(ρ-χ)}, with the residual phase ρ of this index, to `sums`: coefficients of x^k in units of 2^-62. Returns the
+    /// number of terms not below `least`.
     #[inline(never)]
     pub(crate) fn compute(
         &mut self,
@@ -80,8 +80,8 @@ impl ParameterSeries {
     }
 }
 
-/// Solves z' = i z rate for z = re + i im in units of 2^-56 from the first coefficient, until two terms in succession are at most `least` units
-/// of 2^-62 at x = 1. Returns the number of terms; `None` where they do not converge.
+/// Solves z' = i z rate from the first coefficient in units of 2^-56, until two terms are at most `least` units of 2^-62 at x = 1. Returns the
+/// number of terms.
 #[inline(never)]
 fn continue_exponential(
     rate: &PowerSeries,

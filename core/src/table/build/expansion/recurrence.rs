@@ -20,7 +20,7 @@ struct SlowFactors {
 }
 
 impl SlowFactors {
-    /// Factors from dψ/dy and the factors a, b and d of v, δ and μ. It sets the exponents of the rate and of the divisor.
+    /// Factors from dψ/dy and the factors of v, δ and μ. Sets the exponents of rate and divisor.
     fn new(
         rate: &mut RateSeries,
         divisor: &mut PowerSeries,
@@ -43,7 +43,7 @@ impl SlowFactors {
         }
     }
 
-    /// Computes the k-th coefficients of κ and σ. Returns whether that of σ is negligible; `None` where one is out of range.
+    /// Computes the k-th coefficients of κ and σ. Returns whether that of σ is negligible.
     fn advance(
         &self,
         rate: &mut RateSeries,
@@ -95,7 +95,7 @@ impl Expansion {
     }
 
     /// Constants of the recurrence, and the first coefficients.
-    #[inline(never)] // keeps the stack small
+    #[inline(never)] // stack
     fn begin(&mut self, equations: &PhaseEquations<f64>, origin: &Origin) -> Recurrence {
         let Origin { unit, chi_rate, psi_rates: [alpha_psi, beta_psi], negligible, .. } = *origin;
         let swing = equations.e2_minus_e1 * origin.cosine * origin.cosine;
@@ -157,7 +157,7 @@ impl Expansion {
         }
     }
 
-    /// Computes the coefficients until two in succession are negligible. Returns their number; `None` where one is out of range.
+    /// Computes coefficients until two in succession are negligible. Returns their number.
     #[inline(never)]
     fn recur(&mut self, recurrence: &Recurrence, pause: &mut dyn FnMut()) -> Option<usize> {
         (self.chi.at_origin <= STEEPEST).then_some(())?;

@@ -1,6 +1,6 @@
 //! Sine and cosine to 56 bits in integers.
 //!
-//! They take a chip a fifth of the time of those in `f64`. With the 53 bits of those, a release from rest would not be an event at its tick.
+//! They take a fifth of the time of those in `f64`, with whose 53 bits a release from rest would not be an event at its tick.
 
 use super::{Limbs, scaled_product};
 use crate::phase::Phase;

@@ -1,7 +1,7 @@
 //! CRC-32 of ISO-HDLC (zlib, Ethernet): polynomial 0xEDB88320 reflected, initial value and final exclusive-or 0xFFFFFFFF.
 
 /// Remainders of the 256 values of a byte.
-#[allow(clippy::indexing_slicing)] // evaluated by the compiler, which would refuse an index out of range
+#[allow(clippy::indexing_slicing)] // in a constant, an index out of range does not compile
 static REMAINDERS: [u32; 256] = {
     let mut table = [0; 256];
     let mut byte = 0;

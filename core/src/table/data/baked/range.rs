@@ -1,11 +1,10 @@
-//! Ranges of literal data, in which no sum of integers in a tick overflows and no number but the velocity of the tip becomes infinite. A
-//! table from set-up is always in range.
+//! Ranges of literal data, in which no integer of a tick overflows and only the tip's velocity may become infinite. Every set-up keeps them.
 
 /// Largest rate, length or coefficient in `f64`. Products of three such numbers and of powers of two stay finite.
 const GREATEST_DOUBLE: f64 = 1e60;
 /// Largest rate or length in `f32`. Only the velocity of the tip, a product of two such numbers, may become infinite.
 const GREATEST_SINGLE: f32 = 1e30;
-/// Largest 32-bit sum. The smallest chip computes a product from the halves of its factors, which allows no larger sum.
+/// Largest 32-bit sum from which the smallest chip computes a product by halves.
 const GREATEST_SUM: u64 = (1 << 31) - (1 << 15);
 
 /// Whether no number is NaN or of a larger size.
@@ -40,8 +39,8 @@ pub(crate) const fn f32(mut numbers: &[f32]) -> bool {
     true
 }
 
-/// Whether the sums of Horner's rule stay in range, from the highest power of four polynomials down. A sum is at most the size of its
-/// coefficient plus half of the sum before, rounded up. The constants are left out: the last sum saturates.
+/// Whether the sums of Horner's rule stay in range, from the highest power of four polynomials down. A sum is at most its coefficient plus half
+/// of the sum before, rounded up. The last sum saturates.
 macro_rules! sums_in_range {
     ($coefficient:ident, $fraction_bits:literal) => {
         pub(crate) const fn $coefficient(coefficients: &[$coefficient]) -> bool {
