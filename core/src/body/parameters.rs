@@ -96,8 +96,12 @@ impl Top {
     /// s. Without gravity the motion is that of [`Top::free`].
     ///
     /// # Errors
-    /// [`ParameterError`] names the wrong parameter. The ranges are those of [`Top::sliding`], except that g may be 0, and A/(ps) is
-    /// free. Without gravity C must be 0 or at least 1e-20 A. With a mass, A must be at least M s² + C/2.
+    /// [`ParameterError`] names the wrong parameter. The ranges are
+    ///
+    /// * A, and p or M and s: 1e-60 to 1e60; with M, A at least M s² + C/2
+    /// * C: 0, or 1e-60 A to 2A; without gravity 0, or 1e-20 A to 2A
+    /// * g: 0, or 1e-60 to 1e60 with √(pg/A) 1e-9 to 1e9 per unit of time
+    /// * |K|/A: at most 1e12 per unit of time
     pub fn fixed(parameters: &TopParameters) -> Result<Self, ParameterError> {
         /// Relative tolerance for the rounding of A.
         const ROUNDING: f64 = 1e-9;

@@ -10,28 +10,19 @@ use core::ops::{Deref, DerefMut};
 ///
 /// It dereferences to an [`EphemerisView`], which has its methods and which any number of readers share. Size: 4 · SEGMENTS ·
 /// [`EphemerisScalar::TERMS`] coefficients and about 300 bytes.
-///
-/// ```
-/// use toytop::{EphemerisF32, Motion, Release, State, Tick, Top, TopParameters};
-/// let top = Top::sliding(&TopParameters {
-///     transverse_inertia: 3.0e-5,
-///     axial_inertia: 2.0e-5,
-///     com_height: 0.03,
-///     mass: 0.05,
-///     ..TopParameters::default()
-/// })?;
-/// let release = Release { tilt: 0.35, spin: 150.0, ..Release::default() };
-/// let motion = Motion::launch(&top, &State::release(&release)?)?;
-/// let ephemeris = EphemerisF32::new(&motion, Tick::hertz(1000)?)?;
-/// let mut cursor = ephemeris.cursor(0);
-/// let now = cursor.next(); // tick 0; cannot fail
-/// let in_a_century = ephemeris.at_tick(3_155_760_000_000);
-/// assert!(now.u() > 0.93 && in_a_century.u() > 0.8);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
 pub type Ephemeris<R, const SEGMENTS: usize> = EphemerisView<R, [<R as EphemerisScalar>::Segment; SEGMENTS]>;
 
-/// Ephemeris without its capacity in the type. Readers take an `&EphemerisView<f32>`.
+/// Ephemeris without its capacity in the type. Readers take an `&EphemerisView<f32>`. Its methods, by file:
+///
+/// | file | methods |
+/// |---|---|
+/// | `table/read/sample.rs` | `at_tick`, `at`, `last_time` |
+/// | `table/read/cursor.rs` | `cursor`, `fill` |
+/// | `table/read/tip_angle.rs` | `mean_tip_angle_rate` |
+/// | `table/data/ephemeris.rs` | `capacity`, `clock`, `cells`, `segments`, `error_bound`, `error_bound_at`, and the same for rates |
+/// | `table/data/baked.rs` | `crc32` |
+/// | `table/build/ephemeris.rs` | `segments_needed` |
+/// | `events.rs`, `events/iterator.rs` | `turning_points`, `crossings`, `tip_angles`, `time_of`, `at_event` |
 ///
 /// The parameter S is the type of the segments: a slice, or the array of an [`Ephemeris`].
 #[derive(Debug, PartialEq)]
