@@ -33,7 +33,7 @@ impl Event {
         if ticks.to_f64().abs() > COUNTABLE {
             return None;
         }
-        let (tick, fraction) = ticks.floor_and_rest();
+        let (tick, fraction) = ticks.floor_and_fraction();
         let tick = i64::try_from(tick).ok()?;
         // not rounded to 1
         let fraction = fraction.to_f64();

@@ -43,7 +43,7 @@ enum Nutation<R> {
     Aperiodic {
         v: R,
         /// Rounding error of the last addition to v.
-        rest: R,
+        rounding_of_v: R,
     },
 }
 
@@ -53,9 +53,9 @@ impl<R: Real> Nutation<R> {
             HalfPhase::Steady => Self::Steady,
             HalfPhase::Nutating(chi) => Self::Nutating(chi),
             HalfPhase::Aperiodic(direction) => {
-                let exact = inverse_gudermannian(direction);
-                let v = R::from_f64(exact);
-                Self::Aperiodic { v, rest: R::from_f64(exact - v.to_f64()) }
+                let unrounded = inverse_gudermannian(direction);
+                let v = R::from_f64(unrounded);
+                Self::Aperiodic { v, rounding_of_v: R::from_f64(unrounded - v.to_f64()) }
             }
         }
     }
@@ -111,17 +111,17 @@ impl<R: Real> Stepper<R> {
                 self.nutation = Nutation::Nutating(chi + phase_from_radians(change.nutation));
                 change
             }
-            Nutation::Aperiodic { v, rest } => {
+            Nutation::Aperiodic { v, rounding_of_v } => {
                 let change = runge_kutta(dt, |delta| {
-                    let [v, _] = exact_sum(v, delta + rest);
+                    let [v, _] = exact_sum(v, delta + rounding_of_v);
                     self.equations.aperiodic_rates(gudermannian(v))
                 });
-                let [v, rest] = exact_sum(v, change.nutation + rest);
+                let [v, rounding_of_v] = exact_sum(v, change.nutation + rounding_of_v);
                 // beyond 1e30 cos χ is 0 in every scalar
                 let far = R::from_f64(1e30);
                 let bounded = if v < R::ZERO { -far } else { far };
-                let (v, rest) = if v.abs() <= far { (v, rest) } else { (bounded, R::ZERO) };
-                self.nutation = Nutation::Aperiodic { v, rest };
+                let (v, rounding_of_v) = if v.abs() <= far { (v, rounding_of_v) } else { (bounded, R::ZERO) };
+                self.nutation = Nutation::Aperiodic { v, rounding_of_v };
                 change
             }
         };

@@ -81,8 +81,8 @@ impl E3EqualsE4 {
         let turns = [alpha.turns(highest, whole), beta.turns(lowest, whole)];
 
         // y(0) within half a period of u = e₂, from cos²χ = sn²(√(e₂ + e₃) y)
-        let rest = half_turns(chi);
-        let (sine, cosine) = of_turns(rest - Phase::QUARTER);
+        let remainder = half_turns(chi);
+        let (sine, cosine) = of_turns(remainder - Phase::QUARTER);
         let middle = e1_plus_e3 + e.e2_minus_e1 * cosine.squared();
         let start = sine * carlson_rf(e2_plus_e3 * cosine.squared(), middle, e2_plus_e3);
 

@@ -96,9 +96,9 @@ impl Lagrange {
 
 /// z(0) within half a period of u = e₁: the elliptic integral of χ.
 fn since_lowest(e: &BranchPoints<Extended>, chi: Phase) -> Extended {
-    let rest = half_turns(chi);
-    let rest = if rest > Phase::QUARTER { rest - Phase::HALF } else { rest };
-    let (sine, cosine) = of_turns(rest);
+    let remainder = half_turns(chi);
+    let remainder = if remainder > Phase::QUARTER { remainder - Phase::HALF } else { remainder };
+    let (sine, cosine) = of_turns(remainder);
     let (squared, length) = (cosine * cosine, e.e3_minus_e1());
     sine * carlson_rf(length * squared, e.e3_minus_e2 + e.e2_minus_e1 * squared, length)
 }

@@ -101,14 +101,14 @@ impl Periods {
         t: f64,
         parameters: impl Fn(Extended) -> [ValueAndSlope; 2],
     ) -> AttitudeState<f64> {
-        let (periods, rest) = split(self.origin, t, self.period);
-        self.arguments.attitude_state(t, parameters(rest), self.turns.map(|turns| turns * periods))
+        let (periods, remainder) = split(self.origin, t, self.period);
+        self.arguments.attitude_state(t, parameters(remainder), self.turns.map(|turns| turns * periods))
     }
 
     /// Number of periods from time 0 of the solution until t, as a phase of one turn for each period.
     pub(super) fn phase(&self, t: f64) -> Phase {
-        let (periods, rest) = split(self.origin, t, self.period);
-        Phase::ONE * periods + (rest / self.period).to_phase()
+        let (periods, remainder) = split(self.origin, t, self.period);
+        Phase::ONE * periods + (remainder / self.period).to_phase()
     }
 }
 
@@ -168,9 +168,9 @@ mod tests {
     #[test]
     fn whole_periods_are_taken_off_exactly() {
         let period = Extended::ONE / 3.0.into();
-        let (periods, rest) = split(Extended::from(0.125), 1e9, period);
+        let (periods, remainder) = split(Extended::from(0.125), 1e9, period);
         assert_eq!(periods, 3_000_000_000);
-        assert!((rest.to_f64() - 0.125).abs() < 1e-22, "{rest:?}");
+        assert!((remainder.to_f64() - 0.125).abs() < 1e-22, "{remainder:?}");
         assert_eq!(split(Extended::ZERO, 1e300, Extended::ONE), (0, Extended::ZERO));
     }
 

@@ -24,11 +24,11 @@ impl Covariance {
     /// Covariance of two unknowns, counted from 0; 0 where there is no such unknown.
     #[must_use]
     pub fn get(&self, i: usize, j: usize) -> f64 {
-        self.entries.get(place(i, j)).copied().unwrap_or(0.0)
+        self.entries.get(index_of(i, j)).copied().unwrap_or(0.0)
     }
 
     pub(crate) fn set(&mut self, i: usize, j: usize, value: f64) {
-        if let Some(slot) = self.entries.get_mut(place(i, j)) {
+        if let Some(slot) = self.entries.get_mut(index_of(i, j)) {
             *slot = value;
         }
     }
@@ -55,7 +55,7 @@ impl Covariance {
     /// Replaces the covariance of the launch by that of a change of a motion, of which the derivatives with respect to the unknowns are
     /// given; those that are left out are 0.
     pub(crate) fn carry(&mut self, columns: &[Tangent<f64>]) {
-        let share = |index: usize, unknown: usize| {
+        let weight = |index: usize, unknown: usize| {
             let change = columns.get(unknown).map_or([[0.0; 3]; 2], |by| [by.theta, by.eta]);
             change.as_flattened().get(index).copied().unwrap_or(0.0)
         };
@@ -63,12 +63,12 @@ impl Covariance {
         let mut rows = [[0.0; MOST_UNKNOWNS]; LAUNCH_COLUMNS];
         for (index, row) in rows.iter_mut().enumerate() {
             for (unknown, slot) in row.iter_mut().enumerate() {
-                *slot = (0..MOST_UNKNOWNS).map(|k| share(index, k) * self.get(k, unknown)).sum();
+                *slot = (0..MOST_UNKNOWNS).map(|k| weight(index, k) * self.get(k, unknown)).sum();
             }
         }
         for (index, row) in rows.iter().enumerate() {
             for (unknown, entry) in row.iter().enumerate().skip(index) {
-                let product = || row.iter().enumerate().map(|(k, entry)| entry * share(unknown, k)).sum();
+                let product = || row.iter().enumerate().map(|(k, entry)| entry * weight(unknown, k)).sum();
                 self.set(index, unknown, if unknown < LAUNCH_COLUMNS { product() } else { *entry });
             }
         }
@@ -106,7 +106,7 @@ impl Covariance {
     }
 }
 
-fn place(i: usize, j: usize) -> usize {
+fn index_of(i: usize, j: usize) -> usize {
     let (row, column) = if i < j { (j, i) } else { (i, j) };
     row * (row + 1) / 2 + column
 }

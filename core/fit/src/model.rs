@@ -129,8 +129,8 @@ impl Model {
     pub(crate) fn ratio_shares(&self, estimate: &Estimate) -> [[f64; RATIOS]; MOST_RATIOS] {
         let ratios = ratios(&self.equations(estimate).coefficients, self.top.support());
         let mut shares = self.free.map(|free| free.direction);
-        for (share, ratio) in shares.iter_mut().flat_map(|direction| direction.iter_mut().zip(ratios)) {
-            *share = if ratio.is_finite() { *share * ratio } else { 0.0 };
+        for (weight, ratio) in shares.iter_mut().flat_map(|direction| direction.iter_mut().zip(ratios)) {
+            *weight = if ratio.is_finite() { *weight * ratio } else { 0.0 };
         }
         shares
     }
@@ -189,7 +189,7 @@ impl Model {
         units
     }
 
-    /// Adds the information that damps a correction: a share `damping` of that along each unknown, as Marquardt does, and a standard
+    /// Adds the information that damps a correction: a part `damping` of that along each unknown, as Marquardt does, and a standard
     /// deviation of `limit` units. Damping is along the fixed axes, because yaw may be unobservable.
     #[inline(never)] // its directions are on the stack between passes only
     pub(crate) fn damp<F: Real>(

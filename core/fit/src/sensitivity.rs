@@ -127,7 +127,7 @@ impl Sensitivity {
     /// Cursor, which computes the derivatives at a sequence of times, each from the time before.
     #[must_use]
     pub fn cursor(&self) -> SensitivityCursor<'_> {
-        SensitivityCursor { sensitivity: self, count: 0, rest: 0.0, flow: self.start }
+        SensitivityCursor { sensitivity: self, count: 0, since_period: 0.0, flow: self.start }
     }
 }
 
@@ -137,7 +137,7 @@ pub struct SensitivityCursor<'a> {
     sensitivity: &'a Sensitivity,
     /// Number of whole periods that are added, and the time of the flow after them.
     count: i64,
-    rest: f64,
+    since_period: f64,
     flow: Flow<f64, COLUMNS>,
 }
 
@@ -151,8 +151,8 @@ impl SensitivityCursor<'_> {
         if let Some((launch, _)) = partials.flow.tangents.split_first_chunk_mut::<LAUNCH_COLUMNS>() {
             let [x, y, z, by_omega @ ..] = launch;
             for (slot, unit) in [x, y, z].into_iter().zip(UNITS) {
-                for (column, share) in by_omega.iter().zip(cross(omega, unit)) {
-                    *slot = slot.plus(column, share);
+                for (column, weight) in by_omega.iter().zip(cross(omega, unit)) {
+                    *slot = slot.plus(column, weight);
                 }
             }
         }
@@ -165,26 +165,26 @@ impl SensitivityCursor<'_> {
         if !t.is_finite() {
             return None;
         }
-        let (count, rest) = match period {
+        let (count, since_period) = match period {
             Some(period) => period.reduced(t)?,
             None => (0, t),
         };
         if let Some(Period { turns: [_, about_axis], growth, .. }) = period
             && count != self.count
         {
-            (self.flow, self.rest, self.count) = (*start, 0.0, count);
+            (self.flow, self.since_period, self.count) = (*start, 0.0, count);
             self.flow.roll(*about_axis * count);
             for (tangent, growth) in self.flow.tangents.iter_mut().zip(growth) {
                 *tangent = tangent.plus(growth, count as f64);
             }
         }
-        self.flow = advance(equations, &self.flow, rest - self.rest, TOLERANCE, MOST_STEPS)?;
-        self.rest = rest;
+        self.flow = advance(equations, &self.flow, since_period - self.since_period, TOLERANCE, MOST_STEPS)?;
+        self.since_period = since_period;
         let mut flow = self.flow;
         if let Some(Period { turns: [about_vertical, _], .. }) = period {
             flow.turn(f64::sine_cosine(*about_vertical * count));
         }
-        flow.roll(rolled(start.spin, &equations.coefficients, rest));
+        flow.roll(rolled(start.spin, &equations.coefficients, since_period));
         Some(Partials::new(equations, flow, *tip_scale))
     }
 }
@@ -193,8 +193,8 @@ impl Period {
     /// Number of whole periods in t, to the nearest, and the remaining time; `None` beyond 2^52 periods.
     fn reduced(&self, t: f64) -> Option<(i64, f64)> {
         let count = libm::round(t / self.length.to_f64());
-        let rest = Extended::from(t) - self.length * Extended::from(count);
-        (libm::fabs(count) <= (1_u64 << 52) as f64).then(|| (count as i64, rest.to_f64()))
+        let since_period = Extended::from(t) - self.length * Extended::from(count);
+        (libm::fabs(count) <= (1_u64 << 52) as f64).then(|| (count as i64, since_period.to_f64()))
     }
 }
 

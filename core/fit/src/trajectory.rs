@@ -42,7 +42,7 @@ pub(crate) struct Trajectory<F> {
     /// Time of `now`.
     time: f64,
     /// Coefficients, and the rate about the axis at the launch, in `f64`.
-    exact: Coefficients,
+    coefficients: Coefficients,
     spin: f64,
     /// State at the last corrected node.
     corrected: Flow<f64, 0>,
@@ -62,7 +62,7 @@ impl<F: Real> Trajectory<F> {
         Self {
             now: Partials::new(&equations.cast(), flow, tip_scale),
             time: f64::NAN,
-            exact: equations.coefficients,
+            coefficients: equations.coefficients,
             spin: 0.0,
             corrected: launch,
             spacing: 0.0,
@@ -80,7 +80,7 @@ impl<F: Real> Trajectory<F> {
         equations: &Equations<f64>,
     ) {
         let launch = Flow::launched(orientation, omega);
-        (self.exact, self.spin, self.corrected) = (equations.coefficients, launch.spin, launch);
+        (self.coefficients, self.spin, self.corrected) = (equations.coefficients, launch.spin, launch);
         self.spacing = SPACING / equations.frequency(&launch);
         self.now.equations = equations.cast();
         self.now.flow = launch.with_tangents(&launch.axes());
@@ -102,8 +102,8 @@ impl<F: Real> Trajectory<F> {
         if self.time.to_bits() == t.to_bits() {
             return Some(());
         }
-        let place = t / self.spacing;
-        let middle = libm::round(place).max(1.0);
+        let nodes = t / self.spacing;
+        let middle = libm::round(nodes).max(1.0);
         if middle - f64::from(self.last) >= FURTHEST {
             return None;
         }
@@ -111,8 +111,8 @@ impl<F: Real> Trajectory<F> {
         while self.last <= middle {
             self.extend()?;
         }
-        self.interpolate(F::from_f64(place - f64::from(middle)));
-        self.now.flow.roll(rolled(self.spin, &self.exact, t));
+        self.interpolate(F::from_f64(nodes - f64::from(middle)));
+        self.now.flow.roll(rolled(self.spin, &self.coefficients, t));
         self.time = t;
         Some(())
     }
@@ -146,7 +146,7 @@ impl<F: Real> Trajectory<F> {
     #[inline(never)] // the stages of the integration are on the stack only here
     fn correct(&mut self) -> Option<()> {
         let Equations { columns, lossy, .. } = self.now.equations;
-        let equations = Equations { coefficients: self.exact, changes: [[0.0; _]; _], columns, lossy };
+        let equations = Equations { coefficients: self.coefficients, changes: [[0.0; _]; _], columns, lossy };
         let span = self.spacing * f64::from(CORRECTED);
         self.corrected = advance(&equations, &self.corrected, span, TOLERANCE, MOST_STEPS)?;
         let [.., last] = &mut self.nodes;
@@ -247,7 +247,7 @@ mod tests {
                 let shares = [along(&axes, theta), along(&axes, eta)];
                 let columns = found.tangents.iter().zip(shares.as_flattened());
                 columns
-                    .fold(Tangent::ZERO, |sum: Tangent<F>, (one, share)| sum.plus(one, F::from_f64(*share)))
+                    .fold(Tangent::ZERO, |sum: Tangent<F>, (one, weight)| sum.plus(one, F::from_f64(*weight)))
             };
             let turns = UNITS.map(|unit| column(unit, cross(state.omega(), unit)));
             let rates = UNITS.map(|unit| column([0.0; 3], unit));

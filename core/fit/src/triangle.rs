@@ -30,7 +30,7 @@ pub(crate) struct Triangle<F> {
 }
 
 /// Places of a row: the entries up to the diagonal, and the right-hand side.
-fn place(row: usize) -> Range<usize> {
+fn entries_of_row(row: usize) -> Range<usize> {
     let start = row * (row + 3) / 2;
     start..start + row + 2
 }
@@ -50,7 +50,7 @@ impl<F: Real> Triangle<F> {
     pub(crate) fn add(&mut self, mut row: Unknowns<F>, mut value: F) {
         for index in (0..self.count).rev() {
             let (Some([line @ .., pivot, side]), Some([others @ .., x])) =
-                (self.entries.get_mut(place(index)), row.get_mut(..=index))
+                (self.entries.get_mut(entries_of_row(index)), row.get_mut(..=index))
             else {
                 return;
             };
@@ -74,7 +74,7 @@ impl<F: Real> Triangle<F> {
 
     /// Row of the matrix, and its right-hand side.
     fn row(&self, index: usize) -> (&[F], F) {
-        match self.entries.get(place(index)) {
+        match self.entries.get(entries_of_row(index)) {
             Some([row @ .., side]) => (row, *side),
             _ => (&[], F::ZERO),
         }
@@ -107,7 +107,7 @@ impl<F: Real> Triangle<F> {
         let mut inverse = Triangle::new(self.count);
         for index in 0..self.count {
             for (row, value) in self.inverse_column(index).iter().enumerate().take(self.count).skip(index) {
-                let slot = inverse.entries.get_mut(place(row).start + index);
+                let slot = inverse.entries.get_mut(entries_of_row(row).start + index);
                 slot.into_iter().for_each(|slot| *slot = G::from_f64(value.to_f64()));
             }
         }
@@ -122,7 +122,7 @@ impl<F: Real> Triangle<F> {
     /// Sets the right-hand side to that of a solution.
     pub(crate) fn point_to(&mut self, point: &Unknowns<F>) {
         for (index, value) in self.product(point).into_iter().enumerate().take(self.count) {
-            let side = self.entries.get_mut(place(index)).and_then(<[F]>::last_mut);
+            let side = self.entries.get_mut(entries_of_row(index)).and_then(<[F]>::last_mut);
             side.into_iter().for_each(|side| *side = value);
         }
     }

@@ -23,13 +23,13 @@ pub struct ScaledTop<F> {
 impl<F: Float> ScaledTop<F> {
     /// Parameters of a top.
     pub fn new(top: &Top) -> Self {
-        let [leading, rest] = top.p.parts();
+        let [leading, remainder] = top.p.parts();
         let inertia = inertia_exponent(top);
         let moment = if leading > 0.0 { exponent(leading) - 1 } else { 0 };
         let scaled = |x: f64, exponent: i32| F::from_f64(times_power_of_two(x, -exponent));
         let [a, c, k] = [top.a, top.c, top.k].map(|x| scaled(x, inertia));
         let [s, g] = [top.s, top.g].map(|x| scaled(x, inertia - moment));
-        Self { a, c, s, p: scaled(leading, moment) + scaled(rest, moment), g, k }
+        Self { a, c, s, p: scaled(leading, moment) + scaled(remainder, moment), g, k }
     }
 
     /// Unit of the energy of the axis: the weight p g, or 1 without it.

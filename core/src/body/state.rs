@@ -135,10 +135,10 @@ impl State {
 
     /// Φ and ω, with 0 for components below 1e-60.
     pub(crate) fn in_extended(&self) -> (Orientation<Extended>, Vector<Extended>) {
-        let exact = |x: f64| if x.abs() < 1e-60 { Extended::ZERO } else { x.into() };
-        let number = |z: Complex<f64>| Complex::new(exact(z.re), exact(z.im));
+        let extended = |x: f64| if x.abs() < 1e-60 { Extended::ZERO } else { x.into() };
+        let number = |z: Complex<f64>| Complex::new(extended(z.re), extended(z.im));
         let Orientation { alpha, beta } = self.orientation;
-        (Orientation { alpha: number(alpha), beta: number(beta) }, self.omega.map(exact))
+        (Orientation { alpha: number(alpha), beta: number(beta) }, self.omega.map(extended))
     }
 }
 

@@ -168,7 +168,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
         let edge = self.angle + if upward { greatest } else { least };
         let periods =
             Extended::from(self.turn_to_target(edge, upward)) / per_period * Extended::from(SKIPPED_PART);
-        let (_, rest) = periods.floor_and_rest();
+        let (_, rest) = periods.floor_and_fraction();
         let periods = periods - rest - Extended::ONE;
         if periods > Extended::ZERO {
             let ticks = periods * period;

@@ -138,11 +138,11 @@ mod tests {
         const PI: u128 = 0x32_43f6_a888_5a30_8d31_3198_a2e0;
         let product = PI * u128::from(k);
         let dropped = product.ilog2() - 52;
-        let rest = product & ((1 << dropped) - 1);
+        let remainder = product & ((1 << dropped) - 1);
         let half = 1 << (dropped - 1);
         // the product is smaller than k π, by less than k units
-        assert!(rest.abs_diff(half) > u128::from(k), "{k}");
-        let mantissa = (product >> dropped) + u128::from(rest > half);
+        assert!(remainder.abs_diff(half) > u128::from(k), "{k}");
+        let mantissa = (product >> dropped) + u128::from(remainder > half);
         libm::ldexp(mantissa as f64, dropped as i32 - 100)
     }
 

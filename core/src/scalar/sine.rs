@@ -54,8 +54,8 @@ pub(crate) const fn sine_cosine_f64(phase: u64) -> (f64, f64) {
 
 /// (sin 2πx, cos 2πx) of a phase of x turns. The error is relative near the zeros.
 pub(super) fn sine_cosine_of_phase(phase: Phase) -> (f64, f64) {
-    let (quadrant, rest) = phase.quadrant();
-    quarter_turns(quadrant, rest.to_f64())
+    let (quadrant, remainder) = phase.quadrant();
+    quarter_turns(quadrant, remainder.to_f64())
 }
 
 /// (sin x, cos x) of an angle of x rad up to 1e6. Error: below 4e-16, relative near the zeros. Those of libm take several kilobytes of flash.

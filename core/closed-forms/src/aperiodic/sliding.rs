@@ -124,8 +124,8 @@ impl Sliding {
         let PathPosition { y, left_per_below } = *position;
         let (near, near_slope) = self.near(left_per_below * point.one_minus_u);
         let far = self.alpha.lattice.theta(ORIGIN, imaginary(-(y.abs() + self.b)));
-        let rest = ln(left_per_below * near / far.value.modulus());
-        let log = ln(self.constants.one_minus_e1) + point.ln_sech.doubled() + rest;
+        let log_ratio = ln(left_per_below * near / far.value.modulus());
+        let log = ln(self.constants.one_minus_e1) + point.ln_sech.doubled() + log_ratio;
         // (1 - u)/(x - b) · (x - b) ϑ'(x - b)/ϑ(x - b)
         let slope = -near_slope.times_i().scaled(Extended::ONE / left_per_below)
             - far.log_slope().scaled(point.one_minus_u);

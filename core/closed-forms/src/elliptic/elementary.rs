@@ -21,13 +21,13 @@ pub(crate) fn half_pi() -> Extended {
 /// Power of two.
 fn power_of_two(exponent: i32) -> Extended {
     let (mut power, mut square) = (Extended::ONE, Extended::from(if exponent < 0 { 0.5 } else { 2.0 }));
-    let mut rest = exponent.unsigned_abs();
-    while rest > 0 {
-        if rest & 1 == 1 {
+    let mut remainder = exponent.unsigned_abs();
+    while remainder > 0 {
+        if remainder & 1 == 1 {
             power = power * square;
         }
         square = square.squared();
-        rest >>= 1;
+        remainder >>= 1;
     }
     power
 }
@@ -41,10 +41,10 @@ pub(crate) fn exp(x: Extended) -> Extended {
     }
     let x = if x.to_f64() > LARGEST { Extended::from(LARGEST) } else { x };
     let twos = libm::round(x.to_f64() / core::f64::consts::LN_2);
-    let rest = x - ln_two() * twos.into();
+    let remainder = x - ln_two() * twos.into();
     let series = (1..=TERMS)
         .rev()
-        .fold(Extended::ONE, |sum, n| Extended::ONE + rest * sum / Extended::from(f64::from(n)));
+        .fold(Extended::ONE, |sum, n| Extended::ONE + remainder * sum / Extended::from(f64::from(n)));
     series * power_of_two(twos as i32)
 }
 
@@ -83,16 +83,16 @@ pub(crate) fn sine_cosine(x: Extended) -> (Extended, Extended) {
         return of_turns(phase_of(x));
     }
     let quadrant = libm::round(x.to_f64() * core::f64::consts::FRAC_2_PI);
-    let rest = x - half_pi() * quadrant.into();
-    in_quadrant(quadrant as i32 as u32, series(rest, -1.0))
+    let remainder = x - half_pi() * quadrant.into();
+    in_quadrant(quadrant as i32 as u32, series(remainder, -1.0))
 }
 
 /// (sin 2πx, cos 2πx) of a phase of x turns.
 pub(crate) fn of_turns(phase: Phase) -> (Extended, Extended) {
     const QUARTER: i128 = Phase::QUARTER.to_bits();
     let quadrant = (phase.to_bits() + QUARTER / 2).div_euclid(QUARTER);
-    let rest = Extended::from(Phase::from_bits(phase.to_bits() - quadrant * QUARTER));
-    in_quadrant(quadrant as u32, series(rest * Extended::TWO_PI, -1.0))
+    let remainder = Extended::from(Phase::from_bits(phase.to_bits() - quadrant * QUARTER));
+    in_quadrant(quadrant as u32, series(remainder * Extended::TWO_PI, -1.0))
 }
 
 /// Sine and cosine of an angle after a number of quarter turns is added to it.

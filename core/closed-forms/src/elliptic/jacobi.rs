@@ -67,12 +67,13 @@ impl Jacobi {
     #[must_use]
     pub fn at(&self, u: f64) -> JacobiValues {
         let [quarter, _] = self.lattice.half_periods;
-        let halves = libm::round(u / quarter.doubled().to_f64());
-        let rest = Extended::from(u) - quarter.doubled() * halves.into();
-        let [none, omega, omega_prime, both] = self.lattice.scaled_thetas(real(rest)).map(|theta| theta.re);
+        let half_periods = libm::round(u / quarter.doubled().to_f64());
+        let remainder = Extended::from(u) - quarter.doubled() * half_periods.into();
+        let [none, omega, omega_prime, both] =
+            self.lattice.scaled_thetas(real(remainder)).map(|theta| theta.re);
         let [sn, cn, dn] = [none, omega, both].map(|theta| theta / omega_prime);
-        let am = half_pi().doubled() * halves.into() + angle(sn, cn);
-        let sign = if libm::fmod(halves, 2.0) == 0.0 { 1.0 } else { -1.0 };
+        let am = half_pi().doubled() * half_periods.into() + angle(sn, cn);
+        let sign = if libm::fmod(half_periods, 2.0) == 0.0 { 1.0 } else { -1.0 };
         JacobiValues { sn: sign * sn.to_f64(), cn: sign * cn.to_f64(), dn: dn.to_f64(), am: am.to_f64() }
     }
 }

@@ -125,8 +125,8 @@ impl Lattice {
 
     /// σ(z) as a value and the exponent of a factor, and ζ(z).
     fn sigma_parts(&self, z: WideComplex) -> (WideComplex, WideComplex, WideComplex) {
-        let (rest, [n, m]) = self.reduced(z);
-        let theta = self.theta(ORIGIN, rest);
+        let (reduced, [n, m]) = self.reduced(z);
+        let theta = self.theta(ORIGIN, reduced);
         // ϑ₁(v + nπ + mπτ) = (-1)^{n+m} q^{-m²} e^{-2imv} ϑ₁(v)
         let up = Extended::from(if self.turned { n } else { m });
         let rate = -(self.unit.times_i().scaled(up.doubled()));
@@ -136,7 +136,7 @@ impl Lattice {
         let [scale, ..] = self.scales;
         (
             theta.value * scale,
-            (z * z).scaled(self.kappa) + rate * rest + constant,
+            (z * z).scaled(self.kappa) + rate * reduced + constant,
             z.scaled(self.kappa.doubled()) + rate + theta.log_slope(),
         )
     }
@@ -170,26 +170,26 @@ pub(crate) struct ThetaQuotient {
     scale: Extended,
     pub(crate) rate: WideComplex,
     pub(crate) zero: WideComplex,
-    halves: [HalfPeriod; 2],
+    half_periods: [HalfPeriod; 2],
 }
 
 impl ThetaQuotient {
     /// Quotient with the zero a + h and the pole c, and the given modulus at x; the argument of k is arbitrary.
     pub(crate) fn through(
         lattice: &Lattice,
-        halves: [HalfPeriod; 2],
+        half_periods: [HalfPeriod; 2],
         zero: WideComplex,
         rate_offset: WideComplex,
         (x, size): (WideComplex, Extended),
     ) -> Self {
-        let [h, c] = halves;
+        let [h, c] = half_periods;
         let rate = rate_offset + lattice.theta(h ^ c, zero).log_slope();
-        let unscaled = Self { lattice: *lattice, scale: Extended::ONE, rate, zero, halves };
+        let unscaled = Self { lattice: *lattice, scale: Extended::ONE, rate, zero, half_periods };
         Self { scale: size / unscaled.at(x).value.modulus(), ..unscaled }
     }
 
     pub(crate) fn at(&self, x: WideComplex) -> ValueAndSlope {
-        let [h, c] = self.halves;
+        let [h, c] = self.half_periods;
         let (above, below) = (self.lattice.theta(h, x - self.zero), self.lattice.theta(c, x));
         let factor = quotient(complex_exp(self.rate * x).scaled(self.scale), below.value);
         let rate = self.rate - below.log_slope();

@@ -253,12 +253,12 @@ fn axial_rate_from_circle<F: Real>(
     let (shortest, longest) =
         gaps.fold((f64::INFINITY, 0.0_f64), |(least, most), gap| (least.min(gap), most.max(gap)));
     let mut step = libm::copysign(0.3 / longest, bound);
-    let places = ((PI / shortest - 0.9 * libm::fabs(bound)) / libm::fabs(step)).min(2000.0) as u32;
+    let steps = ((PI / shortest - 0.9 * libm::fabs(bound)) / libm::fabs(step)).min(2000.0) as u32;
     let better = |(rate, least): (Option<f64>, F), tried: f64| {
         let value = mismatch(tried);
         if value < least { (Some(tried), value) } else { (rate, least) }
     };
-    let rates = (0..places).map(|place| 0.9 * bound + step * f64::from(place));
+    let rates = (0..steps).map(|count| 0.9 * bound + step * f64::from(count));
     let mut best = rates.fold((None, F::from_f64(f64::INFINITY)), better);
     for _ in 0..HALVINGS {
         step *= 0.5;

@@ -149,13 +149,13 @@ impl Fitted {
         columns.iter_mut().zip(by).take(LAUNCH_COLUMNS).for_each(|(slot, column)| *slot = *column);
         // ω turns with the orientation
         for (slot, unit) in columns.iter_mut().zip(UNITS) {
-            for (column, share) in by_omega.iter().zip(cross(unit, self.launch.omega)) {
-                *slot = add_scaled(*slot, *column, share);
+            for (column, weight) in by_omega.iter().zip(cross(unit, self.launch.omega)) {
+                *slot = add_scaled(*slot, *column, weight);
             }
         }
         for (slot, shares) in columns.iter_mut().skip(LAUNCH_COLUMNS).zip(self.ratio_shares) {
-            for (column, share) in ratios.iter().zip(shares) {
-                *slot = add_scaled(*slot, *column, share);
+            for (column, weight) in ratios.iter().zip(shares) {
+                *slot = add_scaled(*slot, *column, weight);
             }
         }
         columns

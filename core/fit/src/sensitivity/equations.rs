@@ -51,7 +51,7 @@ pub(super) fn cross_vertical<F: Float>([x, y, _]: Vector<F>) -> Vector<F> {
 }
 
 /// Part k - u r of the vertical across the axis.
-fn level<F: Float>(axis: Vector<F>) -> Vector<F> {
+fn vertical_across<F: Float>(axis: Vector<F>) -> Vector<F> {
     let [.., u] = axis;
     add_scaled([F::ZERO, F::ZERO, F::ONE], axis, -u)
 }
@@ -134,7 +134,7 @@ impl<F: Float> Equations<F> {
             let [.., turning] = flow.omega();
             by_omega = add_scaled(by_omega, lever, -loss);
             by_vertical = add_scaled(by_vertical, axis_rate, -loss);
-            rate = add_scaled(add_scaled(rate, across, -loss), level(axis), -(vertical * turning));
+            rate = add_scaled(add_scaled(rate, across, -loss), vertical_across(axis), -(vertical * turning));
             spin_rate = -(axial * spin);
         }
         Acceleration {
@@ -216,11 +216,11 @@ impl<F: Float> Equations<F> {
         let level_change = add_scaled(up_change, axis, -dot(axis, up_change));
         let lost = scaled(axis, (axial - across) * spin_change);
         let lost = add_scaled(lost, eta, across);
-        let lost = add_scaled(lost, level(axis), vertical * (turned + dot(omega, up_change)));
+        let lost = add_scaled(lost, vertical_across(axis), vertical * (turned + dot(omega, up_change)));
         let lost = add_scaled(lost, level_change, vertical * turning);
         let Some(&[.., axial, across, vertical]) = change else { return lost };
         let lost = add_scaled(lost, axis, axial * flow.spin);
-        add_scaled(add_scaled(lost, flow.across, across), level(axis), vertical * turning)
+        add_scaled(add_scaled(lost, flow.across, across), vertical_across(axis), vertical * turning)
     }
 
     /// Rate of a state and its tangents.

@@ -57,23 +57,23 @@ pub(crate) fn projected(
     let mut directions = [Tangent::ZERO; 3];
     for (index, gradient) in gradients.iter().enumerate() {
         let gradient = Tangent { theta: gradient.theta, eta: scaled(gradient.eta, rate) };
-        let mut rest = gradient;
+        let mut remainder = gradient;
         // twice, because the first subtraction leaves rounding errors of what it subtracts
         for direction in [directions, directions].as_flattened() {
-            rest = rest.plus(direction, -rest.inner(direction));
+            remainder = remainder.plus(direction, -remainder.inner(direction));
         }
-        let length = libm::sqrt(rest.inner(&rest));
+        let length = libm::sqrt(remainder.inner(&remainder));
         if length <= ROUNDING * libm::sqrt(gradient.inner(&gradient)) {
             continue;
         }
-        let direction = Tangent::ZERO.plus(&rest, 1.0 / length);
+        let direction = Tangent::ZERO.plus(&remainder, 1.0 / length);
         let (up, down) = (scaled(direction.eta, rate), scaled(direction.eta, 1.0 / rate));
         let mut along = Tangent::ZERO;
-        for (column, share) in growth.iter().zip([direction.theta, up].as_flattened()) {
-            along = along.plus(column, *share);
+        for (column, weight) in growth.iter().zip([direction.theta, up].as_flattened()) {
+            along = along.plus(column, *weight);
         }
-        for (slot, share) in projected.iter_mut().zip([direction.theta, down].as_flattened()) {
-            *slot = slot.plus(&along, *share);
+        for (slot, weight) in projected.iter_mut().zip([direction.theta, down].as_flattened()) {
+            *slot = slot.plus(&along, *weight);
         }
         directions.iter_mut().skip(index).take(1).for_each(|slot| *slot = direction);
     }

@@ -23,14 +23,14 @@ pub(crate) fn advance<const N: usize>(
     most_steps: u32,
 ) -> Option<Flow<f64, N>> {
     let mut flow = *flow;
-    let mut rest = span;
+    let mut remainder = span;
     let mut length = FIRST_STEP / equations.frequency(&flow);
     for _ in 0..most_steps {
-        if rest == 0.0 {
+        if remainder == 0.0 {
             return Some(flow);
         }
-        let last = libm::fabs(rest) <= length;
-        let step = if last { rest } else { libm::copysign(length, rest) };
+        let last = libm::fabs(remainder) <= length;
+        let step = if last { remainder } else { libm::copysign(length, remainder) };
         let Some((next, sums)) = extrapolated(equations, &flow, step, tolerance) else {
             length = 0.5 * libm::fabs(step);
             continue;
@@ -42,7 +42,7 @@ pub(crate) fn advance<const N: usize>(
             return None;
         }
         flow = next;
-        rest = if last { 0.0 } else { rest - step };
+        remainder = if last { 0.0 } else { remainder - step };
         if sums + 1 < MOST_SUMS {
             length *= 1.5;
         }

@@ -115,8 +115,8 @@ impl<const WORDS: usize> Float for Wide<WORDS> {
         let mut inverse = Self::from_integer(short.into(), -62 - (self.exponent + odd) / 2, false);
         // each step of Newton's method doubles the 52 correct bits
         for _ in 1..WORDS {
-            let rest = Self::residual(Self::ONE, [self * inverse, inverse]);
-            inverse = inverse + (rest * inverse).halved();
+            let remainder = Self::residual(Self::ONE, [self * inverse, inverse]);
+            inverse = inverse + (remainder * inverse).halved();
         }
         let root = self * inverse;
         root + (Self::residual(self, [root, root]) * inverse).halved()

@@ -17,9 +17,9 @@ impl<const WORDS: usize> Wide<WORDS> {
     /// Number ±value · 2^exponent, rounded to the nearest.
     #[inline(never)]
     pub(super) fn from_integer(value: u128, exponent: i32, negative: bool) -> Self {
-        let (mut words, mut rest) = ([[0; WORDS]; 2], value);
+        let (mut words, mut remainder) = ([[0; WORDS]; 2], value);
         for word in words.as_flattened_mut() {
-            (*word, rest) = ((rest >> 64) as u64, rest << 64);
+            (*word, remainder) = ((remainder >> 64) as u64, remainder << 64);
         }
         Exact::new(words, exponent + 128, negative).rounded()
     }
@@ -61,29 +61,29 @@ impl<const WORDS: usize> Wide<WORDS> {
         Self::from(a) * Self::from(b)
     }
 
-    /// Nearest `f64`, and the `f64` nearest to the rest.
+    /// Nearest `f64`, and the `f64` nearest to the remainder.
     pub fn parts(self) -> [f64; 2] {
         let leading = self.to_f64();
         [leading, (self - leading.into()).to_f64()]
     }
 
     /// Floor modulo 2^128, and the remainder in [0, 1).
-    pub(crate) fn floor_and_rest(self) -> (i128, Self) {
+    pub(crate) fn floor_and_fraction(self) -> (i128, Self) {
         let (upper, exponent) = (self.upper(), self.exponent);
         let whole = match 128 - exponent {
             shift @ 0.. => upper.checked_shr(shift as u32),
             shift => upper.checked_shl(shift.unsigned_abs()),
         };
         let whole = whole.unwrap_or(0) as i128;
-        let rest = match exponent {
+        let remainder = match exponent {
             1.. => Self::from_integer(upper.checked_shl(exponent as u32).unwrap_or(0), -128, false),
             _ => self.abs(),
         };
         if !self.negative {
-            return (whole, rest);
+            return (whole, remainder);
         }
-        let rest = Self::ONE - rest;
-        if rest < Self::ONE { (!whole, rest) } else { (whole.wrapping_neg(), Self::ZERO) }
+        let remainder = Self::ONE - remainder;
+        if remainder < Self::ONE { (!whole, remainder) } else { (whole.wrapping_neg(), Self::ZERO) }
     }
 }
 
@@ -118,8 +118,8 @@ mod tests {
         assert_eq!(Extended::from(-3.25).to_phase(), Phase::new(-3.25));
         assert_eq!(Extended::from(Phase::new(-3.25)).to_f64(), -3.25);
         assert_eq!((Extended::TWO_PI * 0.25.into()).in_turns().to_phase(), Phase::QUARTER);
-        let (whole, rest) = Extended::sum(1e20, 0.75).floor_and_rest();
-        assert_eq!((whole, rest.to_f64()), (10_i128.pow(20), 0.75));
+        let (whole, remainder) = Extended::sum(1e20, 0.75).floor_and_fraction();
+        assert_eq!((whole, remainder.to_f64()), (10_i128.pow(20), 0.75));
         for (x, floor, left) in [
             (-2.25, -3, 0.75),
             (-2.0, -2, 0.0),
@@ -128,8 +128,8 @@ mod tests {
             (0.0, 0, 0.0),
             (1e300, 0, 0.0),
         ] {
-            let (whole, rest) = Extended::from(x).floor_and_rest();
-            assert_eq!((whole, rest.to_f64()), (floor, left), "{x}");
+            let (whole, remainder) = Extended::from(x).floor_and_fraction();
+            assert_eq!((whole, remainder.to_f64()), (floor, left), "{x}");
         }
     }
 }

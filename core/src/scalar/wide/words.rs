@@ -73,13 +73,13 @@ pub(super) fn product<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) ->
 pub(super) fn quotient<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) -> [[u64; WORDS]; 2] {
     // at most the true one
     let inverse = reciprocal_u64(leading(b)) - 16;
-    let (mut above, mut rest, mut quotient) = (0, *a, [[0; WORDS]; 2]);
+    let (mut above, mut remainder, mut quotient) = (0, *a, [[0; WORDS]; 2]);
     for _ in 0..=WORDS {
-        above = above << 56 | leading(&rest) >> 8;
-        shift_left(&mut rest, 56);
-        let [digit, _] = product_u64(above << 5 | leading(&rest) >> 59, inverse);
+        above = above << 56 | leading(&remainder) >> 8;
+        shift_left(&mut remainder, 56);
+        let [digit, _] = product_u64(above << 5 | leading(&remainder) >> 59, inverse);
         let digit = digit >> 3;
-        let borrow = rest.iter_mut().zip(b).rev().fold(0, |borrow, (word, factor)| {
+        let borrow = remainder.iter_mut().zip(b).rev().fold(0, |borrow, (word, factor)| {
             let [high, low] = product_u64(digit, *factor);
             let (low, first) = low.overflowing_add(borrow);
             let (difference, second) = word.overflowing_sub(low);
@@ -100,16 +100,16 @@ fn reciprocal_u64(divisor: u64) -> u64 {
     // tells the compiler that the divisor is not 0
     let first = u32::MAX / ((word >> 16) | (1 << 15));
     // 2^48 less the product of word and inverse, which is nearly 2^48
-    let rest = (1_i64 << 48) - product_u32(word, first) as i64;
-    let second = (i64::from(first) << 15) + ((i64::from(first) * (rest >> 4)) >> 29);
+    let remainder = (1_i64 << 48) - product_u32(word, first) as i64;
+    let second = (i64::from(first) << 15) + ((i64::from(first) * (remainder >> 4)) >> 29);
     let second = u32::try_from(second).unwrap_or(u32::MAX);
     // 2^63 less the product, which is nearly 2^63
     let product = product_u32(word, second) + (product_u32(divisor as u32, second) >> 32);
-    let rest = (1_u64 << 63).wrapping_sub(product) as i64;
-    let third = (u64::from(second) << 31).wrapping_add_signed((i64::from(second) * (rest >> 6)) >> 26);
+    let remainder = (1_u64 << 63).wrapping_sub(product) as i64;
+    let third = (u64::from(second) << 31).wrapping_add_signed((i64::from(second) * (remainder >> 6)) >> 26);
     // 2^62 less the product, which is a small number
-    let rest = (1_u64 << 62).wrapping_sub(high_product_u64(divisor, third)) as i64;
-    third.wrapping_add_signed((rest * (third >> 54) as i64) >> 8)
+    let remainder = (1_u64 << 62).wrapping_sub(high_product_u64(divisor, third)) as i64;
+    third.wrapping_add_signed((remainder * (third >> 54) as i64) >> 8)
 }
 
 /// Inverse root 2^94/√x of a number in [2^62, 2^64), with 52 correct bits, by Newton's method.

@@ -134,8 +134,8 @@ pub(super) fn error_bounds(
 }
 
 /// Rounding error of an increment as a phase, in turns; whole turns do not count.
-fn increment_error(exact: Extended) -> f64 {
-    let difference = (exact - exact.to_phase().into()).to_f64();
+fn increment_error(turns: Extended) -> f64 {
+    let difference = (turns - turns.to_phase().into()).to_f64();
     difference - libm::round(difference)
 }
 

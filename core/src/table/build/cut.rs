@@ -156,8 +156,8 @@ impl Cut {
         }
         let end = self.cell.begin + CELL.max(segment_length(depth));
         self.cell = OpenCell { end, depth, speeds: self.speeds, error: 0.0, ..self.cell };
-        let rest = HALF_PERIOD.saturating_sub(end).div_ceil(2 * CELL);
-        let segments = self.segments + self.cell.segments() + rest;
+        let remainder = HALF_PERIOD.saturating_sub(end).div_ceil(2 * CELL);
+        let segments = self.segments + self.cell.segments() + remainder;
         (segments <= limits.capacity).then_some(())
     }
 

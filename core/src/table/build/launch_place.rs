@@ -24,10 +24,10 @@ impl LaunchPlace {
     /// Place of a launch, not found yet. Without a nutation it is u = e₁.
     pub(super) fn new(motion: &Motion) -> Self {
         let chi = if let HalfPhase::Nutating(chi) = motion.chi { chi } else { Phase::ZERO };
-        let (half_turns, rest) = chi.half_turns();
-        let is_falling = rest > Phase::QUARTER;
+        let (half_turns, remainder) = chi.half_turns();
+        let is_falling = remainder > Phase::QUARTER;
         let (half_turns, chi) =
-            if is_falling { (half_turns + 1, Phase::HALF - rest) } else { (half_turns, rest) };
+            if is_falling { (half_turns + 1, Phase::HALF - remainder) } else { (half_turns, remainder) };
         let [alpha, beta] = motion.phases.map(|phase| phase + Phase::HALF * half_turns);
         Self { chi: Some(chi), is_falling, phases: [Phase::ZERO, alpha, beta], delay: 0.0 }
     }

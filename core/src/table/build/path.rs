@@ -216,8 +216,8 @@ impl Path {
         let PathPoint { phases: PathPhases { chi, residual }, truncation, squares } = self.end;
         // distance from an odd number of quarter turns, rad
         let miss = |angle: Phase| {
-            let (_, rest) = (angle + Phase::QUARTER).half_turns();
-            rest.min(Phase::HALF - rest).to_radians()
+            let (_, remainder) = (angle + Phase::QUARTER).half_turns();
+            remainder.min(Phase::HALF - remainder).to_radians()
         };
         // at u = e₂, cos χ = 0 and the cosines of the residual phases are 0
         let [alpha, beta] = residual.map(miss);

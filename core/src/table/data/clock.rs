@@ -215,12 +215,12 @@ impl<W> Clock<W> {
     #[cold]
     #[inline(never)]
     pub(crate) fn after(&self, ticks: Extended) -> ([PhaseFraction; 3], Phase) {
-        let (ticks, fraction) = ticks.floor_and_rest();
+        let (ticks, fraction) = ticks.floor_and_fraction();
         let since_first = ticks.wrapping_sub(i64::MIN.into());
         let turned = |step: Phase, ticks: i128| Phase::from_bits(step.to_bits().wrapping_mul(ticks));
         let mut phases = self.steps();
-        for ((phase, exact), first) in phases.iter_mut().zip(self.exact_steps()).zip(self.first) {
-            let part = (exact * fraction).to_phase();
+        for ((phase, turns), first) in phases.iter_mut().zip(self.exact_steps()).zip(self.first) {
+            let part = (turns * fraction).to_phase();
             *phase = PhaseFraction::from_phase(turned(phase.to_phase(), since_first) + part)
                 .plus_leading_bits(first);
         }

@@ -56,8 +56,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let tabulated = self.tabulated_tip_angle(nutation, pause);
         // whole turns from the table; the remainder from the motion, which is exact near the centre
         let argument = motion.tip_angle_at_start();
-        let exact = argument - a - b - if is_falling(nutation) { -quarter_turn } else { quarter_turn };
-        let off = exact - tabulated;
+        let required = argument - a - b - if is_falling(nutation) { -quarter_turn } else { quarter_turn };
+        let off = required - tabulated;
         // modulo half a turn where the curve passes through the centre, because the radius then has a sign
         let off = if tip_passes > 0 {
             Phase::from_bits((off * 2).principal().to_bits() >> 1)
