@@ -41,7 +41,6 @@ impl Event {
         Some(Self { tick, fraction, upward })
     }
 
-    /// Number of ticks from tick 0.
     fn ticks(&self) -> Extended {
         Extended::from(self.tick) + self.fraction.into()
     }

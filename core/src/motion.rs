@@ -35,9 +35,7 @@ pub struct Motion {
     pub(crate) half_tau: Extended,
     ellipses: Ellipses<f64>,
     regime: Regime,
-    /// Half phase χ at t = 0.
     pub(crate) chi: HalfPhase,
-    /// Slow phases A and B at t = 0.
     pub(crate) phases: [Phase; 2],
     pub(crate) rounding: LaunchRounding,
     /// Rate χ' without torque, rad/s; 0 with one, and where the axis rests.
@@ -174,7 +172,6 @@ impl Motion {
         [rate(l_plus_n, one_plus_u, half_tau), rate(l_minus_n, one_minus_u, -half_tau)]
     }
 
-    /// Whether u is constant.
     pub(crate) fn is_steady(&self) -> bool {
         self.chi == HalfPhase::Steady
     }

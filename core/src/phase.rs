@@ -29,13 +29,13 @@ impl Phase {
     /// One turn, 2π rad.
     pub const ONE: Self = Self(1 << FRACTION_BITS);
 
-    /// Phase from a number of turns, rounded to 2^-96 turns, modulo 2^32 turns. A number that is not finite counts as 0.
+    /// Phase from a number of turns, modulo 2^32 turns; 0 if it is not finite.
     pub fn new(turns: f64) -> Self {
         let (mantissa, exponent) = mantissa_and_exponent(turns);
         Self(times_power_of_two_i128(mantissa.into(), exponent + FRACTION_BITS))
     }
 
-    /// Phase of an angle in radians. Relative error: 2^-52. An angle that is not finite counts as 0.
+    /// Phase of an angle in radians, to 2^-52; 0 if it is not finite.
     pub fn from_radians(angle: f64) -> Self {
         Self::new(angle * (0.5 * core::f64::consts::FRAC_1_PI))
     }
@@ -55,7 +55,7 @@ impl Phase {
         self.0
     }
 
-    /// Words of 32 bits of the integer, the least significant first.
+    /// Words of 32 bits of the integer, lowest first.
     pub(crate) const fn words(self) -> [u32; 4] {
         let bits = self.0;
         [bits as u32, (bits >> 32) as u32, (bits >> 64) as u32, (bits >> 96) as u32]
@@ -67,12 +67,12 @@ impl Phase {
         Self((a as i128) | (b as i128) << 32 | (c as i128) << 64 | (d as i128) << 96)
     }
 
-    /// Number of turns. Relative error: 2^-53.
+    /// Number of turns, to 2^-53.
     pub fn to_f64(self) -> f64 {
         self.0 as f64 * Self::RESOLUTION
     }
 
-    /// Angle in radians. Relative error: 2^-52.
+    /// Angle in radians, to 2^-52.
     pub fn to_radians(self) -> f64 {
         self.to_f64() * (2.0 * core::f64::consts::PI)
     }
@@ -99,7 +99,7 @@ impl Phase {
         (half_turns as i64, Self(self.0.wrapping_sub(half_turns << (FRACTION_BITS - 1))))
     }
 
-    /// Nearest multiple of a quarter turn, modulo 4 (in the two lowest bits), and the remainder in [-1/8, 1/8) turn.
+    /// Nearest quarter turn, modulo 4 in the two lowest bits, and the remainder in [-1/8, 1/8) turn.
     pub(crate) fn quadrant(self) -> (u32, Self) {
         let quarter = self.0.wrapping_add(1 << (FRACTION_BITS - 3)) >> (FRACTION_BITS - 2);
         (quarter as u32, Self(self.0.wrapping_sub(quarter << (FRACTION_BITS - 2))))
@@ -159,7 +159,7 @@ impl AddAssign for Phase {
     }
 }
 
-/// Mantissa and exponent of x = mantissa · 2^exponent, with |mantissa| < 2^53; both 0 where x is not finite.
+/// Mantissa below 2^53 and exponent of x = mantissa · 2^exponent; 0 if x is not finite.
 pub(crate) fn mantissa_and_exponent(x: f64) -> (i64, i32) {
     const MANTISSA_BITS: u32 = 52;
     const BIAS: i32 = 1075; // 1023 + 52

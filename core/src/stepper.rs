@@ -20,7 +20,6 @@ pub struct Stepper<R> {
     ellipses: Ellipses<R>,
     equations: PhaseEquations<R>,
     nutation: Nutation<R>,
-    /// Slow phases A and B.
     phases: [Phase; 2],
     /// Constant parts of the rates of A and B, in turns/s and rad/s.
     constant_rates: [(Extended, R); 2],
@@ -96,7 +95,7 @@ impl<R: Real> Stepper<R> {
         stepper
     }
 
-    /// Advances by dt, s. A dt that is not finite counts as 0.
+    /// Advances by dt, s; by 0 if dt is not finite.
     pub fn step(&mut self, dt: R) {
         if !dt.to_f64().is_finite() {
             return;
@@ -149,7 +148,7 @@ impl<R: Real> Stepper<R> {
         AttitudeState { orientation: self.ellipses.orientation(chi, slow), rate }
     }
 
-    /// Tip position c = 2 s αβ, m, relative to the point below the centre of mass; for a fixed tip 2αβ.
+    /// Tip position c = 2 s αβ, m, from the point below the centre of mass; 2αβ for a fixed tip.
     #[must_use]
     pub fn tip(&self) -> Complex<R> {
         self.orientation().tip_over_s().scaled(self.tip_scale)
@@ -232,7 +231,6 @@ fn exact_sum<R: Real>(a: R, b: R) -> [R; 2] {
     [sum, (a - (sum - from_b)) + (b - from_b)]
 }
 
-/// Angle in rad as an integer phase.
 fn phase_from_radians<R: Real>(angle: R) -> Phase {
     Phase::new((angle * R::from_f64(0.5 * core::f64::consts::FRAC_1_PI)).to_f64())
 }

@@ -112,7 +112,7 @@ impl<R: Ring> Orientation<R> {
         Self { alpha: Complex::new(w, z), beta: Complex::new(-y, x) }
     }
 
-    /// Tip position in units of s, 2αβ: x + iy relative to the point below the centre of mass.
+    /// Tip position 2αβ in units of s, x + iy, from the point below the centre of mass.
     #[inline]
     pub fn tip_over_s(&self) -> Complex<R> {
         let product = self.alpha * self.beta;

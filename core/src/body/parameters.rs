@@ -103,7 +103,6 @@ impl Top {
     /// * g: 0, or 1e-60 to 1e60 with √(pg/A) 1e-9 to 1e9 per unit of time
     /// * |K|/A: at most 1e12 per unit of time
     pub fn fixed(parameters: &TopParameters) -> Result<Self, ParameterError> {
-        /// Relative tolerance for the rounding of A.
         const ROUNDING: f64 = 1e-9;
         let Some(mass) = parameters.given_mass()? else {
             check(
@@ -145,13 +144,9 @@ impl Top {
         s: f64,
         p: Extended,
     ) -> Result<Self, ParameterError> {
-        /// Least C/A other than 0.
         const LEAST_RATIO: f64 = 1e-60;
-        /// Least C/A other than 0 without torque.
         const LEAST_TORQUE_FREE_RATIO: f64 = 1e-20;
-        /// Greatest |K|/A, rad/s.
         const FASTEST_ROTOR: f64 = 1e12;
-        /// Least |K|/A that does not count as 0, rad/s.
         const SLOWEST_ROTOR: f64 = 1e-60;
         let a = magnitude("transverse_inertia", parameters.transverse_inertia)?;
         let c = parameters.axial_inertia;

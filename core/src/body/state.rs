@@ -38,7 +38,7 @@ pub struct Release {
 impl State {
     /// State from the Cayley-Klein parameters and ω (rad/s) in the fixed frame.
     ///
-    /// The squared norm of the orientation may differ from 1 by 1e-6; a launch divides it out. Components of Φ and ω below 1e-60 count as 0.
+    /// A launch divides out the norm of Φ. Components of Φ and ω below 1e-60 count as 0.
     ///
     /// # Errors
     /// `alpha`, `beta`, `omega`: a component is not finite; `alpha`: the squared norm differs from 1 by more than 1e-6; `omega`: above 1e12 rad/s.

@@ -56,7 +56,7 @@ impl Top {
         }
     }
 
-    /// Whether no torque acts: a free body, or a fixed tip without gravity.
+    /// Whether no torque acts.
     pub fn is_torque_free(&self) -> bool {
         self.g == 0.0
     }

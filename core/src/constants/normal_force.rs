@@ -14,9 +14,8 @@ use crate::scalar::{Extended, Float, Ring};
 struct PartialFractions {
     e4: Extended,
     e4_minus_one: Extended,
-    /// Numerator F₊ at u = e₄.
+    /// Numerators F₊ at u = e₄ and F₋ > 0 at u = -e₄.
     plus: Extended,
-    /// Numerator F₋ > 0 at u = -e₄.
     minus: Extended,
 }
 

@@ -87,7 +87,6 @@ impl<R: Real> Ellipse<R> {
         Complex::new(self.x * chi.re, self.y * chi.im)
     }
 
-    /// Derivative of the ellipse with respect to χ.
     fn derivative(&self, chi: Complex<R>) -> Complex<R> {
         self.at(chi.times_i())
     }

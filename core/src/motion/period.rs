@@ -41,7 +41,6 @@ impl PeriodAdvance {
 /// Nutation period with ψ_A and ψ_B over it, and their errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Period {
-    /// Period T, in the unit of time.
     pub(crate) time: Extended,
     /// Angles ψ_A(T) and ψ_B(T), rad.
     pub(crate) psi: [Extended; 2],
@@ -49,12 +48,10 @@ pub(crate) struct Period {
     pub(crate) relative_error: f64,
     /// Relative error of one operation of the quadrature.
     pub(crate) operation_error: f64,
-    /// Number of nodes on half a period.
     pub(crate) nodes: u32,
 }
 
 impl Period {
-    /// Period of a body without torque.
     pub(super) fn torque_free(time: Extended) -> Self {
         let operation_error = Extended::OPERATION_ERROR;
         Self { time, psi: [Extended::ZERO; 2], relative_error: 0.0, operation_error, nodes: 1 }

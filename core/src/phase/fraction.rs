@@ -48,7 +48,6 @@ impl PhaseFraction {
         Self::new([lower as u32, (lower >> 32) as u32, upper])
     }
 
-    /// Difference, modulo one turn.
     pub(crate) fn minus(self, other: Self) -> Self {
         Self::from_phase(self.to_phase() - other.to_phase())
     }
@@ -85,7 +84,6 @@ impl PhaseFraction {
         leading.wrapping_mul(n).wrapping_add((below >> 64) as u64).wrapping_sub(turn_less)
     }
 
-    /// 64 leading bits.
     #[inline(always)]
     pub(crate) const fn leading(self) -> u64 {
         let [_, middle, upper] = self.words;

@@ -124,7 +124,6 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
         [self.equations.alpha_scale, self.equations.beta_scale].map(Float::to_f64)
     }
 
-    /// Factors of the derivatives.
     pub(super) fn factors(&self) -> [F; 3] {
         let ([_, at_e2], [from_e1, _]) = (self.d_plus, self.f);
         let factor = F::ONE / (self.equations.half_g * from_e1 * at_e2).sqrt();

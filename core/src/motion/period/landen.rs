@@ -5,13 +5,9 @@ use crate::scalar::{Float, Ring, Wide};
 /// Fractions sn² u, cn² u and dn u before division. The first two have the denominator sn + cn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct JacobiFractions<F> {
-    /// Numerator of sn².
     pub(super) sn: F,
-    /// Numerator of cn².
     pub(super) cn: F,
-    /// Numerator of dn.
     pub(super) dn: F,
-    /// Denominator of dn.
     pub(super) dn_denominator: F,
 }
 
@@ -45,7 +41,6 @@ impl<const WORDS: usize> Landen<WORDS> {
     /// Modulus whose transformation is negligible.
     const LEAST_MODULUS: f64 = if WORDS == 1 { 2e-20 } else { 1e-33 };
 
-    /// Sequence for m = 0.
     pub(super) const NONE: Self = Self {
         steps: [LandenStep { modulus: Wide::ZERO, complement: Wide::ONE, scaled_modulus: Wide::ZERO };
             LANDEN_STEPS],

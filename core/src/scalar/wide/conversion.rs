@@ -24,7 +24,6 @@ impl<const WORDS: usize> Wide<WORDS> {
         Exact::new(words, exponent + 128, negative).rounded()
     }
 
-    /// Upper 128 bits of the significand.
     fn upper(&self) -> u128 {
         let mut words = self.significand.iter();
         let mut next = || words.next().map_or(0, |word| u128::from(*word));

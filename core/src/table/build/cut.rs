@@ -28,7 +28,6 @@ pub(super) type Store<'a> = dyn FnMut(usize, usize, [&[i64; MOST_TERMS]; 2]) -> 
 struct OpenCell {
     begin: usize,
     end: usize,
-    /// Depth of the segments.
     depth: u32,
     /// Point at the beginning, if a span begins there.
     beginning: PathPoint,
@@ -80,7 +79,6 @@ impl Cut {
         self.error = Speeds::ZERO.rounding([0.0; 2], 0.0);
     }
 
-    /// Goes to the span at `position`.
     pub(super) fn enter_span(&self, path: &mut Path, position: usize) {
         if position > path.span.begin {
             path.go_to_next_span(position == self.cell.end && self.first_depth(position) < path.span.depth);
@@ -89,13 +87,12 @@ impl Cut {
         }
     }
 
-    /// Depth that is tried first: segments of twice the length. Two cells with one segment begin with an even number.
+    /// Depth that is tried first, for twice the length. Two cells with one segment begin with an even one.
     fn first_depth(&self, begin: usize) -> u32 {
         self.cell.depth.saturating_sub(1).max(LEVEL_0_BITS + (begin / CELL % 2) as u32)
     }
 
-    /// Cuts the span into segments. Returns its end, or the position of a cell that must be cut again from an earlier span on; `None` where the
-    /// segments are too many.
+    /// Cuts the span into segments. Returns its end, or the beginning of a cell that must be cut again; `None` where the segments are too many.
     ///
     /// * `polynomials`: those of α and β on the span
     pub(super) fn cut_span(
@@ -173,7 +170,6 @@ impl Cut {
 }
 
 impl OpenCell {
-    /// Number of its segments.
     fn segments(&self) -> usize {
         (self.end - self.begin) / segment_length(self.depth)
     }

@@ -133,8 +133,7 @@ impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
 }
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
-    /// Ephemeris of a motion that is launched at tick 0. It needs 14 KiB of stack on a Cortex-M4F in `f32`;
-    /// [`EphemerisMemory::set_up`] needs 5 KiB.
+    /// Ephemeris of a motion launched at tick 0. In `f32` it takes 14 KiB of a Cortex-M4F's stack, [`EphemerisMemory::set_up`] 5 KiB.
     ///
     /// # Errors
     /// [`SetUpError`]
@@ -142,7 +141,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
         Self::with_truncation(motion, tick, R::TRUNCATION)
     }
 
-    /// Ephemeris with a given truncation error, rad, finite and positive: a smaller table for a larger error.
+    /// Ephemeris with a given truncation error > 0, rad: a smaller table for a larger error.
     ///
     /// # Errors
     /// [`SetUpError`]
@@ -154,8 +153,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Number of segments that is enough for a truncation error, rad; `None` where 4096, the largest number, are too few, or the motion has no
-    /// table.
+    /// Number of segments for a truncation error, rad; `None` where 4096 are too few or the motion has no table.
     #[must_use]
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let mut set_up = SetUp::with_truncation(truncation);

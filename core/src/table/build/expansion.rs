@@ -103,15 +103,13 @@ impl PathPhases {
 /// Point around which the motion is expanded, with derivatives by y. The pairs are those of α and β.
 pub(super) struct Origin {
     pub(super) phases: PathPhases,
-    /// sin χ and cos χ.
     pub(super) sine: f64,
     pub(super) cosine: f64,
-    /// Time of y = 1.
     pub(super) unit: f64,
     pub(super) chi_rate: f64,
     pub(super) psi_rates: [f64; 2],
     pub(super) residual_rates: [f64; 2],
-    /// Weight of an error of χ over one of a residual phase, large where χ changes slowly.
+    /// Weight of an error of χ over one of a residual phase.
     pub(super) weight: f64,
     /// Magnitude below which a term at x = 2 is negligible, rad.
     pub(super) negligible: f64,
@@ -181,7 +179,7 @@ impl Expansion {
         self.chi.term(1, 1.0) <= GREATEST_CHANGE * self.chi.term(0, 1.0)
     }
 
-    /// Upper bound on the rates of the residual phases by x in [-1, 1], without the truncation error.
+    /// Upper bound on the rates of the residual phases by x in [-1, 1].
     pub(super) fn greatest_residual_rate(&self) -> f32 {
         let greatest = |rate: &RateSeries| rate.bound(1, self.terms, 0.0);
         let [alpha, beta] = self.residual.each_ref().map(greatest);

@@ -56,7 +56,6 @@ impl LaunchPlace {
 /// Coordinate x of χ on a span, by Newton's method.
 fn coordinate_of(expansion: &Expansion, chi: Phase) -> f64 {
     const STEPS: usize = 8;
-    /// Step of some roundings.
     const LAST_STEP: f64 = 4.0 * f64::ROUNDING;
     let mut x = 0.0_f64;
     for _ in 0..STEPS {

@@ -6,9 +6,7 @@ use crate::table::evaluation::TABLE_UNIT;
 /// Limits that a set-up keeps.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limits {
-    /// Number of coefficients of a polynomial.
     pub(super) coefficients: usize,
-    /// Largest number of segments.
     pub(super) capacity: usize,
     /// Truncation error of all steps along half a period, rad.
     pub(super) steps: f64,

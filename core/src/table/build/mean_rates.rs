@@ -17,14 +17,12 @@ const OPERATIONS_PER_NODE: f64 = 2.0;
 pub(super) struct MeanRates {
     /// Nutation frequency 1/T and mean rates of α and β, in turns/s.
     pub(super) turns: [Extended; 3],
-    /// Errors of `turns`, turns/s.
     pub(super) errors: [f64; 3],
 }
 
 impl MeanRates {
     pub(super) const ZERO: Self = Self { turns: [Extended::ZERO; 3], errors: [0.0; 3] };
 
-    /// Mean rates of a motion.
     ///
     /// * `period`: `None` where u is constant
     #[inline(never)]

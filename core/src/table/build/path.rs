@@ -18,14 +18,12 @@ const PHASE_TERM: f64 = 32.0;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PathPoint {
     pub(super) phases: PathPhases,
-    /// Truncation error, rad.
     truncation: f64,
     /// Sums of the squares of the terms of χ, as delays in half periods, and of the residual phases, rad.
     squares: [f32; 2],
 }
 
 impl PathPoint {
-    /// Point u = e₁.
     pub(super) const FIRST: Self = Self { phases: PathPhases::ZERO, truncation: 0.0, squares: [0.0; 2] };
 }
 
@@ -41,7 +39,7 @@ pub(super) struct Path {
     half_period: Extended,
     /// Residual rates minus ψ_A' and ψ_B', rad/s.
     residual_offsets: [Extended; 2],
-    /// Rates of χ and of the residual phases together at the faster turning point, rad per half period.
+    /// Rates of χ and of the residual phases, added, at the faster turning point, rad per half period.
     fastest: f64,
     /// Allowed truncation error of all steps, rad.
     allowed: f64,
@@ -101,8 +99,7 @@ impl Path {
         (self.beginning, self.centre) = (point, None);
     }
 
-    /// Goes on to the next span. It is twice as long where its expansion should converge, and if the phases are accurate at x = 2 or
-    /// `may_be_inaccurate`.
+    /// Goes on to the next span. It is twice as long where its expansion should converge, with accurate phases at x = 2 or if `may_be_inaccurate`.
     pub(super) fn go_to_next_span(&mut self, may_be_inaccurate: bool) {
         let next = Span { begin: self.span.end(), ..self.span };
         let twice = Span { depth: self.span.depth - 1, ..next };

@@ -148,7 +148,7 @@ impl Polynomial {
         }
     }
 
-    /// Adds the errors of the value and of the derivative, and the bounds Σ k |c_k| and Σ k (k - 1) |c_k| on the derivatives.
+    /// Adds the errors of value and derivative, and the bounds Σ k |c_k| and Σ k (k - 1) |c_k| on derivatives.
     ///
     /// * `halvings`: number of the halvings since the span
     /// * `stored`, `slope_stored`: errors by the rounding of the coefficients

@@ -24,7 +24,6 @@ pub struct SetUp {
     pub(super) launch: LaunchPlace,
     path: Path,
     series: ParameterSeries,
-    /// Polynomials of α and β on a span.
     polynomials: [Polynomial; 2],
     pub(super) cut: Cut,
 }
@@ -36,8 +35,7 @@ impl Default for SetUp {
 }
 
 impl SetUp {
-    /// Set-up with the truncation error of the scalar, [`EphemerisScalar::TRUNCATION`](crate::EphemerisScalar::TRUNCATION). A static of it
-    /// takes no flash.
+    /// Set-up with [`EphemerisScalar::TRUNCATION`](crate::EphemerisScalar::TRUNCATION). A static of it takes no flash.
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -52,7 +50,7 @@ impl SetUp {
         }
     }
 
-    /// Set-up with another truncation error, rad, finite and positive: a smaller table for a larger error.
+    /// Set-up with another truncation error > 0, rad: a smaller table for a larger error.
     #[must_use]
     pub const fn with_truncation(truncation: f64) -> Self {
         Self { truncation: Some(truncation), ..Self::new() }

@@ -4,21 +4,18 @@ use crate::phase::Phase;
 use crate::scalar::power_of_two;
 use crate::table::data::cell::{CELLS, Cell, LEVEL_0_BITS};
 
-/// One of the 2^depth equal parts of half a period. The unit of a position is the shortest segment.
+/// One of the 2^depth equal parts of half a period. Positions are in shortest segments.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Span {
     pub(super) begin: usize,
     pub(super) depth: u32,
 }
 
-/// Length of half a period.
 pub(super) const HALF_PERIOD: usize = 1 << Span::DEEPEST;
 
-/// Length of a cell.
 pub(super) const CELL: usize = HALF_PERIOD / CELLS;
 
 impl Span {
-    /// Least depth.
     const SHALLOWEST: u32 = 2;
     /// Greatest depth, that of the shortest segment.
     pub(super) const DEEPEST: u32 = LEVEL_0_BITS + Cell::DEEPEST;

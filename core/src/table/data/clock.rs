@@ -7,7 +7,7 @@ use crate::phase::{Phase, PhaseFraction, mantissa_and_exponent, times_power_of_t
 use crate::scalar::{Extended, Float};
 use crate::table::data::cell::SEGMENTS_AT_LEVEL_0;
 
-/// Tick length as an exact fraction of a second (of the motion's unit of time).
+/// Length of a tick, an exact fraction of a second.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Tick {
@@ -37,7 +37,6 @@ impl Tick {
         Ok(Self { ticks, seconds })
     }
 
-    /// Length of a tick in units of time.
     pub(crate) fn length(self) -> Extended {
         quotient(self.seconds, self.ticks)
     }
@@ -52,11 +51,11 @@ fn quotient(a: u32, b: u32) -> Extended {
     Extended::from(f64::from(a)) / Extended::from(f64::from(b))
 }
 
-/// Phases, their increments per tick, and the scales of lengths and rates: see `core/docs/table_format.md`.
+/// Phases and their increments, and the scales of lengths and rates: see `core/docs/table_format.md`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)] // the increments first, in reach of the smallest chip's load instructions
 pub struct Clock<W> {
-    /// Increments per tick of nutation phase, A and B, in units of 2^-96 turns, the least significant word first.
+    /// Increments per tick of nutation phase, A and B, in units of 2^-96 turns, lowest word first.
     pub step: [[u32; 3]; 3],
     /// Argument of the tabulated ab at u = e₁ in quarter turns: 0, or ±1 for e₁ = -1.
     pub tip_quarter: i8,
@@ -68,16 +67,15 @@ pub struct Clock<W> {
     pub has_turning_points: bool,
     /// Twice [`Top::tip_scale`](crate::Top::tip_scale), 2 s, m; 2 for a fixed tip. The tip is at c = 2 s αβ.
     pub twice_tip_scale: W,
-    /// Rates per unit time: dx/dt on a segment of an eighth of half a period; the mean rate of A + B, rad; the axial angular velocity
-    /// (n - K)/C, rad.
+    /// Rate dx/dt on a segment of an eighth of half a period, /s; mean rate of A + B and axial rate (n - K)/C, rad/s.
     pub rates: [W; 3],
     /// Nutation phase, A and B at tick `i64::MIN`, in units of 2^-64 turns.
     pub first: [u64; 3],
-    /// Increments per tick in turns, whole turns included, each as the sum of two `f64`.
+    /// Increments per tick in turns, with whole turns, as sums of two `f64`.
     pub exact_step: [[f64; 2]; 3],
     /// Number of ticks in a unit of time, as the sum of two `f64`.
     pub ticks_per_time: [f64; 2],
-    /// Mean tip angle at tick 0, whole turns included, in units of 2^-96 turns, the least significant word first.
+    /// Mean tip angle at tick 0, with whole turns, in units of 2^-96 turns, lowest word first.
     pub tip_start: [u32; 4],
     /// Increment of the mean tip angle per tick, in units of 2^-96 turns.
     pub tip_step: [u32; 4],
@@ -148,13 +146,11 @@ impl<W: Float> Clock<W> {
 }
 
 impl<W> Clock<W> {
-    /// Increments per tick.
     #[inline(always)]
     pub(crate) fn steps(&self) -> [PhaseFraction; 3] {
         self.step.map(PhaseFraction::new)
     }
 
-    /// Increments per tick in turns, whole turns included.
     pub(crate) fn exact_steps(&self) -> [Extended; 3] {
         self.exact_step.map(|[hi, lo]| Extended::sum(hi, lo))
     }
@@ -165,12 +161,12 @@ impl<W> Clock<W> {
         Extended::sum(hi, lo)
     }
 
-    /// Number of ticks until a time. A time that is not finite counts as 0.
+    /// Number of ticks until a time; 0 if it is not finite.
     pub(crate) fn ticks(&self, t: f64) -> Extended {
         self.tick_rate() * if t.is_finite() { t } else { 0.0 }.into()
     }
 
-    /// Leading 64 bits of nutation phase, A and B, and the mean tip angle, at a time. A time that is not finite counts as 0.
+    /// 64 leading bits of nutation phase, A and B, and the mean tip angle, at a time (0 if not finite).
     ///
     /// `None` beyond 2^62 ticks, and for fast ticks, in which a phase turns by half a turn or more.
     #[inline(always)]
@@ -234,7 +230,6 @@ impl<W> Clock<W> {
         Phase::from_words(self.tip_step)
     }
 
-    /// Mean tip angle at tick n.
     #[inline(always)]
     pub(crate) fn mean_tip(&self, n: i64) -> Phase {
         Phase::from_words(self.tip_start) + self.tip_turn() * n

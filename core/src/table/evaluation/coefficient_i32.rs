@@ -94,8 +94,7 @@ pub(super) fn truncated_factors(polynomial: &[i64], limit: i64) -> Option<u32> {
 impl Coefficient for i32 {
     type Number = Q30;
 
-    /// The coefficient has half a unit more, because the product added to it is rounded down. The constant is rounded to the nearest, because a
-    /// complement changes its sign.
+    /// Half a unit more, because the product added is rounded down; not in the constant, whose sign a complement changes.
     fn nearest(value: i64, power: usize) -> (Self, i64) {
         let dropped = TABLE_BITS - 31 - power as u32;
         let rounded = if power == 0 { shifted_right(value, dropped) } else { (value >> dropped) + 1 };
@@ -194,7 +193,6 @@ mod tests {
         assert_eq!(i32::nearest(i64::MAX, 1).0, i32::MAX);
     }
 
-    /// Coefficients in units of 2^-62.
     fn polynomial<const N: usize>(values: [f64; N]) -> [i64; N] {
         values.map(|value| (value * 2_f64.powi(62)) as i64)
     }

@@ -12,8 +12,8 @@ use crate::table::read::sample::{Sample, map_parts};
 
 /// Reader of consecutive ticks of a table, by three additions each.
 ///
-/// The table is a `&EphemerisView`, or a [`ReadyEphemeris`](crate::ReadyEphemeris), whose memory an exchange frees for another set-up. An
-/// interrupt exchanges tables without a lock and without a copy.
+/// The table is a `&EphemerisView`, or a [`ReadyEphemeris`](crate::ReadyEphemeris), whose memory an exchange frees. An exchange needs no lock and
+/// no copy.
 ///
 /// ```
 /// # use toytop::{Cursor, EphemerisF32, EphemerisMemory, Motion, Release, SetUp, State, Tick, Top, TopParameters};
@@ -147,8 +147,7 @@ impl CursorPhases {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Fills `out` with the orientations at the ticks first, first + 1, .... The bits are those of [`EphemerisView::at_tick`]; on a large
-    /// processor it is faster.
+    /// Fills `out` with the orientations at the ticks first, first + 1, .... The bits are those of [`EphemerisView::at_tick`]; faster on a PC.
     pub fn fill(&self, first: i64, out: &mut [Orientation<R>]) {
         /// Number of ticks whose orientations are computed independently.
         const BLOCK: usize = 16;

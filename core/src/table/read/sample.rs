@@ -10,8 +10,8 @@ use crate::table::evaluation::{
     EphemerisScalar, Number, NumberOf, SegmentPoint, orientation, orientation_and_omega_body,
 };
 
-/// Sample of a motion at one time. Each method evaluates the table. [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
-/// [`Sample::attitude_state`] return several quantities of one evaluation.
+/// Sample of a motion at one time. Each method evaluates the table; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
+/// [`Sample::attitude_state`] do so once for several quantities.
 ///
 /// Lengths and rates are in [`EphemerisScalar::Quantity`]: R itself in floating point, `f32` in fixed point.
 #[derive(Clone, Copy, Debug)]
@@ -86,7 +86,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         self.orientation().quaternion()
     }
 
-    /// Position c = 2 s αβ of the tip, in m, relative to the point of the plane below the centre of mass. For a fixed tip it is 2αβ.
+    /// Position c = 2 s αβ of the tip, m, from the point below the centre of mass; 2αβ for a fixed tip.
     #[inline(always)]
     #[must_use]
     pub fn tip(&self) -> Complex<R::Quantity> {
@@ -125,7 +125,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         udot
     }
 
-    /// Velocity c' of the tip, m/s. For a fixed tip it is that of 2αβ.
+    /// Velocity c' of the tip, m/s.
     #[inline(always)]
     #[must_use]
     pub fn tip_velocity(&self) -> Complex<R::Quantity> {
@@ -173,9 +173,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
 
 /// Segment of a nutation phase, and the point of it.
 pub(super) struct LocatedSegment<'a, R: EphemerisScalar> {
-    /// Coefficients of each power, the lowest first.
     pub(super) rows: &'a [[R::Coefficient; 4]],
-    /// Index of the segment in the table.
     pub(super) index: usize,
     pub(super) point: SegmentPoint,
 }
@@ -188,10 +186,10 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         Sample::new(self, self.clock.at(n), self.clock.mean_tip(n))
     }
 
-    /// Sample of the motion t units of time after tick 0. The t is taken as exact; one that is not finite counts as 0.
+    /// Sample of the motion t (s) after tick 0, taken as exact; 0 if it is not finite.
     ///
-    /// It equals [`EphemerisView::at_tick`] to the bit where t is a whole number of ticks and the tick rate a multiple of 1/2. It is slow beyond
-    /// 2^62 ticks, and where a phase turns by half a turn or more in a tick.
+    /// The bits are those of [`EphemerisView::at_tick`] where t is a whole number of ticks and the tick rate a multiple of 1/2. It is slow beyond
+    /// 2^62 ticks, and for ticks of half a turn or more of a phase.
     #[inline(always)] // so that the mean tip angle is computed only where the caller uses it
     #[must_use]
     pub fn at(&self, t: f64) -> Sample<'_, R> {
@@ -201,7 +199,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         }
     }
 
-    /// Sample of the motion after a number of ticks without limit.
+    /// Sample after any number of ticks.
     #[cold]
     #[inline(never)]
     pub(crate) fn after(&self, ticks: Extended) -> Sample<'_, R> {
@@ -234,7 +232,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let (level, index) = (cell.level(), cell.segment(leading));
         // no cell refers beyond the last segment; the fallback avoids a panic
         let segment = self.segments.get(index).or(self.segments.first());
-        // the fraction of a segment of level 0, and its 32 leading bits
+        // the same of a segment of level 0
         let (eighth, leading) = (half << LEVEL_0_BITS, (half >> (32 - LEVEL_0_BITS)) as u32);
         // the range [0, 1) becomes [-1, 1) by flipping the upper bit
         let (x64, x32) = ((eighth << level) ^ (1 << 63), (leading << level) ^ (1 << 31));
@@ -246,7 +244,6 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     }
 }
 
-/// Orientation in another type of number.
 #[inline(always)]
 pub(super) fn map_parts<A: Copy, B>(orientation: &Orientation<A>, number: impl Fn(A) -> B) -> Orientation<B> {
     let parts = |z: Complex<A>| Complex::new(number(z.re), number(z.im));

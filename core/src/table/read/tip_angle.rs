@@ -12,10 +12,9 @@ use crate::table::evaluation::{Coefficient, EphemerisScalar};
 use crate::table::read::sample::Sample;
 
 impl<R: EphemerisScalar> Sample<'_, R> {
-    /// Tip angle φ = arg c with whole turns (modulo 2^32), continuous in time from φ(0) in (-1/2, 1/2] turn; `None` for an axis that stays vertical. Error: that of the orientation over 2|αβ|.
+    /// Tip angle φ = arg c, continuous in time from φ(0) in (-1/2, 1/2] turn, modulo 2^32 turns; `None` for an axis that stays vertical. Error: that of the orientation over 2|αβ|.
     ///
-    /// Where the curve passes through the centre, φ is smooth and the radius changes its sign: c = ±|c| e^{iφ}. The cost is an arctangent, and a
-    /// complex product for every segment from u = e₁ to the sample.
+    /// Where the curve passes through the centre, φ is smooth and the radius changes its sign: c = ±|c| e^{iφ}. Cost: an arctangent, and a complex product for every segment since u = e₁.
     #[must_use]
     pub fn tip_angle(&self) -> Option<Phase> {
         self.ephemeris.clock.tip_exists.then(|| self.tip_angle_unchecked())
@@ -73,8 +72,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         Phase::from_bits(i128::from(nutation as i64) << 31) * i64::from(self.clock.tip_passes)
     }
 
-    /// Argument of the tabulated ab at a nutation phase, continued from u = e₁ through the centres of all segments before. Where ab is near 0,
-    /// the direction from 0 or to 0 replaces it.
+    /// Argument of the tabulated ab, continued from u = e₁ through the centres of all segments before; near 0 the direction from or to 0.
     fn tabulated_tip_angle(&self, nutation: u64, pause: &mut dyn FnMut()) -> Phase {
         const SEGMENTS: usize = 16;
         let found = self.segment_at(nutation);

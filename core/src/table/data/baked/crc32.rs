@@ -56,7 +56,6 @@ impl Crc32 {
         Self(sum)
     }
 
-    /// Checksum of all numbers so far.
     pub(crate) const fn value(self) -> u32 {
         !self.0
     }
