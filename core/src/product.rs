@@ -119,6 +119,12 @@ const fn product_i32_by_halves(a: i32, b: i32) -> i64 {
     (product_u32_by_halves(a as u32, b as u32) as i64).wrapping_sub((excess as i64) << 32)
 }
 
+/// Next random bits of a test, from those before.
+#[cfg(test)]
+pub(crate) const fn next_random(bits: u64) -> u64 {
+    bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -128,7 +134,7 @@ mod tests {
         let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
         let extremes = [i32::MIN, i32::MAX, -1, 0, 1, 0xffff, -0x1_0000, 0x7fff_0001];
         for k in 0..if cfg!(miri) { 3000 } else { 100_000 } {
-            bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+            bits = next_random(bits);
             let pick = |random: i32, choice: usize| {
                 if k % 3 == 0 { extremes[choice % extremes.len()] } else { random }
             };

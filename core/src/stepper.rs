@@ -1,6 +1,6 @@
 //! Stepper: one Runge-Kutta step of the three phases per time step.
 //!
-//! The rates depend on χ alone. Orientation and first integrals are functions of the phases, so |Φ|, l, n and h do not drift.
+//! Orientation and first integrals are functions of the phases, so that |Φ|, l, n and h do not drift.
 
 use crate::complex::Complex;
 use crate::motion::cayley_klein::Ellipses;
@@ -11,7 +11,7 @@ use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real};
 use crate::su2::{AttitudeState, Orientation};
 
-/// Stepper of one motion. The steps may have different lengths and either sign.
+/// Stepper of one motion, by steps of any length and either sign.
 ///
 /// Order 4 in dt. Error over ten periods: below 1e-12 rad with 4096 steps a period in `f64`, below 1e-5 rad with 512 in `f32`; more near the
 /// separatrix. Where u is constant, a step is exact.
@@ -23,7 +23,7 @@ pub struct Stepper<R> {
     phases: [Phase; 2],
     /// Constant parts of the rates of A and B, in turns/s and rad/s.
     constant_rates: [(Extended, R); 2],
-    /// Length s, m; 1 for a fixed tip.
+    /// Tip scale, m.
     tip_scale: R,
     /// Rates (l + n)/(4A) and (l - n)/(4A), rad/s.
     momentum_rates: [R; 2],

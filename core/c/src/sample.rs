@@ -65,7 +65,7 @@ pub(crate) unsafe fn sample<R: CScalar>(
 ) -> Result<Sample<'static, R>, Refusal> {
     // SAFETY: the caller guarantees that the pointer is valid.
     let SampleOf { sample, address, table } = unsafe { load(place)? };
-    // SAFETY: see above.
+    // SAFETY: the caller guarantees that the memory of the table is still there.
     if unsafe { view::<R>(address)? }.identity != table {
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
     }
@@ -88,7 +88,7 @@ pub(crate) unsafe fn write_quantity<R: CScalar, T>(
 /// Keeps a sample of a table for the caller.
 ///
 /// # Safety
-/// The pointers are null or valid, and the table stays as long as the sample is used; here and below.
+/// The pointers are null or valid, and the table stays as long as the sample is used.
 pub(crate) unsafe fn keep_sample<R: CScalar>(
     table: *const u8,
     place: *mut toytop_ephemeris_sample,
@@ -143,7 +143,7 @@ unsafe fn advance<R: CScalar>(
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
     }
     take(of.ticks.next(table.view))?;
-    // SAFETY: see above.
+    // SAFETY: the caller guarantees a valid pointer.
     unsafe { store(place, of) }
 }
 

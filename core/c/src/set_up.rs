@@ -86,7 +86,7 @@ pub(crate) unsafe fn run<R: CScalar>(
         }
     };
     cleared.set_up(set_up, &motion, tick, launched.epoch, &mut call)?;
-    // SAFETY: see above.
+    // SAFETY: `clear` was called on this memory before.
     unsafe { memory.ready::<R>() };
     Ok(())
 }

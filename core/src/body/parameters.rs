@@ -187,16 +187,7 @@ impl Top {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    const TOP: TopParameters = TopParameters {
-        transverse_inertia: 3e-5,
-        axial_inertia: 2e-5,
-        com_height: 0.03,
-        mass: 0.05,
-        mass_moment: 0.0,
-        gravity: 9.81,
-        rotor_momentum: 0.0,
-    };
+    use crate::body::TOY as TOP;
 
     fn refused(result: Result<Top, ParameterError>) -> Option<&'static str> {
         result.err().map(|error| error.parameter())

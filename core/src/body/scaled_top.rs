@@ -70,16 +70,7 @@ impl Top {
 mod tests {
     use super::*;
     use crate::TopParameters;
-
-    const TOP: TopParameters = TopParameters {
-        transverse_inertia: 3e-5,
-        axial_inertia: 2e-5,
-        com_height: 0.03,
-        mass: 0.05,
-        mass_moment: 0.0,
-        gravity: 9.81,
-        rotor_momentum: 0.0,
-    };
+    use crate::body::TOY as TOP;
 
     /// The units are powers of two, so that quotients of given numbers keep their bits.
     #[test]

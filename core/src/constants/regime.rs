@@ -78,17 +78,17 @@ pub enum TipClass {
     Loops,
     /// The curve is a circle: regular precession.
     Circle,
-    /// The curve passes through the centre once or twice a period: e₁ = -1 or e₂ = 1.
+    /// The curve passes through the centre: e₁ = -1 or e₂ = 1.
     ThroughOrigin,
-    /// The curve of an aperiodic motion tends to the centre: a spiral, or for e₁ = -1 a straight line.
+    /// The curve of an aperiodic motion: a spiral to the centre, or for e₁ = -1 a straight line.
     Spiral,
-    /// The tip stays at the centre, because the axis is vertical.
+    /// The tip stays at the centre.
     Point,
 }
 
 impl TipClass {
-    /// Class by Proposition 6 of the paper: with -1 < e₁ < e₂ < 1 < e₃ and different signs there are loops if e₃ (e₂ - e₁) > 1 - e₁e₂,
-    /// and cusps if both sides are equal to the rounding of `f64`.
+    /// Class by Proposition 6: with -1 < e₁ < e₂ < 1 < e₃ and different signs there are loops if e₃ (e₂ - e₁) > 1 - e₁e₂, and cusps if both are
+    /// equal to an `f64` rounding.
     pub(crate) fn new(regime: Regime, e: &BranchPoints<Extended>, signs: Signs) -> Self {
         let zero = Extended::ZERO;
         match regime {

@@ -85,6 +85,31 @@ fn samples_and_the_stepper_have_the_same_quantities() {
     check_all(["attitude state", "stepper"], greatest, tolerance::ACCESS_SAME_QUANTITIES);
 }
 
+/// A pose has the bits of its single quantities, in every arithmetic.
+#[test]
+fn a_pose_is_its_quantities_to_the_bit() {
+    fn agree<R: EphemerisScalar, const S: usize>() {
+        let ephemeris = Ephemeris::<R, S>::new(&generic(), kilohertz()).unwrap();
+        for n in (-500..500).chain([1 << 40]) {
+            let sample = ephemeris.at_tick(n);
+            let pose = sample.pose();
+            assert_eq!((pose.orientation, pose.u), (sample.orientation(), sample.u()), "tick {n}");
+            assert_eq!(pose.tip, sample.tip(), "tick {n}");
+        }
+    }
+    agree::<f32, 25>();
+    agree::<f64, 48>();
+    agree::<I2F30, 256>();
+    agree::<I2F14, 128>();
+}
+
+/// The last time is that of tick 2^63.
+#[test]
+fn the_last_time_is_that_of_the_last_tick() {
+    let ephemeris = EphemerisF32::new(&generic(), kilohertz()).unwrap();
+    assert_eq!(ephemeris.last_time(), 2_f64.powi(63) / 1000.0);
+}
+
 /// Across the border of two segments value and slope change by no more than in 2e-12 of time.
 #[test]
 fn continuity_across_segments_and_turning_points() {

@@ -42,7 +42,7 @@ struct TrapezoidRule<'a, const WORDS: usize> {
     nodes: u32,
     /// Sine and cosine of the angle between two nodes.
     step: [Wide<WORDS>; 2],
-    /// Relative changes of the period and of the slow phases by the last doubling of the nodes.
+    /// Relative changes by the last doubling of the nodes.
     changes: [f64; 2],
 }
 
@@ -111,7 +111,7 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         integrands
     }
 
-    /// Changes of the time and of the slow phases, relative to the sums of magnitudes.
+    /// Relative changes of the time and of the slow phases.
     fn relative(&self, change: [Wide<WORDS>; 3]) -> [f64; 2] {
         let [alpha_scale, beta_scale] = self.equations.slow_scales().map(f64::abs);
         let magnitudes = |sums: [Wide<WORDS>; 3]| {

@@ -246,7 +246,7 @@ mod tests {
         let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
         let mut seen = [0; 3];
         for _ in 0..if cfg!(miri) { 300 } else { 100_000 } {
-            bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+            bits = crate::product::next_random(bits);
             let (upper, lower) = (bits as i64 >> (5 + bits % 56), (bits >> 34) as u32);
             let shift = LEAST_SHIFT + (bits >> 40) as i32 % 90;
             let sum = (i128::from(upper) << (2 * LIMB_BITS)) + (i128::from(lower) << LIMB_BITS);

@@ -1,4 +1,4 @@
-//! Parts of half a nutation period that one expansion of the motion covers.
+//! Parts of half a period with one expansion of the motion.
 
 use crate::phase::Phase;
 use crate::scalar::power_of_two;

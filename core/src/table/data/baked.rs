@@ -1,4 +1,4 @@
-//! Baked table: an ephemeris as literal data, set up on a host and compiled into the flash of a chip.
+//! Baked table: an ephemeris as literal data for the flash of a chip.
 
 mod crc32;
 mod range;
@@ -17,7 +17,7 @@ const FORMAT: u32 = 7;
 
 /// Fields of an [`Ephemeris`] as `toytop bake SCENARIO` writes them: see `core/docs/table_format.md`.
 ///
-/// Changed data, and numbers that would overflow in a tick, are refused; in a constant they do not compile.
+/// Changed data, and numbers that would overflow, are refused; in a constant they do not compile.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
     /// Version of the format: [`Baked::FORMAT`].
@@ -36,7 +36,7 @@ pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
     pub segments: [R::Segment; SEGMENTS],
 }
 
-/// Reason why a baked table is refused.
+/// Reason for refusing a baked table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -53,7 +53,7 @@ pub enum BakedError {
         /// Checksum computed from the data.
         computed: u32,
     },
-    /// A number is not finite, or so large that a tick would overflow.
+    /// A number is not finite, or too large for a tick.
     OutOfRange {
         /// Name of the field.
         field: &'static str,
@@ -79,7 +79,7 @@ impl fmt::Display for BakedError {
 impl core::error::Error for BakedError {}
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Baked<R, SEGMENTS> {
-    /// Version of the format that this version of the crate reads.
+    /// Version of the format that is read.
     pub const FORMAT: u32 = FORMAT;
 }
 

@@ -8,7 +8,7 @@ use core::ops::{Deref, DerefMut};
 
 /// Ephemeris of one motion with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.
 ///
-/// It dereferences to an [`EphemerisView`], which has its methods and which any number of readers share. Size: 4 · SEGMENTS ·
+/// Its methods are those of [`EphemerisView`]. Size: 4 · SEGMENTS ·
 /// [`EphemerisScalar::TERMS`] coefficients and about 300 bytes.
 pub type Ephemeris<R, const SEGMENTS: usize> = EphemerisView<R, [<R as EphemerisScalar>::Segment; SEGMENTS]>;
 
@@ -42,11 +42,11 @@ pub type EphemerisF32 = Ephemeris<f32, 25>;
 /// Ephemeris in `f64`, 17 KiB, for the motions of [`EphemerisF32`]; where A/(ps) >= 1, `Ephemeris<f64, 32>` is enough.
 pub type EphemerisF64 = Ephemeris<f64, 48>;
 
-/// Ephemeris in fixed point of 32 bits, 2 KiB: enough for the top of the README; many motions need 64 segments.
+/// Ephemeris in 32-bit fixed point, 2 KiB: enough for the README's top; many motions need 64 segments.
 #[cfg(feature = "fixed")]
 pub type EphemerisQ31 = Ephemeris<fixed::types::I2F30, 32>;
 
-/// Ephemeris in fixed point of 16 bits, 0.6 KiB: enough for the top of the README; many motions need 32 segments.
+/// Ephemeris in 16-bit fixed point, 0.6 KiB: enough for the README's top; many motions need 32 segments.
 #[cfg(feature = "fixed")]
 pub type EphemerisQ15 = Ephemeris<fixed::types::I2F14, 16>;
 
@@ -80,7 +80,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Borrow<EphemerisView<R>> for Eph
     }
 }
 
-/// Memory of a table, which a static may hold: `EphemerisMemory<EphemerisF32>`. The table cannot be read before its set-up.
+/// Memory of a table, perhaps in a static. The table cannot be read before its set-up.
 #[derive(Debug)]
 #[repr(C)] // the C interface reads it by its address
 pub struct EphemerisMemory<T: ?Sized> {
@@ -177,7 +177,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         &self.segments
     }
 
-    /// Upper bound on the orientation error, rad, by the number of ticks from the launch.
+    /// Upper bound on the orientation error, rad, by ticks from the launch.
     #[must_use]
     pub fn error_bound(&self) -> ErrorBound {
         self.error_bound

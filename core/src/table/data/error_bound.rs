@@ -1,8 +1,8 @@
 //! Error bound of a table.
 
-/// Upper bound on an error at any tick: `constant` plus `per_tick` for each tick from the launch.
+/// Upper bound on an error: `constant` plus `per_tick` for each tick from the launch.
 ///
-/// The error of an orientation is 2 √(|Δα|² + |Δβ|²), relative to the exact motion of the numbers that were launched. The bound contains
+/// The error of an orientation is 2 √(|Δα|² + |Δβ|²). The bound contains
 ///
 /// * the worst case of the roundings of integers,
 /// * six standard deviations of the roundings in `f64`,
@@ -10,9 +10,9 @@
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ErrorBound {
-    /// Error at the tick of the launch, rad (rad/s for rates).
+    /// Error at the launch, rad (rad/s for rates).
     pub constant: f64,
-    /// Growth of the error per tick from the launch, rad (rad/s for rates).
+    /// Growth of the error per tick.
     pub per_tick: f64,
 }
 

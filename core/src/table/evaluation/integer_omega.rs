@@ -78,7 +78,7 @@ mod tests {
     fn integers_give_what_floating_point_gives() {
         let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
         let mut random = || {
-            bits = bits.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+            bits = crate::product::next_random(bits);
             (bits >> 32) as i32
         };
         let mut worst = 0.0_f64;
