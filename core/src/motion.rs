@@ -38,7 +38,7 @@ pub struct Motion {
     pub(crate) chi: HalfPhase,
     pub(crate) phases: [Phase; 2],
     pub(crate) rounding: LaunchRounding,
-    /// Rate χ' without torque, rad/s; 0 with one, and where the axis rests.
+    /// Rate χ' without torque, rad/s; otherwise 0.
     torque_free_rate: Extended,
 }
 

@@ -168,8 +168,8 @@ impl<R: EphemerisScalar> Events<'_, R> {
         let edge = self.angle + if upward { greatest } else { least };
         let periods =
             Extended::from(self.turn_to_target(edge, upward)) / per_period * Extended::from(SKIPPED_PART);
-        let (_, rest) = periods.floor_and_fraction();
-        let periods = periods - rest - Extended::ONE;
+        let (_, fraction) = periods.floor_and_fraction();
+        let periods = periods - fraction - Extended::ONE;
         if periods > Extended::ZERO {
             let ticks = periods * period;
             Event::at(self.at + ticks, true)?;

@@ -196,3 +196,22 @@ fn a_field_beyond_its_range_is_named() {
     set_checksum!(changed);
     assert!(changed.ephemeris().is_ok());
 }
+
+/// The page on the format has a row for every field of the clock, in the order of the checksum.
+#[test]
+fn the_page_lists_the_fields_of_the_clock() {
+    let page = include_str!("../../../core/docs/table_format.md");
+    let rows: Vec<&str> = page
+        .lines()
+        .filter_map(|line| line.strip_prefix("| `clock."))
+        .filter_map(|row| row.split('`').next())
+        .collect();
+    let motion = vectors::motion("exact_generic_pm");
+    let clock = format!("{:?}", toytop::EphemerisF32::new(&motion, kilohertz()).unwrap().clock());
+    let fields: Vec<&str> = clock
+        .split(['{', ','])
+        .filter_map(|part| part.split_once(':'))
+        .map(|(name, _)| name.trim())
+        .collect();
+    assert_eq!(rows, fields);
+}

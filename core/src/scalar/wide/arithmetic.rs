@@ -111,8 +111,8 @@ impl<const WORDS: usize> Float for Wide<WORDS> {
             return Self::ZERO;
         }
         let odd = self.exponent & 1;
-        let short = inverse_root_u64(leading(&self.significand) >> odd);
-        let mut inverse = Self::from_integer(short.into(), -62 - (self.exponent + odd) / 2, false);
+        let nearby = inverse_root_u64(leading(&self.significand) >> odd);
+        let mut inverse = Self::from_integer(nearby.into(), -62 - (self.exponent + odd) / 2, false);
         // each step of Newton's method doubles the 52 correct bits
         for _ in 1..WORDS {
             let remainder = Self::residual(Self::ONE, [self * inverse, inverse]);
