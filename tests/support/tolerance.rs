@@ -2,9 +2,8 @@
 //!
 //! They are two-sided: see [`check`](crate::check). A bound far above every error would not fail if the code, or the test, stopped working.
 //!
-//! A tolerance is the greatest error of its test, rounded up. Its scale is a rounding: 1.1e-16 in `f64`, 6e-8 in `f32`, 5e-10 in `I2F30`,
-//! 3e-5 in `I2F14`, or the rounding of sines and coefficients in the table. It is larger by the condition of the problem (near a degenerate
-//! motion), by the scale of a rate (some 10 rad/s), or by the number of steps of a stepper.
+//! Their scale is a rounding: 1.1e-16 in `f64`, 6e-8 in `f32`, 5e-10 in `I2F30`, 3e-5 in `I2F14`. An error may be larger by the condition of
+//! the problem near a degenerate motion, by the magnitude of a rate, or by the number of steps.
 
 #![allow(missing_docs, reason = "a name is the file of the test and the quantity")]
 
