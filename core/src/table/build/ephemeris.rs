@@ -133,8 +133,8 @@ impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
 }
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
-    /// Ephemeris of a motion that is launched at tick 0. It needs 14 KiB of stack on a Cortex-M4F in `f32`;
-    /// [`EphemerisMemory::set_up`] needs 5 KiB.
+    /// Ephemeris of a motion that is launched at tick 0. It needs 13 KiB of stack on a Cortex-M4F in `f32`;
+    /// [`EphemerisMemory::set_up`] needs 4 KiB.
     ///
     /// # Errors
     /// [`SetUpError`]
