@@ -127,8 +127,8 @@ impl Motion {
             return (self.torque_free_rate > Extended::ZERO)
                 .then(|| Period::torque_free(half_turn / self.torque_free_rate));
         }
-        let equations = || equations.map(Wide::<WORDS>::resized);
-        (self.e.e3_minus_e2 > Extended::ZERO).then(|| Period::integrated(&equations(), pause))
+        (self.e.e3_minus_e2 > Extended::ZERO)
+            .then(|| Period::integrated(&equations.map(Wide::<WORDS>::resized), pause))
     }
 
     /// Winding numbers of the ellipses of α and β; 1 for a steady motion.

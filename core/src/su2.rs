@@ -7,7 +7,7 @@
 mod nalgebra;
 
 use crate::complex::Complex;
-use crate::scalar::{Float, Real, Ring, sine_cosine_of_radians};
+use crate::scalar::{Float, Real, Ring};
 
 /// Vector of R³, identified with an element of su(2).
 pub type Vector<R> = [R; 3];
@@ -171,7 +171,8 @@ impl<R: Real> Orientation<R> {
         // a square of x could leave the range
         let direction = x.map(|component| component / size);
         let length = dot(direction, direction).sqrt();
-        let (sine, cosine) = sine_cosine_of_radians(0.5 * length.to_f64() * size.to_f64());
+        // libm reduces an angle of any size
+        let (sine, cosine) = libm::sincos(0.5 * length.to_f64() * size.to_f64());
         let scale = R::from_f64(sine) / length;
         let [x1, x2, x3] = direction.map(|component| component * scale);
         Self::from_quaternion([R::from_f64(cosine), x1, x2, x3])

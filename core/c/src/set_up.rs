@@ -8,13 +8,13 @@ use core::ffi::c_void;
 use toytop::{EphemerisView, Motion, ParameterError, SetUp, Tick};
 
 /// Bytes of the memory of a set-up.
-pub const TOYTOP_SET_UP_SIZE: usize = 4424;
+pub const TOYTOP_SET_UP_SIZE: usize = 4152;
 
 /// Memory of a set-up, which need not be initialised, and which a program may use for something else afterwards.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_set_up {
-    opaque: [u64; 553],
+    opaque: [u64; 519],
 }
 
 /// Function that a set-up calls again and again, at least every 50 000 cycles of a Cortex-M4F: to feed a watchdog, or to read another table.

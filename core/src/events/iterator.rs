@@ -40,7 +40,7 @@ impl<R: EphemerisScalar> Iterator for Events<'_, R> {
 const START_TOLERANCE: Phase = Phase::from_bits(1 << 48);
 /// Number of consecutive pieces that contain a whole period.
 const PIECES_OF_A_PERIOD: usize = 5;
-/// Largest number of times that periods are skipped. Each leaves two periods and a billionth of the rest, and 2^63 ticks have 19 digits.
+/// Greatest number of skips. Each leaves two periods and a billionth of the rest, and 2^63 ticks have 19 digits.
 const MOST_SKIPS: usize = 8;
 
 impl<R: EphemerisScalar> EphemerisView<R> {

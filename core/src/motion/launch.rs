@@ -48,14 +48,18 @@ impl Motion {
     ) -> Result<Self, ParameterError> {
         let (integrals, point) = FirstIntegrals::with_reduced_point(top, state);
         pause();
-        let e = BranchPoints::from_reduced_point(top, &integrals, &point, pause)?;
+        let branch_points = BranchPoints::from_reduced_point(top, &integrals, &point, pause);
+        let e = match &branch_points {
+            Ok(e) => e,
+            Err(error) => return Err(*error),
+        };
         pause();
         let mut launched =
             Ok(Self::with_constants(top, &integrals, e, integrals.signs(), point.is_sleeping()));
-        // in place: a copy doubles the stack
+        // in place: copies double the stack
         if let Ok(motion) = &mut launched {
             pause();
-            motion.rounding = LaunchRounding::new(top, &integrals, &point, &e, state);
+            motion.rounding = LaunchRounding::new(top, &integrals, &point, e, state);
             pause();
             motion.start_nutation(&point);
             pause();
@@ -98,7 +102,7 @@ impl Motion {
         )?;
         let chi = half_phase_of_angle(theta);
         let upright = chi.half_turns().1 == Phase::QUARTER;
-        let mut motion = Self::with_constants(top, &integrals, e, signs, upright);
+        let mut motion = Self::with_constants(top, &integrals, &e, signs, upright);
         motion.phases = [arg_alpha, arg_beta].map(|angle| phase_of(angle.into()));
         motion.chi = match motion.chi {
             HalfPhase::Steady => return Ok(motion),
@@ -119,21 +123,21 @@ impl Motion {
     fn with_constants(
         top: &Top,
         integrals: &FirstIntegrals<Extended>,
-        e: BranchPoints<Extended>,
+        e: &BranchPoints<Extended>,
         signs: Signs,
         upright: bool,
     ) -> Self {
         let ScaledTop { a, c, k, .. } = ScaledTop::<Extended>::new(top);
-        let regime = Regime::new(&e, signs, upright);
+        let regime = Regime::new(e, signs, upright);
         // also a nutation below the regime's threshold has a period
         let is_steady = e.e2_minus_e1 == Extended::ZERO || regime == Regime::SleepingUnstable;
         let mut motion = Self {
             top: *top,
             signs,
-            e,
+            e: *e,
             integrals: *integrals,
             half_tau: ((a - c) / a * integrals.spin - k / a).halved(),
-            ellipses: Ellipses::oscillating(&e, signs),
+            ellipses: Ellipses::oscillating(e, signs),
             regime,
             chi: match regime {
                 _ if is_steady => HalfPhase::Steady,

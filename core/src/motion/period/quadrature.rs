@@ -81,7 +81,8 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         let half_step = [sine / half_cosine.doubled(), half_cosine];
         pause();
         let odd = self.sum_nodes(self.nodes, half_step, pause);
-        let difference = add(odd, self.sums.map(|sum| -sum));
+        let ([a, b, c], [x, y, z]) = (odd, self.sums);
+        let difference = [a - x, b - y, c - z];
         self.sums = add(self.sums, odd);
         (self.nodes, self.step) = (2 * self.nodes, half_step);
         let (changes, before) = (self.relative(difference), self.changes);

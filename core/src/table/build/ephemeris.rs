@@ -133,7 +133,7 @@ impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
 }
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
-    /// Ephemeris of a motion launched at tick 0. In `f32` it takes 14 KiB of a Cortex-M4F's stack, [`EphemerisMemory::set_up`] 5 KiB.
+    /// Ephemeris of a motion launched at tick 0. In `f32` it takes 13 KiB of a Cortex-M4F's stack, [`EphemerisMemory::set_up`] 4 KiB.
     ///
     /// # Errors
     /// [`SetUpError`]

@@ -67,7 +67,7 @@ impl SetUp {
         }
         self.rates = MeanRates::new(motion, period.as_ref());
         pause();
-        let half_period = period.map_or(Extended::ZERO, |period| period.time.halved());
+        let half_period = period.as_ref().map_or(Extended::ZERO, |period| period.time.halved());
         self.path.begin(motion, half_period, &self.rates, &self.limits);
     }
 

@@ -142,8 +142,7 @@ fn table(motions: &[Vec<Comparison>], periods: u32) -> String {
     format!(
         "{}\nThe core against the full 3-D equations, {SAMPLES} times in a period over {periods} periods: greatest error of\n\
          the orientation, 2 sqrt(|d alpha|^2 + |d beta|^2), rad, by stepper and ephemeris, and its share\n\
-         of its bound. ns: slowest look-up in a table, the median of five runs. Steps a period: {} in f64, {} in f32.\n\
-         Other errors: --format csv.\n",
+         of its bound. ns: a look-up, median of five runs. Steps a period: {} (f64), {} (f32). More: CSV.\n",
         output::aligned(&lines, &output::all_columns(&lines, |x| short(x, 1))),
         steps_per_period(Scalar::F64),
         steps_per_period(Scalar::F32),
