@@ -223,7 +223,7 @@ impl Motion {
     }
 }
 
-/// Phase of an angle in rad.
+/// Phase of an angle, rad.
 pub fn phase_of(angle: Extended) -> Phase {
     angle.in_turns().to_phase()
 }

@@ -44,7 +44,7 @@ pub struct PhaseEquations<F> {
     pub(crate) s: F,
     /// Length s (e₃ - 1), m.
     pub(crate) s_times_e3_minus_one: F,
-    /// Half of the gravity, g/2, m/s².
+    /// Half gravity g/2, m/s².
     pub(crate) half_g: F,
     /// Rate (l + n)/(2A), rad/s.
     pub(crate) alpha_scale: F,
