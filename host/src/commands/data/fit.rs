@@ -42,9 +42,6 @@ pub struct FitArgs {
     /// Residuals against time, as a picture: a file that ends in .svg or .png
     #[arg(long, value_name = "FILE", value_parser = ending_in(PICTURE))]
     plot_residuals: Option<PathBuf>,
-    /// Error of the prediction against time, as a picture
-    #[arg(long, value_name = "FILE", value_parser = ending_in(PICTURE))]
-    plot_prediction: Option<PathBuf>,
     /// Scenario file to write
     #[arg(short, long, value_name = "FITTED.toml")]
     output: Option<PathBuf>,
@@ -88,23 +85,12 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
         Some(path) => notes.push(not_written(path, "the fit has not converged")),
         None => {}
     }
-    let motion = match fit.fitted.motion(&top) {
-        _ if !fit.has_launch() => Err("there is no launch"),
-        motion => motion.map_err(|_| "no top has the fitted numbers"),
-    };
-    let plots =
-        [("--plot-residuals", &arguments.plot_residuals), ("--plot-prediction", &arguments.plot_prediction)];
-    for (option, path) in plots {
-        let Some(path) = path else { continue };
-        match &motion {
-            Err(reason) => notes.push(not_written(path, reason)),
-            Ok(motion) => {
-                let picture = match option {
-                    "--plot-residuals" => pictures::residuals(&fit, &measurements),
-                    _ => pictures::prediction(&fit, motion),
-                };
-                files.push((option, path, drawing::encoded(path, &picture, None)?));
-            }
+    if let Some(path) = &arguments.plot_residuals {
+        if fit.has_launch() {
+            let picture = pictures::residuals(&fit, &measurements);
+            files.push(("--plot-residuals", path, drawing::encoded(path, &picture, None)?));
+        } else {
+            notes.push(not_written(path, "there is no launch"));
         }
     }
     whole_file::write_all(&files)?;

@@ -100,17 +100,16 @@ fn a_drift_is_reported_with_its_error_bars() {
     );
 }
 
-/// Residuals are dots, in a strip for each sensor, and no lines join them. The error of the axis across the vertical grows with the
-/// time, and does not seem to oscillate.
+/// Residuals are dots, in a strip for each sensor, and no lines join them.
 #[test]
-fn pictures_of_a_fit_can_be_read() {
+fn the_picture_of_a_fit_can_be_read() {
     simulated("fit_pictures.csv", "");
-    let plots = "--plot-residuals fit_residuals.svg --plot-prediction fit_prediction.svg";
-    toytop(format!("fit fit_pictures.csv --top @toy_top {plots}")).ok();
+    toytop("fit fit_pictures.csv --top @toy_top --plot-residuals fit_residuals.svg").ok();
     // a file that cannot be written leaves no other
     folder("fit_half");
-    let line = "fit fit_pictures.csv --top @toy_top -o fit_half/fitted.toml --plot-residuals fit_half/a.svg";
-    toytop(format!("{line} --plot-prediction fit_half/no/b.svg")).refused(2, "--plot-prediction: ");
+    let line =
+        "fit fit_pictures.csv --top @toy_top -o fit_half/fitted.toml --plot-residuals fit_half/no/a.svg";
+    toytop(line).refused(2, "--plot-residuals: ");
     assert_eq!(count("fit_half"), 0);
     let svg = read("fit_residuals.svg");
     for sensor in ["gyroscope", "accelerometer", "magnetometer"] {
@@ -124,11 +123,6 @@ fn pictures_of_a_fit_can_be_read() {
         .skip(1)
         .map(|path| path.split('"').next().map_or(0, |path| path.matches('L').count()));
     assert!(longest.max() <= Some(1), "no line joins the dots");
-
-    let short = lines(&read("fit_prediction.svg"), "#009e73").remove(0);
-    let late = &short[short.len() / 2..];
-    assert!(late.len() >= 40 && late[0][1] - late[late.len() - 1][1] > 100.0, "{late:?}");
-    assert!(late.windows(2).all(|pair| pair[1][1] < pair[0][1] + 1.0), "it never falls: {late:?}");
 }
 
 #[test]
