@@ -27,7 +27,7 @@ impl Failure {
     }
 
     /// Failure with the name of its object in front.
-    pub fn of(self, name: &str) -> Self {
+    pub fn with_context(self, name: &str) -> Self {
         let named = |message: String| format!("{name}: {message}");
         match self {
             Self::Input(message) => Self::Input(named(message)),
@@ -39,7 +39,7 @@ impl Failure {
 
     /// Failure with the name of the motion in front, if a method does not apply to it.
     pub fn of_motion(self, name: &str) -> Self {
-        if matches!(self, Self::Method(_)) { self.of(name) } else { self }
+        if matches!(self, Self::Method(_)) { self.with_context(name) } else { self }
     }
 }
 

@@ -76,7 +76,7 @@ pub fn run(study: &Study) -> Result<Summary, Failure> {
 fn trial(random: &mut Random, set: usize, seed: u64) -> Result<Accepted, String> {
     let (motion, state, height) =
         std::iter::repeat_with(|| draw(random)).flatten().next().ok_or("no launch")?;
-    let sensors = sensors(set, Body::of(motion.top(), height)).map_err(|failure| failure.to_string())?;
+    let sensors = sensors(set, Body::new(motion.top(), height)).map_err(|failure| failure.to_string())?;
     let recording = Recording { hertz: HERTZ, count: SAMPLES, seed };
     let samples = measurements(&motion, &sensors, &recording).ok_or("not simulated")?;
     let listed = sensors.listed();

@@ -171,7 +171,7 @@ pub(crate) fn simulate<'py>(
     })?;
     let motion = motion.motion;
     let found = interrupt::alone(py, move || {
-        measurements(&motion, &sensors, &recording).map(|found| Columns::of(&sensors, &found))
+        measurements(&motion, &sensors, &recording).map(|found| Columns::new(&sensors, &found))
     })?;
     let refuse = || value_error("motion", "has no period, and cannot be followed for so long");
     dictionary(py, found.ok_or_else(refuse)?)
@@ -182,7 +182,7 @@ pub(crate) fn simulate<'py>(
 /// # Errors
 /// `ValueError` that names the key.
 fn sensors(given: Option<&(String, String)>, top: &TopCore) -> PyResult<Sensors> {
-    let body = Body::of(&top.top, top.parameters.com_height);
+    let body = Body::new(&top.top, top.parameters.com_height);
     match given {
         None => Ok(Sensors::telephone(body)),
         Some((file, text)) => Sensors::parse(file, text, body).map_err(failed),

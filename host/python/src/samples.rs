@@ -72,7 +72,7 @@ impl Sampler {
         error_bound: Option<f64>,
         at: impl Fn(f64) -> (Orientation<f64>, [f64; 3], f64) + Send + Sync,
     ) -> PyResult<Self> {
-        let angle = TipAngle::of(motion, NOISE).map_err(failed)?;
+        let angle = TipAngle::new(motion, NOISE).map_err(failed)?;
         let points = interrupt::map(py, times.numbers.len(), |index| {
             let t = times.numbers[index];
             let (orientation, omega, udot) = at(t);

@@ -69,7 +69,7 @@ impl Budgets {
     }
 
     /// Budget of a figure of a call on a chip.
-    pub fn of(&self, chip: &str, call: &str, figure: &str) -> Option<u64> {
+    pub fn budget(&self, chip: &str, call: &str, figure: &str) -> Option<u64> {
         self.0.get(chip)?.get(call)?.get(figure).copied()
     }
 
@@ -128,7 +128,7 @@ mod tests {
         two.insert("riscv".into(), Costs::from([("tick".into(), Cost::from([("flash".into(), 5)]))]));
         let budgets = Budgets::with_slack(two);
         assert_eq!(Budgets::parse(&budgets.to_toml()).unwrap(), budgets);
-        assert_eq!(["ram", "flash"].map(|name| budgets.of("m4f", "tick", name)), [Some(2000), Some(945)]);
+        assert_eq!(["ram", "flash"].map(|name| budgets.budget("m4f", "tick", name)), [Some(2000), Some(945)]);
         assert!(Budgets::parse("[m4f]\ntick = { instructions = -1, flash = 2 }").is_err());
     }
 

@@ -16,7 +16,7 @@ use std::path::Path;
 pub fn corpus(chip: &Chip, elf: &Path, budgets: &Budgets) -> Result<Vec<Record>, Failure> {
     // an instruction takes one nanosecond of virtual time
     let text = trace::run(chip, elf, &["-icount", "shift=0,sleep=off"], |_| Ok(()))?;
-    let launch = |figure| budgets.of(chip.name, "launch", figure).map(|count| count as f64);
+    let launch = |figure| budgets.budget(chip.name, "launch", figure).map(|count| count as f64);
     let ratio =
         launch("cycles").zip(launch("instructions")).map(|(cycles, instructions)| cycles / instructions);
     let mut groups: BTreeMap<[&str; 2], (Vec<u64>, u64)> = BTreeMap::new();

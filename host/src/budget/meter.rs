@@ -31,7 +31,7 @@ const PREFIX: &str = "bench_";
 pub fn measure(chip: &Chip, elf: &Path) -> Result<Costs, Failure> {
     let bytes = read(elf)?;
     let image = Image::new(parsed(elf, &bytes)?);
-    let cycle_model = CycleModel::of(chip)?;
+    let cycle_model = CycleModel::of_chip(chip)?;
     let mut profile = Profile { image, cycle_model, calls: BTreeMap::new(), end: 0, running: None };
     let printed = trace::run(chip, elf, &["-d", "in_asm,exec,nochain"], |block| profile.executed(block))?;
     if profile.calls.is_empty() {

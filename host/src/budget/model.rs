@@ -50,7 +50,7 @@ impl CycleModel {
     ///
     /// # Errors
     /// [`Failure::Tool`] with the error of Capstone.
-    pub fn of(chip: &Chip) -> Result<Option<Self>, Failure> {
+    pub fn of_chip(chip: &Chip) -> Result<Option<Self>, Failure> {
         let processor = match chip.name {
             "m0plus" => Processor::M0Plus,
             "m4f" => Processor::M4,

@@ -56,7 +56,7 @@ pub fn run(
     printed.rewind()?;
     printed.read_to_string(&mut text)?;
     if !status.success() {
-        return Err(fail(format!("the firmware ended with {status}: {text}{}", reader.remarks.join(" "))));
+        return Err(fail(format!("the firmware ended with {status}: {text}{}", reader.notes.join(" "))));
     }
     Ok(text)
 }
@@ -70,7 +70,7 @@ struct Reader {
     translated: HashMap<u64, Block>,
     listed: Block,
     /// Other lines, such as the message of a panic or an error of QEMU.
-    remarks: Vec<String>,
+    notes: Vec<String>,
 }
 
 impl Reader {
@@ -92,10 +92,10 @@ impl Reader {
                 begun = None;
             } else if let Some(listed) = line.strip_prefix("0x") {
                 self.list(listed).ok_or_else(unknown)?;
-            } else if self.remarks.len() < 20
+            } else if self.notes.len() < 20
                 && !(line.starts_with("----") || line.starts_with("IN:") || line.is_empty())
             {
-                self.remarks.push(line);
+                self.notes.push(line);
             }
             if started.elapsed() > LONGEST_RUN {
                 let limit = LONGEST_RUN.as_secs();

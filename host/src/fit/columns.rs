@@ -30,7 +30,7 @@ pub struct RefusedRow {
 
 impl Columns {
     /// Columns of measurements, those of one time in one row.
-    pub fn of(sensors: &Sensors, measurements: &[Measurement]) -> Self {
+    pub fn new(sensors: &Sensors, measurements: &[Measurement]) -> Self {
         let same = |a: &Measurement, b: &Measurement| a.time == b.time && a.sensor < b.sensor;
         let rows: Vec<_> = measurements.chunk_by(same).collect();
         let mut readings = Vec::new();
@@ -133,7 +133,7 @@ fn parse(text: &str, sensors: &mut Sensors, all: bool) -> Result<(Vec<Measuremen
     let place = |name: &str| header.iter().position(|column| column == name);
     let time = place("t").ok_or_else(|| in_header("must have a column t".to_owned()))?;
     keep_present(sensors, |name| place(name).is_some(), all).map_err(in_header)?;
-    let mut columns = Columns::of(sensors, &[]);
+    let mut columns = Columns::new(sensors, &[]);
     let places: Vec<_> = columns.readings.iter().filter_map(|(name, _)| place(name)).collect();
     let mut lines = Vec::new();
     for row in rows {
@@ -159,7 +159,7 @@ fn parse(text: &str, sensors: &mut Sensors, all: bool) -> Result<(Vec<Measuremen
 
 /// Measurements as CSV, those of one time in one row.
 pub fn csv(sensors: &Sensors, measurements: &[Measurement]) -> String {
-    let Columns { t, readings } = Columns::of(sensors, measurements);
+    let Columns { t, readings } = Columns::new(sensors, measurements);
     let mut text = "t".to_owned();
     readings.iter().for_each(|(name, _)| text += &format!(",{name}"));
     for (row, time) in t.iter().enumerate() {

@@ -169,7 +169,7 @@ impl FitReport {
     }
 
     /// Whether the launch follows from the samples. Without any value that was used it is that of the beginning.
-    pub fn has_launch(&self) -> bool {
+    pub fn used_any_sample(&self) -> bool {
         self.fitted.statistics.used > 0
     }
 

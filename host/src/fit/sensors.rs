@@ -108,7 +108,7 @@ impl Body {
     /// Properties of a top's body. The origin is the centre of mass of a sliding top or a free body, and the tip of a held top.
     ///
     /// * `com_height`: distance of the centre of mass from the tip, m, or 0 if it is not known
-    pub fn of(top: &Top, com_height: f64) -> Self {
+    pub fn new(top: &Top, com_height: f64) -> Self {
         let height = if top.support() == Support::Fixed { com_height } else { 0.0 };
         Self { tip_scale: top.tip_scale(), com: [0.0, 0.0, height] }
     }

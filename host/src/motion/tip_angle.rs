@@ -27,7 +27,7 @@ impl TipAngle {
     ///
     /// # Errors
     /// [`Failure::Method`]: no ephemeris is large enough.
-    pub fn of(motion: &Motion, noise: f64) -> Result<Self, Failure> {
+    pub fn new(motion: &Motion, noise: f64) -> Result<Self, Failure> {
         let vertical = motion.regime().is_vertical();
         let ephemeris = if vertical { None } else { Some(smallest_ephemeris(Scalar::F64, motion)?) };
         let signed = matches!(motion.tip_class(), TipClass::ThroughOrigin | TipClass::Spiral);

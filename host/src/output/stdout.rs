@@ -12,7 +12,7 @@ pub struct Report {
     /// Lines for stderr.
     pub notes: Vec<String>,
     /// Whether a stated bound was missed.
-    pub missed: bool,
+    pub check_failed: bool,
 }
 
 impl From<String> for Report {
@@ -22,9 +22,9 @@ impl From<String> for Report {
 }
 
 impl Report {
-    /// Report with remarks on the result: in the text below a table, but on stderr if another program will read the text.
-    pub fn with_remarks(mut self, remarks: impl IntoIterator<Item = String>, below: bool) -> Self {
-        for remark in remarks {
+    /// Report with notes on the result: in the text below a table, but on stderr if another program will read the text.
+    pub fn with_notes(mut self, notes: impl IntoIterator<Item = String>, below: bool) -> Self {
+        for remark in notes {
             if below {
                 self.text.push_str(&format!("{remark}\n"));
             } else {
@@ -55,7 +55,7 @@ fn print(report: &Report) -> Result<ExitCode, Failure> {
     if !report.text.is_empty() {
         write(|out| out.write_all(report.text.as_bytes()))?;
     }
-    Ok(ExitCode::from(u8::from(report.missed)))
+    Ok(ExitCode::from(u8::from(report.check_failed)))
 }
 
 /// Writes to stdout. A reader that closes it early (`| head`) is no failure.

@@ -53,7 +53,8 @@ impl<'a> ExactReference<'a> {
     /// [`Failure::Method`]: no ephemeris is large enough.
     pub fn new(scenario: &'a Scenario, start: &str) -> Result<Self, Failure> {
         let motion = &scenario.motion;
-        let table = smallest_ephemeris(Scalar::F64, motion).map_err(|failure| failure.of(&scenario.name))?;
+        let table = smallest_ephemeris(Scalar::F64, motion)
+            .map_err(|failure| failure.with_context(&scenario.name))?;
         Ok(Self { motion, table, start: start.to_owned() })
     }
 

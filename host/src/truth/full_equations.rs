@@ -33,7 +33,9 @@ pub fn start(scenario: &Scenario) -> (FullTop, FullState) {
 pub fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<FullState>, Failure> {
     let (top, state) = start(scenario);
     let solver = || FullSolver::new(top, state, FULL_SOLVER_TOLERANCE);
-    visit_times(times, solver, |solver, t| solver.advance_to(t).map_err(|failure| failure.of(&scenario.name)))
+    visit_times(times, solver, |solver, t| {
+        solver.advance_to(t).map_err(|failure| failure.with_context(&scenario.name))
+    })
 }
 
 /// Samples of the full solver at the given times.
@@ -45,7 +47,7 @@ pub fn samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failur
     const MIN_PRODUCT: f64 = 1e-9;
     let states = states(scenario, times)?;
     // the whole turns of the tip angle are those of the core's ephemeris, the angle itself is the full solver's
-    let angle = TipAngle::of(&scenario.motion, MIN_PRODUCT)?;
+    let angle = TipAngle::new(&scenario.motion, MIN_PRODUCT)?;
     let sample = |(&t, state): (&f64, &FullState)| {
         angle.sample(t, state.orientation(), state.omega, state.axis_height_rate())
     };

@@ -33,7 +33,7 @@ const COLUMNS: [&str; 11] = ["t", "x_com", "y_com", "z_com", "w", "x", "y", "z",
 pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
     let BenchmarkArgs { name, times, scenario, format } = arguments;
     let Some(name) = name else { return list(*format) };
-    let problem = benchmarks::named(name).map_err(|failure| failure.of("benchmark"))?;
+    let problem = benchmarks::named(name).map_err(|failure| failure.with_context("benchmark"))?;
     if *scenario {
         return Ok(problem.text.to_owned().into());
     }
@@ -104,8 +104,8 @@ fn computed(problem: &Problem, times: &str) -> Result<Vec<Vec<Value>>, Failure> 
     let Problem { scenario, about, .. } = problem;
     let times = Times::parse(times)?;
     times.require_within(furthest_time(&scenario.motion), "")?;
-    let table =
-        smallest_ephemeris(Scalar::F64, &scenario.motion).map_err(|failure| failure.of(&scenario.name))?;
+    let table = smallest_ephemeris(Scalar::F64, &scenario.motion)
+        .map_err(|failure| failure.with_context(&scenario.name))?;
     let values = |t: &f64| {
         let sample = table.at(*t).sample;
         let orientation = sample.orientation().compose(&to_symmetry_axis(about.symmetry_axis));

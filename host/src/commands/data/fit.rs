@@ -58,7 +58,7 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     let scenario = ScenarioFile::read(top)?;
     let (top, parameters) = scenario.top()?;
     let all = sensors.is_some();
-    let mut sensors = Sensors::read(sensors.as_deref(), Body::of(&top, parameters.com_height))?;
+    let mut sensors = Sensors::read(sensors.as_deref(), Body::new(&top, parameters.com_height))?;
     let (measurements, unused) = columns::read(samples, &mut sensors, all)?;
     let table = scenario.table.get("top").and_then(toml::Value::as_table).cloned().unwrap_or_default();
     let input = FitInput { top, table, free: free.clone(), sensors, huber: *huber, drift: *drift };
@@ -86,7 +86,7 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
         None => {}
     }
     if let Some(path) = &arguments.plot_residuals {
-        if fit.has_launch() {
+        if fit.used_any_sample() {
             let picture = pictures::residuals(&fit, &measurements);
             files.push(("--plot-residuals", path, drawing::encoded(path, &picture, None)?));
         } else {
@@ -99,5 +99,5 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
         Format::Json => report::object(&fit).json() + "\n",
         Format::Csv => output::csv(&[report::row(&fit)]),
     };
-    Ok(Report { text, notes, missed: !converged })
+    Ok(Report { text, notes, check_failed: !converged })
 }

@@ -71,7 +71,7 @@ struct Integrator {
 pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     let ScoreArgs { files, benchmark, steps, plot, format } = arguments;
     let problem = benchmark.as_deref().map(benchmarks::named).transpose();
-    let problem = problem.map_err(|failure| failure.of("--benchmark"))?;
+    let problem = problem.map_err(|failure| failure.with_context("--benchmark"))?;
     // command that prints the state from which a run has to start
     let (scenario, start, results) = match (&problem, &files[..]) {
         (Some(problem), results) if !results.is_empty() => {
@@ -122,7 +122,7 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
         Record::default().with("order", order).with("scenario", &*scenario.name).with("sign", "nearest");
     let object = Lists(vec![("files", &records), ("methods", &summaries)], rest);
     let text = output::render(*format, &object, || tables(&files, &records, &integrators));
-    Ok(Report::from(text).with_remarks(warnings, *format == Format::Table))
+    Ok(Report::from(text).with_notes(warnings, *format == Format::Table))
 }
 
 /// Methods in the order of their first files, after the order of each file is set. Files of one method over different times have no order,

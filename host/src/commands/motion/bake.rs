@@ -79,8 +79,8 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
         None => report.text = text,
         Some(path) => whole_file::write("--output", path, text.as_bytes())?,
     }
-    let remarks = std::iter::once(summary(&label, &parts)).chain(warnings(&[scenario]));
-    Ok(report.with_remarks(remarks, false))
+    let notes = std::iter::once(summary(&label, &parts)).chain(warnings(&[scenario]));
+    Ok(report.with_notes(notes, false))
 }
 
 /// Line that states the scalar, the size and the error bound of the table that was written.

@@ -36,5 +36,5 @@ pub fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
         output::columns(CONSTANTS.iter().map(line).collect(), 3)
     };
     let text = output::render(arguments.format, &Lists(Vec::new(), Record(values.collect())), table);
-    Ok(Report::from(text).with_remarks(warnings(&[scenario]), arguments.format == Format::Table))
+    Ok(Report::from(text).with_notes(warnings(&[scenario]), arguments.format == Format::Table))
 }

@@ -89,13 +89,14 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     if arguments.from.abs() > reach {
         return Err(Failure::Input(format!("--from: {:e} must be within ±{reach:.1e} s", arguments.from)));
     }
-    let table = smallest_ephemeris(Scalar::F64, motion).map_err(|failure| failure.of(&scenario.name))?;
+    let table =
+        smallest_ephemeris(Scalar::F64, motion).map_err(|failure| failure.with_context(&scenario.name))?;
     let from = (arguments.from * table.ticks_per_time()).floor() as i64;
     let mut events = Vec::new();
     for kind in &arguments.kinds {
         let wanted =
             |t: f64, upward: bool| t >= arguments.from && kind.upward.is_none_or(|only| only == upward);
-        for sought in sought(kind, motion).map_err(|failure| failure.of("--kind"))? {
+        for sought in sought(kind, motion).map_err(|failure| failure.with_context("--kind"))? {
             let found = table.events(sought, from, &wanted, arguments.count as usize);
             events.extend(found.into_iter().map(|event| (kind, sought, event)));
         }
@@ -110,8 +111,8 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     let text = output::render(arguments.format, &output::list("events", &records), table);
     // no warning that the top leaves the plane if the command asks for these times
     let asked = arguments.kinds.iter().any(|kind| kind.event == EventKind::LiftOff);
-    let remarks = if asked { Vec::new() } else { warnings(&[scenario]) };
-    Ok(Report::from(text).with_remarks(remarks, arguments.format == Format::Table))
+    let notes = if asked { Vec::new() } else { warnings(&[scenario]) };
+    Ok(Report::from(text).with_notes(notes, arguments.format == Format::Table))
 }
 
 /// Searches for the events of a kind: two where two levels of u belong to a circle, none where a top does not leave the plane.

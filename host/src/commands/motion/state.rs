@@ -90,7 +90,7 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
         out.write_all(sheet.end().as_bytes())
     })?;
     let table = format == Format::Table && arguments.output.is_none();
-    Ok(Report::default().with_remarks(warnings(&[scenario]), table))
+    Ok(Report::default().with_notes(warnings(&[scenario]), table))
 }
 
 /// Function that computes samples by a method.
@@ -126,8 +126,8 @@ fn by_ephemeris(
     rate: [u32; 2],
 ) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
-    let named = |failure: Failure| failure.of(&scenario.name);
-    let of_scalar = |failure: Failure| failure.of(&format!("--scalar: {}", scalar.name()));
+    let named = |failure: Failure| failure.with_context(&scenario.name);
+    let of_scalar = |failure: Failure| failure.with_context(&format!("--scalar: {}", scalar.name()));
     require_scalar(scalar, motion).map_err(of_scalar).map_err(named)?;
     if !times.ticks.is_empty() && motion.regime() != Regime::Aperiodic {
         let refused = |error| Failure::Input(format!("--hertz: {error}"));
@@ -145,10 +145,10 @@ fn by_ephemeris(
 /// Function that computes samples by the closed form, if the motion has one.
 fn by_closed_form(scenario: &Scenario, times: Times) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
-    let form =
-        ClosedForm::of(motion).map_err(|refusal| Failure::Method(refusal.to_string()).of(&scenario.name))?;
+    let form = ClosedForm::of(motion)
+        .map_err(|refusal| Failure::Method(refusal.to_string()).with_context(&scenario.name))?;
     times.require_within(MOST_PERIODS * period(motion), " with --method closed-form")?;
-    let angle = TipAngle::of(motion, NOISE)?;
+    let angle = TipAngle::new(motion, NOISE)?;
     Ok(Box::new(move |index| {
         let t = times.seconds[index as usize];
         let state = form.at(t);

@@ -126,7 +126,7 @@ impl Times {
     }
 
     fn new(option: String, axis: &Axis) -> Result<Self, Failure> {
-        require_few(axis.size()).map_err(|reason| Failure::Input(reason).of(&option))?;
+        require_few(axis.size()).map_err(|reason| Failure::Input(reason).with_context(&option))?;
         let seconds = (0..axis.size()).map(|index| axis.at(index)).collect();
         Ok(Self { option, seconds, ticks: Vec::new() })
     }
@@ -138,7 +138,7 @@ impl Times {
     pub fn require_within(&self, most: f64, method: &str) -> Result<(), Failure> {
         let beyond = |t: &f64| {
             let reason = format!("{t:e} must be within ±{most:.1e} s{method}");
-            Err(Failure::Input(reason).of(&self.option))
+            Err(Failure::Input(reason).with_context(&self.option))
         };
         self.seconds.iter().find(|t| t.abs() > most).map_or(Ok(()), beyond)
     }

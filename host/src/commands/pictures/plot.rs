@@ -49,7 +49,7 @@ pub fn run(arguments: &PlotArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let scene = scene(arguments, &scenario).map_err(|failure| failure.of_motion(&scenario.name))?;
     drawing::write("--output", &arguments.output, &scene, arguments.size)?;
-    Ok(Report::default().with_remarks(warnings(&[scenario]), false))
+    Ok(Report::default().with_notes(warnings(&[scenario]), false))
 }
 
 fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {

@@ -25,7 +25,7 @@ pub fn run(arguments: &ViewArgs) -> Result<Report, Failure> {
         None => view::toy_top()?,
     };
     let scenario = start.scenario()?;
-    let page = view::page(&start).map_err(|failure| failure.of(&scenario.name))?;
+    let page = view::page(&start).map_err(|failure| failure.with_context(&scenario.name))?;
     whole_file::write("--output", &arguments.output, page.as_bytes())?;
-    Ok(Report::default().with_remarks(warnings(&[scenario]), false))
+    Ok(Report::default().with_notes(warnings(&[scenario]), false))
 }

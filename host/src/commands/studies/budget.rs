@@ -90,13 +90,13 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
         return Ok(report);
     }
     let mut violations = Budgets::read(&root.join(LIMITS))?.violations(&all);
-    let missed = !violations.is_empty();
-    violations.push(if missed {
+    let check_failed = !violations.is_empty();
+    violations.push(if check_failed {
         format!("how to change a budget: the head of {LIMITS}")
     } else {
         "within budget".into()
     });
-    Ok(Report { missed, ..report }.with_remarks(violations, arguments.format == Format::Table))
+    Ok(Report { check_failed, ..report }.with_notes(violations, arguments.format == Format::Table))
 }
 
 /// Root of the repository: the current folder, or one above it.
@@ -145,7 +145,7 @@ fn build(root: &Path, chip: &Chip, program: &str, size: bool) -> Result<PathBuf,
 /// Report on the set-up of many launches on each chip.
 fn launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&'static Chip>) -> Result<Report, Failure> {
     let budgets = Budgets::read(&root.join(LIMITS))?;
-    let modelled = |chip: &Chip| budgets.of(chip.name, "launch", "cycles").is_some();
+    let modelled = |chip: &Chip| budgets.budget(chip.name, "launch", "cycles").is_some();
     let mut rows = Vec::new();
     for chip in chips.into_iter().filter(|chip| !arguments.accept || modelled(chip)) {
         rows.extend(corpus(chip, &build(root, chip, "corpus", arguments.size)?, &budgets)?);

@@ -109,17 +109,17 @@ pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     } else {
         arguments.scenarios.iter().map(|path| Scenario::read(path)).collect::<Result<_, _>>()?
     };
-    let (mut motions, mut remarks) = (Vec::new(), Vec::new());
+    let (mut motions, mut notes) = (Vec::new(), Vec::new());
     for scenario in &scenarios {
-        motions.push(of_motion(scenario, arguments, &mut remarks)?);
+        motions.push(of_motion(scenario, arguments, &mut notes)?);
     }
     let records: Vec<_> = motions.iter().flatten().map(Comparison::record).collect();
     let table = || table(&motions, arguments.periods);
     let text = output::render(arguments.format, &output::list("rows", &records), table);
-    remarks.extend(warnings(&scenarios));
-    let missed = motions.iter().flatten().any(|one| one.verdict() == "MISS");
+    notes.extend(warnings(&scenarios));
+    let check_failed = motions.iter().flatten().any(|one| one.verdict() == "MISS");
     let below = arguments.format == Format::Table;
-    Ok(Report { text, missed, ..Report::default() }.with_remarks(remarks, below))
+    Ok(Report { text, check_failed, ..Report::default() }.with_notes(notes, below))
 }
 
 /// Table with one row for each motion: error of each propagator, greatest share of a bound, time of the slowest look-up, and whether
@@ -153,12 +153,12 @@ fn table(motions: &[Vec<Comparison>], periods: u32) -> String {
 fn of_motion(
     scenario: &Scenario,
     arguments: &CompareArgs,
-    remarks: &mut Vec<String>,
+    notes: &mut Vec<String>,
 ) -> Result<Vec<Comparison>, Failure> {
     let (motion, name, periods) = (&scenario.motion, &scenario.name, arguments.periods);
     let own = arguments.scenarios.is_empty().then(|| bounds::own_bounds(name)).flatten();
     let (time, remark) = horizon(motion, periods);
-    remarks.extend(remark.map(|remark| format!("{name}: {remark}")));
+    notes.extend(remark.map(|remark| format!("{name}: {remark}")));
     let times = spread_times(time, SAMPLES * periods);
     let mut reference = Reference::default();
     let Scalars(chosen) = &arguments.scalar;
@@ -175,7 +175,7 @@ fn of_motion(
                 (Some(reference.errors(scenario, &states)?), steps, table, Some(call))
             }
             Err(failure) => {
-                remarks.push(format!("{name} {}: {failure}", scalar.name()));
+                notes.push(format!("{name} {}: {failure}", scalar.name()));
                 (None, None, None, None)
             }
         };

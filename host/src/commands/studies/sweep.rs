@@ -130,6 +130,6 @@ pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
     Ok(if file.is_some() {
         Report { text, ..report }
     } else {
-        report.with_remarks([text.trim_end().to_owned()], false)
+        report.with_notes([text.trim_end().to_owned()], false)
     })
 }

@@ -3,7 +3,6 @@
 use crate::command::{
     all_refused, count, folder, json, number, numbers, path, read, sample, samples, scenario, toytop, write,
 };
-use crate::pictures::plot::lines;
 use serde_json::Value;
 
 /// Samples of the toy top in a file of this name, 0.3 s at 1 kHz.

@@ -11,7 +11,7 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 fn predictions(report: &FitReport) -> Vec<[f64; 3]> {
     const AHEAD: [f64; 5] = [0.0, 1.0, 2.0, 5.0, 10.0];
     let FitReport { input, fitted, end, .. } = report;
-    let motion = fitted.motion(&input.top).ok().filter(|_| report.has_launch());
+    let motion = fitted.motion(&input.top).ok().filter(|_| report.used_any_sample());
     let Some(sensitivity) = motion.map(|motion| Sensitivity::new(&motion)) else { return Vec::new() };
     let at = |ahead: &f64| {
         let t = end + ahead;
@@ -27,7 +27,7 @@ pub fn table(report: &FitReport) -> String {
         None => "converged".to_owned(),
         Some(reason) => format!("NOT CONVERGED: {reason}"),
     };
-    if !report.has_launch() {
+    if !report.used_any_sample() {
         return state + "\n";
     }
     let Fitted { launch, statistics, epoch, unknowns: count, alternatives, .. } = report.fitted;

@@ -99,7 +99,8 @@ const COLUMNS: [(&str, &str, &str); 6] = [
 fn calls(budgets: &Budgets) -> String {
     let row = |(call, what): (&str, &str)| {
         let row = Record::default().with("from a tick to α, β, u and the tip in memory, at most", what);
-        let figure = |row: Record, (heading, chip, figure)| row.with(heading, budgets.of(chip, call, figure));
+        let figure =
+            |row: Record, (heading, chip, figure)| row.with(heading, budgets.budget(chip, call, figure));
         COLUMNS.into_iter().fold(row, figure)
     };
     markdown(&ROWS.map(row))
@@ -121,7 +122,7 @@ fn front_page(budgets: &Budgets) -> String {
             ("stack, bytes", "stack"),
             ("flash, bytes", "flash"),
         ];
-        let figure = |row: Record, (heading, figure)| row.with(heading, budgets.of(chip, call, figure));
+        let figure = |row: Record, (heading, figure)| row.with(heading, budgets.budget(chip, call, figure));
         figures.into_iter().fold(Record::default().with("at most", what), figure)
     };
     markdown(&FRONT_ROWS.map(row))
