@@ -20,7 +20,7 @@ pub(crate) use state::half_tilt_sine_cosine;
 pub use state::{Release, State};
 pub use top::{Support, Top};
 
-/// Toy top of the tests.
+/// Parameters of a toy top, for tests.
 #[cfg(test)]
 const TOY: TopParameters = TopParameters {
     transverse_inertia: 3e-5,

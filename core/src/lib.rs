@@ -40,7 +40,7 @@ pub mod other_tops {}
 #[doc = include_str!("../docs/table_format.md")]
 pub mod table_format {}
 
-/// Parts of toytop that its sibling crates share; not covered by semantic versioning.
+/// Parts for `toytop-fit`, `toytop-closed-forms` and `toytop-c` only; any version may change them.
 #[doc(hidden)]
 pub mod internal {
     pub use crate::body::{ScaledTop, check, check_finite};

@@ -193,7 +193,7 @@ impl Motion {
         ScaledTop::new(&self.top)
     }
 
-    #[inline(never)] // set-up needs it in several places
+    #[inline(never)]
     pub fn equations(&self) -> PhaseEquations<Extended> {
         if self.top.is_torque_free() {
             PhaseEquations::torque_free(self.torque_free_rate, &self.e)

@@ -114,7 +114,7 @@ struct Head {
 pub(crate) struct Table<'a, R: CScalar> {
     pub(crate) view: &'a EphemerisView<R>,
     pub(crate) address: *const u8,
-    /// Scalar and generation, which a cursor and a sample of this table carry.
+    /// Sum of scalar, generation and address, which a cursor and a sample of this table carry.
     pub(crate) identity: u32,
 }
 
@@ -176,7 +176,8 @@ pub(crate) unsafe fn view<'a, R: CScalar>(address: *const u8) -> Result<Table<'a
     // SAFETY: the caller guarantees valid memory; `Memory::ready` wrote as many segments as it says.
     let memory = unsafe { &*behind::<R>(head, segments.into()) };
     let view = memory.get().ok_or(toytop_status::TOYTOP_NOT_SET_UP)?;
-    Ok(Table { view, address, identity: tag << 16 | u32::from(generation) })
+    let identity = (tag << 16 | u32::from(generation)).wrapping_add(address.addr() as u32);
+    Ok(Table { view, address, identity })
 }
 
 /// Writes a quantity of a table to memory of the caller.

@@ -7,7 +7,7 @@
 //! Φ(t) = exp(m t/A) Φ(0) diag(e^{iτt/2}, e^{-iτt/2})
 //! ```
 //!
-//! No branch point and no nutation phase is needed, so that this is an independent check of the tables.
+//! The formula has no branch point, no nutation phase and no table.
 
 use toytop::internal::{HalfPhase, ScaledTop, phase_of};
 use toytop::scalar::{Extended, Float, Ring};

@@ -63,7 +63,7 @@ pub fn check(holds: bool, parameter: &'static str, allowed: &'static str) -> Res
     if holds { Ok(()) } else { Err(ParameterError::OutOfRange { parameter, allowed }) }
 }
 
-/// Error unless a value is in a range; `allowed` are the words for it.
+/// Refuses a value outside a range; `allowed` describes the range.
 pub(crate) fn check_range(
     range: RangeInclusive<f64>,
     parameter: &'static str,

@@ -14,7 +14,7 @@ use crate::scalar::{Extended, Float};
 /// Branch points and their differences; none has a unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive] // its differences must agree
+#[non_exhaustive] // a literal could contradict its differences
 pub struct BranchPoints<F = f64> {
     /// Least u of the motion, e₁ >= -1.
     pub e1: F,

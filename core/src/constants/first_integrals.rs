@@ -38,7 +38,7 @@ impl Sign {
     }
 }
 
-/// Signs of l + n and l - n; equal for |l| > |n|, arbitrary for 0.
+/// Signs of l + n and l - n. They are equal if |l| > |n|. The sign of 0 is arbitrary.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Signs {
@@ -56,7 +56,7 @@ pub struct FirstIntegrals<F = f64> {
     pub l: F,
     /// Axial angular momentum n = ⟨m, r⟩ = C ⟨ω, r⟩ + K, kg m²/s.
     pub n: F,
-    /// Energy h = T + V, J; V = 0 at the height of the tip. T excludes a rotor's motion relative to the body.
+    /// Energy h = T + V, J; V = 0 at the height of the tip. The constant energy of a rotor relative to the body is left out.
     pub h: F,
     /// Axial rate ⟨ω, r⟩ of the body, rad/s: (n - K)/C; a further constant where C = 0.
     pub spin: F,

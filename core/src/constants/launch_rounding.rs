@@ -14,7 +14,7 @@ pub(crate) struct LaunchRounding {
     pub(crate) slow_rates: f64,
 }
 
-/// Number of roundings to the momenta, or to a coefficient of the cubics.
+/// Number of roundings counted for a momentum or a coefficient of a cubic.
 const OPERATIONS: f64 = 32.0;
 
 impl LaunchRounding {

@@ -48,13 +48,13 @@ pub struct PhaseEquations<F> {
     pub(crate) half_g: F,
     /// Rate (l + n)/(2A), rad/s.
     pub(crate) alpha_scale: F,
-    /// Time 2 √(A/(2 p g (e₃ + 1))); its product with χ' makes ψ_A' smooth.
+    /// Time 2 √(A/(2 p g (e₃ + 1))): coefficient of χ' in the denominator of ψ_A'.
     pub(crate) alpha_smoothing: F,
     /// Rate s₋ √(2 A p g (1-e₁)(1-e₂))/(2A), rad/s.
     pub(crate) beta_scale: F,
     /// Root √(e₃ - 1).
     pub(crate) root_e3_minus_one: F,
-    /// Time 2 √(A/(2 p g)); its product with χ' makes ψ_B' smooth.
+    /// Time 2 √(A/(2 p g)): coefficient of χ' in the denominator of ψ_B'.
     pub(crate) beta_smoothing: F,
 }
 

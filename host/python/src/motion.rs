@@ -15,7 +15,7 @@ use std::sync::OnceLock;
 use toytop::{InitialPhases, Motion, State};
 use toytop_host::input::scenario::{Given as ScenarioInput, Scenario, ScenarioFile};
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::{furthest_time, smallest_ephemeris};
+use toytop_host::motion::ephemeris::{furthest_time, require_scalar, smallest_ephemeris};
 use toytop_host::pictures::curve::TipCurve;
 use toytop_host::pictures::view;
 use toytop_host::truth::exact::Exact;
@@ -62,7 +62,9 @@ impl MotionCore {
     /// `ValueError`: no table in this scalar is large enough.
     pub(crate) fn table(&self, scalar: Scalar) -> PyResult<Table> {
         let set_up = || {
-            smallest_ephemeris(scalar, &self.motion).map(Table::from).map_err(|failure| failure.to_string())
+            let table =
+                require_scalar(scalar, &self.motion).and_then(|()| smallest_ephemeris(scalar, &self.motion));
+            table.map(Table::from).map_err(|failure| failure.to_string())
         };
         let table = self.tables[scalar as usize].get_or_init(set_up).clone();
         table.map_err(|reason| value_error("scalar", reason))

@@ -23,6 +23,7 @@ pub(super) struct MeanRates {
 impl MeanRates {
     pub(super) const ZERO: Self = Self { turns: [Extended::ZERO; 3], errors: [0.0; 3] };
 
+    /// Mean rates of a motion from its period.
     ///
     /// * `period`: `None` where u is constant
     #[inline(never)]

@@ -49,7 +49,7 @@ static inline void toytop_sincos_f64(uint64_t phase, double of[2]) {
     if (quadrant & 2) of[0] = -of[0], of[1] = -of[1];
 }
 
-/* Values and derivatives of the four polynomials of a table; the number of segments in the cell is 2^level. */
+/* Values and derivatives of the four polynomials of a table; half a period would have 8 * 2^level segments of this length. */
 typedef struct { double value[4], slope[4]; uint32_t level; } toytop_sums_f64;
 
 static inline toytop_sums_f64 toytop_sums_at_f64(const toytop_f64 *table, uint64_t nutation, int slopes) {
