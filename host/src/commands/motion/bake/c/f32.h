@@ -36,7 +36,7 @@ static inline void toytop_turn(int32_t re, int32_t im, const int32_t by[2], int3
     turned[1] = toytop_high(re, by[0]) + toytop_high(im, by[1]);
 }
 
-/* Values and, in half their scale, derivatives of the four polynomials of a table in integers; x, and the number of segments in the cell. */
+/* Values and, in half their scale, derivatives of the four polynomials of a table in integers; x, and the level of the cell. */
 typedef struct { int32_t value[4], slope[4]; uint32_t level; } toytop_sums;
 
 static inline int32_t toytop_saturated(int64_t sum) {
