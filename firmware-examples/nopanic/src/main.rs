@@ -30,7 +30,7 @@ use riscv_rt::entry;
 #[entry]
 fn main() -> ! {
     loop {
-        // An error is a value.
+        // an error is a value
         let _ = black_box(set_up());
         let _ = black_box(elliptic());
     }

@@ -1,4 +1,4 @@
-//! Arguments: their numbers, their refusals as `ValueError` whose message begins with the name, and arrays for Python.
+//! Arguments, their refusals, and arrays for Python. A refusal is a `ValueError` whose message begins with the name of the argument.
 
 use numpy::{IntoPyArray, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyOSError, PyValueError};
@@ -37,14 +37,14 @@ pub(crate) fn failed(failure: Failure) -> PyErr {
 /// Array of numbers for Python.
 pub(crate) type Array = PyArrayDyn<f64>;
 
-/// Numbers in row-major order with their shape; a single number has an empty shape.
+/// Array of numbers in row-major order. A single number has an empty shape.
 pub(crate) struct NumericArg {
     pub(crate) numbers: Vec<f64>,
     pub(crate) shape: Vec<usize>,
 }
 
 impl NumericArg {
-    /// Finite numbers of an argument.
+    /// Reads an argument of finite numbers.
     ///
     /// # Errors
     /// `ValueError` that names the argument: no numbers, or a number that is not finite.
@@ -56,7 +56,7 @@ impl NumericArg {
         }
     }
 
-    /// Numbers of an argument, finite or not.
+    /// Reads an argument of numbers, finite or not.
     ///
     /// # Errors
     /// `ValueError` that names the argument: no numbers.
@@ -90,10 +90,10 @@ impl FromPyObject<'_, '_> for NumericArg {
     }
 }
 
-/// Checks that the times are within a distance from t = 0.
+/// Checks that no time is farther than `reach` from t = 0.
 ///
 /// # Errors
-/// `ValueError`: one of the times is not.
+/// `ValueError`: one of the times is farther.
 pub(crate) fn within(reach: f64, times: &[f64]) -> PyResult<()> {
     let furthest = times.iter().fold(0.0, |furthest, t| f64::max(furthest, t.abs()));
     match furthest <= reach {

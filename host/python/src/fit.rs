@@ -67,7 +67,7 @@ impl FittedLaunch {
     }
 }
 
-/// Fields of the launch of a top that is fitted to samples of sensors, which are columns by name.
+/// Launch of a top fitted to samples of sensors, as fields of the Python class. The samples are columns by name.
 #[pyfunction]
 pub(crate) fn fit<'py>(
     py: Python<'py>,
@@ -87,7 +87,7 @@ pub(crate) fn fit<'py>(
     })?;
     let readings: Vec<Measurement> = rows.iter().map(|(_, measurement)| *measurement).collect();
     let input = FitInput { top: top.top, table, free, sensors: instruments, huber, drift };
-    let (report, residuals) = interrupt::alone(py, move || {
+    let (report, residuals) = interrupt::interruptible(py, move || {
         let report = input.fitted(&readings)?;
         let residuals = report.residuals(&readings);
         Ok((report, residuals))
@@ -170,7 +170,7 @@ pub(crate) fn simulate<'py>(
         value_error("hertz, duration", format!("must give from 1 to {MOST_SAMPLES:e} samples"))
     })?;
     let motion = motion.motion;
-    let found = interrupt::alone(py, move || {
+    let found = interrupt::interruptible(py, move || {
         measurements(&motion, &sensors, &recording).map(|found| Columns::new(&sensors, &found))
     })?;
     let refuse = || value_error("motion", "has no period, and cannot be followed for so long");

@@ -14,8 +14,8 @@ use toytop_host::thread_pool;
 const INTERVAL: Duration = Duration::from_millis(50);
 /// Stack of a thread, bytes. The set-up of the largest table needs some megabytes.
 const STACK: usize = 1 << 25;
-/// Greatest number of results for which threads are not worth their start.
-const FEW: usize = 16;
+/// Greatest number of results that one thread computes: more are worth the start of others.
+const MAX_SERIAL: usize = 16;
 
 /// Calls `work` with each of the jobs on all cores. A job should take less than 0.1 s.
 ///
@@ -47,7 +47,7 @@ pub(crate) fn on_all_cores<J: Send>(
     })
 }
 
-/// Results of `of` for the numbers below `count`, on all cores. One result should take less than 0.1 s.
+/// Results of `of` for the indices below `count`, on all cores. One result should take less than 0.1 s.
 ///
 /// # Errors
 /// `KeyboardInterrupt`.
@@ -56,11 +56,11 @@ pub(crate) fn map<T: Send>(
     count: usize,
     of: impl Fn(usize) -> T + Send + Sync,
 ) -> PyResult<Vec<T>> {
-    if count <= FEW {
+    if count <= MAX_SERIAL {
         return Ok(py.detach(|| (0..count).map(of).collect()));
     }
     let mut results: Vec<Option<T>> = (0..count).map(|_| None).collect();
-    on_all_cores(py, results.par_iter_mut().enumerate(), |(place, result)| *result = Some(of(place)))?;
+    on_all_cores(py, results.par_iter_mut().enumerate(), |(index, result)| *result = Some(of(index)))?;
     Ok(results.into_iter().flatten().collect())
 }
 
@@ -68,7 +68,7 @@ pub(crate) fn map<T: Send>(
 ///
 /// # Errors
 /// `KeyboardInterrupt`.
-pub(crate) fn alone<T: Send + 'static>(
+pub(crate) fn interruptible<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce() -> T + Send + 'static,
 ) -> PyResult<T> {

@@ -9,7 +9,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use toytop_model::constants::numbers;
 
-/// Motions of tops by rows: the numbers of a release, or a quaternion and the rates of this name. A single top or row counts for all.
+/// Motions of tops by rows. A row has the numbers of a release, or a quaternion and the rates of this name. A single top or row counts for all.
 ///
 /// # Errors
 /// `ValueError` that names the launch and the parameter.

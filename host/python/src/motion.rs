@@ -1,4 +1,4 @@
-//! Motions: their tables, and their input to full precision.
+//! Motions, their tables, and their input to full precision.
 
 mod changes;
 mod constants;

@@ -30,7 +30,7 @@ pub(crate) struct ScoreFields {
     doubt: Option<String>,
 }
 
-/// Fields of the errors of an integrator's output, from the state of motion.at(0), against the exact motion.
+/// Errors of an integrator's output, from the state of motion.at(0), against the exact motion.
 #[pyfunction]
 pub(crate) fn score(
     py: Python<'_>,
@@ -50,7 +50,7 @@ pub(crate) fn score(
         Ok(Pose { t: t.numbers[i], orientation, norm_error, omega, tip: None })
     };
     let scenario = Scenario { name: "motion".into(), motion: motion.motion, given: None, units: Units::Si };
-    let score = interrupt::alone(py, move || {
+    let score = interrupt::interruptible(py, move || {
         let rows = (0..count).map(row).collect::<Result<_, Failure>>()?;
         let trajectory =
             Trajectory { name: "result".into(), method: None, step: None, evaluations: None, rows };

@@ -12,7 +12,7 @@ mod motion {
     pub(crate) mod vectors;
 }
 
-/// Pictures, films and pages.
+/// Pictures, animations and pages.
 mod pictures {
     mod animate;
     mod figures;
@@ -28,7 +28,7 @@ mod bake {
     mod contents;
 }
 
-/// Launches found from samples.
+/// Launches fitted to samples.
 mod fit {
     mod from_samples;
 }

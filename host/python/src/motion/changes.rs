@@ -26,7 +26,7 @@ fn row(partials: &Partials) -> Vec<f64> {
 
 #[pymethods]
 impl MotionCore {
-    /// Derivatives at these times: fifteen components in the last axis but one, as of [`row`].
+    /// Derivatives at these times. The last axis but one has the fifteen components of [`row`].
     fn partials<'py>(&self, py: Python<'py>, t: NumericArg) -> PyResult<Bound<'py, Array>> {
         let found = self.partials_at(py, &t.numbers, row)?;
         let found = found.ok_or_else(|| value_error("t", "must not be so far"))?;
@@ -65,7 +65,7 @@ impl MotionCore {
         Ok(found.into_iter().collect())
     }
 
-    /// State at a time; that of the launch without a rounding.
+    /// State at a time. At t = 0 it is that of the launch, without rounding.
     fn state(&self, t: f64) -> PyResult<State> {
         let (phi, omega) = match self.start {
             Start::State { phi: [[a, b], [c, d]], omega } if t == 0.0 => {

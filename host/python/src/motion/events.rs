@@ -11,7 +11,7 @@ use toytop_host::motion::ephemeris::{EventQuery, FoundEvent};
 
 #[pymethods]
 impl MotionCore {
-    /// Events from `start` on, in the order of time: rows of the time and its error, 1 where it is upward, u, the tip and its angle.
+    /// Events from `start` on, in the order of time. A row has the time and its error, 1 where it is upward, u, the tip and its angle.
     fn events<'py>(
         &self,
         py: Python<'py>,
@@ -26,7 +26,7 @@ impl MotionCore {
         self.within_reach(&[start]).map_err(|_| value_error("start", "must be within 2^62 ticks"))?;
         let from = (start * table.ticks_per_time()).floor() as i64;
         let wanted = move |t: f64, up: bool| t >= start && upward.is_none_or(|only: bool| only == up);
-        let mut found = interrupt::alone(py, move || {
+        let mut found = interrupt::interruptible(py, move || {
             let events = |sought: EventQuery| {
                 let events = table.events(sought, from, &wanted, most).into_iter();
                 events.map(move |event| (event.time_error(&sought).unwrap_or(f64::NAN), event))
@@ -45,7 +45,7 @@ impl MotionCore {
 }
 
 impl MotionCore {
-    /// Searches for the events of a kind: two where two levels of u belong to a circle, none where a top does not leave the plane.
+    /// Searches for the events of a kind. A circle has two where two levels of u belong to it; a top that does not leave the plane has none.
     fn sought(&self, kind: &str, value: f64) -> PyResult<Vec<EventQuery>> {
         let named = |error| renamed(error, &[("tilt", "value"), ("radius", "value")]);
         let levels = |levels: &[Level]| levels.iter().copied().map(EventQuery::Crossing).collect();

@@ -20,7 +20,7 @@ pub(crate) struct ClosedFormCore {
     form: ClosedForm,
 }
 
-/// Greatest number of nutation periods. If e₃ = e₄ holds only up to rounding, the form loses up to 5e-14 rad in a period.
+/// Greatest number of nutation periods. If e₃ = e₄ holds only up to rounding, the form is off by up to 5e-14 rad more in each period.
 const MOST_PERIODS: f64 = 1e12;
 
 #[pymethods]

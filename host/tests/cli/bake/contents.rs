@@ -12,7 +12,7 @@ fn the_firmware_has_todays_table() {
 }
 
 #[test]
-fn the_size_is_chosen_and_said() {
+fn the_size_is_chosen_and_stated() {
     let slender = scenario("bake_slender", &slender([-0.9, 0.99, 1.18], ["5.4e-3", "5e-3"]));
     for (file, scalar, word, [segments, terms]) in [
         ("@toy_top", "f32", "f32", [25, 5]),
@@ -23,8 +23,8 @@ fn the_size_is_chosen_and_said() {
         (&slender, "f64", "f64", [128, 11]),
     ] {
         let run = toytop(format!("bake {file} --scalar {scalar}"));
-        let said = format!(": {segments}x{terms} in {scalar}, ");
-        assert!(run.err.contains(&said) && run.err.contains(" rad a tick"), "{}", run.err);
+        let stated = format!(": {segments}x{terms} in {scalar}, ");
+        assert!(run.err.contains(&stated) && run.err.contains(" rad a tick"), "{}", run.err);
         assert!(run.out.contains(&format!("toytop::Ephemeris<{word}, {segments}>")), "{file} {scalar}");
     }
     assert!(toytop("bake --help").ok().contains("toytop bake top.toml"));

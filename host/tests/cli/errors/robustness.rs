@@ -50,7 +50,7 @@ fn a_killed_command_leaves_the_old_file_or_the_new() {
     is_written_as_a_whole("figures -o robust_killed", "robust_killed/figure_3_e3_3.svg");
 }
 
-/// Files of others, whatever their names, and the inputs of a command are not touched.
+/// A command touches neither other files, whatever their names, nor its inputs.
 #[test]
 fn only_the_output_is_written() {
     folder("robust_strangers");
@@ -77,7 +77,7 @@ fn only_the_output_is_written() {
     }
 }
 
-/// An endless line is one line of refusal, in bounded memory.
+/// An endless line is refused by one line, in bounded memory.
 #[cfg(target_os = "linux")]
 #[test]
 fn an_endless_line_is_refused() {

@@ -18,7 +18,7 @@ fn a_fitted_scenario_predicts_what_the_true_one_does() {
     let error = (number(&found["spin"]) - 150.0) / number(&found["spin_deviation"]);
     assert!(error.abs() < 4.5, "{found}");
     assert!(number(&found["saturated"]) >= 300.0, "the gyroscope is blind along the axis: {found}");
-    // a second after the end, within what was announced
+    // a second after the end, within the announced error
     let [state, truth] = ["fit_round.toml", "@toy_top"]
         .map(|file| numbers(&samples(format!("{file} --times 1.3"))[0], "alpha beta"));
     let announced = &found["prediction"][1];
@@ -72,7 +72,7 @@ fn a_wrong_inertia_is_corrected_where_it_is_free() {
     toytop("state fit_free/fitted.toml --times 0").ok();
 }
 
-/// A top that loses nothing: its drift is 0 within the error bars, and its launch is that of the last sample.
+/// The drift of a top without losses is 0 within the error bars, and its launch is that of the last sample.
 #[test]
 fn a_drift_is_reported_with_its_error_bars() {
     simulated("fit_drift.csv", "");
@@ -148,7 +148,7 @@ fn bad_samples_are_refused_with_their_line() {
     assert_eq!(few.out, "NOT CONVERGED: there are fewer observations than unknowns\n");
 }
 
-/// No launch is believed that samples of another top give, and none is written.
+/// Samples of another top give no launch, and no file is written.
 #[test]
 fn samples_of_another_top_have_no_launch() {
     folder("fit_other");

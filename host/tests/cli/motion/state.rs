@@ -134,7 +134,7 @@ fn where_the_tip_is_at_the_centre_phi_goes_on_smoothly() {
     }
 }
 
-/// A scalar is computed in, not rounded to: its numbers have its bits, and errors of its size on both sides.
+/// Numbers are computed in the scalar, not rounded to it: they have its bits, and errors of its size of both signs.
 #[test]
 fn every_scalar_is_itself() {
     let file = scenario("scalars", &format!("{TOP}{RELEASE}"));
@@ -196,13 +196,13 @@ fn a_held_tip_is_minus_the_horizontal_part_of_the_axis() {
         assert!(product(&sample).iter().zip(tip).all(|(part, x)| (x - 2.0 * part).abs() < 1e-15), "{sample}");
     }
     let help = toytop("state --help").ok();
-    let said = "minus the horizontal part of the axis";
-    for part in [said, "t in s", "omega in rad/s", "tip in m", "phi in rad"] {
+    let stated = "minus the horizontal part of the axis";
+    for part in [stated, "t in s", "omega in rad/s", "tip in m", "phi in rad"] {
         assert!(help.contains(part), "{part}");
     }
     let [held, sliding] =
         ["lagrange", "toy_top"].map(|name| toytop(format!("state @{name} --times 0.3")).ok());
-    assert!(held.contains(said) && !sliding.contains("minus the horizontal"), "{held} {sliding}");
+    assert!(held.contains(stated) && !sliding.contains("minus the horizontal"), "{held} {sliding}");
 }
 
 /// Keys that a free body does not need are allowed and have no effect.

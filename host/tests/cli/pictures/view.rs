@@ -1,4 +1,4 @@
-//! `toytop view`: what is in the page, and that it is there as a whole or not at all; in a browser, what it shows.
+//! `toytop view`: contents of the page, which is complete or missing; and the page in a browser.
 
 mod browser;
 
@@ -21,7 +21,7 @@ fn data(page: &str) -> Value {
     serde_json::from_str(element(page, "data")).expect("JSON")
 }
 
-/// Bytes that a page may have.
+/// Greatest size of a page, bytes.
 const MOST: usize = 400_000;
 
 #[test]
@@ -48,7 +48,7 @@ fn one_page_that_needs_nothing_else() {
     assert_eq!(std::fs::read_dir(&folder).expect("a folder").count(), 1, "nothing is left beside it");
 }
 
-/// Without a period, without a tip curve, with the tip held, a name that is no HTML, and no scenario at all.
+/// Pages of motions without a period or a tip curve, of a held tip, of a name that is no HTML, and without a scenario.
 #[test]
 fn every_kind_of_motion_has_a_page() {
     let folder = folder("view_kinds");

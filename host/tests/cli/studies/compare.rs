@@ -35,7 +35,7 @@ fn compare_holds_its_bounds() {
     }
 }
 
-/// An error without a bound is judged by none: over 100 periods no error of an orientation is larger than the bound of the reference.
+/// Over 100 periods no error of an orientation exceeds the bound of the reference; an error without a bound is not checked.
 #[test]
 fn a_row_without_a_bound_is_not_missed() {
     toytop("compare @toy_top --periods 100 --format csv").ok();
@@ -77,7 +77,7 @@ fn compare_reads_scenarios_and_reports_a_missed_bound() {
         assert_eq!((run.code, &row["verdict"]), (Some(1), &Value::from(expected)), "{row}");
     }
 
-    // at 1e-6 no table is large enough, which is stated and no missed bound
+    // at 1e-6 no table is large enough; this is stated, and is no missed bound
     let run = toytop(format!("compare {} --scalar f32 --periods 1 --format csv", needle("needle_compared")));
     assert!(run.err.contains("needle_compared f32: no ephemeris"), "{}", run.err);
     assert!(run.out.contains(",ephemeris,,,") && run.out.ends_with(",no fit\n"), "{}", run.out);

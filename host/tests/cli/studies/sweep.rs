@@ -4,7 +4,7 @@ use crate::command::{
     all_refused, bash, json, number, numbers, path, read, sample, samples, scenario, toytop, write,
 };
 
-/// The file that a sweep writes.
+/// Text of the file that a sweep writes.
 fn sweep(to: &str, arguments: &str) -> String {
     // left over from an earlier run, or never there
     let _ = std::fs::remove_file(path(to));
@@ -13,7 +13,7 @@ fn sweep(to: &str, arguments: &str) -> String {
     read(to)
 }
 
-/// The fields of a row by name.
+/// Field of a row by name.
 fn field<'a>(table: &'a str, row: usize, name: &str) -> &'a str {
     let mut lines = table.lines();
     let header = lines.next().expect("a header");
@@ -21,7 +21,7 @@ fn field<'a>(table: &'a str, row: usize, name: &str) -> &'a str {
     lines.nth(row).expect("a row").split(',').nth(place).expect("a field")
 }
 
-/// `cat` joins the parts, and their indices are those of the whole. The grid has 18 places, of which three have e1 > e2.
+/// `cat` joins the parts, and their indices are those of the whole. The grid has 18 rows, of which three have e1 > e2.
 #[test]
 fn parts_make_the_whole() {
     for (name, more) in [
@@ -72,7 +72,7 @@ fn a_row_is_the_scenario_with_its_numbers() {
         if constants["regime"] != "nutating" {
             continue;
         }
-        // the times are not in the row: in each third of 2.5 periods one, moved on by multiples of the golden section
+        // the row has no times: there is one in each third of 2.5 periods, shifted by multiples of the golden section
         let part = 2.5 * number(&constants["period"]) / 3.0;
         for (tick, thirds) in [(1, 0.0), (2, 1.618_033_988_749_895), (3, 2.236_067_977_499_79)] {
             let t = part * thirds;
@@ -118,7 +118,7 @@ fn errors_are_those_of_the_scalars() {
         let [error, bound, segments] =
             columns.map(|name| field(&table, row, name).parse::<f64>().expect(name));
         assert!(error > 1e-8 && error < bound && bound < 1e-6, "{error:e} {bound:e}");
-        // nothing here is near a corner
+        // no motion here is near a degenerate case
         assert!(segments == 16.0 || segments == 32.0, "{segments}");
     }
 }

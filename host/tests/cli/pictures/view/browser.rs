@@ -1,4 +1,4 @@
-//! In a browser: the page shows what the core computes, to the bit, and does what its controls say, without an error.
+//! The page in a browser: it shows the core's results to the bit, and its controls work without an error.
 //!
 //! Run by `cargo xtask test --only browser`, which provides Chromium and names it in `CHROMIUM`.
 
@@ -15,7 +15,7 @@ use toytop::{Complex, Motion, Orientation};
 use toytop_host::input::scenario::Scenario;
 use toytop_page::table::Table;
 
-/// The document as Chromium leaves it, and what it wrote to the console. It lets a minute pass for the page, but does not wait for it.
+/// The document at the end of a minute of Chromium's virtual time, and the lines of its console.
 fn browse(page: &Path, width: u32, fragment: &str) -> (String, Vec<String>) {
     let program = std::env::var("CHROMIUM").unwrap_or_else(|_| "chromium".to_owned());
     let profile = page.with_extension("profile");
@@ -37,7 +37,7 @@ fn browse(page: &Path, width: u32, fragment: &str) -> (String, Vec<String>) {
     (String::from_utf8(output.stdout).expect("UTF-8"), console)
 }
 
-/// Goes to each time by the address, and says what is shown then.
+/// Script that goes to each time by the address, and returns the data that are shown.
 const SHOWN: &str = "
 const results = [];
 for (const t of TIMES) {
@@ -50,7 +50,7 @@ for (const t of TIMES) {
 return results;
 ";
 
-/// Chromium's clock runs ahead where nothing is to be done, and does not wait for frames: here they are timers.
+/// Frames as timers, because Chromium's virtual time runs ahead while nothing is to be done, and does not wait for frames.
 const FRAMES: &str =
     "window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 16);";
 
@@ -73,7 +73,7 @@ const set = async (id, value, event) => {
 };
 ";
 
-/// The page with a script behind its own, whose result goes into the element `probe`.
+/// Result of a script that runs after that of the page. It goes through the element `probe`.
 fn probe(page: &Path, script: &str, width: u32, fragment: &str) -> Value {
     let html = std::fs::read_to_string(page).expect("the page");
     let probe = format!(
@@ -102,8 +102,7 @@ fn complex(value: &Value) -> Complex<f64> {
     Complex::new(part(0), part(1))
 }
 
-/// The core's table of a motion, as the page makes it. The series of a table with another capacity may end at another term. It is too
-/// large for the stack of a test.
+/// The core's table of a motion, with the capacity of the page's table. It is too large for the stack of a test.
 fn core_of(motion: &Motion) -> MutexGuard<'static, Table> {
     static TABLE: Mutex<Table> = Mutex::new(Table::EMPTY);
     let mut table = TABLE.lock().unwrap_or_else(PoisonError::into_inner);
@@ -111,7 +110,7 @@ fn core_of(motion: &Motion) -> MutexGuard<'static, Table> {
     table
 }
 
-/// Asserts that the numbers of a moment of the page are the core's, bit for bit; α and β as the core has them.
+/// Asserts that the numbers that the page shows are the core's to the bit.
 fn assert_core(shown: &Value, core: &Table, t: f64) -> Orientation<f64> {
     let (phi, tip) = core.at(t);
     let [x, y, z] = phi.axis();
@@ -134,7 +133,7 @@ fn the_page_shows_what_the_core_says() {
         let page = folder.join(format!("{name}.html"));
         view(&[&file], &page);
         let core = core_of(&Scenario::read(Path::new(&file)).expect("a scenario").motion);
-        // far out and in the past, too
+        // also far from t = 0, and in the past
         let times = "[0.3125, -2.5, 1000000.75]";
         let shown = probe(&page, &SHOWN.replace("TIMES", times), 1200, "");
         let truth = samples(format!("{file} --times={}", times.trim_matches(['[', ']']).replace(", ", ",")));
@@ -147,7 +146,7 @@ fn the_page_shows_what_the_core_says() {
             let [alpha, beta] = ["alpha", "beta"].map(|key| complex(&shown[key]) - complex(&truth[key]));
             let error = 2.0 * (alpha.norm_squared() + beta.norm_squared()).sqrt();
             assert!(error < ORIENTATION, "{name}: {error:e} rad at {t}");
-            // the matrix that everything is drawn with
+            // the matrix with which the top is drawn
             for (column, body) in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].into_iter().enumerate()
             {
                 for (row, expected) in phi.adjoint(body).into_iter().enumerate() {
@@ -166,14 +165,14 @@ fn the_page_shows_what_the_core_says() {
     }
 }
 
-/// Two tables in f64, of 1e6 s, rad.
+/// Greatest difference of two tables in f64 after 1e6 s, rad.
 const ORIENTATION: f64 = 1e-13;
-/// Roundings of a matrix.
+/// Greatest rounding of an element of a matrix.
 const MATRIX: f64 = 1e-15;
-/// A picture has them, by lines drawn smoothly; an empty one has one.
+/// Number of colours that a picture with smooth lines exceeds; an empty one has one colour.
 const MANY_COLOURS: u64 = 40;
 
-/// An error on a page is an error of the test, which would not notice it otherwise.
+/// An error on a page reaches the console that the tests read.
 #[test]
 #[ignore = "a browser: cargo xtask test --only browser"]
 fn an_error_on_a_page_is_seen() {

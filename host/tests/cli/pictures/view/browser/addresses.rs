@@ -1,10 +1,10 @@
-//! Addresses of the page: what is wrong with one is said, and the motion stays as it was.
+//! Addresses of the page: an error is named, and the motion stays as it was.
 
 use super::probe;
 use crate::command::{list, sample};
 use crate::pictures::view::{folder, view};
 
-/// Top and throw of the addresses; each address has one error.
+/// Top and launch of the addresses; each address has one error.
 const TOP: &str = "mass=0.05&com_height=0.03&transverse_inertia=3e-5&axial_inertia=2e-5";
 
 /// Addresses, each with the message of the page.

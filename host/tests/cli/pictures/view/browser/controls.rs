@@ -1,4 +1,4 @@
-//! Controls of the page: each does what it says, and what it sets is computed by the core.
+//! Controls of the page: each has its effect, and the core computes the motion that it sets.
 
 use super::{assert_core, core_of, probe};
 use crate::command::{branch_points, list, sample, scenario};
@@ -6,7 +6,7 @@ use crate::pictures::view::{folder, view};
 use serde_json::Value;
 use toytop_host::input::scenario::Scenario;
 
-/// Script that operates the page and its controls; every line of its result is a sentence that must be true.
+/// Script that operates the page and its controls. Each entry of its result is a sentence that must be true.
 const CONTROLS: &str = "
 const facts = {};
 const key = (target, key) => target.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true }));
@@ -170,7 +170,7 @@ fn the_page_does_what_its_controls_say() {
     }
 }
 
-/// Moves every slider, and says what is shown, the scenario file, and the address.
+/// Script that moves every slider, and returns the data that are shown, the scenario file, and the address.
 const MOVED: &str = "
 const results = [];
 play(false);
