@@ -3,7 +3,9 @@
 use super::launch;
 use toytop::{Motion, ParameterError, Regime};
 use toytop_host::input::random::Random;
-use toytop_host::motion::ephemeris::{AnyEphemeris, approximate, smallest_ephemeris, ticks_per_time};
+use toytop_host::motion::ephemeris::{
+    AnyEphemeris, approximate, require_scalar, smallest_ephemeris, ticks_per_time,
+};
 use toytop_host::motion::propagate::period;
 use toytop_host::motion::{Scalar, greater};
 use toytop_host::truth::exact::Exact;
@@ -64,7 +66,10 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
     let input = launch::random(&mut random);
     let motion = input.motion()?;
     let (period, rate) = (period(&motion), ticks_per_time(&motion));
-    let tables = Scalar::ALL.map(|scalar| smallest_ephemeris(scalar, &motion).ok());
+    let tables = Scalar::ALL.map(|scalar| {
+        require_scalar(scalar, &motion).ok()?;
+        smallest_ephemeris(scalar, &motion).ok()
+    });
     let times = [(); TIMES].map(|()| random.between(0.0, period));
     let mut errors = tables.each_ref().map(|table| {
         let table = table.as_deref()?;
