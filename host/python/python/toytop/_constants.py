@@ -78,7 +78,7 @@ class Constants:
     @property
     def e3_minus_e2(self) -> float:
         """Difference e3 - e2, without the rounding of either."""
-        return self._core.e3_minus_e2
+        return self._core.constant("e3_minus_e2")
 
     @property
     def e3_minus_one(self) -> float:

@@ -21,9 +21,4 @@ impl MotionCore {
     fn tip_class(&self) -> &'static str {
         constants::tip_class(self.motion.tip_class())
     }
-
-    #[getter]
-    fn e3_minus_e2(&self) -> f64 {
-        self.motion.branch_points().e3_minus_e2
-    }
 }
