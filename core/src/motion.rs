@@ -45,7 +45,7 @@ pub struct Motion {
 /// Half phase χ of the nutation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HalfPhase {
-    /// None: u and the rates of A and B are constant.
+    /// None: u and the rates of the slow phases are constant.
     Steady,
     /// χ of a motion between two turning points.
     Nutating(Phase),
@@ -108,7 +108,7 @@ impl Motion {
         Some(PeriodAdvance::new(&period, self.half_tau, windings))
     }
 
-    /// Nutation period, and the rotations in it about the vertical, ψ_A(T) + ψ_B(T), and about the axis, ψ_A(T) - ψ_B(T) + τT, without
+    /// Nutation period, and the rotations in it about the vertical, ψ_α(T) + ψ_β(T), and about the axis, ψ_α(T) - ψ_β(T) + τT, without
     /// whole turns.
     #[doc(hidden)]
     pub fn period_and_turns(&self) -> Option<(Extended, [Phase; 2])> {
@@ -161,7 +161,7 @@ impl Motion {
         }
     }
 
-    /// Rates ((l ± n)/(A (1 ± u)) ± τ)/2 of A and B where u is constant, rad/s; 0 for a parameter that is 0.
+    /// Rates ((l ± n)/(A (1 ± u)) ± τ)/2 of the slow phases where u is constant, rad/s; 0 for a parameter that is 0.
     pub(crate) fn steady_rates(&self) -> [Extended; 2] {
         let (twice_a, zero) = (self.scaled_top().a.doubled(), Extended::ZERO);
         let rate = |momentum: Extended, complement: Extended, half_tau: Extended| {
@@ -217,7 +217,7 @@ impl Motion {
         Some(inverse_gudermannian(direction))
     }
 
-    /// Slow phases A and B.
+    /// Slow phases of α and β.
     pub fn slow_phases(&self) -> [Phase; 2] {
         self.phases
     }

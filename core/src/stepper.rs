@@ -21,7 +21,7 @@ pub struct Stepper<R> {
     equations: PhaseEquations<R>,
     nutation: Nutation<R>,
     phases: [Phase; 2],
-    /// Constant parts of the rates of A and B, in turns/s and rad/s.
+    /// Constant parts of the rates of the slow phases, in turns/s and rad/s.
     constant_rates: [(Extended, R); 2],
     /// Tip scale, m.
     tip_scale: R,
@@ -34,7 +34,7 @@ pub struct Stepper<R> {
 /// Nutation variable of a stepper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Nutation<R> {
-    /// None: u and the rates of A and B are constant.
+    /// None: u and the rates of the slow phases are constant.
     Steady,
     /// Half phase χ.
     Nutating(Phase),
@@ -125,13 +125,13 @@ impl<R: Real> Stepper<R> {
             }
         };
         let turned = |(rate, _): (Extended, R)| (rate * dt.to_f64().into()).to_phase();
-        let [rate_a, rate_b] = self.constant_rates;
-        let turned_a = turned(rate_a);
+        let [alpha_rate, beta_rate] = self.constant_rates;
+        let alpha_turned = turned(alpha_rate);
         // the constant rates are ±τ/2 unless u is constant, and a product costs much
-        let turned_b = if self.nutation == Nutation::Steady { turned(rate_b) } else { -turned_a };
-        let [a, b] = &mut self.phases;
-        *a += phase_from_radians(change.slow_a) + turned_a;
-        *b += phase_from_radians(change.slow_b) + turned_b;
+        let beta_turned = if self.nutation == Nutation::Steady { turned(beta_rate) } else { -alpha_turned };
+        let [alpha, beta] = &mut self.phases;
+        *alpha += phase_from_radians(change.slow_alpha) + alpha_turned;
+        *beta += phase_from_radians(change.slow_beta) + beta_turned;
     }
 
     /// Orientation Φ.
@@ -182,7 +182,7 @@ impl<R: Real> Stepper<R> {
         if rate < R::ZERO { -greatest } else { greatest }
     }
 
-    /// Rates of χ, A and B at e^{iχ}, rad/s.
+    /// Rates of χ and of the slow phases at e^{iχ}, rad/s.
     fn rates(&self, chi: Complex<R>) -> PhaseRates<R> {
         let mut rates = match self.nutation {
             Nutation::Steady => PhaseRates::ZERO,
@@ -193,8 +193,8 @@ impl<R: Real> Stepper<R> {
             }
         };
         let [(_, alpha), (_, beta)] = self.constant_rates;
-        rates.slow_a = rates.slow_a + alpha;
-        rates.slow_b = rates.slow_b + beta;
+        rates.slow_alpha = rates.slow_alpha + alpha;
+        rates.slow_beta = rates.slow_beta + beta;
         rates
     }
 
@@ -221,7 +221,11 @@ fn runge_kutta<R: Real>(dt: R, rates: impl Fn(R) -> PhaseRates<R>) -> PhaseRates
     let sixth = dt * R::from_f64(1.0 / 6.0);
     let mean =
         |part: fn(&PhaseRates<R>) -> R| (part(&k1) + (part(&k2) + part(&k3)).doubled() + part(&k4)) * sixth;
-    PhaseRates { nutation: mean(|k| k.nutation), slow_a: mean(|k| k.slow_a), slow_b: mean(|k| k.slow_b) }
+    PhaseRates {
+        nutation: mean(|k| k.nutation),
+        slow_alpha: mean(|k| k.slow_alpha),
+        slow_beta: mean(|k| k.slow_beta),
+    }
 }
 
 /// Sum, and its rounding error (Knuth's exact addition).

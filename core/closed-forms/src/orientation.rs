@@ -38,8 +38,8 @@ impl ArgumentOffsets {
         let argument =
             |axes, turning, closed| argument(axes, [sine, cosine], [rates.nutation, turning], closed);
         let angles = [
-            alpha_phase + argument(alpha_axes, rates.slow_a, alpha),
-            beta_phase + argument(beta_axes, rates.slow_b, beta),
+            alpha_phase + argument(alpha_axes, rates.slow_alpha, alpha),
+            beta_phase + argument(beta_axes, rates.slow_beta, beta),
         ];
         Self { angles, half_tau: motion.half_tau() }
     }

@@ -8,7 +8,7 @@ use crate::su2::dot;
 /// Rounding errors of a launch; 0 for a motion from branch points, which are exact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct LaunchRounding {
-    /// Relative error of the period, and of ψ_A and ψ_B over a period.
+    /// Relative error of the period, and of ψ_α and ψ_β over a period.
     pub(crate) relative: f64,
     /// Error of the rates of the slow phases, rad/s.
     pub(crate) slow_rates: f64,

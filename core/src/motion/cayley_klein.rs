@@ -1,4 +1,4 @@
-//! α and β from the half phase χ and the slow phases A and B.
+//! α and β from the half phase χ and the slow phases of α and β.
 
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, Signs};
@@ -7,10 +7,10 @@ use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real};
 use crate::su2::{Orientation, OrientationRate};
 
-/// Ellipses of α and β: α = (a₁ cos χ + i a₂ sin χ) e^{iA}, β = (b₁ cos χ + i b₂ sin χ) e^{iB}, with a₁² = (1+e₁)/2,
-/// a₂² = (1+e₂)/2, b₁² = (1-e₁)/2, b₂² = (1-e₂)/2. They make |α|² + |β|² = 1 for all χ, A and B.
+/// Ellipses of α and β: α = (a₁ cos χ + i a₂ sin χ) e^{iλ_α}, β = (b₁ cos χ + i b₂ sin χ) e^{iλ_β}, with a₁² = (1+e₁)/2,
+/// a₂² = (1+e₂)/2, b₁² = (1-e₁)/2, b₂² = (1-e₂)/2. They make |α|² + |β|² = 1 for all phases.
 ///
-/// Their methods take χ, A and B as unit complex numbers: `chi` is e^{iχ}, and `slow` are e^{iA} and e^{iB}.
+/// Their methods take the phases as unit complex numbers: `chi` is e^{iχ}, and `slow` are e^{iλ_α} and e^{iλ_β}.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Ellipses<R> {
     pub(crate) alpha: Ellipse<R>,
@@ -67,7 +67,7 @@ impl<R: Real> Ellipses<R> {
         Orientation { alpha: self.alpha.at(chi) * a, beta: self.beta.at(chi) * b }
     }
 
-    /// Rate Φ', from the rates of χ, A and B, rad/s.
+    /// Rate Φ', from the rates of the three phases, rad/s.
     pub(crate) fn rate(
         &self,
         chi: Complex<R>,
@@ -75,8 +75,8 @@ impl<R: Real> Ellipses<R> {
         rates: &PhaseRates<R>,
     ) -> OrientationRate<R> {
         OrientationRate {
-            alpha: self.alpha.rate(chi, [rates.nutation, rates.slow_a]) * a,
-            beta: self.beta.rate(chi, [rates.nutation, rates.slow_b]) * b,
+            alpha: self.alpha.rate(chi, [rates.nutation, rates.slow_alpha]) * a,
+            beta: self.beta.rate(chi, [rates.nutation, rates.slow_beta]) * b,
         }
     }
 }

@@ -38,13 +38,13 @@ impl PeriodAdvance {
     }
 }
 
-/// Nutation period with ψ_A and ψ_B over it, and their errors.
+/// Nutation period with ψ_α and ψ_β over it, and their errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Period {
     pub(crate) time: Extended,
-    /// Angles ψ_A(T) and ψ_B(T), rad.
+    /// Angles ψ_α(T) and ψ_β(T), rad.
     pub(crate) psi: [Extended; 2],
-    /// Estimated error of the trapezoid rule, relative to T and to |ψ_A| + |ψ_B|.
+    /// Estimated error of the trapezoid rule, relative to T and to |ψ_α| + |ψ_β|.
     pub(crate) relative_error: f64,
     /// Relative error of one operation of the quadrature.
     pub(crate) operation_error: f64,

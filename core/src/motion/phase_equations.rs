@@ -1,11 +1,11 @@
-//! Phase equations: rates of χ, ψ_A and ψ_B.
+//! Phase equations: rates of χ, ψ_α and ψ_β.
 //!
 //! With sin²χ = (u - e₁)/(e₂ - e₁) they are smooth at the turning points and at the vertical:
 //!
 //! ```text
 //! χ' = √( g (e₃ - u) / (2 D) ),    D(u) = A/p + s (1 - u²)
-//! √2 α = [√(1+e₁) cos χ + i s₊ √(1+e₂) sin χ] e^{i(a + ψ_A + τt/2)}
-//! √2 β = [√(1-e₁) cos χ + i s₋ √(1-e₂) sin χ] e^{i(b + ψ_B - τt/2)}
+//! √2 α = [√(1+e₁) cos χ + i s₊ √(1+e₂) sin χ] e^{iλ_α},    λ_α = λ_α(0) + ψ_α + τt/2
+//! √2 β = [√(1-e₁) cos χ + i s₋ √(1-e₂) sin χ] e^{iλ_β},    λ_β = λ_β(0) + ψ_β - τt/2
 //! ```
 //!
 //! The ellipses absorb the factors 1/(1 ± u) of the paper's integrals (equation (3.10)).
@@ -20,14 +20,14 @@ use crate::scalar::{Float, Ring};
 pub struct PhaseRates<R> {
     /// Rate χ' for a nutating motion, v' for an aperiodic one.
     pub nutation: R,
-    /// Rate ψ_A', or A' where ±τ/2 is added.
-    pub slow_a: R,
-    /// Rate ψ_B', or B'.
-    pub slow_b: R,
+    /// Rate ψ_α', or λ_α' where τ/2 is added.
+    pub slow_alpha: R,
+    /// Rate ψ_β', or λ_β' where -τ/2 is added.
+    pub slow_beta: R,
 }
 
 impl<R: Ring> PhaseRates<R> {
-    pub(crate) const ZERO: Self = Self { nutation: R::ZERO, slow_a: R::ZERO, slow_b: R::ZERO };
+    pub(crate) const ZERO: Self = Self { nutation: R::ZERO, slow_alpha: R::ZERO, slow_beta: R::ZERO };
 }
 
 /// Constants of the equations of one motion.
@@ -48,13 +48,13 @@ pub struct PhaseEquations<F> {
     pub(crate) half_g: F,
     /// Rate (l + n)/(2A), rad/s.
     pub(crate) alpha_scale: F,
-    /// Time 2 √(A/(2 p g (e₃ + 1))): coefficient of χ' in the denominator of ψ_A'.
+    /// Time 2 √(A/(2 p g (e₃ + 1))): coefficient of χ' in the denominator of ψ_α'.
     pub(crate) alpha_smoothing: F,
     /// Rate s₋ √(2 A p g (1-e₁)(1-e₂))/(2A), rad/s.
     pub(crate) beta_scale: F,
     /// Root √(e₃ - 1).
     pub(crate) root_e3_minus_one: F,
-    /// Time 2 √(A/(2 p g)): coefficient of χ' in the denominator of ψ_B'.
+    /// Time 2 √(A/(2 p g)): coefficient of χ' in the denominator of ψ_β'.
     pub(crate) beta_smoothing: F,
 }
 
@@ -124,7 +124,7 @@ impl<F: Float> PhaseEquations<F> {
         }
     }
 
-    /// Equations without torque, the limit e₃ → ∞: χ' is constant, and ψ_A' and ψ_B' are 0.
+    /// Equations without torque, the limit e₃ → ∞: χ' is constant, and ψ_α' and ψ_β' are 0.
     ///
     /// With e₃ - u = D = 1 and g/2 = χ'² the formula of χ' gives the constant rate.
     pub(crate) fn torque_free(chi_rate: F, e: &BranchPoints<F>) -> Self {
@@ -146,20 +146,20 @@ impl<F: Float> PhaseEquations<F> {
         (one_minus_u, one_plus_u)
     }
 
-    /// Rates of χ, ψ_A and ψ_B at given sin χ and cos χ.
+    /// Rates of χ, ψ_α and ψ_β at given sin χ and cos χ.
     pub fn rates(&self, sine: F, cosine: F) -> PhaseRates<F> {
         let (one_minus_u, one_plus_u) = self.complements(sine, cosine);
         let e3_minus_u = self.e3_minus_e2 + self.e2_minus_e1 * cosine.squared();
         let per_d = F::ONE / (self.a_over_p + self.s * one_minus_u * one_plus_u);
         let nutation = (self.half_g * e3_minus_u * per_d).sqrt();
         let beta_divisor = self.root_e3_minus_one + self.beta_smoothing * nutation;
-        // for e₂ = e₃ = 1 and u = 1 numerator and denominator are 0, and ψ_B' is 0
+        // for e₂ = e₃ = 1 and u = 1 numerator and denominator are 0, and ψ_β' is 0
         let beta = if beta_divisor > F::ZERO {
             self.beta_scale * (self.s_times_e3_minus_one * one_plus_u - self.a_over_p) * per_d / beta_divisor
         } else {
             F::ZERO
         };
-        PhaseRates { nutation, slow_a: self.alpha_rate(one_minus_u, per_d, nutation), slow_b: beta }
+        PhaseRates { nutation, slow_alpha: self.alpha_rate(one_minus_u, per_d, nutation), slow_beta: beta }
     }
 
     fn alpha_rate(&self, one_minus_u: F, per_d: F, chi_rate: F) -> F {
@@ -167,12 +167,12 @@ impl<F: Float> PhaseEquations<F> {
             / (F::ONE + self.alpha_smoothing * chi_rate)
     }
 
-    /// Aperiodic motion (e₂ = e₃ = 1): rates of v and ψ_A at e^{iχ}. The rate of ψ_B is 0.
+    /// Aperiodic motion (e₂ = e₃ = 1): rates of v and ψ_α at e^{iχ}. The rate of ψ_β is 0.
     pub(crate) fn aperiodic_rates(&self, chi: Complex<F>) -> PhaseRates<F> {
         let (one_minus_u, one_plus_u) = self.complements(chi.im, chi.re);
         let per_d = F::ONE / (self.a_over_p + self.s * one_minus_u * one_plus_u);
         let nutation = (self.half_g * self.e2_minus_e1 * per_d).sqrt();
         let chi_rate = nutation * chi.re; // χ' = v' sech v
-        PhaseRates { nutation, slow_a: self.alpha_rate(one_minus_u, per_d, chi_rate), slow_b: F::ZERO }
+        PhaseRates { nutation, slow_alpha: self.alpha_rate(one_minus_u, per_d, chi_rate), slow_beta: F::ZERO }
     }
 }

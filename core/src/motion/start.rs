@@ -76,12 +76,12 @@ impl Motion {
         let equations: PhaseEquations<f64> = self.equations().cast();
         pause();
         let chi = self.chi.direction();
-        let PhaseRates { nutation, slow_a, slow_b } = equations.rates(chi.im, chi.re);
+        let PhaseRates { nutation, slow_alpha, slow_beta } = equations.rates(chi.im, chi.re);
         let half_tau = self.half_tau.to_f64();
         let Ellipses { alpha: alpha_ellipse, beta: beta_ellipse } = &self.ellipses;
         self.phases = [
-            slow_phase(alpha_ellipse, chi, [nutation, slow_a + half_tau], [phi.alpha, rate.alpha]),
-            slow_phase(beta_ellipse, chi, [nutation, slow_b - half_tau], [phi.beta, rate.beta]),
+            slow_phase(alpha_ellipse, chi, [nutation, slow_alpha + half_tau], [phi.alpha, rate.alpha]),
+            slow_phase(beta_ellipse, chi, [nutation, slow_beta - half_tau], [phi.beta, rate.beta]),
         ];
     }
 }

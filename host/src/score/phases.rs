@@ -4,10 +4,10 @@
 //! period), the mean azimuth ψ of the axis and the mean rotation φ of the body about it. The orientation at other angles is
 //!
 //! ```text
-//! Φ(θ + Δθ, ψ + Δψ, φ + Δφ):   α(t + τ) exp(i(Δψ + Δφ)/2 - i A' τ),   β(t + τ) exp(i(Δψ - Δφ)/2 - i B' τ),   τ = Δθ T/2π
+//! Φ(θ + Δθ, ψ + Δψ, φ + Δφ):   α(t + τ) exp(i(Δψ + Δφ)/2 - i λ_α' τ),   β(t + τ) exp(i(Δψ - Δφ)/2 - i λ_β' τ),   τ = Δθ T/2π
 //! ```
 //!
-//! with the mean rates A' and B' of arg α and arg β. The phase errors are the Δθ, Δψ and Δφ that bring this closest to a trajectory,
+//! with the mean rates λ_α' and λ_β' of arg α and arg β. The phase errors are the Δθ, Δψ and Δφ that bring this closest to a trajectory,
 //! by least squares over the rows of one nutation period, in which they may change at constant rates. The distance that remains is no phase
 //! error: the trajectory is on another torus, with other values of l, n and h.
 

@@ -29,7 +29,7 @@ pub(super) struct EllipticEquations<'a, F> {
     e4_is_nearer: bool,
     /// Values of f at e₁ and e₂.
     f: [F; 2],
-    /// Factors of dn v, or of √(e₃ - u), in the denominators of ψ_A and ψ_B.
+    /// Factors of dn v, or of √(e₃ - u), in the denominators of ψ_α and ψ_β.
     smoothing: [F; 2],
 }
 
@@ -84,7 +84,7 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
         [equations.e2_minus_e1 * beyond * per_whole, from_e2 * at_e1 * per_whole]
     }
 
-    /// Derivatives dt/dv, dψ_A/dv and dψ_B/dv, each divided by its factor.
+    /// Derivatives dt/dv, dψ_α/dv and dψ_β/dv, each divided by its factor.
     pub(super) fn at(&self, squares: &JacobiFractions<F>) -> [F; 3] {
         let Self { equations, root_s, d_plus_at_minus_one, d_plus: [at_e1, at_e2], smoothing, .. } = self;
         let JacobiFractions { sn, cn, dn, dn_denominator } = *squares;
@@ -98,7 +98,7 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
         let one_plus_u = equations.one_plus_e1 + above_e1;
         let d_plus = *at_e1 + *root_s * above_e1;
         let d_minus = *d_plus_at_minus_one + *root_s * one_minus_u;
-        // numerators of ψ_A' and ψ_B' times D
+        // numerators of ψ_α' and ψ_β' times D
         let alpha = equations.a_over_p_by_e3_plus_one + equations.s * one_minus_u;
         let beta = equations.s_times_e3_minus_one * one_plus_u - equations.a_over_p;
         if self.e4_is_nearer {
@@ -119,7 +119,7 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
         }
     }
 
-    /// Factors of the derivatives of ψ_A and ψ_B, up to a common one.
+    /// Factors of the derivatives of ψ_α and ψ_β, up to a common one.
     pub(super) fn slow_scales(&self) -> [f64; 2] {
         [self.equations.alpha_scale, self.equations.beta_scale].map(Float::to_f64)
     }

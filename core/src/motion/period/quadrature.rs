@@ -37,7 +37,7 @@ impl Period {
 struct TrapezoidRule<'a, const WORDS: usize> {
     equations: &'a EllipticEquations<'a, Wide<WORDS>>,
     landen: &'a Landen<WORDS>,
-    /// Sums of the integrands of t, ψ_A and ψ_B without factors; the ends count half.
+    /// Sums of the integrands of t, ψ_α and ψ_β without factors; the ends count half.
     sums: [Wide<WORDS>; 3],
     nodes: u32,
     /// Sine and cosine of the angle between two nodes.

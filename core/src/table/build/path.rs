@@ -37,7 +37,7 @@ pub(super) struct Path {
     pub(super) equations: PhaseEquations<Extended>,
     pub(super) rounded_equations: PhaseEquations<f64>,
     half_period: Extended,
-    /// Residual rates minus ψ_A' and ψ_B', rad/s.
+    /// Residual rates minus ψ_α' and ψ_β', rad/s.
     residual_offsets: [Extended; 2],
     /// Rates of χ and of the residual phases, added, at the faster turning point, rad per half period.
     fastest: f64,
@@ -85,8 +85,8 @@ impl Path {
         let [alpha, beta] = self.residual_offsets.map(Float::to_f64);
         self.rounded_equations = self.equations.cast();
         let [begin, end] = [(0.0, 1.0), (1.0, 0.0)].map(|(sine, cosine)| {
-            let PhaseRates { nutation, slow_a, slow_b } = self.rounded_equations.rates(sine, cosine);
-            nutation.abs() + ((slow_a + alpha).abs() + (slow_b + beta).abs())
+            let PhaseRates { nutation, slow_alpha, slow_beta } = self.rounded_equations.rates(sine, cosine);
+            nutation.abs() + ((slow_alpha + alpha).abs() + (slow_beta + beta).abs())
         });
         self.fastest = half_period.to_f64() * larger_or_nan(begin, end);
         self.span = Span::FIRST;
@@ -169,7 +169,8 @@ impl Path {
         let unit = (1..self.span.depth).fold(self.half_period, |unit, _| unit.halved());
         let phases = self.centre_or_beginning().phases;
         let (sine, cosine) = phases.sine_cosine();
-        let PhaseRates { nutation, slow_a, slow_b } = equations.rates(F::from_f64(sine), F::from_f64(cosine));
+        let PhaseRates { nutation, slow_alpha, slow_beta } =
+            equations.rates(F::from_f64(sine), F::from_f64(cosine));
         let [alpha_offset, beta_offset] = self.residual_offsets.map(convert);
         let unit = convert(unit);
         let by_y = |rate: F| (unit * rate).to_f64();
@@ -181,8 +182,8 @@ impl Path {
             cosine,
             unit: unit.to_f64(),
             chi_rate,
-            psi_rates: [slow_a, slow_b].map(by_y),
-            residual_rates: [slow_a + alpha_offset, slow_b + beta_offset].map(by_y),
+            psi_rates: [slow_alpha, slow_beta].map(by_y),
+            residual_rates: [slow_alpha + alpha_offset, slow_beta + beta_offset].map(by_y),
             weight: weight.max(1.0),
             // an estimated error of a twentieth of it at x = 2, of two thirds at x = 3
             negligible: self.negligible.min(4.0 * self.allowed_step()),

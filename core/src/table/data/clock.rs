@@ -55,7 +55,7 @@ fn quotient(a: u32, b: u32) -> Extended {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)] // the increments first, in reach of the smallest chip's load instructions
 pub struct Clock<W> {
-    /// Increments per tick of nutation phase, A and B, in units of 2^-96 turns, lowest word first.
+    /// Increments per tick of nutation phase and slow phases, in units of 2^-96 turns, lowest word first.
     pub step: [[u32; 3]; 3],
     /// Argument of the tabulated ab at u = e₁ in quarter turns: 0, or ±1 for e₁ = -1.
     pub tip_quarter: i8,
@@ -67,9 +67,9 @@ pub struct Clock<W> {
     pub has_turning_points: bool,
     /// Twice [`Top::tip_scale`](crate::Top::tip_scale), 2 s, m; 2 for a fixed tip. The tip is at c = 2 s αβ.
     pub twice_tip_scale: W,
-    /// Rate dx/dt on a segment of an eighth of half a period, /s; mean rate of A + B and axial rate (n - K)/C, rad/s.
+    /// Rate dx/dt on a segment of an eighth of half a period, /s; mean rate of the sum of the slow phases and axial rate (n - K)/C, rad/s.
     pub rates: [W; 3],
-    /// Nutation phase, A and B at tick `i64::MIN`, in units of 2^-64 turns.
+    /// Nutation phase and slow phases at tick `i64::MIN`, in units of 2^-64 turns.
     pub first: [u64; 3],
     /// Increments per tick in turns, with whole turns, as sums of two `f64`.
     pub exact_step: [[f64; 2]; 3],
@@ -102,8 +102,8 @@ impl<W: Float> Clock<W> {
 
     /// Clock of a motion that is launched at tick `epoch`, without [`Clock::tip_start`].
     ///
-    /// * `turns`: nutation frequency and mean rates of A and B, turns/s
-    /// * `start`: nutation phase, A and B at the launch
+    /// * `turns`: nutation frequency and mean rates of the slow phases, turns/s
+    /// * `start`: nutation phase and slow phases at the launch
     pub(crate) fn new(
         motion: &Motion,
         tick: Tick,
@@ -166,7 +166,7 @@ impl<W> Clock<W> {
         self.tick_rate() * if t.is_finite() { t } else { 0.0 }.into()
     }
 
-    /// 64 leading bits of nutation phase, A and B, and the mean tip angle, at a time (0 if not finite).
+    /// 64 leading bits of nutation phase and slow phases, and the mean tip angle, at a time (0 if not finite).
     ///
     /// `None` beyond 2^62 ticks, and for fast ticks, in which a phase turns by half a turn or more.
     #[inline(always)]
@@ -195,7 +195,7 @@ impl<W> Clock<W> {
         Some((phases, self.mean_tip(tick) + self.tip_turn().times_fraction(fraction)))
     }
 
-    /// Nutation phase, A and B at tick n.
+    /// Nutation phase and slow phases at tick n.
     #[inline(always)]
     pub(crate) fn at(&self, n: i64) -> [PhaseFraction; 3] {
         let since_first = n.wrapping_sub(i64::MIN) as u64;

@@ -5,7 +5,7 @@ use crate::table::evaluation::SegmentPoint;
 
 /// Angular velocity Ω over a power of two, in units of 2^-30, with the exponent of that power.
 ///
-/// Values and derivatives are in units of 2^-31, cosine and sine of B - A in units of 2^-30. Sums wrap only with invalid table data.
+/// Values and derivatives are in units of 2^-31, cosine and sine of λ_β - λ_α in units of 2^-30. Sums wrap only with invalid table data.
 #[inline(always)]
 pub(super) fn omega_body(
     polynomials: [[i32; 4]; 2],

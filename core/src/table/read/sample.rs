@@ -17,7 +17,7 @@ use crate::table::evaluation::{
 #[derive(Clone, Copy, Debug)]
 pub struct Sample<'a, R: EphemerisScalar> {
     pub(crate) ephemeris: &'a EphemerisView<R>,
-    /// Leading 64 bits of nutation phase, A and B.
+    /// Leading 64 bits of nutation phase and slow phases.
     pub(crate) phases: [u64; 3],
     pub(crate) mean_tip: Phase,
 }
@@ -214,7 +214,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         (1_u64 << 63) as f64 / ticks_per_time
     }
 
-    /// Unrounded orientation, from the 64 leading bits of nutation phase, A and B.
+    /// Unrounded orientation, from the 64 leading bits of nutation phase and slow phases.
     #[inline(always)]
     pub(super) fn unrounded_orientation(&self, [nutation, a, b]: [u64; 3]) -> Orientation<NumberOf<R>> {
         let LocatedSegment { rows, point, .. } = self.segment_at(nutation);

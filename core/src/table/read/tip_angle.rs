@@ -39,7 +39,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Sets the mean tip angle so that the tip angle at the launch is the argument of c in (-1/2, 1/2] turn.
     ///
-    /// * `start`: nutation phase, A and B at the launch
+    /// * `start`: nutation phase and slow phases at the launch
     /// * `epoch`: tick of the launch
     pub(crate) fn start_tip_angle(
         &mut self,

@@ -55,7 +55,7 @@ pub fn header(label: &TableName, parts: &TableData) -> String {
 /// Definition of a table.
 fn table(label: &TableName, parts: &TableData) -> String {
     let (name, scalar) = (label.c_name(), parts.scalar.name());
-    // scale of the tip, the rates of x and of A + B, and the axial angular velocity
+    // scale of the tip, the rates of x and of the sum of the slow phases, and the axial angular velocity
     let Clock { twice_tip_scale, rates: [x, mean, axial], .. } = parts.clock;
     let ctype = match parts.scalar {
         Scalar::F64 => "double",

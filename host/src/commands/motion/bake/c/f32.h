@@ -1,6 +1,6 @@
 typedef struct {
     toytop_clock clock;
-    float scales[4];                  /* 2s; rates of x and of A + B, and about the axis */
+    float scales[4];                  /* 2s; rates of x and of the sum of the slow phases, and about the axis */
     const int32_t (*coefficients)[4]; /* by segment and power: Re alpha, Im alpha, Re beta, Im beta */
 } toytop_f32;
 
@@ -116,8 +116,8 @@ static inline void toytop_times_conj(const int32_t x[2], const int32_t y[2], int
     product[1] = toytop_minus(toytop_high(x[1], y[0]), toytop_high(x[0], y[1]));
 }
 
-/* Angular velocity in the body frame, in units of 2^(exponent - 157) per unit of time; turn = e^{i(B - A)} in units of 2^-30. The
- * exponent is returned. */
+/* Angular velocity in the body frame, in units of 2^(exponent - 157) per unit of time, with the cosine and sine of the slow phase of
+ * beta minus that of alpha, in units of 2^-30. The exponent is returned. */
 static inline int32_t toytop_integer_rates(const toytop_sums *sums, int falling, const int32_t turn[2], const float scales[4],
                                            int32_t omega[3]) {
     toytop_significand x = toytop_significand_of(scales[1]), mean = toytop_significand_of(scales[2]);

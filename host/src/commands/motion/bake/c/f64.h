@@ -1,6 +1,6 @@
 typedef struct {
     toytop_clock clock;
-    double scales[4];                /* 2s; rates of x and of A + B, and about the axis */
+    double scales[4];                /* 2s; rates of x and of the sum of the slow phases, and about the axis */
     const double (*coefficients)[4]; /* by segment and power: Re alpha, Im alpha, Re beta, Im beta */
 } toytop_f64;
 
