@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
         ..TopParameters::default()
     })?;
     // The axis leans by 0.35 rad and rests; the body turns about its axis at 150 rad/s.
-    let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
+    let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
     let motion = Motion::launch(&top, &state)?;
     let ephemeris = EphemerisF32::new(&motion, Tick::hertz(1000)?)?;
 

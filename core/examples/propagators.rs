@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
         gravity: 9.81,
         ..TopParameters::default()
     })?;
-    let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
+    let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
     let motion = Motion::launch(&top, &state)?;
     assert_eq!(motion.regime(), Regime::Nutating);
 

@@ -29,7 +29,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
         gravity: 9.81,
         ..TopParameters::default()
     })?;
-    let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
+    let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
     let motion = Motion::launch(&top, &state)?;
     let by_timer = EphemerisF32::new(&motion, Tick::hertz(TIMER)?)?;
     let by_millisecond = EphemerisF32::new(&motion, Tick::hertz(1000)?)?;

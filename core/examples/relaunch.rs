@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
         gravity: 9.81,
         ..TopParameters::default()
     })?;
-    let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
+    let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
     let tick = Tick::hertz(1000)?;
     let mut set_up = SetUp::new();
     let [mut first, mut second] = [(); 2].map(|()| EphemerisMemory::<EphemerisF64>::new());

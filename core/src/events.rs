@@ -75,5 +75,5 @@ fn bisect(holds: impl Fn(u64) -> bool) -> Phase {
         let middle = low + (high - low) / 2;
         if holds(middle) { high = middle } else { low = middle }
     }
-    Phase::from_fraction(high)
+    Phase::from_leading_bits(high)
 }

@@ -82,7 +82,7 @@ impl Motion {
 
     /// First integrals l, n and h.
     pub fn first_integrals(&self) -> FirstIntegrals {
-        self.integrals.in_top_units(&self.top)
+        self.integrals.unscaled(&self.top)
     }
 
     /// Axial rate ⟨ω, r⟩, rad/s; without a rotor from the rounded n and C.

@@ -2,9 +2,9 @@
 //!
 //! Sums are exact, and the range reduction of a sine takes the lower bits.
 
-mod fraction;
+mod wrapped;
 
-pub(crate) use fraction::PhaseFraction;
+pub(crate) use wrapped::WrappedPhase;
 
 use core::ops::{Add, AddAssign, Mul, Neg, Sub};
 
@@ -45,8 +45,8 @@ impl Phase {
         Self(bits)
     }
 
-    /// Phase in [0, 1) turn from the 64 leading bits of its fraction.
-    pub(crate) fn from_fraction(leading: u64) -> Self {
+    /// Phase in [0, 1) turn from its 64 leading bits.
+    pub(crate) fn from_leading_bits(leading: u64) -> Self {
         Self(i128::from(leading) << (FRACTION_BITS - 64))
     }
 
@@ -87,14 +87,15 @@ impl Phase {
 
     /// Product with a number in [0, 1) in units of 2^-64, rounded down.
     #[inline]
-    pub(crate) fn times_fraction(self, fraction: u64) -> Self {
+    pub(crate) fn times_part(self, part: u64) -> Self {
         let (upper, lower) = ((self.0 >> 64) as i64, self.0 as u64);
-        let of_lower = (u128::from(lower) * u128::from(fraction)) >> 64;
-        Self(i128::from(upper) * i128::from(fraction) + of_lower as i128)
+        let of_lower = (u128::from(lower) * u128::from(part)) >> 64;
+        Self(i128::from(upper) * i128::from(part) + of_lower as i128)
     }
 
     /// Number of whole half turns, and the remainder in [0, 1/2) turn.
-    pub(crate) fn half_turns(self) -> (i64, Self) {
+    #[doc(hidden)]
+    pub fn split_half_turns(self) -> (i64, Self) {
         let half_turns = self.0 >> (FRACTION_BITS - 1);
         (half_turns as i64, Self(self.0.wrapping_sub(half_turns << (FRACTION_BITS - 1))))
     }
@@ -105,9 +106,9 @@ impl Phase {
         (quarter as u32, Self(self.0.wrapping_sub(quarter << (FRACTION_BITS - 2))))
     }
 
-    /// Fraction of a turn in [0, 1) as its 64 leading bits.
+    /// Part of a turn in [0, 1), as its 64 leading bits.
     #[inline]
-    pub fn fraction(self) -> u64 {
+    pub fn leading_bits(self) -> u64 {
         (self.0 >> (FRACTION_BITS - 64)) as u64
     }
 }
@@ -201,7 +202,7 @@ mod tests {
     #[test]
     fn a_share_is_rounded_down() {
         for bits in [0, 7, -7, 3 << 95, -(5 << 95) + 1, i128::MAX, i128::MIN] {
-            let product = |fraction| Phase(bits).times_fraction(fraction).0;
+            let product = |fraction| Phase(bits).times_part(fraction).0;
             assert_eq!([product(0), product(1 << 63), product(1 << 62)], [0, bits >> 1, bits >> 2]);
         }
     }

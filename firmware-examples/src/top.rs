@@ -13,7 +13,7 @@ pub fn toy_top() -> Result<Motion, ParameterError> {
 /// Motion of this top after another release.
 ///
 /// # Errors
-/// See [`State::release`].
+/// See [`State::from_release`].
 pub fn released(release: &Release) -> Result<Motion, ParameterError> {
     let top = Top::sliding(&TopParameters {
         transverse_inertia: 3.0e-5,
@@ -23,5 +23,5 @@ pub fn released(release: &Release) -> Result<Motion, ParameterError> {
         gravity: 9.81,
         ..TopParameters::default()
     })?;
-    Motion::launch(&top, &State::release(release)?)
+    Motion::launch(&top, &State::from_release(release)?)
 }

@@ -101,7 +101,7 @@ pub fn toy() -> Top {
 /// # Panics
 /// If there is no such motion.
 pub fn released(top: &Top, release: &Release) -> Motion {
-    Motion::launch(top, &State::release(release).unwrap()).unwrap()
+    Motion::launch(top, &State::from_release(release).unwrap()).unwrap()
 }
 
 /// Motion of a top released from rest apart from its spin.

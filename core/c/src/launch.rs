@@ -117,7 +117,7 @@ pub unsafe extern "C" fn toytop_state_from_release(
     unsafe {
         status_of(error, || {
             let toytop_release { tilt, azimuth, roll, spin, precession, nutation } = read(release)?;
-            let thrown = State::release(&Release { tilt, azimuth, roll, spin, precession, nutation })?;
+            let thrown = State::from_release(&Release { tilt, azimuth, roll, spin, precession, nutation })?;
             write(state, toytop_state::of(&thrown))
         })
     }

@@ -172,7 +172,7 @@ mod tests {
 
     #[test]
     fn a_refusal_names_the_parameter_and_what_is_allowed() {
-        let refused = |release| State::release(&release).err().map(text);
+        let refused = |release| State::from_release(&release).err().map(text);
         let tilt = refused(Release { tilt: 4.0, ..Release::default() });
         assert_eq!(tilt.as_deref(), Some("tilt: must be between 0 and pi"));
         let spin = refused(Release { spin: f64::NAN, ..Release::default() });

@@ -16,7 +16,7 @@ use crate::elliptic::carlson_rf;
 use crate::elliptic::elementary::{imaginary, of_turns, real};
 use crate::elliptic::lattice::{Lattice, OMEGA, OMEGA_PRIME, ORIGIN, ThetaQuotient, zeros};
 use crate::elliptic::theta::ValueAndSlope;
-use crate::orientation::{ArgumentOffsets, Periods, half_turns, solve_increasing};
+use crate::orientation::{ArgumentOffsets, Periods, solve_increasing};
 use toytop::internal::{HalfPhase, ScaledTop};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
@@ -81,7 +81,7 @@ impl E3EqualsE4 {
         let turns = [alpha.turns(highest, whole), beta.turns(lowest, whole)];
 
         // y(0) within half a period of u = e₂, from cos²χ = sn²(√(e₂ + e₃) y)
-        let remainder = half_turns(chi);
+        let (_, remainder) = chi.split_half_turns();
         let (sine, cosine) = of_turns(remainder - Phase::QUARTER);
         let middle = e1_plus_e3 + e.e2_minus_e1 * cosine.squared();
         let start = sine * carlson_rf(e2_plus_e3 * cosine.squared(), middle, e2_plus_e3);
@@ -117,21 +117,21 @@ impl E3EqualsE4 {
 /// Difference e₃² - e₄², and e₄² - 1 = A/(ps).
 fn squares(motion: &Motion) -> [Extended; 2] {
     let (e, ScaledTop { a, s, p, .. }) = (motion.exact_branch_points(), motion.scaled_top());
-    let spread = a / (p * s);
-    [e.e3_minus_one * e.one_plus_e3() - spread, spread]
+    let a_over_ps = a / (p * s);
+    [e.e3_minus_one * e.one_plus_e3() - a_over_ps, a_over_ps]
 }
 
 /// Difference e₃ - e₄ for a sliding tip.
 pub(super) fn difference(motion: &Motion) -> f64 {
-    let [apart, spread] = squares(motion);
-    (apart / (motion.exact_branch_points().e3 + (Extended::ONE + spread).sqrt())).to_f64()
+    let [apart, a_over_ps] = squares(motion);
+    (apart / (motion.exact_branch_points().e3 + (Extended::ONE + a_over_ps).sqrt())).to_f64()
 }
 
 /// Whether e₃ = e₄ to the tolerance.
 fn coincide(motion: &Motion) -> bool {
-    let (e, [apart, spread]) = (motion.exact_branch_points(), squares(motion));
+    let (e, [apart, a_over_ps]) = (motion.exact_branch_points(), squares(motion));
     let allowed = Extended::from(E3EqualsE4::TOLERANCE);
-    apart.abs() <= spread * allowed && apart.abs() <= e.e3_minus_e2 * e.e3.doubled() * allowed
+    apart.abs() <= a_over_ps * allowed && apart.abs() <= e.e3_minus_e2 * e.e3.doubled() * allowed
 }
 
 impl Solution {

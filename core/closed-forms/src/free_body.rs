@@ -75,14 +75,14 @@ impl FreeBody {
     #[must_use]
     pub fn at(&self, t: f64) -> AttitudeState<f64> {
         let t = if t.is_finite() { t } else { 0.0 };
-        let half_turns = |rate: Extended| phase_of(rate * t.into());
-        let turn = Complex::<f64>::cis(half_turns(self.precession.halved()));
+        let half_angle = |rate: Extended| phase_of(rate * t.into());
+        let turn = Complex::<f64>::cis(half_angle(self.precession.halved()));
         let [x, y, z] = self.direction;
         let about_m = Orientation {
             alpha: Complex::new(turn.re, z * turn.im),
             beta: Complex::new(-y * turn.im, x * turn.im),
         };
-        let roll = Complex::<f64>::cis(half_turns(self.half_tau));
+        let roll = Complex::<f64>::cis(half_angle(self.half_tau));
         let about_axis = Orientation { alpha: roll, beta: Complex::ZERO };
         let orientation = about_m.compose(&self.start).compose(&about_axis);
         let (fast, slow) = (self.precession.to_f64(), 2.0 * self.half_tau.to_f64());

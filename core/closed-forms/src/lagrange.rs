@@ -14,7 +14,7 @@ use crate::elliptic::carlson_rf;
 use crate::elliptic::elementary::{imaginary, of_turns, real};
 use crate::elliptic::lattice::{Lattice, OMEGA, OMEGA_PRIME, ORIGIN, ThetaQuotient, zeros};
 use crate::elliptic::theta::ValueAndSlope;
-use crate::orientation::{ArgumentOffsets, Periods, half_turns};
+use crate::orientation::{ArgumentOffsets, Periods};
 use toytop::internal::{HalfPhase, ScaledTop};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, BranchPoints, Complex, Motion, Phase, Support};
@@ -96,7 +96,7 @@ impl Lagrange {
 
 /// z(0) within half a period of u = e₁: the elliptic integral of χ.
 fn since_lowest(e: &BranchPoints<Extended>, chi: Phase) -> Extended {
-    let remainder = half_turns(chi);
+    let (_, remainder) = chi.split_half_turns();
     let remainder = if remainder > Phase::QUARTER { remainder - Phase::HALF } else { remainder };
     let (sine, cosine) = of_turns(remainder);
     let (squared, length) = (cosine * cosine, e.e3_minus_e1());

@@ -112,11 +112,6 @@ impl Periods {
     }
 }
 
-/// Remainder of a phase modulo half a turn, in [0, 1/2).
-pub(super) fn half_turns(phase: Phase) -> Phase {
-    Phase::from_bits(phase.to_bits() & (Phase::HALF.to_bits() - 1))
-}
-
 /// Nearest whole number of periods in origin + t, and the remainder, which is 0 beyond 9e15 periods. A t that is not
 /// finite counts as 0.
 fn split(origin: Extended, t: f64, period: Extended) -> (i64, Extended) {

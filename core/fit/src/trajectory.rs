@@ -206,7 +206,7 @@ mod tests {
         };
         let [tilt, spin, precession, nutation] = launch;
         let release = Release { tilt, spin, precession, nutation, azimuth: 0.4, roll: -0.7 };
-        (top.unwrap(), State::release(&release).unwrap())
+        (top.unwrap(), State::from_release(&release).unwrap())
     }
 
     const CASES: [Case; 9] = [

@@ -32,7 +32,7 @@ impl State {
     ///     mass: 0.05,
     ///     ..TopParameters::default()
     /// })?;
-    /// let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
+    /// let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
     /// // tangential, 25 mm from the axis, at the height of the centre of mass
     /// let struck = state.with_impulse(&top, [0.0, 2.0e-3, 0.0], [0.025, 0.0, 0.03])?;
     /// assert!(struck.omega() != state.omega() && struck.orientation() == state.orientation());

@@ -79,7 +79,7 @@ impl Top {
         )?;
         let s = magnitude("com_height", parameters.com_height)?;
         let p = match parameters.given_mass()? {
-            Some(mass) => Extended::product(mass, s),
+            Some(mass) => Extended::exact_product(mass, s),
             None => magnitude("mass_moment", parameters.mass_moment)?.into(),
         };
         let top = Self::new(Support::Sliding, parameters, s, p)?;
@@ -113,7 +113,7 @@ impl Top {
             let p = magnitude("mass_moment", parameters.mass_moment)?.into();
             return Self::new(Support::Fixed, parameters, 0.0, p);
         };
-        let p = Extended::product(mass, magnitude("com_height", parameters.com_height)?);
+        let p = Extended::exact_product(mass, magnitude("com_height", parameters.com_height)?);
         let top = Self::new(Support::Fixed, parameters, 0.0, p)?;
         let least = top.mass_moment() * parameters.com_height + 0.5 * top.c;
         check(

@@ -23,7 +23,7 @@ pub struct ScaledTop<F> {
 impl<F: Float> ScaledTop<F> {
     /// Parameters of a top.
     pub fn new(top: &Top) -> Self {
-        let [leading, remainder] = top.p.parts();
+        let [leading, remainder] = top.p.to_parts();
         let inertia = inertia_exponent(top);
         let moment = if leading > 0.0 { exponent(leading) - 1 } else { 0 };
         let scaled = |x: f64, exponent: i32| F::from_f64(times_power_of_two(x, -exponent));
@@ -33,7 +33,7 @@ impl<F: Float> ScaledTop<F> {
     }
 
     /// Unit of the energy of the axis: the weight p g, or 1 without it.
-    pub(crate) fn energy_unit(&self) -> F {
+    pub(crate) fn weight_or_one(&self) -> F {
         if self.g > F::ZERO { self.p * self.g } else { F::ONE }
     }
 
@@ -91,7 +91,7 @@ mod tests {
     #[test]
     fn the_mass_moment_is_exact() {
         let top = Top::sliding(&TOP).unwrap();
-        assert!(top.p.parts()[1] != 0.0);
+        assert!(top.p.to_parts()[1] != 0.0);
         assert_eq!(top.mass_moment(), 0.05 * 0.03);
         let unit = ScaledTop::<Extended>::new(&top).p / top.p;
         assert_eq!(unit, power_of_two(1 - exponent(0.05 * 0.03)).into());

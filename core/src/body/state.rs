@@ -99,7 +99,7 @@ impl State {
     /// # Errors
     /// [`ParameterError`] names the field: it is not finite, the tilt is outside [0, π], another angle is beyond ±1e6
     /// rad, or a rate is above 1e11 rad/s.
-    pub fn release(release: &Release) -> Result<Self, ParameterError> {
+    pub fn from_release(release: &Release) -> Result<Self, ParameterError> {
         let Release { tilt, azimuth, roll, spin, precession, nutation } = *release;
         for (name, angle) in [("azimuth", azimuth), ("roll", roll)] {
             check_range(-1e6..=1e6, name, angle, "between -1e6 and 1e6 rad")?;

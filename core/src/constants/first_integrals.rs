@@ -73,7 +73,7 @@ pub(crate) struct ReducedPoint {
     pub(crate) one_minus_u: Extended,
     pub(crate) one_plus_u: Extended,
     pub(crate) udot: Extended,
-    /// Kinetic energy of the axis, (A |ω × r|² + p s u'²)/2, in units of [`ScaledTop::energy_unit`].
+    /// Kinetic energy of the axis, (A |ω × r|² + p s u'²)/2, in units of [`ScaledTop::weight_or_one`].
     pub(crate) axis_energy: Extended,
 }
 
@@ -132,7 +132,7 @@ impl Axis {
 impl FirstIntegrals {
     /// First integrals of a state. Error: one `f64` rounding of the result.
     pub fn from_state(top: &Top, state: &State) -> Self {
-        FirstIntegrals::with_reduced_point(top, state).0.in_top_units(top)
+        FirstIntegrals::with_reduced_point(top, state).0.unscaled(top)
     }
 }
 
@@ -145,7 +145,7 @@ impl FirstIntegrals<Extended> {
     #[inline(never)] // stack
     fn from_axis(top: &Top, axis: &Axis) -> (Self, ReducedPoint) {
         let scaled = ScaledTop::<Extended>::new(top);
-        let (ScaledTop { a, c, s, p, g, k }, unit) = (scaled, scaled.energy_unit());
+        let (ScaledTop { a, c, s, p, g, k }, unit) = (scaled, scaled.weight_or_one());
         let Axis { r, one_minus_u, one_plus_u, omega } = *axis;
         let ([r1, r2, u], [w1, w2, _]) = (r, omega);
 
@@ -175,7 +175,7 @@ impl FirstIntegrals<Extended> {
     }
 
     /// First integrals in the units of the caller, rounded to `f64`.
-    pub(crate) fn in_top_units(self, top: &Top) -> FirstIntegrals {
+    pub(crate) fn unscaled(self, top: &Top) -> FirstIntegrals {
         let unit = top.inertia_unit();
         let rounded = |x: Extended| x.to_f64() * unit;
         FirstIntegrals {

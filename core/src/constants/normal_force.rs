@@ -60,10 +60,10 @@ pub(crate) fn sign_change(e: &BranchPoints<Extended>, a_over_ps: Extended) -> Op
 /// N at u = e₂, where f' = -(e₂ - e₁)(e₃ - e₂).
 fn at_e2(e: &BranchPoints<Extended>, a_over_ps: Extended) -> f64 {
     /// N that counts as 0.
-    const NOISE: f64 = 1e-20;
+    const FORCE_THAT_IS_ZERO: f64 = 1e-20;
     let d_over_s = a_over_ps + e.one_minus_e2 * e.one_plus_e2();
     let force = (d_over_s - e.e2_minus_e1 * e.e3_minus_e2) / d_over_s;
-    if force.abs() > Extended::from(NOISE) { force.to_f64() } else { 0.0 }
+    if force.abs() > Extended::from(FORCE_THAT_IS_ZERO) { force.to_f64() } else { 0.0 }
 }
 
 /// Cube root of x > 0 by a step of Newton's method.

@@ -57,11 +57,11 @@ impl Regime {
 
 /// Whether the tilt oscillates by more than 2^-49 rad (a state's rounding) or passes through the vertical.
 fn u_oscillates(e: &BranchPoints<Extended>) -> bool {
-    const STILL: f64 = 1.0 / (1_u64 << 49) as f64;
+    const SMALLEST_SWING: f64 = 1.0 / (1_u64 << 49) as f64;
     let zero = Extended::ZERO;
     let passes_vertical = e.one_minus_e2 == zero || e.one_plus_e1 == zero;
     let sine_squared = e.one_minus_e1() * e.one_plus_e2();
-    let visible = e.e2_minus_e1.squared() > Extended::from(STILL * STILL) * sine_squared;
+    let visible = e.e2_minus_e1.squared() > Extended::from(SMALLEST_SWING * SMALLEST_SWING) * sine_squared;
     e.e2_minus_e1 > zero && (visible || passes_vertical)
 }
 

@@ -4,7 +4,7 @@
 //! Whole periods that do not reach the angle are skipped.
 
 use crate::events::{Event, HALF_PERIOD, Level, at_phase, bisect};
-use crate::phase::{Phase, PhaseFraction};
+use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float, Ring, Scalar};
 use crate::table::{EphemerisScalar, EphemerisView};
 
@@ -126,7 +126,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
     fn turn_to_target(&self, angle: Phase, upward: bool) -> Phase {
         let target = self.target.unwrap_or_default();
         let distance = if upward { target - angle } else { angle - target };
-        let distance = PhaseFraction::from_phase(distance).to_phase();
+        let distance = WrappedPhase::from_phase(distance).to_phase();
         let distance = if distance == Phase::ZERO { Phase::ONE } else { distance };
         if upward { distance } else { -distance }
     }
@@ -227,9 +227,9 @@ impl RecurringInstants {
             return nowhere;
         }
         let start = Extended::from(from);
-        let [now, ..] = view.clock.at(from).map(PhaseFraction::to_phase);
+        let [now, ..] = view.clock.at(from).map(WrappedPhase::to_phase);
         let ahead = |phase: Phase| {
-            let ahead = PhaseFraction::from_phase(phase - now + PHASE_TOLERANCE).to_phase() - PHASE_TOLERANCE;
+            let ahead = WrappedPhase::from_phase(phase - now + PHASE_TOLERANCE).to_phase() - PHASE_TOLERANCE;
             if ahead <= PHASE_TOLERANCE { start } else { start + Extended::from(ahead) / step }
         };
         Self { next: phases.map(|phase| phase.map(ahead)), period: Some(Extended::ONE / step) }

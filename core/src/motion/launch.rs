@@ -31,7 +31,7 @@ impl Motion {
     /// #     mass: 0.05,
     /// #     ..TopParameters::default()
     /// # })?;
-    /// # let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
+    /// # let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
     /// let mut fed = 0;
     /// let motion = Motion::launch_with_pauses(&top, &state, &mut || fed += 1)?;
     /// assert!(motion == Motion::launch(&top, &state)? && fed > 5);
@@ -101,7 +101,7 @@ impl Motion {
             "such that (n - rotor_momentum)/axial_inertia is at most 1e24 rad/s, and n = rotor_momentum for a rod",
         )?;
         let chi = half_phase_of_angle(theta);
-        let upright = chi.half_turns().1 == Phase::QUARTER;
+        let upright = chi.split_half_turns().1 == Phase::QUARTER;
         let mut motion = Self::with_constants(top, &integrals, &e, signs, upright);
         motion.phases = [arg_alpha, arg_beta].map(|angle| phase_of(angle.into()));
         motion.chi = match motion.chi {

@@ -47,15 +47,15 @@ pub struct PhaseEquations<F> {
     /// Half gravity g/2, m/s².
     pub(crate) half_g: F,
     /// Rate (l + n)/(2A), rad/s.
-    pub(crate) alpha_scale: F,
+    pub(crate) alpha_rate_factor: F,
     /// Time 2 √(A/(2 p g (e₃ + 1))): coefficient of χ' in the denominator of ψ_α'.
-    pub(crate) alpha_smoothing: F,
+    pub(crate) alpha_chi_time: F,
     /// Rate s₋ √(2 A p g (1-e₁)(1-e₂))/(2A), rad/s.
-    pub(crate) beta_scale: F,
+    pub(crate) beta_rate_factor: F,
     /// Root √(e₃ - 1).
     pub(crate) root_e3_minus_one: F,
     /// Time 2 √(A/(2 p g)): coefficient of χ' in the denominator of ψ_β'.
-    pub(crate) beta_smoothing: F,
+    pub(crate) beta_chi_time: F,
 }
 
 impl<F: Float> PhaseEquations<F> {
@@ -75,11 +75,11 @@ impl<F: Float> PhaseEquations<F> {
             s: convert(self.s),
             s_times_e3_minus_one: convert(self.s_times_e3_minus_one),
             half_g: convert(self.half_g),
-            alpha_scale: convert(self.alpha_scale),
-            alpha_smoothing: convert(self.alpha_smoothing),
-            beta_scale: convert(self.beta_scale),
+            alpha_rate_factor: convert(self.alpha_rate_factor),
+            alpha_chi_time: convert(self.alpha_chi_time),
+            beta_rate_factor: convert(self.beta_rate_factor),
             root_e3_minus_one: convert(self.root_e3_minus_one),
-            beta_smoothing: convert(self.beta_smoothing),
+            beta_chi_time: convert(self.beta_chi_time),
         }
     }
 
@@ -94,17 +94,18 @@ impl<F: Float> PhaseEquations<F> {
         s: F::ZERO,
         s_times_e3_minus_one: F::ZERO,
         half_g: F::ZERO,
-        alpha_scale: F::ZERO,
-        alpha_smoothing: F::ZERO,
-        beta_scale: F::ZERO,
+        alpha_rate_factor: F::ZERO,
+        alpha_chi_time: F::ZERO,
+        beta_rate_factor: F::ZERO,
         root_e3_minus_one: F::ZERO,
-        beta_smoothing: F::ZERO,
+        beta_chi_time: F::ZERO,
     };
 
     pub(crate) fn new(top: &Top, e: &BranchPoints<F>, l_plus_n: F, signs: Signs) -> Self {
         let ScaledTop { a, s, p, g, .. } = ScaledTop::<F>::new(top);
         let a_over_p = a / p;
-        let beta_scale = ((a * p * g).doubled() * e.one_minus_e1() * e.one_minus_e2).sqrt() / a.doubled();
+        let beta_rate_factor =
+            ((a * p * g).doubled() * e.one_minus_e1() * e.one_minus_e2).sqrt() / a.doubled();
         let per_g = a_over_p / g.doubled();
         Self {
             one_plus_e1: e.one_plus_e1,
@@ -116,11 +117,11 @@ impl<F: Float> PhaseEquations<F> {
             s,
             s_times_e3_minus_one: s * e.e3_minus_one,
             half_g: g.halved(),
-            alpha_scale: l_plus_n / a.doubled(),
-            alpha_smoothing: (per_g / e.one_plus_e3()).sqrt().doubled(),
-            beta_scale: signs.l_minus_n.apply(beta_scale),
+            alpha_rate_factor: l_plus_n / a.doubled(),
+            alpha_chi_time: (per_g / e.one_plus_e3()).sqrt().doubled(),
+            beta_rate_factor: signs.l_minus_n.apply(beta_rate_factor),
             root_e3_minus_one: e.e3_minus_one.sqrt(),
-            beta_smoothing: per_g.sqrt().doubled(),
+            beta_chi_time: per_g.sqrt().doubled(),
         }
     }
 
@@ -152,10 +153,11 @@ impl<F: Float> PhaseEquations<F> {
         let e3_minus_u = self.e3_minus_e2 + self.e2_minus_e1 * cosine.squared();
         let per_d = F::ONE / (self.a_over_p + self.s * one_minus_u * one_plus_u);
         let nutation = (self.half_g * e3_minus_u * per_d).sqrt();
-        let beta_divisor = self.root_e3_minus_one + self.beta_smoothing * nutation;
+        let beta_divisor = self.root_e3_minus_one + self.beta_chi_time * nutation;
         // for e₂ = e₃ = 1 and u = 1 numerator and denominator are 0, and ψ_β' is 0
         let beta = if beta_divisor > F::ZERO {
-            self.beta_scale * (self.s_times_e3_minus_one * one_plus_u - self.a_over_p) * per_d / beta_divisor
+            self.beta_rate_factor * (self.s_times_e3_minus_one * one_plus_u - self.a_over_p) * per_d
+                / beta_divisor
         } else {
             F::ZERO
         };
@@ -163,8 +165,8 @@ impl<F: Float> PhaseEquations<F> {
     }
 
     fn alpha_rate(&self, one_minus_u: F, per_d: F, chi_rate: F) -> F {
-        self.alpha_scale * (self.a_over_p_by_e3_plus_one + self.s * one_minus_u) * per_d
-            / (F::ONE + self.alpha_smoothing * chi_rate)
+        self.alpha_rate_factor * (self.a_over_p_by_e3_plus_one + self.s * one_minus_u) * per_d
+            / (F::ONE + self.alpha_chi_time * chi_rate)
     }
 
     /// Aperiodic motion (e₂ = e₃ = 1): rates of v and ψ_α at e^{iχ}. The rate of ψ_β is 0.

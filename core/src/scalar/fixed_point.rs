@@ -43,7 +43,7 @@ macro_rules! fixed_scalar {
 
             #[inline]
             fn sine_cosine(phase: Phase) -> (Self, Self) {
-                let (sine, cosine) = sine_cosine_q31((phase.fraction() >> 32) as u32);
+                let (sine, cosine) = sine_cosine_q31((phase.leading_bits() >> 32) as u32);
                 (Self::from_bits($short(sine)), Self::from_bits($short(cosine)))
             }
         }

@@ -39,9 +39,9 @@ pub(crate) const fn shifted_right(value: i64, bits: u32) -> i64 {
 #[derive(Clone, Copy, Debug)]
 pub struct SegmentPoint {
     /// Local coordinate x·2^63 with x in [-1, 1).
-    pub(crate) x64: i64,
+    pub(crate) x_q63: i64,
     /// Local coordinate x·2^31, rounded down to a multiple of 2^level.
-    pub(crate) x32: i32,
+    pub(crate) x_q31: i32,
     /// Level of the segment: base-2 logarithm of the rate of x over that at level 0.
     pub(crate) level: u32,
     /// Whether u is falling, where the tabulated values become their complex conjugates.

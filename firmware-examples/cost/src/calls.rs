@@ -63,7 +63,7 @@ impl Measured {
 
 impl Measured {
     pub(crate) fn state(&self) -> Result<State, ParameterError> {
-        State::release(&self.release)
+        State::from_release(&self.release)
     }
 
     pub(crate) fn top(&self) -> Result<Top, ParameterError> {

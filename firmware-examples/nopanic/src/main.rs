@@ -61,7 +61,7 @@ fn set_up() -> Result<(), ParameterError> {
         for state in [
             State::new(Orientation { alpha: complex(), beta: complex() }, [unknown(); 3]),
             State::from_quaternion_and_gyro([unknown(); 4], [unknown(); 3]),
-            State::release(&release()),
+            State::from_release(&release()),
         ] {
             let state = state?;
             black_box(state.reaction_impulse(&top, [unknown(); 3], [unknown(); 3])?);

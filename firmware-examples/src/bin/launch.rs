@@ -45,7 +45,7 @@ fn launch(axial_inertia: f64, measured: &Measured) -> Result<Motion, ParameterEr
         precession: f64::from(measured.precession) / 1000.0,
         ..Release::default()
     };
-    Motion::launch(&top, &State::release(&release)?)
+    Motion::launch(&top, &State::from_release(&release)?)
 }
 
 fn log(motion: &Motion) {

@@ -78,7 +78,7 @@ fn launch() -> Result<Motion, ParameterError> {
         ..TopParameters::default()
     })?;
     let release = Release { tilt: 20.0_f64.to_radians(), spin: 150.0, ..Release::default() };
-    Motion::launch(&top, &State::release(&release)?)
+    Motion::launch(&top, &State::from_release(&release)?)
 }
 
 /// Interrupt in every millisecond. It computes in f32 and cannot fail.

@@ -130,7 +130,7 @@ fn draw(random: &mut Random) -> Option<(Motion, State, f64)> {
         }
         _ => {}
     }
-    let state = State::release(&release).ok()?;
+    let state = State::from_release(&release).ok()?;
     let motion = Motion::launch(&top, &state).ok()?;
     let real = motion.min_normal_force().is_none_or(|least| least > 0.05);
     let stands = held || motion.branch_points().e1 > 0.1;

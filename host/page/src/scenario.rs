@@ -41,14 +41,14 @@ pub fn top(numbers: &TopNumbers) -> Result<Top, ParameterError> {
 /// Motion from its numbers.
 ///
 /// # Errors
-/// The errors of [`State::release`], [`State::new`], [`Motion::launch`] and [`Motion::from_branch_points`].
+/// The errors of [`State::from_release`], [`State::new`], [`Motion::launch`] and [`Motion::from_branch_points`].
 pub fn motion(top: &Top, kind: u32, numbers: &MotionNumbers) -> Result<Motion, ParameterError> {
     let [a, b, c, d, e, f, g, h] = *numbers;
     match kind {
         0 => {
             let (tilt, azimuth, roll) = (tilt(a), angle(e), angle(f));
             let release = Release { tilt, azimuth, roll, spin: b, precession: c, nutation: d };
-            Motion::launch(top, &State::release(&release)?)
+            Motion::launch(top, &State::from_release(&release)?)
         }
         1 => {
             let phi = Orientation { alpha: Complex::new(a, b), beta: Complex::new(c, d) };

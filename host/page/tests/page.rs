@@ -45,7 +45,7 @@ fn numbers_make_the_motion_that_names_make() {
         azimuth: 50_f64.to_radians(),
         roll: 70_f64.to_radians(),
     };
-    let state = State::release(&release).unwrap();
+    let state = State::from_release(&release).unwrap();
     assert_eq!(thrown(), Motion::launch(&top, &state).unwrap());
     let ([alpha, beta], omega) = ([state.orientation().alpha, state.orientation().beta], state.omega());
     let numbers = [alpha.re, alpha.im, beta.re, beta.im, omega[0], omega[1], omega[2], 0.0];

@@ -22,7 +22,7 @@ impl TopCore {
         let rates = [("spin", spin), ("precession", precession), ("nutation", nutation)];
         let fastest = rates.into_iter().max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));
         let release = Release { tilt, azimuth, roll, spin, precession, nutation };
-        let state = State::release(&release).map_err(refused)?;
+        let state = State::from_release(&release).map_err(refused)?;
         MotionCore::from_state(self, &state, fastest.map_or("spin", |(name, _)| name))
     }
 

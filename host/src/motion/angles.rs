@@ -57,7 +57,7 @@ mod tests {
             (1e-9, 1.0, 2.0),
         ] {
             let release = Release { tilt, azimuth, roll, spin: 1.0, ..Release::default() };
-            let phi = State::release(&release).unwrap().orientation();
+            let phi = State::from_release(&release).unwrap().orientation();
             let [a, b, c] = tilt_azimuth_roll(&phi);
             assert!(
                 (a - tilt).abs() < 1e-15 && (b - azimuth).abs() < 1e-14 && (c - roll).abs() < 1e-14,

@@ -96,7 +96,7 @@ mod tests {
     #[test]
     fn tip_and_axis_begin_where_they_are() {
         let release = Release { tilt: 0.4, azimuth: 0.7, spin: 150.0, ..Release::default() };
-        let state = State::release(&release).unwrap();
+        let state = State::from_release(&release).unwrap();
         let [x, y, _] = state.orientation().axis();
         let slid = Top::sliding(&TopParameters {
             transverse_inertia: 3.0e-5,

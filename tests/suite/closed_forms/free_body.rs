@@ -51,7 +51,7 @@ fn a_spinning_body_without_torque_is_right_or_refused() {
                 };
                 for (tilt, spin) in tilts.into_iter().flat_map(|tilt| spins.map(|spin| (tilt, spin))) {
                     let release = Release { tilt, azimuth: 0.4, roll: 0.2, spin, ..Release::default() };
-                    let state = State::release(&release).unwrap();
+                    let state = State::from_release(&release).unwrap();
                     let motion = Motion::launch(&top, &state).unwrap();
                     for off in [
                         of_spinning_body::<f64>(&motion, &state),

@@ -35,7 +35,7 @@ fn branch_points_that_do_not_determine_the_motion() {
     let thin = Top::fixed(&TopParameters { axial_inertia: 1e-50, ..body }).unwrap();
     assert_eq!(motion(thin, [-0.5, 0.5, 2.0]), Some("e3"));
     // at so high a rate the torque has no effect: the refusal names the constructor to use
-    let state = State::release(&Release { tilt: 0.5, spin: 1e8, ..Release::default() }).unwrap();
+    let state = State::from_release(&Release { tilt: 0.5, spin: 1e8, ..Release::default() }).unwrap();
     let heavy = TopParameters { axial_inertia: 1.0, ..body };
     let refusal = Motion::launch(&Top::fixed(&heavy).unwrap(), &state).unwrap_err();
     assert!(refusal.parameter() == "omega" && refusal.allowed().contains("free"), "{refusal}");
@@ -62,7 +62,7 @@ fn states() {
 
 #[test]
 fn impulses() {
-    let state = State::release(&Release { tilt: 0.3, spin: 10.0, ..Release::default() }).unwrap();
+    let state = State::from_release(&Release { tilt: 0.3, spin: 10.0, ..Release::default() }).unwrap();
     let (impulse, point) = ([1e-3, 2e-3, -1e-3], [0.01, 0.0, 0.02]);
     for (impulse, point, refused) in [
         (impulse, point, [None; 2]),
@@ -109,7 +109,7 @@ fn releases() {
         (Release { precession: f64::NAN, ..good }, Some("precession")),
         (Release { nutation: 1e300, ..good }, Some("nutation")),
     ] {
-        assert_eq!(parameter(State::release(&release)), refused, "{release:?}");
+        assert_eq!(parameter(State::from_release(&release)), refused, "{release:?}");
     }
 }
 
@@ -139,7 +139,7 @@ fn branch_points() {
 
 #[test]
 fn motions_too_fast_and_energies_too_low() {
-    let spinning = |spin| State::release(&Release { tilt: 0.3, spin, ..Release::default() }).unwrap();
+    let spinning = |spin| State::from_release(&Release { tilt: 0.3, spin, ..Release::default() }).unwrap();
     assert_eq!(parameter(Motion::launch(&top(), &spinning(1e7))), None);
     assert_eq!(parameter(Motion::launch(&top(), &spinning(1e8))), Some("omega"));
     for ([l, n, h], refused) in [

@@ -23,7 +23,7 @@ fn thrown(case: u32, tilt: f64, spin: f64) -> State {
         precession: f64::from(case % 5) - 2.0,
         nutation: f64::from(case % 3) - 1.0,
     };
-    State::release(&release).unwrap()
+    State::from_release(&release).unwrap()
 }
 
 /// Launch found by a telephone at the centre of mass of a held top.

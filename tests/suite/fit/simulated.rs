@@ -14,7 +14,8 @@ pub(crate) fn held() -> Top {
 }
 
 pub(crate) fn release(tilt: f64, spin: f64) -> State {
-    State::release(&Release { tilt, azimuth: 0.4, roll: -0.7, spin, precession: 2.0, nutation: 0.5 }).unwrap()
+    State::from_release(&Release { tilt, azimuth: 0.4, roll: -0.7, spin, precession: 2.0, nutation: 0.5 })
+        .unwrap()
 }
 
 pub(crate) const GYROSCOPE: Gyroscope =
@@ -128,7 +129,7 @@ fn a_launch_is_found_though_the_gyroscope_is_blind_along_the_axis() {
 fn the_error_bars_are_those_of_the_launch() {
     // ω₂ is about 0, so that the effect of an error of the yaw on ω₁ depends on the launch
     let top = toy();
-    let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() }).unwrap();
+    let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() }).unwrap();
     for seed in 0..8 {
         let measurements = readings(&top, &state, &SENSORS, 1000, 31 + seed);
         let found = fitted(&top, &SENSORS, &[], &measurements);
@@ -173,7 +174,7 @@ fn what_the_sensors_leave_open_is_said() {
 fn the_spin_of_an_upright_top_is_not_believed_without_a_magnetometer() {
     for (name, top) in [("sliding", toy()), ("held", held())] {
         for (seed, spin) in [-115.0, 180.0, 45.0].into_iter().enumerate() {
-            let state = State::release(&Release { spin, ..Release::default() }).unwrap();
+            let state = State::from_release(&Release { spin, ..Release::default() }).unwrap();
             let [without, with] =
                 [2, 3].map(|count| simulated(&top, &state, &SENSORS[..count], 300, 17 + seed as u64));
             assert_eq!(
@@ -199,7 +200,7 @@ fn a_camera_of_the_tip_and_a_mark_tell_the_launch() {
         [-2.2, -0.7, 0.7, 2.2].into_iter().flat_map(|roll| [1e-5, 1e-4].map(|deviation| (roll, deviation)))
     {
         let mark = Mark { deviation, place: [0.01, 0.002, 0.0] };
-        let state = State::release(&Release { roll, ..release }).unwrap();
+        let state = State::from_release(&Release { roll, ..release }).unwrap();
         for (sensors, open) in [(&[&camera as &dyn Sensor] as &[&dyn Sensor], 1), (&[&camera, &mark], 0)] {
             let found = simulated(&top, &state, sensors, 500, 8);
             check("tip", &found, &state);

@@ -51,7 +51,7 @@ proptest! {
     /// The orientation and rate of a launched motion at t = 0 are those of its state.
     #[test]
     fn state_to_constants_to_state((top, release) in releases()) {
-        let state = State::release(&release).unwrap();
+        let state = State::from_release(&release).unwrap();
         let motion = Motion::launch(&top, &state).unwrap();
         let attitude = Stepper::<f64>::new(&motion).attitude_state();
         let error = attitude.orientation.distance(&state.orientation().normalised());
@@ -71,7 +71,7 @@ proptest! {
     /// is along the axis.
     #[test]
     fn a_release_is_what_it_says((_, release) in releases()) {
-        let state = State::release(&release).unwrap();
+        let state = State::from_release(&release).unwrap();
         let [roll, azimuth] = [release.roll, release.azimuth].map(|angle| Orientation::<f64>::exp([0.0, 0.0, angle]));
         let turned = azimuth.compose(&Orientation::exp([0.0, release.tilt, 0.0])).compose(&roll);
         prop_assert!(state.orientation().distance(&turned) < 1e-14);
@@ -96,7 +96,7 @@ proptest! {
     /// the sum. This holds for those of a state, and for those of its rounded integrals alone.
     #[test]
     fn branch_points_solve_their_equations((top, release) in releases()) {
-        let state = State::release(&release).unwrap();
+        let state = State::from_release(&release).unwrap();
         let integrals = FirstIntegrals::from_state(&top, &state);
         let scale = integrals.l.abs().max(integrals.n.abs());
         let FirstIntegrals { l, n, h, .. } = integrals;
@@ -144,7 +144,7 @@ proptest! {
     /// The documented coverage of the two predefined sizes holds.
     #[test]
     fn ready_sizes_fit((top, release) in releases()) {
-        let motion = Motion::launch(&top, &State::release(&release).unwrap()).unwrap();
+        let motion = Motion::launch(&top, &State::from_release(&release).unwrap()).unwrap();
         let e = motion.branch_points();
         let spread = top.transverse_inertia() / (top.mass_moment() * top.com_height());
         prop_assume!(e.e3_minus_e2 >= 0.1 * e.e2_minus_e1 && spread >= 0.4);

@@ -104,7 +104,7 @@ fn a_launch_gives_time_between_its_stages() {
         (Top::free(&TOY), 0.35, 150.0),
     ] {
         let (top, mut calls) = (top.unwrap(), 0);
-        let state = State::release(&Release { tilt, spin, ..Release::default() }).unwrap();
+        let state = State::from_release(&Release { tilt, spin, ..Release::default() }).unwrap();
         let motion = Motion::launch_with_pauses(&top, &state, &mut || calls += 1);
         assert!((4..=20).contains(&calls), "{tilt}, {spin}: {calls} calls");
         assert_eq!(motion, Motion::launch(&top, &state));

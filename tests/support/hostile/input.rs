@@ -123,7 +123,7 @@ impl<'a> Input<'a> {
             let (spin, precession, nutation) = (rate(), rate(), rate());
             let tilt = self.within(std::f64::consts::PI);
             let (azimuth, roll) = (self.signed(-3.0, 6.1), self.signed(-3.0, 6.1));
-            return State::release(&Release { tilt, azimuth, roll, spin, precession, nutation });
+            return State::from_release(&Release { tilt, azimuth, roll, spin, precession, nutation });
         }
         let [re_alpha, im_alpha, re_beta, im_beta] = std::array::from_fn(|_| self.signed(-70.0, 0.1));
         let omega = std::array::from_fn(|_| unit * self.signed(-70.0, 8.0));

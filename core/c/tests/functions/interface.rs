@@ -246,7 +246,7 @@ fn refusal(top: toytop_top) -> toytop_error {
 #[test]
 fn an_impulse_starts_another_motion() {
     let state =
-        State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() }).expect("a release");
+        State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() }).expect("a release");
     let struck = state.with_impulse(motion().top(), [0.0, 2e-3, 0.0], [0.025, 0.0, 0.03]).expect("a stroke");
     let release = toytop_release { azimuth: 0.0, precession: 0.0, ..RELEASE };
     let (impulse, point) = ([0.0, 2e-3, 0.0], [0.025, 0.0, 0.03]);

@@ -40,7 +40,7 @@ pub(crate) fn parameters() -> TopParameters {
 /// State of the same release by the crate.
 pub(crate) fn state() -> State {
     let release = Release { tilt: 0.35, azimuth: 0.1, spin: 150.0, precession: 2.0, ..Release::default() };
-    State::release(&release).expect("a release")
+    State::from_release(&release).expect("a release")
 }
 
 /// Value that a function writes.

@@ -52,9 +52,9 @@ impl Sliding {
         let AperiodicConstants { e1, one_plus_e1, one_minus_e1, a_over_p, s, g } = *constants;
         let (zero, one) = (Extended::ZERO, Extended::ONE);
         // e₄² - 1 = A/(ps)
-        let spread = a_over_p / s;
-        let e4 = (one + spread).sqrt();
-        let e4_minus_one = spread / (e4 + one);
+        let a_over_ps = a_over_p / s;
+        let e4 = (one + a_over_ps).sqrt();
+        let e4_minus_one = a_over_ps / (e4 + one);
         let (below, above) = (one_minus_e1 + e4_minus_one, one_plus_e1 + e4_minus_one); // e₄ ∓ e₁
         let lattice = Lattice::of_gaps(below, above);
         let [across, up] = lattice.half_periods;
@@ -64,9 +64,9 @@ impl Sliding {
         let b_point = imaginary(-b);
 
         let time_scale = (s.doubled() / g).sqrt();
-        let w_minus = -(time_scale * spread * l_per_a);
+        let w_minus = -(time_scale * a_over_ps * l_per_a);
         // w₊₁ = i |w₊₁| at b = -i|b|
-        let w_plus = (one_minus_e1 * spread).sqrt().doubled();
+        let w_plus = (one_minus_e1 * a_over_ps).sqrt().doubled();
         let middle = Complex::new(across, up);
         let slope = lattice.p_prime(real(to_minus_one) - middle).re;
         let a = real(if slope * w_minus < zero { -to_minus_one } else { to_minus_one });
@@ -74,11 +74,11 @@ impl Sliding {
         let log_slope = |half: usize, z: WideComplex| lattice.theta(half, z).log_slope();
         let log_power = (w_minus / w_plus).halved();
         let p = imaginary(-log_power);
-        let rate_offset = real(w_minus.halved().halved() + w_minus / spread)
+        let rate_offset = real(w_minus.halved().halved() + w_minus / a_over_ps)
             - p * (log_slope(ORIGIN, a + b_point) - log_slope(ORIGIN, a - b_point));
         let alpha = ThetaQuotient::through(&lattice, [ORIGIN, OMEGA_SUM], a, rate_offset, (b_point, one));
 
-        let of_log = -(spread / w_plus);
+        let of_log = -(a_over_ps / w_plus);
         let zetas = log_slope(OMEGA_SUM, b_point).im;
         let of_y = one + e1 / 3.0.into() - lattice.kappa.doubled() + of_log.doubled() * zetas;
         Self {

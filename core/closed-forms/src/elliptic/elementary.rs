@@ -10,7 +10,7 @@ use toytop::{Complex, Phase};
 
 /// Constant ln 2.
 fn ln_two() -> Extended {
-    Extended::sum(core::f64::consts::LN_2, 2.3190468138462996e-17)
+    Extended::from_parts([core::f64::consts::LN_2, 2.3190468138462996e-17])
 }
 
 /// Constant π/2.
@@ -198,7 +198,7 @@ mod tests {
     }
 
     fn within(allowed: f64, ours: Extended, [hi, lo]: [f64; 2]) {
-        let truth = Extended::sum(hi, lo);
+        let truth = Extended::from_parts([hi, lo]);
         let error = ((ours - truth) / truth).abs().to_f64();
         assert!(error < allowed, "{ours:?} for {truth:?}: {error:e}");
     }

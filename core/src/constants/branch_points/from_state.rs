@@ -103,12 +103,12 @@ impl BranchPoints<Extended> {
         n: Extended,
     ) -> Result<Self, ParameterError> {
         let (zero, two, scale) = (Extended::ZERO, Extended::ONE.doubled(), (a * p * g).doubled());
-        let gap = Extended::difference_of_products([n, n], [(a * g).doubled().doubled(), p]) / scale;
-        require_limited_e3(gap <= LARGEST_E3.into())?;
-        Ok(if gap >= zero {
-            Self::from_differences(two, zero, zero, [gap; 2])
+        let beyond_one = Extended::difference_of_products([n, n], [(a * g).doubled().doubled(), p]) / scale;
+        require_limited_e3(beyond_one <= LARGEST_E3.into())?;
+        Ok(if beyond_one >= zero {
+            Self::from_differences(two, zero, zero, [beyond_one; 2])
         } else {
-            Self::from_differences(n.squared() / scale, zero, -gap, [zero; 2])
+            Self::from_differences(n.squared() / scale, zero, -beyond_one, [zero; 2])
         })
     }
 
@@ -225,18 +225,18 @@ mod tests {
     #[test]
     fn the_border_is_sharp() {
         let (factor, third) = (Extended::from(1.0 + f64::EPSILON), Extended::ONE / 3.0.into());
-        let p = Extended::product(1.0 + f64::EPSILON, 0.1);
+        let p = Extended::exact_product(1.0 + f64::EPSILON, 0.1);
         let scaled =
             ScaledTop { a: factor * 0.25.into(), c: third, s: third, p, g: 0.1.into(), k: Extended::ZERO };
         let (n, scale) = (factor * Extended::from(0.1), (scaled.a * p * scaled.g).doubled());
-        let gap = |n| {
+        let third_minus_one = |n| {
             let e = BranchPoints::upright(&scaled, n).unwrap();
             e.e3_minus_e2 - e.e2_minus_e1
         };
-        assert_eq!(gap(n), Extended::ZERO);
+        assert_eq!(third_minus_one(n), Extended::ZERO);
         let least = Extended::from(1e-36);
         for (n, sign) in [(n + least, 1.0), (n - least, -1.0)] {
-            let beyond = gap(n) * scale / (n * least).doubled();
+            let beyond = third_minus_one(n) * scale / (n * least).doubled();
             assert!((beyond.to_f64() - sign).abs() < 0.1, "{beyond:?}");
         }
     }

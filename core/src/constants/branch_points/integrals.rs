@@ -26,7 +26,7 @@ impl BranchPoints {
 
     /// First integrals of branch points and signs (equation (3.6)). Without torque they are not determined, and l = n = 0.
     pub fn integrals(&self, top: &Top, signs: Signs) -> FirstIntegrals {
-        self.map(Extended::from).scaled_integrals(top, signs).in_top_units(top)
+        self.map(Extended::from).scaled_integrals(top, signs).unscaled(top)
     }
 }
 
@@ -50,8 +50,8 @@ impl BranchPoints<Extended> {
 /// Point at which (e₄² - u²) u'² is greatest; `None` where no motion has these integrals.
 fn point_of_greatest_cubic(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<ReducedPoint> {
     /// Relative tolerance for the `f64` roundings of l, n and h.
-    const NOISE: f64 = 1e-15;
-    let (zero, one, noise) = (Extended::ZERO, Extended::ONE, Extended::from(NOISE));
+    const INTEGRAL_ROUNDING: f64 = 1e-15;
+    let (zero, one, noise) = (Extended::ZERO, Extended::ONE, Extended::from(INTEGRAL_ROUNDING));
     let point = |u: Extended, udot: Extended, axis_energy: Extended| {
         let (one_minus_u, one_plus_u) = (one - u, one + u);
         ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy }
@@ -72,7 +72,7 @@ fn point_of_greatest_cubic(top: &Top, integrals: &FirstIntegrals<Extended>) -> O
         return Some(point(l * n / square, udot, axis_and_height));
     }
     // f(u) = u³ - b u² + c₁ u + c₀
-    let (kappa, energy) = (scaled.kappa(), axis_and_height / scaled.energy_unit());
+    let (kappa, energy) = (scaled.kappa(), axis_and_height / scaled.weight_or_one());
     let b = energy + kappa * n.squared();
     let c1 = (kappa * l * n).doubled() - one;
     let c0 = energy - kappa * l.squared();

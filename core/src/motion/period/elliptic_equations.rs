@@ -30,7 +30,7 @@ pub(super) struct EllipticEquations<'a, F> {
     /// Values of f at e₁ and e₂.
     f: [F; 2],
     /// Factors of dn v, or of √(e₃ - u), in the denominators of ψ_α and ψ_β.
-    smoothing: [F; 2],
+    chi_factors: [F; 2],
 }
 
 impl<'a, F: Float> EllipticEquations<'a, F> {
@@ -59,7 +59,7 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
             d_plus: [at_e1, at_e2],
             e4_is_nearer,
             f: [from_e1, from_e2],
-            smoothing: [equations.alpha_smoothing * rate, equations.beta_smoothing * rate],
+            chi_factors: [equations.alpha_chi_time * rate, equations.beta_chi_time * rate],
         }
     }
 
@@ -85,10 +85,10 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
     }
 
     /// Derivatives dt/dv, dψ_α/dv and dψ_β/dv, each divided by its factor.
-    pub(super) fn at(&self, squares: &JacobiFractions<F>) -> [F; 3] {
-        let Self { equations, root_s, d_plus_at_minus_one, d_plus: [at_e1, at_e2], smoothing, .. } = self;
-        let JacobiFractions { sn, cn, dn, dn_denominator } = *squares;
-        let ([low, high], [alpha_smoothing, beta_smoothing]) = ([*at_e1 * sn, *at_e2 * cn], *smoothing);
+    pub(super) fn at(&self, fractions: &JacobiFractions<F>) -> [F; 3] {
+        let Self { equations, root_s, d_plus_at_minus_one, d_plus: [at_e1, at_e2], chi_factors, .. } = self;
+        let JacobiFractions { sn_squared, cn_squared, dn, dn_denominator } = *fractions;
+        let ([low, high], [alpha_chi, beta_chi]) = ([*at_e1 * sn_squared, *at_e2 * cn_squared], *chi_factors);
         let sum = low + high;
         // one division for 1/P and dn
         let per_both = F::ONE / (sum * dn_denominator);
@@ -106,27 +106,27 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
             let slow = d_plus * dn;
             [
                 d_minus * d_plus / root,
-                alpha * slow / (root * (slow + alpha_smoothing * root)),
-                beta * slow / (root * (equations.root_e3_minus_one * slow + beta_smoothing * root)),
+                alpha * slow / (root * (slow + alpha_chi * root)),
+                beta * slow / (root * (equations.root_e3_minus_one * slow + beta_chi * root)),
             ]
         } else {
             let root = d_minus.sqrt();
             [
                 root * d_plus,
-                alpha / (root + alpha_smoothing * dn),
-                beta / (equations.root_e3_minus_one * root + beta_smoothing * dn),
+                alpha / (root + alpha_chi * dn),
+                beta / (equations.root_e3_minus_one * root + beta_chi * dn),
             ]
         }
     }
 
     /// Factors of the derivatives of ψ_α and ψ_β, up to a common one.
-    pub(super) fn slow_scales(&self) -> [f64; 2] {
-        [self.equations.alpha_scale, self.equations.beta_scale].map(Float::to_f64)
+    pub(super) fn slow_rate_factors(&self) -> [f64; 2] {
+        [self.equations.alpha_rate_factor, self.equations.beta_rate_factor].map(Float::to_f64)
     }
 
     pub(super) fn factors(&self) -> [F; 3] {
         let ([_, at_e2], [from_e1, _]) = (self.d_plus, self.f);
         let factor = F::ONE / (self.equations.half_g * from_e1 * at_e2).sqrt();
-        [factor, self.equations.alpha_scale * factor, self.equations.beta_scale * factor]
+        [factor, self.equations.alpha_rate_factor * factor, self.equations.beta_rate_factor * factor]
     }
 }

@@ -5,8 +5,8 @@ use crate::scalar::{Float, Ring, Wide};
 /// Fractions sn² u, cn² u and dn u before division. The first two have the denominator sn + cn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct JacobiFractions<F> {
-    pub(super) sn: F,
-    pub(super) cn: F,
+    pub(super) sn_squared: F,
+    pub(super) cn_squared: F,
     pub(super) dn: F,
     pub(super) dn_denominator: F,
 }
@@ -79,7 +79,7 @@ impl<const WORDS: usize> Landen<WORDS> {
     /// Quarter period K = π/2 ∏ (1 + k).
     pub(super) fn quarter_period(&self) -> Wide<WORDS> {
         // π/2 to 32 digits
-        let half_pi = Wide::sum(core::f64::consts::FRAC_PI_2, 6.123233995736766e-17);
+        let half_pi = Wide::from_parts([core::f64::consts::FRAC_PI_2, 6.123233995736766e-17]);
         self.active_steps().fold(half_pi, |product, step| product * (Wide::ONE + step.modulus))
     }
 
@@ -132,7 +132,7 @@ impl<const WORDS: usize> Landen<WORDS> {
             x = x * w;
             w = sum.squared();
         }
-        JacobiFractions { sn: self.scale * x, cn: y, dn: difference, dn_denominator: sum }
+        JacobiFractions { sn_squared: self.scale * x, cn_squared: y, dn: difference, dn_denominator: sum }
     }
 }
 

@@ -105,19 +105,19 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
 
     #[inline(never)]
     fn integrands_at(&self, angle: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) -> [Wide<WORDS>; 3] {
-        let squares = self.landen.fractions_at_angle(angle);
+        let fractions = self.landen.fractions_at_angle(angle);
         pause();
-        let integrands = self.equations.at(&squares);
+        let integrands = self.equations.at(&fractions);
         pause();
         integrands
     }
 
     /// Relative changes of the time and of the slow phases.
     fn relative(&self, change: [Wide<WORDS>; 3]) -> [f64; 2] {
-        let [alpha_scale, beta_scale] = self.equations.slow_scales().map(f64::abs);
+        let [alpha_rate_factor, beta_rate_factor] = self.equations.slow_rate_factors().map(f64::abs);
         let magnitudes = |sums: [Wide<WORDS>; 3]| {
             let [time, alpha, beta] = sums.map(|sum| sum.to_f64().abs());
-            [time, alpha * alpha_scale + beta * beta_scale]
+            [time, alpha * alpha_rate_factor + beta * beta_rate_factor]
         };
         let ([time_change, slow_change], [time, slow]) = (magnitudes(change), magnitudes(self.sums));
         [time_change / time, if slow > 0.0 { slow_change / slow } else { 0.0 }]
@@ -179,7 +179,7 @@ mod tests {
     }
 
     fn released(top: &Top, release: &Release) -> Motion {
-        Motion::launch(top, &State::release(release).unwrap()).unwrap()
+        Motion::launch(top, &State::from_release(release).unwrap()).unwrap()
     }
 
     fn period<const WORDS: usize>(motion: &Motion) -> Period {

@@ -49,19 +49,19 @@ impl<const WORDS: usize> Wide<WORDS> {
         Phase::from_bits(if self.negative { bits.wrapping_neg() } else { bits } as i128)
     }
 
-    /// Sum of two `f64`.
-    pub fn sum(a: f64, b: f64) -> Self {
+    /// Number from two parts, their sum.
+    pub fn from_parts([a, b]: [f64; 2]) -> Self {
         Self::from(a) + Self::from(b)
     }
 
     /// Product of two `f64`; exact in 128 bits.
     #[must_use]
-    pub fn product(a: f64, b: f64) -> Self {
+    pub fn exact_product(a: f64, b: f64) -> Self {
         Self::from(a) * Self::from(b)
     }
 
     /// Nearest `f64`, and the `f64` nearest to the remainder.
-    pub fn parts(self) -> [f64; 2] {
+    pub fn to_parts(self) -> [f64; 2] {
         let leading = self.to_f64();
         [leading, (self - leading.into()).to_f64()]
     }
@@ -117,7 +117,7 @@ mod tests {
         assert_eq!(Extended::from(-3.25).to_phase(), Phase::new(-3.25));
         assert_eq!(Extended::from(Phase::new(-3.25)).to_f64(), -3.25);
         assert_eq!((Extended::TWO_PI * 0.25.into()).in_turns().to_phase(), Phase::QUARTER);
-        let (whole, remainder) = Extended::sum(1e20, 0.75).floor_and_fraction();
+        let (whole, remainder) = Extended::from_parts([1e20, 0.75]).floor_and_fraction();
         assert_eq!((whole, remainder.to_f64()), (10_i128.pow(20), 0.75));
         for (x, floor, left) in [
             (-2.25, -3, 0.75),

@@ -24,7 +24,7 @@ impl LaunchPlace {
     /// Place of a launch, not found yet. Without a nutation it is u = e₁.
     pub(super) fn new(motion: &Motion) -> Self {
         let chi = if let HalfPhase::Nutating(chi) = motion.chi { chi } else { Phase::ZERO };
-        let (half_turns, remainder) = chi.half_turns();
+        let (half_turns, remainder) = chi.split_half_turns();
         let is_falling = remainder > Phase::QUARTER;
         let (half_turns, chi) =
             if is_falling { (half_turns + 1, Phase::HALF - remainder) } else { (half_turns, remainder) };

@@ -214,7 +214,7 @@ impl Path {
         let PathPoint { phases: PathPhases { chi, residual }, truncation, squares } = self.end;
         // distance from an odd number of quarter turns, rad
         let miss = |angle: Phase| {
-            let (_, remainder) = (angle + Phase::QUARTER).half_turns();
+            let (_, remainder) = (angle + Phase::QUARTER).split_half_turns();
             remainder.min(Phase::HALF - remainder).to_radians()
         };
         // at u = e₂, cos χ = 0 and the cosines of the residual phases are 0

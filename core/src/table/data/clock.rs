@@ -3,7 +3,7 @@
 use crate::body::{ParameterError, check};
 use crate::constants::Regime;
 use crate::motion::Motion;
-use crate::phase::{Phase, PhaseFraction, mantissa_and_exponent, times_power_of_two_i128};
+use crate::phase::{Phase, WrappedPhase, mantissa_and_exponent, times_power_of_two_i128};
 use crate::scalar::{Extended, Float};
 use crate::table::data::cell::SEGMENTS_AT_LEVEL_0;
 
@@ -121,9 +121,9 @@ impl<W: Float> Clock<W> {
         let ticks = epoch.wrapping_sub(i64::MIN) as u64;
         let (mut first, mut step) = ([0; 3], [[0; 3]; 3]);
         for (((first, words), start), turns) in first.iter_mut().zip(&mut step).zip(start).zip(exact_step) {
-            let step = PhaseFraction::from_phase(turns.to_phase());
+            let step = WrappedPhase::from_phase(turns.to_phase());
             *words = step.words();
-            *first = PhaseFraction::from_phase(start).minus(step.times(ticks)).leading();
+            *first = WrappedPhase::from_phase(start).minus(step.times(ticks)).leading_bits();
         }
         let [alpha_winding, beta_winding] = motion.windings();
         let tip_passes = u8::from(alpha_winding == 0) + u8::from(beta_winding == 0);
@@ -136,8 +136,8 @@ impl<W: Float> Clock<W> {
             twice_tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
             rates: [x_rate, mean, motion.axial_rate()].map(W::from_f64),
             first,
-            exact_step: exact_step.map(Extended::parts),
-            ticks_per_time: tick.rate().parts(),
+            exact_step: exact_step.map(Extended::to_parts),
+            ticks_per_time: tick.rate().to_parts(),
             tip_start: [0; 4],
             tip_step: exact_tip_step(exact_step, tip_passes).to_phase().words(),
             epoch,
@@ -147,18 +147,17 @@ impl<W: Float> Clock<W> {
 
 impl<W> Clock<W> {
     #[inline(always)]
-    pub(crate) fn steps(&self) -> [PhaseFraction; 3] {
-        self.step.map(PhaseFraction::new)
+    pub(crate) fn steps(&self) -> [WrappedPhase; 3] {
+        self.step.map(WrappedPhase::new)
     }
 
     pub(crate) fn exact_steps(&self) -> [Extended; 3] {
-        self.exact_step.map(|[hi, lo]| Extended::sum(hi, lo))
+        self.exact_step.map(Extended::from_parts)
     }
 
     /// Number of ticks in a unit of time.
     pub(crate) fn tick_rate(&self) -> Extended {
-        let [hi, lo] = self.ticks_per_time;
-        Extended::sum(hi, lo)
+        Extended::from_parts(self.ticks_per_time)
     }
 
     /// Number of ticks until a time; 0 if it is not finite.
@@ -188,19 +187,19 @@ impl<W> Clock<W> {
         let (tick, fraction) = ((ticks >> 64) as i64, ticks as u64);
         let since_first = tick.wrapping_sub(i64::MIN) as u64;
         let ([nutation, a, b], [nutation_step, a_step, b_step]) = (self.first, self.steps());
-        let after = |first: u64, step: PhaseFraction| {
+        let after = |first: u64, step: WrappedPhase| {
             first.wrapping_add(step.leading_bits_after(since_first, fraction))
         };
         let phases = [after(nutation, nutation_step), after(a, a_step), after(b, b_step)];
-        Some((phases, self.mean_tip(tick) + self.tip_turn().times_fraction(fraction)))
+        Some((phases, self.mean_tip(tick) + self.tip_turn().times_part(fraction)))
     }
 
     /// Nutation phase and slow phases at tick n.
     #[inline(always)]
-    pub(crate) fn at(&self, n: i64) -> [PhaseFraction; 3] {
+    pub(crate) fn at(&self, n: i64) -> [WrappedPhase; 3] {
         let since_first = n.wrapping_sub(i64::MIN) as u64;
         let after =
-            |first: u64, step: [u32; 3]| PhaseFraction::new(step).times(since_first).plus_leading_bits(first);
+            |first: u64, step: [u32; 3]| WrappedPhase::new(step).times(since_first).plus_leading_bits(first);
         let [nutation, a, b] = &self.first;
         // by reference: an array of all steps would take nine registers at once
         let [nutation_step, a_step, b_step] = &self.step;
@@ -210,14 +209,14 @@ impl<W> Clock<W> {
     /// Phases, and the mean tip angle, after any number of ticks. Whole turns are dropped.
     #[cold]
     #[inline(never)]
-    pub(crate) fn after(&self, ticks: Extended) -> ([PhaseFraction; 3], Phase) {
+    pub(crate) fn after(&self, ticks: Extended) -> ([WrappedPhase; 3], Phase) {
         let (ticks, fraction) = ticks.floor_and_fraction();
         let since_first = ticks.wrapping_sub(i64::MIN.into());
         let turned = |step: Phase, ticks: i128| Phase::from_bits(step.to_bits().wrapping_mul(ticks));
         let mut phases = self.steps();
         for ((phase, turns), first) in phases.iter_mut().zip(self.exact_steps()).zip(self.first) {
             let part = (turns * fraction).to_phase();
-            *phase = PhaseFraction::from_phase(turned(phase.to_phase(), since_first) + part)
+            *phase = WrappedPhase::from_phase(turned(phase.to_phase(), since_first) + part)
                 .plus_leading_bits(first);
         }
         let part = (exact_tip_step(self.exact_steps(), self.tip_passes) * fraction).to_phase();

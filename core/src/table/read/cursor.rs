@@ -3,7 +3,7 @@
 use core::borrow::Borrow;
 use core::ops::Deref;
 
-use crate::phase::{Phase, PhaseFraction};
+use crate::phase::{Phase, WrappedPhase};
 use crate::su2::Orientation;
 use crate::table::data::Clock;
 use crate::table::data::EphemerisView;
@@ -25,7 +25,7 @@ use crate::table::read::sample::{Sample, map_parts};
 /// #     ..TopParameters::default()
 /// # })?;
 /// # let tick = Tick::hertz(1000)?;
-/// # let state = State::release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
+/// # let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
 /// # let motion = Motion::launch(&top, &state)?;
 /// let mut set_up = SetUp::new();
 /// let [mut first, mut second] = [(); 2].map(|()| EphemerisMemory::<EphemerisF32>::new());
@@ -103,7 +103,7 @@ where
 #[repr(C)]
 pub struct CursorPhases {
     /// Phases of the last tick.
-    phases: [PhaseFraction; 3],
+    phases: [WrappedPhase; 3],
     /// Number of the last tick, `high + low`. A rare carry needs fewer registers than a number of 64 bits.
     low: u32,
     high: i64,
@@ -152,12 +152,12 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         /// Number of ticks whose orientations are computed independently.
         const BLOCK: usize = 16;
         // as 128-bit numbers, which need no assembly from words
-        let step = self.clock.steps().map(PhaseFraction::to_phase);
-        let mut now = self.clock.at(first).map(PhaseFraction::to_phase);
+        let step = self.clock.steps().map(WrappedPhase::to_phase);
+        let mut now = self.clock.at(first).map(WrappedPhase::to_phase);
         let mut phases = [[0; 3]; BLOCK];
         for block in out.chunks_mut(BLOCK) {
             for phases in phases.iter_mut().take(block.len()) {
-                *phases = now.map(Phase::fraction);
+                *phases = now.map(Phase::leading_bits);
                 now.iter_mut().zip(step).for_each(|(now, step)| *now += step);
             }
             for (orientation, phases) in block.iter_mut().zip(phases) {

@@ -1,7 +1,7 @@
 //! Sample of a motion: three phases, from which every quantity is computed when it is asked for.
 
 use crate::complex::Complex;
-use crate::phase::{Phase, PhaseFraction};
+use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
 use crate::su2::{AttitudeState, Orientation, Vector};
 use crate::table::data::EphemerisView;
@@ -36,15 +36,15 @@ pub struct Pose<R, W> {
 
 impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[inline(always)]
-    pub(crate) fn new(ephemeris: &'a EphemerisView<R>, phases: [PhaseFraction; 3], mean_tip: Phase) -> Self {
-        Self { ephemeris, phases: phases.map(PhaseFraction::leading), mean_tip }
+    pub(crate) fn new(ephemeris: &'a EphemerisView<R>, phases: [WrappedPhase; 3], mean_tip: Phase) -> Self {
+        Self { ephemeris, phases: phases.map(WrappedPhase::leading_bits), mean_tip }
     }
 
     /// Nutation phase: one turn a period, 0 at u = e₁, half a turn at u = e₂.
     #[must_use]
     pub fn nutation_phase(&self) -> Phase {
         let [nutation, ..] = self.phases;
-        Phase::from_fraction(nutation)
+        Phase::from_leading_bits(nutation)
     }
 
     /// Orientation Φ, from which γ, δ and u follow.
@@ -235,11 +235,11 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         // the same of a segment of level 0
         let (eighth, leading) = (half << LEVEL_0_BITS, (half >> (32 - LEVEL_0_BITS)) as u32);
         // the range [0, 1) becomes [-1, 1) by flipping the upper bit
-        let (x64, x32) = ((eighth << level) ^ (1 << 63), (leading << level) ^ (1 << 31));
+        let (x_q63, x_q31) = ((eighth << level) ^ (1 << 63), (leading << level) ^ (1 << 31));
         LocatedSegment {
             rows: segment.map_or(&[], |segment| segment.as_ref()),
             index,
-            point: SegmentPoint { x64: x64 as i64, x32: x32 as i32, level, is_falling: falling < 0 },
+            point: SegmentPoint { x_q63: x_q63 as i64, x_q31: x_q31 as i32, level, is_falling: falling < 0 },
         }
     }
 }

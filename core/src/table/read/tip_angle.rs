@@ -49,7 +49,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         pause: &mut dyn FnMut(),
     ) {
         let [nutation, a, b] = start;
-        let nutation = nutation.fraction();
+        let nutation = nutation.leading_bits();
         let Clock { tip_quarter, tip_passes, .. } = self.clock;
         let quarter_turn = Phase::QUARTER * i64::from(tip_quarter);
         let tabulated = self.tabulated_tip_angle(nutation, pause);
@@ -86,7 +86,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
             }
         }
         pause();
-        let x = found.point.x64 as f64 / (1_u64 << 63) as f64;
+        let x = found.point.x_q63 as f64 / (1_u64 << 63) as f64;
         let [mut a, mut b, mut a_slope, mut b_slope] = [Complex::ZERO; 4];
         for (power, row) in found.rows.iter().enumerate().rev() {
             let [a_term, b_term] = complex(row.map(|c| c.to_f64(power)));

@@ -108,7 +108,7 @@ fn launch(number: u32) -> Result<(Top, State), ParameterError> {
         63 => (0.0, 0.5 * critical),
         _ => (tilt, spin),
     };
-    Ok((top, State::release(&Release { tilt, spin, ..Release::default() })?))
+    Ok((top, State::from_release(&Release { tilt, spin, ..Release::default() })?))
 }
 
 /// Counter of instructions.

@@ -39,7 +39,7 @@ fn launch([a, c, com_height, mass, tilt, spin]: [f64; 6]) -> Result<Motion, Para
         gravity: 9.81,
         ..TopParameters::default()
     })?;
-    Motion::launch(&top, &State::release(&Release { tilt, spin, ..Release::default() })?)
+    Motion::launch(&top, &State::from_release(&Release { tilt, spin, ..Release::default() })?)
 }
 
 #[inline(never)]

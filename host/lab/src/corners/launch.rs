@@ -18,7 +18,7 @@ pub fn random(random: &mut Random) -> ExactInput {
     }
     let thrown = random.one_in(2);
     let release = release(random);
-    let state = if thrown { State::release(&release).ok() } else { on_motion(&numbers) };
+    let state = if thrown { State::from_release(&release).ok() } else { on_motion(&numbers) };
     // a release in range, and a point of a motion with valid constants, give a state
     state.map_or(numbers, |state| {
         let top = if thrown { other_top(random, numbers.top) } else { numbers.top };

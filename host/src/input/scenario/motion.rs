@@ -71,7 +71,7 @@ pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure
             let release = Release { tilt, azimuth, roll, spin, precession, nutation };
             let rates = [("nutation", nutation), ("precession", precession), ("spin", spin)];
             let fastest = rates.into_iter().max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));
-            (State::release(&release), fastest.map_or("spin", |(key, _)| key))
+            (State::from_release(&release), fastest.map_or("spin", |(key, _)| key))
         }
         "state" => {
             section.only(choice, STATE.iter().map(|key| key.name))?;

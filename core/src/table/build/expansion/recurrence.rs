@@ -122,16 +122,16 @@ impl Expansion {
 
         let scale = unit * unit * equations.e2_minus_e1 * per_d;
         // factors of v, δ and μ
-        let factors = |numerator: f64, constant: f64, smoothing: f64| {
-            let smoothed = smoothing * chi_rate;
-            let per_divisor = 1.0 / (constant + smoothed);
-            [numerator * (scale * per_divisor), constant * per_divisor, smoothed * per_divisor]
+        let factors = |numerator: f64, constant: f64, chi_time: f64| {
+            let chi = chi_time * chi_rate;
+            let per_divisor = 1.0 / (constant + chi);
+            [numerator * (scale * per_divisor), constant * per_divisor, chi * per_divisor]
         };
-        let of_alpha = factors(equations.s * equations.alpha_scale, unit, equations.alpha_smoothing);
+        let of_alpha = factors(equations.s * equations.alpha_rate_factor, unit, equations.alpha_chi_time);
         let of_beta = factors(
-            -equations.s_times_e3_minus_one * equations.beta_scale,
+            -equations.s_times_e3_minus_one * equations.beta_rate_factor,
             unit * equations.root_e3_minus_one,
-            equations.beta_smoothing,
+            equations.beta_chi_time,
         );
         let series = [&*square, &*delta, &*momentum];
         let [alpha_divisor, beta_divisor] = &mut self.divisors;

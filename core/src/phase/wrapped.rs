@@ -8,12 +8,12 @@ use crate::product::{product_u32, wrapping_product};
 /// Its rounding causes 4e-17 rad after 2^40 ticks (1.9e-7 rad with 64 bits).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(crate) struct PhaseFraction {
+pub(crate) struct WrappedPhase {
     /// Words of 32 bits, the least significant first.
     words: [u32; 3],
 }
 
-impl PhaseFraction {
+impl WrappedPhase {
     pub(crate) const fn new(words: [u32; 3]) -> Self {
         Self { words }
     }
@@ -58,7 +58,7 @@ impl PhaseFraction {
         let [low, ..] = self.words;
         let (n_low, n_high) = (n as u32, (n >> 32) as u32);
         let lowest = product_u32(low, n_low);
-        let leading = wrapping_product(self.leading(), n)
+        let leading = wrapping_product(self.leading_bits(), n)
             .wrapping_add(product_u32(low, n_high))
             .wrapping_add(lowest >> 32);
         Self::new([lowest as u32, leading as u32, (leading >> 32) as u32])
@@ -67,14 +67,14 @@ impl PhaseFraction {
     /// Sum with a fraction given by its 64 leading bits, modulo one turn.
     #[inline(always)]
     pub(crate) const fn plus_leading_bits(self, other: u64) -> Self {
-        let ([low, ..], sum) = (self.words, self.leading().wrapping_add(other));
+        let ([low, ..], sum) = (self.words, self.leading_bits().wrapping_add(other));
         Self::new([low, sum as u32, (sum >> 32) as u32])
     }
 
     /// 64 leading bits of n + part · 2^-64 times the fraction, the part of a signed phase. Rounded down, to within 2^-95 turns.
     #[inline(always)]
     pub(crate) const fn leading_bits_after(self, n: u64, part: u64) -> u64 {
-        let ([low, ..], leading) = (self.words, self.leading());
+        let ([low, ..], leading) = (self.words, self.leading_bits());
         // below the product of the leading bits, in units of 2^-128 turns
         let below = ((n as u128 * low as u128) << 32)
             .wrapping_add(leading as u128 * part as u128)
@@ -85,7 +85,7 @@ impl PhaseFraction {
     }
 
     #[inline(always)]
-    pub(crate) const fn leading(self) -> u64 {
+    pub(crate) const fn leading_bits(self) -> u64 {
         let [_, middle, upper] = self.words;
         ((upper as u64) << 32) | middle as u64
     }
@@ -97,9 +97,9 @@ mod tests {
 
     #[test]
     fn multiples_are_repeated_sums_and_wrap() {
-        let step = PhaseFraction::new([0x89ab_cdef, 0x0123_4567, 0xdead_beef]);
+        let step = WrappedPhase::new([0x89ab_cdef, 0x0123_4567, 0xdead_beef]);
         let start = 0x8000_0001_ffff_0000;
-        let mut sum = PhaseFraction::new([0; 3]).plus_leading_bits(start);
+        let mut sum = WrappedPhase::new([0; 3]).plus_leading_bits(start);
         for n in 0..1000 {
             assert_eq!(step.times(n).plus_leading_bits(start), sum);
             assert_eq!(sum.plus(step).minus(step), sum);
@@ -108,7 +108,7 @@ mod tests {
         for n in [u64::MAX, 1 << 63, 1 << 40, 0x7fff_ffff_0000_0001] {
             // compare with 128-bit arithmetic
             let product = step.to_phase().to_bits().wrapping_mul(i128::from(n));
-            assert_eq!(step.times(n), PhaseFraction::from_phase(Phase::from_bits(product)), "{n}");
+            assert_eq!(step.times(n), WrappedPhase::from_phase(Phase::from_bits(product)), "{n}");
         }
     }
 
@@ -116,19 +116,19 @@ mod tests {
     #[test]
     fn ticks_and_a_part_of_a_tick() {
         for turns in [0.3, -0.3, 1e-9, -0.499, 0.0, -1e-25] {
-            let step = PhaseFraction::from_phase(Phase::new(turns));
+            let step = WrappedPhase::from_phase(Phase::new(turns));
             for (n, part) in [(0, 0), (0, 0xfff), (7, 1), (1000, 1 << 11), (12, (1 << 12) - 1)] {
                 let ticks = (i128::from(n) << 12) + i128::from(part);
                 let exact = (step.to_phase().principal().to_bits() * ticks) >> 12;
                 let found = step.leading_bits_after(n, (part as u64) << 52);
                 assert_eq!(
                     found,
-                    PhaseFraction::from_phase(Phase::from_bits(exact)).leading(),
+                    WrappedPhase::from_phase(Phase::from_bits(exact)).leading_bits(),
                     "{turns} {n} {part}"
                 );
             }
             for n in [u64::MAX, 1 << 63, 0x7fff_ffff_0000_0001] {
-                assert_eq!(step.leading_bits_after(n, 0), step.times(n).leading());
+                assert_eq!(step.leading_bits_after(n, 0), step.times(n).leading_bits());
             }
         }
     }
@@ -136,7 +136,7 @@ mod tests {
     #[test]
     fn the_fraction_of_a_phase_and_back() {
         let phase = Phase::new(3.7);
-        assert_eq!(PhaseFraction::from_phase(phase).to_phase(), phase - Phase::new(3.0));
-        assert_eq!(PhaseFraction::from_phase(Phase::new(-0.25)).leading(), 3 << 62);
+        assert_eq!(WrappedPhase::from_phase(phase).to_phase(), phase - Phase::new(3.0));
+        assert_eq!(WrappedPhase::from_phase(Phase::new(-0.25)).leading_bits(), 3 << 62);
     }
 }
