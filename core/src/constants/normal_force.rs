@@ -47,13 +47,13 @@ pub(crate) fn minimum(e: &BranchPoints<Extended>, a_over_ps: Extended) -> f64 {
     at_e2(e, a_over_ps)
 }
 
-/// 1 - u and 1 + u where N is 0; `None` where it is positive for all u.
+/// 1 + u and 1 - u where N is 0; `None` where it is positive for all u.
 pub(crate) fn sign_change(e: &BranchPoints<Extended>, a_over_ps: Extended) -> Option<[Extended; 2]> {
     let PartialFractions { e4, e4_minus_one, plus, minus } = PartialFractions::new(e, a_over_ps);
     let one = Extended::ONE;
     (plus < Extended::ZERO).then(|| {
         let q = (-plus / minus).sqrt();
-        [(q * (one + e4) - e4_minus_one) / (one + q), (one + e4 - q * e4_minus_one) / (one + q)]
+        [(one + e4 - q * e4_minus_one) / (one + q), (q * (one + e4) - e4_minus_one) / (one + q)]
     })
 }
 

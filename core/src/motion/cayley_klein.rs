@@ -35,7 +35,7 @@ impl Ellipses<f64> {
         }
     }
 
-    /// Ellipses of a motion with constant 1 + u and 1 - u.
+    /// Ellipses of a motion with constant u, from 1 + u and 1 - u.
     pub(crate) fn steady(complements: [Extended; 2]) -> Self {
         let [alpha, beta] = complements.map(|x| Ellipse { x: x.halved().sqrt().to_f64(), y: 0.0 });
         Self { alpha, beta }

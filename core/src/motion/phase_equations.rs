@@ -140,18 +140,17 @@ impl<F: Float> PhaseEquations<F> {
         }
     }
 
-    /// 1 - u and 1 + u from sin χ and cos χ, without cancellation near the vertical.
-    fn complements(&self, sine: F, cosine: F) -> (F, F) {
+    /// 1 + u, 1 - u and 1/D(u) from sin χ and cos χ, without cancellation near the vertical.
+    fn complements_and_per_d(&self, sine: F, cosine: F) -> [F; 3] {
         let one_minus_u = self.one_minus_e2 + self.e2_minus_e1 * cosine.squared();
         let one_plus_u = self.one_plus_e1 + self.e2_minus_e1 * sine.squared();
-        (one_minus_u, one_plus_u)
+        [one_plus_u, one_minus_u, F::ONE / (self.a_over_p + self.s * one_minus_u * one_plus_u)]
     }
 
     /// Rates of χ, ψ_α and ψ_β at given sin χ and cos χ.
     pub fn rates(&self, sine: F, cosine: F) -> PhaseRates<F> {
-        let (one_minus_u, one_plus_u) = self.complements(sine, cosine);
+        let [one_plus_u, one_minus_u, per_d] = self.complements_and_per_d(sine, cosine);
         let e3_minus_u = self.e3_minus_e2 + self.e2_minus_e1 * cosine.squared();
-        let per_d = F::ONE / (self.a_over_p + self.s * one_minus_u * one_plus_u);
         let nutation = (self.half_g * e3_minus_u * per_d).sqrt();
         let beta_divisor = self.root_e3_minus_one + self.beta_chi_time * nutation;
         // for e₂ = e₃ = 1 and u = 1 numerator and denominator are 0, and ψ_β' is 0
@@ -171,8 +170,7 @@ impl<F: Float> PhaseEquations<F> {
 
     /// Aperiodic motion (e₂ = e₃ = 1): rates of v and ψ_α at e^{iχ}. The rate of ψ_β is 0.
     pub(crate) fn aperiodic_rates(&self, chi: Complex<F>) -> PhaseRates<F> {
-        let (one_minus_u, one_plus_u) = self.complements(chi.im, chi.re);
-        let per_d = F::ONE / (self.a_over_p + self.s * one_minus_u * one_plus_u);
+        let [_, one_minus_u, per_d] = self.complements_and_per_d(chi.im, chi.re);
         let nutation = (self.half_g * self.e2_minus_e1 * per_d).sqrt();
         let chi_rate = nutation * chi.re; // χ' = v' sech v
         PhaseRates { nutation, slow_alpha: self.alpha_rate(one_minus_u, per_d, chi_rate), slow_beta: F::ZERO }
