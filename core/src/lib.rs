@@ -44,7 +44,8 @@ pub mod table_format {}
 #[doc(hidden)]
 pub mod internal {
     pub use crate::body::{ScaledTop, check, check_finite};
-    pub use crate::motion::{HalfPhase, phase_of};
+    pub use crate::motion::HalfPhase;
+    pub use crate::motion::gudermannian::inverse_gudermannian;
     pub use crate::table::CursorPhases;
 }
 

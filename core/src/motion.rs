@@ -8,17 +8,14 @@ pub(crate) mod cayley_klein;
 
 pub(crate) mod period;
 
-mod start;
-
 mod launch;
 
-pub use start::InitialPhases;
+pub use launch::InitialPhases;
 
 use crate::body::{ScaledTop, Support, Top};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs, TipClass, normal_force};
 use crate::motion::cayley_klein::Ellipses;
-use crate::motion::gudermannian::inverse_gudermannian;
 use crate::motion::period::{Period, PeriodAdvance};
 use crate::motion::phase_equations::PhaseEquations;
 use crate::phase::Phase;
@@ -29,14 +26,22 @@ use crate::scalar::{Extended, Float, Ring, Wide};
 pub struct Motion {
     top: Top,
     signs: Signs,
-    pub(crate) e: BranchPoints<Extended>,
-    pub(crate) integrals: FirstIntegrals<Extended>,
+    #[doc(hidden)]
+    pub e: BranchPoints<Extended>,
+    /// First integrals in the units of a [`ScaledTop`].
+    #[doc(hidden)]
+    pub integrals: FirstIntegrals<Extended>,
     /// Half of τ = ⟨ω, r⟩ - n/A, rad/s.
-    pub(crate) half_tau: Extended,
+    #[doc(hidden)]
+    pub half_tau: Extended,
     ellipses: Ellipses<f64>,
     regime: Regime,
-    pub(crate) chi: HalfPhase,
-    pub(crate) phases: [Phase; 2],
+    /// Half phase at t = 0.
+    #[doc(hidden)]
+    pub half_phase: HalfPhase,
+    /// Slow phases of α and β at t = 0.
+    #[doc(hidden)]
+    pub slow_phases: [Phase; 2],
     pub(crate) rounding: LaunchRounding,
     /// Rate χ' without torque, rad/s; otherwise 0.
     torque_free_rate: Extended,
@@ -101,19 +106,13 @@ impl Motion {
         self.signs
     }
 
-    /// Nutation period, and advance of α and β over it, by integration; of a small nutation for a constant u; `None` for e₂ = e₃.
+    /// Nutation period, and the advances over it. For a constant u they are those of an infinitesimal nutation. `None` if e₂ = e₃.
+    ///
+    /// Cost: one integration.
     pub fn period_advance(&self) -> Option<PeriodAdvance> {
         let windings = Ellipses::oscillating(&self.e, self.signs).windings();
         let period = self.period::<2>(&self.equations(), &mut || {})?;
         Some(PeriodAdvance::new(&period, self.half_tau, windings))
-    }
-
-    /// Nutation period, and the rotations in it about the vertical, ψ_α(T) + ψ_β(T), and about the axis, ψ_α(T) - ψ_β(T) + τT, without
-    /// whole turns.
-    #[doc(hidden)]
-    pub fn period_and_turns(&self) -> Option<(Extended, [Phase; 2])> {
-        let Period { time, psi: [alpha, beta], .. } = self.period::<2>(&self.equations(), &mut || {})?;
-        Some((time, [alpha + beta, alpha - beta + self.half_tau.doubled() * time].map(phase_of)))
     }
 
     /// Nutation period, integrated in numbers of this many words.
@@ -138,13 +137,13 @@ impl Motion {
 
     /// Tip angle at t = 0, in (-1/2, 1/2] turn.
     pub(crate) fn tip_angle_at_start(&self) -> Phase {
-        self.ellipses.tip_angle(self.chi.direction(), self.phases)
+        self.ellipses.tip_angle(self.half_phase.direction(), self.slow_phases)
     }
 
     /// Least normal force over the weight; `None` unless the tip slides. Where it is negative, a real top leaves the plane.
     pub fn min_normal_force(&self) -> Option<f64> {
         (self.top.support() == Support::Sliding).then(|| {
-            let ScaledTop { a, p, s, .. } = self.scaled_top();
+            let ScaledTop { a, p, s, .. } = ScaledTop::<Extended>::new(&self.top);
             if self.is_steady() { 1.0 } else { normal_force::minimum(&self.e, a / p / s) }
         })
     }
@@ -163,7 +162,7 @@ impl Motion {
 
     /// Rates ((l ± n)/(A (1 ± u)) ± τ)/2 of the slow phases where u is constant, rad/s; 0 for a parameter that is 0.
     pub(crate) fn steady_rates(&self) -> [Extended; 2] {
-        let (twice_a, zero) = (self.scaled_top().a.doubled(), Extended::ZERO);
+        let (twice_a, zero) = (ScaledTop::<Extended>::new(&self.top).a.doubled(), Extended::ZERO);
         let rate = |momentum: Extended, complement: Extended, half_tau: Extended| {
             if complement > zero { momentum / (twice_a * complement) + half_tau } else { zero }
         };
@@ -173,26 +172,11 @@ impl Motion {
     }
 
     pub(crate) fn is_steady(&self) -> bool {
-        self.chi == HalfPhase::Steady
-    }
-}
-
-/// Constants and phases at t = 0, for the sibling crates.
-#[doc(hidden)]
-impl Motion {
-    pub fn exact_branch_points(&self) -> BranchPoints<Extended> {
-        self.e
+        self.half_phase == HalfPhase::Steady
     }
 
-    /// First integrals in the units of [`scaled_top`](Self::scaled_top).
-    pub fn exact_integrals(&self) -> FirstIntegrals<Extended> {
-        self.integrals
-    }
-
-    pub fn scaled_top(&self) -> ScaledTop<Extended> {
-        ScaledTop::new(&self.top)
-    }
-
+    /// Phase equations of the motion.
+    #[doc(hidden)]
     #[inline(never)]
     pub fn equations(&self) -> PhaseEquations<Extended> {
         if self.top.is_torque_free() {
@@ -201,31 +185,6 @@ impl Motion {
             PhaseEquations::new(&self.top, &self.e, self.integrals.l_plus_n, self.signs)
         }
     }
-
-    /// Rate τ/2, rad/s.
-    pub fn half_tau(&self) -> Extended {
-        self.half_tau
-    }
-
-    pub fn half_phase(&self) -> HalfPhase {
-        self.chi
-    }
-
-    /// Variable v of an aperiodic motion at t = 0, with χ = gd v (Gudermannian).
-    pub fn aperiodic_variable(&self) -> Option<f64> {
-        let HalfPhase::Aperiodic(direction) = self.chi else { return None };
-        Some(inverse_gudermannian(direction))
-    }
-
-    /// Slow phases of α and β.
-    pub fn slow_phases(&self) -> [Phase; 2] {
-        self.phases
-    }
-}
-
-/// Phase of an angle, rad.
-pub fn phase_of(angle: Extended) -> Phase {
-    angle.in_turns().to_phase()
 }
 
 /// Regime, tip class and bounds of u.

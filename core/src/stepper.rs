@@ -48,7 +48,7 @@ enum Nutation<R> {
 
 impl<R: Real> Nutation<R> {
     fn new(motion: &Motion) -> Self {
-        match motion.half_phase() {
+        match motion.half_phase {
             HalfPhase::Steady => Self::Steady,
             HalfPhase::Nutating(chi) => Self::Nutating(chi),
             HalfPhase::Aperiodic(direction) => {
@@ -81,7 +81,7 @@ impl<R: Real> Stepper<R> {
             ellipses: motion.ellipses(),
             equations: motion.equations().cast(),
             nutation: Nutation::new(motion),
-            phases: motion.phases,
+            phases: motion.slow_phases,
             constant_rates: rates.map(|rate| (rate.in_turns(), R::from_f64(rate.to_f64()))),
             tip_scale: R::from_f64(top.tip_scale()),
             momentum_rates: [integrals.l_plus_n, integrals.l_minus_n]

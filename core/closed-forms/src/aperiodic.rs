@@ -18,7 +18,7 @@ use crate::elliptic::theta::ValueAndSlope;
 use crate::orientation::{ArgumentOffsets, solve_increasing};
 use constants::{AperiodicConstants, AperiodicValues, Fixed};
 use sliding::Sliding;
-use toytop::internal::{ScaledTop, phase_of};
+use toytop::internal::{HalfPhase, ScaledTop, inverse_gudermannian};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 
@@ -80,10 +80,11 @@ impl Form {
 
     /// Argument of α, continuous in v, minus that at u = e₁; 0 where α passes through 0.
     fn argument(&self, point: &AperiodicValues) -> Phase {
-        phase_of(match self {
+        let angle = match self {
             Self::Sliding(form) => form.argument(point),
             Self::Fixed(form) => form.argument(point),
-        })
+        };
+        angle.in_turns().to_phase()
     }
 }
 
@@ -94,13 +95,14 @@ impl Aperiodic {
     /// Closed form of a motion; `None` unless e₂ = e₃ = 1 and u < 1.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let v = Extended::from(motion.aperiodic_variable()?);
-        let (e, ScaledTop { a, p, s, g, .. }) = (motion.exact_branch_points(), motion.scaled_top());
+        let HalfPhase::Aperiodic(direction) = motion.half_phase else { return None };
+        let v = Extended::from(inverse_gudermannian(direction));
+        let (e, ScaledTop { a, p, s, g, .. }) = (motion.e, ScaledTop::<Extended>::new(motion.top()));
         let one_minus_e1 = e.one_minus_e1();
         let constants =
             AperiodicConstants { e1: e.e1, one_plus_e1: e.one_plus_e1, one_minus_e1, a_over_p: a / p, s, g };
         let form = match motion.top().support() {
-            Support::Sliding => Form::Sliding(Sliding::new(&constants, motion.exact_integrals().l / a)),
+            Support::Sliding => Form::Sliding(Sliding::new(&constants, motion.integrals.l / a)),
             // the axis of a free body does not rise to the vertical
             Support::Fixed | Support::Free => Form::Fixed(Fixed::new(&constants, motion.signs().l_plus_n)),
         };

@@ -9,7 +9,7 @@
 //!
 //! The formula has no branch point, no nutation phase and no table.
 
-use toytop::internal::{HalfPhase, ScaledTop, phase_of};
+use toytop::internal::{HalfPhase, ScaledTop};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, Vector, dot};
 use toytop::{AttitudeState, Complex, Motion, Phase, Stepper};
@@ -49,10 +49,10 @@ impl FreeBody {
             start: attitude.orientation,
             direction: if length > 0.0 { m.map(|component| component / length) } else { [0.0; 3] },
             precession: motion
-                .period_and_turns()
-                .map_or(Extended::ZERO, |(period, _)| Extended::TWO_PI / period),
-            half_tau: motion.half_tau(),
-            nutation: match motion.half_phase() {
+                .period_advance()
+                .map_or(Extended::ZERO, |advance| Extended::TWO_PI / advance.exact_period),
+            half_tau: motion.half_tau,
+            nutation: match motion.half_phase {
                 HalfPhase::Nutating(chi) => Some(chi),
                 _ => None,
             },
@@ -75,7 +75,7 @@ impl FreeBody {
     #[must_use]
     pub fn at(&self, t: f64) -> AttitudeState<f64> {
         let t = if t.is_finite() { t } else { 0.0 };
-        let half_angle = |rate: Extended| phase_of(rate * t.into());
+        let half_angle = |rate: Extended| (rate * t.into()).in_turns().to_phase();
         let turn = Complex::<f64>::cis(half_angle(self.precession.halved()));
         let [x, y, z] = self.direction;
         let about_m = Orientation {
@@ -97,6 +97,6 @@ impl FreeBody {
     #[must_use]
     pub fn nutation_phase(&self, t: f64) -> Option<Phase> {
         let t = if t.is_finite() { t } else { 0.0 };
-        self.nutation.map(|chi| chi + chi + phase_of(self.precession * t.into()))
+        self.nutation.map(|chi| chi + chi + (self.precession * t.into()).in_turns().to_phase())
     }
 }

@@ -43,15 +43,15 @@ impl Lagrange {
     /// Closed form of a motion; `None` unless the tip is fixed and u oscillates, e₁ < e₂ < e₃.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let HalfPhase::Nutating(chi) = motion.half_phase() else { return None };
+        let HalfPhase::Nutating(chi) = motion.half_phase else { return None };
         if motion.top().support() != Support::Fixed || motion.top().is_torque_free() {
             return None;
         }
-        let e = motion.exact_branch_points();
+        let e = motion.e;
         let (swing, gap) = (e.e2_minus_e1, e.e3_minus_e2);
         let lattice = Lattice::of_gaps(gap, swing);
         let [half, _] = lattice.half_periods;
-        let ScaledTop { a, p, g, .. } = motion.scaled_top();
+        let ScaledTop { a, p, g, .. } = ScaledTop::<Extended>::new(motion.top());
         let z_rate = (p * g / a).halved().sqrt();
 
         // along imaginary z

@@ -2,7 +2,7 @@
 
 use crate::elliptic::elementary::{WideComplex, angle, of_turns, real, rounded};
 use crate::elliptic::theta::ValueAndSlope;
-use toytop::internal::{HalfPhase, phase_of};
+use toytop::internal::HalfPhase;
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 use toytop::{AttitudeState, Complex, Motion, Phase};
@@ -24,8 +24,8 @@ impl ArgumentOffsets {
     /// Value and derivative are averaged with weights, so that the argument is well defined also where a parameter is
     /// 0 at t = 0.
     pub(super) fn new(motion: &Motion, closed: [ValueAndSlope; 2]) -> Self {
-        let (e, signs) = (motion.exact_branch_points(), motion.signs());
-        let (sine, cosine) = match motion.half_phase() {
+        let (e, signs) = (motion.e, motion.signs());
+        let (sine, cosine) = match motion.half_phase {
             HalfPhase::Nutating(chi) => of_turns(chi),
             HalfPhase::Aperiodic(direction) => (direction.im.into(), direction.re.into()),
             HalfPhase::Steady => (Extended::ZERO, Extended::ONE),
@@ -34,14 +34,14 @@ impl ArgumentOffsets {
         let root = |x: Extended| x.halved().sqrt();
         let alpha_axes = [root(e.one_plus_e1), signs.l_plus_n.apply(root(e.one_plus_e2()))];
         let beta_axes = [root(e.one_minus_e1()), signs.l_minus_n.apply(root(e.one_minus_e2))];
-        let ([alpha, beta], [alpha_phase, beta_phase]) = (closed, motion.slow_phases());
+        let ([alpha, beta], [alpha_phase, beta_phase]) = (closed, motion.slow_phases);
         let argument =
             |axes, turning, closed| argument(axes, [sine, cosine], [rates.nutation, turning], closed);
         let angles = [
             alpha_phase + argument(alpha_axes, rates.slow_alpha, alpha),
             beta_phase + argument(beta_axes, rates.slow_beta, beta),
         ];
-        Self { angles, half_tau: motion.half_tau() }
+        Self { angles, half_tau: motion.half_tau }
     }
 
     /// Attitude state at t, from α, β and their time derivatives in the closed form, and the rotation of α and β over
@@ -52,7 +52,7 @@ impl ArgumentOffsets {
         [alpha, beta]: [ValueAndSlope; 2],
         [alpha_turns, beta_turns]: [Phase; 2],
     ) -> AttitudeState<f64> {
-        let half_tau_phase = phase_of(self.half_tau * t.into());
+        let half_tau_phase = (self.half_tau * t.into()).in_turns().to_phase();
         let half_tau = self.half_tau.to_f64();
         let placed = |closed: ValueAndSlope, turns: Phase, tau: f64| {
             let factor = Complex::cis(turns);
@@ -79,7 +79,7 @@ fn argument(
     let slope = along.scaled(nutation) + value.times_i().scaled(turning);
     let rate_squared = nutation.squared() + turning.squared();
     let sum = value * closed.value.conj() * real(rate_squared) + slope * closed.slope.conj();
-    phase_of(angle(sum.im, sum.re))
+    angle(sum.im, sum.re).in_turns().to_phase()
 }
 
 /// Periods of a closed form, which reduce any time to a time of its solution, within half a period of 0.

@@ -10,7 +10,7 @@
 //!
 //! Equal signs give the fast precession, different signs the slow one; at the same e and e₃ their product is pg/A.
 
-use toytop::internal::{ScaledTop, check, check_finite, phase_of};
+use toytop::internal::{ScaledTop, check, check_finite};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 use toytop::{AttitudeState, Complex, Motion, ParameterError, Regime, Signs, Stepper, Top};
@@ -56,7 +56,7 @@ impl RegularPrecession {
         if matches!(regime, Regime::Nutating | Regime::Aperiodic) || motion.top().is_torque_free() {
             return None;
         }
-        let (e, ScaledTop { a, s, p, g, .. }) = (motion.exact_branch_points(), motion.scaled_top());
+        let (e, ScaledTop { a, s, p, g, .. }) = (motion.e, ScaledTop::<Extended>::new(motion.top()));
         let falls = regime == Regime::SleepingUnstable;
         let (zero, one) = (Extended::ZERO, Extended::ONE);
         let swing = e.e2_minus_e1.halved();
@@ -64,7 +64,7 @@ impl RegularPrecession {
         let one_plus_u = if falls { one.doubled() } else { e.one_plus_e1 + swing };
 
         let precession = precession_of(p * g / a, e.e3_minus_one, motion.signs());
-        let axial = motion.exact_integrals().spin;
+        let axial = motion.integrals.spin;
         let u = if one_minus_u < one_plus_u { one - one_minus_u } else { one_plus_u - one };
         // φ' ± ψ' with ψ' = ⟨ω, r⟩ - u φ'
         let turning = [precession * one_minus_u + axial, precession * one_plus_u - axial].map(Float::halved);
@@ -104,7 +104,7 @@ impl RegularPrecession {
     #[must_use]
     pub fn at(&self, t: f64) -> AttitudeState<f64> {
         let turned = |z: Complex<f64>, rate: Extended| {
-            let value = z * Complex::cis(phase_of(rate * t.into()));
+            let value = z * Complex::cis((rate * t.into()).in_turns().to_phase());
             [value, value.times_i().scaled(rate.to_f64())]
         };
         let [alpha_turning, beta_turning] = self.turning;

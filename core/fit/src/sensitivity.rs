@@ -26,7 +26,7 @@ use integrals::projected;
 pub(crate) use integration::advance;
 pub use partials::Partials;
 use toytop::scalar::{Extended, Float, Scalar};
-use toytop::{Motion, Orientation, Phase, Stepper};
+use toytop::{Motion, Orientation, PeriodAdvance, Phase, Stepper};
 
 /// Error of one step of the integration relative to its result.
 const TOLERANCE: f64 = 3e-13;
@@ -87,18 +87,20 @@ impl Sensitivity {
         let state = Stepper::<f64>::new(motion).attitude_state();
         let mut sensitivity =
             Self::launched(equations, motion.top().tip_scale(), &state.orientation, state.omega());
-        sensitivity.period = motion.period_and_turns().and_then(|(length, turns)| {
-            let start = &sensitivity.start;
-            let [about_vertical, _] = turns;
-            let mut end = advance(&equations, start, length.to_f64(), TOLERANCE, MOST_STEPS)?;
-            end.turn(f64::sine_cosine(-about_vertical));
-            let mut growth = end.tangents;
-            for (grown, initial) in growth.iter_mut().zip(&start.tangents) {
-                *grown = grown.plus(initial, -1.0);
-            }
-            let rate = equations.frequency(start);
-            Some(Period { length, turns, growth: projected(&equations.gradients(start), rate, &growth) })
-        });
+        sensitivity.period = motion.period_advance().and_then(
+            |PeriodAdvance { exact_period: length, rotations: turns, .. }| {
+                let start = &sensitivity.start;
+                let [about_vertical, _] = turns;
+                let mut end = advance(&equations, start, length.to_f64(), TOLERANCE, MOST_STEPS)?;
+                end.turn(f64::sine_cosine(-about_vertical));
+                let mut growth = end.tangents;
+                for (grown, initial) in growth.iter_mut().zip(&start.tangents) {
+                    *grown = grown.plus(initial, -1.0);
+                }
+                let rate = equations.frequency(start);
+                Some(Period { length, turns, growth: projected(&equations.gradients(start), rate, &growth) })
+            },
+        );
         sensitivity
     }
 

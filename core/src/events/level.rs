@@ -65,7 +65,7 @@ impl Level {
         if motion.top().support() != Support::Sliding || motion.is_steady() {
             return None;
         }
-        let (e, ScaledTop { a, p, s, .. }) = (&motion.e, motion.scaled_top());
+        let (e, ScaledTop { a, p, s, .. }) = (&motion.e, ScaledTop::<Extended>::new(motion.top()));
         let [one_plus_u, one_minus_u] = normal_force::sign_change(e, a / (p * s))?;
         let reached = one_minus_u > e.one_minus_e2 && one_plus_u > e.one_plus_e1;
         reached.then_some(Self { one_minus_u: one_minus_u.to_f64(), one_plus_u: one_plus_u.to_f64() })

@@ -15,7 +15,7 @@ pub(crate) fn gudermannian<R: Real>(v: R) -> Complex<R> {
 }
 
 /// Variable v whose Gudermannian is the argument of a number, by Newton's method.
-pub(crate) fn inverse_gudermannian(direction: Complex<f64>) -> f64 {
+pub fn inverse_gudermannian(direction: Complex<f64>) -> f64 {
     const MOST_STEPS: u32 = 10;
     let tangent = direction.im.abs() / direction.re;
     // above v, or close to it where v is small

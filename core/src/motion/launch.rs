@@ -1,13 +1,31 @@
 //! Launch of a motion: from a state, or from branch points and phases.
 
+mod half_phase;
+
+mod slow_phases;
+
+use self::half_phase::half_phase_of_angle;
+use self::slow_phases::attitude;
 use crate::body::{ParameterError, ScaledTop, State, Top, check, check_range};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs};
 use crate::motion::cayley_klein::Ellipses;
-use crate::motion::start::{attitude, half_phase_of_angle};
-use crate::motion::{HalfPhase, InitialPhases, Motion, phase_of};
+use crate::motion::{HalfPhase, Motion};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
+
+/// Phases at t = 0 of a motion given by branch points. All are in rad, and 0 by default.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct InitialPhases {
+    /// Nutation angle θ(0) = 2χ(0): 0 at u = e₁, π at u = e₂, with u rising in between. The `f64` nearest to a multiple of π counts as it. θ = π with
+    /// e₂ = e₃ = 1 means the sleeping top.
+    pub theta: f64,
+    /// Argument of α(0); where α(0) = 0, that of α'(0).
+    pub arg_alpha: f64,
+    /// Argument of β(0); where β(0) = 0, that of β'(0).
+    pub arg_beta: f64,
+}
 
 impl Motion {
     /// Motion from a state.
@@ -48,24 +66,18 @@ impl Motion {
     ) -> Result<Self, ParameterError> {
         let (integrals, point) = FirstIntegrals::with_reduced_point(top, state);
         pause();
-        let branch_points = BranchPoints::from_reduced_point(top, &integrals, &point, pause);
-        let e = match &branch_points {
-            Ok(e) => e,
-            Err(error) => return Err(*error),
-        };
+        let e = BranchPoints::from_reduced_point(top, &integrals, &point, pause);
+        // by reference: a copy takes 280 bytes of stack
+        let e = e.as_ref().map_err(|error| *error)?;
         pause();
-        let mut launched =
-            Ok(Self::with_constants(top, &integrals, e, integrals.signs(), point.is_sleeping()));
-        // in place: copies double the stack
-        if let Ok(motion) = &mut launched {
-            pause();
-            motion.rounding = LaunchRounding::new(top, &integrals, &point, e, state);
-            pause();
-            motion.start_nutation(&point);
-            pause();
-            motion.start_slow_phases(&attitude(state), pause);
-        }
-        launched
+        let mut motion = Self::with_constants(top, &integrals, e, integrals.signs(), point.is_sleeping());
+        pause();
+        motion.rounding = LaunchRounding::new(top, &integrals, &point, e, state);
+        pause();
+        motion.start_half_phase(&point);
+        pause();
+        motion.start_slow_phases(&attitude(state), pause);
+        Ok(motion)
     }
 
     /// Motion from branch points -1 <= e₁ <= e₂ <= 1 <= e₃, which count as exact, and its phases at t = 0.
@@ -103,14 +115,14 @@ impl Motion {
         let chi = half_phase_of_angle(theta);
         let upright = chi.split_half_turns().1 == Phase::QUARTER;
         let mut motion = Self::with_constants(top, &integrals, &e, signs, upright);
-        motion.phases = [arg_alpha, arg_beta].map(|angle| phase_of(angle.into()));
-        motion.chi = match motion.chi {
+        motion.slow_phases = [arg_alpha, arg_beta].map(|angle| Extended::from(angle).in_turns().to_phase());
+        motion.half_phase = match motion.half_phase {
             HalfPhase::Steady => return Ok(motion),
             HalfPhase::Nutating(_) => HalfPhase::Nutating(chi),
             HalfPhase::Aperiodic(_) => HalfPhase::Aperiodic(Complex::cis(chi)),
         };
-        let arguments = motion.ellipses.arguments(motion.chi.direction());
-        for (phase, argument) in motion.phases.iter_mut().zip(arguments) {
+        let arguments = motion.ellipses.arguments(motion.half_phase.direction());
+        for (phase, argument) in motion.slow_phases.iter_mut().zip(arguments) {
             *phase = *phase - argument;
         }
         Ok(motion)
@@ -139,12 +151,12 @@ impl Motion {
             half_tau: ((a - c) / a * integrals.spin - k / a).halved(),
             ellipses: Ellipses::oscillating(e, signs),
             regime,
-            chi: match regime {
+            half_phase: match regime {
                 _ if is_steady => HalfPhase::Steady,
                 Regime::Aperiodic => HalfPhase::Aperiodic(Complex::ONE),
                 _ => HalfPhase::Nutating(Phase::ZERO),
             },
-            phases: [Phase::ZERO; 2],
+            slow_phases: [Phase::ZERO; 2],
             rounding: LaunchRounding::default(),
             torque_free_rate: Extended::ZERO,
         };

@@ -6,6 +6,7 @@ mod elliptic_equations;
 
 mod quadrature;
 
+use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 
 /// Nutation period, and advance of α and β over one period in turns, whole turns included.
@@ -20,6 +21,12 @@ pub struct PeriodAdvance {
     pub beta_turns: f64,
     /// Sum of both advances before rounding, rad.
     phi: f64,
+    /// Period before rounding.
+    #[doc(hidden)]
+    pub exact_period: Extended,
+    /// Rotations in a period about the vertical, ψ_α(T) + ψ_β(T), and about the axis, ψ_α(T) - ψ_β(T) + τT.
+    #[doc(hidden)]
+    pub rotations: [Phase; 2],
 }
 
 impl PeriodAdvance {
@@ -27,9 +34,18 @@ impl PeriodAdvance {
         let [alpha_turns, beta_turns] = period.turns(half_tau, windings).map(Float::to_f64);
         let Period { time, psi: [psi_alpha, psi_beta], .. } = *period;
         // the terms ±τT/2 of α and β cancel
-        let half_turns: i32 = windings.iter().sum();
-        let phi = psi_alpha + psi_beta + Extended::TWO_PI.halved() * f64::from(half_turns).into();
-        Self { period: time.to_f64(), alpha_turns, beta_turns, phi: phi.to_f64() }
+        let about_vertical = psi_alpha + psi_beta;
+        let about_axis = psi_alpha - psi_beta + half_tau.doubled() * time;
+        let windings: i32 = windings.iter().sum();
+        let phi = about_vertical + Extended::TWO_PI.halved() * f64::from(windings).into();
+        Self {
+            period: time.to_f64(),
+            alpha_turns,
+            beta_turns,
+            phi: phi.to_f64(),
+            exact_period: time,
+            rotations: [about_vertical, about_axis].map(|angle| angle.in_turns().to_phase()),
+        }
     }
 
     /// Advance of the tip angle φ over a period, rad; through the centre with a signed radius.

@@ -4,7 +4,6 @@
 //! near the zeros of the odd functions. The logarithm and the angle take one step of Newton's method from their `f64`
 //! values, which squares the relative error.
 
-use toytop::internal::phase_of;
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{Complex, Phase};
 
@@ -80,7 +79,7 @@ fn series(x: Extended, sign: f64) -> (Extended, Extended) {
 pub(crate) fn sine_cosine(x: Extended) -> (Extended, Extended) {
     const FAR: f64 = (1 << 20) as f64;
     if Float::abs(x.to_f64()) > FAR {
-        return of_turns(phase_of(x));
+        return of_turns(x.in_turns().to_phase());
     }
     let quadrant = libm::round(x.to_f64() * core::f64::consts::FRAC_2_PI);
     let remainder = x - half_pi() * quadrant.into();

@@ -5,7 +5,6 @@ use crate::elliptic::elementary::{
     WideComplex, angle, complex_exp, complex_ln, exp, half_pi, imaginary, quotient, real,
 };
 use crate::elliptic::theta::{ValueAndSlope, eisenstein, thetas};
-use toytop::internal::phase_of;
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{BranchPoints, Complex, Phase, Signs};
 
@@ -199,7 +198,7 @@ impl ThetaQuotient {
     /// Change of the argument from `x` to `x` + `period` in turns, modulo 1; the value must not be 0 there.
     pub(crate) fn turns(&self, x: WideComplex, period: WideComplex) -> Phase {
         let turned = self.at(x + period).value * self.at(x).value.conj();
-        phase_of(angle(turned.im, turned.re))
+        angle(turned.im, turned.re).in_turns().to_phase()
     }
 }
 

@@ -9,7 +9,7 @@ impl<const WORDS: usize> Wide<WORDS> {
     pub const TWO_PI: Self = Self::constant(0xc90f_daa2_2168_c234_c4c6_628b_80dc_1cd1, 3);
 
     /// Angle in turns, from an angle in rad.
-    pub(crate) fn in_turns(self) -> Self {
+    pub fn in_turns(self) -> Self {
         const { assert!(WORDS <= 2) }
         self * Self::constant(0xa2f9_836e_4e44_1529_fc27_57d1_f534_ddc0, -2)
     }

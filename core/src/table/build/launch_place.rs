@@ -23,12 +23,12 @@ impl LaunchPlace {
 
     /// Place of a launch, not found yet. Without a nutation it is u = e₁.
     pub(super) fn new(motion: &Motion) -> Self {
-        let chi = if let HalfPhase::Nutating(chi) = motion.chi { chi } else { Phase::ZERO };
+        let chi = if let HalfPhase::Nutating(chi) = motion.half_phase { chi } else { Phase::ZERO };
         let (half_turns, remainder) = chi.split_half_turns();
         let is_falling = remainder > Phase::QUARTER;
         let (half_turns, chi) =
             if is_falling { (half_turns + 1, Phase::HALF - remainder) } else { (half_turns, remainder) };
-        let [alpha, beta] = motion.phases.map(|phase| phase + Phase::HALF * half_turns);
+        let [alpha, beta] = motion.slow_phases.map(|phase| phase + Phase::HALF * half_turns);
         Self { chi: Some(chi), is_falling, phases: [Phase::ZERO, alpha, beta], delay: 0.0 }
     }
 

@@ -1,27 +1,11 @@
-//! Start of a motion: half phase χ and slow phases at t = 0.
+//! Half phase χ at t = 0.
 
-use crate::body::{ScaledTop, State};
+use crate::body::ScaledTop;
 use crate::complex::Complex;
 use crate::constants::{ReducedPoint, Regime};
-use crate::motion::cayley_klein::{Ellipse, Ellipses};
-use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::motion::{HalfPhase, Motion};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
-use crate::su2::{AttitudeState, OrientationRate};
-
-/// Phases at t = 0 of a motion given by branch points. All are in rad, and 0 by default.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct InitialPhases {
-    /// Nutation angle θ(0) = 2χ(0): 0 at u = e₁, π at u = e₂, with u rising in between. The `f64` nearest to a multiple of π counts as it. θ = π with
-    /// e₂ = e₃ = 1 means the sleeping top.
-    pub theta: f64,
-    /// Argument of α(0); where α(0) = 0, that of α'(0).
-    pub arg_alpha: f64,
-    /// Argument of β(0); where β(0) = 0, that of β'(0).
-    pub arg_beta: f64,
-}
 
 impl Motion {
     /// Sets the half phase at a point of the reduced curve.
@@ -29,8 +13,8 @@ impl Motion {
     /// √(e₂ - e₁) sin χ = √(u - e₁), and √(e₂ - e₁) cos χ = ±√(e₂ - u) with the sign of u'. In an aperiodic motion sin χ has that sign
     /// instead. The smaller difference comes from (u - e₁)(e₂ - u) = g₀/(e₃ - u).
     #[inline(never)] // stack
-    pub(super) fn start_nutation(&mut self, point: &ReducedPoint) {
-        let ScaledTop { a, s, p, g, .. } = self.scaled_top();
+    pub(super) fn start_half_phase(&mut self, point: &ReducedPoint) {
+        let ScaledTop { a, s, p, g, .. } = ScaledTop::<Extended>::new(&self.top);
         let ReducedPoint { one_minus_u, one_plus_u, udot, .. } = *point;
         let torque_free = self.top.is_torque_free();
         if torque_free {
@@ -54,46 +38,12 @@ impl Motion {
         };
         let rising = Complex::new(below_e2.sqrt().to_f64(), above_e1.sqrt().to_f64());
         let falls = udot < Extended::ZERO;
-        self.chi = if self.regime == Regime::Aperiodic {
+        self.half_phase = if self.regime == Regime::Aperiodic {
             let rising = rising.scaled(1.0 / rising.norm_squared().sqrt());
             HalfPhase::Aperiodic(if falls { rising.conj() } else { rising })
         } else {
             HalfPhase::Nutating(half_phase_of_direction(if falls { -rising.conj() } else { rising }))
         };
-    }
-
-    /// Sets the slow phases at an attitude, whose half phase is known.
-    #[inline(never)] // stack
-    pub(super) fn start_slow_phases(
-        &mut self,
-        AttitudeState { orientation: phi, rate }: &AttitudeState<f64>,
-        pause: &mut dyn FnMut(),
-    ) {
-        if self.is_steady() {
-            self.phases = [phi.alpha, phi.beta].map(|z| Phase::from_radians(z.arg()));
-            return;
-        }
-        let equations: PhaseEquations<f64> = self.equations().cast();
-        pause();
-        let chi = self.chi.direction();
-        let PhaseRates { nutation, slow_alpha, slow_beta } = equations.rates(chi.im, chi.re);
-        let half_tau = self.half_tau.to_f64();
-        let Ellipses { alpha: alpha_ellipse, beta: beta_ellipse } = &self.ellipses;
-        self.phases = [
-            slow_phase(alpha_ellipse, chi, [nutation, slow_alpha + half_tau], [phi.alpha, rate.alpha]),
-            slow_phase(beta_ellipse, chi, [nutation, slow_beta - half_tau], [phi.beta, rate.beta]),
-        ];
-    }
-}
-
-/// Orientation of a state and its rate, computed in extended precision.
-#[inline(never)]
-pub(super) fn attitude(state: &State) -> AttitudeState<f64> {
-    let (phi, omega) = state.in_extended();
-    let AttitudeState { orientation, rate } = AttitudeState::from_fixed(phi.normalised(), omega);
-    AttitudeState {
-        orientation: orientation.cast(),
-        rate: OrientationRate { alpha: rate.alpha.cast(), beta: rate.beta.cast() },
     }
 }
 
@@ -117,16 +67,6 @@ pub(super) fn half_phase_of_angle(theta: f64) -> Phase {
         return Phase::new(0.25 * nearest);
     }
     (Extended::from(theta).in_turns() * Extended::from(0.5)).to_phase()
-}
-
-/// Slow phase of a parameter: the least-squares rotation of the ellipse and its rate to z and z'.
-fn slow_phase(ellipse: &Ellipse<f64>, chi: Complex<f64>, rates: [f64; 2], z: [Complex<f64>; 2]) -> Phase {
-    let [value, rate] = z;
-    let (model, model_rate) = (ellipse.at(chi), ellipse.rate(chi, rates));
-    let [nutation, slow] = rates;
-    let time = 1.0 / (nutation.squared() + slow.squared());
-    let sum = value * model.conj() + (rate * model_rate.conj()).scaled(time);
-    Phase::from_radians(sum.arg())
 }
 
 #[cfg(test)]
