@@ -5,7 +5,6 @@ use core::fmt;
 use super::bound::error_bounds;
 use super::cut::Cut;
 use super::limits::Limits;
-use super::path::ComputeOrigin;
 use super::series::MOST_TERMS;
 use super::set_up::SetUp;
 use crate::constants::Regime;
@@ -69,16 +68,10 @@ impl SetUp {
         self.limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
         let store =
             &mut |segment, column, parts: [&_; 2]| store_polynomial::<R>(segments, segment, column, parts);
-        // a slow phase may hardly differ from its mean, which the table of an `f64` must resolve
-        let compute_origin: ComputeOrigin = match R::PERIOD_WORDS {
-            1 => |path| path.compute_origin(&path.rounded_equations, Float::to_f64),
-            _ => |path| path.compute_origin(&path.equations, |constant| constant),
+        let built = match R::PERIOD_WORDS {
+            1 => self.compute::<1>(motion, store, pause),
+            _ => self.compute::<2>(motion, store, pause),
         };
-        match R::PERIOD_WORDS {
-            1 => self.begin::<1>(motion, pause),
-            _ => self.begin::<2>(motion, pause),
-        }
-        let built = self.build(motion, compute_origin, store, pause);
         built.ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
     }
 

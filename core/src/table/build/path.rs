@@ -27,9 +27,6 @@ impl PathPoint {
     pub(super) const FIRST: Self = Self { phases: PathPhases::ZERO, truncation: 0.0, squares: [0.0; 2] };
 }
 
-/// Function that computes the derivatives of the phases at the origin of the next expansion.
-pub(super) type ComputeOrigin = fn(&Path) -> Origin;
-
 /// Span of the path with the expansion of the motion around its centre.
 #[derive(Debug)]
 pub(super) struct Path {
@@ -128,22 +125,26 @@ impl Path {
         (self.span.depth <= Span::DEEPEST).then_some(())
     }
 
-    /// Expands the motion around the centre of the span; `None` where a truncation error is too large.
+    /// Expands the motion around the centre of the span, from rates in numbers of this many words; `None` where a truncation error is too large.
     #[inline(never)]
-    pub(super) fn expand(&mut self, compute_origin: ComputeOrigin, pause: &mut dyn FnMut()) -> Option<()> {
+    pub(super) fn expand<const WORDS: usize>(&mut self, pause: &mut dyn FnMut()) -> Option<()> {
         let allowed = self.allowed_step();
         if self.centre.is_none() {
-            self.expand_at_origin(compute_origin, pause);
+            self.expand_at_origin::<WORDS>(pause);
             self.centre = Some(self.point_at(1, allowed)?);
         }
-        self.expand_at_origin(compute_origin, pause);
+        self.expand_at_origin::<WORDS>(pause);
         self.end = self.point_at(1, allowed)?;
         Some(())
     }
 
-    fn expand_at_origin(&mut self, compute_origin: ComputeOrigin, pause: &mut dyn FnMut()) {
+    fn expand_at_origin<const WORDS: usize>(&mut self, pause: &mut dyn FnMut()) {
         pause();
-        let origin = compute_origin(self);
+        // a slow phase may hardly differ from its mean, which the table of an `f64` must resolve
+        let origin = match WORDS {
+            1 => self.origin(&self.rounded_equations, Float::to_f64),
+            _ => self.origin(&self.equations, |constant| constant),
+        };
         pause();
         self.expansion.expand(&self.rounded_equations, &origin, pause);
         pause();
@@ -158,13 +159,9 @@ impl Path {
         self.centre.as_ref().unwrap_or(&self.beginning)
     }
 
-    /// Derivatives of the phases at the origin, computed in numbers of this type.
+    /// Origin of the next expansion, computed in numbers of this type.
     #[inline(never)]
-    pub(super) fn compute_origin<F: Float>(
-        &self,
-        equations: &PhaseEquations<F>,
-        convert: fn(Extended) -> F,
-    ) -> Origin {
+    fn origin<F: Float>(&self, equations: &PhaseEquations<F>, convert: fn(Extended) -> F) -> Origin {
         // two spans
         let unit = (1..self.span.depth).fold(self.half_period, |unit, _| unit.halved());
         let phases = self.centre_or_beginning().phases;

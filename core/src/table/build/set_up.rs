@@ -5,7 +5,7 @@ use super::expansion::ParameterSeries;
 use super::launch_place::LaunchPlace;
 use super::limits::Limits;
 use super::mean_rates::MeanRates;
-use super::path::{ComputeOrigin, Path};
+use super::path::Path;
 use super::polynomial::Polynomial;
 use super::span::HALF_PERIOD;
 use crate::motion::Motion;
@@ -56,9 +56,20 @@ impl SetUp {
         Self { truncation: Some(truncation), ..Self::new() }
     }
 
-    /// Computes the equations, and the mean rates by numbers of this many words. Begins at u = e₁.
+    /// Computes mean rates and all segments, from rates in numbers of this many words; `None` where the segments are too many.
+    pub(super) fn compute<const WORDS: usize>(
+        &mut self,
+        motion: &Motion,
+        store: &mut Store<'_>,
+        pause: &mut dyn FnMut(),
+    ) -> Option<()> {
+        self.begin::<WORDS>(motion, pause);
+        self.build::<WORDS>(motion, store, pause)
+    }
+
+    /// Computes the equations and the mean rates, and begins at u = e₁.
     #[inline(never)]
-    pub(super) fn begin<const WORDS: usize>(&mut self, motion: &Motion, pause: &mut dyn FnMut()) {
+    fn begin<const WORDS: usize>(&mut self, motion: &Motion, pause: &mut dyn FnMut()) {
         let mut period = None;
         if !motion.is_steady() {
             self.path.equations = motion.equations();
@@ -73,10 +84,9 @@ impl SetUp {
 
     /// Computes all segments; `None` where they are too many.
     #[inline(never)]
-    pub(super) fn build(
+    fn build<const WORDS: usize>(
         &mut self,
         motion: &Motion,
-        compute_origin: ComputeOrigin,
         store: &mut Store<'_>,
         pause: &mut dyn FnMut(),
     ) -> Option<()> {
@@ -92,7 +102,7 @@ impl SetUp {
         let mut position = 0;
         while position < HALF_PERIOD {
             self.cut.enter_span(&mut self.path, position);
-            while self.expand_span(compute_origin, &ellipses, pause).is_none() {
+            while self.expand_span::<WORDS>(&ellipses, pause).is_none() {
                 self.path.shorten_span()?;
             }
             let Self { limits, launch, path, polynomials, cut, .. } = self;
@@ -105,14 +115,13 @@ impl SetUp {
     }
 
     /// Expands the motion on the span and computes the polynomials of α and β; `None` where they are not accurate.
-    fn expand_span(
+    fn expand_span<const WORDS: usize>(
         &mut self,
-        compute_origin: ComputeOrigin,
         ellipses: &[[f64; 2]; 2],
         pause: &mut dyn FnMut(),
     ) -> Option<()> {
         let Self { limits, path, series, polynomials, .. } = self;
-        path.expand(compute_origin, pause)?;
+        path.expand::<WORDS>(pause)?;
         for (index, (polynomial, ellipse)) in polynomials.iter_mut().zip(ellipses).enumerate() {
             pause();
             polynomial.compute(series, &path.expansion, index, *ellipse, limits, pause)?;
