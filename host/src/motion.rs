@@ -7,15 +7,11 @@
 //! | [`quantity`], [`angles`] | quantities of a sample |
 //! | [`ephemeris`] | ephemeris in the smallest table that fits |
 //! | [`tip_angle`] | tip angle of an ephemeris, continued from t = 0 |
-//! | [`thread_pool`], `stream` | threads on all cores, and rows that they compute |
 
 pub mod angles;
 pub mod ephemeris;
 pub mod propagate;
 pub mod quantity;
-#[cfg(feature = "program")]
-pub mod stream;
-pub mod thread_pool;
 pub mod tip_angle;
 
 pub use toytop_model::constants::{regime, tilts};

@@ -1,8 +1,8 @@
 //! `toytop benchmark`: reference values of the problems that other integrators are tested with.
 
 use super::Report;
-use super::times::Times;
 use crate::Failure;
+use crate::input::times::Times;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{furthest_time, smallest_ephemeris};
 use crate::output::{self, Format, Lists, Record, eight_digits};

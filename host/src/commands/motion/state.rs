@@ -3,18 +3,19 @@
 mod sheet;
 
 use super::options::{Method, hertz};
-use super::times::{Times, TimesArgs};
 use super::{Report, warnings};
 use crate::Failure;
 use crate::input::scenario::Scenario;
+use crate::input::times::{Times, TimesArgs};
+use crate::motion::Scalar;
 use crate::motion::ephemeris::{
     CAPACITIES, ephemeris_of_size, furthest_time, require_scalar, smallest_ephemeris,
 };
 use crate::motion::propagate::{Sample, period, stepped};
 use crate::motion::quantity::Quantity;
 use crate::motion::tip_angle::TipAngle;
-use crate::motion::{Scalar, stream};
-use crate::output::{Format, whole_file};
+use crate::output::{Format, stdout, whole_file};
+use crate::parallel;
 use crate::truth::full_equations;
 use clap::{ArgGroup, Args};
 use sheet::Sheet;
@@ -84,9 +85,9 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     let count = times.seconds.len() as u64;
     let at = source(arguments, &scenario, times, rate)?;
     // from here on the input cannot cause a failure
-    stream::to(arguments.output.as_deref(), |out| {
+    stdout::or_file(arguments.output.as_deref(), |out| {
         out.write_all(sheet.head().as_bytes())?;
-        stream::rows(count, &|row, bytes| bytes.extend(sheet.row(row, &at(row)).bytes()), out)?;
+        parallel::write_rows(count, &|row, bytes| bytes.extend(sheet.row(row, &at(row)).bytes()), out)?;
         out.write_all(sheet.end().as_bytes())
     })?;
     let table = format == Format::Table && arguments.output.is_none();

@@ -10,7 +10,7 @@ use crate::motion::{Scalar, drift, greater};
 use crate::output::doc_markers::{self, Page};
 use crate::output::progress::Progress;
 use crate::output::{self, Column, Format, Record};
-use crate::thread_pool;
+use crate::parallel::thread_pool;
 use crate::truth::exact::{Exact, PreciseOrientation};
 use crate::truth::motions::{ExactInput, Start};
 use crate::truth::precise::{from_f64, from_i64};
@@ -119,7 +119,7 @@ fn measured(scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
         all.iter_mut().flatten().zip(motion.iter().flatten()).for_each(|(a, b)| *a = greatest(*a, *b));
         Ok(all)
     };
-    thread_pool::of_all_cores()?.install(|| motions.par_iter().map(errors).try_reduce(nothing, together))
+    thread_pool()?.install(|| motions.par_iter().map(errors).try_reduce(nothing, together))
 }
 
 /// Input of a motion that nutates and whose tip slides, launched at u = e₁.

@@ -1,9 +1,9 @@
 //! Times at which a motion is computed: times or ticks on the command line, or a file of times.
 
+use super::axis::Axis;
+use super::file::{self, excerpt};
+use super::finite;
 use crate::Failure;
-use crate::input::axis::Axis;
-use crate::input::finite;
-use crate::output::{shown, whole_file};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -72,7 +72,7 @@ impl Times {
     /// # Errors
     /// [`Failure::Input`]: another text.
     pub fn parse(text: &str) -> Result<Self, Failure> {
-        let refused = |reason: &str| Failure::Input(format!("--times: {}: {reason}", shown(text)));
+        let refused = |reason: &str| Failure::Input(format!("--times: {}: {reason}", excerpt(text)));
         let axis = if text.contains("..") {
             text.parse().map_err(refused)?
         } else {
@@ -86,7 +86,7 @@ impl Times {
 
     /// Ticks of a text `N1,N2,...` or `FIRST..LAST`, as an interrupt counts them.
     fn parse_ticks(text: &str, rate: [u32; 2]) -> Result<Self, Failure> {
-        let refused = |reason: &str| Failure::Input(format!("--ticks: {}: {reason}", shown(text)));
+        let refused = |reason: &str| Failure::Input(format!("--ticks: {}: {reason}", excerpt(text)));
         let allowed = "must be N1,N2,... or FIRST..LAST, whole numbers of 64 bits";
         let numbers =
             |separator| text.split(separator).map(|number: &str| number.trim().parse().ok()).collect();
@@ -109,7 +109,7 @@ impl Times {
         /// Size of the largest file, MiB: some five million times.
         const LARGEST: u64 = 64;
         let name = path.display();
-        let text = whole_file::read(&name.to_string(), path, LARGEST)?;
+        let text = file::read(&name.to_string(), path, LARGEST)?;
         let mut times = Vec::new();
         for (index, line) in text.lines().enumerate() {
             let entry = line.split('#').next().unwrap_or_default().trim();
@@ -149,8 +149,9 @@ fn require_few(count: u64) -> Result<(), String> {
 }
 
 fn time(entry: &str, place: &str) -> Result<f64, Failure> {
-    finite(entry)
-        .ok_or_else(|| Failure::Input(format!("{place}: {:?} must be a finite number", shown(entry.trim()))))
+    finite(entry).ok_or_else(|| {
+        Failure::Input(format!("{place}: {:?} must be a finite number", excerpt(entry.trim())))
+    })
 }
 
 #[cfg(test)]
