@@ -5,7 +5,8 @@ mod trial;
 
 use crate::{Study, Summary};
 use std::collections::BTreeSet;
-use toytop_host::motion::{Scalar, greater};
+use toytop_host::motion::Scalar;
+use toytop_host::motion::errors::greater;
 use toytop_host::output::Record;
 use toytop_host::{Failure, parallel};
 use trial::{Errors, Trial};

@@ -4,6 +4,7 @@ use super::axis::Axis;
 use super::file::{self, excerpt};
 use super::finite;
 use crate::Failure;
+use crate::motion::require_within;
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -136,12 +137,17 @@ impl Times {
     /// # Errors
     /// [`Failure::Input`].
     pub fn require_within(&self, most: f64, method: &str) -> Result<(), Failure> {
-        let beyond = |t: &f64| {
-            let reason = format!("{t:e} must be within ±{most:.1e} s{method}");
-            Err(Failure::Input(reason).with_context(&self.option))
-        };
-        self.seconds.iter().find(|t| t.abs() > most).map_or(Ok(()), beyond)
+        require_within(self.seconds.iter().copied(), most, &format!(" s{method}"))
+            .map_err(|failure| failure.with_context(&self.option))
     }
+}
+
+/// Times from 0 to `horizon`, s: one in each of `count` equal parts, at a place in its part that is a multiple of the golden section
+/// modulo 1.
+pub fn spread_times(horizon: f64, count: u32) -> Vec<f64> {
+    const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
+    let part = horizon / f64::from(count);
+    (0..count).map(|i| part * (f64::from(i) + (f64::from(i) * GOLDEN_SECTION).fract())).collect()
 }
 
 fn require_few(count: u64) -> Result<(), String> {
