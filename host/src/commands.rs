@@ -9,7 +9,6 @@ pub mod motion {
     pub mod constants;
     pub mod events;
     pub mod state;
-    pub mod times;
 
     use super::{Report, options, warnings};
 }
@@ -21,7 +20,6 @@ pub mod data {
     pub mod score;
     pub mod simulate;
 
-    use super::motion::times;
     use super::{Report, options};
 }
 

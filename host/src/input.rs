@@ -3,7 +3,9 @@
 //! | module | contents |
 //! |---|---|
 //! | [`random`] | random numbers fixed by a seed |
+//! | [`file`] | text of a file |
 //! | [`axis`] | values of one number: a list or a range |
+//! | `times` | times of the command line or of a file |
 //! | `rows` | columns and rows of CSV files |
 //! | `units` | numbers with units |
 //! | `section` | table of a TOML file |
@@ -11,10 +13,13 @@
 
 pub mod axis;
 pub mod builtin;
+pub mod file;
 pub mod random;
 pub(crate) mod rows;
 pub mod scenario;
 pub(crate) mod section;
+#[cfg(feature = "program")]
+pub mod times;
 mod units;
 
 /// Finite number of a text.

@@ -3,6 +3,7 @@
 //! | module | contents |
 //! |---|---|
 //! | [`input`] | scenario files, built-in motions, random numbers |
+//! | [`parallel`] | threads on all processor cores |
 //! | [`motion`] | the core's stepper and ephemeris at given times, their samples and constants |
 //! | [`truth`] | the paper's integrals to more than thirty digits; integration of the full 3-D equations |
 //! | [`fit`] | sensors, samples and a launch fitted to them |
@@ -47,6 +48,7 @@ pub mod fit;
 pub mod input;
 pub mod motion;
 pub mod output;
+pub mod parallel;
 pub mod pictures;
 pub mod score;
 pub mod truth;
@@ -54,7 +56,6 @@ pub mod truth;
 #[cfg(feature = "program")]
 pub use commands::studies::errata;
 pub use failure::Failure;
-pub use motion::thread_pool;
 
 #[cfg(feature = "program")]
 pub use output::stdout::Report;

@@ -5,34 +5,27 @@
 //! | [`Scalar`] | scalar types of the core |
 //! | [`propagate`] | samples, and the stepper at given times |
 //! | [`quantity`], [`angles`] | quantities of a sample |
+//! | [`errors`] | differences of states, and of their first integrals |
 //! | [`ephemeris`] | ephemeris in the smallest table that fits |
 //! | [`tip_angle`] | tip angle of an ephemeris, continued from t = 0 |
-//! | [`thread_pool`], `stream` | threads on all cores, and rows that they compute |
 
 pub mod angles;
 pub mod ephemeris;
+pub mod errors;
 pub mod propagate;
 pub mod quantity;
-#[cfg(feature = "program")]
-pub mod stream;
-pub mod thread_pool;
 pub mod tip_angle;
 
-pub use toytop_model::constants::{regime, tilts};
+pub use toytop_model::constants::{MotionConstants, regime, tilts};
 
+use crate::Failure;
 use serde_json::Value;
-use toytop::{Complex, Motion, Orientation, Top};
-use toytop_model::constants::{self, Constant, MotionConstants};
-use toytop_model::equations::{FullState, FullTop};
+use toytop::Complex;
+use toytop_model::constants::{self, Constant};
 
 /// Complex number in `f64`, each part by `to_f64`.
 pub fn widened<R>(z: Complex<R>, to_f64: impl Fn(R) -> f64) -> Complex<f64> {
     Complex { re: to_f64(z.re), im: to_f64(z.im) }
-}
-
-/// Greater of two errors; infinite where the second is no number.
-pub fn greater(a: f64, b: f64) -> f64 {
-    if b.is_nan() { f64::INFINITY } else { a.max(b) }
 }
 
 /// Scalar types of the core.
@@ -64,84 +57,19 @@ impl Scalar {
     }
 }
 
+/// Refuses times further from t = 0 than `most`; `unit` ends the message.
+///
+/// # Errors
+/// [`Failure::Input`].
+pub fn require_within(times: impl IntoIterator<Item = f64>, most: f64, unit: &str) -> Result<(), Failure> {
+    let beyond = |t| Err(Failure::Input(format!("{t:e} must be within ±{most:.1e}{unit}")));
+    times.into_iter().find(|t| t.abs() > most).map_or(Ok(()), beyond)
+}
+
 /// Value of a constant; null where the motion does not have it.
 pub fn value(constant: &Constant, motion: &MotionConstants) -> Value {
     match constant.value {
         constants::Value::Number(value) => value(motion).into(),
         constants::Value::Word(value) => value(motion).into(),
-    }
-}
-
-/// First integrals [l, n, h] in kg m²/s and kg m²/s², by the full equations.
-fn first_integrals(top: &Top, phi: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
-    FullTop::from(top).first_integrals(&FullState::new(phi, omega))
-}
-
-/// Scales of l, n and h: the greatest of the motion's own values, of the values √(2 A p g) and p g that belong to the top's weight, and
-/// of √(2 A h), the momentum of a body that has all its energy in a motion of the axis.
-fn natural_scales(motion: &Motion) -> [f64; 3] {
-    let (top, constants) = (motion.top(), motion.first_integrals());
-    let weight = top.mass_moment() * top.gravity();
-    let a = top.transverse_inertia();
-    // for a free body at rest all of them are 0
-    let energy = weight.max(constants.h.abs()).max(f64::MIN_POSITIVE);
-    let momentum = (2.0 * a * weight).sqrt().max(constants.l.abs()).max(constants.n.abs());
-    let momentum = if top.is_torque_free() { momentum.max((2.0 * a * energy).sqrt()) } else { momentum };
-    [momentum, momentum, energy]
-}
-
-/// Differences of l, n and h from those of the motion, in units of their natural scales.
-pub fn drift(motion: &Motion, orientation: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
-    let (constants, scales) = (motion.first_integrals(), natural_scales(motion));
-    let exact = [constants.l, constants.n, constants.h];
-    let found = first_integrals(motion.top(), orientation, omega);
-    std::array::from_fn(|i| (found[i] - exact[i]).abs() / scales[i])
-}
-
-/// Times from 0 to `horizon`, s: one in each of `count` equal parts, at a place in its part that is a multiple of the golden section
-/// modulo 1.
-#[cfg(feature = "program")]
-pub(crate) fn spread_times(horizon: f64, count: u32) -> Vec<f64> {
-    const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
-    let part = horizon / f64::from(count);
-    (0..count).map(|i| part * (f64::from(i) + (f64::from(i) * GOLDEN_SECTION).fract())).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use toytop::{Complex, FirstIntegrals, State, TopParameters};
-
-    #[test]
-    fn first_integrals_agree_with_the_core() {
-        let sliding = Top::sliding(&TopParameters {
-            transverse_inertia: 1.1,
-            axial_inertia: 0.8,
-            com_height: 0.6,
-            mass_moment: 0.9,
-            gravity: 9.81,
-            ..TopParameters::default()
-        });
-        for top in [
-            sliding,
-            Top::fixed(&TopParameters {
-                transverse_inertia: 1.1,
-                axial_inertia: 0.8,
-                mass_moment: 0.9,
-                gravity: 2.0,
-                ..TopParameters::default()
-            }),
-        ]
-        .map(Result::unwrap)
-        {
-            let (alpha, beta) = (Complex::new(0.48, 0.64), Complex::new(-0.36, 0.48));
-            let omega = [0.3, -0.7, 1.9];
-            let core =
-                FirstIntegrals::from_state(&top, &State::new(Orientation { alpha, beta }, omega).unwrap());
-            let found = first_integrals(&top, &Orientation { alpha, beta }, omega);
-            for (x, y) in found.into_iter().zip([core.l, core.n, core.h]) {
-                assert!((x - y).abs() < 4e-15 * y.abs(), "{x} {y}");
-            }
-        }
     }
 }

@@ -197,10 +197,3 @@ pub fn short(x: f64, digits: usize) -> String {
         format!("{rounded:e}")
     }
 }
-
-/// Beginning of a text of the input, short enough for a message.
-pub fn shown(text: &str) -> String {
-    const MOST: usize = 60;
-    let beginning: String = text.chars().take(MOST).collect();
-    if beginning.len() < text.len() { format!("{beginning}...") } else { beginning }
-}

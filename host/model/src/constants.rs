@@ -1,12 +1,12 @@
 //! Constants of a motion by name, words for its regime and its tip curve, and the ticks of its table.
 
-use crate::equations::cross;
+use crate::equations::{cross, dot};
 use core::array::from_fn;
 use core::cell::OnceCell;
 use core::f64::consts::PI;
 use core::ops::Deref;
 use toytop::scalar::{Float, Real, Ring};
-use toytop::{AttitudeState, Motion, ParameterError, PeriodAdvance, Regime, Stepper, Tick, TipClass};
+use toytop::{AttitudeState, Motion, PeriodAdvance, Regime, Stepper, Tick, TipClass};
 
 /// Constant of a motion.
 #[derive(Clone, Copy)]
@@ -126,6 +126,26 @@ impl MotionConstants {
             Some(advance) if self.regime() == Regime::Nutating => advance.period,
             _ => natural_time(self),
         }
+    }
+
+    /// Ticks in a unit of time, a power of two: at least a thousand in a period, and more than one in a turn.
+    pub fn ticks_per_time(&self) -> f64 {
+        /// A [`Tick`] has 32 bits on both sides.
+        const MOST: f64 = (1_u32 << 31) as f64;
+        let omega = at_start(self).omega();
+        let fastest = Float::sqrt(dot(omega, omega)).max(1000.0 / self.nutation_period());
+        let mut rate = MOST.recip();
+        while rate < fastest.min(MOST) {
+            rate *= 2.0;
+        }
+        rate
+    }
+
+    /// Tick of this rate.
+    pub fn tick(&self) -> Tick {
+        let rate = self.ticks_per_time();
+        let tick = if rate >= 1.0 { Tick::hertz(rate as u32) } else { Tick::ratio(1, rate.recip() as u32) };
+        tick.expect("a power of two from 2^-31 to 2^31")
     }
 
     /// Advance of an angle in a period. It is exactly 0 where l = n = 0: the axis then stays in a vertical plane, and the arguments of α and β
@@ -253,26 +273,4 @@ pub fn tip_class(class: TipClass) -> &'static str {
         TipClass::Point => "point",
         _ => "unknown",
     }
-}
-
-/// Ticks in a unit of time, a power of two: at least a thousand in a period, and more than one in a turn.
-pub fn ticks_per_time(motion: &Motion) -> f64 {
-    /// A [`Tick`] has 32 bits on both sides.
-    const MOST: f64 = (1_u32 << 31) as f64;
-    let [x, y, z] = Stepper::<f64>::new(motion).attitude_state().omega();
-    let fastest = Float::sqrt(x * x + y * y + z * z).max(1000.0 / period(motion));
-    let mut rate = MOST.recip();
-    while rate < fastest.min(MOST) {
-        rate *= 2.0;
-    }
-    rate
-}
-
-/// Tick of a motion.
-///
-/// # Errors
-/// None: the rate is a power of two from 2^-31 to 2^31.
-pub fn tick(motion: &Motion) -> Result<Tick, ParameterError> {
-    let rate = ticks_per_time(motion);
-    if rate >= 1.0 { Tick::hertz(rate as u32) } else { Tick::ratio(1, rate.recip() as u32) }
 }

@@ -56,17 +56,16 @@ pub extern "C" fn launch(kind: u32) -> i32 {
     match launched(&top, kind, &motion) {
         Ok(motion) => {
             let bound = TABLE.lock().error_bound();
-            let of = MotionConstants::new(motion);
-            put(constants().map(|(_, value)| value(&of)).chain(bound));
-            *MOTION.lock() = Some(motion);
+            put(constants().map(|(_, value)| value(&motion)).chain(bound));
+            *MOTION.lock() = Some(*motion);
             say([regime(motion.regime()), tip_class(motion.tip_class())])
         }
         Err(error) => -say([error.parameter(), error.allowed()]),
     }
 }
 
-fn launched(top: &TopNumbers, kind: u32, numbers: &MotionNumbers) -> Result<Motion, ParameterError> {
-    let motion = scenario::motion(&scenario::top(top)?, kind, numbers)?;
+fn launched(top: &TopNumbers, kind: u32, numbers: &MotionNumbers) -> Result<MotionConstants, ParameterError> {
+    let motion = MotionConstants::new(scenario::motion(&scenario::top(top)?, kind, numbers)?);
     TABLE.lock().set_up(&motion)?;
     Ok(motion)
 }

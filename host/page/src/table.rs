@@ -1,10 +1,11 @@
 //! Table of a motion in `f64`: the orientation at any time, at the same cost.
 
 use toytop::{
-    Complex, Ephemeris, EphemerisMemory, EphemerisScalar, Motion, Orientation, ParameterError, SetUp,
+    Complex, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Orientation, ParameterError,
+    Regime, SetUp,
 };
 use toytop_closed_forms::Aperiodic;
-use toytop_model::constants::{tick, ticks_per_time};
+use toytop_model::constants::MotionConstants;
 
 /// Table with the largest capacity that there is, or the closed form of an aperiodic motion.
 pub struct Table {
@@ -41,9 +42,9 @@ impl Table {
     ///
     /// # Errors
     /// `e3`: the motion is so close to the separatrix that no table holds it.
-    pub fn set_up(&mut self, motion: &Motion) -> Result<(), ParameterError> {
-        let tick = tick(motion)?;
-        (self.tip_scale, self.ticks) = (2.0 * motion.top().tip_scale(), ticks_per_time(motion));
+    pub fn set_up(&mut self, motion: &MotionConstants) -> Result<(), ParameterError> {
+        let tick = motion.tick();
+        (self.tip_scale, self.ticks) = (2.0 * motion.top().tip_scale(), motion.ticks_per_time());
         self.method = Aperiodic::new(motion).map_or(Method::Table, Method::ClosedForm);
         if matches!(self.method, Method::ClosedForm(_)) {
             return Ok(());
@@ -56,6 +57,13 @@ impl Table {
         }
         let allowed = "further from e2: no table holds this motion";
         Err(ParameterError::OutOfRange { parameter: "e3", allowed })
+    }
+
+    /// Whether the table can hold a motion, or a closed form follows it.
+    pub fn fits(motion: &Motion) -> bool {
+        let [.., coarsest] = TRUNCATIONS;
+        motion.regime() == Regime::Aperiodic
+            || EphemerisView::<f64>::segments_needed(motion, coarsest).is_some()
     }
 
     /// Orientation and tip at t, with t taken as exact; the identity before the first motion.

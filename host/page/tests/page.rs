@@ -3,7 +3,7 @@
 use toytop::scalar::Float;
 use toytop::{EphemerisF64, Motion, Pose, Release, State, Stepper, Support};
 use toytop_model::angles;
-use toytop_model::constants::{MotionConstants, numbers, tick};
+use toytop_model::constants::{MotionConstants, numbers};
 use toytop_page::exports::launch_names;
 use toytop_page::ghost::{Ghost, MOST_STEPS};
 use toytop_page::scenario;
@@ -109,8 +109,8 @@ fn a_moment_is_the_cores() {
     on_a_large_stack(|| {
         let motion = thrown();
         let mut table = Box::new(Table::EMPTY);
-        table.set_up(&motion).unwrap();
-        let core = EphemerisF64::new(&motion, tick(&motion).unwrap()).unwrap();
+        table.set_up(&MotionConstants::new(motion)).unwrap();
+        let core = EphemerisF64::new(&motion, MotionConstants::new(motion).tick()).unwrap();
         for t in [0.0, 0.3125, -7.1, 1e6] {
             let [a, b, c, d, u, .., x, y] = moment(table.at(t));
             let Pose { orientation: phi, tip, .. } = core.at(t).pose();
@@ -124,7 +124,7 @@ fn a_moment_is_the_cores() {
 #[test]
 fn the_ghost_drifts_as_its_step_says() {
     let motion = thrown();
-    let core = EphemerisF64::new(&motion, tick(&motion).unwrap()).unwrap();
+    let core = EphemerisF64::new(&motion, MotionConstants::new(motion).tick()).unwrap();
     for t in [0.5, -0.5] {
         let errors = [4e-4, 2e-4].map(|step| {
             let (reached, phi, _) = Ghost::new(&motion, step).go(t);

@@ -8,6 +8,7 @@ use pyo3::types::{PyFloat, PyInt};
 use std::fmt::Display;
 use toytop::ParameterError;
 use toytop_host::Failure;
+use toytop_host::motion::require_within;
 
 /// Exception for a parameter that core refuses.
 pub(crate) fn refused(error: ParameterError) -> PyErr {
@@ -95,11 +96,7 @@ impl FromPyObject<'_, '_> for NumericArg {
 /// # Errors
 /// `ValueError`: one of the times is farther.
 pub(crate) fn within(reach: f64, times: &[f64]) -> PyResult<()> {
-    let furthest = times.iter().fold(0.0, |furthest, t| f64::max(furthest, t.abs()));
-    match furthest <= reach {
-        true => Ok(()),
-        false => Err(value_error("t", format!("{furthest:e} must be within ±{reach:.1e}"))),
-    }
+    require_within(times.iter().copied(), reach, "").map_err(|failure| failed(failure.with_context("t")))
 }
 
 /// Array of these numbers, which are not copied.

@@ -8,12 +8,10 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread::Builder;
 use std::time::Duration;
-use toytop_host::thread_pool;
+use toytop_host::parallel::{STACK, thread_pool};
 
 /// Time between two checks for signals.
 const INTERVAL: Duration = Duration::from_millis(50);
-/// Stack of a thread, bytes. The set-up of the largest table needs some megabytes.
-const STACK: usize = 1 << 25;
 /// Greatest number of results that one thread computes: more are worth the start of others.
 const MAX_SERIAL: usize = 16;
 
@@ -26,7 +24,7 @@ pub(crate) fn on_all_cores<J: Send>(
     jobs: impl ParallelIterator<Item = J>,
     work: impl Fn(J) + Send + Sync,
 ) -> PyResult<()> {
-    let cores = thread_pool::of_all_cores().map_err(failed)?;
+    let cores = thread_pool().map_err(failed)?;
     let stopped = AtomicBool::new(false);
     let unless_stopped = |job| {
         if !stopped.load(Relaxed) {

@@ -14,8 +14,8 @@ use pyo3::prelude::*;
 use std::sync::OnceLock;
 use toytop::{InitialPhases, Motion, State};
 use toytop_host::input::scenario::{Given as ScenarioInput, Scenario, ScenarioFile};
-use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::{furthest_time, require_scalar, smallest_ephemeris};
+use toytop_host::motion::ephemeris::{furthest_time, smallest_ephemeris};
+use toytop_host::motion::{MotionConstants, Scalar};
 use toytop_host::pictures::curve::TipCurve;
 use toytop_host::pictures::view;
 use toytop_host::truth::exact::Exact;
@@ -62,8 +62,7 @@ impl MotionCore {
     /// `ValueError`: no table in this scalar is large enough.
     pub(crate) fn table(&self, scalar: Scalar) -> PyResult<Table> {
         let set_up = || {
-            let table =
-                require_scalar(scalar, &self.motion).and_then(|()| smallest_ephemeris(scalar, &self.motion));
+            let table = smallest_ephemeris(scalar, &self.motion);
             table.map(Table::from).map_err(|failure| failure.to_string())
         };
         let table = self.tables[scalar as usize].get_or_init(set_up).clone();
@@ -76,7 +75,7 @@ impl MotionCore {
     /// `ValueError`: as [`Self::table`], or one of the times is beyond the ticks.
     pub(crate) fn table_for(&self, scalar: Scalar, times: &[f64]) -> PyResult<Table> {
         let table = self.table(scalar)?;
-        within(62_f64.exp2() / table.ticks_per_time(), times)?;
+        within(table.furthest_time(), times)?;
         Ok(table)
     }
 
@@ -85,7 +84,7 @@ impl MotionCore {
     /// # Errors
     /// `ValueError`: one of the times is beyond them.
     pub(crate) fn within_reach(&self, times: &[f64]) -> PyResult<()> {
-        within(furthest_time(&self.motion), times)
+        within(furthest_time(MotionConstants::new(self.motion).ticks_per_time()), times)
     }
 }
 

@@ -2,8 +2,9 @@
 
 use super::sensors::{KINDS, Sensors};
 use crate::Failure;
+use crate::input::file::{self, excerpt};
 use crate::input::{finite, rows};
-use crate::output::{number, shown, whole_file};
+use crate::output::number;
 use std::path::Path;
 use toytop_fit::Measurement;
 
@@ -123,7 +124,7 @@ pub fn read(
     all: bool,
 ) -> Result<(Vec<Measurement>, Vec<String>), Failure> {
     let file = path.display().to_string();
-    let text = whole_file::read(&file, path, rows::LARGEST)?;
+    let text = file::read(&file, path, rows::LARGEST)?;
     parse(&text, sensors, all).map_err(|reason| Failure::Input(format!("{file}: {reason}")))
 }
 
@@ -140,7 +141,8 @@ fn parse(text: &str, sensors: &mut Sensors, all: bool) -> Result<(Vec<Measuremen
         let (line, row) = row?;
         let value = |place: usize| {
             let (name, field) = (&header[place], &row[place]);
-            let refused = || format!("line {line}: {name}: must be a finite number, not {:?}", shown(field));
+            let refused =
+                || format!("line {line}: {name}: must be a finite number, not {:?}", excerpt(field));
             finite(field).ok_or_else(refused)
         };
         columns.t.push(value(time)?);

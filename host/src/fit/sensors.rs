@@ -1,8 +1,8 @@
 //! Sensors of a recording: their noise, bias, range and mounting, from a TOML file.
 
 use crate::Failure;
+use crate::input::file::{self, excerpt};
 use crate::input::section::{self, Key, Section};
-use crate::output::{shown, whole_file};
 use std::path::Path;
 use toml::Value;
 use toytop::{Orientation, Support, Top};
@@ -134,7 +134,7 @@ impl Sensors {
     pub fn read(path: Option<&Path>, body: Body) -> Result<Self, Failure> {
         let Some(path) = path else { return Ok(Self::telephone(body)) };
         let file = path.display().to_string();
-        Self::parse(&file, &whole_file::read(&file, path, 1)?, body)
+        Self::parse(&file, &file::read(&file, path, 1)?, body)
     }
 
     /// Sensors of the text of a file; `file` is its name in messages.
@@ -146,7 +146,7 @@ impl Sensors {
         let mut sensors = Self { instruments: Vec::new(), jitter: 0.0, dropped: 0.0 };
         for (name, value) in &section::parse(file, text)? {
             let Value::Table(table) = value else {
-                return refuse(format!("{}: must be a table", shown(name)));
+                return refuse(format!("{}: must be a table", excerpt(name)));
             };
             let section = Section { file, name, table };
             match KINDS.into_iter().find(|kind| kind.name == name) {
@@ -156,7 +156,7 @@ impl Sensors {
                 }
                 None => {
                     let allowed = KINDS.map(|kind| kind.name).join(", ");
-                    return refuse(format!("{}: unknown sensor; allowed: timing, {allowed}", shown(name)));
+                    return refuse(format!("{}: unknown sensor; allowed: timing, {allowed}", excerpt(name)));
                 }
             }
         }

@@ -6,10 +6,10 @@
 mod motion;
 mod top;
 
+use super::file::{self, excerpt};
 use super::section::{self, Key, Section};
 use super::units::{self, DEGREES, RADIANS};
 use crate::Failure;
-use crate::output::{shown, whole_file};
 use std::path::Path;
 use toml::{Table, Value};
 use toytop::{InitialPhases, Motion, Orientation, Signs, State, Top, TopParameters};
@@ -119,7 +119,7 @@ impl ScenarioFile {
     /// [`Failure::Input`]: the file cannot be read, is larger than 1 MiB or not UTF-8, or as [`ScenarioFile::parse`].
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let file = path.display().to_string();
-        let read = Self::parse(&file, &whole_file::read(&file, path, 1)?)?;
+        let read = Self::parse(&file, &file::read(&file, path, 1)?)?;
         Ok(Self { name: path.file_stem().map_or(file, |stem| stem.to_string_lossy().into_owned()), ..read })
     }
 
@@ -153,7 +153,7 @@ impl ScenarioFile {
     pub fn scenario(&self) -> Result<Scenario, Failure> {
         let refuse = |reason: String| Failure::Input(format!("{}: {reason}", self.file));
         if let Some(key) = self.table.keys().find(|key| !["units", "top", "motion"].contains(&key.as_str())) {
-            return Err(refuse(format!("{}: unknown key; allowed: units, top, motion", shown(key))));
+            return Err(refuse(format!("{}: unknown key; allowed: units, top, motion", excerpt(key))));
         }
         let units = match self.table.get("units").map(Value::as_str) {
             None | Some(Some("SI")) => Units::Si,
@@ -183,7 +183,7 @@ impl ScenarioFile {
         let numbers = top::KEYS.iter().chain(motion::numbers(kind.unwrap_or_default()));
         let names: Vec<_> = numbers.map(|key| key.name).collect();
         names.iter().copied().find(|known| *known == name).ok_or_else(|| {
-            let (name, allowed) = (shown(name), names.join(", "));
+            let (name, allowed) = (excerpt(name), names.join(", "));
             Failure::Input(format!("{}: {name}: no number of this scenario; allowed: {allowed}", self.file))
         })
     }

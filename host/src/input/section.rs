@@ -1,8 +1,8 @@
 //! One table of a TOML file. Each [`Key`] states its allowed values, by which the table is read.
 
+use super::file::excerpt;
 use super::units::Quantity;
 use crate::Failure;
-use crate::output::shown;
 use toml::{Table, Value};
 use toytop::ParameterError;
 
@@ -61,7 +61,7 @@ pub struct Section<'a> {
 impl Section<'_> {
     /// Failure that names a key and the reason.
     pub fn failure(&self, key: &str, reason: &str) -> Failure {
-        Failure::Input(format!("{}: {}.{}: {reason}", self.file, shown(self.name), shown(key)))
+        Failure::Input(format!("{}: {}.{}: {reason}", self.file, excerpt(self.name), excerpt(key)))
     }
 
     /// Failure that names the key of the core's error.

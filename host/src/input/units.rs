@@ -1,6 +1,6 @@
 //! Numbers with units, as `"30 g"`, in place of numbers in the units of their keys.
 
-use crate::output::shown;
+use super::file::excerpt;
 use std::f64::consts::PI;
 
 /// Units of a quantity; the first one is the key's.
@@ -46,6 +46,6 @@ pub fn parse(text: &str, quantity: Quantity) -> Result<f64, String> {
     parsed.filter(|number| number.is_finite()).ok_or_else(|| {
         let names: Vec<_> = quantity.iter().map(|(name, ..)| *name).collect();
         let (own, names) = (names[0], names.join(", "));
-        format!("{:?}: must be a number, a space and a unit, as \"2.5 {own}\"; units: {names}", shown(text))
+        format!("{:?}: must be a number, a space and a unit, as \"2.5 {own}\"; units: {names}", excerpt(text))
     })
 }

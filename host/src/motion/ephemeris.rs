@@ -2,22 +2,65 @@
 
 mod aperiodic;
 mod events;
-mod parts;
 mod sizes;
+mod table_data;
 
-pub use events::{EventQuery, FoundEvent, RateSample, TimedSample};
-pub use parts::TableData;
-pub use sizes::{CAPACITIES, approximate, ephemeris_of_size, require_scalar, sizes, smallest_ephemeris};
-pub use toytop_model::constants::ticks_per_time;
+pub use events::{EventFilter, EventKind, FoundEvent, search};
+pub use sizes::{CAPACITIES, approximate, ephemeris_of_size, sizes, smallest_ephemeris};
+pub use table_data::TableData;
 
+use crate::motion::errors::greater;
 use crate::motion::propagate::Sample;
 use crate::motion::quantity::Quantity;
 use crate::motion::widened;
-use parts::TableScalar;
+use events::Condition;
 use std::f64::consts::TAU;
+use table_data::TableScalar;
 use toytop::scalar::Float;
 use toytop::su2::OrientationRate;
-use toytop::{Complex, EphemerisMemory, EphemerisScalar, EphemerisView, ErrorBound, Motion, Phase};
+use toytop::{Complex, EphemerisMemory, EphemerisScalar, EphemerisView, ErrorBound, Phase};
+use toytop_model::equations::dot;
+
+/// Sample of an ephemeris with the rates and the phase that only an ephemeris has.
+pub struct EphemerisSample {
+    /// α, β and u in the precision of the scalar; rates, tip and tip angle in that of its type for lengths and rates (`f32` for fixed
+    /// point).
+    pub sample: Sample,
+    /// Rate Φ' of the orientation, per unit time.
+    pub rate: OrientationRate<f64>,
+    /// Position of the tip in units of s, c/s = 2αβ, in the precision of the scalar.
+    pub tip_over_s: Complex<f64>,
+    /// Nutation phase: one turn a nutation period, 0 at u = e₁.
+    pub nutation_phase: Phase,
+}
+
+/// Rates at one time.
+pub struct Rates {
+    /// Angular velocity ω in the fixed frame, rad per unit time.
+    pub omega: [f64; 3],
+    /// Angular velocity Ω in the body frame, rad per unit time.
+    pub omega_body: [f64; 3],
+    /// Rate u' of the cosine of the tilt, per unit time.
+    pub udot: f64,
+}
+
+impl Rates {
+    /// Greatest of the differences |Δω|, |ΔΩ| and |Δu'|, rad per unit time; infinite where one of them is no number.
+    pub fn distance(&self, other: &Self) -> f64 {
+        let apart = |x: [f64; 3], y: [f64; 3]| length([x[0] - y[0], x[1] - y[1], x[2] - y[2]]);
+        let vectors = [apart(self.omega, other.omega), apart(self.omega_body, other.omega_body)];
+        vectors.into_iter().fold(greater(0.0, (self.udot - other.udot).abs()), greater)
+    }
+
+    /// Angular speed |Ω|, rad per unit time.
+    pub fn speed(&self) -> f64 {
+        length(self.omega_body)
+    }
+}
+
+fn length(x: [f64; 3]) -> f64 {
+    dot(x, x).sqrt()
+}
 
 /// Ephemeris of any scalar.
 pub trait AnyEphemeris: Send + Sync {
@@ -27,6 +70,11 @@ pub trait AnyEphemeris: Send + Sync {
     /// Ticks in a unit of time.
     fn ticks_per_time(&self) -> f64;
 
+    /// Greatest distance of a time from t = 0 at which the ephemeris can be evaluated.
+    fn furthest_time(&self) -> f64 {
+        furthest_time(self.ticks_per_time())
+    }
+
     /// Upper bound on the orientation error, rad.
     fn error_bound(&self) -> ErrorBound;
 
@@ -34,35 +82,29 @@ pub trait AnyEphemeris: Send + Sync {
     fn rate_error_bound(&self) -> ErrorBound;
 
     /// Sample of the motion t units of time after t = 0, t taken as exact.
-    fn at(&self, t: f64) -> TimedSample;
+    fn at(&self, t: f64) -> EphemerisSample;
 
-    /// Sample of the motion at tick n, whose time is `t`.
-    fn at_tick(&self, n: i64, t: f64) -> TimedSample;
+    /// Sample of the motion at tick n.
+    fn at_tick(&self, n: i64) -> EphemerisSample;
 
     /// Rates at tick n.
-    fn rates_at_tick(&self, n: i64) -> RateSample;
+    fn rates_at_tick(&self, n: i64) -> Rates;
 
     /// Writes one column at each time; computes no other.
     fn fill(&self, column: Quantity, times: &[f64], rows: &mut [f64]) {
         fill_from_samples(column, times, rows, |t| self.at(t).sample);
     }
 
-    /// Events at tick `from` or later that `wanted` accepts by their time and sense, at most `most`.
-    fn events(
-        &self,
-        sought: EventQuery,
-        from: i64,
-        wanted: &dyn Fn(f64, bool) -> bool,
-        most: usize,
-    ) -> Vec<FoundEvent>;
+    /// First events at which a condition holds, of those that the filter accepts.
+    fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent>;
 
     /// Numbers of the table; `None` for a motion without one.
-    fn parts(&self) -> Option<TableData>;
+    fn data(&self) -> Option<TableData>;
 }
 
 /// Greatest distance of a time from t = 0 at which an ephemeris can be evaluated, because ticks are counted in 64 bits.
-pub fn furthest_time(motion: &Motion) -> f64 {
-    62_f64.exp2() / ticks_per_time(motion)
+pub fn furthest_time(ticks_per_time: f64) -> f64 {
+    62_f64.exp2() / ticks_per_time
 }
 
 /// Table on the heap, which was set up.
@@ -74,11 +116,11 @@ impl<R: EphemerisScalar> Table<R> {
     }
 
     /// Sample at time t, which is this number of ticks.
-    fn timed(&self, t: f64, ticks: f64, now: toytop::Sample<'_, R>) -> TimedSample {
+    fn timed(&self, t: f64, ticks: f64, now: toytop::Sample<'_, R>) -> EphemerisSample {
         let (orientation, state) = (now.orientation(), now.attitude_state());
         let wide = |z: Complex<R::Quantity>| widened(z, Float::to_f64);
         let phi = now.tip_angle().map(|angle| self.unwrapped(angle, t));
-        TimedSample {
+        EphemerisSample {
             sample: Sample {
                 u: now.u().into(),
                 alpha: exact(orientation.alpha),
@@ -115,18 +157,18 @@ impl<R: TableScalar> AnyEphemeris for Table<R> {
         self.table().rate_error_bound()
     }
 
-    fn at(&self, t: f64) -> TimedSample {
+    fn at(&self, t: f64) -> EphemerisSample {
         self.timed(t, t * self.ticks_per_time(), self.table().at(t))
     }
 
-    fn at_tick(&self, n: i64, t: f64) -> TimedSample {
-        self.timed(t, n as f64, self.table().at_tick(n))
+    fn at_tick(&self, n: i64) -> EphemerisSample {
+        self.timed(n as f64 / self.ticks_per_time(), n as f64, self.table().at_tick(n))
     }
 
-    fn rates_at_tick(&self, n: i64) -> RateSample {
+    fn rates_at_tick(&self, n: i64) -> Rates {
         let now = self.table().at_tick(n);
         let wide = |vector: [R::Quantity; 3]| vector.map(Float::to_f64);
-        RateSample { omega: wide(now.omega()), omega_body: wide(now.omega_body()), udot: now.udot().to_f64() }
+        Rates { omega: wide(now.omega()), omega_body: wide(now.omega_body()), udot: now.udot().to_f64() }
     }
 
     fn fill(&self, column: Quantity, times: &[f64], rows: &mut [f64]) {
@@ -152,20 +194,14 @@ impl<R: TableScalar> AnyEphemeris for Table<R> {
         }
     }
 
-    fn events(
-        &self,
-        sought: EventQuery,
-        from: i64,
-        wanted: &dyn Fn(f64, bool) -> bool,
-        most: usize,
-    ) -> Vec<FoundEvent> {
+    fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent> {
         let table = self.table();
-        let state = |event: &_, t| self.timed(t, t * self.ticks_per_time(), table.at_event(event));
-        events::find(table, sought, from, wanted, most, state)
+        let sample = |event: &_, t| self.timed(t, t * self.ticks_per_time(), table.at_event(event));
+        events::of_table(table, condition, filter, sample)
     }
 
-    fn parts(&self) -> Option<TableData> {
-        Some(R::parts(self.table()))
+    fn data(&self) -> Option<TableData> {
+        Some(R::data(self.table()))
     }
 }
 
@@ -198,8 +234,8 @@ fn exact<R: Into<f64>>(z: Complex<R>) -> Complex<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::motion::propagate::period;
     use toytop::{InitialPhases, Motion, Signs, Top, TopParameters};
+    use toytop_model::constants::MotionConstants;
 
     pub(super) fn motion(a: f64, e: [f64; 3]) -> Motion {
         let top = Top::sliding(&TopParameters {
@@ -219,9 +255,10 @@ mod tests {
         for motion in
             [motion(1.0, [0.2, 0.8, 1.5]), motion(1e-6, [0.2, 0.8, 1e6]), motion(1e9, [0.2, 0.8, 1.5])]
         {
-            let rate = ticks_per_time(&motion);
-            assert!(rate * period(&motion) >= 1000.0 && rate.log2().fract() == 0.0);
-            assert!(furthest_time(&motion) / period(&motion) >= 1e10);
+            let constants = MotionConstants::new(motion);
+            let (rate, period) = (constants.ticks_per_time(), constants.nutation_period());
+            assert!(rate * period >= 1000.0 && rate.log2().fract() == 0.0);
+            assert!(furthest_time(rate) / period >= 1e10);
         }
     }
 }

@@ -1,7 +1,9 @@
 //! Report of a command, and its way to standard output.
 
 use crate::Failure;
+use crate::output::whole_file;
 use std::io::{self, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
 /// Report of a command.
@@ -67,5 +69,19 @@ pub fn write(fill: impl FnOnce(&mut io::Stdout) -> io::Result<()>) -> Result<(),
     match fill(&mut out).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(error)),
         _ => Ok(()),
+    }
+}
+
+/// Output that `fill` writes: a complete file, or stdout.
+///
+/// # Errors
+/// The failures of [`whole_file::write_by`], or of [`write()`].
+pub fn or_file(
+    path: Option<&Path>,
+    fill: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
+) -> Result<(), Failure> {
+    match path {
+        Some(path) => whole_file::write_by("--output", path, |file| fill(file)),
+        None => write(|out| fill(out)),
     }
 }

@@ -1,8 +1,8 @@
-//! Files that are written completely or not at all, and files that are read up to a limit.
+//! Files that are written completely or not at all.
 
 use crate::Failure;
 use std::fs::{self, File};
-use std::io::{self, ErrorKind, Read, Write};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 /// Writes a file under a temporary name and then renames it, so that no reader sees half a file and no other file is touched. A device or a
@@ -101,23 +101,6 @@ pub fn refused(option: &str, path: &Path, error: io::Error) -> Failure {
 
 /// Error number of a device that failed.
 const EIO: i32 = 5;
-
-/// Text of a file of at most `most_mebibytes` MiB.
-///
-/// # Errors
-/// [`Failure::Input`] with `name` in front: it cannot be read, is larger, or is not UTF-8.
-pub fn read(name: &str, path: &Path, most_mebibytes: u64) -> Result<String, Failure> {
-    let refuse = |reason: String| Failure::Input(format!("{name}: {reason}"));
-    let most = most_mebibytes << 20;
-    let mut bytes = Vec::new();
-    File::open(path)
-        .and_then(|open| open.take(most + 1).read_to_end(&mut bytes))
-        .map_err(|error| refuse(error.to_string()))?;
-    if bytes.len() as u64 > most {
-        return Err(refuse(format!("must be at most {most_mebibytes} MiB")));
-    }
-    String::from_utf8(bytes).map_err(|_| refuse("must be UTF-8".to_owned()))
-}
 
 #[cfg(test)]
 mod tests {

@@ -1,9 +1,9 @@
 //! Motion over a span of time, for pictures.
 
 use crate::Failure;
-use crate::motion::Scalar;
-use crate::motion::ephemeris::{AnyEphemeris, furthest_time, smallest_ephemeris};
+use crate::motion::ephemeris::{AnyEphemeris, smallest_ephemeris};
 use crate::motion::propagate::{Sample, natural_time, period};
+use crate::motion::{Scalar, require_within};
 use crate::output::short;
 use std::f64::consts::TAU;
 use toytop::{Motion, Regime};
@@ -32,10 +32,10 @@ impl Span {
     /// [`Failure::Input`]: times beyond the reach of the ephemeris, or too many cycles. [`Failure::Method`]: no ephemeris is large
     /// enough.
     pub fn new(motion: &Motion, times: Option<[f64; 2]>, most_cycles: f64) -> Result<Self, Failure> {
-        let (regime, cycle, furthest) = (motion.regime(), cycle(motion), furthest_time(motion));
-        if let Some(t) = times.iter().flatten().find(|t| t.abs() > furthest) {
-            return Err(Failure::Input(format!("--times: {t:e} must be within ±{furthest:.1e} s")));
-        }
+        let table = smallest_ephemeris(Scalar::F64, motion)?;
+        require_within(times.into_iter().flatten(), table.furthest_time(), " s")
+            .map_err(|failure| failure.with_context("--times"))?;
+        let (regime, cycle) = (motion.regime(), cycle(motion));
         let longest = most_cycles * cycle;
         if let Some([from, until]) = times.filter(|[from, until]| until - from > longest)
             && !regime.is_vertical()
@@ -44,7 +44,6 @@ impl Span {
             let reason = format!("must span at most {longest} ({most_cycles} nutation periods or turns)");
             return Err(Failure::Input(format!("--times: {from}..{until}: {reason}")));
         }
-        let table = smallest_ephemeris(Scalar::F64, motion)?;
         let periods = periods(motion).filter(|_| times.is_none());
         let ends = times.unwrap_or_else(|| match regime {
             Regime::Aperiodic => [0.0, time_to_vertical(motion, &*table)],

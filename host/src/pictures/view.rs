@@ -4,12 +4,11 @@
 use crate::Failure;
 use crate::input::builtin::{FIGURES, TOY_TOP};
 use crate::input::scenario::ScenarioFile;
-use crate::motion::Scalar;
-use crate::motion::ephemeris::smallest_ephemeris;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::json;
 use toytop_page::exports::launch_names;
+use toytop_page::table::Table;
 
 /// The core as WebAssembly; empty in a program that was compiled without that target.
 const CORE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/core.wasm"));
@@ -58,7 +57,11 @@ pub fn page(start: &ScenarioFile) -> Result<String, Failure> {
         return Err(Failure::Tool(format!("this toytop was compiled without the page: {install}")));
     }
     let scenario = start.scenario()?;
-    smallest_ephemeris(Scalar::F64, &scenario.motion)?;
+    if !Table::fits(&scenario.motion) {
+        return Err(Failure::Method(
+            "no ephemeris: the table of the page is too small for this motion".to_owned(),
+        ));
+    }
     let unwritten = |error: serde_json::Error| Failure::Method(format!("view: {error}"));
     let data = json!({
         "name": scenario.name,

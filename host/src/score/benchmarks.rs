@@ -1,8 +1,8 @@
 //! Benchmark problems: tops that the tests and papers of other integrators use, with reference values to 30 digits.
 
 use crate::Failure;
+use crate::input::file::excerpt;
 use crate::input::scenario::Scenario;
-use crate::output::shown;
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -68,6 +68,6 @@ pub fn all() -> Vec<Problem> {
 pub fn named(name: &str) -> Result<Problem, Failure> {
     all().into_iter().find(|problem| problem.scenario.name == name).ok_or_else(|| {
         let names = FILES.map(|(name, ..)| name).join(", ");
-        Failure::Input(format!("{}: must be one of {names}", shown(name)))
+        Failure::Input(format!("{}: must be one of {names}", excerpt(name)))
     })
 }

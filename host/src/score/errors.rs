@@ -4,9 +4,10 @@ use super::phases::{self, PhaseErrors};
 use super::trajectory::{Pose, Trajectory};
 use crate::Failure;
 use crate::input::scenario::Scenario;
-use crate::motion::ephemeris::{AnyEphemeris, furthest_time, smallest_ephemeris};
+use crate::motion::ephemeris::{AnyEphemeris, smallest_ephemeris};
+use crate::motion::errors::{drift, greater};
 use crate::motion::propagate::period;
-use crate::motion::{Scalar, drift, greater};
+use crate::motion::{Scalar, require_within};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
@@ -64,10 +65,8 @@ impl<'a> ExactReference<'a> {
     /// [`Failure::Input`]: a time at which the ephemeris cannot be evaluated.
     pub fn score(&self, Trajectory { name, rows, .. }: &Trajectory) -> Result<Score, Failure> {
         let furthest = greatest(rows.iter().map(|row| row.t.abs()));
-        let reach = furthest_time(self.motion);
-        if furthest > reach {
-            return Err(Failure::Input(format!("{name}: t: {furthest:e} must be within ±{reach:.1e} s")));
-        }
+        require_within([furthest], self.table.furthest_time(), " s")
+            .map_err(|failure| failure.with_context(&format!("{name}: t")))?;
         let errors: Vec<_> = rows.iter().map(|row| self.errors(row)).collect();
         let mean_square = errors.iter().map(|[error, _]| error * error).sum::<f64>() / rows.len() as f64;
         Ok(Score {

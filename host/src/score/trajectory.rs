@@ -1,9 +1,9 @@
 //! Trajectory of a CSV file: columns by name, and statements about the run in comment lines above the header.
 
 use crate::Failure;
+use crate::input::file::{self, excerpt};
 use crate::input::finite;
 use crate::input::rows;
-use crate::output::{shown, whole_file};
 use csv::StringRecord;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 use std::path::Path;
@@ -52,7 +52,7 @@ impl Trajectory {
     /// of order.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.display().to_string();
-        match Self::parse(&whole_file::read(&name, path, rows::LARGEST)?) {
+        match Self::parse(&file::read(&name, path, rows::LARGEST)?) {
             Ok(trajectory) => Ok(Self { name, ..trajectory }),
             Err(reason) => Err(Failure::Input(format!("{name}: {reason}"))),
         }
@@ -67,7 +67,7 @@ impl Trajectory {
         };
         let positive = |key: &str| {
             let number = |text| {
-                let refused = || format!("# {key} = {}: must be a number above 0", shown(text));
+                let refused = || format!("# {key} = {}: must be a number above 0", excerpt(text));
                 finite(text).filter(|x| *x > 0.0).ok_or_else(refused)
             };
             stated(key).map(number).transpose()
@@ -77,7 +77,7 @@ impl Trajectory {
         let has = |names: &[&str]| column_indices(&header, names).is_some();
         if !has(&["t"]) || !(has(&QUATERNION) || has(&ALPHA_BETA) || has(&MATRIX)) {
             let allowed = "t with w,x,y,z (body to fixed), alpha_re,alpha_im,beta_re,beta_im or r11,r12,...,r33 (by rows)";
-            return Err(format!("columns: must have {allowed}; has {}", shown(&header.join(","))));
+            return Err(format!("columns: must have {allowed}; has {}", excerpt(&header.join(","))));
         }
         let mut rows: Vec<Pose> = Vec::new();
         for record in records {
@@ -159,7 +159,7 @@ fn numbers<const N: usize>(
     let Some(indices) = column_indices(header, &names) else { return Ok(None) };
     let mut numbers = [0.0; N];
     for ((number, name), index) in numbers.iter_mut().zip(names).zip(indices) {
-        let refused = || format!("{name}: {:?} must be a finite number", shown(&record[index]));
+        let refused = || format!("{name}: {:?} must be a finite number", excerpt(&record[index]));
         *number = finite(&record[index]).ok_or_else(refused)?;
     }
     Ok(Some(numbers))

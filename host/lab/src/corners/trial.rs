@@ -3,11 +3,11 @@
 use super::launch;
 use toytop::{Motion, ParameterError, Regime};
 use toytop_host::input::random::Random;
-use toytop_host::motion::ephemeris::{
-    AnyEphemeris, approximate, require_scalar, smallest_ephemeris, ticks_per_time,
-};
+use toytop_host::motion::MotionConstants;
+use toytop_host::motion::Scalar;
+use toytop_host::motion::ephemeris::{AnyEphemeris, approximate, smallest_ephemeris};
+use toytop_host::motion::errors::greater;
 use toytop_host::motion::propagate::period;
-use toytop_host::motion::{Scalar, greater};
 use toytop_host::truth::exact::Exact;
 use toytop_host::truth::motions::ExactInput;
 use toytop_host::truth::precise::{Precise, from_f64, from_i64, to_i64};
@@ -65,11 +65,9 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
     let mut random = Random::new(seed, number);
     let input = launch::random(&mut random);
     let motion = input.motion()?;
-    let (period, rate) = (period(&motion), ticks_per_time(&motion));
-    let tables = Scalar::ALL.map(|scalar| {
-        require_scalar(scalar, &motion).ok()?;
-        smallest_ephemeris(scalar, &motion).ok()
-    });
+    let constants = MotionConstants::new(motion);
+    let (period, rate) = (constants.nutation_period(), constants.ticks_per_time());
+    let tables = Scalar::ALL.map(|scalar| smallest_ephemeris(scalar, &motion).ok());
     let times = [(); TIMES].map(|()| random.between(0.0, period));
     let mut errors = tables.each_ref().map(|table| {
         let table = table.as_deref()?;
@@ -84,8 +82,7 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
             for (table, errors) in tables.iter().flatten().zip(errors.iter_mut().flatten()) {
                 let (bound, rate_bound) = (table.error_bound(), table.rate_error_bound());
                 let (within, rates_within) = (bound.after(tick as f64), rate_bound.after(tick as f64));
-                let error =
-                    orientation.error_of(&table.at_tick(tick, tick as f64 / rate).sample.orientation());
+                let error = orientation.error_of(&table.at_tick(tick).sample.orientation());
                 let rate_error = rates.distance(&table.rates_at_tick(tick));
                 errors.places += 1;
                 errors.places_by_ticks += usize::from(within > 2.0 * bound.constant);

@@ -5,9 +5,9 @@ use crate::interrupt;
 use crate::motion::MotionCore;
 use pyo3::prelude::*;
 use std::f64::consts::TAU;
-use toytop::{Level, Phase};
+use toytop::Phase;
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::{EventQuery, FoundEvent};
+use toytop_host::motion::ephemeris::{EventFilter, EventKind, FoundEvent, search};
 
 #[pymethods]
 impl MotionCore {
@@ -21,40 +21,24 @@ impl MotionCore {
         most: usize,
         upward: Option<bool>,
     ) -> PyResult<Bound<'py, Array>> {
-        let searches = self.sought(kind, value)?;
-        let table = py.detach(|| self.table(Scalar::F64))?;
+        let kind = match kind {
+            "turning" => EventKind::Turning,
+            "tilt" => EventKind::Tilt(value),
+            "direction" => EventKind::TipAngle(Phase::new(value / TAU)),
+            "circle" => EventKind::Circle(value),
+            _ => EventKind::LiftOff,
+        };
+        let (motion, table) = (self.motion, py.detach(|| self.table(Scalar::F64))?);
         self.within_reach(&[start]).map_err(|_| value_error("start", "must be within 2^62 ticks"))?;
-        let from = (start * table.ticks_per_time()).floor() as i64;
-        let wanted = move |t: f64, up: bool| t >= start && upward.is_none_or(|only: bool| only == up);
-        let mut found = interrupt::interruptible(py, move || {
-            let events = |sought: EventQuery| {
-                let events = table.events(sought, from, &wanted, most).into_iter();
-                events.map(move |event| (event.time_error(&sought).unwrap_or(f64::NAN), event))
-            };
-            searches.into_iter().flat_map(events).collect::<Vec<_>>()
-        })?;
-        found.sort_by(|(_, a), (_, b)| a.t.total_cmp(&b.t));
-        found.truncate(most);
-        let row = |(error, event): &(f64, FoundEvent)| {
+        let filter = EventFilter { from: start, upward, count: most };
+        let found = interrupt::interruptible(py, move || search(&*table, &motion, kind, &filter))?;
+        let found = found.map_err(|error| renamed(error, &[("tilt", "value"), ("radius", "value")]))?;
+        let row = |event: &FoundEvent| {
+            let error = event.time_error.unwrap_or(f64::NAN);
             let sample = &event.state.sample;
             let (up, angle) = (f64::from(event.upward), sample.tip_angle.unwrap_or(f64::NAN));
-            [event.t, *error, up, sample.u, sample.tip.re, sample.tip.im, angle]
+            [event.t, error, up, sample.u, sample.tip.re, sample.tip.im, angle]
         };
         array(py, found.iter().flat_map(row).collect(), &[found.len(), 7])
-    }
-}
-
-impl MotionCore {
-    /// Searches for the events of a kind. A circle has two where two levels of u belong to it; a top that does not leave the plane has none.
-    fn sought(&self, kind: &str, value: f64) -> PyResult<Vec<EventQuery>> {
-        let named = |error| renamed(error, &[("tilt", "value"), ("radius", "value")]);
-        let levels = |levels: &[Level]| levels.iter().copied().map(EventQuery::Crossing).collect();
-        Ok(match kind {
-            "turning" => vec![EventQuery::Turning],
-            "tilt" => levels(&[Level::of_tilt(value).map_err(named)?]),
-            "direction" => vec![EventQuery::TipAngle(Phase::new(value / TAU))],
-            "circle" => levels(&Level::of_circle(self.motion.top(), value).map_err(named)?),
-            _ => levels(Level::of_lift_off(&self.motion).as_slice()),
-        })
     }
 }

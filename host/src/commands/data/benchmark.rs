@@ -1,10 +1,10 @@
 //! `toytop benchmark`: reference values of the problems that other integrators are tested with.
 
 use super::Report;
-use super::times::Times;
 use crate::Failure;
+use crate::input::times::Times;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{furthest_time, smallest_ephemeris};
+use crate::motion::ephemeris::smallest_ephemeris;
 use crate::output::{self, Format, Lists, Record, eight_digits};
 use crate::score::benchmarks::{self, Problem};
 use crate::score::trajectory::to_symmetry_axis;
@@ -103,9 +103,9 @@ fn digits(sample: &Value) -> Vec<Value> {
 fn computed(problem: &Problem, times: &str) -> Result<Vec<Vec<Value>>, Failure> {
     let Problem { scenario, about, .. } = problem;
     let times = Times::parse(times)?;
-    times.require_within(furthest_time(&scenario.motion), "")?;
     let table = smallest_ephemeris(Scalar::F64, &scenario.motion)
         .map_err(|failure| failure.with_context(&scenario.name))?;
+    times.require_within(table.furthest_time(), "")?;
     let values = |t: &f64| {
         let sample = table.at(*t).sample;
         let orientation = sample.orientation().compose(&to_symmetry_axis(about.symmetry_axis));

@@ -8,8 +8,9 @@ use crate::Failure;
 use crate::fit::columns;
 use crate::fit::launch::{FREE_KEYS, FitInput};
 use crate::fit::sensors::{Body, Sensors};
+use crate::input::file::excerpt;
 use crate::input::scenario::ScenarioFile;
-use crate::output::{self, Format, shown, whole_file};
+use crate::output::{self, Format, whole_file};
 use crate::pictures::drawing;
 use crate::pictures::fit as pictures;
 use clap::Args;
@@ -72,7 +73,7 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     let converged = fit.fitted.is_trusted();
     let mut notes = Vec::new();
     if !unused.is_empty() {
-        let names: Vec<_> = unused.iter().map(|name| shown(name)).collect();
+        let names: Vec<_> = unused.iter().map(|name| excerpt(name)).collect();
         notes.push(format!("{samples}: columns that no sensor reads: {}", names.join(", ")));
     }
     let not_written = |path: &Path, reason| format!("{}: not written, because {reason}", path.display());

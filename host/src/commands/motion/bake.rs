@@ -65,7 +65,7 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     let (scalar, motion) = (arguments.scalar, &scenario.motion);
     let table = ephemeris_of_size(scalar, motion, tick, &sizes(scalar, arguments.size)?)
         .map_err(|failure| failure.of_motion(&scenario.name))?;
-    let parts = table.parts().expect("a table");
+    let parts = table.data().expect("a table");
     let label = TableName {
         name: arguments.name.clone().unwrap_or_else(|| scenario.name.clone()),
         tick: if seconds == 1 { format!("{ticks} Hz") } else { format!("{ticks}/{seconds} Hz") },

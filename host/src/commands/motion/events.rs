@@ -4,12 +4,12 @@ use super::{Report, warnings};
 use crate::Failure;
 use crate::input::finite;
 use crate::input::scenario::{Scenario, Units};
-use crate::motion::Scalar;
-use crate::motion::ephemeris::{EventQuery, FoundEvent, furthest_time, smallest_ephemeris};
+use crate::motion::ephemeris::{EventFilter, EventKind, FoundEvent, search, smallest_ephemeris};
+use crate::motion::{Scalar, require_within};
 use crate::output::{self, Column, Format, Record, eight_digits};
 use clap::Args;
 use std::path::PathBuf;
-use toytop::{Level, Motion, Phase, Support};
+use toytop::{Phase, Support};
 
 /// `toytop events`
 #[derive(Args)]
@@ -41,21 +41,6 @@ pub struct KindFilter {
     text: String,
 }
 
-/// Kind of an event.
-#[derive(Clone, Debug, PartialEq)]
-enum EventKind {
-    /// Turning point of u.
-    Turning,
-    /// Tilt, degrees.
-    Tilt(f64),
-    /// Tip angle modulo whole turns, degrees.
-    TipAngle(f64),
-    /// Distance of the tip from the centre, m.
-    Circle(f64),
-    /// Normal force 0.
-    LiftOff,
-}
-
 fn kind(text: &str) -> Result<KindFilter, String> {
     const ALLOWED: &str = "must be turning, tilt=DEGREES, tip-angle=DEGREES, circle=RADIUS or lift-off, with or without :up or :down";
     let (rest, upward) = match text.rsplit_once(':') {
@@ -67,9 +52,13 @@ fn kind(text: &str) -> Result<KindFilter, String> {
     let event = match rest.split_once('=').map(|(name, value)| (name, finite(value))) {
         None if rest == "turning" => EventKind::Turning,
         None if rest == "lift-off" => EventKind::LiftOff,
-        Some(("tilt", Some(degrees))) if (0.0..=180.0).contains(&degrees) => EventKind::Tilt(degrees),
+        Some(("tilt", Some(degrees))) if (0.0..=180.0).contains(&degrees) => {
+            EventKind::Tilt(degrees.to_radians())
+        }
         Some(("tilt", Some(_))) => return Err("tilt: must be in [0, 180] degrees".to_owned()),
-        Some(("tip-angle", Some(degrees))) if degrees.abs() <= 1e6 => EventKind::TipAngle(degrees),
+        Some(("tip-angle", Some(degrees))) if degrees.abs() <= 1e6 => {
+            EventKind::TipAngle(Phase::new(degrees / 360.0))
+        }
         Some(("tip-angle", Some(_))) => return Err("tip-angle: must be within ±1e6 degrees".to_owned()),
         Some(("circle", Some(radius))) if radius > 0.0 => EventKind::Circle(radius),
         Some(("circle", Some(_))) => return Err("circle: must be above 0".to_owned()),
@@ -84,26 +73,28 @@ fn time(text: &str) -> Result<f64, &'static str> {
 
 pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
-    let motion = &scenario.motion;
-    let reach = furthest_time(motion);
-    if arguments.from.abs() > reach {
-        return Err(Failure::Input(format!("--from: {:e} must be within ±{reach:.1e} s", arguments.from)));
-    }
+    let (motion, from, count) = (&scenario.motion, arguments.from, arguments.count as usize);
     let table =
         smallest_ephemeris(Scalar::F64, motion).map_err(|failure| failure.with_context(&scenario.name))?;
-    let from = (arguments.from * table.ticks_per_time()).floor() as i64;
+    require_within([from], table.furthest_time(), " s").map_err(|failure| failure.with_context("--from"))?;
     let mut events = Vec::new();
     for kind in &arguments.kinds {
-        let wanted =
-            |t: f64, upward: bool| t >= arguments.from && kind.upward.is_none_or(|only| only == upward);
-        for sought in sought(kind, motion).map_err(|failure| failure.with_context("--kind"))? {
-            let found = table.events(sought, from, &wanted, arguments.count as usize);
-            events.extend(found.into_iter().map(|event| (kind, sought, event)));
+        if kind.event == EventKind::LiftOff && motion.top().support() != Support::Sliding {
+            let reason = "--kind: lift-off: none, because the tip does not slide on a plane";
+            return Err(Failure::Method(reason.to_owned()));
         }
+        // only a circle depends on the top
+        let refused = |_| {
+            let below = output::short(motion.top().tip_scale(), 6);
+            Failure::Input(format!("--kind: {}: must be above 0 and below {below}", kind.text))
+        };
+        let filter = EventFilter { from, upward: kind.upward, count };
+        let found = search(&*table, motion, kind.event, &filter).map_err(refused)?;
+        events.extend(found.into_iter().map(|event| (kind, event)));
     }
-    events.sort_by(|(_, _, a), (_, _, b)| a.t.total_cmp(&b.t));
-    events.truncate(arguments.count as usize);
-    let records: Vec<_> = events.iter().map(|(kind, sought, event)| record(kind, sought, event)).collect();
+    events.sort_by(|(_, a), (_, b)| a.t.total_cmp(&b.t));
+    events.truncate(count);
+    let records: Vec<_> = events.iter().map(|(kind, event)| record(kind, event)).collect();
     let table = || match &records[..] {
         [] => "no such event\n".to_owned(),
         _ => output::aligned(&records, &columns(scenario.units)),
@@ -115,37 +106,11 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     Ok(Report::from(text).with_notes(notes, arguments.format == Format::Table))
 }
 
-/// Searches for the events of a kind: two where two levels of u belong to a circle, none where a top does not leave the plane.
-fn sought(kind: &KindFilter, motion: &Motion) -> Result<Vec<EventQuery>, Failure> {
-    let refused = |reason: String| Failure::Input(format!("{}: {reason}", kind.text));
-    let top = motion.top();
-    let levels = match kind.event {
-        EventKind::Turning => return Ok(vec![EventQuery::Turning]),
-        EventKind::TipAngle(degrees) => return Ok(vec![EventQuery::TipAngle(Phase::new(degrees / 360.0))]),
-        EventKind::Tilt(degrees) => {
-            vec![Level::of_tilt(degrees.to_radians()).map_err(|error| refused(error.to_string()))?]
-        }
-        EventKind::Circle(radius) => {
-            let below = output::short(top.tip_scale(), 6);
-            let allowed = |_| refused(format!("must be above 0 and below {below}"));
-            Level::of_circle(top, radius).map_err(allowed)?.to_vec()
-        }
-        EventKind::LiftOff if top.support() == Support::Sliding => {
-            Level::of_lift_off(motion).into_iter().collect()
-        }
-        EventKind::LiftOff => {
-            let reason = "lift-off: none, because the tip does not slide on a plane";
-            return Err(Failure::Method(reason.to_owned()));
-        }
-    };
-    Ok(levels.into_iter().map(EventQuery::Crossing).collect())
-}
-
-fn record(kind: &KindFilter, sought: &EventQuery, event: &FoundEvent) -> Record {
+fn record(kind: &KindFilter, event: &FoundEvent) -> Record {
     let sample = &event.state.sample;
-    let sense = match (sought, event.upward) {
-        (EventQuery::Turning, true) => "upper",
-        (EventQuery::Turning, false) => "lower",
+    let sense = match (kind.event, event.upward) {
+        (EventKind::Turning, true) => "upper",
+        (EventKind::Turning, false) => "lower",
         (_, true) => "up",
         (_, false) => "down",
     };
@@ -158,7 +123,7 @@ fn record(kind: &KindFilter, sought: &EventQuery, event: &FoundEvent) -> Record 
         .with("tilt_deg", tilt.to_degrees())
         .with("tip", [sample.tip.re, sample.tip.im])
         .with("phi_deg", sample.tip_angle.map(f64::to_degrees))
-        .with("time_error", event.time_error(sought))
+        .with("time_error", event.time_error)
 }
 
 fn columns(units: Units) -> [Column<'static>; 6] {
@@ -185,9 +150,9 @@ mod tests {
         assert_eq!(kind("turning").map(|kind| (kind.event, kind.upward)), Ok((EventKind::Turning, None)));
         assert_eq!(
             kind("tilt=30:up").map(|kind| (kind.event, kind.upward)),
-            Ok((EventKind::Tilt(30.0), Some(true)))
+            Ok((EventKind::Tilt(30_f64.to_radians()), Some(true)))
         );
-        assert_eq!(kind("tip-angle=-90").map(|kind| kind.event), Ok(EventKind::TipAngle(-90.0)));
+        assert_eq!(kind("tip-angle=-90").map(|kind| kind.event), Ok(EventKind::TipAngle(Phase::new(-0.25))));
         for bad in [
             "",
             "tilt",

@@ -3,18 +3,17 @@
 mod sheet;
 
 use super::options::{Method, hertz};
-use super::times::{Times, TimesArgs};
 use super::{Report, warnings};
 use crate::Failure;
 use crate::input::scenario::Scenario;
-use crate::motion::ephemeris::{
-    CAPACITIES, ephemeris_of_size, furthest_time, require_scalar, smallest_ephemeris,
-};
+use crate::input::times::{Times, TimesArgs};
+use crate::motion::Scalar;
+use crate::motion::ephemeris::{CAPACITIES, ephemeris_of_size, smallest_ephemeris};
 use crate::motion::propagate::{Sample, period, stepped};
 use crate::motion::quantity::Quantity;
 use crate::motion::tip_angle::TipAngle;
-use crate::motion::{Scalar, stream};
-use crate::output::{Format, whole_file};
+use crate::output::{Format, stdout, whole_file};
+use crate::parallel;
 use crate::truth::full_equations;
 use clap::{ArgGroup, Args};
 use sheet::Sheet;
@@ -84,9 +83,9 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     let count = times.seconds.len() as u64;
     let at = source(arguments, &scenario, times, rate)?;
     // from here on the input cannot cause a failure
-    stream::to(arguments.output.as_deref(), |out| {
+    stdout::or_file(arguments.output.as_deref(), |out| {
         out.write_all(sheet.head().as_bytes())?;
-        stream::rows(count, &|row, bytes| bytes.extend(sheet.row(row, &at(row)).bytes()), out)?;
+        parallel::write_rows(count, &|row, bytes| bytes.extend(sheet.row(row, &at(row)).bytes()), out)?;
         out.write_all(sheet.end().as_bytes())
     })?;
     let table = format == Format::Table && arguments.output.is_none();
@@ -104,10 +103,12 @@ fn source(
     if arguments.steps_per_period.is_some() && arguments.method != Method::Stepper {
         return Err(Failure::Input("--steps-per-period: needs --method stepper".to_owned()));
     }
-    let step = period(motion) / f64::from(arguments.steps_per_period.unwrap_or(4096));
     let samples = match (arguments.method, arguments.scalar) {
         (Method::Ephemeris, scalar) => return by_ephemeris(scalar, scenario, times, rate),
-        (Method::Stepper, scalar) => stepped(scalar, motion, &times.seconds, step)?,
+        (Method::Stepper, scalar) => {
+            let step = period(motion) / f64::from(arguments.steps_per_period.unwrap_or(4096));
+            stepped(scalar, motion, &times.seconds, step)?
+        }
         (Method::Full, Scalar::F64) => full_equations::samples(scenario, &times.seconds)?,
         (Method::ClosedForm, Scalar::F64) => return by_closed_form(scenario, times),
         (method, scalar) => {
@@ -126,19 +127,21 @@ fn by_ephemeris(
     rate: [u32; 2],
 ) -> Result<Box<At>, Failure> {
     let motion = &scenario.motion;
-    let named = |failure: Failure| failure.with_context(&scenario.name);
-    let of_scalar = |failure: Failure| failure.with_context(&format!("--scalar: {}", scalar.name()));
-    require_scalar(scalar, motion).map_err(of_scalar).map_err(named)?;
+    let named = |failure: Failure| match scalar {
+        Scalar::F64 => failure.with_context(&scenario.name),
+        _ => failure.with_context(&format!("{}: --scalar: {}", scenario.name, scalar.name())),
+    };
     if !times.ticks.is_empty() && motion.regime() != Regime::Aperiodic {
         let refused = |error| Failure::Input(format!("--hertz: {error}"));
         let tick = Tick::ratio(rate[0], rate[1]).map_err(refused)?;
         let table = ephemeris_of_size(scalar, motion, tick, &CAPACITIES).map_err(named)?;
         return Ok(Box::new(move |index| {
-            table.at_tick(times.ticks[index as usize], times.seconds[index as usize]).sample
+            let (tick, t) = (times.ticks[index as usize], times.seconds[index as usize]);
+            Sample { t, ..table.at_tick(tick).sample }
         }));
     }
-    times.require_within(furthest_time(motion), " with --method ephemeris")?;
     let table = smallest_ephemeris(scalar, motion).map_err(named)?;
+    times.require_within(table.furthest_time(), " with --method ephemeris")?;
     Ok(Box::new(move |index| table.at(times.seconds[index as usize]).sample))
 }
 

@@ -5,12 +5,13 @@ use super::options::{Scalars, scalars};
 use crate::Failure;
 use crate::input::builtin;
 use crate::input::random::Random;
-use crate::motion::ephemeris::{AnyEphemeris, smallest_ephemeris, ticks_per_time};
-use crate::motion::{Scalar, drift, greater};
+use crate::motion::ephemeris::{AnyEphemeris, smallest_ephemeris};
+use crate::motion::errors::{drift, greater};
+use crate::motion::{MotionConstants, Scalar};
 use crate::output::doc_markers::{self, Page};
 use crate::output::progress::Progress;
 use crate::output::{self, Column, Format, Record};
-use crate::thread_pool;
+use crate::parallel::thread_pool;
 use crate::truth::exact::{Exact, PreciseOrientation};
 use crate::truth::motions::{ExactInput, Start};
 use crate::truth::precise::{from_f64, from_i64};
@@ -119,7 +120,7 @@ fn measured(scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
         all.iter_mut().flatten().zip(motion.iter().flatten()).for_each(|(a, b)| *a = greatest(*a, *b));
         Ok(all)
     };
-    thread_pool::of_all_cores()?.install(|| motions.par_iter().map(errors).try_reduce(nothing, together))
+    thread_pool()?.install(|| motions.par_iter().map(errors).try_reduce(nothing, together))
 }
 
 /// Input of a motion that nutates and whose tip slides, launched at u = e₁.
@@ -140,7 +141,7 @@ fn of_motion(input: &ExactInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>,
     let tables =
         scalars.iter().map(|&scalar| smallest_ephemeris(scalar, &motion)).collect::<Result<Vec<_>, _>>()?;
     let truth = Exact::new(input);
-    let rate = ticks_per_time(&motion);
+    let rate = MotionConstants::new(motion).ticks_per_time();
     let mut random = Random::new(1, 0);
     let mut found = vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];
     for octave in 0..=OCTAVES {
@@ -150,8 +151,7 @@ fn of_motion(input: &ExactInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>,
             let n = (first + more as u64) as i64;
             let exact = truth.at(&(from_i64(n) / from_f64(rate)));
             for (table, octaves) in tables.iter().zip(&mut found) {
-                // this quotient is exact, because the rate is a power of two
-                let errors = errors(&motion, &**table, (n, n as f64 / rate), &exact);
+                let errors = errors(&motion, &**table, n, &exact);
                 octaves[octave] = greatest(octaves[octave], errors);
             }
         }
@@ -160,18 +160,13 @@ fn of_motion(input: &ExactInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>,
 }
 
 /// Errors at a tick and its time.
-fn errors(
-    motion: &Motion,
-    table: &dyn AnyEphemeris,
-    (n, t): (i64, f64),
-    truth: &PreciseOrientation,
-) -> Errors {
-    let found = table.at_tick(n, t);
+fn errors(motion: &Motion, table: &dyn AnyEphemeris, n: i64, truth: &PreciseOrientation) -> Errors {
+    let found = table.at_tick(n);
     let orientation = found.sample.orientation();
     let exact = truth.to_f64();
     let tip = found.tip_over_s - (exact.alpha * exact.beta).scaled(2.0);
     let norm = (orientation.norm_squared() - 1.0).abs();
-    let now = table.at(t);
+    let now = table.at(found.sample.t);
     let there = now.sample.orientation();
     let [.., energy] = drift(motion, &there, AttitudeState { orientation: there, rate: now.rate }.omega());
     [truth.error_of(&orientation), tip.norm_squared().sqrt(), norm, energy]

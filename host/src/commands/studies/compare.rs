@@ -7,9 +7,11 @@ use super::{Report, warnings};
 use crate::Failure;
 use crate::input::builtin;
 use crate::input::scenario::Scenario;
-use crate::motion::ephemeris::{require_scalar, smallest_ephemeris};
+use crate::input::times::spread_times;
+use crate::motion::ephemeris::smallest_ephemeris;
+use crate::motion::errors::{drift, greater};
 use crate::motion::propagate::{Sample, TimedStepper, period};
-use crate::motion::{Scalar, drift, greater, spread_times, widened};
+use crate::motion::{Scalar, widened};
 use crate::output::progress::Progress;
 use crate::output::{self, Format, Record, short};
 use crate::truth::full_equations;
@@ -244,7 +246,6 @@ fn step_through<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run 
 /// # Errors
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
 fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
-    require_scalar(scalar, motion)?;
     let table = smallest_ephemeris(scalar, motion)?;
     let mut found = Vec::new();
     let call = median(|| {

@@ -7,8 +7,8 @@ use super::Report;
 use crate::Failure;
 use crate::input::axis::Axis;
 use crate::input::scenario::ScenarioFile;
-use crate::motion::stream;
-use crate::output::whole_file;
+use crate::output::{stdout, whole_file};
+use crate::parallel;
 use clap::Args;
 use columns::{DEFAULT_COLUMNS, SweepColumn};
 use std::path::PathBuf;
@@ -110,10 +110,10 @@ pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
             first.fetch_min(index, Relaxed);
         }
     };
-    stream::to(file, |out| {
+    stdout::or_file(file, |out| {
         // only the first part has the header, so that `cat` joins all parts
         out.write_all(if part == 1 { sweep.header() } else { String::new() }.as_bytes())?;
-        stream::rows(count, &row, out)
+        parallel::write_rows(count, &row, out)
     })?;
     let refused = match refused.into_inner() {
         0 => String::new(),

@@ -1,12 +1,12 @@
 //! Aperiodic motion by its closed form, which has no table.
 
-use super::{
-    AnyEphemeris, EventQuery, FoundEvent, RateSample, TableData, TimedSample, ticks_per_time, unwrapped,
-};
+use super::events::Condition;
+use super::{AnyEphemeris, EphemerisSample, EventFilter, FoundEvent, Rates, TableData, unwrapped};
 use crate::motion::propagate::{Sample, natural_time};
 use std::f64::consts::TAU;
 use toytop::{ErrorBound, Motion, Phase};
 use toytop_closed_forms::Aperiodic;
+use toytop_model::constants::MotionConstants;
 
 /// Closed form of an aperiodic motion.
 pub struct AperiodicMotion {
@@ -32,7 +32,13 @@ impl AperiodicMotion {
             upright *= 2.0;
         }
         let lowest = root(-upright, upright, |t| form.v(t));
-        Some(Self { form, ticks: ticks_per_time(motion), lowest, upright: upright + lowest.abs() })
+        let ticks = MotionConstants::new(*motion).ticks_per_time();
+        Some(Self { form, ticks, lowest, upright: upright + lowest.abs() })
+    }
+
+    fn rates_at(&self, t: f64) -> Rates {
+        let state = self.form.at(t);
+        Rates { omega: state.omega(), omega_body: state.omega_body(), udot: state.udot() }
     }
 
     /// Tip angle, continued in time, rad.
@@ -70,46 +76,39 @@ impl AnyEphemeris for AperiodicMotion {
         ErrorBound { constant: self.form.error_bound(), per_tick: 2e-30 }
     }
 
-    /// Errors that the tests of the closed form allow.
+    /// Error that the tests of the closed form allow, for the greatest angular speed, which is that of the lowest point.
     fn rate_error_bound(&self) -> ErrorBound {
         const ERROR: f64 = 5e-14;
-        let speed = self.rates_at_tick(0).speed();
+        let speed = self.rates_at(self.lowest).speed();
         let constant = (1.0 + speed) * ERROR;
         ErrorBound { constant, per_tick: constant * speed / self.ticks }
     }
 
-    fn at(&self, t: f64) -> TimedSample {
+    fn at(&self, t: f64) -> EphemerisSample {
         let state = self.form.at(t);
         let sample = Sample {
             error_bound: Some(self.error_bound().after(t * self.ticks)),
             ..Sample::from_state(t, &state, self.form.tip(t), Some(self.angle(t)))
         };
         let tip_over_s = state.orientation.tip_over_s();
-        TimedSample { sample, rate: state.rate, tip_over_s, nutation_phase: Phase::ZERO }
+        EphemerisSample { sample, rate: state.rate, tip_over_s, nutation_phase: Phase::ZERO }
     }
 
-    fn at_tick(&self, _: i64, t: f64) -> TimedSample {
-        self.at(t)
+    fn at_tick(&self, n: i64) -> EphemerisSample {
+        self.at(n as f64 / self.ticks)
     }
 
-    fn rates_at_tick(&self, n: i64) -> RateSample {
-        let state = self.form.at(n as f64 / self.ticks);
-        RateSample { omega: state.omega(), omega_body: state.omega_body(), udot: state.udot() }
+    fn rates_at_tick(&self, n: i64) -> Rates {
+        self.rates_at(n as f64 / self.ticks)
     }
 
     /// Events while the axis is not upright to a rounding: places at which the integer part of a function of time changes.
-    fn events(
-        &self,
-        sought: EventQuery,
-        from: i64,
-        wanted: &dyn Fn(f64, bool) -> bool,
-        most: usize,
-    ) -> Vec<FoundEvent> {
-        let value = |t: f64| match sought {
-            EventQuery::Turning => self.form.v(t).clamp(-0.5, 0.5),
-            EventQuery::Crossing(level) if level.u() < 1.0 => 0.25 * (self.form.at(t).u() - level.u()),
-            EventQuery::Crossing(_) => 0.5,
-            EventQuery::TipAngle(angle) => (self.angle(t) - angle.to_radians()) / TAU,
+    fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent> {
+        let value = |t: f64| match condition {
+            Condition::Turning => self.form.v(t).clamp(-0.5, 0.5),
+            Condition::Crossing(level) if level.u() < 1.0 => 0.25 * (self.form.at(t).u() - level.u()),
+            Condition::Crossing(_) => 0.5,
+            Condition::TipAngle(angle) => (self.angle(t) - angle.to_radians()) / TAU,
         };
         let mut found = Vec::new();
         let [mut time, mut before] = [f64::NAN; 2];
@@ -121,18 +120,18 @@ impl AnyEphemeris for AperiodicMotion {
                 let sense = (after - before).signum();
                 let t = root(time, next, |t| sense * (value(t) - whole));
                 // at the lowest point u is least
-                let upward = sense > 0.0 && sought != EventQuery::Turning;
-                if t >= from as f64 / self.ticks && wanted(t, upward) {
-                    found.push(FoundEvent { t, upward, state: self.at(t) });
+                let upward = sense > 0.0 && condition != Condition::Turning;
+                if filter.accepts(t, upward) {
+                    found.push(FoundEvent::new(condition, t, upward, self.at(t)));
                 }
             }
             (time, before) = (next, after);
         }
-        found.truncate(most);
+        found.truncate(filter.count);
         found
     }
 
-    fn parts(&self) -> Option<TableData> {
+    fn data(&self) -> Option<TableData> {
         None
     }
 }

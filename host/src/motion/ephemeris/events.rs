@@ -1,61 +1,64 @@
-//! Samples and events of an ephemeris of any scalar, in `f64`.
+//! Search for the events of a motion.
 
-use crate::motion::greater;
-use crate::motion::propagate::Sample;
-use toytop::su2::OrientationRate;
-use toytop::{Complex, EphemerisScalar, EphemerisView, Event, Level, Phase};
-use toytop_model::equations::dot;
+use super::{AnyEphemeris, EphemerisSample};
+use toytop::{EphemerisScalar, EphemerisView, Event, Level, Motion, ParameterError, Phase};
 
-/// Sample of an ephemeris with the rates and the phase that only an ephemeris has.
-pub struct TimedSample {
-    /// α, β and u in the precision of the scalar; rates, tip and tip angle in that of its type for lengths and rates (`f32` for fixed
-    /// point).
-    pub sample: Sample,
-    /// Rate Φ' of the orientation, per unit time.
-    pub rate: OrientationRate<f64>,
-    /// Position of the tip in units of s, c/s = 2αβ, in the precision of the scalar.
-    pub tip_over_s: Complex<f64>,
-    /// Nutation phase: one turn a nutation period, 0 at u = e₁.
-    pub nutation_phase: Phase,
-}
-
-/// Rates at one time.
-pub struct RateSample {
-    /// Angular velocity ω in the fixed frame, rad per unit time.
-    pub omega: [f64; 3],
-    /// Angular velocity Ω in the body frame, rad per unit time.
-    pub omega_body: [f64; 3],
-    /// Rate u' of the cosine of the tilt, per unit time.
-    pub udot: f64,
-}
-
-impl RateSample {
-    /// Greatest of the differences |Δω|, |ΔΩ| and |Δu'|, rad per unit time; infinite where one of them is no number.
-    pub fn distance(&self, other: &Self) -> f64 {
-        let apart = |x: [f64; 3], y: [f64; 3]| norm([x[0] - y[0], x[1] - y[1], x[2] - y[2]]);
-        let vectors = [apart(self.omega, other.omega), apart(self.omega_body, other.omega_body)];
-        vectors.into_iter().fold(greater(0.0, (self.udot - other.udot).abs()), greater)
-    }
-
-    /// Angular speed |Ω|, rad per unit time.
-    pub fn speed(&self) -> f64 {
-        norm(self.omega_body)
-    }
-}
-
-fn norm(x: [f64; 3]) -> f64 {
-    dot(x, x).sqrt()
-}
-
-/// Event that is searched for.
-#[derive(Clone, Copy, PartialEq)]
-pub enum EventQuery {
-    /// Turning points of u.
+/// Kind of an event.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum EventKind {
+    /// Turning point of u.
     Turning,
-    /// Crossings of a level.
-    Crossing(Level),
-    /// Times at which the tip angle has this value, modulo whole turns.
+    /// Tilt, rad.
+    Tilt(f64),
+    /// Tip angle modulo whole turns.
     TipAngle(Phase),
+    /// Distance of the tip from the centre, m.
+    Circle(f64),
+    /// Normal force 0.
+    LiftOff,
+}
+
+impl EventKind {
+    /// Conditions for an event of this kind. A circle has two levels of u. A top that stays on the plane has no lift-off.
+    fn conditions(self, motion: &Motion) -> Result<Vec<Condition>, ParameterError> {
+        let levels = match self {
+            Self::Turning => return Ok(vec![Condition::Turning]),
+            Self::TipAngle(angle) => return Ok(vec![Condition::TipAngle(angle)]),
+            Self::Tilt(tilt) => vec![Level::of_tilt(tilt)?],
+            Self::Circle(radius) => Level::of_circle(motion.top(), radius)?.to_vec(),
+            Self::LiftOff => Level::of_lift_off(motion).into_iter().collect(),
+        };
+        Ok(levels.into_iter().map(Condition::Crossing).collect())
+    }
+}
+
+/// Condition for an event.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Condition {
+    /// u is at a turning point.
+    Turning,
+    /// u is at a level.
+    Crossing(Level),
+    /// The tip angle has this value, modulo whole turns.
+    TipAngle(Phase),
+}
+
+/// Events that count.
+#[derive(Clone, Copy)]
+pub struct EventFilter {
+    /// Time of the earliest event.
+    pub from: f64,
+    /// Whether only upward (`true`) or only downward (`false`) events count; `None` for both.
+    pub upward: Option<bool>,
+    /// Greatest number of events.
+    pub count: usize,
+}
+
+impl EventFilter {
+    /// Whether an event counts.
+    pub fn accepts(&self, t: f64, upward: bool) -> bool {
+        t >= self.from && self.upward.is_none_or(|only| only == upward)
+    }
 }
 
 /// Event with its time and the motion there.
@@ -64,53 +67,82 @@ pub struct FoundEvent {
     pub t: f64,
     /// Whether u rises there, or the tip angle; at a turning point, whether u = e₂.
     pub upward: bool,
+    /// Upper bound on the error of the time: that of u or of the tip angle, divided by its rate. `None` for a turning point, and where the
+    /// rate is 0.
+    pub time_error: Option<f64>,
     /// Motion at the event.
-    pub state: TimedSample,
+    pub state: EphemerisSample,
 }
 
 impl FoundEvent {
-    /// Upper bound on the error of the time: that of u or of the tip angle, divided by its rate. `None` for a turning point, and where the
-    /// rate is 0.
-    pub fn time_error(&self, sought: &EventQuery) -> Option<f64> {
-        let TimedSample { sample, rate, .. } = &self.state;
-        let bound = sample.error_bound? + f64::EPSILON;
-        let error = match sought {
-            EventQuery::Turning => return None,
-            EventQuery::Crossing(_) => bound / sample.udot.abs(),
-            EventQuery::TipAngle(_) => {
-                let product = sample.alpha * sample.beta;
-                let change = rate.alpha * sample.beta + sample.alpha * rate.beta;
-                let turning = (product.re * change.im - product.im * change.re) / product.norm_squared();
-                bound / (2.0 * product.modulus() * turning.abs())
-            }
-        };
-        Some(error).filter(|error| error.is_finite())
+    /// Event at which a condition holds.
+    pub fn new(condition: Condition, t: f64, upward: bool, state: EphemerisSample) -> Self {
+        Self { t, upward, time_error: time_error(condition, &state).filter(|error| error.is_finite()), state }
     }
+}
+
+fn time_error(condition: Condition, state: &EphemerisSample) -> Option<f64> {
+    let EphemerisSample { sample, rate, .. } = state;
+    let bound = sample.error_bound? + f64::EPSILON;
+    match condition {
+        Condition::Turning => None,
+        Condition::Crossing(_) => Some(bound / sample.udot.abs()),
+        Condition::TipAngle(_) => {
+            let product = sample.alpha * sample.beta;
+            let change = rate.alpha * sample.beta + sample.alpha * rate.beta;
+            let turning = (product.re * change.im - product.im * change.re) / product.norm_squared();
+            Some(bound / (2.0 * product.modulus() * turning.abs()))
+        }
+    }
+}
+
+/// First events of a kind, in the order of their times.
+///
+/// # Errors
+/// `tilt` or `radius`: the motion's top has no such event.
+pub fn search(
+    table: &dyn AnyEphemeris,
+    motion: &Motion,
+    kind: EventKind,
+    filter: &EventFilter,
+) -> Result<Vec<FoundEvent>, ParameterError> {
+    let conditions = kind.conditions(motion)?.into_iter();
+    let mut events: Vec<_> = conditions.flat_map(|condition| table.events(condition, filter)).collect();
+    events.sort_by(|a, b| a.t.total_cmp(&b.t));
+    events.truncate(filter.count);
+    Ok(events)
 }
 
 /// Greatest number of consecutive events of another sense.
 const MOST_UNWANTED: u32 = 10_000;
 
-/// Events at tick `from` or later, at times that `wanted` accepts.
-pub fn find<R: EphemerisScalar>(
-    view: &EphemerisView<R>,
-    sought: EventQuery,
-    from: i64,
-    wanted: &dyn Fn(f64, bool) -> bool,
-    most: usize,
-    state: impl Fn(&Event, f64) -> TimedSample,
+/// First events of a table at which a condition holds; `state` is the motion at an event and its time.
+pub fn of_table<R: EphemerisScalar>(
+    table: &EphemerisView<R>,
+    condition: Condition,
+    filter: &EventFilter,
+    state: impl Fn(&Event, f64) -> EphemerisSample,
 ) -> Vec<FoundEvent> {
-    let events: Box<dyn Iterator<Item = Event>> = match sought {
-        EventQuery::Turning => Box::new(view.turning_points(from)),
-        EventQuery::Crossing(level) => Box::new(view.crossings(level, from)),
-        EventQuery::TipAngle(angle) => Box::new(view.tip_angles(angle, from)),
+    let [ticks_per_time, _] = table.clock().ticks_per_time;
+    let from = (filter.from * ticks_per_time).floor() as i64;
+    let events: Box<dyn Iterator<Item = Event>> = match condition {
+        Condition::Turning => Box::new(table.turning_points(from)),
+        Condition::Crossing(level) => Box::new(table.crossings(level, from)),
+        Condition::TipAngle(angle) => Box::new(table.tip_angles(angle, from)),
     };
-    let timed = events.map(|event| (view.time_of(&event), event));
     let mut unwanted = 0;
-    let expected = |(t, event): &(f64, Event)| {
-        unwanted = if wanted(*t, event.upward) { 0 } else { unwanted + 1 };
-        unwanted < MOST_UNWANTED
-    };
-    let timed = timed.take_while(expected).filter(|(t, event)| wanted(*t, event.upward)).take(most);
-    timed.map(|(t, event)| FoundEvent { t, upward: event.upward, state: state(&event, t) }).collect()
+    let mut found = Vec::new();
+    for event in events {
+        let t = table.time_of(&event);
+        if filter.accepts(t, event.upward) {
+            unwanted = 0;
+            found.push(FoundEvent::new(condition, t, event.upward, state(&event, t)));
+        } else {
+            unwanted += 1;
+        }
+        if found.len() >= filter.count || unwanted == MOST_UNWANTED {
+            break;
+        }
+    }
+    found
 }

@@ -1,18 +1,19 @@
 //! Capacities that a table may have, and the choice among them.
 
 use super::aperiodic::AperiodicMotion;
-use super::parts::TableScalar;
+use super::table_data::TableScalar;
 use super::{AnyEphemeris, Table};
 use crate::Failure;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
-use toytop::{
-    Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Regime, SetUp, SetUpError, Tick,
-};
-use toytop_model::constants::tick;
+use toytop::{Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, SetUp, SetUpError, Tick};
+use toytop_model::constants::MotionConstants;
 
 /// Capacities besides the defaults, in ascending order.
-pub const CAPACITIES: [u32; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096];
+pub const CAPACITIES: [u32; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, MOST];
+
+/// Greatest capacity.
+const MOST: u32 = 4096;
 
 /// Segments of the crate's own type of a scalar, which fits most motions.
 fn default_size(scalar: Scalar) -> u32 {
@@ -32,7 +33,7 @@ fn allowed(scalar: Scalar) -> Vec<u32> {
     allowed
 }
 
-/// Capacities to try for a table of this many segments or, without a number, for one of the crate's own capacity or more.
+/// Capacities to try: this one, or without a number the default and all larger ones.
 ///
 /// # Errors
 /// [`Failure::Input`]: no table has this many segments.
@@ -75,27 +76,26 @@ fn table_in<R: TableScalar>(
     sizes: &[u32],
     truncation: f64,
 ) -> Result<Box<dyn AnyEphemeris>, Failure> {
-    let mut refusal = String::new();
-    for segments in sizes {
-        let mut memory = memory::<R>(*segments);
-        match memory.set_up(&mut SetUp::with_truncation(truncation), motion, tick, 0, &mut || {}) {
-            Ok(_) => return Ok(Box::new(Table(memory))),
-            Err(error @ SetUpError::TooSmall { .. }) => refusal = error.to_string(),
-            Err(error) => return Err(Failure::Method(format!("no ephemeris: {error}"))),
-        }
-    }
-    let tried = match sizes {
-        [segments] => format!("{segments} segments"),
-        _ => format!("4096x{} segments, the most", R::TERMS),
-    };
     let needed = EphemerisView::<R>::segments_needed(motion, truncation);
-    let sufficient = allowed(R::SCALAR).into_iter().find(|size| needed.is_some_and(|needed| *size >= needed));
-    let enough = match (needed, sufficient) {
-        (_, Some(size)) => format!("at least --size {size}"),
-        (Some(needed), None) => format!("{needed} segments of this degree"),
-        (None, None) => "not even 4096 segments of this degree".to_owned(),
-    };
-    Err(Failure::Method(format!("no ephemeris of {tried}: {refusal}; {enough} would be enough")))
+    let enough =
+        |sizes: &[u32]| sizes.iter().copied().find(|size| needed.is_some_and(|needed| *size >= needed));
+    let largest = sizes.last().copied().unwrap_or(MOST);
+    let mut memory = memory::<R>(enough(sizes).unwrap_or(largest));
+    match memory.set_up(&mut SetUp::with_truncation(truncation), motion, tick, 0, &mut || {}) {
+        Ok(_) => Ok(Box::new(Table(memory))),
+        Err(error @ SetUpError::TooSmall { .. }) => {
+            let tried = match sizes {
+                [segments] => format!("{segments} segments"),
+                _ => format!("{MOST}x{} segments, the most", R::TERMS),
+            };
+            let sufficient = match enough(&allowed(R::SCALAR)) {
+                Some(size) => format!("at least --size {size}"),
+                None => format!("not even {MOST} segments of this degree"),
+            };
+            Err(Failure::Method(format!("no ephemeris of {tried}: {error}; {sufficient} would be enough")))
+        }
+        Err(error) => Err(Failure::Method(format!("no ephemeris: {error}"))),
+    }
 }
 
 /// Memory of a table of this many segments, one of the [`allowed`] capacities.
@@ -119,23 +119,12 @@ fn memory<R: TableScalar>(segments: u32) -> Box<EphemerisMemory<EphemerisView<R>
     }
 }
 
-/// Refusal of a scalar for an aperiodic motion, which has no table and whose closed form is in `f64`.
-///
-/// # Errors
-/// [`Failure::Method`]: the motion is aperiodic, and the scalar is not `f64`.
-pub fn require_scalar(scalar: Scalar, motion: &Motion) -> Result<(), Failure> {
-    if motion.regime() == Regime::Aperiodic && scalar != Scalar::F64 {
-        return Err(Failure::Method("an aperiodic motion has a closed form in f64, and no table".into()));
-    }
-    Ok(())
-}
-
 /// Smallest table whose truncation error is within the rounding of the scalar, or the closed form of an aperiodic motion.
 ///
 /// # Errors
-/// [`Failure::Method`]: no table is large enough; the message states the size that would be.
+/// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
 pub fn smallest_ephemeris(scalar: Scalar, motion: &Motion) -> Result<Box<dyn AnyEphemeris>, Failure> {
-    at_any_time(motion, |tick| ephemeris_of_size(scalar, motion, tick, &CAPACITIES))
+    at_any_time(scalar, motion, |tick| ephemeris_of_size(scalar, motion, tick, &CAPACITIES))
 }
 
 /// Smallest table in `f64` with a truncation error of at most `truncation`, rad.
@@ -143,16 +132,18 @@ pub fn smallest_ephemeris(scalar: Scalar, motion: &Motion) -> Result<Box<dyn Any
 /// # Errors
 /// As [`smallest_ephemeris`].
 pub fn approximate(motion: &Motion, truncation: f64) -> Result<Box<dyn AnyEphemeris>, Failure> {
-    at_any_time(motion, |tick| table_in::<f64>(motion, tick, &CAPACITIES, truncation))
+    at_any_time(Scalar::F64, motion, |tick| table_in::<f64>(motion, tick, &CAPACITIES, truncation))
 }
 
 fn at_any_time(
+    scalar: Scalar,
     motion: &Motion,
     table: impl FnOnce(Tick) -> Result<Box<dyn AnyEphemeris>, Failure>,
 ) -> Result<Box<dyn AnyEphemeris>, Failure> {
     match AperiodicMotion::new(motion) {
-        Some(closed_form) => Ok(Box::new(closed_form)),
-        None => table(tick(motion).map_err(|error| Failure::Method(error.to_string()))?),
+        None => table(MotionConstants::new(*motion).tick()),
+        Some(closed_form) if scalar == Scalar::F64 => Ok(Box::new(closed_form)),
+        Some(_) => Err(Failure::Method("an aperiodic motion has a closed form in f64, and no table".into())),
     }
 }
 
@@ -165,7 +156,7 @@ mod tests {
     fn sizes_chosen(scalar: Scalar, motions: &[Motion]) -> Vec<usize> {
         let chosen = |motion: &Motion| {
             let table = smallest_ephemeris(scalar, motion).unwrap();
-            let tick = tick(motion).unwrap();
+            let tick = MotionConstants::new(*motion).tick();
             for segments in CAPACITIES.into_iter().filter(|&segments| (segments as usize) < table.size()[0]) {
                 let refused = super::ephemeris_of_size(scalar, motion, tick, &[segments]).is_err();
                 assert!(refused, "{segments} segments would do");
@@ -188,7 +179,15 @@ mod tests {
         }
         assert_eq!(sizes_chosen(Scalar::F64, &motions).first(), Some(&8));
         assert!(sizes_chosen(Scalar::F32, &motions).len() > 4);
-        // an aperiodic motion has a closed form and no table
-        assert_eq!(smallest_ephemeris(Scalar::F32, &motion(1.0, [0.2, 1.0, 1.0])).unwrap().size()[0], 0);
+    }
+
+    #[test]
+    fn an_aperiodic_motion_has_a_closed_form_in_f64_alone() {
+        let motion = motion(1.0, [0.2, 1.0, 1.0]);
+        assert_eq!(smallest_ephemeris(Scalar::F64, &motion).unwrap().size()[0], 0);
+        for scalar in [Scalar::F32, Scalar::Q31, Scalar::Q15] {
+            let refusal = smallest_ephemeris(scalar, &motion).err().unwrap().to_string();
+            assert_eq!(refusal, "an aperiodic motion has a closed form in f64, and no table");
+        }
     }
 }

@@ -1,9 +1,10 @@
 //! Columns of a sweep, and what is computed of a motion for them.
 
-use crate::motion::ephemeris::{AnyEphemeris, approximate, require_scalar, smallest_ephemeris};
+use crate::input::times::spread_times;
+use crate::motion::ephemeris::{AnyEphemeris, approximate, smallest_ephemeris};
 use crate::motion::propagate::Sample;
 use crate::motion::quantity::Quantity;
-use crate::motion::{Scalar, spread_times, value};
+use crate::motion::{Scalar, value};
 use clap::ValueEnum;
 use serde_json::Value;
 use std::cell::OnceCell;
@@ -129,10 +130,8 @@ impl Measured {
     }
 
     fn f32_table(&self) -> Option<&TableSamples> {
-        let table = || {
-            require_scalar(Scalar::F32, &self.motion).ok()?;
-            smallest_ephemeris(Scalar::F32, &self.motion).ok().map(|table| self.samples_of(&*table))
-        };
+        let table =
+            || smallest_ephemeris(Scalar::F32, &self.motion).ok().map(|table| self.samples_of(&*table));
         self.f32_table.get_or_init(table).as_ref()
     }
 }

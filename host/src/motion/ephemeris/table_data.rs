@@ -50,7 +50,7 @@ pub trait TableScalar:
     fn crc32_and_coefficients(table: &EphemerisView<Self>) -> (u32, Vec<[f64; 4]>);
 
     /// Numbers of a table.
-    fn parts(table: &EphemerisView<Self>) -> TableData {
+    fn data(table: &EphemerisView<Self>) -> TableData {
         let (crc32, coefficients) = Self::crc32_and_coefficients(table);
         let clock = *table.clock();
         TableData {

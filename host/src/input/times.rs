@@ -1,9 +1,10 @@
 //! Times at which a motion is computed: times or ticks on the command line, or a file of times.
 
+use super::axis::Axis;
+use super::file::{self, excerpt};
+use super::finite;
 use crate::Failure;
-use crate::input::axis::Axis;
-use crate::input::finite;
-use crate::output::{shown, whole_file};
+use crate::motion::require_within;
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -72,7 +73,7 @@ impl Times {
     /// # Errors
     /// [`Failure::Input`]: another text.
     pub fn parse(text: &str) -> Result<Self, Failure> {
-        let refused = |reason: &str| Failure::Input(format!("--times: {}: {reason}", shown(text)));
+        let refused = |reason: &str| Failure::Input(format!("--times: {}: {reason}", excerpt(text)));
         let axis = if text.contains("..") {
             text.parse().map_err(refused)?
         } else {
@@ -86,7 +87,7 @@ impl Times {
 
     /// Ticks of a text `N1,N2,...` or `FIRST..LAST`, as an interrupt counts them.
     fn parse_ticks(text: &str, rate: [u32; 2]) -> Result<Self, Failure> {
-        let refused = |reason: &str| Failure::Input(format!("--ticks: {}: {reason}", shown(text)));
+        let refused = |reason: &str| Failure::Input(format!("--ticks: {}: {reason}", excerpt(text)));
         let allowed = "must be N1,N2,... or FIRST..LAST, whole numbers of 64 bits";
         let numbers =
             |separator| text.split(separator).map(|number: &str| number.trim().parse().ok()).collect();
@@ -109,7 +110,7 @@ impl Times {
         /// Size of the largest file, MiB: some five million times.
         const LARGEST: u64 = 64;
         let name = path.display();
-        let text = whole_file::read(&name.to_string(), path, LARGEST)?;
+        let text = file::read(&name.to_string(), path, LARGEST)?;
         let mut times = Vec::new();
         for (index, line) in text.lines().enumerate() {
             let entry = line.split('#').next().unwrap_or_default().trim();
@@ -136,12 +137,17 @@ impl Times {
     /// # Errors
     /// [`Failure::Input`].
     pub fn require_within(&self, most: f64, method: &str) -> Result<(), Failure> {
-        let beyond = |t: &f64| {
-            let reason = format!("{t:e} must be within ±{most:.1e} s{method}");
-            Err(Failure::Input(reason).with_context(&self.option))
-        };
-        self.seconds.iter().find(|t| t.abs() > most).map_or(Ok(()), beyond)
+        require_within(self.seconds.iter().copied(), most, &format!(" s{method}"))
+            .map_err(|failure| failure.with_context(&self.option))
     }
+}
+
+/// Times from 0 to `horizon`, s: one in each of `count` equal parts, at a place in its part that is a multiple of the golden section
+/// modulo 1.
+pub fn spread_times(horizon: f64, count: u32) -> Vec<f64> {
+    const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
+    let part = horizon / f64::from(count);
+    (0..count).map(|i| part * (f64::from(i) + (f64::from(i) * GOLDEN_SECTION).fract())).collect()
 }
 
 fn require_few(count: u64) -> Result<(), String> {
@@ -149,8 +155,9 @@ fn require_few(count: u64) -> Result<(), String> {
 }
 
 fn time(entry: &str, place: &str) -> Result<f64, Failure> {
-    finite(entry)
-        .ok_or_else(|| Failure::Input(format!("{place}: {:?} must be a finite number", shown(entry.trim()))))
+    finite(entry).ok_or_else(|| {
+        Failure::Input(format!("{place}: {:?} must be a finite number", excerpt(entry.trim())))
+    })
 }
 
 #[cfg(test)]

@@ -1,0 +1,71 @@
+//! Threads on all processor cores.
+
+use crate::Failure;
+use crate::output::progress::Progress;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::io::{self, Write};
+
+/// Stack of a thread, bytes. The set-up of the largest table needs 1.5 MB of it.
+pub const STACK: usize = 1 << 25;
+
+/// Thread pool with a thread for each processor core.
+///
+/// # Errors
+/// [`Failure::Output`]: the system cannot start the threads.
+pub fn thread_pool() -> Result<ThreadPool, Failure> {
+    ThreadPoolBuilder::new()
+        .stack_size(STACK)
+        .build()
+        .map_err(|error| Failure::Output(io::Error::other(error)))
+}
+
+/// Results of independent trials on all processor cores, in the order of their numbers, with a progress bar that names them `what`.
+///
+/// # Errors
+/// As [`thread_pool`].
+pub fn map<T: Send>(
+    (trials, what): (u64, &'static str),
+    trial: impl Fn(u64) -> T + Sync,
+) -> Result<Vec<T>, Failure> {
+    let progress = Progress::new(trials, what);
+    let each = |number| {
+        let result = trial(number);
+        progress.add(1);
+        result
+    };
+    Ok(thread_pool()?.install(|| (0..trials).into_par_iter().map(each).collect()))
+}
+
+/// Rows that need no other thread.
+const FEW: u64 = 1024;
+/// Rows between two writes.
+const BATCH: u64 = 1 << 15;
+
+/// Function that appends the row of a number to the bytes.
+pub type Encode<'a> = dyn Fn(u64, &mut Vec<u8>) + Sync + 'a;
+
+/// Writes this many rows in order, while all cores compute them. Memory does not grow with their number.
+///
+/// # Errors
+/// The errors of the writer.
+pub fn write_rows(count: u64, encode: &Encode<'_>, out: &mut dyn Write) -> io::Result<()> {
+    let append = |mut bytes: Vec<u8>, row| {
+        encode(row, &mut bytes);
+        bytes
+    };
+    if count <= FEW {
+        out.write_all(&(0..count).fold(Vec::new(), append))?;
+        return out.flush();
+    }
+    let cores = thread_pool().map_err(io::Error::other)?;
+    let progress = Progress::new(count, "rows");
+    for first in (0..count).step_by(BATCH as usize) {
+        let rows = first..count.min(first + BATCH);
+        progress.add(rows.end - first);
+        // in the order of the rows, whichever thread encodes them
+        let parts: Vec<_> = cores.install(|| rows.into_par_iter().fold(Vec::new, append).collect());
+        parts.iter().try_for_each(|bytes| out.write_all(bytes))?;
+    }
+    out.flush()
+}
