@@ -13,7 +13,6 @@ pub mod angles;
 pub mod ephemeris;
 pub mod propagate;
 pub mod quantity;
-#[cfg(feature = "program")]
 pub mod stream;
 pub mod thread_pool;
 pub mod tip_angle;
@@ -36,8 +35,7 @@ pub fn greater(a: f64, b: f64) -> f64 {
 }
 
 /// Scalar types of the core.
-#[derive(Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "program", derive(clap::ValueEnum))]
+#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
 pub enum Scalar {
     /// Double precision
     F64,
@@ -100,8 +98,7 @@ pub fn drift(motion: &Motion, orientation: &Orientation<f64>, omega: [f64; 3]) -
 
 /// Times from 0 to `horizon`, s: one in each of `count` equal parts, at a place in its part that is a multiple of the golden section
 /// modulo 1.
-#[cfg(feature = "program")]
-pub(crate) fn spread_times(horizon: f64, count: u32) -> Vec<f64> {
+pub fn spread_times(horizon: f64, count: u32) -> Vec<f64> {
     const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
     let part = horizon / f64::from(count);
     (0..count).map(|i| part * (f64::from(i) + (f64::from(i) * GOLDEN_SECTION).fract())).collect()

@@ -1,13 +1,11 @@
 //! Records as an aligned table, CSV or JSON. In CSV and JSON a number has 17 significant digits, from which a reader obtains the same `f64`.
 
+pub mod command_line;
 pub mod doc_markers;
-#[cfg_attr(not(feature = "program"), path = "output/silent.rs")]
 pub mod progress;
-#[cfg(feature = "program")]
 pub mod stdout;
 pub mod whole_file;
 
-#[cfg(feature = "program")]
 use comfy_table::{CellAlignment, Row, Table, presets::NOTHING};
 use serde_json::Value;
 use std::iter::once;
@@ -46,7 +44,6 @@ impl Record {
 }
 
 /// Form of the output.
-#[cfg(feature = "program")]
 #[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
 pub enum Format {
     /// Aligned table
@@ -67,7 +64,6 @@ pub fn list<'a>(key: &'static str, records: &'a [Record]) -> Lists<'a> {
 
 /// Records in a form. CSV contains only the first list, or else one line with the other values; `table` makes the table. JSON is
 /// the object `{"key":[record, ...], ..., "other":value, ...}`.
-#[cfg(feature = "program")]
 pub fn render(format: Format, Lists(lists, rest): &Lists<'_>, table: impl FnOnce() -> String) -> String {
     match format {
         Format::Table => table(),
@@ -151,7 +147,6 @@ pub fn text(value: &Value, of_number: impl Fn(f64) -> String) -> Option<String> 
 }
 
 /// Records as aligned columns below their headings; the first columns are aligned to the left as long as they contain words.
-#[cfg(feature = "program")]
 pub fn aligned(records: &[Record], shown: &[Column<'_>]) -> String {
     let is_word = |column: &&Column<'_>| {
         records
@@ -162,7 +157,6 @@ pub fn aligned(records: &[Record], shown: &[Column<'_>]) -> String {
 }
 
 /// Rows as aligned columns without rules, the first `left` columns aligned to the left and the others to the right.
-#[cfg(feature = "program")]
 pub fn columns(rows: Vec<Vec<String>>, left: usize) -> String {
     let mut table = Table::new();
     table.load_style(NOTHING).add_rows(rows.into_iter().map(Row::from));

@@ -12,12 +12,16 @@ mod corners;
 mod fit;
 
 use clap::{Args, Parser, Subcommand};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::path::PathBuf;
 use std::process::ExitCode;
+use toytop_host::motion::thread_pool;
 use toytop_host::output::Format;
+use toytop_host::output::command_line::report;
 use toytop_host::output::doc_markers::{self, Page};
+use toytop_host::output::progress::Progress;
 use toytop_host::output::{self, Record, stdout};
-use toytop_host::{Failure, Report, cli};
+use toytop_host::{Failure, Report};
 
 /// Studies of random launches that check toytop itself.
 #[derive(Parser)]
@@ -67,7 +71,7 @@ struct Study {
 }
 
 fn main() -> ExitCode {
-    stdout::finish(cli::report(std::env::args_os(), |cli: &Cli| match &cli.command {
+    stdout::finish(report(|cli: &Cli| match &cli.command {
         Command::Corners { study, truths } => {
             study.run("toytop-lab corners: corners", || corners::run(study, *truths))
         }
@@ -81,6 +85,20 @@ struct Summary {
     rows: Vec<Record>,
     /// Launches that must not occur.
     failures: Vec<String>,
+}
+
+/// Results of independent trials on all processor cores, in the order of their numbers.
+///
+/// # Errors
+/// The failures of [`thread_pool::of_all_cores`].
+fn trials<T: Send>(count: u64, trial: impl Fn(u64) -> T + Sync) -> Result<Vec<T>, Failure> {
+    let progress = Progress::new(count, "launches");
+    let counted = |number| {
+        let result = trial(number);
+        progress.add(1);
+        result
+    };
+    Ok(thread_pool::of_all_cores()?.install(|| (0..count).into_par_iter().map(counted).collect()))
 }
 
 impl Study {

@@ -9,12 +9,13 @@
 mod c;
 mod rust;
 
-use super::options::hertz;
-use super::{Report, warnings};
 use crate::Failure;
+use crate::commands::options::hertz;
+use crate::commands::warnings;
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{TableData, ephemeris_of_size, sizes};
+use crate::output::stdout::Report;
 use crate::output::whole_file;
 use c::header;
 use clap::{Args, ValueEnum};
@@ -22,8 +23,13 @@ use rust::module;
 use std::path::PathBuf;
 use toytop::{ErrorBound, Tick};
 
-/// `toytop bake`
+/// Table of a motion as a constant for firmware: Rust or C
+///
+/// A table in C contains the code that evaluates it.
 #[derive(Args)]
+#[command(
+    after_help = "Example: toytop bake top.toml --hertz 8000 -o src/top.rs         a static; it does not compile if a bit was changed\n         toytop bake top.toml --lang c --hertz 44100/2 -o top.h   C99 or C++11, with the same results to the bit"
+)]
 pub struct BakeArgs {
     /// Scenario file
     scenario: PathBuf,

@@ -1,16 +1,16 @@
 //! `toytop accuracy`: error of each scalar at ticks 1 to 2^40, against the truth to thirty digits.
 
-use super::Report;
-use super::options::{Scalars, scalars};
 use crate::Failure;
+use crate::commands::options::{Scalars, scalars};
 use crate::input::builtin;
 use crate::input::random::Random;
 use crate::motion::ephemeris::{AnyEphemeris, smallest_ephemeris, ticks_per_time};
+use crate::motion::thread_pool;
 use crate::motion::{Scalar, drift, greater};
 use crate::output::doc_markers::{self, Page};
 use crate::output::progress::Progress;
+use crate::output::stdout::Report;
 use crate::output::{self, Column, Format, Record};
-use crate::thread_pool;
 use crate::truth::exact::{Exact, PreciseOrientation};
 use crate::truth::motions::{ExactInput, Start};
 use crate::truth::precise::{from_f64, from_i64};
@@ -20,8 +20,9 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::path::PathBuf;
 use toytop::{AttitudeState, InitialPhases, Motion, Regime, Support};
 
-/// `toytop accuracy`
+/// Errors of each scalar up to tick 2^40
 #[derive(Args)]
+#[command(after_help = "Example: toytop accuracy --scalar f32,q31")]
 pub struct AccuracyArgs {
     /// Scalar types
     #[arg(long, value_name = "LIST", default_value = "all", value_parser = scalars)]

@@ -1,16 +1,34 @@
 //! `toytop budget`: cost of each call on each emulated chip, compared with its budget.
+//!
+//! QEMU runs the firmware `cost` and logs the blocks of code that it executes. No clock is used: the same ELF gives the same figures.
+//!
+//! | module | contents |
+//! |---|---|
+//! | `chips` | chips with their compilers and emulators |
+//! | `trace` | blocks of code that QEMU executes |
+//! | `model` | cycles of an instruction, from published timings |
+//! | `meter` | cost of each call: the blocks between its entry and its return |
+//! | `budgets` | allowed costs, `firmware-examples/budgets.toml` |
+//! | `corpus` | set-up of many launches |
+//! | `pages` | tables of the documents |
 
+mod budgets;
+mod chips;
+mod corpus;
+mod meter;
+mod model;
 mod pages;
+mod trace;
 
-use super::Report;
-use super::options::positive;
 use crate::Failure;
-use crate::budget::budgets::Budgets;
-use crate::budget::chips::{self, Chip};
-use crate::budget::corpus::corpus;
-use crate::budget::meter::{Cost, Costs, flash, measure};
+use crate::commands::options::positive;
+use crate::output::stdout::Report;
 use crate::output::{self, Format, Record, eight_digits, short, whole_file};
+use budgets::Budgets;
+use chips::Chip;
 use clap::Args;
+use corpus::corpus;
+use meter::{Cost, Costs, flash, measure};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -21,7 +39,9 @@ const CHIPS: [Chip; 5] = [chips::M0PLUS, chips::M4F, chips::M7, chips::M33, chip
 /// Frequency of the interrupt that a tick has to fit into, Hz.
 const TICK_RATE: f64 = 1000.0;
 
-/// `toytop budget`
+/// Cost of each call on emulated microcontrollers, beside its budget
+///
+/// The exit code is 1 if a call is beyond its budget.
 #[derive(Args)]
 #[command(
     after_help = "Example: toytop budget --chip m4f,m0plus --clock 48\nNeeds QEMU (qemu-system-arm, qemu-system-misc) and, without --elf, the repository."

@@ -3,11 +3,11 @@
 mod columns;
 mod table;
 
-use super::Report;
 use crate::Failure;
 use crate::input::axis::Axis;
 use crate::input::scenario::ScenarioFile;
 use crate::motion::stream;
+use crate::output::stdout::Report;
 use crate::output::whole_file;
 use clap::Args;
 use columns::{DEFAULT_COLUMNS, SweepColumn};
@@ -17,8 +17,13 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::Instant;
 use table::Sweep;
 
-/// `toytop sweep`
+/// Constants and errors of many motions of a scenario, a grid or a random sample
+///
+/// Each motion is one row. All processor cores are used, and a sweep can be divided into parts.
 #[derive(Args)]
+#[command(
+    after_help = "Example: toytop sweep host/scenarios/toy_top.toml --spin 90..300/200 --tilt 1..60/100 -o grid.csv\n         toytop sweep host/scenarios/figure_3_loops.toml --axis e1=-0.9..0.1/41 --axis e3=log:1.01..100/33 -o grid.csv\n         toytop sweep host/scenarios/toy_top.toml --spin 90..300 --motions 1000000 --part 3/100 -o part_003.csv"
+)]
 pub struct SweepArgs {
     /// Scenario file whose numbers vary
     scenario: PathBuf,
