@@ -120,7 +120,6 @@ impl Study {
         let aligned = || format!("{headline}\n{}", output::columns(table, 2));
         let text = output::render(self.format, &output::list("rows", &rows), aligned);
         let first = failures.iter().take(REPORTED).map(|failure| format!("FAILURE: {failure}"));
-        Ok(Report { text, check_failed: !failures.is_empty(), ..Report::default() }
-            .with_notes(first, self.format == Format::Table))
+        Ok(Report { text, notes: first.collect(), check_failed: !failures.is_empty() })
     }
 }

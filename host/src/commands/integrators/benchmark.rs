@@ -6,7 +6,7 @@ use crate::commands::motion::times::Times;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{furthest_time, smallest_ephemeris};
 use crate::output::stdout::Report;
-use crate::output::{self, Format, Lists, Record, eight_digits};
+use crate::output::{self, Document, Format, Record, eight_digits};
 use crate::score::trajectory::to_symmetry_axis;
 use clap::Args;
 use serde_json::Value;
@@ -53,6 +53,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
         .with("benchmark", &**name)
         .with("source", &*about.source)
         .with("symmetry_axis", about.symmetry_axis);
+    let document = Document { lists: vec![("samples", &records)], values: rest };
     let table = || {
         let one_by_one = records.iter().flat_map(|Record(values)| {
             let value = |(name, value): &(&str, Value)| {
@@ -74,7 +75,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
             output::aligned(&lines, &output::all_columns(&lines, eight_digits))
         )
     };
-    Ok(output::render(*format, &Lists(vec![("samples", &records)], rest), table).into())
+    Ok(output::render(*format, &document, table).into())
 }
 
 /// List of all problems, each with the height of the centre of mass at its last time.

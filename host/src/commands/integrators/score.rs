@@ -8,7 +8,7 @@ use crate::commands::options::{PICTURE, ending_in, positive};
 use crate::input::scenario::Scenario;
 use crate::motion::propagate::period;
 use crate::output::stdout::Report;
-use crate::output::{self, Column, Format, Lists, Record, short, two_digits, whole_file};
+use crate::output::{self, Column, Document, Format, Record, short, two_digits, whole_file};
 use crate::score::errors::{ExactReference, Score};
 use crate::score::order;
 use crate::score::trajectory::Trajectory;
@@ -129,9 +129,9 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     let order = if let [only] = &integrators[..] { only.order } else { None };
     let rest =
         Record::default().with("order", order).with("scenario", &*scenario.name).with("sign", "nearest");
-    let object = Lists(vec![("files", &records), ("methods", &summaries)], rest);
+    let object = Document { lists: vec![("files", &records), ("methods", &summaries)], values: rest };
     let text = output::render(*format, &object, || tables(&files, &records, &integrators));
-    Ok(Report::from(text).with_notes(warnings, *format == Format::Table))
+    Ok(Report::from(text).with_notes(warnings))
 }
 
 /// Methods in the order of their first files, after the order of each file is set. Files of one method over different times have no order,

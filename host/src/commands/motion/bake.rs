@@ -86,7 +86,7 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
         Some(path) => whole_file::write("--output", path, text.as_bytes())?,
     }
     let notes = std::iter::once(summary(&label, &parts)).chain(warnings(&[scenario]));
-    Ok(report.with_notes(notes, false))
+    Ok(report.with_notes(notes))
 }
 
 /// Line that states the scalar, the size and the error bound of the table that was written.

@@ -5,7 +5,7 @@ use crate::commands::warnings;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::value;
 use crate::output::stdout::Report;
-use crate::output::{self, Format, Lists, Record, eight_digits};
+use crate::output::{self, Document, Format, Record, eight_digits};
 use clap::Args;
 use std::path::PathBuf;
 use toytop_model::constants::{CONSTANTS, Constant, MotionConstants};
@@ -42,6 +42,10 @@ pub fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
         };
         output::columns(CONSTANTS.iter().map(line).collect(), 3)
     };
-    let text = output::render(arguments.format, &Lists(Vec::new(), Record(values.collect())), table);
-    Ok(Report::from(text).with_notes(warnings(&[scenario]), arguments.format == Format::Table))
+    let text = output::render(
+        arguments.format,
+        &Document { lists: Vec::new(), values: Record(values.collect()) },
+        table,
+    );
+    Ok(Report::from(text).with_notes(warnings(&[scenario])))
 }

@@ -120,7 +120,7 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     // no warning that the top leaves the plane if the command asks for these times
     let asked = arguments.kinds.iter().any(|kind| kind.event == EventKind::LiftOff);
     let notes = if asked { Vec::new() } else { warnings(&[scenario]) };
-    Ok(Report::from(text).with_notes(notes, arguments.format == Format::Table))
+    Ok(Report::from(text).with_notes(notes))
 }
 
 /// Searches for the events of a kind: two where two levels of u belong to a circle, none where a top does not leave the plane.

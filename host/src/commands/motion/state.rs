@@ -100,8 +100,7 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
         stream::rows(count, &|row, bytes| bytes.extend(sheet.row(row, &at(row)).bytes()), out)?;
         out.write_all(sheet.end().as_bytes())
     })?;
-    let table = format == Format::Table && arguments.output.is_none();
-    Ok(Report::default().with_notes(warnings(&[scenario]), table))
+    Ok(Report::default().with_notes(warnings(&[scenario])))
 }
 
 /// Function that computes samples by a method.

@@ -56,5 +56,5 @@ pub fn run(arguments: &AnimateArgs) -> Result<Report, Failure> {
     let film = Film { scenario: &scenario, span: &span, frames, size: *size };
     let progress = Progress::new(frames, "frames");
     whole_file::write_by("--output", output, |file| film.gif(HUNDREDTHS, BufWriter::new(file), &progress))?;
-    Ok(Report::default().with_notes(warnings(&[scenario]), false))
+    Ok(Report::default().with_notes(warnings(&[scenario])))
 }

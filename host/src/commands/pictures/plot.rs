@@ -57,7 +57,7 @@ pub fn run(arguments: &PlotArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let scene = scene(arguments, &scenario).map_err(|failure| failure.of_motion(&scenario.name))?;
     drawing::write("--output", &arguments.output, &scene, arguments.size)?;
-    Ok(Report::default().with_notes(warnings(&[scenario]), false))
+    Ok(Report::default().with_notes(warnings(&[scenario])))
 }
 
 fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {

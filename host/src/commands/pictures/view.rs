@@ -33,5 +33,5 @@ pub fn run(arguments: &ViewArgs) -> Result<Report, Failure> {
     let scenario = start.scenario()?;
     let page = view::page(&start).map_err(|failure| failure.with_context(&scenario.name))?;
     whole_file::write("--output", &arguments.output, page.as_bytes())?;
-    Ok(Report::default().with_notes(warnings(&[scenario]), false))
+    Ok(Report::default().with_notes(warnings(&[scenario])))
 }

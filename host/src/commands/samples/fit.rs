@@ -104,7 +104,7 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     whole_file::write_all(&files)?;
     let text = match arguments.format {
         Format::Table => report::table(&fit),
-        Format::Json => report::object(&fit).json() + "\n",
+        Format::Json => output::json(&report::object(&fit)) + "\n",
         Format::Csv => output::csv(&[report::row(&fit)]),
     };
     Ok(Report { text, notes, check_failed: !converged })

@@ -116,7 +116,7 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
     } else {
         "within budget".into()
     });
-    Ok(Report { check_failed, ..report }.with_notes(violations, arguments.format == Format::Table))
+    Ok(Report { check_failed, ..report }.with_notes(violations))
 }
 
 /// Root of the repository: the current folder, or one above it.

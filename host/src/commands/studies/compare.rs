@@ -121,8 +121,7 @@ pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     let text = output::render(arguments.format, &output::list("rows", &records), table);
     notes.extend(warnings(&scenarios));
     let check_failed = motions.iter().flatten().any(|one| one.verdict() == "MISS");
-    let below = arguments.format == Format::Table;
-    Ok(Report { text, check_failed, ..Report::default() }.with_notes(notes, below))
+    Ok(Report { text, notes, check_failed })
 }
 
 /// Table with one row for each motion: error of each propagator, greatest share of a bound, time of the slowest look-up, and whether

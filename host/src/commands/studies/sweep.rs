@@ -131,10 +131,5 @@ pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
     let seconds = started.elapsed().as_secs_f64();
     let name = file.map_or("stdout".into(), |file| file.to_string_lossy());
     let text = format!("{name}: {count} motions{refused} in {seconds:.1} s\n");
-    let report = Report::default();
-    Ok(if file.is_some() {
-        Report { text, ..report }
-    } else {
-        report.with_notes([text.trim_end().to_owned()], false)
-    })
+    Ok(if file.is_some() { text.into() } else { Report::default().with_notes([text.trim_end().to_owned()]) })
 }
