@@ -39,10 +39,10 @@ pub struct BakeArgs {
     /// Language of the table
     #[arg(long, default_value = "rust")]
     lang: Language,
-    /// Number of segments that the table can hold: 8, 16, 32, ... 4096; in f32 also 25, in f64 also 48. Without it, the default of the
-    /// crate (25 in f32, 48 in f64, 32 in q31, 16 in q15), or if the motion needs more, the smallest size that is enough
-    #[arg(long, value_name = "SEGMENTS")]
-    size: Option<u32>,
+    /// Segments of the table: 8, 16, 32, ... 4096; in f32 also 25, in f64 also 48. Without it, the default of the crate (25 in f32, 48 in
+    /// f64, 32 in q31, 16 in q15), or more if the motion needs them
+    #[arg(long, alias = "size", value_name = "N")]
+    segments: Option<u32>,
     /// Ticks in a second: N, or A/B for A ticks in B seconds
     #[arg(long, value_name = "N", default_value = "1000", value_parser = hertz)]
     hertz: [u32; 2],
@@ -69,7 +69,7 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     let [ticks, seconds] = arguments.hertz;
     let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::Input(format!("--hertz: {error}")))?;
     let (scalar, motion) = (arguments.scalar, &scenario.motion);
-    let table = ephemeris_of_size(scalar, motion, tick, &sizes(scalar, arguments.size)?)
+    let table = ephemeris_of_size(scalar, motion, tick, &sizes(scalar, arguments.segments)?)
         .map_err(|failure| failure.of_motion(&scenario.name))?;
     let parts = table.parts().expect("a table");
     let label = TableName {

@@ -27,8 +27,8 @@ pub struct AccuracyArgs {
     /// Scalar types
     #[arg(long, value_name = "LIST", default_value = "all", value_parser = scalars)]
     scalar: Scalars,
-    /// Markdown page whose table is rewritten
-    #[arg(long, value_name = "FILE")]
+    /// Rewrite the table of host/docs/accuracy.md, or of another page
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "host/docs/accuracy.md")]
     accept: Option<PathBuf>,
     /// Form of the output
     #[arg(long, default_value = "table")]

@@ -66,9 +66,9 @@ pub struct BudgetArgs {
     /// of their cycles, for the table in host/docs/costs.md
     #[arg(long, conflicts_with_all = ["elf", "check"])]
     corpus: bool,
-    /// Compile for size (opt-level s) instead of speed
-    #[arg(long, conflicts_with_all = ["elf", "check", "accept"])]
-    size: bool,
+    /// Compile for little flash (opt-level s) instead of speed
+    #[arg(long, alias = "size", conflicts_with_all = ["elf", "check", "accept"])]
+    flash: bool,
     /// Form of the output
     #[arg(long, default_value = "table")]
     format: Format,
@@ -129,7 +129,7 @@ fn repository() -> Result<PathBuf, Failure> {
 
 /// Costs of all calls on a chip.
 fn measured(arguments: &BudgetArgs, root: &Path, chip: &Chip) -> Result<Costs, Failure> {
-    let program = |name| build(root, chip, name, arguments.size);
+    let program = |name| build(root, chip, name, arguments.flash);
     let mut costs = measure(chip, &program("cost")?)?;
     if chip.name == FITTING_CHIP {
         costs.extend(measure(chip, &program("fit_cost")?)?);
@@ -168,7 +168,7 @@ fn launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&'static Chip>) -> R
     let modelled = |chip: &Chip| budgets.budget(chip.name, "launch", "cycles").is_some();
     let mut rows = Vec::new();
     for chip in chips.into_iter().filter(|chip| !arguments.accept || modelled(chip)) {
-        rows.extend(corpus(chip, &build(root, chip, "corpus", arguments.size)?, &budgets)?);
+        rows.extend(corpus(chip, &build(root, chip, "corpus", arguments.flash)?, &budgets)?);
     }
     if arguments.accept {
         return pages::write(root, &[pages::of_corpus(&rows)]);

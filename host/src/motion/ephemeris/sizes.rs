@@ -43,7 +43,10 @@ pub fn sizes(scalar: Scalar, segments: Option<u32>) -> Result<Vec<u32>, Failure>
         Some(segments) if sizes.contains(&segments) => sizes = vec![segments],
         Some(segments) => {
             let names: Vec<_> = sizes.iter().map(u32::to_string).collect();
-            return Err(Failure::Input(format!("--size: {segments}: must be one of {}", names.join(", "))));
+            return Err(Failure::Input(format!(
+                "--segments: {segments}: must be one of {}",
+                names.join(", ")
+            )));
         }
     }
     Ok(sizes)
@@ -91,7 +94,7 @@ fn table_in<R: TableScalar>(
     let needed = EphemerisView::<R>::segments_needed(motion, truncation);
     let sufficient = allowed(R::SCALAR).into_iter().find(|size| needed.is_some_and(|needed| *size >= needed));
     let enough = match (needed, sufficient) {
-        (_, Some(size)) => format!("at least --size {size}"),
+        (_, Some(size)) => format!("at least --segments {size}"),
         (Some(needed), None) => format!("{needed} segments of this degree"),
         (None, None) => "not even 4096 segments of this degree".to_owned(),
     };
