@@ -1,54 +1,100 @@
-//! Commands of `toytop`, one file for each, in folders by their purpose. All input is checked before the first byte;
-//! `state` and `sweep` then stream rows.
+//! Commands of `toytop`, one file for each, in folders by their purpose. A command checks its input before it writes.
+//!
+//! | module | contents |
+//! |---|---|
+//! | `options` | options of several commands |
+//! | `drawing` | pictures |
+//! | `motion` | states, constants, events and tables of one motion |
+//! | `pictures` | commands that draw a motion |
+//! | `integrators` | output of other integrators, and problems to test them with |
+//! | `samples` | samples of sensors, and launches fitted to them |
+//! | `studies` | many motions, errors of the core and of the paper, computing times, costs on chips |
 
-pub mod options;
+mod drawing;
+mod integrators;
+mod motion;
+mod options;
+mod pictures;
+mod samples;
+mod studies;
 
-/// Commands on one motion: its states, constants, events and tables.
-pub mod motion {
-    pub mod bake;
-    pub mod constants;
-    pub mod events;
-    pub mod state;
-
-    use super::{Report, options, warnings};
-}
-
-/// Commands on samples of sensors and on the output of integrators.
-pub mod data {
-    pub mod benchmark;
-    pub mod fit;
-    pub mod score;
-    pub mod simulate;
-
-    use super::{Report, options};
-}
-
-/// Commands that draw a motion.
-pub mod pictures {
-    pub mod animate;
-    pub mod figures;
-    pub mod plot;
-    pub mod view;
-
-    use super::{Report, options, warnings};
-}
-
-/// Commands on many motions: errors of the core and of the paper, costs on chips, computing times, sweeps.
-pub mod studies {
-    pub mod accuracy;
-    pub mod bench;
-    pub mod budget;
-    pub mod compare;
-    pub mod errata;
-    pub mod sweep;
-
-    use super::{Report, options, warnings};
-}
-
+use crate::Failure;
 use crate::input::scenario::Scenario;
 use crate::motion::tilts;
 use crate::output::stdout::Report;
+use clap::{CommandFactory, Subcommand};
+use clap_complete::Shell;
+use integrators::{benchmark, score};
+use motion::{bake, constants, events, state};
+use pictures::{animate, figures, plot, view};
+use samples::{fit, simulate};
+use studies::{accuracy, bench, budget, compare, errata, sweep};
 use toytop::{Motion, Regime, Support};
+
+/// Command with its arguments, whose comment is its help.
+#[derive(Subcommand)]
+pub enum Command {
+    Compare(compare::CompareArgs),
+    State(state::StateArgs),
+    Constants(constants::ConstantsArgs),
+    Events(events::EventsArgs),
+    Plot(plot::PlotArgs),
+    Animate(animate::AnimateArgs),
+    View(view::ViewArgs),
+    Bake(bake::BakeArgs),
+    Figures(figures::FiguresArgs),
+    Score(score::ScoreArgs),
+    Benchmark(benchmark::BenchmarkArgs),
+    Simulate(simulate::SimulateArgs),
+    Fit(fit::FitArgs),
+    Bench(bench::BenchArgs),
+    Budget(budget::BudgetArgs),
+    Errata(errata::ErrataArgs),
+    Accuracy(accuracy::AccuracyArgs),
+    Sweep(Box<sweep::SweepArgs>),
+    /// Completions for a shell
+    #[command(
+        after_help = "Example: toytop completions bash > ~/.local/share/bash-completion/completions/toytop"
+    )]
+    Completions {
+        /// Shell that the completions are for
+        shell: Shell,
+    },
+}
+
+impl Command {
+    /// Runs the command.
+    ///
+    /// # Errors
+    /// See [`Failure`].
+    pub fn run(&self) -> Result<Report, Failure> {
+        match self {
+            Self::Compare(arguments) => compare::run(arguments),
+            Self::State(arguments) => state::run(arguments),
+            Self::Constants(arguments) => constants::run(arguments),
+            Self::Events(arguments) => events::run(arguments),
+            Self::Plot(arguments) => plot::run(arguments),
+            Self::Animate(arguments) => animate::run(arguments),
+            Self::View(arguments) => view::run(arguments),
+            Self::Bake(arguments) => bake::run(arguments),
+            Self::Figures(arguments) => figures::run(arguments),
+            Self::Score(arguments) => score::run(arguments),
+            Self::Benchmark(arguments) => benchmark::run(arguments),
+            Self::Simulate(arguments) => simulate::run(arguments),
+            Self::Fit(arguments) => fit::run(arguments),
+            Self::Bench(arguments) => bench::run(arguments),
+            Self::Budget(arguments) => budget::run(arguments),
+            Self::Errata(arguments) => errata::run(arguments),
+            Self::Accuracy(arguments) => accuracy::run(arguments),
+            Self::Sweep(arguments) => sweep::run(arguments),
+            Self::Completions { shell } => {
+                let mut script = Vec::new();
+                clap_complete::generate(*shell, &mut crate::Cli::command(), "toytop", &mut script);
+                Ok(String::from_utf8_lossy(&script).into_owned().into())
+            }
+        }
+    }
+}
 
 /// Warnings that a real top on a plane would move differently, one line for each reason, with the names of the motions.
 fn warnings(scenarios: &[Scenario]) -> Vec<String> {

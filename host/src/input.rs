@@ -23,6 +23,6 @@ pub mod times;
 mod units;
 
 /// Finite number of a text.
-pub(crate) fn finite(text: &str) -> Option<f64> {
+pub fn finite(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|x: &f64| x.is_finite())
 }

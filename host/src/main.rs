@@ -1,8 +1,31 @@
 //! Program `toytop`: parses the command line, runs the command, prints its report and returns the exit code.
 
+// Visibility is that of the modules.
+#![allow(unreachable_pub)]
+
+mod commands;
+
+use clap::Parser;
+use commands::Command;
+use output::command_line::report;
+use output::stdout::finish;
 use std::process::ExitCode;
-use toytop_host::{cli, output::stdout};
+// so that a command names a module of the library by `crate::`
+use toytop_host::{Failure, fit, input, motion, output, parallel, pictures, score, truth};
+
+/// Exact motion of a spinning top whose tip slides on a plane or is held, or of a free body.
+#[derive(Parser)]
+#[command(
+    name = "toytop",
+    version,
+    help_template = "{about}\n{usage-heading} {usage}; each command has --help, and toytop has --version\n\nCommands:\n{subcommands}\n"
+)]
+struct Cli {
+    /// Command to run.
+    #[command(subcommand)]
+    command: Command,
+}
 
 fn main() -> ExitCode {
-    stdout::finish(cli::run(std::env::args_os()))
+    finish(report(|cli: &Cli| cli.command.run()))
 }

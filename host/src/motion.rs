@@ -29,8 +29,7 @@ pub fn widened<R>(z: Complex<R>, to_f64: impl Fn(R) -> f64) -> Complex<f64> {
 }
 
 /// Scalar types of the core.
-#[derive(Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "program", derive(clap::ValueEnum))]
+#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
 pub enum Scalar {
     /// Double precision
     F64,

@@ -1,15 +1,16 @@
 //! Records as an aligned table, CSV or JSON. In CSV and JSON a number has 17 significant digits, from which a reader obtains the same `f64`.
 
+pub mod command_line;
 pub mod doc_markers;
-#[cfg_attr(not(feature = "program"), path = "output/silent.rs")]
 pub mod progress;
-#[cfg(feature = "program")]
 pub mod stdout;
 pub mod whole_file;
 
-#[cfg(feature = "program")]
 use comfy_table::{CellAlignment, Row, Table, presets::NOTHING};
+use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::Value;
+use serde_json::ser::Formatter;
+use std::io::{self, Write};
 use std::iter::once;
 
 /// Named values, in order: words, numbers, arrays of numbers, and null for an absent value.
@@ -23,30 +24,29 @@ impl Record {
         self
     }
 
-    /// Names and values of the columns of CSV. Those of an array end in x, y and z.
-    pub fn flat(&self) -> Vec<(String, &Value)> {
-        let mut columns = Vec::new();
-        for (name, value) in &self.0 {
-            match value {
-                Value::Array(parts) => {
-                    columns.extend(
-                        parts.iter().zip(["x", "y", "z"]).map(|(part, end)| (format!("{name}_{end}"), part)),
-                    );
-                }
-                value => columns.push(((*name).to_owned(), value)),
-            }
-        }
-        columns
+    /// Names of the columns of CSV. Those of an array end in x, y and z.
+    fn columns(&self) -> Vec<String> {
+        let names = |(name, value): &(&str, Value)| match value {
+            Value::Array(_) => ["x", "y", "z"].map(|end| format!("{name}_{end}")).to_vec(),
+            _ => vec![(*name).to_owned()],
+        };
+        self.0.iter().flat_map(names).collect()
     }
 
-    /// Object of JSON.
-    pub fn json(&self) -> String {
-        object(self.0.iter().map(|(name, value)| (*name, json(value))))
+    /// Line of CSV. The parts of an array are fields of their own, and an absent value is an empty field.
+    pub fn csv(&self) -> String {
+        let parts = |value| if let Value::Array(parts) = value { parts } else { vec![value] };
+        csv_line(self.0.iter().flat_map(|(_, value)| parts(value.clone())))
+    }
+}
+
+impl Serialize for Record {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
     }
 }
 
 /// Form of the output.
-#[cfg(feature = "program")]
 #[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
 pub enum Format {
     /// Aligned table
@@ -58,53 +58,61 @@ pub enum Format {
 }
 
 /// Lists of records by their keys, and further values.
-pub struct Lists<'a>(pub Vec<(&'static str, &'a [Record])>, pub Record);
+pub struct Document<'a> {
+    /// Lists, in order.
+    pub lists: Vec<(&'static str, &'a [Record])>,
+    /// Further values.
+    pub values: Record,
+}
+
+impl Serialize for Document<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut object = serializer.serialize_map(None)?;
+        self.lists.iter().try_for_each(|(key, records)| object.serialize_entry(key, records))?;
+        self.values.0.iter().try_for_each(|(key, value)| object.serialize_entry(key, value))?;
+        object.end()
+    }
+}
 
 /// One list without further values.
-pub fn list<'a>(key: &'static str, records: &'a [Record]) -> Lists<'a> {
-    Lists(vec![(key, records)], Record::default())
+pub fn list<'a>(key: &'static str, records: &'a [Record]) -> Document<'a> {
+    Document { lists: vec![(key, records)], values: Record::default() }
 }
 
-/// Records in a form. CSV contains only the first list, or else one line with the other values; `table` makes the table. JSON is
-/// the object `{"key":[record, ...], ..., "other":value, ...}`.
-#[cfg(feature = "program")]
-pub fn render(format: Format, Lists(lists, rest): &Lists<'_>, table: impl FnOnce() -> String) -> String {
+/// Document in a form; `table` makes the table. CSV has the first list, or else one line with the other values. JSON is the object
+/// `{"key":[record, ...], ..., "other":value, ...}`.
+pub fn render(format: Format, document: &Document<'_>, table: impl FnOnce() -> String) -> String {
     match format {
         Format::Table => table(),
-        Format::Csv => csv(lists.first().map_or(std::slice::from_ref(rest), |(_, records)| records)),
-        Format::Json => {
-            let list =
-                |(key, records): &(&'static str, &[Record])| (*key, array(records.iter().map(Record::json)));
-            let rest = rest.0.iter().map(|(key, value)| (*key, json(value)));
-            object(lists.iter().map(list).chain(rest)) + "\n"
+        Format::Csv => {
+            csv(document.lists.first().map_or(std::slice::from_ref(&document.values), |(_, records)| records))
         }
+        Format::Json => json(document) + "\n",
     }
 }
 
-/// Value as JSON.
-pub fn json(value: &Value) -> String {
-    match value {
-        Value::Number(x) if x.is_f64() => x.as_f64().map_or_else(String::new, number),
-        Value::Array(parts) => array(parts.iter().map(json)),
-        Value::Object(entries) => object(entries.iter().map(|(key, value)| (&**key, json(value)))),
-        value => value.to_string(),
+/// JSON in which a number has 17 digits.
+pub fn json(value: &impl Serialize) -> String {
+    let mut json = Vec::new();
+    value
+        .serialize(&mut serde_json::Serializer::with_formatter(&mut json, Digits))
+        .expect("no key is a number");
+    String::from_utf8(json).expect("JSON is UTF-8")
+}
+
+/// Format of JSON that differs in its numbers from the default.
+struct Digits;
+
+impl Formatter for Digits {
+    fn write_f64<W: Write + ?Sized>(&mut self, writer: &mut W, x: f64) -> io::Result<()> {
+        writer.write_all(number(x).as_bytes())
     }
-}
-
-fn array(parts: impl Iterator<Item = String>) -> String {
-    format!("[{}]", parts.collect::<Vec<_>>().join(","))
-}
-
-fn object<'a>(entries: impl Iterator<Item = (&'a str, String)>) -> String {
-    let entries = entries.map(|(key, value)| format!("{}:{value}", Value::from(key)));
-    format!("{{{}}}", entries.collect::<Vec<_>>().join(","))
 }
 
 /// Records as CSV, with a header line.
 pub fn csv(records: &[Record]) -> String {
-    let header = |record: &Record| csv_line(record.flat().into_iter().map(|(name, _)| name.into()));
-    let line = |record: &Record| csv_line(record.flat().into_iter().map(|(_, value)| value.clone()));
-    records.first().map(header).into_iter().chain(records.iter().map(line)).collect()
+    let header = |record: &Record| csv_line(record.columns().into_iter().map(Value::from));
+    records.first().map(header).into_iter().chain(records.iter().map(Record::csv)).collect()
 }
 
 /// Line of CSV. An absent value is an empty field.
@@ -151,7 +159,6 @@ pub fn text(value: &Value, of_number: impl Fn(f64) -> String) -> Option<String> 
 }
 
 /// Records as aligned columns below their headings; the first columns are aligned to the left as long as they contain words.
-#[cfg(feature = "program")]
 pub fn aligned(records: &[Record], shown: &[Column<'_>]) -> String {
     let is_word = |column: &&Column<'_>| {
         records
@@ -162,7 +169,6 @@ pub fn aligned(records: &[Record], shown: &[Column<'_>]) -> String {
 }
 
 /// Rows as aligned columns without rules, the first `left` columns aligned to the left and the others to the right.
-#[cfg(feature = "program")]
 pub fn columns(rows: Vec<Vec<String>>, left: usize) -> String {
     let mut table = Table::new();
     table.load_style(NOTHING).add_rows(rows.into_iter().map(Row::from));

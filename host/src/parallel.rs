@@ -12,29 +12,12 @@ pub const STACK: usize = 1 << 25;
 /// Thread pool with a thread for each processor core.
 ///
 /// # Errors
-/// [`Failure::Output`]: the system cannot start the threads.
+/// [`Failure::Tool`]: the system cannot start the threads.
 pub fn thread_pool() -> Result<ThreadPool, Failure> {
     ThreadPoolBuilder::new()
         .stack_size(STACK)
         .build()
-        .map_err(|error| Failure::Output(io::Error::other(error)))
-}
-
-/// Results of independent trials on all processor cores, in the order of their numbers, with a progress bar that names them `what`.
-///
-/// # Errors
-/// As [`thread_pool`].
-pub fn map<T: Send>(
-    (trials, what): (u64, &'static str),
-    trial: impl Fn(u64) -> T + Sync,
-) -> Result<Vec<T>, Failure> {
-    let progress = Progress::new(trials, what);
-    let each = |number| {
-        let result = trial(number);
-        progress.add(1);
-        result
-    };
-    Ok(thread_pool()?.install(|| (0..trials).into_par_iter().map(each).collect()))
+        .map_err(|error| Failure::Tool(format!("threads: {error}")))
 }
 
 /// Rows that need no other thread.

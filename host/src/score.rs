@@ -5,11 +5,8 @@
 //! | [`trajectory`] | times and orientations from a file |
 //! | [`errors`] | errors of a trajectory, and drifts of l, n and h |
 //! | `phases` | phase errors of nutation, precession and spin |
-//! | `benchmarks` | problems that integrators are tested with |
 //! | [`order`] | order of convergence of several step sizes |
 
-#[cfg(feature = "program")]
-pub(crate) mod benchmarks;
 pub mod errors;
 pub mod order;
 mod phases;

@@ -13,7 +13,6 @@
 //! | [`full_equations`] | integration of the full 3-D equations |
 
 pub mod exact;
-#[cfg(feature = "program")]
 pub mod full_equations;
 mod launch;
 pub mod motions;

@@ -46,8 +46,6 @@ mod events {
 mod closed_forms {
     mod aperiodic;
     mod elliptic;
-    #[cfg(feature = "host")]
-    mod errata;
     mod four_methods;
     mod free_body;
     #[cfg(feature = "host")]

@@ -3,12 +3,12 @@
 mod launch;
 mod trial;
 
-use crate::{Study, Summary};
+use crate::{Study, Summary, trials};
 use std::collections::BTreeSet;
+use toytop_host::Failure;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::errors::greater;
 use toytop_host::output::Record;
-use toytop_host::{Failure, parallel};
 use trial::{Errors, Trial};
 
 pub fn run(study: &Study, truths: u64) -> Result<Summary, Failure> {
@@ -16,7 +16,7 @@ pub fn run(study: &Study, truths: u64) -> Result<Summary, Failure> {
     let spacing = (study.motions / truths).max(1);
     let trial = |launch: u64| trial::run(study.seed, launch, launch.is_multiple_of(spacing));
     let (mut launched, mut refused, mut failures) = (Vec::new(), Vec::new(), Vec::new());
-    for (launch, tried) in parallel::map((study.motions, "launches"), trial)?.into_iter().enumerate() {
+    for (launch, tried) in trials(study.motions, trial)?.into_iter().enumerate() {
         match tried {
             Err(refusal) => refused.push(refusal.parameter()),
             Ok(Trial { input, regime, tables }) => {

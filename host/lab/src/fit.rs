@@ -1,17 +1,17 @@
 //! `toytop-lab fit`: launches fitted to simulated samples.
 
-use crate::{Study, Summary};
+use crate::{Study, Summary, trials};
 use nalgebra::{Matrix6, Vector6};
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation, Release, State, Top, TopParameters};
 use toytop_fit::{Fit, Fitted};
+use toytop_host::Failure;
 use toytop_host::fit::sensors::{Body, Sensors};
 use toytop_host::fit::simulated::{Recording, measurements};
 use toytop_host::input::random::Random;
 use toytop_host::output::Record;
 use toytop_host::score::rotation_between;
-use toytop_host::{Failure, parallel};
 
 /// Sets of sensors that are tried.
 const SETS: [&str; 3] = ["gyroscope, accelerometer, magnetometer", "gyroscope, accelerometer", "camera"];
@@ -33,7 +33,7 @@ struct Accepted {
 }
 
 pub fn run(study: &Study) -> Result<Summary, Failure> {
-    let trials = parallel::map((3 * study.motions, "launches"), |stream| {
+    let trials = trials(3 * study.motions, |stream| {
         let noise = study.seed.wrapping_mul(1_000_003).wrapping_add(stream);
         trial(&mut Random::new(study.seed, stream), (stream % 3) as usize, noise)
     })?;

@@ -12,12 +12,16 @@ mod corners;
 mod fit;
 
 use clap::{Args, Parser, Subcommand};
-use std::path::PathBuf;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use toytop_host::output::Format;
+use toytop_host::output::command_line::report;
 use toytop_host::output::doc_markers::{self, Page};
+use toytop_host::output::progress::Progress;
 use toytop_host::output::{self, Record, stdout};
-use toytop_host::{Failure, Report, cli};
+use toytop_host::parallel::thread_pool;
+use toytop_host::{Failure, Report};
 
 /// Studies of random launches that check toytop itself.
 #[derive(Parser)]
@@ -32,9 +36,7 @@ enum Command {
     /// Errors of tables near every degenerate case, in four scalars, beside their bounds
     ///
     /// The exit code is 1 if a bound is exceeded.
-    #[command(
-        after_help = "Example: toytop-lab corners --motions 20000 --truths 400 --accept host/docs/accuracy.md"
-    )]
+    #[command(after_help = "Example: toytop-lab corners --motions 20000 --truths 400 --accept")]
     Corners {
         #[command(flatten)]
         study: Study,
@@ -58,20 +60,20 @@ struct Study {
     /// Seed of the random launches
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
-    /// Markdown page whose table is rewritten
-    #[arg(long, value_name = "FILE")]
-    accept: Option<PathBuf>,
+    /// Rewrite the table of the study's page in host/docs, or of another page
+    #[arg(long, value_name = "FILE", num_args = 0..=1)]
+    accept: Option<Option<PathBuf>>,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]
     format: Format,
 }
 
 fn main() -> ExitCode {
-    stdout::finish(cli::report(std::env::args_os(), |cli: &Cli| match &cli.command {
+    stdout::finish(report(|cli: &Cli| match &cli.command {
         Command::Corners { study, truths } => {
-            study.run("toytop-lab corners: corners", || corners::run(study, *truths))
+            study.run("host/docs/accuracy.md", "toytop-lab corners: corners", || corners::run(study, *truths))
         }
-        Command::Fit(study) => study.run("toytop-lab fit: launches", || fit::run(study)),
+        Command::Fit(study) => study.run("host/docs/fit.md", "toytop-lab fit: launches", || fit::run(study)),
     }))
 }
 
@@ -83,13 +85,33 @@ struct Summary {
     failures: Vec<String>,
 }
 
+/// Results of independent trials on all processor cores, in the order of their numbers.
+///
+/// # Errors
+/// The failures of [`thread_pool`].
+fn trials<T: Send>(count: u64, trial: impl Fn(u64) -> T + Sync) -> Result<Vec<T>, Failure> {
+    let progress = Progress::new(count, "launches");
+    let counted = |number| {
+        let result = trial(number);
+        progress.add(1);
+        result
+    };
+    Ok(thread_pool()?.install(|| (0..count).into_par_iter().map(counted).collect()))
+}
+
 impl Study {
-    /// Report of a study, whose table goes into the page that is named, at this mark.
-    fn run(&self, mark: &str, study: impl FnOnce() -> Result<Summary, Failure>) -> Result<Report, Failure> {
+    /// Report of a study, whose table belongs to a page at this mark.
+    fn run(
+        &self,
+        page: &str,
+        mark: &str,
+        study: impl FnOnce() -> Result<Summary, Failure>,
+    ) -> Result<Report, Failure> {
         /// Largest number of failures in a report.
         const REPORTED: usize = 20;
         // a missing place in the page is reported before the computation
-        let page = self.accept.as_deref().map(|path| Page::read(path, mark)).transpose()?;
+        let path = self.accept.as_ref().map(|path| path.as_deref().unwrap_or(Path::new(page)));
+        let page = path.map(|path| Page::read(path, mark)).transpose()?;
         let Summary { headline, rows, failures } = study()?;
         let columns = output::all_columns(&rows, |x| output::short(x, 2));
         let mut table = output::rows(&rows, &columns);
@@ -102,7 +124,6 @@ impl Study {
         let aligned = || format!("{headline}\n{}", output::columns(table, 2));
         let text = output::render(self.format, &output::list("rows", &rows), aligned);
         let first = failures.iter().take(REPORTED).map(|failure| format!("FAILURE: {failure}"));
-        Ok(Report { text, check_failed: !failures.is_empty(), ..Report::default() }
-            .with_notes(first, self.format == Format::Table))
+        Ok(Report { text, notes: first.collect(), check_failed: !failures.is_empty() })
     }
 }

@@ -2,8 +2,7 @@
 
 use crate::input::finite;
 use crate::motion::Scalar;
-use crate::output::Format;
-use clap::{Args, ValueEnum};
+use clap::ValueEnum;
 use std::path::PathBuf;
 
 /// Method by which `state` reaches a time.
@@ -64,14 +63,6 @@ pub fn ending_in(allowed: &'static str) -> impl Fn(&str) -> Result<PathBuf, Stri
 /// Number above 0.
 pub fn positive(text: &str) -> Result<f64, &'static str> {
     finite(text).filter(|x| *x > 0.0).ok_or("must be a number above 0")
-}
-
-/// `toytop bench` and `toytop errata`
-#[derive(Args)]
-pub struct FormatArgs {
-    /// Form of the output
-    #[arg(long, default_value = "table")]
-    pub format: Format,
 }
 
 /// Two times, LOW..HIGH, s.

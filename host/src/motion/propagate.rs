@@ -121,7 +121,7 @@ fn stepped_in<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Result<Vec<
         times,
         || TimedStepper::<R>::new(motion, step),
         |stepper, t| {
-            stepper.reach(t, &progress);
+            stepper.reach(t, |steps| progress.add(steps));
             Ok(Sample { t, ..stepper.sample() })
         },
     )
@@ -148,8 +148,8 @@ impl<R: Real> TimedStepper<R> {
         Self { stepper, whole: 0, step, last: stepper, elapsed: 0.0, steps: 0 }
     }
 
-    /// Steps to the time `t`, s, in either direction.
-    pub fn reach(&mut self, t: f64, progress: &Progress) {
+    /// Steps to the time `t`, s, in either direction. `advanced` is called with the number of steps after each batch.
+    pub fn reach(&mut self, t: f64, advanced: impl Fn(u64)) {
         const BATCH: u64 = 1 << 16;
         let h = self.step.to_f64();
         let whole = (t / h) as i64;
@@ -160,7 +160,7 @@ impl<R: Real> TimedStepper<R> {
             let batch = left.min(BATCH);
             (0..batch).for_each(|_| self.stepper.step(step));
             left -= batch;
-            progress.add(batch);
+            advanced(batch);
         }
         self.whole = whole;
         // exact up to one rounding, because the product is not rounded
@@ -203,10 +203,9 @@ mod tests {
     fn greatest_gap<R: Real>() -> f64 {
         let step = period(&motion()) / 4096.0;
         let mut stepper = TimedStepper::<R>::new(&motion(), step);
-        let progress = Progress::new(0, "steps");
         let gap = |i: u32| {
             let t = 0.3 * step * f64::from(i);
-            stepper.reach(t, &progress);
+            stepper.reach(t, |_| ());
             (stepper.elapsed - t).abs() / step
         };
         (1..1_000_000).map(gap).fold(0.0, f64::max)
@@ -222,10 +221,9 @@ mod tests {
     #[test]
     fn a_time_requested_twice_is_reached_once() {
         let mut stepper = TimedStepper::<f32>::new(&motion(), 0.01);
-        let progress = Progress::new(0, "steps");
         for i in 1..100 {
             let [once, twice] = [(); 2].map(|()| {
-                stepper.reach(0.017 * f64::from(i), &progress);
+                stepper.reach(0.017 * f64::from(i), |_| ());
                 (stepper.elapsed, stepper.last)
             });
             assert_eq!(once, twice);

@@ -6,8 +6,8 @@ use crate::input::scenario::Units;
 use toytop::{Complex, Support};
 
 /// Quantity of a sample: a group of columns.
-#[derive(Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "program", derive(clap::ValueEnum), value(rename_all = "snake_case"))]
+#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
+#[value(rename_all = "snake_case")]
 pub enum Quantity {
     /// Time
     T,

@@ -24,15 +24,9 @@ impl From<String> for Report {
 }
 
 impl Report {
-    /// Report with notes on the result: in the text below a table, but on stderr if another program will read the text.
-    pub fn with_notes(mut self, notes: impl IntoIterator<Item = String>, below: bool) -> Self {
-        for remark in notes {
-            if below {
-                self.text.push_str(&format!("{remark}\n"));
-            } else {
-                self.notes.push(remark);
-            }
-        }
+    /// Report with notes on the result.
+    pub fn with_notes(mut self, notes: impl IntoIterator<Item = String>) -> Self {
+        self.notes.extend(notes);
         self
     }
 }
@@ -51,11 +45,11 @@ pub fn finish(result: Result<Report, Failure>) -> ExitCode {
 
 /// Exit code after the report is printed.
 fn print(report: &Report) -> Result<ExitCode, Failure> {
-    for note in &report.notes {
-        let _ = writeln!(io::stderr(), "{note}");
-    }
     if !report.text.is_empty() {
         write(|out| out.write_all(report.text.as_bytes()))?;
+    }
+    for note in &report.notes {
+        let _ = writeln!(io::stderr(), "{note}");
     }
     Ok(ExitCode::from(u8::from(report.check_failed)))
 }

@@ -4,7 +4,7 @@ mod c;
 mod checks;
 // the library of the host has the chips, and takes long to build
 #[allow(unreachable_pub)]
-#[path = "../../src/budget/chips.rs"]
+#[path = "../../src/commands/studies/budget/chips.rs"]
 mod chip;
 mod firmware;
 mod process;

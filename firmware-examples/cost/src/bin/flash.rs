@@ -1,4 +1,4 @@
-//! Program with a small set-up and a fast tick: `toytop budget --size` compiles it for size, and its tick, in the crate `toytop-fast-tick`,
+//! Program with a small set-up and a fast tick: `toytop budget --flash` compiles it for size, and its tick, in the crate `toytop-fast-tick`,
 //! for speed. Its flash beyond that of `empty` is the flash of a launch, a table and a tick in `f32`.
 
 #![no_std]

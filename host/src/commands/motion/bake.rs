@@ -9,12 +9,13 @@
 mod c;
 mod rust;
 
-use super::options::hertz;
-use super::{Report, warnings};
 use crate::Failure;
+use crate::commands::options::hertz;
+use crate::commands::warnings;
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{TableData, ephemeris_of_size, sizes};
+use crate::output::stdout::Report;
 use crate::output::whole_file;
 use c::header;
 use clap::{Args, ValueEnum};
@@ -22,8 +23,13 @@ use rust::module;
 use std::path::PathBuf;
 use toytop::{ErrorBound, Tick};
 
-/// `toytop bake`
+/// Table of a motion as a constant for firmware: Rust or C
+///
+/// A table in C contains the code that evaluates it.
 #[derive(Args)]
+#[command(
+    after_help = "Example: toytop bake top.toml --hertz 8000 -o src/top.rs         a static; it does not compile if a bit was changed\n         toytop bake top.toml --lang c --hertz 44100/2 -o top.h   C99 or C++11, with the same results to the bit"
+)]
 pub struct BakeArgs {
     /// Scenario file
     scenario: PathBuf,
@@ -33,10 +39,10 @@ pub struct BakeArgs {
     /// Language of the table
     #[arg(long, default_value = "rust")]
     lang: Language,
-    /// Number of segments that the table can hold: 8, 16, 32, ... 4096; in f32 also 25, in f64 also 48. Without it, the default of the
-    /// crate (25 in f32, 48 in f64, 32 in q31, 16 in q15), or if the motion needs more, the smallest size that is enough
-    #[arg(long, value_name = "SEGMENTS")]
-    size: Option<u32>,
+    /// Segments of the table: 8, 16, 32, ... 4096; in f32 also 25, in f64 also 48. Without it, the default of the crate (25 in f32, 48 in
+    /// f64, 32 in q31, 16 in q15), or more if the motion needs them
+    #[arg(long, alias = "size", value_name = "N")]
+    segments: Option<u32>,
     /// Ticks in a second: N, or A/B for A ticks in B seconds
     #[arg(long, value_name = "N", default_value = "1000", value_parser = hertz)]
     hertz: [u32; 2],
@@ -63,7 +69,7 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     let [ticks, seconds] = arguments.hertz;
     let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::Input(format!("--hertz: {error}")))?;
     let (scalar, motion) = (arguments.scalar, &scenario.motion);
-    let table = ephemeris_of_size(scalar, motion, tick, &sizes(scalar, arguments.size)?)
+    let table = ephemeris_of_size(scalar, motion, tick, &sizes(scalar, arguments.segments)?)
         .map_err(|failure| failure.of_motion(&scenario.name))?;
     let parts = table.data().expect("a table");
     let label = TableName {
@@ -80,7 +86,7 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
         Some(path) => whole_file::write("--output", path, text.as_bytes())?,
     }
     let notes = std::iter::once(summary(&label, &parts)).chain(warnings(&[scenario]));
-    Ok(report.with_notes(notes, false))
+    Ok(report.with_notes(notes))
 }
 
 /// Line that states the scalar, the size and the error bound of the table that was written.

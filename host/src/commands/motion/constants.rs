@@ -1,16 +1,23 @@
 //! `toytop constants`: first integrals, branch points, period and mean rotations of a motion.
 
-use super::{Report, warnings};
 use crate::Failure;
+use crate::commands::warnings;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::value;
-use crate::output::{self, Format, Lists, Record, eight_digits};
+use crate::output::stdout::Report;
+use crate::output::{self, Document, Format, Record, eight_digits};
 use clap::Args;
 use std::path::PathBuf;
 use toytop_model::constants::{CONSTANTS, Constant, MotionConstants};
 
-/// `toytop constants`
+/// First integrals, branch points, period and mean rotations
 #[derive(Args)]
+#[command(
+    after_help = "A tilt is the angle of the axis from the upward vertical. The precession is the mean rate of the axis about the vertical. The spin is\n\
+        omega . r, the whole component of omega along the axis. Above the critical spin a top that spins upright is stable.\n\
+        With units = \"none\" a second stands for the unit of time of the scenario.\n\n\
+        Example: toytop constants host/scenarios/figure_3_loops.toml"
+)]
 pub struct ConstantsArgs {
     /// Scenario file
     scenario: PathBuf,
@@ -35,6 +42,10 @@ pub fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
         };
         output::columns(CONSTANTS.iter().map(line).collect(), 3)
     };
-    let text = output::render(arguments.format, &Lists(Vec::new(), Record(values.collect())), table);
-    Ok(Report::from(text).with_notes(warnings(&[scenario]), arguments.format == Format::Table))
+    let text = output::render(
+        arguments.format,
+        &Document { lists: Vec::new(), values: Record(values.collect()) },
+        table,
+    );
+    Ok(Report::from(text).with_notes(warnings(&[scenario])))
 }

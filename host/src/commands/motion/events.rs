@@ -1,18 +1,26 @@
 //! `toytop events`: times of turning points, tilts, circles, tip angles and lift-off.
 
-use super::{Report, warnings};
 use crate::Failure;
+use crate::commands::warnings;
 use crate::input::finite;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::ephemeris::{EventFilter, EventKind, FoundEvent, search, smallest_ephemeris};
 use crate::motion::{Scalar, require_within};
+use crate::output::stdout::Report;
 use crate::output::{self, Column, Format, Record, eight_digits};
 use clap::Args;
 use std::path::PathBuf;
 use toytop::{Phase, Support};
 
-/// `toytop events`
+/// Times of turning points, tilts, circles, tip angles and lift-off
 #[derive(Args)]
+#[command(
+    after_help = "tilt=X: the axis makes the angle X with the upward vertical; :up selects the times at which it rises. circle=R: the tip is at the\n\
+        distance R from the centre (for a held tip R is the sine of the tilt). tip-angle=X: the tip angle is X, whole turns aside. lift-off: the\n\
+        normal force is 0; :up selects the times at which a real top leaves the plane.\n\n\
+        Example: toytop events host/scenarios/figure_3_loops.toml --kind turning,tilt=40:up,tip-angle=90 --count 20\n         \
+        toytop events host/scenarios/toy_top.toml --kind tilt=22 --from 1e6 --format json"
+)]
 pub struct EventsArgs {
     /// Scenario file
     scenario: PathBuf,
@@ -103,7 +111,7 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     // no warning that the top leaves the plane if the command asks for these times
     let asked = arguments.kinds.iter().any(|kind| kind.event == EventKind::LiftOff);
     let notes = if asked { Vec::new() } else { warnings(&[scenario]) };
-    Ok(Report::from(text).with_notes(notes, arguments.format == Format::Table))
+    Ok(Report::from(text).with_notes(notes))
 }
 
 fn record(kind: &KindFilter, event: &FoundEvent) -> Record {

@@ -2,9 +2,9 @@
 
 mod sheet;
 
-use super::options::{Method, hertz};
-use super::{Report, warnings};
 use crate::Failure;
+use crate::commands::options::{Method, hertz};
+use crate::commands::warnings;
 use crate::input::scenario::Scenario;
 use crate::input::times::{Times, TimesArgs};
 use crate::motion::Scalar;
@@ -12,7 +12,8 @@ use crate::motion::ephemeris::{CAPACITIES, ephemeris_of_size, smallest_ephemeris
 use crate::motion::propagate::{Sample, period, stepped};
 use crate::motion::quantity::Quantity;
 use crate::motion::tip_angle::TipAngle;
-use crate::output::{Format, stdout, whole_file};
+use crate::output::stdout::{self, Report};
+use crate::output::{Format, whole_file};
 use crate::parallel;
 use crate::truth::full_equations;
 use clap::{ArgGroup, Args};
@@ -24,8 +25,18 @@ use toytop_closed_forms::ClosedForm;
 /// Sample at a time, by the index of the time in the request.
 type At = dyn Fn(u64) -> Sample + Sync;
 
-/// `toytop state`
+/// Orientation, rates and tip at given times
 #[derive(Args)]
+#[command(
+    after_help = "Units: t in s, udot in 1/s, omega in rad/s, tip in m, phi in rad; the other angles are in rad too.\n\
+        With units = \"none\" in the scenario no units are named. u, alpha, beta, gamma, delta, quaternion and axis are pure numbers.\n\
+        The tip is c = 2 s alpha beta. With support = \"fixed\" or \"free\" it is 2 alpha beta, a pure number: minus the horizontal part of the axis.\n\
+        The CSV columns have the names of the JSON keys, except for quaternion (w,x,y,z), omega_body (wx,wy,wz), angles (tilt,azimuth,roll)\n\
+        and euler_zxz (euler_phi,euler_theta,euler_psi).\n\n\
+        Example: toytop state host/scenarios/toy_top.toml --times 0,0.5,1e6 --format json\n         \
+        toytop state host/scenarios/toy_top.toml --from 0 --to 10 --count 1000001 --columns t,quaternion,omega_body --format csv -o top.csv\n         \
+        toytop state host/scenarios/toy_top.toml --ticks 0..999 --hertz 8000 --scalar q15 --format csv"
+)]
 #[command(group = ArgGroup::new("instants").required(true).args(["times", "times_file", "ticks", "from"]))]
 pub struct StateArgs {
     /// Scenario file
@@ -88,8 +99,7 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
         parallel::write_rows(count, &|row, bytes| bytes.extend(sheet.row(row, &at(row)).bytes()), out)?;
         out.write_all(sheet.end().as_bytes())
     })?;
-    let table = format == Format::Table && arguments.output.is_none();
-    Ok(Report::default().with_notes(warnings(&[scenario]), table))
+    Ok(Report::default().with_notes(warnings(&[scenario])))
 }
 
 /// Function that computes samples by a method.

@@ -1,19 +1,25 @@
 //! `toytop animate`: a motion as a GIF.
 
-use super::options::{ending_in, span};
-use super::{Report, warnings};
 use crate::Failure;
+use crate::commands::drawing::sphere::Film;
+use crate::commands::options::{ending_in, span};
+use crate::commands::warnings;
 use crate::input::scenario::Scenario;
 use crate::output::progress::Progress;
+use crate::output::stdout::Report;
 use crate::output::whole_file;
-use crate::pictures::space::Film;
 use crate::pictures::span::Span;
 use clap::Args;
 use std::io::BufWriter;
 use std::path::PathBuf;
 
-/// `toytop animate`
+/// Animation of a motion, as a GIF
 #[derive(Args)]
+#[command(
+    after_help = "Each frame shows the top at one exact time. A red spoke of the disc turns with the body. A fast spin can be seen only in slow motion:\n\
+        --times 0..0.2 shows a fifth of a second over the whole film.\n\n\
+        Example: toytop animate host/scenarios/toy_top.toml --times 0..0.2 -o top.gif"
+)]
 pub struct AnimateArgs {
     /// Scenario file
     scenario: PathBuf,
@@ -50,5 +56,5 @@ pub fn run(arguments: &AnimateArgs) -> Result<Report, Failure> {
     let film = Film { scenario: &scenario, span: &span, frames, size: *size };
     let progress = Progress::new(frames, "frames");
     whole_file::write_by("--output", output, |file| film.gif(HUNDREDTHS, BufWriter::new(file), &progress))?;
-    Ok(Report::default().with_notes(warnings(&[scenario]), false))
+    Ok(Report::default().with_notes(warnings(&[scenario])))
 }

@@ -1,16 +1,17 @@
 //! `toytop figures`: the curves of figures 2 and 3 of the paper, as `plot` draws them.
 
-use super::Report;
 use crate::Failure;
+use crate::commands::drawing::{self, tip};
 use crate::input::builtin;
+use crate::output::stdout::Report;
 use crate::output::whole_file;
 use crate::pictures::span::{MOST_CYCLES, Span};
-use crate::pictures::{drawing, tip};
 use clap::Args;
 use std::path::PathBuf;
 
-/// `toytop figures`
+/// Curves of figures 2 and 3 of the paper, as SVG
 #[derive(Args)]
+#[command(after_help = "Example: toytop figures -o figures")]
 pub struct FiguresArgs {
     /// Folder to write to, which is created if it does not exist
     #[arg(short, long, value_name = "DIR")]

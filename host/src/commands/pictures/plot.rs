@@ -1,17 +1,25 @@
 //! `toytop plot`: pictures of a motion.
 
-use super::options::{PICTURE, ending_in, span};
-use super::{Report, warnings};
 use crate::Failure;
+use crate::commands::drawing::{self, charts, sphere, tip};
+use crate::commands::options::{PICTURE, ending_in, span};
+use crate::commands::warnings;
 use crate::input::scenario::Scenario;
+use crate::output::stdout::Report;
 use crate::pictures::span::{MOST_CYCLES, Span};
-use crate::pictures::{charts, drawing, space, tip};
 use clap::{Args, ValueEnum};
 use kuva::render::render::Scene;
 use std::path::PathBuf;
 
-/// `toytop plot`
+/// Picture of a motion: curve of the tip or axis, tilt, precession, potential
+///
+/// For a held tip the curve from above is that of the end of a unit vector along the axis, which is minus the tip of toytop state.
 #[derive(Args)]
+#[command(
+    after_help = "Symbols: u: cosine of the tilt; e1 <= u <= e2: its bounds; e3: third root of the cubic of the nutation; rho: distance of the\n\
+        tip from the centre, s sqrt(1 - u^2); l, n: angular momenta about the vertical and about the axis of the top.\n\n\
+        Example: toytop plot host/scenarios/figure_3_loops.toml -o tip.svg\n         toytop plot host/scenarios/toy_top.toml --kind tilt --times 0..0.5 --size 1200 -o tilt.png"
+)]
 pub struct PlotArgs {
     /// Scenario file
     scenario: PathBuf,
@@ -49,7 +57,7 @@ pub fn run(arguments: &PlotArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let scene = scene(arguments, &scenario).map_err(|failure| failure.of_motion(&scenario.name))?;
     drawing::write("--output", &arguments.output, &scene, arguments.size)?;
-    Ok(Report::default().with_notes(warnings(&[scenario]), false))
+    Ok(Report::default().with_notes(warnings(&[scenario])))
 }
 
 fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
@@ -64,7 +72,7 @@ fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
     Ok(match arguments.kind {
         PlotKind::Tilt => charts::tilt(scenario, &span),
         PlotKind::Precession => charts::precession(scenario, &span)?,
-        PlotKind::Axis => space::draw(scenario, &span),
+        PlotKind::Axis => sphere::draw(scenario, &span),
         _ => tip::draw(scenario, &span),
     })
 }

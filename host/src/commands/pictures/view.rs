@@ -1,16 +1,22 @@
 //! `toytop view`: a page for a browser.
 
-use super::options::ending_in;
-use super::{Report, warnings};
 use crate::Failure;
+use crate::commands::options::ending_in;
+use crate::commands::warnings;
 use crate::input::scenario::ScenarioFile;
+use crate::output::stdout::Report;
 use crate::output::whole_file;
 use crate::pictures::view;
 use clap::Args;
 use std::path::PathBuf;
 
-/// `toytop view`
+/// Page for a browser that shows a top, with sliders for its launch
+///
+/// The page needs no network and no other file. It contains the core, which computes the motion that the sliders set.
 #[derive(Args)]
+#[command(
+    after_help = "Example: toytop view host/scenarios/figure_3_loops.toml -o top.html\n         top.html#t=12.5 then shows that time\n         toytop view -o index.html   a page that begins with a toy top"
+)]
 pub struct ViewArgs {
     /// Scenario file of the motion that the page begins with; without it, the page begins with a toy top
     scenario: Option<PathBuf>,
@@ -27,5 +33,5 @@ pub fn run(arguments: &ViewArgs) -> Result<Report, Failure> {
     let scenario = start.scenario()?;
     let page = view::page(&start).map_err(|failure| failure.with_context(&scenario.name))?;
     whole_file::write("--output", &arguments.output, page.as_bytes())?;
-    Ok(Report::default().with_notes(warnings(&[scenario]), false))
+    Ok(Report::default().with_notes(warnings(&[scenario])))
 }

@@ -1,8 +1,7 @@
 //! `toytop accuracy`: error of each scalar at ticks 1 to 2^40, against the truth to thirty digits.
 
-use super::Report;
-use super::options::{Scalars, scalars};
 use crate::Failure;
+use crate::commands::options::{Scalars, scalars};
 use crate::input::builtin;
 use crate::input::random::Random;
 use crate::motion::ephemeris::{AnyEphemeris, smallest_ephemeris};
@@ -10,6 +9,7 @@ use crate::motion::errors::{drift, greater};
 use crate::motion::{MotionConstants, Scalar};
 use crate::output::doc_markers::{self, Page};
 use crate::output::progress::Progress;
+use crate::output::stdout::Report;
 use crate::output::{self, Column, Format, Record};
 use crate::parallel::thread_pool;
 use crate::truth::exact::{Exact, PreciseOrientation};
@@ -21,14 +21,15 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::path::PathBuf;
 use toytop::{AttitudeState, InitialPhases, Motion, Regime, Support};
 
-/// `toytop accuracy`
+/// Errors of each scalar up to tick 2^40
 #[derive(Args)]
+#[command(after_help = "Example: toytop accuracy --scalar f32,q31")]
 pub struct AccuracyArgs {
     /// Scalar types
     #[arg(long, value_name = "LIST", default_value = "all", value_parser = scalars)]
     scalar: Scalars,
-    /// Markdown page whose table is rewritten
-    #[arg(long, value_name = "FILE")]
+    /// Rewrite the table of host/docs/accuracy.md, or of another page
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "host/docs/accuracy.md")]
     accept: Option<PathBuf>,
     /// Form of the output
     #[arg(long, default_value = "table")]

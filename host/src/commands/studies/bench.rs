@@ -1,12 +1,12 @@
 //! `toytop bench`: computing times of a state, by the core and by other methods, on this machine with this build.
 
-use super::Report;
-use super::options::FormatArgs;
 use crate::Failure;
 use crate::input::builtin;
-use crate::output::{self, Column, Record, short};
+use crate::output::stdout::Report;
+use crate::output::{self, Column, Format, Record, short};
 use crate::truth::full_equations;
 use crate::truth::full_equations::full_solver::{Equations, FullSolver};
+use clap::Args;
 use std::hint::black_box;
 use std::time::Instant;
 use toytop::scalar::Real;
@@ -40,7 +40,16 @@ fn timed(what: impl Into<String>, states: u32, mut task: impl FnMut()) -> Record
     Record::default().with("what", what).with("seconds", (0..RUNS).map(run).fold(f64::INFINITY, f64::min))
 }
 
-pub fn run(arguments: &FormatArgs) -> Result<Report, Failure> {
+/// Computing times on this machine: ephemeris, stepper, full solver
+#[derive(Args)]
+#[command(after_help = "Example: toytop bench --format json")]
+pub struct BenchArgs {
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
+}
+
+pub fn run(arguments: &BenchArgs) -> Result<Report, Failure> {
     let rows = rows()?;
     let table = || {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);

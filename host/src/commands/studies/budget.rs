@@ -1,16 +1,34 @@
 //! `toytop budget`: cost of each call on each emulated chip, compared with its budget.
+//!
+//! QEMU runs the firmware `cost` and logs the blocks of code that it executes. No clock is used: the same ELF gives the same figures.
+//!
+//! | module | contents |
+//! |---|---|
+//! | `chips` | chips with their compilers and emulators |
+//! | `trace` | blocks of code that QEMU executes |
+//! | `model` | cycles of an instruction, from published timings |
+//! | `meter` | cost of each call: the blocks between its entry and its return |
+//! | `budgets` | allowed costs, `firmware-examples/budgets.toml` |
+//! | `corpus` | set-up of many launches |
+//! | `pages` | tables of the documents |
 
+mod budgets;
+mod chips;
+mod corpus;
+mod meter;
+mod model;
 mod pages;
+mod trace;
 
-use super::Report;
-use super::options::positive;
 use crate::Failure;
-use crate::budget::budgets::Budgets;
-use crate::budget::chips::{self, Chip};
-use crate::budget::corpus::corpus;
-use crate::budget::meter::{Cost, Costs, flash, measure};
+use crate::commands::options::positive;
+use crate::output::stdout::Report;
 use crate::output::{self, Format, Record, eight_digits, short, whole_file};
+use budgets::Budgets;
+use chips::Chip;
 use clap::Args;
+use corpus::corpus;
+use meter::{Cost, Costs, flash, measure};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -21,7 +39,9 @@ const CHIPS: [Chip; 5] = [chips::M0PLUS, chips::M4F, chips::M7, chips::M33, chip
 /// Frequency of the interrupt that a tick has to fit into, Hz.
 const TICK_RATE: f64 = 1000.0;
 
-/// `toytop budget`
+/// Cost of each call on emulated microcontrollers, beside its budget
+///
+/// The exit code is 1 if a call is beyond its budget.
 #[derive(Args)]
 #[command(
     after_help = "Example: toytop budget --chip m4f,m0plus --clock 48\nNeeds QEMU (qemu-system-arm, qemu-system-misc) and, without --elf, the repository."
@@ -46,9 +66,9 @@ pub struct BudgetArgs {
     /// of their cycles, for the table in host/docs/costs.md
     #[arg(long, conflicts_with_all = ["elf", "check"])]
     corpus: bool,
-    /// Compile for size (opt-level s) instead of speed
-    #[arg(long, conflicts_with_all = ["elf", "check", "accept"])]
-    size: bool,
+    /// Compile for little flash (opt-level s) instead of speed
+    #[arg(long, alias = "size", conflicts_with_all = ["elf", "check", "accept"])]
+    flash: bool,
     /// Form of the output
     #[arg(long, default_value = "table")]
     format: Format,
@@ -96,7 +116,7 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
     } else {
         "within budget".into()
     });
-    Ok(Report { check_failed, ..report }.with_notes(violations, arguments.format == Format::Table))
+    Ok(Report { check_failed, ..report }.with_notes(violations))
 }
 
 /// Root of the repository: the current folder, or one above it.
@@ -109,7 +129,7 @@ fn repository() -> Result<PathBuf, Failure> {
 
 /// Costs of all calls on a chip.
 fn measured(arguments: &BudgetArgs, root: &Path, chip: &Chip) -> Result<Costs, Failure> {
-    let program = |name| build(root, chip, name, arguments.size);
+    let program = |name| build(root, chip, name, arguments.flash);
     let mut costs = measure(chip, &program("cost")?)?;
     if chip.name == FITTING_CHIP {
         costs.extend(measure(chip, &program("fit_cost")?)?);
@@ -148,7 +168,7 @@ fn launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&'static Chip>) -> R
     let modelled = |chip: &Chip| budgets.budget(chip.name, "launch", "cycles").is_some();
     let mut rows = Vec::new();
     for chip in chips.into_iter().filter(|chip| !arguments.accept || modelled(chip)) {
-        rows.extend(corpus(chip, &build(root, chip, "corpus", arguments.size)?, &budgets)?);
+        rows.extend(corpus(chip, &build(root, chip, "corpus", arguments.flash)?, &budgets)?);
     }
     if arguments.accept {
         return pages::write(root, &[pages::of_corpus(&rows)]);

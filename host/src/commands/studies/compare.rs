@@ -2,9 +2,9 @@
 
 mod bounds;
 
-use super::options::{Method, Scalars, scalars};
-use super::{Report, warnings};
 use crate::Failure;
+use crate::commands::options::{Method, Scalars, scalars};
+use crate::commands::warnings;
 use crate::input::builtin;
 use crate::input::scenario::Scenario;
 use crate::input::times::spread_times;
@@ -12,7 +12,7 @@ use crate::motion::ephemeris::smallest_ephemeris;
 use crate::motion::errors::{drift, greater};
 use crate::motion::propagate::{Sample, TimedStepper, period};
 use crate::motion::{Scalar, widened};
-use crate::output::progress::Progress;
+use crate::output::stdout::Report;
 use crate::output::{self, Format, Record, short};
 use crate::truth::full_equations;
 use crate::truth::full_equations::full_solver::FullState;
@@ -25,8 +25,11 @@ use toytop::Motion;
 use toytop::scalar::Real;
 use toytop::su2::OrientationRate;
 
-/// `toytop compare`
+/// Errors of the core against an integration of the full 3-D equations
+///
+/// The exit code is 1 if a bound is missed.
 #[derive(Args)]
+#[command(after_help = "Example: toytop compare host/scenarios/toy_top.toml --periods 100 --format csv")]
 pub struct CompareArgs {
     /// Scenario files; without any, the built-in motions are compared
     #[arg(value_name = "SCENARIO")]
@@ -120,8 +123,7 @@ pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     let text = output::render(arguments.format, &output::list("rows", &records), table);
     notes.extend(warnings(&scenarios));
     let check_failed = motions.iter().flatten().any(|one| one.verdict() == "MISS");
-    let below = arguments.format == Format::Table;
-    Ok(Report { text, check_failed, ..Report::default() }.with_notes(notes, below))
+    Ok(Report { text, notes, check_failed })
 }
 
 /// Table with one row for each motion: error of each propagator, greatest share of a bound, time of the slowest look-up, and whether
@@ -224,12 +226,11 @@ fn median(mut run: impl FnMut() -> u64) -> f64 {
 /// Run of the stepper through the times.
 fn step_through<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
     let step = period(motion) / f64::from(steps_per_period(scalar));
-    let progress = Progress::new(0, "steps");
     let (mut states, mut steps) = (Vec::new(), 0);
     let call = median(|| {
         let mut timed = TimedStepper::<R>::new(motion, step);
         let state = |&t: &f64| {
-            timed.reach(t, &progress);
+            timed.reach(t, |_| ());
             let rate = timed.last.attitude_state().rate;
             let [alpha, beta] = [rate.alpha, rate.beta].map(|z| widened(z, R::to_f64));
             (timed.sample(), OrientationRate { alpha, beta })

@@ -1,12 +1,21 @@
 //! `toytop errata`: errors of the printed paper. `tests/reference/errata.py` evaluates each formula as printed and as corrected, and a test
 //! compares the residuals.
 
-use super::Report;
-use super::options::FormatArgs;
 use crate::Failure;
-use crate::output::{self, Record};
+use crate::output::stdout::Report;
+use crate::output::{self, Format, Record};
+use clap::Args;
 
-pub(crate) fn run(arguments: &FormatArgs) -> Result<Report, Failure> {
+/// Errors of the printed paper and their corrections
+#[derive(Args)]
+#[command(after_help = "Example: toytop errata --format csv")]
+pub struct ErrataArgs {
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
+}
+
+pub fn run(arguments: &ErrataArgs) -> Result<Report, Failure> {
     let record = |(number, erratum): (u64, Erratum)| {
         let Erratum { place, against, printed, corrected, residuals } = erratum;
         Record::default()

@@ -3,11 +3,11 @@
 mod columns;
 mod table;
 
-use super::Report;
 use crate::Failure;
 use crate::input::axis::Axis;
 use crate::input::scenario::ScenarioFile;
-use crate::output::{stdout, whole_file};
+use crate::output::stdout::{self, Report};
+use crate::output::whole_file;
 use crate::parallel;
 use clap::Args;
 use columns::{DEFAULT_COLUMNS, SweepColumn};
@@ -17,8 +17,13 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::Instant;
 use table::Sweep;
 
-/// `toytop sweep`
+/// Constants and errors of many motions of a scenario, a grid or a random sample
+///
+/// Each motion is one row. All processor cores are used, and a sweep can be divided into parts.
 #[derive(Args)]
+#[command(
+    after_help = "Example: toytop sweep host/scenarios/toy_top.toml --spin 90..300/200 --tilt 1..60/100 -o grid.csv\n         toytop sweep host/scenarios/figure_3_loops.toml --axis e1=-0.9..0.1/41 --axis e3=log:1.01..100/33 -o grid.csv\n         toytop sweep host/scenarios/toy_top.toml --spin 90..300 --motions 1000000 --part 3/100 -o part_003.csv"
+)]
 pub struct SweepArgs {
     /// Scenario file whose numbers vary
     scenario: PathBuf,
@@ -126,10 +131,5 @@ pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
     let seconds = started.elapsed().as_secs_f64();
     let name = file.map_or("stdout".into(), |file| file.to_string_lossy());
     let text = format!("{name}: {count} motions{refused} in {seconds:.1} s\n");
-    let report = Report::default();
-    Ok(if file.is_some() {
-        Report { text, ..report }
-    } else {
-        report.with_notes([text.trim_end().to_owned()], false)
-    })
+    Ok(if file.is_some() { text.into() } else { Report::default().with_notes([text.trim_end().to_owned()]) })
 }

@@ -44,7 +44,10 @@ pub fn sizes(scalar: Scalar, segments: Option<u32>) -> Result<Vec<u32>, Failure>
         Some(segments) if sizes.contains(&segments) => sizes = vec![segments],
         Some(segments) => {
             let names: Vec<_> = sizes.iter().map(u32::to_string).collect();
-            return Err(Failure::Input(format!("--size: {segments}: must be one of {}", names.join(", "))));
+            return Err(Failure::Input(format!(
+                "--segments: {segments}: must be one of {}",
+                names.join(", ")
+            )));
         }
     }
     Ok(sizes)
@@ -89,7 +92,7 @@ fn table_in<R: TableScalar>(
                 _ => format!("{MOST}x{} segments, the most", R::TERMS),
             };
             let sufficient = match enough(&allowed(R::SCALAR)) {
-                Some(size) => format!("at least --size {size}"),
+                Some(size) => format!("at least --segments {size}"),
                 None => format!("not even {MOST} segments of this degree"),
             };
             Err(Failure::Method(format!("no ephemeris of {tried}: {error}; {sufficient} would be enough")))

@@ -22,7 +22,7 @@ impl Case {
     /// Arguments of `toytop bake`.
     pub(crate) fn arguments(&self) -> String {
         let Self { file, scalar, size, tick: [hertz, per], .. } = self;
-        format!("{file} --scalar {scalar} --size {size} --hertz {hertz}/{per}")
+        format!("{file} --scalar {scalar} --segments {size} --hertz {hertz}/{per}")
     }
 
     /// Numbers by the crate, as bits, a line for each tick: those of samples, and quaternions, angular velocities and turning points.

@@ -36,14 +36,14 @@ fn the_least_size_is_named() {
     let summary = |line: &str| toytop(format!("bake {line}")).err.lines().next().expect("a line").to_owned();
     // the pendulum needs 17 to 25 segments in f32
     for (line, enough) in [
-        ("@pendulum --scalar f32 --size 8", 25),
-        ("@pendulum --scalar f32 --size 16", 25),
-        ("@toy_top --scalar q15 --size 8", 16),
+        ("@pendulum --scalar f32 --segments 8", 25),
+        ("@pendulum --scalar f32 --segments 16", 25),
+        ("@toy_top --scalar q15 --segments 8", 16),
     ] {
         let refused = summary(line);
-        assert!(refused.ends_with(&format!("; at least --size {enough} would be enough")), "{refused}");
+        assert!(refused.ends_with(&format!("; at least --segments {enough} would be enough")), "{refused}");
     }
-    toytop("bake @pendulum --size 25").ok();
+    toytop("bake @pendulum --segments 25").ok();
 }
 
 #[test]
@@ -52,8 +52,8 @@ fn a_failed_bake_writes_nothing() {
     all_refused(
         "bake -o bake_refused/top.rs",
         &[
-            ("@toy_top --size 17", "--size: 17: must be"),
-            ("@toy_top --size 25x5", "--size"),
+            ("@toy_top --segments 17", "--segments: 17: must be"),
+            ("@toy_top --segments 25x5", "--segments"),
             ("@toy_top --hertz 0", "44100/2"),
             ("@toy_top --hertz 0/2", "44100/2"),
             ("@toy_top --hertz 44100/x", "44100/2"),
@@ -64,7 +64,7 @@ fn a_failed_bake_writes_nothing() {
     all_refused("bake @toy_top", &[("-o no/such/folder/top.h", "no/such/folder/top.h")]);
     let needle = format!("bake -o bake_refused/top.rs {}", needle("bake_needle"));
     toytop(&needle).refused(3, "bake_needle: no ephemeris");
-    toytop(needle + " --size 32").refused(3, "bake_needle: no ephemeris of 32 segments");
+    toytop(needle + " --segments 32").refused(3, "bake_needle: no ephemeris of 32 segments");
     assert_eq!(count("bake_refused"), 0);
 }
 

@@ -139,8 +139,8 @@ fn a_reader_that_closes_the_pipe_is_no_failure() {
     for (line, is_long) in [
         (&*format!("state @toy_top --format csv --times {times}"), true),
         (&format!("state @toy_top --times {}", &times[..7999]), true),
-        ("bake @toy_top --scalar f64 --size 512", true),
-        ("bake @toy_top --scalar f64 --size 512 --lang c", true),
+        ("bake @toy_top --scalar f64 --segments 512", true),
+        ("bake @toy_top --scalar f64 --segments 512 --lang c", true),
         ("constants @toy_top", false),
         ("completions bash", false),
         ("--help", false),

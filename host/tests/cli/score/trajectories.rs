@@ -164,10 +164,10 @@ fn runs_of_different_lengths_have_no_order() {
     let found = json(format!("score @figure_3_loops {}", files.join(" ")));
     assert!(found["order"].is_null() && found["files"][1]["method_order"].is_null(), "{found}");
     let [first, other, _] = files;
-    let table = toytop(format!("score @figure_3_loops {first} {other}")).ok();
+    let said = toytop(format!("score @figure_3_loops {first} {other}")).err;
     assert!(
-        table.contains(&format!("warning: no order: {first} and {other} end at different times")),
-        "{table}"
+        said.contains(&format!("warning: no order: {first} and {other} end at different times")),
+        "{said}"
     );
 }
 

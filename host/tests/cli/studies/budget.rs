@@ -13,7 +13,7 @@ fn bad_input_is_refused_in_one_line() {
             ("--elf no_program.elf", "--chip"),
             ("--elf no_program.elf --chip m4f", "no_program.elf"),
             ("--check --accept", "--accept"),
-            ("--check --size", "--size"),
+            ("--check --flash", "--flash"),
         ],
     );
 }

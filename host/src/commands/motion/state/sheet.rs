@@ -4,7 +4,6 @@ use crate::input::scenario::Units;
 use crate::motion::propagate::Sample;
 use crate::motion::quantity::Quantity;
 use crate::output::{self, Format, Record, short};
-use serde_json::Value;
 use toytop::Support;
 
 /// Columns of the rows, the units of their numbers, and the form in which they are written.
@@ -39,21 +38,13 @@ impl Sheet {
             let value = if let [x] = numbers[..] { x.into() } else { numbers.into() };
             (column.names().0, value)
         };
-        let row = match self.format {
-            Format::Csv => {
-                return output::csv_line(
-                    self.columns.iter().flat_map(|column| column.numbers(sample)).map(Value::from),
-                );
-            }
-            Format::Json => Record(self.columns.iter().map(entry).collect()).json(),
-            Format::Table => self.block(sample),
-        };
-        let between = match self.format {
-            _ if index == 0 => "",
-            Format::Json => ",",
-            _ => "\n",
-        };
-        between.to_owned() + &row
+        let record = || Record(self.columns.iter().map(entry).collect());
+        let between = |text: &str| if index == 0 { String::new() } else { text.to_owned() };
+        match self.format {
+            Format::Csv => record().csv(),
+            Format::Json => between(",") + &output::json(&record()),
+            Format::Table => between("\n") + &self.block(sample),
+        }
     }
 
     /// Text after the rows.

@@ -1,9 +1,9 @@
 //! Parts of pages that have costs: tables of the budgets, and of the set-up of many launches.
 
+use super::budgets::Budgets;
 use crate::Failure;
-use crate::budget::budgets::Budgets;
-use crate::commands::Report;
 use crate::output::doc_markers::{Page, table};
+use crate::output::stdout::Report;
 use crate::output::{self, Column, Record, eight_digits};
 use std::path::Path;
 

@@ -1,18 +1,23 @@
 //! `toytop benchmark`: reference values of the problems that other integrators are tested with.
 
-use super::Report;
+use super::problems::{self, Problem};
 use crate::Failure;
 use crate::input::times::Times;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::smallest_ephemeris;
-use crate::output::{self, Format, Lists, Record, eight_digits};
-use crate::score::benchmarks::{self, Problem};
+use crate::output::stdout::Report;
+use crate::output::{self, Document, Format, Record, eight_digits};
 use crate::score::trajectory::to_symmetry_axis;
 use clap::Args;
 use serde_json::Value;
 
-/// `toytop benchmark`
+/// Reference values of the heavy tops that integrators are tested with
 #[derive(Args)]
+#[command(
+    after_help = "The values have 30 digits, and two integrations confirm each of them. The conventions are those of the problem's source.\n\n\
+        Example: toytop benchmark bruls_cardona --format json\n         \
+        toytop benchmark bruls_cardona --times 0..2/2001 --format csv > run.csv && toytop score --benchmark bruls_cardona run.csv"
+)]
 pub struct BenchmarkArgs {
     /// Name of a problem; without it, all problems are listed
     name: Option<String>,
@@ -33,7 +38,7 @@ const COLUMNS: [&str; 11] = ["t", "x_com", "y_com", "z_com", "w", "x", "y", "z",
 pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
     let BenchmarkArgs { name, times, scenario, format } = arguments;
     let Some(name) = name else { return list(*format) };
-    let problem = benchmarks::named(name).map_err(|failure| failure.with_context("benchmark"))?;
+    let problem = problems::named(name).map_err(|failure| failure.with_context("benchmark"))?;
     if *scenario {
         return Ok(problem.text.to_owned().into());
     }
@@ -48,6 +53,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
         .with("benchmark", &**name)
         .with("source", &*about.source)
         .with("symmetry_axis", about.symmetry_axis);
+    let document = Document { lists: vec![("samples", &records)], values: rest };
     let table = || {
         let one_by_one = records.iter().flat_map(|Record(values)| {
             let value = |(name, value): &(&str, Value)| {
@@ -69,7 +75,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
             output::aligned(&lines, &output::all_columns(&lines, eight_digits))
         )
     };
-    Ok(output::render(*format, &Lists(vec![("samples", &records)], rest), table).into())
+    Ok(output::render(*format, &document, table).into())
 }
 
 /// List of all problems, each with the height of the centre of mass at its last time.
@@ -85,7 +91,7 @@ fn list(format: Format) -> Result<Report, Failure> {
             .with("height", last["position"][2].clone())
             .with("used_by", about.used_by.join("; "))
     };
-    let problems: Vec<_> = benchmarks::all().iter().map(summary).collect();
+    let problems: Vec<_> = problems::all().iter().map(summary).collect();
     let table = || {
         output::aligned(&problems, &[("benchmark", "", eight_digits), ("title", "", eight_digits)])
             + "\ntoytop benchmark NAME prints 30 digits; --scenario its scenario file; toytop score --benchmark NAME judges a run.\n"

@@ -1,10 +1,10 @@
 //! Picture of a curve, for a white page.
 
-use super::curve::TipCurve;
-use super::drawing::{BOUND, CAPTION, CURVE, START, frame, label_above, text};
-use super::span::Span;
+use super::{BOUND, CAPTION, CURVE, START, frame, label_above, text};
 use crate::input::scenario::{Scenario, Units};
 use crate::output::short;
+use crate::pictures::curve::TipCurve;
+use crate::pictures::span::Span;
 use kuva::plot::scatter::ScatterPlot;
 use kuva::plot::{LegendPosition, LinePlot, LineStyle};
 use kuva::render::plots::Plot;

@@ -1,6 +1,6 @@
 //! Chart of curves over linear or logarithmic axes. (The logarithmic axes of kuva have no ticks below 1e-10.)
 
-use super::drawing::{frame, label_above};
+use super::{frame, label_above};
 use crate::input::axis::ends;
 use kuva::plot::LinePlot;
 use kuva::plot::scatter::{MarkerShape, ScatterPlot};

@@ -1,4 +1,19 @@
 //! Axes and colours of the pictures, texts, dots and lines in them, and their files.
+//!
+//! | module | contents |
+//! |---|---|
+//! | `tip` | curve of the tip |
+//! | `sphere` | the axis on its sphere |
+//! | `film` | animation of the top |
+//! | `chart` | curves over linear or logarithmic axes |
+//! | `charts` | tilt and precession against time, effective potential |
+//! | `fit` | residuals of a fit |
+
+pub mod chart;
+pub mod charts;
+pub mod fit;
+pub mod sphere;
+pub mod tip;
 
 use crate::Failure;
 use crate::output::whole_file;

@@ -2,22 +2,30 @@
 
 mod report;
 
-use super::Report;
-use super::options::{PICTURE, ending_in, positive};
 use crate::Failure;
+use crate::commands::drawing;
+use crate::commands::drawing::fit as pictures;
+use crate::commands::options::{PICTURE, ending_in, positive};
 use crate::fit::columns;
 use crate::fit::launch::{FREE_KEYS, FitInput};
 use crate::fit::sensors::{Body, Sensors};
 use crate::input::file::excerpt;
 use crate::input::scenario::ScenarioFile;
+use crate::output::stdout::Report;
 use crate::output::{self, Format, whole_file};
-use crate::pictures::drawing;
-use crate::pictures::fit as pictures;
 use clap::Args;
 use std::path::{Path, PathBuf};
 
-/// `toytop fit`
+/// Launch of a top from samples of sensors, with error bars
+///
+/// The exit code is 1 if the fit has not converged; the reason is printed, and no scenario is written.
 #[derive(Args)]
+#[command(
+    after_help = "SAMPLES.csv has a column t (s), and those of its sensors: gyro_x,gyro_y,gyro_z (rad/s, body frame); accel_x,accel_y,accel_z (m/s^2);\n\
+        mag_x,mag_y,mag_z; w,x,y,z (unit quaternion from body to fixed coordinates); axis_x,axis_y,axis_z; tip_x,tip_y (m); mark (azimuth, rad).\n\
+        An empty field is no reading.\n\n\
+        Example: toytop fit samples.csv --top host/scenarios/toy_top.toml --free axial_inertia -o fitted.toml"
+)]
 pub struct FitArgs {
     /// Samples, as `toytop simulate` writes them
     samples: PathBuf,
@@ -97,7 +105,7 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     whole_file::write_all(&files)?;
     let text = match arguments.format {
         Format::Table => report::table(&fit),
-        Format::Json => report::object(&fit).json() + "\n",
+        Format::Json => output::json(&report::object(&fit)) + "\n",
         Format::Csv => output::csv(&[report::row(&fit)]),
     };
     Ok(Report { text, notes, check_failed: !converged })

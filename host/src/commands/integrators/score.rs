@@ -1,22 +1,31 @@
 //! `toytop score`: output of an integrator, compared with the exact motion.
 
-use super::Report;
-use super::options::{PICTURE, ending_in, positive};
+use super::problems;
 use crate::Failure;
+use crate::commands::drawing;
+use crate::commands::drawing::chart::{Chart, Curve};
+use crate::commands::options::{PICTURE, ending_in, positive};
 use crate::input::scenario::Scenario;
 use crate::motion::propagate::period;
-use crate::output::{self, Column, Format, Lists, Record, short, two_digits, whole_file};
-use crate::pictures::chart::{Chart, Curve};
-use crate::pictures::drawing;
-use crate::score::benchmarks;
+use crate::output::stdout::Report;
+use crate::output::{self, Column, Document, Format, Record, short, two_digits, whole_file};
 use crate::score::errors::{ExactReference, Score};
 use crate::score::order;
 use crate::score::trajectory::Trajectory;
 use clap::Args;
 use std::path::{Path, PathBuf};
 
-/// `toytop score`
+/// Errors of your integrator's output against the exact motion
 #[derive(Args)]
+#[command(
+    after_help = "A RESULT has a header, and a row for each time: t in s, and w,x,y,z (unit quaternion from body to fixed coordinates), or\n\
+        alpha_re,alpha_im,beta_re,beta_im, or r11,r12,...,r33 (matrix by rows, body to fixed). The drifts of h, l and n need\n\
+        wx,wy,wz (rad/s, body frame) or omega_x,omega_y,omega_z (fixed frame). Other columns are\n\
+        ignored. The two signs of a quaternion are one rotation. Lines above the header may state: # method = RK4, # step = 0.001,\n\
+        # evaluations = 40000. Files of one method with different steps give its order of convergence.\n\n\
+        Example: toytop score host/scenarios/toy_top.toml rk4_*.csv --plot rk4.svg\n         \
+        toytop state TOP.toml --times 0..1/1001 --method stepper --format csv > s.csv && toytop score TOP.toml s.csv"
+)]
 pub struct ScoreArgs {
     /// Scenario file, and CSV files with the output of integrators for it: one file for each step size and method
     #[arg(value_names = ["SCENARIO", "RESULT.csv"], num_args = 0..)]
@@ -70,7 +79,7 @@ struct Integrator {
 
 pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     let ScoreArgs { files, benchmark, steps, plot, format } = arguments;
-    let problem = benchmark.as_deref().map(benchmarks::named).transpose();
+    let problem = benchmark.as_deref().map(problems::named).transpose();
     let problem = problem.map_err(|failure| failure.with_context("--benchmark"))?;
     // command that prints the state from which a run has to start
     let (scenario, start, results) = match (&problem, &files[..]) {
@@ -120,9 +129,9 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     let order = if let [only] = &integrators[..] { only.order } else { None };
     let rest =
         Record::default().with("order", order).with("scenario", &*scenario.name).with("sign", "nearest");
-    let object = Lists(vec![("files", &records), ("methods", &summaries)], rest);
+    let object = Document { lists: vec![("files", &records), ("methods", &summaries)], values: rest };
     let text = output::render(*format, &object, || tables(&files, &records, &integrators));
-    Ok(Report::from(text).with_notes(warnings, *format == Format::Table))
+    Ok(Report::from(text).with_notes(warnings))
 }
 
 /// Methods in the order of their first files, after the order of each file is set. Files of one method over different times have no order,

@@ -1,13 +1,13 @@
 //! Tilt and precession against time, and the effective potential of the nutation.
 
 use super::chart::{Chart, Curve};
-use super::curve::TiltLimit;
-use super::span::Span;
 use crate::Failure;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::angles::tilt_azimuth_roll;
 use crate::motion::tilts;
 use crate::output::short;
+use crate::pictures::curve::TiltLimit;
+use crate::pictures::span::Span;
 use kuva::render::render::Scene;
 use std::f64::consts::PI;
 use toytop::{Motion, Regime};

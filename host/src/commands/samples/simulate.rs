@@ -1,18 +1,21 @@
 //! `toytop simulate`: simulated readings of sensors on a top.
 
-use super::Report;
-use super::options::positive;
 use crate::Failure;
+use crate::commands::options::positive;
 use crate::fit::columns;
 use crate::fit::sensors::{Body, Sensors};
 use crate::fit::simulated::{MOST_SAMPLES, Recording, measurements};
 use crate::input::scenario::Scenario;
+use crate::output::stdout::Report;
 use crate::output::whole_file;
 use clap::Args;
 use std::path::PathBuf;
 
-/// `toytop simulate`
+/// Samples of sensors on a top, with noise, bias and limited range
 #[derive(Args)]
+#[command(
+    after_help = "Example: toytop simulate host/scenarios/toy_top.toml --hertz 1000 --duration 1 --seed 7 -o samples.csv"
+)]
 pub struct SimulateArgs {
     /// Scenario file
     scenario: PathBuf,

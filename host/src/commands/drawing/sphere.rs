@@ -1,11 +1,11 @@
 //! Pictures of space: the curve of the axis on the unit sphere, and the top in motion as a GIF.
 
-use super::curve::TiltLimit;
-use super::drawing::{BOUND, CAPTION, CURVE, START, disc, line, raster, text};
-use super::span::Span;
 use super::tip::caption;
+use super::{BOUND, CAPTION, CURVE, START, disc, line, raster, text};
 use crate::input::scenario::Scenario;
 use crate::output::progress::Progress;
+use crate::pictures::curve::TiltLimit;
+use crate::pictures::span::Span;
 use kuva::render::render::{Scene, TextAnchor};
 use std::f64::consts::PI;
 use std::io::{self, Write};

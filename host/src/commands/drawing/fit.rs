@@ -1,7 +1,7 @@
 //! Picture of the residuals of a fit.
 
 use super::chart::COLORS;
-use super::drawing::{BOUND, frame};
+use super::{BOUND, frame};
 use crate::fit::launch::FitReport;
 use kuva::plot::LinePlot;
 use kuva::plot::scatter::ScatterPlot;

@@ -1,0 +1,4 @@
+//! Commands on samples of sensors.
+
+pub mod fit;
+pub mod simulate;

@@ -1,0 +1,48 @@
+//! Parser of a command line, whose refusals and helps are reports of a command.
+
+use super::stdout::Report;
+use crate::Failure;
+use clap::error::ErrorKind;
+use clap::{Arg, Parser};
+
+/// Parses the command line of the process and calls `run`. Help and version are reports too.
+///
+/// # Errors
+/// [`Failure::Input`] for everything that clap refuses, and the failures of `run`.
+pub fn report<C: Parser>(run: impl FnOnce(&C) -> Result<Report, Failure>) -> Result<Report, Failure> {
+    let parsed = with_negative_numbers(C::command())
+        .try_get_matches()
+        .and_then(|matches| C::from_arg_matches(&matches));
+    let error = match parsed {
+        Ok(arguments) => return run(&arguments),
+        Err(error) => error,
+    };
+    match error.kind() {
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => Ok(error.render().to_string().into()),
+        ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            Err(Failure::Input(format!("no command given; see {} --help", C::command().get_name())))
+        }
+        _ => Err(Failure::Input(in_one_line(&error.render().to_string()))),
+    }
+}
+
+/// Command whose options take negative numbers as values.
+fn with_negative_numbers(command: clap::Command) -> clap::Command {
+    let takes_one = |argument: &Arg| !argument.is_positional() && argument.get_action().takes_values();
+    command
+        .mut_args(
+            |argument| if takes_one(&argument) { argument.allow_negative_numbers(true) } else { argument },
+        )
+        .mut_subcommands(with_negative_numbers)
+}
+
+/// Message of clap in one line: its first paragraph and its suggestion.
+fn in_one_line(message: &str) -> String {
+    let paragraph = message.lines().take_while(|line| !line.trim().is_empty());
+    let line = paragraph.map(str::trim).collect::<Vec<_>>().join(" ");
+    let meant = message
+        .lines()
+        .find_map(|line| line.trim().strip_prefix("tip: ").filter(|tip| tip.contains("similar")));
+    let meant = meant.map(|tip| format!("; {tip}")).unwrap_or_default();
+    line.trim_start_matches("error: ").to_owned() + &meant
+}
