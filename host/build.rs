@@ -1,7 +1,6 @@
 //! Compiles the core to WebAssembly for the pages of `toytop view`, where the compiler has that target.
 //!
-//! `TOYTOP_PAGE_WASM` names a file that replaces the result of the compiler, for a machine that compiles the core with another toolchain.
-//! Without either, the program is built without pages.
+//! Without it the program is built without pages.
 
 use std::env::{self, var_os};
 use std::fs;
@@ -20,19 +19,12 @@ const NOT_OURS: [&str; 6] = [
 ];
 
 fn main() {
-    println!("cargo:rerun-if-env-changed=TOYTOP_PAGE_WASM");
     for input in
         ["../core/src", "../core/closed-forms/src", "../core/Cargo.toml", "model", "page", "../Cargo.lock"]
     {
         println!("cargo:rerun-if-changed={input}");
     }
-    let file = match var_os("TOYTOP_PAGE_WASM") {
-        Some(file) => Some(PathBuf::from(file)),
-        None => has_target().then(compiled),
-    };
-    let bytes = file.map_or(Vec::new(), |file| {
-        fs::read(&file).unwrap_or_else(|error| panic!("{}: {error}", file.display()))
-    });
+    let bytes = if has_target() { fs::read(compiled()).expect("the compiled core") } else { Vec::new() };
     fs::write(out_dir().join("core.wasm"), bytes).expect("the folder of build output is writable");
 }
 

@@ -57,7 +57,7 @@ const CLOSE: f64 = 0.01;
 /// Row of the tables of one scalar; `None` is a motion for which no table is large enough.
 fn row(regime: &str, scalar: &str, tables: &[Option<Errors>]) -> Record {
     let found: Vec<_> = tables.iter().flatten().collect();
-    let compared: Vec<_> = found.iter().filter(|errors| errors.places > 0).collect();
+    let compared: Vec<_> = found.iter().filter(|errors| errors.ticks > 0).collect();
     let truths = compared.len();
     let greatest = |error: fn(&Errors) -> f64| found.iter().map(|errors| error(errors)).fold(0.0, greater);
     let truth = |error| (truths > 0).then(|| greatest(error));
@@ -70,14 +70,14 @@ fn row(regime: &str, scalar: &str, tables: &[Option<Errors>]) -> Record {
         .with("scalar", scalar)
         .with("motions", tables.len())
         .with("no_table", tables.len() - found.len())
-        .with("norm_and_height_of_bound", greatest(|errors| errors.norm_and_height))
-        .with("truths", truths)
-        .with("places", compared.iter().map(|errors| errors.places).sum::<usize>())
-        .with("places_by_ticks", compared.iter().map(|errors| errors.places_by_ticks).sum::<usize>())
+        .with("norm_error_over_bound", greatest(|errors| errors.norm_and_height))
+        .with("compared_motions", truths)
+        .with("compared_ticks", compared.iter().map(|errors| errors.ticks).sum::<usize>())
+        .with("distant_ticks", compared.iter().map(|errors| errors.distant_ticks).sum::<usize>())
         .with("error_rad", truth(|errors| errors.error))
-        .with("error_of_bound", truth(|errors| errors.of_bound))
-        .with("bound_within_hundred", close(|errors| errors.of_bound))
-        .with("rate_error_of_bound", truth(|errors| errors.rates_of_bound))
-        .with("rate_bound_within_hundred", close(|errors| errors.rates_of_bound))
+        .with("error_over_bound", truth(|errors| errors.of_bound))
+        .with("tight_bounds", close(|errors| errors.of_bound))
+        .with("rate_error_over_bound", truth(|errors| errors.rates_of_bound))
+        .with("tight_rate_bounds", close(|errors| errors.rates_of_bound))
         .with("beyond_bound", found.iter().filter(|errors| errors.beyond_bound()).count())
 }

@@ -62,7 +62,7 @@ pub fn run(study: &Study) -> Result<Summary, Failure> {
             .with("converged", accepted.len())
             .with("wrong", wrong.len())
             .with("in_the_95_percent_ellipsoid", covered as f64 / accepted.len() as f64)
-            .with("rms_error_of_bound", (squares / freedom as f64).sqrt());
+            .with("rms_error_over_bound", (squares / freedom as f64).sqrt());
         rows.push(row);
     }
     let headline = format!("{} launches of each set, seed {}.", study.motions, study.seed);

@@ -6,7 +6,7 @@ use core::cell::OnceCell;
 use core::f64::consts::PI;
 use core::ops::Deref;
 use toytop::scalar::{Float, Real, Ring};
-use toytop::{AttitudeState, Motion, PeriodAdvance, Regime, Stepper, Tick, TipClass};
+use toytop::{AttitudeState, Level, Motion, PeriodAdvance, Regime, Stepper, Tick, TipClass};
 
 /// Constant of a motion.
 #[derive(Clone, Copy)]
@@ -77,7 +77,7 @@ pub static CONSTANTS: [Constant; 28] = [
 ];
 
 /// Numbers of the top and of the motion at t = 0.
-static TOP_AND_START: [Constant; 18] = [
+static TOP_AND_START: [Constant; 20] = [
     // 0 sliding, 1 fixed, 2 free
     number("support", "", |motion| f64::from(motion.top().support() as u8)),
     number("A", "kg m^2", |motion| motion.top().transverse_inertia()),
@@ -94,6 +94,8 @@ static TOP_AND_START: [Constant; 18] = [
     number("spin", "rad/s", |motion| motion.first_integrals().spin),
     number("precession", "rad/s", |motion| axis_at_start(motion)[2]),
     number("nutation", "rad/s", |motion| axis_at_start(motion)[3]),
+    number("critical_spin", "rad/s", |motion| 2.0 * PI * critical_spin(motion)),
+    number("lift_off_u", "", |motion| Level::of_lift_off(motion).map_or(f64::NAN, |level| level.u())),
     number("m_x", "kg m^2/s", |motion| momentum(motion)[0]),
     number("m_y", "kg m^2/s", |motion| momentum(motion)[1]),
     number("m_z", "kg m^2/s", |motion| momentum(motion)[2]),

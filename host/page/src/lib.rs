@@ -16,6 +16,9 @@ pub mod ghost;
 pub mod scenario;
 pub mod table;
 
+/// Page with a `{{NAME}}` for each text that depends on the motion.
+pub const TEMPLATE: &str = include_str!(concat!(env!("OUT_DIR"), "/page.html"));
+
 /// A panic, which no function of the core can reach, stops the page with an error that its console shows.
 #[cfg(target_family = "wasm")]
 #[panic_handler]

@@ -13,32 +13,6 @@ use toytop_page::table::Table;
 /// The core as WebAssembly; empty in a program that was compiled without that target.
 const CORE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/core.wasm"));
 
-/// Scripts of every page, in the order of dependence.
-const SCRIPTS: &str = concat!(
-    include_str!("view/engine.js"),
-    include_str!("view/scenario.js"),
-    include_str!("view/geometry.js"),
-    include_str!("view/body.js"),
-    include_str!("view/gyroscope.js"),
-    include_str!("view/scene.js"),
-    include_str!("view/text.js"),
-    include_str!("view/picture_3d.js"),
-    include_str!("view/picture_sphere.js"),
-    include_str!("view/picture_plan.js"),
-    include_str!("view/picture_charts.js"),
-    include_str!("view/picture_potential.js"),
-    include_str!("view/svg.js"),
-    include_str!("view/facts.js"),
-    include_str!("view/presets.js"),
-    include_str!("view/controls.js"),
-    include_str!("view/drag.js"),
-    include_str!("view/player.js"),
-    include_str!("view/save.js"),
-    include_str!("view/state.js"),
-    include_str!("view/listen.js"),
-    include_str!("view/main.js"),
-);
-
 /// Toy top, with which a page starts without a scenario.
 ///
 /// # Errors
@@ -72,14 +46,12 @@ pub fn page(start: &ScenarioFile) -> Result<String, Failure> {
     });
     let values = [
         ("name", html(&scenario.name)),
-        ("style", concat!(include_str!("view/style.css"), include_str!("view/layout.css")).to_owned()),
         // without characters that could end the element of a script
         ("data", data.to_string().replace('<', "\\u003c")),
         ("core", STANDARD.encode(CORE)),
         ("version", env!("CARGO_PKG_VERSION").to_owned()),
-        ("script", SCRIPTS.to_owned()),
     ];
-    Ok(filled(include_str!("view/page.html"), &values))
+    Ok(filled(toytop_page::TEMPLATE, &values))
 }
 
 /// Text for HTML.

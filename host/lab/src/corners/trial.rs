@@ -24,9 +24,9 @@ pub struct Trial {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Errors {
     /// Number of ticks that were compared with the truth.
-    pub places: usize,
+    pub ticks: usize,
     /// Number of these at which more than half of the bound comes from the number of ticks.
-    pub places_by_ticks: usize,
+    pub distant_ticks: usize,
     /// Greatest error of Φ's norm, and of u at its turning points, over the bound.
     pub norm_and_height: f64,
     /// Greatest error, rad.
@@ -84,8 +84,8 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
                 let (within, rates_within) = (bound.after(tick as f64), rate_bound.after(tick as f64));
                 let error = orientation.error_of(&table.at_tick(tick).sample.orientation());
                 let rate_error = rates.distance(&table.rates_at_tick(tick));
-                errors.places += 1;
-                errors.places_by_ticks += usize::from(within > 2.0 * bound.constant);
+                errors.ticks += 1;
+                errors.distant_ticks += usize::from(within > 2.0 * bound.constant);
                 errors.error = greater(errors.error, error);
                 errors.of_bound = greater(errors.of_bound, ratio(error, within));
                 errors.rates_of_bound = greater(errors.rates_of_bound, ratio(rate_error, rates_within));

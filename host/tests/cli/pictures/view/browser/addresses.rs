@@ -52,7 +52,7 @@ play(false);
 for (const fragment of {fragments:?}) {{
   location.hash = fragment;
   await settled();
-  found.push([element('message').hidden ? '' : element('message').textContent, scene.shown.spin]);
+  found.push([element('message').hidden ? '' : element('message').textContent, scene.constants.spin]);
 }}
 return found;"
     );

@@ -47,15 +47,15 @@ element('far').click();
 await settled();
 facts['the button goes to a million seconds'] = state.t === 1e6;
 await set('spin-field', 'NaN', 'change');
-facts['what is no spin is answered'] = message().includes('Spin') && Number.isFinite(scene.shown.spin);
-const inertia = scene.shown.C;
+facts['what is no spin is answered'] = message().includes('Spin') && Number.isFinite(scene.constants.spin);
+const inertia = scene.constants.C;
 await set('axial_inertia-field', '1e3', 'change');
-facts['what the core refuses is answered and changes nothing'] = message().startsWith('axial inertia: must be between 0 and twice') && scene.shown.C === inertia;
+facts['what the core refuses is answered and changes nothing'] = message().startsWith('axial inertia: must be between 0 and twice') && scene.constants.C === inertia;
 const refusal = async (key, text) => {
-  const [field, before] = [element(`${key}-field`), scene.shown[key]];
+  const [field, before] = [element(`${key}-field`), scene.constants[key]];
   field.focus();
   await set(field.id, text, 'change');
-  const told = field.getAttribute('aria-invalid') === 'true' && message().includes('; the motion keeps e') && scene.shown[key] === before;
+  const told = field.getAttribute('aria-invalid') === 'true' && message().includes('; the motion keeps e') && scene.constants[key] === before;
   field.blur();
   await settled();
   return told && field.value === typed(before) && !field.hasAttribute('aria-invalid');
@@ -64,11 +64,11 @@ facts['a refused e3 leaves the field, and the motion keeps its own'] = await ref
 facts['a refused e1 leaves the field, and the motion keeps its own'] = await refusal('e1', '-1.5');
 facts['a refused e2 leaves the field, and the motion keeps its own'] = await refusal('e2', '1.2');
 await set('spin-field', '123', 'change');
-facts['a field sets the spin and clears the message'] = Math.abs(scene.shown.spin - 123) < 1e-12 && message() === '';
+facts['a field sets the spin and clears the message'] = Math.abs(scene.constants.spin - 123) < 1e-12 && message() === '';
 await set('e1', '0.1', 'input');
-facts['e1 moves and its group is the one that is given'] = Math.abs(scene.shown.e1 + 0.8) < 1e-9 && element('roots-controls').matches('.given');
+facts['e1 moves and its group is the one that is given'] = Math.abs(scene.constants.e1 + 0.8) < 1e-9 && element('roots-controls').matches('.given');
 await set('e2', '0.05', 'input');
-facts['e1 gives way to e2'] = Math.abs(scene.shown.e2 + 0.9) < 1e-9 && scene.shown.e1 === scene.shown.e2;
+facts['e1 gives way to e2'] = Math.abs(scene.constants.e2 + 0.9) < 1e-9 && scene.constants.e1 === scene.constants.e2;
 await set('e2', '0.9', 'input');
 const well = element('potential-picture');
 well.setPointerCapture = () => {};
@@ -77,15 +77,15 @@ const pointer = (kind, u) => {
   well.dispatchEvent(new PointerEvent(kind, { clientX: left + u * unitOf(), clientY: top + 40, bubbles: true }));
 };
 const place = potentialLayout(sizeOf(well), scene.e);
-pointer('pointerdown', place.x(scene.shown.e1));
+pointer('pointerdown', place.x(scene.constants.e1));
 pointer('pointermove', place.x(-0.25));
 pointer('pointerup', place.x(-0.25));
 await settled();
-facts['a root is dragged along the potential'] = Math.abs(scene.shown.e1 + 0.25) < 2e-3 && scene.shown.e2 > 0.7;
+facts['a root is dragged along the potential'] = Math.abs(scene.constants.e1 + 0.25) < 2e-3 && scene.constants.e2 > 0.7;
 await set('sign_l_minus_n', '-1', 'change');
-const minus = scene.shown.l - scene.shown.n;
+const minus = scene.constants.l - scene.constants.n;
 await set('sign_l_minus_n', '1', 'change');
-facts['a sign is one'] = minus < 0 && scene.shown.l > scene.shown.n;
+facts['a sign is one'] = minus < 0 && scene.constants.l > scene.constants.n;
 element('fixed').click();
 await settled();
 facts['the tip is held'] = scene.support === 'fixed' && element('summary').textContent.startsWith('The tip is held.');
@@ -100,9 +100,9 @@ facts['a free body has no weight and no roots'] = scene.support === 'free' && sc
   rows() === 'tilt_deg spin precession nutation transverse_inertia axial_inertia rotor_momentum';
 facts['its words are those of a free body'] = element('summary').textContent.startsWith('The body is free. No torque acts: the axis goes round the angular momentum') &&
   !element('momentum-legend').hidden && element('plan-title').textContent === 'Axis from above';
-facts['the axis keeps its angle to the angular momentum'] = Math.abs(dot(scene.momentum, shown.axis) - Math.cos((coneAngle(scene.shown) * Math.PI) / 180)) < 1e-9;
-await set('rotor_momentum-field', String(-0.5 * scene.shown.n), 'change');
-facts['a rotor is a part of n'] = Math.abs(scene.shown.n / (scene.shown.C * scene.shown.spin + scene.shown.K) - 1) < 1e-9 && scene.shown.K !== 0;
+facts['the axis keeps its angle to the angular momentum'] = Math.abs(dot(scene.momentum, shown.axis) - Math.cos((coneAngle(scene.constants) * Math.PI) / 180)) < 1e-9;
+await set('rotor_momentum-field', String(-0.5 * scene.constants.n), 'change');
+facts['a rotor is a part of n'] = Math.abs(scene.constants.n / (scene.constants.C * scene.constants.spin + scene.constants.K) - 1) < 1e-9 && scene.constants.K !== 0;
 await set('rotor_momentum-field', '0', 'change');
 element('sliding').click();
 await settled();
@@ -116,23 +116,23 @@ facts['a step of 0 is no ghost'] = shown.frame.ghost === null;
 const classes = {};
 for (const option of [...element('presets').options]) {
   await set('presets', option.value, 'change');
-  classes[option.value] = [scene.shown.regime, scene.shown.tipClass];
+  classes[option.value] = [scene.constants.regime, scene.constants.tipClass];
 }
 facts['all presets are motions'] = message() === '' && Object.keys(classes).length === 25;
 facts['the nine curves are the paper\\'s'] = JSON.stringify(Object.entries(classes).filter(([name]) => name.startsWith('Figure')).map(([, [, kind]]) => kind)) ===
   JSON.stringify(['smooth', 'smooth', 'smooth', 'smooth', 'smooth', 'smooth', 'cusp', 'loops', 'loops']);
 await set('presets', 'Pendulum, in a plane', 'change');
-facts['a pendulum has no axial inertia and stays in its plane'] = scene.shown.C === 0 && element('summary').textContent.endsWith('It swings in a vertical plane.') &&
+facts['a pendulum has no axial inertia and stays in its plane'] = scene.constants.C === 0 && element('summary').textContent.endsWith('It swings in a vertical plane.') &&
   [...element('teachers-facts').rows].every((row) => !row.textContent.includes('NaN'));
-const azimuths = CHARTS.precession.values(stretch, scene.shown);
-facts['a pendulum does not precess'] = scene.shown.phi_per_period === 0 && Math.max(...azimuths) - Math.min(...azimuths) < 1e-3;
+const azimuths = CHARTS.precession.values(interval, scene.constants);
+facts['a pendulum does not precess'] = scene.constants.phi_per_period === 0 && Math.max(...azimuths) - Math.min(...azimuths) < 1e-3;
 await set('presets', [...element('presets').options].map(({ value }) => value).find((value) => value.startsWith('Figure 3')), 'change');
 facts['no unit is named where there is none'] = [...document.querySelectorAll('.second')].every(({ hidden }) => hidden) && !element('speed-now').textContent.includes(' s of');
-facts['a critical spin is one'] = classes['Sleeping, just above the critical spin'] && scene.shown !== undefined;
+facts['a critical spin is one'] = classes['Sleeping, just above the critical spin'] && scene.constants !== undefined;
 await set('presets', 'Sleeping, just above the critical spin', 'change');
-const asleep = tiltAt(scene.shown.e1);
+const asleep = tiltAt(scene.constants.e1);
 await set('presets', 'Waking, just below the critical spin', 'change');
-facts['above the critical spin it sleeps, below it wakes'] = asleep < 6 && tiltAt(scene.shown.e1) > 15;
+facts['above the critical spin it sleeps, below it wakes'] = asleep < 6 && tiltAt(scene.constants.e1) > 15;
 await set('time', '2', 'change');
 const svg = svgOf(element('plan-picture'), (paper) => drawPlan(paper, shown.frame), state.colours);
 const parsed = new DOMParser().parseFromString(svg, 'image/svg+xml');
@@ -144,7 +144,7 @@ for (const fragment of ['#t=%', '#kind=release&spin=x', '#kind=release&tilt_deg=
   location.hash = fragment;
   await settled();
 }
-facts['an address that says nothing changes nothing'] = scene.shown.regime === 'nutating' && Number.isFinite(state.t);
+facts['an address that says nothing changes nothing'] = scene.constants.regime === 'nutating' && Number.isFinite(state.t);
 facts['everything has a name'] = [...document.querySelectorAll('canvas, button, input, select')].every(named);
 facts['every name of a number is defined'] = [...document.querySelectorAll('.term')].every((term) => term.dataset.define.length > 4);
 facts['nothing is wider than the window'] = document.documentElement.scrollWidth <= innerWidth;

@@ -1,7 +1,12 @@
 // Start of the page.
 
+import { listenToSizes } from "./pictures/canvas.js";
+import { buildControls } from "./page/controls.js";
+import { change, data, fromAddress, loadCore, play, redraw, setScenario } from "./page/state.js";
+import { fillPresets, listenToMotion, listenToPictures, listenToTime, onKey, recolour } from "./page/listen.js";
+
 async function begin() {
-  core = await Core.load(element("core").textContent.trim(), data.constants);
+  await loadCore();
   buildControls(change);
   fillPresets();
   setScenario(data.scenario, { settle: true });
@@ -18,4 +23,5 @@ async function begin() {
   play(!stands && !matchMedia("(prefers-reduced-motion: reduce)").matches);
 }
 
-const ready = begin();
+/** Promise that the page is complete. */
+export const ready = begin();

@@ -1,17 +1,17 @@
-// Clock of the page, and the computed points of the motion.
+// Computed points of the motion.
 
-/** Greatest time that the field accepts, s: 30 thousand years. */
-const FURTHEST = 1e12;
+import { COORDINATES, MOST_POINTS } from "../motion/core.js";
+import { rotation } from "./geometry.js";
 
 /** State of a motion at a time, with its rotation from body to fixed coordinates. Lengths are in units of s. */
-function place(scene, moment) {
+export function placeOf(scene, moment) {
   const rotate = rotation(moment);
   const foot = scene.slides ? moment.tip.map((x) => x / scene.scale) : moment.axis.slice(0, 2);
   return { moment, rotate, axis: moment.axis, foot };
 }
 
 /** Points of the motion at whole multiples of a time step, each computed once. */
-class Trail {
+export class Points {
   constructor(core, scene) {
     Object.assign(this, { core, scene, stride: scene.span / scene.parts, points: new Map() });
   }
@@ -55,29 +55,6 @@ function pointOf(scene, numbers, i) {
 }
 
 /** Points of the interval that the slider covers. */
-function stretchOf(trail, { span, parts }, page) {
-  return { from: page * span, to: (page + 1) * span, points: trail.between(page * parts, (page + 1) * parts) };
-}
-
-/** Clock that can be started and stopped; `step` is called for each frame with the time since the last one, s. */
-class Clock {
-  constructor(step) {
-    Object.assign(this, { step, playing: false, last: 0 });
-  }
-
-  play(playing) {
-    this.last = performance.now();
-    const starts = playing && !this.playing;
-    this.playing = playing;
-    if (starts) requestAnimationFrame((time) => this.frame(time));
-  }
-
-  frame(time) {
-    if (!this.playing) return;
-    // the limit prevents a jump after the page was in the background
-    const passed = Math.max(0, Math.min(0.1, (time - this.last) / 1000));
-    this.last = time;
-    this.step(passed);
-    requestAnimationFrame((next) => this.frame(next));
-  }
+export function intervalOf(points, { span, parts }, page) {
+  return { from: page * span, to: (page + 1) * span, points: points.between(page * parts, (page + 1) * parts) };
 }

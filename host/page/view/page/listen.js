@@ -1,5 +1,16 @@
 // Event listeners of buttons, sliders, keys and the address.
 
+import { numberOf } from "../motion/text.js";
+import { SUPPORTS } from "../motion/core.js";
+import { asBranchPoints, toToml, withSupport } from "../motion/scenario.js";
+import { presetsOf } from "../motion/presets.js";
+import { palette, sizes } from "../pictures/canvas.js";
+import { element, mark, say } from "./document.js";
+import { CONTROLS } from "./controls.js";
+import { addressed, change, clock, data, FLAT, go, play, redraw, remember, scene, setScenario, setSpeed, show, shown, START_VIEW, startGhost, state } from "./state.js";
+import { canFilm, copy, download, fileName, filmer, savePng, svgOf } from "./save.js";
+import { listenToRoots, listenToTurns } from "./drag.js";
+
 function turn(azimuth, elevation) {
   const { view } = state;
   view.azimuth += azimuth;
@@ -9,7 +20,7 @@ function turn(azimuth, elevation) {
 
 const TURNS = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.06], ArrowDown: [0, -0.06] };
 
-function onKey(event) {
+export function onKey(event) {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const { key, target } = event;
   const { tagName, type } = target;
@@ -22,7 +33,7 @@ function onKey(event) {
   event.preventDefault();
 }
 
-function fillPresets() {
+export function fillPresets() {
   const select = element("presets");
   const presets = presetsOf(data);
   for (const [group, motions] of Object.entries(presets)) {
@@ -38,7 +49,7 @@ function fillPresets() {
   });
 }
 
-function listenToTime() {
+export function listenToTime() {
   element("play").addEventListener("click", () => play(!clock.playing));
   element("begin").addEventListener("click", () => go(0));
   element("far").addEventListener("click", () => go(1e6));
@@ -59,16 +70,16 @@ function listenToTime() {
   });
 }
 
-function listenToMotion() {
+export function listenToMotion() {
   for (const support of SUPPORTS) {
     element(support).addEventListener("change", () => {
-      setScenario(withSupport(state.scenario, support, scene.shown), { settle: true, name: "Your top" });
+      setScenario(withSupport(state.scenario, support, scene.constants), { settle: true, name: "Your top" });
       remember();
     });
   }
   for (const sign of ["sign_l_plus_n", "sign_l_minus_n"]) {
     element(sign).addEventListener("change", ({ target }) => {
-      const scenario = asBranchPoints(state.scenario, scene.shown);
+      const scenario = asBranchPoints(state.scenario, scene.constants);
       const motion = { ...scenario.motion, [sign]: Number(target.value) };
       setScenario({ ...scenario, motion }, { name: "Your top" });
       remember();
@@ -82,15 +93,15 @@ function listenToMotion() {
     });
   }
   listenToRoots(element("potential-picture"), () => scene.e, (key, x) => {
-    const control = CONTROLS.find((control) => control.key === key);
+    const control = CONTROLS.find((other) => other.key === key);
     change(control, Math.max(control.limits[0], Math.min(control.limits[1], x)));
   }, redraw);
 }
 
-function listenToPictures() {
+export function listenToPictures() {
   for (const canvas of document.querySelectorAll("canvas[data-turns]")) {
     listenToTurns(canvas, turn, () => {
-      state.view = { ...start };
+      state.view = { ...START_VIEW };
       redraw();
     });
   }
@@ -123,7 +134,7 @@ function listenToPictures() {
   element("print").addEventListener("click", () => print());
 }
 
-function recolour() {
+export function recolour() {
   for (const canvas of document.querySelectorAll("canvas")) sizes.delete(canvas);
   state.colours = palette();
   show();

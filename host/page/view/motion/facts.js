@@ -1,10 +1,13 @@
 // Tables and sentences about a motion and its state at a time: names, numbers, units and definitions.
 
-/** Spin above which an upright top sleeps, rad/s: n = C spin + K with n² = 4 A p g. */
-const criticalSpin = ({ A, C, p, g, K = 0 }) => (2 * Math.sqrt(A * p * g) - K) / C;
+import { complexText, decimals, short } from "./text.js";
+import { azimuthOf, degrees, perMinute, tiltOf } from "./angles.js";
 
 /** Whether no torque acts; then e₃ is infinite and the angular momentum is constant. */
-const isTorqueFree = ({ g }) => g === 0;
+export const isTorqueFree = ({ g }) => g === 0;
+
+/** Whether the axis is vertical at all times. */
+export const isVertical = (regime) => regime.startsWith("sleeping") || regime === "hanging";
 
 /** Angle between the axis and the angular momentum, in degrees. */
 const coneAngle = ({ n, m_x, m_y, m_z }) => degrees(Math.acos(Math.max(-1, Math.min(1, n / Math.hypot(m_x, m_y, m_z)))));
@@ -12,17 +15,9 @@ const coneAngle = ({ n, m_x, m_y, m_z }) => degrees(Math.acos(Math.max(-1, Math.
 /** Angle of the axis from the vertical, from its cosine u, in degrees. */
 const tiltAt = (u) => degrees(Math.acos(Math.max(-1, Math.min(1, u))));
 
-/** Normal force in units of the weight at the cosine u of the tilt: 1 + d/du of f(u)/D(u), with f the cubic and D = e₄² - u². */
-function normalForce({ e1, e2, e3, e4 }, u) {
-  const [a, b, c, d] = [u - e1, u - e2, u - e3, e4 * e4 - u * u];
-  return 1 + (b * c + a * c + a * b) / d + (2 * u * a * b * c) / (d * d);
-}
-
-/** Tilts between which the plane would have to pull the tip down, in degrees; null if there are none. */
-function liftOff(shown) {
-  const { e1, e2 } = shown;
-  const places = Array.from({ length: 401 }, (_, i) => e1 + ((e2 - e1) * i) / 400).filter((u) => normalForce(shown, u) < 0);
-  return places.length ? [tiltAt(places[places.length - 1]), tiltAt(places[0])].map((x) => `${decimals(x, 1)}°`) : null;
+/** Tilts between which the plane would have to pull the tip down; null if there are none. */
+function liftOff({ min_tilt_deg, lift_off_u }) {
+  return Number.isNaN(lift_off_u) ? null : [min_tilt_deg, tiltAt(lift_off_u)].map((x) => `${decimals(x, 1)}°`);
 }
 
 const REGIMES = {
@@ -35,37 +30,37 @@ const REGIMES = {
 };
 
 /** Sentence about a motion without torque: the axis rests, or it precesses about the angular momentum. */
-function torqueFree(shown) {
-  const angle = coneAngle(shown);
+function torqueFree(constants) {
+  const angle = coneAngle(constants);
   if (Number.isNaN(angle)) return "The body rests.";
   if (angle < 1e-3 || angle > 180 - 1e-3) return "No torque acts, and the axis stands still: it is that of the angular momentum.";
   return `No torque acts: the axis goes round the angular momentum, which stands still, at a constant angle of ${decimals(angle, 1)}°.`;
 }
 
 /** Sentence about the kind of a motion; where l = n = 0 exactly, the motion is in a plane. */
-function motionOf(shown) {
-  const { regime, l, n, e2, e3 } = shown;
-  if (isTorqueFree(shown)) return torqueFree(shown);
+function motionOf(constants) {
+  const { regime, l, n, e2, e3 } = constants;
+  if (isTorqueFree(constants)) return torqueFree(constants);
   if (regime === "nutating" && l === 0 && n === 0) return e2 === 1 && e3 > 1 ? "It goes round in a vertical plane, over the top." : "It swings in a vertical plane.";
   return REGIMES[regime] ?? "";
 }
 
 /** Support and kind of a motion, and in what way a real top would move differently. */
-function summaryOf(shown) {
-  const { regime, support, min_normal_force, e1 } = shown;
+export function summaryOf(constants) {
+  const { regime, support, min_normal_force, e1 } = constants;
   const real = [];
   if (min_normal_force < 0) real.push("lift off the plane");
   if (support === 0 && e1 < 0 && regime !== "sleeping_unstable") real.push("fall on its side");
   const begin = ["The tip slides without friction.", "The tip is held.", "The body is free."][support];
-  return `${begin} ${motionOf(shown)}${real.length ? ` A real top would ${real.join(" and ")}.` : ""}`;
+  return `${begin} ${motionOf(constants)}${real.length ? ` A real top would ${real.join(" and ")}.` : ""}`;
 }
 
 /** Reason for the class of the tip curve (Proposition 6 of the paper). */
-function curveReason(shown) {
-  const { tipClass, e1, e2, e3, sign_l_plus_n, sign_l_minus_n } = shown;
+export function curveReason(constants) {
+  const { tipClass, e1, e2, e3, sign_l_plus_n, sign_l_minus_n } = constants;
   const [left, right] = [short(e3 * (e2 - e1), 4), short(1 - e1 * e2, 4)];
   const signs = sign_l_plus_n === sign_l_minus_n ? "the same sign" : "different signs";
-  if (isTorqueFree(shown) && ["loops", "smooth"].includes(tipClass)) {
+  if (isTorqueFree(constants) && ["loops", "smooth"].includes(tipClass)) {
     return tipClass === "loops" ? "Loops: |l| < |n|, so that the axis goes backwards on a part of its way." : "Smooth: |l| ≥ |n|, so that the axis never turns back.";
   }
   const compared = (sign) => `l + n and l − n have ${signs}, and e₃(e₂ − e₁) = ${left} ${sign} 1 − e₁e₂ = ${right}`;
@@ -88,22 +83,21 @@ function curveReason(shown) {
 }
 
 /** Names, values, units and definitions of quantities for teaching. */
-function teachersFacts(shown, { units }) {
-  const { A, p, g, n, e1, e2, period, phi_per_period, spin, min_normal_force, support } = shown;
+export function teachersFacts(constants, { units }) {
+  const { A, p, g, n, min_tilt_deg, max_tilt_deg, period, phi_per_period, spin, critical_spin: critical, min_normal_force, support } = constants;
   const rate = phi_per_period / period;
-  const critical = criticalSpin(shown);
   const both = (x) => (units === "none" ? short(x, 4) : `${short(x, 4)} rad/s = ${short(perMinute(x), 4)}`);
-  const lift = support === 0 ? liftOff(shown) : null;
-  const weightless = isTorqueFree(shown);
+  const lift = support === 0 ? liftOff(constants) : null;
+  const weightless = isTorqueFree(constants);
   return [
-    ["tilt", `${decimals(tiltAt(e2), 2)}° … ${decimals(tiltAt(e1), 2)}`, "°", "Angle between the axis and the vertical: the least and the greatest that it takes."],
+    ["tilt", `${decimals(min_tilt_deg, 2)}° … ${decimals(max_tilt_deg, 2)}`, "°", "Angle between the axis and the vertical: the least and the greatest that it takes."],
     ["nutation period", short(period), "s", weightless ? "Time in which the axis goes once round the angular momentum." : "Time from one lowest place of the axis to the next. Nutation is the nodding of the axis."],
     ["nutation frequency", short(1 / period), "Hz", "Number of nods in a second."],
     ["mean precession", short(degrees(rate)), units === "none" ? "°" : "°/s", "Rate at which the axis goes round the vertical, averaged over a nutation period."],
     ...(units === "none" ? [] : [["the same", short(perMinute(rate)), "rpm", "Mean precession in revolutions per minute."]]),
     ["spin", both(spin), units === "none" ? "" : "rpm", "Component of the angular velocity along the axis. It never changes."],
     ...(weightless
-      ? [["angle to the momentum", decimals(coneAngle(shown), 2), "°", "Angle between the axis and the angular momentum. Without torque it never changes."]]
+      ? [["angle to the momentum", decimals(coneAngle(constants), 2), "°", "Angle between the axis and the angular momentum. Without torque it never changes."]]
       : [
           ["critical spin", Number.isFinite(critical) ? both(critical) : "–", units === "none" ? "" : "rpm", "An upright top sleeps, that is, it stays upright after a small push, if it spins faster than (2√(A p g) − K)/C."],
           ["upright it would", n * n > 4 * A * p * g ? "sleep" : "fall", "", "Whether the spin is above the critical spin."],
@@ -118,9 +112,9 @@ function teachersFacts(shown, { units }) {
 }
 
 /** Names, values, units and definitions of the paper's constants. */
-function paperFacts(shown) {
-  const { e1, e2, e3, e4, l, n, h, A, C, s, p, g, K, support, alpha_turns, beta_turns } = shown;
-  const [slides, weight] = [support === 0, !isTorqueFree(shown)];
+export function paperFacts(constants) {
+  const { e1, e2, e3, e4, l, n, h, A, C, s, p, g, K, support, alpha_turns, beta_turns } = constants;
+  const [slides, weight] = [support === 0, !isTorqueFree(constants)];
   return [
     ["e₁", short(e1, 8), "", "Least u, the cosine of the tilt. The three branch points are the roots of the cubic that governs u."],
     ["e₂", short(e2, 8), "", "Greatest u."],
@@ -145,8 +139,8 @@ function paperFacts(shown) {
 }
 
 /** Names, values, units and definitions of the state at the time shown. */
-function momentFacts({ alpha, beta, u, axis }, t, shown) {
-  const { period, error, error_growth } = shown;
+export function momentFacts({ alpha, beta, u, axis }, t, constants) {
+  const { period, error, error_growth } = constants;
   return [
     ["tilt", decimals(tiltOf(axis), 3), "°", "Angle between the axis and the vertical, now."],
     ["azimuth", decimals(degrees(azimuthOf(axis)), 2), "°", "Direction in which the axis leans, seen from above."],
@@ -157,28 +151,4 @@ function momentFacts({ alpha, beta, u, axis }, t, shown) {
     ["periods", period > 0 ? decimals(t / period, 2) : "–", "", "Nutation periods since t = 0."],
     ["error at most", short(error + error_growth * Math.abs(t), 2), "rad", "Bound on the error of the orientation at this time; it counts roundings and does not grow by steps."],
   ];
-}
-
-/** Fills a table. Existing rows are kept, so that a tooltip stays open. */
-function fillTable(table, facts, scenario) {
-  while (table.rows.length > facts.length) table.deleteRow(-1);
-  facts.forEach(([name, value, si, definition], i) => {
-    const row = table.rows[i] ?? newRow(table);
-    const [label, cell] = row.children;
-    const [term] = label.children;
-    if (term.textContent !== name) term.textContent = name;
-    if (term.dataset.define !== definition) {
-      term.dataset.define = definition;
-      term.setAttribute("aria-description", definition);
-    }
-    const unit = unitName(si, scenario);
-    const text = value === "–" ? value : `${value}${unit && unit !== "°" ? " " : ""}${unit}`;
-    if (cell.textContent !== text) cell.textContent = text;
-  });
-}
-
-function newRow(table) {
-  const row = table.insertRow();
-  row.innerHTML = '<th scope="row"><span class="term" tabindex="0"></span></th><td></td>';
-  return row;
 }

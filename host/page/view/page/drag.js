@@ -1,7 +1,10 @@
 // Pointers and arrow keys on the pictures.
 
+import { sizeOf, unitOf } from "../pictures/canvas.js";
+import { held, potentialLayout } from "../pictures/potential.js";
+
 /** Turns the 3-D pictures when they are dragged. */
-function listenToTurns(canvas, turn, reset) {
+export function listenToTurns(canvas, turn, reset) {
   canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
   canvas.addEventListener("pointermove", (event) => {
     if (canvas.hasPointerCapture(event.pointerId)) turn(-0.008 * event.movementX, 0.008 * event.movementY);
@@ -13,36 +16,36 @@ function listenToTurns(canvas, turn, reset) {
  * Lets e₁, e₂ and e₃ be dragged along the potential: `roots` returns those shown, `set` takes a key and a number, and `release` is called
  * at the end.
  */
-function listenToRoots(canvas, roots, set, release) {
+export function listenToRoots(canvas, roots, set, release) {
   const place = ({ offsetX }) => offsetX / unitOf();
-  const layout = () => heldLayout ?? potentialLayout(sizeOf(canvas), roots());
-  let held = null;
+  const layout = () => held.layout ?? potentialLayout(sizeOf(canvas), roots());
+  let root = null;
   const nearest = (x) => {
     // without torque the roots do not determine the motion
     if (roots().length < 3) return null;
-    const at = roots().map((root) => Math.abs(layout().x(root) - x));
+    const at = roots().map((u) => Math.abs(layout().x(u) - x));
     const least = Math.min(...at);
     // if two roots are equal, the one that can move towards the pointer is taken
     const [first, last] = [at.indexOf(least), at.lastIndexOf(least)];
     return least < 26 ? (x < layout().x(roots()[first]) ? first : last) : null;
   };
   canvas.addEventListener("pointerdown", (event) => {
-    held = nearest(place(event));
-    if (held === null) return;
-    heldLayout = layout();
+    root = nearest(place(event));
+    if (root === null) return;
+    held.layout = layout();
     canvas.setPointerCapture(event.pointerId);
   });
   canvas.addEventListener("pointermove", (event) => {
-    canvas.style.cursor = held !== null || nearest(place(event)) !== null ? "ew-resize" : "default";
-    if (held === null) return;
+    canvas.style.cursor = root !== null || nearest(place(event)) !== null ? "ew-resize" : "default";
+    if (root === null) return;
     const u = layout().u(place(event));
-    const bounds = [[-1, 0.9999], [-0.9999, 1], [1, 1e4]][held];
+    const bounds = [[-1, 0.9999], [-0.9999, 1], [1, 1e4]][root];
     const x = Math.max(bounds[0], Math.min(bounds[1], u));
-    set(`e${held + 1}`, Number(x.toPrecision(Math.abs(x) > 10 ? 3 : 4)));
+    set(`e${root + 1}`, Number(x.toPrecision(Math.abs(x) > 10 ? 3 : 4)));
   });
   for (const end of ["pointerup", "pointercancel"]) {
     canvas.addEventListener(end, () => {
-      [held, heldLayout] = [null, null];
+      [root, held.layout] = [null, null];
       release();
     });
   }

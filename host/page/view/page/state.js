@@ -1,17 +1,39 @@
 // State of the page, and the functions that change and draw it.
 
-const element = (id) => document.getElementById(id);
-const data = JSON.parse(element("data").textContent);
+import { decimals, numberOf, short } from "../motion/text.js";
+import { degrees } from "../motion/angles.js";
+import { Core, refusalText } from "../motion/core.js";
+import { fromFragment, toFragment } from "../motion/scenario.js";
+import { curveReason, momentFacts, paperFacts, summaryOf, teachersFacts } from "../motion/facts.js";
+import { palette, sheet } from "../pictures/canvas.js";
+import { sceneOf } from "../pictures/scene.js";
+import { intervalOf, placeOf, Points } from "../pictures/points.js";
+import { drawScene } from "../pictures/top.js";
+import { drawSphere } from "../pictures/sphere.js";
+import { drawPlan } from "../pictures/plan.js";
+import { drawChart } from "../pictures/charts.js";
+import { drawPotential } from "../pictures/potential.js";
+import { element, fillTable, mark, say } from "./document.js";
+import { showControls, typed } from "./controls.js";
+import { Clock } from "./clock.js";
 
-const start = { azimuth: 0.9, elevation: 0.42 };
-const state = { t: 0, page: 0, speed: 1, exponent: 0, view: { ...start }, colours: palette(), scenario: data.scenario, name: data.name.replaceAll("_", " ") };
-/** Core, scene of the shown motion, its computed points, and those of the interval that the slider covers. */
-let core, scene, trail, stretch;
+export const data = JSON.parse(element("data").textContent);
+
+/** Greatest time that the field accepts, s: 30 thousand years. */
+const FURTHEST = 1e12;
+
+/** View from which a page starts. */
+export const START_VIEW = { azimuth: 0.9, elevation: 0.42 };
+export const state = { t: 0, page: 0, speed: 1, exponent: 0, view: { ...START_VIEW }, colours: palette(), scenario: data.scenario, name: data.name.replaceAll("_", " ") };
+/** Core, computed points of the motion, and those of the interval that the slider covers. */
+let core, points, interval;
+/** Scene of the motion that is shown. */
+export let scene;
 /** State of the motion that is shown; a test compares it with the crate. */
-let shown;
+export let shown;
 let pending = false;
 
-const clock = new Clock((passed) => {
+export const clock = new Clock((passed) => {
   state.t = limited(state.t + passed * state.speed);
   turnPage();
   show();
@@ -22,37 +44,27 @@ const inSeconds = (text) => (state.scenario.units === "none" ? text : `${text} s
 
 const limited = (t) => Math.max(-FURTHEST, Math.min(FURTHEST, t));
 
-/** Shows a message on a topic; an empty text removes the message if it is on that topic. */
-function say(topic, text, isError = true) {
-  const message = element("message");
-  if (!text && message.dataset.topic !== topic) return;
-  message.dataset.topic = topic;
-  message.textContent = text;
-  message.hidden = !text;
-  message.classList.toggle("error", isError);
-}
-
 /** Shows a scenario; if the core refuses it, shows the reason and keeps the scenario before. */
-function setScenario(scenario, { settle = false, name } = {}) {
+export function setScenario(scenario, { settle = false, name } = {}) {
   const launched = core.launch(scenario);
   if (launched.refused) {
     say("motion", refusalText(launched.refused));
     core.launch(state.scenario);
     startGhost();
-    if (scene) showControls({ scenario: state.scenario, shown: scene.shown });
+    if (scene) showControls({ scenario: state.scenario, constants: scene.constants });
     return false;
   }
   state.scenario = scenario;
   if (name !== undefined) state.name = name;
   element("presets").value = state.name;
   scene = sceneOf(launched, core);
-  trail = new Trail(core, scene);
-  stretch = undefined;
+  points = new Points(core, scene);
+  interval = undefined;
   state.page = Math.floor(state.t / scene.span);
   say("motion", "");
   startGhost();
   setSpeed(settle ? 0 : state.exponent, settle);
-  showControls({ scenario, shown: launched, settle });
+  showControls({ scenario, constants: launched, settle });
   tellMotion(launched);
   show();
   return true;
@@ -60,17 +72,17 @@ function setScenario(scenario, { settle = false, name } = {}) {
 
 /** Data of the pictures at a time. */
 function frameAt(t) {
-  const now = place(scene, core.at(t));
+  const now = placeOf(scene, core.at(t));
   const { view, colours, scenario } = state;
-  return { scene, scenario, now, past: [...trail.before(t), now], t, view, colours, ghost: ghostNow(t) };
+  return { scene, scenario, now, past: [...points.before(t), now], t, view, colours, ghost: ghostNow(t) };
 }
 
-function show() {
+export function show() {
   pending = false;
   const { t, page } = state;
-  trail.forget(t);
-  if (stretch?.page !== page) stretch = { page, ...stretchOf(trail, scene, page) };
-  const frame = { ...frameAt(t), stretch };
+  points.forget(t);
+  if (interval?.page !== page) interval = { page, ...intervalOf(points, scene, page) };
+  const frame = { ...frameAt(t), interval };
   const { now, colours } = frame;
   shown = { ...now, t, frame };
   drawScene(element("scene-picture"), frame);
@@ -80,15 +92,19 @@ function show() {
 }
 
 /** Pictures that can also be saved as SVG. */
-const FLAT = {
+export const FLAT = {
   plan: drawPlan,
   tilt: (paper, frame) => drawChart(paper, frame, "tilt"),
   precession: (paper, frame) => drawChart(paper, frame, "precession"),
   potential: drawPotential,
 };
 
+export async function loadCore() {
+  core = await Core.load(element("core").textContent.trim(), data.constants);
+}
+
 /** Requests one drawing, with the next frame of the browser. */
-function redraw() {
+export function redraw() {
   if (!pending) requestAnimationFrame(show);
   pending = true;
 }
@@ -109,7 +125,7 @@ function tellMotion(launched) {
 
 function tellMoment({ moment }) {
   const { t, page } = state;
-  fillTable(element("moment-facts"), momentFacts(moment, t, scene.shown), state.scenario);
+  fillTable(element("moment-facts"), momentFacts(moment, t, scene.constants), state.scenario);
   const time = element("time");
   if (document.activeElement !== time) time.value = String(Number(t.toPrecision(Math.abs(t) > 1e4 ? 12 : 5)));
   const slider = element("position");
@@ -118,7 +134,7 @@ function tellMoment({ moment }) {
 }
 
 /** Sets the time; if it is outside of the slider's interval, the interval changes. */
-function go(t) {
+export function go(t) {
   if (limited(t) !== t) say("t", `t: must be between −10¹² and ${inSeconds("10¹²")}; ${inSeconds(short(t))} is beyond`);
   else say("t", "");
   state.t = limited(t);
@@ -131,7 +147,7 @@ function turnPage() {
   if (place < 0 || place > 1) state.page = Math.floor(state.t / scene.span);
 }
 
-function play(playing) {
+export function play(playing) {
   const button = element("play");
   button.setAttribute("aria-label", playing ? "Pause" : "Play");
   button.title = playing ? "Pause (space)" : "Play (space)";
@@ -139,7 +155,7 @@ function play(playing) {
   clock.play(playing);
 }
 
-function setSpeed(exponent, settle = true) {
+export function setSpeed(exponent, settle = true) {
   state.exponent = exponent;
   if (settle) state.base = scene.speed;
   state.speed = state.base * 2 ** exponent;
@@ -150,17 +166,17 @@ function setSpeed(exponent, settle = true) {
 }
 
 /** Sets a number that a slider, a field or a drag has changed. */
-function change(control, x) {
-  const good = setScenario(control.write(state.scenario, x, scene.shown), { name: "Your top" });
+export function change(control, x) {
+  const good = setScenario(control.write(state.scenario, x, scene.constants), { name: "Your top" });
   mark(control.field, !good);
-  if (!good) say("motion", `${element("message").textContent}; the motion keeps ${control.label} = ${typed(control.shown)}`);
+  if (!good) say("motion", `${element("message").textContent}; the motion keeps ${control.label} = ${typed(control.number)}`);
   remember();
 }
 
 /** Step of the ghost in its field, s; 0 if the ghost is switched off. */
 const ghostStep = () => (element("ghost").checked ? numberOf(element("ghost-step").value) : 0);
 
-function startGhost() {
+export function startGhost() {
   const step = ghostStep();
   say("ghost", Number.isNaN(step) || step < 0 ? "step of the ghost: must be a positive number of seconds" : "");
   core.startGhost(step > 0 ? step : 0);
@@ -178,24 +194,24 @@ function ghostNow(t) {
   const off = distance < 0.01 ? `${short(distance, 2)} rad` : `${decimals(degrees(distance), 1)}°`;
   output.textContent = arrived ? `The ghost is ${off} off.` : `The ghost is still on its way: t = ${inSeconds(short(reached, 4))}, ${off} off.`;
   if (!arrived && !clock.playing) redraw();
-  return place(scene, moment);
+  return placeOf(scene, moment);
 }
 
 /** Fragment of the address for the settings: the motion, and time, speed and ghost if they differ from those of a page that was just opened. */
-function addressed() {
+export function addressed() {
   const speed = state.exponent === 0 ? undefined : Number(state.speed.toPrecision(4));
   return toFragment(state.scenario, { t: clock.playing ? undefined : state.t, speed, ghost: ghostStep() || undefined });
 }
 
 /** Puts the settings into the address, so that it can be shared and reloaded. */
 let remembering;
-function remember() {
+export function remember() {
   clearTimeout(remembering);
   remembering = setTimeout(() => history.replaceState(null, "", addressed()), 250);
 }
 
 /** Applies the settings of the address; a page with a time in its address does not play. An address with an error changes nothing. */
-function fromAddress() {
+export function fromAddress() {
   const { refused, scenario, t, speed, ghost } = fromFragment(location.hash);
   say("motion", refused ?? "");
   if (refused) return false;

@@ -1,10 +1,8 @@
 // Scenario as text: the fragment of an address, and TOML. Its keys are those of `toytop`'s scenario files.
 
-/** Number of a typed text, with a point or a comma; NaN if the text is no number. */
-function numberOf(text) {
-  const trimmed = text.trim().replace(",", ".").replace("−", "-");
-  return /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(trimmed) ? Number(trimmed) : NaN;
-}
+import { numberOf } from "./text.js";
+import { degrees } from "./angles.js";
+import { KINDS, LENGTHS, MOTION_KEYS, SUPPORTS, TOP_KEYS } from "./core.js";
 
 /** Keys and values of a table of a scenario, in the order of the documentation. */
 function inOrder(table) {
@@ -13,7 +11,7 @@ function inOrder(table) {
 }
 
 /** Fragment `#mass=0.05&...&kind=release&tilt_deg=20&spin=150&t=3` of a scenario and of settings by name, which may be undefined. */
-function toFragment({ units, top, motion }, settings) {
+export function toFragment({ units, top, motion }, settings) {
   const others = Object.entries({ units, ...settings }).filter(([, value]) => value !== undefined);
   const pairs = [...inOrder({ support: "sliding", ...top }), ...inOrder(motion), ...others];
   return `#${pairs.map(([key, value]) => `${key}=${value}`).join("&")}`;
@@ -56,7 +54,7 @@ function refusalOfAddress(values) {
 }
 
 /** Scenario, time, speed and step of the ghost in a fragment, or the reason why it is refused; missing numbers are NaN. */
-function fromFragment(fragment) {
+export function fromFragment(fragment) {
   const pairs = decoded(fragment.slice(1)).split("&").map((pair) => pair.split("="));
   const values = new Map(pairs.filter(([key]) => key !== ""));
   const refused = refusalOfAddress(values);
@@ -71,7 +69,7 @@ function fromFragment(fragment) {
 }
 
 /** Text of a scenario file, which `toytop` reads. */
-function toToml({ units, top, motion }, name) {
+export function toToml({ units, top, motion }, name) {
   const value = (x) => (Array.isArray(x) ? `[${x.map(value).join(", ")}]` : typeof x === "string" ? `"${x}"` : String(x));
   const table = (title, entries) =>
     [`[${title}]`, ...inOrder(entries).map(([key, x]) => `${key} = ${value(x)}`), ""].join("\n");
@@ -80,17 +78,17 @@ function toToml({ units, top, motion }, name) {
 }
 
 /** Scenario of a motion as a release, without the rotation of the body about its axis at t = 0. */
-function asRelease(scenario, shown) {
+export function asRelease(scenario, constants) {
   if (scenario.motion.kind === "release") return scenario;
-  const { tilt, azimuth, spin, precession, nutation } = shown;
+  const { tilt, azimuth, spin, precession, nutation } = constants;
   const motion = { kind: "release", tilt_deg: degrees(tilt), spin, precession, nutation, azimuth_deg: degrees(azimuth) };
   return { ...scenario, motion };
 }
 
 /** Scenario of a motion by its branch points; it starts at the lowest position of the axis. */
-function asBranchPoints(scenario, shown) {
+export function asBranchPoints(scenario, constants) {
   if (scenario.motion.kind === "branch_points") return scenario;
-  const { e1, e2, e3, sign_l_plus_n, sign_l_minus_n } = shown;
+  const { e1, e2, e3, sign_l_plus_n, sign_l_minus_n } = constants;
   return { ...scenario, motion: { kind: "branch_points", e1, e2, e3, sign_l_plus_n, sign_l_minus_n } };
 }
 
@@ -110,7 +108,7 @@ function leverOf({ mass, mass_moment, com_height, transverse_inertia: a, axial_i
  * Scenario of a body with another support: the transverse inertia is about the tip if that is held, otherwise about the centre of
  * mass. A free body keeps mass, height and gravity, which have no effect, until it has a support again.
  */
-function withSupport(scenario, support, shown) {
+export function withSupport(scenario, support, constants) {
   const before = scenario.top.support ?? "sliding";
   if (before === support) return scenario;
   const { transverse_inertia: a, axial_inertia, gravity, rotor_momentum } = scenario.top;
@@ -119,7 +117,5 @@ function withSupport(scenario, support, shown) {
   const given = { ...(gravity && { gravity }), ...(rotor_momentum && { rotor_momentum }) };
   const top = { support, transverse_inertia: a + about, axial_inertia, com_height, mass, ...given };
   // branch points do not determine the motion of a free body
-  return { ...(support === "free" ? asRelease(scenario, shown) : scenario), top };
+  return { ...(support === "free" ? asRelease(scenario, constants) : scenario), top };
 }
-
-const degrees = (radians) => (radians * 180) / Math.PI;

@@ -1,6 +1,9 @@
 // Saving of pictures, films, scenarios and links.
 
-function download(name, blob) {
+import { sizeOf } from "../pictures/canvas.js";
+import { SvgPen } from "../pictures/svg.js";
+
+export function download(name, blob) {
   const link = document.createElement("a");
   link.download = name;
   link.setAttribute("href", URL.createObjectURL(blob));
@@ -9,14 +12,14 @@ function download(name, blob) {
 }
 
 /** Name of a file, from the name of the motion. */
-const fileName = (what, ending) => `${document.title.split(":")[0].trim().replace(/[^\p{L}\p{N}]+/gu, "_")}_${what}.${ending}`;
+export const fileName = (what, ending) => `${document.title.split(":")[0].trim().replace(/[^\p{L}\p{N}]+/gu, "_")}_${what}.${ending}`;
 
-function savePng(canvas, what) {
+export function savePng(canvas, what) {
   canvas.toBlob((blob) => download(fileName(what, "png"), blob), "image/png");
 }
 
 /** Flat picture as SVG text, in the size in which it is shown. */
-function svgOf(canvas, draw, colours) {
+export function svgOf(canvas, draw, colours) {
   const size = sizeOf(canvas);
   const pen = new SvgPen(colours.card, size);
   draw({ pen, size });
@@ -24,7 +27,7 @@ function svgOf(canvas, draw, colours) {
 }
 
 /** Function that starts a film of a canvas, and ends it at the next call; `changed` is called with whether a film is recorded. */
-function filmer(canvas, changed) {
+export function filmer(canvas, changed) {
   let recorder = null;
   return () => {
     if (recorder) {
@@ -45,10 +48,10 @@ function filmer(canvas, changed) {
   };
 }
 
-const canFilm = () => typeof MediaRecorder === "function" && typeof HTMLCanvasElement.prototype.captureStream === "function";
+export const canFilm = () => typeof MediaRecorder === "function" && typeof HTMLCanvasElement.prototype.captureStream === "function";
 
 /** Copies a text; if the browser does not allow this, a prompt shows the text for copying by hand. */
-async function copy(text) {
+export async function copy(text) {
   try {
     await navigator.clipboard.writeText(text);
     return true;

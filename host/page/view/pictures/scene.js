@@ -1,17 +1,27 @@
 // Properties of a motion that the pictures need besides its states: bounds, times, and the size of the body.
 
+import { roundBelow } from "../motion/text.js";
+import { COORDINATES, MOST_POINTS, SUPPORTS } from "../motion/core.js";
+import { isTorqueFree, isVertical } from "../motion/facts.js";
+import { pendulum, spheroid, spheroidSize, turnOnLathe } from "./body.js";
+import { gyroscope } from "./gyroscope.js";
+
+/** Line styles of the bounds in all pictures: solid, dashed, dotted. */
+export const DASHES = [[], [5, 4], [1, 4]];
+
 /** Bounding circles of the tip curve in units of s, by name; none where the tip rests. */
-function circlesOf({ regime, e1, e2, one_plus_e1, one_minus_e2 }) {
-  const radius = (plus, minus) => Math.sqrt(Math.max(0, plus * minus));
-  const lower = { radius: radius(one_plus_e1, 2 - one_plus_e1), name: "u = e₁", dash: DASHES[0] };
-  const upper = { radius: radius(2 - one_minus_e2, one_minus_e2), name: "u = e₂", dash: DASHES[1] };
+function circlesOf({ regime, e1, e2, min_tilt_deg, max_tilt_deg }) {
+  const radius = (tilt) => Math.max(0, Math.sin((tilt * Math.PI) / 180));
+  const lower = { radius: radius(max_tilt_deg), name: "u = e₁", dash: DASHES[0] };
+  const upper = { radius: radius(min_tilt_deg), name: "u = e₂", dash: DASHES[1] };
   if (isVertical(regime)) return [];
   if (regime === "regular_precession") return [{ ...upper, name: "u = e₁ = e₂" }];
   const circles = e1 < 0 && e2 > 0 ? [lower, upper, { radius: 1, name: "u = 0", dash: DASHES[2] }] : [lower, upper];
-  return circles.filter(({ radius }) => radius > 0);
+  return circles.filter((circle) => circle.radius > 1e-9);
 }
 
-const isVertical = (regime) => regime.startsWith("sleeping") || regime === "hanging";
+/** Radius within which the plane has to be visible, in units of s. */
+export const widest = ({ circles }) => circles.reduce((most, { radius }) => Math.max(most, radius), circles.length ? 0 : 0.25);
 
 /**
  * Number of parts in which a period is drawn. It is greater near the separatrix, where the axis rests for most of the period and falls
@@ -20,12 +30,12 @@ const isVertical = (regime) => regime.startsWith("sleeping") || regime === "hang
 const partsOf = ({ period, natural_time }) => 2 * Math.round(Math.max(24, Math.min(80, (30 * period) / natural_time)));
 
 /** Time that a curve covers, s, and its number of parts: once round the centre, within limits. */
-function spanOf(shown, core) {
-  const { regime, period, phi_per_period, natural_time } = shown;
+function spanOf(constants, core) {
+  const { regime, period, phi_per_period, natural_time } = constants;
   const round = (2 * Math.PI) / Math.abs(phi_per_period);
   if (regime === "nutating") {
     const periods = round > 96 ? 3 : Math.max(3, Math.min(24, Math.ceil(round)));
-    return { span: periods * period, parts: periods * partsOf(shown) };
+    return { span: periods * period, parts: periods * partsOf(constants) };
   }
   if (regime === "aperiodic") return { span: riseOf(core, natural_time), parts: 1600 };
   const once = round * period;
@@ -61,14 +71,14 @@ function breadthOf({ support, A, C, s, p, e1 }) {
  * Shape of the drawn body: `make` is its function and `size` the argument of that; `stick` are the ends of the visible part of the
  * axis, `middle` is the height of the middle, and `reach` the radius of the picture. Lengths are in units of s, or of a free body's size.
  */
-function shapeOf(shown) {
-  const { support, A, C } = shown;
+function shapeOf(constants) {
+  const { support, A, C } = constants;
   if (support === 2) {
     const slenderness = Math.sqrt(Math.max(0, 2 * A - C) / Math.max(C, 1e-6 * A));
     return { make: spheroid, size: slenderness, stick: [spheroidSize(slenderness)[0], 1.4], middle: 0, reach: 1.5 };
   }
   if (C === 0) return { make: pendulum, size: 0.2, stick: [1.2, 1.4], middle: 0.9, reach: 1.55 };
-  return { make: support === 1 ? gyroscope : turnOnLathe, size: breadthOf(shown), stick: [1.7, 2.1], middle: 1.2, reach: 2.2 };
+  return { make: support === 1 ? gyroscope : turnOnLathe, size: breadthOf(constants), stick: [1.7, 2.1], middle: 1.2, reach: 2.2 };
 }
 
 /** Last body that was made, which most changes of the motion do not change. */
@@ -85,21 +95,22 @@ function momentumOf({ m_x, m_y, m_z }) {
   return size > 0 ? [m_x / size, m_y / size, m_z / size] : null;
 }
 
-function sceneOf(shown, core) {
-  const { s, e1, e2, e3 } = shown;
-  const support = SUPPORTS[shown.support];
+export function sceneOf(constants, core) {
+  const { s, e1, e2, e3 } = constants;
+  const support = SUPPORTS[constants.support];
   const slides = support === "sliding";
-  const [shape, stretch] = [shapeOf(shown), spanOf(shown, core)];
+  const [shape, covered] = [shapeOf(constants), spanOf(constants, core)];
   return {
-    shown,
+    constants,
     support,
     slides,
     scale: slides ? s : 1,
-    e: isTorqueFree(shown) ? [e1, e2] : [e1, e2, e3],
-    momentum: momentumOf(shown),
-    circles: circlesOf(shown),
-    ...stretch,
-    speed: speedOf(shown, stretch.span),
+    e: isTorqueFree(constants) ? [e1, e2] : [e1, e2, e3],
+    tilts: [constants.max_tilt_deg, constants.min_tilt_deg],
+    momentum: momentumOf(constants),
+    circles: circlesOf(constants),
+    ...covered,
+    speed: speedOf(constants, covered.span),
     shape,
     body: bodyFor(shape),
   };

@@ -1,5 +1,7 @@
 // Preset motions: the paper's nine curves, real tops, and limiting cases.
 
+import { withSupport } from "./scenario.js";
+
 /** Top of the paper's curves: A = C = s = p = g = 1. */
 const PAPERS_TOP = { support: "sliding", transverse_inertia: 1, axial_inertia: 1, com_height: 1, mass_moment: 1, gravity: 1 };
 
@@ -8,12 +10,9 @@ function branchPoints(top, [e1, e2, e3], minus) {
 }
 
 /** Groups of presets: each has a name, and presets by their names. */
-function presetsOf({ name, scenario, figures, toy_top: toyTop }) {
+export function presetsOf({ name, scenario, figures, toy_top: toyTop }) {
   const { top } = toyTop;
   const thrown = (changes) => ({ top, motion: { ...toyTop.motion, ...changes } });
-  const [A, C, p, g] = [top.transverse_inertia, top.axial_inertia, top.mass * top.com_height, top.gravity];
-  const critical = criticalSpin({ A, C, p, g });
-  const spin = (share) => Number((share * critical).toPrecision(4));
   const wheel = { support: "fixed", mass: 0.2, com_height: 0.06, transverse_inertia: 9.5e-4, axial_inertia: 4e-4, gravity: 9.81 };
   const tall = { support: "sliding", transverse_inertia: 1.1, axial_inertia: 0.8, com_height: 0.6, mass_moment: 0.9, gravity: 1 };
   const rod = { support: "fixed", mass: 0.3, com_height: 0.5, transverse_inertia: 0.075, axial_inertia: 0, gravity: 9.81 };
@@ -23,11 +22,12 @@ function presetsOf({ name, scenario, figures, toy_top: toyTop }) {
   return {
     "This page": { [name.replaceAll("_", " ")]: scenario },
     "Real tops": {
+      // the critical spin of the toy top is 66.4 rad/s
       "Toy top, let go": thrown({}),
       "Toy top, pushed: loops": thrown({ precession: -6 }),
       "Toy top, tip held": withSupport(thrown({ nutation: 0.5 }), "fixed"),
-      "Sleeping, just above the critical spin": thrown({ tilt_deg: 1, spin: spin(1.03) }),
-      "Waking, just below the critical spin": thrown({ tilt_deg: 1, spin: spin(0.97) }),
+      "Sleeping, just above the critical spin": thrown({ tilt_deg: 1, spin: 68.4 }),
+      "Waking, just below the critical spin": thrown({ tilt_deg: 1, spin: 64.4 }),
       "Gyroscope, let go": released({ precession: 0 }),
       "Gyroscope, steady": released({ precession: 1.2 }),
       "Gyroscope in a frame that hardly turns": { top: { ...wheel, rotor_momentum: 0.1 }, motion: { kind: "release", tilt_deg: 70, spin: 0.5 } },

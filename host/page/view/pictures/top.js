@@ -1,14 +1,14 @@
 // 3-D picture: the top on its plane, the gyroscope on its stand, or the free body.
 
-/** Line styles of the bounds in all pictures: solid, dashed, dotted. */
-const DASHES = [[], [5, 4], [1, 4]];
+import { Camera, circle, dot, sum } from "./geometry.js";
+import { disc, fading, sheet, stroke, trace } from "./canvas.js";
+import { drawFaces, drawGhost, drawShadow, seenFaces } from "./body.js";
+import { drawStand, standOf, TABLE_BELOW } from "./gyroscope.js";
+import { DASHES, widest } from "./scene.js";
 
 /** Position of the tip in units of s; the tip of a held top and the centre of mass of a free body are at the origin. */
 const baseOf = (scene, { foot: [x, y] }) => (scene.slides ? [x, y, 0] : [0, 0, 0]);
 const endOf = (scene, place) => sum(baseOf(scene, place), place.axis, scene.shape.stick[1]);
-/** Radius within which the plane has to be visible, in units of s. */
-const widest = ({ circles }) => circles.reduce((most, { radius }) => Math.max(most, radius), circles.length ? 0 : 0.25);
-
 function cameraOf({ scene, view }, size) {
   const [low, high] = scene.e;
   const gap = 0.25 * (high - low);
@@ -42,7 +42,7 @@ function drawPlane(pen, project, size, colours, radius, height) {
   }
 }
 
-function drawScene(canvas, frame) {
+export function drawScene(canvas, frame) {
   const { scene, now, colours } = frame;
   const { pen, size } = sheet(canvas, colours.card);
   const camera = cameraOf(frame, size);
@@ -70,8 +70,8 @@ function drawSliding(pen, size, camera, frame, faces, place) {
   pen.clip();
   if (now.axis[2] > 0.15) drawShadow(pen, camera, scene.body, place, "rgb(0 0 0 / 0.1)");
   pen.restore();
-  scene.circles.forEach(({ radius, dash }) => {
-    trace(pen, circle(radius, 0).map(project));
+  scene.circles.forEach(({ radius: bound, dash }) => {
+    trace(pen, circle(bound, 0).map(project));
     stroke(pen, colours.bound, 1.4, dash);
   });
   fading(pen, past.map(({ foot }) => onPlane(foot)), colours.tip, 2.6);

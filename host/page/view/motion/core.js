@@ -2,20 +2,20 @@
 // The ghost is a second top, which is integrated by the Runge-Kutta method.
 
 /** Default values of the keys of a scenario. */
-const DEFAULTS = { gravity: 9.80665, rotor_momentum: 0, precession: 0, nutation: 0, azimuth_deg: 0, roll_deg: 0, nutation_phase: 0, arg_alpha: 0, arg_beta: 0 };
+export const DEFAULTS = { gravity: 9.80665, rotor_momentum: 0, precession: 0, nutation: 0, azimuth_deg: 0, roll_deg: 0, nutation_phase: 0, arg_alpha: 0, arg_beta: 0 };
 
 /** Supports of the tip, in the order of the core's numbers. */
-const SUPPORTS = ["sliding", "fixed", "free"];
+export const SUPPORTS = ["sliding", "fixed", "free"];
 
-const TOP_KEYS = ["transverse_inertia", "axial_inertia", "com_height", "mass", "mass_moment", "gravity", "rotor_momentum"];
+export const TOP_KEYS = ["transverse_inertia", "axial_inertia", "com_height", "mass", "mass_moment", "gravity", "rotor_momentum"];
 
 /** Keys of each kind of motion, in the order in which the core takes their numbers. */
-const MOTION_KEYS = {
+export const MOTION_KEYS = {
   release: ["tilt_deg", "spin", "precession", "nutation", "azimuth_deg", "roll_deg"],
   state: ["alpha", "beta", "omega"],
   branch_points: ["e1", "e2", "e3", "sign_l_plus_n", "sign_l_minus_n", "nutation_phase", "arg_alpha", "arg_beta"],
 };
-const KINDS = Object.keys(MOTION_KEYS);
+export const KINDS = Object.keys(MOTION_KEYS);
 
 /** Numbers of a scenario in the order in which the core takes them: those of the top, with 0 for missing ones, then those of the motion. */
 function numbersOf({ top, motion }) {
@@ -25,7 +25,7 @@ function numbersOf({ top, motion }) {
 }
 
 /** Number of numbers of each key that has more than one. */
-const LENGTHS = { alpha: 2, beta: 2, omega: 3 };
+export const LENGTHS = { alpha: 2, beta: 2, omega: 3 };
 
 /** Required keys of a top with this support. */
 function keysOfTop({ support = "sliding", mass_moment }) {
@@ -47,7 +47,7 @@ function missingKeys({ top, motion }) {
 const RANGES_IN_DEGREES = { tilt: "between 0 and 180 degrees" };
 
 /** Message of a refusal: missing keys by their names in a scenario, a number by its name in words. */
-const refusalText = ({ missing, parameter, allowed }) =>
+export const refusalText = ({ missing, parameter, allowed }) =>
   missing ? `${missing.join(", ")}: must be given` : `${parameter.replaceAll("_", " ")}: must be ${RANGES_IN_DEGREES[parameter] ?? allowed}`;
 
 /** Orientation, axis and tip, from the ten numbers that the core returns for a time. */
@@ -57,10 +57,10 @@ function momentOf(numbers) {
 }
 
 /** Number of coordinates of a point of a curve: axis and tip. */
-const COORDINATES = 5;
-const MOST_POINTS = 4096;
+export const COORDINATES = 5;
+export const MOST_POINTS = 4096;
 
-class Core {
+export class Core {
   /** Core of a page, from its bytes in base 64. */
   static async load(base64, names) {
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));

@@ -1,5 +1,9 @@
 // Gyroscope on its stand, which is drawn for a top whose tip is held.
 
+import { circle, unit } from "./geometry.js";
+import { disc, stroke, trace } from "./canvas.js";
+import { bodyOf, PAINT, SECTORS } from "./body.js";
+
 /** Outline of axle, hub and wheel from the pivot up: heights and radii in units of the distance to the centre of mass. */
 function wheelOutline(breadth) {
   const [inner, outer, half] = [0.8 * breadth, breadth, 0.1];
@@ -20,23 +24,23 @@ function paintWheel(height, sector, radius, breadth) {
   return sector % (SECTORS / 4) < SECTORS / 8 ? PAINT.red : PAINT.cream;
 }
 
-function gyroscope(breadth) {
+export function gyroscope(breadth) {
   return bodyOf(wheelOutline(breadth), (height, sector, radius) => paintWheel(height, sector, radius, breadth));
 }
 
 /** Height of the table below the stand, low enough for the body to pass above it. */
-const TABLE_BELOW = -1.45;
+export const TABLE_BELOW = -1.45;
 /** Height of the arm for a body that hangs and never rises far. */
 const ARM_ABOVE = 1.35;
 
 /** Support of the tip: an arm above a hanging body, a bracket behind one that passes near its lowest position and rises, otherwise a post. */
-function standOf({ e: [low, high] }) {
+export function standOf({ e: [low, high] }) {
   if (low + high < -0.6) return "arm";
   return low < -0.75 ? "bracket" : "post";
 }
 
 /** Draws the stand, and a pin at the pivot. */
-function drawStand(pen, camera, scene, colours) {
+export function drawStand(pen, camera, scene, colours) {
   const project = (point) => camera.project(point);
   const line = (points, width, style) => {
     trace(pen, points.map(project));

@@ -1,6 +1,10 @@
 // Reduced motion: a point of energy 0 in the potential -f(u) = -(u - e₁)(u - e₂)(u - e₃), whose roots can be dragged. Without
 // torque there is no e₃, and the potential is (u - e₁)(u - e₂).
 
+import { short } from "../motion/text.js";
+import { disc, stroke, trace, write } from "./canvas.js";
+import { ticksIn } from "./charts.js";
+
 /** Share of the width in which the well and its surroundings are drawn to scale. */
 const TO_SCALE = 0.74;
 
@@ -10,14 +14,14 @@ const potentialAt = (u, [e1, e2, e3]) => (u - e1) * (u - e2) * (e3 === undefined
  * Maps between u or its potential and the picture. The well and its surroundings are to scale; the rest of the u axis, with e₃, is
  * compressed into the remaining width.
  */
-function potentialLayout([width, height], [e1, e2, e3]) {
+export function potentialLayout([width, height], [e1, e2, e3]) {
   const [left, right, top, bottom] = [14, width - 14, 22, height - 34];
   const room = 0.7 * Math.max(e2 - e1, 0.04);
   const [from, to] = [Math.max(-1.03, e1 - room), Math.min(1.03, e2 + room)];
   const share = e3 === undefined ? 1 : TO_SCALE;
-  const [scale, short] = [(share * (right - left)) / (to - from), ((1 - share) / share) * (to - from)];
-  const squeezed = (u) => (u <= to ? u : to + (short * (u - to)) / (u - to + short));
-  const unsqueezed = (x) => (x <= to ? x : to + (short * (x - to)) / Math.max(1e-9, short - (x - to)));
+  const [scale, rest] = [(share * (right - left)) / (to - from), ((1 - share) / share) * (to - from)];
+  const squeezed = (u) => (u <= to ? u : to + (rest * (u - to)) / (u - to + rest));
+  const unsqueezed = (x) => (x <= to ? x : to + (rest * (x - to)) / Math.max(1e-9, rest - (x - to)));
   const depth = (u) => potentialAt(u, [e1, e2, e3]);
   const size = Math.max(Math.abs(depth(0.5 * (e1 + e2))), 0.06 * room * room * (e3 === undefined ? 1 : e3 - e2), 1e-12);
   const zero = top + 0.45 * (bottom - top);
@@ -32,10 +36,10 @@ function potentialLayout([width, height], [e1, e2, e3]) {
 }
 
 /** Layout at the start of a drag, kept until its end so that the axis does not move under the pointer. */
-let heldLayout = null;
+export const held = { layout: null };
 
-function drawPotential({ pen, size }, { scene, now, colours }) {
-  const layout = heldLayout ?? potentialLayout(size, scene.e);
+export function drawPotential({ pen, size }, { scene, now, colours }) {
+  const layout = held.layout ?? potentialLayout(size, scene.e);
   const { x, u, zero, range, edges: [left, right, top, bottom] } = layout;
   const depths = potentialLayout(size, scene.e);
   const y = (at) => depths.y(at);

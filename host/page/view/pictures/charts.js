@@ -1,7 +1,13 @@
 // Charts of tilt and precession against time, over the interval that the slider covers.
 
+import { roundBelow, short } from "../motion/text.js";
+import { azimuthOf, degrees, tiltOf } from "../motion/angles.js";
+import { isVertical } from "../motion/facts.js";
+import { disc, stroke, trace, write } from "./canvas.js";
+import { DASHES } from "./scene.js";
+
 /** Multiples of a round step in a range, about `most` or fewer. */
-function ticksIn(low, high, most) {
+export function ticksIn(low, high, most) {
   const step = roundBelow((2.5 * (high - low)) / most) || 1;
   const first = Math.ceil(low / step - 1e-9);
   return Array.from({ length: Math.max(0, Math.floor(high / step + 1e-9) - first + 1) }, (_, i) => (first + i) * step);
@@ -18,8 +24,6 @@ function continued(angles, unit = 2 * Math.PI) {
 
 const passesVertical = ({ tipClass }) => ["through_origin", "spiral"].includes(tipClass);
 
-const tiltOf = ([x, y, z]) => degrees(Math.atan2(Math.hypot(x, y), z));
-const azimuthOf = ([x, y]) => Math.atan2(y, x);
 /** Azimuth of an axis; NaN where it is vertical but for roundings. */
 const sureAzimuth = ([x, y]) => (Math.hypot(x, y) < 1e-9 ? NaN : azimuthOf([x, y]));
 
@@ -34,19 +38,19 @@ const CHARTS = {
   tilt: { name: "tilt in °", values: ({ points }) => points.map(({ axis }) => tiltOf(axis)) },
   precession: {
     name: "azimuth of the axis in °",
-    values: ({ points }, shown) => continued(points.map(({ axis }) => sureAzimuth(axis)), passesVertical(shown) ? Math.PI : undefined),
+    values: ({ points }, constants) => continued(points.map(({ axis }) => sureAzimuth(axis)), passesVertical(constants) ? Math.PI : undefined),
   },
 };
 
-function drawChart({ pen, size: [width, height] }, { scene, scenario, stretch, t, colours }, kind) {
-  if (kind === "precession" && isVertical(scene.shown.regime)) {
+export function drawChart({ pen, size: [width, height] }, { scene, scenario, interval, t, colours }, kind) {
+  if (kind === "precession" && isVertical(scene.constants.regime)) {
     write(pen, colours.faint, "center");
     pen.fillText("The axis is vertical: it has no azimuth.", 0.5 * width, 0.5 * height);
     return;
   }
-  const values = (stretch[kind] ??= CHARTS[kind].values(stretch, scene.shown));
-  const { from, to } = stretch;
-  const bounds = kind === "tilt" ? scene.e.slice(0, 2).map((u) => degrees(Math.acos(Math.max(-1, Math.min(1, u))))) : [];
+  const values = (interval[kind] ??= CHARTS[kind].values(interval, scene.constants));
+  const { from, to } = interval;
+  const bounds = kind === "tilt" ? scene.tilts : [];
   const [low, high] = roomy([...values, ...bounds]);
   const [left, right, top, bottom] = [52, width - 26, 22, height - 34];
   const x = (time) => left + ((time - from) / (to - from)) * (right - left);

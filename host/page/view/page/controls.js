@@ -1,5 +1,12 @@
 // Sliders and fields: each shows a number of the motion and sets it.
 
+import { numberOf, unitName } from "../motion/text.js";
+import { degrees } from "../motion/angles.js";
+import { DEFAULTS, SUPPORTS } from "../motion/core.js";
+import { asBranchPoints, asRelease } from "../motion/scenario.js";
+import { isTorqueFree } from "../motion/facts.js";
+import { element, mark, say } from "./document.js";
+
 const LINEAR = { place: (x, [low, high]) => (x - low) / (high - low), value: (place, [low, high]) => low + place * (high - low) };
 const LOGARITHMIC = {
   place: (x, [low, high]) => Math.log(x / low) / Math.log(high / low),
@@ -9,9 +16,9 @@ const LOGARITHMIC = {
 const CUBIC = { place: (x, [low, high]) => Math.cbrt((x - low) / (high - low)), value: (place, [low, high]) => low + place ** 3 * (high - low) };
 
 const aroundHome = (home) => [home / 8, home * 8];
-const upTo = (most) => (home, shown) => [0, Math.max(home, most(home, shown))];
-const bothWays = (least) => (home, shown) => {
-  const reach = 2 * Math.max(Math.abs(home), least(shown));
+const upTo = (most) => (home, constants) => [0, Math.max(home, most(home, constants))];
+const bothWays = (least) => (home, constants) => {
+  const reach = 2 * Math.max(Math.abs(home), least(constants));
   return [-reach, reach];
 };
 
@@ -28,9 +35,9 @@ const ofTop = (key, label, unit, define, scale = LOGARITHMIC, range = aroundHome
 /** Control for a number of the release. */
 const ofThrow = (key, label, unit, define, range, read) => ({
   key, label, unit, define, group: "throw", scale: LINEAR, range,
-  read: ({ motion }, shown) => (motion.kind === "release" ? (motion[key] ?? 0) : read(shown)),
-  write: (scenario, x, shown) => {
-    const released = asRelease(scenario, shown);
+  read: ({ motion }, constants) => (motion.kind === "release" ? (motion[key] ?? 0) : read(constants)),
+  write: (scenario, x, constants) => {
+    const released = asRelease(scenario, constants);
     return { ...released, motion: { ...released.motion, [key]: x } };
   },
 });
@@ -38,12 +45,12 @@ const ofThrow = (key, label, unit, define, range, read) => ({
 /** Control for a branch point; it moves the other branch points where they would be in the wrong order. */
 const ofRoot = (key, label, define, scale, range) => ({
   key, label, unit: "", define, group: "roots", scale, range,
-  read: (_, shown) => (isTorqueFree(shown) ? undefined : shown[key]),
-  write: (scenario, x, shown) => withRoot(scenario, key, x, shown),
+  read: (_, constants) => (isTorqueFree(constants) ? undefined : constants[key]),
+  write: (scenario, x, constants) => withRoot(scenario, key, x, constants),
 });
 
-function withRoot(scenario, key, x, shown) {
-  const { motion } = asBranchPoints(scenario, shown);
+function withRoot(scenario, key, x, constants) {
+  const { motion } = asBranchPoints(scenario, constants);
   const changed = { ...motion, [key]: x };
   if (key === "e1") changed.e2 = Math.max(motion.e2, x);
   if (key === "e2") changed.e1 = Math.min(motion.e1, x);
@@ -52,9 +59,9 @@ function withRoot(scenario, key, x, shown) {
 
 const perNutation = ({ period, natural_time }) => 3 / (period > 0 ? period : natural_time);
 /** Spin that is fast for this body, rad/s. */
-const fastSpin = (shown) => Math.max(perNutation(shown), shown.C > 0 ? criticalSpin({ ...shown, K: 0 }) : 0);
+const fastSpin = (constants) => Math.max(perNutation(constants), constants.C > 0 ? constants.critical_spin + constants.K / constants.C : 0);
 
-const CONTROLS = [
+export const CONTROLS = [
   ofThrow("tilt_deg", "Tilt", "°", "Angle of the axis from the upward vertical at t = 0.", () => [0, 180], ({ tilt }) => degrees(tilt)),
   ofThrow("spin", "Spin", "rad/s", "Component of the angular velocity along the axis; it never changes.", bothWays(fastSpin), ({ spin }) => spin),
   ofThrow("precession", "Precession", "rad/s", "Rate at which the axis goes round the vertical at t = 0.", bothWays(perNutation), ({ precession }) => precession),
@@ -63,7 +70,7 @@ const CONTROLS = [
   ofTop("mass_moment", "Moment p", "kg m", "Mass times distance from the tip to the centre of mass."),
   ofTop("transverse_inertia", "Inertia A", "kg m²", "Transverse moment of inertia: about the tip where that is held, about the centre of mass of any other body."),
   ofTop("axial_inertia", "Inertia C", "kg m²", "Moment of inertia about the axis of the top; at most 2A, and 0 for a pendulum.", LINEAR, upTo((_, { A }) => 2 * A)),
-  ofTop("rotor_momentum", "Rotor K", "kg m²/s", "Angular momentum of a wheel that turns inside about the same axis, relative to the body; 0 without one.", LINEAR, bothWays((shown) => shown.A * fastSpin(shown))),
+  ofTop("rotor_momentum", "Rotor K", "kg m²/s", "Angular momentum of a wheel that turns inside about the same axis, relative to the body; 0 without one.", LINEAR, bothWays((constants) => constants.A * fastSpin(constants))),
   ofTop("com_height", "Height s", "m", "Distance from the tip to the centre of mass."),
   ofTop("gravity", "Gravity", "m/s²", "Gravity g: 9.81 on Earth, 1.62 on the Moon; 0 only where the tip is held.", LINEAR, upTo((home) => 3 * (home || DEFAULTS.gravity))),
   ofRoot("e1", "e₁", "Least u, the cosine of the tilt.", LINEAR, () => [-1, 1]),
@@ -75,10 +82,10 @@ const CONTROLS = [
 const rounded = (x, [low, high]) => Number(x.toFixed(Math.max(0, Math.min(20, 3 - Math.floor(Math.log10(high - low))))));
 
 /** Text with six digits in the form in which a user types them: 0.25, 7.5e-5. */
-const typed = (x) => (x !== 0 && Math.abs(x) < 1e-3 ? x.toExponential(5).replace(/\.?0+e/, "e") : String(Number(x.toPrecision(6))));
+export const typed = (x) => (x !== 0 && Math.abs(x) < 1e-3 ? x.toExponential(5).replace(/\.?0+e/, "e") : String(Number(x.toPrecision(6))));
 
 /** Builds the rows of sliders and fields in their groups. */
-function buildControls(change) {
+export function buildControls(change) {
   for (const control of CONTROLS) {
     const { key, label, unit, define, group } = control;
     const row = document.createElement("div");
@@ -101,26 +108,21 @@ function buildControls(change) {
     });
     // a refused number leaves with the cursor, and the number of the motion returns
     control.field.addEventListener("blur", ({ target }) => {
-      if (target.getAttribute("aria-invalid")) target.value = typed(control.shown);
+      if (target.getAttribute("aria-invalid")) target.value = typed(control.number);
       mark(target, false);
     });
   }
 }
 
-function mark(field, wrong) {
-  if (wrong) field.setAttribute("aria-invalid", "true");
-  else field.removeAttribute("aria-invalid");
-}
-
 /** Shows the numbers of a motion. `settle` also sets the ranges of the sliders around these numbers. */
-function showControls({ scenario, shown, settle }) {
+export function showControls({ scenario, constants, settle }) {
   for (const control of CONTROLS) {
-    const x = control.read(scenario, shown);
+    const x = control.read(scenario, constants);
     control.row.hidden = x === undefined;
     if (x === undefined) continue;
     const [low, high] = control.limits ?? [NaN, NaN];
-    if (settle || !(x >= low && x <= high)) control.limits = control.range(x, shown);
-    control.shown = x;
+    if (settle || !(x >= low && x <= high)) control.limits = control.range(x, constants);
+    control.number = x;
     const text = typed(x);
     const unit = unitName(control.unit, scenario);
     control.slider.value = String(control.scale.place(x, control.limits));
@@ -135,7 +137,7 @@ function showControls({ scenario, shown, settle }) {
   const { kind } = scenario.motion;
   element("throw-controls").classList.toggle("given", kind !== "branch_points");
   element("roots-controls").classList.toggle("given", kind === "branch_points");
-  for (const sign of ["sign_l_plus_n", "sign_l_minus_n"]) element(sign).value = String(shown[sign]);
-  element("roots").hidden = isTorqueFree(shown);
-  element(SUPPORTS[shown.support]).checked = true;
+  for (const sign of ["sign_l_plus_n", "sign_l_minus_n"]) element(sign).value = String(constants[sign]);
+  element("roots").hidden = isTorqueFree(constants);
+  element(SUPPORTS[constants.support]).checked = true;
 }

@@ -1,6 +1,11 @@
 // View of the plane from above: the tip curve between its bounding circles, with their names and a scale.
 
-function drawPlan({ pen, size: [width, height] }, { scene, scenario, now, past, colours, ghost }) {
+import { lengthText, roundBelow, short } from "../motion/text.js";
+import { circle } from "./geometry.js";
+import { disc, fading, stroke, trace, write } from "./canvas.js";
+import { widest } from "./scene.js";
+
+export function drawPlan({ pen, size: [width, height] }, { scene, scenario, now, past, colours, ghost }) {
   const most = widest(scene) || 1;
   const scale = (0.5 * Math.min(width, height) - 26) / most;
   const place = ([x, y]) => [0.5 * width + scale * x, 0.5 * height - 6 - scale * y];
@@ -22,10 +27,6 @@ function drawPlan({ pen, size: [width, height] }, { scene, scenario, now, past, 
   if (ghost) disc(pen, place(ghost.foot), 4, colours.ghost);
   disc(pen, place(now.foot), 4, colours.tip);
   drawScale(pen, { scene, scenario, scale, height, colours });
-}
-
-function write(pen, style, align, size = 12) {
-  Object.assign(pen, { font: `${size}px system-ui, sans-serif`, textAlign: align, fillStyle: style });
 }
 
 /** Draws an arrow head on the recent part of the curve, in the direction of motion. */

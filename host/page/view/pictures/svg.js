@@ -1,6 +1,6 @@
 // Drawing context that writes SVG. It has the methods of a canvas that the flat pictures use, so that one function draws on both.
 
-class SvgPen {
+export class SvgPen {
   constructor(ground, [width, height]) {
     this.size = [width, height];
     this.parts = [`<rect width="${width}" height="${height}" fill="${ground}"/>`];

@@ -1,0 +1,24 @@
+// Clock of the page.
+
+/** Clock that can be started and stopped; `step` is called for each frame with the time since the last one, s. */
+export class Clock {
+  constructor(step) {
+    Object.assign(this, { step, playing: false, last: 0 });
+  }
+
+  play(playing) {
+    this.last = performance.now();
+    const starts = playing && !this.playing;
+    this.playing = playing;
+    if (starts) requestAnimationFrame((time) => this.frame(time));
+  }
+
+  frame(time) {
+    if (!this.playing) return;
+    // the limit prevents a jump after the page was in the background
+    const passed = Math.max(0, Math.min(0.1, (time - this.last) / 1000));
+    this.last = time;
+    this.step(passed);
+    requestAnimationFrame((next) => this.frame(next));
+  }
+}
