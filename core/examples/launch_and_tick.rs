@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     // The next tick, three additions after the last one.
     let mut cursor = ephemeris.cursor(0);
     for _ in 0..3 {
-        let Pose { orientation, u, .. } = cursor.next().pose();
+        let Pose { orientation, u, .. } = cursor.next(&ephemeris).pose();
         println!("tick {}: quaternion {:?}, u = {u}", cursor.tick(), orientation.quaternion());
     }
 
@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
 
     let expected = ephemeris.at_tick(cursor.tick()).quaternion();
     let mut again = ephemeris.cursor(cursor.tick());
-    assert_eq!(again.next().quaternion(), expected, "cursor and at_tick give the same bits");
+    assert_eq!(again.next(&ephemeris).quaternion(), expected, "cursor and at_tick give the same bits");
     assert!(ephemeris.error_bound_at(1 << 40) < 3e-6);
     Ok(())
 }

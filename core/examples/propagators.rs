@@ -31,7 +31,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     let mut stepper = Stepper::<f64>::new(&motion);
     let mut worst: f64 = 0.0;
     for tick in 0..2000 {
-        let next = cursor.next().orientation();
+        let next = cursor.next(&ephemeris).orientation();
         assert_eq!(next, ephemeris.at_tick(tick).orientation(), "cursor and at_tick give the same bits");
         worst = worst.max(next.distance(&stepper.orientation()));
         stepper.step(0.001);

@@ -4,9 +4,7 @@
 //! stroke is the epoch of the new table. The cursor is replaced together with the table; the firmware example
 //! `relaunch` does so between two ticks of a running interrupt.
 
-use toytop::{
-    Cursor, EphemerisF64, EphemerisMemory, Motion, Release, SetUp, State, Tick, Top, TopParameters,
-};
+use toytop::{EphemerisF64, EphemerisMemory, Motion, Release, SetUp, State, Tick, Top, TopParameters};
 
 fn main() -> Result<(), Box<dyn core::error::Error>> {
     let top = Top::sliding(&TopParameters {
@@ -33,7 +31,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     let motion = Motion::launch(&top, &state.with_impulse(&top, impulse, point)?)?;
     let after = second.set_up(&mut set_up, &motion, tick, struck_at.into(), &mut || {})?;
 
-    let [old, new] = [&before, &after].map(|table| table.at_tick(struck_at.into()));
+    let [old, new] = [before, after].map(|table| table.at_tick(struck_at.into()));
     let jump = old.orientation().distance(&new.orientation());
     println!("the orientation jumps by {jump:.1e} rad");
     println!("omega before: {:?} rad/s", old.omega());
@@ -44,10 +42,10 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     }
 
     // Ticks go on from table to table.
-    let mut cursor = Cursor::new(before, struck_at.into());
-    println!("u at tick {struck_at}: {}", cursor.next().u());
-    cursor.exchange(after);
-    println!("u at tick {}: {}", struck_at + 1, cursor.next().u());
+    let mut cursor = before.cursor(struck_at.into());
+    println!("u at tick {struck_at}: {}", cursor.next(before).u());
+    cursor = after.cursor(cursor.tick() + 1);
+    println!("u at tick {}: {}", struck_at + 1, cursor.next(after).u());
     assert_eq!(cursor.tick(), i64::from(struck_at) + 1);
     Ok(())
 }

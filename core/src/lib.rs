@@ -46,7 +46,6 @@ pub mod internal {
     pub use crate::body::{ScaledTop, check, check_finite};
     pub use crate::motion::HalfPhase;
     pub use crate::motion::gudermannian::inverse_gudermannian;
-    pub use crate::table::CursorPhases;
 }
 
 pub use body::{ParameterError, Release, State, Support, Top, TopParameters};
@@ -62,7 +61,7 @@ pub use stepper::Stepper;
 pub use su2::{AttitudeState, Orientation};
 pub use table::{
     Baked, BakedError, Clock, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory,
-    EphemerisScalar, EphemerisView, ErrorBound, Pose, ReadyEphemeris, Sample, SetUp, SetUpError, Tick,
+    EphemerisScalar, EphemerisView, ErrorBound, Pose, Sample, SetUp, SetUpError, Tick,
 };
 #[cfg(feature = "fixed")]
 pub use table::{EphemerisQ15, EphemerisQ31};
@@ -78,7 +77,7 @@ mod tests {
         held::<(Top, State, Motion, Stepper<f32>, Stepper<f64>, Tick, Phase)>();
         held::<(EphemerisF32, EphemerisF64, SetUpError, ParameterError, ErrorBound)>();
         held::<(Orientation<f32>, AttitudeState<f32>, Event, Level)>();
-        held::<(Cursor<&'static EphemerisView<f32>>, Cursor<ReadyEphemeris<'static, f32>>)>();
+        held::<(&EphemerisView<f32>, Cursor)>();
         #[cfg(feature = "fixed")]
         held::<(EphemerisQ31, EphemerisQ15)>();
     }
@@ -93,7 +92,7 @@ mod tests {
         logged::<(BranchPoints, FirstIntegrals, PeriodAdvance, Regime, TipClass)>();
         logged::<(Motion, Sign, Signs)>();
         logged::<(EphemerisF32, EphemerisF64, ErrorBound, SetUpError, Tick, Event, Level)>();
-        logged::<(Cursor<&EphemerisView<f64>>, Sample<'static, f64>, AttitudeState<f32>, Stepper<f64>)>();
+        logged::<(Cursor, Sample<'static, f64>, AttitudeState<f32>, Stepper<f64>)>();
         #[cfg(feature = "fixed")]
         logged::<(Orientation<fixed::types::I2F30>, Complex<fixed::types::I2F14>)>();
     }

@@ -131,7 +131,7 @@ fn table<R: EphemerisScalar<Quantity: Into<f64>> + Into<f64>, const SEGMENTS: us
         let [any, next] = hashes;
         // from years before the launch to years after it
         let apart = ephemeris.at_tick(n << 33);
-        hashes = [with_sample(any, apart).numbers(apart.omega()), with_sample(next, cursor.next())];
+        hashes = [with_sample(any, apart).numbers(apart.omega()), with_sample(next, cursor.next(ephemeris))];
     }
     hashes
 }

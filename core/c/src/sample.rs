@@ -4,8 +4,7 @@ use crate::launch::toytop_state;
 use crate::memory::{Opaque, load, store, write};
 use crate::status::{Refusal, toytop_status};
 use crate::table::{CScalar, Table, view};
-use toytop::internal::CursorPhases;
-use toytop::{Complex, EphemerisView, Event, Events, ParameterError, Phase, Sample};
+use toytop::{Complex, Cursor, EphemerisView, Event, Events, ParameterError, Phase, Sample};
 
 /// Bytes of a cursor.
 pub const TOYTOP_EPHEMERIS_CURSOR_SIZE: usize = 64;
@@ -38,7 +37,7 @@ const _: () = assert!(
 /// Cursor with the identity of its table.
 struct CursorOf {
     table: u32,
-    ticks: CursorPhases,
+    cursor: Cursor,
 }
 
 impl Opaque for CursorOf {
@@ -124,7 +123,7 @@ pub(crate) unsafe fn cursor<R: CScalar>(
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
         let table = view::<R>(table)?;
-        store(place, CursorOf { table: table.identity, ticks: CursorPhases::new(table.view.clock(), first) })
+        store(place, CursorOf { table: table.identity, cursor: table.view.cursor(first) })
     }
 }
 
@@ -142,7 +141,7 @@ unsafe fn advance<R: CScalar>(
     if of.table != table.identity {
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
     }
-    take(of.ticks.next(table.view))?;
+    take(of.cursor.next(table.view))?;
     // SAFETY: the caller guarantees a valid pointer.
     unsafe { store(place, of) }
 }
@@ -180,7 +179,7 @@ pub unsafe extern "C" fn toytop_ephemeris_cursor_tick(
     tick: *mut i64,
 ) -> toytop_status {
     // SAFETY: the caller guarantees valid pointers.
-    unsafe { load(place).and_then(|of: CursorOf| write(tick, of.ticks.tick())) }.into()
+    unsafe { load(place).and_then(|of: CursorOf| write(tick, of.cursor.tick())) }.into()
 }
 
 /// Parts of a complex number, {re, im}.

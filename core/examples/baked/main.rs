@@ -12,7 +12,7 @@ use toy_top::TOY_TOP;
 fn main() -> Result<(), Box<dyn core::error::Error>> {
     let mut cursor = TOY_TOP.cursor(0);
     for _ in 0..3 {
-        let quaternion = cursor.next().quaternion();
+        let quaternion = cursor.next(&TOY_TOP).quaternion();
         println!("tick {}: quaternion {quaternion:?}", cursor.tick());
     }
     println!("error bound at tick 0: {:.1e} rad", TOY_TOP.error_bound_at(0));

@@ -12,7 +12,7 @@ mod baked;
 
 pub use baked::{Baked, BakedError};
 pub use clock::{Clock, Tick};
-pub use ephemeris::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisView, ReadyEphemeris};
+pub use ephemeris::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisView};
 #[cfg(feature = "fixed")]
 pub use ephemeris::{EphemerisQ15, EphemerisQ31};
 pub use error_bound::ErrorBound;

@@ -6,5 +6,5 @@ mod tip_angle;
 
 mod cursor;
 
-pub use cursor::{Cursor, CursorPhases};
+pub use cursor::Cursor;
 pub use sample::{Pose, Sample};

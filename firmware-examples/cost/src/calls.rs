@@ -148,6 +148,12 @@ pub(crate) extern "C" fn bench_slices(
     set_up(memory, scratch, top, state)
 }
 
+/// Cursor with its table, as an interrupt keeps them.
+pub(crate) struct Reader<'a, T> {
+    pub(crate) cursor: Cursor,
+    pub(crate) table: &'a T,
+}
+
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_ephemeris_f32(ephemeris: &EphemerisF32, tick: i64, out: &mut Output<f32>) {
@@ -156,8 +162,8 @@ pub(crate) extern "C" fn bench_ephemeris_f32(ephemeris: &EphemerisF32, tick: i64
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_cursor_f32(cursor: &mut Cursor<&EphemerisF32>, out: &mut Output<f32>) {
-    *out = Output::floating(cursor.next());
+pub(crate) extern "C" fn bench_cursor_f32(reader: &mut Reader<'_, EphemerisF32>, out: &mut Output<f32>) {
+    *out = Output::floating(reader.cursor.next(reader.table));
 }
 
 #[inline(never)]
@@ -168,8 +174,8 @@ pub(crate) extern "C" fn bench_ephemeris_f64(ephemeris: &EphemerisF64, tick: i64
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_cursor_f64(cursor: &mut Cursor<&EphemerisF64>, out: &mut Output<f64>) {
-    *out = Output::floating(cursor.next());
+pub(crate) extern "C" fn bench_cursor_f64(reader: &mut Reader<'_, EphemerisF64>, out: &mut Output<f64>) {
+    *out = Output::floating(reader.cursor.next(reader.table));
 }
 
 #[inline(never)]
@@ -180,8 +186,8 @@ pub(crate) extern "C" fn bench_ephemeris_q31(ephemeris: &EphemerisQ31, tick: i64
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_cursor_q31(cursor: &mut Cursor<&EphemerisQ31>, out: &mut Output<I2F30>) {
-    *out = Output::fixed_point(cursor.next());
+pub(crate) extern "C" fn bench_cursor_q31(reader: &mut Reader<'_, EphemerisQ31>, out: &mut Output<I2F30>) {
+    *out = Output::fixed_point(reader.cursor.next(reader.table));
 }
 
 #[inline(never)]
@@ -192,18 +198,18 @@ pub(crate) extern "C" fn bench_ephemeris_q15(ephemeris: &EphemerisQ15, tick: i64
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_cursor_q15(cursor: &mut Cursor<&EphemerisQ15>, out: &mut Output<I2F14>) {
-    *out = Output::fixed_point(cursor.next());
+pub(crate) extern "C" fn bench_cursor_q15(reader: &mut Reader<'_, EphemerisQ15>, out: &mut Output<I2F14>) {
+    *out = Output::fixed_point(reader.cursor.next(reader.table));
 }
 
 /// Orientation, and the tip in m.
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_tip_q31(
-    cursor: &mut Cursor<&EphemerisQ31>,
+    reader: &mut Reader<'_, EphemerisQ31>,
     out: &mut (Orientation<I2F30>, Complex<f32>),
 ) {
-    let sample = cursor.next();
+    let sample = reader.cursor.next(reader.table);
     *out = (sample.orientation(), sample.tip());
 }
 

@@ -17,7 +17,7 @@ mod start;
 use core::hint::black_box;
 use core::mem::size_of_val;
 
-use calls::{Measured, Memory, Output, Rates, Stepping};
+use calls::{Measured, Memory, Output, Rates, Reader, Stepping};
 use fixed::types::I2F30;
 use full_equations::{Constants, start};
 use measure::Meter;
@@ -107,12 +107,12 @@ fn ephemerides(meter: &mut Meter, single: &EphemerisF32, double: &EphemerisF64) 
         calls::bench_omega_fixed_f32(single, tick(call), &mut rates);
     });
     black_box((rates.orientation, rates.omega));
-    let mut cursor = single.cursor(STRIDE);
-    let ram = size_of_val(single) + size_of_val(&cursor);
-    meter.measure("bench_cursor_f32", ram, CALLS, |_| calls::bench_cursor_f32(&mut cursor, &mut out));
-    let mut cursor = double.cursor(STRIDE);
-    let ram = size_of_val(double) + size_of_val(&cursor);
-    meter.measure("bench_cursor_f64", ram, CALLS, |_| calls::bench_cursor_f64(&mut cursor, &mut wide));
+    let mut reader = Reader { cursor: single.cursor(STRIDE), table: single };
+    let ram = size_of_val(single) + size_of_val(&reader);
+    meter.measure("bench_cursor_f32", ram, CALLS, |_| calls::bench_cursor_f32(&mut reader, &mut out));
+    let mut reader = Reader { cursor: double.cursor(STRIDE), table: double };
+    let ram = size_of_val(double) + size_of_val(&reader);
+    meter.measure("bench_cursor_f64", ram, CALLS, |_| calls::bench_cursor_f64(&mut reader, &mut wide));
     black_box((out, wide));
 }
 
@@ -129,12 +129,12 @@ fn fixed_point(meter: &mut Meter, motion: &Motion, tick: Tick) {
         calls::bench_omega_q31(&ephemeris, at(call), &mut rates);
     });
     black_box((rates.orientation, rates.omega));
-    let mut cursor = ephemeris.cursor(STRIDE);
-    let ram = ram + size_of_val(&cursor);
-    meter.measure("bench_cursor_q31", ram, CALLS, |_| calls::bench_cursor_q31(&mut cursor, &mut long));
+    let mut reader = Reader { cursor: ephemeris.cursor(STRIDE), table: &ephemeris };
+    let ram = ram + size_of_val(&reader);
+    meter.measure("bench_cursor_q31", ram, CALLS, |_| calls::bench_cursor_q31(&mut reader, &mut long));
     let mut metres = (Orientation::IDENTITY, toytop::Complex::new(0.0, 0.0));
     meter.measure("bench_tip_q31", ram, CALLS, |_| {
-        calls::bench_tip_q31(&mut cursor, &mut metres);
+        calls::bench_tip_q31(&mut reader, &mut metres);
     });
     black_box(metres);
     let ephemeris = EphemerisQ15::new(motion, tick).expect("the motion fits");
@@ -142,9 +142,9 @@ fn fixed_point(meter: &mut Meter, motion: &Motion, tick: Tick) {
     meter.measure("bench_ephemeris_q15", ram, CALLS, |call| {
         calls::bench_ephemeris_q15(&ephemeris, at(call), &mut short);
     });
-    let mut cursor = ephemeris.cursor(STRIDE);
-    let ram = ram + size_of_val(&cursor);
-    meter.measure("bench_cursor_q15", ram, CALLS, |_| calls::bench_cursor_q15(&mut cursor, &mut short));
+    let mut reader = Reader { cursor: ephemeris.cursor(STRIDE), table: &ephemeris };
+    let ram = ram + size_of_val(&reader);
+    meter.measure("bench_cursor_q15", ram, CALLS, |_| calls::bench_cursor_q15(&mut reader, &mut short));
     black_box((long, short));
 }
 

@@ -25,8 +25,7 @@ async fn main(spawner: Spawner) {
     let memory = singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
     let set_up = singleton!(: SetUp = SetUp::new()).expect("taken once");
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
-    let table = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
-    let ephemeris = table.share();
+    let ephemeris = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
     spawner.spawn(log_turns(ephemeris).expect("spawned once"));
 
     start_systick(CLOCK, TICK_RATE);

@@ -11,9 +11,9 @@ use toytop::fixed::types::{I2F14, I2F30};
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 use toytop::{
-    BranchPoints, Complex, Cursor, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView,
-    FirstIntegrals, InitialPhases, Level, Motion, ParameterError, Phase, Release, SetUp, Sign, Signs, State,
-    Stepper, Tick, Top, TopParameters,
+    BranchPoints, Complex, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, FirstIntegrals,
+    InitialPhases, Level, Motion, ParameterError, Phase, Release, SetUp, Sign, Signs, State, Stepper, Tick,
+    Top, TopParameters,
 };
 use toytop_closed_forms::ClosedForm;
 use toytop_closed_forms::elliptic::{Jacobi, Weierstrass, agm, carlson_rf};
@@ -210,7 +210,7 @@ fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     black_box((sample.tip_angle(), sample.nutation_phase(), sample.orientation().tip_over_s()));
     black_box(sample.attitude_state().state().is_ok());
     let mut cursor = ephemeris.cursor(black_box(3));
-    black_box((cursor.next().orientation(), cursor.tick()));
+    black_box((cursor.next(&ephemeris).orientation(), cursor.tick()));
     events(&ephemeris, motion);
     black_box((ephemeris.error_bound_at(black_box(3)), ephemeris.capacity()));
     let mut out = [Orientation::<R>::IDENTITY; 4];
@@ -222,7 +222,8 @@ fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     let mut pause = || calls += 1;
     let Ok(ready) = first.set_up(&mut set_up, motion, tick, black_box(-7), &mut pause) else { return };
     let Ok(spare) = second.set_up(&mut set_up, motion, tick, black_box(7), &mut pause) else { return };
-    let mut cursor = Cursor::new(ready, black_box(3));
-    black_box((cursor.next().orientation(), cursor.tick(), cursor.table().error_bound()));
-    black_box(cursor.exchange(spare).into_memory().get().is_some());
+    let mut cursor = ready.cursor(black_box(3));
+    black_box((cursor.next(ready).orientation(), cursor.tick(), ready.error_bound()));
+    cursor = spare.cursor(cursor.tick().wrapping_add(1));
+    black_box((cursor.next(spare).orientation(), first.get().is_some()));
 }

@@ -22,7 +22,8 @@ mod app {
 
     #[local]
     struct Local {
-        cursor: Cursor<&'static EphemerisView<f32>>,
+        table: &'static EphemerisView<f32>,
+        cursor: Cursor,
     }
 
     #[init]
@@ -34,13 +35,13 @@ mod app {
         let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
         let table = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
         run_systick(context.core.SYST, CLOCK, TICK_RATE);
-        (Shared { now: (0, [0.0; 3]) }, Local { cursor: table.share().cursor(1) })
+        (Shared { now: (0, [0.0; 3]) }, Local { table, cursor: table.cursor(1) })
     }
 
-    #[task(binds = SysTick, local = [cursor], shared = [now])]
+    #[task(binds = SysTick, local = [table, cursor], shared = [now])]
     fn tick(mut context: tick::Context) {
-        let cursor = context.local.cursor;
-        let axis = cursor.next().orientation().axis();
+        let (table, cursor) = (context.local.table, context.local.cursor);
+        let axis = cursor.next(table).orientation().axis();
         context.shared.now.lock(|now| *now = (cursor.tick(), axis));
     }
 

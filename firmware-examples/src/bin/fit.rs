@@ -19,7 +19,8 @@ use toytop_fit::{Fit, Sensor};
 /// Frequency of the processor, Hz. The emulated board has 25 MHz.
 const CLOCK: u32 = 25_000_000;
 struct Follower {
-    cursor: Cursor<&'static EphemerisView<f32>>,
+    table: &'static EphemerisView<f32>,
+    cursor: Cursor,
     tick: u32,
 }
 
@@ -58,7 +59,7 @@ fn main() -> ! {
     let set_up = singleton!(: SetUp = SetUp::new()).expect("taken once");
     let tick = Tick::hertz(imu::SAMPLE_RATE).expect("a positive rate");
     let table = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
-    let follower = Follower { cursor: table.share().cursor(0), tick: 0 };
+    let follower = Follower { table, cursor: table.cursor(0), tick: 0 };
     critical_section::with(|cs| FOLLOWER.replace(cs, Some(follower)));
     start_systick(CLOCK, imu::SAMPLE_RATE);
     loop {
@@ -76,8 +77,8 @@ fn main() -> ! {
 fn SysTick() {
     critical_section::with(|cs| {
         let mut follower = FOLLOWER.borrow_ref_mut(cs);
-        let Some(Follower { cursor, tick }) = follower.as_mut() else { return };
-        let orientation = cursor.next().orientation();
+        let Some(Follower { table, cursor, tick }) = follower.as_mut() else { return };
+        let orientation = cursor.next(table).orientation();
         if *tick % 250 == 0 {
             let [x, y, z] = orientation.axis();
             defmt::info!("{=u32} ms: axis ({=f32}, {=f32}, {=f32})", *tick, x, y, z);

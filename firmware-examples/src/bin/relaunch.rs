@@ -1,6 +1,6 @@
-//! Relaunch while an interrupt continues to sample: after each kick the main loop sets up a new table and passes it to the interrupt, which
-//! returns the old one. Two lock-free queues carry the two tables, and need neither `unsafe` nor a compare-and-swap. Until the table is
-//! ready, the interrupt uses a stepper.
+//! Relaunch while an interrupt continues to sample: after each kick the main loop sets up a new table and passes its memory to the interrupt,
+//! which returns that of the old one. Two lock-free queues carry the two memories, and need neither `unsafe` nor a compare-and-swap. Until the
+//! table is ready, the interrupt uses a stepper.
 //!
 //! QEMU executes 10⁹ instructions a second. A chip of 100 MHz needs some fifteen times as many ticks as the log states.
 
@@ -15,7 +15,7 @@ use critical_section::Mutex;
 use heapless::spsc::{Consumer, Producer, Queue};
 use toytop::{
     AttitudeState, Cursor, EphemerisF32, EphemerisMemory, EphemerisView, Motion, Orientation, ParameterError,
-    ReadyEphemeris, SetUp, Stepper, Tick, Top,
+    SetUp, Stepper, Tick, Top,
 };
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
@@ -32,10 +32,10 @@ const IMPULSE: [f64; 3] = [0.0, 3.0e-3, -1.0e-3];
 /// Point at which a kick acts, m from the tip: on the axis, 30 mm above the centre of mass.
 const POINT: [f64; 3] = [0.0, 0.0, 0.06];
 
-/// Table in static memory, which has one owner at a time.
-type Table = ReadyEphemeris<'static, f32>;
-/// Its memory.
-type Memory = &'static mut EphemerisMemory<EphemerisView<f32>>;
+/// Memory of a table, whose capacity is not in its type.
+type Memory = EphemerisMemory<EphemerisView<f32>>;
+/// Memory in a static, which has one owner at a time.
+type Owned = &'static mut Memory;
 
 /// Kick that the interrupt reports: the tick, and the state without the kick.
 struct Kick {
@@ -53,19 +53,20 @@ struct TakeOver {
 
 /// Data that the interrupt owns.
 struct Source {
-    cursor: Cursor<Table>,
+    memory: Owned,
+    cursor: Cursor,
     stepper: Option<Stepper<f32>>,
     kicks: Producer<'static, Kick>,
     bridges: Consumer<'static, (i64, Stepper<f32>)>,
-    fresh: Consumer<'static, Table>,
-    used: Producer<'static, Table>,
+    fresh: Consumer<'static, Owned>,
+    used: Producer<'static, Owned>,
     log: Producer<'static, TakeOver>,
 }
 
 impl Source {
     /// Orientation at the next tick.
     fn next(&mut self) -> Orientation<f32> {
-        let old = self.cursor.next().orientation();
+        let old = self.cursor.next(set_up(self.memory)).orientation();
         let tick = self.cursor.tick();
         let mut now = old;
         if let Some(stepper) = &mut self.stepper {
@@ -77,14 +78,15 @@ impl Source {
             now = self.take_over("stepper", [now, old], stepper.orientation());
             self.stepper = Some(stepper);
         }
-        if let Some(table) = self.fresh.dequeue() {
-            now = self.take_over("table", [now, old], table.at_tick(tick).orientation());
+        if let Some(memory) = self.fresh.dequeue() {
+            now = self.take_over("table", [now, old], set_up(memory).at_tick(tick).orientation());
             self.stepper = None;
-            let old = self.cursor.exchange(table);
+            self.cursor = set_up(memory).cursor(tick + 1);
+            let old = core::mem::replace(&mut self.memory, memory);
             assert!(self.used.enqueue(old).is_ok(), "there are but two tables");
         }
         if KICKS.contains(&tick) {
-            let state = self.cursor.table().at_tick(tick).attitude_state();
+            let state = set_up(self.memory).at_tick(tick).attitude_state();
             assert!(self.kicks.enqueue(Kick { tick, state }).is_ok(), "kicks come too fast");
         }
         now
@@ -100,6 +102,11 @@ impl Source {
         let _ = self.log.enqueue(TakeOver { by, tick: self.cursor.tick(), jumps });
         now
     }
+}
+
+/// Table in this memory.
+fn set_up(memory: &Memory) -> &EphemerisView<f32> {
+    memory.get().expect("the main loop set it up")
 }
 
 /// Source that the main loop passes to the interrupt.
@@ -125,27 +132,28 @@ fn main() -> ! {
     let (kicks, mut kicks_taken) = singleton!(: Queue<Kick, 4> = Queue::new()).expect("taken once").split();
     let (mut bridge, bridges) =
         singleton!(: Queue<(i64, Stepper<f32>), 2> = Queue::new()).expect("taken once").split();
-    let (mut ready, fresh) = singleton!(: Queue<Table, 2> = Queue::new()).expect("taken once").split();
-    let (used, mut spare) = singleton!(: Queue<Table, 2> = Queue::new()).expect("taken once").split();
+    let (mut ready, fresh) = singleton!(: Queue<Owned, 2> = Queue::new()).expect("taken once").split();
+    let (used, mut spare) = singleton!(: Queue<Owned, 2> = Queue::new()).expect("taken once").split();
     let (log, mut logged) = singleton!(: Queue<TakeOver, 4> = Queue::new()).expect("taken once").split();
 
-    let set_up = singleton!(: SetUp = SetUp::new()).expect("taken once");
+    let scratch = singleton!(: SetUp = SetUp::new()).expect("taken once");
 
-    let (top, first) = launch(set_up, first).expect("a possible launch");
-    let mut second: Option<Memory> = Some(second);
-    let cursor = Cursor::new(first, 1);
-    let source = Source { cursor, stepper: None, kicks, bridges, fresh, used, log };
+    let memory: Owned = first;
+    let top = launch(scratch, memory).expect("a possible launch");
+    let mut second: Option<Owned> = Some(second);
+    let cursor = set_up(memory).cursor(1);
+    let source = Source { memory, cursor, stepper: None, kicks, bridges, fresh, used, log };
     critical_section::with(|cs| SOURCE.borrow(cs).set(Some(source)));
     start_systick(CLOCK, TICK_RATE);
 
     for kick in KICKS {
         let Kick { tick: at, state } = wait(&mut kicks_taken);
-        let memory = second.take().unwrap_or_else(|| wait(&mut spare).into_memory());
-        let table = relaunch(&top, &state, at, set_up, memory, |stepper| {
+        let memory = second.take().unwrap_or_else(|| wait(&mut spare));
+        relaunch(&top, &state, at, scratch, memory, |stepper| {
             assert!(bridge.enqueue((at, stepper)).is_ok(), "the last one is taken");
         })
         .expect("a possible kick");
-        assert!(ready.enqueue(table).is_ok(), "the last one is taken");
+        assert!(ready.enqueue(memory).is_ok(), "the last one is taken");
         let [stale, without] = [(); 2].map(|()| {
             let TakeOver { by, tick, jumps: [jump, unbridged] } = wait(&mut logged);
             defmt::info!(
@@ -179,11 +187,11 @@ fn wait<T>(queue: &mut Consumer<'static, T>) -> T {
 
 /// Sets up the table of the first launch, and returns its top.
 #[inline(never)] // its motion does not remain on the stack
-fn launch(set_up: &mut SetUp, memory: Memory) -> Result<(Top, Table), ParameterError> {
+fn launch(scratch: &mut SetUp, memory: &mut Memory) -> Result<Top, ParameterError> {
     let launched = toy_top(); // by reference from here on: a motion is large
     let motion = launched.as_ref().map_err(|error| *error)?;
-    let table = memory.set_up(set_up, motion, Tick::hertz(TICK_RATE)?, 0, &mut || {});
-    Ok((*motion.top(), table.expect("an ordinary motion")))
+    memory.set_up(scratch, motion, Tick::hertz(TICK_RATE)?, 0, &mut || {}).expect("an ordinary motion");
+    Ok(*motion.top())
 }
 
 /// Launches the motion after a kick at tick `at`, passes its stepper on, and sets up its table.
@@ -192,13 +200,13 @@ fn relaunch(
     top: &Top,
     before: &AttitudeState<f32>,
     at: i64,
-    set_up: &mut SetUp,
-    memory: Memory,
+    scratch: &mut SetUp,
+    memory: &mut Memory,
     bridge: impl FnOnce(Stepper<f32>),
-) -> Result<Table, ParameterError> {
+) -> Result<(), ParameterError> {
     let launched = Motion::launch(top, &before.state()?.with_impulse(top, IMPULSE, POINT)?);
     let motion = launched.as_ref().map_err(|error| *error)?;
     bridge(Stepper::new(motion));
-    let table = memory.set_up(set_up, motion, Tick::hertz(TICK_RATE)?, at, &mut || {});
-    Ok(table.expect("an ordinary motion"))
+    memory.set_up(scratch, motion, Tick::hertz(TICK_RATE)?, at, &mut || {}).expect("an ordinary motion");
+    Ok(())
 }

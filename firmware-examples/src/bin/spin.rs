@@ -41,8 +41,7 @@ fn main() -> ! {
     // The table of 2 KiB is set up in static memory, not on the stack.
     let memory = singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
     let set_up = singleton!(: SetUp = SetUp::new()).expect("taken once");
-    let table = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
-    let ephemeris = table.share();
+    let ephemeris = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
     critical_section::with(|cs| EPHEMERIS.borrow(cs).set(Some(ephemeris)));
 
     let mut systick = Peripherals::take().expect("taken once").SYST;

@@ -25,7 +25,7 @@ fn main() -> ! {
     for tick in 1..=TICK_RATE {
         asm::wfi();
         SCB::clear_pendst();
-        let now = cursor.next();
+        let now = cursor.next(&TOY_TOP);
         // a program uses the axis here, integers in units of 2^-30
         let axis = now.orientation().axis();
         if tick % 100 == 0 {

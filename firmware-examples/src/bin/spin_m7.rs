@@ -19,8 +19,7 @@ fn main() -> ! {
     let memory = singleton!(: EphemerisMemory<EphemerisF64> = EphemerisMemory::new()).expect("taken once");
     let set_up = singleton!(: SetUp = SetUp::new()).expect("taken once");
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
-    let table = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
-    let ephemeris = table.share();
+    let ephemeris = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
     defmt::info!("at tick n within {=f64} rad + n * {=f64}", bound(ephemeris)[0], bound(ephemeris)[1]);
 
     start_systick(CLOCK, TICK_RATE);
@@ -31,7 +30,7 @@ fn main() -> ! {
     for tick in 1..=TICK_RATE {
         asm::wfi();
         SCB::clear_pendst();
-        let now = cursor.next();
+        let now = cursor.next(ephemeris);
         if tick % 250 == 0 {
             let state = now.attitude_state();
             let ([x, y, height], tip) = (state.axis(), now.tip());

@@ -24,8 +24,7 @@ fn main() -> ! {
     let memory =
         riscv::singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
     let set_up = riscv::singleton!(: SetUp = SetUp::new()).expect("taken once");
-    let table = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
-    let ephemeris = table.share();
+    let ephemeris = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
 
     // An interrupt that is masked (mstatus.MIE is off) still ends the sleep.
     // SAFETY: no handler can run, so none can see incomplete data
@@ -41,7 +40,7 @@ fn main() -> ! {
         while unsafe { MTIME.read_volatile() } < due {
             wfi();
         }
-        let Pose { orientation, tip, .. } = cursor.next().pose();
+        let Pose { orientation, tip, .. } = cursor.next(ephemeris).pose();
         if tick % 250 == 0 {
             let [x, y, height] = orientation.axis();
             defmt::info!("{=u32} ms: axis ({}, {}, {}), tip ({}, {}) m", tick, x, y, height, tip.re, tip.im);

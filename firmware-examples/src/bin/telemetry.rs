@@ -46,8 +46,7 @@ fn main() -> ! {
     let memory = singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
     let set_up = singleton!(: SetUp = SetUp::new()).expect("taken once");
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
-    let table = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
-    let ephemeris = table.share();
+    let ephemeris = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
     let queue = singleton!(: Queue<Sample, SIZE> = Queue::new()).expect("taken once");
     let (producer, mut consumer) = queue.split();
     let source = Source { ephemeris, queue: producer, tick: 0 };

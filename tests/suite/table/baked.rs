@@ -130,7 +130,10 @@ macro_rules! wild {
                     let numbers = [wide.re, wide.im, attitude.u(), attitude.udot(), x, y, z].map(f64::from);
                     let of_scalar = [phi.alpha.re, phi.beta.im, tip.re, tip.im].map(f64::from);
                     assert!(numbers.iter().chain(&of_scalar).all(|x| x.is_finite()), "{n}");
-                    let _ = (ephemeris.turning_points(n).next(), ephemeris.cursor(n).next().orientation());
+                    let _ = (
+                        ephemeris.turning_points(n).next(),
+                        ephemeris.cursor(n).next(&ephemeris).orientation(),
+                    );
                 }
             }
             assert!(refused > 200 && read > 300, "{refused} refused, {read} read");

@@ -138,7 +138,7 @@ fn time_goes_on_beyond_the_ticks_that_are_counted() {
     let border = 2_f64.powi(62);
     let mut cursor = ephemeris.cursor(i64::MAX);
     // the tick number of the cursor wraps, and its phases continue
-    let mut next = || cursor.next().orientation();
+    let mut next = || cursor.next(&ephemeris).orientation();
     next();
     assert_eq!(at(border), next());
     for _ in 0..2047 {

@@ -2,10 +2,10 @@
 
 use fixed::types::{I2F14, I2F30};
 use std::sync::mpsc;
-use std::thread;
+use std::{mem, thread};
 use toytop::{
-    Cursor, Ephemeris, EphemerisF32, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, ReadyEphemeris,
-    Release, SetUp, SetUpError, State, Tick, Top,
+    Ephemeris, EphemerisF32, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Release, SetUp,
+    SetUpError, State, Tick, Top,
 };
 use toytop_tests::{TOY, fitting, kilohertz, vectors};
 
@@ -115,35 +115,36 @@ fn a_launch_gives_time_between_its_stages() {
 #[test]
 fn tables_are_handed_over_while_they_are_sampled() {
     const EXCHANGES: i64 = 5;
-    type Memory = EphemerisMemory<EphemerisF32>;
-    let set_up = |memory: &'static mut EphemerisMemory<_>, name, epoch| -> ReadyEphemeris<'static, f32> {
-        let motion = vectors::motion(name);
+    type Memory = Box<EphemerisMemory<EphemerisF32>>;
+    let set_up = |mut memory: Memory, name, epoch| {
+        let (motion, tick) = (vectors::motion(name), Tick::hertz(16).unwrap());
+        memory.set_up(&mut SetUp::with_truncation(1e-3), &motion, tick, epoch, &mut || {}).unwrap();
         memory
-            .set_up(&mut SetUp::with_truncation(1e-3), &motion, Tick::hertz(16).unwrap(), epoch, &mut || {})
-            .unwrap()
     };
-    let first = set_up(Box::leak(Box::new(Memory::new())), "generic_AneC", 0);
-    let spare = set_up(Box::leak(Box::new(Memory::new())), "fig3_diff_e3_3", 100);
-    let (ready, fresh) = mpsc::sync_channel::<ReadyEphemeris<'static, f32>>(1);
-    let (done, used) = mpsc::sync_channel::<ReadyEphemeris<'static, f32>>(1);
+    let first = set_up(Memory::default(), "generic_AneC", 0);
+    let spare = set_up(Memory::default(), "fig3_diff_e3_3", 100);
+    let (ready, fresh) = mpsc::sync_channel::<Memory>(1);
+    let (done, used) = mpsc::sync_channel::<Memory>(1);
     let interrupt = thread::spawn(move || {
-        let (mut cursor, mut exchanges) = (Cursor::new(first, 0), Vec::new());
+        let (mut memory, mut exchanges) = (first, Vec::new());
+        let mut cursor = memory.get().unwrap().cursor(0);
         while exchanges.len() < EXCHANGES as usize {
-            if let Ok(table) = fresh.try_recv() {
-                exchanges.push(cursor.tick() + 1);
-                done.send(cursor.exchange(table)).unwrap();
-            }
             let tick = cursor.tick() + 1;
-            let sampled = cursor.next().orientation();
+            if let Ok(new) = fresh.try_recv() {
+                exchanges.push(tick);
+                cursor = new.get().unwrap().cursor(tick);
+                done.send(mem::replace(&mut memory, new)).unwrap();
+            }
+            let table = memory.get().unwrap();
+            let sampled = cursor.next(table).orientation();
             assert_eq!(cursor.tick(), tick);
-            assert_eq!(sampled, cursor.table().at_tick(tick).orientation());
+            assert_eq!(sampled, table.at_tick(tick).orientation());
         }
         exchanges
     });
     ready.send(spare).unwrap();
     for epoch in 1..EXCHANGES {
-        let memory = used.recv().unwrap().into_memory();
-        ready.send(set_up(memory, "generic_AneC", epoch)).unwrap();
+        ready.send(set_up(used.recv().unwrap(), "generic_AneC", epoch)).unwrap();
     }
     let exchanges = interrupt.join().unwrap();
     assert!(exchanges.is_sorted_by(|a, b| a < b), "{exchanges:?}");

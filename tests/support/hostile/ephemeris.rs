@@ -46,8 +46,8 @@ where
         let (n, t) = (input.wide(), input.signed(-12.0, 20.0));
         let now = ephemeris.at_tick(n);
         let mut cursor = ephemeris.cursor(n);
-        assert_eq!(cursor.next().orientation(), now.orientation());
-        let next = cursor.next();
+        assert_eq!(cursor.next(&ephemeris).orientation(), now.orientation());
+        let next = cursor.next(&ephemeris);
         // after the last tick the motion goes on, and only its number wraps
         if let Some(n) = n.checked_add(1) {
             assert_eq!(ephemeris.at_tick(n).orientation(), next.orientation());

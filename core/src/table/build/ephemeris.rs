@@ -11,7 +11,7 @@ use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::scalar::{Float, u64_to_f32};
 use crate::table::data::cell::{Cell, SEGMENTS_AT_LEVEL_0};
-use crate::table::data::{Clock, Ephemeris, EphemerisMemory, EphemerisView, ReadyEphemeris, Tick};
+use crate::table::data::{Clock, Ephemeris, EphemerisMemory, EphemerisView, Tick};
 use crate::table::evaluation::{Coefficient, EphemerisScalar};
 
 /// Reason why a motion has no table.
@@ -113,7 +113,7 @@ impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
         tick: Tick,
         epoch: i64,
         pause: &mut dyn FnMut(),
-    ) -> Result<ReadyEphemeris<'_, R>, SetUpError> {
+    ) -> Result<&EphemerisView<R>, SetUpError> {
         let Self { is_set_up, table } = self;
         *is_set_up = false;
         let capacity = table.capacity();
@@ -121,7 +121,7 @@ impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
         pause();
         set_up.finish(table, motion, tick, epoch, pause);
         *is_set_up = true;
-        Ok(ReadyEphemeris(self))
+        Ok(table)
     }
 }
 

@@ -3,7 +3,6 @@
 use crate::table::data::cell::{CELLS, Cell, SEGMENTS_AT_LEVEL_0};
 use crate::table::data::{Clock, ErrorBound};
 use crate::table::evaluation::EphemerisScalar;
-use core::borrow::Borrow;
 use core::ops::{Deref, DerefMut};
 
 /// Ephemeris of one motion with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.
@@ -73,13 +72,6 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for Ephemeris<R, SEGMENTS>
     }
 }
 
-impl<R: EphemerisScalar, const SEGMENTS: usize> Borrow<EphemerisView<R>> for Ephemeris<R, SEGMENTS> {
-    #[inline(always)]
-    fn borrow(&self) -> &EphemerisView<R> {
-        self
-    }
-}
-
 /// Memory of a table, perhaps in a static. The table cannot be read before its set-up.
 #[derive(Debug)]
 #[repr(C)] // the C interface reads it by its address
@@ -122,33 +114,6 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for EphemerisMemory<Epheme
 impl<R: EphemerisScalar, const SEGMENTS: usize> DerefMut for EphemerisMemory<Ephemeris<R, SEGMENTS>> {
     fn deref_mut(&mut self) -> &mut Self::Target {
         self
-    }
-}
-
-/// Exclusive reference to a table that is set up.
-#[derive(Debug)]
-pub struct ReadyEphemeris<'a, R: EphemerisScalar>(pub(crate) &'a mut EphemerisMemory<EphemerisView<R>>);
-
-impl<'a, R: EphemerisScalar> ReadyEphemeris<'a, R> {
-    /// Table for any number of readers, as long as its memory lives.
-    #[must_use]
-    pub fn share(self) -> &'a EphemerisView<R> {
-        &self.0.table
-    }
-
-    /// Memory of the table, for the next set-up.
-    #[must_use]
-    pub fn into_memory(self) -> &'a mut EphemerisMemory<EphemerisView<R>> {
-        self.0
-    }
-}
-
-impl<R: EphemerisScalar> Deref for ReadyEphemeris<'_, R> {
-    type Target = EphemerisView<R>;
-
-    #[inline(always)]
-    fn deref(&self) -> &EphemerisView<R> {
-        &self.0.table
     }
 }
 

@@ -24,7 +24,7 @@ fn main() -> ! {
     let Ok(Ok(table)) = fits else { process::exit(1) };
     let (mut cursor, mut quaternion) = (table.cursor(0), [0.0; 4]);
     for _ in 0..8 {
-        bench_fast_tick(&mut cursor, &mut quaternion);
+        bench_fast_tick(&mut cursor, table, &mut quaternion);
         black_box(quaternion);
     }
     process::exit(0)
@@ -44,6 +44,6 @@ fn launch([a, c, com_height, mass, tilt, spin]: [f64; 6]) -> Result<Motion, Para
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-fn bench_fast_tick(cursor: &mut Cursor<&EphemerisView<f32>>, out: &mut [f32; 4]) {
-    *out = toytop_fast_tick::next(cursor);
+fn bench_fast_tick(cursor: &mut Cursor, table: &EphemerisView<f32>, out: &mut [f32; 4]) {
+    *out = toytop_fast_tick::next(cursor, table);
 }

@@ -130,7 +130,7 @@ fn ephemeris<R: EphemerisScalar>(scalar: &str, table: &EphemerisView<R>) -> [Rec
     let next = timed(format!("ephemeris {scalar}: the next tick"), STATES, || {
         let mut cursor = table.cursor(black_box(FIRST));
         (0..STATES).for_each(|_| {
-            black_box(cursor.next().orientation());
+            black_box(cursor.next(table).orientation());
         });
     });
     let any = timed(format!("ephemeris {scalar}: any tick"), STATES, || {

@@ -66,7 +66,7 @@ fn main() {
     for k in 0..{runs} {{
         let mut cursor = table.cursor(next_tick(&mut state, k + 20));
         for _ in 0..{length} {{
-            row!(cursor.next(), ({u}), ({tip}));
+            row!(cursor.next(table), ({u}), ({tip}));
         }}
     }}
 ",
