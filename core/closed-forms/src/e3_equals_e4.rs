@@ -14,7 +14,7 @@
 
 use crate::elliptic::carlson_rf;
 use crate::elliptic::elementary::{imaginary, of_turns, real};
-use crate::elliptic::lattice::{Lattice, OMEGA, OMEGA_PRIME, ORIGIN, ThetaQuotient, zeros};
+use crate::elliptic::lattice::{HalfPeriod, Lattice, ThetaQuotient, zeros};
 use crate::elliptic::theta::ValueAndSlope;
 use crate::orientation::{ArgumentOffsets, Periods, solve_increasing};
 use toytop::internal::{HalfPhase, ScaledTop};
@@ -72,11 +72,11 @@ impl E3EqualsE4 {
         // w₋₁/(2(e₃ - 1)) = √(s/2g) (l + n)/A, and w₊₁ likewise
         let quotient = |half, zero, momentum: Extended, point| {
             let rate_offset = real((time_scale * momentum / inertia).halved());
-            ThetaQuotient::through(&lattice, [half, OMEGA], zero, rate_offset, point)
+            ThetaQuotient::through(&lattice, [half, HalfPeriod::Omega], zero, rate_offset, point)
         };
         let integrals = motion.integrals;
-        let alpha = quotient(OMEGA_PRIME, a, integrals.l_plus_n, (highest, alpha_size));
-        let beta = quotient(ORIGIN, b, -integrals.l_minus_n, (lowest, beta_size));
+        let alpha = quotient(HalfPeriod::OmegaPrime, a, integrals.l_plus_n, (highest, alpha_size));
+        let beta = quotient(HalfPeriod::Origin, b, -integrals.l_minus_n, (lowest, beta_size));
         let whole = imaginary(half.doubled());
         let turns = [alpha.turns(highest, whole), beta.turns(lowest, whole)];
 
@@ -138,7 +138,7 @@ impl Solution {
     /// Time t and derivative dt/dy at x = iy.
     fn time(&self, y: Extended) -> (Extended, Extended) {
         let lattice = &self.alpha.lattice;
-        let zeta = lattice.theta(OMEGA, imaginary(y)).log_slope().im;
+        let zeta = lattice.theta(HalfPeriod::Omega, imaginary(y)).log_slope().im;
         let linear = lattice.kappa.doubled() - self.linear;
         let [shift, _] = lattice.half_periods;
         let [_, _, u_plus_e3] = lattice.differences(Complex::new(-shift, y));

@@ -48,9 +48,8 @@ impl FreeBody {
         Some(Self {
             start: attitude.orientation,
             direction: if length > 0.0 { m.map(|component| component / length) } else { [0.0; 3] },
-            precession: motion
-                .period_advance()
-                .map_or(Extended::ZERO, |advance| Extended::TWO_PI / advance.exact_period),
+            // χ advances by half a turn in a turn of the axis
+            precession: motion.equations().rates(Extended::ZERO, Extended::ONE).nutation.doubled(),
             half_tau: motion.half_tau,
             nutation: match motion.half_phase {
                 HalfPhase::Nutating(chi) => Some(chi),

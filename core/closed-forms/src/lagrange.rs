@@ -12,7 +12,7 @@
 
 use crate::elliptic::carlson_rf;
 use crate::elliptic::elementary::{imaginary, of_turns, real};
-use crate::elliptic::lattice::{Lattice, OMEGA, OMEGA_PRIME, ORIGIN, ThetaQuotient, zeros};
+use crate::elliptic::lattice::{HalfPeriod, Lattice, ThetaQuotient, zeros};
 use crate::elliptic::theta::ValueAndSlope;
 use crate::orientation::{ArgumentOffsets, Periods};
 use toytop::internal::{HalfPhase, ScaledTop};
@@ -61,10 +61,10 @@ impl Lagrange {
         let (highest, lowest) = (real(half), Complex::ZERO);
         let [alpha_size, beta_size] = [e.one_plus_e2(), e.one_minus_e1()].map(|x| x.halved().sqrt());
         let quotient = |half, zero, point| {
-            ThetaQuotient::through(&lattice, [half, OMEGA_PRIME], zero, Complex::ZERO, point)
+            ThetaQuotient::through(&lattice, [half, HalfPeriod::OmegaPrime], zero, Complex::ZERO, point)
         };
-        let alpha = quotient(ORIGIN, a, (highest, alpha_size));
-        let beta = quotient(OMEGA, b, (lowest, beta_size));
+        let alpha = quotient(HalfPeriod::Origin, a, (highest, alpha_size));
+        let beta = quotient(HalfPeriod::Omega, b, (lowest, beta_size));
         let whole = real(half.doubled());
         let turns = [alpha.turns(-highest, whole), beta.turns(lowest, whole)];
 

@@ -44,8 +44,11 @@ impl<'a, F: Real> Fit<'a, F> {
     /// * `ratios`: unknown ratios of the top, at most four
     ///
     /// # Errors
-    /// [`FitError::TooManyUnknowns`]: more than four sensors or ratios.
+    /// [`FitError::TooManyUnknowns`]: more than four sensors or ratios. [`FitError::SensorNoise`]: a noise or a bias is out of range.
     pub fn new(top: &Top, sensors: &'a [&'a dyn Sensor<F>], ratios: &[FreeRatio]) -> Result<Self, FitError> {
+        if let Some(sensor) = sensors.iter().position(|sensor| !sensor.noise().is_valid()) {
+            return Err(FitError::SensorNoise { sensor });
+        }
         let model = Model::new(top, sensors, ratios, None).ok_or(FitError::TooManyUnknowns)?;
         Ok(Self::with_model(sensors, model))
     }

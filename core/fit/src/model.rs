@@ -2,8 +2,8 @@
 
 use crate::estimate::{Estimate, FreeRatio};
 use crate::sensitivity::{
-    Coefficients, Equations, Flow, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS, Sensitivity, coefficients,
-    exponents, ratios, with_coefficients,
+    COARSE, Coefficients, Equations, Flow, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS, Sensitivity,
+    coefficients, exponents, ratios, with_coefficients,
 };
 use crate::sensors::Sensor;
 use crate::triangle::{MOST_COMMON, MOST_UNKNOWNS, Triangle, Unknowns, single};
@@ -61,7 +61,7 @@ impl Model {
         let known = ratios.iter().map(|ratio| ratio.deviation).chain(losses);
         known.zip(&mut slots).for_each(|(deviation, slot)| *slot = deviation);
         for (first, sensor) in model.biases.iter_mut().zip(sensors) {
-            let deviation = sensor.bias_deviation();
+            let deviation = sensor.noise().bias;
             if deviation > 0.0 {
                 *first = Some(model.count);
                 slots.by_ref().take(3).for_each(|slot| *slot = deviation);
@@ -144,11 +144,11 @@ impl Model {
     fn sensitivity(&self, estimate: &Estimate) -> Option<Sensitivity> {
         let equations = self.equations(estimate);
         if self.has_losses() {
-            return Some(Sensitivity::launched(equations, 0.0, &estimate.orientation, estimate.omega));
+            return Some(Sensitivity::launched(equations, &estimate.orientation, estimate.omega, COARSE));
         }
         let top = with_coefficients(&self.top, &self.coefficients(estimate)).ok()?;
         let motion = Motion::launch(&top, &estimate.state().ok()?).ok()?;
-        Some(Sensitivity::with_equations(&motion, equations))
+        Some(Sensitivity::with_equations(&motion, equations, COARSE))
     }
 
     /// Launch at a later time, with the derivatives there with respect to the unknowns.

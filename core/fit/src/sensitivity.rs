@@ -23,15 +23,14 @@ pub(crate) use coefficients::{
 pub(crate) use equations::Equations;
 pub(crate) use flow::{COLUMNS, Flow, LAUNCH_COLUMNS, Tangent};
 use integrals::projected;
-pub(crate) use integration::advance;
 pub use partials::Partials;
 use toytop::scalar::{Extended, Float, Scalar};
 use toytop::{Motion, Orientation, PeriodAdvance, Phase, Stepper};
 
-/// Error of one step of the integration relative to its result.
-const TOLERANCE: f64 = 3e-13;
-/// Largest number of steps for one time.
-const MOST_STEPS: u32 = 10_000;
+/// Product of the longest step and the bound on the frequencies for an error of about 1e-12.
+pub(crate) const FINE: f64 = 0.02;
+/// Product of the longest step and the bound on the frequencies in a fit, where an error of 1e-9 has no effect.
+pub(crate) const COARSE: f64 = 0.1;
 
 /// Partial derivatives of a motion with respect to its launch, as a function of time.
 ///
@@ -47,7 +46,7 @@ pub struct Sensitivity {
     equations: Equations<f64>,
     start: Flow<f64, COLUMNS>,
     period: Option<Period>,
-    tip_scale: f64,
+    longest_step: f64,
 }
 
 /// Effect of one nutation period.
@@ -79,19 +78,18 @@ impl Sensitivity {
     /// Sensitivity of a motion. It takes one integration over a nutation period; none where there is no period.
     #[must_use]
     pub fn new(motion: &Motion) -> Self {
-        Self::with_equations(motion, Equations::new(motion.top()))
+        Self::with_equations(motion, Equations::new(motion.top()), FINE)
     }
 
     /// Sensitivity of a motion whose last four columns are the changes of these equations.
-    pub(crate) fn with_equations(motion: &Motion, equations: Equations<f64>) -> Self {
+    pub(crate) fn with_equations(motion: &Motion, equations: Equations<f64>, longest_step: f64) -> Self {
         let state = Stepper::<f64>::new(motion).attitude_state();
-        let mut sensitivity =
-            Self::launched(equations, motion.top().tip_scale(), &state.orientation, state.omega());
+        let mut sensitivity = Self::launched(equations, &state.orientation, state.omega(), longest_step);
         sensitivity.period = motion.period_advance().and_then(
             |PeriodAdvance { exact_period: length, rotations: turns, .. }| {
                 let start = &sensitivity.start;
                 let [about_vertical, _] = turns;
-                let mut end = advance(&equations, start, length.to_f64(), TOLERANCE, MOST_STEPS)?;
+                let mut end = equations.advance(start, length.to_f64(), longest_step)?;
                 end.turn(f64::sine_cosine(-about_vertical));
                 let mut growth = end.tangents;
                 for (grown, initial) in growth.iter_mut().zip(&start.tangents) {
@@ -107,20 +105,16 @@ impl Sensitivity {
     /// Sensitivity of a launch, without its period.
     pub(crate) fn launched(
         equations: Equations<f64>,
-        tip_scale: f64,
         orientation: &Orientation<f64>,
         omega: Vector<f64>,
+        longest_step: f64,
     ) -> Self {
-        Self {
-            equations,
-            start: Flow::launched(orientation, omega).with_tangents(&UNITS),
-            period: None,
-            tip_scale,
-        }
+        let start = Flow::launched(orientation, omega).with_tangents(&UNITS);
+        Self { equations, start, period: None, longest_step }
     }
 
     /// Derivatives at time t after the launch; t may be negative. `None` where t is not finite or beyond 2^52 periods, where a derivative
-    /// is beyond 1e150, and where a motion without a period would take more than 10 000 steps.
+    /// is beyond 1e150, and where a motion without a period would take more than a million steps.
     #[must_use]
     pub fn at(&self, t: f64) -> Option<Partials> {
         self.cursor().at(t)
@@ -163,7 +157,7 @@ impl SensitivityCursor<'_> {
 
     /// Derivatives at time t, those of the orientation with ω turned along: Φ(0) → exp(δ) Φ(0), ω(0) → exp(δ) ω(0).
     pub(crate) fn with_turned_omega(&mut self, t: f64) -> Option<Partials> {
-        let Sensitivity { equations, start, period, tip_scale } = self.sensitivity;
+        let Sensitivity { equations, start, period, longest_step } = self.sensitivity;
         if !t.is_finite() {
             return None;
         }
@@ -180,14 +174,14 @@ impl SensitivityCursor<'_> {
                 *tangent = tangent.plus(growth, count as f64);
             }
         }
-        self.flow = advance(equations, &self.flow, since_period - self.since_period, TOLERANCE, MOST_STEPS)?;
+        self.flow = equations.advance(&self.flow, since_period - self.since_period, *longest_step)?;
         self.since_period = since_period;
         let mut flow = self.flow;
         if let Some(Period { turns: [about_vertical, _], .. }) = period {
             flow.turn(f64::sine_cosine(*about_vertical * count));
         }
         flow.roll(rolled(start.spin, &equations.coefficients, since_period));
-        Some(Partials::new(equations, flow, *tip_scale))
+        Some(Partials { flow, equations: *equations })
     }
 }
 

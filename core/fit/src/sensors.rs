@@ -8,6 +8,7 @@ use crate::sensitivity::{COLUMNS, Partials};
 use crate::vector::{UNITS, UP, Vector, cast};
 pub use inertial::{Accelerometer, Gyroscope, Magnetometer};
 pub use optical::{AxisCamera, Mark, OrientationCamera, TipCamera};
+use toytop::Complex;
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 
@@ -62,6 +63,8 @@ pub enum Hint {
     Orientation(Orientation<f64>),
     /// Axis r in the fixed frame.
     Axis(Vector<f64>),
+    /// Tip c on the plane, m. The top is assumed to stand above the plane.
+    Tip(Complex<f64>),
 }
 
 /// Sensor on the top or beside it, for fits in the scalar `F`. Implement it for an instrument of your own.
@@ -69,10 +72,8 @@ pub trait Sensor<F = f64> {
     /// Difference of a reading from the prediction at a state, with its derivatives.
     fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F>;
 
-    /// Prior standard deviation of a constant bias of each component; 0 where there is no bias.
-    fn bias_deviation(&self) -> f64 {
-        0.0
-    }
+    /// Noise and bias of each component.
+    fn noise(&self) -> Noise;
 
     /// Information about the state, from which a fit may make its first guess.
     fn hint(&self, values: &[f64; 4]) -> Hint {
@@ -81,13 +82,25 @@ pub trait Sensor<F = f64> {
     }
 }
 
-/// Noise and bias of a sensor with three equal components.
+/// Noise and bias of a sensor, equal in all components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Noise {
     /// Standard deviation of one reading, > 0.
     pub deviation: f64,
-    /// Standard deviation of the constant bias; 0 for none.
+    /// Prior standard deviation of the constant bias; 0 for none.
     pub bias: f64,
+}
+
+impl Noise {
+    /// Noise without a bias.
+    const fn unbiased(deviation: f64) -> Self {
+        Self { deviation, bias: 0.0 }
+    }
+
+    /// Whether a fit can use both numbers.
+    pub(crate) fn is_valid(&self) -> bool {
+        self.deviation > 0.0 && self.bias >= 0.0 && self.deviation.is_finite() && self.bias.is_finite()
+    }
 }
 
 /// Mounting of a sensor in the body.

@@ -1,33 +1,17 @@
 //! State and derivatives along the motion of a pass, interpolated between nodes.
 //!
-//! The nodes are equally spaced in time. Each is one step of a Runge-Kutta method after the one before it. The state of every
-//! 64th node is an integration of the state alone in `f64`, so that the errors of the steps do not add up.
+//! The nodes are equally spaced in time, by one step of the integration. The state is also integrated in `f64` with half the step, and
+//! replaces that of each node: the errors of the steps do not add up.
 
-use crate::sensitivity::{COLUMNS, Coefficients, Equations, Flow, Partials, advance, rolled};
+use crate::sensitivity::{COLUMNS, Coefficients, Equations, Flow, Partials, rolled};
 use crate::vector::{UNITS, Vector};
 use toytop::scalar::{Real, Ring};
 use toytop::su2::Orientation;
 
 /// Distance of the nodes times the bound on the frequencies. The error of a step, and that of the interpolation, are then about 1e-6.
 const SPACING: f64 = 0.5;
-/// Number of nodes from one correction of the state to the next.
-const CORRECTED: u32 = 64;
 /// Largest number of nodes from one measurement to the next.
 const FURTHEST: f64 = 1e5;
-/// Error of a step of the integration of the state alone, and the largest number of steps between two corrections.
-const TOLERANCE: f64 = 1e-8;
-const MOST_STEPS: u32 = 1000;
-/// Method of order 6 with seven stages (Butcher): weights of the stages before each stage, and those of the result.
-const WEIGHTS: [&[f64]; 7] = [
-    &[1.0 / 3.0],
-    &[0.0, 2.0 / 3.0],
-    &[1.0 / 12.0, 1.0 / 3.0, -1.0 / 12.0],
-    &[25.0 / 48.0, -55.0 / 24.0, 35.0 / 48.0, 15.0 / 8.0],
-    &[3.0 / 20.0, -11.0 / 24.0, -1.0 / 8.0, 1.0 / 2.0, 1.0 / 10.0],
-    &[-261.0 / 260.0, 33.0 / 13.0, 43.0 / 156.0, -118.0 / 39.0, 32.0 / 195.0, 80.0 / 39.0],
-    &[13.0 / 200.0, 0.0, 11.0 / 40.0, 11.0 / 40.0, 4.0 / 25.0, 4.0 / 25.0, 13.0 / 200.0],
-];
-
 /// State and derivatives at one time, with their rates.
 #[derive(Clone, Copy, Debug)]
 struct Node<F> {
@@ -44,8 +28,8 @@ pub(crate) struct Trajectory<F> {
     /// Coefficients, and the rate about the axis at the launch, in `f64`.
     coefficients: Coefficients,
     spin: f64,
-    /// State at the last corrected node.
-    corrected: Flow<f64, 0>,
+    /// State at the last node.
+    state: Flow<f64, 0>,
     /// Time between two nodes.
     spacing: f64,
     /// Last three nodes.
@@ -56,15 +40,15 @@ pub(crate) struct Trajectory<F> {
 
 impl<F: Real> Trajectory<F> {
     /// Trajectory of a top at rest, before the first launch.
-    pub(crate) fn new(tip_scale: f64, equations: &Equations<f64>) -> Self {
+    pub(crate) fn new(equations: &Equations<f64>) -> Self {
         let launch = Flow::launched(&Orientation::IDENTITY, [0.0; 3]);
         let flow = launch.with_tangents(&UNITS);
         Self {
-            now: Partials::new(&equations.cast(), flow, tip_scale),
+            now: Partials { flow, equations: equations.cast() },
             time: f64::NAN,
             coefficients: equations.coefficients,
             spin: 0.0,
-            corrected: launch,
+            state: launch,
             spacing: 0.0,
             nodes: [Node { flow, rate: flow }; 3],
             last: 0,
@@ -80,7 +64,7 @@ impl<F: Real> Trajectory<F> {
         equations: &Equations<f64>,
     ) {
         let launch = Flow::launched(orientation, omega);
-        (self.coefficients, self.spin, self.corrected) = (equations.coefficients, launch.spin, launch);
+        (self.coefficients, self.spin, self.state) = (equations.coefficients, launch.spin, launch);
         self.spacing = SPACING / equations.frequency(&launch);
         self.now.equations = equations.cast();
         self.now.flow = launch.with_tangents(&launch.axes());
@@ -109,7 +93,7 @@ impl<F: Real> Trajectory<F> {
         }
         let middle = middle as u32;
         while self.last <= middle {
-            self.extend()?;
+            self.extend();
         }
         self.interpolate(F::from_f64(nodes - f64::from(middle)));
         self.now.flow.roll(rolled(self.spin, &self.coefficients, t));
@@ -119,39 +103,27 @@ impl<F: Real> Trajectory<F> {
 
     /// Adds a node, and discards the first one.
     #[inline(never)] // its stages would be on the stack at every time
-    fn extend(&mut self) -> Option<()> {
+    fn extend(&mut self) {
         let equations = &self.now.equations;
         let [first, middle, last] = &mut self.nodes;
         (*first, *middle) = (*middle, *last);
-        let mut rates = [last.rate; WEIGHTS.len()];
-        for (index, weights) in WEIGHTS.iter().enumerate() {
-            last.flow = middle.flow;
-            for (rate, weight) in rates.iter().zip(*weights) {
-                last.flow.add(rate, F::from_f64(self.spacing * weight));
-            }
-            if let Some(slot) = rates.get_mut(index + 1) {
-                *slot = equations.rate(&last.flow);
-            }
-        }
-        self.last += 1;
-        if self.last.is_multiple_of(CORRECTED) {
-            self.correct()?;
-        }
+        equations.step(&middle.flow, &middle.rate, self.spacing, &mut last.flow);
+        self.extend_state();
         let [.., last] = &mut self.nodes;
+        last.flow.set_state(&self.state);
         last.rate = self.now.equations.rate(&last.flow);
-        Some(())
+        self.last += 1;
     }
 
-    /// Replaces the state of the last node by that of an integration in `f64` with a small tolerance.
+    /// Moves the state in `f64` to the last node, by two steps.
     #[inline(never)] // the stages of the integration are on the stack only here
-    fn correct(&mut self) -> Option<()> {
+    fn extend_state(&mut self) {
         let Equations { columns, lossy, .. } = self.now.equations;
         let equations = Equations { coefficients: self.coefficients, changes: [[0.0; _]; _], columns, lossy };
-        let span = self.spacing * f64::from(CORRECTED);
-        self.corrected = advance(&equations, &self.corrected, span, TOLERANCE, MOST_STEPS)?;
-        let [.., last] = &mut self.nodes;
-        last.flow.set_state(&self.corrected);
-        Some(())
+        for _ in 0..2 {
+            let start = self.state;
+            equations.step(&start, &equations.rate(&start), 0.5 * self.spacing, &mut self.state);
+        }
     }
 
     /// Hermite interpolation at x spacings from the middle node. The first body axis does not contain the roll.
@@ -226,7 +198,7 @@ mod tests {
         let (top, state) = launched(case);
         let motion = Motion::launch(&top, &state).unwrap();
         let equations = Equations { columns: LAUNCH_COLUMNS, ..Equations::new(&top) };
-        let mut trajectory = Trajectory::<F>::new(top.tip_scale(), &equations);
+        let mut trajectory = Trajectory::<F>::new(&equations);
         trajectory.begin(&state.orientation(), state.omega(), &equations);
         let launch = Flow::launched(&state.orientation(), state.omega());
         let axes = launch.axes();

@@ -41,6 +41,12 @@ impl<const WORDS: usize> Wide<WORDS> {
         if self.is_zero() { self } else { Self { exponent, ..self } }
     }
 
+    /// Product with a power of two.
+    #[must_use]
+    pub fn times_power_of_two(self, exponent: i32) -> Self {
+        self.with_exponent(self.exponent.saturating_add(exponent))
+    }
+
     /// Number value · 2^(exponent - 128), rounded to the nearest, for a value with the leading bit set.
     #[allow(clippy::indexing_slicing)] // in a constant, an index out of range does not compile
     const fn constant(value: u128, exponent: i32) -> Self {

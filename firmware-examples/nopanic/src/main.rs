@@ -162,7 +162,7 @@ fn fit(top: &Top) {
     let mark = Mark { deviation: unknown(), place: [unknown(); 3] };
     let (orientation, axis) =
         (OrientationCamera { deviation: unknown() }, AxisCamera { deviation: unknown() });
-    let tip = TipCamera { deviation: unknown(), tip_scale: unknown() };
+    let tip = TipCamera { deviation: unknown() };
     let sensors: [[&dyn Sensor; 4]; 2] =
         [[&gyroscope, &accelerometer, &magnetometer, &mark], [&orientation, &axis, &tip, &mark]];
     for set in &sensors {

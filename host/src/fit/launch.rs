@@ -109,7 +109,7 @@ fn has_beginning(sensors: &Sensors, measurements: &[Measurement]) -> bool {
     let [mut direction, mut rate] = [false; 2];
     for Measurement { sensor, values, .. } in measurements.iter().take(FIRST) {
         match sensors.instruments.get(*sensor).map(|instrument| instrument.sensor.hint(values)) {
-            Some(Hint::Orientation(_) | Hint::Axis(_)) => return true,
+            Some(Hint::Orientation(_) | Hint::Axis(_) | Hint::Tip(_)) => return true,
             Some(Hint::Direction { .. }) => direction = true,
             Some(Hint::Rate { .. }) => rate = true,
             _ => {}
@@ -155,7 +155,7 @@ impl FitReport {
         let values = self.fitted.launch.other_unknowns()[before..].as_chunks().0;
         let deviations = deviations[6 + before..].as_chunks().0;
         let instruments = self.input.sensors.instruments.iter();
-        let biased = instruments.filter(|instrument| instrument.sensor.bias_deviation() > 0.0);
+        let biased = instruments.filter(|instrument| instrument.sensor.noise().bias > 0.0);
         let biases = biased.zip(values.iter().zip(deviations));
         biases.map(|(instrument, (value, deviation))| (instrument.kind.name, *value, *deviation)).collect()
     }

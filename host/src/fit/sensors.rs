@@ -98,8 +98,6 @@ const SATURATION_FRACTION: f64 = 0.999;
 /// Properties of a top's body that predictions of some sensors need.
 #[derive(Clone, Copy)]
 pub struct Body {
-    /// Scale of the tip's curve, m.
-    pub tip_scale: f64,
     /// Position of the centre of mass relative to the point that the moments of inertia refer to, in the body frame, m.
     pub com: [f64; 3],
 }
@@ -110,7 +108,7 @@ impl Body {
     /// * `com_height`: distance of the centre of mass from the tip, m, or 0 if it is not known
     pub fn new(top: &Top, com_height: f64) -> Self {
         let height = if top.support() == Support::Fixed { com_height } else { 0.0 };
-        Self { tip_scale: top.tip_scale(), com: [0.0, 0.0, height] }
+        Self { com: [0.0, 0.0, height] }
     }
 }
 
@@ -212,7 +210,7 @@ fn instrument(section: &Section<'_>, kind: Kind, body: Body) -> Result<Instrumen
         }
         "orientation" => Box::new(OrientationCamera { deviation }),
         "axis" => Box::new(AxisCamera { deviation }),
-        "tip" => Box::new(TipCamera { deviation, tip_scale: body.tip_scale }),
+        "tip" => Box::new(TipCamera { deviation }),
         _ => Box::new(Mark { deviation, place: section.array(&POSITION, Some([1.0, 0.0, 0.0]))? }),
     };
     Ok(Instrument { kind, sensor, noise, range, quantum, every: every as u64 })

@@ -153,12 +153,20 @@ fn jacobi_against_thirty_digits() {
     check("K", quarter, tolerance::ELLIPTIC_K);
 }
 
+/// The difference 1 - 1e-17 is not an `f64`.
+#[test]
+fn differences_of_roots_are_exact() {
+    let [_, middle, _] = Weierstrass::from_roots([1.0, 1e-17, -1.0]).unwrap().roots();
+    assert!((middle / (2e-17 / 3.0) - 1.0).abs() < 1e-15, "{middle:e}");
+}
+
 #[test]
 fn invalid_lattices_are_refused() {
     let parameter = |result: Result<Weierstrass, toytop::ParameterError>| result.unwrap_err().parameter();
     assert_eq!(parameter(Weierstrass::from_gaps(0.0, 1.0)), "upper_gap");
     assert_eq!(parameter(Weierstrass::from_gaps(1.0, f64::NAN)), "lower_gap");
     assert_eq!(parameter(Weierstrass::from_roots([0.0, 1.0, -1.0])), "upper_gap");
+    assert_eq!(parameter(Weierstrass::from_roots([0.0, f64::NAN, -1.0])), "roots");
     assert_eq!(Jacobi::new(0.5, 0.6).unwrap_err().parameter(), "m1");
     assert_eq!(Jacobi::new(1.0, 0.0).unwrap_err().parameter(), "m1");
     // at the limits of the domain the values are finite

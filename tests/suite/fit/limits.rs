@@ -5,7 +5,7 @@ use super::simulated::{
 };
 use toytop::{Motion, Orientation, Top, TopParameters};
 use toytop_fit::{
-    Distrust, Fit, FitError, Fitted, FreeRatio, Gyroscope, Measurement, Mounting, Sensitivity, Sensor,
+    Distrust, Fit, FitError, Fitted, FreeRatio, Gyroscope, Measurement, Mounting, Noise, Sensitivity, Sensor,
 };
 use toytop_tests::{TOY, toy};
 
@@ -91,4 +91,17 @@ fn bad_measurements_are_refused_or_not_believed() {
         .flat_map(|k| still.iter().map(move |m| Measurement { time: m.time + 0.06 * f64::from(k), ..*m }))
         .collect();
     assert_eq!(reason(run(&long)), Some(Distrust::AtRest));
+}
+
+#[test]
+fn a_sensor_without_positive_noise_is_refused() {
+    let (infinite, nan) = (f64::INFINITY, f64::NAN);
+    let refused =
+        [(0.0, 0.0), (-1.0, 0.0), (nan, 0.0), (infinite, 0.0), (1.0, -1.0), (1.0, nan), (1.0, infinite)];
+    for (deviation, bias) in refused {
+        let gyroscope = Gyroscope { noise: Noise { deviation, bias }, ..GYROSCOPE };
+        let sensors: [&dyn Sensor; 2] = [&ACCELEROMETER, &gyroscope];
+        let error = Fit::new(&toy(), &sensors, &[]).err();
+        assert_eq!(error, Some(FitError::SensorNoise { sensor: 1 }), "{deviation} {bias}");
+    }
 }

@@ -57,7 +57,7 @@ pub(crate) fn measured(
 ) -> Vec<Measurement> {
     let mut random = Random(seed);
     let biases: Vec<[f64; 3]> =
-        sensors.iter().map(|sensor| [0; 3].map(|_| random.normal() * sensor.bias_deviation())).collect();
+        sensors.iter().map(|sensor| [0; 3].map(|_| random.normal() * sensor.noise().bias)).collect();
     let mut found = Vec::new();
     for (n, partials) in (0_u32..).zip(partials) {
         for (sensor, one) in
@@ -191,7 +191,7 @@ fn the_spin_of_an_upright_top_is_not_believed_without_a_magnetometer() {
 /// A camera below the plane sees the tip, which leaves the roll open, and a mark on the body tells it.
 #[test]
 fn a_camera_of_the_tip_and_a_mark_tell_the_launch() {
-    let camera = TipCamera { deviation: 3e-5, tip_scale: TOY.com_height };
+    let camera = TipCamera { deviation: 3e-5 };
     let top = toy();
     let release =
         Release { tilt: 0.35, azimuth: 0.4, spin: 150.0, precession: 2.0, nutation: 0.5, roll: 0.0 };

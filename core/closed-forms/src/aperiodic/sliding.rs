@@ -17,7 +17,7 @@
 use crate::aperiodic::constants::{AperiodicConstants, AperiodicValues};
 use crate::elliptic::agm::{first_kind, first_kind_per_length};
 use crate::elliptic::elementary::{WideComplex, angle, cis, imaginary, ln, real};
-use crate::elliptic::lattice::{Lattice, OMEGA_SUM, ORIGIN, ThetaQuotient};
+use crate::elliptic::lattice::{HalfPeriod, Lattice, ThetaQuotient};
 use crate::elliptic::theta::ValueAndSlope;
 use toytop::Complex;
 use toytop::scalar::{Extended, Float, Ring};
@@ -71,15 +71,21 @@ impl Sliding {
         let slope = lattice.p_prime(real(to_minus_one) - middle).re;
         let a = real(if slope * w_minus < zero { -to_minus_one } else { to_minus_one });
 
-        let log_slope = |half: usize, z: WideComplex| lattice.theta(half, z).log_slope();
+        let log_slope = |half: HalfPeriod, z: WideComplex| lattice.theta(half, z).log_slope();
         let log_power = (w_minus / w_plus).halved();
         let p = imaginary(-log_power);
         let rate_offset = real(w_minus.halved().halved() + w_minus / a_over_ps)
-            - p * (log_slope(ORIGIN, a + b_point) - log_slope(ORIGIN, a - b_point));
-        let alpha = ThetaQuotient::through(&lattice, [ORIGIN, OMEGA_SUM], a, rate_offset, (b_point, one));
+            - p * (log_slope(HalfPeriod::Origin, a + b_point) - log_slope(HalfPeriod::Origin, a - b_point));
+        let alpha = ThetaQuotient::through(
+            &lattice,
+            [HalfPeriod::Origin, HalfPeriod::Sum],
+            a,
+            rate_offset,
+            (b_point, one),
+        );
 
         let of_log = -(a_over_ps / w_plus);
-        let zetas = log_slope(OMEGA_SUM, b_point).im;
+        let zetas = log_slope(HalfPeriod::Sum, b_point).im;
         let of_y = one + e1 / 3.0.into() - lattice.kappa.doubled() + of_log.doubled() * zetas;
         Self {
             constants: *constants,
@@ -114,7 +120,7 @@ impl Sliding {
     fn near(&self, left: Extended) -> (Extended, WideComplex) {
         // below this distance the theta function is linear to all digits
         const TINY: f64 = 1e-40;
-        let at = |left: Extended| (self.alpha.lattice.theta(ORIGIN, imaginary(left)), left);
+        let at = |left: Extended| (self.alpha.lattice.theta(HalfPeriod::Origin, imaginary(left)), left);
         let (theta, left) = at(if left.to_f64() < TINY { TINY.into() } else { left });
         (theta.value.modulus() / left, theta.log_slope() * imaginary(left))
     }
@@ -123,7 +129,7 @@ impl Sliding {
     fn log(&self, point: &AperiodicValues, position: &PathPosition) -> (Extended, WideComplex) {
         let PathPosition { y, left_per_below } = *position;
         let (near, near_slope) = self.near(left_per_below * point.one_minus_u);
-        let far = self.alpha.lattice.theta(ORIGIN, imaginary(-(y.abs() + self.b)));
+        let far = self.alpha.lattice.theta(HalfPeriod::Origin, imaginary(-(y.abs() + self.b)));
         let log_ratio = ln(left_per_below * near / far.value.modulus());
         let log = ln(self.constants.one_minus_e1) + point.ln_sech.doubled() + log_ratio;
         // (1 - u)/(x - b) · (x - b) ϑ'(x - b)/ϑ(x - b)
@@ -135,7 +141,7 @@ impl Sliding {
     pub(super) fn time(&self, point: &AperiodicValues) -> Extended {
         let position = self.position(point);
         let [of_y, of_log] = self.time_factors;
-        let zeta = self.alpha.lattice.theta(OMEGA_SUM, imaginary(-position.y)).log_slope().im;
+        let zeta = self.alpha.lattice.theta(HalfPeriod::Sum, imaginary(-position.y)).log_slope().im;
         self.time_scale * (zeta + of_y * position.y + of_log * self.log(point, &position).0)
     }
 
@@ -143,8 +149,8 @@ impl Sliding {
     pub(super) fn argument(&self, point: &AperiodicValues) -> Extended {
         let position = self.position(point);
         let x = imaginary(-position.y);
-        let [here, lowest] =
-            [x, Complex::ZERO].map(|x| self.alpha.lattice.theta(ORIGIN, x - self.alpha.zero).value);
+        let [here, lowest] = [x, Complex::ZERO]
+            .map(|x| self.alpha.lattice.theta(HalfPeriod::Origin, x - self.alpha.zero).value);
         let turned = here * lowest.conj();
         let log = self.log_power * self.log(point, &position).0;
         (self.alpha.rate * x).im + angle(turned.im, turned.re) + log

@@ -17,20 +17,6 @@ pub(crate) fn half_pi() -> Extended {
     Extended::TWO_PI * Extended::from(0.25)
 }
 
-/// Power of two.
-fn power_of_two(exponent: i32) -> Extended {
-    let (mut power, mut square) = (Extended::ONE, Extended::from(if exponent < 0 { 0.5 } else { 2.0 }));
-    let mut remainder = exponent.unsigned_abs();
-    while remainder > 0 {
-        if remainder & 1 == 1 {
-            power = power * square;
-        }
-        square = square.squared();
-        remainder >>= 1;
-    }
-    power
-}
-
 /// Exponential function eˣ. It is 0 below x = -1e6, and e^1e6 above x = 1e6.
 pub(crate) fn exp(x: Extended) -> Extended {
     const LARGEST: f64 = 1e6;
@@ -44,7 +30,7 @@ pub(crate) fn exp(x: Extended) -> Extended {
     let series = (1..=TERMS)
         .rev()
         .fold(Extended::ONE, |sum, n| Extended::ONE + remainder * sum / Extended::from(f64::from(n)));
-    series * power_of_two(twos as i32)
+    series.times_power_of_two(twos as i32)
 }
 
 /// Natural logarithm of x > 0. The error is absolute near x = 1.

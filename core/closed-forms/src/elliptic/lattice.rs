@@ -27,12 +27,27 @@ pub(crate) struct Lattice {
     pub(crate) kappa: Extended,
 }
 
-/// Half period, or 0: the bits are the numbers of ω and of ω'. Theta functions are denoted by the half period at which they are 0.
-pub(crate) type HalfPeriod = usize;
-pub(crate) const ORIGIN: HalfPeriod = 0;
-pub(crate) const OMEGA: HalfPeriod = 1;
-pub(crate) const OMEGA_PRIME: HalfPeriod = 2;
-pub(crate) const OMEGA_SUM: HalfPeriod = 3;
+/// Half period, or 0. A theta function is named by the half period at which it is 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum HalfPeriod {
+    Origin,
+    Omega,
+    OmegaPrime,
+    /// Sum ω + ω'.
+    Sum,
+}
+
+impl HalfPeriod {
+    /// Sum of two different half periods, without whole periods.
+    fn plus(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Origin, half) | (half, Self::Origin) => half,
+            (Self::Omega, Self::Sum) | (Self::Sum, Self::Omega) => Self::OmegaPrime,
+            (Self::OmegaPrime, Self::Sum) | (Self::Sum, Self::OmegaPrime) => Self::Omega,
+            _ => Self::Sum,
+        }
+    }
+}
 
 impl Lattice {
     /// Lattice from the differences of the roots, e₁ - e₂ and e₂ - e₃, both > 0.
@@ -74,14 +89,14 @@ impl Lattice {
         if self.turned { [one, four, two, three] } else { [one, two, four, three] }
     }
 
-    /// Theta function that is 0 at a half period.
+    /// Theta function that is 0 at a half period. It costs as much as all four.
     pub(crate) fn theta(&self, half: HalfPeriod, z: WideComplex) -> ValueAndSlope {
         let [none, omega, omega_prime, both] = self.thetas(z);
         match half {
-            ORIGIN => none,
-            OMEGA => omega,
-            OMEGA_PRIME => omega_prime,
-            _ => both,
+            HalfPeriod::Origin => none,
+            HalfPeriod::Omega => omega,
+            HalfPeriod::OmegaPrime => omega_prime,
+            HalfPeriod::Sum => both,
         }
     }
 
@@ -125,7 +140,7 @@ impl Lattice {
     /// σ(z) as a value and the exponent of a factor, and ζ(z).
     fn sigma_parts(&self, z: WideComplex) -> (WideComplex, WideComplex, WideComplex) {
         let (reduced, [n, m]) = self.reduced(z);
-        let theta = self.theta(ORIGIN, reduced);
+        let theta = self.theta(HalfPeriod::Origin, reduced);
         // ϑ₁(v + nπ + mπτ) = (-1)^{n+m} q^{-m²} e^{-2imv} ϑ₁(v)
         let up = Extended::from(if self.turned { n } else { m });
         let rate = -(self.unit.times_i().scaled(up.doubled()));
@@ -182,7 +197,7 @@ impl ThetaQuotient {
         (x, size): (WideComplex, Extended),
     ) -> Self {
         let [h, c] = half_periods;
-        let rate = rate_offset + lattice.theta(h ^ c, zero).log_slope();
+        let rate = rate_offset + lattice.theta(h.plus(c), zero).log_slope();
         let unscaled = Self { lattice: *lattice, scale: Extended::ONE, rate, zero, half_periods };
         Self { scale: size / unscaled.at(x).value.modulus(), ..unscaled }
     }

@@ -45,18 +45,27 @@ impl Weierstrass {
     pub fn from_gaps(upper_gap: f64, lower_gap: f64) -> Result<Self, ParameterError> {
         check_finite("upper_gap", upper_gap)?;
         check_finite("lower_gap", lower_gap)?;
-        for (name, gap, other) in [("upper_gap", upper_gap, lower_gap), ("lower_gap", lower_gap, upper_gap)] {
+        Self::from_exact_gaps(upper_gap.into(), lower_gap.into())
+    }
+
+    fn from_exact_gaps(upper_gap: Extended, lower_gap: Extended) -> Result<Self, ParameterError> {
+        let (upper, lower) = (upper_gap.to_f64(), lower_gap.to_f64());
+        for (name, gap, other) in [("upper_gap", upper, lower), ("lower_gap", lower, upper)] {
             check((1e-200..=1e90).contains(&gap) && gap / other >= 1e-290, name, ALLOWED)?;
         }
-        Ok(Self { lattice: Lattice::of_gaps(upper_gap.into(), lower_gap.into()) })
+        Ok(Self { lattice: Lattice::of_gaps(upper_gap, lower_gap) })
     }
 
     /// Lattice from e₁ > e₂ > e₃. Only their differences are used: the roots are shifted to the sum 0.
     ///
     /// # Errors
-    /// The errors of [`Weierstrass::from_gaps`].
-    pub fn from_roots([e1, e2, e3]: [f64; 3]) -> Result<Self, ParameterError> {
-        Self::from_gaps(e1 - e2, e2 - e3)
+    /// `roots`: not finite; and the errors of [`Weierstrass::from_gaps`].
+    pub fn from_roots(roots: [f64; 3]) -> Result<Self, ParameterError> {
+        for root in roots {
+            check_finite("roots", root)?;
+        }
+        let [e1, e2, e3] = roots.map(Extended::from);
+        Self::from_exact_gaps(e1 - e2, e2 - e3)
     }
 
     /// Roots e₁, e₂, e₃, with sum 0.

@@ -27,6 +27,11 @@ pub enum FitError {
     TooManyUnknowns,
     /// The deviation of the losses is not a positive number.
     LossDeviation,
+    /// The deviation of a sensor's noise is not a positive number, or that of its bias is not finite or negative.
+    SensorNoise {
+        /// Index of the sensor in the list.
+        sensor: usize,
+    },
 }
 
 impl fmt::Display for FitError {
@@ -37,9 +42,12 @@ impl fmt::Display for FitError {
             Self::UnknownSensor { index } => (index, "must be of a sensor in the list"),
             Self::NoMeasurements => return f.write_str("measurements: must not be empty"),
             Self::TooManyUnknowns => {
-                return f.write_str("sensors, ratios: must be at most four each, and one ratio with a drift");
+                return f.write_str("sensors, ratios: must be at most four each, and one ratio with losses");
             }
-            Self::LossDeviation => return f.write_str("drift: must be a positive number"),
+            Self::SensorNoise { sensor } => {
+                return write!(f, "sensor {sensor}: its noise must be positive, and its bias not negative");
+            }
+            Self::LossDeviation => return f.write_str("losses: must be a positive number"),
         };
         write!(f, "measurement {index}: {what}")
     }

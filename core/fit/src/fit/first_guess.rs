@@ -89,7 +89,7 @@ impl Guesses {
 }
 
 impl Instant {
-    fn add(&mut self, hint: Hint) {
+    fn add(&mut self, hint: Hint, tip_scale: f64) {
         let unit = |x: Vector<f64>| (norm(x) > 0.0).then(|| scaled(x, 1.0 / norm(x)));
         match hint {
             Hint::None => {}
@@ -103,6 +103,12 @@ impl Instant {
             }
             Hint::Orientation(orientation) => self.orientation = Some(orientation),
             Hint::Axis(axis) => self.axis = Some(axis),
+            Hint::Tip(tip) => {
+                let level = tip.scaled(-1.0 / tip_scale);
+                let square = level.norm_squared();
+                let up = libm::sqrt(if square < 1.0 { 1.0 - square } else { 0.0 });
+                self.axis = Some([level.re, level.im, up]);
+            }
         }
     }
 
@@ -193,7 +199,7 @@ impl<F: Real> Fit<'_, F> {
             let time = ahead.peek()?.time;
             let mut instant = Instant { time, ..Instant::default() };
             while let Some(measurement) = ahead.next_if(|measurement| measurement.time == time) {
-                instant.add(self.hint(&measurement));
+                instant.add(self.hint(&measurement), self.model.top.tip_scale());
             }
             Some(instant)
         })

@@ -7,7 +7,7 @@ use crate::fit::pass::{Fit, Pass, Statistics};
 use crate::fit::search::Extent;
 use crate::model::MOST_RATIOS;
 use crate::sensitivity::{
-    COLUMNS, Coefficients, Equations, Flow, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS, Sensitivity,
+    COLUMNS, Coefficients, Equations, FINE, Flow, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS, Sensitivity,
     with_coefficients,
 };
 use crate::triangle::{MOST_UNKNOWNS, Unknowns};
@@ -126,7 +126,7 @@ impl Fitted {
         let mut equations = Equations { lossy: true, ..Equations::new(&top) };
         let [.., axial, across, vertical] = &mut equations.coefficients;
         [*axial, *across, *vertical] = losses;
-        Ok(Sensitivity::launched(equations, top.tip_scale(), &state.orientation(), state.omega()))
+        Ok(Sensitivity::launched(equations, &state.orientation(), state.omega(), FINE))
     }
 
     /// Standard deviations of the unknowns, in the coordinates of [`Fitted::covariance`].

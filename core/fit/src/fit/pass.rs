@@ -158,7 +158,7 @@ impl<'a, F: Real> Fit<'a, F> {
             damping: FIRST_DAMPING,
             last_change: None,
             curvature: f64::INFINITY,
-            trajectory: Trajectory::new(model.top.tip_scale(), &model.equations(&estimate)),
+            trajectory: Trajectory::new(&model.equations(&estimate)),
             rate_unit: 1.0,
             prior,
         }

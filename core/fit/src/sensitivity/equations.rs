@@ -2,7 +2,7 @@
 
 use crate::sensitivity::coefficients::{Coefficients, RATIOS, by_ratios, coefficients};
 use crate::sensitivity::flow::{COLUMNS, Flow, LAUNCH_COLUMNS, Tangent};
-use crate::vector::{Vector, add_scaled, cross, dot, norm, scaled};
+use crate::vector::{Vector, add_scaled, cross, dot, scaled};
 use toytop::Top;
 use toytop::scalar::Float;
 
@@ -233,29 +233,5 @@ impl<F: Float> Equations<F> {
             *tangent = self.tangent_rate(flow, &at, tangent, self.change(column));
         }
         rate
-    }
-
-    /// Largest difference of two flows, relative to the size of each part. Rates are in units of `frequency`.
-    pub(crate) fn difference<const N: usize>(&self, one: &Flow<F, N>, other: &Flow<F, N>, frequency: F) -> F {
-        let apart = |x: Vector<F>, y: Vector<F>| norm(add_scaled(x, y, -F::ONE));
-        let mut worst = apart(one.axis, other.axis)
-            + apart(one.side, other.side)
-            + apart(one.across, other.across) / frequency;
-        for (column, (a, b)) in one.tangents.iter().zip(&other.tangents).enumerate() {
-            let scale = self.least_size(column) + norm(a.theta) + norm(a.eta) / frequency;
-            let error = apart(a.theta, b.theta) + apart(a.eta, b.eta) / frequency;
-            if error > worst * scale {
-                worst = error / scale;
-            }
-        }
-        worst
-    }
-
-    /// Size of θ below which a column needs no relative accuracy: a change of its ratio by 100 % then turns the body by 1 mrad. The
-    /// columns of the launch are never small.
-    fn least_size(&self, column: usize) -> F {
-        let Some(by) = self.change(column) else { return F::ZERO };
-        let terms = by.iter().zip(self.coefficients).filter(|(_, value)| *value > F::ZERO);
-        terms.fold(F::ZERO, |sum, (change, value)| sum + change.abs() / value) * F::from_f64(1e-3)
     }
 }

@@ -90,12 +90,6 @@ impl<F: Float, const N: usize> Flow<F, N> {
             *tangent = tangent.plus(rate, f);
         }
     }
-
-    /// Sum of this flow and f times another.
-    pub(crate) fn plus(mut self, other: &Self, f: F) -> Self {
-        self.add(other, f);
-        self
-    }
 }
 
 impl Flow<f64, 0> {

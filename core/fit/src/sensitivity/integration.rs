@@ -1,98 +1,69 @@
-//! Integration by the modified midpoint rule with extrapolation (Gragg, Bulirsch and Stoer).
+//! Integration by a Runge-Kutta method of order 6 with seven stages (Butcher).
 
 use crate::sensitivity::equations::Equations;
-use crate::sensitivity::flow::{Flow, Tangent};
+use crate::sensitivity::flow::{COLUMNS, Flow, Tangent};
 use crate::vector::dot;
+use toytop::scalar::Float;
 
-/// Largest number of midpoint sums of a step. The order is twice as large.
-const MOST_SUMS: usize = 7;
-/// Product of the first step and the bound on the frequencies at the start.
-const FIRST_STEP: f64 = 0.5;
+/// Weights of the earlier rates in the state of each later stage, and in the result.
+const WEIGHTS: [&[f64]; 7] = [
+    &[1.0 / 3.0],
+    &[0.0, 2.0 / 3.0],
+    &[1.0 / 12.0, 1.0 / 3.0, -1.0 / 12.0],
+    &[25.0 / 48.0, -55.0 / 24.0, 35.0 / 48.0, 15.0 / 8.0],
+    &[3.0 / 20.0, -11.0 / 24.0, -1.0 / 8.0, 1.0 / 2.0, 1.0 / 10.0],
+    &[-261.0 / 260.0, 33.0 / 13.0, 43.0 / 156.0, -118.0 / 39.0, 32.0 / 195.0, 80.0 / 39.0],
+    &[13.0 / 200.0, 0.0, 11.0 / 40.0, 11.0 / 40.0, 4.0 / 25.0, 4.0 / 25.0, 13.0 / 200.0],
+];
+/// Largest number of steps for one time.
+const MOST_STEPS: f64 = 1e6;
 /// Largest square of a tangent's size; the squares of larger ones would not be finite.
 const LARGEST: f64 = 1e300;
 
-/// Flow after the time `span`, of either sign. `None` after `most_steps` steps, including the repeated ones, and where a tangent has grown
-/// beyond 1e150.
-///
-/// * `tolerance`: error of a step, relative to each part of the result
-pub(crate) fn advance<const N: usize>(
-    equations: &Equations<f64>,
-    flow: &Flow<f64, N>,
-    span: f64,
-    tolerance: f64,
-    most_steps: u32,
-) -> Option<Flow<f64, N>> {
-    let mut flow = *flow;
-    let mut remainder = span;
-    let mut length = FIRST_STEP / equations.frequency(&flow);
-    for _ in 0..most_steps {
-        if remainder == 0.0 {
-            return Some(flow);
+impl<F: Float> Equations<F> {
+    /// Sets `end` to the flow one step after `start`.
+    ///
+    /// * `rate`: rate of `start`
+    pub(crate) fn step<const N: usize>(
+        &self,
+        start: &Flow<F, N>,
+        rate: &Flow<F, N>,
+        length: f64,
+        end: &mut Flow<F, N>,
+    ) {
+        let mut rates = [*rate; WEIGHTS.len()];
+        for (index, weights) in WEIGHTS.iter().enumerate() {
+            *end = *start;
+            for (rate, weight) in rates.iter().zip(*weights) {
+                end.add(rate, F::from_f64(length * weight));
+            }
+            if let Some(slot) = rates.get_mut(index + 1) {
+                *slot = self.rate(end);
+            }
         }
-        let last = libm::fabs(remainder) <= length;
-        let step = if last { remainder } else { libm::copysign(length, remainder) };
-        let Some((next, sums)) = extrapolated(equations, &flow, step, tolerance) else {
-            length = 0.5 * libm::fabs(step);
-            continue;
-        };
+    }
+}
+
+impl Equations<f64> {
+    /// Flow after the time `span`, of either sign. `None` where that takes too many steps, or where a tangent grows beyond 1e150.
+    ///
+    /// * `longest_step`: product of the longest step and the bound on the frequencies
+    pub(crate) fn advance(
+        &self,
+        flow: &Flow<f64, COLUMNS>,
+        span: f64,
+        longest_step: f64,
+    ) -> Option<Flow<f64, COLUMNS>> {
+        let steps = libm::ceil(libm::fabs(span) * self.frequency(flow) / longest_step);
+        let steps = Some(steps).filter(|steps| *steps <= MOST_STEPS)?;
+        let mut end = *flow;
+        for _ in 0..steps as u32 {
+            let start = end;
+            self.step(&start, &self.rate(&start), span / steps, &mut end);
+        }
         let is_bounded = |tangent: &Tangent<f64>| {
             dot(tangent.theta, tangent.theta) < LARGEST && dot(tangent.eta, tangent.eta) < LARGEST
         };
-        if !next.tangents.iter().all(is_bounded) {
-            return None;
-        }
-        flow = next;
-        remainder = if last { 0.0 } else { remainder - step };
-        if sums + 1 < MOST_SUMS {
-            length *= 1.5;
-        }
+        end.tangents.iter().all(is_bounded).then_some(end)
     }
-    None
-}
-
-/// Flow after one step, and the number of midpoint sums it took; `None` if they did not suffice.
-fn extrapolated<const N: usize>(
-    equations: &Equations<f64>,
-    flow: &Flow<f64, N>,
-    step: f64,
-    tolerance: f64,
-) -> Option<(Flow<f64, N>, usize)> {
-    let frequency = equations.frequency(flow);
-    // row[k] has the order 2(k + 1), from the sums up to the last
-    let mut row = [*flow; MOST_SUMS];
-    for sums in 1..=MOST_SUMS {
-        let mut next = midpoint(equations, flow, step, sums);
-        let mut change = 1.0;
-        for (k, entry) in row.iter_mut().enumerate().take(sums) {
-            let previous = core::mem::replace(entry, next);
-            if k + 1 < sums {
-                let ratio = sums as f64 / (sums - 1 - k) as f64;
-                let better = next.plus(&next.plus(&previous, -1.0), 1.0 / (ratio * ratio - 1.0));
-                change = equations.difference(&better, &next, frequency);
-                next = better;
-            }
-        }
-        if change <= tolerance {
-            return Some((next, sums));
-        }
-    }
-    None
-}
-
-/// Midpoint rule with twice `pairs` substeps, smoothed at the end. Its error is a series in the square of the substep.
-fn midpoint<const N: usize>(
-    equations: &Equations<f64>,
-    flow: &Flow<f64, N>,
-    step: f64,
-    pairs: usize,
-) -> Flow<f64, N> {
-    let h = step / (2.0 * pairs as f64);
-    let mut before = *flow;
-    let mut now = flow.plus(&equations.rate(flow), h);
-    for _ in 1..2 * pairs {
-        let after = before.plus(&equations.rate(&now), 2.0 * h);
-        (before, now) = (now, after);
-    }
-    let ahead = before.plus(&equations.rate(&now), h);
-    now.plus(&ahead.plus(&now, -1.0), 0.5)
 }

@@ -13,14 +13,9 @@ use toytop::su2::Orientation;
 pub struct Partials<F = f64> {
     pub(crate) flow: Flow<F, COLUMNS>,
     pub(crate) equations: Equations<F>,
-    tip_scale: F,
 }
 
 impl<F: Float> Partials<F> {
-    pub(crate) fn new(equations: &Equations<F>, flow: Flow<F, COLUMNS>, tip_scale: f64) -> Self {
-        Self { flow, equations: *equations, tip_scale: F::from_f64(tip_scale) }
-    }
-
     /// Image of each known column, from its tangent and its change of the coefficients; 0 for the others.
     pub(crate) fn each(
         &self,
@@ -90,13 +85,26 @@ impl<F: Float> Partials<F> {
         self.each(|tangent, _| cross(tangent.theta, self.flow.axis))
     }
 
+    /// Tip c = -s (r₁ + i r₂), m; -(r₁ + i r₂) for a fixed tip.
+    #[must_use]
+    pub fn tip(&self) -> Complex<F> {
+        let [x, y, _] = scaled(self.flow.axis, -self.tip_scale());
+        Complex::new(x, y)
+    }
+
+    /// Length s of a sliding top; 1 for a fixed tip.
+    fn tip_scale(&self) -> F {
+        let [_, _, height, ..] = self.equations.coefficients;
+        if height > F::ZERO { height } else { F::ONE }
+    }
+
     /// Derivatives of the tip c = -s (r₁ + i r₂), m; of -(r₁ + i r₂) for a fixed tip.
     #[must_use]
     pub fn d_tip(&self) -> [Complex<F>; COLUMNS] {
         let axis = self.flow.axis;
         let changes = self.each(|tangent, change| {
             let by_height = change.map_or(F::ZERO, |&[_, _, height, ..]| height);
-            add_scaled(scaled(cross(tangent.theta, axis), -self.tip_scale), axis, -by_height)
+            add_scaled(scaled(cross(tangent.theta, axis), -self.tip_scale()), axis, -by_height)
         });
         changes.map(|[x, y, _]| Complex::new(x, y))
     }

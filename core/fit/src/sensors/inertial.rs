@@ -58,8 +58,8 @@ impl<F: Real> Sensor<F> for Gyroscope {
         }
     }
 
-    fn bias_deviation(&self) -> f64 {
-        self.noise.bias
+    fn noise(&self) -> Noise {
+        self.noise
     }
 
     fn hint(&self, values: &[f64; 4]) -> Hint {
@@ -83,8 +83,8 @@ impl<F: Real> Sensor<F> for Accelerometer {
         }
     }
 
-    fn bias_deviation(&self) -> f64 {
-        self.noise.bias
+    fn noise(&self) -> Noise {
+        self.noise
     }
 
     fn hint(&self, values: &[f64; 4]) -> Hint {
@@ -106,8 +106,8 @@ impl<F: Real> Sensor<F> for Magnetometer {
         }
     }
 
-    fn bias_deviation(&self) -> f64 {
-        self.noise.bias
+    fn noise(&self) -> Noise {
+        self.noise
     }
 
     fn hint(&self, values: &[f64; 4]) -> Hint {

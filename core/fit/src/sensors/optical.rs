@@ -1,11 +1,11 @@
 //! Optical instruments beside the top: cameras, and a mark that passes a photo diode.
 
 use crate::sensitivity::Partials;
-use crate::sensors::{Hint, Residual, Sensor, three};
+use crate::sensors::{Hint, Noise, Residual, Sensor, three};
 use crate::vector::{Vector, add_scaled, cast, cross, norm, rotation_vector, scaled};
-use toytop::Phase;
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
+use toytop::{Complex, Phase};
 
 /// Camera that measures the orientation. It reads a unit quaternion [w, x, y, z] from body to fixed coordinates, of
 /// either sign.
@@ -27,8 +27,6 @@ pub struct AxisCamera {
 pub struct TipCamera {
     /// Standard deviation of each coordinate, m.
     pub deviation: f64,
-    /// Length s of the top that maps the axis to the tip, m ([`Top::tip_scale`](toytop::Top::tip_scale)).
-    pub tip_scale: f64,
 }
 
 /// Mark on the body that passes a fixed azimuth, as a photo diode sees it once a turn. The time of the measurement is
@@ -42,6 +40,10 @@ pub struct Mark {
 }
 
 impl<F: Real> Sensor<F> for OrientationCamera {
+    fn noise(&self) -> Noise {
+        Noise::unbiased(self.deviation)
+    }
+
     fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F> {
         let measured = Orientation::from_quaternion(values.map(F::from_f64)).normalised();
         Residual {
@@ -57,6 +59,10 @@ impl<F: Real> Sensor<F> for OrientationCamera {
 }
 
 impl<F: Real> Sensor<F> for AxisCamera {
+    fn noise(&self) -> Noise {
+        Noise::unbiased(self.deviation)
+    }
+
     fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F> {
         Residual {
             difference: add_scaled(cast(three(values)), at.axis(), -F::ONE),
@@ -71,26 +77,30 @@ impl<F: Real> Sensor<F> for AxisCamera {
 }
 
 impl<F: Real> Sensor<F> for TipCamera {
+    fn noise(&self) -> Noise {
+        Noise::unbiased(self.deviation)
+    }
+
     fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F> {
-        let [x, y, _]: Vector<F> = cast(three(values));
-        let [r1, r2, _] = at.axis();
-        let [scale, deviation, unused] = cast([self.tip_scale, self.deviation, f64::INFINITY]);
+        let ([x, y, _], tip): (Vector<F>, _) = (cast(three(values)), at.tip());
+        let [deviation, unused] = [self.deviation, f64::INFINITY].map(F::from_f64);
         Residual {
-            difference: [x + scale * r1, y + scale * r2, F::ZERO],
+            difference: [x - tip.re, y - tip.im, F::ZERO],
             deviation: [deviation, deviation, unused],
             columns: at.d_tip().map(|c| [c.re, c.im, F::ZERO]),
         }
     }
 
-    fn hint(&self, values: &[f64; 4]) -> Hint {
-        // the top is assumed to stand above the plane
-        let [x, y, ..] = values.map(|x| -x / self.tip_scale);
-        let square = x * x + y * y;
-        Hint::Axis([x, y, libm::sqrt(if square < 1.0 { 1.0 - square } else { 0.0 })])
+    fn hint(&self, &[x, y, ..]: &[f64; 4]) -> Hint {
+        Hint::Tip(Complex::new(x, y))
     }
 }
 
 impl<F: Real> Sensor<F> for Mark {
+    fn noise(&self) -> Noise {
+        Noise::unbiased(self.deviation)
+    }
+
     fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F> {
         let [azimuth, ..] = *values;
         let place = at.in_fixed(cast(self.place));
