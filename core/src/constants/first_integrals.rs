@@ -51,6 +51,7 @@ pub struct Signs {
 /// First integrals: two components of the angular momentum, and the energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive] // a literal could contradict its sums
 pub struct FirstIntegrals<F = f64> {
     /// Vertical angular momentum l = ⟨m, k⟩, kg m²/s.
     pub l: F,

@@ -1,10 +1,10 @@
 //! Powers of two, products by them, and integers as `f32`.
 
-/// 2^exponent, for an exponent in the range of `f64`; 0 below it.
+/// 2^exponent; 0 below the normal numbers of `f64`, infinity above them.
 pub(crate) const fn power_of_two(exponent: i32) -> f64 {
     let field = match exponent {
         ..-1022 => 0,
-        1023.. => 2046,
+        1024.. => 2047,
         _ => exponent + 1023,
     };
     f64::from_bits((field as u64) << 52)
