@@ -1,6 +1,6 @@
 //! Phases as integers: whole turns and 96 bits of fraction.
 //!
-//! Sums are exact, and the range reduction of a sine takes the lower bits.
+//! Sums are exact, and whole turns are dropped with the upper bits.
 
 mod wrapped;
 

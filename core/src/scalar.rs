@@ -48,7 +48,7 @@ pub trait Ring:
     /// One.
     const ONE: Self;
 
-    /// Product. In fixed point it is rounded down, and faster than `*`.
+    /// Product. In fixed point it is rounded down, without the overflow check of `*`.
     #[inline(always)]
     #[must_use]
     fn product(self, other: Self) -> Self {
