@@ -109,7 +109,7 @@ struct Axis {
 }
 
 impl Axis {
-    #[inline(never)] // stack
+    #[inline(never)]
     fn new(state: &State) -> Self {
         let (phi, omega) = state.in_extended();
         let (zero, one) = (Extended::ZERO, Extended::ONE);
@@ -143,7 +143,7 @@ impl FirstIntegrals<Extended> {
         Self::from_axis(top, &Axis::new(state))
     }
 
-    #[inline(never)] // stack
+    #[inline(never)]
     fn from_axis(top: &Top, axis: &Axis) -> (Self, ReducedPoint) {
         let scaled = ScaledTop::<Extended>::new(top);
         let (ScaledTop { a, c, s, p, g, k }, unit) = (scaled, scaled.weight_or_one());

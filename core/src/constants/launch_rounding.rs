@@ -19,7 +19,7 @@ const OPERATIONS: f64 = 32.0;
 
 impl LaunchRounding {
     /// Errors of a launch from a state: see `core/docs/error_bound.md`.
-    #[inline(never)] // stack
+    #[inline(never)]
     pub(crate) fn new(
         top: &Top,
         integrals: &FirstIntegrals<Extended>,

@@ -52,7 +52,7 @@ impl Motion {
     ///
     /// # Errors
     /// See [`launch`](Self::launch).
-    #[inline(never)] // stack
+    #[inline(never)]
     pub fn launch_with_pauses(
         top: &Top,
         state: &State,

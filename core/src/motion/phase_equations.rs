@@ -63,7 +63,7 @@ impl<F: Float> PhaseEquations<F> {
         self.map(|x| R::from_f64(x.to_f64()))
     }
 
-    #[inline(never)] // saves flash
+    #[inline(never)]
     pub(crate) fn map<R>(&self, convert: fn(F) -> R) -> PhaseEquations<R> {
         PhaseEquations {
             one_plus_e1: convert(self.one_plus_e1),

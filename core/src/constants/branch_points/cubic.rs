@@ -30,7 +30,7 @@ impl Cubic {
     }
 
     /// Upper bound on the largest root, from which linear convergence takes few steps.
-    #[inline(never)] // stack
+    #[inline(never)]
     fn upper_bound(&self) -> Extended {
         let (Self { g0, g1, g2 }, zero) = (*self, Extended::ZERO);
         // a power of two, because libm's cube root takes much flash
@@ -47,7 +47,7 @@ impl Cubic {
     }
 
     /// Largest root, by Newton's method from above.
-    #[inline(never)] // stack
+    #[inline(never)]
     pub(in crate::constants) fn largest_root(&self, pause: &mut dyn FnMut()) -> Extended {
         const MOST_STEPS: u32 = 200;
         let mut y = self.upper_bound();

@@ -11,7 +11,7 @@ use crate::su2::{AttitudeState, OrientationRate};
 
 impl Motion {
     /// Sets the slow phases at an attitude, whose half phase is known.
-    #[inline(never)] // stack
+    #[inline(never)]
     pub(super) fn start_slow_phases(
         &mut self,
         AttitudeState { orientation: phi, rate }: &AttitudeState<f64>,

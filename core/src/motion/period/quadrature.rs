@@ -53,7 +53,7 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
     const SETTLED: f64 = if WORDS == 1 { 1e-17 } else { 1e-28 };
 
     /// Rule with the first nodes.
-    #[inline(never)] // stack
+    #[inline(never)]
     fn new(
         equations: &'a EllipticEquations<'a, Wide<WORDS>>,
         landen: &'a Landen<WORDS>,
