@@ -77,25 +77,21 @@ impl Top {
 
 impl<F: Float> BranchPoints<F> {
     /// Difference 1 - e₁.
-    #[doc(hidden)]
     pub fn one_minus_e1(&self) -> F {
         self.one_minus_e2 + self.e2_minus_e1
     }
 
     /// Sum 1 + e₂.
-    #[doc(hidden)]
     pub fn one_plus_e2(&self) -> F {
         self.one_plus_e1 + self.e2_minus_e1
     }
 
     /// Sum 1 + e₃.
-    #[doc(hidden)]
     pub fn one_plus_e3(&self) -> F {
         F::from_f64(2.0) + self.e3_minus_one
     }
 
     /// Difference e₃ - e₁.
-    #[doc(hidden)]
     pub fn e3_minus_e1(&self) -> F {
         self.e3_minus_e2 + self.e2_minus_e1
     }
