@@ -115,7 +115,7 @@ impl Motion {
             HalfPhase::Nutating(_) => HalfPhase::Nutating(chi),
             HalfPhase::Aperiodic(_) => HalfPhase::Aperiodic(Complex::cis(chi)),
         };
-        let arguments = motion.ellipses.arguments(motion.half_phase.direction());
+        let arguments = motion.ellipses.arguments(motion.direction());
         for (phase, argument) in motion.slow_phases.iter_mut().zip(arguments) {
             *phase = *phase - argument;
         }

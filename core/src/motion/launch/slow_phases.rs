@@ -23,7 +23,7 @@ impl Motion {
         }
         let equations: PhaseEquations<f64> = self.equations().cast();
         pause();
-        let chi = self.half_phase.direction();
+        let chi = self.direction();
         let PhaseRates { nutation, slow_alpha, slow_beta } = equations.rates(chi.im, chi.re);
         let half_tau = self.half_tau.to_f64();
         let Ellipses { alpha: alpha_ellipse, beta: beta_ellipse } = &self.ellipses;
