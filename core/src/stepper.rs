@@ -150,20 +150,19 @@ impl<R: Real> Stepper<R> {
         self.phi_origin.map(|origin| origin + self.continued_phi())
     }
 
-    /// Rate φ' of the tip angle, rad/s (equation (4.1) of the paper); 0 for a vertical axis, and at most the largest `f32`
-    /// in size.
+    /// Rate φ' of the tip angle, rad/s (equation (4.1) of the paper); 0 for a vertical axis. It is limited to finite
+    /// numbers.
     #[must_use]
     pub fn tip_angle_rate(&self) -> R {
         // φ' = (l+n)/(4A |α|²) + (l-n)/(4A |β|²), without a term whose parameter is 0
         let (Orientation { alpha, beta }, [plus, minus]) = (self.orientation(), self.momentum_rates);
         let rate = over_norm_squared(plus, alpha) + over_norm_squared(minus, beta);
-        let greatest = R::from_f64(f32::MAX.into());
-        if rate.abs() <= greatest {
+        if rate.abs() <= R::GREATEST {
             rate
         } else if rate < R::ZERO {
-            -greatest
+            -R::GREATEST
         } else {
-            greatest
+            R::GREATEST
         }
     }
 

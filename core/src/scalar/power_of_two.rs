@@ -47,3 +47,14 @@ pub(crate) fn times_power_of_two(x: f64, exponent: i32) -> f64 {
     let upper = upper.wrapping_add((exponent as u32) << 20);
     f64::from_bits(u64::from(upper) << 32 | u64::from(lower))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn powers_at_the_ends_of_the_range() {
+        let powers = [-1023, -1022, 1023, 1024].map(power_of_two);
+        assert_eq!(powers, [0.0, f64::MIN_POSITIVE, 2_f64.powi(1023), f64::INFINITY]);
+    }
+}
