@@ -15,14 +15,7 @@ fn levelled(force: [f64; 3]) -> Orientation<f64> {
 }
 
 fn main() -> Result<(), Box<dyn core::error::Error>> {
-    let top = Top::sliding(&TopParameters {
-        transverse_inertia: 3.0e-5,
-        axial_inertia: 2.0e-5,
-        com_height: 0.03,
-        mass: 0.05,
-        gravity: 9.81,
-        ..TopParameters::default()
-    })?;
+    let top = Top::sliding(&TopParameters::TOY)?;
 
     // Before the release the top is held at rest: an accelerometer reads the reaction to gravity, which points up.
     let orientation = levelled([1.96, 0.98, 9.56]);

@@ -21,14 +21,7 @@ impl Count {
 }
 
 fn main() -> Result<(), Box<dyn core::error::Error>> {
-    let top = Top::sliding(&TopParameters {
-        transverse_inertia: 3.0e-5,
-        axial_inertia: 2.0e-5,
-        com_height: 0.03,
-        mass: 0.05,
-        gravity: 9.81,
-        ..TopParameters::default()
-    })?;
+    let top = Top::sliding(&TopParameters::TOY)?;
     let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
     let motion = Motion::launch(&top, &state)?;
     let by_timer = EphemerisF32::new(&motion, Tick::hertz(TIMER)?)?;

@@ -3,6 +3,8 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 // Modules in the order of dependence: each one uses only those above it.
+//
+// `#[inline(never)]` gives a function its own stack frame, which its caller does not keep, or its code only one copy in flash.
 
 // Numbers.
 mod product;

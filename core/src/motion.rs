@@ -19,7 +19,7 @@ use crate::motion::cayley_klein::Ellipses;
 use crate::motion::period::{Period, PeriodAdvance};
 use crate::motion::phase_equations::PhaseEquations;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring, Wide};
+use crate::scalar::{Extended, Float, Real, Ring, Wide};
 
 /// Motion of one launch.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,24 +47,25 @@ pub struct Motion {
     torque_free_rate: Extended,
 }
 
-/// Half phase χ of the nutation.
+/// Half phase χ of the nutation. In an aperiodic motion it is kept with full relative precision near the vertical: in a motion as
+/// e^{iχ}, in a stepper as a sum.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum HalfPhase {
+pub enum HalfPhase<V = Complex<f64>> {
     /// None: u and the rates of the slow phases are constant.
     Steady,
     /// χ of a motion between two turning points.
     Nutating(Phase),
-    /// e^{iχ} of an aperiodic motion, with full relative precision near the vertical.
-    Aperiodic(Complex<f64>),
+    /// χ of an aperiodic motion.
+    Aperiodic(V),
 }
 
-impl HalfPhase {
-    /// Number e^{iχ}; 1 for a steady motion.
-    pub(crate) fn direction(self) -> Complex<f64> {
+impl<V> HalfPhase<V> {
+    /// Number e^{iχ}, by a function for an aperiodic motion; 1 for a steady one.
+    pub(crate) fn direction<R: Real>(self, aperiodic: fn(V) -> Complex<R>) -> Complex<R> {
         match self {
             Self::Steady => Complex::ONE,
             Self::Nutating(chi) => Complex::cis(chi),
-            Self::Aperiodic(direction) => direction,
+            Self::Aperiodic(chi) => aperiodic(chi),
         }
     }
 }
@@ -135,9 +136,14 @@ impl Motion {
         if self.is_steady() { [1; 2] } else { self.ellipses.windings() }
     }
 
+    /// Number e^{iχ} at t = 0.
+    pub(crate) fn direction(&self) -> Complex<f64> {
+        self.half_phase.direction(|direction| direction)
+    }
+
     /// Tip angle at t = 0, in (-1/2, 1/2] turn.
     pub(crate) fn tip_angle_at_start(&self) -> Phase {
-        self.ellipses.tip_angle(self.half_phase.direction(), self.slow_phases)
+        self.ellipses.tip_angle(self.direction(), self.slow_phases)
     }
 
     /// Least normal force over the weight; `None` unless the tip slides. Where it is negative, a real top leaves the plane.

@@ -1,6 +1,6 @@
 //! Phases as integers: whole turns and 96 bits of fraction.
 //!
-//! Sums are exact, and the range reduction of a sine takes the lower bits.
+//! Sums are exact, and whole turns are dropped with the upper bits.
 
 mod wrapped;
 
@@ -45,7 +45,7 @@ impl Phase {
         Self(bits)
     }
 
-    /// Phase in [0, 1) turn from its 64 leading bits.
+    /// Phase in [0, 1) turn from its [`leading_bits`](Self::leading_bits).
     pub(crate) fn from_leading_bits(leading: u64) -> Self {
         Self(i128::from(leading) << (FRACTION_BITS - 64))
     }
@@ -85,7 +85,7 @@ impl Phase {
         if wrapped.0 == -Self::HALF.0 { Self::HALF } else { wrapped }
     }
 
-    /// Product with a number in [0, 1) in units of 2^-64, rounded down.
+    /// Product with part · 2^-64, rounded down.
     #[inline]
     pub(crate) fn times_part(self, part: u64) -> Self {
         let (upper, lower) = ((self.0 >> 64) as i64, self.0 as u64);
@@ -106,7 +106,7 @@ impl Phase {
         (quarter as u32, Self(self.0.wrapping_sub(quarter << (FRACTION_BITS - 2))))
     }
 
-    /// Part of a turn in [0, 1), as its 64 leading bits.
+    /// Leading 64 bits of the phase without whole turns, in units of 2^-64 turns.
     #[inline]
     pub fn leading_bits(self) -> u64 {
         (self.0 >> (FRACTION_BITS - 64)) as u64

@@ -1,6 +1,6 @@
 //! Integer products wider than a chip's multiply instruction.
 //!
-//! A Cortex-M0+ keeps the *lower* 32 bits. The compiler's wider products cost some 40 cycles, those of 16-bit halves 15.
+//! A Cortex-M0+ multiplies to 32 bits only. A 64-bit product costs some 40 cycles from the compiler, 15 from 16-bit halves.
 
 /// Whether products are made of 16-bit halves: on ARMv6-M, which lacks 32-bit atomics.
 const BY_HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
@@ -15,7 +15,7 @@ pub(crate) const fn high_product(a: i32, b: i32) -> i32 {
     }
 }
 
-/// [`high_product`] for a < 2^31 - 2^15, one cycle shorter from halves.
+/// [`high_product`] for a < 2^31 - 2^15. From halves it takes one cycle less.
 #[inline(always)]
 pub(crate) const fn high_product_limited(a: i32, b: i32) -> i32 {
     if BY_HALVES {
@@ -32,7 +32,7 @@ pub(crate) const fn product_32x16(a: i32, b: i32) -> i32 {
     if BY_HALVES { product_32x16_by_halves(a, b) } else { ((a as i64 * (b >> 16) as i64) >> 16) as i32 }
 }
 
-/// [`product_32x16`] for a constant b, by fewer instructions.
+/// [`product_32x16`] for a constant b. It takes fewer instructions.
 #[inline(always)]
 pub(crate) const fn product_32x16_by_constant(a: i32, b: i32) -> i32 {
     if BY_HALVES { product_32x16_by_halves(a, b) } else { high_product(a, b & !0xffff) }

@@ -48,10 +48,10 @@ pub trait Ring:
     /// One.
     const ONE: Self;
 
-    /// Product. In fixed point it is rounded down, and faster than `*`.
+    /// Product; in fixed point rounded down, and without the overflow check of `*`.
     #[inline(always)]
     #[must_use]
-    fn product(self, other: Self) -> Self {
+    fn truncated_product(self, other: Self) -> Self {
         self * other
     }
 
@@ -59,21 +59,21 @@ pub trait Ring:
     #[inline(always)]
     #[must_use]
     fn inner([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
-        a.product(c) + b.product(d)
+        a.truncated_product(c) + b.truncated_product(d)
     }
 
     /// Determinant of two pairs, ad - bc.
     #[inline(always)]
     #[must_use]
     fn determinant([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
-        a.product(d) - b.product(c)
+        a.truncated_product(d) - b.truncated_product(c)
     }
 
     /// Square, x².
     #[inline]
     #[must_use]
     fn squared(self) -> Self {
-        self.product(self)
+        self.truncated_product(self)
     }
 
     /// Double, x + x: exact in binary floating point.
@@ -140,6 +140,9 @@ pub trait Float: Ring + Div<Output = Self> {
 
 /// Floating-point type for both set-up and ticks.
 pub trait Real: Scalar + Float {
+    /// Largest finite number.
+    const GREATEST: Self;
+
     /// Angle of the point (x, y) in rad, in [-π, π].
     fn atan2(y: Self, x: Self) -> Self;
     /// eˣ - 1, with a small relative error also where x is small.
@@ -175,6 +178,8 @@ macro_rules! float_scalar {
         }
 
         impl Real for $float {
+            const GREATEST: Self = <$float>::MAX;
+
             #[inline]
             fn atan2(y: Self, x: Self) -> Self {
                 $atan2(y, x)

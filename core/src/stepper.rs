@@ -19,8 +19,8 @@ use crate::su2::{AttitudeState, Orientation};
 pub struct Stepper<R> {
     ellipses: Ellipses<R>,
     equations: PhaseEquations<R>,
-    nutation: Nutation<R>,
-    phases: [Phase; 2],
+    half_phase: HalfPhase<AperiodicVariable<R>>,
+    slow_phases: [Phase; 2],
     /// Constant parts of the rates of the slow phases, in turns/s and rad/s.
     constant_rates: [(Extended, R); 2],
     /// Tip scale, m.
@@ -31,42 +31,12 @@ pub struct Stepper<R> {
     phi_origin: Option<Phase>,
 }
 
-/// Nutation variable of a stepper.
+/// Variable v of an aperiodic motion, with χ = gd v (Gudermannian).
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Nutation<R> {
-    /// None: u and the rates of the slow phases are constant.
-    Steady,
-    /// Half phase χ.
-    Nutating(Phase),
-    /// Variable v of an aperiodic motion, with χ = gd v (Gudermannian).
-    Aperiodic {
-        v: R,
-        /// Rounding error of the last addition to v.
-        rounding_of_v: R,
-    },
-}
-
-impl<R: Real> Nutation<R> {
-    fn new(motion: &Motion) -> Self {
-        match motion.half_phase {
-            HalfPhase::Steady => Self::Steady,
-            HalfPhase::Nutating(chi) => Self::Nutating(chi),
-            HalfPhase::Aperiodic(direction) => {
-                let unrounded = inverse_gudermannian(direction);
-                let v = R::from_f64(unrounded);
-                Self::Aperiodic { v, rounding_of_v: R::from_f64(unrounded - v.to_f64()) }
-            }
-        }
-    }
-
-    /// Number e^{iχ}; 1 for a steady motion.
-    fn direction(self) -> Complex<R> {
-        match self {
-            Self::Steady => Complex::ONE,
-            Self::Nutating(chi) => Complex::cis(chi),
-            Self::Aperiodic { v, .. } => gudermannian(v),
-        }
-    }
+struct AperiodicVariable<R> {
+    v: R,
+    /// Rounding error of the last addition to v.
+    rounding: R,
 }
 
 impl<R: Real> Stepper<R> {
@@ -80,8 +50,19 @@ impl<R: Real> Stepper<R> {
         let mut stepper = Self {
             ellipses: motion.ellipses(),
             equations: motion.equations().cast(),
-            nutation: Nutation::new(motion),
-            phases: motion.slow_phases,
+            half_phase: match motion.half_phase {
+                HalfPhase::Steady => HalfPhase::Steady,
+                HalfPhase::Nutating(chi) => HalfPhase::Nutating(chi),
+                HalfPhase::Aperiodic(direction) => {
+                    let unrounded = inverse_gudermannian(direction);
+                    let v = R::from_f64(unrounded);
+                    HalfPhase::Aperiodic(AperiodicVariable {
+                        v,
+                        rounding: R::from_f64(unrounded - v.to_f64()),
+                    })
+                }
+            },
+            slow_phases: motion.slow_phases,
             constant_rates: rates.map(|rate| (rate.in_turns(), R::from_f64(rate.to_f64()))),
             tip_scale: R::from_f64(top.tip_scale()),
             momentum_rates: [integrals.l_plus_n, integrals.l_minus_n]
@@ -89,7 +70,7 @@ impl<R: Real> Stepper<R> {
             phi_origin: None,
         };
         if !motion.regime().is_vertical() {
-            let at_start = stepper.ellipses.tip_angle(stepper.nutation.direction(), stepper.phases);
+            let at_start = stepper.ellipses.tip_angle(stepper.direction(), stepper.slow_phases);
             stepper.phi_origin = Some(at_start - stepper.continued_phi());
         }
         stepper
@@ -100,27 +81,27 @@ impl<R: Real> Stepper<R> {
         if !dt.to_f64().is_finite() {
             return;
         }
-        let change = match self.nutation {
-            Nutation::Steady => PhaseRates::ZERO,
-            Nutation::Nutating(chi) => {
+        let change = match self.half_phase {
+            HalfPhase::Steady => PhaseRates::ZERO,
+            HalfPhase::Nutating(chi) => {
                 let change = runge_kutta(dt, |delta| {
                     let (sine, cosine) = R::sine_cosine(chi + phase_from_radians(delta));
                     self.equations.rates(sine, cosine)
                 });
-                self.nutation = Nutation::Nutating(chi + phase_from_radians(change.nutation));
+                self.half_phase = HalfPhase::Nutating(chi + phase_from_radians(change.nutation));
                 change
             }
-            Nutation::Aperiodic { v, rounding_of_v } => {
+            HalfPhase::Aperiodic(AperiodicVariable { v, rounding }) => {
                 let change = runge_kutta(dt, |delta| {
-                    let [v, _] = exact_sum(v, delta + rounding_of_v);
+                    let [v, _] = exact_sum(v, delta + rounding);
                     self.equations.aperiodic_rates(gudermannian(v))
                 });
-                let [v, rounding_of_v] = exact_sum(v, change.nutation + rounding_of_v);
+                let [v, rounding] = exact_sum(v, change.nutation + rounding);
                 // beyond 1e30 cos χ is 0 in every scalar
                 let far = R::from_f64(1e30);
                 let bounded = if v < R::ZERO { -far } else { far };
-                let (v, rounding_of_v) = if v.abs() <= far { (v, rounding_of_v) } else { (bounded, R::ZERO) };
-                self.nutation = Nutation::Aperiodic { v, rounding_of_v };
+                let (v, rounding) = if v.abs() <= far { (v, rounding) } else { (bounded, R::ZERO) };
+                self.half_phase = HalfPhase::Aperiodic(AperiodicVariable { v, rounding });
                 change
             }
         };
@@ -128,8 +109,9 @@ impl<R: Real> Stepper<R> {
         let [alpha_rate, beta_rate] = self.constant_rates;
         let alpha_turned = turned(alpha_rate);
         // the constant rates are ±τ/2 unless u is constant, and a product costs much
-        let beta_turned = if self.nutation == Nutation::Steady { turned(beta_rate) } else { -alpha_turned };
-        let [alpha, beta] = &mut self.phases;
+        let beta_turned =
+            if self.half_phase == HalfPhase::Steady { turned(beta_rate) } else { -alpha_turned };
+        let [alpha, beta] = &mut self.slow_phases;
         *alpha += phase_from_radians(change.slow_alpha) + alpha_turned;
         *beta += phase_from_radians(change.slow_beta) + beta_turned;
     }
@@ -137,13 +119,13 @@ impl<R: Real> Stepper<R> {
     /// Orientation Φ.
     #[must_use]
     pub fn orientation(&self) -> Orientation<R> {
-        self.ellipses.orientation(self.nutation.direction(), self.phases.map(Complex::cis))
+        self.ellipses.orientation(self.direction(), self.slow_phases.map(Complex::cis))
     }
 
     /// Orientation and its rate, from which u' and the angular velocity follow.
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R> {
-        let (chi, slow) = (self.nutation.direction(), self.phases.map(Complex::cis));
+        let (chi, slow) = (self.direction(), self.slow_phases.map(Complex::cis));
         let rate = self.ellipses.rate(chi, slow, &self.rates(chi));
         AttitudeState { orientation: self.ellipses.orientation(chi, slow), rate }
     }
@@ -168,26 +150,33 @@ impl<R: Real> Stepper<R> {
         self.phi_origin.map(|origin| origin + self.continued_phi())
     }
 
-    /// Rate φ' of the tip angle, rad/s (equation (4.1) of the paper); 0 for a vertical axis, and the largest finite `f32`
-    /// where it overflows.
+    /// Rate φ' of the tip angle, rad/s (equation (4.1) of the paper); 0 for a vertical axis. It is limited to finite
+    /// numbers.
     #[must_use]
     pub fn tip_angle_rate(&self) -> R {
         // φ' = (l+n)/(4A |α|²) + (l-n)/(4A |β|²), without a term whose parameter is 0
         let (Orientation { alpha, beta }, [plus, minus]) = (self.orientation(), self.momentum_rates);
         let rate = over_norm_squared(plus, alpha) + over_norm_squared(minus, beta);
-        if rate.to_f64().is_finite() {
-            return rate;
+        if rate.abs() <= R::GREATEST {
+            rate
+        } else if rate < R::ZERO {
+            -R::GREATEST
+        } else {
+            R::GREATEST
         }
-        let greatest = R::from_f64(f32::MAX.into());
-        if rate < R::ZERO { -greatest } else { greatest }
+    }
+
+    /// Number e^{iχ}.
+    fn direction(&self) -> Complex<R> {
+        self.half_phase.direction(|AperiodicVariable { v, .. }| gudermannian(v))
     }
 
     /// Rates of χ and of the slow phases at e^{iχ}, rad/s.
     fn rates(&self, chi: Complex<R>) -> PhaseRates<R> {
-        let mut rates = match self.nutation {
-            Nutation::Steady => PhaseRates::ZERO,
-            Nutation::Nutating(_) => self.equations.rates(chi.im, chi.re),
-            Nutation::Aperiodic { .. } => {
+        let mut rates = match self.half_phase {
+            HalfPhase::Steady => PhaseRates::ZERO,
+            HalfPhase::Nutating(_) => self.equations.rates(chi.im, chi.re),
+            HalfPhase::Aperiodic(_) => {
                 let rates = self.equations.aperiodic_rates(chi);
                 PhaseRates { nutation: rates.nutation * chi.re, ..rates } // χ' = v' sech v
             }
@@ -200,11 +189,11 @@ impl<R: Real> Stepper<R> {
 
     /// Sum arg α + arg β, continuous in time.
     fn continued_phi(&self) -> Phase {
-        let (chi, [a, b]) = (self.nutation.direction(), self.phases);
-        let turned = match self.nutation {
-            Nutation::Steady => Phase::ZERO,
-            Nutation::Nutating(chi) => chi,
-            Nutation::Aperiodic { .. } => phase_from_radians(chi.arg()),
+        let (chi, [a, b]) = (self.direction(), self.slow_phases);
+        let turned = match self.half_phase {
+            HalfPhase::Steady => Phase::ZERO,
+            HalfPhase::Nutating(chi) => chi,
+            HalfPhase::Aperiodic(_) => phase_from_radians(chi.arg()),
         };
         let Ellipses { alpha, beta } = &self.ellipses;
         a + b + alpha.continued_argument(chi, turned) + beta.continued_argument(chi, turned)

@@ -222,7 +222,7 @@ impl<R: Float> AttitudeState<R> {
 }
 
 impl<R: Ring> AttitudeState<R> {
-    /// Cosine of the tilt, u = ⟨r, k⟩, limited to [-1, 1] unlike [`Sample::u`](crate::Sample::u).
+    /// Cosine of the tilt, u = ⟨r, k⟩, limited to [-1, 1].
     pub fn u(&self) -> R {
         self.orientation.clamped_u()
     }

@@ -78,15 +78,7 @@ pub fn top_of([a, c, s, p]: [f64; 4], gravity: f64) -> Top {
 }
 
 /// Toy top of 50 g, in SI units.
-pub const TOY: TopParameters = TopParameters {
-    transverse_inertia: 3e-5,
-    axial_inertia: 2e-5,
-    com_height: 0.03,
-    mass: 0.05,
-    mass_moment: 0.0,
-    gravity: 9.81,
-    rotor_momentum: 0.0,
-};
+pub const TOY: TopParameters = TopParameters::TOY;
 
 /// Top of the parameters [`TOY`].
 ///

@@ -63,7 +63,7 @@ pub fn check(holds: bool, parameter: &'static str, allowed: &'static str) -> Res
     if holds { Ok(()) } else { Err(ParameterError::OutOfRange { parameter, allowed }) }
 }
 
-/// Refuses a value outside a range; `allowed` describes the range.
+/// Error where a value is outside a range, which `allowed` describes.
 pub(crate) fn check_range(
     range: RangeInclusive<f64>,
     parameter: &'static str,

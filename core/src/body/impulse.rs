@@ -25,13 +25,7 @@ impl State {
     ///
     /// ```
     /// use toytop::{Release, State, Top, TopParameters};
-    /// let top = Top::sliding(&TopParameters {
-    ///     transverse_inertia: 3.0e-5,
-    ///     axial_inertia: 2.0e-5,
-    ///     com_height: 0.03,
-    ///     mass: 0.05,
-    ///     ..TopParameters::default()
-    /// })?;
+    /// let top = Top::sliding(&TopParameters::TOY)?;
     /// let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
     /// // tangential, 25 mm from the axis, at the height of the centre of mass
     /// let struck = state.with_impulse(&top, [0.0, 2.0e-3, 0.0], [0.025, 0.0, 0.03])?;

@@ -13,7 +13,7 @@ pub struct TopParameters {
     pub transverse_inertia: f64,
     /// Axial moment of inertia C <= 2A, kg m²; 0 for a thin rod or a point at its end.
     pub axial_inertia: f64,
-    /// Distance s of the centre of mass from the tip, m; for a fixed tip only used with `mass`.
+    /// Distance s of the centre of mass from the tip, m; for a fixed tip only together with `mass`.
     pub com_height: f64,
     /// Mass M, kg.
     pub mass: f64,
@@ -47,6 +47,17 @@ fn magnitude(parameter: &'static str, value: f64) -> Result<f64, ParameterError>
 }
 
 impl TopParameters {
+    /// Parameters of a toy top of 50 g, for examples and tests.
+    pub const TOY: Self = Self {
+        transverse_inertia: 3.0e-5,
+        axial_inertia: 2.0e-5,
+        com_height: 0.03,
+        mass: 0.05,
+        mass_moment: 0.0,
+        gravity: 9.81,
+        rotor_momentum: 0.0,
+    };
+
     /// Mass, or `None` where the mass moment is given instead.
     fn given_mass(&self) -> Result<Option<f64>, ParameterError> {
         match (self.mass == 0.0, self.mass_moment == 0.0) {
@@ -179,7 +190,8 @@ impl Top {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::body::TOY as TOP;
+
+    const TOP: TopParameters = TopParameters::TOY;
 
     fn refused(result: Result<Top, ParameterError>) -> Option<&'static str> {
         result.err().map(|error| error.parameter())
@@ -239,14 +251,10 @@ mod tests {
 
     #[test]
     fn a_free_body_takes_two_inertias() {
-        let body =
-            TopParameters { transverse_inertia: 3e-5, axial_inertia: 2e-5, ..TopParameters::default() };
+        let body = TopParameters { com_height: 0.0, mass: 0.0, ..TOP };
         let top = Top::free(&body).unwrap();
         assert!(top.is_torque_free() && top.support() == Support::Free && top.e4().is_none());
-        assert_eq!(
-            top,
-            Top::free(&TopParameters { mass: 0.05, com_height: 0.03, gravity: 9.81, ..body }).unwrap()
-        );
+        assert_eq!(top, Top::free(&TOP).unwrap());
         assert_eq!(refused(Top::free(&TopParameters { mass: f64::NAN, ..body })), Some("mass"));
         let weightless = TopParameters { mass_moment: 1e-3, gravity: 0.0, ..body };
         assert!(Top::fixed(&weightless).unwrap().is_torque_free());

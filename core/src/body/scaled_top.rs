@@ -1,7 +1,7 @@
 //! Top in units that keep every product in range.
 
 use super::Top;
-use crate::scalar::{Extended, Float, Ring, exponent, power_of_two, times_power_of_two};
+use crate::scalar::{Float, exponent, power_of_two, times_power_of_two};
 
 /// Parameters by the paper's symbols. The units of inertia and length are powers of two: A and p are in [1, 2).
 #[derive(Clone, Copy, Debug)]
@@ -58,19 +58,15 @@ impl Top {
     pub(crate) fn inertia_unit(&self) -> f64 {
         power_of_two(inertia_exponent(self))
     }
-
-    /// Branch point e₄ = √(1 + A/(ps)) (equation (3.5)), which u never reaches; `None` unless the tip slides.
-    pub fn e4(&self) -> Option<f64> {
-        let ScaledTop { a, s, p, .. } = ScaledTop::<Extended>::new(self);
-        (self.s > 0.0).then(|| (Extended::ONE + a / (p * s)).sqrt().to_f64())
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::TopParameters;
-    use crate::body::TOY as TOP;
+    use crate::scalar::Extended;
+
+    const TOP: TopParameters = TopParameters::TOY;
 
     /// The units are powers of two, so that quotients of given numbers keep their bits.
     #[test]

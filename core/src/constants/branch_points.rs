@@ -2,14 +2,14 @@
 //!
 //! On the motion, (s/2)(e₄² - u²) u'² = g (u - e₁)(u - e₂)(u - e₃). The differences are computed without cancellation.
 
-mod cubic;
+pub(super) mod cubic;
 
 mod from_state;
 
 mod integrals;
 
-use crate::body::{ParameterError, check_range};
-use crate::scalar::{Extended, Float};
+use crate::body::{ParameterError, ScaledTop, Top, check_range};
+use crate::scalar::{Extended, Float, Ring};
 
 /// Branch points and their differences; none has a unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,27 +67,31 @@ impl BranchPoints<Extended> {
     }
 }
 
+impl Top {
+    /// Branch point e₄ = √(1 + A/(ps)) (equation (3.5)), which u never reaches; `None` unless the tip slides.
+    pub fn e4(&self) -> Option<f64> {
+        let ScaledTop { a, s, p, .. } = ScaledTop::<Extended>::new(self);
+        (self.com_height() > 0.0).then(|| (Extended::ONE + a / (p * s)).sqrt().to_f64())
+    }
+}
+
 impl<F: Float> BranchPoints<F> {
     /// Difference 1 - e₁.
-    #[doc(hidden)]
     pub fn one_minus_e1(&self) -> F {
         self.one_minus_e2 + self.e2_minus_e1
     }
 
     /// Sum 1 + e₂.
-    #[doc(hidden)]
     pub fn one_plus_e2(&self) -> F {
         self.one_plus_e1 + self.e2_minus_e1
     }
 
     /// Sum 1 + e₃.
-    #[doc(hidden)]
     pub fn one_plus_e3(&self) -> F {
         F::from_f64(2.0) + self.e3_minus_one
     }
 
     /// Difference e₃ - e₁.
-    #[doc(hidden)]
     pub fn e3_minus_e1(&self) -> F {
         self.e3_minus_e2 + self.e2_minus_e1
     }

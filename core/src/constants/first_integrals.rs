@@ -51,6 +51,7 @@ pub struct Signs {
 /// First integrals: two components of the angular momentum, and the energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive] // a literal could contradict its sums
 pub struct FirstIntegrals<F = f64> {
     /// Vertical angular momentum l = ⟨m, k⟩, kg m²/s.
     pub l: F,
@@ -108,7 +109,7 @@ struct Axis {
 }
 
 impl Axis {
-    #[inline(never)] // stack
+    #[inline(never)]
     fn new(state: &State) -> Self {
         let (phi, omega) = state.in_extended();
         let (zero, one) = (Extended::ZERO, Extended::ONE);
@@ -142,7 +143,7 @@ impl FirstIntegrals<Extended> {
         Self::from_axis(top, &Axis::new(state))
     }
 
-    #[inline(never)] // stack
+    #[inline(never)]
     fn from_axis(top: &Top, axis: &Axis) -> (Self, ReducedPoint) {
         let scaled = ScaledTop::<Extended>::new(top);
         let (ScaledTop { a, c, s, p, g, k }, unit) = (scaled, scaled.weight_or_one());

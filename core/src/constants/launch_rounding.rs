@@ -14,12 +14,12 @@ pub(crate) struct LaunchRounding {
     pub(crate) slow_rates: f64,
 }
 
-/// Number of roundings counted for a momentum or a coefficient of a cubic.
+/// Number of roundings that count for l + n, for l - n and for each coefficient of a cubic.
 const OPERATIONS: f64 = 32.0;
 
 impl LaunchRounding {
     /// Errors of a launch from a state: see `core/docs/error_bound.md`.
-    #[inline(never)] // stack
+    #[inline(never)]
     pub(crate) fn new(
         top: &Top,
         integrals: &FirstIntegrals<Extended>,
@@ -27,7 +27,7 @@ impl LaunchRounding {
         e: &BranchPoints<Extended>,
         state: &State,
     ) -> Self {
-        let speed = libm::sqrt(dot(state.omega(), state.omega()));
+        let speed = Float::sqrt(dot(state.omega(), state.omega()));
         let rounding = OPERATIONS * Extended::OPERATION_ERROR;
         let ScaledTop { a, c, s, p, g, k } = ScaledTop::<f64>::new(top);
         let slow_rates = rounding * ((1.0 + (c - a).abs() / a) * speed + k.abs() / a);
@@ -40,7 +40,7 @@ impl LaunchRounding {
         let [u, one_minus_u, one_plus_u, axis_energy] =
             [u, one_minus_u, one_plus_u, axis_energy].map(Float::to_f64);
         let e = e.to_f64();
-        // magnitude of the terms of n
+        // terms of n = C ⟨ω, r⟩ + K, which may cancel
         let n = n.abs() + k.abs();
         // magnitude of the terms of (1 - e₂) + (1 - e₃)
         let upper_terms =

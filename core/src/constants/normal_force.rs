@@ -8,6 +8,7 @@
 //! minimum ((∛F₊ + ∛F₋)/2e₄)³ at (e₄ - u)/(e₄ + u) = ∛(F₊/F₋).
 
 use crate::constants::BranchPoints;
+use crate::constants::branch_points::cubic::Cubic;
 use crate::scalar::{Extended, Float, Ring};
 
 /// Partial fractions of N; `a_over_ps` is A/(ps) = e₄² - 1.
@@ -66,11 +67,9 @@ fn at_e2(e: &BranchPoints<Extended>, a_over_ps: Extended) -> f64 {
     if force.abs() > Extended::from(FORCE_THAT_IS_ZERO) { force.to_f64() } else { 0.0 }
 }
 
-/// Cube root of x > 0 by a step of Newton's method.
+/// Cube root of x > 0.
 fn cube_root(x: Extended) -> Extended {
-    let root = Extended::from(libm::cbrt(x.to_f64()));
-    let square = root.squared();
-    root + (x - square * root) / (square + square.doubled())
+    Cubic { g0: -x, g1: Extended::ZERO, g2: Extended::ZERO }.largest_root(&mut || {})
 }
 
 #[cfg(test)]

@@ -55,8 +55,9 @@ impl Regime {
     }
 }
 
-/// Whether the tilt oscillates by more than 2^-49 rad (a state's rounding) or passes through the vertical.
+/// Whether the tilt oscillates visibly, or passes through the vertical.
 fn u_oscillates(e: &BranchPoints<Extended>) -> bool {
+    /// Smallest visible change of the tilt, rad: a state's rounding.
     const SMALLEST_SWING: f64 = 1.0 / (1_u64 << 49) as f64;
     let zero = Extended::ZERO;
     let passes_vertical = e.one_minus_e2 == zero || e.one_plus_e1 == zero;

@@ -113,7 +113,7 @@ impl<R: Real> Ellipse<R> {
         Phase::from_radians(value.arg().to_f64())
     }
 
-    /// Argument of the ellipse, continuous in χ: ±χ plus at most a quarter turn; 0 for an ellipse through 0.
+    /// Argument of the ellipse, continuous in χ, within a quarter turn of ±χ; 0 if the ellipse passes through 0.
     ///
     /// * `whole_chi`: χ with its whole turns
     pub(crate) fn continued_argument(&self, chi: Complex<R>, whole_chi: Phase) -> Phase {

@@ -42,13 +42,7 @@ impl Motion {
     ///
     /// ```
     /// use toytop::{Motion, Release, State, Top, TopParameters};
-    /// # let top = Top::sliding(&TopParameters {
-    /// #     transverse_inertia: 3.0e-5,
-    /// #     axial_inertia: 2.0e-5,
-    /// #     com_height: 0.03,
-    /// #     mass: 0.05,
-    /// #     ..TopParameters::default()
-    /// # })?;
+    /// # let top = Top::sliding(&TopParameters::TOY)?;
     /// # let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
     /// let mut fed = 0;
     /// let motion = Motion::launch_with_pauses(&top, &state, &mut || fed += 1)?;
@@ -58,7 +52,7 @@ impl Motion {
     ///
     /// # Errors
     /// See [`launch`](Self::launch).
-    #[inline(never)] // stack
+    #[inline(never)]
     pub fn launch_with_pauses(
         top: &Top,
         state: &State,
@@ -85,7 +79,7 @@ impl Motion {
     /// # Errors
     /// * `e1`, `e2`, `e3`: not finite or not in this order
     /// * `theta`, `arg_alpha`, `arg_beta`: not finite or beyond ±1e6 rad
-    /// * `e3`: no torque acts, so that branch points determine no rate
+    /// * `top`: no torque acts, so that branch points determine no rate
     /// * `e3`: the axial rate (n - K)/C exceeds 1e24 per unit of time, or C = 0 and n is not K
     pub fn from_branch_points(
         top: &Top,
@@ -95,8 +89,8 @@ impl Motion {
     ) -> Result<Self, ParameterError> {
         check(
             !top.is_torque_free(),
-            "e3",
-            "that of a motion with torque: without it branch points tell no rate; give a state or a release",
+            "top",
+            "one with torque: without it branch points tell no rate; give a state or a release",
         )?;
         let e = BranchPoints::from_roots(e)?;
         let InitialPhases { theta, arg_alpha, arg_beta } = *start;
@@ -121,7 +115,7 @@ impl Motion {
             HalfPhase::Nutating(_) => HalfPhase::Nutating(chi),
             HalfPhase::Aperiodic(_) => HalfPhase::Aperiodic(Complex::cis(chi)),
         };
-        let arguments = motion.ellipses.arguments(motion.half_phase.direction());
+        let arguments = motion.ellipses.arguments(motion.direction());
         for (phase, argument) in motion.slow_phases.iter_mut().zip(arguments) {
             *phase = *phase - argument;
         }

@@ -19,8 +19,8 @@ pub struct PeriodAdvance {
     pub alpha_turns: f64,
     /// Advance (arg β(t+T) - arg β(t))/2π; for e₂ = 1 of β with a signed modulus.
     pub beta_turns: f64,
-    /// Sum of both advances before rounding, rad.
-    phi: f64,
+    /// Advance of the tip angle φ over a period, rad; through the centre with a signed radius.
+    pub phi_per_period: f64,
     /// Period before rounding.
     #[doc(hidden)]
     pub exact_period: Extended,
@@ -31,7 +31,7 @@ pub struct PeriodAdvance {
 
 impl PeriodAdvance {
     pub(super) fn new(period: &Period, half_tau: Extended, windings: [i32; 2]) -> Self {
-        let [alpha_turns, beta_turns] = period.turns(half_tau, windings).map(Float::to_f64);
+        let [alpha_turns, beta_turns] = period.advances(half_tau, windings).map(Float::to_f64);
         let Period { time, psi: [psi_alpha, psi_beta], .. } = *period;
         // the terms ±τT/2 of α and β cancel
         let about_vertical = psi_alpha + psi_beta;
@@ -42,15 +42,10 @@ impl PeriodAdvance {
             period: time.to_f64(),
             alpha_turns,
             beta_turns,
-            phi: phi.to_f64(),
+            phi_per_period: phi.to_f64(),
             exact_period: time,
             rotations: [about_vertical, about_axis].map(|angle| angle.in_turns().to_phase()),
         }
-    }
-
-    /// Advance of the tip angle φ over a period, rad; through the centre with a signed radius.
-    pub fn phi_per_period(&self) -> f64 {
-        self.phi
     }
 }
 
@@ -60,7 +55,7 @@ pub(crate) struct Period {
     pub(crate) time: Extended,
     /// Angles ψ_α(T) and ψ_β(T), rad.
     pub(crate) psi: [Extended; 2],
-    /// Estimated error of the trapezoid rule, relative to T and to |ψ_α| + |ψ_β|.
+    /// Estimated error of the trapezoid rule: the larger of that relative to T and that relative to |ψ_α| + |ψ_β|.
     pub(crate) relative_error: f64,
     /// Relative error of one operation of the quadrature.
     pub(crate) operation_error: f64,
@@ -74,7 +69,7 @@ impl Period {
     }
 
     /// Advances of α and β in turns, whole turns included.
-    pub(crate) fn turns(&self, half_tau: Extended, windings: [i32; 2]) -> [Extended; 2] {
+    pub(crate) fn advances(&self, half_tau: Extended, windings: [i32; 2]) -> [Extended; 2] {
         let ([psi_alpha, psi_beta], slow) = (self.psi, half_tau * self.time);
         let [alpha, beta] = windings.map(|sense| Extended::from(0.5 * f64::from(sense)));
         [(psi_alpha + slow).in_turns() + alpha, (psi_beta - slow).in_turns() + beta]

@@ -48,13 +48,13 @@ pub struct PhaseEquations<F> {
     pub(crate) half_g: F,
     /// Rate (l + n)/(2A), rad/s.
     pub(crate) alpha_rate_factor: F,
-    /// Time 2 √(A/(2 p g (e₃ + 1))): coefficient of χ' in the denominator of ψ_α'.
+    /// Coefficient 2 √(A/(2 p g (e₃ + 1))) of χ' in the denominator of ψ_α', s.
     pub(crate) alpha_chi_time: F,
     /// Rate s₋ √(2 A p g (1-e₁)(1-e₂))/(2A), rad/s.
     pub(crate) beta_rate_factor: F,
     /// Root √(e₃ - 1).
     pub(crate) root_e3_minus_one: F,
-    /// Time 2 √(A/(2 p g)): coefficient of χ' in the denominator of ψ_β'.
+    /// Coefficient 2 √(A/(2 p g)) of χ' in the denominator of ψ_β', s.
     pub(crate) beta_chi_time: F,
 }
 
@@ -63,7 +63,7 @@ impl<F: Float> PhaseEquations<F> {
         self.map(|x| R::from_f64(x.to_f64()))
     }
 
-    #[inline(never)] // saves flash
+    #[inline(never)]
     pub(crate) fn map<R>(&self, convert: fn(F) -> R) -> PhaseEquations<R> {
         PhaseEquations {
             one_plus_e1: convert(self.one_plus_e1),

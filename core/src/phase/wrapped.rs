@@ -1,11 +1,11 @@
-//! Fraction of a turn, the type of a table's phases.
+//! Phase without whole turns, the type of a table's phases.
 
 use super::Phase;
 use crate::product::{product_u32, wrapping_product};
 
-/// Fraction of a turn in 96 bits; whole turns are dropped.
+/// Phase in [0, 1) turn in 96 bits. Whole turns are dropped.
 ///
-/// Its rounding causes 4e-17 rad after 2^40 ticks (1.9e-7 rad with 64 bits).
+/// The rounding of a step causes 4e-17 rad after 2^40 ticks (1.9e-7 rad with 64 bits).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct WrappedPhase {
@@ -52,7 +52,7 @@ impl WrappedPhase {
         Self::from_phase(self.to_phase() - other.to_phase())
     }
 
-    /// n times the fraction, modulo one turn.
+    /// Product with n, modulo one turn.
     #[inline(always)]
     pub(crate) const fn times(self, n: u64) -> Self {
         let [low, ..] = self.words;
@@ -64,14 +64,15 @@ impl WrappedPhase {
         Self::new([lowest as u32, leading as u32, (leading >> 32) as u32])
     }
 
-    /// Sum with a fraction given by its 64 leading bits, modulo one turn.
+    /// Sum with a phase given by its 64 leading bits, modulo one turn.
     #[inline(always)]
     pub(crate) const fn plus_leading_bits(self, other: u64) -> Self {
         let ([low, ..], sum) = (self.words, self.leading_bits().wrapping_add(other));
         Self::new([low, sum as u32, (sum >> 32) as u32])
     }
 
-    /// 64 leading bits of n + part · 2^-64 times the fraction, the part of a signed phase. Rounded down, to within 2^-95 turns.
+    /// 64 leading bits of the product with n + part · 2^-64. The part multiplies the phase in [-1/2, 1/2) turn. The result is rounded down, to within
+    /// 2^-95 turns.
     #[inline(always)]
     pub(crate) const fn leading_bits_after(self, n: u64, part: u64) -> u64 {
         let ([low, ..], leading) = (self.words, self.leading_bits());
@@ -79,7 +80,7 @@ impl WrappedPhase {
         let below = ((n as u128 * low as u128) << 32)
             .wrapping_add(leading as u128 * part as u128)
             .wrapping_add(((part >> 32) * low as u64) as u128);
-        // a negative phase is a turn less than its fraction
+        // a negative phase is a turn less than the wrapped one
         let turn_less = if (leading as i64) < 0 { part } else { 0 };
         leading.wrapping_mul(n).wrapping_add((below >> 64) as u64).wrapping_sub(turn_less)
     }
@@ -134,7 +135,7 @@ mod tests {
     }
 
     #[test]
-    fn the_fraction_of_a_phase_and_back() {
+    fn a_phase_is_wrapped_and_returned() {
         let phase = Phase::new(3.7);
         assert_eq!(WrappedPhase::from_phase(phase).to_phase(), phase - Phase::new(3.0));
         assert_eq!(WrappedPhase::from_phase(Phase::new(-0.25)).leading_bits(), 3 << 62);

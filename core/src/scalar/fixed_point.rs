@@ -5,6 +5,11 @@ use crate::product::high_product;
 use crate::scalar::{Ring, Scalar, sine_cosine_q31};
 use fixed::types::{I2F14, I2F30};
 
+/// Half of a number, rounded up.
+const fn half_rounded_up(sine: i32) -> i32 {
+    (sine >> 1) + (sine & 1)
+}
+
 /// Scalar traits of a type of fixed point. `$high` makes a product from bits, `$kept` the bits of a number from a sum of
 /// products, and `$short` those from a sine in units of 2^-31.
 macro_rules! fixed_scalar {
@@ -21,7 +26,7 @@ macro_rules! fixed_scalar {
 
             /// Product, rounded down.
             #[inline(always)]
-            fn product(self, other: Self) -> Self {
+            fn truncated_product(self, other: Self) -> Self {
                 Self::from_bits($kept($high(self.to_bits(), other.to_bits())))
             }
 
@@ -50,9 +55,7 @@ macro_rules! fixed_scalar {
     };
 }
 
-fixed_scalar!(I2F30, 1.0 / (1_u64 << 31) as f64, high_product, |high: i32| high << 2, |sine: i32| (sine
-    >> 1)
-    + (sine & 1));
+fixed_scalar!(I2F30, 1.0 / (1_u64 << 31) as f64, high_product, |high: i32| high << 2, half_rounded_up);
 fixed_scalar!(
     I2F14,
     1.0 / (1_u64 << 15) as f64,

@@ -1,10 +1,10 @@
 //! Powers of two, products by them, and integers as `f32`.
 
-/// 2^exponent, for an exponent in the range of `f64`; 0 below it.
+/// 2^exponent; 0 below the normal numbers of `f64`, infinity above them.
 pub(crate) const fn power_of_two(exponent: i32) -> f64 {
     let field = match exponent {
         ..-1022 => 0,
-        1023.. => 2046,
+        1024.. => 2047,
         _ => exponent + 1023,
     };
     f64::from_bits((field as u64) << 52)
@@ -33,7 +33,7 @@ pub(crate) fn u64_to_f32(number: u64) -> f32 {
 }
 
 /// Product x · 2^exponent, at a tenth of a soft multiplication.
-#[inline(never)] // a call saves flash
+#[inline(never)]
 pub(crate) fn times_power_of_two(x: f64, exponent: i32) -> f64 {
     let (upper, lower) = ((x.to_bits() >> 32) as u32, x.to_bits() as u32);
     let field = ((upper >> 20) & 0x7ff) as i32;
@@ -46,4 +46,15 @@ pub(crate) fn times_power_of_two(x: f64, exponent: i32) -> f64 {
     }
     let upper = upper.wrapping_add((exponent as u32) << 20);
     f64::from_bits(u64::from(upper) << 32 | u64::from(lower))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn powers_at_the_ends_of_the_range() {
+        let powers = [-1023, -1022, 1023, 1024].map(power_of_two);
+        assert_eq!(powers, [0.0, f64::MIN_POSITIVE, 2_f64.powi(1023), f64::INFINITY]);
+    }
 }

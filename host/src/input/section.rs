@@ -66,7 +66,11 @@ impl Section<'_> {
 
     /// Failure that names the key of the core's error.
     pub fn refusal(&self, error: &ParameterError) -> Failure {
-        let key = if error.parameter() == "theta" { "nutation_phase" } else { error.parameter() };
+        let key = match error.parameter() {
+            "theta" => "nutation_phase",
+            "top" => "kind",
+            key => key,
+        };
         self.failure(key, &format!("must be {}", error.allowed()))
     }
 

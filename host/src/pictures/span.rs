@@ -86,7 +86,7 @@ impl Span {
 fn cycle(motion: &Motion) -> f64 {
     let turn = || {
         let advance = motion.period_advance()?;
-        let rate = advance.phi_per_period().abs() / advance.period;
+        let rate = advance.phi_per_period.abs() / advance.period;
         (rate > 0.0).then(|| TAU / rate)
     };
     match motion.regime() {
@@ -102,7 +102,7 @@ fn periods(motion: &Motion) -> Option<u32> {
     const LEAST: f64 = 3.0;
     const MOST: f64 = 24.0;
     let advance = motion.period_advance().filter(|_| motion.regime() == Regime::Nutating)?;
-    let once_round = (TAU / advance.phi_per_period().abs()).ceil();
+    let once_round = (TAU / advance.phi_per_period.abs()).ceil();
     Some(if once_round > 4.0 * MOST { LEAST } else { once_round.clamp(LEAST, MOST) } as u32)
 }
 

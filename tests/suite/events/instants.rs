@@ -184,8 +184,8 @@ fn a_slow_drift_reaches_every_angle() {
     let motion = let_go(&top, 0.5, 60.0);
     let view = boxed::<f64, 512>(&motion, kilohertz());
     let advance = motion.period_advance().unwrap();
-    assert!(advance.phi_per_period().abs() < 0.03);
-    let turn = TAU / advance.phi_per_period().abs() * advance.period;
+    assert!(advance.phi_per_period.abs() < 0.03);
+    let turn = TAU / advance.phi_per_period.abs() * advance.period;
     let mut before = f64::NEG_INFINITY;
     for event in view.tip_angles(Phase::new(0.2), 0).take(12) {
         let t = view.time_of(&event);

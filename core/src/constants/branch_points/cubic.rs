@@ -1,13 +1,13 @@
-//! Roots of a cubic with three real roots.
+//! Largest root of a cubic.
 
 use crate::scalar::{Extended, Float, Ring, exponent, power_of_two};
 
-/// Cubic y³ + g₂ y² + g₁ y + g₀, whose roots are real.
+/// Cubic y³ + g₂ y² + g₁ y + g₀ that is convex from its largest root on.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Cubic {
-    pub(super) g0: Extended,
-    pub(super) g1: Extended,
-    pub(super) g2: Extended,
+pub(in crate::constants) struct Cubic {
+    pub(in crate::constants) g0: Extended,
+    pub(in crate::constants) g1: Extended,
+    pub(in crate::constants) g2: Extended,
 }
 
 impl Cubic {
@@ -30,7 +30,7 @@ impl Cubic {
     }
 
     /// Upper bound on the largest root, from which linear convergence takes few steps.
-    #[inline(never)] // stack
+    #[inline(never)]
     fn upper_bound(&self) -> Extended {
         let (Self { g0, g1, g2 }, zero) = (*self, Extended::ZERO);
         // a power of two, because libm's cube root takes much flash
@@ -47,8 +47,8 @@ impl Cubic {
     }
 
     /// Largest root, by Newton's method from above.
-    #[inline(never)] // stack
-    pub(super) fn largest_root(&self, pause: &mut dyn FnMut()) -> Extended {
+    #[inline(never)]
+    pub(in crate::constants) fn largest_root(&self, pause: &mut dyn FnMut()) -> Extended {
         const MOST_STEPS: u32 = 200;
         let mut y = self.upper_bound();
         for _ in 0..MOST_STEPS {

@@ -36,7 +36,7 @@ impl BranchPoints {
 }
 
 impl BranchPoints<Extended> {
-    #[inline(never)] // stack
+    #[inline(never)]
     pub(crate) fn from_reduced_point(
         top: &Top,
         integrals: &FirstIntegrals<Extended>,
@@ -48,9 +48,9 @@ impl BranchPoints<Extended> {
         } else if point.is_sleeping() {
             Self::upright(&ScaledTop::new(top), integrals.n)
         } else {
-            let pair = LowerPair::new(&ScaledTop::new(top), integrals, point, pause)?;
+            let lower = LowerBranchPoints::new(&ScaledTop::new(top), integrals, point, pause)?;
             pause();
-            Self::from_lower_pair(&pair, integrals, point)
+            Self::from_lower(&lower, integrals, point)
         }
     }
 
@@ -75,7 +75,7 @@ impl BranchPoints<Extended> {
     }
 
     /// Branch points without torque; e₁ = e₂ = u for a body at rest.
-    #[inline(never)] // stack
+    #[inline(never)]
     fn torque_free(top: &Top, integrals: &FirstIntegrals<Extended>, point: &ReducedPoint) -> Self {
         let (ScaledTop { a, .. }, zero) = (ScaledTop::new(top), Extended::ZERO);
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
@@ -97,29 +97,30 @@ impl BranchPoints<Extended> {
 
     /// Branch points of an upright axis at rest. The third root n²/(2 A p g) - 1 is at least 1 for a sleeping top. n² - 4 A p g is rounded once,
     /// so that it is exactly 0 on the border.
-    #[inline(never)] // stack
+    #[inline(never)]
     fn upright(
         &ScaledTop { a, p, g, .. }: &ScaledTop<Extended>,
         n: Extended,
     ) -> Result<Self, ParameterError> {
         let (zero, two, scale) = (Extended::ZERO, Extended::ONE.doubled(), (a * p * g).doubled());
-        let beyond_one = Extended::difference_of_products([n, n], [(a * g).doubled().doubled(), p]) / scale;
-        require_limited_e3(beyond_one <= LARGEST_E3.into())?;
-        Ok(if beyond_one >= zero {
-            Self::from_differences(two, zero, zero, [beyond_one; 2])
+        let third_minus_one =
+            Extended::difference_of_products([n, n], [(a * g).doubled().doubled(), p]) / scale;
+        require_limited_e3(third_minus_one <= LARGEST_E3.into())?;
+        Ok(if third_minus_one >= zero {
+            Self::from_differences(two, zero, zero, [third_minus_one; 2])
         } else {
-            Self::from_differences(n.squared() / scale, zero, -beyond_one, [zero; 2])
+            Self::from_differences(n.squared() / scale, zero, -third_minus_one, [zero; 2])
         })
     }
 
     /// All branch points from the lower two.
-    #[inline(never)] // stack
-    fn from_lower_pair(
-        pair: &LowerPair,
+    #[inline(never)]
+    fn from_lower(
+        lower: &LowerBranchPoints,
         integrals: &FirstIntegrals<Extended>,
         point: &ReducedPoint,
     ) -> Result<Self, ParameterError> {
-        let LowerPair { kappa, one_minus_e1, e2_minus_e1, e2_is_nearer_e1 } = *pair;
+        let LowerBranchPoints { kappa, one_minus_e1, e2_minus_e1, e2_is_nearer_e1 } = *lower;
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
         let ReducedPoint { one_minus_u, axis_energy, .. } = *point;
         let (zero, one) = (Extended::ZERO, Extended::ONE);
@@ -154,7 +155,7 @@ fn smaller_factor(product: Extended, difference: Extended) -> Extended {
 }
 
 /// First two branch points, from the cubic in e - u.
-struct LowerPair {
+struct LowerBranchPoints {
     kappa: Extended,
     one_minus_e1: Extended,
     e2_minus_e1: Extended,
@@ -162,8 +163,8 @@ struct LowerPair {
     e2_is_nearer_e1: bool,
 }
 
-impl LowerPair {
-    #[inline(never)] // stack
+impl LowerBranchPoints {
+    #[inline(never)]
     fn new(
         top: &ScaledTop<Extended>,
         integrals: &FirstIntegrals<Extended>,

@@ -12,7 +12,7 @@ impl Motion {
     ///
     /// √(e₂ - e₁) sin χ = √(u - e₁), and √(e₂ - e₁) cos χ = ±√(e₂ - u) with the sign of u'. In an aperiodic motion sin χ has that sign
     /// instead. The smaller difference comes from (u - e₁)(e₂ - u) = g₀/(e₃ - u).
-    #[inline(never)] // stack
+    #[inline(never)]
     pub(super) fn start_half_phase(&mut self, point: &ReducedPoint) {
         let ScaledTop { a, s, p, g, .. } = ScaledTop::<Extended>::new(&self.top);
         let ReducedPoint { one_minus_u, one_plus_u, udot, .. } = *point;

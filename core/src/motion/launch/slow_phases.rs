@@ -11,7 +11,7 @@ use crate::su2::{AttitudeState, OrientationRate};
 
 impl Motion {
     /// Sets the slow phases at an attitude, whose half phase is known.
-    #[inline(never)] // stack
+    #[inline(never)]
     pub(super) fn start_slow_phases(
         &mut self,
         AttitudeState { orientation: phi, rate }: &AttitudeState<f64>,
@@ -23,7 +23,7 @@ impl Motion {
         }
         let equations: PhaseEquations<f64> = self.equations().cast();
         pause();
-        let chi = self.half_phase.direction();
+        let chi = self.direction();
         let PhaseRates { nutation, slow_alpha, slow_beta } = equations.rates(chi.im, chi.re);
         let half_tau = self.half_tau.to_f64();
         let Ellipses { alpha: alpha_ellipse, beta: beta_ellipse } = &self.ellipses;

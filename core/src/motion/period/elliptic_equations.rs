@@ -34,7 +34,7 @@ pub(super) struct EllipticEquations<'a, F> {
 }
 
 impl<'a, F: Float> EllipticEquations<'a, F> {
-    #[inline(never)] // stack
+    #[inline(never)]
     pub(super) fn new(equations: &'a PhaseEquations<F>) -> Self {
         let root_s = equations.s.sqrt();
         let d_plus_at_minus_one = equations.a_over_p / ((equations.a_over_p + equations.s).sqrt() + root_s);

@@ -2,7 +2,7 @@
 
 use crate::scalar::{Float, Ring, Wide};
 
-/// Fractions sn² u, cn² u and dn u before division. The first two have the denominator sn + cn.
+/// Fractions before division: sn² = sn_squared/(sn_squared + cn_squared), cn² likewise, and dn = dn/dn_denominator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct JacobiFractions<F> {
     pub(super) sn_squared: F,
@@ -83,8 +83,7 @@ impl<const WORDS: usize> Landen<WORDS> {
         self.active_steps().fold(half_pi, |product, step| product * (Wide::ONE + step.modulus))
     }
 
-    /// Division of K for this number of bits: into 1, 3 or 5 parts, and the number of nodes after the doublings, two at least for the estimate of
-    /// the error.
+    /// First number of nodes, which is 1, 3 or 5, and the number after at least two doublings that gives this number of bits.
     pub(super) fn node_counts(&self, bits: f64) -> (u32, u32) {
         let nodes = bits / self.bits_per_node();
         let doubled = |division: u32| {

@@ -49,11 +49,11 @@ struct TrapezoidRule<'a, const WORDS: usize> {
 impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
     /// Bits of accuracy that the first nodes should reach. Few motions then need a doubling.
     const BITS: f64 = if WORDS == 1 { 66.0 } else { 105.0 };
-    /// Estimated relative error that ends the doublings. After 2^62 ticks, a thousand a period, it is 3e16 times as large.
+    /// Estimated relative error that ends the doublings.
     const SETTLED: f64 = if WORDS == 1 { 1e-17 } else { 1e-28 };
 
     /// Rule with the first nodes.
-    #[inline(never)] // stack
+    #[inline(never)]
     fn new(
         equations: &'a EllipticEquations<'a, Wide<WORDS>>,
         landen: &'a Landen<WORDS>,

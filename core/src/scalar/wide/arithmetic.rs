@@ -21,7 +21,7 @@ impl<const WORDS: usize> Wide<WORDS> {
 
 impl<const WORDS: usize> Add for Wide<WORDS> {
     type Output = Self;
-    #[inline(never)] // a call saves flash
+    #[inline(never)]
     fn add(self, other: Self) -> Self {
         Exact::from(self).plus(Exact::from(other))
     }
@@ -84,7 +84,7 @@ impl<const WORDS: usize> Ring for Wide<WORDS> {
     const ZERO: Self = Self { significand: [0; WORDS], exponent: 0, negative: false };
     const ONE: Self = Self::constant(1 << 127, 1);
 
-    #[inline(never)] // calls save flash
+    #[inline(never)]
     fn doubled(self) -> Self {
         self.with_exponent(self.exponent + 1)
     }

@@ -47,7 +47,7 @@ impl MeanRates {
     fn periodic(motion: &Motion, period: &Period) -> Self {
         let (half_tau, windings) = (motion.half_tau, motion.windings());
         let frequency = Extended::ONE / period.time;
-        let mut slow = period.turns(half_tau, windings);
+        let mut slow = period.advances(half_tau, windings);
         for (turns, winding) in slow.iter_mut().zip(windings) {
             // an ellipse through 0 changes sign once in a period: half a turn
             let whole = if winding == 0 { *turns + Extended::from(0.5) } else { *turns };
