@@ -7,7 +7,7 @@
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25> {
     format: 7,
-    crc32: 0x83e09a34,
+    crc32: 0xd92e7d59,
     clock: toytop::Clock {
         step: [[2668364299, 588342322, 56542227], [1444926868, 672778249, 51392304], [1879647339, 2227764775, 4247109518]],
         tip_quarter: 0,
@@ -24,7 +24,7 @@ pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25>
         epoch: 0,
     },
     error_bound: toytop::ErrorBound { constant: 1.7307138283244377e-7, per_tick: 1.6825931213952776e-18 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.00013611330687219187, per_tick: 2.5762183420191765e-16 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.00019741891113613772, per_tick: 2.578450577624067e-16 },
     cells: [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
     segments: [
         [

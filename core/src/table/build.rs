@@ -2,44 +2,46 @@
 //!
 //! ```text
 //! ephemeris.rs     set_up: a motion, a memory             -> a table
-//!   limits.rs        allowed error, capacity              -> limits of its parts
+//!   errors.rs        allowed error, capacity              -> limits of its parts
 //!   set_up.rs      begin
 //!     mean_rates.rs  motion/period                        -> mean rates of the phases, and their errors
-//!     path.rs        turning point u = e₁                 -> first span (span.rs)
+//!     path.rs        turning point u = e₁                 -> first span
 //!   set_up.rs      build: for each span of half a period
 //!     path.rs        phases at the centre                 -> origin of the expansion
 //!       expansion.rs   recurrence.rs, series.rs           -> power series of the phases
-//!     polynomial.rs  expansion/parameters.rs              -> polynomials of α and β
+//!       expansion/cayley_klein.rs                         -> power series of α and β
+//!     polynomial.rs  series                               -> polynomials of α and β
 //!     launch_place.rs  phase of the launch                -> nutation phase at t = 0
-//!     cut.rs         polynomials                          -> segments, and cells that refer to them
+//!     segmentation.rs  polynomials                        -> segments, and cells that refer to them
 //!   ephemeris.rs   finish: rates, launch                  -> clock
 //!     bound.rs       errors of all parts                  -> error bounds
 //! ```
 //!
 //! An expansion multiplies series of unlike size, each in units of its own exponent (`series`). The polynomials of α and β are only
 //! halved and added: all are in units of 2^-62 (`polynomial`).
+//!
+//! A function that is not inlined keeps its variables from the stack of others, or is called in many places. `pause` is called between the
+//! parts of a set-up that take long: nodes of a quadrature, coefficients of an expansion, and segments.
 
 mod series;
 
-mod span;
-
-mod limits;
+mod errors;
 
 mod expansion;
 
-mod mean_rates;
-
-mod bound;
-
 mod polynomial;
+
+mod mean_rates;
 
 mod path;
 
 mod launch_place;
 
-mod cut;
+mod segmentation;
 
 mod set_up;
+
+mod bound;
 
 mod ephemeris;
 

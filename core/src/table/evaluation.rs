@@ -51,10 +51,10 @@ pub struct SegmentPoint {
 /// Upper bounds on the rounding errors of a tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EvaluationErrors {
-    /// Orientation error but for that of `coordinate`, rad.
+    /// Orientation error but for `by_coordinate`, rad.
     pub(crate) orientation: f64,
     /// Orientation error over the greatest change of the orientation on half a segment.
-    pub(crate) coordinate: f64,
+    pub(crate) by_coordinate: f64,
     /// Error of the angular velocity, divided by x' + |λ_α' + λ_β'|.
     pub(crate) omega: f64,
     /// Further error of the angular velocity, relative to its greatest value.
@@ -135,8 +135,8 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     /// Number of the results.
     type Number: Number;
 
-    /// Coefficient of x^power nearest to a value in units of 2^-62, and its error in these units.
-    fn nearest(value: i64, power: usize) -> (Self, i64);
+    /// Coefficient of x^power nearest to a value in units of 2^-62.
+    fn nearest(value: i64, power: usize) -> Self;
     /// Error that the coefficients of a polynomial cause, both in units of 2^-62; infinite where a sum could overflow.
     fn error(polynomial: &[i64]) -> f32;
     /// Value of a coefficient of x^power, exact.

@@ -7,7 +7,7 @@
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (toytop::Baked::<toytop::fixed::types::I2F30, 32> {
     format: 7,
-    crc32: 0x8e36ade2,
+    crc32: 0x9a59dc66,
     clock: toytop::Clock {
         step: [[2668364299, 588342322, 56542227], [1444926868, 672778249, 51392304], [1879647339, 2227764775, 4247109518]],
         tip_quarter: 0,
@@ -24,7 +24,7 @@ pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (
         epoch: 0,
     },
     error_bound: toytop::ErrorBound { constant: 1.993750930274869e-8, per_tick: 1.6813622724645346e-18 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.00012233873551798207, per_tick: 2.5690522973245495e-16 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.00014677360781293906, per_tick: 2.5982499877249815e-16 },
     cells: [2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2],
     segments: [
         [

@@ -9,7 +9,7 @@ use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::{Extended, Float, Ring, Wide};
 
 impl Period {
-    /// Period of a motion that nutates. `pause` is called several times for each node.
+    /// Period of a motion that nutates. `pause` is called at each node.
     #[inline(never)]
     pub(crate) fn integrated<const WORDS: usize>(
         equations: &PhaseEquations<Wide<WORDS>>,
@@ -19,13 +19,13 @@ impl Period {
         pause();
         let mut landen = Landen::NONE;
         landen.fill(elliptic.parameters(), pause);
-        pause();
         let (nodes, needed) = landen.node_counts(TrapezoidRule::<WORDS>::BITS);
         let mut rule = TrapezoidRule::new(&elliptic, &landen, nodes, pause);
         // beyond twice the number needed only roundings are left
         let most = MOST_NODES.min(2 * needed);
         loop {
             let error = rule.double_nodes(pause);
+            pause();
             if rule.nodes >= most || rule.nodes >= needed && error <= TrapezoidRule::<WORDS>::SETTLED {
                 return rule.period(error);
             }
@@ -63,7 +63,6 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         let step = part_of_right_angle(nodes);
         let mut rule =
             Self { equations, landen, sums: [Wide::ZERO; 3], nodes, step, changes: [f64::INFINITY; 2] };
-        pause();
         let ends = add(
             rule.integrands_at([Wide::ZERO, Wide::ONE], pause),
             rule.integrands_at([Wide::ONE, Wide::ZERO], pause),
@@ -79,7 +78,6 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         let [sine, cosine] = self.step;
         let half_cosine = (Wide::ONE + cosine).halved().sqrt();
         let half_step = [sine / half_cosine.doubled(), half_cosine];
-        pause();
         let odd = self.sum_nodes(self.nodes, half_step, pause);
         let ([a, b, c], [x, y, z]) = (odd, self.sums);
         let difference = [a - x, b - y, c - z];
@@ -105,11 +103,8 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
 
     #[inline(never)]
     fn integrands_at(&self, angle: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) -> [Wide<WORDS>; 3] {
-        let fractions = self.landen.fractions_at_angle(angle);
         pause();
-        let integrands = self.equations.at(&fractions);
-        pause();
-        integrands
+        self.equations.at(&self.landen.fractions_at_angle(angle))
     }
 
     /// Relative changes of the time and of the slow phases.

@@ -2,14 +2,12 @@
 
 use core::fmt;
 
-use super::bound::error_bounds;
-use super::cut::Cut;
-use super::limits::Limits;
-use super::series::MOST_TERMS;
+use super::errors::Limits;
+use super::polynomial::Polynomial;
+use super::segmentation::{SegmentStore, Segmentation};
 use super::set_up::SetUp;
 use crate::constants::Regime;
 use crate::motion::Motion;
-use crate::scalar::{Float, u64_to_f32};
 use crate::table::data::cell::{Cell, SEGMENTS_AT_LEVEL_0};
 use crate::table::data::{Clock, Ephemeris, EphemerisMemory, EphemerisView, Tick};
 use crate::table::evaluation::{Coefficient, EphemerisScalar};
@@ -66,8 +64,7 @@ impl SetUp {
             return Err(SetUpError::Aperiodic);
         }
         self.limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
-        let store =
-            &mut |segment, column, parts: [&_; 2]| store_polynomial::<R>(segments, segment, column, parts);
+        let store = &mut Segments::<R>(segments);
         let built = match R::PERIOD_WORDS {
             1 => self.compute::<1>(motion, store, pause),
             _ => self.compute::<2>(motion, store, pause),
@@ -85,16 +82,14 @@ impl SetUp {
         epoch: i64,
         pause: &mut dyn FnMut(),
     ) {
-        let Cut { cells, segments, error, speeds, .. } = &self.cut;
+        let Segmentation { cells, segments, .. } = &self.segmentation;
         table.cells = *cells;
         table.segments.get_mut(*segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
-        table.clock = Clock::new(motion, tick, epoch, self.rates.turns, self.launch.phases);
+        table.clock = Clock::new(motion, tick, epoch, self.mean_rates.rates, self.launch.phases);
         pause();
         table.start_tip_angle(motion, self.launch.phases, epoch, pause);
         pause();
-        [table.error_bound, table.rate_error_bound] =
-            error_bounds(&R::ERRORS, motion, tick.length(), &self.rates, speeds, *error);
-        pause();
+        [table.error_bound, table.rate_error_bound] = self.error_bounds(&R::ERRORS, motion, tick.length());
     }
 }
 
@@ -118,7 +113,6 @@ impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
         *is_set_up = false;
         let capacity = table.capacity();
         set_up.tabulate::<R>(motion, &mut table.segments, capacity, pause)?;
-        pause();
         set_up.finish(table, motion, tick, epoch, pause);
         *is_set_up = true;
         Ok(table)
@@ -151,37 +145,26 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let mut set_up = SetUp::with_truncation(truncation);
         set_up.tabulate::<R>(motion, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
-        Some(set_up.cut.segments.max(SEGMENTS_AT_LEVEL_0) as u32)
+        Some(set_up.segmentation.segments.max(SEGMENTS_AT_LEVEL_0) as u32)
     }
 }
 
-/// Stores both parts of a polynomial, if the table contains the segment. Returns the errors of the orientation, by products with 16 bits and
-/// coefficients out of range, and of the derivative, in units of 2^-62 rad.
-fn store_polynomial<R: EphemerisScalar>(
-    segments: &mut [R::Segment],
-    segment: usize,
-    column: usize,
-    parts: [&[i64; MOST_TERMS]; 2],
-) -> [f32; 2] {
-    let rows = segments.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
-    let (mut largest, mut slope_squares) = (0.0_f32, 0.0);
-    for (column, part) in (column..).zip(parts) {
-        let part = part.get(..R::TERMS).unwrap_or(part);
-        // Σ k |error of c_k|, by sums of sums
-        let (mut errors, mut slope_error) = (0_u64, 0_u64);
-        for (power, (four, &value)) in rows.iter_mut().zip(part).enumerate().rev() {
-            if let Some(held) = four.get_mut(column) {
-                let (coefficient, error) = R::Coefficient::nearest(value, power);
-                *held = coefficient;
-                if power > 0 {
-                    errors = errors.saturating_add(error.unsigned_abs());
-                    slope_error = slope_error.saturating_add(errors);
+/// Segments of a table, or none of them.
+struct Segments<'a, R: EphemerisScalar>(&'a mut [R::Segment]);
+
+impl<R: EphemerisScalar> SegmentStore for Segments<'_, R> {
+    fn store(&mut self, segment: usize, index: usize, polynomial: &Polynomial) -> f32 {
+        let mut greatest = 0.0_f32;
+        for (column, part) in (2 * index..).zip(&polynomial.parts) {
+            let coefficients = part.coefficients.get(..R::TERMS).unwrap_or(&part.coefficients);
+            let rows = self.0.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
+            for (power, (row, &value)) in rows.iter_mut().zip(coefficients).enumerate() {
+                if let Some(stored) = row.get_mut(column) {
+                    *stored = R::Coefficient::nearest(value, power);
                 }
             }
+            greatest = greatest.max(R::Coefficient::error(coefficients));
         }
-        largest = largest.max(R::Coefficient::error(part));
-        let slope_error = u64_to_f32(slope_error);
-        slope_squares += slope_error * slope_error;
+        4.0 * greatest
     }
-    [4.0 * largest, Float::sqrt(slope_squares)]
 }

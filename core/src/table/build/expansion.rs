@@ -20,19 +20,15 @@
 
 mod recurrence;
 
-mod parameters;
+mod cayley_klein;
 
-use super::series::sine::{FRACTION, sine_cosine};
+use super::errors::larger_or_nan;
+use super::series::sine_q57::{FRACTION, sine_cosine_q57};
 use super::series::{MOST_TERMS, PowerSeries, integrated};
 use crate::phase::Phase;
-use crate::scalar::{Float, Scalar, power_of_two, power_of_two_f32};
+use crate::scalar::{Scalar, power_of_two, power_of_two_f32};
 
-pub(super) use parameters::ParameterSeries;
-
-/// Larger of two numbers, or NaN if one of them is NaN.
-pub(super) fn larger_or_nan<F: Float>(a: F, b: F) -> F {
-    if b <= a || a.partial_cmp(&a).is_none() { a } else { b }
-}
+pub(super) use cayley_klein::CayleyKleinSeries;
 
 /// Largest rounding error of a coefficient, in units of its series.
 const NOISE: i64 = 4;
@@ -90,7 +86,7 @@ impl PathPhases {
     pub(super) fn sine_cosine(&self) -> (f64, f64) {
         /// Least result in integers, at a fifth of the cost in `f64`.
         const LEAST: i64 = 1 << (FRACTION - 3);
-        let (sine, cosine) = sine_cosine(self.chi);
+        let (sine, cosine) = sine_cosine_q57(self.chi);
         if sine.abs().min(cosine.abs()) < LEAST {
             f64::sine_cosine(self.chi)
         } else {
@@ -122,13 +118,12 @@ pub(super) struct Expansion {
     chi: RateSeries,
     residual: [RateSeries; 2],
     /// Series κ of the two slow phases.
-    divisors: [PowerSeries; 2],
+    kappa: [PowerSeries; 2],
     sine: PowerSeries,
     cosine: PowerSeries,
-    /// Series v, δ and μ.
-    square: PowerSeries,
+    v: PowerSeries,
     delta: PowerSeries,
-    momentum: PowerSeries,
+    mu: PowerSeries,
     weight: f32,
     /// Sum of the magnitudes in the variation of dψ/dy.
     psi_variation: f32,
@@ -141,12 +136,12 @@ impl Expansion {
         origin: PathPhases::ZERO,
         chi: RateSeries::ZERO,
         residual: [RateSeries::ZERO; 2],
-        divisors: [PowerSeries::ZERO; 2],
+        kappa: [PowerSeries::ZERO; 2],
         sine: PowerSeries::ZERO,
         cosine: PowerSeries::ZERO,
-        square: PowerSeries::ZERO,
+        v: PowerSeries::ZERO,
         delta: PowerSeries::ZERO,
-        momentum: PowerSeries::ZERO,
+        mu: PowerSeries::ZERO,
         weight: 0.0,
         psi_variation: 0.0,
         terms: 0,

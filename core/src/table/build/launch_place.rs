@@ -1,7 +1,7 @@
 //! Place of a launch on the path along half a nutation period.
 
 use super::expansion::{Expansion, PathPhases};
-use super::span::{HALF_PERIOD, Span};
+use super::path::{HALF_PERIOD, Span};
 use crate::motion::{HalfPhase, Motion};
 use crate::phase::Phase;
 use crate::scalar::Scalar;

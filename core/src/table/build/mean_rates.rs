@@ -16,22 +16,17 @@ const OPERATIONS_PER_NODE: f64 = 2.0;
 #[derive(Debug)]
 pub(super) struct MeanRates {
     /// Nutation frequency 1/T and mean rates of α and β, in turns/s.
-    pub(super) turns: [Extended; 3],
+    pub(super) rates: [Extended; 3],
     pub(super) errors: [f64; 3],
 }
 
 impl MeanRates {
-    pub(super) const ZERO: Self = Self { turns: [Extended::ZERO; 3], errors: [0.0; 3] };
+    pub(super) const ZERO: Self = Self { rates: [Extended::ZERO; 3], errors: [0.0; 3] };
 
-    /// Mean rates of a motion from its period.
-    ///
-    /// * `period`: `None` where u is constant
+    /// Rates from the period; without one, those of a constant u.
     #[inline(never)]
     pub(super) fn new(motion: &Motion, period: Option<&Period>) -> Self {
-        match period {
-            Some(period) => Self::periodic(motion, period),
-            None => Self::steady(motion),
-        }
+        period.map_or_else(|| Self::steady(motion), |period| Self::periodic(motion, period))
     }
 
     fn steady(motion: &Motion) -> Self {
@@ -41,7 +36,7 @@ impl MeanRates {
         let half_tau = size_in_turns(motion.half_tau);
         let slow = size_in_turns(motion.rounding.slow_rates.into());
         let error = |rate: Extended| (rate.to_f64().abs() + 2.0 * half_tau) * relative + slow;
-        Self { turns: [Extended::ZERO, alpha, beta], errors: [0.0, error(alpha), error(beta)] }
+        Self { rates: [Extended::ZERO, alpha, beta], errors: [0.0, error(alpha), error(beta)] }
     }
 
     fn periodic(motion: &Motion, period: &Period) -> Self {
@@ -54,7 +49,7 @@ impl MeanRates {
             *turns = whole * frequency;
         }
         let [alpha, beta] = slow;
-        Self { turns: [frequency, alpha, beta], errors: errors(motion, period) }
+        Self { rates: [frequency, alpha, beta], errors: errors(motion, period) }
     }
 }
 

@@ -1,15 +1,55 @@
 //! Path along half a nutation period, from one expansion of the motion to the next.
 
-use super::bound::Speeds;
-use super::expansion::{Expansion, Origin, PathPhases, larger_or_nan};
-use super::limits::Limits;
+use super::errors::{Limits, Speeds, larger_or_nan};
+use super::expansion::{Expansion, Origin, PathPhases};
 use super::mean_rates::MeanRates;
 use super::series::MOST_TERMS;
-use super::span::Span;
 use crate::motion::Motion;
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring};
+use crate::scalar::{Extended, Float, Ring, power_of_two};
+use crate::table::data::cell::{CELLS, Cell, LEVEL_0_BITS};
+
+/// One of the 2^depth equal parts of half a period. Positions are in shortest segments.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Span {
+    pub(super) begin: usize,
+    pub(super) depth: u32,
+}
+
+pub(super) const HALF_PERIOD: usize = 1 << Span::DEEPEST;
+
+pub(super) const CELL: usize = HALF_PERIOD / CELLS;
+
+impl Span {
+    const SHALLOWEST: u32 = 2;
+    /// Greatest depth, that of the shortest segment.
+    pub(super) const DEEPEST: u32 = LEVEL_0_BITS + Cell::DEEPEST;
+
+    /// Longest span from u = e₁ on.
+    pub(super) const FIRST: Self = Self { begin: 0, depth: Self::SHALLOWEST };
+
+    /// Whether the half period is divided so.
+    pub(super) fn exists(self) -> bool {
+        self.depth >= Self::SHALLOWEST && self.begin.is_multiple_of(HALF_PERIOD >> self.depth)
+    }
+
+    pub(super) fn end(self) -> usize {
+        self.begin + (HALF_PERIOD >> self.depth)
+    }
+
+    /// Half the length, in half periods.
+    pub(super) fn half_length(self) -> f64 {
+        power_of_two(-1 - self.depth as i32)
+    }
+
+    /// Nutation phase at x in [-1, 1].
+    pub(super) fn phase(self, x: f64) -> Phase {
+        // the half period is half a turn
+        let unit = Phase::from_bits(Phase::QUARTER.to_bits() >> Self::DEEPEST);
+        unit * (self.begin + self.end()) as i64 + Phase::new(0.5 * x * self.half_length())
+    }
+}
 
 /// Negligible term of the phases at x = 2 over that of α and β at x = 1.
 const PHASE_TERM: f64 = 32.0;
@@ -75,7 +115,7 @@ impl Path {
         rates: &MeanRates,
         limits: &Limits,
     ) {
-        let [_, alpha, beta] = rates.turns.map(|turns| Extended::TWO_PI * turns);
+        let [_, alpha, beta] = rates.rates.map(|rate| Extended::TWO_PI * rate);
         self.half_period = half_period;
         self.residual_offsets = [motion.half_tau - alpha, -motion.half_tau - beta];
         (self.allowed, self.negligible) = (limits.steps, PHASE_TERM * limits.negligible);
@@ -96,7 +136,7 @@ impl Path {
         (self.beginning, self.centre) = (point, None);
     }
 
-    /// Goes on to the next span. It is twice as long where its expansion should converge, with accurate phases at x = 2 or if `may_be_inaccurate`.
+    /// Goes on to the next span. It is twice as long if [`Expansion::may_double`] and either the phases at x = 2 are accurate or `may_be_inaccurate`.
     pub(super) fn go_to_next_span(&mut self, may_be_inaccurate: bool) {
         let next = Span { begin: self.span.end(), ..self.span };
         let twice = Span { depth: self.span.depth - 1, ..next };
@@ -145,7 +185,6 @@ impl Path {
             1 => self.origin(&self.rounded_equations, Float::to_f64),
             _ => self.origin(&self.equations, |constant| constant),
         };
-        pause();
         self.expansion.expand(&self.rounded_equations, &origin, pause);
         pause();
     }
@@ -221,5 +260,19 @@ impl Path {
         speeds.error_of_delay(delay)
             + 2.0 * (truncation + alpha.max(beta))
             + speeds.rounding(squares.map(f64::from), start)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_span_has_the_phases_of_its_position() {
+        assert!(Span::FIRST.exists() && !Span { begin: CELL, ..Span::FIRST }.exists());
+        let second = Span { begin: Span::FIRST.end(), ..Span::FIRST };
+        assert_eq!((second.phase(-1.0), second.phase(1.0)), (Phase::from_bits(1 << 93), Phase::QUARTER));
+        let last = Span { begin: HALF_PERIOD - 1, depth: Span::DEEPEST };
+        assert_eq!((last.end(), last.phase(1.0)), (HALF_PERIOD, Phase::HALF));
     }
 }

@@ -1,13 +1,12 @@
 //! Polynomials of α and β: on a span, on its parts, and with fewer terms.
 //!
-//! Dropping c x^k subtracts c 2^(1-k) T_k(x), which changes no value by more than |c| 2^(1-k).
+//! The last term c x^k is dropped by subtracting c 2^(1-k) T_k(x), at most |c| 2^(1-k) in value.
 
-use super::bound::SegmentErrors;
-use super::expansion::{Expansion, ParameterSeries, larger_or_nan};
-use super::limits::{Limits, REMAINDER_PART};
+use super::errors::{Limits, REMAINDER_SHARE, SegmentErrors, larger_or_nan};
 use super::series::{Limbs, MOST_TERMS};
 use crate::product::product_u32;
 use crate::scalar::{Float, Ring, u64_to_f32};
+use crate::table::evaluation::TABLE_UNIT;
 
 /// Fraction bits of [`CHEBYSHEV`].
 const FRACTION_BITS: u32 = MOST_TERMS as u32 - 2;
@@ -34,18 +33,16 @@ static CHEBYSHEV: [[i32; MOST_TERMS / 2]; MOST_TERMS] = {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part {
     pub(super) coefficients: [i64; MOST_TERMS],
-    /// Upper bounds on the changes of the value and of the derivative by the dropped terms.
+    /// Upper bound on the change of the value by the dropped terms.
     dropped: i64,
-    slope_dropped: i64,
 }
 
 impl Part {
-    const ZERO: Self = Self { coefficients: [0; MOST_TERMS], dropped: 0, slope_dropped: 0 };
+    const ZERO: Self = Self { coefficients: [0; MOST_TERMS], dropped: 0 };
 
     fn drop_last(&mut self, degree: usize) {
         let last = self.coefficients.get_mut(degree).map_or(0, core::mem::take);
         self.dropped += last.abs() >> (degree - 1);
-        self.slope_dropped += (last.abs() * (degree * degree) as i64) >> (degree - 1);
         let lower = self.coefficients.iter_mut().take(degree).rev().skip(1).step_by(2);
         let factors = CHEBYSHEV.get(degree).into_iter().flatten();
         lower
@@ -81,32 +78,29 @@ pub(super) struct Polynomial {
 impl Polynomial {
     pub(super) const ZERO: Self = Self { parts: [Part::ZERO; 2], terms: 0, remainder: 0.0 };
 
-    /// Becomes the polynomial of α (index 0) or β (1) on a span; `None` where that is not accurate.
+    /// Polynomial with the same value everywhere.
+    pub(super) fn constant(value: f64) -> Self {
+        let mut polynomial = Self::ZERO;
+        let [Part { coefficients: [constant, ..], .. }, _] = &mut polynomial.parts;
+        *constant = libm::round(value / TABLE_UNIT) as i64;
+        polynomial
+    }
+
+    /// Estimates the terms beyond the sixteenth and drops negligible ones; `None` where the polynomial is not accurate.
     ///
-    /// * `ellipse`: coefficients of e^{iχ} and e^{-iχ} in its ellipse
-    pub(super) fn compute(
-        &mut self,
-        series: &mut ParameterSeries,
-        expansion: &Expansion,
-        index: usize,
-        ellipse: [f64; 2],
-        limits: &Limits,
-        pause: &mut dyn FnMut(),
-    ) -> Option<()> {
-        *self = Self::ZERO;
-        let parts = self.parts.each_mut().map(|part| &mut part.coefficients);
-        self.terms = series.compute(expansion, index, ellipse, limits.negligible_term(), parts)?;
-        pause();
+    /// * `terms`: number of terms that are computed
+    pub(super) fn finish(&mut self, terms: usize, limits: &Limits) -> Option<()> {
+        self.terms = terms;
         let [re, im] = self.parts.each_ref().map(Part::remainder);
         let remainder = 2.0 * larger_or_nan(re, im);
-        (2.0 * remainder <= REMAINDER_PART * limits.polynomial).then_some(())?;
-        self.shorten(0, limits.dropped);
+        (2.0 * remainder <= REMAINDER_SHARE * limits.polynomial).then_some(())?;
+        self.shorten(0, limits.dropped_terms);
         self.remainder = remainder + limits.negligible_term() as f32;
         Some(())
     }
 
     /// Drops last terms down to `fewest`, as long as the changes add up to at most `most`.
-    #[inline(never)] // stack
+    #[inline(never)]
     pub(super) fn shorten(&mut self, fewest: usize, most: i64) {
         while self.terms > fewest.max(2) {
             let degree = self.terms - 1;
@@ -133,7 +127,6 @@ impl Polynomial {
                 half[0] += c;
             }
             part.coefficients = half;
-            part.slope_dropped = (part.slope_dropped + 1) >> 1;
         }
     }
 
@@ -148,42 +141,22 @@ impl Polynomial {
         }
     }
 
-    /// Adds the errors of value and derivative, and the bounds Σ k |c_k| and Σ k (k - 1) |c_k| on derivatives.
-    ///
-    /// * `halvings`: number of the halvings since the span
-    /// * `stored`, `slope_stored`: errors by the rounding of the coefficients
-    pub(super) fn add_errors(
-        &self,
-        sums: &mut SegmentErrors,
-        halvings: u32,
-        [stored, slope_stored]: [f32; 2],
-    ) {
+    /// Adds the truncation error of this polynomial, and Σ k |c_k| as a bound on its derivative.
+    pub(super) fn add_errors(&self, sums: &mut SegmentErrors) {
         const WORD: f32 = (1_u64 << 32) as f32;
         for part in &self.parts {
-            let (mut slope, mut curvature) = (0, 0);
-            for (c, k) in part.coefficients.iter().zip(0_u32..).take(self.terms) {
-                let size = (c.unsigned_abs() >> 32) as u32 + 1;
-                slope += product_u32(size, k);
-                curvature += product_u32(size, k * k.saturating_sub(1));
-            }
-            sums.slope += Ring::squared(u64_to_f32(slope) * WORD);
-            sums.curvature += Ring::squared(u64_to_f32(curvature) * WORD);
+            let terms = part.coefficients.iter().zip(0_u32..).take(self.terms);
+            let slope: u64 = terms.map(|(c, k)| product_u32((c.unsigned_abs() >> 32) as u32 + 1, k)).sum();
+            sums.slope_squared += Ring::squared(u64_to_f32(slope) * WORD);
         }
-        let norm = |of: fn(&Part) -> i64| {
-            let [re, im] = self.parts.each_ref().map(|part| u64_to_f32(of(part).unsigned_abs()));
-            Float::sqrt(re * re + im * im)
-        };
-        let slope_remainder = MOST_TERMS as f32 * self.remainder / (1_u32 << halvings) as f32;
-        sums.change += Ring::squared(norm(|part| part.dropped) + self.remainder);
-        sums.slope_error += Ring::squared(norm(|part| part.slope_dropped) + slope_remainder + slope_stored);
-        sums.stored = larger_or_nan(sums.stored, stored);
+        let [re, im] = self.parts.each_ref().map(|part| u64_to_f32(part.dropped.unsigned_abs()));
+        sums.truncation_squared += Ring::squared(Float::sqrt(re * re + im * im) + self.remainder);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::evaluation::TABLE_UNIT;
 
     fn polynomial(ratio: f64, sense: f64) -> Polynomial {
         let mut part = [0; MOST_TERMS];
@@ -242,19 +215,13 @@ mod tests {
             short.shorten(terms, i64::MAX);
             assert!(short.parts.iter().all(|part| part.coefficients[terms..].iter().all(|c| *c == 0)));
             let mut sums = SegmentErrors::default();
-            short.add_errors(&mut sums, 0, [0.0; 2]);
-            let change =
-                |order| greatest(&|x| distance(derivative(&exact, order, x), derivative(&short, order, x)));
-            let size = |order| greatest(&|x| distance(derivative(&short, order, x), [0.0; 2]));
-            for (worst, bound, most) in [
-                (change(0), sums.change, 1.5),
-                (change(1), sums.slope_error, 2.5),
-                (size(1), sums.slope, 1.5),
-                (size(2), sums.curvature, 1.5),
-            ] {
+            short.add_errors(&mut sums);
+            let change = greatest(&|x| distance(derivative(&exact, 0, x), derivative(&short, 0, x)));
+            let slope = greatest(&|x| distance(derivative(&short, 1, x), [0.0; 2]));
+            for (worst, bound) in [(change, sums.truncation_squared), (slope, sums.slope_squared)] {
                 let bound = TABLE_UNIT * f64::from(bound.sqrt());
                 assert!(worst <= bound * 1.000_001 + 3e-16, "{terms}: {worst:e} {bound:e}");
-                assert!(bound <= most * worst + 1e-8, "{terms}: {worst:e} {bound:e}");
+                assert!(bound <= 1.5 * worst + 1e-8, "{terms}: {worst:e} {bound:e}");
             }
         }
     }
@@ -274,9 +241,5 @@ mod tests {
         let before = size(&series, 14);
         series.shorten(0, last + before - 1);
         assert_eq!(series.terms, 15);
-        let slopes = |series: &Polynomial| series.parts.map(|part| part.slope_dropped);
-        let before = slopes(&series);
-        series.halve(false);
-        assert_eq!(slopes(&series), before.map(|slope| (slope + 1) / 2));
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! The coefficients of a converging series do not grow, so that one exponent serves all.
 
-pub(super) mod sine;
+pub(super) mod sine_q57;
 
 use core::ops::Range;
 
@@ -187,7 +187,7 @@ impl PowerSeries {
     }
 
     /// Coefficient of y^k of the product of these terms and another series, divided by 2^shift and rounded to the nearest, or [`OVERFLOW`].
-    #[inline(never)] // a call: set-up multiplies in dozens of places
+    #[inline(never)]
     pub(super) fn product(&self, other: &Self, terms: Range<usize>, k: usize, shift: i32) -> i64 {
         let first = terms.start;
         let ours = self.coefficients.get(terms).unwrap_or_default();

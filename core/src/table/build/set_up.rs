@@ -1,13 +1,12 @@
 //! Set-up: from a motion to the segments of its table.
 
-use super::cut::{Cut, Store};
-use super::expansion::ParameterSeries;
+use super::errors::{Limits, Speeds};
+use super::expansion::CayleyKleinSeries;
 use super::launch_place::LaunchPlace;
-use super::limits::Limits;
 use super::mean_rates::MeanRates;
-use super::path::Path;
+use super::path::{HALF_PERIOD, Path};
 use super::polynomial::Polynomial;
-use super::span::HALF_PERIOD;
+use super::segmentation::{SegmentStore, Segmentation};
 use crate::motion::Motion;
 use crate::motion::cayley_klein::Ellipses;
 use crate::scalar::{Extended, Float, Ring};
@@ -20,12 +19,14 @@ pub struct SetUp {
     /// Truncation error, rad; `None` for that of the scalar.
     pub(super) truncation: Option<f64>,
     pub(super) limits: Limits,
-    pub(super) rates: MeanRates,
+    pub(super) mean_rates: MeanRates,
     pub(super) launch: LaunchPlace,
     path: Path,
-    series: ParameterSeries,
+    series: CayleyKleinSeries,
     polynomials: [Polynomial; 2],
-    pub(super) cut: Cut,
+    pub(super) segmentation: Segmentation,
+    /// Orientation error that does not grow, without that of a tick, rad.
+    pub(super) error: f64,
 }
 
 impl Default for SetUp {
@@ -41,12 +42,13 @@ impl SetUp {
         Self {
             truncation: None,
             limits: Limits::ZERO,
-            rates: MeanRates::ZERO,
+            mean_rates: MeanRates::ZERO,
             launch: LaunchPlace::ZERO,
             path: Path::ZERO,
-            series: ParameterSeries::ZERO,
+            series: CayleyKleinSeries::ZERO,
             polynomials: [Polynomial::ZERO; 2],
-            cut: Cut::ZERO,
+            segmentation: Segmentation::ZERO,
+            error: 0.0,
         }
     }
 
@@ -56,11 +58,11 @@ impl SetUp {
         Self { truncation: Some(truncation), ..Self::new() }
     }
 
-    /// Computes mean rates and all segments, from rates in numbers of this many words; `None` where the segments are too many.
+    /// Computes mean rates and all segments, from rates in numbers of this many words; `None` if the segments are too many.
     pub(super) fn compute<const WORDS: usize>(
         &mut self,
         motion: &Motion,
-        store: &mut Store<'_>,
+        store: &mut dyn SegmentStore,
         pause: &mut dyn FnMut(),
     ) -> Option<()> {
         self.begin::<WORDS>(motion, pause);
@@ -76,45 +78,45 @@ impl SetUp {
             pause();
             period = motion.period::<WORDS>(&self.path.equations, pause);
         }
-        self.rates = MeanRates::new(motion, period.as_ref());
+        self.mean_rates = MeanRates::new(motion, period.as_ref());
         pause();
         let half_period = period.as_ref().map_or(Extended::ZERO, |period| period.time.halved());
-        self.path.begin(motion, half_period, &self.rates, &self.limits);
+        self.path.begin(motion, half_period, &self.mean_rates, &self.limits);
+        self.launch = LaunchPlace::new(motion);
+        self.segmentation = Segmentation::ZERO;
     }
 
-    /// Computes all segments; `None` where they are too many.
+    /// Computes all segments; `None` if they are too many.
     #[inline(never)]
     fn build<const WORDS: usize>(
         &mut self,
         motion: &Motion,
-        store: &mut Store<'_>,
+        store: &mut dyn SegmentStore,
         pause: &mut dyn FnMut(),
     ) -> Option<()> {
-        self.launch = LaunchPlace::new(motion);
-        self.cut = Cut::ZERO;
         let Ellipses { alpha, beta } = motion.ellipses::<f64>();
         let ellipses = [alpha, beta].map(|ellipse| ellipse.exponentials());
         if motion.is_steady() {
-            self.cut.store_constants(&ellipses, store);
+            self.segmentation.store_constants(ellipses.map(|[plus, minus]| plus + minus), store);
+            self.error = Speeds::ZERO.rounding([0.0; 2], 0.0);
             return Some(());
         }
-        pause();
         let mut position = 0;
         while position < HALF_PERIOD {
-            self.cut.enter_span(&mut self.path, position);
+            self.segmentation.enter_span(&mut self.path, position);
             while self.expand_span::<WORDS>(&ellipses, pause).is_none() {
                 self.path.shorten_span()?;
             }
-            let Self { limits, launch, path, polynomials, cut, .. } = self;
-            pause();
+            let Self { limits, launch, path, polynomials, segmentation, .. } = self;
             launch.search(&path.expansion, path.end.phases.chi, path.span);
-            position = cut.cut_span(path, polynomials, limits, store, pause)?;
+            position = segmentation.segment_span(path, polynomials, limits, store, pause)?;
         }
-        self.cut.error += self.path.error(&self.cut.speeds, self.launch.delay);
+        let Segmentation { truncation, speeds, .. } = &self.segmentation;
+        self.error = truncation + self.path.error(speeds, self.launch.delay);
         Some(())
     }
 
-    /// Expands the motion on the span and computes the polynomials of α and β; `None` where they are not accurate.
+    /// Expands the motion on the span and computes the polynomials of α and β; `None` if they are not accurate.
     fn expand_span<const WORDS: usize>(
         &mut self,
         ellipses: &[[f64; 2]; 2],
@@ -124,7 +126,11 @@ impl SetUp {
         path.expand::<WORDS>(pause)?;
         for (index, (polynomial, ellipse)) in polynomials.iter_mut().zip(ellipses).enumerate() {
             pause();
-            polynomial.compute(series, &path.expansion, index, *ellipse, limits, pause)?;
+            *polynomial = Polynomial::ZERO;
+            let sums = polynomial.parts.each_mut().map(|part| &mut part.coefficients);
+            let terms = series.compute(&path.expansion, index, *ellipse, limits.negligible_term(), sums)?;
+            pause();
+            polynomial.finish(terms, limits)?;
         }
         Some(())
     }

@@ -19,7 +19,7 @@ impl EphemerisScalar for f64 {
     /// Roundings of a tick are counted with those of set-up; those of the rotation of Ω are five standard deviations of one rounding.
     const ERRORS: EvaluationErrors = EvaluationErrors {
         orientation: 0.0,
-        coordinate: 0.0,
+        by_coordinate: 0.0,
         omega: 0.0,
         relative_omega: 5.0 * <Self as Scalar>::ROUNDING,
     };
@@ -33,9 +33,8 @@ impl EphemerisScalar for f64 {
 impl Coefficient for f64 {
     type Number = Self;
 
-    fn nearest(value: i64, _: usize) -> (Self, i64) {
-        let nearest = value as f64;
-        (nearest * TABLE_UNIT, (nearest as i64).saturating_sub(value))
+    fn nearest(value: i64, _: usize) -> Self {
+        value as f64 * TABLE_UNIT
     }
 
     fn error(_: &[i64]) -> f32 {

@@ -28,8 +28,8 @@ impl EphemerisScalar for I2F14 {
     const CODE: u32 = 15;
     const ERRORS: EvaluationErrors = EvaluationErrors {
         orientation: 16.83 * UNIT + 2.6e-5,
-        coordinate: 0.5 * UNIT + COORDINATE_ERROR,
-        omega: 2.001 * UNIT,
+        by_coordinate: 0.5 * UNIT + COORDINATE_ERROR,
+        omega: 4.4 * UNIT,
         ..INTEGER_ERRORS
     };
 
@@ -42,12 +42,11 @@ impl EphemerisScalar for I2F14 {
 impl Coefficient for i16 {
     type Number = Q30;
 
-    fn nearest(value: i64, power: usize) -> (Self, i64) {
+    fn nearest(value: i64, power: usize) -> Self {
         let dropped = TABLE_BITS - 15 - power as u32;
         // 2^-30 of the value's unit is far below the rounding
         let shrunk = (value >> 30) * SHRINK;
-        let held = shifted_right(shrunk, dropped).clamp(i16::MIN.into(), i16::MAX.into());
-        (held as i16, (held << dropped).saturating_sub(value))
+        shifted_right(shrunk, dropped).clamp(i16::MIN.into(), i16::MAX.into()) as i16
     }
 
     fn error(polynomial: &[i64]) -> f32 {

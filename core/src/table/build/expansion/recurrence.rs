@@ -12,33 +12,32 @@ fn is_negligible(coefficient: i64, k: usize, least: i64) -> bool {
 
 /// Constant factors of the recurrence for one slow phase.
 struct SlowFactors {
-    square_to_rate: UnitFactor,
-    divisor_to_rate: UnitFactor,
-    delta_to_divisor: UnitFactor,
-    momentum_to_divisor: UnitFactor,
+    v_to_sigma: UnitFactor,
+    kappa_to_sigma: UnitFactor,
+    delta_to_kappa: UnitFactor,
+    mu_to_kappa: UnitFactor,
     negligible: i64,
 }
 
 impl SlowFactors {
-    /// Factors from dψ/dy and the factors of v, δ and μ. Sets the exponents of rate and divisor.
+    /// Factors from dψ/dy and the factors of v, δ and μ. Sets the exponents of σ and κ.
     fn new(
         rate: &mut RateSeries,
-        divisor: &mut PowerSeries,
+        kappa: &mut PowerSeries,
         psi_rate: f64,
-        [of_square, of_delta, of_momentum]: [f64; 3],
-        [square, delta, momentum]: [&PowerSeries; 3],
+        [of_v, of_delta, of_mu]: [f64; 3],
+        [v, delta, mu]: [&PowerSeries; 3],
         negligible: f64,
     ) -> Self {
         let RateSeries { variation, scale, .. } = rate;
-        divisor.set_exponent(delta.magnitude_times(of_delta) + momentum.magnitude_times(of_momentum));
-        variation
-            .set_exponent(divisor.magnitude_times(psi_rate.abs()) + square.magnitude_times(of_square.abs()));
+        kappa.set_exponent(delta.magnitude_times(of_delta) + mu.magnitude_times(of_mu));
+        variation.set_exponent(kappa.magnitude_times(psi_rate.abs()) + v.magnitude_times(of_v.abs()));
         *scale = 1.0;
         Self {
-            square_to_rate: UnitFactor::new(of_square, square, variation),
-            divisor_to_rate: UnitFactor::new(psi_rate, divisor, variation),
-            delta_to_divisor: UnitFactor::new(of_delta, delta, divisor),
-            momentum_to_divisor: UnitFactor::new(of_momentum, momentum, divisor),
+            v_to_sigma: UnitFactor::new(of_v, v, variation),
+            kappa_to_sigma: UnitFactor::new(psi_rate, kappa, variation),
+            delta_to_kappa: UnitFactor::new(of_delta, delta, kappa),
+            mu_to_kappa: UnitFactor::new(of_mu, mu, kappa),
             negligible: in_units(negligible, variation.exponent),
         }
     }
@@ -47,29 +46,27 @@ impl SlowFactors {
     fn advance(
         &self,
         rate: &mut RateSeries,
-        divisor: &mut PowerSeries,
+        kappa_series: &mut PowerSeries,
         k: usize,
-        [square, delta, momentum]: [i64; 3],
+        [v, delta, mu]: [i64; 3],
     ) -> Option<bool> {
-        let variation = &mut rate.variation;
-        let kappa =
-            sum_in_range([self.delta_to_divisor.times(delta), self.momentum_to_divisor.times(momentum)])?;
-        let known = divisor.product(variation, 1..k, k, -divisor.exponent);
-        let sigma =
-            sum_in_range([self.square_to_rate.times(square), -self.divisor_to_rate.times(kappa), -known])?;
-        divisor.set(k, kappa)?;
-        variation.set(k, sigma)?;
+        let sigma_series = &mut rate.variation;
+        let kappa = sum_in_range([self.delta_to_kappa.times(delta), self.mu_to_kappa.times(mu)])?;
+        let known = kappa_series.product(sigma_series, 1..k, k, -kappa_series.exponent);
+        let sigma = sum_in_range([self.v_to_sigma.times(v), -self.kappa_to_sigma.times(kappa), -known])?;
+        kappa_series.set(k, kappa)?;
+        sigma_series.set(k, sigma)?;
         Some(is_negligible(sigma, k, self.negligible))
     }
 }
 
-/// Constant factors of the recurrence. `quadratic` is the factor of v² in δ.
+/// Constant factors of the recurrence.
 struct Recurrence {
     slow: [SlowFactors; 2],
-    square_to_eta: UnitFactor,
-    square_to_delta: UnitFactor,
-    quadratic: UnitFactor,
-    delta_to_momentum: UnitFactor,
+    v_to_eta: UnitFactor,
+    v_to_delta: UnitFactor,
+    v_squared_to_delta: UnitFactor,
+    delta_to_mu: UnitFactor,
     cosine_to_sine: UnitFactor,
     sine_to_cosine: UnitFactor,
     negligible_sine: i64,
@@ -95,7 +92,7 @@ impl Expansion {
     }
 
     /// Constants of the recurrence, and the first coefficients.
-    #[inline(never)] // stack
+    #[inline(never)]
     fn begin(&mut self, equations: &PhaseEquations<f64>, origin: &Origin) -> Recurrence {
         let Origin { unit, chi_rate, psi_rates: [alpha_psi, beta_psi], negligible, .. } = *origin;
         let swing = equations.e2_minus_e1 * origin.cosine * origin.cosine;
@@ -106,15 +103,15 @@ impl Expansion {
         let s_per_d = equations.s * equations.e2_minus_e1 * per_d;
         let (linear, quadratic) = (2.0 * (s_per_d * (1.0 - one_minus_u)), s_per_d * equations.e2_minus_e1);
 
-        let Self { chi, residual: [alpha, beta], sine, cosine, square, delta, momentum, .. } = self;
+        let Self { chi, residual: [alpha, beta], sine, cosine, v, delta, mu, .. } = self;
         let magnitude = |own: f64, other: f64| larger_or_nan(own.abs(), (chi_rate * other).abs());
         sine.set_exponent(magnitude(origin.sine, origin.cosine));
         cosine.set_exponent(magnitude(origin.cosine, origin.sine));
-        square.exponent = 2 * cosine.exponent + BITS;
-        let delta_size = square.magnitude_times(linear.abs() + square.magnitude_times(quadratic));
+        v.exponent = 2 * cosine.exponent + BITS;
+        let delta_size = v.magnitude_times(linear.abs() + v.magnitude_times(quadratic));
         delta.set_exponent(delta_size);
-        momentum.set_exponent(delta_size + square.magnitude_times(of_eta));
-        chi.variation.exponent = momentum.exponent;
+        mu.set_exponent(delta_size + v.magnitude_times(of_eta));
+        chi.variation.exponent = mu.exponent;
         (chi.at_origin, chi.scale) = (chi_rate, chi_rate);
         // in range by their exponents
         let _ = sine.set(0, in_units(origin.sine, sine.exponent));
@@ -133,11 +130,11 @@ impl Expansion {
             unit * equations.root_e3_minus_one,
             equations.beta_chi_time,
         );
-        let series = [&*square, &*delta, &*momentum];
-        let [alpha_divisor, beta_divisor] = &mut self.divisors;
+        let series = [&*v, &*delta, &*mu];
+        let [alpha_kappa, beta_kappa] = &mut self.kappa;
         let slow = [
-            SlowFactors::new(alpha, alpha_divisor, alpha_psi, of_alpha, series, negligible),
-            SlowFactors::new(beta, beta_divisor, beta_psi, of_beta, series, negligible),
+            SlowFactors::new(alpha, alpha_kappa, alpha_psi, of_alpha, series, negligible),
+            SlowFactors::new(beta, beta_kappa, beta_psi, of_beta, series, negligible),
         ];
         [alpha.at_origin, beta.at_origin] = origin.residual_rates;
         (self.origin, self.weight) = (origin.phases, origin.weight as f32);
@@ -145,15 +142,15 @@ impl Expansion {
         let negligible_xi = (negligible / (origin.weight * chi_rate).abs()).min(f64::MAX);
         Recurrence {
             slow,
-            square_to_eta: UnitFactor::new(of_eta, square, momentum),
-            square_to_delta: UnitFactor::new(linear, square, delta),
-            quadratic: UnitFactor::new(-square.magnitude_times(quadratic), square, delta),
-            delta_to_momentum: UnitFactor::new(1.0, delta, momentum),
+            v_to_eta: UnitFactor::new(of_eta, v, mu),
+            v_to_delta: UnitFactor::new(linear, v, delta),
+            v_squared_to_delta: UnitFactor::new(-v.magnitude_times(quadratic), v, delta),
+            delta_to_mu: UnitFactor::new(1.0, delta, mu),
             cosine_to_sine: UnitFactor::new(chi_rate, cosine, sine),
             sine_to_cosine: UnitFactor::new(-chi_rate, sine, cosine),
             negligible_sine: in_units(negligible, sine.exponent),
             negligible_cosine: in_units(negligible, cosine.exponent),
-            negligible_xi: in_units(negligible_xi, momentum.exponent),
+            negligible_xi: in_units(negligible_xi, mu.exponent),
         }
     }
 
@@ -179,26 +176,24 @@ impl Expansion {
     /// Computes the k-th coefficients of the rates. Returns whether they are negligible.
     fn advance_rates(&mut self, recurrence: &Recurrence, k: usize) -> Option<bool> {
         let xi_series = &mut self.chi.variation;
-        let square = self.cosine.product(&self.cosine, 0..k + 1, k, BITS);
-        let square_squared = sum_in_range([self.square.product(&self.square, 1..k, k, BITS)])?;
-        let delta = sum_in_range([
-            recurrence.square_to_delta.times(square),
-            recurrence.quadratic.times(square_squared),
-        ])?;
+        let v = self.cosine.product(&self.cosine, 0..k + 1, k, BITS);
+        let v_squared = sum_in_range([self.v.product(&self.v, 1..k, k, BITS)])?;
+        let delta =
+            sum_in_range([recurrence.v_to_delta.times(v), recurrence.v_squared_to_delta.times(v_squared)])?;
         let mixed = |series: &PowerSeries| series.product(xi_series, 1..k, k, -series.exponent);
         // μ = known + ξ, and (1 + ξ) (1 + μ) = 1 + η
-        let known = sum_in_range([recurrence.delta_to_momentum.times(delta), mixed(&self.delta)])?;
-        let eta = recurrence.square_to_eta.times(square);
-        let xi = sum_in_range([eta, -known, -mixed(&self.momentum)])? >> 1;
-        let momentum = known + xi;
-        self.square.set(k, square)?;
+        let known = sum_in_range([recurrence.delta_to_mu.times(delta), mixed(&self.delta)])?;
+        let eta = recurrence.v_to_eta.times(v);
+        let xi = sum_in_range([eta, -known, -mixed(&self.mu)])? >> 1;
+        let mu = known + xi;
+        self.v.set(k, v)?;
         self.delta.set(k, delta)?;
         xi_series.set(k, xi)?;
-        self.momentum.set(k, momentum)?;
+        self.mu.set(k, mu)?;
         let mut negligible = is_negligible(xi, k, recurrence.negligible_xi);
-        let series = self.residual.iter_mut().zip(&mut self.divisors);
-        for ((rate, divisor), factors) in series.zip(&recurrence.slow) {
-            negligible &= factors.advance(rate, divisor, k, [square, delta, momentum])?;
+        let series = self.residual.iter_mut().zip(&mut self.kappa);
+        for ((rate, kappa), factors) in series.zip(&recurrence.slow) {
+            negligible &= factors.advance(rate, kappa, k, [v, delta, mu])?;
         }
         Some(negligible)
     }

@@ -6,7 +6,7 @@ use super::{Limbs, scaled_product};
 use crate::phase::Phase;
 use crate::product::product_i32;
 
-/// Fraction bits of [`sine_cosine`].
+/// Fraction bits of [`sine_cosine_q57`].
 pub(crate) const FRACTION: i32 = 57;
 
 /// Series of sin r/r in powers of r², in units of 2^-58. The last four coefficients and their products with r² have at most 32 bits.
@@ -40,7 +40,7 @@ fn evaluate((first, last): &([i64; 6], [i32; 4]), square: i64) -> i64 {
 
 /// (sin 2πx, cos 2πx) of a phase of x turns, in units of 2^-57. Error: below 2^-56.
 #[inline(never)]
-pub(crate) fn sine_cosine(phase: Phase) -> (i64, i64) {
+pub(crate) fn sine_cosine_q57(phase: Phase) -> (i64, i64) {
     /// π/2 in units of 2^-57.
     const QUARTER_TURN: Limbs = Limbs::new(226375608064910089);
     let (quadrant, rest) = phase.quadrant();
@@ -79,7 +79,7 @@ mod tests {
         let mut worst = 0.0_f64;
         for k in 0..4000 {
             let phase = Phase::new(0.000_573 * f64::from(k) - 1.1);
-            let (sine, cosine) = sine_cosine(phase);
+            let (sine, cosine) = sine_cosine_q57(phase);
             let (true_sine, true_cosine) = series(phase);
             let unit = Extended::ONE / Extended::from((1_u64 << FRACTION) as f64);
             for (ours, truth) in [(sine, true_sine), (cosine, true_cosine)] {

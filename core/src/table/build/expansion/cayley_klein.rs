@@ -1,13 +1,13 @@
 //! Series of α and β without their mean rotation, by linear equations with the rates of the phases.
 
 use super::{Expansion, MOST_TERMS, PowerSeries, RateSeries, larger_or_nan};
-use crate::table::build::series::sine::{FRACTION, sine_cosine};
+use crate::table::build::series::sine_q57::{FRACTION, sine_cosine_q57};
 use crate::table::build::series::{BITS, Limbs, UnitFactor, in_range, in_units, integrated, scaled_product};
 use crate::table::evaluation::{TABLE_BITS, shifted_right};
 
 /// Rates of ρ + χ and of ρ - χ, and an exponential.
 #[derive(Debug)]
-pub(crate) struct ParameterSeries {
+pub(crate) struct CayleyKleinSeries {
     forwards: PowerSeries,
     backwards: PowerSeries,
     re: PowerSeries,
@@ -17,7 +17,7 @@ pub(crate) struct ParameterSeries {
 /// Fraction bits that a coefficient of α or β has more than one of an exponential.
 const MORE_BITS: i32 = TABLE_BITS as i32 - BITS;
 
-impl ParameterSeries {
+impl CayleyKleinSeries {
     pub(crate) const ZERO: Self = Self {
         forwards: PowerSeries::ZERO,
         backwards: PowerSeries::ZERO,
@@ -56,7 +56,7 @@ impl ParameterSeries {
         }
         let mut most = 0;
         for (rate, phase, scale) in [(&*forwards, origin.chi, p), (&*backwards, -origin.chi, q)] {
-            let (sine, cosine) = sine_cosine(residual_phase + phase);
+            let (sine, cosine) = sine_cosine_q57(residual_phase + phase);
             let scale = Limbs::new(in_units(scale, -FRACTION));
             let start = |part: i64| scaled_product::<{ (2 * FRACTION - BITS) as u32 }>(scale, part);
             re.set(0, start(cosine))?;
@@ -190,7 +190,7 @@ mod tests {
                     worst[1] = worst[1].max((alpha - of(rates.slow_alpha)).abs());
                     worst[2] = worst[2].max((beta - of(rates.slow_beta)).abs());
                     let ([p, q], mut parts) = ([0.6, -0.3], [[0; MOST_TERMS]; 2]);
-                    let mut series = ParameterSeries::ZERO;
+                    let mut series = CayleyKleinSeries::ZERO;
                     series.compute(&expansion, 0, [p, q], 5, parts.each_mut()).unwrap();
                     let [re, im] = parts
                         .map(|part| part.iter().rev().fold(0.0, |sum, c| sum * x + *c as f64 * TABLE_UNIT));

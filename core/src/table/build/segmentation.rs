@@ -1,4 +1,4 @@
-//! Cutting of half a nutation period into cells and segments; the other half is its mirror image.
+//! Division of half a nutation period into cells and segments; the other half is its mirror image.
 //!
 //! ```text
 //! u = e₁                                                                    u = e₂
@@ -7,25 +7,25 @@
 //! |                   |         |         |      |  |  |     |         |              |    spans: one expansion of the motion
 //! ```
 //!
-//! The segments of a cell are equal, and the longest with an allowed error; a cell whose segments prove too long is cut again. Positions are in
+//! The segments of a cell are equal, and the longest with an allowed error. A cell whose segments prove too long is begun again with shorter ones. Positions are in
 //! units of the shortest segment. A segment of depth d is 2^-d of half a period.
 
-use super::bound::{SegmentErrors, Speeds};
-use super::limits::Limits;
-use super::path::{Path, PathPoint};
+use super::errors::{Limits, SegmentErrors, Speeds};
+use super::path::{CELL, HALF_PERIOD, Path, PathPoint, Span};
 use super::polynomial::Polynomial;
-use super::series::MOST_TERMS;
-use super::span::{CELL, HALF_PERIOD, Span};
 use crate::table::data::cell::{CELLS, Cell, LEVEL_0_BITS};
 use crate::table::evaluation::TABLE_UNIT;
 
-/// Storage of a polynomial of α (column 0) or β (column 2): from segment, column and coefficients to the errors of orientation and derivative by
-/// their rounding, in units of 2^-62 rad.
-pub(super) type Store<'a> = dyn FnMut(usize, usize, [&[i64; MOST_TERMS]; 2]) -> [f32; 2] + 'a;
+/// Table in which segments are stored.
+pub(super) trait SegmentStore {
+    /// Rounds and stores the polynomial of α (index 0) or β (1) on a segment, if the table contains the segment. Returns the orientation error by
+    /// products with 16 bits and coefficients out of range, in units of 2^-62 rad.
+    fn store(&mut self, segment: usize, index: usize, polynomial: &Polynomial) -> f32;
+}
 
 /// Cell whose segments are computed, or two cells with one segment.
 #[derive(Debug)]
-struct OpenCell {
+struct UnfinishedCell {
     begin: usize,
     end: usize,
     depth: u32,
@@ -39,24 +39,24 @@ struct OpenCell {
 
 /// Cells and segments of a table, and what its error bounds follow from.
 #[derive(Debug)]
-pub(super) struct Cut {
+pub(super) struct Segmentation {
     pub(super) cells: [u16; CELLS],
     pub(super) segments: usize,
-    /// Orientation error besides that of a tick, rad.
-    pub(super) error: f64,
+    /// Greatest error of a segment, rad.
+    pub(super) truncation: f64,
     pub(super) speeds: Speeds,
-    cell: OpenCell,
+    cell: UnfinishedCell,
     /// Polynomial of α or β on a segment.
     segment: Polynomial,
 }
 
-impl Cut {
+impl Segmentation {
     pub(super) const ZERO: Self = Self {
         cells: [0; CELLS],
         segments: 0,
-        error: 0.0,
+        truncation: 0.0,
         speeds: Speeds::ZERO,
-        cell: OpenCell {
+        cell: UnfinishedCell {
             begin: 0,
             end: 0,
             depth: 0,
@@ -67,18 +67,16 @@ impl Cut {
         segment: Polynomial::ZERO,
     };
 
-    /// Stores the polynomials of a constant u.
+    /// Stores one segment with the values of α and β for a constant u.
     #[inline(never)]
-    pub(super) fn store_constants(&mut self, ellipses: &[[f64; 2]; 2], store: &mut Store<'_>) {
-        for ([plus, minus], column) in ellipses.iter().zip([0, 2]) {
-            let mut re = [0; MOST_TERMS];
-            re[0] = libm::round((plus + minus) / TABLE_UNIT) as i64;
-            store(0, column, [&re, &[0; MOST_TERMS]]);
+    pub(super) fn store_constants(&mut self, values: [f64; 2], store: &mut dyn SegmentStore) {
+        for (index, value) in values.into_iter().enumerate() {
+            store.store(0, index, &Polynomial::constant(value));
         }
         self.segments = 1;
-        self.error = Speeds::ZERO.rounding([0.0; 2], 0.0);
     }
 
+    /// Leads the path to the span from `position` on.
     pub(super) fn enter_span(&self, path: &mut Path, position: usize) {
         if position > path.span.begin {
             path.go_to_next_span(position == self.cell.end && self.first_depth(position) < path.span.depth);
@@ -87,20 +85,21 @@ impl Cut {
         }
     }
 
-    /// Depth that is tried first, for twice the length. Two cells with one segment begin with an even one.
+    /// First depth to try: one less than that of the last cell. A segment of two cells begins at an even cell.
     fn first_depth(&self, begin: usize) -> u32 {
         self.cell.depth.saturating_sub(1).max(LEVEL_0_BITS + (begin / CELL % 2) as u32)
     }
 
-    /// Cuts the span into segments. Returns its end, or the beginning of a cell that must be cut again; `None` where the segments are too many.
+    /// Divides the span into segments. Returns its end, or the beginning of a cell that needs shorter segments; `None` if the segments are too
+    /// many.
     ///
     /// * `polynomials`: those of α and β on the span
-    pub(super) fn cut_span(
+    pub(super) fn segment_span(
         &mut self,
         path: &Path,
         polynomials: &[Polynomial; 2],
         limits: &Limits,
-        store: &mut Store<'_>,
+        store: &mut dyn SegmentStore,
         pause: &mut dyn FnMut(),
     ) -> Option<usize> {
         let span = path.span;
@@ -118,20 +117,18 @@ impl Cut {
             let depth = self.cell.depth;
             let mut errors = SegmentErrors::default();
             let (length, halvings) = (segment_length(depth), depth.saturating_sub(span.depth));
-            let index = self.segments + (position - self.cell.begin) / length;
-            for (whole, column) in polynomials.iter().zip([0, 2]) {
-                self.segment.restrict(whole, position / length, halvings, limits.dropped);
-                self.segment.shorten(limits.coefficients, i64::MAX);
-                pause();
-                let parts = self.segment.parts.each_ref().map(|part| &part.coefficients);
-                let stored = store(index, column, parts);
-                self.segment.add_errors(&mut errors, halvings, stored);
+            let segment = self.segments + (position - self.cell.begin) / length;
+            for (index, whole) in polynomials.iter().enumerate() {
+                self.segment.restrict(whole, position / length, halvings, limits.dropped_terms);
+                self.segment.shorten(limits.terms, i64::MAX);
+                self.segment.add_errors(&mut errors);
+                errors.include_stored(store.store(segment, index, &self.segment));
                 pause();
             }
             let parts = (1_u32 << halvings) as f32;
             let residual_rate = path.expansion.greatest_residual_rate() / parts;
             self.cell.speeds.include(&errors, parts / span.half_length() as f32, residual_rate);
-            let error = errors.error();
+            let error = errors.orientation();
             if error <= limits.segment_error(depth) {
                 self.cell.error = self.cell.error.max(error);
                 position += length;
@@ -152,24 +149,24 @@ impl Cut {
             return None;
         }
         let end = self.cell.begin + CELL.max(segment_length(depth));
-        self.cell = OpenCell { end, depth, speeds: self.speeds, error: 0.0, ..self.cell };
+        self.cell = UnfinishedCell { end, depth, speeds: self.speeds, error: 0.0, ..self.cell };
         let remainder = HALF_PERIOD.saturating_sub(end).div_ceil(2 * CELL);
         let segments = self.segments + self.cell.segments() + remainder;
         (segments <= limits.capacity).then_some(())
     }
 
     fn finish_cell(&mut self) {
-        let OpenCell { begin, end, depth, speeds, error, .. } = self.cell;
+        let UnfinishedCell { begin, end, depth, speeds, error, .. } = self.cell;
         let Cell(entry) = Cell::new(self.segments, begin / segment_length(depth), depth - LEVEL_0_BITS);
         let cells = self.cells.iter_mut().skip(begin / CELL).take((end - begin) / CELL);
         cells.for_each(|cell| *cell = entry);
         self.segments += self.cell.segments();
-        self.error = self.error.max(TABLE_UNIT * f64::from(error));
+        self.truncation = self.truncation.max(TABLE_UNIT * f64::from(error));
         self.speeds = speeds;
     }
 }
 
-impl OpenCell {
+impl UnfinishedCell {
     fn segments(&self) -> usize {
         (self.end - self.begin) / segment_length(self.depth)
     }
