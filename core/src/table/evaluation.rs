@@ -76,26 +76,29 @@ pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
     /// Type of lengths and rates: the scalar itself, or `f32` for fixed point, whose range is too small.
     type Quantity: Real;
 
-    /// Truncation error of a table unless another one is chosen, rad.
-    const TRUNCATION: f64 = 2.0 * Self::ROUNDING;
     /// Number of coefficients of a polynomial.
     const TERMS: usize;
-    /// Number of 64-bit words in which its period is integrated. With 1 the rates along the path are `f64`.
-    #[doc(hidden)]
-    const PERIOD_WORDS: usize = 1;
     /// Segment whose coefficients are all 0.
     #[doc(hidden)]
     const ZERO_SEGMENT: Self::Segment;
     /// Code of the scalar in table data: see `core/docs/table_format.md`.
     #[doc(hidden)]
     const CODE: u32;
-    /// Rounding errors of a tick.
-    #[doc(hidden)]
-    const ERRORS: EvaluationErrors;
 
     /// Nearest value of the scalar.
     #[doc(hidden)]
     fn from_number(number: NumberOf<Self>) -> Self;
+
+    // For the set-up.
+
+    /// Truncation error of a table unless another one is chosen, rad.
+    const TRUNCATION: f64 = 2.0 * Self::ROUNDING;
+    /// Number of 64-bit words in which its period is integrated. With 1 the rates along the path are `f64`.
+    #[doc(hidden)]
+    const PERIOD_WORDS: usize = 1;
+    /// Rounding errors of a tick.
+    #[doc(hidden)]
+    const ERRORS: EvaluationErrors;
 }
 
 /// Number of the results in a scalar.
@@ -135,10 +138,6 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     /// Number of the results.
     type Number: Number;
 
-    /// Coefficient of x^power nearest to a value in units of 2^-62, and its error in these units.
-    fn nearest(value: i64, power: usize) -> (Self, i64);
-    /// Error that the coefficients of a polynomial cause, both in units of 2^-62; infinite where a sum could overflow.
-    fn error(polynomial: &[i64]) -> f32;
     /// Value of a coefficient of x^power, exact.
     fn to_f64(self, power: usize) -> f64;
 
@@ -160,6 +159,13 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     ) -> Complex<Self::Number>;
     /// Cosine and sine of B - A, from the sines and cosines of A and B.
     fn difference(sines_cosines: [[SumOf<Self>; 2]; 2]) -> [SumOf<Self>; 2];
+
+    // For the set-up.
+
+    /// Coefficient of x^power nearest to a value in units of 2^-62, and its error in these units.
+    fn nearest(value: i64, power: usize) -> (Self, i64);
+    /// Error that the coefficients of a polynomial cause, both in units of 2^-62; infinite where a sum could overflow.
+    fn error(polynomial: &[i64]) -> f32;
 }
 
 /// Whether 16 bits of x are enough for this power.

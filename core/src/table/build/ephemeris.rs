@@ -1,5 +1,7 @@
 //! Set-up of an ephemeris: from a motion to the whole table.
 
+mod clock;
+
 use core::fmt;
 
 use super::bound::error_bounds;
@@ -97,7 +99,7 @@ impl SetUp {
         table.segments.get_mut(*segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
         table.clock = Clock::new(motion, tick, epoch, self.rates.turns, self.launch.phases);
         pause();
-        table.start_tip_angle(motion, self.launch.phases, epoch, pause);
+        table.start_tip_angle(motion, self.launch.phases, pause);
         pause();
         [table.error_bound, table.rate_error_bound] =
             error_bounds(&R::ERRORS, motion, tick.length(), &self.rates, speeds, *error);

@@ -35,6 +35,13 @@ impl Cell {
         ((self.0 as u32 >> Self::LEVEL_BITS) + (phase >> shift)) as usize % Self::MOST_SEGMENTS
     }
 
+    /// Whether all segments of the cell with this number are among so many.
+    pub(crate) const fn is_within(self, number: u32, segments: usize) -> bool {
+        let begin = number << 28;
+        let [first, last] = [self.segment(begin), self.segment(begin | ((1 << 28) - 1))];
+        self.level() <= Self::DEEPEST && first <= last && last < segments
+    }
+
     /// Level, below 16.
     #[inline(always)]
     pub(crate) const fn level(self) -> u32 {

@@ -152,15 +152,15 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     fn unrounded_with_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
         let [nutation, a, b] = self.phases;
         let LocatedSegment { rows, point, .. } = self.ephemeris.segment_at(nutation);
-        orientation_and_omega_body(rows, point, [a, b], self.ephemeris.clock.rates)
+        orientation_and_omega_body(rows, point, [a, b], self.ephemeris.clock.rates())
     }
 
     /// Unrounded orientation, and Ω.
     #[inline(always)]
     fn numbers_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
         let (orientation, [x1, x2, _], exponent) = self.unrounded_with_omega_body();
-        let [.., axial] = self.ephemeris.clock.rates;
-        (orientation, [x1.times_power_of_two(exponent), x2.times_power_of_two(exponent), axial])
+        let transverse = |x: NumberOf<R>| x.times_power_of_two(exponent);
+        (orientation, [transverse(x1), transverse(x2), self.ephemeris.clock.axial_rate])
     }
 
     /// Rate r' of the axis in the fixed frame.

@@ -107,7 +107,7 @@ fn truth<R: Printed, const S: usize>(file: &str, [ticks, seconds]: [u32; 2]) -> 
     for k in 0..runs {
         let mut cursor = table.cursor(next_tick(&mut state, k + 20));
         for _ in 0..length {
-            line(&mut samples, &cursor.next(table));
+            line(&mut samples, &cursor.next(&table));
         }
     }
     let (mut state, mut rates) = (1, String::new());
