@@ -35,15 +35,18 @@ pub(crate) const fn shifted_right(value: i64, bits: u32) -> i64 {
     ((value >> (bits - 1)) + 1) >> 1
 }
 
+/// Depth of the longest segments, which are an eighth of half a period.
+pub(crate) const LEAST_DEPTH: u32 = 3;
+
 /// Point of a segment.
 #[derive(Clone, Copy, Debug)]
 pub struct SegmentPoint {
     /// Local coordinate x·2^63 with x in [-1, 1).
     pub(crate) x64: i64,
-    /// Local coordinate x·2^31, rounded down to a multiple of 2^level.
+    /// Local coordinate x·2^31, rounded down to a multiple of 2^(depth - 3).
     pub(crate) x32: i32,
-    /// Level of the segment: base-2 logarithm of the rate of x over that at level 0.
-    pub(crate) level: u32,
+    /// Depth of the segment: half a period would have 2^depth of its length.
+    pub(crate) depth: u32,
     /// Whether u is falling, where the tabulated values become their complex conjugates.
     pub(crate) is_falling: bool,
 }
@@ -121,7 +124,7 @@ pub trait Number: Ring + Into<Self::Quantity> {
     ///
     /// * `polynomials`: values and derivatives
     /// * `difference`: cosine and sine of B - A
-    /// * `rates`: rates of x at level 0, of A + B, and about the axis
+    /// * `rates`: rates of x at the least depth, of A + B, and about the axis
     fn omega_body(
         polynomials: [[Self::Sum; 4]; 2],
         difference: [Self::Sum; 2],

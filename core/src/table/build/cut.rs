@@ -16,8 +16,8 @@ use super::path::{Path, PathPoint};
 use super::polynomial::Polynomial;
 use super::series::MOST_TERMS;
 use super::span::{CELL, HALF_PERIOD, Span};
-use crate::table::data::cell::{CELLS, Cell, LEVEL_0_BITS};
-use crate::table::evaluation::TABLE_UNIT;
+use crate::table::data::cell::{CELLS, Cell};
+use crate::table::evaluation::{LEAST_DEPTH, TABLE_UNIT};
 
 /// Storage of a polynomial of α (column 0) or β (column 2): from segment, column and coefficients to the errors of orientation and derivative by
 /// their rounding, in units of 2^-62 rad.
@@ -89,7 +89,7 @@ impl Cut {
 
     /// Depth that is tried first, for twice the length. Two cells with one segment begin with an even one.
     fn first_depth(&self, begin: usize) -> u32 {
-        self.cell.depth.saturating_sub(1).max(LEVEL_0_BITS + (begin / CELL % 2) as u32)
+        self.cell.depth.saturating_sub(1).max(LEAST_DEPTH + (begin / CELL % 2) as u32)
     }
 
     /// Cuts the span into segments. Returns its end, or the beginning of a cell that must be cut again; `None` where the segments are too many.
@@ -160,7 +160,7 @@ impl Cut {
 
     fn finish_cell(&mut self) {
         let OpenCell { begin, end, depth, speeds, error, .. } = self.cell;
-        let Cell(entry) = Cell::new(self.segments, begin / segment_length(depth), depth - LEVEL_0_BITS);
+        let Cell(entry) = Cell::new(self.segments, begin / segment_length(depth), depth);
         let cells = self.cells.iter_mut().skip(begin / CELL).take((end - begin) / CELL);
         cells.for_each(|cell| *cell = entry);
         self.segments += self.cell.segments();

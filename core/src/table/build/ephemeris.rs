@@ -13,7 +13,7 @@ use super::set_up::SetUp;
 use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::scalar::{Float, u64_to_f32};
-use crate::table::data::cell::{Cell, SEGMENTS_AT_LEVEL_0};
+use crate::table::data::cell::{Cell, LEAST_SEGMENTS};
 use crate::table::data::{Clock, Ephemeris, EphemerisMemory, EphemerisView, Tick};
 use crate::table::evaluation::{Coefficient, EphemerisScalar};
 
@@ -160,7 +160,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let mut set_up = SetUp::with_truncation(truncation);
         set_up.tabulate::<R>(motion, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
-        Some(set_up.cut.segments.max(SEGMENTS_AT_LEVEL_0) as u32)
+        Some(set_up.cut.segments.max(LEAST_SEGMENTS) as u32)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Limits of the errors and of the size of a table.
 
-use crate::table::data::cell::LEVEL_0_BITS;
+use crate::table::evaluation::LEAST_DEPTH;
 use crate::table::evaluation::TABLE_UNIT;
 
 /// Limits that a set-up keeps.
@@ -50,7 +50,7 @@ impl Limits {
 
     /// Truncation error of a segment of this depth, in units of 2^-62 rad.
     pub(super) fn segment_error(&self, depth: u32) -> f32 {
-        if depth == LEVEL_0_BITS { TWO_CELLS_PART * self.polynomial } else { self.polynomial }
+        if depth == LEAST_DEPTH { TWO_CELLS_PART * self.polynomial } else { self.polynomial }
     }
 
     /// Negligible term in units of 2^-62.

@@ -4,7 +4,7 @@ use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::phase::{Phase, PhaseFraction};
 use crate::scalar::{Extended, Float};
-use crate::table::data::cell::SEGMENTS_AT_LEVEL_0;
+use crate::table::data::cell::LEAST_SEGMENTS;
 use crate::table::data::{Clock, EphemerisView, Tick};
 use crate::table::evaluation::EphemerisScalar;
 use crate::table::read::is_falling;
@@ -47,7 +47,7 @@ impl<W: Float> Clock<W> {
             has_turning_points: motion.regime() == Regime::Nutating,
             twice_tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
             // x changes by 2 over each segment
-            x_rate: W::from_f64(4.0 * SEGMENTS_AT_LEVEL_0 as f64 * frequency.to_f64()),
+            x_rate: W::from_f64(4.0 * LEAST_SEGMENTS as f64 * frequency.to_f64()),
             slow_sum_rate: W::from_f64(((alpha + beta) * Extended::TWO_PI).to_f64()),
             axial_rate: W::from_f64(motion.axial_rate()),
             first_phases,
