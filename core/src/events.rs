@@ -47,13 +47,13 @@ impl Event {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Time of an event in s: the nearest `f64`.
+    /// Time of an event of this table, or of one with the same ticks, in s: the nearest `f64`.
     #[must_use]
     pub fn time_of(&self, event: &Event) -> f64 {
         (event.ticks() / self.clock.tick_rate()).to_f64()
     }
 
-    /// Sample of the motion at the instant of an event.
+    /// Sample of the motion at the instant of an event of this table, or of one with the same ticks.
     #[must_use]
     pub fn at_event(&self, event: &Event) -> Sample<'_, R> {
         self.after(event.ticks())

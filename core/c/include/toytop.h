@@ -249,7 +249,7 @@ typedef struct toytop_set_up {
 } toytop_set_up;
 
 // Function that a set-up calls again and again, at least every 50 000 cycles of a Cortex-M4F: to feed a watchdog, or to read another table.
-typedef void (*toytop_between)(void *context);
+typedef void (*toytop_pause)(void *context);
 
 // Upper bounds on the errors of a table at a tick.
 typedef struct toytop_error_bounds {
@@ -377,19 +377,19 @@ toytop_status toytop_f32_set_up(struct toytop_ephemeris_f32 *table,
                                 double truncation,
                                 struct toytop_error *error);
 
-// Sets up a table as the function without `_between` does, with its memory in a static instead of on the stack, and with other work in between.
+// Sets up a table as the function without `_with_pauses` does, with its memory in a static instead of on the stack, and with pauses for other work.
 //
-// * `between`: function that is called again and again with `context`, or null
-toytop_status toytop_f32_set_up_between(struct toytop_ephemeris_f32 *table,
-                                        uintptr_t size,
-                                        struct toytop_set_up *set_up,
-                                        const struct toytop_motion *motion,
-                                        struct toytop_tick tick,
-                                        int64_t epoch,
-                                        double truncation,
-                                        toytop_between between,
-                                        void *context,
-                                        struct toytop_error *error);
+// * `pause`: function that is called again and again with `context`, or null
+toytop_status toytop_f32_set_up_with_pauses(struct toytop_ephemeris_f32 *table,
+                                            uintptr_t size,
+                                            struct toytop_set_up *set_up,
+                                            const struct toytop_motion *motion,
+                                            struct toytop_tick tick,
+                                            int64_t epoch,
+                                            double truncation,
+                                            toytop_pause pause,
+                                            void *context,
+                                            struct toytop_error *error);
 
 // Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
 // refused. A table has at least 8. The call takes much longer than a set-up, and is meant for a PC.
@@ -464,19 +464,19 @@ toytop_status toytop_f64_set_up(struct toytop_ephemeris_f64 *table,
                                 double truncation,
                                 struct toytop_error *error);
 
-// Sets up a table as the function without `_between` does, with its memory in a static instead of on the stack, and with other work in between.
+// Sets up a table as the function without `_with_pauses` does, with its memory in a static instead of on the stack, and with pauses for other work.
 //
-// * `between`: function that is called again and again with `context`, or null
-toytop_status toytop_f64_set_up_between(struct toytop_ephemeris_f64 *table,
-                                        uintptr_t size,
-                                        struct toytop_set_up *set_up,
-                                        const struct toytop_motion *motion,
-                                        struct toytop_tick tick,
-                                        int64_t epoch,
-                                        double truncation,
-                                        toytop_between between,
-                                        void *context,
-                                        struct toytop_error *error);
+// * `pause`: function that is called again and again with `context`, or null
+toytop_status toytop_f64_set_up_with_pauses(struct toytop_ephemeris_f64 *table,
+                                            uintptr_t size,
+                                            struct toytop_set_up *set_up,
+                                            const struct toytop_motion *motion,
+                                            struct toytop_tick tick,
+                                            int64_t epoch,
+                                            double truncation,
+                                            toytop_pause pause,
+                                            void *context,
+                                            struct toytop_error *error);
 
 // Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
 // refused. A table has at least 8. The call takes much longer than a set-up, and is meant for a PC.
@@ -551,19 +551,19 @@ toytop_status toytop_q31_set_up(struct toytop_ephemeris_q31 *table,
                                 double truncation,
                                 struct toytop_error *error);
 
-// Sets up a table as the function without `_between` does, with its memory in a static instead of on the stack, and with other work in between.
+// Sets up a table as the function without `_with_pauses` does, with its memory in a static instead of on the stack, and with pauses for other work.
 //
-// * `between`: function that is called again and again with `context`, or null
-toytop_status toytop_q31_set_up_between(struct toytop_ephemeris_q31 *table,
-                                        uintptr_t size,
-                                        struct toytop_set_up *set_up,
-                                        const struct toytop_motion *motion,
-                                        struct toytop_tick tick,
-                                        int64_t epoch,
-                                        double truncation,
-                                        toytop_between between,
-                                        void *context,
-                                        struct toytop_error *error);
+// * `pause`: function that is called again and again with `context`, or null
+toytop_status toytop_q31_set_up_with_pauses(struct toytop_ephemeris_q31 *table,
+                                            uintptr_t size,
+                                            struct toytop_set_up *set_up,
+                                            const struct toytop_motion *motion,
+                                            struct toytop_tick tick,
+                                            int64_t epoch,
+                                            double truncation,
+                                            toytop_pause pause,
+                                            void *context,
+                                            struct toytop_error *error);
 
 // Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
 // refused. A table has at least 8. The call takes much longer than a set-up, and is meant for a PC.

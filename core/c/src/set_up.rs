@@ -18,7 +18,7 @@ pub struct toytop_set_up {
 }
 
 /// Function that a set-up calls again and again, at least every 50 000 cycles of a Cortex-M4F: to feed a watchdog, or to read another table.
-pub type toytop_between = Option<unsafe extern "C" fn(context: *mut c_void)>;
+pub type toytop_pause = Option<unsafe extern "C" fn(context: *mut c_void)>;
 
 // cbindgen accepts only a number as a length
 const _: () = assert!(
@@ -51,12 +51,12 @@ pub(crate) struct Launched {
 ///
 /// # Safety
 /// `table` is null or valid for writing `size` bytes, `set_up` is null or valid for writing, and nobody else uses them until this returns.
-/// The motion is null or valid for reading. `between` may be called with `context`.
+/// The motion is null or valid for reading. `pause` may be called with `context`.
 pub(crate) unsafe fn run<R: CScalar>(
     (table, size): (*mut u8, usize),
     set_up: *mut toytop_set_up,
     launched: Launched,
-    (between, context): (toytop_between, *mut c_void),
+    (pause, context): (toytop_pause, *mut c_void),
 ) -> Result<(), Refusal> {
     let memory = Memory::of::<R>(table, size)?;
     // SAFETY: the caller guarantees valid memory.
@@ -80,9 +80,9 @@ pub(crate) unsafe fn run<R: CScalar>(
         &mut *set_up
     };
     let mut call = || {
-        if let Some(between) = between {
+        if let Some(pause) = pause {
             // SAFETY: the caller guarantees that it may be called.
-            unsafe { between(context) };
+            unsafe { pause(context) };
         }
     };
     cleared.set_up(set_up, &motion, tick, launched.epoch, &mut call)?;

@@ -2,7 +2,7 @@
 
 use crate::motion::toytop_motion;
 use crate::sample::{self, toytop_ephemeris_cursor, toytop_ephemeris_sample, toytop_event};
-use crate::set_up::{self, Launched, toytop_between, toytop_set_up};
+use crate::set_up::{self, Launched, toytop_pause, toytop_set_up};
 use crate::status::{status_of, toytop_error, toytop_status};
 use crate::table::*;
 use core::ffi::c_void;
@@ -47,11 +47,11 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up>](
     unsafe { status_of(error, || set_up::on_stack::<$scalar>((table.cast(), size), launched)) }
 }
 
-/// Sets up a table as the function without `_between` does, with its memory in a static instead of on the stack, and with other work in between.
+/// Sets up a table as the function without `_with_pauses` does, with its memory in a static instead of on the stack, and with pauses for other work.
 ///
-/// * `between`: function that is called again and again with `context`, or null
+/// * `pause`: function that is called again and again with `context`, or null
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn [<toytop_ $name _set_up_between>](
+pub unsafe extern "C" fn [<toytop_ $name _set_up_with_pauses>](
     table: *mut $table,
     size: usize,
     set_up: *mut toytop_set_up,
@@ -59,14 +59,14 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up_between>](
     tick: toytop_tick,
     epoch: i64,
     truncation: f64,
-    between: toytop_between,
+    pause: toytop_pause,
     context: *mut c_void,
     error: *mut toytop_error,
 ) -> toytop_status {
     let launched = Launched { motion, tick, epoch, truncation };
     // SAFETY: the caller guarantees valid pointers.
     unsafe {
-        status_of(error, || set_up::run::<$scalar>((table.cast(), size), set_up, launched, (between, context)))
+        status_of(error, || set_up::run::<$scalar>((table.cast(), size), set_up, launched, (pause, context)))
     }
 }
 

@@ -35,15 +35,18 @@ pub(crate) const fn shifted_right(value: i64, bits: u32) -> i64 {
     ((value >> (bits - 1)) + 1) >> 1
 }
 
+/// Depth of the longest segments, which are an eighth of half a period.
+pub(crate) const LEAST_DEPTH: u32 = 3;
+
 /// Point of a segment.
 #[derive(Clone, Copy, Debug)]
 pub struct SegmentPoint {
     /// Local coordinate x·2^63 with x in [-1, 1).
     pub(crate) x_q63: i64,
-    /// Local coordinate x·2^31, rounded down to a multiple of 2^level.
+    /// Local coordinate x·2^31, rounded down to a multiple of 2^(depth - 3).
     pub(crate) x_q31: i32,
-    /// Level of the segment: base-2 logarithm of the rate of x over that at level 0.
-    pub(crate) level: u32,
+    /// Depth of the segment: half a period would have 2^depth of its length.
+    pub(crate) depth: u32,
     /// Whether u is falling, where the tabulated values become their complex conjugates.
     pub(crate) is_falling: bool,
 }
@@ -76,26 +79,29 @@ pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
     /// Type of lengths and rates: the scalar itself, or `f32` for fixed point, whose range is too small.
     type Quantity: Real;
 
-    /// Truncation error of a table unless another one is chosen, rad.
-    const TRUNCATION: f64 = 2.0 * Self::ROUNDING;
     /// Number of coefficients of a polynomial.
     const TERMS: usize;
-    /// Number of 64-bit words in which its period is integrated. With 1 the rates along the path are `f64`.
-    #[doc(hidden)]
-    const PERIOD_WORDS: usize = 1;
     /// Segment whose coefficients are all 0.
     #[doc(hidden)]
     const ZERO_SEGMENT: Self::Segment;
     /// Code of the scalar in table data: see `core/docs/table_format.md`.
     #[doc(hidden)]
     const CODE: u32;
-    /// Rounding errors of a tick.
-    #[doc(hidden)]
-    const ERRORS: EvaluationErrors;
 
     /// Nearest value of the scalar.
     #[doc(hidden)]
     fn from_number(number: NumberOf<Self>) -> Self;
+
+    // For the set-up.
+
+    /// Truncation error of a table unless another one is chosen, rad.
+    const TRUNCATION: f64 = 2.0 * Self::ROUNDING;
+    /// Number of 64-bit words in which its period is integrated. With 1 the rates along the path are `f64`.
+    #[doc(hidden)]
+    const PERIOD_WORDS: usize = 1;
+    /// Rounding errors of a tick.
+    #[doc(hidden)]
+    const ERRORS: EvaluationErrors;
 }
 
 /// Number of the results in a scalar.
@@ -117,8 +123,8 @@ pub trait Number: Ring + Into<Self::Quantity> {
     /// Angular velocity Ω over a power of two, with the exponent of that power.
     ///
     /// * `polynomials`: values and derivatives
-    /// * `difference`: cosine and sine of λ_β - λ_α
-    /// * `rates`: rates of x at level 0, of λ_α + λ_β, and about the axis
+    /// * `difference`: cosine and sine of B - A
+    /// * `rates`: rates of x at the least depth, of λ_α + λ_β, and about the axis
     fn omega_body(
         polynomials: [[Self::Sum; 4]; 2],
         difference: [Self::Sum; 2],
@@ -135,10 +141,6 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     /// Number of the results.
     type Number: Number;
 
-    /// Coefficient of x^power nearest to a value in units of 2^-62.
-    fn nearest(value: i64, power: usize) -> Self;
-    /// Error that the coefficients of a polynomial cause, both in units of 2^-62; infinite where a sum could overflow.
-    fn error(polynomial: &[i64]) -> f32;
     /// Value of a coefficient of x^power, exact.
     fn to_f64(self, power: usize) -> f64;
 
@@ -160,6 +162,13 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     ) -> Complex<Self::Number>;
     /// Cosine and sine of λ_β - λ_α, from the sines and cosines of both.
     fn difference(sines_cosines: [[SumOf<Self>; 2]; 2]) -> [SumOf<Self>; 2];
+
+    // For the set-up.
+
+    /// Coefficient of x^power nearest to a value in units of 2^-62.
+    fn nearest(value: i64, power: usize) -> Self;
+    /// Error that the coefficients of a polynomial cause, both in units of 2^-62; infinite where a sum could overflow.
+    fn error(polynomial: &[i64]) -> f32;
 }
 
 /// Whether 16 bits of x are enough for this power.

@@ -61,17 +61,17 @@ fn a_bit_flipped_anywhere_is_refused() {
         |baked| baked.clock.epoch += 1,
         |baked| baked.clock.tip_start[3] ^= 1,
         |baked| baked.clock.tip_step[0] ^= 1,
-        |baked| baked.clock.tip_passes ^= 1,
+        |baked| baked.clock.tip_sign_changes ^= 1,
         |baked| baked.clock.has_turning_points = !baked.clock.has_turning_points,
         |baked| baked.crc32 ^= 1 << 31,
-        |baked| baked.clock.first[1] ^= 1 << 63,
+        |baked| baked.clock.first_phases[1] ^= 1 << 63,
         |baked| baked.clock.step[2][0] ^= 1,
         |baked| baked.clock.exact_step[0][1] = f64::from_bits(baked.clock.exact_step[0][1].to_bits() ^ 1),
         |baked| baked.clock.ticks_per_time[1] = -baked.clock.ticks_per_time[1],
         |baked| baked.error_bound.constant = f64::from_bits(baked.error_bound.constant.to_bits() ^ 1),
         |baked| baked.rate_error_bound.per_tick *= 1.5,
         |baked| baked.clock.twice_tip_scale = -baked.clock.twice_tip_scale,
-        |baked| baked.clock.rates[0] = f32::from_bits(baked.clock.rates[0].to_bits() ^ 1),
+        |baked| baked.clock.x_rate = f32::from_bits(baked.clock.x_rate.to_bits() ^ 1),
         |baked| baked.cells[15] ^= 1,
         |baked| baked.segments[0][0][0] ^= 1,
         |baked| baked.segments[24][4][3] ^= 1 << 31,
@@ -112,7 +112,7 @@ macro_rules! wild {
                     *number = <$coefficient>::wild(draw(), shift);
                 }
                 if k % 3 == 0 {
-                    wild.clock.first = [0; 3].map(|_: u64| draw());
+                    wild.clock.first_phases = [0; 3].map(|_: u64| draw());
                     wild.cells = [0; 16].map(|_: u16| draw() as u16);
                 }
                 set_checksum!(wild);
@@ -174,16 +174,19 @@ impl Wild for f64 {
 fn a_field_beyond_its_range_is_named() {
     let motion = vectors::motion("exact_generic_pp");
     let baked = Ephemeris::<f32, 25>::new(&motion, kilohertz()).unwrap().to_baked();
-    let changes: [(Change, &str); 8] = [
+    let changes: [(Change, &str); 10] = [
         (|baked| baked.clock.exact_step[1][0] = f64::NAN, "exact_step"),
         (|baked| baked.clock.ticks_per_time[0] = f64::INFINITY, "ticks_per_time"),
         (|baked| baked.error_bound.constant = f64::NAN, "error_bound"),
         (|baked| baked.error_bound.per_tick = f64::NEG_INFINITY, "error_bound"),
         (|baked| baked.clock.twice_tip_scale = f32::MAX, "twice_tip_scale"),
-        (|baked| baked.clock.rates[2] = f32::NAN, "rates"),
+        (|baked| baked.clock.axial_rate = f32::NAN, "axial_rate"),
         // a sum of 2^31 - 2^15 is the smallest that is too large
         (|baked| baked.segments[3][1..].fill([i32::MAX - 0x7fff, 0, 0, 0]), "segments"),
         (|baked| baked.segments[24][4][3] = i32::MIN, "segments"),
+        // the last cell refers beyond the last segment; a level of 14
+        (|baked| baked.cells[15] += 25 << 4, "cells"),
+        (|baked| baked.cells[0] = 14, "cells"),
     ];
     for (change, field) in changes {
         let mut changed = baked.clone();
@@ -198,6 +201,17 @@ fn a_field_beyond_its_range_is_named() {
     changed.segments[3][1] = [i32::MAX - 0x8000, 0x8000 - i32::MAX, 0, 0];
     set_checksum!(changed);
     assert!(changed.ephemeris().is_ok());
+}
+
+#[test]
+fn a_table_without_segments_is_refused() {
+    let motion = vectors::motion("exact_generic_pp");
+    let baked = Ephemeris::<f32, 25>::new(&motion, kilohertz()).unwrap().to_baked();
+    let Baked { format, clock, error_bound, rate_error_bound, cells, .. } = baked;
+    let mut empty =
+        Baked::<f32, 0> { format, crc32: 0, clock, error_bound, rate_error_bound, cells, segments: [] };
+    set_checksum!(empty);
+    assert_eq!(empty.ephemeris().err(), Some(BakedError::OutOfRange { field: "cells" }));
 }
 
 /// The page on the format has a row for every field of the clock, in the order of the checksum.

@@ -1,7 +1,7 @@
 /* A Cortex-M4F in C: an interrupt of 1 kHz follows a top, the main loop relaunches it after a stroke and hands a new table over.
  *
  * Two tables take turns. The interrupt reads the one that `current` points to; the main loop sets up the other one and then changes
- * `current`, which is one word. The interrupt makes its cursor again when it sees the change. The set-up calls `between`, which
+ * `current`, which is one word. The interrupt makes its cursor again when it sees the change. The set-up calls `count`, which
  * could feed a watchdog. */
 #include "../throw.h"
 #include "chip.h"
@@ -43,7 +43,7 @@ static void stop_if(toytop_status status, const toytop_error *error) {
     leave(1);
 }
 
-static void between(void *context) { ++*(uint32_t *)context; }
+static void count(void *context) { ++*(uint32_t *)context; }
 
 /* Sets up a table of the motion from a state at a tick, and prints the bits of three of its ticks. */
 static void set_up(toytop_ephemeris_f32 *table, const toytop_state *state, int64_t epoch) {
@@ -51,7 +51,7 @@ static void set_up(toytop_ephemeris_f32 *table, const toytop_state *state, int64
     static toytop_set_up memory;
     static toytop_error error;
     stop_if(toytop_launch(&top, state, &motion, &error), &error);
-    stop_if(toytop_f32_set_up_between(table, sizeof *table, &memory, &motion, toytop_hertz(1000), epoch, 0.0, between,
+    stop_if(toytop_f32_set_up_with_pauses(table, sizeof *table, &memory, &motion, toytop_hertz(1000), epoch, 0.0, count,
                                       &calls, &error), &error);
     for (int64_t tick = 0; tick < 3; tick++) {
         toytop_ephemeris_sample now;

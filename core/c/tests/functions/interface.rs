@@ -166,8 +166,9 @@ fn each_refused_set_up_has_a_status() {
     let run = |table, size, set_up, motion: *const _, tick, truncation| unsafe {
         let mut why = MaybeUninit::<toytop_error>::zeroed();
         let (none, error) = (null_mut(), why.as_mut_ptr());
-        let status =
-            toytop_f32_set_up_between(table, size, set_up, motion, tick, 0, truncation, None, none, error);
+        let status = toytop_f32_set_up_with_pauses(
+            table, size, set_up, motion, tick, 0, truncation, None, none, error,
+        );
         (status, why.assume_init())
     };
     let good = || run(table, f32_size(16), set_up, motion, tick, 1e-2).0;

@@ -27,11 +27,11 @@ fn other_work_in_between_gives_the_same_table() {
         let (size, mut calls) = (size_of::<toytop_ephemeris_f64>(), 0_u32);
         let mut set_up = Box::<toytop_set_up>::new_uninit();
         let (table, set_up) = (interrupted.as_mut_ptr().cast(), set_up.as_mut_ptr());
-        let [on_stack, between] = unsafe {
+        let [on_stack, with_pauses] = unsafe {
             let context = (&raw mut calls).cast();
             [
                 toytop_f64_set_up(whole.as_mut_ptr().cast(), size, &motion, TICK, 7, truncation, null_mut()),
-                toytop_f64_set_up_between(
+                toytop_f64_set_up_with_pauses(
                     table,
                     size,
                     set_up,
@@ -45,7 +45,7 @@ fn other_work_in_between_gives_the_same_table() {
                 ),
             ]
         };
-        assert_eq!([on_stack, between], [TOYTOP_OK; 2]);
+        assert_eq!([on_stack, with_pauses], [TOYTOP_OK; 2]);
         assert!(calls > 30, "{calls} calls");
         // behind the head and the flag of the memory, without padding, whose bytes may differ
         let table = |words: &[u64]| unsafe { words[2..].as_ptr().cast::<Ephemeris<f64, 48>>().read() };

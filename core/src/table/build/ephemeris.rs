@@ -1,5 +1,7 @@
 //! Set-up of an ephemeris: from a motion to the whole table.
 
+mod clock;
+
 use core::fmt;
 
 use super::errors::Limits;
@@ -8,7 +10,7 @@ use super::segmentation::{SegmentStore, Segmentation};
 use super::set_up::SetUp;
 use crate::constants::Regime;
 use crate::motion::Motion;
-use crate::table::data::cell::{Cell, SEGMENTS_AT_LEVEL_0};
+use crate::table::data::cell::{Cell, LEAST_SEGMENTS};
 use crate::table::data::{Clock, Ephemeris, EphemerisMemory, EphemerisView, Tick};
 use crate::table::evaluation::{Coefficient, EphemerisScalar};
 
@@ -87,7 +89,7 @@ impl SetUp {
         table.segments.get_mut(*segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
         table.clock = Clock::new(motion, tick, epoch, self.mean_rates.rates, self.launch.phases);
         pause();
-        table.start_tip_angle(motion, self.launch.phases, epoch, pause);
+        table.start_tip_angle(motion, self.launch.phases, pause);
         pause();
         [table.error_bound, table.rate_error_bound] = self.error_bounds(&R::ERRORS, motion, tick.length());
     }
@@ -145,7 +147,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let mut set_up = SetUp::with_truncation(truncation);
         set_up.tabulate::<R>(motion, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
-        Some(set_up.segmentation.segments.max(SEGMENTS_AT_LEVEL_0) as u32)
+        Some(set_up.segmentation.segments.max(LEAST_SEGMENTS) as u32)
     }
 }
 

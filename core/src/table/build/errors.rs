@@ -1,8 +1,7 @@
 //! Errors of a table: those allowed to its parts, and what the bounds on its errors follow from.
 
 use crate::scalar::{Float, Ring, Scalar};
-use crate::table::data::cell::LEVEL_0_BITS;
-use crate::table::evaluation::TABLE_UNIT;
+use crate::table::evaluation::{LEAST_DEPTH, TABLE_UNIT};
 
 /// Limits that a set-up keeps.
 #[derive(Clone, Copy, Debug)]
@@ -53,7 +52,7 @@ impl Limits {
 
     /// Truncation error of a segment of this depth, in units of 2^-62 rad.
     pub(super) fn segment_error(&self, depth: u32) -> f32 {
-        if depth == LEVEL_0_BITS { TWO_CELLS_SHARE * self.polynomial } else { self.polynomial }
+        if depth == LEAST_DEPTH { TWO_CELLS_SHARE * self.polynomial } else { self.polynomial }
     }
 
     /// Negligible term in units of 2^-62.

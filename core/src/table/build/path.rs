@@ -8,7 +8,7 @@ use crate::motion::Motion;
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring, power_of_two};
-use crate::table::data::cell::{CELLS, Cell, LEVEL_0_BITS};
+use crate::table::data::cell::{CELLS, Cell};
 
 /// One of the 2^depth equal parts of half a period. Positions are in shortest segments.
 #[derive(Clone, Copy, Debug)]
@@ -24,7 +24,7 @@ pub(super) const CELL: usize = HALF_PERIOD / CELLS;
 impl Span {
     const SHALLOWEST: u32 = 2;
     /// Greatest depth, that of the shortest segment.
-    pub(super) const DEEPEST: u32 = LEVEL_0_BITS + Cell::DEEPEST;
+    pub(super) const DEEPEST: u32 = Cell::DEEPEST;
 
     /// Longest span from u = e₁ on.
     pub(super) const FIRST: Self = Self { begin: 0, depth: Self::SHALLOWEST };

@@ -13,8 +13,8 @@
 use super::errors::{Limits, SegmentErrors, Speeds};
 use super::path::{CELL, HALF_PERIOD, Path, PathPoint, Span};
 use super::polynomial::Polynomial;
-use crate::table::data::cell::{CELLS, Cell, LEVEL_0_BITS};
-use crate::table::evaluation::TABLE_UNIT;
+use crate::table::data::cell::{CELLS, Cell};
+use crate::table::evaluation::{LEAST_DEPTH, TABLE_UNIT};
 
 /// Table in which segments are stored.
 pub(super) trait SegmentStore {
@@ -87,7 +87,7 @@ impl Segmentation {
 
     /// First depth to try: one less than that of the last cell. A segment of two cells begins at an even cell.
     fn first_depth(&self, begin: usize) -> u32 {
-        self.cell.depth.saturating_sub(1).max(LEVEL_0_BITS + (begin / CELL % 2) as u32)
+        self.cell.depth.saturating_sub(1).max(LEAST_DEPTH + (begin / CELL % 2) as u32)
     }
 
     /// Divides the span into segments. Returns its end, or the beginning of a cell that needs shorter segments; `None` if the segments are too
@@ -157,7 +157,7 @@ impl Segmentation {
 
     fn finish_cell(&mut self) {
         let UnfinishedCell { begin, end, depth, speeds, error, .. } = self.cell;
-        let Cell(entry) = Cell::new(self.segments, begin / segment_length(depth), depth - LEVEL_0_BITS);
+        let Cell(entry) = Cell::new(self.segments, begin / segment_length(depth), depth);
         let cells = self.cells.iter_mut().skip(begin / CELL).take((end - begin) / CELL);
         cells.for_each(|cell| *cell = entry);
         self.segments += self.cell.segments();

@@ -7,7 +7,7 @@ use core::fmt;
 
 use crate::table::data::Clock;
 use crate::table::data::ErrorBound;
-use crate::table::data::cell::CELLS;
+use crate::table::data::cell::{CELLS, Cell};
 use crate::table::data::ephemeris::{Ephemeris, EphemerisView};
 use crate::table::evaluation::EphemerisScalar;
 use crc32::Crc32;
@@ -53,7 +53,7 @@ pub enum BakedError {
         /// Checksum computed from the data.
         computed: u32,
     },
-    /// A number is not finite, or too large for a tick.
+    /// A number is not finite, or too large for a tick; or a cell refers to a segment that is not there.
     OutOfRange {
         /// Name of the field.
         field: &'static str,
@@ -66,6 +66,7 @@ impl fmt::Display for BakedError {
             Self::Format { found } => {
                 write!(f, "format: must be {FORMAT}, not {found}")
             }
+            Self::OutOfRange { field: "cells" } => f.write_str("cells: must refer to segments of the table"),
             Self::OutOfRange { field } => {
                 write!(f, "{field}: must contain only finite numbers that cannot overflow in a tick")
             }
@@ -88,15 +89,15 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     const fn crc32_of_head(&self) -> Crc32 {
         let clock = &self.clock;
         let flags = [
-            clock.tip_quarter as u8,
-            clock.tip_passes,
+            clock.tip_start_quarter_turns as u8,
+            clock.tip_sign_changes,
             clock.tip_exists as u8,
             clock.has_turning_points as u8,
         ];
         Crc32::EMPTY
             .u32(&[FORMAT, R::CODE, self.segments.len() as u32, R::TERMS as u32])
             .u32(clock.step.as_flattened())
-            .u64(&clock.first)
+            .u64(&clock.first_phases)
             .u64(&[clock.epoch as u64])
             .f64(clock.exact_step.as_flattened())
             .f64(&clock.ticks_per_time)
@@ -107,6 +108,17 @@ impl<R: EphemerisScalar> EphemerisView<R> {
             .f64(&self.rate_error_bound.numbers())
             .u16(&self.cells)
     }
+
+    /// Whether every cell refers to segments of the table.
+    const fn has_segments_of_cells(&self) -> bool {
+        let mut cells: &[u16] = &self.cells;
+        while let [rest @ .., cell] = cells
+            && Cell(*cell).is_within(rest.len() as u32, self.segments.len())
+        {
+            cells = rest;
+        }
+        cells.is_empty()
+    }
 }
 
 /// Functions of each scalar. They are `const`, which a trait cannot declare.
@@ -116,7 +128,8 @@ macro_rules! baked {
             /// Checksum of the table, as in table data.
             #[must_use]
             pub const fn crc32(&self) -> u32 {
-                let head = self.crc32_of_head().$wide(&[self.clock.twice_tip_scale]).$wide(&self.clock.rates);
+                let clock = &self.clock;
+                let head = self.crc32_of_head().$wide(&[clock.twice_tip_scale]).$wide(&clock.rates());
                 head.$coefficient(self.segments.as_flattened().as_flattened()).value()
             }
 
@@ -128,16 +141,19 @@ macro_rules! baked {
                 {
                     segments = rest;
                 }
-                let fields: &[_] = &[
-                    ("exact_step", range::finite(self.clock.exact_step.as_flattened())),
-                    ("ticks_per_time", range::finite(&self.clock.ticks_per_time)),
+                let clock = &self.clock;
+                let mut fields: &[_] = &[
+                    ("exact_step", range::finite(clock.exact_step.as_flattened())),
+                    ("ticks_per_time", range::finite(&clock.ticks_per_time)),
                     ("error_bound", range::finite(&self.error_bound.numbers())),
                     ("rate_error_bound", range::finite(&self.rate_error_bound.numbers())),
-                    ("twice_tip_scale", range::$wide(&[self.clock.twice_tip_scale])),
-                    ("rates", range::$wide(&self.clock.rates)),
+                    ("twice_tip_scale", range::$wide(&[clock.twice_tip_scale])),
+                    ("x_rate", range::$wide(&[clock.x_rate])),
+                    ("slow_sum_rate", range::$wide(&[clock.slow_sum_rate])),
+                    ("axial_rate", range::$wide(&[clock.axial_rate])),
                     ("segments", segments.is_empty()),
+                    ("cells", self.has_segments_of_cells()),
                 ];
-                let mut fields = fields;
                 while let [(field, in_range), rest @ ..] = fields {
                     if !*in_range {
                         return Some(field);

@@ -1,11 +1,8 @@
 //! Clock of an ephemeris: the phases at any tick, and at any time between two ticks.
 
 use crate::body::{ParameterError, check};
-use crate::constants::Regime;
-use crate::motion::Motion;
 use crate::phase::{Phase, WrappedPhase, mantissa_and_exponent, times_power_of_two_i128};
 use crate::scalar::{Extended, Float};
-use crate::table::data::cell::SEGMENTS_AT_LEVEL_0;
 
 /// Length of a tick, an exact fraction of a second.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,19 +55,23 @@ pub struct Clock<W> {
     /// Increments per tick of nutation phase and slow phases, in units of 2^-96 turns, lowest word first.
     pub step: [[u32; 3]; 3],
     /// Argument of the tabulated ab at u = e₁ in quarter turns: 0, or ±1 for e₁ = -1.
-    pub tip_quarter: i8,
+    pub tip_start_quarter_turns: i8,
     /// Number of the parameters α and β that pass through 0.
-    pub tip_passes: u8,
+    pub tip_sign_changes: u8,
     /// Whether the tip angle exists: the axis does not stay vertical.
     pub tip_exists: bool,
     /// Whether u has turning points: false where u is constant to 2^-49.
     pub has_turning_points: bool,
     /// Twice [`Top::tip_scale`](crate::Top::tip_scale), 2 s, m; 2 for a fixed tip. The tip is at c = 2 s αβ.
     pub twice_tip_scale: W,
-    /// Rate dx/dt on a segment of an eighth of half a period, /s; mean rate of the sum of the slow phases and axial rate (n - K)/C, rad/s.
-    pub rates: [W; 3],
+    /// Rate dx/dt on a segment of an eighth of half a period, /s.
+    pub x_rate: W,
+    /// Mean rate of λ_α + λ_β, rad/s.
+    pub slow_sum_rate: W,
+    /// Angular velocity (n - K)/C about the axis, rad/s.
+    pub axial_rate: W,
     /// Nutation phase and slow phases at tick `i64::MIN`, in units of 2^-64 turns.
-    pub first: [u64; 3],
+    pub first_phases: [u64; 3],
     /// Increments per tick in turns, with whole turns, as sums of two `f64`.
     pub exact_step: [[f64; 2]; 3],
     /// Number of ticks in a unit of time, as the sum of two `f64`.
@@ -86,66 +87,30 @@ pub struct Clock<W> {
 impl<W: Float> Clock<W> {
     pub(crate) const ZERO: Self = Self {
         step: [[0; 3]; 3],
-        tip_quarter: 0,
-        tip_passes: 0,
+        tip_start_quarter_turns: 0,
+        tip_sign_changes: 0,
         tip_exists: false,
         has_turning_points: false,
         twice_tip_scale: W::ZERO,
-        rates: [W::ZERO; 3],
-        first: [0; 3],
+        x_rate: W::ZERO,
+        slow_sum_rate: W::ZERO,
+        axial_rate: W::ZERO,
+        first_phases: [0; 3],
         exact_step: [[0.0; 2]; 3],
         ticks_per_time: [0.0; 2],
         tip_start: [0; 4],
         tip_step: [0; 4],
         epoch: 0,
     };
-
-    /// Clock of a motion that is launched at tick `epoch`, without [`Clock::tip_start`].
-    ///
-    /// * `turns`: nutation frequency and mean rates of the slow phases, turns/s
-    /// * `start`: nutation phase and slow phases at the launch
-    pub(crate) fn new(
-        motion: &Motion,
-        tick: Tick,
-        epoch: i64,
-        turns: [Extended; 3],
-        start: [Phase; 3],
-    ) -> Self {
-        let length = tick.length();
-        let exact_step = turns.map(|turns| turns * length);
-        let [frequency, alpha, beta] = turns;
-        let mean = ((alpha + beta) * Extended::TWO_PI).to_f64();
-        // x changes by 2 over each segment
-        let x_rate = 4.0 * SEGMENTS_AT_LEVEL_0 as f64 * frequency.to_f64();
-        // LLVM 22 compiles a product of `i128` wrongly for RISC-V where the epoch is known
-        let ticks = epoch.wrapping_sub(i64::MIN) as u64;
-        let (mut first, mut step) = ([0; 3], [[0; 3]; 3]);
-        for (((first, words), start), turns) in first.iter_mut().zip(&mut step).zip(start).zip(exact_step) {
-            let step = WrappedPhase::from_phase(turns.to_phase());
-            *words = step.words();
-            *first = WrappedPhase::from_phase(start).minus(step.times(ticks)).leading_bits();
-        }
-        let [alpha_winding, beta_winding] = motion.windings();
-        let tip_passes = u8::from(alpha_winding == 0) + u8::from(beta_winding == 0);
-        Self {
-            step,
-            tip_quarter: if alpha_winding == 0 { motion.signs().l_plus_n.factor() as i8 } else { 0 },
-            tip_passes,
-            tip_exists: !motion.regime().is_vertical(),
-            has_turning_points: motion.regime() == Regime::Nutating,
-            twice_tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
-            rates: [x_rate, mean, motion.axial_rate()].map(W::from_f64),
-            first,
-            exact_step: exact_step.map(Extended::to_parts),
-            ticks_per_time: tick.rate().to_parts(),
-            tip_start: [0; 4],
-            tip_step: exact_tip_step(exact_step, tip_passes).to_phase().words(),
-            epoch,
-        }
-    }
 }
 
-impl<W> Clock<W> {
+impl<W: Copy> Clock<W> {
+    /// Rates of x on a segment of an eighth of half a period, of A + B, and about the axis.
+    #[inline(always)]
+    pub(crate) const fn rates(&self) -> [W; 3] {
+        [self.x_rate, self.slow_sum_rate, self.axial_rate]
+    }
+
     #[inline(always)]
     pub(crate) fn steps(&self) -> [WrappedPhase; 3] {
         self.step.map(WrappedPhase::new)
@@ -186,7 +151,7 @@ impl<W> Clock<W> {
         let ticks = if lo == 0.0 { product(hi) } else { product(hi).wrapping_add(product(lo)) };
         let (tick, fraction) = ((ticks >> 64) as i64, ticks as u64);
         let since_first = tick.wrapping_sub(i64::MIN) as u64;
-        let ([nutation, a, b], [nutation_step, a_step, b_step]) = (self.first, self.steps());
+        let ([nutation, a, b], [nutation_step, a_step, b_step]) = (self.first_phases, self.steps());
         let after = |first: u64, step: WrappedPhase| {
             first.wrapping_add(step.leading_bits_after(since_first, fraction))
         };
@@ -200,7 +165,7 @@ impl<W> Clock<W> {
         let since_first = n.wrapping_sub(i64::MIN) as u64;
         let after =
             |first: u64, step: [u32; 3]| WrappedPhase::new(step).times(since_first).plus_leading_bits(first);
-        let [nutation, a, b] = &self.first;
+        let [nutation, a, b] = &self.first_phases;
         // by reference: an array of all steps would take nine registers at once
         let [nutation_step, a_step, b_step] = &self.step;
         [after(*nutation, *nutation_step), after(*a, *a_step), after(*b, *b_step)]
@@ -214,12 +179,12 @@ impl<W> Clock<W> {
         let since_first = ticks.wrapping_sub(i64::MIN.into());
         let turned = |step: Phase, ticks: i128| Phase::from_bits(step.to_bits().wrapping_mul(ticks));
         let mut phases = self.steps();
-        for ((phase, turns), first) in phases.iter_mut().zip(self.exact_steps()).zip(self.first) {
+        for ((phase, turns), first) in phases.iter_mut().zip(self.exact_steps()).zip(self.first_phases) {
             let part = (turns * fraction).to_phase();
             *phase = WrappedPhase::from_phase(turned(phase.to_phase(), since_first) + part)
                 .plus_leading_bits(first);
         }
-        let part = (exact_tip_step(self.exact_steps(), self.tip_passes) * fraction).to_phase();
+        let part = (self.exact_tip_step() * fraction).to_phase();
         (phases, Phase::from_words(self.tip_start) + turned(self.tip_turn(), ticks) + part)
     }
 
@@ -233,9 +198,10 @@ impl<W> Clock<W> {
     pub(crate) fn mean_tip(&self, n: i64) -> Phase {
         Phase::from_words(self.tip_start) + self.tip_turn() * n
     }
-}
 
-/// Increment of the mean tip angle per tick, in turns. It lacks the half turn per period of a parameter that passes through 0.
-fn exact_tip_step([nutation, a, b]: [Extended; 3], passes: u8) -> Extended {
-    a + b - nutation * Extended::from(0.5 * f64::from(passes))
+    /// Increment of the mean tip angle per tick, in turns. It lacks the half turn per period of a parameter that passes through 0.
+    pub(in crate::table) fn exact_tip_step(&self) -> Extended {
+        let [nutation, a, b] = self.exact_steps();
+        a + b - nutation * Extended::from(0.5 * f64::from(self.tip_sign_changes))
+    }
 }

@@ -1,6 +1,6 @@
 //! Table of one motion, and the memory for it.
 
-use crate::table::data::cell::{CELLS, Cell, SEGMENTS_AT_LEVEL_0};
+use crate::table::data::cell::{CELLS, Cell, LEAST_SEGMENTS};
 use crate::table::data::{Clock, ErrorBound};
 use crate::table::evaluation::EphemerisScalar;
 use core::ops::{Deref, DerefMut};
@@ -52,7 +52,7 @@ pub type EphemerisQ15 = Ephemeris<fixed::types::I2F14, 16>;
 impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
     /// Table before set-up. All its bits are 0, so that it takes no flash.
     const EMPTY: Self = {
-        assert!(SEGMENTS >= SEGMENTS_AT_LEVEL_0 && SEGMENTS <= Cell::MOST_SEGMENTS);
+        assert!(SEGMENTS >= LEAST_SEGMENTS && SEGMENTS <= Cell::MOST_SEGMENTS);
         Self {
             clock: Clock::ZERO,
             error_bound: ErrorBound::ZERO,

@@ -4,7 +4,7 @@ use crate::complex::Complex;
 use crate::scalar::{Scalar, fraction_of_word, sine_cosine_f64};
 use crate::su2::Vector;
 use crate::table::evaluation::{
-    Coefficient, EphemerisScalar, EvaluationErrors, Number, SegmentPoint, TABLE_UNIT,
+    Coefficient, EphemerisScalar, EvaluationErrors, LEAST_DEPTH, Number, SegmentPoint, TABLE_UNIT,
 };
 
 impl EphemerisScalar for f64 {
@@ -100,7 +100,7 @@ impl Number for f64 {
     ) -> (Vector<f64>, i32) {
         let pair = |[re_a, im_a, re_b, im_b]: [f64; 4]| [Complex::new(re_a, im_a), Complex::new(re_b, im_b)];
         let [[a, b], [a_slope, b_slope]] = polynomials.map(pair);
-        let x = x * Self::from(1_u16 << point.level);
+        let x = x * Self::from(1_u16 << (point.depth - LEAST_DEPTH));
         let change = (a.conj() * b_slope - b * a_slope.conj()).scaled(x);
         let n = change + (a.conj() * b).times_i().scaled(mean);
         let n = if point.is_falling { -n.conj() } else { n } * Complex::new(cosine, sine);

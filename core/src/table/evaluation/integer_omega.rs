@@ -1,7 +1,7 @@
 //! Angular velocity in integers.
 
 use crate::product::high_product;
-use crate::table::evaluation::SegmentPoint;
+use crate::table::evaluation::{LEAST_DEPTH, SegmentPoint};
 
 /// Angular velocity Ω over a power of two, in units of 2^-30, with the exponent of that power.
 ///
@@ -23,7 +23,7 @@ pub(super) fn omega_body(
     let [back, iback] = times_conj([b, ib], [da, dia]);
     let [product, iproduct] = times_conj([b, ib], [a, ia]);
     let [x, mean, axial] = rates.map(Significand::new);
-    let x = Significand { exponent: x.exponent + point.level as i32, ..x };
+    let x = Significand { exponent: x.exponent + (point.depth - LEAST_DEPTH) as i32, ..x };
     let exponent = x.exponent.max(mean.exponent);
     let sum = |change: i32, turned: i32| x.times(change, exponent).wrapping_add(mean.times(turned, exponent));
     let re = sum(forth.wrapping_sub(back), iproduct.wrapping_neg());
@@ -89,16 +89,16 @@ mod tests {
             let turn = [libm::cos(angle), libm::sin(angle)];
             let mut rate = || (libm::exp2(f64::from(random() % 9)) * f64::from(random()) / 2e9) as f32;
             let rates = [rate().abs(), rate(), rate()];
-            let (level, is_falling) = (case % 12, case % 2 == 1);
+            let (depth, is_falling) = (LEAST_DEPTH + case % 12, case % 2 == 1);
             let unit = 1.0 / (1_u64 << 31) as f64;
             let wide = [values, slopes].map(|four| four.map(|number| f64::from(number) * unit));
             let [x, mean, axial] = rates.map(f64::from);
-            let point = SegmentPoint { x_q63: 0, x_q31: 0, level, is_falling };
+            let point = SegmentPoint { x_q63: 0, x_q31: 0, depth, is_falling };
             let [cosine, sine] = turn;
             let (exact, _) = f64::omega_body(wide, [cosine, sine], point, [x, mean, axial]);
             let turn = turn.map(|part| (part * (1_u64 << 30) as f64) as i32);
             let (omega, exponent) = omega_body([values, slopes], turn, point, rates);
-            let allowed = 3e-8 * (x * f64::from(1_u32 << level) + mean.abs() + axial.abs());
+            let allowed = 3e-8 * (x * f64::from(1_u32 << (depth - LEAST_DEPTH)) + mean.abs() + axial.abs());
             for (number, exact) in omega.into_iter().zip(exact) {
                 // a rotated number may exceed 1 by up to √2
                 assert!(number.unsigned_abs() < 3 << 29, "{case}: {number:?}");

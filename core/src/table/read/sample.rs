@@ -5,9 +5,9 @@ use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
 use crate::su2::{AttitudeState, Orientation, Vector};
 use crate::table::data::EphemerisView;
-use crate::table::data::cell::{Cell, LEVEL_0_BITS};
+use crate::table::data::cell::Cell;
 use crate::table::evaluation::{
-    EphemerisScalar, Number, NumberOf, SegmentPoint, orientation, orientation_and_omega_body,
+    EphemerisScalar, LEAST_DEPTH, Number, NumberOf, SegmentPoint, orientation, orientation_and_omega_body,
 };
 
 /// Sample of a motion at one time. Each method evaluates the table; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
@@ -152,15 +152,15 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     fn unrounded_with_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
         let [nutation, a, b] = self.phases;
         let LocatedSegment { rows, point, .. } = self.ephemeris.segment_at(nutation);
-        orientation_and_omega_body(rows, point, [a, b], self.ephemeris.clock.rates)
+        orientation_and_omega_body(rows, point, [a, b], self.ephemeris.clock.rates())
     }
 
     /// Unrounded orientation, and Ω.
     #[inline(always)]
     fn numbers_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
         let (orientation, [x1, x2, _], exponent) = self.unrounded_with_omega_body();
-        let [.., axial] = self.ephemeris.clock.rates;
-        (orientation, [x1.times_power_of_two(exponent), x2.times_power_of_two(exponent), axial])
+        let transverse = |x: NumberOf<R>| x.times_power_of_two(exponent);
+        (orientation, [transverse(x1), transverse(x2), self.ephemeris.clock.axial_rate])
     }
 
     /// Rate r' of the axis in the fixed frame.
@@ -229,17 +229,17 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let half = (nutation ^ falling as u64) << 1;
         let leading = (half >> 32) as u32;
         let cell = Cell(self.cells.get((leading >> 28) as usize).copied().unwrap_or_default());
-        let (level, index) = (cell.level(), cell.segment(leading));
+        let (depth, index) = (cell.depth(), cell.segment(leading));
         // no cell refers beyond the last segment; the fallback avoids a panic
         let segment = self.segments.get(index).or(self.segments.first());
-        // the same of a segment of level 0
-        let (eighth, leading) = (half << LEVEL_0_BITS, (half >> (32 - LEVEL_0_BITS)) as u32);
+        // 32 leading bits of the fraction of an eighth
+        let eighth = (half >> (32 - LEAST_DEPTH)) as u32;
         // the range [0, 1) becomes [-1, 1) by flipping the upper bit
-        let (x_q63, x_q31) = ((eighth << level) ^ (1 << 63), (leading << level) ^ (1 << 31));
+        let (x_q63, x_q31) = ((half << depth) ^ (1 << 63), (eighth << (depth - LEAST_DEPTH)) ^ (1 << 31));
         LocatedSegment {
             rows: segment.map_or(&[], |segment| segment.as_ref()),
             index,
-            point: SegmentPoint { x_q63: x_q63 as i64, x_q31: x_q31 as i32, level, is_falling: falling < 0 },
+            point: SegmentPoint { x_q63: x_q63 as i64, x_q31: x_q31 as i32, depth, is_falling: falling < 0 },
         }
     }
 }

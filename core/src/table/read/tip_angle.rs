@@ -4,9 +4,7 @@
 //! counted at the centres of the segments. Every scalar is evaluated in `f64`.
 
 use crate::complex::Complex;
-use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::table::data::Clock;
 use crate::table::data::EphemerisView;
 use crate::table::evaluation::{Coefficient, EphemerisScalar};
 use crate::table::read::sample::Sample;
@@ -37,43 +35,13 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.clock.tip_turn().to_f64() * ticks_per_time
     }
 
-    /// Sets the mean tip angle so that the tip angle at the launch is the argument of c in (-1/2, 1/2] turn.
-    ///
-    /// * `start`: nutation phase and slow phases at the launch
-    /// * `epoch`: tick of the launch
-    pub(crate) fn start_tip_angle(
-        &mut self,
-        motion: &Motion,
-        start: [Phase; 3],
-        epoch: i64,
-        pause: &mut dyn FnMut(),
-    ) {
-        let [nutation, a, b] = start;
-        let nutation = nutation.leading_bits();
-        let Clock { tip_quarter, tip_passes, .. } = self.clock;
-        let quarter_turn = Phase::QUARTER * i64::from(tip_quarter);
-        let tabulated = self.tabulated_tip_angle(nutation, pause);
-        // whole turns from the table; the remainder from the motion, which is exact near the centre
-        let argument = motion.tip_angle_at_start();
-        let required = argument - a - b - if is_falling(nutation) { -quarter_turn } else { quarter_turn };
-        let off = required - tabulated;
-        // modulo half a turn where the curve passes through the centre, because the radius then has a sign
-        let off = if tip_passes > 0 {
-            Phase::from_bits((off * 2).principal().to_bits() >> 1)
-        } else {
-            off.principal()
-        };
-        let at_launch = argument - self.passage_angle(nutation) - tabulated - off;
-        self.clock.tip_start = (at_launch - self.clock.tip_turn() * epoch).words();
-    }
-
     /// Half a turn per period for each parameter that passes through 0.
-    fn passage_angle(&self, nutation: u64) -> Phase {
-        Phase::from_bits(i128::from(nutation as i64) << 31) * i64::from(self.clock.tip_passes)
+    pub(in crate::table) fn passage_angle(&self, nutation: u64) -> Phase {
+        Phase::from_bits(i128::from(nutation as i64) << 31) * i64::from(self.clock.tip_sign_changes)
     }
 
     /// Argument of the tabulated ab, continued from u = e₁ through the centres of all segments before; near 0 the direction from or to 0.
-    fn tabulated_tip_angle(&self, nutation: u64, pause: &mut dyn FnMut()) -> Phase {
+    pub(in crate::table) fn tabulated_tip_angle(&self, nutation: u64, pause: &mut dyn FnMut()) -> Phase {
         const SEGMENTS: usize = 16;
         let found = self.segment_at(nutation);
         let mut winding = Winding::ZERO;
@@ -107,7 +75,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Product ab, turned so that at u = e₁ it leaves along the positive real axis.
     fn relative_to_start(&self, product: Complex<f64>) -> Complex<f64> {
-        match self.clock.tip_quarter {
+        match self.clock.tip_start_quarter_turns {
             0 => product,
             1.. => -product.times_i(),
             _ => product.times_i(),
@@ -123,7 +91,7 @@ fn complex([re_alpha, im_alpha, re_beta, im_beta]: [f64; 4]) -> [Complex<f64>; 2
 /// Value of |αβ|, in roundings of the scalar, below which its argument is unknown.
 const LEAST_MODULUS: f64 = 64.0;
 
-fn is_falling(nutation: u64) -> bool {
+pub(in crate::table) fn is_falling(nutation: u64) -> bool {
     (nutation as i64) < 0
 }
 

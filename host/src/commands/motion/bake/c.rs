@@ -55,8 +55,8 @@ pub fn header(label: &TableName, parts: &TableData) -> String {
 /// Definition of a table.
 fn table(label: &TableName, parts: &TableData) -> String {
     let (name, scalar) = (label.c_name(), parts.scalar.name());
-    // scale of the tip, the rates of x and of the sum of the slow phases, and the axial angular velocity
-    let Clock { twice_tip_scale, rates: [x, mean, axial], .. } = parts.clock;
+    // scale of the tip, the rates of x and of λ_α + λ_β, and the axial angular velocity
+    let Clock { twice_tip_scale, x_rate, slow_sum_rate, axial_rate, .. } = parts.clock;
     let ctype = match parts.scalar {
         Scalar::F64 => "double",
         Scalar::F32 | Scalar::Q31 => "int32_t",
@@ -78,7 +78,7 @@ static const toytop_{scalar} {name} = {{
 ",
         count = parts.coefficients.len(),
         clock = clock(parts),
-        scales = [twice_tip_scale, x, mean, axial]
+        scales = [twice_tip_scale, x_rate, slow_sum_rate, axial_rate]
             .map(|x| if parts.scalar == Scalar::F64 { decimal(x) } else { format!("{:.8e}f", x as f32) })
             .join(", "),
     )
@@ -97,11 +97,15 @@ fn clock(parts: &TableData) -> String {
     let doubles = [clock.exact_step.as_flattened(), &clock.ticks_per_time, bounds.as_flattened()].concat();
     let numbers: Vec<_> = doubles.into_iter().map(|x| wide(x.to_bits())).collect();
     let words = |words: [u32; 4]| words.map(|word| format!("{word:#x}u")).join(", ");
-    let flags =
-        [clock.tip_quarter as u8, clock.tip_passes, clock.tip_exists.into(), clock.has_turning_points.into()];
+    let flags = [
+        clock.tip_start_quarter_turns as u8,
+        clock.tip_sign_changes,
+        clock.tip_exists.into(),
+        clock.has_turning_points.into(),
+    ];
     let lines = [
         format!("{}u, {:#x}u, {segments}u, {terms}u", parts.format, parts.crc32),
-        format!("{{{}}}, {}", clock.first.map(wide).join(", "), wide(clock.epoch as u64)),
+        format!("{{{}}}, {}", clock.first_phases.map(wide).join(", "), wide(clock.epoch as u64)),
         format!("{{{}}}", clock.step.map(phase).join(", ")),
         format!("{{{}}}", numbers.join(", ")),
         format!("{{{}}}, {{{}}}", words(clock.tip_start), words(clock.tip_step)),

@@ -20,8 +20,9 @@ pub fn module(label: &TableName, parts: &TableData) -> String {
         // the shortest decimal that is read as this f32
         _ => format!("{:?}", x as f32),
     };
-    let Clock { step, tip_quarter, tip_passes, tip_exists, has_turning_points, first, .. } = &parts.clock;
-    let Clock { exact_step, ticks_per_time, tip_start, tip_step, epoch, .. } = &parts.clock;
+    let Clock { step, tip_start_quarter_turns, tip_sign_changes, tip_exists, .. } = &parts.clock;
+    let Clock { has_turning_points, first_phases, exact_step, ticks_per_time, .. } = &parts.clock;
+    let Clock { tip_start, tip_step, epoch, .. } = &parts.clock;
     let bound = |ErrorBound { constant, per_tick }: ErrorBound| {
         format!("toytop::ErrorBound {{ constant: {constant:?}, per_tick: {per_tick:?} }}")
     };
@@ -38,13 +39,15 @@ pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
     crc32: {crc32:#010x},
     clock: toytop::Clock {{
         step: {step:?},
-        tip_quarter: {tip_quarter},
-        tip_passes: {tip_passes},
+        tip_start_quarter_turns: {tip_start_quarter_turns},
+        tip_sign_changes: {tip_sign_changes},
         tip_exists: {tip_exists},
         has_turning_points: {has_turning_points},
         twice_tip_scale: {twice_tip_scale},
-        rates: [{rates}],
-        first: {first:?},
+        x_rate: {x_rate},
+        slow_sum_rate: {slow_sum_rate},
+        axial_rate: {axial_rate},
+        first_phases: {first_phases:?},
         exact_step: {exact_step:?},
         ticks_per_time: {ticks_per_time:?},
         tip_start: {tip_start:?},
@@ -68,7 +71,9 @@ pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
         format = parts.format,
         crc32 = parts.crc32,
         twice_tip_scale = scale(parts.clock.twice_tip_scale),
-        rates = parts.clock.rates.map(scale).join(", "),
+        x_rate = scale(parts.clock.x_rate),
+        slow_sum_rate = scale(parts.clock.slow_sum_rate),
+        axial_rate = scale(parts.clock.axial_rate),
         error_bound = bound(parts.error_bound),
         rate_error_bound = bound(parts.rate_error_bound),
         cells = parts.cells,
