@@ -26,7 +26,7 @@ pub mod partials {}
 
 pub use covariance::Covariance;
 pub use estimate::{Estimate, FreeRatio};
-pub use fit::{Distrust, Drift, Fit, FitError, Fitted, Statistics, Tracked, Unobservable};
+pub use fit::{Drift, Fit, FitError, FitWarning, Fitted, Statistics, Tracked, Unobservable};
 pub use model::{MOST_RATIOS, MOST_SENSORS};
 pub use sensitivity::{Partials, Sensitivity, SensitivityCursor};
 pub use sensors::{

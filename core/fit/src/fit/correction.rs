@@ -1,6 +1,6 @@
 //! Correction of the estimate after a pass, by the method of Levenberg and Marquardt.
 
-use crate::fit::error::Distrust;
+use crate::fit::error::FitWarning;
 use crate::fit::pass::{FIRST_DAMPING, Fit};
 use crate::sensitivity::LAUNCH_COLUMNS;
 use crate::sensors::Measurements;
@@ -97,18 +97,18 @@ impl<F: Real> Fit<'_, F> {
     }
 
     /// Reason why the best estimate must not be trusted.
-    pub(super) fn distrust(&self, settled: bool) -> Option<Distrust> {
+    pub(super) fn warning(&self, settled: bool) -> Option<FitWarning> {
         let statistics = &self.best.statistics;
         if statistics.used == 0 && statistics.unused > 0 {
-            Some(Distrust::AllSaturated)
+            Some(FitWarning::AllSaturated)
         } else if statistics.used < LAUNCH_COLUMNS as u32 {
-            Some(Distrust::TooFew)
+            Some(FitWarning::TooFew)
         } else if statistics.is_misfit(self.model.count) {
-            Some(Distrust::Misfit)
+            Some(FitWarning::Misfit)
         } else if settled {
             None
         } else {
-            Some(Distrust::NotSettled)
+            Some(FitWarning::NotSettled)
         }
     }
 }

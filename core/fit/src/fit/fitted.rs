@@ -2,7 +2,7 @@
 
 use crate::covariance::Covariance;
 use crate::estimate::Estimate;
-use crate::fit::error::Distrust;
+use crate::fit::error::FitWarning;
 use crate::fit::pass::{Fit, Pass, Statistics};
 use crate::fit::search::Extent;
 use crate::model::MOST_RATIOS;
@@ -69,9 +69,9 @@ pub struct Fitted {
     /// Directions that the measurements do not determine. Their standard deviations are 10 rad, or ten times ω.
     pub unobservable: Unobservable,
     /// Why the launch must not be trusted; `None` where it may be.
-    pub distrust: Option<Distrust>,
+    pub warning: Option<FitWarning>,
     /// Number of first guesses that lead to another launch, which fits the first measurements equally well.
-    pub alternatives: usize,
+    pub other_launches: usize,
     /// Number of unknowns.
     pub unknowns: usize,
     /// Drift of the first integrals, if it was fitted.
@@ -86,7 +86,7 @@ impl Fitted {
     /// Whether the launch may be trusted.
     #[must_use]
     pub fn is_trusted(&self) -> bool {
-        self.distrust.is_none()
+        self.warning.is_none()
     }
 
     /// State of the launch.
@@ -167,8 +167,8 @@ impl<F: Real> Fit<'_, F> {
     pub(super) fn fitted(
         &mut self,
         extent: &Extent,
-        distrust: Option<Distrust>,
-        alternatives: usize,
+        warning: Option<FitWarning>,
+        other_launches: usize,
     ) -> Fitted {
         self.limit_information();
         let launch = self.best.estimate;
@@ -178,8 +178,8 @@ impl<F: Real> Fit<'_, F> {
             covariance: Covariance::ZERO,
             statistics: self.best.statistics,
             unobservable: Unobservable::default(),
-            distrust,
-            alternatives,
+            warning,
+            other_launches,
             unknowns: self.model.count,
             coefficients: self.model.coefficients(&launch),
             ratio_shares: self.model.ratio_shares(&launch),
@@ -189,7 +189,7 @@ impl<F: Real> Fit<'_, F> {
         fitted.covariance.turn(&Flow::launched(&launch.orientation, launch.omega).axes());
         fitted.unobservable = unobservable(&fitted, &self.model.units(&launch));
         if self.model.has_losses() && self.carry_to_end(&mut fitted, extent.last).is_none() {
-            fitted.distrust = fitted.distrust.or(Some(Distrust::NotSettled));
+            fitted.warning = fitted.warning.or(Some(FitWarning::NotSettled));
         }
         fitted
     }

@@ -2,7 +2,7 @@
 
 use crate::estimate::Estimate;
 use crate::fit::correction::SETTLED;
-use crate::fit::error::{Distrust, FitError};
+use crate::fit::error::{FitError, FitWarning};
 use crate::fit::first_guess::{FIRST_INSTANTS, Guesses, upright_to};
 use crate::fit::pass::{Fit, Pass};
 use crate::sensors::{Hint, Measurement, Measurements};
@@ -34,22 +34,22 @@ pub(super) struct Extent {
 }
 
 impl<F: Real> Fit<'_, F> {
-    /// Estimate without a first guess. Returns the reason why it must not be trusted, and the number of alternatives.
+    /// Estimate without a first guess. Returns the reason why it must not be trusted, and the number of other launches that fit as well.
     #[inline(never)] // two copies of it would take more stack
     pub(super) fn search(
         &mut self,
         measurements: &impl Measurements,
         extent: &Extent,
-    ) -> (Option<Distrust>, usize) {
+    ) -> (Option<FitWarning>, usize) {
         self.start_from(&Estimate::new(Orientation::IDENTITY, [0.0; 3]));
         if measurements.clone().filter(|one| one.time > extent.first).take(2).count() < 2 {
-            return (Some(Distrust::TooFew), 0);
+            return (Some(FitWarning::TooFew), 0);
         }
         let Some(guesses) = self.guesses(measurements, extent.first) else {
-            return (Some(Distrust::NoBeginning), 0);
+            return (Some(FitWarning::NoBeginning), 0);
         };
         let mut count = 4 * FIRST_INSTANTS * self.sensors.len();
-        let alternatives = self.try_guesses(&guesses, measurements, count);
+        let other_launches = self.try_guesses(&guesses, measurements, count);
         // each part begins from an estimate that is good enough for it
         while count.saturating_mul(8) < extent.total {
             count = count.saturating_mul(4);
@@ -57,11 +57,11 @@ impl<F: Real> Fit<'_, F> {
         }
         // a shorter part does not show how far the equations are linear over all measurements
         self.curvature = f64::INFINITY;
-        (self.settle_finally(measurements), alternatives)
+        (self.settle_finally(measurements), other_launches)
     }
 
     /// Begins from the best of the guesses, on the first measurements, where no phase can have an error of a turn. Returns the number
-    /// of alternatives.
+    /// of other launches that fit as well.
     #[inline(never)] // its estimates are on the stack only during the call
     fn try_guesses(&mut self, guesses: &Guesses, measurements: &impl Measurements, count: usize) -> usize {
         let mut best = (Estimate::new(Orientation::IDENTITY, [0.0; 3]), f64::INFINITY);
@@ -88,7 +88,7 @@ impl<F: Real> Fit<'_, F> {
     }
 
     /// Passes over all measurements. Returns the reason why the estimate must not be trusted.
-    pub(super) fn settle_finally(&mut self, measurements: &impl Measurements) -> Option<Distrust> {
+    pub(super) fn settle_finally(&mut self, measurements: &impl Measurements) -> Option<FitWarning> {
         let settled = self.settle(measurements, usize::MAX, SETTLED);
         let launch = &self.best.estimate;
         let found = dot(launch.omega, launch.orientation.axis());
@@ -96,10 +96,11 @@ impl<F: Real> Fit<'_, F> {
         let least = self.rates(measurements).find_map(bound);
         // the axial rate is constant, so that one reading at the end of the range bounds it
         let spin = least.filter(|least| found / least < WITHIN).unwrap_or(found);
-        let distrust = self.distrust(settled && spin == found);
-        let misfit = matches!(distrust, Some(Distrust::AllSaturated | Distrust::TooFew | Distrust::Misfit));
+        let warning = self.warning(settled && spin == found);
+        let misfit =
+            matches!(warning, Some(FitWarning::AllSaturated | FitWarning::TooFew | FitWarning::Misfit));
         let unknown = self.is_explained_upright(spin, measurements);
-        if unknown && !misfit { Some(Distrust::SpinUnknown) } else { distrust }
+        if unknown && !misfit { Some(FitWarning::SpinUnknown) } else { warning }
     }
 
     /// Whether an upright launch with twice this spin explains the measurements equally well, so that they do not determine the spin.
@@ -137,22 +138,22 @@ impl<F: Real> Fit<'_, F> {
         measurements: &impl Measurements,
         extent: &Extent,
         chi_squared: f64,
-    ) -> Option<Distrust> {
+    ) -> Option<FitWarning> {
         self.rate_unit = core::f64::consts::PI / 180.0;
-        let (distrust, _) = self.search(measurements, extent);
+        let (warning, _) = self.search(measurements, extent);
         self.rate_unit = 1.0;
         // smaller numbers have smaller residuals, whatever the motion is
         let in_degrees = self.best.statistics.chi_squared;
         let has_noise = in_degrees > LEAST_NOISE * f64::from(self.best.statistics.used);
-        if has_noise && (distrust.is_none() || in_degrees < 0.1 * chi_squared) {
-            return Some(Distrust::RatesInDegrees);
+        if has_noise && (warning.is_none() || in_degrees < 0.1 * chi_squared) {
+            return Some(FitWarning::RatesInDegrees);
         }
         let mut rates = self.rates(measurements);
         // below 0.1 per unit time, a bias may explain the rates
         let is_small = |(omega, saturated): (Vector<f64>, bool)| {
             !saturated && omega.iter().all(|x| libm::fabs(*x) < 0.1)
         };
-        (rates.next().is_some_and(is_small) && rates.all(is_small)).then_some(Distrust::AtRest)
+        (rates.next().is_some_and(is_small) && rates.all(is_small)).then_some(FitWarning::AtRest)
     }
 
     /// Rates in the body frame, and whether their axial component is beyond the range.
