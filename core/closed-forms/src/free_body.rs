@@ -48,8 +48,9 @@ impl FreeBody {
         Some(Self {
             start: attitude.orientation,
             direction: if length > 0.0 { m.map(|component| component / length) } else { [0.0; 3] },
-            // χ advances by half a turn in a turn of the axis
-            precession: motion.equations().rates(Extended::ZERO, Extended::ONE).nutation.doubled(),
+            precession: motion
+                .period_and_turns()
+                .map_or(Extended::ZERO, |(period, _)| Extended::TWO_PI / period),
             half_tau: motion.half_tau(),
             nutation: match motion.half_phase() {
                 HalfPhase::Nutating(chi) => Some(chi),

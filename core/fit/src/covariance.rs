@@ -44,7 +44,7 @@ impl Covariance {
     }
 
     /// Adds (RᵀR)⁻¹ of a triangle. An unknown without any information gets the variance 0.
-    #[inline(never)] // one column of R⁻¹ is on the stack at a time
+    #[inline(never)] // stack
     pub(crate) fn add_inverse<F: Real>(&mut self, information: &Triangle<F>, count: usize) {
         for index in 0..count {
             let column = information.inverse_column(index);
@@ -87,7 +87,7 @@ impl Covariance {
     }
 
     /// Information of the first `count` unknowns: the inverse of Cholesky's triangle.
-    #[inline(never)] // the triangle is on the stack only during the call
+    #[inline(never)] // stack
     pub(crate) fn information<F: Real>(&self, count: usize) -> Triangle<F> {
         self.factor(count).inverse()
     }

@@ -153,7 +153,7 @@ impl<'a, F: Real> Fit<'a, F> {
     }
 
     /// Sets the information before the measurements to that of the model.
-    #[inline(never)] // its copy is on the stack only during the call
+    #[inline(never)] // stack
     fn reset_prior(&mut self) {
         self.prior = self.model.prior();
     }

@@ -2,6 +2,9 @@
 #![cfg_attr(not(test), no_std)]
 
 // Modules in the order of dependence: each one uses only those above it.
+//
+// `#[inline(never)] // stack`: the numbers of the function are on the stack only during its call.
+
 mod vector;
 
 mod sensitivity;

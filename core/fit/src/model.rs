@@ -191,7 +191,7 @@ impl Model {
 
     /// Adds the information that damps a correction: a part `damping` of that along each unknown, as Marquardt does, and a standard
     /// deviation of `limit` units. Damping is along the fixed axes, because yaw may be unobservable.
-    #[inline(never)] // its directions are on the stack between passes only
+    #[inline(never)] // stack
     pub(crate) fn damp<F: Real>(
         &self,
         estimate: &Estimate,

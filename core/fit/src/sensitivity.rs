@@ -110,7 +110,7 @@ impl Sensitivity {
         omega: Vector<f64>,
         longest_step: f64,
     ) -> Self {
-        let start = Flow::launched(orientation, omega).with_tangents(&UNITS);
+        let start = Flow::launched(orientation, omega).with_tangents(Tangent::along_axes(&UNITS));
         Self { equations, start, period: None, longest_step }
     }
 

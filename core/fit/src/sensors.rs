@@ -5,7 +5,7 @@ mod inertial;
 mod optical;
 
 use crate::sensitivity::{COLUMNS, Partials};
-use crate::vector::{UNITS, UP, Vector, cast};
+use crate::vector::{UNITS, Vector, cast};
 pub use inertial::{Accelerometer, Gyroscope, Magnetometer};
 pub use optical::{AxisCamera, Mark, OrientationCamera, TipCamera};
 use toytop::Complex;
@@ -123,7 +123,7 @@ impl Mounting {
 
     /// Axis of the top in the coordinates of the sensor.
     pub(crate) fn axis(&self) -> Vector<f64> {
-        if self.rotation == Orientation::IDENTITY { UP } else { self.rotation.inverse().axis() }
+        self.rotation.inverse().axis()
     }
 
     /// Body coordinates of a vector that is given in sensor coordinates.

@@ -2,8 +2,8 @@
 //!
 //! The derivatives are integrated in the scalar of the fit. The state is integrated in `f64`, so that its errors do not add up.
 
-use crate::sensitivity::{Coefficients, Equations, Flow, Partials, rolled, steps};
-use crate::vector::{UNITS, Vector};
+use crate::sensitivity::{Coefficients, Equations, Flow, Partials, Tangent, rolled, steps};
+use crate::vector::Vector;
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 
@@ -26,32 +26,23 @@ pub(crate) struct Trajectory<F> {
 }
 
 impl<F: Real> Trajectory<F> {
-    /// Trajectory of a top at rest, before the first launch.
-    pub(crate) fn new(equations: &Equations<f64>) -> Self {
-        let state = Flow::launched(&Orientation::IDENTITY, [0.0; 3]);
-        Self {
-            now: Partials { flow: state.with_tangents(&UNITS), equations: equations.cast() },
-            time: 0.0,
-            state,
-            coefficients: equations.coefficients,
-            spin: 0.0,
-            longest_step: 0.0,
-        }
-    }
-
-    /// Begins with a launch.
-    #[inline(never)] // the equations in `f64` are on the stack only here
-    pub(crate) fn begin(
-        &mut self,
+    /// Trajectory at its launch.
+    #[inline(never)] // stack
+    pub(crate) fn new(
         orientation: &Orientation<f64>,
         omega: Vector<f64>,
         equations: &Equations<f64>,
-    ) {
-        self.state = Flow::launched(orientation, omega);
-        (self.time, self.spin, self.coefficients) = (0.0, self.state.spin, equations.coefficients);
-        self.longest_step = LONGEST_STEP / equations.frequency(&self.state);
-        self.now.equations = equations.cast();
-        self.now.flow = self.state.with_tangents(&self.state.axes());
+    ) -> Self {
+        let state = Flow::launched(orientation, omega);
+        let flow = state.with_tangents(Tangent::along_axes(&state.axes()));
+        Self {
+            now: Partials { flow, equations: equations.cast() },
+            time: 0.0,
+            state,
+            coefficients: equations.coefficients,
+            spin: state.spin,
+            longest_step: LONGEST_STEP / equations.frequency(&state),
+        }
     }
 
     /// State and derivatives at the time to which the trajectory was moved.
@@ -60,7 +51,7 @@ impl<F: Real> Trajectory<F> {
     }
 
     /// Moves to a time after the launch. `None` where it is too far from the last one.
-    #[inline(never)] // the prediction and the motion must not be on the stack together
+    #[inline(never)] // stack
     pub(crate) fn move_to(&mut self, t: f64) -> Option<()> {
         // the bits are compared, which is faster on a chip without a unit for `f64`
         if self.time.to_bits() == t.to_bits() {
@@ -71,14 +62,14 @@ impl<F: Real> Trajectory<F> {
         self.move_state(span, steps);
         let Partials { flow, equations } = &mut self.now;
         equations.advance(flow, span, steps);
-        flow.set_state(&self.state);
+        *flow = self.state.with_tangents(flow.tangents);
         flow.roll(rolled(self.spin, &self.coefficients, t));
         self.time = t;
         Some(())
     }
 
     /// Moves the state.
-    #[inline(never)] // the stages of the integration are on the stack only here
+    #[inline(never)] // stack
     fn move_state(&mut self, span: f64, steps: u32) {
         let Equations { columns, lossy, .. } = self.now.equations;
         let equations = Equations { coefficients: self.coefficients, changes: [[0.0; _]; _], columns, lossy };
@@ -89,8 +80,8 @@ impl<F: Real> Trajectory<F> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sensitivity::{LAUNCH_COLUMNS, Sensitivity, Tangent};
-    use crate::vector::{add_scaled, along, cross, dot};
+    use crate::sensitivity::{LAUNCH_COLUMNS, Sensitivity};
+    use crate::vector::{UNITS, add_scaled, along, cross, dot};
     use toytop::{Motion, Release, State, Top, TopParameters};
 
     /// A top by A, C, s, M, K and support (0: sliding, 1: fixed, 2: free), and its launch by tilt, spin, precession and
@@ -136,8 +127,7 @@ mod tests {
         let (top, state) = launched(case);
         let motion = Motion::launch(&top, &state).unwrap();
         let equations = Equations { columns: LAUNCH_COLUMNS, ..Equations::new(&top) };
-        let mut trajectory = Trajectory::<F>::new(&equations);
-        trajectory.begin(&state.orientation(), state.omega(), &equations);
+        let mut trajectory = Trajectory::<F>::new(&state.orientation(), state.omega(), &equations);
         let launch = Flow::launched(&state.orientation(), state.omega());
         let axes = launch.axes();
         let sensitivity = Sensitivity::new(&motion);

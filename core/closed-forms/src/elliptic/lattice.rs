@@ -211,8 +211,8 @@ impl ThetaQuotient {
         ValueAndSlope { value: factor * above.value, slope: factor * (above.slope + rate * above.value) }
     }
 
-    /// Change of the argument from `x` to `x` + `period` in turns, modulo 1; the value must not be 0 there.
-    pub(crate) fn turns(&self, x: WideComplex, period: WideComplex) -> Phase {
+    /// Change of the argument from `x` to `x` + `period`, without whole turns. The value must not be 0 at `x`.
+    pub(crate) fn rotation(&self, x: WideComplex, period: WideComplex) -> Phase {
         let turned = self.at(x + period).value * self.at(x).value.conj();
         phase_of(angle(turned.im, turned.re))
     }

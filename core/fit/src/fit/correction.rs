@@ -25,9 +25,9 @@ impl<F: Real> Fit<'_, F> {
     /// Passes over the first `count` measurements until the estimate does not change any more. Returns whether it settled.
     ///
     /// * `settled`: size of a correction, in standard deviations, below which the estimate counts as unchanged
-    #[inline(never)] // its copies would take more stack
+    #[inline(never)] // stack
     pub(super) fn settle(&mut self, measurements: &impl Measurements, count: usize, settled: f64) -> bool {
-        self.best.cost = f64::INFINITY;
+        self.best.statistics.cost = f64::INFINITY;
         // a large damping of other measurements would make the first correction so small that the fit would end with it
         self.damping = self.damping.min(FIRST_DAMPING);
         self.last_change = None;
@@ -42,18 +42,17 @@ impl<F: Real> Fit<'_, F> {
     }
 
     /// Corrects the estimate after a pass. `None` where there must be another pass; otherwise whether it settled.
-    #[inline(never)] // its triangles are on the stack between passes only
+    #[inline(never)] // stack
     fn correct(&mut self, settled: f64) -> Option<bool> {
-        let previous = self.best.cost;
-        let improved = self.current.cost <= previous && self.current.cost.is_finite();
-        if !improved && self.current.cost - previous < ROUNDING {
+        let (previous, cost) = (self.best.statistics.cost, self.current.statistics.cost);
+        let improved = cost <= previous && cost.is_finite();
+        if !improved && cost - previous < ROUNDING {
             return Some(true);
         }
         if improved {
             // a bad fit that hardly improves
             let statistics = &self.current.statistics;
-            let stuck = statistics.outliers > statistics.used / 5 + 10
-                && previous - self.current.cost < 1e-3 * previous;
+            let stuck = statistics.outliers > statistics.used / 5 + 10 && previous - cost < 1e-3 * previous;
             self.best = self.current;
             self.damping *= 0.1;
             if stuck {
@@ -61,7 +60,7 @@ impl<F: Real> Fit<'_, F> {
             }
         } else {
             self.damping = (10.0 * self.damping).max(FIRST_DAMPING);
-            if self.damping > 1e9 || !self.best.cost.is_finite() {
+            if self.damping > 1e9 || !self.best.statistics.cost.is_finite() {
                 return Some(false);
             }
         }
@@ -88,7 +87,7 @@ impl<F: Real> Fit<'_, F> {
             best.information.point_to(&[F::ZERO; MOST_UNKNOWNS]);
             best.estimate = next;
             // the correction lowers the sum of squares by this amount, as far as the equations are linear
-            best.cost -= size * size;
+            best.statistics.cost -= size * size;
             best.statistics.chi_squared = (best.statistics.chi_squared - size * size).max(0.0);
             return Some(true);
         }

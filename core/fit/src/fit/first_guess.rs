@@ -117,7 +117,7 @@ impl Instant {
     }
 
     /// Orientation, if it is fully determined.
-    #[inline(never)] // its trigonometric functions need much of the stack
+    #[inline(never)] // stack
     fn attitude(&self) -> Option<Orientation<f64>> {
         if self.orientation.is_some() {
             return self.orientation;
@@ -143,7 +143,7 @@ pub(super) fn upright_to([x, y, z]: Vector<f64>) -> Orientation<f64> {
 
 impl<F: Real> Fit<'_, F> {
     /// Guesses at the time of the first measurement, if there are any.
-    #[inline(never)] // an instant is on the stack only during the call
+    #[inline(never)] // stack
     pub(super) fn guesses(&self, measurements: &impl Measurements, epoch: f64) -> Option<Guesses> {
         let all = self.instants(measurements.clone());
         let all = all.take(MOST_INSTANTS);
@@ -207,7 +207,7 @@ impl<F: Real> Fit<'_, F> {
 }
 
 /// Angular velocity in the body frame from the orientations: along the axis the mean, across it that of the first instants.
-#[inline(never)] // an instant is on the stack only during the call
+#[inline(never)] // stack
 fn mean_rate(instants: impl Iterator<Item = Instant>) -> Option<Vector<f64>> {
     let mut known = instants.filter_map(|instant| Some((instant.time, instant.attitude()?)));
     let (start, mut orientation) = known.next()?;
@@ -226,7 +226,7 @@ fn mean_rate(instants: impl Iterator<Item = Instant>) -> Option<Vector<f64>> {
 ///
 /// A direction K of the body frame obeys K' = -Ω × K. The rates across the axis were read; rates about it are tried. The best one is
 /// refined by halving steps.
-#[inline(never)] // its steps are on the stack only during the call
+#[inline(never)] // stack
 fn axial_rate_from_circle<F: Real>(
     instants: impl Iterator<Item = Instant> + Clone,
     bound: f64,

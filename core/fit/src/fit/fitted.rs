@@ -195,7 +195,7 @@ impl<F: Real> Fit<'_, F> {
     }
 
     /// Copies the information of the best pass to the current one, and limits the deviations of undetermined directions.
-    #[inline(never)] // its numbers and the result must not be on the stack together
+    #[inline(never)] // stack
     fn limit_information(&mut self) {
         let Pass { estimate, information, .. } = &self.best;
         // not larger, so that the covariance keeps the digits of what is determined
@@ -206,7 +206,7 @@ impl<F: Real> Fit<'_, F> {
     /// Moves the launch to the last measurement, and adds the drift. `None` where the motion cannot be followed.
     ///
     /// From the last measurement on, the motion is exact (`docs/partials.md`).
-    #[inline(never)] // only a fit with losses needs its matrices
+    #[inline(never)] // stack
     fn carry_to_end(&self, fitted: &mut Fitted, end: f64) -> Option<()> {
         let span = end - fitted.epoch;
         let (launch, at) = self.model.predicted(&fitted.launch, span)?;
@@ -243,7 +243,7 @@ const ALONG: f64 = 0.1;
 /// With the covariance C in these units, a direction of variance λ counts as λ/(1 + λ), which is about 0 or 1: an eigenvalue of
 /// 1 - (1 + C)⁻¹. A named direction d is undetermined if its information d (ε² + C)⁻¹ d is below 1, for a small ε: at a small tilt, yaw and
 /// roll are nearly the same rotation.
-#[inline(never)] // its matrices must not be on the stack during other work
+#[inline(never)] // stack
 fn unobservable(fitted: &Fitted, units: &Unknowns) -> Unobservable {
     let Fitted { launch, unknowns: count, .. } = *fitted;
     let factor = |least: f64, count: usize| {

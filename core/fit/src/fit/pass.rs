@@ -31,7 +31,7 @@ pub struct Statistics {
     pub largest: f64,
     /// Sum of the squares of the differences from prior values, such as those of biases, in standard deviations.
     pub prior: f64,
-    /// Sum of squares in which an outlier counts linearly.
+    /// Sum of squares in which an outlier counts linearly; infinite where the motion cannot be followed.
     pub(super) cost: f64,
     /// Number of residuals that no noise explains.
     gross: u32,
@@ -135,20 +135,14 @@ pub(super) struct Pass<F> {
     pub(super) estimate: Estimate,
     pub(super) information: Triangle<F>,
     pub(super) statistics: Statistics,
-    /// Sum of squares, in which an outlier counts linearly; infinite where the motion cannot be followed.
-    pub(super) cost: f64,
 }
 
 impl<'a, F: Real> Fit<'a, F> {
     /// Fit of these unknowns.
     pub(super) fn with_model(sensors: &'a [&'a dyn Sensor<F>], model: Model) -> Self {
         let prior @ (estimate, _) = model.prior();
-        let pass = Pass {
-            estimate,
-            information: Triangle::new(model.count),
-            statistics: Statistics::default(),
-            cost: f64::INFINITY,
-        };
+        let pass =
+            Pass { estimate, information: Triangle::new(model.count), statistics: Statistics::default() };
         Self {
             sensors,
             model,
@@ -158,20 +152,20 @@ impl<'a, F: Real> Fit<'a, F> {
             damping: FIRST_DAMPING,
             last_change: None,
             curvature: f64::INFINITY,
-            trajectory: Trajectory::new(&model.equations(&estimate)),
+            trajectory: Trajectory::new(&estimate.orientation, estimate.omega, &model.equations(&estimate)),
             rate_unit: 1.0,
             prior,
         }
     }
 
     /// Begins without information, from an estimate.
-    #[inline(never)] // its copies are on the stack only here
+    #[inline(never)] // stack
     pub(super) fn start_from(&mut self, estimate: &Estimate) {
         self.best.information.clear();
         self.best.statistics = Statistics::default();
         self.best.estimate = *estimate;
         self.best.estimate.orientation = estimate.orientation.normalised();
-        self.best.cost = f64::INFINITY;
+        self.best.statistics.cost = f64::INFINITY;
         self.damping = FIRST_DAMPING;
         self.curvature = f64::INFINITY;
     }
@@ -188,17 +182,17 @@ impl<'a, F: Real> Fit<'a, F> {
                 self.add(&measurement, sensor)
             });
             if added.is_none() {
-                self.current.cost = f64::INFINITY;
+                self.current.statistics.cost = f64::INFINITY;
                 return;
             }
         }
         let mut all = Statistics::new(self.huber, prior);
         sensors.iter().for_each(|sensor| all.add_sensor(sensor));
-        (self.current.statistics, self.current.cost) = (all, all.cost);
+        self.current.statistics = all;
     }
 
     /// Begins a pass; returns the sum of squares of the differences from the prior information.
-    #[inline(never)] // its matrices are on the stack between passes only
+    #[inline(never)] // stack
     fn begin_pass(&mut self) -> f64 {
         let Pass { estimate, information, statistics, .. } = &mut self.current;
         *statistics = Statistics::default();
@@ -206,13 +200,14 @@ impl<'a, F: Real> Fit<'a, F> {
         information.clone_from(prior);
         let change = known.change_from(estimate).map(F::from_f64);
         information.point_to(&change);
-        self.trajectory.begin(&estimate.orientation, estimate.omega, &self.model.equations(estimate));
+        let equations = self.model.equations(estimate);
+        self.trajectory = Trajectory::new(&estimate.orientation, estimate.omega, &equations);
         prior.square(&change).to_f64()
     }
 
     /// Adds one measurement to the current pass, at the time to which the trajectory was moved. `None` where there is no such
     /// sensor.
-    #[inline(never)] // the prediction and the motion must not be on the stack together
+    #[inline(never)] // stack
     fn add(&mut self, measurement: &Measurement, statistics: &mut Statistics) -> Option<()> {
         let sensor = self.sensors.get(measurement.sensor)?;
         let prediction = sensor.residual(self.trajectory.now(), &self.reading(measurement));

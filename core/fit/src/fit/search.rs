@@ -4,7 +4,7 @@ use crate::estimate::Estimate;
 use crate::fit::correction::SETTLED;
 use crate::fit::error::{FitError, FitWarning};
 use crate::fit::first_guess::{FIRST_INSTANTS, Guesses, upright_to};
-use crate::fit::pass::{Fit, Pass};
+use crate::fit::pass::{Fit, Pass, Statistics};
 use crate::sensors::{Hint, Measurement, Measurements};
 use crate::vector::{Vector, cross, dot, scaled};
 use toytop::scalar::Real;
@@ -35,7 +35,7 @@ pub(super) struct Extent {
 
 impl<F: Real> Fit<'_, F> {
     /// Estimate without a first guess. Returns the reason why it must not be trusted, and the number of other launches that fit as well.
-    #[inline(never)] // two copies of it would take more stack
+    #[inline(never)] // stack
     pub(super) fn search(
         &mut self,
         measurements: &impl Measurements,
@@ -62,7 +62,7 @@ impl<F: Real> Fit<'_, F> {
 
     /// Begins from the best of the guesses, on the first measurements, where no phase can have an error of a turn. Returns the number
     /// of other launches that fit as well.
-    #[inline(never)] // its estimates are on the stack only during the call
+    #[inline(never)] // stack
     fn try_guesses(&mut self, guesses: &Guesses, measurements: &impl Measurements, count: usize) -> usize {
         let mut best = (Estimate::new(Orientation::IDENTITY, [0.0; 3]), f64::INFINITY);
         let mut others = 0;
@@ -70,7 +70,7 @@ impl<F: Real> Fit<'_, F> {
             self.start_from(&guesses.get(number));
             self.settle(measurements, count / 4, NEAR);
             self.settle(measurements, count, SETTLED);
-            let Pass { estimate, information, cost, .. } = &self.best;
+            let Pass { estimate, information, statistics: Statistics { cost, .. } } = &self.best;
             let change = estimate.change_from(&best.0).map(F::from_f64);
             if *cost < best.1 - EQUAL {
                 others = 0;
@@ -106,7 +106,7 @@ impl<F: Real> Fit<'_, F> {
     /// Whether an upright launch with twice this spin explains the measurements equally well, so that they do not determine the spin.
     ///
     /// An upright top with a saturated gyroscope fits any spin.
-    #[inline(never)] // its launches are on the stack only during the call
+    #[inline(never)] // stack
     fn is_explained_upright(&mut self, spin: f64, measurements: &impl Measurements) -> bool {
         let found = self.best.estimate;
         let axis = found.orientation.axis();
@@ -128,11 +128,11 @@ impl<F: Real> Fit<'_, F> {
         let change = self.current.information.solution();
         self.current.estimate = self.current.estimate.moved(&change.map(F::to_f64));
         self.pass(measurements, usize::MAX);
-        self.current.cost <= self.best.cost + CHANCE
+        self.current.statistics.cost <= self.best.statistics.cost + CHANCE
     }
 
     /// Cause of residuals that are too large. The best estimate is overwritten.
-    #[inline(never)] // it is called for a bad fit only
+    #[inline(never)] // stack
     pub(super) fn misfit_cause(
         &mut self,
         measurements: &impl Measurements,
@@ -165,7 +165,7 @@ impl<F: Real> Fit<'_, F> {
     }
 
     /// Extent of the measurements, of which every one is checked.
-    #[inline(never)] // its copy of the iterator is on the stack only during the call
+    #[inline(never)] // stack
     pub(super) fn checked(&self, measurements: &impl Measurements) -> Result<Extent, FitError> {
         let mut extent: Option<Extent> = None;
         for (index, Measurement { time, sensor, values }) in measurements.clone().enumerate() {
