@@ -124,7 +124,6 @@ pub(super) fn half_turns(phase: Phase) -> Phase {
 /// Nearest whole number of periods in origin + t, and the remainder, which is 0 beyond 9e15 periods. A t that is not
 /// finite counts as 0.
 fn split(origin: Extended, t: f64, period: Extended) -> (i64, Extended) {
-    let t = if t.is_finite() { t } else { 0.0 };
     let time = origin + t.into();
     let periods = libm::round(time.to_f64() / period.to_f64());
     if Float::abs(periods) >= 9e15 {

@@ -39,14 +39,9 @@ pub(crate) enum HalfPeriod {
 }
 
 impl HalfPeriod {
-    /// Sum of two different half periods, without whole periods.
+    /// Sum of 0 and a half period, or of ω and ω'.
     fn plus(self, other: Self) -> Self {
-        match (self, other) {
-            (Self::Origin, half) | (half, Self::Origin) => half,
-            (Self::Omega, Self::Sum) | (Self::Sum, Self::Omega) => Self::OmegaPrime,
-            (Self::OmegaPrime, Self::Sum) | (Self::Sum, Self::OmegaPrime) => Self::Omega,
-            _ => Self::Sum,
-        }
+        if self == Self::Origin { other } else { Self::Sum }
     }
 }
 
