@@ -34,7 +34,7 @@ pub struct Tracked {
     pub fitted: Fitted,
     /// Rotation vector from the predicted to the fitted orientation, rad: the jump to an ephemeris of the new launch.
     pub jump: Vector<f64>,
-    /// Rates at which l, n and h changed between the two launches, per unit time.
+    /// Mean rates of change of l, n and h between the two launches, per unit time.
     pub drift_rates: Vector<f64>,
 }
 
@@ -53,8 +53,8 @@ impl<'a, F: Real> Fit<'a, F> {
         Ok(Self::with_model(sensors, model))
     }
 
-    /// Sets the residual, in standard deviations, from which an observation counts linearly instead of quadratically
-    /// (Huber); infinite for least squares. The default is 3. A smaller number than 1, or NaN, counts as 1.
+    /// Sets the largest residual that counts quadratically, in standard deviations; larger ones count linearly (Huber). It is infinite for
+    /// least squares. The default is 3. A smaller number than 1, or NaN, counts as 1.
     #[must_use]
     pub fn with_huber(mut self, residual: f64) -> Self {
         self.huber = residual.max(1.0);

@@ -169,7 +169,7 @@ impl Model {
         self.deviations.get(unknown).map_or(0.0, |deviation| deviation * deviation)
     }
 
-    /// Information before the first measurement, and the estimate from which it is counted: losses, biases and changes of the ratios are near 0.
+    /// Information before the first measurement, and the estimate that it is about. Losses, biases and changes of the ratios are near 0.
     pub(crate) fn prior<F: Real>(&self) -> (Estimate, Triangle<F>) {
         let mut information = Triangle::new(self.count);
         for (index, deviation) in self.deviations.iter().enumerate() {

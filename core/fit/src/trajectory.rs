@@ -45,7 +45,7 @@ impl<F: Real> Trajectory<F> {
         }
     }
 
-    /// State and derivatives at the time to which the trajectory was moved.
+    /// State and derivatives at the time of the last move.
     pub(crate) fn now(&self) -> &Partials<F> {
         &self.now
     }

@@ -7,16 +7,15 @@ use crate::sensors::Measurements;
 use crate::triangle::MOST_UNKNOWNS;
 use toytop::scalar::Real;
 
-/// Size of a correction, in standard deviations, below which the fit has converged. The next correction would be about
-/// its square.
+/// Size of the last correction of a fit that has converged, in standard deviations. The next one would be about its square.
 pub(super) const SETTLED: f64 = 0.05;
 /// Largest number of passes over one part of the measurements.
 const MOST_PASSES: u32 = 30;
-/// Estimated size of the next correction, in standard deviations, below which no pass has to confirm this one.
+/// Largest estimated size of the next correction, in standard deviations, for a fit to end without another pass.
 const NEXT_SETTLED: f64 = 0.1;
-/// Largest correction, in standard deviations, after which the fit converges without such a pass.
+/// Largest correction after which a fit may end without another pass, in standard deviations.
 const MOST_UNCONFIRMED: f64 = 10.0;
-/// Least sine of the tilt at which the fit converges without such a pass.
+/// Least sine of the tilt at which a fit may end without another pass.
 const LEAST_TILT: f64 = 0.1;
 /// Change of the sum of squares that the error of the integration may cause.
 const ROUNDING: f64 = 0.05;
@@ -24,7 +23,7 @@ const ROUNDING: f64 = 0.05;
 impl<F: Real> Fit<'_, F> {
     /// Passes over the first `count` measurements until the estimate does not change any more. Returns whether it settled.
     ///
-    /// * `settled`: size of a correction, in standard deviations, below which the estimate counts as unchanged
+    /// * `settled`: largest correction of an estimate that counts as unchanged, in standard deviations
     #[inline(never)] // stack
     pub(super) fn settle(&mut self, measurements: &impl Measurements, count: usize, settled: f64) -> bool {
         self.best.statistics.cost = f64::INFINITY;

@@ -13,7 +13,7 @@ use toytop::su2::Orientation;
 
 /// Number of instants with an orientation, a direction or the axis that a guess uses; the first part that is fitted has four times as many.
 pub(super) const FIRST_INSTANTS: usize = 16;
-/// Largest number of instants among which these are.
+/// Largest number of instants that are searched for them.
 const MOST_INSTANTS: usize = 1024;
 /// Number of rotations about a known direction that are tried.
 const ROTATIONS: u32 = 12;
@@ -192,7 +192,7 @@ impl<F: Real> Fit<'_, F> {
         Some(Guesses { orientation, omega, open: Open::Spin(4.0 * per_time) })
     }
 
-    /// Instants of the measurements, which would be too many for the stack.
+    /// Instants of the measurements, one at a time: all would be too many for the stack.
     fn instants(&self, measurements: impl Measurements) -> impl Iterator<Item = Instant> + Clone {
         let mut ahead = measurements.peekable();
         core::iter::from_fn(move || {
@@ -255,9 +255,9 @@ fn axial_rate_from_circle<F: Real>(
     };
     // the shortest interval limits the rates, and the longest one tells how close to each other they must be
     let times = instants.clone().filter(|instant| direction(instant).is_some()).map(|instant| instant.time);
-    let gaps = times.clone().skip(1).zip(times).map(|(next, time)| next - time);
+    let intervals = times.clone().skip(1).zip(times).map(|(next, time)| next - time);
     let (shortest, longest) =
-        gaps.fold((f64::INFINITY, 0.0_f64), |(least, most), gap| (least.min(gap), most.max(gap)));
+        intervals.fold((f64::INFINITY, 0.0_f64), |(least, most), span| (least.min(span), most.max(span)));
     let mut step = libm::copysign(0.3 / longest, bound);
     let steps = ((PI / shortest - 0.9 * libm::fabs(bound)) / libm::fabs(step)).min(2000.0) as u32;
     let better = |(rate, least): (Option<f64>, F), tried: f64| {

@@ -68,9 +68,9 @@ pub struct Fitted {
     pub statistics: Statistics,
     /// Directions that the measurements do not determine. Their standard deviations are 10 rad, or ten times ω.
     pub unobservable: Unobservable,
-    /// Why the launch must not be trusted; `None` where it may be.
+    /// Reason why the launch must not be trusted; `None` if it may be.
     pub warning: Option<FitWarning>,
-    /// Number of first guesses that lead to another launch, which fits the first measurements equally well.
+    /// Number of other launches that fit the first measurements equally well.
     pub other_launches: usize,
     /// Number of unknowns.
     pub unknowns: usize,
@@ -235,7 +235,7 @@ impl<F: Real> Fit<'_, F> {
     }
 }
 
-/// Sine of the angle from an undetermined direction within which a named one is called undetermined.
+/// Sine of an angle. A named direction this close to an undetermined one is called undetermined.
 const ALONG: f64 = 0.1;
 
 /// Directions of the launch that the measurements do not determine to one unit.

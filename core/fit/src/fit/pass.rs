@@ -9,11 +9,11 @@ use toytop::scalar::Real;
 
 /// Marquardt's damping at the beginning.
 pub(super) const FIRST_DAMPING: f64 = 1e-3;
-/// Number of standard deviations of a sum of squares beyond which the residuals are larger than the noise explains.
+/// Largest excess of a sum of squares that noise explains, in its standard deviations.
 const MISFIT: f64 = 5.0;
 /// Residual, in standard deviations, of a reading that no noise explains.
 const GROSS: f64 = 10.0;
-/// Largest sum of squares of the differences from prior values, of which there are at most a dozen.
+/// Largest sum of squares of the differences from prior values. There are at most a dozen.
 const MOST_PRIOR: f64 = 60.0;
 
 /// Residuals of a fit.
@@ -35,7 +35,7 @@ pub struct Statistics {
     pub(super) cost: f64,
     /// Number of residuals that no noise explains.
     gross: u32,
-    /// Residual from which a component is an outlier.
+    /// Largest residual of a component that is no outlier.
     huber: f64,
     /// Whether the readings of one of the sensors contradict the motion.
     contradicted: bool,
@@ -110,7 +110,7 @@ impl Statistics {
 pub struct Fit<'a, F = f64> {
     pub(super) sensors: &'a [&'a dyn Sensor<F>],
     pub(super) model: Model,
-    /// Residual, in standard deviations, from which an observation counts linearly instead of quadratically.
+    /// Largest residual that counts quadratically, in standard deviations. Larger ones count linearly.
     pub(super) huber: f64,
     /// Best estimate so far, with the information and the sum of squares of its pass.
     pub(super) best: Pass<F>,
@@ -123,7 +123,7 @@ pub struct Fit<'a, F = f64> {
     /// Size of a correction over the square of the size of the one before it.
     pub(super) curvature: f64,
     trajectory: Trajectory<F>,
-    /// Factor by which the readings of rate gyroscopes are multiplied, to try another unit where the fit is bad.
+    /// Factor of the readings of rate gyroscopes. A bad fit tries another unit.
     pub(super) rate_unit: f64,
     /// Information before the measurements, and the estimate that it is about.
     pub(super) prior: (Estimate, Triangle<F>),
@@ -205,8 +205,7 @@ impl<'a, F: Real> Fit<'a, F> {
         prior.square(&change).to_f64()
     }
 
-    /// Adds one measurement to the current pass, at the time to which the trajectory was moved. `None` where there is no such
-    /// sensor.
+    /// Adds one measurement to the current pass, at the time of the trajectory. `None` if there is no such sensor.
     #[inline(never)] // stack
     fn add(&mut self, measurement: &Measurement, statistics: &mut Statistics) -> Option<()> {
         let sensor = self.sensors.get(measurement.sensor)?;

@@ -10,19 +10,20 @@ use crate::vector::{Vector, cross, dot, scaled};
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 
-/// Size of a correction, in standard deviations, below which a part of the measurements is finished.
+/// Largest last correction of a part of the measurements, in standard deviations.
 const NEAR: f64 = 0.5;
-/// Difference of sums of squares below which two launches fit equally well, and least difference of other launches (standard deviations).
+/// Largest difference of the sums of squares of two launches that fit equally well.
 const EQUAL: f64 = 9.0;
+/// Least distance of two launches that are not the same, in standard deviations.
 const OTHER: f64 = 10.0;
 /// Least mean square of residuals of rates in degrees: the noise given may be twice too large.
 const LEAST_NOISE: f64 = 0.25;
-/// Least quotient of a rate beyond the range and a reading at its end, which bias and mounting may shift.
+/// Least quotient of a rate beyond the range and a reading at its end. Bias and mounting may shift the reading.
 const WITHIN: f64 = 0.9;
-/// Sine of the tilt, and share of ω across the axis, beyond which a launch is not compared with an upright one.
+/// Largest sine of the tilt, and largest share of ω across the axis, of a launch that is compared with an upright one.
 const UPRIGHT: f64 = 0.1;
-/// Increase of the sum of squares up to which an upright launch explains the measurements equally well: the best of a hundred
-/// spins lowers it by about 20.
+/// Largest increase of the sum of squares by an upright launch that explains the measurements equally well. The best of a
+/// hundred spins lowers the sum by about 20.
 const CHANCE: f64 = 40.0;
 
 /// Times of the first and the last measurement, and the number of measurements.
@@ -103,7 +104,7 @@ impl<F: Real> Fit<'_, F> {
         if unknown && !misfit { Some(FitWarning::SpinUnknown) } else { warning }
     }
 
-    /// Whether an upright launch with twice this spin explains the measurements equally well, so that they do not determine the spin.
+    /// Whether an upright launch with twice this spin explains the measurements equally well. They do not determine the spin then.
     ///
     /// An upright top with a saturated gyroscope fits any spin.
     #[inline(never)] // stack
@@ -164,7 +165,7 @@ impl<F: Real> Fit<'_, F> {
         })
     }
 
-    /// Extent of the measurements, of which every one is checked.
+    /// Extent of the measurements. Each of them is checked.
     #[inline(never)] // stack
     pub(super) fn checked(&self, measurements: &impl Measurements) -> Result<Extent, FitError> {
         let mut extent: Option<Extent> = None;
