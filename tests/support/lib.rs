@@ -97,7 +97,7 @@ pub fn released(top: &Top, release: &Release) -> Motion {
 }
 
 /// Motion of a top released from rest apart from its spin.
-pub fn let_go(top: &Top, tilt: f64, spin: f64) -> Motion {
+pub fn released_from_rest(top: &Top, tilt: f64, spin: f64) -> Motion {
     released(top, &Release { tilt, spin, ..Release::default() })
 }
 
@@ -138,26 +138,29 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for Table<R, SEGMENTS> {
 }
 
 /// Table of a motion that is launched at tick 0, if it fits.
-pub fn fitting<R: EphemerisScalar, const SEGMENTS: usize>(
+pub fn table_if_it_fits<R: EphemerisScalar, const SEGMENTS: usize>(
     motion: &Motion,
     tick: Tick,
 ) -> Option<Table<R, SEGMENTS>> {
-    launched_at(motion, tick, 0).ok()
+    table_from_epoch(motion, tick, 0).ok()
 }
 
 /// Table of a motion that is launched at tick 0.
 ///
 /// # Panics
 /// If the motion does not fit.
-pub fn boxed<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion, tick: Tick) -> Table<R, SEGMENTS> {
-    launched_at(motion, tick, 0).unwrap()
+pub fn table_of<R: EphemerisScalar, const SEGMENTS: usize>(
+    motion: &Motion,
+    tick: Tick,
+) -> Table<R, SEGMENTS> {
+    table_from_epoch(motion, tick, 0).unwrap()
 }
 
 /// Table of a motion that is launched at a tick.
 ///
 /// # Errors
 /// If the motion does not fit.
-pub fn launched_at<R: EphemerisScalar, const SEGMENTS: usize>(
+pub fn table_from_epoch<R: EphemerisScalar, const SEGMENTS: usize>(
     motion: &Motion,
     tick: Tick,
     epoch: i64,

@@ -14,6 +14,7 @@ mod constants;
 
 mod sliding;
 
+use crate::elliptic::elementary::rounded;
 use crate::elliptic::theta::ValueAndSlope;
 use crate::orientation::{ArgumentOffsets, solve_increasing};
 use constants::{AperiodicConstants, AperiodicValues, Fixed};
@@ -48,7 +49,7 @@ pub struct Aperiodic {
     /// Variable v at t = 0, and t(v) there.
     start: [Extended; 2],
     arguments: ArgumentOffsets,
-    /// Length 2s, m; 2 for a fixed tip.
+    /// Length s, m; 1 for a fixed tip.
     tip_scale: f64,
     /// Tip angle minus the argument of α in the closed form.
     tip_origin: Phase,
@@ -114,10 +115,9 @@ impl Aperiodic {
         // the argument of α at u = e₁ in the closed form
         let lowest =
             if e.one_plus_e1 > Extended::ZERO { form.alpha(&constants.at(Extended::ZERO)) } else { alpha };
-        let origin =
-            Phase::from_radians(Complex::new(lowest.value.re.to_f64(), lowest.value.im.to_f64()).arg());
+        let origin = Phase::from_radians(rounded(lowest.value).arg());
         let tip_origin = (a + b + origin + at_start).principal() - at_start;
-        let tip_scale = 2.0 * motion.top().tip_scale();
+        let tip_scale = motion.top().tip_scale();
         Some(Self { constants, form, start: [v, form.time(&point)], arguments, tip_scale, tip_origin })
     }
 
@@ -125,7 +125,6 @@ impl Aperiodic {
     #[must_use]
     pub fn at(&self, t: f64) -> AttitudeState<f64> {
         let point = self.constants.at(self.exact_v(t));
-        let t = if t.is_finite() { t } else { 0.0 };
         self.arguments.attitude_state(
             t,
             [self.form.alpha(&point), self.constants.beta(&point)],
@@ -136,8 +135,7 @@ impl Aperiodic {
     /// Position c of the tip at t, m; 2αβ, without unit, for a fixed tip.
     #[must_use]
     pub fn tip(&self, t: f64) -> Complex<f64> {
-        let orientation = self.at(t).orientation;
-        (orientation.alpha * orientation.beta).scaled(self.tip_scale)
+        self.at(t).orientation.tip_over_s().scaled(self.tip_scale)
     }
 
     /// Angle of the tip at t, continuous in time; at t = 0 in (-1/2, 1/2] turn. Where the curve passes through the centre (e₁ = -1) the
@@ -152,8 +150,8 @@ impl Aperiodic {
     #[must_use]
     pub fn error_bound(&self) -> f64 {
         let [v, _] = self.start.map(Float::to_f64);
-        let spread = (self.constants.s / self.constants.a_over_p).to_f64();
-        2e-15 + 5e-16 * Float::abs(v) * Float::sqrt(1.0 + spread)
+        let ps_over_a = (self.constants.s / self.constants.a_over_p).to_f64();
+        2e-15 + 5e-16 * Float::abs(v) * Float::sqrt(1.0 + ps_over_a)
     }
 
     /// Variable v at t, with u = e₁ + (1 - e₁) tanh² v.

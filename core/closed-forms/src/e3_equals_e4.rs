@@ -78,7 +78,7 @@ impl E3EqualsE4 {
         let alpha = quotient(HalfPeriod::OmegaPrime, a, integrals.l_plus_n, (highest, alpha_size));
         let beta = quotient(HalfPeriod::Origin, b, -integrals.l_minus_n, (lowest, beta_size));
         let whole = imaginary(half.doubled());
-        let turns = [alpha.turns(highest, whole), beta.turns(lowest, whole)];
+        let rotations = [alpha.rotation(highest, whole), beta.rotation(lowest, whole)];
 
         // y(0) within half a period of u = e₂, from cos²χ = sn²(√(e₂ + e₃) y)
         let (_, remainder) = chi.split_half_turns();
@@ -90,7 +90,7 @@ impl E3EqualsE4 {
         let solution = Solution { time_scale, linear, alpha, beta };
         let (period, origin) = (solution.time(half).0.doubled(), solution.time(start).0);
         let arguments = ArgumentOffsets::new(motion, solution.parameters(start));
-        Some(Self { solution, periods: Periods { period, turns, origin, arguments } })
+        Some(Self { solution, periods: Periods { period, rotations, origin, arguments } })
     }
 
     /// Nutation period, |t(2ω₁)|.

@@ -66,13 +66,13 @@ impl Lagrange {
         let alpha = quotient(HalfPeriod::Origin, a, (highest, alpha_size));
         let beta = quotient(HalfPeriod::Omega, b, (lowest, beta_size));
         let whole = real(half.doubled());
-        let turns = [alpha.turns(-highest, whole), beta.turns(lowest, whole)];
+        let rotations = [alpha.rotation(-highest, whole), beta.rotation(lowest, whole)];
 
         let solution = Solution { z_rate, alpha, beta };
         let origin = since_lowest(&e, chi) / z_rate;
         let (period, arguments) =
             (half.doubled() / z_rate, ArgumentOffsets::new(motion, solution.parameters(origin)));
-        Some(Self { solution, periods: Periods { period, turns, origin, arguments } })
+        Some(Self { solution, periods: Periods { period, rotations, origin, arguments } })
     }
 
     /// Nutation period, 2ω √(2A/(pg)).

@@ -50,18 +50,18 @@ impl ArgumentOffsets {
         &self,
         t: f64,
         [alpha, beta]: [ValueAndSlope; 2],
-        [alpha_turns, beta_turns]: [Phase; 2],
+        [alpha_rotation, beta_rotation]: [Phase; 2],
     ) -> AttitudeState<f64> {
         let half_tau_phase = (self.half_tau * t.into()).in_turns().to_phase();
         let half_tau = self.half_tau.to_f64();
-        let placed = |closed: ValueAndSlope, turns: Phase, tau: f64| {
-            let factor = Complex::cis(turns);
+        let placed = |closed: ValueAndSlope, rotation: Phase, tau: f64| {
+            let factor = Complex::cis(rotation);
             let value = rounded(closed.value) * factor;
             (value, rounded(closed.slope) * factor + value.times_i().scaled(tau))
         };
         let [a, b] = self.angles;
-        let (alpha, alpha_rate) = placed(alpha, a + alpha_turns + half_tau_phase, half_tau);
-        let (beta, beta_rate) = placed(beta, b + beta_turns - half_tau_phase, -half_tau);
+        let (alpha, alpha_rate) = placed(alpha, a + alpha_rotation + half_tau_phase, half_tau);
+        let (beta, beta_rate) = placed(beta, b + beta_rotation - half_tau_phase, -half_tau);
         let rate = OrientationRate { alpha: alpha_rate, beta: beta_rate };
         AttitudeState { orientation: Orientation { alpha, beta }, rate }
     }
@@ -88,7 +88,7 @@ pub(super) struct Periods {
     /// Nutation period.
     pub(super) period: Extended,
     /// Rotation of α and β over one period, for C = A.
-    pub(super) turns: [Phase; 2],
+    pub(super) rotations: [Phase; 2],
     /// Time of the solution at t = 0 of the motion.
     pub(super) origin: Extended,
     pub(super) arguments: ArgumentOffsets,
@@ -102,7 +102,11 @@ impl Periods {
         parameters: impl Fn(Extended) -> [ValueAndSlope; 2],
     ) -> AttitudeState<f64> {
         let (periods, remainder) = split(self.origin, t, self.period);
-        self.arguments.attitude_state(t, parameters(remainder), self.turns.map(|turns| turns * periods))
+        self.arguments.attitude_state(
+            t,
+            parameters(remainder),
+            self.rotations.map(|rotation| rotation * periods),
+        )
     }
 
     /// Number of periods from time 0 of the solution until t, as a phase of one turn for each period.
@@ -115,7 +119,6 @@ impl Periods {
 /// Nearest whole number of periods in origin + t, and the remainder, which is 0 beyond 9e15 periods. A t that is not
 /// finite counts as 0.
 fn split(origin: Extended, t: f64, period: Extended) -> (i64, Extended) {
-    let t = if t.is_finite() { t } else { 0.0 };
     let time = origin + t.into();
     let periods = libm::round(time.to_f64() / period.to_f64());
     if Float::abs(periods) >= 9e15 {

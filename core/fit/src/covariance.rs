@@ -11,7 +11,7 @@ const ENTRIES: usize = MOST_UNKNOWNS * (MOST_UNKNOWNS + 1) / 2;
 /// known to 1e-12.
 const LEAST_VARIANCE: f64 = 1e-24;
 
-/// Covariance of the unknowns: a symmetric matrix, of which one half is stored.
+/// Covariance of the unknowns: a symmetric matrix. One half is stored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Covariance {
     /// Rows of the lower triangle up to the diagonal, one after another.
@@ -44,7 +44,7 @@ impl Covariance {
     }
 
     /// Adds (RᵀR)⁻¹ of a triangle. An unknown without any information gets the variance 0.
-    #[inline(never)] // one column of R⁻¹ is on the stack at a time
+    #[inline(never)] // stack
     pub(crate) fn add_inverse<F: Real>(&mut self, information: &Triangle<F>, count: usize) {
         for index in 0..count {
             let column = information.inverse_column(index);
@@ -52,8 +52,9 @@ impl Covariance {
         }
     }
 
-    /// Replaces the covariance of the launch by that of a change of a motion, of which the derivatives with respect to the unknowns are
-    /// given; those that are left out are 0.
+    /// Replaces the covariance of the launch by that of a later change of the motion.
+    ///
+    /// * `columns`: derivatives of the change with respect to the unknowns; those that are left out are 0
     pub(crate) fn carry(&mut self, columns: &[Tangent<f64>]) {
         let weight = |index: usize, unknown: usize| {
             let change = columns.get(unknown).map_or([[0.0; 3]; 2], |by| [by.theta, by.eta]);
@@ -79,7 +80,7 @@ impl Covariance {
         self.carry(&Tangent::along_axes::<LAUNCH_COLUMNS>(axes));
     }
 
-    /// Covariance of a vector, of which the derivatives with respect to the unknowns are given.
+    /// Covariance of a vector with these derivatives with respect to the unknowns.
     pub(crate) fn of_vector(&self, columns: &[Vector<f64>; MOST_UNKNOWNS]) -> [Vector<f64>; 3] {
         let mut carried = *self;
         carried.carry(&columns.map(|theta| Tangent { theta, eta: [0.0; 3] }));
@@ -87,7 +88,7 @@ impl Covariance {
     }
 
     /// Information of the first `count` unknowns: the inverse of Cholesky's triangle.
-    #[inline(never)] // the triangle is on the stack only during the call
+    #[inline(never)] // stack
     pub(crate) fn information<F: Real>(&self, count: usize) -> Triangle<F> {
         self.factor(count).inverse()
     }

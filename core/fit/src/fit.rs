@@ -21,7 +21,7 @@ use crate::sensitivity::LAUNCH_COLUMNS;
 use crate::sensors::{Measurement, Sensor};
 use crate::vector::{UNITS, Vector, norm, rotation_vector};
 use correction::SETTLED;
-pub use error::{Distrust, FitError};
+pub use error::{FitError, FitWarning};
 pub use fitted::{Drift, Fitted, Unobservable};
 pub use pass::{Fit, Statistics};
 use toytop::Top;
@@ -34,8 +34,8 @@ pub struct Tracked {
     pub fitted: Fitted,
     /// Rotation vector from the predicted to the fitted orientation, rad: the jump to an ephemeris of the new launch.
     pub jump: Vector<f64>,
-    /// Rates at which l, n and h changed between the two launches, per unit time.
-    pub drift: Vector<f64>,
+    /// Mean rates of change of l, n and h between the two launches, per unit time.
+    pub drift_rates: Vector<f64>,
 }
 
 impl<'a, F: Real> Fit<'a, F> {
@@ -53,8 +53,8 @@ impl<'a, F: Real> Fit<'a, F> {
         Ok(Self::with_model(sensors, model))
     }
 
-    /// Sets the residual, in standard deviations, from which an observation counts linearly instead of quadratically
-    /// (Huber); infinite for least squares. The default is 3. A smaller number than 1, or NaN, counts as 1.
+    /// Sets the largest residual that counts quadratically, in standard deviations; larger ones count linearly (Huber). It is infinite for
+    /// least squares. The default is 3. A smaller number than 1, or NaN, counts as 1.
     #[must_use]
     pub fn with_huber(mut self, residual: f64) -> Self {
         self.huber = residual.max(1.0);
@@ -87,11 +87,11 @@ impl<'a, F: Real> Fit<'a, F> {
         measurements: impl Iterator<Item = Measurement> + Clone,
     ) -> Result<Fitted, FitError> {
         let extent = self.checked(&measurements)?;
-        let (distrust, alternatives) = self.search(&measurements, &extent);
-        let mut fitted = self.fitted(&extent, distrust, alternatives);
-        if matches!(fitted.distrust, Some(Distrust::Misfit | Distrust::NotSettled)) {
+        let (warning, other_launches) = self.search(&measurements, &extent);
+        let mut fitted = self.fitted(&extent, warning, other_launches);
+        if matches!(fitted.warning, Some(FitWarning::Misfit | FitWarning::NotSettled)) {
             let cause = self.misfit_cause(&measurements, &extent, fitted.statistics.chi_squared);
-            fitted.distrust = cause.or(fitted.distrust);
+            fitted.warning = cause.or(fitted.warning);
         }
         Ok(fitted)
     }
@@ -107,8 +107,8 @@ impl<'a, F: Real> Fit<'a, F> {
     ) -> Result<Fitted, FitError> {
         let extent = self.checked(&measurements)?;
         self.start_from(&guess);
-        let distrust = self.settle_finally(&measurements);
-        Ok(self.fitted(&extent, distrust, 0))
+        let warning = self.settle_finally(&measurements);
+        Ok(self.fitted(&extent, warning, 0))
     }
 
     /// Fits the next block of measurements from the fit of the last one, carried to it with its covariance.
@@ -145,15 +145,15 @@ impl<'a, F: Real> Fit<'a, F> {
         self.prior = (predicted, covariance.information(last.unknowns));
         self.start_from(&predicted);
         let settled = self.settle(&measurements, usize::MAX, SETTLED);
-        let fitted = self.fitted(&extent, self.distrust(settled), 0);
+        let fitted = self.fitted(&extent, self.warning(settled), 0);
         self.reset_prior();
         let turn = self.best.estimate.orientation.compose(&predicted.orientation.inverse());
-        let drift = self.mean_rates([&last.launch, &fitted.launch], fitted.epoch - last.epoch);
-        Ok(Tracked { fitted, jump: rotation_vector(&turn), drift })
+        let drift_rates = self.mean_rates([&last.launch, &fitted.launch], fitted.epoch - last.epoch);
+        Ok(Tracked { fitted, jump: rotation_vector(&turn), drift_rates })
     }
 
     /// Sets the information before the measurements to that of the model.
-    #[inline(never)] // its copy is on the stack only during the call
+    #[inline(never)] // stack
     fn reset_prior(&mut self) {
         self.prior = self.model.prior();
     }

@@ -2,6 +2,9 @@
 #![cfg_attr(not(test), no_std)]
 
 // Modules in the order of dependence: each one uses only those above it.
+//
+// `#[inline(never)] // stack`: the numbers of the function are on the stack only during its call.
+
 mod vector;
 
 mod sensitivity;
@@ -26,7 +29,7 @@ pub mod partials {}
 
 pub use covariance::Covariance;
 pub use estimate::{Estimate, FreeRatio};
-pub use fit::{Distrust, Drift, Fit, FitError, Fitted, Statistics, Tracked, Unobservable};
+pub use fit::{Drift, Fit, FitError, FitWarning, Fitted, Statistics, Tracked, Unobservable};
 pub use model::{MOST_RATIOS, MOST_SENSORS};
 pub use sensitivity::{Partials, Sensitivity, SensitivityCursor};
 pub use sensors::{

@@ -169,7 +169,7 @@ impl Model {
         self.deviations.get(unknown).map_or(0.0, |deviation| deviation * deviation)
     }
 
-    /// Information before the first measurement, and the estimate from which it is counted: losses, biases and changes of the ratios are near 0.
+    /// Information before the first measurement, and the estimate that it is about. Losses, biases and changes of the ratios are near 0.
     pub(crate) fn prior<F: Real>(&self) -> (Estimate, Triangle<F>) {
         let mut information = Triangle::new(self.count);
         for (index, deviation) in self.deviations.iter().enumerate() {
@@ -191,7 +191,7 @@ impl Model {
 
     /// Adds the information that damps a correction: a part `damping` of that along each unknown, as Marquardt does, and a standard
     /// deviation of `limit` units. Damping is along the fixed axes, because yaw may be unobservable.
-    #[inline(never)] // its directions are on the stack between passes only
+    #[inline(never)] // stack
     pub(crate) fn damp<F: Real>(
         &self,
         estimate: &Estimate,

@@ -23,6 +23,7 @@ pub(crate) use coefficients::{
 pub(crate) use equations::Equations;
 pub(crate) use flow::{COLUMNS, Flow, LAUNCH_COLUMNS, Tangent};
 use integrals::projected;
+pub(crate) use integration::steps;
 pub use partials::Partials;
 use toytop::scalar::{Extended, Float, Scalar};
 use toytop::{Motion, Orientation, PeriodAdvance, Phase, Stepper};
@@ -31,6 +32,8 @@ use toytop::{Motion, Orientation, PeriodAdvance, Phase, Stepper};
 pub(crate) const FINE: f64 = 0.02;
 /// Product of the longest step and the bound on the frequencies in a fit, where an error of 1e-9 has no effect.
 pub(crate) const COARSE: f64 = 0.1;
+/// Largest square of a tangent's size; the squares of larger ones would not be finite.
+const LARGEST: f64 = 1e300;
 
 /// Partial derivatives of a motion with respect to its launch, as a function of time.
 ///
@@ -89,7 +92,7 @@ impl Sensitivity {
             |PeriodAdvance { exact_period: length, rotations: turns, .. }| {
                 let start = &sensitivity.start;
                 let [about_vertical, _] = turns;
-                let mut end = equations.advance(start, length.to_f64(), longest_step)?;
+                let mut end = sensitivity.moved(start, length.to_f64())?;
                 end.turn(f64::sine_cosine(-about_vertical));
                 let mut growth = end.tangents;
                 for (grown, initial) in growth.iter_mut().zip(&start.tangents) {
@@ -109,12 +112,21 @@ impl Sensitivity {
         omega: Vector<f64>,
         longest_step: f64,
     ) -> Self {
-        let start = Flow::launched(orientation, omega).with_tangents(&UNITS);
+        let start = Flow::launched(orientation, omega).with_tangents(Tangent::along_axes(&UNITS));
         Self { equations, start, period: None, longest_step }
     }
 
+    /// Flow after a time of either sign. `None` where that takes too many steps, or where a tangent has grown beyond 1e150.
+    fn moved(&self, flow: &Flow<f64, COLUMNS>, span: f64) -> Option<Flow<f64, COLUMNS>> {
+        let steps = steps(span, self.longest_step / self.equations.frequency(flow))?;
+        let mut end = *flow;
+        self.equations.advance(&mut end, span, steps);
+        let is_bounded = |tangent: &Tangent<f64>| tangent.inner(tangent) < LARGEST;
+        end.tangents.iter().all(is_bounded).then_some(end)
+    }
+
     /// Derivatives at time t after the launch; t may be negative. `None` where t is not finite or beyond 2^52 periods, where a derivative
-    /// is beyond 1e150, and where a motion without a period would take more than a million steps.
+    /// is beyond 1e150, and where a motion without a period would take more than 500 000 steps.
     #[must_use]
     pub fn at(&self, t: f64) -> Option<Partials> {
         self.cursor().at(t)
@@ -157,7 +169,7 @@ impl SensitivityCursor<'_> {
 
     /// Derivatives at time t, those of the orientation with ω turned along: Φ(0) → exp(δ) Φ(0), ω(0) → exp(δ) ω(0).
     pub(crate) fn with_turned_omega(&mut self, t: f64) -> Option<Partials> {
-        let Sensitivity { equations, start, period, longest_step } = self.sensitivity;
+        let Sensitivity { equations, start, period, .. } = self.sensitivity;
         if !t.is_finite() {
             return None;
         }
@@ -174,7 +186,7 @@ impl SensitivityCursor<'_> {
                 *tangent = tangent.plus(growth, count as f64);
             }
         }
-        self.flow = equations.advance(&self.flow, since_period - self.since_period, *longest_step)?;
+        self.flow = self.sensitivity.moved(&self.flow, since_period - self.since_period)?;
         self.since_period = since_period;
         let mut flow = self.flow;
         if let Some(Period { turns: [about_vertical, _], .. }) = period {

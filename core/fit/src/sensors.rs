@@ -5,7 +5,7 @@ mod inertial;
 mod optical;
 
 use crate::sensitivity::{COLUMNS, Partials};
-use crate::vector::{UNITS, UP, Vector, cast};
+use crate::vector::{UNITS, Vector, cast};
 pub use inertial::{Accelerometer, Gyroscope, Magnetometer};
 pub use optical::{AxisCamera, Mark, OrientationCamera, TipCamera};
 use toytop::Complex;
@@ -39,7 +39,7 @@ pub struct Residual<F = f64> {
     pub columns: [Vector<F>; COLUMNS],
 }
 
-/// Information of a reading from which a fit makes its first guess.
+/// Information of a reading for the first guess of a fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Hint {
@@ -75,7 +75,7 @@ pub trait Sensor<F = f64> {
     /// Noise and bias of each component.
     fn noise(&self) -> Noise;
 
-    /// Information about the state, from which a fit may make its first guess.
+    /// Information about the state, for the first guess of a fit.
     fn hint(&self, values: &[f64; 4]) -> Hint {
         let _ = values;
         Hint::None
@@ -97,7 +97,7 @@ impl Noise {
         Self { deviation, bias: 0.0 }
     }
 
-    /// Whether a fit can use both numbers.
+    /// Whether the noise is positive, and the bias not negative.
     pub(crate) fn is_valid(&self) -> bool {
         self.deviation > 0.0 && self.bias >= 0.0 && self.deviation.is_finite() && self.bias.is_finite()
     }
@@ -108,7 +108,7 @@ impl Noise {
 pub struct Mounting {
     /// Rotation from sensor to body coordinates.
     pub rotation: Orientation<f64>,
-    /// Body coordinates of its place, m: from the centre of mass of a sliding top, and from a fixed tip.
+    /// Body coordinates of its place, m, from the point that the moments of inertia belong to: the centre of mass, or a fixed tip.
     pub place: Vector<f64>,
 }
 
@@ -123,7 +123,7 @@ impl Mounting {
 
     /// Axis of the top in the coordinates of the sensor.
     pub(crate) fn axis(&self) -> Vector<f64> {
-        if self.rotation == Orientation::IDENTITY { UP } else { self.rotation.inverse().axis() }
+        self.rotation.inverse().axis()
     }
 
     /// Body coordinates of a vector that is given in sensor coordinates.

@@ -1,7 +1,7 @@
 //! Information about unknowns in square-root form: a lower triangular matrix R and a vector z, to which one row at a
 //! time is added by Givens rotations.
 //!
-//! R δ = z is the least-squares problem of all rows, none of which is kept. The last unknowns, the biases, are eliminated first:
+//! R δ = z is the least-squares problem of all rows. No row is kept. The last unknowns, the biases, are eliminated first:
 //! a row has one of them at most, and leaves the rows of the others as they are.
 
 use core::ops::Range;
@@ -17,7 +17,7 @@ const ENTRIES: usize = MOST_UNKNOWNS * (MOST_UNKNOWNS + 3) / 2;
 /// A number for each unknown.
 pub(crate) type Unknowns<F = f64> = [F; MOST_UNKNOWNS];
 
-/// Numbers of which one is not 0.
+/// Unknowns that are 0 except one.
 pub(crate) fn single<F: Real>(index: usize, value: F) -> Unknowns<F> {
     core::array::from_fn(|other| if other == index { value } else { F::ZERO })
 }

@@ -34,7 +34,7 @@ fn main() -> ! {
     let top = *toy_top().expect("a possible top").top();
     let mut fit = Fit::new(&top, &sensors, &[]).expect("three sensors");
     let fitted = fit.run(imu::measurements()).expect("finite readings in order");
-    match fitted.distrust {
+    match fitted.warning {
         None => defmt::info!("converged"),
         Some(_) => defmt::error!("not converged"),
     }

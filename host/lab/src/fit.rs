@@ -82,7 +82,7 @@ fn trial(random: &mut Random, set: usize, seed: u64) -> Result<Accepted, String>
     let listed = sensors.listed();
     let mut fit = Fit::new(motion.top(), &listed, &[]).map_err(|error| error.to_string())?;
     let fitted = fit.run(samples.iter().copied()).map_err(|error| error.to_string())?;
-    match fitted.distrust {
+    match fitted.warning {
         Some(reason) => Err(reason.to_string()),
         None => Ok(Accepted {
             square: normalised_square(&fitted, &state),

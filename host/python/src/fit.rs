@@ -111,7 +111,7 @@ pub(crate) fn fit<'py>(
 fn fields<'py>(py: Python<'py>, report: &FitReport, residuals: Columns) -> PyResult<FittedFields<'py>> {
     let core = report.fitted;
     let refused = |reason: String| PyString::new(py, &reason).into_any();
-    let launched = match (core.distrust, report.scenario(None)) {
+    let launched = match (core.warning, report.scenario(None)) {
         (Some(reason), _) => refused(format!("must be that of a fit that has converged: {reason}")),
         (None, Err(failure)) => refused(failure.to_string()),
         (None, Ok(text)) => Bound::new(py, MotionCore::from_text("fitted", &text)?)?.into_any(),
@@ -144,7 +144,7 @@ fn fields<'py>(py: Python<'py>, report: &FitReport, residuals: Columns) -> PyRes
         losses: losses.transpose()?,
         biases: biases.into_py_dict(py)?,
         undetermined: report.undetermined(),
-        alternatives: core.alternatives,
+        alternatives: core.other_launches,
         chi_squared: core.statistics.chi_squared,
         reduced_chi_squared: core.statistics.reduced_chi_squared(count),
         used: core.statistics.used,

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use toml::{Table, Value};
 use toytop::{Support, Top};
 use toytop_fit::{
-    Distrust, Drift, Fit, FitError, Fitted, FreeRatio, Hint, MOST_RATIOS, Measurement, Partials,
+    Drift, Fit, FitError, FitWarning, Fitted, FreeRatio, Hint, MOST_RATIOS, Measurement, Partials,
 };
 use toytop_model::equations::dot;
 
@@ -51,9 +51,9 @@ impl FitInput {
             fit = fit.with_losses(deviation).map_err(refuse)?;
         }
         let fitted = fit.run(measurements.iter().copied()).map_err(refuse)?;
-        let reason = fitted.distrust.map(|reason| match reason {
+        let reason = fitted.warning.map(|reason| match reason {
             // the sensors that the core asks for exist, so that its advice would mislead
-            Distrust::NoBeginning if has_beginning(&self.sensors, measurements) => {
+            FitWarning::NoBeginning if has_beginning(&self.sensors, measurements) => {
                 "no start fits the samples: are they of another top?".to_owned()
             }
             reason => reason.to_string(),

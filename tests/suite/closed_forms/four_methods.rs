@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use toytop::{InitialPhases, Motion, Regime, Stepper, Tick};
 use toytop_closed_forms::ClosedForm;
 use toytop_tests::{
-    DIFFERENT, SAME, SIGNS, check, fitting, greater, keep, tolerance, top_of, vectors, worst,
+    DIFFERENT, SAME, SIGNS, check, greater, keep, table_if_it_fits, tolerance, top_of, vectors, worst,
 };
 
 /// Errors of the orientation (rad), of u, and of u' relative to the greatest speed: with exact inputs by kind of form, and for all kinds of
@@ -82,7 +82,7 @@ fn closed_form_ephemeris_and_stepper_agree() {
     let mut worst = [0.0_f64; 2];
     for motion in motions() {
         let form = ClosedForm::of(&motion).unwrap();
-        let table = fitting::<f64, 1024>(&motion, Tick::hertz(1024).unwrap());
+        let table = table_if_it_fits::<f64, 1024>(&motion, Tick::hertz(1024).unwrap());
         assert_eq!(table.is_none(), motion.regime() == Regime::Aperiodic);
         let mut stepper = Stepper::<f64>::new(&motion);
         let start = stepper.orientation();
@@ -144,7 +144,7 @@ fn towards_every_corner() {
         let motion =
             Motion::from_branch_points(&top_of([a, 0.8 * a, s, 1.0], 1.0), e, signs, &start).unwrap();
         let form = ClosedForm::of(&motion).unwrap();
-        let table = fitting::<f64, 4096>(&motion, Tick::hertz(1 << 20).unwrap());
+        let table = table_if_it_fits::<f64, 4096>(&motion, Tick::hertz(1 << 20).unwrap());
         let Some(table) = table.filter(|table| table.error_bound().constant <= 1e-14) else {
             left_out += 1;
             continue;

@@ -3,7 +3,7 @@
 use fixed::types::{I2F14, I2F30};
 use toytop::{EphemerisScalar, Motion, Orientation, Release, State, Stepper, Top, TopParameters};
 use toytop_closed_forms::ClosedForm;
-use toytop_tests::{boxed, greater, kilohertz, widened, worst};
+use toytop_tests::{greater, kilohertz, table_of, widened, worst};
 
 /// Distances of the tables of a body that spins about its axis, held without gravity or free, from the truth, beyond their
 /// bounds. The angular momentum is along the axis, which therefore stays where it is.
@@ -12,7 +12,7 @@ fn of_spinning_body<R: EphemerisScalar<Quantity: Into<f64>> + Into<f64>>(
     state: &State,
 ) -> f64 {
     // a wide nutation needs more than 64 segments in q31
-    let table = boxed::<R, 128>(motion, kilohertz());
+    let table = table_of::<R, 128>(motion, kilohertz());
     let form = ClosedForm::of(motion).unwrap();
     let beyond = [0.0, 0.3, 1.1].map(|t| {
         let phi = Orientation::exp(state.omega().map(|x| x * t)).compose(&state.orientation());

@@ -2,7 +2,7 @@
 
 use toytop::{FirstIntegrals, Motion, Regime, Release, Signs, Top};
 use toytop_closed_forms::{RegularPrecession, Stability, SteadyPrecession};
-use toytop_tests::{DIFFERENT, SAME, apart, by_branch_points, let_go, released, top_of, vectors};
+use toytop_tests::{DIFFERENT, SAME, apart, by_branch_points, released, released_from_rest, top_of, vectors};
 
 fn top() -> Top {
     top_of([1.1, 0.8, 0.6, 0.9], 2.0)
@@ -66,12 +66,12 @@ fn the_sleeping_top_falls_at_its_growth_rate() {
     let border = (4.0 * a * top.mass_moment() * top.gravity()).sqrt() / c;
     let stability = |motion: &Motion| RegularPrecession::new(motion).unwrap().stability();
     for share in [0.0, 0.5, 0.9] {
-        let found = stability(&let_go(&top, 0.0, share * border));
+        let found = stability(&released_from_rest(&top, 0.0, share * border));
         let Stability::Unstable { growth_rate } = found else { panic!("too slow to sleep") };
         let formula = (1.0 - share * share).sqrt() * c * border / (2.0 * a);
         assert!((growth_rate / formula - 1.0).abs() < 1e-14);
     }
-    assert!(matches!(stability(&let_go(&top, 0.0, 1.1 * border)), Stability::Stable { .. }));
+    assert!(matches!(stability(&released_from_rest(&top, 0.0, 1.1 * border)), Stability::Stable { .. }));
     let marginal = at(1.0, 1.0, 1.0, SAME);
     assert_eq!(stability(&marginal), Stability::Marginal);
     assert_eq!(RegularPrecession::new(&marginal).unwrap().rates(), None);

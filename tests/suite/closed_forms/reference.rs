@@ -4,7 +4,7 @@ use serde_json::Value;
 use toytop::{InitialPhases, Motion, Sign, Signs, Tick};
 use toytop_closed_forms::{ClosedForm, E3EqualsE4};
 use toytop_tests::vectors::{self, entries, number, orientation, triple};
-use toytop_tests::{DIFFERENT, SAME, boxed, check, greater, tolerance, top_of};
+use toytop_tests::{DIFFERENT, SAME, check, greater, table_of, tolerance, top_of};
 
 /// Motion of a case of a reference file.
 fn motion(case: &Value) -> Motion {
@@ -80,7 +80,7 @@ fn the_error_of_nearly_equal_e3_and_e4_is_bounded() {
             let top = top_of([a, 0.8 * a, 1.0, 1.0], 1.0);
             let motion = Motion::from_branch_points(&top, [e1, e2, e4], signs, &start).unwrap();
             let form = E3EqualsE4::new(&motion).unwrap();
-            let table = boxed::<f64, 1024>(&motion, Tick::hertz(1 << 20).unwrap());
+            let table = table_of::<f64, 1024>(&motion, Tick::hertz(1 << 20).unwrap());
             for periods in [1e3, 1e6] {
                 let t = periods * form.period();
                 let error = form.at(t).orientation.distance(&table.at(t).orientation());

@@ -5,7 +5,7 @@ use toytop::{
     Complex, Ephemeris, EphemerisScalar, EphemerisView, Motion, Orientation, SetUpError, Sign, Signs, State,
     Stepper, Tick, Top, TopParameters,
 };
-use toytop_tests::{SAME, by_branch_points, kilohertz, let_go, top_of, toy, worst};
+use toytop_tests::{SAME, by_branch_points, kilohertz, released_from_rest, top_of, toy, worst};
 
 /// The axis misses the vertical by 3e-43: the rate of the tip angle and 1/|β| exceed the range of `f32`.
 #[test]
@@ -111,7 +111,7 @@ fn a_rotor_that_hardly_turns_counts_as_none() {
 /// of them.
 #[test]
 fn a_table_of_any_error_keeps_its_terms() {
-    let (motion, tick) = (let_go(&toy(), 0.35, 150.0), kilohertz());
+    let (motion, tick) = (released_from_rest(&toy(), 0.35, 150.0), kilohertz());
     let coarse = Ephemeris::<f64, 64>::with_truncation(&motion, tick, f64::MAX).unwrap();
     let fine = Ephemeris::<f64, 512>::new(&motion, tick).unwrap();
     let worst = apart(&motion, &coarse, &fine);

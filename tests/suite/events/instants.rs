@@ -5,7 +5,9 @@ use std::f64::consts::TAU;
 use toytop::scalar::Float;
 use toytop::{Ephemeris, EphemerisF64, EphemerisScalar, EphemerisView, Event, Level, Motion, Phase, Tick};
 use toytop_tests::vectors::{self, entries, number};
-use toytop_tests::{boxed, check_all, fitting, greater, kilohertz, let_go, tolerance, top_of, toy};
+use toytop_tests::{
+    check_all, greater, kilohertz, released_from_rest, table_if_it_fits, table_of, tolerance, top_of, toy,
+};
 
 /// Events of a kind and its value from a tick.
 fn found<R: EphemerisScalar>(
@@ -37,7 +39,7 @@ fn greatest_errors<R: EphemerisScalar>() -> [f64; 3] {
     let (mut errors, mut compared) = ([0.0; 3], 0);
     for case in entries(&vectors::json("events.json")["cases"]) {
         let motion = vectors::motion(case["motion"].as_str().unwrap());
-        let Some(view) = fitting::<R, 1024>(&motion, Tick::hertz(1024).unwrap()) else { continue };
+        let Some(view) = table_if_it_fits::<R, 1024>(&motion, Tick::hertz(1024).unwrap()) else { continue };
         let (kind, value) = (case["kind"].as_str().unwrap(), case["value"].as_f64().unwrap_or_default());
         let from = case["from_tick"].as_i64().unwrap();
         let (events, truths) = (found(&view, &motion, kind, value, from), entries(&case["events"]));
@@ -86,8 +88,8 @@ fn a_release_from_rest_is_an_event_at_tick_0() {
     for (tilt, spin, truncation) in
         [(0.35, 150.0, 1e-6), (1.1, 60.0, 1e-4), (2.8, 5.0, 1e-5), (0.01, 20.0, 1e-3)]
     {
-        let motion = let_go(&toy(), tilt, spin);
-        let view = boxed::<f64, 512>(&motion, kilohertz());
+        let motion = released_from_rest(&toy(), tilt, spin);
+        let view = table_of::<f64, 512>(&motion, kilohertz());
         let first = view.turning_points(0).next().unwrap();
         assert_eq!((first.tick, first.fraction, first.upward), (0, 0.0, true), "{tilt}");
         let angle = view.tip_angles(Phase::HALF, 0).next().unwrap();
@@ -103,7 +105,7 @@ fn a_release_from_rest_is_an_event_at_tick_0() {
 /// From the first tick of all, and up to the last, no event is lost.
 #[test]
 fn the_first_and_the_last_ticks_have_events() {
-    let view = boxed::<f64, 512>(&let_go(&toy(), 0.35, 60.0), kilohertz());
+    let view = table_of::<f64, 512>(&released_from_rest(&toy(), 0.35, 60.0), kilohertz());
     let level = Level::of_tilt(0.36).unwrap();
     let from = |n: i64| -> [Vec<i64>; 3] {
         [
@@ -181,8 +183,8 @@ fn a_precession_passes_each_angle_once_a_turn() {
 #[test]
 fn a_slow_drift_reaches_every_angle() {
     let top = top_of([1.0, 0.5, 1.0, 1.0], 1.0);
-    let motion = let_go(&top, 0.5, 60.0);
-    let view = boxed::<f64, 512>(&motion, kilohertz());
+    let motion = released_from_rest(&top, 0.5, 60.0);
+    let view = table_of::<f64, 512>(&motion, kilohertz());
     let advance = motion.period_advance().unwrap();
     assert!(advance.phi_per_period.abs() < 0.03);
     let turn = TAU / advance.phi_per_period.abs() * advance.period;

@@ -6,7 +6,7 @@ use super::simulated::{ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, fitted, 
 use nalgebra::{Matrix6, Vector6};
 use toytop::su2::{cross, dot};
 use toytop::{Motion, State, Stepper, Top, TopParameters};
-use toytop_fit::{Distrust, Fit, FitError, Fitted, FreeRatio, Measurement, Sensitivity, Sensor};
+use toytop_fit::{Fit, FitError, FitWarning, Fitted, FreeRatio, Measurement, Sensitivity, Sensor};
 use toytop_tests::random::Random;
 use toytop_tests::{TOY, length, toy};
 
@@ -115,7 +115,7 @@ fn losses_of_every_kind_are_found() {
         let states = lossy(&top, losses, 250);
         let truth = drift_of(&top, &states);
         let found = with_losses(&top, &noisy(&top, &states, u64::from(case)));
-        assert!(found.is_trusted(), "{case}: {:?} {:?}", found.distrust, found.statistics);
+        assert!(found.is_trusted(), "{case}: {:?} {:?}", found.warning, found.statistics);
         let drift = found.drift.unwrap();
         for k in 0..3 {
             let off = (drift.rates[k] - truth[k]) / drift.deviations()[k];
@@ -139,7 +139,7 @@ fn the_motion_with_the_drift_is_that_of_the_measurements() {
     let measurements = noisy(&top, &states, 3);
     let found = with_losses(&top, &measurements);
     let without = fitted(&top, &SENSORS, &[], &measurements);
-    assert_eq!(without.distrust, Some(Distrust::Misfit), "{:?}", without.statistics);
+    assert_eq!(without.warning, Some(FitWarning::Misfit), "{:?}", without.statistics);
     assert_eq!(found.epoch, measurements[measurements.len() - 1].time);
     let sensitivity = found.sensitivity(&top).unwrap();
     let exact = Sensitivity::new(&found.motion(&top).unwrap());
@@ -164,13 +164,13 @@ fn blocks_with_a_drift_are_tracked() {
     let mut fit = Fit::new(&top, &SENSORS, &[]).unwrap().with_losses(LOSS).unwrap();
     let last = fit.run(first.iter().copied()).unwrap();
     let tracked = fit.track(&last, LOSS, second.iter().copied()).unwrap();
-    assert!(tracked.fitted.is_trusted(), "{:?} {:?}", tracked.fitted.distrust, tracked.fitted.statistics);
+    assert!(tracked.fitted.is_trusted(), "{:?} {:?}", tracked.fitted.warning, tracked.fitted.statistics);
     assert_eq!(tracked.fitted.epoch, measurements[measurements.len() - 1].time);
     let truth = drift_of(&top, &states[300..]);
     let drift = tracked.fitted.drift.unwrap();
     let off = (drift.rates[1] - truth[1]) / drift.deviations()[1];
     assert!(off.abs() < 4.0, "{off}");
-    assert!((tracked.drift[1] / truth[1] - 1.0).abs() < 0.05, "{:?} {truth:?}", tracked.drift);
+    assert!((tracked.drift_rates[1] / truth[1] - 1.0).abs() < 0.05, "{:?} {truth:?}", tracked.drift_rates);
     let jump = length(tracked.jump);
     assert!(jump > 0.0 && jump < 0.02, "{jump}");
     assert!(square(&tracked.fitted, &states[599]) < 25.0, "{}", square(&tracked.fitted, &states[599]));
@@ -185,7 +185,7 @@ fn single_precision_finds_the_drift_of_double_precision() {
     let wide = with_losses(&top, &measurements).drift.unwrap();
     let mut fit = Fit::new(&top, &single, &[]).unwrap().with_losses(LOSS).unwrap();
     let narrow = fit.run(measurements.iter().copied()).unwrap();
-    assert!(narrow.is_trusted(), "{:?} {:?}", narrow.distrust, narrow.statistics);
+    assert!(narrow.is_trusted(), "{:?} {:?}", narrow.warning, narrow.statistics);
     let off = (narrow.drift.unwrap().rates[1] - wide.rates[1]) / wide.deviations()[1];
     assert!(off.abs() < 0.2, "{off}");
 }
@@ -199,7 +199,7 @@ fn one_ratio_may_be_free_with_a_drift() {
     let wrong = Top::sliding(&TopParameters { axial_inertia: 2.02e-5, ..TOY }).unwrap();
     let fit = |ratios: &[FreeRatio]| Fit::new(&wrong, &SENSORS, ratios).unwrap().with_losses(LOSS);
     let found = fit(&[FreeRatio::AXIAL_INERTIA]).unwrap().run(measurements.iter().copied()).unwrap();
-    assert!(found.is_trusted(), "{:?} {:?}", found.distrust, found.statistics);
+    assert!(found.is_trusted(), "{:?} {:?}", found.warning, found.statistics);
     let off = (found.top(&wrong).unwrap().axial_inertia() / 2e-5).ln() / found.deviations()[6];
     assert!(off.abs() < 4.0, "{off}");
     let loss = found.drift.unwrap().losses[0];

@@ -56,7 +56,7 @@ fn no_launch_is_believed_that_the_magnetometer_contradicts() {
     for case in 0..80 {
         let state = thrown(case, 0.05 + 0.01 * f64::from(case), 1.0 + 0.36 * f64::from(case));
         let fit = by_telephone(&top, &state, 300, u64::from(case));
-        assert!(fit.is_trusted(), "{case}: {:?} {:?}", fit.distrust, fit.statistics);
+        assert!(fit.is_trusted(), "{case}: {:?} {:?}", fit.warning, fit.statistics);
         assert!(error(&fit, &state) < 0.1, "{case}: {}", error(&fit, &state));
         assert!(fit.statistics.largest < 8.0 && fit.statistics.outliers < 40, "{:?}", fit.statistics);
     }
@@ -71,7 +71,7 @@ fn a_gyroscope_alone_tells_all_but_the_yaw() {
         let tilt = (5.0 + 55.0 * f64::from(case) / 39.0).to_radians();
         let state = thrown(case, tilt, 6.0 + (fastest - 6.0) * f64::from(case * 7 % 40) / 39.0);
         let fit = simulated(&top, &state, &sensors, 300, u64::from(case));
-        assert!(fit.is_trusted(), "{case}: {:?} {:?}", fit.distrust, fit.statistics);
+        assert!(fit.is_trusted(), "{case}: {:?} {:?}", fit.warning, fit.statistics);
         assert!(fit.unobservable.yaw && fit.unobservable.directions == 1, "{case}: {:?}", fit.unobservable);
         assert!(error(&fit, &state) < 0.1, "{case}: {}", error(&fit, &state));
     }

@@ -5,7 +5,8 @@ use super::simulated::{
 };
 use toytop::{Motion, Orientation, Top, TopParameters};
 use toytop_fit::{
-    Distrust, Fit, FitError, Fitted, FreeRatio, Gyroscope, Measurement, Mounting, Noise, Sensitivity, Sensor,
+    Fit, FitError, FitWarning, Fitted, FreeRatio, Gyroscope, Measurement, Mounting, Noise, Sensitivity,
+    Sensor,
 };
 use toytop_tests::{TOY, toy};
 
@@ -69,7 +70,7 @@ fn bad_measurements_are_refused_or_not_believed() {
     assert_eq!(changed(|all| all[8].time = 0.0).err(), Some(FitError::OutOfOrder { index: 8 }));
     assert_eq!(changed(|all| all[9].sensor = 3).err(), Some(FitError::UnknownSensor { index: 9 }));
     // the readings of one instant do not determine the rate about the axis
-    let reason = |found: Result<Fitted, FitError>| found.unwrap().distrust;
+    let reason = |found: Result<Fitted, FitError>| found.unwrap().warning;
     assert!(reason(changed(|all| all.truncate(1))).is_some());
     assert!(reason(changed(|all| all.truncate(3))).is_some());
     // all readings are at the end of the range
@@ -90,7 +91,7 @@ fn bad_measurements_are_refused_or_not_believed() {
     let long: Vec<_> = (0..10)
         .flat_map(|k| still.iter().map(move |m| Measurement { time: m.time + 0.06 * f64::from(k), ..*m }))
         .collect();
-    assert_eq!(reason(run(&long)), Some(Distrust::AtRest));
+    assert_eq!(reason(run(&long)), Some(FitWarning::AtRest));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use toytop::{Motion, Orientation, Release, State, Top, TopParameters};
 use toytop_fit::{
-    Accelerometer, AxisCamera, Distrust, Fit, Fitted, FreeRatio, Gyroscope, Hint, Magnetometer, Mark,
+    Accelerometer, AxisCamera, Fit, FitWarning, Fitted, FreeRatio, Gyroscope, Hint, Magnetometer, Mark,
     Measurement, Mounting, Noise, OrientationCamera, Partials, Residual, Sensitivity, Sensor, TipCamera,
     Unobservable,
 };
@@ -104,7 +104,7 @@ fn errors(fitted: &Fitted, state: &State) -> [f64; 3] {
 }
 
 pub(crate) fn check(name: &str, fitted: &Fitted, state: &State) {
-    assert!(fitted.is_trusted(), "{name}: {:?} {:?}", fitted.distrust, fitted.statistics);
+    assert!(fitted.is_trusted(), "{name}: {:?} {:?}", fitted.warning, fitted.statistics);
     for error in errors(fitted, state) {
         assert!(error.abs() < 4.5, "{name}: {:?}", errors(fitted, state));
     }
@@ -135,12 +135,7 @@ fn the_error_bars_are_those_of_the_launch() {
         let found = fitted(&top, &SENSORS, &[], &measurements);
         let mut fit = Fit::new(&top, &SENSORS, &[]).unwrap();
         let again = fit.run_from(found.launch, measurements.iter().copied()).unwrap();
-        assert!(
-            found.is_trusted() && again.is_trusted(),
-            "{seed}: {:?} {:?}",
-            found.distrust,
-            again.distrust
-        );
+        assert!(found.is_trusted() && again.is_trusted(), "{seed}: {:?} {:?}", found.warning, again.warning);
         for k in 0..6 {
             let ratio = found.deviations()[k] / again.deviations()[k];
             assert!((ratio - 1.0).abs() < 0.1, "{seed}: unknown {k}: {ratio}");
@@ -161,7 +156,7 @@ fn what_the_sensors_leave_open_is_said() {
     let camera = AxisCamera { deviation: 1e-3 };
     for (sensors, open) in [(&SENSORS[..2], [true, false]), (&[&camera as &dyn Sensor], [false, true])] {
         let found = simulated(&top, &state, sensors, 500, 5);
-        assert!(found.is_trusted(), "{:?} {:?}", found.distrust, found.statistics);
+        assert!(found.is_trusted(), "{:?} {:?}", found.warning, found.statistics);
         let Unobservable { yaw, roll, spin, directions: count } = found.unobservable;
         assert!([yaw, roll] == open && !spin && count == 1, "{:?}", found.unobservable);
         let [ours, truth] = [found.launch.orientation, state.orientation()].map(|phi| phi.u().acos());
@@ -178,8 +173,8 @@ fn the_spin_of_an_upright_top_is_not_believed_without_a_magnetometer() {
             let [without, with] =
                 [2, 3].map(|count| simulated(&top, &state, &SENSORS[..count], 300, 17 + seed as u64));
             assert_eq!(
-                without.distrust,
-                Some(Distrust::SpinUnknown),
+                without.warning,
+                Some(FitWarning::SpinUnknown),
                 "{name} {spin}: {:?}",
                 without.statistics
             );
@@ -228,7 +223,7 @@ fn a_camera_of_the_orientation_tells_the_axial_inertia() {
         let measurements = readings(&top, &state, &sensors, 500, 5);
         // 3 % wrong
         let strict = fitted(&wrong, &sensors, &[], &measurements);
-        assert_eq!(strict.distrust, Some(Distrust::Misfit), "{:?}", strict.statistics);
+        assert_eq!(strict.warning, Some(FitWarning::Misfit), "{:?}", strict.statistics);
         let found = fitted(&wrong, &sensors, &[FreeRatio::AXIAL_INERTIA], &measurements);
         check("orientation", &found, &state);
         let inertia = found.top(&wrong).unwrap().axial_inertia();
@@ -259,7 +254,7 @@ fn rates_in_degrees_are_recognised() {
         measurement.values = measurement.values.map(f64::to_degrees);
     }
     let found = fitted(&top, &SENSORS, &[], &measurements);
-    assert_eq!(found.distrust, Some(Distrust::RatesInDegrees), "{:?}", found.statistics);
+    assert_eq!(found.warning, Some(FitWarning::RatesInDegrees), "{:?}", found.statistics);
 }
 
 /// Rates of a disc whose nutation decays, fitted without losses. They fit neither as rad/s nor as degrees per second, but as degrees they are
@@ -281,6 +276,6 @@ fn a_decaying_nutation_is_not_a_wrong_unit() {
             values[..2].iter_mut().for_each(|rate| *rate *= (-damping * *time).exp());
         }
         let found = fitted(&guess, &sensors, &[FreeRatio::AXIAL_INERTIA], &damped);
-        assert_eq!(found.distrust, Some(Distrust::Misfit), "{damping}: {:?}", found.statistics);
+        assert_eq!(found.warning, Some(FitWarning::Misfit), "{damping}: {:?}", found.statistics);
     }
 }

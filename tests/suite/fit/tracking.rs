@@ -27,7 +27,7 @@ fn a_loss_of_spin_between_two_blocks_is_tracked_and_reported() {
     let tracked = fit.track(&last, 1.0 / 60.0, second.iter().copied()).unwrap();
     check("second block", &tracked.fitted, &slower);
     let n = motion.first_integrals().n;
-    let drift = tracked.drift[1] / n;
+    let drift = tracked.drift_rates[1] / n;
     assert!((drift + LOSS / SPAN).abs() < 1e-4, "{drift}");
     let jump = length(tracked.jump);
     assert!(jump > 0.0 && jump < 0.02, "{jump}");
@@ -41,7 +41,7 @@ fn single_precision_finds_the_launch_of_double_precision() {
         let measurements = readings(&top, &release(tilt, spin), &SENSORS, 300, 23);
         let wide = fitted(&top, &SENSORS, &[], &measurements);
         let narrow = Fit::new(&top, &single, &[]).unwrap().run(measurements.iter().copied()).unwrap();
-        assert!(narrow.is_trusted(), "{tilt} {spin}: {:?}", narrow.distrust);
+        assert!(narrow.is_trusted(), "{tilt} {spin}: {:?}", narrow.warning);
         let deviations = wide.deviations();
         for k in 0..3 {
             let off = (narrow.launch.omega[k] - wide.launch.omega[k]) / deviations[3 + k];

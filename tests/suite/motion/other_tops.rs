@@ -7,7 +7,7 @@ use toytop::scalar::Real;
 use toytop::{BranchPoints, EphemerisScalar, Motion, Orientation, State, Stepper, Top, TopParameters};
 use toytop_closed_forms::ClosedForm;
 use toytop_tests::vectors::{self, entries, number, orientation, triple};
-use toytop_tests::{apart, boxed, check_all, keep, kilohertz, length, tolerance, widened};
+use toytop_tests::{apart, check_all, keep, kilohertz, length, table_of, tolerance, widened};
 
 /// Motion of the file, with exact orientations and angular velocities at some times.
 struct Case {
@@ -59,7 +59,7 @@ fn top(json: &Value) -> Top {
 fn of_tables<R: EphemerisScalar<Quantity: Into<f64>> + Into<f64>>() -> [f64; 2] {
     let mut worst = [0.0; 2];
     for case in cases().into_iter().filter(|case| case.motion.regime() != toytop::Regime::Aperiodic) {
-        let ephemeris = boxed::<R, 256>(&case.motion, kilohertz());
+        let ephemeris = table_of::<R, 256>(&case.motion, kilohertz());
         for &(t, phi, omega) in &case.samples {
             let sample = ephemeris.at(t);
             let shares = [

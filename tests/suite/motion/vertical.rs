@@ -4,11 +4,11 @@ use toytop::{
     BranchPoints, Complex, InitialPhases, Motion, Orientation, Regime, State, Stepper, Top, TopParameters,
 };
 use toytop_tests::random::Random;
-use toytop_tests::{SAME, by_branch_points, let_go, top_of, vectors};
+use toytop_tests::{SAME, by_branch_points, released_from_rest, top_of, vectors};
 
 /// Regime and branch points of an upright axis that spins at this rate.
 fn asleep(top: &Top, spin: f64) -> (Regime, BranchPoints) {
-    let motion = let_go(top, 0.0, spin);
+    let motion = released_from_rest(top, 0.0, spin);
     (motion.regime(), motion.branch_points())
 }
 
@@ -58,6 +58,12 @@ fn the_border_of_sleep_is_exact_in_long_numbers() {
         .unwrap();
         has_its_border_at(&top, s * 2_f64.powi(1 + (i + j) / 2));
     }
+}
+
+#[test]
+fn the_border_of_sleep_has_no_period() {
+    let border = by_branch_points(&top_of([1.1, 0.8, 0.6, 0.9], 1.0), [1.0; 3], SAME);
+    assert_eq!((border.regime(), border.period_advance()), (Regime::SleepingStable, None));
 }
 
 /// Sections 3.2 and 5.2: at e₂ = e₃ = 1 two motions have the same l, n and h, and u' = 0 at u = 1 for both. One stays there, asleep; the

@@ -2,7 +2,9 @@
 
 use fixed::types::{I2F14, I2F30};
 use toytop::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisScalar, Motion, Orientation, Stepper, Tick};
-use toytop_tests::{apart, check, check_all, fitting, keep, kilohertz, tolerance, vectors, widened, worst};
+use toytop_tests::{
+    apart, check, check_all, keep, kilohertz, table_if_it_fits, tolerance, vectors, widened, worst,
+};
 
 fn generic() -> Motion {
     vectors::motion("exact_generic_pm")
@@ -141,7 +143,9 @@ fn a_relaunch_goes_on_as_before() {
     });
     check("n + m ticks", worst(errors), tolerance::ACCESS_N_M_TICKS);
     for vector in vectors::tabulated() {
-        let Some(table) = fitting::<I2F14, 64>(&vector.motion().unwrap(), kilohertz()) else { continue };
+        let Some(table) = table_if_it_fits::<I2F14, 64>(&vector.motion().unwrap(), kilohertz()) else {
+            continue;
+        };
         for n in [0, 12_345, 1 << 40] {
             let sample = table.at_tick(n);
             let phi = sample.attitude_state().state().unwrap().orientation();

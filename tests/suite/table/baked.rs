@@ -33,15 +33,15 @@ macro_rules! converted {
 
 #[test]
 fn conversion_there_and_back_keeps_every_bit() {
-    let mut fitting = [0; 4];
+    let mut counts = [0; 4];
     for vector in vectors::tabulated() {
         let eight = Tick::hertz(8000).unwrap();
-        fitting[0] += converted!(f32, 256, vector, kilohertz());
-        fitting[1] += converted!(f64, 256, vector, Tick::ratio(44_100, 2).unwrap());
-        fitting[2] += converted!(I2F30, 256, vector, eight);
-        fitting[3] += converted!(I2F14, 128, vector, eight);
+        counts[0] += converted!(f32, 256, vector, kilohertz());
+        counts[1] += converted!(f64, 256, vector, Tick::ratio(44_100, 2).unwrap());
+        counts[2] += converted!(I2F30, 256, vector, eight);
+        counts[3] += converted!(I2F14, 128, vector, eight);
     }
-    assert!(fitting.iter().all(|count| *count > 40), "{fitting:?}");
+    assert!(counts.iter().all(|count| *count > 40), "{counts:?}");
 }
 
 /// Change of one number.

@@ -3,8 +3,8 @@
 use fixed::types::I2F30;
 use toytop::{Complex, EphemerisScalar, EphemerisView, Event, Motion, Orientation, Tick};
 use toytop_tests::{
-    SAME, Table, boxed, by_branch_points, check, kilohertz, launched_at, let_go, tolerance, top_of, toy,
-    vectors, widened, worst,
+    SAME, Table, by_branch_points, check, kilohertz, released_from_rest, table_from_epoch, table_of,
+    tolerance, top_of, toy, vectors, widened, worst,
 };
 
 const NAMES: [&str; 5] =
@@ -15,7 +15,7 @@ fn tick(ticks: u32, seconds: u32) -> Tick {
 }
 
 fn table<R: EphemerisScalar>(name: &str, tick: Tick, epoch: i64) -> Table<R, 512> {
-    launched_at(&vectors::motion(name), tick, epoch).unwrap()
+    table_from_epoch(&vectors::motion(name), tick, epoch).unwrap()
 }
 
 /// The bound is tight enough to detect a wrong increment: eight short ticks are one long tick. The ticks have both signs, up to some 10^17.
@@ -83,10 +83,10 @@ fn a_launch_at_any_tick_gives_the_same_motion() {
 /// A time between two ticks keeps the bound for ticks of any length, beside a table with a millisecond a tick.
 #[test]
 fn times_between_long_ticks_keep_the_bound() {
-    let motion = let_go(&toy(), 0.35, 150.0);
-    let short = boxed::<f64, 48>(&motion, kilohertz());
+    let motion = released_from_rest(&toy(), 0.35, 150.0);
+    let short = table_of::<f64, 48>(&motion, kilohertz());
     for (ticks, seconds) in [(1, 86_400), (1, 60), (7, 3), (3, 7_654_321), (1, u32::MAX), (u32::MAX, 1)] {
-        let long = boxed::<f64, 48>(&motion, tick(ticks, seconds));
+        let long = table_of::<f64, 48>(&motion, tick(ticks, seconds));
         let per_time = f64::from(ticks) / f64::from(seconds);
         for t in [1.2345, -0.1, 1e-7, 59.9, 86_400.0, -12_345.678, 1e6 / 3.0, 4e9] {
             let [found, truth] = [long.at(t), short.at(t)];
@@ -109,7 +109,7 @@ fn slender() -> Motion {
 /// Orientations by `tests/reference/far_ticks.py`, at ticks in the fast part of the period.
 #[test]
 fn the_bound_holds_where_the_motion_is_fastest() {
-    let ephemeris = boxed::<f64, 4096>(&slender(), Tick::hertz(1_000_000).unwrap());
+    let ephemeris = table_of::<f64, 4096>(&slender(), Tick::hertz(1_000_000).unwrap());
     for (tick, alpha, beta) in [
         (
             29_201_518_562_686,
@@ -132,7 +132,7 @@ fn the_bound_holds_where_the_motion_is_fastest() {
 /// ticks.
 #[test]
 fn time_goes_on_beyond_the_ticks_that_are_counted() {
-    let ephemeris = boxed::<f64, 4096>(&slender(), Tick::hertz(2).unwrap());
+    let ephemeris = table_of::<f64, 4096>(&slender(), Tick::hertz(2).unwrap());
     let at = |t: f64| ephemeris.at(t).orientation();
     // neighbours in f64 are 512 units of time, 1024 ticks, apart below 2^62 and twice as far above
     let border = 2_f64.powi(62);

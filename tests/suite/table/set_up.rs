@@ -7,7 +7,7 @@ use toytop::{
     Ephemeris, EphemerisF32, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Release, SetUp,
     SetUpError, State, Tick, Top,
 };
-use toytop_tests::{TOY, fitting, kilohertz, vectors};
+use toytop_tests::{TOY, kilohertz, table_if_it_fits, vectors};
 
 fn equal_the_ones_by_value<R: EphemerisScalar>() {
     const SEGMENTS: usize = 128;
@@ -41,8 +41,8 @@ fn a_table_too_small_is_refused() {
     let truncation = f64::from(f32::EPSILON);
     assert_eq!(EphemerisView::<f32>::segments_needed(&motion, truncation), Some(27));
     assert!(
-        fitting::<f32, 26>(&motion, kilohertz()).is_none()
-            && fitting::<f32, 27>(&motion, kilohertz()).is_some()
+        table_if_it_fits::<f32, 26>(&motion, kilohertz()).is_none()
+            && table_if_it_fits::<f32, 27>(&motion, kilohertz()).is_some()
     );
     assert!(Ephemeris::<f32, 16>::with_truncation(&motion, kilohertz(), 1e-4).is_ok());
     let calls = |memory: &mut EphemerisMemory<EphemerisView<f32>>| {

@@ -3,7 +3,8 @@
 use fixed::types::{I2F14, I2F30};
 use toytop::{EphemerisScalar, Stepper, Tick, TipClass};
 use toytop_tests::{
-    DIFFERENT, SAME, boxed, by_branch_points, check, fitting, greater, kilohertz, tolerance, top_of, vectors,
+    DIFFERENT, SAME, by_branch_points, check, greater, kilohertz, table_if_it_fits, table_of, tolerance,
+    top_of, vectors,
 };
 
 /// Greatest error of the tip angle over the samples of all exact vectors, near 0 and up to 10⁹ periods, as a distance of the tip, in units
@@ -12,7 +13,7 @@ fn greatest_error<R: EphemerisScalar, const SEGMENTS: usize>() -> f64 {
     let (mut greatest, mut through_the_centre) = (0.0, 0);
     for vector in vectors::tabulated().filter(vectors::Vector::is_exact) {
         let motion = vector.motion().unwrap();
-        let Some(ephemeris) = fitting::<R, SEGMENTS>(&motion, kilohertz()) else { continue };
+        let Some(ephemeris) = table_if_it_fits::<R, SEGMENTS>(&motion, kilohertz()) else { continue };
         through_the_centre += u32::from(motion.tip_class() == TipClass::ThroughOrigin);
         let first = vector.samples().into_iter().map(|sample| (1.0, sample));
         for (periods, sample) in first.chain(vector.huge_samples()) {
@@ -53,7 +54,8 @@ fn a_slender_top_turns_many_times_a_period() {
             let motion = by_branch_points(&top, e, signs);
             let period = motion.period_advance().unwrap().period;
             let tick = Tick::hertz(1 << 20).unwrap();
-            let (double, single) = (boxed::<f64, 4096>(&motion, tick), boxed::<f32, 4096>(&motion, tick));
+            let (double, single) =
+                (table_of::<f64, 4096>(&motion, tick), table_of::<f32, 4096>(&motion, tick));
             let mut stepper = Stepper::<f64>::new(&motion);
             const STEPS: u32 = 1 << 14;
             let mean = motion.period_advance().unwrap().phi_per_period / f64::from(STEPS);

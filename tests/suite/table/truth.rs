@@ -3,7 +3,7 @@
 use fixed::types::{I2F14, I2F30};
 use toytop::{Complex, EphemerisScalar};
 use toytop_tests::vectors::{self, Vector};
-use toytop_tests::{check_all, fitting, keep, kilohertz, length, tolerance, widened};
+use toytop_tests::{check_all, keep, kilohertz, length, table_if_it_fits, tolerance, widened};
 
 /// Largest errors of a vector's samples: of the orientation over the first periods, and near 10³, 10⁶ and 10⁹ periods; of u, of u' relative
 /// to ω or 1, and of the tip, in the type of lengths and in the scalar itself, relative to its length. `None` if the table is too
@@ -12,7 +12,7 @@ fn errors<R: EphemerisScalar<Quantity: Into<f64>> + Into<f64>, const S: usize>(
     vector: &Vector,
 ) -> Option<[f64; 8]> {
     let motion = vector.motion().unwrap();
-    let ephemeris = fitting::<R, S>(&motion, kilohertz())?;
+    let ephemeris = table_if_it_fits::<R, S>(&motion, kilohertz())?;
     let (bound, scale) = (ephemeris.error_bound(), motion.top().tip_scale());
     // the bound is still small after a hundred years; the rates of f32 and fixed point have 64 bits
     let small = if R::ROUNDING < 1e-12 { bound.constant } else { 1e-5 };

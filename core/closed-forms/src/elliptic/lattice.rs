@@ -38,14 +38,9 @@ pub(crate) enum HalfPeriod {
 }
 
 impl HalfPeriod {
-    /// Sum of two different half periods, without whole periods.
+    /// Sum of 0 and a half period, or of ω and ω'.
     fn plus(self, other: Self) -> Self {
-        match (self, other) {
-            (Self::Origin, half) | (half, Self::Origin) => half,
-            (Self::Omega, Self::Sum) | (Self::Sum, Self::Omega) => Self::OmegaPrime,
-            (Self::OmegaPrime, Self::Sum) | (Self::Sum, Self::OmegaPrime) => Self::Omega,
-            _ => Self::Sum,
-        }
+        if self == Self::Origin { other } else { Self::Sum }
     }
 }
 
@@ -210,8 +205,8 @@ impl ThetaQuotient {
         ValueAndSlope { value: factor * above.value, slope: factor * (above.slope + rate * above.value) }
     }
 
-    /// Change of the argument from `x` to `x` + `period` in turns, modulo 1; the value must not be 0 there.
-    pub(crate) fn turns(&self, x: WideComplex, period: WideComplex) -> Phase {
+    /// Change of the argument from `x` to `x` + `period`, without whole turns. The value must not be 0 at `x`.
+    pub(crate) fn rotation(&self, x: WideComplex, period: WideComplex) -> Phase {
         let turned = self.at(x + period).value * self.at(x).value.conj();
         angle(turned.im, turned.re).in_turns().to_phase()
     }

@@ -1,22 +1,21 @@
 //! Correction of the estimate after a pass, by the method of Levenberg and Marquardt.
 
-use crate::fit::error::Distrust;
+use crate::fit::error::FitWarning;
 use crate::fit::pass::{FIRST_DAMPING, Fit};
 use crate::sensitivity::LAUNCH_COLUMNS;
 use crate::sensors::Measurements;
 use crate::triangle::MOST_UNKNOWNS;
 use toytop::scalar::Real;
 
-/// Size of a correction, in standard deviations, below which the fit has converged. The next correction would be about
-/// its square.
+/// Size of the last correction of a fit that has converged, in standard deviations. The next one would be about its square.
 pub(super) const SETTLED: f64 = 0.05;
 /// Largest number of passes over one part of the measurements.
 const MOST_PASSES: u32 = 30;
-/// Estimated size of the next correction, in standard deviations, below which no pass has to confirm this one.
+/// Largest estimated size of the next correction, in standard deviations, for a fit to end without another pass.
 const NEXT_SETTLED: f64 = 0.1;
-/// Largest correction, in standard deviations, after which the fit converges without such a pass.
+/// Largest correction after which a fit may end without another pass, in standard deviations.
 const MOST_UNCONFIRMED: f64 = 10.0;
-/// Least sine of the tilt at which the fit converges without such a pass.
+/// Least sine of the tilt at which a fit may end without another pass.
 const LEAST_TILT: f64 = 0.1;
 /// Change of the sum of squares that the error of the integration may cause.
 const ROUNDING: f64 = 0.05;
@@ -24,10 +23,10 @@ const ROUNDING: f64 = 0.05;
 impl<F: Real> Fit<'_, F> {
     /// Passes over the first `count` measurements until the estimate does not change any more. Returns whether it settled.
     ///
-    /// * `settled`: size of a correction, in standard deviations, below which the estimate counts as unchanged
-    #[inline(never)] // its copies would take more stack
+    /// * `settled`: largest correction of an estimate that counts as unchanged, in standard deviations
+    #[inline(never)] // stack
     pub(super) fn settle(&mut self, measurements: &impl Measurements, count: usize, settled: f64) -> bool {
-        self.best.cost = f64::INFINITY;
+        self.best.statistics.cost = f64::INFINITY;
         // a large damping of other measurements would make the first correction so small that the fit would end with it
         self.damping = self.damping.min(FIRST_DAMPING);
         self.last_change = None;
@@ -42,18 +41,17 @@ impl<F: Real> Fit<'_, F> {
     }
 
     /// Corrects the estimate after a pass. `None` where there must be another pass; otherwise whether it settled.
-    #[inline(never)] // its triangles are on the stack between passes only
+    #[inline(never)] // stack
     fn correct(&mut self, settled: f64) -> Option<bool> {
-        let previous = self.best.cost;
-        let improved = self.current.cost <= previous && self.current.cost.is_finite();
-        if !improved && self.current.cost - previous < ROUNDING {
+        let (previous, cost) = (self.best.statistics.cost, self.current.statistics.cost);
+        let improved = cost <= previous && cost.is_finite();
+        if !improved && cost - previous < ROUNDING {
             return Some(true);
         }
         if improved {
             // a bad fit that hardly improves
             let statistics = &self.current.statistics;
-            let stuck = statistics.outliers > statistics.used / 5 + 10
-                && previous - self.current.cost < 1e-3 * previous;
+            let stuck = statistics.outliers > statistics.used / 5 + 10 && previous - cost < 1e-3 * previous;
             self.best = self.current;
             self.damping *= 0.1;
             if stuck {
@@ -61,7 +59,7 @@ impl<F: Real> Fit<'_, F> {
             }
         } else {
             self.damping = (10.0 * self.damping).max(FIRST_DAMPING);
-            if self.damping > 1e9 || !self.best.cost.is_finite() {
+            if self.damping > 1e9 || !self.best.statistics.cost.is_finite() {
                 return Some(false);
             }
         }
@@ -88,7 +86,7 @@ impl<F: Real> Fit<'_, F> {
             best.information.point_to(&[F::ZERO; MOST_UNKNOWNS]);
             best.estimate = next;
             // the correction lowers the sum of squares by this amount, as far as the equations are linear
-            best.cost -= size * size;
+            best.statistics.cost -= size * size;
             best.statistics.chi_squared = (best.statistics.chi_squared - size * size).max(0.0);
             return Some(true);
         }
@@ -97,18 +95,18 @@ impl<F: Real> Fit<'_, F> {
     }
 
     /// Reason why the best estimate must not be trusted.
-    pub(super) fn distrust(&self, settled: bool) -> Option<Distrust> {
+    pub(super) fn warning(&self, settled: bool) -> Option<FitWarning> {
         let statistics = &self.best.statistics;
         if statistics.used == 0 && statistics.unused > 0 {
-            Some(Distrust::AllSaturated)
+            Some(FitWarning::AllSaturated)
         } else if statistics.used < LAUNCH_COLUMNS as u32 {
-            Some(Distrust::TooFew)
+            Some(FitWarning::TooFew)
         } else if statistics.is_misfit(self.model.count) {
-            Some(Distrust::Misfit)
+            Some(FitWarning::Misfit)
         } else if settled {
             None
         } else {
-            Some(Distrust::NotSettled)
+            Some(FitWarning::NotSettled)
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Input that a fit refuses, and reasons why its launch must not be trusted.
+//! Errors and warnings of a fit.
 
 use core::fmt;
 
@@ -55,10 +55,10 @@ impl fmt::Display for FitError {
 
 impl core::error::Error for FitError {}
 
-/// Reason to distrust a launch.
+/// Reason why a launch must not be trusted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Distrust {
+pub enum FitWarning {
     /// The corrections did not become small.
     NotSettled,
     /// The residuals of a sensor are far larger than the noise: the model, a unit, the noise or the solution is wrong.
@@ -77,7 +77,7 @@ pub enum Distrust {
     NoBeginning,
 }
 
-impl fmt::Display for Distrust {
+impl fmt::Display for FitWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::NotSettled => "the corrections did not become small",

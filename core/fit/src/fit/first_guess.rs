@@ -13,7 +13,7 @@ use toytop::su2::Orientation;
 
 /// Number of instants with an orientation, a direction or the axis that a guess uses; the first part that is fitted has four times as many.
 pub(super) const FIRST_INSTANTS: usize = 16;
-/// Largest number of instants among which these are.
+/// Largest number of instants that are searched for them.
 const MOST_INSTANTS: usize = 1024;
 /// Number of rotations about a known direction that are tried.
 const ROTATIONS: u32 = 12;
@@ -117,7 +117,7 @@ impl Instant {
     }
 
     /// Orientation, if it is fully determined.
-    #[inline(never)] // its trigonometric functions need much of the stack
+    #[inline(never)] // stack
     fn attitude(&self) -> Option<Orientation<f64>> {
         if self.orientation.is_some() {
             return self.orientation;
@@ -143,7 +143,7 @@ pub(super) fn upright_to([x, y, z]: Vector<f64>) -> Orientation<f64> {
 
 impl<F: Real> Fit<'_, F> {
     /// Guesses at the time of the first measurement, if there are any.
-    #[inline(never)] // an instant is on the stack only during the call
+    #[inline(never)] // stack
     pub(super) fn guesses(&self, measurements: &impl Measurements, epoch: f64) -> Option<Guesses> {
         let all = self.instants(measurements.clone());
         let all = all.take(MOST_INSTANTS);
@@ -192,7 +192,7 @@ impl<F: Real> Fit<'_, F> {
         Some(Guesses { orientation, omega, open: Open::Spin(4.0 * per_time) })
     }
 
-    /// Instants of the measurements, which would be too many for the stack.
+    /// Instants of the measurements, one at a time: all would be too many for the stack.
     fn instants(&self, measurements: impl Measurements) -> impl Iterator<Item = Instant> + Clone {
         let mut ahead = measurements.peekable();
         core::iter::from_fn(move || {
@@ -207,7 +207,7 @@ impl<F: Real> Fit<'_, F> {
 }
 
 /// Angular velocity in the body frame from the orientations: along the axis the mean, across it that of the first instants.
-#[inline(never)] // an instant is on the stack only during the call
+#[inline(never)] // stack
 fn mean_rate(instants: impl Iterator<Item = Instant>) -> Option<Vector<f64>> {
     let mut known = instants.filter_map(|instant| Some((instant.time, instant.attitude()?)));
     let (start, mut orientation) = known.next()?;
@@ -226,7 +226,7 @@ fn mean_rate(instants: impl Iterator<Item = Instant>) -> Option<Vector<f64>> {
 ///
 /// A direction K of the body frame obeys K' = -Ω × K. The rates across the axis were read; rates about it are tried. The best one is
 /// refined by halving steps.
-#[inline(never)] // its steps are on the stack only during the call
+#[inline(never)] // stack
 fn axial_rate_from_circle<F: Real>(
     instants: impl Iterator<Item = Instant> + Clone,
     bound: f64,
@@ -255,9 +255,9 @@ fn axial_rate_from_circle<F: Real>(
     };
     // the shortest interval limits the rates, and the longest one tells how close to each other they must be
     let times = instants.clone().filter(|instant| direction(instant).is_some()).map(|instant| instant.time);
-    let gaps = times.clone().skip(1).zip(times).map(|(next, time)| next - time);
+    let intervals = times.clone().skip(1).zip(times).map(|(next, time)| next - time);
     let (shortest, longest) =
-        gaps.fold((f64::INFINITY, 0.0_f64), |(least, most), gap| (least.min(gap), most.max(gap)));
+        intervals.fold((f64::INFINITY, 0.0_f64), |(least, most), span| (least.min(span), most.max(span)));
     let mut step = libm::copysign(0.3 / longest, bound);
     let steps = ((PI / shortest - 0.9 * libm::fabs(bound)) / libm::fabs(step)).min(2000.0) as u32;
     let better = |(rate, least): (Option<f64>, F), tried: f64| {

@@ -2,7 +2,7 @@
 
 use crate::covariance::Covariance;
 use crate::estimate::Estimate;
-use crate::fit::error::Distrust;
+use crate::fit::error::FitWarning;
 use crate::fit::pass::{Fit, Pass, Statistics};
 use crate::fit::search::Extent;
 use crate::model::MOST_RATIOS;
@@ -68,10 +68,10 @@ pub struct Fitted {
     pub statistics: Statistics,
     /// Directions that the measurements do not determine. Their standard deviations are 10 rad, or ten times ω.
     pub unobservable: Unobservable,
-    /// Why the launch must not be trusted; `None` where it may be.
-    pub distrust: Option<Distrust>,
-    /// Number of first guesses that lead to another launch, which fits the first measurements equally well.
-    pub alternatives: usize,
+    /// Reason why the launch must not be trusted; `None` if it may be.
+    pub warning: Option<FitWarning>,
+    /// Number of other launches that fit the first measurements equally well.
+    pub other_launches: usize,
     /// Number of unknowns.
     pub unknowns: usize,
     /// Drift of the first integrals, if it was fitted.
@@ -86,7 +86,7 @@ impl Fitted {
     /// Whether the launch may be trusted.
     #[must_use]
     pub fn is_trusted(&self) -> bool {
-        self.distrust.is_none()
+        self.warning.is_none()
     }
 
     /// State of the launch.
@@ -167,8 +167,8 @@ impl<F: Real> Fit<'_, F> {
     pub(super) fn fitted(
         &mut self,
         extent: &Extent,
-        distrust: Option<Distrust>,
-        alternatives: usize,
+        warning: Option<FitWarning>,
+        other_launches: usize,
     ) -> Fitted {
         self.limit_information();
         let launch = self.best.estimate;
@@ -178,8 +178,8 @@ impl<F: Real> Fit<'_, F> {
             covariance: Covariance::ZERO,
             statistics: self.best.statistics,
             unobservable: Unobservable::default(),
-            distrust,
-            alternatives,
+            warning,
+            other_launches,
             unknowns: self.model.count,
             coefficients: self.model.coefficients(&launch),
             ratio_shares: self.model.ratio_shares(&launch),
@@ -189,13 +189,13 @@ impl<F: Real> Fit<'_, F> {
         fitted.covariance.turn(&Flow::launched(&launch.orientation, launch.omega).axes());
         fitted.unobservable = unobservable(&fitted, &self.model.units(&launch));
         if self.model.has_losses() && self.carry_to_end(&mut fitted, extent.last).is_none() {
-            fitted.distrust = fitted.distrust.or(Some(Distrust::NotSettled));
+            fitted.warning = fitted.warning.or(Some(FitWarning::NotSettled));
         }
         fitted
     }
 
     /// Copies the information of the best pass to the current one, and limits the deviations of undetermined directions.
-    #[inline(never)] // its numbers and the result must not be on the stack together
+    #[inline(never)] // stack
     fn limit_information(&mut self) {
         let Pass { estimate, information, .. } = &self.best;
         // not larger, so that the covariance keeps the digits of what is determined
@@ -206,7 +206,7 @@ impl<F: Real> Fit<'_, F> {
     /// Moves the launch to the last measurement, and adds the drift. `None` where the motion cannot be followed.
     ///
     /// From the last measurement on, the motion is exact (`docs/partials.md`).
-    #[inline(never)] // only a fit with losses needs its matrices
+    #[inline(never)] // stack
     fn carry_to_end(&self, fitted: &mut Fitted, end: f64) -> Option<()> {
         let span = end - fitted.epoch;
         let (launch, at) = self.model.predicted(&fitted.launch, span)?;
@@ -235,7 +235,7 @@ impl<F: Real> Fit<'_, F> {
     }
 }
 
-/// Sine of the angle from an undetermined direction within which a named one is called undetermined.
+/// Sine of an angle. A named direction this close to an undetermined one is called undetermined.
 const ALONG: f64 = 0.1;
 
 /// Directions of the launch that the measurements do not determine to one unit.
@@ -243,7 +243,7 @@ const ALONG: f64 = 0.1;
 /// With the covariance C in these units, a direction of variance λ counts as λ/(1 + λ), which is about 0 or 1: an eigenvalue of
 /// 1 - (1 + C)⁻¹. A named direction d is undetermined if its information d (ε² + C)⁻¹ d is below 1, for a small ε: at a small tilt, yaw and
 /// roll are nearly the same rotation.
-#[inline(never)] // its matrices must not be on the stack during other work
+#[inline(never)] // stack
 fn unobservable(fitted: &Fitted, units: &Unknowns) -> Unobservable {
     let Fitted { launch, unknowns: count, .. } = *fitted;
     let factor = |least: f64, count: usize| {

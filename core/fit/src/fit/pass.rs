@@ -9,11 +9,11 @@ use toytop::scalar::Real;
 
 /// Marquardt's damping at the beginning.
 pub(super) const FIRST_DAMPING: f64 = 1e-3;
-/// Number of standard deviations of a sum of squares beyond which the residuals are larger than the noise explains.
+/// Largest excess of a sum of squares that noise explains, in its standard deviations.
 const MISFIT: f64 = 5.0;
 /// Residual, in standard deviations, of a reading that no noise explains.
 const GROSS: f64 = 10.0;
-/// Largest sum of squares of the differences from prior values, of which there are at most a dozen.
+/// Largest sum of squares of the differences from prior values. There are at most a dozen.
 const MOST_PRIOR: f64 = 60.0;
 
 /// Residuals of a fit.
@@ -31,11 +31,11 @@ pub struct Statistics {
     pub largest: f64,
     /// Sum of the squares of the differences from prior values, such as those of biases, in standard deviations.
     pub prior: f64,
-    /// Sum of squares in which an outlier counts linearly.
+    /// Sum of squares in which an outlier counts linearly; infinite where the motion cannot be followed.
     pub(super) cost: f64,
     /// Number of residuals that no noise explains.
     gross: u32,
-    /// Residual from which a component is an outlier.
+    /// Largest residual of a component that is no outlier.
     huber: f64,
     /// Whether the readings of one of the sensors contradict the motion.
     contradicted: bool,
@@ -110,7 +110,7 @@ impl Statistics {
 pub struct Fit<'a, F = f64> {
     pub(super) sensors: &'a [&'a dyn Sensor<F>],
     pub(super) model: Model,
-    /// Residual, in standard deviations, from which an observation counts linearly instead of quadratically.
+    /// Largest residual that counts quadratically, in standard deviations. Larger ones count linearly.
     pub(super) huber: f64,
     /// Best estimate so far, with the information and the sum of squares of its pass.
     pub(super) best: Pass<F>,
@@ -123,7 +123,7 @@ pub struct Fit<'a, F = f64> {
     /// Size of a correction over the square of the size of the one before it.
     pub(super) curvature: f64,
     trajectory: Trajectory<F>,
-    /// Factor by which the readings of rate gyroscopes are multiplied, to try another unit where the fit is bad.
+    /// Factor of the readings of rate gyroscopes. A bad fit tries another unit.
     pub(super) rate_unit: f64,
     /// Information before the measurements, and the estimate that it is about.
     pub(super) prior: (Estimate, Triangle<F>),
@@ -135,20 +135,14 @@ pub(super) struct Pass<F> {
     pub(super) estimate: Estimate,
     pub(super) information: Triangle<F>,
     pub(super) statistics: Statistics,
-    /// Sum of squares, in which an outlier counts linearly; infinite where the motion cannot be followed.
-    pub(super) cost: f64,
 }
 
 impl<'a, F: Real> Fit<'a, F> {
     /// Fit of these unknowns.
     pub(super) fn with_model(sensors: &'a [&'a dyn Sensor<F>], model: Model) -> Self {
         let prior @ (estimate, _) = model.prior();
-        let pass = Pass {
-            estimate,
-            information: Triangle::new(model.count),
-            statistics: Statistics::default(),
-            cost: f64::INFINITY,
-        };
+        let pass =
+            Pass { estimate, information: Triangle::new(model.count), statistics: Statistics::default() };
         Self {
             sensors,
             model,
@@ -158,20 +152,20 @@ impl<'a, F: Real> Fit<'a, F> {
             damping: FIRST_DAMPING,
             last_change: None,
             curvature: f64::INFINITY,
-            trajectory: Trajectory::new(&model.equations(&estimate)),
+            trajectory: Trajectory::new(&estimate.orientation, estimate.omega, &model.equations(&estimate)),
             rate_unit: 1.0,
             prior,
         }
     }
 
     /// Begins without information, from an estimate.
-    #[inline(never)] // its copies are on the stack only here
+    #[inline(never)] // stack
     pub(super) fn start_from(&mut self, estimate: &Estimate) {
         self.best.information.clear();
         self.best.statistics = Statistics::default();
         self.best.estimate = *estimate;
         self.best.estimate.orientation = estimate.orientation.normalised();
-        self.best.cost = f64::INFINITY;
+        self.best.statistics.cost = f64::INFINITY;
         self.damping = FIRST_DAMPING;
         self.curvature = f64::INFINITY;
     }
@@ -188,17 +182,17 @@ impl<'a, F: Real> Fit<'a, F> {
                 self.add(&measurement, sensor)
             });
             if added.is_none() {
-                self.current.cost = f64::INFINITY;
+                self.current.statistics.cost = f64::INFINITY;
                 return;
             }
         }
         let mut all = Statistics::new(self.huber, prior);
         sensors.iter().for_each(|sensor| all.add_sensor(sensor));
-        (self.current.statistics, self.current.cost) = (all, all.cost);
+        self.current.statistics = all;
     }
 
     /// Begins a pass; returns the sum of squares of the differences from the prior information.
-    #[inline(never)] // its matrices are on the stack between passes only
+    #[inline(never)] // stack
     fn begin_pass(&mut self) -> f64 {
         let Pass { estimate, information, statistics, .. } = &mut self.current;
         *statistics = Statistics::default();
@@ -206,13 +200,13 @@ impl<'a, F: Real> Fit<'a, F> {
         information.clone_from(prior);
         let change = known.change_from(estimate).map(F::from_f64);
         information.point_to(&change);
-        self.trajectory.begin(&estimate.orientation, estimate.omega, &self.model.equations(estimate));
+        let equations = self.model.equations(estimate);
+        self.trajectory = Trajectory::new(&estimate.orientation, estimate.omega, &equations);
         prior.square(&change).to_f64()
     }
 
-    /// Adds one measurement to the current pass, at the time to which the trajectory was moved. `None` where there is no such
-    /// sensor.
-    #[inline(never)] // the prediction and the motion must not be on the stack together
+    /// Adds one measurement to the current pass, at the time of the trajectory. `None` if there is no such sensor.
+    #[inline(never)] // stack
     fn add(&mut self, measurement: &Measurement, statistics: &mut Statistics) -> Option<()> {
         let sensor = self.sensors.get(measurement.sensor)?;
         let prediction = sensor.residual(self.trajectory.now(), &self.reading(measurement));

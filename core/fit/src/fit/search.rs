@@ -2,27 +2,28 @@
 
 use crate::estimate::Estimate;
 use crate::fit::correction::SETTLED;
-use crate::fit::error::{Distrust, FitError};
+use crate::fit::error::{FitError, FitWarning};
 use crate::fit::first_guess::{FIRST_INSTANTS, Guesses, upright_to};
-use crate::fit::pass::{Fit, Pass};
+use crate::fit::pass::{Fit, Pass, Statistics};
 use crate::sensors::{Hint, Measurement, Measurements};
 use crate::vector::{Vector, cross, dot, scaled};
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 
-/// Size of a correction, in standard deviations, below which a part of the measurements is finished.
+/// Largest last correction of a part of the measurements, in standard deviations.
 const NEAR: f64 = 0.5;
-/// Difference of sums of squares below which two launches fit equally well, and least difference of other launches (standard deviations).
+/// Largest difference of the sums of squares of two launches that fit equally well.
 const EQUAL: f64 = 9.0;
+/// Least distance of two launches that are not the same, in standard deviations.
 const OTHER: f64 = 10.0;
 /// Least mean square of residuals of rates in degrees: the noise given may be twice too large.
 const LEAST_NOISE: f64 = 0.25;
-/// Least quotient of a rate beyond the range and a reading at its end, which bias and mounting may shift.
+/// Least quotient of a rate beyond the range and a reading at its end. Bias and mounting may shift the reading.
 const WITHIN: f64 = 0.9;
-/// Sine of the tilt, and share of ω across the axis, beyond which a launch is not compared with an upright one.
+/// Largest sine of the tilt, and largest share of ω across the axis, of a launch that is compared with an upright one.
 const UPRIGHT: f64 = 0.1;
-/// Increase of the sum of squares up to which an upright launch explains the measurements equally well: the best of a hundred
-/// spins lowers it by about 20.
+/// Largest increase of the sum of squares by an upright launch that explains the measurements equally well. The best of a
+/// hundred spins lowers the sum by about 20.
 const CHANCE: f64 = 40.0;
 
 /// Times of the first and the last measurement, and the number of measurements.
@@ -34,22 +35,22 @@ pub(super) struct Extent {
 }
 
 impl<F: Real> Fit<'_, F> {
-    /// Estimate without a first guess. Returns the reason why it must not be trusted, and the number of alternatives.
-    #[inline(never)] // two copies of it would take more stack
+    /// Estimate without a first guess. Returns the reason why it must not be trusted, and the number of other launches that fit as well.
+    #[inline(never)] // stack
     pub(super) fn search(
         &mut self,
         measurements: &impl Measurements,
         extent: &Extent,
-    ) -> (Option<Distrust>, usize) {
+    ) -> (Option<FitWarning>, usize) {
         self.start_from(&Estimate::new(Orientation::IDENTITY, [0.0; 3]));
         if measurements.clone().filter(|one| one.time > extent.first).take(2).count() < 2 {
-            return (Some(Distrust::TooFew), 0);
+            return (Some(FitWarning::TooFew), 0);
         }
         let Some(guesses) = self.guesses(measurements, extent.first) else {
-            return (Some(Distrust::NoBeginning), 0);
+            return (Some(FitWarning::NoBeginning), 0);
         };
         let mut count = 4 * FIRST_INSTANTS * self.sensors.len();
-        let alternatives = self.try_guesses(&guesses, measurements, count);
+        let other_launches = self.try_guesses(&guesses, measurements, count);
         // each part begins from an estimate that is good enough for it
         while count.saturating_mul(8) < extent.total {
             count = count.saturating_mul(4);
@@ -57,12 +58,12 @@ impl<F: Real> Fit<'_, F> {
         }
         // a shorter part does not show how far the equations are linear over all measurements
         self.curvature = f64::INFINITY;
-        (self.settle_finally(measurements), alternatives)
+        (self.settle_finally(measurements), other_launches)
     }
 
     /// Begins from the best of the guesses, on the first measurements, where no phase can have an error of a turn. Returns the number
-    /// of alternatives.
-    #[inline(never)] // its estimates are on the stack only during the call
+    /// of other launches that fit as well.
+    #[inline(never)] // stack
     fn try_guesses(&mut self, guesses: &Guesses, measurements: &impl Measurements, count: usize) -> usize {
         let mut best = (Estimate::new(Orientation::IDENTITY, [0.0; 3]), f64::INFINITY);
         let mut others = 0;
@@ -70,7 +71,7 @@ impl<F: Real> Fit<'_, F> {
             self.start_from(&guesses.get(number));
             self.settle(measurements, count / 4, NEAR);
             self.settle(measurements, count, SETTLED);
-            let Pass { estimate, information, cost, .. } = &self.best;
+            let Pass { estimate, information, statistics: Statistics { cost, .. } } = &self.best;
             let change = estimate.change_from(&best.0).map(F::from_f64);
             if *cost < best.1 - EQUAL {
                 others = 0;
@@ -88,7 +89,7 @@ impl<F: Real> Fit<'_, F> {
     }
 
     /// Passes over all measurements. Returns the reason why the estimate must not be trusted.
-    pub(super) fn settle_finally(&mut self, measurements: &impl Measurements) -> Option<Distrust> {
+    pub(super) fn settle_finally(&mut self, measurements: &impl Measurements) -> Option<FitWarning> {
         let settled = self.settle(measurements, usize::MAX, SETTLED);
         let launch = &self.best.estimate;
         let found = dot(launch.omega, launch.orientation.axis());
@@ -96,16 +97,17 @@ impl<F: Real> Fit<'_, F> {
         let least = self.rates(measurements).find_map(bound);
         // the axial rate is constant, so that one reading at the end of the range bounds it
         let spin = least.filter(|least| found / least < WITHIN).unwrap_or(found);
-        let distrust = self.distrust(settled && spin == found);
-        let misfit = matches!(distrust, Some(Distrust::AllSaturated | Distrust::TooFew | Distrust::Misfit));
+        let warning = self.warning(settled && spin == found);
+        let misfit =
+            matches!(warning, Some(FitWarning::AllSaturated | FitWarning::TooFew | FitWarning::Misfit));
         let unknown = self.is_explained_upright(spin, measurements);
-        if unknown && !misfit { Some(Distrust::SpinUnknown) } else { distrust }
+        if unknown && !misfit { Some(FitWarning::SpinUnknown) } else { warning }
     }
 
-    /// Whether an upright launch with twice this spin explains the measurements equally well, so that they do not determine the spin.
+    /// Whether an upright launch with twice this spin explains the measurements equally well. They do not determine the spin then.
     ///
     /// An upright top with a saturated gyroscope fits any spin.
-    #[inline(never)] // its launches are on the stack only during the call
+    #[inline(never)] // stack
     fn is_explained_upright(&mut self, spin: f64, measurements: &impl Measurements) -> bool {
         let found = self.best.estimate;
         let axis = found.orientation.axis();
@@ -127,32 +129,32 @@ impl<F: Real> Fit<'_, F> {
         let change = self.current.information.solution();
         self.current.estimate = self.current.estimate.moved(&change.map(F::to_f64));
         self.pass(measurements, usize::MAX);
-        self.current.cost <= self.best.cost + CHANCE
+        self.current.statistics.cost <= self.best.statistics.cost + CHANCE
     }
 
     /// Cause of residuals that are too large. The best estimate is overwritten.
-    #[inline(never)] // it is called for a bad fit only
+    #[inline(never)] // stack
     pub(super) fn misfit_cause(
         &mut self,
         measurements: &impl Measurements,
         extent: &Extent,
         chi_squared: f64,
-    ) -> Option<Distrust> {
+    ) -> Option<FitWarning> {
         self.rate_unit = core::f64::consts::PI / 180.0;
-        let (distrust, _) = self.search(measurements, extent);
+        let (warning, _) = self.search(measurements, extent);
         self.rate_unit = 1.0;
         // smaller numbers have smaller residuals, whatever the motion is
         let in_degrees = self.best.statistics.chi_squared;
         let has_noise = in_degrees > LEAST_NOISE * f64::from(self.best.statistics.used);
-        if has_noise && (distrust.is_none() || in_degrees < 0.1 * chi_squared) {
-            return Some(Distrust::RatesInDegrees);
+        if has_noise && (warning.is_none() || in_degrees < 0.1 * chi_squared) {
+            return Some(FitWarning::RatesInDegrees);
         }
         let mut rates = self.rates(measurements);
         // below 0.1 per unit time, a bias may explain the rates
         let is_small = |(omega, saturated): (Vector<f64>, bool)| {
             !saturated && omega.iter().all(|x| libm::fabs(*x) < 0.1)
         };
-        (rates.next().is_some_and(is_small) && rates.all(is_small)).then_some(Distrust::AtRest)
+        (rates.next().is_some_and(is_small) && rates.all(is_small)).then_some(FitWarning::AtRest)
     }
 
     /// Rates in the body frame, and whether their axial component is beyond the range.
@@ -163,8 +165,8 @@ impl<F: Real> Fit<'_, F> {
         })
     }
 
-    /// Extent of the measurements, of which every one is checked.
-    #[inline(never)] // its copy of the iterator is on the stack only during the call
+    /// Extent of the measurements. Each of them is checked.
+    #[inline(never)] // stack
     pub(super) fn checked(&self, measurements: &impl Measurements) -> Result<Extent, FitError> {
         let mut extent: Option<Extent> = None;
         for (index, Measurement { time, sensor, values }) in measurements.clone().enumerate() {

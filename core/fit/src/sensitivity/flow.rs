@@ -56,23 +56,9 @@ impl<F: Float> Tangent<F> {
 }
 
 impl<F: Float, const N: usize> Flow<F, N> {
-    pub(crate) const ZERO: Self = Self {
-        axis: [F::ZERO; 3],
-        side: [F::ZERO; 3],
-        across: [F::ZERO; 3],
-        spin: F::ZERO,
-        tangents: [Tangent::ZERO; N],
-    };
-
     /// Angular velocity ω = w + S r.
     pub(crate) fn omega(&self) -> Vector<F> {
         add_scaled(self.across, self.axis, self.spin)
-    }
-
-    /// Sets the state; the tangents are not changed.
-    pub(crate) fn set_state(&mut self, &Flow { axis, side, across, spin, .. }: &Flow<f64, 0>) {
-        (self.axis, self.side, self.across) = (cast(axis), cast(side), cast(across));
-        self.spin = F::from_f64(spin);
     }
 
     /// Body axes in the fixed frame.
@@ -100,11 +86,10 @@ impl Flow<f64, 0> {
         Self { axis, side, across: add_scaled(omega, axis, -spin), spin, tangents: [] }
     }
 
-    /// State with tangents: changes of θ, then of η, along these axes; the others are 0.
-    pub(crate) fn with_tangents<F: Float, const N: usize>(&self, axes: &[Vector<f64>; 3]) -> Flow<F, N> {
-        let mut flow = Flow { tangents: Tangent::along_axes(axes), ..Flow::ZERO };
-        flow.set_state(self);
-        flow
+    /// State with tangents, in their scalar.
+    pub(crate) fn with_tangents<F: Float, const N: usize>(&self, tangents: [Tangent<F>; N]) -> Flow<F, N> {
+        let Self { axis, side, across, spin, .. } = *self;
+        Flow { axis: cast(axis), side: cast(side), across: cast(across), spin: F::from_f64(spin), tangents }
     }
 }
 

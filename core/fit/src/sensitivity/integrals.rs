@@ -40,10 +40,10 @@ impl Equations<f64> {
     }
 }
 
-/// Length, relative to a gradient, below which its component orthogonal to the other gradients is a rounding error.
+/// Largest length of a rounding error in the component of a gradient orthogonal to the others, relative to the gradient.
 const ROUNDING: f64 = 1e-14;
 
-/// Growth of the columns in a period, without that of changes of the launch which keep l, n and h.
+/// Growth of the columns in a period. Changes of the launch that keep l, n and h do not grow.
 ///
 /// * `rate`: unit of η
 pub(crate) fn projected(

@@ -164,7 +164,7 @@ impl<F: Float> Partials<F> {
     }
 
     /// Specific force with the part that the rotation causes away from the centre.
-    #[inline(never)] // most accelerometers do not need it
+    #[inline(never)] // stack
     fn with_swing(
         &self,
         at: &Acceleration<F>,

@@ -30,7 +30,7 @@ pub fn table(report: &FitReport) -> String {
     if !report.used_any_sample() {
         return state + "\n";
     }
-    let Fitted { launch, statistics, epoch, unknowns: count, alternatives, .. } = report.fitted;
+    let Fitted { launch, statistics, epoch, unknowns: count, other_launches, .. } = report.fitted;
     let deviations = report.fitted.deviations();
     let line = |name: &str, value: f64, deviation: f64, unit: &str| {
         vec![name.to_owned(), short(value, 9), format!("+- {}", short(deviation, 2)), unit.to_owned()]
@@ -76,8 +76,8 @@ pub fn table(report: &FitReport) -> String {
     if !undetermined.is_empty() {
         text += &format!("not determined by these samples: {}\n", undetermined.join(", "));
     }
-    if alternatives > 0 {
-        text += &format!("{alternatives} other launches fit the first samples as well\n");
+    if other_launches > 0 {
+        text += &format!("{other_launches} other launches fit the first samples as well\n");
     }
     let mut ahead = vec![["t, s", "orientation +-, rad", "axis +-, rad"].map(str::to_owned).to_vec()];
     for [t, orientation, axis] in predictions(report) {
@@ -88,7 +88,7 @@ pub fn table(report: &FitReport) -> String {
 
 /// Report as an object of JSON.
 pub fn object(report: &FitReport) -> Record {
-    let Fitted { launch, statistics, drift, unknowns: count, covariance, alternatives, epoch, .. } =
+    let Fitted { launch, statistics, drift, unknowns: count, covariance, other_launches, epoch, .. } =
         &report.fitted;
     let deviations = report.fitted.deviations();
     let [(spin, spin_deviation), (tilt, tilt_deviation)] = report.spin_and_tilt();
@@ -126,7 +126,7 @@ pub fn object(report: &FitReport) -> Record {
         .with("outliers", statistics.outliers)
         .with("largest_residual", statistics.largest)
         .with("undetermined", report.undetermined())
-        .with("alternatives", *alternatives)
+        .with("alternatives", *other_launches)
         .with("prediction", predictions(report).into_iter().map(prediction).collect::<Value>())
 }
 
