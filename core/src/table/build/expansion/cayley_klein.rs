@@ -1,11 +1,11 @@
-//! Series of α and β without their mean rotation, by linear equations with the rates of the phases.
+//! Series of α and β without their mean rotation: sums of two exponentials of the phases.
 
 use super::{Expansion, MOST_TERMS, PowerSeries, RateSeries, larger_or_nan};
 use crate::table::build::series::sine_q57::{FRACTION, sine_cosine_q57};
 use crate::table::build::series::{BITS, Limbs, UnitFactor, in_range, in_units, integrated, scaled_product};
 use crate::table::evaluation::{TABLE_BITS, shifted_right};
 
-/// Rates of ρ + χ and of ρ - χ, and an exponential.
+/// Rates of ρ + χ and of ρ - χ, and the exponential of one of them.
 #[derive(Debug)]
 pub(crate) struct CayleyKleinSeries {
     forwards: PowerSeries,

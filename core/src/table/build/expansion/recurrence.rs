@@ -20,24 +20,24 @@ struct SlowFactors {
 }
 
 impl SlowFactors {
-    /// Factors from dψ/dy and the factors of v, δ and μ. Sets the exponents of σ and κ.
+    /// Factors from dψ/dy and from a, b and d. Sets the exponents of σ and κ.
     fn new(
         rate: &mut RateSeries,
         kappa: &mut PowerSeries,
         psi_rate: f64,
-        [of_v, of_delta, of_mu]: [f64; 3],
+        [a, b, d]: [f64; 3],
         [v, delta, mu]: [&PowerSeries; 3],
         negligible: f64,
     ) -> Self {
         let RateSeries { variation, scale, .. } = rate;
-        kappa.set_exponent(delta.magnitude_times(of_delta) + mu.magnitude_times(of_mu));
-        variation.set_exponent(kappa.magnitude_times(psi_rate.abs()) + v.magnitude_times(of_v.abs()));
+        kappa.set_exponent(delta.magnitude_times(b) + mu.magnitude_times(d));
+        variation.set_exponent(kappa.magnitude_times(psi_rate.abs()) + v.magnitude_times(a.abs()));
         *scale = 1.0;
         Self {
-            v_to_sigma: UnitFactor::new(of_v, v, variation),
+            v_to_sigma: UnitFactor::new(a, v, variation),
             kappa_to_sigma: UnitFactor::new(psi_rate, kappa, variation),
-            delta_to_kappa: UnitFactor::new(of_delta, delta, kappa),
-            mu_to_kappa: UnitFactor::new(of_mu, mu, kappa),
+            delta_to_kappa: UnitFactor::new(b, delta, kappa),
+            mu_to_kappa: UnitFactor::new(d, mu, kappa),
             negligible: in_units(negligible, variation.exponent),
         }
     }
@@ -99,9 +99,10 @@ impl Expansion {
         let one_minus_u = swing + equations.one_minus_e2;
         let one_plus_u = equations.one_plus_e1 + equations.e2_minus_e1 * origin.sine * origin.sine;
         let per_d = 1.0 / (equations.a_over_p + equations.s * one_minus_u * one_plus_u);
+        // factors in η = of_eta v and δ = linear v - quadratic v²
         let of_eta = equations.e2_minus_e1 / (equations.e3_minus_e2 + swing);
-        let s_per_d = equations.s * equations.e2_minus_e1 * per_d;
-        let (linear, quadratic) = (2.0 * (s_per_d * (1.0 - one_minus_u)), s_per_d * equations.e2_minus_e1);
+        let c = equations.s * equations.e2_minus_e1 * per_d;
+        let (linear, quadratic) = (2.0 * (c * (1.0 - one_minus_u)), c * equations.e2_minus_e1);
 
         let Self { chi, residual: [alpha, beta], sine, cosine, v, delta, mu, .. } = self;
         let magnitude = |own: f64, other: f64| larger_or_nan(own.abs(), (chi_rate * other).abs());
@@ -118,7 +119,7 @@ impl Expansion {
         let _ = cosine.set(0, in_units(origin.cosine, cosine.exponent));
 
         let scale = unit * unit * equations.e2_minus_e1 * per_d;
-        // factors of v, δ and μ
+        // a, b and d of a slow phase
         let factors = |numerator: f64, constant: f64, chi_time: f64| {
             let chi = chi_time * chi_rate;
             let per_divisor = 1.0 / (constant + chi);
