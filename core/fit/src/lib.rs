@@ -15,8 +15,6 @@ mod triangle;
 
 mod covariance;
 
-mod trajectory;
-
 mod estimate;
 
 mod model;

@@ -144,11 +144,11 @@ impl Model {
     fn sensitivity(&self, estimate: &Estimate) -> Option<Sensitivity> {
         let equations = self.equations(estimate);
         if self.has_losses() {
-            return Some(Sensitivity::launched(equations, &estimate.orientation, estimate.omega, COARSE));
+            return Some(Sensitivity::launched(&equations, &estimate.orientation, estimate.omega, COARSE));
         }
         let top = with_coefficients(&self.top, &self.coefficients(estimate)).ok()?;
         let motion = Motion::launch(&top, &estimate.state().ok()?).ok()?;
-        Some(Sensitivity::with_equations(&motion, equations, COARSE))
+        Some(Sensitivity::with_equations(&motion, &equations, COARSE))
     }
 
     /// Launch at a later time, with the derivatives there with respect to the unknowns.

@@ -126,7 +126,7 @@ impl Fitted {
         let mut equations = Equations { lossy: true, ..Equations::new(&top) };
         let [.., axial, across, vertical] = &mut equations.coefficients;
         [*axial, *across, *vertical] = losses;
-        Ok(Sensitivity::launched(equations, &state.orientation(), state.omega(), FINE))
+        Ok(Sensitivity::launched(&equations, &state.orientation(), state.omega(), FINE))
     }
 
     /// Standard deviations of the unknowns, in the coordinates of [`Fitted::covariance`].

@@ -2,8 +2,8 @@
 
 use crate::estimate::Estimate;
 use crate::model::{MOST_SENSORS, Model};
+use crate::sensitivity::{Flow, PASS, Tangent, Trajectory};
 use crate::sensors::{Hint, Measurement, Measurements, Residual, Sensor};
-use crate::trajectory::Trajectory;
 use crate::triangle::{MOST_UNKNOWNS, Triangle};
 use toytop::scalar::Real;
 
@@ -137,6 +137,12 @@ pub(super) struct Pass<F> {
     pub(super) statistics: Statistics,
 }
 
+/// Trajectory of an estimate, whose columns are changes along the body axes.
+fn trajectory<F: Real>(estimate: &Estimate, model: &Model) -> Trajectory<F> {
+    let launch = Flow::launched(&estimate.orientation, estimate.omega);
+    Trajectory::new(&launch, Tangent::along_axes(&launch.axes()), &model.equations(estimate), PASS)
+}
+
 impl<'a, F: Real> Fit<'a, F> {
     /// Fit of these unknowns.
     pub(super) fn with_model(sensors: &'a [&'a dyn Sensor<F>], model: Model) -> Self {
@@ -152,7 +158,7 @@ impl<'a, F: Real> Fit<'a, F> {
             damping: FIRST_DAMPING,
             last_change: None,
             curvature: f64::INFINITY,
-            trajectory: Trajectory::new(&estimate.orientation, estimate.omega, &model.equations(&estimate)),
+            trajectory: trajectory(&estimate, &model),
             rate_unit: 1.0,
             prior,
         }
@@ -200,8 +206,7 @@ impl<'a, F: Real> Fit<'a, F> {
         information.clone_from(prior);
         let change = known.change_from(estimate).map(F::from_f64);
         information.point_to(&change);
-        let equations = self.model.equations(estimate);
-        self.trajectory = Trajectory::new(&estimate.orientation, estimate.omega, &equations);
+        self.trajectory = trajectory(estimate, &self.model);
         prior.square(&change).to_f64()
     }
 

@@ -1,16 +1,19 @@
-//! State and derivatives along the motion of a pass, moved from one measurement to the next.
-//!
-//! The derivatives are integrated in the scalar of the fit. The state is integrated in `f64`, so that its errors do not add up.
+//! State and derivatives of a motion, moved from one time to the next.
 
-use crate::sensitivity::{Coefficients, Equations, Flow, Partials, Tangent, rolled, steps};
-use crate::vector::Vector;
+use crate::sensitivity::coefficients::Coefficients;
+use crate::sensitivity::equations::Equations;
+use crate::sensitivity::flow::{COLUMNS, Flow, Tangent};
+use crate::sensitivity::integration::steps;
+use crate::sensitivity::partials::Partials;
+use toytop::Phase;
 use toytop::scalar::Real;
-use toytop::su2::Orientation;
 
-/// Product of the longest step and the bound on the frequencies. The error of the derivatives is then about 1e-4.
-const LONGEST_STEP: f64 = 0.25;
+/// Largest square of a tangent's size; the squares of larger ones would not be finite.
+const LARGEST: f64 = 1e300;
 
-/// Motion of a launch with its derivatives. Those of the launch are changes along its body axes.
+/// Motion of a launch with its derivatives.
+///
+/// The derivatives are integrated in the scalar `F`. The state is integrated in `f64`, so that its errors do not add up.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Trajectory<F> {
     now: Partials<F>,
@@ -27,21 +30,22 @@ pub(crate) struct Trajectory<F> {
 
 impl<F: Real> Trajectory<F> {
     /// Trajectory at its launch.
+    ///
+    /// * `longest_step`: product of the longest step and the bound on the frequencies
     #[inline(never)] // stack
     pub(crate) fn new(
-        orientation: &Orientation<f64>,
-        omega: Vector<f64>,
+        state: &Flow<f64, 0>,
+        tangents: [Tangent<F>; COLUMNS],
         equations: &Equations<f64>,
+        longest_step: f64,
     ) -> Self {
-        let state = Flow::launched(orientation, omega);
-        let flow = state.with_tangents(Tangent::along_axes(&state.axes()));
         Self {
-            now: Partials { flow, equations: equations.cast() },
+            now: Partials { flow: state.with_tangents(tangents), equations: equations.cast() },
             time: 0.0,
-            state,
+            state: *state,
             coefficients: equations.coefficients,
             spin: state.spin,
-            longest_step: LONGEST_STEP / equations.frequency(&state),
+            longest_step: longest_step / equations.frequency(state),
         }
     }
 
@@ -50,7 +54,7 @@ impl<F: Real> Trajectory<F> {
         &self.now
     }
 
-    /// Moves to a time after the launch. `None` where it is too far from the last one.
+    /// Moves to a time after the launch, or before it. `None` where it is too far from the last one.
     #[inline(never)] // stack
     pub(crate) fn move_to(&mut self, t: f64) -> Option<()> {
         // the bits are compared, which is faster on a chip without a unit for `f64`
@@ -77,11 +81,35 @@ impl<F: Real> Trajectory<F> {
     }
 }
 
+impl Trajectory<f64> {
+    /// Launch with other tangents and another angle of the body about its axis.
+    pub(crate) fn relaunched(mut self, roll: Phase, tangents: [Tangent<f64>; COLUMNS]) -> Self {
+        self.state.roll(roll);
+        self.now.flow = self.state.with_tangents(tangents);
+        self
+    }
+
+    /// Trajectory at another time. `None` where that is too far, or where a tangent has grown beyond 1e150.
+    pub(crate) fn moved(mut self, t: f64) -> Option<Self> {
+        self.move_to(t)?;
+        let is_bounded = |tangent: &Tangent<f64>| tangent.inner(tangent) < LARGEST;
+        self.now.flow.tangents.iter().all(is_bounded).then_some(self)
+    }
+}
+
+/// Angle by which the body has turned about its axis at a time, from S at the start.
+fn rolled(spin: f64, &[.., axial, _, _]: &Coefficients, t: f64) -> Phase {
+    let lost = axial * t;
+    // (1 - e⁻ˣ)/x
+    let mean = if lost == 0.0 { 1.0 } else { -libm::expm1(-lost) / lost };
+    Phase::from_radians(spin * t * mean)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sensitivity::{LAUNCH_COLUMNS, Sensitivity};
-    use crate::vector::{UNITS, add_scaled, along, cross, dot};
+    use crate::sensitivity::{LAUNCH_COLUMNS, PASS, Sensitivity};
+    use crate::vector::{UNITS, Vector, add_scaled, along, cross, dot};
     use toytop::{Motion, Release, State, Top, TopParameters};
 
     /// A top by A, C, s, M, K and support (0: sliding, 1: fixed, 2: free), and its launch by tilt, spin, precession and
@@ -127,9 +155,9 @@ mod tests {
         let (top, state) = launched(case);
         let motion = Motion::launch(&top, &state).unwrap();
         let equations = Equations { columns: LAUNCH_COLUMNS, ..Equations::new(&top) };
-        let mut trajectory = Trajectory::<F>::new(&state.orientation(), state.omega(), &equations);
         let launch = Flow::launched(&state.orientation(), state.omega());
         let axes = launch.axes();
+        let mut trajectory = Trajectory::<F>::new(&launch, Tangent::along_axes(&axes), &equations, PASS);
         let sensitivity = Sensitivity::new(&motion);
         let mut cursor = sensitivity.cursor();
         let frequency = equations.frequency(&launch);
