@@ -1,7 +1,7 @@
 //! The same motion by the classical Runge-Kutta method in equal steps, for comparison with the exact one.
 
 use toytop::{Complex, Motion, Orientation, Stepper};
-use toytop_model::equations::{Equations, FullState, FullTop, Vector7};
+use toytop_model::equations::{Equations, FullState, Vector7};
 
 /// Integration of the full equations from t = 0, forwards or backwards.
 pub struct Ghost {
@@ -25,7 +25,7 @@ impl Ghost {
     pub fn new(motion: &Motion, step: f64) -> Self {
         let (top, state) = (motion.top(), Stepper::<f64>::new(motion).attitude_state());
         let full = FullState::new(&state.orientation, state.omega());
-        let equations = Equations::of(&FullTop::from(top), &full);
+        let equations = Equations::new(top, &full);
         let start = equations.numbers(&full);
         Self { equations, com_height: top.com_height(), start, step, y: start, steps: 0.0, sense: 1.0 }
     }
