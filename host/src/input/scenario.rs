@@ -224,7 +224,7 @@ type Refused = (&'static str, String);
 
 /// Replaces numbers with units by numbers in the units of their keys.
 fn replace_units(table: &mut Table, has_units: bool) -> Result<(), Refused> {
-    for Key { name, quantity, .. } in top::KEYS.iter().chain(motion::keys()) {
+    for Key { name, units, .. } in top::KEYS.iter().chain(motion::keys()) {
         let entries = match table.get_mut(*name) {
             Some(Value::Array(entries)) => &mut entries[..],
             Some(value) => std::slice::from_mut(value),
@@ -232,13 +232,13 @@ fn replace_units(table: &mut Table, has_units: bool) -> Result<(), Refused> {
         };
         for entry in entries {
             let Value::String(text) = entry else { continue };
-            if quantity.is_empty() {
+            if units.is_empty() {
                 continue;
             }
-            if !has_units && *quantity != RADIANS {
+            if !has_units && *units != RADIANS {
                 return Err((name, "must be a number, because of units = \"none\"".to_owned()));
             }
-            *entry = Value::Float(units::parse(text, quantity).map_err(|reason| (*name, reason))?);
+            *entry = Value::Float(units::parse(text, units).map_err(|reason| (*name, reason))?);
         }
     }
     Ok(())

@@ -82,7 +82,7 @@ pub fn steps_needed(times: &[f64], step: f64) -> Result<u64, Failure> {
     Ok(steps as u64)
 }
 
-/// Results of `reach` at `times`, in their order. The times are reached from t = 0 outwards, forward and then backward, each from `start`.
+/// Results of `reach`, in the order of `times`. It is called outwards from t = 0, first forward and then backward, each from `start`.
 ///
 /// # Errors
 /// The first error that `reach` returns.

@@ -118,7 +118,7 @@ impl Nutation {
         add(passed, &self.constants.integrals(from, &[cosine / &size, sine / size]), 1)
     }
 
-    /// Place at a time after the beginning, by Newton's method, and the integrals from there.
+    /// Half phase at a time, by Newton's method, and the integrals up to it.
     pub fn at(&self, time: &Precise) -> (HalfPhase, Integrals) {
         const MAX_STEPS: u32 = 20;
         /// Step whose square is far below the errors that the truth is compared with, also in differences of neighbouring launches.

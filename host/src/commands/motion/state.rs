@@ -119,7 +119,7 @@ fn source(
     Ok(Box::new(move |index| samples[index as usize]))
 }
 
-/// * `rate`: number of ticks, and of the seconds in which they are
+/// * `rate`: tick rate `[A, B]`, A ticks in B seconds
 fn by_ephemeris(
     scalar: Scalar,
     scenario: &Scenario,
