@@ -215,19 +215,15 @@ mod tests {
     use super::*;
     use toytop::TopParameters;
 
-    const TOP: TopParameters = TopParameters {
-        transverse_inertia: 1.3,
-        axial_inertia: 0.7,
-        com_height: 0.8,
-        mass: 0.0,
-        mass_moment: 1.1,
-        gravity: 1.0,
-        rotor_momentum: 0.0,
-    };
+    /// A, C, s and p.
+    const TOP: [f64; 4] = [1.3, 0.7, 0.8, 1.1];
     const START: FullState = FullState { alpha: [0.48, 0.64], beta: [0.36, -0.48], omega: [0.4, -0.3, 2.1] };
 
-    fn top(parameters: &TopParameters) -> Top {
-        if parameters.com_height > 0.0 { Top::sliding(parameters) } else { Top::fixed(parameters) }.unwrap()
+    fn top([transverse_inertia, axial_inertia, com_height, mass_moment]: [f64; 4], gravity: f64) -> Top {
+        let others = TopParameters::default();
+        let parameters =
+            TopParameters { transverse_inertia, axial_inertia, com_height, mass_moment, gravity, ..others };
+        if com_height > 0.0 { Top::sliding(&parameters) } else { Top::fixed(&parameters) }.unwrap()
     }
 
     fn at(top: &Top, state: FullState, t: f64) -> FullState {
@@ -255,10 +251,9 @@ mod tests {
         // A e f^2 - n f + p g = 0 with n = C (f e + spin) keeps the tilt acos e at the precession f; e = 1
         // sleeps.
         for (g, s, e, t) in [(1.0, 0.8, 0.6, -20.0), (9.81, 0.03, 0.6_f64, 20.0), (9.81, 0.0, 1.0, 20.0)] {
-            let (top, f) = (top(&TopParameters { gravity: g, com_height: s, ..TOP }), 1.7 * f64::sqrt(g));
-            let spin = (top.transverse_inertia() * e * f * f + top.mass_moment() * g)
-                / (f * top.axial_inertia())
-                - f * e;
+            let ([a, c, _, p], f) = (TOP, 1.7 * f64::sqrt(g));
+            let top = top([a, c, s, p], g);
+            let spin = (a * e * f * f + p * g) / (f * c) - f * e;
             let exact = precessing(e.acos(), 0.3 + f * t, -0.2 + spin * t, f, spin);
             assert!(
                 angle(at(&top, precessing(e.acos(), 0.3, -0.2, f, spin), t), exact) < 1e-12,
@@ -270,15 +265,9 @@ mod tests {
     #[test]
     fn first_integrals_and_there_and_back() {
         // The second top is the first in other units (inertia 2.3e-5, time 1/9.7).
-        let toy = TopParameters {
-            transverse_inertia: TOP.transverse_inertia * 2.3e-5,
-            axial_inertia: TOP.axial_inertia * 2.3e-5,
-            com_height: TOP.com_height * 0.023,
-            mass_moment: TOP.mass_moment * 1e-3,
-            gravity: 2.16407,
-            ..TOP
-        };
-        for (top, rate) in [(top(&TOP), 1.0), (top(&toy), 9.7)] {
+        let [a, c, s, p] = TOP;
+        let toy = [a * 2.3e-5, c * 2.3e-5, s * 0.023, p * 1e-3];
+        for (top, rate) in [(top(TOP, 1.0), 1.0), (top(toy, 2.16407), 9.7)] {
             let start = FullState { omega: START.omega.map(|w| w * rate), ..START };
             let mut solver = FullSolver::new(&top, start, FULL_SOLVER_TOLERANCE);
             let integrals = |state: &FullState| Equations::new(&top, state).first_integrals(state);
@@ -293,7 +282,7 @@ mod tests {
     #[test]
     fn unusable_input_is_an_error() {
         let run = |state, t| {
-            let mut solver = FullSolver::new(&top(&TOP), state, 1e-12);
+            let mut solver = FullSolver::new(&top(TOP, 1.0), state, 1e-12);
             solver.limit = 5000;
             solver.advance_to(t)
         };
