@@ -148,8 +148,9 @@ impl Equations {
 
     /// State after one step of the classical Runge-Kutta method, with Φ normalised.
     pub fn runge_kutta(&self, y: &Vector7, step: f64) -> Vector7 {
-        let ahead =
-            |k: &Vector7, share: f64| -> Vector7 { core::array::from_fn(|i| y[i] + share * step * k[i]) };
+        let ahead = |k: &Vector7, fraction: f64| -> Vector7 {
+            core::array::from_fn(|i| y[i] + fraction * step * k[i])
+        };
         let k1 = self.derivative(y);
         let k2 = self.derivative(&ahead(&k1, 0.5));
         let k3 = self.derivative(&ahead(&k2, 0.5));

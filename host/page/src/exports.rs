@@ -41,8 +41,8 @@ pub fn launch_names() -> impl Iterator<Item = &'static str> {
     constants().map(|(name, _)| name).chain(["error", "error_growth"])
 }
 
-/// Shows the motion of this kind (0 release, 1 state, 2 branch points) whose numbers stand in the array: those of the top,
-/// then those of the motion. After a refusal no motion is shown.
+/// Shows a motion of this kind: 0 release, 1 state, 2 branch points. The array holds the numbers of the top, then of the motion. After a
+/// refusal no motion is shown.
 ///
 /// The result is the length of the words. It is positive if all is well: the words are regime and class of the tip curve,
 /// and the numbers are those of [`launch_names`]. It is negative after a refusal: the words are the parameter and what is

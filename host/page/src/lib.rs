@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`scenario`] | a top and its motion from numbers in the order of a scenario's keys |
 //! | [`table`] | table of a motion in `f64`: any time, at the same cost |
-//! | [`runge_kutta`] | the same motion by the classical Runge-Kutta method, for comparison |
+//! | [`runge_kutta`] | classical Runge-Kutta method, for comparison |
 //! | [`exports`] | functions that JavaScript calls |
 //!
 //! On WebAssembly the crate has no `std` and no allocator. Elsewhere it is an ordinary library, whose tests run on the host.

@@ -1,4 +1,4 @@
-//! The same motion by the classical Runge-Kutta method in equal steps, for comparison with the exact one.
+//! Classical Runge-Kutta method in equal steps, for comparison with the exact motion.
 
 use toytop::{Complex, Motion, Orientation, Stepper};
 use toytop_model::equations::{Equations, FullState, Vector7};

@@ -185,7 +185,7 @@ impl ScenarioFile {
         })
     }
 
-    /// Scenario with these numbers in place of those of the file.
+    /// Scenario in which these numbers replace numbers of the file.
     ///
     /// # Errors
     /// As [`ScenarioFile::scenario`].

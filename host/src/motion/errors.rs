@@ -27,7 +27,7 @@ fn natural_scales(motion: &Motion) -> [f64; 3] {
     [momentum, momentum, energy]
 }
 
-/// Differences of l, n and h from those of the motion, in units of their natural scales.
+/// Differences of l, n and h from the first integrals of the motion, in units of their natural scales.
 pub fn drift(motion: &Motion, orientation: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
     let (constants, scales) = (motion.first_integrals(), natural_scales(motion));
     let exact = [constants.l, constants.n, constants.h];

@@ -37,30 +37,30 @@ impl Exact {
 
     /// Time after the launch at which tan χ has this value: 0 at u = e₁, infinite at u = e₂. For a steady motion it is 0.
     pub fn time_of(&self, tangent: f64) -> Precise {
-        let place = [from_i64(1), from_f64(tangent)];
+        let half_phase = [from_i64(1), from_f64(tangent)];
         self.nutation
             .as_ref()
-            .map_or(from_i64(0), |(nutation, passed)| &nutation.integrals_to(&place)[0] - &passed[0])
+            .map_or(from_i64(0), |(nutation, passed)| &nutation.integrals_to(&half_phase)[0] - &passed[0])
     }
 
     /// Orientation Φ at a time after the launch, which is taken as exact.
     pub fn at(&self, t: &Precise) -> PreciseOrientation {
-        let LaunchConstants { constants, half_tau, half_phase, directions } = &self.launch;
-        let (place, [_, alpha, beta]) = match &self.nutation {
+        let LaunchConstants { constants, half_tau, half_phase: at_launch, directions } = &self.launch;
+        let (half_phase, [_, alpha, beta]) = match &self.nutation {
             None => {
-                let [alpha, beta] = constants.turning_rates(&constants.linear_factors(half_phase));
-                (half_phase.clone(), [t.clone(), alpha * t, beta * t])
+                let [alpha, beta] = constants.turning_rates(&constants.linear_factors(at_launch));
+                (at_launch.clone(), [t.clone(), alpha * t, beta * t])
             }
             Some((nutation, passed)) => {
-                let (place, now) = nutation.at(&(&passed[0] + t));
-                (place, add(&now, passed, -1))
+                let (half_phase, now) = nutation.at(&(&passed[0] + t));
+                (half_phase, add(&now, passed, -1))
             }
         };
-        let (signs, signs_then) = (self.signs(&place), self.signs(half_phase));
-        let linear_factors = constants.linear_factors(&place);
+        let (signs, signs_at_launch) = (self.signs(&half_phase), self.signs(at_launch));
+        let linear_factors = constants.linear_factors(&half_phase);
         let drift = half_tau * t;
         let parameter = |i: usize, angle: Precise| {
-            let modulus = root(&(linear_factors[i].clone() >> 1)) * (signs[i] * signs_then[i]);
+            let modulus = root(&(linear_factors[i].clone() >> 1)) * (signs[i] * signs_at_launch[i]);
             product(&directions[i], &cis(&angle)).map(|part| part * &modulus)
         };
         PreciseOrientation { alpha: parameter(0, alpha + &drift), beta: parameter(1, beta - drift) }
@@ -120,9 +120,9 @@ mod tests {
         assert!(worst < 1e-35 && worst > 0.0, "{worst:e}");
     }
 
-    /// The time of the place at a time is this time, also at large times.
+    /// The time of the half phase at a time is this time, also at large times.
     #[test]
-    fn a_place_and_its_time() {
+    fn a_half_phase_and_its_time() {
         let mut worst = 0.0_f64;
         for stream in 0..60 {
             let mut random = Random::new(8, stream);
@@ -130,8 +130,8 @@ mod tests {
             let (Some(period), Some((nutation, _))) = (exact.period(), &exact.nutation) else { continue };
             for time in [random.uniform(), -random.uniform(), 1e15 * random.uniform()] {
                 let time = &period * from_f64(time);
-                let (place, [t, alpha, _]) = nutation.at(&time);
-                let back = nutation.integrals_to(&place);
+                let (half_phase, [t, alpha, _]) = nutation.at(&time);
+                let back = nutation.integrals_to(&half_phase);
                 let periods = to_i64(&((&time - &back[0]) / &period)).expect("a number of periods");
                 let [back, alpha_back, _] = add(&back, &nutation.total, periods);
                 worst = worst.max(to_f64(&((&back - &time) / &period)).abs());

@@ -9,7 +9,7 @@ use crate::motion::tip_angle::TipAngle;
 use full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullState};
 use toytop::Stepper;
 
-/// State at t = 0: that of a scenario without change, or for branch points that of the core's stepper.
+/// State at t = 0: the state of the launch without change, or for branch points the state of the core's stepper.
 pub fn initial_state(scenario: &Scenario) -> FullState {
     match scenario.launch {
         Launch::State { phi: [alpha, beta], omega } => FullState { alpha, beta, omega },
@@ -39,7 +39,7 @@ pub fn samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failur
     /// Least |αβ| whose argument is not noise of the full solver.
     const MIN_PRODUCT: f64 = 1e-9;
     let states = states(scenario, times)?;
-    // the whole turns of the tip angle are those of the core's ephemeris, the angle itself is the full solver's
+    // only the whole turns of the tip angle come from the core
     let angle = TipAngle::new(&scenario.motion, MIN_PRODUCT)?;
     let sample = |(&t, state): (&f64, &FullState)| {
         angle.sample(t, state.orientation(), state.omega, state.axis_height_rate())
