@@ -5,7 +5,7 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`motions`] | input: the numbers of a top, and branch points or a state |
+//! | [`input`] | top, and branch points or a state |
 //! | `nutation` | rates of a motion, and their integrals over a nutation |
 //! | `launch` | constants from branch points or a state |
 //! | [`exact`] | orientation and rates at a time |
@@ -14,21 +14,22 @@
 
 pub mod exact;
 pub mod full_equations;
+pub mod input;
 mod launch;
-pub mod motions;
 mod nutation;
 pub mod precise;
 
 #[cfg(test)]
 mod tests {
     use super::exact::{Exact, PreciseOrientation};
-    use super::motions::{ExactInput, Start};
+    use super::input::ExactInput;
     use super::precise::{Precise, to_f64};
+    use crate::input::scenario::Launch;
     use dashu_float::FBig;
     use dashu_float::round::mode::HalfEven;
     use serde_json::Value;
     use std::path::Path;
-    use toytop::{InitialPhases, Sign, Signs};
+    use toytop::{InitialPhases, Sign, Signs, Support, TopParameters};
 
     /// Reference vector of this name.
     fn read(name: &str) -> Value {
@@ -65,12 +66,26 @@ mod tests {
         to_f64(&(found / digits(json) - Precise::ONE)).abs()
     }
 
+    /// Top of a vector, in units with g = 1, with a launch.
+    fn input(json: &Value, launch: Launch) -> ExactInput {
+        let [a, c, s, p] = ["A", "C", "s", "p"].map(|key| number(&json["params"][key]));
+        let top = TopParameters {
+            transverse_inertia: a,
+            axial_inertia: c,
+            com_height: s,
+            mass_moment: p,
+            gravity: 1.0,
+            ..TopParameters::default()
+        };
+        ExactInput { support: if s > 0.0 { Support::Sliding } else { Support::Fixed }, top, launch }
+    }
+
     /// Reference vector that is given by branch points, all exact in f64.
     fn branch_points_vector(name: &str) -> (ExactInput, Value) {
         let json = read(name);
         let params = |key: &str| number(&json["params"][key]);
         let sign = |key: &str| if json[key] == -1 { Sign::Minus } else { Sign::Plus };
-        let start = Start::BranchPoints {
+        let launch = Launch::BranchPoints {
             e: ["e1", "e2", "e3"].map(|key| number(&json[key])),
             signs: Signs { l_plus_n: sign("s_plus"), l_minus_n: sign("s_minus") },
             phases: InitialPhases {
@@ -79,8 +94,7 @@ mod tests {
                 arg_beta: params("arg_beta0"),
             },
         };
-        let [a, c, s, p] = ["A", "C", "s", "p"].map(params);
-        (ExactInput { top: [a, c, s, p, 1.0, 0.0], start }, json)
+        (input(&json, launch), json)
     }
 
     #[test]
@@ -105,8 +119,8 @@ mod tests {
         ];
         let mut checked = 0;
         for name in names {
-            let (numbers, json) = branch_points_vector(&format!("exact_{name}"));
-            let exact = Exact::new(&numbers);
+            let (input, json) = branch_points_vector(&format!("exact_{name}"));
+            let exact = Exact::new(&input);
             let period = exact.period().expect("a period");
             let off = relative(&period, &json["period"]["T"]);
             assert!(off < 1e-29, "{name}: period off by {off:e}");
@@ -123,20 +137,18 @@ mod tests {
     fn state_vector(name: &str) -> (ExactInput, Value) {
         let json = read(name);
         let params = &json["params"];
-        let top = ["A", "C", "s", "p"].map(|key| number(&params[key]));
-        let [a, c, s, p] = top;
         let z = |key: &str| [0, 1].map(|i| number(&params[key][i]));
         let omega = [0, 1, 2].map(|i| number(&params["omega0"][i]));
-        let start = Start::State { phi: [z("alpha0"), z("beta0")], omega };
-        (ExactInput { top: [a, c, s, p, 1.0, 0.0], start }, json)
+        let launch = Launch::State { phi: [z("alpha0"), z("beta0")], omega };
+        (input(&json, launch), json)
     }
 
     #[test]
     fn states_known_to_thirty_digits() {
         let mut checked = 0;
         for name in ["generic", "off_norm", "vertical", "vertical_spin", "downward"] {
-            let (numbers, json) = state_vector(&format!("exact_state_{name}"));
-            let exact = Exact::new(&numbers);
+            let (input, json) = state_vector(&format!("exact_state_{name}"));
+            let exact = Exact::new(&input);
             let off = relative(&exact.period().expect("a period"), &json["period"]["T"]);
             assert!(off < 1e-29, "{name}: period off by {off:e}");
             for sample in samples(&json) {

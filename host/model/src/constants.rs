@@ -36,7 +36,7 @@ const fn word(name: &'static str, value: fn(&MotionConstants) -> &'static str) -
     Constant { name, unit: "", value: Value::Word(value) }
 }
 
-/// Constants that are numbers, and those of the top and of the start, by their names and functions.
+/// Names and functions of all constants that are numbers, with the numbers of the top and of the start.
 pub fn numbers() -> impl Iterator<Item = (&'static str, fn(&MotionConstants) -> f64)> {
     CONSTANTS.iter().chain(&TOP_AND_START).filter_map(|constant| match constant.value {
         Value::Number(value) => Some((constant.name, value)),
@@ -225,8 +225,8 @@ fn at_start(motion: &Motion) -> AttitudeState<f64> {
     Stepper::new(motion).attitude_state()
 }
 
-/// Tilt and azimuth of the axis at t = 0, rad, and their rates, rad/s. Where the axis is vertical the azimuth
-/// rate is 0, and the tilt rate is that of leaving the vertical.
+/// Tilt and azimuth of the axis at t = 0, rad, and their rates, rad/s. Where the axis is vertical, the azimuth rate is 0, and the tilt rate
+/// is the speed at which the axis leaves the vertical.
 fn axis_at_start(motion: &Motion) -> [f64; 4] {
     let state = at_start(motion);
     let ([x, y, _], [rx, ry, rz]) = (state.axis(), cross(state.omega(), state.axis()));

@@ -10,24 +10,6 @@ type Vector = [f64; 3];
 /// State of the integration: re alpha, im alpha, re beta, im beta, m1, m2, m3.
 pub type Vector7 = [f64; 7];
 
-/// Body: moments of inertia, position of the centre of mass, and gravity. Units are SI or any consistent ones.
-#[derive(Clone, Copy)]
-pub struct FullTop {
-    /// Transverse moment of inertia A \[kg m^2\], > 0: about the centre of mass, or about the tip when `s` is
-    /// 0.
-    pub a: f64,
-    /// Axial moment of inertia C \[kg m^2\], >= 0.
-    pub c: f64,
-    /// Distance s from tip to centre of mass \[m\], >= 0; 0 means the top whose tip is fixed (Lagrange).
-    pub s: f64,
-    /// Mass moment p = mass x distance from tip to centre of mass \[kg m\], >= 0.
-    pub p: f64,
-    /// Gravity g \[m/s^2\], which determines only the weight.
-    pub g: f64,
-    /// Angular momentum K of a rotor inside \[kg m^2/s\], along the axis and constant relative to the body; 0 without one.
-    pub k: f64,
-}
-
 /// Orientation Phi = \[\[alpha, beta\], \[-conj beta, conj alpha\]\] and angular velocity.
 #[derive(Clone, Copy)]
 pub struct FullState {
@@ -63,31 +45,6 @@ impl FullState {
     }
 }
 
-impl From<&Top> for FullTop {
-    fn from(top: &Top) -> Self {
-        Self {
-            a: top.transverse_inertia(),
-            c: top.axial_inertia(),
-            s: top.com_height(),
-            p: top.mass_moment(),
-            g: top.gravity(),
-            k: top.rotor_momentum(),
-        }
-    }
-}
-
-impl FullTop {
-    /// First integrals \[l, n, h\]: the angular momenta about the vertical and about the axis \[kg m^2/s\] and the energy \[J\], with the
-    /// potential energy p g u. Error: a few units in the last place of their largest term.
-    pub fn first_integrals(&self, state: &FullState) -> [f64; 3] {
-        let equations = Equations::of(self, state);
-        let (r, m) = (state.axis(), equations.momentum(state));
-        // the energy of the rotor relative to the body is constant and not counted
-        let twice_kinetic = dot(m, state.omega) - self.k * dot(state.omega, r);
-        [m[2], dot(m, r), 0.5 * twice_kinetic + equations.pg * r[2]]
-    }
-}
-
 /// Parameters of the motion: A, C, p s, p g and K, in any units of inertia and time.
 #[derive(Clone, Copy)]
 pub struct Equations {
@@ -107,9 +64,37 @@ pub struct Equations {
 
 impl Equations {
     /// Parameters of a top, in its units, for a motion from this state.
-    pub fn of(top: &FullTop, start: &FullState) -> Self {
-        let spin = dot(start.omega, start.axis());
-        Self { a: top.a, c: top.c, ps: top.p * top.s, pg: top.p * top.g, k: top.k, spin }
+    pub fn new(top: &Top, start: &FullState) -> Self {
+        let p = top.mass_moment();
+        Self {
+            a: top.transverse_inertia(),
+            c: top.axial_inertia(),
+            ps: p * top.com_height(),
+            pg: p * top.gravity(),
+            k: top.rotor_momentum(),
+            spin: dot(start.omega, start.axis()),
+        }
+    }
+
+    /// Same parameters in other units of inertia and of angular rates.
+    pub fn in_units(&self, inertia: f64, rate: f64) -> Self {
+        Self {
+            a: self.a / inertia,
+            c: self.c / inertia,
+            ps: self.ps / inertia,
+            pg: self.pg / inertia / rate / rate,
+            k: self.k / inertia / rate,
+            spin: self.spin / rate,
+        }
+    }
+
+    /// First integrals \[l, n, h\]: the angular momenta about the vertical and about the axis \[kg m^2/s\] and the energy \[J\], with the
+    /// potential energy p g u. Error: a few units in the last place of their largest term.
+    pub fn first_integrals(&self, state: &FullState) -> [f64; 3] {
+        let (r, m) = (state.axis(), self.momentum(state));
+        // the energy of the rotor relative to the body is constant and not counted
+        let twice_kinetic = dot(m, state.omega) - self.k * dot(state.omega, r);
+        [m[2], dot(m, r), 0.5 * twice_kinetic + self.pg * r[2]]
     }
 
     /// Momentum m = A omega + ((C - A) <omega, r> + K) r + p s u' q, where q = r x k and u' = <omega, q>.
@@ -163,8 +148,9 @@ impl Equations {
 
     /// State after one step of the classical Runge-Kutta method, with Φ normalised.
     pub fn runge_kutta(&self, y: &Vector7, step: f64) -> Vector7 {
-        let ahead =
-            |k: &Vector7, share: f64| -> Vector7 { core::array::from_fn(|i| y[i] + share * step * k[i]) };
+        let ahead = |k: &Vector7, fraction: f64| -> Vector7 {
+            core::array::from_fn(|i| y[i] + fraction * step * k[i])
+        };
         let k1 = self.derivative(y);
         let k2 = self.derivative(&ahead(&k1, 0.5));
         let k3 = self.derivative(&ahead(&k2, 0.5));

@@ -3,7 +3,7 @@
 //! A result stays there until the next call, and JavaScript copies the data that it keeps. The functions are exported by their
 //! unmangled names only on WebAssembly, because elsewhere another function could have the same name.
 
-use crate::ghost::Ghost;
+use crate::runge_kutta::RungeKutta;
 use crate::scenario::{self, MotionNumbers, TopNumbers};
 use crate::table::{self, Table};
 use core::array::from_fn;
@@ -20,9 +20,8 @@ const COORDINATES: usize = 5;
 static NUMBERS: [AtomicU64; POINTS * COORDINATES] = [const { AtomicU64::new(0) }; POINTS * COORDINATES];
 static WORDS: [AtomicU8; 256] = [const { AtomicU8::new(0) }; 256];
 static MOTION: Mutex<Option<Motion>> = Mutex::new(None);
-/// Table of the motion. All its bits are 0 at first, so that it takes no space in the file.
 static TABLE: Mutex<Table> = Mutex::new(Table::EMPTY);
-static GHOST: Mutex<Option<Ghost>> = Mutex::new(None);
+static RUNGE_KUTTA: Mutex<Option<RungeKutta>> = Mutex::new(None);
 
 /// Address of the numbers, each an `f64` by its bits.
 #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
@@ -42,8 +41,8 @@ pub fn launch_names() -> impl Iterator<Item = &'static str> {
     constants().map(|(name, _)| name).chain(["error", "error_growth"])
 }
 
-/// Shows the motion of this kind (0 release, 1 state, 2 branch points) whose numbers stand in the array: those of the top,
-/// then those of the motion. After a refusal no motion is shown.
+/// Shows a motion of this kind: 0 release, 1 state, 2 branch points. The array holds the numbers of the top, then of the motion. After a
+/// refusal no motion is shown.
 ///
 /// The result is the length of the words. It is positive if all is well: the words are regime and class of the tip curve,
 /// and the numbers are those of [`launch_names`]. It is negative after a refusal: the words are the parameter and what is
@@ -52,7 +51,7 @@ pub fn launch_names() -> impl Iterator<Item = &'static str> {
 pub extern "C" fn launch(kind: u32) -> i32 {
     let top: TopNumbers = from_fn(number);
     let motion: MotionNumbers = from_fn(|i| number(top.len() + i));
-    (*MOTION.lock(), *GHOST.lock()) = (None, None);
+    (*MOTION.lock(), *RUNGE_KUTTA.lock()) = (None, None);
     match launched(&top, kind, &motion) {
         Ok(motion) => {
             let bound = TABLE.lock().error_bound();
@@ -70,10 +69,10 @@ fn launched(top: &TopNumbers, kind: u32, numbers: &MotionNumbers) -> Result<Moti
     Ok(motion)
 }
 
-/// Puts the moment t after t = 0 into the numbers.
+/// Puts the pose at time t into the numbers.
 #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
-pub extern "C" fn moment(t: f64) {
-    put(table::moment(TABLE.lock().at(t)));
+pub extern "C" fn pose(t: f64) {
+    put(table::pose_numbers(TABLE.lock().at(t)));
 }
 
 /// Puts axis and tip at `count` times into the numbers, the first at `from`, `step` apart.
@@ -81,26 +80,26 @@ pub extern "C" fn moment(t: f64) {
 pub extern "C" fn curve(from: f64, step: f64, count: u32) {
     let table = TABLE.lock();
     put((0..count).flat_map(|i| {
-        let [.., r1, r2, r3, c1, c2] = table::moment(table.at(from + step * f64::from(i)));
+        let [.., r1, r2, r3, c1, c2] = table::pose_numbers(table.at(from + step * f64::from(i)));
         [r1, r2, r3, c1, c2]
     }));
 }
 
-/// Starts a ghost of the motion with this step, s; a step that is not positive ends it.
+/// Starts an integration of the motion with this step, s. A step that is not positive ends it.
 #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
-pub extern "C" fn ghost(step: f64) {
+pub extern "C" fn runge_kutta(step: f64) {
     let motion = *MOTION.lock();
-    *GHOST.lock() = motion.filter(|_| step > 0.0).map(|motion| Ghost::new(&motion, step));
+    *RUNGE_KUTTA.lock() = motion.filter(|_| step > 0.0).map(|motion| RungeKutta::new(&motion, step));
 }
 
-/// Puts the ghost's moment into the numbers, then the time that it has reached on its way to t, and its distance from the
-/// exact orientation, rad. The result is 1, or 0 without a ghost.
+/// Puts the pose of the integration into the numbers, then the time that it has reached on its way to t, and its distance from
+/// the exact orientation, rad. The result is 1, or 0 without an integration.
 #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
-pub extern "C" fn ghost_moment(t: f64) -> u32 {
-    let Some(ghost) = &mut *GHOST.lock() else { return 0 };
-    let (reached, orientation, tip) = ghost.go(t);
+pub extern "C" fn runge_kutta_pose(t: f64) -> u32 {
+    let Some(integration) = &mut *RUNGE_KUTTA.lock() else { return 0 };
+    let (reached, orientation, tip) = integration.go(t);
     let distance = TABLE.lock().at(reached).0.distance(&orientation);
-    put(table::moment((orientation, tip)).into_iter().chain([reached, distance]));
+    put(table::pose_numbers((orientation, tip)).into_iter().chain([reached, distance]));
     1
 }
 

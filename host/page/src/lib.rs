@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`scenario`] | a top and its motion from numbers in the order of a scenario's keys |
 //! | [`table`] | table of a motion in `f64`: any time, at the same cost |
-//! | [`ghost`] | the same motion by the classical Runge-Kutta method, for comparison |
+//! | [`runge_kutta`] | classical Runge-Kutta method, for comparison |
 //! | [`exports`] | functions that JavaScript calls |
 //!
 //! On WebAssembly the crate has no `std` and no allocator. Elsewhere it is an ordinary library, whose tests run on the host.
@@ -12,7 +12,7 @@
 #![cfg_attr(target_family = "wasm", no_std)]
 
 pub mod exports;
-pub mod ghost;
+pub mod runge_kutta;
 pub mod scenario;
 pub mod table;
 

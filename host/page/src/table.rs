@@ -16,8 +16,8 @@ pub struct Table {
     ticks: f64,
 }
 
-/// Method that answers for a motion. The tag of the first variant is 0, so that a table before its first motion takes no space in a file.
-#[repr(u8)]
+/// Method that computes a motion.
+#[repr(u8)] // the first variant is 0: see `Table::EMPTY`
 #[allow(clippy::large_enum_variant)] // there is no heap, and one table
 enum Method {
     Table,
@@ -25,7 +25,7 @@ enum Method {
 }
 
 /// Orientation, u, axis and tip at one time: Re α, Im α, Re β, Im β, u, r₁, r₂, r₃, c₁, c₂.
-pub type Moment = [f64; 10];
+pub type PoseNumbers = [f64; 10];
 
 /// Truncation errors that a table may have, rad: the least one that the capacity allows is taken.
 const TRUNCATIONS: [f64; 4] = [f64::TRUNCATION, 1e-12, 1e-9, 1e-6];
@@ -94,8 +94,8 @@ impl Table {
     }
 }
 
-/// Moment of an orientation and a tip.
-pub fn moment((orientation, tip): (Orientation<f64>, Complex<f64>)) -> Moment {
+/// Numbers of an orientation and a tip.
+pub fn pose_numbers((orientation, tip): (Orientation<f64>, Complex<f64>)) -> PoseNumbers {
     let (Orientation { alpha, beta }, [x, y, z]) = (orientation, orientation.axis());
     [alpha.re, alpha.im, beta.re, beta.im, orientation.clamped_u(), x, y, z, tip.re, tip.im]
 }

@@ -5,9 +5,9 @@ use toytop::{EphemerisF64, Motion, Pose, Release, State, Stepper, Support};
 use toytop_model::angles;
 use toytop_model::constants::{MotionConstants, numbers};
 use toytop_page::exports::launch_names;
-use toytop_page::ghost::{Ghost, MOST_STEPS};
+use toytop_page::runge_kutta::{MOST_STEPS, RungeKutta};
 use toytop_page::scenario;
-use toytop_page::table::{Table, moment};
+use toytop_page::table::{Table, pose_numbers};
 
 /// The toy top of the README: support, A, C, s, M, p, g.
 const TOY_TOP: [f64; 8] = [0.0, 3.0e-5, 2.0e-5, 0.03, 0.05, 0.0, 9.81, 0.0];
@@ -105,14 +105,14 @@ fn what_is_no_motion_is_refused_by_its_name() {
 }
 
 #[test]
-fn a_moment_is_the_cores() {
+fn a_pose_is_the_cores() {
     on_a_large_stack(|| {
         let motion = thrown();
         let mut table = Box::new(Table::EMPTY);
         table.set_up(&MotionConstants::new(motion)).unwrap();
         let core = EphemerisF64::new(&motion, MotionConstants::new(motion).tick()).unwrap();
         for t in [0.0, 0.3125, -7.1, 1e6] {
-            let [a, b, c, d, u, .., x, y] = moment(table.at(t));
+            let [a, b, c, d, u, .., x, y] = pose_numbers(table.at(t));
             let Pose { orientation: phi, tip, .. } = core.at(t).pose();
             assert_eq!([a, b, c, d], [phi.alpha.re, phi.alpha.im, phi.beta.re, phi.beta.im]);
             assert_eq!([u, x, y], [phi.clamped_u(), tip.re, tip.im]);
@@ -120,24 +120,24 @@ fn a_moment_is_the_cores() {
     });
 }
 
-/// The ghost's method is of fourth order, forwards and backwards, and a call has bounded work.
+/// The method is of fourth order, forwards and backwards, and a call has bounded work.
 #[test]
-fn the_ghost_drifts_as_its_step_says() {
+fn runge_kutta_drifts_as_its_step_says() {
     let motion = thrown();
     let core = EphemerisF64::new(&motion, MotionConstants::new(motion).tick()).unwrap();
     for t in [0.5, -0.5] {
         let errors = [4e-4, 2e-4].map(|step| {
-            let (reached, phi, _) = Ghost::new(&motion, step).go(t);
+            let (reached, phi, _) = RungeKutta::new(&motion, step).go(t);
             assert_eq!(reached, t);
             core.at(t).orientation().distance(&phi)
         });
         let order = (errors[0] / errors[1]).log2();
         assert!((3.5..4.6).contains(&order) && errors[0] > 1e-9, "{order} {errors:?}");
     }
-    let mut ghost = Ghost::new(&motion, 1e-5);
-    let (first, ..) = ghost.go(1.0);
+    let mut integration = RungeKutta::new(&motion, 1e-5);
+    let (first, ..) = integration.go(1.0);
     assert!((first / (f64::from(MOST_STEPS) * 1e-5) - 1.0).abs() < 1e-12, "{first}");
-    let (second, ..) = ghost.go(1.0);
+    let (second, ..) = integration.go(1.0);
     assert!(second > first && second < 1.0);
-    assert_eq!(Float::abs(ghost.go(-1e-7).0), 1e-7);
+    assert_eq!(Float::abs(integration.go(-1e-7).0), 1e-7);
 }

@@ -62,7 +62,7 @@ pub(crate) fn map<T: Send>(
     Ok(results.into_iter().flatten().collect())
 }
 
-/// Result of a computation that cannot be divided, in a thread of its own. Ctrl-C abandons it: the thread continues to its end.
+/// Result of `work`, which runs in a thread of its own. Ctrl-C returns at once, and the thread runs to its end.
 ///
 /// # Errors
 /// `KeyboardInterrupt`.

@@ -5,7 +5,7 @@ use crate::motion::MotionCore;
 use crate::top::TopCore;
 use pyo3::prelude::*;
 use toytop::{InitialPhases, Motion, Orientation, ParameterError, Release, Sign, Signs, State};
-use toytop_host::truth::motions::Start;
+use toytop_host::input::scenario::{Launch, fastest_rate};
 
 #[pymethods]
 impl TopCore {
@@ -19,11 +19,9 @@ impl TopCore {
         azimuth: f64,
         roll: f64,
     ) -> PyResult<MotionCore> {
-        let rates = [("spin", spin), ("precession", precession), ("nutation", nutation)];
-        let fastest = rates.into_iter().max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));
         let release = Release { tilt, azimuth, roll, spin, precession, nutation };
         let state = State::from_release(&release).map_err(refused)?;
-        MotionCore::from_state(self, &state, fastest.map_or("spin", |(name, _)| name))
+        MotionCore::from_state(self, &state, fastest_rate(&release))
     }
 
     /// Motion from a quaternion and an angular velocity, `omega` in the fixed frame or `omega_body` in the body frame.
@@ -48,6 +46,6 @@ impl TopCore {
         let (signs, phases) = (Signs { l_plus_n, l_minus_n }, InitialPhases { theta, arg_alpha, arg_beta });
         let motion = Motion::from_branch_points(&self.top, e, signs, &phases)
             .map_err(|error| renamed(error, &[("theta", "nutation_phase")]))?;
-        Ok(MotionCore::new(*self, Start::BranchPoints { e, signs, phases }, motion))
+        Ok(MotionCore::new(*self, Launch::BranchPoints { e, signs, phases }, motion))
     }
 }

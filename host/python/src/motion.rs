@@ -12,21 +12,20 @@ use crate::samples::{Sampler, Source, Table};
 use crate::top::TopCore;
 use pyo3::prelude::*;
 use std::sync::OnceLock;
-use toytop::{InitialPhases, Motion, State};
-use toytop_host::input::scenario::{Given as ScenarioInput, Scenario, ScenarioFile};
+use toytop::{Motion, State};
+use toytop_host::input::scenario::{Launch, Scenario, ScenarioFile, to_toml};
 use toytop_host::motion::ephemeris::{furthest_time, smallest_ephemeris};
 use toytop_host::motion::{MotionConstants, Scalar};
 use toytop_host::pictures::curve::TipCurve;
 use toytop_host::pictures::view;
 use toytop_host::truth::exact::Exact;
-use toytop_host::truth::motions::Start;
 
 /// Computing part of the Python class `Motion`.
 #[pyclass(module = "toytop._toytop", frozen)]
 pub(crate) struct MotionCore {
     #[pyo3(get)]
     pub(crate) top: TopCore,
-    pub(crate) start: Start,
+    pub(crate) launch: Launch,
     pub(crate) motion: Motion,
     tables: [OnceLock<Result<Table, String>>; Scalar::ALL.len()],
     /// Motion in numbers of 640 bits.
@@ -43,8 +42,8 @@ pub(crate) fn scalar_named(name: &str) -> PyResult<Scalar> {
 }
 
 impl MotionCore {
-    pub(crate) fn new(top: TopCore, start: Start, motion: Motion) -> Self {
-        Self { top, start, motion, tables: Default::default(), truth: OnceLock::new() }
+    pub(crate) fn new(top: TopCore, launch: Launch, motion: Motion) -> Self {
+        Self { top, launch, motion, tables: Default::default(), truth: OnceLock::new() }
     }
 
     /// Motion from a state, with this name of the rates in error messages.
@@ -53,7 +52,7 @@ impl MotionCore {
     /// `ValueError` that names the parameter.
     pub(crate) fn from_state(top: &TopCore, state: &State, rate: &str) -> PyResult<Self> {
         let motion = Motion::launch(&top.top, state).map_err(|error| renamed(error, &[("omega", rate)]))?;
-        Ok(Self::new(*top, Start::from(state), motion))
+        Ok(Self::new(*top, Launch::from(state), motion))
     }
 
     /// Table in a scalar, set up at its first use.
@@ -93,27 +92,12 @@ impl MotionCore {
     /// Motion of a scenario file's text; `file` is its name in messages.
     #[new]
     pub(crate) fn from_text(file: &str, text: &str) -> PyResult<Self> {
-        let Scenario { motion, given, .. } = Scenario::parse(file, text).map_err(failed)?;
-        let ScenarioInput { top: parameters, start } =
-            given.ok_or_else(|| value_error(file, "must have numbers"))?;
-        Ok(Self::new(TopCore { parameters, top: *motion.top() }, start, motion))
+        let Scenario { motion, top: parameters, launch, .. } = Scenario::parse(file, text).map_err(failed)?;
+        Ok(Self::new(TopCore { parameters, top: *motion.top() }, launch, motion))
     }
 
     pub(crate) fn to_toml(&self) -> String {
-        let motion = match &self.start {
-            Start::State { phi: [alpha, beta], omega } => {
-                format!("kind = \"state\"\nalpha = {alpha:?}\nbeta = {beta:?}\nomega = {omega:?}\n")
-            }
-            Start::BranchPoints { e: [e1, e2, e3], signs, phases } => {
-                let (plus, minus) = (signs.l_plus_n.factor(), signs.l_minus_n.factor());
-                let InitialPhases { theta, arg_alpha, arg_beta } = phases;
-                format!(
-                    "kind = \"branch_points\"\ne1 = {e1:?}\ne2 = {e2:?}\ne3 = {e3:?}\nsign_l_plus_n = {plus}\n\
-                     sign_l_minus_n = {minus}\nnutation_phase = {theta:?}\narg_alpha = {arg_alpha:?}\narg_beta = {arg_beta:?}\n"
-                )
-            }
-        };
-        format!("{}\n[motion]\n{motion}", self.top.to_toml())
+        to_toml(&self.top.to_toml(), &self.launch)
     }
 
     /// Page with the top in motion, as HTML.

@@ -42,8 +42,6 @@ pub(crate) enum Source {
 
 /// Number of samples of a job of one thread.
 const BLOCK: usize = 8192;
-/// Least |αβ| for a tip angle. Below it the rounding of α and β changes the argument of αβ by more than 1e-5 rad.
-const MIN_PRODUCT: f64 = 1e-11;
 
 /// Motion at given times, or many of them, whose columns are computed on demand.
 #[pyclass(module = "toytop._toytop", frozen)]
@@ -72,7 +70,7 @@ impl Sampler {
         error_bound: Option<f64>,
         at: impl Fn(f64) -> (Orientation<f64>, [f64; 3], f64) + Send + Sync,
     ) -> PyResult<Self> {
-        let angle = TipAngle::new(motion, MIN_PRODUCT).map_err(failed)?;
+        let angle = TipAngle::new(motion, TipAngle::NOISE).map_err(failed)?;
         let points = interrupt::map(py, times.numbers.len(), |index| {
             let t = times.numbers[index];
             let (orientation, omega, udot) = at(t);

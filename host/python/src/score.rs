@@ -49,7 +49,14 @@ pub(crate) fn score(
         let omega = omega.as_ref().map(|rates| in_fixed(rates.numbers.as_chunks().0[i]));
         Ok(Pose { t: t.numbers[i], orientation, norm_error, omega, tip: None })
     };
-    let scenario = Scenario { name: "motion".into(), motion: motion.motion, given: None, units: Units::Si };
+    let MotionCore { motion, launch, top, .. } = motion;
+    let scenario = Scenario {
+        name: "motion".into(),
+        motion: *motion,
+        top: top.parameters,
+        launch: *launch,
+        units: Units::Si,
+    };
     let score = interrupt::interruptible(py, move || {
         let rows = (0..count).map(row).collect::<Result<_, Failure>>()?;
         let trajectory =

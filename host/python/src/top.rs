@@ -54,19 +54,6 @@ impl TopCore {
         }
     }
 
-    /// Numbers A, C, s, p, g and K.
-    pub(crate) fn numbers(&self) -> [f64; 6] {
-        let top = &self.top;
-        [
-            top.transverse_inertia(),
-            top.axial_inertia(),
-            top.com_height(),
-            top.mass_moment(),
-            top.gravity(),
-            top.rotor_momentum(),
-        ]
-    }
-
     fn e4(&self) -> Option<f64> {
         self.top.e4()
     }
@@ -93,9 +80,9 @@ impl TopCore {
 }
 
 impl TopCore {
-    /// Table `[top]` of a scenario file.
+    /// Keys and values of the table `[top]` of a scenario file.
     pub(crate) fn to_toml(self) -> String {
         let lines: String = self.given().iter().map(|(name, x)| format!("{name} = {x:?}\n")).collect();
-        format!("[top]\nsupport = \"{}\"\n{lines}", self.support())
+        format!("support = \"{}\"\n{lines}", self.support())
     }
 }

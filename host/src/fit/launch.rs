@@ -2,9 +2,9 @@
 
 use super::sensors::Sensors;
 use crate::Failure;
+use crate::input::scenario::{Launch, to_toml};
 use crate::input::section;
 use crate::output::{number, short};
-use std::collections::BTreeMap;
 use toml::{Table, Value};
 use toytop::{Support, Top};
 use toytop_fit::{
@@ -248,19 +248,8 @@ impl FitReport {
         }
         let mut top = self.input.table.clone();
         top.extend(self.freed().into_iter().map(|(key, value, _)| (key.to_owned(), Value::from(value))));
-        let (phi, omega) = (state.orientation(), state.omega());
-        let motion = BTreeMap::from([
-            ("kind", Value::from("state")),
-            ("alpha", Value::from(vec![phi.alpha.re, phi.alpha.im])),
-            ("beta", Value::from(vec![phi.beta.re, phi.beta.im])),
-            ("omega", Value::from(omega.to_vec())),
-        ]);
-        let mut root = Table::from_iter([
-            ("top".to_owned(), Value::Table(top)),
-            ("motion".to_owned(), Value::from(motion)),
-        ]);
-        root.extend(units.map(|units| ("units".to_owned(), Value::from(units))));
-        Ok(format!("{text}\n{root}"))
+        let units = units.map(|units| format!("units = {units:?}\n")).unwrap_or_default();
+        Ok(format!("{text}{units}\n{}", to_toml(&top, &Launch::from(&state))))
     }
 }
 

@@ -66,12 +66,12 @@ impl Axis {
         }
     }
 
-    /// Number between the ends, at this share of the way.
-    fn between(&self, share: f64) -> f64 {
+    /// Number between the ends, at this fraction of the range.
+    fn between(&self, fraction: f64) -> f64 {
         let [low, high] = self.ends();
-        let between = |low: f64, high: f64| low + (high - low) * share;
+        let between = |low: f64, high: f64| low + (high - low) * fraction;
         // rounding must neither change the ends nor pass them
-        match share {
+        match fraction {
             0.0 => low,
             1.0 => high,
             _ if self.is_log() => between(low.ln(), high.ln()).exp().clamp(low, high),
@@ -81,10 +81,10 @@ impl Axis {
 
     /// Random value.
     pub fn draw(&self, random: &mut Random) -> f64 {
-        let share = random.uniform();
+        let fraction = random.uniform();
         match self.count() {
-            None => self.between(share),
-            Some(size) => self.at((share * size as f64) as u64),
+            None => self.between(fraction),
+            Some(size) => self.at((fraction * size as f64) as u64),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Built-in motions, which `compare` runs without a scenario file.
 
-use crate::input::scenario::{Scenario, Units};
+use crate::input::scenario::{Launch, Scenario, Units};
 use toytop::{InitialPhases, Motion, Sign, Signs, Top, TopParameters};
 
 /// Scenarios of the paper's figures 2 and 3, of seven tops in SI units, and of two motions near the separatrix.
@@ -57,7 +57,14 @@ fn curve(name: String, top: [f64; 4], e: [f64; 3], signs: Signs) -> Scenario {
         gravity: 1.0,
         ..TopParameters::default()
     };
-    let motion = Top::sliding(&parameters)
-        .and_then(|top| Motion::from_branch_points(&top, e, signs, &InitialPhases::default()));
-    Scenario { name, motion: motion.expect("a valid motion"), given: None, units: Units::None }
+    let phases = InitialPhases::default();
+    let motion =
+        Top::sliding(&parameters).and_then(|top| Motion::from_branch_points(&top, e, signs, &phases));
+    Scenario {
+        name,
+        motion: motion.expect("a valid motion"),
+        top: parameters,
+        launch: Launch::BranchPoints { e, signs, phases },
+        units: Units::None,
+    }
 }

@@ -6,10 +6,14 @@
 mod motion;
 mod top;
 
+pub use motion::fastest_rate;
+pub use top::supported;
+
 use super::file::{self, excerpt};
 use super::section::{self, Key, Section};
 use super::units::{self, DEGREES, RADIANS};
 use crate::Failure;
+use std::fmt::Display;
 use std::path::Path;
 use toml::{Table, Value};
 use toytop::{InitialPhases, Motion, Orientation, Signs, State, Top, TopParameters};
@@ -40,24 +44,17 @@ pub struct Scenario {
     pub name: String,
     /// Motion, with its top.
     pub motion: Motion,
-    /// Numbers of the file; `None` for a motion that comes from no file.
-    pub given: Option<Given>,
+    /// Numbers of the top as they are given.
+    pub top: TopParameters,
+    /// State of the launch, or its branch points.
+    pub launch: Launch,
     /// Units of the numbers.
     pub units: Units,
 }
 
-/// Numbers of a scenario file.
-#[derive(Clone)]
-pub struct Given {
-    /// Numbers of the top.
-    pub top: TopParameters,
-    /// State of the launch, or its branch points.
-    pub start: Start,
-}
-
 /// Launch of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Start {
+pub enum Launch {
     /// Branch points e₁, e₂ and e₃.
     BranchPoints {
         /// Branch points.
@@ -76,7 +73,7 @@ pub enum Start {
     },
 }
 
-impl From<&State> for Start {
+impl From<&State> for Launch {
     fn from(state: &State) -> Self {
         let Orientation { alpha, beta } = state.orientation();
         Self::State { phi: [alpha, beta].map(|z| [z.re, z.im]), omega: state.omega() }
@@ -161,8 +158,8 @@ impl ScenarioFile {
             _ => return Err(refuse("units: must be one of \"SI\", \"none\"".to_owned())),
         };
         let (top, parameters) = self.top()?;
-        let (motion, start) = motion::read(&self.section("motion")?, &top)?;
-        Ok(Scenario { name: self.name.clone(), motion, given: Some(Given { top: parameters, start }), units })
+        let (motion, launch) = motion::read(&self.section("motion")?, &top)?;
+        Ok(Scenario { name: self.name.clone(), motion, top: parameters, launch, units })
     }
 
     fn section(&self, name: &'static str) -> Result<Section<'_>, Failure> {
@@ -188,7 +185,7 @@ impl ScenarioFile {
         })
     }
 
-    /// Scenario with these numbers in place of those of the file.
+    /// Scenario in which these numbers replace numbers of the file.
     ///
     /// # Errors
     /// As [`ScenarioFile::scenario`].
@@ -204,12 +201,30 @@ impl ScenarioFile {
     }
 }
 
+/// Text of a scenario file, from the keys and values of its top and from a launch.
+pub fn to_toml(top: &impl Display, launch: &Launch) -> String {
+    let motion = match launch {
+        Launch::State { phi: [alpha, beta], omega } => {
+            format!("kind = \"state\"\nalpha = {alpha:?}\nbeta = {beta:?}\nomega = {omega:?}\n")
+        }
+        Launch::BranchPoints { e: [e1, e2, e3], signs, phases } => {
+            let (plus, minus) = (signs.l_plus_n.factor(), signs.l_minus_n.factor());
+            let InitialPhases { theta, arg_alpha, arg_beta } = phases;
+            format!(
+                "kind = \"branch_points\"\ne1 = {e1:?}\ne2 = {e2:?}\ne3 = {e3:?}\nsign_l_plus_n = {plus}\n\
+                 sign_l_minus_n = {minus}\nnutation_phase = {theta:?}\narg_alpha = {arg_alpha:?}\narg_beta = {arg_beta:?}\n"
+            )
+        }
+    };
+    format!("[top]\n{top}\n[motion]\n{motion}")
+}
+
 /// Key, and the reason why its value is refused.
 type Refused = (&'static str, String);
 
 /// Replaces numbers with units by numbers in the units of their keys.
 fn replace_units(table: &mut Table, has_units: bool) -> Result<(), Refused> {
-    for Key { name, quantity, .. } in top::KEYS.iter().chain(motion::keys()) {
+    for Key { name, units, .. } in top::KEYS.iter().chain(motion::keys()) {
         let entries = match table.get_mut(*name) {
             Some(Value::Array(entries)) => &mut entries[..],
             Some(value) => std::slice::from_mut(value),
@@ -217,13 +232,13 @@ fn replace_units(table: &mut Table, has_units: bool) -> Result<(), Refused> {
         };
         for entry in entries {
             let Value::String(text) = entry else { continue };
-            if quantity.is_empty() {
+            if units.is_empty() {
                 continue;
             }
-            if !has_units && *quantity != RADIANS {
+            if !has_units && *units != RADIANS {
                 return Err((name, "must be a number, because of units = \"none\"".to_owned()));
             }
-            *entry = Value::Float(units::parse(text, quantity).map_err(|reason| (*name, reason))?);
+            *entry = Value::Float(units::parse(text, units).map_err(|reason| (*name, reason))?);
         }
     }
     Ok(())

@@ -1,7 +1,7 @@
 //! One table of a TOML file. Each [`Key`] states its allowed values, by which the table is read.
 
 use super::file::excerpt;
-use super::units::Quantity;
+use super::units::UnitTable;
 use crate::Failure;
 use toml::{Table, Value};
 use toytop::ParameterError;
@@ -16,12 +16,12 @@ pub struct Key {
     /// Least and greatest value.
     range: [f64; 2],
     /// Units of a value that is a text; none where it must be a number.
-    pub quantity: Quantity,
+    pub units: UnitTable,
 }
 
 impl Key {
     pub const fn required(name: &'static str, allowed: &'static str) -> Self {
-        Self { name, allowed, default: None, range: [f64::MIN, f64::MAX], quantity: &[] }
+        Self { name, allowed, default: None, range: [f64::MIN, f64::MAX], units: &[] }
     }
 
     pub const fn optional(name: &'static str, default: f64, allowed: &'static str) -> Self {
@@ -34,8 +34,8 @@ impl Key {
     }
 
     /// Key whose value may have one of these units.
-    pub const fn with_units(self, quantity: Quantity) -> Self {
-        Self { quantity, ..self }
+    pub const fn with_units(self, units: UnitTable) -> Self {
+        Self { units, ..self }
     }
 }
 

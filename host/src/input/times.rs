@@ -39,7 +39,7 @@ pub struct Times {
     option: String,
     /// Times, s.
     pub seconds: Vec<f64>,
-    /// Ticks at these times; none where they are not those of ticks.
+    /// Ticks of these times, with --ticks only.
     pub ticks: Vec<i64>,
 }
 
@@ -47,7 +47,9 @@ pub struct Times {
 const MOST: u64 = 10_000_000;
 
 impl Times {
-    /// Times of the command line; `rate` is the number of ticks, and of the seconds in which they are.
+    /// Times of the command line.
+    ///
+    /// * `rate`: tick rate `[A, B]`, A ticks in B seconds
     ///
     /// # Errors
     /// [`Failure::Input`]: an unreadable file, an entry that is no finite number, or no tick.
@@ -101,8 +103,8 @@ impl Times {
             Some(ticks) if !range => ticks.to_vec(),
             _ => return Err(refused(allowed)),
         };
-        let [per, length] = rate.map(f64::from);
-        let seconds = ticks.iter().map(|tick| *tick as f64 * length / per).collect();
+        let [ticks_per, duration] = rate.map(f64::from);
+        let seconds = ticks.iter().map(|tick| *tick as f64 * duration / ticks_per).collect();
         Ok(Self { option: "--ticks".to_owned(), seconds, ticks })
     }
 

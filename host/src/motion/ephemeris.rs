@@ -23,8 +23,7 @@ use toytop_model::equations::dot;
 
 /// Sample of an ephemeris with the rates and the phase that only an ephemeris has.
 pub struct EphemerisSample {
-    /// α, β and u in the precision of the scalar; rates, tip and tip angle in that of its type for lengths and rates (`f32` for fixed
-    /// point).
+    /// Sample in `f64`. α, β and u have the precision of the scalar, and rates, tip and tip angle of its quantities (`f32` for fixed point).
     pub sample: Sample,
     /// Rate Φ' of the orientation, per unit time.
     pub rate: OrientationRate<f64>,

@@ -1,7 +1,7 @@
 //! Errors of a state: its distance from the exact one, and the drift of its first integrals.
 
 use toytop::{Motion, Orientation, Top};
-use toytop_model::equations::{FullState, FullTop};
+use toytop_model::equations::{Equations, FullState};
 
 /// Greater of two errors; infinite where the second is no number.
 pub fn greater(a: f64, b: f64) -> f64 {
@@ -10,7 +10,8 @@ pub fn greater(a: f64, b: f64) -> f64 {
 
 /// First integrals [l, n, h] in kg m²/s and kg m²/s², by the full equations.
 fn first_integrals(top: &Top, phi: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
-    FullTop::from(top).first_integrals(&FullState::new(phi, omega))
+    let state = FullState::new(phi, omega);
+    Equations::new(top, &state).first_integrals(&state)
 }
 
 /// Scales of l, n and h: the greatest of the motion's own values, of the values √(2 A p g) and p g that belong to the top's weight, and
@@ -26,7 +27,7 @@ fn natural_scales(motion: &Motion) -> [f64; 3] {
     [momentum, momentum, energy]
 }
 
-/// Differences of l, n and h from those of the motion, in units of their natural scales.
+/// Differences of l, n and h from the first integrals of the motion, in units of their natural scales.
 pub fn drift(motion: &Motion, orientation: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
     let (constants, scales) = (motion.first_integrals(), natural_scales(motion));
     let exact = [constants.l, constants.n, constants.h];

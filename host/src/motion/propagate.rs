@@ -59,6 +59,12 @@ impl Sample {
     }
 }
 
+/// Greatest distance from t = 0 at which a closed form is evaluated, s. Where e₃ = e₄ holds up to rounding, its error grows by up to 5e-14 rad
+/// in a period.
+pub fn furthest_time_of_closed_form(motion: &Motion) -> f64 {
+    1e12 * period(motion)
+}
+
 /// Greatest number of steps that is computed.
 const MOST_STEPS: f64 = 1e10;
 
@@ -76,7 +82,7 @@ pub fn steps_needed(times: &[f64], step: f64) -> Result<u64, Failure> {
     Ok(steps as u64)
 }
 
-/// Results of `reach` at `times`, in their order. The times are reached from t = 0 outwards, forward and then backward, each from `start`.
+/// Results of `reach`, in the order of `times`. It is called outwards from t = 0, first forward and then backward, each from `start`.
 ///
 /// # Errors
 /// The first error that `reach` returns.

@@ -21,9 +21,12 @@ pub struct TipAngle {
 }
 
 impl TipAngle {
+    /// Least |αβ| at which the rounding of α and β to `f64` changes the argument of αβ by less than 1e-5 rad.
+    pub const NOISE: f64 = 1e-11;
+
     /// Tip angle of a motion.
     ///
-    /// * `noise`: least |αβ| at which the rounding of α and β changes the argument of αβ by less than 1e-5 rad
+    /// * `noise`: least |αβ| whose argument is known, such as [`TipAngle::NOISE`]
     ///
     /// # Errors
     /// [`Failure::Method`]: no ephemeris is large enough.

@@ -3,8 +3,8 @@
 //! |α|² = (1 + u)/2 and |β|² = (1 - u)/2. The arguments of α and β are integrals. Where e₁ = -1, α passes through 0 and changes its sign;
 //! where e₂ = 1, β does.
 
-use super::launch::Launched;
-use super::motions::ExactInput;
+use super::input::ExactInput;
+use super::launch::LaunchConstants;
 use super::nutation::{HalfPhase, Integrals, Nutation, RATIO, add};
 pub use super::precise::PreciseOrientation;
 use super::precise::{Precise, cis, from_f64, from_i64, is_zero, product, root, to_f64};
@@ -12,26 +12,21 @@ use crate::motion::ephemeris::Rates;
 
 /// Motion with its integrals over a nutation.
 pub struct Exact {
-    launched: Launched,
+    launch: LaunchConstants,
     /// Nutation of a motion in which u is not constant, and the integrals from its beginning to the launch.
     nutation: Option<(Nutation, Integrals)>,
 }
 
 impl Exact {
     /// Motion of this input.
-    pub fn new(numbers: &ExactInput) -> Self {
-        Self::with_mass_moment(numbers, &from_f64(numbers.top[3]))
-    }
-
-    /// Motion of this input with another mass moment, which as a product of mass and height need not be an `f64`.
-    pub fn with_mass_moment(numbers: &ExactInput, p: &Precise) -> Self {
-        let launched = Launched::new(numbers, p);
-        let nutation = (!launched.is_steady()).then(|| {
-            let nutation = Nutation::new(&launched.constants, RATIO);
-            let passed = nutation.integrals_to(&launched.half_phase);
+    pub fn new(input: &ExactInput) -> Self {
+        let launch = LaunchConstants::new(input);
+        let nutation = (!launch.is_steady()).then(|| {
+            let nutation = Nutation::new(&launch.constants, RATIO);
+            let passed = nutation.integrals_to(&launch.half_phase);
             (nutation, passed)
         });
-        Self { launched, nutation }
+        Self { launch, nutation }
     }
 
     /// Nutation period; `None` for a motion that does not nutate.
@@ -42,30 +37,30 @@ impl Exact {
 
     /// Time after the launch at which tan χ has this value: 0 at u = e₁, infinite at u = e₂. For a steady motion it is 0.
     pub fn time_of(&self, tangent: f64) -> Precise {
-        let place = [from_i64(1), from_f64(tangent)];
+        let half_phase = [from_i64(1), from_f64(tangent)];
         self.nutation
             .as_ref()
-            .map_or(from_i64(0), |(nutation, passed)| &nutation.integrals_to(&place)[0] - &passed[0])
+            .map_or(from_i64(0), |(nutation, passed)| &nutation.integrals_to(&half_phase)[0] - &passed[0])
     }
 
     /// Orientation Φ at a time after the launch, which is taken as exact.
     pub fn at(&self, t: &Precise) -> PreciseOrientation {
-        let Launched { constants, half_tau, half_phase, directions } = &self.launched;
-        let (place, [_, alpha, beta]) = match &self.nutation {
+        let LaunchConstants { constants, half_tau, half_phase: at_launch, directions } = &self.launch;
+        let (half_phase, [_, alpha, beta]) = match &self.nutation {
             None => {
-                let [alpha, beta] = constants.turning_rates(&constants.linear_factors(half_phase));
-                (half_phase.clone(), [t.clone(), alpha * t, beta * t])
+                let [alpha, beta] = constants.turning_rates(&constants.linear_factors(at_launch));
+                (at_launch.clone(), [t.clone(), alpha * t, beta * t])
             }
             Some((nutation, passed)) => {
-                let (place, now) = nutation.at(&(&passed[0] + t));
-                (place, add(&now, passed, -1))
+                let (half_phase, now) = nutation.at(&(&passed[0] + t));
+                (half_phase, add(&now, passed, -1))
             }
         };
-        let (signs, signs_then) = (self.signs(&place), self.signs(half_phase));
-        let linear_factors = constants.linear_factors(&place);
+        let (signs, signs_at_launch) = (self.signs(&half_phase), self.signs(at_launch));
+        let linear_factors = constants.linear_factors(&half_phase);
         let drift = half_tau * t;
         let parameter = |i: usize, angle: Precise| {
-            let modulus = root(&(linear_factors[i].clone() >> 1)) * (signs[i] * signs_then[i]);
+            let modulus = root(&(linear_factors[i].clone() >> 1)) * (signs[i] * signs_at_launch[i]);
             product(&directions[i], &cis(&angle)).map(|part| part * &modulus)
         };
         PreciseOrientation { alpha: parameter(0, alpha + &drift), beta: parameter(1, beta - drift) }
@@ -77,7 +72,7 @@ impl Exact {
             Some(part) if *part < from_i64(0) => -1,
             _ => 1,
         };
-        let [[one_plus_e1, _], [_, one_minus_e2], _] = &self.launched.constants.at_turning_points;
+        let [[one_plus_e1, _], [_, one_minus_e2], _] = &self.launch.constants.at_turning_points;
         [
             if is_zero(one_plus_e1) { sign([sine, cosine]) } else { 1 },
             if is_zero(one_minus_e2) { sign([cosine, &-sine]) } else { 1 },
@@ -112,12 +107,11 @@ mod tests {
     fn other_panels_the_same_truth() {
         let mut worst = 0.0_f64;
         for stream in 0..60 {
-            let numbers = ExactInput::random(&mut Random::new(7, stream));
-            let exact = Exact::new(&numbers);
+            let exact = Exact::new(&ExactInput::random(&mut Random::new(7, stream)));
             let Some((nutation, _)) = exact.nutation.filter(|(nutation, _)| nutation.is_periodic) else {
                 continue;
             };
-            let finer = Nutation::new(&exact.launched.constants, 0.6);
+            let finer = Nutation::new(&exact.launch.constants, 0.6);
             for (i, (a, b)) in nutation.total.iter().zip(&finer.total).enumerate() {
                 let size = if i == 0 { to_f64(a) } else { 1.0 + to_f64(a).abs() };
                 worst = worst.max(to_f64(&(a - b)).abs() / size);
@@ -126,9 +120,9 @@ mod tests {
         assert!(worst < 1e-35 && worst > 0.0, "{worst:e}");
     }
 
-    /// The time of the place at a time is this time, also at large times.
+    /// The time of the half phase at a time is this time, also at large times.
     #[test]
-    fn a_place_and_its_time() {
+    fn a_half_phase_and_its_time() {
         let mut worst = 0.0_f64;
         for stream in 0..60 {
             let mut random = Random::new(8, stream);
@@ -136,8 +130,8 @@ mod tests {
             let (Some(period), Some((nutation, _))) = (exact.period(), &exact.nutation) else { continue };
             for time in [random.uniform(), -random.uniform(), 1e15 * random.uniform()] {
                 let time = &period * from_f64(time);
-                let (place, [t, alpha, _]) = nutation.at(&time);
-                let back = nutation.integrals_to(&place);
+                let (half_phase, [t, alpha, _]) = nutation.at(&time);
+                let back = nutation.integrals_to(&half_phase);
                 let periods = to_i64(&((&time - &back[0]) / &period)).expect("a number of periods");
                 let [back, alpha_back, _] = add(&back, &nutation.total, periods);
                 worst = worst.max(to_f64(&((&back - &time) / &period)).abs());

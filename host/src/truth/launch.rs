@@ -1,19 +1,20 @@
 //! Constants of a motion: from its branch points, or from a state.
 //!
-//! Those of a state follow from their definitions, because 192 digits absorb the cancellation.
+//! A state needs no special formulas: 192 digits absorb the cancellation.
 //!
 //! (u - e₁)(u - e₂)(u - e₃) = u³ - E u² - u + E - κ (l - nu)² with κ = 1/(2Apg) and E = (h - n²/2C)/(pg).
 
-use super::motions::{ExactInput, Start};
+use super::input::ExactInput;
 use super::nutation::{Constants, HalfPhase};
 use super::precise::{
     ComplexPrecise, Precise, cis, conjugate, from_f64, from_i64, is_zero, norm_squared, product, root, to_f64,
 };
+use crate::input::scenario::Launch;
 use std::f64::consts::PI;
-use toytop::{InitialPhases, Sign, Signs};
+use toytop::{InitialPhases, Sign, Signs, Support};
 
-/// Constants of a motion and its launch, from which the truth starts.
-pub struct Launched {
+/// Constants of a motion, and its state at the launch.
+pub struct LaunchConstants {
     pub constants: Constants,
     pub half_tau: Precise,
     pub half_phase: HalfPhase,
@@ -21,13 +22,21 @@ pub struct Launched {
     pub directions: [ComplexPrecise; 2],
 }
 
-impl Launched {
-    /// Constants of this input with another mass moment.
-    pub fn new(numbers: &ExactInput, p: &Precise) -> Self {
-        let top = numbers.top.map(from_f64);
-        match numbers.start {
-            Start::BranchPoints { e, signs, phases } => Self::from_branch_points(&top, p, e, signs, phases),
-            Start::State { phi, omega } => Self::from_state(&top, p, phi, omega),
+impl LaunchConstants {
+    /// Constants of this input. Products of its numbers are not rounded.
+    pub fn new(ExactInput { support, top, launch }: &ExactInput) -> Self {
+        let [a, c, k] = [top.transverse_inertia, top.axial_inertia, top.rotor_momentum].map(from_f64);
+        let s = from_f64(if *support == Support::Sliding { top.com_height } else { 0.0 });
+        let p = match support {
+            Support::Free => from_f64(0.0),
+            _ if top.mass == 0.0 => from_f64(top.mass_moment),
+            _ => from_f64(top.mass) * from_f64(top.com_height),
+        };
+        let g = from_f64(if *support == Support::Free { 0.0 } else { top.gravity });
+        let top = [a, c, s, p, g, k];
+        match *launch {
+            Launch::BranchPoints { e, signs, phases } => Self::from_branch_points(&top, e, signs, phases),
+            Launch::State { phi, omega } => Self::from_state(&top, phi, omega),
         }
     }
 
@@ -37,12 +46,7 @@ impl Launched {
         at_e1 == at_e2 || (is_zero(e3_minus_e2) && is_zero(&self.half_phase[0]))
     }
 
-    fn from_state(
-        [a, c, s, _, g, k]: &[Precise; 6],
-        p: &Precise,
-        phi: [[f64; 2]; 2],
-        omega: [f64; 3],
-    ) -> Self {
+    fn from_state([a, c, s, p, g, k]: &[Precise; 6], phi: [[f64; 2]; 2], omega: [f64; 3]) -> Self {
         let [alpha, beta] = phi.map(|z| z.map(from_f64));
         let [w1, w2, w3] = omega.map(from_f64);
         let norm = norm_squared(&alpha) + norm_squared(&beta);
@@ -87,8 +91,7 @@ impl Launched {
     }
 
     fn from_branch_points(
-        [a, c, s, _, g, k]: &[Precise; 6],
-        p: &Precise,
+        [a, c, s, p, g, k]: &[Precise; 6],
         e: [f64; 3],
         signs: Signs,
         phases: InitialPhases,
@@ -167,15 +170,24 @@ fn directions(alpha: &ComplexPrecise, beta: &ComplexPrecise, [w1, w2]: [&Precise
 #[cfg(test)]
 mod tests {
     use super::*;
+    use toytop::TopParameters;
 
     /// Difference e₂ - e₁ of a state close to a regular precession: half of the digits of the cubic cancel, and 57 must remain.
     #[test]
     fn a_swing_of_the_last_place_is_known_to_all_digits() {
         // tilt 60°, precession 1, spin 3/2 would be steady; ω₃ is one unit in the last place too large
         let root = 0.75_f64.sqrt();
-        let start = Start::State { phi: [[root, 0.0], [-0.5, 0.0]], omega: [root, 0.0, 1.5_f64.next_up()] };
-        let numbers = ExactInput { top: [1.0, 1.0, 1.0, 1.0, 1.0, 0.0], start };
-        let Launched { constants, half_phase, .. } = Launched::new(&numbers, &from_f64(1.0));
+        let launch = Launch::State { phi: [[root, 0.0], [-0.5, 0.0]], omega: [root, 0.0, 1.5_f64.next_up()] };
+        let ones = TopParameters {
+            transverse_inertia: 1.0,
+            axial_inertia: 1.0,
+            com_height: 1.0,
+            mass_moment: 1.0,
+            gravity: 1.0,
+            ..TopParameters::default()
+        };
+        let input = ExactInput { support: Support::Sliding, top: ones, launch };
+        let LaunchConstants { constants, half_phase, .. } = LaunchConstants::new(&input);
         let [[one_plus_e1, one_plus_e2], [_, one_minus_e2], _] = &constants.at_turning_points;
         assert!(to_f64(&(one_plus_e2 + one_minus_e2 - 2)).abs() < 1e-55);
         let swing = one_plus_e2 - one_plus_e1;

@@ -55,13 +55,13 @@ impl Constants {
         })
     }
 
-    /// Derivatives of the integrals with respect to x, at the place from + x (to - from).
+    /// Derivatives of the integrals with respect to x, at the half_phase from + x (to - from).
     fn rates(&self, from: &HalfPhase, to: &HalfPhase, x: &Precise) -> Integrals {
-        let place = between(from, to, x);
-        let linear_factors = self.linear_factors(&place);
+        let half_phase = between(from, to, x);
+        let linear_factors = self.linear_factors(&half_phase);
         let [one_plus_u, one_minus_u, below_e3] = &linear_factors;
         let d = &self.a_over_p + &self.s * one_plus_u * one_minus_u;
-        let phase_rate = (&from[0] * &to[1] - &from[1] * &to[0]) / norm_squared(&place);
+        let phase_rate = (&from[0] * &to[1] - &from[1] * &to[0]) / norm_squared(&half_phase);
         let slowness = root(&(d * 2 / (&self.g * below_e3))) * phase_rate;
         let [alpha, beta] = self.turning_rates(&linear_factors).map(|rate| rate * &slowness);
         [slowness, alpha, beta]
@@ -97,28 +97,28 @@ impl Nutation {
         let rising: Vec<_> = (-count..=count).map(|k| [power(k), power(-k)]).chain(last).collect();
         let mut panels: Vec<(HalfPhase, Integrals)> = Vec::new();
         let mut total = [Precise::ZERO; 3];
-        for place in rising.iter().rev().map(conjugate).chain(rising.iter().cloned()) {
+        for half_phase in rising.iter().rev().map(conjugate).chain(rising.iter().cloned()) {
             if let Some((from, _)) = panels.last() {
-                total = add(&total, &constants.integrals(from, &place), 1);
+                total = add(&total, &constants.integrals(from, &half_phase), 1);
             }
-            panels.push((place, total.clone()));
+            panels.push((half_phase, total.clone()));
         }
         Self { constants: constants.clone(), panels, total, is_periodic }
     }
 
-    /// Integrals from the beginning to a place.
+    /// Integrals from the beginning to a half phase.
     pub fn integrals_to(&self, [cosine, sine]: &HalfPhase) -> Integrals {
         if *cosine < from_i64(0) {
             let turn = if *sine < from_i64(0) { -1 } else { 1 };
             return add(&self.integrals_to(&[-cosine, -sine]), &self.total, turn);
         }
         let (from, passed) = &self.panels[self.panel(|([x, y], _)| x * sine >= y * cosine)];
-        // tan χ is nearly linear between places whose greater part is 1
+        // tan χ is nearly linear between half phases whose greater part is 1
         let size = cosine.clone().max(sine.clone()).max(-sine);
         add(passed, &self.constants.integrals(from, &[cosine / &size, sine / size]), 1)
     }
 
-    /// Place at a time after the beginning, by Newton's method, and the integrals from there.
+    /// Half phase at a time, by Newton's method, and the integrals up to it.
     pub fn at(&self, time: &Precise) -> (HalfPhase, Integrals) {
         const MAX_STEPS: u32 = 20;
         /// Step whose square is far below the errors that the truth is compared with, also in differences of neighbouring launches.
@@ -154,7 +154,7 @@ impl Nutation {
         }
     }
 
-    /// Number of the last panel whose beginning is not beyond a place.
+    /// Number of the last panel whose beginning is not beyond a half phase.
     fn panel(&self, is_before: impl Fn(&(HalfPhase, Integrals)) -> bool) -> usize {
         self.panels.partition_point(is_before).saturating_sub(1)
     }

@@ -1,10 +1,11 @@
 //! Partial derivatives, against central differences of launches in 640 bits, and where they grow without bound.
 
 use toytop::su2::Vector;
-use toytop::{Motion, Orientation, State};
+use toytop::{Motion, Orientation, State, Support, TopParameters};
 use toytop_fit::{Partials, Sensitivity};
+use toytop_host::input::scenario::Launch;
 use toytop_host::truth::exact::{Exact, PreciseOrientation};
-use toytop_host::truth::motions::{ExactInput, Start};
+use toytop_host::truth::input::ExactInput;
 use toytop_host::truth::precise::{Precise, from_f64, product, to_f64};
 use toytop_tests::{apart, check, greater, length, tolerance, top_of, worst};
 
@@ -37,7 +38,22 @@ impl Given {
     }
 
     fn numbers(&self) -> ExactInput {
-        ExactInput { top: self.top, start: Start::State { phi: self.phi, omega: self.omega } }
+        let [a, c, s, p, g, k] = self.top;
+        let top = TopParameters {
+            transverse_inertia: a,
+            axial_inertia: c,
+            com_height: s,
+            mass_moment: p,
+            gravity: g,
+            rotor_momentum: k,
+            ..TopParameters::default()
+        };
+        let support = match (s > 0.0, p > 0.0) {
+            (true, _) => Support::Sliding,
+            (false, true) => Support::Fixed,
+            (false, false) => Support::Free,
+        };
+        ExactInput { support, top, launch: Launch::State { phi: self.phi, omega: self.omega } }
     }
 
     fn partials(&self, t: f64) -> Partials {

@@ -11,12 +11,12 @@
 //! ```
 
 use toytop::su2::{Vector, cross, dot};
-use toytop::{Complex, FirstIntegrals, Orientation, State, Top};
+use toytop::{Complex, FirstIntegrals, Orientation, State, Top, TopParameters};
 use toytop_host::truth::full_equations::full_solver::{
-    Equations, FULL_SOLVER_TOLERANCE, FullSolver, FullState, FullTop,
+    Equations, FULL_SOLVER_TOLERANCE, FullSolver, FullState,
 };
 use toytop_tests::full_solver::solver;
-use toytop_tests::{check, greater, tolerance, vectors};
+use toytop_tests::{check, greater, tolerance, top_of, vectors};
 
 const UP: Vector<f64> = [0.0, 0.0, 1.0];
 
@@ -83,8 +83,9 @@ fn tops() -> [Top; 2] {
 /// ```
 ///
 /// The axial part is ⟨ω, r⟩' = 0; the part along q, with u' = ⟨ω, q⟩, is one linear equation for u''.
-fn accelerations(top: &FullTop, state: &FullState) -> (Vector<f64>, f64) {
-    let FullTop { a, c, s, p, g, k } = *top;
+fn accelerations(top: &Top, state: &FullState) -> (Vector<f64>, f64) {
+    let (a, c, k) = (top.transverse_inertia(), top.axial_inertia(), top.rotor_momentum());
+    let (s, p, g) = (top.com_height(), top.mass_moment(), top.gravity());
     let (r, omega) = (state.axis(), state.omega);
     let (q, turn) = (cross(r, UP), cross(omega, r));
     let axial = (c - a) * dot(omega, r) + k;
@@ -98,10 +99,10 @@ fn accelerations(top: &FullTop, state: &FullState) -> (Vector<f64>, f64) {
 /// ω × m + DL by the variational principle, against the simplified form that the full solver integrates.
 #[test]
 fn the_torque_of_the_full_equations_is_the_lagrangians() {
-    let top = FullTop { a: 1.3, c: 0.7, s: 0.8, p: 1.1, g: 1.0, k: 0.0 };
+    let top = top_of([1.3, 0.7, 0.8, 1.1], 1.0);
     let state = FullState { alpha: [0.48, 0.64], beta: [0.36, -0.48], omega: [0.4, -0.3, 2.1] };
-    let lagrangian = Lagrangian { a: top.a, axial: top.c - top.a, ps: top.p * top.s, pg: top.p * top.g };
-    let equations = Equations::of(&top, &state);
+    let lagrangian = Lagrangian::new(&top);
+    let equations = Equations::new(&top, &state);
     let y = equations.numbers(&state);
     let rate = lagrangian.momentum_rate(state.axis(), state.omega);
     for (i, rate) in rate.into_iter().enumerate() {
@@ -114,9 +115,18 @@ fn the_torque_of_the_full_equations_is_the_lagrangians() {
 #[test]
 fn newton_euler_is_the_acceleration_of_the_full_solution() {
     for (s, k) in [(0.6, 0.0), (0.6, 1.7), (0.0, -2.3)] {
-        let top = FullTop { a: 1.1, c: 0.8, s, p: 0.9, g: 1.3, k };
+        let parameters = TopParameters {
+            transverse_inertia: 1.1,
+            axial_inertia: 0.8,
+            com_height: s,
+            mass_moment: 0.9,
+            gravity: 1.3,
+            rotor_momentum: k,
+            ..TopParameters::default()
+        };
+        let top = if s > 0.0 { Top::sliding(&parameters) } else { Top::fixed(&parameters) }.unwrap();
         let state = FullState { alpha: [0.6, 0.0], beta: [0.0, 0.8], omega: [0.3, -0.2, 2.5] };
-        let solver = FullSolver::new(top, state, FULL_SOLVER_TOLERANCE);
+        let solver = FullSolver::new(&top, state, FULL_SOLVER_TOLERANCE);
         let at = |t: f64| solver.clone().advance_to(t).unwrap();
         let ((omega, height), step) = (accelerations(&top, &at(0.7)), 3e-5);
         let (before, after) = (at(0.7 - step), at(0.7 + step));
@@ -133,7 +143,7 @@ fn newton_euler_is_the_acceleration_of_the_full_solution() {
 fn newton_euler_rate(top: &Top, state: &State) -> Vector<f64> {
     let (Lagrangian { a, axial, ps, .. }, omega) = (Lagrangian::new(top), state.omega());
     let full_state = FullState::new(&state.orientation(), omega);
-    let (omega_rate, height) = accelerations(&top.into(), &full_state);
+    let (omega_rate, height) = accelerations(top, &full_state);
     let r = state.orientation().axis();
     let (q, turn) = (cross(r, UP), cross(omega, r));
     let q_dot = cross(turn, UP);

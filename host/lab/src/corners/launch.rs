@@ -1,9 +1,10 @@
 //! Random input of a launch: branch points or a state.
 
 use std::f64::consts::{FRAC_PI_2, PI};
-use toytop::{Release, State, Stepper};
+use toytop::{Release, State, Stepper, Support, TopParameters};
 use toytop_host::input::random::Random;
-use toytop_host::truth::motions::{ExactInput, Start};
+use toytop_host::input::scenario::Launch;
+use toytop_host::truth::input::ExactInput;
 
 /// Least tilt from the vertical that is not 0, rad.
 const MIN_TILT: f64 = 1e-6;
@@ -12,36 +13,38 @@ const MIN_TILT: f64 = 1e-6;
 /// releases: tilts down to 1e-6 from either vertical, spins from 1e-3 to 1e6 rad/s, and in every second one a top that the paper does
 /// not contain.
 pub fn random(random: &mut Random) -> ExactInput {
-    let numbers = ExactInput::random(random);
+    let input = ExactInput::random(random);
     if random.one_in(2) {
-        return numbers;
+        return input;
     }
     let thrown = random.one_in(2);
     let release = release(random);
-    let state = if thrown { State::from_release(&release).ok() } else { on_motion(&numbers) };
+    let state = if thrown { State::from_release(&release).ok() } else { on_motion(&input) };
     // a release in range, and a point of a motion with valid constants, give a state
-    state.map_or(numbers, |state| {
-        let top = if thrown { other_top(random, numbers.top) } else { numbers.top };
-        ExactInput { top, start: Start::from(&state) }
-    })
+    let Some(state) = state else { return input };
+    let input = ExactInput { launch: Launch::from(&state), ..input };
+    if thrown { with_other_top(random, input) } else { input }
 }
 
-/// Numbers A, C, s, p, g and K of a top, which in every second draw is one that the paper does not contain: with a rotor inside, held, a
-/// rod, a ring, free, or a combination of these.
-fn other_top(random: &mut Random, top: [f64; 6]) -> [f64; 6] {
-    let [a, c, s, p, g, _] = top;
+/// Input whose top in every second draw is one that the paper does not contain: with a rotor inside, held, a rod, a ring, free, or a
+/// combination of these.
+fn with_other_top(random: &mut Random, input: ExactInput) -> ExactInput {
     if random.one_in(2) {
-        return top;
+        return input;
     }
-    let c = [0.0, 2.0 * a, c, c][random.between(0.0, 4.0) as usize];
-    let k = if random.one_in(2) { random.sign() * random.log_uniform(1e-6, 1e6) * a } else { 0.0 };
-    let [s, p, g] = [[s, p, g], [0.0, p, g], [0.0; 3]][random.between(0.0, 3.0) as usize];
-    [a, c, s, p, g, k]
+    let TopParameters { transverse_inertia: a, axial_inertia: c, com_height, .. } = input.top;
+    let axial_inertia = [0.0, 2.0 * a, c, c][random.between(0.0, 4.0) as usize];
+    let rotor_momentum =
+        if random.one_in(2) { random.sign() * random.log_uniform(1e-6, 1e6) * a } else { 0.0 };
+    let supports = [(Support::Sliding, com_height), (Support::Fixed, 0.0), (Support::Free, 0.0)];
+    let (support, com_height) = supports[random.between(0.0, 3.0) as usize];
+    let top = TopParameters { axial_inertia, rotor_momentum, com_height, ..input.top };
+    ExactInput { support, top, ..input }
 }
 
 /// State at t = 0 of a motion, rounded to `f64`, which is a state of a slightly different motion.
-fn on_motion(numbers: &ExactInput) -> Option<State> {
-    Stepper::<f64>::new(&numbers.motion().ok()?).attitude_state().state().ok()
+fn on_motion(input: &ExactInput) -> Option<State> {
+    Stepper::<f64>::new(&input.motion().ok()?).attitude_state().state().ok()
 }
 
 fn release(random: &mut Random) -> Release {

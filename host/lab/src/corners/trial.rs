@@ -9,7 +9,7 @@ use toytop_host::motion::ephemeris::{AnyEphemeris, approximate, smallest_ephemer
 use toytop_host::motion::errors::greater;
 use toytop_host::motion::propagate::period;
 use toytop_host::truth::exact::Exact;
-use toytop_host::truth::motions::ExactInput;
+use toytop_host::truth::input::ExactInput;
 use toytop_host::truth::precise::{Precise, from_f64, from_i64, to_i64};
 
 /// Launch that was tried.

@@ -95,7 +95,7 @@ export class Core {
   }
 
   at(t) {
-    this.exports.moment(t);
+    this.exports.pose(t);
     return momentOf(this.numbers);
   }
 
@@ -106,12 +106,12 @@ export class Core {
   }
 
   startGhost(step) {
-    this.exports.ghost(step);
+    this.exports.runge_kutta(step);
   }
 
   /** State of the ghost, the time that its integration has reached, and its distance from the exact orientation, rad. */
   ghostAt(t) {
-    if (!this.exports.ghost_moment(t)) return null;
+    if (!this.exports.runge_kutta_pose(t)) return null;
     const [reached, distance] = this.numbers.slice(10, 12);
     return { moment: momentOf(this.numbers), reached, distance };
   }

@@ -6,8 +6,8 @@ use crate::motion::MotionCore;
 use pyo3::prelude::*;
 use toytop::{Complex, Orientation, State};
 use toytop_fit::{Partials, Sensitivity};
+use toytop_host::input::scenario::Launch;
 use toytop_host::motion::Scalar;
-use toytop_host::truth::motions::Start;
 
 /// Number of derivatives.
 const COLUMNS: usize = Sensitivity::NAMES.len();
@@ -67,8 +67,8 @@ impl MotionCore {
 
     /// State at a time. At t = 0 it is that of the launch, without rounding.
     fn state(&self, t: f64) -> PyResult<State> {
-        let (phi, omega) = match self.start {
-            Start::State { phi: [[a, b], [c, d]], omega } if t == 0.0 => {
+        let (phi, omega) = match self.launch {
+            Launch::State { phi: [[a, b], [c, d]], omega } if t == 0.0 => {
                 (Orientation { alpha: Complex::new(a, b), beta: Complex::new(c, d) }, omega)
             }
             _ => {

@@ -1,6 +1,6 @@
 //! Events of a motion: times at which it turns, or reaches a tilt, a direction or a circle, or lifts off.
 
-use crate::arguments::{Array, array, renamed, value_error};
+use crate::arguments::{Array, array, renamed, value_error, within};
 use crate::interrupt;
 use crate::motion::MotionCore;
 use pyo3::prelude::*;
@@ -29,7 +29,8 @@ impl MotionCore {
             _ => EventKind::LiftOff,
         };
         let (motion, table) = (self.motion, py.detach(|| self.table(Scalar::F64))?);
-        self.within_reach(&[start]).map_err(|_| value_error("start", "must be within 2^62 ticks"))?;
+        within(table.furthest_time(), &[start])
+            .map_err(|_| value_error("start", "must be within 2^62 ticks"))?;
         let filter = EventFilter { from: start, upward, count: most };
         let found = interrupt::interruptible(py, move || search(&*table, &motion, kind, &filter))?;
         let found = found.map_err(|error| renamed(error, &[("tilt", "value"), ("radius", "value")]))?;

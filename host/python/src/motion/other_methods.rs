@@ -6,11 +6,11 @@ use crate::motion::MotionCore;
 use crate::samples::Sampler;
 use crate::top::TopCore;
 use pyo3::prelude::*;
-use toytop::{Motion, Support};
+use toytop::Motion;
 use toytop_closed_forms::ClosedForm;
-use toytop_host::motion::propagate::period;
+use toytop_host::motion::propagate::{furthest_time_of_closed_form, period};
 use toytop_host::truth::exact::Exact;
-use toytop_host::truth::motions::ExactInput;
+use toytop_host::truth::input::ExactInput;
 use toytop_host::truth::precise::{decimal, from_f64};
 
 /// Computing part of the Python class `ClosedForm`.
@@ -19,9 +19,6 @@ pub(crate) struct ClosedFormCore {
     motion: Motion,
     form: ClosedForm,
 }
-
-/// Greatest number of nutation periods. If e₃ = e₄ holds only up to rounding, the form is off by up to 5e-14 rad more in each period.
-const MOST_PERIODS: f64 = 1e12;
 
 #[pymethods]
 impl ClosedFormCore {
@@ -45,7 +42,7 @@ impl ClosedFormCore {
 
     /// Samples at these times.
     fn at(&self, py: Python<'_>, t: NumericArg) -> PyResult<Sampler> {
-        within(MOST_PERIODS * period(&self.motion), &t.numbers)?;
+        within(furthest_time_of_closed_form(&self.motion), &t.numbers)?;
         Sampler::of_points(py, t, &self.motion, None, |t| {
             let state = self.form.at(t);
             (state.orientation, state.omega(), state.udot())
@@ -87,16 +84,11 @@ impl MotionCore {
 }
 
 impl MotionCore {
-    /// Motion in numbers of 640 bits, with the mass moment p = M s, whose product is not rounded to `f64`.
+    /// Motion in numbers of 640 bits.
     fn truth(&self) -> &Exact {
         self.truth.get_or_init(|| {
-            let TopCore { top, parameters: given } = &self.top;
-            let p = match top.support() {
-                Support::Free => from_f64(0.0),
-                _ if given.mass == 0.0 => from_f64(given.mass_moment),
-                _ => from_f64(given.mass) * from_f64(given.com_height),
-            };
-            Exact::with_mass_moment(&ExactInput { top: self.top.numbers(), start: self.start }, &p)
+            let TopCore { top, parameters } = self.top;
+            Exact::new(&ExactInput { support: top.support(), top: parameters, launch: self.launch })
         })
     }
 }

@@ -9,7 +9,7 @@ use crate::input::scenario::Scenario;
 use crate::input::times::{Times, TimesArgs};
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{CAPACITIES, ephemeris_of_size, smallest_ephemeris};
-use crate::motion::propagate::{Sample, period, stepped};
+use crate::motion::propagate::{Sample, furthest_time_of_closed_form, period, stepped};
 use crate::motion::quantity::Quantity;
 use crate::motion::tip_angle::TipAngle;
 use crate::output::stdout::{self, Report};
@@ -129,7 +129,7 @@ fn source(
     Ok(Box::new(move |index| samples[index as usize]))
 }
 
-/// * `rate`: number of ticks, and of the seconds in which they are
+/// * `rate`: tick rate `[A, B]`, A ticks in B seconds
 fn by_ephemeris(
     scalar: Scalar,
     scenario: &Scenario,
@@ -160,17 +160,11 @@ fn by_closed_form(scenario: &Scenario, times: Times) -> Result<Box<At>, Failure>
     let motion = &scenario.motion;
     let form = ClosedForm::of(motion)
         .map_err(|refusal| Failure::Method(refusal.to_string()).with_context(&scenario.name))?;
-    times.require_within(MOST_PERIODS * period(motion), " with --method closed-form")?;
-    let angle = TipAngle::new(motion, NOISE)?;
+    times.require_within(furthest_time_of_closed_form(motion), " with --method closed-form")?;
+    let angle = TipAngle::new(motion, TipAngle::NOISE)?;
     Ok(Box::new(move |index| {
         let t = times.seconds[index as usize];
         let state = form.at(t);
         angle.sample(t, state.orientation, state.omega(), state.udot())
     }))
 }
-
-/// Greatest number of periods of a closed form, whose error grows by up to 5e-14 rad in a period where e₃ = e₄ holds up to rounding.
-const MOST_PERIODS: f64 = 1e12;
-
-/// Least |αβ| whose argument is known to 1e-5 rad.
-const NOISE: f64 = 1e-11;

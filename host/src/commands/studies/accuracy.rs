@@ -4,6 +4,7 @@ use crate::Failure;
 use crate::commands::options::{Scalars, scalars};
 use crate::input::builtin;
 use crate::input::random::Random;
+use crate::input::scenario::{Launch, Scenario};
 use crate::motion::ephemeris::{AnyEphemeris, smallest_ephemeris};
 use crate::motion::errors::{drift, greater};
 use crate::motion::{MotionConstants, Scalar};
@@ -13,13 +14,13 @@ use crate::output::stdout::Report;
 use crate::output::{self, Column, Format, Record};
 use crate::parallel::thread_pool;
 use crate::truth::exact::{Exact, PreciseOrientation};
-use crate::truth::motions::{ExactInput, Start};
+use crate::truth::input::ExactInput;
 use crate::truth::precise::{from_f64, from_i64};
 use clap::Args;
 use micromath::F32Ext;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::path::PathBuf;
-use toytop::{AttitudeState, InitialPhases, Motion, Regime, Support};
+use toytop::{AttitudeState, InitialPhases, Motion, Regime, Support, TopParameters};
 
 /// Errors of each scalar up to tick 2^40
 #[derive(Args)]
@@ -112,8 +113,7 @@ fn greatest(a: Errors, b: Errors) -> Errors {
 
 /// Errors of each scalar over all motions: at ticks from 2^k to 2^(k+1) - 1 for each k below [`OCTAVES`], and at tick 2^40.
 fn measured(scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
-    let motions: Vec<_> =
-        builtin::scenarios().iter().filter_map(|scenario| input(&scenario.motion)).collect();
+    let motions: Vec<_> = builtin::scenarios().iter().filter_map(input).collect();
     let progress = Progress::new(motions.len() as u64, "motions");
     let errors = |input: &ExactInput| of_motion(input, scalars).inspect(|_| progress.add(1));
     let nothing = || vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];
@@ -125,14 +125,15 @@ fn measured(scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
 }
 
 /// Input of a motion that nutates and whose tip slides, launched at u = e₁.
-fn input(motion: &Motion) -> Option<ExactInput> {
+fn input(scenario: &Scenario) -> Option<ExactInput> {
+    let motion = &scenario.motion;
     let (top, e) = (motion.top(), motion.branch_points());
     let known = motion.regime() == Regime::Nutating && top.support() == Support::Sliding;
-    let (a, c) = (top.transverse_inertia(), top.axial_inertia());
     let phases = InitialPhases::default();
     known.then(|| ExactInput {
-        top: [a, c, top.com_height(), top.mass_moment(), top.gravity(), 0.0],
-        start: Start::BranchPoints { e: [e.e1, e.e2, e.e3], signs: motion.signs(), phases },
+        support: top.support(),
+        top: TopParameters { mass: 0.0, mass_moment: top.mass_moment(), ..scenario.top },
+        launch: Launch::BranchPoints { e: [e.e1, e.e2, e.e3], signs: motion.signs(), phases },
     })
 }
 

@@ -88,7 +88,7 @@ fn rows() -> Result<Vec<Record>, Failure> {
     let period = motion.period_advance().map_or(1.0, |advance| advance.period);
     let apart = period / f64::from(STATES_A_PERIOD);
     let times = |states: u32| (1..=states).map(move |i| f64::from(i) * apart);
-    let (top, state) = full_equations::start(scenario);
+    let (top, state) = (motion.top(), full_equations::initial_state(scenario));
     let tick = Tick::hertz(1024).map_err(|error| fail(&error))?;
     let double = EphemerisF64::new(motion, tick).map_err(|error| fail(&error))?;
     let single = EphemerisF32::new(motion, tick).map_err(|error| fail(&error))?;
@@ -98,7 +98,7 @@ fn rows() -> Result<Vec<Record>, Failure> {
     });
     let runge_kutta =
         timed(format!("Runge-Kutta of the full equations, {STEPS} steps a period"), STATES / 8, || {
-            let equations = Equations::of(&top, &state);
+            let equations = Equations::new(top, &state);
             let (mut y, step) = (equations.numbers(&state), period / f64::from(STEPS));
             for _ in 0..STATES / 8 {
                 (0..STEPS / STATES_A_PERIOD).for_each(|_| y = equations.runge_kutta(&y, step));

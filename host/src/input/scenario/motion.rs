@@ -1,6 +1,6 @@
 //! Table `[motion]`: exactly one of three kinds.
 
-use super::Start;
+use super::Launch;
 use crate::Failure;
 use crate::input::section::{Key, Section};
 use crate::input::units::{RADIANS, RATE};
@@ -58,8 +58,15 @@ pub fn numbers(kind: &str) -> &'static [Key] {
     }
 }
 
+/// Name of the fastest rate of a release.
+pub fn fastest_rate(release: &Release) -> &'static str {
+    let rates = [("nutation", release.nutation), ("precession", release.precession), ("spin", release.spin)];
+    let fastest = rates.into_iter().max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));
+    fastest.map_or("spin", |(name, _)| name)
+}
+
 /// Motion, and its launch.
-pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure> {
+pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Launch), Failure> {
     let refused = |error| section.refusal(&error);
     let kind = section.choice("kind", &["release", "state", "branch_points"], None)?;
     let choice = Some(("kind", kind));
@@ -69,9 +76,7 @@ pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure
                 section.only_numbers(choice, &RELEASE)?;
             let (tilt, azimuth, roll) = (tilt(tilt_deg), angle(azimuth_deg), angle(roll_deg));
             let release = Release { tilt, azimuth, roll, spin, precession, nutation };
-            let rates = [("nutation", nutation), ("precession", precession), ("spin", spin)];
-            let fastest = rates.into_iter().max_by(|(_, x), (_, y)| x.abs().total_cmp(&y.abs()));
-            (State::from_release(&release), fastest.map_or("spin", |(key, _)| key))
+            (State::from_release(&release), fastest_rate(&release))
         }
         "state" => {
             section.only(choice, STATE.iter().map(|key| key.name))?;
@@ -91,7 +96,7 @@ pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure
             let signs = Signs { l_plus_n: Sign::new(plus), l_minus_n: Sign::new(minus) };
             let (e, phases) = ([e1, e2, e3], InitialPhases { theta, arg_alpha, arg_beta });
             let motion = Motion::from_branch_points(top, e, signs, &phases).map_err(refused)?;
-            return Ok((motion, Start::BranchPoints { e, signs, phases }));
+            return Ok((motion, Launch::BranchPoints { e, signs, phases }));
         }
     };
     let state = state.map_err(refused)?;
@@ -102,5 +107,5 @@ pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Start), Failure
         ),
         _ => refused(error),
     })?;
-    Ok((motion, Start::from(&state)))
+    Ok((motion, Launch::from(&state)))
 }

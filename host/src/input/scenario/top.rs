@@ -3,7 +3,7 @@
 use crate::Failure;
 use crate::input::section::{Key, Section};
 use crate::input::units::{ACCELERATION, ANGULAR_MOMENTUM, INERTIA, LENGTH, MASS, MOMENT};
-use toytop::{Top, TopParameters};
+use toytop::{ParameterError, Support, Top, TopParameters};
 
 const MAGNITUDE: &str = "a number between 1e-60 and 1e60";
 
@@ -17,6 +17,18 @@ pub static KEYS: [Key; 7] = [
     Key::optional("mass_moment", 0.0, MAGNITUDE).with_units(MOMENT),
     Key::optional("rotor_momentum", 0.0, "a finite number of kg m^2/s").with_units(ANGULAR_MOMENTUM),
 ];
+
+/// Top with this support.
+///
+/// # Errors
+/// The errors of [`Top::sliding`], [`Top::fixed`] and [`Top::free`].
+pub fn supported(support: Support, parameters: &TopParameters) -> Result<Top, ParameterError> {
+    match support {
+        Support::Sliding => Top::sliding(parameters),
+        Support::Fixed => Top::fixed(parameters),
+        Support::Free => Top::free(parameters),
+    }
+}
 
 /// Top, and the numbers that are given for it.
 pub fn read(section: &Section<'_>) -> Result<(Top, TopParameters), Failure> {
@@ -51,6 +63,6 @@ pub fn read(section: &Section<'_>) -> Result<(Top, TopParameters), Failure> {
         return Err(section.failure(key, reason));
     }
     let parameters = TopParameters { gravity, com_height, mass, mass_moment, ..inertias };
-    let top = if support == "sliding" { Top::sliding(&parameters) } else { Top::fixed(&parameters) };
-    Ok((top.map_err(refused)?, parameters))
+    let support = if support == "sliding" { Support::Sliding } else { Support::Fixed };
+    Ok((supported(support, &parameters).map_err(refused)?, parameters))
 }

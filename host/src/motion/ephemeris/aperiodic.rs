@@ -76,7 +76,7 @@ impl AnyEphemeris for AperiodicMotion {
         ErrorBound { constant: self.form.error_bound(), per_tick: 2e-30 }
     }
 
-    /// Error that the tests of the closed form allow, for the greatest angular speed, which is that of the lowest point.
+    /// Error that the tests of the closed form allow. The angular speed is greatest at the lowest point.
     fn rate_error_bound(&self) -> ErrorBound {
         const ERROR: f64 = 5e-14;
         let speed = self.rates_at(self.lowest).speed();

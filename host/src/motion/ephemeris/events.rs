@@ -67,8 +67,8 @@ pub struct FoundEvent {
     pub t: f64,
     /// Whether u rises there, or the tip angle; at a turning point, whether u = e₂.
     pub upward: bool,
-    /// Upper bound on the error of the time: that of u or of the tip angle, divided by its rate. `None` for a turning point, and where the
-    /// rate is 0.
+    /// Upper bound on the error of the time: the bound of u or of the tip angle, divided by its rate. `None` for a turning point, and where
+    /// the rate is 0.
     pub time_error: Option<f64>,
     /// Motion at the event.
     pub state: EphemerisSample,

@@ -58,7 +58,7 @@ pub fn sizes(scalar: Scalar, segments: Option<u32>) -> Result<Vec<u32>, Failure>
 /// * `sizes`: capacities, of which the first that is enough is taken
 ///
 /// # Errors
-/// [`Failure::Method`]: none of them is enough; the message states the capacity that would be.
+/// [`Failure::Method`]: none is enough. The message states a sufficient capacity.
 pub fn ephemeris_of_size(
     scalar: Scalar,
     motion: &Motion,

@@ -1,10 +1,10 @@
-//! The same motion by the classical Runge-Kutta method in equal steps, for comparison with the exact one.
+//! Classical Runge-Kutta method in equal steps, for comparison with the exact motion.
 
 use toytop::{Complex, Motion, Orientation, Stepper};
-use toytop_model::equations::{Equations, FullState, FullTop, Vector7};
+use toytop_model::equations::{Equations, FullState, Vector7};
 
 /// Integration of the full equations from t = 0, forwards or backwards.
-pub struct Ghost {
+pub struct RungeKutta {
     equations: Equations,
     /// Distance s of the centre of mass from the tip, m.
     com_height: f64,
@@ -17,22 +17,21 @@ pub struct Ghost {
     sense: f64,
 }
 
-/// Steps that a call takes at most, so that a page stays responsive.
+/// Greatest number of steps of a call, so that a page stays responsive.
 pub const MOST_STEPS: u32 = 40_000;
 
-impl Ghost {
+impl RungeKutta {
     /// Integration of a motion, at t = 0.
     pub fn new(motion: &Motion, step: f64) -> Self {
         let (top, state) = (motion.top(), Stepper::<f64>::new(motion).attitude_state());
         let full = FullState::new(&state.orientation, state.omega());
-        let equations = Equations::of(&FullTop::from(top), &full);
+        let equations = Equations::new(top, &full);
         let start = equations.numbers(&full);
         Self { equations, com_height: top.com_height(), start, step, y: start, steps: 0.0, sense: 1.0 }
     }
 
-    /// Integrates towards a time by whole steps, at most [`MOST_STEPS`] of them; a time on the other side of the last one is
-    /// approached from t = 0 again. The result is the time that is reached, and the orientation and the tip then. Where that
-    /// is within a step of t, the last part of the way is a shorter step, which is not kept.
+    /// Integrates towards a time by at most [`MOST_STEPS`] whole steps. Returns the time that is reached, and the orientation and the tip
+    /// there. Within a step of t the last step is shorter, and is not kept. An earlier time than the last one begins again at t = 0.
     pub fn go(&mut self, t: f64) -> (f64, Orientation<f64>, Complex<f64>) {
         let sense = if t < 0.0 { -1.0 } else { 1.0 };
         if sense != self.sense || sense * t < self.steps * self.step {

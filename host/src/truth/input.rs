@@ -1,20 +1,21 @@
-//! Input of a motion, taken as exact, and random input near degenerate cases.
-
-pub use crate::input::scenario::Start;
+//! Top and launch of a motion, taken as exact, and random ones near degenerate cases.
 
 use crate::input::random::Random;
+use crate::input::scenario::{Launch, supported};
 use std::f64::consts::PI;
 use toytop::{
-    Complex, InitialPhases, Motion, Orientation, ParameterError, Sign, Signs, State, Top, TopParameters,
+    Complex, InitialPhases, Motion, Orientation, ParameterError, Sign, Signs, State, Support, TopParameters,
 };
 
-/// Numbers of a top and its launch, taken as exact.
+/// Numbers of a top and of its launch, taken as exact.
 #[derive(Clone, Copy, Debug)]
 pub struct ExactInput {
-    /// Numbers A, C, s, p, g and K of the top. The tip slides if s > 0, and is held if s = 0 and p > 0; for p = 0 the body is free.
-    pub top: [f64; 6],
+    /// Support of the tip.
+    pub support: Support,
+    /// Numbers of the top.
+    pub top: TopParameters,
     /// Launch.
-    pub start: Start,
+    pub launch: Launch,
 }
 
 impl ExactInput {
@@ -36,7 +37,16 @@ impl ExactInput {
         let [theta, arg_alpha, arg_beta] = [(); 3].map(|()| random.between(-PI, PI));
         let at_corner = [0.0, PI].into_iter().find(|_| random.one_in(16));
         let phases = InitialPhases { theta: at_corner.unwrap_or(theta), arg_alpha, arg_beta };
-        Self { top: [a, c, s, p, g, 0.0], start: Start::BranchPoints { e: [e1, e2, e3], signs, phases } }
+        let top = TopParameters {
+            transverse_inertia: a,
+            axial_inertia: c,
+            com_height: s,
+            mass_moment: p,
+            gravity: g,
+            ..TopParameters::default()
+        };
+        let launch = Launch::BranchPoints { e: [e1, e2, e3], signs, phases };
+        Self { support: Support::Sliding, top, launch }
     }
 
     /// Motion of the core.
@@ -44,24 +54,10 @@ impl ExactInput {
     /// # Errors
     /// The errors of a top, a state and a launch.
     pub fn motion(&self) -> Result<Motion, ParameterError> {
-        let [a, c, s, p, g, rotor_momentum] = self.top;
-        let parameters = TopParameters {
-            transverse_inertia: a,
-            axial_inertia: c,
-            com_height: s,
-            mass_moment: p,
-            gravity: g,
-            rotor_momentum,
-            ..TopParameters::default()
-        };
-        let top = match (s > 0.0, p > 0.0) {
-            (true, _) => Top::sliding(&parameters),
-            (false, true) => Top::fixed(&parameters),
-            (false, false) => Top::free(&parameters),
-        }?;
-        match self.start {
-            Start::BranchPoints { e, signs, phases } => Motion::from_branch_points(&top, e, signs, &phases),
-            Start::State { phi, omega } => {
+        let top = supported(self.support, &self.top)?;
+        match self.launch {
+            Launch::BranchPoints { e, signs, phases } => Motion::from_branch_points(&top, e, signs, &phases),
+            Launch::State { phi, omega } => {
                 let [alpha, beta] = phi.map(|[re, im]| Complex::new(re, im));
                 Motion::launch(&top, &State::new(Orientation { alpha, beta }, omega)?)
             }
