@@ -21,9 +21,10 @@ const NOT_OURS: [&str; 6] = [
 
 fn main() {
     println!("cargo:rerun-if-env-changed=TOYTOP_PAGE_WASM");
-    for input in
-        ["../core/src", "../core/closed-forms/src", "../core/Cargo.toml", "model", "page", "../Cargo.lock"]
-    {
+    let sources = ["../core/src", "../core/closed-forms/src", "model", "page"];
+    let manifests =
+        ["../Cargo.toml", "../Cargo.lock", "../core/Cargo.toml", "../core/closed-forms/Cargo.toml"];
+    for input in sources.into_iter().chain(manifests) {
         println!("cargo:rerun-if-changed={input}");
     }
     let file = match var_os("TOYTOP_PAGE_WASM") {

@@ -79,6 +79,8 @@ struct Integrator {
 
 pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     let ScoreArgs { files, benchmark, steps, plot, format } = arguments;
+    let inputs: Vec<_> = files.iter().map(|path| Some(&**path)).collect();
+    whole_file::require_other("--plot", plot.as_deref(), &inputs)?;
     let problem = benchmark.as_deref().map(problems::named).transpose();
     let problem = problem.map_err(|failure| failure.with_context("--benchmark"))?;
     // command that prints the state from which a run has to start
@@ -117,8 +119,6 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     }
     let integrators = integrators(&mut files, &mut warnings);
     if let Some(path) = plot {
-        let inputs: Vec<_> = arguments.files.iter().map(|path| Some(&**path)).collect();
-        whole_file::require_other("--plot", Some(path), &inputs)?;
         draw(path, &scenario, &files, &integrators)?;
     }
     let records: Vec<_> = files.iter().map(|file| record(file, &integrators)).collect();
@@ -197,7 +197,7 @@ fn draw(
     let chart = Chart {
         title: &format!("Work and precision: {}", scenario.name),
         labels: [work, "greatest error of the orientation, rad"],
-        powers: [true; 2],
+        logarithmic: [true; 2],
     };
     drawing::write("--plot", path, &chart.draw(&curves), None)
 }

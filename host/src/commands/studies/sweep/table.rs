@@ -11,6 +11,9 @@ use crate::output::{csv_line, short};
 use serde_json::Value;
 use toytop::Motion;
 
+/// Greatest number of motions.
+pub const MOST_MOTIONS: u64 = 1_000_000_000_000;
+
 /// Table of a sweep: a header, and a row for each motion.
 pub struct Sweep {
     template: ScenarioFile,
@@ -58,8 +61,9 @@ impl Sweep {
             axes.push((key, axis));
         }
         let places = || axes.iter().try_fold(1_u64, |count, (_, axis)| count.checked_mul(axis.size()));
-        let Some(count) = sample.map(|(motions, _)| motions).or_else(places) else {
-            return refuse("a grid: must have at most 2^64 places".to_owned());
+        let Some(count) = sample.map(|(motions, _)| motions).or_else(places).filter(|n| *n <= MOST_MOTIONS)
+        else {
+            return refuse(format!("a grid: must have at most {:e} motions", MOST_MOTIONS as f64));
         };
         let sweep = Self { template, axes, sample, count, columns, times, periods };
         match sweep.template.with_numbers(&sweep.numbers(0)) {
