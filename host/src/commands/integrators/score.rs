@@ -206,7 +206,6 @@ fn record(file: &ScoredFile, integrators: &[Integrator]) -> Record {
     let ScoredFile { trajectory, score, step, order } = file;
     let method = integrators.iter().find(|integrator| integrator.name == file.method());
     let phases = &score.phases;
-    let [l, n, h] = [0, 1, 2].map(|i| score.drift.map(|drift| drift[i]));
     Record::default()
         .with("name", &*trajectory.name)
         .with("method", trajectory.method.clone())
@@ -223,9 +222,9 @@ fn record(file: &ScoredFile, integrators: &[Integrator]) -> Record {
         .with("precession_error_rad", phases.precession)
         .with("spin_error_rad", phases.spin)
         .with("residual_rad", phases.residual)
-        .with("drift_h", h)
-        .with("drift_l", l)
-        .with("drift_n", n)
+        .with("drift_h", score.drift.map(|drift| drift.h))
+        .with("drift_l", score.drift.map(|drift| drift.l))
+        .with("drift_n", score.drift.map(|drift| drift.n))
         .with("max_norm_error", score.norm_error)
         .with("truth_bound_rad", score.truth_bound)
         .with("method_order", method.and_then(|method| method.order))

@@ -174,6 +174,6 @@ fn errors(
     let norm = (orientation.norm_squared() - 1.0).abs();
     let now = table.at(t);
     let there = now.sample.orientation();
-    let [.., energy] = drift(motion, &there, AttitudeState { orientation: there, rate: now.rate }.omega());
+    let energy = drift(motion, &there, AttitudeState { orientation: there, rate: now.rate }.omega()).h;
     [truth.error_of(&orientation), tip.norm_squared().sqrt(), norm, energy]
 }

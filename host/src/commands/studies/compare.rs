@@ -9,7 +9,7 @@ use crate::input::builtin;
 use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::{require_scalar, smallest_ephemeris};
 use crate::motion::propagate::{Sample, TimedStepper, period};
-use crate::motion::{Scalar, drift, greater, spread_times, widened};
+use crate::motion::{Drift, Scalar, drift, greater, spread_times, widened};
 use crate::output::stdout::Report;
 use crate::output::{self, Format, Record, short};
 use crate::truth::full_equations;
@@ -281,7 +281,8 @@ impl Reference {
         let errors = |((sample, rate), state): (&(Sample, OrientationRate<f64>), &FullState)| {
             let (found, exact) = (sample.orientation(), state.orientation());
             // in f64 from α, β and their rates, so that l, n and h do not contain the rounding of a product
-            let [l, n, h] = drift(motion, &found, AttitudeState { orientation: found, rate: *rate }.omega());
+            let Drift { l, n, h } =
+                drift(motion, &found, AttitudeState { orientation: found, rate: *rate }.omega());
             let tip =
                 sample.tip.scaled(1.0 / motion.top().tip_scale()) - (exact.alpha * exact.beta).scaled(2.0);
             [

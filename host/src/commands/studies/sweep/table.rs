@@ -2,7 +2,7 @@
 //!
 //! A row depends only on the options of the sweep and on its index, so that parts from different machines fit together.
 
-use super::columns::{Measured, SweepColumn};
+use super::columns::{RowMotion, SweepColumn};
 use crate::Failure;
 use crate::input::axis::Axis;
 use crate::input::random::Random;
@@ -109,12 +109,12 @@ impl Sweep {
     pub fn row(&self, index: u64, text: &mut Vec<u8>) -> bool {
         let numbers = self.numbers(index);
         let motion = self.motion(&numbers).ok();
-        let measured = motion.map(|motion| Measured::new(motion, self.times, self.periods));
+        let motion = motion.map(|motion| RowMotion::new(motion, self.times, self.periods));
         let mut values = vec![Value::from(index)];
         values.extend(numbers.iter().map(|(_, number)| Value::from(*number)));
-        values.extend(self.columns.iter().flat_map(|column| column.values(measured.as_ref(), self.times)));
+        values.extend(self.columns.iter().flat_map(|column| column.values(motion.as_ref(), self.times)));
         text.extend_from_slice(csv_line(values).as_bytes());
-        measured.is_some()
+        motion.is_some()
     }
 
     /// Reason why the scenario refuses the numbers of a row, beginning with the key that varies and its value.
