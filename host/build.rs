@@ -19,9 +19,10 @@ const NOT_OURS: [&str; 6] = [
 ];
 
 fn main() {
-    for input in
-        ["../core/src", "../core/closed-forms/src", "../core/Cargo.toml", "model", "page", "../Cargo.lock"]
-    {
+    let sources = ["../core/src", "../core/closed-forms/src", "model", "page"];
+    let manifests =
+        ["../Cargo.toml", "../Cargo.lock", "../core/Cargo.toml", "../core/closed-forms/Cargo.toml"];
+    for input in sources.into_iter().chain(manifests) {
         println!("cargo:rerun-if-changed={input}");
     }
     let bytes = if has_target() { fs::read(compiled()).expect("the compiled core") } else { Vec::new() };

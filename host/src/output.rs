@@ -27,7 +27,9 @@ impl Record {
     /// Names of the columns of CSV. Those of an array end in x, y and z.
     fn columns(&self) -> Vec<String> {
         let names = |(name, value): &(&str, Value)| match value {
-            Value::Array(_) => ["x", "y", "z"].map(|end| format!("{name}_{end}")).to_vec(),
+            Value::Array(parts) => {
+                "xyz".chars().take(parts.len()).map(|end| format!("{name}_{end}")).collect()
+            }
             _ => vec![(*name).to_owned()],
         };
         self.0.iter().flat_map(names).collect()

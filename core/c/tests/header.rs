@@ -25,12 +25,12 @@ fn made() -> String {
 fn it_is_that_of_the_sources() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("include/toytop.h");
     let made = made();
-    if std::env::var_os("TOYTOP_OVERWRITE").is_some() {
+    if std::env::var_os("TOYTOP_ACCEPT").is_some() {
         std::fs::write(&path, &made).expect("the header");
     }
     let committed = std::fs::read_to_string(&path).expect("the header");
     assert!(
         committed == made,
-        "not that of the sources; if it is meant: TOYTOP_OVERWRITE=1 cargo test -p toytop-c --test header"
+        "not that of the sources; if it is meant: TOYTOP_ACCEPT=1 cargo test -p toytop-c --test header"
     );
 }

@@ -79,7 +79,7 @@ fn trial(random: &mut Random, set: usize, seed: u64) -> Result<Accepted, String>
     let sensors = sensors(set, Body::new(motion.top(), height)).map_err(|failure| failure.to_string())?;
     let recording = Recording { hertz: HERTZ, count: SAMPLES, seed };
     let samples = measurements(&motion, &sensors, &recording).ok_or("not simulated")?;
-    let listed = sensors.listed();
+    let listed = sensors.as_core();
     let mut fit = Fit::new(motion.top(), &listed, &[]).map_err(|error| error.to_string())?;
     let fitted = fit.run(samples.iter().copied()).map_err(|error| error.to_string())?;
     match fitted.warning {

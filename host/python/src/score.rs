@@ -64,8 +64,6 @@ pub(crate) fn score(
         ExactReference::new(&scenario, "motion.at(times[0])")?.score(&trajectory)
     })?;
     let score = score.map_err(failed)?;
-    let drift = score.drift.map(|[l, n, h]| [Some(l), Some(n), Some(h)]).unwrap_or_default();
-    let [drift_l, drift_n, drift_h] = drift;
     Ok(ScoreFields {
         max_error: score.max_error,
         rms_error: score.rms_error,
@@ -75,9 +73,9 @@ pub(crate) fn score(
         precession_error: score.phases.precession,
         spin_error: score.phases.spin,
         residual: score.phases.residual,
-        drift_h,
-        drift_l,
-        drift_n,
+        drift_h: score.drift.map(|drift| drift.h),
+        drift_l: score.drift.map(|drift| drift.l),
+        drift_n: score.drift.map(|drift| drift.n),
         norm_error: score.norm_error,
         truth_bound: score.truth_bound,
         doubt: score.warning,

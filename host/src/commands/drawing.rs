@@ -11,6 +11,7 @@
 
 pub mod chart;
 pub mod charts;
+pub mod film;
 pub mod fit;
 pub mod sphere;
 pub mod tip;
@@ -50,7 +51,8 @@ pub fn frame(plots: &[Plot], title: &str, label: &str, [x, y]: [[f64; 2]; 2]) ->
 /// # Errors
 /// The failures of [`whole_file::write`], or [`Failure::Output`]: the picture cannot be encoded.
 pub fn write(option: &str, path: &Path, scene: &Scene, width: Option<u32>) -> Result<(), Failure> {
-    whole_file::write(option, path, &encoded(path, scene, width)?)
+    let bytes = encoded(path, scene, width).map_err(Failure::Output)?;
+    whole_file::write(option, path, &bytes)
 }
 
 /// Picture as SVG or PNG, by the ending of the file's name. `width` is in pixels; without it an SVG has the size of its layout, and a PNG

@@ -1,4 +1,4 @@
-//! Values that several commands read: method, scalar, name of a file.
+//! Options of several commands: method, scalars, name of a file, numbers.
 
 use crate::input::finite;
 use crate::motion::Scalar;
@@ -46,16 +46,15 @@ pub fn scalars(text: &str) -> Result<Scalars, &'static str> {
 }
 
 /// Endings of a picture.
-pub const PICTURE: &str = ".svg or .png";
+pub const PICTURE: &[&str] = &[".svg", ".png"];
 
 /// Parser of the name of a file with one of these endings.
-pub fn ending_in(allowed: &'static str) -> impl Fn(&str) -> Result<PathBuf, String> + Clone {
+pub fn ending_in(endings: &'static [&'static str]) -> impl Fn(&str) -> Result<PathBuf, String> + Clone {
     move |name| {
-        let mut endings = allowed.split([',', ' ']).filter(|word| word.starts_with('.'));
-        if endings.any(|ending| name.to_lowercase().ends_with(ending)) {
+        if endings.iter().any(|ending| name.to_lowercase().ends_with(ending)) {
             Ok(name.into())
         } else {
-            Err(format!("must end in {allowed}"))
+            Err(format!("must end in {}", endings.join(" or ")))
         }
     }
 }
@@ -71,7 +70,7 @@ pub fn span(text: &str) -> Result<[f64; 2], &'static str> {
     ends.filter(|[from, until]| from < until).ok_or("must be LOW..HIGH, two times in s")
 }
 
-/// Tick rate: a number of ticks, and of the seconds in which they are.
+/// Tick rate [A, B] of `A/B`: A ticks in B seconds.
 pub fn hertz(text: &str) -> Result<[u32; 2], &'static str> {
     let (ticks, seconds) = text.split_once('/').unwrap_or((text, "1"));
     let whole = |text: &str| text.parse::<u32>().ok().filter(|n| *n > 0);

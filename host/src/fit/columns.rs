@@ -1,14 +1,16 @@
 //! Samples by column, and their CSV. A row has a time and the readings of the sensors; an empty field is no reading.
 
-use super::sensors::{KINDS, Sensors};
+use super::sensors::{SENSOR_KINDS, Sensors};
 use crate::Failure;
 use crate::input::file::{self, excerpt};
 use crate::input::{finite, rows};
-use crate::output::number;
+use crate::output::csv_line;
+use serde_json::Value;
+use std::iter::once;
 use std::path::Path;
 use toytop_fit::Measurement;
 
-/// Share of a sensor's range that a reading may reach, because data sheets round the range.
+/// Fraction of a sensor's range above which a reading is refused, because it has another unit.
 const RANGE_TOLERANCE: f64 = 1.01;
 
 /// Samples by column. NaN means that there is no reading.
@@ -104,7 +106,7 @@ pub fn keep_present(sensors: &mut Sensors, has: impl Fn(&str) -> bool, all: bool
     }
     sensors.instruments.retain(|instrument| present(instrument.kind.columns));
     if sensors.instruments.is_empty() {
-        let names: Vec<_> = KINDS.iter().map(|kind| kind.columns.join(",")).collect();
+        let names: Vec<_> = SENSOR_KINDS.iter().map(|kind| kind.columns.join(",")).collect();
         return Err(format!("must have the columns of a sensor: {}", names.join("; ")));
     }
     Ok(())
@@ -162,16 +164,9 @@ fn parse(text: &str, sensors: &mut Sensors, all: bool) -> Result<(Vec<Measuremen
 /// Measurements as CSV, those of one time in one row.
 pub fn csv(sensors: &Sensors, measurements: &[Measurement]) -> String {
     let Columns { t, readings } = Columns::new(sensors, measurements);
-    let mut text = "t".to_owned();
-    readings.iter().for_each(|(name, _)| text += &format!(",{name}"));
-    for (row, time) in t.iter().enumerate() {
-        text += &format!("\n{}", number(*time));
-        for (_, readings) in &readings {
-            text.push(',');
-            if !readings[row].is_nan() {
-                text += &number(readings[row]);
-            }
-        }
-    }
-    text + "\n"
+    let header = once("t").chain(readings.iter().map(|(name, _)| *name));
+    let row = |(row, time): (usize, &f64)| {
+        csv_line(once(*time).chain(readings.iter().map(|(_, readings)| readings[row])).map(Value::from))
+    };
+    once(csv_line(header.map(Value::from))).chain(t.iter().enumerate().map(row)).collect()
 }

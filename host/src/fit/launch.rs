@@ -45,7 +45,7 @@ impl FitInput {
             }
             _ => ("samples", error.to_string()),
         };
-        let listed = self.sensors.listed();
+        let listed = self.sensors.as_core();
         let mut fit = Fit::new(&self.top, &listed, &ratios).map_err(refuse)?.with_huber(self.huber);
         if let Some(deviation) = self.drift {
             fit = fit.with_losses(deviation).map_err(refuse)?;
@@ -63,7 +63,7 @@ impl FitInput {
         Ok(FitReport { input: self, fitted, reason, end })
     }
 
-    /// Changes of the ratios of the top with the logarithm of each free key.
+    /// Derivatives of the ratios of the top by the logarithm of each free key.
     ///
     /// # Errors
     /// Key and reason: the table does not have the key, or it is named twice; too many keys.
@@ -168,7 +168,7 @@ impl FitReport {
         names.map(|(k, (name, unit))| (name, drift.rates[k], deviations[k], unit)).collect()
     }
 
-    /// Whether the launch follows from the samples. Without any value that was used it is that of the beginning.
+    /// Whether any value was used. Otherwise the launch is only the first guess.
     pub fn used_any_sample(&self) -> bool {
         self.fitted.statistics.used > 0
     }

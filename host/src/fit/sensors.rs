@@ -13,7 +13,7 @@ use toytop_fit::{
 
 /// Kind of a sensor: its table in the file, and its columns in the samples.
 #[derive(Clone, Copy, PartialEq)]
-pub struct Kind {
+pub struct SensorKind {
     /// Name of the table.
     pub name: &'static str,
     /// Columns of the samples.
@@ -22,19 +22,19 @@ pub struct Kind {
     keys: &'static str,
 }
 
-impl Kind {
+impl SensorKind {
     /// Names of the residuals: the columns, and for an orientation x, y, z of the rotation vector.
     pub fn residuals(&self) -> &'static [&'static str] {
         &self.columns[self.columns.len().saturating_sub(3)..]
     }
 }
 
-const fn kind(name: &'static str, columns: &'static [&'static str], keys: &'static str) -> Kind {
-    Kind { name, columns, keys }
+const fn kind(name: &'static str, columns: &'static [&'static str], keys: &'static str) -> SensorKind {
+    SensorKind { name, columns, keys }
 }
 
 /// All kinds.
-pub const KINDS: [Kind; 7] = [
+pub const SENSOR_KINDS: [SensorKind; 7] = [
     kind("gyroscope", &["gyro_x", "gyro_y", "gyro_z"], "noise bias range rotation quantum every"),
     kind(
         "accelerometer",
@@ -51,7 +51,7 @@ pub const KINDS: [Kind; 7] = [
 /// One sensor.
 pub struct Instrument {
     /// Kind of the sensor.
-    pub kind: Kind,
+    pub kind: SensorKind,
     /// Sensor of the core.
     pub sensor: Box<dyn Sensor + Send + Sync>,
     /// Standard deviations of bias and noise.
@@ -92,7 +92,7 @@ quantum = 0.15
 every = 10
 ";
 
-/// Fraction of the range beyond which readings count as saturated: data sheets round the range.
+/// Fraction of the range above which a reading counts as saturated.
 const SATURATION_FRACTION: f64 = 0.999;
 
 /// Properties of a top's body that predictions of some sensors need.
@@ -114,7 +114,7 @@ impl Body {
 
 impl Sensors {
     /// Sensors as the core takes them.
-    pub fn listed(&self) -> Vec<&dyn Sensor> {
+    pub fn as_core(&self) -> Vec<&dyn Sensor> {
         self.instruments.iter().map(|instrument| &*instrument.sensor as &dyn Sensor).collect()
     }
 
@@ -147,13 +147,13 @@ impl Sensors {
                 return refuse(format!("{}: must be a table", excerpt(name)));
             };
             let section = Section { file, name, table };
-            match KINDS.into_iter().find(|kind| kind.name == name) {
+            match SENSOR_KINDS.into_iter().find(|kind| kind.name == name) {
                 Some(kind) => sensors.instruments.push(instrument(&section, kind, body)?),
                 None if name == "timing" => {
                     [sensors.jitter, sensors.dropped] = section.only_numbers(None, &TIMING)?;
                 }
                 None => {
-                    let allowed = KINDS.map(|kind| kind.name).join(", ");
+                    let allowed = SENSOR_KINDS.map(|kind| kind.name).join(", ");
                     return refuse(format!("{}: unknown sensor; allowed: timing, {allowed}", excerpt(name)));
                 }
             }
@@ -162,7 +162,7 @@ impl Sensors {
             return refuse("must have one to four sensors".to_owned());
         }
         // in the order of the columns, whatever that of the file
-        sensors.instruments.sort_by_key(|found| KINDS.iter().position(|kind| *kind == found.kind));
+        sensors.instruments.sort_by_key(|found| SENSOR_KINDS.iter().position(|kind| *kind == found.kind));
         Ok(sensors)
     }
 }
@@ -184,7 +184,7 @@ static ROTATION: Key = Key::required("rotation", "a unit quaternion [w, x, y, z]
 static POSITION: Key = Key::required("position", "an array of 3 finite numbers");
 static FIELD: Key = Key::required("field", "an array of 3 finite numbers, not all 0");
 
-fn instrument(section: &Section<'_>, kind: Kind, body: Body) -> Result<Instrument, Failure> {
+fn instrument(section: &Section<'_>, kind: SensorKind, body: Body) -> Result<Instrument, Failure> {
     section.only(None, kind.keys.split(' '))?;
     let [deviation, bias, range, quantum, every] = section.numbers(&NUMBERS)?;
     let noise = Noise { deviation, bias };

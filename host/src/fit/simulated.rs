@@ -28,8 +28,7 @@ impl Recording {
     }
 }
 
-/// Measurements of a motion; `None` where the derivatives of the motion, from which the readings follow, cannot be
-/// computed at one of the times.
+/// Measurements of a motion; `None` if the motion has no period and the recording is too long.
 pub fn measurements(motion: &Motion, sensors: &Sensors, recording: &Recording) -> Option<Vec<Measurement>> {
     let sensitivity = Sensitivity::new(motion);
     let mut cursor = sensitivity.cursor();

@@ -27,12 +27,31 @@ fn natural_scales(motion: &Motion) -> [f64; 3] {
     [momentum, momentum, energy]
 }
 
-/// Differences of l, n and h from the first integrals of the motion, in units of their natural scales.
-pub fn drift(motion: &Motion, orientation: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
+/// Differences of l, n and h from those of a motion, in units of their natural scales.
+#[derive(Clone, Copy, Default)]
+pub struct Drift {
+    /// Difference of l.
+    pub l: f64,
+    /// Difference of n.
+    pub n: f64,
+    /// Difference of h.
+    pub h: f64,
+}
+
+impl Drift {
+    /// Greater differences of two states.
+    pub fn greater(self, other: Self) -> Self {
+        Self { l: greater(self.l, other.l), n: greater(self.n, other.n), h: greater(self.h, other.h) }
+    }
+}
+
+/// Drift of a state from a motion.
+pub fn drift(motion: &Motion, orientation: &Orientation<f64>, omega: [f64; 3]) -> Drift {
     let (constants, scales) = (motion.first_integrals(), natural_scales(motion));
     let exact = [constants.l, constants.n, constants.h];
     let found = first_integrals(motion.top(), orientation, omega);
-    std::array::from_fn(|i| (found[i] - exact[i]).abs() / scales[i])
+    let [l, n, h] = [0, 1, 2].map(|i| (found[i] - exact[i]).abs() / scales[i]);
+    Drift { l, n, h }
 }
 
 #[cfg(test)]

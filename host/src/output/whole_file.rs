@@ -4,6 +4,7 @@ use crate::Failure;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
 
 /// Writes a file under a temporary name and then renames it, so that no reader sees half a file and no other file is touched. A device or a
 /// pipe is written to directly. A link is followed.
@@ -23,29 +24,33 @@ pub fn write_by(
     path: &Path,
     fill: impl FnOnce(&mut File) -> io::Result<()>,
 ) -> Result<(), Failure> {
-    write_whole(path, fill).map_err(|error| refused(option, path, error))
+    unnamed(path, fill).and_then(named).map_err(|error| refused(option, path, error))
 }
 
-/// Writes files as [`write()`] does, all or none: none gets its name before the bytes of all are on the disk.
+/// Writes files as [`write()`] does, all or none: none gets its name before all are written.
 ///
 /// # Errors
 /// The failures of [`write()`].
 pub fn write_all(files: &[(&str, &Path, Vec<u8>)]) -> Result<(), Failure> {
-    let Some(((option, path, bytes), others)) = files.split_first() else { return Ok(()) };
-    let mut rest = Ok(());
-    let written = write_by(option, path, |file| {
-        file.write_all(bytes)?;
-        rest = write_all(others);
-        if rest.is_ok() { Ok(()) } else { Err(ErrorKind::Other.into()) }
-    });
-    rest.and(written)
+    let mut written = Vec::new();
+    for (option, path, bytes) in files {
+        let file = unnamed(path, |file| file.write_all(bytes));
+        written.push(file.map_err(|error| refused(option, path, error))?);
+    }
+    for (file, (option, path, _)) in written.into_iter().zip(files) {
+        named(file).map_err(|error| refused(option, path, error))?;
+    }
+    Ok(())
 }
 
-fn write_whole(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
+/// Complete file under a temporary name, with its path; `None` for a device or a pipe, which is written to directly.
+type Unnamed = Option<(NamedTempFile, PathBuf)>;
+
+fn unnamed(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<Unnamed> {
     let path = followed(path);
-    let there = fs::metadata(&path);
-    if there.as_ref().is_ok_and(|there| !there.is_file() && !there.is_dir()) {
-        return fill(&mut File::create(path)?);
+    let old = fs::metadata(&path);
+    if old.as_ref().is_ok_and(|old| !old.is_file() && !old.is_dir()) {
+        return fill(&mut File::create(path)?).map(|()| None);
     }
     path.file_name().ok_or(ErrorKind::InvalidInput)?;
     let mut builder = tempfile::Builder::new();
@@ -55,8 +60,14 @@ fn write_whole(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> i
     let mut file = builder.tempfile_in(path.with_file_name("."))?;
     fill(file.as_file_mut())?;
     // the new file has the permissions of the old one
-    there.map_or(Ok(()), |there| file.as_file().set_permissions(there.permissions()))?;
-    file.persist(&path).map(|_| ()).map_err(|error| error.error)
+    old.map_or(Ok(()), |old| file.as_file().set_permissions(old.permissions()))?;
+    Ok(Some((file, path)))
+}
+
+/// Gives a file its name.
+fn named(file: Unnamed) -> io::Result<()> {
+    let Some((file, path)) = file else { return Ok(()) };
+    file.persist(path).map(drop).map_err(|error| error.error)
 }
 
 /// Target of a path, which may not exist yet.

@@ -4,10 +4,23 @@ use crate::Failure;
 use crate::pictures::span::{MOST_CYCLES, Span};
 use toytop::{Motion, Support};
 
+/// Place of the axis at a limit of the tilt.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Place {
+    /// u = e₁.
+    Lowest,
+    /// u = e₂.
+    Highest,
+    /// u = e₁ = e₂.
+    Constant,
+    /// u = 0.
+    Horizontal,
+}
+
 /// Limit of the tilt.
 pub struct TiltLimit {
-    /// Name in a legend: `lowest` (u = e₁), `highest` (u = e₂), `constant` where both are one, or `horizontal` (u = 0).
-    pub name: &'static str,
+    /// Place of the axis.
+    pub place: Place,
     /// Cosine u of the tilt, from -1 to 1.
     pub u: f64,
     /// Sine of the tilt.
@@ -18,17 +31,17 @@ impl TiltLimit {
     /// Lowest place of the axis, then the highest; one place where the tilt is constant, none where the axis is vertical at all times.
     pub fn all(motion: &Motion) -> Vec<Self> {
         let e = motion.branch_points();
-        let limit = |name, u: f64, sine_squared: f64| Self {
-            name,
+        let limit = |place, u: f64, sine_squared: f64| Self {
+            place,
             u: u.clamp(-1.0, 1.0),
             sine: sine_squared.max(0.0).sqrt(),
         };
-        let lowest = limit("lowest", e.e1, e.one_plus_e1 * (2.0 - e.one_plus_e1));
-        let highest = |name| limit(name, e.e2, (2.0 - e.one_minus_e2) * e.one_minus_e2);
+        let lowest = limit(Place::Lowest, e.e1, e.one_plus_e1 * (2.0 - e.one_plus_e1));
+        let highest = |place| limit(place, e.e2, (2.0 - e.one_minus_e2) * e.one_minus_e2);
         match motion.regime() {
             regime if regime.is_vertical() => Vec::new(),
-            regime if regime.is_regular_precession() => vec![highest("constant")],
-            _ => vec![lowest, highest("highest")],
+            regime if regime.is_regular_precession() => vec![highest(Place::Constant)],
+            _ => vec![lowest, highest(Place::Highest)],
         }
     }
 }
@@ -36,7 +49,13 @@ impl TiltLimit {
 /// Name and tilt, as in `lowest: tilt 45.57°`.
 impl std::fmt::Display for TiltLimit {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}: tilt {:.2}°", self.name, self.u.acos().to_degrees())
+        let name = match self.place {
+            Place::Lowest => "lowest",
+            Place::Highest => "highest",
+            Place::Constant => "constant",
+            Place::Horizontal => "horizontal",
+        };
+        write!(f, "{name}: tilt {:.2}°", self.u.acos().to_degrees())
     }
 }
 
@@ -66,7 +85,7 @@ impl TipCurve {
             && low.u < 0.0
             && high.u > 0.0
         {
-            limits.push(TiltLimit { name: "horizontal", u: 0.0, sine: 1.0 });
+            limits.push(TiltLimit { place: Place::Horizontal, u: 0.0, sine: 1.0 });
         }
         let circles: Vec<_> = limits
             .into_iter()

@@ -5,7 +5,7 @@ use super::trajectory::{Pose, Trajectory};
 use crate::Failure;
 use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::{AnyEphemeris, smallest_ephemeris};
-use crate::motion::errors::{drift, greater};
+use crate::motion::errors::{Drift, drift};
 use crate::motion::propagate::period;
 use crate::motion::{Scalar, require_within};
 use nalgebra::Vector3;
@@ -35,7 +35,7 @@ pub struct Score {
     /// Phase errors over the last nutation period.
     pub phases: PhaseErrors,
     /// Greatest differences of l, n and h from those of the motion, in units of their natural scales, if the file has the angular velocity.
-    pub drift: Option<[f64; 3]>,
+    pub drift: Option<Drift>,
     /// Greatest distance of the file's orientations from unit norm.
     pub norm_error: f64,
     /// Upper bound on the error of the exact motion itself, rad.
@@ -44,7 +44,7 @@ pub struct Score {
     pub warning: Option<String>,
 }
 
-/// Distance from which a first row is suspect: rad, or relative.
+/// Error of the first row above which a warning is given, rad or relative.
 const SUSPECT_DISTANCE: f64 = 0.01;
 
 impl<'a> ExactReference<'a> {
@@ -94,11 +94,10 @@ impl<'a> ExactReference<'a> {
         row.tip.map(|[x, y]| (x - exact.re).hypot(y - exact.im))
     }
 
-    fn drift(&self, rows: &[Pose]) -> Option<[f64; 3]> {
-        rows.iter().try_fold([0.0; 3], |most: [f64; 3], row| {
-            let now = drift(self.motion, &row.orientation, row.omega?);
-            Some(std::array::from_fn(|i| greater(most[i], now[i])))
-        })
+    fn drift(&self, rows: &[Pose]) -> Option<Drift> {
+        let drift =
+            |most: Drift, row: &Pose| Some(most.greater(drift(self.motion, &row.orientation, row.omega?)));
+        rows.iter().try_fold(Drift::default(), drift)
     }
 
     /// Reason why the first row is far from the motion; `None` if it is near.

@@ -120,7 +120,7 @@ impl Program {
             logs.iter().map(|(place, log, expected)| difference(place, expected, log)).collect();
         if !differences.is_empty() {
             bail!(
-                "(-: expected, +: now)\n{differences}after an intended change: cargo xtask firmware {} --overwrite",
+                "(-: expected, +: now)\n{differences}after an intended change: cargo xtask firmware {} --accept",
                 self.name
             );
         }
@@ -203,7 +203,7 @@ fn shown(chip: &Chip, elf: &Path) -> Result<ExitCode> {
 }
 
 /// Runs a program on its chips, and writes the logs as the expected ones.
-pub(crate) fn overwrite(name: &str) -> Result<()> {
+pub(crate) fn accept(name: &str) -> Result<()> {
     let program = Program::named(name)?;
     // the first chip last, because its log is that of all chips without a file of their own
     for chip in program.chips.iter().rev() {

@@ -14,51 +14,51 @@ use crate::{c, checks, firmware, python, size};
 /// One step of the test command.
 pub(crate) struct Step {
     name: &'static str,
-    /// Whether every change needs the step; the others are run by `--all`.
-    pub(crate) guards: bool,
+    /// Whether the step runs before every change; the others run with `--all`.
+    pub(crate) every_change: bool,
     /// Tools that it needs besides cargo.
     needs: &'static [Tool],
     /// Function that runs the step and returns a remark.
     run: fn() -> Result<String>,
 }
 
-const fn guard(name: &'static str, needs: &'static [Tool], run: fn() -> Result<String>) -> Step {
-    Step { name, guards: true, needs, run }
+const fn every_change(name: &'static str, needs: &'static [Tool], run: fn() -> Result<String>) -> Step {
+    Step { name, every_change: true, needs, run }
 }
 
-const fn other(name: &'static str, needs: &'static [Tool], run: fn() -> Result<String>) -> Step {
-    Step { name, guards: false, needs, run }
+const fn only_with_all(name: &'static str, needs: &'static [Tool], run: fn() -> Result<String>) -> Step {
+    Step { name, every_change: false, needs, run }
 }
 
 /// Steps of the host's crates.
 const ON_HOST: &[Step] = &[
-    guard("size", &[], size::check),
-    guard("fmt", &[LINTS], checks::fmt),
-    guard("clippy", &[LINTS, PAGE], checks::clippy),
-    guard("tests", &[PAGE], checks::tests),
-    guard("doctests", &[PAGE], checks::doctests),
-    guard("docs", &[PAGE], checks::docs),
-    guard("browser", &[PAGE, CHROMIUM], checks::browser),
-    guard("c-header", &[C], c::check_header),
-    guard("c-host", &[C, PAGE], c::check_on_host),
-    guard("c-cmake", &[C, PAGE], c::check_cmake),
-    guard("python", &[PAGE, PYTHON], python::check),
-    other("python-full", &[PAGE, PYTHON], python::full),
-    other("package", &[], checks::package),
-    other("fuzz", &[FUZZER], checks::fuzz),
-    other("coverage", &[COVERAGE], checks::coverage),
+    every_change("size", &[], size::check),
+    every_change("fmt", &[LINTS], checks::fmt),
+    every_change("clippy", &[LINTS, PAGE], checks::clippy),
+    every_change("tests", &[PAGE], checks::tests),
+    every_change("doctests", &[PAGE], checks::doctests),
+    every_change("docs", &[PAGE], checks::docs),
+    every_change("browser", &[PAGE, CHROMIUM], checks::browser),
+    every_change("c-header", &[C], c::check_header),
+    every_change("c-host", &[C, PAGE], c::check_on_host),
+    every_change("c-cmake", &[C, PAGE], c::check_cmake),
+    every_change("python", &[PAGE, PYTHON], python::check),
+    only_with_all("python-full", &[PAGE, PYTHON], python::full),
+    only_with_all("package", &[], checks::package),
+    only_with_all("fuzz", &[FUZZER], checks::fuzz),
+    only_with_all("coverage", &[COVERAGE], checks::coverage),
 ];
 
 /// Steps of the programs for the chips. The last ones wait for builds of the host's.
 const ON_CHIPS: &[Step] = &[
-    guard("bits", &[CHIPS, QEMU], firmware::bits),
-    guard("firmware", &[CHIPS, QEMU], firmware::programs),
-    guard("no-panic", &[CHIPS], firmware::no_panic),
-    guard("clippy-firmware", &[CHIPS, LINTS], checks::clippy_firmware),
-    guard("c-chip", &[C, CHIPS, PAGE, QEMU], c::check_on_chip),
-    guard("budget", &[CHIPS, PAGE, QEMU], checks::budget),
-    other("budget-on-all", &[CHIPS, PAGE, QEMU], checks::budget_on_all),
-    other("features", &[CHIPS, HACK], checks::features),
+    every_change("bits", &[CHIPS, QEMU], firmware::bits),
+    every_change("firmware", &[CHIPS, QEMU], firmware::programs),
+    every_change("no-panic", &[CHIPS], firmware::no_panic),
+    every_change("clippy-firmware", &[CHIPS, LINTS], checks::clippy_firmware),
+    every_change("c-chip", &[C, CHIPS, PAGE, QEMU], c::check_on_chip),
+    every_change("budget", &[CHIPS, PAGE, QEMU], checks::budget),
+    only_with_all("budget-on-all", &[CHIPS, PAGE, QEMU], checks::budget_on_all),
+    only_with_all("features", &[CHIPS, HACK], checks::features),
 ];
 
 #[derive(Debug, PartialEq)]
@@ -100,8 +100,8 @@ impl Step {
 
 /// Prints the names of the steps.
 pub(crate) fn list() {
-    for Step { name, guards, .. } in ON_HOST.iter().chain(ON_CHIPS) {
-        println!("{name:16} {}", if *guards { "every change" } else { "--all" });
+    for Step { name, every_change, .. } in ON_HOST.iter().chain(ON_CHIPS) {
+        println!("{name:16} {}", if *every_change { "every change" } else { "--all" });
     }
 }
 
@@ -151,15 +151,18 @@ fn exit_code(has_failed: bool, has_not_run: bool) -> u8 {
 mod tests {
     use anyhow::bail;
 
-    use super::{Outcome, Step, exit_code, guard};
+    use super::{Outcome, Step, every_change, exit_code};
     use crate::tools::Tool;
 
     #[test]
     fn a_step_that_cannot_run_has_not_passed() {
         const GOOD: fn() -> anyhow::Result<String> = || Ok(String::new());
         let missing = const { &[Tool::missing()] };
-        let outcomes =
-            [guard("runs", &[], GOOD), guard("fails", &[], || bail!("wrong")), guard("waits", missing, GOOD)];
+        let outcomes = [
+            every_change("runs", &[], GOOD),
+            every_change("fails", &[], || bail!("wrong")),
+            every_change("waits", missing, GOOD),
+        ];
         assert_eq!(
             outcomes.map(|step: Step| step.result()),
             [Outcome::Passed, Outcome::Failed, Outcome::NotRun]

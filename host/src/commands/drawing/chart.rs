@@ -45,7 +45,7 @@ pub struct Chart<'a> {
     /// Labels of x and y.
     pub labels: [&'a str; 2],
     /// Whether the axes of x and of y are logarithmic; numbers that are not above 0 are then left out.
-    pub powers: [bool; 2],
+    pub logarithmic: [bool; 2],
 }
 
 /// Colours of the curves, which colour-blind readers can distinguish (the palette of Okabe and Ito).
@@ -68,8 +68,9 @@ impl Chart<'_> {
         let mut all = Vec::new();
         let looks = COLORS.into_iter().cycle().zip(MARKS.into_iter().cycle());
         for (curve, (color, mark)) in curves.iter().zip(looks) {
-            let place = |&[x, y]: &[f64; 2]| Some((place(x, self.powers[0])?, place(y, self.powers[1])?));
-            let points: Vec<(f64, f64)> = curve.points.iter().filter_map(place).collect();
+            let [of_x, of_y] = self.logarithmic;
+            let coordinates = |&[x, y]: &[f64; 2]| Some((coordinate(x, of_x)?, coordinate(y, of_y)?));
+            let points: Vec<(f64, f64)> = curve.points.iter().filter_map(coordinates).collect();
             all.extend(points.iter().copied());
             if curve.is_line {
                 let line = LinePlot::new().with_data(points.clone()).with_color(color).with_stroke_width(1.8);
@@ -82,25 +83,25 @@ impl Chart<'_> {
         }
         let [mut x, mut y] = [ends(all.iter().map(|(x, _)| *x)), ends(all.iter().map(|(_, y)| *y))];
         let height = y[1] - y[0];
-        let margin = match self.powers[1] {
+        let margin = match self.logarithmic[1] {
             true => 0.1,
             false if height > 1e-9 * y[1].abs() => 0.06 * height,
             // a curve that is constant to rounding is drawn in the middle
             false => 1.0,
         };
         y = [y[0] - margin, y[1] + margin];
-        for (ends, power) in [&mut x, &mut y].into_iter().zip(self.powers) {
-            *ends = if power { whole(*ends) } else { *ends };
+        for (ends, logarithmic) in [&mut x, &mut y].into_iter().zip(self.logarithmic) {
+            *ends = if logarithmic { whole(*ends) } else { *ends };
         }
         let mut layout = frame(&plots, self.title, self.labels[0], [x, y])
             .with_width(920.0)
             .with_height(520.0)
             .with_force_margins_y(84.0, 62.0);
         let power = || TickFormat::Custom(Arc::new(power_of_ten));
-        if self.powers[0] {
+        if self.logarithmic[0] {
             layout = layout.with_x_tick_step(1.0).with_x_tick_format(power());
         }
-        if self.powers[1] {
+        if self.logarithmic[1] {
             let step = if y[1] - y[0] > 9.0 { 2.0 } else { 1.0 };
             layout = layout.with_y_tick_step(step).with_y_tick_format(power());
         }
@@ -110,9 +111,9 @@ impl Chart<'_> {
     }
 }
 
-/// Place of a number on an axis: its logarithm, if the axis has one.
-fn place(x: f64, power: bool) -> Option<f64> {
-    if power { (x > 0.0).then(|| x.log10()) } else { Some(x) }
+/// Coordinate of a number on an axis.
+fn coordinate(x: f64, logarithmic: bool) -> Option<f64> {
+    if logarithmic { (x > 0.0).then(|| x.log10()) } else { Some(x) }
 }
 
 /// Next whole numbers below and above; a number that is almost whole counts as whole.

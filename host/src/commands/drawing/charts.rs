@@ -6,7 +6,7 @@ use crate::input::scenario::{Scenario, Units};
 use crate::motion::angles::tilt_azimuth_roll;
 use crate::motion::tilts;
 use crate::output::short;
-use crate::pictures::curve::TiltLimit;
+use crate::pictures::curve::{Place, TiltLimit};
 use crate::pictures::span::Span;
 use kuva::render::render::Scene;
 use std::f64::consts::PI;
@@ -25,7 +25,7 @@ fn time_label(scenario: &Scenario, from: f64) -> String {
 
 /// Chart over linear axes.
 fn chart(title: &str, labels: [&str; 2], curves: &[Curve]) -> Scene {
-    Chart { title, labels, powers: [false; 2] }.draw(curves)
+    Chart { title, labels, logarithmic: [false; 2] }.draw(curves)
 }
 
 /// Tilt between its limits, against time.
@@ -38,10 +38,10 @@ pub fn tilt(scenario: &Scenario, span: &Span) -> Scene {
     let mut curves = vec![Curve::line("tilt", span.times_of_curve().map(degrees).collect())];
     curves.extend(TiltLimit::all(&scenario.motion).into_iter().map(|limit| {
         let tilt = limit.u.acos().to_degrees();
-        let name = match limit.name {
-            "lowest" => "greatest",
-            "highest" => "least",
-            name => name,
+        let name = match limit.place {
+            Place::Lowest => "greatest",
+            Place::Highest => "least",
+            Place::Constant | Place::Horizontal => "constant",
         };
         Curve::line(format!("{name}: {tilt:.2}°"), vec![[0.0, tilt], [until - from, tilt]])
     }));

@@ -9,9 +9,9 @@ use serde_json::Value;
 macro_rules! files {
     ($($name:literal)*) => { [$((
         $name,
-        include_str!(concat!("../../../benchmarks/", $name, "/scenario.toml")),
-        include_str!(concat!("../../../benchmarks/", $name, "/problem.toml")),
-        include_str!(concat!("../../../benchmarks/", $name, "/reference.json")),
+        include_str!(concat!("../../../problems/", $name, "/scenario.toml")),
+        include_str!(concat!("../../../problems/", $name, "/problem.toml")),
+        include_str!(concat!("../../../problems/", $name, "/reference.json")),
     )),*] };
 }
 

@@ -79,6 +79,8 @@ struct Integrator {
 
 pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     let ScoreArgs { files, benchmark, steps, plot, format } = arguments;
+    let inputs: Vec<_> = files.iter().map(|path| Some(&**path)).collect();
+    whole_file::require_other("--plot", plot.as_deref(), &inputs)?;
     let problem = benchmark.as_deref().map(problems::named).transpose();
     let problem = problem.map_err(|failure| failure.with_context("--benchmark"))?;
     // command that prints the state from which a run has to start
@@ -117,8 +119,6 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     }
     let integrators = integrators(&mut files, &mut warnings);
     if let Some(path) = plot {
-        let inputs: Vec<_> = arguments.files.iter().map(|path| Some(&**path)).collect();
-        whole_file::require_other("--plot", Some(path), &inputs)?;
         draw(path, &scenario, &files, &integrators)?;
     }
     let records: Vec<_> = files.iter().map(|file| record(file, &integrators)).collect();
@@ -197,7 +197,7 @@ fn draw(
     let chart = Chart {
         title: &format!("Work and precision: {}", scenario.name),
         labels: [work, "greatest error of the orientation, rad"],
-        powers: [true; 2],
+        logarithmic: [true; 2],
     };
     drawing::write("--plot", path, &chart.draw(&curves), None)
 }
@@ -206,7 +206,6 @@ fn record(file: &ScoredFile, integrators: &[Integrator]) -> Record {
     let ScoredFile { trajectory, score, step, order } = file;
     let method = integrators.iter().find(|integrator| integrator.name == file.method());
     let phases = &score.phases;
-    let [l, n, h] = [0, 1, 2].map(|i| score.drift.map(|drift| drift[i]));
     Record::default()
         .with("name", &*trajectory.name)
         .with("method", trajectory.method.clone())
@@ -223,9 +222,9 @@ fn record(file: &ScoredFile, integrators: &[Integrator]) -> Record {
         .with("precession_error_rad", phases.precession)
         .with("spin_error_rad", phases.spin)
         .with("residual_rad", phases.residual)
-        .with("drift_h", h)
-        .with("drift_l", l)
-        .with("drift_n", n)
+        .with("drift_h", score.drift.map(|drift| drift.h))
+        .with("drift_l", score.drift.map(|drift| drift.l))
+        .with("drift_n", score.drift.map(|drift| drift.n))
         .with("max_norm_error", score.norm_error)
         .with("truth_bound_rad", score.truth_bound)
         .with("method_order", method.and_then(|method| method.order))

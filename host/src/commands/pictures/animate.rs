@@ -1,7 +1,7 @@
 //! `toytop animate`: a motion as a GIF.
 
 use crate::Failure;
-use crate::commands::drawing::sphere::Film;
+use crate::commands::drawing::film::Film;
 use crate::commands::options::{ending_in, span};
 use crate::commands::warnings;
 use crate::input::scenario::Scenario;
@@ -33,7 +33,7 @@ pub struct AnimateArgs {
     #[arg(long, value_name = "PIXELS", default_value_t = 480, value_parser = clap::value_parser!(u16).range(64..=2160))]
     size: u16,
     /// Output file, whose name ends in .gif
-    #[arg(short, long, value_name = "FILE", value_parser = ending_in(".gif"))]
+    #[arg(short, long, value_name = "FILE", value_parser = ending_in(&[".gif"]))]
     output: PathBuf,
 }
 

@@ -21,7 +21,7 @@ pub struct ViewArgs {
     /// Scenario file of the motion that the page begins with; without it, the page begins with a toy top
     scenario: Option<PathBuf>,
     /// Output file, whose name ends in .html or .htm
-    #[arg(short, long, value_name = "FILE", value_parser = ending_in(".html or .htm"))]
+    #[arg(short, long, value_name = "FILE", value_parser = ending_in(&[".html", ".htm"]))]
     output: PathBuf,
 }
 

@@ -97,7 +97,11 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     if let Some(path) = &arguments.plot_residuals {
         if fit.used_any_sample() {
             let picture = pictures::residuals(&fit, &measurements);
-            files.push(("--plot-residuals", path, drawing::encoded(path, &picture, None)?));
+            files.push((
+                "--plot-residuals",
+                path,
+                drawing::encoded(path, &picture, None).map_err(Failure::Output)?,
+            ));
         } else {
             notes.push(not_written(path, "there is no launch"));
         }

@@ -170,6 +170,6 @@ fn errors(motion: &Motion, table: &dyn AnyEphemeris, n: i64, truth: &PreciseOrie
     let norm = (orientation.norm_squared() - 1.0).abs();
     let now = table.at(found.sample.t);
     let there = now.sample.orientation();
-    let [.., energy] = drift(motion, &there, AttitudeState { orientation: there, rate: now.rate }.omega());
+    let energy = drift(motion, &there, AttitudeState { orientation: there, rate: now.rate }.omega()).h;
     [truth.error_of(&orientation), tip.norm_squared().sqrt(), norm, energy]
 }

@@ -51,7 +51,7 @@ pub struct BudgetArgs {
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = CHIPS.map(|chip| chip.name))]
     chip: Vec<String>,
     /// Clock of the chip, MHz, from which times follow
-    #[arg(long, value_name = "MHZ", default_value_t = 64.0, value_parser = positive)]
+    #[arg(long, value_name = "MHZ", default_value_t = 64.0, value_parser = positive, conflicts_with_all = ["accept", "corpus"])]
     clock: f64,
     /// ELF file of your own, whose functions named bench_... are measured
     #[arg(long, value_name = "FILE", conflicts_with_all = ["check", "accept"])]
@@ -70,7 +70,7 @@ pub struct BudgetArgs {
     #[arg(long, alias = "size", conflicts_with_all = ["elf", "check", "accept"])]
     flash: bool,
     /// Form of the output
-    #[arg(long, default_value = "table")]
+    #[arg(long, default_value = "table", conflicts_with = "accept")]
     format: Format,
 }
 

@@ -9,7 +9,7 @@ use crate::input::builtin;
 use crate::input::scenario::Scenario;
 use crate::input::times::spread_times;
 use crate::motion::ephemeris::smallest_ephemeris;
-use crate::motion::errors::{drift, greater};
+use crate::motion::errors::{Drift, drift, greater};
 use crate::motion::propagate::{Sample, TimedStepper, period};
 use crate::motion::{Scalar, widened};
 use crate::output::stdout::Report;
@@ -282,7 +282,8 @@ impl Reference {
         let errors = |((sample, rate), state): (&(Sample, OrientationRate<f64>), &FullState)| {
             let (found, exact) = (sample.orientation(), state.orientation());
             // in f64 from α, β and their rates, so that l, n and h do not contain the rounding of a product
-            let [l, n, h] = drift(motion, &found, AttitudeState { orientation: found, rate: *rate }.omega());
+            let Drift { l, n, h } =
+                drift(motion, &found, AttitudeState { orientation: found, rate: *rate }.omega());
             let tip =
                 sample.tip.scaled(1.0 / motion.top().tip_scale()) - (exact.alpha * exact.beta).scaled(2.0);
             [

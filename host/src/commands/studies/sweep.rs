@@ -15,7 +15,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::Instant;
-use table::Sweep;
+use table::{MOST_MOTIONS, Sweep};
 
 /// Constants and errors of many motions of a scenario, a grid or a random sample
 ///
@@ -46,7 +46,7 @@ pub struct SweepArgs {
     #[arg(long, value_name = "KEY=AXIS", value_parser = key_and_axis)]
     axis: Vec<(String, Axis)>,
     /// Number of random motions; without it, the motions are the grid of all combinations
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000_000_000))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MOST_MOTIONS))]
     motions: Option<u64>,
     /// Seed of the random motions
     #[arg(long, value_name = "S", default_value_t = 1)]

@@ -55,7 +55,7 @@ fn a_run_is_judged_in_the_axes_of_its_source() {
 #[test]
 fn the_pages_have_the_digits() {
     for name in names() {
-        let page = read(&repository(&format!("host/benchmarks/{name}/README.md")));
+        let page = read(&repository(&format!("host/problems/{name}/README.md")));
         let digits = json(format!("benchmark {name}"));
         for sample in list(&digits["samples"]) {
             let numbers: Vec<_> =

@@ -190,14 +190,14 @@ fn positions_and_rates_are_checked() {
         rows.iter_mut().for_each(|row| row[place] += by);
         let rows: Vec<_> = rows.iter().map(|row| joined(row)).collect();
         write("score_shifted.csv", format!("{}\n{}\n", table.names, rows.join("\n")));
-        (score("@toy_top score_shifted.csv"), toytop("score @toy_top score_shifted.csv").ok())
+        (score("@toy_top score_shifted.csv"), toytop("score @toy_top score_shifted.csv").err)
     };
     assert!(number(&shifted("t", 0.0).0["max_position_error"]) < 1e-15);
-    let (off, table) = shifted("tip_x", 0.5);
+    let (off, said) = shifted("tip_x", 0.5);
     assert!((number(&off["max_position_error"]) - 0.5).abs() < 1e-12, "{off}");
-    assert!(table.contains("the position of the first row is off by 1.7e1 "), "{table}");
-    let (_, table) = shifted("omega_x", 10.0);
-    assert!(table.contains("the angular velocity of the first row is off by 6.7e-2 "), "{table}");
+    assert!(said.contains("the position of the first row is off by 1.7e1 "), "{said}");
+    let (_, said) = shifted("omega_x", 10.0);
+    assert!(said.contains("the angular velocity of the first row is off by 6.7e-2 "), "{said}");
 }
 
 #[test]

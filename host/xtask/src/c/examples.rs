@@ -80,7 +80,7 @@ pub(crate) fn on_chip() -> Result<String> {
     Ok(format!("{lines} lines have the bits of `toytop state`; {said}"))
 }
 
-/// Checks that the page of costs has the flash and RAM of the example, in KB. `TOYTOP_OVERWRITE=1` writes them.
+/// Checks that the page of costs has the flash and RAM of the example, in KB. `TOYTOP_ACCEPT=1` writes them.
 fn check_size(elf: &Path) -> Result<()> {
     const ROW: &str = "| [`core/c/examples/cortex-m4f`](../../core/c/examples/cortex-m4f) |";
     let sizes = run(Command::new("size").arg(elf))?;
@@ -93,11 +93,11 @@ fn check_size(elf: &Path) -> Result<()> {
     let before = fs::read_to_string(&page)?;
     let row = before.lines().find(|line| line.starts_with(ROW)).context("costs.md: no row of the example")?;
     let after = before.replace(row, &format!("{ROW} {flash} | {ram} |"));
-    if std::env::var_os("TOYTOP_OVERWRITE").is_some() {
+    if std::env::var_os("TOYTOP_ACCEPT").is_some() {
         fs::write(page, after)?;
     } else if before != after {
         bail!(
-            "costs.md: the example takes {flash} KB of flash and {ram} KB of RAM; TOYTOP_OVERWRITE=1 writes them"
+            "costs.md: the example takes {flash} KB of flash and {ram} KB of RAM; TOYTOP_ACCEPT=1 writes them"
         );
     }
     Ok(())

@@ -6,7 +6,7 @@
 use super::chips::Chip;
 use crate::Failure;
 use std::collections::HashMap;
-use std::io::{BufRead, BufReader, Read, Seek};
+use std::io::{self, BufRead, BufReader, Read, Seek};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -35,12 +35,13 @@ pub fn run(
     executed: impl FnMut(Block) -> Result<(), Failure>,
 ) -> Result<String, Failure> {
     let fail = |what: String| Failure::Tool(format!("budget: {}: {what}", chip.name));
+    let failed = |error: io::Error| fail(error.to_string());
     // a file, because a full pipe would stop the program
-    let mut printed = tempfile::tempfile()?;
+    let mut printed = tempfile::tempfile().map_err(failed)?;
     let mut qemu = chip
         .qemu(elf)
         .args(arguments)
-        .stdout(printed.try_clone()?)
+        .stdout(printed.try_clone().map_err(failed)?)
         .spawn()
         .map_err(|error| fail(format!("cannot run {} ({error}); install QEMU", chip.emulator)))?;
     let log = qemu.stderr.take().ok_or_else(|| fail("no log".into()))?;
@@ -50,11 +51,10 @@ pub fn run(
         // the program may have ended before
         let _ = qemu.kill();
     }
-    let status = qemu.wait()?;
+    let status = qemu.wait().map_err(failed)?;
     read?;
     let mut text = String::new();
-    printed.rewind()?;
-    printed.read_to_string(&mut text)?;
+    printed.rewind().and_then(|()| printed.read_to_string(&mut text)).map_err(failed)?;
     if !status.success() {
         return Err(fail(format!("the firmware ended with {status}: {text}{}", reader.notes.join(" "))));
     }
@@ -83,7 +83,7 @@ impl Reader {
         // a block is counted when the next begins, because QEMU may cancel it
         let mut begun = None;
         for line in log.lines() {
-            let line = line?;
+            let line = line.map_err(|error| Failure::Tool(format!("budget: QEMU's log: {error}")))?;
             let unknown = || Failure::Tool(format!("budget: QEMU's log is not as expected: {line}"));
             if line.starts_with("Trace ") {
                 begun.take().map_or(Ok(()), &mut executed)?;

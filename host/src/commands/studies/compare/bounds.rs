@@ -70,13 +70,13 @@ pub fn bound(
     own: Option<[f64; 2]>,
     table: Option<f64>,
 ) -> Option<f64> {
-    let tens = (f64::from(periods) / 10.0).max(1.0);
-    let solver = own.map_or_else(|| full_solver_bound(motion), |[solver, _]| solver) * tens * tens;
+    let growth = (f64::from(periods) / 10.0).max(1.0);
+    let solver = own.map_or_else(|| full_solver_bound(motion), |[solver, _]| solver) * growth * growth;
     let core = match (method, own, scalar) {
         (Method::Ephemeris, ..) => table.unwrap_or_default(),
         (_, Some(_), Scalar::F64) => 0.0,
-        (_, Some([_, stepper]), _) => stepper * tens,
-        (_, None, _) => stepper_bound(motion, scalar) * tens,
+        (_, Some([_, stepper]), _) => stepper * growth,
+        (_, None, _) => stepper_bound(motion, scalar) * growth,
     };
     Some(core + solver).filter(|bound| *bound < MAX_DISTANCE)
 }

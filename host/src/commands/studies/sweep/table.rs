@@ -2,7 +2,7 @@
 //!
 //! A row depends only on the options of the sweep and on its index, so that parts from different machines fit together.
 
-use super::columns::{Measured, SweepColumn};
+use super::columns::{RowMotion, SweepColumn};
 use crate::Failure;
 use crate::input::axis::Axis;
 use crate::input::random::Random;
@@ -10,6 +10,9 @@ use crate::input::scenario::ScenarioFile;
 use crate::output::{csv_line, short};
 use serde_json::Value;
 use toytop::Motion;
+
+/// Greatest number of motions.
+pub const MOST_MOTIONS: u64 = 1_000_000_000_000;
 
 /// Table of a sweep: a header, and a row for each motion.
 pub struct Sweep {
@@ -58,8 +61,9 @@ impl Sweep {
             axes.push((key, axis));
         }
         let places = || axes.iter().try_fold(1_u64, |count, (_, axis)| count.checked_mul(axis.size()));
-        let Some(count) = sample.map(|(motions, _)| motions).or_else(places) else {
-            return refuse("a grid: must have at most 2^64 places".to_owned());
+        let Some(count) = sample.map(|(motions, _)| motions).or_else(places).filter(|n| *n <= MOST_MOTIONS)
+        else {
+            return refuse(format!("a grid: must have at most {:e} motions", MOST_MOTIONS as f64));
         };
         let sweep = Self { template, axes, sample, count, columns, times, periods };
         match sweep.template.with_numbers(&sweep.numbers(0)) {
@@ -105,12 +109,12 @@ impl Sweep {
     pub fn row(&self, index: u64, text: &mut Vec<u8>) -> bool {
         let numbers = self.numbers(index);
         let motion = self.motion(&numbers).ok();
-        let measured = motion.map(|motion| Measured::new(motion, self.times, self.periods));
+        let motion = motion.map(|motion| RowMotion::new(motion, self.times, self.periods));
         let mut values = vec![Value::from(index)];
         values.extend(numbers.iter().map(|(_, number)| Value::from(*number)));
-        values.extend(self.columns.iter().flat_map(|column| column.values(measured.as_ref(), self.times)));
+        values.extend(self.columns.iter().flat_map(|column| column.values(motion.as_ref(), self.times)));
         text.extend_from_slice(csv_line(values).as_bytes());
-        measured.is_some()
+        motion.is_some()
     }
 
     /// Reason why the scenario refuses the numbers of a row, beginning with the key that varies and its value.

@@ -6,21 +6,21 @@ its series.
 """
 import json, math, pathlib, subprocess, sys
 
-HERE = pathlib.Path(__file__).resolve().parent
-SCORE = HERE.parent / "docs" / "score"
+HOST = pathlib.Path(__file__).resolve().parents[1]
+PROBLEMS, SCORE = HOST / "problems", HOST / "docs" / "score"
 METHODS = {"SciPy DOP853": ("scipy_dop853.py", "#1f77b4"), "heyoka": ("heyoka_taylor.py", "#d62728"), "Lie group": ("lie_group.py", "#2ca02c")}
 
 
 def problems():
     """Name and length in seconds of each problem: its last time."""
-    for file in sorted(HERE.glob("*/reference.json")):
+    for file in sorted(PROBLEMS.glob("*/reference.json")):
         yield file.parent.name, float(json.loads(file.read_text())["samples"][-1]["t"])
 
 
 def points(program, name, seconds, folder):
     """Work and greatest error of each run, by method."""
     folder.mkdir(parents=True, exist_ok=True)
-    scenario = HERE / name / "scenario.toml"
+    scenario = PROBLEMS / name / "scenario.toml"
     for script, _ in METHODS.values():
         subprocess.check_call([sys.executable, str(SCORE / script), program, str(scenario), str(seconds), str(folder)])
     files = sorted(map(str, folder.glob("*.csv")))

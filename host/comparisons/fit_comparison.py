@@ -2,7 +2,7 @@
 """One second of a telephone's sensors on a top: who predicts the next ten seconds?
 
     python3 -m pip install numpy scipy vqf
-    cargo build --release --bin toytop && python3 host/benchmarks/fit_comparison.py target/release/toytop
+    cargo build --release --bin toytop && python3 host/comparisons/fit_comparison.py target/release/toytop
 
 Three methods get the same samples: toytop fit, without a guess; the filter VQF (Laidig and Seel 2023), whose last orientation is
 continued at the last rate of the gyroscope, less the bias that it found; and a batch fit by SciPy's least_squares over DOP853, which begins near the truth.
