@@ -24,8 +24,7 @@ impl Period {
         // beyond twice the number needed only roundings are left
         let most = MOST_NODES.min(2 * needed);
         loop {
-            let error = rule.double_nodes(pause);
-            pause();
+            let error = rule.double_nodes();
             if rule.nodes >= most || rule.nodes >= needed && error <= TrapezoidRule::<WORDS>::SETTLED {
                 return rule.period(error);
             }
@@ -44,6 +43,7 @@ struct TrapezoidRule<'a, const WORDS: usize> {
     step: [Wide<WORDS>; 2],
     /// Relative changes by the last doubling of the nodes.
     changes: [f64; 2],
+    pause: &'a mut dyn FnMut(),
 }
 
 impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
@@ -58,43 +58,49 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         equations: &'a EllipticEquations<'a, Wide<WORDS>>,
         landen: &'a Landen<WORDS>,
         nodes: u32,
-        pause: &mut dyn FnMut(),
+        pause: &'a mut dyn FnMut(),
     ) -> Self {
         let step = part_of_right_angle(nodes);
-        let mut rule =
-            Self { equations, landen, sums: [Wide::ZERO; 3], nodes, step, changes: [f64::INFINITY; 2] };
-        let ends = add(
-            rule.integrands_at([Wide::ZERO, Wide::ONE], pause),
-            rule.integrands_at([Wide::ONE, Wide::ZERO], pause),
-        );
-        let inner = rule.sum_nodes(nodes - 1, step, pause);
+        let mut rule = Self {
+            equations,
+            landen,
+            sums: [Wide::ZERO; 3],
+            nodes,
+            step,
+            changes: [f64::INFINITY; 2],
+            pause,
+        };
+        let ends =
+            add(rule.integrands_at([Wide::ZERO, Wide::ONE]), rule.integrands_at([Wide::ONE, Wide::ZERO]));
+        let inner = rule.sum_nodes(nodes - 1, step);
         rule.sums = add(ends.map(Wide::halved), inner);
         rule
     }
 
     /// Halves the distance of the nodes. Returns the estimated relative error.
     #[inline(never)]
-    fn double_nodes(&mut self, pause: &mut dyn FnMut()) -> f64 {
+    fn double_nodes(&mut self) -> f64 {
         let [sine, cosine] = self.step;
         let half_cosine = (Wide::ONE + cosine).halved().sqrt();
         let half_step = [sine / half_cosine.doubled(), half_cosine];
-        let odd = self.sum_nodes(self.nodes, half_step, pause);
+        let odd = self.sum_nodes(self.nodes, half_step);
         let ([a, b, c], [x, y, z]) = (odd, self.sums);
         let difference = [a - x, b - y, c - z];
         self.sums = add(self.sums, odd);
         (self.nodes, self.step) = (2 * self.nodes, half_step);
         let (changes, before) = (self.relative(difference), self.changes);
         self.changes = changes;
+        (self.pause)();
         let ([time, slow], [time_before, slow_before]) = (changes, before);
         remaining_error(time, time_before).max(remaining_error(slow, slow_before))
     }
 
     /// Sums over nodes that are a step apart.
-    fn sum_nodes(&self, nodes: u32, first: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) -> [Wide<WORDS>; 3] {
+    fn sum_nodes(&mut self, nodes: u32, first: [Wide<WORDS>; 2]) -> [Wide<WORDS>; 3] {
         let ([step_sine, step_cosine], [mut sine, mut cosine]) = (self.step, first);
         let mut sums = [Wide::ZERO; 3];
         for _ in 0..nodes {
-            sums = add(sums, self.integrands_at([sine, cosine], pause));
+            sums = add(sums, self.integrands_at([sine, cosine]));
             (sine, cosine) =
                 (sine * step_cosine + cosine * step_sine, cosine * step_cosine - sine * step_sine);
         }
@@ -102,8 +108,8 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
     }
 
     #[inline(never)]
-    fn integrands_at(&self, angle: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) -> [Wide<WORDS>; 3] {
-        pause();
+    fn integrands_at(&mut self, angle: [Wide<WORDS>; 2]) -> [Wide<WORDS>; 3] {
+        (self.pause)();
         self.equations.at(&self.landen.fractions_at_angle(angle))
     }
 
@@ -196,9 +202,10 @@ mod tests {
         let mut landen = Landen::NONE;
         landen.fill(elliptic.parameters(), &mut || {});
         let (nodes, _) = landen.node_counts(TrapezoidRule::<2>::BITS);
-        let mut rule = TrapezoidRule::new(&elliptic, &landen, nodes, &mut || {});
+        let mut pause = || {};
+        let mut rule = TrapezoidRule::new(&elliptic, &landen, nodes, &mut pause);
         while rule.nodes < 2 * first.nodes {
-            rule.double_nodes(&mut || {});
+            rule.double_nodes();
         }
         let finer = rule.period(0.0);
         assert_eq!(finer.nodes, 2 * first.nodes);

@@ -165,28 +165,28 @@ impl Path {
         (self.span.depth <= Span::DEEPEST).then_some(())
     }
 
-    /// Expands the motion around the centre of the span, from rates in numbers of this many words; `None` where a truncation error is too large.
+    /// Expands the motion around the centre of the span, first around its beginning if the centre is not known yet; `None` if a truncation error is
+    /// too large.
+    ///
+    /// * `WORDS`: size of the numbers for the rates at the origin
     #[inline(never)]
     pub(super) fn expand<const WORDS: usize>(&mut self, pause: &mut dyn FnMut()) -> Option<()> {
-        let allowed = self.allowed_step();
-        if self.centre.is_none() {
-            self.expand_at_origin::<WORDS>(pause);
-            self.centre = Some(self.point_at(1, allowed)?);
+        loop {
+            pause();
+            // a slow phase may hardly differ from its mean, which the table of an `f64` must resolve
+            let origin = match WORDS {
+                1 => self.origin(&self.rounded_equations, Float::to_f64),
+                _ => self.origin(&self.equations, |constant| constant),
+            };
+            self.expansion.expand(&self.rounded_equations, &origin, pause);
+            pause();
+            let next = self.point_at(1, self.allowed_step())?;
+            if self.centre.is_some() {
+                self.end = next;
+                return Some(());
+            }
+            self.centre = Some(next);
         }
-        self.expand_at_origin::<WORDS>(pause);
-        self.end = self.point_at(1, allowed)?;
-        Some(())
-    }
-
-    fn expand_at_origin<const WORDS: usize>(&mut self, pause: &mut dyn FnMut()) {
-        pause();
-        // a slow phase may hardly differ from its mean, which the table of an `f64` must resolve
-        let origin = match WORDS {
-            1 => self.origin(&self.rounded_equations, Float::to_f64),
-            _ => self.origin(&self.equations, |constant| constant),
-        };
-        self.expansion.expand(&self.rounded_equations, &origin, pause);
-        pause();
     }
 
     /// Allowed truncation error of a step over half a span.
