@@ -36,10 +36,10 @@ pub extern "C" fn words() -> *const AtomicU8 {
     WORDS.as_ptr()
 }
 
-/// Names of the numbers that [`launch`] returns: the constants, the bound on the orientation error at t = 0, rad, and its
-/// growth, rad/s.
+/// Names of the numbers that [`launch`] returns: the constants, the bound on the orientation error at t = 0, rad, its
+/// growth, rad/s, and the time that the pictures cover, s.
 pub fn launch_names() -> impl Iterator<Item = &'static str> {
-    constants().map(|(name, _)| name).chain(["error", "error_growth"])
+    constants().map(|(name, _)| name).chain(["error", "error_growth", "span"])
 }
 
 /// Shows the motion of this kind (0 release, 1 state, 2 branch points) whose numbers stand in the array: those of the top,
@@ -55,9 +55,9 @@ pub extern "C" fn launch(kind: u32) -> i32 {
     (*MOTION.lock(), *GHOST.lock()) = (None, None);
     match launched(&top, kind, &motion) {
         Ok(motion) => {
-            let bound = TABLE.lock().error_bound();
             let of = MotionConstants::new(motion);
-            put(constants().map(|(_, value)| value(&of)).chain(bound));
+            let table = TABLE.lock();
+            put(constants().map(|(_, value)| value(&of)).chain(table.error_bound()).chain([table.span(&of)]));
             *MOTION.lock() = Some(motion);
             say([regime(motion.regime()), tip_class(motion.tip_class())])
         }
