@@ -5,6 +5,15 @@ use core::f64::consts::PI;
 use toytop::scalar::Float;
 use toytop::{Motion, Regime};
 
+/// Time that a picture of a motion covers, s, by the distance of the tip from the centre at a time: a whole number of nutation periods, one
+/// turn where the tilt is constant, or the time until the tip of an aperiodic motion is at the centre.
+pub fn span(motion: &MotionConstants, tip_distance: impl Fn(f64) -> f64) -> f64 {
+    match motion.regime() {
+        Regime::Aperiodic => time_to_vertical(motion, tip_distance),
+        _ => cycle(motion) * f64::from(periods(motion).unwrap_or(1)),
+    }
+}
+
 /// Time in which the axis does the same again, s: the nutation period, or a turn about the vertical where the tilt is constant. It is
 /// the natural time of a motion that has neither.
 pub fn cycle(motion: &MotionConstants) -> f64 {
@@ -22,14 +31,15 @@ pub fn periods(motion: &MotionConstants) -> Option<u32> {
     const LEAST: u32 = 3;
     const MOST: u32 = 24;
     let once_round = 2.0 * PI / Float::abs(motion.phi_per_period());
-    let whole = once_round as u32;
-    let above = whole.saturating_add(u32::from(f64::from(whole) < once_round));
-    let periods = if once_round > f64::from(4 * MOST) { LEAST } else { above.clamp(LEAST, MOST) };
+    let periods = match once_round > f64::from(4 * MOST) {
+        true => LEAST,
+        false => (LEAST..MOST).find(|periods| f64::from(*periods) >= once_round).unwrap_or(MOST),
+    };
     (motion.regime() == Regime::Nutating).then_some(periods)
 }
 
 /// Time after which the tip of an aperiodic motion stays at the centre, s, by its distance from there at a time.
-pub fn time_to_vertical(motion: &Motion, tip_distance: impl Fn(f64) -> f64) -> f64 {
+fn time_to_vertical(motion: &Motion, tip_distance: impl Fn(f64) -> f64) -> f64 {
     const AT_THE_CENTRE: f64 = 4e-3;
     const MOST: u32 = 4096;
     let one_plus_e1 = motion.branch_points().one_plus_e1;

@@ -11,6 +11,7 @@ use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
 use toytop::{Motion, ParameterError};
 use toytop_model::constants::{MotionConstants, numbers as constants, regime, tip_class};
+use toytop_model::span::span;
 
 /// Points of a curve that one call computes at most.
 const POINTS: usize = 4096;
@@ -57,7 +58,10 @@ pub extern "C" fn launch(kind: u32) -> i32 {
         Ok(motion) => {
             let of = MotionConstants::new(motion);
             let table = TABLE.lock();
-            put(constants().map(|(_, value)| value(&of)).chain(table.error_bound()).chain([table.span(&of)]));
+            put(constants()
+                .map(|(_, value)| value(&of))
+                .chain(table.error_bound())
+                .chain([span(&of, |t| table.at(t).1.modulus())]));
             *MOTION.lock() = Some(motion);
             say([regime(motion.regime()), tip_class(motion.tip_class())])
         }

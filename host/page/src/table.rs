@@ -1,11 +1,10 @@
 //! Table of a motion in `f64`: the orientation at any time, at the same cost.
 
 use toytop::{
-    Complex, Ephemeris, EphemerisMemory, EphemerisScalar, Motion, Orientation, ParameterError, Regime, SetUp,
+    Complex, Ephemeris, EphemerisMemory, EphemerisScalar, Motion, Orientation, ParameterError, SetUp,
 };
 use toytop_closed_forms::Aperiodic;
-use toytop_model::constants::{MotionConstants, tick, ticks_per_time};
-use toytop_model::span::{cycle, periods, time_to_vertical};
+use toytop_model::constants::{tick, ticks_per_time};
 
 /// Table with the largest capacity that there is, or the closed form of an aperiodic motion.
 pub struct Table {
@@ -71,14 +70,6 @@ impl Table {
                 (pose.orientation, pose.tip)
             }
             (Method::Table, None) => (Orientation::IDENTITY, Complex::ZERO),
-        }
-    }
-
-    /// Time that the pictures of the motion cover, s.
-    pub fn span(&self, motion: &MotionConstants) -> f64 {
-        match motion.regime() {
-            Regime::Aperiodic => time_to_vertical(motion, |t| self.at(t).1.modulus()),
-            _ => cycle(motion) * f64::from(periods(motion).unwrap_or(1)),
         }
     }
 

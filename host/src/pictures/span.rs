@@ -5,9 +5,9 @@ use crate::motion::Scalar;
 use crate::motion::ephemeris::{AnyEphemeris, furthest_time, smallest_ephemeris};
 use crate::motion::propagate::Sample;
 use crate::output::short;
-use toytop::{Motion, Regime};
+use toytop::Motion;
 use toytop_model::constants::MotionConstants;
-use toytop_model::span::{cycle, periods, time_to_vertical};
+use toytop_model::span::{cycle, periods, span};
 
 /// Motion between two times.
 pub struct Span {
@@ -48,10 +48,7 @@ impl Span {
         }
         let table = smallest_ephemeris(Scalar::F64, motion)?;
         let periods = periods(&constants).filter(|_| times.is_none());
-        let ends = times.unwrap_or_else(|| match regime {
-            Regime::Aperiodic => [0.0, time_to_vertical(motion, |t| table.at(t).sample.tip.modulus())],
-            _ => [0.0, cycle * periods.map_or(1.0, f64::from)],
-        });
+        let ends = times.unwrap_or_else(|| [0.0, span(&constants, |t| table.at(t).sample.tip.modulus())]);
         Ok(Self { table, ends, periods, cycle })
     }
 

@@ -52,7 +52,7 @@ impl MotionCore {
         Ok(match kind {
             "turning" => vec![EventQuery::Turning],
             "tilt" => levels(&[Level::of_tilt(value).map_err(named)?]),
-            "direction" => vec![EventQuery::TipAngle(Phase::new(value / TAU))],
+            "tip_angle" => vec![EventQuery::TipAngle(Phase::new(value / TAU))],
             "circle" => levels(&Level::of_circle(self.motion.top(), value).map_err(named)?),
             _ => levels(Level::of_lift_off(&self.motion).as_slice()),
         })
