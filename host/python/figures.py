@@ -106,25 +106,12 @@ def scaled_start() -> Any:
 
 
 def heyoka_equations(hy: Any) -> Any:
-    """The equations of tests/equations.py with the momentum in units of A."""
-    a, c = TOP.transverse_inertia, TOP.axial_inertia
-    ps, weight = TOP.mass_moment * TOP.com_height / a, TOP.mass_moment * TOP.gravity / a
-    w, x, y, z, m1, m2, m3 = state = hy.make_vars("w", "x", "y", "z", "m1", "m2", "m3")
-    r1, r2, r3 = 2.0 * (x * z + w * y), 2.0 * (y * z - w * x), w * w - x * x - y * y + z * z
-    axial = (c - a) / c * (m1 * r1 + m2 * r2 + m3 * r3)
-    rise = ps * (m1 * r2 - m2 * r1) / (1.0 + ps * (r1 * r1 + r2 * r2))
-    w1, w2, w3 = m1 - axial * r1 - rise * r2, m2 - axial * r2 + rise * r1, m3 - axial * r3
-    d1, d2 = w2 * r3 - w3 * r2, w3 * r1 - w1 * r3
-    slopes = [
-        0.5 * (-w1 * x - w2 * y - w3 * z),
-        0.5 * (w1 * w + w2 * z - w3 * y),
-        0.5 * (w2 * w + w3 * x - w1 * z),
-        0.5 * (w3 * w + w1 * y - w2 * x),
-        rise * d2 - weight * r2,
-        -rise * d1 + weight * r1,
-        0.0 * m3,
-    ]
-    return list(zip(state, slopes, strict=True))
+    """Equations of tests/equations.py with the momentum in units of A."""
+    symbols = np.array(hy.make_vars("w", "x", "y", "z", "m1", "m2", "m3"))
+    units = np.array([1.0] * 4 + [TOP.transverse_inertia] * 3)
+    slopes = equations.slope(TOP)(0.0, units * symbols) / units
+    # heyoka takes no number as an equation, and the third momentum is constant
+    return [(symbol, slope + 0.0 * symbol) for symbol, slope in zip(symbols, slopes, strict=True)]
 
 
 def main() -> None:

@@ -161,7 +161,7 @@ impl MotionConstants {
     }
 
     /// Advance of the tip angle in a period, rad; NaN where the axis is vertical.
-    fn phi_per_period(&self) -> f64 {
+    pub fn phi_per_period(&self) -> f64 {
         if self.regime().is_vertical() { f64::NAN } else { self.turning(|advance| advance.phi_per_period) }
     }
 }

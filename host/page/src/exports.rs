@@ -11,6 +11,7 @@ use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
 use toytop::{Motion, ParameterError};
 use toytop_model::constants::{MotionConstants, numbers as constants, regime, tip_class};
+use toytop_model::span::span;
 
 /// Points of a curve that one call computes at most.
 const POINTS: usize = 4096;
@@ -35,10 +36,10 @@ pub extern "C" fn words() -> *const AtomicU8 {
     WORDS.as_ptr()
 }
 
-/// Names of the numbers that [`launch`] returns: the constants, the bound on the orientation error at t = 0, rad, and its
-/// growth, rad/s.
+/// Names of the numbers that [`launch`] returns: the constants, the bound on the orientation error at t = 0, rad, its
+/// growth, rad/s, and the time that the pictures cover, s.
 pub fn launch_names() -> impl Iterator<Item = &'static str> {
-    constants().map(|(name, _)| name).chain(["error", "error_growth"])
+    constants().map(|(name, _)| name).chain(["error", "error_growth", "span"])
 }
 
 /// Shows a motion of this kind: 0 release, 1 state, 2 branch points. The array holds the numbers of the top, then of the motion. After a
@@ -54,8 +55,11 @@ pub extern "C" fn launch(kind: u32) -> i32 {
     (*MOTION.lock(), *RUNGE_KUTTA.lock()) = (None, None);
     match launched(&top, kind, &motion) {
         Ok(motion) => {
-            let bound = TABLE.lock().error_bound();
-            put(constants().map(|(_, value)| value(&motion)).chain(bound));
+            let table = TABLE.lock();
+            put(constants()
+                .map(|(_, value)| value(&motion))
+                .chain(table.error_bound())
+                .chain([span(&motion, |t| table.at(t).1.modulus())]));
             *MOTION.lock() = Some(*motion);
             say([regime(motion.regime()), tip_class(motion.tip_class())])
         }

@@ -69,7 +69,7 @@ fn angles_and_rates_at_the_start_are_those_of_the_throw() {
         let found = constant(&motion, name);
         assert!((found / given - 1.0).abs() < 1e-12, "{name}: {found} for {given}");
     }
-    assert_eq!(launch_names().count(), numbers().count() + 2);
+    assert_eq!(launch_names().count(), numbers().count() + 3);
 }
 
 /// Where no torque acts the angular momentum stands still, Aω + ((C - A)⟨ω, r⟩ + K) r; elsewhere it does not.

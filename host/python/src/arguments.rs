@@ -45,23 +45,11 @@ pub(crate) struct NumericArg {
 }
 
 impl NumericArg {
-    /// Reads an argument of finite numbers.
-    ///
-    /// # Errors
-    /// `ValueError` that names the argument: no numbers, or a number that is not finite.
-    pub(crate) fn read(name: &str, object: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let given = Self::read_any(name, object)?;
-        match given.numbers.iter().all(|x| x.is_finite()) {
-            true => Ok(given),
-            false => Err(value_error(name, "must be finite")),
-        }
-    }
-
     /// Reads an argument of numbers, finite or not.
     ///
     /// # Errors
     /// `ValueError` that names the argument: no numbers.
-    pub(crate) fn read_any(name: &str, object: &Bound<'_, PyAny>) -> PyResult<Self> {
+    pub(crate) fn read(name: &str, object: &Bound<'_, PyAny>) -> PyResult<Self> {
         static NUMBERS: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
         if object.is_instance_of::<PyFloat>() || object.is_exact_instance_of::<PyInt>() {
             return Ok(Self { numbers: vec![object.extract()?], shape: Vec::new() });
@@ -87,7 +75,11 @@ impl FromPyObject<'_, '_> for NumericArg {
     type Error = PyErr;
 
     fn extract(t: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
-        Self::read("t", &t)
+        let times = Self::read("t", &t)?;
+        match times.numbers.iter().all(|t| t.is_finite()) {
+            true => Ok(times),
+            false => Err(value_error("t", "must be finite")),
+        }
     }
 }
 

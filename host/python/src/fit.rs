@@ -203,8 +203,7 @@ fn columns(samples: &Bound<'_, PyDict>, sensors: &mut Sensors, all: bool) -> PyR
     keep_present(sensors, has, all).map_err(|reason| value_error("samples", reason))?;
     let column = |name: &str, rows: Option<usize>| -> PyResult<Vec<f64>> {
         let full_name = format!("samples: {name}");
-        let NumericArg { numbers, shape } =
-            NumericArg::read_any(&full_name, &samples.as_any().get_item(name)?)?;
+        let NumericArg { numbers, shape } = NumericArg::read(&full_name, &samples.as_any().get_item(name)?)?;
         let reason = match shape[..] {
             [length] if rows.is_none_or(|rows| rows == length) => return Ok(numbers),
             [length] => format!("must have as many rows as t; has {length}"),

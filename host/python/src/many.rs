@@ -5,6 +5,7 @@ use crate::interrupt;
 use crate::motion::{MotionCore, scalar_named};
 use crate::samples::{Sampler, Source};
 use crate::top::TopCore;
+use numpy::PyReadonlyArray2;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use toytop_model::constants::numbers;
@@ -18,12 +19,12 @@ pub(crate) fn launch_many(
     py: Python<'_>,
     tops: Vec<Py<TopCore>>,
     rates: &str,
-    rows: NumericArg,
+    rows: PyReadonlyArray2<'_, f64>,
 ) -> PyResult<Vec<Py<MotionCore>>> {
-    let rows: Vec<_> = rows.numbers.chunks(rows.shape[1]).collect();
+    let rows: Vec<_> = rows.as_array().outer_iter().map(|row| row.to_vec()).collect();
     let motions = interrupt::map(py, tops.len().max(rows.len()), |index| {
         let top = tops[index % tops.len()].get();
-        let (name, motion) = match *rows[index % rows.len()] {
+        let (name, motion) = match rows[index % rows.len()][..] {
             [w, x, y, z, a, b, c] => ("quaternion", top.launch([w, x, y, z], rates, [a, b, c])),
             [a, b, c, d, e, f] => ("releases", top.release(a, b, c, d, e, f)),
             _ => ("rows", Err(value_error("rows", "must be of 6 or 7 numbers"))),

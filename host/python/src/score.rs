@@ -3,6 +3,7 @@
 use crate::arguments::{NumericArg, failed};
 use crate::interrupt;
 use crate::motion::MotionCore;
+use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use toytop::Orientation;
 use toytop_host::Failure;
@@ -27,26 +28,28 @@ pub(crate) struct ScoreFields {
     drift_n: Option<f64>,
     norm_error: f64,
     truth_bound: f64,
-    doubt: Option<String>,
+    warning: Option<String>,
 }
 
-/// Errors of an integrator's output, from the state of motion.at(0), against the exact motion.
+/// Errors of an integrator's output, from the state of motion.at(t[0]), against the exact motion.
 #[pyfunction]
 pub(crate) fn score(
     py: Python<'_>,
     motion: &MotionCore,
     t: NumericArg,
-    quaternion: NumericArg,
-    omega: Option<NumericArg>,
+    quaternion: PyReadonlyArray2<'_, f64>,
+    omega: Option<PyReadonlyArray2<'_, f64>>,
     in_body: bool,
 ) -> PyResult<ScoreFields> {
+    let numbers = |rows: PyReadonlyArray2<'_, f64>| rows.as_array().iter().copied().collect::<Vec<_>>();
+    let (quaternions, rates) = (numbers(quaternion), omega.map(numbers));
     let count = t.numbers.len();
     let row = move |i: usize| {
-        let given = Orientation::from_quaternion(quaternion.numbers.as_chunks().0[i]);
+        let given = Orientation::from_quaternion(quaternions.as_chunks().0[i]);
         let (orientation, norm_error) =
             normalised(given).map_err(|reason| Failure::Input(format!("quaternion: row {i}: {reason}")))?;
         let in_fixed = |rate: [f64; 3]| if in_body { orientation.adjoint(rate) } else { rate };
-        let omega = omega.as_ref().map(|rates| in_fixed(rates.numbers.as_chunks().0[i]));
+        let omega = rates.as_ref().map(|rates| in_fixed(rates.as_chunks().0[i]));
         Ok(Pose { t: t.numbers[i], orientation, norm_error, omega, tip: None })
     };
     let MotionCore { motion, launch, top, .. } = motion;
@@ -61,7 +64,7 @@ pub(crate) fn score(
         let rows = (0..count).map(row).collect::<Result<_, Failure>>()?;
         let trajectory =
             Trajectory { name: "result".into(), method: None, step: None, evaluations: None, rows };
-        ExactReference::new(&scenario, "motion.at(times[0])")?.score(&trajectory)
+        ExactReference::new(&scenario, "motion.at(t[0])")?.score(&trajectory)
     })?;
     let score = score.map_err(failed)?;
     Ok(ScoreFields {
@@ -78,12 +81,12 @@ pub(crate) fn score(
         drift_n: score.drift.map(|drift| drift.n),
         norm_error: score.norm_error,
         truth_bound: score.truth_bound,
-        doubt: score.warning,
+        warning: score.warning,
     })
 }
 
 /// Order of convergence, fitted to rows of a step size and its error.
 #[pyfunction]
-pub(crate) fn order(runs: NumericArg) -> Option<f64> {
-    convergence::fitted(runs.numbers.as_chunks().0)
+pub(crate) fn order(runs: Vec<[f64; 2]>) -> Option<f64> {
+    convergence::fitted(&runs)
 }

@@ -25,14 +25,14 @@ def test_crossings_are_where_they_say(motion: toytop.Motion) -> None:
     tilt = float(np.arccos(0.5 * (motion.e1 + motion.e2)))
     scale = motion.top.com_height
     radius = scale * float(np.sin(tilt))
-    for kind, value in [("tilt", tilt), ("circle", radius), ("direction", 1.0)]:
+    for kind, value in [("tilt", tilt), ("circle", radius), ("tip_angle", 1.0)]:
         events = motion.events(kind, value, start=3.0, count=40)  # type: ignore[arg-type]
         now = motion.at(events["t"])
         assert len(events["t"]) == 40 and events["t"][0] >= 3.0 and (np.diff(events["t"]) > 0.0).all()
         off = {
             "tilt": now.u - np.cos(tilt),
             "circle": (np.linalg.norm(now.tip, axis=1) - radius) / scale,
-            "direction": (now.tip_angle - 1.0 + np.pi) % (2.0 * np.pi) - np.pi,
+            "tip_angle": (now.tip_angle - 1.0 + np.pi) % (2.0 * np.pi) - np.pi,
         }[kind]
         assert np.abs(off).max() < 1e-11
         assert ((events["t_error"] > 0.0) & (events["t_error"] < 1e-12)).all()
@@ -47,6 +47,7 @@ def test_lift_off(top: toytop.Top) -> None:
     assert wild.min_normal_force is not None and wild.min_normal_force < 0.0
     events = wild.events("lift_off", count=4)
     assert events["up"].tolist() in ([True, False] * 2, [False, True] * 2)
+    assert (wild.events("lift-off", count=4)["t"] == events["t"]).all()
     assert len(top.release(tilt=0.1, spin=150.0).events("lift_off")["t"]) == 0
 
 
@@ -111,7 +112,7 @@ def test_losses_are_fitted_with_a_drift(top: toytop.Top, motion: toytop.Motion) 
         ("value", ("turning", 1.0), {}),
         ("value", ("tilt", 4.0), {}),
         ("value", ("circle", 2.0), {}),
-        ("value", ("direction", np.nan), {}),
+        ("value", ("tip_angle", np.nan), {}),
         ("start", ("turning",), {"start": 1e300}),
         ("start", ("turning",), {"start": np.timedelta64(1, "s")}),
         ("count", ("turning",), {"count": -1}),

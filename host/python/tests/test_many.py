@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import toytop
+from toytop import _toytop
 
 TIMES = np.linspace(0.0, 2.0, 33)
 
@@ -117,3 +118,8 @@ def test_data_frames(top: toytop.Top, many: toytop.Many, releases: dict[str, Any
         with pytest.raises(ValueError, match="^t: must be numbers, not timedelta64"):
             many.at(frames.to_timedelta([1.0, 2.0], "s"))
     assert make(many.at(TIMES).columns()).shape == (200 * 33, 16)
+
+
+def test_rows_of_one_axis_are_refused(top: toytop.Top) -> None:
+    with pytest.raises(TypeError):
+        _toytop.launch_many([top._core], "omega", np.zeros(7))

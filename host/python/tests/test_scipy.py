@@ -57,7 +57,7 @@ def test_the_score_of_an_integration(motion: toytop.Motion) -> None:
     score = toytop.score(motion, times, states[:, :4], omega=omega)
     # the score normalises first
     assert score.max_error == pytest.approx(errors.max(), rel=0.3)
-    assert 1e-9 < score.max_error < 1e-4 and score.doubt is None
+    assert 1e-9 < score.max_error < 1e-4 and score.warning is None
     assert score.drift_h is not None and 1e-14 < score.drift_h < 1e-6
     without = toytop.score(motion, times, states[:, :4])
     assert without.max_error == score.max_error and without.drift_h is None
@@ -85,5 +85,5 @@ def test_the_order_of_a_method(motion: toytop.Motion) -> None:
 def test_a_result_in_the_wrong_convention_is_told(motion: toytop.Motion) -> None:
     times = np.linspace(0.0, 0.1, 20)
     inverse = motion.at(times).quaternion * [1.0, -1.0, -1.0, -1.0]
-    doubt = toytop.score(motion, times, inverse).doubt
-    assert doubt is not None and "from fixed to body" in doubt
+    warning = toytop.score(motion, times, inverse).warning
+    assert warning is not None and "from fixed to body" in warning

@@ -64,7 +64,7 @@ def use_score(score: toytop.Score) -> None:
     drifts = (score.drift_h, score.drift_l, score.drift_n)
     assert_type(numbers[0], float)
     assert_type((phases + drifts)[0], float | None)
-    assert_type(score.doubt, str | None)
+    assert_type(score.warning, str | None)
 
 
 def use_fitted(fitted: toytop.Fitted) -> None:

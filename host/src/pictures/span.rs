@@ -2,11 +2,12 @@
 
 use crate::Failure;
 use crate::motion::ephemeris::{AnyEphemeris, smallest_ephemeris};
-use crate::motion::propagate::{Sample, natural_time, period};
+use crate::motion::propagate::Sample;
 use crate::motion::{Scalar, require_within};
 use crate::output::short;
-use std::f64::consts::TAU;
-use toytop::{Motion, Regime};
+use toytop::Motion;
+use toytop_model::constants::MotionConstants;
+use toytop_model::span::{cycle, periods, span};
 
 /// Motion between two times.
 pub struct Span {
@@ -35,7 +36,8 @@ impl Span {
         let table = smallest_ephemeris(Scalar::F64, motion)?;
         require_within(times.into_iter().flatten(), table.furthest_time(), " s")
             .map_err(|failure| failure.with_context("--times"))?;
-        let (regime, cycle) = (motion.regime(), cycle(motion));
+        let constants = MotionConstants::new(*motion);
+        let (regime, cycle) = (motion.regime(), cycle(&constants));
         let longest = most_cycles * cycle;
         if let Some([from, until]) = times.filter(|[from, until]| until - from > longest)
             && !regime.is_vertical()
@@ -44,11 +46,8 @@ impl Span {
             let reason = format!("must span at most {longest} ({most_cycles} nutation periods or turns)");
             return Err(Failure::Input(format!("--times: {from}..{until}: {reason}")));
         }
-        let periods = periods(motion).filter(|_| times.is_none());
-        let ends = times.unwrap_or_else(|| match regime {
-            Regime::Aperiodic => [0.0, time_to_vertical(motion, &*table)],
-            _ => [0.0, cycle * periods.map_or(1.0, f64::from)],
-        });
+        let periods = periods(&constants).filter(|_| times.is_none());
+        let ends = times.unwrap_or_else(|| [0.0, span(&constants, |t| table.at(t).sample.tip.modulus())]);
         Ok(Self { table, ends, periods, cycle })
     }
 
@@ -79,43 +78,4 @@ impl Span {
         let digits = 4 + parts.log10().clamp(0.0, 13.0).ceil() as usize;
         self.ends.map(|t| short(t, digits))
     }
-}
-
-/// Time in which the axis does the same again, s: the nutation period, or a turn about the vertical where the tilt is constant. It is
-/// the natural time of a motion that has neither.
-fn cycle(motion: &Motion) -> f64 {
-    let turn = || {
-        let advance = motion.period_advance()?;
-        let rate = advance.phi_per_period.abs() / advance.period;
-        (rate > 0.0).then(|| TAU / rate)
-    };
-    match motion.regime() {
-        Regime::Nutating => period(motion),
-        regime if regime.is_regular_precession() => turn().unwrap_or_else(|| natural_time(motion)),
-        _ => natural_time(motion),
-    }
-}
-
-/// Number of nutation periods in which the tip goes round the centre once, within limits; `None` where the motion does not nutate. Where
-/// the precession is very slow it is the least number, in which the tip makes a small part of a turn.
-fn periods(motion: &Motion) -> Option<u32> {
-    const LEAST: f64 = 3.0;
-    const MOST: f64 = 24.0;
-    let advance = motion.period_advance().filter(|_| motion.regime() == Regime::Nutating)?;
-    let once_round = (TAU / advance.phi_per_period.abs()).ceil();
-    Some(if once_round > 4.0 * MOST { LEAST } else { once_round.clamp(LEAST, MOST) } as u32)
-}
-
-/// Time until the tip of an aperiodic motion stays at the centre, s.
-fn time_to_vertical(motion: &Motion, table: &dyn AnyEphemeris) -> f64 {
-    const AT_THE_CENTRE: f64 = 4e-3;
-    const MOST: u32 = 4096;
-    let one_plus_e1 = motion.branch_points().one_plus_e1;
-    let greatest = motion.top().tip_scale() * (one_plus_e1 * (2.0 - one_plus_e1)).sqrt();
-    let is_at_rest = |t: &f64| {
-        let now = table.at(*t).sample;
-        now.udot >= 0.0 && now.tip.modulus() <= AT_THE_CENTRE * greatest
-    };
-    let step = 0.25 * natural_time(motion);
-    (1..MOST).map(|n| step * f64::from(n)).find(is_at_rest).unwrap_or(step)
 }

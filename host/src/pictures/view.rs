@@ -7,6 +7,7 @@ use crate::input::scenario::ScenarioFile;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::json;
+use toytop_page::TEMPLATE;
 use toytop_page::exports::launch_names;
 use toytop_page::table::Table;
 
@@ -36,39 +37,22 @@ pub fn page(start: &ScenarioFile) -> Result<String, Failure> {
             "no ephemeris: the table of the page is too small for this motion".to_owned(),
         ));
     }
-    let unwritten = |error: serde_json::Error| Failure::Method(format!("view: {error}"));
     let data = json!({
         "name": scenario.name,
-        "scenario": serde_json::to_value(&start.table).map_err(unwritten)?,
+        "scenario": start.table,
         "constants": launch_names().collect::<Vec<_>>(),
         "figures": FIGURES.map(|(figure, signs, e3s)| json!([figure, signs.l_minus_n.factor(), e3s])),
-        "toy_top": serde_json::to_value(toy_top()?.table).map_err(unwritten)?,
+        "toy_top": toy_top()?.table,
     });
-    let values = [
-        ("name", html(&scenario.name)),
-        // without characters that could end the element of a script
-        ("data", data.to_string().replace('<', "\\u003c")),
-        ("core", STANDARD.encode(CORE)),
-        ("version", env!("CARGO_PKG_VERSION").to_owned()),
-    ];
-    Ok(filled(toytop_page::TEMPLATE, &values))
+    // the last text may contain a name in braces, and no character that could end the element of a script
+    Ok(TEMPLATE
+        .replace("{{version}}", env!("CARGO_PKG_VERSION"))
+        .replace("{{core}}", &STANDARD.encode(CORE))
+        .replace("{{name}}", &html(&scenario.name))
+        .replace("{{data}}", &data.to_string().replace('<', "\\u003c")))
 }
 
-/// Text for HTML.
+/// Text for HTML, without a brace.
 fn html(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
-}
-
-/// Template with every {{name}} replaced. Names in the replacement texts are not replaced.
-fn filled(template: &str, values: &[(&str, String)]) -> String {
-    let mut parts = template.split("{{");
-    let mut page = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        let (name, rest) = part.split_once("}}").unwrap_or(("", part));
-        let value = values.iter().find(|(known, _)| *known == name);
-        debug_assert!(value.is_some(), "{{{{{name}}}}} has no value");
-        page.push_str(value.map_or("", |(_, value)| value));
-        page.push_str(rest);
-    }
-    page
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('{', "&#123;")
 }

@@ -57,7 +57,7 @@ export function setScenario(scenario, { settle = false, name } = {}) {
   state.scenario = scenario;
   if (name !== undefined) state.name = name;
   element("presets").value = state.name;
-  scene = sceneOf(launched, core);
+  scene = sceneOf(launched);
   points = new Points(core, scene);
   interval = undefined;
   state.page = Math.floor(state.t / scene.span);

@@ -1,7 +1,7 @@
 // Properties of a motion that the pictures need besides its states: bounds, times, and the size of the body.
 
 import { roundBelow } from "../motion/text.js";
-import { COORDINATES, MOST_POINTS, SUPPORTS } from "../motion/core.js";
+import { SUPPORTS } from "../motion/core.js";
 import { isTorqueFree, isVertical } from "../motion/facts.js";
 import { pendulum, spheroid, spheroidSize, turnOnLathe } from "./body.js";
 import { gyroscope } from "./gyroscope.js";
@@ -24,36 +24,17 @@ function circlesOf({ regime, e1, e2, min_tilt_deg, max_tilt_deg }) {
 export const widest = ({ circles }) => circles.reduce((most, { radius }) => Math.max(most, radius), circles.length ? 0 : 0.25);
 
 /**
- * Number of parts in which a period is drawn. It is greater near the separatrix, where the axis rests for most of the period and falls
- * in the rest. It is even, so that a motion that begins at one turning point has a point at the other.
+ * Number of parts in which the pictures draw a motion. It is greater near the separatrix, where the axis rests for most of the period and
+ * falls in the rest. It is even in a period, so that a motion that begins at one turning point has a point at the other.
  */
-const partsOf = ({ period, natural_time }) => 2 * Math.round(Math.max(24, Math.min(80, (30 * period) / natural_time)));
-
-/** Time that a curve covers, s, and its number of parts: once round the centre, within limits. */
-function spanOf(constants, core) {
-  const { regime, period, phi_per_period, natural_time } = constants;
-  const round = (2 * Math.PI) / Math.abs(phi_per_period);
-  if (regime === "nutating") {
-    const periods = round > 96 ? 3 : Math.max(3, Math.min(24, Math.ceil(round)));
-    return { span: periods * period, parts: periods * partsOf(constants) };
-  }
-  if (regime === "aperiodic") return { span: riseOf(core, natural_time), parts: 1600 };
-  const once = round * period;
-  return { span: !isVertical(regime) && once > 0 && Number.isFinite(once) ? once : natural_time, parts: 360 };
-}
-
-/** Time after which the axis of an aperiodic motion remains near the vertical, s. */
-function riseOf(core, natural) {
-  const step = 0.25 * natural;
-  const curve = core.curve(0, step, MOST_POINTS - 1);
-  for (let i = MOST_POINTS - 2; i > 0; i--) {
-    if (Math.hypot(curve[COORDINATES * i], curve[COORDINATES * i + 1]) > 4e-3) return step * (i + 1);
-  }
-  return step;
+function partsOf({ regime, period, natural_time, span }) {
+  if (regime === "aperiodic") return 1600;
+  if (regime !== "nutating") return 360;
+  return Math.round(span / period) * 2 * Math.round(Math.max(24, Math.min(80, (30 * period) / natural_time)));
 }
 
 /** Initial speed, units of time in a second: once round in ten seconds, but slower if the body would rotate too fast for the eye. */
-function speedOf({ spin, precession }, span) {
+function speedOf({ spin, precession, span }) {
   return roundBelow(Math.min(span / 10, 30 / Math.max(1e-9, Math.hypot(spin, precession))));
 }
 
@@ -95,11 +76,11 @@ function momentumOf({ m_x, m_y, m_z }) {
   return size > 0 ? [m_x / size, m_y / size, m_z / size] : null;
 }
 
-export function sceneOf(constants, core) {
-  const { s, e1, e2, e3 } = constants;
+export function sceneOf(constants) {
+  const { s, e1, e2, e3, span } = constants;
   const support = SUPPORTS[constants.support];
   const slides = support === "sliding";
-  const [shape, covered] = [shapeOf(constants), spanOf(constants, core)];
+  const shape = shapeOf(constants);
   return {
     constants,
     support,
@@ -109,8 +90,9 @@ export function sceneOf(constants, core) {
     tilts: [constants.max_tilt_deg, constants.min_tilt_deg],
     momentum: momentumOf(constants),
     circles: circlesOf(constants),
-    ...covered,
-    speed: speedOf(constants, covered.span),
+    span,
+    parts: partsOf(constants),
+    speed: speedOf(constants),
     shape,
     body: bodyFor(shape),
   };

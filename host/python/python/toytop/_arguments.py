@@ -59,13 +59,13 @@ def rows(name: str, given: Any, width: int) -> NDArray[np.float64]:
 
 
 def number(name: str, given: Any) -> float:
-    """Finite number; 0 where none is given.
+    """Finite number.
 
     Raises:
         ValueError: as finite, or an array.
     """
-    if given is None or type(given) is float and math.isfinite(given):
-        return given or 0.0
+    if type(given) is float and math.isfinite(given):
+        return given
     found = finite(name, given)
     if found.ndim:
         raise ValueError(f"{name}: must be a number, not of shape {list(found.shape)}")

@@ -64,23 +64,22 @@ def simulate(
     motion: Motion,
     sensors: _Sensors = None,
     *,
-    hertz: float | None = None,
-    duration: float | None = None,
+    hertz: float = 1000.0,
+    duration: float = 1.0,
     seed: int = 1,
 ) -> dict[str, _Array]:
     """Samples that sensors on a top would give: arrays by name, as fit takes them, with NaN where a sensor has no reading.
 
     Args:
         sensors: as those of fit; without it, a gyroscope, an accelerometer and a magnetometer of a telephone at the centre of mass.
-        hertz: samples a second; 1000 if it is not given.
-        duration: length of the recording, s, from t = 0; 1 s if it is not given.
+        hertz: samples a second.
+        duration: length of the recording, s, from t = 0.
         seed: another seed gives other noise and other biases.
 
     Raises:
         ValueError: a number or a sensor is wrong, or the motion has no period and cannot be followed for so long.
     """
-    rate = 1000.0 if hertz is None else number("hertz", hertz)
-    length = 1.0 if duration is None else number("duration", duration)
+    rate, length = number("hertz", hertz), number("duration", duration)
     return _toytop.simulate(motion._core, described(sensors), rate, length, seed)
 
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     _Scalar: TypeAlias = Literal["f64", "f32", "q31", "q15"]
 
 # kinds of events, and whether each has a value
-EVENTS = {"turning": False, "tilt": True, "direction": True, "circle": True, "lift_off": False}
+EVENTS = {"turning": False, "tilt": True, "tip_angle": True, "circle": True, "lift_off": False}
 # quantities of partial derivatives, and their components
 PARTIALS = {"orientation": 3, "omega": 3, "omega_body": 3, "axis": 3, "tip": 2, "tip_angle": 1}
 
@@ -77,32 +77,32 @@ class Motion(Constants):
         """
         return Samples(self._core.at(t, scalar), (self, "at", {"scalar": scalar}))
 
-    def error_bound(self, t: float | None = None, *, scalar: _Scalar = "f64") -> float:
+    def error_bound(self, t: float = 0.0, *, scalar: _Scalar = "f64") -> float:
         """Upper bound on the orientation error at time t, rad: 2 sqrt(|d alpha|^2 + |d beta|^2), which is the angle of the rotation
         between both where it is small.
         """
         return self._core.error_bounds(number("t", t), scalar)[0]
 
-    def rate_error_bound(self, t: float | None = None, *, scalar: _Scalar = "f64") -> float:
+    def rate_error_bound(self, t: float = 0.0, *, scalar: _Scalar = "f64") -> float:
         """Upper bound on the error of omega, omega_body and udot at time t, rad/s."""
         return self._core.error_bounds(number("t", t), scalar)[1]
 
     def events(
         self,
-        kind: Literal["turning", "tilt", "direction", "circle", "lift_off"],
+        kind: Literal["turning", "tilt", "tip_angle", "circle", "lift_off", "tip-angle", "lift-off"],
         value: float | None = None,
         *,
-        start: float | None = None,
+        start: float = 0.0,
         count: int = 100,
         sense: Literal["up", "down"] | None = None,
     ) -> dict[str, NDArray[Any]]:
         """Events of the motion, in the order of time, as arrays by name.
 
         Args:
-            kind: "turning": the tilt has an extreme value. "tilt": it has the given value, rad. "direction": the tip angle has the given
+            kind: "turning": the tilt has an extreme value. "tilt": it has the given value, rad. "tip_angle": the tip angle has the given
                 value, rad, whole turns aside. "circle": the tip is at the given distance from the centre, m (the sine of the tilt for a
-                fixed tip). "lift_off": the normal force is 0.
-            value: of the kinds tilt, direction and circle.
+                fixed tip). "lift_off": the normal force is 0. A hyphen may stand for the underscore, as in `toytop events`.
+            value: of the kinds tilt, tip_angle and circle.
             start: time of the earliest event, s.
             count: greatest number of events, at most a million.
             sense: "up" or "down": only events at which u, the cosine of the tilt, increases or decreases, or the tip angle does; of
@@ -114,23 +114,24 @@ class Motion(Constants):
         Raises:
             ValueError: an argument is out of range; the message names it.
         """
-        if kind not in EVENTS:
+        name = kind.replace("-", "_")
+        if name not in EVENTS:
             raise ValueError(f"kind: must be one of {', '.join(map(repr, EVENTS))}")
-        if EVENTS[kind] != (value is not None):
-            raise ValueError(f'value: must be {"given" if EVENTS[kind] else "left out"} for "{kind}"')
-        if kind == "lift_off" and self.top.support != "sliding":
+        if EVENTS[name] != (value is not None):
+            raise ValueError(f'value: must be {"given" if EVENTS[name] else "left out"} for "{kind}"')
+        if name == "lift_off" and self.top.support != "sliding":
             raise ValueError("kind: must not be 'lift_off': the tip does not slide on a plane")
-        given = number("value", value)
-        if kind == "direction" and abs(given) > 1e6:
+        given = 0.0 if value is None else number("value", value)
+        if name == "tip_angle" and abs(given) > 1e6:
             raise ValueError("value: must be within ±1e6 rad")
         if sense not in (None, "up", "down"):
             raise ValueError("sense: must be 'up' or 'down'")
         if not 1 <= count <= 1_000_000:
             raise ValueError("count: must be between 1 and 1000000")
         upward = None if sense is None else sense == "up"
-        rows = self._core.events(kind, given, number("start", start), count, upward)
-        names = ("t", "t_error", "up", "u", "tip_x", "tip_y", "phi")
-        return {name: column > 0.0 if name == "up" else column for name, column in zip(names, rows.T.copy(), strict=True)}
+        rows = self._core.events(name, given, number("start", start), count, upward)
+        t, t_error, up, u, tip_x, tip_y, phi = rows.T.copy()
+        return {"t": t, "t_error": t_error, "up": up > 0.0, "u": u, "tip_x": tip_x, "tip_y": tip_y, "phi": phi}
 
     def partials(self, t: ArrayLike) -> dict[str, _Array]:
         """Partial derivatives at time t, s, as arrays by name: the shape of t comes first, then the components, then the ten
@@ -153,7 +154,7 @@ class Motion(Constants):
         partials["tip_angle"] = partials["tip_angle"][..., 0, :]
         return partials
 
-    def with_impulse(self, impulse: ArrayLike, point: ArrayLike, *, t: float | None = None) -> Motion:
+    def with_impulse(self, impulse: ArrayLike, point: ArrayLike, *, t: float = 0.0) -> Motion:
         """Motion after an impulse at time t, whose own time begins then.
 
         Args:
@@ -167,7 +168,7 @@ class Motion(Constants):
         acting = vector("impulse", impulse, 3), vector("point", point, 3)
         return Motion(self._core.with_impulse(*acting, number("t", t)))
 
-    def reaction_impulse(self, impulse: ArrayLike, point: ArrayLike, *, t: float | None = None) -> _Array:
+    def reaction_impulse(self, impulse: ArrayLike, point: ArrayLike, *, t: float = 0.0) -> _Array:
         """Impulse of the support's reaction to an impulse, N s in the fixed frame. Where its third component is negative, a real sliding
         top leaves the plane and does not follow the motion of with_impulse.
 

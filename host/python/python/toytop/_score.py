@@ -21,7 +21,9 @@ def score(
     omega: ArrayLike | None = None,
     omega_body: ArrayLike | None = None,
 ) -> Score:
-    """Errors of the output of an integrator, from the state of motion.at(0), against the exact motion.
+    """Errors of the output of an integrator against the exact motion.
+
+    The integrator starts from the state of motion.at(t[0]).
 
     Args:
         t: times, s, which go on in one direction.
@@ -45,12 +47,10 @@ def score(
 
 def order(steps: ArrayLike, errors: ArrayLike) -> float | None:
     """Order of convergence, fitted to the errors of several step sizes; None where fewer than two of them tell it."""
-    import numpy as np
-
     given, found = finite("steps", steps).ravel(), finite("errors", errors).ravel()
     if len(given) != len(found):
         raise ValueError(f"errors: must be {len(given)} numbers, as steps")
-    return _toytop.order(np.column_stack([given, found]))
+    return _toytop.order(list(zip(given.tolist(), found.tolist(), strict=True)))
 
 
 @final
@@ -73,7 +73,7 @@ class Score:
         drift_n: greatest change of n in the unit of drift_l; None without angular velocity.
         norm_error: greatest distance of the quaternions from unit norm.
         truth_bound: upper bound on the error of the exact motion itself, rad.
-        doubt: likely reason why the first row is far from the motion, if it is; otherwise None.
+        warning: likely reason why the first row is far from the motion, if it is; otherwise None.
     """
 
     max_error: float
@@ -89,7 +89,7 @@ class Score:
     drift_n: float | None
     norm_error: float
     truth_bound: float
-    doubt: str | None
+    warning: str | None
 
     def __repr__(self) -> str:
         errors = self.max_error, self.rms_error, self.final_error
