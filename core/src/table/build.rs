@@ -9,16 +9,16 @@
 //!   set_up.rs      build: for each span of half a period
 //!     path.rs        phases at the centre                 -> origin of the expansion
 //!       expansion.rs   recurrence.rs, series.rs           -> power series of the phases
-//!       expansion/cayley_klein.rs                         -> power series of α and β
-//!     polynomial.rs  series                               -> polynomials of α and β
+//!       expansion/cayley_klein.rs                         -> power series of a and b
+//!     polynomial.rs  series                               -> polynomials of a and b
 //!     launch_place.rs  phase of the launch                -> nutation phase at t = 0
 //!     segmentation.rs  polynomials                        -> segments, and cells that refer to them
 //!   ephemeris.rs   finish: rates, launch                  -> clock
 //!     bound.rs       errors of all parts                  -> error bounds
 //! ```
 //!
-//! An expansion multiplies series of unlike size, each in units of its own exponent (`series`). The polynomials of α and β are only
-//! halved and added: all are in units of 2^-62 (`polynomial`).
+//! The tabulated a and b are α and β without their mean rotation. An expansion multiplies series of unlike size, each in units of its own
+//! exponent (`series`). The polynomials of a and b are only halved and added: all are in units of 2^-62 (`polynomial`).
 //!
 //! A function that is not inlined keeps its variables from the stack of others, or is called in many places. `pause` is called between the
 //! parts of a set-up that take long: nodes of a quadrature, coefficients of an expansion, and segments.

@@ -17,7 +17,7 @@ pub(super) struct Limits {
     pub(super) polynomial: f32,
     /// Sum of the terms that are dropped before the last halving, in units of 2^-62.
     pub(super) dropped_terms: i64,
-    /// Negligible term of α and β, rad.
+    /// Negligible term of a and b, rad.
     pub(super) negligible: f64,
 }
 

@@ -51,7 +51,7 @@ impl Span {
     }
 }
 
-/// Negligible term of the phases at x = 2 over that of α and β at x = 1.
+/// Negligible term of the phases at x = 2 over that of a and b at x = 1.
 const PHASE_TERM: f64 = 32.0;
 
 /// Point of the path with the errors of the steps to it.
