@@ -140,7 +140,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Number of segments for a truncation error, rad; `None` where 4096 are too few or the motion has no table.
+    /// Number of segments for a truncation error, rad; `None` if 4096 are too few or the motion has no table.
     #[must_use]
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let mut set_up = SetUp::with_truncation(truncation);

@@ -79,10 +79,6 @@ pub(super) struct SegmentErrors {
 }
 
 impl SegmentErrors {
-    pub(super) fn include_stored(&mut self, error: f32) {
-        self.stored = larger_or_nan(self.stored, error);
-    }
-
     /// Orientation error by truncation and rounding, in units of 2^-62 rad.
     pub(super) fn orientation(&self) -> f32 {
         larger_or_nan(2.0 * Float::sqrt(self.truncation_squared), self.stored)

@@ -86,7 +86,7 @@ impl Polynomial {
         polynomial
     }
 
-    /// Estimates the terms beyond the sixteenth and drops negligible ones; `None` where the polynomial is not accurate.
+    /// Estimates the terms beyond the sixteenth and drops negligible ones; `None` if the polynomial is not accurate.
     ///
     /// * `terms`: number of terms that are computed
     pub(super) fn finish(&mut self, terms: usize, limits: &Limits) -> Option<()> {

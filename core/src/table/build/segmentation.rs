@@ -122,7 +122,7 @@ impl Segmentation {
                 self.segment.restrict(whole, position / length, halvings, limits.dropped_terms);
                 self.segment.shorten(limits.terms, i64::MAX);
                 self.segment.add_errors(&mut errors);
-                errors.include_stored(store.store(segment, index, &self.segment));
+                errors.stored = errors.stored.max(store.store(segment, index, &self.segment));
                 pause();
             }
             let parts = (1_u32 << halvings) as f32;
@@ -143,7 +143,7 @@ impl Segmentation {
         Some(position)
     }
 
-    /// Begins the cell anew with segments of this depth; `None` where they are too many.
+    /// Begins the cell anew with segments of this depth; `None` if they are too many.
     fn restart_cell(&mut self, depth: u32, limits: &Limits) -> Option<()> {
         if depth > Span::DEEPEST {
             return None;
