@@ -47,3 +47,22 @@ mod ephemeris;
 
 pub use ephemeris::SetUpError;
 pub use set_up::SetUp;
+
+#[cfg(test)]
+mod tests {
+    use crate::{InitialPhases, Motion, Signs, Top, TopParameters};
+
+    /// Nutating motion of a sliding top.
+    pub(super) fn nutating_motion() -> Motion {
+        let parameters = TopParameters {
+            transverse_inertia: 1.0,
+            axial_inertia: 0.7,
+            com_height: 1.0,
+            mass_moment: 1.0,
+            ..TopParameters::default()
+        };
+        let top = Top::sliding(&parameters).unwrap();
+        let e = [-0.5, 0.5, 1.5];
+        Motion::from_branch_points(&top, e, Signs::default(), &InitialPhases::default()).unwrap()
+    }
+}

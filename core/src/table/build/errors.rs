@@ -4,6 +4,22 @@ use crate::scalar::{Float, Ring, Scalar};
 use crate::table::data::cell::LEVEL_0_BITS;
 use crate::table::evaluation::TABLE_UNIT;
 
+/// Larger of two numbers, or NaN if one of them is NaN.
+pub(super) fn larger_or_nan<F: Float>(a: F, b: F) -> F {
+    if b <= a || a.partial_cmp(&a).is_none() { a } else { b }
+}
+
+/// Share of the allowed error: all steps.
+const STEPS_SHARE: f64 = 0.125;
+/// Share of a polynomial's allowed error: terms dropped before the last halving.
+const DROPPED_SHARE: f32 = 1.0 / 512.0;
+/// Share of a polynomial's allowed error: terms beyond the sixteenth.
+pub(super) const REMAINDER_SHARE: f32 = 1.0 / 32.0;
+/// Share of a polynomial's allowed error: a segment of two cells, whose derivative is less accurate.
+const TWO_CELLS_SHARE: f32 = 0.125;
+/// Share of the allowed error: a negligible term.
+const NEGLIGIBLE_SHARE: f64 = 1.0 / 256.0;
+
 /// Limits that a set-up keeps.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limits {
@@ -20,17 +36,6 @@ pub(super) struct Limits {
     /// Negligible term of a and b, rad.
     pub(super) negligible: f64,
 }
-
-/// Share of the allowed error: all steps.
-const STEPS_SHARE: f64 = 0.125;
-/// Share of a polynomial's allowed error: terms dropped before the last halving.
-const DROPPED_SHARE: f32 = 1.0 / 512.0;
-/// Share of a polynomial's allowed error: terms beyond the sixteenth.
-pub(super) const REMAINDER_SHARE: f32 = 1.0 / 32.0;
-/// Share of a polynomial's allowed error: a segment of two cells, whose derivative is less accurate.
-const TWO_CELLS_SHARE: f32 = 0.125;
-/// Share of the allowed error: a negligible term.
-const NEGLIGIBLE_SHARE: f64 = 1.0 / 256.0;
 
 impl Limits {
     pub(super) const ZERO: Self =
@@ -60,11 +65,6 @@ impl Limits {
     pub(super) fn negligible_term(&self) -> i64 {
         (self.negligible / TABLE_UNIT) as i64
     }
-}
-
-/// Larger of two numbers, or NaN if one of them is NaN.
-pub(super) fn larger_or_nan<F: Float>(a: F, b: F) -> F {
-    if b <= a || a.partial_cmp(&a).is_none() { a } else { b }
 }
 
 /// Errors and derivative of a segment, in units of 2^-62. `f64` is slow without an FPU for it.
