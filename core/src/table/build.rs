@@ -13,6 +13,7 @@
 //!     polynomial.rs  series                               -> polynomials of a and b
 //!     launch_place.rs  phase of the launch                -> nutation phase at t = 0
 //!     segmentation.rs  polynomials                        -> segments, and cells that refer to them
+//!       ephemeris.rs     polynomial of a segment          -> stored coefficients
 //!   ephemeris.rs   finish: rates, launch                  -> clock
 //!     bound.rs       errors of all parts                  -> error bounds
 //! ```
