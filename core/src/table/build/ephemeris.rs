@@ -165,6 +165,7 @@ impl<R: EphemerisScalar> SegmentStore for Segments<'_, R> {
             }
             greatest = greatest.max(R::Coefficient::error(coefficients));
         }
+        // the norm of four parts is twice as large, and the orientation error is twice the norm
         4.0 * greatest
     }
 }
