@@ -9,16 +9,17 @@
 //!   set_up.rs      build: for each span of half a period
 //!     path.rs        phases at the centre                 -> origin of the expansion
 //!       expansion.rs   recurrence.rs, series.rs           -> power series of the phases
-//!       expansion/cayley_klein.rs                         -> power series of α and β
-//!     polynomial.rs  series                               -> polynomials of α and β
+//!       expansion/cayley_klein.rs                         -> power series of a and b
+//!     polynomial.rs  series                               -> polynomials of a and b
 //!     launch_place.rs  phase of the launch                -> nutation phase at t = 0
 //!     segmentation.rs  polynomials                        -> segments, and cells that refer to them
+//!       ephemeris.rs     polynomial of a segment          -> stored coefficients
 //!   ephemeris.rs   finish: rates, launch                  -> clock
 //!     bound.rs       errors of all parts                  -> error bounds
 //! ```
 //!
-//! An expansion multiplies series of unlike size, each in units of its own exponent (`series`). The polynomials of α and β are only
-//! halved and added: all are in units of 2^-62 (`polynomial`).
+//! The tabulated a and b are α and β without their mean rotation. An expansion multiplies series of unlike size, each in units of its own
+//! exponent (`series`). The polynomials of a and b are only halved and added: all are in units of 2^-62 (`polynomial`).
 //!
 //! A function that is not inlined keeps its variables from the stack of others, or is called in many places. `pause` is called between the
 //! parts of a set-up that take long: nodes of a quadrature, coefficients of an expansion, and segments.
@@ -47,3 +48,22 @@ mod ephemeris;
 
 pub use ephemeris::SetUpError;
 pub use set_up::SetUp;
+
+#[cfg(test)]
+mod tests {
+    use crate::{InitialPhases, Motion, Signs, Top, TopParameters};
+
+    /// Nutating motion of a sliding top.
+    pub(super) fn nutating_motion() -> Motion {
+        let parameters = TopParameters {
+            transverse_inertia: 1.0,
+            axial_inertia: 0.7,
+            com_height: 1.0,
+            mass_moment: 1.0,
+            ..TopParameters::default()
+        };
+        let top = Top::sliding(&parameters).unwrap();
+        let e = [-0.5, 0.5, 1.5];
+        Motion::from_branch_points(&top, e, Signs::default(), &InitialPhases::default()).unwrap()
+    }
+}

@@ -59,23 +59,13 @@ fn increment_error(increment: Extended) -> f64 {
 mod tests {
     use super::*;
     use crate::phase::Phase;
+    use crate::table::build::tests::nutating_motion;
     use crate::table::evaluation::EphemerisScalar;
-    use crate::{InitialPhases, Signs, Top, TopParameters};
 
     /// Errors of the rates far above the rounding of the increments: the bound must contain each of them completely.
     #[test]
     fn the_rates_errors_are_in_it() {
-        let parameters = TopParameters {
-            transverse_inertia: 1.0,
-            axial_inertia: 0.7,
-            com_height: 1.0,
-            mass_moment: 1.0,
-            ..TopParameters::default()
-        };
-        let top = Top::sliding(&parameters).unwrap();
-        let motion =
-            Motion::from_branch_points(&top, [-0.5, 0.5, 1.5], Signs::default(), &InitialPhases::default())
-                .unwrap();
+        let motion = nutating_motion();
         let mut set_up = SetUp::new();
         set_up.segmentation.speeds.angular_speed = 5.0;
         let mut per_tick = |errors, rate| {

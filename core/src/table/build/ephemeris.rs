@@ -142,7 +142,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Number of segments for a truncation error, rad; `None` where 4096 are too few or the motion has no table.
+    /// Number of segments for a truncation error, rad; `None` if 4096 are too few or the motion has no table.
     #[must_use]
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let mut set_up = SetUp::with_truncation(truncation);
@@ -167,6 +167,7 @@ impl<R: EphemerisScalar> SegmentStore for Segments<'_, R> {
             }
             greatest = greatest.max(R::Coefficient::error(coefficients));
         }
+        // the norm of four parts is twice as large, and the orientation error is twice the norm
         4.0 * greatest
     }
 }

@@ -3,6 +3,22 @@
 use crate::scalar::{Float, Ring, Scalar};
 use crate::table::evaluation::{LEAST_DEPTH, TABLE_UNIT};
 
+/// Larger of two numbers, or NaN if one of them is NaN.
+pub(super) fn larger_or_nan<F: Float>(a: F, b: F) -> F {
+    if b <= a || a.partial_cmp(&a).is_none() { a } else { b }
+}
+
+/// Share of the allowed error: all steps.
+const STEPS_SHARE: f64 = 0.125;
+/// Share of a polynomial's allowed error: terms dropped before the last halving.
+const DROPPED_SHARE: f32 = 1.0 / 512.0;
+/// Share of a polynomial's allowed error: terms beyond the sixteenth.
+pub(super) const REMAINDER_SHARE: f32 = 1.0 / 32.0;
+/// Share of a polynomial's allowed error: a segment of two cells, whose derivative is less accurate.
+const TWO_CELLS_SHARE: f32 = 0.125;
+/// Share of the allowed error: a negligible term.
+const NEGLIGIBLE_SHARE: f64 = 1.0 / 256.0;
+
 /// Limits that a set-up keeps.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limits {
@@ -16,20 +32,9 @@ pub(super) struct Limits {
     pub(super) polynomial: f32,
     /// Sum of the terms that are dropped before the last halving, in units of 2^-62.
     pub(super) dropped_terms: i64,
-    /// Negligible term of α and β, rad.
+    /// Negligible term of a and b, rad.
     pub(super) negligible: f64,
 }
-
-/// Share of the allowed error: all steps.
-const STEPS_SHARE: f64 = 0.125;
-/// Share of a polynomial's allowed error: terms dropped before the last halving.
-const DROPPED_SHARE: f32 = 1.0 / 512.0;
-/// Share of a polynomial's allowed error: terms beyond the sixteenth.
-pub(super) const REMAINDER_SHARE: f32 = 1.0 / 32.0;
-/// Share of a polynomial's allowed error: a segment of two cells, whose derivative is less accurate.
-const TWO_CELLS_SHARE: f32 = 0.125;
-/// Share of the allowed error: a negligible term.
-const NEGLIGIBLE_SHARE: f64 = 1.0 / 256.0;
 
 impl Limits {
     pub(super) const ZERO: Self =
@@ -61,11 +66,6 @@ impl Limits {
     }
 }
 
-/// Larger of two numbers, or NaN if one of them is NaN.
-pub(super) fn larger_or_nan<F: Float>(a: F, b: F) -> F {
-    if b <= a || a.partial_cmp(&a).is_none() { a } else { b }
-}
-
 /// Errors and derivative of a segment, in units of 2^-62. `f64` is slow without an FPU for it.
 #[derive(Default)]
 pub(super) struct SegmentErrors {
@@ -78,10 +78,6 @@ pub(super) struct SegmentErrors {
 }
 
 impl SegmentErrors {
-    pub(super) fn include_stored(&mut self, error: f32) {
-        self.stored = larger_or_nan(self.stored, error);
-    }
-
     /// Orientation error by truncation and rounding, in units of 2^-62 rad.
     pub(super) fn orientation(&self) -> f32 {
         larger_or_nan(2.0 * Float::sqrt(self.truncation_squared), self.stored)

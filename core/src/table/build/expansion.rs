@@ -1,6 +1,6 @@
 //! Expansion of the motion around a point of its path, in y = x/4. One unit of x is half a span, and x is at most 3.
 //!
-//! Index 0: at the point. Greek letters: power series in y.
+//! Index 0: at the point. v and the Greek letters: power series in y.
 //!
 //! ```text
 //! v = cos²χ - cos²χ₀
@@ -13,7 +13,7 @@
 //! The rate of a slow phase is linear in v, over a combination of D and D dχ/dy:
 //!
 //! ```text
-//! dψ/dy = (dψ/dy)₀ + σ              (1 + κ) ((dψ/dy)₀ + σ) = (dψ/dy)₀ + a v,    κ = b δ + d μ
+//! dψ/dy = (dψ/dy)₀ + σ              (1 + κ) ((dψ/dy)₀ + σ) = (dψ/dy)₀ + f v,    κ = g δ + h μ
 //! ```
 //!
 //! Each coefficient follows from those before. The residual phase ρ is ψ minus its mean rotation.

@@ -77,22 +77,12 @@ fn errors(motion: &Motion, period: &Period) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{InitialPhases, Signs, Top, TopParameters};
+    use crate::table::build::tests::nutating_motion;
 
     /// A large error of the trapezoid rule: the errors of all three rates contain it.
     #[test]
     fn the_error_of_the_quadrature_is_in_every_rate() {
-        let parameters = TopParameters {
-            transverse_inertia: 1.0,
-            axial_inertia: 0.7,
-            com_height: 1.0,
-            mass_moment: 1.0,
-            ..TopParameters::default()
-        };
-        let top = Top::sliding(&parameters).unwrap();
-        let motion =
-            Motion::from_branch_points(&top, [-0.5, 0.5, 1.5], Signs::default(), &InitialPhases::default())
-                .unwrap();
+        let motion = nutating_motion();
         let exact = motion.period::<2>(&motion.equations(), &mut || {}).unwrap();
         let rough = Period { relative_error: 1e-3, ..exact };
         let frequency = 1.0 / exact.time.to_f64();

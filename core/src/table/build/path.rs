@@ -51,7 +51,7 @@ impl Span {
     }
 }
 
-/// Negligible term of the phases at x = 2 over that of α and β at x = 1.
+/// Negligible term of the phases at x = 2 over that of a and b at x = 1.
 const PHASE_TERM: f64 = 32.0;
 
 /// Point of the path with the errors of the steps to it.
@@ -84,7 +84,7 @@ pub(super) struct Path {
     negligible: f64,
     pub(super) span: Span,
     pub(super) beginning: PathPoint,
-    /// `None` where it is not known yet.
+    /// `None` if it is not known yet.
     centre: Option<PathPoint>,
     pub(super) end: PathPoint,
     pub(super) expansion: Expansion,
@@ -149,7 +149,7 @@ impl Path {
         self.span = if doubles { twice } else { next };
     }
 
-    /// Halves the span up to four times; `None` where it becomes too short.
+    /// Halves the span up to four times; `None` if it becomes too short.
     pub(super) fn shorten_span(&mut self) -> Option<()> {
         // the last of sixteen terms over half the distance
         const PER_HALVING: f64 = 1.0 / (1_u32 << (MOST_TERMS - 1)) as f64;
@@ -226,7 +226,7 @@ impl Path {
         }
     }
 
-    /// Point at `x`; `None` where the truncation error is above `allowed`.
+    /// Point at `x`; `None` if the truncation error is above `allowed`.
     #[inline(never)]
     fn point_at(&self, x: u32, allowed: f64) -> Option<PathPoint> {
         let truncation_error = self.expansion.truncation_error(x);

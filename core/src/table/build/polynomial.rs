@@ -1,4 +1,4 @@
-//! Polynomials of α and β: on a span, on its parts, and with fewer terms.
+//! Polynomials of a and b: on a span, on its parts, and with fewer terms.
 //!
 //! The last term c x^k is dropped by subtracting c 2^(1-k) T_k(x), at most |c| 2^(1-k) in value.
 
@@ -66,7 +66,7 @@ impl Part {
     }
 }
 
-/// Polynomial of α or of β in x from -1 to 1.
+/// Polynomial of a or of b in x from -1 to 1.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Polynomial {
     pub(super) parts: [Part; 2],
@@ -86,7 +86,7 @@ impl Polynomial {
         polynomial
     }
 
-    /// Estimates the terms beyond the sixteenth and drops negligible ones; `None` where the polynomial is not accurate.
+    /// Estimates the terms beyond the sixteenth and drops negligible ones; `None` if the polynomial is not accurate.
     ///
     /// * `terms`: number of terms that are computed
     pub(super) fn finish(&mut self, terms: usize, limits: &Limits) -> Option<()> {

@@ -3,12 +3,12 @@
 //! ```text
 //! u = e₁                                                                    u = e₂
 //! |    |    |    |    |    |    |    |    |    |    |    |    |    |    |    |    |    16 cells
-//! |         |         |    |    |    |  |  |  |  ||||||||    |    |         |         |    segments: one polynomial of α and one of β
+//! |         |         |    |    |    |  |  |  |  ||||||||    |    |         |         |    segments: one polynomial of a and one of b
 //! |                   |         |         |      |  |  |     |         |              |    spans: one expansion of the motion
 //! ```
 //!
-//! The segments of a cell are equal, and the longest with an allowed error. A cell whose segments prove too long is begun again with shorter ones. Positions are in
-//! units of the shortest segment. A segment of depth d is 2^-d of half a period.
+//! The segments of a cell are equal, and the longest with an allowed error. A cell whose segments prove too long is begun again with shorter
+//! ones. A segment of depth d is 2^-d of half a period. Positions are in units of the shortest segment.
 
 use super::errors::{Limits, SegmentErrors, Speeds};
 use super::path::{CELL, HALF_PERIOD, Path, PathPoint, Span};
@@ -18,7 +18,7 @@ use crate::table::evaluation::{LEAST_DEPTH, TABLE_UNIT};
 
 /// Table in which segments are stored.
 pub(super) trait SegmentStore {
-    /// Rounds and stores the polynomial of α (index 0) or β (1) on a segment, if the table contains the segment. Returns the orientation error by
+    /// Rounds and stores the polynomial of a (index 0) or b (1) on a segment, if the table contains the segment. Returns the orientation error by
     /// products with 16 bits and coefficients out of range, in units of 2^-62 rad.
     fn store(&mut self, segment: usize, index: usize, polynomial: &Polynomial) -> f32;
 }
@@ -46,7 +46,7 @@ pub(super) struct Segmentation {
     pub(super) truncation: f64,
     pub(super) speeds: Speeds,
     cell: UnfinishedCell,
-    /// Polynomial of α or β on a segment.
+    /// Polynomial of a or b on a segment.
     segment: Polynomial,
 }
 
@@ -67,7 +67,7 @@ impl Segmentation {
         segment: Polynomial::ZERO,
     };
 
-    /// Stores one segment with the values of α and β for a constant u.
+    /// Stores one segment with constant a and b, for a constant u.
     #[inline(never)]
     pub(super) fn store_constants(&mut self, values: [f64; 2], store: &mut dyn SegmentStore) {
         for (index, value) in values.into_iter().enumerate() {
@@ -93,7 +93,7 @@ impl Segmentation {
     /// Divides the span into segments. Returns its end, or the beginning of a cell that needs shorter segments; `None` if the segments are too
     /// many.
     ///
-    /// * `polynomials`: those of α and β on the span
+    /// * `polynomials`: those of a and b on the span
     pub(super) fn segment_span(
         &mut self,
         path: &Path,
@@ -122,7 +122,7 @@ impl Segmentation {
                 self.segment.restrict(whole, position / length, halvings, limits.dropped_terms);
                 self.segment.shorten(limits.terms, i64::MAX);
                 self.segment.add_errors(&mut errors);
-                errors.include_stored(store.store(segment, index, &self.segment));
+                errors.stored = errors.stored.max(store.store(segment, index, &self.segment));
                 pause();
             }
             let parts = (1_u32 << halvings) as f32;
@@ -143,7 +143,7 @@ impl Segmentation {
         Some(position)
     }
 
-    /// Begins the cell anew with segments of this depth; `None` where they are too many.
+    /// Begins the cell anew with segments of this depth; `None` if they are too many.
     fn restart_cell(&mut self, depth: u32, limits: &Limits) -> Option<()> {
         if depth > Span::DEEPEST {
             return None;

@@ -83,13 +83,13 @@ const fn has_bits(value: i64, bits: i32) -> bool {
     matches!((value >> 32) as i32 >> (bits - 32), -1 | 0)
 }
 
-/// Number in the range of a coefficient; `None` where the series does not converge.
+/// Number in the range of a coefficient; `None` if the series does not converge.
 #[inline(always)]
 pub(super) fn in_range(value: i64) -> Option<i64> {
     has_bits(value, BITS + 2).then_some(value)
 }
 
-/// Sum; `None` where a number is out of range.
+/// Sum; `None` if a number is out of range.
 #[inline(always)]
 pub(super) fn sum_in_range<const N: usize>(numbers: [i64; N]) -> Option<i64> {
     numbers.iter().all(|number| has_bits(*number, BITS + 3)).then(|| numbers.iter().sum())
@@ -177,7 +177,7 @@ impl PowerSeries {
         self.coefficients.get(k).map_or(0, |c| c.value())
     }
 
-    /// Sets a coefficient; `None` where it is out of range.
+    /// Sets a coefficient; `None` if it is out of range.
     pub(super) fn set(&mut self, k: usize, value: i64) -> Option<()> {
         let value = Limbs::new(in_range(value)?);
         if let Some(coefficient) = self.coefficients.get_mut(k) {

@@ -116,7 +116,7 @@ impl SetUp {
         Some(())
     }
 
-    /// Expands the motion on the span and computes the polynomials of α and β; `None` if they are not accurate.
+    /// Expands the motion on the span and computes the polynomials of a and b; `None` if they are not accurate.
     fn expand_span<const WORDS: usize>(
         &mut self,
         ellipses: &[[f64; 2]; 2],

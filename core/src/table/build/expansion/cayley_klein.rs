@@ -1,4 +1,4 @@
-//! Series of α and β without their mean rotation: sums of two exponentials of the phases.
+//! Series of a and b: each is the sum of two exponentials of the phases.
 
 use super::{Expansion, MOST_TERMS, PowerSeries, RateSeries, larger_or_nan};
 use crate::table::build::series::sine_q57::{FRACTION, sine_cosine_q57};
@@ -14,7 +14,7 @@ pub(crate) struct CayleyKleinSeries {
     im: PowerSeries,
 }
 
-/// Fraction bits that a coefficient of α or β has more than one of an exponential.
+/// Fraction bits that a coefficient of a or b has more than one of an exponential.
 const MORE_BITS: i32 = TABLE_BITS as i32 - BITS;
 
 impl CayleyKleinSeries {
@@ -139,7 +139,7 @@ mod tests {
         PhaseEquations::new(&top, &e, e.scaled_integrals(&top, signs).l_plus_n, signs)
     }
 
-    /// At other points of the segment the series have the rates of the equations, and α and β the value that the phases
+    /// At other points of the segment the series have the rates of the equations, and a the value that the phases
     /// give.
     #[test]
     fn the_series_solve_the_equations() {

@@ -20,24 +20,24 @@ struct SlowFactors {
 }
 
 impl SlowFactors {
-    /// Factors from dψ/dy and from a, b and d. Sets the exponents of σ and κ.
+    /// Factors from dψ/dy and from f, g and h. Sets the exponents of σ and κ.
     fn new(
         rate: &mut RateSeries,
         kappa: &mut PowerSeries,
         psi_rate: f64,
-        [a, b, d]: [f64; 3],
+        [f, g, h]: [f64; 3],
         [v, delta, mu]: [&PowerSeries; 3],
         negligible: f64,
     ) -> Self {
         let RateSeries { variation, scale, .. } = rate;
-        kappa.set_exponent(delta.magnitude_times(b) + mu.magnitude_times(d));
-        variation.set_exponent(kappa.magnitude_times(psi_rate.abs()) + v.magnitude_times(a.abs()));
+        kappa.set_exponent(delta.magnitude_times(g) + mu.magnitude_times(h));
+        variation.set_exponent(kappa.magnitude_times(psi_rate.abs()) + v.magnitude_times(f.abs()));
         *scale = 1.0;
         Self {
-            v_to_sigma: UnitFactor::new(a, v, variation),
+            v_to_sigma: UnitFactor::new(f, v, variation),
             kappa_to_sigma: UnitFactor::new(psi_rate, kappa, variation),
-            delta_to_kappa: UnitFactor::new(b, delta, kappa),
-            mu_to_kappa: UnitFactor::new(d, mu, kappa),
+            delta_to_kappa: UnitFactor::new(g, delta, kappa),
+            mu_to_kappa: UnitFactor::new(h, mu, kappa),
             negligible: in_units(negligible, variation.exponent),
         }
     }
@@ -86,14 +86,14 @@ impl Expansion {
         origin: &Origin,
         pause: &mut dyn FnMut(),
     ) {
-        let recurrence = self.begin(equations, origin);
+        let recurrence = self.recurrence(equations, origin);
         self.terms = self.recur(&recurrence, pause).unwrap_or_default();
         self.psi_variation *= self.delta.bound(3, self.terms, 0.0);
     }
 
-    /// Constants of the recurrence, and the first coefficients.
+    /// Constants of the recurrence. Sets the exponents and first coefficients of the series.
     #[inline(never)]
-    fn begin(&mut self, equations: &PhaseEquations<f64>, origin: &Origin) -> Recurrence {
+    fn recurrence(&mut self, equations: &PhaseEquations<f64>, origin: &Origin) -> Recurrence {
         let Origin { unit, chi_rate, psi_rates: [alpha_psi, beta_psi], negligible, .. } = *origin;
         let swing = equations.e2_minus_e1 * origin.cosine * origin.cosine;
         let one_minus_u = swing + equations.one_minus_e2;
@@ -119,7 +119,7 @@ impl Expansion {
         let _ = cosine.set(0, in_units(origin.cosine, cosine.exponent));
 
         let scale = unit * unit * equations.e2_minus_e1 * per_d;
-        // a, b and d of a slow phase
+        // f, g and h of a slow phase
         let factors = |numerator: f64, constant: f64, chi_time: f64| {
             let chi = chi_time * chi_rate;
             let per_divisor = 1.0 / (constant + chi);
