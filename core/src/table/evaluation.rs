@@ -42,9 +42,9 @@ pub(crate) const LEAST_DEPTH: u32 = 3;
 #[derive(Clone, Copy, Debug)]
 pub struct SegmentPoint {
     /// Local coordinate x·2^63 with x in [-1, 1).
-    pub(crate) x64: i64,
+    pub(crate) x_q63: i64,
     /// Local coordinate x·2^31, rounded down to a multiple of 2^(depth - 3).
-    pub(crate) x32: i32,
+    pub(crate) x_q31: i32,
     /// Depth of the segment: half a period would have 2^depth of its length.
     pub(crate) depth: u32,
     /// Whether u is falling, where the tabulated values become their complex conjugates.

@@ -48,7 +48,7 @@ impl Coefficient for f64 {
 
     #[inline(always)]
     fn coordinate(point: SegmentPoint) -> f64 {
-        2.0 * fraction_of_word(point.x64)
+        2.0 * fraction_of_word(point.x_q63)
     }
 
     #[inline]

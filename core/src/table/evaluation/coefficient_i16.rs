@@ -60,7 +60,7 @@ impl Coefficient for i16 {
 
     #[inline]
     fn coordinate(point: SegmentPoint) -> i32 {
-        ((point.x32 >> 15) + 1) >> 1
+        ((point.x_q31 >> 15) + 1) >> 1
     }
 
     #[inline]

@@ -116,7 +116,7 @@ impl Coefficient for i32 {
 
     #[inline]
     fn coordinate(point: SegmentPoint) -> i32 {
-        point.x32
+        point.x_q31
     }
 
     #[inline]

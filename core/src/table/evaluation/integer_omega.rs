@@ -93,7 +93,7 @@ mod tests {
             let unit = 1.0 / (1_u64 << 31) as f64;
             let wide = [values, slopes].map(|four| four.map(|number| f64::from(number) * unit));
             let [x, mean, axial] = rates.map(f64::from);
-            let point = SegmentPoint { x64: 0, x32: 0, depth, is_falling };
+            let point = SegmentPoint { x_q63: 0, x_q31: 0, depth, is_falling };
             let [cosine, sine] = turn;
             let (exact, _) = f64::omega_body(wide, [cosine, sine], point, [x, mean, axial]);
             let turn = turn.map(|part| (part * (1_u64 << 30) as f64) as i32);

@@ -195,15 +195,15 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     pub fn at(&self, t: f64) -> Sample<'_, R> {
         match self.clock.at_time(t) {
             Some((phases, mean_tip)) => Sample { ephemeris: self, phases, mean_tip },
-            None => self.after(self.clock.ticks(t)),
+            None => self.at_ticks(self.clock.ticks(t)),
         }
     }
 
-    /// Sample after any number of ticks.
+    /// Sample at any number of ticks, with a fraction.
     #[cold]
     #[inline(never)]
-    pub(crate) fn after(&self, ticks: Extended) -> Sample<'_, R> {
-        let (phases, mean_tip) = self.clock.after(ticks);
+    pub(crate) fn at_ticks(&self, ticks: Extended) -> Sample<'_, R> {
+        let (phases, mean_tip) = self.clock.at_ticks(ticks);
         Sample::new(self, phases, mean_tip)
     }
 
@@ -230,16 +230,16 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let leading = (half >> 32) as u32;
         let cell = Cell(self.cells.get((leading >> 28) as usize).copied().unwrap_or_default());
         let (depth, index) = (cell.depth(), cell.segment(leading));
-        // no cell refers beyond the last segment; the fallback avoids a panic
+        // a cell refers to a segment of the table, which has one: the fallbacks only avoid a panic
         let segment = self.segments.get(index).or(self.segments.first());
         // 32 leading bits of the fraction of an eighth
         let eighth = (half >> (32 - LEAST_DEPTH)) as u32;
         // the range [0, 1) becomes [-1, 1) by flipping the upper bit
-        let (x64, x32) = ((half << depth) ^ (1 << 63), (eighth << (depth - LEAST_DEPTH)) ^ (1 << 31));
+        let (x_q63, x_q31) = ((half << depth) ^ (1 << 63), (eighth << (depth - LEAST_DEPTH)) ^ (1 << 31));
         LocatedSegment {
             rows: segment.map_or(&[], |segment| segment.as_ref()),
             index,
-            point: SegmentPoint { x64: x64 as i64, x32: x32 as i32, depth, is_falling: falling < 0 },
+            point: SegmentPoint { x_q63: x_q63 as i64, x_q31: x_q31 as i32, depth, is_falling: falling < 0 },
         }
     }
 }
