@@ -152,7 +152,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     fn unrounded_with_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
         let [nutation, a, b] = self.phases;
         let LocatedSegment { rows, point, .. } = self.ephemeris.segment_at(nutation);
-        orientation_and_omega_body(rows, point, [a, b], self.ephemeris.clock.rates())
+        orientation_and_omega_body::<R>(rows, point, [a, b], self.ephemeris.clock.rates())
     }
 
     /// Unrounded orientation, and Ω.
@@ -218,7 +218,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     #[inline(always)]
     pub(super) fn unrounded_orientation(&self, [nutation, a, b]: [u64; 3]) -> Orientation<NumberOf<R>> {
         let LocatedSegment { rows, point, .. } = self.segment_at(nutation);
-        orientation(rows, point, [a, b])
+        orientation::<R>(rows, point, [a, b])
     }
 
     /// Segment of a nutation phase, given by its 64 leading bits.
