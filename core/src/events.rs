@@ -1,6 +1,7 @@
 //! Events: instants at which a motion turns, reaches a tilt, a circle or a tip angle, or lifts off.
 //!
-//! An event of u has one nutation phase while u rises, found by bisection, and the mirrored one while u falls. The tip angle is bisected in time.
+//! u reaches a value at one nutation phase while it rises, found by bisection, and at the mirrored phase while it falls. The tip angle is bisected
+//! in time.
 
 mod level;
 
@@ -56,7 +57,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// Sample of the motion at the instant of an event of this table, or of one with the same ticks.
     #[must_use]
     pub fn at_event(&self, event: &Event) -> Sample<'_, R> {
-        self.after(event.ticks())
+        self.at_ticks(event.ticks())
     }
 }
 

@@ -201,7 +201,7 @@ impl Scalar for f32 {
     #[inline]
     fn sine_cosine(phase: Phase) -> (Self, Self) {
         const UNIT: f32 = 1.0 / (1_u64 << 31) as f32;
-        let (sine, cosine) = sine::sine_cosine_q31((phase.leading_bits() >> 32) as u32);
+        let (sine, cosine) = sine_cosine_q31((phase.leading_bits() >> 32) as u32);
         (sine as f32 * UNIT, cosine as f32 * UNIT)
     }
 }

@@ -40,7 +40,7 @@ impl<R: EphemerisScalar> Iterator for Events<'_, R> {
 const START_TOLERANCE: Phase = Phase::from_bits(1 << 48);
 /// Number of consecutive pieces that contain a whole period.
 const PIECES_OF_A_PERIOD: usize = 5;
-/// Greatest number of skips. Each leaves two periods and a billionth of the rest, and 2^63 ticks have 19 digits.
+/// Greatest number of skips. A skip leaves two periods and 1e-9 of the rest, so that three skips pass 2^63 ticks.
 const MOST_SKIPS: usize = 8;
 
 impl<R: EphemerisScalar> EphemerisView<R> {
@@ -75,13 +75,13 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let phases = [Some(Phase::ZERO), Some(Phase::HALF), reversal, reversal.map(|phase| -phase)];
         let mut events = self.events(phases, from);
         events.target = Some(angle);
-        events.angle = self.tip_angle_after(events.from);
+        events.angle = self.tip_angle_at(events.from);
         events.including_start()
     }
 
-    /// Tip angle after a number of ticks.
-    fn tip_angle_after(&self, ticks: Extended) -> Phase {
-        self.after(ticks).tip_angle_unchecked()
+    /// Tip angle at a number of ticks, with a fraction.
+    fn tip_angle_at(&self, ticks: Extended) -> Phase {
+        self.at_ticks(ticks).tip_angle_unchecked()
     }
 
     /// Nutation phase in (0, 1/2) turn at which φ' changes its sign; at most one, as |c|² φ' = s² (l - n u)/A.
@@ -111,7 +111,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
             let Some((_, end)) = self.instants.peek() else {
                 break;
             };
-            after = if end > self.at { self.view.tip_angle_after(end) - self.angle } else { Phase::ZERO };
+            after = if end > self.at { self.view.tip_angle_at(end) - self.angle } else { Phase::ZERO };
             // a change by a rounding has no direction, as at a cusp
             if !(-START_TOLERANCE..=START_TOLERANCE).contains(&after) {
                 break;
@@ -143,7 +143,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
         let (start, mut low, mut high) = (self.angle, self.at, end);
         for _ in 0..u64::BITS {
             let middle = (low + high).halved();
-            if passed(self.view.tip_angle_after(middle) - start) { high = middle } else { low = middle }
+            if passed(self.view.tip_angle_at(middle) - start) { high = middle } else { low = middle }
         }
         (self.at, self.angle) = (high, start + ahead);
         Event::at(if high < self.from { self.from } else { high }, upward)
@@ -155,7 +155,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
         [turn, turn.doubled()].into_iter().find_map(|length| {
             let end = self.at + length;
             Event::at(end, true)?;
-            self.find_on_piece(end, self.view.tip_angle_after(end))
+            self.find_on_piece(end, self.view.tip_angle_at(end))
         })
     }
 
@@ -175,7 +175,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
             Event::at(self.at + ticks, true)?;
             self.instants.skip(ticks);
             self.at = self.at + ticks;
-            self.angle = self.view.tip_angle_after(self.at);
+            self.angle = self.view.tip_angle_at(self.at);
         }
         Some(())
     }
@@ -191,7 +191,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
             let (mut least, mut greatest) = (Phase::ZERO, Phase::ZERO);
             for _ in 0..PIECES_OF_A_PERIOD {
                 let (_, end) = self.instants.peek()?;
-                let after = self.view.tip_angle_after(end);
+                let after = self.view.tip_angle_at(end);
                 if let Some(event) = self.find_on_piece(end, after) {
                     return Some(event);
                 }

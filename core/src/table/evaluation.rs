@@ -91,6 +91,9 @@ pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
     /// Nearest value of the scalar.
     #[doc(hidden)]
     fn from_number(number: NumberOf<Self>) -> Self;
+    /// Sine and cosine of a phase, given by its 64 leading bits.
+    #[doc(hidden)]
+    fn rotation(phase: u64) -> [SumOf<Self::Coefficient>; 2];
 
     // For the set-up.
 
@@ -152,8 +155,6 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     fn step(added: SumOf<Self>, sum: SumOf<Self>, x: SumOf<Self>, by_16_bits: bool) -> SumOf<Self>;
     /// Last step, to the value of a polynomial with this constant.
     fn last_step(constant: Self, sum: SumOf<Self>, x: SumOf<Self>) -> SumOf<Self>;
-    /// Sine and cosine of a phase, given by its 64 leading bits, for polynomials of this many terms.
-    fn sine_cosine(phase: u64, terms: usize) -> [SumOf<Self>; 2];
     /// Complex number of the table, turned by the angle with this sine and cosine.
     fn rotated(
         number: [SumOf<Self>; 2],
@@ -179,32 +180,33 @@ const fn is_by_16_bits(power: usize, terms: usize) -> bool {
 
 /// Orientation at a point of a segment, from the 64 leading bits of the slow phases.
 #[inline(always)]
-pub(crate) fn orientation<C: Coefficient>(
-    rows: &[[C; 4]],
+pub(crate) fn orientation<R: EphemerisScalar>(
+    rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
     [a, b]: [u64; 2],
-) -> Orientation<C::Number> {
-    let [[re_a, im_a, re_b, im_b], _] = polynomials::<C, false>(rows, point);
+) -> Orientation<NumberOf<R>> {
+    let [[re_a, im_a, re_b, im_b], _] = polynomials::<R::Coefficient, false>(rows, point);
     // each sine where it is needed: the smallest chips have few registers
-    let alpha = C::rotated([re_a, im_a], point.is_falling, C::sine_cosine(a, rows.len()));
-    let beta = C::rotated([re_b, im_b], point.is_falling, C::sine_cosine(b, rows.len()));
+    let alpha = R::Coefficient::rotated([re_a, im_a], point.is_falling, R::rotation(a));
+    let beta = R::Coefficient::rotated([re_b, im_b], point.is_falling, R::rotation(b));
     Orientation { alpha, beta }
 }
 
 /// Orientation, and Ω over a power of two with its exponent.
 #[inline(always)]
-pub(crate) fn orientation_and_omega_body<C: Coefficient>(
-    rows: &[[C; 4]],
+pub(crate) fn orientation_and_omega_body<R: EphemerisScalar>(
+    rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
     slow: [u64; 2],
-    rates: [<C::Number as Number>::Quantity; 3],
-) -> (Orientation<C::Number>, Vector<C::Number>, i32) {
-    let [a, b] = slow.map(|phase| C::sine_cosine(phase, rows.len()));
-    let polynomials = polynomials::<C, true>(rows, point);
+    rates: [R::Quantity; 3],
+) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
+    let [a, b] = slow.map(R::rotation);
+    let polynomials = polynomials::<R::Coefficient, true>(rows, point);
     let [[re_a, im_a, re_b, im_b], _] = polynomials;
-    let alpha = C::rotated([re_a, im_a], point.is_falling, a);
-    let beta = C::rotated([re_b, im_b], point.is_falling, b);
-    let (omega, exponent) = Number::omega_body(polynomials, C::difference([a, b]), point, rates);
+    let alpha = R::Coefficient::rotated([re_a, im_a], point.is_falling, a);
+    let beta = R::Coefficient::rotated([re_b, im_b], point.is_falling, b);
+    let difference = R::Coefficient::difference([a, b]);
+    let (omega, exponent) = Number::omega_body(polynomials, difference, point, rates);
     (Orientation { alpha, beta }, omega, exponent)
 }
 

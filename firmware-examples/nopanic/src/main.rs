@@ -198,7 +198,7 @@ fn events<R: EphemerisScalar>(table: &EphemerisView<R>, motion: &Motion) {
     }
 }
 
-/// Calls of an ephemeris: set-up, all ways to read it, and exchange.
+/// Calls of an ephemeris: set-up, and all ways to read it.
 fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     let Ok(tick) = Tick::hertz(black_box(1000)) else { return };
     let Ok(ephemeris) = Ephemeris::<R, SEGMENTS>::with_truncation(motion, tick, unknown()) else { return };
@@ -217,13 +217,8 @@ fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     ephemeris.fill(black_box(0), &mut out);
     black_box(out);
     let mut set_up = SetUp::with_truncation(unknown());
-    let [mut first, mut second] = [(); 2].map(|()| EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new());
+    let mut memory = EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new();
     let mut calls = 0;
-    let mut pause = || calls += 1;
-    let Ok(ready) = first.set_up(&mut set_up, motion, tick, black_box(-7), &mut pause) else { return };
-    let Ok(spare) = second.set_up(&mut set_up, motion, tick, black_box(7), &mut pause) else { return };
-    let mut cursor = ready.cursor(black_box(3));
-    black_box((cursor.next(ready).orientation(), cursor.tick(), ready.error_bound()));
-    cursor = spare.cursor(cursor.tick().wrapping_add(1));
-    black_box((cursor.next(spare).orientation(), first.get().is_some()));
+    let is_ready = memory.set_up(&mut set_up, motion, tick, black_box(-7), &mut || calls += 1).is_ok();
+    black_box((is_ready, memory.get().map(|table| (cursor.next(table).orientation(), table.error_bound()))));
 }

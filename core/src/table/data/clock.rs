@@ -171,10 +171,10 @@ impl<W: Copy> Clock<W> {
         [after(*nutation, *nutation_step), after(*a, *a_step), after(*b, *b_step)]
     }
 
-    /// Phases, and the mean tip angle, after any number of ticks. Whole turns are dropped.
+    /// Phases, without whole turns, and mean tip angle at any number of ticks, with a fraction.
     #[cold]
     #[inline(never)]
-    pub(crate) fn after(&self, ticks: Extended) -> ([WrappedPhase; 3], Phase) {
+    pub(crate) fn at_ticks(&self, ticks: Extended) -> ([WrappedPhase; 3], Phase) {
         let (ticks, fraction) = ticks.floor_and_fraction();
         let since_first = ticks.wrapping_sub(i64::MIN.into());
         let turned = |step: Phase, ticks: i128| Phase::from_bits(step.to_bits().wrapping_mul(ticks));

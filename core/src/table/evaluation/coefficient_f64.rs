@@ -28,6 +28,11 @@ impl EphemerisScalar for f64 {
     fn from_number(number: Self) -> Self {
         number
     }
+
+    #[inline(always)]
+    fn rotation(phase: u64) -> [f64; 2] {
+        sine_cosine_f64(phase).into()
+    }
 }
 
 impl Coefficient for f64 {
@@ -63,11 +68,6 @@ impl Coefficient for f64 {
     #[inline(always)]
     fn last_step(constant: f64, sum: f64, x: f64) -> f64 {
         sum * x + constant
-    }
-
-    #[inline(always)]
-    fn sine_cosine(phase: u64, _: usize) -> [f64; 2] {
-        sine_cosine_f64(phase).into()
     }
 
     #[inline(always)]

@@ -37,6 +37,12 @@ impl EphemerisScalar for I2F14 {
     fn from_number(number: Q30) -> Self {
         Self::from_bits((number.0 >> 16) as i16)
     }
+
+    #[inline(always)]
+    fn rotation(phase: u64) -> [i32; 2] {
+        let (sine, cosine) = sine_cosine_q15((phase >> 32) as u32);
+        [sine >> 15, cosine >> 15]
+    }
 }
 
 impl Coefficient for i16 {
@@ -76,12 +82,6 @@ impl Coefficient for i16 {
     #[inline(always)]
     fn last_step(constant: Self, sum: i32, x: i32) -> i32 {
         (constant.to_sum() + (1 << 15)).saturating_add((sum >> 16) * x)
-    }
-
-    #[inline(always)]
-    fn sine_cosine(phase: u64, _: usize) -> [i32; 2] {
-        let (sine, cosine) = sine_cosine_q15((phase >> 32) as u32);
-        [sine >> 15, cosine >> 15]
     }
 
     /// Result rounded to 2^-14.

@@ -8,13 +8,13 @@
 
 use crate::complex::Complex;
 use crate::product::{high_product, high_product_limited, product_32x16};
-use crate::scalar::{Scalar, sine_cosine_q26, sine_cosine_q31, times_power_of_two};
+use crate::scalar::{Scalar, sine_cosine_q26, times_power_of_two};
 use crate::table::evaluation::q30::Q30;
 use crate::table::evaluation::{
     Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_BITS, is_by_16_bits, shifted_right,
 };
 #[cfg(feature = "fixed")]
-use fixed::types::I2F30;
+use {crate::scalar::sine_cosine_q31, fixed::types::I2F30};
 
 /// Unit of the results, 2^-30.
 const UNIT: f64 = 1.0 / (1_u64 << 30) as f64;
@@ -44,6 +44,11 @@ impl EphemerisScalar for f32 {
     fn from_number(number: Q30) -> Self {
         number.into()
     }
+
+    #[inline(always)]
+    fn rotation(phase: u64) -> [i32; 2] {
+        sine_cosine_q26((phase >> 32) as u32).into()
+    }
 }
 
 #[cfg(feature = "fixed")]
@@ -61,6 +66,11 @@ impl EphemerisScalar for I2F30 {
     #[inline]
     fn from_number(number: Q30) -> Self {
         Self::from_bits(number.0)
+    }
+
+    #[inline(always)]
+    fn rotation(phase: u64) -> [i32; 2] {
+        sine_cosine_q31((phase >> 32) as u32).into()
     }
 }
 
@@ -130,13 +140,6 @@ impl Coefficient for i32 {
     #[inline(always)]
     fn last_step(constant: Self, sum: i32, x: i32) -> i32 {
         constant.saturating_add(high_product_limited(sum, x))
-    }
-
-    /// With five terms the results become `f32`, which needs fewer bits.
-    #[inline(always)]
-    fn sine_cosine(phase: u64, terms: usize) -> [i32; 2] {
-        let phase = (phase >> 32) as u32;
-        if terms < 5 { sine_cosine_q31(phase).into() } else { sine_cosine_q26(phase).into() }
     }
 
     #[inline(always)]

@@ -152,7 +152,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     fn unrounded_with_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
         let [nutation, a, b] = self.phases;
         let LocatedSegment { rows, point, .. } = self.ephemeris.segment_at(nutation);
-        orientation_and_omega_body(rows, point, [a, b], self.ephemeris.clock.rates())
+        orientation_and_omega_body::<R>(rows, point, [a, b], self.ephemeris.clock.rates())
     }
 
     /// Unrounded orientation, and Ω.
@@ -195,15 +195,15 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     pub fn at(&self, t: f64) -> Sample<'_, R> {
         match self.clock.at_time(t) {
             Some((phases, mean_tip)) => Sample { ephemeris: self, phases, mean_tip },
-            None => self.after(self.clock.ticks(t)),
+            None => self.at_ticks(self.clock.ticks(t)),
         }
     }
 
-    /// Sample after any number of ticks.
+    /// Sample at any number of ticks, with a fraction.
     #[cold]
     #[inline(never)]
-    pub(crate) fn after(&self, ticks: Extended) -> Sample<'_, R> {
-        let (phases, mean_tip) = self.clock.after(ticks);
+    pub(crate) fn at_ticks(&self, ticks: Extended) -> Sample<'_, R> {
+        let (phases, mean_tip) = self.clock.at_ticks(ticks);
         Sample::new(self, phases, mean_tip)
     }
 
@@ -218,7 +218,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     #[inline(always)]
     pub(super) fn unrounded_orientation(&self, [nutation, a, b]: [u64; 3]) -> Orientation<NumberOf<R>> {
         let LocatedSegment { rows, point, .. } = self.segment_at(nutation);
-        orientation(rows, point, [a, b])
+        orientation::<R>(rows, point, [a, b])
     }
 
     /// Segment of a nutation phase, given by its 64 leading bits.
@@ -230,7 +230,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let leading = (half >> 32) as u32;
         let cell = Cell(self.cells.get((leading >> 28) as usize).copied().unwrap_or_default());
         let (depth, index) = (cell.depth(), cell.segment(leading));
-        // no cell refers beyond the last segment; the fallback avoids a panic
+        // a cell refers to a segment of the table, which has one: the fallbacks only avoid a panic
         let segment = self.segments.get(index).or(self.segments.first());
         // 32 leading bits of the fraction of an eighth
         let eighth = (half >> (32 - LEAST_DEPTH)) as u32;

@@ -99,11 +99,11 @@ pub(in crate::table) fn is_falling(nutation: u64) -> bool {
 #[derive(Clone, Copy, Debug)]
 struct Winding {
     z: Complex<f64>,
-    turns: i64,
+    whole_turns: i64,
 }
 
 impl Winding {
-    const ZERO: Self = Self { z: Complex::new(1.0, 0.0), turns: 0 };
+    const ZERO: Self = Self { z: Complex::new(1.0, 0.0), whole_turns: 0 };
 
     /// Continues the argument to z; 0 has no argument and changes nothing.
     fn continue_to(&mut self, z: Complex<f64>) {
@@ -112,8 +112,8 @@ impl Winding {
         }
         let anticlockwise = self.z.re * z.im - self.z.im * z.re > 0.0;
         match (self.z.im < 0.0, z.im < 0.0) {
-            (false, true) if anticlockwise => self.turns += 1,
-            (true, false) if !anticlockwise => self.turns -= 1,
+            (false, true) if anticlockwise => self.whole_turns += 1,
+            (true, false) if !anticlockwise => self.whole_turns -= 1,
             _ => {}
         }
         self.z = z;
@@ -121,7 +121,7 @@ impl Winding {
 
     /// Argument at this nutation phase, negative where u falls.
     fn angle_on(&self, nutation: u64) -> Phase {
-        let angle = Phase::from_radians(self.z.arg()) + Phase::ONE * self.turns;
+        let angle = Phase::from_radians(self.z.arg()) + Phase::ONE * self.whole_turns;
         if is_falling(nutation) { -angle } else { angle }
     }
 }
