@@ -77,7 +77,7 @@ fn reference() -> PathBuf {
 pub fn json(name: &str) -> Value {
     let text =
         std::fs::read_to_string(reference().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
-    serde_json::from_str(&text).unwrap_or_else(|error| panic!("{name}: {error}"))
+    serde_json::from_str(&text).unwrap()
 }
 
 impl Vector {
