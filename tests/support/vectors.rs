@@ -1,6 +1,7 @@
 //! Reference vectors of `tests/reference/vectors`: one JSON file per motion, with numbers as decimal strings.
 
 use serde_json::Value;
+use std::fs::DirEntry;
 use std::path::{Path, PathBuf};
 use toytop::scalar::{Extended, Ring};
 use toytop::{Complex, InitialPhases, Motion, Orientation, ParameterError, Regime, Sign, Signs, State, Top};
@@ -42,12 +43,11 @@ pub struct Period {
 
 /// All vectors, sorted by name.
 pub fn all() -> Vec<Vector> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("reference/vectors");
-    let entries = std::fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
-    let mut files: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
-    files.retain(|file| file.extension().is_some_and(|ending| ending == "json"));
-    files.sort();
-    files.iter().map(|file| Vector::read(file)).collect()
+    let files = std::fs::read_dir(reference().join("vectors")).unwrap();
+    let name = |file: DirEntry| Some(file.file_name().to_str()?.strip_suffix(".json")?.to_owned());
+    let mut names: Vec<String> = files.filter_map(|file| name(file.unwrap())).collect();
+    names.sort();
+    names.iter().map(|name| named(name)).collect()
 }
 
 /// Vectors of the motions that a table can hold: all but the aperiodic ones.
@@ -57,7 +57,7 @@ pub fn tabulated() -> impl Iterator<Item = Vector> {
 
 /// Vector of this name.
 pub fn named(name: &str) -> Vector {
-    Vector::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("reference/vectors/{name}.json")))
+    Vector { name: name.to_owned(), json: json(&format!("vectors/{name}.json")) }
 }
 
 /// Motion of the vector of this name.
@@ -68,21 +68,19 @@ pub fn motion(name: &str) -> Motion {
     named(name).motion().unwrap()
 }
 
-/// JSON file of `tests/reference`.
-pub fn json(name: &str) -> Value {
-    read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("reference").join(name))
+/// Folder `tests/reference`.
+fn reference() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("reference")
 }
 
-fn read(file: &Path) -> Value {
-    let text = std::fs::read_to_string(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
-    serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", file.display()))
+/// JSON file of `tests/reference`.
+pub fn json(name: &str) -> Value {
+    let text =
+        std::fs::read_to_string(reference().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
+    serde_json::from_str(&text).unwrap()
 }
 
 impl Vector {
-    fn read(file: &Path) -> Self {
-        Self { name: file.file_stem().unwrap().to_string_lossy().into_owned(), json: read(file) }
-    }
-
     /// Number at the top level of the file (`e1`, `l`, ...).
     pub fn number(&self, key: &str) -> f64 {
         number(&self.json[key])

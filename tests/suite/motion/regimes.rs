@@ -6,7 +6,7 @@ use toytop::{
 };
 use toytop_closed_forms::RegularPrecession;
 use toytop_tests::hostile::sound;
-use toytop_tests::{DIFFERENT, SAME, TOY, by_branch_points, released, top_of, vectors};
+use toytop_tests::{DIFFERENT, SAME, by_branch_points, released, top_of, toy, vectors};
 
 fn top() -> Top {
     top_of([1.1, 0.8, 0.6, 0.9], 1.0)
@@ -136,7 +136,7 @@ fn rounded_multiples_of_pi_are_turning_points() {
 /// A top released from rest has cusps, at any tilt and spin, in SI units, with any rounding of its state.
 #[test]
 fn a_top_let_go_has_cusps() {
-    let top = Top::sliding(&TOY).unwrap();
+    let top = toy();
     for x in (1..200).map(f64::from) {
         let release =
             Release { tilt: 0.015 * x, spin: 3.0 * x, azimuth: x, roll: 2.0 * x, ..Release::default() };

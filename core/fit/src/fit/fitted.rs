@@ -7,8 +7,8 @@ use crate::fit::pass::{Fit, Pass, Statistics};
 use crate::fit::search::Extent;
 use crate::model::MOST_RATIOS;
 use crate::sensitivity::{
-    COLUMNS, Coefficients, Equations, FINE, Flow, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS, Sensitivity,
-    with_coefficients,
+    COARSE, COLUMNS, Coefficients, Equations, Flow, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS,
+    Sensitivity, with_coefficients,
 };
 use crate::triangle::{MOST_UNKNOWNS, Unknowns};
 use crate::vector::{UNITS, UP, Vector, add_scaled, cross, scaled};
@@ -126,7 +126,7 @@ impl Fitted {
         let mut equations = Equations { lossy: true, ..Equations::new(&top) };
         let [.., axial, across, vertical] = &mut equations.coefficients;
         [*axial, *across, *vertical] = losses;
-        Ok(Sensitivity::launched(&equations, &state.orientation(), state.omega(), FINE))
+        Ok(Sensitivity::launched(&equations, &state.orientation(), state.omega(), COARSE))
     }
 
     /// Standard deviations of the unknowns, in the coordinates of [`Fitted::covariance`].

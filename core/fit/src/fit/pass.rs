@@ -168,10 +168,9 @@ impl<'a, F: Real> Fit<'a, F> {
     #[inline(never)] // stack
     pub(super) fn start_from(&mut self, estimate: &Estimate) {
         self.best.information.clear();
-        self.best.statistics = Statistics::default();
+        self.best.statistics = Statistics { cost: f64::INFINITY, ..Statistics::default() };
         self.best.estimate = *estimate;
         self.best.estimate.orientation = estimate.orientation.normalised();
-        self.best.statistics.cost = f64::INFINITY;
         self.damping = FIRST_DAMPING;
         self.curvature = f64::INFINITY;
     }

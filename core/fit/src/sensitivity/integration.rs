@@ -15,7 +15,7 @@ const WEIGHTS: [&[f64]; 7] = [
     &[13.0 / 200.0, 0.0, 11.0 / 40.0, 11.0 / 40.0, 4.0 / 25.0, 4.0 / 25.0, 13.0 / 200.0],
 ];
 /// Largest number of steps from one time to the next.
-const MOST_STEPS: f64 = 500_000.0;
+const MOST_STEPS: f64 = 200_000.0;
 
 /// Number of equal steps over a time of either sign; `None` where there are too many.
 pub(crate) fn steps(span: f64, longest_step: f64) -> Option<u32> {
