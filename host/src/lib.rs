@@ -3,13 +3,13 @@
 //! | module | contents |
 //! |---|---|
 //! | [`input`] | scenario files, built-in motions, random numbers |
-//! | [`parallel`] | threads on all processor cores |
 //! | [`motion`] | the core's stepper and ephemeris at given times, their samples and constants |
 //! | [`truth`] | the paper's integrals to more than thirty digits; integration of the full 3-D equations |
 //! | [`fit`] | sensors, samples and a launch fitted to them |
 //! | [`score`] | output of an integrator against the exact motion; problems that integrators are tested with |
 //! | [`pictures`] | curve of the tip, figures, page for a browser |
 //! | [`output`] | tables, CSV, JSON, files, progress |
+//! | [`parallel`] | threads on all processor cores |
 //! | `budget` | costs of calls on emulated chips |
 //! | [`cli`], `commands` | command line, one file for each command |
 //!

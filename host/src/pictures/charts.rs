@@ -5,7 +5,7 @@ use super::curve::TiltLimit;
 use super::span::Span;
 use crate::Failure;
 use crate::input::scenario::{Scenario, Units};
-use crate::motion::angles::tilt_azimuth_roll;
+use crate::motion::euler_angles::tilt_azimuth_roll;
 use crate::motion::tilts;
 use crate::output::short;
 use kuva::render::render::Scene;
