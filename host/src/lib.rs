@@ -4,14 +4,13 @@
 //! | module | contents |
 //! |---|---|
 //! | [`input`] | scenario files, built-in motions, random numbers |
-//! | [`parallel`] | threads on all processor cores |
-//! | [`parallel`] | threads on all processor cores |
 //! | [`motion`] | the core's stepper and ephemeris at given times, their samples and constants |
 //! | [`truth`] | the paper's integrals to more than thirty digits; integration of the full 3-D equations |
 //! | [`fit`] | sensors, samples and a launch fitted to them |
 //! | [`score`] | output of an integrator against the exact motion; problems that integrators are tested with |
 //! | [`pictures`] | curve of the tip, page for a browser |
 //! | [`output`] | tables, CSV, JSON, files, progress |
+//! | [`parallel`] | threads on all processor cores |
 
 // Visibility is that of the modules: what a private one declares `pub` is its interface within the crate.
 #![allow(unreachable_pub)]

@@ -4,14 +4,14 @@
 //! |---|---|
 //! | [`Scalar`] | scalar types of the core |
 //! | [`propagate`] | samples, and the stepper at given times |
-//! | [`quantity`], [`angles`] | quantities of a sample |
+//! | [`quantity`], [`euler_angles`] | quantities of a sample |
 //! | [`errors`] | differences of states, and of their first integrals |
 //! | [`ephemeris`] | ephemeris in the smallest table that fits |
 //! | [`tip_angle`] | tip angle of an ephemeris, continued from t = 0 |
 
-pub mod angles;
 pub mod ephemeris;
 pub mod errors;
+pub mod euler_angles;
 pub mod propagate;
 pub mod quantity;
 pub mod tip_angle;

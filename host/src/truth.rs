@@ -29,7 +29,7 @@ mod tests {
     use dashu_float::round::mode::HalfEven;
     use serde_json::Value;
     use std::path::Path;
-    use toytop::{InitialPhases, Sign, Signs, Support, TopParameters};
+    use toytop::{Complex, InitialPhases, Orientation, Sign, Signs, Support, TopParameters};
 
     /// Reference vector of this name.
     fn read(name: &str) -> Value {
@@ -137,9 +137,10 @@ mod tests {
     fn state_vector(name: &str) -> (ExactInput, Value) {
         let json = read(name);
         let params = &json["params"];
-        let z = |key: &str| [0, 1].map(|i| number(&params[key][i]));
+        let z = |key: &str| Complex::new(number(&params[key][0]), number(&params[key][1]));
         let omega = [0, 1, 2].map(|i| number(&params["omega0"][i]));
-        let launch = Launch::State { phi: [z("alpha0"), z("beta0")], omega };
+        let orientation = Orientation { alpha: z("alpha0"), beta: z("beta0") };
+        let launch = Launch::State { orientation, omega };
         (input(&json, launch), json)
     }
 

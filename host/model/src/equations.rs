@@ -39,8 +39,8 @@ impl FullState {
         axis(self.alpha, self.beta)
     }
 
-    /// Rate of the axis' height u = r . k \[1/s\]: (omega x r) . k.
-    pub fn axis_height_rate(&self) -> f64 {
+    /// Rate u' of the axis' height u = r . k \[1/s\]: (omega x r) . k.
+    pub fn udot(&self) -> f64 {
         cross(self.omega, self.axis())[2]
     }
 }

@@ -66,8 +66,8 @@ pub enum Launch {
     },
     /// Orientation and angular velocity.
     State {
-        /// Parameters α and β, whose norm need not be 1; they stand for the normalised pair.
-        phi: [[f64; 2]; 2],
+        /// Orientation. Its norm is 1 to within 1e-6, and it stands for the normalised one.
+        orientation: Orientation<f64>,
         /// Angular velocity ω in the fixed frame.
         omega: [f64; 3],
     },
@@ -75,8 +75,7 @@ pub enum Launch {
 
 impl From<&State> for Launch {
     fn from(state: &State) -> Self {
-        let Orientation { alpha, beta } = state.orientation();
-        Self::State { phi: [alpha, beta].map(|z| [z.re, z.im]), omega: state.omega() }
+        Self::State { orientation: state.orientation(), omega: state.omega() }
     }
 }
 
@@ -204,7 +203,8 @@ impl ScenarioFile {
 /// Text of a scenario file, from the keys and values of its top and from a launch.
 pub fn to_toml(top: &impl Display, launch: &Launch) -> String {
     let motion = match launch {
-        Launch::State { phi: [alpha, beta], omega } => {
+        Launch::State { orientation, omega } => {
+            let [alpha, beta] = [orientation.alpha, orientation.beta].map(|z| [z.re, z.im]);
             format!("kind = \"state\"\nalpha = {alpha:?}\nbeta = {beta:?}\nomega = {omega:?}\n")
         }
         Launch::BranchPoints { e: [e1, e2, e3], signs, phases } => {

@@ -1,6 +1,6 @@
 //! Quantities of a sample, each one number or several.
 
-use super::angles;
+use super::euler_angles;
 use super::propagate::Sample;
 use crate::input::scenario::Units;
 use toytop::{Complex, Support};
@@ -92,10 +92,10 @@ impl Quantity {
                 sample.orientation().inverse().adjoint(sample.omega).into()
             }),
             Self::Angles => ("angles", &["tilt", "azimuth", "roll"], "rad", |sample| {
-                angles::tilt_azimuth_roll(&sample.orientation()).into()
+                euler_angles::tilt_azimuth_roll(&sample.orientation()).into()
             }),
             Self::EulerZxz => ("euler_zxz", &["euler_phi", "euler_theta", "euler_psi"], "rad", |sample| {
-                angles::zxz(&sample.orientation()).into()
+                euler_angles::zxz(&sample.orientation()).into()
             }),
             Self::ErrorBound => ("error_bound", &["error_bound"], "rad", |sample| {
                 vec![sample.error_bound.unwrap_or(f64::NAN)]

@@ -12,7 +12,7 @@ use toytop::Stepper;
 /// State at t = 0: the state of the launch without change, or for branch points the state of the core's stepper.
 pub fn initial_state(scenario: &Scenario) -> FullState {
     match scenario.launch {
-        Launch::State { phi: [alpha, beta], omega } => FullState { alpha, beta, omega },
+        Launch::State { orientation, omega } => FullState::new(&orientation, omega),
         Launch::BranchPoints { .. } => {
             let state = Stepper::<f64>::new(&scenario.motion).attitude_state();
             FullState::new(&state.orientation, state.omega())
@@ -41,8 +41,7 @@ pub fn samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failur
     let states = states(scenario, times)?;
     // only the whole turns of the tip angle come from the core
     let angle = TipAngle::new(&scenario.motion, MIN_PRODUCT)?;
-    let sample = |(&t, state): (&f64, &FullState)| {
-        angle.sample(t, state.orientation(), state.omega, state.axis_height_rate())
-    };
+    let sample =
+        |(&t, state): (&f64, &FullState)| angle.sample(t, state.orientation(), state.omega, state.udot());
     Ok(times.iter().zip(&states).map(sample).collect())
 }

@@ -3,9 +3,7 @@
 use crate::input::random::Random;
 use crate::input::scenario::{Launch, supported};
 use std::f64::consts::PI;
-use toytop::{
-    Complex, InitialPhases, Motion, Orientation, ParameterError, Sign, Signs, State, Support, TopParameters,
-};
+use toytop::{InitialPhases, Motion, ParameterError, Sign, Signs, State, Support, TopParameters};
 
 /// Numbers of a top and of its launch, taken as exact.
 #[derive(Clone, Copy, Debug)]
@@ -57,10 +55,7 @@ impl ExactInput {
         let top = supported(self.support, &self.top)?;
         match self.launch {
             Launch::BranchPoints { e, signs, phases } => Motion::from_branch_points(&top, e, signs, &phases),
-            Launch::State { phi, omega } => {
-                let [alpha, beta] = phi.map(|[re, im]| Complex::new(re, im));
-                Motion::launch(&top, &State::new(Orientation { alpha, beta }, omega)?)
-            }
+            Launch::State { orientation, omega } => Motion::launch(&top, &State::new(orientation, omega)?),
         }
     }
 }

@@ -11,7 +11,7 @@ use super::precise::{
 };
 use crate::input::scenario::Launch;
 use std::f64::consts::PI;
-use toytop::{InitialPhases, Sign, Signs, Support};
+use toytop::{InitialPhases, Orientation, Sign, Signs, Support};
 
 /// Constants of a motion, and its state at the launch.
 pub struct LaunchConstants {
@@ -36,7 +36,7 @@ impl LaunchConstants {
         let top = [a, c, s, p, g, k];
         match *launch {
             Launch::BranchPoints { e, signs, phases } => Self::from_branch_points(&top, e, signs, phases),
-            Launch::State { phi, omega } => Self::from_state(&top, phi, omega),
+            Launch::State { orientation, omega } => Self::from_state(&top, &orientation, omega),
         }
     }
 
@@ -46,8 +46,12 @@ impl LaunchConstants {
         at_e1 == at_e2 || (is_zero(e3_minus_e2) && is_zero(&self.half_phase[0]))
     }
 
-    fn from_state([a, c, s, p, g, k]: &[Precise; 6], phi: [[f64; 2]; 2], omega: [f64; 3]) -> Self {
-        let [alpha, beta] = phi.map(|z| z.map(from_f64));
+    fn from_state(
+        [a, c, s, p, g, k]: &[Precise; 6],
+        orientation: &Orientation<f64>,
+        omega: [f64; 3],
+    ) -> Self {
+        let [alpha, beta] = [orientation.alpha, orientation.beta].map(|z| [z.re, z.im].map(from_f64));
         let [w1, w2, w3] = omega.map(from_f64);
         let norm = norm_squared(&alpha) + norm_squared(&beta);
         let u = (norm_squared(&alpha) - norm_squared(&beta)) / &norm;
@@ -170,14 +174,15 @@ fn directions(alpha: &ComplexPrecise, beta: &ComplexPrecise, [w1, w2]: [&Precise
 #[cfg(test)]
 mod tests {
     use super::*;
-    use toytop::TopParameters;
+    use toytop::{Complex, TopParameters};
 
     /// Difference e₂ - e₁ of a state close to a regular precession: half of the digits of the cubic cancel, and 57 must remain.
     #[test]
     fn a_swing_of_the_last_place_is_known_to_all_digits() {
         // tilt 60°, precession 1, spin 3/2 would be steady; ω₃ is one unit in the last place too large
         let root = 0.75_f64.sqrt();
-        let launch = Launch::State { phi: [[root, 0.0], [-0.5, 0.0]], omega: [root, 0.0, 1.5_f64.next_up()] };
+        let orientation = Orientation { alpha: Complex::new(root, 0.0), beta: Complex::new(-0.5, 0.0) };
+        let launch = Launch::State { orientation, omega: [root, 0.0, 1.5_f64.next_up()] };
         let ones = TopParameters {
             transverse_inertia: 1.0,
             axial_inertia: 1.0,

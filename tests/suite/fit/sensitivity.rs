@@ -1,7 +1,7 @@
 //! Partial derivatives, against central differences of launches in 640 bits, and where they grow without bound.
 
 use toytop::su2::Vector;
-use toytop::{Motion, Orientation, State, Support, TopParameters};
+use toytop::{Complex, Motion, Orientation, State, Support, TopParameters};
 use toytop_fit::{Partials, Sensitivity};
 use toytop_host::input::scenario::Launch;
 use toytop_host::truth::exact::{Exact, PreciseOrientation};
@@ -53,7 +53,9 @@ impl Given {
             (false, true) => Support::Fixed,
             (false, false) => Support::Free,
         };
-        ExactInput { support, top, launch: Launch::State { phi: self.phi, omega: self.omega } }
+        let [alpha, beta] = self.phi.map(|[re, im]| Complex::new(re, im));
+        let launch = Launch::State { orientation: Orientation { alpha, beta }, omega: self.omega };
+        ExactInput { support, top, launch }
     }
 
     fn partials(&self, t: f64) -> Partials {

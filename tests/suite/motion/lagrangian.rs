@@ -134,7 +134,7 @@ fn newton_euler_is_the_acceleration_of_the_full_solution() {
             let difference = (after.omega[i] - before.omega[i]) / (2.0 * step);
             assert!((difference - omega[i]).abs() < 1e-7, "{i}: {difference} {omega:?}");
         }
-        let rise = (after.axis_height_rate() - before.axis_height_rate()) / (2.0 * step);
+        let rise = (after.udot() - before.udot()) / (2.0 * step);
         assert!((rise - height).abs() < 1e-7 && (height.abs() > 1e-2), "{rise} {height}");
     }
 }

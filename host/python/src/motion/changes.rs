@@ -4,7 +4,7 @@ use crate::arguments::{Array, NumericArg, array, refused, value_error};
 use crate::interrupt;
 use crate::motion::MotionCore;
 use pyo3::prelude::*;
-use toytop::{Complex, Orientation, State};
+use toytop::State;
 use toytop_fit::{Partials, Sensitivity};
 use toytop_host::input::scenario::Launch;
 use toytop_host::motion::Scalar;
@@ -67,15 +67,13 @@ impl MotionCore {
 
     /// State at a time. At t = 0 it is that of the launch, without rounding.
     fn state(&self, t: f64) -> PyResult<State> {
-        let (phi, omega) = match self.launch {
-            Launch::State { phi: [[a, b], [c, d]], omega } if t == 0.0 => {
-                (Orientation { alpha: Complex::new(a, b), beta: Complex::new(c, d) }, omega)
-            }
+        let (orientation, omega) = match self.launch {
+            Launch::State { orientation, omega } if t == 0.0 => (orientation, omega),
             _ => {
                 let now = self.table_for(Scalar::F64, &[t])?.at(t).sample;
                 (now.orientation(), now.omega)
             }
         };
-        State::new(phi, omega).map_err(refused)
+        State::new(orientation, omega).map_err(refused)
     }
 }

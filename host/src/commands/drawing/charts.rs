@@ -3,7 +3,7 @@
 use super::chart::{Chart, Curve};
 use crate::Failure;
 use crate::input::scenario::{Scenario, Units};
-use crate::motion::angles::tilt_azimuth_roll;
+use crate::motion::euler_angles::tilt_azimuth_roll;
 use crate::motion::tilts;
 use crate::output::short;
 use crate::pictures::curve::{Place, TiltLimit};
