@@ -3,7 +3,7 @@
 use crate::Failure;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// Stack of a thread, bytes. The largest table has one and a half megabytes, and its set-up is on the stack.
+/// Stack of a thread, bytes. The set-up of the largest table needs 1.5 MB.
 pub(crate) const STACK: usize = 1 << 25;
 
 /// Thread pool with a thread for each processor core.
