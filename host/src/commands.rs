@@ -107,7 +107,7 @@ fn warnings(scenarios: &[Scenario]) -> Vec<String> {
         let force = motion.min_normal_force().filter(|force| *force < 0.0)?;
         Some(format!(" ({})", rounded(force, 3)))
     });
-    // an unstable sleeping top does not leave the vertical, although its e₁ may be below 0
+    // e₁ < 0 does not mean that a sleeping top falls: it stays at u = 1
     let fallen = line("a real top would fall on its side (greatest tilt, degrees)", &|motion| {
         let [_, tilt] = tilts(motion);
         let fallen = motion.top().support() == Support::Sliding && tilt > 90.0;

@@ -1,7 +1,7 @@
 //! Curve of the tip, and the limits between which the axis and the tip stay.
 
 use crate::Failure;
-use crate::pictures::span::{MOST_CYCLES, Span};
+use crate::pictures::span::{MOST_CYCLES, MotionSpan};
 use toytop::{Motion, Support};
 
 /// Place of the axis at a limit of the tilt.
@@ -74,11 +74,11 @@ impl TipCurve {
     /// # Errors
     /// [`Failure::Method`]: no ephemeris is large enough.
     pub fn new(motion: &Motion) -> Result<Self, Failure> {
-        Ok(Self::over(motion, &Span::new(motion, None, MOST_CYCLES)?))
+        Ok(Self::over(motion, &MotionSpan::new(motion, None, MOST_CYCLES)?))
     }
 
     /// Curve over a span of time.
-    pub fn over(motion: &Motion, span: &Span) -> Self {
+    pub fn over(motion: &Motion, span: &MotionSpan) -> Self {
         let mut limits = TiltLimit::all(motion);
         // between e₁ and e₂ the axis is horizontal, which is the largest circle
         if let [low, high] = &limits[..]

@@ -10,7 +10,7 @@ use toytop_model::constants::MotionConstants;
 use toytop_model::span::{cycle, periods, span};
 
 /// Motion between two times.
-pub struct Span {
+pub struct MotionSpan {
     table: Box<dyn AnyEphemeris>,
     /// First and last time, s.
     pub ends: [f64; 2],
@@ -23,8 +23,8 @@ pub struct Span {
 /// Greatest number of nutation periods or turns in a picture: more would fill its frame.
 pub const MOST_CYCLES: f64 = 1000.0;
 
-impl Span {
-    /// Span between two times, s. Without them it begins at 0 and is about one turn of the tip around the centre: a whole number of
+impl MotionSpan {
+    /// MotionSpan between two times, s. Without them it begins at 0 and is about one turn of the tip around the centre: a whole number of
     /// nutation periods, one turn where u is constant, or the time until the tip of an aperiodic motion is at the centre.
     ///
     /// * `most_cycles`: greatest number of nutation periods or turns

@@ -36,7 +36,8 @@ pub struct PhaseErrors {
 const MIN_ROWS: usize = 8;
 
 /// Phase errors in the middle of the last nutation period, or of the last eight rows if these take longer; none for an aperiodic motion.
-/// The fit goes through all periods, so that errors of more than half a turn are recognised.
+///
+/// The fit goes through all periods, so that it recognises errors of more than half a turn.
 pub fn last(motion: &Motion, table: &dyn AnyEphemeris, rows: &[Pose]) -> PhaseErrors {
     let exist = match motion.regime() {
         Regime::Nutating => [true; 3],

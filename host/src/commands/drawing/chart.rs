@@ -44,8 +44,8 @@ pub struct Chart<'a> {
     pub title: &'a str,
     /// Labels of x and y.
     pub labels: [&'a str; 2],
-    /// Whether the axes of x and of y are logarithmic; numbers that are not above 0 are then left out.
-    pub logarithmic: [bool; 2],
+    /// Whether both axes are logarithmic; numbers that are not above 0 are then left out.
+    pub logarithmic: bool,
 }
 
 /// Colours of the curves, which colour-blind readers can distinguish (the palette of Okabe and Ito).
@@ -68,9 +68,12 @@ impl Chart<'_> {
         let mut all = Vec::new();
         let looks = COLORS.into_iter().cycle().zip(MARKS.into_iter().cycle());
         for (curve, (color, mark)) in curves.iter().zip(looks) {
-            let [of_x, of_y] = self.logarithmic;
-            let coordinates = |&[x, y]: &[f64; 2]| Some((coordinate(x, of_x)?, coordinate(y, of_y)?));
-            let points: Vec<(f64, f64)> = curve.points.iter().filter_map(coordinates).collect();
+            let coordinates = |[x, y]: &[f64; 2]| match self.logarithmic {
+                true => (x.log10(), y.log10()),
+                false => (*x, *y),
+            };
+            let points = curve.points.iter().map(coordinates);
+            let points: Vec<_> = points.filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
             all.extend(points.iter().copied());
             if curve.is_line {
                 let line = LinePlot::new().with_data(points.clone()).with_color(color).with_stroke_width(1.8);
@@ -83,37 +86,30 @@ impl Chart<'_> {
         }
         let [mut x, mut y] = [ends(all.iter().map(|(x, _)| *x)), ends(all.iter().map(|(_, y)| *y))];
         let height = y[1] - y[0];
-        let margin = match self.logarithmic[1] {
+        let margin = match self.logarithmic {
             true => 0.1,
             false if height > 1e-9 * y[1].abs() => 0.06 * height,
             // a curve that is constant to rounding is drawn in the middle
             false => 1.0,
         };
         y = [y[0] - margin, y[1] + margin];
-        for (ends, logarithmic) in [&mut x, &mut y].into_iter().zip(self.logarithmic) {
-            *ends = if logarithmic { whole(*ends) } else { *ends };
+        if self.logarithmic {
+            (x, y) = (whole(x), whole(y));
         }
         let mut layout = frame(&plots, self.title, self.labels[0], [x, y])
             .with_width(920.0)
             .with_height(520.0)
             .with_force_margins_y(84.0, 62.0);
-        let power = || TickFormat::Custom(Arc::new(power_of_ten));
-        if self.logarithmic[0] {
-            layout = layout.with_x_tick_step(1.0).with_x_tick_format(power());
-        }
-        if self.logarithmic[1] {
+        if self.logarithmic {
+            let power = TickFormat::Custom(Arc::new(power_of_ten));
             let step = if y[1] - y[0] > 9.0 { 2.0 } else { 1.0 };
-            layout = layout.with_y_tick_step(step).with_y_tick_format(power());
+            layout = layout.with_x_tick_step(1.0).with_x_tick_format(power.clone());
+            layout = layout.with_y_tick_step(step).with_y_tick_format(power);
         }
         let mut scene = render_multiple(plots, layout);
         label_above(&mut scene, self.labels[1], [16.0, 66.0]);
         scene
     }
-}
-
-/// Coordinate of a number on an axis.
-fn coordinate(x: f64, logarithmic: bool) -> Option<f64> {
-    if logarithmic { (x > 0.0).then(|| x.log10()) } else { Some(x) }
 }
 
 /// Next whole numbers below and above; a number that is almost whole counts as whole.

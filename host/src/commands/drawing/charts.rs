@@ -7,7 +7,7 @@ use crate::motion::euler_angles::tilt_azimuth_roll;
 use crate::motion::tilts;
 use crate::output::short;
 use crate::pictures::curve::{Place, TiltLimit};
-use crate::pictures::span::Span;
+use crate::pictures::span::MotionSpan;
 use kuva::render::render::Scene;
 use std::f64::consts::PI;
 use toytop::{Motion, Regime};
@@ -25,11 +25,11 @@ fn time_label(scenario: &Scenario, from: f64) -> String {
 
 /// Chart over linear axes.
 fn chart(title: &str, labels: [&str; 2], curves: &[Curve]) -> Scene {
-    Chart { title, labels, logarithmic: [false; 2] }.draw(curves)
+    Chart { title, labels, logarithmic: false }.draw(curves)
 }
 
 /// Tilt between its limits, against time.
-pub fn tilt(scenario: &Scenario, span: &Span) -> Scene {
+pub fn tilt(scenario: &Scenario, span: &MotionSpan) -> Scene {
     let [from, until] = span.ends;
     let degrees = |t: f64| {
         let orientation = span.at(t).orientation();
@@ -59,7 +59,7 @@ fn without_rounding(degrees: f64) -> f64 {
 ///
 /// # Errors
 /// [`Failure::Method`]: the axis is vertical at all times.
-pub fn precession(scenario: &Scenario, span: &Span) -> Result<Scene, Failure> {
+pub fn precession(scenario: &Scenario, span: &MotionSpan) -> Result<Scene, Failure> {
     // the axis leans in the direction opposite to the tip, so that its azimuth differs from the tip angle by half a turn
     let start = span.at(0.0).tip_angle.ok_or_else(|| {
         Failure::Method("the axis is vertical at all times, so that it has no azimuth".to_owned())

@@ -4,7 +4,7 @@ use super::sphere::{Camera, circle};
 use super::{CAPTION, CURVE, START, disc, raster, text};
 use crate::input::scenario::Scenario;
 use crate::output::progress::Progress;
-use crate::pictures::span::Span;
+use crate::pictures::span::MotionSpan;
 use kuva::render::render::{Scene, TextAnchor};
 use std::f64::consts::PI;
 use std::io::{self, Write};
@@ -21,7 +21,7 @@ const PATH: u64 = 1500;
 /// Film of a motion over a span of time, in frames that are evenly spread over it.
 pub struct Film<'a> {
     pub scenario: &'a Scenario,
-    pub span: &'a Span,
+    pub span: &'a MotionSpan,
     pub frames: u64,
     /// Width and height of a frame, pixels.
     pub size: u16,

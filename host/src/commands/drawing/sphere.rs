@@ -4,7 +4,7 @@ use super::tip::caption;
 use super::{BOUND, CAPTION, CURVE, START, disc, line, text};
 use crate::input::scenario::Scenario;
 use crate::pictures::curve::{Place, TiltLimit};
-use crate::pictures::span::Span;
+use crate::pictures::span::MotionSpan;
 use kuva::render::render::{Scene, TextAnchor};
 use std::f64::consts::PI;
 use toytop_model::equations::dot;
@@ -17,7 +17,7 @@ const RADIUS: f64 = 265.0;
 const LABELS: f64 = 572.0;
 
 /// Draws the curve of the axis over a span of time.
-pub fn draw(scenario: &Scenario, span: &Span) -> Scene {
+pub fn draw(scenario: &Scenario, span: &MotionSpan) -> Scene {
     let mut scene = Scene::new(WIDTH, HEIGHT);
     let picture = &mut scene;
     let camera = Camera::new(-1.05, 0.42, MIDDLE, RADIUS);

@@ -4,7 +4,7 @@ use super::{BOUND, CAPTION, CURVE, START, frame, label_above, text};
 use crate::input::scenario::{Scenario, Units};
 use crate::output::short;
 use crate::pictures::curve::TipCurve;
-use crate::pictures::span::Span;
+use crate::pictures::span::MotionSpan;
 use kuva::plot::scatter::ScatterPlot;
 use kuva::plot::{LegendPosition, LinePlot, LineStyle};
 use kuva::render::plots::Plot;
@@ -21,7 +21,7 @@ const ABOVE: f64 = 92.0;
 const BELOW: f64 = 58.0;
 
 /// Draws the curve over a span of time.
-pub fn draw(scenario: &Scenario, span: &Span) -> Scene {
+pub fn draw(scenario: &Scenario, span: &MotionSpan) -> Scene {
     let mut curve = TipCurve::over(&scenario.motion, span);
     let s = scenario.motion.top().tip_scale();
     // in mm, or in units of s where the scenario names no units
@@ -63,7 +63,7 @@ pub fn draw(scenario: &Scenario, span: &Span) -> Scene {
 }
 
 /// Caption of the curve of the tip or the axis, two lines: its class and numbers of the scenario; for a held tip, `seen` states what is drawn.
-pub fn caption(scenario: &Scenario, span: &Span, seen: &str) -> [String; 2] {
+pub fn caption(scenario: &Scenario, span: &MotionSpan, seen: &str) -> [String; 2] {
     let motion = &scenario.motion;
     let (top, e, signs) = (motion.top(), motion.branch_points(), motion.signs());
     let class = tip_class(motion.tip_class()).replace('_', " ");

@@ -197,7 +197,7 @@ fn draw(
     let chart = Chart {
         title: &format!("Work and precision: {}", scenario.name),
         labels: [work, "greatest error of the orientation, rad"],
-        logarithmic: [true; 2],
+        logarithmic: true,
     };
     drawing::write("--plot", path, &chart.draw(&curves), None)
 }

@@ -3,8 +3,8 @@
 //! Both contain the numbers of a [`Baked`](toytop::Baked) of any size, with format version and checksum. A Rust module in which a
 //! number was changed does not compile; the C header has a function that checks the numbers. Both give the bits of the crate.
 //!
-//! In C, fixed point uses integers only, and `f32` uses integers up to α and β, so that these bits do not depend on the compiler. In u, c
-//! and `f64` every product that is added passes a barrier, without which compilers would fuse the product and the sum by default.
+//! In C, fixed point uses integers only, and `f32` uses integers up to α and β, so that these bits do not depend on the compiler. `f64`, u
+//! and c use a barrier after each product, so that no compiler fuses it with a sum.
 
 mod c;
 mod rust;
@@ -71,43 +71,43 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     let (scalar, motion) = (arguments.scalar, &scenario.motion);
     let table = ephemeris_of_size(scalar, motion, tick, &sizes(scalar, arguments.segments)?)
         .map_err(|failure| failure.of_motion(&scenario.name))?;
-    let parts = table.data().expect("a table");
-    let label = TableName {
+    let data = table.data().expect("a table");
+    let title = TableTitle {
         name: arguments.name.clone().unwrap_or_else(|| scenario.name.clone()),
         tick: if seconds == 1 { format!("{ticks} Hz") } else { format!("{ticks}/{seconds} Hz") },
     };
     let mut report = Report::default();
     let text = match arguments.lang {
-        Language::Rust => module(&label, &parts),
-        Language::C => header(&label, &parts),
+        Language::Rust => module(&title, &data),
+        Language::C => header(&title, &data),
     };
     match &arguments.output {
         None => report.text = text,
         Some(path) => whole_file::write("--output", path, text.as_bytes())?,
     }
-    let notes = std::iter::once(summary(&label, &parts)).chain(warnings(&[scenario]));
+    let notes = std::iter::once(summary(&title, &data)).chain(warnings(&[scenario]));
     Ok(report.with_notes(notes))
 }
 
 /// Line that states the scalar, the size and the error bound of the table that was written.
-fn summary(label: &TableName, parts: &TableData) -> String {
-    let ([segments, terms], ErrorBound { constant, per_tick }) = (parts.size, parts.error_bound);
-    let (scalar, bytes) = (parts.scalar.name(), parts.table_bytes());
+fn summary(title: &TableTitle, data: &TableData) -> String {
+    let ([segments, terms], ErrorBound { constant, per_tick }) = (data.size, data.error_bound);
+    let (scalar, bytes) = (data.scalar.name(), data.table_bytes());
     format!(
         "{}: {segments}x{terms} in {scalar}, {bytes} bytes, {}; orientation within {constant:.1e} rad + {per_tick:.1e} rad a tick",
-        label.name, label.tick,
+        title.name, title.tick,
     )
 }
 
 /// Description of the motion of a table, for the comment of a file.
-pub struct TableName {
+pub struct TableTitle {
     /// Name of the scenario.
     pub name: String,
     /// Length of a tick, as text.
     pub tick: String,
 }
 
-impl TableName {
+impl TableTitle {
     /// Identifier in lower case: letters and digits of ASCII are kept, any other letter or digit becomes `u` and its code, and everything
     /// between becomes one underscore.
     pub fn identifier(&self) -> String {
@@ -136,14 +136,14 @@ impl TableName {
     }
 
     /// Name and properties of the table for a comment, without characters that could end the comment.
-    fn headline(&self, parts: &TableData) -> String {
+    fn headline(&self, data: &TableData) -> String {
         let printable = |c: &char| !c.is_control() && !['*', '/', '\\'].contains(c);
         let name: String = self.name.chars().filter(printable).collect();
-        let ([segments, terms], ErrorBound { constant, per_tick }) = (parts.size, parts.error_bound);
+        let ([segments, terms], ErrorBound { constant, per_tick }) = (data.size, data.error_bound);
         format!(
             "{name}, {}: {segments} x {terms} in {}; within {constant:.1e} rad + {per_tick:.1e} rad a tick",
             self.tick,
-            parts.scalar.name(),
+            data.scalar.name(),
         )
     }
 }
@@ -154,7 +154,7 @@ mod tests {
 
     #[test]
     fn every_name_becomes_an_unused_identifier() {
-        let named = |name: &str| TableName { name: name.to_owned(), tick: String::new() };
+        let named = |name: &str| TableTitle { name: name.to_owned(), tick: String::new() };
         for (name, identifier, c_name) in [
             ("int", "int", "top_int"),
             ("Clock", "clock", "top_clock"),
@@ -168,8 +168,8 @@ mod tests {
             ("陀螺", "u9640u87ba", "top_u9640u87ba"),
             ("...", "top_", "top_"),
         ] {
-            let label = named(name);
-            assert_eq!([label.identifier(), label.c_name()], [identifier, c_name], "{name}");
+            let title = named(name);
+            assert_eq!([title.identifier(), title.c_name()], [identifier, c_name], "{name}");
         }
     }
 }

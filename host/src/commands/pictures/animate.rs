@@ -8,7 +8,7 @@ use crate::input::scenario::Scenario;
 use crate::output::progress::Progress;
 use crate::output::stdout::Report;
 use crate::output::whole_file;
-use crate::pictures::span::Span;
+use crate::pictures::span::MotionSpan;
 use clap::Args;
 use std::io::BufWriter;
 use std::path::PathBuf;
@@ -51,7 +51,7 @@ pub fn run(arguments: &AnimateArgs) -> Result<Report, Failure> {
     let AnimateArgs { scenario, times, seconds, size, output } = arguments;
     let scenario = Scenario::read(scenario)?;
     let frames = (100.0 * seconds / f64::from(HUNDREDTHS)).round().max(2.0) as u64;
-    let span = Span::new(&scenario.motion, *times, (frames / FRAMES_PER_CYCLE) as f64)
+    let span = MotionSpan::new(&scenario.motion, *times, (frames / FRAMES_PER_CYCLE) as f64)
         .map_err(|failure| failure.of_motion(&scenario.name))?;
     let film = Film { scenario: &scenario, span: &span, frames, size: *size };
     let progress = Progress::new(frames, "frames");

@@ -5,7 +5,7 @@ use crate::commands::drawing::{self, tip};
 use crate::input::builtin;
 use crate::output::stdout::Report;
 use crate::output::whole_file;
-use crate::pictures::span::{MOST_CYCLES, Span};
+use crate::pictures::span::{MOST_CYCLES, MotionSpan};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -23,7 +23,7 @@ pub fn run(arguments: &FiguresArgs) -> Result<Report, Failure> {
     std::fs::create_dir_all(folder).map_err(|error| whole_file::refused("--output", folder, error))?;
     let mut text = String::new();
     for scenario in builtin::figures() {
-        let span = Span::new(&scenario.motion, None, MOST_CYCLES)?;
+        let span = MotionSpan::new(&scenario.motion, None, MOST_CYCLES)?;
         let scene = tip::draw(&scenario, &span);
         let path = folder.join(scenario.name.replace([' ', '='], "_") + ".svg");
         drawing::write("--output", &path, &scene, None)?;

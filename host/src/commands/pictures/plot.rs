@@ -6,7 +6,7 @@ use crate::commands::options::{PICTURE, ending_in, span};
 use crate::commands::warnings;
 use crate::input::scenario::Scenario;
 use crate::output::stdout::Report;
-use crate::pictures::span::{MOST_CYCLES, Span};
+use crate::pictures::span::{MOST_CYCLES, MotionSpan};
 use clap::{Args, ValueEnum};
 use kuva::render::render::Scene;
 use std::path::PathBuf;
@@ -68,7 +68,7 @@ fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
         }
         return Ok(charts::potential(scenario));
     }
-    let span = Span::new(&scenario.motion, times, MOST_CYCLES)?;
+    let span = MotionSpan::new(&scenario.motion, times, MOST_CYCLES)?;
     Ok(match arguments.kind {
         PlotKind::Tilt => charts::tilt(scenario, &span),
         PlotKind::Precession => charts::precession(scenario, &span)?,

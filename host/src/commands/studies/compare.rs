@@ -126,21 +126,21 @@ pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     Ok(Report { text, notes, check_failed })
 }
 
-/// Table with one row for each motion: error of each propagator, greatest share of a bound, time of the slowest look-up, and whether
+/// Table with one row for each motion: error of each propagator, greatest fraction of a bound, time of the slowest look-up, and whether
 /// all bounds are kept.
 fn table(motions: &[Vec<Comparison>], periods: u32) -> String {
     let line = |all: &Vec<Comparison>| {
         let mut line = Record::default().with("motion", &*all[0].motion);
-        let (mut share, mut slowest) = (0.0_f64, 0.0_f64);
+        let (mut fraction, mut slowest) = (0.0_f64, 0.0_f64);
         for one in all {
             let error = one.errors.map(|[error, ..]| error);
             line = line.with(one.heading, error);
-            share = share.max(error.zip(one.bound).map_or(0.0, |(error, bound)| error / bound));
+            fraction = fraction.max(error.zip(one.bound).map_or(0.0, |(error, bound)| error / bound));
             slowest = slowest.max(one.table.and(one.call).unwrap_or(0.0));
         }
         let has = |verdict: &&str| all.iter().any(|one| one.verdict() == *verdict);
         let worst = ["MISS", "no fit", "no bound"].into_iter().find(has).unwrap_or("ok");
-        line.with("of bound", share).with("ns", 1e9 * slowest).with("result", worst)
+        line.with("of bound", fraction).with("ns", 1e9 * slowest).with("result", worst)
     };
     let lines: Vec<_> = motions.iter().map(line).collect();
     format!(

@@ -4,7 +4,7 @@
 //! Numbers are decimal, because C++ has hexadecimal ones only since C++17, with enough digits to determine every number (9 in single, 17
 //! in double precision). The value of the include guard of a table is its checksum, so that another table of the same name is an error.
 
-use super::TableName;
+use super::TableTitle;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::TableData;
 use toytop::scalar::sine::{COSINE, CUBIC, LINEAR, SECANT, SINE, SINES, VERSINE};
@@ -12,13 +12,13 @@ use toytop::{Clock, ErrorBound};
 
 /// Text of a header: a comment, the include guard, size and error bounds as macros, the code and the table. If one file includes several
 /// headers, the code that they share is compiled once.
-pub fn header(label: &TableName, parts: &TableData) -> String {
-    let name = label.c_name();
-    let (scalar, upper) = (parts.scalar.name(), name.to_uppercase());
-    let bounds = [parts.error_bound, parts.rate_error_bound];
+pub fn header(title: &TableTitle, data: &TableData) -> String {
+    let name = title.c_name();
+    let (scalar, upper) = (data.scalar.name(), name.to_uppercase());
+    let bounds = [data.error_bound, data.rate_error_bound];
     let [[error, error_growth], [rate, rate_growth]] =
         bounds.map(|ErrorBound { constant, per_tick }| [constant, per_tick].map(decimal));
-    let [segments, _] = parts.size;
+    let [segments, _] = data.size;
     format!(
         "/* {headline}
  *
@@ -43,30 +43,25 @@ pub fn header(label: &TableName, parts: &TableData) -> String {
 {code}
 {table}#endif
 ",
-        code = code(parts.scalar),
-        table = table(label, parts),
-        headline = label.headline(parts),
-        crc32 = parts.crc32,
-        ticks = decimal(parts.clock.ticks_per_time[0]),
-        bytes = parts.table_bytes(),
+        code = code(data.scalar),
+        table = table(title, data),
+        headline = title.headline(data),
+        crc32 = data.crc32,
+        ticks = decimal(data.clock.ticks_per_time[0]),
+        bytes = data.table_bytes(),
     )
 }
 
 /// Definition of a table.
-fn table(label: &TableName, parts: &TableData) -> String {
-    let (name, scalar) = (label.c_name(), parts.scalar.name());
+fn table(title: &TableTitle, data: &TableData) -> String {
+    let (name, scalar) = (title.c_name(), data.scalar.name());
     // scale of the tip, the rates of x and of λ_α + λ_β, and the axial angular velocity
-    let Clock { twice_tip_scale, x_rate, slow_sum_rate, axial_rate, .. } = parts.clock;
-    let ctype = match parts.scalar {
-        Scalar::F64 => "double",
-        Scalar::F32 | Scalar::Q31 => "int32_t",
-        Scalar::Q15 => "int16_t",
-    };
-    let number = |x: f64| if parts.scalar == Scalar::F64 { decimal(x) } else { integer(x as i32) };
+    let Clock { twice_tip_scale, x_rate, slow_sum_rate, axial_rate, .. } = data.clock;
+    let number = |x: f64| if data.scalar == Scalar::F64 { decimal(x) } else { integer(x as i32) };
     let row = |row: &[f64; 4]| format!("    {{{}}},\n", row.map(number).join(", "));
-    let rows: String = parts.coefficients.iter().map(row).collect();
+    let rows: String = data.coefficients.iter().map(row).collect();
     format!(
-        "static const {ctype} {name}_coefficients[{count}][4] = {{
+        "static const {coefficient} {name}_coefficients[{count}][4] = {{
 {rows}}};
 
 static const toytop_{scalar} {name} = {{
@@ -76,24 +71,25 @@ static const toytop_{scalar} {name} = {{
     {name}_coefficients,
 }};
 ",
-        count = parts.coefficients.len(),
-        clock = clock(parts),
+        coefficient = types(data.scalar)[1],
+        count = data.coefficients.len(),
+        clock = clock(data),
         scales = [twice_tip_scale, x_rate, slow_sum_rate, axial_rate]
-            .map(|x| if parts.scalar == Scalar::F64 { decimal(x) } else { format!("{:.8e}f", x as f32) })
+            .map(|x| if data.scalar == Scalar::F64 { decimal(x) } else { format!("{:.8e}f", x as f32) })
             .join(", "),
     )
 }
 
 /// Initialisers of a `toytop_clock`.
-fn clock(parts: &TableData) -> String {
-    let [segments, terms] = parts.size;
+fn clock(data: &TableData) -> String {
+    let [segments, terms] = data.size;
     let wide = |bits: u64| format!("{bits:#x}u");
     let phase = |[low, middle, upper]: [u32; 3]| {
         format!("{{{:#x}u, {low:#x}u}}", u64::from(upper) << 32 | u64::from(middle))
     };
-    let clock = &parts.clock;
+    let clock = &data.clock;
     let bound = |ErrorBound { constant, per_tick }: ErrorBound| [constant, per_tick];
-    let bounds = [parts.error_bound, parts.rate_error_bound].map(bound);
+    let bounds = [data.error_bound, data.rate_error_bound].map(bound);
     let doubles = [clock.exact_step.as_flattened(), &clock.ticks_per_time, bounds.as_flattened()].concat();
     let numbers: Vec<_> = doubles.into_iter().map(|x| wide(x.to_bits())).collect();
     let words = |words: [u32; 4]| words.map(|word| format!("{word:#x}u")).join(", ");
@@ -104,13 +100,13 @@ fn clock(parts: &TableData) -> String {
         clock.has_turning_points.into(),
     ];
     let lines = [
-        format!("{}u, {:#x}u, {segments}u, {terms}u", parts.format, parts.crc32),
+        format!("{}u, {:#x}u, {segments}u, {terms}u", data.format, data.crc32),
         format!("{{{}}}, {}", clock.first_phases.map(wide).join(", "), wide(clock.epoch as u64)),
         format!("{{{}}}", clock.step.map(phase).join(", ")),
         format!("{{{}}}", numbers.join(", ")),
         format!("{{{}}}, {{{}}}", words(clock.tip_start), words(clock.tip_step)),
         format!("{{{}}}", flags.map(|flag| flag.to_string()).join(", ")),
-        format!("{{{}}}", parts.cells.map(|cell| cell.to_string()).join(", ")),
+        format!("{{{}}}", data.cells.map(|cell| cell.to_string()).join(", ")),
     ];
     lines.iter().map(|line| format!("        {line},\n")).collect()
 }
@@ -146,18 +142,32 @@ fn code(scalar: Scalar) -> String {
     text
 }
 
-/// Name and code of a scalar: its arithmetic, and the functions that are written for all scalars.
+/// Name and code of a scalar: its arithmetic between the types and the functions that are written for all scalars.
 fn evaluator(scalar: &Scalar) -> (&'static str, String) {
-    let (name, intact) = (scalar.name(), include_str!("c/intact.h"));
-    let (template, constants, intact, number) = match scalar {
-        Scalar::F32 => (include_str!("c/f32.h"), points(), intact, "float"),
-        Scalar::Q31 => (include_str!("c/q31.h"), String::new(), intact, "int32_t"),
-        Scalar::Q15 => (include_str!("c/q15.h"), String::new(), intact, "int16_t"),
-        Scalar::F64 => (include_str!("c/f64.h"), series(), include_str!("c/intact_f64.h"), "double"),
+    let name = scalar.name();
+    let (constants, arithmetic, omega) = match scalar {
+        Scalar::F32 => (points(), include_str!("c/f32.h"), include_str!("c/omega.h")),
+        Scalar::Q31 => (String::new(), include_str!("c/q31.h"), include_str!("c/omega.h")),
+        Scalar::Q15 => (String::new(), include_str!("c/q15.h"), include_str!("c/omega.h")),
+        Scalar::F64 => (series(), include_str!("c/f64.h"), ""),
     };
-    let functions = [include_str!("c/accessors.h"), intact].concat();
-    let functions = functions.replace("SCALAR", name).replace("BITS", &name[1..]).replace("NUMBER", number);
-    (name, [&constants, template, &functions].concat())
+    let (accessors, intact) = (include_str!("c/accessors.h"), include_str!("c/intact.h"));
+    let mut code = [include_str!("c/table.h"), arithmetic, accessors, omega, intact].concat();
+    let words = ["COEFFICIENT_WORD", "COEFFICIENT", "REAL_WORD", "REAL", "NUMBER"];
+    for (word, ctype) in words.into_iter().zip(types(*scalar)) {
+        code = code.replace(word, ctype);
+    }
+    (name, constants + &code.replace("SCALAR", name).replace("BITS", &name[1..]))
+}
+
+/// Types in C: bits of a coefficient, coefficient, bits of a scale, scale, number of a sample.
+fn types(scalar: Scalar) -> [&'static str; 5] {
+    match scalar {
+        Scalar::F64 => ["uint64_t", "double", "uint64_t", "double", "double"],
+        Scalar::F32 => ["uint32_t", "int32_t", "uint32_t", "float", "float"],
+        Scalar::Q31 => ["uint32_t", "int32_t", "uint32_t", "float", "int32_t"],
+        Scalar::Q15 => ["uint16_t", "int16_t", "uint32_t", "float", "int16_t"],
+    }
 }
 
 /// Table of sines in C, and the coefficients of the interpolation.

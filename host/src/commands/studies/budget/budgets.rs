@@ -17,7 +17,7 @@ const SLACK_PERCENT: u64 = 5;
 /// First lines of the file.
 const HEAD: &str = "\
 # Limits of what each call costs on each chip: the measured figures plus 5 %. `cargo xtask test` measures every call on m0plus and
-# m4f, with --all on every chip, and fails where one exceeds its limit, or is so far below it (a quarter) that the limit is out of date.
+# m4f, with --all on every chip, and fails where one exceeds its limit or is less than three quarters of it.
 #
 # To change them: see what costs more and why (`cargo run --release --bin toytop -- budget`), then
 #     cargo run --release --bin toytop -- budget --accept

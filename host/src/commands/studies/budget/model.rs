@@ -196,8 +196,8 @@ enum InstructionClass {
     Other,
 }
 
-/// Names of instructions, where a star stands for any ending, with the cycles on the Cortex-M0+ and the Cortex-M4, and the class. The first
-/// row that fits counts. Transferred words and a second moved register are added.
+/// Names of instructions (* = any ending), cycles on \[M0+, M4\], and class. The first match counts. Transferred words and a second moved
+/// register are added.
 const TIMINGS: [(&str, [i64; 2], InstructionClass); 16] = [
     ("b", [1, 1], InstructionClass::Branch),
     ("bl", [1, 1], InstructionClass::Call),

@@ -27,7 +27,6 @@ typedef struct {
 /* Phases of consecutive ticks, advanced by additions, which an interrupt keeps. */
 typedef struct { toytop_phase phase[3]; int64_t tick; } toytop_cursor;
 
-/* Functions. */
 static inline toytop_phase toytop_sum(toytop_phase a, toytop_phase b) {
     toytop_phase sum = {a.leading + b.leading, a.low + b.low};
     sum.leading += sum.low < a.low;
@@ -53,8 +52,8 @@ TOYTOP_API void toytop_move_on(const toytop_clock *clock, toytop_cursor *at) {
     at->tick = (int64_t)((uint64_t)at->tick + 1);
 }
 
-/* Segment of a phase, and the local coordinate x 2^63 on it, with x in [-1, 1), from `kept` bits of the place in an eighth of half a period. The falling
- * half of a period is the mirror image of the rising one. */
+/* Finds the segment of a phase. Returns its coordinate x in [-1, 1) times 2^63, from `kept` bits of the phase in an eighth of half a period. The falling
+ * half of a period is the mirror image of the rising one. level: half a period would have 8 * 2^level such segments. */
 static inline int64_t toytop_find(const toytop_clock *clock, uint64_t nutation, int kept, uint32_t *segment, uint32_t *level_of) {
     uint64_t share = (nutation ^ (0 - (nutation >> 63))) << 1;
     uint32_t cell = clock->cells[share >> 60], level = cell & 15;

@@ -1,13 +1,3 @@
-typedef struct {
-    toytop_clock clock;
-    float scales[4];                  /* 2s; rates of x and of the sum of the slow phases, and about the axis */
-    const int32_t (*coefficients)[4]; /* by segment and power: Re alpha, Im alpha, Re beta, Im beta */
-} toytop_f32;
-
-/* Sample: alpha and beta as {re, im}; the cosine u of the tilt, which may exceed 1 by rounding, so limit it before acosf; the tip c = 2 s alpha beta (2 alpha beta if it is held). */
-typedef struct { float alpha[2], beta[2], u, c[2]; } toytop_sample_f32;
-
-/* Functions. */
 /* Product a b 2^-32, rounded down. The compiler must shift signed numbers arithmetically. */
 static inline int32_t toytop_high(int32_t a, int32_t b) { return (int32_t)(((int64_t)a * b) >> 32); }
 
@@ -36,7 +26,7 @@ static inline void toytop_turn(int32_t re, int32_t im, const int32_t by[2], int3
     turned[1] = toytop_high(re, by[0]) + toytop_high(im, by[1]);
 }
 
-/* Values and, in half their scale, derivatives of the four polynomials of a table in integers; x, and the level of the cell. */
+/* Values and, in half their scale, derivatives of the four polynomials of a table in integers, and the level of the cell. */
 typedef struct { int32_t value[4], slope[4]; uint32_t level; } toytop_sums;
 
 static inline int32_t toytop_saturated(int64_t sum) {
@@ -196,18 +186,6 @@ static inline toytop_sample_f32 toytop_sample_of_f32(const toytop_f32 *table, co
     return m;
 }
 
-/* Angular velocity at the tick of a cursor in the body frame, rad per unit of time. */
-TOYTOP_API void toytop_omega_body_f32(const toytop_f32 *table, const toytop_cursor *at, float omega[3]) {
-    int32_t four[4], rates[3];
-    int32_t exponent = toytop_rates_at(&table->clock, table->scales, table->coefficients, at, toytop_sincos_q26, four, rates);
-    for (int i = 0; i < 2; i++) omega[i] = toytop_rate_in(rates[i], exponent);
-    omega[2] = table->scales[3];
-}
-
-/* Angular velocity at the tick of a cursor in the fixed frame, rad per unit of time. */
-TOYTOP_API void toytop_omega_f32(const toytop_f32 *table, const toytop_cursor *at, float omega[3]) {
-    int32_t four[4], rates[3], fixed[3];
-    int32_t exponent = toytop_rates_at(&table->clock, table->scales, table->coefficients, at, toytop_sincos_q26, four, rates);
-    toytop_adjoint_q31(four, rates, fixed);
-    for (int i = 0; i < 3; i++) omega[i] = toytop_rate_in(fixed[i], exponent);
+static inline int32_t toytop_rates_at_f32(const toytop_f32 *table, const toytop_cursor *at, int32_t four[4], int32_t omega[3]) {
+    return toytop_rates_at(&table->clock, table->scales, table->coefficients, at, toytop_sincos_q26, four, omega);
 }

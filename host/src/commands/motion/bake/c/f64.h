@@ -1,13 +1,3 @@
-typedef struct {
-    toytop_clock clock;
-    double scales[4];                /* 2s; rates of x and of the sum of the slow phases, and about the axis */
-    const double (*coefficients)[4]; /* by segment and power: Re alpha, Im alpha, Re beta, Im beta */
-} toytop_f64;
-
-/* Sample: alpha and beta as {re, im}; the cosine u of the tilt, which may exceed 1 by rounding, so limit it before acos; the tip c = 2 s alpha beta (2 alpha beta if it is held). */
-typedef struct { double alpha[2], beta[2], u, c[2]; } toytop_sample_f64;
-
-/* Functions. */
 /* Barrier that rounds a number to its type, so that no compiler fuses a product with a sum, in any standard and with any flags. */
 static inline double toytop_rounded_f64(double x) {
 #if defined(__GNUC__) && defined(__SSE2__)

@@ -1,13 +1,17 @@
 
 /* Whether no bit of a table has changed since it was written. */
 TOYTOP_API int toytop_intact_SCALAR(const toytop_SCALAR *table) {
-    uint32_t bits, sum = toytop_head(&table->clock, BITS);
+    uint32_t sum = toytop_head(&table->clock, BITS);
     for (int i = 0; i < 4; i++) {
-        memcpy(&bits, &table->scales[i], sizeof bits);
-        sum = toytop_crc(sum, bits, 4);
+        REAL_WORD scale;
+        memcpy(&scale, &table->scales[i], sizeof scale);
+        sum = toytop_crc(sum, scale, sizeof scale);
     }
     for (uint32_t row = 0; row < table->clock.segments * table->clock.terms; row++)
-        for (int i = 0; i < 4; i++)
-            sum = toytop_crc(sum, (uint64_t)(int64_t)table->coefficients[row][i], sizeof table->coefficients[row][i]);
+        for (int i = 0; i < 4; i++) {
+            COEFFICIENT_WORD coefficient;
+            memcpy(&coefficient, &table->coefficients[row][i], sizeof coefficient);
+            sum = toytop_crc(sum, coefficient, sizeof coefficient);
+        }
     return ~sum == table->clock.crc32;
 }

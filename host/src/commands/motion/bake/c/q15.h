@@ -1,13 +1,3 @@
-typedef struct {
-    toytop_clock clock;
-    float scales[4];                  /* 2s; rates of x and of the sum of the slow phases, and about the axis */
-    const int16_t (*coefficients)[4]; /* by segment and power: Re alpha, Im alpha, Re beta, Im beta */
-} toytop_q15;
-
-/* Sample in units of 2^-14: alpha and beta as {re, im}; the cosine u of the tilt, which may exceed 2^14 by rounding; the tip divided by s, 2 alpha beta. */
-typedef struct { int16_t alpha[2], beta[2], u, c[2]; } toytop_sample_q15;
-
-/* Functions. */
 /* a c + b d, rounded down to 2^-14: needs a compiler that shifts signed numbers arithmetically, as all do. */
 static inline int32_t toytop_inner_q15(int32_t a, int32_t b, int32_t c, int32_t d) { return (a * c + b * d) >> 14; }
 
@@ -67,6 +57,7 @@ static inline toytop_sample_q15 toytop_sample_of_q15(const toytop_q15 *table, co
     return m;
 }
 
+/* Parameters alpha and beta in units of 2^-30, and the angular velocity in the body frame as from toytop_integer_rates. */
 static inline int32_t toytop_rates_at_q15(const toytop_q15 *table, const toytop_cursor *at, int32_t four[4], int32_t omega[3]) {
     toytop_sums sums = toytop_sums_at_q15(table, at->phase[0].leading);
     int32_t a[2], b[2], turn[2];
@@ -75,22 +66,6 @@ static inline int32_t toytop_rates_at_q15(const toytop_q15 *table, const toytop_
     turn[0] = a[1] * b[1] + a[0] * b[0];
     turn[1] = a[1] * b[0] - a[0] * b[1];
     toytop_alpha_beta_q15(&sums, at, four);
-    return toytop_integer_rates(&sums, (int)(at->phase[0].leading >> 63), turn, table->scales, omega);
-}
-
-/* Angular velocity at the tick of a cursor in the body frame, rad per unit of time. */
-TOYTOP_API void toytop_omega_body_q15(const toytop_q15 *table, const toytop_cursor *at, float omega[3]) {
-    int32_t four[4], rates[3];
-    int32_t exponent = toytop_rates_at_q15(table, at, four, rates);
-    for (int i = 0; i < 2; i++) omega[i] = toytop_rate_in(rates[i], exponent);
-    omega[2] = table->scales[3];
-}
-
-/* Angular velocity at the tick of a cursor in the fixed frame, rad per unit of time. */
-TOYTOP_API void toytop_omega_q15(const toytop_q15 *table, const toytop_cursor *at, float omega[3]) {
-    int32_t four[4], rates[3], fixed[3];
-    int32_t exponent = toytop_rates_at_q15(table, at, four, rates);
     for (int i = 0; i < 4; i++) four[i] *= 65536;
-    toytop_adjoint_q31(four, rates, fixed);
-    for (int i = 0; i < 3; i++) omega[i] = toytop_rate_in(fixed[i], exponent);
+    return toytop_integer_rates(&sums, (int)(at->phase[0].leading >> 63), turn, table->scales, omega);
 }

@@ -1,13 +1,3 @@
-typedef struct {
-    toytop_clock clock;
-    float scales[4];                  /* 2s; rates of x and of the sum of the slow phases, and about the axis */
-    const int32_t (*coefficients)[4]; /* by segment and power: Re alpha, Im alpha, Re beta, Im beta */
-} toytop_q31;
-
-/* Sample in units of 2^-30: alpha and beta as {re, im}; the cosine u of the tilt, which may exceed 2^30 by rounding; the tip divided by s, 2 alpha beta. */
-typedef struct { int32_t alpha[2], beta[2], u, c[2]; } toytop_sample_q31;
-
-/* Functions. */
 /* 2^31 times sine and cosine of a phase, to 29 bits: those of the nearest point, and the rest by a series. */
 static inline void toytop_sincos_q31(uint32_t phase, int32_t of[2]) {
     int32_t x = (int32_t)(phase << 9);
@@ -32,18 +22,6 @@ static inline toytop_sample_q31 toytop_sample_of_q31(const toytop_q31 *table, co
     return m;
 }
 
-/* Angular velocity at the tick of a cursor in the body frame, rad per unit of time. */
-TOYTOP_API void toytop_omega_body_q31(const toytop_q31 *table, const toytop_cursor *at, float omega[3]) {
-    int32_t four[4], rates[3];
-    int32_t exponent = toytop_rates_at(&table->clock, table->scales, table->coefficients, at, toytop_sincos_q31, four, rates);
-    for (int i = 0; i < 2; i++) omega[i] = toytop_rate_in(rates[i], exponent);
-    omega[2] = table->scales[3];
-}
-
-/* Angular velocity at the tick of a cursor in the fixed frame, rad per unit of time. */
-TOYTOP_API void toytop_omega_q31(const toytop_q31 *table, const toytop_cursor *at, float omega[3]) {
-    int32_t four[4], rates[3], fixed[3];
-    int32_t exponent = toytop_rates_at(&table->clock, table->scales, table->coefficients, at, toytop_sincos_q31, four, rates);
-    toytop_adjoint_q31(four, rates, fixed);
-    for (int i = 0; i < 3; i++) omega[i] = toytop_rate_in(fixed[i], exponent);
+static inline int32_t toytop_rates_at_q31(const toytop_q31 *table, const toytop_cursor *at, int32_t four[4], int32_t omega[3]) {
+    return toytop_rates_at(&table->clock, table->scales, table->coefficients, at, toytop_sincos_q31, four, omega);
 }
