@@ -155,7 +155,7 @@ impl Motion {
             torque_free_rate: Extended::ZERO,
         };
         if is_steady {
-            motion.ellipses = Ellipses::steady(motion.steady_tilt());
+            motion.ellipses = Ellipses::steady(motion.steady_complements());
         }
         motion
     }
