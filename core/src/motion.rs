@@ -159,7 +159,7 @@ impl Motion {
     }
 
     /// 1 + u and 1 - u of a steady motion.
-    fn steady_tilt(&self) -> [Extended; 2] {
+    fn steady_complements(&self) -> [Extended; 2] {
         match self.regime {
             Regime::SleepingUnstable => [Extended::from(2.0), Extended::ZERO],
             _ => [self.e.one_plus_e1, self.e.one_minus_e2],
@@ -172,7 +172,7 @@ impl Motion {
         let rate = |momentum: Extended, complement: Extended, half_tau: Extended| {
             if complement > zero { momentum / (twice_a * complement) + half_tau } else { zero }
         };
-        let ([one_plus_u, one_minus_u], half_tau) = (self.steady_tilt(), self.half_tau);
+        let ([one_plus_u, one_minus_u], half_tau) = (self.steady_complements(), self.half_tau);
         let FirstIntegrals { l_plus_n, l_minus_n, .. } = self.integrals;
         [rate(l_plus_n, one_plus_u, half_tau), rate(l_minus_n, one_minus_u, -half_tau)]
     }

@@ -7,6 +7,7 @@
 //! | [`Ring`] | `+ - *`, order, 0 and 1 | yes | yes | yes |
 //! | [`Scalar`] | sine and cosine of an integer phase: what a *tick* needs | yes | no | yes |
 //! | [`Float`] | division, square root, conversion: what *set-up* needs | yes | yes | no |
+//! | [`Real`] | both, an arctangent and an exponential: what a *stepper* and a fit need | yes | no | no |
 
 mod power_of_two;
 
@@ -138,7 +139,7 @@ pub trait Float: Ring + Div<Output = Self> {
     }
 }
 
-/// Floating-point type for both set-up and ticks.
+/// Number type of a stepper and of a fit, with arctangent and exponential.
 pub trait Real: Scalar + Float {
     /// Largest finite number.
     const GREATEST: Self;

@@ -1,4 +1,4 @@
-//! α and β from the half phase χ and the slow phases of α and β.
+//! α and β from the half phase χ and their slow phases.
 
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, Signs};
@@ -7,8 +7,8 @@ use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real};
 use crate::su2::{Orientation, OrientationRate};
 
-/// Ellipses of α and β: α = (a₁ cos χ + i a₂ sin χ) e^{iλ_α}, β = (b₁ cos χ + i b₂ sin χ) e^{iλ_β}, with a₁² = (1+e₁)/2,
-/// a₂² = (1+e₂)/2, b₁² = (1-e₁)/2, b₂² = (1-e₂)/2. They make |α|² + |β|² = 1 for all phases.
+/// Ellipses of α and β: each parameter is (x cos χ + i y sin χ) e^{iλ}, with its slow phase λ. For α, x² = (1+e₁)/2 and y² = (1+e₂)/2; for β,
+/// x² = (1-e₁)/2 and y² = (1-e₂)/2. They make |α|² + |β|² = 1 for all phases.
 ///
 /// Their methods take the phases as unit complex numbers: `chi` is e^{iχ}, and `slow` are e^{iλ_α} and e^{iλ_β}.
 #[derive(Clone, Copy, Debug, PartialEq)]

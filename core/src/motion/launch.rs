@@ -107,8 +107,8 @@ impl Motion {
             "such that (n - rotor_momentum)/axial_inertia is at most 1e24 rad/s, and n = rotor_momentum for a rod",
         )?;
         let chi = half_phase_of_angle(theta);
-        let upright = chi.split_half_turns().1 == Phase::QUARTER;
-        let mut motion = Self::with_constants(top, &integrals, &e, signs, upright);
+        let (_, remainder) = chi.split_half_turns();
+        let mut motion = Self::with_constants(top, &integrals, &e, signs, remainder == Phase::QUARTER);
         motion.slow_phases = [arg_alpha, arg_beta].map(|angle| Extended::from(angle).in_turns().to_phase());
         motion.half_phase = match motion.half_phase {
             HalfPhase::Steady => return Ok(motion),
@@ -155,7 +155,7 @@ impl Motion {
             torque_free_rate: Extended::ZERO,
         };
         if is_steady {
-            motion.ellipses = Ellipses::steady(motion.steady_tilt());
+            motion.ellipses = Ellipses::steady(motion.steady_complements());
         }
         motion
     }
