@@ -79,6 +79,7 @@ impl Segmentation {
     /// Leads the path to the span from `position` on.
     pub(super) fn enter_span(&self, path: &mut Path, position: usize) {
         if position > path.span.begin {
+            // a new cell begins with longer segments, for which a longer span is tried even if it may fail
             path.go_to_next_span(position == self.cell.end && self.first_depth(position) < path.span.depth);
         } else if position < path.span.begin {
             path.set_beginning(position, self.cell.beginning);
