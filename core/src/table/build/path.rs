@@ -136,7 +136,9 @@ impl Path {
         (self.beginning, self.centre) = (point, None);
     }
 
-    /// Goes on to the next span. It is twice as long if [`Expansion::may_double`] and either the phases at x = 2 are accurate or `may_be_inaccurate`.
+    /// Goes on to the next span. It is twice as long if [`Expansion::may_double`] allows it and the phases at x = 2 are accurate.
+    ///
+    /// * `may_be_inaccurate`: whether accurate phases at x = 2 are not needed
     pub(super) fn go_to_next_span(&mut self, may_be_inaccurate: bool) {
         let next = Span { begin: self.span.end(), ..self.span };
         let twice = Span { depth: self.span.depth - 1, ..next };
@@ -165,8 +167,8 @@ impl Path {
         (self.span.depth <= Span::DEEPEST).then_some(())
     }
 
-    /// Expands the motion around the centre of the span, first around its beginning if the centre is not known yet; `None` if a truncation error is
-    /// too large.
+    /// Expands the motion around the centre of the span; `None` if a truncation error is too large. An expansion around the beginning leads to a
+    /// centre that is not known yet.
     ///
     /// * `WORDS`: size of the numbers for the rates at the origin
     #[inline(never)]

@@ -18,8 +18,8 @@ use crate::table::evaluation::{LEAST_DEPTH, TABLE_UNIT};
 
 /// Table in which segments are stored.
 pub(super) trait SegmentStore {
-    /// Rounds and stores the polynomial of a (index 0) or b (1) on a segment, if the table contains the segment. Returns the orientation error by
-    /// products with 16 bits and coefficients out of range, in units of 2^-62 rad.
+    /// Rounds and stores the polynomial of a (index 0) or b (1), if the table contains the segment. Returns the orientation error by products
+    /// with 16 bits and by coefficients out of range, in units of 2^-62 rad.
     fn store(&mut self, segment: usize, index: usize, polynomial: &Polynomial) -> f32;
 }
 
@@ -79,6 +79,7 @@ impl Segmentation {
     /// Leads the path to the span from `position` on.
     pub(super) fn enter_span(&self, path: &mut Path, position: usize) {
         if position > path.span.begin {
+            // a new cell begins with longer segments, for which a longer span is tried even if it may fail
             path.go_to_next_span(position == self.cell.end && self.first_depth(position) < path.span.depth);
         } else if position < path.span.begin {
             path.set_beginning(position, self.cell.beginning);
@@ -90,8 +91,7 @@ impl Segmentation {
         self.cell.depth.saturating_sub(1).max(LEAST_DEPTH + (begin / CELL % 2) as u32)
     }
 
-    /// Divides the span into segments. Returns its end, or the beginning of a cell that needs shorter segments; `None` if the segments are too
-    /// many.
+    /// Divides the span into segments. Returns its end, or the beginning of a cell that needs shorter ones; `None` if they are too many.
     ///
     /// * `polynomials`: those of a and b on the span
     pub(super) fn segment_span(

@@ -25,8 +25,9 @@ impl CayleyKleinSeries {
         im: PowerSeries::ZERO,
     };
 
-    /// Adds p e^{i(ρ+χ)} + q e^{i(ρ-χ)}, with the residual phase ρ of this index, to `sums`: coefficients of x^k in units of 2^-62. Returns the
-    /// number of terms not below `least`.
+    /// Adds p e^{i(ρ+χ)} + q e^{i(ρ-χ)} to `sums`, with the residual phase ρ of this index. Returns the number of terms not below `least`.
+    ///
+    /// * `sums`: coefficients of x^k in units of 2^-62
     #[inline(never)]
     pub(crate) fn compute(
         &mut self,
