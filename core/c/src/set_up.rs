@@ -27,7 +27,7 @@ const _: () = assert!(
 );
 
 /// Truncation error that a caller gives, rad; 0 stands for that of the scalar.
-fn given<R: CScalar>(truncation: f64) -> Result<f64, Refusal> {
+fn truncation_or_default<R: CScalar>(truncation: f64) -> Result<f64, Refusal> {
     match truncation {
         0.0 => Ok(R::TRUNCATION),
         given if given.is_finite() && given > 0.0 => Ok(given),
@@ -73,7 +73,7 @@ pub(crate) unsafe fn run<R: CScalar>(
     // SAFETY: the caller guarantees a valid pointer.
     let motion: Motion = unsafe { load(launched.motion)? };
     let tick = Tick::ratio(launched.tick.ticks, launched.tick.seconds)?;
-    let truncation = given::<R>(launched.truncation)?;
+    let truncation = truncation_or_default::<R>(launched.truncation)?;
     // SAFETY: the pointer is neither null nor unaligned, and the memory is large enough.
     let set_up = unsafe {
         set_up.write(SetUp::with_truncation(truncation));
@@ -112,7 +112,7 @@ pub(crate) unsafe fn on_stack<R: CScalar>(
 pub(crate) unsafe fn segments_needed<R: CScalar>(motion: *const toytop_motion, truncation: f64) -> u32 {
     // SAFETY: the caller guarantees a valid pointer.
     let motion: Result<Motion, Refusal> = unsafe { load(motion) };
-    let (Ok(motion), Ok(truncation)) = (motion, given::<R>(truncation)) else {
+    let (Ok(motion), Ok(truncation)) = (motion, truncation_or_default::<R>(truncation)) else {
         return 0;
     };
     EphemerisView::<R>::segments_needed(&motion, truncation).unwrap_or_default()

@@ -155,7 +155,7 @@ fn checked_head(table: *const u8) -> Result<*const Head, Refusal> {
 }
 
 /// Memory of a table after a head, with this many segments.
-fn behind<R: CScalar>(head: *const Head, segments: usize) -> *mut EphemerisMemory<EphemerisView<R>> {
+fn table_after<R: CScalar>(head: *const Head, segments: usize) -> *mut EphemerisMemory<EphemerisView<R>> {
     let first = head.wrapping_add(1).cast_mut().cast::<R::Segment>();
     // the pointer to a memory is that to its first byte, with the number of segments in place of the array's
     slice_from_raw_parts_mut(first, segments) as *mut EphemerisMemory<EphemerisView<R>>
@@ -174,7 +174,7 @@ pub(crate) unsafe fn view<'a, R: CScalar>(address: *const u8) -> Result<Table<'a
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
     }
     // SAFETY: the caller guarantees valid memory; `Memory::ready` wrote as many segments as it says.
-    let memory = unsafe { &*behind::<R>(head, segments.into()) };
+    let memory = unsafe { &*table_after::<R>(head, segments.into()) };
     let view = memory.get().ok_or(toytop_status::TOYTOP_NOT_SET_UP)?;
     let identity = (tag << 16 | u32::from(generation)).wrapping_add(address.addr() as u32);
     Ok(Table { view, address, identity })
@@ -228,7 +228,7 @@ impl Memory {
             least.write(EphemerisMemory::new());
             let rest = least.wrapping_add(1).cast::<R::Segment>();
             (LEAST..self.segments).zip(0..).for_each(|(_, place)| rest.add(place).write(R::ZERO_SEGMENT));
-            &mut *behind::<R>(self.head, self.segments)
+            &mut *table_after::<R>(self.head, self.segments)
         }
     }
 

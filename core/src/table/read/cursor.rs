@@ -4,7 +4,7 @@ use crate::phase::{Phase, WrappedPhase};
 use crate::su2::Orientation;
 use crate::table::data::EphemerisView;
 use crate::table::evaluation::EphemerisScalar;
-use crate::table::read::sample::{Sample, map_parts};
+use crate::table::read::sample::Sample;
 
 /// Phases of consecutive ticks of one table, by three additions each. [`Cursor::next`] is given this table.
 ///
@@ -100,7 +100,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
                 now.iter_mut().zip(step).for_each(|(now, step)| *now += step);
             }
             for (orientation, phases) in block.iter_mut().zip(phases) {
-                *orientation = map_parts(&self.unrounded_orientation(phases), R::from_number);
+                *orientation = Sample { ephemeris: self, phases, mean_tip: Phase::ZERO }.orientation();
             }
         }
     }

@@ -144,7 +144,9 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
 
     #[inline(always)]
     fn unrounded(&self) -> Orientation<NumberOf<R>> {
-        self.ephemeris.unrounded_orientation(self.phases)
+        let [nutation, a, b] = self.phases;
+        let LocatedSegment { rows, point, .. } = self.ephemeris.segment_at(nutation);
+        orientation::<R>(rows, point, [a, b])
     }
 
     /// Unrounded orientation, and Ω over a power of two with its exponent.
@@ -214,13 +216,6 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         (1_u64 << 63) as f64 / ticks_per_time
     }
 
-    /// Unrounded orientation, from the 64 leading bits of nutation phase and slow phases.
-    #[inline(always)]
-    pub(super) fn unrounded_orientation(&self, [nutation, a, b]: [u64; 3]) -> Orientation<NumberOf<R>> {
-        let LocatedSegment { rows, point, .. } = self.segment_at(nutation);
-        orientation::<R>(rows, point, [a, b])
-    }
-
     /// Segment of a nutation phase, given by its 64 leading bits.
     #[inline(always)]
     pub(super) fn segment_at(&self, nutation: u64) -> LocatedSegment<'_, R> {
@@ -245,7 +240,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 }
 
 #[inline(always)]
-pub(super) fn map_parts<A: Copy, B>(orientation: &Orientation<A>, number: impl Fn(A) -> B) -> Orientation<B> {
+fn map_parts<A: Copy, B>(orientation: &Orientation<A>, number: impl Fn(A) -> B) -> Orientation<B> {
     let parts = |z: Complex<A>| Complex::new(number(z.re), number(z.im));
     Orientation { alpha: parts(orientation.alpha), beta: parts(orientation.beta) }
 }
