@@ -58,7 +58,7 @@ struct Period {
     /// Period T.
     length: Extended,
     /// Rotations about the vertical and about the axis in one period.
-    turns: [Phase; 2],
+    rotations: [Phase; 2],
     /// Change of the tangents by one period, in a frame that turns with the mean precession.
     growth: [Tangent<f64>; COLUMNS],
 }
@@ -88,9 +88,9 @@ impl Sensitivity {
     pub(crate) fn with_equations(motion: &Motion, equations: &Equations<f64>, longest_step: f64) -> Self {
         let state = Stepper::<f64>::new(motion).attitude_state();
         let Self { start, .. } = Self::launched(equations, &state.orientation, state.omega(), longest_step);
-        let period = motion.period_advance().and_then(
-            |PeriodAdvance { exact_period: length, rotations: turns, .. }| {
-                let [about_vertical, _] = turns;
+        let period =
+            motion.period_advance().and_then(|PeriodAdvance { exact_period: length, rotations, .. }| {
+                let [about_vertical, _] = rotations;
                 let (launch, mut end) = (&start.now().flow, start.moved(length.to_f64())?.now().flow);
                 end.turn(f64::sine_cosine(-about_vertical));
                 let mut growth = end.tangents;
@@ -98,9 +98,12 @@ impl Sensitivity {
                     *grown = grown.plus(initial, -1.0);
                 }
                 let rate = equations.frequency(launch);
-                Some(Period { length, turns, growth: projected(&equations.gradients(launch), rate, &growth) })
-            },
-        );
+                Some(Period {
+                    length,
+                    rotations,
+                    growth: projected(&equations.gradients(launch), rate, &growth),
+                })
+            });
         Self { start, period }
     }
 
@@ -167,7 +170,7 @@ impl SensitivityCursor<'_> {
             return Some(*self.trajectory.now());
         };
         let (count, since_period) = period.reduced(t)?;
-        let [about_vertical, about_axis] = period.turns;
+        let [about_vertical, about_axis] = period.rotations;
         if count != self.count {
             let mut tangents = start.now().flow.tangents;
             for (tangent, growth) in tangents.iter_mut().zip(&period.growth) {
