@@ -3,7 +3,7 @@
 //! | module | contents |
 //! |---|---|
 //! | [`random`] | random numbers fixed by a seed |
-//! | [`file`] | text of a file |
+//! | [`text_file`] | text of a file |
 //! | [`axis`] | values of one number: a list or a range |
 //! | `times` | times of the command line or of a file |
 //! | `rows` | columns and rows of CSV files |
@@ -13,11 +13,11 @@
 
 pub mod axis;
 pub mod builtin;
-pub mod file;
 pub mod random;
 pub(crate) mod rows;
 pub mod scenario;
 pub(crate) mod section;
+pub mod text_file;
 #[cfg(feature = "program")]
 pub mod times;
 mod units;

@@ -2,7 +2,7 @@
 
 use super::sensors::{SENSOR_KINDS, Sensors};
 use crate::Failure;
-use crate::input::file::{self, excerpt};
+use crate::input::text_file::{self, excerpt};
 use crate::input::{finite, rows};
 use crate::output::csv_line;
 use serde_json::Value;
@@ -126,7 +126,7 @@ pub fn read(
     all: bool,
 ) -> Result<(Vec<Measurement>, Vec<String>), Failure> {
     let file = path.display().to_string();
-    let text = file::read(&file, path, rows::LARGEST)?;
+    let text = text_file::read(&file, path, rows::LARGEST)?;
     parse(&text, sensors, all).map_err(|reason| Failure::Input(format!("{file}: {reason}")))
 }
 

@@ -1,8 +1,8 @@
 //! Sensors of a recording: their noise, bias, range and mounting, from a TOML file.
 
 use crate::Failure;
-use crate::input::file::{self, excerpt};
 use crate::input::section::{self, Key, Section};
+use crate::input::text_file::{self, excerpt};
 use std::path::Path;
 use toml::Value;
 use toytop::{Orientation, Support, Top};
@@ -132,7 +132,7 @@ impl Sensors {
     pub fn read(path: Option<&Path>, body: Body) -> Result<Self, Failure> {
         let Some(path) = path else { return Ok(Self::telephone(body)) };
         let file = path.display().to_string();
-        Self::parse(&file, &file::read(&file, path, 1)?, body)
+        Self::parse(&file, &text_file::read(&file, path, 1)?, body)
     }
 
     /// Sensors of the text of a file; `file` is its name in messages.

@@ -9,8 +9,8 @@ mod top;
 pub use motion::fastest_rate;
 pub use top::supported;
 
-use super::file::{self, excerpt};
 use super::section::{self, Key, Section};
+use super::text_file::{self, excerpt};
 use super::units::{self, DEGREES, RADIANS};
 use crate::Failure;
 use std::fmt::Display;
@@ -115,7 +115,7 @@ impl ScenarioFile {
     /// [`Failure::Input`]: the file cannot be read, is larger than 1 MiB or not UTF-8, or as [`ScenarioFile::parse`].
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let file = path.display().to_string();
-        let read = Self::parse(&file, &file::read(&file, path, 1)?)?;
+        let read = Self::parse(&file, &text_file::read(&file, path, 1)?)?;
         Ok(Self { name: path.file_stem().map_or(file, |stem| stem.to_string_lossy().into_owned()), ..read })
     }
 

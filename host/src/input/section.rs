@@ -1,6 +1,6 @@
 //! One table of a TOML file. Each [`Key`] states its allowed values, by which the table is read.
 
-use super::file::excerpt;
+use super::text_file::excerpt;
 use super::units::UnitTable;
 use crate::Failure;
 use toml::{Table, Value};

@@ -1,8 +1,8 @@
 //! Times at which a motion is computed: times or ticks on the command line, or a file of times.
 
 use super::axis::Axis;
-use super::file::{self, excerpt};
 use super::finite;
+use super::text_file::{self, excerpt};
 use crate::Failure;
 use crate::motion::require_within;
 use clap::Args;
@@ -112,7 +112,7 @@ impl Times {
         /// Size of the largest file, MiB: some five million times.
         const LARGEST: u64 = 64;
         let name = path.display();
-        let text = file::read(&name.to_string(), path, LARGEST)?;
+        let text = text_file::read(&name.to_string(), path, LARGEST)?;
         let mut times = Vec::new();
         for (index, line) in text.lines().enumerate() {
             let entry = line.split('#').next().unwrap_or_default().trim();

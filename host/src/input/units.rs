@@ -1,6 +1,6 @@
 //! Numbers with units, as `"30 g"`, in place of numbers in the units of their keys.
 
-use super::file::excerpt;
+use super::text_file::excerpt;
 use std::f64::consts::PI;
 
 /// Units of a quantity, each with its name and two factors: x in a unit with the factors m and d is x m/d in the first unit, which is the

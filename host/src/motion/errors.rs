@@ -1,4 +1,4 @@
-//! Errors of a state: its distance from the exact one, and the drift of its first integrals.
+//! Errors: the greater of two, and the drift of the first integrals.
 
 use toytop::{Motion, Orientation, Top};
 use toytop_model::equations::{Equations, FullState};

@@ -2,7 +2,7 @@
 //! page does not change.
 
 use crate::Failure;
-use crate::input::file;
+use crate::input::text_file;
 use crate::output::whole_file;
 use std::path::{Path, PathBuf};
 
@@ -20,7 +20,7 @@ impl Page {
     /// [`Failure::Input`], with `--accept` in front: the page cannot be read, is larger than 16 MiB, or does not contain the lines.
     pub fn read(path: &Path, mark: &str) -> Result<Self, Failure> {
         let place = format!("--accept: {}", path.display());
-        let text = file::read(&place, path, 16)?;
+        let text = text_file::read(&place, path, 16)?;
         let name = mark.split_once(": ").map_or(mark, |(_, name)| name);
         let [begin, end] = [format!("<!-- {mark} -->\n"), format!("<!-- end of {name} -->\n")];
         let found = text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?)));

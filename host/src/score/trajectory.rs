@@ -1,9 +1,9 @@
 //! Trajectory of a CSV file: columns by name, and statements about the run in comment lines above the header.
 
 use crate::Failure;
-use crate::input::file::{self, excerpt};
 use crate::input::finite;
 use crate::input::rows;
+use crate::input::text_file::{self, excerpt};
 use csv::StringRecord;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 use std::path::Path;
@@ -52,7 +52,7 @@ impl Trajectory {
     /// of order.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.display().to_string();
-        match Self::parse(&file::read(&name, path, rows::LARGEST)?) {
+        match Self::parse(&text_file::read(&name, path, rows::LARGEST)?) {
             Ok(trajectory) => Ok(Self { name, ..trajectory }),
             Err(reason) => Err(Failure::Input(format!("{name}: {reason}"))),
         }

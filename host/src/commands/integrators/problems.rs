@@ -1,8 +1,8 @@
 //! Benchmark problems: tops that the tests and papers of other integrators use, with reference values to 30 digits.
 
 use crate::Failure;
-use crate::input::file::excerpt;
 use crate::input::scenario::Scenario;
+use crate::input::text_file::excerpt;
 use serde::Deserialize;
 use serde_json::Value;
 

@@ -2,7 +2,7 @@
 
 use super::meter::Costs;
 use crate::Failure;
-use crate::input::file;
+use crate::input::text_file;
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -34,7 +34,7 @@ impl Budgets {
     /// # Errors
     /// [`Failure::Input`]: the file cannot be read, or as [`Budgets::parse`].
     pub fn read(path: &Path) -> Result<Self, Failure> {
-        Self::parse(&file::read(&path.display().to_string(), path, 1)?)
+        Self::parse(&text_file::read(&path.display().to_string(), path, 1)?)
     }
 
     /// Budgets for measured costs. RAM is the size of a type, which does not vary.
