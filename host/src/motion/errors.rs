@@ -31,8 +31,8 @@ fn natural_scales(motion: &Motion) -> [f64; 3] {
 pub fn drift(motion: &Motion, orientation: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
     let (constants, scales) = (motion.first_integrals(), natural_scales(motion));
     let exact = [constants.l, constants.n, constants.h];
-    let found = first_integrals(motion.top(), orientation, omega);
-    std::array::from_fn(|i| (found[i] - exact[i]).abs() / scales[i])
+    let integrals = first_integrals(motion.top(), orientation, omega);
+    std::array::from_fn(|i| (integrals[i] - exact[i]).abs() / scales[i])
 }
 
 #[cfg(test)]
