@@ -152,11 +152,11 @@ impl MotionConstants {
 
     /// Advance of an angle in a period. It is exactly 0 where l = n = 0: the axis then stays in a vertical plane, and the arguments of α and β
     /// are constant, which quadratures reach only up to rounding.
-    fn turning(&self, of: fn(&PeriodAdvance) -> f64) -> f64 {
+    fn turning(&self, angle: fn(&PeriodAdvance) -> f64) -> f64 {
         let integrals = self.first_integrals();
         match self.advance() {
             Some(_) if integrals.l == 0.0 && integrals.n == 0.0 => 0.0,
-            advance => advance.as_ref().map_or(f64::NAN, of),
+            advance => advance.as_ref().map_or(f64::NAN, angle),
         }
     }
 

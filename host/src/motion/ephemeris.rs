@@ -205,9 +205,9 @@ impl<R: TableScalar> AnyEphemeris for Table<R> {
 }
 
 /// Rows of N numbers, one for each time.
-fn fill<const N: usize>(times: &[f64], rows: &mut [f64], of: impl Fn(f64) -> [f64; N]) {
+fn fill<const N: usize>(times: &[f64], rows: &mut [f64], numbers: impl Fn(f64) -> [f64; N]) {
     for (t, row) in times.iter().zip(rows.as_chunks_mut().0) {
-        *row = of(*t);
+        *row = numbers(*t);
     }
 }
 

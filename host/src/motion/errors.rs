@@ -49,8 +49,8 @@ impl Drift {
 pub fn drift(motion: &Motion, orientation: &Orientation<f64>, omega: [f64; 3]) -> Drift {
     let (constants, scales) = (motion.first_integrals(), natural_scales(motion));
     let exact = [constants.l, constants.n, constants.h];
-    let found = first_integrals(motion.top(), orientation, omega);
-    let [l, n, h] = [0, 1, 2].map(|i| (found[i] - exact[i]).abs() / scales[i]);
+    let integrals = first_integrals(motion.top(), orientation, omega);
+    let [l, n, h] = [0, 1, 2].map(|i| (integrals[i] - exact[i]).abs() / scales[i]);
     Drift { l, n, h }
 }
 
