@@ -1,13 +1,12 @@
 //! `toytop events`: times of turning points, tilts, circles, tip angles and lift-off.
 
-use crate::Failure;
 use crate::commands::warnings;
 use crate::input::finite;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{EventQuery, FoundEvent, furthest_time, smallest_ephemeris};
-use crate::output::stdout::Report;
 use crate::output::{self, Column, Format, Record, eight_digits};
+use crate::{Failure, Report};
 use clap::Args;
 use std::path::PathBuf;
 use toytop::{Level, Motion, Phase, Support};

@@ -3,7 +3,6 @@
 mod sheet;
 
 use super::times::{Times, TimesArgs};
-use crate::Failure;
 use crate::commands::options::{Method, hertz};
 use crate::commands::warnings;
 use crate::input::scenario::Scenario;
@@ -14,9 +13,9 @@ use crate::motion::propagate::{Sample, period, stepped};
 use crate::motion::quantity::Quantity;
 use crate::motion::tip_angle::TipAngle;
 use crate::motion::{Scalar, stream};
-use crate::output::stdout::Report;
 use crate::output::{Format, whole_file};
 use crate::truth::full_equations;
+use crate::{Failure, Report};
 use clap::{ArgGroup, Args};
 use sheet::Sheet;
 use std::path::PathBuf;

@@ -2,7 +2,6 @@
 
 mod bounds;
 
-use crate::Failure;
 use crate::commands::options::{Method, Scalars, scalars};
 use crate::commands::warnings;
 use crate::input::builtin;
@@ -10,10 +9,10 @@ use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::{require_scalar, smallest_ephemeris};
 use crate::motion::propagate::{Sample, TimedStepper, period};
 use crate::motion::{Drift, Scalar, drift, greater, spread_times, widened};
-use crate::output::stdout::Report;
 use crate::output::{self, Format, Record, short};
 use crate::truth::full_equations;
 use crate::truth::full_equations::full_solver::FullState;
+use crate::{Failure, Report};
 use bounds::{bound, horizon, steps_per_period};
 use clap::Args;
 use std::path::PathBuf;

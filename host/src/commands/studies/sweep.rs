@@ -3,12 +3,11 @@
 mod columns;
 mod table;
 
-use crate::Failure;
 use crate::input::axis::Axis;
 use crate::input::scenario::ScenarioFile;
 use crate::motion::stream;
-use crate::output::stdout::Report;
 use crate::output::whole_file;
+use crate::{Failure, Report};
 use clap::Args;
 use columns::{DEFAULT_COLUMNS, SweepColumn};
 use std::path::PathBuf;
