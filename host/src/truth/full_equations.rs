@@ -41,7 +41,7 @@ pub fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<FullState>, Fail
 /// Samples of the full solver at the given times.
 ///
 /// # Errors
-/// As [`states`] and [`TipAngle::of`].
+/// As [`states`] and [`TipAngle::new`].
 pub fn samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failure> {
     /// Least |αβ| whose argument is not noise of the full solver.
     const MIN_PRODUCT: f64 = 1e-9;

@@ -96,11 +96,13 @@ pub(crate) fn doctests() -> Result<String> {
     passes(&mut cargo(".", "test --workspace --doc"))
 }
 
-/// Builds the documentation of core's crates as its public site does, with the features of each item and without a broken link.
+/// Builds the documentation of the libraries, that of core's crates as its public site does, with the features of each item and without a
+/// broken link.
 pub(crate) fn docs() -> Result<String> {
     let mut doc = cargo(
         ".",
-        "doc --package toytop --package toytop-closed-forms --package toytop-fit --package toytop-c --no-deps --all-features",
+        "doc --package toytop --package toytop-closed-forms --package toytop-fit --package toytop-c --package toytop-host --no-deps \
+         --all-features",
     );
     // `doc_cfg`, which labels an item with its feature, is not stable
     doc.env("RUSTC_BOOTSTRAP", "1");
