@@ -11,7 +11,7 @@ use output::command_line::report;
 use output::stdout::finish;
 use std::process::ExitCode;
 // so that a command names a module of the library by `crate::`
-use toytop_host::{Failure, fit, input, motion, output, parallel, pictures, score, truth};
+use toytop_host::{Failure, Report, fit, input, motion, output, parallel, pictures, score, truth};
 
 /// Exact motion of a spinning top whose tip slides on a plane or is held, or of a free body.
 #[derive(Parser)]

@@ -9,8 +9,8 @@ use std::path::{Path, PathBuf};
 /// Page with a part that a command writes.
 pub struct Page {
     path: PathBuf,
-    /// Text up to the first line of the mark, between the lines, and from the last one on.
-    parts: [String; 3],
+    /// Text up to the first line of the mark, and from the last one on.
+    around: [String; 2],
 }
 
 impl Page {
@@ -24,16 +24,10 @@ impl Page {
         let name = mark.split_once(": ").map_or(mark, |(_, name)| name);
         let [begin, end] = [format!("<!-- {mark} -->\n"), format!("<!-- end of {name} -->\n")];
         let found = text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?)));
-        let (before, (part, after)) = found.ok_or_else(|| {
+        let (before, (_, after)) = found.ok_or_else(|| {
             Failure::Input(format!("{place}: must hold the lines {} and {}", begin.trim(), end.trim()))
         })?;
-        let parts = [before.to_owned() + &begin, part.to_owned(), end + after];
-        Ok(Self { path: path.to_owned(), parts })
-    }
-
-    /// Whether the page has this part.
-    pub fn has(&self, part: &str) -> bool {
-        self.parts[1] == part
+        Ok(Self { path: path.to_owned(), around: [before.to_owned() + &begin, end + after] })
     }
 
     /// Writes the page with this part.
@@ -41,7 +35,7 @@ impl Page {
     /// # Errors
     /// The failures of [`whole_file::write`].
     pub fn write(&self, part: &str) -> Result<(), Failure> {
-        let [before, _, after] = &self.parts;
+        let [before, after] = &self.around;
         whole_file::write("--accept", &self.path, [before, part, after].concat().as_bytes())
     }
 }

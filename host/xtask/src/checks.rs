@@ -13,6 +13,11 @@ use crate::process::{cargo, command, firmware_target_dir, root, run, run_within,
 /// Folders with a workspace of their own.
 const WORKSPACES: [&str; 4] = [".", "firmware-examples", "host/python", "tests/fuzz"];
 
+/// Runs a command that must succeed, and has no remark.
+fn passes(command: &mut Command) -> Result<String> {
+    run(command).map(|_| String::new())
+}
+
 /// Checks the form of every workspace.
 pub(crate) fn fmt() -> Result<String> {
     for folder in WORKSPACES {
@@ -88,18 +93,20 @@ fn examples() -> Result<String> {
 
 /// Tests the examples in the documentation.
 pub(crate) fn doctests() -> Result<String> {
-    run(&mut cargo(".", "test --workspace --doc")).map(|_| String::new())
+    passes(&mut cargo(".", "test --workspace --doc"))
 }
 
-/// Builds the documentation of core's crates as its public site does, with the features of each item and without a broken link.
+/// Builds the documentation of the libraries, that of core's crates as its public site does, with the features of each item and without a
+/// broken link.
 pub(crate) fn docs() -> Result<String> {
     let mut doc = cargo(
         ".",
-        "doc --package toytop --package toytop-closed-forms --package toytop-fit --package toytop-c --no-deps --all-features",
+        "doc --package toytop --package toytop-closed-forms --package toytop-fit --package toytop-c --package toytop-host --no-deps \
+         --all-features",
     );
     // `doc_cfg`, which labels an item with its feature, is not stable
     doc.env("RUSTC_BOOTSTRAP", "1");
-    run(doc.env("RUSTDOCFLAGS", "-D warnings --cfg docsrs")).map(|_| String::new())
+    passes(doc.env("RUSTDOCFLAGS", "-D warnings --cfg docsrs"))
 }
 
 /// Tests the pages of `toytop view` in Chromium, by the binary that the tests have built.
@@ -120,8 +127,7 @@ pub(crate) fn program() -> Result<PathBuf> {
 
 fn budget_of(chips: &str) -> Result<String> {
     let mut budget = Command::new(program()?);
-    run(budget.current_dir(root()).args(["budget", "--check"]).args(chips.split_whitespace()))
-        .map(|_| String::new())
+    passes(budget.current_dir(root()).args(["budget", "--check"]).args(chips.split_whitespace()))
 }
 
 /// Compares the cost of every call with its budget, on the two chips whose cycles have a model.
@@ -138,16 +144,13 @@ pub(crate) fn budget_on_all() -> Result<String> {
 pub(crate) fn features() -> Result<String> {
     run(&mut cargo(".", "check --package toytop-tests --no-default-features --tests"))?;
     let words = "hack check --package toytop --package toytop-closed-forms --package toytop-fit --lib --feature-powerset --target thumbv6m-none-eabi";
-    run(cargo(".", words).env("RUSTFLAGS", "-D warnings")).map(|_| String::new())
+    passes(cargo(".", words).env("RUSTFLAGS", "-D warnings"))
 }
 
 /// Packages the crates that are published, and builds them from their packages.
 pub(crate) fn package() -> Result<String> {
-    run(&mut cargo(
-        ".",
-        "package --allow-dirty --package toytop --package toytop-closed-forms --package toytop-fit",
-    ))
-    .map(|_| String::new())
+    let words = "package --allow-dirty --package toytop --package toytop-closed-forms --package toytop-fit";
+    passes(&mut cargo(".", words))
 }
 
 /// Measures the lines that the tests of core execute; at least 95 of 100 must be.

@@ -1,13 +1,12 @@
 //! `toytop benchmark`: reference values of the problems that other integrators are tested with.
 
 use super::problems::{self, Problem};
-use crate::Failure;
 use crate::input::times::Times;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::smallest_ephemeris;
-use crate::output::stdout::Report;
 use crate::output::{self, Document, Format, Record, eight_digits};
 use crate::score::trajectory::to_symmetry_axis;
+use crate::{Failure, Report};
 use clap::Args;
 use serde_json::Value;
 

@@ -1,17 +1,16 @@
 //! `toytop score`: output of an integrator, compared with the exact motion.
 
 use super::problems;
-use crate::Failure;
 use crate::commands::drawing;
 use crate::commands::drawing::chart::{Chart, Curve};
 use crate::commands::options::{PICTURE, ending_in, positive};
 use crate::input::scenario::Scenario;
 use crate::motion::propagate::period;
-use crate::output::stdout::Report;
 use crate::output::{self, Column, Document, Format, Record, short, two_digits, whole_file};
 use crate::score::errors::{ExactReference, Score};
 use crate::score::order;
 use crate::score::trajectory::Trajectory;
+use crate::{Failure, Report};
 use clap::Args;
 use std::path::{Path, PathBuf};
 

@@ -9,14 +9,13 @@
 mod c;
 mod rust;
 
-use crate::Failure;
 use crate::commands::options::hertz;
 use crate::commands::warnings;
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{TableData, ephemeris_of_size, sizes};
-use crate::output::stdout::Report;
 use crate::output::whole_file;
+use crate::{Failure, Report};
 use c::header;
 use clap::{Args, ValueEnum};
 use rust::module;

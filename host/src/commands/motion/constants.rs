@@ -1,11 +1,10 @@
 //! `toytop constants`: first integrals, branch points, period and mean rotations of a motion.
 
-use crate::Failure;
 use crate::commands::warnings;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::value;
-use crate::output::stdout::Report;
 use crate::output::{self, Document, Format, Record, eight_digits};
+use crate::{Failure, Report};
 use clap::Args;
 use std::path::PathBuf;
 use toytop_model::constants::{CONSTANTS, Constant, MotionConstants};

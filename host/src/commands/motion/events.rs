@@ -1,13 +1,12 @@
 //! `toytop events`: times of turning points, tilts, circles, tip angles and lift-off.
 
-use crate::Failure;
 use crate::commands::warnings;
 use crate::input::finite;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::ephemeris::{EventFilter, EventKind, FoundEvent, search, smallest_ephemeris};
 use crate::motion::{Scalar, require_within};
-use crate::output::stdout::Report;
 use crate::output::{self, Column, Format, Record, eight_digits};
+use crate::{Failure, Report};
 use clap::Args;
 use std::path::PathBuf;
 use toytop::{Phase, Support};

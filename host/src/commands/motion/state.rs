@@ -2,7 +2,6 @@
 
 mod sheet;
 
-use crate::Failure;
 use crate::commands::options::{Method, hertz};
 use crate::commands::warnings;
 use crate::input::scenario::Scenario;
@@ -12,10 +11,11 @@ use crate::motion::ephemeris::{CAPACITIES, ephemeris_of_size, smallest_ephemeris
 use crate::motion::propagate::{Sample, furthest_time_of_closed_form, period, stepped};
 use crate::motion::quantity::Quantity;
 use crate::motion::tip_angle::TipAngle;
-use crate::output::stdout::{self, Report};
+use crate::output::stdout;
 use crate::output::{Format, whole_file};
 use crate::parallel;
 use crate::truth::full_equations;
+use crate::{Failure, Report};
 use clap::{ArgGroup, Args};
 use sheet::Sheet;
 use std::path::PathBuf;

@@ -1,14 +1,13 @@
 //! `toytop animate`: a motion as a GIF.
 
-use crate::Failure;
 use crate::commands::drawing::film::Film;
 use crate::commands::options::{ending_in, span};
 use crate::commands::warnings;
 use crate::input::scenario::Scenario;
 use crate::output::progress::Progress;
-use crate::output::stdout::Report;
 use crate::output::whole_file;
 use crate::pictures::span::MotionSpan;
+use crate::{Failure, Report};
 use clap::Args;
 use std::io::BufWriter;
 use std::path::PathBuf;

@@ -1,11 +1,10 @@
 //! `toytop figures`: the curves of figures 2 and 3 of the paper, as `plot` draws them.
 
-use crate::Failure;
 use crate::commands::drawing::{self, tip};
 use crate::input::builtin;
-use crate::output::stdout::Report;
 use crate::output::whole_file;
 use crate::pictures::span::{MOST_CYCLES, MotionSpan};
+use crate::{Failure, Report};
 use clap::Args;
 use std::path::PathBuf;
 

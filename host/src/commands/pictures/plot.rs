@@ -1,12 +1,11 @@
 //! `toytop plot`: pictures of a motion.
 
-use crate::Failure;
 use crate::commands::drawing::{self, charts, sphere, tip};
 use crate::commands::options::{PICTURE, ending_in, span};
 use crate::commands::warnings;
 use crate::input::scenario::Scenario;
-use crate::output::stdout::Report;
 use crate::pictures::span::{MOST_CYCLES, MotionSpan};
+use crate::{Failure, Report};
 use clap::{Args, ValueEnum};
 use kuva::render::render::Scene;
 use std::path::PathBuf;

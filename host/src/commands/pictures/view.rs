@@ -1,12 +1,11 @@
 //! `toytop view`: a page for a browser.
 
-use crate::Failure;
 use crate::commands::options::ending_in;
 use crate::commands::warnings;
 use crate::input::scenario::ScenarioFile;
-use crate::output::stdout::Report;
 use crate::output::whole_file;
 use crate::pictures::view;
+use crate::{Failure, Report};
 use clap::Args;
 use std::path::PathBuf;
 

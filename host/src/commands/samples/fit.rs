@@ -2,7 +2,6 @@
 
 mod report;
 
-use crate::Failure;
 use crate::commands::drawing;
 use crate::commands::drawing::fit as pictures;
 use crate::commands::options::{PICTURE, ending_in, positive};
@@ -11,8 +10,8 @@ use crate::fit::launch::{FREE_KEYS, FitInput};
 use crate::fit::sensors::{Body, Sensors};
 use crate::input::scenario::ScenarioFile;
 use crate::input::text_file::excerpt;
-use crate::output::stdout::Report;
 use crate::output::{self, Format, whole_file};
+use crate::{Failure, Report};
 use clap::Args;
 use std::path::{Path, PathBuf};
 

@@ -1,6 +1,5 @@
 //! `toytop accuracy`: error of each scalar at ticks 1 to 2^40, against the truth to thirty digits.
 
-use crate::Failure;
 use crate::commands::options::{Scalars, scalars};
 use crate::input::builtin;
 use crate::input::random::Random;
@@ -10,12 +9,12 @@ use crate::motion::errors::{drift, greater};
 use crate::motion::{MotionConstants, Scalar};
 use crate::output::doc_markers::{self, Page};
 use crate::output::progress::Progress;
-use crate::output::stdout::Report;
 use crate::output::{self, Column, Format, Record};
 use crate::parallel::thread_pool;
 use crate::truth::exact::{Exact, PreciseOrientation};
 use crate::truth::input::ExactInput;
 use crate::truth::precise::{from_f64, from_i64};
+use crate::{Failure, Report};
 use clap::Args;
 use micromath::F32Ext;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};

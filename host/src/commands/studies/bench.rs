@@ -1,11 +1,10 @@
 //! `toytop bench`: computing times of a state, by the core and by other methods, on this machine with this build.
 
-use crate::Failure;
 use crate::input::builtin;
-use crate::output::stdout::Report;
 use crate::output::{self, Column, Format, Record, short};
 use crate::truth::full_equations;
 use crate::truth::full_equations::full_solver::{Equations, FullSolver};
+use crate::{Failure, Report};
 use clap::Args;
 use std::hint::black_box;
 use std::time::Instant;

@@ -20,10 +20,9 @@ mod model;
 mod pages;
 mod trace;
 
-use crate::Failure;
 use crate::commands::options::positive;
-use crate::output::stdout::Report;
 use crate::output::{self, Format, Record, eight_digits, short, whole_file};
+use crate::{Failure, Report};
 use budgets::Budgets;
 use chips::Chip;
 use clap::Args;

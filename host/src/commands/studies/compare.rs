@@ -2,7 +2,6 @@
 
 mod bounds;
 
-use crate::Failure;
 use crate::commands::options::{Method, Scalars, scalars};
 use crate::commands::warnings;
 use crate::input::builtin;
@@ -12,10 +11,10 @@ use crate::motion::ephemeris::smallest_ephemeris;
 use crate::motion::errors::{Drift, drift, greater};
 use crate::motion::propagate::{Sample, TimedStepper, period};
 use crate::motion::{Scalar, widened};
-use crate::output::stdout::Report;
 use crate::output::{self, Format, Record, short};
 use crate::truth::full_equations;
 use crate::truth::full_equations::full_solver::FullState;
+use crate::{Failure, Report};
 use bounds::{bound, horizon, steps_per_period};
 use clap::Args;
 use std::path::PathBuf;

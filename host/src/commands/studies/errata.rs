@@ -1,9 +1,8 @@
 //! `toytop errata`: errors of the printed paper. `tests/reference/errata.py` evaluates each formula as printed and as corrected, and a test
 //! compares the residuals.
 
-use crate::Failure;
-use crate::output::stdout::Report;
 use crate::output::{self, Format, Record};
+use crate::{Failure, Report};
 use clap::Args;
 
 /// Errors of the printed paper and their corrections

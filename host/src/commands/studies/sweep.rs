@@ -3,12 +3,12 @@
 mod columns;
 mod table;
 
-use crate::Failure;
 use crate::input::axis::Axis;
 use crate::input::scenario::ScenarioFile;
-use crate::output::stdout::{self, Report};
+use crate::output::stdout;
 use crate::output::whole_file;
 use crate::parallel;
+use crate::{Failure, Report};
 use clap::Args;
 use columns::{DEFAULT_COLUMNS, SweepColumn};
 use std::path::PathBuf;
