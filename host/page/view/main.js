@@ -1,9 +1,9 @@
 // Start of the page.
 
 import { listenToSizes } from "./pictures/canvas.js";
-import { buildControls } from "./page/controls.js";
-import { change, data, fromAddress, loadCore, play, redraw, setScenario } from "./page/state.js";
-import { fillPresets, listenToMotion, listenToPictures, listenToTime, onKey, recolour } from "./page/listen.js";
+import { buildControls } from "./interaction/controls.js";
+import { change, data, fromAddress, loadCore, play, redraw, setScenario } from "./interaction/state.js";
+import { fillPresets, listenToMotion, listenToPictures, listenToTime, onKey, recolour } from "./interaction/listen.js";
 
 async function begin() {
   await loadCore();

@@ -94,19 +94,19 @@ export function teachersFacts(constants, { units }) {
     ["nutation period", short(period), "s", weightless ? "Time in which the axis goes once round the angular momentum." : "Time from one lowest place of the axis to the next. Nutation is the nodding of the axis."],
     ["nutation frequency", short(1 / period), "Hz", "Number of nods in a second."],
     ["mean precession", short(degrees(rate)), units === "none" ? "°" : "°/s", "Rate at which the axis goes round the vertical, averaged over a nutation period."],
-    ...(units === "none" ? [] : [["the same", short(perMinute(rate)), "rpm", "Mean precession in revolutions per minute."]]),
+    ...(units === "none" ? [] : [["mean precession in rpm", short(perMinute(rate)), "rpm", "Mean precession in revolutions per minute."]]),
     ["spin", both(spin), units === "none" ? "" : "rpm", "Component of the angular velocity along the axis. It never changes."],
     ...(weightless
       ? [["angle to the momentum", decimals(coneAngle(constants), 2), "°", "Angle between the axis and the angular momentum. Without torque it never changes."]]
       : [
           ["critical spin", Number.isFinite(critical) ? both(critical) : "–", units === "none" ? "" : "rpm", "An upright top sleeps, that is, it stays upright after a small push, if it spins faster than (2√(A p g) − K)/C."],
-          ["upright it would", n * n > 4 * A * p * g ? "sleep" : "fall", "", "Whether the spin is above the critical spin."],
+          ["if upright, it would", n * n > 4 * A * p * g ? "sleep" : "fall", "", "Whether the spin is above the critical spin."],
         ]),
     ...(support !== 0
       ? []
       : [
           ["least normal force", short(min_normal_force), "weights", "Least force with which the plane pushes the tip up. Where it would be negative, a real top leaves the plane."],
-          ["it would lift off", lift ? `between ${lift.join(" and ")}` : "nowhere", "", "Tilts at which the plane would have to pull."],
+          ["lift-off", lift ? `between ${lift.join(" and ")}` : "nowhere", "", "Tilts at which the plane would have to pull."],
         ]),
   ];
 }

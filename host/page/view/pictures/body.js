@@ -103,11 +103,11 @@ function light(camera) {
 }
 
 /**
- * Visible faces, the farthest first. `place` takes points from body to fixed coordinates, and `rotate` directions. The loops of this
+ * Visible faces, the farthest first. `toSpace` takes points from body to fixed coordinates, and `rotate` directions. The loops of this
  * file visit hundreds of faces for each picture; they make few temporary arrays, for speed.
  */
-export function seenFaces(camera, body, { place, rotate }) {
-  const space = body.points.map(place);
+export function seenFaces(camera, body, { toSpace, rotate }) {
+  const space = body.points.map(toSpace);
   const pixels = space.map((point) => camera.project(point));
   const seen = [];
   for (const face of body.faces) {
@@ -143,14 +143,14 @@ function outlineOf(camera, { space, pixels }, { corners }, side) {
 /** Path of a face that is enlarged a little, because otherwise the background would show between two faces. */
 function traceFace(pen, outline) {
   let [middleX, middleY] = [0, 0];
-  for (const place of outline) {
-    middleX += place[0] / outline.length;
-    middleY += place[1] / outline.length;
+  for (const corner of outline) {
+    middleX += corner[0] / outline.length;
+    middleY += corner[1] / outline.length;
   }
   pen.beginPath();
-  for (const place of outline) {
-    const dx = place[0] - middleX;
-    const dy = place[1] - middleY;
+  for (const corner of outline) {
+    const dx = corner[0] - middleX;
+    const dy = corner[1] - middleY;
     const share = 1 + 0.8 / Math.max(0.2, Math.sqrt(dx * dx + dy * dy));
     pen.lineTo(middleX + share * dx, middleY + share * dy);
   }
@@ -174,10 +174,10 @@ export function drawFaces(pen, camera, faces, side) {
 }
 
 /** Draws the shadow of the body on the plane, with the light vertically above. */
-export function drawShadow(pen, camera, body, place, style) {
+export function drawShadow(pen, camera, body, toSpace, style) {
   pen.beginPath();
   for (const ring of body.rings.filter((_, i) => i % 2 === 1)) {
-    ring.map(place).forEach(([x, y], i) => {
+    ring.map(toSpace).forEach(([x, y], i) => {
       const [a, b] = camera.project([x, y, 0]);
       if (i) pen.lineTo(a, b);
       else pen.moveTo(a, b);
@@ -189,16 +189,16 @@ export function drawShadow(pen, camera, body, place, style) {
 }
 
 /** Draws the ghost: some rings of the body and its axis, without faces. */
-export function drawGhost(pen, camera, body, place, style) {
+export function drawGhost(pen, camera, body, toSpace, style) {
   const last = body.rings.length - 1;
   for (const ring of body.rings.filter((_, i) => i % 3 === 1)) {
-    trace(pen, ring.map((point) => camera.project(place(point))), true);
+    trace(pen, ring.map((point) => camera.project(toSpace(point))), true);
     stroke(pen, style, 0.8);
   }
   for (let sector = 0; sector < SECTORS; sector += SECTORS / 6) {
-    trace(pen, body.rings.map((ring) => camera.project(place(ring[sector]))));
+    trace(pen, body.rings.map((ring) => camera.project(toSpace(ring[sector]))));
     stroke(pen, style, 0.8);
   }
-  trace(pen, [body.rings[0][0], body.rings[last][0]].map((point) => camera.project(place(point))));
+  trace(pen, [body.rings[0][0], body.rings[last][0]].map((point) => camera.project(toSpace(point))));
   stroke(pen, style, 1.6, [5, 4]);
 }

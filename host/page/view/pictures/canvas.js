@@ -45,9 +45,9 @@ export function sheet(canvas, ground) {
 }
 
 /** Path through points of the canvas. */
-export function trace(pen, places, closed = false) {
+export function trace(pen, pixels, closed = false) {
   pen.beginPath();
-  places.forEach(([x, y], i) => (i ? pen.lineTo(x, y) : pen.moveTo(x, y)));
+  pixels.forEach(([x, y], i) => (i ? pen.lineTo(x, y) : pen.moveTo(x, y)));
   if (closed) pen.closePath();
 }
 
@@ -66,14 +66,14 @@ export function disc(pen, [x, y], radius, style) {
 }
 
 /** Draws a trail in parts, the older the fainter. `seen` returns the opacity at a point, 0 for a hidden one. */
-export function fading(pen, places, style, width, seen = () => 1) {
-  const parts = Math.min(40, places.length - 1);
+export function fading(pen, pixels, style, width, seen = () => 1) {
+  const parts = Math.min(40, pixels.length - 1);
   for (let part = 0; part < parts; part++) {
-    const [from, to] = [part, part + 1].map((n) => Math.floor((n * (places.length - 1)) / parts));
-    const visible = seen(places[Math.floor((from + to) / 2)]);
+    const [from, to] = [part, part + 1].map((n) => Math.floor((n * (pixels.length - 1)) / parts));
+    const visible = seen(pixels[Math.floor((from + to) / 2)]);
     if (visible === 0) continue;
     pen.globalAlpha = visible * (0.12 + 0.88 * ((part + 1) / parts) ** 1.5);
-    trace(pen, places.slice(from, to + 1));
+    trace(pen, pixels.slice(from, to + 1));
     pen.lineCap = "butt";
     stroke(pen, style, width);
   }

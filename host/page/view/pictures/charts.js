@@ -84,7 +84,7 @@ export function drawChart({ pen, size: [width, height] }, { scene, scenario, int
   stroke(pen, colours.axis, 1.8);
   trace(pen, [[x(t), top], [x(t), bottom]]);
   stroke(pen, colours.ink, 1, [2, 3]);
-  const place = Math.max(0, Math.min(values.length - 1, ((t - from) / (to - from)) * (values.length - 1)));
-  const [before, after] = [values[Math.floor(place)], values[Math.ceil(place)]];
-  disc(pen, [x(t), y(before + (place % 1) * (after - before))], 4, colours.axis);
+  const index = Math.max(0, Math.min(values.length - 1, ((t - from) / (to - from)) * (values.length - 1)));
+  const [before, after] = [values[Math.floor(index)], values[Math.ceil(index)]];
+  disc(pen, [x(t), y(before + (index % 1) * (after - before))], 4, colours.axis);
 }

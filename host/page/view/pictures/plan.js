@@ -8,31 +8,31 @@ import { widest } from "./scene.js";
 export function drawPlan({ pen, size: [width, height] }, { scene, scenario, now, past, colours, ghost }) {
   const most = widest(scene) || 1;
   const scale = (0.5 * Math.min(width, height) - 26) / most;
-  const place = ([x, y]) => [0.5 * width + scale * x, 0.5 * height - 6 - scale * y];
-  const [cx, cy] = place([0, 0]);
+  const project = ([x, y]) => [0.5 * width + scale * x, 0.5 * height - 6 - scale * y];
+  const [cx, cy] = project([0, 0]);
   for (const [dx, dy] of [[5, 0], [0, 5]]) {
     trace(pen, [[cx - dx, cy - dy], [cx + dx, cy + dy]]);
     stroke(pen, colours.faint, 1);
   }
   write(pen, colours.faint, "center");
   scene.circles.forEach(({ radius, name, dash }, i) => {
-    trace(pen, circle(radius, 0).map(place), true);
+    trace(pen, circle(radius, 0).map(project), true);
     stroke(pen, colours.bound, 1.2, dash);
     // the name is outside of the largest circle and inside of the others, at the top or at the bottom, where the curve is not
     if (radius >= most) pen.fillText(name, cx, cy - scale * radius - 6);
     else if (scale * radius > 34) pen.fillText(name, cx, i ? cy - scale * radius + 15 : cy + scale * radius - 7);
   });
-  fading(pen, past.map(({ foot }) => place(foot)), colours.tip, 2);
-  drawDirection(pen, past.map(({ foot }) => place(foot)), colours.tip);
-  if (ghost) disc(pen, place(ghost.foot), 4, colours.ghost);
-  disc(pen, place(now.foot), 4, colours.tip);
+  fading(pen, past.map(({ foot }) => project(foot)), colours.tip, 2);
+  drawDirection(pen, past.map(({ foot }) => project(foot)), colours.tip);
+  if (ghost) disc(pen, project(ghost.foot), 4, colours.ghost);
+  disc(pen, project(now.foot), 4, colours.tip);
   drawScale(pen, { scene, scenario, scale, height, colours });
 }
 
 /** Draws an arrow head on the recent part of the curve, in the direction of motion. */
-function drawDirection(pen, places, style) {
-  const last = places.length - 1;
-  const [from, to] = [places[Math.max(0, last - 14)], places[Math.max(0, last - 11)]];
+function drawDirection(pen, pixels, style) {
+  const last = pixels.length - 1;
+  const [from, to] = [pixels[Math.max(0, last - 14)], pixels[Math.max(0, last - 11)]];
   if (last < 15 || Math.hypot(to[0] - from[0], to[1] - from[1]) < 1) return;
   const angle = Math.atan2(to[1] - from[1], to[0] - from[0]);
   const corner = (turn, size) => [to[0] + size * Math.cos(angle + turn), to[1] + size * Math.sin(angle + turn)];

@@ -4,7 +4,7 @@ import { COORDINATES, MOST_POINTS } from "../motion/core.js";
 import { rotation } from "./geometry.js";
 
 /** State of a motion at a time, with its rotation from body to fixed coordinates. Lengths are in units of s. */
-export function placeOf(scene, moment) {
+export function stateOf(scene, moment) {
   const rotate = rotation(moment);
   const foot = scene.slides ? moment.tip.map((x) => x / scene.scale) : moment.axis.slice(0, 2);
   return { moment, rotate, axis: moment.axis, foot };

@@ -38,9 +38,9 @@ export function drawSphere(canvas, { scene, now, past, view, colours, ghost }) {
     onSphere(circle(1, 0).map(([x, y]) => [x * c, x * s, y]), colours.grid, 0.7);
   });
   [...new Set(scene.e.slice(0, 2))].forEach((u, i) => onSphere(parallel(u), colours.bound, 1.3, DASHES[i]));
-  const places = past.map(({ axis }) => [...project(axis), seen(axis)]);
+  const pixels = past.map(({ axis }) => [...project(axis), seen(axis)]);
   for (const front of [false, true]) {
-    fading(pen, places, colours.axis, 2, (place) => (place[3] === front ? (front ? 1 : 0.3) : 0));
+    fading(pen, pixels, colours.axis, 2, (pixel) => (pixel[3] === front ? (front ? 1 : 0.3) : 0));
   }
   if (ghost) disc(pen, project(ghost.axis), 4, colours.ghost);
   const tip = project(now.axis);

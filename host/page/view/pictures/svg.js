@@ -12,11 +12,11 @@ export class SvgPen {
   }
 
   moveTo(x, y) {
-    this.path += `M${SvgPen.place(x, y)}`;
+    this.path += `M${SvgPen.coordinates(x, y)}`;
   }
 
   lineTo(x, y) {
-    this.path += `L${SvgPen.place(x, y)}`;
+    this.path += `L${SvgPen.coordinates(x, y)}`;
   }
 
   closePath() {
@@ -26,7 +26,7 @@ export class SvgPen {
   /** Adds a complete circle to the path. */
   arc(x, y, radius) {
     const r = radius.toFixed(1);
-    this.path += `M${SvgPen.place(x - radius, y)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0Z`;
+    this.path += `M${SvgPen.coordinates(x - radius, y)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0Z`;
   }
 
   setLineDash(dash) {
@@ -56,7 +56,7 @@ export class SvgPen {
     this.parts.push(start + opacity + end);
   }
 
-  static place(x, y) {
+  static coordinates(x, y) {
     return `${x.toFixed(1)} ${y.toFixed(1)}`;
   }
 

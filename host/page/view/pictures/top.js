@@ -8,7 +8,7 @@ import { DASHES, widest } from "./scene.js";
 
 /** Position of the tip in units of s; the tip of a held top and the centre of mass of a free body are at the origin. */
 const baseOf = (scene, { foot: [x, y] }) => (scene.slides ? [x, y, 0] : [0, 0, 0]);
-const endOf = (scene, place) => sum(baseOf(scene, place), place.axis, scene.shape.stick[1]);
+const endOf = (scene, state) => sum(baseOf(scene, state), state.axis, scene.shape.stick[1]);
 function cameraOf({ scene, view }, size) {
   const [low, high] = scene.e;
   const gap = 0.25 * (high - low);
@@ -47,9 +47,9 @@ export function drawScene(canvas, frame) {
   const { pen, size } = sheet(canvas, colours.card);
   const camera = cameraOf(frame, size);
   const base = baseOf(scene, now);
-  const place = (point) => sum(base, now.rotate(point));
-  const faces = seenFaces(camera, scene.body, { place, rotate: now.rotate });
-  if (scene.slides) drawSliding(pen, size, camera, frame, faces, place);
+  const toSpace = (point) => sum(base, now.rotate(point));
+  const faces = seenFaces(camera, scene.body, { toSpace, rotate: now.rotate });
+  if (scene.slides) drawSliding(pen, size, camera, frame, faces, toSpace);
   else drawAround(pen, size, camera, frame, faces);
   if (frame.ghost) {
     const { ghost } = frame;
@@ -57,7 +57,7 @@ export function drawScene(canvas, frame) {
   }
 }
 
-function drawSliding(pen, size, camera, frame, faces, place) {
+function drawSliding(pen, size, camera, frame, faces, toSpace) {
   const { scene, now, past, colours } = frame;
   const project = (point) => camera.project(point);
   const onPlane = ([x, y]) => camera.project([x, y, 0]);
@@ -68,7 +68,7 @@ function drawSliding(pen, size, camera, frame, faces, place) {
   pen.save();
   trace(pen, circle(radius, 0).map(project), true);
   pen.clip();
-  if (now.axis[2] > 0.15) drawShadow(pen, camera, scene.body, place, "rgb(0 0 0 / 0.1)");
+  if (now.axis[2] > 0.15) drawShadow(pen, camera, scene.body, toSpace, "rgb(0 0 0 / 0.1)");
   pen.restore();
   scene.circles.forEach(({ radius: bound, dash }) => {
     trace(pen, circle(bound, 0).map(project));
@@ -116,12 +116,12 @@ function drawAround(pen, size, camera, frame, faces) {
 /** Draws the body with its axis, after the part of the axis' trail behind it and before the part in front of it. Side 1 is above the plane. */
 function drawBody(pen, camera, { scene, now, past, colours }, faces, side) {
   const project = (point) => camera.project(point);
-  const place = (point) => sum(baseOf(scene, now), now.rotate(point));
+  const toSpace = (point) => sum(baseOf(scene, now), now.rotate(point));
   const ends = past.map((moment) => project(endOf(scene, moment)));
   const { stick: [from], middle } = scene.shape;
-  const depth = project(place([0, 0, middle]))[2];
+  const depth = project(toSpace([0, 0, middle]))[2];
   fading(pen, ends, colours.axis, 1.8, ([, , far]) => (far >= depth ? 0.9 : 0));
-  const axis = [place([0, 0, from]), endOf(scene, now)].map(project);
+  const axis = [toSpace([0, 0, from]), endOf(scene, now)].map(project);
   const stick = () => {
     trace(pen, axis);
     stroke(pen, colours.ink, 1.6);

@@ -47,8 +47,8 @@ def fit(
             have their columns.
         free: names of numbers of the top that are unknown too, at most four, such as ["axial_inertia"].
         huber: residual, in standard deviations, from which a sample is an outlier, at least 1; inf for least squares.
-        drift: standard deviation of a slow loss of rotation, in units of the rotation itself, 1/s, such as 1/60 where the spin may be
-            lost in a minute. The loss is then unknown too, and the launch is that of the last sample.
+        drift: expected loss of rotation, 1/s: 1/60 if the spin may be lost in a minute. The losses are then unknowns too, and the launch
+            is that of the last sample.
 
     Raises:
         ValueError: a column, a sensor, a key or a row is wrong; the message names it.

@@ -7,7 +7,7 @@ import { fromFragment, toFragment } from "../motion/scenario.js";
 import { curveReason, momentFacts, paperFacts, summaryOf, teachersFacts } from "../motion/facts.js";
 import { palette, sheet } from "../pictures/canvas.js";
 import { sceneOf } from "../pictures/scene.js";
-import { intervalOf, placeOf, Points } from "../pictures/points.js";
+import { intervalOf, stateOf, Points } from "../pictures/points.js";
 import { drawScene } from "../pictures/top.js";
 import { drawSphere } from "../pictures/sphere.js";
 import { drawPlan } from "../pictures/plan.js";
@@ -72,7 +72,7 @@ export function setScenario(scenario, { settle = false, name } = {}) {
 
 /** Data of the pictures at a time. */
 function frameAt(t) {
-  const now = placeOf(scene, core.at(t));
+  const now = stateOf(scene, core.at(t));
   const { view, colours, scenario } = state;
   return { scene, scenario, now, past: [...points.before(t), now], t, view, colours, ghost: ghostNow(t) };
 }
@@ -143,8 +143,8 @@ export function go(t) {
 }
 
 function turnPage() {
-  const place = state.t / scene.span - state.page;
-  if (place < 0 || place > 1) state.page = Math.floor(state.t / scene.span);
+  const fraction = state.t / scene.span - state.page;
+  if (fraction < 0 || fraction > 1) state.page = Math.floor(state.t / scene.span);
 }
 
 export function play(playing) {
@@ -194,7 +194,7 @@ function ghostNow(t) {
   const off = distance < 0.01 ? `${short(distance, 2)} rad` : `${decimals(degrees(distance), 1)}°`;
   output.textContent = arrived ? `The ghost is ${off} off.` : `The ghost is still on its way: t = ${inSeconds(short(reached, 4))}, ${off} off.`;
   if (!arrived && !clock.playing) redraw();
-  return placeOf(scene, moment);
+  return stateOf(scene, moment);
 }
 
 /** Fragment of the address for the settings: the motion, and time, speed and ghost if they differ from those of a page that was just opened. */

@@ -7,13 +7,13 @@ import { asBranchPoints, asRelease } from "../motion/scenario.js";
 import { isTorqueFree } from "../motion/facts.js";
 import { element, mark, say } from "./document.js";
 
-const LINEAR = { place: (x, [low, high]) => (x - low) / (high - low), value: (place, [low, high]) => low + place * (high - low) };
+const LINEAR = { position: (x, [low, high]) => (x - low) / (high - low), value: (position, [low, high]) => low + position * (high - low) };
 const LOGARITHMIC = {
-  place: (x, [low, high]) => Math.log(x / low) / Math.log(high / low),
-  value: (place, [low, high]) => low * (high / low) ** place,
+  position: (x, [low, high]) => Math.log(x / low) / Math.log(high / low),
+  value: (position, [low, high]) => low * (high / low) ** position,
 };
 /** Scale that is finer towards the lower end, where e₃ has the greatest effect. */
-const CUBIC = { place: (x, [low, high]) => Math.cbrt((x - low) / (high - low)), value: (place, [low, high]) => low + place ** 3 * (high - low) };
+const CUBIC = { position: (x, [low, high]) => Math.cbrt((x - low) / (high - low)), value: (position, [low, high]) => low + position ** 3 * (high - low) };
 
 const aroundHome = (home) => [home / 8, home * 8];
 const upTo = (most) => (home, constants) => [0, Math.max(home, most(home, constants))];
@@ -125,7 +125,7 @@ export function showControls({ scenario, constants, settle }) {
     control.number = x;
     const text = typed(x);
     const unit = unitName(control.unit, scenario);
-    control.slider.value = String(control.scale.place(x, control.limits));
+    control.slider.value = String(control.scale.position(x, control.limits));
     mark(control.field, false);
     if (document.activeElement !== control.field) control.field.value = text;
     const said = `${text} ${unit}`;

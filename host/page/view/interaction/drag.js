@@ -17,7 +17,7 @@ export function listenToTurns(canvas, turn, reset) {
  * at the end.
  */
 export function listenToRoots(canvas, roots, set, release) {
-  const place = ({ offsetX }) => offsetX / unitOf();
+  const pointerX = ({ offsetX }) => offsetX / unitOf();
   const layout = () => held.layout ?? potentialLayout(sizeOf(canvas), roots());
   let root = null;
   const nearest = (x) => {
@@ -30,15 +30,15 @@ export function listenToRoots(canvas, roots, set, release) {
     return least < 26 ? (x < layout().x(roots()[first]) ? first : last) : null;
   };
   canvas.addEventListener("pointerdown", (event) => {
-    root = nearest(place(event));
+    root = nearest(pointerX(event));
     if (root === null) return;
     held.layout = layout();
     canvas.setPointerCapture(event.pointerId);
   });
   canvas.addEventListener("pointermove", (event) => {
-    canvas.style.cursor = root !== null || nearest(place(event)) !== null ? "ew-resize" : "default";
+    canvas.style.cursor = root !== null || nearest(pointerX(event)) !== null ? "ew-resize" : "default";
     if (root === null) return;
-    const u = layout().u(place(event));
+    const u = layout().u(pointerX(event));
     const bounds = [[-1, 0.9999], [-0.9999, 1], [1, 1e4]][root];
     const x = Math.max(bounds[0], Math.min(bounds[1], u));
     set(`e${root + 1}`, Number(x.toPrecision(Math.abs(x) > 10 ? 3 : 4)));
