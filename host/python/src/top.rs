@@ -54,6 +54,36 @@ impl TopCore {
         }
     }
 
+    #[getter]
+    fn transverse_inertia(&self) -> f64 {
+        self.top.transverse_inertia()
+    }
+
+    #[getter]
+    fn axial_inertia(&self) -> f64 {
+        self.top.axial_inertia()
+    }
+
+    #[getter]
+    fn com_height(&self) -> f64 {
+        self.top.com_height()
+    }
+
+    #[getter]
+    fn mass_moment(&self) -> f64 {
+        self.top.mass_moment()
+    }
+
+    #[getter]
+    fn gravity(&self) -> f64 {
+        self.top.gravity()
+    }
+
+    #[getter]
+    fn rotor_momentum(&self) -> f64 {
+        self.top.rotor_momentum()
+    }
+
     fn e4(&self) -> Option<f64> {
         self.top.e4()
     }
