@@ -2,16 +2,20 @@
 
 use crate::constants::{MotionConstants, natural_time};
 use core::f64::consts::PI;
+use toytop::Regime;
 use toytop::scalar::Float;
-use toytop::{Motion, Regime};
 
 /// Time that a picture of a motion covers, s, by the distance of the tip from the centre at a time: a whole number of nutation periods, one
-/// turn where the tilt is constant, or the time until the tip of an aperiodic motion is at the centre.
+/// turn where the tilt is constant, or the time until the tip of an aperiodic motion stays at the centre.
 pub fn span(motion: &MotionConstants, tip_distance: impl Fn(f64) -> f64) -> f64 {
-    match motion.regime() {
-        Regime::Aperiodic => time_to_vertical(motion, tip_distance),
-        _ => cycle(motion) * f64::from(periods(motion).unwrap_or(1)),
+    if motion.regime() != Regime::Aperiodic {
+        return cycle(motion) * f64::from(periods(motion).unwrap_or(1));
     }
+    let one_plus_e1 = motion.branch_points().one_plus_e1;
+    let greatest = motion.top().tip_scale() * Float::sqrt(one_plus_e1 * (2.0 - one_plus_e1));
+    let step = 0.25 * natural_time(motion);
+    let is_outside = |n: &u32| tip_distance(step * f64::from(*n)) > 4e-3 * greatest;
+    step * f64::from((1..4096).rev().find(is_outside).unwrap_or(0) + 1)
 }
 
 /// Time in which the axis does the same again, s: the nutation period, or a turn about the vertical where the tilt is constant. It is
@@ -36,15 +40,4 @@ pub fn periods(motion: &MotionConstants) -> Option<u32> {
         false => (LEAST..MOST).find(|periods| f64::from(*periods) >= once_round).unwrap_or(MOST),
     };
     (motion.regime() == Regime::Nutating).then_some(periods)
-}
-
-/// Time after which the tip of an aperiodic motion stays at the centre, s, by its distance from there at a time.
-fn time_to_vertical(motion: &Motion, tip_distance: impl Fn(f64) -> f64) -> f64 {
-    const AT_THE_CENTRE: f64 = 4e-3;
-    const MOST: u32 = 4096;
-    let one_plus_e1 = motion.branch_points().one_plus_e1;
-    let greatest = motion.top().tip_scale() * Float::sqrt(one_plus_e1 * (2.0 - one_plus_e1));
-    let step = 0.25 * natural_time(motion);
-    let is_outside = |n: &u32| tip_distance(step * f64::from(*n)) > AT_THE_CENTRE * greatest;
-    step * f64::from((1..MOST).rev().find(is_outside).unwrap_or(0) + 1)
 }
