@@ -44,7 +44,13 @@ pub mod cli;
 #[cfg(feature = "program")]
 mod commands;
 mod failure;
-pub mod fit;
+/// Measurements of a top: sensors from a file, samples as columns, simulated samples, and the launch that is fitted to them.
+pub mod fit {
+    pub mod columns;
+    pub mod launch;
+    pub mod sensors;
+    pub mod simulated;
+}
 pub mod input;
 pub mod motion;
 pub mod output;
