@@ -16,7 +16,13 @@
 #![allow(unreachable_pub)]
 
 mod failure;
-pub mod fit;
+/// Measurements of a top: sensors from a file, samples as columns, simulated samples, and the launch that is fitted to them.
+pub mod fit {
+    pub mod columns;
+    pub mod launch;
+    pub mod sensors;
+    pub mod simulated;
+}
 pub mod input;
 pub mod motion;
 pub mod output;

@@ -7,7 +7,7 @@ use crate::top::TopCore;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyString};
-use toml::{Table, Value};
+use toml::Table;
 use toytop_fit::{Drift, Measurement};
 use toytop_host::fit::columns::{Columns, keep_present};
 use toytop_host::fit::launch::FitInput;
@@ -78,8 +78,7 @@ pub(crate) fn fit<'py>(
     huber: f64,
     drift: Option<f64>,
 ) -> PyResult<FittedFields<'py>> {
-    let file: Table = top.to_toml().parse().unwrap_or_default();
-    let table = file.get("top").and_then(Value::as_table).cloned().unwrap_or_default();
+    let table: Table = top.to_toml().parse().unwrap_or_default();
     let mut instruments = self::sensors(sensors.as_ref(), top)?;
     let given = columns(samples, &mut instruments, sensors.is_some())?;
     let rows = given.measurements(&instruments).map_err(|refused| {
