@@ -57,7 +57,7 @@ pub use events::{Event, Events, Level};
 #[cfg(feature = "fixed")]
 pub use fixed;
 pub use motion::period::PeriodAdvance;
-pub use motion::{InitialPhases, Motion};
+pub use motion::{InitialAngles, Motion};
 pub use phase::Phase;
 pub use stepper::Stepper;
 pub use su2::{AttitudeState, Orientation};
@@ -90,7 +90,7 @@ mod tests {
     fn firmware_may_log_everything() {
         fn logged<T: defmt::Format>() {}
         logged::<(Complex<f32>, scalar::Extended, Orientation<f32>, su2::OrientationRate<f64>, Phase)>();
-        logged::<(ParameterError, Support, Top, TopParameters, Release, InitialPhases, State)>();
+        logged::<(ParameterError, Support, Top, TopParameters, Release, InitialAngles, State)>();
         logged::<(BranchPoints, FirstIntegrals, PeriodAdvance, Regime, TipClass)>();
         logged::<(Motion, Sign, Signs)>();
         logged::<(EphemerisF32, EphemerisF64, ErrorBound, SetUpError, Tick, Event, Level)>();

@@ -10,7 +10,7 @@ pub(crate) mod period;
 
 mod launch;
 
-pub use launch::InitialPhases;
+pub use launch::InitialAngles;
 
 use crate::body::{ScaledTop, Support, Top};
 use crate::complex::Complex;

@@ -27,17 +27,17 @@ impl Phase {
     /// Half a turn, π rad.
     pub const HALF: Self = Self(1 << (FRACTION_BITS - 1));
     /// One turn, 2π rad.
-    pub const ONE: Self = Self(1 << FRACTION_BITS);
+    pub const TURN: Self = Self(1 << FRACTION_BITS);
 
     /// Phase from a number of turns, modulo 2^32 turns; 0 if it is not finite.
-    pub fn new(turns: f64) -> Self {
+    pub fn from_turns(turns: f64) -> Self {
         let (mantissa, exponent) = mantissa_and_exponent(turns);
         Self(times_power_of_two_i128(mantissa.into(), exponent + FRACTION_BITS))
     }
 
     /// Phase of an angle in radians, to 2^-52; 0 if it is not finite.
     pub fn from_radians(angle: f64) -> Self {
-        Self::new(angle * (0.5 * core::f64::consts::FRAC_1_PI))
+        Self::from_turns(angle * (0.5 * core::f64::consts::FRAC_1_PI))
     }
 
     /// Phase of bits · 2^-96 turns.
@@ -68,13 +68,13 @@ impl Phase {
     }
 
     /// Number of turns, to 2^-53.
-    pub fn to_f64(self) -> f64 {
+    pub fn to_turns(self) -> f64 {
         self.0 as f64 * Self::RESOLUTION
     }
 
     /// Angle in radians, to 2^-52.
     pub fn to_radians(self) -> f64 {
-        self.to_f64() * (2.0 * core::f64::consts::PI)
+        self.to_turns() * (2.0 * core::f64::consts::PI)
     }
 
     /// Phase of the same direction in (-1/2, 1/2] turn.
@@ -116,7 +116,7 @@ impl Phase {
 #[cfg(feature = "defmt")]
 impl defmt::Format for Phase {
     fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{=f64} turns", self.to_f64());
+        defmt::write!(f, "{=f64} turns", self.to_turns());
     }
 }
 
@@ -192,11 +192,11 @@ mod tests {
     #[test]
     fn conversion_is_exact() {
         for x in [0.0, 0.25, -0.75, 1e-9, 123.456, -2e9, 1.0 / (1_u128 << 90) as f64] {
-            assert_eq!(Phase::new(x).to_f64(), x);
+            assert_eq!(Phase::from_turns(x).to_turns(), x);
         }
-        assert_eq!(Phase::new(f64::NAN), Phase::ZERO);
-        assert_eq!(Phase::new(f64::INFINITY), Phase::ZERO);
-        assert_eq!(Phase::new(0.5), Phase::HALF);
+        assert_eq!(Phase::from_turns(f64::NAN), Phase::ZERO);
+        assert_eq!(Phase::from_turns(f64::INFINITY), Phase::ZERO);
+        assert_eq!(Phase::from_turns(0.5), Phase::HALF);
     }
 
     #[test]
@@ -213,15 +213,15 @@ mod tests {
         for (units, rounded) in
             [(0.25, 0), (0.5, 1), (0.75, 1), (1.25, 1), (1.5, 2), (-0.5, 0), (-0.75, -1), (-1.25, -1)]
         {
-            assert_eq!(Phase::new(units / (1_u128 << 96) as f64).to_bits(), rounded, "{units}");
+            assert_eq!(Phase::from_turns(units / (1_u128 << 96) as f64).to_bits(), rounded, "{units}");
         }
-        assert_eq!([1, 1 << 51].map(|bits| Phase::new(f64::from_bits(bits))), [Phase::ZERO; 2]);
+        assert_eq!([1, 1 << 51].map(|bits| Phase::from_turns(f64::from_bits(bits))), [Phase::ZERO; 2]);
     }
 
     #[test]
     fn the_principal_value_is_within_half_a_turn() {
-        assert_eq!(Phase::new(7.25).principal(), Phase::QUARTER);
-        assert_eq!(Phase::new(-0.5).principal(), Phase::HALF);
-        assert_eq!(Phase::new(-3.25).principal().to_f64(), -0.25);
+        assert_eq!(Phase::from_turns(7.25).principal(), Phase::QUARTER);
+        assert_eq!(Phase::from_turns(-0.5).principal(), Phase::HALF);
+        assert_eq!(Phase::from_turns(-3.25).principal().to_turns(), -0.25);
     }
 }

@@ -225,7 +225,7 @@ fn exact_sum<R: Real>(a: R, b: R) -> [R; 2] {
 }
 
 fn phase_from_radians<R: Real>(angle: R) -> Phase {
-    Phase::new((angle * R::from_f64(0.5 * core::f64::consts::FRAC_1_PI)).to_f64())
+    Phase::from_turns((angle * R::from_f64(0.5 * core::f64::consts::FRAC_1_PI)).to_f64())
 }
 
 /// Quotient x/|z|², also where |z|² underflows; 0 for z = 0.

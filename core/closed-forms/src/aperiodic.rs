@@ -27,11 +27,11 @@ use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 /// and α rotates at a constant rate.
 ///
 /// ```
-/// use toytop::{InitialPhases, Motion, Signs, Top, TopParameters};
+/// use toytop::{InitialAngles, Motion, Signs, Top, TopParameters};
 /// use toytop_closed_forms::Aperiodic;
 /// let parameters = TopParameters { transverse_inertia: 1.25, axial_inertia: 0.75, com_height: 0.5, mass_moment: 1.5, gravity: 3.0, ..TopParameters::default() };
 /// let top = Top::sliding(&parameters)?;
-/// let motion = Motion::from_branch_points(&top, [-0.4, 1.0, 1.0], Signs::default(), &InitialPhases::default())?;
+/// let motion = Motion::from_branch_points(&top, [-0.4, 1.0, 1.0], Signs::default(), &InitialAngles::default())?;
 /// let form = Aperiodic::new(&motion).expect("e2 = e3 = 1");
 /// let attitude = form.at(2.5); // orientation, u, axis, ω
 /// let (tip, angle) = (form.tip(2.5), form.tip_angle(2.5)); // the angle counts whole turns

@@ -112,7 +112,7 @@ impl Periods {
     /// Number of periods from time 0 of the solution until t, as a phase of one turn for each period.
     pub(super) fn phase(&self, t: f64) -> Phase {
         let (periods, remainder) = split(self.origin, t, self.period);
-        Phase::ONE * periods + (remainder / self.period).to_phase()
+        Phase::TURN * periods + (remainder / self.period).to_phase()
     }
 }
 

@@ -127,7 +127,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
         let target = self.target.unwrap_or_default();
         let distance = if upward { target - angle } else { angle - target };
         let distance = WrappedPhase::from_phase(distance).to_phase();
-        let distance = if distance == Phase::ZERO { Phase::ONE } else { distance };
+        let distance = if distance == Phase::ZERO { Phase::TURN } else { distance };
         if upward { distance } else { -distance }
     }
 

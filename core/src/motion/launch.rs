@@ -17,7 +17,7 @@ use crate::scalar::{Extended, Float, Ring};
 /// Phases at t = 0 of a motion given by branch points. All are in rad, and 0 by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct InitialPhases {
+pub struct InitialAngles {
     /// Nutation angle θ(0) = 2χ(0): 0 at u = e₁, π at u = e₂, with u rising in between. The `f64` nearest to a multiple of π counts as it. θ = π with
     /// e₂ = e₃ = 1 means the sleeping top.
     pub theta: f64,
@@ -85,7 +85,7 @@ impl Motion {
         top: &Top,
         e: [f64; 3],
         signs: Signs,
-        start: &InitialPhases,
+        start: &InitialAngles,
     ) -> Result<Self, ParameterError> {
         check(
             !top.is_torque_free(),
@@ -93,7 +93,7 @@ impl Motion {
             "one with torque: without it branch points tell no rate; give a state or a release",
         )?;
         let e = BranchPoints::from_roots(e)?;
-        let InitialPhases { theta, arg_alpha, arg_beta } = *start;
+        let InitialAngles { theta, arg_alpha, arg_beta } = *start;
         for (name, angle) in [("theta", theta), ("arg_alpha", arg_alpha), ("arg_beta", arg_beta)] {
             check_range(-1e6..=1e6, name, angle, "between -1e6 and 1e6 rad")?;
         }

@@ -117,7 +117,7 @@ mod tests {
     #[test]
     fn ticks_and_a_part_of_a_tick() {
         for turns in [0.3, -0.3, 1e-9, -0.499, 0.0, -1e-25] {
-            let step = WrappedPhase::from_phase(Phase::new(turns));
+            let step = WrappedPhase::from_phase(Phase::from_turns(turns));
             for (n, part) in [(0, 0), (0, 0xfff), (7, 1), (1000, 1 << 11), (12, (1 << 12) - 1)] {
                 let ticks = (i128::from(n) << 12) + i128::from(part);
                 let exact = (step.to_phase().principal().to_bits() * ticks) >> 12;
@@ -136,8 +136,8 @@ mod tests {
 
     #[test]
     fn a_phase_is_wrapped_and_returned() {
-        let phase = Phase::new(3.7);
-        assert_eq!(WrappedPhase::from_phase(phase).to_phase(), phase - Phase::new(3.0));
-        assert_eq!(WrappedPhase::from_phase(Phase::new(-0.25)).leading_bits(), 3 << 62);
+        let phase = Phase::from_turns(3.7);
+        assert_eq!(WrappedPhase::from_phase(phase).to_phase(), phase - Phase::from_turns(3.0));
+        assert_eq!(WrappedPhase::from_phase(Phase::from_turns(-0.25)).leading_bits(), 3 << 62);
     }
 }

@@ -118,7 +118,7 @@ fn continuity_across_segments_and_turning_points() {
     let motion = generic();
     let period = motion.period_advance().unwrap().period;
     let ephemeris = EphemerisF64::new(&motion, kilohertz()).unwrap();
-    let phase = ephemeris.at(0.0).nutation_phase().to_f64();
+    let phase = ephemeris.at(0.0).nutation_phase().to_turns();
     let mut jumps = [0.0_f64; 2];
     for segment in 0..128 {
         let border = (f64::from(segment) / 128.0 - phase) * period;

@@ -64,7 +64,7 @@ pub(super) fn half_phase_of_angle(theta: f64) -> Phase {
     let nearest = libm::round(theta * core::f64::consts::FRAC_1_PI);
     let multiple = Extended::TWO_PI.halved() * nearest.into();
     if nearest != 0.0 && multiple.to_f64() == theta {
-        return Phase::new(0.25 * nearest);
+        return Phase::from_turns(0.25 * nearest);
     }
     (Extended::from(theta).in_turns() * Extended::from(0.5)).to_phase()
 }
@@ -101,7 +101,7 @@ mod tests {
             for near in [theta.next_up(), theta.next_down()] {
                 let off = half_phase_of_angle(near) - turns;
                 let unit = (near - theta).abs() * 0.25 * core::f64::consts::FRAC_1_PI;
-                let relative = off.to_f64().abs() / unit;
+                let relative = off.to_turns().abs() / unit;
                 assert!((0.49..1.51).contains(&relative), "{k}: {relative}");
                 assert!((half_phase_of_angle(-near) + half_phase_of_angle(near)).to_bits().abs() <= 1, "{k}");
             }

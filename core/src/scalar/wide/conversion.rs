@@ -114,8 +114,8 @@ mod tests {
 
     #[test]
     fn a_turn_has_a_phase() {
-        assert_eq!(Extended::from(-3.25).to_phase(), Phase::new(-3.25));
-        assert_eq!(Extended::from(Phase::new(-3.25)).to_f64(), -3.25);
+        assert_eq!(Extended::from(-3.25).to_phase(), Phase::from_turns(-3.25));
+        assert_eq!(Extended::from(Phase::from_turns(-3.25)).to_f64(), -3.25);
         assert_eq!((Extended::TWO_PI * 0.25.into()).in_turns().to_phase(), Phase::QUARTER);
         let (whole, remainder) = Extended::from_parts([1e20, 0.75]).floor_and_fraction();
         assert_eq!((whole, remainder.to_f64()), (10_i128.pow(20), 0.75));

@@ -47,7 +47,7 @@ impl Span {
     pub(super) fn phase(self, x: f64) -> Phase {
         // the half period is half a turn
         let unit = Phase::from_bits(Phase::QUARTER.to_bits() >> Self::DEEPEST);
-        unit * (self.begin + self.end()) as i64 + Phase::new(0.5 * x * self.half_length())
+        unit * (self.begin + self.end()) as i64 + Phase::from_turns(0.5 * x * self.half_length())
     }
 }
 
