@@ -32,7 +32,7 @@ impl Phase {
     /// Phase from a number of turns, modulo 2^32 turns; 0 if it is not finite.
     pub fn from_turns(turns: f64) -> Self {
         let (mantissa, exponent) = mantissa_and_exponent(turns);
-        Self(times_power_of_two_i128(mantissa.into(), exponent + FRACTION_BITS))
+        Self(ldexp_i128(mantissa.into(), exponent + FRACTION_BITS))
     }
 
     /// Phase of an angle in radians, to 2^-52; 0 if it is not finite.
@@ -176,7 +176,7 @@ pub(crate) fn mantissa_and_exponent(x: f64) -> (i64, i32) {
 }
 
 /// value · 2^shift, rounded to the nearest integer, modulo 2^128.
-pub(crate) fn times_power_of_two_i128(value: i128, shift: i32) -> i128 {
+pub(crate) fn ldexp_i128(value: i128, shift: i32) -> i128 {
     match shift {
         128.. => 0,
         0.. => value << shift,

@@ -32,8 +32,8 @@ impl ArgumentOffsets {
         };
         let rates = motion.equations().rates(sine, cosine);
         let root = |x: Extended| x.halved().sqrt();
-        let alpha_axes = [root(e.one_plus_e1), signs.l_plus_n.apply(root(e.one_plus_e2()))];
-        let beta_axes = [root(e.one_minus_e1()), signs.l_minus_n.apply(root(e.one_minus_e2))];
+        let alpha_axes = [root(e.one_plus_e1), signs.l_plus_n.times(root(e.one_plus_e2()))];
+        let beta_axes = [root(e.one_minus_e1()), signs.l_minus_n.times(root(e.one_minus_e2))];
         let ([alpha, beta], [alpha_phase, beta_phase]) = (closed, motion.slow_phases);
         let argument =
             |axes, turning, closed| argument(axes, [sine, cosine], [rates.nutation, turning], closed);

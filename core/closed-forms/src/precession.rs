@@ -121,7 +121,7 @@ fn precession_of(weight_per_a: Extended, e3_minus_one: Extended, signs: Signs) -
     let two = Extended::ONE.doubled();
     let sum = (two + e3_minus_one).sqrt() + e3_minus_one.sqrt();
     let roots = if signs.l_plus_n == signs.l_minus_n { sum } else { two / sum };
-    signs.l_plus_n.apply(weight_per_a.halved().sqrt() * roots)
+    signs.l_plus_n.times(weight_per_a.halved().sqrt() * roots)
 }
 
 /// Steady precessions of a top at given tilt and spin: the roots of A e φ'² - n φ' + p g = 0.

@@ -21,16 +21,16 @@ impl Sign {
         if x < R::ZERO { Self::Minus } else { Self::Plus }
     }
 
-    /// x with this sign as a factor, ±x.
-    pub fn apply<R: Ring>(self, x: R) -> R {
+    /// Product ±x.
+    pub fn times<R: Ring>(self, x: R) -> R {
         match self {
             Self::Plus => x,
             Self::Minus => -x,
         }
     }
 
-    /// Factor ±1.
-    pub fn factor(self) -> i32 {
+    /// Integer ±1.
+    pub fn as_i32(self) -> i32 {
         match self {
             Self::Plus => 1,
             Self::Minus => -1,

@@ -15,7 +15,7 @@ pub(crate) struct LaunchRounding {
 }
 
 /// Number of roundings that count for l + n, for l - n and for each coefficient of a cubic.
-const OPERATIONS: f64 = 32.0;
+const ROUNDINGS_OF_A_COEFFICIENT: f64 = 32.0;
 
 impl LaunchRounding {
     /// Errors of a launch from a state: see `core/docs/error_bound.md`.
@@ -28,7 +28,7 @@ impl LaunchRounding {
         state: &State,
     ) -> Self {
         let speed = Float::sqrt(dot(state.omega(), state.omega()));
-        let rounding = OPERATIONS * Extended::OPERATION_ERROR;
+        let rounding = ROUNDINGS_OF_A_COEFFICIENT * Extended::OPERATION_ERROR;
         let ScaledTop { a, c, s, p, g, k } = ScaledTop::<f64>::new(top);
         let slow_rates = rounding * ((1.0 + (c - a).abs() / a) * speed + k.abs() / a);
         if top.is_torque_free() {

@@ -3,7 +3,7 @@
 //! Between the turning points of u and, on a curve with loops, the phases of u = l/n, the tip angle is monotone: a bisection finds the instant.
 //! Whole periods that do not reach the angle are skipped.
 
-use crate::events::{Event, HALF_PERIOD, Level, at_phase, bisect};
+use crate::events::{Event, LAST_RISING, Level, at_phase, bisect};
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float, Ring, Scalar};
 use crate::table::{EphemerisScalar, EphemerisView};
@@ -96,7 +96,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
             ((tip.re * velocity.im - tip.im * velocity.re).to_f64(), Float::sqrt(size))
         };
         let [(lowest, least), (_, middle), (highest, greatest)] =
-            [0, HALF_PERIOD / 2, HALF_PERIOD].map(turning);
+            [0, LAST_RISING / 2, LAST_RISING].map(turning);
         let noise = NOISE * (R::ROUNDING + R::Quantity::ROUNDING) * least.max(middle).max(greatest);
         let changes = lowest * highest < 0.0 && lowest.abs() > noise && highest.abs() > noise;
         changes.then(|| bisect(|nutation| turning(nutation).0 * lowest <= 0.0))

@@ -5,7 +5,7 @@ use crate::body::{
 };
 use crate::complex::Complex;
 use crate::constants::normal_force;
-use crate::events::{HALF_PERIOD, at_phase, bisect};
+use crate::events::{LAST_RISING, at_phase, bisect};
 use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
@@ -80,7 +80,7 @@ impl Level {
     /// Nutation phase in (0, 1/2) turn at which u rises to the level; `None` where the motion does not reach it.
     pub(super) fn phase<R: EphemerisScalar>(&self, view: &EphemerisView<R>) -> Option<Phase> {
         let reached = |nutation| self.is_reached(&at_phase(view, nutation).orientation());
-        (reached(HALF_PERIOD) && !reached(0)).then(|| bisect(reached))
+        (reached(LAST_RISING) && !reached(0)).then(|| bisect(reached))
     }
 
     /// Whether u is at the level or above it, by tan²(tilt/2) = |β|²/|α|².

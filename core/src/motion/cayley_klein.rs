@@ -30,8 +30,8 @@ impl Ellipses<f64> {
         let root = |x: Extended| x.halved().sqrt().to_f64();
         let (a2, b2) = (root(e.one_plus_e2()), root(e.one_minus_e2));
         Self {
-            alpha: Ellipse { x: root(e.one_plus_e1), y: signs.l_plus_n.apply(a2) },
-            beta: Ellipse { x: root(e.one_minus_e1()), y: signs.l_minus_n.apply(b2) },
+            alpha: Ellipse { x: root(e.one_plus_e1), y: signs.l_plus_n.times(a2) },
+            beta: Ellipse { x: root(e.one_minus_e1()), y: signs.l_minus_n.times(b2) },
         }
     }
 

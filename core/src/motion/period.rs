@@ -20,7 +20,7 @@ pub struct PeriodAdvance {
     /// Advance (arg β(t+T) - arg β(t))/2π; for e₂ = 1 of β with a signed modulus.
     pub beta_turns: f64,
     /// Advance of the tip angle φ over a period, rad; through the centre with a signed radius.
-    pub phi_per_period: f64,
+    pub phi_radians: f64,
     /// Period before rounding.
     #[doc(hidden)]
     pub exact_period: Extended,
@@ -42,7 +42,7 @@ impl PeriodAdvance {
             period: time.to_f64(),
             alpha_turns,
             beta_turns,
-            phi_per_period: phi.to_f64(),
+            phi_radians: phi.to_f64(),
             exact_period: time,
             rotations: [about_vertical, about_axis].map(|angle| angle.in_turns().to_phase()),
         }

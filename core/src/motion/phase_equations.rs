@@ -119,7 +119,7 @@ impl<F: Float> PhaseEquations<F> {
             half_g: g.halved(),
             alpha_rate_factor: l_plus_n / a.doubled(),
             alpha_chi_time: (per_g / e.one_plus_e3()).sqrt().doubled(),
-            beta_rate_factor: signs.l_minus_n.apply(beta_rate_factor),
+            beta_rate_factor: signs.l_minus_n.times(beta_rate_factor),
             root_e3_minus_one: e.e3_minus_one.sqrt(),
             beta_chi_time: per_g.sqrt().doubled(),
         }

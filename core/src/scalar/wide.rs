@@ -43,7 +43,7 @@ impl<const WORDS: usize> Wide<WORDS> {
 
     /// Product with a power of two.
     #[must_use]
-    pub fn times_power_of_two(self, exponent: i32) -> Self {
+    pub fn ldexp(self, exponent: i32) -> Self {
         self.with_exponent(self.exponent.saturating_add(exponent))
     }
 

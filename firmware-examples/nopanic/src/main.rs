@@ -119,7 +119,7 @@ fn release() -> Release {
 fn spin(motion: &Motion) {
     black_box((motion.top(), motion.regime(), motion.tip_class(), motion.signs()));
     black_box((motion.first_integrals(), motion.branch_points()));
-    black_box(motion.period_advance().map(|averages| averages.phi_per_period));
+    black_box(motion.period_advance().map(|averages| averages.phi_radians));
     black_box(motion.min_normal_force());
     if let Ok(form) = ClosedForm::of(motion) {
         black_box((form.at(unknown()), form.nutation_phase(unknown())));

@@ -208,7 +208,7 @@ pub fn to_toml(top: &impl Display, launch: &Launch) -> String {
             format!("kind = \"state\"\nalpha = {alpha:?}\nbeta = {beta:?}\nomega = {omega:?}\n")
         }
         Launch::BranchPoints { e: [e1, e2, e3], signs, phases } => {
-            let (plus, minus) = (signs.l_plus_n.factor(), signs.l_minus_n.factor());
+            let (plus, minus) = (signs.l_plus_n.as_i32(), signs.l_minus_n.as_i32());
             let InitialAngles { theta, arg_alpha, arg_beta } = phases;
             format!(
                 "kind = \"branch_points\"\ne1 = {e1:?}\ne2 = {e2:?}\ne3 = {e3:?}\nsign_l_plus_n = {plus}\n\

@@ -186,8 +186,8 @@ fn a_slow_drift_reaches_every_angle() {
     let motion = released_from_rest(&top, 0.5, 60.0);
     let view = table_of::<f64, 512>(&motion, kilohertz());
     let advance = motion.period_advance().unwrap();
-    assert!(advance.phi_per_period.abs() < 0.03);
-    let turn = TAU / advance.phi_per_period.abs() * advance.period;
+    assert!(advance.phi_radians.abs() < 0.03);
+    let turn = TAU / advance.phi_radians.abs() * advance.period;
     let mut before = f64::NEG_INFINITY;
     for event in view.tip_angles(Phase::from_turns(0.2), 0).take(12) {
         let t = view.time_of(&event);

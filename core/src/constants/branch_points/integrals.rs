@@ -38,7 +38,7 @@ impl BranchPoints<Extended> {
         let scale = (a * p * g).doubled();
         let plus = (scale * self.one_plus_e1 * self.one_plus_e2() * self.one_plus_e3()).sqrt();
         let minus = (scale * self.one_minus_e1() * self.one_minus_e2 * self.e3_minus_one).sqrt();
-        let (l_plus_n, l_minus_n) = (signs.l_plus_n.apply(plus), signs.l_minus_n.apply(minus));
+        let (l_plus_n, l_minus_n) = (signs.l_plus_n.times(plus), signs.l_minus_n.times(minus));
         let n = (l_plus_n - l_minus_n).halved();
         let spin = scaled.spin(n);
         // h = p g (e₁ + e₂ + e₃) + (C ⟨ω, r⟩² - n²/A)/2

@@ -5,7 +5,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::words::{inverse_root_u64, leading, quotient};
 use super::{Exact, Wide};
-use crate::scalar::{Float, Ring, times_power_of_two};
+use crate::scalar::{Float, Ring, ldexp};
 
 impl<const WORDS: usize> Wide<WORDS> {
     /// Difference a - bc with one rounding.
@@ -101,7 +101,7 @@ impl<const WORDS: usize> Float for Wide<WORDS> {
     fn to_f64(self) -> f64 {
         let sticky = self.significand.iter().skip(1).any(|word| *word != 0);
         let size = (leading(&self.significand) | u64::from(sticky)) as f64;
-        let size = times_power_of_two(size, self.exponent - 64);
+        let size = ldexp(size, self.exponent - 64);
         if self.negative { -size } else { size }
     }
 

@@ -24,7 +24,7 @@ impl<const WORDS: usize> Wide<WORDS> {
         Exact::new(words, exponent + 128, negative).rounded()
     }
 
-    fn upper(&self) -> u128 {
+    fn leading_128_bits(&self) -> u128 {
         let mut words = self.significand.iter();
         let mut next = || words.next().map_or(0, |word| u128::from(*word));
         next() << 64 | next()
@@ -33,12 +33,12 @@ impl<const WORDS: usize> Wide<WORDS> {
     /// Number of another width, rounded to the nearest.
     #[inline(never)]
     pub(crate) fn resized<const OTHER: usize>(number: Wide<OTHER>) -> Self {
-        Self::from_integer(number.upper(), number.exponent - 128, number.negative)
+        Self::from_integer(number.leading_128_bits(), number.exponent - 128, number.negative)
     }
 
     /// Phase of this number of turns, modulo 2^32 turns, rounded to the nearest.
     pub fn to_phase(self) -> Phase {
-        let magnitude = self.upper();
+        let magnitude = self.leading_128_bits();
         let bits = match self.exponent - (128 - FRACTION_BITS) {
             128.. => 0,
             shift @ 0.. => magnitude << shift,
@@ -68,7 +68,7 @@ impl<const WORDS: usize> Wide<WORDS> {
 
     /// Floor modulo 2^128, and the remainder in [0, 1).
     pub(crate) fn floor_and_fraction(self) -> (i128, Self) {
-        let (upper, exponent) = (self.upper(), self.exponent);
+        let (upper, exponent) = (self.leading_128_bits(), self.exponent);
         let whole = match 128 - exponent {
             shift @ 0.. => upper.checked_shr(shift as u32),
             shift => upper.checked_shl(shift.unsigned_abs()),

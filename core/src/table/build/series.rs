@@ -8,7 +8,7 @@ use core::ops::Range;
 
 use crate::phase::mantissa_and_exponent;
 use crate::product::product_i32;
-use crate::scalar::{exponent, power_of_two_f32, times_power_of_two};
+use crate::scalar::{exponent, ldexp, power_of_two_f32};
 use crate::table::evaluation::shifted_right;
 
 /// Largest number of terms of a series.
@@ -170,7 +170,7 @@ impl PowerSeries {
 
     /// Product of a factor and the expected magnitude of a coefficient.
     pub(super) fn magnitude_times(&self, factor: f64) -> f64 {
-        times_power_of_two(factor, self.exponent + BITS)
+        ldexp(factor, self.exponent + BITS)
     }
 
     pub(super) fn coefficient(&self, k: usize) -> i64 {
@@ -207,7 +207,7 @@ impl PowerSeries {
         let y = Limbs::new(in_units(y, -(FACTOR_BITS as i32)));
         // beyond the range only where the series does not converge
         let next = |sum, k| scaled_product::<FACTOR_BITS>(y, sum) + term(self.coefficient(k), k);
-        times_power_of_two((1..terms).rev().fold(0, next) as f64, self.exponent)
+        ldexp((1..terms).rev().fold(0, next) as f64, self.exponent)
     }
 
     /// Upper bound on Σ |c| yᵏ at y = `quarters`/4, with `noise` added to the first coefficient.

@@ -102,8 +102,7 @@ mod tests {
             for (number, exact) in omega.into_iter().zip(exact) {
                 // a rotated number may exceed 1 by up to √2
                 assert!(number.unsigned_abs() < 3 << 29, "{case}: {number:?}");
-                worst =
-                    worst.max((f64::from(Q30(number).times_power_of_two(exponent)) - exact).abs() / allowed);
+                worst = worst.max((f64::from(Q30(number).ldexp(exponent)) - exact).abs() / allowed);
             }
         }
         assert!(worst < 1.0 && worst > 0.1, "{worst}");

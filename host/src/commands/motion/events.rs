@@ -159,7 +159,10 @@ mod tests {
             kind("tilt=30:up").map(|kind| (kind.event, kind.upward)),
             Ok((EventKind::Tilt(30_f64.to_radians()), Some(true)))
         );
-        assert_eq!(kind("tip-angle=-90").map(|kind| kind.event), Ok(EventKind::TipAngle(Phase::from_turns(-0.25))));
+        assert_eq!(
+            kind("tip-angle=-90").map(|kind| kind.event),
+            Ok(EventKind::TipAngle(Phase::from_turns(-0.25)))
+        );
         for bad in [
             "",
             "tilt",

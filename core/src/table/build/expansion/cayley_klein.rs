@@ -155,8 +155,10 @@ mod tests {
             let exact = equations(spread, e);
             let rounded: PhaseEquations<f64> = exact.cast();
             for turns in [0.0, 1e-9, 0.1, 0.17, 0.2499, 0.25] {
-                let phases =
-                    PathPhases { chi: Phase::from_turns(turns), residual: [Phase::from_turns(0.3), Phase::from_turns(-0.4)] };
+                let phases = PathPhases {
+                    chi: Phase::from_turns(turns),
+                    residual: [Phase::from_turns(0.3), Phase::from_turns(-0.4)],
+                };
                 let (sine, cosine) = phases.sine_cosine();
                 let rates = exact.rates(sine.into(), cosine.into());
                 let beyond = rounded.rates(sine, cosine);
