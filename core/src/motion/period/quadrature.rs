@@ -124,6 +124,7 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         [time_change / time, if slow > 0.0 { slow_change / slow } else { 0.0 }]
     }
 
+    #[inline(never)]
     fn period(&self, relative_error: f64) -> Period {
         // a node has the weight 2 K over the number of nodes, as both halves are equal
         let weight = self.landen.quarter_period().doubled() / Wide::from(f64::from(self.nodes));
