@@ -4,10 +4,10 @@
 
 // Modules in the order of dependence: each one uses only those above it.
 //
-// `#[inline(never)]` gives a function its own stack frame, which its caller does not keep, or its code only one copy in flash.
+// `#[inline(never)]`: the frame of the function is on the stack only during its call, or its code is in flash only once.
 
 // Numbers.
-mod product;
+mod integer;
 
 mod phase;
 

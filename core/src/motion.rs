@@ -8,13 +8,16 @@ pub(crate) mod cayley_klein;
 
 pub(crate) mod period;
 
+mod launch_rounding;
+
 mod launch;
 
 pub use launch::InitialAngles;
+pub(crate) use launch_rounding::LaunchRounding;
 
 use crate::body::{ScaledTop, Support, Top};
 use crate::complex::Complex;
-use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs, TipClass, normal_force};
+use crate::constants::{BranchPoints, FirstIntegrals, Regime, Signs, TipClass, normal_force};
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::period::{Period, PeriodAdvance};
 use crate::motion::phase_equations::PhaseEquations;

@@ -6,6 +6,7 @@ mod wrapped;
 
 pub(crate) use wrapped::WrappedPhase;
 
+use crate::integer::{ldexp_i128, mantissa_and_exponent};
 use core::ops::{Add, AddAssign, Mul, Neg, Sub};
 
 /// Phase in turns: a signed integer in units of 2^-96.
@@ -157,31 +158,6 @@ impl AddAssign for Phase {
     #[inline]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
-    }
-}
-
-/// Mantissa below 2^53 and exponent of x = mantissa · 2^exponent; 0 if x is not finite.
-pub(crate) fn mantissa_and_exponent(x: f64) -> (i64, i32) {
-    const MANTISSA_BITS: u32 = 52;
-    const BIAS: i32 = 1075; // 1023 + 52
-    let bits = x.to_bits();
-    let fraction = (bits & ((1 << MANTISSA_BITS) - 1)) as i64;
-    let magnitude = ((bits >> MANTISSA_BITS) & 0x7ff) as i32;
-    let (mantissa, exponent) = match magnitude {
-        0 => (fraction, 1 - BIAS),
-        0x7ff => (0, 0),
-        _ => (fraction | (1 << MANTISSA_BITS), magnitude - BIAS),
-    };
-    (if bits >> 63 == 1 { -mantissa } else { mantissa }, exponent)
-}
-
-/// value · 2^shift, rounded to the nearest integer, modulo 2^128.
-pub(crate) fn ldexp_i128(value: i128, shift: i32) -> i128 {
-    match shift {
-        128.. => 0,
-        0.. => value << shift,
-        -126.. => ((value >> (-shift - 1)) + 1) >> 1,
-        _ => 0,
     }
 }
 

@@ -2,8 +2,6 @@
 //!
 //! On the motion, (s/2)(e₄² - u²) u'² = g (u - e₁)(u - e₂)(u - e₃). The differences are computed without cancellation.
 
-pub(super) mod cubic;
-
 mod from_state;
 
 mod integrals;

@@ -8,7 +8,7 @@
 //! minimum ((∛F₊ + ∛F₋)/2e₄)³ at (e₄ - u)/(e₄ + u) = ∛(F₊/F₋).
 
 use crate::constants::BranchPoints;
-use crate::constants::branch_points::cubic::Cubic;
+use crate::constants::cubic::Cubic;
 use crate::scalar::{Extended, Float, Ring};
 
 /// Partial fractions of N; `a_over_ps` is A/(ps) = e₄² - 1.

@@ -8,9 +8,9 @@ use self::half_phase::half_phase_of_angle;
 use self::slow_phases::attitude;
 use crate::body::{ParameterError, ScaledTop, State, Top, check, check_range};
 use crate::complex::Complex;
-use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs};
+use crate::constants::{BranchPoints, FirstIntegrals, Regime, Signs};
 use crate::motion::cayley_klein::Ellipses;
-use crate::motion::{HalfPhase, Motion};
+use crate::motion::{HalfPhase, LaunchRounding, Motion};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 

@@ -1,7 +1,7 @@
 //! Phase without whole turns, the type of a table's phases.
 
 use super::Phase;
-use crate::product::{product_u32, wrapping_product};
+use crate::integer::{product_u32, wrapping_product};
 
 /// Phase in [0, 1) turn in 96 bits. Whole turns are dropped.
 ///

@@ -9,8 +9,8 @@
 //!
 //! The constants are public for an evaluator in another language.
 
+use crate::integer::{high_product, product_32x16, product_32x16_by_constant};
 use crate::phase::Phase;
-use crate::product::{high_product, product_32x16, product_32x16_by_constant};
 use crate::scalar::Extended;
 
 /// Coefficients of S in sin 2πx = x S(x²) for |x| <= 1/8, lowest power first: the Chebyshev interpolant on [0, 1/64]

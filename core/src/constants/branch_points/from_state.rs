@@ -9,9 +9,9 @@
 //! |m|² (1 - e₁)(1 - e₂) = (l - n)²,    |m|² (1 + e₁)(1 + e₂) = (l + n)²
 //! ```
 
-use super::cubic::Cubic;
 use super::{BranchPoints, LARGEST_E3};
 use crate::body::{ParameterError, ScaledTop, State, Top, check};
+use crate::constants::cubic::Cubic;
 use crate::constants::{FirstIntegrals, ReducedPoint};
 use crate::scalar::{Extended, Float, Ring};
 

@@ -144,7 +144,7 @@ mod tests {
     fn samples() -> impl Iterator<Item = f64> {
         let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
         (0..if cfg!(miri) { 100 } else { 20_000 }).map(move |k| {
-            bits = crate::product::next_random(bits);
+            bits = crate::integer::next_random(bits);
             let number = f64::from_bits((bits >> 1) % (0x7fe << 52));
             let number = if k % 3 == 0 { libm::round((bits >> 50) as f64 / 7.0) } else { number };
             let number = if (1e-150..=1e150).contains(&number) { number } else { 0.375 };
@@ -217,7 +217,7 @@ mod tests {
         const LEADING: u64 = 1 << 63;
         let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
         (0..if cfg!(miri) { 100 } else { 50_000 }).map(move |k| {
-            bits = crate::product::next_random(bits);
+            bits = crate::integer::next_random(bits);
             let significand = match k % 5 {
                 0 => u64::MAX - (bits >> 60),
                 1 => LEADING + (bits >> 61),

@@ -1,7 +1,8 @@
 //! Wide numbers from and to `f64`, phases, integers and other widths.
 
 use super::{Exact, Wide};
-use crate::phase::{FRACTION_BITS, Phase, mantissa_and_exponent};
+use crate::integer::mantissa_and_exponent;
+use crate::phase::{FRACTION_BITS, Phase};
 use crate::scalar::{Float, Ring};
 
 impl<const WORDS: usize> Wide<WORDS> {

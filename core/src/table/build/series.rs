@@ -6,8 +6,7 @@ pub(super) mod sine_q57;
 
 use core::ops::Range;
 
-use crate::phase::mantissa_and_exponent;
-use crate::product::product_i32;
+use crate::integer::{mantissa_and_exponent, product_i32};
 use crate::scalar::{exponent, ldexp, power_of_two_f32};
 use crate::table::evaluation::shifted_right;
 
@@ -246,7 +245,7 @@ mod tests {
         let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
         let mut seen = [0; 3];
         for _ in 0..if cfg!(miri) { 300 } else { 100_000 } {
-            bits = crate::product::next_random(bits);
+            bits = crate::integer::next_random(bits);
             let (upper, lower) = (bits as i64 >> (5 + bits % 56), (bits >> 34) as u32);
             let shift = LEAST_SHIFT + (bits >> 40) as i32 % 90;
             let sum = (i128::from(upper) << (2 * LIMB_BITS)) + (i128::from(lower) << LIMB_BITS);

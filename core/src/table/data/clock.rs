@@ -1,7 +1,8 @@
 //! Clock of an ephemeris: the phases at any tick, and at any time between two ticks.
 
 use crate::body::{ParameterError, check};
-use crate::phase::{Phase, WrappedPhase, ldexp_i128, mantissa_and_exponent};
+use crate::integer::{ldexp_i128, mantissa_and_exponent};
+use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
 
 /// Length of a tick, an exact fraction of a second.

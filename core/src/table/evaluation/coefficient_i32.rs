@@ -7,7 +7,7 @@
 //! For the upper half of the powers 16 bits of x are enough: their coefficients are small, as set-up verifies.
 
 use crate::complex::Complex;
-use crate::product::{high_product, high_product_limited, product_32x16};
+use crate::integer::{high_product, high_product_limited, product_32x16};
 use crate::scalar::{Scalar, ldexp, sine_cosine_q26};
 use crate::table::evaluation::q30::Q30;
 use crate::table::evaluation::{

@@ -1,6 +1,6 @@
 //! Angular velocity in integers.
 
-use crate::product::high_product;
+use crate::integer::high_product;
 use crate::table::evaluation::{LEAST_DEPTH, SegmentPoint};
 
 /// Angular velocity Ω over a power of two, in units of 2^-30, with the exponent of that power.
@@ -78,7 +78,7 @@ mod tests {
     fn integers_give_what_floating_point_gives() {
         let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
         let mut random = || {
-            bits = crate::product::next_random(bits);
+            bits = crate::integer::next_random(bits);
             (bits >> 32) as i32
         };
         let mut worst = 0.0_f64;

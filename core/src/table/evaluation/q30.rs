@@ -1,6 +1,6 @@
 //! Numbers in units of 2^-30, the results in `f32` and fixed point.
 
-use crate::product::high_product;
+use crate::integer::high_product;
 use crate::scalar::{Ring, sealed::Sealed};
 use crate::su2::Vector;
 use crate::table::evaluation::integer_omega::omega_body;

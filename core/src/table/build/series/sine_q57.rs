@@ -3,8 +3,8 @@
 //! They take a fifth of the time of those in `f64`, with whose 53 bits a release from rest would not be an event at its tick.
 
 use super::{Limbs, scaled_product};
+use crate::integer::product_i32;
 use crate::phase::Phase;
-use crate::product::product_i32;
 
 /// Fraction bits of [`sine_cosine_q57`].
 pub(crate) const FRACTION: i32 = 57;
