@@ -47,6 +47,7 @@ pub mod table_format {}
 pub mod internal {
     pub use crate::body::{ScaledTop, check, check_finite};
     pub use crate::motion::HalfPhase;
+    pub use crate::motion::cayley_klein::{Ellipse, Ellipses};
     pub use crate::motion::gudermannian::inverse_gudermannian;
 }
 

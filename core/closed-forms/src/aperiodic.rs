@@ -96,8 +96,8 @@ impl Aperiodic {
     /// Closed form of a motion; `None` unless e₂ = e₃ = 1 and u < 1.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let HalfPhase::Aperiodic(direction) = motion.half_phase else { return None };
-        let v = Extended::from(inverse_gudermannian(direction));
+        let HalfPhase::Aperiodic(cis_chi) = motion.half_phase else { return None };
+        let v = Extended::from(inverse_gudermannian(cis_chi));
         let (e, ScaledTop { a, p, s, g, .. }) = (motion.e, ScaledTop::<Extended>::new(motion.top()));
         let one_minus_e1 = e.one_minus_e1();
         let constants =

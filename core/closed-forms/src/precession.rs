@@ -56,7 +56,8 @@ impl RegularPrecession {
         if matches!(regime, Regime::Nutating | Regime::Aperiodic) || motion.top().is_torque_free() {
             return None;
         }
-        let (e, ScaledTop { a, s, p, g, .. }) = (motion.e, ScaledTop::<Extended>::new(motion.top()));
+        let (e, top) = (motion.e, ScaledTop::<Extended>::new(motion.top()));
+        let ScaledTop { a, p, g, .. } = top;
         let falls = regime == Regime::SleepingUnstable;
         let (zero, one) = (Extended::ZERO, Extended::ONE);
         let swing = e.e2_minus_e1.halved();
@@ -73,7 +74,7 @@ impl RegularPrecession {
             // 4 A p g - n² = 2 A p g (1 - e₁)
             Stability::Unstable { growth_rate: (p * g * e.one_minus_e1() / a).halved().sqrt().to_f64() }
         } else if e.e3_minus_e2 > zero {
-            let d = a / p + s * one_minus_u * one_plus_u;
+            let d = top.d(one_minus_u * one_plus_u);
             Stability::Stable { frequency: (g.doubled() * e.e3_minus_e2 / d).sqrt().to_f64() }
         } else {
             Stability::Marginal

@@ -1,6 +1,6 @@
 //! Parameters of a top, and their allowed ranges.
 
-use super::{ParameterError, Support, Top, check, check_finite, check_range};
+use super::{ParameterError, ScaledTop, Support, Top, check, check_finite, check_range};
 use crate::scalar::{Extended, Float, Ring};
 
 /// Parameters of a top, in SI or other consistent units.
@@ -97,8 +97,8 @@ impl Top {
         check_range(
             1e-6..=1e30,
             "transverse_inertia",
-            top.a / (top.mass_moment() * s),
-            "between 1e-6 (a body that is all but a point) and 1e30 times mass_moment x com_height",
+            ScaledTop::<f64>::new(&top).a_over_ps(),
+            "between 1e-6 and 1e30 times mass_moment x com_height",
         )?;
         Ok(top)
     }

@@ -37,6 +37,16 @@ impl<F: Float> ScaledTop<F> {
         if self.g > F::ZERO { self.p * self.g } else { F::ONE }
     }
 
+    /// Length D(u) = A/p + s (1 - u²), from 1 - u².
+    pub fn d(&self, sine_squared: F) -> F {
+        self.a / self.p + self.s * sine_squared
+    }
+
+    /// Quotient A/(ps) = e₄² - 1.
+    pub fn a_over_ps(&self) -> F {
+        self.a / (self.p * self.s)
+    }
+
     /// Factor κ = 1/(2 A p g), which makes κ l² dimensionless.
     pub(crate) fn kappa(&self) -> F {
         F::ONE / (self.a * self.p * self.g).doubled()

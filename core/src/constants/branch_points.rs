@@ -68,8 +68,8 @@ impl BranchPoints<Extended> {
 impl Top {
     /// Branch point e₄ = √(1 + A/(ps)) (equation (3.5)), which u never reaches; `None` unless the tip slides.
     pub fn e4(&self) -> Option<f64> {
-        let ScaledTop { a, s, p, .. } = ScaledTop::<Extended>::new(self);
-        (self.com_height() > 0.0).then(|| (Extended::ONE + a / (p * s)).sqrt().to_f64())
+        let e4 = || (Extended::ONE + ScaledTop::<Extended>::new(self).a_over_ps()).sqrt();
+        (self.com_height() > 0.0).then(|| e4().to_f64())
     }
 }
 

@@ -65,8 +65,8 @@ impl Level {
         if motion.top().support() != Support::Sliding || motion.is_steady() {
             return None;
         }
-        let (e, ScaledTop { a, p, s, .. }) = (&motion.e, ScaledTop::<Extended>::new(motion.top()));
-        let [one_plus_u, one_minus_u] = normal_force::sign_change(e, a / (p * s))?;
+        let (e, top) = (&motion.e, ScaledTop::<Extended>::new(motion.top()));
+        let [one_plus_u, one_minus_u] = normal_force::sign_change(e, top.a_over_ps())?;
         let reached = one_minus_u > e.one_minus_e2 && one_plus_u > e.one_plus_e1;
         reached.then_some(Self { one_minus_u: one_minus_u.to_f64(), one_plus_u: one_plus_u.to_f64() })
     }

@@ -68,6 +68,7 @@ impl Motion {
         pause();
         motion.rounding = LaunchRounding::new(top, &integrals, &point, e, state);
         pause();
+        motion.set_torque_free_rate(&point);
         motion.start_half_phase(&point);
         pause();
         motion.start_slow_phases(&attitude(state), pause);
@@ -115,7 +116,7 @@ impl Motion {
             HalfPhase::Nutating(_) => HalfPhase::Nutating(chi),
             HalfPhase::Aperiodic(_) => HalfPhase::Aperiodic(Complex::cis(chi)),
         };
-        let arguments = motion.ellipses.arguments(motion.direction());
+        let arguments = motion.ellipses.arguments(motion.cis_chi());
         for (phase, argument) in motion.slow_phases.iter_mut().zip(arguments) {
             *phase = *phase - argument;
         }
@@ -143,7 +144,7 @@ impl Motion {
             e: *e,
             integrals: *integrals,
             half_tau: ((a - c) / a * integrals.spin - k / a).halved(),
-            ellipses: Ellipses::oscillating(e, signs),
+            ellipses: Ellipses::oscillating(e, signs, Extended::to_f64),
             regime,
             half_phase: match regime {
                 _ if is_steady => HalfPhase::Steady,

@@ -176,9 +176,8 @@ impl LowerBranchPoints {
         let (limit, spin_energy) = (Extended::from(LARGEST_E3), kappa * n.squared());
         require_limited_e3(spin_energy < limit && axis_energy < limit)?;
         let sine_squared = one_minus_u * one_plus_u;
-        let d_of_u = top.a / top.p + top.s * sine_squared;
         let cubic = Cubic {
-            g0: d_of_u * udot.squared() / top.g.doubled(),
+            g0: top.d(sine_squared) * udot.squared() / top.g.doubled(),
             g1: -(u * axis_energy).doubled() - sine_squared
                 + (kappa * n * point.l_minus_nu(integrals)).doubled(),
             g2: u.doubled() - axis_energy - spin_energy,
