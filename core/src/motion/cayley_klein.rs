@@ -103,7 +103,6 @@ impl<R: Ring> Ellipse<R> {
 
 impl<F: Float> Ellipse<F> {
     /// Multiple of e^{iλ}, for the slow phase λ by least squares from the parameter z, its rate, and the rates of χ and λ.
-    #[inline(never)]
     pub fn slow_phase(
         &self,
         cis_chi: Complex<F>,

@@ -29,7 +29,7 @@ use crate::table::read::sample::Sample;
 /// for _ in 0..4 {
 ///     let _orientation = cursor.next(table).orientation(); // ticks 0 to 3
 /// }
-/// # let struck = table.at_tick(3).attitude_state().state()?.with_impulse(&top, [0.0, 1e-3, 0.0], [0.03, 0.0, 0.03])?;
+/// # let struck = State::from_attitude(&table.at_tick(3).attitude_state())?.with_impulse(&top, [0.0, 1e-3, 0.0], [0.03, 0.0, 0.03])?;
 /// # let struck = Motion::launch(&top, &struck)?;
 /// table = second.set_up(&mut set_up, &struck, tick, 3, &mut || {})?; // launched at tick 3
 /// cursor = table.cursor(cursor.tick() + 1);
