@@ -1,7 +1,7 @@
 //! Events: instants at which a motion turns, reaches a tilt, a circle or a tip angle, or lifts off.
 //!
-//! u reaches a value at one nutation phase while it rises, found by bisection, and at the mirrored phase while it falls. The tip angle is bisected
-//! in time.
+//! u has a value at one nutation phase while it rises, found by bisection, and at minus that phase while it falls. A tip angle is found by
+//! bisection in time.
 
 mod level;
 

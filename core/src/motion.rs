@@ -50,8 +50,9 @@ pub struct Motion {
     torque_free_rate: Extended,
 }
 
-/// Half phase χ of the nutation. In an aperiodic motion it is kept with full relative precision near the vertical: in a motion as
-/// e^{iχ}, in a stepper as a sum.
+/// Half phase χ of the nutation.
+///
+/// V is its form in an aperiodic motion, where χ tends to a quarter turn: e^{iχ} in a `Motion`, v in a `Stepper`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HalfPhase<V = Complex<f64>> {
     /// None: u and the rates of the slow phases are constant.

@@ -161,7 +161,7 @@ impl SteadyPrecession {
     /// ```
     /// use toytop::{Top, TopParameters};
     /// use toytop_closed_forms::SteadyPrecession;
-    /// let top = Top::sliding(&TopParameters { transverse_inertia: 3.0e-5, axial_inertia: 2.0e-5, com_height: 0.03, mass: 0.05, gravity: 9.81, ..TopParameters::default() })?;
+    /// let top = Top::sliding(&TopParameters::TOY)?;
     /// let SteadyPrecession::Two { slow, fast } = SteadyPrecession::new(&top, 0.5, 150.0)? else { panic!() };
     /// assert!(slow > 5.0 && slow < 9.0 && fast > 90.0);
     /// let SteadyPrecession::None { least_spin } = SteadyPrecession::new(&top, 0.5, 50.0)? else { panic!() };

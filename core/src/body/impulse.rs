@@ -12,7 +12,9 @@
 //! R = (p ⟨d × J, q⟩ - A J₃) / (A + p s |q|²)
 //! ```
 //!
-//! *Fixed tip, free body.* s = 0, and d is from the point of A and C. K does not change. A rod (C = 0) gets no axial rate.
+//! *Fixed tip, free body.* s = 0, and d is from the point of A and C.
+//!
+//! K is kept. A rod (C = 0) gets no axial rate.
 
 use super::state::GREATEST_RATE;
 use super::{ParameterError, State, Support, Top, check, check_range};

@@ -9,10 +9,10 @@ mod integrals;
 use crate::body::{ParameterError, ScaledTop, Top, check_range};
 use crate::scalar::{Extended, Float, Ring};
 
-/// Branch points and their differences; none has a unit.
+/// Branch points and their differences; none has a unit. A field that is changed by itself contradicts the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive] // a literal could contradict its differences
+#[non_exhaustive]
 pub struct BranchPoints<F = f64> {
     /// Least u of the motion, e₁ >= -1.
     pub e1: F,

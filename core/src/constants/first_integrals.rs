@@ -48,10 +48,10 @@ pub struct Signs {
     pub l_minus_n: Sign,
 }
 
-/// First integrals: two components of the angular momentum, and the energy.
+/// First integrals: two components of the angular momentum, and the energy. A field that is changed by itself contradicts the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive] // a literal could contradict its sums
+#[non_exhaustive]
 pub struct FirstIntegrals<F = f64> {
     /// Vertical angular momentum l = ⟨m, k⟩, kg m²/s.
     pub l: F,

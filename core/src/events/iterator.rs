@@ -14,7 +14,7 @@ pub struct Events<'a, R: EphemerisScalar> {
     view: &'a EphemerisView<R>,
     /// Instants of the events, or of the ends of monotone pieces.
     instants: RecurringInstants,
-    /// Tip angle that is searched, modulo a turn.
+    /// Tip angle that is searched, modulo a turn. `None`: the instants themselves are the events.
     target: Option<Phase>,
     /// First instant that counts, in ticks.
     from: Extended,
@@ -40,7 +40,7 @@ impl<R: EphemerisScalar> Iterator for Events<'_, R> {
 const START_TOLERANCE: Phase = Phase::from_bits(1 << 48);
 /// Number of consecutive pieces that contain a whole period.
 const PIECES_OF_A_PERIOD: usize = 5;
-/// Greatest number of skips. A skip leaves two periods and 1e-9 of the rest, so that three skips pass 2^63 ticks.
+/// Greatest number of skips. A skip leaves a billionth of the way; 2^63 ticks take at most three. The others are for roundings.
 const MOST_SKIPS: usize = 8;
 
 impl<R: EphemerisScalar> EphemerisView<R> {

@@ -14,12 +14,13 @@ use crate::motion::{HalfPhase, LaunchRounding, Motion};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 
-/// Phases at t = 0 of a motion given by branch points. All are in rad, and 0 by default.
+/// Angles at t = 0 of a motion given by branch points, in rad; 0 by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InitialAngles {
-    /// Nutation angle θ(0) = 2χ(0): 0 at u = e₁, π at u = e₂, with u rising in between. The `f64` nearest to a multiple of π counts as it. θ = π with
-    /// e₂ = e₃ = 1 means the sleeping top.
+    /// Nutation angle θ(0) = 2χ(0): 0 at u = e₁, π at u = e₂, with u rising in between.
+    ///
+    /// The `f64` nearest to a multiple of π counts as that multiple. With e₂ = e₃ = 1, θ = π is the upright top, u = 1.
     pub theta: f64,
     /// Argument of α(0); where α(0) = 0, that of α'(0).
     pub arg_alpha: f64,

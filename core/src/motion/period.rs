@@ -15,9 +15,9 @@ use crate::scalar::{Extended, Float, Ring};
 pub struct PeriodAdvance {
     /// Period T: time from u = e₁ to e₂ and back to e₁, in the unit of time (s).
     pub period: f64,
-    /// Advance (arg α(t+T) - arg α(t))/2π; for e₁ = -1 of α with a signed modulus.
+    /// Advance (arg α(t+T) - arg α(t))/2π; if e₁ = -1, of α/±|α|, which does not jump.
     pub alpha_turns: f64,
-    /// Advance (arg β(t+T) - arg β(t))/2π; for e₂ = 1 of β with a signed modulus.
+    /// Advance (arg β(t+T) - arg β(t))/2π; if e₂ = 1, of β/±|β|, which does not jump.
     pub beta_turns: f64,
     /// Advance of the tip angle φ over a period, rad; through the centre with a signed radius.
     pub phi_radians: f64,

@@ -71,8 +71,9 @@ impl WrappedPhase {
         Self::new([low, sum as u32, (sum >> 32) as u32])
     }
 
-    /// 64 leading bits of the product with n + part · 2^-64. The part multiplies the phase in [-1/2, 1/2) turn. The result is rounded down, to within
-    /// 2^-95 turns.
+    /// 64 leading bits of the step after n + part · 2^-64 ticks. The step counts as less than half a turn.
+    ///
+    /// Rounded down; error below 2^-95 turns.
     #[inline(always)]
     pub(crate) const fn leading_bits_after(self, n: u64, part: u64) -> u64 {
         let ([low, ..], leading) = (self.words, self.leading_bits());

@@ -18,7 +18,7 @@ macro_rules! fixed_scalar {
             const ZERO: Self = Self::ZERO;
             const ONE: Self = Self::ONE;
 
-            /// Sum x + x. It wraps only for numbers that no motion has.
+            /// Sum x + x. No motion has numbers for which it wraps.
             #[inline(always)]
             fn doubled(self) -> Self {
                 self.wrapping_add(self)

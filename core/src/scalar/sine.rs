@@ -7,7 +7,8 @@
 //! | `sine_cosine_f64` | phase of 64 bits | `f64` |
 //! | `sine_cosine_q31`, `q26`, `q15` | phase of 32 bits | integers, from 512 points of the circle (2.5 KiB of flash) |
 //!
-//! The constants are public for an evaluator in another language.
+//! `host` writes the constants into tables for C. A set-up has sines of 57 bits of its own, and `Orientation::exp`, whose angle may be of any
+//! size, libm's.
 
 use crate::integer::{high_product, product_32x16, product_32x16_by_constant};
 use crate::phase::Phase;

@@ -1,6 +1,6 @@
 //! Floating-point numbers of one or two words of 64 bits, in integers.
 //!
-//! In 128 bits the small differences of a launch keep their digits. An exact product has twice as many words.
+//! In 128 bits the small differences of a launch keep their digits.
 
 mod words;
 

@@ -65,7 +65,7 @@ fn the_tip_angle_counts_whole_turns() {
                     let direction = Complex::<f64>::cis(angle);
                     let across = tip.im * direction.re - tip.re * direction.im;
                     assert!(across.abs() < 1e-13 * (1.0 + com_height), "{com_height} {e1} {t}: {across:e}");
-                    turns = turns.max(angle.to_f64().abs());
+                    turns = turns.max(angle.to_turns().abs());
                 }
             }
         }

@@ -1,6 +1,6 @@
 //! Branch points of the motion through a point (u, u') of the reduced curve, without cancellation:
 //!
-//! * With torque, e₁ - u and e₂ - u have opposite signs, which gives e₂ - e₁. So do 1 - e₂ and 1 - e₃, which gives e₃ - e₂.
+//! * With torque, e₁ - u <= 0 <= e₂ - u, so that their difference has no cancellation; likewise 1 - e₂ and 1 - e₃.
 //! * With torque and an upright axis at rest, 1 is a double root, and the third root decides whether the top sleeps.
 //! * Without torque e₃ is infinite, and the axis turns about the constant angular momentum m:
 //!
@@ -95,14 +95,14 @@ impl BranchPoints<Extended> {
         Self::from_differences(one_plus_e1, one_minus_e2, e2_minus_e1, infinite)
     }
 
-    /// Branch points of an upright axis at rest. The third root n²/(2 A p g) - 1 is at least 1 for a sleeping top. n² - 4 A p g is rounded once,
-    /// so that it is exactly 0 on the border.
+    /// Branch points of an upright axis at rest. The third root n²/(2 A p g) - 1 is at least 1 for a sleeping top.
     #[inline(never)]
     fn upright(
         &ScaledTop { a, p, g, .. }: &ScaledTop<Extended>,
         n: Extended,
     ) -> Result<Self, ParameterError> {
         let (zero, two, scale) = (Extended::ZERO, Extended::ONE.doubled(), (a * p * g).doubled());
+        // n² - 4 A p g is rounded once, so that it is exactly 0 on the border
         let third_minus_one =
             Extended::difference_of_products([n, n], [(a * g).doubled().doubled(), p]) / scale;
         require_limited_e3(third_minus_one <= LARGEST_E3.into())?;

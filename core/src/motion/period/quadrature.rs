@@ -1,6 +1,4 @@
-//! Trapezoid rule over a nutation period, in the argument of [`EllipticEquations`].
-//!
-//! It converges geometrically, at a known rate.
+//! Trapezoid rule over a nutation period, in the argument of [`EllipticEquations`], where it converges geometrically at a known rate.
 
 use super::Period;
 use super::elliptic_equations::EllipticEquations;

@@ -12,13 +12,7 @@ use crate::table::read::sample::Sample;
 ///
 /// ```
 /// # use toytop::{EphemerisF32, EphemerisMemory, Motion, Release, SetUp, State, Tick, Top, TopParameters};
-/// # let top = Top::sliding(&TopParameters {
-/// #     transverse_inertia: 3.0e-5,
-/// #     axial_inertia: 2.0e-5,
-/// #     com_height: 0.03,
-/// #     mass: 0.05,
-/// #     ..TopParameters::default()
-/// # })?;
+/// # let top = Top::sliding(&TopParameters::TOY)?;
 /// # let tick = Tick::hertz(1000)?;
 /// # let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
 /// # let motion = Motion::launch(&top, &state)?;
