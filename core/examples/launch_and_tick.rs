@@ -5,15 +5,7 @@
 use toytop::{EphemerisF32, Motion, Pose, Release, State, Tick, Top, TopParameters};
 
 fn main() -> Result<(), Box<dyn core::error::Error>> {
-    // SI units: A and C [kg m²], s [m], M [kg], g [m/s²].
-    let top = Top::sliding(&TopParameters {
-        transverse_inertia: 3.0e-5,
-        axial_inertia: 2.0e-5,
-        com_height: 0.03,
-        mass: 0.05,
-        gravity: 9.81,
-        ..TopParameters::default()
-    })?;
+    let top = Top::sliding(&TopParameters::TOY)?;
     // The axis leans by 0.35 rad and rests; the body turns about its axis at 150 rad/s.
     let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
     let motion = Motion::launch(&top, &state)?;

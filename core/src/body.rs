@@ -4,9 +4,9 @@ mod error;
 
 mod top;
 
-mod parameters;
-
 mod scaled_top;
+
+mod parameters;
 
 mod state;
 

@@ -3,16 +3,15 @@
 
 mod first_integrals;
 
+mod cubic;
+
 mod branch_points;
 
 mod regime;
-
-mod launch_rounding;
 
 pub(crate) mod normal_force;
 
 pub use branch_points::BranchPoints;
 pub(crate) use first_integrals::ReducedPoint;
 pub use first_integrals::{FirstIntegrals, Sign, Signs};
-pub(crate) use launch_rounding::LaunchRounding;
 pub use regime::{Regime, TipClass};

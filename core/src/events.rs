@@ -1,7 +1,7 @@
 //! Events: instants at which a motion turns, reaches a tilt, a circle or a tip angle, or lifts off.
 //!
-//! u reaches a value at one nutation phase while it rises, found by bisection, and at the mirrored phase while it falls. The tip angle is bisected
-//! in time.
+//! u has a value at one nutation phase while it rises, found by bisection, and at minus that phase while it falls. A tip angle is found by
+//! bisection in time.
 
 mod level;
 
@@ -62,7 +62,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 }
 
 /// Leading 64 bits of the last nutation phase while u rises.
-const HALF_PERIOD: u64 = u64::MAX >> 1;
+const LAST_RISING: u64 = u64::MAX >> 1;
 
 /// Sample at the 64 leading bits of a nutation phase, with slow phases 0.
 fn at_phase<R: EphemerisScalar>(ephemeris: &EphemerisView<R>, nutation: u64) -> Sample<'_, R> {
@@ -71,7 +71,7 @@ fn at_phase<R: EphemerisScalar>(ephemeris: &EphemerisView<R>, nutation: u64) -> 
 
 /// Nutation phase from which on a condition holds while u rises. Cost: 63 evaluations.
 fn bisect(holds: impl Fn(u64) -> bool) -> Phase {
-    let (mut low, mut high) = (0, HALF_PERIOD);
+    let (mut low, mut high) = (0, LAST_RISING);
     while high - low > 1 {
         let middle = low + (high - low) / 2;
         if holds(middle) { high = middle } else { low = middle }

@@ -4,10 +4,10 @@
 
 // Modules in the order of dependence: each one uses only those above it.
 //
-// `#[inline(never)]` gives a function its own stack frame, which its caller does not keep, or its code only one copy in flash.
+// `#[inline(never)]`: the frame of the function is on the stack only during its call, or its code is in flash only once.
 
 // Numbers.
-mod product;
+mod integer;
 
 mod phase;
 
@@ -47,6 +47,7 @@ pub mod table_format {}
 pub mod internal {
     pub use crate::body::{ScaledTop, check, check_finite};
     pub use crate::motion::HalfPhase;
+    pub use crate::motion::cayley_klein::{Ellipse, Ellipses};
     pub use crate::motion::gudermannian::inverse_gudermannian;
 }
 
@@ -57,7 +58,7 @@ pub use events::{Event, Events, Level};
 #[cfg(feature = "fixed")]
 pub use fixed;
 pub use motion::period::PeriodAdvance;
-pub use motion::{InitialPhases, Motion};
+pub use motion::{InitialAngles, Motion};
 pub use phase::Phase;
 pub use stepper::Stepper;
 pub use su2::{AttitudeState, Orientation};
@@ -90,7 +91,7 @@ mod tests {
     fn firmware_may_log_everything() {
         fn logged<T: defmt::Format>() {}
         logged::<(Complex<f32>, scalar::Extended, Orientation<f32>, su2::OrientationRate<f64>, Phase)>();
-        logged::<(ParameterError, Support, Top, TopParameters, Release, InitialPhases, State)>();
+        logged::<(ParameterError, Support, Top, TopParameters, Release, InitialAngles, State)>();
         logged::<(BranchPoints, FirstIntegrals, PeriodAdvance, Regime, TipClass)>();
         logged::<(Motion, Sign, Signs)>();
         logged::<(EphemerisF32, EphemerisF64, ErrorBound, SetUpError, Tick, Event, Level)>();

@@ -8,13 +8,16 @@ pub(crate) mod cayley_klein;
 
 pub(crate) mod period;
 
+mod launch_rounding;
+
 mod launch;
 
-pub use launch::InitialPhases;
+pub use launch::InitialAngles;
+pub(crate) use launch_rounding::LaunchRounding;
 
 use crate::body::{ScaledTop, Support, Top};
 use crate::complex::Complex;
-use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs, TipClass, normal_force};
+use crate::constants::{BranchPoints, FirstIntegrals, Regime, Signs, TipClass, normal_force};
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::period::{Period, PeriodAdvance};
 use crate::motion::phase_equations::PhaseEquations;
@@ -47,8 +50,9 @@ pub struct Motion {
     torque_free_rate: Extended,
 }
 
-/// Half phase χ of the nutation. In an aperiodic motion it is kept with full relative precision near the vertical: in a motion as
-/// e^{iχ}, in a stepper as a sum.
+/// Half phase χ of the nutation.
+///
+/// V is its form in an aperiodic motion, where χ tends to a quarter turn: e^{iχ} in a `Motion`, v in a `Stepper`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HalfPhase<V = Complex<f64>> {
     /// None: u and the rates of the slow phases are constant.
@@ -61,11 +65,11 @@ pub enum HalfPhase<V = Complex<f64>> {
 
 impl<V> HalfPhase<V> {
     /// Number e^{iχ}, by a function for an aperiodic motion; 1 for a steady one.
-    pub(crate) fn direction<R: Real>(self, aperiodic: fn(V) -> Complex<R>) -> Complex<R> {
+    pub(crate) fn cis_chi<R: Real>(self, aperiodic: fn(V) -> Complex<R>) -> Complex<R> {
         match self {
             Self::Steady => Complex::ONE,
             Self::Nutating(chi) => Complex::cis(chi),
-            Self::Aperiodic(chi) => aperiodic(chi),
+            Self::Aperiodic(value) => aperiodic(value),
         }
     }
 }
@@ -111,7 +115,7 @@ impl Motion {
     ///
     /// Cost: one integration.
     pub fn period_advance(&self) -> Option<PeriodAdvance> {
-        let windings = Ellipses::oscillating(&self.e, self.signs).windings();
+        let windings = Ellipses::oscillating(&self.e, self.signs, Extended::to_f64).windings();
         let period = self.period::<2>(&self.equations(), &mut || {})?;
         Some(PeriodAdvance::new(&period, self.half_tau, windings))
     }
@@ -137,20 +141,20 @@ impl Motion {
     }
 
     /// Number e^{iχ} at t = 0.
-    pub(crate) fn direction(&self) -> Complex<f64> {
-        self.half_phase.direction(|direction| direction)
+    pub(crate) fn cis_chi(&self) -> Complex<f64> {
+        self.half_phase.cis_chi(|cis_chi| cis_chi)
     }
 
     /// Tip angle at t = 0, in (-1/2, 1/2] turn.
     pub(crate) fn tip_angle_at_start(&self) -> Phase {
-        self.ellipses.tip_angle(self.direction(), self.slow_phases)
+        self.ellipses.tip_angle(self.cis_chi(), self.slow_phases)
     }
 
     /// Least normal force over the weight; `None` unless the tip slides. Where it is negative, a real top leaves the plane.
     pub fn min_normal_force(&self) -> Option<f64> {
         (self.top.support() == Support::Sliding).then(|| {
-            let ScaledTop { a, p, s, .. } = ScaledTop::<Extended>::new(&self.top);
-            if self.is_steady() { 1.0 } else { normal_force::minimum(&self.e, a / p / s) }
+            let a_over_ps = ScaledTop::<Extended>::new(&self.top).a_over_ps();
+            if self.is_steady() { 1.0 } else { normal_force::minimum(&self.e, a_over_ps) }
         })
     }
 

@@ -6,6 +6,7 @@ mod wrapped;
 
 pub(crate) use wrapped::WrappedPhase;
 
+use crate::integer::{ldexp_i128, mantissa_and_exponent};
 use core::ops::{Add, AddAssign, Mul, Neg, Sub};
 
 /// Phase in turns: a signed integer in units of 2^-96.
@@ -27,17 +28,17 @@ impl Phase {
     /// Half a turn, π rad.
     pub const HALF: Self = Self(1 << (FRACTION_BITS - 1));
     /// One turn, 2π rad.
-    pub const ONE: Self = Self(1 << FRACTION_BITS);
+    pub const TURN: Self = Self(1 << FRACTION_BITS);
 
     /// Phase from a number of turns, modulo 2^32 turns; 0 if it is not finite.
-    pub fn new(turns: f64) -> Self {
+    pub fn from_turns(turns: f64) -> Self {
         let (mantissa, exponent) = mantissa_and_exponent(turns);
-        Self(times_power_of_two_i128(mantissa.into(), exponent + FRACTION_BITS))
+        Self(ldexp_i128(mantissa.into(), exponent + FRACTION_BITS))
     }
 
     /// Phase of an angle in radians, to 2^-52; 0 if it is not finite.
     pub fn from_radians(angle: f64) -> Self {
-        Self::new(angle * (0.5 * core::f64::consts::FRAC_1_PI))
+        Self::from_turns(angle * (0.5 * core::f64::consts::FRAC_1_PI))
     }
 
     /// Phase of bits · 2^-96 turns.
@@ -68,13 +69,13 @@ impl Phase {
     }
 
     /// Number of turns, to 2^-53.
-    pub fn to_f64(self) -> f64 {
+    pub fn to_turns(self) -> f64 {
         self.0 as f64 * Self::RESOLUTION
     }
 
     /// Angle in radians, to 2^-52.
     pub fn to_radians(self) -> f64 {
-        self.to_f64() * (2.0 * core::f64::consts::PI)
+        self.to_turns() * (2.0 * core::f64::consts::PI)
     }
 
     /// Phase of the same direction in (-1/2, 1/2] turn.
@@ -116,7 +117,7 @@ impl Phase {
 #[cfg(feature = "defmt")]
 impl defmt::Format for Phase {
     fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{=f64} turns", self.to_f64());
+        defmt::write!(f, "{=f64} turns", self.to_turns());
     }
 }
 
@@ -160,31 +161,6 @@ impl AddAssign for Phase {
     }
 }
 
-/// Mantissa below 2^53 and exponent of x = mantissa · 2^exponent; 0 if x is not finite.
-pub(crate) fn mantissa_and_exponent(x: f64) -> (i64, i32) {
-    const MANTISSA_BITS: u32 = 52;
-    const BIAS: i32 = 1075; // 1023 + 52
-    let bits = x.to_bits();
-    let fraction = (bits & ((1 << MANTISSA_BITS) - 1)) as i64;
-    let magnitude = ((bits >> MANTISSA_BITS) & 0x7ff) as i32;
-    let (mantissa, exponent) = match magnitude {
-        0 => (fraction, 1 - BIAS),
-        0x7ff => (0, 0),
-        _ => (fraction | (1 << MANTISSA_BITS), magnitude - BIAS),
-    };
-    (if bits >> 63 == 1 { -mantissa } else { mantissa }, exponent)
-}
-
-/// value · 2^shift, rounded to the nearest integer, modulo 2^128.
-pub(crate) fn times_power_of_two_i128(value: i128, shift: i32) -> i128 {
-    match shift {
-        128.. => 0,
-        0.. => value << shift,
-        -126.. => ((value >> (-shift - 1)) + 1) >> 1,
-        _ => 0,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -192,11 +168,11 @@ mod tests {
     #[test]
     fn conversion_is_exact() {
         for x in [0.0, 0.25, -0.75, 1e-9, 123.456, -2e9, 1.0 / (1_u128 << 90) as f64] {
-            assert_eq!(Phase::new(x).to_f64(), x);
+            assert_eq!(Phase::from_turns(x).to_turns(), x);
         }
-        assert_eq!(Phase::new(f64::NAN), Phase::ZERO);
-        assert_eq!(Phase::new(f64::INFINITY), Phase::ZERO);
-        assert_eq!(Phase::new(0.5), Phase::HALF);
+        assert_eq!(Phase::from_turns(f64::NAN), Phase::ZERO);
+        assert_eq!(Phase::from_turns(f64::INFINITY), Phase::ZERO);
+        assert_eq!(Phase::from_turns(0.5), Phase::HALF);
     }
 
     #[test]
@@ -213,15 +189,15 @@ mod tests {
         for (units, rounded) in
             [(0.25, 0), (0.5, 1), (0.75, 1), (1.25, 1), (1.5, 2), (-0.5, 0), (-0.75, -1), (-1.25, -1)]
         {
-            assert_eq!(Phase::new(units / (1_u128 << 96) as f64).to_bits(), rounded, "{units}");
+            assert_eq!(Phase::from_turns(units / (1_u128 << 96) as f64).to_bits(), rounded, "{units}");
         }
-        assert_eq!([1, 1 << 51].map(|bits| Phase::new(f64::from_bits(bits))), [Phase::ZERO; 2]);
+        assert_eq!([1, 1 << 51].map(|bits| Phase::from_turns(f64::from_bits(bits))), [Phase::ZERO; 2]);
     }
 
     #[test]
     fn the_principal_value_is_within_half_a_turn() {
-        assert_eq!(Phase::new(7.25).principal(), Phase::QUARTER);
-        assert_eq!(Phase::new(-0.5).principal(), Phase::HALF);
-        assert_eq!(Phase::new(-3.25).principal().to_f64(), -0.25);
+        assert_eq!(Phase::from_turns(7.25).principal(), Phase::QUARTER);
+        assert_eq!(Phase::from_turns(-0.5).principal(), Phase::HALF);
+        assert_eq!(Phase::from_turns(-3.25).principal().to_turns(), -0.25);
     }
 }

@@ -19,7 +19,7 @@ pub mod sine;
 #[cfg(feature = "fixed")]
 mod fixed_point;
 
-pub(crate) use power_of_two::{exponent, power_of_two, power_of_two_f32, times_power_of_two, u64_to_f32};
+pub(crate) use power_of_two::{exponent, ldexp, power_of_two, power_of_two_f32, u64_to_f32};
 #[cfg(feature = "fixed")]
 pub(crate) use sine::sine_cosine_q15;
 pub(crate) use sine::{

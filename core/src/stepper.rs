@@ -19,7 +19,8 @@ use crate::su2::{AttitudeState, Orientation};
 pub struct Stepper<R> {
     ellipses: Ellipses<R>,
     equations: PhaseEquations<R>,
-    half_phase: HalfPhase<AperiodicVariable<R>>,
+    /// Half phase; in an aperiodic motion v, and the rounding error of the last addition to it.
+    half_phase: HalfPhase<[R; 2]>,
     slow_phases: [Phase; 2],
     /// Constant parts of the rates of the slow phases, in turns/s and rad/s.
     constant_rates: [(Extended, R); 2],
@@ -29,14 +30,6 @@ pub struct Stepper<R> {
     momentum_rates: [R; 2],
     /// Difference of φ and the continued arg α + arg β; `None` where φ does not exist.
     phi_origin: Option<Phase>,
-}
-
-/// Variable v of an aperiodic motion, with χ = gd v (Gudermannian).
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct AperiodicVariable<R> {
-    v: R,
-    /// Rounding error of the last addition to v.
-    rounding: R,
 }
 
 impl<R: Real> Stepper<R> {
@@ -53,13 +46,10 @@ impl<R: Real> Stepper<R> {
             half_phase: match motion.half_phase {
                 HalfPhase::Steady => HalfPhase::Steady,
                 HalfPhase::Nutating(chi) => HalfPhase::Nutating(chi),
-                HalfPhase::Aperiodic(direction) => {
-                    let unrounded = inverse_gudermannian(direction);
+                HalfPhase::Aperiodic(cis_chi) => {
+                    let unrounded = inverse_gudermannian(cis_chi);
                     let v = R::from_f64(unrounded);
-                    HalfPhase::Aperiodic(AperiodicVariable {
-                        v,
-                        rounding: R::from_f64(unrounded - v.to_f64()),
-                    })
+                    HalfPhase::Aperiodic([v, R::from_f64(unrounded - v.to_f64())])
                 }
             },
             slow_phases: motion.slow_phases,
@@ -70,7 +60,7 @@ impl<R: Real> Stepper<R> {
             phi_origin: None,
         };
         if !motion.regime().is_vertical() {
-            let at_start = stepper.ellipses.tip_angle(stepper.direction(), stepper.slow_phases);
+            let at_start = stepper.ellipses.tip_angle(stepper.cis_chi(), stepper.slow_phases);
             stepper.phi_origin = Some(at_start - stepper.continued_phi());
         }
         stepper
@@ -88,20 +78,20 @@ impl<R: Real> Stepper<R> {
                     let (sine, cosine) = R::sine_cosine(chi + phase_from_radians(delta));
                     self.equations.rates(sine, cosine)
                 });
-                self.half_phase = HalfPhase::Nutating(chi + phase_from_radians(change.nutation));
+                self.half_phase = HalfPhase::Nutating(chi + phase_from_radians(change.half_phase));
                 change
             }
-            HalfPhase::Aperiodic(AperiodicVariable { v, rounding }) => {
+            HalfPhase::Aperiodic([v, rounding]) => {
                 let change = runge_kutta(dt, |delta| {
                     let [v, _] = exact_sum(v, delta + rounding);
                     self.equations.aperiodic_rates(gudermannian(v))
                 });
-                let [v, rounding] = exact_sum(v, change.nutation + rounding);
+                let [v, rounding] = exact_sum(v, change.half_phase + rounding);
                 // beyond 1e30 cos χ is 0 in every scalar
                 let far = R::from_f64(1e30);
                 let bounded = if v < R::ZERO { -far } else { far };
-                let (v, rounding) = if v.abs() <= far { (v, rounding) } else { (bounded, R::ZERO) };
-                self.half_phase = HalfPhase::Aperiodic(AperiodicVariable { v, rounding });
+                self.half_phase =
+                    HalfPhase::Aperiodic(if v.abs() <= far { [v, rounding] } else { [bounded, R::ZERO] });
                 change
             }
         };
@@ -112,22 +102,22 @@ impl<R: Real> Stepper<R> {
         let beta_turned =
             if self.half_phase == HalfPhase::Steady { turned(beta_rate) } else { -alpha_turned };
         let [alpha, beta] = &mut self.slow_phases;
-        *alpha += phase_from_radians(change.slow_alpha) + alpha_turned;
-        *beta += phase_from_radians(change.slow_beta) + beta_turned;
+        *alpha += phase_from_radians(change.psi_alpha) + alpha_turned;
+        *beta += phase_from_radians(change.psi_beta) + beta_turned;
     }
 
     /// Orientation Φ.
     #[must_use]
     pub fn orientation(&self) -> Orientation<R> {
-        self.ellipses.orientation(self.direction(), self.slow_phases.map(Complex::cis))
+        self.ellipses.orientation(self.cis_chi(), self.slow_phases.map(Complex::cis))
     }
 
     /// Orientation and its rate, from which u' and the angular velocity follow.
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R> {
-        let (chi, slow) = (self.direction(), self.slow_phases.map(Complex::cis));
-        let rate = self.ellipses.rate(chi, slow, &self.rates(chi));
-        AttitudeState { orientation: self.ellipses.orientation(chi, slow), rate }
+        let (cis_chi, slow) = (self.cis_chi(), self.slow_phases.map(Complex::cis));
+        let rate = self.ellipses.rate(cis_chi, slow, self.rates(cis_chi));
+        AttitudeState { orientation: self.ellipses.orientation(cis_chi, slow), rate }
     }
 
     /// Tip position c = 2 s αβ, m, from the point below the centre of mass; 2αβ for a fixed tip.
@@ -167,36 +157,34 @@ impl<R: Real> Stepper<R> {
     }
 
     /// Number e^{iχ}.
-    fn direction(&self) -> Complex<R> {
-        self.half_phase.direction(|AperiodicVariable { v, .. }| gudermannian(v))
+    fn cis_chi(&self) -> Complex<R> {
+        self.half_phase.cis_chi(|[v, _]| gudermannian(v))
     }
 
-    /// Rates of χ and of the slow phases at e^{iχ}, rad/s.
-    fn rates(&self, chi: Complex<R>) -> PhaseRates<R> {
-        let mut rates = match self.half_phase {
+    /// Rates of χ, λ_α and λ_β at e^{iχ}, rad/s.
+    fn rates(&self, cis_chi: Complex<R>) -> [R; 3] {
+        let PhaseRates { half_phase, psi_alpha, psi_beta } = match self.half_phase {
             HalfPhase::Steady => PhaseRates::ZERO,
-            HalfPhase::Nutating(_) => self.equations.rates(chi.im, chi.re),
+            HalfPhase::Nutating(_) => self.equations.rates(cis_chi.im, cis_chi.re),
             HalfPhase::Aperiodic(_) => {
-                let rates = self.equations.aperiodic_rates(chi);
-                PhaseRates { nutation: rates.nutation * chi.re, ..rates } // χ' = v' sech v
+                let rates = self.equations.aperiodic_rates(cis_chi);
+                PhaseRates { half_phase: rates.half_phase * cis_chi.re, ..rates } // χ' = v' sech v
             }
         };
         let [(_, alpha), (_, beta)] = self.constant_rates;
-        rates.slow_alpha = rates.slow_alpha + alpha;
-        rates.slow_beta = rates.slow_beta + beta;
-        rates
+        [half_phase, psi_alpha + alpha, psi_beta + beta]
     }
 
     /// Sum arg α + arg β, continuous in time.
     fn continued_phi(&self) -> Phase {
-        let (chi, [a, b]) = (self.direction(), self.slow_phases);
-        let turned = match self.half_phase {
+        let (cis_chi, [a, b]) = (self.cis_chi(), self.slow_phases);
+        let chi = match self.half_phase {
             HalfPhase::Steady => Phase::ZERO,
             HalfPhase::Nutating(chi) => chi,
-            HalfPhase::Aperiodic(_) => phase_from_radians(chi.arg()),
+            HalfPhase::Aperiodic(_) => phase_from_radians(cis_chi.arg()),
         };
         let Ellipses { alpha, beta } = &self.ellipses;
-        a + b + alpha.continued_argument(chi, turned) + beta.continued_argument(chi, turned)
+        a + b + alpha.continued_argument(cis_chi, chi) + beta.continued_argument(cis_chi, chi)
     }
 }
 
@@ -204,16 +192,16 @@ impl<R: Real> Stepper<R> {
 fn runge_kutta<R: Real>(dt: R, rates: impl Fn(R) -> PhaseRates<R>) -> PhaseRates<R> {
     let half = dt.halved();
     let k1 = rates(R::ZERO);
-    let k2 = rates(k1.nutation * half);
-    let k3 = rates(k2.nutation * half);
-    let k4 = rates(k3.nutation * dt);
+    let k2 = rates(k1.half_phase * half);
+    let k3 = rates(k2.half_phase * half);
+    let k4 = rates(k3.half_phase * dt);
     let sixth = dt * R::from_f64(1.0 / 6.0);
     let mean =
         |part: fn(&PhaseRates<R>) -> R| (part(&k1) + (part(&k2) + part(&k3)).doubled() + part(&k4)) * sixth;
     PhaseRates {
-        nutation: mean(|k| k.nutation),
-        slow_alpha: mean(|k| k.slow_alpha),
-        slow_beta: mean(|k| k.slow_beta),
+        half_phase: mean(|k| k.half_phase),
+        psi_alpha: mean(|k| k.psi_alpha),
+        psi_beta: mean(|k| k.psi_beta),
     }
 }
 
@@ -225,7 +213,7 @@ fn exact_sum<R: Real>(a: R, b: R) -> [R; 2] {
 }
 
 fn phase_from_radians<R: Real>(angle: R) -> Phase {
-    Phase::new((angle * R::from_f64(0.5 * core::f64::consts::FRAC_1_PI)).to_f64())
+    Phase::from_turns((angle * R::from_f64(0.5 * core::f64::consts::FRAC_1_PI)).to_f64())
 }
 
 /// Quotient x/|z|², also where |z|² underflows; 0 for z = 0.
@@ -235,9 +223,9 @@ fn over_norm_squared<R: Real>(x: R, z: Complex<R>) -> R {
         return R::ZERO;
     }
     let inverse = R::ONE / size;
-    let direction =
+    let z_over_size =
         if inverse.to_f64().is_finite() { z.scaled(inverse) } else { Complex::new(z.re / size, z.im / size) };
-    x / size / size / direction.norm_squared()
+    x / size / size / z_over_size.norm_squared()
 }
 
 #[cfg(feature = "defmt")]

@@ -133,7 +133,7 @@ impl<R: Ring> Orientation<R> {
         R::inner([sum.re, sum.im], [difference.re, difference.im])
     }
 
-    /// u limited to [-1, 1]. A NaN remains NaN.
+    /// u limited to [-1, 1].
     pub fn clamped_u(&self) -> R {
         self.u().clamp_to_one()
     }

@@ -7,7 +7,7 @@ use crate::top::released;
 use toytop::fixed::types::{I2F14, I2F30};
 use toytop::scalar::Real;
 use toytop::{
-    BranchPoints, Complex, Ephemeris, EphemerisMemory, EphemerisScalar, FirstIntegrals, InitialPhases,
+    BranchPoints, Complex, Ephemeris, EphemerisMemory, EphemerisScalar, FirstIntegrals, InitialAngles,
     Motion, Orientation, ParameterError, PeriodAdvance, Pose, Release, Sample, SetUp, Sign, Signs, State,
     Stepper, Tick, Top, TopParameters,
 };
@@ -75,7 +75,7 @@ fn near_separatrix() -> Result<Motion, ParameterError> {
         ..TopParameters::default()
     })?;
     let signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus };
-    let start = InitialPhases { theta: -2.0, arg_alpha: 0.3, arg_beta: 2.5 };
+    let start = InitialAngles { theta: -2.0, arg_alpha: 0.3, arg_beta: 2.5 };
     Motion::from_branch_points(&top, [-0.5, 0.9995, 1.0005], signs, &start)
 }
 

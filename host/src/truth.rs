@@ -29,7 +29,7 @@ mod tests {
     use dashu_float::round::mode::HalfEven;
     use serde_json::Value;
     use std::path::Path;
-    use toytop::{Complex, InitialPhases, Orientation, Sign, Signs, Support, TopParameters};
+    use toytop::{Complex, InitialAngles, Orientation, Sign, Signs, Support, TopParameters};
 
     /// Reference vector of this name.
     fn read(name: &str) -> Value {
@@ -88,7 +88,7 @@ mod tests {
         let launch = Launch::BranchPoints {
             e: ["e1", "e2", "e3"].map(|key| number(&json[key])),
             signs: Signs { l_plus_n: sign("s_plus"), l_minus_n: sign("s_minus") },
-            phases: InitialPhases {
+            phases: InitialAngles {
                 theta: params("theta0"),
                 arg_alpha: params("arg_alpha0"),
                 arg_beta: params("arg_beta0"),

@@ -10,7 +10,7 @@ pub mod vectors;
 
 use std::ops::Deref;
 use toytop::{
-    Complex, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, InitialPhases, Motion, Orientation,
+    Complex, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, InitialAngles, Motion, Orientation,
     Release, SetUp, SetUpError, Sign, Signs, State, Tick, Top, TopParameters,
 };
 
@@ -118,7 +118,7 @@ pub const SIGNS: [Signs; 4] = [
 /// # Panics
 /// If there is no such motion.
 pub fn by_branch_points(top: &Top, e: [f64; 3], signs: Signs) -> Motion {
-    Motion::from_branch_points(top, e, signs, &InitialPhases::default()).unwrap()
+    Motion::from_branch_points(top, e, signs, &InitialAngles::default()).unwrap()
 }
 
 /// Tick of a millisecond.

@@ -4,7 +4,7 @@ use serde_json::Value;
 use std::fs::DirEntry;
 use std::path::{Path, PathBuf};
 use toytop::scalar::{Extended, Ring};
-use toytop::{Complex, InitialPhases, Motion, Orientation, ParameterError, Regime, Sign, Signs, State, Top};
+use toytop::{Complex, InitialAngles, Motion, Orientation, ParameterError, Regime, Sign, Signs, State, Top};
 
 /// Reference vector: one motion with its exact values. Units: g = 1.
 pub struct Vector {
@@ -122,9 +122,9 @@ impl Vector {
     }
 
     /// Start of a motion given by branch points.
-    pub fn start(&self) -> InitialPhases {
+    pub fn start(&self) -> InitialAngles {
         let angle = |key| self.json["params"].get(key).map_or(0.0, number);
-        InitialPhases { theta: angle("theta0"), arg_alpha: angle("arg_alpha0"), arg_beta: angle("arg_beta0") }
+        InitialAngles { theta: angle("theta0"), arg_alpha: angle("arg_alpha0"), arg_beta: angle("arg_beta0") }
     }
 
     /// Branch points e₁, e₂, e₃.

@@ -4,7 +4,7 @@ use crate::launch::toytop_state;
 use crate::memory::{Opaque, load, store, write};
 use crate::status::{Refusal, toytop_status};
 use crate::table::{CScalar, Table, view};
-use toytop::{Complex, Cursor, EphemerisView, Event, Events, ParameterError, Phase, Sample};
+use toytop::{Complex, Cursor, EphemerisView, Event, Events, ParameterError, Phase, Sample, State};
 
 /// Bytes of a cursor.
 pub const TOYTOP_EPHEMERIS_CURSOR_SIZE: usize = 64;
@@ -202,7 +202,7 @@ pub(crate) fn tip_angle<R: CScalar>(sample: Sample<'_, R>) -> Result<f64, Refusa
 
 /// State to launch from.
 pub(crate) fn state<R: CScalar>(sample: Sample<'_, R>) -> Result<toytop_state, Refusal> {
-    Ok(toytop_state::of(&sample.attitude_state().state()?))
+    Ok(toytop_state::of(&State::from_attitude(&sample.attitude_state())?))
 }
 
 /// Event of a motion: its instant in ticks, and the sense of the change.

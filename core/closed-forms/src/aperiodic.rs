@@ -27,11 +27,11 @@ use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 /// and α rotates at a constant rate.
 ///
 /// ```
-/// use toytop::{InitialPhases, Motion, Signs, Top, TopParameters};
+/// use toytop::{InitialAngles, Motion, Signs, Top, TopParameters};
 /// use toytop_closed_forms::Aperiodic;
 /// let parameters = TopParameters { transverse_inertia: 1.25, axial_inertia: 0.75, com_height: 0.5, mass_moment: 1.5, gravity: 3.0, ..TopParameters::default() };
 /// let top = Top::sliding(&parameters)?;
-/// let motion = Motion::from_branch_points(&top, [-0.4, 1.0, 1.0], Signs::default(), &InitialPhases::default())?;
+/// let motion = Motion::from_branch_points(&top, [-0.4, 1.0, 1.0], Signs::default(), &InitialAngles::default())?;
 /// let form = Aperiodic::new(&motion).expect("e2 = e3 = 1");
 /// let attitude = form.at(2.5); // orientation, u, axis, ω
 /// let (tip, angle) = (form.tip(2.5), form.tip_angle(2.5)); // the angle counts whole turns
@@ -96,8 +96,8 @@ impl Aperiodic {
     /// Closed form of a motion; `None` unless e₂ = e₃ = 1 and u < 1.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let HalfPhase::Aperiodic(direction) = motion.half_phase else { return None };
-        let v = Extended::from(inverse_gudermannian(direction));
+        let HalfPhase::Aperiodic(cis_chi) = motion.half_phase else { return None };
+        let v = Extended::from(inverse_gudermannian(cis_chi));
         let (e, ScaledTop { a, p, s, g, .. }) = (motion.e, ScaledTop::<Extended>::new(motion.top()));
         let one_minus_e1 = e.one_minus_e1();
         let constants =

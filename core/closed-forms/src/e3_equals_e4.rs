@@ -116,8 +116,7 @@ impl E3EqualsE4 {
 
 /// Difference e₃² - e₄², and e₄² - 1 = A/(ps).
 fn squares(motion: &Motion) -> [Extended; 2] {
-    let (e, ScaledTop { a, s, p, .. }) = (motion.e, ScaledTop::<Extended>::new(motion.top()));
-    let a_over_ps = a / (p * s);
+    let (e, a_over_ps) = (motion.e, ScaledTop::<Extended>::new(motion.top()).a_over_ps());
     [e.e3_minus_one * e.one_plus_e3() - a_over_ps, a_over_ps]
 }
 

@@ -1,8 +1,8 @@
 //! Orientation of a motion at any time, from α and β of a closed form within a period, and the inverse of an increasing function.
 
-use crate::elliptic::elementary::{WideComplex, angle, of_turns, real, rounded};
+use crate::elliptic::elementary::{angle, of_turns, rounded};
 use crate::elliptic::theta::ValueAndSlope;
-use toytop::internal::HalfPhase;
+use toytop::internal::{Ellipse, Ellipses, HalfPhase};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 use toytop::{AttitudeState, Complex, Motion, Phase};
@@ -24,22 +24,21 @@ impl ArgumentOffsets {
     /// Value and derivative are averaged with weights, so that the argument is well defined also where a parameter is
     /// 0 at t = 0.
     pub(super) fn new(motion: &Motion, closed: [ValueAndSlope; 2]) -> Self {
-        let (e, signs) = (motion.e, motion.signs());
-        let (sine, cosine) = match motion.half_phase {
+        let (im, re) = match motion.half_phase {
             HalfPhase::Nutating(chi) => of_turns(chi),
-            HalfPhase::Aperiodic(direction) => (direction.im.into(), direction.re.into()),
+            HalfPhase::Aperiodic(cis_chi) => (cis_chi.im.into(), cis_chi.re.into()),
             HalfPhase::Steady => (Extended::ZERO, Extended::ONE),
         };
-        let rates = motion.equations().rates(sine, cosine);
-        let root = |x: Extended| x.halved().sqrt();
-        let alpha_axes = [root(e.one_plus_e1), signs.l_plus_n.apply(root(e.one_plus_e2()))];
-        let beta_axes = [root(e.one_minus_e1()), signs.l_minus_n.apply(root(e.one_minus_e2))];
+        let rates = motion.equations().rates(im, re);
+        let argument = |ellipse: Ellipse<Extended>, psi, ValueAndSlope { value, slope }| {
+            let z = ellipse.slow_phase(Complex::new(re, im), [rates.half_phase, psi], [value, slope]);
+            angle(z.im, z.re).in_turns().to_phase()
+        };
+        let ellipses = Ellipses::oscillating(&motion.e, motion.signs(), |x| x);
         let ([alpha, beta], [alpha_phase, beta_phase]) = (closed, motion.slow_phases);
-        let argument =
-            |axes, turning, closed| argument(axes, [sine, cosine], [rates.nutation, turning], closed);
         let angles = [
-            alpha_phase + argument(alpha_axes, rates.slow_alpha, alpha),
-            beta_phase + argument(beta_axes, rates.slow_beta, beta),
+            alpha_phase - argument(ellipses.alpha, rates.psi_alpha, alpha),
+            beta_phase - argument(ellipses.beta, rates.psi_beta, beta),
         ];
         Self { angles, half_tau: motion.half_tau }
     }
@@ -65,21 +64,6 @@ impl ArgumentOffsets {
         let rate = OrientationRate { alpha: alpha_rate, beta: beta_rate };
         AttitudeState { orientation: Orientation { alpha, beta }, rate }
     }
-}
-
-/// Argument of x cos χ + i y sin χ divided by the closed form's value, from their values and derivatives.
-fn argument(
-    [x, y]: [Extended; 2],
-    [sine, cosine]: [Extended; 2],
-    [nutation, turning]: [Extended; 2],
-    closed: ValueAndSlope,
-) -> Phase {
-    let value: WideComplex = Complex::new(x * cosine, y * sine);
-    let along: WideComplex = Complex::new(-(x * sine), y * cosine);
-    let slope = along.scaled(nutation) + value.times_i().scaled(turning);
-    let rate_squared = nutation.squared() + turning.squared();
-    let sum = value * closed.value.conj() * real(rate_squared) + slope * closed.slope.conj();
-    angle(sum.im, sum.re).in_turns().to_phase()
 }
 
 /// Periods of a closed form, which reduce any time to a time of its solution, within half a period of 0.
@@ -112,7 +96,7 @@ impl Periods {
     /// Number of periods from time 0 of the solution until t, as a phase of one turn for each period.
     pub(super) fn phase(&self, t: f64) -> Phase {
         let (periods, remainder) = split(self.origin, t, self.period);
-        Phase::ONE * periods + (remainder / self.period).to_phase()
+        Phase::TURN * periods + (remainder / self.period).to_phase()
     }
 }
 

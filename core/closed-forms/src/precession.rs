@@ -56,7 +56,8 @@ impl RegularPrecession {
         if matches!(regime, Regime::Nutating | Regime::Aperiodic) || motion.top().is_torque_free() {
             return None;
         }
-        let (e, ScaledTop { a, s, p, g, .. }) = (motion.e, ScaledTop::<Extended>::new(motion.top()));
+        let (e, top) = (motion.e, ScaledTop::<Extended>::new(motion.top()));
+        let ScaledTop { a, p, g, .. } = top;
         let falls = regime == Regime::SleepingUnstable;
         let (zero, one) = (Extended::ZERO, Extended::ONE);
         let swing = e.e2_minus_e1.halved();
@@ -73,7 +74,7 @@ impl RegularPrecession {
             // 4 A p g - n² = 2 A p g (1 - e₁)
             Stability::Unstable { growth_rate: (p * g * e.one_minus_e1() / a).halved().sqrt().to_f64() }
         } else if e.e3_minus_e2 > zero {
-            let d = a / p + s * one_minus_u * one_plus_u;
+            let d = top.d(one_minus_u * one_plus_u);
             Stability::Stable { frequency: (g.doubled() * e.e3_minus_e2 / d).sqrt().to_f64() }
         } else {
             Stability::Marginal
@@ -121,7 +122,7 @@ fn precession_of(weight_per_a: Extended, e3_minus_one: Extended, signs: Signs) -
     let two = Extended::ONE.doubled();
     let sum = (two + e3_minus_one).sqrt() + e3_minus_one.sqrt();
     let roots = if signs.l_plus_n == signs.l_minus_n { sum } else { two / sum };
-    signs.l_plus_n.apply(weight_per_a.halved().sqrt() * roots)
+    signs.l_plus_n.times(weight_per_a.halved().sqrt() * roots)
 }
 
 /// Steady precessions of a top at given tilt and spin: the roots of A e φ'² - n φ' + p g = 0.
@@ -160,7 +161,7 @@ impl SteadyPrecession {
     /// ```
     /// use toytop::{Top, TopParameters};
     /// use toytop_closed_forms::SteadyPrecession;
-    /// let top = Top::sliding(&TopParameters { transverse_inertia: 3.0e-5, axial_inertia: 2.0e-5, com_height: 0.03, mass: 0.05, gravity: 9.81, ..TopParameters::default() })?;
+    /// let top = Top::sliding(&TopParameters::TOY)?;
     /// let SteadyPrecession::Two { slow, fast } = SteadyPrecession::new(&top, 0.5, 150.0)? else { panic!() };
     /// assert!(slow > 5.0 && slow < 9.0 && fast > 90.0);
     /// let SteadyPrecession::None { least_spin } = SteadyPrecession::new(&top, 0.5, 50.0)? else { panic!() };

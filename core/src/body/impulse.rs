@@ -12,9 +12,11 @@
 //! R = (p ⟨d × J, q⟩ - A J₃) / (A + p s |q|²)
 //! ```
 //!
-//! *Fixed tip, free body.* s = 0, and d is from the point of A and C. K does not change. A rod (C = 0) gets no axial rate.
+//! *Fixed tip, free body.* s = 0, and d is from the point of A and C.
+//!
+//! K is kept. A rod (C = 0) gets no axial rate.
 
-use super::state::FASTEST;
+use super::state::GREATEST_RATE;
 use super::{ParameterError, State, Support, Top, check, check_range};
 use crate::su2::{Vector, cross, dot};
 
@@ -46,7 +48,7 @@ impl State {
         for (component, before) in omega.iter_mut().zip(self.omega) {
             *component += before;
             check(
-                component.abs() <= FASTEST,
+                component.abs() <= GREATEST_RATE,
                 "impulse",
                 "such that no component of omega exceeds 1e12 rad/s",
             )?;

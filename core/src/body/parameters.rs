@@ -1,6 +1,6 @@
 //! Parameters of a top, and their allowed ranges.
 
-use super::{ParameterError, Support, Top, check, check_finite, check_range};
+use super::{ParameterError, ScaledTop, Support, Top, check, check_finite, check_range};
 use crate::scalar::{Extended, Float, Ring};
 
 /// Parameters of a top, in SI or other consistent units.
@@ -13,7 +13,7 @@ pub struct TopParameters {
     pub transverse_inertia: f64,
     /// Axial moment of inertia C <= 2A, kg m²; 0 for a thin rod or a point at its end.
     pub axial_inertia: f64,
-    /// Distance s of the centre of mass from the tip, m; for a fixed tip only together with `mass`.
+    /// Distance s of the centre of mass from the tip, m; a fixed tip has it only to give p = M s.
     pub com_height: f64,
     /// Mass M, kg.
     pub mass: f64,
@@ -60,6 +60,8 @@ impl TopParameters {
 
     /// Mass, or `None` where the mass moment is given instead.
     fn given_mass(&self) -> Result<Option<f64>, ParameterError> {
+        check_finite("mass", self.mass)?;
+        check_finite("mass_moment", self.mass_moment)?;
         match (self.mass == 0.0, self.mass_moment == 0.0) {
             (false, true) => magnitude("mass", self.mass).map(Some),
             (true, false) => Ok(None),
@@ -97,8 +99,8 @@ impl Top {
         check_range(
             1e-6..=1e30,
             "transverse_inertia",
-            top.a / (top.mass_moment() * s),
-            "between 1e-6 (a body that is all but a point) and 1e30 times mass_moment x com_height",
+            ScaledTop::<f64>::new(&top).a_over_ps(),
+            "between 1e-6 and 1e30 times mass_moment x com_height",
         )?;
         Ok(top)
     }
@@ -116,9 +118,10 @@ impl Top {
     pub fn fixed(parameters: &TopParameters) -> Result<Self, ParameterError> {
         const ROUNDING: f64 = 1e-9;
         let Some(mass) = parameters.given_mass()? else {
-            check(
-                parameters.com_height == 0.0,
+            check_range(
+                0.0..=0.0,
                 "com_height",
+                parameters.com_height,
                 "left out where the tip is fixed and mass_moment is given",
             )?;
             let p = magnitude("mass_moment", parameters.mass_moment)?.into();
@@ -244,6 +247,15 @@ mod tests {
         );
         assert_eq!(fixed(|top| (top.mass, top.mass_moment) = (0.0, 0.1)), Some("com_height"));
         assert_eq!(fixed(|top| top.mass = 0.0), Some("mass"));
+        for change in [
+            |top: &mut TopParameters| (top.mass, top.mass_moment, top.com_height) = (0.0, 0.1, f64::NAN),
+            |top: &mut TopParameters| (top.mass, top.mass_moment) = (f64::NAN, 0.1),
+            |top: &mut TopParameters| (top.mass, top.mass_moment) = (0.1, f64::NAN),
+        ] {
+            let mut parameters = TOP;
+            change(&mut parameters);
+            assert!(matches!(Top::fixed(&parameters), Err(ParameterError::NotFinite { .. })));
+        }
         // 0.05 kg · (0.03 m)² = 4.5e-5 kg m²
         assert_eq!(fixed(|top| top.transverse_inertia = 5.5e-5), None);
         assert_eq!(fixed(|top| top.transverse_inertia = 5.4999e-5), Some("transverse_inertia"));

@@ -1,7 +1,7 @@
 //! Top in units that keep every product in range.
 
 use super::Top;
-use crate::scalar::{Float, exponent, power_of_two, times_power_of_two};
+use crate::scalar::{Float, exponent, ldexp, power_of_two};
 
 /// Parameters by the paper's symbols. The units of inertia and length are powers of two: A and p are in [1, 2).
 #[derive(Clone, Copy, Debug)]
@@ -26,7 +26,7 @@ impl<F: Float> ScaledTop<F> {
         let [leading, remainder] = top.p.to_parts();
         let inertia = inertia_exponent(top);
         let moment = if leading > 0.0 { exponent(leading) - 1 } else { 0 };
-        let scaled = |x: f64, exponent: i32| F::from_f64(times_power_of_two(x, -exponent));
+        let scaled = |x: f64, exponent: i32| F::from_f64(ldexp(x, -exponent));
         let [a, c, k] = [top.a, top.c, top.k].map(|x| scaled(x, inertia));
         let [s, g] = [top.s, top.g].map(|x| scaled(x, inertia - moment));
         Self { a, c, s, p: scaled(leading, moment) + scaled(remainder, moment), g, k }
@@ -35,6 +35,16 @@ impl<F: Float> ScaledTop<F> {
     /// Unit of the energy of the axis: the weight p g, or 1 without it.
     pub(crate) fn weight_or_one(&self) -> F {
         if self.g > F::ZERO { self.p * self.g } else { F::ONE }
+    }
+
+    /// Length D(u) = A/p + s (1 - u²), from 1 - u².
+    pub fn d(&self, sine_squared: F) -> F {
+        self.a / self.p + self.s * sine_squared
+    }
+
+    /// Quotient A/(ps) = e₄² - 1.
+    pub fn a_over_ps(&self) -> F {
+        self.a / (self.p * self.s)
     }
 
     /// Factor κ = 1/(2 A p g), which makes κ l² dimensionless.

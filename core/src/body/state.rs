@@ -7,7 +7,7 @@ use crate::su2::{AttitudeState, Orientation, Vector, dot};
 use core::f64::consts::PI;
 
 /// Largest component of an angular velocity, rad/s.
-pub(super) const FASTEST: f64 = 1e12;
+pub(super) const GREATEST_RATE: f64 = 1e12;
 
 /// Orientation and angular velocity at t = 0. The numbers are taken as exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +38,7 @@ pub struct Release {
 impl State {
     /// State from the Cayley-Klein parameters and ω (rad/s) in the fixed frame.
     ///
-    /// A launch divides out the norm of Φ. Components of Φ and ω below 1e-60 count as 0.
+    /// Φ need not be normalised. Components below 1e-60 count as 0.
     ///
     /// # Errors
     /// `alpha`, `beta`, `omega`: a component is not finite; `alpha`: the squared norm differs from 1 by more than 1e-6; `omega`: above 1e12 rad/s.
@@ -54,7 +54,7 @@ impl State {
         )?;
         for component in omega {
             check_range(
-                -FASTEST..=FASTEST,
+                -GREATEST_RATE..=GREATEST_RATE,
                 "omega",
                 component,
                 "between -1e12 and 1e12 rad/s in every component",
@@ -86,7 +86,7 @@ impl State {
         }
         let orientation = Orientation::from_quaternion(quaternion);
         check(is_unit(&orientation), "quaternion", "of unit norm: | w^2 + x^2 + y^2 + z^2 - 1 | <= 1e-6")?;
-        check(dot(gyro, gyro) <= FASTEST * FASTEST, "gyro", "at most 1e12 rad/s in magnitude")?;
+        check(dot(gyro, gyro) <= GREATEST_RATE * GREATEST_RATE, "gyro", "at most 1e12 rad/s in magnitude")?;
         Ok(Self { orientation, omega: orientation.normalised().adjoint(gyro) })
     }
 
@@ -123,6 +123,14 @@ impl State {
         Self::new(orientation, omega)
     }
 
+    /// State from an attitude, whose orientation is normalised.
+    ///
+    /// # Errors
+    /// See [`State::new`].
+    pub fn from_attitude<R: Float>(attitude: &AttitudeState<R>) -> Result<Self, ParameterError> {
+        Self::new(attitude.orientation.cast().normalised(), attitude.omega().map(R::to_f64))
+    }
+
     /// Orientation Φ at t = 0, not normalised.
     pub fn orientation(&self) -> Orientation<f64> {
         self.orientation
@@ -139,16 +147,6 @@ impl State {
         let number = |z: Complex<f64>| Complex::new(extended(z.re), extended(z.im));
         let Orientation { alpha, beta } = self.orientation;
         (Orientation { alpha: number(alpha), beta: number(beta) }, self.omega.map(extended))
-    }
-}
-
-impl<R: Float> AttitudeState<R> {
-    /// State to launch from; the orientation is normalised.
-    ///
-    /// # Errors
-    /// The errors of [`State::new`].
-    pub fn state(&self) -> Result<State, ParameterError> {
-        State::new(self.orientation.cast().normalised(), self.omega().map(R::to_f64))
     }
 }
 

@@ -2,8 +2,6 @@
 //!
 //! On the motion, (s/2)(e₄² - u²) u'² = g (u - e₁)(u - e₂)(u - e₃). The differences are computed without cancellation.
 
-pub(super) mod cubic;
-
 mod from_state;
 
 mod integrals;
@@ -11,10 +9,10 @@ mod integrals;
 use crate::body::{ParameterError, ScaledTop, Top, check_range};
 use crate::scalar::{Extended, Float, Ring};
 
-/// Branch points and their differences; none has a unit.
+/// Branch points and their differences; none has a unit. A field that is changed by itself contradicts the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive] // a literal could contradict its differences
+#[non_exhaustive]
 pub struct BranchPoints<F = f64> {
     /// Least u of the motion, e₁ >= -1.
     pub e1: F,
@@ -70,8 +68,8 @@ impl BranchPoints<Extended> {
 impl Top {
     /// Branch point e₄ = √(1 + A/(ps)) (equation (3.5)), which u never reaches; `None` unless the tip slides.
     pub fn e4(&self) -> Option<f64> {
-        let ScaledTop { a, s, p, .. } = ScaledTop::<Extended>::new(self);
-        (self.com_height() > 0.0).then(|| (Extended::ONE + a / (p * s)).sqrt().to_f64())
+        let e4 = || (Extended::ONE + ScaledTop::<Extended>::new(self).a_over_ps()).sqrt();
+        (self.com_height() > 0.0).then(|| e4().to_f64())
     }
 }
 

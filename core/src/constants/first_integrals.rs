@@ -21,16 +21,16 @@ impl Sign {
         if x < R::ZERO { Self::Minus } else { Self::Plus }
     }
 
-    /// x with this sign as a factor, ±x.
-    pub fn apply<R: Ring>(self, x: R) -> R {
+    /// Product ±x.
+    pub fn times<R: Ring>(self, x: R) -> R {
         match self {
             Self::Plus => x,
             Self::Minus => -x,
         }
     }
 
-    /// Factor ±1.
-    pub fn factor(self) -> i32 {
+    /// Integer ±1.
+    pub fn as_i32(self) -> i32 {
         match self {
             Self::Plus => 1,
             Self::Minus => -1,
@@ -48,10 +48,10 @@ pub struct Signs {
     pub l_minus_n: Sign,
 }
 
-/// First integrals: two components of the angular momentum, and the energy.
+/// First integrals: two components of the angular momentum, and the energy. A field that is changed by itself contradicts the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive] // a literal could contradict its sums
+#[non_exhaustive]
 pub struct FirstIntegrals<F = f64> {
     /// Vertical angular momentum l = ⟨m, k⟩, kg m²/s.
     pub l: F,

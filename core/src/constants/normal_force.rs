@@ -8,10 +8,10 @@
 //! minimum ((∛F₊ + ∛F₋)/2e₄)³ at (e₄ - u)/(e₄ + u) = ∛(F₊/F₋).
 
 use crate::constants::BranchPoints;
-use crate::constants::branch_points::cubic::Cubic;
+use crate::constants::cubic::Cubic;
 use crate::scalar::{Extended, Float, Ring};
 
-/// Partial fractions of N; `a_over_ps` is A/(ps) = e₄² - 1.
+/// Partial fractions of N.
 struct PartialFractions {
     e4: Extended,
     e4_minus_one: Extended,
@@ -21,6 +21,7 @@ struct PartialFractions {
 }
 
 impl PartialFractions {
+    /// Partial fractions from A/(ps) = e₄² - 1.
     fn new(e: &BranchPoints<Extended>, a_over_ps: Extended) -> Self {
         let e4 = (Extended::ONE + a_over_ps).sqrt();
         let e4_minus_one = a_over_ps / (Extended::ONE + e4);

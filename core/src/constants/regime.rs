@@ -55,14 +55,14 @@ impl Regime {
     }
 }
 
-/// Whether the tilt oscillates visibly, or passes through the vertical.
+/// Whether the tilt changes by more than roundings, or passes through the vertical.
 fn u_oscillates(e: &BranchPoints<Extended>) -> bool {
-    /// Smallest visible change of the tilt, rad: a state's rounding.
-    const SMALLEST_SWING: f64 = 1.0 / (1_u64 << 49) as f64;
+    /// Least change of the tilt that counts, rad: 2^-49, some roundings of a state.
+    const LEAST_SWING: f64 = 1.0 / (1_u64 << 49) as f64;
     let zero = Extended::ZERO;
     let passes_vertical = e.one_minus_e2 == zero || e.one_plus_e1 == zero;
     let sine_squared = e.one_minus_e1() * e.one_plus_e2();
-    let visible = e.e2_minus_e1.squared() > Extended::from(SMALLEST_SWING * SMALLEST_SWING) * sine_squared;
+    let visible = e.e2_minus_e1.squared() > Extended::from(LEAST_SWING * LEAST_SWING) * sine_squared;
     e.e2_minus_e1 > zero && (visible || passes_vertical)
 }
 

@@ -3,7 +3,7 @@
 //! Between the turning points of u and, on a curve with loops, the phases of u = l/n, the tip angle is monotone: a bisection finds the instant.
 //! Whole periods that do not reach the angle are skipped.
 
-use crate::events::{Event, HALF_PERIOD, Level, at_phase, bisect};
+use crate::events::{Event, LAST_RISING, Level, at_phase, bisect};
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float, Ring, Scalar};
 use crate::table::{EphemerisScalar, EphemerisView};
@@ -14,7 +14,7 @@ pub struct Events<'a, R: EphemerisScalar> {
     view: &'a EphemerisView<R>,
     /// Instants of the events, or of the ends of monotone pieces.
     instants: RecurringInstants,
-    /// Tip angle that is searched, modulo a turn.
+    /// Tip angle that is searched, modulo a turn. `None`: the instants themselves are the events.
     target: Option<Phase>,
     /// First instant that counts, in ticks.
     from: Extended,
@@ -40,7 +40,7 @@ impl<R: EphemerisScalar> Iterator for Events<'_, R> {
 const START_TOLERANCE: Phase = Phase::from_bits(1 << 48);
 /// Number of consecutive pieces that contain a whole period.
 const PIECES_OF_A_PERIOD: usize = 5;
-/// Greatest number of skips. A skip leaves two periods and 1e-9 of the rest, so that three skips pass 2^63 ticks.
+/// Greatest number of skips. A skip leaves a billionth of the way; 2^63 ticks take at most three. The others are for roundings.
 const MOST_SKIPS: usize = 8;
 
 impl<R: EphemerisScalar> EphemerisView<R> {
@@ -96,7 +96,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
             ((tip.re * velocity.im - tip.im * velocity.re).to_f64(), Float::sqrt(size))
         };
         let [(lowest, least), (_, middle), (highest, greatest)] =
-            [0, HALF_PERIOD / 2, HALF_PERIOD].map(turning);
+            [0, LAST_RISING / 2, LAST_RISING].map(turning);
         let noise = NOISE * (R::ROUNDING + R::Quantity::ROUNDING) * least.max(middle).max(greatest);
         let changes = lowest * highest < 0.0 && lowest.abs() > noise && highest.abs() > noise;
         changes.then(|| bisect(|nutation| turning(nutation).0 * lowest <= 0.0))
@@ -127,7 +127,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
         let target = self.target.unwrap_or_default();
         let distance = if upward { target - angle } else { angle - target };
         let distance = WrappedPhase::from_phase(distance).to_phase();
-        let distance = if distance == Phase::ZERO { Phase::ONE } else { distance };
+        let distance = if distance == Phase::ZERO { Phase::TURN } else { distance };
         if upward { distance } else { -distance }
     }
 

@@ -5,7 +5,7 @@ use crate::body::{
 };
 use crate::complex::Complex;
 use crate::constants::normal_force;
-use crate::events::{HALF_PERIOD, at_phase, bisect};
+use crate::events::{LAST_RISING, at_phase, bisect};
 use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
@@ -65,8 +65,8 @@ impl Level {
         if motion.top().support() != Support::Sliding || motion.is_steady() {
             return None;
         }
-        let (e, ScaledTop { a, p, s, .. }) = (&motion.e, ScaledTop::<Extended>::new(motion.top()));
-        let [one_plus_u, one_minus_u] = normal_force::sign_change(e, a / (p * s))?;
+        let (e, top) = (&motion.e, ScaledTop::<Extended>::new(motion.top()));
+        let [one_plus_u, one_minus_u] = normal_force::sign_change(e, top.a_over_ps())?;
         let reached = one_minus_u > e.one_minus_e2 && one_plus_u > e.one_plus_e1;
         reached.then_some(Self { one_minus_u: one_minus_u.to_f64(), one_plus_u: one_plus_u.to_f64() })
     }
@@ -80,7 +80,7 @@ impl Level {
     /// Nutation phase in (0, 1/2) turn at which u rises to the level; `None` where the motion does not reach it.
     pub(super) fn phase<R: EphemerisScalar>(&self, view: &EphemerisView<R>) -> Option<Phase> {
         let reached = |nutation| self.is_reached(&at_phase(view, nutation).orientation());
-        (reached(HALF_PERIOD) && !reached(0)).then(|| bisect(reached))
+        (reached(LAST_RISING) && !reached(0)).then(|| bisect(reached))
     }
 
     /// Whether u is at the level or above it, by tan²(tilt/2) = |β|²/|α|².

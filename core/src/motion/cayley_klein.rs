@@ -2,39 +2,42 @@
 
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, Signs};
-use crate::motion::phase_equations::PhaseRates;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Real};
+use crate::scalar::{Extended, Float, Real, Ring};
 use crate::su2::{Orientation, OrientationRate};
 
 /// Ellipses of α and β: each parameter is (x cos χ + i y sin χ) e^{iλ}, with its slow phase λ. For α, x² = (1+e₁)/2 and y² = (1+e₂)/2; for β,
 /// x² = (1-e₁)/2 and y² = (1-e₂)/2. They make |α|² + |β|² = 1 for all phases.
 ///
-/// Their methods take the phases as unit complex numbers: `chi` is e^{iχ}, and `slow` are e^{iλ_α} and e^{iλ_β}.
+/// In their methods `cis_chi` is e^{iχ}.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Ellipses<R> {
-    pub(crate) alpha: Ellipse<R>,
-    pub(crate) beta: Ellipse<R>,
+pub struct Ellipses<R> {
+    /// Ellipse of α.
+    pub alpha: Ellipse<R>,
+    /// Ellipse of β.
+    pub beta: Ellipse<R>,
 }
 
-/// Ellipse x cos χ + i y sin χ in the complex plane: a Cayley-Klein parameter divided by e^{i slow phase}.
+/// Ellipse x cos χ + i y sin χ in the complex plane: a Cayley-Klein parameter divided by e^{iλ}.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Ellipse<R> {
+pub struct Ellipse<R> {
     x: R,
     y: R,
 }
 
-impl Ellipses<f64> {
+impl<R: Ring> Ellipses<R> {
     /// Ellipses of a motion whose u is not constant.
-    pub(crate) fn oscillating(e: &BranchPoints<Extended>, signs: Signs) -> Self {
-        let root = |x: Extended| x.halved().sqrt().to_f64();
+    pub fn oscillating(e: &BranchPoints<Extended>, signs: Signs, convert: fn(Extended) -> R) -> Self {
+        let root = |x: Extended| convert(x.halved().sqrt());
         let (a2, b2) = (root(e.one_plus_e2()), root(e.one_minus_e2));
         Self {
-            alpha: Ellipse { x: root(e.one_plus_e1), y: signs.l_plus_n.apply(a2) },
-            beta: Ellipse { x: root(e.one_minus_e1()), y: signs.l_minus_n.apply(b2) },
+            alpha: Ellipse { x: root(e.one_plus_e1), y: signs.l_plus_n.times(a2) },
+            beta: Ellipse { x: root(e.one_minus_e1()), y: signs.l_minus_n.times(b2) },
         }
     }
+}
 
+impl Ellipses<f64> {
     /// Ellipses of a motion with constant u, from 1 + u and 1 - u.
     pub(crate) fn steady(complements: [Extended; 2]) -> Self {
         let [alpha, beta] = complements.map(|x| Ellipse { x: x.halved().sqrt().to_f64(), y: 0.0 });
@@ -52,79 +55,96 @@ impl<R: Real> Ellipses<R> {
         [self.alpha.winding(), self.beta.winding()]
     }
 
-    pub(crate) fn arguments(&self, chi: Complex<R>) -> [Phase; 2] {
-        [self.alpha.argument(chi), self.beta.argument(chi)]
+    pub(crate) fn arguments(&self, cis_chi: Complex<R>) -> [Phase; 2] {
+        [self.alpha.argument(cis_chi), self.beta.argument(cis_chi)]
     }
 
     /// Tip angle arg αβ in (-1/2, 1/2] turn, from the slow phases.
-    pub(crate) fn tip_angle(&self, chi: Complex<R>, [a, b]: [Phase; 2]) -> Phase {
-        let [alpha, beta] = self.arguments(chi);
+    pub(crate) fn tip_angle(&self, cis_chi: Complex<R>, [a, b]: [Phase; 2]) -> Phase {
+        let [alpha, beta] = self.arguments(cis_chi);
         (a + b + alpha + beta).principal()
     }
 
+    /// Orientation Φ, from e^{iλ_α} and e^{iλ_β}.
     #[inline]
-    pub(crate) fn orientation(&self, chi: Complex<R>, [a, b]: [Complex<R>; 2]) -> Orientation<R> {
-        Orientation { alpha: self.alpha.at(chi) * a, beta: self.beta.at(chi) * b }
+    pub(crate) fn orientation(&self, cis_chi: Complex<R>, [a, b]: [Complex<R>; 2]) -> Orientation<R> {
+        Orientation { alpha: self.alpha.at(cis_chi) * a, beta: self.beta.at(cis_chi) * b }
     }
 
-    /// Rate Φ', from the rates of the three phases, rad/s.
+    /// Rate Φ', from e^{iλ_α} and e^{iλ_β} and the rates of χ, λ_α and λ_β, rad/s.
     pub(crate) fn rate(
         &self,
-        chi: Complex<R>,
+        cis_chi: Complex<R>,
         [a, b]: [Complex<R>; 2],
-        rates: &PhaseRates<R>,
+        [chi, lambda_alpha, lambda_beta]: [R; 3],
     ) -> OrientationRate<R> {
         OrientationRate {
-            alpha: self.alpha.rate(chi, [rates.nutation, rates.slow_alpha]) * a,
-            beta: self.beta.rate(chi, [rates.nutation, rates.slow_beta]) * b,
+            alpha: self.alpha.rate(cis_chi, [chi, lambda_alpha]) * a,
+            beta: self.beta.rate(cis_chi, [chi, lambda_beta]) * b,
         }
     }
 }
 
-impl<R: Real> Ellipse<R> {
+impl<R: Ring> Ellipse<R> {
     #[inline]
-    pub(crate) fn at(&self, chi: Complex<R>) -> Complex<R> {
-        Complex::new(self.x * chi.re, self.y * chi.im)
+    fn at(&self, cis_chi: Complex<R>) -> Complex<R> {
+        Complex::new(self.x * cis_chi.re, self.y * cis_chi.im)
     }
 
-    fn derivative(&self, chi: Complex<R>) -> Complex<R> {
-        self.at(chi.times_i())
+    fn derivative(&self, cis_chi: Complex<R>) -> Complex<R> {
+        self.at(cis_chi.times_i())
     }
 
-    /// Rate of the parameter divided by e^{i slow phase}, from the rates of χ and of the slow phase.
-    pub(crate) fn rate(&self, chi: Complex<R>, [nutation, slow]: [R; 2]) -> Complex<R> {
-        self.derivative(chi).scaled(nutation) + self.at(chi).times_i().scaled(slow)
+    /// Rate of the parameter divided by e^{iλ}, from the rates of χ and λ.
+    fn rate(&self, cis_chi: Complex<R>, [chi, lambda]: [R; 2]) -> Complex<R> {
+        self.derivative(cis_chi).scaled(chi) + self.at(cis_chi).times_i().scaled(lambda)
+    }
+}
+
+impl<F: Float> Ellipse<F> {
+    /// Multiple of e^{iλ}, for the slow phase λ by least squares from the parameter z, its rate, and the rates of χ and λ.
+    pub fn slow_phase(
+        &self,
+        cis_chi: Complex<F>,
+        rates @ [chi, lambda]: [F; 2],
+        [z, z_rate]: [Complex<F>; 2],
+    ) -> Complex<F> {
+        let time_squared = F::ONE / (chi.squared() + lambda.squared());
+        z * self.at(cis_chi).conj() + (z_rate * self.rate(cis_chi, rates).conj()).scaled(time_squared)
     }
 
+    /// Coefficients of e^{iχ} and e^{-iχ} in the ellipse.
+    pub(crate) fn exponentials(&self) -> [F; 2] {
+        [(self.x + self.y).halved(), (self.x - self.y).halved()]
+    }
+}
+
+impl<R: Real> Ellipse<R> {
     /// Winding number of the ellipse around 0 over 2π of χ: 1, -1, or 0 where it passes through 0.
     fn winding(&self) -> i32 {
         if self.x == R::ZERO { 0 } else { i32::from(self.y > R::ZERO) - i32::from(self.y < R::ZERO) }
     }
 
-    /// Coefficients of e^{iχ} and e^{-iχ} in the ellipse.
-    pub(crate) fn exponentials(&self) -> [R; 2] {
-        [(self.x + self.y).halved(), (self.x - self.y).halved()]
-    }
-
     /// Argument of the ellipse; where the ellipse is 0, the argument of its derivative with respect to χ.
-    fn argument(&self, chi: Complex<R>) -> Phase {
-        let value = self.at(chi);
-        let value = if value == Complex::ZERO { self.derivative(chi) } else { value };
+    fn argument(&self, cis_chi: Complex<R>) -> Phase {
+        let value = self.at(cis_chi);
+        let value = if value == Complex::ZERO { self.derivative(cis_chi) } else { value };
         Phase::from_radians(value.arg().to_f64())
     }
 
     /// Argument of the ellipse, continuous in χ, within a quarter turn of ±χ; 0 if the ellipse passes through 0.
     ///
-    /// * `whole_chi`: χ with its whole turns
-    pub(crate) fn continued_argument(&self, chi: Complex<R>, whole_chi: Phase) -> Phase {
+    /// * `chi`: χ with its whole turns
+    pub(crate) fn continued_argument(&self, cis_chi: Complex<R>, chi: Phase) -> Phase {
         let sense = self.winding();
         if sense == 0 {
             return Phase::ZERO;
         }
         let y = if sense < 0 { -self.y } else { self.y };
+        let Complex { re: cosine, im: sine } = cis_chi;
         // arg(x cos χ + i y sin χ) - χ
         let correction =
-            R::atan2((y - self.x) * chi.im * chi.re, self.x * chi.re.squared() + y * chi.im.squared());
-        (whole_chi + Phase::from_radians(correction.to_f64())) * sense.into()
+            R::atan2((y - self.x) * sine * cosine, self.x * cosine.squared() + y * sine.squared());
+        (chi + Phase::from_radians(correction.to_f64())) * sense.into()
     }
 }

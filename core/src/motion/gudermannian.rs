@@ -14,10 +14,10 @@ pub(crate) fn gudermannian<R: Real>(v: R) -> Complex<R> {
     Complex::new(q.doubled() * per_sum, if v < R::ZERO { -tanh } else { tanh })
 }
 
-/// Variable v whose Gudermannian is the argument of a number, by Newton's method.
-pub fn inverse_gudermannian(direction: Complex<f64>) -> f64 {
+/// Variable v with χ = gd v, from e^{iχ}, by Newton's method.
+pub fn inverse_gudermannian(cis_chi: Complex<f64>) -> f64 {
     const MOST_STEPS: u32 = 10;
-    let tangent = direction.im.abs() / direction.re;
+    let tangent = cis_chi.im.abs() / cis_chi.re;
     // above v, or close to it where v is small
     let mut v =
         if tangent < 1.0 { tangent } else { f64::from(exponent(tangent) + 1) * core::f64::consts::LN_2 };
@@ -29,7 +29,7 @@ pub fn inverse_gudermannian(direction: Complex<f64>) -> f64 {
             break;
         }
     }
-    if direction.im < 0.0 { -v } else { v }
+    if cis_chi.im < 0.0 { -v } else { v }
 }
 
 #[cfg(test)]
@@ -39,12 +39,12 @@ mod tests {
     #[test]
     fn the_gudermannian_keeps_its_digits_at_both_ends() {
         for v in [1e-20, 3e-9, 0.1, 2.0, 30.0, 700.0_f64] {
-            let direction = gudermannian(v);
-            let Complex { re: sech, im: tanh } = direction;
+            let cis_chi = gudermannian(v);
+            let Complex { re: sech, im: tanh } = cis_chi;
             assert!((tanh / libm::tanh(v) - 1.0).abs() < 5e-16, "{v}: {tanh:e}");
             assert!((sech * libm::cosh(v) - 1.0).abs() < 5e-16, "{v}: {sech:e}");
-            assert_eq!(gudermannian(-v), direction.conj());
-            let inverse = inverse_gudermannian(direction);
+            assert_eq!(gudermannian(-v), cis_chi.conj());
+            let inverse = inverse_gudermannian(cis_chi);
             assert!((inverse / v - 1.0).abs() < 5e-16, "{v}: {inverse:e}");
         }
     }

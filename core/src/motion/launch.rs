@@ -8,18 +8,19 @@ use self::half_phase::half_phase_of_angle;
 use self::slow_phases::attitude;
 use crate::body::{ParameterError, ScaledTop, State, Top, check, check_range};
 use crate::complex::Complex;
-use crate::constants::{BranchPoints, FirstIntegrals, LaunchRounding, Regime, Signs};
+use crate::constants::{BranchPoints, FirstIntegrals, Regime, Signs};
 use crate::motion::cayley_klein::Ellipses;
-use crate::motion::{HalfPhase, Motion};
+use crate::motion::{HalfPhase, LaunchRounding, Motion};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 
-/// Phases at t = 0 of a motion given by branch points. All are in rad, and 0 by default.
+/// Angles at t = 0 of a motion given by branch points, in rad; 0 by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct InitialPhases {
-    /// Nutation angle θ(0) = 2χ(0): 0 at u = e₁, π at u = e₂, with u rising in between. The `f64` nearest to a multiple of π counts as it. θ = π with
-    /// e₂ = e₃ = 1 means the sleeping top.
+pub struct InitialAngles {
+    /// Nutation angle θ(0) = 2χ(0): 0 at u = e₁, π at u = e₂, with u rising in between.
+    ///
+    /// The `f64` nearest to a multiple of π counts as that multiple. With e₂ = e₃ = 1, θ = π is the upright top, u = 1.
     pub theta: f64,
     /// Argument of α(0); where α(0) = 0, that of α'(0).
     pub arg_alpha: f64,
@@ -68,6 +69,7 @@ impl Motion {
         pause();
         motion.rounding = LaunchRounding::new(top, &integrals, &point, e, state);
         pause();
+        motion.set_torque_free_rate(&point);
         motion.start_half_phase(&point);
         pause();
         motion.start_slow_phases(&attitude(state), pause);
@@ -85,7 +87,7 @@ impl Motion {
         top: &Top,
         e: [f64; 3],
         signs: Signs,
-        start: &InitialPhases,
+        start: &InitialAngles,
     ) -> Result<Self, ParameterError> {
         check(
             !top.is_torque_free(),
@@ -93,7 +95,7 @@ impl Motion {
             "one with torque: without it branch points tell no rate; give a state or a release",
         )?;
         let e = BranchPoints::from_roots(e)?;
-        let InitialPhases { theta, arg_alpha, arg_beta } = *start;
+        let InitialAngles { theta, arg_alpha, arg_beta } = *start;
         for (name, angle) in [("theta", theta), ("arg_alpha", arg_alpha), ("arg_beta", arg_beta)] {
             check_range(-1e6..=1e6, name, angle, "between -1e6 and 1e6 rad")?;
         }
@@ -115,7 +117,7 @@ impl Motion {
             HalfPhase::Nutating(_) => HalfPhase::Nutating(chi),
             HalfPhase::Aperiodic(_) => HalfPhase::Aperiodic(Complex::cis(chi)),
         };
-        let arguments = motion.ellipses.arguments(motion.direction());
+        let arguments = motion.ellipses.arguments(motion.cis_chi());
         for (phase, argument) in motion.slow_phases.iter_mut().zip(arguments) {
             *phase = *phase - argument;
         }
@@ -143,7 +145,7 @@ impl Motion {
             e: *e,
             integrals: *integrals,
             half_tau: ((a - c) / a * integrals.spin - k / a).halved(),
-            ellipses: Ellipses::oscillating(e, signs),
+            ellipses: Ellipses::oscillating(e, signs, Extended::to_f64),
             regime,
             half_phase: match regime {
                 _ if is_steady => HalfPhase::Steady,

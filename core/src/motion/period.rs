@@ -15,12 +15,12 @@ use crate::scalar::{Extended, Float, Ring};
 pub struct PeriodAdvance {
     /// Period T: time from u = e₁ to e₂ and back to e₁, in the unit of time (s).
     pub period: f64,
-    /// Advance (arg α(t+T) - arg α(t))/2π; for e₁ = -1 of α with a signed modulus.
+    /// Advance (arg α(t+T) - arg α(t))/2π; if e₁ = -1, of α/±|α|, which does not jump.
     pub alpha_turns: f64,
-    /// Advance (arg β(t+T) - arg β(t))/2π; for e₂ = 1 of β with a signed modulus.
+    /// Advance (arg β(t+T) - arg β(t))/2π; if e₂ = 1, of β/±|β|, which does not jump.
     pub beta_turns: f64,
     /// Advance of the tip angle φ over a period, rad; through the centre with a signed radius.
-    pub phi_per_period: f64,
+    pub phi_radians: f64,
     /// Period before rounding.
     #[doc(hidden)]
     pub exact_period: Extended,
@@ -42,7 +42,7 @@ impl PeriodAdvance {
             period: time.to_f64(),
             alpha_turns,
             beta_turns,
-            phi_per_period: phi.to_f64(),
+            phi_radians: phi.to_f64(),
             exact_period: time,
             rotations: [about_vertical, about_axis].map(|angle| angle.in_turns().to_phase()),
         }

@@ -18,16 +18,16 @@ use crate::scalar::{Float, Ring};
 /// Rates of the three phases, rad/s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PhaseRates<R> {
-    /// Rate χ' for a nutating motion, v' for an aperiodic one.
-    pub nutation: R,
-    /// Rate ψ_α', or λ_α' where τ/2 is added.
-    pub slow_alpha: R,
-    /// Rate ψ_β', or λ_β' where -τ/2 is added.
-    pub slow_beta: R,
+    /// Rate of the half phase: χ', or v' of an aperiodic motion.
+    pub half_phase: R,
+    /// Rate ψ_α'.
+    pub psi_alpha: R,
+    /// Rate ψ_β'.
+    pub psi_beta: R,
 }
 
 impl<R: Ring> PhaseRates<R> {
-    pub(crate) const ZERO: Self = Self { nutation: R::ZERO, slow_alpha: R::ZERO, slow_beta: R::ZERO };
+    pub(crate) const ZERO: Self = Self { half_phase: R::ZERO, psi_alpha: R::ZERO, psi_beta: R::ZERO };
 }
 
 /// Constants of the equations of one motion.
@@ -119,7 +119,7 @@ impl<F: Float> PhaseEquations<F> {
             half_g: g.halved(),
             alpha_rate_factor: l_plus_n / a.doubled(),
             alpha_chi_time: (per_g / e.one_plus_e3()).sqrt().doubled(),
-            beta_rate_factor: signs.l_minus_n.apply(beta_rate_factor),
+            beta_rate_factor: signs.l_minus_n.times(beta_rate_factor),
             root_e3_minus_one: e.e3_minus_one.sqrt(),
             beta_chi_time: per_g.sqrt().doubled(),
         }
@@ -151,28 +151,30 @@ impl<F: Float> PhaseEquations<F> {
     pub fn rates(&self, sine: F, cosine: F) -> PhaseRates<F> {
         let [one_plus_u, one_minus_u, per_d] = self.complements_and_per_d(sine, cosine);
         let e3_minus_u = self.e3_minus_e2 + self.e2_minus_e1 * cosine.squared();
-        let nutation = (self.half_g * e3_minus_u * per_d).sqrt();
-        let beta_divisor = self.root_e3_minus_one + self.beta_chi_time * nutation;
+        let chi_rate = (self.half_g * e3_minus_u * per_d).sqrt();
+        let beta_divisor = self.root_e3_minus_one + self.beta_chi_time * chi_rate;
         // for e₂ = e₃ = 1 and u = 1 numerator and denominator are 0, and ψ_β' is 0
-        let beta = if beta_divisor > F::ZERO {
+        let psi_beta = if beta_divisor > F::ZERO {
             self.beta_rate_factor * (self.s_times_e3_minus_one * one_plus_u - self.a_over_p) * per_d
                 / beta_divisor
         } else {
             F::ZERO
         };
-        PhaseRates { nutation, slow_alpha: self.alpha_rate(one_minus_u, per_d, nutation), slow_beta: beta }
+        let psi_alpha = self.psi_alpha_rate(one_minus_u, per_d, chi_rate);
+        PhaseRates { half_phase: chi_rate, psi_alpha, psi_beta }
     }
 
-    fn alpha_rate(&self, one_minus_u: F, per_d: F, chi_rate: F) -> F {
+    fn psi_alpha_rate(&self, one_minus_u: F, per_d: F, chi_rate: F) -> F {
         self.alpha_rate_factor * (self.a_over_p_by_e3_plus_one + self.s * one_minus_u) * per_d
             / (F::ONE + self.alpha_chi_time * chi_rate)
     }
 
     /// Aperiodic motion (e₂ = e₃ = 1): rates of v and ψ_α at e^{iχ}. The rate of ψ_β is 0.
-    pub(crate) fn aperiodic_rates(&self, chi: Complex<F>) -> PhaseRates<F> {
-        let [_, one_minus_u, per_d] = self.complements_and_per_d(chi.im, chi.re);
-        let nutation = (self.half_g * self.e2_minus_e1 * per_d).sqrt();
-        let chi_rate = nutation * chi.re; // χ' = v' sech v
-        PhaseRates { nutation, slow_alpha: self.alpha_rate(one_minus_u, per_d, chi_rate), slow_beta: F::ZERO }
+    pub(crate) fn aperiodic_rates(&self, cis_chi: Complex<F>) -> PhaseRates<F> {
+        let [_, one_minus_u, per_d] = self.complements_and_per_d(cis_chi.im, cis_chi.re);
+        let v_rate = (self.half_g * self.e2_minus_e1 * per_d).sqrt();
+        // χ' = v' sech v
+        let psi_alpha = self.psi_alpha_rate(one_minus_u, per_d, v_rate * cis_chi.re);
+        PhaseRates { half_phase: v_rate, psi_alpha, psi_beta: F::ZERO }
     }
 }

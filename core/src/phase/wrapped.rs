@@ -1,7 +1,7 @@
 //! Phase without whole turns, the type of a table's phases.
 
 use super::Phase;
-use crate::product::{product_u32, wrapping_product};
+use crate::integer::{product_u32, wrapping_product};
 
 /// Phase in [0, 1) turn in 96 bits. Whole turns are dropped.
 ///
@@ -71,8 +71,9 @@ impl WrappedPhase {
         Self::new([low, sum as u32, (sum >> 32) as u32])
     }
 
-    /// 64 leading bits of the product with n + part · 2^-64. The part multiplies the phase in [-1/2, 1/2) turn. The result is rounded down, to within
-    /// 2^-95 turns.
+    /// 64 leading bits of the step after n + part · 2^-64 ticks. The step counts as less than half a turn.
+    ///
+    /// Rounded down; error below 2^-95 turns.
     #[inline(always)]
     pub(crate) const fn leading_bits_after(self, n: u64, part: u64) -> u64 {
         let ([low, ..], leading) = (self.words, self.leading_bits());
@@ -117,7 +118,7 @@ mod tests {
     #[test]
     fn ticks_and_a_part_of_a_tick() {
         for turns in [0.3, -0.3, 1e-9, -0.499, 0.0, -1e-25] {
-            let step = WrappedPhase::from_phase(Phase::new(turns));
+            let step = WrappedPhase::from_phase(Phase::from_turns(turns));
             for (n, part) in [(0, 0), (0, 0xfff), (7, 1), (1000, 1 << 11), (12, (1 << 12) - 1)] {
                 let ticks = (i128::from(n) << 12) + i128::from(part);
                 let exact = (step.to_phase().principal().to_bits() * ticks) >> 12;
@@ -136,8 +137,8 @@ mod tests {
 
     #[test]
     fn a_phase_is_wrapped_and_returned() {
-        let phase = Phase::new(3.7);
-        assert_eq!(WrappedPhase::from_phase(phase).to_phase(), phase - Phase::new(3.0));
-        assert_eq!(WrappedPhase::from_phase(Phase::new(-0.25)).leading_bits(), 3 << 62);
+        let phase = Phase::from_turns(3.7);
+        assert_eq!(WrappedPhase::from_phase(phase).to_phase(), phase - Phase::from_turns(3.0));
+        assert_eq!(WrappedPhase::from_phase(Phase::from_turns(-0.25)).leading_bits(), 3 << 62);
     }
 }

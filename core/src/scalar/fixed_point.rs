@@ -1,7 +1,7 @@
 //! [`I2F30`] and [`I2F14`] of the crate `fixed` as scalars. The quantities of a tick are at most 1, and the range is [-2, 2).
 
+use crate::integer::high_product;
 use crate::phase::Phase;
-use crate::product::high_product;
 use crate::scalar::{Ring, Scalar, sine_cosine_q31};
 use fixed::types::{I2F14, I2F30};
 
@@ -18,7 +18,7 @@ macro_rules! fixed_scalar {
             const ZERO: Self = Self::ZERO;
             const ONE: Self = Self::ONE;
 
-            /// Sum x + x. It wraps only for numbers that no motion has.
+            /// Sum x + x. No motion has numbers for which it wraps.
             #[inline(always)]
             fn doubled(self) -> Self {
                 self.wrapping_add(self)

@@ -34,7 +34,7 @@ pub(crate) fn u64_to_f32(number: u64) -> f32 {
 
 /// Product x · 2^exponent, at a tenth of a soft multiplication.
 #[inline(never)]
-pub(crate) fn times_power_of_two(x: f64, exponent: i32) -> f64 {
+pub(crate) fn ldexp(x: f64, exponent: i32) -> f64 {
     let (upper, lower) = ((x.to_bits() >> 32) as u32, x.to_bits() as u32);
     let field = ((upper >> 20) & 0x7ff) as i32;
     let result = field.saturating_add(exponent);

@@ -7,10 +7,11 @@
 //! | `sine_cosine_f64` | phase of 64 bits | `f64` |
 //! | `sine_cosine_q31`, `q26`, `q15` | phase of 32 bits | integers, from 512 points of the circle (2.5 KiB of flash) |
 //!
-//! The constants are public for an evaluator in another language.
+//! `host` writes the constants into tables for C. A set-up has sines of 57 bits of its own, and `Orientation::exp`, whose angle may be of any
+//! size, libm's.
 
+use crate::integer::{high_product, product_32x16, product_32x16_by_constant};
 use crate::phase::Phase;
-use crate::product::{high_product, product_32x16, product_32x16_by_constant};
 use crate::scalar::Extended;
 
 /// Coefficients of S in sin 2πx = x S(x²) for |x| <= 1/8, lowest power first: the Chebyshev interpolant on [0, 1/64]
@@ -55,7 +56,7 @@ pub(crate) const fn sine_cosine_f64(phase: u64) -> (f64, f64) {
 /// (sin 2πx, cos 2πx) of a phase of x turns. The error is relative near the zeros.
 pub(super) fn sine_cosine_of_phase(phase: Phase) -> (f64, f64) {
     let (quadrant, remainder) = phase.quadrant();
-    quarter_turns(quadrant, remainder.to_f64())
+    quarter_turns(quadrant, remainder.to_turns())
 }
 
 /// (sin x, cos x) of an angle of x rad up to 1e6. Error: below 4e-16, relative near the zeros. Those of libm take several kilobytes of flash.
@@ -175,7 +176,7 @@ mod tests {
         let points = if cfg!(miri) { 2003 } else { 100_003 };
         (0..points).fold(0.0, |worst: f64, i| {
             let turns = f64::from(i) * (3.0 / f64::from(points)) - 1.5;
-            let (sine, cosine) = R::sine_cosine(Phase::new(turns));
+            let (sine, cosine) = R::sine_cosine(Phase::from_turns(turns));
             let angle = 2.0 * core::f64::consts::PI * (turns - turns.round());
             worst.max((sine.into() - libm::sin(angle)).abs()).max((cosine.into() - libm::cos(angle)).abs())
         })
@@ -208,7 +209,7 @@ mod tests {
         assert_eq!(f64::sine_cosine(Phase::QUARTER), (1.0, 0.0));
         assert_eq!(f32::sine_cosine(Phase::HALF), (0.0, -1.0));
         let tiny = 1e-15;
-        let (_, cosine) = f64::sine_cosine(Phase::QUARTER - Phase::new(tiny));
+        let (_, cosine) = f64::sine_cosine(Phase::QUARTER - Phase::from_turns(tiny));
         assert!((cosine / (2.0 * core::f64::consts::PI * tiny) - 1.0).abs() < 1e-4);
     }
 

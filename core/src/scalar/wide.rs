@@ -1,6 +1,6 @@
 //! Floating-point numbers of one or two words of 64 bits, in integers.
 //!
-//! In 128 bits the small differences of a launch keep their digits. An exact product has twice as many words.
+//! In 128 bits the small differences of a launch keep their digits.
 
 mod words;
 
@@ -43,7 +43,7 @@ impl<const WORDS: usize> Wide<WORDS> {
 
     /// Product with a power of two.
     #[must_use]
-    pub fn times_power_of_two(self, exponent: i32) -> Self {
+    pub fn ldexp(self, exponent: i32) -> Self {
         self.with_exponent(self.exponent.saturating_add(exponent))
     }
 

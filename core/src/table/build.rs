@@ -51,7 +51,7 @@ pub use set_up::SetUp;
 
 #[cfg(test)]
 mod tests {
-    use crate::{InitialPhases, Motion, Signs, Top, TopParameters};
+    use crate::{InitialAngles, Motion, Signs, Top, TopParameters};
 
     /// Nutating motion of a sliding top.
     pub(super) fn nutating_motion() -> Motion {
@@ -64,6 +64,6 @@ mod tests {
         };
         let top = Top::sliding(&parameters).unwrap();
         let e = [-0.5, 0.5, 1.5];
-        Motion::from_branch_points(&top, e, Signs::default(), &InitialPhases::default()).unwrap()
+        Motion::from_branch_points(&top, e, Signs::default(), &InitialAngles::default()).unwrap()
     }
 }

@@ -135,7 +135,7 @@ pub trait Number: Ring + Into<Self::Quantity> {
         rates: [Self::Quantity; 3],
     ) -> (Vector<Self>, i32);
     /// Product with a power of two.
-    fn times_power_of_two(self, exponent: i32) -> Self::Quantity;
+    fn ldexp(self, exponent: i32) -> Self::Quantity;
 }
 
 /// Coefficient of a table, and the arithmetic of its evaluation.

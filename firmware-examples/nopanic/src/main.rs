@@ -12,7 +12,7 @@ use toytop::scalar::Real;
 use toytop::su2::Orientation;
 use toytop::{
     BranchPoints, Complex, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, FirstIntegrals,
-    InitialPhases, Level, Motion, ParameterError, Phase, Release, SetUp, Sign, Signs, State, Stepper, Tick,
+    InitialAngles, Level, Motion, ParameterError, Phase, Release, SetUp, Sign, Signs, State, Stepper, Tick,
     Top, TopParameters,
 };
 use toytop_closed_forms::ClosedForm;
@@ -78,7 +78,7 @@ fn set_up() -> Result<(), ParameterError> {
         let e = BranchPoints::new(unknown(), unknown(), unknown())?;
         black_box(e.integrals(&top, signs));
         black_box(BranchPoints::from_integrals(&top, unknown(), unknown(), unknown())?);
-        let start = InitialPhases { theta: unknown(), arg_alpha: unknown(), arg_beta: unknown() };
+        let start = InitialAngles { theta: unknown(), arg_alpha: unknown(), arg_beta: unknown() };
         spin(&Motion::from_branch_points(&top, [unknown(); 3], signs, &start)?);
     }
     Ok(())
@@ -119,7 +119,7 @@ fn release() -> Release {
 fn spin(motion: &Motion) {
     black_box((motion.top(), motion.regime(), motion.tip_class(), motion.signs()));
     black_box((motion.first_integrals(), motion.branch_points()));
-    black_box(motion.period_advance().map(|averages| averages.phi_per_period));
+    black_box(motion.period_advance().map(|averages| averages.phi_radians));
     black_box(motion.min_normal_force());
     if let Ok(form) = ClosedForm::of(motion) {
         black_box((form.at(unknown()), form.nutation_phase(unknown())));
@@ -180,16 +180,16 @@ fn tick<R: Real>(motion: &Motion) {
     stepper.step(R::from_f64(unknown()));
     let attitude = stepper.attitude_state();
     black_box((stepper.orientation(), attitude.u(), attitude.udot(), attitude.axis(), attitude.quaternion()));
-    black_box((attitude.omega(), attitude.omega_body(), attitude.state().is_ok()));
+    black_box((attitude.omega(), attitude.omega_body(), State::from_attitude(&attitude).is_ok()));
     black_box((stepper.tip(), stepper.tip_velocity(), stepper.tip_angle_rate()));
-    black_box(stepper.tip_angle().map(|angle| (angle.to_f64(), angle.to_radians(), angle.principal())));
+    black_box(stepper.tip_angle().map(|angle| (angle.to_turns(), angle.to_radians(), angle.principal())));
 }
 
 /// Calls of the events of every kind.
 fn events<R: EphemerisScalar>(table: &EphemerisView<R>, motion: &Motion) {
     let event = table.turning_points(black_box(3)).find(|event| event.upward);
     black_box(event.map(|event| (table.time_of(&event), table.at_event(&event).orientation())));
-    black_box(table.tip_angles(Phase::new(unknown()), black_box(3)).next());
+    black_box(table.tip_angles(Phase::from_turns(unknown()), black_box(3)).next());
     let circle = Level::of_circle(motion.top(), unknown()).ok().map(|[upper, _]| upper);
     let levels =
         [Level::of_u(unknown()).ok(), Level::of_tilt(unknown()).ok(), circle, Level::of_lift_off(motion)];
@@ -208,7 +208,7 @@ fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     black_box((sample.omega(), sample.omega_body(), sample.udot(), sample.tip_velocity()));
     black_box((sample.orientation_and_omega_body(), ephemeris.rate_error_bound_at(black_box(3))));
     black_box((sample.tip_angle(), sample.nutation_phase(), sample.orientation().tip_over_s()));
-    black_box(sample.attitude_state().state().is_ok());
+    black_box(State::from_attitude(&sample.attitude_state()).is_ok());
     let mut cursor = ephemeris.cursor(black_box(3));
     black_box((cursor.next(&ephemeris).orientation(), cursor.tick()));
     events(&ephemeris, motion);

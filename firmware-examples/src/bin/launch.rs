@@ -51,7 +51,7 @@ fn launch(axial_inertia: f64, measured: &Measured) -> Result<Motion, ParameterEr
 fn log(motion: &Motion) {
     defmt::info!("{}", motion);
     if let Some(averages) = motion.period_advance() {
-        defmt::info!("nutates in {=f64} s, precesses {=f64} rad", averages.period, averages.phi_per_period);
+        defmt::info!("nutates in {=f64} s, precesses {=f64} rad", averages.period, averages.phi_radians);
     }
     if let Some(force) = motion.min_normal_force() {
         defmt::info!("presses on the plane with {=f64} of its weight or more", force);

@@ -15,7 +15,7 @@ use critical_section::Mutex;
 use heapless::spsc::{Consumer, Producer, Queue};
 use toytop::{
     AttitudeState, Cursor, EphemerisF32, EphemerisMemory, EphemerisView, Motion, Orientation, ParameterError,
-    SetUp, Stepper, Tick, Top,
+    SetUp, State, Stepper, Tick, Top,
 };
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
@@ -204,7 +204,7 @@ fn relaunch(
     memory: &mut Memory,
     bridge: impl FnOnce(Stepper<f32>),
 ) -> Result<(), ParameterError> {
-    let launched = Motion::launch(top, &before.state()?.with_impulse(top, IMPULSE, POINT)?);
+    let launched = Motion::launch(top, &State::from_attitude(before)?.with_impulse(top, IMPULSE, POINT)?);
     let motion = launched.as_ref().map_err(|error| *error)?;
     bridge(Stepper::new(motion));
     memory.set_up(scratch, motion, Tick::hertz(TICK_RATE)?, at, &mut || {}).expect("an ordinary motion");

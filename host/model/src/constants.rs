@@ -86,8 +86,8 @@ static TOP_AND_START: [Constant; 20] = [
     number("p", "kg m", |motion| motion.top().mass_moment()),
     number("g", "m/s^2", |motion| motion.top().gravity()),
     number("K", "kg m^2/s", |motion| motion.top().rotor_momentum()),
-    number("sign_l_plus_n", "", |motion| motion.signs().l_plus_n.factor().into()),
-    number("sign_l_minus_n", "", |motion| motion.signs().l_minus_n.factor().into()),
+    number("sign_l_plus_n", "", |motion| motion.signs().l_plus_n.as_i32().into()),
+    number("sign_l_minus_n", "", |motion| motion.signs().l_minus_n.as_i32().into()),
     number("natural_time", "s", |motion| natural_time(motion)),
     number("tilt", "rad", |motion| axis_at_start(motion)[0]),
     number("azimuth", "rad", |motion| axis_at_start(motion)[1]),
@@ -162,7 +162,7 @@ impl MotionConstants {
 
     /// Advance of the tip angle in a period, rad; NaN where the axis is vertical.
     pub fn phi_per_period(&self) -> f64 {
-        if self.regime().is_vertical() { f64::NAN } else { self.turning(|advance| advance.phi_per_period) }
+        if self.regime().is_vertical() { f64::NAN } else { self.turning(|advance| advance.phi_radians) }
     }
 }
 

@@ -1,7 +1,7 @@
 //! A top and its motion from numbers in the order of a scenario's keys.
 
 use toytop::{
-    Complex, InitialPhases, Motion, Orientation, ParameterError, Release, Sign, Signs, State, Top,
+    Complex, InitialAngles, Motion, Orientation, ParameterError, Release, Sign, Signs, State, Top,
     TopParameters,
 };
 use toytop_model::angles::{angle, tilt};
@@ -56,7 +56,7 @@ pub fn motion(top: &Top, kind: u32, numbers: &MotionNumbers) -> Result<Motion, P
         }
         _ => {
             let signs = Signs { l_plus_n: Sign::new(d), l_minus_n: Sign::new(e) };
-            let start = InitialPhases { theta: f, arg_alpha: g, arg_beta: h };
+            let start = InitialAngles { theta: f, arg_alpha: g, arg_beta: h };
             Motion::from_branch_points(top, [a, b, c], signs, &start)
         }
     }

@@ -4,7 +4,7 @@ use crate::arguments::{refused, renamed, value_error};
 use crate::motion::MotionCore;
 use crate::top::TopCore;
 use pyo3::prelude::*;
-use toytop::{InitialPhases, Motion, Orientation, ParameterError, Release, Sign, Signs, State};
+use toytop::{InitialAngles, Motion, Orientation, ParameterError, Release, Sign, Signs, State};
 use toytop_host::input::scenario::{Launch, fastest_rate};
 
 #[pymethods]
@@ -43,7 +43,7 @@ impl TopCore {
     fn branch_points(&self, e: [f64; 3], positive: [bool; 2], phases: [f64; 3]) -> PyResult<MotionCore> {
         let [l_plus_n, l_minus_n] = positive.map(|positive| if positive { Sign::Plus } else { Sign::Minus });
         let [theta, arg_alpha, arg_beta] = phases;
-        let (signs, phases) = (Signs { l_plus_n, l_minus_n }, InitialPhases { theta, arg_alpha, arg_beta });
+        let (signs, phases) = (Signs { l_plus_n, l_minus_n }, InitialAngles { theta, arg_alpha, arg_beta });
         let motion = Motion::from_branch_points(&self.top, e, signs, &phases)
             .map_err(|error| renamed(error, &[("theta", "nutation_phase")]))?;
         Ok(MotionCore::new(*self, Launch::BranchPoints { e, signs, phases }, motion))

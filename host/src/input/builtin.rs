@@ -1,7 +1,7 @@
 //! Built-in motions, which `compare` runs without a scenario file.
 
 use crate::input::scenario::{Launch, Scenario, Units};
-use toytop::{InitialPhases, Motion, Sign, Signs, Top, TopParameters};
+use toytop::{InitialAngles, Motion, Sign, Signs, Top, TopParameters};
 
 /// Scenarios of the paper's figures 2 and 3, of seven tops in SI units, and of two motions near the separatrix.
 pub fn scenarios() -> Vec<Scenario> {
@@ -57,7 +57,7 @@ fn curve(name: String, top: [f64; 4], e: [f64; 3], signs: Signs) -> Scenario {
         gravity: 1.0,
         ..TopParameters::default()
     };
-    let phases = InitialPhases::default();
+    let phases = InitialAngles::default();
     let motion =
         Top::sliding(&parameters).and_then(|top| Motion::from_branch_points(&top, e, signs, &phases));
     Scenario {

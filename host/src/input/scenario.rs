@@ -16,7 +16,7 @@ use crate::Failure;
 use std::fmt::Display;
 use std::path::Path;
 use toml::{Table, Value};
-use toytop::{InitialPhases, Motion, Orientation, Signs, State, Top, TopParameters};
+use toytop::{InitialAngles, Motion, Orientation, Signs, State, Top, TopParameters};
 
 /// Units of a scenario's numbers.
 #[derive(Clone, Copy, PartialEq)]
@@ -62,7 +62,7 @@ pub enum Launch {
         /// Signs of l + n and l - n.
         signs: Signs,
         /// Phases at t = 0.
-        phases: InitialPhases,
+        phases: InitialAngles,
     },
     /// Orientation and angular velocity.
     State {
@@ -208,8 +208,8 @@ pub fn to_toml(top: &impl Display, launch: &Launch) -> String {
             format!("kind = \"state\"\nalpha = {alpha:?}\nbeta = {beta:?}\nomega = {omega:?}\n")
         }
         Launch::BranchPoints { e: [e1, e2, e3], signs, phases } => {
-            let (plus, minus) = (signs.l_plus_n.factor(), signs.l_minus_n.factor());
-            let InitialPhases { theta, arg_alpha, arg_beta } = phases;
+            let (plus, minus) = (signs.l_plus_n.as_i32(), signs.l_minus_n.as_i32());
+            let InitialAngles { theta, arg_alpha, arg_beta } = phases;
             format!(
                 "kind = \"branch_points\"\ne1 = {e1:?}\ne2 = {e2:?}\ne3 = {e3:?}\nsign_l_plus_n = {plus}\n\
                  sign_l_minus_n = {minus}\nnutation_phase = {theta:?}\narg_alpha = {arg_alpha:?}\narg_beta = {arg_beta:?}\n"

@@ -222,7 +222,7 @@ fn fill_from_samples(column: Quantity, times: &[f64], rows: &mut [f64], at: impl
 /// Angle in radians of a phase known modulo 2^32 turns, nearest to `near`, a number of turns.
 fn unwrapped(phase: Phase, near: f64) -> f64 {
     const MODULUS: f64 = (1_u64 << 32) as f64;
-    let turns = phase.to_f64();
+    let turns = phase.to_turns();
     TAU * (turns + MODULUS * ((near - turns) / MODULUS).round())
 }
 
@@ -233,7 +233,7 @@ fn exact<R: Into<f64>>(z: Complex<R>) -> Complex<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use toytop::{InitialPhases, Motion, Signs, Top, TopParameters};
+    use toytop::{InitialAngles, Motion, Signs, Top, TopParameters};
     use toytop_model::constants::MotionConstants;
 
     pub(super) fn motion(a: f64, e: [f64; 3]) -> Motion {
@@ -246,7 +246,7 @@ mod tests {
             ..TopParameters::default()
         })
         .unwrap();
-        Motion::from_branch_points(&top, e, Signs::default(), &InitialPhases::default()).unwrap()
+        Motion::from_branch_points(&top, e, Signs::default(), &InitialAngles::default()).unwrap()
     }
 
     #[test]

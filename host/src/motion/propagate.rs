@@ -189,7 +189,7 @@ impl<R: Real> TimedStepper<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use toytop::{InitialPhases, Signs, Top, TopParameters};
+    use toytop::{InitialAngles, Signs, Top, TopParameters};
 
     fn motion() -> Motion {
         let top = Top::sliding(&TopParameters {
@@ -201,7 +201,7 @@ mod tests {
             ..TopParameters::default()
         })
         .unwrap();
-        Motion::from_branch_points(&top, [0.2, 0.8, 1.5], Signs::default(), &InitialPhases::default())
+        Motion::from_branch_points(&top, [0.2, 0.8, 1.5], Signs::default(), &InitialAngles::default())
             .unwrap()
     }
 

@@ -117,15 +117,7 @@ mod tests {
         let release = Release { tilt: 0.4, azimuth: 0.7, spin: 150.0, ..Release::default() };
         let state = State::from_release(&release).unwrap();
         let [x, y, _] = state.orientation().axis();
-        let slid = Top::sliding(&TopParameters {
-            transverse_inertia: 3.0e-5,
-            axial_inertia: 2.0e-5,
-            com_height: 0.03,
-            mass: 0.05,
-            gravity: 9.81,
-            ..TopParameters::default()
-        })
-        .unwrap();
+        let slid = Top::sliding(&TopParameters::TOY).unwrap();
         let held = Top::fixed(&TopParameters {
             transverse_inertia: 7.5e-5,
             axial_inertia: 2.0e-5,

@@ -41,7 +41,7 @@ pub fn page(start: &ScenarioFile) -> Result<String, Failure> {
         "name": scenario.name,
         "scenario": start.table,
         "constants": launch_names().collect::<Vec<_>>(),
-        "figures": FIGURES.map(|(figure, signs, e3s)| json!([figure, signs.l_minus_n.factor(), e3s])),
+        "figures": FIGURES.map(|(figure, signs, e3s)| json!([figure, signs.l_minus_n.as_i32(), e3s])),
         "toy_top": toy_top()?.table,
     });
     // the last text may contain a name in braces, and no character that could end the element of a script

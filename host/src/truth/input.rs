@@ -3,7 +3,7 @@
 use crate::input::random::Random;
 use crate::input::scenario::{Launch, supported};
 use std::f64::consts::PI;
-use toytop::{InitialPhases, Motion, ParameterError, Sign, Signs, State, Support, TopParameters};
+use toytop::{InitialAngles, Motion, ParameterError, Sign, Signs, State, Support, TopParameters};
 
 /// Numbers of a top and of its launch, taken as exact.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +34,7 @@ impl ExactInput {
         let signs = Signs { l_plus_n: sign(), l_minus_n: sign() };
         let [theta, arg_alpha, arg_beta] = [(); 3].map(|()| random.between(-PI, PI));
         let at_corner = [0.0, PI].into_iter().find(|_| random.one_in(16));
-        let phases = InitialPhases { theta: at_corner.unwrap_or(theta), arg_alpha, arg_beta };
+        let phases = InitialAngles { theta: at_corner.unwrap_or(theta), arg_alpha, arg_beta };
         let top = TopParameters {
             transverse_inertia: a,
             axial_inertia: c,

@@ -11,7 +11,7 @@ use super::precise::{
 };
 use crate::input::scenario::Launch;
 use std::f64::consts::PI;
-use toytop::{InitialPhases, Orientation, Sign, Signs, Support};
+use toytop::{InitialAngles, Orientation, Sign, Signs, Support};
 
 /// Constants of a motion, and its state at the launch.
 pub struct LaunchConstants {
@@ -98,7 +98,7 @@ impl LaunchConstants {
         [a, c, s, p, g, k]: &[Precise; 6],
         e: [f64; 3],
         signs: Signs,
-        phases: InitialPhases,
+        phases: InitialAngles,
     ) -> Self {
         let root_of = |sign, factors: [Precise; 3]| {
             let [x, y, z] = factors;

@@ -1,6 +1,6 @@
 //! Section 5.3, e₂ = e₃ = 1: the closed form at extreme times, and the angle of its tip.
 
-use toytop::{Complex, InitialPhases, Motion, Sign, Signs, Stepper};
+use toytop::{Complex, InitialAngles, Motion, Sign, Signs, Stepper};
 use toytop_closed_forms::Aperiodic;
 use toytop_tests::{by_branch_points, top_of};
 
@@ -47,7 +47,7 @@ fn the_tip_angle_counts_whole_turns() {
             (-1.0, Sign::Plus, 0.5),
         ] {
             let signs = Signs { l_plus_n: sign, l_minus_n: Sign::Plus };
-            let start = InitialPhases { theta, arg_alpha: 0.3, arg_beta: 1.0 };
+            let start = InitialAngles { theta, arg_alpha: 0.3, arg_beta: 1.0 };
             let motion = Motion::from_branch_points(&top, [e1, 1.0, 1.0], signs, &start).unwrap();
             let form = Aperiodic::new(&motion).unwrap();
             assert!((2e-15..1e-13).contains(&form.error_bound()));
@@ -65,7 +65,7 @@ fn the_tip_angle_counts_whole_turns() {
                     let direction = Complex::<f64>::cis(angle);
                     let across = tip.im * direction.re - tip.re * direction.im;
                     assert!(across.abs() < 1e-13 * (1.0 + com_height), "{com_height} {e1} {t}: {across:e}");
-                    turns = turns.max(angle.to_f64().abs());
+                    turns = turns.max(angle.to_turns().abs());
                 }
             }
         }

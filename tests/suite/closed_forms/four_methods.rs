@@ -1,7 +1,7 @@
 //! Closed forms of the paper against reference vectors, ephemeris and stepper: four methods for one motion.
 
 use std::f64::consts::TAU;
-use toytop::{InitialPhases, Motion, Regime, Stepper, Tick};
+use toytop::{InitialAngles, Motion, Regime, Stepper, Tick};
 use toytop_closed_forms::ClosedForm;
 use toytop_tests::{
     DIFFERENT, SAME, SIGNS, check, greater, keep, table_if_it_fits, tolerance, top_of, vectors, worst,
@@ -67,7 +67,7 @@ fn motions() -> Vec<Motion> {
         ];
         for (e, signs) in roots.into_iter().flat_map(|e| SIGNS.map(|signs| (e, signs))) {
             for theta in [0.0, 1.9, -2.5] {
-                let start = InitialPhases { theta, arg_alpha: 0.7, arg_beta: -2.1 };
+                let start = InitialAngles { theta, arg_alpha: 0.7, arg_beta: -2.1 };
                 motions.push(Motion::from_branch_points(&top, e, signs, &start).unwrap());
             }
         }
@@ -140,7 +140,7 @@ fn towards_every_corner() {
     for ((s, a, e), signs) in
         corners().into_iter().flat_map(|corner| [SAME, DIFFERENT].map(|signs| (corner, signs)))
     {
-        let start = InitialPhases { theta: 0.9, arg_alpha: 0.7, arg_beta: -2.1 };
+        let start = InitialAngles { theta: 0.9, arg_alpha: 0.7, arg_beta: -2.1 };
         let motion =
             Motion::from_branch_points(&top_of([a, 0.8 * a, s, 1.0], 1.0), e, signs, &start).unwrap();
         let form = ClosedForm::of(&motion).unwrap();

@@ -1,6 +1,6 @@
 //! Section 5.4: the Lagrange top as the limit of toy tops.
 
-use toytop::{Ephemeris, InitialPhases, Motion, Signs};
+use toytop::{Ephemeris, InitialAngles, Motion, Signs};
 use toytop_closed_forms::Lagrange;
 use toytop_tests::{DIFFERENT, SAME, kilohertz, top_of};
 
@@ -9,7 +9,7 @@ const E: [f64; 3] = [-0.4, 0.5, 1.8];
 
 /// Motion of a top with the height s of its centre of mass; s = 0 is the Lagrange top.
 fn motion(s: f64, signs: Signs) -> Motion {
-    let start = InitialPhases { theta: 0.8, arg_alpha: 0.3, arg_beta: -1.1 };
+    let start = InitialAngles { theta: 0.8, arg_alpha: 0.3, arg_beta: -1.1 };
     Motion::from_branch_points(&top_of([1.1, 0.7, s, 0.9], 1.0), E, signs, &start).unwrap()
 }
 

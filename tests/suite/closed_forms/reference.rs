@@ -1,7 +1,7 @@
 //! Closed forms against references that use no code of core, and the difference of e₃ and e₄ that they allow.
 
 use serde_json::Value;
-use toytop::{InitialPhases, Motion, Sign, Signs, Tick};
+use toytop::{InitialAngles, Motion, Sign, Signs, Tick};
 use toytop_closed_forms::{ClosedForm, E3EqualsE4};
 use toytop_tests::vectors::{self, entries, number, orientation, triple};
 use toytop_tests::{DIFFERENT, SAME, check, greater, table_of, tolerance, top_of};
@@ -11,7 +11,7 @@ fn motion(case: &Value) -> Motion {
     let [l_plus_n, l_minus_n] =
         [0, 1].map(|i| if number(&case["signs"][i]) > 0.0 { Sign::Plus } else { Sign::Minus });
     let [theta, arg_alpha, arg_beta] = ["theta", "arg_alpha", "arg_beta"].map(|key| number(&case[key]));
-    let (signs, start) = (Signs { l_plus_n, l_minus_n }, InitialPhases { theta, arg_alpha, arg_beta });
+    let (signs, start) = (Signs { l_plus_n, l_minus_n }, InitialAngles { theta, arg_alpha, arg_beta });
     Motion::from_branch_points(&vectors::top(case), triple(&case["e"]), signs, &start).unwrap()
 }
 
@@ -76,7 +76,7 @@ fn the_error_of_nearly_equal_e3_and_e4_is_bounded() {
             .into_iter()
             .flat_map(|units| [SAME, DIFFERENT].map(|signs| (f64::from_bits((spread + units) as u64), signs)))
         {
-            let start = InitialPhases { theta: 0.9, arg_alpha: 0.7, arg_beta: -2.1 };
+            let start = InitialAngles { theta: 0.9, arg_alpha: 0.7, arg_beta: -2.1 };
             let top = top_of([a, 0.8 * a, 1.0, 1.0], 1.0);
             let motion = Motion::from_branch_points(&top, [e1, e2, e4], signs, &start).unwrap();
             let form = E3EqualsE4::new(&motion).unwrap();

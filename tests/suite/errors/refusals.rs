@@ -1,7 +1,7 @@
 //! Refusals, by the name of the parameter. Values just inside the allowed range are accepted.
 
 use toytop::{
-    BranchPoints, Complex, Ephemeris, InitialPhases, Motion, Orientation, ParameterError, Release,
+    BranchPoints, Complex, Ephemeris, InitialAngles, Motion, Orientation, ParameterError, Release,
     SetUpError, Signs, State, Tick, Top, TopParameters,
 };
 use toytop_tests::{kilohertz, top_of, toy, vectors};
@@ -25,7 +25,7 @@ fn branch_points_that_do_not_determine_the_motion() {
         ..TopParameters::default()
     };
     let motion = |top: Top, e| {
-        parameter(Motion::from_branch_points(&top, e, Signs::default(), &InitialPhases::default()))
+        parameter(Motion::from_branch_points(&top, e, Signs::default(), &InitialAngles::default()))
     };
     let (rod, free) = (Top::fixed(&body).unwrap(), Top::free(&body).unwrap());
     assert_eq!(motion(rod, [-0.5, 0.5, 2.0]), Some("e3"));
@@ -126,11 +126,11 @@ fn branch_points() {
     ] {
         assert_eq!(parameter(BranchPoints::new(e1, e2, e3)), refused, "{e1} {e2} {e3}");
     }
-    let start = InitialPhases::default();
+    let start = InitialAngles::default();
     for (start, refused) in [
-        (InitialPhases { theta: f64::NAN, ..start }, "theta"),
-        (InitialPhases { arg_alpha: 1e7, ..start }, "arg_alpha"),
-        (InitialPhases { arg_beta: f64::INFINITY, ..start }, "arg_beta"),
+        (InitialAngles { theta: f64::NAN, ..start }, "theta"),
+        (InitialAngles { arg_alpha: 1e7, ..start }, "arg_alpha"),
+        (InitialAngles { arg_beta: f64::INFINITY, ..start }, "arg_beta"),
     ] {
         let motion = Motion::from_branch_points(&top(), [0.7, 0.9, 2.0], Signs::default(), &start);
         assert_eq!(parameter(motion), Some(refused));

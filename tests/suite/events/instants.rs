@@ -25,7 +25,7 @@ fn found<R: EphemerisScalar>(
             let levels = Level::of_circle(motion.top(), value * motion.top().tip_scale()).unwrap();
             levels.into_iter().flat_map(|level| view.crossings(level, from).take(MOST)).collect()
         }
-        "tip_angle" => view.tip_angles(Phase::new(value), from).take(MOST).collect(),
+        "tip_angle" => view.tip_angles(Phase::from_turns(value), from).take(MOST).collect(),
         _ => Level::of_lift_off(motion)
             .map_or(Vec::new(), |level| view.crossings(level, from).take(MOST).collect()),
     };
@@ -170,12 +170,12 @@ fn a_precession_passes_each_angle_once_a_turn() {
     let motion = vectors::motion("exact_regular_precession_pm");
     let view = EphemerisF64::new(&motion, kilohertz()).unwrap();
     let turn = 1000.0 / view.mean_tip_angle_rate().abs();
-    let times: Vec<_> = view.tip_angles(Phase::new(0.3), -5).take(6).collect();
+    let times: Vec<_> = view.tip_angles(Phase::from_turns(0.3), -5).take(6).collect();
     for pair in times.windows(2) {
         let gap = (pair[1].tick - pair[0].tick) as f64 + pair[1].fraction - pair[0].fraction;
         assert!((gap / turn - 1.0).abs() < 1e-13, "{gap} {turn}");
         let angle = view.at_event(&pair[1]).tip_angle().unwrap();
-        assert!((angle - Phase::new(0.3)).principal().to_f64().abs() < 1e-14);
+        assert!((angle - Phase::from_turns(0.3)).principal().to_turns().abs() < 1e-14);
     }
 }
 
@@ -186,13 +186,13 @@ fn a_slow_drift_reaches_every_angle() {
     let motion = released_from_rest(&top, 0.5, 60.0);
     let view = table_of::<f64, 512>(&motion, kilohertz());
     let advance = motion.period_advance().unwrap();
-    assert!(advance.phi_per_period.abs() < 0.03);
-    let turn = TAU / advance.phi_per_period.abs() * advance.period;
+    assert!(advance.phi_radians.abs() < 0.03);
+    let turn = TAU / advance.phi_radians.abs() * advance.period;
     let mut before = f64::NEG_INFINITY;
-    for event in view.tip_angles(Phase::new(0.2), 0).take(12) {
+    for event in view.tip_angles(Phase::from_turns(0.2), 0).take(12) {
         let t = view.time_of(&event);
         let angle = view.at_event(&event).tip_angle().unwrap();
-        assert!((angle - Phase::new(0.2)).principal().to_f64().abs() < 1e-13, "{t}");
+        assert!((angle - Phase::from_turns(0.2)).principal().to_turns().abs() < 1e-13, "{t}");
         // a top released from rest has cusps, so that its tip angle is monotone
         assert!(
             before.is_infinite() || (t - before - turn).abs() < 1.1 * advance.period,

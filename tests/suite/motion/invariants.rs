@@ -2,7 +2,7 @@
 
 use toytop::scalar::Real;
 use toytop::{
-    FirstIntegrals, InitialPhases, Motion, Orientation, Regime, Release, Sign, Signs, State, Stepper, Top,
+    FirstIntegrals, InitialAngles, Motion, Orientation, Regime, Release, Sign, Signs, State, Stepper, Top,
     TopParameters,
 };
 use toytop_tests::{check, check_all, greater, keep, released, tolerance, vectors, widened, worst};
@@ -74,7 +74,7 @@ fn the_mirror_image_is_exact() {
         let (Signs { l_plus_n, l_minus_n }, start) = (vector.signs(), vector.start());
         let flip = |sign: Sign| if sign == Sign::Plus { Sign::Minus } else { Sign::Plus };
         let signs = Signs { l_plus_n: flip(l_plus_n), l_minus_n: flip(l_minus_n) };
-        let conjugate = InitialPhases { arg_alpha: -start.arg_alpha, arg_beta: -start.arg_beta, ..start };
+        let conjugate = InitialAngles { arg_alpha: -start.arg_alpha, arg_beta: -start.arg_beta, ..start };
         let other = Motion::from_branch_points(&vector.top(), vector.roots(), signs, &conjugate).unwrap();
         let [one, other] = [vector.motion().unwrap(), other].map(|motion| {
             let mut stepper = Stepper::<f64>::new(&motion);

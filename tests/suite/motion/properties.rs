@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, RngSeed};
 use toytop::su2::dot;
 use toytop::{
-    BranchPoints, FirstIntegrals, InitialPhases, Motion, Orientation, Release, Signs, State, Stepper, Top,
+    BranchPoints, FirstIntegrals, InitialAngles, Motion, Orientation, Release, Signs, State, Stepper, Top,
 };
 use toytop_tests::top_of;
 
@@ -166,7 +166,7 @@ proptest! {
         let e1 = -1.0 + gap1 * (1.0 - gap4);
         let e2 = 1.0 - gap2 * gap4;
         let e3 = 1.0 + gap3;
-        let start = InitialPhases { theta, ..InitialPhases::default() };
+        let start = InitialAngles { theta, ..InitialAngles::default() };
         let motion = Motion::from_branch_points(&top, [e1, e2, e3], Signs::default(), &start).unwrap();
         let attitude = Stepper::<f64>::new(&motion).attitude_state();
         prop_assert!(attitude.omega().iter().all(|w| w.is_finite()));

@@ -1,7 +1,7 @@
 //! Every kind of motion is recognised and computed without NaN.
 
 use toytop::{
-    BranchPoints, Complex, FirstIntegrals, InitialPhases, Motion, Orientation, Regime, Release, State,
+    BranchPoints, Complex, FirstIntegrals, InitialAngles, Motion, Orientation, Regime, Release, State,
     Stepper, TipClass, Top,
 };
 use toytop_closed_forms::RegularPrecession;
@@ -124,7 +124,7 @@ fn the_integrals_of_degenerate_motions_are_accepted() {
 #[test]
 fn rounded_multiples_of_pi_are_turning_points() {
     for k in -4..5 {
-        let start = InitialPhases { theta: f64::from(k) * std::f64::consts::PI, ..InitialPhases::default() };
+        let start = InitialAngles { theta: f64::from(k) * std::f64::consts::PI, ..InitialAngles::default() };
         let motion = Motion::from_branch_points(&top(), [-0.25, 0.5, 2.0], SAME, &start).unwrap();
         let stepper = Stepper::<f64>::new(&motion);
         let (u, udot) = (stepper.attitude_state().u(), stepper.attitude_state().udot());

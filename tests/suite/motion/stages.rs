@@ -45,7 +45,7 @@ fn period_and_phase_advances() {
             for (ours, truth) in [
                 (ours.alpha_turns * turn, truth.alpha),
                 (ours.beta_turns * turn, truth.beta),
-                (ours.phi_per_period, truth.phi),
+                (ours.phi_radians, truth.phi),
             ] {
                 error = greater(error, relative(ours, truth, truth.abs().max(1.0)));
             }
@@ -147,7 +147,7 @@ fn the_tip_angle_per_period_keeps_its_digits() {
         ([0.25, 0.75, 1.5], DIFFERENT, 3.5509969828335914),
     ] {
         let motion = by_branch_points(&top, e, signs);
-        let phi = motion.period_advance().unwrap().phi_per_period;
+        let phi = motion.period_advance().unwrap().phi_radians;
         assert!((phi / truth - 1.0).abs() <= unit, "{e:?}: {phi:e} against {truth:e}");
     }
 }

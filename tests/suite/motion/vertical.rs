@@ -1,7 +1,7 @@
 //! Motions with a vertical axis, and motions that rise to the vertical or leave it.
 
 use toytop::{
-    BranchPoints, Complex, InitialPhases, Motion, Orientation, Regime, State, Stepper, Top, TopParameters,
+    BranchPoints, Complex, InitialAngles, Motion, Orientation, Regime, State, Stepper, Top, TopParameters,
 };
 use toytop_tests::random::Random;
 use toytop_tests::{SAME, by_branch_points, released_from_rest, top_of, vectors};
@@ -71,7 +71,7 @@ fn the_border_of_sleep_has_no_period() {
 #[test]
 fn at_a_double_root_u_may_stay_or_leave() {
     let motion = |theta: f64| {
-        let start = InitialPhases { theta, arg_alpha: 0.3, ..InitialPhases::default() };
+        let start = InitialAngles { theta, arg_alpha: 0.3, ..InitialAngles::default() };
         let top = top_of([1.1, 0.8, 0.6, 0.9], 1.0);
         Motion::from_branch_points(&top, [-0.2, 1.0, 1.0], SAME, &start).unwrap()
     };

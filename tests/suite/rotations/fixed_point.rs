@@ -12,7 +12,7 @@ use toytop_tests::{greater, keep};
 fn sine_and_cosine_of_a_phase() {
     let mut worst = [0.0_f64; 2];
     for i in 0..4096 {
-        let phase = Phase::new(f64::from(i) * 0.618_033_988_75);
+        let phase = Phase::from_turns(f64::from(i) * 0.618_033_988_75);
         let (sine, cosine) = f64::sine_cosine(phase);
         let ((s, c), (short_s, short_c)) = (I2F30::sine_cosine(phase), I2F14::sine_cosine(phase));
         let off = |a: f64, b: f64| greater((a - sine).abs(), (b - cosine).abs());

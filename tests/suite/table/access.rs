@@ -1,7 +1,9 @@
 //! Ways to read a table agree with each other and with the stepper. The file `truth` compares tables with exact values.
 
 use fixed::types::{I2F14, I2F30};
-use toytop::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisScalar, Motion, Orientation, Stepper, Tick};
+use toytop::{
+    Ephemeris, EphemerisF32, EphemerisF64, EphemerisScalar, Motion, Orientation, State, Stepper, Tick,
+};
 use toytop_tests::{
     apart, check, check_all, keep, kilohertz, table_if_it_fits, tolerance, vectors, widened, worst,
 };
@@ -118,7 +120,7 @@ fn continuity_across_segments_and_turning_points() {
     let motion = generic();
     let period = motion.period_advance().unwrap().period;
     let ephemeris = EphemerisF64::new(&motion, kilohertz()).unwrap();
-    let phase = ephemeris.at(0.0).nutation_phase().to_f64();
+    let phase = ephemeris.at(0.0).nutation_phase().to_turns();
     let mut jumps = [0.0_f64; 2];
     for segment in 0..128 {
         let border = (f64::from(segment) / 128.0 - phase) * period;
@@ -136,7 +138,7 @@ fn a_relaunch_goes_on_as_before() {
     let motion = generic();
     let ephemeris = EphemerisF64::new(&motion, kilohertz()).unwrap();
     let errors = [3, 1000, -4321].into_iter().flat_map(|n| {
-        let state = ephemeris.at_tick(n).attitude_state().state().unwrap();
+        let state = State::from_attitude(&ephemeris.at_tick(n).attitude_state()).unwrap();
         let again = EphemerisF64::new(&Motion::launch(motion.top(), &state).unwrap(), kilohertz()).unwrap();
         [0, 1, -1, 700, 9999]
             .map(|m| again.at_tick(m).orientation().distance(&ephemeris.at_tick(n + m).orientation()))
@@ -148,7 +150,7 @@ fn a_relaunch_goes_on_as_before() {
         };
         for n in [0, 12_345, 1 << 40] {
             let sample = table.at_tick(n);
-            let phi = sample.attitude_state().state().unwrap().orientation();
+            let phi = State::from_attitude(&sample.attitude_state()).unwrap().orientation();
             let error = phi.distance(&widened(sample.orientation()));
             assert!(error < 1e-3 && (phi.norm_squared() - 1.0).abs() < 1e-7, "{}: {error:e}", vector.name);
         }

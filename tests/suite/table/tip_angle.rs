@@ -58,7 +58,7 @@ fn a_slender_top_turns_many_times_a_period() {
                 (table_of::<f64, 4096>(&motion, tick), table_of::<f32, 4096>(&motion, tick));
             let mut stepper = Stepper::<f64>::new(&motion);
             const STEPS: u32 = 1 << 14;
-            let mean = motion.period_advance().unwrap().phi_per_period / f64::from(STEPS);
+            let mean = motion.period_advance().unwrap().phi_radians / f64::from(STEPS);
             for step in 1..2 * STEPS {
                 stepper.step(period / f64::from(STEPS));
                 let truth = stepper.tip_angle().unwrap().to_radians();

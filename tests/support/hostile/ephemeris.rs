@@ -74,7 +74,7 @@ fn events<R: EphemerisScalar>(ephemeris: &EphemerisView<R>, n: i64, t: f64) {
     let found = [
         ephemeris.turning_points(n).take(3).collect(),
         crossings.unwrap_or_default(),
-        ephemeris.tip_angles(Phase::new(t), n).take(3).collect(),
+        ephemeris.tip_angles(Phase::from_turns(t), n).take(3).collect(),
     ];
     for events in found {
         let mut before = (n, 0.0);

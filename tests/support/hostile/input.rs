@@ -5,7 +5,7 @@
 
 use arbitrary::Unstructured;
 use toytop::{
-    Complex, InitialPhases, Motion, Orientation, ParameterError, Release, Sign, Signs, State, Tick, Top,
+    Complex, InitialAngles, Motion, Orientation, ParameterError, Release, Sign, Signs, State, Tick, Top,
     TopParameters,
 };
 
@@ -156,7 +156,7 @@ impl<'a> Input<'a> {
             _ => self.signed(-20.0, 6.1),
         };
         let start =
-            InitialPhases { theta, arg_alpha: self.signed(-3.0, 6.1), arg_beta: self.signed(-3.0, 6.1) };
+            InitialAngles { theta, arg_alpha: self.signed(-3.0, 6.1), arg_beta: self.signed(-3.0, 6.1) };
         Motion::from_branch_points(&top, [e1, e2, e3], signs, &start)
     }
 

@@ -86,13 +86,13 @@ impl Fixed {
         let [a, b] = self.lowest;
         // (1 - b)/(1 + b) = a²/(1 + b)²
         let (half, ..) = tanh_sech(point.v.halved());
-        self.sign.apply(a / b * point.v - angle(a * half, Extended::ONE + b).doubled())
+        self.sign.times(a / b * point.v - angle(a * half, Extended::ONE + b).doubled())
     }
 
     /// Argument of α minus that at u = e₁; 0 for e₁ = -1.
     pub(super) fn argument(&self, point: &AperiodicValues) -> Extended {
         let [a, _] = self.lowest;
-        self.psi(point) + angle(a * self.sign.apply(point.tanh), a * a * point.sech)
+        self.psi(point) + angle(a * self.sign.times(point.tanh), a * a * point.sech)
     }
 
     pub(super) fn alpha(&self, point: &AperiodicValues) -> ValueAndSlope {
@@ -100,9 +100,9 @@ impl Fixed {
         let AperiodicValues { tanh, sech, dt_dv, .. } = *point;
         let one = Extended::ONE;
         // dψ/dv = s₊ a/b / (1 + b sech v)
-        let turning = self.sign.apply(a / b / (one + b * sech));
-        let brackets: WideComplex = Complex::new(a * sech, self.sign.apply(tanh));
-        let along: WideComplex = Complex::new(-(a * sech * tanh), self.sign.apply(sech.squared()));
+        let turning = self.sign.times(a / b / (one + b * sech));
+        let brackets: WideComplex = Complex::new(a * sech, self.sign.times(tanh));
+        let along: WideComplex = Complex::new(-(a * sech * tanh), self.sign.times(sech.squared()));
         let factor = cis(self.psi(point));
         let slope = (along + brackets.times_i().scaled(turning)) * factor;
         ValueAndSlope { value: brackets * factor, slope: slope.scaled(one / dt_dv) }

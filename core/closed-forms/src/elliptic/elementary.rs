@@ -30,7 +30,7 @@ pub(crate) fn exp(x: Extended) -> Extended {
     let series = (1..=TERMS)
         .rev()
         .fold(Extended::ONE, |sum, n| Extended::ONE + remainder * sum / Extended::from(f64::from(n)));
-    series.times_power_of_two(twos as i32)
+    series.ldexp(twos as i32)
 }
 
 /// Natural logarithm of x > 0. The error is absolute near x = 1.

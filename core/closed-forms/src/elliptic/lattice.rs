@@ -221,5 +221,5 @@ pub(crate) fn zeros(e: &BranchPoints<Extended>, signs: Signs, third: [Extended; 
     let below = first_kind(e.one_plus_e1, [zero, e.e2_minus_e1, at_e1], lower);
     let upper = [e.one_minus_e1(), e.one_minus_e2, at_one];
     let above = first_kind(e.one_minus_e2, upper, [e.e2_minus_e1, zero, at_e2]);
-    [signs.l_plus_n.apply(below.halved()), signs.l_minus_n.apply(above.halved())]
+    [signs.l_plus_n.times(below.halved()), signs.l_minus_n.times(above.halved())]
 }

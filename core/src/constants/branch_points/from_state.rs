@@ -1,6 +1,6 @@
 //! Branch points of the motion through a point (u, u') of the reduced curve, without cancellation:
 //!
-//! * With torque, e₁ - u and e₂ - u have opposite signs, which gives e₂ - e₁. So do 1 - e₂ and 1 - e₃, which gives e₃ - e₂.
+//! * With torque, e₁ - u <= 0 <= e₂ - u, so that their difference has no cancellation; likewise 1 - e₂ and 1 - e₃.
 //! * With torque and an upright axis at rest, 1 is a double root, and the third root decides whether the top sleeps.
 //! * Without torque e₃ is infinite, and the axis turns about the constant angular momentum m:
 //!
@@ -9,9 +9,9 @@
 //! |m|² (1 - e₁)(1 - e₂) = (l - n)²,    |m|² (1 + e₁)(1 + e₂) = (l + n)²
 //! ```
 
-use super::cubic::Cubic;
 use super::{BranchPoints, LARGEST_E3};
 use crate::body::{ParameterError, ScaledTop, State, Top, check};
+use crate::constants::cubic::Cubic;
 use crate::constants::{FirstIntegrals, ReducedPoint};
 use crate::scalar::{Extended, Float, Ring};
 
@@ -95,14 +95,14 @@ impl BranchPoints<Extended> {
         Self::from_differences(one_plus_e1, one_minus_e2, e2_minus_e1, infinite)
     }
 
-    /// Branch points of an upright axis at rest. The third root n²/(2 A p g) - 1 is at least 1 for a sleeping top. n² - 4 A p g is rounded once,
-    /// so that it is exactly 0 on the border.
+    /// Branch points of an upright axis at rest. The third root n²/(2 A p g) - 1 is at least 1 for a sleeping top.
     #[inline(never)]
     fn upright(
         &ScaledTop { a, p, g, .. }: &ScaledTop<Extended>,
         n: Extended,
     ) -> Result<Self, ParameterError> {
         let (zero, two, scale) = (Extended::ZERO, Extended::ONE.doubled(), (a * p * g).doubled());
+        // n² - 4 A p g is rounded once, so that it is exactly 0 on the border
         let third_minus_one =
             Extended::difference_of_products([n, n], [(a * g).doubled().doubled(), p]) / scale;
         require_limited_e3(third_minus_one <= LARGEST_E3.into())?;
@@ -176,9 +176,8 @@ impl LowerBranchPoints {
         let (limit, spin_energy) = (Extended::from(LARGEST_E3), kappa * n.squared());
         require_limited_e3(spin_energy < limit && axis_energy < limit)?;
         let sine_squared = one_minus_u * one_plus_u;
-        let d_of_u = top.a / top.p + top.s * sine_squared;
         let cubic = Cubic {
-            g0: d_of_u * udot.squared() / top.g.doubled(),
+            g0: top.d(sine_squared) * udot.squared() / top.g.doubled(),
             g1: -(u * axis_energy).doubled() - sine_squared
                 + (kappa * n * point.l_minus_nu(integrals)).doubled(),
             g2: u.doubled() - axis_energy - spin_energy,

@@ -38,7 +38,7 @@ impl BranchPoints<Extended> {
         let scale = (a * p * g).doubled();
         let plus = (scale * self.one_plus_e1 * self.one_plus_e2() * self.one_plus_e3()).sqrt();
         let minus = (scale * self.one_minus_e1() * self.one_minus_e2 * self.e3_minus_one).sqrt();
-        let (l_plus_n, l_minus_n) = (signs.l_plus_n.apply(plus), signs.l_minus_n.apply(minus));
+        let (l_plus_n, l_minus_n) = (signs.l_plus_n.times(plus), signs.l_minus_n.times(minus));
         let n = (l_plus_n - l_minus_n).halved();
         let spin = scaled.spin(n);
         // h = p g (e₁ + e₂ + e₃) + (C ⟨ω, r⟩² - n²/A)/2
@@ -57,7 +57,7 @@ fn point_of_greatest_cubic(top: &Top, integrals: &FirstIntegrals<Extended>) -> O
         ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy }
     };
     let scaled = ScaledTop::<Extended>::new(top);
-    let ScaledTop { a, c, s, p, g, .. } = scaled;
+    let ScaledTop { a, c, g, .. } = scaled;
     let FirstIntegrals { l, n, h, spin, .. } = *integrals;
     let axis_and_height = h - (c * spin.squared()).halved();
     if top.is_torque_free() {
@@ -88,6 +88,6 @@ fn point_of_greatest_cubic(top: &Top, integrals: &FirstIntegrals<Extended>) -> O
     }
     let u = u.clamp_to_one();
     let found = point(u, zero, (energy - u).max(zero));
-    let d = a / p + s * found.one_minus_u * found.one_plus_u;
+    let d = scaled.d(found.one_minus_u * found.one_plus_u);
     Some(ReducedPoint { udot: (g.doubled() * peak.max(zero) / d).sqrt(), ..found })
 }

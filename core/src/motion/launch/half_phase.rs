@@ -8,27 +8,31 @@ use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 
 impl Motion {
-    /// Sets the half phase at a point of the reduced curve.
+    /// Sets the rate χ' of a motion without torque: the axis rotates about the angular momentum m at the rate |m|/A.
+    #[inline(never)]
+    pub(super) fn set_torque_free_rate(&mut self, point: &ReducedPoint) {
+        if self.top.is_torque_free() {
+            let ScaledTop { a, .. } = ScaledTop::<Extended>::new(&self.top);
+            self.torque_free_rate = (point.momentum(a, self.integrals.n) / a).halved();
+        }
+    }
+
+    /// Sets the half phase at a point of the reduced curve, from the branch points and the rate without torque.
     ///
     /// √(e₂ - e₁) sin χ = √(u - e₁), and √(e₂ - e₁) cos χ = ±√(e₂ - u) with the sign of u'. In an aperiodic motion sin χ has that sign
     /// instead. The smaller difference comes from (u - e₁)(e₂ - u) = g₀/(e₃ - u).
     #[inline(never)]
     pub(super) fn start_half_phase(&mut self, point: &ReducedPoint) {
-        let ScaledTop { a, s, p, g, .. } = ScaledTop::<Extended>::new(&self.top);
-        let ReducedPoint { one_minus_u, one_plus_u, udot, .. } = *point;
-        let torque_free = self.top.is_torque_free();
-        if torque_free {
-            // the axis rotates about the angular momentum m at the rate |m|/A
-            self.torque_free_rate = (point.momentum(a, self.integrals.n) / a).halved();
-        }
         if self.is_steady() {
             return;
         }
-        let (g0, below_e3) = if torque_free {
+        let top = ScaledTop::<Extended>::new(&self.top);
+        let ReducedPoint { one_minus_u, one_plus_u, udot, .. } = *point;
+        let (g0, below_e3) = if self.top.is_torque_free() {
             ((udot / self.torque_free_rate.doubled()).squared(), Extended::ONE)
         } else {
-            let d = a / p + s * one_minus_u * one_plus_u;
-            (d * udot.squared() / g.doubled(), one_minus_u + self.e.e3_minus_one)
+            let d = top.d(one_minus_u * one_plus_u);
+            (d * udot.squared() / top.g.doubled(), one_minus_u + self.e.e3_minus_one)
         };
         let (above_e1, below_e2) = (one_plus_u - self.e.one_plus_e1, one_minus_u - self.e.one_minus_e2);
         let (above_e1, below_e2) = if below_e2 < above_e1 {
@@ -42,13 +46,13 @@ impl Motion {
             let rising = rising.scaled(1.0 / rising.norm_squared().sqrt());
             HalfPhase::Aperiodic(if falls { rising.conj() } else { rising })
         } else {
-            HalfPhase::Nutating(half_phase_of_direction(if falls { -rising.conj() } else { rising }))
+            HalfPhase::Nutating(half_phase_of_ray(if falls { -rising.conj() } else { rising }))
         };
     }
 }
 
 /// Half phase χ in [0, 1/2] turn of a number along e^{iχ}, relatively exact near 0, 1/4 and 1/2 turn.
-fn half_phase_of_direction(Complex { re: cosine, im: sine }: Complex<f64>) -> Phase {
+fn half_phase_of_ray(Complex { re: cosine, im: sine }: Complex<f64>) -> Phase {
     let from = |y: f64, x: f64| Phase::from_radians(libm::atan2(y, x));
     if cosine.abs() < sine {
         Phase::QUARTER - from(cosine, sine)
@@ -64,7 +68,7 @@ pub(super) fn half_phase_of_angle(theta: f64) -> Phase {
     let nearest = libm::round(theta * core::f64::consts::FRAC_1_PI);
     let multiple = Extended::TWO_PI.halved() * nearest.into();
     if nearest != 0.0 && multiple.to_f64() == theta {
-        return Phase::new(0.25 * nearest);
+        return Phase::from_turns(0.25 * nearest);
     }
     (Extended::from(theta).in_turns() * Extended::from(0.5)).to_phase()
 }
@@ -101,7 +105,7 @@ mod tests {
             for near in [theta.next_up(), theta.next_down()] {
                 let off = half_phase_of_angle(near) - turns;
                 let unit = (near - theta).abs() * 0.25 * core::f64::consts::FRAC_1_PI;
-                let relative = off.to_f64().abs() / unit;
+                let relative = off.to_turns().abs() / unit;
                 assert!((0.49..1.51).contains(&relative), "{k}: {relative}");
                 assert!((half_phase_of_angle(-near) + half_phase_of_angle(near)).to_bits().abs() <= 1, "{k}");
             }

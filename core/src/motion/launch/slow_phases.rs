@@ -1,12 +1,11 @@
 //! Slow phases at t = 0.
 
 use crate::body::State;
-use crate::complex::Complex;
 use crate::motion::Motion;
-use crate::motion::cayley_klein::{Ellipse, Ellipses};
+use crate::motion::cayley_klein::Ellipses;
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::phase::Phase;
-use crate::scalar::{Float, Ring};
+use crate::scalar::Float;
 use crate::su2::{AttitudeState, OrientationRate};
 
 impl Motion {
@@ -23,14 +22,14 @@ impl Motion {
         }
         let equations: PhaseEquations<f64> = self.equations().cast();
         pause();
-        let chi = self.direction();
-        let PhaseRates { nutation, slow_alpha, slow_beta } = equations.rates(chi.im, chi.re);
-        let half_tau = self.half_tau.to_f64();
-        let Ellipses { alpha: alpha_ellipse, beta: beta_ellipse } = &self.ellipses;
+        let cis_chi = self.cis_chi();
+        let PhaseRates { half_phase, psi_alpha, psi_beta } = equations.rates(cis_chi.im, cis_chi.re);
+        let (half_tau, Ellipses { alpha, beta }) = (self.half_tau.to_f64(), &self.ellipses);
         self.slow_phases = [
-            slow_phase(alpha_ellipse, chi, [nutation, slow_alpha + half_tau], [phi.alpha, rate.alpha]),
-            slow_phase(beta_ellipse, chi, [nutation, slow_beta - half_tau], [phi.beta, rate.beta]),
-        ];
+            alpha.slow_phase(cis_chi, [half_phase, psi_alpha + half_tau], [phi.alpha, rate.alpha]),
+            beta.slow_phase(cis_chi, [half_phase, psi_beta - half_tau], [phi.beta, rate.beta]),
+        ]
+        .map(|z| Phase::from_radians(z.arg()));
     }
 }
 
@@ -43,14 +42,4 @@ pub(super) fn attitude(state: &State) -> AttitudeState<f64> {
         orientation: orientation.cast(),
         rate: OrientationRate { alpha: rate.alpha.cast(), beta: rate.beta.cast() },
     }
-}
-
-/// Slow phase of a parameter: the least-squares rotation of the ellipse and its rate to z and z'.
-fn slow_phase(ellipse: &Ellipse<f64>, chi: Complex<f64>, rates: [f64; 2], z: [Complex<f64>; 2]) -> Phase {
-    let [value, rate] = z;
-    let (model, model_rate) = (ellipse.at(chi), ellipse.rate(chi, rates));
-    let [nutation, slow] = rates;
-    let time = 1.0 / (nutation.squared() + slow.squared());
-    let sum = value * model.conj() + (rate * model_rate.conj()).scaled(time);
-    Phase::from_radians(sum.arg())
 }

@@ -1,6 +1,4 @@
-//! Trapezoid rule over a nutation period, in the argument of [`EllipticEquations`].
-//!
-//! It converges geometrically, at a known rate.
+//! Trapezoid rule over a nutation period, in the argument of [`EllipticEquations`], where it converges geometrically at a known rate.
 
 use super::Period;
 use super::elliptic_equations::EllipticEquations;
@@ -124,6 +122,7 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         [time_change / time, if slow > 0.0 { slow_change / slow } else { 0.0 }]
     }
 
+    #[inline(never)]
     fn period(&self, relative_error: f64) -> Period {
         // a node has the weight 2 K over the number of nodes, as both halves are equal
         let weight = self.landen.quarter_period().doubled() / Wide::from(f64::from(self.nodes));
@@ -165,7 +164,7 @@ fn part_of_right_angle<F: Float>(division: u32) -> [F; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Complex, InitialPhases, Motion, Orientation, Release, Signs, State, Top, TopParameters};
+    use crate::{Complex, InitialAngles, Motion, Orientation, Release, Signs, State, Top, TopParameters};
 
     fn sliding([transverse_inertia, axial_inertia, com_height, mass_moment]: [f64; 4], gravity: f64) -> Top {
         Top::sliding(&TopParameters {
@@ -221,7 +220,7 @@ mod tests {
         let top = sliding([1.0, 0.01, 1.0, 87.0], 1.0);
         for (e, nodes) in [([-1.0, 1.0, 3.9], 64), ([-0.9, 0.999, 3.9], 48), ([-0.9, 0.999, 1.001], 48)] {
             let motion =
-                Motion::from_branch_points(&top, e, Signs::default(), &InitialPhases::default()).unwrap();
+                Motion::from_branch_points(&top, e, Signs::default(), &InitialAngles::default()).unwrap();
             assert_eq!(period::<2>(&motion).nodes, nodes, "{e:?}");
         }
     }

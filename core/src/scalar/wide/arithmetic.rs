@@ -5,7 +5,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::words::{inverse_root_u64, leading, quotient};
 use super::{Exact, Wide};
-use crate::scalar::{Float, Ring, times_power_of_two};
+use crate::scalar::{Float, Ring, ldexp};
 
 impl<const WORDS: usize> Wide<WORDS> {
     /// Difference a - bc with one rounding.
@@ -101,7 +101,7 @@ impl<const WORDS: usize> Float for Wide<WORDS> {
     fn to_f64(self) -> f64 {
         let sticky = self.significand.iter().skip(1).any(|word| *word != 0);
         let size = (leading(&self.significand) | u64::from(sticky)) as f64;
-        let size = times_power_of_two(size, self.exponent - 64);
+        let size = ldexp(size, self.exponent - 64);
         if self.negative { -size } else { size }
     }
 
@@ -144,7 +144,7 @@ mod tests {
     fn samples() -> impl Iterator<Item = f64> {
         let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
         (0..if cfg!(miri) { 100 } else { 20_000 }).map(move |k| {
-            bits = crate::product::next_random(bits);
+            bits = crate::integer::next_random(bits);
             let number = f64::from_bits((bits >> 1) % (0x7fe << 52));
             let number = if k % 3 == 0 { libm::round((bits >> 50) as f64 / 7.0) } else { number };
             let number = if (1e-150..=1e150).contains(&number) { number } else { 0.375 };
@@ -217,7 +217,7 @@ mod tests {
         const LEADING: u64 = 1 << 63;
         let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
         (0..if cfg!(miri) { 100 } else { 50_000 }).map(move |k| {
-            bits = crate::product::next_random(bits);
+            bits = crate::integer::next_random(bits);
             let significand = match k % 5 {
                 0 => u64::MAX - (bits >> 60),
                 1 => LEADING + (bits >> 61),

@@ -1,7 +1,8 @@
 //! Wide numbers from and to `f64`, phases, integers and other widths.
 
 use super::{Exact, Wide};
-use crate::phase::{FRACTION_BITS, Phase, mantissa_and_exponent};
+use crate::integer::mantissa_and_exponent;
+use crate::phase::{FRACTION_BITS, Phase};
 use crate::scalar::{Float, Ring};
 
 impl<const WORDS: usize> Wide<WORDS> {
@@ -24,7 +25,7 @@ impl<const WORDS: usize> Wide<WORDS> {
         Exact::new(words, exponent + 128, negative).rounded()
     }
 
-    fn upper(&self) -> u128 {
+    fn leading_128_bits(&self) -> u128 {
         let mut words = self.significand.iter();
         let mut next = || words.next().map_or(0, |word| u128::from(*word));
         next() << 64 | next()
@@ -33,12 +34,12 @@ impl<const WORDS: usize> Wide<WORDS> {
     /// Number of another width, rounded to the nearest.
     #[inline(never)]
     pub(crate) fn resized<const OTHER: usize>(number: Wide<OTHER>) -> Self {
-        Self::from_integer(number.upper(), number.exponent - 128, number.negative)
+        Self::from_integer(number.leading_128_bits(), number.exponent - 128, number.negative)
     }
 
     /// Phase of this number of turns, modulo 2^32 turns, rounded to the nearest.
     pub fn to_phase(self) -> Phase {
-        let magnitude = self.upper();
+        let magnitude = self.leading_128_bits();
         let bits = match self.exponent - (128 - FRACTION_BITS) {
             128.. => 0,
             shift @ 0.. => magnitude << shift,
@@ -68,7 +69,7 @@ impl<const WORDS: usize> Wide<WORDS> {
 
     /// Floor modulo 2^128, and the remainder in [0, 1).
     pub(crate) fn floor_and_fraction(self) -> (i128, Self) {
-        let (upper, exponent) = (self.upper(), self.exponent);
+        let (upper, exponent) = (self.leading_128_bits(), self.exponent);
         let whole = match 128 - exponent {
             shift @ 0.. => upper.checked_shr(shift as u32),
             shift => upper.checked_shl(shift.unsigned_abs()),
@@ -114,8 +115,8 @@ mod tests {
 
     #[test]
     fn a_turn_has_a_phase() {
-        assert_eq!(Extended::from(-3.25).to_phase(), Phase::new(-3.25));
-        assert_eq!(Extended::from(Phase::new(-3.25)).to_f64(), -3.25);
+        assert_eq!(Extended::from(-3.25).to_phase(), Phase::from_turns(-3.25));
+        assert_eq!(Extended::from(Phase::from_turns(-3.25)).to_f64(), -3.25);
         assert_eq!((Extended::TWO_PI * 0.25.into()).in_turns().to_phase(), Phase::QUARTER);
         let (whole, remainder) = Extended::from_parts([1e20, 0.75]).floor_and_fraction();
         assert_eq!((whole, remainder.to_f64()), (10_i128.pow(20), 0.75));

@@ -1,6 +1,6 @@
 //! Integers of several words of 64 bits, the most significant first.
 
-use crate::product::{product_u32, product_u64};
+use crate::integer::{product_u32, product_u64};
 use core::mem::replace;
 
 #[inline(always)]

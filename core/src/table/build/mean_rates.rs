@@ -1,8 +1,7 @@
 //! Mean rates of a motion, and their errors.
 
-use crate::constants::LaunchRounding;
-use crate::motion::Motion;
 use crate::motion::period::Period;
+use crate::motion::{LaunchRounding, Motion};
 use crate::scalar::{Extended, Float, Ring};
 
 /// Number of roundings in a rate and an increment, without the quadrature.

@@ -47,7 +47,7 @@ impl Span {
     pub(super) fn phase(self, x: f64) -> Phase {
         // the half period is half a turn
         let unit = Phase::from_bits(Phase::QUARTER.to_bits() >> Self::DEEPEST);
-        unit * (self.begin + self.end()) as i64 + Phase::new(0.5 * x * self.half_length())
+        unit * (self.begin + self.end()) as i64 + Phase::from_turns(0.5 * x * self.half_length())
     }
 }
 
@@ -122,8 +122,8 @@ impl Path {
         let [alpha, beta] = self.residual_offsets.map(Float::to_f64);
         self.rounded_equations = self.equations.cast();
         let [begin, end] = [(0.0, 1.0), (1.0, 0.0)].map(|(sine, cosine)| {
-            let PhaseRates { nutation, slow_alpha, slow_beta } = self.rounded_equations.rates(sine, cosine);
-            nutation.abs() + ((slow_alpha + alpha).abs() + (slow_beta + beta).abs())
+            let PhaseRates { half_phase, psi_alpha, psi_beta } = self.rounded_equations.rates(sine, cosine);
+            half_phase.abs() + ((psi_alpha + alpha).abs() + (psi_beta + beta).abs())
         });
         self.fastest = half_period.to_f64() * larger_or_nan(begin, end);
         self.span = Span::FIRST;
@@ -207,12 +207,12 @@ impl Path {
         let unit = (1..self.span.depth).fold(self.half_period, |unit, _| unit.halved());
         let phases = self.centre_or_beginning().phases;
         let (sine, cosine) = phases.sine_cosine();
-        let PhaseRates { nutation, slow_alpha, slow_beta } =
+        let PhaseRates { half_phase, psi_alpha, psi_beta } =
             equations.rates(F::from_f64(sine), F::from_f64(cosine));
         let [alpha_offset, beta_offset] = self.residual_offsets.map(convert);
         let unit = convert(unit);
         let by_y = |rate: F| (unit * rate).to_f64();
-        let chi_rate = by_y(nutation);
+        let chi_rate = by_y(half_phase);
         let weight = 4.0 * self.fastest * self.span.half_length() / chi_rate.abs();
         Origin {
             phases,
@@ -220,8 +220,8 @@ impl Path {
             cosine,
             unit: unit.to_f64(),
             chi_rate,
-            psi_rates: [slow_alpha, slow_beta].map(by_y),
-            residual_rates: [slow_alpha + alpha_offset, slow_beta + beta_offset].map(by_y),
+            psi_rates: [psi_alpha, psi_beta].map(by_y),
+            residual_rates: [psi_alpha + alpha_offset, psi_beta + beta_offset].map(by_y),
             weight: weight.max(1.0),
             // an estimated error of a twentieth of it at x = 2, of two thirds at x = 3
             negligible: self.negligible.min(4.0 * self.allowed_step()),
@@ -257,7 +257,7 @@ impl Path {
         };
         // at u = e₂, cos χ = 0 and the cosines of the residual phases are 0
         let [alpha, beta] = residual.map(miss);
-        let nutation = self.half_period.to_f64() * self.rounded_equations.rates(1.0, 0.0).nutation;
+        let nutation = self.half_period.to_f64() * self.rounded_equations.rates(1.0, 0.0).half_phase;
         let delay = truncation / self.fastest + miss(chi) / nutation;
         speeds.error_of_delay(delay)
             + 2.0 * (truncation + alpha.max(beta))

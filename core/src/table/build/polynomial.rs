@@ -4,7 +4,7 @@
 
 use super::errors::{Limits, REMAINDER_SHARE, SegmentErrors, larger_or_nan};
 use super::series::{Limbs, MOST_TERMS};
-use crate::product::product_u32;
+use crate::integer::product_u32;
 use crate::scalar::{Float, Ring, u64_to_f32};
 use crate::table::evaluation::TABLE_UNIT;
 

@@ -6,9 +6,8 @@ pub(super) mod sine_q57;
 
 use core::ops::Range;
 
-use crate::phase::mantissa_and_exponent;
-use crate::product::product_i32;
-use crate::scalar::{exponent, power_of_two_f32, times_power_of_two};
+use crate::integer::{mantissa_and_exponent, product_i32};
+use crate::scalar::{exponent, ldexp, power_of_two_f32};
 use crate::table::evaluation::shifted_right;
 
 /// Largest number of terms of a series.
@@ -170,7 +169,7 @@ impl PowerSeries {
 
     /// Product of a factor and the expected magnitude of a coefficient.
     pub(super) fn magnitude_times(&self, factor: f64) -> f64 {
-        times_power_of_two(factor, self.exponent + BITS)
+        ldexp(factor, self.exponent + BITS)
     }
 
     pub(super) fn coefficient(&self, k: usize) -> i64 {
@@ -207,7 +206,7 @@ impl PowerSeries {
         let y = Limbs::new(in_units(y, -(FACTOR_BITS as i32)));
         // beyond the range only where the series does not converge
         let next = |sum, k| scaled_product::<FACTOR_BITS>(y, sum) + term(self.coefficient(k), k);
-        times_power_of_two((1..terms).rev().fold(0, next) as f64, self.exponent)
+        ldexp((1..terms).rev().fold(0, next) as f64, self.exponent)
     }
 
     /// Upper bound on Σ |c| yᵏ at y = `quarters`/4, with `noise` added to the first coefficient.
@@ -246,7 +245,7 @@ mod tests {
         let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
         let mut seen = [0; 3];
         for _ in 0..if cfg!(miri) { 300 } else { 100_000 } {
-            bits = crate::product::next_random(bits);
+            bits = crate::integer::next_random(bits);
             let (upper, lower) = (bits as i64 >> (5 + bits % 56), (bits >> 34) as u32);
             let shift = LEAST_SHIFT + (bits >> 40) as i32 % 90;
             let sum = (i128::from(upper) << (2 * LIMB_BITS)) + (i128::from(lower) << LIMB_BITS);

@@ -1,7 +1,8 @@
 //! Clock of an ephemeris: the phases at any tick, and at any time between two ticks.
 
 use crate::body::{ParameterError, check};
-use crate::phase::{Phase, WrappedPhase, mantissa_and_exponent, times_power_of_two_i128};
+use crate::integer::{ldexp_i128, mantissa_and_exponent};
+use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
 
 /// Length of a tick, an exact fraction of a second.
@@ -145,7 +146,7 @@ impl<W: Copy> Clock<W> {
         let (time, exponent) = mantissa_and_exponent(t);
         let product = |rate: f64| {
             let (rate, rate_exponent) = mantissa_and_exponent(rate);
-            times_power_of_two_i128(i128::from(time) * i128::from(rate), exponent + rate_exponent + 64)
+            ldexp_i128(i128::from(time) * i128::from(rate), exponent + rate_exponent + 64)
         };
         // in units of 2^-64 ticks
         let ticks = if lo == 0.0 { product(hi) } else { product(hi).wrapping_add(product(lo)) };

@@ -108,7 +108,7 @@ impl Number for f64 {
     }
 
     #[inline]
-    fn times_power_of_two(self, _: i32) -> f64 {
+    fn ldexp(self, _: i32) -> f64 {
         self
     }
 }

@@ -7,8 +7,8 @@
 //! For the upper half of the powers 16 bits of x are enough: their coefficients are small, as set-up verifies.
 
 use crate::complex::Complex;
-use crate::product::{high_product, high_product_limited, product_32x16};
-use crate::scalar::{Scalar, sine_cosine_q26, times_power_of_two};
+use crate::integer::{high_product, high_product_limited, product_32x16};
+use crate::scalar::{Scalar, ldexp, sine_cosine_q26};
 use crate::table::evaluation::q30::Q30;
 use crate::table::evaluation::{
     Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_BITS, is_by_16_bits, shifted_right,
@@ -119,7 +119,7 @@ impl Coefficient for i32 {
     }
 
     fn to_f64(self, power: usize) -> f64 {
-        times_power_of_two(self.into(), -31 - power as i32)
+        ldexp(self.into(), -31 - power as i32)
     }
 
     #[inline]

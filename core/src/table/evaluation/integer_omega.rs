@@ -1,6 +1,6 @@
 //! Angular velocity in integers.
 
-use crate::product::high_product;
+use crate::integer::high_product;
 use crate::table::evaluation::{LEAST_DEPTH, SegmentPoint};
 
 /// Angular velocity Ω over a power of two, in units of 2^-30, with the exponent of that power.
@@ -78,7 +78,7 @@ mod tests {
     fn integers_give_what_floating_point_gives() {
         let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
         let mut random = || {
-            bits = crate::product::next_random(bits);
+            bits = crate::integer::next_random(bits);
             (bits >> 32) as i32
         };
         let mut worst = 0.0_f64;
@@ -102,8 +102,7 @@ mod tests {
             for (number, exact) in omega.into_iter().zip(exact) {
                 // a rotated number may exceed 1 by up to √2
                 assert!(number.unsigned_abs() < 3 << 29, "{case}: {number:?}");
-                worst =
-                    worst.max((f64::from(Q30(number).times_power_of_two(exponent)) - exact).abs() / allowed);
+                worst = worst.max((f64::from(Q30(number).ldexp(exponent)) - exact).abs() / allowed);
             }
         }
         assert!(worst < 1.0 && worst > 0.1, "{worst}");

@@ -1,6 +1,6 @@
 //! Numbers in units of 2^-30, the results in `f32` and fixed point.
 
-use crate::product::high_product;
+use crate::integer::high_product;
 use crate::scalar::{Ring, sealed::Sealed};
 use crate::su2::Vector;
 use crate::table::evaluation::integer_omega::omega_body;
@@ -21,7 +21,7 @@ const SOFT_FLOAT: bool = cfg!(any(
 impl From<Q30> for f32 {
     #[inline(always)]
     fn from(number: Q30) -> Self {
-        number.times_power_of_two(0)
+        number.ldexp(0)
     }
 }
 
@@ -47,7 +47,7 @@ impl Number for Q30 {
 
     /// Product rounded to `f32`; 0 for an exponent below -95, at which it could be subnormal.
     #[inline(always)]
-    fn times_power_of_two(self, exponent: i32) -> f32 {
+    fn ldexp(self, exponent: i32) -> f32 {
         let number = if exponent < -95 { 0 } else { self.0 };
         let exponent = exponent.max(-95) - 30;
         if SOFT_FLOAT {
@@ -123,9 +123,9 @@ mod tests {
     fn a_power_of_two_is_exact() {
         for (number, exponent) in [(1 << 30, 0), (-3, 30), (i32::MAX, 119), (1, -95), (i32::MIN, -27)] {
             let exact = f64::from(number as f32) * libm::exp2(f64::from(exponent - 30));
-            assert_eq!(f64::from(Q30(number).times_power_of_two(exponent)), exact, "{number} {exponent}");
+            assert_eq!(f64::from(Q30(number).ldexp(exponent)), exact, "{number} {exponent}");
         }
         let zeros = [(0, 73), (1 << 30, -96), (5, -167)];
-        assert_eq!(zeros.map(|(number, exponent)| Q30(number).times_power_of_two(exponent)), [0.0; 3]);
+        assert_eq!(zeros.map(|(number, exponent)| Q30(number).ldexp(exponent)), [0.0; 3]);
     }
 }

@@ -12,13 +12,7 @@ use crate::table::read::sample::Sample;
 ///
 /// ```
 /// # use toytop::{EphemerisF32, EphemerisMemory, Motion, Release, SetUp, State, Tick, Top, TopParameters};
-/// # let top = Top::sliding(&TopParameters {
-/// #     transverse_inertia: 3.0e-5,
-/// #     axial_inertia: 2.0e-5,
-/// #     com_height: 0.03,
-/// #     mass: 0.05,
-/// #     ..TopParameters::default()
-/// # })?;
+/// # let top = Top::sliding(&TopParameters::TOY)?;
 /// # let tick = Tick::hertz(1000)?;
 /// # let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
 /// # let motion = Motion::launch(&top, &state)?;
@@ -29,7 +23,7 @@ use crate::table::read::sample::Sample;
 /// for _ in 0..4 {
 ///     let _orientation = cursor.next(table).orientation(); // ticks 0 to 3
 /// }
-/// # let struck = table.at_tick(3).attitude_state().state()?.with_impulse(&top, [0.0, 1e-3, 0.0], [0.03, 0.0, 0.03])?;
+/// # let struck = State::from_attitude(&table.at_tick(3).attitude_state())?.with_impulse(&top, [0.0, 1e-3, 0.0], [0.03, 0.0, 0.03])?;
 /// # let struck = Motion::launch(&top, &struck)?;
 /// table = second.set_up(&mut set_up, &struck, tick, 3, &mut || {})?; // launched at tick 3
 /// cursor = table.cursor(cursor.tick() + 1);

@@ -98,7 +98,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[must_use]
     pub fn omega(&self) -> Vector<R::Quantity> {
         let (orientation, omega_body, exponent) = self.unrounded_with_omega_body();
-        orientation.adjoint(omega_body).map(|rate| rate.times_power_of_two(exponent))
+        orientation.adjoint(omega_body).map(|rate| rate.ldexp(exponent))
     }
 
     /// Angular velocity Ω in the body frame, rad/s.
@@ -161,7 +161,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[inline(always)]
     fn numbers_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
         let (orientation, [x1, x2, _], exponent) = self.unrounded_with_omega_body();
-        let transverse = |x: NumberOf<R>| x.times_power_of_two(exponent);
+        let transverse = |x: NumberOf<R>| x.ldexp(exponent);
         (orientation, [transverse(x1), transverse(x2), self.ephemeris.clock.axial_rate])
     }
 
@@ -169,7 +169,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[inline(always)]
     fn axis_rate(&self) -> Vector<R::Quantity> {
         let (orientation, omega_body, exponent) = self.unrounded_with_omega_body();
-        orientation.axis_rate(omega_body).map(|rate| rate.times_power_of_two(exponent))
+        orientation.axis_rate(omega_body).map(|rate| rate.ldexp(exponent))
     }
 }
 

@@ -32,7 +32,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     #[must_use]
     pub fn mean_tip_angle_rate(&self) -> f64 {
         let [ticks_per_time, _] = self.clock.ticks_per_time;
-        self.clock.tip_turn().to_f64() * ticks_per_time
+        self.clock.tip_turn().to_turns() * ticks_per_time
     }
 
     /// Half a turn per period for each parameter that passes through 0.
@@ -121,7 +121,7 @@ impl Winding {
 
     /// Argument at this nutation phase, negative where u falls.
     fn angle_on(&self, nutation: u64) -> Phase {
-        let angle = Phase::from_radians(self.z.arg()) + Phase::ONE * self.whole_turns;
+        let angle = Phase::from_radians(self.z.arg()) + Phase::TURN * self.whole_turns;
         if is_falling(nutation) { -angle } else { angle }
     }
 }

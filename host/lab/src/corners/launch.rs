@@ -44,7 +44,7 @@ fn with_other_top(random: &mut Random, input: ExactInput) -> ExactInput {
 
 /// State at t = 0 of a motion, rounded to `f64`, which is a state of a slightly different motion.
 fn on_motion(input: &ExactInput) -> Option<State> {
-    Stepper::<f64>::new(&input.motion().ok()?).attitude_state().state().ok()
+    State::from_attitude(&Stepper::<f64>::new(&input.motion().ok()?).attitude_state()).ok()
 }
 
 fn release(random: &mut Random) -> Release {

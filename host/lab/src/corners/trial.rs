@@ -102,7 +102,7 @@ fn ratio(error: f64, bound: f64) -> f64 {
 
 /// Greatest error of the norm at these times, and of u at both turning points, over the bound.
 fn norm_and_height(table: &dyn AnyEphemeris, motion: &Motion, times: &[f64]) -> f64 {
-    let start = table.at(0.0).nutation_phase.to_f64();
+    let start = table.at(0.0).nutation_phase.to_turns();
     let e = motion.branch_points();
     let turning = [(1.0, e.e1), (0.5, e.e2)].map(|(phase, u)| ((phase - start) * period(motion), u));
     let turning = turning.into_iter().filter(|_| motion.regime() == Regime::Nutating);

@@ -24,7 +24,7 @@ impl MotionCore {
         let kind = match kind {
             "turning" => EventKind::Turning,
             "tilt" => EventKind::Tilt(value),
-            "direction" => EventKind::TipAngle(Phase::new(value / TAU)),
+            "direction" => EventKind::TipAngle(Phase::from_turns(value / TAU)),
             "circle" => EventKind::Circle(value),
             _ => EventKind::LiftOff,
         };

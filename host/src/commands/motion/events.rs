@@ -64,7 +64,7 @@ fn kind(text: &str) -> Result<KindFilter, String> {
         }
         Some(("tilt", Some(_))) => return Err("tilt: must be in [0, 180] degrees".to_owned()),
         Some(("tip-angle", Some(degrees))) if degrees.abs() <= 1e6 => {
-            EventKind::TipAngle(Phase::new(degrees / 360.0))
+            EventKind::TipAngle(Phase::from_turns(degrees / 360.0))
         }
         Some(("tip-angle", Some(_))) => return Err("tip-angle: must be within ±1e6 degrees".to_owned()),
         Some(("circle", Some(radius))) if radius > 0.0 => EventKind::Circle(radius),
@@ -159,7 +159,10 @@ mod tests {
             kind("tilt=30:up").map(|kind| (kind.event, kind.upward)),
             Ok((EventKind::Tilt(30_f64.to_radians()), Some(true)))
         );
-        assert_eq!(kind("tip-angle=-90").map(|kind| kind.event), Ok(EventKind::TipAngle(Phase::new(-0.25))));
+        assert_eq!(
+            kind("tip-angle=-90").map(|kind| kind.event),
+            Ok(EventKind::TipAngle(Phase::from_turns(-0.25)))
+        );
         for bad in [
             "",
             "tilt",

@@ -19,7 +19,7 @@ use clap::Args;
 use micromath::F32Ext;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::path::PathBuf;
-use toytop::{AttitudeState, InitialPhases, Motion, Regime, Support, TopParameters};
+use toytop::{AttitudeState, InitialAngles, Motion, Regime, Support, TopParameters};
 
 /// Errors of each scalar up to tick 2^40
 #[derive(Args)]
@@ -128,7 +128,7 @@ fn input(scenario: &Scenario) -> Option<ExactInput> {
     let motion = &scenario.motion;
     let (top, e) = (motion.top(), motion.branch_points());
     let known = motion.regime() == Regime::Nutating && top.support() == Support::Sliding;
-    let phases = InitialPhases::default();
+    let phases = InitialAngles::default();
     known.then(|| ExactInput {
         support: top.support(),
         top: TopParameters { mass: 0.0, mass_moment: top.mass_moment(), ..scenario.top },

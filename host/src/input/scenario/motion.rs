@@ -4,7 +4,7 @@ use super::Launch;
 use crate::Failure;
 use crate::input::section::{Key, Section};
 use crate::input::units::{RADIANS, RATE};
-use toytop::{Complex, InitialPhases, Motion, Orientation, Release, Sign, Signs, State, Top};
+use toytop::{Complex, InitialAngles, Motion, Orientation, Release, Sign, Signs, State, Top};
 use toytop_model::angles::{angle, tilt};
 
 const TURNING: &str = "a number of rad/s, at most 1e11 in size";
@@ -94,7 +94,7 @@ pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Launch), Failur
                 }
             }
             let signs = Signs { l_plus_n: Sign::new(plus), l_minus_n: Sign::new(minus) };
-            let (e, phases) = ([e1, e2, e3], InitialPhases { theta, arg_alpha, arg_beta });
+            let (e, phases) = ([e1, e2, e3], InitialAngles { theta, arg_alpha, arg_beta });
             let motion = Motion::from_branch_points(top, e, signs, &phases).map_err(refused)?;
             return Ok((motion, Launch::BranchPoints { e, signs, phases }));
         }

@@ -43,7 +43,7 @@ impl AperiodicMotion {
 
     /// Tip angle, continued in time, rad.
     fn angle(&self, t: f64) -> f64 {
-        let angle = |t| self.form.tip_angle(t).to_f64();
+        let angle = |t| self.form.tip_angle(t).to_turns();
         // the angle grows at a constant rate while the axis is upright
         let far = self.upright.copysign(t);
         let rate = (angle(2.0 * far) - angle(far)) / far;

@@ -38,7 +38,7 @@ impl<W: Float> Clock<W> {
         let mut clock = Self {
             step,
             tip_start_quarter_turns: if alpha_winding == 0 {
-                motion.signs().l_plus_n.factor() as i8
+                motion.signs().l_plus_n.as_i32() as i8
             } else {
                 0
             },

@@ -155,14 +155,16 @@ mod tests {
             let exact = equations(spread, e);
             let rounded: PhaseEquations<f64> = exact.cast();
             for turns in [0.0, 1e-9, 0.1, 0.17, 0.2499, 0.25] {
-                let phases =
-                    PathPhases { chi: Phase::new(turns), residual: [Phase::new(0.3), Phase::new(-0.4)] };
+                let phases = PathPhases {
+                    chi: Phase::from_turns(turns),
+                    residual: [Phase::from_turns(0.3), Phase::from_turns(-0.4)],
+                };
                 let (sine, cosine) = phases.sine_cosine();
                 let rates = exact.rates(sine.into(), cosine.into());
                 let beyond = rounded.rates(sine, cosine);
-                let size = [beyond.nutation, beyond.slow_alpha, beyond.slow_beta].into_iter().map(f64::abs);
+                let size = [beyond.half_phase, beyond.psi_alpha, beyond.psi_beta].into_iter().map(f64::abs);
                 let unit = 0.02 * spread.sqrt().min(1.0) / size.fold(0.0, f64::max).max(1.0);
-                let [chi, alpha, beta] = [rates.nutation, rates.slow_alpha, rates.slow_beta]
+                let [chi, alpha, beta] = [rates.half_phase, rates.psi_alpha, rates.psi_beta]
                     .map(|rate| (rate * unit.into()).to_f64());
                 let origin = Origin {
                     phases,
@@ -187,9 +189,9 @@ mod tests {
                         .residual
                         .each_ref()
                         .map(|rate| 0.25 * rate.value(0.25 * x, expansion.terms));
-                    worst[0] = worst[0].max(origin.weight * (slope - of(rates.nutation)).abs());
-                    worst[1] = worst[1].max((alpha - of(rates.slow_alpha)).abs());
-                    worst[2] = worst[2].max((beta - of(rates.slow_beta)).abs());
+                    worst[0] = worst[0].max(origin.weight * (slope - of(rates.half_phase)).abs());
+                    worst[1] = worst[1].max((alpha - of(rates.psi_alpha)).abs());
+                    worst[2] = worst[2].max((beta - of(rates.psi_beta)).abs());
                     let ([p, q], mut parts) = ([0.6, -0.3], [[0; MOST_TERMS]; 2]);
                     let mut series = CayleyKleinSeries::ZERO;
                     series.compute(&expansion, 0, [p, q], 5, parts.each_mut()).unwrap();

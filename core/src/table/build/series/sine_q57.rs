@@ -3,8 +3,8 @@
 //! They take a fifth of the time of those in `f64`, with whose 53 bits a release from rest would not be an event at its tick.
 
 use super::{Limbs, scaled_product};
+use crate::integer::product_i32;
 use crate::phase::Phase;
-use crate::product::product_i32;
 
 /// Fraction bits of [`sine_cosine_q57`].
 pub(crate) const FRACTION: i32 = 57;
@@ -78,7 +78,7 @@ mod tests {
     fn sines_have_56_bits() {
         let mut worst = 0.0_f64;
         for k in 0..4000 {
-            let phase = Phase::new(0.000_573 * f64::from(k) - 1.1);
+            let phase = Phase::from_turns(0.000_573 * f64::from(k) - 1.1);
             let (sine, cosine) = sine_cosine_q57(phase);
             let (true_sine, true_cosine) = series(phase);
             let unit = Extended::ONE / Extended::from((1_u64 << FRACTION) as f64);

@@ -15,7 +15,7 @@ pub(crate) struct LaunchRounding {
 }
 
 /// Number of roundings that count for l + n, for l - n and for each coefficient of a cubic.
-const OPERATIONS: f64 = 32.0;
+const ROUNDINGS_OF_A_COEFFICIENT: f64 = 32.0;
 
 impl LaunchRounding {
     /// Errors of a launch from a state: see `core/docs/error_bound.md`.
@@ -28,13 +28,14 @@ impl LaunchRounding {
         state: &State,
     ) -> Self {
         let speed = Float::sqrt(dot(state.omega(), state.omega()));
-        let rounding = OPERATIONS * Extended::OPERATION_ERROR;
-        let ScaledTop { a, c, s, p, g, k } = ScaledTop::<f64>::new(top);
+        let rounding = ROUNDINGS_OF_A_COEFFICIENT * Extended::OPERATION_ERROR;
+        let scaled = ScaledTop::<f64>::new(top);
+        let ScaledTop { a, c, s, p, k, .. } = scaled;
         let slow_rates = rounding * ((1.0 + (c - a).abs() / a) * speed + k.abs() / a);
         if top.is_torque_free() {
             return Self { relative: rounding, slow_rates };
         }
-        let kappa = 1.0 / (2.0 * a * p * g);
+        let kappa = scaled.kappa();
         let ReducedPoint { u, one_minus_u, one_plus_u, axis_energy, .. } = *point;
         let [n, l_minus_n] = [integrals.n, integrals.l_minus_n].map(Float::to_f64);
         let [u, one_minus_u, one_plus_u, axis_energy] =

@@ -4,10 +4,10 @@ use crate::scalar::{Extended, Float, Ring, exponent, power_of_two};
 
 /// Cubic y³ + g₂ y² + g₁ y + g₀ that is convex from its largest root on.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::constants) struct Cubic {
-    pub(in crate::constants) g0: Extended,
-    pub(in crate::constants) g1: Extended,
-    pub(in crate::constants) g2: Extended,
+pub(super) struct Cubic {
+    pub(super) g0: Extended,
+    pub(super) g1: Extended,
+    pub(super) g2: Extended,
 }
 
 impl Cubic {
@@ -48,7 +48,7 @@ impl Cubic {
 
     /// Largest root, by Newton's method from above.
     #[inline(never)]
-    pub(in crate::constants) fn largest_root(&self, pause: &mut dyn FnMut()) -> Extended {
+    pub(super) fn largest_root(&self, pause: &mut dyn FnMut()) -> Extended {
         const MOST_STEPS: u32 = 200;
         let mut y = self.upper_bound();
         for _ in 0..MOST_STEPS {

@@ -1,6 +1,7 @@
-//! Integer products wider than a chip's multiply instruction.
+//! Integers: products wider than a chip's multiply instruction, and `f64` as an integer times a power of two.
 //!
-//! A Cortex-M0+ multiplies to 32 bits only. A 64-bit product costs some 40 cycles from the compiler, 15 from 16-bit halves.
+//! A Cortex-M0+ multiplies to 32 bits only. There a product to 64 bits takes some 40 cycles as the compiler makes it, and 15 from halves of
+//! 16 bits.
 
 /// Whether products are made of 16-bit halves: on ARMv6-M, which lacks 32-bit atomics.
 const BY_HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
@@ -117,6 +118,31 @@ const fn product_u32_by_halves(a: u32, b: u32) -> u64 {
 const fn product_i32_by_halves(a: i32, b: i32) -> i64 {
     let excess = (b & (a >> 31)).wrapping_add(a & (b >> 31));
     (product_u32_by_halves(a as u32, b as u32) as i64).wrapping_sub((excess as i64) << 32)
+}
+
+/// Mantissa below 2^53 and exponent of x = mantissa · 2^exponent; 0 if x is not finite.
+pub(crate) fn mantissa_and_exponent(x: f64) -> (i64, i32) {
+    const MANTISSA_BITS: u32 = 52;
+    const BIAS: i32 = 1075; // 1023 + 52
+    let bits = x.to_bits();
+    let fraction = (bits & ((1 << MANTISSA_BITS) - 1)) as i64;
+    let magnitude = ((bits >> MANTISSA_BITS) & 0x7ff) as i32;
+    let (mantissa, exponent) = match magnitude {
+        0 => (fraction, 1 - BIAS),
+        0x7ff => (0, 0),
+        _ => (fraction | (1 << MANTISSA_BITS), magnitude - BIAS),
+    };
+    (if bits >> 63 == 1 { -mantissa } else { mantissa }, exponent)
+}
+
+/// value · 2^shift, rounded to the nearest integer, modulo 2^128.
+pub(crate) fn ldexp_i128(value: i128, shift: i32) -> i128 {
+    match shift {
+        128.. => 0,
+        0.. => value << shift,
+        -126.. => ((value >> (-shift - 1)) + 1) >> 1,
+        _ => 0,
+    }
 }
 
 /// Next random bits of a test, from those before.
