@@ -1,12 +1,13 @@
 //! Order, units and prior information of the unknowns of a fit, and the motion that they determine.
 
 use crate::estimate::{Estimate, FreeRatio};
+use crate::information::Information;
 use crate::sensitivity::{
     COARSE, Coefficients, Equations, Flow, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS, Sensitivity,
     coefficients, exponents, ratios, with_coefficients,
 };
 use crate::sensors::Sensor;
-use crate::triangle::{MOST_COMMON, MOST_UNKNOWNS, Triangle, Unknowns, single};
+use crate::triangle::{MOST_COMMON, MOST_UNKNOWNS, Unknowns, single};
 use crate::vector::{UNITS, Vector, norm, scaled};
 use core::iter::repeat_n;
 use core::ops::Range;
@@ -29,7 +30,7 @@ pub(crate) struct Model {
     /// First bias of each sensor among the unknowns.
     biases: [Option<usize>; MOST_SENSORS],
     /// Prior standard deviations; infinite where there is no prior information.
-    deviations: Unknowns,
+    pub(crate) deviations: Unknowns,
     pub(crate) count: usize,
 }
 
@@ -153,7 +154,7 @@ impl Model {
 
     /// Launch at a later time, with the derivatives there with respect to the unknowns.
     pub(crate) fn predicted(&self, estimate: &Estimate, span: f64) -> Option<(Estimate, Partials)> {
-        let at = self.sensitivity(estimate)?.cursor().with_turned_omega(span)?;
+        let at = self.sensitivity(estimate)?.with_turned_omega(span)?;
         let (orientation, omega) = (at.orientation(), at.omega());
         Some((Estimate { orientation, omega, ..*estimate }, at))
     }
@@ -164,14 +165,9 @@ impl Model {
         scaled(self.equations(estimate).integrals(&flow), self.top.transverse_inertia())
     }
 
-    /// Prior variance of an unknown.
-    pub(crate) fn prior_variance(&self, unknown: usize) -> f64 {
-        self.deviations.get(unknown).map_or(0.0, |deviation| deviation * deviation)
-    }
-
     /// Information before the first measurement, and the estimate that it is about. Losses, biases and changes of the ratios are near 0.
-    pub(crate) fn prior<F: Real>(&self) -> (Estimate, Triangle<F>) {
-        let mut information = Triangle::new(self.count);
+    pub(crate) fn prior<F: Real>(&self) -> (Estimate, Information<F>) {
+        let mut information = Information::new(self.count);
         for (index, deviation) in self.deviations.iter().enumerate() {
             information.add_known(index, F::from_f64(*deviation));
         }
@@ -195,9 +191,9 @@ impl Model {
     pub(crate) fn damp<F: Real>(
         &self,
         estimate: &Estimate,
-        information: &Triangle<F>,
+        information: &Information<F>,
         [damping, limit]: [f64; 2],
-        damped: &mut Triangle<F>,
+        damped: &mut Information<F>,
     ) {
         let body = estimate.orientation.inverse();
         for (index, unit) in self.units(estimate).into_iter().enumerate().take(self.count) {

@@ -11,7 +11,7 @@ use core::f64::consts::PI;
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 
-/// Number of instants with an orientation, a direction or the axis that a guess uses; the first part that is fitted has four times as many.
+/// Number of instants with an orientation, a direction or the axis that a guess uses.
 pub(super) const FIRST_INSTANTS: usize = 16;
 /// Largest number of instants that are searched for them.
 const MOST_INSTANTS: usize = 1024;

@@ -158,8 +158,7 @@ mod tests {
         let launch = Flow::launched(&state.orientation(), state.omega());
         let axes = launch.axes();
         let mut trajectory = Trajectory::<F>::new(&launch, Tangent::along_axes(&axes), &equations, PASS);
-        let sensitivity = Sensitivity::new(&motion);
-        let mut cursor = sensitivity.cursor();
+        let mut sensitivity = Sensitivity::new(&motion);
         let frequency = equations.frequency(&launch);
         let [mut off, mut changed] = [0.0_f64; 2];
         let size = |x: Vector<f64>| libm::sqrt(dot(x, x));
@@ -167,7 +166,7 @@ mod tests {
         for n in 0..700 {
             let t = f64::from(n) / 699.0;
             trajectory.move_to(t).unwrap();
-            let (found, truth) = (trajectory.now().flow, cursor.at(t).unwrap().flow);
+            let (found, truth) = (trajectory.now().flow, sensitivity.advance_to(t).unwrap().flow);
             off = off.max(apart(found.axis, truth.axis)).max(apart(found.side, truth.side));
             off = off.max(apart(found.across, truth.across) / frequency);
             // the columns of the truth are changes along the fixed axes, those of Φ with ω kept
