@@ -132,7 +132,7 @@ impl<'a, F: Real> Fit<'a, F> {
         let followed = self.model.predicted(&last.launch, span).filter(|_| span >= 0.0);
         let (predicted, at) = followed.ok_or(FitError::OutOfOrder { index: 0 })?;
         let mut covariance = last.covariance;
-        covariance.carry(&at.flow.tangents);
+        covariance.carry(&at.state.tangents);
         let noise = loss * norm(predicted.omega) * span;
         for index in 0..LAUNCH_COLUMNS {
             let noise = if index < 3 { 0.5 * span * noise } else { noise };

@@ -6,7 +6,7 @@
 // In the order of dependence.
 mod coefficients;
 
-mod flow;
+mod state;
 
 mod equations;
 
@@ -23,9 +23,9 @@ pub(crate) use coefficients::{
     Coefficients, LOSS_COUNT, RATIOS, coefficients, exponents, ratios, with_coefficients,
 };
 pub(crate) use equations::Equations;
-pub(crate) use flow::{COLUMNS, Flow, LAUNCH_COLUMNS, Tangent};
 use integrals::projected;
 pub use partials::Partials;
+pub(crate) use state::{AugmentedState, COLUMNS, LAUNCH_COLUMNS, Tangent};
 use toytop::scalar::{Extended, Float, Scalar};
 use toytop::{Motion, Orientation, PeriodAdvance, Phase, Stepper};
 pub(crate) use trajectory::Trajectory;
@@ -95,7 +95,7 @@ impl Sensitivity {
         let period =
             motion.period_advance().and_then(|PeriodAdvance { exact_period: length, rotations, .. }| {
                 let [about_vertical, _] = rotations;
-                let (launch, mut end) = (&start.now().flow, start.moved(length.to_f64())?.now().flow);
+                let (launch, mut end) = (&start.now().state, start.moved(length.to_f64())?.now().state);
                 end.turn(f64::sine_cosine(-about_vertical));
                 let mut growth = end.tangents;
                 for (grown, initial) in growth.iter_mut().zip(&launch.tangents) {
@@ -118,7 +118,7 @@ impl Sensitivity {
         omega: Vector<f64>,
         longest_step: f64,
     ) -> Self {
-        let (state, tangents) = (Flow::launched(orientation, omega), Tangent::along_axes(&UNITS));
+        let (state, tangents) = (AugmentedState::launched(orientation, omega), Tangent::along_axes(&UNITS));
         let start = Trajectory::new(&state, tangents, equations, longest_step);
         Self { start, period: None, trajectory: start, count: 0 }
     }
@@ -135,7 +135,7 @@ impl Sensitivity {
         let mut partials = self.with_turned_omega(t)?;
         // with ω kept, a rotation δ of Φ changes ω by -δ × ω in the frame that turns by δ
         let omega = self.start.now().omega();
-        if let Some((launch, _)) = partials.flow.tangents.split_first_chunk_mut::<LAUNCH_COLUMNS>() {
+        if let Some((launch, _)) = partials.state.tangents.split_first_chunk_mut::<LAUNCH_COLUMNS>() {
             let [x, y, z, by_omega @ ..] = launch;
             for (slot, unit) in [x, y, z].into_iter().zip(UNITS) {
                 for (column, weight) in by_omega.iter().zip(cross(omega, unit)) {
@@ -159,7 +159,7 @@ impl Sensitivity {
         let (count, since_period) = period.reduced(t)?;
         let [about_vertical, about_axis] = period.rotations;
         if count != self.count {
-            let mut tangents = start.now().flow.tangents;
+            let mut tangents = start.now().state.tangents;
             for (tangent, growth) in tangents.iter_mut().zip(&period.growth) {
                 *tangent = tangent.plus(growth, count as f64);
             }
@@ -167,7 +167,7 @@ impl Sensitivity {
         }
         self.trajectory = self.trajectory.moved(since_period)?;
         let mut partials = *self.trajectory.now();
-        partials.flow.turn(f64::sine_cosine(about_vertical * count));
+        partials.state.turn(f64::sine_cosine(about_vertical * count));
         Some(partials)
     }
 }

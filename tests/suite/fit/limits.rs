@@ -3,10 +3,10 @@
 use super::simulated::{
     ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check, fitted, readings, release, simulated,
 };
-use toytop::{Motion, Orientation, Top, TopParameters};
+use toytop::{Motion, Orientation, State, Top, TopParameters};
 use toytop_fit::{
-    Fit, FitError, FitWarning, Fitted, FreeRatio, Gyroscope, Measurement, Mounting, Noise, Sensitivity,
-    Sensor,
+    AxisCamera, Fit, FitError, FitWarning, Fitted, FreeRatio, Gyroscope, Hint, Magnetometer, Mark,
+    Measurement, Mounting, Noise, Sensitivity, Sensor,
 };
 use toytop_tests::{TOY, toy};
 
@@ -37,6 +37,20 @@ fn the_launch_of_a_thin_rod_has_error_bars() {
         let deviation = (covariance[0][0] + covariance[1][1] + covariance[2][2]).sqrt();
         assert!((1e-5..0.1).contains(&deviation), "{deviation:e}");
     }
+}
+
+/// A vector of length 0 has no direction, and a mark on the vertical no azimuth.
+#[test]
+fn readings_without_a_direction_have_no_effect() {
+    let no_field = Magnetometer { field: [0.0; 3], ..MAGNETOMETER };
+    let sensors: [(&dyn Sensor, _); 2] = [(&AxisCamera { deviation: 1e-3 }, [0.0; 4]), (&no_field, [1.0; 4])];
+    for (sensor, values) in sensors {
+        assert_eq!(sensor.hint(&values), Hint::None);
+    }
+    let upright = State::new(Orientation::IDENTITY, [0.0, 0.0, 150.0]).unwrap();
+    let partials = Sensitivity::new(&Motion::launch(&toy(), &upright).unwrap()).at(0.0).unwrap();
+    let mark: &dyn Sensor = &Mark { deviation: 1e-5, place: [0.0, 0.0, 0.01] };
+    assert_eq!(mark.residual(&partials, &[0.0; 4]).deviation, [f64::INFINITY; 3]);
 }
 
 /// A run that ends without a launch has nothing of the run before it.

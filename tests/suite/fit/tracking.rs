@@ -2,7 +2,7 @@
 
 use super::simulated::{ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check, fitted, readings, release};
 use toytop::{Motion, State};
-use toytop_fit::{Fit, Measurement, Sensitivity, Sensor};
+use toytop_fit::{Fit, FitError, Measurement, Sensitivity, Sensor};
 use toytop_tests::{length, toy};
 
 /// The top loses half a percent of ω between two blocks; the next block is fitted from the prediction of the first.
@@ -31,6 +31,10 @@ fn a_loss_of_spin_between_two_blocks_is_tracked_and_reported() {
     assert!((drift + LOSS / SPAN).abs() < 1e-4, "{drift}");
     let jump = length(tracked.jump);
     assert!(jump > 0.0 && jump < 0.02, "{jump}");
+    for loss in [-1.0, f64::NAN, f64::INFINITY] {
+        let refused = fit.track(&last, loss, second.iter().copied());
+        assert_eq!(refused.err(), Some(FitError::LossDeviation), "{loss}");
+    }
 }
 
 #[test]

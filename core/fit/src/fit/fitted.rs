@@ -7,7 +7,7 @@ use crate::fit::pass::{Fit, Pass, Statistics};
 use crate::fit::search::Extent;
 use crate::model::MOST_RATIOS;
 use crate::sensitivity::{
-    COARSE, COLUMNS, Coefficients, Equations, Flow, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS,
+    AugmentedState, COARSE, COLUMNS, Coefficients, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS,
     Sensitivity, with_coefficients,
 };
 use crate::triangle::{MOST_UNKNOWNS, Unknowns};
@@ -124,8 +124,8 @@ impl Fitted {
         };
         let (top, state) = (self.top(given)?, self.state()?);
         let mut equations = Equations { lossy: true, ..Equations::new(&top) };
-        let [.., axial, across, vertical] = &mut equations.coefficients;
-        [*axial, *across, *vertical] = losses;
+        let [.., x1, x2, x3] = &mut equations.coefficients;
+        [*x1, *x2, *x3] = losses;
         Ok(Sensitivity::launched(&equations, &state.orientation(), state.omega(), COARSE))
     }
 
@@ -185,7 +185,7 @@ impl<F: Real> Fit<'_, F> {
             ratio_shares: self.model.ratio_shares(&launch),
             drift: None,
         };
-        fitted.covariance.turn(&Flow::launched(&launch.orientation, launch.omega).axes());
+        fitted.covariance.turn(&AugmentedState::launched(&launch.orientation, launch.omega).axes());
         fitted.unobservable = unobservable(&fitted, &self.model.units(&launch));
         if self.model.has_losses() && self.carry_to_end(&mut fitted, extent.last).is_none() {
             fitted.warning = fitted.warning.or(Some(FitWarning::NotSettled));
@@ -211,18 +211,18 @@ impl<F: Real> Fit<'_, F> {
         let (launch, at) = self.model.predicted(&fitted.launch, span)?;
         let rates = self.mean_rates([&fitted.launch, &launch], span);
         // a change of a loss changes nothing at the launch, and the integrals at the end by their gradients
-        let gradients = at.equations.gradients(&at.flow);
-        let [inertia, ..] = at.equations.coefficients;
+        let gradients = at.equations.gradients(&at.state);
+        let [c_over_a, ..] = at.equations.coefficients;
         let per_time = self.model.top.transverse_inertia() / span;
         let mut rates_by = [[0.0; 3]; MOST_UNKNOWNS];
-        let losses = rates_by.iter_mut().zip(&at.flow.tangents).enumerate();
+        let losses = rates_by.iter_mut().zip(&at.state.tangents).enumerate();
         for (_, (slot, tangent)) in losses.filter(|(index, _)| self.model.loss_range().contains(index)) {
             let [l, spin, h] = gradients.map(|by| by.inner(tangent));
-            *slot = scaled([l, inertia * spin, h], per_time);
+            *slot = scaled([l, c_over_a * spin, h], per_time);
         }
         let covariance = fitted.covariance.of_vector(&rates_by);
         fitted.drift = Some(Drift { rates, covariance, losses: self.model.losses_of(&launch) });
-        fitted.covariance.carry(&at.flow.tangents);
+        fitted.covariance.carry(&at.state.tangents);
         (fitted.time, fitted.launch) = (end, launch);
         Some(())
     }

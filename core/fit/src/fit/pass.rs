@@ -3,7 +3,7 @@
 use crate::estimate::Estimate;
 use crate::information::Information;
 use crate::model::{MOST_SENSORS, Model};
-use crate::sensitivity::{Flow, PASS, Tangent, Trajectory};
+use crate::sensitivity::{AugmentedState, PASS, Tangent, Trajectory};
 use crate::sensors::{Hint, Measurement, Measurements, Residual, Sensor};
 use crate::triangle::MOST_UNKNOWNS;
 use toytop::scalar::Real;
@@ -140,7 +140,7 @@ pub(super) struct Pass<F> {
 
 /// Trajectory of an estimate, whose columns are changes along the body axes.
 fn trajectory<F: Real>(estimate: &Estimate, model: &Model) -> Trajectory<F> {
-    let launch = Flow::launched(&estimate.orientation, estimate.omega);
+    let launch = AugmentedState::launched(&estimate.orientation, estimate.omega);
     Trajectory::new(&launch, Tangent::along_axes(&launch.axes()), &model.equations(estimate), PASS)
 }
 
