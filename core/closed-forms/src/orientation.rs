@@ -1,7 +1,6 @@
 //! Orientation of a motion at any time, from α and β of a closed form within a period, and the inverse of an increasing function.
 
-use crate::elliptic::elementary::{WideComplex, angle, of_turns, real, rounded};
-use crate::elliptic::theta::ValueAndSlope;
+use crate::elliptic::elementary::{ValueAndSlope, WideComplex, angle, of_turns, real, rounded};
 use toytop::internal::HalfPhase;
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
