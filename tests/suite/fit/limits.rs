@@ -1,7 +1,7 @@
 //! Fits at their limits: readings beyond a range, a top without a moment of inertia, and measurements that are refused.
 
 use super::simulated::{
-    ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check, fitted, readings, release, simulated,
+    ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check_errors, fitted, readings, release, simulated,
 };
 use toytop::{Motion, Orientation, State, Top, TopParameters};
 use toytop_fit::{
@@ -19,7 +19,7 @@ fn saturated_axes_of_a_turned_gyroscope_are_not_believed() {
     let gyroscope = Gyroscope { mounting: Mounting { rotation, place: [0.0; 3] }, ..GYROSCOPE };
     let sensors: [&dyn Sensor; 3] = [&gyroscope, &ACCELEROMETER, &MAGNETOMETER];
     let (top, state) = (toy(), release(0.35, 250.0));
-    check("turned", &simulated(&top, &state, &sensors, 300, 5), &state);
+    check_errors("turned", &simulated(&top, &state, &sensors, 300, 5), &state);
 }
 
 /// A thin rod has C = 0, and its ratio A/C is infinite: no result may depend on it.
@@ -32,7 +32,7 @@ fn the_launch_of_a_thin_rod_has_error_bars() {
     let gravity = [FreeRatio::new([0.0, 0.0, 0.0, 0.01])];
     for ratios in [&[][..], &gravity] {
         let found = fitted(&top, &SENSORS, ratios, &measurements);
-        check("rod", &found, &state);
+        check_errors("rod", &found, &state);
         let covariance = found.orientation_covariance(&partials);
         let deviation = (covariance[0][0] + covariance[1][1] + covariance[2][2]).sqrt();
         assert!((1e-5..0.1).contains(&deviation), "{deviation:e}");
