@@ -1,9 +1,9 @@
-"""Makes closed_forms.json: motions that have a closed form, where several differences of the branch points are small together.
+"""Makes data/closed_forms.json: motions that have a closed form, where several differences of the branch points are small together.
 
 Every number of a case is an f64 and counts as exact; alpha and beta are `exact_motion.py`'s, which knows no elliptic function.
 A case whose e3 is not e4 to the last digit says so by `refused`.
 
-Usage: python closed_forms.py > closed_forms.json      (mpmath, see requirements.txt)
+Usage: python closed_forms.py > data/closed_forms.json      (mpmath, see requirements.txt)
 """
 
 import json

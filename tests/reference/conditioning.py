@@ -1,11 +1,11 @@
-"""Makes conditioning.json: states near every degenerate corner, and the branch points of exactly those states.
+"""Makes data/conditioning.json: states near every degenerate corner, and the branch points of exactly those states.
 
 A state is computed from branch points and a phase and then rounded to f64; the rounding moves the branch points a
 little, so their truth is recomputed, at 120 digits, from the rounded numbers: the roots of the monomial cubic
 u^3 - (H + k n^2) u^2 + (2 k l n - 1) u + H - k l^2 (k = 1/(2 A p), H = (h - n^2/2C)/p), with l, n, h by their
 definitions from the exactly normalised state. It shares no formula with the library, which never forms this cubic.
 
-Usage: python conditioning.py > conditioning.json      (mpmath, see requirements.txt)
+Usage: python conditioning.py > data/conditioning.json      (mpmath, see requirements.txt)
 """
 
 import json

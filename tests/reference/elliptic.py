@@ -1,11 +1,11 @@
-"""Makes elliptic.json: Weierstrass's and Jacobi's functions to 30 digits, at arguments that are exact in f64.
+"""Makes data/elliptic.json: Weierstrass's and Jacobi's functions to 30 digits, at arguments that are exact in f64.
 
 The Weierstrass functions come from their Laurent series at 0 and the duplication formulas, at 300 digits: z is halved until
 the series converges, then doubled again. Jacobi's come from the theta series of mpmath at 60 digits, K from its AGM with the
 complementary parameter. The library uses neither: it has theta series for the first and Landen's chain for the second.
 
-Usage: python elliptic.py > elliptic.json            (mpmath, see requirements.txt)
-       python elliptic.py sweep > elliptic_sweep.json    (quotients of the root differences and K, densely)
+Usage: python elliptic.py > data/elliptic.json            (mpmath, see requirements.txt)
+       python elliptic.py sweep > data/elliptic_sweep.json    (quotients of the root differences and K, densely)
 """
 
 import json

@@ -1,6 +1,6 @@
 """Both versions of every slip of the printed paper, at 50 digits.
 
-The truth is newton_euler.py. Rows are numbered as in core/closed-forms/docs/errata.md. Run without arguments to write errata.json; exits with 1 if a
+The truth is newton_euler.py. Rows are numbered as in core/closed-forms/docs/errata.md. Run without arguments to write data/errata.json; exits with 1 if a
 printed version passes or a corrected one fails.
 """
 import json
@@ -289,7 +289,7 @@ if __name__ == "__main__":
     loops()
     e3_equals_e4()
     aperiodic()
-    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "errata.json"), "w") as file:
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "data", "errata.json"), "w") as file:
         json.dump({"rows": rows}, file, indent=1)
         file.write("\n")
     sys.exit(failed)

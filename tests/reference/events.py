@@ -1,9 +1,9 @@
-"""Makes events.json: the instants at which exact motions turn, cross a level or a circle, reach a tip angle, or lift off.
+"""Makes data/events.json: the instants at which exact motions turn, cross a level or a circle, reach a tip angle, or lift off.
 
 Each is found by a search in time and then by the secant method, to 25 digits or more, on the motion of exact_motion.py at 45 digits. The
 normal force is 1 + s u'' with u'' by a central difference. The library searches its table in the nutation phase instead.
 
-Usage: python events.py > events.json      (mpmath, see requirements.txt; two minutes)
+Usage: python events.py > data/events.json      (mpmath, see requirements.txt; two minutes)
 """
 import json
 import sys

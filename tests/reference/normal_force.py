@@ -1,10 +1,10 @@
-"""Makes normal_force.json: the least normal force of motions with given branch points, slender tops among them.
+"""Makes data/normal_force.json: the least normal force of motions with given branch points, slender tops among them.
 
 N(u) = 1 + s d(f/D)/du with f = (u - e1)(u - e2)(u - e3) and D = A/p + s (1 - u^2). The numbers e1, e2, e3, A, p, s are
 f64 and count as exact. The stationary points are the real roots in (e1, e2) of the numerator of d2(f/D)/du2, a cubic,
 found at 400 digits. The library uses partial fractions in u = e4 and u = -e4 instead.
 
-Usage: python normal_force.py > normal_force.json      (mpmath, see requirements.txt)
+Usage: python normal_force.py > data/normal_force.json      (mpmath, see requirements.txt)
 """
 
 import json

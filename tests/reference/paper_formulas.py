@@ -1,7 +1,7 @@
 """Motions by the formulas of the paper for e3 = e4 (section 5.1) and e2 = e3 = 1 (section 5.3), with the errata corrected, at 50 digits.
 
 Weierstrass's functions are those of errata.py, from theta functions. A = C = 5/4, s = p = 1, so that e4 = 3/2. Run without arguments to write
-paper_formulas.json; it exits with 1 if the formulas miss the full equations of newton_euler.py.
+data/paper_formulas.json; it exits with 1 if the formulas miss the full equations of newton_euler.py.
 """
 import json
 import os
@@ -95,7 +95,7 @@ if __name__ == "__main__":
         for signs in ((1, 1), (-1, 1)):
             at = aperiodic(e1, signs)
             cases.append(case((e1, ONE, ONE), signs, "0", at, ["-0.99", "-0.35", "0", "1e-6", "0.95", "0.999", "0.6"]))
-    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "paper_formulas.json"), "w") as file:
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "data", "paper_formulas.json"), "w") as file:
         json.dump({"cases": cases}, file, indent=1)
         file.write("\n")
     print("greatest difference from the full equations", nstr(worst, 3))

@@ -1,6 +1,6 @@
 """Motions of the tops that the paper does not have, to 30 digits: with a rotor inside, free, and pendulums.
 
-    python tops.py            write tops.json (about a minute, faster with gmpy2)
+    python tops.py            write data/tops.json (about a minute, faster with gmpy2)
     python tops.py --check    recompute it and compare; status 1 if a number is off
 
 Each motion is a state, dyadic and so exact in f64, that newton_euler.py integrates at 50 digits with a local tolerance of
@@ -19,7 +19,7 @@ from mpmath import mp, mpf, nstr
 from newton_euler import integrate
 
 mp.dps = 50
-FILE = Path(__file__).resolve().parent / "tops.json"
+FILE = Path(__file__).resolve().parent / "data" / "tops.json"
 
 # (support, A, C, s, p, g, K)
 BODY = (1.3125, 0.6875, 0.8125, 1.125)

@@ -57,7 +57,7 @@ pub fn tabulated() -> impl Iterator<Item = Vector> {
 
 /// Vector of this name.
 pub fn named(name: &str) -> Vector {
-    Vector { name: name.to_owned(), json: json(&format!("vectors/{name}.json")) }
+    Vector { name: name.to_owned(), json: read(&format!("vectors/{name}.json")) }
 }
 
 /// Motion of the vector of this name.
@@ -73,11 +73,15 @@ fn reference() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("reference")
 }
 
-/// JSON file of `tests/reference`.
+/// JSON file of `tests/reference/data`.
 pub fn json(name: &str) -> Value {
-    let text =
-        std::fs::read_to_string(reference().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
-    serde_json::from_str(&text).unwrap()
+    read(&format!("data/{name}"))
+}
+
+/// JSON file of `tests/reference`.
+fn read(path: &str) -> Value {
+    let text = std::fs::read_to_string(reference().join(path));
+    serde_json::from_str(&text.unwrap_or_else(|error| panic!("{path}: {error}"))).unwrap()
 }
 
 impl Vector {

@@ -14,8 +14,7 @@ mod constants;
 
 mod sliding;
 
-use crate::elliptic::elementary::rounded;
-use crate::elliptic::theta::ValueAndSlope;
+use crate::elliptic::elementary::{ValueAndSlope, rounded};
 use crate::orientation::{ArgumentOffsets, solve_increasing};
 use constants::{AperiodicConstants, AperiodicValues, Fixed};
 use sliding::Sliding;

@@ -1,7 +1,7 @@
 //! Closed form of a motion, of whichever kind applies.
 
 use crate::aperiodic::Aperiodic;
-use crate::e3_equals_e4::{E3EqualsE4, difference};
+use crate::e3_equals_e4::{E3EqualsE4, e3_minus_e4};
 use crate::free_body::FreeBody;
 use crate::lagrange::Lagrange;
 use crate::precession::RegularPrecession;
@@ -64,7 +64,7 @@ impl ClosedForm {
             .ok_or_else(|| NoClosedForm {
                 e3: motion.branch_points().e3,
                 e4: motion.top().e4().unwrap_or(f64::INFINITY),
-                e3_minus_e4: difference(motion),
+                e3_minus_e4: e3_minus_e4(motion),
             })
     }
 

@@ -13,10 +13,10 @@
 //! instead of ω₂ in the shift, and the opposite direction of x.
 
 use crate::elliptic::carlson_rf;
-use crate::elliptic::elementary::{imaginary, of_turns, real};
-use crate::elliptic::lattice::{HalfPeriod, Lattice, ThetaQuotient, zeros};
-use crate::elliptic::theta::ValueAndSlope;
+use crate::elliptic::elementary::{ValueAndSlope, imaginary, of_turns, real};
+use crate::elliptic::lattice::{HalfPeriod, Lattice};
 use crate::orientation::{ArgumentOffsets, Periods, solve_increasing};
+use crate::theta_quotient::{ThetaQuotient, zeros};
 use toytop::internal::{HalfPhase, ScaledTop};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
@@ -58,9 +58,9 @@ impl E3EqualsE4 {
             return None;
         }
         let e = motion.e;
-        let ScaledTop { a: inertia, s, g, .. } = ScaledTop::<Extended>::new(motion.top());
+        let ScaledTop { a: transverse_inertia, s, g, .. } = ScaledTop::<Extended>::new(motion.top());
         let (e2_plus_e3, e1_plus_e3) = (e.one_plus_e3() - e.one_minus_e2, e.one_plus_e1 + e.e3_minus_one);
-        let lattice = Lattice::of_gaps(e.e2_minus_e1, e1_plus_e3);
+        let lattice = Lattice::from_gaps(e.e2_minus_e1, e1_plus_e3);
         let [_, half] = lattice.half_periods;
         let time_scale = (s.doubled() / g).sqrt();
 
@@ -71,7 +71,7 @@ impl E3EqualsE4 {
         let [alpha_size, beta_size] = [e.one_plus_e2(), e.one_minus_e1()].map(|x| x.halved().sqrt());
         // w₋₁/(2(e₃ - 1)) = √(s/2g) (l + n)/A, and w₊₁ likewise
         let quotient = |half, zero, momentum: Extended, point| {
-            let rate_offset = real((time_scale * momentum / inertia).halved());
+            let rate_offset = real((time_scale * momentum / transverse_inertia).halved());
             ThetaQuotient::through(&lattice, [half, HalfPeriod::Omega], zero, rate_offset, point)
         };
         let integrals = motion.integrals;
@@ -121,7 +121,7 @@ fn squares(motion: &Motion) -> [Extended; 2] {
 }
 
 /// Difference e₃ - e₄ for a sliding tip.
-pub(super) fn difference(motion: &Motion) -> f64 {
+pub(super) fn e3_minus_e4(motion: &Motion) -> f64 {
     let [apart, a_over_ps] = squares(motion);
     (apart / (motion.e.e3 + (Extended::ONE + a_over_ps).sqrt())).to_f64()
 }

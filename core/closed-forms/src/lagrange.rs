@@ -11,10 +11,10 @@
 //! z increases along the real axis, from u = e₁ at z = 0.
 
 use crate::elliptic::carlson_rf;
-use crate::elliptic::elementary::{imaginary, of_turns, real};
-use crate::elliptic::lattice::{HalfPeriod, Lattice, ThetaQuotient, zeros};
-use crate::elliptic::theta::ValueAndSlope;
+use crate::elliptic::elementary::{ValueAndSlope, imaginary, of_turns, real};
+use crate::elliptic::lattice::{HalfPeriod, Lattice};
 use crate::orientation::{ArgumentOffsets, Periods};
+use crate::theta_quotient::{ThetaQuotient, zeros};
 use toytop::internal::{HalfPhase, ScaledTop};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, BranchPoints, Complex, Motion, Phase, Support};
@@ -49,7 +49,7 @@ impl Lagrange {
         }
         let e = motion.e;
         let (swing, gap) = (e.e2_minus_e1, e.e3_minus_e2);
-        let lattice = Lattice::of_gaps(gap, swing);
+        let lattice = Lattice::from_gaps(gap, swing);
         let [half, _] = lattice.half_periods;
         let ScaledTop { a, p, g, .. } = ScaledTop::<Extended>::new(motion.top());
         let z_rate = (p * g / a).halved().sqrt();

@@ -6,7 +6,9 @@ pub mod moebius;
 
 pub mod elliptic;
 
-// Part of the solutions.
+// Parts of the solutions.
+mod theta_quotient;
+
 mod orientation;
 
 // Solutions, one for each kind of motion that has one.

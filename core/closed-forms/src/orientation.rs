@@ -1,7 +1,6 @@
 //! Orientation of a motion at any time, from α and β of a closed form within a period, and the inverse of an increasing function.
 
-use crate::elliptic::elementary::{angle, of_turns, rounded};
-use crate::elliptic::theta::ValueAndSlope;
+use crate::elliptic::elementary::{ValueAndSlope, angle, of_turns, rounded};
 use toytop::internal::{Ellipse, Ellipses, HalfPhase};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};

@@ -1,54 +1,50 @@
 //! Covariance of the unknowns of a fit.
 
+use crate::information::Information;
 use crate::sensitivity::{LAUNCH_COLUMNS, Tangent};
-use crate::triangle::{MOST_UNKNOWNS, Triangle};
+use crate::triangle::{MOST_UNKNOWNS, Triangle, Unknowns};
 use crate::vector::Vector;
 use toytop::scalar::Real;
 
-/// Entries of a symmetric matrix on and below its diagonal.
-const ENTRIES: usize = MOST_UNKNOWNS * (MOST_UNKNOWNS + 1) / 2;
 /// Least variance of an unknown given those before it: an unknown whose variance is negative by rounding counts as
 /// known to 1e-12.
 const LEAST_VARIANCE: f64 = 1e-24;
 
-/// Covariance of the unknowns: a symmetric matrix. One half is stored.
+/// Covariance of the unknowns: a symmetric matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Covariance {
-    /// Rows of the lower triangle up to the diagonal, one after another.
-    entries: [f64; ENTRIES],
+    lower: Triangle<f64>,
 }
 
 impl Covariance {
-    pub(crate) const ZERO: Self = Self { entries: [0.0; ENTRIES] };
+    pub(crate) const ZERO: Self = Self { lower: Triangle::ZERO };
+
+    /// Covariance (RᵀR)⁻¹ of an information. An unknown without any information gets the variance 0.
+    #[inline(never)] // stack
+    pub(crate) fn of<F: Real>(information: &Information<F>) -> Self {
+        let mut covariance = Self::ZERO;
+        for index in 0..information.count {
+            covariance.add_square(&information.triangle.inverse_column(index).map(F::to_f64));
+        }
+        covariance
+    }
 
     /// Covariance of two unknowns, counted from 0; 0 where there is no such unknown.
     #[must_use]
     pub fn get(&self, i: usize, j: usize) -> f64 {
-        self.entries.get(index_of(i, j)).copied().unwrap_or(0.0)
+        self.lower.row(i.max(j)).get(i.min(j)).copied().unwrap_or(0.0)
     }
 
     pub(crate) fn set(&mut self, i: usize, j: usize, value: f64) {
-        if let Some(slot) = self.entries.get_mut(index_of(i, j)) {
+        if let Some(slot) = self.lower.row_mut(i.max(j)).get_mut(i.min(j)) {
             *slot = value;
         }
     }
 
-    /// Adds v vᵀ, where the first `count` numbers of v are not 0.
-    fn add_square(&mut self, v: impl Iterator<Item = f64> + Clone, count: usize) {
-        let mut slots = self.entries.iter_mut();
-        for (index, a) in v.clone().enumerate().take(count) {
-            for (slot, b) in slots.by_ref().take(index + 1).zip(v.clone()) {
-                *slot += a * b;
-            }
-        }
-    }
-
-    /// Adds (RᵀR)⁻¹ of a triangle. An unknown without any information gets the variance 0.
-    #[inline(never)] // stack
-    pub(crate) fn add_inverse<F: Real>(&mut self, information: &Triangle<F>, count: usize) {
-        for index in 0..count {
-            let column = information.inverse_column(index);
-            self.add_square(column.iter().map(|x| x.to_f64()), count);
+    /// Adds v vᵀ.
+    fn add_square(&mut self, v: &Unknowns) {
+        for (index, a) in v.iter().enumerate() {
+            self.lower.row_mut(index).iter_mut().zip(v).for_each(|(slot, b)| *slot += a * b);
         }
     }
 
@@ -89,27 +85,23 @@ impl Covariance {
 
     /// Information of the first `count` unknowns: the inverse of Cholesky's triangle.
     #[inline(never)] // stack
-    pub(crate) fn information<F: Real>(&self, count: usize) -> Triangle<F> {
-        self.factor(count).inverse()
+    pub(crate) fn information<F: Real>(&self, count: usize) -> Information<F> {
+        Information::with_triangle(count, self.factor(count).inverse())
     }
 
     /// Cholesky's lower triangle L of the covariance L Lᵀ of the first `count` unknowns.
     pub(crate) fn factor(&self, count: usize) -> Triangle<f64> {
-        let mut factor = Triangle::new(count);
+        let mut factor = Triangle::ZERO;
         for index in 0..count {
-            let mut row = factor.solved(core::array::from_fn(|other| self.get(index, other)));
+            let row = factor.solved(core::array::from_fn(|other| self.get(index, other)));
             let known: f64 = row.iter().take(index).map(|x| x * x).sum();
-            let pivot = libm::sqrt((self.get(index, index) - known).max(LEAST_VARIANCE));
-            row.iter_mut().skip(index).take(1).for_each(|slot| *slot = pivot);
-            factor.add(row, 0.0);
+            if let [line @ .., pivot] = factor.row_mut(index) {
+                line.iter_mut().zip(row).for_each(|(slot, x)| *slot = x);
+                *pivot = libm::sqrt((self.get(index, index) - known).max(LEAST_VARIANCE));
+            }
         }
         factor
     }
-}
-
-fn index_of(i: usize, j: usize) -> usize {
-    let (row, column) = if i < j { (j, i) } else { (i, j) };
-    row * (row + 1) / 2 + column
 }
 
 #[cfg(test)]
@@ -119,8 +111,8 @@ mod tests {
     fn covariance() -> Covariance {
         let mut covariance = Covariance::ZERO;
         for k in 0..9 {
-            let vector = (0..8).map(|i| libm::sin(f64::from(i * i + 3 * k * i + k)));
-            covariance.add_square(vector, 8);
+            let component = |i: u32| if i < 8 { libm::sin(f64::from(i * i + 3 * k * i + k)) } else { 0.0 };
+            covariance.add_square(&core::array::from_fn(|i| component(i as u32)));
         }
         covariance
     }
@@ -157,7 +149,7 @@ mod tests {
                     before(i as u32)
                 }
             };
-            expected.add_square((0..8).map(after), 8);
+            expected.add_square(&core::array::from_fn(|i| if i < 8 { after(i) } else { 0.0 }));
         }
         for i in 0..8 {
             for j in 0..8 {
@@ -169,14 +161,13 @@ mod tests {
     #[test]
     fn the_covariance_is_the_inverse_of_the_normal_matrix() {
         let rows = [[1.0, 2.0, -1.0], [0.5, -1.0, 0.25], [3.0, 0.0, 1.0], [-1.0, 1.0, 1.0], [0.0, 2.0, 5.0]];
-        let mut triangle = Triangle::<f64>::new(3);
+        let mut information = Information::<f64>::new(3);
         for row in rows {
             let mut wide = [0.0; MOST_UNKNOWNS];
             wide[..3].copy_from_slice(&row);
-            triangle.add(wide, 1.0);
+            information.add(wide, 1.0);
         }
-        let mut covariance = Covariance::ZERO;
-        covariance.add_inverse(&triangle, 3);
+        let covariance = Covariance::of(&information);
         let normal = |i: usize, j: usize| rows.iter().map(|row| row[i] * row[j]).sum::<f64>();
         for i in 0..3 {
             for j in 0..3 {

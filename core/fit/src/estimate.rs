@@ -37,9 +37,9 @@ impl FreeRatio {
 /// Launch and other unknowns that a fit has found, or begins from.
 #[derive(Clone, Copy, Debug)]
 pub struct Estimate {
-    /// Orientation Φ at the epoch.
+    /// Orientation Φ at the launch.
     pub orientation: Orientation<f64>,
-    /// Angular velocity ω at the epoch in the fixed frame.
+    /// Angular velocity ω at the launch in the fixed frame.
     pub omega: Vector<f64>,
     /// Changes of the logarithms of the free ratios, losses, and biases.
     pub(crate) other: [f64; MOST_UNKNOWNS - LAUNCH_COLUMNS],

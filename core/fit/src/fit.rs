@@ -32,7 +32,7 @@ use toytop::scalar::Real;
 pub struct Tracked {
     /// Fit of the block.
     pub fitted: Fitted,
-    /// Rotation vector from the predicted to the fitted orientation, rad: the jump to an ephemeris of the new launch.
+    /// Rotation vector from the predicted to the fitted orientation, rad, by which an ephemeris jumps.
     pub jump: Vector<f64>,
     /// Mean rates of change of l, n and h between the two launches, per unit time.
     pub drift_rates: Vector<f64>,
@@ -87,8 +87,8 @@ impl<'a, F: Real> Fit<'a, F> {
         measurements: impl Iterator<Item = Measurement> + Clone,
     ) -> Result<Fitted, FitError> {
         let extent = self.checked(&measurements)?;
-        let (warning, other_launches) = self.search(&measurements, &extent);
-        let mut fitted = self.fitted(&extent, warning, other_launches);
+        let (warning, other_launch_count) = self.search(&measurements, &extent);
+        let mut fitted = self.fitted(&extent, warning, other_launch_count);
         if matches!(fitted.warning, Some(FitWarning::Misfit | FitWarning::NotSettled)) {
             let cause = self.misfit_cause(&measurements, &extent, fitted.statistics.chi_squared);
             fitted.warning = cause.or(fitted.warning);
@@ -116,39 +116,44 @@ impl<'a, F: Real> Fit<'a, F> {
     /// * `loss`: standard deviation of the relative change of ω per unit time: 1/60 /s for a spin that stops in a minute
     ///
     /// # Errors
-    /// The errors of [`Fit::run`], and [`FitError::OutOfOrder`] where the last fit cannot be followed to the block.
+    /// The errors of [`Fit::run`]. [`FitError::OutOfOrder`]: the last fit cannot be followed to the block. [`FitError::LossDeviation`]: the loss is
+    /// negative or not finite.
     pub fn track(
         &mut self,
         last: &Fitted,
         loss: f64,
         measurements: impl Iterator<Item = Measurement> + Clone,
     ) -> Result<Tracked, FitError> {
+        if !(loss.is_finite() && loss >= 0.0) {
+            return Err(FitError::LossDeviation);
+        }
         let extent = self.checked(&measurements)?;
-        let span = extent.first - last.epoch;
+        let span = extent.first - last.time;
         let followed = self.model.predicted(&last.launch, span).filter(|_| span >= 0.0);
         let (predicted, at) = followed.ok_or(FitError::OutOfOrder { index: 0 })?;
         let mut covariance = last.covariance;
-        covariance.carry(&at.flow.tangents);
+        covariance.carry(&at.state.tangents);
         let noise = loss * norm(predicted.omega) * span;
         for index in 0..LAUNCH_COLUMNS {
             let noise = if index < 3 { 0.5 * span * noise } else { noise };
             covariance.set(index, index, covariance.get(index, index) + noise * noise);
         }
         // the losses may be others now
-        for loss in self.model.loss_range() {
-            (0..last.unknowns).for_each(|other| covariance.set(loss, other, 0.0));
-            covariance.set(loss, loss, self.model.prior_variance(loss));
+        for index in self.model.loss_range() {
+            (0..last.unknown_count).for_each(|other| covariance.set(index, other, 0.0));
+            let variance = self.model.deviations.get(index).map_or(0.0, |deviation| deviation * deviation);
+            covariance.set(index, index, variance);
         }
         // to changes along the body axes
         let body = predicted.orientation.inverse();
         covariance.turn(&UNITS.map(|axis| body.adjoint(axis)));
-        self.prior = (predicted, covariance.information(last.unknowns));
+        self.prior = (predicted, covariance.information(last.unknown_count));
         self.start_from(&predicted);
         let settled = self.settle(&measurements, usize::MAX, SETTLED);
         let fitted = self.fitted(&extent, self.warning(settled), 0);
         self.reset_prior();
         let turn = self.best.estimate.orientation.compose(&predicted.orientation.inverse());
-        let drift_rates = self.mean_rates([&last.launch, &fitted.launch], fitted.epoch - last.epoch);
+        let drift_rates = self.mean_rates([&last.launch, &fitted.launch], fitted.time - last.time);
         Ok(Tracked { fitted, jump: rotation_vector(&turn), drift_rates })
     }
 

@@ -13,6 +13,8 @@ mod sensors;
 
 mod triangle;
 
+mod information;
+
 mod covariance;
 
 mod estimate;
@@ -29,7 +31,7 @@ pub use covariance::Covariance;
 pub use estimate::{Estimate, FreeRatio};
 pub use fit::{Drift, Fit, FitError, FitWarning, Fitted, Statistics, Tracked, Unobservable};
 pub use model::{MOST_RATIOS, MOST_SENSORS};
-pub use sensitivity::{Partials, Sensitivity, SensitivityCursor};
+pub use sensitivity::{Partials, Sensitivity};
 pub use sensors::{
     Accelerometer, AxisCamera, Gyroscope, Hint, Magnetometer, Mark, Measurement, Mounting, Noise,
     OrientationCamera, Residual, Sensor, TipCamera,

@@ -1,12 +1,13 @@
 //! Order, units and prior information of the unknowns of a fit, and the motion that they determine.
 
 use crate::estimate::{Estimate, FreeRatio};
+use crate::information::Information;
 use crate::sensitivity::{
-    COARSE, Coefficients, Equations, Flow, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS, Sensitivity,
-    coefficients, exponents, ratios, with_coefficients,
+    AugmentedState, COARSE, Coefficients, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS,
+    Sensitivity, coefficients, exponents, ratios, with_coefficients,
 };
 use crate::sensors::Sensor;
-use crate::triangle::{MOST_COMMON, MOST_UNKNOWNS, Triangle, Unknowns, single};
+use crate::triangle::{MOST_COMMON, MOST_UNKNOWNS, Unknowns, single};
 use crate::vector::{UNITS, Vector, norm, scaled};
 use core::iter::repeat_n;
 use core::ops::Range;
@@ -29,7 +30,7 @@ pub(crate) struct Model {
     /// First bias of each sensor among the unknowns.
     biases: [Option<usize>; MOST_SENSORS],
     /// Prior standard deviations; infinite where there is no prior information.
-    deviations: Unknowns,
+    pub(crate) deviations: Unknowns,
     pub(crate) count: usize,
 }
 
@@ -111,15 +112,15 @@ impl Model {
             let factors = exponents(free).map(|by| libm::exp(by * value));
             coefficients.iter_mut().zip(factors).for_each(|(slot, factor)| *slot *= factor);
         }
-        let [.., axial, across, vertical] = &mut coefficients;
-        [*axial, *across, *vertical] = self.losses_of(estimate);
+        let [.., x1, x2, x3] = &mut coefficients;
+        [*x1, *x2, *x3] = self.losses_of(estimate);
         let mut columns = changes.iter_mut();
         for (free, column) in self.free().iter().zip(&mut columns) {
             let shares = coefficients.iter().zip(exponents(free));
             column.iter_mut().zip(shares).for_each(|(slot, (value, by))| *slot = value * by);
         }
-        for ([.., axial, across, vertical], unit) in columns.take(self.loss_count).zip(UNITS) {
-            [*axial, *across, *vertical] = unit;
+        for ([.., x1, x2, x3], unit) in columns.take(self.loss_count).zip(UNITS) {
+            [*x1, *x2, *x3] = unit;
         }
         Equations { coefficients, changes, columns: self.common(), lossy: self.has_losses() }
     }
@@ -153,25 +154,20 @@ impl Model {
 
     /// Launch at a later time, with the derivatives there with respect to the unknowns.
     pub(crate) fn predicted(&self, estimate: &Estimate, span: f64) -> Option<(Estimate, Partials)> {
-        let at = self.sensitivity(estimate)?.cursor().with_turned_omega(span)?;
+        let at = self.sensitivity(estimate)?.with_turned_omega(span)?;
         let (orientation, omega) = (at.orientation(), at.omega());
         Some((Estimate { orientation, omega, ..*estimate }, at))
     }
 
     /// First integrals l, n and h of an estimate.
     pub(crate) fn integrals(&self, estimate: &Estimate) -> Vector<f64> {
-        let flow = Flow::launched(&estimate.orientation, estimate.omega);
-        scaled(self.equations(estimate).integrals(&flow), self.top.transverse_inertia())
-    }
-
-    /// Prior variance of an unknown.
-    pub(crate) fn prior_variance(&self, unknown: usize) -> f64 {
-        self.deviations.get(unknown).map_or(0.0, |deviation| deviation * deviation)
+        let state = AugmentedState::launched(&estimate.orientation, estimate.omega);
+        scaled(self.equations(estimate).integrals(&state), self.top.transverse_inertia())
     }
 
     /// Information before the first measurement, and the estimate that it is about. Losses, biases and changes of the ratios are near 0.
-    pub(crate) fn prior<F: Real>(&self) -> (Estimate, Triangle<F>) {
-        let mut information = Triangle::new(self.count);
+    pub(crate) fn prior<F: Real>(&self) -> (Estimate, Information<F>) {
+        let mut information = Information::new(self.count);
         for (index, deviation) in self.deviations.iter().enumerate() {
             information.add_known(index, F::from_f64(*deviation));
         }
@@ -181,8 +177,8 @@ impl Model {
     /// Unit of each unknown: 1 rad, a change of ω or of a ratio by its own size, and ten times a prior deviation, so that an unknown
     /// that only its prior determines counts as determined.
     pub(crate) fn units(&self, estimate: &Estimate) -> Unknowns {
-        let [_, moment, _, gravity, ..] = self.equations(estimate).coefficients;
-        let rate = norm([norm(estimate.omega), libm::sqrt(moment * gravity), 0.0]);
+        let [_, p_over_a, _, g, ..] = self.equations(estimate).coefficients;
+        let rate = norm([norm(estimate.omega), libm::sqrt(p_over_a * g), 0.0]);
         let mut units =
             self.deviations.map(|deviation| if deviation.is_finite() { 10.0 * deviation } else { 1.0 });
         units.iter_mut().take(LAUNCH_COLUMNS).skip(3).for_each(|unit| *unit = rate);
@@ -195,9 +191,9 @@ impl Model {
     pub(crate) fn damp<F: Real>(
         &self,
         estimate: &Estimate,
-        information: &Triangle<F>,
+        information: &Information<F>,
         [damping, limit]: [f64; 2],
-        damped: &mut Triangle<F>,
+        damped: &mut Information<F>,
     ) {
         let body = estimate.orientation.inverse();
         for (index, unit) in self.units(estimate).into_iter().enumerate().take(self.count) {

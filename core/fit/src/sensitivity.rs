@@ -6,7 +6,7 @@
 // In the order of dependence.
 mod coefficients;
 
-mod flow;
+mod state;
 
 mod equations;
 
@@ -23,9 +23,9 @@ pub(crate) use coefficients::{
     Coefficients, LOSS_COUNT, RATIOS, coefficients, exponents, ratios, with_coefficients,
 };
 pub(crate) use equations::Equations;
-pub(crate) use flow::{COLUMNS, Flow, LAUNCH_COLUMNS, Tangent};
 use integrals::projected;
 pub use partials::Partials;
+pub(crate) use state::{AugmentedState, COLUMNS, LAUNCH_COLUMNS, Tangent};
 use toytop::scalar::{Extended, Float, Scalar};
 use toytop::{Motion, Orientation, PeriodAdvance, Phase, Stepper};
 pub(crate) use trajectory::Trajectory;
@@ -50,6 +50,9 @@ pub(crate) const PASS: f64 = 0.25;
 pub struct Sensitivity {
     start: Trajectory<f64>,
     period: Option<Period>,
+    /// Trajectory from which the next time is reached, and the number of whole periods that are added to its time.
+    trajectory: Trajectory<f64>,
+    count: i64,
 }
 
 /// Effect of one nutation period.
@@ -87,11 +90,12 @@ impl Sensitivity {
     /// Sensitivity of a motion whose last four columns are the changes of these equations.
     pub(crate) fn with_equations(motion: &Motion, equations: &Equations<f64>, longest_step: f64) -> Self {
         let state = Stepper::<f64>::new(motion).attitude_state();
-        let Self { start, .. } = Self::launched(equations, &state.orientation, state.omega(), longest_step);
+        let launched = Self::launched(equations, &state.orientation, state.omega(), longest_step);
+        let start = launched.start;
         let period =
             motion.period_advance().and_then(|PeriodAdvance { exact_period: length, rotations, .. }| {
                 let [about_vertical, _] = rotations;
-                let (launch, mut end) = (&start.now().flow, start.moved(length.to_f64())?.now().flow);
+                let (launch, mut end) = (&start.now().state, start.moved(length.to_f64())?.now().state);
                 end.turn(f64::sine_cosine(-about_vertical));
                 let mut growth = end.tangents;
                 for (grown, initial) in growth.iter_mut().zip(&launch.tangents) {
@@ -104,7 +108,7 @@ impl Sensitivity {
                     growth: projected(&equations.gradients(launch), rate, &growth),
                 })
             });
-        Self { start, period }
+        Self { period, ..launched }
     }
 
     /// Sensitivity of a launch, without its period.
@@ -114,41 +118,24 @@ impl Sensitivity {
         omega: Vector<f64>,
         longest_step: f64,
     ) -> Self {
-        let (state, tangents) = (Flow::launched(orientation, omega), Tangent::along_axes(&UNITS));
-        Self { start: Trajectory::new(&state, tangents, equations, longest_step), period: None }
+        let (state, tangents) = (AugmentedState::launched(orientation, omega), Tangent::along_axes(&UNITS));
+        let start = Trajectory::new(&state, tangents, equations, longest_step);
+        Self { start, period: None, trajectory: start, count: 0 }
     }
 
     /// Derivatives at time t after the launch; t may be negative. `None` where t is not finite or beyond 2^52 periods, where a derivative
     /// is beyond 1e150, and where a motion without a period would take more than 200 000 steps.
     #[must_use]
     pub fn at(&self, t: f64) -> Option<Partials> {
-        self.cursor().at(t)
+        Self { trajectory: self.start, count: 0, ..*self }.advance_to(t)
     }
 
-    /// Cursor, which computes the derivatives at a sequence of times, each from the time before.
-    #[must_use]
-    pub fn cursor(&self) -> SensitivityCursor<'_> {
-        SensitivityCursor { sensitivity: self, count: 0, trajectory: self.start }
-    }
-}
-
-/// Derivatives at a sequence of times. Each is integrated from the time before.
-#[derive(Clone, Copy, Debug)]
-pub struct SensitivityCursor<'a> {
-    sensitivity: &'a Sensitivity,
-    /// Number of whole periods that are added to the time of the trajectory.
-    count: i64,
-    trajectory: Trajectory<f64>,
-}
-
-impl SensitivityCursor<'_> {
-    /// Derivatives at time t after the launch; as [`Sensitivity::at`].
-    #[must_use]
-    pub fn at(&mut self, t: f64) -> Option<Partials> {
+    /// Derivatives as those of [`Sensitivity::at`], integrated from the time of the last call. This is faster for a sequence of times.
+    pub fn advance_to(&mut self, t: f64) -> Option<Partials> {
         let mut partials = self.with_turned_omega(t)?;
         // with ω kept, a rotation δ of Φ changes ω by -δ × ω in the frame that turns by δ
-        let omega = self.sensitivity.start.now().omega();
-        if let Some((launch, _)) = partials.flow.tangents.split_first_chunk_mut::<LAUNCH_COLUMNS>() {
+        let omega = self.start.now().omega();
+        if let Some((launch, _)) = partials.state.tangents.split_first_chunk_mut::<LAUNCH_COLUMNS>() {
             let [x, y, z, by_omega @ ..] = launch;
             for (slot, unit) in [x, y, z].into_iter().zip(UNITS) {
                 for (column, weight) in by_omega.iter().zip(cross(omega, unit)) {
@@ -161,7 +148,7 @@ impl SensitivityCursor<'_> {
 
     /// Derivatives at time t, those of the orientation with ω turned along: Φ(0) → exp(δ) Φ(0), ω(0) → exp(δ) ω(0).
     pub(crate) fn with_turned_omega(&mut self, t: f64) -> Option<Partials> {
-        let Sensitivity { start, period } = self.sensitivity;
+        let Self { start, period, .. } = self;
         if !t.is_finite() {
             return None;
         }
@@ -172,7 +159,7 @@ impl SensitivityCursor<'_> {
         let (count, since_period) = period.reduced(t)?;
         let [about_vertical, about_axis] = period.rotations;
         if count != self.count {
-            let mut tangents = start.now().flow.tangents;
+            let mut tangents = start.now().state.tangents;
             for (tangent, growth) in tangents.iter_mut().zip(&period.growth) {
                 *tangent = tangent.plus(growth, count as f64);
             }
@@ -180,7 +167,7 @@ impl SensitivityCursor<'_> {
         }
         self.trajectory = self.trajectory.moved(since_period)?;
         let mut partials = *self.trajectory.now();
-        partials.flow.turn(f64::sine_cosine(about_vertical * count));
+        partials.state.turn(f64::sine_cosine(about_vertical * count));
         Some(partials)
     }
 }

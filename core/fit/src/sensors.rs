@@ -116,7 +116,7 @@ impl Mounting {
     /// Axes of the sensor in the fixed frame.
     pub(crate) fn axes<F: Real>(&self, at: &Partials<F>) -> [Vector<F>; 3] {
         if self.rotation == Orientation::IDENTITY {
-            return at.flow.axes();
+            return at.state.axes();
         }
         UNITS.map(|unit| at.in_fixed(cast(self.in_body(unit))))
     }

@@ -24,6 +24,11 @@ pub(crate) fn norm<F: Float>(x: Vector<F>) -> F {
     dot(x, x).sqrt()
 }
 
+/// Unit vector along a vector; `None` where the length is 0.
+pub(crate) fn unit(x: Vector<f64>) -> Option<Vector<f64>> {
+    (norm(x) > 0.0).then(|| scaled(x, 1.0 / norm(x)))
+}
+
 /// Vector in another scalar.
 pub(crate) fn cast<F: Float>(x: Vector<f64>) -> Vector<F> {
     x.map(F::from_f64)

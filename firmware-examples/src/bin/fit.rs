@@ -44,7 +44,7 @@ fn main() -> ! {
         statistics.used,
         statistics.unused,
         statistics.outliers,
-        statistics.reduced_chi_squared(fitted.unknowns) as f32
+        statistics.reduced_chi_squared(fitted.unknown_count) as f32
     );
     let deviations = fitted.deviations();
     for (name, (value, deviation)) in

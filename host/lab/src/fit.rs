@@ -86,7 +86,7 @@ fn trial(random: &mut Random, set: usize, seed: u64) -> Result<Accepted, String>
         Some(reason) => Err(reason.to_string()),
         None => Ok(Accepted {
             square: normalised_square(&fitted, &state),
-            freedom: 6 - fitted.unobservable.directions.min(5),
+            freedom: 6 - fitted.unobservable.count.min(5),
         }),
     }
 }

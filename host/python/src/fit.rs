@@ -125,13 +125,13 @@ fn fields<'py>(py: Python<'py>, report: &FitReport, residuals: Columns) -> PyRes
     let free = freed.into_iter().map(|(key, value, deviation)| (key, (value, deviation)));
     let biases = report.biases().into_iter();
     let biases = biases.map(|(name, values, deviations)| (name, (numbers(&values), numbers(&deviations))));
-    let (count, [spin, tilt]) = (core.unknowns, report.spin_and_tilt());
+    let (count, [spin, tilt]) = (core.unknown_count, report.spin_and_tilt());
     let covariance = (0..count * count).map(|at| core.covariance.get(at / count, at % count)).collect();
     Ok(FittedFields {
         _core: FittedLaunch(core),
         _launched: launched,
         reason: report.reason.clone(),
-        epoch: core.epoch,
+        epoch: core.time,
         quaternion: numbers(&core.launch.orientation.quaternion()),
         omega: numbers(&core.launch.omega),
         spin,
@@ -143,7 +143,7 @@ fn fields<'py>(py: Python<'py>, report: &FitReport, residuals: Columns) -> PyRes
         losses: losses.transpose()?,
         biases: biases.into_py_dict(py)?,
         undetermined: report.undetermined(),
-        alternatives: core.other_launches,
+        alternatives: core.other_launch_count,
         chi_squared: core.statistics.chi_squared,
         reduced_chi_squared: core.statistics.reduced_chi_squared(count),
         used: core.statistics.used,

@@ -199,7 +199,7 @@ impl FitReport {
         let found = self.fitted.unobservable;
         let named = [(found.yaw, "yaw"), (found.roll, "roll"), (found.spin, "spin")];
         let mut names: Vec<_> = named.iter().filter(|(is, _)| *is).map(|(_, name)| *name).collect();
-        if found.directions > names.len() {
+        if found.count > names.len() {
             names.push("other");
         }
         names
@@ -209,13 +209,14 @@ impl FitReport {
     /// component that the sensor does not have or that is at the end of its range, and for a measurement at a time at which
     /// the derivatives of the motion cannot be computed. All residuals are NaN if no top has the fitted numbers.
     pub fn residuals(&self, measurements: &[Measurement]) -> Vec<[f64; 3]> {
-        let Ok(sensitivity) = self.fitted.sensitivity(&self.input.top) else {
+        let Ok(mut sensitivity) = self.fitted.sensitivity(&self.input.top) else {
             return vec![[f64::NAN; 3]; measurements.len()];
         };
-        let mut cursor = sensitivity.cursor();
         let biases = self.biases();
         let residual = |Measurement { time, sensor, values }: &Measurement| {
-            let Some(partials) = cursor.at(time - self.fitted.epoch) else { return [f64::NAN; 3] };
+            let Some(partials) = sensitivity.advance_to(time - self.fitted.time) else {
+                return [f64::NAN; 3];
+            };
             let instrument = &self.input.sensors.instruments[*sensor];
             let bias = biases.iter().find(|(name, ..)| *name == instrument.kind.name);
             let bias = bias.map_or([0.0; 3], |(_, bias, _)| *bias);
@@ -237,7 +238,7 @@ impl FitReport {
         self.fitted.motion(&self.input.top).map_err(refuse)?;
         let state = self.fitted.state().map_err(refuse)?;
         let mut text =
-            format!("# Fitted by `toytop fit`; t = 0 is t = {} of the samples.\n", number(self.fitted.epoch));
+            format!("# Fitted by `toytop fit`; t = 0 is t = {} of the samples.\n", number(self.fitted.time));
         let rate = |(name, rate, deviation, unit)| {
             format!("{name} = {} +- {} {unit}", short(rate, 4), short(deviation, 2))
         };

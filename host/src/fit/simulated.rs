@@ -31,7 +31,7 @@ impl Recording {
 /// Measurements of a motion; `None` if the motion has no period and the recording is too long.
 pub fn measurements(motion: &Motion, sensors: &Sensors, recording: &Recording) -> Option<Vec<Measurement>> {
     let sensitivity = Sensitivity::new(motion);
-    let mut cursor = sensitivity.cursor();
+    let mut cursor = sensitivity;
     let mut random = Random::new(recording.seed, 0);
     let instruments = &sensors.instruments;
     let biases: Vec<_> =
@@ -41,7 +41,7 @@ pub fn measurements(motion: &Motion, sensors: &Sensors, recording: &Recording) -
     let mut before: Vec<Option<f64>> = vec![None; instruments.len()];
     for n in 0..recording.count {
         let time = n as f64 / recording.hertz;
-        let partials = cursor.at(time + sensors.jitter * normal(&mut random))?;
+        let partials = cursor.advance_to(time + sensors.jitter * normal(&mut random))?;
         let dropped = random.uniform() < sensors.dropped;
         for (sensor, instrument) in instruments.iter().enumerate() {
             let Instrument { kind, noise, range, quantum, every, .. } = instrument;

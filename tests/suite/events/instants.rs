@@ -3,7 +3,10 @@
 use fixed::types::{I2F14, I2F30};
 use std::f64::consts::TAU;
 use toytop::scalar::Float;
-use toytop::{Ephemeris, EphemerisF64, EphemerisScalar, EphemerisView, Event, Level, Motion, Phase, Tick};
+use toytop::{
+    Ephemeris, EphemerisF64, EphemerisScalar, EphemerisView, Event, Level, Motion, Phase, Tick, Top,
+    TopParameters,
+};
 use toytop_tests::vectors::{self, entries, number};
 use toytop_tests::{
     check_all, greater, kilohertz, released_from_rest, table_if_it_fits, table_of, tolerance, top_of, toy,
@@ -162,6 +165,10 @@ fn a_level_has_the_cosine_that_it_was_made_of() {
         assert!(bad.is_err());
     }
     assert!(Level::of_circle(&toy(), 0.0).is_err() && Level::of_circle(&toy(), 2.0).is_err());
+    let free = TopParameters { transverse_inertia: 1.25, axial_inertia: 0.75, ..TopParameters::default() };
+    // a free body has no length s: the radius is the sine of the tilt
+    let levels = Level::of_circle(&Top::free(&free).unwrap(), 0.6).unwrap();
+    assert!(levels.iter().all(|level| (level.u().abs() - 0.7).abs() < 1e-15), "{levels:?}");
 }
 
 /// A regular precession passes every tip angle at equal intervals.

@@ -140,11 +140,11 @@ fn the_motion_with_the_drift_is_that_of_the_measurements() {
     let found = with_losses(&top, &measurements);
     let without = fitted(&top, &SENSORS, &[], &measurements);
     assert_eq!(without.warning, Some(FitWarning::Misfit), "{:?}", without.statistics);
-    assert_eq!(found.epoch, measurements[measurements.len() - 1].time);
+    assert_eq!(found.time, measurements[measurements.len() - 1].time);
     let sensitivity = found.sensitivity(&top).unwrap();
     let exact = Sensitivity::new(&found.motion(&top).unwrap());
     let apart = |sensitivity: &Sensitivity, index: usize| {
-        let at = sensitivity.at(index as f64 * STEP - found.epoch).unwrap();
+        let at = sensitivity.at(index as f64 * STEP - found.time).unwrap();
         let turn = at.orientation().compose(&states[index].orientation().inverse());
         2.0 * turn.quaternion()[0].abs().min(1.0).acos()
     };
@@ -165,7 +165,7 @@ fn blocks_with_a_drift_are_tracked() {
     let last = fit.run(first.iter().copied()).unwrap();
     let tracked = fit.track(&last, LOSS, second.iter().copied()).unwrap();
     assert!(tracked.fitted.is_trusted(), "{:?} {:?}", tracked.fitted.warning, tracked.fitted.statistics);
-    assert_eq!(tracked.fitted.epoch, measurements[measurements.len() - 1].time);
+    assert_eq!(tracked.fitted.time, measurements[measurements.len() - 1].time);
     let truth = drift_of(&top, &states[300..]);
     let drift = tracked.fitted.drift.unwrap();
     let off = (drift.rates[1] - truth[1]) / drift.deviations()[1];

@@ -72,7 +72,7 @@ fn a_gyroscope_alone_tells_all_but_the_yaw() {
         let state = thrown(case, tilt, 6.0 + (fastest - 6.0) * f64::from(case * 7 % 40) / 39.0);
         let fit = simulated(&top, &state, &sensors, 300, u64::from(case));
         assert!(fit.is_trusted(), "{case}: {:?} {:?}", fit.warning, fit.statistics);
-        assert!(fit.unobservable.yaw && fit.unobservable.directions == 1, "{case}: {:?}", fit.unobservable);
+        assert!(fit.unobservable.yaw && fit.unobservable.count == 1, "{case}: {:?}", fit.unobservable);
         assert!(error(&fit, &state) < 0.1, "{case}: {}", error(&fit, &state));
     }
 }

@@ -1,12 +1,12 @@
 //! Fits at their limits: readings beyond a range, a top without a moment of inertia, and measurements that are refused.
 
 use super::simulated::{
-    ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check, fitted, readings, release, simulated,
+    ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check_errors, fitted, readings, release, simulated,
 };
-use toytop::{Motion, Orientation, Top, TopParameters};
+use toytop::{Motion, Orientation, State, Top, TopParameters};
 use toytop_fit::{
-    Fit, FitError, FitWarning, Fitted, FreeRatio, Gyroscope, Measurement, Mounting, Noise, Sensitivity,
-    Sensor,
+    AxisCamera, Fit, FitError, FitWarning, Fitted, FreeRatio, Gyroscope, Hint, Magnetometer, Mark,
+    Measurement, Mounting, Noise, Sensitivity, Sensor,
 };
 use toytop_tests::{TOY, toy};
 
@@ -19,7 +19,7 @@ fn saturated_axes_of_a_turned_gyroscope_are_not_believed() {
     let gyroscope = Gyroscope { mounting: Mounting { rotation, place: [0.0; 3] }, ..GYROSCOPE };
     let sensors: [&dyn Sensor; 3] = [&gyroscope, &ACCELEROMETER, &MAGNETOMETER];
     let (top, state) = (toy(), release(0.35, 250.0));
-    check("turned", &simulated(&top, &state, &sensors, 300, 5), &state);
+    check_errors("turned", &simulated(&top, &state, &sensors, 300, 5), &state);
 }
 
 /// A thin rod has C = 0, and its ratio A/C is infinite: no result may depend on it.
@@ -32,11 +32,25 @@ fn the_launch_of_a_thin_rod_has_error_bars() {
     let gravity = [FreeRatio::new([0.0, 0.0, 0.0, 0.01])];
     for ratios in [&[][..], &gravity] {
         let found = fitted(&top, &SENSORS, ratios, &measurements);
-        check("rod", &found, &state);
+        check_errors("rod", &found, &state);
         let covariance = found.orientation_covariance(&partials);
         let deviation = (covariance[0][0] + covariance[1][1] + covariance[2][2]).sqrt();
         assert!((1e-5..0.1).contains(&deviation), "{deviation:e}");
     }
+}
+
+/// A vector of length 0 has no direction, and a mark on the vertical no azimuth.
+#[test]
+fn readings_without_a_direction_have_no_effect() {
+    let no_field = Magnetometer { field: [0.0; 3], ..MAGNETOMETER };
+    let sensors: [(&dyn Sensor, _); 2] = [(&AxisCamera { deviation: 1e-3 }, [0.0; 4]), (&no_field, [1.0; 4])];
+    for (sensor, values) in sensors {
+        assert_eq!(sensor.hint(&values), Hint::None);
+    }
+    let upright = State::new(Orientation::IDENTITY, [0.0, 0.0, 150.0]).unwrap();
+    let partials = Sensitivity::new(&Motion::launch(&toy(), &upright).unwrap()).at(0.0).unwrap();
+    let mark: &dyn Sensor = &Mark { deviation: 1e-5, place: [0.0, 0.0, 0.01] };
+    assert_eq!(mark.residual(&partials, &[0.0; 4]).deviation, [f64::INFINITY; 3]);
 }
 
 /// A run that ends without a launch has nothing of the run before it.

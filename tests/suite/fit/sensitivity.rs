@@ -182,10 +182,10 @@ fn derivatives_of_an_unstable_top_are_right_or_none() {
         // the tilt in a frame that turns by (C S/2A) t obeys x'' = rate² x
         let half = 0.5 * 0.6 * spin;
         let rate = (1.0 / 1.25 - half * half).sqrt();
-        let mut cursor = sensitivity.cursor();
+        let mut cursor = sensitivity;
         for growth in [1.0, 30.0, 300.0, 340.0, 360.0, 380.0, 500.0, 700.0, 720.0, 900.0, 3000.0] {
             let t = growth / rate;
-            for found in [sensitivity.at(t), cursor.at(t)] {
+            for found in [sensitivity.at(t), cursor.advance_to(t)] {
                 let Some(found) = found else {
                     assert!(growth > 300.0, "{spin}, {growth}");
                     continue;

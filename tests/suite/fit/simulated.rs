@@ -43,9 +43,8 @@ pub(crate) fn readings(
     count: u32,
     seed: u64,
 ) -> Vec<Measurement> {
-    let sensitivity = Sensitivity::new(&Motion::launch(top, state).unwrap());
-    let mut cursor = sensitivity.cursor();
-    measured((0..count).map(|n| cursor.at(f64::from(n) * 1e-3).unwrap()), sensors, seed)
+    let mut sensitivity = Sensitivity::new(&Motion::launch(top, state).unwrap());
+    measured((0..count).map(|n| sensitivity.advance_to(f64::from(n) * 1e-3).unwrap()), sensors, seed)
 }
 
 /// Readings at 1 kHz with noise and biases; those of a camera get the noise in the fixed frame. The third sensor is the magnetometer, which
@@ -103,7 +102,7 @@ fn errors(fitted: &Fitted, state: &State) -> [f64; 3] {
     [0, 1, 2].map(|k| (fitted.launch.omega[k] - omega[k]) / deviations[3 + k])
 }
 
-pub(crate) fn check(name: &str, fitted: &Fitted, state: &State) {
+pub(crate) fn check_errors(name: &str, fitted: &Fitted, state: &State) {
     assert!(fitted.is_trusted(), "{name}: {:?} {:?}", fitted.warning, fitted.statistics);
     for error in errors(fitted, state) {
         assert!(error.abs() < 4.5, "{name}: {:?}", errors(fitted, state));
@@ -118,8 +117,8 @@ fn a_launch_is_found_though_the_gyroscope_is_blind_along_the_axis() {
         {
             let state = release(tilt, spin);
             let found = simulated(&top, &state, &SENSORS, 300, 7 + seed as u64);
-            check(&format!("{name} {tilt} {spin}"), &found, &state);
-            assert_eq!(found.unobservable.directions, 0, "{name} {tilt} {spin}");
+            check_errors(&format!("{name} {tilt} {spin}"), &found, &state);
+            assert_eq!(found.unobservable.count, 0, "{name} {tilt} {spin}");
         }
     }
 }
@@ -157,7 +156,7 @@ fn what_the_sensors_leave_open_is_said() {
     for (sensors, open) in [(&SENSORS[..2], [true, false]), (&[&camera as &dyn Sensor], [false, true])] {
         let found = simulated(&top, &state, sensors, 500, 5);
         assert!(found.is_trusted(), "{:?} {:?}", found.warning, found.statistics);
-        let Unobservable { yaw, roll, spin, directions: count } = found.unobservable;
+        let Unobservable { yaw, roll, spin, count } = found.unobservable;
         assert!([yaw, roll] == open && !spin && count == 1, "{:?}", found.unobservable);
         let [ours, truth] = [found.launch.orientation, state.orientation()].map(|phi| phi.u().acos());
         assert!((ours - truth).abs() < 2e-3, "{ours} {truth}");
@@ -178,7 +177,7 @@ fn the_spin_of_an_upright_top_is_not_believed_without_a_magnetometer() {
                 "{name} {spin}: {:?}",
                 without.statistics
             );
-            check(&format!("{name} {spin}"), &with, &state);
+            check_errors(&format!("{name} {spin}"), &with, &state);
         }
     }
 }
@@ -198,8 +197,8 @@ fn a_camera_of_the_tip_and_a_mark_tell_the_launch() {
         let state = State::from_release(&Release { roll, ..release }).unwrap();
         for (sensors, open) in [(&[&camera as &dyn Sensor] as &[&dyn Sensor], 1), (&[&camera, &mark], 0)] {
             let found = simulated(&top, &state, sensors, 500, 8);
-            check("tip", &found, &state);
-            let Unobservable { roll, directions: count, .. } = found.unobservable;
+            check_errors("tip", &found, &state);
+            let Unobservable { roll, count, .. } = found.unobservable;
             assert_eq!((roll, count), (open == 1, open), "{:?}", found.unobservable);
             if open == 0 {
                 // Φ and -Φ are 4 rad apart
@@ -225,7 +224,7 @@ fn a_camera_of_the_orientation_tells_the_axial_inertia() {
         let strict = fitted(&wrong, &sensors, &[], &measurements);
         assert_eq!(strict.warning, Some(FitWarning::Misfit), "{:?}", strict.statistics);
         let found = fitted(&wrong, &sensors, &[FreeRatio::AXIAL_INERTIA], &measurements);
-        check("orientation", &found, &state);
+        check_errors("orientation", &found, &state);
         let inertia = found.top(&wrong).unwrap().axial_inertia();
         let deviation = found.deviations()[6];
         assert!(((inertia / 2e-5).ln() / deviation).abs() < 4.0 && deviation < 1e-3, "{inertia} {deviation}");
@@ -242,7 +241,7 @@ fn outliers_do_not_move_the_launch() {
         measurement.values = [0.5, -0.5, 0.5, 0.5];
     }
     let found = fitted(&top, &sensors, &[], &measurements);
-    check("outliers", &found, &state);
+    check_errors("outliers", &found, &state);
     assert!((9..40).contains(&found.statistics.outliers), "{:?}", found.statistics);
 }
 

@@ -1,8 +1,10 @@
 //! Measurements in blocks, and fits in single precision.
 
-use super::simulated::{ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check, fitted, readings, release};
+use super::simulated::{
+    ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check_errors, fitted, readings, release,
+};
 use toytop::{Motion, State};
-use toytop_fit::{Fit, Measurement, Sensitivity, Sensor};
+use toytop_fit::{Fit, FitError, Measurement, Sensitivity, Sensor};
 use toytop_tests::{length, toy};
 
 /// The top loses half a percent of ω between two blocks; the next block is fitted from the prediction of the first.
@@ -23,14 +25,18 @@ fn a_loss_of_spin_between_two_blocks_is_tracked_and_reported() {
 
     let mut fit = Fit::new(&top, &SENSORS, &[]).unwrap();
     let last = fit.run(first.iter().copied()).unwrap();
-    check("first block", &last, &state);
+    check_errors("first block", &last, &state);
     let tracked = fit.track(&last, 1.0 / 60.0, second.iter().copied()).unwrap();
-    check("second block", &tracked.fitted, &slower);
+    check_errors("second block", &tracked.fitted, &slower);
     let n = motion.first_integrals().n;
     let drift = tracked.drift_rates[1] / n;
     assert!((drift + LOSS / SPAN).abs() < 1e-4, "{drift}");
     let jump = length(tracked.jump);
     assert!(jump > 0.0 && jump < 0.02, "{jump}");
+    for loss in [-1.0, f64::NAN, f64::INFINITY] {
+        let refused = fit.track(&last, loss, second.iter().copied());
+        assert_eq!(refused.err(), Some(FitError::LossDeviation), "{loss}");
+    }
 }
 
 #[test]

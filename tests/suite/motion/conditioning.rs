@@ -28,5 +28,5 @@ fn every_small_difference_keeps_its_digits() {
             assert!(error <= f64::EPSILON, "{}: {key} {value:e} against {truth:e}", case["corner"]);
         }
     }
-    assert_eq!(cases.len(), 48);
+    assert!(cases.len() >= 48);
 }

@@ -141,6 +141,9 @@ fn time_goes_on_beyond_the_ticks_that_are_counted() {
     let mut next = || cursor.next(&ephemeris).orientation();
     next();
     assert_eq!(at(border), next());
+    let mut filled = [Orientation::IDENTITY; 2];
+    ephemeris.fill(i64::MAX, &mut filled);
+    assert_eq!(filled[0], at(border));
     for _ in 0..2047 {
         next();
     }

@@ -49,7 +49,7 @@ fn errors_over_bounds<R: EphemerisScalar, const SEGMENTS: usize>() -> Vec<f64> {
 }
 
 /// No error exceeds its bound, and most errors are near it.
-fn check(name: &str, mut ratios: Vec<f64>) {
+fn check_ratios(name: &str, mut ratios: Vec<f64>) {
     ratios.sort_by(f64::total_cmp);
     assert!(ratios.len() > 8, "{name}: {} motions", ratios.len());
     assert!(ratios.last().is_some_and(|worst| *worst <= 1.0), "{name}: {ratios:?}");
@@ -58,10 +58,10 @@ fn check(name: &str, mut ratios: Vec<f64>) {
 
 #[test]
 fn rates_are_within_their_bound() {
-    check("f64", errors_over_bounds::<f64, 256>());
-    check("f32", errors_over_bounds::<f32, 128>());
-    check("q31", errors_over_bounds::<I2F30, 512>());
-    check("q15", errors_over_bounds::<I2F14, 128>());
+    check_ratios("f64", errors_over_bounds::<f64, 256>());
+    check_ratios("f32", errors_over_bounds::<f32, 128>());
+    check_ratios("q31", errors_over_bounds::<I2F30, 512>());
+    check_ratios("q15", errors_over_bounds::<I2F14, 128>());
 }
 
 /// The axial component is the constant n/C in every scalar, and the rates of two ways of evaluation agree.

@@ -8,24 +8,24 @@ use toytop::{Complex, Ephemeris, EphemerisScalar, EphemerisView, Level, Phase};
 pub(super) fn run_fixed(bytes: &[u8]) {
     let mut input = Input::new(bytes);
     if input.byte().is_multiple_of(2) {
-        check::<I2F30, 16>(&mut input);
+        run_scalar::<I2F30, 16>(&mut input);
     } else {
-        check::<I2F14, 32>(&mut input);
+        run_scalar::<I2F14, 32>(&mut input);
     }
 }
 
 pub(super) fn run(bytes: &[u8]) {
     let mut input = Input::new(bytes);
     match input.byte() % 4 {
-        0 => check::<f32, 16>(&mut input),
-        1 => check::<f64, 16>(&mut input),
-        2 => check::<f32, 64>(&mut input),
-        _ => check::<f64, 64>(&mut input),
+        0 => run_scalar::<f32, 16>(&mut input),
+        1 => run_scalar::<f64, 16>(&mut input),
+        2 => run_scalar::<f32, 64>(&mut input),
+        _ => run_scalar::<f64, 64>(&mut input),
     }
 }
 
 /// Checks an ephemeris of one scalar and capacity, for a motion, a tick length and times from the input.
-fn check<R: EphemerisScalar + Into<f64>, const SEGMENTS: usize>(input: &mut Input<'_>)
+fn run_scalar<R: EphemerisScalar + Into<f64>, const SEGMENTS: usize>(input: &mut Input<'_>)
 where
     R::Quantity: Into<f64>,
 {

@@ -1,13 +1,12 @@
-//! Aperiodic motion in elementary functions: u, |β| and dt/dv of either support as functions of v; and α of the Lagrange top,
-//! whose time is t = v √(2A/(p g (1 - e₁))):
+//! Aperiodic motion in elementary functions: u, |β| and dt/dv as functions of v, for either support. For a fixed tip also α, with
+//! t = v √(2A/(p g (1 - e₁))):
 //!
 //! ```text
 //! α = (√((1+e₁)/2) sech v + i s₊ tanh v) e^{iψ},   b² = (1 - e₁)/2,
 //! ψ = s₊ (√(1 - b²)/b v - 2 arctan(√((1-b)/(1+b)) tanh(v/2)))
 //! ```
 
-use crate::elliptic::elementary::{WideComplex, angle, cis, real, tanh_sech};
-use crate::elliptic::theta::ValueAndSlope;
+use crate::elliptic::elementary::{ValueAndSlope, WideComplex, angle, cis, real, tanh_sech};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{Complex, Sign};
 

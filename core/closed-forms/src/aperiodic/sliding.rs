@@ -16,9 +16,9 @@
 
 use crate::aperiodic::constants::{AperiodicConstants, AperiodicValues};
 use crate::elliptic::agm::{first_kind, first_kind_per_length};
-use crate::elliptic::elementary::{WideComplex, angle, cis, imaginary, ln, real};
-use crate::elliptic::lattice::{HalfPeriod, Lattice, ThetaQuotient};
-use crate::elliptic::theta::ValueAndSlope;
+use crate::elliptic::elementary::{ValueAndSlope, WideComplex, angle, cis, imaginary, ln, real};
+use crate::elliptic::lattice::{HalfPeriod, Lattice};
+use crate::theta_quotient::ThetaQuotient;
 use toytop::Complex;
 use toytop::scalar::{Extended, Float, Ring};
 
@@ -56,7 +56,7 @@ impl Sliding {
         let e4 = (one + a_over_ps).sqrt();
         let e4_minus_one = a_over_ps / (e4 + one);
         let (below, above) = (one_minus_e1 + e4_minus_one, one_plus_e1 + e4_minus_one); // e₄ ∓ e₁
-        let lattice = Lattice::of_gaps(below, above);
+        let lattice = Lattice::from_gaps(below, above);
         let [across, up] = lattice.half_periods;
         let lowest = [zero, below, above];
         let b = first_kind(one_minus_e1, [one_minus_e1, e4_minus_one, e4 + one], lowest).halved();

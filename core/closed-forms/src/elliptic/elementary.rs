@@ -174,6 +174,30 @@ pub(crate) fn complex_sine_cosine(z: WideComplex) -> (WideComplex, WideComplex) 
     (Complex::new(sine * cosh, cosine * sinh), Complex::new(cosine * cosh, -(sine * sinh)))
 }
 
+/// Value and derivative of a function.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ValueAndSlope {
+    pub(crate) value: WideComplex,
+    pub(crate) slope: WideComplex,
+}
+
+impl ValueAndSlope {
+    /// Value and derivative with respect to another variable; `rate` is the derivative of the previous variable with
+    /// respect to it.
+    pub(crate) fn by(self, rate: WideComplex) -> Self {
+        Self { slope: self.slope * rate, ..self }
+    }
+
+    /// Logarithmic derivative.
+    pub(crate) fn log_slope(self) -> WideComplex {
+        quotient(self.slope, self.value)
+    }
+
+    pub(crate) fn add(&mut self, value: WideComplex, slope: WideComplex) {
+        (self.value, self.slope) = (self.value + value, self.slope + slope);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -51,7 +51,7 @@ impl Jacobi {
         let [exact, complement] = [m, m1].map(Extended::from);
         let one = Extended::ONE;
         let (m, m1) = if m < m1 { (exact, one - exact) } else { (one - complement, complement) };
-        Ok(Self { lattice: Lattice::of_gaps(m1, m) })
+        Ok(Self { lattice: Lattice::from_gaps(m1, m) })
     }
 
     /// Quarter period K. Relative error: below 1.2e-16, the rounding of the result.
@@ -69,9 +69,9 @@ impl Jacobi {
         let [quarter, _] = self.lattice.half_periods;
         let half_periods = libm::round(u / quarter.doubled().to_f64());
         let remainder = Extended::from(u) - quarter.doubled() * half_periods.into();
-        let [none, omega, omega_prime, both] =
+        let [origin, omega, omega_prime, sum] =
             self.lattice.scaled_thetas(real(remainder)).map(|theta| theta.re);
-        let [sn, cn, dn] = [none, omega, both].map(|theta| theta / omega_prime);
+        let [sn, cn, dn] = [origin, omega, sum].map(|theta| theta / omega_prime);
         let am = half_pi().doubled() * half_periods.into() + angle(sn, cn);
         let sign = if libm::fmod(half_periods, 2.0) == 0.0 { 1.0 } else { -1.0 };
         JacobiValues { sn: sign * sn.to_f64(), cn: sign * cn.to_f64(), dn: dn.to_f64(), am: am.to_f64() }

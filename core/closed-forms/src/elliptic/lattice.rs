@@ -1,12 +1,12 @@
-//! Weierstrass's functions on rectangular lattices in extended precision, and quotients of their theta functions.
+//! Weierstrass's functions on rectangular lattices in extended precision.
 
-use crate::elliptic::agm::{agm, first_kind};
+use crate::elliptic::agm::agm;
 use crate::elliptic::elementary::{
-    WideComplex, angle, complex_exp, complex_ln, exp, half_pi, imaginary, quotient, real,
+    ValueAndSlope, WideComplex, complex_exp, complex_ln, exp, half_pi, imaginary, quotient, real,
 };
-use crate::elliptic::theta::{ValueAndSlope, eisenstein, thetas};
+use crate::elliptic::theta::{eisenstein, thetas};
+use toytop::Complex;
 use toytop::scalar::{Extended, Float, Ring};
-use toytop::{BranchPoints, Complex, Phase, Signs};
 
 /// Lattice of the periods 2ω and 2ω', with ω > 0 and ω' = i|ω'|; ℘ has the values e₁ > e₂ > e₃ at ω, ω + ω', ω'.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,14 +39,14 @@ pub(crate) enum HalfPeriod {
 
 impl HalfPeriod {
     /// Sum of 0 and a half period, or of ω and ω'.
-    fn plus(self, other: Self) -> Self {
+    pub(crate) fn plus(self, other: Self) -> Self {
         if self == Self::Origin { other } else { Self::Sum }
     }
 }
 
 impl Lattice {
     /// Lattice from the differences of the roots, e₁ - e₂ and e₂ - e₃, both > 0.
-    pub(crate) fn of_gaps(upper_gap: Extended, lower_gap: Extended) -> Self {
+    pub(crate) fn from_gaps(upper_gap: Extended, lower_gap: Extended) -> Self {
         let [whole, upper, lower] = [upper_gap + lower_gap, upper_gap, lower_gap].map(Float::sqrt);
         // ω = K(m)/√(e₁ - e₃) = π/2 / agm(√(e₁ - e₃), √(e₁ - e₂)), and |ω'| likewise with e₂ - e₃
         let [across, up] = [upper, lower].map(|other| half_pi() / agm(whole, other));
@@ -66,8 +66,8 @@ impl Lattice {
         let half_periods = [across, up];
         let unscaled =
             Self { roots, half_periods, turned, ln_nome, nome, unit, scales: [Complex::ONE; 4], kappa };
-        let [none, omega, omega_prime, both] = unscaled.thetas(Complex::ZERO);
-        let at_zero = [none.slope, omega.value, omega_prime.value, both.value];
+        let [origin, omega, omega_prime, sum] = unscaled.thetas(Complex::ZERO);
+        let at_zero = [origin.slope, omega.value, omega_prime.value, sum.value];
         Self { scales: at_zero.map(|z| quotient(Complex::ONE, z)), ..unscaled }
     }
 
@@ -86,12 +86,12 @@ impl Lattice {
 
     /// Theta function that is 0 at a half period. It costs as much as all four.
     pub(crate) fn theta(&self, half: HalfPeriod, z: WideComplex) -> ValueAndSlope {
-        let [none, omega, omega_prime, both] = self.thetas(z);
+        let [origin, omega, omega_prime, sum] = self.thetas(z);
         match half {
-            HalfPeriod::Origin => none,
+            HalfPeriod::Origin => origin,
             HalfPeriod::Omega => omega,
             HalfPeriod::OmegaPrime => omega_prime,
-            HalfPeriod::Sum => both,
+            HalfPeriod::Sum => sum,
         }
     }
 
@@ -104,14 +104,14 @@ impl Lattice {
 
     /// Values of the theta functions, scaled to slope 1 of the first and value 1 of the others at 0.
     pub(crate) fn scaled_thetas(&self, z: WideComplex) -> [WideComplex; 4] {
-        let ([none, omega, omega_prime, both], [a, b, c, d]) = (self.thetas(z), self.scales);
-        [none.value * a, omega.value * b, omega_prime.value * c, both.value * d]
+        let ([origin, omega, omega_prime, sum], [a, b, c, d]) = (self.thetas(z), self.scales);
+        [origin.value * a, omega.value * b, omega_prime.value * c, sum.value * d]
     }
 
     /// √(℘ - e₁), √(℘ - e₂) and √(℘ - e₃), as quotients of theta functions.
     fn root_differences(&self, z: WideComplex) -> [WideComplex; 3] {
-        let [none, omega, omega_prime, both] = self.scaled_thetas(self.reduced(z).0);
-        [omega, both, omega_prime].map(|theta| quotient(theta, none))
+        let [origin, omega, omega_prime, sum] = self.scaled_thetas(self.reduced(z).0);
+        [omega, sum, omega_prime].map(|theta| quotient(theta, origin))
     }
 
     /// ℘ minus each of the three roots, computed without the subtraction.
@@ -166,60 +166,4 @@ impl Lattice {
         let (value, exponent, _) = self.sigma_parts(z);
         value * complex_exp(exponent)
     }
-}
-
-/// Cayley-Klein parameter in an elliptic case: k e^{lx} σ(x - a - h)/σ(x - c), where h and c are half periods. Each period multiplies it
-/// by a constant.
-///
-/// It is stored as k̂ e^{λx} ϑ(x - a)/ϑ(x) with the theta functions that are 0 at h and at c. All constants of the sigma functions
-/// cancel: for l = ζ(a + h - c) + `rate_offset`, λ is `rate_offset` plus the logarithmic derivative at a of the theta function that is 0 at h + c.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct ThetaQuotient {
-    pub(crate) lattice: Lattice,
-    scale: Extended,
-    pub(crate) rate: WideComplex,
-    pub(crate) zero: WideComplex,
-    half_periods: [HalfPeriod; 2],
-}
-
-impl ThetaQuotient {
-    /// Quotient with the zero a + h and the pole c, and the given modulus at x; the argument of k is arbitrary.
-    pub(crate) fn through(
-        lattice: &Lattice,
-        half_periods: [HalfPeriod; 2],
-        zero: WideComplex,
-        rate_offset: WideComplex,
-        (x, size): (WideComplex, Extended),
-    ) -> Self {
-        let [h, c] = half_periods;
-        let rate = rate_offset + lattice.theta(h.plus(c), zero).log_slope();
-        let unscaled = Self { lattice: *lattice, scale: Extended::ONE, rate, zero, half_periods };
-        Self { scale: size / unscaled.at(x).value.modulus(), ..unscaled }
-    }
-
-    pub(crate) fn at(&self, x: WideComplex) -> ValueAndSlope {
-        let [h, c] = self.half_periods;
-        let (above, below) = (self.lattice.theta(h, x - self.zero), self.lattice.theta(c, x));
-        let factor = quotient(complex_exp(self.rate * x).scaled(self.scale), below.value);
-        let rate = self.rate - below.log_slope();
-        ValueAndSlope { value: factor * above.value, slope: factor * (above.slope + rate * above.value) }
-    }
-
-    /// Change of the argument from `x` to `x` + `period`, without whole turns. The value must not be 0 at `x`.
-    pub(crate) fn rotation(&self, x: WideComplex, period: WideComplex) -> Phase {
-        let turned = self.at(x + period).value * self.at(x).value.conj();
-        angle(turned.im, turned.re).in_turns().to_phase()
-    }
-}
-
-/// Distances of u = -1 from u = e₁ and of u = 1 from u = e₂ in the argument of ℘, with the signs of l + n and l - n: α and β are 0 there.
-///
-/// * `third`: third factor of w²/4 beside u - e₁ and u - e₂, at u = -1, e₁, e₂ and 1
-pub(crate) fn zeros(e: &BranchPoints<Extended>, signs: Signs, third: [Extended; 4]) -> [Extended; 2] {
-    let ([at_minus_one, at_e1, at_e2, at_one], zero) = (third, Extended::ZERO);
-    let lower = [e.one_plus_e1, e.one_plus_e2(), at_minus_one];
-    let below = first_kind(e.one_plus_e1, [zero, e.e2_minus_e1, at_e1], lower);
-    let upper = [e.one_minus_e1(), e.one_minus_e2, at_one];
-    let above = first_kind(e.one_minus_e2, upper, [e.e2_minus_e1, zero, at_e2]);
-    [signs.l_plus_n.times(below.halved()), signs.l_minus_n.times(above.halved())]
 }

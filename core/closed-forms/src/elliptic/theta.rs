@@ -1,32 +1,8 @@
 //! Four theta functions of a nome q <= e^{-π}, and their derivatives.
 
-use crate::elliptic::elementary::{WideComplex, complex_sine_cosine, quotient, real};
+use crate::elliptic::elementary::{ValueAndSlope, WideComplex, complex_sine_cosine, real};
 use toytop::Complex;
 use toytop::scalar::{Extended, Ring};
-
-/// Value and derivative of a function.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ValueAndSlope {
-    pub(crate) value: WideComplex,
-    pub(crate) slope: WideComplex,
-}
-
-impl ValueAndSlope {
-    /// Value and derivative with respect to another variable; `rate` is the derivative of the previous variable with
-    /// respect to it.
-    pub(crate) fn by(self, rate: WideComplex) -> Self {
-        Self { slope: self.slope * rate, ..self }
-    }
-
-    /// Logarithmic derivative.
-    pub(crate) fn log_slope(self) -> WideComplex {
-        quotient(self.slope, self.value)
-    }
-
-    fn add(&mut self, value: WideComplex, slope: WideComplex) {
-        (self.value, self.slope) = (self.value + value, self.slope + slope);
-    }
-}
 
 /// ϑ₁(v)/(2q^¼), ϑ₂(v)/(2q^¼), ϑ₄(v)/2 and ϑ₃(v)/2 with their derivatives, for |Im v| <= -ln q.
 ///

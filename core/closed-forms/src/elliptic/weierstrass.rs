@@ -53,7 +53,7 @@ impl Weierstrass {
         for (name, gap, other) in [("upper_gap", upper, lower), ("lower_gap", lower, upper)] {
             check((1e-200..=1e90).contains(&gap) && gap / other >= 1e-290, name, ALLOWED)?;
         }
-        Ok(Self { lattice: Lattice::of_gaps(upper_gap, lower_gap) })
+        Ok(Self { lattice: Lattice::from_gaps(upper_gap, lower_gap) })
     }
 
     /// Lattice from e₁ > e₂ > e₃. Only their differences are used: the roots are shifted to the sum 0.

@@ -6,12 +6,14 @@
 use crate::estimate::Estimate;
 use crate::fit::pass::Fit;
 use crate::sensors::{Hint, Measurements};
-use crate::vector::{UP, Vector, add_scaled, cast, cross, dot, from_axes, norm, rotation_vector, scaled};
+use crate::vector::{
+    UP, Vector, add_scaled, cast, cross, dot, from_axes, norm, rotation_vector, scaled, unit,
+};
 use core::f64::consts::PI;
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 
-/// Number of instants with an orientation, a direction or the axis that a guess uses; the first part that is fitted has four times as many.
+/// Number of instants with an orientation, a direction or the axis that a guess uses.
 pub(super) const FIRST_INSTANTS: usize = 16;
 /// Largest number of instants that are searched for them.
 const MOST_INSTANTS: usize = 1024;
@@ -90,7 +92,6 @@ impl Guesses {
 
 impl Instant {
     fn add(&mut self, hint: Hint, tip_scale: f64) {
-        let unit = |x: Vector<f64>| (norm(x) > 0.0).then(|| scaled(x, 1.0 / norm(x)));
         match hint {
             Hint::None => {}
             Hint::Rate { omega, axial_is_saturated } => self.rate = Some((omega, axial_is_saturated)),

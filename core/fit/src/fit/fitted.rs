@@ -7,7 +7,7 @@ use crate::fit::pass::{Fit, Pass, Statistics};
 use crate::fit::search::Extent;
 use crate::model::MOST_RATIOS;
 use crate::sensitivity::{
-    COARSE, COLUMNS, Coefficients, Equations, Flow, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS,
+    AugmentedState, COARSE, COLUMNS, Coefficients, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS,
     Sensitivity, with_coefficients,
 };
 use crate::triangle::{MOST_UNKNOWNS, Unknowns};
@@ -25,7 +25,7 @@ pub struct Unobservable {
     /// Angular velocity about the axis.
     pub spin: bool,
     /// Number of independent directions, including the named ones.
-    pub directions: usize,
+    pub count: usize,
 }
 
 /// Drift of the first integrals, averaged over the time of the measurements.
@@ -55,7 +55,7 @@ impl Drift {
 #[derive(Clone, Copy, Debug)]
 pub struct Fitted {
     /// Time of the launch: that of the first measurement, or with losses that of the last one.
-    pub epoch: f64,
+    pub time: f64,
     /// Launch, biases and ratios.
     pub launch: Estimate,
     /// Covariance of the unknowns: rotation vector δ of Φ in the fixed frame, change η of ω in the frame that δ turns, logarithms of the
@@ -71,9 +71,9 @@ pub struct Fitted {
     /// Reason why the launch must not be trusted; `None` if it may be.
     pub warning: Option<FitWarning>,
     /// Number of other launches that fit the first measurements equally well.
-    pub other_launches: usize,
+    pub other_launch_count: usize,
     /// Number of unknowns.
-    pub unknowns: usize,
+    pub unknown_count: usize,
     /// Drift of the first integrals, if it was fitted.
     pub drift: Option<Drift>,
     /// Coefficients of the top, if a ratio is free.
@@ -113,7 +113,7 @@ impl Fitted {
         Motion::launch(&self.top(given)?, &self.state()?)
     }
 
-    /// Derivatives of the fitted motion from the epoch on. With losses the motion includes the losses, and the
+    /// Derivatives of the fitted motion from the launch on. With losses the motion includes the losses, and the
     /// measurements are at t <= 0.
     ///
     /// # Errors
@@ -124,8 +124,8 @@ impl Fitted {
         };
         let (top, state) = (self.top(given)?, self.state()?);
         let mut equations = Equations { lossy: true, ..Equations::new(&top) };
-        let [.., axial, across, vertical] = &mut equations.coefficients;
-        [*axial, *across, *vertical] = losses;
+        let [.., x1, x2, x3] = &mut equations.coefficients;
+        [*x1, *x2, *x3] = losses;
         Ok(Sensitivity::launched(&equations, &state.orientation(), state.omega(), COARSE))
     }
 
@@ -168,25 +168,24 @@ impl<F: Real> Fit<'_, F> {
         &mut self,
         extent: &Extent,
         warning: Option<FitWarning>,
-        other_launches: usize,
+        other_launch_count: usize,
     ) -> Fitted {
         self.limit_information();
         let launch = self.best.estimate;
         let mut fitted = Fitted {
-            epoch: extent.first,
+            time: extent.first,
             launch,
-            covariance: Covariance::ZERO,
+            covariance: Covariance::of(&self.current.information),
             statistics: self.best.statistics,
             unobservable: Unobservable::default(),
             warning,
-            other_launches,
-            unknowns: self.model.count,
+            other_launch_count,
+            unknown_count: self.model.count,
             coefficients: self.model.coefficients(&launch),
             ratio_shares: self.model.ratio_shares(&launch),
             drift: None,
         };
-        fitted.covariance.add_inverse(&self.current.information, self.model.count);
-        fitted.covariance.turn(&Flow::launched(&launch.orientation, launch.omega).axes());
+        fitted.covariance.turn(&AugmentedState::launched(&launch.orientation, launch.omega).axes());
         fitted.unobservable = unobservable(&fitted, &self.model.units(&launch));
         if self.model.has_losses() && self.carry_to_end(&mut fitted, extent.last).is_none() {
             fitted.warning = fitted.warning.or(Some(FitWarning::NotSettled));
@@ -208,23 +207,23 @@ impl<F: Real> Fit<'_, F> {
     /// From the last measurement on, the motion is exact (`docs/partials.md`).
     #[inline(never)] // stack
     fn carry_to_end(&self, fitted: &mut Fitted, end: f64) -> Option<()> {
-        let span = end - fitted.epoch;
+        let span = end - fitted.time;
         let (launch, at) = self.model.predicted(&fitted.launch, span)?;
         let rates = self.mean_rates([&fitted.launch, &launch], span);
         // a change of a loss changes nothing at the launch, and the integrals at the end by their gradients
-        let gradients = at.equations.gradients(&at.flow);
-        let [inertia, ..] = at.equations.coefficients;
+        let gradients = at.equations.gradients(&at.state);
+        let [c_over_a, ..] = at.equations.coefficients;
         let per_time = self.model.top.transverse_inertia() / span;
         let mut rates_by = [[0.0; 3]; MOST_UNKNOWNS];
-        let losses = rates_by.iter_mut().zip(&at.flow.tangents).enumerate();
+        let losses = rates_by.iter_mut().zip(&at.state.tangents).enumerate();
         for (_, (slot, tangent)) in losses.filter(|(index, _)| self.model.loss_range().contains(index)) {
             let [l, spin, h] = gradients.map(|by| by.inner(tangent));
-            *slot = scaled([l, inertia * spin, h], per_time);
+            *slot = scaled([l, c_over_a * spin, h], per_time);
         }
         let covariance = fitted.covariance.of_vector(&rates_by);
         fitted.drift = Some(Drift { rates, covariance, losses: self.model.losses_of(&launch) });
-        fitted.covariance.carry(&at.flow.tangents);
-        (fitted.epoch, fitted.launch) = (end, launch);
+        fitted.covariance.carry(&at.state.tangents);
+        (fitted.time, fitted.launch) = (end, launch);
         Some(())
     }
 
@@ -245,7 +244,7 @@ const ALONG: f64 = 0.1;
 /// roll are nearly the same rotation.
 #[inline(never)] // stack
 fn unobservable(fitted: &Fitted, units: &Unknowns) -> Unobservable {
-    let Fitted { launch, unknowns: count, .. } = *fitted;
+    let Fitted { launch, unknown_count: count, .. } = *fitted;
     let factor = |least: f64, count: usize| {
         let mut sum = fitted.covariance;
         for (i, x) in units.iter().enumerate() {
@@ -267,5 +266,5 @@ fn unobservable(fitted: &Fitted, units: &Unknowns) -> Unobservable {
         along.iter_mut().zip(parts).for_each(|(slot, (x, unit))| *slot = x / unit);
         squares(&sum.solved(along)) < squares(&along)
     });
-    Unobservable { yaw, roll, spin, directions: undetermined }
+    Unobservable { yaw, roll, spin, count: undetermined }
 }

@@ -1,17 +1,18 @@
 //! Passes over the measurements, and the residuals of a pass.
 
 use crate::estimate::Estimate;
+use crate::information::Information;
 use crate::model::{MOST_SENSORS, Model};
-use crate::sensitivity::{Flow, PASS, Tangent, Trajectory};
+use crate::sensitivity::{AugmentedState, PASS, Tangent, Trajectory};
 use crate::sensors::{Hint, Measurement, Measurements, Residual, Sensor};
-use crate::triangle::{MOST_UNKNOWNS, Triangle};
+use crate::triangle::MOST_UNKNOWNS;
 use toytop::scalar::Real;
 
 /// Marquardt's damping at the beginning.
 pub(super) const FIRST_DAMPING: f64 = 1e-3;
 /// Largest excess of a sum of squares that noise explains, in its standard deviations.
 const MISFIT: f64 = 5.0;
-/// Residual, in standard deviations, of a reading that no noise explains.
+/// Residual of a gross error, in standard deviations.
 const GROSS: f64 = 10.0;
 /// Largest sum of squares of the differences from prior values. There are at most a dozen.
 const MOST_PRIOR: f64 = 60.0;
@@ -33,7 +34,7 @@ pub struct Statistics {
     pub prior: f64,
     /// Sum of squares in which an outlier counts linearly; infinite where the motion cannot be followed.
     pub(super) cost: f64,
-    /// Number of residuals that no noise explains.
+    /// Number of residuals beyond 10 standard deviations.
     gross: u32,
     /// Largest residual of a component that is no outlier.
     huber: f64,
@@ -126,20 +127,20 @@ pub struct Fit<'a, F = f64> {
     /// Factor of the readings of rate gyroscopes. A bad fit tries another unit.
     pub(super) rate_unit: f64,
     /// Information before the measurements, and the estimate that it is about.
-    pub(super) prior: (Estimate, Triangle<F>),
+    pub(super) prior: (Estimate, Information<F>),
 }
 
 /// One pass over the measurements.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pass<F> {
     pub(super) estimate: Estimate,
-    pub(super) information: Triangle<F>,
+    pub(super) information: Information<F>,
     pub(super) statistics: Statistics,
 }
 
 /// Trajectory of an estimate, whose columns are changes along the body axes.
 fn trajectory<F: Real>(estimate: &Estimate, model: &Model) -> Trajectory<F> {
-    let launch = Flow::launched(&estimate.orientation, estimate.omega);
+    let launch = AugmentedState::launched(&estimate.orientation, estimate.omega);
     Trajectory::new(&launch, Tangent::along_axes(&launch.axes()), &model.equations(estimate), PASS)
 }
 
@@ -148,7 +149,7 @@ impl<'a, F: Real> Fit<'a, F> {
     pub(super) fn with_model(sensors: &'a [&'a dyn Sensor<F>], model: Model) -> Self {
         let prior @ (estimate, _) = model.prior();
         let pass =
-            Pass { estimate, information: Triangle::new(model.count), statistics: Statistics::default() };
+            Pass { estimate, information: Information::new(model.count), statistics: Statistics::default() };
         Self {
             sensors,
             model,
@@ -167,7 +168,7 @@ impl<'a, F: Real> Fit<'a, F> {
     /// Begins without information, from an estimate.
     #[inline(never)] // stack
     pub(super) fn start_from(&mut self, estimate: &Estimate) {
-        self.best.information.clear();
+        self.best.information = Information::new(self.model.count);
         self.best.statistics = Statistics { cost: f64::INFINITY, ..Statistics::default() };
         self.best.estimate = *estimate;
         self.best.estimate.orientation = estimate.orientation.normalised();

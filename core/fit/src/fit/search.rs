@@ -49,8 +49,9 @@ impl<F: Real> Fit<'_, F> {
         let Some(guesses) = self.guesses(measurements, extent.first) else {
             return (Some(FitWarning::NoBeginning), 0);
         };
+        // the first part that is fitted is four times as long as that of the guess
         let mut count = 4 * FIRST_INSTANTS * self.sensors.len();
-        let other_launches = self.try_guesses(&guesses, measurements, count);
+        let other_launch_count = self.try_guesses(&guesses, measurements, count);
         // each part begins from an estimate that is good enough for it
         while count.saturating_mul(8) < extent.total {
             count = count.saturating_mul(4);
@@ -58,7 +59,7 @@ impl<F: Real> Fit<'_, F> {
         }
         // a shorter part does not show how far the equations are linear over all measurements
         self.curvature = f64::INFINITY;
-        (self.settle_finally(measurements), other_launches)
+        (self.settle_finally(measurements), other_launch_count)
     }
 
     /// Begins from the best of the guesses, on the first measurements, where no phase can have an error of a turn. Returns the number

@@ -14,9 +14,9 @@ pub(crate) type Coefficients<F = f64> = [F; 5 + LOSS_COUNT];
 /// Coefficients of a top without losses.
 pub(crate) fn coefficients(top: &Top) -> Coefficients {
     let a = top.transverse_inertia();
-    let moment = if top.support() == Support::Free { 0.0 } else { top.mass_moment() / a };
-    let rotor = top.rotor_momentum() / a;
-    [top.axial_inertia() / a, moment, top.com_height(), top.gravity(), rotor, 0.0, 0.0, 0.0]
+    let p_over_a = if top.support() == Support::Free { 0.0 } else { top.mass_moment() / a };
+    let k_over_a = top.rotor_momentum() / a;
+    [top.axial_inertia() / a, p_over_a, top.com_height(), top.gravity(), k_over_a, 0.0, 0.0, 0.0]
 }
 
 /// Top with these coefficients, and with the A, the rotor and the support of a given one; without coefficients, the given one.
@@ -24,7 +24,7 @@ pub(crate) fn with_coefficients(
     given: &Top,
     coefficients: &Option<Coefficients>,
 ) -> Result<Top, ParameterError> {
-    let Some([inertia, moment, com_height, gravity, ..]) = *coefficients else { return Ok(*given) };
+    let Some([c_over_a, p_over_a, s, g, ..]) = *coefficients else { return Ok(*given) };
     let a = given.transverse_inertia();
     let make = match given.support() {
         Support::Sliding => Top::sliding,
@@ -33,39 +33,38 @@ pub(crate) fn with_coefficients(
     };
     make(&TopParameters {
         transverse_inertia: a,
-        axial_inertia: a * inertia,
-        mass_moment: a * moment,
-        com_height,
-        gravity,
+        axial_inertia: a * c_over_a,
+        mass_moment: a * p_over_a,
+        com_height: s,
+        gravity: g,
         rotor_momentum: given.rotor_momentum(),
         ..TopParameters::default()
     })
 }
 
 /// Derivatives of the logarithms of the first four coefficients along a direction of those of the ratios.
-pub(crate) fn exponents(support: Support, [inertia, length, height, gravity]: [f64; RATIOS]) -> [f64; 4] {
-    let moment = if support == Support::Sliding { length + height } else { length };
-    [-inertia, -moment, height, gravity]
+pub(crate) fn exponents(support: Support, [a_over_c, a_over_ps, s, g]: [f64; RATIOS]) -> [f64; 4] {
+    let a_over_p = if support == Support::Sliding { a_over_ps + s } else { a_over_ps };
+    [-a_over_c, -a_over_p, s, g]
 }
 
 /// Ratios A/C, A/(ps), s and g; A/p in the second place for a fixed tip.
-pub(crate) fn ratios(
-    &[inertia, moment, height, gravity, ..]: &Coefficients,
-    support: Support,
-) -> [f64; RATIOS] {
-    let length = if support == Support::Sliding { moment * height } else { moment };
-    [1.0 / inertia, 1.0 / length, height, gravity]
+pub(crate) fn ratios(&[c_over_a, p_over_a, s, g, ..]: &Coefficients, support: Support) -> [f64; RATIOS] {
+    let ps_over_a = if support == Support::Sliding { p_over_a * s } else { p_over_a };
+    [1.0 / c_over_a, 1.0 / ps_over_a, s, g]
 }
 
 /// Derivatives with respect to A/C, A/(ps), s and g; for a fixed tip, to A/C, A/p, s and g. A free body depends on A/C only.
-pub(crate) fn by_ratios(&[c, b, s, ..]: &Coefficients, support: Support) -> [Coefficients; RATIOS] {
+pub(crate) fn by_ratios(
+    &[c_over_a, p_over_a, s, ..]: &Coefficients,
+    support: Support,
+) -> [Coefficients; RATIOS] {
     let mut by = [[0.0; 5 + LOSS_COUNT]; RATIOS];
-    let [[by_inertia, ..], [_, by_length, ..], [_, by_height, height, ..], [_, _, _, by_gravity, ..]] =
-        &mut by;
-    (*by_inertia, *by_gravity) = (-c * c, 1.0);
+    let [[d_c_over_a, ..], [_, by_length, ..], [_, by_s, d_s, ..], [_, _, _, d_g, ..]] = &mut by;
+    (*d_c_over_a, *d_g) = (-c_over_a * c_over_a, 1.0);
     match support {
-        Support::Sliding => (*by_length, *by_height, *height) = (-b * b * s, -b / s, 1.0),
-        Support::Fixed => *by_length = -b * b,
+        Support::Sliding => (*by_length, *by_s, *d_s) = (-p_over_a * p_over_a * s, -p_over_a / s, 1.0),
+        Support::Fixed => *by_length = -p_over_a * p_over_a,
         Support::Free => {}
     }
     by

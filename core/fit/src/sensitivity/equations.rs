@@ -1,7 +1,7 @@
 //! Equations of motion in the fixed frame, and the linear equations of a small change of the motion (`docs/partials.md`).
 
 use crate::sensitivity::coefficients::{Coefficients, RATIOS, by_ratios, coefficients};
-use crate::sensitivity::flow::{COLUMNS, Flow, LAUNCH_COLUMNS, Tangent};
+use crate::sensitivity::state::{AugmentedState, COLUMNS, LAUNCH_COLUMNS, Tangent};
 use crate::vector::{Vector, add_scaled, cross, dot, scaled};
 use toytop::Top;
 use toytop::scalar::Float;
@@ -22,10 +22,10 @@ pub(crate) struct Equations<F> {
 pub(crate) struct Acceleration<F> {
     /// Rate r' of the axis.
     axis_rate: Vector<F>,
-    /// Vector q = r × k.
-    lever: Vector<F>,
+    /// Vector r × k.
+    q: Vector<F>,
     /// Rate n/A = (C/A) S + K/A of the gyroscopic torque.
-    gyroscopic: F,
+    n_over_a: F,
     /// Acceleration u''.
     u: F,
     /// Factor 1 + (p/A) s |q|² of u''.
@@ -78,24 +78,24 @@ impl Equations<f64> {
     /// Upper bound on the frequencies of the motion, rad per unit time: that of the gyroscopic torque, plus twice the greatest rate of
     /// the axis. Gravity accelerates the axis until it points down, or until the gyroscopic torque has turned it; the axis of a
     /// sliding top is faster near the vertical by √(ps/A). It is 1 for a body at rest without torque.
-    pub(crate) fn frequency<const N: usize>(&self, flow: &Flow<f64, N>) -> f64 {
-        let [_, moment, height, gravity, ..] = self.coefficients;
-        let rate = cross(flow.across, flow.axis);
-        let ([.., rise], [.., u], gyroscopic) = (rate, flow.axis, libm::fabs(self.gyroscopic(flow.spin)));
-        let square = dot(rate, rate) + moment * height * rise * rise;
-        let hanging = libm::sqrt(square + 2.0 * moment * gravity * (1.0 + u));
-        let driven = libm::sqrt(square) + 2.0 * moment * gravity / gyroscopic;
-        let sum = libm::sqrt(gyroscopic * gyroscopic + moment * gravity)
-            + hanging.min(driven) * (2.0 + libm::sqrt(moment * height));
+    pub(crate) fn frequency<const N: usize>(&self, state: &AugmentedState<f64, N>) -> f64 {
+        let [_, p_over_a, s, g, ..] = self.coefficients;
+        let rate = cross(state.across, state.axis);
+        let ([.., u_rate], [.., u], n_over_a) = (rate, state.axis, libm::fabs(self.n_over_a(state.spin)));
+        let square = dot(rate, rate) + p_over_a * s * u_rate * u_rate;
+        let hanging = libm::sqrt(square + 2.0 * p_over_a * g * (1.0 + u));
+        let driven = libm::sqrt(square) + 2.0 * p_over_a * g / n_over_a;
+        let sum = libm::sqrt(n_over_a * n_over_a + p_over_a * g)
+            + hanging.min(driven) * (2.0 + libm::sqrt(p_over_a * s));
         if sum > 0.0 { sum } else { 1.0 }
     }
 }
 
 impl<F: Float> Equations<F> {
     /// Rate n/A = (C/A) S + K/A.
-    pub(crate) fn gyroscopic(&self, spin: F) -> F {
-        let [inertia, _, _, _, rotor, ..] = self.coefficients;
-        inertia * spin + rotor
+    pub(crate) fn n_over_a(&self, spin: F) -> F {
+        let [c_over_a, _, _, _, k_over_a, ..] = self.coefficients;
+        c_over_a * spin + k_over_a
     }
 
     /// Change of the coefficients in a column; none in those of the launch.
@@ -108,39 +108,39 @@ impl<F: Float> Equations<F> {
     /// u'' (1 + (p/A) s |q|²) = ⟨w, r' × k⟩ - (n/A) ⟨r', q⟩ - (p/A) g |q|² - x₂ u',
     /// w' = -(p/A)(g + s u'') q - (n/A) r' - x₂ w - x₃ ⟨ω, k⟩ (k - u r),    S' = -x₁ S.
     #[inline(always)] // without tangents, what they share is not computed
-    pub(crate) fn acceleration<const N: usize>(&self, flow: &Flow<F, N>) -> Acceleration<F> {
-        let [inertia, moment, height, gravity, _, axial, loss, vertical] = self.coefficients;
-        let Flow { axis, across, spin, .. } = *flow;
-        let (axis_rate, lever, gyroscopic) =
-            (cross(across, axis), cross_vertical(axis), self.gyroscopic(spin));
-        let (lever_squared, gyration) = (dot(lever, lever), dot(axis_rate, lever));
-        let (inward, [.., rise]) = (cross_vertical(axis_rate), axis_rate);
-        let factor = F::ONE + moment * height * lever_squared;
-        let mut force = dot(across, inward) - gyroscopic * gyration - moment * gravity * lever_squared;
+    pub(crate) fn acceleration<const N: usize>(&self, state: &AugmentedState<F, N>) -> Acceleration<F> {
+        let [c_over_a, p_over_a, s, g, _, x1, x2, x3] = self.coefficients;
+        let AugmentedState { axis, across, spin, .. } = *state;
+        let (axis_rate, q, n_over_a) = (cross(across, axis), cross_vertical(axis), self.n_over_a(spin));
+        let (q_squared, axis_rate_q) = (dot(q, q), dot(axis_rate, q));
+        let (axis_rate_cross_k, [.., u_rate]) = (cross_vertical(axis_rate), axis_rate);
+        let factor = F::ONE + p_over_a * s * q_squared;
+        let mut force = dot(across, axis_rate_cross_k) - n_over_a * axis_rate_q - p_over_a * g * q_squared;
         if self.lossy {
-            force = force - loss * rise;
+            force = force - x2 * u_rate;
         }
         let u = force / factor;
-        let support = gravity + height * u;
-        let push = moment * support;
+        let support = g + s * u;
+        let support_torque = p_over_a * support;
         // with dr' = dω × r, dq = r × dk, and d(n/A) = (C/A) ⟨dω, r⟩; the term ⟨S r, r' × k⟩ is -S ⟨r', q⟩
-        let by_omega = add_scaled(inward, cross(axis, vertical_cross(across)), F::ONE);
-        let by_omega = add_scaled(by_omega, axis, (F::ONE - inertia) * gyration);
-        let mut by_omega = add_scaled(by_omega, cross(axis, lever), -gyroscopic);
-        let by_vertical = add_scaled(cross(across, axis_rate), cross(axis, axis_rate), gyroscopic);
-        let mut by_vertical = add_scaled(by_vertical, cross(lever, axis), -push.doubled());
-        let (mut rate, mut spin_rate) = (add_scaled(scaled(lever, -push), axis_rate, -gyroscopic), F::ZERO);
+        let by_omega = add_scaled(axis_rate_cross_k, cross(axis, vertical_cross(across)), F::ONE);
+        let by_omega = add_scaled(by_omega, axis, (F::ONE - c_over_a) * axis_rate_q);
+        let mut by_omega = add_scaled(by_omega, cross(axis, q), -n_over_a);
+        let by_vertical = add_scaled(cross(across, axis_rate), cross(axis, axis_rate), n_over_a);
+        let mut by_vertical = add_scaled(by_vertical, cross(q, axis), -support_torque.doubled());
+        let (mut rate, mut spin_rate) =
+            (add_scaled(scaled(q, -support_torque), axis_rate, -n_over_a), F::ZERO);
         if self.lossy {
-            let [.., turning] = flow.omega();
-            by_omega = add_scaled(by_omega, lever, -loss);
-            by_vertical = add_scaled(by_vertical, axis_rate, -loss);
-            rate = add_scaled(add_scaled(rate, across, -loss), vertical_across(axis), -(vertical * turning));
-            spin_rate = -(axial * spin);
+            let [.., omega_k] = state.omega();
+            by_omega = add_scaled(by_omega, q, -x2);
+            by_vertical = add_scaled(by_vertical, axis_rate, -x2);
+            rate = add_scaled(add_scaled(rate, across, -x2), vertical_across(axis), -(x3 * omega_k));
+            spin_rate = -(x1 * spin);
         }
         Acceleration {
             axis_rate,
-            lever,
-            gyroscopic,
+            q,
+            n_over_a,
             u,
             factor,
             by_omega,
@@ -161,44 +161,44 @@ impl<F: Float> Equations<F> {
         tangent: &Tangent<F>,
         change: Option<&Coefficients<F>>,
     ) -> F {
-        let [_, moment, height, ..] = self.coefficients;
-        let vertical = vertical_cross(tangent.theta); // dk = k × θ
-        let mut force = dot(tangent.eta, at.by_omega) + dot(vertical, at.by_vertical);
+        let [_, p_over_a, s, ..] = self.coefficients;
+        let d_k = vertical_cross(tangent.theta);
+        let mut force = dot(tangent.eta, at.by_omega) + dot(d_k, at.by_vertical);
         let mut direct = F::ZERO;
-        if let Some(&[by_inertia, by_moment, by_height, by_gravity, _, _, by_loss, _]) = change {
-            let ([.., rise], square) = (at.axis_rate, dot(at.lever, at.lever));
-            direct = by_gravity + at.u * by_height;
+        if let Some(&[d_c_over_a, d_p_over_a, d_s, d_g, _, _, d_x2, _]) = change {
+            let ([.., u_rate], square) = (at.axis_rate, dot(at.q, at.q));
+            direct = d_g + at.u * d_s;
             force = force
-                - by_inertia * spin * dot(at.axis_rate, at.lever)
-                - (by_moment * at.support + moment * direct) * square
-                - by_loss * rise;
+                - d_c_over_a * spin * dot(at.axis_rate, at.q)
+                - (d_p_over_a * at.support + p_over_a * direct) * square
+                - d_x2 * u_rate;
         }
-        direct + height * (force / at.factor)
+        direct + s * (force / at.factor)
     }
 
     /// Rate of a tangent: η and η'.
     pub(crate) fn tangent_rate<const N: usize>(
         &self,
-        flow: &Flow<F, N>,
+        state: &AugmentedState<F, N>,
         at: &Acceleration<F>,
         tangent: &Tangent<F>,
         change: Option<&Coefficients<F>>,
     ) -> Tangent<F> {
-        let [inertia, moment, ..] = self.coefficients;
-        let (axis, eta) = (flow.axis, tangent.eta);
-        let mut push = moment * self.support_change(flow.spin, at, tangent, change);
-        let mut gyroscopic = (inertia - F::ONE) * dot(eta, axis);
-        if let Some(&[by_inertia, by_moment, ..]) = change {
-            push = push + by_moment * at.support;
-            gyroscopic = gyroscopic + by_inertia * flow.spin;
+        let [c_over_a, p_over_a, ..] = self.coefficients;
+        let (axis, eta) = (state.axis, tangent.eta);
+        let mut d_support_torque = p_over_a * self.support_change(state.spin, at, tangent, change);
+        let mut d_n_over_a = (c_over_a - F::ONE) * dot(eta, axis);
+        if let Some(&[d_c_over_a, d_p_over_a, ..]) = change {
+            d_support_torque = d_support_torque + d_p_over_a * at.support;
+            d_n_over_a = d_n_over_a + d_c_over_a * state.spin;
         }
-        let lever_change = cross(axis, vertical_cross(tangent.theta));
-        let rate = add_scaled(scaled(lever_change, -(moment * at.support)), at.lever, -push);
-        let rate = add_scaled(rate, at.axis_rate, -gyroscopic);
-        let rate = add_scaled(rate, cross(eta, axis), -at.gyroscopic);
-        let mut rate = add_scaled(rate, cross(eta, flow.across), -F::ONE);
+        let d_q = cross(axis, vertical_cross(tangent.theta));
+        let rate = add_scaled(scaled(d_q, -(p_over_a * at.support)), at.q, -d_support_torque);
+        let rate = add_scaled(rate, at.axis_rate, -d_n_over_a);
+        let rate = add_scaled(rate, cross(eta, axis), -at.n_over_a);
+        let mut rate = add_scaled(rate, cross(eta, state.across), -F::ONE);
         if self.lossy {
-            rate = add_scaled(rate, self.loss_change(flow, tangent, change), -F::ONE);
+            rate = add_scaled(rate, self.loss_change(state, tangent, change), -F::ONE);
         }
         Tangent { theta: eta, eta: rate }
     }
@@ -206,31 +206,36 @@ impl<F: Float> Equations<F> {
     /// Reduction of η' by the losses, without the part of the support.
     fn loss_change<const N: usize>(
         &self,
-        flow: &Flow<F, N>,
+        state: &AugmentedState<F, N>,
         &Tangent { theta, eta }: &Tangent<F>,
         change: Option<&Coefficients<F>>,
     ) -> Vector<F> {
-        let [.., axial, across, vertical] = self.coefficients;
-        let (axis, omega, up_change) = (flow.axis, flow.omega(), vertical_cross(theta));
-        let ([.., turning], [.., turned], spin_change) = (omega, eta, dot(eta, axis));
-        let level_change = add_scaled(up_change, axis, -dot(axis, up_change));
-        let lost = scaled(axis, (axial - across) * spin_change);
-        let lost = add_scaled(lost, eta, across);
-        let lost = add_scaled(lost, vertical_across(axis), vertical * (turned + dot(omega, up_change)));
-        let lost = add_scaled(lost, level_change, vertical * turning);
-        let Some(&[.., axial, across, vertical]) = change else { return lost };
-        let lost = add_scaled(lost, axis, axial * flow.spin);
-        add_scaled(add_scaled(lost, flow.across, across), vertical_across(axis), vertical * turning)
+        let [.., x1, x2, x3] = self.coefficients;
+        let (axis, omega, d_k) = (state.axis, state.omega(), vertical_cross(theta));
+        let ([.., omega_k], [.., eta_k], d_spin) = (omega, eta, dot(eta, axis));
+        let d_k_across = add_scaled(d_k, axis, -dot(axis, d_k));
+        let lost = scaled(axis, (x1 - x2) * d_spin);
+        let lost = add_scaled(lost, eta, x2);
+        let lost = add_scaled(lost, vertical_across(axis), x3 * (eta_k + dot(omega, d_k)));
+        let lost = add_scaled(lost, d_k_across, x3 * omega_k);
+        let Some(&[.., d_x1, d_x2, d_x3]) = change else { return lost };
+        let lost = add_scaled(lost, axis, d_x1 * state.spin);
+        add_scaled(add_scaled(lost, state.across, d_x2), vertical_across(axis), d_x3 * omega_k)
     }
 
     /// Rate of a state and its tangents.
-    pub(crate) fn rate<const N: usize>(&self, flow: &Flow<F, N>) -> Flow<F, N> {
-        let at = self.acceleration(flow);
-        let side = cross(flow.across, flow.side);
-        let mut rate =
-            Flow { axis: at.axis_rate, side, across: at.across, spin: at.spin, tangents: flow.tangents };
+    pub(crate) fn rate<const N: usize>(&self, state: &AugmentedState<F, N>) -> AugmentedState<F, N> {
+        let at = self.acceleration(state);
+        let first_axis = cross(state.across, state.first_axis);
+        let mut rate = AugmentedState {
+            axis: at.axis_rate,
+            first_axis,
+            across: at.across,
+            spin: at.spin,
+            tangents: state.tangents,
+        };
         for (column, tangent) in rate.tangents.iter_mut().take(self.columns).enumerate() {
-            *tangent = self.tangent_rate(flow, &at, tangent, self.change(column));
+            *tangent = self.tangent_rate(state, &at, tangent, self.change(column));
         }
         rate
     }

@@ -4,39 +4,40 @@
 //! million periods; the projection of the growth onto the gradients removes it.
 
 use crate::sensitivity::equations::{Equations, cross_vertical};
-use crate::sensitivity::flow::{COLUMNS, Flow, LAUNCH_COLUMNS, Tangent};
+use crate::sensitivity::state::{AugmentedState, COLUMNS, LAUNCH_COLUMNS, Tangent};
 use crate::vector::{UP, Vector, add_scaled, cross, dot, scaled};
 
 impl Equations<f64> {
     /// Gradients of l/A, S and h/A with respect to θ and η.
     ///
     /// The spin S stands in for n, which does not depend on it where C = 0.
-    pub(crate) fn gradients<const N: usize>(&self, flow: &Flow<f64, N>) -> [Tangent<f64>; 3] {
-        let [inertia, moment, height, gravity, rotor, ..] = self.coefficients;
-        let (axis, omega, spin) = (flow.axis, flow.omega(), flow.spin);
-        let (up, lever, rate) = (UP, cross_vertical(axis), cross(omega, axis));
-        let ([.., u], [.., rise]) = (axis, rate);
-        let momentum = add_scaled(omega, axis, (inertia - 1.0) * spin + rotor);
-        let lift = moment * height * rise;
-        let energy = add_scaled(scaled(cross_vertical(rate), lift), lever, moment * gravity);
+    pub(crate) fn gradients<const N: usize>(&self, state: &AugmentedState<f64, N>) -> [Tangent<f64>; 3] {
+        let [c_over_a, p_over_a, s, g, k_over_a, ..] = self.coefficients;
+        let (axis, omega, spin) = (state.axis, state.omega(), state.spin);
+        let (up, q, rate) = (UP, cross_vertical(axis), cross(omega, axis));
+        let ([.., u], [.., u_rate]) = (axis, rate);
+        let momentum = add_scaled(omega, axis, (c_over_a - 1.0) * spin + k_over_a);
+        let lift = p_over_a * s * u_rate;
+        let energy = add_scaled(scaled(cross_vertical(rate), lift), q, p_over_a * g);
         [
-            Tangent { theta: cross_vertical(momentum), eta: add_scaled(up, axis, (inertia - 1.0) * u) },
+            Tangent { theta: cross_vertical(momentum), eta: add_scaled(up, axis, (c_over_a - 1.0) * u) },
             Tangent { theta: [0.0; 3], eta: axis },
             Tangent {
                 theta: energy,
-                eta: add_scaled(add_scaled(omega, axis, (inertia - 1.0) * spin), lever, lift),
+                eta: add_scaled(add_scaled(omega, axis, (c_over_a - 1.0) * spin), q, lift),
             },
         ]
     }
 
     /// First integrals l/A, n/A and h/A.
-    pub(crate) fn integrals<const N: usize>(&self, flow: &Flow<f64, N>) -> Vector<f64> {
-        let [inertia, moment, height, gravity, ..] = self.coefficients;
-        let ([.., u], [.., vertical], spin) = (flow.axis, flow.across, flow.spin);
-        let [.., rise] = cross(flow.across, flow.axis);
-        let n = self.gyroscopic(spin);
-        let square = dot(flow.across, flow.across) + inertia * spin * spin + moment * height * rise * rise;
-        [vertical + n * u, n, 0.5 * square + moment * gravity * u]
+    pub(crate) fn integrals<const N: usize>(&self, state: &AugmentedState<f64, N>) -> Vector<f64> {
+        let [c_over_a, p_over_a, s, g, ..] = self.coefficients;
+        let ([.., u], [.., vertical], spin) = (state.axis, state.across, state.spin);
+        let [.., u_rate] = cross(state.across, state.axis);
+        let n = self.n_over_a(spin);
+        let square =
+            dot(state.across, state.across) + c_over_a * spin * spin + p_over_a * s * u_rate * u_rate;
+        [vertical + n * u, n, 0.5 * square + p_over_a * g * u]
     }
 }
 

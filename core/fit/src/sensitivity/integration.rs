@@ -1,7 +1,7 @@
 //! Integration by a Runge-Kutta method of order 6 with seven stages (Butcher).
 
 use crate::sensitivity::equations::Equations;
-use crate::sensitivity::flow::Flow;
+use crate::sensitivity::state::AugmentedState;
 use toytop::scalar::Float;
 
 /// Weights of the earlier rates in the state of each later stage, and in the result.
@@ -24,19 +24,19 @@ pub(crate) fn steps(span: f64, longest_step: f64) -> Option<u32> {
 }
 
 impl<F: Float> Equations<F> {
-    /// Moves a flow over the time `span` by equal steps.
-    pub(crate) fn advance<const N: usize>(&self, flow: &mut Flow<F, N>, span: f64, steps: u32) {
+    /// Moves a state over the time `span` by equal steps.
+    pub(crate) fn advance<const N: usize>(&self, state: &mut AugmentedState<F, N>, span: f64, steps: u32) {
         let step = F::from_f64(span / f64::from(steps));
         for _ in 0..steps {
-            let start = *flow;
+            let start = *state;
             let mut rates = [self.rate(&start); WEIGHTS.len()];
             for (index, weights) in WEIGHTS.iter().enumerate() {
-                *flow = start;
+                *state = start;
                 for (rate, weight) in rates.iter().zip(*weights) {
-                    flow.add(rate, step * F::from_f64(*weight));
+                    state.add(rate, step * F::from_f64(*weight));
                 }
                 if let Some(slot) = rates.get_mut(index + 1) {
-                    *slot = self.rate(flow);
+                    *slot = self.rate(state);
                 }
             }
         }

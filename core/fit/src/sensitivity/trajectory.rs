@@ -2,9 +2,9 @@
 
 use crate::sensitivity::coefficients::Coefficients;
 use crate::sensitivity::equations::Equations;
-use crate::sensitivity::flow::{COLUMNS, Flow, Tangent};
 use crate::sensitivity::integration::steps;
 use crate::sensitivity::partials::Partials;
+use crate::sensitivity::state::{AugmentedState, COLUMNS, Tangent};
 use toytop::Phase;
 use toytop::scalar::Real;
 
@@ -20,7 +20,7 @@ pub(crate) struct Trajectory<F> {
     /// Time of `now` and of `state`.
     time: f64,
     /// State without the rotation about the axis since the launch.
-    state: Flow<f64, 0>,
+    state: AugmentedState<f64, 0>,
     /// Coefficients, and the rate about the axis at the launch, in `f64`.
     coefficients: Coefficients,
     spin: f64,
@@ -34,13 +34,13 @@ impl<F: Real> Trajectory<F> {
     /// * `longest_step`: product of the longest step and the bound on the frequencies
     #[inline(never)] // stack
     pub(crate) fn new(
-        state: &Flow<f64, 0>,
+        state: &AugmentedState<f64, 0>,
         tangents: [Tangent<F>; COLUMNS],
         equations: &Equations<f64>,
         longest_step: f64,
     ) -> Self {
         Self {
-            now: Partials { flow: state.with_tangents(tangents), equations: equations.cast() },
+            now: Partials { state: state.with_tangents(tangents), equations: equations.cast() },
             time: 0.0,
             state: *state,
             coefficients: equations.coefficients,
@@ -64,10 +64,10 @@ impl<F: Real> Trajectory<F> {
         let span = t - self.time;
         let steps = steps(span, self.longest_step)?;
         self.move_state(span, steps);
-        let Partials { flow, equations } = &mut self.now;
-        equations.advance(flow, span, steps);
-        *flow = self.state.with_tangents(flow.tangents);
-        flow.roll(rolled(self.spin, &self.coefficients, t));
+        let Partials { state, equations } = &mut self.now;
+        equations.advance(state, span, steps);
+        *state = self.state.with_tangents(state.tangents);
+        state.roll(rolled(self.spin, &self.coefficients, t));
         self.time = t;
         Some(())
     }
@@ -85,7 +85,7 @@ impl Trajectory<f64> {
     /// Launch with other tangents and another angle of the body about its axis.
     pub(crate) fn relaunched(mut self, roll: Phase, tangents: [Tangent<f64>; COLUMNS]) -> Self {
         self.state.roll(roll);
-        self.now.flow = self.state.with_tangents(tangents);
+        self.now.state = self.state.with_tangents(tangents);
         self
     }
 
@@ -93,13 +93,13 @@ impl Trajectory<f64> {
     pub(crate) fn moved(mut self, t: f64) -> Option<Self> {
         self.move_to(t)?;
         let is_bounded = |tangent: &Tangent<f64>| tangent.inner(tangent) < LARGEST;
-        self.now.flow.tangents.iter().all(is_bounded).then_some(self)
+        self.now.state.tangents.iter().all(is_bounded).then_some(self)
     }
 }
 
 /// Angle by which the body has turned about its axis at a time, from S at the start.
-fn rolled(spin: f64, &[.., axial, _, _]: &Coefficients, t: f64) -> Phase {
-    let lost = axial * t;
+fn rolled(spin: f64, &[.., x1, _, _]: &Coefficients, t: f64) -> Phase {
+    let lost = x1 * t;
     // (1 - e⁻ˣ)/x
     let mean = if lost == 0.0 { 1.0 } else { -libm::expm1(-lost) / lost };
     Phase::from_radians(spin * t * mean)
@@ -155,11 +155,10 @@ mod tests {
         let (top, state) = launched(case);
         let motion = Motion::launch(&top, &state).unwrap();
         let equations = Equations { columns: LAUNCH_COLUMNS, ..Equations::new(&top) };
-        let launch = Flow::launched(&state.orientation(), state.omega());
+        let launch = AugmentedState::launched(&state.orientation(), state.omega());
         let axes = launch.axes();
         let mut trajectory = Trajectory::<F>::new(&launch, Tangent::along_axes(&axes), &equations, PASS);
-        let sensitivity = Sensitivity::new(&motion);
-        let mut cursor = sensitivity.cursor();
+        let mut sensitivity = Sensitivity::new(&motion);
         let frequency = equations.frequency(&launch);
         let [mut off, mut changed] = [0.0_f64; 2];
         let size = |x: Vector<f64>| libm::sqrt(dot(x, x));
@@ -167,8 +166,8 @@ mod tests {
         for n in 0..700 {
             let t = f64::from(n) / 699.0;
             trajectory.move_to(t).unwrap();
-            let (found, truth) = (trajectory.now().flow, cursor.at(t).unwrap().flow);
-            off = off.max(apart(found.axis, truth.axis)).max(apart(found.side, truth.side));
+            let (found, truth) = (trajectory.now().state, sensitivity.advance_to(t).unwrap().state);
+            off = off.max(apart(found.axis, truth.axis)).max(apart(found.first_axis, truth.first_axis));
             off = off.max(apart(found.across, truth.across) / frequency);
             // the columns of the truth are changes along the fixed axes, those of Φ with ω kept
             let column = |theta: Vector<f64>, eta: Vector<f64>| {

@@ -2,7 +2,7 @@
 
 use crate::sensitivity::Partials;
 use crate::sensors::{Hint, Mounting, Noise, Residual, Sensor, three};
-use crate::vector::{UP, Vector, add_scaled, along, cast, dot, norm, scaled};
+use crate::vector::{UP, Vector, add_scaled, along, cast, dot, unit};
 use toytop::scalar::Real;
 
 /// Rate gyroscope with three axes. It reads Ω, in rad per unit time.
@@ -50,7 +50,7 @@ impl<F: Real> Sensor<F> for Gyroscope {
         let axes = self.mounting.axes(at);
         // the axial part is larger than the rest, and keeps its digits
         let axis = cast(self.mounting.axis());
-        let rate = add_scaled(along(&axes, at.flow.across), axis, at.flow.spin);
+        let rate = add_scaled(along(&axes, at.state.across), axis, at.state.spin);
         Residual {
             difference: add_scaled(reading, rate, -F::ONE),
             deviation: deviations(self.range, reading, self.noise.deviation),
@@ -111,9 +111,7 @@ impl<F: Real> Sensor<F> for Magnetometer {
     }
 
     fn hint(&self, values: &[f64; 4]) -> Hint {
-        Hint::Direction {
-            fixed: scaled(self.field, 1.0 / norm(self.field)),
-            body: self.mounting.in_body(three(values)),
-        }
+        let body = self.mounting.in_body(three(values));
+        unit(self.field).map_or(Hint::None, |fixed| Hint::Direction { fixed, body })
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::sensitivity::Partials;
 use crate::sensors::{Hint, Noise, Residual, Sensor, three};
-use crate::vector::{Vector, add_scaled, cast, cross, norm, rotation_vector, scaled};
+use crate::vector::{Vector, add_scaled, cast, cross, rotation_vector, unit};
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 use toytop::{Complex, Phase};
@@ -72,7 +72,7 @@ impl<F: Real> Sensor<F> for AxisCamera {
     }
 
     fn hint(&self, values: &[f64; 4]) -> Hint {
-        Hint::Axis(scaled(three(values), 1.0 / norm(three(values))))
+        unit(three(values)).map_or(Hint::None, Hint::Axis)
     }
 }
 
@@ -106,14 +106,15 @@ impl<F: Real> Sensor<F> for Mark {
         let place = at.in_fixed(cast(self.place));
         let [x, y, _] = place;
         let square = x * x + y * y;
-        let turned = |[dx, dy, _]: Vector<F>| (x * dy - y * dx) / square;
+        let azimuth_rate = |[dx, dy, _]: Vector<F>| (x * dy - y * dx) / square;
         let (sine, cosine) = F::sine_cosine(Phase::from_radians(azimuth));
-        let rate = turned(cross(at.omega(), place));
+        let rate = azimuth_rate(cross(at.omega(), place));
         let unused = F::from_f64(f64::INFINITY);
+        let deviation = if square > F::ZERO { F::from_f64(self.deviation) * rate.abs() } else { unused };
         Residual {
             difference: [F::atan2(sine * x - cosine * y, cosine * x + sine * y), F::ZERO, F::ZERO],
-            deviation: [F::from_f64(self.deviation) * rate.abs(), unused, unused],
-            columns: at.each(|tangent, _| [turned(cross(tangent.theta, place)), F::ZERO, F::ZERO]),
+            deviation: [deviation, unused, unused],
+            columns: at.each(|tangent, _| [azimuth_rate(cross(tangent.theta, place)), F::ZERO, F::ZERO]),
         }
     }
 }

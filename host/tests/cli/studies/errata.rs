@@ -14,7 +14,7 @@ fn the_document_has_the_table() {
 
 #[test]
 fn printed_formulas_fail_and_corrected_ones_hold() {
-    let (slips, reference) = (json("errata"), read(&repository("tests/reference/errata.json")));
+    let (slips, reference) = (json("errata"), read(&repository("tests/reference/data/errata.json")));
     let reference: Value = serde_json::from_str(&reference).expect("JSON");
     let (slips, rows) = (list(&slips["slips"]), list(&reference["rows"]));
     assert_eq!((slips.len(), rows.len()), (18, 18));

@@ -15,7 +15,7 @@ fn predictions(report: &FitReport) -> Vec<[f64; 3]> {
     let Some(sensitivity) = motion.map(|motion| Sensitivity::new(&motion)) else { return Vec::new() };
     let at = |ahead: &f64| {
         let t = end + ahead;
-        let [orientation, axis] = report.predicted(&sensitivity.at(t - fitted.epoch)?);
+        let [orientation, axis] = report.predicted(&sensitivity.at(t - fitted.time)?);
         Some([t, orientation, axis])
     };
     AHEAD.iter().filter_map(at).collect()
@@ -30,7 +30,7 @@ pub fn table(report: &FitReport) -> String {
     if !report.used_any_sample() {
         return state + "\n";
     }
-    let Fitted { launch, statistics, epoch, unknowns: count, other_launches, .. } = report.fitted;
+    let Fitted { launch, statistics, time, unknown_count: count, other_launch_count, .. } = report.fitted;
     let deviations = report.fitted.deviations();
     let line = |name: &str, value: f64, deviation: f64, unit: &str| {
         vec![name.to_owned(), short(value, 9), format!("+- {}", short(deviation, 2)), unit.to_owned()]
@@ -64,7 +64,7 @@ pub fn table(report: &FitReport) -> String {
     let mut text = format!(
         "{state}\n\nlaunch at t = {}\n{}\n\
          chi squared by degrees of freedom {}; {} values used, {} at the end of the range, {} outliers, largest residual {} sigma\n",
-        short(epoch, 9),
+        short(time, 9),
         columns(rows, 4),
         short(statistics.reduced_chi_squared(count), 4),
         statistics.used,
@@ -76,8 +76,8 @@ pub fn table(report: &FitReport) -> String {
     if !undetermined.is_empty() {
         text += &format!("not determined by these samples: {}\n", undetermined.join(", "));
     }
-    if other_launches > 0 {
-        text += &format!("{other_launches} other launches fit the first samples as well\n");
+    if other_launch_count > 0 {
+        text += &format!("{other_launch_count} other launches fit the first samples as well\n");
     }
     let mut ahead = vec![["t, s", "orientation +-, rad", "axis +-, rad"].map(str::to_owned).to_vec()];
     for [t, orientation, axis] in predictions(report) {
@@ -88,8 +88,9 @@ pub fn table(report: &FitReport) -> String {
 
 /// Report as an object of JSON.
 pub fn object(report: &FitReport) -> Record {
-    let Fitted { launch, statistics, drift, unknowns: count, covariance, other_launches, epoch, .. } =
-        &report.fitted;
+    let Fitted {
+        launch, statistics, drift, unknown_count: count, covariance, other_launch_count, time, ..
+    } = &report.fitted;
     let deviations = report.fitted.deviations();
     let [(spin, spin_deviation), (tilt, tilt_deviation)] = report.spin_and_tilt();
     let free = report.freed().into_iter();
@@ -105,7 +106,7 @@ pub fn object(report: &FitReport) -> Record {
     Record::default()
         .with("converged", report.fitted.is_trusted())
         .with("reason", report.reason.as_deref())
-        .with("epoch", *epoch)
+        .with("epoch", *time)
         .with("quaternion", launch.orientation.quaternion())
         .with("orientation_deviation", &deviations[..3])
         .with("omega", launch.omega)
@@ -126,7 +127,7 @@ pub fn object(report: &FitReport) -> Record {
         .with("outliers", statistics.outliers)
         .with("largest_residual", statistics.largest)
         .with("undetermined", report.undetermined())
-        .with("alternatives", *other_launches)
+        .with("alternatives", *other_launch_count)
         .with("prediction", predictions(report).into_iter().map(prediction).collect::<Value>())
 }
 
@@ -139,7 +140,7 @@ pub fn row(FitReport { fitted, reason, .. }: &FitReport) -> Record {
     let deviations = fitted.deviations();
     Record::default()
         .with("reason", reason.as_deref())
-        .with("epoch", fitted.epoch)
+        .with("epoch", fitted.time)
         .with("w", w)
         .with("x", x)
         .with("y", y)
@@ -147,5 +148,5 @@ pub fn row(FitReport { fitted, reason, .. }: &FitReport) -> Record {
         .with("omega", fitted.launch.omega)
         .with("orientation_deviation", &deviations[..3])
         .with("omega_deviation", &deviations[3..6])
-        .with("reduced_chi_squared", fitted.statistics.reduced_chi_squared(fitted.unknowns))
+        .with("reduced_chi_squared", fitted.statistics.reduced_chi_squared(fitted.unknown_count))
 }

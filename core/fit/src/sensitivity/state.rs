@@ -20,11 +20,11 @@ pub(crate) struct Tangent<F> {
 
 /// State of the motion, and N changes of it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Flow<F, const N: usize> {
+pub(crate) struct AugmentedState<F, const N: usize> {
     /// Axis r, the third body axis.
     pub(crate) axis: Vector<F>,
     /// First body axis, turned back by the angle that the body has turned about r.
-    pub(crate) side: Vector<F>,
+    pub(crate) first_axis: Vector<F>,
     /// Part w = ω - S r of the angular velocity across the axis, which keeps its digits where S is much larger.
     pub(crate) across: Vector<F>,
     /// Axial component S = ⟨ω, r⟩ of the angular velocity, constant without losses.
@@ -55,7 +55,7 @@ impl<F: Float> Tangent<F> {
     }
 }
 
-impl<F: Float, const N: usize> Flow<F, N> {
+impl<F: Float, const N: usize> AugmentedState<F, N> {
     /// Angular velocity ω = w + S r.
     pub(crate) fn omega(&self) -> Vector<F> {
         add_scaled(self.across, self.axis, self.spin)
@@ -63,13 +63,13 @@ impl<F: Float, const N: usize> Flow<F, N> {
 
     /// Body axes in the fixed frame.
     pub(crate) fn axes(&self) -> [Vector<F>; 3] {
-        [self.side, cross(self.axis, self.side), self.axis]
+        [self.first_axis, cross(self.axis, self.first_axis), self.axis]
     }
 
-    /// Adds f times another flow.
+    /// Adds f times another state.
     pub(crate) fn add(&mut self, other: &Self, f: F) {
         self.axis = add_scaled(self.axis, other.axis, f);
-        self.side = add_scaled(self.side, other.side, f);
+        self.first_axis = add_scaled(self.first_axis, other.first_axis, f);
         self.across = add_scaled(self.across, other.across, f);
         self.spin = self.spin + f * other.spin;
         for (tangent, rate) in self.tangents.iter_mut().zip(&other.tangents) {
@@ -78,27 +78,36 @@ impl<F: Float, const N: usize> Flow<F, N> {
     }
 }
 
-impl Flow<f64, 0> {
+impl AugmentedState<f64, 0> {
     /// State of a launch.
     pub(crate) fn launched(phi: &Orientation<f64>, omega: Vector<f64>) -> Self {
-        let [side, _, axis] = UNITS.map(|body| phi.adjoint(body));
+        let [first_axis, _, axis] = UNITS.map(|body| phi.adjoint(body));
         let spin = dot(omega, axis);
-        Self { axis, side, across: add_scaled(omega, axis, -spin), spin, tangents: [] }
+        Self { axis, first_axis, across: add_scaled(omega, axis, -spin), spin, tangents: [] }
     }
 
     /// State with tangents, in their scalar.
-    pub(crate) fn with_tangents<F: Float, const N: usize>(&self, tangents: [Tangent<F>; N]) -> Flow<F, N> {
-        let Self { axis, side, across, spin, .. } = *self;
-        Flow { axis: cast(axis), side: cast(side), across: cast(across), spin: F::from_f64(spin), tangents }
+    pub(crate) fn with_tangents<F: Float, const N: usize>(
+        &self,
+        tangents: [Tangent<F>; N],
+    ) -> AugmentedState<F, N> {
+        let Self { axis, first_axis, across, spin, .. } = *self;
+        AugmentedState {
+            axis: cast(axis),
+            first_axis: cast(first_axis),
+            across: cast(across),
+            spin: F::from_f64(spin),
+            tangents,
+        }
     }
 }
 
-impl<F: Real, const N: usize> Flow<F, N> {
+impl<F: Real, const N: usize> AugmentedState<F, N> {
     /// Turns the motion about the vertical by an angle of this sine and cosine.
     pub(crate) fn turn(&mut self, (sine, cosine): (F, F)) {
         let turned = |[x, y, z]: Vector<F>| [x * cosine - y * sine, x * sine + y * cosine, z];
         self.axis = turned(self.axis);
-        self.side = turned(self.side);
+        self.first_axis = turned(self.first_axis);
         self.across = turned(self.across);
         for Tangent { theta, eta } in &mut self.tangents {
             (*theta, *eta) = (turned(*theta), turned(*eta));
@@ -108,6 +117,7 @@ impl<F: Real, const N: usize> Flow<F, N> {
     /// Turns the body about its axis.
     pub(crate) fn roll(&mut self, phase: Phase) {
         let (sine, cosine) = F::sine_cosine(phase);
-        self.side = add_scaled(scaled(self.side, cosine), cross(self.axis, self.side), sine);
+        self.first_axis =
+            add_scaled(scaled(self.first_axis, cosine), cross(self.axis, self.first_axis), sine);
     }
 }

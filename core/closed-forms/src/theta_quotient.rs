@@ -1,0 +1,63 @@
+//! Cayley-Klein parameters of the elliptic cases, as quotients of theta functions, and their zeros.
+
+use crate::elliptic::agm::first_kind;
+use crate::elliptic::elementary::{ValueAndSlope, WideComplex, angle, complex_exp, quotient};
+use crate::elliptic::lattice::{HalfPeriod, Lattice};
+use toytop::scalar::{Extended, Float, Ring};
+use toytop::{BranchPoints, Phase, Signs};
+
+/// Cayley-Klein parameter in an elliptic case: k e^{lx} σ(x - a - h)/σ(x - c), where h and c are half periods. Each period multiplies it
+/// by a constant.
+///
+/// It is stored as k̂ e^{λx} ϑ(x - a)/ϑ(x) with the theta functions that are 0 at h and at c. All constants of the sigma functions
+/// cancel: for l = ζ(a + h - c) + `rate_offset`, λ is `rate_offset` plus the logarithmic derivative at a of the theta function that is 0 at h + c.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ThetaQuotient {
+    pub(crate) lattice: Lattice,
+    scale: Extended,
+    pub(crate) rate: WideComplex,
+    pub(crate) zero: WideComplex,
+    half_periods: [HalfPeriod; 2],
+}
+
+impl ThetaQuotient {
+    /// Quotient with the zero a + h and the pole c, and the given modulus at x; the argument of k is arbitrary.
+    pub(crate) fn through(
+        lattice: &Lattice,
+        half_periods: [HalfPeriod; 2],
+        zero: WideComplex,
+        rate_offset: WideComplex,
+        (x, size): (WideComplex, Extended),
+    ) -> Self {
+        let [h, c] = half_periods;
+        let rate = rate_offset + lattice.theta(h.plus(c), zero).log_slope();
+        let unscaled = Self { lattice: *lattice, scale: Extended::ONE, rate, zero, half_periods };
+        Self { scale: size / unscaled.at(x).value.modulus(), ..unscaled }
+    }
+
+    pub(crate) fn at(&self, x: WideComplex) -> ValueAndSlope {
+        let [h, c] = self.half_periods;
+        let (above, below) = (self.lattice.theta(h, x - self.zero), self.lattice.theta(c, x));
+        let factor = quotient(complex_exp(self.rate * x).scaled(self.scale), below.value);
+        let rate = self.rate - below.log_slope();
+        ValueAndSlope { value: factor * above.value, slope: factor * (above.slope + rate * above.value) }
+    }
+
+    /// Change of the argument from `x` to `x` + `period`, without whole turns. The value must not be 0 at `x`.
+    pub(crate) fn rotation(&self, x: WideComplex, period: WideComplex) -> Phase {
+        let turned = self.at(x + period).value * self.at(x).value.conj();
+        angle(turned.im, turned.re).in_turns().to_phase()
+    }
+}
+
+/// Distances of u = -1 from u = e₁ and of u = 1 from u = e₂ in the argument of ℘, with the signs of l + n and l - n: α and β are 0 there.
+///
+/// * `third`: third factor of w²/4 beside u - e₁ and u - e₂, at u = -1, e₁, e₂ and 1
+pub(crate) fn zeros(e: &BranchPoints<Extended>, signs: Signs, third: [Extended; 4]) -> [Extended; 2] {
+    let ([at_minus_one, at_e1, at_e2, at_one], zero) = (third, Extended::ZERO);
+    let lower = [e.one_plus_e1, e.one_plus_e2(), at_minus_one];
+    let below = first_kind(e.one_plus_e1, [zero, e.e2_minus_e1, at_e1], lower);
+    let upper = [e.one_minus_e1(), e.one_minus_e2, at_one];
+    let above = first_kind(e.one_minus_e2, upper, [e.e2_minus_e1, zero, at_e2]);
+    [signs.l_plus_n.times(below.halved()), signs.l_minus_n.times(above.halved())]
+}
