@@ -46,9 +46,9 @@ pub mod table_format {}
 #[doc(hidden)]
 pub mod internal {
     pub use crate::body::{ScaledTop, check, check_finite};
-    pub use crate::motion::HalfPhase;
     pub use crate::motion::cayley_klein::{Ellipse, Ellipses};
     pub use crate::motion::gudermannian::inverse_gudermannian;
+    pub use crate::motion::{HalfPhase, MotionParts};
 }
 
 pub use body::{ParameterError, Release, State, Support, Top, TopParameters};

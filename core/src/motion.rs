@@ -29,25 +29,34 @@ use crate::scalar::{Extended, Float, Real, Ring, Wide};
 pub struct Motion {
     top: Top,
     signs: Signs,
-    #[doc(hidden)]
-    pub e: BranchPoints<Extended>,
+    pub(crate) e: BranchPoints<Extended>,
     /// First integrals in the units of a [`ScaledTop`].
-    #[doc(hidden)]
-    pub integrals: FirstIntegrals<Extended>,
+    integrals: FirstIntegrals<Extended>,
     /// Half of τ = ⟨ω, r⟩ - n/A, rad/s.
-    #[doc(hidden)]
-    pub half_tau: Extended,
+    pub(crate) half_tau: Extended,
     ellipses: Ellipses<f64>,
     regime: Regime,
     /// Half phase at t = 0.
-    #[doc(hidden)]
-    pub half_phase: HalfPhase,
+    pub(crate) half_phase: HalfPhase,
     /// Slow phases of α and β at t = 0.
-    #[doc(hidden)]
-    pub slow_phases: [Phase; 2],
+    pub(crate) slow_phases: [Phase; 2],
     pub(crate) rounding: LaunchRounding,
     /// Rate χ' without torque, rad/s; otherwise 0.
     torque_free_rate: Extended,
+}
+
+/// Unrounded constants of a [`Motion`] and its phases at t = 0, for the closed forms.
+pub struct MotionParts {
+    /// Branch points.
+    pub e: BranchPoints<Extended>,
+    /// First integrals in the units of a [`ScaledTop`].
+    pub integrals: FirstIntegrals<Extended>,
+    /// Half of τ = ⟨ω, r⟩ - n/A, rad/s.
+    pub half_tau: Extended,
+    /// Half phase at t = 0.
+    pub half_phase: HalfPhase,
+    /// Slow phases of α and β at t = 0.
+    pub slow_phases: [Phase; 2],
 }
 
 /// Half phase χ of the nutation.
@@ -183,6 +192,12 @@ impl Motion {
 
     pub(crate) fn is_steady(&self) -> bool {
         self.half_phase == HalfPhase::Steady
+    }
+
+    #[doc(hidden)]
+    pub fn parts(&self) -> MotionParts {
+        let Self { e, integrals, half_tau, half_phase, slow_phases, .. } = *self;
+        MotionParts { e, integrals, half_tau, half_phase, slow_phases }
     }
 
     /// Phase equations of the motion.

@@ -95,14 +95,14 @@ impl Aperiodic {
     /// Closed form of a motion; `None` unless e₂ = e₃ = 1 and u < 1.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let HalfPhase::Aperiodic(cis_chi) = motion.half_phase else { return None };
+        let HalfPhase::Aperiodic(cis_chi) = motion.parts().half_phase else { return None };
         let v = Extended::from(inverse_gudermannian(cis_chi));
-        let (e, ScaledTop { a, p, s, g, .. }) = (motion.e, ScaledTop::<Extended>::new(motion.top()));
+        let (e, ScaledTop { a, p, s, g, .. }) = (motion.parts().e, ScaledTop::<Extended>::new(motion.top()));
         let one_minus_e1 = e.one_minus_e1();
         let constants =
             AperiodicConstants { e1: e.e1, one_plus_e1: e.one_plus_e1, one_minus_e1, a_over_p: a / p, s, g };
         let form = match motion.top().support() {
-            Support::Sliding => Form::Sliding(Sliding::new(&constants, motion.integrals.l / a)),
+            Support::Sliding => Form::Sliding(Sliding::new(&constants, motion.parts().integrals.l / a)),
             // the axis of a free body does not rise to the vertical
             Support::Fixed | Support::Free => Form::Fixed(Fixed::new(&constants, motion.signs().l_plus_n)),
         };

@@ -50,8 +50,8 @@ impl FreeBody {
             direction: if length > 0.0 { m.map(|component| component / length) } else { [0.0; 3] },
             // χ advances by half a turn in a turn of the axis
             precession: motion.equations().rates(Extended::ZERO, Extended::ONE).half_phase.doubled(),
-            half_tau: motion.half_tau,
-            nutation: match motion.half_phase {
+            half_tau: motion.parts().half_tau,
+            nutation: match motion.parts().half_phase {
                 HalfPhase::Nutating(chi) => Some(chi),
                 _ => None,
             },

@@ -43,11 +43,11 @@ impl Lagrange {
     /// Closed form of a motion; `None` unless the tip is fixed and u oscillates, e₁ < e₂ < e₃.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let HalfPhase::Nutating(chi) = motion.half_phase else { return None };
+        let HalfPhase::Nutating(chi) = motion.parts().half_phase else { return None };
         if motion.top().support() != Support::Fixed || motion.top().is_torque_free() {
             return None;
         }
-        let e = motion.e;
+        let e = motion.parts().e;
         let (swing, gap) = (e.e2_minus_e1, e.e3_minus_e2);
         let lattice = Lattice::from_gaps(gap, swing);
         let [half, _] = lattice.half_periods;

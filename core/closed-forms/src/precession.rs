@@ -56,7 +56,7 @@ impl RegularPrecession {
         if matches!(regime, Regime::Nutating | Regime::Aperiodic) || motion.top().is_torque_free() {
             return None;
         }
-        let (e, top) = (motion.e, ScaledTop::<Extended>::new(motion.top()));
+        let (e, top) = (motion.parts().e, ScaledTop::<Extended>::new(motion.top()));
         let ScaledTop { a, p, g, .. } = top;
         let falls = regime == Regime::SleepingUnstable;
         let (zero, one) = (Extended::ZERO, Extended::ONE);
@@ -65,7 +65,7 @@ impl RegularPrecession {
         let one_plus_u = if falls { one.doubled() } else { e.one_plus_e1 + swing };
 
         let precession = precession_of(p * g / a, e.e3_minus_one, motion.signs());
-        let axial = motion.integrals.spin;
+        let axial = motion.parts().integrals.spin;
         let u = if one_minus_u < one_plus_u { one - one_minus_u } else { one_plus_u - one };
         // φ' ± ψ' with ψ' = ⟨ω, r⟩ - u φ'
         let turning = [precession * one_minus_u + axial, precession * one_plus_u - axial].map(Float::halved);

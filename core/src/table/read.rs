@@ -8,4 +8,3 @@ mod cursor;
 
 pub use cursor::Cursor;
 pub use sample::{Pose, Sample};
-pub(super) use tip_angle::is_falling;

@@ -10,6 +10,11 @@ pub(crate) const CELLS: usize = 16;
 /// Number of segments in half a period at the least depth.
 pub(crate) const LEAST_SEGMENTS: usize = 1 << LEAST_DEPTH;
 
+/// Whether u falls at a nutation phase, given by its 64 leading bits.
+pub(crate) fn is_falling(nutation: u64) -> bool {
+    (nutation as i64) < 0
+}
+
 /// Entry of a cell: the depth of its segments minus 3 in the lower 4 bits, and an offset m in the upper 12. Segment i of half a period at that
 /// depth is number m + i of the table, modulo 4096.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -6,6 +6,7 @@
 use crate::complex::Complex;
 use crate::phase::Phase;
 use crate::table::data::EphemerisView;
+use crate::table::data::cell::is_falling;
 use crate::table::evaluation::{Coefficient, EphemerisScalar};
 use crate::table::read::sample::Sample;
 
@@ -90,10 +91,6 @@ fn complex([re_alpha, im_alpha, re_beta, im_beta]: [f64; 4]) -> [Complex<f64>; 2
 
 /// Value of |αβ|, in roundings of the scalar, below which its argument is unknown.
 const LEAST_MODULUS: f64 = 64.0;
-
-pub(in crate::table) fn is_falling(nutation: u64) -> bool {
-    (nutation as i64) < 0
-}
 
 /// Argument of a complex number that turns by less than half a turn at a time, continued from 0.
 #[derive(Clone, Copy, Debug)]

@@ -4,10 +4,9 @@ use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
-use crate::table::data::cell::LEAST_SEGMENTS;
+use crate::table::data::cell::{LEAST_SEGMENTS, is_falling};
 use crate::table::data::{Clock, EphemerisView, Tick};
 use crate::table::evaluation::EphemerisScalar;
-use crate::table::read::is_falling;
 
 impl<W: Float> Clock<W> {
     /// Clock of a motion that is launched at tick `epoch`, without [`Clock::tip_start`].
