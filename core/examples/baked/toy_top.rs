@@ -210,5 +210,6 @@ pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25>
 {
     Ok(ephemeris) => ephemeris,
     Err(toytop::BakedError::Format { .. }) => panic!("format: written by another version of toytop"),
-    Err(_) => panic!("crc32: the numbers were changed"),
+    Err(toytop::BakedError::Checksum { .. }) => panic!("crc32: the numbers were changed"),
+    Err(_) => panic!("a number is out of range"),
 };

@@ -227,5 +227,6 @@ pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (
 {
     Ok(ephemeris) => ephemeris,
     Err(toytop::BakedError::Format { .. }) => panic!("format: written by another version of toytop"),
-    Err(_) => panic!("crc32: the numbers were changed"),
+    Err(toytop::BakedError::Checksum { .. }) => panic!("crc32: the numbers were changed"),
+    Err(_) => panic!("a number is out of range"),
 };

@@ -184,7 +184,7 @@ fn a_field_beyond_its_range_is_named() {
         // a sum of 2^31 - 2^15 is the smallest that is too large
         (|baked| baked.segments[3][1..].fill([i32::MAX - 0x7fff, 0, 0, 0]), "segments"),
         (|baked| baked.segments[24][4][3] = i32::MIN, "segments"),
-        // the last cell refers beyond the last segment; a level of 14
+        // the last cell refers beyond the last segment; a depth of 17
         (|baked| baked.cells[15] += 25 << 4, "cells"),
         (|baked| baked.cells[0] = 14, "cells"),
     ];

@@ -30,7 +30,7 @@ pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
     pub error_bound: ErrorBound,
     /// Error bound of the angular velocity, rad/s.
     pub rate_error_bound: ErrorBound,
-    /// Level and first segment of each sixteenth of half a period.
+    /// Depth and segment offset of each sixteenth of half a period: see `core/docs/table_format.md`.
     pub cells: [u16; CELLS],
     /// Segments: coefficients of Re a, Im a, Re b and Im b, lowest power first.
     pub segments: [R::Segment; SEGMENTS],

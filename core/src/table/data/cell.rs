@@ -46,7 +46,7 @@ impl Cell {
         self.depth() <= Self::DEEPEST && first <= last && last < segments
     }
 
-    /// Depth of the segments, from 3 to 18.
+    /// Depth of the segments. 4 bits allow 3 to 18; a valid table has at most [`Cell::DEEPEST`].
     #[inline(always)]
     pub(crate) const fn depth(self) -> u32 {
         LEAST_DEPTH + (self.0 & ((1 << Self::DEPTH_BITS) - 1)) as u32

@@ -130,7 +130,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         &self.clock
     }
 
-    /// Level and first segment of each sixteenth of half a period.
+    /// Depth and segment offset of each sixteenth of half a period: see `core/docs/table_format.md`.
     #[must_use]
     pub fn cells(&self) -> [u16; CELLS] {
         self.cells

@@ -64,7 +64,8 @@ pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
 {{
     Ok(ephemeris) => ephemeris,
     Err(toytop::BakedError::Format {{ .. }}) => panic!(\"format: written by another version of toytop\"),
-    Err(_) => panic!(\"crc32: the numbers were changed\"),
+    Err(toytop::BakedError::Checksum {{ .. }}) => panic!(\"crc32: the numbers were changed\"),
+    Err(_) => panic!(\"a number is out of range\"),
 }};
 ",
         headline = title.headline(data),

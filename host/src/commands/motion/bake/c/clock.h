@@ -53,14 +53,14 @@ TOYTOP_API void toytop_move_on(const toytop_clock *clock, toytop_cursor *at) {
 }
 
 /* Finds the segment of a phase. Returns its coordinate x in [-1, 1) times 2^63, from `kept` bits of the phase in an eighth of half a period. The falling
- * half of a period is the mirror image of the rising one. level: half a period would have 8 * 2^level such segments. */
-static inline int64_t toytop_find(const toytop_clock *clock, uint64_t nutation, int kept, uint32_t *segment, uint32_t *level_of) {
+ * half of a period is the mirror image of the rising one. depth: half a period would have 2^depth such segments. */
+static inline int64_t toytop_find(const toytop_clock *clock, uint64_t nutation, int kept, uint32_t *segment, uint32_t *depth_of) {
     uint64_t share = (nutation ^ (0 - (nutation >> 63))) << 1;
-    uint32_t cell = clock->cells[share >> 60], level = cell & 15;
-    *level_of = level;
-    *segment = ((cell >> 4) + ((uint32_t)(share >> 32) >> (29 - level))) & 4095;
+    uint32_t cell = clock->cells[share >> 60], depth = 3 + (cell & 15);
+    *depth_of = depth;
+    *segment = ((cell >> 4) + ((uint32_t)(share >> 32) >> (32 - depth))) & 4095;
     share <<= 3; /* place in an eighth of half a period */
-    return (int64_t)(share >> (64 - kept) << (64 - kept) << level ^ (uint64_t)1 << 63);
+    return (int64_t)(share >> (64 - kept) << (64 - kept) << (depth - 3) ^ (uint64_t)1 << 63);
 }
 
 /* CRC-32 (ISO-HDLC) after the lowest `bytes` bytes of a number, the least significant first. */

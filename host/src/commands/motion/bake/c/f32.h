@@ -26,8 +26,8 @@ static inline void toytop_turn(int32_t re, int32_t im, const int32_t by[2], int3
     turned[1] = toytop_high(re, by[0]) + toytop_high(im, by[1]);
 }
 
-/* Values and, in half their scale, derivatives of the four polynomials of a table in integers, and the level of the cell. */
-typedef struct { int32_t value[4], slope[4]; uint32_t level; } toytop_sums;
+/* Values and, in half their scale, derivatives of the four polynomials of a table in integers, and the depth of the segment. */
+typedef struct { int32_t value[4], slope[4]; uint32_t depth; } toytop_sums;
 
 static inline int32_t toytop_saturated(int64_t sum) {
     return sum > INT32_MAX ? INT32_MAX : sum < INT32_MIN ? INT32_MIN : (int32_t)sum;
@@ -36,7 +36,7 @@ static inline int32_t toytop_saturated(int64_t sum) {
 static inline toytop_sums toytop_sums_at(const toytop_clock *clock, const int32_t (*c)[4], uint64_t nutation, int slopes) {
     toytop_sums sums;
     uint32_t segment, terms = clock->terms;
-    int32_t x = (int32_t)(toytop_find(clock, nutation, 32, &segment, &sums.level) >> 32);
+    int32_t x = (int32_t)(toytop_find(clock, nutation, 32, &segment, &sums.depth) >> 32);
     c += segment * terms;
     for (int i = 0; i < 4; i++) {
         int32_t sum = c[terms - 1][i], slope = 0;
@@ -117,7 +117,7 @@ static inline int32_t toytop_integer_rates(const toytop_sums *sums, int falling,
     toytop_times_conj(sums->slope + 2, sums->value, forth);
     toytop_times_conj(sums->value + 2, sums->slope, back);
     toytop_times_conj(sums->value + 2, sums->value, product);
-    x.exponent += (int32_t)sums->level;
+    x.exponent += (int32_t)sums->depth - 3;
     exponent = toytop_greatest(x.exponent, mean.exponent);
     n[0] = toytop_plus(toytop_scaled(x, toytop_minus(forth[0], back[0]), exponent),
                        toytop_scaled(mean, toytop_minus(0, product[1]), exponent));

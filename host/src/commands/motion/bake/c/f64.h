@@ -39,13 +39,13 @@ static inline void toytop_sincos_f64(uint64_t phase, double of[2]) {
     if (quadrant & 2) of[0] = -of[0], of[1] = -of[1];
 }
 
-/* Values and derivatives of the four polynomials of a table; half a period would have 8 * 2^level segments of this length. */
-typedef struct { double value[4], slope[4]; uint32_t level; } toytop_sums_f64;
+/* Values and derivatives of the four polynomials of a table; half a period would have 2^depth segments of this length. */
+typedef struct { double value[4], slope[4]; uint32_t depth; } toytop_sums_f64;
 
 static inline toytop_sums_f64 toytop_sums_at_f64(const toytop_f64 *table, uint64_t nutation, int slopes) {
     toytop_sums_f64 sums;
     uint32_t segment, terms = table->clock.terms;
-    double x = (double)toytop_find(&table->clock, nutation, 64, &segment, &sums.level) * (1.0 / 9223372036854775808.0);
+    double x = (double)toytop_find(&table->clock, nutation, 64, &segment, &sums.depth) * (1.0 / 9223372036854775808.0);
     const double (*c)[4] = table->coefficients + segment * terms;
     for (int i = 0; i < 4; i++) {
         double sum = c[terms - 1][i], slope = 0.0;
@@ -103,7 +103,7 @@ static inline void toytop_adjoint_f64(const double alpha[2], const double beta[2
 static inline void toytop_rates_at_f64(const toytop_f64 *table, const toytop_cursor *at, double four[4], double omega[3]) {
     toytop_sums_f64 sums = toytop_sums_at_f64(table, at->phase[0].leading, 1);
     const double *a = sums.value, *b = sums.value + 2, *da = sums.slope, *db = sums.slope + 2;
-    double of[2][2], turn[2], n[2], scale = table->scales[1] * (double)(UINT32_C(1) << sums.level), mean = table->scales[2];
+    double of[2][2], turn[2], n[2], scale = table->scales[1] * (double)(UINT32_C(1) << (sums.depth - 3)), mean = table->scales[2];
     toytop_alpha_beta_f64(&sums, at, four, of);
     turn[0] = toytop_inner_f64(of[0][1], of[1][1], of[0][0], of[1][0]);
     turn[1] = toytop_inner_f64(of[0][1], of[1][0], -of[0][0], of[1][1]);

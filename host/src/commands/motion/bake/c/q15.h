@@ -19,7 +19,7 @@ static inline void toytop_turn_q15(int32_t re, int32_t im, const int32_t by[2], 
 static inline toytop_sums toytop_sums_at_q15(const toytop_q15 *table, uint64_t nutation) {
     toytop_sums sums;
     uint32_t segment, terms = table->clock.terms;
-    int32_t x = (int32_t)(((toytop_find(&table->clock, nutation, 32, &segment, &sums.level) >> 47) + 1) >> 1);
+    int32_t x = (int32_t)(((toytop_find(&table->clock, nutation, 32, &segment, &sums.depth) >> 47) + 1) >> 1);
     const int16_t (*c)[4] = table->coefficients + segment * terms;
     for (int i = 0; i < 4; i++) {
         int32_t sum = c[terms - 1][i] * 65536, slope = 0;
