@@ -4,7 +4,7 @@ use crate::arguments::{Array, NumericArg, array, failed, value_error};
 use crate::interrupt;
 use crate::motion::MotionCore;
 use crate::top::TopCore;
-use numpy::{IntoPyArray, PyArray1};
+use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyString};
 use toml::Table;
@@ -14,37 +14,6 @@ use toytop_host::fit::launch::FitInput;
 use toytop_host::fit::launch::FitReport;
 use toytop_host::fit::sensors::{Body, Sensors};
 use toytop_host::fit::simulated::{MOST_SAMPLES, Recording, measurements};
-
-/// Array of one axis for Python.
-type Column<'py> = Bound<'py, PyArray1<f64>>;
-
-/// Fields of the Python class `Fitted`.
-#[derive(IntoPyObject)]
-pub(crate) struct FittedFields<'py> {
-    _core: FittedLaunch,
-    /// Motion, or the reason why there is none.
-    _launched: Bound<'py, PyAny>,
-    reason: Option<String>,
-    epoch: f64,
-    quaternion: Column<'py>,
-    omega: Column<'py>,
-    spin: (f64, f64),
-    tilt: (f64, f64),
-    covariance: Bound<'py, Array>,
-    deviations: Column<'py>,
-    drift: Option<(Column<'py>, Column<'py>)>,
-    free: Bound<'py, PyDict>,
-    losses: Option<Bound<'py, PyDict>>,
-    biases: Bound<'py, PyDict>,
-    undetermined: Vec<&'static str>,
-    alternatives: usize,
-    chi_squared: f64,
-    reduced_chi_squared: f64,
-    used: u32,
-    saturated: u32,
-    outliers: u32,
-    residuals: Bound<'py, PyDict>,
-}
 
 /// Fitted launch with the covariance of its unknowns.
 #[pyclass(module = "toytop._toytop", frozen)]
@@ -67,7 +36,7 @@ impl FittedLaunch {
     }
 }
 
-/// Launch of a top fitted to samples of sensors, as fields of the Python class. The samples are columns by name.
+/// Fields of the Python class `Fitted`: launch of a top, fitted to samples of sensors, which are columns by name.
 #[pyfunction]
 pub(crate) fn fit<'py>(
     py: Python<'py>,
@@ -77,8 +46,8 @@ pub(crate) fn fit<'py>(
     free: Vec<String>,
     huber: f64,
     drift: Option<f64>,
-) -> PyResult<FittedFields<'py>> {
-    let table: Table = top.to_toml().parse().unwrap_or_default();
+) -> PyResult<Bound<'py, PyDict>> {
+    let table: Table = top.to_toml().parse().map_err(|error| value_error("top", error))?;
     let mut instruments = self::sensors(sensors.as_ref(), top)?;
     let given = columns(samples, &mut instruments, sensors.is_some())?;
     let rows = given.measurements(&instruments).map_err(|refused| {
@@ -107,7 +76,7 @@ pub(crate) fn fit<'py>(
     fields(py, &report, by_column)
 }
 
-fn fields<'py>(py: Python<'py>, report: &FitReport, residuals: Columns) -> PyResult<FittedFields<'py>> {
+fn fields<'py>(py: Python<'py>, report: &FitReport, residuals: Columns) -> PyResult<Bound<'py, PyDict>> {
     let core = report.fitted;
     let refused = |reason: String| PyString::new(py, &reason).into_any();
     let launched = match (core.warning, report.scenario(None)) {
@@ -127,30 +96,31 @@ fn fields<'py>(py: Python<'py>, report: &FitReport, residuals: Columns) -> PyRes
     let biases = biases.map(|(name, values, deviations)| (name, (numbers(&values), numbers(&deviations))));
     let (count, [spin, tilt]) = (core.unknown_count, report.spin_and_tilt());
     let covariance = (0..count * count).map(|at| core.covariance.get(at / count, at % count)).collect();
-    Ok(FittedFields {
-        _core: FittedLaunch(core),
-        _launched: launched,
-        reason: report.reason.clone(),
-        epoch: core.time,
-        quaternion: numbers(&core.launch.orientation.quaternion()),
-        omega: numbers(&core.launch.omega),
-        spin,
-        tilt,
-        covariance: array(py, covariance, &[count, count])?,
-        deviations: numbers(&deviations[..count]),
-        drift: core.drift.map(|drift| (numbers(&drift.rates), numbers(&drift.deviations()))),
-        free: free.into_py_dict(py)?,
-        losses: losses.transpose()?,
-        biases: biases.into_py_dict(py)?,
-        undetermined: report.undetermined(),
-        alternatives: core.other_launch_count,
-        chi_squared: core.statistics.chi_squared,
-        reduced_chi_squared: core.statistics.reduced_chi_squared(count),
-        used: core.statistics.used,
-        saturated: core.statistics.unused,
-        outliers: core.statistics.outliers,
-        residuals: dictionary(py, residuals)?,
-    })
+    let fields = PyDict::new(py);
+    fields.set_item("_core", FittedLaunch(core))?;
+    fields.set_item("_launched", launched)?;
+    fields.set_item("reason", report.reason.clone())?;
+    fields.set_item("epoch", core.time)?;
+    fields.set_item("quaternion", numbers(&core.launch.orientation.quaternion()))?;
+    fields.set_item("omega", numbers(&core.launch.omega))?;
+    fields.set_item("spin", spin)?;
+    fields.set_item("tilt", tilt)?;
+    fields.set_item("covariance", array(py, covariance, &[count, count])?)?;
+    fields.set_item("deviations", numbers(&deviations[..count]))?;
+    fields
+        .set_item("drift", core.drift.map(|drift| (numbers(&drift.rates), numbers(&drift.deviations()))))?;
+    fields.set_item("free", free.into_py_dict(py)?)?;
+    fields.set_item("losses", losses.transpose()?)?;
+    fields.set_item("biases", biases.into_py_dict(py)?)?;
+    fields.set_item("undetermined", report.undetermined())?;
+    fields.set_item("alternatives", core.other_launch_count)?;
+    fields.set_item("chi_squared", core.statistics.chi_squared)?;
+    fields.set_item("reduced_chi_squared", core.statistics.reduced_chi_squared(count))?;
+    fields.set_item("used", core.statistics.used)?;
+    fields.set_item("saturated", core.statistics.unused)?;
+    fields.set_item("outliers", core.statistics.outliers)?;
+    fields.set_item("residuals", dictionary(py, residuals)?)?;
+    Ok(fields)
 }
 
 /// Samples that sensors on a top would give, as columns by name.

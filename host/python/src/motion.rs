@@ -20,7 +20,7 @@ use toytop_host::pictures::curve::TipCurve;
 use toytop_host::pictures::view;
 use toytop_host::truth::exact::Exact;
 
-/// Computing part of the Python class `Motion`.
+/// Rust side of `toytop.Motion`.
 #[pyclass(module = "toytop._toytop", frozen)]
 pub(crate) struct MotionCore {
     #[pyo3(get)]

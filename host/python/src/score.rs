@@ -5,6 +5,7 @@ use crate::interrupt;
 use crate::motion::MotionCore;
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
+use pyo3::types::{IntoPyDict, PyDict};
 use toytop::Orientation;
 use toytop_host::Failure;
 use toytop_host::input::scenario::{Scenario, Units};
@@ -12,35 +13,16 @@ use toytop_host::score::errors::ExactReference;
 use toytop_host::score::order as convergence;
 use toytop_host::score::trajectory::{Pose, Trajectory, normalised};
 
-/// Fields of the Python class `Score`.
-#[derive(IntoPyObject)]
-pub(crate) struct ScoreFields {
-    max_error: f64,
-    rms_error: f64,
-    final_error: f64,
-    max_u_error: f64,
-    nutation_error: Option<f64>,
-    precession_error: Option<f64>,
-    spin_error: Option<f64>,
-    residual: Option<f64>,
-    drift_h: Option<f64>,
-    drift_l: Option<f64>,
-    drift_n: Option<f64>,
-    norm_error: f64,
-    truth_bound: f64,
-    warning: Option<String>,
-}
-
-/// Errors of an integrator's output, from the state of motion.at(t[0]), against the exact motion.
+/// Fields of the Python class `Score`: errors of an integrator's output, from the state of motion.at(t[0]), against the exact motion.
 #[pyfunction]
-pub(crate) fn score(
-    py: Python<'_>,
+pub(crate) fn score<'py>(
+    py: Python<'py>,
     motion: &MotionCore,
     t: NumericArg,
     quaternion: PyReadonlyArray2<'_, f64>,
     omega: Option<PyReadonlyArray2<'_, f64>>,
     in_body: bool,
-) -> PyResult<ScoreFields> {
+) -> PyResult<Bound<'py, PyDict>> {
     let numbers = |rows: PyReadonlyArray2<'_, f64>| rows.as_array().iter().copied().collect::<Vec<_>>();
     let (quaternions, rates) = (numbers(quaternion), omega.map(numbers));
     let count = t.numbers.len();
@@ -67,22 +49,25 @@ pub(crate) fn score(
         ExactReference::new(&scenario, "motion.at(t[0])")?.score(&trajectory)
     })?;
     let score = score.map_err(failed)?;
-    Ok(ScoreFields {
-        max_error: score.max_error,
-        rms_error: score.rms_error,
-        final_error: score.final_error,
-        max_u_error: score.max_u_error,
-        nutation_error: score.phases.nutation,
-        precession_error: score.phases.precession,
-        spin_error: score.phases.spin,
-        residual: score.phases.residual,
-        drift_h: score.drift.map(|drift| drift.h),
-        drift_l: score.drift.map(|drift| drift.l),
-        drift_n: score.drift.map(|drift| drift.n),
-        norm_error: score.norm_error,
-        truth_bound: score.truth_bound,
-        warning: score.warning,
-    })
+    let (phases, drift) = (score.phases, score.drift);
+    let numbers = [
+        ("max_error", Some(score.max_error)),
+        ("rms_error", Some(score.rms_error)),
+        ("final_error", Some(score.final_error)),
+        ("max_u_error", Some(score.max_u_error)),
+        ("nutation_error", phases.nutation),
+        ("precession_error", phases.precession),
+        ("spin_error", phases.spin),
+        ("residual", phases.residual),
+        ("drift_h", drift.map(|drift| drift.h)),
+        ("drift_l", drift.map(|drift| drift.l)),
+        ("drift_n", drift.map(|drift| drift.n)),
+        ("norm_error", Some(score.norm_error)),
+        ("truth_bound", Some(score.truth_bound)),
+    ];
+    let fields = numbers.into_py_dict(py)?;
+    fields.set_item("warning", score.warning)?;
+    Ok(fields)
 }
 
 /// Order of convergence, fitted to rows of a step size and its error.

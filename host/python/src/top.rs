@@ -1,10 +1,10 @@
 //! Numbers of a top.
 
-use crate::arguments::refused;
+use crate::arguments::{refused, value_error};
 use pyo3::prelude::*;
 use toytop::{Support, Top, TopParameters};
 
-/// Computing part of the Python class `Top`.
+/// Rust side of `toytop.Top`.
 #[pyclass(module = "toytop._toytop", frozen, from_py_object)]
 #[derive(Clone, Copy)]
 pub(crate) struct TopCore {
@@ -39,7 +39,8 @@ impl TopCore {
         let top = match support {
             "sliding" => Top::sliding(&parameters),
             "fixed" => Top::fixed(&parameters),
-            _ => Top::free(&parameters),
+            "free" => Top::free(&parameters),
+            _ => return Err(value_error("support", "must be 'sliding', 'fixed' or 'free'")),
         };
         Ok(Self { parameters, top: top.map_err(refused)? })
     }

@@ -5,9 +5,42 @@ use crate::interrupt;
 use crate::motion::MotionCore;
 use pyo3::prelude::*;
 use std::f64::consts::TAU;
-use toytop::Phase;
+use toytop::{Phase, Support, Top};
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::{EventFilter, EventKind, FoundEvent, search};
+
+/// Kind of an event by its name, with `-` or `_` between words.
+///
+/// # Errors
+/// `ValueError`: another name, a value that is missing or too many, or a top without events of this kind.
+fn kind(name: &str, value: Option<f64>, top: &Top) -> PyResult<EventKind> {
+    let kind: fn(f64) -> EventKind = match &*name.replace('-', "_") {
+        "turning" => |_| EventKind::Turning,
+        "tilt" => EventKind::Tilt,
+        "tip_angle" => |angle| EventKind::TipAngle(Phase::from_turns(angle / TAU)),
+        "circle" => EventKind::Circle,
+        "lift_off" => |_| EventKind::LiftOff,
+        _ => {
+            let allowed = "must be one of 'turning', 'tilt', 'tip_angle', 'circle', 'lift_off'";
+            return Err(value_error("kind", allowed));
+        }
+    };
+    match (kind(value.unwrap_or_default()), value) {
+        (EventKind::Turning | EventKind::LiftOff, Some(_)) => {
+            Err(value_error("value", format!("must be left out for \"{name}\"")))
+        }
+        (EventKind::Tilt(_) | EventKind::TipAngle(_) | EventKind::Circle(_), None) => {
+            Err(value_error("value", format!("must be given for \"{name}\"")))
+        }
+        (EventKind::LiftOff, _) if top.support() != Support::Sliding => {
+            Err(value_error("kind", "must not be 'lift_off': the tip does not slide on a plane"))
+        }
+        (EventKind::TipAngle(_), Some(angle)) if angle.abs() > 1e6 => {
+            Err(value_error("value", "must be within ±1e6 rad"))
+        }
+        (kind, _) => Ok(kind),
+    }
+}
 
 #[pymethods]
 impl MotionCore {
@@ -16,22 +49,16 @@ impl MotionCore {
         &self,
         py: Python<'py>,
         kind: &str,
-        value: f64,
+        value: Option<f64>,
         start: f64,
-        most: usize,
+        count: usize,
         upward: Option<bool>,
     ) -> PyResult<Bound<'py, Array>> {
-        let kind = match kind {
-            "turning" => EventKind::Turning,
-            "tilt" => EventKind::Tilt(value),
-            "direction" => EventKind::TipAngle(Phase::from_turns(value / TAU)),
-            "circle" => EventKind::Circle(value),
-            _ => EventKind::LiftOff,
-        };
+        let kind = self::kind(kind, value, &self.top.top)?;
         let (motion, table) = (self.motion, py.detach(|| self.table(Scalar::F64))?);
         within(table.furthest_time(), &[start])
             .map_err(|_| value_error("start", "must be within 2^62 ticks"))?;
-        let filter = EventFilter { from: start, upward, count: most };
+        let filter = EventFilter { from: start, upward, count };
         let found = interrupt::interruptible(py, move || search(&*table, &motion, kind, &filter))?;
         let found = found.map_err(|error| renamed(error, &[("tilt", "value"), ("radius", "value")]))?;
         let row = |event: &FoundEvent| {

@@ -13,7 +13,7 @@ use toytop_host::truth::exact::Exact;
 use toytop_host::truth::input::ExactInput;
 use toytop_host::truth::precise::{decimal, from_f64};
 
-/// Computing part of the Python class `ClosedForm`.
+/// Rust side of `toytop.ClosedForm`.
 #[pyclass(module = "toytop._toytop", frozen)]
 pub(crate) struct ClosedFormCore {
     motion: Motion,
