@@ -21,7 +21,7 @@ use toytop::{AttitudeState, Complex, Motion, Phase, Stepper};
 pub struct FreeBody {
     start: Orientation<f64>,
     /// Unit vector along m; 0 where m is 0.
-    direction: Vector<f64>,
+    angular_momentum_axis: Vector<f64>,
     /// Rate |m|/A, rad per unit time.
     precession: Extended,
     /// Half of τ, rad per unit time.
@@ -47,7 +47,11 @@ impl FreeBody {
         let length = Float::sqrt(dot(m, m));
         Some(Self {
             start: attitude.orientation,
-            direction: if length > 0.0 { m.map(|component| component / length) } else { [0.0; 3] },
+            angular_momentum_axis: if length > 0.0 {
+                m.map(|component| component / length)
+            } else {
+                [0.0; 3]
+            },
             // χ advances by half a turn in a turn of the axis
             precession: motion.equations().rates(Extended::ZERO, Extended::ONE).half_phase.doubled(),
             half_tau: motion.parts().half_tau,
@@ -66,8 +70,8 @@ impl FreeBody {
 
     /// Unit vector along the angular momentum, in the fixed frame; 0 for a body without angular momentum.
     #[must_use]
-    pub fn direction(&self) -> Vector<f64> {
-        self.direction
+    pub fn angular_momentum_axis(&self) -> Vector<f64> {
+        self.angular_momentum_axis
     }
 
     /// Orientation Φ and rate Φ' at t. A t that is not finite counts as 0.
@@ -76,7 +80,7 @@ impl FreeBody {
         let t = if t.is_finite() { t } else { 0.0 };
         let half_angle = |rate: Extended| (rate * t.into()).in_turns().to_phase();
         let turn = Complex::<f64>::cis(half_angle(self.precession.halved()));
-        let [x, y, z] = self.direction;
+        let [x, y, z] = self.angular_momentum_axis;
         let about_m = Orientation {
             alpha: Complex::new(turn.re, z * turn.im),
             beta: Complex::new(-y * turn.im, x * turn.im),
@@ -85,7 +89,7 @@ impl FreeBody {
         let about_axis = Orientation { alpha: roll, beta: Complex::ZERO };
         let orientation = about_m.compose(&self.start).compose(&about_axis);
         let (fast, slow) = (self.precession.to_f64(), 2.0 * self.half_tau.to_f64());
-        let mut omega = self.direction.map(|component| fast * component);
+        let mut omega = self.angular_momentum_axis.map(|component| fast * component);
         for (component, r) in omega.iter_mut().zip(orientation.axis()) {
             *component += slow * r;
         }

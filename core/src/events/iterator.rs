@@ -3,7 +3,8 @@
 //! Between the turning points of u and, on a curve with loops, the phases of u = l/n, the tip angle is monotone: a bisection finds the instant.
 //! Whole periods that do not reach the angle are skipped.
 
-use crate::events::{Event, LAST_RISING, Level, at_phase, bisect};
+use crate::events::bisection::{LAST_RISING, at_phase, bisect};
+use crate::events::{Event, Level};
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float, Ring, Scalar};
 use crate::table::{EphemerisScalar, EphemerisView};

@@ -5,7 +5,7 @@ use crate::body::{
 };
 use crate::complex::Complex;
 use crate::constants::normal_force;
-use crate::events::{LAST_RISING, at_phase, bisect};
+use crate::events::bisection::{LAST_RISING, at_phase, bisect};
 use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};

@@ -1,0 +1,22 @@
+//! Bisection over the nutation phases at which u rises.
+
+use crate::phase::Phase;
+use crate::table::{EphemerisScalar, EphemerisView, Sample};
+
+/// Leading 64 bits of the last nutation phase while u rises.
+pub(super) const LAST_RISING: u64 = u64::MAX >> 1;
+
+/// Sample at the 64 leading bits of a nutation phase, with slow phases 0.
+pub(super) fn at_phase<R: EphemerisScalar>(ephemeris: &EphemerisView<R>, nutation: u64) -> Sample<'_, R> {
+    Sample { ephemeris, phases: [nutation, 0, 0], mean_tip: Phase::ZERO }
+}
+
+/// Nutation phase from which on a condition holds while u rises. Cost: 63 evaluations.
+pub(super) fn bisect(holds: impl Fn(u64) -> bool) -> Phase {
+    let (mut low, mut high) = (0, LAST_RISING);
+    while high - low > 1 {
+        let middle = low + (high - low) / 2;
+        if holds(middle) { high = middle } else { low = middle }
+    }
+    Phase::from_leading_bits(high)
+}
