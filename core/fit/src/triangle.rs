@@ -3,8 +3,6 @@
 use core::ops::Range;
 use toytop::scalar::Real;
 
-/// Largest number of unknowns that are not biases.
-pub(crate) const MOST_COMMON: usize = 10;
 /// Largest number of unknowns: a launch, four directions of the top's ratios, and the biases of four sensors.
 pub const MOST_UNKNOWNS: usize = 22;
 

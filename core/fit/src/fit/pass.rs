@@ -216,7 +216,7 @@ impl<'a, F: Real> Fit<'a, F> {
         let sensor = self.sensors.get(measurement.sensor)?;
         let prediction = sensor.residual(self.trajectory.now(), &self.reading(measurement));
         let Residual { difference, deviation, columns } = &prediction;
-        let (bias, common) = (self.model.bias(measurement.sensor), self.model.common());
+        let (bias, common) = (self.model.bias(measurement.sensor), self.model.common);
         let Pass { estimate, information, .. } = &mut self.current;
         for (component, (difference, deviation)) in difference.iter().zip(deviation).enumerate() {
             let per_deviation = F::ONE / *deviation;

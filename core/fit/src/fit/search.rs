@@ -124,7 +124,7 @@ impl<F: Real> Fit<'_, F> {
         self.pass(measurements, usize::MAX);
         // only the biases are corrected; the launch is held fixed
         for index in 0..self.model.count {
-            let deviation = if index < self.model.common() { 1e-9 } else { 1e6 };
+            let deviation = if index < self.model.common { 1e-9 } else { 1e6 };
             self.current.information.add_known(index, F::from_f64(deviation));
         }
         let change = self.current.information.solution();
