@@ -1,9 +1,9 @@
 //! Search for a launch without a first guess, on longer and longer parts of the measurements.
 
 use crate::estimate::Estimate;
-use crate::fit::correction::SETTLED;
 use crate::fit::error::{FitError, FitWarning};
 use crate::fit::first_guess::{FIRST_INSTANTS, Guesses, upright_to};
+use crate::fit::marquardt::SETTLED;
 use crate::fit::pass::{Fit, Pass, Statistics};
 use crate::sensors::{Hint, Measurement, Measurements};
 use crate::vector::{Vector, cross, dot, scaled};
