@@ -377,7 +377,7 @@ toytop_status toytop_f32_set_up(struct toytop_ephemeris_f32 *table,
                                 double truncation,
                                 struct toytop_error *error);
 
-// Sets up a table as the function without `_with_pauses` does, with its memory in a static instead of on the stack, and with pauses for other work.
+// Sets up a table with the memory of the set-up from the caller instead of on the stack, and with pauses for other work.
 //
 // * `pause`: function that is called again and again with `context`, or null
 toytop_status toytop_f32_set_up_with_pauses(struct toytop_ephemeris_f32 *table,
@@ -464,7 +464,7 @@ toytop_status toytop_f64_set_up(struct toytop_ephemeris_f64 *table,
                                 double truncation,
                                 struct toytop_error *error);
 
-// Sets up a table as the function without `_with_pauses` does, with its memory in a static instead of on the stack, and with pauses for other work.
+// Sets up a table with the memory of the set-up from the caller instead of on the stack, and with pauses for other work.
 //
 // * `pause`: function that is called again and again with `context`, or null
 toytop_status toytop_f64_set_up_with_pauses(struct toytop_ephemeris_f64 *table,
@@ -551,7 +551,7 @@ toytop_status toytop_q31_set_up(struct toytop_ephemeris_q31 *table,
                                 double truncation,
                                 struct toytop_error *error);
 
-// Sets up a table as the function without `_with_pauses` does, with its memory in a static instead of on the stack, and with pauses for other work.
+// Sets up a table with the memory of the set-up from the caller instead of on the stack, and with pauses for other work.
 //
 // * `pause`: function that is called again and again with `context`, or null
 toytop_status toytop_q31_set_up_with_pauses(struct toytop_ephemeris_q31 *table,

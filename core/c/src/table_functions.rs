@@ -47,7 +47,7 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up>](
     unsafe { status_of(error, || set_up::on_stack::<$scalar>((table.cast(), size), launched)) }
 }
 
-/// Sets up a table as the function without `_with_pauses` does, with its memory in a static instead of on the stack, and with pauses for other work.
+/// Sets up a table with the memory of the set-up from the caller instead of on the stack, and with pauses for other work.
 ///
 /// * `pause`: function that is called again and again with `context`, or null
 #[unsafe(no_mangle)]

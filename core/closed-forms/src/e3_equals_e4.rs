@@ -137,7 +137,7 @@ impl Solution {
     /// Time t and derivative dt/dy at x = iy.
     fn time(&self, y: Extended) -> (Extended, Extended) {
         let lattice = &self.alpha.lattice;
-        let zeta = lattice.theta(HalfPeriod::Omega, imaginary(y)).log_slope().im;
+        let zeta = lattice.log_slope(HalfPeriod::Omega, imaginary(y)).im;
         let linear = lattice.kappa.doubled() - self.linear;
         let [shift, _] = lattice.half_periods;
         let [_, _, u_plus_e3] = lattice.differences(Complex::new(-shift, y));

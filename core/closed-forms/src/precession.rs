@@ -64,7 +64,11 @@ impl RegularPrecession {
         let one_minus_u = if falls { zero } else { e.one_minus_e2 + swing };
         let one_plus_u = if falls { one.doubled() } else { e.one_plus_e1 + swing };
 
-        let precession = precession_of(p * g / a, e.e3_minus_one, motion.signs());
+        let sum = (one.doubled() + e.e3_minus_one).sqrt() + e.e3_minus_one.sqrt();
+        let Signs { l_plus_n, l_minus_n } = motion.signs();
+        // for different signs √(e₃ + 1) - √(e₃ - 1), without cancellation
+        let roots = if l_plus_n == l_minus_n { sum } else { one.doubled() / sum };
+        let precession = l_plus_n.times((p * g / a).halved().sqrt() * roots);
         let axial = motion.parts().integrals.spin;
         let u = if one_minus_u < one_plus_u { one - one_minus_u } else { one_plus_u - one };
         // φ' ± ψ' with ψ' = ⟨ω, r⟩ - u φ'
@@ -114,15 +118,6 @@ impl RegularPrecession {
         let rate = OrientationRate { alpha: alpha_rate, beta: beta_rate };
         AttitudeState { orientation: Orientation { alpha, beta }, rate }
     }
-}
-
-/// Rate φ' = √(pg/2A) [s₊ √(e₃ + 1) + s₋ √(e₃ - 1)], rad per unit time; for different signs the difference of the
-/// roots is 2/(√(e₃ + 1) + √(e₃ - 1)). `weight_per_a` is pg/A.
-fn precession_of(weight_per_a: Extended, e3_minus_one: Extended, signs: Signs) -> Extended {
-    let two = Extended::ONE.doubled();
-    let sum = (two + e3_minus_one).sqrt() + e3_minus_one.sqrt();
-    let roots = if signs.l_plus_n == signs.l_minus_n { sum } else { two / sum };
-    signs.l_plus_n.times(weight_per_a.halved().sqrt() * roots)
 }
 
 /// Steady precessions of a top at given tilt and spin: the roots of A e φ'² - n φ' + p g = 0.

@@ -30,7 +30,7 @@ impl ThetaQuotient {
         (x, size): (WideComplex, Extended),
     ) -> Self {
         let [h, c] = half_periods;
-        let rate = rate_offset + lattice.theta(h.plus(c), zero).log_slope();
+        let rate = rate_offset + lattice.log_slope(h.plus(c), zero);
         let unscaled = Self { lattice: *lattice, scale: Extended::ONE, rate, zero, half_periods };
         Self { scale: size / unscaled.at(x).value.modulus(), ..unscaled }
     }

@@ -7,7 +7,7 @@ mod error;
 
 mod pass;
 
-mod correction;
+mod marquardt;
 
 mod first_guess;
 
@@ -20,9 +20,9 @@ use crate::model::Model;
 use crate::sensitivity::LAUNCH_COLUMNS;
 use crate::sensors::{Measurement, Sensor};
 use crate::vector::{UNITS, Vector, norm, rotation_vector};
-use correction::SETTLED;
 pub use error::{FitError, FitWarning};
 pub use fitted::{Drift, Fitted, Unobservable};
+use marquardt::SETTLED;
 pub use pass::{Fit, Statistics};
 use toytop::Top;
 use toytop::scalar::Real;

@@ -3,13 +3,12 @@
 use crate::estimate::{Estimate, FreeRatio};
 use crate::information::Information;
 use crate::sensitivity::{
-    AugmentedState, COARSE, Coefficients, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS,
+    AugmentedState, COARSE, COLUMNS, Coefficients, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS,
     Sensitivity, coefficients, exponents, ratios, with_coefficients,
 };
 use crate::sensors::Sensor;
-use crate::triangle::{MOST_COMMON, MOST_UNKNOWNS, Unknowns, single};
+use crate::triangle::{MOST_UNKNOWNS, Unknowns, single};
 use crate::vector::{UNITS, Vector, norm, scaled};
-use core::iter::repeat_n;
 use core::ops::Range;
 use toytop::scalar::Real;
 use toytop::{Motion, Orientation, Top};
@@ -25,12 +24,14 @@ pub(crate) struct Model {
     pub(crate) top: Top,
     free: [FreeRatio; MOST_RATIOS],
     free_count: usize,
-    /// Number of the losses that are unknowns.
-    loss_count: usize,
+    /// Whether the losses are unknowns.
+    pub(crate) has_losses: bool,
     /// First bias of each sensor among the unknowns.
     biases: [Option<usize>; MOST_SENSORS],
     /// Prior standard deviations; infinite where there is no prior information.
     pub(crate) deviations: Unknowns,
+    /// Number of unknowns that are not biases.
+    pub(crate) common: usize,
     pub(crate) count: usize,
 }
 
@@ -42,23 +43,23 @@ impl Model {
         ratios: &[FreeRatio],
         loss_deviation: Option<f64>,
     ) -> Option<Self> {
-        let loss_count = loss_deviation.map_or(0, |_| LOSS_COUNT);
-        let common = LAUNCH_COLUMNS + ratios.len() + loss_count;
-        if sensors.len() > MOST_SENSORS || common > MOST_COMMON {
+        let losses = loss_deviation.into_iter().flat_map(|deviation| [deviation; LOSS_COUNT]);
+        let common = LAUNCH_COLUMNS + ratios.len() + losses.clone().count();
+        if sensors.len() > MOST_SENSORS || common > COLUMNS {
             return None;
         }
         let mut model = Self {
             top: *top,
             free: [FreeRatio::new([0.0; RATIOS]); MOST_RATIOS],
             free_count: ratios.len(),
-            loss_count,
+            has_losses: loss_deviation.is_some(),
+            common,
             biases: [None; MOST_SENSORS],
             deviations: [f64::INFINITY; MOST_UNKNOWNS],
             count: common,
         };
         model.free.iter_mut().zip(ratios).for_each(|(slot, ratio)| *slot = *ratio);
         let mut slots = model.deviations.iter_mut().skip(LAUNCH_COLUMNS);
-        let losses = repeat_n(loss_deviation.unwrap_or(f64::INFINITY), loss_count);
         let known = ratios.iter().map(|ratio| ratio.deviation).chain(losses);
         known.zip(&mut slots).for_each(|(deviation, slot)| *slot = deviation);
         for (first, sensor) in model.biases.iter_mut().zip(sensors) {
@@ -77,19 +78,9 @@ impl Model {
         self.free.get(..self.free_count).unwrap_or(&[])
     }
 
-    /// Whether the losses are unknowns.
-    pub(crate) fn has_losses(&self) -> bool {
-        self.loss_count > 0
-    }
-
     /// Places of the losses among the unknowns.
     pub(crate) fn loss_range(&self) -> Range<usize> {
-        LAUNCH_COLUMNS + self.free_count..self.common()
-    }
-
-    /// Number of unknowns that are not biases.
-    pub(crate) fn common(&self) -> usize {
-        LAUNCH_COLUMNS + self.free_count + self.loss_count
+        LAUNCH_COLUMNS + self.free_count..self.common
     }
 
     /// First bias of a sensor among the unknowns.
@@ -100,7 +91,7 @@ impl Model {
     /// Losses of an estimate.
     pub(crate) fn losses_of(&self, estimate: &Estimate) -> [f64; LOSS_COUNT] {
         let losses = estimate.other.get(self.free_count..).and_then(<[f64]>::first_chunk);
-        losses.copied().filter(|_| self.has_losses()).unwrap_or([0.0; LOSS_COUNT])
+        losses.copied().filter(|_| self.has_losses).unwrap_or([0.0; LOSS_COUNT])
     }
 
     /// Equations of an estimate. Their columns after those of the launch are the free ratios and the losses.
@@ -119,10 +110,10 @@ impl Model {
             let shares = coefficients.iter().zip(exponents(free));
             column.iter_mut().zip(shares).for_each(|(slot, (value, by))| *slot = value * by);
         }
-        for ([.., x1, x2, x3], unit) in columns.take(self.loss_count).zip(UNITS) {
+        for ([.., x1, x2, x3], unit) in columns.filter(|_| self.has_losses).zip(UNITS) {
             [*x1, *x2, *x3] = unit;
         }
-        Equations { coefficients, changes, columns: self.common(), lossy: self.has_losses() }
+        Equations { coefficients, changes, columns: self.common, lossy: self.has_losses }
     }
 
     /// Derivatives of the ratios with respect to those that are free; 0 for the infinite A/C of a thin rod, whose motion does not
@@ -144,7 +135,7 @@ impl Model {
     /// Derivatives of the motion of an estimate with respect to the unknowns.
     fn sensitivity(&self, estimate: &Estimate) -> Option<Sensitivity> {
         let equations = self.equations(estimate);
-        if self.has_losses() {
+        if self.has_losses {
             return Some(Sensitivity::launched(&equations, &estimate.orientation, estimate.omega, COARSE));
         }
         let top = with_coefficients(&self.top, &self.coefficients(estimate)).ok()?;

@@ -95,7 +95,7 @@ impl Sensitivity {
         let period =
             motion.period_advance().and_then(|PeriodAdvance { exact_period: length, rotations, .. }| {
                 let [about_vertical, _] = rotations;
-                let (launch, mut end) = (&start.now().state, start.moved(length.to_f64())?.now().state);
+                let (launch, mut end) = (&start.now.state, start.moved(length.to_f64())?.now.state);
                 end.turn(f64::sine_cosine(-about_vertical));
                 let mut growth = end.tangents;
                 for (grown, initial) in growth.iter_mut().zip(&launch.tangents) {
@@ -134,7 +134,7 @@ impl Sensitivity {
     pub fn advance_to(&mut self, t: f64) -> Option<Partials> {
         let mut partials = self.with_turned_omega(t)?;
         // with ω kept, a rotation δ of Φ changes ω by -δ × ω in the frame that turns by δ
-        let omega = self.start.now().omega();
+        let omega = self.start.now.omega();
         if let Some((launch, _)) = partials.state.tangents.split_first_chunk_mut::<LAUNCH_COLUMNS>() {
             let [x, y, z, by_omega @ ..] = launch;
             for (slot, unit) in [x, y, z].into_iter().zip(UNITS) {
@@ -154,19 +154,19 @@ impl Sensitivity {
         }
         let Some(period) = period else {
             self.trajectory = self.trajectory.moved(t)?;
-            return Some(*self.trajectory.now());
+            return Some(self.trajectory.now);
         };
         let (count, since_period) = period.reduced(t)?;
         let [about_vertical, about_axis] = period.rotations;
         if count != self.count {
-            let mut tangents = start.now().state.tangents;
+            let mut tangents = start.now.state.tangents;
             for (tangent, growth) in tangents.iter_mut().zip(&period.growth) {
                 *tangent = tangent.plus(growth, count as f64);
             }
             (self.trajectory, self.count) = (start.relaunched(about_axis * count, tangents), count);
         }
         self.trajectory = self.trajectory.moved(since_period)?;
-        let mut partials = *self.trajectory.now();
+        let mut partials = self.trajectory.now;
         partials.state.turn(f64::sine_cosine(about_vertical * count));
         Some(partials)
     }

@@ -3,8 +3,6 @@
 use core::ops::Range;
 use toytop::scalar::Real;
 
-/// Largest number of unknowns that are not biases.
-pub(crate) const MOST_COMMON: usize = 10;
 /// Largest number of unknowns: a launch, four directions of the top's ratios, and the biases of four sensors.
 pub const MOST_UNKNOWNS: usize = 22;
 
@@ -49,7 +47,8 @@ impl<F: Real> Triangle<F> {
     /// Solution of R x = y. It is 0 where the diagonal is 0.
     pub(crate) fn solved(&self, mut y: Unknowns<F>) -> Unknowns<F> {
         for index in 0..MOST_UNKNOWNS {
-            if let ([row @ .., pivot], (known, [slot, ..])) = (self.row(index), y.split_at_mut(index)) {
+            let parts = y.split_at_mut_checked(index);
+            if let ([row @ .., pivot], Some((known, [slot, ..]))) = (self.row(index), parts) {
                 *slot = if *pivot == F::ZERO { F::ZERO } else { (*slot - inner(row, known)) / *pivot };
             }
         }

@@ -24,9 +24,9 @@ use toytop::scalar::{Extended, Float, Ring};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Sliding {
-    constants: AperiodicConstants,
-    /// Branch point e₄, and e₄ - 1.
-    e4: [Extended; 2],
+    /// Linear factors u - e₁, e₄ - u and e₄ + u at u = e₁ and at u = 1.
+    lowest: [Extended; 3],
+    upright: [Extended; 3],
     /// Modulus |b|; b = -i|b|.
     b: Extended,
     /// Time √(2s/g).
@@ -58,8 +58,8 @@ impl Sliding {
         let (below, above) = (one_minus_e1 + e4_minus_one, one_plus_e1 + e4_minus_one); // e₄ ∓ e₁
         let lattice = Lattice::from_gaps(below, above);
         let [across, up] = lattice.half_periods;
-        let lowest = [zero, below, above];
-        let b = first_kind(one_minus_e1, [one_minus_e1, e4_minus_one, e4 + one], lowest).halved();
+        let (lowest, upright) = ([zero, below, above], [one_minus_e1, e4_minus_one, e4 + one]);
+        let b = first_kind(one_minus_e1, upright, lowest).halved();
         let to_minus_one = first_kind(one_plus_e1, lowest, [one_plus_e1, e4 + one, e4_minus_one]).halved();
         let b_point = imaginary(-b);
 
@@ -71,11 +71,11 @@ impl Sliding {
         let slope = lattice.p_prime(real(to_minus_one) - middle).re;
         let a = real(if slope * w_minus < zero { -to_minus_one } else { to_minus_one });
 
-        let log_slope = |half: HalfPeriod, z: WideComplex| lattice.theta(half, z).log_slope();
         let log_power = (w_minus / w_plus).halved();
         let p = imaginary(-log_power);
         let rate_offset = real(w_minus.halved().halved() + w_minus / a_over_ps)
-            - p * (log_slope(HalfPeriod::Origin, a + b_point) - log_slope(HalfPeriod::Origin, a - b_point));
+            - p * (lattice.log_slope(HalfPeriod::Origin, a + b_point)
+                - lattice.log_slope(HalfPeriod::Origin, a - b_point));
         let alpha = ThetaQuotient::through(
             &lattice,
             [HalfPeriod::Origin, HalfPeriod::Sum],
@@ -85,34 +85,23 @@ impl Sliding {
         );
 
         let of_log = -(a_over_ps / w_plus);
-        let zetas = log_slope(HalfPeriod::Sum, b_point).im;
+        let zetas = lattice.log_slope(HalfPeriod::Sum, b_point).im;
         let of_y = one + e1 / 3.0.into() - lattice.kappa.doubled() + of_log.doubled() * zetas;
-        Self {
-            constants: *constants,
-            e4: [e4, e4_minus_one],
-            b,
-            time_scale,
-            time_factors: [of_y, of_log],
-            alpha,
-            log_power,
-        }
+        Self { lowest, upright, b, time_scale, time_factors: [of_y, of_log], alpha, log_power }
     }
 
     /// Linear factors u - e₁, e₄ - u and e₄ + u of -R/4.
     fn factors(&self, point: &AperiodicValues) -> [Extended; 3] {
-        let [_, e4_minus_one] = self.e4;
-        let above_e1 = self.constants.one_minus_e1 * point.tanh.squared();
+        let [one_minus_e1, e4_minus_one, _] = self.upright;
+        let above_e1 = one_minus_e1 * point.tanh.squared();
         [above_e1, e4_minus_one + point.one_minus_u, e4_minus_one + point.one_plus_u]
     }
 
     fn position(&self, point: &AperiodicValues) -> PathPosition {
-        let [e4, e4_minus_one] = self.e4;
-        let AperiodicConstants { one_minus_e1, one_plus_e1, .. } = self.constants;
         let here = self.factors(point);
         let [above_e1, ..] = here;
-        let lowest = [Extended::ZERO, one_minus_e1 + e4_minus_one, one_plus_e1 + e4_minus_one];
-        let y = first_kind(above_e1, here, lowest).halved();
-        let left_per_below = first_kind_per_length([one_minus_e1, e4_minus_one, e4 + Extended::ONE], here);
+        let y = first_kind(above_e1, here, self.lowest).halved();
+        let left_per_below = first_kind_per_length(self.upright, here);
         PathPosition { y: point.with_sign_of_v(y), left_per_below }
     }
 
@@ -127,11 +116,11 @@ impl Sliding {
 
     /// Logarithm L, and (1 - u) dL/dx, an even function of x.
     fn log(&self, point: &AperiodicValues, position: &PathPosition) -> (Extended, WideComplex) {
-        let PathPosition { y, left_per_below } = *position;
+        let (&PathPosition { y, left_per_below }, [one_minus_e1, ..]) = (position, self.upright);
         let (near, near_slope) = self.near(left_per_below * point.one_minus_u);
         let far = self.alpha.lattice.theta(HalfPeriod::Origin, imaginary(-(y.abs() + self.b)));
         let log_ratio = ln(left_per_below * near / far.value.modulus());
-        let log = ln(self.constants.one_minus_e1) + point.ln_sech.doubled() + log_ratio;
+        let log = ln(one_minus_e1) + point.ln_sech.doubled() + log_ratio;
         // (1 - u)/(x - b) · (x - b) ϑ'(x - b)/ϑ(x - b)
         let slope = -near_slope.times_i().scaled(Extended::ONE / left_per_below)
             - far.log_slope().scaled(point.one_minus_u);
@@ -141,7 +130,7 @@ impl Sliding {
     pub(super) fn time(&self, point: &AperiodicValues) -> Extended {
         let position = self.position(point);
         let [of_y, of_log] = self.time_factors;
-        let zeta = self.alpha.lattice.theta(HalfPeriod::Sum, imaginary(-position.y)).log_slope().im;
+        let zeta = self.alpha.lattice.log_slope(HalfPeriod::Sum, imaginary(-position.y)).im;
         self.time_scale * (zeta + of_y * position.y + of_log * self.log(point, &position).0)
     }
 

@@ -95,6 +95,11 @@ impl Lattice {
         }
     }
 
+    /// Logarithmic derivative of the theta function that is 0 at a half period.
+    pub(crate) fn log_slope(&self, half: HalfPeriod, z: WideComplex) -> WideComplex {
+        self.theta(half, z).log_slope()
+    }
+
     /// Argument minus the nearest period, and that period by numbers of 2ω and 2ω'.
     fn reduced(&self, z: WideComplex) -> (WideComplex, [f64; 2]) {
         let [across, up] = self.half_periods.map(Ring::doubled);

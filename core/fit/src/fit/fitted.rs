@@ -105,7 +105,7 @@ impl Fitted {
         with_coefficients(given, &self.coefficients)
     }
 
-    /// Motion of the launch.
+    /// Motion of the launch, also of one that must not be trusted: see [`Fitted::warning`].
     ///
     /// # Errors
     /// The errors of [`Fitted::state`], [`Fitted::top`] and [`Motion::launch`].
@@ -129,7 +129,8 @@ impl Fitted {
         Ok(Sensitivity::launched(&equations, &state.orientation(), state.omega(), COARSE))
     }
 
-    /// Standard deviations of the unknowns, in the coordinates of [`Fitted::covariance`].
+    /// Standard deviations of the unknowns, in the coordinates of [`Fitted::covariance`]. Those after the first
+    /// [`Fitted::unknown_count`] are 0, and belong to no unknown.
     #[must_use]
     pub fn deviations(&self) -> [f64; MOST_UNKNOWNS] {
         core::array::from_fn(|index| libm::sqrt(self.covariance.get(index, index)))
@@ -187,7 +188,7 @@ impl<F: Real> Fit<'_, F> {
         };
         fitted.covariance.turn(&AugmentedState::launched(&launch.orientation, launch.omega).axes());
         fitted.unobservable = unobservable(&fitted, &self.model.units(&launch));
-        if self.model.has_losses() && self.carry_to_end(&mut fitted, extent.last).is_none() {
+        if self.model.has_losses && self.carry_to_end(&mut fitted, extent.last).is_none() {
             fitted.warning = fitted.warning.or(Some(FitWarning::NotSettled));
         }
         fitted

@@ -214,9 +214,9 @@ impl<'a, F: Real> Fit<'a, F> {
     #[inline(never)] // stack
     fn add(&mut self, measurement: &Measurement, statistics: &mut Statistics) -> Option<()> {
         let sensor = self.sensors.get(measurement.sensor)?;
-        let prediction = sensor.residual(self.trajectory.now(), &self.reading(measurement));
+        let prediction = sensor.residual(&self.trajectory.now, &self.reading(measurement));
         let Residual { difference, deviation, columns } = &prediction;
-        let (bias, common) = (self.model.bias(measurement.sensor), self.model.common());
+        let (bias, common) = (self.model.bias(measurement.sensor), self.model.common);
         let Pass { estimate, information, .. } = &mut self.current;
         for (component, (difference, deviation)) in difference.iter().zip(deviation).enumerate() {
             let per_deviation = F::ONE / *deviation;

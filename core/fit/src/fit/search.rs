@@ -1,9 +1,9 @@
 //! Search for a launch without a first guess, on longer and longer parts of the measurements.
 
 use crate::estimate::Estimate;
-use crate::fit::correction::SETTLED;
 use crate::fit::error::{FitError, FitWarning};
 use crate::fit::first_guess::{FIRST_INSTANTS, Guesses, upright_to};
+use crate::fit::marquardt::SETTLED;
 use crate::fit::pass::{Fit, Pass, Statistics};
 use crate::sensors::{Hint, Measurement, Measurements};
 use crate::vector::{Vector, cross, dot, scaled};
@@ -124,7 +124,7 @@ impl<F: Real> Fit<'_, F> {
         self.pass(measurements, usize::MAX);
         // only the biases are corrected; the launch is held fixed
         for index in 0..self.model.count {
-            let deviation = if index < self.model.common() { 1e-9 } else { 1e6 };
+            let deviation = if index < self.model.common { 1e-9 } else { 1e6 };
             self.current.information.add_known(index, F::from_f64(deviation));
         }
         let change = self.current.information.solution();

@@ -16,7 +16,8 @@ const LARGEST: f64 = 1e300;
 /// The derivatives are integrated in the scalar `F`. The state is integrated in `f64`, so that its errors do not add up.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Trajectory<F> {
-    now: Partials<F>,
+    /// State and derivatives at the time of the last move.
+    pub(crate) now: Partials<F>,
     /// Time of `now` and of `state`.
     time: f64,
     /// State without the rotation about the axis since the launch.
@@ -47,11 +48,6 @@ impl<F: Real> Trajectory<F> {
             spin: state.spin,
             longest_step: longest_step / equations.frequency(state),
         }
-    }
-
-    /// State and derivatives at the time of the last move.
-    pub(crate) fn now(&self) -> &Partials<F> {
-        &self.now
     }
 
     /// Moves to a time after the launch, or before it. `None` where it is too far from the last one.
@@ -166,7 +162,7 @@ mod tests {
         for n in 0..700 {
             let t = f64::from(n) / 699.0;
             trajectory.move_to(t).unwrap();
-            let (found, truth) = (trajectory.now().state, sensitivity.advance_to(t).unwrap().state);
+            let (found, truth) = (trajectory.now.state, sensitivity.advance_to(t).unwrap().state);
             off = off.max(apart(found.axis, truth.axis)).max(apart(found.first_axis, truth.first_axis));
             off = off.max(apart(found.across, truth.across) / frequency);
             // the columns of the truth are changes along the fixed axes, those of Φ with ω kept
