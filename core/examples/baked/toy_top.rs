@@ -7,7 +7,7 @@
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25> {
     format: 7,
-    crc32: 0xd92e7d59,
+    crc32: 0xa8393eb9,
     clock: toytop::Clock {
         step: [[2668364299, 588342322, 56542227], [1444926868, 672778249, 51392304], [1879647339, 2227764775, 4247109518]],
         tip_start_quarter_turns: 0,
@@ -25,8 +25,8 @@ pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25>
         tip_step: [3324574207, 2900543024, 3534526, 0],
         epoch: 0,
     },
-    error_bound: toytop::ErrorBound { constant: 1.7307138283244377e-7, per_tick: 1.6825931213952776e-18 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.00019741891113613772, per_tick: 2.578450577624067e-16 },
+    error_bound: toytop::ErrorBound { constant: 1.7307138302471482e-7, per_tick: 1.6825931213952776e-18 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.00019741891111211093, per_tick: 2.578450577624067e-16 },
     cells: [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
     segments: [
         [

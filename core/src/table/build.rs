@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! ephemeris.rs     set_up: a motion, a memory             -> a table
-//!   errors.rs        allowed error, capacity              -> limits of its parts
+//!   limits.rs        allowed error, capacity              -> limits of its parts
 //!   set_up.rs      begin
 //!     mean_rates.rs  motion/period                        -> mean rates of the phases, and their errors
 //!     path.rs        turning point u = e₁                 -> first span
@@ -26,7 +26,9 @@
 
 mod series;
 
-mod errors;
+mod limits;
+
+mod speeds;
 
 mod expansion;
 

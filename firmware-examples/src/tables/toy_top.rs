@@ -7,7 +7,7 @@
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (toytop::Baked::<toytop::fixed::types::I2F30, 32> {
     format: 7,
-    crc32: 0x9a59dc66,
+    crc32: 0x19556c41,
     clock: toytop::Clock {
         step: [[2668364299, 588342322, 56542227], [1444926868, 672778249, 51392304], [1879647339, 2227764775, 4247109518]],
         tip_start_quarter_turns: 0,
@@ -25,8 +25,8 @@ pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (
         tip_step: [3324574207, 2900543024, 3534526, 0],
         epoch: 0,
     },
-    error_bound: toytop::ErrorBound { constant: 1.993750930274869e-8, per_tick: 1.6813622724645346e-18 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.00014677360781293906, per_tick: 2.5982499877249815e-16 },
+    error_bound: toytop::ErrorBound { constant: 1.993750948870974e-8, per_tick: 1.6813622724645346e-18 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.00014677360784509457, per_tick: 2.5982499877249815e-16 },
     cells: [2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2],
     segments: [
         [

@@ -1,12 +1,14 @@
 //! Error bounds of a table; `core/docs/error_bound.md` derives every term.
 
-use super::errors::{DEVIATIONS, TURN};
 use super::mean_rates::MeanRates;
 use super::set_up::SetUp;
 use crate::motion::Motion;
-use crate::scalar::{Extended, Float, Ring, Scalar};
+use crate::scalar::{Extended, Float, Ring};
 use crate::table::data::ErrorBound;
 use crate::table::evaluation::EvaluationErrors;
+
+/// One turn in rad.
+const TURN: f64 = 2.0 * core::f64::consts::PI;
 
 impl SetUp {
     /// Error bounds of orientation and angular velocity for ticks of this length.
@@ -41,7 +43,7 @@ impl SetUp {
         let rate = ErrorBound {
             constant: slope * x_rate
                 + errors.omega * (x_rate + mean)
-                + (errors.relative_omega + DEVIATIONS * f64::ROUNDING) * (whole + rotor)
+                + errors.relative_omega * (whole + rotor)
                 + (change + whole) * orientation.constant,
             per_tick: 2.0 * angular * nutation * change + TURN * (alpha + beta) * whole,
         };

@@ -4,7 +4,7 @@ mod clock;
 
 use core::fmt;
 
-use super::errors::Limits;
+use super::limits::Limits;
 use super::polynomial::Polynomial;
 use super::segmentation::{SegmentStore, Segmentation};
 use super::set_up::SetUp;

@@ -22,7 +22,7 @@ mod recurrence;
 
 mod cayley_klein;
 
-use super::errors::larger_or_nan;
+use super::limits::max_or_nan;
 use super::series::sine_q57::{FRACTION, sine_cosine_q57};
 use super::series::{MOST_TERMS, PowerSeries, integrated};
 use crate::phase::Phase;
@@ -55,9 +55,9 @@ impl RateSeries {
         y * (self.at_origin + y * (self.variation.sum(y, terms, integrated) * self.scale))
     }
 
-    /// Upper bound on the rate at y = `quarters`/4.
-    fn bound(&self, quarters: u32, terms: usize, noise: f32) -> f32 {
-        self.at_origin.abs() as f32 + self.variation.bound(quarters, terms, noise) * self.scale.abs() as f32
+    /// Expected magnitude of the coefficients of the variation.
+    fn magnitude_of_variation(&self) -> f64 {
+        self.variation.magnitude_times(self.scale.abs())
     }
 
     /// Magnitude of the k-th coefficient; 0 where it is a rounding error.
@@ -125,8 +125,6 @@ pub(super) struct Expansion {
     delta: PowerSeries,
     mu: PowerSeries,
     weight: f32,
-    /// Sum of the magnitudes in the variation of dψ/dy.
-    psi_variation: f32,
     /// Number of terms; 0 where the series do not converge.
     terms: usize,
 }
@@ -143,7 +141,6 @@ impl Expansion {
         delta: PowerSeries::ZERO,
         mu: PowerSeries::ZERO,
         weight: 0.0,
-        psi_variation: 0.0,
         terms: 0,
     };
 
@@ -157,14 +154,15 @@ impl Expansion {
         (PathPhases { chi: after(chi, &self.chi), residual }, 0.25 * self.chi.value(y, self.terms))
     }
 
-    /// Upper bounds on the terms of χ and of the residual phases at a whole x > 0, rad.
-    pub(super) fn step_magnitudes(&self, x: u32) -> [f32; 2] {
-        // a rounding error counts as the term that would have it in f64
-        let noise = (NOISE as f64 / f64::ROUNDING) as f32;
-        let y = 0.25 * x as f32;
-        let size = |rate: &RateSeries| y * rate.bound(x, self.terms, noise);
+    /// Rounding error of the phases at x > 0, rad.
+    pub(super) fn rounding_error(&self, x: f64) -> f64 {
+        /// Roundings of the terms of a rate.
+        const ROUNDINGS: f64 = 2.0;
+        let y = 0.25 * x;
+        let size = |rate: &RateSeries| rate.at_origin.abs() + y * rate.magnitude_of_variation();
         let [alpha, beta] = self.residual.each_ref().map(size);
-        [size(&self.chi), larger_or_nan(alpha, beta) + y * self.psi_variation]
+        let chi = f64::from(self.weight) * size(&self.chi);
+        ROUNDINGS * f64::ROUNDING * y * max_or_nan(chi, max_or_nan(alpha, beta))
     }
 
     /// Whether coefficients should be in range over twice the distance.
@@ -176,9 +174,10 @@ impl Expansion {
 
     /// Upper bound on the rates of the residual phases by x in [-1, 1].
     pub(super) fn greatest_residual_rate(&self) -> f32 {
-        let greatest = |rate: &RateSeries| rate.bound(1, self.terms, 0.0);
+        let greatest =
+            |rate: &RateSeries| rate.at_origin.abs() as f32 + rate.variation.bound_at_quarter(self.terms);
         let [alpha, beta] = self.residual.each_ref().map(greatest);
-        0.25 * larger_or_nan(alpha, beta)
+        0.25 * max_or_nan(alpha, beta)
     }
 
     /// Estimated truncation error of the phases at a whole x > 0, rad, if each term is a quarter of the one before.
@@ -188,9 +187,9 @@ impl Expansion {
         let power = (0..before).fold(1.0, |power, _| power * y);
         let term = |k: usize| {
             let [alpha, beta] = self.residual.each_ref().map(|rate| rate.term(k, 1.0));
-            larger_or_nan(self.chi.term(k, self.weight), larger_or_nan(alpha, beta))
+            max_or_nan(self.chi.term(k, self.weight), max_or_nan(alpha, beta))
         };
-        let last = larger_or_nan(term(before) * power, term(before + 1) * power * y);
+        let last = max_or_nan(term(before) * power, term(before + 1) * power * y);
         (last * y / (3 * self.terms) as f32).into()
     }
 }

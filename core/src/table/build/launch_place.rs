@@ -14,12 +14,10 @@ pub(super) struct LaunchPlace {
     is_falling: bool,
     /// Nutation phase and mean slow phases.
     pub(super) phases: [Phase; 3],
-    /// Delay by a relative rounding of χ or of a quarter turn minus χ, in half periods.
-    pub(super) delay: f64,
 }
 
 impl LaunchPlace {
-    pub(super) const ZERO: Self = Self { chi: None, is_falling: false, phases: [Phase::ZERO; 3], delay: 0.0 };
+    pub(super) const ZERO: Self = Self { chi: None, is_falling: false, phases: [Phase::ZERO; 3] };
 
     /// Place of a launch, not found yet. Without a nutation it is u = e₁.
     pub(super) fn new(motion: &Motion) -> Self {
@@ -29,7 +27,7 @@ impl LaunchPlace {
         let (half_turns, chi) =
             if is_falling { (half_turns + 1, Phase::HALF - remainder) } else { (half_turns, remainder) };
         let [alpha, beta] = motion.slow_phases.map(|phase| phase + Phase::HALF * half_turns);
-        Self { chi: Some(chi), is_falling, phases: [Phase::ZERO, alpha, beta], delay: 0.0 }
+        Self { chi: Some(chi), is_falling, phases: [Phase::ZERO, alpha, beta] }
     }
 
     /// Finds the place if it is in this span, which ends at χ = `end`, or if the span is the last.
@@ -43,13 +41,11 @@ impl LaunchPlace {
             Phase::QUARTER => 1.0,
             _ => coordinate_of(expansion, chi),
         };
-        let (PathPhases { residual, .. }, chi_rate) = expansion.at(x);
-        let nearest = chi.min(Phase::QUARTER - chi).to_radians();
-        let change = if chi_rate > 0.0 { nearest / chi_rate } else { 0.0 };
+        let (PathPhases { residual, .. }, _) = expansion.at(x);
         let mirror = |phase: Phase| if self.is_falling { -phase } else { phase };
         let ([_, alpha, beta], [alpha_residual, beta_residual]) = (self.phases, residual.map(mirror));
         self.phases = [mirror(span.phase(x)), alpha - alpha_residual, beta - beta_residual];
-        (self.chi, self.delay) = (None, change * span.half_length());
+        self.chi = None;
     }
 }
 

@@ -1,13 +1,14 @@
 //! Path along half a nutation period, from one expansion of the motion to the next.
 
-use super::errors::{Limits, Speeds, larger_or_nan};
 use super::expansion::{Expansion, Origin, PathPhases};
+use super::limits::{Limits, max_or_nan};
 use super::mean_rates::MeanRates;
 use super::series::MOST_TERMS;
+use super::speeds::Speeds;
 use crate::motion::Motion;
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring, power_of_two};
+use crate::scalar::{Extended, Float, Ring, Scalar, power_of_two};
 use crate::table::data::cell::{CELLS, Cell};
 
 /// One of the 2^depth equal parts of half a period. Positions are in shortest segments.
@@ -54,17 +55,16 @@ impl Span {
 /// Negligible term of the phases at x = 2 over that of a and b at x = 1.
 const PHASE_TERM: f64 = 32.0;
 
-/// Point of the path with the errors of the steps to it.
+/// Point of the path.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PathPoint {
     pub(super) phases: PathPhases,
-    truncation: f64,
-    /// Sums of the squares of the terms of χ, as delays in half periods, and of the residual phases, rad.
-    squares: [f32; 2],
+    /// Truncation and rounding errors of the steps to it, rad.
+    error: f64,
 }
 
 impl PathPoint {
-    pub(super) const FIRST: Self = Self { phases: PathPhases::ZERO, truncation: 0.0, squares: [0.0; 2] };
+    pub(super) const FIRST: Self = Self { phases: PathPhases::ZERO, error: 0.0 };
 }
 
 /// Span of the path with the expansion of the motion around its centre.
@@ -125,7 +125,7 @@ impl Path {
             let PhaseRates { half_phase, psi_alpha, psi_beta } = self.rounded_equations.rates(sine, cosine);
             half_phase.abs() + ((psi_alpha + alpha).abs() + (psi_beta + beta).abs())
         });
-        self.fastest = half_period.to_f64() * larger_or_nan(begin, end);
+        self.fastest = half_period.to_f64() * max_or_nan(begin, end);
         self.span = Span::FIRST;
         self.set_beginning(0, PathPoint::FIRST);
     }
@@ -233,23 +233,19 @@ impl Path {
     fn point_at(&self, x: u32, allowed: f64) -> Option<PathPoint> {
         let truncation_error = self.expansion.truncation_error(x);
         (truncation_error <= allowed).then(|| {
-            let PathPoint { truncation, squares: [delays, angles], .. } = self.centre_or_beginning();
-            let (phases, chi_rate) = self.expansion.at(x.into());
-            let [chi, residual] = self.expansion.step_magnitudes(x);
-            let delay = chi / chi_rate as f32 * self.span.half_length() as f32;
-            PathPoint {
-                phases,
-                truncation: truncation + truncation_error,
-                squares: [delays + delay * delay, angles + residual * residual],
-            }
+            let x = x.into();
+            let (phases, _) = self.expansion.at(x);
+            let error =
+                self.centre_or_beginning().error + truncation_error + self.expansion.rounding_error(x);
+            PathPoint { phases, error }
         })
     }
 
-    /// Orientation error by the steps to u = e₂, rad.
-    ///
-    /// * `start`: delay by a rounding of χ at t = 0, in half periods
-    pub(super) fn error(&self, speeds: &Speeds, start: f64) -> f64 {
-        let PathPoint { phases: PathPhases { chi, residual }, truncation, squares } = self.end;
+    /// Orientation error by the steps to u = e₂, and by the roundings of the launch, rad.
+    pub(super) fn error(&self, speeds: &Speeds) -> f64 {
+        /// Delay by the roundings of χ at the launch and of the local coordinate, in half periods.
+        const ROUNDING_DELAY: f64 = 4.0 * f64::ROUNDING;
+        let PathPoint { phases: PathPhases { chi, residual }, error } = self.end;
         // distance from an odd number of quarter turns, rad
         let miss = |angle: Phase| {
             let (_, remainder) = (angle + Phase::QUARTER).split_half_turns();
@@ -258,10 +254,8 @@ impl Path {
         // at u = e₂, cos χ = 0 and the cosines of the residual phases are 0
         let [alpha, beta] = residual.map(miss);
         let nutation = self.half_period.to_f64() * self.rounded_equations.rates(1.0, 0.0).half_phase;
-        let delay = truncation / self.fastest + miss(chi) / nutation;
-        speeds.error_of_delay(delay)
-            + 2.0 * (truncation + alpha.max(beta))
-            + speeds.rounding(squares.map(f64::from), start)
+        let delay = ROUNDING_DELAY + error / self.fastest + miss(chi) / nutation;
+        speeds.error_of_delay(delay) + 2.0 * (error + alpha.max(beta))
     }
 }
 

@@ -2,8 +2,9 @@
 //!
 //! The last term c x^k is dropped by subtracting c 2^(1-k) T_k(x), at most |c| 2^(1-k) in value.
 
-use super::errors::{Limits, REMAINDER_SHARE, SegmentErrors, larger_or_nan};
+use super::limits::{Limits, REMAINDER_SHARE, max_or_nan};
 use super::series::{Limbs, MOST_TERMS};
+use super::speeds::SegmentErrors;
 use crate::integer::product_u32;
 use crate::scalar::{Float, Ring, u64_to_f32};
 use crate::table::evaluation::TABLE_UNIT;
@@ -92,7 +93,7 @@ impl Polynomial {
     pub(super) fn finish(&mut self, terms: usize, limits: &Limits) -> Option<()> {
         self.terms = terms;
         let [re, im] = self.parts.each_ref().map(Part::remainder);
-        let remainder = 2.0 * larger_or_nan(re, im);
+        let remainder = 2.0 * max_or_nan(re, im);
         (2.0 * remainder <= REMAINDER_SHARE * limits.polynomial).then_some(())?;
         self.shorten(0, limits.dropped_terms);
         self.remainder = remainder + limits.negligible_term() as f32;

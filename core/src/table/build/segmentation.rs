@@ -10,9 +10,10 @@
 //! The segments of a cell are equal, and the longest with an allowed error. A cell whose segments prove too long is begun again with shorter
 //! ones. A segment of depth d is 2^-d of half a period. Positions are in units of the shortest segment.
 
-use super::errors::{Limits, SegmentErrors, Speeds};
+use super::limits::Limits;
 use super::path::{CELL, HALF_PERIOD, Path, PathPoint, Span};
 use super::polynomial::Polynomial;
+use super::speeds::{SegmentErrors, Speeds};
 use crate::table::data::cell::{CELLS, Cell};
 use crate::table::evaluation::{LEAST_DEPTH, TABLE_UNIT};
 

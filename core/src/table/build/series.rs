@@ -209,12 +209,11 @@ impl PowerSeries {
         ldexp((1..terms).rev().fold(0, next) as f64, self.exponent)
     }
 
-    /// Upper bound on Σ |c| yᵏ at y = `quarters`/4, with `noise` added to the first coefficient.
-    pub(super) fn bound(&self, quarters: u32, terms: usize, noise: f32) -> f32 {
+    /// Upper bound on Σ |c| yᵏ at y = 1/4, without the constant.
+    pub(super) fn bound_at_quarter(&self, terms: usize) -> f32 {
         let coefficients = self.coefficients.get(1..terms).unwrap_or_default().iter().rev();
-        let sum = coefficients.fold(0, |sum: u32, c| ((sum * quarters + 3) >> 2) + c.high.unsigned_abs() + 1);
-        0.25 * quarters as f32
-            * (((1_u32 << LIMB_BITS) as f32 * sum as f32 + noise) * power_of_two_f32(self.exponent))
+        let sum = coefficients.fold(0, |sum: u32, c| ((sum + 3) >> 2) + c.high.unsigned_abs() + 1);
+        0.25 * ((1_u32 << LIMB_BITS) as f32 * sum as f32 * power_of_two_f32(self.exponent))
     }
 }
 

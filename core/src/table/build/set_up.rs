@@ -1,8 +1,8 @@
 //! Set-up: from a motion to the segments of its table.
 
-use super::errors::{Limits, Speeds};
 use super::expansion::CayleyKleinSeries;
 use super::launch_place::LaunchPlace;
+use super::limits::Limits;
 use super::mean_rates::MeanRates;
 use super::path::{HALF_PERIOD, Path};
 use super::polynomial::Polynomial;
@@ -98,7 +98,7 @@ impl SetUp {
         let ellipses = [alpha, beta].map(|ellipse| ellipse.exponentials());
         if motion.is_steady() {
             self.segmentation.store_constants(ellipses.map(|[plus, minus]| plus + minus), store);
-            self.error = Speeds::ZERO.rounding([0.0; 2], 0.0);
+            self.error = 0.0;
             return Some(());
         }
         let mut position = 0;
@@ -112,7 +112,7 @@ impl SetUp {
             position = segmentation.segment_span(path, polynomials, limits, store, pause)?;
         }
         let Segmentation { truncation, speeds, .. } = &self.segmentation;
-        self.error = truncation + self.path.error(speeds, self.launch.delay);
+        self.error = truncation + self.path.error(speeds);
         Some(())
     }
 

@@ -2,11 +2,8 @@
 
 /// Upper bound on an error: `constant` plus `per_tick` for each tick from the launch.
 ///
-/// The error of an orientation is 2 √(|Δα|² + |Δβ|²). The bound contains
-///
-/// * the worst case of the roundings of integers,
-/// * six standard deviations of the roundings in `f64`,
-/// * an estimate of the remainders of the series.
+/// The error of an orientation is 2 √(|Δα|² + |Δβ|²). Roundings count at their worst case; the remainders of series, and the roundings along the
+/// path, are estimated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ErrorBound {

@@ -16,12 +16,11 @@ impl EphemerisScalar for f64 {
     const PERIOD_WORDS: usize = 2;
     const ZERO_SEGMENT: Self::Segment = [[0.0; 4]; 11];
     const CODE: u32 = 64;
-    /// Roundings of a tick are counted with those of set-up; those of the rotation of Ω are five standard deviations of one rounding.
     const ERRORS: EvaluationErrors = EvaluationErrors {
-        orientation: 0.0,
+        orientation: 24.0 * <Self as Scalar>::ROUNDING,
         by_coordinate: 0.0,
         omega: 0.0,
-        relative_omega: 5.0 * <Self as Scalar>::ROUNDING,
+        relative_omega: 11.0 * <Self as Scalar>::ROUNDING,
     };
 
     #[inline]

@@ -1,6 +1,6 @@
 //! Series of a and b: each is the sum of two exponentials of the phases.
 
-use super::{Expansion, MOST_TERMS, PowerSeries, RateSeries, larger_or_nan};
+use super::{Expansion, MOST_TERMS, PowerSeries, max_or_nan};
 use crate::table::build::series::sine_q57::{FRACTION, sine_cosine_q57};
 use crate::table::build::series::{BITS, Limbs, UnitFactor, in_range, in_units, integrated, scaled_product};
 use crate::table::evaluation::{TABLE_BITS, shifted_right};
@@ -40,9 +40,11 @@ impl CayleyKleinSeries {
         let Self { forwards, backwards, re, im } = self;
         let Expansion { chi, residual, origin, terms, .. } = expansion;
         let (residual, residual_phase) = (residual.get(index)?, *origin.residual.get(index)?);
-        let size = |rate: &RateSeries| rate.variation.magnitude_times(rate.scale.abs());
         let at_origin = residual.at_origin.abs() + chi.at_origin.abs();
-        forwards.set_exponent(larger_or_nan(at_origin, size(residual) + size(chi)));
+        forwards.set_exponent(max_or_nan(
+            at_origin,
+            residual.magnitude_of_variation() + chi.magnitude_of_variation(),
+        ));
         let exponent = forwards.exponent;
         backwards.exponent = exponent;
         let rates =

@@ -1,6 +1,6 @@
 //! Coefficients of an expansion, one after another.
 
-use super::{Expansion, MOST_TERMS, NOISE, Origin, PowerSeries, RateSeries, larger_or_nan};
+use super::{Expansion, MOST_TERMS, NOISE, Origin, PowerSeries, RateSeries, max_or_nan};
 use crate::motion::phase_equations::PhaseEquations;
 use crate::table::build::series::{BITS, UnitFactor, in_range, in_units, integrated, sum_in_range};
 
@@ -88,7 +88,6 @@ impl Expansion {
     ) {
         let recurrence = self.recurrence(equations, origin);
         self.terms = self.recur(&recurrence, pause).unwrap_or_default();
-        self.psi_variation *= self.delta.bound(3, self.terms, 0.0);
     }
 
     /// Constants of the recurrence. Sets the exponents and first coefficients of the series.
@@ -105,7 +104,7 @@ impl Expansion {
         let (linear, quadratic) = (2.0 * (c * (1.0 - one_minus_u)), c * equations.e2_minus_e1);
 
         let Self { chi, residual: [alpha, beta], sine, cosine, v, delta, mu, .. } = self;
-        let magnitude = |own: f64, other: f64| larger_or_nan(own.abs(), (chi_rate * other).abs());
+        let magnitude = |own: f64, other: f64| max_or_nan(own.abs(), (chi_rate * other).abs());
         sine.set_exponent(magnitude(origin.sine, origin.cosine));
         cosine.set_exponent(magnitude(origin.cosine, origin.sine));
         v.exponent = 2 * cosine.exponent + BITS;
@@ -139,7 +138,6 @@ impl Expansion {
         ];
         [alpha.at_origin, beta.at_origin] = origin.residual_rates;
         (self.origin, self.weight) = (origin.phases, origin.weight as f32);
-        self.psi_variation = larger_or_nan(alpha_psi.abs(), beta_psi.abs()) as f32;
         let negligible_xi = (negligible / (origin.weight * chi_rate).abs()).min(f64::MAX);
         Recurrence {
             slow,
