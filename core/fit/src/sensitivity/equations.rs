@@ -50,6 +50,11 @@ pub(super) fn cross_vertical<F: Float>([x, y, _]: Vector<F>) -> Vector<F> {
     [y, -x, F::ZERO]
 }
 
+/// Inner product of two vectors, one of which is horizontal.
+fn dot_level<F: Float>([x1, y1, _]: Vector<F>, [x2, y2, _]: Vector<F>) -> F {
+    x1 * x2 + y1 * y2
+}
+
 /// Part k - u r of the vertical across the axis.
 fn vertical_across<F: Float>(axis: Vector<F>) -> Vector<F> {
     let [.., u] = axis;
@@ -113,10 +118,10 @@ impl<F: Float> Equations<F> {
         let Flow { axis, across, spin, .. } = *flow;
         let (axis_rate, lever, gyroscopic) =
             (cross(across, axis), cross_vertical(axis), self.gyroscopic(spin));
-        let (lever_squared, gyration) = (dot(lever, lever), dot(axis_rate, lever));
+        let (lift, gyration) = (moment * dot_level(lever, lever), dot_level(axis_rate, lever));
         let (inward, [.., rise]) = (cross_vertical(axis_rate), axis_rate);
-        let factor = F::ONE + moment * height * lever_squared;
-        let mut force = dot(across, inward) - gyroscopic * gyration - moment * gravity * lever_squared;
+        let factor = F::ONE + height * lift;
+        let mut force = dot_level(across, inward) - gyroscopic * gyration - gravity * lift;
         if self.lossy {
             force = force - loss * rise;
         }
@@ -163,13 +168,13 @@ impl<F: Float> Equations<F> {
     ) -> F {
         let [_, moment, height, ..] = self.coefficients;
         let vertical = vertical_cross(tangent.theta); // dk = k × θ
-        let mut force = dot(tangent.eta, at.by_omega) + dot(vertical, at.by_vertical);
+        let mut force = dot(tangent.eta, at.by_omega) + dot_level(vertical, at.by_vertical);
         let mut direct = F::ZERO;
         if let Some(&[by_inertia, by_moment, by_height, by_gravity, _, _, by_loss, _]) = change {
-            let ([.., rise], square) = (at.axis_rate, dot(at.lever, at.lever));
+            let ([.., rise], square) = (at.axis_rate, dot_level(at.lever, at.lever));
             direct = by_gravity + at.u * by_height;
             force = force
-                - by_inertia * spin * dot(at.axis_rate, at.lever)
+                - by_inertia * spin * dot_level(at.axis_rate, at.lever)
                 - (by_moment * at.support + moment * direct) * square
                 - by_loss * rise;
         }
@@ -223,15 +228,14 @@ impl<F: Float> Equations<F> {
         add_scaled(add_scaled(lost, flow.across, across), vertical_across(axis), vertical * turning)
     }
 
-    /// Rate of a state and its tangents.
-    pub(crate) fn rate<const N: usize>(&self, flow: &Flow<F, N>) -> Flow<F, N> {
+    /// Sets `rate` to the rate of a state and its tangents.
+    pub(crate) fn set_rate<const N: usize>(&self, flow: &Flow<F, N>, rate: &mut Flow<F, N>) {
         let at = self.acceleration(flow);
-        let side = cross(flow.across, flow.side);
-        let mut rate =
-            Flow { axis: at.axis_rate, side, across: at.across, spin: at.spin, tangents: flow.tangents };
-        for (column, tangent) in rate.tangents.iter_mut().take(self.columns).enumerate() {
-            *tangent = self.tangent_rate(flow, &at, tangent, self.change(column));
+        (rate.axis, rate.side) = (at.axis_rate, cross(flow.across, flow.side));
+        (rate.across, rate.spin) = (at.across, at.spin);
+        let tangents = rate.tangents.iter_mut().zip(&flow.tangents).take(self.columns);
+        for (column, (slot, tangent)) in tangents.enumerate() {
+            *slot = self.tangent_rate(flow, &at, tangent, self.change(column));
         }
-        rate
     }
 }
