@@ -50,6 +50,11 @@ pub(super) fn cross_vertical<F: Float>([x, y, _]: Vector<F>) -> Vector<F> {
     [y, -x, F::ZERO]
 }
 
+/// Inner product of two vectors, one of which is horizontal.
+fn dot_level<F: Float>([x1, y1, _]: Vector<F>, [x2, y2, _]: Vector<F>) -> F {
+    x1 * x2 + y1 * y2
+}
+
 /// Part k - u r of the vertical across the axis.
 fn vertical_across<F: Float>(axis: Vector<F>) -> Vector<F> {
     let [.., u] = axis;
@@ -112,10 +117,11 @@ impl<F: Float> Equations<F> {
         let [c_over_a, p_over_a, s, g, _, x1, x2, x3] = self.coefficients;
         let AugmentedState { axis, across, spin, .. } = *state;
         let (axis_rate, q, n_over_a) = (cross(across, axis), cross_vertical(axis), self.n_over_a(spin));
-        let (q_squared, axis_rate_q) = (dot(q, q), dot(axis_rate, q));
+        let (q_squared, axis_rate_q) = (dot_level(q, q), dot_level(axis_rate, q));
         let (axis_rate_cross_k, [.., u_rate]) = (cross_vertical(axis_rate), axis_rate);
         let factor = F::ONE + p_over_a * s * q_squared;
-        let mut force = dot(across, axis_rate_cross_k) - n_over_a * axis_rate_q - p_over_a * g * q_squared;
+        let mut force =
+            dot_level(across, axis_rate_cross_k) - n_over_a * axis_rate_q - p_over_a * g * q_squared;
         if self.lossy {
             force = force - x2 * u_rate;
         }
@@ -163,13 +169,13 @@ impl<F: Float> Equations<F> {
     ) -> F {
         let [_, p_over_a, s, ..] = self.coefficients;
         let d_k = vertical_cross(tangent.theta);
-        let mut force = dot(tangent.eta, at.by_omega) + dot(d_k, at.by_vertical);
+        let mut force = dot(tangent.eta, at.by_omega) + dot_level(d_k, at.by_vertical);
         let mut direct = F::ZERO;
         if let Some(&[d_c_over_a, d_p_over_a, d_s, d_g, _, _, d_x2, _]) = change {
-            let ([.., u_rate], square) = (at.axis_rate, dot(at.q, at.q));
+            let ([.., u_rate], square) = (at.axis_rate, dot_level(at.q, at.q));
             direct = d_g + at.u * d_s;
             force = force
-                - d_c_over_a * spin * dot(at.axis_rate, at.q)
+                - d_c_over_a * spin * dot_level(at.axis_rate, at.q)
                 - (d_p_over_a * at.support + p_over_a * direct) * square
                 - d_x2 * u_rate;
         }
@@ -223,20 +229,18 @@ impl<F: Float> Equations<F> {
         add_scaled(add_scaled(lost, state.across, d_x2), vertical_across(axis), d_x3 * omega_k)
     }
 
-    /// Rate of a state and its tangents.
-    pub(crate) fn rate<const N: usize>(&self, state: &AugmentedState<F, N>) -> AugmentedState<F, N> {
+    /// Sets `rate` to the rate of a state and its tangents.
+    pub(crate) fn set_rate<const N: usize>(
+        &self,
+        state: &AugmentedState<F, N>,
+        rate: &mut AugmentedState<F, N>,
+    ) {
         let at = self.acceleration(state);
-        let first_axis = cross(state.across, state.first_axis);
-        let mut rate = AugmentedState {
-            axis: at.axis_rate,
-            first_axis,
-            across: at.across,
-            spin: at.spin,
-            tangents: state.tangents,
-        };
-        for (column, tangent) in rate.tangents.iter_mut().take(self.columns).enumerate() {
-            *tangent = self.tangent_rate(state, &at, tangent, self.change(column));
+        (rate.axis, rate.first_axis) = (at.axis_rate, cross(state.across, state.first_axis));
+        (rate.across, rate.spin) = (at.across, at.spin);
+        let tangents = rate.tangents.iter_mut().zip(&state.tangents).take(self.columns);
+        for (column, (slot, tangent)) in tangents.enumerate() {
+            *slot = self.tangent_rate(state, &at, tangent, self.change(column));
         }
-        rate
     }
 }

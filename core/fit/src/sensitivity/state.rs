@@ -56,6 +56,14 @@ impl<F: Float> Tangent<F> {
 }
 
 impl<F: Float, const N: usize> AugmentedState<F, N> {
+    pub(crate) const ZERO: Self = Self {
+        axis: [F::ZERO; 3],
+        first_axis: [F::ZERO; 3],
+        across: [F::ZERO; 3],
+        spin: F::ZERO,
+        tangents: [Tangent::ZERO; N],
+    };
+
     /// Angular velocity ω = w + S r.
     pub(crate) fn omega(&self) -> Vector<F> {
         add_scaled(self.across, self.axis, self.spin)
@@ -66,13 +74,16 @@ impl<F: Float, const N: usize> AugmentedState<F, N> {
         [self.first_axis, cross(self.axis, self.first_axis), self.axis]
     }
 
-    /// Adds f times another state.
-    pub(crate) fn add(&mut self, other: &Self, f: F) {
+    /// Adds f times another state, of which only the first `columns` tangents are not 0.
+    pub(crate) fn add(&mut self, other: &Self, f: F, columns: usize) {
         self.axis = add_scaled(self.axis, other.axis, f);
         self.first_axis = add_scaled(self.first_axis, other.first_axis, f);
         self.across = add_scaled(self.across, other.across, f);
-        self.spin = self.spin + f * other.spin;
-        for (tangent, rate) in self.tangents.iter_mut().zip(&other.tangents) {
+        // 0 without losses; a comparison is faster than the arithmetic of `f64` by software
+        if other.spin != F::ZERO {
+            self.spin = self.spin + f * other.spin;
+        }
+        for (tangent, rate) in self.tangents.iter_mut().zip(&other.tangents).take(columns) {
             *tangent = tangent.plus(rate, f);
         }
     }

@@ -2,26 +2,32 @@
 
 use crate::sensitivity::coefficients::Coefficients;
 use crate::sensitivity::equations::Equations;
-use crate::sensitivity::integration::steps;
 use crate::sensitivity::partials::Partials;
 use crate::sensitivity::state::{AugmentedState, COLUMNS, Tangent};
 use toytop::Phase;
 use toytop::scalar::Real;
 
+/// Largest number of steps from one time to the next.
+const MOST_STEPS: f64 = 200_000.0;
 /// Largest square of a tangent's size; the squares of larger ones would not be finite.
 const LARGEST: f64 = 1e300;
 
 /// Motion of a launch with its derivatives.
 ///
-/// The derivatives are integrated in the scalar `F`. The state is integrated in `f64`, so that its errors do not add up.
+/// The derivatives are integrated in the scalar `F`. The state is integrated in `f64` up to a node, so that its errors do not add up. Each
+/// time is reached from the node by one step in `F`. The node moves to the last time where the next one is beyond the longest step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Trajectory<F> {
     /// State and derivatives at the time of the last move.
     pub(crate) now: Partials<F>,
-    /// Time of `now` and of `state`.
+    /// Time of `now`.
     time: f64,
-    /// State without the rotation about the axis since the launch.
+    /// Time of the node.
+    node: f64,
+    /// State at the node, without the rotation about the axis since the launch.
     state: AugmentedState<f64, 0>,
+    /// Derivatives at the node.
+    tangents: [Tangent<F>; COLUMNS],
     /// Coefficients, and the rate about the axis at the launch, in `f64`.
     coefficients: Coefficients,
     spin: f64,
@@ -44,6 +50,8 @@ impl<F: Real> Trajectory<F> {
             now: Partials { state: state.with_tangents(tangents), equations: equations.cast() },
             time: 0.0,
             state: *state,
+            tangents,
+            node: 0.0,
             coefficients: equations.coefficients,
             spin: state.spin,
             longest_step: longest_step / equations.frequency(state),
@@ -57,23 +65,45 @@ impl<F: Real> Trajectory<F> {
         if self.time.to_bits() == t.to_bits() {
             return Some(());
         }
-        let span = t - self.time;
-        let steps = steps(span, self.longest_step)?;
-        self.move_state(span, steps);
-        let Partials { state, equations } = &mut self.now;
-        equations.advance(state, span, steps);
-        *state = self.state.with_tangents(state.tangents);
-        state.roll(rolled(self.spin, &self.coefficients, t));
-        self.time = t;
+        if !self.reaches(t, MOST_STEPS) {
+            return None;
+        }
+        while !self.reaches(t, 1.0) {
+            if self.time.to_bits() == self.node.to_bits() {
+                self.step_to(self.node + libm::copysign(self.longest_step, t - self.node));
+            }
+            self.move_node();
+        }
+        self.step_to(t);
+        self.now.state.roll(rolled(self.spin, &self.coefficients, t));
         Some(())
     }
 
-    /// Moves the state.
+    /// Whether a time is within this number of steps from the node.
+    fn reaches(&self, t: f64, steps: f64) -> bool {
+        libm::fabs(t - self.node) <= steps * self.longest_step
+    }
+
+    /// Moves from the node to a time.
+    fn step_to(&mut self, t: f64) {
+        let Partials { state, equations } = &mut self.now;
+        *state = self.state.with_tangents(self.tangents);
+        equations.step(state, F::from_f64(t - self.node));
+        self.time = t;
+    }
+
+    /// Moves the node to the last time.
     #[inline(never)] // stack
-    fn move_state(&mut self, span: f64, steps: u32) {
-        let Equations { columns, lossy, .. } = self.now.equations;
-        let equations = Equations { coefficients: self.coefficients, changes: [[0.0; _]; _], columns, lossy };
-        equations.advance(&mut self.state, span, steps);
+    fn move_node(&mut self) {
+        let Partials { state, equations: Equations { columns, lossy, .. } } = &self.now;
+        let equations = Equations {
+            coefficients: self.coefficients,
+            changes: [[0.0; _]; _],
+            columns: *columns,
+            lossy: *lossy,
+        };
+        equations.step(&mut self.state, self.time - self.node);
+        (self.tangents, self.node) = (state.tangents, self.time);
     }
 }
 
@@ -81,7 +111,7 @@ impl Trajectory<f64> {
     /// Launch with other tangents and another angle of the body about its axis.
     pub(crate) fn relaunched(mut self, roll: Phase, tangents: [Tangent<f64>; COLUMNS]) -> Self {
         self.state.roll(roll);
-        self.now.state = self.state.with_tangents(tangents);
+        (self.now.state, self.tangents) = (self.state.with_tangents(tangents), tangents);
         self
     }
 
@@ -94,8 +124,8 @@ impl Trajectory<f64> {
 }
 
 /// Angle by which the body has turned about its axis at a time, from S at the start.
-fn rolled(spin: f64, &[.., x1, _, _]: &Coefficients, t: f64) -> Phase {
-    let lost = x1 * t;
+fn rolled(spin: f64, &[.., axial, _, _]: &Coefficients, t: f64) -> Phase {
+    let lost = axial * t;
     // (1 - e⁻ˣ)/x
     let mean = if lost == 0.0 { 1.0 } else { -libm::expm1(-lost) / lost };
     Phase::from_radians(spin * t * mean)
