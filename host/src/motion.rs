@@ -3,17 +3,19 @@
 //! | module | contents |
 //! |---|---|
 //! | [`Scalar`] | scalar types of the core |
-//! | [`propagate`] | samples, and the stepper at given times |
-//! | [`quantity`], [`euler_angles`] | quantities of a sample |
-//! | [`errors`] | differences of states, and of their first integrals |
+//! | [`sample`] | motion at one time |
+//! | [`column`], [`euler_angles`] | quantities of a sample |
+//! | [`propagate`] | stepper at given times |
+//! | [`errors`] | errors of samples, and drift of the first integrals |
 //! | [`ephemeris`] | ephemeris in the smallest table that fits |
 //! | [`tip_angle`] | tip angle of an ephemeris, continued from t = 0 |
 
+pub mod column;
 pub mod ephemeris;
 pub mod errors;
 pub mod euler_angles;
 pub mod propagate;
-pub mod quantity;
+pub mod sample;
 pub mod tip_angle;
 
 pub use toytop_model::constants::{MotionConstants, regime, tilts};

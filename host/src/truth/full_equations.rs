@@ -4,10 +4,12 @@ pub mod full_solver;
 
 use crate::Failure;
 use crate::input::scenario::{Launch, Scenario};
-use crate::motion::propagate::{Sample, visit_times};
+use crate::motion::propagate::visit_times;
+use crate::motion::sample::Sample;
 use crate::motion::tip_angle::TipAngle;
 use full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullState};
 use toytop::Stepper;
+use toytop_model::equations::BodyRates;
 
 /// State at t = 0: the state of the launch without change, or for branch points the state of the core's stepper.
 pub fn initial_state(scenario: &Scenario) -> FullState {
@@ -36,12 +38,13 @@ pub fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<FullState>, Fail
 /// # Errors
 /// As [`states`] and [`TipAngle::new`].
 pub fn samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failure> {
-    /// Least |αβ| whose argument is not noise of the full solver.
-    const MIN_PRODUCT: f64 = 1e-9;
     let states = states(scenario, times)?;
     // only the whole turns of the tip angle come from the core
-    let angle = TipAngle::new(&scenario.motion, MIN_PRODUCT)?;
-    let sample =
-        |(&t, state): (&f64, &FullState)| angle.sample(t, state.orientation(), state.omega, state.udot());
+    let angle = TipAngle::new(&scenario.motion)?;
+    let sample = |(&t, state): (&f64, &FullState)| {
+        let (orientation, omega) = (state.orientation(), state.omega);
+        let omega_body = orientation.inverse().adjoint(omega);
+        angle.sample(t, orientation, BodyRates { omega, omega_body, udot: state.udot() })
+    };
     Ok(times.iter().zip(&states).map(sample).collect())
 }

@@ -2,7 +2,7 @@
 
 use super::aperiodic::AperiodicMotion;
 use super::table_data::TableScalar;
-use super::{AnyEphemeris, Table};
+use super::{DynEphemeris, HeapEphemeris};
 use crate::Failure;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
@@ -64,7 +64,7 @@ pub fn ephemeris_of_size(
     motion: &Motion,
     tick: Tick,
     sizes: &[u32],
-) -> Result<Box<dyn AnyEphemeris>, Failure> {
+) -> Result<Box<dyn DynEphemeris>, Failure> {
     match scalar {
         Scalar::F64 => table_in::<f64>(motion, tick, sizes, f64::TRUNCATION),
         Scalar::F32 => table_in::<f32>(motion, tick, sizes, f32::TRUNCATION),
@@ -78,14 +78,14 @@ fn table_in<R: TableScalar>(
     tick: Tick,
     sizes: &[u32],
     truncation: f64,
-) -> Result<Box<dyn AnyEphemeris>, Failure> {
+) -> Result<Box<dyn DynEphemeris>, Failure> {
     let needed = EphemerisView::<R>::segments_needed(motion, truncation);
     let enough =
         |sizes: &[u32]| sizes.iter().copied().find(|size| needed.is_some_and(|needed| *size >= needed));
     let largest = sizes.last().copied().unwrap_or(MOST);
     let mut memory = memory::<R>(enough(sizes).unwrap_or(largest));
     match memory.set_up(&mut SetUp::with_truncation(truncation), motion, tick, 0, &mut || {}) {
-        Ok(_) => Ok(Box::new(Table(memory))),
+        Ok(_) => Ok(Box::new(HeapEphemeris(memory))),
         Err(error @ SetUpError::TooSmall { .. }) => {
             let tried = match sizes {
                 [segments] => format!("{segments} segments"),
@@ -126,7 +126,7 @@ fn memory<R: TableScalar>(segments: u32) -> Box<EphemerisMemory<EphemerisView<R>
 ///
 /// # Errors
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
-pub fn smallest_ephemeris(scalar: Scalar, motion: &Motion) -> Result<Box<dyn AnyEphemeris>, Failure> {
+pub fn smallest_ephemeris(scalar: Scalar, motion: &Motion) -> Result<Box<dyn DynEphemeris>, Failure> {
     at_any_time(scalar, motion, |tick| ephemeris_of_size(scalar, motion, tick, &CAPACITIES))
 }
 
@@ -134,15 +134,15 @@ pub fn smallest_ephemeris(scalar: Scalar, motion: &Motion) -> Result<Box<dyn Any
 ///
 /// # Errors
 /// As [`smallest_ephemeris`].
-pub fn approximate(motion: &Motion, truncation: f64) -> Result<Box<dyn AnyEphemeris>, Failure> {
+pub fn approximate(motion: &Motion, truncation: f64) -> Result<Box<dyn DynEphemeris>, Failure> {
     at_any_time(Scalar::F64, motion, |tick| table_in::<f64>(motion, tick, &CAPACITIES, truncation))
 }
 
 fn at_any_time(
     scalar: Scalar,
     motion: &Motion,
-    table: impl FnOnce(Tick) -> Result<Box<dyn AnyEphemeris>, Failure>,
-) -> Result<Box<dyn AnyEphemeris>, Failure> {
+    table: impl FnOnce(Tick) -> Result<Box<dyn DynEphemeris>, Failure>,
+) -> Result<Box<dyn DynEphemeris>, Failure> {
     match AperiodicMotion::new(motion) {
         None => table(MotionConstants::new(*motion).tick()),
         Some(closed_form) if scalar == Scalar::F64 => Ok(Box::new(closed_form)),
