@@ -20,7 +20,6 @@ pub mod tip_angle;
 
 pub use toytop_model::constants::{MotionConstants, regime, tilts};
 
-use crate::Failure;
 use serde_json::Value;
 use toytop::Complex;
 use toytop_model::constants::{self, Constant};
@@ -56,15 +55,6 @@ impl Scalar {
             Self::Q15 => "q15",
         }
     }
-}
-
-/// Refuses times further from t = 0 than `most`; `unit` ends the message.
-///
-/// # Errors
-/// [`Failure::Input`].
-pub fn require_within(times: impl IntoIterator<Item = f64>, most: f64, unit: &str) -> Result<(), Failure> {
-    let beyond = |t| Err(Failure::Input(format!("{t:e} must be within ±{most:.1e}{unit}")));
-    times.into_iter().find(|t| t.abs() > most).map_or(Ok(()), beyond)
 }
 
 /// Value of a constant; null where the motion does not have it.

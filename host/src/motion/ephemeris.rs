@@ -6,7 +6,7 @@ mod sizes;
 mod table_data;
 
 pub use events::{EventFilter, EventKind, FoundEvent, search};
-pub use sizes::{CAPACITIES, approximate, ephemeris_of_size, sizes, smallest_ephemeris};
+pub use sizes::{ephemeris_of_size, ephemeris_with_truncation, smallest_ephemeris};
 pub use table_data::TableData;
 
 use crate::motion::column::{Numbers, SampleColumn};
@@ -185,7 +185,7 @@ mod tests {
             [motion(1.0, [0.2, 0.8, 1.5]), motion(1e-6, [0.2, 0.8, 1e6]), motion(1e9, [0.2, 0.8, 1.5])]
         {
             let constants = MotionConstants::new(motion);
-            let (rate, period) = (constants.ticks_per_time(), constants.nutation_period());
+            let (rate, period) = (constants.ticks_per_time(), constants.period_or_natural_time());
             assert!(rate * period >= 1000.0 && rate.log2().fract() == 0.0);
             assert!(furthest_time(rate) / period >= 1e10);
         }

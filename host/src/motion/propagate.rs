@@ -7,12 +7,12 @@ use crate::output::progress::Progress;
 use toytop::scalar::Real;
 use toytop::{Motion, Phase, Stepper};
 
-pub use toytop_model::constants::{natural_time, period};
+pub use toytop_model::constants::{natural_time, period_or_natural_time};
 
 /// Greatest distance from t = 0 at which a closed form is evaluated, s. Where e₃ = e₄ holds up to rounding, its error grows by up to 5e-14 rad
 /// in a period.
 pub fn furthest_time_of_closed_form(motion: &Motion) -> f64 {
-    1e12 * period(motion)
+    1e12 * period_or_natural_time(motion)
 }
 
 /// Greatest number of steps that is computed.
@@ -157,7 +157,7 @@ mod tests {
 
     /// Greatest difference of elapsed and requested time over a million requests, s: 0 in f64, the rounding of one last step in f32.
     fn greatest_gap<R: Real>() -> f64 {
-        let step = period(&motion()) / 4096.0;
+        let step = period_or_natural_time(&motion()) / 4096.0;
         let mut stepper = TimedStepper::<R>::new(&motion(), step);
         let gap = |i: u32| {
             let t = 0.3 * step * f64::from(i);

@@ -1,9 +1,10 @@
 //! Motion over a span of time, for pictures.
 
 use crate::Failure;
+use crate::input::require_within;
+use crate::motion::Scalar;
 use crate::motion::ephemeris::{DynEphemeris, smallest_ephemeris};
 use crate::motion::sample::Sample;
-use crate::motion::{Scalar, require_within};
 use crate::output::short;
 use toytop::Motion;
 use toytop_model::constants::MotionConstants;

@@ -3,11 +3,12 @@
 use super::phases::{self, PhaseErrors};
 use super::trajectory::{Pose, Trajectory};
 use crate::Failure;
+use crate::input::require_within;
 use crate::input::scenario::Scenario;
+use crate::motion::Scalar;
 use crate::motion::ephemeris::{DynEphemeris, smallest_ephemeris};
 use crate::motion::errors::{IntegralDrift, drift, greater};
-use crate::motion::propagate::period;
-use crate::motion::{Scalar, require_within};
+use crate::motion::propagate::period_or_natural_time;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
@@ -106,7 +107,7 @@ impl<'a> ExactReference<'a> {
         let exact = self.table.at(first.t);
         let [error, _] = self.errors(first);
         let inverse = distance(&exact.pose.orientation, &first.orientation.inverse());
-        let speed = apart(exact.rates.omega, [0.0; 3]).max(2.0 * PI / period(self.motion));
+        let speed = apart(exact.rates.omega, [0.0; 3]).max(2.0 * PI / period_or_natural_time(self.motion));
         let rate_error = first.omega.map_or(0.0, |omega| apart(omega, exact.rates.omega)) / speed;
         let tip_error = self.tip_error(first).unwrap_or(0.0) / self.motion.top().tip_scale();
         let far = format!("the first row is {error:.1e} rad from the motion;");

@@ -14,7 +14,7 @@
 use super::rotation_between;
 use super::trajectory::Pose;
 use crate::motion::ephemeris::DynEphemeris;
-use crate::motion::propagate::period;
+use crate::motion::propagate::period_or_natural_time;
 use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3, Vector6};
 use std::f64::consts::PI;
 use toytop::{Complex, Motion, Orientation, Regime};
@@ -45,7 +45,7 @@ pub fn last(motion: &Motion, table: &dyn DynEphemeris, rows: &[Pose]) -> PhaseEr
         regime if regime.is_vertical() => [false, false, true],
         _ => [false, true, true],
     };
-    let period = period(motion);
+    let period = period_or_natural_time(motion);
     let rates = motion.period_advance().map_or([0.0; 3], |advance| {
         [advance.alpha_turns, advance.beta_turns, 1.0].map(|turns| 2.0 * PI * turns / period)
     });

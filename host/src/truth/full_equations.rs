@@ -1,4 +1,4 @@
-//! Motion of a scenario by the full 3-D equations, a reference that shares no formula with the core.
+//! Motion of a scenario by the full 3-D equations. Only the state that branch points mean at t = 0 comes from the core.
 
 pub mod full_solver;
 
@@ -27,10 +27,10 @@ pub fn initial_state(scenario: &Scenario) -> FullState {
 /// # Errors
 /// [`Failure::Method`]: the solver cannot integrate that far.
 pub fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<FullState>, Failure> {
-    let solver = || FullSolver::new(scenario.motion.top(), initial_state(scenario), FULL_SOLVER_TOLERANCE);
-    visit_times(times, solver, |solver, t| {
-        solver.advance_to(t).map_err(|failure| failure.with_context(&scenario.name))
-    })
+    let start = FullSolver::new(scenario.motion.top(), initial_state(scenario), FULL_SOLVER_TOLERANCE);
+    start
+        .and_then(|start| visit_times(times, || start.clone(), FullSolver::advance_to))
+        .map_err(|failure| failure.with_context(&scenario.name))
 }
 
 /// Samples of the full solver at the given times.

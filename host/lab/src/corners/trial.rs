@@ -6,7 +6,7 @@ use toytop_host::input::random::Random;
 use toytop_host::motion::MotionConstants;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::{
-    DynEphemeris, EventFilter, EventKind, approximate, search, smallest_ephemeris,
+    DynEphemeris, EventFilter, EventKind, ephemeris_with_truncation, search, smallest_ephemeris,
 };
 use toytop_host::motion::errors::{greater, rate_error};
 use toytop_host::truth::exact::Exact;
@@ -67,7 +67,7 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
     let input = launch::random(&mut random);
     let motion = input.motion()?;
     let constants = MotionConstants::new(motion);
-    let (period, rate) = (constants.nutation_period(), constants.ticks_per_time());
+    let (period, rate) = (constants.period_or_natural_time(), constants.ticks_per_time());
     let tables = Scalar::ALL.map(|scalar| smallest_ephemeris(scalar, &motion).ok());
     let times = [(); TIMES].map(|()| random.between(0.0, period));
     let mut errors = tables.each_ref().map(|table| {
@@ -151,7 +151,7 @@ fn nearest(tick: i64, place: &Precise, period: &Precise) -> Option<i64> {
 
 /// For each scalar, the tick of the first period at which its rates differ most from those of a finer table.
 fn most_different_rates(tables: &[Option<Box<dyn DynEphemeris>>], motion: &Motion, period: f64) -> Vec<i64> {
-    let Ok(finer) = approximate(motion, FINE) else { return Vec::new() };
+    let Ok(finer) = ephemeris_with_truncation(motion, FINE) else { return Vec::new() };
     let tick = |place: i64| (period * place as f64 / COMPARED as f64) as i64;
     let fine: Vec<_> = (0..COMPARED).map(tick).map(|tick| (tick, finer.at_tick(tick).rates)).collect();
     let most = |table: &dyn DynEphemeris| {

@@ -1,11 +1,11 @@
 //! `toytop events`: times of turning points, tilts, circles, tip angles and lift-off.
 
 use crate::commands::warnings;
-use crate::input::finite;
 use crate::input::scenario::{Scenario, Units};
+use crate::input::{finite, require_within};
+use crate::motion::Scalar;
 use crate::motion::ephemeris::{EventFilter, EventKind, FoundEvent, search, smallest_ephemeris};
 use crate::motion::sample::Sample;
-use crate::motion::{Scalar, require_within};
 use crate::output::{self, Column, Format, Record, eight_digits};
 use crate::{Failure, Report};
 use clap::Args;

@@ -8,8 +8,8 @@ use crate::input::scenario::Scenario;
 use crate::input::times::{Times, TimesArgs};
 use crate::motion::Scalar;
 use crate::motion::column::SampleColumn;
-use crate::motion::ephemeris::{CAPACITIES, ephemeris_of_size, smallest_ephemeris};
-use crate::motion::propagate::{furthest_time_of_closed_form, period, stepped};
+use crate::motion::ephemeris::{ephemeris_of_size, smallest_ephemeris};
+use crate::motion::propagate::{furthest_time_of_closed_form, period_or_natural_time, stepped};
 use crate::motion::sample::{Sample, body_rates};
 use crate::motion::tip_angle::TipAngle;
 use crate::output::stdout;
@@ -117,7 +117,7 @@ fn source(
     let samples = match (arguments.method, arguments.scalar) {
         (Method::Ephemeris, scalar) => return by_ephemeris(scalar, scenario, times, rate),
         (Method::Stepper, scalar) => {
-            let step = period(motion) / f64::from(arguments.steps_per_period.unwrap_or(4096));
+            let step = period_or_natural_time(motion) / f64::from(arguments.steps_per_period.unwrap_or(4096));
             stepped(scalar, motion, &times.seconds, step)?
         }
         (Method::Full, Scalar::F64) => full_equations::samples(scenario, &times.seconds)?,
@@ -145,7 +145,7 @@ fn by_ephemeris(
     if !times.ticks.is_empty() && motion.regime() != Regime::Aperiodic {
         let refused = |error| Failure::Input(format!("--hertz: {error}"));
         let tick = Tick::ratio(rate[0], rate[1]).map_err(refused)?;
-        let table = ephemeris_of_size(scalar, motion, tick, &CAPACITIES).map_err(named)?;
+        let table = ephemeris_of_size(scalar, motion, tick, None).map_err(named)?;
         return Ok(Box::new(move |index| {
             let (tick, t) = (times.ticks[index as usize], times.seconds[index as usize]);
             Sample { t, ..table.at_tick(tick) }

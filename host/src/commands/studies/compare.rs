@@ -10,7 +10,7 @@ use crate::input::times::spread_times;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::smallest_ephemeris;
 use crate::motion::errors::Errors;
-use crate::motion::propagate::{TimedStepper, period};
+use crate::motion::propagate::{TimedStepper, period_or_natural_time};
 use crate::motion::sample::Sample;
 use crate::output::{self, Format, Record, short};
 use crate::truth::full_equations;
@@ -228,7 +228,7 @@ fn median(mut run: impl FnMut() -> u64) -> f64 {
 
 /// Run of the stepper through the times.
 fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
-    let step = period(motion) / f64::from(steps_per_period(scalar));
+    let step = period_or_natural_time(motion) / f64::from(steps_per_period(scalar));
     let (mut samples, mut steps) = (Vec::new(), 0);
     let call = median(|| {
         let mut timed = TimedStepper::<R>::new(motion, step);

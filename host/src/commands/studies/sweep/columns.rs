@@ -2,7 +2,7 @@
 
 use crate::input::times::spread_times;
 use crate::motion::column::SampleColumn;
-use crate::motion::ephemeris::{DynEphemeris, approximate, smallest_ephemeris};
+use crate::motion::ephemeris::{DynEphemeris, ephemeris_with_truncation, smallest_ephemeris};
 use crate::motion::errors::greater;
 use crate::motion::{Scalar, value};
 use clap::ValueEnum;
@@ -95,14 +95,14 @@ impl RowMotion {
     /// Motion with `count` times spread over this many periods.
     pub fn new(motion: Motion, count: u32, periods: f64) -> Self {
         let motion = MotionConstants::new(motion);
-        let times = spread_times(periods * motion.nutation_period(), count);
+        let times = spread_times(periods * motion.period_or_natural_time(), count);
         Self { motion, times, f64_table: OnceCell::new(), f32_table: OnceCell::new() }
     }
 
     fn f64_table(&self) -> Option<&dyn DynEphemeris> {
         /// Truncation error, rad.
         const WITHIN: f64 = 1e-13;
-        self.f64_table.get_or_init(|| approximate(&self.motion, WITHIN).ok()).as_deref()
+        self.f64_table.get_or_init(|| ephemeris_with_truncation(&self.motion, WITHIN).ok()).as_deref()
     }
 
     fn f32_table(&self) -> Option<&dyn DynEphemeris> {
