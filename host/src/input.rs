@@ -22,6 +22,17 @@ pub mod text_file;
 pub mod times;
 mod units;
 
+use crate::Failure;
+
+/// Refuses times further from t = 0 than `most`; `unit` ends the message.
+///
+/// # Errors
+/// [`Failure::Input`].
+pub fn require_within(times: impl IntoIterator<Item = f64>, most: f64, unit: &str) -> Result<(), Failure> {
+    let beyond = |t| Err(Failure::Input(format!("{t:e} must be within ±{most:.1e}{unit}")));
+    times.into_iter().find(|t| t.abs() > most).map_or(Ok(()), beyond)
+}
+
 /// Finite number of a text.
 pub fn finite(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|x: &f64| x.is_finite())

@@ -7,7 +7,7 @@
 //! | [`motion`] | the core's stepper and ephemeris at given times, their samples and constants |
 //! | [`truth`] | the paper's integrals to more than thirty digits; integration of the full 3-D equations |
 //! | [`fit`] | sensors, samples and a launch fitted to them |
-//! | [`score`] | output of an integrator against the exact motion; problems that integrators are tested with |
+//! | [`score`] | output of an integrator against the exact motion |
 //! | [`pictures`] | curve of the tip, page for a browser |
 //! | [`output`] | tables, CSV, JSON, files, progress |
 //! | [`parallel`] | threads on all processor cores |

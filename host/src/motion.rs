@@ -3,22 +3,23 @@
 //! | module | contents |
 //! |---|---|
 //! | [`Scalar`] | scalar types of the core |
-//! | [`propagate`] | samples, and the stepper at given times |
-//! | [`quantity`], [`euler_angles`] | quantities of a sample |
-//! | [`errors`] | differences of states, and of their first integrals |
+//! | [`sample`] | motion at one time |
+//! | [`column`], [`euler_angles`] | quantities of a sample |
+//! | [`propagate`] | stepper at given times |
+//! | [`errors`] | errors of samples, and drift of the first integrals |
 //! | [`ephemeris`] | ephemeris in the smallest table that fits |
 //! | [`tip_angle`] | tip angle of an ephemeris, continued from t = 0 |
 
+pub mod column;
 pub mod ephemeris;
 pub mod errors;
 pub mod euler_angles;
 pub mod propagate;
-pub mod quantity;
+pub mod sample;
 pub mod tip_angle;
 
 pub use toytop_model::constants::{MotionConstants, regime, tilts};
 
-use crate::Failure;
 use serde_json::Value;
 use toytop::Complex;
 use toytop_model::constants::{self, Constant};
@@ -54,15 +55,6 @@ impl Scalar {
             Self::Q15 => "q15",
         }
     }
-}
-
-/// Refuses times further from t = 0 than `most`; `unit` ends the message.
-///
-/// # Errors
-/// [`Failure::Input`].
-pub fn require_within(times: impl IntoIterator<Item = f64>, most: f64, unit: &str) -> Result<(), Failure> {
-    let beyond = |t| Err(Failure::Input(format!("{t:e} must be within ±{most:.1e}{unit}")));
-    times.into_iter().find(|t| t.abs() > most).map_or(Ok(()), beyond)
 }
 
 /// Value of a constant; null where the motion does not have it.

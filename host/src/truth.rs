@@ -1,5 +1,7 @@
-//! Two references that share no formula with the core: the paper's integrals in numbers of 640 bits (192 digits), and an integration of
-//! the full 3-D equations.
+//! Two references: the paper's integrals in numbers of 640 bits (192 digits), and an integration of the full 3-D equations.
+//!
+//! Both use the core's type `Orientation`. The integrals share no formula with the core. The integration takes the state at t = 0 from the
+//! core if a launch is given by branch points.
 //!
 //! The arithmetic of the integrals is dashu's. The relative error of their quadrature is 1e-37, which at tick 2^62 is below 1e-17 rad.
 //!

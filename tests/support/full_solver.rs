@@ -10,5 +10,5 @@ use toytop_host::truth::full_equations::full_solver::{FULL_SOLVER_TOLERANCE, Ful
 pub fn solver(motion: &Motion) -> FullSolver {
     let state = State::from_attitude(&Stepper::<f64>::new(motion).attitude_state()).unwrap();
     let state = FullState::new(&state.orientation(), state.omega());
-    FullSolver::new(motion.top(), state, FULL_SOLVER_TOLERANCE)
+    FullSolver::new(motion.top(), state, FULL_SOLVER_TOLERANCE).unwrap()
 }

@@ -60,8 +60,8 @@ pub static CONSTANTS: [Constant; 28] = [
     number("e3_minus_one", "", |motion| motion.branch_points().e3_minus_one),
     word("regime", |motion| regime(motion.regime())),
     number("period", "s", |motion| motion.period()),
-    number("alpha_turns", "turns a period", |motion| motion.turning(|advance| advance.alpha_turns)),
-    number("beta_turns", "turns a period", |motion| motion.turning(|advance| advance.beta_turns)),
+    number("alpha_turns", "turns a period", |motion| motion.advance_of(|advance| advance.alpha_turns)),
+    number("beta_turns", "turns a period", |motion| motion.advance_of(|advance| advance.beta_turns)),
     number("phi_per_period", "rad a period", |motion| motion.phi_per_period()),
     word("tip_class", |motion| tip_class(motion.tip_class())),
     number("min_normal_force", "weights", |motion| motion.min_normal_force().unwrap_or(f64::NAN)),
@@ -101,7 +101,7 @@ static TOP_AND_START: [Constant; 20] = [
     number("m_z", "kg m^2/s", |motion| momentum(motion)[2]),
 ];
 
-/// Motion whose constants are asked for. Its period takes a quadrature, which runs once, and only if a constant needs it.
+/// Constants of a motion. The quadrature of the period runs once at most.
 pub struct MotionConstants {
     motion: Motion,
     advance: OnceCell<Option<PeriodAdvance>>,
@@ -123,7 +123,7 @@ impl MotionConstants {
     }
 
     /// Nutation period of a motion that nutates, T₀ of any other, s.
-    pub fn nutation_period(&self) -> f64 {
+    pub fn period_or_natural_time(&self) -> f64 {
         match self.advance() {
             Some(advance) if self.regime() == Regime::Nutating => advance.period,
             _ => natural_time(self),
@@ -135,7 +135,7 @@ impl MotionConstants {
         /// A [`Tick`] has 32 bits on both sides.
         const MOST: f64 = (1_u32 << 31) as f64;
         let omega = at_start(self).omega();
-        let fastest = Float::sqrt(dot(omega, omega)).max(1000.0 / self.nutation_period());
+        let fastest = Float::sqrt(dot(omega, omega)).max(1000.0 / self.period_or_natural_time());
         let mut rate = MOST.recip();
         while rate < fastest.min(MOST) {
             rate *= 2.0;
@@ -152,7 +152,7 @@ impl MotionConstants {
 
     /// Advance of an angle in a period. It is exactly 0 where l = n = 0: the axis then stays in a vertical plane, and the arguments of α and β
     /// are constant, which quadratures reach only up to rounding.
-    fn turning(&self, angle: fn(&PeriodAdvance) -> f64) -> f64 {
+    fn advance_of(&self, angle: fn(&PeriodAdvance) -> f64) -> f64 {
         let integrals = self.first_integrals();
         match self.advance() {
             Some(_) if integrals.l == 0.0 && integrals.n == 0.0 => 0.0,
@@ -162,7 +162,7 @@ impl MotionConstants {
 
     /// Advance of the tip angle in a period, rad; NaN where the axis is vertical.
     pub fn phi_per_period(&self) -> f64 {
-        if self.regime().is_vertical() { f64::NAN } else { self.turning(|advance| advance.phi_radians) }
+        if self.regime().is_vertical() { f64::NAN } else { self.advance_of(|advance| advance.phi_radians) }
     }
 }
 
@@ -217,8 +217,8 @@ pub fn natural_time(motion: &Motion) -> f64 {
 }
 
 /// Nutation period of a motion that nutates, T₀ of any other, s.
-pub fn period(motion: &Motion) -> f64 {
-    MotionConstants::new(*motion).nutation_period()
+pub fn period_or_natural_time(motion: &Motion) -> f64 {
+    MotionConstants::new(*motion).period_or_natural_time()
 }
 
 fn at_start(motion: &Motion) -> AttitudeState<f64> {

@@ -45,6 +45,17 @@ impl FullState {
     }
 }
 
+/// Rates of a body's attitude at one time.
+#[derive(Clone, Copy)]
+pub struct BodyRates {
+    /// Angular velocity ω in the fixed frame, rad per unit time.
+    pub omega: [f64; 3],
+    /// Angular velocity Ω in the body frame, rad per unit time.
+    pub omega_body: [f64; 3],
+    /// Rate u' of the cosine of the tilt, per unit time.
+    pub udot: f64,
+}
+
 /// Parameters of the motion: A, C, p s, p g and K, in any units of inertia and time.
 #[derive(Clone, Copy)]
 pub struct Equations {

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyString};
 use toml::Table;
 use toytop_fit::{Drift, Measurement};
-use toytop_host::fit::columns::{Columns, keep_present};
+use toytop_host::fit::columns::Columns;
 use toytop_host::fit::launch::FitInput;
 use toytop_host::fit::launch::FitReport;
 use toytop_host::fit::sensors::{Body, Sensors};
@@ -169,7 +169,7 @@ fn columns(samples: &Bound<'_, PyDict>, sensors: &mut Sensors, all: bool) -> PyR
     if !has("t") {
         return Err(value_error("samples", "must have a column t"));
     }
-    keep_present(sensors, has, all).map_err(|reason| value_error("samples", reason))?;
+    sensors.keep_present(has, all).map_err(|reason| value_error("samples", reason))?;
     let column = |name: &str, rows: Option<usize>| -> PyResult<Vec<f64>> {
         let full_name = format!("samples: {name}");
         let NumericArg { numbers, shape } = NumericArg::read(&full_name, &samples.as_any().get_item(name)?)?;
@@ -181,7 +181,7 @@ fn columns(samples: &Bound<'_, PyDict>, sensors: &mut Sensors, all: bool) -> PyR
         Err(value_error(&full_name, reason))
     };
     let t = column("t", None)?;
-    let wanted = sensors.instruments.iter().flat_map(|instrument| instrument.kind.columns.iter().copied());
+    let wanted = sensors.instruments.iter().flat_map(|instrument| instrument.kind.columns().iter().copied());
     let readings: PyResult<Vec<_>> = wanted.map(|name| Ok((name, column(name, Some(t.len()))?))).collect();
     Ok(Columns { t, readings: readings? })
 }

@@ -9,28 +9,29 @@ use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use std::sync::Arc;
 use toytop::{Motion, Orientation};
-use toytop_host::motion::ephemeris::AnyEphemeris;
-use toytop_host::motion::propagate::Sample;
-use toytop_host::motion::quantity::Quantity;
+use toytop_host::motion::ephemeris::DynEphemeris;
+use toytop_host::motion::sample::Sample;
+use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::tip_angle::TipAngle;
+use toytop_model::equations::BodyRates;
 
 /// Quantities of samples that an array can hold.
-const COLUMNS: [Quantity; 11] = [
-    Quantity::Quaternion,
-    Quantity::Axis,
-    Quantity::U,
-    Quantity::Udot,
-    Quantity::Omega,
-    Quantity::OmegaBody,
-    Quantity::Tip,
-    Quantity::Phi,
-    Quantity::ErrorBound,
-    Quantity::EulerZxz,
-    Quantity::Angles,
+const COLUMNS: [SampleColumn; 11] = [
+    SampleColumn::Quaternion,
+    SampleColumn::Axis,
+    SampleColumn::U,
+    SampleColumn::Udot,
+    SampleColumn::Omega,
+    SampleColumn::OmegaBody,
+    SampleColumn::Tip,
+    SampleColumn::Phi,
+    SampleColumn::ErrorBound,
+    SampleColumn::EulerZxz,
+    SampleColumn::Angles,
 ];
 
 /// Ephemeris of one scalar.
-pub(crate) type Table = Arc<dyn AnyEphemeris>;
+pub(crate) type Table = Arc<dyn DynEphemeris>;
 
 /// Source of samples.
 pub(crate) enum Source {
@@ -59,7 +60,7 @@ impl Sampler {
         Self { times, motions, source }
     }
 
-    /// Samples of a method that computes the orientation, ω and u' at a time, with this error bound if it has one.
+    /// Samples of a method that computes the orientation and the rates at a time, with this error bound if it has one.
     ///
     /// # Errors
     /// `KeyboardInterrupt`, or `ValueError`: no table is large enough for the tip angle.
@@ -68,13 +69,13 @@ impl Sampler {
         times: NumericArg,
         motion: &Motion,
         error_bound: Option<f64>,
-        at: impl Fn(f64) -> (Orientation<f64>, [f64; 3], f64) + Send + Sync,
+        at: impl Fn(f64) -> (Orientation<f64>, BodyRates) + Send + Sync,
     ) -> PyResult<Self> {
-        let angle = TipAngle::new(motion, TipAngle::NOISE).map_err(failed)?;
+        let angle = TipAngle::new(motion).map_err(failed)?;
         let points = interrupt::map(py, times.numbers.len(), |index| {
             let t = times.numbers[index];
-            let (orientation, omega, udot) = at(t);
-            Sample { error_bound, ..angle.sample(t, orientation, omega, udot) }
+            let (orientation, rates) = at(t);
+            Sample { error_bound, ..angle.sample(t, orientation, rates) }
         })?;
         Ok(Self::new(times, None, Source::Points(points)))
     }
@@ -105,7 +106,7 @@ impl Sampler {
             Source::Tables(tables) => tables[motion].fill(column, &times[first..], rows),
             Source::Points(points) => {
                 for (point, row) in points[first..].iter().zip(rows.chunks_exact_mut(width)) {
-                    row.copy_from_slice(&column.numbers(point));
+                    row.copy_from_slice(&column.numbers_of(point));
                 }
             }
         };

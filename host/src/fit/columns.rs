@@ -1,6 +1,6 @@
 //! Samples by column, and their CSV. A row has a time and the readings of the sensors; an empty field is no reading.
 
-use super::sensors::{SENSOR_KINDS, Sensors};
+use super::sensors::Sensors;
 use crate::Failure;
 use crate::input::text_file::{self, excerpt};
 use crate::input::{finite, rows};
@@ -38,7 +38,7 @@ impl Columns {
         let rows: Vec<_> = measurements.chunk_by(same).collect();
         let mut readings = Vec::new();
         for (sensor, instrument) in sensors.instruments.iter().enumerate() {
-            for (component, name) in instrument.kind.columns.iter().enumerate() {
+            for (component, name) in instrument.kind.columns().iter().enumerate() {
                 let reading = |row: &&[Measurement]| {
                     let own = row.iter().find(|measurement| measurement.sensor == sensor);
                     own.map_or(f64::NAN, |measurement| measurement.values[component])
@@ -70,7 +70,7 @@ impl Columns {
             last = time;
             let mut rest = &self.readings[..];
             for (sensor, instrument) in sensors.instruments.iter().enumerate() {
-                let (columns, others) = rest.split_at(instrument.kind.columns.len());
+                let (columns, others) = rest.split_at(instrument.kind.columns().len());
                 rest = others;
                 if columns.iter().all(|(_, readings)| readings[row].is_nan()) {
                     continue;
@@ -92,26 +92,6 @@ impl Columns {
     }
 }
 
-/// Removes the sensors without columns.
-///
-/// * `all`: whether every sensor must have its columns
-///
-/// # Errors
-/// Requirement that the columns do not meet: those of at least one sensor must be complete, or with `all` those of every sensor.
-pub fn keep_present(sensors: &mut Sensors, has: impl Fn(&str) -> bool, all: bool) -> Result<(), String> {
-    let present = |columns: &[&'static str]| columns.iter().all(|name| has(name));
-    if all && let Some(missing) = sensors.instruments.iter().find(|one| !present(one.kind.columns)) {
-        let columns = missing.kind.columns.join(", ");
-        return Err(format!("must have the columns of the {}: {columns}", missing.kind.name));
-    }
-    sensors.instruments.retain(|instrument| present(instrument.kind.columns));
-    if sensors.instruments.is_empty() {
-        let names: Vec<_> = SENSOR_KINDS.iter().map(|kind| kind.columns.join(",")).collect();
-        return Err(format!("must have the columns of a sensor: {}", names.join("; ")));
-    }
-    Ok(())
-}
-
 /// Measurements of a file in the order of its rows, and the names of the columns that no sensor reads; the sensors without columns are
 /// removed.
 ///
@@ -126,7 +106,7 @@ pub fn read(
     all: bool,
 ) -> Result<(Vec<Measurement>, Vec<String>), Failure> {
     let file = path.display().to_string();
-    let text = text_file::read(&file, path, rows::LARGEST)?;
+    let text = text_file::read(&file, path, rows::MAX_FILE_MIB)?;
     parse(&text, sensors, all).map_err(|reason| Failure::Input(format!("{file}: {reason}")))
 }
 
@@ -135,7 +115,7 @@ fn parse(text: &str, sensors: &mut Sensors, all: bool) -> Result<(Vec<Measuremen
     let (header, rows) = rows::parse(text).map_err(in_header)?;
     let place = |name: &str| header.iter().position(|column| column == name);
     let time = place("t").ok_or_else(|| in_header("must have a column t".to_owned()))?;
-    keep_present(sensors, |name| place(name).is_some(), all).map_err(in_header)?;
+    sensors.keep_present(|name| place(name).is_some(), all).map_err(in_header)?;
     let mut columns = Columns::new(sensors, &[]);
     let places: Vec<_> = columns.readings.iter().filter_map(|(name, _)| place(name)).collect();
     let mut lines = Vec::new();

@@ -157,7 +157,7 @@ impl FitReport {
         let instruments = self.input.sensors.instruments.iter();
         let biased = instruments.filter(|instrument| instrument.sensor.noise().bias > 0.0);
         let biases = biased.zip(values.iter().zip(deviations));
-        biases.map(|(instrument, (value, deviation))| (instrument.kind.name, *value, *deviation)).collect()
+        biases.map(|(instrument, (value, deviation))| (instrument.kind.name(), *value, *deviation)).collect()
     }
 
     /// Mean rates of change of l, n and h during the samples, with their standard deviations and units; none without a drift.
@@ -218,7 +218,7 @@ impl FitReport {
                 return [f64::NAN; 3];
             };
             let instrument = &self.input.sensors.instruments[*sensor];
-            let bias = biases.iter().find(|(name, ..)| *name == instrument.kind.name);
+            let bias = biases.iter().find(|(name, ..)| *name == instrument.kind.name());
             let bias = bias.map_or([0.0; 3], |(_, bias, _)| *bias);
             let predicted = instrument.sensor.residual(&partials, values);
             [0, 1, 2].map(|k| {

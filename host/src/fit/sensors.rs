@@ -11,42 +11,78 @@ use toytop_fit::{
     TipCamera,
 };
 
-/// Kind of a sensor: its table in the file, and its columns in the samples.
+/// Kind of a sensor, in the order of the columns.
 #[derive(Clone, Copy, PartialEq)]
-pub struct SensorKind {
-    /// Name of the table.
-    pub name: &'static str,
-    /// Columns of the samples.
-    pub columns: &'static [&'static str],
-    /// Keys of the table, separated by spaces.
-    keys: &'static str,
+pub enum SensorKind {
+    /// Angular velocity.
+    Gyroscope,
+    /// Acceleration without gravity's.
+    Accelerometer,
+    /// Magnetic field.
+    Magnetometer,
+    /// Orientation seen by a camera.
+    Orientation,
+    /// Axis seen by a camera.
+    Axis,
+    /// Tip seen by a camera.
+    Tip,
+    /// Time at which a mark on the body passes.
+    Mark,
 }
 
 impl SensorKind {
+    /// All kinds.
+    pub const ALL: [Self; 7] = [
+        Self::Gyroscope,
+        Self::Accelerometer,
+        Self::Magnetometer,
+        Self::Orientation,
+        Self::Axis,
+        Self::Tip,
+        Self::Mark,
+    ];
+
+    /// Name of its table in a file, columns of the samples, and keys of the table.
+    fn description(self) -> (&'static str, &'static [&'static str], &'static [&'static str]) {
+        match self {
+            Self::Gyroscope => (
+                "gyroscope",
+                &["gyro_x", "gyro_y", "gyro_z"],
+                &["noise", "bias", "range", "rotation", "quantum", "every"],
+            ),
+            Self::Accelerometer => (
+                "accelerometer",
+                &["accel_x", "accel_y", "accel_z"],
+                &["noise", "bias", "range", "rotation", "position", "quantum", "every"],
+            ),
+            Self::Magnetometer => (
+                "magnetometer",
+                &["mag_x", "mag_y", "mag_z"],
+                &["noise", "bias", "field", "rotation", "quantum", "every"],
+            ),
+            Self::Orientation => ("orientation", &["w", "x", "y", "z"], &["noise", "quantum", "every"]),
+            Self::Axis => ("axis", &["axis_x", "axis_y", "axis_z"], &["noise", "quantum", "every"]),
+            Self::Tip => ("tip", &["tip_x", "tip_y"], &["noise", "quantum", "every"]),
+            Self::Mark => ("mark", &["mark"], &["noise", "position"]),
+        }
+    }
+
+    /// Name of its table in a file.
+    pub fn name(self) -> &'static str {
+        self.description().0
+    }
+
+    /// Columns of the samples.
+    pub fn columns(self) -> &'static [&'static str] {
+        self.description().1
+    }
+
     /// Names of the residuals: the columns, and for an orientation x, y, z of the rotation vector.
-    pub fn residuals(&self) -> &'static [&'static str] {
-        &self.columns[self.columns.len().saturating_sub(3)..]
+    pub fn residuals(self) -> &'static [&'static str] {
+        let columns = self.columns();
+        &columns[columns.len().saturating_sub(3)..]
     }
 }
-
-const fn kind(name: &'static str, columns: &'static [&'static str], keys: &'static str) -> SensorKind {
-    SensorKind { name, columns, keys }
-}
-
-/// All kinds.
-pub const SENSOR_KINDS: [SensorKind; 7] = [
-    kind("gyroscope", &["gyro_x", "gyro_y", "gyro_z"], "noise bias range rotation quantum every"),
-    kind(
-        "accelerometer",
-        &["accel_x", "accel_y", "accel_z"],
-        "noise bias range rotation position quantum every",
-    ),
-    kind("magnetometer", &["mag_x", "mag_y", "mag_z"], "noise bias field rotation quantum every"),
-    kind("orientation", &["w", "x", "y", "z"], "noise quantum every"),
-    kind("axis", &["axis_x", "axis_y", "axis_z"], "noise quantum every"),
-    kind("tip", &["tip_x", "tip_y"], "noise quantum every"),
-    kind("mark", &["mark"], "noise position"),
-];
 
 /// One sensor.
 pub struct Instrument {
@@ -74,7 +110,7 @@ pub struct Sensors {
     pub dropped: f64,
 }
 
-/// Sensors of a telephone. A quantum of the first two is the range over 2^15.
+/// Sensors of a telephone, which give 16 bits.
 const TELEPHONE: &str = "
 [gyroscope]
 noise = 0.002
@@ -95,7 +131,7 @@ every = 10
 /// Fraction of the range above which a reading counts as saturated.
 const SATURATION_FRACTION: f64 = 0.999;
 
-/// Properties of a top's body that predictions of some sensors need.
+/// Body that carries sensors.
 #[derive(Clone, Copy)]
 pub struct Body {
     /// Position of the centre of mass relative to the point that the moments of inertia refer to, in the body frame, m.
@@ -103,7 +139,7 @@ pub struct Body {
 }
 
 impl Body {
-    /// Properties of a top's body. The origin is the centre of mass of a sliding top or a free body, and the tip of a held top.
+    /// Body of a top. The origin is the centre of mass of a sliding top or a free body, and the tip of a held top.
     ///
     /// * `com_height`: distance of the centre of mass from the tip, m, or 0 if it is not known
     pub fn new(top: &Top, com_height: f64) -> Self {
@@ -147,13 +183,13 @@ impl Sensors {
                 return refuse(format!("{}: must be a table", excerpt(name)));
             };
             let section = Section { file, name, table };
-            match SENSOR_KINDS.into_iter().find(|kind| kind.name == name) {
+            match SensorKind::ALL.into_iter().find(|kind| kind.name() == name) {
                 Some(kind) => sensors.instruments.push(instrument(&section, kind, body)?),
                 None if name == "timing" => {
                     [sensors.jitter, sensors.dropped] = section.only_numbers(None, &TIMING)?;
                 }
                 None => {
-                    let allowed = SENSOR_KINDS.map(|kind| kind.name).join(", ");
+                    let allowed = SensorKind::ALL.map(SensorKind::name).join(", ");
                     return refuse(format!("{}: unknown sensor; allowed: timing, {allowed}", excerpt(name)));
                 }
             }
@@ -162,8 +198,28 @@ impl Sensors {
             return refuse("must have one to four sensors".to_owned());
         }
         // in the order of the columns, whatever that of the file
-        sensors.instruments.sort_by_key(|found| SENSOR_KINDS.iter().position(|kind| *kind == found.kind));
+        sensors.instruments.sort_by_key(|instrument| instrument.kind as u8);
         Ok(sensors)
+    }
+
+    /// Removes the sensors without columns.
+    ///
+    /// * `all`: whether every sensor must have its columns
+    ///
+    /// # Errors
+    /// Requirement that the columns do not meet: those of at least one sensor must be complete, or with `all` those of every sensor.
+    pub fn keep_present(&mut self, has: impl Fn(&str) -> bool, all: bool) -> Result<(), String> {
+        let present = |columns: &[&'static str]| columns.iter().all(|name| has(name));
+        if all && let Some(missing) = self.instruments.iter().find(|one| !present(one.kind.columns())) {
+            let columns = missing.kind.columns().join(", ");
+            return Err(format!("must have the columns of the {}: {columns}", missing.kind.name()));
+        }
+        self.instruments.retain(|instrument| present(instrument.kind.columns()));
+        if self.instruments.is_empty() {
+            let names: Vec<_> = SensorKind::ALL.iter().map(|kind| kind.columns().join(",")).collect();
+            return Err(format!("must have the columns of a sensor: {}", names.join("; ")));
+        }
+        Ok(())
     }
 }
 
@@ -185,7 +241,7 @@ static POSITION: Key = Key::required("position", "an array of 3 finite numbers")
 static FIELD: Key = Key::required("field", "an array of 3 finite numbers, not all 0");
 
 fn instrument(section: &Section<'_>, kind: SensorKind, body: Body) -> Result<Instrument, Failure> {
-    section.only(None, kind.keys.split(' '))?;
+    section.only(None, kind.description().2.iter().copied())?;
     let [deviation, bias, range, quantum, every] = section.numbers(&NUMBERS)?;
     let noise = Noise { deviation, bias };
     if every.fract() != 0.0 {
@@ -198,20 +254,24 @@ fn instrument(section: &Section<'_>, kind: SensorKind, body: Body) -> Result<Ins
     }
     let rotation = Orientation::from_quaternion(rotation).normalised();
     let mounting = Mounting { rotation, place: section.array(&POSITION, Some(body.com))? };
-    let sensor: Box<dyn Sensor + Send + Sync> = match kind.name {
-        "gyroscope" => Box::new(Gyroscope { noise, mounting, range: SATURATION_FRACTION * range }),
-        "accelerometer" => Box::new(Accelerometer { noise, mounting, range: SATURATION_FRACTION * range }),
-        "magnetometer" => {
+    let sensor: Box<dyn Sensor + Send + Sync> = match kind {
+        SensorKind::Gyroscope => Box::new(Gyroscope { noise, mounting, range: SATURATION_FRACTION * range }),
+        SensorKind::Accelerometer => {
+            Box::new(Accelerometer { noise, mounting, range: SATURATION_FRACTION * range })
+        }
+        SensorKind::Magnetometer => {
             let field = section.array(&FIELD, Some([20.0, 0.0, -43.0]))?;
             if field == [0.0; 3] {
                 return Err(section.not_allowed(&FIELD));
             }
             Box::new(Magnetometer { noise, mounting, field })
         }
-        "orientation" => Box::new(OrientationCamera { deviation }),
-        "axis" => Box::new(AxisCamera { deviation }),
-        "tip" => Box::new(TipCamera { deviation }),
-        _ => Box::new(Mark { deviation, place: section.array(&POSITION, Some([1.0, 0.0, 0.0]))? }),
+        SensorKind::Orientation => Box::new(OrientationCamera { deviation }),
+        SensorKind::Axis => Box::new(AxisCamera { deviation }),
+        SensorKind::Tip => Box::new(TipCamera { deviation }),
+        SensorKind::Mark => {
+            Box::new(Mark { deviation, place: section.array(&POSITION, Some([1.0, 0.0, 0.0]))? })
+        }
     };
     Ok(Instrument { kind, sensor, noise, range, quantum, every: every as u64 })
 }

@@ -1,6 +1,6 @@
 //! Simulated measurements of a motion.
 
-use super::sensors::{Instrument, Sensors};
+use super::sensors::{Instrument, SensorKind, Sensors};
 use crate::input::random::Random;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
@@ -47,7 +47,7 @@ pub fn measurements(motion: &Motion, sensors: &Sensors, recording: &Recording) -
             let Instrument { kind, noise, range, quantum, every, .. } = instrument;
             // the difference of a reading of 0 from the prediction
             let difference = |partials: &Partials| instrument.sensor.residual(partials, &[0.0; 4]).difference;
-            if kind.name == "mark" {
+            if *kind == SensorKind::Mark {
                 let ahead = |time| Some(difference(&sensitivity.at(time)?)[0]);
                 let [now, ..] = difference(&partials);
                 if let Some(before) = before[sensor].replace(now)
@@ -62,7 +62,7 @@ pub fn measurements(motion: &Motion, sensors: &Sensors, recording: &Recording) -
                 continue;
             }
             let error = [0; 3].map(|_| noise.deviation * normal(&mut random));
-            let exact = if kind.name == "orientation" {
+            let exact = if *kind == SensorKind::Orientation {
                 Orientation::exp(error).compose(&partials.orientation()).quaternion()
             } else {
                 let (bias, difference) = (biases[sensor], difference(&partials));
@@ -70,7 +70,7 @@ pub fn measurements(motion: &Motion, sensors: &Sensors, recording: &Recording) -
                 [x, y, z, 0.0]
             };
             let mut values = [0.0; 4];
-            for (value, exact) in values.iter_mut().zip(exact).take(kind.columns.len()) {
+            for (value, exact) in values.iter_mut().zip(exact).take(kind.columns().len()) {
                 let rounded = if *quantum > 0.0 { (exact / quantum).round() * quantum } else { exact };
                 *value = rounded.clamp(-range, *range);
             }

@@ -1,4 +1,6 @@
 //! Generator of random numbers (SplitMix64). A seed and a number determine each stream.
+//!
+//! It is written here because a seed gives the same numbers in all versions, which a crate does not promise.
 
 /// Stream of random numbers.
 pub struct Random(u64);

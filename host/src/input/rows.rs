@@ -3,7 +3,7 @@
 use csv::{ErrorKind, Position, StringRecord};
 
 /// Size of the largest CSV file that is read, MiB.
-pub const LARGEST: u64 = 1024;
+pub const MAX_FILE_MIB: u64 = 1024;
 
 /// Row with its line, or the reason why it cannot be read.
 type Row = Result<(u64, StringRecord), String>;
@@ -31,6 +31,7 @@ fn without_unit(field: &str) -> Result<String, String> {
         "accel" => &["m/s^2", "m/s²", "m/s2"],
         "tip" => &["m"],
         "mark" => &["rad"],
+        "mag" => &["uT", "µT"],
         _ => &[unit],
     };
     if unit.is_empty() || allowed.contains(&unit) {

@@ -1,10 +1,9 @@
 //! Times at which a motion is computed: times or ticks on the command line, or a file of times.
 
 use super::axis::Axis;
-use super::finite;
 use super::text_file::{self, excerpt};
+use super::{finite, require_within};
 use crate::Failure;
-use crate::motion::require_within;
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -44,7 +43,7 @@ pub struct Times {
 }
 
 /// Greatest number of times.
-const MOST: u64 = 10_000_000;
+const MAX_TIMES: u64 = 10_000_000;
 
 impl Times {
     /// Times of the command line.
@@ -97,7 +96,7 @@ impl Times {
         let listed: Option<Vec<i64>> = numbers(if range { ".." } else { "," });
         let ticks = match listed.as_deref() {
             Some([first, last]) if range && first <= last => {
-                require_few(last.abs_diff(*first)).map_err(|reason| refused(&reason))?;
+                require_count(last.abs_diff(*first)).map_err(|reason| refused(&reason))?;
                 (*first..=*last).collect()
             }
             Some(ticks) if !range => ticks.to_vec(),
@@ -110,9 +109,9 @@ impl Times {
 
     fn read_file(path: &Path) -> Result<Self, Failure> {
         /// Size of the largest file, MiB: some five million times.
-        const LARGEST: u64 = 64;
+        const MAX_FILE_MIB: u64 = 64;
         let name = path.display();
-        let text = text_file::read(&name.to_string(), path, LARGEST)?;
+        let text = text_file::read(&name.to_string(), path, MAX_FILE_MIB)?;
         let mut times = Vec::new();
         for (index, line) in text.lines().enumerate() {
             let entry = line.split('#').next().unwrap_or_default().trim();
@@ -129,7 +128,7 @@ impl Times {
     }
 
     fn new(option: String, axis: &Axis) -> Result<Self, Failure> {
-        require_few(axis.size()).map_err(|reason| Failure::Input(reason).with_context(&option))?;
+        require_count(axis.size()).map_err(|reason| Failure::Input(reason).with_context(&option))?;
         let seconds = (0..axis.size()).map(|index| axis.at(index)).collect();
         Ok(Self { option, seconds, ticks: Vec::new() })
     }
@@ -144,16 +143,15 @@ impl Times {
     }
 }
 
-/// Times from 0 to `horizon`, s: one in each of `count` equal parts, at a place in its part that is a multiple of the golden section
-/// modulo 1.
+/// One time in each of `count` equal parts of [0, `horizon`], s. The places in the parts are multiples of the golden section modulo 1.
 pub fn spread_times(horizon: f64, count: u32) -> Vec<f64> {
     const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
     let part = horizon / f64::from(count);
     (0..count).map(|i| part * (f64::from(i) + (f64::from(i) * GOLDEN_SECTION).fract())).collect()
 }
 
-fn require_few(count: u64) -> Result<(), String> {
-    if count > MOST { Err(format!("{count} times: must be at most {MOST}")) } else { Ok(()) }
+fn require_count(count: u64) -> Result<(), String> {
+    if count > MAX_TIMES { Err(format!("{count} times: must be at most {MAX_TIMES}")) } else { Ok(()) }
 }
 
 fn time(entry: &str, place: &str) -> Result<f64, Failure> {

@@ -6,63 +6,21 @@ mod sizes;
 mod table_data;
 
 pub use events::{EventFilter, EventKind, FoundEvent, search};
-pub use sizes::{CAPACITIES, approximate, ephemeris_of_size, sizes, smallest_ephemeris};
+pub use sizes::{ephemeris_of_size, ephemeris_with_truncation, smallest_ephemeris};
 pub use table_data::TableData;
 
-use crate::motion::errors::greater;
-use crate::motion::propagate::Sample;
-use crate::motion::quantity::Quantity;
+use crate::motion::column::{Numbers, SampleColumn};
+use crate::motion::sample::Sample;
 use crate::motion::widened;
 use events::Condition;
 use std::f64::consts::TAU;
 use table_data::TableScalar;
 use toytop::scalar::Float;
-use toytop::su2::OrientationRate;
-use toytop::{Complex, EphemerisMemory, EphemerisScalar, EphemerisView, ErrorBound, Phase};
-use toytop_model::equations::dot;
-
-/// Sample of an ephemeris with the rates and the phase that only an ephemeris has.
-pub struct EphemerisSample {
-    /// Sample in `f64`. α, β and u have the precision of the scalar, and rates, tip and tip angle of its quantities (`f32` for fixed point).
-    pub sample: Sample,
-    /// Rate Φ' of the orientation, per unit time.
-    pub rate: OrientationRate<f64>,
-    /// Position of the tip in units of s, c/s = 2αβ, in the precision of the scalar.
-    pub tip_over_s: Complex<f64>,
-    /// Nutation phase: one turn a nutation period, 0 at u = e₁.
-    pub nutation_phase: Phase,
-}
-
-/// Rates at one time.
-pub struct Rates {
-    /// Angular velocity ω in the fixed frame, rad per unit time.
-    pub omega: [f64; 3],
-    /// Angular velocity Ω in the body frame, rad per unit time.
-    pub omega_body: [f64; 3],
-    /// Rate u' of the cosine of the tilt, per unit time.
-    pub udot: f64,
-}
-
-impl Rates {
-    /// Greatest of the differences |Δω|, |ΔΩ| and |Δu'|, rad per unit time; infinite where one of them is no number.
-    pub fn distance(&self, other: &Self) -> f64 {
-        let apart = |x: [f64; 3], y: [f64; 3]| length([x[0] - y[0], x[1] - y[1], x[2] - y[2]]);
-        let vectors = [apart(self.omega, other.omega), apart(self.omega_body, other.omega_body)];
-        vectors.into_iter().fold(greater(0.0, (self.udot - other.udot).abs()), greater)
-    }
-
-    /// Angular speed |Ω|, rad per unit time.
-    pub fn speed(&self) -> f64 {
-        length(self.omega_body)
-    }
-}
-
-fn length(x: [f64; 3]) -> f64 {
-    dot(x, x).sqrt()
-}
+use toytop::{EphemerisMemory, EphemerisScalar, EphemerisView, ErrorBound, Orientation, Phase, Pose};
+use toytop_model::equations::BodyRates;
 
 /// Ephemeris of any scalar.
-pub trait AnyEphemeris: Send + Sync {
+pub trait DynEphemeris: Send + Sync {
     /// Number of segments, and of coefficients of each polynomial.
     fn size(&self) -> [usize; 2];
 
@@ -81,17 +39,29 @@ pub trait AnyEphemeris: Send + Sync {
     fn rate_error_bound(&self) -> ErrorBound;
 
     /// Sample of the motion t units of time after t = 0, t taken as exact.
-    fn at(&self, t: f64) -> EphemerisSample;
+    fn at(&self, t: f64) -> Sample;
 
     /// Sample of the motion at tick n.
-    fn at_tick(&self, n: i64) -> EphemerisSample;
+    fn at_tick(&self, n: i64) -> Sample;
 
-    /// Rates at tick n.
-    fn rates_at_tick(&self, n: i64) -> Rates;
+    /// Part [`Sample::pose`] of a sample.
+    fn pose(&self, t: f64) -> Pose<f64, f64> {
+        self.at(t).pose
+    }
 
-    /// Writes one column at each time; computes no other.
-    fn fill(&self, column: Quantity, times: &[f64], rows: &mut [f64]) {
-        fill_from_samples(column, times, rows, |t| self.at(t).sample);
+    /// Part [`Sample::rates`] of a sample.
+    fn rates(&self, t: f64) -> BodyRates {
+        self.at(t).rates
+    }
+
+    /// Writes one column at each time; computes only the part of a sample that it needs.
+    fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
+        let rows = times.iter().zip(rows.chunks_exact_mut(column.names().1.len()));
+        match column.numbers() {
+            Numbers::OfPose(write) => rows.for_each(|(t, row)| write(&self.pose(*t), row)),
+            Numbers::OfRates(write) => rows.for_each(|(t, row)| write(&self.rates(*t), row)),
+            Numbers::OfSample(write) => rows.for_each(|(t, row)| write(&self.at(*t), row)),
+        }
     }
 
     /// First events at which a condition holds, of those that the filter accepts.
@@ -106,39 +76,28 @@ pub fn furthest_time(ticks_per_time: f64) -> f64 {
     62_f64.exp2() / ticks_per_time
 }
 
-/// Table on the heap, which was set up.
-struct Table<R: EphemerisScalar>(Box<EphemerisMemory<EphemerisView<R>>>);
+/// Ephemeris on the heap.
+struct HeapEphemeris<R: EphemerisScalar>(Box<EphemerisMemory<EphemerisView<R>>>);
 
-impl<R: EphemerisScalar> Table<R> {
+impl<R: EphemerisScalar> HeapEphemeris<R> {
     fn table(&self) -> &EphemerisView<R> {
         self.0.get().expect("set up")
     }
 
     /// Sample at time t, which is this number of ticks.
-    fn timed(&self, t: f64, ticks: f64, now: toytop::Sample<'_, R>) -> EphemerisSample {
-        let (orientation, state) = (now.orientation(), now.attitude_state());
-        let wide = |z: Complex<R::Quantity>| widened(z, Float::to_f64);
-        let phi = now.tip_angle().map(|angle| self.unwrapped(angle, t));
-        EphemerisSample {
-            sample: Sample {
-                u: now.u().into(),
-                alpha: exact(orientation.alpha),
-                beta: exact(orientation.beta),
-                error_bound: Some(self.table().error_bound().after(ticks)),
-                ..Sample::from_state(t, &state, now.tip(), phi)
-            },
-            rate: OrientationRate { alpha: wide(state.rate.alpha), beta: wide(state.rate.beta) },
-            tip_over_s: exact(orientation.tip_over_s()),
-            nutation_phase: now.nutation_phase(),
+    fn sample(&self, t: f64, ticks: f64, now: &toytop::Sample<'_, R>) -> Sample {
+        let turns = self.table().mean_tip_angle_rate() * t;
+        Sample {
+            t,
+            pose: pose(now),
+            rates: rates(now),
+            tip_angle: now.tip_angle().map(|angle| unwrapped(angle, turns)),
+            error_bound: Some(self.table().error_bound().after(ticks)),
         }
-    }
-
-    fn unwrapped(&self, angle: Phase, t: f64) -> f64 {
-        unwrapped(angle, self.table().mean_tip_angle_rate() * t)
     }
 }
 
-impl<R: TableScalar> AnyEphemeris for Table<R> {
+impl<R: TableScalar> DynEphemeris for HeapEphemeris<R> {
     fn size(&self) -> [usize; 2] {
         [self.table().capacity(), R::TERMS]
     }
@@ -156,46 +115,25 @@ impl<R: TableScalar> AnyEphemeris for Table<R> {
         self.table().rate_error_bound()
     }
 
-    fn at(&self, t: f64) -> EphemerisSample {
-        self.timed(t, t * self.ticks_per_time(), self.table().at(t))
+    fn at(&self, t: f64) -> Sample {
+        self.sample(t, t * self.ticks_per_time(), &self.table().at(t))
     }
 
-    fn at_tick(&self, n: i64) -> EphemerisSample {
-        self.timed(n as f64 / self.ticks_per_time(), n as f64, self.table().at_tick(n))
+    fn at_tick(&self, n: i64) -> Sample {
+        self.sample(n as f64 / self.ticks_per_time(), n as f64, &self.table().at_tick(n))
     }
 
-    fn rates_at_tick(&self, n: i64) -> Rates {
-        let now = self.table().at_tick(n);
-        let wide = |vector: [R::Quantity; 3]| vector.map(Float::to_f64);
-        Rates { omega: wide(now.omega()), omega_body: wide(now.omega_body()), udot: now.udot().to_f64() }
+    fn pose(&self, t: f64) -> Pose<f64, f64> {
+        pose(&self.table().at(t))
     }
 
-    fn fill(&self, column: Quantity, times: &[f64], rows: &mut [f64]) {
-        let (table, wide) = (self.table(), <R::Quantity as Float>::to_f64);
-        match column {
-            Quantity::Quaternion => fill(times, rows, |t| table.at(t).quaternion().map(Into::into)),
-            Quantity::Axis => fill(times, rows, |t| table.at(t).axis().map(Into::into)),
-            Quantity::U => fill(times, rows, |t| [table.at(t).u().into()]),
-            Quantity::Udot => fill(times, rows, |t| [wide(table.at(t).udot())]),
-            Quantity::Omega => fill(times, rows, |t| table.at(t).omega().map(wide)),
-            Quantity::OmegaBody => fill(times, rows, |t| table.at(t).omega_body().map(wide)),
-            Quantity::Tip => fill(times, rows, |t| {
-                let tip = table.at(t).tip();
-                [tip.re, tip.im].map(wide)
-            }),
-            Quantity::Phi => fill(times, rows, |t| {
-                [table.at(t).tip_angle().map_or(f64::NAN, |angle| self.unwrapped(angle, t))]
-            }),
-            Quantity::ErrorBound => {
-                fill(times, rows, |t| [self.error_bound().after(t * self.ticks_per_time())])
-            }
-            _ => fill_from_samples(column, times, rows, |t| self.at(t).sample),
-        }
+    fn rates(&self, t: f64) -> BodyRates {
+        rates(&self.table().at(t))
     }
 
     fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent> {
         let table = self.table();
-        let sample = |event: &_, t| self.timed(t, t * self.ticks_per_time(), table.at_event(event));
+        let sample = |event: &_, t| self.sample(t, t * self.ticks_per_time(), &table.at_event(event));
         events::of_table(table, condition, filter, sample)
     }
 
@@ -204,19 +142,15 @@ impl<R: TableScalar> AnyEphemeris for Table<R> {
     }
 }
 
-/// Rows of N numbers, one for each time.
-fn fill<const N: usize>(times: &[f64], rows: &mut [f64], numbers: impl Fn(f64) -> [f64; N]) {
-    for (t, row) in times.iter().zip(rows.as_chunks_mut().0) {
-        *row = numbers(*t);
-    }
+fn pose<R: EphemerisScalar>(now: &toytop::Sample<'_, R>) -> Pose<f64, f64> {
+    let Pose { orientation: Orientation { alpha, beta }, u, tip } = now.pose();
+    let [alpha, beta] = [alpha, beta].map(|z| widened(z, Into::into));
+    Pose { orientation: Orientation { alpha, beta }, u: u.into(), tip: widened(tip, Float::to_f64) }
 }
 
-/// Rows of a column's numbers, one for each time, from whole samples.
-fn fill_from_samples(column: Quantity, times: &[f64], rows: &mut [f64], at: impl Fn(f64) -> Sample) {
-    let (_, names) = column.names();
-    for (t, row) in times.iter().zip(rows.chunks_exact_mut(names.len())) {
-        row.copy_from_slice(&column.numbers(&at(*t)));
-    }
+fn rates<R: EphemerisScalar>(now: &toytop::Sample<'_, R>) -> BodyRates {
+    let [omega, omega_body] = [now.omega(), now.omega_body()].map(|vector| vector.map(Float::to_f64));
+    BodyRates { omega, omega_body, udot: now.udot().to_f64() }
 }
 
 /// Angle in radians of a phase known modulo 2^32 turns, nearest to `near`, a number of turns.
@@ -224,10 +158,6 @@ fn unwrapped(phase: Phase, near: f64) -> f64 {
     const MODULUS: f64 = (1_u64 << 32) as f64;
     let turns = phase.to_turns();
     TAU * (turns + MODULUS * ((near - turns) / MODULUS).round())
-}
-
-fn exact<R: Into<f64>>(z: Complex<R>) -> Complex<f64> {
-    widened(z, Into::into)
 }
 
 #[cfg(test)]
@@ -255,7 +185,7 @@ mod tests {
             [motion(1.0, [0.2, 0.8, 1.5]), motion(1e-6, [0.2, 0.8, 1e6]), motion(1e9, [0.2, 0.8, 1.5])]
         {
             let constants = MotionConstants::new(motion);
-            let (rate, period) = (constants.ticks_per_time(), constants.nutation_period());
+            let (rate, period) = (constants.ticks_per_time(), constants.period_or_natural_time());
             assert!(rate * period >= 1000.0 && rate.log2().fract() == 0.0);
             assert!(furthest_time(rate) / period >= 1e10);
         }

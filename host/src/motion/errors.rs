@@ -1,11 +1,61 @@
-//! Errors: the greater of two, and the drift of the first integrals.
+//! Errors of samples, and drift of the first integrals.
 
+use super::sample::Sample;
+use nalgebra::Vector3;
 use toytop::{Motion, Orientation, Top};
-use toytop_model::equations::{Equations, FullState};
+use toytop_model::equations::{BodyRates, Equations, FullState};
 
 /// Greater of two errors; infinite where the second is no number.
 pub fn greater(a: f64, b: f64) -> f64 {
     if b.is_nan() { f64::INFINITY } else { a.max(b) }
+}
+
+/// Errors of a sample.
+#[derive(Clone, Copy, Default)]
+pub struct Errors {
+    /// Error of the orientation, 2 √(|Δα|² + |Δβ|²), rad.
+    pub orientation: f64,
+    /// Error of u.
+    pub u: f64,
+    /// Error of the tip in units of its scale.
+    pub tip: f64,
+    /// Error of the norm |α|² + |β|².
+    pub norm: f64,
+    /// Drift of l, n and h, from α, β and Ω in `f64`.
+    pub drift: IntegralDrift,
+}
+
+impl Errors {
+    /// Errors of a sample of a motion whose orientation is `truth`.
+    pub fn between(motion: &Motion, sample: &Sample, truth: &Orientation<f64>) -> Self {
+        let found = sample.pose.orientation;
+        let tip = sample.pose.tip.scaled(1.0 / motion.top().tip_scale()) - truth.tip_over_s();
+        Self {
+            orientation: found.distance(truth),
+            u: (sample.pose.u - truth.u()).abs(),
+            tip: tip.modulus(),
+            norm: (found.norm_squared() - 1.0).abs(),
+            drift: drift(motion, &found, found.adjoint(sample.rates.omega_body)),
+        }
+    }
+
+    /// Greater errors of two samples.
+    pub fn greater(self, other: Self) -> Self {
+        Self {
+            orientation: greater(self.orientation, other.orientation),
+            u: greater(self.u, other.u),
+            tip: greater(self.tip, other.tip),
+            norm: greater(self.norm, other.norm),
+            drift: self.drift.greater(other.drift),
+        }
+    }
+}
+
+/// Greatest of the differences |Δω|, |ΔΩ| and |Δu'|, rad per unit time.
+pub fn rate_error(found: &BodyRates, truth: &BodyRates) -> f64 {
+    let apart = |x: [f64; 3], y: [f64; 3]| (Vector3::from(x) - Vector3::from(y)).norm();
+    let vectors = [apart(found.omega, truth.omega), apart(found.omega_body, truth.omega_body)];
+    vectors.into_iter().fold(greater(0.0, (found.udot - truth.udot).abs()), greater)
 }
 
 /// First integrals [l, n, h] in kg m²/s and kg m²/s², by the full equations.
@@ -29,7 +79,7 @@ fn natural_scales(motion: &Motion) -> [f64; 3] {
 
 /// Differences of l, n and h from those of a motion, in units of their natural scales.
 #[derive(Clone, Copy, Default)]
-pub struct Drift {
+pub struct IntegralDrift {
     /// Difference of l.
     pub l: f64,
     /// Difference of n.
@@ -38,7 +88,7 @@ pub struct Drift {
     pub h: f64,
 }
 
-impl Drift {
+impl IntegralDrift {
     /// Greater differences of two states.
     pub fn greater(self, other: Self) -> Self {
         Self { l: greater(self.l, other.l), n: greater(self.n, other.n), h: greater(self.h, other.h) }
@@ -46,12 +96,12 @@ impl Drift {
 }
 
 /// Drift of a state from a motion.
-pub fn drift(motion: &Motion, orientation: &Orientation<f64>, omega: [f64; 3]) -> Drift {
+pub fn drift(motion: &Motion, orientation: &Orientation<f64>, omega: [f64; 3]) -> IntegralDrift {
     let (constants, scales) = (motion.first_integrals(), natural_scales(motion));
     let exact = [constants.l, constants.n, constants.h];
     let integrals = first_integrals(motion.top(), orientation, omega);
     let [l, n, h] = [0, 1, 2].map(|i| (integrals[i] - exact[i]).abs() / scales[i]);
-    Drift { l, n, h }
+    IntegralDrift { l, n, h }
 }
 
 #[cfg(test)]

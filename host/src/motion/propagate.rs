@@ -1,68 +1,18 @@
 //! Stepper of the core at given times: equal steps, and one shorter last step to each time.
 
 use crate::Failure;
-use crate::motion::{Scalar, widened};
+use crate::motion::Scalar;
+use crate::motion::sample::Sample;
 use crate::output::progress::Progress;
 use toytop::scalar::Real;
-use toytop::{AttitudeState, Complex, Motion, Orientation, Phase, Stepper};
+use toytop::{Motion, Phase, Stepper};
 
-pub use toytop_model::constants::{natural_time, period};
-
-/// Motion at one time in `f64`, by any method.
-#[derive(Clone, Copy)]
-pub struct Sample {
-    /// Time, s.
-    pub t: f64,
-    /// Cosine u of the tilt.
-    pub u: f64,
-    /// Rate u' of the cosine of the tilt, 1/s.
-    pub udot: f64,
-    /// Cayley-Klein parameter α.
-    pub alpha: Complex<f64>,
-    /// Cayley-Klein parameter β.
-    pub beta: Complex<f64>,
-    /// Angular velocity ω in the fixed frame, rad/s.
-    pub omega: [f64; 3],
-    /// Position of the tip c = 2 s αβ, m; 2 αβ for a fixed tip.
-    pub tip: Complex<f64>,
-    /// Tip angle continued from t = 0, rad; `None` where the axis is vertical at all times.
-    pub tip_angle: Option<f64>,
-    /// Upper bound on the error of the orientation, rad, where the method has one.
-    pub error_bound: Option<f64>,
-}
-
-impl Sample {
-    /// Sample of an attitude state of the core at time t.
-    pub fn from_state<R: Real>(
-        t: f64,
-        state: &AttitudeState<R>,
-        tip: Complex<R>,
-        tip_angle: Option<f64>,
-    ) -> Self {
-        let widen = |z: Complex<R>| widened(z, R::to_f64);
-        Self {
-            t,
-            u: state.u().to_f64(),
-            udot: state.udot().to_f64(),
-            alpha: widen(state.orientation.alpha),
-            beta: widen(state.orientation.beta),
-            omega: state.omega().map(R::to_f64),
-            tip: widen(tip),
-            tip_angle,
-            error_bound: None,
-        }
-    }
-
-    /// Orientation Φ.
-    pub fn orientation(&self) -> Orientation<f64> {
-        Orientation { alpha: self.alpha, beta: self.beta }
-    }
-}
+pub use toytop_model::constants::{natural_time, period_or_natural_time};
 
 /// Greatest distance from t = 0 at which a closed form is evaluated, s. Where e₃ = e₄ holds up to rounding, its error grows by up to 5e-14 rad
 /// in a period.
 pub fn furthest_time_of_closed_form(motion: &Motion) -> f64 {
-    1e12 * period(motion)
+    1e12 * period_or_natural_time(motion)
 }
 
 /// Greatest number of steps that is computed.
@@ -207,7 +157,7 @@ mod tests {
 
     /// Greatest difference of elapsed and requested time over a million requests, s: 0 in f64, the rounding of one last step in f32.
     fn greatest_gap<R: Real>() -> f64 {
-        let step = period(&motion()) / 4096.0;
+        let step = period_or_natural_time(&motion()) / 4096.0;
         let mut stepper = TimedStepper::<R>::new(&motion(), step);
         let gap = |i: u32| {
             let t = 0.3 * step * f64::from(i);

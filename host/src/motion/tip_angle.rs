@@ -2,65 +2,53 @@
 
 use crate::Failure;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{AnyEphemeris, smallest_ephemeris};
-use crate::motion::propagate::Sample;
+use crate::motion::ephemeris::{DynEphemeris, smallest_ephemeris};
+use crate::motion::sample::Sample;
 use std::f64::consts::PI;
-use toytop::{Complex, Motion, Orientation, TipClass};
+use toytop::{Complex, Motion, Orientation, Pose, TipClass};
+use toytop_model::equations::BodyRates;
+
+/// Least |αβ| whose argument is known: an error of 1e-14 in α and β changes it by 1e-5 rad.
+const MIN_PRODUCT: f64 = 1e-9;
 
 /// Tip angle of a motion at any time, to a few roundings of `f64`.
 pub struct TipAngle {
     /// Ephemeris of the motion; `None` where the axis is vertical at all times.
-    ephemeris: Option<Box<dyn AnyEphemeris>>,
+    ephemeris: Option<Box<dyn DynEphemeris>>,
     /// Scale of the tip's curve, m.
     scale: f64,
-    /// Least |αβ| whose argument is known.
-    noise: f64,
-    /// Angle by multiples of which the argument of αβ is ambiguous, rad: half a turn where the curve reaches the centre, because the radius
-    /// then has a sign.
-    unit: f64,
+    /// Period of arg αβ, rad: π if the curve passes through the centre, else 2π.
+    period: f64,
 }
 
 impl TipAngle {
-    /// Least |αβ| at which the rounding of α and β to `f64` changes the argument of αβ by less than 1e-5 rad.
-    pub const NOISE: f64 = 1e-11;
-
     /// Tip angle of a motion.
-    ///
-    /// * `noise`: least |αβ| whose argument is known, such as [`TipAngle::NOISE`]
     ///
     /// # Errors
     /// [`Failure::Method`]: no ephemeris is large enough.
-    pub fn new(motion: &Motion, noise: f64) -> Result<Self, Failure> {
+    pub fn new(motion: &Motion) -> Result<Self, Failure> {
         let vertical = motion.regime().is_vertical();
         let ephemeris = if vertical { None } else { Some(smallest_ephemeris(Scalar::F64, motion)?) };
         let signed = matches!(motion.tip_class(), TipClass::ThroughOrigin | TipClass::Spiral);
         let scale = motion.top().tip_scale();
-        Ok(Self { ephemeris, scale, noise, unit: if signed { PI } else { 2.0 * PI } })
+        Ok(Self { ephemeris, scale, period: if signed { PI } else { 2.0 * PI } })
     }
 
-    /// Sample at a time, from the orientation and the rates ω and u' there.
-    pub fn sample(&self, t: f64, phi: Orientation<f64>, omega: [f64; 3], udot: f64) -> Sample {
-        let Orientation { alpha, beta } = phi;
-        Sample {
-            t,
-            u: phi.clamped_u(),
-            udot,
-            alpha,
-            beta,
-            omega,
-            tip: phi.tip_over_s().scaled(self.scale),
-            tip_angle: self.continued(t, alpha * beta),
-            error_bound: None,
-        }
+    /// Sample at a time, from the orientation and the rates there.
+    pub fn sample(&self, t: f64, orientation: Orientation<f64>, rates: BodyRates) -> Sample {
+        let tip = orientation.tip_over_s().scaled(self.scale);
+        let pose = Pose { orientation, u: orientation.clamped_u(), tip };
+        let tip_angle = self.continued(t, orientation.alpha * orientation.beta);
+        Sample { t, pose, rates, tip_angle, error_bound: None }
     }
 
     /// Argument of αβ closest to the motion's tip angle at t, rad; the motion's tip angle itself where |αβ| is below the noise.
     fn continued(&self, t: f64, product: Complex<f64>) -> Option<f64> {
-        let guide = self.ephemeris.as_ref()?.at(t).sample.tip_angle?;
-        if product.norm_squared() < self.noise * self.noise {
+        let guide = self.ephemeris.as_ref()?.at(t).tip_angle?;
+        if product.modulus() < MIN_PRODUCT {
             return Some(guide);
         }
         let ahead = product.im.atan2(product.re) - guide;
-        Some(guide + (ahead - self.unit * (ahead / self.unit).round()))
+        Some(guide + (ahead - self.period * (ahead / self.period).round()))
     }
 }

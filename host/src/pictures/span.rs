@@ -1,9 +1,10 @@
 //! Motion over a span of time, for pictures.
 
 use crate::Failure;
-use crate::motion::ephemeris::{AnyEphemeris, smallest_ephemeris};
-use crate::motion::propagate::Sample;
-use crate::motion::{Scalar, require_within};
+use crate::input::require_within;
+use crate::motion::Scalar;
+use crate::motion::ephemeris::{DynEphemeris, smallest_ephemeris};
+use crate::motion::sample::Sample;
 use crate::output::short;
 use toytop::Motion;
 use toytop_model::constants::MotionConstants;
@@ -11,7 +12,7 @@ use toytop_model::span::{cycle, periods, span};
 
 /// Motion between two times.
 pub struct MotionSpan {
-    table: Box<dyn AnyEphemeris>,
+    table: Box<dyn DynEphemeris>,
     /// First and last time, s.
     pub ends: [f64; 2],
     /// Number of nutation periods, where they determine the last time.
@@ -24,7 +25,7 @@ pub struct MotionSpan {
 pub const MOST_CYCLES: f64 = 1000.0;
 
 impl MotionSpan {
-    /// MotionSpan between two times, s. Without them it begins at 0 and is about one turn of the tip around the centre: a whole number of
+    /// Motion between two times, s. Without them it begins at 0 and is about one turn of the tip around the centre: a whole number of
     /// nutation periods, one turn where u is constant, or the time until the tip of an aperiodic motion is at the centre.
     ///
     /// * `most_cycles`: greatest number of nutation periods or turns
@@ -47,13 +48,13 @@ impl MotionSpan {
             return Err(Failure::Input(format!("--times: {from}..{until}: {reason}")));
         }
         let periods = periods(&constants).filter(|_| times.is_none());
-        let ends = times.unwrap_or_else(|| [0.0, span(&constants, |t| table.at(t).sample.tip.modulus())]);
+        let ends = times.unwrap_or_else(|| [0.0, span(&constants, |t| table.pose(t).tip.modulus())]);
         Ok(Self { table, ends, periods, cycle })
     }
 
     /// Sample at a time.
     pub fn at(&self, t: f64) -> Sample {
-        self.table.at(t).sample
+        self.table.at(t)
     }
 
     /// Times of this number, evenly spread, both ends included.

@@ -15,11 +15,8 @@ use toytop_page::table::Table;
 const CORE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/core.wasm"));
 
 /// Toy top, with which a page starts without a scenario.
-///
-/// # Errors
-/// None: the sample is valid.
-pub fn toy_top() -> Result<ScenarioFile, Failure> {
-    ScenarioFile::parse("A spinning top", TOY_TOP)
+pub fn toy_top() -> ScenarioFile {
+    ScenarioFile::parse("A spinning top", TOY_TOP).expect("a valid sample")
 }
 
 /// Page that starts with a motion.
@@ -42,7 +39,7 @@ pub fn page(start: &ScenarioFile) -> Result<String, Failure> {
         "scenario": start.table,
         "constants": launch_names().collect::<Vec<_>>(),
         "figures": FIGURES.map(|(figure, signs, e3s)| json!([figure, signs.l_minus_n.as_i32(), e3s])),
-        "toy_top": toy_top()?.table,
+        "toy_top": toy_top().table,
     });
     // the last text may contain a name in braces, and no character that could end the element of a script
     Ok(TEMPLATE

@@ -3,11 +3,12 @@
 use super::phases::{self, PhaseErrors};
 use super::trajectory::{Pose, Trajectory};
 use crate::Failure;
+use crate::input::require_within;
 use crate::input::scenario::Scenario;
-use crate::motion::ephemeris::{AnyEphemeris, smallest_ephemeris};
-use crate::motion::errors::{Drift, drift};
-use crate::motion::propagate::period;
-use crate::motion::{Scalar, require_within};
+use crate::motion::Scalar;
+use crate::motion::ephemeris::{DynEphemeris, smallest_ephemeris};
+use crate::motion::errors::{IntegralDrift, drift, greater};
+use crate::motion::propagate::period_or_natural_time;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
@@ -15,7 +16,7 @@ use toytop::{Motion, Orientation};
 /// Exact motion that trajectories are compared with.
 pub struct ExactReference<'a> {
     motion: &'a Motion,
-    table: Box<dyn AnyEphemeris>,
+    table: Box<dyn DynEphemeris>,
     /// Command that prints the state from which a run has to start.
     start: String,
 }
@@ -35,7 +36,7 @@ pub struct Score {
     /// Phase errors over the last nutation period.
     pub phases: PhaseErrors,
     /// Greatest differences of l, n and h from those of the motion, in units of their natural scales, if the file has the angular velocity.
-    pub drift: Option<Drift>,
+    pub drift: Option<IntegralDrift>,
     /// Greatest distance of the file's orientations from unit norm.
     pub norm_error: f64,
     /// Upper bound on the error of the exact motion itself, rad.
@@ -74,7 +75,7 @@ impl<'a> ExactReference<'a> {
             rms_error: mean_square.sqrt(),
             final_error: errors.last().map_or(0.0, |[error, _]| *error),
             max_u_error: greatest(errors.iter().map(|[_, u_error]| *u_error)),
-            max_tip_error: rows.iter().filter_map(|row| self.tip_error(row)).reduce(f64::max),
+            max_tip_error: rows.iter().filter_map(|row| self.tip_error(row)).reduce(greater),
             phases: phases::last(self.motion, &*self.table, rows),
             drift: self.drift(rows),
             norm_error: greatest(rows.iter().map(|row| row.norm_error)),
@@ -85,28 +86,29 @@ impl<'a> ExactReference<'a> {
 
     /// Errors of the orientation of a row, rad, and of its u.
     fn errors(&self, row: &Pose) -> [f64; 2] {
-        let exact = self.table.at(row.t).sample.orientation();
+        let exact = self.table.pose(row.t).orientation;
         [distance(&exact, &row.orientation), (row.orientation.u() - exact.u()).abs()]
     }
 
     fn tip_error(&self, row: &Pose) -> Option<f64> {
-        let exact = self.table.at(row.t).sample.tip;
+        let exact = self.table.pose(row.t).tip;
         row.tip.map(|[x, y]| (x - exact.re).hypot(y - exact.im))
     }
 
-    fn drift(&self, rows: &[Pose]) -> Option<Drift> {
-        let drift =
-            |most: Drift, row: &Pose| Some(most.greater(drift(self.motion, &row.orientation, row.omega?)));
-        rows.iter().try_fold(Drift::default(), drift)
+    fn drift(&self, rows: &[Pose]) -> Option<IntegralDrift> {
+        let drift = |most: IntegralDrift, row: &Pose| {
+            Some(most.greater(drift(self.motion, &row.orientation, row.omega?)))
+        };
+        rows.iter().try_fold(IntegralDrift::default(), drift)
     }
 
     /// Reason why the first row is far from the motion; `None` if it is near.
     fn warning(&self, first: &Pose) -> Option<String> {
-        let exact = self.table.at(first.t).sample;
+        let exact = self.table.at(first.t);
         let [error, _] = self.errors(first);
-        let inverse = distance(&exact.orientation(), &first.orientation.inverse());
-        let speed = apart(exact.omega, [0.0; 3]).max(2.0 * PI / period(self.motion));
-        let rate_error = first.omega.map_or(0.0, |omega| apart(omega, exact.omega)) / speed;
+        let inverse = distance(&exact.pose.orientation, &first.orientation.inverse());
+        let speed = apart(exact.rates.omega, [0.0; 3]).max(2.0 * PI / period_or_natural_time(self.motion));
+        let rate_error = first.omega.map_or(0.0, |omega| apart(omega, exact.rates.omega)) / speed;
         let tip_error = self.tip_error(first).unwrap_or(0.0) / self.motion.top().tip_scale();
         let far = format!("the first row is {error:.1e} rad from the motion;");
         let reason = if error >= SUSPECT_DISTANCE && inverse < SUSPECT_DISTANCE {
@@ -127,8 +129,8 @@ impl<'a> ExactReference<'a> {
     }
 }
 
-fn greatest(numbers: impl Iterator<Item = f64>) -> f64 {
-    numbers.fold(0.0, f64::max)
+fn greatest(errors: impl Iterator<Item = f64>) -> f64 {
+    errors.fold(0.0, greater)
 }
 
 /// Distance of two vectors.

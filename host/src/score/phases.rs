@@ -13,8 +13,8 @@
 
 use super::rotation_between;
 use super::trajectory::Pose;
-use crate::motion::ephemeris::AnyEphemeris;
-use crate::motion::propagate::period;
+use crate::motion::ephemeris::DynEphemeris;
+use crate::motion::propagate::period_or_natural_time;
 use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3, Vector6};
 use std::f64::consts::PI;
 use toytop::{Complex, Motion, Orientation, Regime};
@@ -38,14 +38,14 @@ const MIN_ROWS: usize = 8;
 /// Phase errors in the middle of the last nutation period, or of the last eight rows if these take longer; none for an aperiodic motion.
 ///
 /// The fit goes through all periods, so that it recognises errors of more than half a turn.
-pub fn last(motion: &Motion, table: &dyn AnyEphemeris, rows: &[Pose]) -> PhaseErrors {
+pub fn last(motion: &Motion, table: &dyn DynEphemeris, rows: &[Pose]) -> PhaseErrors {
     let exist = match motion.regime() {
         Regime::Nutating => [true; 3],
         Regime::Aperiodic => return PhaseErrors::default(),
         regime if regime.is_vertical() => [false, false, true],
         _ => [false, true, true],
     };
-    let period = period(motion);
+    let period = period_or_natural_time(motion);
     let rates = motion.period_advance().map_or([0.0; 3], |advance| {
         [advance.alpha_turns, advance.beta_turns, 1.0].map(|turns| 2.0 * PI * turns / period)
     });
@@ -62,7 +62,7 @@ pub fn last(motion: &Motion, table: &dyn AnyEphemeris, rows: &[Pose]) -> PhaseEr
 
 /// Fit of phase errors to rows.
 struct Fit<'a> {
-    table: &'a dyn AnyEphemeris,
+    table: &'a dyn DynEphemeris,
     /// Time that a fit covers, s.
     period: f64,
     /// Mean rates of arg α, arg β and the nutation phase, rad/s.
@@ -129,13 +129,13 @@ impl Fit<'_> {
         // t + τ is rounded; the rest of Δθ is taken into account to first order
         let t = if angles[0] == 0.0 { row.t } else { row.t + angles[0] / theta_rate };
         let shift = t - row.t;
-        let exact = self.table.at(t).sample;
+        let exact = self.table.at(t);
         let turned = |z: Complex<f64>, angle: f64| z * Complex::new(angle.cos(), angle.sin());
         let azimuth = angles[1] - (a_rate + b_rate) * shift;
         let roll = angles[2] - (a_rate - b_rate) * shift;
         let there = Orientation {
-            alpha: turned(exact.alpha, 0.5 * (azimuth + roll)),
-            beta: turned(exact.beta, 0.5 * (azimuth - roll)),
+            alpha: turned(exact.pose.orientation.alpha, 0.5 * (azimuth + roll)),
+            beta: turned(exact.pose.orientation.beta, 0.5 * (azimuth - roll)),
         };
         let (axis, up) = (Vector3::from(there.axis()), Vector3::z());
         let mut slopes = Matrix3::from_columns(&[Vector3::zeros(), Vector3::zeros(), axis]);
@@ -145,7 +145,7 @@ impl Fit<'_> {
         }
         if self.exist[0] {
             // ω of the motion, turned by the azimuth, minus the contribution of the mean rotations
-            let [x, y, z] = exact.omega;
+            let [x, y, z] = exact.rates.omega;
             let across = turned(Complex::new(x, y), azimuth);
             let omega = Vector3::new(across.re, across.im, z);
             let nutation = (omega - up * (a_rate + b_rate) - axis * (a_rate - b_rate)) / theta_rate;

@@ -52,7 +52,7 @@ impl Trajectory {
     /// of order.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.display().to_string();
-        match Self::parse(&text_file::read(&name, path, rows::LARGEST)?) {
+        match Self::parse(&text_file::read(&name, path, rows::MAX_FILE_MIB)?) {
             Ok(trajectory) => Ok(Self { name, ..trajectory }),
             Err(reason) => Err(Failure::Input(format!("{name}: {reason}"))),
         }

@@ -8,7 +8,7 @@ use super::launch::LaunchConstants;
 use super::nutation::{HalfPhase, Integrals, Nutation, RATIO, add};
 pub use super::precise::PreciseOrientation;
 use super::precise::{Precise, cis, from_f64, from_i64, is_zero, product, root, to_f64};
-use crate::motion::ephemeris::Rates;
+use toytop_model::equations::BodyRates;
 
 /// Motion with its integrals over a nutation.
 pub struct Exact {
@@ -82,13 +82,13 @@ impl Exact {
     /// Rates at a time after the launch, which is taken as exact, by central differences of Φ, without a formula of the rates.
     ///
     /// * `unit`: a time, such as the period, in which the body rotates by less than 10^12 rad
-    pub fn rates(&self, t: &Precise, unit: f64) -> Rates {
+    pub fn rates(&self, t: &Precise, unit: f64) -> BodyRates {
         /// Half the time between the two orientations, as a share of the unit of time. The relative error of the rates is below 1e-20.
         const SHARE: f64 = 1.0 / (1_u128 << 80) as f64;
         let step = from_f64(unit) * from_f64(SHARE);
         let (before, after) = (self.at(&(t - &step)), self.at(&(t + &step)));
         let per_time = |x: Precise| to_f64(&(x / &step));
-        Rates {
+        BodyRates {
             omega: after.half_rotation_from(&before).map(per_time),
             omega_body: before.inverse().half_rotation_from(&after.inverse()).map(per_time),
             udot: per_time((after.u() - before.u()) >> 1),

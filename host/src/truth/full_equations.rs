@@ -1,13 +1,15 @@
-//! Motion of a scenario by the full 3-D equations, a reference that shares no formula with the core.
+//! Motion of a scenario by the full 3-D equations. Only the state that branch points mean at t = 0 comes from the core.
 
 pub mod full_solver;
 
 use crate::Failure;
 use crate::input::scenario::{Launch, Scenario};
-use crate::motion::propagate::{Sample, visit_times};
+use crate::motion::propagate::visit_times;
+use crate::motion::sample::Sample;
 use crate::motion::tip_angle::TipAngle;
 use full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullState};
 use toytop::Stepper;
+use toytop_model::equations::BodyRates;
 
 /// State at t = 0: the state of the launch without change, or for branch points the state of the core's stepper.
 pub fn initial_state(scenario: &Scenario) -> FullState {
@@ -25,10 +27,10 @@ pub fn initial_state(scenario: &Scenario) -> FullState {
 /// # Errors
 /// [`Failure::Method`]: the solver cannot integrate that far.
 pub fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<FullState>, Failure> {
-    let solver = || FullSolver::new(scenario.motion.top(), initial_state(scenario), FULL_SOLVER_TOLERANCE);
-    visit_times(times, solver, |solver, t| {
-        solver.advance_to(t).map_err(|failure| failure.with_context(&scenario.name))
-    })
+    let start = FullSolver::new(scenario.motion.top(), initial_state(scenario), FULL_SOLVER_TOLERANCE);
+    start
+        .and_then(|start| visit_times(times, || start.clone(), FullSolver::advance_to))
+        .map_err(|failure| failure.with_context(&scenario.name))
 }
 
 /// Samples of the full solver at the given times.
@@ -36,12 +38,13 @@ pub fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<FullState>, Fail
 /// # Errors
 /// As [`states`] and [`TipAngle::new`].
 pub fn samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failure> {
-    /// Least |αβ| whose argument is not noise of the full solver.
-    const MIN_PRODUCT: f64 = 1e-9;
     let states = states(scenario, times)?;
     // only the whole turns of the tip angle come from the core
-    let angle = TipAngle::new(&scenario.motion, MIN_PRODUCT)?;
-    let sample =
-        |(&t, state): (&f64, &FullState)| angle.sample(t, state.orientation(), state.omega, state.udot());
+    let angle = TipAngle::new(&scenario.motion)?;
+    let sample = |(&t, state): (&f64, &FullState)| {
+        let (orientation, omega) = (state.orientation(), state.omega);
+        let omega_body = orientation.inverse().adjoint(omega);
+        angle.sample(t, orientation, BodyRates { omega, omega_body, udot: state.udot() })
+    };
     Ok(times.iter().zip(&states).map(sample).collect())
 }

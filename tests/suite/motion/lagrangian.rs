@@ -126,7 +126,7 @@ fn newton_euler_is_the_acceleration_of_the_full_solution() {
         };
         let top = if s > 0.0 { Top::sliding(&parameters) } else { Top::fixed(&parameters) }.unwrap();
         let state = FullState { alpha: [0.6, 0.0], beta: [0.0, 0.8], omega: [0.3, -0.2, 2.5] };
-        let solver = FullSolver::new(&top, state, FULL_SOLVER_TOLERANCE);
+        let solver = FullSolver::new(&top, state, FULL_SOLVER_TOLERANCE).unwrap();
         let at = |t: f64| solver.clone().advance_to(t).unwrap();
         let ((omega, height), step) = (accelerations(&top, &at(0.7)), 3e-5);
         let (before, after) = (at(0.7 - step), at(0.7 + step));

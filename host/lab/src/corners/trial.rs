@@ -5,9 +5,10 @@ use toytop::{Motion, ParameterError, Regime};
 use toytop_host::input::random::Random;
 use toytop_host::motion::MotionConstants;
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::{AnyEphemeris, approximate, smallest_ephemeris};
-use toytop_host::motion::errors::greater;
-use toytop_host::motion::propagate::period;
+use toytop_host::motion::ephemeris::{
+    DynEphemeris, EventFilter, EventKind, ephemeris_with_truncation, search, smallest_ephemeris,
+};
+use toytop_host::motion::errors::{greater, rate_error};
 use toytop_host::truth::exact::Exact;
 use toytop_host::truth::input::ExactInput;
 use toytop_host::truth::precise::{Precise, from_f64, from_i64, to_i64};
@@ -66,7 +67,7 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
     let input = launch::random(&mut random);
     let motion = input.motion()?;
     let constants = MotionConstants::new(motion);
-    let (period, rate) = (constants.nutation_period(), constants.ticks_per_time());
+    let (period, rate) = (constants.period_or_natural_time(), constants.ticks_per_time());
     let tables = Scalar::ALL.map(|scalar| smallest_ephemeris(scalar, &motion).ok());
     let times = [(); TIMES].map(|()| random.between(0.0, period));
     let mut errors = tables.each_ref().map(|table| {
@@ -82,8 +83,9 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
             for (table, errors) in tables.iter().flatten().zip(errors.iter_mut().flatten()) {
                 let (bound, rate_bound) = (table.error_bound(), table.rate_error_bound());
                 let (within, rates_within) = (bound.after(tick as f64), rate_bound.after(tick as f64));
-                let error = orientation.error_of(&table.at_tick(tick).sample.orientation());
-                let rate_error = rates.distance(&table.rates_at_tick(tick));
+                let found = table.at_tick(tick);
+                let error = orientation.error_of(&found.pose.orientation);
+                let rate_error = rate_error(&found.rates, &rates);
                 errors.ticks += 1;
                 errors.distant_ticks += usize::from(within > 2.0 * bound.constant);
                 errors.error = greater(errors.error, error);
@@ -101,13 +103,13 @@ fn ratio(error: f64, bound: f64) -> f64 {
 }
 
 /// Greatest error of the norm at these times, and of u at both turning points, over the bound.
-fn norm_and_height(table: &dyn AnyEphemeris, motion: &Motion, times: &[f64]) -> f64 {
-    let start = table.at(0.0).nutation_phase.to_turns();
-    let e = motion.branch_points();
-    let turning = [(1.0, e.e1), (0.5, e.e2)].map(|(phase, u)| ((phase - start) * period(motion), u));
-    let turning = turning.into_iter().filter(|_| motion.regime() == Regime::Nutating);
-    let norms = times.iter().map(|&t| (t, table.at(t).sample.orientation().norm_squared() - 1.0));
-    let heights = turning.map(|(t, u)| (t, table.at(t).sample.orientation().u() - u));
+fn norm_and_height(table: &dyn DynEphemeris, motion: &Motion, times: &[f64]) -> f64 {
+    let (e, filter) = (motion.branch_points(), EventFilter { from: 0.0, upward: None, count: 2 });
+    let turning = search(table, motion, EventKind::Turning, &filter).unwrap_or_default();
+    let turning = turning.into_iter().map(|event| (event.t, if event.upward { e.e2 } else { e.e1 }));
+    let turning = turning.filter(|_| motion.regime() == Regime::Nutating);
+    let norms = times.iter().map(|&t| (t, table.pose(t).orientation.norm_squared() - 1.0));
+    let heights = turning.map(|(t, u)| (t, table.pose(t).orientation.u() - u));
     let of_bound =
         |(t, error): (f64, f64)| ratio(error.abs(), table.error_bound().after(t * table.ticks_per_time()));
     norms.chain(heights).map(of_bound).fold(0.0, greater)
@@ -148,12 +150,12 @@ fn nearest(tick: i64, place: &Precise, period: &Precise) -> Option<i64> {
 }
 
 /// For each scalar, the tick of the first period at which its rates differ most from those of a finer table.
-fn most_different_rates(tables: &[Option<Box<dyn AnyEphemeris>>], motion: &Motion, period: f64) -> Vec<i64> {
-    let Ok(finer) = approximate(motion, FINE) else { return Vec::new() };
+fn most_different_rates(tables: &[Option<Box<dyn DynEphemeris>>], motion: &Motion, period: f64) -> Vec<i64> {
+    let Ok(finer) = ephemeris_with_truncation(motion, FINE) else { return Vec::new() };
     let tick = |place: i64| (period * place as f64 / COMPARED as f64) as i64;
-    let fine: Vec<_> = (0..COMPARED).map(tick).map(|tick| (tick, finer.rates_at_tick(tick))).collect();
-    let most = |table: &dyn AnyEphemeris| {
-        let apart = fine.iter().map(|(tick, rates)| (*tick, table.rates_at_tick(*tick).distance(rates)));
+    let fine: Vec<_> = (0..COMPARED).map(tick).map(|tick| (tick, finer.at_tick(tick).rates)).collect();
+    let most = |table: &dyn DynEphemeris| {
+        let apart = fine.iter().map(|(tick, rates)| (*tick, rate_error(&table.at_tick(*tick).rates, rates)));
         apart.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(tick, _)| tick)
     };
     tables.iter().flatten().filter_map(|table| most(&**table)).collect()

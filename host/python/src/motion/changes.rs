@@ -70,8 +70,8 @@ impl MotionCore {
         let (orientation, omega) = match self.launch {
             Launch::State { orientation, omega } if t == 0.0 => (orientation, omega),
             _ => {
-                let now = self.table_for(Scalar::F64, &[t])?.at(t).sample;
-                (now.orientation(), now.omega)
+                let now = self.table_for(Scalar::F64, &[t])?.at(t);
+                (now.pose.orientation, now.rates.omega)
             }
         };
         State::new(orientation, omega).map_err(refused)

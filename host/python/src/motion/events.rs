@@ -8,6 +8,7 @@ use std::f64::consts::TAU;
 use toytop::{Phase, Support, Top};
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::{EventFilter, EventKind, FoundEvent, search};
+use toytop_host::motion::sample::Sample;
 
 /// Kind of an event by its name, with `-` or `_` between words.
 ///
@@ -63,9 +64,9 @@ impl MotionCore {
         let found = found.map_err(|error| renamed(error, &[("tilt", "value"), ("radius", "value")]))?;
         let row = |event: &FoundEvent| {
             let error = event.time_error.unwrap_or(f64::NAN);
-            let sample = &event.state.sample;
-            let (up, angle) = (f64::from(event.upward), sample.tip_angle.unwrap_or(f64::NAN));
-            [event.t, error, up, sample.u, sample.tip.re, sample.tip.im, angle]
+            let Sample { pose, tip_angle, .. } = event.sample;
+            let (up, angle) = (f64::from(event.upward), tip_angle.unwrap_or(f64::NAN));
+            [event.t, error, up, pose.u, pose.tip.re, pose.tip.im, angle]
         };
         array(py, found.iter().flat_map(row).collect(), &[found.len(), 7])
     }

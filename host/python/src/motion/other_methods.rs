@@ -8,7 +8,8 @@ use crate::top::TopCore;
 use pyo3::prelude::*;
 use toytop::Motion;
 use toytop_closed_forms::ClosedForm;
-use toytop_host::motion::propagate::{furthest_time_of_closed_form, period};
+use toytop_host::motion::propagate::{furthest_time_of_closed_form, period_or_natural_time};
+use toytop_host::motion::sample::body_rates;
 use toytop_host::truth::exact::Exact;
 use toytop_host::truth::input::ExactInput;
 use toytop_host::truth::precise::{decimal, from_f64};
@@ -45,7 +46,7 @@ impl ClosedFormCore {
         within(furthest_time_of_closed_form(&self.motion), &t.numbers)?;
         Sampler::of_points(py, t, &self.motion, None, |t| {
             let state = self.form.at(t);
-            (state.orientation, state.omega(), state.udot())
+            (state.orientation, body_rates(&state))
         })
     }
 }
@@ -58,10 +59,9 @@ impl MotionCore {
     /// Samples of the truth at these times.
     fn reference(&self, py: Python<'_>, t: NumericArg) -> PyResult<Sampler> {
         self.within_reach(&t.numbers)?;
-        let (truth, unit) = (py.detach(|| self.truth()), period(&self.motion));
+        let (truth, unit) = (py.detach(|| self.truth()), period_or_natural_time(&self.motion));
         Sampler::of_points(py, t, &self.motion, Some(ROUNDING), |t| {
-            let rates = truth.rates(&from_f64(t), unit);
-            (truth.at(&from_f64(t)).to_f64(), rates.omega, rates.udot)
+            (truth.at(&from_f64(t)).to_f64(), truth.rates(&from_f64(t), unit))
         })
     }
 

@@ -32,7 +32,7 @@ fn chart(title: &str, labels: [&str; 2], curves: &[Curve]) -> Scene {
 pub fn tilt(scenario: &Scenario, span: &MotionSpan) -> Scene {
     let [from, until] = span.ends;
     let degrees = |t: f64| {
-        let orientation = span.at(t).orientation();
+        let orientation = span.at(t).pose.orientation;
         [t - from, tilt_azimuth_roll(&orientation)[0].to_degrees()]
     };
     let mut curves = vec![Curve::line("tilt", span.times_of_curve().map(degrees).collect())];

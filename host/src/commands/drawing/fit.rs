@@ -35,7 +35,7 @@ pub fn residuals(report: &FitReport, measurements: &[Measurement]) -> Scene {
                 strip.push(dots.with_legend(*name).into());
             }
         }
-        let title = format!("{}: residuals of the fit, standard deviations", instrument.kind.name);
+        let title = format!("{}: residuals of the fit, standard deviations", instrument.kind.name());
         let range = [-1.1 * furthest, 1.1 * furthest];
         let layout = frame(&strip, &title, "t, s", [ends, range]).with_title_size(14).with_show_grid(false);
         layouts.push(layout.with_force_margins(60.0, 110.0));

@@ -112,10 +112,10 @@ fn computed(problem: &Problem, times: &str) -> Result<Vec<Vec<Value>>, Failure> 
         .map_err(|failure| failure.with_context(&scenario.name))?;
     times.require_within(table.furthest_time(), "")?;
     let values = |t: &f64| {
-        let sample = table.at(*t).sample;
-        let orientation = sample.orientation().compose(&to_symmetry_axis(about.symmetry_axis));
-        let position = sample.orientation().axis().map(|x| about.length * x);
-        let omega = orientation.inverse().adjoint(sample.omega);
+        let sample = table.at(*t);
+        let orientation = sample.pose.orientation.compose(&to_symmetry_axis(about.symmetry_axis));
+        let position = sample.pose.orientation.axis().map(|x| about.length * x);
+        let omega = orientation.inverse().adjoint(sample.rates.omega);
         let numbers = [&[*t][..], &position, &orientation.quaternion(), &omega].concat();
         numbers.into_iter().map(Value::from).collect()
     };

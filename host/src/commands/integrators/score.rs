@@ -5,7 +5,7 @@ use crate::commands::drawing;
 use crate::commands::drawing::chart::{Chart, Curve};
 use crate::commands::options::{PICTURE, ending_in, positive};
 use crate::input::scenario::Scenario;
-use crate::motion::propagate::period;
+use crate::motion::propagate::period_or_natural_time;
 use crate::output::{self, Column, Document, Format, Record, short, two_digits, whole_file};
 use crate::score::errors::{ExactReference, Score};
 use crate::score::order;
@@ -172,7 +172,7 @@ fn draw(
     integrators: &[Integrator],
 ) -> Result<(), Failure> {
     let counted = files.iter().all(|file| file.trajectory.evaluations.is_some());
-    let period = period(&scenario.motion);
+    let period = period_or_natural_time(&scenario.motion);
     let point = |file: &ScoredFile| {
         let steps = file.step.map(|(step, _)| period / step);
         let work = if counted { file.trajectory.evaluations } else { steps }.ok_or_else(|| {

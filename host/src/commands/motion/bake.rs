@@ -13,7 +13,7 @@ use crate::commands::options::hertz;
 use crate::commands::warnings;
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{TableData, ephemeris_of_size, sizes};
+use crate::motion::ephemeris::{TableData, ephemeris_of_size};
 use crate::output::whole_file;
 use crate::{Failure, Report};
 use c::header;
@@ -68,7 +68,7 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     let [ticks, seconds] = arguments.hertz;
     let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::Input(format!("--hertz: {error}")))?;
     let (scalar, motion) = (arguments.scalar, &scenario.motion);
-    let table = ephemeris_of_size(scalar, motion, tick, &sizes(scalar, arguments.segments)?)
+    let table = ephemeris_of_size(scalar, motion, tick, arguments.segments)
         .map_err(|failure| failure.of_motion(&scenario.name))?;
     let data = table.data().expect("a table");
     let title = TableTitle {

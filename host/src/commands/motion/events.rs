@@ -1,10 +1,11 @@
 //! `toytop events`: times of turning points, tilts, circles, tip angles and lift-off.
 
 use crate::commands::warnings;
-use crate::input::finite;
 use crate::input::scenario::{Scenario, Units};
+use crate::input::{finite, require_within};
+use crate::motion::Scalar;
 use crate::motion::ephemeris::{EventFilter, EventKind, FoundEvent, search, smallest_ephemeris};
-use crate::motion::{Scalar, require_within};
+use crate::motion::sample::Sample;
 use crate::output::{self, Column, Format, Record, eight_digits};
 use crate::{Failure, Report};
 use clap::Args;
@@ -114,22 +115,22 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
 }
 
 fn record(kind: &KindFilter, event: &FoundEvent) -> Record {
-    let sample = &event.state.sample;
+    let Sample { pose, tip_angle, .. } = &event.sample;
     let sense = match (kind.event, event.upward) {
         (EventKind::Turning, true) => "upper",
         (EventKind::Turning, false) => "lower",
         (_, true) => "up",
         (_, false) => "down",
     };
-    let tilt = 2.0 * sample.beta.modulus().atan2(sample.alpha.modulus());
+    let tilt = 2.0 * pose.orientation.beta.modulus().atan2(pose.orientation.alpha.modulus());
     Record::default()
         .with("t", event.t)
         .with("kind", &*kind.text)
         .with("sense", sense)
-        .with("u", sample.u)
+        .with("u", pose.u)
         .with("tilt_deg", tilt.to_degrees())
-        .with("tip", [sample.tip.re, sample.tip.im])
-        .with("phi_deg", sample.tip_angle.map(f64::to_degrees))
+        .with("tip", [pose.tip.re, pose.tip.im])
+        .with("phi_deg", tip_angle.map(f64::to_degrees))
         .with("time_error", event.time_error)
 }
 

@@ -7,9 +7,10 @@ use crate::commands::warnings;
 use crate::input::scenario::Scenario;
 use crate::input::times::{Times, TimesArgs};
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{CAPACITIES, ephemeris_of_size, smallest_ephemeris};
-use crate::motion::propagate::{Sample, furthest_time_of_closed_form, period, stepped};
-use crate::motion::quantity::Quantity;
+use crate::motion::column::SampleColumn;
+use crate::motion::ephemeris::{ephemeris_of_size, smallest_ephemeris};
+use crate::motion::propagate::{furthest_time_of_closed_form, period_or_natural_time, stepped};
+use crate::motion::sample::{Sample, body_rates};
 use crate::motion::tip_angle::TipAngle;
 use crate::output::stdout;
 use crate::output::{Format, whole_file};
@@ -59,7 +60,7 @@ pub struct StateArgs {
     hertz: Option<[u32; 2]>,
     /// Columns, in the order of the output; without this option t,u,udot,alpha,beta,quaternion,omega,tip,phi,error_bound, and in JSON gamma,delta too
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    columns: Vec<Quantity>,
+    columns: Vec<SampleColumn>,
     /// Form of the output
     #[arg(long, default_value = "table")]
     format: Format,
@@ -80,10 +81,10 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     let format = arguments.format;
     let mut columns = arguments.columns.clone();
     let further = if columns.is_empty() {
-        columns.extend(Quantity::DEFAULT);
-        &[Quantity::Gamma, Quantity::Delta][..]
+        columns.extend(SampleColumn::DEFAULT);
+        &[SampleColumn::Gamma, SampleColumn::Delta][..]
     } else {
-        &[Quantity::ErrorBound]
+        &[SampleColumn::ErrorBound]
     };
     // a program that reads JSON always gets the bound
     if format == Format::Json {
@@ -116,7 +117,7 @@ fn source(
     let samples = match (arguments.method, arguments.scalar) {
         (Method::Ephemeris, scalar) => return by_ephemeris(scalar, scenario, times, rate),
         (Method::Stepper, scalar) => {
-            let step = period(motion) / f64::from(arguments.steps_per_period.unwrap_or(4096));
+            let step = period_or_natural_time(motion) / f64::from(arguments.steps_per_period.unwrap_or(4096));
             stepped(scalar, motion, &times.seconds, step)?
         }
         (Method::Full, Scalar::F64) => full_equations::samples(scenario, &times.seconds)?,
@@ -144,15 +145,15 @@ fn by_ephemeris(
     if !times.ticks.is_empty() && motion.regime() != Regime::Aperiodic {
         let refused = |error| Failure::Input(format!("--hertz: {error}"));
         let tick = Tick::ratio(rate[0], rate[1]).map_err(refused)?;
-        let table = ephemeris_of_size(scalar, motion, tick, &CAPACITIES).map_err(named)?;
+        let table = ephemeris_of_size(scalar, motion, tick, None).map_err(named)?;
         return Ok(Box::new(move |index| {
             let (tick, t) = (times.ticks[index as usize], times.seconds[index as usize]);
-            Sample { t, ..table.at_tick(tick).sample }
+            Sample { t, ..table.at_tick(tick) }
         }));
     }
     let table = smallest_ephemeris(scalar, motion).map_err(named)?;
     times.require_within(table.furthest_time(), " with --method ephemeris")?;
-    Ok(Box::new(move |index| table.at(times.seconds[index as usize]).sample))
+    Ok(Box::new(move |index| table.at(times.seconds[index as usize])))
 }
 
 /// Function that computes samples by the closed form, if the motion has one.
@@ -161,10 +162,10 @@ fn by_closed_form(scenario: &Scenario, times: Times) -> Result<Box<At>, Failure>
     let form = ClosedForm::of(motion)
         .map_err(|refusal| Failure::Method(refusal.to_string()).with_context(&scenario.name))?;
     times.require_within(furthest_time_of_closed_form(motion), " with --method closed-form")?;
-    let angle = TipAngle::new(motion, TipAngle::NOISE)?;
+    let angle = TipAngle::new(motion)?;
     Ok(Box::new(move |index| {
         let t = times.seconds[index as usize];
         let state = form.at(t);
-        angle.sample(t, state.orientation, state.omega(), state.udot())
+        angle.sample(t, state.orientation, body_rates(&state))
     }))
 }

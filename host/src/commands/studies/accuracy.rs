@@ -4,14 +4,14 @@ use crate::commands::options::{Scalars, scalars};
 use crate::input::builtin;
 use crate::input::random::Random;
 use crate::input::scenario::{Launch, Scenario};
-use crate::motion::ephemeris::{AnyEphemeris, smallest_ephemeris};
-use crate::motion::errors::{drift, greater};
+use crate::motion::ephemeris::smallest_ephemeris;
+use crate::motion::errors::Errors;
 use crate::motion::{MotionConstants, Scalar};
 use crate::output::doc_markers::{self, Page};
 use crate::output::progress::Progress;
 use crate::output::{self, Column, Format, Record};
 use crate::parallel::thread_pool;
-use crate::truth::exact::{Exact, PreciseOrientation};
+use crate::truth::exact::Exact;
 use crate::truth::input::ExactInput;
 use crate::truth::precise::{from_f64, from_i64};
 use crate::{Failure, Report};
@@ -19,7 +19,7 @@ use clap::Args;
 use micromath::F32Ext;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::path::PathBuf;
-use toytop::{AttitudeState, InitialAngles, Motion, Regime, Support, TopParameters};
+use toytop::{InitialAngles, Regime, Support, TopParameters};
 
 /// Errors of each scalar up to tick 2^40
 #[derive(Args)]
@@ -35,14 +35,6 @@ pub struct AccuracyArgs {
     #[arg(long, default_value = "table")]
     format: Format,
 }
-
-/// Greatest errors:
-///
-/// * orientation: 2 √(|Δα|² + |Δβ|²), rad
-/// * tip: |Δc|/s
-/// * norm |α|² + |β|²
-/// * energy h, from α, β and their rates, in units of its natural scale
-type Errors = [f64; 4];
 
 /// Columns of the scalar and of its errors, each with its heading.
 const COLUMNS: [(&str, &str); 5] = [
@@ -65,7 +57,7 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
     let Scalars(scalars) = &arguments.scalar;
     let all = measured(scalars)?;
     let of_scalar = |(scalar, octaves): (&Scalar, &Vec<Errors>)| {
-        record(*scalar, octaves.iter().copied().fold(Errors::default(), greatest))
+        record(*scalar, octaves.iter().copied().fold(Errors::default(), Errors::greater))
     };
     let table: Vec<_> = scalars.iter().zip(&all).map(of_scalar).collect();
     let columns = |of_number| COLUMNS.map(|(name, heading)| -> Column<'_> { (name, heading, of_number) });
@@ -103,11 +95,8 @@ fn micromath() -> f64 {
 
 fn record(scalar: Scalar, errors: Errors) -> Record {
     let record = Record::default().with("scalar", scalar.name());
+    let errors = [errors.orientation, errors.tip, errors.norm, errors.drift.h];
     COLUMNS[1..].iter().zip(errors).fold(record, |record, ((name, _), error)| record.with(name, error))
-}
-
-fn greatest(a: Errors, b: Errors) -> Errors {
-    std::array::from_fn(|i| greater(a[i], b[i]))
 }
 
 /// Errors of each scalar over all motions: at ticks from 2^k to 2^(k+1) - 1 for each k below [`OCTAVES`], and at tick 2^40.
@@ -117,7 +106,7 @@ fn measured(scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
     let errors = |input: &ExactInput| of_motion(input, scalars).inspect(|_| progress.add(1));
     let nothing = || vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];
     let together = |mut all: Vec<Vec<Errors>>, motion: Vec<Vec<Errors>>| {
-        all.iter_mut().flatten().zip(motion.iter().flatten()).for_each(|(a, b)| *a = greatest(*a, *b));
+        all.iter_mut().flatten().zip(motion.iter().flatten()).for_each(|(a, b)| *a = a.greater(*b));
         Ok(all)
     };
     thread_pool()?.install(|| motions.par_iter().map(errors).try_reduce(nothing, together))
@@ -152,23 +141,12 @@ fn of_motion(input: &ExactInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>,
             let n = (first + more as u64) as i64;
             let exact = truth.at(&(from_i64(n) / from_f64(rate)));
             for (table, octaves) in tables.iter().zip(&mut found) {
-                let errors = errors(&motion, &**table, n, &exact);
-                octaves[octave] = greatest(octaves[octave], errors);
+                let sample = table.at_tick(n);
+                let orientation = exact.error_of(&sample.pose.orientation);
+                let errors = Errors { orientation, ..Errors::between(&motion, &sample, &exact.to_f64()) };
+                octaves[octave] = octaves[octave].greater(errors);
             }
         }
     }
     Ok(found)
-}
-
-/// Errors at a tick and its time.
-fn errors(motion: &Motion, table: &dyn AnyEphemeris, n: i64, truth: &PreciseOrientation) -> Errors {
-    let found = table.at_tick(n);
-    let orientation = found.sample.orientation();
-    let exact = truth.to_f64();
-    let tip = found.tip_over_s - (exact.alpha * exact.beta).scaled(2.0);
-    let norm = (orientation.norm_squared() - 1.0).abs();
-    let now = table.at(found.sample.t);
-    let there = now.sample.orientation();
-    let energy = drift(motion, &there, AttitudeState { orientation: there, rate: now.rate }.omega()).h;
-    [truth.error_of(&orientation), tip.norm_squared().sqrt(), norm, energy]
 }

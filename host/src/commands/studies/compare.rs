@@ -7,10 +7,11 @@ use crate::commands::warnings;
 use crate::input::builtin;
 use crate::input::scenario::Scenario;
 use crate::input::times::spread_times;
+use crate::motion::Scalar;
 use crate::motion::ephemeris::smallest_ephemeris;
-use crate::motion::errors::{Drift, drift, greater};
-use crate::motion::propagate::{Sample, TimedStepper, period};
-use crate::motion::{Scalar, widened};
+use crate::motion::errors::Errors;
+use crate::motion::propagate::{TimedStepper, period_or_natural_time};
+use crate::motion::sample::Sample;
 use crate::output::{self, Format, Record, short};
 use crate::truth::full_equations;
 use crate::truth::full_equations::full_solver::FullState;
@@ -19,10 +20,8 @@ use bounds::{bound, horizon, steps_per_period};
 use clap::Args;
 use std::path::PathBuf;
 use std::time::Instant;
-use toytop::AttitudeState;
 use toytop::Motion;
 use toytop::scalar::Real;
-use toytop::su2::OrientationRate;
 
 /// Errors of the core against an integration of the full 3-D equations
 ///
@@ -57,10 +56,15 @@ const PROPAGATORS: [(Method, Scalar, &str); 6] = [
 /// Samples in a period.
 const SAMPLES: u32 = 64;
 
-/// Names of the errors: of the orientation, 2 √(|Δα|² + |Δβ|²), rad; of u; of the tip in units of s; of h, l and n as recomputed from
-/// α, β and their rates, in units of their natural scales.
-const ERRORS: [&str; 6] =
-    ["max_orientation_error_rad", "max_u_error", "max_tip_error_per_s", "h_drift", "l_drift", "n_drift"];
+/// Names of the errors, with their values.
+const ERRORS: [(&str, fn(&Errors) -> f64); 6] = [
+    ("max_orientation_error_rad", |errors| errors.orientation),
+    ("max_u_error", |errors| errors.u),
+    ("max_tip_error_per_s", |errors| errors.tip),
+    ("h_drift", |errors| errors.drift.h),
+    ("l_drift", |errors| errors.drift.l),
+    ("n_drift", |errors| errors.drift.n),
+];
 
 /// Comparison of one motion by one propagator.
 struct Comparison {
@@ -68,8 +72,8 @@ struct Comparison {
     scalar: Scalar,
     method: Method,
     heading: &'static str,
-    /// Greatest errors, by [`ERRORS`]; `None` where no table is large enough.
-    errors: Option<[f64; 6]>,
+    /// Greatest errors; `None` where no table is large enough.
+    errors: Option<Errors>,
     /// Number of steps of the stepper.
     steps: Option<u64>,
     /// Segments and terms of the table.
@@ -85,7 +89,7 @@ impl Comparison {
         match (self.errors, self.bound) {
             (None, _) => "no fit",
             (_, None) => "no bound",
-            (Some([error, ..]), Some(bound)) if error <= bound => "ok",
+            (Some(errors), Some(bound)) if errors.orientation <= bound => "ok",
             _ => "MISS",
         }
     }
@@ -95,8 +99,8 @@ impl Comparison {
             .with("motion", &*self.motion)
             .with("scalar", self.scalar.name())
             .with("method", self.method.name());
-        for (i, name) in ERRORS.into_iter().enumerate() {
-            record = record.with(name, self.errors.map(|errors| errors[i]));
+        for (name, error) in ERRORS {
+            record = record.with(name, self.errors.as_ref().map(error));
         }
         record
             .with("steps", self.steps)
@@ -132,7 +136,7 @@ fn table(motions: &[Vec<Comparison>], periods: u32) -> String {
         let mut line = Record::default().with("motion", &*all[0].motion);
         let (mut fraction, mut slowest) = (0.0_f64, 0.0_f64);
         for one in all {
-            let error = one.errors.map(|[error, ..]| error);
+            let error = one.errors.map(|errors| errors.orientation);
             line = line.with(one.heading, error);
             fraction = fraction.max(error.zip(one.bound).map_or(0.0, |(error, bound)| error / bound));
             slowest = slowest.max(one.table.and(one.call).unwrap_or(0.0));
@@ -169,13 +173,13 @@ fn of_motion(
     for (method, scalar, heading) in PROPAGATORS.into_iter().filter(|(_, scalar, _)| chosen.contains(scalar))
     {
         let run = match (method, scalar) {
-            (Method::Ephemeris, _) => look_up(scalar, motion, &times),
-            (_, Scalar::F64) => Ok(step_through::<f64>(scalar, motion, &times)),
-            _ => Ok(step_through::<f32>(scalar, motion, &times)),
+            (Method::Ephemeris, _) => run_ephemeris(scalar, motion, &times),
+            (_, Scalar::F64) => Ok(run_stepper::<f64>(scalar, motion, &times)),
+            _ => Ok(run_stepper::<f32>(scalar, motion, &times)),
         };
         let (errors, steps, table, call) = match run {
-            Ok(Run { states, steps, table, call }) => {
-                (Some(reference.errors(scenario, &states)?), steps, table, Some(call))
+            Ok(Run { samples, steps, table, call }) => {
+                (Some(reference.errors(scenario, &samples)?), steps, table, Some(call))
             }
             Err(failure) => {
                 notes.push(format!("{name} {}: {failure}", scalar.name()));
@@ -201,8 +205,8 @@ fn of_motion(
 
 /// Run of the core through the times of a comparison.
 struct Run {
-    /// Samples in the order of the times, with the rates of α and β.
-    states: Vec<(Sample, OrientationRate<f64>)>,
+    /// Samples in the order of the times.
+    samples: Vec<Sample>,
     /// Number of steps of a stepper.
     steps: Option<u64>,
     /// Segments and terms of a table, and the bound on its error at the last time, rad.
@@ -223,39 +227,36 @@ fn median(mut run: impl FnMut() -> u64) -> f64 {
 }
 
 /// Run of the stepper through the times.
-fn step_through<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
-    let step = period(motion) / f64::from(steps_per_period(scalar));
-    let (mut states, mut steps) = (Vec::new(), 0);
+fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
+    let step = period_or_natural_time(motion) / f64::from(steps_per_period(scalar));
+    let (mut samples, mut steps) = (Vec::new(), 0);
     let call = median(|| {
         let mut timed = TimedStepper::<R>::new(motion, step);
-        let state = |&t: &f64| {
+        let sample = |&t: &f64| {
             timed.reach(t, |_| ());
-            let rate = timed.last.attitude_state().rate;
-            let [alpha, beta] = [rate.alpha, rate.beta].map(|z| widened(z, R::to_f64));
-            (timed.sample(), OrientationRate { alpha, beta })
+            timed.sample()
         };
-        states = times.iter().map(state).collect();
+        samples = times.iter().map(sample).collect();
         steps = timed.steps;
         steps
     });
-    Run { states, steps: Some(steps), table: None, call }
+    Run { samples, steps: Some(steps), table: None, call }
 }
 
 /// Run of an ephemeris at the times.
 ///
 /// # Errors
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
-fn look_up(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
+fn run_ephemeris(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
     let table = smallest_ephemeris(scalar, motion)?;
-    let mut found = Vec::new();
+    let mut samples = Vec::new();
     let call = median(|| {
-        found = times.iter().map(|&t| table.at(t)).collect();
+        samples = times.iter().map(|&t| table.at(t)).collect();
         times.len() as u64
     });
-    let states = found.iter().map(|now| (now.sample, now.rate)).collect();
     let last = times.last().copied().unwrap_or(0.0);
     let bound = table.error_bound().after(last * table.ticks_per_time());
-    Ok(Run { states, steps: None, table: Some((table.size(), bound)), call })
+    Ok(Run { samples, steps: None, table: Some((table.size(), bound)), call })
 }
 
 /// Cached full-solver states, reused for equal times.
@@ -266,35 +267,17 @@ struct Reference {
 }
 
 impl Reference {
-    /// Greatest errors of a run, by [`ERRORS`], at the times that it has reached: an f32 step misses the requested one.
-    fn errors(
-        &mut self,
-        scenario: &Scenario,
-        run: &[(Sample, OrientationRate<f64>)],
-    ) -> Result<[f64; 6], Failure> {
-        let times: Vec<f64> = run.iter().map(|(sample, _)| sample.t).collect();
+    /// Greatest errors of samples, at the times that they have reached: an f32 step misses the requested one.
+    fn errors(&mut self, scenario: &Scenario, samples: &[Sample]) -> Result<Errors, Failure> {
+        let times: Vec<f64> = samples.iter().map(|sample| sample.t).collect();
         if times != self.times {
             self.states = full_equations::states(scenario, &times)?;
             self.times = times;
         }
-        let motion = &scenario.motion;
-        let errors = |((sample, rate), state): (&(Sample, OrientationRate<f64>), &FullState)| {
-            let (found, exact) = (sample.orientation(), state.orientation());
-            // in f64 from α, β and their rates, so that l, n and h do not contain the rounding of a product
-            let Drift { l, n, h } =
-                drift(motion, &found, AttitudeState { orientation: found, rate: *rate }.omega());
-            let tip =
-                sample.tip.scaled(1.0 / motion.top().tip_scale()) - (exact.alpha * exact.beta).scaled(2.0);
-            [
-                found.distance(&exact),
-                (sample.u - (exact.alpha.norm_squared() - exact.beta.norm_squared())).abs(),
-                tip.norm_squared().sqrt(),
-                h,
-                l,
-                n,
-            ]
-        };
-        let greatest = |most: [f64; 6], now: [f64; 6]| std::array::from_fn(|i| greater(most[i], now[i]));
-        Ok(run.iter().zip(&self.states).map(errors).fold([0.0; 6], greatest))
+        let errors = samples
+            .iter()
+            .zip(&self.states)
+            .map(|(sample, state)| Errors::between(&scenario.motion, sample, &state.orientation()));
+        Ok(errors.fold(Errors::default(), Errors::greater))
     }
 }

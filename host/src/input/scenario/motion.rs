@@ -7,7 +7,7 @@ use crate::input::units::{RADIANS, RATE};
 use toytop::{Complex, InitialAngles, Motion, Orientation, Release, Sign, Signs, State, Top};
 use toytop_model::angles::{angle, tilt};
 
-const TURNING: &str = "a number of rad/s, at most 1e11 in size";
+const RATE_RANGE: &str = "a number of rad/s, at most 1e11 in size";
 const SPIN: &str = "a number of rad/s, at most 1e11 in size: the whole component of omega along the axis";
 const DEGREES: &str = "a finite number of degrees";
 const PAIR: &str = "an array of two finite numbers [re, im], of unit norm with the other parameter";
@@ -21,8 +21,8 @@ pub const ANGLES: [(&str, &str); 3] =
 static RELEASE: [Key; 6] = [
     Key::required("tilt_deg", "a number in [0, 180]").within(0.0, 180.0),
     Key::required("spin", SPIN).with_units(RATE),
-    Key::optional("precession", 0.0, TURNING).with_units(RATE),
-    Key::optional("nutation", 0.0, TURNING).with_units(RATE),
+    Key::optional("precession", 0.0, RATE_RANGE).with_units(RATE),
+    Key::optional("nutation", 0.0, RATE_RANGE).with_units(RATE),
     Key::optional("azimuth_deg", 0.0, DEGREES),
     Key::optional("roll_deg", 0.0, DEGREES),
 ];

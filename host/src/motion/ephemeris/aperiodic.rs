@@ -1,18 +1,17 @@
 //! Aperiodic motion by its closed form, which has no table.
 
 use super::events::Condition;
-use super::{AnyEphemeris, EphemerisSample, EventFilter, FoundEvent, Rates, TableData, unwrapped};
-use crate::motion::propagate::{Sample, natural_time};
+use super::{DynEphemeris, EventFilter, FoundEvent, TableData, unwrapped};
+use crate::motion::sample::Sample;
 use std::f64::consts::TAU;
-use toytop::{ErrorBound, Motion, Phase};
+use toytop::{ErrorBound, Motion};
 use toytop_closed_forms::Aperiodic;
-use toytop_model::constants::MotionConstants;
+use toytop_model::constants::{MotionConstants, natural_time};
 
 /// Closed form of an aperiodic motion.
 pub struct AperiodicMotion {
     form: Aperiodic,
-    /// Ticks in a unit of time.
-    ticks: f64,
+    ticks_per_time: f64,
     /// Time of the lowest point, and the time on either side of it until the axis is upright to a rounding.
     lowest: f64,
     upright: f64,
@@ -32,13 +31,8 @@ impl AperiodicMotion {
             upright *= 2.0;
         }
         let lowest = root(-upright, upright, |t| form.v(t));
-        let ticks = MotionConstants::new(*motion).ticks_per_time();
-        Some(Self { form, ticks, lowest, upright: upright + lowest.abs() })
-    }
-
-    fn rates_at(&self, t: f64) -> Rates {
-        let state = self.form.at(t);
-        Rates { omega: state.omega(), omega_body: state.omega_body(), udot: state.udot() }
+        let ticks_per_time = MotionConstants::new(*motion).ticks_per_time();
+        Some(Self { form, ticks_per_time, lowest, upright: upright + lowest.abs() })
     }
 
     /// Tip angle, continued in time, rad.
@@ -62,13 +56,13 @@ fn root(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
     }
 }
 
-impl AnyEphemeris for AperiodicMotion {
+impl DynEphemeris for AperiodicMotion {
     fn size(&self) -> [usize; 2] {
         [0; 2]
     }
 
     fn ticks_per_time(&self) -> f64 {
-        self.ticks
+        self.ticks_per_time
     }
 
     /// Bound of the closed form, which holds up to 1e15 of the shortest times of the motion, and its growth beyond.
@@ -79,27 +73,21 @@ impl AnyEphemeris for AperiodicMotion {
     /// Error that the tests of the closed form allow. The angular speed is greatest at the lowest point.
     fn rate_error_bound(&self) -> ErrorBound {
         const ERROR: f64 = 5e-14;
-        let speed = self.rates_at(self.lowest).speed();
+        let [x, y, z] = self.form.at(self.lowest).omega_body();
+        let speed = x.hypot(y).hypot(z);
         let constant = (1.0 + speed) * ERROR;
-        ErrorBound { constant, per_tick: constant * speed / self.ticks }
+        ErrorBound { constant, per_tick: constant * speed / self.ticks_per_time }
     }
 
-    fn at(&self, t: f64) -> EphemerisSample {
-        let state = self.form.at(t);
-        let sample = Sample {
-            error_bound: Some(self.error_bound().after(t * self.ticks)),
-            ..Sample::from_state(t, &state, self.form.tip(t), Some(self.angle(t)))
-        };
-        let tip_over_s = state.orientation.tip_over_s();
-        EphemerisSample { sample, rate: state.rate, tip_over_s, nutation_phase: Phase::ZERO }
+    fn at(&self, t: f64) -> Sample {
+        Sample {
+            error_bound: Some(self.error_bound().after(t * self.ticks_per_time)),
+            ..Sample::from_state(t, &self.form.at(t), self.form.tip(t), Some(self.angle(t)))
+        }
     }
 
-    fn at_tick(&self, n: i64) -> EphemerisSample {
-        self.at(n as f64 / self.ticks)
-    }
-
-    fn rates_at_tick(&self, n: i64) -> Rates {
-        self.rates_at(n as f64 / self.ticks)
+    fn at_tick(&self, n: i64) -> Sample {
+        self.at(n as f64 / self.ticks_per_time)
     }
 
     /// Events while the axis is not upright to a rounding: places at which the integer part of a function of time changes.

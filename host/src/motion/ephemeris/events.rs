@@ -1,7 +1,10 @@
 //! Search for the events of a motion.
 
-use super::{AnyEphemeris, EphemerisSample};
-use toytop::{EphemerisScalar, EphemerisView, Event, Level, Motion, ParameterError, Phase};
+use super::DynEphemeris;
+use crate::motion::sample::Sample;
+use toytop::{
+    AttitudeState, EphemerisScalar, EphemerisView, Event, Level, Motion, Orientation, ParameterError, Phase,
+};
 
 /// Kind of an event.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,25 +74,27 @@ pub struct FoundEvent {
     /// the rate is 0.
     pub time_error: Option<f64>,
     /// Motion at the event.
-    pub state: EphemerisSample,
+    pub sample: Sample,
 }
 
 impl FoundEvent {
     /// Event at which a condition holds.
-    pub fn new(condition: Condition, t: f64, upward: bool, state: EphemerisSample) -> Self {
-        Self { t, upward, time_error: time_error(condition, &state).filter(|error| error.is_finite()), state }
+    pub fn new(condition: Condition, t: f64, upward: bool, sample: Sample) -> Self {
+        let time_error = time_error(condition, &sample).filter(|error| error.is_finite());
+        Self { t, upward, time_error, sample }
     }
 }
 
-fn time_error(condition: Condition, state: &EphemerisSample) -> Option<f64> {
-    let EphemerisSample { sample, rate, .. } = state;
+fn time_error(condition: Condition, sample: &Sample) -> Option<f64> {
     let bound = sample.error_bound? + f64::EPSILON;
     match condition {
         Condition::Turning => None,
-        Condition::Crossing(_) => Some(bound / sample.udot.abs()),
+        Condition::Crossing(_) => Some(bound / sample.rates.udot.abs()),
         Condition::TipAngle(_) => {
-            let product = sample.alpha * sample.beta;
-            let change = rate.alpha * sample.beta + sample.alpha * rate.beta;
+            let AttitudeState { orientation: Orientation { alpha, beta }, rate } =
+                AttitudeState::from_body(sample.pose.orientation, sample.rates.omega_body);
+            let product = alpha * beta;
+            let change = rate.alpha * beta + alpha * rate.beta;
             let turning = (product.re * change.im - product.im * change.re) / product.norm_squared();
             Some(bound / (2.0 * product.modulus() * turning.abs()))
         }
@@ -101,7 +106,7 @@ fn time_error(condition: Condition, state: &EphemerisSample) -> Option<f64> {
 /// # Errors
 /// `tilt` or `radius`: the motion's top has no such event.
 pub fn search(
-    table: &dyn AnyEphemeris,
+    table: &dyn DynEphemeris,
     motion: &Motion,
     kind: EventKind,
     filter: &EventFilter,
@@ -116,12 +121,12 @@ pub fn search(
 /// Greatest number of consecutive events of another sense.
 const MOST_UNWANTED: u32 = 10_000;
 
-/// First events of a table at which a condition holds; `state` is the motion at an event and its time.
+/// First events of a table at which a condition holds; `sample` is that of an event and its time.
 pub fn of_table<R: EphemerisScalar>(
     table: &EphemerisView<R>,
     condition: Condition,
     filter: &EventFilter,
-    state: impl Fn(&Event, f64) -> EphemerisSample,
+    sample: impl Fn(&Event, f64) -> Sample,
 ) -> Vec<FoundEvent> {
     let [ticks_per_time, _] = table.clock().ticks_per_time;
     let from = (filter.from * ticks_per_time).floor() as i64;
@@ -136,7 +141,7 @@ pub fn of_table<R: EphemerisScalar>(
         let t = table.time_of(&event);
         if filter.accepts(t, event.upward) {
             unwanted = 0;
-            found.push(FoundEvent::new(condition, t, event.upward, state(&event, t)));
+            found.push(FoundEvent::new(condition, t, event.upward, sample(&event, t)));
         } else {
             unwanted += 1;
         }

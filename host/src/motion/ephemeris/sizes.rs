@@ -2,21 +2,20 @@
 
 use super::aperiodic::AperiodicMotion;
 use super::table_data::TableScalar;
-use super::{AnyEphemeris, Table};
+use super::{DynEphemeris, HeapEphemeris};
 use crate::Failure;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
 use toytop::{Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, SetUp, SetUpError, Tick};
 use toytop_model::constants::MotionConstants;
 
-/// Capacities besides the defaults, in ascending order.
-pub const CAPACITIES: [u32; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, MOST];
+/// Capacities that every scalar has, in ascending order.
+const CAPACITIES: [u32; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, MAX_CAPACITY];
 
-/// Greatest capacity.
-const MOST: u32 = 4096;
+const MAX_CAPACITY: u32 = 4096;
 
 /// Segments of the crate's own type of a scalar, which fits most motions.
-fn default_size(scalar: Scalar) -> u32 {
+fn default_capacity(scalar: Scalar) -> u32 {
     match scalar {
         Scalar::F64 => 48,
         Scalar::F32 => 25,
@@ -26,74 +25,73 @@ fn default_size(scalar: Scalar) -> u32 {
 }
 
 /// Capacities of a scalar in ascending order.
-fn allowed(scalar: Scalar) -> Vec<u32> {
-    let mut allowed = [&CAPACITIES[..], &[default_size(scalar)]].concat();
-    allowed.sort_unstable();
-    allowed.dedup();
-    allowed
-}
-
-/// Capacities to try: this one, or without a number the default and all larger ones.
-///
-/// # Errors
-/// [`Failure::Input`]: no table has this many segments.
-pub fn sizes(scalar: Scalar, segments: Option<u32>) -> Result<Vec<u32>, Failure> {
-    let mut sizes = allowed(scalar);
-    match segments {
-        None => sizes.retain(|size| *size >= default_size(scalar)),
-        Some(segments) if sizes.contains(&segments) => sizes = vec![segments],
-        Some(segments) => {
-            let names: Vec<_> = sizes.iter().map(u32::to_string).collect();
-            return Err(Failure::Input(format!(
-                "--segments: {segments}: must be one of {}",
-                names.join(", ")
-            )));
-        }
-    }
-    Ok(sizes)
+fn capacities_of(scalar: Scalar) -> Vec<u32> {
+    let mut capacities = [&CAPACITIES[..], &[default_capacity(scalar)]].concat();
+    capacities.sort_unstable();
+    capacities.dedup();
+    capacities
 }
 
 /// Table of a motion in a scalar with ticks of this length, whose truncation error is within the rounding of the scalar.
 ///
-/// * `sizes`: capacities, of which the first that is enough is taken
+/// * `segments`: capacity; without it, the default or the next one that is enough
 ///
 /// # Errors
-/// [`Failure::Method`]: none is enough. The message states a sufficient capacity.
+/// [`Failure::Input`]: no table has this many segments. [`Failure::Method`]: they are too few; the message states a sufficient capacity.
 pub fn ephemeris_of_size(
     scalar: Scalar,
     motion: &Motion,
     tick: Tick,
-    sizes: &[u32],
-) -> Result<Box<dyn AnyEphemeris>, Failure> {
+    segments: Option<u32>,
+) -> Result<Box<dyn DynEphemeris>, Failure> {
+    let mut capacities = capacities_of(scalar);
+    match segments {
+        None => capacities.retain(|capacity| *capacity >= default_capacity(scalar)),
+        Some(segments) if capacities.contains(&segments) => capacities = vec![segments],
+        Some(segments) => {
+            let names: Vec<_> = capacities.iter().map(u32::to_string).collect();
+            let names = names.join(", ");
+            return Err(Failure::Input(format!("--segments: {segments}: must be one of {names}")));
+        }
+    }
+    ephemeris_among(scalar, motion, tick, &capacities)
+}
+
+/// Table with the first of these capacities that is enough.
+fn ephemeris_among(
+    scalar: Scalar,
+    motion: &Motion,
+    tick: Tick,
+    capacities: &[u32],
+) -> Result<Box<dyn DynEphemeris>, Failure> {
     match scalar {
-        Scalar::F64 => table_in::<f64>(motion, tick, sizes, f64::TRUNCATION),
-        Scalar::F32 => table_in::<f32>(motion, tick, sizes, f32::TRUNCATION),
-        Scalar::Q31 => table_in::<I2F30>(motion, tick, sizes, I2F30::TRUNCATION),
-        Scalar::Q15 => table_in::<I2F14>(motion, tick, sizes, I2F14::TRUNCATION),
+        Scalar::F64 => table_in::<f64>(motion, tick, capacities, f64::TRUNCATION),
+        Scalar::F32 => table_in::<f32>(motion, tick, capacities, f32::TRUNCATION),
+        Scalar::Q31 => table_in::<I2F30>(motion, tick, capacities, I2F30::TRUNCATION),
+        Scalar::Q15 => table_in::<I2F14>(motion, tick, capacities, I2F14::TRUNCATION),
     }
 }
 
 fn table_in<R: TableScalar>(
     motion: &Motion,
     tick: Tick,
-    sizes: &[u32],
+    capacities: &[u32],
     truncation: f64,
-) -> Result<Box<dyn AnyEphemeris>, Failure> {
-    let needed = EphemerisView::<R>::segments_needed(motion, truncation);
-    let enough =
-        |sizes: &[u32]| sizes.iter().copied().find(|size| needed.is_some_and(|needed| *size >= needed));
-    let largest = sizes.last().copied().unwrap_or(MOST);
-    let mut memory = memory::<R>(enough(sizes).unwrap_or(largest));
+) -> Result<Box<dyn DynEphemeris>, Failure> {
+    let needed = EphemerisView::<R>::segments_needed(motion, truncation).unwrap_or(u32::MAX);
+    let first_of = |capacities: &[u32]| capacities.iter().copied().find(|capacity| *capacity >= needed);
+    let largest = capacities.last().copied().unwrap_or(MAX_CAPACITY);
+    let mut memory = memory::<R>(first_of(capacities).unwrap_or(largest));
     match memory.set_up(&mut SetUp::with_truncation(truncation), motion, tick, 0, &mut || {}) {
-        Ok(_) => Ok(Box::new(Table(memory))),
+        Ok(_) => Ok(Box::new(HeapEphemeris(memory))),
         Err(error @ SetUpError::TooSmall { .. }) => {
-            let tried = match sizes {
+            let tried = match capacities {
                 [segments] => format!("{segments} segments"),
-                _ => format!("{MOST}x{} segments, the most", R::TERMS),
+                _ => format!("{MAX_CAPACITY}x{} segments, the most", R::TERMS),
             };
-            let sufficient = match enough(&allowed(R::SCALAR)) {
-                Some(size) => format!("at least --segments {size}"),
-                None => format!("not even {MOST} segments of this degree"),
+            let sufficient = match first_of(&capacities_of(R::SCALAR)) {
+                Some(capacity) => format!("at least --segments {capacity}"),
+                None => format!("not even {MAX_CAPACITY} segments of this degree"),
             };
             Err(Failure::Method(format!("no ephemeris of {tried}: {error}; {sufficient} would be enough")))
         }
@@ -101,7 +99,7 @@ fn table_in<R: TableScalar>(
     }
 }
 
-/// Memory of a table of this many segments, one of the [`allowed`] capacities.
+/// Memory of a table of this many segments, one of the [capacities](capacities_of).
 fn memory<R: TableScalar>(segments: u32) -> Box<EphemerisMemory<EphemerisView<R>>> {
     fn boxed<R: TableScalar, const N: usize>() -> Box<EphemerisMemory<EphemerisView<R>>> {
         Box::new(EphemerisMemory::<Ephemeris<R, N>>::new())
@@ -126,23 +124,25 @@ fn memory<R: TableScalar>(segments: u32) -> Box<EphemerisMemory<EphemerisView<R>
 ///
 /// # Errors
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
-pub fn smallest_ephemeris(scalar: Scalar, motion: &Motion) -> Result<Box<dyn AnyEphemeris>, Failure> {
-    at_any_time(scalar, motion, |tick| ephemeris_of_size(scalar, motion, tick, &CAPACITIES))
+pub fn smallest_ephemeris(scalar: Scalar, motion: &Motion) -> Result<Box<dyn DynEphemeris>, Failure> {
+    ephemeris_for_all_times(scalar, motion, |tick| ephemeris_among(scalar, motion, tick, &CAPACITIES))
 }
 
 /// Smallest table in `f64` with a truncation error of at most `truncation`, rad.
 ///
 /// # Errors
 /// As [`smallest_ephemeris`].
-pub fn approximate(motion: &Motion, truncation: f64) -> Result<Box<dyn AnyEphemeris>, Failure> {
-    at_any_time(Scalar::F64, motion, |tick| table_in::<f64>(motion, tick, &CAPACITIES, truncation))
+pub fn ephemeris_with_truncation(motion: &Motion, truncation: f64) -> Result<Box<dyn DynEphemeris>, Failure> {
+    ephemeris_for_all_times(Scalar::F64, motion, |tick| {
+        table_in::<f64>(motion, tick, &CAPACITIES, truncation)
+    })
 }
 
-fn at_any_time(
+fn ephemeris_for_all_times(
     scalar: Scalar,
     motion: &Motion,
-    table: impl FnOnce(Tick) -> Result<Box<dyn AnyEphemeris>, Failure>,
-) -> Result<Box<dyn AnyEphemeris>, Failure> {
+    table: impl FnOnce(Tick) -> Result<Box<dyn DynEphemeris>, Failure>,
+) -> Result<Box<dyn DynEphemeris>, Failure> {
     match AperiodicMotion::new(motion) {
         None => table(MotionConstants::new(*motion).tick()),
         Some(closed_form) if scalar == Scalar::F64 => Ok(Box::new(closed_form)),
@@ -161,7 +161,7 @@ mod tests {
             let table = smallest_ephemeris(scalar, motion).unwrap();
             let tick = MotionConstants::new(*motion).tick();
             for segments in CAPACITIES.into_iter().filter(|&segments| (segments as usize) < table.size()[0]) {
-                let refused = super::ephemeris_of_size(scalar, motion, tick, &[segments]).is_err();
+                let refused = super::ephemeris_of_size(scalar, motion, tick, Some(segments)).is_err();
                 assert!(refused, "{segments} segments would do");
             }
             table.size()[0]

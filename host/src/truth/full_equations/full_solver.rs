@@ -1,5 +1,4 @@
-//! Full solver: step-by-step integration of the three-dimensional equations of motion. It shares no code and no formula with the core, so
-//! that it is an independent reference.
+//! Full solver: step-by-step integration of the three-dimensional equations of motion. It shares no formula with the core.
 //!
 //! The integrator is Verner's 9(8) pair from `differential-equations`, called for one step at a time, so that the last step ends exactly at
 //! the requested time without dense output. Three measures limit the rounding to that of a single operation per step:
@@ -22,6 +21,8 @@ pub const FULL_SOLVER_TOLERANCE: f64 = 3e-16;
 /// Limit on evaluations of the equations, which takes about five seconds, for some thirty thousand nutations.
 const MAX_EVALUATIONS: u64 = 100_000_000;
 
+const UNUSABLE: &str = "the numbers of top, state and time must be finite and not too far apart in size";
+
 fn failure(reason: &str) -> Failure {
     Failure::Method(format!("full solver: {reason}"))
 }
@@ -34,7 +35,6 @@ pub struct FullSolver {
     rate_unit: f64,
     tolerances: Vector7,
     limit: u64,
-    usable: bool,
     time: f64,
     /// State, as the sum of `y` and the smaller part `low`.
     y: Vector7,
@@ -45,13 +45,15 @@ pub struct FullSolver {
 
 impl FullSolver {
     /// Integration from `state` at t = 0, whose orientation is normalised. `tolerance`, in \[1e-17, 1e-2\], bounds the error of a step
-    /// in alpha and beta (absolute) and m (relative to the momenta of the motion). The first [`advance_to`](Self::advance_to) reports
-    /// invalid arguments.
+    /// in alpha and beta (absolute) and m (relative to the momenta of the motion).
     ///
     /// Measured at the default tolerance, over three nutations and the project's reference motions:
     /// orientation within 5e-14 rad, except where the motion itself amplifies rounding (separatrix,
     /// aperiodic: 3e-9 rad).
-    pub fn new(top: &Top, state: FullState, tolerance: f64) -> Self {
+    ///
+    /// # Errors
+    /// [`Failure::Method`]: the numbers are not finite, or too far apart in size.
+    pub fn new(top: &Top, state: FullState, tolerance: f64) -> Result<Self, Failure> {
         let equations = Equations::new(top, &state);
         let Equations { a, pg, k, .. } = equations;
         let rotor = k / a;
@@ -68,7 +70,7 @@ impl FullSolver {
         let m = [y[4], y[5], y[6]];
         let mut low = [0.0; 7];
         project(&y, &mut low);
-        // A top that falls reaches the first of these momenta even if it starts at rest.
+        // momentum after a fall from rest, or at the start
         let momentum = (equations.a * (equations.a + equations.ps)).sqrt().max(dot(m, m).sqrt());
         // A rounding of m changes the angular velocity by momentum / min(A, C), to which the step control must not
         // react. The factor is 1 for ordinary tops, and larger for slender ones and for p s >> A. The quarter is
@@ -79,32 +81,33 @@ impl FullSolver {
             && (momentum * tolerance_factor).is_finite()
             && (norm - 1.0).abs() <= 1e-6
             && (1e-17..=1e-2).contains(&tolerance);
+        if !usable {
+            return Err(failure(UNUSABLE));
+        }
         let mut tolerances = [tolerance * tolerance_factor; 7];
         tolerances[4..].fill(tolerance * tolerance_factor * momentum);
-        Self {
+        Ok(Self {
             equations,
             rate_unit,
             tolerances,
             limit: MAX_EVALUATIONS,
-            usable,
             time: 0.0,
             y,
             low,
             step: 0.05,
             evaluations: 0,
-        }
+        })
     }
 
     /// State at exactly the time `t`, s, after an integration forward or backward. Cost: about 2700 evaluations (0.05 microseconds each)
     /// per nutation.
     ///
     /// # Errors
-    /// [`Failure::Method`]: the numbers are unusable, or it takes too many evaluations.
+    /// [`Failure::Method`]: the time is not finite, or it takes too many evaluations.
     pub fn advance_to(&mut self, t: f64) -> Result<FullState, Failure> {
         let span = (t - self.time) * self.rate_unit;
-        if !self.usable || !span.is_finite() {
-            let reason = "the numbers of top, state and time must be finite and not too far apart in size";
-            return Err(failure(reason));
+        if !span.is_finite() {
+            return Err(failure(UNUSABLE));
         }
         self.integrate(span)?;
         self.time = t;
@@ -227,7 +230,7 @@ mod tests {
     }
 
     fn at(top: &Top, state: FullState, t: f64) -> FullState {
-        FullSolver::new(top, state, FULL_SOLVER_TOLERANCE).advance_to(t).unwrap()
+        FullSolver::new(top, state, FULL_SOLVER_TOLERANCE).unwrap().advance_to(t).unwrap()
     }
 
     /// Distance of two orientations, 2 sqrt(|d alpha|^2 + |d beta|^2), rad.
@@ -269,7 +272,7 @@ mod tests {
         let toy = [a * 2.3e-5, c * 2.3e-5, s * 0.023, p * 1e-3];
         for (top, rate) in [(top(TOP, 1.0), 1.0), (top(toy, 2.16407), 9.7)] {
             let start = FullState { omega: START.omega.map(|w| w * rate), ..START };
-            let mut solver = FullSolver::new(&top, start, FULL_SOLVER_TOLERANCE);
+            let mut solver = FullSolver::new(&top, start, FULL_SOLVER_TOLERANCE).unwrap();
             let integrals = |state: &FullState| Equations::new(&top, state).first_integrals(state);
             let [l, n, h] = integrals(&solver.state());
             solver.advance_to(50.0 / rate).unwrap();
@@ -282,7 +285,7 @@ mod tests {
     #[test]
     fn unusable_input_is_an_error() {
         let run = |state, t| {
-            let mut solver = FullSolver::new(&top(TOP, 1.0), state, 1e-12);
+            let mut solver = FullSolver::new(&top(TOP, 1.0), state, 1e-12)?;
             solver.limit = 5000;
             solver.advance_to(t)
         };

@@ -1,8 +1,8 @@
 //! Rows of chosen columns as CSV, JSON or blocks of aligned lines.
 
 use crate::input::scenario::Units;
-use crate::motion::propagate::Sample;
-use crate::motion::quantity::Quantity;
+use crate::motion::column::SampleColumn;
+use crate::motion::sample::Sample;
 use crate::output::{self, Format, Record, short};
 use toytop::Support;
 
@@ -11,7 +11,7 @@ pub struct Sheet {
     /// Form of the output.
     pub format: Format,
     /// Columns in their order.
-    pub columns: Vec<Quantity>,
+    pub columns: Vec<SampleColumn>,
     /// Units of the scenario.
     pub units: Units,
     /// Support of the tip; decides the unit of its position.
@@ -33,8 +33,8 @@ impl Sheet {
 
     /// Row of this index.
     pub fn row(&self, index: u64, sample: &Sample) -> String {
-        let entry = |column: &Quantity| {
-            let numbers = column.numbers(sample);
+        let entry = |column: &SampleColumn| {
+            let numbers = column.numbers_of(sample);
             let value = if let [x] = numbers[..] { x.into() } else { numbers.into() };
             (column.names().0, value)
         };
@@ -55,22 +55,29 @@ impl Sheet {
             (Format::Table, Support::Free) => "the body is free",
             _ => return String::new(),
         };
-        if !self.columns.contains(&Quantity::Tip) {
+        if !self.columns.contains(&SampleColumn::Tip) {
             return String::new();
         }
         format!("\ntip: 2 alpha beta, minus the horizontal part of the axis ({reason})\n")
     }
 
+    fn unit(&self, column: SampleColumn) -> &'static str {
+        match column.si_unit(self.support) {
+            "rad" => "rad",
+            unit => self.units.name(unit),
+        }
+    }
+
     /// Sample over several lines.
     fn block(&self, sample: &Sample) -> String {
-        let line = |column: &Quantity| {
+        let line = |column: &SampleColumn| {
             let digits = match column {
-                Quantity::T => 17,
-                Quantity::ErrorBound => 2,
+                SampleColumn::T => 17,
+                SampleColumn::ErrorBound => 2,
                 _ => 8,
             };
-            let (name, unit) = (column.names().0, column.unit(self.units, self.support));
-            let numbers = column.numbers(sample).into_iter().filter(|x| !x.is_nan());
+            let (name, unit) = (column.names().0, self.unit(*column));
+            let numbers = column.numbers_of(sample).into_iter().filter(|x| !x.is_nan());
             let texts = [name.to_owned(), unit.to_owned()];
             texts.into_iter().chain(numbers.map(|x| short(x, digits))).collect()
         };

@@ -2,7 +2,7 @@
 
 use crate::commands::options::Method;
 use crate::motion::Scalar;
-use crate::motion::propagate::period;
+use crate::motion::propagate::period_or_natural_time;
 use toytop::{Motion, Regime};
 
 /// Bounds of a built-in motion over ten periods in place of those of any motion, rad: of the full solver, and of the stepper in f32. In f64
@@ -87,7 +87,7 @@ const MAX_GROWTH: f64 = 1e4;
 /// Time of `periods` periods, s, or a shorter one with the reason: an aperiodic motion is followed until shortly before the axis reaches
 /// the vertical, from where the solution of the full equations falls again.
 pub fn horizon(motion: &Motion, periods: u32) -> (f64, Option<String>) {
-    let time = period(motion) * f64::from(periods);
+    let time = period_or_natural_time(motion) * f64::from(periods);
     if motion.regime() != Regime::Aperiodic {
         return (time, None);
     }

@@ -1,8 +1,9 @@
 //! Columns of a sweep, and what is computed of a motion for them.
 
 use crate::input::times::spread_times;
-use crate::motion::ephemeris::{AnyEphemeris, approximate, smallest_ephemeris};
-use crate::motion::quantity::Quantity;
+use crate::motion::column::SampleColumn;
+use crate::motion::ephemeris::{DynEphemeris, ephemeris_with_truncation, smallest_ephemeris};
+use crate::motion::errors::greater;
 use crate::motion::{Scalar, value};
 use clap::ValueEnum;
 use serde_json::Value;
@@ -11,15 +12,15 @@ use std::str::FromStr;
 use toytop::Motion;
 use toytop_model::constants::{CONSTANTS, Constant, MotionConstants};
 
-/// Column of a sweep, or the columns of a quantity at every time.
+/// Column of a sweep.
 #[derive(Clone, Copy)]
 pub enum SweepColumn {
     /// Constant of the motion.
     Constant(&'static Constant),
     /// Property of the motion's tables.
     Table(TableColumn),
-    /// Quantity of a sample, at every time.
-    Sample(Quantity),
+    /// Column of samples, at every time.
+    Sample(SampleColumn),
 }
 
 /// Column of a motion's tables: its name and its value; null where there is no table.
@@ -42,7 +43,7 @@ impl FromStr for SweepColumn {
     fn from_str(name: &str) -> Result<Self, String> {
         let constants = CONSTANTS.iter().map(|constant| (constant.name, Self::Constant(constant)));
         let named = constants.chain(TABLE_COLUMNS.map(|column| (column.0, Self::Table(column))));
-        let sample = || Quantity::from_str(name, false).ok().map(Self::Sample);
+        let sample = || SampleColumn::from_str(name, false).ok().map(Self::Sample);
         let known = named.clone().find(|(known, _)| *known == name).map(|(_, column)| column);
         known.or_else(sample).ok_or_else(|| {
             let names: Vec<_> = named.map(|(name, _)| name).collect();
@@ -57,8 +58,8 @@ impl SweepColumn {
         match self {
             Self::Constant(Constant { name, .. }) => vec![(*name).to_owned()],
             Self::Table((name, _)) => vec![name.to_owned()],
-            Self::Sample(quantity) => {
-                let at = |time| quantity.names().1.iter().map(move |part| format!("{part}_{time}"));
+            Self::Sample(column) => {
+                let at = |time| column.names().1.iter().map(move |part| format!("{part}_{time}"));
                 (1..=times).flat_map(at).collect()
             }
         }
@@ -70,9 +71,9 @@ impl SweepColumn {
             (Self::Constant(constant), Some(motion)) => vec![value(constant, &motion.motion)],
             (Self::Table((_, value)), Some(motion)) => vec![value(motion).into()],
             (Self::Constant(Constant { name: "regime", .. }), None) => vec!["refused".into()],
-            (Self::Sample(quantity), Some(motion)) => match motion.f64_table() {
+            (Self::Sample(column), Some(motion)) => match motion.f64_table() {
                 Some(table) => {
-                    let numbers = motion.times.iter().flat_map(|t| quantity.numbers(&table.at(*t).sample));
+                    let numbers = motion.times.iter().flat_map(|t| column.numbers_of(&table.at(*t)));
                     numbers.map(Value::from).collect()
                 }
                 None => vec![Value::Null; self.names(times).len()],
@@ -86,31 +87,31 @@ impl SweepColumn {
 pub struct RowMotion {
     motion: MotionConstants,
     times: Vec<f64>,
-    f64_table: OnceCell<Option<Box<dyn AnyEphemeris>>>,
-    f32_table: OnceCell<Option<Box<dyn AnyEphemeris>>>,
+    f64_table: OnceCell<Option<Box<dyn DynEphemeris>>>,
+    f32_table: OnceCell<Option<Box<dyn DynEphemeris>>>,
 }
 
 impl RowMotion {
     /// Motion with `count` times spread over this many periods.
     pub fn new(motion: Motion, count: u32, periods: f64) -> Self {
         let motion = MotionConstants::new(motion);
-        let times = spread_times(periods * motion.nutation_period(), count);
+        let times = spread_times(periods * motion.period_or_natural_time(), count);
         Self { motion, times, f64_table: OnceCell::new(), f32_table: OnceCell::new() }
     }
 
-    fn f64_table(&self) -> Option<&dyn AnyEphemeris> {
+    fn f64_table(&self) -> Option<&dyn DynEphemeris> {
         /// Truncation error, rad.
         const WITHIN: f64 = 1e-13;
-        self.f64_table.get_or_init(|| approximate(&self.motion, WITHIN).ok()).as_deref()
+        self.f64_table.get_or_init(|| ephemeris_with_truncation(&self.motion, WITHIN).ok()).as_deref()
     }
 
-    fn f32_table(&self) -> Option<&dyn AnyEphemeris> {
+    fn f32_table(&self) -> Option<&dyn DynEphemeris> {
         self.f32_table.get_or_init(|| smallest_ephemeris(Scalar::F32, &self.motion).ok()).as_deref()
     }
 
     fn error_f32(&self) -> Option<f64> {
         let (table, exact) = (self.f32_table()?, self.f64_table()?);
-        let error = |&t: &f64| table.at(t).sample.orientation().distance(&exact.at(t).sample.orientation());
-        Some(self.times.iter().map(error).fold(0.0, f64::max))
+        let error = |&t: &f64| table.pose(t).orientation.distance(&exact.pose(t).orientation);
+        Some(self.times.iter().map(error).fold(0.0, greater))
     }
 }
