@@ -4,11 +4,11 @@ mod launch;
 mod trial;
 
 use crate::{Study, Summary, trials};
+use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use toytop_host::Failure;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::errors::greater;
-use toytop_host::output::Record;
 use trial::{Errors, Trial};
 
 pub fn run(study: &Study, truths: u64) -> Result<Summary, Failure> {
@@ -55,7 +55,7 @@ pub fn run(study: &Study, truths: u64) -> Result<Summary, Failure> {
 const CLOSE: f64 = 0.01;
 
 /// Row of the tables of one scalar; `None` is a motion for which no table is large enough.
-fn row(regime: &str, scalar: &str, tables: &[Option<Errors>]) -> Record {
+fn row(regime: &str, scalar: &str, tables: &[Option<Errors>]) -> Value {
     let found: Vec<_> = tables.iter().flatten().collect();
     let compared: Vec<_> = found.iter().filter(|errors| errors.ticks > 0).collect();
     let truths = compared.len();
@@ -65,19 +65,20 @@ fn row(regime: &str, scalar: &str, tables: &[Option<Errors>]) -> Record {
         let close = compared.iter().filter(|errors| error(errors) >= CLOSE).count();
         (truths > 0).then(|| close as f64 / truths as f64)
     };
-    Record::default()
-        .with("regime", regime)
-        .with("scalar", scalar)
-        .with("motions", tables.len())
-        .with("no_table", tables.len() - found.len())
-        .with("norm_error_over_bound", greatest(|errors| errors.norm_and_height))
-        .with("compared_motions", truths)
-        .with("compared_ticks", compared.iter().map(|errors| errors.ticks).sum::<usize>())
-        .with("distant_ticks", compared.iter().map(|errors| errors.distant_ticks).sum::<usize>())
-        .with("error_rad", truth(|errors| errors.error))
-        .with("error_over_bound", truth(|errors| errors.of_bound))
-        .with("tight_bounds", close(|errors| errors.of_bound))
-        .with("rate_error_over_bound", truth(|errors| errors.rates_of_bound))
-        .with("tight_rate_bounds", close(|errors| errors.rates_of_bound))
-        .with("beyond_bound", found.iter().filter(|errors| errors.beyond_bound()).count())
+    json!({
+        "regime": regime,
+        "scalar": scalar,
+        "motions": tables.len(),
+        "no_table": tables.len() - found.len(),
+        "norm_error_over_bound": greatest(|errors| errors.norm_and_height),
+        "compared_motions": truths,
+        "compared_ticks": compared.iter().map(|errors| errors.ticks).sum::<usize>(),
+        "distant_ticks": compared.iter().map(|errors| errors.distant_ticks).sum::<usize>(),
+        "error_rad": truth(|errors| errors.error),
+        "error_over_bound": truth(|errors| errors.of_bound),
+        "tight_bounds": close(|errors| errors.of_bound),
+        "rate_error_over_bound": truth(|errors| errors.rates_of_bound),
+        "tight_rate_bounds": close(|errors| errors.rates_of_bound),
+        "beyond_bound": found.iter().filter(|errors| errors.beyond_bound()).count(),
+    })
 }

@@ -2,6 +2,7 @@
 
 use crate::{Study, Summary, trials};
 use nalgebra::{Matrix6, Vector6};
+use serde_json::json;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation, Release, State, Top, TopParameters};
@@ -10,7 +11,6 @@ use toytop_host::Failure;
 use toytop_host::fit::sensors::{Body, Sensors};
 use toytop_host::fit::simulated::{Recording, measurements};
 use toytop_host::input::random::Random;
-use toytop_host::output::Record;
 use toytop_host::score::rotation_between;
 
 /// Sets of sensors that are tried.
@@ -56,13 +56,14 @@ pub fn run(study: &Study) -> Result<Summary, Failure> {
         let covered = accepted.iter().filter(|trial| trial.square <= QUANTILES[trial.freedom - 1]).count();
         let squares: f64 = accepted.iter().map(|trial| trial.square).sum();
         let freedom: usize = accepted.iter().map(|trial| trial.freedom).sum();
-        let row = Record::default()
-            .with("sensors", name)
-            .with("not_converged", refused.join("; "))
-            .with("converged", accepted.len())
-            .with("wrong", wrong.len())
-            .with("in_the_95_percent_ellipsoid", covered as f64 / accepted.len() as f64)
-            .with("rms_error_over_bound", (squares / freedom as f64).sqrt());
+        let row = json!({
+            "sensors": name,
+            "not_converged": refused.join("; "),
+            "converged": accepted.len(),
+            "wrong": wrong.len(),
+            "in_the_95_percent_ellipsoid": covered as f64 / accepted.len() as f64,
+            "rms_error_over_bound": (squares / freedom as f64).sqrt(),
+        });
         rows.push(row);
     }
     let headline = format!("{} launches of each set, seed {}.", study.motions, study.seed);

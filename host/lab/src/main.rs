@@ -13,13 +13,15 @@ mod fit;
 
 use clap::{Args, Parser, Subcommand};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use toytop_host::output::Format;
 use toytop_host::output::command_line::report;
-use toytop_host::output::doc_markers::{self, Page};
+use toytop_host::output::doc_markers::Page;
 use toytop_host::output::progress::Progress;
-use toytop_host::output::{self, Record, stdout};
+use toytop_host::output::table::Table;
+use toytop_host::output::{self, stdout};
 use toytop_host::parallel::thread_pool;
 use toytop_host::{Failure, Report};
 
@@ -80,7 +82,7 @@ fn main() -> ExitCode {
 /// Result of a study.
 struct Summary {
     headline: String,
-    rows: Vec<Record>,
+    rows: Vec<Value>,
     /// Launches that must not occur.
     failures: Vec<String>,
 }
@@ -113,16 +115,15 @@ impl Study {
         let path = self.accept.as_ref().map(|path| path.as_deref().unwrap_or(Path::new(page)));
         let page = path.map(|path| Page::read(path, mark)).transpose()?;
         let Summary { headline, rows, failures } = study()?;
-        let columns = output::all_columns(&rows, |x| output::short(x, 2));
-        let mut table = output::rows(&rows, &columns);
-        for heading in &mut table[0] {
+        let mut table = Table::of_all(&rows, |x| output::short(x, 2));
+        for heading in &mut table.lines[0] {
             *heading = heading.replace('_', " ");
         }
         if let Some(page) = page {
-            page.write(&format!("{headline}\n\n{}", doc_markers::table(&table)))?;
+            page.write(&format!("{headline}\n\n{}", table.markdown()))?;
         }
-        let aligned = || format!("{headline}\n{}", output::columns(table, 2));
-        let text = output::render(self.format, &output::list("rows", &rows), aligned);
+        let aligned = || format!("{headline}\n{}", table.aligned());
+        let text = output::render(self.format, &json!({ "rows": rows }), aligned);
         let first = failures.iter().take(REPORTED).map(|failure| format!("FAILURE: {failure}"));
         Ok(Report { text, notes: first.collect(), check_failed: !failures.is_empty() })
     }

@@ -4,11 +4,12 @@ use super::problems::{self, Problem};
 use crate::input::times::Times;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::smallest_ephemeris;
-use crate::output::{self, Document, Format, Record, eight_digits};
+use crate::output::table::Table;
+use crate::output::{self, Format, eight_digits};
 use crate::score::trajectory::to_symmetry_axis;
 use crate::{Failure, Report};
 use clap::Args;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// Reference values of the heavy tops that integrators are tested with
 #[derive(Args)]
@@ -45,25 +46,19 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
         Some(times) => computed(&problem, times)?,
         None => problem.samples.iter().map(digits).collect(),
     };
-    let row = |row: Vec<Value>| Record(COLUMNS.into_iter().zip(row).collect());
-    let records: Vec<_> = rows.into_iter().map(row).collect();
+    let record = |row: &Vec<Value>| COLUMNS.into_iter().zip(row.iter().cloned()).collect::<Value>();
+    let records: Vec<_> = rows.iter().map(record).collect();
     let about = &problem.about;
-    let rest = Record::default()
-        .with("benchmark", &**name)
-        .with("source", &*about.source)
-        .with("symmetry_axis", about.symmetry_axis);
-    let document = Document { lists: vec![("samples", &records)], values: rest };
+    let document = json!({
+        "samples": records,
+        "benchmark": name,
+        "source": about.source,
+        "symmetry_axis": about.symmetry_axis,
+    });
     let table = || {
-        let one_by_one = records.iter().flat_map(|Record(values)| {
-            let value = |(name, value): &(&str, Value)| {
-                Record::default()
-                    .with("t", values[0].1.clone())
-                    .with("quantity", *name)
-                    .with("value", value.clone())
-            };
-            values[1..].iter().map(value).collect::<Vec<_>>()
-        });
-        let lines: Vec<_> = one_by_one.collect();
+        let line = |row: &Vec<Value>, (name, value): (&str, &Value)| json!({ "t": row[0], "quantity": name, "value": value });
+        let lines_of = |row| COLUMNS.into_iter().zip(row).skip(1).map(move |value| line(row, value));
+        let lines: Vec<_> = rows.iter().flat_map(lines_of).collect();
         format!(
             "{}\n{}\n\nThe third fixed axis points up, body axis {} from the tip to the centre of mass. x_com, y_com, z_com: of the\n\
              centre of mass relative to the tip; w, x, y, z: quaternion from body to fixed axes; wx, wy, wz: angular velocity along\n\
@@ -71,7 +66,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
             about.title,
             about.source,
             about.symmetry_axis,
-            output::aligned(&lines, &output::all_columns(&lines, eight_digits))
+            Table::of_all(&lines, eight_digits).aligned()
         )
     };
     Ok(output::render(*format, &document, table).into())
@@ -82,20 +77,21 @@ fn list(format: Format) -> Result<Report, Failure> {
     let summary = |Problem { scenario, about, samples, .. }: &Problem| {
         let last = samples.last().unwrap_or(&Value::Null);
         let seconds = last["t"].as_str().and_then(|t| t.parse::<f64>().ok());
-        Record::default()
-            .with("benchmark", &*scenario.name)
-            .with("title", &*about.title)
-            .with("seconds", seconds)
-            .with("t", last["t"].clone())
-            .with("height", last["position"][2].clone())
-            .with("used_by", about.used_by.join("; "))
+        json!({
+            "benchmark": scenario.name,
+            "title": about.title,
+            "seconds": seconds,
+            "t": last["t"],
+            "height": last["position"][2],
+            "used_by": about.used_by.join("; "),
+        })
     };
     let problems: Vec<_> = problems::all().iter().map(summary).collect();
     let table = || {
-        output::aligned(&problems, &[("benchmark", "", eight_digits), ("title", "", eight_digits)])
+        Table::new(&problems, &[("benchmark", "", eight_digits), ("title", "", eight_digits)]).aligned()
             + "\ntoytop benchmark NAME prints 30 digits; --scenario its scenario file; toytop score --benchmark NAME judges a run.\n"
     };
-    Ok(output::render(format, &output::list("problems", &problems), table).into())
+    Ok(output::render(format, &json!({ "problems": problems }), table).into())
 }
 
 /// Values of a sample with 30 digits, by [`COLUMNS`].

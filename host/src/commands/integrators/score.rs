@@ -6,12 +6,14 @@ use crate::commands::drawing::chart::{Chart, Curve};
 use crate::commands::options::{PICTURE, ending_in, positive};
 use crate::input::scenario::Scenario;
 use crate::motion::propagate::period_or_natural_time;
-use crate::output::{self, Column, Document, Format, Record, short, two_digits, whole_file};
+use crate::output::table::{Column, Table};
+use crate::output::{self, Format, short, two_digits, whole_file};
 use crate::score::errors::{ExactReference, Score};
 use crate::score::order;
 use crate::score::trajectory::Trajectory;
 use crate::{Failure, Report};
 use clap::Args;
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 /// Errors of your integrator's output against the exact motion
@@ -121,15 +123,17 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
         draw(path, &scenario, &files, &integrators)?;
     }
     let records: Vec<_> = files.iter().map(|file| record(file, &integrators)).collect();
-    let summary = |Integrator { name, files, order }: &Integrator| {
-        Record::default().with("method", &**name).with("files", *files).with("order", *order)
-    };
+    let summary = |Integrator { name, files, order }: &Integrator| json!({ "method": name, "files": files, "order": order });
     let summaries: Vec<_> = integrators.iter().map(summary).collect();
     let order = if let [only] = &integrators[..] { only.order } else { None };
-    let rest =
-        Record::default().with("order", order).with("scenario", &*scenario.name).with("sign", "nearest");
-    let object = Document { lists: vec![("files", &records), ("methods", &summaries)], values: rest };
-    let text = output::render(*format, &object, || tables(&files, &records, &integrators));
+    let document = json!({
+        "files": records,
+        "methods": summaries,
+        "order": order,
+        "scenario": scenario.name,
+        "sign": "nearest",
+    });
+    let text = output::render(*format, &document, || tables(&files, &records, &integrators));
     Ok(Report::from(text).with_notes(warnings))
 }
 
@@ -201,37 +205,38 @@ fn draw(
     drawing::write("--plot", path, &chart.draw(&curves), None)
 }
 
-fn record(file: &ScoredFile, integrators: &[Integrator]) -> Record {
+fn record(file: &ScoredFile, integrators: &[Integrator]) -> Value {
     let ScoredFile { trajectory, score, step, order } = file;
     let method = integrators.iter().find(|integrator| integrator.name == file.method());
     let phases = &score.phases;
-    Record::default()
-        .with("name", &*trajectory.name)
-        .with("method", trajectory.method.clone())
-        .with("rows", trajectory.rows.len())
-        .with("step", step.map(|(step, _)| step))
-        .with("step_from", step.map(|(_, source)| source))
-        .with("evaluations", trajectory.evaluations)
-        .with("max_error_rad", score.max_error)
-        .with("rms_error_rad", score.rms_error)
-        .with("final_error_rad", score.final_error)
-        .with("max_u_error", score.max_u_error)
-        .with("max_position_error", score.max_tip_error)
-        .with("nutation_error_rad", phases.nutation)
-        .with("precession_error_rad", phases.precession)
-        .with("spin_error_rad", phases.spin)
-        .with("residual_rad", phases.residual)
-        .with("drift_h", score.drift.map(|drift| drift.h))
-        .with("drift_l", score.drift.map(|drift| drift.l))
-        .with("drift_n", score.drift.map(|drift| drift.n))
-        .with("max_norm_error", score.norm_error)
-        .with("truth_bound_rad", score.truth_bound)
-        .with("method_order", method.and_then(|method| method.order))
-        .with("order", *order)
+    json!({
+        "name": trajectory.name,
+        "method": trajectory.method,
+        "rows": trajectory.rows.len(),
+        "step": step.map(|(step, _)| step),
+        "step_from": step.map(|(_, source)| source),
+        "evaluations": trajectory.evaluations,
+        "max_error_rad": score.max_error,
+        "rms_error_rad": score.rms_error,
+        "final_error_rad": score.final_error,
+        "max_u_error": score.max_u_error,
+        "max_position_error": score.max_tip_error,
+        "nutation_error_rad": phases.nutation,
+        "precession_error_rad": phases.precession,
+        "spin_error_rad": phases.spin,
+        "residual_rad": phases.residual,
+        "drift_h": score.drift.map(|drift| drift.h),
+        "drift_l": score.drift.map(|drift| drift.l),
+        "drift_n": score.drift.map(|drift| drift.n),
+        "max_norm_error": score.norm_error,
+        "truth_bound_rad": score.truth_bound,
+        "method_order": method.and_then(|method| method.order),
+        "order": order,
+    })
 }
 
 /// Table of the errors, table of the phase errors and drifts, and the orders of convergence.
-fn tables(files: &[ScoredFile], records: &[Record], integrators: &[Integrator]) -> String {
+fn tables(files: &[ScoredFile], records: &[Value], integrators: &[Integrator]) -> String {
     let errors: [Column<'_>; 9] = [
         ("name", "", two_digits),
         ("rows", "rows", two_digits),
@@ -265,7 +270,7 @@ fn tables(files: &[ScoredFile], records: &[Record], integrators: &[Integrator]) 
          {orders}The exact motion is within {bound:.1e} rad. Errors of the orientation are 2 sqrt(|d alpha|^2 + |d beta|^2) with the nearer\n\
          sign. Residual: what no phase error explains. Order: from the next larger step of the same method. Drifts: of h in units of max(|h|, p g), of l and n in units of\n\
          max(|l|, |n|, sqrt(2 A p g)).\n",
-        output::aligned(records, &errors),
-        output::aligned(records, &details),
+        Table::new(records, &errors).aligned(),
+        Table::new(records, &details).aligned(),
     )
 }

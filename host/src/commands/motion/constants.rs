@@ -3,9 +3,11 @@
 use crate::commands::warnings;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::value;
-use crate::output::{self, Document, Format, Record, eight_digits};
+use crate::output::table::Table;
+use crate::output::{self, Format, eight_digits};
 use crate::{Failure, Report};
 use clap::Args;
+use serde_json::Value;
 use std::path::PathBuf;
 use toytop_model::constants::{CONSTANTS, Constant, MotionConstants};
 
@@ -28,23 +30,19 @@ pub struct ConstantsArgs {
 pub fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let motion = MotionConstants::new(scenario.motion);
-    let values = CONSTANTS.iter().map(|constant| (constant.name, value(constant, &motion)));
+    let values: Value = CONSTANTS.iter().map(|constant| (constant.name, value(constant, &motion))).collect();
     let table = || {
         let line = |constant: &Constant| {
             let unit = constant.unit;
             let named = scenario.units == Units::Si
                 || !(unit.contains("kg") || ["s", "1/s", "degrees/s"].contains(&unit));
-            let value = output::text(&value(constant, &motion), eight_digits);
+            let value = output::text(&values[constant.name], eight_digits);
             [constant.name, value.as_deref().unwrap_or("-"), if named { unit } else { "" }]
                 .map(str::to_owned)
                 .to_vec()
         };
-        output::columns(CONSTANTS.iter().map(line).collect(), 3)
+        Table { lines: CONSTANTS.iter().map(line).collect(), left: 3 }.aligned()
     };
-    let text = output::render(
-        arguments.format,
-        &Document { lists: Vec::new(), values: Record(values.collect()) },
-        table,
-    );
+    let text = output::render(arguments.format, &values, table);
     Ok(Report::from(text).with_notes(warnings(&[scenario])))
 }

@@ -6,9 +6,11 @@ use crate::input::{finite, require_within};
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{EventFilter, EventKind, FoundEvent, search, smallest_ephemeris};
 use crate::motion::sample::Sample;
-use crate::output::{self, Column, Format, Record, eight_digits};
+use crate::output::table::{Column, Table};
+use crate::output::{self, Format, eight_digits};
 use crate::{Failure, Report};
 use clap::Args;
+use serde_json::{Value, json};
 use std::path::PathBuf;
 use toytop::{Phase, Support};
 
@@ -105,16 +107,16 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     let records: Vec<_> = events.iter().map(|(kind, event)| record(kind, event)).collect();
     let table = || match &records[..] {
         [] => "no such event\n".to_owned(),
-        _ => output::aligned(&records, &columns(scenario.units)),
+        _ => Table::new(&records, &columns(scenario.units)).aligned(),
     };
-    let text = output::render(arguments.format, &output::list("events", &records), table);
+    let text = output::render(arguments.format, &json!({ "events": records }), table);
     // no warning that the top leaves the plane if the command asks for these times
     let asked = arguments.kinds.iter().any(|kind| kind.event == EventKind::LiftOff);
     let notes = if asked { Vec::new() } else { warnings(&[scenario]) };
     Ok(Report::from(text).with_notes(notes))
 }
 
-fn record(kind: &KindFilter, event: &FoundEvent) -> Record {
+fn record(kind: &KindFilter, event: &FoundEvent) -> Value {
     let Sample { pose, tip_angle, .. } = &event.sample;
     let sense = match (kind.event, event.upward) {
         (EventKind::Turning, true) => "upper",
@@ -123,15 +125,16 @@ fn record(kind: &KindFilter, event: &FoundEvent) -> Record {
         (_, false) => "down",
     };
     let tilt = 2.0 * pose.orientation.beta.modulus().atan2(pose.orientation.alpha.modulus());
-    Record::default()
-        .with("t", event.t)
-        .with("kind", &*kind.text)
-        .with("sense", sense)
-        .with("u", pose.u)
-        .with("tilt_deg", tilt.to_degrees())
-        .with("tip", [pose.tip.re, pose.tip.im])
-        .with("phi_deg", tip_angle.map(f64::to_degrees))
-        .with("time_error", event.time_error)
+    json!({
+        "t": event.t,
+        "kind": kind.text,
+        "sense": sense,
+        "u": pose.u,
+        "tilt_deg": tilt.to_degrees(),
+        "tip": [pose.tip.re, pose.tip.im],
+        "phi_deg": tip_angle.map(f64::to_degrees),
+        "time_error": event.time_error,
+    })
 }
 
 fn columns(units: Units) -> [Column<'static>; 6] {

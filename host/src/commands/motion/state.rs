@@ -1,6 +1,6 @@
 //! `toytop state`: orientation, rates and tip at given times.
 
-mod sheet;
+mod rows;
 
 use crate::commands::options::{Method, hertz};
 use crate::commands::warnings;
@@ -18,7 +18,7 @@ use crate::parallel;
 use crate::truth::full_equations;
 use crate::{Failure, Report};
 use clap::{ArgGroup, Args};
-use sheet::Sheet;
+use rows::Rows;
 use std::path::PathBuf;
 use toytop::{Regime, Tick};
 use toytop_closed_forms::ClosedForm;
@@ -91,14 +91,14 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
         columns.extend(further.iter().filter(|column| !arguments.columns.contains(column)));
     }
     let support = scenario.motion.top().support();
-    let sheet = Sheet { format, columns, units: scenario.units, support };
+    let rows = Rows { format, columns, units: scenario.units, support };
     let count = times.seconds.len() as u64;
     let at = source(arguments, &scenario, times, rate)?;
     // from here on the input cannot cause a failure
     stdout::or_file(arguments.output.as_deref(), |out| {
-        out.write_all(sheet.head().as_bytes())?;
-        parallel::write_rows(count, &|row, bytes| bytes.extend(sheet.row(row, &at(row)).bytes()), out)?;
-        out.write_all(sheet.end().as_bytes())
+        out.write_all(rows.head().as_bytes())?;
+        parallel::write_rows(count, &|index, bytes| bytes.extend(rows.row(index, &at(index)).bytes()), out)?;
+        out.write_all(rows.end().as_bytes())
     })?;
     Ok(Report::default().with_notes(warnings(&[scenario])))
 }

@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 #[command(
     after_help = "SAMPLES.csv has a column t (s), and those of its sensors: gyro_x,gyro_y,gyro_z (rad/s, body frame); accel_x,accel_y,accel_z (m/s^2);\n\
         mag_x,mag_y,mag_z; w,x,y,z (unit quaternion from body to fixed coordinates); axis_x,axis_y,axis_z; tip_x,tip_y (m); mark (azimuth, rad).\n\
-        An empty field is no reading.\n\n\
+        An empty field is no reading. The row of --format csv has all values of JSON; the x, y and z of a drift are those of l, n and h.\n\n\
         Example: toytop fit samples.csv --top host/scenarios/toy_top.toml --free axial_inertia -o fitted.toml"
 )]
 pub struct FitArgs {
@@ -106,10 +106,6 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
         }
     }
     whole_file::write_all(&files)?;
-    let text = match arguments.format {
-        Format::Table => report::table(&fit),
-        Format::Json => output::json(&report::object(&fit)) + "\n",
-        Format::Csv => output::csv(&[report::row(&fit)]),
-    };
+    let text = output::render(arguments.format, &report::record(&fit), || report::table(&fit));
     Ok(Report { text, notes, check_failed: !converged })
 }

@@ -7,9 +7,10 @@ use crate::input::scenario::{Launch, Scenario};
 use crate::motion::ephemeris::smallest_ephemeris;
 use crate::motion::errors::Errors;
 use crate::motion::{MotionConstants, Scalar};
-use crate::output::doc_markers::{self, Page};
+use crate::output::doc_markers::Page;
 use crate::output::progress::Progress;
-use crate::output::{self, Column, Format, Record};
+use crate::output::table::{Column, Table};
+use crate::output::{self, Format};
 use crate::parallel::thread_pool;
 use crate::truth::exact::Exact;
 use crate::truth::input::ExactInput;
@@ -18,6 +19,8 @@ use crate::{Failure, Report};
 use clap::Args;
 use micromath::F32Ext;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use serde_json::{Value, json};
+use std::iter::once;
 use std::path::PathBuf;
 use toytop::{InitialAngles, Regime, Support, TopParameters};
 
@@ -68,7 +71,7 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
             "{}\nThe ephemeris in each scalar, over ticks from 1 to 2^{OCTAVES}, against the truth to thirty digits. Tip: in units of s. Norm:\n\
              of alpha and beta. Energy: from alpha, beta and their rates (in fixed point, f32), relative. CSV and JSON have the\n\
              errors over each octave of ticks. {micromath}",
-            output::aligned(&table, &columns(output::two_digits)),
+            Table::new(&table, &columns(output::two_digits)).aligned(),
         )
     };
     let mut octaves = Vec::new();
@@ -76,13 +79,16 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
         for (octave, errors) in errors.iter().enumerate() {
             let first = 1_u64 << octave;
             let last = if octave < OCTAVES { 2 * first - 1 } else { first };
-            octaves.push(record(*scalar, *errors).with("first_tick", first).with("last_tick", last));
+            let mut record = record(*scalar, *errors);
+            record["first_tick"] = first.into();
+            record["last_tick"] = last.into();
+            octaves.push(record);
         }
     }
-    let text = output::render(arguments.format, &output::list("rows", &octaves), text);
+    let text = output::render(arguments.format, &json!({ "rows": octaves }), text);
     if let Some(page) = page {
-        let rows = output::rows(&table, &columns(|x| format!("{x:.0e}")));
-        page.write(&format!("{}\n{micromath}", doc_markers::table(&rows)))?;
+        let table = Table::new(&table, &columns(|x| format!("{x:.0e}"))).markdown();
+        page.write(&format!("{table}\n{micromath}"))?;
     }
     Ok(text.into())
 }
@@ -93,10 +99,10 @@ fn micromath() -> f64 {
     (0..=u16::MAX).map(|i| error(1e-4 * f32::from(i))).fold(0.0, f64::max)
 }
 
-fn record(scalar: Scalar, errors: Errors) -> Record {
-    let record = Record::default().with("scalar", scalar.name());
+fn record(scalar: Scalar, errors: Errors) -> Value {
+    let names = COLUMNS.map(|(name, _)| name);
     let errors = [errors.orientation, errors.tip, errors.norm, errors.drift.h];
-    COLUMNS[1..].iter().zip(errors).fold(record, |record, ((name, _), error)| record.with(name, error))
+    names.into_iter().zip(once(scalar.name().into()).chain(errors.map(Value::from))).collect()
 }
 
 /// Errors of each scalar over all motions: at ticks from 2^k to 2^(k+1) - 1 for each k below [`OCTAVES`], and at tick 2^40.

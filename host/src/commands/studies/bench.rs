@@ -1,11 +1,13 @@
 //! `toytop bench`: computing times of a state, by the core and by other methods, on this machine with this build.
 
 use crate::input::builtin;
-use crate::output::{self, Column, Format, Record, short};
+use crate::output::table::{Column, Table};
+use crate::output::{self, Format, short};
 use crate::truth::full_equations;
 use crate::truth::full_equations::full_solver::{Equations, FullSolver};
 use crate::{Failure, Report};
 use clap::Args;
+use serde_json::{Value, json};
 use std::hint::black_box;
 use std::time::Instant;
 use toytop::scalar::Real;
@@ -29,14 +31,13 @@ const TOLERANCE: f64 = 1e-12;
 const RUNS: u32 = 5;
 
 /// Row of a task that computes this many states, with the least time of a state, s.
-fn timed(what: impl Into<String>, states: u32, mut task: impl FnMut()) -> Record {
+fn timed(what: impl Into<String>, states: u32, mut task: impl FnMut()) -> Value {
     let run = |_| {
         let started = Instant::now();
         task();
         started.elapsed().as_secs_f64() / f64::from(states)
     };
-    let what: String = what.into();
-    Record::default().with("what", what).with("seconds", (0..RUNS).map(run).fold(f64::INFINITY, f64::min))
+    json!({ "what": what.into(), "seconds": (0..RUNS).map(run).fold(f64::INFINITY, f64::min) })
 }
 
 /// Computing times on this machine: ephemeris, stepper, full solver
@@ -61,10 +62,10 @@ pub fn run(arguments: &BenchArgs) -> Result<Report, Failure> {
         format!(
             "{}\nThe paper's curve with cusps. Ticks given by their numbers do not depend on each other, and the processor may overlap\n\
              them; the next tick waits for the one before. Least of {RUNS} runs on one core of {cores}; {build}.\n",
-            output::aligned(&rows, &columns),
+            Table::new(&rows, &columns).aligned(),
         )
     };
-    Ok(output::render(arguments.format, &output::list("rows", &rows), table).into())
+    Ok(output::render(arguments.format, &json!({ "rows": rows }), table).into())
 }
 
 /// Time with three digits and a unit.
@@ -78,7 +79,7 @@ fn short_seconds(seconds: f64) -> String {
     format!("{} {unit}", short(scale * seconds, 3))
 }
 
-fn rows() -> Result<Vec<Record>, Failure> {
+fn rows() -> Result<Vec<Value>, Failure> {
     let fail = |error: &dyn std::fmt::Display| Failure::Method(format!("bench: {error}"));
     let figures = builtin::figures();
     let scenario = figures.iter().find(|scenario| scenario.name == CURVE_WITH_CUSPS);
@@ -121,7 +122,7 @@ fn rows() -> Result<Vec<Record>, Failure> {
     Ok(rows)
 }
 
-fn ephemeris<R: EphemerisScalar>(scalar: &str, table: &EphemerisView<R>) -> [Record; 3] {
+fn ephemeris<R: EphemerisScalar>(scalar: &str, table: &EphemerisView<R>) -> [Value; 3] {
     let mut out = vec![Orientation::<R>::IDENTITY; STATES as usize];
     let batch = timed(format!("ephemeris {scalar}: in a batch"), STATES, || {
         table.fill(black_box(FIRST), &mut out);
@@ -141,7 +142,7 @@ fn ephemeris<R: EphemerisScalar>(scalar: &str, table: &EphemerisView<R>) -> [Rec
     [batch, next, any]
 }
 
-fn stepper<R: Real>(scalar: &str, motion: &Motion) -> Record {
+fn stepper<R: Real>(scalar: &str, motion: &Motion) -> Value {
     let mut stepper = Stepper::<R>::new(motion);
     let step = R::from_f64(1e-3);
     timed(format!("stepper {scalar}: a step"), STATES, || {

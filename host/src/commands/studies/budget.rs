@@ -21,13 +21,15 @@ mod pages;
 mod trace;
 
 use crate::commands::options::positive;
-use crate::output::{self, Format, Record, eight_digits, short, whole_file};
+use crate::output::table::Table;
+use crate::output::{self, Format, eight_digits, short, whole_file};
 use crate::{Failure, Report};
 use budgets::Budgets;
 use chips::Chip;
 use clap::Args;
 use corpus::corpus;
 use meter::{Cost, Costs, flash, measure};
+use serde_json::json;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -177,26 +179,27 @@ fn launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&'static Chip>) -> R
             "{}\nMotion and table of 200 launches: tilt 0 to 180 degrees, spin 0 to 1000 rad/s, A/(ps) 0.01 to 1000, both \
              supports, corners; at most 64 segments. Instructions are exact to 40; cycles are those of bench_launch in \
              proportion (model). A slice is the time between two calls of the set-up's function.\n",
-            output::aligned(&rows, &output::all_columns(&rows, eight_digits))
+            Table::of_all(&rows, eight_digits).aligned()
         )
     };
-    Ok(output::render(arguments.format, &output::list("rows", &rows), table).into())
+    Ok(output::render(arguments.format, &json!({ "rows": rows }), table).into())
 }
 
 fn report(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -> Result<Report, Failure> {
     let record = |chip: &str, call: &str, cost: &Cost| {
         let figure = |name: &str| cost.get(name).copied();
         let microseconds = figure("cycles").map(|cycles| cycles as f64 / arguments.clock);
-        Record::default()
-            .with("chip", chip)
-            .with("call", call)
-            .with("instructions", figure("instructions"))
-            .with("cycles_model", figure("cycles"))
-            .with("microseconds", microseconds)
-            .with("tick_percent", microseconds.map(|time| time * 1e-6 * TICK_RATE * 100.0))
-            .with("stack", figure("stack"))
-            .with("flash", figure("flash"))
-            .with("ram", figure("ram"))
+        json!({
+            "chip": chip,
+            "call": call,
+            "instructions": figure("instructions"),
+            "cycles_model": figure("cycles"),
+            "microseconds": microseconds,
+            "tick_percent": microseconds.map(|time| time * 1e-6 * TICK_RATE * 100.0),
+            "stack": figure("stack"),
+            "flash": figure("flash"),
+            "ram": figure("ram"),
+        })
     };
     let mut records = Vec::new();
     for (chip, costs) in measured {
@@ -206,8 +209,8 @@ fn report(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -> Result<
         format!(
             "{}\nThe costliest of several calls. Instructions are exact; cycles are a model (published timings, no wait states); \
              stack, flash, RAM in bytes; tick_percent of a tick of 1 kHz.\n",
-            output::aligned(&records, &output::all_columns(&records, |x| short(x, 3)))
+            Table::of_all(&records, |x| short(x, 3)).aligned()
         )
     };
-    Ok(output::render(arguments.format, &output::list("rows", &records), table).into())
+    Ok(output::render(arguments.format, &json!({ "rows": records }), table).into())
 }

@@ -12,12 +12,14 @@ use crate::motion::ephemeris::smallest_ephemeris;
 use crate::motion::errors::Errors;
 use crate::motion::propagate::{TimedStepper, period_or_natural_time};
 use crate::motion::sample::Sample;
-use crate::output::{self, Format, Record, short};
+use crate::output::table::Table;
+use crate::output::{self, Format, short};
 use crate::truth::full_equations;
 use crate::truth::full_equations::full_solver::FullState;
 use crate::{Failure, Report};
 use bounds::{bound, horizon, steps_per_period};
 use clap::Args;
+use serde_json::{Value, json};
 use std::path::PathBuf;
 use std::time::Instant;
 use toytop::Motion;
@@ -94,20 +96,21 @@ impl Comparison {
         }
     }
 
-    fn record(&self) -> Record {
-        let mut record = Record::default()
-            .with("motion", &*self.motion)
-            .with("scalar", self.scalar.name())
-            .with("method", self.method.name());
+    fn record(&self) -> Value {
+        let mut record = json!({
+            "motion": self.motion,
+            "scalar": self.scalar.name(),
+            "method": self.method.name(),
+        });
         for (name, error) in ERRORS {
-            record = record.with(name, self.errors.as_ref().map(error));
+            record[name] = self.errors.as_ref().map(error).into();
         }
+        record["steps"] = self.steps.into();
+        record["table"] = self.table.map(|[segments, terms]| format!("{segments}x{terms}")).into();
+        record["ns"] = self.call.map(|call| 1e9 * call).into();
+        record["bound_rad"] = self.bound.into();
+        record["verdict"] = self.verdict().into();
         record
-            .with("steps", self.steps)
-            .with("table", self.table.map(|[segments, terms]| format!("{segments}x{terms}")))
-            .with("ns", self.call.map(|call| 1e9 * call))
-            .with("bound_rad", self.bound)
-            .with("verdict", self.verdict())
     }
 }
 
@@ -123,7 +126,7 @@ pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     }
     let records: Vec<_> = motions.iter().flatten().map(Comparison::record).collect();
     let table = || table(&motions, arguments.periods);
-    let text = output::render(arguments.format, &output::list("rows", &records), table);
+    let text = output::render(arguments.format, &json!({ "rows": records }), table);
     notes.extend(warnings(&scenarios));
     let check_failed = motions.iter().flatten().any(|one| one.verdict() == "MISS");
     Ok(Report { text, notes, check_failed })
@@ -133,24 +136,27 @@ pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
 /// all bounds are kept.
 fn table(motions: &[Vec<Comparison>], periods: u32) -> String {
     let line = |all: &Vec<Comparison>| {
-        let mut line = Record::default().with("motion", &*all[0].motion);
+        let mut line = json!({ "motion": all[0].motion });
         let (mut fraction, mut slowest) = (0.0_f64, 0.0_f64);
         for one in all {
             let error = one.errors.map(|errors| errors.orientation);
-            line = line.with(one.heading, error);
+            line[one.heading] = error.into();
             fraction = fraction.max(error.zip(one.bound).map_or(0.0, |(error, bound)| error / bound));
             slowest = slowest.max(one.table.and(one.call).unwrap_or(0.0));
         }
         let has = |verdict: &&str| all.iter().any(|one| one.verdict() == *verdict);
         let worst = ["MISS", "no fit", "no bound"].into_iter().find(has).unwrap_or("ok");
-        line.with("of bound", fraction).with("ns", 1e9 * slowest).with("result", worst)
+        line["of bound"] = fraction.into();
+        line["ns"] = (1e9 * slowest).into();
+        line["result"] = worst.into();
+        line
     };
     let lines: Vec<_> = motions.iter().map(line).collect();
     format!(
         "{}\nThe core against the full 3-D equations, {SAMPLES} times in a period over {periods} periods: greatest error of\n\
          the orientation, 2 sqrt(|d alpha|^2 + |d beta|^2), rad, by stepper and ephemeris, and its share\n\
          of its bound. ns: a look-up, median of five runs. Steps a period: {} (f64), {} (f32). More: CSV.\n",
-        output::aligned(&lines, &output::all_columns(&lines, |x| short(x, 1))),
+        Table::of_all(&lines, |x| short(x, 1)).aligned(),
         steps_per_period(Scalar::F64),
         steps_per_period(Scalar::F32),
     )

@@ -1,9 +1,10 @@
 //! `toytop errata`: errors of the printed paper. `tests/reference/errata.py` evaluates each formula as printed and as corrected, and a test
 //! compares the residuals.
 
-use crate::output::{self, Format, Record};
+use crate::output::{self, Format};
 use crate::{Failure, Report};
 use clap::Args;
+use serde_json::json;
 
 /// Errors of the printed paper and their corrections
 #[derive(Args)]
@@ -17,17 +18,18 @@ pub struct ErrataArgs {
 pub fn run(arguments: &ErrataArgs) -> Result<Report, Failure> {
     let record = |(number, erratum): (u64, Erratum)| {
         let Erratum { place, against, printed, corrected, residuals } = erratum;
-        Record::default()
-            .with("number", number)
-            .with("place", place)
-            .with("against", against)
-            .with("printed", printed)
-            .with("corrected", corrected)
-            .with("residual_printed", residuals[0])
-            .with("residual_corrected", residuals[1])
+        json!({
+            "number": number,
+            "place": place,
+            "against": against,
+            "printed": printed,
+            "corrected": corrected,
+            "residual_printed": residuals[0],
+            "residual_corrected": residuals[1],
+        })
     };
     let records: Vec<_> = (1..).zip(ERRATA).map(record).collect();
-    Ok(output::render(arguments.format, &output::list("slips", &records), table).into())
+    Ok(output::render(arguments.format, &json!({ "slips": records }), table).into())
 }
 
 /// Text of all errata: place, quantity that the formula is compared with, and both versions with their residuals.

@@ -1,8 +1,10 @@
-//! Fitted launch as a table, as JSON, and as a row of CSV.
+//! Fitted launch as a table and as a record.
 
 use crate::fit::launch::FitReport;
-use crate::output::{Record, columns, short};
+use crate::output::short;
+use crate::output::table::Table;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use toytop_fit::{Fitted, Sensitivity};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -65,7 +67,7 @@ pub fn table(report: &FitReport) -> String {
         "{state}\n\nlaunch at t = {}\n{}\n\
          chi squared by degrees of freedom {}; {} values used, {} at the end of the range, {} outliers, largest residual {} sigma\n",
         short(time, 9),
-        columns(rows, 4),
+        Table { lines: rows, left: 4 }.aligned(),
         short(statistics.reduced_chi_squared(count), 4),
         statistics.used,
         statistics.unused,
@@ -83,70 +85,54 @@ pub fn table(report: &FitReport) -> String {
     for [t, orientation, axis] in predictions(report) {
         ahead.push(vec![short(t, 6), short(orientation, 2), short(axis, 2)]);
     }
-    text + "\nprediction\n" + &columns(ahead, 0) + "\n"
+    text + "\nprediction\n" + &Table { lines: ahead, left: 0 }.aligned() + "\n"
 }
 
-/// Report as an object of JSON.
-pub fn object(report: &FitReport) -> Record {
+/// Report as a record.
+pub fn record(report: &FitReport) -> Value {
     let Fitted {
         launch, statistics, drift, unknown_count: count, covariance, other_launch_count, time, ..
     } = &report.fitted;
     let deviations = report.fitted.deviations();
     let [(spin, spin_deviation), (tilt, tilt_deviation)] = report.spin_and_tilt();
     let free = report.freed().into_iter();
-    let free = free.map(|(key, value, deviation)| (key, json!({"value": value, "deviation": deviation})));
+    let free = free.map(|(key, value, deviation)| (key, json!({"deviation": deviation, "value": value})));
     let biases = report.biases().into_iter();
-    let biases = biases.map(|(name, values, errors)| (name, json!({"value": values, "deviation": errors})));
+    let biases = biases.map(|(name, values, errors)| (name, json!({"deviation": errors, "value": values})));
     let drift = drift
         .as_ref()
-        .map(|drift| json!({"rates": drift.rates, "deviation": drift.deviations(), "losses": drift.losses}));
+        .map(|drift| json!({"deviation": drift.deviations(), "losses": drift.losses, "rates": drift.rates}));
     let covariance = |i: usize| (0..*count).map(|j| covariance.get(i, j)).collect::<Vec<_>>();
     let prediction =
-        |[t, orientation, axis]: [f64; 3]| json!({"t": t, "orientation_rad": orientation, "axis_rad": axis});
-    Record::default()
-        .with("converged", report.fitted.is_trusted())
-        .with("reason", report.reason.as_deref())
-        .with("epoch", *time)
-        .with("quaternion", launch.orientation.quaternion())
-        .with("orientation_deviation", &deviations[..3])
-        .with("omega", launch.omega)
-        .with("omega_deviation", &deviations[3..6])
-        .with("spin", spin)
-        .with("spin_deviation", spin_deviation)
-        .with("tilt_deg", tilt.to_degrees())
-        .with("tilt_deviation_deg", tilt_deviation.to_degrees())
-        .with("free", free.collect::<Value>())
-        .with("biases", biases.collect::<Value>())
-        .with("drift", drift)
-        .with("covariance", (0..*count).map(covariance).collect::<Value>())
-        .with("covariance_of", COVARIANCE)
-        .with("reduced_chi_squared", statistics.reduced_chi_squared(*count))
-        .with("chi_squared", statistics.chi_squared)
-        .with("used", statistics.used)
-        .with("saturated", statistics.unused)
-        .with("outliers", statistics.outliers)
-        .with("largest_residual", statistics.largest)
-        .with("undetermined", report.undetermined())
-        .with("alternatives", *other_launch_count)
-        .with("prediction", predictions(report).into_iter().map(prediction).collect::<Value>())
+        |[t, orientation, axis]: [f64; 3]| json!({"axis_rad": axis, "orientation_rad": orientation, "t": t});
+    json!({
+        "converged": report.fitted.is_trusted(),
+        "reason": report.reason,
+        "epoch": time,
+        "quaternion": launch.orientation.quaternion(),
+        "orientation_deviation": &deviations[..3],
+        "omega": launch.omega,
+        "omega_deviation": &deviations[3..6],
+        "spin": spin,
+        "spin_deviation": spin_deviation,
+        "tilt_deg": tilt.to_degrees(),
+        "tilt_deviation_deg": tilt_deviation.to_degrees(),
+        "free": free.collect::<BTreeMap<_, _>>(),
+        "biases": biases.collect::<BTreeMap<_, _>>(),
+        "drift": drift,
+        "covariance": (0..*count).map(covariance).collect::<Vec<_>>(),
+        "covariance_of": COVARIANCE,
+        "reduced_chi_squared": statistics.reduced_chi_squared(*count),
+        "chi_squared": statistics.chi_squared,
+        "used": statistics.used,
+        "saturated": statistics.unused,
+        "outliers": statistics.outliers,
+        "largest_residual": statistics.largest,
+        "undetermined": report.undetermined(),
+        "alternatives": other_launch_count,
+        "prediction": predictions(report).into_iter().map(prediction).collect::<Vec<_>>(),
+    })
 }
 
 /// Unknowns of the covariance.
 const COVARIANCE: &str = "rotation vector delta of the orientation in the fixed frame, change of omega in the frame that delta turns, others";
-
-/// Launch in one row.
-pub fn row(FitReport { fitted, reason, .. }: &FitReport) -> Record {
-    let [w, x, y, z] = fitted.launch.orientation.quaternion();
-    let deviations = fitted.deviations();
-    Record::default()
-        .with("reason", reason.as_deref())
-        .with("epoch", fitted.time)
-        .with("w", w)
-        .with("x", x)
-        .with("y", y)
-        .with("z", z)
-        .with("omega", fitted.launch.omega)
-        .with("orientation_deviation", &deviations[..3])
-        .with("omega_deviation", &deviations[3..6])
-        .with("reduced_chi_squared", fitted.statistics.reduced_chi_squared(fitted.unknown_count))
-}

@@ -4,7 +4,7 @@ use super::budgets::Budgets;
 use super::chips::Chip;
 use super::trace;
 use crate::Failure;
-use crate::output::Record;
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -13,7 +13,7 @@ use std::path::Path;
 ///
 /// # Errors
 /// [`Failure::Tool`]: there is no QEMU, the program did not end with exit code 0, or a line of its output cannot be read.
-pub fn corpus(chip: &Chip, elf: &Path, budgets: &Budgets) -> Result<Vec<Record>, Failure> {
+pub fn corpus(chip: &Chip, elf: &Path, budgets: &Budgets) -> Result<Vec<Value>, Failure> {
     // an instruction takes one nanosecond of virtual time
     let text = trace::run(chip, elf, &["-icount", "shift=0,sleep=off"], |_| Ok(()))?;
     let launch = |figure| budgets.budget(chip.name, "launch", figure).map(|count| count as f64);
@@ -32,16 +32,17 @@ pub fn corpus(chip: &Chip, elf: &Path, budgets: &Budgets) -> Result<Vec<Record>,
         launches.sort_unstable();
         let launch = |place: usize| launches.get(place).copied().unwrap_or_default();
         let [median, greatest] = [launch(launches.len() / 2), launch(launches.len() - 1)];
-        Record::default()
-            .with("chip", chip.name)
-            .with("scalar", scalar)
-            .with("result", result)
-            .with("launches", launches.len())
-            .with("median_instructions", median)
-            .with("greatest_instructions", greatest)
-            .with("median_cycles_model", cycles(median))
-            .with("greatest_cycles_model", cycles(greatest))
-            .with("slice_cycles_model", cycles(slice))
+        json!({
+            "chip": chip.name,
+            "scalar": scalar,
+            "result": result,
+            "launches": launches.len(),
+            "median_instructions": median,
+            "greatest_instructions": greatest,
+            "median_cycles_model": cycles(median),
+            "greatest_cycles_model": cycles(greatest),
+            "slice_cycles_model": cycles(slice),
+        })
     };
     Ok(groups.into_iter().map(row).collect())
 }

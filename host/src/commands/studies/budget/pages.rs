@@ -1,9 +1,12 @@
 //! Parts of pages that have costs: tables of the budgets, and of the set-up of many launches.
 
 use super::budgets::Budgets;
-use crate::output::doc_markers::{Page, table};
-use crate::output::{self, Column, Record, eight_digits};
+use crate::output::doc_markers::Page;
+use crate::output::eight_digits;
+use crate::output::table::{Column, Table};
 use crate::{Failure, Report};
+use serde_json::Value;
+use std::iter::once;
 use std::path::Path;
 
 /// Part of a page: the page, its mark, and its text.
@@ -21,7 +24,7 @@ pub fn of_budgets(budgets: &Budgets) -> [Part; 2] {
 }
 
 /// Part of a page that has the costs of many launches.
-pub fn of_corpus(rows: &[Record]) -> Part {
+pub fn of_corpus(rows: &[Value]) -> Part {
     let columns = [
         ("chip", "chip"),
         ("scalar", "scalar"),
@@ -32,7 +35,7 @@ pub fn of_corpus(rows: &[Record]) -> Part {
         ("slice_cycles_model", "cycles of the longest slice"),
     ];
     let columns = columns.map(|(name, heading)| -> Column<'_> { (name, heading, eight_digits) });
-    (COSTS, "toytop budget: launches", table(&output::rows(rows, &columns)))
+    (COSTS, "toytop budget: launches", Table::new(rows, &columns).markdown())
 }
 
 /// Writes parts of pages below a folder, after each of them was found to have a place.
@@ -97,12 +100,12 @@ const COLUMNS: [(&str, &str, &str); 6] = [
 
 fn calls(budgets: &Budgets) -> String {
     let row = |(call, what): (&str, &str)| {
-        let row = Record::default().with("from a tick to α, β, u and the tip in memory, at most", what);
-        let figure =
-            |row: Record, (heading, chip, figure)| row.with(heading, budgets.budget(chip, call, figure));
-        COLUMNS.into_iter().fold(row, figure)
+        let figure = |(heading, chip, figure)| (heading, Value::from(budgets.budget(chip, call, figure)));
+        once(("from a tick to α, β, u and the tip in memory, at most", Value::from(what)))
+            .chain(COLUMNS.map(figure))
+            .collect()
     };
-    markdown(&ROWS.map(row))
+    Table::of_all(&ROWS.map(row), eight_digits).markdown()
 }
 
 /// Rows of the front page: chip, call and text.
@@ -114,21 +117,13 @@ const FRONT_ROWS: [(&str, &str, &str); 4] = [
 ];
 
 fn front_page(budgets: &Budgets) -> String {
+    const FIGURES: [(&str, &str); 4] =
+        [("cycles", "cycles"), ("kept, bytes", "ram"), ("stack, bytes", "stack"), ("flash, bytes", "flash")];
     let row = |(chip, call, what): (&str, &str, &str)| {
-        let figures = [
-            ("cycles", "cycles"),
-            ("kept, bytes", "ram"),
-            ("stack, bytes", "stack"),
-            ("flash, bytes", "flash"),
-        ];
-        let figure = |row: Record, (heading, figure)| row.with(heading, budgets.budget(chip, call, figure));
-        figures.into_iter().fold(Record::default().with("at most", what), figure)
+        let figure = |(heading, figure)| (heading, Value::from(budgets.budget(chip, call, figure)));
+        once(("at most", Value::from(what))).chain(FIGURES.map(figure)).collect()
     };
-    markdown(&FRONT_ROWS.map(row))
-}
-
-fn markdown(rows: &[Record]) -> String {
-    table(&output::rows(rows, &output::all_columns(rows, eight_digits)))
+    Table::of_all(&FRONT_ROWS.map(row), eight_digits).markdown()
 }
 
 #[cfg(test)]

@@ -1,13 +1,15 @@
-//! Rows of chosen columns as CSV, JSON or blocks of aligned lines.
+//! Samples as rows of CSV, JSON or blocks of aligned lines, one at a time, because not all of them fit into memory.
 
 use crate::input::scenario::Units;
 use crate::motion::column::SampleColumn;
 use crate::motion::sample::Sample;
-use crate::output::{self, Format, Record, short};
+use crate::output::table::Table;
+use crate::output::{Format, csv_line, json, short};
+use serde_json::Value;
 use toytop::Support;
 
 /// Columns of the rows, the units of their numbers, and the form in which they are written.
-pub struct Sheet {
+pub struct Rows {
     /// Form of the output.
     pub format: Format,
     /// Columns in their order.
@@ -18,13 +20,12 @@ pub struct Sheet {
     pub support: Support,
 }
 
-impl Sheet {
+impl Rows {
     /// Text before the rows.
     pub fn head(&self) -> String {
         match self.format {
             Format::Csv => {
-                self.columns.iter().flat_map(|column| column.names().1).copied().collect::<Vec<_>>().join(",")
-                    + "\n"
+                csv_line(self.columns.iter().flat_map(|column| column.names().1).map(|name| (*name).into()))
             }
             Format::Json => "{\"samples\":[".to_owned(),
             Format::Table => String::new(),
@@ -35,14 +36,15 @@ impl Sheet {
     pub fn row(&self, index: u64, sample: &Sample) -> String {
         let entry = |column: &SampleColumn| {
             let numbers = column.numbers_of(sample);
-            let value = if let [x] = numbers[..] { x.into() } else { numbers.into() };
+            let value: Value = if let [x] = numbers[..] { x.into() } else { numbers.into() };
             (column.names().0, value)
         };
-        let record = || Record(self.columns.iter().map(entry).collect());
         let between = |text: &str| if index == 0 { String::new() } else { text.to_owned() };
         match self.format {
-            Format::Csv => record().csv(),
-            Format::Json => between(",") + &output::json(&record()),
+            Format::Csv => {
+                csv_line(self.columns.iter().flat_map(|column| column.numbers_of(sample)).map(Value::from))
+            }
+            Format::Json => between(",") + &json(&self.columns.iter().map(entry).collect()),
             Format::Table => between("\n") + &self.block(sample),
         }
     }
@@ -81,6 +83,6 @@ impl Sheet {
             let texts = [name.to_owned(), unit.to_owned()];
             texts.into_iter().chain(numbers.map(|x| short(x, digits))).collect()
         };
-        output::columns(self.columns.iter().map(line).collect(), 2)
+        Table { lines: self.columns.iter().map(line).collect(), left: 2 }.aligned()
     }
 }
