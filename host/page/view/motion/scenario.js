@@ -1,8 +1,8 @@
-// Scenario as text: the fragment of an address, and TOML. Its keys are those of `toytop`'s scenario files.
+// A scenario is read from the fragment of an address, and written as such a fragment or as TOML, with the keys of scenario files.
 
 import { numberOf } from "./text.js";
 import { degrees } from "./angles.js";
-import { KINDS, LENGTHS, MOTION_KEYS, SUPPORTS, TOP_KEYS } from "./core.js";
+import { COMPONENTS, KINDS, MOTION_KEYS, SUPPORTS, TOP_KEYS } from "./core.js";
 
 /** Keys and values of a table of a scenario, in the order of the documentation. */
 function inOrder(table) {
@@ -34,7 +34,7 @@ const SETTINGS = ["t", "speed", "ghost"];
 /** Number in the text of a key, or a list of numbers for a key that has several. */
 function numbersIn(key, text) {
   const numbers = text.split(",").map(numberOf);
-  return key in LENGTHS ? numbers : numbers[0];
+  return key in COMPONENTS ? numbers : numbers[0];
 }
 
 /** Reason why the keys and texts of an address are refused; undefined where each is known and its text is what the key allows. */

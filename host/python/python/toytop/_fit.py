@@ -1,4 +1,4 @@
-"""Launches from samples of sensors, and samples of simulated sensors."""
+"""A launch is fitted to samples of sensors, and sensors are simulated."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Motions of many tops or many launches."""
+"""Motions of many tops or many launches are computed on all cores."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 RELEASE = ("tilt", "spin", "precession", "nutation", "azimuth", "roll")
-REQUIRED = 2
+REQUIRED = RELEASE[:2]
 
 
 def many(
@@ -142,7 +142,7 @@ def rows_of_columns(parameter: str, release: Any) -> NDArray[np.float64]:
     for name in given:
         if name not in RELEASE:
             raise ValueError(f"{parameter}: {name}: unknown; allowed: {', '.join(RELEASE)}")
-    for name in RELEASE[:REQUIRED]:
+    for name in REQUIRED:
         if name not in given:
             raise ValueError(f"{parameter}: {name}: missing")
     read = {name: finite(f"{parameter}: {name}", given[name]) for name in RELEASE if name in given}

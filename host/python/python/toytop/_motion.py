@@ -1,4 +1,4 @@
-"""Class Motion, which computes a motion at any time, and its closed form."""
+"""The class Motion computes a motion at any time, and the class ClosedForm its closed form."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Motions at given times, as arrays and as columns of a table."""
+"""Samples are motions at given times, as arrays and as columns of a table."""
 
 from __future__ import annotations
 
