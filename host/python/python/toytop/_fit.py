@@ -15,10 +15,10 @@ from ._motion import Motion
 from ._top import Top
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
-    _Array: TypeAlias = NDArray[np.float64]
+    from ._toytop import _Array
+
     _Free: TypeAlias = Literal[
         "transverse_inertia", "axial_inertia", "com_height", "mass", "mass_moment", "gravity"
     ]

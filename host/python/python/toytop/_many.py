@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any, Literal, final, overload
+from typing import TYPE_CHECKING, Any, final, overload
 
 from . import _toytop
 from ._arguments import columns, finite, rates, rows
@@ -14,6 +14,8 @@ from ._top import Top
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
+
+    from ._toytop import _Scalar
 
 RELEASE = ("tilt", "spin", "precession", "nutation", "azimuth", "roll")
 REQUIRED = RELEASE[:2]
@@ -76,7 +78,7 @@ class Many:
     def __init__(self, motions: Sequence[Motion], /) -> None:
         self._motions = motions
 
-    def at(self, t: ArrayLike, *, scalar: Literal["f64", "f32", "q31", "q15"] = "f64") -> Samples:
+    def at(self, t: ArrayLike, *, scalar: _Scalar = "f64") -> Samples:
         """Samples of all motions at time t, s: a number or an array for all, whose shape follows the number of motions in the arrays.
 
         Args:

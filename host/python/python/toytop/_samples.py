@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    _Array = NDArray[np.float64]
+    from ._toytop import _Array
 
 
 @final
