@@ -6,7 +6,7 @@
 
 Three methods get the same samples: toytop fit, without a guess; the filter VQF (Laidig and Seel 2023), whose last orientation is
 continued at the last rate of the gyroscope, less the bias that it found; and a batch fit by SciPy's least_squares over DOP853, which begins near the truth.
-Prints the angle between the predicted and the true orientation, and the time that each method took, as a table for host/docs/fit.md.
+Prints the angle between the predicted and the true orientation, and the time that each method took, as the table of host/comparisons/README.md.
 """
 import csv, json, pathlib, subprocess, sys, tempfile, time
 import numpy as np
@@ -166,7 +166,7 @@ def main(program):
             near = Rotation.from_rotvec([0.01, -0.01, 0.02]) * orientation(exact[0])
             omega = np.array(exact[0]["omega"]) + [0.1, -0.1, 0.2]
             for method, (found, took) in {
-                "toytop fit (process)": by_toytop(program, folder, samples, top, sensors),
+                "`toytop fit`": by_toytop(program, folder, samples, top, sensors),
                 "VQF, then the last rate": by_filter(*data),
                 "SciPy least squares, DOP853": by_batch(*data, (near, omega), limit),
             }.items():

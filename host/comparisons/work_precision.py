@@ -1,13 +1,13 @@
 """Work against precision of three integrators over the catalogue: python3 work_precision.py toytop FOLDER PICTURE.svg [NAME ...]
 
-SciPy's DOP853, heyoka's Taylor integrator and the Lie-group method of host/docs/score run every problem at several tolerances or
+SciPy's DOP853, heyoka's Taylor integrator and the Lie-group method of this folder run every problem at several tolerances or
 steps, and `toytop score` judges each run. Work is the number of evaluations of the equations; a step of heyoka counts as one for each order of
 its series.
 """
 import json, math, pathlib, subprocess, sys
 
-HOST = pathlib.Path(__file__).resolve().parents[1]
-PROBLEMS, SCORE = HOST / "problems", HOST / "docs" / "score"
+HERE = pathlib.Path(__file__).resolve().parent
+PROBLEMS = HERE.parent / "problems"
 METHODS = {"SciPy DOP853": ("scipy_dop853.py", "#1f77b4"), "heyoka": ("heyoka_taylor.py", "#d62728"), "Lie group": ("lie_group.py", "#2ca02c")}
 
 
@@ -22,7 +22,7 @@ def points(program, name, seconds, folder):
     folder.mkdir(parents=True, exist_ok=True)
     scenario = PROBLEMS / name / "scenario.toml"
     for script, _ in METHODS.values():
-        subprocess.check_call([sys.executable, str(SCORE / script), program, str(scenario), str(seconds), str(folder)])
+        subprocess.check_call([sys.executable, str(HERE / script), program, str(scenario), str(seconds), str(folder)])
     files = sorted(map(str, folder.glob("*.csv")))
     scores = json.loads(subprocess.check_output([program, "score", str(scenario), *files, "--format", "json"]))["files"]
     found = {method: [] for method in METHODS}

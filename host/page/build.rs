@@ -2,7 +2,7 @@
 
 use std::env::var;
 use std::fs::{read_to_string, write};
-use std::io::Result;
+use std::io::{Error, Result};
 use std::path::{Path, PathBuf};
 
 fn main() -> Result<()> {
@@ -14,7 +14,10 @@ fn main() -> Result<()> {
     write(var("OUT_DIR").expect("cargo sets OUT_DIR") + "/page.html", page)
 }
 
-/// Module after those that it imports, each once, without the words `import` and `export`.
+/// Source of a module and of its imports, each once, joined into one script.
+///
+/// # Errors
+/// A file cannot be read, or an import is not `import ... from "FILE";` on one line.
 fn module(file: &Path, done: &mut Vec<PathBuf>) -> Result<String> {
     let path = file.canonicalize()?;
     if done.contains(&path) {
@@ -23,10 +26,13 @@ fn module(file: &Path, done: &mut Vec<PathBuf>) -> Result<String> {
     done.push(path);
     let mut script = String::new();
     for line in read_to_string(file)?.lines() {
-        match line.strip_prefix("import ").and_then(|import| import.split_once(" from ")) {
-            Some((_, name)) => script += &module(&file.with_file_name(name.trim_matches(['"', ';'])), done)?,
-            None => script.extend([line.strip_prefix("export ").unwrap_or(line), "\n"]),
-        }
+        let Some(import) = line.strip_prefix("import") else {
+            script.extend([line.strip_prefix("export ").unwrap_or(line), "\n"]);
+            continue;
+        };
+        let unknown = || Error::other(format!("{}: no import of one line: {line}", file.display()));
+        let (_, name) = import.split_once(" from ").ok_or_else(unknown)?;
+        script += &module(&file.with_file_name(name.trim_matches(['"', ';'])), done)?;
     }
     Ok(script)
 }

@@ -1,4 +1,4 @@
-// Start of the page.
+// The page starts here.
 
 import { listenToSizes } from "./pictures/canvas.js";
 import { buildControls } from "./interaction/controls.js";

@@ -1,4 +1,4 @@
-//! Functions of the Python module `fit`: from samples of sensors to a launch, and back.
+//! A launch is fitted to samples of sensors, and sensors are simulated.
 
 use crate::arguments::{Array, NumericArg, array, failed, value_error};
 use crate::interrupt;

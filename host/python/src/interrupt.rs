@@ -1,4 +1,4 @@
-//! Computations without the interpreter's lock, which Ctrl-C ends.
+//! Computations run without the interpreter's lock, and end at Ctrl-C.
 
 use crate::arguments::failed;
 use pyo3::exceptions::PyRuntimeError;

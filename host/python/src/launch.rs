@@ -28,7 +28,8 @@ impl TopCore {
     pub(crate) fn launch(&self, quaternion: [f64; 4], name: &str, omega: [f64; 3]) -> PyResult<MotionCore> {
         let state = match name {
             "omega" => State::new(Orientation::from_quaternion(quaternion), omega),
-            _ => State::from_quaternion_and_gyro(quaternion, omega),
+            "omega_body" => State::from_quaternion_and_gyro(quaternion, omega),
+            _ => return Err(value_error(name, "must be omega or omega_body")),
         };
         let refuse = |error: ParameterError| match error.parameter() {
             "alpha" | "beta" => {

@@ -1,4 +1,4 @@
-//! Functions of the Python module `many`.
+//! Motions of many tops or launches are computed on all cores.
 
 use crate::arguments::{Array, NumericArg, array, value_error};
 use crate::interrupt;

@@ -1,4 +1,4 @@
-//! Motions, their tables, and their input to full precision.
+//! Motions, each with its tables and its input.
 
 mod changes;
 mod constants;

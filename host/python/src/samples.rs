@@ -1,4 +1,4 @@
-//! Columns of samples: arrays of one quantity of motions at given times.
+//! Samples are computed column by column: an array of one quantity of motions at given times.
 
 use crate::arguments::{Array, NumericArg, array, failed};
 use crate::interrupt;

@@ -1,4 +1,4 @@
-//! Functions of the Python module `score`: errors of an integrator.
+//! The output of an integrator is compared with the exact motion.
 
 use crate::arguments::{NumericArg, failed};
 use crate::interrupt;

@@ -1,6 +1,7 @@
 //! Tests of the command line: exit codes, stdout, stderr, JSON.
 
 mod command;
+mod readme;
 
 /// State, constants and events of a motion, and the scenario files that they are read from.
 mod motion {

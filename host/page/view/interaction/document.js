@@ -1,4 +1,4 @@
-// Elements of the page, and its messages.
+// Elements of the page are found by their ids, and show tables and messages.
 
 import { unitName } from "../motion/text.js";
 

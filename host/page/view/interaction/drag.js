@@ -1,4 +1,4 @@
-// Pointers and arrow keys on the pictures.
+// Pointers and arrow keys turn the 3-D pictures and drag the branch points.
 
 import { sizeOf, unitOf } from "../pictures/canvas.js";
 import { held, potentialLayout } from "../pictures/potential.js";

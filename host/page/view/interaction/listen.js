@@ -1,4 +1,4 @@
-// Event listeners of buttons, sliders, keys and the address.
+// Buttons, sliders, keys and the address call the functions of the page.
 
 import { numberOf } from "../motion/text.js";
 import { SUPPORTS } from "../motion/core.js";

@@ -1,4 +1,4 @@
-// Saving of pictures, films, scenarios and links.
+// Pictures, films, scenarios and links can be saved.
 
 import { sizeOf } from "../pictures/canvas.js";
 import { SvgPen } from "../pictures/svg.js";

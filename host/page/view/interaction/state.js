@@ -1,4 +1,4 @@
-// State of the page, and the functions that change and draw it.
+// The page has one state, which these functions change and draw.
 
 import { decimals, numberOf, short } from "../motion/text.js";
 import { degrees } from "../motion/angles.js";

@@ -1,4 +1,4 @@
-// Angles and rates in the units that the page shows.
+// The page shows angles in degrees and rates in turns a minute.
 
 export const degrees = (radians) => (radians * 180) / Math.PI;
 export const perMinute = (radiansPerSecond) => (radiansPerSecond * 60) / (2 * Math.PI);

@@ -1,4 +1,4 @@
-// Core as WebAssembly: it takes a scenario, and returns the constants of the motion and its state at any time, in the crate's bits.
+// The core, as WebAssembly, takes a scenario and returns the constants of the motion and its state at any time, in the crate's bits.
 // The ghost is a second top, which is integrated by the Runge-Kutta method.
 
 /** Default values of the keys of a scenario. */
@@ -24,8 +24,8 @@ function numbersOf({ top, motion }) {
   return [SUPPORTS.indexOf(top.support ?? "sliding"), ...ofTop, ...MOTION_KEYS[motion.kind].flatMap((key) => value(key, motion))];
 }
 
-/** Number of numbers of each key that has more than one. */
-export const LENGTHS = { alpha: 2, beta: 2, omega: 3 };
+/** Number of components of the keys that hold vectors. */
+export const COMPONENTS = { alpha: 2, beta: 2, omega: 3 };
 
 /** Required keys of a top with this support. */
 function keysOfTop({ support = "sliding", mass_moment }) {
@@ -38,7 +38,7 @@ function keysOfTop({ support = "sliding", mass_moment }) {
 function missingKeys({ top, motion }) {
   const holds = (key) => {
     const value = motion[key] ?? DEFAULTS[key];
-    return key in LENGTHS ? Array.isArray(value) && value.length === LENGTHS[key] : typeof value === "number";
+    return key in COMPONENTS ? Array.isArray(value) && value.length === COMPONENTS[key] : typeof value === "number";
   };
   return [...keysOfTop(top).filter((key) => top[key] === undefined), ...MOTION_KEYS[motion.kind].filter((key) => !holds(key))];
 }
@@ -58,7 +58,7 @@ function momentOf(numbers) {
 
 /** Number of coordinates of a point of a curve: axis and tip. */
 export const COORDINATES = 5;
-export const MOST_POINTS = 4096;
+export const MAX_POINTS = 4096;
 
 export class Core {
   /** Core of a page, from its bytes in base 64. */
@@ -78,7 +78,7 @@ export class Core {
   constructor(exports, names) {
     Object.assign(this, { exports, names });
     const { buffer } = exports.memory;
-    this.numbers = new Float64Array(buffer, exports.numbers(), COORDINATES * MOST_POINTS);
+    this.numbers = new Float64Array(buffer, exports.numbers(), COORDINATES * MAX_POINTS);
     this.words = (length) => new TextDecoder().decode(new Uint8Array(buffer, exports.words(), length)).split("\n");
   }
 

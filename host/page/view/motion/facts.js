@@ -1,4 +1,4 @@
-// Tables and sentences about a motion and its state at a time: names, numbers, units and definitions.
+// The tables list the quantities of a motion and of its state at a time; the sentences describe the motion.
 
 import { complexText, decimals, short } from "./text.js";
 import { azimuthOf, degrees, perMinute, tiltOf } from "./angles.js";

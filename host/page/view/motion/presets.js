@@ -1,4 +1,4 @@
-// Preset motions: the paper's nine curves, real tops, and limiting cases.
+// The preset motions are the paper's nine curves, real tops, and limiting cases.
 
 import { withSupport } from "./scenario.js";
 

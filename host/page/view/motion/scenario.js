@@ -1,12 +1,15 @@
-// Scenario as text: the fragment of an address, and TOML. Its keys are those of `toytop`'s scenario files.
+// A scenario is read from the fragment of an address, and written as such a fragment or as TOML, with the keys of scenario files.
 
 import { numberOf } from "./text.js";
 import { degrees } from "./angles.js";
-import { KINDS, LENGTHS, MOTION_KEYS, SUPPORTS, TOP_KEYS } from "./core.js";
+import { COMPONENTS, KINDS, MOTION_KEYS, SUPPORTS, TOP_KEYS } from "./core.js";
+
+/** Keys of a scenario whose values are numbers, in the order of the documentation. */
+const NUMBER_KEYS = [...TOP_KEYS, ...Object.values(MOTION_KEYS).flat()];
 
 /** Keys and values of a table of a scenario, in the order of the documentation. */
 function inOrder(table) {
-  const keys = ["support", ...TOP_KEYS, "kind", ...Object.values(MOTION_KEYS).flat()];
+  const keys = ["support", "kind", ...NUMBER_KEYS];
   return keys.filter((key) => table[key] !== undefined).map((key) => [key, table[key]]);
 }
 
@@ -34,18 +37,17 @@ const SETTINGS = ["t", "speed", "ghost"];
 /** Number in the text of a key, or a list of numbers for a key that has several. */
 function numbersIn(key, text) {
   const numbers = text.split(",").map(numberOf);
-  return key in LENGTHS ? numbers : numbers[0];
+  return key in COMPONENTS ? numbers : numbers[0];
 }
 
 /** Reason why the keys and texts of an address are refused; undefined where each is known and its text is what the key allows. */
 function refusalOfAddress(values) {
   const kind = values.get("kind");
   const ofKind = KINDS.includes(kind) && [...TOP_KEYS, ...MOTION_KEYS[kind]];
-  const ofScenario = [...TOP_KEYS, ...Object.values(MOTION_KEYS).flat()];
   for (const [key, text] of values) {
     if (Object.hasOwn(WORDS, key)) {
       if (!WORDS[key].includes(text)) return `${key}: must be one of ${WORDS[key].join(", ")}`;
-    } else if (![...SETTINGS, ...ofScenario].includes(key)) return `${key}: unknown key`;
+    } else if (![...SETTINGS, ...NUMBER_KEYS].includes(key)) return `${key}: unknown key`;
     else if ([numbersIn(key, text ?? "")].flat().some(Number.isNaN)) return `${key}: must be a number`;
     else if (ofKind && !SETTINGS.includes(key) && !ofKind.includes(key)) return `${key}: not for kind=${kind}`;
   }

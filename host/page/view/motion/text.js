@@ -1,4 +1,4 @@
-// Numbers as text.
+// Numbers are written for the page, and read from what is typed.
 
 /** Number with n decimals, without a minus before zero. */
 export const decimals = (x, n = 4) => {

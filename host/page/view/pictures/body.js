@@ -1,4 +1,4 @@
-// Bodies of revolution that are drawn: top, pendulum and spheroid. Their marks show the spin.
+// Top, pendulum and spheroid are drawn as bodies of revolution, whose marks show the spin.
 
 import { dot, sum, unit } from "./geometry.js";
 import { stroke, trace } from "./canvas.js";

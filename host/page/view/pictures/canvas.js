@@ -1,4 +1,4 @@
-// Sizes, colours, lines and words of a picture.
+// Every picture takes its size and colours, and draws its lines and words, by these functions.
 
 /** Colours of the style sheet, for the light or the dark appearance. */
 export function palette() {

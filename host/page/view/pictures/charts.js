@@ -1,4 +1,4 @@
-// Charts of tilt and precession against time, over the interval that the slider covers.
+// The charts show tilt and precession against time, over the interval that the slider covers.
 
 import { roundBelow, short } from "../motion/text.js";
 import { azimuthOf, degrees, tiltOf } from "../motion/angles.js";

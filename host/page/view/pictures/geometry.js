@@ -1,4 +1,4 @@
-// Rotations, vectors and the camera.
+// Rotations turn points of the body into space, and the camera projects them onto the picture.
 
 /** Rotation x = Φ X Φ⁻¹ as a function from body to fixed coordinates; the third body axis is the top's axis. */
 export function rotation({ alpha: [a, b], beta: [c, d], u }) {

@@ -1,4 +1,4 @@
-// Gyroscope on its stand, which is drawn for a top whose tip is held.
+// A top whose tip is held is drawn as a gyroscope on its stand.
 
 import { circle, unit } from "./geometry.js";
 import { disc, stroke, trace } from "./canvas.js";

@@ -1,4 +1,4 @@
-// View of the plane from above: the tip curve between its bounding circles, with their names and a scale.
+// The plane from above shows the tip curve between its bounding circles, with their names and a scale.
 
 import { lengthText, roundBelow, short } from "../motion/text.js";
 import { circle } from "./geometry.js";

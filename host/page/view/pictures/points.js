@@ -1,6 +1,6 @@
-// Computed points of the motion.
+// Points of the motion are computed once and kept.
 
-import { COORDINATES, MOST_POINTS } from "../motion/core.js";
+import { COORDINATES, MAX_POINTS } from "../motion/core.js";
 import { rotation } from "./geometry.js";
 
 /** State of a motion at a time, with its rotation from body to fixed coordinates. Lengths are in units of s. */
@@ -28,7 +28,7 @@ export class Points {
   between(first, last) {
     let missing = first;
     while (missing <= last && this.points.has(missing)) missing++;
-    if (missing <= last) this.compute(missing, Math.min(MOST_POINTS, last - missing + 1));
+    if (missing <= last) this.compute(missing, Math.min(MAX_POINTS, last - missing + 1));
     return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => this.points.get(first + i)).filter(Boolean);
   }
 

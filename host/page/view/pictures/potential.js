@@ -1,4 +1,4 @@
-// Reduced motion: a point of energy 0 in the potential -f(u) = -(u - e₁)(u - e₂)(u - e₃), whose roots can be dragged. Without
+// The reduced motion is that of a point of energy 0 in the potential -f(u) = -(u - e₁)(u - e₂)(u - e₃), whose roots can be dragged. Without
 // torque there is no e₃, and the potential is (u - e₁)(u - e₂).
 
 import { short } from "../motion/text.js";

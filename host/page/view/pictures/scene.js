@@ -1,4 +1,4 @@
-// Properties of a motion that the pictures need besides its states: bounds, times, and the size of the body.
+// A scene has what the pictures need of a motion besides its states: bounds, times, and the size of the body.
 
 import { roundBelow } from "../motion/text.js";
 import { SUPPORTS } from "../motion/core.js";

@@ -1,4 +1,4 @@
-// Curve of the axis on the unit sphere.
+// The axis draws a curve on the unit sphere.
 
 import { Camera, circle, dot } from "./geometry.js";
 import { disc, fading, sheet, stroke, trace } from "./canvas.js";

@@ -1,4 +1,4 @@
-// 3-D picture: the top on its plane, the gyroscope on its stand, or the free body.
+// The 3-D picture shows the top on its plane, the gyroscope on its stand, or the free body.
 
 import { Camera, circle, dot, sum } from "./geometry.js";
 import { disc, fading, sheet, stroke, trace } from "./canvas.js";

@@ -1,4 +1,4 @@
-"""Arguments that hold numbers: arrays, rows, and columns by name."""
+"""Arguments are read as numbers, arrays, rows, and columns by name."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Constants of a motion, as attributes."""
+"""The constants of a motion are attributes of its class."""
 
 from typing import Literal
 

@@ -1,4 +1,4 @@
-"""Launches from samples of sensors, and samples of simulated sensors."""
+"""A launch is fitted to samples of sensors, and sensors are simulated."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from ._motion import Motion
 from ._top import Top
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import ArrayLike
 
-    _Array: TypeAlias = NDArray[np.float64]
+    from ._toytop import _Array
+
     _Free: TypeAlias = Literal[
         "transverse_inertia", "axial_inertia", "com_height", "mass", "mass_moment", "gravity"
     ]

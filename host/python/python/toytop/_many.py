@@ -1,9 +1,9 @@
-"""Motions of many tops or many launches."""
+"""Motions of many tops or many launches are computed on all cores."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any, Literal, final, overload
+from typing import TYPE_CHECKING, Any, final, overload
 
 from . import _toytop
 from ._arguments import columns, finite, rates, rows
@@ -15,8 +15,10 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
+    from ._toytop import _Scalar
+
 RELEASE = ("tilt", "spin", "precession", "nutation", "azimuth", "roll")
-REQUIRED = 2
+REQUIRED = RELEASE[:2]
 
 
 def many(
@@ -76,7 +78,7 @@ class Many:
     def __init__(self, motions: Sequence[Motion], /) -> None:
         self._motions = motions
 
-    def at(self, t: ArrayLike, *, scalar: Literal["f64", "f32", "q31", "q15"] = "f64") -> Samples:
+    def at(self, t: ArrayLike, *, scalar: _Scalar = "f64") -> Samples:
         """Samples of all motions at time t, s: a number or an array for all, whose shape follows the number of motions in the arrays.
 
         Args:
@@ -142,7 +144,7 @@ def rows_of_columns(parameter: str, release: Any) -> NDArray[np.float64]:
     for name in given:
         if name not in RELEASE:
             raise ValueError(f"{parameter}: {name}: unknown; allowed: {', '.join(RELEASE)}")
-    for name in RELEASE[:REQUIRED]:
+    for name in REQUIRED:
         if name not in given:
             raise ValueError(f"{parameter}: {name}: missing")
     read = {name: finite(f"{parameter}: {name}", given[name]) for name in RELEASE if name in given}

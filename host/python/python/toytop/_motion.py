@@ -1,9 +1,9 @@
-"""Class Motion, which computes a motion at any time, and its closed form."""
+"""The class Motion computes a motion at any time, and the class ClosedForm its closed form."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, Literal, TypeAlias, final
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, final
 
 from . import _toytop
 from ._arguments import number, vector
@@ -18,9 +18,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from ._top import Top
-
-    _Array: TypeAlias = NDArray[np.float64]
-    _Scalar: TypeAlias = Literal["f64", "f32", "q31", "q15"]
+    from ._toytop import _Array, _Scalar
 
 # quantities of partial derivatives, and their components
 PARTIALS = {"orientation": 3, "omega": 3, "omega_body": 3, "axis": 3, "tip": 2, "tip_angle": 1}

@@ -1,4 +1,4 @@
-"""Pictures for a notebook: the page with the top in motion, and the curve of its tip."""
+"""A notebook shows the page with the top in motion, and the curve of its tip."""
 
 from __future__ import annotations
 

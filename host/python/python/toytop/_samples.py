@@ -1,4 +1,4 @@
-"""Motions at given times, as arrays and as columns of a table."""
+"""Samples are motions at given times, as arrays and as columns of a table."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    _Array = NDArray[np.float64]
+    from ._toytop import _Array
 
 
 @final

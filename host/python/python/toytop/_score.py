@@ -1,4 +1,4 @@
-"""Errors of an integrator's output against the exact motion."""
+"""The output of an integrator is compared with the exact motion."""
 
 from __future__ import annotations
 

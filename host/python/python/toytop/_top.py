@@ -1,4 +1,4 @@
-"""Class Top: the numbers of a top, and the launches of its motions."""
+"""The class Top has the numbers of a top, and launches its motions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-//! Changes of a motion: partial derivatives by its launch and its top, and impulses.
+//! A motion changes with its launch, its top and impulses: partial derivatives, and struck motions.
 
 use crate::arguments::{Array, NumericArg, array, refused, value_error};
 use crate::interrupt;

@@ -1,4 +1,4 @@
-//! Events of a motion: times at which it turns, or reaches a tilt, a direction or a circle, or lifts off.
+//! Events of a motion: times at which it turns, reaches a tilt, a tip angle or a circle, or lifts off.
 
 use crate::arguments::{Array, array, renamed, value_error, within};
 use crate::interrupt;
