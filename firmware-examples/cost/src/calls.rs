@@ -28,12 +28,7 @@ impl<R: Ring> Default for Output<R> {
 
 /// Measured numbers, the input of a launch.
 pub(crate) struct Measured {
-    /// Moments of inertia A and C, kg m².
-    inertia: [f64; 2],
-    /// Distance s of the centre of mass from the tip, m.
-    com_height: f64,
-    /// Mass, kg.
-    mass: f64,
+    parameters: TopParameters,
     release: Release,
 }
 
@@ -57,25 +52,15 @@ impl Measured {
 
     fn released(tilt: f64, spin: f64) -> Self {
         let release = Release { tilt, spin, ..Release::default() };
-        Self { inertia: [3.0e-5, 2.0e-5], com_height: 0.03, mass: 0.05, release }
+        Self { parameters: TopParameters::TOY, release }
     }
-}
 
-impl Measured {
     pub(crate) fn state(&self) -> Result<State, ParameterError> {
         State::from_release(&self.release)
     }
 
     pub(crate) fn top(&self) -> Result<Top, ParameterError> {
-        let [a, c] = self.inertia;
-        Top::sliding(&TopParameters {
-            transverse_inertia: a,
-            axial_inertia: c,
-            com_height: self.com_height,
-            mass: self.mass,
-            gravity: 9.81,
-            ..TopParameters::default()
-        })
+        Top::sliding(&self.parameters)
     }
 
     pub(crate) fn motion(&self) -> Result<Motion, ParameterError> {
