@@ -145,7 +145,7 @@ fn towards_every_corner() {
             Motion::from_branch_points(&top_of([a, 0.8 * a, s, 1.0], 1.0), e, signs, &start).unwrap();
         let form = ClosedForm::of(&motion).unwrap();
         let table = table_if_it_fits::<f64, 4096>(&motion, Tick::hertz(1 << 20).unwrap());
-        let Some(table) = table.filter(|table| table.error_bound().constant <= 1e-14) else {
+        let Some(table) = table.filter(|table| table.error_bound().constant <= 1.7e-14) else {
             left_out += 1;
             continue;
         };
