@@ -148,8 +148,11 @@ fn of_motion(input: &ExactInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>,
             let exact = truth.at(&(from_i64(n) / from_f64(rate)));
             for (table, octaves) in tables.iter().zip(&mut found) {
                 let sample = table.at_tick(n);
-                let orientation = exact.error_of(&sample.pose.orientation);
-                let errors = Errors { orientation, ..Errors::between(&motion, &sample, &exact.to_f64()) };
+                let (found, rounded) = (sample.pose.orientation, exact.to_f64());
+                // in fixed point the tip of a sample is rounded to f32
+                let tip = (found.tip_over_s() - rounded.tip_over_s()).modulus();
+                let orientation = exact.error_of(&found);
+                let errors = Errors { orientation, tip, ..Errors::between(&motion, &sample, &rounded) };
                 octaves[octave] = octaves[octave].greater(errors);
             }
         }
