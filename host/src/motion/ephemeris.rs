@@ -10,7 +10,7 @@ pub use sizes::{ephemeris_of_size, ephemeris_with_truncation, smallest_ephemeris
 pub use table_data::TableData;
 
 use crate::motion::column::{Numbers, SampleColumn};
-use crate::motion::sample::Sample;
+use crate::motion::sample::{Sample, body_rates};
 use crate::motion::widened;
 use events::Condition;
 use std::f64::consts::TAU;
@@ -90,7 +90,7 @@ impl<R: EphemerisScalar> HeapEphemeris<R> {
         Sample {
             t,
             pose: pose(now),
-            rates: rates(now),
+            rates: body_rates(&now.attitude_state()),
             tip_angle: now.tip_angle().map(|angle| unwrapped(angle, turns)),
             error_bound: Some(self.table().error_bound().after(ticks)),
         }
@@ -128,7 +128,7 @@ impl<R: TableScalar> DynEphemeris for HeapEphemeris<R> {
     }
 
     fn rates(&self, t: f64) -> BodyRates {
-        rates(&self.table().at(t))
+        body_rates(&self.table().at(t).attitude_state())
     }
 
     fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent> {
@@ -146,11 +146,6 @@ fn pose<R: EphemerisScalar>(now: &toytop::Sample<'_, R>) -> Pose<f64, f64> {
     let Pose { orientation: Orientation { alpha, beta }, u, tip } = now.pose();
     let [alpha, beta] = [alpha, beta].map(|z| widened(z, Into::into));
     Pose { orientation: Orientation { alpha, beta }, u: u.into(), tip: widened(tip, Float::to_f64) }
-}
-
-fn rates<R: EphemerisScalar>(now: &toytop::Sample<'_, R>) -> BodyRates {
-    let [omega, omega_body] = [now.omega(), now.omega_body()].map(|vector| vector.map(Float::to_f64));
-    BodyRates { omega, omega_body, udot: now.udot().to_f64() }
 }
 
 /// Angle in radians of a phase known modulo 2^32 turns, nearest to `near`, a number of turns.
