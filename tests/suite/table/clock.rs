@@ -124,7 +124,7 @@ fn the_bound_holds_where_the_motion_is_fastest() {
     ] {
         let error = ephemeris.at_tick(tick).orientation().distance(&Orientation { alpha, beta });
         let allowed = ephemeris.error_bound().after(tick as f64);
-        assert!((0.05 * allowed..allowed).contains(&error), "tick {tick}: {error:e} of {allowed:e}");
+        assert!((0.01 * allowed..allowed).contains(&error), "tick {tick}: {error:e} of {allowed:e}");
     }
 }
 
