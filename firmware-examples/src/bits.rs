@@ -105,7 +105,7 @@ fn ticks<R: Real + Into<f64>>(motion: &Motion, dt: f64) -> [Hash; 3] {
             orientation.complex(alpha).complex(beta),
             stepper
                 .tip_angle()
-                .map_or(tip, |angle| tip.number(angle.to_f64()).number(stepper.tip_angle_rate())),
+                .map_or(tip, |angle| tip.number(angle.to_turns()).number(stepper.tip_angle_rate())),
             omega.numbers(stepper.attitude_state().omega()),
         ];
     }
