@@ -1,9 +1,8 @@
 //! Columns of samples: names, unit and numbers of a quantity.
 
 use super::euler_angles;
-use super::sample::Sample;
-use toytop::{Complex, Pose, Support};
-use toytop_model::equations::BodyRates;
+use super::sample::{Quantities, Sample};
+use toytop::{Complex, Support};
 
 /// Quantity of a sample, one number or several.
 #[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
@@ -59,97 +58,53 @@ impl SampleColumn {
     ];
 }
 
-/// Numbers of a column, from the part of a sample that they need.
-pub enum Numbers {
-    /// Numbers of orientation, u and tip.
-    OfPose(fn(&Pose<f64, f64>, &mut [f64])),
-    /// Numbers of the rates.
-    OfRates(fn(&BodyRates, &mut [f64])),
-    /// Numbers of a whole sample.
-    OfSample(fn(&Sample, &mut [f64])),
-}
-
-use Numbers::{OfPose, OfRates, OfSample};
+/// Function that writes the numbers of a column.
+pub type Write = fn(&dyn Quantities, &mut [f64]);
 
 /// Key of JSON, names of the numbers as columns of CSV, unit in SI, and the numbers. NaN stands for what does not exist.
-type Description = (&'static str, &'static [&'static str], &'static str, Numbers);
+type Description = (&'static str, &'static [&'static str], &'static str, Write);
 
 impl SampleColumn {
     fn description(self) -> Description {
         match self {
-            Self::T => ("t", &["t"], "s", OfSample(|sample, row| row[0] = sample.t)),
-            Self::U => ("u", &["u"], "", OfPose(|pose, row| row[0] = pose.u)),
-            Self::Udot => ("udot", &["udot"], "1/s", OfRates(|rates, row| row[0] = rates.udot)),
+            Self::T => ("t", &["t"], "s", |at, row| row[0] = at.t()),
+            Self::U => ("u", &["u"], "", |at, row| row[0] = at.pose().u),
+            Self::Udot => ("udot", &["udot"], "1/s", |at, row| row[0] = at.udot()),
             Self::Alpha => {
-                ("alpha", &["alpha_re", "alpha_im"], "", OfPose(|pose, row| put(row, pose.orientation.alpha)))
+                ("alpha", &["alpha_re", "alpha_im"], "", |at, row| put(row, at.orientation().alpha))
             }
-            Self::Beta => {
-                ("beta", &["beta_re", "beta_im"], "", OfPose(|pose, row| put(row, pose.orientation.beta)))
+            Self::Beta => ("beta", &["beta_re", "beta_im"], "", |at, row| put(row, at.orientation().beta)),
+            Self::Gamma => {
+                ("gamma", &["gamma_re", "gamma_im"], "", |at, row| put(row, at.orientation().gamma()))
             }
-            Self::Gamma => (
-                "gamma",
-                &["gamma_re", "gamma_im"],
-                "",
-                OfPose(|pose, row| put(row, pose.orientation.gamma())),
-            ),
-            Self::Delta => (
-                "delta",
-                &["delta_re", "delta_im"],
-                "",
-                OfPose(|pose, row| put(row, pose.orientation.delta())),
-            ),
-            Self::Omega => (
-                "omega",
-                &["omega_x", "omega_y", "omega_z"],
-                "rad/s",
-                OfRates(|rates, row| row.copy_from_slice(&rates.omega)),
-            ),
-            Self::Tip => ("tip", &["tip_x", "tip_y"], "m", OfPose(|pose, row| put(row, pose.tip))),
-            Self::Phi => (
-                "phi",
-                &["phi"],
-                "rad",
-                OfSample(|sample, row| row[0] = sample.tip_angle.unwrap_or(f64::NAN)),
-            ),
-            Self::Quaternion => (
-                "quaternion",
-                &["w", "x", "y", "z"],
-                "",
-                OfPose(|pose, row| row.copy_from_slice(&pose.orientation.quaternion())),
-            ),
-            Self::Axis => (
-                "axis",
-                &["axis_x", "axis_y", "axis_z"],
-                "",
-                OfPose(|pose, row| {
-                    let [x, y, _] = pose.orientation.axis();
-                    row.copy_from_slice(&[x, y, pose.u]);
-                }),
-            ),
-            Self::OmegaBody => (
-                "omega_body",
-                &["wx", "wy", "wz"],
-                "rad/s",
-                OfRates(|rates, row| row.copy_from_slice(&rates.omega_body)),
-            ),
-            Self::Angles => (
-                "angles",
-                &["tilt", "azimuth", "roll"],
-                "rad",
-                OfPose(|pose, row| row.copy_from_slice(&euler_angles::tilt_azimuth_roll(&pose.orientation))),
-            ),
-            Self::EulerZxz => (
-                "euler_zxz",
-                &["euler_phi", "euler_theta", "euler_psi"],
-                "rad",
-                OfPose(|pose, row| row.copy_from_slice(&euler_angles::zxz(&pose.orientation))),
-            ),
-            Self::ErrorBound => (
-                "error_bound",
-                &["error_bound"],
-                "rad",
-                OfSample(|sample, row| row[0] = sample.error_bound.unwrap_or(f64::NAN)),
-            ),
+            Self::Delta => {
+                ("delta", &["delta_re", "delta_im"], "", |at, row| put(row, at.orientation().delta()))
+            }
+            Self::Omega => ("omega", &["omega_x", "omega_y", "omega_z"], "rad/s", |at, row| {
+                row.copy_from_slice(&at.omega())
+            }),
+            Self::Tip => ("tip", &["tip_x", "tip_y"], "m", |at, row| put(row, at.pose().tip)),
+            Self::Phi => ("phi", &["phi"], "rad", |at, row| row[0] = at.tip_angle().unwrap_or(f64::NAN)),
+            Self::Quaternion => ("quaternion", &["w", "x", "y", "z"], "", |at, row| {
+                row.copy_from_slice(&at.orientation().quaternion())
+            }),
+            Self::Axis => ("axis", &["axis_x", "axis_y", "axis_z"], "", |at, row| {
+                let pose = at.pose();
+                let [x, y, _] = pose.orientation.axis();
+                row.copy_from_slice(&[x, y, pose.u]);
+            }),
+            Self::OmegaBody => {
+                ("omega_body", &["wx", "wy", "wz"], "rad/s", |at, row| row.copy_from_slice(&at.omega_body()))
+            }
+            Self::Angles => ("angles", &["tilt", "azimuth", "roll"], "rad", |at, row| {
+                row.copy_from_slice(&euler_angles::tilt_azimuth_roll(&at.orientation()))
+            }),
+            Self::EulerZxz => ("euler_zxz", &["euler_phi", "euler_theta", "euler_psi"], "rad", |at, row| {
+                row.copy_from_slice(&euler_angles::zxz(&at.orientation()))
+            }),
+            Self::ErrorBound => ("error_bound", &["error_bound"], "rad", |at, row| {
+                row[0] = at.error_bound().unwrap_or(f64::NAN)
+            }),
         }
     }
 
@@ -167,20 +122,16 @@ impl SampleColumn {
         }
     }
 
-    /// Numbers, from the part of a sample that they need.
-    pub fn numbers(self) -> Numbers {
-        let (.., numbers) = self.description();
-        numbers
+    /// Function that writes its numbers.
+    pub fn writer(self) -> Write {
+        let (.., write) = self.description();
+        write
     }
 
     /// Numbers of a sample.
     pub fn numbers_of(self, sample: &Sample) -> Vec<f64> {
         let mut row = vec![f64::NAN; self.names().1.len()];
-        match self.numbers() {
-            OfPose(write) => write(&sample.pose, &mut row),
-            OfRates(write) => write(&sample.rates, &mut row),
-            OfSample(write) => write(sample, &mut row),
-        }
+        self.writer()(sample, &mut row);
         row
     }
 }

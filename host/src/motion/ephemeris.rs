@@ -9,15 +9,14 @@ pub use events::{EventFilter, EventKind, FoundEvent, search};
 pub use sizes::{ephemeris_of_size, ephemeris_with_truncation, smallest_ephemeris};
 pub use table_data::TableData;
 
-use crate::motion::column::{Numbers, SampleColumn};
-use crate::motion::sample::{Sample, body_rates};
+use crate::motion::column::SampleColumn;
+use crate::motion::sample::{Quantities, Sample};
 use crate::motion::widened;
 use events::Condition;
 use std::f64::consts::TAU;
 use table_data::TableScalar;
 use toytop::scalar::Float;
 use toytop::{EphemerisMemory, EphemerisScalar, EphemerisView, ErrorBound, Orientation, Phase, Pose};
-use toytop_model::equations::BodyRates;
 
 /// Ephemeris of any scalar.
 pub trait DynEphemeris: Send + Sync {
@@ -49,18 +48,16 @@ pub trait DynEphemeris: Send + Sync {
         self.at(t).pose
     }
 
-    /// Part [`Sample::rates`] of a sample.
-    fn rates(&self, t: f64) -> BodyRates {
-        self.at(t).rates
+    /// Calls `visit` with the quantities at a time.
+    fn visit(&self, t: f64, visit: &mut dyn FnMut(&dyn Quantities)) {
+        visit(&self.at(t));
     }
 
-    /// Writes one column at each time; computes only the part of a sample that it needs.
+    /// Writes one column at each time, and computes no other.
     fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
-        let rows = times.iter().zip(rows.chunks_exact_mut(column.names().1.len()));
-        match column.numbers() {
-            Numbers::OfPose(write) => rows.for_each(|(t, row)| write(&self.pose(*t), row)),
-            Numbers::OfRates(write) => rows.for_each(|(t, row)| write(&self.rates(*t), row)),
-            Numbers::OfSample(write) => rows.for_each(|(t, row)| write(&self.at(*t), row)),
+        let (write, (_, names)) = (column.writer(), column.names());
+        for (t, row) in times.iter().zip(rows.chunks_exact_mut(names.len())) {
+            self.visit(*t, &mut |quantities| write(quantities, row));
         }
     }
 
@@ -84,16 +81,57 @@ impl<R: EphemerisScalar> HeapEphemeris<R> {
         self.0.get().expect("set up")
     }
 
-    /// Sample at time t, which is this number of ticks.
-    fn sample(&self, t: f64, ticks: f64, now: &toytop::Sample<'_, R>) -> Sample {
-        let turns = self.table().mean_tip_angle_rate() * t;
-        Sample {
-            t,
-            pose: pose(now),
-            rates: body_rates(&now.attitude_state()),
-            tip_angle: now.tip_angle().map(|angle| unwrapped(angle, turns)),
-            error_bound: Some(self.table().error_bound().after(ticks)),
-        }
+    /// Quantities at time t, which is this number of ticks.
+    fn quantities<'a>(&'a self, t: f64, ticks: f64, now: toytop::Sample<'a, R>) -> TableQuantities<'a, R> {
+        TableQuantities { table: self.table(), t, ticks, now }
+    }
+
+    fn quantities_at(&self, t: f64) -> TableQuantities<'_, R> {
+        self.quantities(t, t * self.table().clock().ticks_per_time[0], self.table().at(t))
+    }
+}
+
+/// Quantities of a table at one time.
+struct TableQuantities<'a, R: EphemerisScalar> {
+    table: &'a EphemerisView<R>,
+    t: f64,
+    ticks: f64,
+    now: toytop::Sample<'a, R>,
+}
+
+impl<R: EphemerisScalar> Quantities for TableQuantities<'_, R> {
+    fn t(&self) -> f64 {
+        self.t
+    }
+
+    fn pose(&self) -> Pose<f64, f64> {
+        let Pose { orientation, u, tip } = self.now.pose();
+        Pose { orientation: exact(orientation), u: u.into(), tip: widened(tip, Float::to_f64) }
+    }
+
+    fn orientation(&self) -> Orientation<f64> {
+        exact(self.now.orientation())
+    }
+
+    fn omega(&self) -> [f64; 3] {
+        self.now.omega().map(Float::to_f64)
+    }
+
+    fn omega_body(&self) -> [f64; 3] {
+        self.now.omega_body().map(Float::to_f64)
+    }
+
+    fn udot(&self) -> f64 {
+        self.now.udot().to_f64()
+    }
+
+    fn tip_angle(&self) -> Option<f64> {
+        let near = self.table.mean_tip_angle_rate() * self.t;
+        self.now.tip_angle().map(|angle| unwrapped(angle, near))
+    }
+
+    fn error_bound(&self) -> Option<f64> {
+        Some(self.table.error_bound().after(self.ticks))
     }
 }
 
@@ -116,24 +154,25 @@ impl<R: TableScalar> DynEphemeris for HeapEphemeris<R> {
     }
 
     fn at(&self, t: f64) -> Sample {
-        self.sample(t, t * self.ticks_per_time(), &self.table().at(t))
+        self.quantities_at(t).sample()
     }
 
     fn at_tick(&self, n: i64) -> Sample {
-        self.sample(n as f64 / self.ticks_per_time(), n as f64, &self.table().at_tick(n))
+        self.quantities(n as f64 / self.ticks_per_time(), n as f64, self.table().at_tick(n)).sample()
     }
 
     fn pose(&self, t: f64) -> Pose<f64, f64> {
-        pose(&self.table().at(t))
+        self.quantities_at(t).pose()
     }
 
-    fn rates(&self, t: f64) -> BodyRates {
-        body_rates(&self.table().at(t).attitude_state())
+    fn visit(&self, t: f64, visit: &mut dyn FnMut(&dyn Quantities)) {
+        visit(&self.quantities_at(t));
     }
 
     fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent> {
         let table = self.table();
-        let sample = |event: &_, t| self.sample(t, t * self.ticks_per_time(), &table.at_event(event));
+        let sample =
+            |event: &_, t| self.quantities(t, t * self.ticks_per_time(), table.at_event(event)).sample();
         events::of_table(table, condition, filter, sample)
     }
 
@@ -142,10 +181,9 @@ impl<R: TableScalar> DynEphemeris for HeapEphemeris<R> {
     }
 }
 
-fn pose<R: EphemerisScalar>(now: &toytop::Sample<'_, R>) -> Pose<f64, f64> {
-    let Pose { orientation: Orientation { alpha, beta }, u, tip } = now.pose();
+fn exact<R: Into<f64>>(Orientation { alpha, beta }: Orientation<R>) -> Orientation<f64> {
     let [alpha, beta] = [alpha, beta].map(|z| widened(z, Into::into));
-    Pose { orientation: Orientation { alpha, beta }, u: u.into(), tip: widened(tip, Float::to_f64) }
+    Orientation { alpha, beta }
 }
 
 /// Angle in radians of a phase known modulo 2^32 turns, nearest to `near`, a number of turns.

@@ -5,6 +5,40 @@ use toytop::scalar::Real;
 use toytop::{AttitudeState, Complex, Orientation, Pose};
 use toytop_model::equations::BodyRates;
 
+/// Quantities of a motion at one time in `f64`, each computed when it is asked for.
+pub trait Quantities {
+    /// Time, s.
+    fn t(&self) -> f64;
+
+    /// Orientation, cosine of the tilt, and position of the tip, m.
+    fn pose(&self) -> Pose<f64, f64>;
+
+    /// Orientation of [`Self::pose`] alone.
+    fn orientation(&self) -> Orientation<f64>;
+
+    /// Angular velocity ω in the fixed frame, rad/s.
+    fn omega(&self) -> [f64; 3];
+
+    /// Angular velocity Ω in the body frame, rad/s.
+    fn omega_body(&self) -> [f64; 3];
+
+    /// Rate of the cosine of the tilt, 1/s.
+    fn udot(&self) -> f64;
+
+    /// Tip angle continued from t = 0, rad; `None` where the axis is vertical at all times.
+    fn tip_angle(&self) -> Option<f64>;
+
+    /// Upper bound on the error of the orientation, rad, where the method has one.
+    fn error_bound(&self) -> Option<f64>;
+
+    /// All quantities.
+    fn sample(&self) -> Sample {
+        let rates = BodyRates { omega: self.omega(), omega_body: self.omega_body(), udot: self.udot() };
+        let (tip_angle, error_bound) = (self.tip_angle(), self.error_bound());
+        Sample { t: self.t(), pose: self.pose(), rates, tip_angle, error_bound }
+    }
+}
+
 /// Motion at one time in `f64`.
 #[derive(Clone, Copy)]
 pub struct Sample {
@@ -32,6 +66,40 @@ impl Sample {
         let [alpha, beta, tip] = [alpha, beta, tip].map(|z| widened(z, R::to_f64));
         let pose = Pose { orientation: Orientation { alpha, beta }, u: state.u().to_f64(), tip };
         Self { t, pose, rates: body_rates(state), tip_angle, error_bound: None }
+    }
+}
+
+impl Quantities for Sample {
+    fn t(&self) -> f64 {
+        self.t
+    }
+
+    fn pose(&self) -> Pose<f64, f64> {
+        self.pose
+    }
+
+    fn orientation(&self) -> Orientation<f64> {
+        self.pose.orientation
+    }
+
+    fn omega(&self) -> [f64; 3] {
+        self.rates.omega
+    }
+
+    fn omega_body(&self) -> [f64; 3] {
+        self.rates.omega_body
+    }
+
+    fn udot(&self) -> f64 {
+        self.rates.udot
+    }
+
+    fn tip_angle(&self) -> Option<f64> {
+        self.tip_angle
+    }
+
+    fn error_bound(&self) -> Option<f64> {
+        self.error_bound
     }
 }
 
