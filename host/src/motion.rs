@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`Scalar`] | scalar types of the core |
 //! | [`sample`] | motion at one time |
-//! | [`column`], [`euler_angles`] | quantities of a sample |
+//! | [`mod@column`], [`euler_angles`] | quantities of a sample |
 //! | [`propagate`] | stepper at given times |
 //! | [`errors`] | errors of samples, and drift of the first integrals |
 //! | [`ephemeris`] | ephemeris in the smallest table that fits |
