@@ -54,7 +54,7 @@ pub struct SegmentPoint {
 /// Upper bounds on the rounding errors of a tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EvaluationErrors {
-    /// Orientation error but for `by_coordinate`, rad.
+    /// Orientation error without that of the next field, rad.
     pub(crate) orientation: f64,
     /// Orientation error over the greatest change of the orientation on half a segment.
     pub(crate) by_coordinate: f64,

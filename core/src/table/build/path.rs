@@ -52,7 +52,7 @@ impl Span {
     }
 }
 
-/// Negligible term of the phases at x = 2 over that of a and b at x = 1.
+/// Ratio of the negligible terms of the phases, at x = 2, and of a and b, at x = 1.
 const PHASE_TERM: f64 = 32.0;
 
 /// Point of the path.
@@ -76,7 +76,7 @@ pub(super) struct Path {
     half_period: Extended,
     /// Residual rates minus ψ_α' and ψ_β', rad/s.
     residual_offsets: [Extended; 2],
-    /// Rates of χ and of the residual phases, added, at the faster turning point, rad per half period.
+    /// Sum of the rates of χ and of the residual phases at the faster turning point, rad per half period.
     fastest: f64,
     /// Allowed truncation error of all steps, rad.
     allowed: f64,
@@ -167,8 +167,8 @@ impl Path {
         (self.span.depth <= Span::DEEPEST).then_some(())
     }
 
-    /// Expands the motion around the centre of the span; `None` if a truncation error is too large. An expansion around the beginning leads to a
-    /// centre that is not known yet.
+    /// Expands the motion around the centre of the span; `None` if a truncation error is too large. If the centre is not known yet,
+    /// an expansion around the beginning finds it.
     ///
     /// * `WORDS`: size of the numbers for the rates at the origin
     #[inline(never)]

@@ -23,7 +23,7 @@ pub type Ephemeris<R, const SEGMENTS: usize> = EphemerisView<R, [<R as Ephemeris
 /// | `table/build/ephemeris.rs` | `segments_needed` |
 /// | `events.rs`, `events/iterator.rs` | `turning_points`, `crossings`, `tip_angles`, `time_of`, `at_event` |
 ///
-/// The parameter S is the type of the segments: a slice, or the array of an [`Ephemeris`], of which Rust makes a slice without `unsafe`.
+/// The parameter S is the type of the segments: a slice, or the array of an [`Ephemeris`].
 #[derive(Debug, PartialEq)]
 #[repr(C)] // the increments first, in reach of the smallest chip's load instructions
 pub struct EphemerisView<R: EphemerisScalar, S: ?Sized = [<R as EphemerisScalar>::Segment]> {

@@ -104,7 +104,8 @@ pub(super) fn truncated_factors(polynomial: &[i64], limit: i64) -> Option<u32> {
 impl Coefficient for i32 {
     type Number = Q30;
 
-    /// Half a unit more, because the product added is rounded down; not in the constant, whose sign a complement changes.
+    /// Coefficient with half a unit more, because the product added to it is rounded down. The constant has none: a complement changes its
+    /// sign.
     fn nearest(value: i64, power: usize) -> Self {
         let dropped = TABLE_BITS - 31 - power as u32;
         let rounded = if power == 0 { shifted_right(value, dropped) } else { (value >> dropped) + 1 };
