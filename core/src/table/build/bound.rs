@@ -26,7 +26,9 @@ impl SetUp {
         let speeds = &self.segmentation.speeds;
         let angular = speeds.angular_speed;
         let orientation = ErrorBound {
-            constant: self.error + errors.orientation + errors.by_coordinate * speeds.half_segment_change(),
+            constant: self.error
+                + errors.orientation
+                + errors.per_half_segment * speeds.half_segment_change(),
             per_tick: 2.0 * (angular * nutation + TURN * alpha.max(beta)),
         };
 

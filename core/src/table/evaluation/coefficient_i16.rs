@@ -28,7 +28,7 @@ impl EphemerisScalar for I2F14 {
     const CODE: u32 = 15;
     const ERRORS: EvaluationErrors = EvaluationErrors {
         orientation: 16.83 * UNIT + 2.6e-5,
-        by_coordinate: 0.5 * UNIT + COORDINATE_ERROR,
+        per_half_segment: 0.5 * UNIT + COORDINATE_ERROR,
         omega: 4.4 * UNIT,
         ..INTEGER_ERRORS
     };

@@ -24,7 +24,7 @@ const SINGLE_ERROR: f64 = (17.2 + 2.83 * 12.5) * UNIT + f32::EPSILON as f64;
 /// Errors in 32 bits: `core/docs/error_bound.md` lists their parts.
 pub(super) const INTEGER_ERRORS: EvaluationErrors = EvaluationErrors {
     orientation: (17.2 + 2.83 * 1.23) * UNIT,
-    by_coordinate: COORDINATE_ERROR,
+    per_half_segment: COORDINATE_ERROR,
     omega: 44.0 * UNIT,
     relative_omega: 3.7 * <f32 as Scalar>::ROUNDING,
 };
