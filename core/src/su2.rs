@@ -222,7 +222,7 @@ impl<R: Float> AttitudeState<R> {
 }
 
 impl<R: Ring> AttitudeState<R> {
-    /// Cosine of the tilt, u = ⟨r, k⟩, limited to [-1, 1].
+    /// Cosine of the tilt, u = ⟨r, k⟩, limited to [-1, 1]; that of the orientation and of a sample is not.
     pub fn u(&self) -> R {
         self.orientation.clamped_u()
     }

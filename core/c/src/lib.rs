@@ -11,7 +11,7 @@ mod status;
 mod memory;
 
 // Functions that run once per launch and can fail.
-mod launch;
+mod input;
 
 mod motion;
 
@@ -27,7 +27,7 @@ mod table_functions;
 
 mod sample_functions;
 
-pub use launch::*;
+pub use input::*;
 pub use motion::*;
 pub use sample::*;
 pub use sample_functions::*;

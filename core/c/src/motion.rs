@@ -1,6 +1,6 @@
 //! Motion of one launch, its constants, and its partial derivatives.
 
-use crate::launch::{toytop_state, toytop_top};
+use crate::input::{toytop_state, toytop_top};
 use crate::memory::{Opaque, load, read, store, write};
 use crate::status::{Refusal, status_of, toytop_error, toytop_status};
 use toytop::{Complex, Motion, Regime};

@@ -1,6 +1,6 @@
 //! Reading of a table: any tick, cursors, the quantities of a sample, and events.
 
-use crate::launch::toytop_state;
+use crate::input::toytop_state;
 use crate::memory::{Opaque, load, store, write};
 use crate::status::{Refusal, toytop_status};
 use crate::table::{CScalar, Table, view};

@@ -1,6 +1,6 @@
 //! Quantities of a sample.
 
-use crate::launch::toytop_state;
+use crate::input::toytop_state;
 use crate::sample::{self, parts, toytop_ephemeris_sample};
 use crate::status::toytop_status;
 use crate::table::CScalar;

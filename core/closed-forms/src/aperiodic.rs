@@ -16,7 +16,7 @@ mod sliding;
 
 use crate::elliptic::elementary::{ValueAndSlope, rounded};
 use crate::orientation::{ArgumentOffsets, solve_increasing};
-use constants::{AperiodicConstants, AperiodicValues, Fixed};
+use constants::{AperiodicConstants, AperiodicValues, FixedTip};
 use sliding::Sliding;
 use toytop::internal::{HalfPhase, ScaledTop, inverse_gudermannian};
 use toytop::scalar::{Extended, Float, Ring};
@@ -59,14 +59,14 @@ pub struct Aperiodic {
 #[expect(clippy::large_enum_variant, reason = "there is no heap to box it into")]
 enum Form {
     Sliding(Sliding),
-    Fixed(Fixed),
+    FixedTip(FixedTip),
 }
 
 impl Form {
     fn time(&self, point: &AperiodicValues) -> Extended {
         match self {
             Self::Sliding(form) => form.time(point),
-            Self::Fixed(_) => point.v * point.dt_dv,
+            Self::FixedTip(_) => point.v * point.dt_dv,
         }
     }
 
@@ -74,7 +74,7 @@ impl Form {
     fn alpha(&self, point: &AperiodicValues) -> ValueAndSlope {
         match self {
             Self::Sliding(form) => form.alpha(point),
-            Self::Fixed(form) => form.alpha(point),
+            Self::FixedTip(form) => form.alpha(point),
         }
     }
 
@@ -82,7 +82,7 @@ impl Form {
     fn argument(&self, point: &AperiodicValues) -> Phase {
         let angle = match self {
             Self::Sliding(form) => form.argument(point),
-            Self::Fixed(form) => form.argument(point),
+            Self::FixedTip(form) => form.argument(point),
         };
         angle.in_turns().to_phase()
     }
@@ -104,7 +104,9 @@ impl Aperiodic {
         let form = match motion.top().support() {
             Support::Sliding => Form::Sliding(Sliding::new(&constants, motion.parts().integrals.l / a)),
             // the axis of a free body does not rise to the vertical
-            Support::Fixed | Support::Free => Form::Fixed(Fixed::new(&constants, motion.signs().l_plus_n)),
+            Support::Fixed | Support::Free => {
+                Form::FixedTip(FixedTip::new(&constants, motion.signs().l_plus_n))
+            }
         };
         let point = constants.at(v);
         let alpha = form.alpha(&point);

@@ -7,7 +7,7 @@
 //! Φ(t) = exp(m t/A) Φ(0) diag(e^{iτt/2}, e^{-iτt/2})
 //! ```
 //!
-//! The formula has no branch point, no nutation phase and no table.
+//! The formula needs neither branch points nor a table.
 
 use toytop::internal::{HalfPhase, ScaledTop};
 use toytop::scalar::{Extended, Float, Ring};

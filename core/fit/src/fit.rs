@@ -22,7 +22,7 @@ use crate::sensors::{Measurement, Sensor};
 use crate::vector::{UNITS, Vector, norm, rotation_vector};
 pub use error::{FitError, FitWarning};
 pub use fitted::{Drift, Fitted, Unobservable};
-use marquardt::SETTLED;
+use marquardt::CONVERGED_SIGMA;
 pub use pass::{Fit, Statistics};
 use toytop::Top;
 use toytop::scalar::Real;
@@ -149,7 +149,7 @@ impl<'a, F: Real> Fit<'a, F> {
         covariance.turn(&UNITS.map(|axis| body.adjoint(axis)));
         self.prior = (predicted, covariance.information(last.unknown_count));
         self.start_from(&predicted);
-        let settled = self.settle(&measurements, usize::MAX, SETTLED);
+        let settled = self.settle(&measurements, usize::MAX, CONVERGED_SIGMA);
         let fitted = self.fitted(&extent, self.warning(settled), 0);
         self.reset_prior();
         let turn = self.best.estimate.orientation.compose(&predicted.orientation.inverse());

@@ -4,7 +4,7 @@
 //! R δ = z is the least-squares problem of all rows. No row is kept. The last unknowns, the biases, are eliminated first:
 //! a row has one of them at most, and leaves the rows of the others as they are.
 
-use crate::triangle::{Triangle, Unknowns, single};
+use crate::triangle::{Triangle, Unknowns, unit_row};
 use toytop::scalar::Real;
 
 /// Triangle R with its right-hand side z, for the first `count` unknowns.
@@ -49,7 +49,7 @@ impl<F: Real> Information<F> {
 
     /// Adds the information that one unknown is 0, with this standard deviation > 0.
     pub(crate) fn add_known(&mut self, index: usize, deviation: F) {
-        self.add(single(index, F::ONE / deviation), F::ZERO);
+        self.add(unit_row(index, F::ONE / deviation), F::ZERO);
     }
 
     /// Least-squares solution δ; 0 where there is no information.

@@ -7,7 +7,7 @@ use crate::sensitivity::{
     Sensitivity, coefficients, exponents, ratios, with_coefficients,
 };
 use crate::sensors::Sensor;
-use crate::triangle::{MOST_UNKNOWNS, Unknowns, single};
+use crate::triangle::{MOST_UNKNOWNS, Unknowns, unit_row};
 use crate::vector::{UNITS, Vector, norm, scaled};
 use core::ops::Range;
 use toytop::scalar::Real;
@@ -194,7 +194,7 @@ impl Model {
                     let slots = direction.iter_mut().skip(index / 3 * 3);
                     slots.zip(body.adjoint(*axis)).for_each(|(slot, x)| *slot = F::from_f64(x));
                 }
-                None => direction = single(index, F::ONE),
+                None => direction = unit_row(index, F::ONE),
             }
             let least = F::from_f64(1.0 / (limit * unit));
             let square = information.square(&direction) * F::from_f64(damping);

@@ -10,7 +10,7 @@ pub const MOST_UNKNOWNS: usize = 22;
 pub(crate) type Unknowns<F = f64> = [F; MOST_UNKNOWNS];
 
 /// Unknowns that are 0 except one.
-pub(crate) fn single<F: Real>(index: usize, value: F) -> Unknowns<F> {
+pub(crate) fn unit_row<F: Real>(index: usize, value: F) -> Unknowns<F> {
     core::array::from_fn(|other| if other == index { value } else { F::ZERO })
 }
 
@@ -57,7 +57,7 @@ impl<F: Real> Triangle<F> {
 
     /// Column of the inverse; 0 where the diagonal is 0.
     pub(crate) fn inverse_column(&self, index: usize) -> Unknowns<F> {
-        self.solved(single(index, F::ONE))
+        self.solved(unit_row(index, F::ONE))
     }
 
     /// Inverse in another scalar.

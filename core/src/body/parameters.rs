@@ -39,7 +39,7 @@ impl Default for TopParameters {
     }
 }
 
-fn magnitude(parameter: &'static str, value: f64) -> Result<f64, ParameterError> {
+fn check_positive(parameter: &'static str, value: f64) -> Result<f64, ParameterError> {
     check_finite(parameter, value)?;
     check(value > 0.0, parameter, "positive, between 1e-60 and 1e60")?;
     check_range(1e-60..=1e60, parameter, value, "between 1e-60 and 1e60")?;
@@ -63,7 +63,7 @@ impl TopParameters {
         check_finite("mass", self.mass)?;
         check_finite("mass_moment", self.mass_moment)?;
         match (self.mass == 0.0, self.mass_moment == 0.0) {
-            (false, true) => magnitude("mass", self.mass).map(Some),
+            (false, true) => check_positive("mass", self.mass).map(Some),
             (true, false) => Ok(None),
             _ => Err(ParameterError::OutOfRange {
                 parameter: "mass",
@@ -90,10 +90,10 @@ impl Top {
             "gravity",
             "positive: without weight nothing keeps the tip on the plane, and the body is free",
         )?;
-        let s = magnitude("com_height", parameters.com_height)?;
+        let s = check_positive("com_height", parameters.com_height)?;
         let p = match parameters.given_mass()? {
             Some(mass) => Extended::exact_product(mass, s),
-            None => magnitude("mass_moment", parameters.mass_moment)?.into(),
+            None => check_positive("mass_moment", parameters.mass_moment)?.into(),
         };
         let top = Self::new(Support::Sliding, parameters, s, p)?;
         check_range(
@@ -124,10 +124,10 @@ impl Top {
                 parameters.com_height,
                 "left out where the tip is fixed and mass_moment is given",
             )?;
-            let p = magnitude("mass_moment", parameters.mass_moment)?.into();
+            let p = check_positive("mass_moment", parameters.mass_moment)?.into();
             return Self::new(Support::Fixed, parameters, 0.0, p);
         };
-        let p = Extended::exact_product(mass, magnitude("com_height", parameters.com_height)?);
+        let p = Extended::exact_product(mass, check_positive("com_height", parameters.com_height)?);
         let top = Self::new(Support::Fixed, parameters, 0.0, p)?;
         let least = top.mass_moment() * parameters.com_height + 0.5 * top.c;
         check(
@@ -158,7 +158,7 @@ impl Top {
         s: f64,
         p: Extended,
     ) -> Result<Self, ParameterError> {
-        let a = magnitude("transverse_inertia", parameters.transverse_inertia)?;
+        let a = check_positive("transverse_inertia", parameters.transverse_inertia)?;
         let c = parameters.axial_inertia;
         check_range(
             0.0..=2.0 * a,
@@ -167,7 +167,7 @@ impl Top {
             "between 0 and twice transverse_inertia (no body has C > 2A)",
         )?;
         check(c == 0.0 || c >= 1e-60 * a, "axial_inertia", "0, or at least 1e-60 times transverse_inertia")?;
-        let g = if parameters.gravity == 0.0 { 0.0 } else { magnitude("gravity", parameters.gravity)? };
+        let g = if parameters.gravity == 0.0 { 0.0 } else { check_positive("gravity", parameters.gravity)? };
         check(
             g > 0.0 || c == 0.0 || c >= 1e-20 * a,
             "axial_inertia",

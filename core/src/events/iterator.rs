@@ -107,7 +107,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 impl<R: EphemerisScalar> Events<'_, R> {
     /// Moves the start back by a rounding, so that an event at the start counts.
     fn including_start(mut self) -> Self {
-        let mut after = self.view.clock.tip_turn();
+        let mut after = self.view.clock.tip_step();
         for _ in 0..PIECES_OF_A_PERIOD {
             let Some((_, end)) = self.instants.peek() else {
                 break;
@@ -152,7 +152,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
 
     /// Event of a steady motion, at most one turn ahead, or two because of rounding.
     fn next_at_constant_rate(&mut self) -> Option<Event> {
-        let turn = Extended::ONE / Extended::from(self.view.clock.tip_turn()).abs();
+        let turn = Extended::ONE / Extended::from(self.view.clock.tip_step()).abs();
         [turn, turn.doubled()].into_iter().find_map(|length| {
             let end = self.at + length;
             Event::at(end, true)?;
@@ -164,7 +164,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
     fn skip_periods(&mut self, period: Extended, [least, greatest]: [Phase; 2]) -> Option<()> {
         /// Part of the periods skipped at once; the rest allows for roundings.
         const SKIPPED_PART: f64 = 1.0 - 1e-9;
-        let per_period = Extended::from(self.view.clock.tip_turn()) * period;
+        let per_period = Extended::from(self.view.clock.tip_step()) * period;
         let upward = per_period > Extended::ZERO;
         let edge = self.angle + if upward { greatest } else { least };
         let periods =

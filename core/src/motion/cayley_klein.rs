@@ -102,7 +102,7 @@ impl<R: Ring> Ellipse<R> {
 }
 
 impl<F: Float> Ellipse<F> {
-    /// Multiple of e^{iλ}, for the slow phase λ by least squares from the parameter z, its rate, and the rates of χ and λ.
+    /// Number along e^{iλ}, for the slow phase λ: least squares over the parameter z and its rate, with the rates of χ and λ.
     pub fn slow_phase(
         &self,
         cis_chi: Complex<F>,

@@ -137,7 +137,7 @@ impl Motion {
     ) -> Self {
         let ScaledTop { a, c, k, .. } = ScaledTop::<Extended>::new(top);
         let regime = Regime::new(e, signs, upright);
-        // also a nutation below the regime's threshold has a period
+        // a swing below the threshold of the regime still has a period
         let is_steady = e.e2_minus_e1 == Extended::ZERO || regime == Regime::SleepingUnstable;
         let mut motion = Self {
             top: *top,

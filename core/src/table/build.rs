@@ -18,11 +18,10 @@
 //!     bound.rs       errors of all parts                  -> error bounds
 //! ```
 //!
-//! The tabulated a and b are α and β without their mean rotation. An expansion multiplies series of unlike size, each in units of its own
-//! exponent (`series`). The polynomials of a and b are only halved and added: all are in units of 2^-62 (`polynomial`).
+//! The tabulated a and b are α and β without their mean rotation. Series have an exponent each (`series`). The
+//! polynomials of a and b are only halved and added: all are in units of 2^-62 (`polynomial`).
 //!
-//! A function that is not inlined keeps its variables from the stack of others, or is called in many places. `pause` is called between the
-//! parts of a set-up that take long: nodes of a quadrature, coefficients of an expansion, and segments.
+//! `pause` is called between the parts of a set-up that take long: nodes of a quadrature, coefficients of an expansion, and segments.
 
 mod series;
 

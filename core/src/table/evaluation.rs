@@ -54,10 +54,10 @@ pub struct SegmentPoint {
 /// Upper bounds on the rounding errors of a tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EvaluationErrors {
-    /// Orientation error but for `by_coordinate`, rad.
+    /// Orientation error without that of the next field, rad.
     pub(crate) orientation: f64,
     /// Orientation error over the greatest change of the orientation on half a segment.
-    pub(crate) by_coordinate: f64,
+    pub(crate) per_half_segment: f64,
     /// Error of the angular velocity, divided by x' + |λ_α' + λ_β'|.
     pub(crate) omega: f64,
     /// Further error of the angular velocity, relative to its greatest value.

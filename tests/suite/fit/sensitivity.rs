@@ -1,7 +1,7 @@
 //! Partial derivatives, against central differences of launches in 640 bits, and where they grow without bound.
 
 use toytop::su2::Vector;
-use toytop::{Complex, Motion, Orientation, State, Support, TopParameters};
+use toytop::{Complex, Motion, Orientation, State, Stepper, Support, TopParameters};
 use toytop_fit::{Partials, Sensitivity};
 use toytop_host::input::scenario::Launch;
 use toytop_host::truth::exact::{Exact, PreciseOrientation};
@@ -220,4 +220,32 @@ fn what_follows_from_the_orientation_changes_with_it() {
     let [angle, ..] = slope(&|at| [at.axis()[1].atan2(at.axis()[0]), 0.0, 0.0]);
     assert!((partials.d_tip_angle().unwrap()[5] - angle).abs() < 1e-6);
     assert!(apart(partials.orientation().axis(), partials.axis()) < 1e-14);
+}
+
+/// Specific force and a seen direction are those of three positions and orientations of the stepper.
+#[test]
+fn readings_agree_with_the_stepped_motion() {
+    let (place, field, t, dt) = ([0.01, -0.02, 0.015], [0.3, -0.4, 0.5], 0.37, 1e-5);
+    let [a, c, _, p, g, k] = TOY;
+    for top in [TOY, [a, c, 0.0, p, g, k]] {
+        let given = Given::new(top, LEANING, [-22.5, 4.0, 149.5]);
+        let at = |t: f64| {
+            let mut stepper = Stepper::<f64>::new(&given.numbers().motion().unwrap());
+            (0..4096).for_each(|_| stepper.step(t / 4096.0));
+            stepper.orientation()
+        };
+        let [before, now, after] = [-dt, 0.0, dt].map(|by| at(t + by));
+        // the centre of mass of a sliding top stays above one point of the plane
+        let position = |phi: &Orientation<f64>| {
+            let [x, y, z] = phi.adjoint(place);
+            [x, y, z + top[2] * phi.u()]
+        };
+        let [x0, x1, x2] = [before, now, after].map(|phi| position(&phi));
+        let [x, y, z] = [0, 1, 2].map(|k| (x2[k] - 2.0 * x1[k] + x0[k]) / (dt * dt));
+        let expected = now.inverse().adjoint([x, y, z + g]);
+        let partials = given.partials(t);
+        let off = apart(partials.specific_force(place).0, expected) / length(expected);
+        assert!(off < 1e-6, "{off:e}, {expected:?}");
+        assert!(apart(partials.in_body(field), now.inverse().adjoint(field)) < 1e-11);
+    }
 }

@@ -70,13 +70,13 @@ impl AperiodicConstants {
 
 /// Solution for a fixed tip.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Fixed {
+pub(super) struct FixedTip {
     /// Moduli √((1 ± e₁)/2) of α and β at the lowest point.
     lowest: [Extended; 2],
     sign: Sign,
 }
 
-impl Fixed {
+impl FixedTip {
     pub(super) fn new(constants: &AperiodicConstants, sign: Sign) -> Self {
         Self { lowest: [constants.one_plus_e1, constants.one_minus_e1].map(|x| x.halved().sqrt()), sign }
     }

@@ -236,7 +236,7 @@ impl<F: Real> Fit<'_, F> {
 }
 
 /// Sine of an angle. A named direction this close to an undetermined one is called undetermined.
-const ALONG: f64 = 0.1;
+const ALIGNED_SINE: f64 = 0.1;
 
 /// Directions of the launch that the measurements do not determine to one unit.
 ///
@@ -259,7 +259,7 @@ fn unobservable(fitted: &Fitted, units: &Unknowns) -> Unobservable {
     let sum = factor(1.0, count);
     let determined: f64 = (0..count).map(|index| squares(&sum.inverse_column(index))).sum();
     let undetermined = libm::round((count as f64 - determined).max(0.0)) as usize;
-    let sum = factor(ALONG * ALONG, LAUNCH_COLUMNS);
+    let sum = factor(ALIGNED_SINE * ALIGNED_SINE, LAUNCH_COLUMNS);
     let (axis, none) = (launch.orientation.axis(), [0.0; 3]);
     let [yaw, roll, spin] = [[UP, none], [axis, cross(launch.omega, axis)], [none, axis]].map(|direction| {
         let mut along = [0.0; MOST_UNKNOWNS];

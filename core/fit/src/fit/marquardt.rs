@@ -8,7 +8,7 @@ use crate::triangle::MOST_UNKNOWNS;
 use toytop::scalar::Real;
 
 /// Size of the last correction of a fit that has converged, in standard deviations. The next one would be about its square.
-pub(super) const SETTLED: f64 = 0.05;
+pub(super) const CONVERGED_SIGMA: f64 = 0.05;
 /// Largest number of passes over one part of the measurements.
 const MOST_PASSES: u32 = 30;
 /// Largest estimated size of the next correction, in standard deviations, for a fit to end without another pass.

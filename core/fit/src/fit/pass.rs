@@ -11,9 +11,9 @@ use toytop::scalar::Real;
 /// Marquardt's damping at the beginning.
 pub(super) const FIRST_DAMPING: f64 = 1e-3;
 /// Largest excess of a sum of squares that noise explains, in its standard deviations.
-const MISFIT: f64 = 5.0;
+const MISFIT_SIGMA: f64 = 5.0;
 /// Residual of a gross error, in standard deviations.
-const GROSS: f64 = 10.0;
+const GROSS_SIGMA: f64 = 10.0;
 /// Largest sum of squares of the differences from prior values. There are at most a dozen.
 const MOST_PRIOR: f64 = 60.0;
 
@@ -61,7 +61,7 @@ impl Statistics {
             return F::ONE;
         }
         self.outliers += 1;
-        self.gross += u32::from(size > F::from_f64(GROSS));
+        self.gross += u32::from(size > F::from_f64(GROSS_SIGMA));
         (huber / size).sqrt()
     }
 
@@ -99,7 +99,7 @@ impl Statistics {
             || self.prior > MOST_PRIOR
             || self.outliers > self.used / 5 + 3
             || self.gross > self.used / 20 + 3
-            || self.chi_squared - limited > freedom + MISFIT * libm::sqrt(2.0 * freedom)
+            || self.chi_squared - limited > freedom + MISFIT_SIGMA * libm::sqrt(2.0 * freedom)
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::estimate::Estimate;
 use crate::fit::error::{FitError, FitWarning};
 use crate::fit::first_guess::{FIRST_INSTANTS, Guesses, upright_to};
-use crate::fit::marquardt::SETTLED;
+use crate::fit::marquardt::CONVERGED_SIGMA;
 use crate::fit::pass::{Fit, Pass, Statistics};
 use crate::sensors::{Hint, Measurement, Measurements};
 use crate::vector::{Vector, cross, dot, scaled};
@@ -11,20 +11,19 @@ use toytop::scalar::Real;
 use toytop::su2::Orientation;
 
 /// Largest last correction of a part of the measurements, in standard deviations.
-const NEAR: f64 = 0.5;
+const PARTIAL_STEP_SIGMA: f64 = 0.5;
 /// Largest difference of the sums of squares of two launches that fit equally well.
-const EQUAL: f64 = 9.0;
+const EQUAL_COST: f64 = 9.0;
 /// Least distance of two launches that are not the same, in standard deviations.
-const OTHER: f64 = 10.0;
+const OTHER_LAUNCH_SIGMA: f64 = 10.0;
 /// Least mean square of residuals of rates in degrees: the noise given may be twice too large.
 const LEAST_NOISE: f64 = 0.25;
 /// Least quotient of a rate beyond the range and a reading at its end. Bias and mounting may shift the reading.
-const WITHIN: f64 = 0.9;
+const RANGE_FRACTION: f64 = 0.9;
 /// Largest sine of the tilt, and largest share of ω across the axis, of a launch that is compared with an upright one.
-const UPRIGHT: f64 = 0.1;
-/// Largest increase of the sum of squares by an upright launch that explains the measurements equally well. The best of a
-/// hundred spins lowers the sum by about 20.
-const CHANCE: f64 = 40.0;
+const UPRIGHT_SINE: f64 = 0.1;
+/// Largest difference of sums of squares that chance explains: twice that of the best of a hundred spins, about 20.
+const CHANCE_COST: f64 = 40.0;
 
 /// Times of the first and the last measurement, and the number of measurements.
 #[derive(Clone, Copy)]
@@ -55,7 +54,7 @@ impl<F: Real> Fit<'_, F> {
         // each part begins from an estimate that is good enough for it
         while count.saturating_mul(8) < extent.total {
             count = count.saturating_mul(4);
-            self.settle(measurements, count, NEAR);
+            self.settle(measurements, count, PARTIAL_STEP_SIGMA);
         }
         // a shorter part does not show how far the equations are linear over all measurements
         self.curvature = f64::INFINITY;
@@ -70,13 +69,15 @@ impl<F: Real> Fit<'_, F> {
         let mut others = 0;
         for number in 0..guesses.count() {
             self.start_from(&guesses.get(number));
-            self.settle(measurements, count / 4, NEAR);
-            self.settle(measurements, count, SETTLED);
+            self.settle(measurements, count / 4, PARTIAL_STEP_SIGMA);
+            self.settle(measurements, count, CONVERGED_SIGMA);
             let Pass { estimate, information, statistics: Statistics { cost, .. } } = &self.best;
             let change = estimate.change_from(&best.0).map(F::from_f64);
-            if *cost < best.1 - EQUAL {
+            if *cost < best.1 - EQUAL_COST {
                 others = 0;
-            } else if *cost < best.1 + EQUAL && information.square(&change).to_f64() > OTHER * OTHER {
+            } else if *cost < best.1 + EQUAL_COST
+                && information.square(&change).to_f64() > OTHER_LAUNCH_SIGMA * OTHER_LAUNCH_SIGMA
+            {
                 others += 1;
             }
             if *cost < best.1 {
@@ -91,13 +92,13 @@ impl<F: Real> Fit<'_, F> {
 
     /// Passes over all measurements. Returns the reason why the estimate must not be trusted.
     pub(super) fn settle_finally(&mut self, measurements: &impl Measurements) -> Option<FitWarning> {
-        let settled = self.settle(measurements, usize::MAX, SETTLED);
+        let settled = self.settle(measurements, usize::MAX, CONVERGED_SIGMA);
         let launch = &self.best.estimate;
         let found = dot(launch.omega, launch.orientation.axis());
         let bound = |([_, _, low], saturated): (Vector<f64>, bool)| (saturated && low != 0.0).then_some(low);
         let least = self.rates(measurements).find_map(bound);
         // the axial rate is constant, so that one reading at the end of the range bounds it
-        let spin = least.filter(|least| found / least < WITHIN).unwrap_or(found);
+        let spin = least.filter(|least| found / least < RANGE_FRACTION).unwrap_or(found);
         let warning = self.warning(settled && spin == found);
         let misfit =
             matches!(warning, Some(FitWarning::AllSaturated | FitWarning::TooFew | FitWarning::Misfit));
@@ -114,7 +115,7 @@ impl<F: Real> Fit<'_, F> {
         let axis = found.orientation.axis();
         let across = cross(found.omega, axis);
         let [x, y, z] = axis;
-        let near = UPRIGHT * UPRIGHT;
+        let near = UPRIGHT_SINE * UPRIGHT_SINE;
         if x * x + y * y > near || dot(across, across) > near * dot(found.omega, found.omega) {
             return false;
         }
@@ -130,7 +131,7 @@ impl<F: Real> Fit<'_, F> {
         let change = self.current.information.solution();
         self.current.estimate = self.current.estimate.moved(&change.map(F::to_f64));
         self.pass(measurements, usize::MAX);
-        self.current.statistics.cost <= self.best.statistics.cost + CHANCE
+        self.current.statistics.cost <= self.best.statistics.cost + CHANCE_COST
     }
 
     /// Cause of residuals that are too large. The best estimate is overwritten.

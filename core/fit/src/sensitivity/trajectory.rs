@@ -213,10 +213,9 @@ mod tests {
     }
 
     #[test]
-    fn the_course_is_the_motion_of_the_launch() {
+    fn the_trajectory_is_the_motion_of_the_launch() {
         for (index, case) in CASES.iter().enumerate() {
             let [double, single] = [worst::<f64>(case), worst::<f32>(case)];
-            println!("{index}: {double:?} {single:?}");
             for [state, columns] in [double, single] {
                 assert!(state < 3e-6 && columns < 2e-3, "{index}: {double:?} {single:?}");
             }

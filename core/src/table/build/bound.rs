@@ -1,4 +1,4 @@
-//! Error bounds of a table; `core/docs/error_bound.md` derives every term.
+//! Error bounds of a table, with the terms of `core/docs/error_bound.md`.
 
 use super::mean_rates::MeanRates;
 use super::set_up::SetUp;
@@ -26,7 +26,9 @@ impl SetUp {
         let speeds = &self.segmentation.speeds;
         let angular = speeds.angular_speed;
         let orientation = ErrorBound {
-            constant: self.error + errors.orientation + errors.by_coordinate * speeds.half_segment_change(),
+            constant: self.error
+                + errors.orientation
+                + errors.per_half_segment * speeds.half_segment_change(),
             per_tick: 2.0 * (angular * nutation + TURN * alpha.max(beta)),
         };
 
@@ -38,7 +40,7 @@ impl SetUp {
         let rotor = motion.top().rotor_momentum().abs() / motion.top().transverse_inertia();
         // relative rate of change of the angular velocity
         let change = 0.25 * x_rate + whole;
-        // a dropped term of degree k has a derivative of at most k² times its value
+        // |T_k'| <= k² for a dropped term of degree k
         let slope = ((self.limits.terms + 1) as f64).squared() * self.segmentation.truncation;
         let rate = ErrorBound {
             constant: slope * x_rate

@@ -105,7 +105,7 @@ pub(super) struct Origin {
     pub(super) chi_rate: f64,
     pub(super) psi_rates: [f64; 2],
     pub(super) residual_rates: [f64; 2],
-    /// Weight of an error of χ over one of a residual phase.
+    /// Orientation error that an error of χ causes, over that of an equal error of a residual phase.
     pub(super) weight: f64,
     /// Magnitude below which a term at x = 2 is negligible, rad.
     pub(super) negligible: f64,
@@ -167,7 +167,7 @@ impl Expansion {
 
     /// Whether coefficients should be in range over twice the distance.
     pub(super) fn may_double(&self) -> bool {
-        /// Greatest relative change of dχ/dy at y = 1 by its first power.
+        /// Greatest ratio |c₁/c₀| of the coefficients of dχ/dy.
         const GREATEST_CHANGE: f32 = 1.25;
         self.chi.term(1, 1.0) <= GREATEST_CHANGE * self.chi.term(0, 1.0)
     }

@@ -52,7 +52,7 @@ impl Span {
     }
 }
 
-/// Negligible term of the phases at x = 2 over that of a and b at x = 1.
+/// Ratio of the negligible terms of the phases, at x = 2, and of a and b, at x = 1.
 const PHASE_TERM: f64 = 32.0;
 
 /// Point of the path.
@@ -76,8 +76,8 @@ pub(super) struct Path {
     half_period: Extended,
     /// Residual rates minus ψ_α' and ψ_β', rad/s.
     residual_offsets: [Extended; 2],
-    /// Rates of χ and of the residual phases, added, at the faster turning point, rad per half period.
-    fastest: f64,
+    /// Sum of the rates of χ and of the residual phases at the faster end of the path, rad per half period.
+    endpoint_rate: f64,
     /// Allowed truncation error of all steps, rad.
     allowed: f64,
     /// Negligible term of the phases, rad.
@@ -96,7 +96,7 @@ impl Path {
         rounded_equations: PhaseEquations::ZERO,
         half_period: Extended::ZERO,
         residual_offsets: [Extended::ZERO; 2],
-        fastest: 0.0,
+        endpoint_rate: 0.0,
         allowed: 0.0,
         negligible: 0.0,
         span: Span { begin: 0, depth: 0 },
@@ -125,7 +125,7 @@ impl Path {
             let PhaseRates { half_phase, psi_alpha, psi_beta } = self.rounded_equations.rates(sine, cosine);
             half_phase.abs() + ((psi_alpha + alpha).abs() + (psi_beta + beta).abs())
         });
-        self.fastest = half_period.to_f64() * max_or_nan(begin, end);
+        self.endpoint_rate = half_period.to_f64() * max_or_nan(begin, end);
         self.span = Span::FIRST;
         self.set_beginning(0, PathPoint::FIRST);
     }
@@ -138,12 +138,12 @@ impl Path {
 
     /// Goes on to the next span. It is twice as long if [`Expansion::may_double`] allows it and the phases at x = 2 are accurate.
     ///
-    /// * `may_be_inaccurate`: whether accurate phases at x = 2 are not needed
-    pub(super) fn go_to_next_span(&mut self, may_be_inaccurate: bool) {
+    /// * `tries_longer`: whether to double the span without accurate phases at x = 2
+    pub(super) fn go_to_next_span(&mut self, tries_longer: bool) {
         let next = Span { begin: self.span.end(), ..self.span };
         let twice = Span { depth: self.span.depth - 1, ..next };
         let allowed = self.allowed_step();
-        let accurate = may_be_inaccurate || self.expansion.truncation_error(2) <= allowed;
+        let accurate = tries_longer || self.expansion.truncation_error(2) <= allowed;
         let doubles = twice.exists() && self.expansion.may_double() && accurate;
         let x = if doubles { 3 } else { 2 };
         self.centre = self.point_at(x, f64::from(x) * allowed);
@@ -167,8 +167,8 @@ impl Path {
         (self.span.depth <= Span::DEEPEST).then_some(())
     }
 
-    /// Expands the motion around the centre of the span; `None` if a truncation error is too large. An expansion around the beginning leads to a
-    /// centre that is not known yet.
+    /// Expands the motion around the centre of the span; `None` if a truncation error is too large. If the centre is not known yet,
+    /// an expansion around the beginning finds it.
     ///
     /// * `WORDS`: size of the numbers for the rates at the origin
     #[inline(never)]
@@ -213,7 +213,7 @@ impl Path {
         let unit = convert(unit);
         let by_y = |rate: F| (unit * rate).to_f64();
         let chi_rate = by_y(half_phase);
-        let weight = 4.0 * self.fastest * self.span.half_length() / chi_rate.abs();
+        let weight = 4.0 * self.endpoint_rate * self.span.half_length() / chi_rate.abs();
         Origin {
             phases,
             sine,
@@ -254,7 +254,7 @@ impl Path {
         // at u = e₂, cos χ = 0 and the cosines of the residual phases are 0
         let [alpha, beta] = residual.map(miss);
         let nutation = self.half_period.to_f64() * self.rounded_equations.rates(1.0, 0.0).half_phase;
-        let delay = ROUNDING_DELAY + error / self.fastest + miss(chi) / nutation;
+        let delay = ROUNDING_DELAY + error / self.endpoint_rate + miss(chi) / nutation;
         speeds.error_of_delay(delay) + 2.0 * (error + alpha.max(beta))
     }
 }

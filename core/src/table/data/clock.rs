@@ -157,7 +157,7 @@ impl<W: Copy> Clock<W> {
             first.wrapping_add(step.leading_bits_after(since_first, fraction))
         };
         let phases = [after(nutation, nutation_step), after(a, a_step), after(b, b_step)];
-        Some((phases, self.mean_tip(tick) + self.tip_turn().times_part(fraction)))
+        Some((phases, self.mean_tip(tick) + self.tip_step().times_part(fraction)))
     }
 
     /// Nutation phase and slow phases at tick n.
@@ -186,18 +186,18 @@ impl<W: Copy> Clock<W> {
                 .plus_leading_bits(first);
         }
         let part = (self.exact_tip_step() * fraction).to_phase();
-        (phases, Phase::from_words(self.tip_start) + turned(self.tip_turn(), ticks) + part)
+        (phases, Phase::from_words(self.tip_start) + turned(self.tip_step(), ticks) + part)
     }
 
     /// Increment of the mean tip angle per tick.
     #[inline(always)]
-    pub(crate) fn tip_turn(&self) -> Phase {
+    pub(crate) fn tip_step(&self) -> Phase {
         Phase::from_words(self.tip_step)
     }
 
     #[inline(always)]
     pub(crate) fn mean_tip(&self, n: i64) -> Phase {
-        Phase::from_words(self.tip_start) + self.tip_turn() * n
+        Phase::from_words(self.tip_start) + self.tip_step() * n
     }
 
     /// Increment of the mean tip angle per tick, in turns. It lacks the half turn per period of a parameter that passes through 0.

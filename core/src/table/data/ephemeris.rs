@@ -11,19 +11,9 @@ use core::ops::{Deref, DerefMut};
 /// [`EphemerisScalar::TERMS`] coefficients and about 300 bytes.
 pub type Ephemeris<R, const SEGMENTS: usize> = EphemerisView<R, [<R as EphemerisScalar>::Segment; SEGMENTS]>;
 
-/// Ephemeris without its capacity in the type. Readers take an `&EphemerisView<f32>`. Its methods, by file:
+/// Ephemeris without its capacity in the type. Readers take an `&EphemerisView<f32>`.
 ///
-/// | file | methods |
-/// |---|---|
-/// | `table/read/sample.rs` | `at_tick`, `at`, `last_time` |
-/// | `table/read/cursor.rs` | `cursor`, `fill` |
-/// | `table/read/tip_angle.rs` | `mean_tip_angle_rate` |
-/// | `table/data/ephemeris.rs` | `capacity`, `clock`, `cells`, `segments`, `error_bound`, `error_bound_at`, and the same for rates |
-/// | `table/data/baked.rs` | `crc32` |
-/// | `table/build/ephemeris.rs` | `segments_needed` |
-/// | `events.rs`, `events/iterator.rs` | `turning_points`, `crossings`, `tip_angles`, `time_of`, `at_event` |
-///
-/// The parameter S is the type of the segments: a slice, or the array of an [`Ephemeris`], of which Rust makes a slice without `unsafe`.
+/// The parameter S is the type of the segments: a slice, or the array of an [`Ephemeris`].
 #[derive(Debug, PartialEq)]
 #[repr(C)] // the increments first, in reach of the smallest chip's load instructions
 pub struct EphemerisView<R: EphemerisScalar, S: ?Sized = [<R as EphemerisScalar>::Segment]> {

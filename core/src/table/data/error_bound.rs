@@ -16,7 +16,7 @@ pub struct ErrorBound {
 impl ErrorBound {
     pub(crate) const ZERO: Self = Self { constant: 0.0, per_tick: 0.0 };
 
-    /// Upper bound on the error at a number of ticks from the launch, of either sign.
+    /// Upper bound on the error at a number of ticks from the launch, of either sign: the tick minus the epoch.
     #[must_use]
     pub fn after(&self, ticks: f64) -> f64 {
         self.constant + self.per_tick * ticks.abs()

@@ -18,7 +18,7 @@ impl EphemerisScalar for f64 {
     const CODE: u32 = 64;
     const ERRORS: EvaluationErrors = EvaluationErrors {
         orientation: 24.0 * <Self as Scalar>::ROUNDING,
-        by_coordinate: 0.0,
+        per_half_segment: 0.0,
         omega: 0.0,
         relative_omega: 11.0 * <Self as Scalar>::ROUNDING,
     };

@@ -24,7 +24,7 @@ const SINGLE_ERROR: f64 = (17.2 + 2.83 * 12.5) * UNIT + f32::EPSILON as f64;
 /// Errors in 32 bits: `core/docs/error_bound.md` lists their parts.
 pub(super) const INTEGER_ERRORS: EvaluationErrors = EvaluationErrors {
     orientation: (17.2 + 2.83 * 1.23) * UNIT,
-    by_coordinate: COORDINATE_ERROR,
+    per_half_segment: COORDINATE_ERROR,
     omega: 44.0 * UNIT,
     relative_omega: 3.7 * <f32 as Scalar>::ROUNDING,
 };
@@ -104,7 +104,8 @@ pub(super) fn truncated_factors(polynomial: &[i64], limit: i64) -> Option<u32> {
 impl Coefficient for i32 {
     type Number = Q30;
 
-    /// Half a unit more, because the product added is rounded down; not in the constant, whose sign a complement changes.
+    /// Coefficient with half a unit more, because the product added to it is rounded down. The constant has none: a complement changes its
+    /// sign.
     fn nearest(value: i64, power: usize) -> Self {
         let dropped = TABLE_BITS - 31 - power as u32;
         let rounded = if power == 0 { shifted_right(value, dropped) } else { (value >> dropped) + 1 };

@@ -41,7 +41,8 @@ pub struct Cursor {
 }
 
 impl Cursor {
-    /// Sample of the next tick of the table that made the cursor. The sequence has no end and cannot fail.
+    /// Sample of the next tick of the table that made the cursor; any other table gives a wrong orientation. The sequence has no end
+    /// and cannot fail.
     #[inline(always)]
     pub fn next<'a, R: EphemerisScalar>(&mut self, table: &'a EphemerisView<R>) -> Sample<'a, R> {
         for (phase, step) in self.phases.iter_mut().zip(table.clock.steps()) {

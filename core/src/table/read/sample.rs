@@ -68,7 +68,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         }
     }
 
-    /// Cosine u of the tilt. A rounding may take it past ±1.
+    /// Cosine u of the tilt, not limited: a rounding may take it past ±1.
     #[must_use]
     pub fn u(&self) -> R {
         R::from_number(self.unrounded().u())
@@ -190,8 +190,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Sample of the motion t (s) after tick 0, taken as exact; 0 if it is not finite.
     ///
-    /// The bits are those of [`EphemerisView::at_tick`] where t is a whole number of ticks and the tick rate a multiple of 1/2. It is slow beyond
-    /// 2^62 ticks, and for ticks of half a turn or more of a phase.
+    /// Same bits as [`EphemerisView::at_tick`] at whole ticks, if the tick rate is a multiple of 1/2. It is slow beyond 2^62 ticks, and for
+    /// ticks of half a turn or more of a phase.
     #[inline(always)] // so that the mean tip angle is computed only where the caller uses it
     #[must_use]
     pub fn at(&self, t: f64) -> Sample<'_, R> {

@@ -33,7 +33,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     #[must_use]
     pub fn mean_tip_angle_rate(&self) -> f64 {
         let [ticks_per_time, _] = self.clock.ticks_per_time;
-        self.clock.tip_turn().to_turns() * ticks_per_time
+        self.clock.tip_step().to_turns() * ticks_per_time
     }
 
     /// Half a turn per period for each parameter that passes through 0.

@@ -81,6 +81,6 @@ impl<R: EphemerisScalar> EphemerisView<R> {
             off.principal()
         };
         let at_launch = argument - self.passage_angle(nutation) - tabulated - off;
-        self.clock.tip_start = (at_launch - clock.tip_turn() * clock.epoch).words();
+        self.clock.tip_start = (at_launch - clock.tip_step() * clock.epoch).words();
     }
 }

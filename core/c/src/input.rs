@@ -164,7 +164,7 @@ pub unsafe extern "C" fn toytop_impulse(
     // SAFETY: the caller guarantees valid pointers.
     unsafe {
         status_of(error, || {
-            let (top, before, impulse, point) = stroke(top, before, impulse, point)?;
+            let (top, before, impulse, point) = impulse_arguments(top, before, impulse, point)?;
             let struck = before.with_impulse(&top, impulse, point)?;
             write(after, toytop_state::of(&struck))
         })
@@ -175,7 +175,7 @@ pub unsafe extern "C" fn toytop_impulse(
 ///
 /// # Safety
 /// See [`toytop_impulse`].
-unsafe fn stroke(
+unsafe fn impulse_arguments(
     top: *const toytop_top,
     before: *const toytop_state,
     impulse: *const f64,
@@ -205,7 +205,7 @@ pub unsafe extern "C" fn toytop_reaction_impulse(
     // SAFETY: the caller guarantees valid pointers.
     unsafe {
         status_of(error, || {
-            let (top, before, impulse, point) = stroke(top, before, impulse, point)?;
+            let (top, before, impulse, point) = impulse_arguments(top, before, impulse, point)?;
             let answered = before.reaction_impulse(&top, impulse, point)?;
             write(reaction.cast(), answered)
         })
