@@ -26,7 +26,7 @@ impl Failure {
         }
     }
 
-    /// Failure with the name of its object in front.
+    /// Failure whose message begins with a name. A failure of the output has no message to change.
     pub fn with_context(self, name: &str) -> Self {
         let named = |message: String| format!("{name}: {message}");
         match self {
@@ -37,7 +37,7 @@ impl Failure {
         }
     }
 
-    /// Failure with the name of the motion in front, if a method does not apply to it.
+    /// Failure whose message begins with the motion's name, if a method does not apply to the motion.
     pub fn of_motion(self, name: &str) -> Self {
         if matches!(self, Self::Method(_)) { self.with_context(name) } else { self }
     }

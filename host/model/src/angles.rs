@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-/// Tilt in rad from degrees. 180, and no other number, becomes the π that means exactly downward.
+/// Tilt in rad from degrees. Exactly 180 becomes π, which means exactly downward, and no other number does.
 pub fn tilt(degrees: f64) -> f64 {
     if degrees < 180.0 {
         degrees.to_radians().min(PI.next_down())
@@ -13,8 +13,7 @@ pub fn tilt(degrees: f64) -> f64 {
     }
 }
 
-/// Azimuth or roll in rad from degrees. Only half of either enters a state, so that two whole turns, dropped exactly,
-/// change nothing.
+/// Azimuth or roll in rad from degrees, without multiples of two turns. They do not change a state, which contains half angles.
 pub fn angle(degrees: f64) -> f64 {
     (degrees % 720.0).to_radians()
 }

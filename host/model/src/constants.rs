@@ -101,7 +101,7 @@ static TOP_AND_START: [Constant; 20] = [
     number("m_z", "kg m^2/s", |motion| momentum(motion)[2]),
 ];
 
-/// Constants of a motion. The quadrature of the period runs once at most.
+/// Motion that computes its period once at most.
 pub struct MotionConstants {
     motion: Motion,
     advance: OnceCell<Option<PeriodAdvance>>,

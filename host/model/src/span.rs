@@ -5,8 +5,10 @@ use core::f64::consts::PI;
 use toytop::Regime;
 use toytop::scalar::Float;
 
-/// Time that a picture of a motion covers, s, by the distance of the tip from the centre at a time: a whole number of nutation periods, one
-/// turn where the tilt is constant, or the time until the tip of an aperiodic motion stays at the centre.
+/// Time that a picture of a motion covers, s: a whole number of nutation periods, one turn where the tilt is constant, or the time until
+/// the tip of an aperiodic motion stays at the centre.
+///
+/// * `tip_distance`: distance of the tip from the centre at a time, which only an aperiodic motion needs
 pub fn span(motion: &MotionConstants, tip_distance: impl Fn(f64) -> f64) -> f64 {
     if motion.regime() != Regime::Aperiodic {
         return cycle(motion) * f64::from(periods(motion).unwrap_or(1));
@@ -18,7 +20,7 @@ pub fn span(motion: &MotionConstants, tip_distance: impl Fn(f64) -> f64) -> f64 
     step * f64::from((1..4096).rev().find(is_outside).unwrap_or(0) + 1)
 }
 
-/// Time in which the axis does the same again, s: the nutation period, or a turn about the vertical where the tilt is constant. It is
+/// Time after which the axis repeats its motion, s: the nutation period, or a turn about the vertical where the tilt is constant. It is
 /// the natural time of a motion that has neither.
 pub fn cycle(motion: &MotionConstants) -> f64 {
     let turn = 2.0 * PI / Float::abs(motion.phi_per_period()) * motion.period();

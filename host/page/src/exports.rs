@@ -42,8 +42,8 @@ pub fn launch_names() -> impl Iterator<Item = &'static str> {
     constants().map(|(name, _)| name).chain(["error", "error_growth", "span"])
 }
 
-/// Shows a motion of this kind: 0 release, 1 state, 2 branch points. The array holds the numbers of the top, then of the motion. After a
-/// refusal no motion is shown.
+/// Sets the motion by its kind: 0 release, 1 state, 2 branch points. The array holds the numbers of the top, then of the motion. After a
+/// refusal there is no motion.
 ///
 /// The result is the length of the words. It is positive if all is well: the words are regime and class of the tip curve,
 /// and the numbers are those of [`launch_names`]. It is negative after a refusal: the words are the parameter and what is

@@ -17,7 +17,7 @@ pub enum Axis {
         high: f64,
         /// Whether values are spread evenly in the logarithm.
         log: bool,
-        /// Number of values, both ends included; `None` for all numbers, of which a random sample is drawn.
+        /// Number of values, both ends included; `None` for a continuous range.
         places: Option<u32>,
     },
 }
@@ -48,7 +48,7 @@ impl Axis {
         }
     }
 
-    /// As [`count`](Self::count), but 1 for a continuous range.
+    /// Number of values; 1 for a continuous range.
     pub fn size(&self) -> u64 {
         self.count().unwrap_or(1)
     }
@@ -58,7 +58,7 @@ impl Axis {
         matches!(self, Self::Range { log: true, .. })
     }
 
-    /// Value with this index, which is 0 for a continuous range.
+    /// Value with this index. A continuous range has the index 0, whose value is its lower end.
     pub fn at(&self, index: u64) -> f64 {
         match self {
             Self::List(numbers) => numbers.get(index as usize).copied().unwrap_or(f64::NAN),

@@ -6,7 +6,7 @@
 pub struct Random(u64);
 
 impl Random {
-    /// Stream of this number. The numbers do not depend on the thread or on the order in which threads compute.
+    /// Stream with this number. Its random numbers do not depend on threads.
     pub fn new(seed: u64, stream: u64) -> Self {
         let mut random = Self(seed);
         random.0 ^= random.bits().wrapping_add(stream.wrapping_mul(0xd1b5_4a32_d192_ed03));

@@ -11,7 +11,7 @@ type Row = Result<(u64, StringRecord), String>;
 /// Names of the columns of a CSV text without their units, and its rows, each with its line. A # begins a comment.
 ///
 /// # Errors
-/// Column whose unit is another one than the program's. Line of a row with another number of fields than the header.
+/// Column that the program can read, with another unit than the program's. Line of a row with another number of fields than the header.
 pub fn parse(text: &str) -> Result<(Vec<String>, impl Iterator<Item = Row>), String> {
     let mut builder = csv::ReaderBuilder::new();
     let mut reader = builder.comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
@@ -25,13 +25,13 @@ pub fn parse(text: &str) -> Result<(Vec<String>, impl Iterator<Item = Row>), Str
 fn without_unit(field: &str) -> Result<String, String> {
     let (name, unit) = field.split_once(['[', '(']).unwrap_or((field, ""));
     let (name, unit) = (name.trim(), unit.trim_end_matches([']', ')', ' ']).trim());
-    let allowed: &[&str] = match name.split('_').next().unwrap_or_default() {
+    let allowed: &[&str] = match name {
         "t" => &["s"],
-        "gyro" | "omega" | "wx" | "wy" | "wz" => &["rad/s"],
-        "accel" => &["m/s^2", "m/s²", "m/s2"],
-        "tip" => &["m"],
+        "gyro_x" | "gyro_y" | "gyro_z" | "omega_x" | "omega_y" | "omega_z" | "wx" | "wy" | "wz" => &["rad/s"],
+        "accel_x" | "accel_y" | "accel_z" => &["m/s^2", "m/s²", "m/s2"],
+        "tip_x" | "tip_y" => &["m"],
         "mark" => &["rad"],
-        "mag" => &["uT", "µT"],
+        "mag_x" | "mag_y" | "mag_z" => &["uT", "µT"],
         _ => &[unit],
     };
     if unit.is_empty() || allowed.contains(&unit) {
@@ -49,5 +49,19 @@ fn reason(error: csv::Error) -> String {
             format!("line {line}: must have {expected_len} fields, as the header; has {len}")
         }
         _ => error.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_units_of_known_columns_matter() {
+        let names = parse("t [s],tip_z [mm],accel_raw (LSB),t_wall [ms],w [1],wx [rad/s]\n").unwrap().0;
+        assert_eq!(names, ["t", "tip_z", "accel_raw", "t_wall", "w", "wx"]);
+        for column in ["t [ms]", "tip_x [mm]", "wy [deg/s]", "omega_z [deg/s]", "mag_x [nT]"] {
+            assert!(parse(column).is_err(), "{column}");
+        }
     }
 }

@@ -23,7 +23,7 @@ use toytop::{InitialAngles, Motion, Orientation, Signs, State, Top, TopParameter
 pub enum Units {
     /// SI: kg, m, s.
     Si,
-    /// No names: any consistent units, or those of the paper, with p = s = g = 1.
+    /// Any consistent units, such as those of the paper, with p = s = g = 1. They have no names.
     None,
 }
 

@@ -74,7 +74,9 @@ impl Section<'_> {
         self.failure(key, &format!("must be {}", error.allowed()))
     }
 
-    /// Refuses keys other than these and `choice`, the key that selects among the kinds of a table, with its value.
+    /// Refuses all keys except `names` and the key of `choice`.
+    ///
+    /// * `choice`: key that selects the kind of the table, with its value
     pub fn only<'a>(
         &self,
         choice: Option<(&'a str, &str)>,
@@ -84,9 +86,9 @@ impl Section<'_> {
         let Some(key) = self.table.keys().find(|key| !names.contains(&key.as_str())) else {
             return Ok(());
         };
-        let place = choice.map_or_else(String::new, |(key, value)| format!(" with {key} = {value:?}"));
+        let condition = choice.map_or_else(String::new, |(key, value)| format!(" with {key} = {value:?}"));
         let allowed = names.join(", ");
-        Err(self.failure(key, &format!("unknown or unneeded key; allowed{place}: {allowed}")))
+        Err(self.failure(key, &format!("unknown or unneeded key; allowed{condition}: {allowed}")))
     }
 
     /// Value of a key by `read`, or the default where it is missing.

@@ -96,7 +96,7 @@ impl Times {
         let listed: Option<Vec<i64>> = numbers(if range { ".." } else { "," });
         let ticks = match listed.as_deref() {
             Some([first, last]) if range && first <= last => {
-                require_count(last.abs_diff(*first)).map_err(|reason| refused(&reason))?;
+                require_count(last.abs_diff(*first).saturating_add(1)).map_err(|reason| refused(&reason))?;
                 (*first..=*last).collect()
             }
             Some(ticks) if !range => ticks.to_vec(),
@@ -143,7 +143,8 @@ impl Times {
     }
 }
 
-/// One time in each of `count` equal parts of [0, `horizon`], s. The places in the parts are multiples of the golden section modulo 1.
+/// `count` times, one in each of as many equal parts of [0, `horizon`], s. Their fractions of the parts are multiples of the golden
+/// section modulo 1.
 pub fn spread_times(horizon: f64, count: u32) -> Vec<f64> {
     const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
     let part = horizon / f64::from(count);
@@ -154,9 +155,9 @@ fn require_count(count: u64) -> Result<(), String> {
     if count > MAX_TIMES { Err(format!("{count} times: must be at most {MAX_TIMES}")) } else { Ok(()) }
 }
 
-fn time(entry: &str, place: &str) -> Result<f64, Failure> {
+fn time(entry: &str, source: &str) -> Result<f64, Failure> {
     finite(entry).ok_or_else(|| {
-        Failure::Input(format!("{place}: {:?} must be a finite number", excerpt(entry.trim())))
+        Failure::Input(format!("{source}: {:?} must be a finite number", excerpt(entry.trim())))
     })
 }
 
@@ -192,7 +193,7 @@ mod tests {
         assert_eq!((run.seconds[0], run.seconds[4]), (-4.0 / 44100.0, 4.0 / 44100.0));
         let list = ticks("7,-99, 3").unwrap();
         assert_eq!((list.ticks[1], list.seconds[1], list.seconds.len()), (-99, -198.0 / 44100.0, 3));
-        for refused in ["", "1.5", "2..1", "1,,2", "0..99999999999999999999", "0..10000001"] {
+        for refused in ["", "1.5", "2..1", "1,,2", "0..99999999999999999999", "0..10000000"] {
             let message = ticks(refused).err().unwrap().to_string();
             assert!(message.starts_with(&format!("--ticks: {refused}: ")), "{message}");
         }

@@ -64,8 +64,8 @@ fn first_integrals(top: &Top, phi: &Orientation<f64>, omega: [f64; 3]) -> [f64; 
     Equations::new(top, &state).first_integrals(&state)
 }
 
-/// Scales of l, n and h: the greatest of the motion's own values, of the values √(2 A p g) and p g that belong to the top's weight, and
-/// of √(2 A h), the momentum of a body that has all its energy in a motion of the axis.
+/// Units of the drifts of l, n and h: max(|l|, |n|, √(2 A p g)) for l and n, max(|h|, p g) for h. Without torque, √(2 A |h|) takes the
+/// place of √(2 A p g).
 fn natural_scales(motion: &Motion) -> [f64; 3] {
     let (top, constants) = (motion.top(), motion.first_integrals());
     let weight = top.mass_moment() * top.gravity();

@@ -32,14 +32,15 @@ pub fn steps_needed(times: &[f64], step: f64) -> Result<u64, Failure> {
     Ok(steps as u64)
 }
 
-/// Results of `reach`, in the order of `times`. It is called outwards from t = 0, first forward and then backward, each from `start`.
+/// Results of `step_to` at each time, in the order of `times`. The calls go outwards from t = 0, first forward and then backward, each
+/// from `start`.
 ///
 /// # Errors
-/// The first error that `reach` returns.
+/// The first error that `step_to` returns.
 pub fn visit_times<S, T>(
     times: &[f64],
     start: impl Fn() -> S,
-    mut reach: impl FnMut(&mut S, f64) -> Result<T, Failure>,
+    mut step_to: impl FnMut(&mut S, f64) -> Result<T, Failure>,
 ) -> Result<Vec<T>, Failure> {
     let mut outwards: Vec<(usize, f64)> = times.iter().copied().enumerate().collect();
     outwards.sort_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
@@ -47,7 +48,7 @@ pub fn visit_times<S, T>(
     for backwards in [false, true] {
         let mut state = start();
         for (index, t) in outwards.iter().filter(|(_, t)| (*t < 0.0) == backwards) {
-            results.push((*index, reach(&mut state, *t)?));
+            results.push((*index, step_to(&mut state, *t)?));
         }
     }
     results.sort_by_key(|(index, _)| *index);

@@ -1,4 +1,4 @@
-//! Samples of methods that compute orientations and rates only: their tip angle is the argument of αβ, continued by the ephemeris.
+//! Tip angles of methods that compute orientations and rates only: the argument of αβ, continued by the ephemeris.
 
 use crate::Failure;
 use crate::motion::Scalar;
@@ -42,7 +42,7 @@ impl TipAngle {
         Sample { t, pose, rates, tip_angle, error_bound: None }
     }
 
-    /// Argument of αβ closest to the motion's tip angle at t, rad; the motion's tip angle itself where |αβ| is below the noise.
+    /// Argument of αβ, rad, in the turn of the ephemeris' tip angle at t. Where |αβ| is too small, it is the ephemeris' angle itself.
     fn continued(&self, t: f64, product: Complex<f64>) -> Option<f64> {
         let guide = self.ephemeris.as_ref()?.at(t).tip_angle?;
         if product.modulus() < MIN_PRODUCT {

@@ -13,7 +13,7 @@ pub struct Report {
     pub text: String,
     /// Lines for stderr.
     pub notes: Vec<String>,
-    /// Whether a stated bound was missed.
+    /// Whether the exit code is 1, although the result is printed.
     pub check_failed: bool,
 }
 

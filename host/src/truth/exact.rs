@@ -83,9 +83,9 @@ impl Exact {
     ///
     /// * `unit`: a time, such as the period, in which the body rotates by less than 10^12 rad
     pub fn rates(&self, t: &Precise, unit: f64) -> BodyRates {
-        /// Half the time between the two orientations, as a share of the unit of time. The relative error of the rates is below 1e-20.
-        const SHARE: f64 = 1.0 / (1_u128 << 80) as f64;
-        let step = from_f64(unit) * from_f64(SHARE);
+        /// Half the time between the two orientations, in units of `unit`. The relative error of the rates is below 1e-20.
+        const HALF_STEP: f64 = 1.0 / (1_u128 << 80) as f64;
+        let step = from_f64(unit) * from_f64(HALF_STEP);
         let (before, after) = (self.at(&(t - &step)), self.at(&(t + &step)));
         let per_time = |x: Precise| to_f64(&(x / &step));
         BodyRates {

@@ -68,7 +68,7 @@ impl LaunchConstants {
         let ([e1, e2], below_e3, field) = if !is_zero(&weight) {
             let energy = &u + (a * across + p * s * udot.sqr()) / &weight;
             let [e1, e2, e3] = roots(&energy, &(from_i64(1) / (a * weight)), &l, &n);
-            let below_e3 = [&e3 - &e1, e3 - &e2].map(gap);
+            let below_e3 = [&e3 - &e1, e3 - &e2].map(nonnegative);
             ([e1, e2], below_e3, [s.clone(), g.clone(), a / p])
         } else {
             // A² u'² = |m|² (u - e₁)(e₂ - u): the integrands with D = 1, e₃ - u = 1 and g = |m|²/2A²
@@ -87,7 +87,7 @@ impl LaunchConstants {
         let half_phase = if at_e1 == at_e2 {
             [from_i64(1), from_i64(0)]
         } else {
-            let [cosine, sine] = [e2 - &u, u - e1].map(|part| root(&gap(part)));
+            let [cosine, sine] = [e2 - &u, u - e1].map(|part| root(&nonnegative(part)));
             [cosine, if udot < Precise::ZERO { -sine } else { sine }]
         };
         let directions = directions(&alpha, &beta, [&w1, &w2]);
@@ -131,7 +131,7 @@ fn constants(
     [s, g, a_over_p]: [Precise; 3],
     [l_plus_n, l_minus_n]: [Precise; 2],
 ) -> Constants {
-    let [one_plus_e1, one_minus_e2, swing] = [e1 + 1, -e2 + 1, e2 - e1].map(gap);
+    let [one_plus_e1, one_minus_e2, swing] = [e1 + 1, -e2 + 1, e2 - e1].map(nonnegative);
     let momentum = |sum: Precise, gap: &Precise| if is_zero(gap) { from_i64(0) } else { sum / (a * 2) };
     let momentum_rates = [momentum(l_plus_n, &one_plus_e1), momentum(l_minus_n, &one_minus_e2)];
     let above = [one_plus_e1.clone(), one_plus_e1 + &swing];
@@ -140,7 +140,7 @@ fn constants(
 }
 
 /// Difference of two roots; 0 where it is below the error of a double root, which is known to half of the digits.
-fn gap(difference: Precise) -> Precise {
+fn nonnegative(difference: Precise) -> Precise {
     const SAME: f64 = 1e-60;
     if to_f64(&difference) < SAME { from_i64(0) } else { difference }
 }

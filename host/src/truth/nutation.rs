@@ -112,7 +112,7 @@ impl Nutation {
             let turn = if *sine < from_i64(0) { -1 } else { 1 };
             return add(&self.integrals_to(&[-cosine, -sine]), &self.total, turn);
         }
-        let (from, passed) = &self.panels[self.panel(|([x, y], _)| x * sine >= y * cosine)];
+        let (from, passed) = &self.panels[self.panel_index(|([x, y], _)| x * sine >= y * cosine)];
         // tan χ is nearly linear between half phases whose greater part is 1
         let size = cosine.clone().max(sine.clone()).max(-sine);
         add(passed, &self.constants.integrals(from, &[cosine / &size, sine / size]), 1)
@@ -128,7 +128,7 @@ impl Nutation {
         let periods = if self.is_periodic { floor } else { 0 };
         let late = time - period * periods;
         let within = late.clone().clamp(from_i64(0), period.clone());
-        let index = self.panel(|(_, passed)| passed[0] <= within).min(self.panels.len() - 2);
+        let index = self.panel_index(|(_, passed)| passed[0] <= within).min(self.panels.len() - 2);
         let [(from, passed), (to, passed_at_end)] = [&self.panels[index], &self.panels[index + 1]];
         let mut x = (&within - &passed[0]) / (&passed_at_end[0] - &passed[0]);
         let mut steps = 0;
@@ -154,8 +154,8 @@ impl Nutation {
         }
     }
 
-    /// Number of the last panel whose beginning is not beyond a half phase.
-    fn panel(&self, is_before: impl Fn(&(HalfPhase, Integrals)) -> bool) -> usize {
+    /// Index of the last panel for which the condition on its beginning holds.
+    fn panel_index(&self, is_before: impl Fn(&(HalfPhase, Integrals)) -> bool) -> usize {
         self.panels.partition_point(is_before).saturating_sub(1)
     }
 }

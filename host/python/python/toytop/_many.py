@@ -91,8 +91,10 @@ class Many:
         return Samples(_toytop.sample_many(cores, t, scalar), (self, "at", {"scalar": scalar}))
 
     def constant(self, name: str) -> NDArray[np.float64]:
-        """Constant of every motion as an array, NaN where it does not exist: e1, e2, e3, e4, l, n, h, period, alpha_turns, beta_turns,
-        phi_per_period, min_normal_force and others.
+        """Constant of every motion as an array, NaN where it does not exist.
+
+        Args:
+            name: as in `toytop constants --format json`: e1, period, min_normal_force and others.
 
         Raises:
             ValueError: there is no constant of this name; the message lists them.

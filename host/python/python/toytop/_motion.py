@@ -80,7 +80,10 @@ class Motion(Constants):
         return self._core.error_bounds(number("t", t), scalar)[0]
 
     def rate_error_bound(self, t: float = 0.0, *, scalar: _Scalar = "f64") -> float:
-        """Upper bound on the error of omega, omega_body and udot at time t, rad/s."""
+        """Upper bound on the error of omega, omega_body and udot at time t, rad/s.
+
+        For an aperiodic motion in f64, it is not derived: it is the error that the tests of the closed form allow.
+        """
         return self._core.error_bounds(number("t", t), scalar)[1]
 
     def events(

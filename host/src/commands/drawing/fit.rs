@@ -13,8 +13,8 @@ use toytop_fit::Measurement;
 /// Residual of an outlier, standard deviations.
 const OUTLIER: f64 = 3.0;
 
-/// Residuals in standard deviations: a strip for each sensor, with a dot for each sample and lines at ±3. Those at the end of the range
-/// of a sensor are left out.
+/// Residuals in standard deviations: a strip for each sensor, with a dot for each sample and lines at ±3. Saturated
+/// readings are left out.
 pub fn residuals(report: &FitReport, measurements: &[Measurement]) -> Scene {
     let found = report.residuals(measurements);
     let ends = ends_of(measurements);

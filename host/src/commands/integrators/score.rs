@@ -137,8 +137,8 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     Ok(Report::from(text).with_notes(warnings))
 }
 
-/// Methods in the order of their first files, after the order of each file is set. Files of one method over different times have no order,
-/// which a warning states.
+/// Methods by their first files. Sets the order of convergence of each file. Files of one method that end at different times get no order
+/// of convergence, and a warning states it.
 fn integrators(files: &mut [ScoredFile], warnings: &mut Vec<String>) -> Vec<Integrator> {
     let mut names: Vec<String> = Vec::new();
     for file in &*files {

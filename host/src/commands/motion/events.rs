@@ -19,7 +19,8 @@ use toytop::{Phase, Support};
 #[command(
     after_help = "tilt=X: the axis makes the angle X with the upward vertical; :up selects the times at which it rises. circle=R: the tip is at the\n\
         distance R from the centre (for a held tip R is the sine of the tilt). tip-angle=X: the tip angle is X, whole turns aside. lift-off: the\n\
-        normal force is 0; :up selects the times at which a real top leaves the plane.\n\n\
+        normal force is 0; :up selects the times at which a real top leaves the plane. The search ends after 10000 events in succession that\n\
+        :up or :down leaves out.\n\n\
         Example: toytop events host/scenarios/figure_3_loops.toml --kind turning,tilt=40:up,tip-angle=90 --count 20\n         \
         toytop events host/scenarios/toy_top.toml --kind tilt=22 --from 1e6 --format json"
 )]

@@ -77,9 +77,9 @@ pub struct BudgetArgs {
 
 /// File of the limits.
 const LIMITS: &str = "firmware-examples/budgets.toml";
-/// Only chip on which the fit of a launch is measured: its trace is long.
+/// Chip that the fit of a launch is measured on. It is the only one, because the trace is long.
 const FITTING_CHIP: &str = "m4f";
-/// Calls whose flash is the difference of two programs, with and without a launch, a table and a tick.
+/// Calls whose flash is that of the program `flash` without that of `empty`: a launch, a table and a tick.
 const SET_UPS: [&str; 5] = ["launch", "new", "slices", "launch_slow", "launch_falling"];
 
 pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {

@@ -58,8 +58,11 @@ const PROPAGATORS: [(Method, Scalar, &str); 6] = [
 /// Samples in a period.
 const SAMPLES: u32 = 64;
 
+/// Name of an error in the records, and its value.
+type ErrorColumn = (&'static str, fn(&Errors) -> f64);
+
 /// Names of the errors, with their values.
-const ERRORS: [(&str, fn(&Errors) -> f64); 6] = [
+const ERRORS: [ErrorColumn; 6] = [
     ("max_orientation_error_rad", |errors| errors.orientation),
     ("max_u_error", |errors| errors.u),
     ("max_tip_error_per_s", |errors| errors.tip),

@@ -46,7 +46,7 @@ pub enum Condition {
     TipAngle(Phase),
 }
 
-/// Events that count.
+/// Condition on the events to find.
 #[derive(Clone, Copy)]
 pub struct EventFilter {
     /// Time of the earliest event.
@@ -68,7 +68,7 @@ impl EventFilter {
 pub struct FoundEvent {
     /// Time in the motion's unit.
     pub t: f64,
-    /// Whether u rises there, or the tip angle; at a turning point, whether u = e₂.
+    /// Whether u increases there, or the tip angle. At a turning point: whether u = e₂.
     pub upward: bool,
     /// Upper bound on the error of the time: the bound of u or of the tip angle, divided by its rate. `None` for a turning point, and where
     /// the rate is 0.
@@ -118,7 +118,7 @@ pub fn search(
     Ok(events)
 }
 
-/// Greatest number of consecutive events of another sense.
+/// Number of consecutive events refused by the filter after which the search ends.
 const MOST_UNWANTED: u32 = 10_000;
 
 /// First events of a table at which a condition holds; `sample` is that of an event and its time.

@@ -32,7 +32,7 @@ fn capacities_of(scalar: Scalar) -> Vec<u32> {
     capacities
 }
 
-/// Table of a motion in a scalar with ticks of this length, whose truncation error is within the rounding of the scalar.
+/// Table of a motion. Its truncation error is within the rounding of the scalar.
 ///
 /// * `segments`: capacity; without it, the default or the next one that is enough
 ///

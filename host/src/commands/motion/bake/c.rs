@@ -121,8 +121,7 @@ fn decimal(x: f64) -> String {
     format!("{x:.16e}")
 }
 
-/// Scalars in the order of their code. Each but the last needs the code of those before it: fixed point uses the integers of f32, and
-/// 16 bits the vectors of 32 bits.
+/// Scalars in the order of their code. q31 needs the code of f32, and q15 that of both.
 const SCALARS: [Scalar; 4] = [Scalar::F32, Scalar::Q31, Scalar::Q15, Scalar::F64];
 
 /// Code that evaluates a table of this scalar: the phases, and the scalars that it needs. Each part is compiled once.

@@ -30,7 +30,7 @@ pub fn corpus(chip: &Chip, elf: &Path, budgets: &Budgets) -> Result<Vec<Value>, 
     let cycles = |instructions: u64| Some((ratio? * instructions as f64).round() as u64);
     let row = |([scalar, result], (mut launches, slice)): ([&str; 2], (Vec<u64>, u64))| {
         launches.sort_unstable();
-        let launch = |place: usize| launches.get(place).copied().unwrap_or_default();
+        let launch = |index: usize| launches.get(index).copied().unwrap_or_default();
         let [median, greatest] = [launch(launches.len() / 2), launch(launches.len() - 1)];
         json!({
             "chip": chip.name,

@@ -93,10 +93,10 @@ impl<'a> Image<'a> {
     }
 
     /// Function that contains an address.
-    fn function_at(&self, place: u64) -> Option<&(u64, String, u64)> {
-        let after = self.functions.partition_point(|(address, ..)| *address <= place);
+    fn function_at(&self, address: u64) -> Option<&(u64, String, u64)> {
+        let after = self.functions.partition_point(|(start, ..)| *start <= address);
         let function = self.functions.get(after.checked_sub(1)?);
-        function.filter(|(address, _, size)| place < address + size)
+        function.filter(|(start, _, size)| address < start + size)
     }
 
     /// Code of a block.

@@ -61,7 +61,7 @@ pub fn run(
     Ok(text)
 }
 
-/// Reader of the log, line by line.
+/// State of the reader of QEMU's log.
 #[derive(Default)]
 struct Reader {
     /// Blocks that were translated and not yet executed, by start address.
@@ -126,17 +126,18 @@ impl Reader {
     /// translation, and the second number in brackets is the program counter.
     fn begun(&mut self, line: &str) -> Option<Block> {
         let (_, rest) = line.split_once("0x")?;
-        let (place, rest) = rest.split_once(' ')?;
-        let [place, pc] = [place, rest.split('/').nth(1)?].map(|text| u64::from_str_radix(text, 16));
-        let (place, pc) = (place.ok()?, pc.ok()?);
+        let (translation, rest) = rest.split_once(' ')?;
+        let [translation, pc] =
+            [translation, rest.split('/').nth(1)?].map(|text| u64::from_str_radix(text, 16));
+        let (translation, pc) = (translation.ok()?, pc.ok()?);
         let listed = std::mem::take(&mut self.listed);
         if listed.count > 0 {
             self.fresh.insert(listed.start, listed);
         }
         if let Some(block) = self.fresh.remove(&pc) {
-            self.translated.insert(place, block);
+            self.translated.insert(translation, block);
         }
-        self.translated.get(&place).filter(|block| block.start == pc).copied()
+        self.translated.get(&translation).filter(|block| block.start == pc).copied()
     }
 }
 

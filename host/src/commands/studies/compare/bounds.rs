@@ -5,8 +5,8 @@ use crate::motion::Scalar;
 use crate::motion::propagate::period_or_natural_time;
 use toytop::{Motion, Regime};
 
-/// Bounds of a built-in motion over ten periods in place of those of any motion, rad: of the full solver, and of the stepper in f32. In f64
-/// the bound of the full solver is the larger one. The measured errors are 1.7e-11 and 5e-6 for the first motion, 4.1e-9 and 1.6e-5 for
+/// Bounds of a built-in motion over ten periods, rad: of the full solver, and of the stepper in f32. They replace those of any motion.
+/// In f64 the bound of the full solver is the larger one. The measured errors are 1.7e-11 and 5e-6 for the first motion, 4.1e-9 and 1.6e-5 for
 /// the second.
 pub fn own_bounds(name: &str) -> Option<[f64; 2]> {
     match name {
