@@ -185,7 +185,8 @@ fn runge_kutta(meter: &mut Meter, measured: &Measured, motion: &Motion, truth: &
 /// Measures sines of angles within one turn, because the baselines take longer for large angles.
 fn sines(meter: &mut Meter) {
     // computed before, so that their stack is not measured
-    let turns: [Phase; CALLS] = black_box(core::array::from_fn(|call| Phase::from_turns(call as f64 * 0.119)));
+    let turns: [Phase; CALLS] =
+        black_box(core::array::from_fn(|call| Phase::from_turns(call as f64 * 0.119)));
     let angles: [f64; CALLS] = black_box(core::array::from_fn(|call| call as f64 * 0.75));
     let single = black_box(angles.map(|angle| angle as f32));
     let (mut pair, mut wide) = ([0.0; 2], [0.0; 2]);

@@ -9,9 +9,9 @@ use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use std::sync::Arc;
 use toytop::{Motion, Orientation};
+use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::ephemeris::DynEphemeris;
 use toytop_host::motion::sample::Sample;
-use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::tip_angle::TipAngle;
 use toytop_model::equations::BodyRates;
 
