@@ -73,8 +73,9 @@ impl SweepColumn {
             (Self::Constant(Constant { name: "regime", .. }), None) => vec!["refused".into()],
             (Self::Sample(column), Some(motion)) => match motion.f64_table() {
                 Some(table) => {
-                    let numbers = motion.times.iter().flat_map(|t| column.numbers_of(&table.at(*t)));
-                    numbers.map(Value::from).collect()
+                    let mut numbers = vec![f64::NAN; column.names().1.len() * motion.times.len()];
+                    table.fill(column, &motion.times, &mut numbers);
+                    numbers.into_iter().map(Value::from).collect()
                 }
                 None => vec![Value::Null; self.names(times).len()],
             },
