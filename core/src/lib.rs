@@ -64,7 +64,7 @@ pub use stepper::Stepper;
 pub use su2::{AttitudeState, Orientation};
 pub use table::{
     Baked, BakedError, Clock, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory,
-    EphemerisScalar, EphemerisView, ErrorBound, Pose, Sample, SetUp, SetUpError, Tick,
+    EphemerisScalar, EphemerisView, ErrorBound, Pose, Sample, SetUpError, Tick, Workspace,
 };
 #[cfg(feature = "fixed")]
 pub use table::{EphemerisQ15, EphemerisQ31};

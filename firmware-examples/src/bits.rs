@@ -8,8 +8,8 @@ use toytop::fixed::types::{I2F14, I2F30};
 use toytop::scalar::Real;
 use toytop::{
     BranchPoints, Complex, Ephemeris, EphemerisMemory, EphemerisScalar, FirstIntegrals, InitialAngles,
-    Motion, Orientation, ParameterError, PeriodAdvance, Pose, Release, Sample, SetUp, Sign, Signs, State,
-    Stepper, Tick, Top, TopParameters,
+    Motion, Orientation, ParameterError, PeriodAdvance, Pose, Release, Sample, Sign, Signs, State, Stepper,
+    Tick, Top, TopParameters, Workspace,
 };
 
 /// Steps of each motion.
@@ -17,12 +17,12 @@ const TICKS: usize = 2000;
 
 /// Calls `report` with the name of a motion, the name of a stage, and the hash of the results of the stage.
 ///
-/// * `set_up`: memory of the set-ups, for an error of any size, because the tables are small enough for 16 KiB of RAM
+/// * `workspace`: that of the set-ups, for an error of any size, because the tables are small enough for 16 KiB of RAM
 ///
 /// # Errors
 /// None: the motions are valid.
 pub fn of_every_stage(
-    set_up: &mut SetUp,
+    workspace: &mut Workspace,
     mut report: impl FnMut(&str, &str, u64),
 ) -> Result<(), ParameterError> {
     // one motion at a time, because the stack of the smallest chip is short
@@ -48,10 +48,10 @@ pub fn of_every_stage(
         report(name, "stepper_f64_tip", tip.0);
         report(name, "stepper_f64_omega", omega.0);
         for (names, hashes) in [
-            (["ephemeris_f32", "cursor_f32"], table::<f32, 25>(set_up, &motion)),
-            (["ephemeris_f64", "cursor_f64"], table::<f64, 8>(set_up, &motion)),
-            (["ephemeris_q31", "cursor_q31"], table::<I2F30, 32>(set_up, &motion)),
-            (["ephemeris_q15", "cursor_q15"], table::<I2F14, 16>(set_up, &motion)),
+            (["ephemeris_f32", "cursor_f32"], table::<f32, 25>(workspace, &motion)),
+            (["ephemeris_f64", "cursor_f64"], table::<f64, 8>(workspace, &motion)),
+            (["ephemeris_q31", "cursor_q31"], table::<I2F30, 32>(workspace, &motion)),
+            (["ephemeris_q15", "cursor_q15"], table::<I2F14, 16>(workspace, &motion)),
         ] {
             names.into_iter().zip(hashes).for_each(|(stage, hash)| report(name, stage, hash.0));
         }
@@ -115,12 +115,12 @@ fn ticks<R: Real + Into<f64>>(motion: &Motion, dt: f64) -> [Hash; 3] {
 /// Hashes of orientation, tip and ω of samples at distant ticks, and of orientation and tip at consecutive ticks.
 #[inline(never)] // one table at a time, too
 fn table<R: EphemerisScalar<Quantity: Into<f64>> + Into<f64>, const SEGMENTS: usize>(
-    set_up: &mut SetUp,
+    workspace: &mut Workspace,
     motion: &Motion,
 ) -> [Hash; 2] {
     let mut hashes = [Hash::default(); 2];
     let mut memory = EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new();
-    let table = Tick::hertz(1000).map(|tick| memory.set_up(set_up, motion, tick, 0, &mut || {}));
+    let table = Tick::hertz(1000).map(|tick| memory.set_up(workspace, motion, tick, 0, &mut || {}));
     let Ok(Ok(ephemeris)) = table else { return hashes };
     let with_sample = |hash: Hash, sample: Sample<'_, R>| {
         let Pose { orientation: Orientation { alpha, beta }, u, tip } = sample.pose();

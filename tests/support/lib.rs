@@ -11,7 +11,7 @@ pub mod vectors;
 use std::ops::Deref;
 use toytop::{
     Complex, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, InitialAngles, Motion, Orientation,
-    Release, SetUp, SetUpError, Sign, Signs, State, Tick, Top, TopParameters,
+    Release, SetUpError, Sign, Signs, State, Tick, Top, TopParameters, Workspace,
 };
 
 /// Larger of two errors. NaN counts as larger than any number, so that it cannot pass a bound; `f64::max` would drop
@@ -166,7 +166,7 @@ pub fn table_from_epoch<R: EphemerisScalar, const SEGMENTS: usize>(
     epoch: i64,
 ) -> Result<Table<R, SEGMENTS>, SetUpError> {
     let mut memory = Box::new(EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new());
-    memory.set_up(&mut SetUp::new(), motion, tick, epoch, &mut || {})?;
+    memory.set_up(&mut Workspace::new(), motion, tick, epoch, &mut || {})?;
     Ok(Table(memory))
 }
 

@@ -5,7 +5,7 @@ use crate::motion::toytop_motion;
 use crate::status::{Refusal, toytop_status};
 use crate::table::{CScalar, Memory, TOYTOP_EPHEMERIS_ALIGNMENT, toytop_tick};
 use core::ffi::c_void;
-use toytop::{EphemerisView, Motion, ParameterError, SetUp, Tick};
+use toytop::{EphemerisView, Motion, ParameterError, Tick, Workspace};
 
 /// Bytes of the memory of a set-up.
 pub const TOYTOP_SET_UP_SIZE: usize = 4152;
@@ -23,7 +23,8 @@ pub type toytop_pause = Option<unsafe extern "C" fn(context: *mut c_void)>;
 // cbindgen accepts only a number as a length
 const _: () = assert!(
     size_of::<toytop_set_up>() == TOYTOP_SET_UP_SIZE
-        && size_of::<SetUp>() + align_of::<SetUp>() - TOYTOP_EPHEMERIS_ALIGNMENT <= TOYTOP_SET_UP_SIZE
+        && size_of::<Workspace>() + align_of::<Workspace>() - TOYTOP_EPHEMERIS_ALIGNMENT
+            <= TOYTOP_SET_UP_SIZE
 );
 
 /// Truncation error that a caller gives, rad; 0 stands for that of the scalar.
@@ -69,14 +70,14 @@ pub(crate) unsafe fn run<R: CScalar>(
     }
     // a computer may align the numbers of a set-up to more bytes, for which there is room
     let words = set_up.cast::<u8>();
-    let set_up = words.wrapping_add(words.align_offset(align_of::<SetUp>())).cast::<SetUp>();
+    let set_up = words.wrapping_add(words.align_offset(align_of::<Workspace>())).cast::<Workspace>();
     // SAFETY: the caller guarantees a valid pointer.
     let motion: Motion = unsafe { load(launched.motion)? };
     let tick = Tick::ratio(launched.tick.ticks, launched.tick.seconds)?;
     let truncation = truncation_or_default::<R>(launched.truncation)?;
     // SAFETY: the pointer is neither null nor unaligned, and the memory is large enough.
     let set_up = unsafe {
-        set_up.write(SetUp::with_truncation(truncation));
+        set_up.write(Workspace::with_truncation(truncation));
         &mut *set_up
     };
     let mut call = || {

@@ -1,20 +1,20 @@
 //! Build of a table: from the equations of a motion to the polynomials of half a period. A set-up goes from file to file:
 //!
 //! ```text
-//! ephemeris.rs     set_up: a motion, a memory             -> a table
+//! set_up.rs        set_up: a motion, a memory             -> a table
 //!   limits.rs        allowed error, capacity              -> limits of its parts
-//!   set_up.rs      begin
+//!   workspace.rs   begin
 //!     mean_rates.rs  motion/period                        -> mean rates of the phases, and their errors
 //!     path.rs        turning point u = e₁                 -> first span
-//!   set_up.rs      build: for each span of half a period
+//!   workspace.rs   build: for each span of half a period
 //!     path.rs        phases at the centre                 -> origin of the expansion
 //!       expansion.rs   recurrence.rs, series.rs           -> power series of the phases
 //!       expansion/cayley_klein.rs                         -> power series of a and b
 //!     polynomial.rs  series                               -> polynomials of a and b
 //!     launch_place.rs  phase of the launch                -> nutation phase at t = 0
 //!     segmentation.rs  polynomials                        -> segments, and cells that refer to them
-//!       ephemeris.rs     polynomial of a segment          -> stored coefficients
-//!   ephemeris.rs   finish: rates, launch                  -> clock
+//!       set_up.rs        polynomial of a segment          -> stored coefficients
+//!   set_up.rs      finish: rates, launch                  -> clock
 //!     bound.rs       errors of all parts                  -> error bounds
 //! ```
 //!
@@ -41,14 +41,14 @@ mod launch_place;
 
 mod segmentation;
 
-mod set_up;
+mod workspace;
 
 mod bound;
 
-mod ephemeris;
+mod set_up;
 
-pub use ephemeris::SetUpError;
-pub use set_up::SetUp;
+pub use set_up::SetUpError;
+pub use workspace::Workspace;
 
 #[cfg(test)]
 mod tests {

@@ -4,8 +4,8 @@ use fixed::types::{I2F14, I2F30};
 use toytop::scalar::{Real, Ring};
 use toytop::{
     Complex, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisQ15, EphemerisQ31,
-    EphemerisScalar, EphemerisView, Motion, Orientation, ParameterError, Pose, Release, Sample, SetUp, State,
-    Stepper, Tick, Top, TopParameters,
+    EphemerisScalar, EphemerisView, Motion, Orientation, ParameterError, Pose, Release, Sample, State,
+    Stepper, Tick, Top, TopParameters, Workspace,
 };
 
 /// Number of ticks per second.
@@ -74,21 +74,21 @@ pub(crate) type Memory<const SEGMENTS: usize> = EphemerisMemory<Ephemeris<f32, S
 #[inline(never)]
 fn set_up(
     memory: &mut EphemerisMemory<EphemerisView<f32>>,
-    set_up: &mut SetUp,
+    workspace: &mut Workspace,
     top: &Top,
     state: &State,
 ) -> bool {
     let Ok(tick) = Tick::hertz(TICK_RATE) else { return false };
     let motion = Motion::launch(top, state);
     let Ok(motion) = &motion else { return false };
-    memory.set_up(set_up, motion, tick, 0, &mut || {}).is_ok()
+    memory.set_up(workspace, motion, tick, 0, &mut || {}).is_ok()
 }
 
 /// Set-up with its own memory on the stack.
 #[inline(never)]
 fn on_stack(memory: &mut EphemerisMemory<EphemerisView<f32>>, measured: &Measured) -> bool {
     let (Ok(top), Ok(state)) = (measured.top(), measured.state()) else { return false };
-    set_up(memory, &mut SetUp::new(), &top, &state)
+    set_up(memory, &mut Workspace::new(), &top, &state)
 }
 
 /// Set-up from measured numbers to a complete table, once per launch.
@@ -126,11 +126,11 @@ pub(crate) extern "C" fn bench_launch_falling(memory: &mut Memory<128>, measured
 #[inline(never)]
 #[unsafe(no_mangle)]
 pub(crate) extern "C" fn bench_slices(
-    scratch: &mut SetUp,
+    workspace: &mut Workspace,
     memory: &mut Memory<25>,
     (top, state): &(Top, State),
 ) -> bool {
-    set_up(memory, scratch, top, state)
+    set_up(memory, workspace, top, state)
 }
 
 /// Cursor with its table, as an interrupt keeps them.

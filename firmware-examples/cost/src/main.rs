@@ -24,7 +24,7 @@ use measure::Meter;
 use semihosting::process;
 use toytop::scalar::{Float, Real};
 use toytop::{
-    EphemerisF32, EphemerisF64, EphemerisQ15, EphemerisQ31, Motion, Orientation, Phase, Pose, SetUp, Tick,
+    EphemerisF32, EphemerisF64, EphemerisQ15, EphemerisQ31, Motion, Orientation, Phase, Pose, Tick, Workspace,
 };
 
 use start::entry;
@@ -83,10 +83,10 @@ fn other_launches(meter: &mut Meter) {
 fn in_slices(meter: &mut Meter, measured: &Measured) {
     let top = measured.top().expect("a possible top");
     let input = (top, measured.state().expect("a possible state"));
-    let (mut set_up, mut table) = (SetUp::new(), Memory::<25>::new());
-    let ram = size_of_val(&set_up) + size_of_val(&table);
+    let (mut workspace, mut table) = (Workspace::new(), Memory::<25>::new());
+    let ram = size_of_val(&workspace) + size_of_val(&table);
     meter.measure("bench_slices", ram, 1, |_| {
-        assert!(calls::bench_slices(&mut set_up, &mut table, black_box(&input)), "the motion fits");
+        assert!(calls::bench_slices(&mut workspace, &mut table, black_box(&input)), "the motion fits");
     });
 }
 

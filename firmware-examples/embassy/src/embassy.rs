@@ -8,7 +8,7 @@ use cortex_m_rt::exception;
 use embassy_executor::Spawner;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::signal::Signal;
-use toytop::{EphemerisF32, EphemerisMemory, EphemerisView, Event, SetUp, Tick};
+use toytop::{EphemerisF32, EphemerisMemory, EphemerisView, Event, Tick, Workspace};
 use toytop_firmware::{exit, start_systick, toy_top};
 
 /// Clock of the processor, Hz. The emulated board has 25 MHz.
@@ -23,9 +23,9 @@ static TURN: Signal<CriticalSectionRawMutex, Event> = Signal::new();
 async fn main(spawner: Spawner) {
     let motion = toy_top().expect("a possible top");
     let memory = singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
-    let set_up = singleton!(: SetUp = SetUp::new()).expect("taken once");
+    let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
-    let ephemeris = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+    let ephemeris = memory.set_up(workspace, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
     spawner.spawn(log_turns(ephemeris).expect("spawned once"));
 
     start_systick(CLOCK, TICK_RATE);

@@ -6,7 +6,7 @@
 #[rtic::app(device = lm3s6965, peripherals = false)]
 mod app {
     use cortex_m::{asm, singleton};
-    use toytop::{Cursor, EphemerisF32, EphemerisMemory, EphemerisView, SetUp, Tick};
+    use toytop::{Cursor, EphemerisF32, EphemerisMemory, EphemerisView, Tick, Workspace};
     use toytop_firmware::{exit, run_systick, toy_top};
 
     /// Clock of the processor, Hz. The emulated board has 25 MHz.
@@ -31,9 +31,9 @@ mod app {
         let motion = toy_top().expect("a possible top");
         let memory =
             singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
-        let set_up = singleton!(: SetUp = SetUp::new()).expect("taken once");
+        let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
         let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
-        let table = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+        let table = memory.set_up(workspace, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
         run_systick(context.core.SYST, CLOCK, TICK_RATE);
         (Shared { now: (0, [0.0; 3]) }, Local { table, cursor: table.cursor(1) })
     }

@@ -2,7 +2,7 @@
 
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
-use toytop::SetUp;
+use toytop::Workspace;
 use toytop_firmware::bits;
 
 #[cfg(target_os = "none")]
@@ -11,18 +11,19 @@ fn start() -> ! {
     use core::cell::RefCell;
     use critical_section::Mutex;
     // a static, because the stack of the smallest chip is short
-    static SET_UP: Mutex<RefCell<SetUp>> = Mutex::new(RefCell::new(SetUp::with_truncation(f64::MAX)));
-    critical_section::with(|section| report(&mut SET_UP.borrow_ref_mut(section)));
+    static WORKSPACE: Mutex<RefCell<Workspace>> =
+        Mutex::new(RefCell::new(Workspace::with_truncation(f64::MAX)));
+    critical_section::with(|section| report(&mut WORKSPACE.borrow_ref_mut(section)));
     toytop_firmware::exit()
 }
 
 #[cfg(not(target_os = "none"))]
 fn main() {
-    report(&mut SetUp::with_truncation(f64::MAX));
+    report(&mut Workspace::with_truncation(f64::MAX));
 }
 
-fn report(set_up: &mut SetUp) {
-    bits::of_every_stage(set_up, |motion, stage, hash| {
+fn report(workspace: &mut Workspace) {
+    bits::of_every_stage(workspace, |motion, stage, hash| {
         #[cfg(target_os = "none")]
         defmt::println!("{=str} {=str} {=u64:016x}", motion, stage, hash);
         #[cfg(not(target_os = "none"))]

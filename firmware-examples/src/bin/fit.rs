@@ -12,7 +12,7 @@ use core::cell::RefCell;
 use cortex_m::{asm, singleton};
 use cortex_m_rt::exception;
 use critical_section::Mutex;
-use toytop::{Cursor, EphemerisF32, EphemerisMemory, EphemerisView, SetUp, Tick};
+use toytop::{Cursor, EphemerisF32, EphemerisMemory, EphemerisView, Tick, Workspace};
 use toytop_firmware::{entry, exit, imu, start_systick, toy_top};
 use toytop_fit::{Fit, Sensor};
 
@@ -56,9 +56,9 @@ fn main() -> ! {
 
     let motion = fitted.motion(&top).expect("a possible launch");
     let memory = singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
-    let set_up = singleton!(: SetUp = SetUp::new()).expect("taken once");
+    let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
     let tick = Tick::hertz(imu::SAMPLE_RATE).expect("a positive rate");
-    let table = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+    let table = memory.set_up(workspace, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
     let follower = Follower { table, cursor: table.cursor(0), tick: 0 };
     critical_section::with(|cs| FOLLOWER.replace(cs, Some(follower)));
     start_systick(CLOCK, imu::SAMPLE_RATE);

@@ -15,7 +15,7 @@ use critical_section::Mutex;
 use heapless::spsc::{Consumer, Producer, Queue};
 use toytop::{
     AttitudeState, Cursor, EphemerisF32, EphemerisMemory, EphemerisView, Motion, Orientation, ParameterError,
-    SetUp, State, Stepper, Tick, Top,
+    State, Stepper, Tick, Top, Workspace,
 };
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
@@ -136,10 +136,10 @@ fn main() -> ! {
     let (used, mut spare) = singleton!(: Queue<Owned, 2> = Queue::new()).expect("taken once").split();
     let (log, mut logged) = singleton!(: Queue<TakeOver, 4> = Queue::new()).expect("taken once").split();
 
-    let scratch = singleton!(: SetUp = SetUp::new()).expect("taken once");
+    let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
 
     let memory: Owned = first;
-    let top = launch(scratch, memory).expect("a possible launch");
+    let top = launch(workspace, memory).expect("a possible launch");
     let mut second: Option<Owned> = Some(second);
     let cursor = set_up(memory).cursor(1);
     let source = Source { memory, cursor, stepper: None, kicks, bridges, fresh, used, log };
@@ -149,7 +149,7 @@ fn main() -> ! {
     for kick in KICKS {
         let Kick { tick: at, state } = wait(&mut kicks_taken);
         let memory = second.take().unwrap_or_else(|| wait(&mut spare));
-        relaunch(&top, &state, at, scratch, memory, |stepper| {
+        relaunch(&top, &state, at, workspace, memory, |stepper| {
             assert!(bridge.enqueue((at, stepper)).is_ok(), "the last one is taken");
         })
         .expect("a possible kick");
@@ -187,10 +187,10 @@ fn wait<T>(queue: &mut Consumer<'static, T>) -> T {
 
 /// Sets up the table of the first launch, and returns its top.
 #[inline(never)] // its motion does not remain on the stack
-fn launch(scratch: &mut SetUp, memory: &mut Memory) -> Result<Top, ParameterError> {
+fn launch(workspace: &mut Workspace, memory: &mut Memory) -> Result<Top, ParameterError> {
     let launched = toy_top(); // by reference from here on: a motion is large
     let motion = launched.as_ref().map_err(|error| *error)?;
-    memory.set_up(scratch, motion, Tick::hertz(TICK_RATE)?, 0, &mut || {}).expect("an ordinary motion");
+    memory.set_up(workspace, motion, Tick::hertz(TICK_RATE)?, 0, &mut || {}).expect("an ordinary motion");
     Ok(*motion.top())
 }
 
@@ -200,13 +200,13 @@ fn relaunch(
     top: &Top,
     before: &AttitudeState<f32>,
     at: i64,
-    scratch: &mut SetUp,
+    workspace: &mut Workspace,
     memory: &mut Memory,
     bridge: impl FnOnce(Stepper<f32>),
 ) -> Result<(), ParameterError> {
     let launched = Motion::launch(top, &State::from_attitude(before)?.with_impulse(top, IMPULSE, POINT)?);
     let motion = launched.as_ref().map_err(|error| *error)?;
     bridge(Stepper::new(motion));
-    memory.set_up(scratch, motion, Tick::hertz(TICK_RATE)?, at, &mut || {}).expect("an ordinary motion");
+    memory.set_up(workspace, motion, Tick::hertz(TICK_RATE)?, at, &mut || {}).expect("an ordinary motion");
     Ok(())
 }

@@ -11,7 +11,7 @@ use cortex_m_rt::exception;
 use critical_section::Mutex;
 use toytop::{
     Complex, EphemerisF32, EphemerisMemory, EphemerisView, Motion, Orientation, ParameterError, Pose,
-    Release, SetUp, State, Tick, Top, TopParameters,
+    Release, State, Tick, Top, TopParameters, Workspace,
 };
 use toytop_firmware::{entry, exit};
 
@@ -40,8 +40,8 @@ fn main() -> ! {
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
     // The table of 2 KiB is set up in static memory, not on the stack.
     let memory = singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
-    let set_up = singleton!(: SetUp = SetUp::new()).expect("taken once");
-    let ephemeris = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+    let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
+    let ephemeris = memory.set_up(workspace, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
     critical_section::with(|cs| EPHEMERIS.borrow(cs).set(Some(ephemeris)));
 
     let mut systick = Peripherals::take().expect("taken once").SYST;

@@ -5,7 +5,7 @@
 
 use cortex_m::peripheral::SCB;
 use cortex_m::{asm, interrupt, singleton};
-use toytop::{EphemerisF64, EphemerisMemory, EphemerisView, SetUp, Tick};
+use toytop::{EphemerisF64, EphemerisMemory, EphemerisView, Tick, Workspace};
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
 /// Clock of the processor, Hz. The emulated board has 25 MHz.
@@ -17,9 +17,9 @@ const TICK_RATE: u32 = 1000;
 fn main() -> ! {
     let motion = toy_top().expect("a possible top");
     let memory = singleton!(: EphemerisMemory<EphemerisF64> = EphemerisMemory::new()).expect("taken once");
-    let set_up = singleton!(: SetUp = SetUp::new()).expect("taken once");
+    let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
-    let ephemeris = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+    let ephemeris = memory.set_up(workspace, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
     defmt::info!("at tick n within {=f64} rad + n * {=f64}", bound(ephemeris)[0], bound(ephemeris)[1]);
 
     start_systick(CLOCK, TICK_RATE);

@@ -5,7 +5,7 @@
 
 use riscv::asm::wfi;
 use riscv::register::mie;
-use toytop::{EphemerisF32, EphemerisMemory, Pose, SetUp, Tick};
+use toytop::{EphemerisF32, EphemerisMemory, Pose, Tick, Workspace};
 use toytop_firmware::{entry, exit, toy_top};
 
 /// Frequency of the timer of QEMU's "virt" machine, Hz.
@@ -23,8 +23,8 @@ fn main() -> ! {
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
     let memory =
         riscv::singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
-    let set_up = riscv::singleton!(: SetUp = SetUp::new()).expect("taken once");
-    let ephemeris = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+    let workspace = riscv::singleton!(: Workspace = Workspace::new()).expect("taken once");
+    let ephemeris = memory.set_up(workspace, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
 
     // An interrupt that is masked (mstatus.MIE is off) still ends the sleep.
     // SAFETY: no handler can run, so none can see incomplete data

@@ -2,7 +2,7 @@
 
 use toytop::{
     Complex, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Orientation, ParameterError,
-    Regime, SetUp,
+    Regime, Workspace,
 };
 use toytop_closed_forms::Aperiodic;
 use toytop_model::constants::MotionConstants;
@@ -50,7 +50,9 @@ impl Table {
             return Ok(());
         }
         let mut fits = |truncation: &f64| {
-            self.memory.set_up(&mut SetUp::with_truncation(*truncation), motion, tick, 0, &mut || {}).is_ok()
+            self.memory
+                .set_up(&mut Workspace::with_truncation(*truncation), motion, tick, 0, &mut || {})
+                .is_ok()
         };
         if TRUNCATIONS.iter().any(&mut fits) {
             return Ok(());

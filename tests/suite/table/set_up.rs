@@ -4,18 +4,18 @@ use fixed::types::{I2F14, I2F30};
 use std::sync::mpsc;
 use std::{mem, thread};
 use toytop::{
-    Ephemeris, EphemerisF32, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Release, SetUp,
-    SetUpError, State, Tick, Top,
+    Ephemeris, EphemerisF32, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Release, SetUpError,
+    State, Tick, Top, Workspace,
 };
 use toytop_tests::{TOY, kilohertz, table_if_it_fits, vectors};
 
 fn equal_the_ones_by_value<R: EphemerisScalar>() {
     const SEGMENTS: usize = 128;
-    let (mut set_up, mut memory) = (SetUp::new(), EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new());
+    let (mut workspace, mut memory) = (Workspace::new(), EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new());
     for vector in vectors::all() {
         let motion = vector.motion().unwrap();
         let mut calls = 0;
-        let table = memory.set_up(&mut set_up, &motion, kilohertz(), 0, &mut || calls += 1);
+        let table = memory.set_up(&mut workspace, &motion, kilohertz(), 0, &mut || calls += 1);
         match (table, Ephemeris::<R, SEGMENTS>::new(&motion, kilohertz())) {
             (Ok(table), Ok(by_value)) => assert!(*table == *by_value, "{}", vector.name),
             (refusal, by_value) => assert_eq!(refusal.err(), by_value.err(), "{}", vector.name),
@@ -47,7 +47,7 @@ fn a_table_too_small_is_refused() {
     assert!(Ephemeris::<f32, 16>::with_truncation(&motion, kilohertz(), 1e-4).is_ok());
     let calls = |memory: &mut EphemerisMemory<EphemerisView<f32>>| {
         let mut calls = 0;
-        let refused = memory.set_up(&mut SetUp::new(), &motion, kilohertz(), 0, &mut || calls += 1).err();
+        let refused = memory.set_up(&mut Workspace::new(), &motion, kilohertz(), 0, &mut || calls += 1).err();
         (refused, calls)
     };
     let refused = calls(&mut EphemerisMemory::<Ephemeris<f32, 16>>::new());
@@ -118,7 +118,7 @@ fn tables_are_handed_over_while_they_are_sampled() {
     type Memory = Box<EphemerisMemory<EphemerisF32>>;
     let set_up = |mut memory: Memory, name, epoch| {
         let (motion, tick) = (vectors::motion(name), Tick::hertz(16).unwrap());
-        memory.set_up(&mut SetUp::with_truncation(1e-3), &motion, tick, epoch, &mut || {}).unwrap();
+        memory.set_up(&mut Workspace::with_truncation(1e-3), &motion, tick, epoch, &mut || {}).unwrap();
         memory
     };
     let first = set_up(Memory::default(), "generic_AneC", 0);
@@ -158,12 +158,14 @@ fn memory_has_a_table_after_a_set_up() {
     let tick = kilohertz();
     let mut memory = EphemerisMemory::<Ephemeris<f64, 48>>::new();
     assert!(memory.get().is_none());
-    let mut set_up = SetUp::new();
-    assert!(memory.set_up(&mut set_up, &easy, tick, 0, &mut || {}).is_ok());
+    let mut workspace = Workspace::new();
+    assert!(memory.set_up(&mut workspace, &easy, tick, 0, &mut || {}).is_ok());
     assert!(memory.get().unwrap().error_bound().after(1e9) < 1e-12);
     for (truncation, motion) in [(1e-19, &hard), (1e-15, &rising), (f64::INFINITY, &easy), (-1.0, &easy)] {
-        assert!(memory.set_up(&mut SetUp::new(), &easy, tick, 0, &mut || {}).is_ok());
-        assert!(memory.set_up(&mut SetUp::with_truncation(truncation), motion, tick, 0, &mut || {}).is_err());
+        assert!(memory.set_up(&mut Workspace::new(), &easy, tick, 0, &mut || {}).is_ok());
+        assert!(
+            memory.set_up(&mut Workspace::with_truncation(truncation), motion, tick, 0, &mut || {}).is_err()
+        );
         assert!(memory.get().is_none());
     }
 }

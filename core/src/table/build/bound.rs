@@ -1,7 +1,7 @@
 //! Error bounds of a table, with the terms of `core/docs/error_bound.md`.
 
 use super::mean_rates::MeanRates;
-use super::set_up::SetUp;
+use super::workspace::Workspace;
 use crate::motion::Motion;
 use crate::scalar::{Extended, Float, Ring};
 use crate::table::data::ErrorBound;
@@ -10,7 +10,7 @@ use crate::table::evaluation::EvaluationErrors;
 /// One turn in rad.
 const TURN: f64 = 2.0 * core::f64::consts::PI;
 
-impl SetUp {
+impl Workspace {
     /// Error bounds of orientation and angular velocity for ticks of this length.
     pub(super) fn error_bounds(
         &self,
@@ -70,11 +70,11 @@ mod tests {
     #[test]
     fn the_rates_errors_are_in_it() {
         let motion = nutating_motion();
-        let mut set_up = SetUp::new();
-        set_up.segmentation.speeds.angular_speed = 5.0;
+        let mut workspace = Workspace::new();
+        workspace.segmentation.speeds.angular_speed = 5.0;
         let mut per_tick = |errors, rate| {
-            set_up.mean_rates = MeanRates { rates: [rate; 3], errors };
-            let [bound, _] = set_up.error_bounds(&f64::ERRORS, &motion, 0.5.into());
+            workspace.mean_rates = MeanRates { rates: [rate; 3], errors };
+            let [bound, _] = workspace.error_bounds(&f64::ERRORS, &motion, 0.5.into());
             bound.per_tick
         };
         let whole = Extended::from(2.0);

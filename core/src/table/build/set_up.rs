@@ -1,137 +1,173 @@
-//! Set-up: from a motion to the segments of its table.
+//! Set-up: from a motion to its table.
 
-use super::expansion::CayleyKleinSeries;
-use super::launch_place::LaunchPlace;
+mod clock;
+
+use core::fmt;
+
 use super::limits::Limits;
-use super::mean_rates::MeanRates;
-use super::path::{HALF_PERIOD, Path};
 use super::polynomial::Polynomial;
 use super::segmentation::{SegmentStore, Segmentation};
+use super::workspace::Workspace;
+use crate::constants::Regime;
 use crate::motion::Motion;
-use crate::motion::cayley_klein::Ellipses;
-use crate::scalar::{Extended, Float, Ring};
+use crate::table::data::cell::{Cell, LEAST_SEGMENTS};
+use crate::table::data::{Clock, Ephemeris, EphemerisMemory, EphemerisView, Tick};
+use crate::table::evaluation::{Coefficient, EphemerisScalar};
 
-/// Memory of a set-up, 4 KiB, with its truncation error.
-///
-/// A program with a small stack keeps it in a static. [`Cursor`](crate::Cursor) shows its use.
-#[derive(Debug)]
-pub struct SetUp {
-    /// Truncation error, rad; `None` for that of the scalar.
-    pub(super) truncation: Option<f64>,
-    pub(super) limits: Limits,
-    pub(super) mean_rates: MeanRates,
-    pub(super) launch: LaunchPlace,
-    path: Path,
-    series: CayleyKleinSeries,
-    polynomials: [Polynomial; 2],
-    pub(super) segmentation: Segmentation,
-    /// Orientation error that does not grow, without that of a tick, rad.
-    pub(super) error: f64,
+/// Reason why a motion has no table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum SetUpError {
+    /// The table has too few segments for the truncation error.
+    TooSmall {
+        /// Allowed truncation error, rad.
+        truncation: f64,
+        /// Number of segments; [`EphemerisView::segments_needed`](crate::EphemerisView::segments_needed) finds a sufficient one.
+        segments: u32,
+    },
+    /// The motion is aperiodic; a stepper or its closed form follows it.
+    Aperiodic,
+    /// The truncation error is not finite and positive.
+    Truncation,
 }
 
-impl Default for SetUp {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl SetUp {
-    /// Set-up with [`EphemerisScalar::TRUNCATION`](crate::EphemerisScalar::TRUNCATION). A static of it takes no flash.
-    #[must_use]
-    pub const fn new() -> Self {
-        Self {
-            truncation: None,
-            limits: Limits::ZERO,
-            mean_rates: MeanRates::ZERO,
-            launch: LaunchPlace::ZERO,
-            path: Path::ZERO,
-            series: CayleyKleinSeries::ZERO,
-            polynomials: [Polynomial::ZERO; 2],
-            segmentation: Segmentation::ZERO,
-            error: 0.0,
-        }
-    }
-
-    /// Set-up with another truncation error > 0, rad: a smaller table for a larger error.
-    #[must_use]
-    pub const fn with_truncation(truncation: f64) -> Self {
-        Self { truncation: Some(truncation), ..Self::new() }
-    }
-
-    /// Computes mean rates and all segments, from rates in numbers of this many words; `None` if the segments are too many.
-    pub(super) fn compute<const WORDS: usize>(
-        &mut self,
-        motion: &Motion,
-        store: &mut dyn SegmentStore,
-        pause: &mut dyn FnMut(),
-    ) -> Option<()> {
-        self.begin::<WORDS>(motion, pause);
-        self.build::<WORDS>(motion, store, pause)
-    }
-
-    /// Computes the equations and the mean rates, and begins at u = e₁.
-    #[inline(never)]
-    fn begin<const WORDS: usize>(&mut self, motion: &Motion, pause: &mut dyn FnMut()) {
-        let mut period = None;
-        if !motion.is_steady() {
-            self.path.equations = motion.equations();
-            pause();
-            period = motion.period::<WORDS>(&self.path.equations, pause);
-        }
-        self.mean_rates = MeanRates::new(motion, period.as_ref());
-        pause();
-        let half_period = period.as_ref().map_or(Extended::ZERO, |period| period.time.halved());
-        self.path.begin(motion, half_period, &self.mean_rates, &self.limits);
-        self.launch = LaunchPlace::new(motion);
-        self.segmentation = Segmentation::ZERO;
-    }
-
-    /// Computes all segments; `None` if they are too many.
-    #[inline(never)]
-    fn build<const WORDS: usize>(
-        &mut self,
-        motion: &Motion,
-        store: &mut dyn SegmentStore,
-        pause: &mut dyn FnMut(),
-    ) -> Option<()> {
-        let Ellipses { alpha, beta } = motion.ellipses::<f64>();
-        let ellipses = [alpha, beta].map(|ellipse| ellipse.exponentials());
-        if motion.is_steady() {
-            self.segmentation.store_constants(ellipses.map(|[plus, minus]| plus + minus), store);
-            self.error = 0.0;
-            return Some(());
-        }
-        let mut position = 0;
-        while position < HALF_PERIOD {
-            self.segmentation.enter_span(&mut self.path, position);
-            while self.expand_span::<WORDS>(&ellipses, pause).is_none() {
-                self.path.shorten_span()?;
+impl fmt::Display for SetUpError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooSmall { truncation, segments } => {
+                write!(
+                    f,
+                    "a table of {segments} segments cannot follow the motion to within {truncation:.1e} rad"
+                )
             }
-            let Self { limits, launch, path, polynomials, segmentation, .. } = self;
-            launch.search(&path.expansion, path.end.phases.chi, path.span);
-            position = segmentation.segment_span(path, polynomials, limits, store, pause)?;
+            Self::Aperiodic => f.write_str("an aperiodic motion has no table"),
+            Self::Truncation => f.write_str("truncation: must be finite and positive"),
         }
-        let Segmentation { truncation, speeds, .. } = &self.segmentation;
-        self.error = truncation + self.path.error(speeds);
-        Some(())
+    }
+}
+
+impl core::error::Error for SetUpError {}
+
+impl Workspace {
+    /// Computes the segments and stores those that fit.
+    fn tabulate<R: EphemerisScalar>(
+        &mut self,
+        motion: &Motion,
+        segments: &mut [R::Segment],
+        capacity: usize,
+        pause: &mut dyn FnMut(),
+    ) -> Result<(), SetUpError> {
+        let truncation = self.truncation.unwrap_or(R::TRUNCATION);
+        if !(truncation > 0.0 && truncation < f64::INFINITY) {
+            return Err(SetUpError::Truncation);
+        }
+        if motion.regime() == Regime::Aperiodic {
+            return Err(SetUpError::Aperiodic);
+        }
+        self.limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
+        let store = &mut Segments::<R>(segments);
+        let built = match R::PERIOD_WORDS {
+            1 => self.compute::<1>(motion, store, pause),
+            _ => self.compute::<2>(motion, store, pause),
+        };
+        built.ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
     }
 
-    /// Expands the motion on the span and computes the polynomials of a and b; `None` if they are not accurate.
-    fn expand_span<const WORDS: usize>(
-        &mut self,
-        ellipses: &[[f64; 2]; 2],
+    /// Writes the cells, the clock and the error bounds.
+    #[inline(never)]
+    fn finish<R: EphemerisScalar>(
+        &self,
+        table: &mut EphemerisView<R>,
+        motion: &Motion,
+        tick: Tick,
+        epoch: i64,
         pause: &mut dyn FnMut(),
-    ) -> Option<()> {
-        let Self { limits, path, series, polynomials, .. } = self;
-        path.expand::<WORDS>(pause)?;
-        for (index, (polynomial, ellipse)) in polynomials.iter_mut().zip(ellipses).enumerate() {
-            pause();
-            *polynomial = Polynomial::ZERO;
-            let sums = polynomial.parts.each_mut().map(|part| &mut part.coefficients);
-            let terms = series.compute(&path.expansion, index, *ellipse, limits.negligible_term(), sums)?;
-            pause();
-            polynomial.finish(terms, limits)?;
+    ) {
+        let Segmentation { cells, segments, .. } = &self.segmentation;
+        table.cells = *cells;
+        table.segments.get_mut(*segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
+        table.clock = Clock::new(motion, tick, epoch, self.mean_rates.rates, self.launch.phases);
+        pause();
+        table.start_tip_angle(motion, self.launch.phases, pause);
+        pause();
+        [table.error_bound, table.rate_error_bound] = self.error_bounds(&R::ERRORS, motion, tick.length());
+    }
+}
+
+impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
+    /// Sets up the table of a motion.
+    ///
+    /// * `epoch`: tick of the launch on a running counter
+    /// * `pause`: called at least every 50 000 cycles of a Cortex-M4F (200 000 of a Cortex-M0+)
+    ///
+    /// # Errors
+    /// [`SetUpError`]; the memory then contains no table.
+    pub fn set_up(
+        &mut self,
+        workspace: &mut Workspace,
+        motion: &Motion,
+        tick: Tick,
+        epoch: i64,
+        pause: &mut dyn FnMut(),
+    ) -> Result<&EphemerisView<R>, SetUpError> {
+        let Self { is_set_up, table } = self;
+        *is_set_up = false;
+        let capacity = table.capacity();
+        workspace.tabulate::<R>(motion, &mut table.segments, capacity, pause)?;
+        workspace.finish(table, motion, tick, epoch, pause);
+        *is_set_up = true;
+        Ok(table)
+    }
+}
+
+impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
+    /// Ephemeris of a motion launched at tick 0. In `f32` it takes 13 KiB of a Cortex-M4F's stack, [`EphemerisMemory::set_up`] 4 KiB.
+    ///
+    /// # Errors
+    /// [`SetUpError`]
+    pub fn new(motion: &Motion, tick: Tick) -> Result<Self, SetUpError> {
+        Self::with_truncation(motion, tick, R::TRUNCATION)
+    }
+
+    /// Ephemeris with a given truncation error > 0, rad: a smaller table for a larger error.
+    ///
+    /// # Errors
+    /// [`SetUpError`]
+    pub fn with_truncation(motion: &Motion, tick: Tick, truncation: f64) -> Result<Self, SetUpError> {
+        let mut memory = EphemerisMemory::<Self>::new();
+        memory.set_up(&mut Workspace::with_truncation(truncation), motion, tick, 0, &mut || {})?;
+        Ok(memory.table)
+    }
+}
+
+impl<R: EphemerisScalar> EphemerisView<R> {
+    /// Number of segments for a truncation error, rad; `None` if 4096 are too few or the motion has no table.
+    #[must_use]
+    pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
+        let mut workspace = Workspace::with_truncation(truncation);
+        workspace.tabulate::<R>(motion, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
+        Some(workspace.segmentation.segments.max(LEAST_SEGMENTS) as u32)
+    }
+}
+
+/// Segments of a table, or none of them.
+struct Segments<'a, R: EphemerisScalar>(&'a mut [R::Segment]);
+
+impl<R: EphemerisScalar> SegmentStore for Segments<'_, R> {
+    fn store(&mut self, segment: usize, index: usize, polynomial: &Polynomial) -> f32 {
+        let mut greatest = 0.0_f32;
+        for (column, part) in (2 * index..).zip(&polynomial.parts) {
+            let coefficients = part.coefficients.get(..R::TERMS).unwrap_or(&part.coefficients);
+            let rows = self.0.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
+            for (power, (row, &value)) in rows.iter_mut().zip(coefficients).enumerate() {
+                if let Some(stored) = row.get_mut(column) {
+                    *stored = R::Coefficient::nearest(value, power);
+                }
+            }
+            greatest = greatest.max(R::Coefficient::error(coefficients));
         }
-        Some(())
+        // the norm of four parts is twice as large, and the orientation error is twice the norm
+        4.0 * greatest
     }
 }

@@ -12,15 +12,15 @@ use core::hint::black_box;
 use semihosting::process;
 use start::entry;
 use toytop::{
-    Cursor, EphemerisF32, EphemerisMemory, EphemerisView, Motion, ParameterError, Release, SetUp, State,
-    Tick, Top, TopParameters,
+    Cursor, EphemerisF32, EphemerisMemory, EphemerisView, Motion, ParameterError, Release, State, Tick, Top,
+    TopParameters, Workspace,
 };
 
 #[entry]
 fn main() -> ! {
-    let (mut set_up, mut memory) = (SetUp::new(), EphemerisMemory::<EphemerisF32>::new());
+    let (mut workspace, mut memory) = (Workspace::new(), EphemerisMemory::<EphemerisF32>::new());
     let fits = launch(black_box([3.0e-5, 2.0e-5, 0.03, 0.05, 0.35, 150.0]))
-        .and_then(|motion| Ok(memory.set_up(&mut set_up, &motion, Tick::hertz(1000)?, 0, &mut || {})));
+        .and_then(|motion| Ok(memory.set_up(&mut workspace, &motion, Tick::hertz(1000)?, 0, &mut || {})));
     let Ok(Ok(table)) = fits else { process::exit(1) };
     let (mut cursor, mut quaternion) = (table.cursor(0), [0.0; 4]);
     for _ in 0..8 {

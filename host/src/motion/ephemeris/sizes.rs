@@ -6,7 +6,9 @@ use super::{DynEphemeris, HeapEphemeris};
 use crate::Failure;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
-use toytop::{Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, SetUp, SetUpError, Tick};
+use toytop::{
+    Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, SetUpError, Tick, Workspace,
+};
 use toytop_model::constants::MotionConstants;
 
 /// Capacities that every scalar has, in ascending order.
@@ -82,7 +84,7 @@ fn table_in<R: TableScalar>(
     let first_of = |capacities: &[u32]| capacities.iter().copied().find(|capacity| *capacity >= needed);
     let largest = capacities.last().copied().unwrap_or(MAX_CAPACITY);
     let mut memory = memory::<R>(first_of(capacities).unwrap_or(largest));
-    match memory.set_up(&mut SetUp::with_truncation(truncation), motion, tick, 0, &mut || {}) {
+    match memory.set_up(&mut Workspace::with_truncation(truncation), motion, tick, 0, &mut || {}) {
         Ok(_) => Ok(Box::new(HeapEphemeris(memory))),
         Err(error @ SetUpError::TooSmall { .. }) => {
             let tried = match capacities {

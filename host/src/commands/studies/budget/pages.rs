@@ -79,7 +79,7 @@ const ROWS: [(&str, &str); 24] = [
         "set-up, once per launch, `f32`: from measured numbers to the ephemeris, of a 50 g top at 150 rad/s",
     ),
     ("new", "set-up of this top, table by value on the stack (`EphemerisF32::new`)"),
-    ("slices", "set-up of this top, whose `SetUp` is kept in static memory"),
+    ("slices", "set-up of this top, whose `Workspace` is kept in static memory"),
     ("launch_slow", "set-up of the same top at 5 rad/s"),
     ("launch_falling", "set-up of the same top almost upright, at 30 rad/s, which is too slow to sleep"),
     (
