@@ -90,19 +90,6 @@ pub trait Ring:
     fn max(self, other: Self) -> Self {
         if self > other { self } else { other }
     }
-
-    /// Number limited to [-1, 1]. A NaN remains NaN.
-    #[inline]
-    #[must_use]
-    fn clamp_to_one(self) -> Self {
-        if self > Self::ONE {
-            Self::ONE
-        } else if self < -Self::ONE {
-            -Self::ONE
-        } else {
-            self
-        }
-    }
 }
 
 /// Number type of a tick: with the sine and cosine of a phase.

@@ -51,7 +51,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[inline(always)]
     #[must_use]
     pub fn orientation(&self) -> Orientation<R> {
-        map_parts(&self.unrounded(), R::from_number)
+        self.unrounded().map(R::from_number)
     }
 
     /// Orientation, u and tip.
@@ -62,7 +62,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         let product = numbers.alpha * numbers.beta;
         let [re, im] = [product.re, product.im].map(Into::into);
         Pose {
-            orientation: map_parts(&numbers, R::from_number),
+            orientation: numbers.map(R::from_number),
             u: R::from_number(numbers.u()),
             tip: Complex::new(re, im).scaled(self.ephemeris.clock.twice_tip_scale),
         }
@@ -114,7 +114,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[must_use]
     pub fn orientation_and_omega_body(&self) -> (Orientation<R>, Vector<R::Quantity>) {
         let (numbers, omega_body) = self.numbers_and_omega_body();
-        (map_parts(&numbers, R::from_number), omega_body)
+        (numbers.map(R::from_number), omega_body)
     }
 
     /// Rate u' of the cosine of the tilt, per unit time.
@@ -138,7 +138,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R::Quantity> {
         let (numbers, omega_body) = self.numbers_and_omega_body();
-        let orientation = map_parts(&numbers, Into::into);
+        let orientation = numbers.map(Into::into);
         AttitudeState::from_body(orientation, omega_body)
     }
 
@@ -237,12 +237,6 @@ impl<R: EphemerisScalar> EphemerisView<R> {
             point: SegmentPoint { x_q63: x_q63 as i64, x_q31: x_q31 as i32, depth, is_falling: falling < 0 },
         }
     }
-}
-
-#[inline(always)]
-fn map_parts<A: Copy, B>(orientation: &Orientation<A>, number: impl Fn(A) -> B) -> Orientation<B> {
-    let parts = |z: Complex<A>| Complex::new(number(z.re), number(z.im));
-    Orientation { alpha: parts(orientation.alpha), beta: parts(orientation.beta) }
 }
 
 #[cfg(feature = "defmt")]
