@@ -3,7 +3,15 @@
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
 
-/// Phases and their increments, and the scales of lengths and rates: see `core/docs/table_format.md`.
+/// Numbers of a table that do not depend on the segment: see `core/docs/table_format.md`.
+///
+/// | for | fields |
+/// |---|---|
+/// | orientation at a tick | `first_phases`, `step` |
+/// | orientation at a time | also `ticks_per_time`, `exact_step` |
+/// | tip, angular velocity | `twice_tip_scale`; `x_rate`, `slow_sum_rate`, `axial_rate` |
+/// | tip angle | `tip_start`, `tip_step`, `tip_start_quarter_turns`, `tip_sign_changes`, `tip_exists` |
+/// | events, error bounds | `has_turning_points`; `epoch` |
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)] // the increments first, in reach of the smallest chip's load instructions
 pub struct Clock<W> {
@@ -60,7 +68,7 @@ impl<W: Float> Clock<W> {
 }
 
 impl<W: Copy> Clock<W> {
-    /// Rates of x on a segment of an eighth of half a period, of A + B, and about the axis.
+    /// Rates of x on a segment of an eighth of half a period, of λ_α + λ_β, and about the axis.
     #[inline(always)]
     pub(crate) const fn rates(&self) -> [W; 3] {
         [self.x_rate, self.slow_sum_rate, self.axial_rate]

@@ -17,6 +17,7 @@ pub struct Sample<'a, R: EphemerisScalar> {
     pub(crate) ephemeris: &'a EphemerisView<R>,
     /// Leading 64 bits of nutation phase and slow phases.
     pub(crate) phases: [u64; 3],
+    /// Mean tip angle.
     pub(crate) mean_tip: Phase,
 }
 
