@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     let motion = Motion::launch(&top, &state)?;
     let ephemeris = EphemerisF32::new(&motion, Tick::hertz(1000)?)?;
     let sample = ephemeris.at_tick(0);
-    println!("tilt {:.4} rad", orientation.clamped_u().acos());
+    println!("tilt {:.4} rad", orientation.u().clamp(-1.0, 1.0).acos());
     println!("omega in the body frame, back from the motion: {:?} rad/s", sample.omega_body());
     println!("quaternion after a second: {:?}", ephemeris.at_tick(1000).quaternion());
 

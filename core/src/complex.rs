@@ -21,6 +21,14 @@ impl<R> Complex<R> {
     }
 }
 
+impl<R: Copy> Complex<R> {
+    /// Complex number whose parts are converted.
+    #[inline(always)]
+    pub(crate) fn map<G>(self, convert: impl Fn(R) -> G) -> Complex<G> {
+        Complex::new(convert(self.re), convert(self.im))
+    }
+}
+
 impl<R: Ring> Complex<R> {
     /// Zero.
     pub const ZERO: Self = Self { re: R::ZERO, im: R::ZERO };
@@ -61,11 +69,6 @@ impl<R: Scalar> Complex<R> {
 }
 
 impl<R: Float> Complex<R> {
-    /// Complex number rounded to another number type.
-    pub(crate) fn cast<G: Float>(self) -> Complex<G> {
-        Complex::new(G::from_f64(self.re.to_f64()), G::from_f64(self.im.to_f64()))
-    }
-
     /// Modulus, |z|.
     pub fn modulus(self) -> R {
         self.norm_squared().sqrt()

@@ -5,7 +5,7 @@
 //! | trait | requires | `f32` `f64` | [`Wide`] | fixed point |
 //! |---|---|---|---|---|
 //! | [`Ring`] | `+ - *`, order, 0 and 1 | yes | yes | yes |
-//! | [`Scalar`] | sine and cosine of an integer phase: what a *tick* needs | yes | no | yes |
+//! | [`Scalar`] | sine and cosine of an integer phase: the numbers of orientations | yes | no | yes |
 //! | [`Float`] | division, square root, conversion: what *set-up* needs | yes | yes | no |
 //! | [`Real`] | both, an arctangent and an exponential: what a *stepper* and a fit need | yes | no | no |
 
@@ -90,22 +90,9 @@ pub trait Ring:
     fn max(self, other: Self) -> Self {
         if self > other { self } else { other }
     }
-
-    /// Number limited to [-1, 1]. A NaN remains NaN.
-    #[inline]
-    #[must_use]
-    fn clamp_to_one(self) -> Self {
-        if self > Self::ONE {
-            Self::ONE
-        } else if self < -Self::ONE {
-            -Self::ONE
-        } else {
-            self
-        }
-    }
 }
 
-/// Number type of a tick: with the sine and cosine of a phase.
+/// Number type of an orientation: with the sine and cosine of a phase.
 pub trait Scalar: Ring {
     /// (sin 2πx, cos 2πx) of a phase of x turns. Error in `f32`: below 3.2e-8. In `f64`: below 2e-16, relative near the zeros.
     fn sine_cosine(phase: Phase) -> (Self, Self);
@@ -125,11 +112,8 @@ pub trait Float: Ring + Div<Output = Self> {
     fn sqrt(self) -> Self;
 
     /// Absolute value, |x|.
-    #[inline]
     #[must_use]
-    fn abs(self) -> Self {
-        if self < Self::ZERO { -self } else { self }
-    }
+    fn abs(self) -> Self;
 
     /// Half, x / 2: exact in binary floating point.
     #[inline]

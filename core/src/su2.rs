@@ -36,6 +36,14 @@ pub struct Orientation<R> {
     pub beta: Complex<R>,
 }
 
+impl<R: Copy> Orientation<R> {
+    /// Orientation whose four numbers are converted.
+    #[inline(always)]
+    pub(crate) fn map<G>(&self, convert: impl Fn(R) -> G) -> Orientation<G> {
+        Orientation { alpha: self.alpha.map(&convert), beta: self.beta.map(&convert) }
+    }
+}
+
 impl<R: Ring> Default for Orientation<R> {
     fn default() -> Self {
         Self::IDENTITY
@@ -132,11 +140,6 @@ impl<R: Ring> Orientation<R> {
         let (sum, difference) = (self.alpha + self.beta, self.alpha - self.beta);
         R::inner([sum.re, sum.im], [difference.re, difference.im])
     }
-
-    /// u limited to [-1, 1].
-    pub fn clamped_u(&self) -> R {
-        self.u().clamp_to_one()
-    }
 }
 
 impl<R: Float> Orientation<R> {
@@ -144,11 +147,6 @@ impl<R: Float> Orientation<R> {
     pub fn distance(&self, other: &Self) -> R {
         let difference = Self { alpha: self.alpha - other.alpha, beta: self.beta - other.beta };
         difference.norm_squared().sqrt().doubled()
-    }
-
-    /// Orientation rounded to another number type.
-    pub(crate) fn cast<G: Float>(&self) -> Orientation<G> {
-        Orientation { alpha: self.alpha.cast(), beta: self.beta.cast() }
     }
 
     /// Orientation of unit norm, Φ / √(|α|² + |β|²).
@@ -202,61 +200,50 @@ pub struct AttitudeState<R> {
 impl<R: Float> AttitudeState<R> {
     /// State from Φ and the angular velocity ω in the fixed frame: Φ' = ω Φ.
     pub fn from_fixed(orientation: Orientation<R>, omega: Vector<R>) -> Self {
-        let [w1, w2, w3] = omega.map(Float::halved);
-        let Orientation { alpha, beta } =
-            Orientation::from_quaternion([R::ZERO, w1, w2, w3]).compose(&orientation);
-        Self { orientation, rate: OrientationRate { alpha, beta } }
+        Self::new(orientation, matrix_of(omega).compose(&orientation))
     }
 
     /// State from Φ and the angular velocity Ω in the body frame: Φ' = Φ Ω.
     pub fn from_body(orientation: Orientation<R>, omega: Vector<R>) -> Self {
-        let [x1, x2, x3] = omega.map(Float::halved);
-        let (diagonal, transverse) = (Complex::new(R::ZERO, x3), Complex::new(x1, x2));
-        let Orientation { alpha, beta } = orientation;
-        let rate = OrientationRate {
-            alpha: alpha * diagonal + (beta * transverse.conj()).times_i(),
-            beta: (alpha * transverse).times_i() - beta * diagonal,
-        };
-        Self { orientation, rate }
+        Self::new(orientation, orientation.compose(&matrix_of(omega)))
+    }
+
+    fn new(orientation: Orientation<R>, Orientation { alpha, beta }: Orientation<R>) -> Self {
+        Self { orientation, rate: OrientationRate { alpha, beta } }
     }
 }
 
-impl<R: Ring> AttitudeState<R> {
-    /// Cosine of the tilt, u = ⟨r, k⟩, limited to [-1, 1]; that of the orientation and of a sample is not.
-    pub fn u(&self) -> R {
-        self.orientation.clamped_u()
-    }
+/// Matrix of su(2) that stands for a vector. Products of such matrices are those of orientations.
+fn matrix_of<R: Float>(vector: Vector<R>) -> Orientation<R> {
+    let [x, y, z] = vector.map(Float::halved);
+    Orientation::from_quaternion([R::ZERO, x, y, z])
+}
 
+/// Vector for which a matrix of su(2) stands.
+fn vector_of<R: Ring>(matrix: Orientation<R>) -> Vector<R> {
+    let [_, x, y, z] = matrix.quaternion();
+    [x, y, z].map(Ring::doubled)
+}
+
+impl<R: Ring> AttitudeState<R> {
     /// Rate u' = d(|α|² - |β|²)/dt of the cosine of the tilt, per unit time.
     pub fn udot(&self) -> R {
         let Self { orientation: phi, rate } = self;
         ((phi.alpha.conj() * rate.alpha).re - (phi.beta.conj() * rate.beta).re).doubled()
     }
 
-    /// Unit vector r from the tip to the centre of mass, in the fixed frame.
-    pub fn axis(&self) -> Vector<R> {
-        self.orientation.axis()
-    }
-
-    /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give opposite signs.
-    pub fn quaternion(&self) -> [R; 4] {
-        self.orientation.quaternion()
-    }
-
     /// Angular velocity ω = Φ' Φ⁻¹ in the fixed frame, rad/s: equation (2.2) of the paper, erratum 1 corrected.
     pub fn omega(&self) -> Vector<R> {
-        let Self { orientation: phi, rate } = self;
-        let diagonal = rate.alpha * phi.delta() - rate.beta * phi.gamma();
-        let upper = rate.beta * phi.alpha - rate.alpha * phi.beta;
-        [upper.im.doubled(), -upper.re.doubled(), diagonal.im.doubled()]
+        vector_of(self.rate_matrix().compose(&self.orientation.inverse()))
     }
 
     /// Angular velocity Ω = Φ⁻¹ Φ' in the body frame, rad/s: equation (2.3) of the paper, erratum 2 corrected.
     pub fn omega_body(&self) -> Vector<R> {
-        let Self { orientation: phi, rate } = self;
-        let (gamma, delta) = (-rate.beta.conj(), rate.alpha.conj());
-        let diagonal = phi.delta() * rate.alpha - phi.beta * gamma;
-        let upper = phi.delta() * rate.beta - phi.beta * delta;
-        [upper.im.doubled(), -upper.re.doubled(), diagonal.im.doubled()]
+        vector_of(self.orientation.inverse().compose(&self.rate_matrix()))
+    }
+
+    fn rate_matrix(&self) -> Orientation<R> {
+        let OrientationRate { alpha, beta } = self.rate;
+        Orientation { alpha, beta }
     }
 }

@@ -1,10 +1,9 @@
 //! Reading of a table: any tick, cursors, the quantities of a sample, and events.
 
-use crate::input::toytop_state;
 use crate::memory::{Opaque, load, store, write};
 use crate::status::{Refusal, toytop_status};
-use crate::table::{CScalar, Table, view};
-use toytop::{Complex, Cursor, EphemerisView, Event, Events, ParameterError, Phase, Sample, State};
+use crate::table::{Table, view};
+use toytop::{Complex, Cursor, EphemerisScalar, EphemerisView, Event, Events, ParameterError, Phase, Sample};
 
 /// Bytes of a cursor.
 pub const TOYTOP_EPHEMERIS_CURSOR_SIZE: usize = 64;
@@ -35,60 +34,51 @@ const _: () = assert!(
 );
 
 /// Cursor with the identity of its table.
-struct CursorOf {
+struct TableCursor {
     table: u32,
     cursor: Cursor,
 }
 
-impl Opaque for CursorOf {
+impl Opaque for TableCursor {
     const TAG: u32 = 0x746f_7063;
 }
 
 /// Sample with the address and the identity of its table.
-struct SampleOf<R: CScalar> {
+struct TableSample<R: EphemerisScalar> {
     sample: Sample<'static, R>,
     address: *const u8,
     table: u32,
 }
 
-impl<R: CScalar> Opaque for SampleOf<R> {
-    const TAG: u32 = R::TAG | 0x7300;
+impl<R: EphemerisScalar> Opaque for TableSample<R> {
+    const TAG: u32 = 0x746f_7300 | R::CODE;
 }
 
-/// Sample that the caller keeps. It is refused if its table was set up again.
+/// Writes a quantity of a sample to memory of the caller. The sample is refused if its table was set up again. A number in fixed point is
+/// written as its integer, which has the same layout.
 ///
 /// # Safety
-/// The pointer is null or valid for reading; and the memory of the sample's table is still there.
-pub(crate) unsafe fn sample<R: CScalar>(
-    place: *const toytop_ephemeris_sample,
-) -> Result<Sample<'static, R>, Refusal> {
-    // SAFETY: the caller guarantees that the pointer is valid.
-    let SampleOf { sample, address, table } = unsafe { load(place)? };
-    // SAFETY: the caller guarantees that the memory of the table is still there.
-    if unsafe { view::<R>(address)? }.identity != table {
-        return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
-    }
-    Ok(sample)
-}
-
-/// Writes a quantity of a sample to memory of the caller.
-///
-/// # Safety
-/// As for [`sample`]; `place` is null or valid for writing a `T`.
-pub(crate) unsafe fn write_quantity<R: CScalar, T>(
+/// The pointers are null or valid, and the memory of the sample's table is still there.
+pub(crate) unsafe fn write_quantity<R: EphemerisScalar, T>(
     from: *const toytop_ephemeris_sample,
     place: *mut T,
     quantity: impl FnOnce(Sample<'static, R>) -> Result<T, Refusal>,
 ) -> Result<(), Refusal> {
-    // SAFETY: the caller guarantees that both pointers are valid.
-    unsafe { write(place, quantity(sample(from)?)?) }
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe {
+        let TableSample { sample, address, table } = load(from)?;
+        if view::<R>(address)?.identity != table {
+            return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
+        }
+        write(place, quantity(sample)?)
+    }
 }
 
 /// Keeps a sample of a table for the caller.
 ///
 /// # Safety
 /// The pointers are null or valid, and the table stays as long as the sample is used.
-pub(crate) unsafe fn keep_sample<R: CScalar>(
+pub(crate) unsafe fn keep_sample<R: EphemerisScalar>(
     table: *const u8,
     place: *mut toytop_ephemeris_sample,
     sample: impl FnOnce(&'static EphemerisView<R>) -> Result<Sample<'static, R>, Refusal>,
@@ -96,12 +86,12 @@ pub(crate) unsafe fn keep_sample<R: CScalar>(
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
         let Table { view, address, identity } = view::<R>(table)?;
-        store(place, SampleOf { sample: sample(view)?, address, table: identity })
+        store(place, TableSample { sample: sample(view)?, address, table: identity })
     }
 }
 
 /// Sample at a time.
-pub(crate) fn at<R: CScalar>(view: &EphemerisView<R>, time: f64) -> Result<Sample<'_, R>, Refusal> {
+pub(crate) fn at<R: EphemerisScalar>(view: &EphemerisView<R>, time: f64) -> Result<Sample<'_, R>, Refusal> {
     if !time.is_finite() {
         return Err(ParameterError::NotFinite { parameter: "time" }.into());
     }
@@ -115,7 +105,7 @@ pub(crate) fn at<R: CScalar>(view: &EphemerisView<R>, time: f64) -> Result<Sampl
 ///
 /// # Safety
 /// As for [`keep_sample`].
-pub(crate) unsafe fn cursor<R: CScalar>(
+pub(crate) unsafe fn cursor<R: EphemerisScalar>(
     table: *const u8,
     first: i64,
     place: *mut toytop_ephemeris_cursor,
@@ -123,7 +113,7 @@ pub(crate) unsafe fn cursor<R: CScalar>(
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
         let table = view::<R>(table)?;
-        store(place, CursorOf { table: table.identity, cursor: table.view.cursor(first) })
+        store(place, TableCursor { table: table.identity, cursor: table.view.cursor(first) })
     }
 }
 
@@ -131,26 +121,26 @@ pub(crate) unsafe fn cursor<R: CScalar>(
 ///
 /// # Safety
 /// As for [`keep_sample`].
-unsafe fn advance<R: CScalar>(
+unsafe fn advance<R: EphemerisScalar>(
     table: *const u8,
     place: *mut toytop_ephemeris_cursor,
     take: impl FnOnce(Sample<'static, R>) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
-    let (table, mut of): (_, CursorOf) = unsafe { (view::<R>(table)?, load(place)?) };
-    if of.table != table.identity {
+    let (table, mut kept): (_, TableCursor) = unsafe { (view::<R>(table)?, load(place)?) };
+    if kept.table != table.identity {
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
     }
-    take(of.cursor.next(table.view))?;
+    take(kept.cursor.next(table.view))?;
     // SAFETY: the caller guarantees a valid pointer.
-    unsafe { store(place, of) }
+    unsafe { store(place, kept) }
 }
 
 /// Next sample of a cursor.
 ///
 /// # Safety
 /// As for [`keep_sample`].
-pub(crate) unsafe fn next<R: CScalar>(
+pub(crate) unsafe fn next<R: EphemerisScalar>(
     table: *const u8,
     cursor: *mut toytop_ephemeris_cursor,
     place: *mut toytop_ephemeris_sample,
@@ -163,13 +153,13 @@ pub(crate) unsafe fn next<R: CScalar>(
 ///
 /// # Safety
 /// As for [`keep_sample`].
-pub(crate) unsafe fn next_quaternion<R: CScalar>(
+pub(crate) unsafe fn next_quaternion<R: EphemerisScalar>(
     table: *const u8,
     cursor: *mut toytop_ephemeris_cursor,
-    place: *mut R::Value,
+    quaternion: *mut [R; 4],
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table, here and inside.
-    unsafe { advance::<R>(table, cursor, |sample| write(place.cast(), sample.quaternion().map(R::to_c))) }
+    unsafe { advance::<R>(table, cursor, |sample| write(quaternion, sample.quaternion())) }
 }
 
 /// Tick of the last sample of a cursor; before the first sample, the tick before it.
@@ -179,30 +169,12 @@ pub unsafe extern "C" fn toytop_ephemeris_cursor_tick(
     tick: *mut i64,
 ) -> toytop_status {
     // SAFETY: the caller guarantees valid pointers.
-    unsafe { load(place).and_then(|of: CursorOf| write(tick, of.cursor.tick())) }.into()
+    unsafe { load(place).and_then(|kept: TableCursor| write(tick, kept.cursor.tick())) }.into()
 }
 
 /// Parts of a complex number, {re, im}.
 pub(crate) fn parts<R>(z: Complex<R>) -> [R; 2] {
     [z.re, z.im]
-}
-
-/// Parts of alpha, then of beta.
-pub(crate) fn cayley_klein<R: CScalar>(sample: Sample<'_, R>) -> Result<[R::Value; 4], Refusal> {
-    let orientation = sample.orientation();
-    let ([a, b], [c, d]) = (parts(orientation.alpha), parts(orientation.beta));
-    Ok([a, b, c, d].map(R::to_c))
-}
-
-/// Tip angle, rad.
-pub(crate) fn tip_angle<R: CScalar>(sample: Sample<'_, R>) -> Result<f64, Refusal> {
-    let angle = sample.tip_angle().ok_or(toytop_status::TOYTOP_NONE)?;
-    Ok(angle.to_radians())
-}
-
-/// State to launch from.
-pub(crate) fn state<R: CScalar>(sample: Sample<'_, R>) -> Result<toytop_state, Refusal> {
-    Ok(toytop_state::of(&State::from_attitude(&sample.attitude_state())?))
 }
 
 /// Event of a motion: its instant in ticks, and the sense of the change.
@@ -218,7 +190,7 @@ pub struct toytop_event {
 }
 
 /// First event of an iterator.
-pub(crate) fn first_event<R: CScalar>(mut events: Events<'_, R>) -> Result<toytop_event, Refusal> {
+pub(crate) fn first_event<R: EphemerisScalar>(mut events: Events<'_, R>) -> Result<toytop_event, Refusal> {
     let Event { tick, fraction, upward } = events.next().ok_or(toytop_status::TOYTOP_NONE)?;
     Ok(toytop_event { tick, fraction, upward: upward.into() })
 }

@@ -1,17 +1,14 @@
 //! Quantities of a sample.
 
 use crate::input::toytop_state;
-use crate::sample::{self, parts, toytop_ephemeris_sample};
+use crate::sample::{parts, toytop_ephemeris_sample, write_quantity};
 use crate::status::toytop_status;
-use crate::table::CScalar;
 use toytop::fixed::types::I2F30;
-
-/// Sample of a table in memory of the caller.
-type Sampled<R> = toytop::Sample<'static, R>;
+use toytop::{Orientation, State};
 
 /// Function that writes one quantity of a sample.
 macro_rules! quantity {
-    ($(#[$doc:meta])* $function:ident($quantity:ident: $number:ty) $compute:expr) => {
+    ($(#[$doc:meta])* $function:ident<$scalar:ty>($quantity:ident: $number:ty) = |$sample:ident| $value:expr) => {
 $(#[$doc])*
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn $function(
@@ -19,64 +16,69 @@ pub unsafe extern "C" fn $function(
     $quantity: *mut $number,
 ) -> toytop_status {
     // SAFETY: the caller guarantees valid pointers and a valid table.
-    unsafe { sample::write_quantity(sample, $quantity.cast(), $compute).into() }
+    unsafe { write_quantity::<$scalar, _>(sample, $quantity.cast(), |$sample| Ok($value)).into() }
 }
     };
 }
 
 macro_rules! functions {
-    ($name:ident, $scalar:ty, $output:ty, $wide:ty) => { pastey::paste! {
+    ($name:ident, $scalar:ty, $output:ty, $wide:ty) => {
+        pastey::paste! {
 
-quantity! {
-/// Cayley-Klein parameters: four numbers Re alpha, Im alpha, Re beta, Im beta.
-[<toytop_ $name _cayley_klein>](parameters: $output) sample::cayley_klein::<$scalar>
-}
+        quantity! {
+        /// Cayley-Klein parameters: four numbers Re alpha, Im alpha, Re beta, Im beta.
+        [<toytop_ $name _cayley_klein>]<$scalar>(parameters: $output) = |sample| {
+            let Orientation { alpha, beta } = sample.orientation();
+            [parts(alpha), parts(beta)]
+        }
+        }
 
-quantity! {
-/// Unit quaternion, four numbers w, x, y, z, from body to fixed coordinates.
-[<toytop_ $name _quaternion>](quaternion: $output)
-    |sample: Sampled<$scalar>| Ok(sample.quaternion().map(CScalar::to_c))
-}
+        quantity! {
+        /// Unit quaternion, four numbers w, x, y, z, from body to fixed coordinates.
+        [<toytop_ $name _quaternion>]<$scalar>(quaternion: $output) = |sample| sample.quaternion()
+        }
 
-quantity! {
-/// Unit vector of three components from the tip to the centre of mass, in the fixed frame. The third is u, the cosine of the
-/// tilt, which a rounding can take past 1.
-[<toytop_ $name _axis>](axis: $output) |sample: Sampled<$scalar>| Ok(sample.axis().map(CScalar::to_c))
-}
+        quantity! {
+        /// Unit vector of three components from the tip to the centre of mass, in the fixed frame. The third is u, the cosine of the
+        /// tilt, which a rounding can take past 1.
+        [<toytop_ $name _axis>]<$scalar>(axis: $output) = |sample| sample.axis()
+        }
 
-quantity! {
-/// Angular velocity of three components in the fixed frame, rad/s.
-[<toytop_ $name _omega>](omega: $wide) |sample: Sampled<$scalar>| Ok(sample.omega())
-}
+        quantity! {
+        /// Angular velocity of three components in the fixed frame, rad/s.
+        [<toytop_ $name _omega>]<$scalar>(omega: $wide) = |sample| sample.omega()
+        }
 
-quantity! {
-/// Angular velocity of three components in the body frame, rad/s, as a gyroscope measures it.
-[<toytop_ $name _omega_body>](omega: $wide)
-    |sample: Sampled<$scalar>| Ok(sample.omega_body())
-}
+        quantity! {
+        /// Angular velocity of three components in the body frame, rad/s, as a gyroscope measures it.
+        [<toytop_ $name _omega_body>]<$scalar>(omega: $wide) = |sample| sample.omega_body()
+        }
 
-quantity! {
-/// Position x, y of the tip, m from the point of the plane below the centre of mass; for a fixed tip the horizontal part of the
-/// axis with the opposite sign.
-[<toytop_ $name _tip>](tip: $wide) |sample: Sampled<$scalar>| Ok(parts(sample.tip()))
-}
+        quantity! {
+        /// Position x, y of the tip, m from the point of the plane below the centre of mass; for a fixed tip the horizontal part of the
+        /// axis with the opposite sign.
+        [<toytop_ $name _tip>]<$scalar>(tip: $wide) = |sample| parts(sample.tip())
+        }
 
-quantity! {
-/// Velocity x, y of the tip, m/s; 1/s for a fixed tip.
-[<toytop_ $name _tip_velocity>](velocity: $wide) |sample: Sampled<$scalar>| Ok(parts(sample.tip_velocity()))
-}
+        quantity! {
+        /// Velocity x, y of the tip, m/s; 1/s for a fixed tip.
+        [<toytop_ $name _tip_velocity>]<$scalar>(velocity: $wide) = |sample| parts(sample.tip_velocity())
+        }
 
-quantity! {
-/// Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` if the axis is always vertical.
-[<toytop_ $name _tip_angle>](angle: f64) sample::tip_angle::<$scalar>
-}
+        quantity! {
+        /// Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` if the axis is always vertical.
+        [<toytop_ $name _tip_angle>]<$scalar>(angle: f64) =
+            |sample| sample.tip_angle().ok_or(toytop_status::TOYTOP_NONE)?.to_radians()
+        }
 
-quantity! {
-/// State of a sample, from which another motion can be launched.
-[<toytop_ $name _state>](state: toytop_state) sample::state::<$scalar>
-}
+        quantity! {
+        /// State of a sample, from which another motion can be launched.
+        [<toytop_ $name _state>]<$scalar>(state: toytop_state) =
+            |sample| toytop_state::of(&State::from_attitude(&sample.attitude_state())?)
+        }
 
-    } };
+            }
+    };
 }
 
 functions!(f32, f32, f32, f32);

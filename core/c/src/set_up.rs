@@ -3,9 +3,9 @@
 use crate::memory::load;
 use crate::motion::toytop_motion;
 use crate::status::{Refusal, toytop_status};
-use crate::table::{CScalar, Memory, TOYTOP_EPHEMERIS_ALIGNMENT, toytop_tick};
+use crate::table::{Memory, TOYTOP_EPHEMERIS_ALIGNMENT, toytop_tick};
 use core::ffi::c_void;
-use toytop::{EphemerisView, Motion, ParameterError, Tick, Workspace};
+use toytop::{EphemerisScalar, EphemerisView, Motion, Tick, Workspace};
 
 /// Bytes of the memory of a set-up.
 pub const TOYTOP_SET_UP_SIZE: usize = 4152;
@@ -27,18 +27,6 @@ const _: () = assert!(
             <= TOYTOP_SET_UP_SIZE
 );
 
-/// Truncation error that a caller gives, rad; 0 stands for that of the scalar.
-fn truncation_or_default<R: CScalar>(truncation: f64) -> Result<f64, Refusal> {
-    match truncation {
-        0.0 => Ok(R::TRUNCATION),
-        given if given.is_finite() && given > 0.0 => Ok(given),
-        _ => {
-            let allowed = "positive, or 0 for that of the scalar";
-            Err(ParameterError::OutOfRange { parameter: "truncation", allowed }.into())
-        }
-    }
-}
-
 /// Launch that a table is set up for.
 pub(crate) struct Launched {
     pub(crate) motion: *const toytop_motion,
@@ -48,12 +36,17 @@ pub(crate) struct Launched {
     pub(crate) truncation: f64,
 }
 
+/// Truncation error in place of that of a caller, for whom 0 stands for that of the scalar.
+fn truncation_or_default<R: EphemerisScalar>(truncation: f64) -> f64 {
+    if truncation == 0.0 { R::TRUNCATION } else { truncation }
+}
+
 /// Sets up a table in memory of the caller, which need not be initialised.
 ///
 /// # Safety
 /// `table` is null or valid for writing `size` bytes, `set_up` is null or valid for writing, and nobody else uses them until this returns.
 /// The motion is null or valid for reading. `pause` may be called with `context`.
-pub(crate) unsafe fn run<R: CScalar>(
+pub(crate) unsafe fn run<R: EphemerisScalar>(
     (table, size): (*mut u8, usize),
     set_up: *mut toytop_set_up,
     launched: Launched,
@@ -74,10 +67,9 @@ pub(crate) unsafe fn run<R: CScalar>(
     // SAFETY: the caller guarantees a valid pointer.
     let motion: Motion = unsafe { load(launched.motion)? };
     let tick = Tick::ratio(launched.tick.ticks, launched.tick.seconds)?;
-    let truncation = truncation_or_default::<R>(launched.truncation)?;
     // SAFETY: the pointer is neither null nor unaligned, and the memory is large enough.
     let set_up = unsafe {
-        set_up.write(Workspace::with_truncation(truncation));
+        set_up.write(Workspace::with_truncation(truncation_or_default::<R>(launched.truncation)));
         &mut *set_up
     };
     let mut call = || {
@@ -97,7 +89,7 @@ pub(crate) unsafe fn run<R: CScalar>(
 /// # Safety
 /// As for [`run`].
 #[inline(never)]
-pub(crate) unsafe fn on_stack<R: CScalar>(
+pub(crate) unsafe fn on_stack<R: EphemerisScalar>(
     table: (*mut u8, usize),
     launched: Launched,
 ) -> Result<(), Refusal> {
@@ -110,11 +102,12 @@ pub(crate) unsafe fn on_stack<R: CScalar>(
 ///
 /// # Safety
 /// `motion` is null or valid for reading.
-pub(crate) unsafe fn segments_needed<R: CScalar>(motion: *const toytop_motion, truncation: f64) -> u32 {
+pub(crate) unsafe fn segments_needed<R: EphemerisScalar>(
+    motion: *const toytop_motion,
+    truncation: f64,
+) -> u32 {
     // SAFETY: the caller guarantees a valid pointer.
     let motion: Result<Motion, Refusal> = unsafe { load(motion) };
-    let (Ok(motion), Ok(truncation)) = (motion, truncation_or_default::<R>(truncation)) else {
-        return 0;
-    };
-    EphemerisView::<R>::segments_needed(&motion, truncation).unwrap_or_default()
+    let truncation = truncation_or_default::<R>(truncation);
+    motion.ok().and_then(|motion| EphemerisView::<R>::segments_needed(&motion, truncation)).unwrap_or(0)
 }

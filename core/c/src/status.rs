@@ -100,7 +100,8 @@ impl From<SetUpError> for Refusal {
         match error {
             SetUpError::TooSmall { segments, .. } => Self { segments, ..Self::from(TOYTOP_TABLE_TOO_SMALL) },
             SetUpError::Truncation => {
-                ParameterError::OutOfRange { parameter: "truncation", allowed: "finite and positive" }.into()
+                let allowed = "positive, or 0 for that of the scalar";
+                ParameterError::OutOfRange { parameter: "truncation", allowed }.into()
             }
             _ => TOYTOP_NO_TABLE.into(),
         }

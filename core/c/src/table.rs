@@ -63,41 +63,9 @@ pub extern "C" fn toytop_hertz(frequency: u32) -> toytop_tick {
     toytop_tick { ticks: frequency, seconds: 1 }
 }
 
-/// Scalar of a table that C can hold.
-pub(crate) trait CScalar: EphemerisScalar + 'static {
-    /// Number that the memory of a table begins with once it is set up.
-    const TAG: u32;
-    /// Result as C has it.
-    type Value: Copy;
-
-    fn to_c(self) -> Self::Value;
-}
-
-impl CScalar for f32 {
-    const TAG: u32 = 0x746f_7020;
-    type Value = Self;
-
-    fn to_c(self) -> Self {
-        self
-    }
-}
-
-impl CScalar for f64 {
-    const TAG: u32 = 0x746f_7040;
-    type Value = Self;
-
-    fn to_c(self) -> Self {
-        self
-    }
-}
-
-impl CScalar for I2F30 {
-    const TAG: u32 = 0x746f_701f;
-    type Value = i32;
-
-    fn to_c(self) -> i32 {
-        self.to_bits()
-    }
+/// Number that the memory of a table of this scalar begins with once it is set up.
+const fn tag_of<R: EphemerisScalar>() -> u32 {
+    0x746f_7000 | R::CODE
 }
 
 /// Head of the memory of a table; the table follows.
@@ -111,7 +79,7 @@ struct Head {
 }
 
 /// Table whose set-up has succeeded.
-pub(crate) struct Table<'a, R: CScalar> {
+pub(crate) struct Table<'a, R: EphemerisScalar> {
     pub(crate) view: &'a EphemerisView<R>,
     pub(crate) address: *const u8,
     /// Sum of scalar, generation and address, which a cursor and a sample of this table carry.
@@ -155,7 +123,10 @@ fn checked_head(table: *const u8) -> Result<*const Head, Refusal> {
 }
 
 /// Memory of a table after a head, with this many segments.
-fn table_after<R: CScalar>(head: *const Head, segments: usize) -> *mut EphemerisMemory<EphemerisView<R>> {
+fn table_after<R: EphemerisScalar>(
+    head: *const Head,
+    segments: usize,
+) -> *mut EphemerisMemory<EphemerisView<R>> {
     let first = head.wrapping_add(1).cast_mut().cast::<R::Segment>();
     // the pointer to a memory is that to its first byte, with the number of segments in place of the array's
     slice_from_raw_parts_mut(first, segments) as *mut EphemerisMemory<EphemerisView<R>>
@@ -166,11 +137,11 @@ fn table_after<R: CScalar>(head: *const Head, segments: usize) -> *mut Ephemeris
 /// # Safety
 /// The pointer is null or valid for reading a head; and if its tag is that of the scalar, [`Memory::ready`] wrote what follows, which
 /// nobody changes as long as the reference lives.
-pub(crate) unsafe fn view<'a, R: CScalar>(address: *const u8) -> Result<Table<'a, R>, Refusal> {
+pub(crate) unsafe fn view<'a, R: EphemerisScalar>(address: *const u8) -> Result<Table<'a, R>, Refusal> {
     let head = checked_head(address)?;
     // SAFETY: any bits are a head.
     let Head { tag, segments, generation } = unsafe { read(head)? };
-    if tag != R::TAG {
+    if tag != tag_of::<R>() {
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
     }
     // SAFETY: the caller guarantees valid memory; `Memory::ready` wrote as many segments as it says.
@@ -184,7 +155,7 @@ pub(crate) unsafe fn view<'a, R: CScalar>(address: *const u8) -> Result<Table<'a
 ///
 /// # Safety
 /// As for [`view`]; `place` is null or valid for writing a `T`.
-pub(crate) unsafe fn write_from<R: CScalar, T>(
+pub(crate) unsafe fn write_from<R: EphemerisScalar, T>(
     table: *const u8,
     place: *mut T,
     quantity: impl FnOnce(&'static EphemerisView<R>) -> Result<T, Refusal>,
@@ -202,7 +173,7 @@ pub(crate) struct Memory {
 
 impl Memory {
     /// Memory of `size` bytes for a table of a scalar. Null and unaligned pointers, and too few bytes, are refused.
-    pub(crate) fn of<R: CScalar>(table: *mut u8, size: usize) -> Result<Self, Refusal> {
+    pub(crate) fn of<R: EphemerisScalar>(table: *mut u8, size: usize) -> Result<Self, Refusal> {
         let head = checked_head(table)?.cast_mut();
         let most = size.saturating_sub(size_of_table::<R>(0)) / size_of::<R::Segment>();
         let segments = most.min(MOST);
@@ -216,14 +187,14 @@ impl Memory {
     ///
     /// # Safety
     /// The memory is valid for writing, and nobody else uses it as long as the reference lives.
-    pub(crate) unsafe fn clear<'a, R: CScalar>(self) -> &'a mut EphemerisMemory<EphemerisView<R>> {
+    pub(crate) unsafe fn clear<'a, R: EphemerisScalar>(self) -> &'a mut EphemerisMemory<EphemerisView<R>> {
         // SAFETY: there is room for a head, and behind it for a table of `segments` segments, at least 8. They are initialised
         // before a reference to them is made.
         unsafe {
             // volatile, because the memory need not be initialised
             let generation = (&raw const (*self.head).generation).read_volatile().wrapping_add(1);
             // nobody takes it for a table before it is ready
-            self.head.write(Head { tag: !R::TAG, segments: self.segments as u16, generation });
+            self.head.write(Head { tag: !tag_of::<R>(), segments: self.segments as u16, generation });
             let least = self.head.wrapping_add(1).cast::<EphemerisMemory<Ephemeris<R, LEAST>>>();
             least.write(EphemerisMemory::new());
             let rest = least.wrapping_add(1).cast::<R::Segment>();
@@ -236,9 +207,9 @@ impl Memory {
     ///
     /// # Safety
     /// As for [`Self::clear`], which was called before.
-    pub(crate) unsafe fn ready<R: CScalar>(self) {
+    pub(crate) unsafe fn ready<R: EphemerisScalar>(self) {
         // SAFETY: the caller guarantees valid memory.
-        unsafe { (*self.head).tag = R::TAG };
+        unsafe { (*self.head).tag = tag_of::<R>() };
     }
 }
 
@@ -249,7 +220,7 @@ mod tests {
     /// Memory of every number of segments that a motion may need is a table, from 8 on, in every scalar.
     #[test]
     fn a_table_may_have_eight_segments() {
-        fn check<R: CScalar>() {
+        fn check<R: EphemerisScalar>() {
             let mut words = [0_u64; 2048];
             let table = words.as_mut_ptr().cast::<u8>();
             for segments in 8..=40 {

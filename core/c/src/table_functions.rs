@@ -117,7 +117,7 @@ reader! {
 reader! {
 /// Quaternion, four numbers w, x, y, z, at the next tick of a cursor, from body to fixed coordinates, without a sample.
 [<toytop_ $name _next_quaternion>](table: $table; cursor: *mut toytop_ephemeris_cursor, quaternion: *mut $output)
-    sample::next_quaternion::<$scalar>
+    |table, cursor, place: *mut $output| sample::next_quaternion::<$scalar>(table, cursor, place.cast())
 }
 
 reader! {

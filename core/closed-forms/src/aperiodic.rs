@@ -32,9 +32,9 @@ use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 /// let top = Top::sliding(&parameters)?;
 /// let motion = Motion::from_branch_points(&top, [-0.4, 1.0, 1.0], Signs::default(), &InitialAngles::default())?;
 /// let form = Aperiodic::new(&motion).expect("e2 = e3 = 1");
-/// let attitude = form.at(2.5); // orientation, u, axis, ω
+/// let orientation = form.at(2.5).orientation;
 /// let (tip, angle) = (form.tip(2.5), form.tip_angle(2.5)); // the angle counts whole turns
-/// assert!((attitude.orientation.u() - attitude.u()).abs() < form.error_bound());
+/// assert!((orientation.norm_squared() - 1.0).abs() < 1e-14);
 /// assert!((tip.arg() - angle.principal().to_radians()).abs() < 1e-14);
 /// # Ok::<(), toytop::ParameterError>(())
 /// ```

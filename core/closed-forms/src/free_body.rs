@@ -38,7 +38,7 @@ impl FreeBody {
         }
         let ScaledTop { a, c, k, .. } = ScaledTop::<f64>::new(motion.top());
         let attitude = Stepper::<f64>::new(motion).attitude_state();
-        let (r, omega) = (attitude.axis(), attitude.omega());
+        let (r, omega) = (attitude.orientation.axis(), attitude.omega());
         let beyond_sphere = (c - a) * dot(omega, r) + k;
         let mut m = omega.map(|rate| a * rate);
         for (component, r) in m.iter_mut().zip(r) {

@@ -92,7 +92,7 @@ impl Top {
         )?;
         let s = check_positive("com_height", parameters.com_height)?;
         let p = match parameters.given_mass()? {
-            Some(mass) => Extended::exact_product(mass, s),
+            Some(mass) => Extended::from(mass) * s.into(),
             None => check_positive("mass_moment", parameters.mass_moment)?.into(),
         };
         let top = Self::new(Support::Sliding, parameters, s, p)?;
@@ -127,7 +127,7 @@ impl Top {
             let p = check_positive("mass_moment", parameters.mass_moment)?.into();
             return Self::new(Support::Fixed, parameters, 0.0, p);
         };
-        let p = Extended::exact_product(mass, check_positive("com_height", parameters.com_height)?);
+        let p = Extended::from(mass) * check_positive("com_height", parameters.com_height)?.into();
         let top = Self::new(Support::Fixed, parameters, 0.0, p)?;
         let least = top.mass_moment() * parameters.com_height + 0.5 * top.c;
         check(

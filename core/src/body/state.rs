@@ -128,7 +128,7 @@ impl State {
     /// # Errors
     /// See [`State::new`].
     pub fn from_attitude<R: Float>(attitude: &AttitudeState<R>) -> Result<Self, ParameterError> {
-        Self::new(attitude.orientation.cast().normalised(), attitude.omega().map(R::to_f64))
+        Self::new(attitude.orientation.map(R::to_f64).normalised(), attitude.omega().map(R::to_f64))
     }
 
     /// Orientation Φ at t = 0, not normalised.

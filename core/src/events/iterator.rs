@@ -228,7 +228,7 @@ impl RecurringInstants {
             return nowhere;
         }
         let start = Extended::from(from);
-        let [now, ..] = view.clock.at(from).map(WrappedPhase::to_phase);
+        let [now, ..] = view.clock.phases_at_tick(from).map(WrappedPhase::to_phase);
         let ahead = |phase: Phase| {
             let ahead = WrappedPhase::from_phase(phase - now + PHASE_TOLERANCE).to_phase() - PHASE_TOLERANCE;
             if ahead <= PHASE_TOLERANCE { start } else { start + Extended::from(ahead) / step }

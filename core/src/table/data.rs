@@ -4,6 +4,8 @@ mod error_bound;
 
 pub(super) mod cell;
 
+mod tick;
+
 mod clock;
 
 mod ephemeris;
@@ -11,8 +13,9 @@ mod ephemeris;
 mod baked;
 
 pub use baked::{Baked, BakedError};
-pub use clock::{Clock, Tick};
+pub use clock::Clock;
 pub use ephemeris::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisView};
 #[cfg(feature = "fixed")]
 pub use ephemeris::{EphemerisQ15, EphemerisQ31};
 pub use error_bound::ErrorBound;
+pub use tick::Tick;

@@ -9,9 +9,9 @@
 //!
 //! Where u falls, a and b become their complex conjugates, and N becomes -N̄. The axial part Ω₃ = (n - K)/C is constant.
 
-mod integer_omega;
-
 mod q30;
+
+mod integer_omega;
 
 mod coefficient_i32;
 
@@ -35,18 +35,15 @@ pub(crate) const fn shifted_right(value: i64, bits: u32) -> i64 {
     ((value >> (bits - 1)) + 1) >> 1
 }
 
-/// Depth of the longest segments, which are an eighth of half a period.
-pub(crate) const LEAST_DEPTH: u32 = 3;
-
 /// Point of a segment.
 #[derive(Clone, Copy, Debug)]
 pub struct SegmentPoint {
     /// Local coordinate x·2^63 with x in [-1, 1).
     pub(crate) x_q63: i64,
-    /// Local coordinate x·2^31, rounded down to a multiple of 2^(depth - 3).
+    /// Local coordinate x·2^31, rounded down to a multiple of 2^halvings.
     pub(crate) x_q31: i32,
-    /// Depth of the segment: half a period would have 2^depth of its length.
-    pub(crate) depth: u32,
+    /// Length of the segment: 2^-halvings of an eighth of half a period.
+    pub(crate) halvings: u32,
     /// Whether u is falling, where the tabulated values become their complex conjugates.
     pub(crate) is_falling: bool,
 }
@@ -93,7 +90,7 @@ pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
     fn from_number(number: NumberOf<Self>) -> Self;
     /// Sine and cosine of a phase, given by its 64 leading bits.
     #[doc(hidden)]
-    fn rotation(phase: u64) -> [SumOf<Self::Coefficient>; 2];
+    fn sine_cosine_sums(phase: u64) -> [SumOf<Self::Coefficient>; 2];
 
     // For the set-up.
 
@@ -107,13 +104,13 @@ pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
     const ERRORS: EvaluationErrors;
 }
 
-/// Number of the results in a scalar.
+/// Number in which a tick of a scalar computes.
 pub(crate) type NumberOf<R> = <<R as EphemerisScalar>::Coefficient as Coefficient>::Number;
 
 /// Sum of Horner's rule for a coefficient.
 type SumOf<C> = <<C as Coefficient>::Number as Number>::Sum;
 
-/// Number of the results; a velocity is a multiple by a power of two.
+/// Number in which a tick computes α, β and Ω. Rates may be larger than its range, so they have a common power of two as a factor.
 #[doc(hidden)]
 pub trait Number: Ring + Into<Self::Quantity> {
     /// Sum of Horner's rule, and the local coordinate.
@@ -126,8 +123,8 @@ pub trait Number: Ring + Into<Self::Quantity> {
     /// Angular velocity Ω over a power of two, with the exponent of that power.
     ///
     /// * `polynomials`: values and derivatives
-    /// * `difference`: cosine and sine of B - A
-    /// * `rates`: rates of x at the least depth, of λ_α + λ_β, and about the axis
+    /// * `difference`: sine and cosine of λ_β - λ_α
+    /// * `rates`: rates of x on an eighth of half a period, of λ_α + λ_β, and about the axis
     fn omega_body(
         polynomials: [[Self::Sum; 4]; 2],
         difference: [Self::Sum; 2],
@@ -141,7 +138,7 @@ pub trait Number: Ring + Into<Self::Quantity> {
 /// Coefficient of a table, and the arithmetic of its evaluation.
 #[doc(hidden)]
 pub trait Coefficient: Copy + Debug + PartialEq {
-    /// Number of the results.
+    /// Number in which α, β and Ω are computed.
     type Number: Number;
 
     /// Value of a coefficient of x^power, exact.
@@ -161,8 +158,8 @@ pub trait Coefficient: Copy + Debug + PartialEq {
         is_falling: bool,
         sine_cosine: [SumOf<Self>; 2],
     ) -> Complex<Self::Number>;
-    /// Cosine and sine of λ_β - λ_α, from the sines and cosines of both.
-    fn difference(sines_cosines: [[SumOf<Self>; 2]; 2]) -> [SumOf<Self>; 2];
+    /// Sine and cosine of λ_β - λ_α, from those of λ_α and λ_β.
+    fn sine_cosine_of_difference(sines_cosines: [[SumOf<Self>; 2]; 2]) -> [SumOf<Self>; 2];
 
     // For the set-up.
 
@@ -187,8 +184,8 @@ pub(crate) fn orientation<R: EphemerisScalar>(
 ) -> Orientation<NumberOf<R>> {
     let [[re_a, im_a, re_b, im_b], _] = polynomials::<R::Coefficient, false>(rows, point);
     // each sine where it is needed: the smallest chips have few registers
-    let alpha = R::Coefficient::rotated([re_a, im_a], point.is_falling, R::rotation(a));
-    let beta = R::Coefficient::rotated([re_b, im_b], point.is_falling, R::rotation(b));
+    let alpha = R::Coefficient::rotated([re_a, im_a], point.is_falling, R::sine_cosine_sums(a));
+    let beta = R::Coefficient::rotated([re_b, im_b], point.is_falling, R::sine_cosine_sums(b));
     Orientation { alpha, beta }
 }
 
@@ -200,12 +197,12 @@ pub(crate) fn orientation_and_omega_body<R: EphemerisScalar>(
     slow: [u64; 2],
     rates: [R::Quantity; 3],
 ) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
-    let [a, b] = slow.map(R::rotation);
+    let [a, b] = slow.map(R::sine_cosine_sums);
     let polynomials = polynomials::<R::Coefficient, true>(rows, point);
     let [[re_a, im_a, re_b, im_b], _] = polynomials;
     let alpha = R::Coefficient::rotated([re_a, im_a], point.is_falling, a);
     let beta = R::Coefficient::rotated([re_b, im_b], point.is_falling, b);
-    let difference = R::Coefficient::difference([a, b]);
+    let difference = R::Coefficient::sine_cosine_of_difference([a, b]);
     let (omega, exponent) = Number::omega_body(polynomials, difference, point, rates);
     (Orientation { alpha, beta }, omega, exponent)
 }

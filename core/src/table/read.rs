@@ -1,8 +1,12 @@
 //! Reading of a table: samples at ticks and at any time.
 
+mod segment;
+
 mod sample;
 
 mod tip_angle;
+
+mod instant;
 
 mod cursor;
 

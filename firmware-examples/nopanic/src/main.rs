@@ -179,8 +179,10 @@ fn tick<R: Real>(motion: &Motion) {
     let mut stepper = Stepper::<R>::new(motion);
     stepper.step(R::from_f64(unknown()));
     let attitude = stepper.attitude_state();
-    black_box((stepper.orientation(), attitude.u(), attitude.udot(), attitude.axis(), attitude.quaternion()));
-    black_box((attitude.omega(), attitude.omega_body(), State::from_attitude(&attitude).is_ok()));
+    let phi = stepper.orientation();
+    black_box((phi.u(), phi.axis(), phi.quaternion()));
+    black_box((attitude.udot(), attitude.omega(), attitude.omega_body()));
+    black_box(State::from_attitude(&attitude).is_ok());
     black_box((stepper.tip(), stepper.tip_velocity(), stepper.tip_angle_rate()));
     black_box(stepper.tip_angle().map(|angle| (angle.to_turns(), angle.to_radians(), angle.principal())));
 }

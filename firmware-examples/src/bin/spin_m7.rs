@@ -33,7 +33,7 @@ fn main() -> ! {
         let now = cursor.next(ephemeris);
         if tick % 250 == 0 {
             let state = now.attitude_state();
-            let ([x, y, height], tip) = (state.axis(), now.tip());
+            let ([x, y, height], tip) = (state.orientation.axis(), now.tip());
             defmt::info!("{=u32} ms: axis ({}, {}, {}), u' {} / s", tick, x, y, height, state.udot());
             defmt::info!("        tip ({}, {}) m", tip.re, tip.im);
         }

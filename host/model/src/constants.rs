@@ -229,8 +229,9 @@ fn at_start(motion: &Motion) -> AttitudeState<f64> {
 /// is the speed at which the axis leaves the vertical.
 fn axis_at_start(motion: &Motion) -> [f64; 4] {
     let state = at_start(motion);
-    let ([x, y, _], [rx, ry, rz]) = (state.axis(), cross(state.omega(), state.axis()));
-    let (level, u) = (Float::sqrt(x * x + y * y), state.u());
+    let (axis, u) = (state.orientation.axis(), state.orientation.u().clamp(-1.0, 1.0));
+    let ([x, y, _], [rx, ry, rz]) = (axis, cross(state.omega(), axis));
+    let level = Float::sqrt(x * x + y * y);
     let [precession, nutation] = if level > 0.0 {
         [(x * ry - y * rx) / level.squared(), (x * rx + y * ry) / level * u - rz * level]
     } else {
@@ -245,7 +246,7 @@ fn momentum(motion: &Motion) -> [f64; 3] {
         return [f64::NAN; 3];
     }
     let state = at_start(motion);
-    let (r, n) = (state.axis(), motion.first_integrals().n);
+    let (r, n) = (state.orientation.axis(), motion.first_integrals().n);
     let swing = cross(r, cross(state.omega(), r));
     from_fn(|i| motion.top().transverse_inertia() * swing[i] + n * r[i])
 }

@@ -99,5 +99,5 @@ impl Table {
 /// Numbers of an orientation and a tip.
 pub fn pose_numbers((orientation, tip): (Orientation<f64>, Complex<f64>)) -> PoseNumbers {
     let (Orientation { alpha, beta }, [x, y, z]) = (orientation, orientation.axis());
-    [alpha.re, alpha.im, beta.re, beta.im, orientation.clamped_u(), x, y, z, tip.re, tip.im]
+    [alpha.re, alpha.im, beta.re, beta.im, orientation.u().clamp(-1.0, 1.0), x, y, z, tip.re, tip.im]
 }

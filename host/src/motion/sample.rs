@@ -64,7 +64,11 @@ impl Sample {
     ) -> Self {
         let Orientation { alpha, beta } = state.orientation;
         let [alpha, beta, tip] = [alpha, beta, tip].map(|z| widened(z, R::to_f64));
-        let pose = Pose { orientation: Orientation { alpha, beta }, u: state.u().to_f64(), tip };
+        let pose = Pose {
+            orientation: Orientation { alpha, beta },
+            u: state.orientation.u().to_f64().clamp(-1.0, 1.0),
+            tip,
+        };
         Self { t, pose, rates: body_rates(state), tip_angle, error_bound: None }
     }
 }

@@ -37,7 +37,7 @@ impl TipAngle {
     /// Sample at a time, from the orientation and the rates there.
     pub fn sample(&self, t: f64, orientation: Orientation<f64>, rates: BodyRates) -> Sample {
         let tip = orientation.tip_over_s().scaled(self.scale);
-        let pose = Pose { orientation, u: orientation.clamped_u(), tip };
+        let pose = Pose { orientation, u: orientation.u().clamp(-1.0, 1.0), tip };
         let tip_angle = self.continued(t, orientation.alpha * orientation.beta);
         Sample { t, pose, rates, tip_angle, error_bound: None }
     }

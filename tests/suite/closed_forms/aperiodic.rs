@@ -19,7 +19,10 @@ fn upright_to_rounding_at_any_time() {
                 for t in [60.0, 1e3, 1e6, 1e12, 1e15, 1e300].map(|t| sense * t) {
                     let attitude = form.at(t);
                     assert!((attitude.orientation.norm_squared() - 1.0).abs() < 1e-13, "{e1} {t}");
-                    assert!((attitude.u() - 1.0).abs() < 1e-13 && attitude.udot().abs() < 1e-13, "{e1} {t}");
+                    assert!(
+                        (attitude.orientation.u() - 1.0).abs() < 1e-13 && attitude.udot().abs() < 1e-13,
+                        "{e1} {t}"
+                    );
                     assert!(attitude.omega().iter().all(|w| w.is_finite()), "{e1} {t}");
                 }
                 let turned = form.at(sense * 400.0).orientation.alpha

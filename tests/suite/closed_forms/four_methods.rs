@@ -29,7 +29,10 @@ fn closed_forms_agree_with_the_vectors() {
             let attitude = form.at(sample.t);
             let error = attitude.orientation.distance(&sample.phi);
             if vector.is_exact() {
-                let rest = [(attitude.u() - sample.u).abs(), (attitude.udot() - sample.udot).abs() / speed];
+                let rest = [
+                    (attitude.orientation.u() - sample.u).abs(),
+                    (attitude.udot() - sample.udot).abs() / speed,
+                ];
                 exact[kind] = worst([exact[kind], error, rest[0], rest[1]]);
             } else {
                 rounded = greater(rounded, error);

@@ -127,7 +127,7 @@ fn rounded_multiples_of_pi_are_turning_points() {
         let start = InitialAngles { theta: f64::from(k) * std::f64::consts::PI, ..InitialAngles::default() };
         let motion = Motion::from_branch_points(&top(), [-0.25, 0.5, 2.0], SAME, &start).unwrap();
         let stepper = Stepper::<f64>::new(&motion);
-        let (u, udot) = (stepper.attitude_state().u(), stepper.attitude_state().udot());
+        let (u, udot) = (stepper.attitude_state().orientation.u(), stepper.attitude_state().udot());
         let end = if k % 2 == 0 { -0.25 } else { 0.5 };
         assert!(udot == 0.0 && (u - end).abs() < 1e-15, "{k}: {u} {udot}");
     }

@@ -98,7 +98,7 @@ fn the_stepper_follows_the_vectors() {
             error = greater(error, stepper.orientation().distance(&sample.phi));
             let reduced = worst(
                 [
-                    stepper.attitude_state().u() - sample.u,
+                    stepper.attitude_state().orientation.u() - sample.u,
                     (stepper.attitude_state().udot() - sample.udot) / speed,
                 ]
                 .map(f64::abs),

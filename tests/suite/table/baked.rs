@@ -127,7 +127,8 @@ macro_rules! wild {
                     let tip = phi.tip_over_s();
                     let (attitude, wide) = (sample.attitude_state(), sample.tip());
                     let [x, y, z] = attitude.omega();
-                    let numbers = [wide.re, wide.im, attitude.u(), attitude.udot(), x, y, z].map(f64::from);
+                    let numbers =
+                        [wide.re, wide.im, attitude.orientation.u(), attitude.udot(), x, y, z].map(f64::from);
                     let of_scalar = [phi.alpha.re, phi.beta.im, tip.re, tip.im].map(f64::from);
                     assert!(numbers.iter().chain(&of_scalar).all(|x| x.is_finite()), "{n}");
                     let _ = (

@@ -25,7 +25,7 @@ pub(super) fn attitude<R: Float + Into<f64>>(what: &str, attitude: &AttitudeStat
         [attitude.rate.alpha.re, attitude.rate.alpha.im, attitude.rate.beta.re, attitude.rate.beta.im];
     finite(what, rates.map(Into::into));
     finite(what, attitude.omega().map(Into::into));
-    finite(what, [attitude.u().into(), attitude.udot().into()]);
+    finite(what, [attitude.orientation.u().into(), attitude.udot().into()]);
 }
 
 /// Checks the constants of a motion, and a stepper of each scalar over some steps.

@@ -225,7 +225,7 @@ mod tests {
     #[test]
     fn the_border_is_sharp() {
         let (factor, third) = (Extended::from(1.0 + f64::EPSILON), Extended::ONE / 3.0.into());
-        let p = Extended::exact_product(1.0 + f64::EPSILON, 0.1);
+        let p = Extended::from(1.0 + f64::EPSILON) * 0.1.into();
         let scaled =
             ScaledTop { a: factor * 0.25.into(), c: third, s: third, p, g: 0.1.into(), k: Extended::ZERO };
         let (n, scale) = (factor * Extended::from(0.1), (scaled.a * p * scaled.g).doubled());

@@ -86,7 +86,13 @@ fn point_of_greatest_cubic(top: &Top, integrals: &FirstIntegrals<Extended>) -> O
     if u.abs() > one + noise.sqrt() || peak < -noise || found.axis_energy < -noise.sqrt() {
         return None;
     }
-    let u = u.clamp_to_one();
+    let u = if u.abs() <= one {
+        u
+    } else if u > zero {
+        one
+    } else {
+        -one
+    };
     let found = point(u, zero, (energy - u).max(zero));
     let d = scaled.d(found.one_minus_u * found.one_plus_u);
     Some(ReducedPoint { udot: (g.doubled() * peak.max(zero) / d).sqrt(), ..found })

@@ -39,7 +39,7 @@ pub(super) fn attitude(state: &State) -> AttitudeState<f64> {
     let (phi, omega) = state.in_extended();
     let AttitudeState { orientation, rate } = AttitudeState::from_fixed(phi.normalised(), omega);
     AttitudeState {
-        orientation: orientation.cast(),
-        rate: OrientationRate { alpha: rate.alpha.cast(), beta: rate.beta.cast() },
+        orientation: orientation.map(Float::to_f64),
+        rate: OrientationRate { alpha: rate.alpha.map(Float::to_f64), beta: rate.beta.map(Float::to_f64) },
     }
 }

@@ -197,7 +197,6 @@ mod tests {
     fn a_small_difference_survives() {
         let big = Extended::from_parts([1.0, 1e-20]);
         assert_eq!((big - Extended::ONE).to_f64(), 1e-20);
-        assert_eq!((Extended::exact_product(0.1, 3.0) - Extended::from(0.1) * 3.0.into()).to_f64(), 0.0);
         assert!(big > Extended::ONE);
         let x = Extended::ONE + Extended::from(2_f64.powi(-120));
         let exact = Extended::difference_of_products([x, x], [Extended::ONE, x.doubled() - Extended::ONE]);

@@ -55,12 +55,6 @@ impl<const WORDS: usize> Wide<WORDS> {
         Self::from(a) + Self::from(b)
     }
 
-    /// Product of two `f64`; exact in 128 bits.
-    #[must_use]
-    pub fn exact_product(a: f64, b: f64) -> Self {
-        Self::from(a) * Self::from(b)
-    }
-
     /// Nearest `f64`, and the `f64` nearest to the remainder.
     pub fn to_parts(self) -> [f64; 2] {
         let leading = self.to_f64();

@@ -1,7 +1,8 @@
 //! Errors that a set-up allows to the parts of a table.
 
 use crate::scalar::Float;
-use crate::table::evaluation::{LEAST_DEPTH, TABLE_UNIT};
+use crate::table::data::cell::LEAST_DEPTH;
+use crate::table::evaluation::TABLE_UNIT;
 
 /// Larger of two numbers, or NaN if one of them is NaN.
 pub(super) fn max_or_nan<F: Float>(a: F, b: F) -> F {

@@ -14,8 +14,8 @@ use super::limits::Limits;
 use super::path::{CELL, HALF_PERIOD, Path, PathPoint, Span};
 use super::polynomial::Polynomial;
 use super::speeds::{SegmentErrors, Speeds};
-use crate::table::data::cell::{CELLS, Cell};
-use crate::table::evaluation::{LEAST_DEPTH, TABLE_UNIT};
+use crate::table::data::cell::{CELLS, Cell, LEAST_DEPTH};
+use crate::table::evaluation::TABLE_UNIT;
 
 /// Table in which segments are stored.
 pub(super) trait SegmentStore {

@@ -123,18 +123,21 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
 /// Functions of each scalar. They are `const`, which a trait cannot declare.
 macro_rules! baked {
-    ($scalar:ty, $wide:ident, $coefficient:ident) => {
+    ($scalar:ty, $quantity:ident <= $greatest:ident, $coefficient:ident) => {
         impl EphemerisView<$scalar> {
             /// Checksum of the table, as in table data.
             #[must_use]
             pub const fn crc32(&self) -> u32 {
                 let clock = &self.clock;
-                let head = self.crc32_of_head().$wide(&[clock.twice_tip_scale]).$wide(&clock.rates());
+                let head = self.crc32_of_head().$quantity(&[clock.twice_tip_scale]).$quantity(&clock.rates());
                 head.$coefficient(self.segments.as_flattened().as_flattened()).value()
             }
 
             /// First field with a number out of range.
             const fn out_of_range(&self) -> Option<&'static str> {
+                const fn is_small(number: $quantity) -> bool {
+                    range::within(&[number as f64], range::$greatest)
+                }
                 let mut segments = &self.segments;
                 while let [segment, rest @ ..] = segments
                     && range::$coefficient(segment.as_flattened())
@@ -147,10 +150,10 @@ macro_rules! baked {
                     ("ticks_per_time", range::finite(&clock.ticks_per_time)),
                     ("error_bound", range::finite(&self.error_bound.numbers())),
                     ("rate_error_bound", range::finite(&self.rate_error_bound.numbers())),
-                    ("twice_tip_scale", range::$wide(&[clock.twice_tip_scale])),
-                    ("x_rate", range::$wide(&[clock.x_rate])),
-                    ("slow_sum_rate", range::$wide(&[clock.slow_sum_rate])),
-                    ("axial_rate", range::$wide(&[clock.axial_rate])),
+                    ("twice_tip_scale", is_small(clock.twice_tip_scale)),
+                    ("x_rate", is_small(clock.x_rate)),
+                    ("slow_sum_rate", is_small(clock.slow_sum_rate)),
+                    ("axial_rate", is_small(clock.axial_rate)),
                     ("segments", segments.is_empty()),
                     ("cells", self.has_segments_of_cells()),
                 ];
@@ -210,9 +213,9 @@ macro_rules! baked {
     };
 }
 
-baked!(f32, f32, i32);
-baked!(f64, f64, f64);
+baked!(f32, f32 <= GREATEST_F32, i32);
+baked!(f64, f64 <= GREATEST_F64, f64);
 #[cfg(feature = "fixed")]
-baked!(fixed::types::I2F30, f32, i32);
+baked!(fixed::types::I2F30, f32 <= GREATEST_F32, i32);
 #[cfg(feature = "fixed")]
-baked!(fixed::types::I2F14, f32, i16);
+baked!(fixed::types::I2F14, f32 <= GREATEST_F32, i16);

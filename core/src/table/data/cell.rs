@@ -2,10 +2,11 @@
 //!
 //! The segments of a cell are equal. At depth d the half period would have 2^d segments; one of depth 3 covers two cells.
 
-use crate::table::evaluation::LEAST_DEPTH;
-
 /// Number of cells in half a period.
 pub(crate) const CELLS: usize = 16;
+
+/// Depth of the longest segments, which are an eighth of half a period.
+pub(crate) const LEAST_DEPTH: u32 = 3;
 
 /// Number of segments in half a period at the least depth.
 pub(crate) const LEAST_SEGMENTS: usize = 1 << LEAST_DEPTH;

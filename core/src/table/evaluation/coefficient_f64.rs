@@ -4,7 +4,7 @@ use crate::complex::Complex;
 use crate::scalar::{Scalar, fraction_of_word, sine_cosine_f64};
 use crate::su2::Vector;
 use crate::table::evaluation::{
-    Coefficient, EphemerisScalar, EvaluationErrors, LEAST_DEPTH, Number, SegmentPoint, TABLE_UNIT,
+    Coefficient, EphemerisScalar, EvaluationErrors, Number, SegmentPoint, TABLE_UNIT,
 };
 
 impl EphemerisScalar for f64 {
@@ -29,7 +29,7 @@ impl EphemerisScalar for f64 {
     }
 
     #[inline(always)]
-    fn rotation(phase: u64) -> [f64; 2] {
+    fn sine_cosine_sums(phase: u64) -> [f64; 2] {
         sine_cosine_f64(phase).into()
     }
 }
@@ -75,9 +75,9 @@ impl Coefficient for f64 {
     }
 
     #[inline(always)]
-    fn difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[f64; 2]; 2]) -> [f64; 2] {
+    fn sine_cosine_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[f64; 2]; 2]) -> [f64; 2] {
         let difference = Complex::new(cosine_a, sine_a).conj() * Complex::new(cosine_b, sine_b);
-        [difference.re, difference.im]
+        [difference.im, difference.re]
     }
 }
 
@@ -93,13 +93,13 @@ impl Number for f64 {
     #[inline(always)]
     fn omega_body(
         polynomials: [[f64; 4]; 2],
-        [cosine, sine]: [f64; 2],
+        [sine, cosine]: [f64; 2],
         point: SegmentPoint,
         [x, mean, axial]: [f64; 3],
     ) -> (Vector<f64>, i32) {
         let pair = |[re_a, im_a, re_b, im_b]: [f64; 4]| [Complex::new(re_a, im_a), Complex::new(re_b, im_b)];
         let [[a, b], [a_slope, b_slope]] = polynomials.map(pair);
-        let x = x * Self::from(1_u16 << (point.depth - LEAST_DEPTH));
+        let x = x * Self::from(1_u16 << point.halvings);
         let change = (a.conj() * b_slope - b * a_slope.conj()).scaled(x);
         let n = change + (a.conj() * b).times_i().scaled(mean);
         let n = if point.is_falling { -n.conj() } else { n } * Complex::new(cosine, sine);

@@ -39,7 +39,7 @@ impl EphemerisScalar for I2F14 {
     }
 
     #[inline(always)]
-    fn rotation(phase: u64) -> [i32; 2] {
+    fn sine_cosine_sums(phase: u64) -> [i32; 2] {
         let (sine, cosine) = sine_cosine_q15((phase >> 32) as u32);
         [sine >> 15, cosine >> 15]
     }
@@ -93,8 +93,8 @@ impl Coefficient for i16 {
     }
 
     #[inline(always)]
-    fn difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> [i32; 2] {
-        [cosine_a * cosine_b + sine_a * sine_b, cosine_a * sine_b - sine_a * cosine_b]
+    fn sine_cosine_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> [i32; 2] {
+        [cosine_a * sine_b - sine_a * cosine_b, cosine_a * cosine_b + sine_a * sine_b]
     }
 }
 

@@ -46,7 +46,7 @@ impl EphemerisScalar for f32 {
     }
 
     #[inline(always)]
-    fn rotation(phase: u64) -> [i32; 2] {
+    fn sine_cosine_sums(phase: u64) -> [i32; 2] {
         sine_cosine_q26((phase >> 32) as u32).into()
     }
 }
@@ -69,7 +69,7 @@ impl EphemerisScalar for I2F30 {
     }
 
     #[inline(always)]
-    fn rotation(phase: u64) -> [i32; 2] {
+    fn sine_cosine_sums(phase: u64) -> [i32; 2] {
         sine_cosine_q31((phase >> 32) as u32).into()
     }
 }
@@ -153,10 +153,10 @@ impl Coefficient for i32 {
     }
 
     #[inline(always)]
-    fn difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> [i32; 2] {
+    fn sine_cosine_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> [i32; 2] {
         [
-            high_product(cosine_a, cosine_b) + high_product(sine_a, sine_b),
             high_product(cosine_a, sine_b) - high_product(sine_a, cosine_b),
+            high_product(cosine_a, cosine_b) + high_product(sine_a, sine_b),
         ]
     }
 }

@@ -1,46 +1,63 @@
 //! Angular velocity in integers.
 
 use crate::integer::high_product;
-use crate::table::evaluation::{LEAST_DEPTH, SegmentPoint};
+use crate::su2::Vector;
+use crate::table::evaluation::q30::Q30;
+use crate::table::evaluation::{Number, SegmentPoint};
 
-/// Angular velocity Ω over a power of two, in units of 2^-30, with the exponent of that power.
-///
-/// Values and derivatives are in units of 2^-31, cosine and sine of λ_β - λ_α in units of 2^-30. Sums wrap only with invalid table data.
-#[inline(always)]
-pub(super) fn omega_body(
-    polynomials: [[i32; 4]; 2],
-    [cosine, sine]: [i32; 2],
-    point: SegmentPoint,
-    rates: [f32; 3],
-) -> ([i32; 3], i32) {
-    let [[a, ia, b, ib], [da, dia, db, dib]] = polynomials;
-    // x ȳ of complex numbers, to units of 2^-30
-    let times_conj = |[x, ix]: [i32; 2], [y, iy]: [i32; 2]| {
-        let re = high_product(x, y).wrapping_add(high_product(ix, iy));
-        [re, high_product(ix, y).wrapping_sub(high_product(x, iy))]
-    };
-    let [forth, iforth] = times_conj([db, dib], [a, ia]);
-    let [back, iback] = times_conj([b, ib], [da, dia]);
-    let [product, iproduct] = times_conj([b, ib], [a, ia]);
-    let [x, mean, axial] = rates.map(Significand::new);
-    let x = Significand { exponent: x.exponent + (point.depth - LEAST_DEPTH) as i32, ..x };
-    let exponent = x.exponent.max(mean.exponent);
-    let sum = |change: i32, turned: i32| x.times(change, exponent).wrapping_add(mean.times(turned, exponent));
-    let re = sum(forth.wrapping_sub(back), iproduct.wrapping_neg());
-    let n = [if point.is_falling { re.wrapping_neg() } else { re }, sum(iforth.wrapping_sub(iback), product)];
-    // shifted left as far as the sum of two products allows
-    let [size, isize] = n.map(|part| part ^ (part >> 31));
-    let spare = (size | isize).leading_zeros().saturating_sub(2);
-    let [re, im] = n.map(|part| part << spare);
-    let transverse = [
-        high_product(re, sine).wrapping_add(high_product(im, cosine)) << 2,
-        high_product(im, sine).wrapping_sub(high_product(re, cosine)) << 2,
-    ];
-    let own = exponent + 3 - spare as i32;
-    let exponent = own.max(axial.exponent + 1);
-    let [x1, x2] = transverse.map(|part| part >> (exponent - own).min(31));
-    let omega = [x1, x2, axial.digits >> (exponent - axial.exponent).min(31)];
-    (omega, exponent - 127)
+impl Number for Q30 {
+    type Sum = i32;
+    type Quantity = f32;
+
+    #[inline]
+    fn derivative_sum(sum: i32) -> i32 {
+        sum >> 1
+    }
+
+    /// Values and derivatives are in units of 2^-31, sine and cosine of λ_β - λ_α in units of 2^-30. Sums wrap only with invalid table data.
+    #[inline(always)]
+    fn omega_body(
+        polynomials: [[i32; 4]; 2],
+        [sine, cosine]: [i32; 2],
+        point: SegmentPoint,
+        rates: [f32; 3],
+    ) -> (Vector<Self>, i32) {
+        let [[a, ia, b, ib], [da, dia, db, dib]] = polynomials;
+        // x ȳ of complex numbers, to units of 2^-30
+        let times_conj = |[x, ix]: [i32; 2], [y, iy]: [i32; 2]| {
+            let re = high_product(x, y).wrapping_add(high_product(ix, iy));
+            [re, high_product(ix, y).wrapping_sub(high_product(x, iy))]
+        };
+        let [forth, iforth] = times_conj([db, dib], [a, ia]);
+        let [back, iback] = times_conj([b, ib], [da, dia]);
+        let [product, iproduct] = times_conj([b, ib], [a, ia]);
+        let [x, mean, axial] = rates.map(Significand::new);
+        let x = Significand { exponent: x.exponent + point.halvings as i32, ..x };
+        let exponent = x.exponent.max(mean.exponent);
+        let sum =
+            |change: i32, turned: i32| x.times(change, exponent).wrapping_add(mean.times(turned, exponent));
+        let re = sum(forth.wrapping_sub(back), iproduct.wrapping_neg());
+        let n =
+            [if point.is_falling { re.wrapping_neg() } else { re }, sum(iforth.wrapping_sub(iback), product)];
+        // shifted left as far as the sum of two products allows
+        let [size, isize] = n.map(|part| part ^ (part >> 31));
+        let spare = (size | isize).leading_zeros().saturating_sub(2);
+        let [re, im] = n.map(|part| part << spare);
+        let transverse = [
+            high_product(re, sine).wrapping_add(high_product(im, cosine)) << 2,
+            high_product(im, sine).wrapping_sub(high_product(re, cosine)) << 2,
+        ];
+        let own = exponent + 3 - spare as i32;
+        let exponent = own.max(axial.exponent + 1);
+        let [x1, x2] = transverse.map(|part| part >> (exponent - own).min(31));
+        let omega = [x1, x2, axial.digits >> (exponent - axial.exponent).min(31)];
+        (omega.map(Self), exponent - 127)
+    }
+
+    #[inline(always)]
+    fn ldexp(self, exponent: i32) -> f32 {
+        self.ldexp(exponent)
+    }
 }
 
 /// Number `digits` · 2^(`exponent` - 157), where 2^30 <= |`digits`| < 2^31; 0 below 2^-126.
@@ -70,8 +87,6 @@ impl Significand {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::evaluation::Number;
-    use crate::table::evaluation::q30::Q30;
 
     /// Rates of any size and sign have an error below 3e-8 of their sum.
     #[test]
@@ -86,23 +101,22 @@ mod tests {
             let values = [(); 4].map(|()| random() >> 2);
             let slopes = [(); 4].map(|()| random() >> (3 + case % 20));
             let angle = f64::from(random());
-            let turn = [libm::cos(angle), libm::sin(angle)];
+            let turn = [libm::sin(angle), libm::cos(angle)];
             let mut rate = || (libm::exp2(f64::from(random() % 9)) * f64::from(random()) / 2e9) as f32;
             let rates = [rate().abs(), rate(), rate()];
-            let (depth, is_falling) = (LEAST_DEPTH + case % 12, case % 2 == 1);
+            let (halvings, is_falling) = (case % 12, case % 2 == 1);
             let unit = 1.0 / (1_u64 << 31) as f64;
             let wide = [values, slopes].map(|four| four.map(|number| f64::from(number) * unit));
             let [x, mean, axial] = rates.map(f64::from);
-            let point = SegmentPoint { x_q63: 0, x_q31: 0, depth, is_falling };
-            let [cosine, sine] = turn;
-            let (exact, _) = f64::omega_body(wide, [cosine, sine], point, [x, mean, axial]);
+            let point = SegmentPoint { x_q63: 0, x_q31: 0, halvings, is_falling };
+            let (exact, _) = f64::omega_body(wide, turn, point, [x, mean, axial]);
             let turn = turn.map(|part| (part * (1_u64 << 30) as f64) as i32);
-            let (omega, exponent) = omega_body([values, slopes], turn, point, rates);
-            let allowed = 3e-8 * (x * f64::from(1_u32 << (depth - LEAST_DEPTH)) + mean.abs() + axial.abs());
+            let (omega, exponent) = Q30::omega_body([values, slopes], turn, point, rates);
+            let allowed = 3e-8 * (x * f64::from(1_u32 << halvings) + mean.abs() + axial.abs());
             for (number, exact) in omega.into_iter().zip(exact) {
                 // a rotated number may exceed 1 by up to √2
-                assert!(number.unsigned_abs() < 3 << 29, "{case}: {number:?}");
-                worst = worst.max((f64::from(Q30(number).ldexp(exponent)) - exact).abs() / allowed);
+                assert!(number.0.unsigned_abs() < 3 << 29, "{case}: {number:?}");
+                worst = worst.max((f64::from(number.ldexp(exponent)) - exact).abs() / allowed);
             }
         }
         assert!(worst < 1.0 && worst > 0.1, "{worst}");

@@ -2,9 +2,6 @@
 
 use crate::integer::high_product;
 use crate::scalar::{Ring, sealed::Sealed};
-use crate::su2::Vector;
-use crate::table::evaluation::integer_omega::omega_body;
-use crate::table::evaluation::{Number, SegmentPoint};
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// Integer multiple of 2^-30 in [-2, 2). Sums and products wrap, which happens only with invalid table data.
@@ -25,29 +22,10 @@ impl From<Q30> for f32 {
     }
 }
 
-impl Number for Q30 {
-    type Sum = i32;
-    type Quantity = f32;
-
-    #[inline]
-    fn derivative_sum(sum: i32) -> i32 {
-        sum >> 1
-    }
-
-    #[inline(always)]
-    fn omega_body(
-        polynomials: [[i32; 4]; 2],
-        difference: [i32; 2],
-        point: SegmentPoint,
-        rates: [f32; 3],
-    ) -> (Vector<Self>, i32) {
-        let (omega, exponent) = omega_body(polynomials, difference, point, rates);
-        (omega.map(Self), exponent)
-    }
-
+impl Q30 {
     /// Product rounded to `f32`; 0 for an exponent below -95, at which it could be subnormal.
     #[inline(always)]
-    fn ldexp(self, exponent: i32) -> f32 {
+    pub(super) fn ldexp(self, exponent: i32) -> f32 {
         let number = if exponent < -95 { 0 } else { self.0 };
         let exponent = exponent.max(-95) - 30;
         if SOFT_FLOAT {

@@ -53,7 +53,8 @@ impl Cursor {
         if carry {
             self.carry();
         }
-        Sample::new(table, self.phases, table.clock.mean_tip(self.tick()))
+        let phases = self.phases.map(WrappedPhase::leading_bits);
+        Sample { ephemeris: table, phases, mean_tip: table.clock.mean_tip(self.tick()) }
     }
 
     /// Tick of the last sample, or the one before the first sample. It wraps after 2^63 - 1.
@@ -74,7 +75,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// Cursor whose first sample is that of tick `first`.
     #[must_use]
     pub fn cursor(&self, first: i64) -> Cursor {
-        let mut phases = self.clock.at(first);
+        let mut phases = self.clock.phases_at_tick(first);
         for (phase, step) in phases.iter_mut().zip(self.clock.steps()) {
             *phase = phase.minus(step);
         }
@@ -87,7 +88,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         const BLOCK: usize = 16;
         // as 128-bit numbers, which need no assembly from words
         let step = self.clock.steps().map(WrappedPhase::to_phase);
-        let mut now = self.clock.at(first).map(WrappedPhase::to_phase);
+        let mut now = self.clock.phases_at_tick(first).map(WrappedPhase::to_phase);
         let mut phases = [[0; 3]; BLOCK];
         for block in out.chunks_mut(BLOCK) {
             for phases in phases.iter_mut().take(block.len()) {

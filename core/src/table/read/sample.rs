@@ -1,14 +1,12 @@
 //! Sample of a motion: three phases, from which every quantity is computed when it is asked for.
 
 use crate::complex::Complex;
-use crate::phase::{Phase, WrappedPhase};
-use crate::scalar::{Extended, Float};
+use crate::phase::Phase;
+use crate::scalar::Float;
 use crate::su2::{AttitudeState, Orientation, Vector};
 use crate::table::data::EphemerisView;
-use crate::table::data::cell::Cell;
-use crate::table::evaluation::{
-    EphemerisScalar, LEAST_DEPTH, Number, NumberOf, SegmentPoint, orientation, orientation_and_omega_body,
-};
+use crate::table::evaluation::{EphemerisScalar, Number, NumberOf, orientation, orientation_and_omega_body};
+use crate::table::read::segment::LocatedSegment;
 
 /// Sample of a motion at one time. Each method evaluates the table; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
 /// [`Sample::attitude_state`] do so once for several quantities.
@@ -19,6 +17,7 @@ pub struct Sample<'a, R: EphemerisScalar> {
     pub(crate) ephemeris: &'a EphemerisView<R>,
     /// Leading 64 bits of nutation phase and slow phases.
     pub(crate) phases: [u64; 3],
+    /// Mean tip angle.
     pub(crate) mean_tip: Phase,
 }
 
@@ -34,12 +33,7 @@ pub struct Pose<R, W> {
     pub tip: Complex<W>,
 }
 
-impl<'a, R: EphemerisScalar> Sample<'a, R> {
-    #[inline(always)]
-    pub(crate) fn new(ephemeris: &'a EphemerisView<R>, phases: [WrappedPhase; 3], mean_tip: Phase) -> Self {
-        Self { ephemeris, phases: phases.map(WrappedPhase::leading_bits), mean_tip }
-    }
-
+impl<R: EphemerisScalar> Sample<'_, R> {
     /// Nutation phase: one turn a period, 0 at u = e₁, half a turn at u = e₂.
     #[must_use]
     pub fn nutation_phase(&self) -> Phase {
@@ -51,7 +45,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[inline(always)]
     #[must_use]
     pub fn orientation(&self) -> Orientation<R> {
-        map_parts(&self.unrounded(), R::from_number)
+        self.unrounded().map(R::from_number)
     }
 
     /// Orientation, u and tip.
@@ -62,7 +56,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         let product = numbers.alpha * numbers.beta;
         let [re, im] = [product.re, product.im].map(Into::into);
         Pose {
-            orientation: map_parts(&numbers, R::from_number),
+            orientation: numbers.map(R::from_number),
             u: R::from_number(numbers.u()),
             tip: Complex::new(re, im).scaled(self.ephemeris.clock.twice_tip_scale),
         }
@@ -114,7 +108,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[must_use]
     pub fn orientation_and_omega_body(&self) -> (Orientation<R>, Vector<R::Quantity>) {
         let (numbers, omega_body) = self.numbers_and_omega_body();
-        (map_parts(&numbers, R::from_number), omega_body)
+        (numbers.map(R::from_number), omega_body)
     }
 
     /// Rate u' of the cosine of the tilt, per unit time.
@@ -138,7 +132,7 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R::Quantity> {
         let (numbers, omega_body) = self.numbers_and_omega_body();
-        let orientation = map_parts(&numbers, Into::into);
+        let orientation = numbers.map(Into::into);
         AttitudeState::from_body(orientation, omega_body)
     }
 
@@ -171,78 +165,6 @@ impl<'a, R: EphemerisScalar> Sample<'a, R> {
         let (orientation, omega_body, exponent) = self.unrounded_with_omega_body();
         orientation.axis_rate(omega_body).map(|rate| rate.ldexp(exponent))
     }
-}
-
-/// Segment of a nutation phase, and the point of it.
-pub(super) struct LocatedSegment<'a, R: EphemerisScalar> {
-    pub(super) rows: &'a [[R::Coefficient; 4]],
-    pub(super) index: usize,
-    pub(super) point: SegmentPoint,
-}
-
-impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Sample of the motion at tick n, of either sign.
-    #[inline(always)]
-    #[must_use]
-    pub fn at_tick(&self, n: i64) -> Sample<'_, R> {
-        Sample::new(self, self.clock.at(n), self.clock.mean_tip(n))
-    }
-
-    /// Sample of the motion t (s) after tick 0, taken as exact; 0 if it is not finite.
-    ///
-    /// Same bits as [`EphemerisView::at_tick`] at whole ticks, if the tick rate is a multiple of 1/2. It is slow beyond 2^62 ticks, and for
-    /// ticks of half a turn or more of a phase.
-    #[inline(always)] // so that the mean tip angle is computed only where the caller uses it
-    #[must_use]
-    pub fn at(&self, t: f64) -> Sample<'_, R> {
-        match self.clock.at_time(t) {
-            Some((phases, mean_tip)) => Sample { ephemeris: self, phases, mean_tip },
-            None => self.at_ticks(self.clock.ticks(t)),
-        }
-    }
-
-    /// Sample at any number of ticks, with a fraction.
-    #[cold]
-    #[inline(never)]
-    pub(crate) fn at_ticks(&self, ticks: Extended) -> Sample<'_, R> {
-        let (phases, mean_tip) = self.clock.at_ticks(ticks);
-        Sample::new(self, phases, mean_tip)
-    }
-
-    /// Time of the last tick, 2^63, in s.
-    #[must_use]
-    pub fn last_time(&self) -> f64 {
-        let [ticks_per_time, _] = self.clock.ticks_per_time;
-        (1_u64 << 63) as f64 / ticks_per_time
-    }
-
-    /// Segment of a nutation phase, given by its 64 leading bits.
-    #[inline(always)]
-    pub(super) fn segment_at(&self, nutation: u64) -> LocatedSegment<'_, R> {
-        let falling = (nutation as i64) >> 63;
-        // the fraction of half a period, and its 32 leading bits
-        let half = (nutation ^ falling as u64) << 1;
-        let leading = (half >> 32) as u32;
-        let cell = Cell(self.cells.get((leading >> 28) as usize).copied().unwrap_or_default());
-        let (depth, index) = (cell.depth(), cell.segment(leading));
-        // a cell refers to a segment of the table, which has one: the fallbacks only avoid a panic
-        let segment = self.segments.get(index).or(self.segments.first());
-        // 32 leading bits of the fraction of an eighth
-        let eighth = (half >> (32 - LEAST_DEPTH)) as u32;
-        // the range [0, 1) becomes [-1, 1) by flipping the upper bit
-        let (x_q63, x_q31) = ((half << depth) ^ (1 << 63), (eighth << (depth - LEAST_DEPTH)) ^ (1 << 31));
-        LocatedSegment {
-            rows: segment.map_or(&[], |segment| segment.as_ref()),
-            index,
-            point: SegmentPoint { x_q63: x_q63 as i64, x_q31: x_q31 as i32, depth, is_falling: falling < 0 },
-        }
-    }
-}
-
-#[inline(always)]
-fn map_parts<A: Copy, B>(orientation: &Orientation<A>, number: impl Fn(A) -> B) -> Orientation<B> {
-    let parts = |z: Complex<A>| Complex::new(number(z.re), number(z.im));
-    Orientation { alpha: parts(orientation.alpha), beta: parts(orientation.beta) }
 }
 
 #[cfg(feature = "defmt")]

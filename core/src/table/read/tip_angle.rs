@@ -45,11 +45,11 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     pub(in crate::table) fn tabulated_tip_angle(&self, nutation: u64, pause: &mut dyn FnMut()) -> Phase {
         const SEGMENTS: usize = 16;
         let found = self.segment_at(nutation);
-        let mut winding = Winding::ZERO;
+        let mut argument = ContinuedArgument::ZERO;
         for (index, segment) in self.segments.iter().enumerate().take(found.index + 1) {
             let [centre, ..] = segment.as_ref() else { continue };
             let [a, b] = complex(centre.map(|coefficient| coefficient.to_f64(0)));
-            winding.continue_to(self.relative_to_start(a * b));
+            argument.continue_to(self.relative_to_start(a * b));
             if index % SEGMENTS == SEGMENTS - 1 {
                 pause();
             }
@@ -70,8 +70,9 @@ impl<R: EphemerisScalar> EphemerisView<R> {
             (true, true) => change,
             (true, false) => -change,
         };
-        winding.continue_to(self.relative_to_start(direction));
-        winding.angle_on(nutation)
+        argument.continue_to(self.relative_to_start(direction));
+        let angle = argument.angle();
+        if is_falling(nutation) { -angle } else { angle }
     }
 
     /// Product ab, turned so that at u = e₁ it leaves along the positive real axis.
@@ -92,14 +93,14 @@ fn complex([re_alpha, im_alpha, re_beta, im_beta]: [f64; 4]) -> [Complex<f64>; 2
 /// Value of |αβ|, in roundings of the scalar, below which its argument is unknown.
 const LEAST_MODULUS: f64 = 64.0;
 
-/// Argument of a complex number that turns by less than half a turn at a time, continued from 0.
+/// Argument of a number that turns by less than half a turn at a time: it continues from 0, and counts whole turns.
 #[derive(Clone, Copy, Debug)]
-struct Winding {
+struct ContinuedArgument {
     z: Complex<f64>,
     whole_turns: i64,
 }
 
-impl Winding {
+impl ContinuedArgument {
     const ZERO: Self = Self { z: Complex::new(1.0, 0.0), whole_turns: 0 };
 
     /// Continues the argument to z; 0 has no argument and changes nothing.
@@ -116,10 +117,8 @@ impl Winding {
         self.z = z;
     }
 
-    /// Argument at this nutation phase, negative where u falls.
-    fn angle_on(&self, nutation: u64) -> Phase {
-        let angle = Phase::from_radians(self.z.arg()) + Phase::TURN * self.whole_turns;
-        if is_falling(nutation) { -angle } else { angle }
+    fn angle(&self) -> Phase {
+        Phase::from_radians(self.z.arg()) + Phase::TURN * self.whole_turns
     }
 }
 
@@ -130,11 +129,11 @@ mod tests {
     #[test]
     fn an_argument_is_continued_through_any_number_of_turns() {
         for sense in [1.0, -1.0] {
-            let mut winding = Winding::ZERO;
+            let mut argument = ContinuedArgument::ZERO;
             for step in 1..40 {
                 let angle = sense * 0.9 * f64::from(step);
-                winding.continue_to(Complex::new(angle.cos(), angle.sin()));
-                assert!((winding.angle_on(0).to_radians() - angle).abs() < 1e-12, "{angle}");
+                argument.continue_to(Complex::new(angle.cos(), angle.sin()));
+                assert!((argument.angle().to_radians() - angle).abs() < 1e-12, "{angle}");
             }
         }
     }

@@ -94,7 +94,9 @@ impl DynEphemeris for AperiodicMotion {
     fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent> {
         let value = |t: f64| match condition {
             Condition::Turning => self.form.v(t).clamp(-0.5, 0.5),
-            Condition::Crossing(level) if level.u() < 1.0 => 0.25 * (self.form.at(t).u() - level.u()),
+            Condition::Crossing(level) if level.u() < 1.0 => {
+                0.25 * (self.form.at(t).orientation.u() - level.u())
+            }
             Condition::Crossing(_) => 0.5,
             Condition::TipAngle(angle) => (self.angle(t) - angle.to_radians()) / TAU,
         };

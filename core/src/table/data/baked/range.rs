@@ -1,14 +1,14 @@
 //! Ranges of literal data, in which no integer of a tick overflows and only the tip's velocity may become infinite. Every set-up keeps them.
 
 /// Largest rate, length or coefficient in `f64`. Products of three such numbers and of powers of two stay finite.
-const GREATEST_DOUBLE: f64 = 1e60;
+pub(super) const GREATEST_F64: f64 = 1e60;
 /// Largest rate or length in `f32`. Only the velocity of the tip, a product of two such numbers, may become infinite.
-const GREATEST_SINGLE: f32 = 1e30;
+pub(super) const GREATEST_F32: f64 = 1e30_f32 as f64;
 /// Largest 32-bit sum from which the smallest chip computes a product by halves.
 const GREATEST_SUM: u64 = (1 << 31) - (1 << 15);
 
 /// Whether no number is NaN or of a larger size.
-const fn within(mut numbers: &[f64], greatest: f64) -> bool {
+pub(super) const fn within(mut numbers: &[f64], greatest: f64) -> bool {
     while let [number, rest @ ..] = numbers {
         if number.is_nan() || number.abs() > greatest {
             return false;
@@ -19,31 +19,20 @@ const fn within(mut numbers: &[f64], greatest: f64) -> bool {
 }
 
 /// Whether all numbers are finite.
-pub(crate) const fn finite(numbers: &[f64]) -> bool {
+pub(super) const fn finite(numbers: &[f64]) -> bool {
     within(numbers, f64::MAX)
 }
 
-/// Whether a tick can compute with these rates, lengths or coefficients.
-pub(crate) const fn f64(numbers: &[f64]) -> bool {
-    within(numbers, GREATEST_DOUBLE)
-}
-
-/// Whether a tick can compute with these rates or lengths.
-pub(crate) const fn f32(mut numbers: &[f32]) -> bool {
-    while let [number, rest @ ..] = numbers {
-        if number.is_nan() || number.abs() > GREATEST_SINGLE {
-            return false;
-        }
-        numbers = rest;
-    }
-    true
+/// Whether a tick can compute with these coefficients.
+pub(super) const fn f64(coefficients: &[f64]) -> bool {
+    within(coefficients, GREATEST_F64)
 }
 
 /// Whether the sums of Horner's rule stay in range, from the highest power of four polynomials down. A sum is at most its coefficient plus half
 /// of the sum before, rounded up. The last sum saturates.
 macro_rules! sums_in_range {
     ($coefficient:ident, $fraction_bits:literal) => {
-        pub(crate) const fn $coefficient(coefficients: &[$coefficient]) -> bool {
+        pub(super) const fn $coefficient(coefficients: &[$coefficient]) -> bool {
             let [_, _, _, _, powers @ ..] = coefficients else { return true };
             let (mut powers, mut sums) = (powers, [0_u64; 4]);
             while let [rest @ .., coefficient] = powers {

@@ -1,0 +1,117 @@
+//! Samples of a table at a tick, at a time, and at a number of ticks with a fraction.
+//!
+//! | method | instant | resolution |
+//! |---|---|---|
+//! | `at_tick` | tick n | exact |
+//! | `at` | t seconds after tick 0 | 2^-64 ticks up to 2^62 ticks, further on that of `at_ticks` |
+//! | `at_ticks` | number of ticks in extended precision, for events | 2^-128 of the number |
+
+use crate::integer::{ldexp_i128, mantissa_and_exponent};
+use crate::phase::{Phase, WrappedPhase};
+use crate::scalar::Extended;
+use crate::table::data::{Clock, EphemerisView};
+use crate::table::evaluation::EphemerisScalar;
+use crate::table::read::sample::Sample;
+
+impl<R: EphemerisScalar> EphemerisView<R> {
+    /// Sample of the motion at tick n, of either sign.
+    #[inline(always)]
+    #[must_use]
+    pub fn at_tick(&self, n: i64) -> Sample<'_, R> {
+        let phases = self.clock.phases_at_tick(n).map(WrappedPhase::leading_bits);
+        Sample { ephemeris: self, phases, mean_tip: self.clock.mean_tip(n) }
+    }
+
+    /// Sample of the motion t (s) after tick 0, taken as exact; 0 if it is not finite.
+    ///
+    /// Same bits as [`EphemerisView::at_tick`] at whole ticks, if the tick rate is a multiple of 1/2. It is slow beyond 2^62 ticks, and for
+    /// ticks of half a turn or more of a phase.
+    #[inline(always)] // so that the mean tip angle is computed only where the caller uses it
+    #[must_use]
+    pub fn at(&self, t: f64) -> Sample<'_, R> {
+        let clock = &self.clock;
+        let Some((tick, fraction)) = clock.tick_and_fraction(t) else {
+            let t = if t.is_finite() { t } else { 0.0 };
+            return self.at_ticks(clock.tick_rate() * t.into());
+        };
+        let mean_tip = clock.mean_tip(tick) + clock.tip_step().times_part(fraction);
+        Sample { ephemeris: self, phases: clock.phases_after_tick(tick, fraction), mean_tip }
+    }
+
+    /// Sample at any number of ticks, with a fraction.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn at_ticks(&self, ticks: Extended) -> Sample<'_, R> {
+        let (phases, mean_tip) = self.clock.phases_at_ticks(ticks);
+        Sample { ephemeris: self, phases, mean_tip }
+    }
+
+    /// Time of the last tick, 2^63, in s.
+    #[must_use]
+    pub fn last_time(&self) -> f64 {
+        let [ticks_per_time, _] = self.clock.ticks_per_time;
+        (1_u64 << 63) as f64 / ticks_per_time
+    }
+}
+
+impl<W: Copy> Clock<W> {
+    /// Nutation phase and slow phases at tick n.
+    #[inline(always)]
+    pub(crate) fn phases_at_tick(&self, n: i64) -> [WrappedPhase; 3] {
+        let since_first = n.wrapping_sub(i64::MIN) as u64;
+        let after =
+            |first: u64, step: [u32; 3]| WrappedPhase::new(step).times(since_first).plus_leading_bits(first);
+        let [nutation, a, b] = &self.first_phases;
+        // by reference: an array of all steps would take nine registers at once
+        let [nutation_step, a_step, b_step] = &self.step;
+        [after(*nutation, *nutation_step), after(*a, *a_step), after(*b, *b_step)]
+    }
+
+    /// Tick at or before a time (0 if not finite), and the fraction of a tick after it in units of 2^-64.
+    ///
+    /// `None` beyond 2^62 ticks, and for fast ticks, in which a phase turns by half a turn or more.
+    #[inline(always)]
+    fn tick_and_fraction(&self, t: f64) -> Option<(i64, u64)> {
+        const MOST_TICKS: f64 = (1_u64 << 62) as f64;
+        let [hi, lo] = self.ticks_per_time;
+        let near = (t * hi).abs() < MOST_TICKS || !t.is_finite();
+        let slow = self.exact_step.iter().all(|[turns, _]| turns.abs() < 0.5);
+        if !(near && slow) {
+            return None;
+        }
+        let (time, exponent) = mantissa_and_exponent(t);
+        let product = |rate: f64| {
+            let (rate, rate_exponent) = mantissa_and_exponent(rate);
+            ldexp_i128(i128::from(time) * i128::from(rate), exponent + rate_exponent + 64)
+        };
+        let ticks = if lo == 0.0 { product(hi) } else { product(hi).wrapping_add(product(lo)) };
+        Some(((ticks >> 64) as i64, ticks as u64))
+    }
+
+    /// 64 leading bits of nutation phase and slow phases at a fraction of a tick after tick n.
+    #[inline(always)]
+    fn phases_after_tick(&self, n: i64, fraction: u64) -> [u64; 3] {
+        let since_first = n.wrapping_sub(i64::MIN) as u64;
+        let ([nutation, a, b], [nutation_step, a_step, b_step]) = (self.first_phases, self.steps());
+        let after = |first: u64, step: WrappedPhase| {
+            first.wrapping_add(step.leading_bits_after(since_first, fraction))
+        };
+        [after(nutation, nutation_step), after(a, a_step), after(b, b_step)]
+    }
+
+    /// 64 leading bits of nutation phase and slow phases, and mean tip angle, at any number of ticks.
+    #[cold]
+    #[inline(never)]
+    fn phases_at_ticks(&self, ticks: Extended) -> ([u64; 3], Phase) {
+        let (ticks, fraction) = ticks.floor_and_fraction();
+        let since_first = ticks.wrapping_sub(i64::MIN.into());
+        let turned = |step: Phase, ticks: i128| Phase::from_bits(step.to_bits().wrapping_mul(ticks));
+        let mut phases = self.first_phases;
+        for ((phase, step), turns) in phases.iter_mut().zip(self.steps()).zip(self.exact_steps()) {
+            let part = (turns * fraction).to_phase();
+            *phase = phase.wrapping_add((turned(step.to_phase(), since_first) + part).leading_bits());
+        }
+        let part = (self.exact_tip_step() * fraction).to_phase();
+        (phases, Phase::from_words(self.tip_start) + turned(self.tip_step(), ticks) + part)
+    }
+}
