@@ -3,10 +3,11 @@
 //! Orientation and first integrals are functions of the phases, so that |Φ|, l, n and h do not drift.
 
 use crate::complex::Complex;
+use crate::constants::Regime;
+use crate::motion::Motion;
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::gudermannian::{gudermannian, inverse_gudermannian};
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
-use crate::motion::{HalfPhase, Motion};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real};
 use crate::su2::{AttitudeState, Orientation};
@@ -19,8 +20,7 @@ use crate::su2::{AttitudeState, Orientation};
 pub struct Stepper<R> {
     ellipses: Ellipses<R>,
     equations: PhaseEquations<R>,
-    /// Half phase; in an aperiodic motion v, and the rounding error of the last addition to it.
-    half_phase: HalfPhase<[R; 2]>,
+    half_phase: HalfPhase<R>,
     slow_phases: [Phase; 2],
     /// Constant parts of the rates of the slow phases, in turns/s and rad/s.
     constant_rates: [(Extended, R); 2],
@@ -30,6 +30,17 @@ pub struct Stepper<R> {
     momentum_rates: [R; 2],
     /// Difference of φ and the continued arg α + arg β; `None` where φ does not exist.
     phi_origin: Option<Phase>,
+}
+
+/// Half phase χ, in the form in which a step advances it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum HalfPhase<R> {
+    /// None: u and the rates of the slow phases are constant.
+    Steady,
+    /// χ of a motion between two turning points.
+    Nutating(Phase),
+    /// v of an aperiodic motion, with χ = gd v, and the rounding error of the last addition to it.
+    Aperiodic([R; 2]),
 }
 
 impl<R: Real> Stepper<R> {
@@ -44,13 +55,13 @@ impl<R: Real> Stepper<R> {
             ellipses: motion.ellipses(),
             equations: motion.equations().cast(),
             half_phase: match motion.half_phase {
-                HalfPhase::Steady => HalfPhase::Steady,
-                HalfPhase::Nutating(chi) => HalfPhase::Nutating(chi),
-                HalfPhase::Aperiodic(cis_chi) => {
-                    let unrounded = inverse_gudermannian(cis_chi);
+                None => HalfPhase::Steady,
+                Some(_) if motion.regime() == Regime::Aperiodic => {
+                    let unrounded = inverse_gudermannian(motion.cis_chi());
                     let v = R::from_f64(unrounded);
                     HalfPhase::Aperiodic([v, R::from_f64(unrounded - v.to_f64())])
                 }
+                Some(chi) => HalfPhase::Nutating(chi),
             },
             slow_phases: motion.slow_phases,
             constant_rates: rates.map(|rate| (rate.in_turns(), R::from_f64(rate.to_f64()))),
@@ -84,7 +95,9 @@ impl<R: Real> Stepper<R> {
             HalfPhase::Aperiodic([v, rounding]) => {
                 let change = runge_kutta(dt, |delta| {
                     let [v, _] = exact_sum(v, delta + rounding);
-                    self.equations.aperiodic_rates(gudermannian(v))
+                    let Complex { re: sech, im: tanh } = gudermannian(v);
+                    let half_phase = self.equations.aperiodic_rate(tanh, sech);
+                    PhaseRates { half_phase, ..self.equations.rates(tanh, sech) }
                 });
                 let [v, rounding] = exact_sum(v, change.half_phase + rounding);
                 // beyond 1e30 cos χ is 0 in every scalar
@@ -158,18 +171,18 @@ impl<R: Real> Stepper<R> {
 
     /// Number e^{iχ}.
     fn cis_chi(&self) -> Complex<R> {
-        self.half_phase.cis_chi(|[v, _]| gudermannian(v))
+        match self.half_phase {
+            HalfPhase::Steady => Complex::ONE,
+            HalfPhase::Nutating(chi) => Complex::cis(chi),
+            HalfPhase::Aperiodic([v, _]) => gudermannian(v),
+        }
     }
 
     /// Rates of χ, λ_α and λ_β at e^{iχ}, rad/s.
     fn rates(&self, cis_chi: Complex<R>) -> [R; 3] {
         let PhaseRates { half_phase, psi_alpha, psi_beta } = match self.half_phase {
             HalfPhase::Steady => PhaseRates::ZERO,
-            HalfPhase::Nutating(_) => self.equations.rates(cis_chi.im, cis_chi.re),
-            HalfPhase::Aperiodic(_) => {
-                let rates = self.equations.aperiodic_rates(cis_chi);
-                PhaseRates { half_phase: rates.half_phase * cis_chi.re, ..rates } // χ' = v' sech v
-            }
+            _ => self.equations.rates(cis_chi.im, cis_chi.re),
         };
         let [(_, alpha), (_, beta)] = self.constant_rates;
         [half_phase, psi_alpha + alpha, psi_beta + beta]

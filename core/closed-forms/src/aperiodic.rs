@@ -18,9 +18,9 @@ use crate::elliptic::elementary::{ValueAndSlope, rounded};
 use crate::orientation::{ArgumentOffsets, solve_increasing};
 use constants::{AperiodicConstants, AperiodicValues, FixedTip};
 use sliding::Sliding;
-use toytop::internal::{HalfPhase, ScaledTop, inverse_gudermannian};
+use toytop::internal::inverse_gudermannian;
 use toytop::scalar::{Extended, Float, Ring};
-use toytop::{AttitudeState, Complex, Motion, Phase, Support};
+use toytop::{AttitudeState, Complex, Motion, Phase, Regime, Support};
 
 /// Aperiodic motion as a function of time, for any t. Where 1 - u is below the smallest number, the axis is upright
 /// and α rotates at a constant rate.
@@ -95,9 +95,11 @@ impl Aperiodic {
     /// Closed form of a motion; `None` unless e₂ = e₃ = 1 and u < 1.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let HalfPhase::Aperiodic(cis_chi) = motion.parts().half_phase else { return None };
-        let v = Extended::from(inverse_gudermannian(cis_chi));
-        let (e, ScaledTop { a, p, s, g, .. }) = (motion.parts().e, ScaledTop::<Extended>::new(motion.top()));
+        if motion.regime() != Regime::Aperiodic {
+            return None;
+        }
+        let v = Extended::from(inverse_gudermannian(Complex::cis(motion.parts().half_phase?)));
+        let (e, [a, _, s, p, g, _]) = (motion.parts().e, motion.top().parts());
         let one_minus_e1 = e.one_minus_e1();
         let constants =
             AperiodicConstants { e1: e.e1, one_plus_e1: e.one_plus_e1, one_minus_e1, a_over_p: a / p, s, g };
