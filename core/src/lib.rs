@@ -48,7 +48,6 @@ pub mod internal {
     pub use crate::body::{check, check_finite};
     pub use crate::motion::MotionParts;
     pub use crate::motion::cayley_klein::{Ellipse, Ellipses};
-    pub use crate::motion::gudermannian::inverse_gudermannian;
 }
 
 pub use body::{ParameterError, Release, State, Support, Top, TopParameters};

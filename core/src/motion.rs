@@ -123,6 +123,13 @@ impl Motion {
         self.half_phase.map_or(Complex::ONE, Complex::cis)
     }
 
+    /// Variable v = asinh(tan χ) at t = 0 of an aperiodic motion, which has χ = gd v; `None` for another motion.
+    #[doc(hidden)]
+    pub fn aperiodic_v(&self) -> Option<f64> {
+        let Complex { re: cosine, im: sine } = self.cis_chi();
+        (self.regime == Regime::Aperiodic).then(|| libm::asinh(sine / cosine))
+    }
+
     /// Tip angle at t = 0, in (-1/2, 1/2] turn.
     pub(crate) fn tip_angle_at_start(&self) -> Phase {
         self.ellipses.tip_angle(self.cis_chi(), self.slow_phases)

@@ -18,9 +18,8 @@ use crate::elliptic::elementary::{ValueAndSlope, rounded};
 use crate::orientation::{ArgumentOffsets, solve_increasing};
 use constants::{AperiodicConstants, AperiodicValues, FixedTip};
 use sliding::Sliding;
-use toytop::internal::inverse_gudermannian;
 use toytop::scalar::{Extended, Float, Ring};
-use toytop::{AttitudeState, Complex, Motion, Phase, Regime, Support};
+use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 
 /// Aperiodic motion as a function of time, for any t. Where 1 - u is below the smallest number, the axis is upright
 /// and α rotates at a constant rate.
@@ -95,10 +94,7 @@ impl Aperiodic {
     /// Closed form of a motion; `None` unless e₂ = e₃ = 1 and u < 1.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        if motion.regime() != Regime::Aperiodic {
-            return None;
-        }
-        let v = Extended::from(inverse_gudermannian(Complex::cis(motion.parts().half_phase?)));
+        let v = Extended::from(motion.aperiodic_v()?);
         let (e, [a, _, s, p, g, _]) = (motion.parts().e, motion.top().parts());
         let one_minus_e1 = e.one_minus_e1();
         let constants =
