@@ -4,8 +4,6 @@ mod error;
 
 mod top;
 
-mod scaled_top;
-
 mod parameters;
 
 mod state;
@@ -15,7 +13,6 @@ mod impulse;
 pub(crate) use error::check_range;
 pub use error::{ParameterError, check, check_finite};
 pub use parameters::TopParameters;
-pub use scaled_top::ScaledTop;
 pub(crate) use state::half_tilt_sine_cosine;
 pub use state::{Release, State};
 pub use top::{Support, Top};

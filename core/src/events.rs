@@ -9,6 +9,8 @@ mod bisection;
 
 mod level;
 
+mod recurring_instants;
+
 mod iterator;
 
 pub use event::Event;

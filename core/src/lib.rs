@@ -45,10 +45,9 @@ pub mod table_format {}
 /// Parts for `toytop-fit`, `toytop-closed-forms` and `toytop-c` only; any version may change them.
 #[doc(hidden)]
 pub mod internal {
-    pub use crate::body::{ScaledTop, check, check_finite};
+    pub use crate::body::{check, check_finite};
+    pub use crate::motion::MotionParts;
     pub use crate::motion::cayley_klein::{Ellipse, Ellipses};
-    pub use crate::motion::gudermannian::inverse_gudermannian;
-    pub use crate::motion::{HalfPhase, MotionParts};
 }
 
 pub use body::{ParameterError, Release, State, Support, Top, TopParameters};

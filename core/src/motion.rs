@@ -15,14 +15,14 @@ mod launch;
 pub use launch::InitialAngles;
 pub(crate) use launch_rounding::LaunchRounding;
 
-use crate::body::{ScaledTop, Support, Top};
+use crate::body::{Support, Top};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, Regime, Signs, TipClass, normal_force};
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::period::{Period, PeriodAdvance};
 use crate::motion::phase_equations::PhaseEquations;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Real, Ring, Wide};
+use crate::scalar::{Extended, Float, Ring, Wide};
 
 /// Motion of one launch.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,14 +30,13 @@ pub struct Motion {
     top: Top,
     signs: Signs,
     pub(crate) e: BranchPoints<Extended>,
-    /// First integrals in the units of a [`ScaledTop`].
     integrals: FirstIntegrals<Extended>,
     /// Half of τ = ⟨ω, r⟩ - n/A, rad/s.
     pub(crate) half_tau: Extended,
     ellipses: Ellipses<f64>,
     regime: Regime,
-    /// Half phase at t = 0.
-    pub(crate) half_phase: HalfPhase,
+    /// Half phase χ at t = 0; `None` where u is constant.
+    pub(crate) half_phase: Option<Phase>,
     /// Slow phases of α and β at t = 0.
     pub(crate) slow_phases: [Phase; 2],
     pub(crate) rounding: LaunchRounding,
@@ -49,38 +48,14 @@ pub struct Motion {
 pub struct MotionParts {
     /// Branch points.
     pub e: BranchPoints<Extended>,
-    /// First integrals in the units of a [`ScaledTop`].
+    /// First integrals.
     pub integrals: FirstIntegrals<Extended>,
     /// Half of τ = ⟨ω, r⟩ - n/A, rad/s.
     pub half_tau: Extended,
-    /// Half phase at t = 0.
-    pub half_phase: HalfPhase,
+    /// Half phase χ at t = 0; `None` where u is constant.
+    pub half_phase: Option<Phase>,
     /// Slow phases of α and β at t = 0.
     pub slow_phases: [Phase; 2],
-}
-
-/// Half phase χ of the nutation.
-///
-/// V is its form in an aperiodic motion, where χ tends to a quarter turn: e^{iχ} in a `Motion`, v in a `Stepper`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum HalfPhase<V = Complex<f64>> {
-    /// None: u and the rates of the slow phases are constant.
-    Steady,
-    /// χ of a motion between two turning points.
-    Nutating(Phase),
-    /// χ of an aperiodic motion.
-    Aperiodic(V),
-}
-
-impl<V> HalfPhase<V> {
-    /// Number e^{iχ}, by a function for an aperiodic motion; 1 for a steady one.
-    pub(crate) fn cis_chi<R: Real>(self, aperiodic: fn(V) -> Complex<R>) -> Complex<R> {
-        match self {
-            Self::Steady => Complex::ONE,
-            Self::Nutating(chi) => Complex::cis(chi),
-            Self::Aperiodic(value) => aperiodic(value),
-        }
-    }
 }
 
 impl Motion {
@@ -101,18 +76,12 @@ impl Motion {
 
     /// First integrals l, n and h.
     pub fn first_integrals(&self) -> FirstIntegrals {
-        self.integrals.unscaled(&self.top)
-    }
-
-    /// Axial rate ⟨ω, r⟩, rad/s; without a rotor from the rounded n and C.
-    pub(crate) fn axial_rate(&self) -> f64 {
-        let (FirstIntegrals { n, spin, .. }, c) = (self.first_integrals(), self.top.axial_inertia());
-        if self.top.rotor_momentum() == 0.0 && c > 0.0 { n / c } else { spin }
+        self.integrals.map(Float::to_f64)
     }
 
     /// Branch points e₁, e₂, e₃ and their differences.
     pub fn branch_points(&self) -> BranchPoints {
-        self.e.to_f64()
+        self.e.map(Float::to_f64)
     }
 
     /// Signs of l + n and l - n.
@@ -149,9 +118,16 @@ impl Motion {
         if self.is_steady() { [1; 2] } else { self.ellipses.windings() }
     }
 
-    /// Number e^{iχ} at t = 0.
+    /// Number e^{iχ} at t = 0; 1 where u is constant.
     pub(crate) fn cis_chi(&self) -> Complex<f64> {
-        self.half_phase.cis_chi(|cis_chi| cis_chi)
+        self.half_phase.map_or(Complex::ONE, Complex::cis)
+    }
+
+    /// Variable v = asinh(tan χ) at t = 0 of an aperiodic motion, which has χ = gd v; `None` for another motion.
+    #[doc(hidden)]
+    pub fn aperiodic_v(&self) -> Option<f64> {
+        let Complex { re: cosine, im: sine } = self.cis_chi();
+        (self.regime == Regime::Aperiodic).then(|| libm::asinh(sine / cosine))
     }
 
     /// Tip angle at t = 0, in (-1/2, 1/2] turn.
@@ -162,8 +138,7 @@ impl Motion {
     /// Least normal force over the weight; `None` unless the tip slides. Where it is negative, a real top leaves the plane.
     pub fn min_normal_force(&self) -> Option<f64> {
         (self.top.support() == Support::Sliding).then(|| {
-            let a_over_ps = ScaledTop::<Extended>::new(&self.top).a_over_ps();
-            if self.is_steady() { 1.0 } else { normal_force::minimum(&self.e, a_over_ps) }
+            if self.is_steady() { 1.0 } else { normal_force::minimum(&self.e, self.top.a_over_ps()) }
         })
     }
 
@@ -181,7 +156,7 @@ impl Motion {
 
     /// Rates ((l ± n)/(A (1 ± u)) ± τ)/2 of the slow phases where u is constant, rad/s; 0 for a parameter that is 0.
     pub(crate) fn steady_rates(&self) -> [Extended; 2] {
-        let (twice_a, zero) = (ScaledTop::<Extended>::new(&self.top).a.doubled(), Extended::ZERO);
+        let (twice_a, zero) = (self.top.a.doubled(), Extended::ZERO);
         let rate = |momentum: Extended, complement: Extended, half_tau: Extended| {
             if complement > zero { momentum / (twice_a * complement) + half_tau } else { zero }
         };
@@ -191,7 +166,7 @@ impl Motion {
     }
 
     pub(crate) fn is_steady(&self) -> bool {
-        self.half_phase == HalfPhase::Steady
+        self.half_phase.is_none()
     }
 
     #[doc(hidden)]

@@ -9,6 +9,8 @@
 //! | [`Float`] | division, square root, conversion: what *set-up* needs | yes | yes | no |
 //! | [`Real`] | both, an arctangent and an exponential: what a *stepper* and a fit need | yes | no | no |
 
+mod numeric_struct;
+
 mod power_of_two;
 
 mod wide;
@@ -19,6 +21,7 @@ pub mod sine;
 #[cfg(feature = "fixed")]
 mod fixed_point;
 
+pub(crate) use numeric_struct::numeric_struct;
 pub(crate) use power_of_two::{exponent, ldexp, power_of_two, power_of_two_f32, u64_to_f32};
 #[cfg(feature = "fixed")]
 pub(crate) use sine::sine_cosine_q15;

@@ -3,10 +3,10 @@
 //! Orientation and first integrals are functions of the phases, so that |Φ|, l, n and h do not drift.
 
 use crate::complex::Complex;
+use crate::motion::Motion;
 use crate::motion::cayley_klein::Ellipses;
-use crate::motion::gudermannian::{gudermannian, inverse_gudermannian};
+use crate::motion::gudermannian::gudermannian;
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
-use crate::motion::{HalfPhase, Motion};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real};
 use crate::su2::{AttitudeState, Orientation};
@@ -19,8 +19,7 @@ use crate::su2::{AttitudeState, Orientation};
 pub struct Stepper<R> {
     ellipses: Ellipses<R>,
     equations: PhaseEquations<R>,
-    /// Half phase; in an aperiodic motion v, and the rounding error of the last addition to it.
-    half_phase: HalfPhase<[R; 2]>,
+    half_phase: HalfPhase,
     slow_phases: [Phase; 2],
     /// Constant parts of the rates of the slow phases, in turns/s and rad/s.
     constant_rates: [(Extended, R); 2],
@@ -30,6 +29,17 @@ pub struct Stepper<R> {
     momentum_rates: [R; 2],
     /// Difference of φ and the continued arg α + arg β; `None` where φ does not exist.
     phi_origin: Option<Phase>,
+}
+
+/// Half phase χ, in the form in which a step advances it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum HalfPhase {
+    /// None: u and the rates of the slow phases are constant.
+    Steady,
+    /// χ of a motion between two turning points.
+    Nutating(Phase),
+    /// v of an aperiodic motion, with χ = gd v.
+    Aperiodic(Extended),
 }
 
 impl<R: Real> Stepper<R> {
@@ -43,17 +53,13 @@ impl<R: Real> Stepper<R> {
         let mut stepper = Self {
             ellipses: motion.ellipses(),
             equations: motion.equations().cast(),
-            half_phase: match motion.half_phase {
-                HalfPhase::Steady => HalfPhase::Steady,
-                HalfPhase::Nutating(chi) => HalfPhase::Nutating(chi),
-                HalfPhase::Aperiodic(cis_chi) => {
-                    let unrounded = inverse_gudermannian(cis_chi);
-                    let v = R::from_f64(unrounded);
-                    HalfPhase::Aperiodic([v, R::from_f64(unrounded - v.to_f64())])
-                }
+            half_phase: match (motion.aperiodic_v(), motion.half_phase) {
+                (Some(v), _) => HalfPhase::Aperiodic(v.into()),
+                (None, Some(chi)) => HalfPhase::Nutating(chi),
+                (None, None) => HalfPhase::Steady,
             },
             slow_phases: motion.slow_phases,
-            constant_rates: rates.map(|rate| (rate.in_turns(), R::from_f64(rate.to_f64()))),
+            constant_rates: rates.map(|rate| (rate.in_turns(), rounded(rate))),
             tip_scale: R::from_f64(top.tip_scale()),
             momentum_rates: [integrals.l_plus_n, integrals.l_minus_n]
                 .map(|momentum| R::from_f64(momentum * per_a)),
@@ -81,17 +87,15 @@ impl<R: Real> Stepper<R> {
                 self.half_phase = HalfPhase::Nutating(chi + phase_from_radians(change.half_phase));
                 change
             }
-            HalfPhase::Aperiodic([v, rounding]) => {
+            HalfPhase::Aperiodic(v) => {
+                // a change beyond 1e30 may be infinite, and cos χ is 0 in every scalar
+                let at = |delta: R| v + delta.to_f64().clamp(-1e30, 1e30).into();
                 let change = runge_kutta(dt, |delta| {
-                    let [v, _] = exact_sum(v, delta + rounding);
-                    self.equations.aperiodic_rates(gudermannian(v))
+                    let Complex { re: sech, im: tanh } = gudermannian(rounded::<R>(at(delta)));
+                    let half_phase = self.equations.aperiodic_rate(tanh, sech);
+                    PhaseRates { half_phase, ..self.equations.rates(tanh, sech) }
                 });
-                let [v, rounding] = exact_sum(v, change.half_phase + rounding);
-                // beyond 1e30 cos χ is 0 in every scalar
-                let far = R::from_f64(1e30);
-                let bounded = if v < R::ZERO { -far } else { far };
-                self.half_phase =
-                    HalfPhase::Aperiodic(if v.abs() <= far { [v, rounding] } else { [bounded, R::ZERO] });
+                self.half_phase = HalfPhase::Aperiodic(at(change.half_phase));
                 change
             }
         };
@@ -146,30 +150,28 @@ impl<R: Real> Stepper<R> {
     pub fn tip_angle_rate(&self) -> R {
         // φ' = (l+n)/(4A |α|²) + (l-n)/(4A |β|²), without a term whose parameter is 0
         let (Orientation { alpha, beta }, [plus, minus]) = (self.orientation(), self.momentum_rates);
-        let rate = over_norm_squared(plus, alpha) + over_norm_squared(minus, beta);
-        if rate.abs() <= R::GREATEST {
-            rate
-        } else if rate < R::ZERO {
-            -R::GREATEST
-        } else {
-            R::GREATEST
-        }
+        let term = |momentum_rate: R, z: Complex<R>| {
+            let square = z.cast::<f64>().norm_squared();
+            if square > 0.0 { momentum_rate.to_f64() / square } else { 0.0 }
+        };
+        let greatest = R::GREATEST.to_f64();
+        R::from_f64((term(plus, alpha) + term(minus, beta)).max(-greatest).min(greatest))
     }
 
     /// Number e^{iχ}.
     fn cis_chi(&self) -> Complex<R> {
-        self.half_phase.cis_chi(|[v, _]| gudermannian(v))
+        match self.half_phase {
+            HalfPhase::Steady => Complex::ONE,
+            HalfPhase::Nutating(chi) => Complex::cis(chi),
+            HalfPhase::Aperiodic(v) => gudermannian(rounded(v)),
+        }
     }
 
     /// Rates of χ, λ_α and λ_β at e^{iχ}, rad/s.
     fn rates(&self, cis_chi: Complex<R>) -> [R; 3] {
         let PhaseRates { half_phase, psi_alpha, psi_beta } = match self.half_phase {
             HalfPhase::Steady => PhaseRates::ZERO,
-            HalfPhase::Nutating(_) => self.equations.rates(cis_chi.im, cis_chi.re),
-            HalfPhase::Aperiodic(_) => {
-                let rates = self.equations.aperiodic_rates(cis_chi);
-                PhaseRates { half_phase: rates.half_phase * cis_chi.re, ..rates } // χ' = v' sech v
-            }
+            _ => self.equations.rates(cis_chi.im, cis_chi.re),
         };
         let [(_, alpha), (_, beta)] = self.constant_rates;
         [half_phase, psi_alpha + alpha, psi_beta + beta]
@@ -205,27 +207,12 @@ fn runge_kutta<R: Real>(dt: R, rates: impl Fn(R) -> PhaseRates<R>) -> PhaseRates
     }
 }
 
-/// Sum, and its rounding error (Knuth's exact addition).
-fn exact_sum<R: Real>(a: R, b: R) -> [R; 2] {
-    let sum = a + b;
-    let from_b = sum - a;
-    [sum, (a - (sum - from_b)) + (b - from_b)]
+fn rounded<R: Float>(x: Extended) -> R {
+    R::from_f64(x.to_f64())
 }
 
 fn phase_from_radians<R: Real>(angle: R) -> Phase {
     Phase::from_turns((angle * R::from_f64(0.5 * core::f64::consts::FRAC_1_PI)).to_f64())
-}
-
-/// Quotient x/|z|², also where |z|² underflows; 0 for z = 0.
-fn over_norm_squared<R: Real>(x: R, z: Complex<R>) -> R {
-    let size = z.re.abs().max(z.im.abs());
-    if x == R::ZERO || size == R::ZERO {
-        return R::ZERO;
-    }
-    let inverse = R::ONE / size;
-    let z_over_size =
-        if inverse.to_f64().is_finite() { z.scaled(inverse) } else { Complex::new(z.re / size, z.im / size) };
-    x / size / size / z_over_size.norm_squared()
 }
 
 #[cfg(feature = "defmt")]

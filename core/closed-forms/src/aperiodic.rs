@@ -18,7 +18,6 @@ use crate::elliptic::elementary::{ValueAndSlope, rounded};
 use crate::orientation::{ArgumentOffsets, solve_increasing};
 use constants::{AperiodicConstants, AperiodicValues, FixedTip};
 use sliding::Sliding;
-use toytop::internal::{HalfPhase, ScaledTop, inverse_gudermannian};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 
@@ -95,9 +94,8 @@ impl Aperiodic {
     /// Closed form of a motion; `None` unless e₂ = e₃ = 1 and u < 1.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let HalfPhase::Aperiodic(cis_chi) = motion.parts().half_phase else { return None };
-        let v = Extended::from(inverse_gudermannian(cis_chi));
-        let (e, ScaledTop { a, p, s, g, .. }) = (motion.parts().e, ScaledTop::<Extended>::new(motion.top()));
+        let v = Extended::from(motion.aperiodic_v()?);
+        let (e, [a, _, s, p, g, _]) = (motion.parts().e, motion.top().parts());
         let one_minus_e1 = e.one_minus_e1();
         let constants =
             AperiodicConstants { e1: e.e1, one_plus_e1: e.one_plus_e1, one_minus_e1, a_over_p: a / p, s, g };

@@ -17,7 +17,6 @@ use crate::elliptic::elementary::{ValueAndSlope, imaginary, of_turns, real};
 use crate::elliptic::lattice::{HalfPeriod, Lattice};
 use crate::orientation::{ArgumentOffsets, Periods, solve_increasing};
 use crate::theta_quotient::{ThetaQuotient, zeros};
-use toytop::internal::{HalfPhase, ScaledTop};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 
@@ -53,12 +52,12 @@ impl E3EqualsE4 {
     /// - e₄²| relative to e₄² - 1, and |e₃ - e₄| relative to e₃ - e₂.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let HalfPhase::Nutating(chi) = motion.parts().half_phase else { return None };
+        let chi = motion.parts().half_phase?;
         if motion.top().support() != Support::Sliding || !coincide(motion) {
             return None;
         }
         let e = motion.parts().e;
-        let ScaledTop { a: transverse_inertia, s, g, .. } = ScaledTop::<Extended>::new(motion.top());
+        let [transverse_inertia, _, s, _, g, _] = motion.top().parts();
         let (e2_plus_e3, e1_plus_e3) = (e.one_plus_e3() - e.one_minus_e2, e.one_plus_e1 + e.e3_minus_one);
         let lattice = Lattice::from_gaps(e.e2_minus_e1, e1_plus_e3);
         let [_, half] = lattice.half_periods;
@@ -116,7 +115,7 @@ impl E3EqualsE4 {
 
 /// Difference e₃² - e₄², and e₄² - 1 = A/(ps).
 fn squares(motion: &Motion) -> [Extended; 2] {
-    let (e, a_over_ps) = (motion.parts().e, ScaledTop::<Extended>::new(motion.top()).a_over_ps());
+    let (e, a_over_ps) = (motion.parts().e, motion.top().a_over_ps());
     [e.e3_minus_one * e.one_plus_e3() - a_over_ps, a_over_ps]
 }
 

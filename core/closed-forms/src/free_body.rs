@@ -9,7 +9,6 @@
 //!
 //! The formula needs neither branch points nor a table.
 
-use toytop::internal::{HalfPhase, ScaledTop};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, Vector, dot};
 use toytop::{AttitudeState, Complex, Motion, Phase, Stepper};
@@ -36,7 +35,7 @@ impl FreeBody {
         if !motion.top().is_torque_free() {
             return None;
         }
-        let ScaledTop { a, c, k, .. } = ScaledTop::<f64>::new(motion.top());
+        let [a, c, .., k] = motion.top().parts().map(Float::to_f64);
         let attitude = Stepper::<f64>::new(motion).attitude_state();
         let (r, omega) = (attitude.orientation.axis(), attitude.omega());
         let beyond_sphere = (c - a) * dot(omega, r) + k;
@@ -55,10 +54,7 @@ impl FreeBody {
             // χ advances by half a turn in a turn of the axis
             precession: motion.equations().rates(Extended::ZERO, Extended::ONE).half_phase.doubled(),
             half_tau: motion.parts().half_tau,
-            nutation: match motion.parts().half_phase {
-                HalfPhase::Nutating(chi) => Some(chi),
-                _ => None,
-            },
+            nutation: motion.parts().half_phase,
         })
     }
 

@@ -15,9 +15,8 @@ use crate::elliptic::elementary::{ValueAndSlope, imaginary, of_turns, real};
 use crate::elliptic::lattice::{HalfPeriod, Lattice};
 use crate::orientation::{ArgumentOffsets, Periods};
 use crate::theta_quotient::{ThetaQuotient, zeros};
-use toytop::internal::{HalfPhase, ScaledTop};
 use toytop::scalar::{Extended, Float, Ring};
-use toytop::{AttitudeState, BranchPoints, Complex, Motion, Phase, Support};
+use toytop::{AttitudeState, BranchPoints, Complex, Motion, Phase, Regime, Support};
 
 /// Nutating Lagrange top as a function of time.
 ///
@@ -43,15 +42,17 @@ impl Lagrange {
     /// Closed form of a motion; `None` unless the tip is fixed and u oscillates, e₁ < e₂ < e₃.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let HalfPhase::Nutating(chi) = motion.parts().half_phase else { return None };
-        if motion.top().support() != Support::Fixed || motion.top().is_torque_free() {
+        let (e, chi) = (motion.parts().e, motion.parts().half_phase?);
+        if motion.top().support() != Support::Fixed
+            || motion.top().is_torque_free()
+            || motion.regime() == Regime::Aperiodic
+        {
             return None;
         }
-        let e = motion.parts().e;
         let (swing, gap) = (e.e2_minus_e1, e.e3_minus_e2);
         let lattice = Lattice::from_gaps(gap, swing);
         let [half, _] = lattice.half_periods;
-        let ScaledTop { a, p, g, .. } = ScaledTop::<Extended>::new(motion.top());
+        let [a, _, _, p, g, _] = motion.top().parts();
         let z_rate = (p * g / a).halved().sqrt();
 
         // along imaginary z

@@ -1,7 +1,7 @@
 //! Orientation of a motion at any time, from α and β of a closed form within a period, and the inverse of an increasing function.
 
 use crate::elliptic::elementary::{ValueAndSlope, angle, of_turns, rounded};
-use toytop::internal::{Ellipse, Ellipses, HalfPhase};
+use toytop::internal::{Ellipse, Ellipses};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 use toytop::{AttitudeState, Complex, Motion, Phase};
@@ -23,11 +23,7 @@ impl ArgumentOffsets {
     /// Value and derivative are averaged with weights, so that the argument is well defined also where a parameter is
     /// 0 at t = 0.
     pub(super) fn new(motion: &Motion, closed: [ValueAndSlope; 2]) -> Self {
-        let (im, re) = match motion.parts().half_phase {
-            HalfPhase::Nutating(chi) => of_turns(chi),
-            HalfPhase::Aperiodic(cis_chi) => (cis_chi.im.into(), cis_chi.re.into()),
-            HalfPhase::Steady => (Extended::ZERO, Extended::ONE),
-        };
+        let (im, re) = of_turns(motion.parts().half_phase.unwrap_or_default());
         let rates = motion.equations().rates(im, re);
         let argument = |ellipse: Ellipse<Extended>, psi, ValueAndSlope { value, slope }| {
             let z = ellipse.slow_phase(Complex::new(re, im), [rates.half_phase, psi], [value, slope]);

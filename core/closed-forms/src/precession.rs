@@ -10,7 +10,7 @@
 //!
 //! Equal signs give the fast precession, different signs the slow one; at the same e and e₃ their product is pg/A.
 
-use toytop::internal::{ScaledTop, check, check_finite};
+use toytop::internal::{check, check_finite};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 use toytop::{AttitudeState, Complex, Motion, ParameterError, Regime, Signs, Stepper, Top};
@@ -56,8 +56,8 @@ impl RegularPrecession {
         if matches!(regime, Regime::Nutating | Regime::Aperiodic) || motion.top().is_torque_free() {
             return None;
         }
-        let (e, top) = (motion.parts().e, ScaledTop::<Extended>::new(motion.top()));
-        let ScaledTop { a, p, g, .. } = top;
+        let (e, top) = (motion.parts().e, motion.top());
+        let [a, _, _, p, g, _] = top.parts();
         let falls = regime == Regime::SleepingUnstable;
         let (zero, one) = (Extended::ZERO, Extended::ONE);
         let swing = e.e2_minus_e1.halved();
@@ -171,7 +171,7 @@ impl SteadyPrecession {
         check_finite("spin", spin)?;
         check(tilt > 0.0 && tilt < core::f64::consts::PI, "tilt", "strictly between 0 and pi")?;
         check(Float::abs(spin) <= 1e11, "spin", "between -1e11 and 1e11 rad/s")?;
-        let ScaledTop { a, c, p, g, k, .. } = ScaledTop::<f64>::new(top);
+        let [a, c, _, p, g, k] = top.parts().map(Float::to_f64);
         let (n, weight) = (c * spin + k, p * g);
         // the f64 nearest to π/2 means a horizontal axis
         let e = if tilt == core::f64::consts::FRAC_PI_2 { 0.0 } else { libm::cos(tilt) };

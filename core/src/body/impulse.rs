@@ -18,6 +18,7 @@
 
 use super::state::GREATEST_RATE;
 use super::{ParameterError, State, Support, Top, check, check_range};
+use crate::scalar::Float;
 use crate::su2::{Vector, cross, dot};
 
 impl State {
@@ -92,7 +93,7 @@ impl State {
                 check_range(-1e12..=1e12, name, component, "between -1e12 and 1e12 in every component")?;
             }
         }
-        let (a, c, s, p) = (top.a, top.c, top.s, top.mass_moment());
+        let [a, c, s, p] = [top.a, top.c, top.s, top.p].map(Float::to_f64);
         let phi = self.orientation.normalised();
         let (r, [x, y, z], [.., lift]) = (phi.axis(), point, impulse);
         let given = cross(phi.adjoint([x, y, z - s]), impulse);

@@ -1,6 +1,6 @@
 //! Parameters of a top, and their allowed ranges.
 
-use super::{ParameterError, ScaledTop, Support, Top, check, check_finite, check_range};
+use super::{ParameterError, Support, Top, check, check_finite, check_range};
 use crate::scalar::{Extended, Float, Ring};
 
 /// Parameters of a top, in SI or other consistent units.
@@ -40,9 +40,7 @@ impl Default for TopParameters {
 }
 
 fn check_positive(parameter: &'static str, value: f64) -> Result<f64, ParameterError> {
-    check_finite(parameter, value)?;
-    check(value > 0.0, parameter, "positive, between 1e-60 and 1e60")?;
-    check_range(1e-60..=1e60, parameter, value, "between 1e-60 and 1e60")?;
+    check_range(1e-60..=1e60, parameter, value, "positive, between 1e-60 and 1e60")?;
     Ok(value)
 }
 
@@ -99,7 +97,7 @@ impl Top {
         check_range(
             1e-6..=1e30,
             "transverse_inertia",
-            ScaledTop::<f64>::new(&top).a_over_ps(),
+            top.a_over_ps().to_f64(),
             "between 1e-6 and 1e30 times mass_moment x com_height",
         )?;
         Ok(top)
@@ -129,9 +127,9 @@ impl Top {
         };
         let p = Extended::from(mass) * check_positive("com_height", parameters.com_height)?.into();
         let top = Self::new(Support::Fixed, parameters, 0.0, p)?;
-        let least = top.mass_moment() * parameters.com_height + 0.5 * top.c;
+        let least = top.mass_moment() * parameters.com_height + 0.5 * top.axial_inertia();
         check(
-            top.a >= least * (1.0 - ROUNDING),
+            top.transverse_inertia() >= least * (1.0 - ROUNDING),
             "transverse_inertia",
             "the moment about the tip, at least mass x com_height^2 + axial_inertia / 2",
         )?;
@@ -186,6 +184,7 @@ impl Top {
             "at most 1e12 per second times transverse_inertia in magnitude",
         )?;
         let k = if k.abs() < 1e-60 * a { 0.0 } else { k };
+        let [a, c, s, g, k] = [a, c, s, g, k].map(Extended::from);
         Ok(Self { support, a, c, s, p, g, k })
     }
 }

@@ -6,30 +6,32 @@ mod from_state;
 
 mod integrals;
 
-use crate::body::{ParameterError, ScaledTop, Top, check_range};
-use crate::scalar::{Extended, Float, Ring};
+use crate::body::{ParameterError, check_range};
+use crate::scalar::{Extended, Float, numeric_struct};
 
-/// Branch points and their differences; none has a unit. A field that is changed by itself contradicts the others.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub struct BranchPoints<F = f64> {
-    /// Least u of the motion, e₁ >= -1.
-    pub e1: F,
-    /// Greatest u of the motion, e₂ <= 1.
-    pub e2: F,
-    /// Third branch point, e₃ >= 1; infinite without torque, like its differences.
-    pub e3: F,
-    /// 1 + e₁ >= 0.
-    pub one_plus_e1: F,
-    /// 1 - e₂ >= 0.
-    pub one_minus_e2: F,
-    /// e₂ - e₁ >= 0.
-    pub e2_minus_e1: F,
-    /// e₃ - e₂ >= 0.
-    pub e3_minus_e2: F,
-    /// e₃ - 1 >= 0.
-    pub e3_minus_one: F,
+numeric_struct! {
+    /// Branch points and their differences; none has a unit. They are only results: no launch takes them back.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+    #[non_exhaustive]
+    pub struct BranchPoints<F = f64> {
+        /// Least u of the motion, e₁ >= -1.
+        pub e1,
+        /// Greatest u of the motion, e₂ <= 1.
+        pub e2,
+        /// Third branch point, e₃ >= 1; infinite without torque, like its differences.
+        pub e3,
+        /// 1 + e₁ >= 0.
+        pub one_plus_e1,
+        /// 1 - e₂ >= 0.
+        pub one_minus_e2,
+        /// e₂ - e₁ >= 0.
+        pub e2_minus_e1,
+        /// e₃ - e₂ >= 0.
+        pub e3_minus_e2,
+        /// e₃ - 1 >= 0.
+        pub e3_minus_one,
+    }
 }
 
 /// Largest e₃. Beyond it the torque has less effect than the rounding of a state.
@@ -41,7 +43,7 @@ impl BranchPoints {
     /// # Errors
     /// `e1`, `e2`, `e3`: not finite, or not -1 <= e1 <= e2 <= 1 <= e3 <= 1e14.
     pub fn new(e1: f64, e2: f64, e3: f64) -> Result<Self, ParameterError> {
-        Ok(BranchPoints::from_roots([e1, e2, e3])?.to_f64())
+        Ok(BranchPoints::from_roots([e1, e2, e3])?.map(Float::to_f64))
     }
 }
 
@@ -65,14 +67,6 @@ impl BranchPoints<Extended> {
     }
 }
 
-impl Top {
-    /// Branch point e₄ = √(1 + A/(ps)) (equation (3.5)), which u never reaches; `None` unless the tip slides.
-    pub fn e4(&self) -> Option<f64> {
-        let e4 = || (Extended::ONE + ScaledTop::<Extended>::new(self).a_over_ps()).sqrt();
-        (self.com_height() > 0.0).then(|| e4().to_f64())
-    }
-}
-
 impl<F: Float> BranchPoints<F> {
     /// Difference 1 - e₁.
     pub fn one_minus_e1(&self) -> F {
@@ -92,23 +86,5 @@ impl<F: Float> BranchPoints<F> {
     /// Difference e₃ - e₁.
     pub fn e3_minus_e1(&self) -> F {
         self.e3_minus_e2 + self.e2_minus_e1
-    }
-
-    pub(crate) fn to_f64(self) -> BranchPoints {
-        self.map(F::to_f64)
-    }
-
-    /// Branch points in another number type.
-    pub(crate) fn map<G>(self, convert: impl Fn(F) -> G) -> BranchPoints<G> {
-        BranchPoints {
-            e1: convert(self.e1),
-            e2: convert(self.e2),
-            e3: convert(self.e3),
-            one_plus_e1: convert(self.one_plus_e1),
-            one_minus_e2: convert(self.one_minus_e2),
-            e2_minus_e1: convert(self.e2_minus_e1),
-            e3_minus_e2: convert(self.e3_minus_e2),
-            e3_minus_one: convert(self.e3_minus_one),
-        }
     }
 }

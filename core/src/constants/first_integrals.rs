@@ -1,8 +1,8 @@
 //! First integrals l, n and h of a state (Proposition 1 of the paper).
 
-use crate::body::{ScaledTop, State, Top};
-use crate::scalar::{Extended, Float, Ring};
-use crate::su2::{Vector, cross, dot};
+use crate::body::{State, Top};
+use crate::scalar::{Extended, Float, Ring, numeric_struct};
+use crate::su2::{cross, dot};
 
 /// Sign, + or -.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -48,23 +48,25 @@ pub struct Signs {
     pub l_minus_n: Sign,
 }
 
-/// First integrals: two components of the angular momentum, and the energy. A field that is changed by itself contradicts the others.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub struct FirstIntegrals<F = f64> {
-    /// Vertical angular momentum l = ⟨m, k⟩, kg m²/s.
-    pub l: F,
-    /// Axial angular momentum n = ⟨m, r⟩ = C ⟨ω, r⟩ + K, kg m²/s.
-    pub n: F,
-    /// Energy h = T + V, J; V = 0 at the height of the tip. The constant energy of a rotor relative to the body is left out.
-    pub h: F,
-    /// Axial rate ⟨ω, r⟩ of the body, rad/s: (n - K)/C; a further constant where C = 0.
-    pub spin: F,
-    /// Sum l + n, kg m²/s.
-    pub l_plus_n: F,
-    /// Difference l - n, kg m²/s.
-    pub l_minus_n: F,
+numeric_struct! {
+    /// First integrals: two components of the angular momentum, and the energy. They are only results: no launch takes them back.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+    #[non_exhaustive]
+    pub struct FirstIntegrals<F = f64> {
+        /// Vertical angular momentum l = ⟨m, k⟩, kg m²/s.
+        pub l,
+        /// Axial angular momentum n = ⟨m, r⟩ = C ⟨ω, r⟩ + K, kg m²/s.
+        pub n,
+        /// Energy h = T + V, J; V = 0 at the height of the tip. The constant energy of a rotor relative to the body is left out.
+        pub h,
+        /// Axial rate ⟨ω, r⟩ of the body, rad/s: (n - K)/C; a further constant where C = 0.
+        pub spin,
+        /// Sum l + n, kg m²/s.
+        pub l_plus_n,
+        /// Difference l - n, kg m²/s.
+        pub l_minus_n,
+    }
 }
 
 /// Point (u, u') of the reduced curve.
@@ -74,7 +76,7 @@ pub(crate) struct ReducedPoint {
     pub(crate) one_minus_u: Extended,
     pub(crate) one_plus_u: Extended,
     pub(crate) udot: Extended,
-    /// Kinetic energy of the axis, (A |ω × r|² + p s u'²)/2, in units of [`ScaledTop::weight_or_one`].
+    /// Kinetic energy of the axis, (A |ω × r|² + p s u'²)/2, in units of [`Top::weight_or_one`].
     pub(crate) axis_energy: Extended,
 }
 
@@ -100,54 +102,24 @@ impl ReducedPoint {
     }
 }
 
-/// Axis r of a state with 1 - u and 1 + u, and its angular velocity ω.
-struct Axis {
-    r: Vector<Extended>,
-    one_minus_u: Extended,
-    one_plus_u: Extended,
-    omega: Vector<Extended>,
-}
-
-impl Axis {
-    #[inline(never)]
-    fn new(state: &State) -> Self {
-        let (phi, omega) = state.in_extended();
-        let (zero, one) = (Extended::ZERO, Extended::ONE);
-        // without a square root a simple fraction remains exact
-        let norm = phi.norm_squared();
-        let one_minus_u = phi.beta.norm_squared().doubled() / norm;
-        let one_plus_u = phi.alpha.norm_squared().doubled() / norm;
-        let [r1, r2, u] = phi.axis().map(|component| component / norm);
-        // exact on the vertical, where n = C ω₃
-        let (u, one_minus_u, one_plus_u) = if one_minus_u == zero {
-            (one, zero, one.doubled())
-        } else if one_plus_u == zero {
-            (-one, one.doubled(), zero)
-        } else {
-            (u, one_minus_u, one_plus_u)
-        };
-        Self { r: [r1, r2, u], one_minus_u, one_plus_u, omega }
-    }
-}
-
 impl FirstIntegrals {
     /// First integrals of a state. Error: one `f64` rounding of the result.
     pub fn from_state(top: &Top, state: &State) -> Self {
-        FirstIntegrals::with_reduced_point(top, state).0.unscaled(top)
+        FirstIntegrals::with_reduced_point(top, state).0.map(Float::to_f64)
     }
 }
 
 impl FirstIntegrals<Extended> {
-    /// First integrals in the units of a [`ScaledTop`], and the point of the reduced curve.
-    pub(crate) fn with_reduced_point(top: &Top, state: &State) -> (Self, ReducedPoint) {
-        Self::from_axis(top, &Axis::new(state))
-    }
-
+    /// First integrals in extended precision, and the point of the reduced curve.
     #[inline(never)]
-    fn from_axis(top: &Top, axis: &Axis) -> (Self, ReducedPoint) {
-        let scaled = ScaledTop::<Extended>::new(top);
-        let (ScaledTop { a, c, s, p, g, k }, unit) = (scaled, scaled.weight_or_one());
-        let Axis { r, one_minus_u, one_plus_u, omega } = *axis;
+    pub(crate) fn with_reduced_point(top: &Top, state: &State) -> (Self, ReducedPoint) {
+        let (Top { a, c, s, p, g, k, .. }, unit) = (*top, top.weight_or_one());
+        let (phi, omega) = state.in_extended();
+        // without a square root a simple fraction remains exact, and so does the vertical, where n = C ω₃
+        let norm = phi.norm_squared();
+        let one_minus_u = phi.beta.norm_squared().doubled() / norm;
+        let one_plus_u = phi.alpha.norm_squared().doubled() / norm;
+        let r = phi.axis().map(|component| component / norm);
         let ([r1, r2, u], [w1, w2, _]) = (r, omega);
 
         let spin = dot(omega, r);
@@ -173,20 +145,6 @@ impl FirstIntegrals<Extended> {
 
         let integrals = Self { l: (l_plus_n + l_minus_n).halved(), n, h, spin, l_plus_n, l_minus_n };
         (integrals, ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy })
-    }
-
-    /// First integrals in the units of the caller, rounded to `f64`.
-    pub(crate) fn unscaled(self, top: &Top) -> FirstIntegrals {
-        let unit = top.inertia_unit();
-        let rounded = |x: Extended| x.to_f64() * unit;
-        FirstIntegrals {
-            l: rounded(self.l),
-            n: rounded(self.n),
-            h: rounded(self.h),
-            spin: self.spin.to_f64(),
-            l_plus_n: rounded(self.l_plus_n),
-            l_minus_n: rounded(self.l_minus_n),
-        }
     }
 }
 

@@ -4,6 +4,7 @@
 //! Whole periods that do not reach the angle are skipped.
 
 use crate::events::bisection::{LAST_RISING, at_phase, bisect};
+use crate::events::recurring_instants::RecurringInstants;
 use crate::events::{Event, Level};
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float, Ring, Scalar};
@@ -17,8 +18,6 @@ pub struct Events<'a, R: EphemerisScalar> {
     instants: RecurringInstants,
     /// Tip angle that is searched, modulo a turn. `None`: the instants themselves are the events.
     target: Option<Phase>,
-    /// First instant that counts, in ticks.
-    from: Extended,
     /// Instant up to which the tip angle was searched, in ticks.
     at: Extended,
     /// Tip angle at this instant; after an event the target, without rounding.
@@ -47,9 +46,8 @@ const MOST_SKIPS: usize = 8;
 impl<R: EphemerisScalar> EphemerisView<R> {
     /// Events at these nutation phases; only those at the first one are upward.
     fn events(&self, phases: [Option<Phase>; 4], from: i64) -> Events<'_, R> {
-        let start = Extended::from(from);
         let instants = RecurringInstants::new(self, phases, from);
-        Events { view: self, instants, target: None, from: start, at: start, angle: Phase::ZERO }
+        Events { view: self, instants, target: None, at: from.into(), angle: Phase::ZERO }
     }
 
     /// Turning points of u at tick `from` or later. There are none where u is constant to 2^-49.
@@ -75,8 +73,13 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let reversal = self.reversal();
         let phases = [Some(Phase::ZERO), Some(Phase::HALF), reversal, reversal.map(|phase| -phase)];
         let mut events = self.events(phases, from);
+        if events.instants.period.is_none() {
+            // where u is constant, a piece is a turn
+            let turn = Extended::ONE / Extended::from(self.clock.tip_step()).abs();
+            events.instants = RecurringInstants::every(turn, events.at);
+        }
         events.target = Some(angle);
-        events.angle = self.tip_angle_at(events.from);
+        events.angle = self.tip_angle_at(events.at);
         events.including_start()
     }
 
@@ -107,7 +110,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 impl<R: EphemerisScalar> Events<'_, R> {
     /// Moves the start back by a rounding, so that an event at the start counts.
     fn including_start(mut self) -> Self {
-        let mut after = self.view.clock.tip_step();
+        let mut after = Phase::ZERO;
         for _ in 0..PIECES_OF_A_PERIOD {
             let Some((_, end)) = self.instants.peek() else {
                 break;
@@ -147,17 +150,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
             if passed(self.view.tip_angle_at(middle) - start) { high = middle } else { low = middle }
         }
         (self.at, self.angle) = (high, start + ahead);
-        Event::at(if high < self.from { self.from } else { high }, upward)
-    }
-
-    /// Event of a steady motion, at most one turn ahead, or two because of rounding.
-    fn next_at_constant_rate(&mut self) -> Option<Event> {
-        let turn = Extended::ONE / Extended::from(self.view.clock.tip_step()).abs();
-        [turn, turn.doubled()].into_iter().find_map(|length| {
-            let end = self.at + length;
-            Event::at(end, true)?;
-            self.find_on_piece(end, self.view.tip_angle_at(end))
-        })
+        Event::at(high, upward)
     }
 
     /// Skips periods that do not reach the target, from the least and greatest change of the angle in the last one.
@@ -186,7 +179,7 @@ impl<R: EphemerisScalar> Events<'_, R> {
         if !self.view.clock.tip_exists {
             return None;
         }
-        let Some(period) = self.instants.period else { return self.next_at_constant_rate() };
+        let period = self.instants.period?;
         for _ in 0..MOST_SKIPS {
             let start = self.angle;
             let (mut least, mut greatest) = (Phase::ZERO, Phase::ZERO);
@@ -205,54 +198,5 @@ impl<R: EphemerisScalar> Events<'_, R> {
             self.skip_periods(period, [least - turned, greatest - turned])?;
         }
         None
-    }
-}
-
-/// Rounding of a start, within which a phase is that of an event.
-const PHASE_TOLERANCE: Phase = Phase::from_bits(1 << 46);
-
-/// Next instants of up to four nutation phases, in ticks.
-#[derive(Clone, Copy, Debug)]
-struct RecurringInstants {
-    next: [Option<Extended>; 4],
-    /// Nutation period, in ticks; `None` where u is constant.
-    period: Option<Extended>,
-}
-
-impl RecurringInstants {
-    /// Instants at tick `from` or later. There are none where u is constant.
-    fn new<R: EphemerisScalar>(view: &EphemerisView<R>, phases: [Option<Phase>; 4], from: i64) -> Self {
-        let nowhere = Self { next: [None; 4], period: None };
-        let [step, ..] = view.clock.exact_steps();
-        if !(view.clock.has_turning_points && step > Extended::ZERO) {
-            return nowhere;
-        }
-        let start = Extended::from(from);
-        let [now, ..] = view.clock.phases_at_tick(from).map(WrappedPhase::to_phase);
-        let ahead = |phase: Phase| {
-            let ahead = WrappedPhase::from_phase(phase - now + PHASE_TOLERANCE).to_phase() - PHASE_TOLERANCE;
-            if ahead <= PHASE_TOLERANCE { start } else { start + Extended::from(ahead) / step }
-        };
-        Self { next: phases.map(|phase| phase.map(ahead)), period: Some(Extended::ONE / step) }
-    }
-
-    /// Next instant, with the index of its phase.
-    fn peek(&self) -> Option<(usize, Extended)> {
-        let instants = self.next.iter().enumerate().filter_map(|(index, next)| Some((index, (*next)?)));
-        instants.reduce(|earliest, other| if other.1 < earliest.1 { other } else { earliest })
-    }
-
-    /// Next instant, with the index of its phase; replaced by that of the next period.
-    fn pop(&mut self) -> Option<(usize, Extended)> {
-        let (index, ticks) = self.peek()?;
-        if let Some(next) = self.next.get_mut(index) {
-            *next = self.period.map(|period| ticks + period);
-        }
-        Some((index, ticks))
-    }
-
-    /// Advances all instants by whole periods, given in ticks.
-    fn skip(&mut self, ticks: Extended) {
-        self.next = self.next.map(|next| next.map(|next| next + ticks));
     }
 }

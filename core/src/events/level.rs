@@ -1,8 +1,6 @@
 //! Values of u at which events occur.
 
-use crate::body::{
-    ParameterError, ScaledTop, Support, Top, check, check_finite, check_range, half_tilt_sine_cosine,
-};
+use crate::body::{ParameterError, Support, Top, check, check_finite, check_range, half_tilt_sine_cosine};
 use crate::complex::Complex;
 use crate::constants::normal_force;
 use crate::events::bisection::{LAST_RISING, at_phase, bisect};
@@ -65,8 +63,8 @@ impl Level {
         if motion.top().support() != Support::Sliding || motion.is_steady() {
             return None;
         }
-        let (e, top) = (&motion.e, ScaledTop::<Extended>::new(motion.top()));
-        let [one_plus_u, one_minus_u] = normal_force::sign_change(e, top.a_over_ps())?;
+        let e = &motion.e;
+        let [one_plus_u, one_minus_u] = normal_force::sign_change(e, motion.top().a_over_ps())?;
         let reached = one_minus_u > e.one_minus_e2 && one_plus_u > e.one_plus_e1;
         reached.then_some(Self { one_minus_u: one_minus_u.to_f64(), one_plus_u: one_plus_u.to_f64() })
     }

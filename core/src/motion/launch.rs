@@ -6,11 +6,10 @@ mod slow_phases;
 
 use self::half_phase::half_phase_of_angle;
 use self::slow_phases::attitude;
-use crate::body::{ParameterError, ScaledTop, State, Top, check, check_range};
-use crate::complex::Complex;
+use crate::body::{ParameterError, State, Top, check, check_range};
 use crate::constants::{BranchPoints, FirstIntegrals, Regime, Signs};
 use crate::motion::cayley_klein::Ellipses;
-use crate::motion::{HalfPhase, LaunchRounding, Motion};
+use crate::motion::{LaunchRounding, Motion};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 
@@ -99,9 +98,8 @@ impl Motion {
         for (name, angle) in [("theta", theta), ("arg_alpha", arg_alpha), ("arg_beta", arg_beta)] {
             check_range(-1e6..=1e6, name, angle, "between -1e6 and 1e6 rad")?;
         }
-        let integrals = e.scaled_integrals(top, signs);
-        let (FirstIntegrals { n, spin, l_plus_n, l_minus_n, .. }, ScaledTop { c, k, .. }) =
-            (integrals, ScaledTop::<Extended>::new(top));
+        let integrals = e.unrounded_integrals(top, signs);
+        let (FirstIntegrals { n, spin, l_plus_n, l_minus_n, .. }, Top { c, k, .. }) = (integrals, *top);
         let rounding = (l_plus_n.abs() + l_minus_n.abs() + k.abs()) * Extended::from(f64::EPSILON);
         check(
             if c > Extended::ZERO { spin.abs() <= 1e24.into() } else { (n - k).abs() <= rounding },
@@ -112,11 +110,10 @@ impl Motion {
         let (_, remainder) = chi.split_half_turns();
         let mut motion = Self::with_constants(top, &integrals, &e, signs, remainder == Phase::QUARTER);
         motion.slow_phases = [arg_alpha, arg_beta].map(|angle| Extended::from(angle).in_turns().to_phase());
-        motion.half_phase = match motion.half_phase {
-            HalfPhase::Steady => return Ok(motion),
-            HalfPhase::Nutating(_) => HalfPhase::Nutating(chi),
-            HalfPhase::Aperiodic(_) => HalfPhase::Aperiodic(Complex::cis(chi)),
-        };
+        if motion.is_steady() {
+            return Ok(motion);
+        }
+        motion.half_phase = Some(chi);
         let arguments = motion.ellipses.arguments(motion.cis_chi());
         for (phase, argument) in motion.slow_phases.iter_mut().zip(arguments) {
             *phase = *phase - argument;
@@ -135,7 +132,7 @@ impl Motion {
         signs: Signs,
         upright: bool,
     ) -> Self {
-        let ScaledTop { a, c, k, .. } = ScaledTop::<Extended>::new(top);
+        let Top { a, c, k, .. } = *top;
         let regime = Regime::new(e, signs, upright);
         // a swing below the threshold of the regime still has a period
         let is_steady = e.e2_minus_e1 == Extended::ZERO || regime == Regime::SleepingUnstable;
@@ -147,11 +144,7 @@ impl Motion {
             half_tau: ((a - c) / a * integrals.spin - k / a).halved(),
             ellipses: Ellipses::oscillating(e, signs, Extended::to_f64),
             regime,
-            half_phase: match regime {
-                _ if is_steady => HalfPhase::Steady,
-                Regime::Aperiodic => HalfPhase::Aperiodic(Complex::ONE),
-                _ => HalfPhase::Nutating(Phase::ZERO),
-            },
+            half_phase: (!is_steady).then_some(Phase::ZERO),
             slow_phases: [Phase::ZERO; 2],
             rounding: LaunchRounding::default(),
             torque_free_rate: Extended::ZERO,

@@ -1,8 +1,8 @@
 //! Effect of the rounding errors of a launch on period and phases.
 
-use crate::body::{ScaledTop, State, Top};
+use crate::body::{State, Top};
 use crate::constants::{BranchPoints, FirstIntegrals, ReducedPoint};
-use crate::scalar::{Extended, Float};
+use crate::scalar::{Extended, Float, Ring};
 use crate::su2::dot;
 
 /// Rounding errors of a launch; 0 for a motion from branch points, which are exact.
@@ -27,32 +27,29 @@ impl LaunchRounding {
         e: &BranchPoints<Extended>,
         state: &State,
     ) -> Self {
-        let speed = Float::sqrt(dot(state.omega(), state.omega()));
+        let Top { a, c, s, p, k, .. } = *top;
+        let (k, one) = (k.abs(), Extended::ONE);
         let rounding = ROUNDINGS_OF_A_COEFFICIENT * Extended::OPERATION_ERROR;
-        let scaled = ScaledTop::<f64>::new(top);
-        let ScaledTop { a, c, s, p, k, .. } = scaled;
-        let slow_rates = rounding * ((1.0 + (c - a).abs() / a) * speed + k.abs() / a);
+        let speed = dot(state.omega(), state.omega()).sqrt();
+        let slow_rates = rounding * (((one + (c - a).abs() / a) * speed.into() + k / a).to_f64());
         if top.is_torque_free() {
             return Self { relative: rounding, slow_rates };
         }
-        let kappa = scaled.kappa();
         let ReducedPoint { u, one_minus_u, one_plus_u, axis_energy, .. } = *point;
-        let [n, l_minus_n] = [integrals.n, integrals.l_minus_n].map(Float::to_f64);
-        let [u, one_minus_u, one_plus_u, axis_energy] =
-            [u, one_minus_u, one_plus_u, axis_energy].map(Float::to_f64);
-        let e = e.to_f64();
         // terms of n = C ⟨ω, r⟩ + K, which may cancel
-        let n = n.abs() + k.abs();
+        let n = integrals.n.abs() + k;
+        let (kappa_n, l_minus_n) = (top.kappa() * n, integrals.l_minus_n.abs());
         // magnitude of the terms of (1 - e₂) + (1 - e₃)
-        let upper_terms =
-            2.0 * (axis_energy + one_minus_u + kappa * n * (l_minus_n.abs() + k.abs() * one_minus_u));
+        let upper_terms = (axis_energy + one_minus_u + kappa_n * (l_minus_n + k * one_minus_u)).doubled();
         let upper = upper_terms / e.one_minus_e1();
         // magnitude of the terms of (e₁ - u) + (e₂ - u)
-        let l_minus_nu = l_minus_n.abs() + n * one_minus_u;
-        let lower_terms = 2.0 * axis_energy + one_minus_u * one_plus_u + 2.0 * kappa * n * l_minus_nu;
+        let lower_terms =
+            (axis_energy + kappa_n * (l_minus_n + n * one_minus_u)).doubled() + one_minus_u * one_plus_u;
         let lower = lower_terms / (e.e3_minus_one + one_minus_u);
-        let condition = upper / e.e3_minus_e2 + lower * (1.0 / e.e3_minus_e1() + 2.0 * u.abs() * p * s / a);
+        let condition =
+            upper / e.e3_minus_e2 + lower * (one / e.e3_minus_e1() + (u.abs() * p * s / a).doubled());
+        let relative = rounding * condition.to_f64();
         // infinite for e₂ = e₃, which has no period
-        Self { relative: if condition.is_finite() { rounding * condition } else { 0.0 }, slow_rates }
+        Self { relative: if relative.is_finite() { relative } else { 0.0 }, slow_rates }
     }
 }

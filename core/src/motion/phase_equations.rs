@@ -10,102 +10,60 @@
 //!
 //! The ellipses absorb the factors 1/(1 ± u) of the paper's integrals (equation (3.10)).
 
-use crate::body::{ScaledTop, Top};
-use crate::complex::Complex;
+use crate::body::Top;
 use crate::constants::{BranchPoints, Signs};
-use crate::scalar::{Float, Ring};
+use crate::scalar::{Extended, Float, Ring, exponent, numeric_struct};
 
-/// Rates of the three phases, rad/s.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PhaseRates<R> {
-    /// Rate of the half phase: χ', or v' of an aperiodic motion.
-    pub half_phase: R,
-    /// Rate ψ_α'.
-    pub psi_alpha: R,
-    /// Rate ψ_β'.
-    pub psi_beta: R,
-}
-
-impl<R: Ring> PhaseRates<R> {
-    pub(crate) const ZERO: Self = Self { half_phase: R::ZERO, psi_alpha: R::ZERO, psi_beta: R::ZERO };
-}
-
-/// Constants of the equations of one motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PhaseEquations<F> {
-    pub(crate) one_plus_e1: F,
-    pub(crate) one_minus_e2: F,
-    pub(crate) e2_minus_e1: F,
-    pub(crate) e3_minus_e2: F,
-    /// Length A/p, m.
-    pub(crate) a_over_p: F,
-    /// Length A/(p (e₃ + 1)), m.
-    pub(crate) a_over_p_by_e3_plus_one: F,
-    pub(crate) s: F,
-    /// Length s (e₃ - 1), m.
-    pub(crate) s_times_e3_minus_one: F,
-    /// Half gravity g/2, m/s².
-    pub(crate) half_g: F,
-    /// Rate (l + n)/(2A), rad/s.
-    pub(crate) alpha_rate_factor: F,
-    /// Coefficient 2 √(A/(2 p g (e₃ + 1))) of χ' in the denominator of ψ_α', s.
-    pub(crate) alpha_chi_time: F,
-    /// Rate s₋ √(2 A p g (1-e₁)(1-e₂))/(2A), rad/s.
-    pub(crate) beta_rate_factor: F,
-    /// Root √(e₃ - 1).
-    pub(crate) root_e3_minus_one: F,
-    /// Coefficient 2 √(A/(2 p g)) of χ' in the denominator of ψ_β', s.
-    pub(crate) beta_chi_time: F,
-}
-
-impl<F: Float> PhaseEquations<F> {
-    pub(crate) fn cast<R: Float>(&self) -> PhaseEquations<R> {
-        self.map(|x| R::from_f64(x.to_f64()))
+numeric_struct! {
+    /// Rates of the three phases, rad/s.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct PhaseRates<F> {
+        /// Rate χ' of the half phase.
+        pub half_phase,
+        /// Rate ψ_α'.
+        pub psi_alpha,
+        /// Rate ψ_β'.
+        pub psi_beta,
     }
+}
 
-    #[inline(never)]
-    pub(crate) fn map<R>(&self, convert: fn(F) -> R) -> PhaseEquations<R> {
-        PhaseEquations {
-            one_plus_e1: convert(self.one_plus_e1),
-            one_minus_e2: convert(self.one_minus_e2),
-            e2_minus_e1: convert(self.e2_minus_e1),
-            e3_minus_e2: convert(self.e3_minus_e2),
-            a_over_p: convert(self.a_over_p),
-            a_over_p_by_e3_plus_one: convert(self.a_over_p_by_e3_plus_one),
-            s: convert(self.s),
-            s_times_e3_minus_one: convert(self.s_times_e3_minus_one),
-            half_g: convert(self.half_g),
-            alpha_rate_factor: convert(self.alpha_rate_factor),
-            alpha_chi_time: convert(self.alpha_chi_time),
-            beta_rate_factor: convert(self.beta_rate_factor),
-            root_e3_minus_one: convert(self.root_e3_minus_one),
-            beta_chi_time: convert(self.beta_chi_time),
-        }
+numeric_struct! {
+    /// Constants of the equations of one motion. The unit of length is a power of two near A/p.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct PhaseEquations<F> {
+        pub(crate) one_plus_e1,
+        pub(crate) one_minus_e2,
+        pub(crate) e2_minus_e1,
+        pub(crate) e3_minus_e2,
+        /// Length A/p.
+        pub(crate) a_over_p,
+        /// Length A/(p (e₃ + 1)).
+        pub(crate) a_over_p_by_e3_plus_one,
+        pub(crate) s,
+        /// Length s (e₃ - 1).
+        pub(crate) s_times_e3_minus_one,
+        /// Half gravity g/2.
+        pub(crate) half_g,
+        /// Rate (l + n)/(2A), rad/s.
+        pub(crate) alpha_rate_factor,
+        /// Coefficient 2 √(A/(2 p g (e₃ + 1))) of χ' in the denominator of ψ_α', s.
+        pub(crate) alpha_chi_time,
+        /// Rate s₋ √(2 A p g (1-e₁)(1-e₂))/(2A), rad/s.
+        pub(crate) beta_rate_factor,
+        /// Root √(e₃ - 1).
+        pub(crate) root_e3_minus_one,
+        /// Coefficient 2 √(A/(2 p g)) of χ' in the denominator of ψ_β', s.
+        pub(crate) beta_chi_time,
     }
+}
 
-    /// Constants before they are computed.
-    pub const ZERO: Self = Self {
-        one_plus_e1: F::ZERO,
-        one_minus_e2: F::ZERO,
-        e2_minus_e1: F::ZERO,
-        e3_minus_e2: F::ZERO,
-        a_over_p: F::ZERO,
-        a_over_p_by_e3_plus_one: F::ZERO,
-        s: F::ZERO,
-        s_times_e3_minus_one: F::ZERO,
-        half_g: F::ZERO,
-        alpha_rate_factor: F::ZERO,
-        alpha_chi_time: F::ZERO,
-        beta_rate_factor: F::ZERO,
-        root_e3_minus_one: F::ZERO,
-        beta_chi_time: F::ZERO,
-    };
-
-    pub(crate) fn new(top: &Top, e: &BranchPoints<F>, l_plus_n: F, signs: Signs) -> Self {
-        let ScaledTop { a, s, p, g, .. } = ScaledTop::<F>::new(top);
-        let a_over_p = a / p;
-        let beta_rate_factor =
-            ((a * p * g).doubled() * e.one_minus_e1() * e.one_minus_e2).sqrt() / a.doubled();
+impl PhaseEquations<Extended> {
+    pub(crate) fn new(top: &Top, e: &BranchPoints<Extended>, l_plus_n: Extended, signs: Signs) -> Self {
+        let Top { a, s, p, g, .. } = *top;
+        // with lengths near 1 the constants are in the range of `f32`
+        let unit = exponent(a.to_f64()) - exponent(p.to_f64());
+        let [a_over_p, s, g] = [a / p, s, g].map(|length| length.ldexp(-unit));
+        let momentum = ((a * top.p * top.g).doubled() * e.one_minus_e1() * e.one_minus_e2).sqrt();
         let per_g = a_over_p / g.doubled();
         Self {
             one_plus_e1: e.one_plus_e1,
@@ -119,7 +77,7 @@ impl<F: Float> PhaseEquations<F> {
             half_g: g.halved(),
             alpha_rate_factor: l_plus_n / a.doubled(),
             alpha_chi_time: (per_g / e.one_plus_e3()).sqrt().doubled(),
-            beta_rate_factor: signs.l_minus_n.times(beta_rate_factor),
+            beta_rate_factor: signs.l_minus_n.times(momentum / a.doubled()),
             root_e3_minus_one: e.e3_minus_one.sqrt(),
             beta_chi_time: per_g.sqrt().doubled(),
         }
@@ -128,53 +86,70 @@ impl<F: Float> PhaseEquations<F> {
     /// Equations without torque, the limit e₃ → ∞: χ' is constant, and ψ_α' and ψ_β' are 0.
     ///
     /// With e₃ - u = D = 1 and g/2 = χ'² the formula of χ' gives the constant rate.
-    pub(crate) fn torque_free(chi_rate: F, e: &BranchPoints<F>) -> Self {
+    pub(crate) fn torque_free(chi_rate: Extended, e: &BranchPoints<Extended>) -> Self {
+        let one = Extended::ONE;
         Self {
             one_plus_e1: e.one_plus_e1,
             one_minus_e2: e.one_minus_e2,
-            e3_minus_e2: F::ONE,
-            a_over_p: F::ONE,
+            e3_minus_e2: one,
+            a_over_p: one,
             half_g: chi_rate.squared(),
-            root_e3_minus_one: F::ONE,
+            root_e3_minus_one: one,
             ..Self::ZERO
         }
     }
+}
 
-    /// 1 + u, 1 - u and 1/D(u) from sin χ and cos χ, without cancellation near the vertical.
-    fn complements_and_per_d(&self, sine: F, cosine: F) -> [F; 3] {
-        let one_minus_u = self.one_minus_e2 + self.e2_minus_e1 * cosine.squared();
+/// Distances of a value of u from -1, 1 and e₃, and the inverse of D(u).
+struct Point<F> {
+    one_plus_u: F,
+    one_minus_u: F,
+    e3_minus_u: F,
+    per_d: F,
+}
+
+impl<F: Float> PhaseEquations<F> {
+    pub(crate) fn cast<R: Float>(&self) -> PhaseEquations<R> {
+        self.map(|x| R::from_f64(x.to_f64()))
+    }
+
+    /// Point at given sin χ and cos χ, without cancellation near the vertical.
+    fn point(&self, sine: F, cosine: F) -> Point<F> {
+        let e2_minus_u = self.e2_minus_e1 * cosine.squared();
+        let one_minus_u = self.one_minus_e2 + e2_minus_u;
         let one_plus_u = self.one_plus_e1 + self.e2_minus_e1 * sine.squared();
-        [one_plus_u, one_minus_u, F::ONE / (self.a_over_p + self.s * one_minus_u * one_plus_u)]
+        let d = self.a_over_p + self.s * one_minus_u * one_plus_u;
+        Point { one_plus_u, one_minus_u, e3_minus_u: self.e3_minus_e2 + e2_minus_u, per_d: F::ONE / d }
+    }
+
+    /// Factors A/(p (e₃ + 1)) + s (1 - u) of ψ_α' and s (1 + u)(e₃ - 1) - A/p of ψ_β'.
+    pub(super) fn slow_factors(&self, one_plus_u: F, one_minus_u: F) -> [F; 2] {
+        [
+            self.a_over_p_by_e3_plus_one + self.s * one_minus_u,
+            self.s_times_e3_minus_one * one_plus_u - self.a_over_p,
+        ]
     }
 
     /// Rates of χ, ψ_α and ψ_β at given sin χ and cos χ.
     pub fn rates(&self, sine: F, cosine: F) -> PhaseRates<F> {
-        let [one_plus_u, one_minus_u, per_d] = self.complements_and_per_d(sine, cosine);
-        let e3_minus_u = self.e3_minus_e2 + self.e2_minus_e1 * cosine.squared();
+        let Point { one_plus_u, one_minus_u, e3_minus_u, per_d } = self.point(sine, cosine);
         let chi_rate = (self.half_g * e3_minus_u * per_d).sqrt();
+        let [alpha, beta] = self.slow_factors(one_plus_u, one_minus_u);
         let beta_divisor = self.root_e3_minus_one + self.beta_chi_time * chi_rate;
-        // for e₂ = e₃ = 1 and u = 1 numerator and denominator are 0, and ψ_β' is 0
-        let psi_beta = if beta_divisor > F::ZERO {
-            self.beta_rate_factor * (self.s_times_e3_minus_one * one_plus_u - self.a_over_p) * per_d
-                / beta_divisor
-        } else {
-            F::ZERO
-        };
-        let psi_alpha = self.psi_alpha_rate(one_minus_u, per_d, chi_rate);
-        PhaseRates { half_phase: chi_rate, psi_alpha, psi_beta }
+        PhaseRates {
+            half_phase: chi_rate,
+            psi_alpha: self.alpha_rate_factor * alpha * per_d / (F::ONE + self.alpha_chi_time * chi_rate),
+            // for e₂ = e₃ = 1 and u = 1 numerator and denominator are 0, and ψ_β' is 0
+            psi_beta: if beta_divisor > F::ZERO {
+                self.beta_rate_factor * beta * per_d / beta_divisor
+            } else {
+                F::ZERO
+            },
+        }
     }
 
-    fn psi_alpha_rate(&self, one_minus_u: F, per_d: F, chi_rate: F) -> F {
-        self.alpha_rate_factor * (self.a_over_p_by_e3_plus_one + self.s * one_minus_u) * per_d
-            / (F::ONE + self.alpha_chi_time * chi_rate)
-    }
-
-    /// Aperiodic motion (e₂ = e₃ = 1): rates of v and ψ_α at e^{iχ}. The rate of ψ_β is 0.
-    pub(crate) fn aperiodic_rates(&self, cis_chi: Complex<F>) -> PhaseRates<F> {
-        let [_, one_minus_u, per_d] = self.complements_and_per_d(cis_chi.im, cis_chi.re);
-        let v_rate = (self.half_g * self.e2_minus_e1 * per_d).sqrt();
-        // χ' = v' sech v
-        let psi_alpha = self.psi_alpha_rate(one_minus_u, per_d, v_rate * cis_chi.re);
-        PhaseRates { half_phase: v_rate, psi_alpha, psi_beta: F::ZERO }
+    /// Rate v' = χ'/cos χ of an aperiodic motion (e₂ = e₃ = 1), rad/s.
+    pub(crate) fn aperiodic_rate(&self, sine: F, cosine: F) -> F {
+        (self.half_g * self.e2_minus_e1 * self.point(sine, cosine).per_d).sqrt()
     }
 }

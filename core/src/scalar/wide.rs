@@ -16,7 +16,7 @@ use core::mem::replace;
 /// 1.1 · 2^(-64 WORDS).
 ///
 /// Infinity and NaN become 0. A quotient by 0 is larger than every `f64`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Wide<const WORDS: usize> {
     /// Words of s, the most significant first. The leading bit is set, or all bits of the number are 0.

@@ -10,19 +10,10 @@
 //! ```
 
 use super::{BranchPoints, LARGEST_E3};
-use crate::body::{ParameterError, ScaledTop, State, Top, check};
+use crate::body::{ParameterError, State, Top, check};
 use crate::constants::cubic::Cubic;
 use crate::constants::{FirstIntegrals, ReducedPoint};
 use crate::scalar::{Extended, Float, Ring};
-
-/// Error where e₃ is above [`LARGEST_E3`].
-fn require_limited_e3(holds: bool) -> Result<(), ParameterError> {
-    check(
-        holds,
-        "omega",
-        "slow enough for e3 <= 1e14 (faster, a body feels no torque: Top::free is then exact)",
-    )
-}
 
 impl BranchPoints {
     /// Branch points of a state. Every field has the relative error of one `f64` rounding.
@@ -31,7 +22,7 @@ impl BranchPoints {
     /// `omega`: so large that e₃ would exceed 1e14.
     pub fn from_state(top: &Top, state: &State) -> Result<Self, ParameterError> {
         let (integrals, point) = FirstIntegrals::with_reduced_point(top, state);
-        Ok(BranchPoints::from_reduced_point(top, &integrals, &point, &mut || {})?.to_f64())
+        Ok(BranchPoints::from_reduced_point(top, &integrals, &point, &mut || {})?.map(Float::to_f64))
     }
 }
 
@@ -44,14 +35,22 @@ impl BranchPoints<Extended> {
         pause: &mut dyn FnMut(),
     ) -> Result<Self, ParameterError> {
         if top.is_torque_free() {
-            Ok(Self::torque_free(top, integrals, point))
-        } else if point.is_sleeping() {
-            Self::upright(&ScaledTop::new(top), integrals.n)
-        } else {
-            let lower = LowerBranchPoints::new(&ScaledTop::new(top), integrals, point, pause)?;
-            pause();
-            Self::from_lower(&lower, integrals, point)
+            return Ok(Self::torque_free(top, integrals, point));
         }
+        let e = if point.is_sleeping() {
+            Self::upright(top, integrals.n)
+        } else {
+            let kappa = top.kappa();
+            let lower = LowerBranchPoints::new(top, kappa, integrals, point, pause);
+            pause();
+            Self::from_lower(&lower, kappa, integrals, point)
+        };
+        check(
+            e.e3_minus_one <= LARGEST_E3.into(),
+            "omega",
+            "slow enough for e3 <= 1e14 (faster, a body feels no torque: Top::free is then exact)",
+        )?;
+        Ok(e)
     }
 
     /// Branch points from their differences.
@@ -77,7 +76,7 @@ impl BranchPoints<Extended> {
     /// Branch points without torque; e₁ = e₂ = u for a body at rest.
     #[inline(never)]
     fn torque_free(top: &Top, integrals: &FirstIntegrals<Extended>, point: &ReducedPoint) -> Self {
-        let (ScaledTop { a, .. }, zero) = (ScaledTop::new(top), Extended::ZERO);
+        let (a, zero) = (top.a, Extended::ZERO);
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
         // larger than every `f64`
         let infinite = [Extended::ONE / zero; 2];
@@ -97,30 +96,27 @@ impl BranchPoints<Extended> {
 
     /// Branch points of an upright axis at rest. The third root n²/(2 A p g) - 1 is at least 1 for a sleeping top.
     #[inline(never)]
-    fn upright(
-        &ScaledTop { a, p, g, .. }: &ScaledTop<Extended>,
-        n: Extended,
-    ) -> Result<Self, ParameterError> {
+    fn upright(&Top { a, p, g, .. }: &Top, n: Extended) -> Self {
         let (zero, two, scale) = (Extended::ZERO, Extended::ONE.doubled(), (a * p * g).doubled());
         // n² - 4 A p g is rounded once, so that it is exactly 0 on the border
         let third_minus_one =
             Extended::difference_of_products([n, n], [(a * g).doubled().doubled(), p]) / scale;
-        require_limited_e3(third_minus_one <= LARGEST_E3.into())?;
-        Ok(if third_minus_one >= zero {
+        if third_minus_one >= zero {
             Self::from_differences(two, zero, zero, [third_minus_one; 2])
         } else {
             Self::from_differences(n.squared() / scale, zero, -third_minus_one, [zero; 2])
-        })
+        }
     }
 
     /// All branch points from the lower two.
     #[inline(never)]
     fn from_lower(
         lower: &LowerBranchPoints,
+        kappa: Extended,
         integrals: &FirstIntegrals<Extended>,
         point: &ReducedPoint,
-    ) -> Result<Self, ParameterError> {
-        let LowerBranchPoints { kappa, one_minus_e1, e2_minus_e1, e2_is_nearer_e1 } = *lower;
+    ) -> Self {
+        let LowerBranchPoints { one_minus_e1, e2_minus_e1, e2_is_nearer_e1 } = *lower;
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
         let ReducedPoint { one_minus_u, axis_energy, .. } = *point;
         let (zero, one) = (Extended::ZERO, Extended::ONE);
@@ -143,8 +139,7 @@ impl BranchPoints<Extended> {
             // (1 + e₁)(1 + e₂) = κ (l+n)²/(1 + e₃)
             smaller_factor(kappa * l_plus_n.squared() / (one.doubled() + e3_minus_one), e2_minus_e1)
         };
-        require_limited_e3(e3_minus_one <= LARGEST_E3.into())?;
-        Ok(Self::from_differences(one_plus_e1, one_minus_e2, e2_minus_e1, [e3_minus_e2, e3_minus_one]))
+        Self::from_differences(one_plus_e1, one_minus_e2, e2_minus_e1, [e3_minus_e2, e3_minus_one])
     }
 }
 
@@ -156,7 +151,6 @@ fn smaller_factor(product: Extended, difference: Extended) -> Extended {
 
 /// First two branch points, from the cubic in e - u.
 struct LowerBranchPoints {
-    kappa: Extended,
     one_minus_e1: Extended,
     e2_minus_e1: Extended,
     /// Whether e₂ - e₁ <= e₃ - e₂.
@@ -166,37 +160,24 @@ struct LowerBranchPoints {
 impl LowerBranchPoints {
     #[inline(never)]
     fn new(
-        top: &ScaledTop<Extended>,
+        top: &Top,
+        kappa: Extended,
         integrals: &FirstIntegrals<Extended>,
         point: &ReducedPoint,
         pause: &mut dyn FnMut(),
-    ) -> Result<Self, ParameterError> {
-        let (kappa, n) = (top.kappa(), integrals.n);
+    ) -> Self {
+        let (zero, n) = (Extended::ZERO, integrals.n);
         let ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy } = *point;
-        let (limit, spin_energy) = (Extended::from(LARGEST_E3), kappa * n.squared());
-        require_limited_e3(spin_energy < limit && axis_energy < limit)?;
         let sine_squared = one_minus_u * one_plus_u;
-        let cubic = Cubic {
-            g0: top.d(sine_squared) * udot.squared() / top.g.doubled(),
-            g1: -(u * axis_energy).doubled() - sine_squared
-                + (kappa * n * point.l_minus_nu(integrals)).doubled(),
-            g2: u.doubled() - axis_energy - spin_energy,
-        };
+        let g0 = top.d(sine_squared) * udot.squared() / top.g.doubled();
+        let g1 =
+            -(u * axis_energy).doubled() - sine_squared + (kappa * n * point.l_minus_nu(integrals)).doubled();
+        let g2 = u.doubled() - axis_energy - kappa * n.squared();
+        let cubic = Cubic { g0, g1, g2 };
         pause();
         let e3_minus_u = cubic.largest_root(pause);
         pause();
-        Ok(Self::from_largest_root(&cubic, e3_minus_u, kappa, one_minus_u))
-    }
-
-    /// Pair from the largest root of the cubic, e₃ - u.
-    #[inline(never)]
-    fn from_largest_root(
-        cubic: &Cubic,
-        e3_minus_u: Extended,
-        kappa: Extended,
-        one_minus_u: Extended,
-    ) -> Self {
-        let (Cubic { g0, g1, g2 }, zero) = (*cubic, Extended::ZERO);
+        // of e₁ - u and e₂ - u
         let (product, sum) = if e3_minus_u > zero {
             (-g0 / e3_minus_u, (g1 + g0 / e3_minus_u) / e3_minus_u)
         } else {
@@ -206,31 +187,33 @@ impl LowerBranchPoints {
         let e2_minus_u = (sum + e2_minus_e1).halved();
         let e2_is_nearer_e1 = e2_minus_e1 <= e3_minus_u - e2_minus_u;
         let e1_minus_u = (sum - e2_minus_e1).halved();
-        let e1_minus_u = if e2_is_nearer_e1 && sum > zero && e2_minus_u > zero {
+        let e1_minus_u = if !e2_is_nearer_e1 {
+            cubic.refined(e1_minus_u)
+        } else if sum > zero && e2_minus_u > zero {
             product / e2_minus_u
         } else {
             e1_minus_u
         };
-        let e1_minus_u = if e2_is_nearer_e1 { e1_minus_u } else { cubic.refined(e1_minus_u) };
         let e1_minus_u = if e1_minus_u < zero { e1_minus_u } else { zero };
-        Self { kappa, one_minus_e1: one_minus_u - e1_minus_u, e2_minus_e1, e2_is_nearer_e1 }
+        Self { one_minus_e1: one_minus_u - e1_minus_u, e2_minus_e1, e2_is_nearer_e1 }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Support;
 
     /// The sign and the size of a difference far below the rounding of its two terms.
     #[test]
     fn the_border_is_sharp() {
         let (factor, third) = (Extended::from(1.0 + f64::EPSILON), Extended::ONE / 3.0.into());
         let p = Extended::from(1.0 + f64::EPSILON) * 0.1.into();
-        let scaled =
-            ScaledTop { a: factor * 0.25.into(), c: third, s: third, p, g: 0.1.into(), k: Extended::ZERO };
-        let (n, scale) = (factor * Extended::from(0.1), (scaled.a * p * scaled.g).doubled());
+        let (a, g) = (factor * 0.25.into(), 0.1.into());
+        let top = Top { support: Support::Sliding, a, c: third, s: third, p, g, k: Extended::ZERO };
+        let (n, scale) = (factor * Extended::from(0.1), (a * p * g).doubled());
         let third_minus_one = |n| {
-            let e = BranchPoints::upright(&scaled, n).unwrap();
+            let e = BranchPoints::upright(&top, n);
             e.e3_minus_e2 - e.e2_minus_e1
         };
         assert_eq!(third_minus_one(n), Extended::ZERO);

@@ -1,7 +1,7 @@
 //! Branch points from first integrals, and the inverse.
 
 use super::BranchPoints;
-use crate::body::{ParameterError, ScaledTop, Top, check_finite};
+use crate::body::{ParameterError, Top, check_finite};
 use crate::constants::{FirstIntegrals, ReducedPoint, Signs};
 use crate::scalar::{Extended, Float, Ring};
 
@@ -11,36 +11,35 @@ impl BranchPoints {
     /// # Errors
     /// `h`: too low for any motion with these l and n; `l`, `n`, `h`: not finite, or e₃ above 1e14.
     pub fn from_integrals(top: &Top, l: f64, n: f64, h: f64) -> Result<Self, ParameterError> {
-        let unit = top.inertia_unit();
-        let [l, n, h] = [check_finite("l", l)?, check_finite("n", n)?, check_finite("h", h)?]
-            .map(|x| Extended::from(x / unit));
-        let spin = ScaledTop::new(top).spin(n);
-        let integrals = FirstIntegrals { l, n, h, spin, l_plus_n: l + n, l_minus_n: l - n };
+        let [l, n, h] =
+            [check_finite("l", l)?, check_finite("n", n)?, check_finite("h", h)?].map(Extended::from);
+        let integrals = FirstIntegrals { l, n, h, spin: top.spin(n), l_plus_n: l + n, l_minus_n: l - n };
         let point = point_of_greatest_cubic(top, &integrals).ok_or(ParameterError::OutOfRange {
             parameter: "h",
             allowed: "the energy of some motion with these l and n (it is too low)",
         })?;
         let refused = |_| ParameterError::OutOfRange { parameter: "h", allowed: "such that e3 <= 1e14" };
-        Ok(BranchPoints::from_reduced_point(top, &integrals, &point, &mut || {}).map_err(refused)?.to_f64())
+        Ok(BranchPoints::from_reduced_point(top, &integrals, &point, &mut || {})
+            .map_err(refused)?
+            .map(Float::to_f64))
     }
 
     /// First integrals of branch points and signs (equation (3.6)). Without torque they are not determined, and l = n = 0.
     pub fn integrals(&self, top: &Top, signs: Signs) -> FirstIntegrals {
-        self.map(Extended::from).scaled_integrals(top, signs).unscaled(top)
+        self.map(Extended::from).unrounded_integrals(top, signs).map(Float::to_f64)
     }
 }
 
 impl BranchPoints<Extended> {
-    /// First integrals in the units of a [`ScaledTop`].
-    pub(crate) fn scaled_integrals(&self, top: &Top, signs: Signs) -> FirstIntegrals<Extended> {
-        let scaled = ScaledTop::<Extended>::new(top);
-        let ScaledTop { a, c, p, g, .. } = scaled;
+    /// First integrals in extended precision.
+    pub(crate) fn unrounded_integrals(&self, top: &Top, signs: Signs) -> FirstIntegrals<Extended> {
+        let Top { a, c, p, g, .. } = *top;
         let scale = (a * p * g).doubled();
         let plus = (scale * self.one_plus_e1 * self.one_plus_e2() * self.one_plus_e3()).sqrt();
         let minus = (scale * self.one_minus_e1() * self.one_minus_e2 * self.e3_minus_one).sqrt();
         let (l_plus_n, l_minus_n) = (signs.l_plus_n.times(plus), signs.l_minus_n.times(minus));
         let n = (l_plus_n - l_minus_n).halved();
-        let spin = scaled.spin(n);
+        let spin = top.spin(n);
         // h = p g (e₁ + e₂ + e₃) + (C ⟨ω, r⟩² - n²/A)/2
         let h = p * g * (self.e1 + self.e2 + self.e3) + (c * spin.squared() - n.squared() / a).halved();
         FirstIntegrals { l: (l_plus_n + l_minus_n).halved(), n, h, spin, l_plus_n, l_minus_n }
@@ -56,8 +55,7 @@ fn point_of_greatest_cubic(top: &Top, integrals: &FirstIntegrals<Extended>) -> O
         let (one_minus_u, one_plus_u) = (one - u, one + u);
         ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy }
     };
-    let scaled = ScaledTop::<Extended>::new(top);
-    let ScaledTop { a, c, g, .. } = scaled;
+    let Top { a, c, g, .. } = *top;
     let FirstIntegrals { l, n, h, spin, .. } = *integrals;
     let axis_and_height = h - (c * spin.squared()).halved();
     if top.is_torque_free() {
@@ -72,7 +70,7 @@ fn point_of_greatest_cubic(top: &Top, integrals: &FirstIntegrals<Extended>) -> O
         return Some(point(l * n / square, udot, axis_and_height));
     }
     // f(u) = u³ - b u² + c₁ u + c₀
-    let (kappa, energy) = (scaled.kappa(), axis_and_height / scaled.weight_or_one());
+    let (kappa, energy) = (top.kappa(), axis_and_height / top.weight_or_one());
     let b = energy + kappa * n.squared();
     let c1 = (kappa * l * n).doubled() - one;
     let c0 = energy - kappa * l.squared();
@@ -94,6 +92,6 @@ fn point_of_greatest_cubic(top: &Top, integrals: &FirstIntegrals<Extended>) -> O
         -one
     };
     let found = point(u, zero, (energy - u).max(zero));
-    let d = scaled.d(found.one_minus_u * found.one_plus_u);
+    let d = top.d(found.one_minus_u * found.one_plus_u);
     Some(ReducedPoint { udot: (g.doubled() * peak.max(zero) / d).sqrt(), ..found })
 }

@@ -1,9 +1,7 @@
 //! Half phase χ at t = 0.
 
-use crate::body::ScaledTop;
-use crate::complex::Complex;
 use crate::constants::{ReducedPoint, Regime};
-use crate::motion::{HalfPhase, Motion};
+use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 
@@ -12,8 +10,7 @@ impl Motion {
     #[inline(never)]
     pub(super) fn set_torque_free_rate(&mut self, point: &ReducedPoint) {
         if self.top.is_torque_free() {
-            let ScaledTop { a, .. } = ScaledTop::<Extended>::new(&self.top);
-            self.torque_free_rate = (point.momentum(a, self.integrals.n) / a).halved();
+            self.torque_free_rate = (point.momentum(self.top.a, self.integrals.n) / self.top.a).halved();
         }
     }
 
@@ -26,13 +23,12 @@ impl Motion {
         if self.is_steady() {
             return;
         }
-        let top = ScaledTop::<Extended>::new(&self.top);
         let ReducedPoint { one_minus_u, one_plus_u, udot, .. } = *point;
         let (g0, below_e3) = if self.top.is_torque_free() {
             ((udot / self.torque_free_rate.doubled()).squared(), Extended::ONE)
         } else {
-            let d = top.d(one_minus_u * one_plus_u);
-            (d * udot.squared() / top.g.doubled(), one_minus_u + self.e.e3_minus_one)
+            let d = self.top.d(one_minus_u * one_plus_u);
+            (d * udot.squared() / self.top.g.doubled(), one_minus_u + self.e.e3_minus_one)
         };
         let (above_e1, below_e2) = (one_plus_u - self.e.one_plus_e1, one_minus_u - self.e.one_minus_e2);
         let (above_e1, below_e2) = if below_e2 < above_e1 {
@@ -40,27 +36,19 @@ impl Motion {
         } else {
             (g0 / (below_e3 * below_e2), below_e2)
         };
-        let rising = Complex::new(below_e2.sqrt().to_f64(), above_e1.sqrt().to_f64());
-        let falls = udot < Extended::ZERO;
-        self.half_phase = if self.regime == Regime::Aperiodic {
-            let rising = rising.scaled(1.0 / rising.norm_squared().sqrt());
-            HalfPhase::Aperiodic(if falls { rising.conj() } else { rising })
-        } else {
-            HalfPhase::Nutating(half_phase_of_ray(if falls { -rising.conj() } else { rising }))
-        };
+        let rising = angle_to([below_e2, above_e1].map(|square| square.sqrt().to_f64()));
+        self.half_phase = Some(match self.regime {
+            _ if udot >= Extended::ZERO => rising,
+            Regime::Aperiodic => -rising,
+            _ => Phase::HALF - rising,
+        });
     }
 }
 
-/// Half phase χ in [0, 1/2] turn of a number along e^{iχ}, relatively exact near 0, 1/4 and 1/2 turn.
-fn half_phase_of_ray(Complex { re: cosine, im: sine }: Complex<f64>) -> Phase {
-    let from = |y: f64, x: f64| Phase::from_radians(libm::atan2(y, x));
-    if cosine.abs() < sine {
-        Phase::QUARTER - from(cosine, sine)
-    } else if cosine > 0.0 {
-        from(sine, cosine)
-    } else {
-        Phase::HALF - from(sine, -cosine)
-    }
+/// Angle of a point with x >= 0 and y >= 0, relatively exact near 0 and near a quarter turn.
+fn angle_to([x, y]: [f64; 2]) -> Phase {
+    let angle = |y: f64, x: f64| Phase::from_radians(libm::atan2(y, x));
+    if x < y { Phase::QUARTER - angle(x, y) } else { angle(y, x) }
 }
 
 /// Half phase χ = θ/2.

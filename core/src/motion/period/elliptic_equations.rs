@@ -27,61 +27,48 @@ pub(super) struct EllipticEquations<'a, F> {
     d_plus: [F; 2],
     /// Whether e₄ < e₃; f is then d₋.
     e4_is_nearer: bool,
-    /// Values of f at e₁ and e₂.
-    f: [F; 2],
     /// Factors of dn v, or of √(e₃ - u), in the denominators of ψ_α and ψ_β.
     chi_factors: [F; 2],
+    /// Parameter m of the elliptic functions and m₁ = 1 - m.
+    pub(super) parameters: [F; 2],
+    /// Factors of the derivatives of t, ψ_α and ψ_β.
+    pub(super) factors: [F; 3],
 }
 
 impl<'a, F: Float> EllipticEquations<'a, F> {
     #[inline(never)]
     pub(super) fn new(equations: &'a PhaseEquations<F>) -> Self {
-        let root_s = equations.s.sqrt();
-        let d_plus_at_minus_one = equations.a_over_p / ((equations.a_over_p + equations.s).sqrt() + root_s);
+        let PhaseEquations { a_over_p, s, e2_minus_e1, e3_minus_e2, half_g, .. } = *equations;
+        let root_s = s.sqrt();
+        let d_plus_at_minus_one = a_over_p / ((a_over_p + s).sqrt() + root_s);
         let at_e1 = d_plus_at_minus_one + root_s * equations.one_plus_e1;
-        let at_e2 = at_e1 + root_s * equations.e2_minus_e1;
+        let at_e2 = at_e1 + root_s * e2_minus_e1;
         // e₄ - 1 < e₃ - 1, times s
         let e4_is_nearer = root_s * d_plus_at_minus_one < equations.s_times_e3_minus_one;
-        let (from_e1, ratio, from_e2);
+        // f at e₁ and e₂, and d₊ at the lesser of e₃ and e₄ in the unit of f
+        let (f_at_e1, f_at_e2, beyond);
         if e4_is_nearer {
-            from_e2 = d_plus_at_minus_one + root_s * equations.one_minus_e2;
-            from_e1 = from_e2 + root_s * equations.e2_minus_e1;
-            ratio = at_e1 / from_e1;
+            f_at_e2 = d_plus_at_minus_one + root_s * equations.one_minus_e2;
+            f_at_e1 = f_at_e2 + root_s * e2_minus_e1;
+            beyond = (d_plus_at_minus_one + root_s).doubled() * root_s;
         } else {
-            (from_e1, from_e2) = (equations.e3_minus_e2 + equations.e2_minus_e1, equations.e3_minus_e2);
-            ratio = from_e1 / at_e1;
+            (f_at_e1, f_at_e2) = (e3_minus_e2 + e2_minus_e1, e3_minus_e2);
+            beyond = at_e2 + root_s * e3_minus_e2;
         }
-        let rate = (equations.half_g * ratio).sqrt();
+        let ratio = if e4_is_nearer { at_e1 / f_at_e1 } else { f_at_e1 / at_e1 };
+        let rate = (half_g * ratio).sqrt();
+        let per_whole = F::ONE / (f_at_e1 * at_e2);
+        let factor = F::ONE / (half_g * f_at_e1 * at_e2).sqrt();
         Self {
             equations,
             root_s,
             d_plus_at_minus_one,
             d_plus: [at_e1, at_e2],
             e4_is_nearer,
-            f: [from_e1, from_e2],
             chi_factors: [equations.alpha_chi_time * rate, equations.beta_chi_time * rate],
+            parameters: [e2_minus_e1 * beyond * per_whole, f_at_e2 * at_e1 * per_whole],
+            factors: [factor, equations.alpha_rate_factor * factor, equations.beta_rate_factor * factor],
         }
-    }
-
-    /// Parameter m of the elliptic functions and m₁ = 1 - m.
-    #[inline(never)]
-    pub(super) fn parameters(&self) -> [F; 2] {
-        let Self {
-            equations,
-            root_s,
-            d_plus_at_minus_one,
-            d_plus: [at_e1, at_e2],
-            f: [from_e1, from_e2],
-            ..
-        } = *self;
-        // d₊ at the lesser of e₃ and e₄, in the unit of f
-        let beyond = if self.e4_is_nearer {
-            (d_plus_at_minus_one + root_s).doubled() * root_s
-        } else {
-            at_e2 + root_s * equations.e3_minus_e2
-        };
-        let per_whole = F::ONE / (from_e1 * at_e2);
-        [equations.e2_minus_e1 * beyond * per_whole, from_e2 * at_e1 * per_whole]
     }
 
     /// Derivatives dt/dv, dψ_α/dv and dψ_β/dv, each divided by its factor.
@@ -98,9 +85,7 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
         let one_plus_u = equations.one_plus_e1 + above_e1;
         let d_plus = *at_e1 + *root_s * above_e1;
         let d_minus = *d_plus_at_minus_one + *root_s * one_minus_u;
-        // numerators of ψ_α' and ψ_β' times D
-        let alpha = equations.a_over_p_by_e3_plus_one + equations.s * one_minus_u;
-        let beta = equations.s_times_e3_minus_one * one_plus_u - equations.a_over_p;
+        let [alpha, beta] = equations.slow_factors(one_plus_u, one_minus_u);
         if self.e4_is_nearer {
             let root = (equations.e3_minus_e2 + below_e2).sqrt();
             let slow = d_plus * dn;
@@ -117,16 +102,5 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
                 beta / (equations.root_e3_minus_one * root + beta_chi * dn),
             ]
         }
-    }
-
-    /// Factors of the derivatives of ψ_α and ψ_β, up to a common one.
-    pub(super) fn slow_rate_factors(&self) -> [f64; 2] {
-        [self.equations.alpha_rate_factor, self.equations.beta_rate_factor].map(Float::to_f64)
-    }
-
-    pub(super) fn factors(&self) -> [F; 3] {
-        let ([_, at_e2], [from_e1, _]) = (self.d_plus, self.f);
-        let factor = F::ONE / (self.equations.half_g * from_e1 * at_e2).sqrt();
-        [factor, self.equations.alpha_rate_factor * factor, self.equations.beta_rate_factor * factor]
     }
 }

@@ -17,8 +17,6 @@ pub(super) struct Landen<const WORDS: usize> {
     steps: [LandenStep<Wide<WORDS>>; LANDEN_STEPS],
     /// Product of (1 + k)² over all steps.
     scale: Wide<WORDS>,
-    /// Number of steps, from the first, with 1 - k <= 1/8.
-    steps_near_one: usize,
 }
 
 /// Largest number of nodes on half a period. A motion with m₁ = 1e-300 needs 2560.
@@ -30,6 +28,8 @@ struct LandenStep<F> {
     modulus: F,
     /// Difference 1 - k.
     complement: F,
+    /// Whether 1 - k <= 1/8.
+    is_near_one: bool,
     /// Modulus times the product of (1 + k)² over the steps to smaller moduli.
     scaled_modulus: F,
 }
@@ -41,38 +41,35 @@ impl<const WORDS: usize> Landen<WORDS> {
     /// Modulus whose transformation is negligible.
     const LEAST_MODULUS: f64 = if WORDS == 1 { 2e-20 } else { 1e-33 };
 
-    pub(super) const NONE: Self = Self {
-        steps: [LandenStep { modulus: Wide::ZERO, complement: Wide::ONE, scaled_modulus: Wide::ZERO };
-            LANDEN_STEPS],
-        scale: Wide::ONE,
-        steps_near_one: 0,
-    };
-
-    /// Fills the sequence for m and m₁ = 1 - m, each given with full relative precision.
+    /// Sequence for m and m₁ = 1 - m, each given with full relative precision.
     #[inline(never)]
-    pub(super) fn fill(&mut self, [m, m1]: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) {
+    pub(super) fn new([m, m1]: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) -> Self {
+        let zero = Wide::ZERO;
+        let unused = LandenStep { modulus: zero, complement: zero, is_near_one: false, scaled_modulus: zero };
+        let mut landen = Self { steps: [unused; LANDEN_STEPS], scale: Wide::ONE };
         // k₁ = (1 - k')/(1 + k') = k²/(1 + k')²,  k₁' = 2 √k'/(1 + k')
         let (mut modulus_squared, mut conjugate) = (m, m1.sqrt());
-        for step in &mut self.steps {
+        for step in &mut landen.steps {
             let per_sum = Wide::ONE / (Wide::ONE + conjugate);
             let modulus = modulus_squared * per_sum.squared();
             if modulus.to_f64() <= Self::LEAST_MODULUS {
                 break;
             }
             let complement = conjugate.doubled() * per_sum;
-            *step = LandenStep { modulus, complement, scaled_modulus: modulus };
-            self.steps_near_one += usize::from(complement.to_f64() <= 0.125);
+            let is_near_one = complement.to_f64() <= 0.125;
+            *step = LandenStep { modulus, complement, is_near_one, scaled_modulus: modulus };
             conjugate = conjugate.sqrt().doubled() * per_sum;
             modulus_squared = modulus.squared();
             pause();
         }
-        for step in self.steps.iter_mut().rev().filter(|step| step.modulus > Wide::ZERO) {
-            step.scaled_modulus = step.modulus * self.scale;
-            self.scale = self.scale * (Wide::ONE + step.modulus).squared();
+        for step in landen.steps.iter_mut().rev().filter(|step| step.modulus > zero) {
+            step.scaled_modulus = step.modulus * landen.scale;
+            landen.scale = landen.scale * (Wide::ONE + step.modulus).squared();
         }
+        landen
     }
 
-    fn active_steps(&self) -> impl Iterator<Item = &LandenStep<Wide<WORDS>>> {
+    fn active_steps(&self) -> impl DoubleEndedIterator<Item = &LandenStep<Wide<WORDS>>> {
         self.steps.iter().filter(|step| step.modulus > Wide::ZERO)
     }
 
@@ -118,15 +115,13 @@ impl<const WORDS: usize> Landen<WORDS> {
         // X without its constant factors (1 + k)²
         let (mut x, mut y, mut w) = (sine.squared(), cosine.squared(), Wide::ONE);
         let (mut sum, mut difference) = (Wide::ONE, Wide::ONE);
-        for (number, step) in self.steps.iter().enumerate().rev() {
-            let LandenStep { modulus, complement, scaled_modulus } = *step;
-            if modulus == Wide::ZERO {
-                continue;
-            }
+        for LandenStep { modulus, complement, is_near_one, scaled_modulus } in
+            self.active_steps().rev().copied()
+        {
             let kx = scaled_modulus * x;
             sum = w + kx;
             // W - k X = (1 - k) W + k Y, whose rounding error is smaller where k is near 1
-            difference = if number < self.steps_near_one { complement * w + modulus * y } else { w - kx };
+            difference = if is_near_one { complement * w + modulus * y } else { w - kx };
             y = y * (difference + complement * kx);
             x = x * w;
             w = sum.squared();
@@ -145,9 +140,7 @@ mod tests {
     fn the_number_of_nodes_is_known_beforehand() {
         let [half, small, least] = [0.5, 1e-15, 1e-300].map(|m1| {
             let m1 = Extended::from(m1);
-            let mut landen = Landen::NONE;
-            landen.fill([Extended::ONE - m1, m1], &mut || {});
-            landen
+            Landen::new([Extended::ONE - m1, m1], &mut || {})
         });
         let (bits, expected) = (half.bits_per_node(), 2.0 * core::f64::consts::PI / core::f64::consts::LN_2);
         assert!((bits / expected - 1.0).abs() < 0.02, "{bits}");

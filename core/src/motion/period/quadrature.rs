@@ -15,8 +15,7 @@ impl Period {
     ) -> Self {
         let elliptic = EllipticEquations::new(equations);
         pause();
-        let mut landen = Landen::NONE;
-        landen.fill(elliptic.parameters(), pause);
+        let landen = Landen::new(elliptic.parameters, pause);
         let (nodes, needed) = landen.node_counts(TrapezoidRule::<WORDS>::BITS);
         let mut rule = TrapezoidRule::new(&elliptic, &landen, nodes, pause);
         // beyond twice the number needed only roundings are left
@@ -113,10 +112,10 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
 
     /// Relative changes of the time and of the slow phases.
     fn relative(&self, change: [Wide<WORDS>; 3]) -> [f64; 2] {
-        let [alpha_rate_factor, beta_rate_factor] = self.equations.slow_rate_factors().map(f64::abs);
+        let [_, alpha_factor, beta_factor] = self.equations.factors.map(|factor| factor.to_f64().abs());
         let magnitudes = |sums: [Wide<WORDS>; 3]| {
             let [time, alpha, beta] = sums.map(|sum| sum.to_f64().abs());
-            [time, alpha * alpha_rate_factor + beta * beta_rate_factor]
+            [time, alpha * alpha_factor + beta * beta_factor]
         };
         let ([time_change, slow_change], [time, slow]) = (magnitudes(change), magnitudes(self.sums));
         [time_change / time, if slow > 0.0 { slow_change / slow } else { 0.0 }]
@@ -126,7 +125,7 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
     fn period(&self, relative_error: f64) -> Period {
         // a node has the weight 2 K over the number of nodes, as both halves are equal
         let weight = self.landen.quarter_period().doubled() / Wide::from(f64::from(self.nodes));
-        let ([time, alpha, beta], [of_time, of_alpha, of_beta]) = (self.sums, self.equations.factors());
+        let ([time, alpha, beta], [of_time, of_alpha, of_beta]) = (self.sums, self.equations.factors);
         let integrals = [time * of_time, alpha * of_alpha, beta * of_beta];
         let [time, alpha, beta] = integrals.map(|sum| Extended::resized(sum * weight));
         Period {
@@ -198,8 +197,7 @@ mod tests {
         let equations = Motion::launch(&top, &state).unwrap().equations();
         let first = Period::integrated(&equations, &mut || {});
         let elliptic = EllipticEquations::new(&equations);
-        let mut landen = Landen::NONE;
-        landen.fill(elliptic.parameters(), &mut || {});
+        let landen = Landen::new(elliptic.parameters, &mut || {});
         let (nodes, _) = landen.node_counts(TrapezoidRule::<2>::BITS);
         let mut pause = || {};
         let mut rule = TrapezoidRule::new(&elliptic, &landen, nodes, &mut pause);

@@ -4,6 +4,7 @@ use super::{Exact, Wide};
 use crate::integer::mantissa_and_exponent;
 use crate::phase::{FRACTION_BITS, Phase};
 use crate::scalar::{Float, Ring};
+use core::fmt;
 
 impl<const WORDS: usize> Wide<WORDS> {
     /// 2π.
@@ -78,6 +79,13 @@ impl<const WORDS: usize> Wide<WORDS> {
         }
         let remainder = Self::ONE - remainder;
         if remainder < Self::ONE { (!whole, remainder) } else { (whole.wrapping_neg(), Self::ZERO) }
+    }
+}
+
+/// Two `f64`: see [`Wide::to_parts`].
+impl<const WORDS: usize> fmt::Debug for Wide<WORDS> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.to_parts().fmt(f)
     }
 }
 

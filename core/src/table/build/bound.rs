@@ -36,7 +36,7 @@ impl Workspace {
         let half_periods = 2.0 * frequency.to_f64();
         let (x_rate, mean) = (speeds.x_rate * half_periods, TURN * (alpha_rate + beta_rate).to_f64().abs());
         // terms of the angular velocity, which may cancel
-        let whole = angular * half_periods + mean + motion.axial_rate().abs();
+        let whole = angular * half_periods + mean + motion.first_integrals().spin.abs();
         let rotor = motion.top().rotor_momentum().abs() / motion.top().transverse_inertia();
         // relative rate of change of the angular velocity
         let change = 0.25 * x_rate + whole;

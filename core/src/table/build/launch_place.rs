@@ -2,7 +2,7 @@
 
 use super::expansion::{Expansion, PathPhases};
 use super::path::{HALF_PERIOD, Span};
-use crate::motion::{HalfPhase, Motion};
+use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::Scalar;
 
@@ -21,8 +21,7 @@ impl LaunchPlace {
 
     /// Place of a launch, not found yet. Without a nutation it is u = e₁.
     pub(super) fn new(motion: &Motion) -> Self {
-        let chi = if let HalfPhase::Nutating(chi) = motion.half_phase { chi } else { Phase::ZERO };
-        let (half_turns, remainder) = chi.split_half_turns();
+        let (half_turns, remainder) = motion.half_phase.unwrap_or_default().split_half_turns();
         let is_falling = remainder > Phase::QUARTER;
         let (half_turns, chi) =
             if is_falling { (half_turns + 1, Phase::HALF - remainder) } else { (half_turns, remainder) };

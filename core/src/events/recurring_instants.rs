@@ -1,0 +1,63 @@
+//! Instants at which a nutation has given phases, period after period.
+
+use crate::phase::{Phase, WrappedPhase};
+use crate::scalar::{Extended, Ring};
+use crate::table::{EphemerisScalar, EphemerisView};
+
+/// Rounding of a start, within which a phase is that of an event.
+const PHASE_TOLERANCE: Phase = Phase::from_bits(1 << 46);
+
+/// Next instants of up to four nutation phases, in ticks.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RecurringInstants {
+    next: [Option<Extended>; 4],
+    /// Time between two instants of a phase, in ticks; `None` where there are none.
+    pub(super) period: Option<Extended>,
+}
+
+impl RecurringInstants {
+    /// Instants at tick `from` or later. There are none where u is constant.
+    pub(super) fn new<R: EphemerisScalar>(
+        view: &EphemerisView<R>,
+        phases: [Option<Phase>; 4],
+        from: i64,
+    ) -> Self {
+        let nowhere = Self { next: [None; 4], period: None };
+        let [step, ..] = view.clock.exact_steps();
+        if !(view.clock.has_turning_points && step > Extended::ZERO) {
+            return nowhere;
+        }
+        let start = Extended::from(from);
+        let [now, ..] = view.clock.phases_at_tick(from).map(WrappedPhase::to_phase);
+        let ahead = |phase: Phase| {
+            let ahead = WrappedPhase::from_phase(phase - now + PHASE_TOLERANCE).to_phase() - PHASE_TOLERANCE;
+            if ahead <= PHASE_TOLERANCE { start } else { start + Extended::from(ahead) / step }
+        };
+        Self { next: phases.map(|phase| phase.map(ahead)), period: Some(Extended::ONE / step) }
+    }
+
+    /// One instant per period, the first of them a period after the start.
+    pub(super) fn every(period: Extended, start: Extended) -> Self {
+        Self { next: [Some(start + period), None, None, None], period: Some(period) }
+    }
+
+    /// Next instant, with the index of its phase.
+    pub(super) fn peek(&self) -> Option<(usize, Extended)> {
+        let instants = self.next.iter().enumerate().filter_map(|(index, next)| Some((index, (*next)?)));
+        instants.reduce(|earliest, other| if other.1 < earliest.1 { other } else { earliest })
+    }
+
+    /// Next instant, with the index of its phase; replaced by that of the next period.
+    pub(super) fn pop(&mut self) -> Option<(usize, Extended)> {
+        let (index, ticks) = self.peek()?;
+        if let Some(next) = self.next.get_mut(index) {
+            *next = self.period.map(|period| ticks + period);
+        }
+        Some((index, ticks))
+    }
+
+    /// Advances all instants by whole periods, given in ticks.
+    pub(super) fn skip(&mut self, ticks: Extended) {
+        self.next = self.next.map(|next| next.map(|next| next + ticks));
+    }
+}
