@@ -3,14 +3,12 @@
 //! | module | contents |
 //! |---|---|
 //! | `options` | options of several commands |
-//! | `drawing` | pictures |
 //! | `motion` | states, constants, events and tables of one motion |
 //! | `pictures` | commands that draw a motion |
 //! | `integrators` | output of other integrators, and problems to test them with |
 //! | `samples` | samples of sensors, and launches fitted to them |
 //! | `studies` | many motions, errors of the core and of the paper, computing times, costs on chips |
 
-mod drawing;
 mod integrators;
 mod motion;
 mod options;

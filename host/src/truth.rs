@@ -1,31 +1,31 @@
-//! Two references: the paper's integrals in numbers of 640 bits (192 digits), and an integration of the full 3-D equations.
+//! Two references: the paper's integrals by quadrature in numbers of 640 bits (192 digits), and an integration of the full 3-D equations.
 //!
-//! Both use the core's type `Orientation`. The integrals share no formula with the core. The integration takes the state at t = 0 from the
+//! Both use the core's type `Orientation`. The quadrature shares no formula with the core. The integration takes the state at t = 0 from the
 //! core if a launch is given by branch points.
 //!
-//! The arithmetic of the integrals is dashu's. The relative error of their quadrature is 1e-37, which at tick 2^62 is below 1e-17 rad.
+//! The arithmetic of the quadrature is dashu's. Its relative error is 1e-37, which at tick 2^62 is below 1e-17 rad.
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`input`] | top, and branch points or a state |
+//! | [`float640`] | arithmetic in numbers of 640 bits |
+//! | [`motion_input`] | top, and branch points or a state |
 //! | `nutation` | rates of a motion, and their integrals over a nutation |
-//! | `launch` | constants from branch points or a state |
-//! | [`exact`] | orientation and rates at a time |
-//! | [`precise`] | arithmetic |
+//! | `constants` | constants from branch points or a state |
+//! | [`quadrature`] | orientation and rates at a time by quadrature |
 //! | [`full_equations`] | integration of the full 3-D equations |
 
-pub mod exact;
+mod constants;
+pub mod float640;
 pub mod full_equations;
-pub mod input;
-mod launch;
+pub mod motion_input;
 mod nutation;
-pub mod precise;
+pub mod quadrature;
 
 #[cfg(test)]
 mod tests {
-    use super::exact::{Exact, PreciseOrientation};
-    use super::input::ExactInput;
-    use super::precise::{Precise, to_f64};
+    use super::float640::{Float640, Orientation640, to_f64};
+    use super::motion_input::MotionInput;
+    use super::quadrature::Quadrature;
     use crate::input::scenario::Launch;
     use dashu_float::FBig;
     use dashu_float::round::mode::HalfEven;
@@ -46,7 +46,7 @@ mod tests {
     }
 
     /// Number of a text of thirty digits, with all of them.
-    fn digits(json: &Value) -> Precise {
+    fn digits(json: &Value) -> Float640 {
         let decimal: FBig<HalfEven, 10> = json.as_str().expect("a text").parse().expect("a number");
         decimal.with_precision(80).value().with_base_and_precision::<2>(640).value()
     }
@@ -58,18 +58,18 @@ mod tests {
     }
 
     /// Distance 2 √(|Δα|² + |Δβ|²) of an orientation from a sample, rad.
-    fn error(phi: &PreciseOrientation, sample: &Value) -> f64 {
+    fn error(phi: &Orientation640, sample: &Value) -> f64 {
         let parameter = |key: &str| [0, 1].map(|i| digits(&sample[key][i]));
-        phi.distance(&PreciseOrientation { alpha: parameter("alpha"), beta: parameter("beta") })
+        phi.distance(&Orientation640 { alpha: parameter("alpha"), beta: parameter("beta") })
     }
 
     /// Relative error of a number against a text of thirty digits.
-    fn relative(found: &Precise, json: &Value) -> f64 {
-        to_f64(&(found / digits(json) - Precise::ONE)).abs()
+    fn relative(found: &Float640, json: &Value) -> f64 {
+        to_f64(&(found / digits(json) - Float640::ONE)).abs()
     }
 
     /// Top of a vector, in units with g = 1, with a launch.
-    fn input(json: &Value, launch: Launch) -> ExactInput {
+    fn input(json: &Value, launch: Launch) -> MotionInput {
         let [a, c, s, p] = ["A", "C", "s", "p"].map(|key| number(&json["params"][key]));
         let top = TopParameters {
             transverse_inertia: a,
@@ -79,11 +79,11 @@ mod tests {
             gravity: 1.0,
             ..TopParameters::default()
         };
-        ExactInput { support: if s > 0.0 { Support::Sliding } else { Support::Fixed }, top, launch }
+        MotionInput { support: if s > 0.0 { Support::Sliding } else { Support::Fixed }, top, launch }
     }
 
     /// Reference vector that is given by branch points, all exact in f64.
-    fn branch_points_vector(name: &str) -> (ExactInput, Value) {
+    fn branch_points_vector(name: &str) -> (MotionInput, Value) {
         let json = read(name);
         let params = |key: &str| number(&json["params"][key]);
         let sign = |key: &str| if json[key] == -1 { Sign::Minus } else { Sign::Plus };
@@ -122,7 +122,7 @@ mod tests {
         let mut checked = 0;
         for name in names {
             let (input, json) = branch_points_vector(&format!("exact_{name}"));
-            let exact = Exact::new(&input);
+            let exact = Quadrature::new(&input);
             let period = exact.period().expect("a period");
             let off = relative(&period, &json["period"]["T"]);
             assert!(off < 1e-29, "{name}: period off by {off:e}");
@@ -136,7 +136,7 @@ mod tests {
     }
 
     /// Reference vector that is given by a state, all exact in f64.
-    fn state_vector(name: &str) -> (ExactInput, Value) {
+    fn state_vector(name: &str) -> (MotionInput, Value) {
         let json = read(name);
         let params = &json["params"];
         let z = |key: &str| Complex::new(number(&params[key][0]), number(&params[key][1]));
@@ -151,7 +151,7 @@ mod tests {
         let mut checked = 0;
         for name in ["generic", "off_norm", "vertical", "vertical_spin", "downward"] {
             let (input, json) = state_vector(&format!("exact_state_{name}"));
-            let exact = Exact::new(&input);
+            let exact = Quadrature::new(&input);
             let off = relative(&exact.period().expect("a period"), &json["period"]["T"]);
             assert!(off < 1e-29, "{name}: period off by {off:e}");
             for sample in samples(&json) {

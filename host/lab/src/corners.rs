@@ -1,6 +1,6 @@
 //! `toytop-lab corners`: random launches near every degenerate case. Each keeps its error bound or is refused with a typed error.
 
-mod launch;
+mod random_launch;
 mod trial;
 
 use crate::{Study, Summary, trials};
@@ -70,15 +70,15 @@ fn row(regime: &str, scalar: &str, tables: &[Option<Errors>]) -> Value {
         "scalar": scalar,
         "motions": tables.len(),
         "no_table": tables.len() - found.len(),
-        "norm_error_over_bound": greatest(|errors| errors.norm_and_height),
+        "norm_error_over_bound": greatest(|errors| errors.norm_over_bound),
         "compared_motions": truths,
         "compared_ticks": compared.iter().map(|errors| errors.ticks).sum::<usize>(),
         "distant_ticks": compared.iter().map(|errors| errors.distant_ticks).sum::<usize>(),
         "error_rad": truth(|errors| errors.error),
-        "error_over_bound": truth(|errors| errors.of_bound),
-        "tight_bounds": close(|errors| errors.of_bound),
-        "rate_error_over_bound": truth(|errors| errors.rates_of_bound),
-        "tight_rate_bounds": close(|errors| errors.rates_of_bound),
+        "error_over_bound": truth(|errors| errors.error_over_bound),
+        "tight_bounds": close(|errors| errors.error_over_bound),
+        "rate_error_over_bound": truth(|errors| errors.rate_error_over_bound),
+        "tight_rate_bounds": close(|errors| errors.rate_error_over_bound),
         "beyond_bound": found.iter().filter(|errors| errors.beyond_bound()).count(),
     })
 }

@@ -17,8 +17,8 @@ use toytop_host::input::scenario::{Launch, Scenario, ScenarioFile, to_toml};
 use toytop_host::motion::ephemeris::{furthest_time, smallest_ephemeris};
 use toytop_host::motion::{MotionConstants, Scalar};
 use toytop_host::pictures::curve::TipCurve;
-use toytop_host::pictures::view;
-use toytop_host::truth::exact::Exact;
+use toytop_host::pictures::page;
+use toytop_host::truth::quadrature::Quadrature;
 
 /// Rust side of `toytop.Motion`.
 #[pyclass(module = "toytop._toytop", frozen)]
@@ -29,7 +29,7 @@ pub(crate) struct MotionCore {
     pub(crate) motion: Motion,
     tables: [OnceLock<Result<Table, String>>; Scalar::ALL.len()],
     /// Motion in numbers of 640 bits.
-    pub(crate) truth: OnceLock<Exact>,
+    pub(crate) truth: OnceLock<Quadrature>,
 }
 
 /// Scalar of this name.
@@ -103,7 +103,7 @@ impl MotionCore {
     /// Page with the top in motion, as HTML.
     fn view(&self) -> PyResult<String> {
         let file = ScenarioFile::parse("A spinning top", &self.to_toml()).map_err(failed)?;
-        view::page(&file).map_err(failed)
+        page::html(&file).map_err(failed)
     }
 
     /// Points of the curve that the tip draws, and radii of its circles.

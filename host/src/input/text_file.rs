@@ -24,7 +24,7 @@ pub fn read(name: &str, path: &Path, most_mebibytes: u64) -> Result<String, Fail
 
 /// Beginning of a text of the input, short enough for a message.
 pub fn excerpt(text: &str) -> String {
-    const MOST: usize = 60;
-    let beginning: String = text.chars().take(MOST).collect();
+    const MAX_LENGTH: usize = 60;
+    let beginning: String = text.chars().take(MAX_LENGTH).collect();
     if beginning.len() < text.len() { format!("{beginning}...") } else { beginning }
 }

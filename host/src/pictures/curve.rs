@@ -1,12 +1,12 @@
 //! Curve of the tip, and the limits between which the axis and the tip stay.
 
 use crate::Failure;
-use crate::pictures::span::{MOST_CYCLES, MotionSpan};
+use crate::pictures::span::{MAX_CYCLES, MotionSpan};
 use toytop::{Motion, Support};
 
-/// Place of the axis at a limit of the tilt.
+/// Kind of a limit of the tilt.
 #[derive(Clone, Copy, PartialEq)]
-pub enum Place {
+pub enum LimitKind {
     /// u = e₁.
     Lowest,
     /// u = e₂.
@@ -19,8 +19,8 @@ pub enum Place {
 
 /// Limit of the tilt.
 pub struct TiltLimit {
-    /// Place of the axis.
-    pub place: Place,
+    /// Kind.
+    pub kind: LimitKind,
     /// Cosine u of the tilt, from -1 to 1.
     pub u: f64,
     /// Sine of the tilt.
@@ -28,20 +28,20 @@ pub struct TiltLimit {
 }
 
 impl TiltLimit {
-    /// Lowest place of the axis, then the highest; one place where the tilt is constant, none where the axis is vertical at all times.
+    /// Lowest limit, then the highest; one limit where the tilt is constant, none where the axis is vertical at all times.
     pub fn all(motion: &Motion) -> Vec<Self> {
         let e = motion.branch_points();
-        let limit = |place, u: f64, sine_squared: f64| Self {
-            place,
+        let limit = |kind, u: f64, sine_squared: f64| Self {
+            kind,
             u: u.clamp(-1.0, 1.0),
             sine: sine_squared.max(0.0).sqrt(),
         };
-        let lowest = limit(Place::Lowest, e.e1, e.one_plus_e1 * (2.0 - e.one_plus_e1));
-        let highest = |place| limit(place, e.e2, (2.0 - e.one_minus_e2) * e.one_minus_e2);
+        let lowest = limit(LimitKind::Lowest, e.e1, e.one_plus_e1 * (2.0 - e.one_plus_e1));
+        let highest = |kind| limit(kind, e.e2, (2.0 - e.one_minus_e2) * e.one_minus_e2);
         match motion.regime() {
             regime if regime.is_vertical() => Vec::new(),
-            regime if regime.is_regular_precession() => vec![highest(Place::Constant)],
-            _ => vec![lowest, highest(Place::Highest)],
+            regime if regime.is_regular_precession() => vec![highest(LimitKind::Constant)],
+            _ => vec![lowest, highest(LimitKind::Highest)],
         }
     }
 }
@@ -49,11 +49,11 @@ impl TiltLimit {
 /// Name and tilt, as in `lowest: tilt 45.57°`.
 impl std::fmt::Display for TiltLimit {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let name = match self.place {
-            Place::Lowest => "lowest",
-            Place::Highest => "highest",
-            Place::Constant => "constant",
-            Place::Horizontal => "horizontal",
+        let name = match self.kind {
+            LimitKind::Lowest => "lowest",
+            LimitKind::Highest => "highest",
+            LimitKind::Constant => "constant",
+            LimitKind::Horizontal => "horizontal",
         };
         write!(f, "{name}: tilt {:.2}°", self.u.acos().to_degrees())
     }
@@ -74,7 +74,7 @@ impl TipCurve {
     /// # Errors
     /// [`Failure::Method`]: no ephemeris is large enough.
     pub fn new(motion: &Motion) -> Result<Self, Failure> {
-        Ok(Self::over(motion, &MotionSpan::new(motion, None, MOST_CYCLES)?))
+        Ok(Self::over(motion, &MotionSpan::new(motion, None, MAX_CYCLES)?))
     }
 
     /// Curve over a span of time.
@@ -85,7 +85,7 @@ impl TipCurve {
             && low.u < 0.0
             && high.u > 0.0
         {
-            limits.push(TiltLimit { place: Place::Horizontal, u: 0.0, sine: 1.0 });
+            limits.push(TiltLimit { kind: LimitKind::Horizontal, u: 0.0, sine: 1.0 });
         }
         let circles: Vec<_> = limits
             .into_iter()

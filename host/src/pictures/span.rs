@@ -22,7 +22,7 @@ pub struct MotionSpan {
 }
 
 /// Greatest number of nutation periods or turns in a picture: more would fill its frame.
-pub const MOST_CYCLES: f64 = 1000.0;
+pub const MAX_CYCLES: f64 = 1000.0;
 
 impl MotionSpan {
     /// Motion between two times, s. Without them it begins at 0 and is about one turn of the tip around the centre: a whole number of
@@ -68,7 +68,7 @@ impl MotionSpan {
         const LEAST: u64 = 1500;
         const IN_A_CYCLE: f64 = 64.0;
         let [from, until] = self.ends;
-        let cycles = ((until - from) / self.cycle).ceil().min(MOST_CYCLES);
+        let cycles = ((until - from) / self.cycle).ceil().min(MAX_CYCLES);
         self.times(LEAST.max((IN_A_CYCLE * cycles) as u64 + 1))
     }
 

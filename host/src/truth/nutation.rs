@@ -8,8 +8,8 @@
 //! All singularities of these rates are at negative tan²χ. So panels whose ends have tan χ in the ratio 1 : 2 suffice for every motion.
 //! With 26 nodes the relative error is (3 + √8)^-52, 1e-39.
 
-use super::precise::{
-    ComplexPrecise, Precise, conjugate, from_f64, from_i64, is_zero, norm_squared, root, to_f64, to_i64,
+use super::float640::{
+    Complex640, Float640, conjugate, from_f64, from_i64, is_zero, norm_squared, root, to_f64, to_i64,
 };
 use std::f64::consts::PI;
 use std::sync::LazyLock;
@@ -22,33 +22,33 @@ const NODE_COUNT: i64 = 26;
 const MIN_COSINE: f64 = 1e-24;
 
 /// Half phase χ, as a positive multiple of cos χ + i sin χ.
-pub type HalfPhase = ComplexPrecise;
+pub type HalfPhase = Complex640;
 
 /// Time, and the advances of arg α and arg β without ±τt/2.
-pub type Integrals = [Precise; 3];
+pub type Integrals = [Float640; 3];
 
 /// Constants of a motion.
 #[derive(Clone)]
 pub struct Constants {
-    pub s: Precise,
-    pub g: Precise,
-    pub a_over_p: Precise,
+    pub s: Float640,
+    pub g: Float640,
+    pub a_over_p: Float640,
     /// Linear factors 1 + u, 1 - u and e₃ - u, each at u = e₁ and at u = e₂. Without torque e₃ - u stands for 1.
-    pub at_turning_points: [[Precise; 2]; 3],
+    pub at_turning_points: [[Float640; 2]; 3],
     /// Rates (l ± n)/(2A).
-    pub momentum_rates: [Precise; 2],
+    pub momentum_rates: [Float640; 2],
 }
 
 impl Constants {
     /// Linear factors 1 + u, 1 - u and e₃ - u.
-    pub fn linear_factors(&self, half_phase: &HalfPhase) -> [Precise; 3] {
+    pub fn linear_factors(&self, half_phase: &HalfPhase) -> [Float640; 3] {
         let square = norm_squared(half_phase);
         let [lower, upper] = half_phase.each_ref().map(|part| part.sqr() / &square);
         self.at_turning_points.each_ref().map(|[at_e1, at_e2]| at_e1 * &lower + at_e2 * &upper)
     }
 
     /// Rates of arg α and arg β without ±τ/2; 0 for a parameter that passes through 0.
-    pub fn turning_rates(&self, linear_factors: &[Precise; 3]) -> [Precise; 2] {
+    pub fn turning_rates(&self, linear_factors: &[Float640; 3]) -> [Float640; 2] {
         [0, 1].map(|i| match &self.momentum_rates[i] {
             momentum if is_zero(momentum) => from_i64(0),
             momentum => momentum / &linear_factors[i],
@@ -56,7 +56,7 @@ impl Constants {
     }
 
     /// Derivatives of the integrals with respect to x, at the half_phase from + x (to - from).
-    fn rates(&self, from: &HalfPhase, to: &HalfPhase, x: &Precise) -> Integrals {
+    fn rates(&self, from: &HalfPhase, to: &HalfPhase, x: &Float640) -> Integrals {
         let half_phase = between(from, to, x);
         let linear_factors = self.linear_factors(&half_phase);
         let [one_plus_u, one_minus_u, below_e3] = &linear_factors;
@@ -96,7 +96,7 @@ impl Nutation {
         let last = is_periodic.then(|| [from_i64(0), from_i64(1)]);
         let rising: Vec<_> = (-count..=count).map(|k| [power(k), power(-k)]).chain(last).collect();
         let mut panels: Vec<(HalfPhase, Integrals)> = Vec::new();
-        let mut total = [Precise::ZERO; 3];
+        let mut total = [Float640::ZERO; 3];
         for half_phase in rising.iter().rev().map(conjugate).chain(rising.iter().cloned()) {
             if let Some((from, _)) = panels.last() {
                 total = add(&total, &constants.integrals(from, &half_phase), 1);
@@ -119,7 +119,7 @@ impl Nutation {
     }
 
     /// Half phase at a time, by Newton's method, and the integrals up to it.
-    pub fn at(&self, time: &Precise) -> (HalfPhase, Integrals) {
+    pub fn at(&self, time: &Float640) -> (HalfPhase, Integrals) {
         const MAX_STEPS: u32 = 20;
         /// Step whose square is far below the errors that the truth is compared with, also in differences of neighbouring launches.
         const NEAR: f64 = 1e-18;
@@ -160,7 +160,7 @@ impl Nutation {
     }
 }
 
-fn between(from: &HalfPhase, to: &HalfPhase, x: &Precise) -> HalfPhase {
+fn between(from: &HalfPhase, to: &HalfPhase, x: &Float640) -> HalfPhase {
     [0, 1].map(|i| &from[i] + (&to[i] - &from[i]) * x)
 }
 
@@ -170,7 +170,7 @@ pub fn add(a: &Integrals, b: &Integrals, times: i64) -> Integrals {
 }
 
 /// Gauss-Legendre nodes in \[0, 1\] with their weights, by Newton's method on the Legendre polynomial.
-static NODES: LazyLock<Vec<(Precise, Precise)>> = LazyLock::new(|| {
+static NODES: LazyLock<Vec<(Float640, Float640)>> = LazyLock::new(|| {
     let node = |i: i64| {
         let mut x = from_f64(-(PI * (i as f64 + 0.75) / (NODE_COUNT as f64 + 0.5)).cos());
         for _ in 0..7 {
@@ -185,7 +185,7 @@ static NODES: LazyLock<Vec<(Precise, Precise)>> = LazyLock::new(|| {
 });
 
 /// Legendre polynomials of the degrees [`NODE_COUNT`] - 1 and [`NODE_COUNT`].
-fn legendre(x: &Precise) -> [Precise; 2] {
+fn legendre(x: &Float640) -> [Float640; 2] {
     (2..=NODE_COUNT).fold([from_i64(1), x.clone()], |[before, last], k| {
         let next = (x * &last * (2 * k - 1) - before * (k - 1)) / from_i64(k);
         [last, next]
@@ -193,8 +193,8 @@ fn legendre(x: &Precise) -> [Precise; 2] {
 }
 
 /// Integrals of `f` from 0 to 1.
-fn integrate<const N: usize>(f: impl Fn(&Precise) -> [Precise; N]) -> [Precise; N] {
-    let mut sums = [Precise::ZERO; N];
+fn integrate<const N: usize>(f: impl Fn(&Float640) -> [Float640; N]) -> [Float640; N] {
+    let mut sums = [Float640::ZERO; N];
     for (x, weight) in NODES.iter() {
         for (sum, value) in sums.iter_mut().zip(f(x)) {
             *sum += weight * value;
@@ -209,7 +209,7 @@ mod tests {
 
     #[test]
     fn polynomials_of_degree_51_are_exact() {
-        let power = |x: &Precise, n: usize| (0..n).fold(from_f64(1.0), |product, _| product * x);
+        let power = |x: &Float640, n: usize| (0..n).fold(from_f64(1.0), |product, _| product * x);
         for n in [0, 1, 2, 17, 50, 51] {
             let [integral] = integrate(|x| [power(&(x + 1), n)]);
             let exact = (power(&from_f64(2.0), n + 1) - from_f64(1.0)) / from_i64(n as i64 + 1);

@@ -4,9 +4,9 @@ use toytop::su2::Vector;
 use toytop::{Complex, Motion, Orientation, State, Stepper, Support, TopParameters};
 use toytop_fit::{Partials, Sensitivity};
 use toytop_host::input::scenario::Launch;
-use toytop_host::truth::exact::{Exact, PreciseOrientation};
-use toytop_host::truth::input::ExactInput;
-use toytop_host::truth::precise::{Precise, from_f64, product, to_f64};
+use toytop_host::truth::float640::{Float640, Orientation640, from_f64, product, to_f64};
+use toytop_host::truth::motion_input::MotionInput;
+use toytop_host::truth::quadrature::Quadrature;
 use toytop_tests::{apart, check, greater, length, tolerance, top_of, worst};
 
 /// Relative change of an input: so small that its square is negligible after a million periods, and exact in `f64` for
@@ -37,7 +37,7 @@ impl Given {
         Self { top, phi: phi.map(|pair| pair.map(|x| (x / norm * few).round() / few)), omega }
     }
 
-    fn numbers(&self) -> ExactInput {
+    fn numbers(&self) -> MotionInput {
         let [a, c, s, p, g, k] = self.top;
         let top = TopParameters {
             transverse_inertia: a,
@@ -55,7 +55,7 @@ impl Given {
         };
         let [alpha, beta] = self.phi.map(|[re, im]| Complex::new(re, im));
         let launch = Launch::State { orientation: Orientation { alpha, beta }, omega: self.omega };
-        ExactInput { support, top, launch }
+        MotionInput { support, top, launch }
     }
 
     fn partials(&self, t: f64) -> Partials {
@@ -74,23 +74,23 @@ impl Given {
     }
 
     /// Ratios A/C, A/(ps) (A/p for a held tip), s and g.
-    fn ratios(&self) -> [Precise; 4] {
+    fn ratios(&self) -> [Float640; 4] {
         let [a, c, s, p, g, _] = self.top.map(from_f64);
         // a ratio that is infinite has no effect
-        let over = |x: Precise| if x == from_f64(0.0) { x } else { &a / x };
+        let over = |x: Float640| if x == from_f64(0.0) { x } else { &a / x };
         [over(c), over(if self.top[2] == 0.0 { p } else { p * &s }), s, g]
     }
 
-    fn unit(&self) -> PreciseOrientation {
+    fn unit(&self) -> Orientation640 {
         let [alpha, beta] = self.phi.map(|pair| pair.map(from_f64));
         let norm = [&alpha, &beta].into_iter().flatten().fold(from_f64(0.0), |sum, x| sum + x * x).sqrt();
-        PreciseOrientation { alpha: alpha.map(|x| x / &norm), beta: beta.map(|x| x / &norm) }
+        Orientation640 { alpha: alpha.map(|x| x / &norm), beta: beta.map(|x| x / &norm) }
     }
 }
 
 /// Rotation vector from the second orientation to the first, to the third order.
-fn rotation(to: &PreciseOrientation, from: &PreciseOrientation) -> [Precise; 3] {
-    let conj = |[re, im]: &[Precise; 2]| [re.clone(), -im];
+fn rotation(to: &Orientation640, from: &Orientation640) -> [Float640; 3] {
+    let conj = |[re, im]: &[Float640; 2]| [re.clone(), -im];
     let [_, a1] = product(&to.alpha, &conj(&from.alpha));
     let [_, a2] = product(&to.beta, &conj(&from.beta));
     let [b1, c1] = product(&to.beta, &from.alpha);
@@ -108,7 +108,7 @@ fn error(given: &Given, periods: &[f64]) -> f64 {
     // C = 0 is the end of its range, s = 0 is a held tip, and p = 0 is a free body
     for input in (0..12).filter(|input| *input < 7 || given.top[input - 7] != 0.0) {
         let [plus, minus] = [1.0, -1.0].map(|sign| given.changed(input, sign));
-        let [up, down] = [&plus, &minus].map(|numbers| Exact::new(&numbers.numbers()));
+        let [up, down] = [&plus, &minus].map(|numbers| Quadrature::new(&numbers.numbers()));
         let turned = rotation(&plus.unit(), &minus.unit());
         let ratios = plus.ratios().into_iter().zip(minus.ratios()).map(|(up, down)| to_f64(&(up - down)));
         let omega = plus.omega.into_iter().zip(minus.omega).map(|(up, down)| up - down);

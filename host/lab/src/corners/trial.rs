@@ -1,6 +1,6 @@
 //! Trial of one launch: its table in each scalar, compared with the truth and with its own bounds.
 
-use super::launch;
+use super::random_launch;
 use toytop::{Motion, ParameterError, Regime};
 use toytop_host::input::random::Random;
 use toytop_host::motion::MotionConstants;
@@ -9,13 +9,13 @@ use toytop_host::motion::ephemeris::{
     DynEphemeris, EventFilter, EventKind, ephemeris_with_truncation, search, smallest_ephemeris,
 };
 use toytop_host::motion::errors::{greater, rate_error};
-use toytop_host::truth::exact::Exact;
-use toytop_host::truth::input::ExactInput;
-use toytop_host::truth::precise::{Precise, from_f64, from_i64, to_i64};
+use toytop_host::truth::float640::{Float640, from_f64, from_i64, to_i64};
+use toytop_host::truth::motion_input::MotionInput;
+use toytop_host::truth::quadrature::Quadrature;
 
 /// Launch that was tried.
 pub struct Trial {
-    pub input: ExactInput,
+    pub input: MotionInput,
     pub regime: Regime,
     /// Errors of the table in each scalar; `None` where no table is large enough.
     pub tables: [Option<Errors>; 4],
@@ -29,34 +29,34 @@ pub struct Errors {
     /// Number of these at which more than half of the bound comes from the number of ticks.
     pub distant_ticks: usize,
     /// Greatest error of Φ's norm, and of u at its turning points, over the bound.
-    pub norm_and_height: f64,
+    pub norm_over_bound: f64,
     /// Greatest error, rad.
     pub error: f64,
     /// Greatest error over its bound.
-    pub of_bound: f64,
+    pub error_over_bound: f64,
     /// Greatest error of the rates over its bound.
-    pub rates_of_bound: f64,
+    pub rate_error_over_bound: f64,
 }
 
 impl Errors {
     /// Whether an error is beyond its bound.
     pub fn beyond_bound(&self) -> bool {
-        self.norm_and_height.max(self.of_bound).max(self.rates_of_bound) > 1.0
+        self.norm_over_bound.max(self.error_over_bound).max(self.rate_error_over_bound) > 1.0
     }
 }
 
 /// Number of times without truth.
-const TIMES: usize = 4;
+const NORM_TIMES: usize = 4;
 /// Number of random ticks with truth, each in the first period, near a turning point, and distant.
-const EACH: usize = 4;
+const RANDOM_TICKS: usize = 4;
 /// Binary logarithms of the distant ticks that are moved to a turning point.
 const DISTANT_POWERS: [u32; 3] = [40, 50, 62];
 /// Number of periods that are searched for the tick closest to a turning point.
-const SEARCHED: i64 = 64;
+const SEARCHED_PERIODS: i64 = 64;
 /// Number of ticks of the first period at which the rates are compared with those of a finer table.
-const COMPARED: i64 = 2048;
+const RATE_TICKS: i64 = 2048;
 /// Truncation error of the finer table, far below the rounding of `f64`, rad.
-const FINE: f64 = 1e-18;
+const FINE_TRUNCATION: f64 = 1e-18;
 
 /// Draws the launch of this number and tries it.
 ///
@@ -64,22 +64,22 @@ const FINE: f64 = 1e-18;
 /// The refusal of the launch.
 pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterError> {
     let mut random = Random::new(seed, number);
-    let input = launch::random(&mut random);
+    let input = random_launch::draw(&mut random);
     let motion = input.motion()?;
     let constants = MotionConstants::new(motion);
     let (period, rate) = (constants.period_or_natural_time(), constants.ticks_per_time());
     let tables = Scalar::ALL.map(|scalar| smallest_ephemeris(scalar, &motion).ok());
-    let times = [(); TIMES].map(|()| random.between(0.0, period));
+    let times = [(); NORM_TIMES].map(|()| random.between(0.0, period));
     let mut errors = tables.each_ref().map(|table| {
         let table = table.as_deref()?;
-        Some(Errors { norm_and_height: norm_and_height(table, &motion, &times), ..Errors::default() })
+        Some(Errors { norm_over_bound: norm_over_bound(table, &motion, &times), ..Errors::default() })
     });
     if with_truth {
-        let exact = Exact::new(&input);
-        let ticks = ticks(&exact, (rate, period), &mut random);
+        let truth = Quadrature::new(&input);
+        let ticks = ticks(&truth, (rate, period), &mut random);
         for tick in ticks.into_iter().chain(most_different_rates(&tables, &motion, period * rate)) {
             let t = from_i64(tick) / from_f64(rate);
-            let (orientation, rates) = (exact.at(&t), exact.rates(&t, period));
+            let (orientation, rates) = (truth.at(&t), truth.rates(&t, period));
             for (table, errors) in tables.iter().flatten().zip(errors.iter_mut().flatten()) {
                 let (bound, rate_bound) = (table.error_bound(), table.rate_error_bound());
                 let (within, rates_within) = (bound.after(tick as f64), rate_bound.after(tick as f64));
@@ -89,8 +89,9 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
                 errors.ticks += 1;
                 errors.distant_ticks += usize::from(within > 2.0 * bound.constant);
                 errors.error = greater(errors.error, error);
-                errors.of_bound = greater(errors.of_bound, ratio(error, within));
-                errors.rates_of_bound = greater(errors.rates_of_bound, ratio(rate_error, rates_within));
+                errors.error_over_bound = greater(errors.error_over_bound, ratio(error, within));
+                errors.rate_error_over_bound =
+                    greater(errors.rate_error_over_bound, ratio(rate_error, rates_within));
             }
         }
     }
@@ -103,7 +104,7 @@ fn ratio(error: f64, bound: f64) -> f64 {
 }
 
 /// Greatest error of the norm at these times, and of u at both turning points, over the bound.
-fn norm_and_height(table: &dyn DynEphemeris, motion: &Motion, times: &[f64]) -> f64 {
+fn norm_over_bound(table: &dyn DynEphemeris, motion: &Motion, times: &[f64]) -> f64 {
     let (e, filter) = (motion.branch_points(), EventFilter { from: 0.0, upward: None, count: 2 });
     let turning = search(table, motion, EventKind::Turning, &filter).unwrap_or_default();
     let turning = turning.into_iter().map(|event| (event.t, if event.upward { e.e2 } else { e.e1 }));
@@ -117,10 +118,10 @@ fn norm_and_height(table: &dyn DynEphemeris, motion: &Motion, times: &[f64]) -> 
 
 /// Ticks in the first period and up to ±2^62. The number of ticks in a unit of time is a power of two, so that the time of a tick is
 /// exact; a motion without a period is given its natural time.
-fn ticks(exact: &Exact, (rate, period): (f64, f64), random: &mut Random) -> Vec<i64> {
-    let time_of = |tangent: f64| exact.time_of(tangent) * from_f64(rate);
+fn ticks(truth: &Quadrature, (rate, period): (f64, f64), random: &mut Random) -> Vec<i64> {
+    let time_of = |tangent: f64| truth.time_of(tangent) * from_f64(rate);
     let mut ticks = Vec::new();
-    for _ in 0..EACH {
+    for _ in 0..RANDOM_TICKS {
         ticks.push((random.uniform() * period * rate) as i64);
         let tangent = random.sign() * random.log_uniform(1e-6, 1e6);
         ticks.extend(to_i64(&time_of(tangent)));
@@ -129,7 +130,7 @@ fn ticks(exact: &Exact, (rate, period): (f64, f64), random: &mut Random) -> Vec<
     }
     for (sense, tangent) in [(1, 0.0), (-1, 1e30)] {
         for tick in DISTANT_POWERS.map(|power| sense << power) {
-            match exact.period() {
+            match truth.period() {
                 Some(period) => ticks.extend(nearest(tick, &time_of(tangent), &(period * from_f64(rate)))),
                 None => ticks.push(tick),
             }
@@ -139,9 +140,9 @@ fn ticks(exact: &Exact, (rate, period): (f64, f64), random: &mut Random) -> Vec<
 }
 
 /// Tick that is closest to a place of a period, among the periods after a tick. Place and period are in ticks.
-fn nearest(tick: i64, place: &Precise, period: &Precise) -> Option<i64> {
+fn nearest(tick: i64, place: &Float640, period: &Float640) -> Option<i64> {
     let first = to_i64(&((from_i64(tick) - place) / period))?;
-    let places = (first..first + SEARCHED).map(|number| place + period * number);
+    let places = (first..first + SEARCHED_PERIODS).map(|number| place + period * number);
     let closest = places.min_by_key(|place| {
         let apart = place - place.round();
         if apart < from_i64(0) { -apart } else { apart }
@@ -151,9 +152,9 @@ fn nearest(tick: i64, place: &Precise, period: &Precise) -> Option<i64> {
 
 /// For each scalar, the tick of the first period at which its rates differ most from those of a finer table.
 fn most_different_rates(tables: &[Option<Box<dyn DynEphemeris>>], motion: &Motion, period: f64) -> Vec<i64> {
-    let Ok(finer) = ephemeris_with_truncation(motion, FINE) else { return Vec::new() };
-    let tick = |place: i64| (period * place as f64 / COMPARED as f64) as i64;
-    let fine: Vec<_> = (0..COMPARED).map(tick).map(|tick| (tick, finer.at_tick(tick).rates)).collect();
+    let Ok(finer) = ephemeris_with_truncation(motion, FINE_TRUNCATION) else { return Vec::new() };
+    let tick = |place: i64| (period * place as f64 / RATE_TICKS as f64) as i64;
+    let fine: Vec<_> = (0..RATE_TICKS).map(tick).map(|tick| (tick, finer.at_tick(tick).rates)).collect();
     let most = |table: &dyn DynEphemeris| {
         let apart = fine.iter().map(|(tick, rates)| (*tick, rate_error(&table.at_tick(*tick).rates, rates)));
         apart.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(tick, _)| tick)

@@ -10,9 +10,9 @@ use toytop::Motion;
 use toytop_closed_forms::ClosedForm;
 use toytop_host::motion::propagate::{furthest_time_of_closed_form, period_or_natural_time};
 use toytop_host::motion::sample::body_rates;
-use toytop_host::truth::exact::Exact;
-use toytop_host::truth::input::ExactInput;
-use toytop_host::truth::precise::{decimal, from_f64};
+use toytop_host::truth::float640::{decimal, from_f64};
+use toytop_host::truth::motion_input::MotionInput;
+use toytop_host::truth::quadrature::Quadrature;
 
 /// Rust side of `toytop.ClosedForm`.
 #[pyclass(module = "toytop._toytop", frozen)]
@@ -85,10 +85,10 @@ impl MotionCore {
 
 impl MotionCore {
     /// Motion in numbers of 640 bits.
-    fn truth(&self) -> &Exact {
+    fn truth(&self) -> &Quadrature {
         self.truth.get_or_init(|| {
             let TopCore { top, parameters } = self.top;
-            Exact::new(&ExactInput { support: top.support(), top: parameters, launch: self.launch })
+            Quadrature::new(&MotionInput { support: top.support(), top: parameters, launch: self.launch })
         })
     }
 }

@@ -1,13 +1,13 @@
 //! `toytop score`: output of an integrator, compared with the exact motion.
 
 use super::problems;
-use crate::commands::drawing;
-use crate::commands::drawing::chart::{Chart, Curve};
 use crate::commands::options::{PICTURE, ending_in, positive};
 use crate::input::scenario::Scenario;
 use crate::motion::propagate::period_or_natural_time;
 use crate::output::table::{Column, Table};
 use crate::output::{self, Format, short, two_digits, whole_file};
+use crate::pictures::drawing;
+use crate::pictures::drawing::chart::{Chart, Curve};
 use crate::score::errors::{ExactReference, Score};
 use crate::score::order;
 use crate::score::trajectory::Trajectory;

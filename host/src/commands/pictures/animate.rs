@@ -1,11 +1,11 @@
 //! `toytop animate`: a motion as a GIF.
 
-use crate::commands::drawing::film::Film;
 use crate::commands::options::{ending_in, span};
 use crate::commands::warnings;
 use crate::input::scenario::Scenario;
 use crate::output::progress::Progress;
 use crate::output::whole_file;
+use crate::pictures::drawing::film::Film;
 use crate::pictures::span::MotionSpan;
 use crate::{Failure, Report};
 use clap::Args;

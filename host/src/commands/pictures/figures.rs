@@ -1,9 +1,9 @@
 //! `toytop figures`: the curves of figures 2 and 3 of the paper, as `plot` draws them.
 
-use crate::commands::drawing::{self, tip};
 use crate::input::builtin;
 use crate::output::whole_file;
-use crate::pictures::span::{MOST_CYCLES, MotionSpan};
+use crate::pictures::drawing::{self, tip};
+use crate::pictures::span::{MAX_CYCLES, MotionSpan};
 use crate::{Failure, Report};
 use clap::Args;
 use std::path::PathBuf;
@@ -22,7 +22,7 @@ pub fn run(arguments: &FiguresArgs) -> Result<Report, Failure> {
     std::fs::create_dir_all(folder).map_err(|error| whole_file::refused("--output", folder, error))?;
     let mut text = String::new();
     for scenario in builtin::figures() {
-        let span = MotionSpan::new(&scenario.motion, None, MOST_CYCLES)?;
+        let span = MotionSpan::new(&scenario.motion, None, MAX_CYCLES)?;
         let scene = tip::draw(&scenario, &span);
         let path = folder.join(scenario.name.replace([' ', '='], "_") + ".svg");
         drawing::write("--output", &path, &scene, None)?;

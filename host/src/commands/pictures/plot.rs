@@ -1,10 +1,10 @@
 //! `toytop plot`: pictures of a motion.
 
-use crate::commands::drawing::{self, charts, sphere, tip};
 use crate::commands::options::{PICTURE, ending_in, span};
 use crate::commands::warnings;
 use crate::input::scenario::Scenario;
-use crate::pictures::span::{MOST_CYCLES, MotionSpan};
+use crate::pictures::drawing::{self, charts, sphere, tip};
+use crate::pictures::span::{MAX_CYCLES, MotionSpan};
 use crate::{Failure, Report};
 use clap::{Args, ValueEnum};
 use kuva::render::render::Scene;
@@ -67,7 +67,7 @@ fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
         }
         return Ok(charts::potential(scenario));
     }
-    let span = MotionSpan::new(&scenario.motion, times, MOST_CYCLES)?;
+    let span = MotionSpan::new(&scenario.motion, times, MAX_CYCLES)?;
     Ok(match arguments.kind {
         PlotKind::Tilt => charts::tilt(scenario, &span),
         PlotKind::Precession => charts::precession(scenario, &span)?,

@@ -4,7 +4,7 @@ use crate::commands::options::ending_in;
 use crate::commands::warnings;
 use crate::input::scenario::ScenarioFile;
 use crate::output::whole_file;
-use crate::pictures::view;
+use crate::pictures::page;
 use crate::{Failure, Report};
 use clap::Args;
 use std::path::PathBuf;
@@ -27,10 +27,10 @@ pub struct ViewArgs {
 pub fn run(arguments: &ViewArgs) -> Result<Report, Failure> {
     let start = match &arguments.scenario {
         Some(scenario) => ScenarioFile::read(scenario)?,
-        None => view::toy_top(),
+        None => page::toy_top(),
     };
     let scenario = start.scenario()?;
-    let page = view::page(&start).map_err(|failure| failure.with_context(&scenario.name))?;
-    whole_file::write("--output", &arguments.output, page.as_bytes())?;
+    let html = page::html(&start).map_err(|failure| failure.with_context(&scenario.name))?;
+    whole_file::write("--output", &arguments.output, html.as_bytes())?;
     Ok(Report::default().with_notes(warnings(&[scenario])))
 }

@@ -2,8 +2,6 @@
 
 mod report;
 
-use crate::commands::drawing;
-use crate::commands::drawing::fit as pictures;
 use crate::commands::options::{PICTURE, ending_in, positive};
 use crate::fit::columns;
 use crate::fit::launch::{FREE_KEYS, FitInput};
@@ -11,6 +9,7 @@ use crate::fit::sensors::{Body, Sensors};
 use crate::input::scenario::ScenarioFile;
 use crate::input::text_file::excerpt;
 use crate::output::{self, Format, whole_file};
+use crate::pictures::drawing::{self, residuals};
 use crate::{Failure, Report};
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -95,12 +94,8 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     }
     if let Some(path) = &arguments.plot_residuals {
         if fit.used_any_sample() {
-            let picture = pictures::residuals(&fit, &measurements);
-            files.push((
-                "--plot-residuals",
-                path,
-                drawing::encoded(path, &picture, None).map_err(Failure::Output)?,
-            ));
+            let picture = drawing::encoded(path, &residuals::draw(&fit, &measurements), None);
+            files.push(("--plot-residuals", path, picture.map_err(Failure::Output)?));
         } else {
             notes.push(not_written(path, "there is no launch"));
         }

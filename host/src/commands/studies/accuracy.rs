@@ -12,9 +12,9 @@ use crate::output::progress::Progress;
 use crate::output::table::{Column, Table};
 use crate::output::{self, Format};
 use crate::parallel::thread_pool;
-use crate::truth::exact::Exact;
-use crate::truth::input::ExactInput;
-use crate::truth::precise::{from_f64, from_i64};
+use crate::truth::float640::{from_f64, from_i64};
+use crate::truth::motion_input::MotionInput;
+use crate::truth::quadrature::Quadrature;
 use crate::{Failure, Report};
 use clap::Args;
 use micromath::F32Ext;
@@ -109,7 +109,7 @@ fn record(scalar: Scalar, errors: Errors) -> Value {
 fn measured(scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
     let motions: Vec<_> = builtin::scenarios().iter().filter_map(input).collect();
     let progress = Progress::new(motions.len() as u64, "motions");
-    let errors = |input: &ExactInput| of_motion(input, scalars).inspect(|_| progress.add(1));
+    let errors = |input: &MotionInput| of_motion(input, scalars).inspect(|_| progress.add(1));
     let nothing = || vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];
     let together = |mut all: Vec<Vec<Errors>>, motion: Vec<Vec<Errors>>| {
         all.iter_mut().flatten().zip(motion.iter().flatten()).for_each(|(a, b)| *a = a.greater(*b));
@@ -119,12 +119,12 @@ fn measured(scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
 }
 
 /// Input of a motion that nutates and whose tip slides, launched at u = e₁.
-fn input(scenario: &Scenario) -> Option<ExactInput> {
+fn input(scenario: &Scenario) -> Option<MotionInput> {
     let motion = &scenario.motion;
     let (top, e) = (motion.top(), motion.branch_points());
     let known = motion.regime() == Regime::Nutating && top.support() == Support::Sliding;
     let phases = InitialAngles::default();
-    known.then(|| ExactInput {
+    known.then(|| MotionInput {
         support: top.support(),
         top: TopParameters { mass: 0.0, mass_moment: top.mass_moment(), ..scenario.top },
         launch: Launch::BranchPoints { e: [e.e1, e.e2, e.e3], signs: motion.signs(), phases },
@@ -132,11 +132,11 @@ fn input(scenario: &Scenario) -> Option<ExactInput> {
 }
 
 /// Errors of each scalar on a motion, by octave.
-fn of_motion(input: &ExactInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
+fn of_motion(input: &MotionInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
     let motion = input.motion().map_err(|error| Failure::Input(format!("{input:?}: {error}")))?;
     let tables =
         scalars.iter().map(|&scalar| smallest_ephemeris(scalar, &motion)).collect::<Result<Vec<_>, _>>()?;
-    let truth = Exact::new(input);
+    let truth = Quadrature::new(input);
     let rate = MotionConstants::new(motion).ticks_per_time();
     let mut random = Random::new(1, 0);
     let mut found = vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];

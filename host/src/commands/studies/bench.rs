@@ -24,20 +24,20 @@ const STEPS: u32 = 6400;
 /// Number of states in a nutation period.
 const STATES_A_PERIOD: u32 = 10;
 /// Tick of the first state of a table.
-const FIRST: i64 = 1 << 40;
+const FIRST_TICK: i64 = 1 << 40;
 /// Tolerance of the full solver.
 const TOLERANCE: f64 = 1e-12;
 /// Number of runs of a task, of which the least time counts, because other processes can only make a run longer.
 const RUNS: u32 = 5;
 
 /// Row of a task that computes this many states, with the least time of a state, s.
-fn timed(what: impl Into<String>, states: u32, mut task: impl FnMut()) -> Value {
+fn time(name: impl Into<String>, states: u32, mut task: impl FnMut()) -> Value {
     let run = |_| {
         let started = Instant::now();
         task();
         started.elapsed().as_secs_f64() / f64::from(states)
     };
-    json!({ "what": what.into(), "seconds": (0..RUNS).map(run).fold(f64::INFINITY, f64::min) })
+    json!({ "what": name.into(), "seconds": (0..RUNS).map(run).fold(f64::INFINITY, f64::min) })
 }
 
 /// Computing times on this machine: ephemeris, stepper, full solver
@@ -79,6 +79,7 @@ fn short_seconds(seconds: f64) -> String {
     format!("{} {unit}", short(scale * seconds, 3))
 }
 
+/// Rows of all tasks.
 fn rows() -> Result<Vec<Value>, Failure> {
     let fail = |error: &dyn std::fmt::Display| Failure::Method(format!("bench: {error}"));
     let figures = builtin::figures();
@@ -93,12 +94,12 @@ fn rows() -> Result<Vec<Value>, Failure> {
     let double = EphemerisF64::new(motion, tick).map_err(|error| fail(&error))?;
     let single = EphemerisF32::new(motion, tick).map_err(|error| fail(&error))?;
     let solver = FullSolver::new(top, state, TOLERANCE)?;
-    let full = timed(format!("full solver, tolerance {TOLERANCE:.0e}"), STATES / 8, || {
+    let full = time(format!("full solver, tolerance {TOLERANCE:.0e}"), STATES / 8, || {
         let mut solver = solver.clone();
         times(STATES / 8).for_each(|t| drop(black_box(solver.advance_to(t))));
     });
     let runge_kutta =
-        timed(format!("Runge-Kutta of the full equations, {STEPS} steps a period"), STATES / 8, || {
+        time(format!("Runge-Kutta of the full equations, {STEPS} steps a period"), STATES / 8, || {
             let equations = Equations::new(top, &state);
             let (mut y, step) = (equations.numbers(&state), period / f64::from(STEPS));
             for _ in 0..STATES / 8 {
@@ -106,46 +107,48 @@ fn rows() -> Result<Vec<Value>, Failure> {
                 black_box(equations.state(&y));
             }
         });
-    let set_up = timed("ephemeris f64: its set-up, once", 1, || {
+    let set_up = time("ephemeris f64: its set-up, once", 1, || {
         drop(black_box(EphemerisF64::new(black_box(motion), tick)));
     });
-    let any_time = timed("ephemeris f64: any time, with the angular velocity", STATES, || {
+    let any_time = time("ephemeris f64: any time, with the angular velocity", STATES, || {
         times(STATES).for_each(|t| {
             let now = double.at(t);
             black_box((now.orientation(), now.omega()));
         });
     });
     let mut rows = vec![full, runge_kutta, set_up, any_time];
-    rows.extend(ephemeris("f32", &single));
-    rows.extend(ephemeris("f64", &double));
-    rows.extend([stepper::<f32>("f32", motion), stepper::<f64>("f64", motion)]);
+    rows.extend(time_ephemeris("f32", &single));
+    rows.extend(time_ephemeris("f64", &double));
+    rows.extend([time_stepper::<f32>("f32", motion), time_stepper::<f64>("f64", motion)]);
     Ok(rows)
 }
 
-fn ephemeris<R: EphemerisScalar>(scalar: &str, table: &EphemerisView<R>) -> [Value; 3] {
+/// Rows of an ephemeris.
+fn time_ephemeris<R: EphemerisScalar>(scalar: &str, table: &EphemerisView<R>) -> [Value; 3] {
     let mut out = vec![Orientation::<R>::IDENTITY; STATES as usize];
-    let batch = timed(format!("ephemeris {scalar}: in a batch"), STATES, || {
-        table.fill(black_box(FIRST), &mut out);
+    let batch = time(format!("ephemeris {scalar}: in a batch"), STATES, || {
+        table.fill(black_box(FIRST_TICK), &mut out);
         black_box(&mut out);
     });
-    let next = timed(format!("ephemeris {scalar}: the next tick"), STATES, || {
-        let mut cursor = table.cursor(black_box(FIRST));
+    let next = time(format!("ephemeris {scalar}: the next tick"), STATES, || {
+        let mut cursor = table.cursor(black_box(FIRST_TICK));
         (0..STATES).for_each(|_| {
             black_box(cursor.next(table).orientation());
         });
     });
-    let any = timed(format!("ephemeris {scalar}: any tick"), STATES, || {
+    let any = time(format!("ephemeris {scalar}: any tick"), STATES, || {
         (0..i64::from(STATES)).for_each(|n| {
-            black_box(table.at_tick(black_box(FIRST + n)).orientation());
+            black_box(table.at_tick(black_box(FIRST_TICK + n)).orientation());
         });
     });
     [batch, next, any]
 }
 
-fn stepper<R: Real>(scalar: &str, motion: &Motion) -> Value {
+/// Row of a stepper.
+fn time_stepper<R: Real>(scalar: &str, motion: &Motion) -> Value {
     let mut stepper = Stepper::<R>::new(motion);
     let step = R::from_f64(1e-3);
-    timed(format!("stepper {scalar}: a step"), STATES, || {
+    time(format!("stepper {scalar}: a step"), STATES, || {
         (0..STATES).for_each(|_| {
             stepper.step(step);
             black_box(stepper.orientation());

@@ -24,11 +24,11 @@ use crate::commands::options::positive;
 use crate::output::table::Table;
 use crate::output::{self, Format, eight_digits, short, whole_file};
 use crate::{Failure, Report};
-use budgets::Budgets;
+use budgets::{Budgets, FLASH_S};
 use chips::Chip;
 use clap::Args;
-use corpus::corpus;
-use meter::{Cost, Costs, flash, measure};
+use corpus::costs_of_launches;
+use meter::{Cost, Costs, linked_flash, measure};
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -77,8 +77,8 @@ pub struct BudgetArgs {
 
 /// File of the limits.
 const LIMITS: &str = "firmware-examples/budgets.toml";
-/// Chip that the fit of a launch is measured on. It is the only one, because the trace is long.
-const FITTING_CHIP: &str = "m4f";
+/// Only chip on which the fit of a launch, whose trace is long, and the flash at opt-level s are measured.
+const CHIP_OF_FIT: &str = "m4f";
 /// Calls whose flash is that of the program `flash` without that of `empty`: a launch, a table and a tick.
 const SET_UPS: [&str; 5] = ["launch", "new", "slices", "launch_slow", "launch_falling"];
 
@@ -90,23 +90,23 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
         let [chip] = chips[..] else {
             return Err(Failure::Input("--elf: needs one --chip, for which the file was built".into()));
         };
-        return report(arguments, &BTreeMap::from([(chip.name.to_owned(), measure(chip, elf)?)]));
+        return report_on_calls(arguments, &BTreeMap::from([(chip.name.to_owned(), measure(chip, elf)?)]));
     }
     let root = repository()?;
     if arguments.corpus {
-        return launches(arguments, &root, chips);
+        return report_on_launches(arguments, &root, chips);
     }
     let mut all = BTreeMap::new();
     for chip in chips {
-        all.insert(chip.name.to_owned(), measured(arguments, &root, chip)?);
+        all.insert(chip.name.to_owned(), costs_of_calls(arguments, &root, chip)?);
     }
     if arguments.accept {
         let budgets = Budgets::with_slack(all);
-        let report = pages::write(&root, &pages::of_budgets(&budgets))?;
+        let report = pages::write(&root, &pages::parts_with_budgets(&budgets))?;
         whole_file::write("--accept", &root.join(LIMITS), budgets.to_toml().as_bytes())?;
         return Ok(report);
     }
-    let report = report(arguments, &all)?;
+    let report = report_on_calls(arguments, &all)?;
     if !arguments.check {
         return Ok(report);
     }
@@ -129,30 +129,34 @@ fn repository() -> Result<PathBuf, Failure> {
 }
 
 /// Costs of all calls on a chip.
-fn measured(arguments: &BudgetArgs, root: &Path, chip: &Chip) -> Result<Costs, Failure> {
+fn costs_of_calls(arguments: &BudgetArgs, root: &Path, chip: &Chip) -> Result<Costs, Failure> {
     let program = |name| build(root, chip, name, arguments.flash);
     let mut costs = measure(chip, &program("cost")?)?;
-    if chip.name == FITTING_CHIP {
+    let flash_of_table = |small| {
+        let [with_table, empty] = ["flash", "empty"].map(|name| build(root, chip, name, small));
+        Ok(linked_flash(&with_table?)? - linked_flash(&empty?)?)
+    };
+    if chip.name == CHIP_OF_FIT {
         costs.extend(measure(chip, &program("fit_cost")?)?);
+        costs.insert(FLASH_S.to_owned(), Cost::from([("flash".to_owned(), flash_of_table(true)?)]));
     }
     // a set-up cannot be linked without the rest of its table: its flash is that of a program, as the linker sees it
-    let with_table = program("flash")?;
-    let linked = flash(&with_table)? - flash(&program("empty")?)?;
+    let flash = flash_of_table(arguments.flash)?;
     for call in SET_UPS {
         if let Some(cost) = costs.get_mut(call) {
-            cost.insert("flash".to_owned(), linked);
+            cost.insert("flash".to_owned(), flash);
         }
     }
-    costs.extend(measure(chip, &with_table)?);
+    costs.extend(measure(chip, &program("flash")?)?);
     Ok(costs)
 }
 
-/// Path of a program of the package `toytop-cost` after its build, optimised for size if `size`, otherwise for speed.
-fn build(root: &Path, chip: &Chip, program: &str, size: bool) -> Result<PathBuf, Failure> {
+/// Path of a program of the package `toytop-cost` after its build, optimised for size if `small`, otherwise for speed.
+fn build(root: &Path, chip: &Chip, program: &str, small: bool) -> Result<PathBuf, Failure> {
     let mut cargo = Command::new("cargo");
     cargo.current_dir(root.join("firmware-examples")).stdout(Stdio::null());
     cargo.args(["build", "--quiet", "--package", "toytop-cost", "--bin", program]);
-    cargo.envs(size.then_some(("CARGO_PROFILE_RELEASE_OPT_LEVEL", "s")));
+    cargo.envs(small.then_some(("CARGO_PROFILE_RELEASE_OPT_LEVEL", "s")));
     let folder = chip.build(&mut cargo, root);
     match cargo.status() {
         Ok(status) if status.success() => Ok(folder.join(program)),
@@ -164,15 +168,19 @@ fn build(root: &Path, chip: &Chip, program: &str, size: bool) -> Result<PathBuf,
 }
 
 /// Report on the set-up of many launches on each chip.
-fn launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&'static Chip>) -> Result<Report, Failure> {
+fn report_on_launches(
+    arguments: &BudgetArgs,
+    root: &Path,
+    chips: Vec<&'static Chip>,
+) -> Result<Report, Failure> {
     let budgets = Budgets::read(&root.join(LIMITS))?;
     let modelled = |chip: &Chip| budgets.budget(chip.name, "launch", "cycles").is_some();
     let mut rows = Vec::new();
     for chip in chips.into_iter().filter(|chip| !arguments.accept || modelled(chip)) {
-        rows.extend(corpus(chip, &build(root, chip, "corpus", arguments.flash)?, &budgets)?);
+        rows.extend(costs_of_launches(chip, &build(root, chip, "corpus", arguments.flash)?, &budgets)?);
     }
     if arguments.accept {
-        return pages::write(root, &[pages::of_corpus(&rows)]);
+        return pages::write(root, &[pages::part_with_launches(&rows)]);
     }
     let table = || {
         format!(
@@ -185,7 +193,8 @@ fn launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&'static Chip>) -> R
     Ok(output::render(arguments.format, &json!({ "rows": rows }), table).into())
 }
 
-fn report(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -> Result<Report, Failure> {
+/// Report on the cost of each call on each chip.
+fn report_on_calls(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -> Result<Report, Failure> {
     let record = |chip: &str, call: &str, cost: &Cost| {
         let figure = |name: &str| cost.get(name).copied();
         let microseconds = figure("cycles").map(|cycles| cycles as f64 / arguments.clock);

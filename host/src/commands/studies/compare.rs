@@ -17,7 +17,7 @@ use crate::output::{self, Format, short};
 use crate::truth::full_equations;
 use crate::truth::full_equations::full_solver::FullState;
 use crate::{Failure, Report};
-use bounds::{bound, horizon, steps_per_period};
+use bounds::{bound, bounds_of_builtin, horizon, steps_per_period};
 use clap::Args;
 use serde_json::{Value, json};
 use std::path::PathBuf;
@@ -45,77 +45,37 @@ pub struct CompareArgs {
     format: Format,
 }
 
-/// Propagators of the core with their scalars, each with its heading; in fixed point there is no stepper.
-const PROPAGATORS: [(Method, Scalar, &str); 6] = [
-    (Method::Stepper, Scalar::F64, "step f64"),
-    (Method::Stepper, Scalar::F32, "step f32"),
-    (Method::Ephemeris, Scalar::F64, "f64"),
-    (Method::Ephemeris, Scalar::F32, "f32"),
-    (Method::Ephemeris, Scalar::Q31, "q31"),
-    (Method::Ephemeris, Scalar::Q15, "q15"),
+/// Propagators of the core with their scalars; in fixed point there is no stepper.
+const PROPAGATORS: [(Method, Scalar); 6] = [
+    (Method::Stepper, Scalar::F64),
+    (Method::Stepper, Scalar::F32),
+    (Method::Ephemeris, Scalar::F64),
+    (Method::Ephemeris, Scalar::F32),
+    (Method::Ephemeris, Scalar::Q31),
+    (Method::Ephemeris, Scalar::Q15),
 ];
 
 /// Samples in a period.
 const SAMPLES: u32 = 64;
 
+/// Verdict on an error beyond its bound.
+const MISSED: &str = "MISS";
+
 /// Name of an error in the records, and its value.
 type ErrorColumn = (&'static str, fn(&Errors) -> f64);
 
+/// Name of the error that has a bound.
+const ORIENTATION: &str = "max_orientation_error_rad";
+
 /// Names of the errors, with their values.
 const ERRORS: [ErrorColumn; 6] = [
-    ("max_orientation_error_rad", |errors| errors.orientation),
+    (ORIENTATION, |errors| errors.orientation),
     ("max_u_error", |errors| errors.u),
     ("max_tip_error_per_s", |errors| errors.tip),
     ("h_drift", |errors| errors.drift.h),
     ("l_drift", |errors| errors.drift.l),
     ("n_drift", |errors| errors.drift.n),
 ];
-
-/// Comparison of one motion by one propagator.
-struct Comparison {
-    motion: String,
-    scalar: Scalar,
-    method: Method,
-    heading: &'static str,
-    /// Greatest errors; `None` where no table is large enough.
-    errors: Option<Errors>,
-    /// Number of steps of the stepper.
-    steps: Option<u64>,
-    /// Segments and terms of the table.
-    table: Option<[usize; 2]>,
-    /// Median time of a step or of a look-up, s.
-    call: Option<f64>,
-    /// Upper bound on the error of the orientation, rad.
-    bound: Option<f64>,
-}
-
-impl Comparison {
-    fn verdict(&self) -> &'static str {
-        match (self.errors, self.bound) {
-            (None, _) => "no fit",
-            (_, None) => "no bound",
-            (Some(errors), Some(bound)) if errors.orientation <= bound => "ok",
-            _ => "MISS",
-        }
-    }
-
-    fn record(&self) -> Value {
-        let mut record = json!({
-            "motion": self.motion,
-            "scalar": self.scalar.name(),
-            "method": self.method.name(),
-        });
-        for (name, error) in ERRORS {
-            record[name] = self.errors.as_ref().map(error).into();
-        }
-        record["steps"] = self.steps.into();
-        record["table"] = self.table.map(|[segments, terms]| format!("{segments}x{terms}")).into();
-        record["ns"] = self.call.map(|call| 1e9 * call).into();
-        record["bound_rad"] = self.bound.into();
-        record["verdict"] = self.verdict().into();
-        record
-    }
-}
 
 pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     let scenarios = if arguments.scenarios.is_empty() {
@@ -125,32 +85,32 @@ pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     };
     let (mut motions, mut notes) = (Vec::new(), Vec::new());
     for scenario in &scenarios {
-        motions.push(of_motion(scenario, arguments, &mut notes)?);
+        motions.push(records(scenario, arguments, &mut notes)?);
     }
-    let records: Vec<_> = motions.iter().flatten().map(Comparison::record).collect();
     let table = || table(&motions, arguments.periods);
-    let text = output::render(arguments.format, &json!({ "rows": records }), table);
+    let text = output::render(arguments.format, &json!({ "rows": motions.concat() }), table);
     notes.extend(warnings(&scenarios));
-    let check_failed = motions.iter().flatten().any(|one| one.verdict() == "MISS");
+    let check_failed = motions.iter().flatten().any(|record| record["verdict"] == MISSED);
     Ok(Report { text, notes, check_failed })
 }
 
 /// Table with one row for each motion: error of each propagator, greatest fraction of a bound, time of the slowest look-up, and whether
 /// all bounds are kept.
-fn table(motions: &[Vec<Comparison>], periods: u32) -> String {
-    let line = |all: &Vec<Comparison>| {
-        let mut line = json!({ "motion": all[0].motion });
-        let (mut fraction, mut slowest) = (0.0_f64, 0.0_f64);
-        for one in all {
-            let error = one.errors.map(|errors| errors.orientation);
-            line[one.heading] = error.into();
-            fraction = fraction.max(error.zip(one.bound).map_or(0.0, |(error, bound)| error / bound));
-            slowest = slowest.max(one.table.and(one.call).unwrap_or(0.0));
+fn table(motions: &[Vec<Value>], periods: u32) -> String {
+    let line = |records: &Vec<Value>| {
+        let mut line = json!({ "motion": records[0]["motion"] });
+        for record in records {
+            let scalar = record["scalar"].as_str().unwrap_or_default();
+            let prefix = if record["method"] == "stepper" { "step " } else { "" };
+            line[format!("{prefix}{scalar}")] = record[ORIENTATION].clone();
         }
-        let has = |verdict: &&str| all.iter().any(|one| one.verdict() == *verdict);
-        let worst = ["MISS", "no fit", "no bound"].into_iter().find(has).unwrap_or("ok");
-        line["of bound"] = fraction.into();
-        line["ns"] = (1e9 * slowest).into();
+        let greatest =
+            |value: fn(&Value) -> Option<f64>| records.iter().filter_map(value).fold(0.0, f64::max);
+        let has = |verdict: &&str| records.iter().any(|record| record["verdict"] == **verdict);
+        let worst = [MISSED, "no fit", "no bound"].into_iter().find(has).unwrap_or("ok");
+        line["of bound"] =
+            greatest(|record| Some(record[ORIENTATION].as_f64()? / record["bound_rad"].as_f64()?)).into();
+        line["ns"] = greatest(|record| record["table"].as_str().and(record["ns"].as_f64())).into();
         line["result"] = worst.into();
         line
     };
@@ -165,63 +125,67 @@ fn table(motions: &[Vec<Comparison>], periods: u32) -> String {
     )
 }
 
-/// Comparisons of a motion.
-fn of_motion(
+/// Records of a motion, one for each propagator.
+fn records(
     scenario: &Scenario,
     arguments: &CompareArgs,
     notes: &mut Vec<String>,
-) -> Result<Vec<Comparison>, Failure> {
+) -> Result<Vec<Value>, Failure> {
     let (motion, name, periods) = (&scenario.motion, &scenario.name, arguments.periods);
-    let own = arguments.scenarios.is_empty().then(|| bounds::own_bounds(name)).flatten();
+    let tighter = arguments.scenarios.is_empty().then(|| bounds_of_builtin(name)).flatten();
     let (time, remark) = horizon(motion, periods);
     notes.extend(remark.map(|remark| format!("{name}: {remark}")));
     let times = spread_times(time, SAMPLES * periods);
     let mut reference = Reference::default();
-    let Scalars(chosen) = &arguments.scalar;
-    let mut comparisons = Vec::new();
-    for (method, scalar, heading) in PROPAGATORS.into_iter().filter(|(_, scalar, _)| chosen.contains(scalar))
-    {
+    let mut records = Vec::new();
+    for (method, scalar) in PROPAGATORS {
+        if !arguments.scalar.0.contains(&scalar) {
+            continue;
+        }
         let run = match (method, scalar) {
             (Method::Ephemeris, _) => run_ephemeris(scalar, motion, &times),
             (_, Scalar::F64) => Ok(run_stepper::<f64>(scalar, motion, &times)),
             _ => Ok(run_stepper::<f32>(scalar, motion, &times)),
         };
-        let (errors, steps, table, call) = match run {
-            Ok(Run { samples, steps, table, call }) => {
-                (Some(reference.errors(scenario, &samples)?), steps, table, Some(call))
-            }
-            Err(failure) => {
-                notes.push(format!("{name} {}: {failure}", scalar.name()));
-                (None, None, None, None)
-            }
-        };
-        let (table, table_bound) = table.unzip();
-        let bound = bound(motion, (method, scalar), periods, own, table_bound);
-        comparisons.push(Comparison {
-            motion: name.clone(),
-            scalar,
-            method,
-            heading,
-            errors,
-            steps,
-            table,
-            call,
-            bound,
+        let run = run.unwrap_or_else(|failure| {
+            notes.push(format!("{name} {}: {failure}", scalar.name()));
+            Run::default()
         });
+        let errors = reference.errors(scenario, &run.samples)?;
+        let bound = bound(motion, (method, scalar), periods, tighter, run.table_bound);
+        let mut record = json!({ "motion": name, "scalar": scalar.name(), "method": method.name() });
+        for (name, error) in ERRORS {
+            record[name] = errors.as_ref().map(error).into();
+        }
+        record["steps"] = run.steps.into();
+        record["table"] = run.table_size.map(|[segments, terms]| format!("{segments}x{terms}")).into();
+        record["ns"] = run.call.map(|seconds| 1e9 * seconds).into();
+        record["bound_rad"] = bound.into();
+        record["verdict"] = match (errors, bound) {
+            (None, _) => "no fit",
+            (_, None) => "no bound",
+            (Some(errors), Some(bound)) if errors.orientation <= bound => "ok",
+            _ => MISSED,
+        }
+        .into();
+        records.push(record);
     }
-    Ok(comparisons)
+    Ok(records)
 }
 
-/// Run of the core through the times of a comparison.
+/// Run of the core through the times of a comparison; empty where no table is large enough.
+#[derive(Default)]
 struct Run {
     /// Samples in the order of the times.
     samples: Vec<Sample>,
     /// Number of steps of a stepper.
     steps: Option<u64>,
-    /// Segments and terms of a table, and the bound on its error at the last time, rad.
-    table: Option<([usize; 2], f64)>,
+    /// Segments and terms of a table.
+    table_size: Option<[usize; 2]>,
+    /// Bound on the error of a table at the last time, rad.
+    table_bound: Option<f64>,
     /// Median time of a step or of a look-up, s.
-    call: f64,
+    call: Option<f64>,
 }
 
 /// Median time in five runs of a function that returns its number of calls, s a call.
@@ -249,7 +213,7 @@ fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
         steps = timed.steps;
         steps
     });
-    Run { samples, steps: Some(steps), table: None, call }
+    Run { samples, steps: Some(steps), call: Some(call), ..Run::default() }
 }
 
 /// Run of an ephemeris at the times.
@@ -265,10 +229,16 @@ fn run_ephemeris(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, 
     });
     let last = times.last().copied().unwrap_or(0.0);
     let bound = table.error_bound().after(last * table.ticks_per_time());
-    Ok(Run { samples, steps: None, table: Some((table.size(), bound)), call })
+    Ok(Run {
+        samples,
+        steps: None,
+        table_size: Some(table.size()),
+        table_bound: Some(bound),
+        call: Some(call),
+    })
 }
 
-/// Cached full-solver states, reused for equal times.
+/// States of the full solver, kept for the next run with the same times.
 #[derive(Default)]
 struct Reference {
     times: Vec<f64>,
@@ -276,17 +246,19 @@ struct Reference {
 }
 
 impl Reference {
-    /// Greatest errors of samples, at the times that they have reached: an f32 step misses the requested one.
-    fn errors(&mut self, scenario: &Scenario, samples: &[Sample]) -> Result<Errors, Failure> {
+    /// Greatest errors of samples, at the times that they have reached: an f32 step misses the requested one. `None` without samples.
+    fn errors(&mut self, scenario: &Scenario, samples: &[Sample]) -> Result<Option<Errors>, Failure> {
+        if samples.is_empty() {
+            return Ok(None);
+        }
         let times: Vec<f64> = samples.iter().map(|sample| sample.t).collect();
         if times != self.times {
             self.states = full_equations::states(scenario, &times)?;
             self.times = times;
         }
-        let errors = samples
-            .iter()
-            .zip(&self.states)
-            .map(|(sample, state)| Errors::between(&scenario.motion, sample, &state.orientation()));
-        Ok(errors.fold(Errors::default(), Errors::greater))
+        let error = |(sample, state): (&Sample, &FullState)| {
+            Errors::between(&scenario.motion, sample, &state.orientation())
+        };
+        Ok(samples.iter().zip(&self.states).map(error).reduce(Errors::greater))
     }
 }

@@ -1,7 +1,7 @@
 //! `toytop sweep`: many motions, one row for each, in one CSV file.
 
 mod columns;
-mod table;
+mod motions;
 
 use crate::input::axis::Axis;
 use crate::input::scenario::ScenarioFile;
@@ -11,11 +11,11 @@ use crate::parallel;
 use crate::{Failure, Report};
 use clap::Args;
 use columns::{DEFAULT_COLUMNS, SweepColumn};
+use motions::{MAX_MOTIONS, Sweep};
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::Instant;
-use table::{MOST_MOTIONS, Sweep};
 
 /// Constants and errors of many motions of a scenario, a grid or a random sample
 ///
@@ -46,7 +46,7 @@ pub struct SweepArgs {
     #[arg(long, value_name = "KEY=AXIS", value_parser = key_and_axis)]
     axis: Vec<(String, Axis)>,
     /// Number of random motions; without it, the motions are the grid of all combinations
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MOST_MOTIONS))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_MOTIONS))]
     motions: Option<u64>,
     /// Seed of the random motions
     #[arg(long, value_name = "S", default_value_t = 1)]
@@ -87,10 +87,10 @@ fn periods(text: &str) -> Result<f64, &'static str> {
 }
 
 fn part(text: &str) -> Result<[u64; 2], &'static str> {
-    const MOST: u64 = 1 << 32;
+    const MAX_PARTS: u64 = 1 << 32;
     let number = |text: &str| text.parse::<u64>().ok();
     let pair = text.split_once('/').and_then(|(part, parts)| Some([number(part)?, number(parts)?]));
-    pair.filter(|[part, parts]| *parts <= MOST && (1..=*parts).contains(part))
+    pair.filter(|[part, parts]| *parts <= MAX_PARTS && (1..=*parts).contains(part))
         .ok_or("must be I/N with I from 1 to N, and N at most 2^32")
 }
 

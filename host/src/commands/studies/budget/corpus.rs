@@ -13,9 +13,9 @@ use std::path::Path;
 ///
 /// # Errors
 /// [`Failure::Tool`]: there is no QEMU, the program did not end with exit code 0, or a line of its output cannot be read.
-pub fn corpus(chip: &Chip, elf: &Path, budgets: &Budgets) -> Result<Vec<Value>, Failure> {
+pub fn costs_of_launches(chip: &Chip, elf: &Path, budgets: &Budgets) -> Result<Vec<Value>, Failure> {
     // an instruction takes one nanosecond of virtual time
-    let text = trace::run(chip, elf, &["-icount", "shift=0,sleep=off"], |_| Ok(()))?;
+    let text = trace::emulate(chip, elf, &["-icount", "shift=0,sleep=off"], |_| Ok(()))?;
     let launch = |figure| budgets.budget(chip.name, "launch", figure).map(|count| count as f64);
     let ratio =
         launch("cycles").zip(launch("instructions")).map(|(cycles, instructions)| cycles / instructions);

@@ -31,29 +31,30 @@ const PREFIX: &str = "bench_";
 pub fn measure(chip: &Chip, elf: &Path) -> Result<Costs, Failure> {
     let bytes = read(elf)?;
     let image = Image::new(parsed(elf, &bytes)?);
-    let cycle_model = CycleModel::of_chip(chip)?;
-    let mut profile = Profile { image, cycle_model, calls: BTreeMap::new(), end: 0, running: None };
-    let printed = trace::run(chip, elf, &["-d", "in_asm,exec,nochain"], |block| profile.executed(block))?;
-    if profile.calls.is_empty() {
+    let cycle_model = CycleModel::for_chip(chip)?;
+    let mut measurement = Measurement { image, cycle_model, calls: BTreeMap::new(), end: 0, running: None };
+    let printed =
+        trace::emulate(chip, elf, &["-d", "in_asm,exec,nochain"], |block| measurement.executed(block))?;
+    if measurement.calls.is_empty() {
         return Err(Failure::Input(format!("{}: calls no function named {PREFIX}...", elf.display())));
     }
     // the firmware prints `bench_NAME stack BYTES ram BYTES`
     for line in printed.lines() {
         let words: Vec<_> = line.split_whitespace().collect();
         let [name, "stack", stack, "ram", ram] = words[..] else { continue };
-        if let Some((cost, _)) = name.strip_prefix(PREFIX).and_then(|call| profile.calls.get_mut(call)) {
+        if let Some((cost, _)) = name.strip_prefix(PREFIX).and_then(|call| measurement.calls.get_mut(call)) {
             let figures = [("stack", stack.parse().ok()), ("ram", ram.parse().ok())];
             cost.extend(figures.into_iter().filter_map(|(name, bytes)| Some((name.to_owned(), bytes?))));
         }
     }
-    Ok(profile.calls.into_iter().map(|(call, (cost, _))| (call, cost)).collect())
+    Ok(measurement.calls.into_iter().map(|(call, (cost, _))| (call, cost)).collect())
 }
 
 /// Bytes of code, constants and initial values that the linker put into flash.
 ///
 /// # Errors
 /// [`Failure::Input`]: the file is no ELF.
-pub fn flash(elf: &Path) -> Result<u64, Failure> {
+pub fn linked_flash(elf: &Path) -> Result<u64, Failure> {
     let bytes = read(elf)?;
     let in_flash =
         [SectionKind::Text, SectionKind::ReadOnlyData, SectionKind::ReadOnlyString, SectionKind::Data];
@@ -70,10 +71,20 @@ fn parsed<'a>(elf: &Path, bytes: &'a [u8]) -> Result<File<'a>, Failure> {
     File::parse(bytes).map_err(|error| Failure::Input(format!("{}: {error}", elf.display())))
 }
 
-/// ELF with its functions by address: address, first name, and size with the literals after the code.
+/// Function of an ELF.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+struct Function {
+    address: u64,
+    /// First of its names.
+    name: String,
+    /// Size with the literals after the code, bytes.
+    size: u64,
+}
+
+/// ELF with its functions by address.
 struct Image<'a> {
     file: File<'a>,
-    functions: Vec<(u64, String, u64)>,
+    functions: Vec<Function>,
 }
 
 impl<'a> Image<'a> {
@@ -83,20 +94,22 @@ impl<'a> Image<'a> {
         let mut functions: Vec<_> = file
             .symbols()
             .filter(|symbol| symbol.kind() == SymbolKind::Text && symbol.size() > 0)
-            .map(|symbol| {
-                (symbol.address() & !thumb, symbol.name().unwrap_or_default().to_owned(), symbol.size())
+            .map(|symbol| Function {
+                address: symbol.address() & !thumb,
+                name: symbol.name().unwrap_or_default().to_owned(),
+                size: symbol.size(),
             })
             .collect();
         functions.sort();
-        functions.dedup_by_key(|(address, ..)| *address);
+        functions.dedup_by_key(|function| function.address);
         Self { file, functions }
     }
 
     /// Function that contains an address.
-    fn function_at(&self, address: u64) -> Option<&(u64, String, u64)> {
-        let after = self.functions.partition_point(|(start, ..)| *start <= address);
+    fn function_at(&self, address: u64) -> Option<&Function> {
+        let after = self.functions.partition_point(|function| function.address <= address);
         let function = self.functions.get(after.checked_sub(1)?);
-        function.filter(|(start, _, size)| address < start + size)
+        function.filter(|function| address < function.address + function.size)
     }
 
     /// Code of a block.
@@ -107,20 +120,20 @@ impl<'a> Image<'a> {
 }
 
 /// State of the measurement during a run.
-struct Profile<'a> {
+struct Measurement<'a> {
     image: Image<'a>,
     cycle_model: Option<CycleModel>,
     /// Costs of the calls that have returned, and addresses of the functions that they ran through.
     calls: BTreeMap<String, (Cost, BTreeSet<u64>)>,
     /// End of the block before the one that is executed.
     end: u64,
-    running: Option<Running>,
+    running: Option<Call>,
 }
 
 /// Call that has not returned.
 #[derive(Default)]
-struct Running {
-    call: String,
+struct Call {
+    name: String,
     return_to: u64,
     instructions: u64,
     cycles: i64,
@@ -128,28 +141,28 @@ struct Running {
     last: Option<Instruction>,
 }
 
-impl Profile<'_> {
+impl Measurement<'_> {
     fn executed(&mut self, block: Block) -> Result<(), Failure> {
         if let Some(running) = self.running.take_if(|running| running.return_to == block.start) {
             self.returned(running);
         }
         let function = self.image.function_at(block.start);
-        let call = function.filter(|(address, ..)| *address == block.start);
-        let call = call.and_then(|(_, name, _)| name.strip_prefix(PREFIX));
-        if let (None, Some(call)) = (&self.running, call) {
-            self.running = Some(Running { call: call.to_owned(), return_to: self.end, ..Running::default() });
+        let entered = function.filter(|function| function.address == block.start);
+        let name = entered.and_then(|function| function.name.strip_prefix(PREFIX));
+        if let (None, Some(name)) = (&self.running, name) {
+            self.running = Some(Call { name: name.to_owned(), return_to: self.end, ..Call::default() });
         }
         if let Some(running) = &mut self.running {
             running.instructions += block.count;
-            running.functions.extend(function.map(|(address, ..)| *address));
+            running.functions.extend(function.map(|function| function.address));
             if let Some(cycle_model) = &mut self.cycle_model {
                 let BlockCycles { cycles, first, last } =
                     cycle_model.block(block, self.image.code(block).unwrap_or_default())?;
                 running.cycles += cycles;
                 if let Some(last) = running.last {
-                    running.cycles += cycle_model.after(&last, &first);
+                    running.cycles += cycle_model.cycles_after(&last, &first);
                     if self.end != block.start {
-                        running.cycles += cycle_model.jump(&last, Some(&first));
+                        running.cycles += cycle_model.jump_cycles(&last, Some(&first));
                     }
                 }
                 running.last = Some(last);
@@ -159,10 +172,10 @@ impl Profile<'_> {
         Ok(())
     }
 
-    fn returned(&mut self, running: Running) {
-        let (cost, functions) = self.calls.entry(running.call).or_default();
+    fn returned(&mut self, running: Call) {
+        let (cost, functions) = self.calls.entry(running.name).or_default();
         functions.extend(running.functions);
-        let size = |address: &u64| self.image.function_at(*address).map_or(0, |(_, _, size)| *size);
+        let size = |address: &u64| self.image.function_at(*address).map_or(0, |function| function.size);
         cost.insert("flash".to_owned(), functions.iter().map(size).sum());
         let mut raise = |name: &str, figure: u64| {
             let greatest = cost.entry(name.to_owned()).or_default();
@@ -170,7 +183,7 @@ impl Profile<'_> {
         };
         raise("instructions", running.instructions);
         if let (Some(model), Some(last)) = (&self.cycle_model, running.last) {
-            let cycles = running.cycles + model.jump(&last, None);
+            let cycles = running.cycles + model.jump_cycles(&last, None);
             raise("cycles", u64::try_from(cycles).unwrap_or_default());
         }
     }

@@ -50,7 +50,7 @@ impl CycleModel {
     ///
     /// # Errors
     /// [`Failure::Tool`] with the error of Capstone.
-    pub fn of_chip(chip: &Chip) -> Result<Option<Self>, Failure> {
+    pub fn for_chip(chip: &Chip) -> Result<Option<Self>, Failure> {
         let processor = match chip.name {
             "m0plus" => Processor::M0Plus,
             "m4f" => Processor::M4,
@@ -80,32 +80,32 @@ impl CycleModel {
         };
         let alone: i64 =
             instructions.iter().map(|instruction| instruction.cycles[self.processor as usize]).sum();
-        let pairs: i64 = instructions.windows(2).map(|pair| self.after(&pair[0], &pair[1])).sum();
+        let pairs: i64 = instructions.windows(2).map(|pair| self.cycles_after(&pair[0], &pair[1])).sum();
         let cycles = BlockCycles { cycles: alone + pairs, first: *first, last: *last };
         self.known.insert(block, cycles);
         Ok(cycles)
     }
 
     /// Additional cycles, which may be negative, because of the instruction before it.
-    pub fn after(&self, before: &Instruction, instruction: &Instruction) -> i64 {
+    pub fn cycles_after(&self, before: &Instruction, instruction: &Instruction) -> i64 {
         if self.processor == Processor::M0Plus {
             return 0;
         }
-        let needs_address = meet(before.writes, instruction.addressing);
+        let needs_address = intersect(before.writes, instruction.addressing);
         match before.class {
-            InstructionClass::Float => i64::from(meet(before.writes, instruction.reads)),
+            InstructionClass::Float => i64::from(intersect(before.writes, instruction.reads)),
             InstructionClass::Plain => i64::from(needs_address),
             InstructionClass::Load => {
                 let follows =
                     matches!(instruction.class, InstructionClass::Load | InstructionClass::IndexedStore);
-                -i64::from(follows && !needs_address && !meet(before.writes, PC))
+                -i64::from(follows && !needs_address && !intersect(before.writes, PC))
             }
             _ => 0,
         }
     }
 
     /// Additional cycles of a jump to an instruction other than the next one.
-    pub fn jump(&self, instruction: &Instruction, target: Option<&Instruction>) -> i64 {
+    pub fn jump_cycles(&self, instruction: &Instruction, target: Option<&Instruction>) -> i64 {
         match (self.processor, instruction.class) {
             (Processor::M0Plus, InstructionClass::Call | InstructionClass::Several) => 2,
             (Processor::M0Plus, _) => 1,
@@ -122,10 +122,10 @@ impl CycleModel {
     /// Instructions of a piece of code, up to the first that cannot be decoded.
     fn decoded(&self, code: &[u8], address: u64) -> Result<Vec<Instruction>, capstone::Error> {
         let decoded = self.decoder.disasm_all(code, address)?;
-        decoded.iter().map(|instruction| self.facts(instruction)).collect()
+        decoded.iter().map(|instruction| self.instruction(instruction)).collect()
     }
 
-    fn facts(&self, instruction: &capstone::Insn) -> Result<Instruction, capstone::Error> {
+    fn instruction(&self, instruction: &capstone::Insn) -> Result<Instruction, capstone::Error> {
         let detail = self.decoder.insn_detail(instruction)?;
         let mut operands = Vec::new();
         let mut addressing = Vec::new();
@@ -144,9 +144,9 @@ impl CycleModel {
         Ok(Instruction {
             cycles: [on_m0plus, on_m4 + i64::from(is_indexed)],
             class: if is_indexed { InstructionClass::IndexedStore } else { class },
-            reads: set(detail.regs_read()),
-            writes: set(detail.regs_write()),
-            addressing: set(&addressing),
+            reads: register_set(detail.regs_read()),
+            writes: register_set(detail.regs_write()),
+            addressing: register_set(&addressing),
             straddles: instruction.len() == 4 && !instruction.address().is_multiple_of(4),
         })
     }
@@ -158,12 +158,12 @@ type Registers = u128;
 /// Program counter.
 const PC: Registers = 1 << ArmReg::ARM_REG_PC;
 
-fn set(registers: &[RegId]) -> Registers {
+fn register_set(registers: &[RegId]) -> Registers {
     registers.iter().fold(0, |set, register| set | 1 << register.0)
 }
 
 /// Whether two sets have a register in common.
-fn meet(a: Registers, b: Registers) -> bool {
+fn intersect(a: Registers, b: Registers) -> bool {
     a & b != 0
 }
 
@@ -263,7 +263,7 @@ mod tests {
         let mut model = CycleModel::new(processor).unwrap();
         let block = Block { start: 0, end: bytes.len() as u64, count: 0 };
         let BlockCycles { cycles, last, .. } = model.block(block, &bytes).unwrap();
-        cycles + model.jump(&last, None)
+        cycles + model.jump_cycles(&last, None)
     }
 
     #[test]

@@ -16,15 +16,15 @@ const COSTS: &str = "host/docs/costs.md";
 const FRONT_PAGE: &str = "README.md";
 
 /// Parts of pages that have budgets.
-pub fn of_budgets(budgets: &Budgets) -> [Part; 2] {
+pub fn parts_with_budgets(budgets: &Budgets) -> [Part; 2] {
     [
-        (COSTS, "toytop budget: calls", calls(budgets)),
-        (FRONT_PAGE, "toytop budget: front page", front_page(budgets)),
+        (COSTS, "toytop budget: calls", table_of_calls(budgets)),
+        (FRONT_PAGE, "toytop budget: front page", table_of_front_page(budgets)),
     ]
 }
 
 /// Part of a page that has the costs of many launches.
-pub fn of_corpus(rows: &[Value]) -> Part {
+pub fn part_with_launches(rows: &[Value]) -> Part {
     let columns = [
         ("chip", "chip"),
         ("scalar", "scalar"),
@@ -98,7 +98,7 @@ const COLUMNS: [(&str, &str, &str); 6] = [
     ("kept, bytes", "m4f", "ram"),
 ];
 
-fn calls(budgets: &Budgets) -> String {
+fn table_of_calls(budgets: &Budgets) -> String {
     let row = |(call, what): (&str, &str)| {
         let figure = |(heading, chip, figure)| (heading, Value::from(budgets.budget(chip, call, figure)));
         once(("from a tick to α, β, u and the tip in memory, at most", Value::from(what)))
@@ -116,7 +116,7 @@ const FRONT_ROWS: [(&str, &str, &str); 4] = [
     ("m4f", "slices", "set-up in static memory, once per launch, Cortex-M4F"),
 ];
 
-fn front_page(budgets: &Budgets) -> String {
+fn table_of_front_page(budgets: &Budgets) -> String {
     const FIGURES: [(&str, &str); 4] =
         [("cycles", "cycles"), ("kept, bytes", "ram"), ("stack, bytes", "stack"), ("flash, bytes", "flash")];
     let row = |(chip, call, what): (&str, &str, &str)| {
@@ -134,7 +134,7 @@ mod tests {
     fn the_pages_have_the_tables_of_the_budgets() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
         let budgets = Budgets::read(&root.join("firmware-examples/budgets.toml")).expect("the budgets");
-        for (name, mark, text) in of_budgets(&budgets) {
+        for (name, mark, text) in parts_with_budgets(&budgets) {
             let page = std::fs::read_to_string(root.join(name)).expect("a page");
             let part = format!("<!-- {mark} -->\n{text}<!-- end of ");
             assert!(page.contains(&part), "{name}: toytop budget --accept writes it anew:\n{text}");

@@ -28,7 +28,7 @@ pub struct Block {
 ///
 /// # Errors
 /// [`Failure::Tool`]: there is no QEMU, the program did not end in time and with exit code 0, or the log cannot be read.
-pub fn run(
+pub fn emulate(
     chip: &Chip,
     elf: &Path,
     arguments: &[&str],
@@ -87,11 +87,11 @@ impl Reader {
             let unknown = || Failure::Tool(format!("budget: QEMU's log is not as expected: {line}"));
             if line.starts_with("Trace ") {
                 begun.take().map_or(Ok(()), &mut executed)?;
-                begun = Some(self.begun(&line).ok_or_else(unknown)?);
+                begun = Some(self.read_block(&line).ok_or_else(unknown)?);
             } else if line.starts_with("Stopped execution of TB") {
                 begun = None;
             } else if let Some(listed) = line.strip_prefix("0x") {
-                self.list(listed).ok_or_else(unknown)?;
+                self.read_instruction(listed).ok_or_else(unknown)?;
             } else if self.notes.len() < 20
                 && !(line.starts_with("----") || line.starts_with("IN:") || line.is_empty())
             {
@@ -107,7 +107,7 @@ impl Reader {
 
     /// Reads an instruction of a block that is being translated, `00000404:  480e       ldr  r0, [pc, #0x38]`. Its code is one or two
     /// groups of digits.
-    fn list(&mut self, line: &str) -> Option<()> {
+    fn read_instruction(&mut self, line: &str) -> Option<()> {
         let (address, rest) = line.split_once(':')?;
         let address = u64::from_str_radix(address, 16).ok()?;
         let is_code = |group: &&str| {
@@ -124,7 +124,7 @@ impl Reader {
 
     /// Block that begins, `Trace 0: 0x7fe810000100 [00800408/00000400/00000110/ff000200] Reset`: after the colon is the address of the
     /// translation, and the second number in brackets is the program counter.
-    fn begun(&mut self, line: &str) -> Option<Block> {
+    fn read_block(&mut self, line: &str) -> Option<Block> {
         let (_, rest) = line.split_once("0x")?;
         let (translation, rest) = rest.split_once(' ')?;
         let [translation, pc] =

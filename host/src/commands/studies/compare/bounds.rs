@@ -5,10 +5,10 @@ use crate::motion::Scalar;
 use crate::motion::propagate::period_or_natural_time;
 use toytop::{Motion, Regime};
 
-/// Bounds of a built-in motion over ten periods, rad: of the full solver, and of the stepper in f32. They replace those of any motion.
+/// Tighter bounds of the built-in motions near the separatrix over ten periods, rad: of the full solver, and of the stepper in f32.
 /// In f64 the bound of the full solver is the larger one. The measured errors are 1.7e-11 and 5e-6 for the first motion, 4.1e-9 and 1.6e-5 for
 /// the second.
-pub fn own_bounds(name: &str) -> Option<[f64; 2]> {
+pub fn bounds_of_builtin(name: &str) -> Option<[f64; 2]> {
     match name {
         "near separatrix 1e-3" => Some([1e-10, 2e-5]),
         "near separatrix 1e-6" => Some([1e-8, 5e-5]),
@@ -59,7 +59,7 @@ const MAX_DISTANCE: f64 = 4.0;
 
 /// Bound on the difference of the core and the full solver, rad; `None` where it exceeds the greatest distance of two orientations.
 ///
-/// * `own`: bounds of a built-in motion that has bounds of its own
+/// * `tighter`: those of [`bounds_of_builtin`]
 /// * `table`: bound that the table of an ephemeris states
 ///
 /// Beyond ten periods the bound of the stepper grows with time, and that of the full solver, whose energy drifts, with its square.
@@ -67,12 +67,12 @@ pub fn bound(
     motion: &Motion,
     (method, scalar): (Method, Scalar),
     periods: u32,
-    own: Option<[f64; 2]>,
+    tighter: Option<[f64; 2]>,
     table: Option<f64>,
 ) -> Option<f64> {
     let growth = (f64::from(periods) / 10.0).max(1.0);
-    let solver = own.map_or_else(|| full_solver_bound(motion), |[solver, _]| solver) * growth * growth;
-    let core = match (method, own, scalar) {
+    let solver = tighter.map_or_else(|| full_solver_bound(motion), |[solver, _]| solver) * growth * growth;
+    let core = match (method, tighter, scalar) {
         (Method::Ephemeris, ..) => table.unwrap_or_default(),
         (_, Some(_), Scalar::F64) => 0.0,
         (_, Some([_, stepper]), _) => stepper * growth,

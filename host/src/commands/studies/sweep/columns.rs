@@ -17,21 +17,21 @@ use toytop_model::constants::{CONSTANTS, Constant, MotionConstants};
 pub enum SweepColumn {
     /// Constant of the motion.
     Constant(&'static Constant),
-    /// Property of the motion's tables.
-    Table(TableColumn),
+    /// Property of the motion's ephemerides.
+    Ephemeris(EphemerisColumn),
     /// Column of samples, at every time.
     Sample(SampleColumn),
 }
 
-/// Column of a motion's tables: its name and its value; null where there is no table.
-type TableColumn = (&'static str, fn(&RowMotion) -> Option<Value>);
+/// Column of a motion's ephemerides: its name and its value; null where there is no ephemeris.
+type EphemerisColumn = (&'static str, fn(&RowMotion) -> Option<Value>);
 
-/// Columns of the tables: greatest error of the f32 ephemeris against the f64 ephemeris, rad; bound that the f32 ephemeris states at t = 0,
+/// Columns of the ephemerides: greatest error of the f32 ephemeris against the f64 ephemeris, rad; bound that the f32 ephemeris states at t = 0,
 /// rad (its part per tick is negligible below millions of periods); number of segments of the f32 ephemeris.
-const TABLE_COLUMNS: [TableColumn; 3] = [
+const EPHEMERIS_COLUMNS: [EphemerisColumn; 3] = [
     ("error_f32", |motion| motion.error_f32().map(Value::from)),
-    ("bound_f32", |motion| Some(motion.f32_table()?.error_bound().constant.into())),
-    ("segments_f32", |motion| Some(motion.f32_table()?.size()[0].into())),
+    ("bound_f32", |motion| Some(motion.f32_ephemeris()?.error_bound().constant.into())),
+    ("segments_f32", |motion| Some(motion.f32_ephemeris()?.size()[0].into())),
 ];
 
 /// Columns without the option.
@@ -42,7 +42,7 @@ impl FromStr for SweepColumn {
 
     fn from_str(name: &str) -> Result<Self, String> {
         let constants = CONSTANTS.iter().map(|constant| (constant.name, Self::Constant(constant)));
-        let named = constants.chain(TABLE_COLUMNS.map(|column| (column.0, Self::Table(column))));
+        let named = constants.chain(EPHEMERIS_COLUMNS.map(|column| (column.0, Self::Ephemeris(column))));
         let sample = || SampleColumn::from_str(name, false).ok().map(Self::Sample);
         let known = named.clone().find(|(known, _)| *known == name).map(|(_, column)| column);
         known.or_else(sample).ok_or_else(|| {
@@ -57,7 +57,7 @@ impl SweepColumn {
     pub fn names(self, times: u32) -> Vec<String> {
         match self {
             Self::Constant(Constant { name, .. }) => vec![(*name).to_owned()],
-            Self::Table((name, _)) => vec![name.to_owned()],
+            Self::Ephemeris((name, _)) => vec![name.to_owned()],
             Self::Sample(column) => {
                 let at = |time| column.names().1.iter().map(move |part| format!("{part}_{time}"));
                 (1..=times).flat_map(at).collect()
@@ -65,31 +65,37 @@ impl SweepColumn {
         }
     }
 
-    /// Values of a motion, or of numbers that the scenario refuses.
-    pub fn values(self, motion: Option<&RowMotion>, times: u32) -> Vec<Value> {
-        match (self, motion) {
-            (Self::Constant(constant), Some(motion)) => vec![value(constant, &motion.motion)],
-            (Self::Table((_, value)), Some(motion)) => vec![value(motion).into()],
-            (Self::Constant(Constant { name: "regime", .. }), None) => vec!["refused".into()],
-            (Self::Sample(column), Some(motion)) => match motion.f64_table() {
-                Some(table) => {
-                    let mut numbers = vec![f64::NAN; column.names().1.len() * motion.times.len()];
-                    table.fill(column, &motion.times, &mut numbers);
-                    numbers.into_iter().map(Value::from).collect()
+    /// Values of a motion.
+    pub fn values(self, motion: &RowMotion) -> Vec<Value> {
+        match self {
+            Self::Constant(constant) => vec![value(constant, &motion.motion)],
+            Self::Ephemeris((_, value)) => vec![value(motion).into()],
+            Self::Sample(column) => {
+                // a number that is not finite is an absent value
+                let mut numbers = vec![f64::NAN; column.names().1.len() * motion.times.len()];
+                if let Some(ephemeris) = motion.f64_ephemeris() {
+                    ephemeris.fill(column, &motion.times, &mut numbers);
                 }
-                None => vec![Value::Null; self.names(times).len()],
-            },
+                numbers.into_iter().map(Value::from).collect()
+            }
+        }
+    }
+
+    /// Values of numbers that the scenario refuses.
+    pub fn values_of_refusal(self, times: u32) -> Vec<Value> {
+        match self {
+            Self::Constant(Constant { name: "regime", .. }) => vec!["refused".into()],
             _ => vec![Value::Null; self.names(times).len()],
         }
     }
 }
 
-/// Motion of a row, with its tables as far as columns need them.
+/// Motion of a row, with its ephemerides as far as columns need them.
 pub struct RowMotion {
     motion: MotionConstants,
     times: Vec<f64>,
-    f64_table: OnceCell<Option<Box<dyn DynEphemeris>>>,
-    f32_table: OnceCell<Option<Box<dyn DynEphemeris>>>,
+    f64_ephemeris: OnceCell<Option<Box<dyn DynEphemeris>>>,
+    f32_ephemeris: OnceCell<Option<Box<dyn DynEphemeris>>>,
 }
 
 impl RowMotion {
@@ -97,22 +103,22 @@ impl RowMotion {
     pub fn new(motion: Motion, count: u32, periods: f64) -> Self {
         let motion = MotionConstants::new(motion);
         let times = spread_times(periods * motion.period_or_natural_time(), count);
-        Self { motion, times, f64_table: OnceCell::new(), f32_table: OnceCell::new() }
+        Self { motion, times, f64_ephemeris: OnceCell::new(), f32_ephemeris: OnceCell::new() }
     }
 
-    fn f64_table(&self) -> Option<&dyn DynEphemeris> {
+    fn f64_ephemeris(&self) -> Option<&dyn DynEphemeris> {
         /// Truncation error, rad.
-        const WITHIN: f64 = 1e-13;
-        self.f64_table.get_or_init(|| ephemeris_with_truncation(&self.motion, WITHIN).ok()).as_deref()
+        const TRUNCATION: f64 = 1e-13;
+        self.f64_ephemeris.get_or_init(|| ephemeris_with_truncation(&self.motion, TRUNCATION).ok()).as_deref()
     }
 
-    fn f32_table(&self) -> Option<&dyn DynEphemeris> {
-        self.f32_table.get_or_init(|| smallest_ephemeris(Scalar::F32, &self.motion).ok()).as_deref()
+    fn f32_ephemeris(&self) -> Option<&dyn DynEphemeris> {
+        self.f32_ephemeris.get_or_init(|| smallest_ephemeris(Scalar::F32, &self.motion).ok()).as_deref()
     }
 
     fn error_f32(&self) -> Option<f64> {
-        let (table, exact) = (self.f32_table()?, self.f64_table()?);
-        let error = |&t: &f64| table.pose(t).orientation.distance(&exact.pose(t).orientation);
+        let (single, double) = (self.f32_ephemeris()?, self.f64_ephemeris()?);
+        let error = |&t: &f64| single.pose(t).orientation.distance(&double.pose(t).orientation);
         Some(self.times.iter().map(error).fold(0.0, greater))
     }
 }

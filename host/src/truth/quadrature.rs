@@ -1,25 +1,24 @@
-//! Motion to more than thirty digits at any time.
+//! Motion to more than thirty digits at any time, by quadrature.
 //!
 //! |α|² = (1 + u)/2 and |β|² = (1 - u)/2. The arguments of α and β are integrals. Where e₁ = -1, α passes through 0 and changes its sign;
 //! where e₂ = 1, β does.
 
-use super::input::ExactInput;
-use super::launch::LaunchConstants;
+use super::constants::LaunchConstants;
+use super::float640::{Float640, Orientation640, cis, from_f64, from_i64, is_zero, product, root, to_f64};
+use super::motion_input::MotionInput;
 use super::nutation::{HalfPhase, Integrals, Nutation, RATIO, add};
-pub use super::precise::PreciseOrientation;
-use super::precise::{Precise, cis, from_f64, from_i64, is_zero, product, root, to_f64};
 use toytop_model::equations::BodyRates;
 
-/// Motion with its integrals over a nutation.
-pub struct Exact {
+/// Motion by quadrature, with its integrals over a nutation.
+pub struct Quadrature {
     launch: LaunchConstants,
     /// Nutation of a motion in which u is not constant, and the integrals from its beginning to the launch.
     nutation: Option<(Nutation, Integrals)>,
 }
 
-impl Exact {
+impl Quadrature {
     /// Motion of this input.
-    pub fn new(input: &ExactInput) -> Self {
+    pub fn new(input: &MotionInput) -> Self {
         let launch = LaunchConstants::new(input);
         let nutation = (!launch.is_steady()).then(|| {
             let nutation = Nutation::new(&launch.constants, RATIO);
@@ -30,13 +29,13 @@ impl Exact {
     }
 
     /// Nutation period; `None` for a motion that does not nutate.
-    pub fn period(&self) -> Option<Precise> {
+    pub fn period(&self) -> Option<Float640> {
         let (nutation, _) = self.nutation.as_ref()?;
         nutation.is_periodic.then(|| nutation.total[0].clone())
     }
 
     /// Time after the launch at which tan χ has this value: 0 at u = e₁, infinite at u = e₂. For a steady motion it is 0.
-    pub fn time_of(&self, tangent: f64) -> Precise {
+    pub fn time_of(&self, tangent: f64) -> Float640 {
         let half_phase = [from_i64(1), from_f64(tangent)];
         self.nutation
             .as_ref()
@@ -44,7 +43,7 @@ impl Exact {
     }
 
     /// Orientation Φ at a time after the launch, which is taken as exact.
-    pub fn at(&self, t: &Precise) -> PreciseOrientation {
+    pub fn at(&self, t: &Float640) -> Orientation640 {
         let LaunchConstants { constants, half_tau, half_phase: at_launch, directions } = &self.launch;
         let (half_phase, [_, alpha, beta]) = match &self.nutation {
             None => {
@@ -59,16 +58,16 @@ impl Exact {
         let (signs, signs_at_launch) = (self.signs(&half_phase), self.signs(at_launch));
         let linear_factors = constants.linear_factors(&half_phase);
         let drift = half_tau * t;
-        let parameter = |i: usize, angle: Precise| {
+        let parameter = |i: usize, angle: Float640| {
             let modulus = root(&(linear_factors[i].clone() >> 1)) * (signs[i] * signs_at_launch[i]);
             product(&directions[i], &cis(&angle)).map(|part| part * &modulus)
         };
-        PreciseOrientation { alpha: parameter(0, alpha + &drift), beta: parameter(1, beta - drift) }
+        Orientation640 { alpha: parameter(0, alpha + &drift), beta: parameter(1, beta - drift) }
     }
 
     /// Signs of α and β where they pass through 0, and of the derivative at 0; 1 for one that does not.
     fn signs(&self, [cosine, sine]: &HalfPhase) -> [i32; 2] {
-        let sign = |parts: [&Precise; 2]| match parts.into_iter().find(|part| !is_zero(part)) {
+        let sign = |parts: [&Float640; 2]| match parts.into_iter().find(|part| !is_zero(part)) {
             Some(part) if *part < from_i64(0) => -1,
             _ => 1,
         };
@@ -82,12 +81,12 @@ impl Exact {
     /// Rates at a time after the launch, which is taken as exact, by central differences of Φ, without a formula of the rates.
     ///
     /// * `unit`: a time, such as the period, in which the body rotates by less than 10^12 rad
-    pub fn rates(&self, t: &Precise, unit: f64) -> BodyRates {
+    pub fn rates(&self, t: &Float640, unit: f64) -> BodyRates {
         /// Half the time between the two orientations, in units of `unit`. The relative error of the rates is below 1e-20.
         const HALF_STEP: f64 = 1.0 / (1_u128 << 80) as f64;
         let step = from_f64(unit) * from_f64(HALF_STEP);
         let (before, after) = (self.at(&(t - &step)), self.at(&(t + &step)));
-        let per_time = |x: Precise| to_f64(&(x / &step));
+        let per_time = |x: Float640| to_f64(&(x / &step));
         BodyRates {
             omega: after.half_rotation_from(&before).map(per_time),
             omega_body: before.inverse().half_rotation_from(&after.inverse()).map(per_time),
@@ -100,14 +99,14 @@ impl Exact {
 mod tests {
     use super::*;
     use crate::input::random::Random;
-    use crate::truth::precise::to_i64;
+    use crate::truth::float640::to_i64;
 
     /// With other panels only the error of the quadrature changes; at tick 2^62 it is still below 1e-15 rad.
     #[test]
     fn other_panels_the_same_truth() {
         let mut worst = 0.0_f64;
         for stream in 0..60 {
-            let exact = Exact::new(&ExactInput::random(&mut Random::new(7, stream)));
+            let exact = Quadrature::new(&MotionInput::random(&mut Random::new(7, stream)));
             let Some((nutation, _)) = exact.nutation.filter(|(nutation, _)| nutation.is_periodic) else {
                 continue;
             };
@@ -126,7 +125,7 @@ mod tests {
         let mut worst = 0.0_f64;
         for stream in 0..60 {
             let mut random = Random::new(8, stream);
-            let exact = Exact::new(&ExactInput::random(&mut random));
+            let exact = Quadrature::new(&MotionInput::random(&mut random));
             let (Some(period), Some((nutation, _))) = (exact.period(), &exact.nutation) else { continue };
             for time in [random.uniform(), -random.uniform(), 1e15 * random.uniform()] {
                 let time = &period * from_f64(time);

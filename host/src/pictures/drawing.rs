@@ -1,4 +1,4 @@
-//! Axes and colours of the pictures, texts, dots and lines in them, and their files.
+//! Axes, colours, texts, dots and lines of the drawings, and their files.
 //!
 //! | module | contents |
 //! |---|---|
@@ -7,12 +7,12 @@
 //! | `film` | animation of the top |
 //! | `chart` | curves over linear or logarithmic axes |
 //! | `charts` | tilt and precession against time, effective potential |
-//! | `fit` | residuals of a fit |
+//! | `residuals` | residuals of a fit |
 
 pub mod chart;
 pub mod charts;
 pub mod film;
-pub mod fit;
+pub mod residuals;
 pub mod sphere;
 pub mod tip;
 
@@ -27,10 +27,13 @@ use kuva::render::render::{Primitive, Scene, TextAnchor};
 use std::io;
 use std::path::Path;
 
-/// Colours of the tip or axis, of its bounds, of its start, and of captions.
+/// Colour of the curve of the tip or axis.
 pub const CURVE: &str = "#1f4e8c";
+/// Colour of the bounds of the curve.
 pub const BOUND: &str = "#8a8a8a";
+/// Colour of the start of the curve.
 pub const START: &str = "#c0392b";
+/// Colour of captions.
 pub const CAPTION: &str = "#555555";
 
 /// Frame with a title, a label below it, and these ranges of x and y.

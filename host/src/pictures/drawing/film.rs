@@ -20,8 +20,11 @@ const PATH: u64 = 1500;
 
 /// Film of a motion over a span of time, in frames that are evenly spread over it.
 pub struct Film<'a> {
+    /// Scenario of the motion.
     pub scenario: &'a Scenario,
+    /// Span of time that the film shows.
     pub span: &'a MotionSpan,
+    /// Number of frames.
     pub frames: u64,
     /// Width and height of a frame, pixels.
     pub size: u16,
@@ -43,7 +46,7 @@ impl Film<'_> {
     fn scene(&self, frame: u64) -> Scene {
         let share = frame as f64 / (self.frames.max(2) - 1) as f64;
         let t = self.span.times(self.frames).nth(frame as usize).unwrap_or_default();
-        let phi = self.span.at(t).pose.orientation;
+        let orientation = self.span.at(t).pose.orientation;
         let [tip, end] = self.ends(t);
         let mut scene = Scene::new(SIDE, SIDE);
         let camera = Camera::new(-1.05, 0.38, [0.5 * SIDE, 0.72 * SIDE], 0.27 * SIDE);
@@ -58,7 +61,7 @@ impl Film<'_> {
         camera.line(&mut scene, &[tip, end], CAPTION, 4.0);
         // disc about the centre of mass, with spokes that turn with the body
         let rim = |angle: f64, radius: f64| {
-            let [x, y, z] = phi.adjoint([radius * angle.cos(), radius * angle.sin(), 1.0]);
+            let [x, y, z] = orientation.adjoint([radius * angle.cos(), radius * angle.sin(), 1.0]);
             [tip[0] + x, tip[1] + y, tip[2] + z]
         };
         let around: Vec<_> = (0..=96).map(|i| rim(2.0 * PI * f64::from(i) / 96.0, DISC)).collect();
@@ -69,7 +72,7 @@ impl Film<'_> {
             let (color, width) = if spoke == 0 { (START, 4.0) } else { ("#9a9a9a", 1.4) };
             camera.line(&mut scene, &[rim(angle, 0.0), rim(angle, DISC)], color, width);
         }
-        disc(&mut scene, camera.place(rim(0.0, DISC)), 5.0, START, None);
+        disc(&mut scene, camera.project(rim(0.0, DISC)), 5.0, START, None);
         text(&mut scene, &self.scenario.name, [14.0, 26.0], 15, TextAnchor::Start, "black");
         let time = format!("t = {t:.3}{}", self.scenario.units.name(" s"));
         text(&mut scene, &time, [SIDE - 14.0, 26.0], 15, TextAnchor::End, "black");

@@ -4,11 +4,11 @@
 //!
 //! (u - e₁)(u - e₂)(u - e₃) = u³ - E u² - u + E - κ (l - nu)² with κ = 1/(2Apg) and E = (h - n²/2C)/(pg).
 
-use super::input::ExactInput;
-use super::nutation::{Constants, HalfPhase};
-use super::precise::{
-    ComplexPrecise, Precise, cis, conjugate, from_f64, from_i64, is_zero, norm_squared, product, root, to_f64,
+use super::float640::{
+    Complex640, Float640, cis, conjugate, from_f64, from_i64, is_zero, norm_squared, product, root, to_f64,
 };
+use super::motion_input::MotionInput;
+use super::nutation::{Constants, HalfPhase};
 use crate::input::scenario::Launch;
 use std::f64::consts::PI;
 use toytop::{InitialAngles, Orientation, Sign, Signs, Support};
@@ -16,15 +16,15 @@ use toytop::{InitialAngles, Orientation, Sign, Signs, Support};
 /// Constants of a motion, and its state at the launch.
 pub struct LaunchConstants {
     pub constants: Constants,
-    pub half_tau: Precise,
+    pub half_tau: Float640,
     pub half_phase: HalfPhase,
     /// Directions α/|α| and β/|β|, or those of the derivative of a parameter that is 0.
-    pub directions: [ComplexPrecise; 2],
+    pub directions: [Complex640; 2],
 }
 
 impl LaunchConstants {
     /// Constants of this input. Products of its numbers are not rounded.
-    pub fn new(ExactInput { support, top, launch }: &ExactInput) -> Self {
+    pub fn new(MotionInput { support, top, launch }: &MotionInput) -> Self {
         let [a, c, k] = [top.transverse_inertia, top.axial_inertia, top.rotor_momentum].map(from_f64);
         let s = from_f64(if *support == Support::Sliding { top.com_height } else { 0.0 });
         let p = match support {
@@ -47,7 +47,7 @@ impl LaunchConstants {
     }
 
     fn from_state(
-        [a, c, s, p, g, k]: &[Precise; 6],
+        [a, c, s, p, g, k]: &[Float640; 6],
         orientation: &Orientation<f64>,
         omega: [f64; 3],
     ) -> Self {
@@ -57,10 +57,10 @@ impl LaunchConstants {
         let u = (norm_squared(&alpha) - norm_squared(&beta)) / &norm;
         // r₁ + i r₂ = -2αβ
         let [r1, r2] = product(&alpha, &beta).map(|part| part * -2 / &norm);
-        let spin: Precise = &w1 * &r1 + &w2 * &r2 + &w3 * &u;
+        let spin: Float640 = &w1 * &r1 + &w2 * &r2 + &w3 * &u;
         let n = c * &spin + k;
         let l = a * &w3 + (&n - a * &spin) * &u;
-        let udot: Precise = &w1 * &r2 - &w2 * &r1;
+        let udot: Float640 = &w1 * &r2 - &w2 * &r1;
         // |ω × r|²
         let across = w1.sqr() + w2.sqr() + w3.sqr() - spin.sqr();
         let momentum_squared = a.sqr() * &across + n.sqr();
@@ -88,19 +88,19 @@ impl LaunchConstants {
             [from_i64(1), from_i64(0)]
         } else {
             let [cosine, sine] = [e2 - &u, u - e1].map(|part| root(&nonnegative(part)));
-            [cosine, if udot < Precise::ZERO { -sine } else { sine }]
+            [cosine, if udot < Float640::ZERO { -sine } else { sine }]
         };
         let directions = directions(&alpha, &beta, [&w1, &w2]);
         Self { constants, half_tau, half_phase, directions }
     }
 
     fn from_branch_points(
-        [a, c, s, p, g, k]: &[Precise; 6],
+        [a, c, s, p, g, k]: &[Float640; 6],
         e: [f64; 3],
         signs: Signs,
         phases: InitialAngles,
     ) -> Self {
-        let root_of = |sign, factors: [Precise; 3]| {
+        let root_of = |sign, factors: [Float640; 3]| {
             let [x, y, z] = factors;
             root(&(a * p * g * 2 * x * y * z)) * if sign == Sign::Plus { 1 } else { -1 }
         };
@@ -125,14 +125,14 @@ impl LaunchConstants {
 
 /// Constants from A, e₁ and e₂, the values of e₃ - u there, s, g and A/p, and l ± n.
 fn constants(
-    a: &Precise,
-    [e1, e2]: [&Precise; 2],
-    below_e3: [Precise; 2],
-    [s, g, a_over_p]: [Precise; 3],
-    [l_plus_n, l_minus_n]: [Precise; 2],
+    a: &Float640,
+    [e1, e2]: [&Float640; 2],
+    below_e3: [Float640; 2],
+    [s, g, a_over_p]: [Float640; 3],
+    [l_plus_n, l_minus_n]: [Float640; 2],
 ) -> Constants {
     let [one_plus_e1, one_minus_e2, swing] = [e1 + 1, -e2 + 1, e2 - e1].map(nonnegative);
-    let momentum = |sum: Precise, gap: &Precise| if is_zero(gap) { from_i64(0) } else { sum / (a * 2) };
+    let momentum = |sum: Float640, gap: &Float640| if is_zero(gap) { from_i64(0) } else { sum / (a * 2) };
     let momentum_rates = [momentum(l_plus_n, &one_plus_e1), momentum(l_minus_n, &one_minus_e2)];
     let above = [one_plus_e1.clone(), one_plus_e1 + &swing];
     let below = [&one_minus_e2 + swing, one_minus_e2];
@@ -140,16 +140,16 @@ fn constants(
 }
 
 /// Difference of two roots; 0 where it is below the error of a double root, which is known to half of the digits.
-fn nonnegative(difference: Precise) -> Precise {
+fn nonnegative(difference: Float640) -> Float640 {
     const SAME: f64 = 1e-60;
     if to_f64(&difference) < SAME { from_i64(0) } else { difference }
 }
 
 /// Roots e₁ <= e₂ <= e₃ of u³ - E u² - u + E - κ (l - nu)², by Viète's formula.
-fn roots(energy: &Precise, kappa: &Precise, l: &Precise, n: &Precise) -> [Precise; 3] {
+fn roots(energy: &Float640, kappa: &Float640, l: &Float640, n: &Float640) -> [Float640; 3] {
     // with v = u - mean: v³ - 3 q v - 2 r
     let mean = (energy + kappa * n.sqr()) / from_i64(3);
-    let linear: Precise = kappa * l * n * 2 - 1;
+    let linear: Float640 = kappa * l * n * 2 - 1;
     let q = mean.sqr() - &linear / from_i64(3);
     let r = mean.sqr() * &mean + (kappa * l.sqr() - energy - &mean * linear) / from_i64(2);
     let radius = root(&q);
@@ -162,8 +162,8 @@ fn roots(energy: &Precise, kappa: &Precise, l: &Precise, n: &Precise) -> [Precis
 }
 
 /// Directions α/|α| and β/|β|, or those of the derivative of a parameter that is 0: there 2α' = (ω₂ - iω₁) β̄ and 2β' = -(ω₂ - iω₁) ᾱ.
-fn directions(alpha: &ComplexPrecise, beta: &ComplexPrecise, [w1, w2]: [&Precise; 2]) -> [ComplexPrecise; 2] {
-    let direction = |z: &ComplexPrecise, other: &ComplexPrecise, sign: i64| {
+fn directions(alpha: &Complex640, beta: &Complex640, [w1, w2]: [&Float640; 2]) -> [Complex640; 2] {
+    let direction = |z: &Complex640, other: &Complex640, sign: i64| {
         let leaving = product(&[w2 * sign, -w1 * sign], &conjugate(other));
         let z = [z, &leaving].into_iter().find(|z| !is_zero(&norm_squared(z)));
         z.map_or([from_i64(1), from_i64(0)], |z| z.each_ref().map(|part| part / root(&norm_squared(z))))
@@ -191,7 +191,7 @@ mod tests {
             gravity: 1.0,
             ..TopParameters::default()
         };
-        let input = ExactInput { support: Support::Sliding, top: ones, launch };
+        let input = MotionInput { support: Support::Sliding, top: ones, launch };
         let LaunchConstants { constants, half_phase, .. } = LaunchConstants::new(&input);
         let [[one_plus_e1, one_plus_e2], [_, one_minus_e2], _] = &constants.at_turning_points;
         assert!(to_f64(&(one_plus_e2 + one_minus_e2 - 2)).abs() < 1e-55);

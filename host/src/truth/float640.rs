@@ -1,85 +1,85 @@
-//! Arithmetic of the truth in numbers of 640 bits, independent of core, and orientations in them.
+//! Numbers of 640 bits, and orientations in them. Their arithmetic is independent of core.
 
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 use toytop::{Complex, Orientation};
 
 /// Number of 640 bits, if it comes from [`from_f64`] or [`from_i64`] or is computed from such numbers.
-pub type Precise = FBig<HalfEven>;
+pub type Float640 = FBig<HalfEven>;
 
 /// Complex number, as its real and imaginary part.
-pub type ComplexPrecise = [Precise; 2];
+pub type Complex640 = [Float640; 2];
 
-/// Number of bits of a [`Precise`]: 192 digits. A double root of a cubic has half of them.
+/// Number of bits of a [`Float640`]: 192 digits. A double root of a cubic has half of them.
 const BITS: usize = 640;
 
 /// Number that equals a finite `f64`; 0 for any other, which every constructor of core refuses.
-pub fn from_f64(x: f64) -> Precise {
-    Precise::try_from(x).unwrap_or(Precise::ZERO).with_precision(BITS).value()
+pub fn from_f64(x: f64) -> Float640 {
+    Float640::try_from(x).unwrap_or(Float640::ZERO).with_precision(BITS).value()
 }
 
 /// Number that equals an integer.
-pub fn from_i64(n: i64) -> Precise {
-    Precise::from(n).with_precision(BITS).value()
+pub fn from_i64(n: i64) -> Float640 {
+    Float640::from(n).with_precision(BITS).value()
 }
 
 /// Nearest `f64`.
-pub fn to_f64(x: &Precise) -> f64 {
+pub fn to_f64(x: &Float640) -> f64 {
     x.to_f64().value()
 }
 
 /// Decimal number with this many significant digits, rounded to nearest.
-pub fn decimal(x: &Precise, digits: usize) -> String {
+pub fn decimal(x: &Float640, digits: usize) -> String {
     format!("{:e}", x.clone().with_base_and_precision::<10>(digits).value())
 }
 
 /// Nearest integer; `None` beyond 64 bits.
-pub fn to_i64(x: &Precise) -> Option<i64> {
+pub fn to_i64(x: &Float640) -> Option<i64> {
     i64::try_from(x.round().to_int().value()).ok()
 }
 
 /// Square root of a number that is not negative; 0 for a negative one.
-pub fn root(x: &Precise) -> Precise {
-    if *x > Precise::ZERO { x.sqrt() } else { from_i64(0) }
+pub fn root(x: &Float640) -> Float640 {
+    if *x > Float640::ZERO { x.sqrt() } else { from_i64(0) }
 }
 
 /// Whether x is exactly 0.
-pub fn is_zero(x: &Precise) -> bool {
-    *x == Precise::ZERO
+pub fn is_zero(x: &Float640) -> bool {
+    *x == Float640::ZERO
 }
 
 /// Number e^{ix}.
-pub fn cis(x: &Precise) -> ComplexPrecise {
+pub fn cis(x: &Float640) -> Complex640 {
     let (sine, cosine) = x.sin_cos();
     [cosine, sine]
 }
 
 /// Product of two complex numbers.
-pub fn product(a: &ComplexPrecise, b: &ComplexPrecise) -> ComplexPrecise {
+pub fn product(a: &Complex640, b: &Complex640) -> Complex640 {
     [&a[0] * &b[0] - &a[1] * &b[1], &a[0] * &b[1] + &a[1] * &b[0]]
 }
 
 /// Conjugate of a complex number.
-pub fn conjugate([re, im]: &ComplexPrecise) -> ComplexPrecise {
+pub fn conjugate([re, im]: &Complex640) -> Complex640 {
     [re.clone(), -im]
 }
 
 /// Square of the absolute value of a complex number.
-pub fn norm_squared([re, im]: &ComplexPrecise) -> Precise {
+pub fn norm_squared([re, im]: &Complex640) -> Float640 {
     re.sqr() + im.sqr()
 }
 
 /// Orientation: α and β, each as its real and imaginary part.
-pub struct PreciseOrientation {
+pub struct Orientation640 {
     /// Cayley-Klein parameter α.
-    pub alpha: ComplexPrecise,
+    pub alpha: Complex640,
     /// Cayley-Klein parameter β.
-    pub beta: ComplexPrecise,
+    pub beta: Complex640,
 }
 
-impl PreciseOrientation {
+impl Orientation640 {
     /// Cosine of the tilt.
-    pub(super) fn u(&self) -> Precise {
+    pub(super) fn u(&self) -> Float640 {
         norm_squared(&self.alpha) - norm_squared(&self.beta)
     }
 
@@ -89,7 +89,7 @@ impl PreciseOrientation {
     }
 
     /// Half of the rotation vector of Φ Φ₀⁻¹, for a small rotation.
-    pub(super) fn half_rotation_from(&self, Self { alpha, beta }: &Self) -> [Precise; 3] {
+    pub(super) fn half_rotation_from(&self, Self { alpha, beta }: &Self) -> [Float640; 3] {
         let ([a1, a2], [b1, b2]) = (product(&self.beta, alpha), product(&self.alpha, beta));
         let axial = [(&self.alpha, alpha), (&self.beta, beta)]
             .map(|(to, from)| &to[1] * &from[0] - &to[0] * &from[1]);
@@ -116,7 +116,7 @@ impl PreciseOrientation {
 
     /// Orientation rounded to `f64`.
     pub fn to_f64(&self) -> Orientation<f64> {
-        let narrow = |[re, im]: &ComplexPrecise| Complex::new(to_f64(re), to_f64(im));
+        let narrow = |[re, im]: &Complex640| Complex::new(to_f64(re), to_f64(im));
         Orientation { alpha: narrow(&self.alpha), beta: narrow(&self.beta) }
     }
 }

@@ -23,7 +23,7 @@ pub fn toy_top() -> ScenarioFile {
 ///
 /// # Errors
 /// [`Failure::Input`]: as [`ScenarioFile::scenario`]. [`Failure::Tool`]: the program was compiled without WebAssembly. [`Failure::Method`]: no table fits the motion.
-pub fn page(start: &ScenarioFile) -> Result<String, Failure> {
+pub fn html(start: &ScenarioFile) -> Result<String, Failure> {
     if CORE.is_empty() {
         let install = "rustup target add wasm32-unknown-unknown, then install toytop again";
         return Err(Failure::Tool(format!("this toytop was compiled without the page: {install}")));
@@ -45,11 +45,11 @@ pub fn page(start: &ScenarioFile) -> Result<String, Failure> {
     Ok(TEMPLATE
         .replace("{{version}}", env!("CARGO_PKG_VERSION"))
         .replace("{{core}}", &STANDARD.encode(CORE))
-        .replace("{{name}}", &html(&scenario.name))
+        .replace("{{name}}", &escaped(&scenario.name))
         .replace("{{data}}", &data.to_string().replace('<', "\\u003c")))
 }
 
-/// Text for HTML, without a brace.
-fn html(text: &str) -> String {
+/// Text as it stands in HTML, without a brace.
+fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('{', "&#123;")
 }

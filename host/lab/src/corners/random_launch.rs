@@ -1,19 +1,19 @@
-//! Random input of a launch: branch points or a state.
+//! Random launch: branch points or a state.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use toytop::{Release, State, Stepper, Support, TopParameters};
 use toytop_host::input::random::Random;
 use toytop_host::input::scenario::Launch;
-use toytop_host::truth::input::ExactInput;
+use toytop_host::truth::motion_input::MotionInput;
 
 /// Least tilt from the vertical that is not 0, rad.
 const MIN_TILT: f64 = 1e-6;
 
-/// Random input near the degenerate cases. Half are branch points; a quarter are states on such motions, in `f64`; a quarter are
+/// Random launch near the degenerate cases. Half are branch points; a quarter are states on such motions, in `f64`; a quarter are
 /// releases: tilts down to 1e-6 from either vertical, spins from 1e-3 to 1e6 rad/s, and in every second one a top that the paper does
 /// not contain.
-pub fn random(random: &mut Random) -> ExactInput {
-    let input = ExactInput::random(random);
+pub fn draw(random: &mut Random) -> MotionInput {
+    let input = MotionInput::random(random);
     if random.one_in(2) {
         return input;
     }
@@ -22,13 +22,13 @@ pub fn random(random: &mut Random) -> ExactInput {
     let state = if thrown { State::from_release(&release).ok() } else { on_motion(&input) };
     // a release in range, and a point of a motion with valid constants, give a state
     let Some(state) = state else { return input };
-    let input = ExactInput { launch: Launch::from(&state), ..input };
+    let input = MotionInput { launch: Launch::from(&state), ..input };
     if thrown { with_other_top(random, input) } else { input }
 }
 
 /// Input whose top in every second draw is one that the paper does not contain: with a rotor inside, held, a rod, a ring, free, or a
 /// combination of these.
-fn with_other_top(random: &mut Random, input: ExactInput) -> ExactInput {
+fn with_other_top(random: &mut Random, input: MotionInput) -> MotionInput {
     if random.one_in(2) {
         return input;
     }
@@ -39,11 +39,11 @@ fn with_other_top(random: &mut Random, input: ExactInput) -> ExactInput {
     let supports = [(Support::Sliding, com_height), (Support::Fixed, 0.0), (Support::Free, 0.0)];
     let (support, com_height) = supports[random.between(0.0, 3.0) as usize];
     let top = TopParameters { axial_inertia, rotor_momentum, com_height, ..input.top };
-    ExactInput { support, top, ..input }
+    MotionInput { support, top, ..input }
 }
 
 /// State at t = 0 of a motion, rounded to `f64`, which is a state of a slightly different motion.
-fn on_motion(input: &ExactInput) -> Option<State> {
+fn on_motion(input: &MotionInput) -> Option<State> {
     State::from_attitude(&Stepper::<f64>::new(&input.motion().ok()?).attitude_state()).ok()
 }
 

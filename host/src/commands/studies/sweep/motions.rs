@@ -12,9 +12,9 @@ use serde_json::Value;
 use toytop::Motion;
 
 /// Greatest number of motions.
-pub const MOST_MOTIONS: u64 = 1_000_000_000_000;
+pub const MAX_MOTIONS: u64 = 1_000_000_000_000;
 
-/// Table of a sweep: a header, and a row for each motion.
+/// Motions of a sweep, with a header and a row for each.
 pub struct Sweep {
     template: ScenarioFile,
     /// Numbers that vary, by their keys.
@@ -61,9 +61,9 @@ impl Sweep {
             axes.push((key, axis));
         }
         let places = || axes.iter().try_fold(1_u64, |count, (_, axis)| count.checked_mul(axis.size()));
-        let Some(count) = sample.map(|(motions, _)| motions).or_else(places).filter(|n| *n <= MOST_MOTIONS)
+        let Some(count) = sample.map(|(motions, _)| motions).or_else(places).filter(|n| *n <= MAX_MOTIONS)
         else {
-            return refuse(format!("a grid: must have at most {:e} motions", MOST_MOTIONS as f64));
+            return refuse(format!("a grid: must have at most {:e} motions", MAX_MOTIONS as f64));
         };
         let sweep = Self { template, axes, sample, count, columns, times, periods };
         match sweep.template.with_numbers(&sweep.numbers(0)) {
@@ -74,23 +74,18 @@ impl Sweep {
         }
     }
 
-    /// Axes, each with the index of a row of a grid on it; the last key changes fastest.
-    fn indices(&self, index: u64) -> impl Iterator<Item = (&(&'static str, Axis), u64)> {
-        let mut cells = self.count;
-        self.axes.iter().map(move |axis| {
-            cells /= axis.1.size();
-            (axis, index.checked_div(cells).unwrap_or(0) % axis.1.size())
-        })
-    }
-
-    /// Numbers of the motion with this index.
+    /// Numbers of the motion with this index. In a grid the last key changes fastest.
     fn numbers(&self, index: u64) -> Vec<(&'static str, f64)> {
         let mut random = self.sample.map(|(_, seed)| Random::new(seed, index));
-        let number = |((key, axis), place): (&(&'static str, Axis), u64)| match &mut random {
+        let mut motions = self.count;
+        let number = |(key, axis): &(&'static str, Axis)| match &mut random {
             Some(random) => (*key, axis.draw(random)),
-            None => (*key, axis.at(place)),
+            None => {
+                motions /= axis.size();
+                (*key, axis.at(index / motions % axis.size()))
+            }
         };
-        self.indices(index).map(number).collect()
+        self.axes.iter().map(number).collect()
     }
 
     fn motion(&self, numbers: &[(&'static str, f64)]) -> Result<Motion, Failure> {
@@ -112,7 +107,10 @@ impl Sweep {
         let motion = motion.map(|motion| RowMotion::new(motion, self.times, self.periods));
         let mut values = vec![Value::from(index)];
         values.extend(numbers.iter().map(|(_, number)| Value::from(*number)));
-        values.extend(self.columns.iter().flat_map(|column| column.values(motion.as_ref(), self.times)));
+        values.extend(self.columns.iter().flat_map(|column| match &motion {
+            Some(motion) => column.values(motion),
+            None => column.values_of_refusal(self.times),
+        }));
         text.extend_from_slice(csv_line(values).as_bytes());
         motion.is_some()
     }

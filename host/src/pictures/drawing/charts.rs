@@ -6,7 +6,7 @@ use crate::input::scenario::{Scenario, Units};
 use crate::motion::euler_angles::tilt_azimuth_roll;
 use crate::motion::tilts;
 use crate::output::short;
-use crate::pictures::curve::{Place, TiltLimit};
+use crate::pictures::curve::{LimitKind, TiltLimit};
 use crate::pictures::span::MotionSpan;
 use kuva::render::render::Scene;
 use std::f64::consts::PI;
@@ -38,10 +38,10 @@ pub fn tilt(scenario: &Scenario, span: &MotionSpan) -> Scene {
     let mut curves = vec![Curve::line("tilt", span.times_of_curve().map(degrees).collect())];
     curves.extend(TiltLimit::all(&scenario.motion).into_iter().map(|limit| {
         let tilt = limit.u.acos().to_degrees();
-        let name = match limit.place {
-            Place::Lowest => "greatest",
-            Place::Highest => "least",
-            Place::Constant | Place::Horizontal => "constant",
+        let name = match limit.kind {
+            LimitKind::Lowest => "greatest",
+            LimitKind::Highest => "least",
+            LimitKind::Constant | LimitKind::Horizontal => "constant",
         };
         Curve::line(format!("{name}: {tilt:.2}°"), vec![[0.0, tilt], [until - from, tilt]])
     }));

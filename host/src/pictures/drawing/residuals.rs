@@ -15,7 +15,7 @@ const OUTLIER: f64 = 3.0;
 
 /// Residuals in standard deviations: a strip for each sensor, with a dot for each sample and lines at ±3. Saturated
 /// readings are left out.
-pub fn residuals(report: &FitReport, measurements: &[Measurement]) -> Scene {
+pub fn draw(report: &FitReport, measurements: &[Measurement]) -> Scene {
     let found = report.residuals(measurements);
     let ends = ends_of(measurements);
     let level = |x: f64| {

@@ -3,7 +3,7 @@
 use super::tip::caption;
 use super::{BOUND, CAPTION, CURVE, START, disc, line, text};
 use crate::input::scenario::Scenario;
-use crate::pictures::curve::{Place, TiltLimit};
+use crate::pictures::curve::{LimitKind, TiltLimit};
 use crate::pictures::span::MotionSpan;
 use kuva::render::render::{Scene, TextAnchor};
 use std::f64::consts::PI;
@@ -30,21 +30,21 @@ pub fn draw(scenario: &Scenario, span: &MotionSpan) -> Scene {
     disc(picture, MIDDLE.into(), RADIUS, "#fbfbfb", Some(BOUND));
     camera.line_on_sphere(picture, &circle(1.0, 0.0), ["#c4c4c4", "#e6e6e6"], 1.0);
     camera.line(picture, &[[0.0, 0.0, 1.0], [0.0, 0.0, 1.12]], BOUND, 1.2);
-    let (x, y) = camera.place([0.0, 0.0, 1.15]);
+    let (x, y) = camera.project([0.0, 0.0, 1.15]);
     text(picture, "up", [x, y - 2.0], 12, middle, CAPTION);
-    let (_, highest) = camera.place([0.0, 0.0, scenario.motion.branch_points().e2]);
+    let (_, highest) = camera.project([0.0, 0.0, scenario.motion.branch_points().e2]);
     for limit in TiltLimit::all(&scenario.motion) {
         camera.line_on_sphere(picture, &circle(limit.sine, limit.u), ["#6a6a6a", "#cfcfcf"], 1.2);
         // beside the sphere, with a line from the right end of the parallel
-        let (x, y) = camera.place([0.0, 0.0, limit.u]);
-        let label = if limit.place == Place::Lowest { y.max(highest + 18.0) } else { y };
+        let (x, y) = camera.project([0.0, 0.0, limit.u]);
+        let label = if limit.kind == LimitKind::Lowest { y.max(highest + 18.0) } else { y };
         let ends = [(x + RADIUS * limit.sine + 3.0, y), (LABELS - 6.0, label - 4.0)];
         line(picture, ends.into(), "#cfcfcf", 1.0);
         text(picture, &limit.to_string(), [LABELS, label], 12, TextAnchor::Start, "#333333");
     }
     let points: Vec<_> = span.times_of_curve().map(|t| span.at(t).pose.orientation.axis()).collect();
     camera.line_on_sphere(picture, &points, [CURVE, "#b4c6dd"], 1.8);
-    disc(picture, camera.place(points[0]), 4.5, START, None);
+    disc(picture, camera.project(points[0]), 4.5, START, None);
     let [from, until] = span.ends_as_text();
     let unit = scenario.units.name(" s");
     let shown = format!("dot: t = {from}; line: until t = {until}{unit}; pale: behind");
@@ -78,7 +78,7 @@ impl Camera {
     }
 
     /// Place on paper, pixels.
-    pub fn place(&self, point: [f64; 3]) -> (f64, f64) {
+    pub fn project(&self, point: [f64; 3]) -> (f64, f64) {
         let [x, y] = [self.right, self.up].map(|axis| self.scale * dot(axis, point));
         (self.middle[0] + x, self.middle[1] - y)
     }
@@ -90,7 +90,7 @@ impl Camera {
 
     /// Adds a line through points of space.
     pub fn line(&self, scene: &mut Scene, points: &[[f64; 3]], color: &str, stroke_width: f64) {
-        let points = points.iter().map(|point| self.place(*point)).collect();
+        let points = points.iter().map(|point| self.project(*point)).collect();
         line(scene, points, color, stroke_width);
     }
 
@@ -124,12 +124,12 @@ mod tests {
     #[test]
     fn up_is_up_and_the_near_side_is_seen() {
         let camera = Camera::new(-1.0, 0.4, [100.0, 100.0], 50.0);
-        let (x, y) = camera.place([0.0, 0.0, 1.0]);
+        let (x, y) = camera.project([0.0, 0.0, 1.0]);
         assert!((x - 100.0).abs() < 1e-12 && (y - (100.0 - 50.0 * 0.4_f64.cos())).abs() < 1e-12);
         let near = [(-1.0_f64).cos(), (-1.0_f64).sin(), 0.0];
         assert!(camera.sees(near) && !camera.sees(near.map(|x| -x)));
         // of a right-handed frame seen from in front, y is to the right where x comes near
         let front = Camera::new(0.0, 0.0, [0.0, 0.0], 1.0);
-        assert!(front.place([0.0, 1.0, 0.0]).0 > 0.99);
+        assert!(front.project([0.0, 1.0, 0.0]).0 > 0.99);
     }
 }

@@ -7,7 +7,7 @@ use toytop::{InitialAngles, Motion, ParameterError, Sign, Signs, State, Support,
 
 /// Numbers of a top and of its launch, taken as exact.
 #[derive(Clone, Copy, Debug)]
-pub struct ExactInput {
+pub struct MotionInput {
     /// Support of the tip.
     pub support: Support,
     /// Numbers of the top.
@@ -16,7 +16,7 @@ pub struct ExactInput {
     pub launch: Launch,
 }
 
-impl ExactInput {
+impl MotionInput {
     /// Random motion of a toy top, log-uniform near the degenerate cases: A/(ps) in \[1e-3, 1e6\], C/A in \[1e-3, 2\], 1 + e₁, e₂ - e₁, 1 - e₂
     /// and e₃ - 1 down to 1e-12, and one in sixteen at 0.
     pub fn random(random: &mut Random) -> Self {
