@@ -5,7 +5,7 @@ use crate::commands::drawing;
 use crate::commands::drawing::chart::{Chart, Curve};
 use crate::commands::options::{PICTURE, ending_in, positive};
 use crate::input::scenario::Scenario;
-use crate::motion::propagate::period_or_natural_time;
+use crate::motion::period_or_natural_time;
 use crate::output::table::{Column, Table};
 use crate::output::{self, Format, short, two_digits, whole_file};
 use crate::score::errors::{ExactReference, Score};

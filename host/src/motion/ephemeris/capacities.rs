@@ -1,18 +1,61 @@
-//! Capacities that a table may have, and the choice among them.
+//! Choice among the capacities that a table may have.
 
-use super::aperiodic::AperiodicMotion;
-use super::table_data::TableScalar;
-use super::{DynEphemeris, HeapEphemeris};
+use super::aperiodic::AperiodicEphemeris;
+use super::{DynEphemeris, HeapTable, TableScalar};
 use crate::Failure;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
-use toytop::{Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, SetUp, SetUpError, Tick};
+use toytop::{
+    Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Regime, SetUp, SetUpError, Tick,
+};
 use toytop_model::constants::MotionConstants;
 
-/// Capacities that every scalar has, in ascending order.
+/// Capacities among which the smallest is chosen, in ascending order.
 const CAPACITIES: [u32; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, MAX_CAPACITY];
 
 const MAX_CAPACITY: u32 = 4096;
+
+/// Smallest table whose truncation error is within the rounding of the scalar, or the closed form of an aperiodic motion.
+///
+/// # Errors
+/// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
+pub fn smallest_ephemeris(scalar: Scalar, motion: &Motion) -> Result<Box<dyn DynEphemeris>, Failure> {
+    match scalar {
+        Scalar::F64 => ephemeris_with_truncation(motion, f64::TRUNCATION),
+        _ if motion.regime() == Regime::Aperiodic => {
+            Err(Failure::Method("an aperiodic motion has a closed form in f64, and no table".into()))
+        }
+        _ => smallest_table(scalar, motion, MotionConstants::new(*motion).tick()),
+    }
+}
+
+/// Smallest table in `f64` with a truncation error of at most `truncation`, rad, or the closed form of an aperiodic motion.
+///
+/// # Errors
+/// [`Failure::Method`]: no table is large enough.
+pub fn ephemeris_with_truncation(motion: &Motion, truncation: f64) -> Result<Box<dyn DynEphemeris>, Failure> {
+    let constants = MotionConstants::new(*motion);
+    Ok(match AperiodicEphemeris::new(&constants) {
+        Some(closed_form) => Box::new(closed_form),
+        None => Box::new(HeapTable::<f64>::smallest(&CAPACITIES, motion, constants.tick(), truncation)?),
+    })
+}
+
+/// Smallest table, with ticks of this length, whose truncation error is within the rounding of the scalar.
+///
+/// # Errors
+/// [`Failure::Method`]: no table is large enough.
+pub fn smallest_table(scalar: Scalar, motion: &Motion, tick: Tick) -> Result<Box<dyn DynEphemeris>, Failure> {
+    fn boxed<R: TableScalar>(motion: &Motion, tick: Tick) -> Result<Box<dyn DynEphemeris>, Failure> {
+        Ok(Box::new(HeapTable::<R>::smallest(&CAPACITIES, motion, tick, R::TRUNCATION)?))
+    }
+    match scalar {
+        Scalar::F64 => boxed::<f64>(motion, tick),
+        Scalar::F32 => boxed::<f32>(motion, tick),
+        Scalar::Q31 => boxed::<I2F30>(motion, tick),
+        Scalar::Q15 => boxed::<I2F14>(motion, tick),
+    }
+}
 
 /// Segments of the crate's own type of a scalar, which fits most motions.
 fn default_capacity(scalar: Scalar) -> u32 {
@@ -24,7 +67,7 @@ fn default_capacity(scalar: Scalar) -> u32 {
     }
 }
 
-/// Capacities of a scalar in ascending order.
+/// Capacities that a user may choose for a scalar, in ascending order.
 fn capacities_of(scalar: Scalar) -> Vec<u32> {
     let mut capacities = [&CAPACITIES[..], &[default_capacity(scalar)]].concat();
     capacities.sort_unstable();
@@ -32,70 +75,50 @@ fn capacities_of(scalar: Scalar) -> Vec<u32> {
     capacities
 }
 
-/// Table of a motion. Its truncation error is within the rounding of the scalar.
-///
-/// * `segments`: capacity; without it, the default or the next one that is enough
-///
-/// # Errors
-/// [`Failure::Input`]: no table has this many segments. [`Failure::Method`]: they are too few; the message states a sufficient capacity.
-pub fn ephemeris_of_size(
-    scalar: Scalar,
-    motion: &Motion,
-    tick: Tick,
-    segments: Option<u32>,
-) -> Result<Box<dyn DynEphemeris>, Failure> {
-    let mut capacities = capacities_of(scalar);
-    match segments {
-        None => capacities.retain(|capacity| *capacity >= default_capacity(scalar)),
-        Some(segments) if capacities.contains(&segments) => capacities = vec![segments],
-        Some(segments) => {
-            let names: Vec<_> = capacities.iter().map(u32::to_string).collect();
-            let names = names.join(", ");
-            return Err(Failure::Input(format!("--segments: {segments}: must be one of {names}")));
+impl<R: TableScalar> HeapTable<R> {
+    /// Table of a motion whose truncation error is within the rounding of the scalar.
+    ///
+    /// * `segments`: capacity; without it, the default or the next one that is enough
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: no table has this many segments. [`Failure::Method`]: they are too few; the message states a sufficient capacity.
+    pub fn with_capacity(motion: &Motion, tick: Tick, segments: Option<u32>) -> Result<Self, Failure> {
+        let mut capacities = capacities_of(R::SCALAR);
+        match segments {
+            None => capacities.retain(|capacity| *capacity >= default_capacity(R::SCALAR)),
+            Some(segments) if capacities.contains(&segments) => capacities = vec![segments],
+            Some(segments) => {
+                let names: Vec<_> = capacities.iter().map(u32::to_string).collect();
+                let names = names.join(", ");
+                return Err(Failure::Input(format!("--segments: {segments}: must be one of {names}")));
+            }
         }
+        Self::smallest(&capacities, motion, tick, R::TRUNCATION)
     }
-    ephemeris_among(scalar, motion, tick, &capacities)
-}
 
-/// Table with the first of these capacities that is enough.
-fn ephemeris_among(
-    scalar: Scalar,
-    motion: &Motion,
-    tick: Tick,
-    capacities: &[u32],
-) -> Result<Box<dyn DynEphemeris>, Failure> {
-    match scalar {
-        Scalar::F64 => table_in::<f64>(motion, tick, capacities, f64::TRUNCATION),
-        Scalar::F32 => table_in::<f32>(motion, tick, capacities, f32::TRUNCATION),
-        Scalar::Q31 => table_in::<I2F30>(motion, tick, capacities, I2F30::TRUNCATION),
-        Scalar::Q15 => table_in::<I2F14>(motion, tick, capacities, I2F14::TRUNCATION),
-    }
-}
-
-fn table_in<R: TableScalar>(
-    motion: &Motion,
-    tick: Tick,
-    capacities: &[u32],
-    truncation: f64,
-) -> Result<Box<dyn DynEphemeris>, Failure> {
-    let needed = EphemerisView::<R>::segments_needed(motion, truncation).unwrap_or(u32::MAX);
-    let first_of = |capacities: &[u32]| capacities.iter().copied().find(|capacity| *capacity >= needed);
-    let largest = capacities.last().copied().unwrap_or(MAX_CAPACITY);
-    let mut memory = memory::<R>(first_of(capacities).unwrap_or(largest));
-    match memory.set_up(&mut SetUp::with_truncation(truncation), motion, tick, 0, &mut || {}) {
-        Ok(_) => Ok(Box::new(HeapEphemeris(memory))),
-        Err(error @ SetUpError::TooSmall { .. }) => {
-            let tried = match capacities {
-                [segments] => format!("{segments} segments"),
-                _ => format!("{MAX_CAPACITY}x{} segments, the most", R::TERMS),
-            };
-            let sufficient = match first_of(&capacities_of(R::SCALAR)) {
-                Some(capacity) => format!("at least --segments {capacity}"),
-                None => format!("not even {MAX_CAPACITY} segments of this degree"),
-            };
-            Err(Failure::Method(format!("no ephemeris of {tried}: {error}; {sufficient} would be enough")))
+    /// Table with the first of these capacities that is enough.
+    fn smallest(capacities: &[u32], motion: &Motion, tick: Tick, truncation: f64) -> Result<Self, Failure> {
+        let needed = EphemerisView::<R>::segments_needed(motion, truncation).unwrap_or(u32::MAX);
+        let first_of = |capacities: &[u32]| capacities.iter().copied().find(|capacity| *capacity >= needed);
+        let largest = capacities.last().copied().unwrap_or(MAX_CAPACITY);
+        let mut memory = memory::<R>(first_of(capacities).unwrap_or(largest));
+        match memory.set_up(&mut SetUp::with_truncation(truncation), motion, tick, 0, &mut || {}) {
+            Ok(_) => Ok(Self(memory)),
+            Err(error @ SetUpError::TooSmall { .. }) => {
+                let tried = match capacities {
+                    [segments] => format!("{segments} segments"),
+                    _ => format!("{MAX_CAPACITY}x{} segments, the most", R::TERMS),
+                };
+                let sufficient = match first_of(&capacities_of(R::SCALAR)) {
+                    Some(capacity) => format!("at least --segments {capacity}"),
+                    None => format!("not even {MAX_CAPACITY} segments of this degree"),
+                };
+                Err(Failure::Method(format!(
+                    "no ephemeris of {tried}: {error}; {sufficient} would be enough"
+                )))
+            }
+            Err(error) => Err(Failure::Method(format!("no ephemeris: {error}"))),
         }
-        Err(error) => Err(Failure::Method(format!("no ephemeris: {error}"))),
     }
 }
 
@@ -120,48 +143,18 @@ fn memory<R: TableScalar>(segments: u32) -> Box<EphemerisMemory<EphemerisView<R>
     }
 }
 
-/// Smallest table whose truncation error is within the rounding of the scalar, or the closed form of an aperiodic motion.
-///
-/// # Errors
-/// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
-pub fn smallest_ephemeris(scalar: Scalar, motion: &Motion) -> Result<Box<dyn DynEphemeris>, Failure> {
-    ephemeris_for_all_times(scalar, motion, |tick| ephemeris_among(scalar, motion, tick, &CAPACITIES))
-}
-
-/// Smallest table in `f64` with a truncation error of at most `truncation`, rad.
-///
-/// # Errors
-/// As [`smallest_ephemeris`].
-pub fn ephemeris_with_truncation(motion: &Motion, truncation: f64) -> Result<Box<dyn DynEphemeris>, Failure> {
-    ephemeris_for_all_times(Scalar::F64, motion, |tick| {
-        table_in::<f64>(motion, tick, &CAPACITIES, truncation)
-    })
-}
-
-fn ephemeris_for_all_times(
-    scalar: Scalar,
-    motion: &Motion,
-    table: impl FnOnce(Tick) -> Result<Box<dyn DynEphemeris>, Failure>,
-) -> Result<Box<dyn DynEphemeris>, Failure> {
-    match AperiodicMotion::new(motion) {
-        None => table(MotionConstants::new(*motion).tick()),
-        Some(closed_form) if scalar == Scalar::F64 => Ok(Box::new(closed_form)),
-        Some(_) => Err(Failure::Method("an aperiodic motion has a closed form in f64, and no table".into())),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::motion::ephemeris::tests::motion;
 
     /// Sizes that are chosen. Every smaller size is refused, and the motions of the test need every size.
-    fn sizes_chosen(scalar: Scalar, motions: &[Motion]) -> Vec<usize> {
+    fn sizes_chosen<R: TableScalar>(motions: &[Motion]) -> Vec<usize> {
         let chosen = |motion: &Motion| {
-            let table = smallest_ephemeris(scalar, motion).unwrap();
+            let table = smallest_ephemeris(R::SCALAR, motion).unwrap();
             let tick = MotionConstants::new(*motion).tick();
             for segments in CAPACITIES.into_iter().filter(|&segments| (segments as usize) < table.size()[0]) {
-                let refused = super::ephemeris_of_size(scalar, motion, tick, Some(segments)).is_err();
+                let refused = HeapTable::<R>::with_capacity(motion, tick, Some(segments)).is_err();
                 assert!(refused, "{segments} segments would do");
             }
             table.size()[0]
@@ -180,8 +173,8 @@ mod tests {
             motions.push(motion(1.0, [-0.5, 1.0 - 0.2 * small, 1.0 + 0.2 * small * small]));
             motions.push(motion(small, [-0.99, 0.999, 1.02]));
         }
-        assert_eq!(sizes_chosen(Scalar::F64, &motions).first(), Some(&8));
-        assert!(sizes_chosen(Scalar::F32, &motions).len() > 4);
+        assert_eq!(sizes_chosen::<f64>(&motions).first(), Some(&8));
+        assert!(sizes_chosen::<f32>(&motions).len() > 4);
     }
 
     #[test]

@@ -59,7 +59,7 @@ impl SweepColumn {
             Self::Constant(Constant { name, .. }) => vec![(*name).to_owned()],
             Self::Table((name, _)) => vec![name.to_owned()],
             Self::Sample(column) => {
-                let at = |time| column.names().1.iter().map(move |part| format!("{part}_{time}"));
+                let at = |time| column.names().iter().map(move |part| format!("{part}_{time}"));
                 (1..=times).flat_map(at).collect()
             }
         }
@@ -73,7 +73,7 @@ impl SweepColumn {
             (Self::Constant(Constant { name: "regime", .. }), None) => vec!["refused".into()],
             (Self::Sample(column), Some(motion)) => match motion.f64_table() {
                 Some(table) => {
-                    let mut numbers = vec![f64::NAN; column.names().1.len() * motion.times.len()];
+                    let mut numbers = vec![f64::NAN; column.names().len() * motion.times.len()];
                     table.fill(column, &motion.times, &mut numbers);
                     numbers.into_iter().map(Value::from).collect()
                 }
@@ -112,7 +112,7 @@ impl RowMotion {
 
     fn error_f32(&self) -> Option<f64> {
         let (table, exact) = (self.f32_table()?, self.f64_table()?);
-        let error = |&t: &f64| table.pose(t).orientation.distance(&exact.pose(t).orientation);
+        let error = |&t: &f64| table.at(t).pose.orientation.distance(&exact.at(t).pose.orientation);
         Some(self.times.iter().map(error).fold(0.0, greater))
     }
 }
