@@ -7,6 +7,7 @@
 //! | [`constants`] | constants of a motion by name, and the ticks of its table |
 //! | [`aperiodic`] | aperiodic motion, which has no table, by its closed form |
 //! | [`span`] | time in which a motion shows its form |
+//! | [`support`] | supports of the tip by name |
 //!
 //! The crate has no `std` and no allocator, because the page has none.
 
@@ -17,3 +18,4 @@ pub mod aperiodic;
 pub mod constants;
 pub mod equations;
 pub mod span;
+pub mod support;
