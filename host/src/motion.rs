@@ -1,11 +1,11 @@
-//! Motion by the core: its propagators at given times, and quantities of a motion.
+//! Motion by the core: its ephemeris and its stepper at given times, and quantities of a motion.
 //!
 //! | module | contents |
 //! |---|---|
 //! | [`Scalar`] | scalar types of the core |
 //! | [`sample`] | motion at one time |
 //! | [`mod@column`], [`euler_angles`] | quantities of a sample |
-//! | [`propagate`] | stepper at given times |
+//! | [`stepper`] | stepper at given times |
 //! | [`errors`] | errors of samples, and drift of the first integrals |
 //! | [`ephemeris`] | ephemeris in the smallest table that fits |
 //! | [`tip_angle`] | tip angle of an ephemeris, continued from t = 0 |
@@ -14,11 +14,11 @@ pub mod column;
 pub mod ephemeris;
 pub mod errors;
 pub mod euler_angles;
-pub mod propagate;
 pub mod sample;
+pub mod stepper;
 pub mod tip_angle;
 
-pub use toytop_model::constants::{MotionConstants, regime, tilts};
+pub use toytop_model::constants::{MotionConstants, period_or_natural_time, regime, tilts};
 
 use serde_json::Value;
 use toytop::Complex;

@@ -101,6 +101,9 @@ static TOP_AND_START: [Constant; 20] = [
     number("m_z", "kg m^2/s", |motion| momentum(motion)[2]),
 ];
 
+/// Number of ticks from t = 0 at which a table can be evaluated at most, because ticks are counted in 64 bits.
+pub const MOST_TICKS: f64 = (1_u64 << 62) as f64;
+
 /// Motion that computes its period once at most.
 pub struct MotionConstants {
     motion: Motion,
@@ -141,6 +144,17 @@ impl MotionConstants {
             rate *= 2.0;
         }
         rate
+    }
+
+    /// Greatest distance of a time from t = 0 that is fewer than [`MOST_TICKS`] away.
+    pub fn furthest_time(&self) -> f64 {
+        MOST_TICKS / self.ticks_per_time()
+    }
+
+    /// Greatest distance from t = 0 at which a closed form is evaluated, s. Where e₃ = e₄ holds up to rounding, its error grows by up to
+    /// 5e-14 rad in a period.
+    pub fn furthest_time_of_closed_form(&self) -> f64 {
+        1e12 * self.period_or_natural_time()
     }
 
     /// Tick of this rate.

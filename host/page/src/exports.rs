@@ -56,14 +56,16 @@ pub extern "C" fn launch(kind: u32) -> i32 {
     match launched(&top, kind, &motion) {
         Ok(motion) => {
             let table = TABLE.lock();
-            put(constants()
-                .map(|(_, value)| value(&motion))
-                .chain(table.error_bound())
-                .chain([span(&motion, |t| table.at(t).1.modulus())]));
+            write_numbers(
+                constants()
+                    .map(|(_, value)| value(&motion))
+                    .chain(table.error_bound())
+                    .chain([span(&motion, |t| table.at(t).1.modulus())]),
+            );
             *MOTION.lock() = Some(*motion);
-            say([regime(motion.regime()), tip_class(motion.tip_class())])
+            write_words([regime(motion.regime()), tip_class(motion.tip_class())])
         }
-        Err(error) => -say([error.parameter(), error.allowed()]),
+        Err(error) => -write_words([error.parameter(), error.allowed()]),
     }
 }
 
@@ -76,14 +78,14 @@ fn launched(top: &TopNumbers, kind: u32, numbers: &MotionNumbers) -> Result<Moti
 /// Puts the pose at time t into the numbers.
 #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 pub extern "C" fn pose(t: f64) {
-    put(table::pose_numbers(TABLE.lock().at(t)));
+    write_numbers(table::pose_numbers(TABLE.lock().at(t)));
 }
 
 /// Puts axis and tip at `count` times into the numbers, the first at `from`, `step` apart.
 #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 pub extern "C" fn curve(from: f64, step: f64, count: u32) {
     let table = TABLE.lock();
-    put((0..count).flat_map(|i| {
+    write_numbers((0..count).flat_map(|i| {
         let [.., r1, r2, r3, c1, c2] = table::pose_numbers(table.at(from + step * f64::from(i)));
         [r1, r2, r3, c1, c2]
     }));
@@ -103,7 +105,7 @@ pub extern "C" fn runge_kutta_pose(t: f64) -> u32 {
     let Some(integration) = &mut *RUNGE_KUTTA.lock() else { return 0 };
     let (reached, orientation, tip) = integration.go(t);
     let distance = TABLE.lock().at(reached).0.distance(&orientation);
-    put(table::pose_numbers((orientation, tip)).into_iter().chain([reached, distance]));
+    write_numbers(table::pose_numbers((orientation, tip)).into_iter().chain([reached, distance]));
     1
 }
 
@@ -111,17 +113,17 @@ fn number(index: usize) -> f64 {
     NUMBERS.get(index).map_or(0.0, |bits| f64::from_bits(bits.load(Relaxed)))
 }
 
-fn put(values: impl IntoIterator<Item = f64>) {
-    for (place, value) in NUMBERS.iter().zip(values) {
-        place.store(value.to_bits(), Relaxed);
+fn write_numbers(values: impl IntoIterator<Item = f64>) {
+    for (slot, value) in NUMBERS.iter().zip(values) {
+        slot.store(value.to_bits(), Relaxed);
     }
 }
 
 /// Writes two words with a line feed between them; the result is their length.
-fn say([first, second]: [&str; 2]) -> i32 {
+fn write_words([first, second]: [&str; 2]) -> i32 {
     let mut length = 0;
-    for (place, byte) in WORDS.iter().zip(first.bytes().chain([b'\n']).chain(second.bytes())) {
-        place.store(byte, Relaxed);
+    for (slot, byte) in WORDS.iter().zip(first.bytes().chain([b'\n']).chain(second.bytes())) {
+        slot.store(byte, Relaxed);
         length += 1;
     }
     length

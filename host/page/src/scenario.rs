@@ -1,12 +1,13 @@
 //! A top and its motion from numbers in the order of a scenario's keys.
 
 use toytop::{
-    Complex, InitialAngles, Motion, Orientation, ParameterError, Release, Sign, Signs, State, Top,
+    Complex, InitialAngles, Motion, Orientation, ParameterError, Release, Sign, Signs, State, Support, Top,
     TopParameters,
 };
 use toytop_model::angles::{angle, tilt};
+use toytop_model::support::{self, SUPPORTS};
 
-/// Numbers of a top: 1 for a held tip, 2 for a free body and 0 for a sliding tip, then A, C, s, M, p, g and K, with 0 for what is not given.
+/// Numbers of a top: the place of its support in [`SUPPORTS`], then A, C, s, M, p, g and K, with 0 for what is not given.
 pub type TopNumbers = [f64; 8];
 
 /// Numbers of a motion by its kind; what a kind does not need is ignored.
@@ -31,11 +32,8 @@ pub fn top(numbers: &TopNumbers) -> Result<Top, ParameterError> {
         gravity,
         rotor_momentum,
     };
-    match support {
-        1.0 => Top::fixed(&parameters),
-        2.0 => Top::free(&parameters),
-        _ => Top::sliding(&parameters),
-    }
+    let support = SUPPORTS.get(support as usize).map_or(Support::Sliding, |(_, support)| *support);
+    support::top(support, &parameters)
 }
 
 /// Motion from its numbers.

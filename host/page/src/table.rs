@@ -4,16 +4,14 @@ use toytop::{
     Complex, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Orientation, ParameterError,
     Regime, Workspace,
 };
-use toytop_closed_forms::Aperiodic;
+use toytop_model::aperiodic::AperiodicMotion;
 use toytop_model::constants::MotionConstants;
 
 /// Table with the largest capacity that there is, or the closed form of an aperiodic motion.
 pub struct Table {
     memory: EphemerisMemory<Ephemeris<f64, 4096>>,
     method: Method,
-    /// Twice the scale of the tip, and ticks in a unit of time.
-    tip_scale: f64,
-    ticks: f64,
+    ticks_per_time: f64,
 }
 
 /// Method that computes a motion.
@@ -21,7 +19,7 @@ pub struct Table {
 #[allow(clippy::large_enum_variant)] // there is no heap, and one table
 enum Method {
     Table,
-    ClosedForm(Aperiodic),
+    ClosedForm(AperiodicMotion),
 }
 
 /// Orientation, u, axis and tip at one time: Re α, Im α, Re β, Im β, u, r₁, r₂, r₃, c₁, c₂.
@@ -30,25 +28,22 @@ pub type PoseNumbers = [f64; 10];
 /// Truncation errors that a table may have, rad: the least one that the capacity allows is taken.
 const TRUNCATIONS: [f64; 4] = [f64::TRUNCATION, 1e-12, 1e-9, 1e-6];
 
-/// Growth of a closed form's error in a tick, rad.
-const GROWTH: f64 = 2e-30;
-
 impl Table {
     /// Table before its first motion. All its bits are 0, so that it takes no space in a file.
     pub const EMPTY: Self =
-        Self { memory: EphemerisMemory::new(), method: Method::Table, tip_scale: 0.0, ticks: 0.0 };
+        Self { memory: EphemerisMemory::new(), method: Method::Table, ticks_per_time: 0.0 };
 
     /// Sets the table up for another motion.
     ///
     /// # Errors
     /// `e3`: the motion is so close to the separatrix that no table holds it.
     pub fn set_up(&mut self, motion: &MotionConstants) -> Result<(), ParameterError> {
-        let tick = motion.tick();
-        (self.tip_scale, self.ticks) = (2.0 * motion.top().tip_scale(), motion.ticks_per_time());
-        self.method = Aperiodic::new(motion).map_or(Method::Table, Method::ClosedForm);
+        self.ticks_per_time = motion.ticks_per_time();
+        self.method = AperiodicMotion::new(motion).map_or(Method::Table, Method::ClosedForm);
         if matches!(self.method, Method::ClosedForm(_)) {
             return Ok(());
         }
+        let tick = motion.tick();
         let mut fits = |truncation: &f64| {
             self.memory
                 .set_up(&mut Workspace::with_truncation(*truncation), motion, tick, 0, &mut || {})
@@ -71,9 +66,9 @@ impl Table {
     /// Orientation and tip at t, with t taken as exact; the identity before the first motion.
     pub fn at(&self, t: f64) -> (Orientation<f64>, Complex<f64>) {
         match (&self.method, self.memory.get()) {
-            (Method::ClosedForm(form), _) => {
-                let orientation = form.at(t).orientation;
-                (orientation, (orientation.alpha * orientation.beta).scaled(self.tip_scale))
+            (Method::ClosedForm(motion), _) => {
+                let (state, tip) = motion.at(t);
+                (state.orientation, tip)
             }
             (Method::Table, Some(table)) => {
                 let pose = table.at(t).pose();
@@ -85,14 +80,12 @@ impl Table {
 
     /// Bound on the orientation error at t = 0, rad, and its growth, rad per unit time.
     pub fn error_bound(&self) -> [f64; 2] {
-        match (&self.method, self.memory.get()) {
-            (Method::ClosedForm(form), _) => [form.error_bound(), GROWTH * self.ticks],
-            (Method::Table, Some(table)) => {
-                let bound = table.error_bound();
-                [bound.constant, bound.per_tick * self.ticks]
-            }
-            (Method::Table, None) => [f64::INFINITY; 2],
-        }
+        let bound = match (&self.method, self.memory.get()) {
+            (Method::ClosedForm(motion), _) => motion.error_bound(),
+            (Method::Table, Some(table)) => table.error_bound(),
+            (Method::Table, None) => return [f64::INFINITY; 2],
+        };
+        [bound.constant, bound.per_tick * self.ticks_per_time]
     }
 }
 

@@ -2,7 +2,7 @@
 
 import { listenToSizes } from "./pictures/canvas.js";
 import { buildControls } from "./interaction/controls.js";
-import { change, data, fromAddress, loadCore, play, redraw, setScenario } from "./interaction/state.js";
+import { change, data, applyAddress, loadCore, play, redraw, setScenario } from "./interaction/state.js";
 import { fillPresets, listenToMotion, listenToPictures, listenToTime, onKey, recolour } from "./interaction/listen.js";
 
 async function begin() {
@@ -14,13 +14,13 @@ async function begin() {
   listenToMotion();
   listenToPictures();
   document.addEventListener("keydown", onKey);
-  window.addEventListener("hashchange", fromAddress);
+  window.addEventListener("hashchange", applyAddress);
   listenToSizes(document.querySelectorAll("canvas"), redraw);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", recolour);
   for (const event of ["beforeprint", "afterprint"]) window.addEventListener(event, recolour);
   matchMedia("print").addEventListener("change", recolour);
-  const stands = fromAddress();
-  play(!stands && !matchMedia("(prefers-reduced-motion: reduce)").matches);
+  const isAtGivenTime = applyAddress();
+  play(!isAtGivenTime && !matchMedia("(prefers-reduced-motion: reduce)").matches);
 }
 
 /** Promise that the page is complete. */

@@ -14,7 +14,7 @@ use pyo3::prelude::*;
 use std::sync::OnceLock;
 use toytop::{Motion, State};
 use toytop_host::input::scenario::{Launch, Scenario, ScenarioFile, to_toml};
-use toytop_host::motion::ephemeris::{furthest_time, smallest_ephemeris};
+use toytop_host::motion::ephemeris::smallest_ephemeris;
 use toytop_host::motion::{MotionConstants, Scalar};
 use toytop_host::pictures::curve::TipCurve;
 use toytop_host::pictures::page;
@@ -83,7 +83,7 @@ impl MotionCore {
     /// # Errors
     /// `ValueError`: one of the times is beyond them.
     pub(crate) fn within_reach(&self, times: &[f64]) -> PyResult<()> {
-        within(furthest_time(MotionConstants::new(self.motion).ticks_per_time()), times)
+        within(MotionConstants::new(self.motion).furthest_time(), times)
     }
 }
 

@@ -91,9 +91,9 @@ impl Sampler {
 
     /// Array of the quantity of this name, which cannot be written to.
     fn column<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, Array>> {
-        let named = COLUMNS.into_iter().find(|column| column.names().0 == name);
+        let named = COLUMNS.into_iter().find(|column| column.key() == name);
         let column = named.ok_or_else(|| PyKeyError::new_err(name.to_owned()))?;
-        let (times, width) = (&self.times.numbers, column.names().1.len());
+        let (times, width) = (&self.times.numbers, column.names().len());
         let mut shape: Vec<_> = self.motions.iter().chain(&self.times.shape).copied().collect();
         if width > 1 {
             shape.push(width);

@@ -3,6 +3,7 @@
 use crate::arguments::{refused, value_error};
 use pyo3::prelude::*;
 use toytop::{Support, Top, TopParameters};
+use toytop_model::support;
 
 /// Rust side of `toytop.Top`.
 #[pyclass(module = "toytop._toytop", frozen, from_py_object)]
@@ -36,23 +37,15 @@ impl TopCore {
             gravity,
             rotor_momentum,
         };
-        let top = match support {
-            "sliding" => Top::sliding(&parameters),
-            "fixed" => Top::fixed(&parameters),
-            "free" => Top::free(&parameters),
-            _ => return Err(value_error("support", "must be 'sliding', 'fixed' or 'free'")),
-        };
-        Ok(Self { parameters, top: top.map_err(refused)? })
+        let support = support::named(support)
+            .ok_or_else(|| value_error("support", "must be 'sliding', 'fixed' or 'free'"))?;
+        Ok(Self { parameters, top: support::top(support, &parameters).map_err(refused)? })
     }
 
     /// Support of the tip.
     #[getter]
     pub(crate) fn support(&self) -> &'static str {
-        match self.top.support() {
-            Support::Sliding => "sliding",
-            Support::Fixed => "fixed",
-            Support::Free => "free",
-        }
+        support::name(self.top.support())
     }
 
     #[getter]

@@ -7,7 +7,6 @@ mod motion;
 mod top;
 
 pub use motion::fastest_rate;
-pub use top::supported;
 
 use super::section::{self, Key, Section};
 use super::text_file::{self, excerpt};

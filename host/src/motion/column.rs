@@ -59,7 +59,7 @@ impl SampleColumn {
 }
 
 /// Function that writes the numbers of a column.
-pub type Write = fn(&dyn Quantities, &mut [f64]);
+type Write = fn(&dyn Quantities, &mut [f64]);
 
 /// Key of JSON, names of the numbers as columns of CSV, unit in SI, and the numbers. NaN stands for what does not exist.
 type Description = (&'static str, &'static [&'static str], &'static str, Write);
@@ -108,10 +108,14 @@ impl SampleColumn {
         }
     }
 
-    /// Key of JSON, and names of its numbers as columns of CSV.
-    pub fn names(self) -> (&'static str, &'static [&'static str]) {
-        let (key, names, ..) = self.description();
-        (key, names)
+    /// Key of JSON.
+    pub fn key(self) -> &'static str {
+        self.description().0
+    }
+
+    /// Names of its numbers as columns of CSV.
+    pub fn names(self) -> &'static [&'static str] {
+        self.description().1
     }
 
     /// Unit of its numbers in SI; empty where there is none.
@@ -122,16 +126,16 @@ impl SampleColumn {
         }
     }
 
-    /// Function that writes its numbers.
-    pub fn writer(self) -> Write {
-        let (.., write) = self.description();
-        write
+    /// Writes its numbers at several times, one row for each.
+    pub fn fill<Q: Quantities>(self, times: impl Iterator<Item = Q>, rows: &mut [f64]) {
+        let (_, names, _, write) = self.description();
+        times.zip(rows.chunks_exact_mut(names.len())).for_each(|(quantities, row)| write(&quantities, row));
     }
 
     /// Numbers of a sample.
     pub fn numbers_of(self, sample: &Sample) -> Vec<f64> {
-        let mut row = vec![f64::NAN; self.names().1.len()];
-        self.writer()(sample, &mut row);
+        let mut row = vec![f64::NAN; self.names().len()];
+        self.fill(std::iter::once(*sample), &mut row);
         row
     }
 }

@@ -5,10 +5,9 @@ use super::trajectory::{Pose, Trajectory};
 use crate::Failure;
 use crate::input::require_within;
 use crate::input::scenario::Scenario;
-use crate::motion::Scalar;
 use crate::motion::ephemeris::{DynEphemeris, smallest_ephemeris};
 use crate::motion::errors::{IntegralDrift, drift, greater};
-use crate::motion::propagate::period_or_natural_time;
+use crate::motion::{Scalar, period_or_natural_time};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
@@ -86,12 +85,12 @@ impl<'a> ExactReference<'a> {
 
     /// Errors of the orientation of a row, rad, and of its u.
     fn errors(&self, row: &Pose) -> [f64; 2] {
-        let exact = self.table.pose(row.t).orientation;
+        let exact = self.table.at(row.t).pose.orientation;
         [distance(&exact, &row.orientation), (row.orientation.u() - exact.u()).abs()]
     }
 
     fn tip_error(&self, row: &Pose) -> Option<f64> {
-        let exact = self.table.pose(row.t).tip;
+        let exact = self.table.at(row.t).pose.tip;
         row.tip.map(|[x, y]| (x - exact.re).hypot(y - exact.im))
     }
 

@@ -14,7 +14,7 @@
 use super::rotation_between;
 use super::trajectory::Pose;
 use crate::motion::ephemeris::DynEphemeris;
-use crate::motion::propagate::period_or_natural_time;
+use crate::motion::period_or_natural_time;
 use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3, Vector6};
 use std::f64::consts::PI;
 use toytop::{Complex, Motion, Orientation, Regime};

@@ -4,8 +4,8 @@ pub mod full_solver;
 
 use crate::Failure;
 use crate::input::scenario::{Launch, Scenario};
-use crate::motion::propagate::visit_times;
 use crate::motion::sample::Sample;
+use crate::motion::stepper::visit_times;
 use crate::motion::tip_angle::TipAngle;
 use full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullState};
 use toytop::Stepper;

@@ -1,9 +1,10 @@
 //! Top and launch of a motion, taken as exact, and random ones near degenerate cases.
 
 use crate::input::random::Random;
-use crate::input::scenario::{Launch, supported};
+use crate::input::scenario::Launch;
 use std::f64::consts::PI;
 use toytop::{InitialAngles, Motion, ParameterError, Sign, Signs, State, Support, TopParameters};
+use toytop_model::support;
 
 /// Numbers of a top and of its launch, taken as exact.
 #[derive(Clone, Copy, Debug)]
@@ -52,7 +53,7 @@ impl MotionInput {
     /// # Errors
     /// The errors of a top, a state and a launch.
     pub fn motion(&self) -> Result<Motion, ParameterError> {
-        let top = supported(self.support, &self.top)?;
+        let top = support::top(self.support, &self.top)?;
         match self.launch {
             Launch::BranchPoints { e, signs, phases } => Motion::from_branch_points(&top, e, signs, &phases),
             Launch::State { orientation, omega } => Motion::launch(&top, &State::new(orientation, omega)?),

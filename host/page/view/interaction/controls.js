@@ -5,7 +5,7 @@ import { degrees } from "../motion/angles.js";
 import { DEFAULTS, SUPPORTS } from "../motion/core.js";
 import { asBranchPoints, asRelease } from "../motion/scenario.js";
 import { isTorqueFree } from "../motion/facts.js";
-import { element, mark, say } from "./document.js";
+import { element, mark, showMessage } from "./document.js";
 
 const LINEAR = { position: (x, [low, high]) => (x - low) / (high - low), value: (position, [low, high]) => low + position * (high - low) };
 const LOGARITHMIC = {
@@ -15,26 +15,26 @@ const LOGARITHMIC = {
 /** Scale that is finer towards the lower end, where e₃ has the greatest effect. */
 const CUBIC = { position: (x, [low, high]) => Math.cbrt((x - low) / (high - low)), value: (position, [low, high]) => low + position ** 3 * (high - low) };
 
-const aroundHome = (home) => [home / 8, home * 8];
-const upTo = (most) => (home, constants) => [0, Math.max(home, most(home, constants))];
-const bothWays = (least) => (home, constants) => {
-  const reach = 2 * Math.max(Math.abs(home), least(constants));
+const aroundValue = (value) => [value / 8, value * 8];
+const upTo = (most) => (value, constants) => [0, Math.max(value, most(value, constants))];
+const bothWays = (least) => (value, constants) => {
+  const reach = 2 * Math.max(Math.abs(value), least(constants));
   return [-reach, reach];
 };
 
 /** Keys that have no effect on a free body. */
-const OF_WEIGHT = ["mass", "mass_moment", "com_height", "gravity"];
+const WEIGHT_KEYS = ["mass", "mass_moment", "com_height", "gravity"];
 
 /** Control for a number of the top, by its key in a scenario. */
-const ofTop = (key, label, unit, define, scale = LOGARITHMIC, range = aroundHome) => ({
+const topControl = (key, label, unit, define, scale = LOGARITHMIC, range = aroundValue) => ({
   key, label, unit, define, group: "top", scale, range,
-  read: ({ top }) => (top.support === "free" && OF_WEIGHT.includes(key) ? undefined : (top[key] ?? DEFAULTS[key])),
+  read: ({ top }) => (top.support === "free" && WEIGHT_KEYS.includes(key) ? undefined : (top[key] ?? DEFAULTS[key])),
   write: (scenario, x) => ({ ...scenario, top: { ...scenario.top, [key]: x } }),
 });
 
 /** Control for a number of the release. */
-const ofThrow = (key, label, unit, define, range, read) => ({
-  key, label, unit, define, group: "throw", scale: LINEAR, range,
+const releaseControl = (key, label, unit, define, range, read) => ({
+  key, label, unit, define, group: "release", scale: LINEAR, range,
   read: ({ motion }, constants) => (motion.kind === "release" ? (motion[key] ?? 0) : read(constants)),
   write: (scenario, x, constants) => {
     const released = asRelease(scenario, constants);
@@ -43,7 +43,7 @@ const ofThrow = (key, label, unit, define, range, read) => ({
 });
 
 /** Control for a branch point; it moves the other branch points where they would be in the wrong order. */
-const ofRoot = (key, label, define, scale, range) => ({
+const rootControl = (key, label, define, scale, range) => ({
   key, label, unit: "", define, group: "roots", scale, range,
   read: (_, constants) => (isTorqueFree(constants) ? undefined : constants[key]),
   write: (scenario, x, constants) => withRoot(scenario, key, x, constants),
@@ -62,20 +62,20 @@ const perNutation = ({ period, natural_time }) => 3 / (period > 0 ? period : nat
 const fastSpin = (constants) => Math.max(perNutation(constants), constants.C > 0 ? constants.critical_spin + constants.K / constants.C : 0);
 
 export const CONTROLS = [
-  ofThrow("tilt_deg", "Tilt", "°", "Angle of the axis from the upward vertical at t = 0.", () => [0, 180], ({ tilt }) => degrees(tilt)),
-  ofThrow("spin", "Spin", "rad/s", "Component of the angular velocity along the axis; it never changes.", bothWays(fastSpin), ({ spin }) => spin),
-  ofThrow("precession", "Precession", "rad/s", "Rate at which the axis goes round the vertical at t = 0.", bothWays(perNutation), ({ precession }) => precession),
-  ofThrow("nutation", "Nutation", "rad/s", "Rate at which the tilt grows at t = 0.", bothWays(perNutation), ({ nutation }) => nutation),
-  ofTop("mass", "Mass", "kg", "Mass M."),
-  ofTop("mass_moment", "Moment p", "kg m", "Mass times distance from the tip to the centre of mass."),
-  ofTop("transverse_inertia", "Inertia A", "kg m²", "Transverse moment of inertia: about the tip where that is held, about the centre of mass of any other body."),
-  ofTop("axial_inertia", "Inertia C", "kg m²", "Moment of inertia about the axis of the top; at most 2A, and 0 for a pendulum.", LINEAR, upTo((_, { A }) => 2 * A)),
-  ofTop("rotor_momentum", "Rotor K", "kg m²/s", "Angular momentum of a wheel that turns inside about the same axis, relative to the body; 0 without one.", LINEAR, bothWays((constants) => constants.A * fastSpin(constants))),
-  ofTop("com_height", "Height s", "m", "Distance from the tip to the centre of mass."),
-  ofTop("gravity", "Gravity", "m/s²", "Gravity g: 9.81 on Earth, 1.62 on the Moon; 0 only where the tip is held.", LINEAR, upTo((home) => 3 * (home || DEFAULTS.gravity))),
-  ofRoot("e1", "e₁", "Least u, the cosine of the tilt.", LINEAR, () => [-1, 1]),
-  ofRoot("e2", "e₂", "Greatest u.", LINEAR, () => [-1, 1]),
-  ofRoot("e3", "e₃", "Third root of the cubic, at least 1.", CUBIC, (home) => [1, Math.max(20, 1 + 4 * (home - 1))]),
+  releaseControl("tilt_deg", "Tilt", "°", "Angle of the axis from the upward vertical at t = 0.", () => [0, 180], ({ tilt }) => degrees(tilt)),
+  releaseControl("spin", "Spin", "rad/s", "Component of the angular velocity along the axis; it never changes.", bothWays(fastSpin), ({ spin }) => spin),
+  releaseControl("precession", "Precession", "rad/s", "Rate at which the axis goes round the vertical at t = 0.", bothWays(perNutation), ({ precession }) => precession),
+  releaseControl("nutation", "Nutation", "rad/s", "Rate at which the tilt grows at t = 0.", bothWays(perNutation), ({ nutation }) => nutation),
+  topControl("mass", "Mass", "kg", "Mass M."),
+  topControl("mass_moment", "Moment p", "kg m", "Mass times distance from the tip to the centre of mass."),
+  topControl("transverse_inertia", "Inertia A", "kg m²", "Transverse moment of inertia: about the tip where that is held, about the centre of mass of any other body."),
+  topControl("axial_inertia", "Inertia C", "kg m²", "Moment of inertia about the axis of the top; at most 2A, and 0 for a pendulum.", LINEAR, upTo((_, { A }) => 2 * A)),
+  topControl("rotor_momentum", "Rotor K", "kg m²/s", "Angular momentum of a wheel that turns inside about the same axis, relative to the body; 0 without one.", LINEAR, bothWays((constants) => constants.A * fastSpin(constants))),
+  topControl("com_height", "Height s", "m", "Distance from the tip to the centre of mass."),
+  topControl("gravity", "Gravity", "m/s²", "Gravity g: 9.81 on Earth, 1.62 on the Moon; 0 only where the tip is held.", LINEAR, upTo((value) => 3 * (value || DEFAULTS.gravity))),
+  rootControl("e1", "e₁", "Least u, the cosine of the tilt.", LINEAR, () => [-1, 1]),
+  rootControl("e2", "e₂", "Greatest u.", LINEAR, () => [-1, 1]),
+  rootControl("e3", "e₃", "Third root of the cubic, at least 1.", CUBIC, (value) => [1, Math.max(20, 1 + 4 * (value - 1))]),
 ];
 
 /** Value of a slider, rounded to the digits that its range resolves. */
@@ -103,7 +103,7 @@ export function buildControls(change) {
     control.field.addEventListener("change", ({ target }) => {
       const x = numberOf(target.value);
       mark(target, Number.isNaN(x));
-      if (Number.isNaN(x)) say("motion", `${label}: “${target.value.slice(0, 40)}” is no number`);
+      if (Number.isNaN(x)) showMessage("motion", `${label}: “${target.value.slice(0, 40)}” is no number`);
       else change(control, x);
     });
     // a refused number leaves with the cursor, and the number of the motion returns
@@ -135,7 +135,7 @@ export function showControls({ scenario, constants, settle }) {
     control.slider.setAttribute("aria-valuetext", said);
   }
   const { kind } = scenario.motion;
-  element("throw-controls").classList.toggle("given", kind !== "branch_points");
+  element("release-controls").classList.toggle("given", kind !== "branch_points");
   element("roots-controls").classList.toggle("given", kind === "branch_points");
   for (const sign of ["sign_l_plus_n", "sign_l_minus_n"]) element(sign).value = String(constants[sign]);
   element("roots").hidden = isTorqueFree(constants);

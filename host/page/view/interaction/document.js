@@ -5,7 +5,7 @@ import { unitName } from "../motion/text.js";
 export const element = (id) => document.getElementById(id);
 
 /** Shows a message on a topic; an empty text removes the message if it is on that topic. */
-export function say(topic, text, isError = true) {
+export function showMessage(topic, text, isError = true) {
   const message = element("message");
   if (!text && message.dataset.topic !== topic) return;
   message.dataset.topic = topic;

@@ -1,7 +1,7 @@
 // Pointers and arrow keys turn the 3-D pictures and drag the branch points.
 
 import { sizeOf, unitOf } from "../pictures/canvas.js";
-import { held, potentialLayout } from "../pictures/potential.js";
+import { dragged, potentialLayout } from "../pictures/potential.js";
 
 /** Turns the 3-D pictures when they are dragged. */
 export function listenToTurns(canvas, turn, reset) {
@@ -18,7 +18,7 @@ export function listenToTurns(canvas, turn, reset) {
  */
 export function listenToRoots(canvas, roots, set, release) {
   const pointerX = ({ offsetX }) => offsetX / unitOf();
-  const layout = () => held.layout ?? potentialLayout(sizeOf(canvas), roots());
+  const layout = () => dragged.layout ?? potentialLayout(sizeOf(canvas), roots());
   let root = null;
   const nearest = (x) => {
     // without torque the roots do not determine the motion
@@ -32,7 +32,7 @@ export function listenToRoots(canvas, roots, set, release) {
   canvas.addEventListener("pointerdown", (event) => {
     root = nearest(pointerX(event));
     if (root === null) return;
-    held.layout = layout();
+    dragged.layout = layout();
     canvas.setPointerCapture(event.pointerId);
   });
   canvas.addEventListener("pointermove", (event) => {
@@ -45,7 +45,7 @@ export function listenToRoots(canvas, roots, set, release) {
   });
   for (const end of ["pointerup", "pointercancel"]) {
     canvas.addEventListener(end, () => {
-      [root, held.layout] = [null, null];
+      [root, dragged.layout] = [null, null];
       release();
     });
   }

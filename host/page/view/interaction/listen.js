@@ -5,9 +5,9 @@ import { SUPPORTS } from "../motion/core.js";
 import { asBranchPoints, toToml, withSupport } from "../motion/scenario.js";
 import { presetsOf } from "../motion/presets.js";
 import { palette, sizes } from "../pictures/canvas.js";
-import { element, mark, say } from "./document.js";
+import { element, mark, showMessage } from "./document.js";
 import { CONTROLS } from "./controls.js";
-import { addressed, change, clock, data, FLAT, go, play, redraw, remember, scene, setScenario, setSpeed, show, shown, START_VIEW, startGhost, state } from "./state.js";
+import { addressFragment, change, clock, data, FLAT_PICTURES, go, play, redraw, updateAddress, scene, setScenario, setSpeed, show, shown, START_VIEW, startComparison, state } from "./state.js";
 import { canFilm, copy, download, fileName, filmer, savePng, svgOf } from "./save.js";
 import { listenToRoots, listenToTurns } from "./drag.js";
 
@@ -45,7 +45,7 @@ export function fillPresets() {
     const motions = Object.assign({}, ...Object.values(presets));
     state.t = 0;
     setScenario(motions[select.value], { settle: true, name: select.value });
-    remember();
+    updateAddress();
   });
 }
 
@@ -55,16 +55,16 @@ export function listenToTime() {
   element("far").addEventListener("click", () => go(1e6));
   element("position").addEventListener("input", ({ target }) => {
     play(false);
-    go((state.page + Number(target.value)) * scene.span);
+    go((state.intervalNumber + Number(target.value)) * scene.span);
   });
   element("speed").addEventListener("input", ({ target }) => {
     setSpeed(Number(target.value), false);
-    remember();
+    updateAddress();
   });
   element("time").addEventListener("change", ({ target }) => {
     const t = numberOf(target.value);
     mark(target, Number.isNaN(t));
-    if (Number.isNaN(t)) say("t", `t: “${target.value.slice(0, 40)}” is no number of seconds`);
+    if (Number.isNaN(t)) showMessage("t", `t: “${target.value.slice(0, 40)}” is no number of seconds`);
     else go(t);
     target.blur();
   });
@@ -74,7 +74,7 @@ export function listenToMotion() {
   for (const support of SUPPORTS) {
     element(support).addEventListener("change", () => {
       setScenario(withSupport(state.scenario, support, scene.constants), { settle: true, name: "Your top" });
-      remember();
+      updateAddress();
     });
   }
   for (const sign of ["sign_l_plus_n", "sign_l_minus_n"]) {
@@ -82,14 +82,14 @@ export function listenToMotion() {
       const scenario = asBranchPoints(state.scenario, scene.constants);
       const motion = { ...scenario.motion, [sign]: Number(target.value) };
       setScenario({ ...scenario, motion }, { name: "Your top" });
-      remember();
+      updateAddress();
     });
   }
-  for (const id of ["ghost", "ghost-step"]) {
+  for (const id of ["comparison", "comparison-step"]) {
     element(id).addEventListener("change", () => {
-      startGhost();
+      startComparison();
       redraw();
-      remember();
+      updateAddress();
     });
   }
   listenToRoots(element("potential-picture"), () => scene.e, (key, x) => {
@@ -111,7 +111,7 @@ export function listenToPictures() {
   }
   for (const button of document.querySelectorAll("button[data-svg]")) {
     const what = button.dataset.svg;
-    const draw = (paper) => FLAT[what](paper, shown.frame);
+    const draw = (paper) => FLAT_PICTURES[what](paper, shown.frame);
     button.addEventListener("click", () => {
       const text = svgOf(element(`${what}-picture`), draw, state.colours);
       download(fileName(what, "svg"), new Blob([text], { type: "image/svg+xml" }));
@@ -128,8 +128,8 @@ export function listenToPictures() {
     download(fileName("scenario", "toml"), new Blob([toToml(state.scenario, state.name)], { type: "text/plain" }));
   });
   element("share").addEventListener("click", async () => {
-    history.replaceState(null, "", addressed());
-    if (await copy(location.href)) say("link", "The address of this motion is copied.", false);
+    history.replaceState(null, "", addressFragment());
+    if (await copy(location.href)) showMessage("link", "The address of this motion is copied.", false);
   });
   element("print").addEventListener("click", () => print());
 }

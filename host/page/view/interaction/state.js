@@ -4,16 +4,16 @@ import { decimals, numberOf, short } from "../motion/text.js";
 import { degrees } from "../motion/angles.js";
 import { Core, refusalText } from "../motion/core.js";
 import { fromFragment, toFragment } from "../motion/scenario.js";
-import { curveReason, momentFacts, paperFacts, summaryOf, teachersFacts } from "../motion/facts.js";
+import { curveReason, poseFacts, paperFacts, summaryOf, teachersFacts } from "../motion/facts.js";
 import { palette, sheet } from "../pictures/canvas.js";
 import { sceneOf } from "../pictures/scene.js";
-import { intervalOf, stateOf, Points } from "../pictures/points.js";
+import { intervalOf, drawnPose, Points } from "../pictures/points.js";
 import { drawScene } from "../pictures/top.js";
 import { drawSphere } from "../pictures/sphere.js";
 import { drawPlan } from "../pictures/plan.js";
 import { drawChart } from "../pictures/charts.js";
 import { drawPotential } from "../pictures/potential.js";
-import { element, fillTable, mark, say } from "./document.js";
+import { element, fillTable, mark, showMessage } from "./document.js";
 import { showControls, typed } from "./controls.js";
 import { Clock } from "./clock.js";
 
@@ -24,7 +24,7 @@ const FURTHEST = 1e12;
 
 /** View from which a page starts. */
 export const START_VIEW = { azimuth: 0.9, elevation: 0.42 };
-export const state = { t: 0, page: 0, speed: 1, exponent: 0, view: { ...START_VIEW }, colours: palette(), scenario: data.scenario, name: data.name.replaceAll("_", " ") };
+export const state = { t: 0, intervalNumber: 0, speed: 1, exponent: 0, view: { ...START_VIEW }, colours: palette(), scenario: data.scenario, name: data.name.replaceAll("_", " ") };
 /** Core, computed points of the motion, and those of the interval that the slider covers. */
 let core, points, interval;
 /** Scene of the motion that is shown. */
@@ -35,7 +35,7 @@ let pending = false;
 
 export const clock = new Clock((passed) => {
   state.t = limited(state.t + passed * state.speed);
-  turnPage();
+  moveInterval();
   show();
 });
 
@@ -48,9 +48,9 @@ const limited = (t) => Math.max(-FURTHEST, Math.min(FURTHEST, t));
 export function setScenario(scenario, { settle = false, name } = {}) {
   const launched = core.launch(scenario);
   if (launched.refused) {
-    say("motion", refusalText(launched.refused));
+    showMessage("motion", refusalText(launched.refused));
     core.launch(state.scenario);
-    startGhost();
+    startComparison();
     if (scene) showControls({ scenario: state.scenario, constants: scene.constants });
     return false;
   }
@@ -60,9 +60,9 @@ export function setScenario(scenario, { settle = false, name } = {}) {
   scene = sceneOf(launched);
   points = new Points(core, scene);
   interval = undefined;
-  state.page = Math.floor(state.t / scene.span);
-  say("motion", "");
-  startGhost();
+  state.intervalNumber = Math.floor(state.t / scene.span);
+  showMessage("motion", "");
+  startComparison();
   setSpeed(settle ? 0 : state.exponent, settle);
   showControls({ scenario, constants: launched, settle });
   tellMotion(launched);
@@ -72,27 +72,27 @@ export function setScenario(scenario, { settle = false, name } = {}) {
 
 /** Data of the pictures at a time. */
 function frameAt(t) {
-  const now = stateOf(scene, core.at(t));
+  const now = drawnPose(scene, core.at(t));
   const { view, colours, scenario } = state;
-  return { scene, scenario, now, past: [...points.before(t), now], t, view, colours, ghost: ghostNow(t) };
+  return { scene, scenario, now, past: [...points.before(t), now], t, view, colours, comparison: comparisonNow(t) };
 }
 
 export function show() {
   pending = false;
-  const { t, page } = state;
+  const { t, intervalNumber } = state;
   points.forget(t);
-  if (interval?.page !== page) interval = { page, ...intervalOf(points, scene, page) };
+  if (interval?.number !== intervalNumber) interval = intervalOf(points, scene, intervalNumber);
   const frame = { ...frameAt(t), interval };
   const { now, colours } = frame;
   shown = { ...now, t, frame };
   drawScene(element("scene-picture"), frame);
   drawSphere(element("sphere-picture"), frame);
-  for (const [id, draw] of Object.entries(FLAT)) draw(sheet(element(`${id}-picture`), colours.card), frame);
-  tellMoment(now);
+  for (const [id, draw] of Object.entries(FLAT_PICTURES)) draw(sheet(element(`${id}-picture`), colours.card), frame);
+  tellPose(now);
 }
 
 /** Pictures that can also be saved as SVG. */
-export const FLAT = {
+export const FLAT_PICTURES = {
   plan: drawPlan,
   tilt: (paper, frame) => drawChart(paper, frame, "tilt"),
   precession: (paper, frame) => drawChart(paper, frame, "precession"),
@@ -123,28 +123,28 @@ function tellMotion(launched) {
   fillTable(element("papers-facts"), paperFacts(launched), state.scenario);
 }
 
-function tellMoment({ moment }) {
-  const { t, page } = state;
-  fillTable(element("moment-facts"), momentFacts(moment, t, scene.constants), state.scenario);
+function tellPose({ pose }) {
+  const { t, intervalNumber } = state;
+  fillTable(element("now-facts"), poseFacts(pose, t, scene.constants), state.scenario);
   const time = element("time");
   if (document.activeElement !== time) time.value = String(Number(t.toPrecision(Math.abs(t) > 1e4 ? 12 : 5)));
   const slider = element("position");
-  slider.value = String(t / scene.span - page);
+  slider.value = String(t / scene.span - intervalNumber);
   slider.setAttribute("aria-valuetext", inSeconds(short(t, 6)));
 }
 
 /** Sets the time; if it is outside of the slider's interval, the interval changes. */
 export function go(t) {
-  if (limited(t) !== t) say("t", `t: must be between −10¹² and ${inSeconds("10¹²")}; ${inSeconds(short(t))} is beyond`);
-  else say("t", "");
+  if (limited(t) !== t) showMessage("t", `t: must be between −10¹² and ${inSeconds("10¹²")}; ${inSeconds(short(t))} is beyond`);
+  else showMessage("t", "");
   state.t = limited(t);
-  turnPage();
+  moveInterval();
   redraw();
 }
 
-function turnPage() {
-  const fraction = state.t / scene.span - state.page;
-  if (fraction < 0 || fraction > 1) state.page = Math.floor(state.t / scene.span);
+function moveInterval() {
+  const fraction = state.t / scene.span - state.intervalNumber;
+  if (fraction < 0 || fraction > 1) state.intervalNumber = Math.floor(state.t / scene.span);
 }
 
 export function play(playing) {
@@ -169,58 +169,58 @@ export function setSpeed(exponent, settle = true) {
 export function change(control, x) {
   const good = setScenario(control.write(state.scenario, x, scene.constants), { name: "Your top" });
   mark(control.field, !good);
-  if (!good) say("motion", `${element("message").textContent}; the motion keeps ${control.label} = ${typed(control.number)}`);
-  remember();
+  if (!good) showMessage("motion", `${element("message").textContent}; the motion keeps ${control.label} = ${typed(control.number)}`);
+  updateAddress();
 }
 
-/** Step of the ghost in its field, s; 0 if the ghost is switched off. */
-const ghostStep = () => (element("ghost").checked ? numberOf(element("ghost-step").value) : 0);
+/** Step of the comparison top in its field, s; 0 if it is switched off. */
+const comparisonStep = () => (element("comparison").checked ? numberOf(element("comparison-step").value) : 0);
 
-export function startGhost() {
-  const step = ghostStep();
-  say("ghost", Number.isNaN(step) || step < 0 ? "step of the ghost: must be a positive number of seconds" : "");
-  core.startGhost(step > 0 ? step : 0);
+export function startComparison() {
+  const step = comparisonStep();
+  showMessage("comparison", Number.isNaN(step) || step < 0 ? "step of the comparison top: must be a positive number of seconds" : "");
+  core.startComparison(step > 0 ? step : 0);
 }
 
-function ghostNow(t) {
-  const ghost = core.ghostAt(t);
-  const output = element("ghost-error");
-  if (!ghost) {
+function comparisonNow(t) {
+  const comparison = core.comparisonAt(t);
+  const output = element("comparison-error");
+  if (!comparison) {
     output.textContent = "";
     return null;
   }
-  const { moment, reached, distance } = ghost;
+  const { pose, reached, distance } = comparison;
   const arrived = Math.abs(reached - t) <= 1e-9 * Math.abs(t);
   const off = distance < 0.01 ? `${short(distance, 2)} rad` : `${decimals(degrees(distance), 1)}°`;
-  output.textContent = arrived ? `The ghost is ${off} off.` : `The ghost is still on its way: t = ${inSeconds(short(reached, 4))}, ${off} off.`;
+  output.textContent = arrived ? `The comparison top is ${off} off.` : `The comparison top is still on its way: t = ${inSeconds(short(reached, 4))}, ${off} off.`;
   if (!arrived && !clock.playing) redraw();
-  return stateOf(scene, moment);
+  return drawnPose(scene, pose);
 }
 
-/** Fragment of the address for the settings: the motion, and time, speed and ghost if they differ from those of a page that was just opened. */
-export function addressed() {
+/** Fragment of the address for the settings: the motion, and time, speed and step of the comparison top if they differ from those of a page that was just opened. */
+export function addressFragment() {
   const speed = state.exponent === 0 ? undefined : Number(state.speed.toPrecision(4));
-  return toFragment(state.scenario, { t: clock.playing ? undefined : state.t, speed, ghost: ghostStep() || undefined });
+  return toFragment(state.scenario, { t: clock.playing ? undefined : state.t, speed, comparison: comparisonStep() || undefined });
 }
 
 /** Puts the settings into the address, so that it can be shared and reloaded. */
-let remembering;
-export function remember() {
-  clearTimeout(remembering);
-  remembering = setTimeout(() => history.replaceState(null, "", addressed()), 250);
+let addressTimer;
+export function updateAddress() {
+  clearTimeout(addressTimer);
+  addressTimer = setTimeout(() => history.replaceState(null, "", addressFragment()), 250);
 }
 
 /** Applies the settings of the address; a page with a time in its address does not play. An address with an error changes nothing. */
-export function fromAddress() {
-  const { refused, scenario, t, speed, ghost } = fromFragment(location.hash);
-  say("motion", refused ?? "");
+export function applyAddress() {
+  const { refused, scenario, t, speed, comparison } = fromFragment(location.hash);
+  showMessage("motion", refused ?? "");
   if (refused) return false;
-  if (ghost > 0) {
-    element("ghost").checked = true;
-    element("ghost-step").value = String(ghost);
+  if (comparison > 0) {
+    element("comparison").checked = true;
+    element("comparison-step").value = String(comparison);
   }
   if (scenario) setScenario(scenario, { settle: true, name: "A shared top" });
-  else startGhost();
+  else startComparison();
   if (speed > 0) setSpeed(Math.max(-6, Math.min(6, Math.log2(speed / scene.speed))));
   if (Number.isNaN(t)) return false;
   play(false);

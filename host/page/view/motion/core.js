@@ -1,5 +1,5 @@
 // The core, as WebAssembly, takes a scenario and returns the constants of the motion and its state at any time, in the crate's bits.
-// The ghost is a second top, which is integrated by the Runge-Kutta method.
+// The comparison top is integrated by the Runge-Kutta method.
 
 /** Default values of the keys of a scenario. */
 export const DEFAULTS = { gravity: 9.80665, rotor_momentum: 0, precession: 0, nutation: 0, azimuth_deg: 0, roll_deg: 0, nutation_phase: 0, arg_alpha: 0, arg_beta: 0 };
@@ -20,8 +20,8 @@ export const KINDS = Object.keys(MOTION_KEYS);
 /** Numbers of a scenario in the order in which the core takes them: those of the top, with 0 for missing ones, then those of the motion. */
 function numbersOf({ top, motion }) {
   const value = (key, from) => from[key] ?? DEFAULTS[key] ?? 0;
-  const ofTop = TOP_KEYS.map((key) => value(key, top));
-  return [SUPPORTS.indexOf(top.support ?? "sliding"), ...ofTop, ...MOTION_KEYS[motion.kind].flatMap((key) => value(key, motion))];
+  const topNumbers = TOP_KEYS.map((key) => value(key, top));
+  return [SUPPORTS.indexOf(top.support ?? "sliding"), ...topNumbers, ...MOTION_KEYS[motion.kind].flatMap((key) => value(key, motion))];
 }
 
 /** Number of components of the keys that hold vectors. */
@@ -51,7 +51,7 @@ export const refusalText = ({ missing, parameter, allowed }) =>
   missing ? `${missing.join(", ")}: must be given` : `${parameter.replaceAll("_", " ")}: must be ${RANGES_IN_DEGREES[parameter] ?? allowed}`;
 
 /** Orientation, axis and tip, from the ten numbers that the core returns for a time. */
-function momentOf(numbers) {
+function poseOf(numbers) {
   const [a, b, c, d, u, x, y, z, tipX, tipY] = numbers;
   return { alpha: [a, b], beta: [c, d], u, axis: [x, y, z], tip: [tipX, tipY] };
 }
@@ -96,7 +96,7 @@ export class Core {
 
   at(t) {
     this.exports.pose(t);
-    return momentOf(this.numbers);
+    return poseOf(this.numbers);
   }
 
   /** Axis and tip at equally spaced times, five numbers for each time. */
@@ -105,14 +105,14 @@ export class Core {
     return this.numbers.slice(0, COORDINATES * count);
   }
 
-  startGhost(step) {
+  startComparison(step) {
     this.exports.runge_kutta(step);
   }
 
-  /** State of the ghost, the time that its integration has reached, and its distance from the exact orientation, rad. */
-  ghostAt(t) {
+  /** Pose of the comparison top, the time that its integration has reached, and its distance from the exact orientation, rad. */
+  comparisonAt(t) {
     if (!this.exports.runge_kutta_pose(t)) return null;
     const [reached, distance] = this.numbers.slice(10, 12);
-    return { moment: momentOf(this.numbers), reached, distance };
+    return { pose: poseOf(this.numbers), reached, distance };
   }
 }

@@ -32,7 +32,7 @@ function decoded(text) {
 /** Keys of an address whose values are words, with the allowed words. */
 const WORDS = { support: SUPPORTS, kind: KINDS, units: ["SI", "none"] };
 /** Keys of an address that are not keys of a scenario. */
-const SETTINGS = ["t", "speed", "ghost"];
+const SETTINGS = ["t", "speed", "comparison"];
 
 /** Number in the text of a key, or a list of numbers for a key that has several. */
 function numbersIn(key, text) {
@@ -55,19 +55,19 @@ function refusalOfAddress(values) {
   return needsKind && !kind ? "kind: must be given" : undefined;
 }
 
-/** Scenario, time, speed and step of the ghost in a fragment, or the reason why it is refused; missing numbers are NaN. */
+/** Scenario, time, speed and step of the comparison top in a fragment, or the reason why it is refused; missing numbers are NaN. */
 export function fromFragment(fragment) {
   const pairs = decoded(fragment.slice(1)).split("&").map((pair) => pair.split("="));
   const values = new Map(pairs.filter(([key]) => key !== ""));
   const refused = refusalOfAddress(values);
   if (refused) return { refused };
-  const [t, speed, ghost] = SETTINGS.map((key) => numberOf(values.get(key) ?? ""));
+  const [t, speed, comparison] = SETTINGS.map((key) => numberOf(values.get(key) ?? ""));
   const kind = values.get("kind");
-  if (kind === undefined) return { t, speed, ghost };
+  if (kind === undefined) return { t, speed, comparison };
   const read = (keys) => Object.fromEntries(keys.filter((key) => values.has(key)).map((key) => [key, numbersIn(key, values.get(key))]));
   const support = values.get("support") ?? "sliding";
   const units = values.get("units") === "none" ? { units: "none" } : {};
-  return { t, speed, ghost, scenario: { ...units, top: { support, ...read(TOP_KEYS) }, motion: { kind, ...read(MOTION_KEYS[kind]) } } };
+  return { t, speed, comparison, scenario: { ...units, top: { support, ...read(TOP_KEYS) }, motion: { kind, ...read(MOTION_KEYS[kind]) } } };
 }
 
 /** Text of a scenario file, which `toytop` reads. */

@@ -69,7 +69,7 @@ export function bodyOf(outline, colourAt) {
 }
 
 /** Top with this greatest radius, in units of s. */
-export function turnOnLathe(breadth) {
+export function turnedTop(breadth) {
   const outline = smooth([...OUTLINE.map(([z, r]) => [z, Math.max(r * breadth, z > 1 ? 0.09 : 0)]), ...STEM], 0.085);
   return bodyOf(outline, paint);
 }
@@ -188,8 +188,8 @@ export function drawShadow(pen, camera, body, toSpace, style) {
   pen.fill("nonzero");
 }
 
-/** Draws the ghost: some rings of the body and its axis, without faces. */
-export function drawGhost(pen, camera, body, toSpace, style) {
+/** Draws the comparison top: some rings of the body and its axis, without faces. */
+export function drawComparison(pen, camera, body, toSpace, style) {
   const last = body.rings.length - 1;
   for (const ring of body.rings.filter((_, i) => i % 3 === 1)) {
     trace(pen, ring.map((point) => camera.project(toSpace(point))), true);

@@ -3,7 +3,7 @@
 /** Colours of the style sheet, for the light or the dark appearance. */
 export function palette() {
   const style = getComputedStyle(document.documentElement);
-  const names = "card ground rim grid bound tip axis ink faint sphere stand shine pin ghost".split(" ");
+  const names = "card ground rim grid bound tip axis ink faint sphere stand shine pin comparison".split(" ");
   return Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
 }
 

@@ -25,10 +25,10 @@ function continued(angles, unit = 2 * Math.PI) {
 const passesVertical = ({ tipClass }) => ["through_origin", "spiral"].includes(tipClass);
 
 /** Azimuth of an axis; NaN where it is vertical but for roundings. */
-const sureAzimuth = ([x, y]) => (Math.hypot(x, y) < 1e-9 ? NaN : azimuthOf([x, y]));
+const azimuthOrNaN = ([x, y]) => (Math.hypot(x, y) < 1e-9 ? NaN : azimuthOf([x, y]));
 
 /** Range of the values with a margin, never empty. */
-function roomy(values) {
+function withMargin(values) {
   const [low, high] = values.reduce(([a, b], x) => [Math.min(a, x), Math.max(b, x)], [Infinity, -Infinity]);
   const room = Math.max(0.08 * (high - low), 1e-6 * Math.max(1, Math.abs(high)), high - low < 1e-9 ? 1 : 0);
   return [low - room, high + room];
@@ -38,7 +38,7 @@ const CHARTS = {
   tilt: { name: "tilt in °", values: ({ points }) => points.map(({ axis }) => tiltOf(axis)) },
   precession: {
     name: "azimuth of the axis in °",
-    values: ({ points }, constants) => continued(points.map(({ axis }) => sureAzimuth(axis)), passesVertical(constants) ? Math.PI : undefined),
+    values: ({ points }, constants) => continued(points.map(({ axis }) => azimuthOrNaN(axis)), passesVertical(constants) ? Math.PI : undefined),
   },
 };
 
@@ -51,7 +51,7 @@ export function drawChart({ pen, size: [width, height] }, { scene, scenario, int
   const values = (interval[kind] ??= CHARTS[kind].values(interval, scene.constants));
   const { from, to } = interval;
   const bounds = kind === "tilt" ? scene.tilts : [];
-  const [low, high] = roomy([...values, ...bounds]);
+  const [low, high] = withMargin([...values, ...bounds]);
   const [left, right, top, bottom] = [52, width - 26, 22, height - 34];
   const x = (time) => left + ((time - from) / (to - from)) * (right - left);
   const y = (value) => bottom - ((value - low) / (high - low)) * (bottom - top);

@@ -3,10 +3,10 @@
 import { lengthText, roundBelow, short } from "../motion/text.js";
 import { circle } from "./geometry.js";
 import { disc, fading, stroke, trace, write } from "./canvas.js";
-import { widest } from "./scene.js";
+import { greatestRadius } from "./scene.js";
 
-export function drawPlan({ pen, size: [width, height] }, { scene, scenario, now, past, colours, ghost }) {
-  const most = widest(scene) || 1;
+export function drawPlan({ pen, size: [width, height] }, { scene, scenario, now, past, colours, comparison }) {
+  const most = greatestRadius(scene) || 1;
   const scale = (0.5 * Math.min(width, height) - 26) / most;
   const project = ([x, y]) => [0.5 * width + scale * x, 0.5 * height - 6 - scale * y];
   const [cx, cy] = project([0, 0]);
@@ -24,7 +24,7 @@ export function drawPlan({ pen, size: [width, height] }, { scene, scenario, now,
   });
   fading(pen, past.map(({ foot }) => project(foot)), colours.tip, 2);
   drawDirection(pen, past.map(({ foot }) => project(foot)), colours.tip);
-  if (ghost) disc(pen, project(ghost.foot), 4, colours.ghost);
+  if (comparison) disc(pen, project(comparison.foot), 4, colours.comparison);
   disc(pen, project(now.foot), 4, colours.tip);
   drawScale(pen, { scene, scenario, scale, height, colours });
 }

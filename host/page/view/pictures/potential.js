@@ -36,10 +36,10 @@ export function potentialLayout([width, height], [e1, e2, e3]) {
 }
 
 /** Layout at the start of a drag, kept until its end so that the axis does not move under the pointer. */
-export const held = { layout: null };
+export const dragged = { layout: null };
 
 export function drawPotential({ pen, size }, { scene, now, colours }) {
-  const layout = held.layout ?? potentialLayout(size, scene.e);
+  const layout = dragged.layout ?? potentialLayout(size, scene.e);
   const { x, u, zero, range, edges: [left, right, top, bottom] } = layout;
   const depths = potentialLayout(size, scene.e);
   const y = (at) => depths.y(at);

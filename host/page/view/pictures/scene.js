@@ -3,7 +3,7 @@
 import { roundBelow } from "../motion/text.js";
 import { SUPPORTS } from "../motion/core.js";
 import { isTorqueFree, isVertical } from "../motion/facts.js";
-import { pendulum, spheroid, spheroidSize, turnOnLathe } from "./body.js";
+import { pendulum, spheroid, spheroidSize, turnedTop } from "./body.js";
 import { gyroscope } from "./gyroscope.js";
 
 /** Line styles of the bounds in all pictures: solid, dashed, dotted. */
@@ -21,7 +21,7 @@ function circlesOf({ regime, e1, e2, min_tilt_deg, max_tilt_deg }) {
 }
 
 /** Radius within which the plane has to be visible, in units of s. */
-export const widest = ({ circles }) => circles.reduce((most, { radius }) => Math.max(most, radius), circles.length ? 0 : 0.25);
+export const greatestRadius = ({ circles }) => circles.reduce((most, { radius }) => Math.max(most, radius), circles.length ? 0 : 0.25);
 
 /**
  * Number of parts in which the pictures draw a motion. It is greater near the separatrix, where the axis rests for most of the period and
@@ -59,7 +59,7 @@ function shapeOf(constants) {
     return { make: spheroid, size: slenderness, stick: [spheroidSize(slenderness)[0], 1.4], middle: 0, reach: 1.5 };
   }
   if (C === 0) return { make: pendulum, size: 0.2, stick: [1.2, 1.4], middle: 0.9, reach: 1.55 };
-  return { make: support === 1 ? gyroscope : turnOnLathe, size: breadthOf(constants), stick: [1.7, 2.1], middle: 1.2, reach: 2.2 };
+  return { make: support === 1 ? gyroscope : turnedTop, size: breadthOf(constants), stick: [1.7, 2.1], middle: 1.2, reach: 2.2 };
 }
 
 /** Last body that was made, which most changes of the motion do not change. */

@@ -5,7 +5,7 @@ import { disc, fading, sheet, stroke, trace } from "./canvas.js";
 import { DASHES } from "./scene.js";
 
 /** Draws the curve of the axis on the unit sphere, seen from the azimuth of the 3-D picture. */
-export function drawSphere(canvas, { scene, now, past, view, colours, ghost }) {
+export function drawSphere(canvas, { scene, now, past, view, colours, comparison }) {
   const { pen, size } = sheet(canvas, colours.card);
   // the elevation is greater than in the 3-D picture, because most curves are near the upper pole
   const camera = new Camera({ ...view, elevation: Math.min(1.5, view.elevation + 0.4) }, [0, 0, 0], 1.09, size);
@@ -42,7 +42,7 @@ export function drawSphere(canvas, { scene, now, past, view, colours, ghost }) {
   for (const front of [false, true]) {
     fading(pen, pixels, colours.axis, 2, (pixel) => (pixel[3] === front ? (front ? 1 : 0.3) : 0));
   }
-  if (ghost) disc(pen, project(ghost.axis), 4, colours.ghost);
+  if (comparison) disc(pen, project(comparison.axis), 4, colours.comparison);
   const tip = project(now.axis);
   trace(pen, [project([0, 0, 0]), tip]);
   stroke(pen, colours.ink, 1.3);

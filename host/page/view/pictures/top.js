@@ -2,9 +2,9 @@
 
 import { Camera, circle, dot, sum } from "./geometry.js";
 import { disc, fading, sheet, stroke, trace } from "./canvas.js";
-import { drawFaces, drawGhost, drawShadow, seenFaces } from "./body.js";
+import { drawFaces, drawComparison, drawShadow, seenFaces } from "./body.js";
 import { drawStand, standOf, TABLE_BELOW } from "./gyroscope.js";
-import { DASHES, widest } from "./scene.js";
+import { DASHES, greatestRadius } from "./scene.js";
 
 /** Position of the tip in units of s; the tip of a held top and the centre of mass of a free body are at the origin. */
 const baseOf = (scene, { foot: [x, y] }) => (scene.slides ? [x, y, 0] : [0, 0, 0]);
@@ -51,9 +51,9 @@ export function drawScene(canvas, frame) {
   const faces = seenFaces(camera, scene.body, { toSpace, rotate: now.rotate });
   if (scene.slides) drawSliding(pen, size, camera, frame, faces, toSpace);
   else drawAround(pen, size, camera, frame, faces);
-  if (frame.ghost) {
-    const { ghost } = frame;
-    drawGhost(pen, camera, scene.body, (point) => sum(baseOf(scene, ghost), ghost.rotate(point)), colours.ghost);
+  if (frame.comparison) {
+    const { comparison } = frame;
+    drawComparison(pen, camera, scene.body, (point) => sum(baseOf(scene, comparison), comparison.rotate(point)), colours.comparison);
   }
 }
 
@@ -61,7 +61,7 @@ function drawSliding(pen, size, camera, frame, faces, toSpace) {
   const { scene, now, past, colours } = frame;
   const project = (point) => camera.project(point);
   const onPlane = ([x, y]) => camera.project([x, y, 0]);
-  const radius = Math.max(1.28 * widest(scene), 1.15 * scene.shape.size, 0.9);
+  const radius = Math.max(1.28 * greatestRadius(scene), 1.15 * scene.shape.size, 0.9);
   // the plane is transparent: parts below it are drawn first
   drawFaces(pen, camera, faces, -1);
   drawPlane(pen, project, size, colours, radius, 0);
@@ -117,7 +117,7 @@ function drawAround(pen, size, camera, frame, faces) {
 function drawBody(pen, camera, { scene, now, past, colours }, faces, side) {
   const project = (point) => camera.project(point);
   const toSpace = (point) => sum(baseOf(scene, now), now.rotate(point));
-  const ends = past.map((moment) => project(endOf(scene, moment)));
+  const ends = past.map((point) => project(endOf(scene, point)));
   const { stick: [from], middle } = scene.shape;
   const depth = project(toSpace([0, 0, middle]))[2];
   fading(pen, ends, colours.axis, 1.8, ([, , far]) => (far >= depth ? 0.9 : 0));

@@ -8,7 +8,7 @@ use crate::top::TopCore;
 use pyo3::prelude::*;
 use toytop::Motion;
 use toytop_closed_forms::ClosedForm;
-use toytop_host::motion::propagate::{furthest_time_of_closed_form, period_or_natural_time};
+use toytop_host::motion::{MotionConstants, period_or_natural_time};
 use toytop_host::motion::sample::body_rates;
 use toytop_host::truth::float640::{decimal, from_f64};
 use toytop_host::truth::motion_input::MotionInput;
@@ -43,7 +43,7 @@ impl ClosedFormCore {
 
     /// Samples at these times.
     fn at(&self, py: Python<'_>, t: NumericArg) -> PyResult<Sampler> {
-        within(furthest_time_of_closed_form(&self.motion), &t.numbers)?;
+        within(MotionConstants::new(self.motion).furthest_time_of_closed_form(), &t.numbers)?;
         Sampler::of_points(py, t, &self.motion, None, |t| {
             let state = self.form.at(t);
             (state.orientation, body_rates(&state))

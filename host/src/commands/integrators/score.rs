@@ -3,7 +3,7 @@
 use super::problems;
 use crate::commands::options::{PICTURE, ending_in, positive};
 use crate::input::scenario::Scenario;
-use crate::motion::propagate::period_or_natural_time;
+use crate::motion::period_or_natural_time;
 use crate::output::table::{Column, Table};
 use crate::output::{self, Format, short, two_digits, whole_file};
 use crate::pictures::drawing;

@@ -13,14 +13,15 @@ use crate::commands::options::hertz;
 use crate::commands::warnings;
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{TableData, ephemeris_of_size};
+use crate::motion::ephemeris::{HeapTable, TableScalar};
 use crate::output::whole_file;
 use crate::{Failure, Report};
 use c::header;
 use clap::{Args, ValueEnum};
+use fixed::types::{I2F14, I2F30};
 use rust::module;
 use std::path::PathBuf;
-use toytop::{ErrorBound, Tick};
+use toytop::{EphemerisView, ErrorBound, Tick};
 
 /// Table of a motion as a constant for firmware: Rust or C
 ///
@@ -67,36 +68,75 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let [ticks, seconds] = arguments.hertz;
     let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::Input(format!("--hertz: {error}")))?;
-    let (scalar, motion) = (arguments.scalar, &scenario.motion);
-    let table = ephemeris_of_size(scalar, motion, tick, arguments.segments)
-        .map_err(|failure| failure.of_motion(&scenario.name))?;
-    let data = table.data().expect("a table");
     let title = TableTitle {
         name: arguments.name.clone().unwrap_or_else(|| scenario.name.clone()),
         tick: if seconds == 1 { format!("{ticks} Hz") } else { format!("{ticks}/{seconds} Hz") },
     };
+    let [text, summary] = match arguments.scalar {
+        Scalar::F64 => baked::<f64>(arguments, &scenario, tick, &title),
+        Scalar::F32 => baked::<f32>(arguments, &scenario, tick, &title),
+        Scalar::Q31 => baked::<I2F30>(arguments, &scenario, tick, &title),
+        Scalar::Q15 => baked::<I2F14>(arguments, &scenario, tick, &title),
+    }
+    .map_err(|failure| failure.of_motion(&scenario.name))?;
     let mut report = Report::default();
-    let text = match arguments.lang {
-        Language::Rust => module(&title, &data),
-        Language::C => header(&title, &data),
-    };
     match &arguments.output {
         None => report.text = text,
         Some(path) => whole_file::write("--output", path, text.as_bytes())?,
     }
-    let notes = std::iter::once(summary(&title, &data)).chain(warnings(&[scenario]));
-    Ok(report.with_notes(notes))
+    Ok(report.with_notes(std::iter::once(summary).chain(warnings(&[scenario]))))
 }
 
-/// Line that states the scalar, the size and the error bound of the table that was written.
-fn summary(title: &TableTitle, data: &TableData) -> String {
-    let ([segments, terms], ErrorBound { constant, per_tick }) = (data.size, data.error_bound);
-    let (scalar, bytes) = (data.scalar.name(), data.table_bytes());
-    format!(
-        "{}: {segments}x{terms} in {scalar}, {bytes} bytes, {}; orientation within {constant:.1e} rad + {per_tick:.1e} rad a tick",
-        title.name, title.tick,
-    )
+/// Text of the file, and the line that states the scalar, the size and the error bound of the table in it.
+fn baked<R: BakedScalar>(
+    arguments: &BakeArgs,
+    scenario: &Scenario,
+    tick: Tick,
+    title: &TableTitle,
+) -> Result<[String; 2], Failure> {
+    let table = HeapTable::<R>::with_capacity(&scenario.motion, tick, arguments.segments)?;
+    let table = table.table();
+    let text = match arguments.lang {
+        Language::Rust => module(title, table),
+        Language::C => header(title, table),
+    };
+    let ErrorBound { constant, per_tick } = table.error_bound();
+    let summary = format!(
+        "{}: {}x{} in {}, {} bytes, {}; orientation within {constant:.1e} rad + {per_tick:.1e} rad a tick",
+        title.name,
+        table.capacity(),
+        R::TERMS,
+        R::SCALAR.name(),
+        size_of_val(table.segments()),
+        title.tick,
+    );
+    Ok([text, summary])
 }
+
+/// Scalar whose tables are written.
+pub trait BakedScalar: TableScalar {
+    /// Checksum of a table.
+    fn crc32(table: &EphemerisView<Self>) -> u32;
+
+    /// Coefficient of a table. An integer of n bits is that of x^k in units of 2^-(n-1+k).
+    fn number(coefficient: Self::Coefficient) -> f64;
+}
+
+macro_rules! baked_scalar {
+    ($($scalar:ty),*) => { $(
+        impl BakedScalar for $scalar {
+            fn crc32(table: &EphemerisView<Self>) -> u32 {
+                table.crc32()
+            }
+
+            fn number(coefficient: Self::Coefficient) -> f64 {
+                coefficient.into()
+            }
+        }
+    )* };
+}
+
+baked_scalar!(f64, f32, I2F30, I2F14);
 
 /// Description of the motion of a table, for the comment of a file.
 pub struct TableTitle {
@@ -135,14 +175,16 @@ impl TableTitle {
     }
 
     /// Name and properties of the table for a comment, without characters that could end the comment.
-    fn headline(&self, data: &TableData) -> String {
+    fn headline<R: BakedScalar>(&self, table: &EphemerisView<R>) -> String {
         let printable = |c: &char| !c.is_control() && !['*', '/', '\\'].contains(c);
         let name: String = self.name.chars().filter(printable).collect();
-        let ([segments, terms], ErrorBound { constant, per_tick }) = (data.size, data.error_bound);
+        let ErrorBound { constant, per_tick } = table.error_bound();
         format!(
-            "{name}, {}: {segments} x {terms} in {}; within {constant:.1e} rad + {per_tick:.1e} rad a tick",
+            "{name}, {}: {} x {} in {}; within {constant:.1e} rad + {per_tick:.1e} rad a tick",
             self.tick,
-            data.scalar.name(),
+            table.capacity(),
+            R::TERMS,
+            R::SCALAR.name(),
         )
     }
 }

@@ -30,7 +30,7 @@ pub struct EventsArgs {
     /// Events to list, separated by commas: turning, tilt=DEGREES, tip-angle=DEGREES, circle=RADIUS, lift-off. With :up or :down
     /// after its name an event counts only where u (or the tip angle) rises or falls
     #[arg(long = "kind", value_name = "KIND,...", value_delimiter = ',', default_value = "turning", allow_hyphen_values = true, value_parser = kind)]
-    kinds: Vec<KindFilter>,
+    kinds: Vec<EventRequest>,
     /// Time of the earliest event to list, s
     #[arg(long, value_name = "T", default_value_t = 0.0, allow_hyphen_values = true, value_parser = time)]
     from: f64,
@@ -44,7 +44,7 @@ pub struct EventsArgs {
 
 /// Events on the command line.
 #[derive(Clone, PartialEq)]
-pub struct KindFilter {
+pub struct EventRequest {
     event: EventKind,
     /// Whether only upward (`true`) or only downward (`false`) events count; `None` for both.
     upward: Option<bool>,
@@ -52,7 +52,7 @@ pub struct KindFilter {
     text: String,
 }
 
-fn kind(text: &str) -> Result<KindFilter, String> {
+fn kind(text: &str) -> Result<EventRequest, String> {
     const ALLOWED: &str = "must be turning, tilt=DEGREES, tip-angle=DEGREES, circle=RADIUS or lift-off, with or without :up or :down";
     let (rest, upward) = match text.rsplit_once(':') {
         Some((rest, "up")) => (rest, Some(true)),
@@ -75,7 +75,7 @@ fn kind(text: &str) -> Result<KindFilter, String> {
         Some(("circle", Some(_))) => return Err("circle: must be above 0".to_owned()),
         _ => return Err(ALLOWED.to_owned()),
     };
-    Ok(KindFilter { event, upward, text: text.to_owned() })
+    Ok(EventRequest { event, upward, text: text.to_owned() })
 }
 
 fn time(text: &str) -> Result<f64, &'static str> {
@@ -117,7 +117,7 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     Ok(Report::from(text).with_notes(notes))
 }
 
-fn record(kind: &KindFilter, event: &FoundEvent) -> Value {
+fn record(kind: &EventRequest, event: &FoundEvent) -> Value {
     let Sample { pose, tip_angle, .. } = &event.sample;
     let sense = match (kind.event, event.upward) {
         (EventKind::Turning, true) => "upper",

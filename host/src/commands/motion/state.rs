@@ -6,12 +6,12 @@ use crate::commands::options::{Method, hertz};
 use crate::commands::warnings;
 use crate::input::scenario::Scenario;
 use crate::input::times::{Times, TimesArgs};
-use crate::motion::Scalar;
 use crate::motion::column::SampleColumn;
-use crate::motion::ephemeris::{ephemeris_of_size, smallest_ephemeris};
-use crate::motion::propagate::{furthest_time_of_closed_form, period_or_natural_time, stepped};
+use crate::motion::ephemeris::{smallest_ephemeris, smallest_table};
 use crate::motion::sample::{Sample, body_rates};
+use crate::motion::stepper::stepped;
 use crate::motion::tip_angle::TipAngle;
+use crate::motion::{MotionConstants, Scalar, period_or_natural_time};
 use crate::output::stdout;
 use crate::output::{Format, whole_file};
 use crate::parallel;
@@ -23,8 +23,8 @@ use std::path::PathBuf;
 use toytop::{Regime, Tick};
 use toytop_closed_forms::ClosedForm;
 
-/// Sample at a time, by the index of the time in the request.
-type At = dyn Fn(u64) -> Sample + Sync;
+/// Function from the index of a requested time to the sample there.
+type Sampler = dyn Fn(u64) -> Sample + Sync;
 
 /// Orientation, rates and tip at given times
 #[derive(Args)]
@@ -93,23 +93,23 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     let support = scenario.motion.top().support();
     let rows = Rows { format, columns, units: scenario.units, support };
     let count = times.seconds.len() as u64;
-    let at = source(arguments, &scenario, times, rate)?;
+    let sample = sampler(arguments, &scenario, times, rate)?;
     // from here on the input cannot cause a failure
     stdout::or_file(arguments.output.as_deref(), |out| {
         out.write_all(rows.head().as_bytes())?;
-        parallel::write_rows(count, &|index, bytes| bytes.extend(rows.row(index, &at(index)).bytes()), out)?;
+        parallel::write_rows(count, &|index, bytes| bytes.extend(rows.row(index, &sample(index)).bytes()), out)?;
         out.write_all(rows.end().as_bytes())
     })?;
     Ok(Report::default().with_notes(warnings(&[scenario])))
 }
 
 /// Function that computes samples by a method.
-fn source(
+fn sampler(
     arguments: &StateArgs,
     scenario: &Scenario,
     times: Times,
     rate: [u32; 2],
-) -> Result<Box<At>, Failure> {
+) -> Result<Box<Sampler>, Failure> {
     let motion = &scenario.motion;
     if arguments.steps_per_period.is_some() && arguments.method != Method::Stepper {
         return Err(Failure::Input("--steps-per-period: needs --method stepper".to_owned()));
@@ -136,7 +136,7 @@ fn by_ephemeris(
     scenario: &Scenario,
     times: Times,
     rate: [u32; 2],
-) -> Result<Box<At>, Failure> {
+) -> Result<Box<Sampler>, Failure> {
     let motion = &scenario.motion;
     let named = |failure: Failure| match scalar {
         Scalar::F64 => failure.with_context(&scenario.name),
@@ -145,7 +145,7 @@ fn by_ephemeris(
     if !times.ticks.is_empty() && motion.regime() != Regime::Aperiodic {
         let refused = |error| Failure::Input(format!("--hertz: {error}"));
         let tick = Tick::ratio(rate[0], rate[1]).map_err(refused)?;
-        let table = ephemeris_of_size(scalar, motion, tick, None).map_err(named)?;
+        let table = smallest_table(scalar, motion, tick).map_err(named)?;
         return Ok(Box::new(move |index| {
             let (tick, t) = (times.ticks[index as usize], times.seconds[index as usize]);
             Sample { t, ..table.at_tick(tick) }
@@ -157,11 +157,12 @@ fn by_ephemeris(
 }
 
 /// Function that computes samples by the closed form, if the motion has one.
-fn by_closed_form(scenario: &Scenario, times: Times) -> Result<Box<At>, Failure> {
+fn by_closed_form(scenario: &Scenario, times: Times) -> Result<Box<Sampler>, Failure> {
     let motion = &scenario.motion;
     let form = ClosedForm::of(motion)
         .map_err(|refusal| Failure::Method(refusal.to_string()).with_context(&scenario.name))?;
-    times.require_within(furthest_time_of_closed_form(motion), " with --method closed-form")?;
+    let furthest = MotionConstants::new(*motion).furthest_time_of_closed_form();
+    times.require_within(furthest, " with --method closed-form")?;
     let angle = TipAngle::new(motion)?;
     Ok(Box::new(move |index| {
         let t = times.seconds[index as usize];

@@ -3,7 +3,8 @@
 use crate::Failure;
 use crate::input::section::{Key, Section};
 use crate::input::units::{ACCELERATION, ANGULAR_MOMENTUM, INERTIA, LENGTH, MASS, MOMENT};
-use toytop::{ParameterError, Support, Top, TopParameters};
+use toytop::{Support, Top, TopParameters};
+use toytop_model::support::{self, SUPPORTS, named};
 
 const MAGNITUDE: &str = "a number between 1e-60 and 1e60";
 
@@ -18,33 +19,22 @@ pub static KEYS: [Key; 7] = [
     Key::optional("rotor_momentum", 0.0, "a finite number of kg m^2/s").with_units(ANGULAR_MOMENTUM),
 ];
 
-/// Top with this support.
-///
-/// # Errors
-/// The errors of [`Top::sliding`], [`Top::fixed`] and [`Top::free`].
-pub fn supported(support: Support, parameters: &TopParameters) -> Result<Top, ParameterError> {
-    match support {
-        Support::Sliding => Top::sliding(parameters),
-        Support::Fixed => Top::fixed(parameters),
-        Support::Free => Top::free(parameters),
-    }
-}
-
 /// Top, and the numbers that are given for it.
 pub fn read(section: &Section<'_>) -> Result<(Top, TopParameters), Failure> {
-    let support = section.choice("support", &["sliding", "fixed", "free"], Some("sliding"))?;
+    let name = section.choice("support", &SUPPORTS.map(|(name, _)| name), Some("sliding"))?;
+    let support = named(name).expect("one of them");
     let [transverse_inertia, axial_inertia, gravity, com_height, mass, mass_moment, rotor_momentum] =
-        section.only_numbers(Some(("support", support)), &KEYS)?;
+        section.only_numbers(Some(("support", name)), &KEYS)?;
     let inertias =
         TopParameters { transverse_inertia, axial_inertia, rotor_momentum, ..TopParameters::default() };
     let refused = |error| section.refusal(&error);
     // of a free body the other keys are allowed and have no effect
-    if support == "free" {
+    if support == Support::Free {
         return Ok((Top::free(&inertias).map_err(refused)?, inertias));
     }
     let [has_height, has_mass, has_moment] =
         ["com_height", "mass", "mass_moment"].map(|key| section.table.contains_key(key));
-    let needs_height = support == "sliding" || has_mass;
+    let needs_height = support == Support::Sliding || has_mass;
     let positive = "must be positive, between 1e-60 and 1e60";
     let fault = match (has_mass, has_moment) {
         (true, true) => Some(("mass_moment", "allowed only without mass")),
@@ -63,6 +53,5 @@ pub fn read(section: &Section<'_>) -> Result<(Top, TopParameters), Failure> {
         return Err(section.failure(key, reason));
     }
     let parameters = TopParameters { gravity, com_height, mass, mass_moment, ..inertias };
-    let support = if support == "sliding" { Support::Sliding } else { Support::Fixed };
-    Ok((supported(support, &parameters).map_err(refused)?, parameters))
+    Ok((support::top(support, &parameters).map_err(refused)?, parameters))
 }

@@ -1,20 +1,23 @@
-//! Aperiodic motion by its closed form, which has no table.
+//! Aperiodic motion as an ephemeris: its closed form takes the place of a table.
 
 use super::events::Condition;
-use super::{DynEphemeris, EventFilter, FoundEvent, TableData, unwrapped};
+use super::{DynEphemeris, EventFilter, FoundEvent, unwrapped};
+use crate::motion::column::SampleColumn;
 use crate::motion::sample::Sample;
 use std::f64::consts::TAU;
-use toytop::{ErrorBound, Motion};
-use toytop_closed_forms::Aperiodic;
+use toytop::ErrorBound;
+use toytop_model::aperiodic::AperiodicMotion;
 use toytop_model::constants::{MotionConstants, natural_time};
 
-/// Closed form of an aperiodic motion.
-pub struct AperiodicMotion {
-    form: Aperiodic,
-    ticks_per_time: f64,
-    /// Time of the lowest point, and the time on either side of it until the axis is upright to a rounding.
+/// Ephemeris of an aperiodic motion.
+pub struct AperiodicEphemeris {
+    motion: AperiodicMotion,
+    /// Time of the lowest point.
     lowest: f64,
+    /// Time on either side of it until the axis is upright to a rounding.
     upright: f64,
+    /// Mean rates of the tip angle before and after t = 0, while the axis is upright, turns per unit time.
+    tip_rates: [f64; 2],
 }
 
 /// Variable v of an axis that is upright to a rounding.
@@ -22,26 +25,26 @@ const UPRIGHT: f64 = 40.0;
 /// Number of intervals on either side of the lowest point, at most one event in each.
 const INTERVALS: i32 = 8192;
 
-impl AperiodicMotion {
-    /// Closed form of a motion; `None` if it is not aperiodic.
-    pub fn new(motion: &Motion) -> Option<Self> {
-        let form = Aperiodic::new(motion)?;
-        let mut upright = natural_time(motion);
+impl AperiodicEphemeris {
+    /// Ephemeris of a motion; `None` if it is not aperiodic.
+    pub fn new(constants: &MotionConstants) -> Option<Self> {
+        let motion = AperiodicMotion::new(constants)?;
+        let form = &motion.form;
+        let mut upright = natural_time(constants);
         while form.v(upright) < UPRIGHT || form.v(-upright) > -UPRIGHT {
             upright *= 2.0;
         }
         let lowest = root(-upright, upright, |t| form.v(t));
-        let ticks_per_time = MotionConstants::new(*motion).ticks_per_time();
-        Some(Self { form, ticks_per_time, lowest, upright: upright + lowest.abs() })
+        let upright = upright + lowest.abs();
+        let angle = |t| form.tip_angle(t).to_turns();
+        let tip_rates = [-upright, upright].map(|far| (angle(2.0 * far) - angle(far)) / far);
+        Some(Self { motion, lowest, upright, tip_rates })
     }
 
     /// Tip angle, continued in time, rad.
-    fn angle(&self, t: f64) -> f64 {
-        let angle = |t| self.form.tip_angle(t).to_turns();
-        // the angle grows at a constant rate while the axis is upright
-        let far = self.upright.copysign(t);
-        let rate = (angle(2.0 * far) - angle(far)) / far;
-        unwrapped(self.form.tip_angle(t), rate * t)
+    fn tip_angle(&self, t: f64) -> f64 {
+        let [before, after] = self.tip_rates;
+        unwrapped(self.motion.form.tip_angle(t), t * if t < 0.0 { before } else { after })
     }
 }
 
@@ -56,49 +59,51 @@ fn root(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
     }
 }
 
-impl DynEphemeris for AperiodicMotion {
+impl DynEphemeris for AperiodicEphemeris {
     fn size(&self) -> [usize; 2] {
         [0; 2]
     }
 
     fn ticks_per_time(&self) -> f64 {
-        self.ticks_per_time
+        self.motion.ticks_per_time
     }
 
-    /// Bound of the closed form, which holds up to 1e15 of the shortest times of the motion, and its growth beyond.
     fn error_bound(&self) -> ErrorBound {
-        ErrorBound { constant: self.form.error_bound(), per_tick: 2e-30 }
+        self.motion.error_bound()
     }
 
-    /// Error that the tests of the closed form allow. The angular speed is greatest at the lowest point.
+    /// Error that the tests of the closed form allow, which is not derived. The angular speed is greatest at the lowest point.
     fn rate_error_bound(&self) -> ErrorBound {
         const ERROR: f64 = 5e-14;
-        let [x, y, z] = self.form.at(self.lowest).omega_body();
+        let [x, y, z] = self.motion.form.at(self.lowest).omega_body();
         let speed = x.hypot(y).hypot(z);
         let constant = (1.0 + speed) * ERROR;
-        ErrorBound { constant, per_tick: constant * speed / self.ticks_per_time }
+        ErrorBound { constant, per_tick: constant * speed / self.ticks_per_time() }
     }
 
     fn at(&self, t: f64) -> Sample {
+        let (state, tip) = self.motion.at(t);
         Sample {
-            error_bound: Some(self.error_bound().after(t * self.ticks_per_time)),
-            ..Sample::from_state(t, &self.form.at(t), self.form.tip(t), Some(self.angle(t)))
+            error_bound: Some(self.error_bound().after(t * self.ticks_per_time())),
+            ..Sample::from_state(t, &state, tip, Some(self.tip_angle(t)))
         }
     }
 
     fn at_tick(&self, n: i64) -> Sample {
-        self.at(n as f64 / self.ticks_per_time)
+        self.at(n as f64 / self.ticks_per_time())
+    }
+
+    fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
+        column.fill(times.iter().map(|t| self.at(*t)), rows);
     }
 
     /// Events while the axis is not upright to a rounding: places at which the integer part of a function of time changes.
     fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent> {
         let value = |t: f64| match condition {
-            Condition::Turning => self.form.v(t).clamp(-0.5, 0.5),
-            Condition::Crossing(level) if level.u() < 1.0 => {
-                0.25 * (self.form.at(t).orientation.u() - level.u())
-            }
+            Condition::Turning => self.motion.form.v(t).clamp(-0.5, 0.5),
+            Condition::Crossing(level) if level.u() < 1.0 => 0.25 * (self.motion.form.at(t).orientation.u() - level.u()),
             Condition::Crossing(_) => 0.5,
-            Condition::TipAngle(angle) => (self.angle(t) - angle.to_radians()) / TAU,
+            Condition::TipAngle(angle) => (self.tip_angle(t) - angle.to_radians()) / TAU,
         };
         let mut found = Vec::new();
         let [mut time, mut before] = [f64::NAN; 2];
@@ -119,9 +124,5 @@ impl DynEphemeris for AperiodicMotion {
         }
         found.truncate(filter.count);
         found
-    }
-
-    fn data(&self) -> Option<TableData> {
-        None
     }
 }

@@ -4,21 +4,23 @@
 //! Numbers are decimal, because C++ has hexadecimal ones only since C++17, with enough digits to determine every number (9 in single, 17
 //! in double precision). The value of the include guard of a table is its checksum, so that another table of the same name is an error.
 
-use super::TableTitle;
+use super::{BakedScalar, TableTitle};
 use crate::motion::Scalar;
-use crate::motion::ephemeris::TableData;
+use toytop::scalar::Float;
 use toytop::scalar::sine::{COSINE, CUBIC, LINEAR, SECANT, SINE, SINES, VERSINE};
-use toytop::{Clock, ErrorBound};
+use toytop::{Baked, EphemerisView, ErrorBound};
+
+/// Version of the format.
+const FORMAT: u32 = Baked::<f32, 16>::FORMAT;
 
 /// Text of a header: a comment, the include guard, size and error bounds as macros, the code and the table. If one file includes several
 /// headers, the code that they share is compiled once.
-pub fn header(title: &TableTitle, data: &TableData) -> String {
+pub fn header<R: BakedScalar>(title: &TableTitle, table: &EphemerisView<R>) -> String {
     let name = title.c_name();
-    let (scalar, upper) = (data.scalar.name(), name.to_uppercase());
-    let bounds = [data.error_bound, data.rate_error_bound];
+    let (scalar, upper) = (R::SCALAR.name(), name.to_uppercase());
+    let bounds = [table.error_bound(), table.rate_error_bound()];
     let [[error, error_growth], [rate, rate_growth]] =
         bounds.map(|ErrorBound { constant, per_tick }| [constant, per_tick].map(decimal));
-    let [segments, _] = data.size;
     format!(
         "/* {headline}
  *
@@ -43,23 +45,29 @@ pub fn header(title: &TableTitle, data: &TableData) -> String {
 {code}
 {table}#endif
 ",
-        code = code(data.scalar),
-        table = table(title, data),
-        headline = title.headline(data),
-        crc32 = data.crc32,
-        ticks = decimal(data.clock.ticks_per_time[0]),
-        bytes = data.table_bytes(),
+        code = code(R::SCALAR),
+        table = definition(title, table),
+        headline = title.headline(table),
+        crc32 = R::crc32(table),
+        ticks = decimal(table.clock().ticks_per_time[0]),
+        segments = table.capacity(),
+        bytes = size_of_val(table.segments()),
     )
 }
 
 /// Definition of a table.
-fn table(title: &TableTitle, data: &TableData) -> String {
-    let (name, scalar) = (title.c_name(), data.scalar.name());
-    // scale of the tip, the rates of x and of λ_α + λ_β, and the axial angular velocity
-    let Clock { twice_tip_scale, x_rate, slow_sum_rate, axial_rate, .. } = data.clock;
-    let number = |x: f64| if data.scalar == Scalar::F64 { decimal(x) } else { integer(x as i32) };
-    let row = |row: &[f64; 4]| format!("    {{{}}},\n", row.map(number).join(", "));
-    let rows: String = data.coefficients.iter().map(row).collect();
+fn definition<R: BakedScalar>(title: &TableTitle, table: &EphemerisView<R>) -> String {
+    let (name, scalar) = (title.c_name(), R::SCALAR.name());
+    let is_f64 = R::SCALAR == Scalar::F64;
+    let number = |x: R::Coefficient| {
+        let x = R::number(x);
+        if is_f64 { decimal(x) } else { integer(x as i32) }
+    };
+    let rows = table.segments().iter().flat_map(|segment| segment.as_ref());
+    let rows: Vec<_> = rows.map(|row| format!("    {{{}}},\n", row.map(number).join(", "))).collect();
+    let clock = table.clock();
+    let scales =
+        [clock.twice_tip_scale, clock.x_rate, clock.slow_sum_rate, clock.axial_rate].map(Float::to_f64);
     format!(
         "static const {coefficient} {name}_coefficients[{count}][4] = {{
 {rows}}};
@@ -71,25 +79,23 @@ static const toytop_{scalar} {name} = {{
     {name}_coefficients,
 }};
 ",
-        coefficient = types(data.scalar)[1],
-        count = data.coefficients.len(),
-        clock = clock(data),
-        scales = [twice_tip_scale, x_rate, slow_sum_rate, axial_rate]
-            .map(|x| if data.scalar == Scalar::F64 { decimal(x) } else { format!("{:.8e}f", x as f32) })
-            .join(", "),
+        coefficient = types(R::SCALAR)[1],
+        count = rows.len(),
+        rows = rows.concat(),
+        clock = initialisers(table),
+        scales = scales.map(|x| if is_f64 { decimal(x) } else { format!("{:.8e}f", x as f32) }).join(", "),
     )
 }
 
 /// Initialisers of a `toytop_clock`.
-fn clock(data: &TableData) -> String {
-    let [segments, terms] = data.size;
+fn initialisers<R: BakedScalar>(table: &EphemerisView<R>) -> String {
     let wide = |bits: u64| format!("{bits:#x}u");
     let phase = |[low, middle, upper]: [u32; 3]| {
         format!("{{{:#x}u, {low:#x}u}}", u64::from(upper) << 32 | u64::from(middle))
     };
-    let clock = &data.clock;
+    let clock = table.clock();
     let bound = |ErrorBound { constant, per_tick }: ErrorBound| [constant, per_tick];
-    let bounds = [data.error_bound, data.rate_error_bound].map(bound);
+    let bounds = [table.error_bound(), table.rate_error_bound()].map(bound);
     let doubles = [clock.exact_step.as_flattened(), &clock.ticks_per_time, bounds.as_flattened()].concat();
     let numbers: Vec<_> = doubles.into_iter().map(|x| wide(x.to_bits())).collect();
     let words = |words: [u32; 4]| words.map(|word| format!("{word:#x}u")).join(", ");
@@ -100,13 +106,13 @@ fn clock(data: &TableData) -> String {
         clock.has_turning_points.into(),
     ];
     let lines = [
-        format!("{}u, {:#x}u, {segments}u, {terms}u", data.format, data.crc32),
+        format!("{FORMAT}u, {:#x}u, {}u, {}u", R::crc32(table), table.capacity(), R::TERMS),
         format!("{{{}}}, {}", clock.first_phases.map(wide).join(", "), wide(clock.epoch as u64)),
         format!("{{{}}}", clock.step.map(phase).join(", ")),
         format!("{{{}}}", numbers.join(", ")),
         format!("{{{}}}, {{{}}}", words(clock.tip_start), words(clock.tip_step)),
         format!("{{{}}}", flags.map(|flag| flag.to_string()).join(", ")),
-        format!("{{{}}}", data.cells.map(|cell| cell.to_string()).join(", ")),
+        format!("{{{}}}", table.cells().map(|cell| cell.to_string()).join(", ")),
     ];
     lines.iter().map(|line| format!("        {line},\n")).collect()
 }
@@ -135,8 +141,8 @@ fn code(scalar: Scalar) -> String {
     let clock = ("clock", include_str!("c/clock.h").to_owned());
     let mut text = "#ifndef TOYTOP_API\n#define TOYTOP_API static inline\n#endif\n".to_owned();
     for (name, code) in std::iter::once(clock).chain(needed.iter().map(evaluator)) {
-        let (guard, format) = (name.to_uppercase(), toytop::Baked::<f32, 16>::FORMAT);
-        text += &format!("#ifndef TOYTOP_{guard}\n#define TOYTOP_{guard} {format}\n{code}#endif\n");
+        let guard = name.to_uppercase();
+        text += &format!("#ifndef TOYTOP_{guard}\n#define TOYTOP_{guard} {FORMAT}\n{code}#endif\n");
     }
     text
 }

@@ -1,31 +1,25 @@
 //! Rust module with one `static`, which does not compile if one of its bits was changed.
 
-use super::TableTitle;
+use super::{BakedScalar, TableTitle};
 use crate::motion::Scalar;
-use crate::motion::ephemeris::TableData;
-use toytop::{Clock, ErrorBound};
+use toytop::{Baked, EphemerisView};
+
+/// Lines with fields of a struct, as Rust writes them.
+macro_rules! fields {
+    ($from:expr; $($name:ident),*) => {
+        [$(format!("        {}: {:?},\n", stringify!($name), $from.$name)),*].concat()
+    };
+}
 
 /// Text of the module. Numbers are printed by Rust, which reads back the same bits.
-pub fn module(title: &TableTitle, data: &TableData) -> String {
+pub fn module<R: BakedScalar>(title: &TableTitle, table: &EphemerisView<R>) -> String {
     let name = title.identifier().to_uppercase();
-    let [segments, _] = data.size;
-    let scalar = match data.scalar {
+    let scalar = match R::SCALAR {
         Scalar::Q31 => "toytop::fixed::types::I2F30",
         Scalar::Q15 => "toytop::fixed::types::I2F14",
         float => float.name(),
     };
-    let size = format!("<{scalar}, {segments}>");
-    let scale = |x: f64| match data.scalar {
-        Scalar::F64 => format!("{x:?}"),
-        // the shortest decimal that is read as this f32
-        _ => format!("{:?}", x as f32),
-    };
-    let Clock { step, tip_start_quarter_turns, tip_sign_changes, tip_exists, .. } = &data.clock;
-    let Clock { has_turning_points, first_phases, exact_step, ticks_per_time, .. } = &data.clock;
-    let Clock { tip_start, tip_step, epoch, .. } = &data.clock;
-    let bound = |ErrorBound { constant, per_tick }: ErrorBound| {
-        format!("toytop::ErrorBound {{ constant: {constant:?}, per_tick: {per_tick:?} }}")
-    };
+    let size = format!("<{scalar}, {}>", table.capacity());
     format!(
         "// Written by `toytop bake`; a changed number does not compile.
 
@@ -38,24 +32,9 @@ pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
     format: {format},
     crc32: {crc32:#010x},
     clock: toytop::Clock {{
-        step: {step:?},
-        tip_start_quarter_turns: {tip_start_quarter_turns},
-        tip_sign_changes: {tip_sign_changes},
-        tip_exists: {tip_exists},
-        has_turning_points: {has_turning_points},
-        twice_tip_scale: {twice_tip_scale},
-        x_rate: {x_rate},
-        slow_sum_rate: {slow_sum_rate},
-        axial_rate: {axial_rate},
-        first_phases: {first_phases:?},
-        exact_step: {exact_step:?},
-        ticks_per_time: {ticks_per_time:?},
-        tip_start: {tip_start:?},
-        tip_step: {tip_step:?},
-        epoch: {epoch},
-    }},
-    error_bound: {error_bound},
-    rate_error_bound: {rate_error_bound},
+{clock}    }},
+    error_bound: toytop::{error_bound:?},
+    rate_error_bound: toytop::{rate_error_bound:?},
     cells: {cells:?},
     segments: [
 {segments}    ],
@@ -68,27 +47,23 @@ pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
     Err(_) => panic!(\"a number is out of range\"),
 }};
 ",
-        headline = title.headline(data),
-        format = data.format,
-        crc32 = data.crc32,
-        twice_tip_scale = scale(data.clock.twice_tip_scale),
-        x_rate = scale(data.clock.x_rate),
-        slow_sum_rate = scale(data.clock.slow_sum_rate),
-        axial_rate = scale(data.clock.axial_rate),
-        error_bound = bound(data.error_bound),
-        rate_error_bound = bound(data.rate_error_bound),
-        cells = data.cells,
-        segments = rows(data),
+        headline = title.headline(table),
+        format = Baked::<R, 16>::FORMAT,
+        crc32 = R::crc32(table),
+        clock = fields!(
+            table.clock();
+            step, tip_start_quarter_turns, tip_sign_changes, tip_exists, has_turning_points, twice_tip_scale, x_rate,
+            slow_sum_rate, axial_rate, first_phases, exact_step, ticks_per_time, tip_start, tip_step, epoch
+        ),
+        error_bound = table.error_bound(),
+        rate_error_bound = table.rate_error_bound(),
+        cells = table.cells(),
+        segments = table.segments().iter().map(|segment| rows::<R>(segment.as_ref())).collect::<String>(),
     )
 }
 
-/// Coefficients with one row in each line, and brackets around each segment.
-fn rows(data: &TableData) -> String {
-    let line = |row: &[f64; 4]| match data.scalar {
-        Scalar::F64 => format!("            {row:?},\n"),
-        _ => format!("            {:?},\n", row.map(|x| x as i32)),
-    };
-    let segment =
-        |rows: &[_]| format!("        [\n{}        ],\n", rows.iter().map(line).collect::<String>());
-    data.coefficients.chunks(data.size[1]).map(segment).collect()
+/// Coefficients of a segment in brackets, with one row in each line.
+fn rows<R: BakedScalar>(segment: &[[R::Coefficient; 4]]) -> String {
+    let lines: String = segment.iter().map(|row| format!("            {row:?},\n")).collect();
+    format!("        [\n{lines}        ],\n")
 }

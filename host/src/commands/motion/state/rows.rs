@@ -25,7 +25,7 @@ impl Rows {
     pub fn head(&self) -> String {
         match self.format {
             Format::Csv => {
-                csv_line(self.columns.iter().flat_map(|column| column.names().1).map(|name| (*name).into()))
+                csv_line(self.columns.iter().flat_map(|column| column.names()).map(|name| (*name).into()))
             }
             Format::Json => "{\"samples\":[".to_owned(),
             Format::Table => String::new(),
@@ -37,7 +37,7 @@ impl Rows {
         let entry = |column: &SampleColumn| {
             let numbers = column.numbers_of(sample);
             let value: Value = if let [x] = numbers[..] { x.into() } else { numbers.into() };
-            (column.names().0, value)
+            (column.key(), value)
         };
         let between = |text: &str| if index == 0 { String::new() } else { text.to_owned() };
         match self.format {
@@ -78,7 +78,7 @@ impl Rows {
                 SampleColumn::ErrorBound => 2,
                 _ => 8,
             };
-            let (name, unit) = (column.names().0, self.unit(*column));
+            let (name, unit) = (column.key(), self.unit(*column));
             let numbers = column.numbers_of(sample).into_iter().filter(|x| !x.is_nan());
             let texts = [name.to_owned(), unit.to_owned()];
             texts.into_iter().chain(numbers.map(|x| short(x, digits))).collect()

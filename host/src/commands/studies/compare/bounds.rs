@@ -1,8 +1,7 @@
 //! Bounds on the errors of the core, and the time over which it is compared.
 
 use crate::commands::options::Method;
-use crate::motion::Scalar;
-use crate::motion::propagate::period_or_natural_time;
+use crate::motion::{Scalar, period_or_natural_time};
 use toytop::{Motion, Regime};
 
 /// Tighter bounds of the built-in motions near the separatrix over ten periods, rad: of the full solver, and of the stepper in f32.

@@ -59,7 +59,7 @@ impl SweepColumn {
             Self::Constant(Constant { name, .. }) => vec![(*name).to_owned()],
             Self::Ephemeris((name, _)) => vec![name.to_owned()],
             Self::Sample(column) => {
-                let at = |time| column.names().1.iter().map(move |part| format!("{part}_{time}"));
+                let at = |time| column.names().iter().map(move |part| format!("{part}_{time}"));
                 (1..=times).flat_map(at).collect()
             }
         }
@@ -72,7 +72,7 @@ impl SweepColumn {
             Self::Ephemeris((_, value)) => vec![value(motion).into()],
             Self::Sample(column) => {
                 // a number that is not finite is an absent value
-                let mut numbers = vec![f64::NAN; column.names().1.len() * motion.times.len()];
+                let mut numbers = vec![f64::NAN; column.names().len() * motion.times.len()];
                 if let Some(ephemeris) = motion.f64_ephemeris() {
                     ephemeris.fill(column, &motion.times, &mut numbers);
                 }
@@ -118,7 +118,7 @@ impl RowMotion {
 
     fn error_f32(&self) -> Option<f64> {
         let (single, double) = (self.f32_ephemeris()?, self.f64_ephemeris()?);
-        let error = |&t: &f64| single.pose(t).orientation.distance(&double.pose(t).orientation);
+        let error = |&t: &f64| single.at(t).pose.orientation.distance(&double.at(t).pose.orientation);
         Some(self.times.iter().map(error).fold(0.0, greater))
     }
 }

@@ -44,9 +44,9 @@ const results = [];
 for (const t of TIMES) {
   location.hash = `t=${t}`;
   await settled();
-  const { moment, rotate } = shown;
+  const { pose, rotate } = shown;
   const columns = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(rotate);
-  results.push({ t: state.t, ...moment, columns, facts: facts(), colours: colours() });
+  results.push({ t: state.t, ...pose, columns, facts: facts(), colours: colours() });
 }
 return results;
 ";

@@ -33,7 +33,7 @@ await set('speed', '3', 'input');
 facts['the slider sets the speed'] = Math.abs(state.speed - 8 * scene.speed) < 1e-12;
 await set('time', '1e6', 'change');
 facts['the field takes any time'] = state.t === 1e6 && shown.t === 1e6;
-facts['the slider follows'] = Number(element('position').value) <= 1 && state.page === Math.floor(1e6 / scene.span);
+facts['the slider follows'] = Number(element('position').value) <= 1 && state.intervalNumber === Math.floor(1e6 / scene.span);
 await set('time', 'abc', 'change');
 facts['what is no time changes nothing and is answered'] = state.t === 1e6 && message().includes('no number');
 await set('time', '5e8', 'change');
@@ -108,11 +108,11 @@ element('sliding').click();
 await settled();
 const same = (key) => Math.abs((state.scenario.top[key] ?? 9.80665) / (heavy[key] ?? 9.80665) - 1) < 1e-12;
 facts['what was thrown is put down as it was'] = ['mass', 'com_height', 'transverse_inertia', 'axial_inertia', 'gravity'].every(same) && element('momentum-legend').hidden;
-element('ghost').click();
+element('comparison').click();
 await settled();
-facts['there is no ghost before it is asked for'] = shown.frame.ghost !== null && element('ghost-error').textContent.startsWith('The ghost is');
-await set('ghost-step', '0', 'change');
-facts['a step of 0 is no ghost'] = shown.frame.ghost === null;
+facts['there is no comparison top before it is asked for'] = shown.frame.comparison !== null && element('comparison-error').textContent.startsWith('The comparison top is');
+await set('comparison-step', '0', 'change');
+facts['a step of 0 is no comparison top'] = shown.frame.comparison === null;
 const classes = {};
 for (const option of [...element('presets').options]) {
   await set('presets', option.value, 'change');
@@ -179,19 +179,19 @@ for (const control of CONTROLS.filter(({ row }) => !row.hidden)) {
     await set(control.key, value, 'input');
     state.t = 7.25;
     show();
-    const { moment } = shown;
-    results.push({ key: control.key, ...moment, toml: toToml(state.scenario, state.name) });
+    const { pose } = shown;
+    results.push({ key: control.key, ...pose, toml: toToml(state.scenario, state.name) });
   }
 }
 await set('speed', '-2', 'input');
-element('ghost').click();
+element('comparison').click();
 await settled();
-return { results, fragment: location.hash, speed: state.speed, ghost: shown.frame.ghost.axis };
+return { results, fragment: location.hash, speed: state.speed, comparison: shown.frame.comparison.axis };
 ";
 
 const RESTORED: &str = "
-const { moment } = shown;
-return { ...moment, t: state.t, playing: clock.playing, fragment: addressed(), speed: state.speed, ghost: shown.frame.ghost.axis };
+const { pose } = shown;
+return { ...pose, t: state.t, playing: clock.playing, fragment: addressFragment(), speed: state.speed, comparison: shown.frame.comparison.axis };
 ";
 
 /// The scenario file and the address have the numbers that the sliders set, and the core computes that motion to the bit.
@@ -219,11 +219,11 @@ fn sliders_files_and_addresses_say_one_motion() {
                 Scenario::parse("page.toml", toml).unwrap_or_else(|error| panic!("{error}: {toml}")).motion;
             assert_core(shown, &core_of(&motion), 7.25);
         }
-        let last = results.last().expect("a moment");
+        let last = results.last().expect("a pose");
         let restored = probe(&page, RESTORED, 1200, moved["fragment"].as_str().expect("a fragment"));
         assert_eq!((&restored["t"], &restored["playing"]), (&Value::from(7.25), &Value::from(false)));
         for (key, expected) in
-            [("alpha", last), ("beta", last), ("tip", last), ("fragment", &moved), ("ghost", &moved)]
+            [("alpha", last), ("beta", last), ("tip", last), ("fragment", &moved), ("comparison", &moved)]
         {
             assert_eq!(restored[key], expected[key], "{key}");
         }

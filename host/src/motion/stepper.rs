@@ -7,14 +7,6 @@ use crate::output::progress::Progress;
 use toytop::scalar::Real;
 use toytop::{Motion, Phase, Stepper};
 
-pub use toytop_model::constants::{natural_time, period_or_natural_time};
-
-/// Greatest distance from t = 0 at which a closed form is evaluated, s. Where e₃ = e₄ holds up to rounding, its error grows by up to 5e-14 rad
-/// in a period.
-pub fn furthest_time_of_closed_form(motion: &Motion) -> f64 {
-    1e12 * period_or_natural_time(motion)
-}
-
 /// Greatest number of steps that is computed.
 const MOST_STEPS: f64 = 1e10;
 
@@ -140,6 +132,7 @@ impl<R: Real> TimedStepper<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::motion::period_or_natural_time;
     use toytop::{InitialAngles, Signs, Top, TopParameters};
 
     fn motion() -> Motion {

@@ -1,0 +1,189 @@
+//! Choice among the capacities that a table may have.
+
+use super::aperiodic::AperiodicEphemeris;
+use super::{DynEphemeris, HeapTable, TableScalar};
+use crate::Failure;
+use crate::motion::Scalar;
+use fixed::types::{I2F14, I2F30};
+use toytop::{
+    Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Regime, SetUp, SetUpError, Tick,
+};
+use toytop_model::constants::MotionConstants;
+
+/// Capacities among which the smallest is chosen, in ascending order.
+const CAPACITIES: [u32; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, MAX_CAPACITY];
+
+const MAX_CAPACITY: u32 = 4096;
+
+/// Smallest table whose truncation error is within the rounding of the scalar, or the closed form of an aperiodic motion.
+///
+/// # Errors
+/// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
+pub fn smallest_ephemeris(scalar: Scalar, motion: &Motion) -> Result<Box<dyn DynEphemeris>, Failure> {
+    match scalar {
+        Scalar::F64 => ephemeris_with_truncation(motion, f64::TRUNCATION),
+        _ if motion.regime() == Regime::Aperiodic => {
+            Err(Failure::Method("an aperiodic motion has a closed form in f64, and no table".into()))
+        }
+        _ => smallest_table(scalar, motion, MotionConstants::new(*motion).tick()),
+    }
+}
+
+/// Smallest table in `f64` with a truncation error of at most `truncation`, rad, or the closed form of an aperiodic motion.
+///
+/// # Errors
+/// [`Failure::Method`]: no table is large enough.
+pub fn ephemeris_with_truncation(motion: &Motion, truncation: f64) -> Result<Box<dyn DynEphemeris>, Failure> {
+    let constants = MotionConstants::new(*motion);
+    Ok(match AperiodicEphemeris::new(&constants) {
+        Some(closed_form) => Box::new(closed_form),
+        None => Box::new(HeapTable::<f64>::smallest(&CAPACITIES, motion, constants.tick(), truncation)?),
+    })
+}
+
+/// Smallest table, with ticks of this length, whose truncation error is within the rounding of the scalar.
+///
+/// # Errors
+/// [`Failure::Method`]: no table is large enough.
+pub fn smallest_table(scalar: Scalar, motion: &Motion, tick: Tick) -> Result<Box<dyn DynEphemeris>, Failure> {
+    fn boxed<R: TableScalar>(motion: &Motion, tick: Tick) -> Result<Box<dyn DynEphemeris>, Failure> {
+        Ok(Box::new(HeapTable::<R>::smallest(&CAPACITIES, motion, tick, R::TRUNCATION)?))
+    }
+    match scalar {
+        Scalar::F64 => boxed::<f64>(motion, tick),
+        Scalar::F32 => boxed::<f32>(motion, tick),
+        Scalar::Q31 => boxed::<I2F30>(motion, tick),
+        Scalar::Q15 => boxed::<I2F14>(motion, tick),
+    }
+}
+
+/// Segments of the crate's own type of a scalar, which fits most motions.
+fn default_capacity(scalar: Scalar) -> u32 {
+    match scalar {
+        Scalar::F64 => 48,
+        Scalar::F32 => 25,
+        Scalar::Q31 => 32,
+        Scalar::Q15 => 16,
+    }
+}
+
+/// Capacities that a user may choose for a scalar, in ascending order.
+fn capacities_of(scalar: Scalar) -> Vec<u32> {
+    let mut capacities = [&CAPACITIES[..], &[default_capacity(scalar)]].concat();
+    capacities.sort_unstable();
+    capacities.dedup();
+    capacities
+}
+
+impl<R: TableScalar> HeapTable<R> {
+    /// Table of a motion whose truncation error is within the rounding of the scalar.
+    ///
+    /// * `segments`: capacity; without it, the default or the next one that is enough
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: no table has this many segments. [`Failure::Method`]: they are too few; the message states a sufficient capacity.
+    pub fn with_capacity(motion: &Motion, tick: Tick, segments: Option<u32>) -> Result<Self, Failure> {
+        let mut capacities = capacities_of(R::SCALAR);
+        match segments {
+            None => capacities.retain(|capacity| *capacity >= default_capacity(R::SCALAR)),
+            Some(segments) if capacities.contains(&segments) => capacities = vec![segments],
+            Some(segments) => {
+                let names: Vec<_> = capacities.iter().map(u32::to_string).collect();
+                let names = names.join(", ");
+                return Err(Failure::Input(format!("--segments: {segments}: must be one of {names}")));
+            }
+        }
+        Self::smallest(&capacities, motion, tick, R::TRUNCATION)
+    }
+
+    /// Table with the first of these capacities that is enough.
+    fn smallest(capacities: &[u32], motion: &Motion, tick: Tick, truncation: f64) -> Result<Self, Failure> {
+        let needed = EphemerisView::<R>::segments_needed(motion, truncation).unwrap_or(u32::MAX);
+        let first_of = |capacities: &[u32]| capacities.iter().copied().find(|capacity| *capacity >= needed);
+        let largest = capacities.last().copied().unwrap_or(MAX_CAPACITY);
+        let mut memory = memory::<R>(first_of(capacities).unwrap_or(largest));
+        match memory.set_up(&mut SetUp::with_truncation(truncation), motion, tick, 0, &mut || {}) {
+            Ok(_) => Ok(Self(memory)),
+            Err(error @ SetUpError::TooSmall { .. }) => {
+                let tried = match capacities {
+                    [segments] => format!("{segments} segments"),
+                    _ => format!("{MAX_CAPACITY}x{} segments, the most", R::TERMS),
+                };
+                let sufficient = match first_of(&capacities_of(R::SCALAR)) {
+                    Some(capacity) => format!("at least --segments {capacity}"),
+                    None => format!("not even {MAX_CAPACITY} segments of this degree"),
+                };
+                Err(Failure::Method(format!(
+                    "no ephemeris of {tried}: {error}; {sufficient} would be enough"
+                )))
+            }
+            Err(error) => Err(Failure::Method(format!("no ephemeris: {error}"))),
+        }
+    }
+}
+
+/// Memory of a table of this many segments, one of the [capacities](capacities_of).
+fn memory<R: TableScalar>(segments: u32) -> Box<EphemerisMemory<EphemerisView<R>>> {
+    fn boxed<R: TableScalar, const N: usize>() -> Box<EphemerisMemory<EphemerisView<R>>> {
+        Box::new(EphemerisMemory::<Ephemeris<R, N>>::new())
+    }
+    match segments {
+        8 => boxed::<R, 8>(),
+        16 => boxed::<R, 16>(),
+        25 => boxed::<R, 25>(),
+        32 => boxed::<R, 32>(),
+        48 => boxed::<R, 48>(),
+        64 => boxed::<R, 64>(),
+        128 => boxed::<R, 128>(),
+        256 => boxed::<R, 256>(),
+        512 => boxed::<R, 512>(),
+        1024 => boxed::<R, 1024>(),
+        2048 => boxed::<R, 2048>(),
+        _ => boxed::<R, 4096>(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::ephemeris::tests::motion;
+
+    /// Sizes that are chosen. Every smaller size is refused, and the motions of the test need every size.
+    fn sizes_chosen<R: TableScalar>(motions: &[Motion]) -> Vec<usize> {
+        let chosen = |motion: &Motion| {
+            let table = smallest_ephemeris(R::SCALAR, motion).unwrap();
+            let tick = MotionConstants::new(*motion).tick();
+            for segments in CAPACITIES.into_iter().filter(|&segments| (segments as usize) < table.size()[0]) {
+                let refused = HeapTable::<R>::with_capacity(motion, tick, Some(segments)).is_err();
+                assert!(refused, "{segments} segments would do");
+            }
+            table.size()[0]
+        };
+        let mut sizes: Vec<_> = motions.iter().map(chosen).collect();
+        sizes.sort_unstable();
+        sizes.dedup();
+        sizes
+    }
+
+    #[test]
+    fn the_smallest_that_fits() {
+        let mut motions = vec![motion(1.0, [0.5, 0.5, 2.0])];
+        for exponent in 0..13 {
+            let small = 2_f64.powi(-exponent);
+            motions.push(motion(1.0, [-0.5, 1.0 - 0.2 * small, 1.0 + 0.2 * small * small]));
+            motions.push(motion(small, [-0.99, 0.999, 1.02]));
+        }
+        assert_eq!(sizes_chosen::<f64>(&motions).first(), Some(&8));
+        assert!(sizes_chosen::<f32>(&motions).len() > 4);
+    }
+
+    #[test]
+    fn an_aperiodic_motion_has_a_closed_form_in_f64_alone() {
+        let motion = motion(1.0, [0.2, 1.0, 1.0]);
+        assert_eq!(smallest_ephemeris(Scalar::F64, &motion).unwrap().size()[0], 0);
+        for scalar in [Scalar::F32, Scalar::Q31, Scalar::Q15] {
+            let refusal = smallest_ephemeris(scalar, &motion).err().unwrap().to_string();
+            assert_eq!(refusal, "an aperiodic motion has a closed form in f64, and no table");
+        }
+    }
+}
