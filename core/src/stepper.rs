@@ -151,7 +151,7 @@ impl<R: Real> Stepper<R> {
         // φ' = (l+n)/(4A |α|²) + (l-n)/(4A |β|²), without a term whose parameter is 0
         let (Orientation { alpha, beta }, [plus, minus]) = (self.orientation(), self.momentum_rates);
         let term = |momentum_rate: R, z: Complex<R>| {
-            let square = z.cast::<f64>().norm_squared();
+            let square = z.map(Float::to_f64).norm_squared();
             if square > 0.0 { momentum_rate.to_f64() / square } else { 0.0 }
         };
         let greatest = R::GREATEST.to_f64();

@@ -101,7 +101,9 @@ impl DynEphemeris for AperiodicEphemeris {
     fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent> {
         let value = |t: f64| match condition {
             Condition::Turning => self.motion.form.v(t).clamp(-0.5, 0.5),
-            Condition::Crossing(level) if level.u() < 1.0 => 0.25 * (self.motion.form.at(t).orientation.u() - level.u()),
+            Condition::Crossing(level) if level.u() < 1.0 => {
+                0.25 * (self.motion.form.at(t).orientation.u() - level.u())
+            }
             Condition::Crossing(_) => 0.5,
             Condition::TipAngle(angle) => (self.tip_angle(t) - angle.to_radians()) / TAU,
         };

@@ -6,7 +6,7 @@ use crate::Failure;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
 use toytop::{
-    Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Regime, SetUp, SetUpError, Tick,
+    Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Regime, SetUpError, Tick, Workspace,
 };
 use toytop_model::constants::MotionConstants;
 
@@ -102,7 +102,7 @@ impl<R: TableScalar> HeapTable<R> {
         let first_of = |capacities: &[u32]| capacities.iter().copied().find(|capacity| *capacity >= needed);
         let largest = capacities.last().copied().unwrap_or(MAX_CAPACITY);
         let mut memory = memory::<R>(first_of(capacities).unwrap_or(largest));
-        match memory.set_up(&mut SetUp::with_truncation(truncation), motion, tick, 0, &mut || {}) {
+        match memory.set_up(&mut Workspace::with_truncation(truncation), motion, tick, 0, &mut || {}) {
             Ok(_) => Ok(Self(memory)),
             Err(error @ SetUpError::TooSmall { .. }) => {
                 let tried = match capacities {
