@@ -111,8 +111,8 @@ pub fn read(
 }
 
 fn parse(text: &str, sensors: &mut Sensors, all: bool) -> Result<(Vec<Measurement>, Vec<String>), String> {
-    let in_header = |reason: String| format!("line 1: {reason}");
-    let (header, rows) = rows::parse(text).map_err(in_header)?;
+    let (line, header, rows) = rows::parse(text)?;
+    let in_header = |reason: String| format!("line {line}: {reason}");
     let place = |name: &str| header.iter().position(|column| column == name);
     let time = place("t").ok_or_else(|| in_header("must have a column t".to_owned()))?;
     sensors.keep_present(|name| place(name).is_some(), all).map_err(in_header)?;

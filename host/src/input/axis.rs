@@ -18,7 +18,7 @@ pub enum Axis {
         /// Whether values are spread evenly in the logarithm.
         log: bool,
         /// Number of values, both ends included; `None` for a continuous range.
-        places: Option<u32>,
+        count: Option<u32>,
     },
 }
 
@@ -27,24 +27,24 @@ impl Axis {
     ///
     /// # Errors
     /// Condition that the numbers do not meet.
-    pub fn range(low: f64, high: f64, log: bool, places: Option<u32>) -> Result<Self, &'static str> {
+    pub fn range(low: f64, high: f64, log: bool, count: Option<u32>) -> Result<Self, &'static str> {
         if low >= high {
             return Err("LOW must be below HIGH");
         }
         if log && low <= 0.0 {
             return Err("LOW must be above 0 with log:");
         }
-        if places.is_some_and(|places| places < 2) {
-            return Err("PLACES must be a whole number from 2 to 4294967295");
+        if count.is_some_and(|count| count < 2) {
+            return Err("COUNT must be a whole number from 2 to 4294967295");
         }
-        Ok(Self::Range { low, high, log, places })
+        Ok(Self::Range { low, high, log, count })
     }
 
     /// Number of values; `None` for a continuous range.
     pub fn count(&self) -> Option<u64> {
         match self {
             Self::List(numbers) => Some(numbers.len() as u64),
-            Self::Range { places, .. } => places.map(u64::from),
+            Self::Range { count, .. } => count.map(u64::from),
         }
     }
 
@@ -103,7 +103,7 @@ pub fn ends(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
 }
 
 const FORMS: &str =
-    "must be a number, X,Y,... or LOW..HIGH or LOW..HIGH/PLACES (log:LOW..HIGH: even in the logarithm)";
+    "must be a number, X,Y,... or LOW..HIGH or LOW..HIGH/COUNT (log:LOW..HIGH: even in the logarithm)";
 
 impl FromStr for Axis {
     type Err = &'static str;
@@ -114,10 +114,10 @@ impl FromStr for Axis {
         let Some((low, rest)) = rest.split_once("..") else {
             return Ok(Self::List(text.split(',').map(number).collect::<Result<_, _>>()?));
         };
-        let (high, places) = rest.split_once('/').map_or((rest, None), |(high, places)| (high, Some(places)));
+        let (high, count) = rest.split_once('/').map_or((rest, None), |(high, count)| (high, Some(count)));
         // an unparsable count is refused below, as 0 is
-        let places = places.map(|places| places.trim().parse().unwrap_or(0));
-        Self::range(number(low)?, number(high)?, log, places)
+        let count = count.map(|count| count.trim().parse().unwrap_or(0));
+        Self::range(number(low)?, number(high)?, log, count)
     }
 }
 

@@ -8,17 +8,28 @@ pub const MAX_FILE_MIB: u64 = 1024;
 /// Row with its line, or the reason why it cannot be read.
 type Row = Result<(u64, StringRecord), String>;
 
-/// Names of the columns of a CSV text without their units, and its rows, each with its line. A # begins a comment.
+/// Line of the header of a CSV text, names of its columns without their units, and its rows, each with its line. A # begins a comment.
 ///
 /// # Errors
 /// Column that the program can read, with another unit than the program's. Line of a row with another number of fields than the header.
-pub fn parse(text: &str) -> Result<(Vec<String>, impl Iterator<Item = Row>), String> {
+pub fn parse(text: &str) -> Result<(u64, Vec<String>, impl Iterator<Item = Row>), String> {
+    let text = text.trim_start_matches('\u{feff}');
     let mut builder = csv::ReaderBuilder::new();
     let mut reader = builder.comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
-    let header = reader.headers().map_err(reason)?;
-    let names = header.iter().map(without_unit).collect::<Result<_, _>>()?;
-    let line = |row: StringRecord| (row.position().map_or(0, Position::line), row);
-    Ok((names, reader.into_records().map(move |row| row.map(line).map_err(reason))))
+    let header = reader.headers().map_err(|error| reason(text, &error))?;
+    let line = line_of(text, header.position());
+    let names = header.iter().map(without_unit).collect::<Result<_, _>>();
+    let names = names.map_err(|reason| format!("line {line}: {reason}"))?;
+    let row = move |row: StringRecord| (line_of(text, row.position()), row);
+    let rows = reader.into_records().map(move |found| found.map(row).map_err(|error| reason(text, &error)));
+    Ok((line, names, rows))
+}
+
+/// Line of a row, of which the reader knows where the comments and empty lines before it begin.
+fn line_of(text: &str, position: Option<&Position>) -> u64 {
+    let (byte, line) = position.map_or((0, 1), |position| (position.byte(), position.line()));
+    let before = text.get(byte as usize..).unwrap_or_default().lines();
+    line + before.take_while(|line| line.is_empty() || line.starts_with('#')).count() as u64
 }
 
 /// Name of a column without the unit that follows in brackets.
@@ -42,10 +53,10 @@ fn without_unit(field: &str) -> Result<String, String> {
 }
 
 /// Text of an error of the reader, with the line.
-fn reason(error: csv::Error) -> String {
+fn reason(text: &str, error: &csv::Error) -> String {
     match error.kind() {
         ErrorKind::UnequalLengths { pos, expected_len, len } => {
-            let line = pos.as_ref().map_or(0, Position::line);
+            let line = line_of(text, pos.as_ref());
             format!("line {line}: must have {expected_len} fields, as the header; has {len}")
         }
         _ => error.to_string(),
@@ -58,10 +69,21 @@ mod tests {
 
     #[test]
     fn only_units_of_known_columns_matter() {
-        let names = parse("t [s],tip_z [mm],accel_raw (LSB),t_wall [ms],w [1],wx [rad/s]\n").unwrap().0;
+        let names = parse("t [s],tip_z [mm],accel_raw (LSB),t_wall [ms],w [1],wx [rad/s]\n").unwrap().1;
         assert_eq!(names, ["t", "tip_z", "accel_raw", "t_wall", "w", "wx"]);
         for column in ["t [ms]", "tip_x [mm]", "wy [deg/s]", "omega_z [deg/s]", "mag_x [nT]"] {
             assert!(parse(column).is_err(), "{column}");
+        }
+    }
+
+    #[test]
+    fn lines_count_comments_and_empty_lines() {
+        for end in ["\n", "\r\n"] {
+            let text = ["# one", "", "t,x", "# four", "1,2", "", "# seven", "3,4", "5"].join(end);
+            let (header, _, rows) = parse(&text).unwrap();
+            let lines: Vec<_> = rows.map(|row| row.map(|(line, _)| line)).collect();
+            let refused = Err("line 9: must have 2 fields, as the header; has 1".to_owned());
+            assert_eq!((header, lines), (3, vec![Ok(5), Ok(8), refused]));
         }
     }
 }

@@ -11,8 +11,8 @@ use std::path::{Path, PathBuf};
 #[derive(Args)]
 #[group(skip)]
 pub struct TimesArgs {
-    /// Times, s, separated by commas, in any order; they may be negative. LOW..HIGH/PLACES spreads times evenly, both ends included,
-    /// log:LOW..HIGH/PLACES evenly in the logarithm
+    /// Times, s, separated by commas, in any order; they may be negative. LOW..HIGH/COUNT spreads times evenly, both ends included,
+    /// log:LOW..HIGH/COUNT evenly in the logarithm
     #[arg(long, value_name = "T1,T2,...", allow_hyphen_values = true)]
     pub times: Option<String>,
     /// File with one time, s, in each line; # starts a comment
@@ -69,7 +69,7 @@ impl Times {
         }
     }
 
-    /// Times of a text `T1,T2,...` or `LOW..HIGH/PLACES`.
+    /// Times of a text `T1,T2,...` or `LOW..HIGH/COUNT`.
     ///
     /// # Errors
     /// [`Failure::Input`]: another text.
@@ -81,7 +81,7 @@ impl Times {
             Axis::List(text.split(',').map(|entry| time(entry, "--times")).collect::<Result<_, _>>()?)
         };
         if axis.count().is_none() {
-            return Err(refused("must be T1,T2,... or LOW..HIGH/PLACES or log:LOW..HIGH/PLACES"));
+            return Err(refused("must be T1,T2,... or LOW..HIGH/COUNT or log:LOW..HIGH/COUNT"));
         }
         Self::new("--times".to_owned(), &axis)
     }

@@ -73,7 +73,7 @@ impl Trajectory {
             stated(key).map(number).transpose()
         };
         let (step, evaluations) = (positive("step")?, positive("evaluations")?);
-        let (header, records) = rows::parse(text)?;
+        let (_, header, records) = rows::parse(text)?;
         let has = |names: &[&str]| column_indices(&header, names).is_some();
         if !has(&["t"]) || !(has(&QUATERNION) || has(&ALPHA_BETA) || has(&MATRIX)) {
             let allowed = "t with w,x,y,z (body to fixed), alpha_re,alpha_im,beta_re,beta_im or r11,r12,...,r33 (by rows)";

@@ -5,7 +5,8 @@
 //! (u - e₁)(u - e₂)(u - e₃) = u³ - E u² - u + E - κ (l - nu)² with κ = 1/(2Apg) and E = (h - n²/2C)/(pg).
 
 use super::float640::{
-    Complex640, Float640, cis, conjugate, from_f64, from_i64, is_zero, norm_squared, product, root, to_f64,
+    Complex640, Float640, cis, conjugate, from_f64, from_i64, is_zero, norm_squared, product, square_root,
+    to_f64,
 };
 use super::motion_input::MotionInput;
 use super::nutation::{Constants, HalfPhase};
@@ -67,8 +68,8 @@ impl LaunchConstants {
         let weight = p * g * 2;
         let ([e1, e2], below_e3, field) = if !is_zero(&weight) {
             let energy = &u + (a * across + p * s * udot.sqr()) / &weight;
-            let [e1, e2, e3] = roots(&energy, &(from_i64(1) / (a * weight)), &l, &n);
-            let below_e3 = [&e3 - &e1, e3 - &e2].map(nonnegative);
+            let [e1, e2, e3] = roots_of_cubic(&energy, &(from_i64(1) / (a * weight)), &l, &n);
+            let below_e3 = [&e3 - &e1, e3 - &e2].map(root_difference);
             ([e1, e2], below_e3, [s.clone(), g.clone(), a / p])
         } else {
             // A² u'² = |m|² (u - e₁)(e₂ - u): the integrands with D = 1, e₃ - u = 1 and g = |m|²/2A²
@@ -76,7 +77,7 @@ impl LaunchConstants {
                 (u.clone(), from_i64(0))
             } else {
                 let horizontal = (&momentum_squared - l.sqr()) * (&momentum_squared - n.sqr());
-                (&l * &n / &momentum_squared, root(&horizontal) / &momentum_squared)
+                (&l * &n / &momentum_squared, square_root(&horizontal) / &momentum_squared)
             };
             let field = [from_i64(0), momentum_squared / (a.sqr() * 2), from_i64(1)];
             ([&middle - &half, middle + half], [from_i64(1), from_i64(1)], field)
@@ -87,7 +88,7 @@ impl LaunchConstants {
         let half_phase = if at_e1 == at_e2 {
             [from_i64(1), from_i64(0)]
         } else {
-            let [cosine, sine] = [e2 - &u, u - e1].map(|part| root(&nonnegative(part)));
+            let [cosine, sine] = [e2 - &u, u - e1].map(|part| square_root(&root_difference(part)));
             [cosine, if udot < Float640::ZERO { -sine } else { sine }]
         };
         let directions = directions(&alpha, &beta, [&w1, &w2]);
@@ -102,7 +103,7 @@ impl LaunchConstants {
     ) -> Self {
         let root_of = |sign, factors: [Float640; 3]| {
             let [x, y, z] = factors;
-            root(&(a * p * g * 2 * x * y * z)) * if sign == Sign::Plus { 1 } else { -1 }
+            square_root(&(a * p * g * 2 * x * y * z)) * if sign == Sign::Plus { 1 } else { -1 }
         };
         let [e1, e2, e3] = &e.map(from_f64);
         let l_plus_n = root_of(signs.l_plus_n, [e1 + 1, e2 + 1, e3 + 1]);
@@ -131,7 +132,7 @@ fn constants(
     [s, g, a_over_p]: [Float640; 3],
     [l_plus_n, l_minus_n]: [Float640; 2],
 ) -> Constants {
-    let [one_plus_e1, one_minus_e2, swing] = [e1 + 1, -e2 + 1, e2 - e1].map(nonnegative);
+    let [one_plus_e1, one_minus_e2, swing] = [e1 + 1, -e2 + 1, e2 - e1].map(root_difference);
     let momentum = |sum: Float640, gap: &Float640| if is_zero(gap) { from_i64(0) } else { sum / (a * 2) };
     let momentum_rates = [momentum(l_plus_n, &one_plus_e1), momentum(l_minus_n, &one_minus_e2)];
     let above = [one_plus_e1.clone(), one_plus_e1 + &swing];
@@ -140,19 +141,19 @@ fn constants(
 }
 
 /// Difference of two roots; 0 where it is below the error of a double root, which is known to half of the digits.
-fn nonnegative(difference: Float640) -> Float640 {
+fn root_difference(difference: Float640) -> Float640 {
     const SAME: f64 = 1e-60;
     if to_f64(&difference) < SAME { from_i64(0) } else { difference }
 }
 
 /// Roots e₁ <= e₂ <= e₃ of u³ - E u² - u + E - κ (l - nu)², by Viète's formula.
-fn roots(energy: &Float640, kappa: &Float640, l: &Float640, n: &Float640) -> [Float640; 3] {
+fn roots_of_cubic(energy: &Float640, kappa: &Float640, l: &Float640, n: &Float640) -> [Float640; 3] {
     // with v = u - mean: v³ - 3 q v - 2 r
     let mean = (energy + kappa * n.sqr()) / from_i64(3);
     let linear: Float640 = kappa * l * n * 2 - 1;
     let q = mean.sqr() - &linear / from_i64(3);
     let r = mean.sqr() * &mean + (kappa * l.sqr() - energy - &mean * linear) / from_i64(2);
-    let radius = root(&q);
+    let radius = square_root(&q);
     // three equal roots have no angle
     let cube = (q * &radius).max(from_f64(1e-300));
     let angle = (r / cube).clamp(from_i64(-1), from_i64(1)).acos() / from_i64(3);
@@ -166,7 +167,9 @@ fn directions(alpha: &Complex640, beta: &Complex640, [w1, w2]: [&Float640; 2]) -
     let direction = |z: &Complex640, other: &Complex640, sign: i64| {
         let leaving = product(&[w2 * sign, -w1 * sign], &conjugate(other));
         let z = [z, &leaving].into_iter().find(|z| !is_zero(&norm_squared(z)));
-        z.map_or([from_i64(1), from_i64(0)], |z| z.each_ref().map(|part| part / root(&norm_squared(z))))
+        z.map_or([from_i64(1), from_i64(0)], |z| {
+            z.each_ref().map(|part| part / square_root(&norm_squared(z)))
+        })
     };
     [direction(alpha, beta, 1), direction(beta, alpha, -1)]
 }

@@ -39,7 +39,7 @@ pub fn to_i64(x: &Float640) -> Option<i64> {
 }
 
 /// Square root of a number that is not negative; 0 for a negative one.
-pub fn root(x: &Float640) -> Float640 {
+pub fn square_root(x: &Float640) -> Float640 {
     if *x > Float640::ZERO { x.sqrt() } else { from_i64(0) }
 }
 

@@ -9,7 +9,7 @@
 //! With 26 nodes the relative error is (3 + √8)^-52, 1e-39.
 
 use super::float640::{
-    Complex640, Float640, conjugate, from_f64, from_i64, is_zero, norm_squared, root, to_f64, to_i64,
+    Complex640, Float640, conjugate, from_f64, from_i64, is_zero, norm_squared, square_root, to_f64, to_i64,
 };
 use std::f64::consts::PI;
 use std::sync::LazyLock;
@@ -62,7 +62,7 @@ impl Constants {
         let [one_plus_u, one_minus_u, below_e3] = &linear_factors;
         let d = &self.a_over_p + &self.s * one_plus_u * one_minus_u;
         let phase_rate = (&from[0] * &to[1] - &from[1] * &to[0]) / norm_squared(&half_phase);
-        let slowness = root(&(d * 2 / (&self.g * below_e3))) * phase_rate;
+        let slowness = square_root(&(d * 2 / (&self.g * below_e3))) * phase_rate;
         let [alpha, beta] = self.turning_rates(&linear_factors).map(|rate| rate * &slowness);
         [slowness, alpha, beta]
     }
@@ -99,7 +99,7 @@ impl Nutation {
         let mut total = [Float640::ZERO; 3];
         for half_phase in rising.iter().rev().map(conjugate).chain(rising.iter().cloned()) {
             if let Some((from, _)) = panels.last() {
-                total = add(&total, &constants.integrals(from, &half_phase), 1);
+                total = add_multiple(&total, &constants.integrals(from, &half_phase), 1);
             }
             panels.push((half_phase, total.clone()));
         }
@@ -110,12 +110,12 @@ impl Nutation {
     pub fn integrals_to(&self, [cosine, sine]: &HalfPhase) -> Integrals {
         if *cosine < from_i64(0) {
             let turn = if *sine < from_i64(0) { -1 } else { 1 };
-            return add(&self.integrals_to(&[-cosine, -sine]), &self.total, turn);
+            return add_multiple(&self.integrals_to(&[-cosine, -sine]), &self.total, turn);
         }
         let (from, passed) = &self.panels[self.panel_index(|([x, y], _)| x * sine >= y * cosine)];
         // tan χ is nearly linear between half phases whose greater part is 1
         let size = cosine.clone().max(sine.clone()).max(-sine);
-        add(passed, &self.constants.integrals(from, &[cosine / &size, sine / size]), 1)
+        add_multiple(passed, &self.constants.integrals(from, &[cosine / &size, sine / size]), 1)
     }
 
     /// Half phase at a time, by Newton's method, and the integrals up to it.
@@ -133,7 +133,8 @@ impl Nutation {
         let mut x = (&within - &passed[0]) / (&passed_at_end[0] - &passed[0]);
         let mut steps = 0;
         loop {
-            let [t, alpha, beta] = add(passed, &self.constants.integrals(from, &between(from, to, &x)), 1);
+            let [t, alpha, beta] =
+                add_multiple(passed, &self.constants.integrals(from, &between(from, to, &x)), 1);
             let [slowness, alpha_rate, beta_rate] = self.constants.rates(from, to, &x);
             let step = (&within - t) / slowness;
             x += &step;
@@ -147,7 +148,7 @@ impl Nutation {
                 let integrals = [late, alpha + alpha_rate * &step + turned_upright, beta + beta_rate * step];
                 return (
                     between(from, to, &x).map(|part| part * sign),
-                    add(&integrals, &self.total, periods),
+                    add_multiple(&integrals, &self.total, periods),
                 );
             }
             x = x.clamp(from_i64(0), from_i64(1));
@@ -165,7 +166,7 @@ fn between(from: &HalfPhase, to: &HalfPhase, x: &Float640) -> HalfPhase {
 }
 
 /// Sum of a and a multiple of b.
-pub fn add(a: &Integrals, b: &Integrals, times: i64) -> Integrals {
+pub fn add_multiple(a: &Integrals, b: &Integrals, times: i64) -> Integrals {
     [0, 1, 2].map(|i| &a[i] + &b[i] * times)
 }
 

@@ -4,9 +4,11 @@
 //! where e₂ = 1, β does.
 
 use super::constants::LaunchConstants;
-use super::float640::{Float640, Orientation640, cis, from_f64, from_i64, is_zero, product, root, to_f64};
+use super::float640::{
+    Float640, Orientation640, cis, from_f64, from_i64, is_zero, product, square_root, to_f64,
+};
 use super::motion_input::MotionInput;
-use super::nutation::{HalfPhase, Integrals, Nutation, RATIO, add};
+use super::nutation::{HalfPhase, Integrals, Nutation, RATIO, add_multiple};
 use toytop_model::equations::BodyRates;
 
 /// Motion by quadrature, with its integrals over a nutation.
@@ -52,14 +54,14 @@ impl Quadrature {
             }
             Some((nutation, passed)) => {
                 let (half_phase, now) = nutation.at(&(&passed[0] + t));
-                (half_phase, add(&now, passed, -1))
+                (half_phase, add_multiple(&now, passed, -1))
             }
         };
         let (signs, signs_at_launch) = (self.signs(&half_phase), self.signs(at_launch));
         let linear_factors = constants.linear_factors(&half_phase);
         let drift = half_tau * t;
         let parameter = |i: usize, angle: Float640| {
-            let modulus = root(&(linear_factors[i].clone() >> 1)) * (signs[i] * signs_at_launch[i]);
+            let modulus = square_root(&(linear_factors[i].clone() >> 1)) * (signs[i] * signs_at_launch[i]);
             product(&directions[i], &cis(&angle)).map(|part| part * &modulus)
         };
         Orientation640 { alpha: parameter(0, alpha + &drift), beta: parameter(1, beta - drift) }
@@ -132,7 +134,7 @@ mod tests {
                 let (half_phase, [t, alpha, _]) = nutation.at(&time);
                 let back = nutation.integrals_to(&half_phase);
                 let periods = to_i64(&((&time - &back[0]) / &period)).expect("a number of periods");
-                let [back, alpha_back, _] = add(&back, &nutation.total, periods);
+                let [back, alpha_back, _] = add_multiple(&back, &nutation.total, periods);
                 worst = worst.max(to_f64(&((&back - &time) / &period)).abs());
                 assert!(to_f64(&((t - time) / &period)).abs() < 1e-40);
                 assert!(to_f64(&(alpha - alpha_back)).abs() < 1e-20);

@@ -1,7 +1,7 @@
 //! Reading order of core: its modules are declared in the order of dependence, and none uses a later one. Files are short, folders have few
 //! of them, and core has few dependencies.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
@@ -148,13 +148,11 @@ const LINES: usize = 300;
 /// Greatest number of files of Rust beside each other in a folder.
 const FILES: usize = 12;
 
-#[test]
-fn files_are_short_and_folders_have_few() {
+/// Texts of all files of Rust below core and host, by their paths.
+fn files() -> BTreeMap<String, String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let mut open = vec!["core".to_owned(), "host".to_owned()];
-    let mut large = BTreeSet::new();
+    let (mut open, mut found) = (vec!["core".to_owned(), "host".to_owned()], BTreeMap::new());
     while let Some(folder) = open.pop() {
-        let mut files = 0;
         for entry in fs::read_dir(root.join(&folder)).expect("a folder").map(|entry| entry.expect("an entry"))
         {
             let path = format!("{folder}/{}", entry.file_name().to_string_lossy());
@@ -163,17 +161,46 @@ fn files_are_short_and_folders_have_few() {
                     open.push(path);
                 }
             } else if path.ends_with(".rs") {
-                files += 1;
-                if fs::read_to_string(entry.path()).expect("text").lines().count() > LINES {
-                    large.insert(path);
-                }
+                found.insert(path, fs::read_to_string(entry.path()).expect("text"));
             }
         }
-        if files > FILES {
-            large.insert(folder);
+    }
+    found
+}
+
+/// Folder and name of a file.
+fn split(path: &str) -> (&str, &str) {
+    path.rsplit_once('/').unwrap_or_default()
+}
+
+#[test]
+fn files_are_short_and_folders_have_few() {
+    let (mut large, mut counts) = (Vec::new(), BTreeMap::new());
+    for (path, text) in files() {
+        *counts.entry(split(&path).0.to_owned()).or_insert(0) += 1;
+        if text.lines().count() > LINES {
+            large.push(path);
         }
     }
+    large.extend(counts.into_iter().filter(|(_, count)| *count > FILES).map(|(folder, _)| folder));
     assert!(large.is_empty(), "above {LINES} lines or {FILES} files: {large:#?}");
+}
+
+/// A file that no `mod` declares, in its folder or in the folder above, is never compiled.
+#[test]
+fn every_file_is_a_module() {
+    let files = files();
+    let is_root = |path: &str| {
+        let (folder, name) = split(path);
+        ["lib.rs", "main.rs", "build.rs"].contains(&name) || ["tests", "examples"].contains(&split(folder).1)
+    };
+    let is_declared = |path: &str| {
+        let (folder, name) = split(path);
+        let (places, declaration) = ([folder, split(folder).0], format!("mod {}", name.replace(".rs", ";")));
+        files.iter().any(|(other, text)| places.contains(&split(other).0) && text.contains(&declaration))
+    };
+    let forgotten: Vec<_> = files.keys().filter(|path| !is_root(path) && !is_declared(path)).collect();
+    assert!(forgotten.is_empty(), "without a `mod`: {forgotten:#?}");
 }
 
 /// No operation of core may be rounded differently on another machine.

@@ -21,7 +21,7 @@ use serde_json::{Value, json};
 pub struct BenchmarkArgs {
     /// Name of a problem; without it, all problems are listed
     name: Option<String>,
-    /// Times, s, in place of the source's, with 17 digits in place of 30: T1,T2,... or LOW..HIGH/PLACES
+    /// Times, s, in place of the source's, with 17 digits in place of 30: T1,T2,... or LOW..HIGH/COUNT
     #[arg(long, value_name = "T1,T2,...", allow_hyphen_values = true, requires = "name")]
     times: Option<String>,
     /// Print the scenario file of the problem

@@ -52,53 +52,51 @@ const COLUMNS: [(&str, &str); 5] = [
 const OCTAVES: usize = 40;
 
 /// Number of ticks in each octave that are evaluated for each motion.
-const SAMPLES: u64 = 16;
+const TICKS: u64 = 16;
 
 pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
     let page = arguments.accept.as_deref().map(|path| Page::read(path, "toytop accuracy: scalars"));
     let page = page.transpose()?;
     let Scalars(scalars) = &arguments.scalar;
-    let all = measured(scalars)?;
-    let of_scalar = |(scalar, octaves): (&Scalar, &Vec<Errors>)| {
-        record(*scalar, octaves.iter().copied().fold(Errors::default(), Errors::greater))
-    };
-    let table: Vec<_> = scalars.iter().zip(&all).map(of_scalar).collect();
+    let (mut totals, mut rows) = (Vec::new(), Vec::new());
+    for (scalar, octaves) in scalars.iter().zip(errors_by_octave(scalars)?) {
+        for (octave, errors) in octaves.iter().enumerate() {
+            let first = 1_u64 << octave;
+            let mut row = record(*scalar, *errors);
+            row["first_tick"] = first.into();
+            row["last_tick"] = if octave < OCTAVES { 2 * first - 1 } else { first }.into();
+            rows.push(row);
+        }
+        totals.push(record(*scalar, octaves.into_iter().fold(Errors::default(), Errors::greater)));
+    }
     let columns = |of_number| COLUMNS.map(|(name, heading)| -> Column<'_> { (name, heading, of_number) });
-    let micromath =
-        format!("The sine of micromath, an approximation for f32, is off by up to {:.0e}.\n", micromath());
-    let text = || {
+    let micromath = format!(
+        "The sine of micromath, an approximation for f32, is off by up to {:.0e}.\n",
+        error_of_micromath()
+    );
+    let table = || {
         format!(
             "{}\nThe ephemeris in each scalar, over ticks from 1 to 2^{OCTAVES}, against the truth to thirty digits. Tip: in units of s. Norm:\n\
              of alpha and beta. Energy: from alpha, beta and their rates (in fixed point, f32), relative. CSV and JSON have the\n\
              errors over each octave of ticks. {micromath}",
-            Table::new(&table, &columns(output::two_digits)).aligned(),
+            Table::new(&totals, &columns(output::two_digits)).aligned(),
         )
     };
-    let mut octaves = Vec::new();
-    for (scalar, errors) in scalars.iter().zip(&all) {
-        for (octave, errors) in errors.iter().enumerate() {
-            let first = 1_u64 << octave;
-            let last = if octave < OCTAVES { 2 * first - 1 } else { first };
-            let mut record = record(*scalar, *errors);
-            record["first_tick"] = first.into();
-            record["last_tick"] = last.into();
-            octaves.push(record);
-        }
-    }
-    let text = output::render(arguments.format, &json!({ "rows": octaves }), text);
+    let text = output::render(arguments.format, &json!({ "rows": rows }), table);
     if let Some(page) = page {
-        let table = Table::new(&table, &columns(|x| format!("{x:.0e}"))).markdown();
+        let table = Table::new(&totals, &columns(|x| format!("{x:.0e}"))).markdown();
         page.write(&format!("{table}\n{micromath}"))?;
     }
     Ok(text.into())
 }
 
 /// Greatest error of micromath's sine over one turn.
-fn micromath() -> f64 {
+fn error_of_micromath() -> f64 {
     let error = |x: f32| (f64::from(F32Ext::sin(x)) - f64::from(x).sin()).abs();
     (0..=u16::MAX).map(|i| error(1e-4 * f32::from(i))).fold(0.0, f64::max)
 }
 
+/// Record of a scalar with its errors.
 fn record(scalar: Scalar, errors: Errors) -> Value {
     let names = COLUMNS.map(|(name, _)| name);
     let errors = [errors.orientation, errors.tip, errors.norm, errors.drift.h];
@@ -106,10 +104,10 @@ fn record(scalar: Scalar, errors: Errors) -> Value {
 }
 
 /// Errors of each scalar over all motions: at ticks from 2^k to 2^(k+1) - 1 for each k below [`OCTAVES`], and at tick 2^40.
-fn measured(scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
-    let motions: Vec<_> = builtin::scenarios().iter().filter_map(input).collect();
+fn errors_by_octave(scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
+    let motions: Vec<_> = builtin::scenarios().iter().filter_map(input_of).collect();
     let progress = Progress::new(motions.len() as u64, "motions");
-    let errors = |input: &MotionInput| of_motion(input, scalars).inspect(|_| progress.add(1));
+    let errors = |input: &MotionInput| errors_of_motion(input, scalars).inspect(|_| progress.add(1));
     let nothing = || vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];
     let together = |mut all: Vec<Vec<Errors>>, motion: Vec<Vec<Errors>>| {
         all.iter_mut().flatten().zip(motion.iter().flatten()).for_each(|(a, b)| *a = a.greater(*b));
@@ -119,7 +117,7 @@ fn measured(scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
 }
 
 /// Input of a motion that nutates and whose tip slides, launched at u = e₁.
-fn input(scenario: &Scenario) -> Option<MotionInput> {
+fn input_of(scenario: &Scenario) -> Option<MotionInput> {
     let motion = &scenario.motion;
     let (top, e) = (motion.top(), motion.branch_points());
     let known = motion.regime() == Regime::Nutating && top.support() == Support::Sliding;
@@ -132,7 +130,7 @@ fn input(scenario: &Scenario) -> Option<MotionInput> {
 }
 
 /// Errors of each scalar on a motion, by octave.
-fn of_motion(input: &MotionInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
+fn errors_of_motion(input: &MotionInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
     let motion = input.motion().map_err(|error| Failure::Input(format!("{input:?}: {error}")))?;
     let tables =
         scalars.iter().map(|&scalar| smallest_ephemeris(scalar, &motion)).collect::<Result<Vec<_>, _>>()?;
@@ -142,7 +140,7 @@ fn of_motion(input: &MotionInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>
     let mut found = vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];
     for octave in 0..=OCTAVES {
         let first = 1_u64 << octave;
-        for _ in 0..SAMPLES.min(first) {
+        for _ in 0..TICKS.min(first) {
             let more = if octave < OCTAVES { random.uniform() * first as f64 } else { 0.0 };
             let n = (first + more as u64) as i64;
             let exact = truth.at(&(from_i64(n) / from_f64(rate)));

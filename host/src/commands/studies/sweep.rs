@@ -30,7 +30,7 @@ pub struct SweepArgs {
     /// CSV file to write (- is stdout); it appears under its name when it is complete
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// Spin of a release, rad/s: X,Y,... or LOW..HIGH, in a grid LOW..HIGH/PLACES; with log: in front even in the logarithm
+    /// Spin of a release, rad/s: X,Y,... or LOW..HIGH, in a grid LOW..HIGH/COUNT; with log: in front even in the logarithm
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     spin: Option<Axis>,
     /// Tilt of a release, degrees

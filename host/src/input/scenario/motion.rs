@@ -82,8 +82,8 @@ pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Launch), Failur
             section.only(choice, STATE.iter().map(|key| key.name))?;
             let [alpha, beta, omega] = &STATE;
             let complex = |key| section.array(key, None).map(|[re, im]| Complex::new(re, im));
-            let phi = Orientation { alpha: complex(alpha)?, beta: complex(beta)? };
-            (State::new(phi, section.array(omega, None)?), "omega")
+            let orientation = Orientation { alpha: complex(alpha)?, beta: complex(beta)? };
+            (State::new(orientation, section.array(omega, None)?), "omega")
         }
         _ => {
             let [e1, e2, e3, plus, minus, theta, arg_alpha, arg_beta] =

@@ -63,13 +63,13 @@ impl FullSolver {
         let equations = equations.in_units(inertia_unit, rate_unit);
         let ([a, b], [c, d]) = (state.alpha, state.beta);
         let norm = (a * a + b * b + c * c + d * d).sqrt();
-        // If the norm is 1 up to rounding, the numbers are kept, and `project` computes their deviation.
+        // If the norm is 1 up to rounding, the numbers are kept, and `normalise_orientation` computes their deviation.
         let scale = if (norm - 1.0).abs() > 1e-14 { norm } else { 1.0 };
         let (alpha, beta) = ([a / scale, b / scale], [c / scale, d / scale]);
         let y = equations.numbers(&FullState { alpha, beta, omega: state.omega.map(|w| w / rate_unit) });
         let m = [y[4], y[5], y[6]];
         let mut low = [0.0; 7];
-        project(&y, &mut low);
+        normalise_orientation(&y, &mut low);
         // momentum after a fall from rest, or at the start
         let momentum = (equations.a * (equations.a + equations.ps)).sqrt().max(dot(m, m).sqrt());
         // A rounding of m changes the angular velocity by momentum / min(A, C), to which the step control must not
@@ -160,7 +160,7 @@ impl FullSolver {
             for i in 0..7 {
                 (self.y[i], self.low[i]) = two_sum(self.y[i], method.y()[i]);
             }
-            project(&self.y, &mut self.low);
+            normalise_orientation(&self.y, &mut self.low);
             // A step that was shortened to end the span is no measure for the next one.
             let proposed = method.h().abs();
             let cut_short = taken == planned && taken.abs() < self.step;
@@ -198,7 +198,7 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
 
 /// Normalises the orientation in y + low, to first order in the deviation of its norm from 1. The rounding errors of the squares are
 /// included, because otherwise the deviation would be known to 1e-16 only.
-fn project(y: &Vector7, low: &mut Vector7) {
+fn normalise_orientation(y: &Vector7, low: &mut Vector7) {
     let mut defect = -1.0;
     let mut rest = 0.0;
     for i in 0..4 {

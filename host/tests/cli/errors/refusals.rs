@@ -37,7 +37,7 @@ fn arguments() {
             ("--times 1 --times-file x", "--times ... --times-file"),
             ("--times 1,,2", "--times ... finite number"),
             ("--times 1,NaN", "--times ... NaN ... finite number"),
-            ("--times 0..1", "--times: 0..1: must be T1,T2,... or LOW..HIGH/PLACES"),
+            ("--times 0..1", "--times: 0..1: must be T1,T2,... or LOW..HIGH/COUNT"),
             ("--times 10..0/5", "error: --times: 10..0/5: LOW must be below HIGH\n"),
             ("--times 0..1/60000000", "--times: 60000000 times: must be at most 10000000"),
             ("--times 1,-1e300", "error: --times: -1e300 must be within ±2.8e14 s"),

@@ -68,7 +68,7 @@ fn read(elf: &Path) -> Result<Vec<u8>, Failure> {
 }
 
 fn parsed<'a>(elf: &Path, bytes: &'a [u8]) -> Result<File<'a>, Failure> {
-    File::parse(bytes).map_err(|error| Failure::Input(format!("{}: {error}", elf.display())))
+    File::parse(bytes).map_err(|error| Failure::Input(format!("{}: must be an ELF: {error}", elf.display())))
 }
 
 /// Function of an ELF.

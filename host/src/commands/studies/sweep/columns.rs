@@ -47,7 +47,7 @@ impl FromStr for SweepColumn {
         let known = named.clone().find(|(known, _)| *known == name).map(|(_, column)| column);
         known.or_else(sample).ok_or_else(|| {
             let names: Vec<_> = named.map(|(name, _)| name).collect();
-            format!("must be a column of toytop state, {}", names.join(", "))
+            format!("must be a column of toytop state or one of {}", names.join(", "))
         })
     }
 }

@@ -55,13 +55,13 @@ impl Sweep {
                 return refuse(format!("{name}: must be one axis only"));
             }
             if sample.is_none() && axis.count().is_none() {
-                let forms = "must be LOW..HIGH/PLACES or numbers (or draw a sample: --motions N)";
+                let forms = "must be LOW..HIGH/COUNT or numbers (or draw a sample: --motions N)";
                 return refuse(format!("{name}: a range in a grid: {forms}"));
             }
             axes.push((key, axis));
         }
-        let places = || axes.iter().try_fold(1_u64, |count, (_, axis)| count.checked_mul(axis.size()));
-        let Some(count) = sample.map(|(motions, _)| motions).or_else(places).filter(|n| *n <= MAX_MOTIONS)
+        let grid = || axes.iter().try_fold(1_u64, |count, (_, axis)| count.checked_mul(axis.size()));
+        let Some(count) = sample.map(|(motions, _)| motions).or_else(grid).filter(|n| *n <= MAX_MOTIONS)
         else {
             return refuse(format!("a grid: must have at most {:e} motions", MAX_MOTIONS as f64));
         };
