@@ -97,7 +97,11 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     // from here on the input cannot cause a failure
     stdout::or_file(arguments.output.as_deref(), |out| {
         out.write_all(rows.head().as_bytes())?;
-        parallel::write_rows(count, &|index, bytes| bytes.extend(rows.row(index, &sample(index)).bytes()), out)?;
+        parallel::write_rows(
+            count,
+            &|index, bytes| bytes.extend(rows.row(index, &sample(index)).bytes()),
+            out,
+        )?;
         out.write_all(rows.end().as_bytes())
     })?;
     Ok(Report::default().with_notes(warnings(&[scenario])))
