@@ -57,7 +57,6 @@ fn unwrapped(phase: Phase, near: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use toytop::{InitialAngles, Motion, Signs, Top, TopParameters};
     use toytop_model::constants::MotionConstants;
 

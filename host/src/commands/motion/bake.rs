@@ -88,7 +88,7 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
 }
 
 /// Text of the file, and the line that states the scalar, the size and the error bound of the table in it.
-fn baked<R: BakedScalar>(
+fn baked<R: TableScalar>(
     arguments: &BakeArgs,
     scenario: &Scenario,
     tick: Tick,
@@ -112,31 +112,6 @@ fn baked<R: BakedScalar>(
     );
     Ok([text, summary])
 }
-
-/// Scalar whose tables are written.
-pub trait BakedScalar: TableScalar {
-    /// Checksum of a table.
-    fn crc32(table: &EphemerisView<Self>) -> u32;
-
-    /// Coefficient of a table. An integer of n bits is that of x^k in units of 2^-(n-1+k).
-    fn number(coefficient: Self::Coefficient) -> f64;
-}
-
-macro_rules! baked_scalar {
-    ($($scalar:ty),*) => { $(
-        impl BakedScalar for $scalar {
-            fn crc32(table: &EphemerisView<Self>) -> u32 {
-                table.crc32()
-            }
-
-            fn number(coefficient: Self::Coefficient) -> f64 {
-                coefficient.into()
-            }
-        }
-    )* };
-}
-
-baked_scalar!(f64, f32, I2F30, I2F14);
 
 /// Description of the motion of a table, for the comment of a file.
 pub struct TableTitle {
@@ -175,7 +150,7 @@ impl TableTitle {
     }
 
     /// Name and properties of the table for a comment, without characters that could end the comment.
-    fn headline<R: BakedScalar>(&self, table: &EphemerisView<R>) -> String {
+    fn headline<R: TableScalar>(&self, table: &EphemerisView<R>) -> String {
         let printable = |c: &char| !c.is_control() && !['*', '/', '\\'].contains(c);
         let name: String = self.name.chars().filter(printable).collect();
         let ErrorBound { constant, per_tick } = table.error_bound();

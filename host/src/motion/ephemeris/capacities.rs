@@ -99,26 +99,25 @@ impl<R: TableScalar> HeapTable<R> {
     /// Table with the first of these capacities that is enough.
     fn smallest(capacities: &[u32], motion: &Motion, tick: Tick, truncation: f64) -> Result<Self, Failure> {
         let needed = EphemerisView::<R>::segments_needed(motion, truncation).unwrap_or(u32::MAX);
-        let first_of = |capacities: &[u32]| capacities.iter().copied().find(|capacity| *capacity >= needed);
-        let largest = capacities.last().copied().unwrap_or(MAX_CAPACITY);
-        let mut memory = memory::<R>(first_of(capacities).unwrap_or(largest));
-        match memory.set_up(&mut Workspace::with_truncation(truncation), motion, tick, 0, &mut || {}) {
-            Ok(_) => Ok(Self(memory)),
-            Err(error @ SetUpError::TooSmall { .. }) => {
-                let tried = match capacities {
-                    [segments] => format!("{segments} segments"),
-                    _ => format!("{MAX_CAPACITY}x{} segments, the most", R::TERMS),
-                };
-                let sufficient = match first_of(&capacities_of(R::SCALAR)) {
-                    Some(capacity) => format!("at least --segments {capacity}"),
-                    None => format!("not even {MAX_CAPACITY} segments of this degree"),
-                };
-                Err(Failure::Method(format!(
-                    "no ephemeris of {tried}: {error}; {sufficient} would be enough"
-                )))
-            }
-            Err(error) => Err(Failure::Method(format!("no ephemeris: {error}"))),
-        }
+        let enough = |capacities: &[u32]| capacities.iter().copied().find(|capacity| *capacity >= needed);
+        let most = capacities.last().copied().unwrap_or(MAX_CAPACITY);
+        let mut memory = memory::<R>(enough(capacities).unwrap_or(most));
+        let refused = |error| {
+            let enough = match (error, enough(&capacities_of(R::SCALAR))) {
+                (SetUpError::TooSmall { .. }, Some(capacity)) => {
+                    format!("; at least --segments {capacity} would be enough")
+                }
+                (SetUpError::TooSmall { .. }, None) => {
+                    format!("; not even {MAX_CAPACITY} segments of this degree would be enough")
+                }
+                _ => String::new(),
+            };
+            Failure::Method(format!("no ephemeris: {error}{enough}"))
+        };
+        memory
+            .set_up(&mut Workspace::with_truncation(truncation), motion, tick, 0, &mut || {})
+            .map_err(refused)?;
+        Ok(Self(memory))
     }
 }
 

@@ -9,27 +9,35 @@ use fixed::types::{I2F14, I2F30};
 use toytop::scalar::Float;
 use toytop::{EphemerisMemory, EphemerisScalar, EphemerisView, ErrorBound, Orientation, Pose};
 
-/// Scalar of the core with its name.
+/// Scalar of the core, with its name and the numbers of its tables.
 pub trait TableScalar: EphemerisScalar<Segment: Send + Sync, Quantity: Send + Sync> + Send + Sync {
     /// Scalar on the command line.
     const SCALAR: Scalar;
+
+    /// Checksum of a table.
+    fn crc32(table: &EphemerisView<Self>) -> u32;
+
+    /// Coefficient of a table. An integer of n bits is that of x^k in units of 2^-(n-1+k).
+    fn number(coefficient: Self::Coefficient) -> f64;
 }
 
-impl TableScalar for f64 {
-    const SCALAR: Scalar = Scalar::F64;
+macro_rules! table_scalar {
+    ($($scalar:ty: $name:ident),*) => { $(
+        impl TableScalar for $scalar {
+            const SCALAR: Scalar = Scalar::$name;
+
+            fn crc32(table: &EphemerisView<Self>) -> u32 {
+                table.crc32()
+            }
+
+            fn number(coefficient: Self::Coefficient) -> f64 {
+                coefficient.into()
+            }
+        }
+    )* };
 }
 
-impl TableScalar for f32 {
-    const SCALAR: Scalar = Scalar::F32;
-}
-
-impl TableScalar for I2F30 {
-    const SCALAR: Scalar = Scalar::Q31;
-}
-
-impl TableScalar for I2F14 {
-    const SCALAR: Scalar = Scalar::Q15;
-}
+table_scalar!(f64: F64, f32: F32, I2F30: Q31, I2F14: Q15);
 
 /// Table of the core on the heap, after its set-up.
 pub struct HeapTable<R: EphemerisScalar>(pub(super) Box<EphemerisMemory<EphemerisView<R>>>);

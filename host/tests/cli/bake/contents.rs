@@ -64,7 +64,7 @@ fn a_failed_bake_writes_nothing() {
     all_refused("bake @toy_top", &[("-o no/such/folder/top.h", "no/such/folder/top.h")]);
     let needle = format!("bake -o bake_refused/top.rs {}", needle("bake_needle"));
     toytop(&needle).refused(3, "bake_needle: no ephemeris");
-    toytop(needle + " --segments 32").refused(3, "bake_needle: no ephemeris of 32 segments");
+    toytop(needle + " --segments 32").refused(3, "bake_needle: no ephemeris: a table of 32 segments");
     assert_eq!(count("bake_refused"), 0);
 }
 

@@ -107,11 +107,11 @@ fn a_method_that_does_not_apply() {
         ("@toy_top --times 1 --method closed-form --format json", "toy_top:  ... e3 = e4 ... e2 = e3 = 1"),
         (
             &format!("{needle} --times 1 --scalar f64"),
-            "needle ... no ephemeris ... 4096x11 ... segments of this degree would be enough",
+            "needle ... no ephemeris ... a table of 4096 segments ... segments of this degree would be enough",
         ),
         (
             &format!("{needle} --times 1 --scalar f32"),
-            "needle ... no ephemeris ... 4096x5 ... segments of this degree would be enough",
+            "needle ... no ephemeris ... a table of 4096 segments ... segments of this degree would be enough",
         ),
     ] {
         toytop(format!("state {line}")).refused(3, parts);

@@ -4,8 +4,9 @@
 //! Numbers are decimal, because C++ has hexadecimal ones only since C++17, with enough digits to determine every number (9 in single, 17
 //! in double precision). The value of the include guard of a table is its checksum, so that another table of the same name is an error.
 
-use super::{BakedScalar, TableTitle};
+use super::TableTitle;
 use crate::motion::Scalar;
+use crate::motion::ephemeris::TableScalar;
 use toytop::scalar::Float;
 use toytop::scalar::sine::{COSINE, CUBIC, LINEAR, SECANT, SINE, SINES, VERSINE};
 use toytop::{Baked, EphemerisView, ErrorBound};
@@ -15,7 +16,7 @@ const FORMAT: u32 = Baked::<f32, 16>::FORMAT;
 
 /// Text of a header: a comment, the include guard, size and error bounds as macros, the code and the table. If one file includes several
 /// headers, the code that they share is compiled once.
-pub fn header<R: BakedScalar>(title: &TableTitle, table: &EphemerisView<R>) -> String {
+pub fn header<R: TableScalar>(title: &TableTitle, table: &EphemerisView<R>) -> String {
     let name = title.c_name();
     let (scalar, upper) = (R::SCALAR.name(), name.to_uppercase());
     let bounds = [table.error_bound(), table.rate_error_bound()];
@@ -56,7 +57,7 @@ pub fn header<R: BakedScalar>(title: &TableTitle, table: &EphemerisView<R>) -> S
 }
 
 /// Definition of a table.
-fn definition<R: BakedScalar>(title: &TableTitle, table: &EphemerisView<R>) -> String {
+fn definition<R: TableScalar>(title: &TableTitle, table: &EphemerisView<R>) -> String {
     let (name, scalar) = (title.c_name(), R::SCALAR.name());
     let is_f64 = R::SCALAR == Scalar::F64;
     let number = |x: R::Coefficient| {
@@ -88,7 +89,7 @@ static const toytop_{scalar} {name} = {{
 }
 
 /// Initialisers of a `toytop_clock`.
-fn initialisers<R: BakedScalar>(table: &EphemerisView<R>) -> String {
+fn initialisers<R: TableScalar>(table: &EphemerisView<R>) -> String {
     let wide = |bits: u64| format!("{bits:#x}u");
     let phase = |[low, middle, upper]: [u32; 3]| {
         format!("{{{:#x}u, {low:#x}u}}", u64::from(upper) << 32 | u64::from(middle))

@@ -1,7 +1,8 @@
 //! Rust module with one `static`, which does not compile if one of its bits was changed.
 
-use super::{BakedScalar, TableTitle};
+use super::TableTitle;
 use crate::motion::Scalar;
+use crate::motion::ephemeris::TableScalar;
 use toytop::{Baked, EphemerisView};
 
 /// Lines with fields of a struct, as Rust writes them.
@@ -12,7 +13,7 @@ macro_rules! fields {
 }
 
 /// Text of the module. Numbers are printed by Rust, which reads back the same bits.
-pub fn module<R: BakedScalar>(title: &TableTitle, table: &EphemerisView<R>) -> String {
+pub fn module<R: TableScalar>(title: &TableTitle, table: &EphemerisView<R>) -> String {
     let name = title.identifier().to_uppercase();
     let scalar = match R::SCALAR {
         Scalar::Q31 => "toytop::fixed::types::I2F30",
@@ -63,7 +64,7 @@ pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
 }
 
 /// Coefficients of a segment in brackets, with one row in each line.
-fn rows<R: BakedScalar>(segment: &[[R::Coefficient; 4]]) -> String {
+fn rows<R: TableScalar>(segment: &[[R::Coefficient; 4]]) -> String {
     let lines: String = segment.iter().map(|row| format!("            {row:?},\n")).collect();
     format!("        [\n{lines}        ],\n")
 }
