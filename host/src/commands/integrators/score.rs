@@ -4,10 +4,11 @@ use super::problems;
 use crate::commands::drawing;
 use crate::commands::drawing::chart::{Chart, Curve};
 use crate::commands::options::{PICTURE, ending_in, positive};
+use crate::files::whole_file;
 use crate::input::scenario::Scenario;
 use crate::motion::propagate::period_or_natural_time;
-use crate::output::table::{Column, Table};
-use crate::output::{self, Format, short, two_digits, whole_file};
+use crate::output::table::{Column, TextTable};
+use crate::output::{self, Format, short, two_digits};
 use crate::score::errors::{ExactReference, Score};
 use crate::score::order;
 use crate::score::trajectory::Trajectory;
@@ -270,7 +271,7 @@ fn tables(files: &[ScoredFile], records: &[Value], integrators: &[Integrator]) -
          {orders}The exact motion is within {bound:.1e} rad. Errors of the orientation are 2 sqrt(|d alpha|^2 + |d beta|^2) with the nearer\n\
          sign. Residual: what no phase error explains. Order: from the next larger step of the same method. Drifts: of h in units of max(|h|, p g), of l and n in units of\n\
          max(|l|, |n|, sqrt(2 A p g)).\n",
-        Table::new(records, &errors).aligned(),
-        Table::new(records, &details).aligned(),
+        TextTable::new(records, &errors).aligned(),
+        TextTable::new(records, &details).aligned(),
     )
 }

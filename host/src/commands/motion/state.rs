@@ -4,6 +4,7 @@ mod rows;
 
 use crate::commands::options::{Method, hertz};
 use crate::commands::warnings;
+use crate::files::whole_file;
 use crate::input::scenario::Scenario;
 use crate::input::times::{Times, TimesArgs};
 use crate::motion::Scalar;
@@ -12,9 +13,9 @@ use crate::motion::ephemeris::{ephemeris_of_size, smallest_ephemeris};
 use crate::motion::propagate::{furthest_time_of_closed_form, period_or_natural_time, stepped};
 use crate::motion::sample::{Sample, body_rates};
 use crate::motion::tip_angle::TipAngle;
-use crate::output::stdout;
-use crate::output::{Format, whole_file};
+use crate::output::Format;
 use crate::parallel;
+use crate::terminal::stdout;
 use crate::truth::full_equations;
 use crate::{Failure, Report};
 use clap::{ArgGroup, Args};
@@ -95,7 +96,7 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     let count = times.seconds.len() as u64;
     let at = source(arguments, &scenario, times, rate)?;
     // from here on the input cannot cause a failure
-    stdout::or_file(arguments.output.as_deref(), |out| {
+    stdout::write_or_file(arguments.output.as_deref(), |out| {
         out.write_all(rows.head().as_bytes())?;
         parallel::write_rows(count, &|index, bytes| bytes.extend(rows.row(index, &at(index)).bytes()), out)?;
         out.write_all(rows.end().as_bytes())

@@ -1,8 +1,8 @@
 //! `toytop figures`: the curves of figures 2 and 3 of the paper, as `plot` draws them.
 
 use crate::commands::drawing::{self, tip};
+use crate::files::whole_file;
 use crate::input::builtin;
-use crate::output::whole_file;
 use crate::pictures::span::{MOST_CYCLES, MotionSpan};
 use crate::{Failure, Report};
 use clap::Args;

@@ -1,11 +1,11 @@
 //! `toytop simulate`: simulated readings of sensors on a top.
 
 use crate::commands::options::positive;
+use crate::files::whole_file;
 use crate::fit::columns;
 use crate::fit::sensors::{Body, Sensors};
 use crate::fit::simulated::{MOST_SAMPLES, Recording, measurements};
 use crate::input::scenario::Scenario;
-use crate::output::whole_file;
 use crate::{Failure, Report};
 use clap::Args;
 use std::path::PathBuf;

@@ -1,17 +1,17 @@
 //! `toytop accuracy`: error of each scalar at ticks 1 to 2^40, against the truth to thirty digits.
 
 use crate::commands::options::{Scalars, scalars};
+use crate::files::doc_page::DocPage;
 use crate::input::builtin;
 use crate::input::random::Random;
 use crate::input::scenario::{Launch, Scenario};
 use crate::motion::ephemeris::smallest_ephemeris;
 use crate::motion::errors::Errors;
 use crate::motion::{MotionConstants, Scalar};
-use crate::output::doc_markers::Page;
-use crate::output::progress::Progress;
-use crate::output::table::{Column, Table};
+use crate::output::table::{Column, TextTable};
 use crate::output::{self, Format};
 use crate::parallel::thread_pool;
+use crate::terminal::progress::Progress;
 use crate::truth::exact::Exact;
 use crate::truth::input::ExactInput;
 use crate::truth::precise::{from_f64, from_i64};
@@ -55,7 +55,7 @@ const OCTAVES: usize = 40;
 const SAMPLES: u64 = 16;
 
 pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
-    let page = arguments.accept.as_deref().map(|path| Page::read(path, "toytop accuracy: scalars"));
+    let page = arguments.accept.as_deref().map(|path| DocPage::read(path, "toytop accuracy: scalars"));
     let page = page.transpose()?;
     let Scalars(scalars) = &arguments.scalar;
     let all = measured(scalars)?;
@@ -71,7 +71,7 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
             "{}\nThe ephemeris in each scalar, over ticks from 1 to 2^{OCTAVES}, against the truth to thirty digits. Tip: in units of s. Norm:\n\
              of alpha and beta. Energy: from alpha, beta and their rates (in fixed point, f32), relative. CSV and JSON have the\n\
              errors over each octave of ticks. {micromath}",
-            Table::new(&table, &columns(output::two_digits)).aligned(),
+            TextTable::new(&table, &columns(output::two_digits)).aligned(),
         )
     };
     let mut octaves = Vec::new();
@@ -87,7 +87,7 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
     }
     let text = output::render(arguments.format, &json!({ "rows": octaves }), text);
     if let Some(page) = page {
-        let table = Table::new(&table, &columns(|x| format!("{x:.0e}"))).markdown();
+        let table = TextTable::new(&table, &columns(|x| format!("{x:.0e}"))).markdown();
         page.write(&format!("{table}\n{micromath}"))?;
     }
     Ok(text.into())

@@ -12,7 +12,7 @@ use crate::motion::ephemeris::smallest_ephemeris;
 use crate::motion::errors::Errors;
 use crate::motion::propagate::{TimedStepper, period_or_natural_time};
 use crate::motion::sample::Sample;
-use crate::output::table::Table;
+use crate::output::table::TextTable;
 use crate::output::{self, Format, short};
 use crate::truth::full_equations;
 use crate::truth::full_equations::full_solver::FullState;
@@ -159,7 +159,7 @@ fn table(motions: &[Vec<Comparison>], periods: u32) -> String {
         "{}\nThe core against the full 3-D equations, {SAMPLES} times in a period over {periods} periods: greatest error of\n\
          the orientation, 2 sqrt(|d alpha|^2 + |d beta|^2), rad, by stepper and ephemeris, and its share\n\
          of its bound. ns: a look-up, median of five runs. Steps a period: {} (f64), {} (f32). More: CSV.\n",
-        Table::of_all(&lines, |x| short(x, 1)).aligned(),
+        TextTable::of_all(&lines, |x| short(x, 1)).aligned(),
         steps_per_period(Scalar::F64),
         steps_per_period(Scalar::F32),
     )

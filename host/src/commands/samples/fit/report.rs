@@ -2,7 +2,7 @@
 
 use crate::fit::launch::FitReport;
 use crate::output::short;
-use crate::output::table::Table;
+use crate::output::table::TextTable;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use toytop_fit::{Fitted, Sensitivity};
@@ -67,7 +67,7 @@ pub fn table(report: &FitReport) -> String {
         "{state}\n\nlaunch at t = {}\n{}\n\
          chi squared by degrees of freedom {}; {} values used, {} at the end of the range, {} outliers, largest residual {} sigma\n",
         short(time, 9),
-        Table { lines: rows, left: 4 }.aligned(),
+        TextTable { lines: rows, left: 4 }.aligned(),
         short(statistics.reduced_chi_squared(count), 4),
         statistics.used,
         statistics.unused,
@@ -85,7 +85,7 @@ pub fn table(report: &FitReport) -> String {
     for [t, orientation, axis] in predictions(report) {
         ahead.push(vec![short(t, 6), short(orientation, 2), short(axis, 2)]);
     }
-    text + "\nprediction\n" + &Table { lines: ahead, left: 0 }.aligned() + "\n"
+    text + "\nprediction\n" + &TextTable { lines: ahead, left: 0 }.aligned() + "\n"
 }
 
 /// Report as a record.
