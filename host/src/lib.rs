@@ -22,9 +22,12 @@ pub mod files;
 /// Measurements of a top: sensors from a file, samples as columns, simulated samples, and the launch that is fitted to them.
 pub mod fit {
     pub mod columns;
-    pub mod launch;
+    pub mod input;
+    pub mod result;
     pub mod sensors;
     pub mod simulated;
+    pub mod solve;
+    pub mod summary;
 }
 pub mod input;
 pub mod motion;
