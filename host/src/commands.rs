@@ -16,10 +16,9 @@ mod pictures;
 mod samples;
 mod studies;
 
-use crate::Failure;
 use crate::input::scenario::Scenario;
 use crate::motion::tilts;
-use crate::output::stdout::Report;
+use crate::{Failure, Report};
 use clap::{CommandFactory, Subcommand};
 use clap_complete::Shell;
 use integrators::{benchmark, score};

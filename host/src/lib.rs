@@ -9,19 +9,25 @@
 //! | [`fit`] | sensors, samples and a launch fitted to them |
 //! | [`score`] | output of an integrator against the exact motion |
 //! | [`pictures`] | curve of the tip, page for a browser |
-//! | [`output`] | tables, CSV, JSON, files, progress |
+//! | [`output`] | tables, CSV and JSON |
+//! | [`files`] | files written completely or not at all |
+//! | [`terminal`] | command line, standard output, progress |
 //! | [`parallel`] | threads on all processor cores |
 
 // Visibility is that of the modules: what a private one declares `pub` is its interface within the crate.
 #![allow(unreachable_pub)]
 
 mod failure;
+pub mod files;
 /// Measurements of a top: sensors from a file, samples as columns, simulated samples, and the launch that is fitted to them.
 pub mod fit {
     pub mod columns;
-    pub mod launch;
+    pub mod input;
+    pub mod result;
     pub mod sensors;
     pub mod simulated;
+    pub mod solve;
+    pub mod summary;
 }
 pub mod input;
 pub mod motion;
@@ -29,7 +35,8 @@ pub mod output;
 pub mod parallel;
 pub mod pictures;
 pub mod score;
+pub mod terminal;
 pub mod truth;
 
 pub use failure::Failure;
-pub use output::stdout::Report;
+pub use terminal::stdout::Report;

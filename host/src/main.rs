@@ -7,11 +7,11 @@ mod commands;
 
 use clap::Parser;
 use commands::Command;
-use output::command_line::report;
-use output::stdout::finish;
 use std::process::ExitCode;
 // so that a command names a module of the library by `crate::`
-use toytop_host::{Failure, Report, fit, input, motion, output, parallel, pictures, score, truth};
+use toytop_host::{
+    Failure, Report, files, fit, input, motion, output, parallel, pictures, score, terminal, truth,
+};
 
 /// Exact motion of a spinning top whose tip slides on a plane or is held, or of a free body.
 #[derive(Parser)]
@@ -27,5 +27,5 @@ struct Cli {
 }
 
 fn main() -> ExitCode {
-    finish(report(|cli: &Cli| cli.command.run()))
+    terminal::command_line::run(|cli: &Cli| cli.command.run())
 }

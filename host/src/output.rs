@@ -2,18 +2,13 @@
 //!
 //! A record is an object of JSON: words, numbers, lists of them, and null for an absent value.
 
-pub mod command_line;
-pub mod doc_markers;
-pub mod progress;
-pub mod stdout;
 pub mod table;
-pub mod whole_file;
 
 use serde::ser::Serialize;
 use serde_json::Value;
 use serde_json::ser::Formatter;
 use std::io::{self, Write};
-use std::iter::once;
+use std::slice;
 
 /// Form of the output.
 #[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
@@ -26,14 +21,26 @@ pub enum Format {
     Json,
 }
 
+/// Ends of the names of CSV columns for the parts of a list, by the key of the list.
+pub type ListEnds<'a> = [(&'a str, &'a [&'a str])];
+
 /// Document in a form; `table` makes the table. CSV has the records of its first value, or else the document as one record.
 pub fn render(format: Format, document: &Value, table: impl FnOnce() -> String) -> String {
+    render_lists(format, document, &[], table)
+}
+
+/// As [`render`], of records that have lists.
+pub fn render_lists(
+    format: Format,
+    document: &Value,
+    ends: &ListEnds<'_>,
+    table: impl FnOnce() -> String,
+) -> String {
     let first = document.as_object().and_then(|values| values.values().next());
+    let records = first.and_then(Value::as_array).map_or(slice::from_ref(document), Vec::as_slice);
     match format {
         Format::Table => table(),
-        Format::Csv => {
-            csv(first.and_then(Value::as_array).map_or(std::slice::from_ref(document), Vec::as_slice))
-        }
+        Format::Csv => csv(records, ends),
         Format::Json => json(document) + "\n",
     }
 }
@@ -57,35 +64,34 @@ impl Formatter for Digits {
 }
 
 /// Records as CSV, with a header line.
-fn csv(records: &[Value]) -> String {
-    let fields: Vec<_> = records.iter().map(|record| fields("", record)).collect();
-    let header = fields.first().map(|fields| csv_line(fields.iter().map(|(name, _)| name.as_str().into())));
-    let line = |fields: Vec<(String, Value)>| csv_line(fields.into_iter().map(|(_, value)| value));
-    header.into_iter().chain(fields.into_iter().map(line)).collect()
+fn csv(records: &[Value], ends: &ListEnds<'_>) -> String {
+    let rows = records.iter().map(|record| fields("", "", record, ends)).collect::<Vec<_>>();
+    let header = rows.first().map(|row| csv_line(row.iter().map(|(name, _)| name.as_str().into())));
+    let line = |row: Vec<(String, Value)>| csv_line(row.into_iter().map(|(_, value)| value));
+    header.into_iter().chain(rows.into_iter().map(line)).collect()
 }
 
-/// Fields of CSV with their names. Those of a vector end in x, y and z, those of a longer list in numbers from 1, and those of an object
-/// in its keys. A quaternion is w,x,y,z, and words are one field.
-fn fields(name: &str, value: &Value) -> Vec<(String, Value)> {
-    let parts: Vec<(String, &Value)> = match value {
-        Value::Object(parts) => parts.iter().map(|(key, part)| (key.clone(), part)).collect(),
-        Value::Array(parts) if !parts.iter().all(Value::is_string) => {
-            let ends = ["x", "y", "z"].map(str::to_owned).into_iter();
-            let ends: Vec<_> = match parts.len() {
-                0..=3 => ends.collect(),
-                4 => once("w".to_owned()).chain(ends).collect(),
-                count => (1..=count).map(|place| place.to_string()).collect(),
-            };
-            ends.into_iter().zip(parts).collect()
-        }
-        Value::Array(words) => {
-            let words: Vec<_> = words.iter().filter_map(Value::as_str).collect();
-            return vec![(name.to_owned(), words.join("; ").into())];
-        }
-        value => return vec![(name.to_owned(), value.clone())],
+/// Fields of CSV with their names, which end in the keys of objects and in the ends of lists, or else in numbers from 1. Words are one
+/// field.
+fn fields(name: &str, key: &str, value: &Value, ends: &ListEnds<'_>) -> Vec<(String, Value)> {
+    let part = |(end, part): (String, &Value)| {
+        let name = if name.is_empty() { end.clone() } else { format!("{name}_{end}") };
+        fields(&name, &end, part, ends)
     };
-    let path = |end: String| if ["", "quaternion"].contains(&name) { end } else { format!("{name}_{end}") };
-    parts.into_iter().flat_map(|(end, part)| fields(&path(end), part)).collect()
+    match value {
+        Value::Object(parts) => {
+            parts.iter().map(|(key, value)| (key.clone(), value)).flat_map(part).collect()
+        }
+        Value::Array(words) if words.iter().all(Value::is_string) => {
+            let words: Vec<_> = words.iter().filter_map(Value::as_str).collect();
+            vec![(name.to_owned(), words.join("; ").into())]
+        }
+        Value::Array(parts) => match ends.iter().find(|(list, _)| *list == key) {
+            Some((_, ends)) => ends.iter().map(|end| (*end).to_owned()).zip(parts).flat_map(part).collect(),
+            None => (1..).map(|place: usize| place.to_string()).zip(parts).flat_map(part).collect(),
+        },
+        value => vec![(name.to_owned(), value.clone())],
+    }
 }
 
 /// Line of CSV. An absent value is an empty field.

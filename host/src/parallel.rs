@@ -1,7 +1,7 @@
 //! Threads on all processor cores.
 
 use crate::Failure;
-use crate::output::progress::Progress;
+use crate::terminal::progress::Progress;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::io::{self, Write};
@@ -21,9 +21,9 @@ pub fn thread_pool() -> Result<ThreadPool, Failure> {
 }
 
 /// Rows that need no other thread.
-const FEW: u64 = 1024;
+const FEW_ROWS: u64 = 1024;
 /// Rows between two writes.
-const BATCH: u64 = 1 << 15;
+const BATCH_ROWS: u64 = 1 << 15;
 
 /// Function that appends the row of a number to the bytes.
 pub type Encode<'a> = dyn Fn(u64, &mut Vec<u8>) + Sync + 'a;
@@ -37,14 +37,14 @@ pub fn write_rows(count: u64, encode: &Encode<'_>, out: &mut dyn Write) -> io::R
         encode(row, &mut bytes);
         bytes
     };
-    if count <= FEW {
+    if count <= FEW_ROWS {
         out.write_all(&(0..count).fold(Vec::new(), append))?;
         return out.flush();
     }
     let cores = thread_pool().map_err(io::Error::other)?;
     let progress = Progress::new(count, "rows");
-    for first in (0..count).step_by(BATCH as usize) {
-        let rows = first..count.min(first + BATCH);
+    for first in (0..count).step_by(BATCH_ROWS as usize) {
+        let rows = first..count.min(first + BATCH_ROWS);
         progress.add(rows.end - first);
         // in the order of the rows, whichever thread encodes them
         let parts: Vec<_> = cores.install(|| rows.into_par_iter().fold(Vec::new, append).collect());

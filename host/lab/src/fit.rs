@@ -9,7 +9,7 @@ use toytop::{Motion, Orientation, Release, State, Top, TopParameters};
 use toytop_fit::{Fit, Fitted};
 use toytop_host::Failure;
 use toytop_host::fit::sensors::{Body, Sensors};
-use toytop_host::fit::simulated::{Recording, measurements};
+use toytop_host::fit::simulated::{Recording, simulate_measurements};
 use toytop_host::input::random::Random;
 use toytop_host::score::rotation_between;
 
@@ -79,7 +79,7 @@ fn trial(random: &mut Random, set: usize, seed: u64) -> Result<Accepted, String>
         std::iter::repeat_with(|| draw(random)).flatten().next().ok_or("no launch")?;
     let sensors = sensors(set, Body::new(motion.top(), height)).map_err(|failure| failure.to_string())?;
     let recording = Recording { hertz: HERTZ, count: SAMPLES, seed };
-    let samples = measurements(&motion, &sensors, &recording).ok_or("not simulated")?;
+    let samples = simulate_measurements(&motion, &sensors, &recording).ok_or("not simulated")?;
     let listed = sensors.as_core();
     let mut fit = Fit::new(motion.top(), &listed, &[]).map_err(|error| error.to_string())?;
     let fitted = fit.run(samples.iter().copied()).map_err(|error| error.to_string())?;

@@ -16,13 +16,12 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use toytop_host::output::Format;
-use toytop_host::output::command_line::report;
-use toytop_host::output::doc_markers::Page;
-use toytop_host::output::progress::Progress;
-use toytop_host::output::table::Table;
-use toytop_host::output::{self, stdout};
+use toytop_host::files::doc_page::DocPage;
+use toytop_host::output::table::TextTable;
+use toytop_host::output::{self, Format};
 use toytop_host::parallel::thread_pool;
+use toytop_host::terminal::command_line;
+use toytop_host::terminal::progress::Progress;
 use toytop_host::{Failure, Report};
 
 /// Studies of random launches that check toytop itself.
@@ -71,12 +70,12 @@ struct Study {
 }
 
 fn main() -> ExitCode {
-    stdout::finish(report(|cli: &Cli| match &cli.command {
+    command_line::run(|cli: &Cli| match &cli.command {
         Command::Corners { study, truths } => {
             study.run("host/docs/accuracy.md", "toytop-lab corners: corners", || corners::run(study, *truths))
         }
         Command::Fit(study) => study.run("host/docs/fit.md", "toytop-lab fit: launches", || fit::run(study)),
-    }))
+    })
 }
 
 /// Result of a study.
@@ -113,9 +112,9 @@ impl Study {
         const REPORTED: usize = 20;
         // a missing place in the page is reported before the computation
         let path = self.accept.as_ref().map(|path| path.as_deref().unwrap_or(Path::new(page)));
-        let page = path.map(|path| Page::read(path, mark)).transpose()?;
+        let page = path.map(|path| DocPage::read(path, mark)).transpose()?;
         let Summary { headline, rows, failures } = study()?;
-        let mut table = Table::of_all(&rows, |x| output::short(x, 2));
+        let mut table = TextTable::of_all(&rows, |x| output::short(x, 2));
         for heading in &mut table.lines[0] {
             *heading = heading.replace('_', " ");
         }

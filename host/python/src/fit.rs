@@ -7,13 +7,15 @@ use crate::top::TopCore;
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyString};
+use pythonize::pythonize;
 use toml::Table;
 use toytop_fit::{Drift, Measurement};
 use toytop_host::fit::columns::Columns;
-use toytop_host::fit::launch::FitInput;
-use toytop_host::fit::launch::FitReport;
+use toytop_host::fit::input::FitInput;
+use toytop_host::fit::result::FitResult;
 use toytop_host::fit::sensors::{Body, Sensors};
-use toytop_host::fit::simulated::{MOST_SAMPLES, Recording, measurements};
+use toytop_host::fit::simulated::{MAX_SAMPLES, Recording, simulate_measurements};
+use toytop_host::fit::solve::fit_launch;
 
 /// Fitted launch with the covariance of its unknowns.
 #[pyclass(module = "toytop._toytop", frozen)]
@@ -36,7 +38,7 @@ impl FittedLaunch {
     }
 }
 
-/// Fields of the Python class `Fitted`: launch of a top, fitted to samples of sensors, which are columns by name.
+/// Launch of a top, fitted to samples of sensors, which are columns by name.
 #[pyfunction]
 pub(crate) fn fit<'py>(
     py: Python<'py>,
@@ -56,7 +58,7 @@ pub(crate) fn fit<'py>(
     let readings: Vec<Measurement> = rows.iter().map(|(_, measurement)| *measurement).collect();
     let input = FitInput { top: top.top, table, free, sensors: instruments, huber, drift };
     let (report, residuals) = interrupt::interruptible(py, move || {
-        let report = input.fitted(&readings)?;
+        let report = fit_launch(input, &readings)?;
         let residuals = report.residuals(&readings);
         Ok((report, residuals))
     })?
@@ -76,7 +78,8 @@ pub(crate) fn fit<'py>(
     fields(py, &report, by_column)
 }
 
-fn fields<'py>(py: Python<'py>, report: &FitReport, residuals: Columns) -> PyResult<Bound<'py, PyDict>> {
+/// Numbers of the fit by the keys of JSON; the launch, its tilt in rad, the residuals and the names of the losses.
+fn fields<'py>(py: Python<'py>, report: &FitResult, residuals: Columns) -> PyResult<Bound<'py, PyDict>> {
     let core = report.fitted;
     let refused = |reason: String| PyString::new(py, &reason).into_any();
     let launched = match (core.warning, report.scenario(None)) {
@@ -84,41 +87,12 @@ fn fields<'py>(py: Python<'py>, report: &FitReport, residuals: Columns) -> PyRes
         (None, Err(failure)) => refused(failure.to_string()),
         (None, Ok(text)) => Bound::new(py, MotionCore::from_text("fitted", &text)?)?.into_any(),
     };
-    let numbers = |numbers: &[f64]| numbers.to_vec().into_pyarray(py);
-    let (deviations, freed) = (core.deviations(), report.freed());
-    let of_losses = &deviations[6 + freed.len()..];
-    let losses = core.drift.map(|drift| {
-        let values = drift.losses.into_iter().zip(of_losses.iter().copied());
-        Drift::LOSS_NAMES.into_iter().zip(values).into_py_dict(py)
-    });
-    let free = freed.into_iter().map(|(key, value, deviation)| (key, (value, deviation)));
-    let biases = report.biases().into_iter();
-    let biases = biases.map(|(name, values, deviations)| (name, (numbers(&values), numbers(&deviations))));
-    let (count, [spin, tilt]) = (core.unknown_count, report.spin_and_tilt());
-    let covariance = (0..count * count).map(|at| core.covariance.get(at / count, at % count)).collect();
-    let fields = PyDict::new(py);
-    fields.set_item("_core", FittedLaunch(core))?;
-    fields.set_item("_launched", launched)?;
-    fields.set_item("reason", report.reason.clone())?;
-    fields.set_item("epoch", core.time)?;
-    fields.set_item("quaternion", numbers(&core.launch.orientation.quaternion()))?;
-    fields.set_item("omega", numbers(&core.launch.omega))?;
-    fields.set_item("spin", spin)?;
-    fields.set_item("tilt", tilt)?;
-    fields.set_item("covariance", array(py, covariance, &[count, count])?)?;
-    fields.set_item("deviations", numbers(&deviations[..count]))?;
-    fields
-        .set_item("drift", core.drift.map(|drift| (numbers(&drift.rates), numbers(&drift.deviations()))))?;
-    fields.set_item("free", free.into_py_dict(py)?)?;
-    fields.set_item("losses", losses.transpose()?)?;
-    fields.set_item("biases", biases.into_py_dict(py)?)?;
-    fields.set_item("undetermined", report.undetermined())?;
-    fields.set_item("alternatives", core.other_launch_count)?;
-    fields.set_item("chi_squared", core.statistics.chi_squared)?;
-    fields.set_item("reduced_chi_squared", core.statistics.reduced_chi_squared(count))?;
-    fields.set_item("used", core.statistics.used)?;
-    fields.set_item("saturated", core.statistics.unused)?;
-    fields.set_item("outliers", core.statistics.outliers)?;
+    let [_, tilt] = report.spin_and_tilt();
+    let fields = pythonize(py, &report.summary())?.cast_into::<PyDict>()?;
+    fields.set_item("core", FittedLaunch(core))?;
+    fields.set_item("launched", launched)?;
+    fields.set_item("loss_names", Drift::LOSS_NAMES)?;
+    fields.set_item("tilt", (tilt.value, tilt.deviation))?;
     fields.set_item("residuals", dictionary(py, residuals)?)?;
     Ok(fields)
 }
@@ -136,11 +110,11 @@ pub(crate) fn simulate<'py>(
     let sensors = self::sensors(sensors.as_ref(), &motion.top)?;
     let seed = seed.try_into().map_err(|_| value_error("seed", "must be between 0 and 2^64 - 1"))?;
     let recording = Recording::new(hertz, duration, seed).ok_or_else(|| {
-        value_error("hertz, duration", format!("must give from 1 to {MOST_SAMPLES:e} samples"))
+        value_error("hertz, duration", format!("must give from 1 to {MAX_SAMPLES:e} samples"))
     })?;
     let motion = motion.motion;
     let found = interrupt::interruptible(py, move || {
-        measurements(&motion, &sensors, &recording).map(|found| Columns::new(&sensors, &found))
+        simulate_measurements(&motion, &sensors, &recording).map(|found| Columns::new(&sensors, &found))
     })?;
     let refuse = || value_error("motion", "has no period, and cannot be followed for so long");
     dictionary(py, found.ok_or_else(refuse)?)

@@ -5,15 +5,16 @@ use crate::interrupt;
 use crate::motion::MotionCore;
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
-use pyo3::types::{IntoPyDict, PyDict};
+use pyo3::types::PyDict;
+use pythonize::pythonize;
 use toytop::Orientation;
 use toytop_host::Failure;
 use toytop_host::input::scenario::{Scenario, Units};
 use toytop_host::score::errors::ExactReference;
 use toytop_host::score::order as convergence;
-use toytop_host::score::trajectory::{Pose, Trajectory, normalised};
+use toytop_host::score::trajectory::{Trajectory, TrajectoryRow, normalised};
 
-/// Fields of the Python class `Score`: errors of an integrator's output, from the state of motion.at(t[0]), against the exact motion.
+/// Errors by the keys of JSON: those of an integrator's output, from the state of motion.at(t[0]), against the exact motion.
 #[pyfunction]
 pub(crate) fn score<'py>(
     py: Python<'py>,
@@ -32,7 +33,7 @@ pub(crate) fn score<'py>(
             normalised(given).map_err(|reason| Failure::Input(format!("quaternion: row {i}: {reason}")))?;
         let in_fixed = |rate: [f64; 3]| if in_body { orientation.adjoint(rate) } else { rate };
         let omega = rates.as_ref().map(|rates| in_fixed(rates.as_chunks().0[i]));
-        Ok(Pose { t: t.numbers[i], orientation, norm_error, omega, tip: None })
+        Ok(TrajectoryRow { t: t.numbers[i], orientation, norm_error, omega, tip: None })
     };
     let MotionCore { motion, launch, top, .. } = motion;
     let scenario = Scenario {
@@ -49,23 +50,7 @@ pub(crate) fn score<'py>(
         ExactReference::new(&scenario, "motion.at(t[0])")?.score(&trajectory)
     })?;
     let score = score.map_err(failed)?;
-    let (phases, drift) = (score.phases, score.drift);
-    let numbers = [
-        ("max_error", Some(score.max_error)),
-        ("rms_error", Some(score.rms_error)),
-        ("final_error", Some(score.final_error)),
-        ("max_u_error", Some(score.max_u_error)),
-        ("nutation_error", phases.nutation),
-        ("precession_error", phases.precession),
-        ("spin_error", phases.spin),
-        ("residual", phases.residual),
-        ("drift_h", drift.map(|drift| drift.h)),
-        ("drift_l", drift.map(|drift| drift.l)),
-        ("drift_n", drift.map(|drift| drift.n)),
-        ("norm_error", Some(score.norm_error)),
-        ("truth_bound", Some(score.truth_bound)),
-    ];
-    let fields = numbers.into_py_dict(py)?;
+    let fields = pythonize(py, &score)?.cast_into::<PyDict>()?;
     fields.set_item("warning", score.warning)?;
     Ok(fields)
 }

@@ -59,7 +59,7 @@ def use_many(many: toytop.Many) -> None:
 
 
 def use_score(score: toytop.Score) -> None:
-    numbers = (score.max_error, score.rms_error, score.final_error, score.max_u_error, score.norm_error, score.truth_bound)
+    numbers = (score.max_error, score.rms_error, score.final_error, score.max_u_error, score.max_norm_error, score.truth_bound)
     phases = (score.nutation_error, score.precession_error, score.spin_error, score.residual)
     drifts = (score.drift_h, score.drift_l, score.drift_n)
     assert_type(numbers[0], float)

@@ -17,19 +17,23 @@ pub struct Recording {
 }
 
 /// Largest number of samples.
-pub const MOST_SAMPLES: f64 = 1e7;
+pub const MAX_SAMPLES: f64 = 1e7;
 
 impl Recording {
-    /// Times of a recording of this duration, s; `None` where this is not from 1 to [`MOST_SAMPLES`] samples.
+    /// Times of a recording of this duration, s; `None` where this is not from 1 to [`MAX_SAMPLES`] samples.
     pub fn new(hertz: f64, duration: f64, seed: u64) -> Option<Self> {
         let count = (hertz * duration).round();
-        let possible = hertz > 0.0 && (1.0..=MOST_SAMPLES).contains(&count);
+        let possible = hertz > 0.0 && (1.0..=MAX_SAMPLES).contains(&count);
         possible.then_some(Self { hertz, count: count as u64, seed })
     }
 }
 
 /// Measurements of a motion; `None` if the motion has no period and the recording is too long.
-pub fn measurements(motion: &Motion, sensors: &Sensors, recording: &Recording) -> Option<Vec<Measurement>> {
+pub fn simulate_measurements(
+    motion: &Motion,
+    sensors: &Sensors,
+    recording: &Recording,
+) -> Option<Vec<Measurement>> {
     let sensitivity = Sensitivity::new(motion);
     let mut cursor = sensitivity;
     let mut random = Random::new(recording.seed, 0);

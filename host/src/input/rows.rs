@@ -38,7 +38,8 @@ fn without_unit(field: &str) -> Result<String, String> {
     let (name, unit) = (name.trim(), unit.trim_end_matches([']', ')', ' ']).trim());
     let allowed: &[&str] = match name {
         "t" => &["s"],
-        "gyro_x" | "gyro_y" | "gyro_z" | "omega_x" | "omega_y" | "omega_z" | "wx" | "wy" | "wz" => &["rad/s"],
+        "gyro_x" | "gyro_y" | "gyro_z" | "omega_x" | "omega_y" | "omega_z" | "omega_body_x"
+        | "omega_body_y" | "omega_body_z" | "wx" | "wy" | "wz" => &["rad/s"],
         "accel_x" | "accel_y" | "accel_z" => &["m/s^2", "m/s²", "m/s2"],
         "tip_x" | "tip_y" => &["m"],
         "mark" => &["rad"],
@@ -71,7 +72,9 @@ mod tests {
     fn only_units_of_known_columns_matter() {
         let names = parse("t [s],tip_z [mm],accel_raw (LSB),t_wall [ms],w [1],wx [rad/s]\n").unwrap().1;
         assert_eq!(names, ["t", "tip_z", "accel_raw", "t_wall", "w", "wx"]);
-        for column in ["t [ms]", "tip_x [mm]", "wy [deg/s]", "omega_z [deg/s]", "mag_x [nT]"] {
+        for column in
+            ["t [ms]", "tip_x [mm]", "wy [deg/s]", "omega_z [deg/s]", "omega_body_x [deg/s]", "mag_x [nT]"]
+        {
             assert!(parse(column).is_err(), "{column}");
         }
     }

@@ -3,7 +3,7 @@
 use crate::Failure;
 use crate::motion::Scalar;
 use crate::motion::sample::Sample;
-use crate::output::progress::Progress;
+use crate::terminal::progress::Progress;
 use toytop::scalar::Real;
 use toytop::{Motion, Phase, Stepper};
 

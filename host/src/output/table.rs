@@ -9,14 +9,14 @@ use std::iter::once;
 pub type Column<'a> = (&'a str, &'a str, fn(f64) -> String);
 
 /// Lines of texts.
-pub struct Table {
+pub struct TextTable {
     /// Lines, of which the first may be a header.
     pub lines: Vec<Vec<String>>,
     /// Number of columns that are aligned to the left.
     pub left: usize,
 }
 
-impl Table {
+impl TextTable {
     /// Columns of records below their headings. An absent value is a dash. The first columns are aligned to the left as long as they
     /// contain words.
     pub fn new(records: &[Value], columns: &[Column<'_>]) -> Self {
@@ -87,7 +87,7 @@ mod tests {
     fn columns_of_numbers_are_aligned_to_the_right() {
         let rows = [["what", "cycles", "error"], ["a tick", "12345", "1e-9"], ["999", "-", "none"]];
         let lines = rows.map(|row| row.map(str::to_owned).to_vec()).into();
-        let text = Table { lines, left: 0 }.markdown();
+        let text = TextTable { lines, left: 0 }.markdown();
         assert_eq!(
             text,
             "| what | cycles | error |\n|---|--:|---|\n| a tick | 12 345 | 1e-9 |\n| 999 | - | none |\n"

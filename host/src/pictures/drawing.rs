@@ -17,7 +17,7 @@ pub mod sphere;
 pub mod tip;
 
 use crate::Failure;
-use crate::output::whole_file;
+use crate::files::whole_file;
 use kuva::backend::raster::RasterBackend;
 use kuva::backend::svg::SvgBackend;
 use kuva::render::color::Color;

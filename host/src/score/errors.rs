@@ -1,7 +1,7 @@
 //! Errors of a trajectory.
 
 use super::phases::{self, PhaseErrors};
-use super::trajectory::{Pose, Trajectory};
+use super::trajectory::{Trajectory, TrajectoryRow};
 use crate::Failure;
 use crate::input::require_within;
 use crate::input::scenario::Scenario;
@@ -9,6 +9,7 @@ use crate::motion::ephemeris::{DynEphemeris, smallest_ephemeris};
 use crate::motion::errors::{IntegralDrift, drift, greater};
 use crate::motion::{Scalar, period_or_natural_time};
 use nalgebra::Vector3;
+use serde::Serialize;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
 
@@ -20,27 +21,34 @@ pub struct ExactReference<'a> {
     start: String,
 }
 
-/// Errors of one trajectory.
+/// Errors of one trajectory. Their names are the keys of JSON.
+#[derive(Serialize)]
 pub struct Score {
     /// Greatest error of the orientation, 2 √(|Δα|² + |Δβ|²) with the nearer sign, rad.
-    pub max_error: f64,
+    pub max_error_rad: f64,
     /// Root of the mean square of the orientation errors, rad.
-    pub rms_error: f64,
+    pub rms_error_rad: f64,
     /// Error of the orientation in the last row, rad.
-    pub final_error: f64,
+    pub final_error_rad: f64,
     /// Greatest error of u.
     pub max_u_error: f64,
-    /// Greatest error of the tip, if the file has it.
-    pub max_tip_error: Option<f64>,
+    /// Greatest error of the tip, m, if the file has it.
+    pub max_position_error: Option<f64>,
     /// Phase errors over the last nutation period.
+    #[serde(flatten)]
     pub phases: PhaseErrors,
-    /// Greatest differences of l, n and h from those of the motion, in units of their natural scales, if the file has the angular velocity.
-    pub drift: Option<IntegralDrift>,
+    /// Greatest difference of h from that of the motion, in units of its natural scale, if the file has the angular velocity.
+    pub drift_h: Option<f64>,
+    /// Greatest difference of l in the same way.
+    pub drift_l: Option<f64>,
+    /// Greatest difference of n in the same way.
+    pub drift_n: Option<f64>,
     /// Greatest distance of the file's orientations from unit norm.
-    pub norm_error: f64,
+    pub max_norm_error: f64,
     /// Upper bound on the error of the exact motion itself, rad.
-    pub truth_bound: f64,
+    pub truth_bound_rad: f64,
     /// Likely reason why the first row is far from the motion, most often a convention.
+    #[serde(skip)]
     pub warning: Option<String>,
 }
 
@@ -69,46 +77,49 @@ impl<'a> ExactReference<'a> {
             .map_err(|failure| failure.with_context(&format!("{name}: t")))?;
         let errors: Vec<_> = rows.iter().map(|row| self.errors(row)).collect();
         let mean_square = errors.iter().map(|[error, _]| error * error).sum::<f64>() / rows.len() as f64;
+        let drift = self.drift(rows);
         Ok(Score {
-            max_error: greatest(errors.iter().map(|[error, _]| *error)),
-            rms_error: mean_square.sqrt(),
-            final_error: errors.last().map_or(0.0, |[error, _]| *error),
+            max_error_rad: greatest(errors.iter().map(|[error, _]| *error)),
+            rms_error_rad: mean_square.sqrt(),
+            final_error_rad: errors.last().map_or(0.0, |[error, _]| *error),
             max_u_error: greatest(errors.iter().map(|[_, u_error]| *u_error)),
-            max_tip_error: rows.iter().filter_map(|row| self.tip_error(row)).reduce(greater),
-            phases: phases::last(self.motion, &*self.table, rows),
-            drift: self.drift(rows),
-            norm_error: greatest(rows.iter().map(|row| row.norm_error)),
-            truth_bound: self.table.error_bound().after(furthest * self.table.ticks_per_time()),
+            max_position_error: rows.iter().filter_map(|row| self.position_error(row)).reduce(greater),
+            phases: phases::phase_errors(self.motion, &*self.table, rows),
+            drift_h: drift.map(|drift| drift.h),
+            drift_l: drift.map(|drift| drift.l),
+            drift_n: drift.map(|drift| drift.n),
+            max_norm_error: greatest(rows.iter().map(|row| row.norm_error)),
+            truth_bound_rad: self.table.error_bound().after(furthest * self.table.ticks_per_time()),
             warning: rows.first().and_then(|row| self.warning(row)),
         })
     }
 
     /// Errors of the orientation of a row, rad, and of its u.
-    fn errors(&self, row: &Pose) -> [f64; 2] {
+    fn errors(&self, row: &TrajectoryRow) -> [f64; 2] {
         let exact = self.table.at(row.t).pose.orientation;
-        [distance(&exact, &row.orientation), (row.orientation.u() - exact.u()).abs()]
+        [orientation_error(&exact, &row.orientation), (row.orientation.u() - exact.u()).abs()]
     }
 
-    fn tip_error(&self, row: &Pose) -> Option<f64> {
+    fn position_error(&self, row: &TrajectoryRow) -> Option<f64> {
         let exact = self.table.at(row.t).pose.tip;
         row.tip.map(|[x, y]| (x - exact.re).hypot(y - exact.im))
     }
 
-    fn drift(&self, rows: &[Pose]) -> Option<IntegralDrift> {
-        let drift = |most: IntegralDrift, row: &Pose| {
+    fn drift(&self, rows: &[TrajectoryRow]) -> Option<IntegralDrift> {
+        let drift = |most: IntegralDrift, row: &TrajectoryRow| {
             Some(most.greater(drift(self.motion, &row.orientation, row.omega?)))
         };
         rows.iter().try_fold(IntegralDrift::default(), drift)
     }
 
     /// Reason why the first row is far from the motion; `None` if it is near.
-    fn warning(&self, first: &Pose) -> Option<String> {
+    fn warning(&self, first: &TrajectoryRow) -> Option<String> {
         let exact = self.table.at(first.t);
         let [error, _] = self.errors(first);
-        let inverse = distance(&exact.pose.orientation, &first.orientation.inverse());
-        let speed = apart(exact.rates.omega, [0.0; 3]).max(2.0 * PI / period_or_natural_time(self.motion));
-        let rate_error = first.omega.map_or(0.0, |omega| apart(omega, exact.rates.omega)) / speed;
-        let tip_error = self.tip_error(first).unwrap_or(0.0) / self.motion.top().tip_scale();
+        let inverse = orientation_error(&exact.pose.orientation, &first.orientation.inverse());
+        let speed = distance(exact.rates.omega, [0.0; 3]).max(2.0 * PI / period_or_natural_time(self.motion));
+        let rate_error = first.omega.map_or(0.0, |omega| distance(omega, exact.rates.omega)) / speed;
+        let position_error = self.position_error(first).unwrap_or(0.0) / self.motion.top().tip_scale();
         let far = format!("the first row is {error:.1e} rad from the motion;");
         let reason = if error >= SUSPECT_DISTANCE && inverse < SUSPECT_DISTANCE {
             let transposed = "are the columns from fixed to body coordinates?";
@@ -117,10 +128,10 @@ impl<'a> ExactReference<'a> {
             far
         } else if rate_error >= SUSPECT_DISTANCE {
             format!(
-                "the angular velocity of the first row is off by {rate_error:.1e} of its size: are wx,wy,wz in the body frame, and"
+                "the angular velocity of the first row is off by {rate_error:.1e} of its size: is it in the frame of its columns, and"
             )
-        } else if tip_error >= SUSPECT_DISTANCE {
-            format!("the position of the first row is off by {tip_error:.1e} of the length of the top;")
+        } else if position_error >= SUSPECT_DISTANCE {
+            format!("the position of the first row is off by {position_error:.1e} of the length of the top;")
         } else {
             return None;
         };
@@ -133,12 +144,12 @@ fn greatest(errors: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// Distance of two vectors.
-fn apart(x: [f64; 3], y: [f64; 3]) -> f64 {
+fn distance(x: [f64; 3], y: [f64; 3]) -> f64 {
     (Vector3::from(x) - Vector3::from(y)).norm()
 }
 
 /// Error of the orientation with the nearer of the two signs, rad.
-fn distance(exact: &Orientation<f64>, found: &Orientation<f64>) -> f64 {
+fn orientation_error(exact: &Orientation<f64>, found: &Orientation<f64>) -> f64 {
     let negative = Orientation { alpha: -found.alpha, beta: -found.beta };
     exact.distance(found).min(exact.distance(&negative))
 }

@@ -12,24 +12,25 @@
 //! error: the trajectory is on another torus, with other values of l, n and h.
 
 use super::rotation_between;
-use super::trajectory::Pose;
+use super::trajectory::TrajectoryRow;
 use crate::motion::ephemeris::DynEphemeris;
 use crate::motion::period_or_natural_time;
 use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3, Vector6};
+use serde::Serialize;
 use std::f64::consts::PI;
 use toytop::{Complex, Motion, Orientation, Regime};
 
 /// Phase errors of a trajectory over some rows, above 0 where it is ahead of the motion.
-#[derive(Default)]
+#[derive(Default, Serialize)]
 pub struct PhaseErrors {
     /// Nutation phase error Δθ, rad; `None` where the axis does not nutate.
-    pub nutation: Option<f64>,
+    pub nutation_error_rad: Option<f64>,
     /// Precession phase error Δψ, rad; `None` where the axis is vertical.
-    pub precession: Option<f64>,
+    pub precession_error_rad: Option<f64>,
     /// Spin phase error Δφ, rad; where the axis is vertical, that of the whole rotation.
-    pub spin: Option<f64>,
+    pub spin_error_rad: Option<f64>,
     /// Root of the mean square of the rotation that remains after the phase errors are removed, rad.
-    pub residual: Option<f64>,
+    pub residual_rad: Option<f64>,
 }
 
 /// Least number of rows of a fit.
@@ -38,7 +39,7 @@ const MIN_ROWS: usize = 8;
 /// Phase errors in the middle of the last nutation period, or of the last eight rows if these take longer; none for an aperiodic motion.
 ///
 /// The fit goes through all periods, so that it recognises errors of more than half a turn.
-pub fn last(motion: &Motion, table: &dyn DynEphemeris, rows: &[Pose]) -> PhaseErrors {
+pub fn phase_errors(motion: &Motion, table: &dyn DynEphemeris, rows: &[TrajectoryRow]) -> PhaseErrors {
     let exist = match motion.regime() {
         Regime::Nutating => [true; 3],
         Regime::Aperiodic => return PhaseErrors::default(),
@@ -49,19 +50,24 @@ pub fn last(motion: &Motion, table: &dyn DynEphemeris, rows: &[Pose]) -> PhaseEr
     let rates = motion.period_advance().map_or([0.0; 3], |advance| {
         [advance.alpha_turns, advance.beta_turns, 1.0].map(|turns| 2.0 * PI * turns / period)
     });
-    let fit = Fit { table, period, rates, exist };
+    let fit = PhaseFit { table, period, rates, exist };
     let (mut angles, mut residual) = (Vector6::zeros(), None);
     for window in fit.windows(rows) {
         // from the middle of one window to that of the next
         (0..3).for_each(|i| angles[i] += angles[i + 3]);
-        (angles, residual) = fit.fitted(window, angles);
+        (angles, residual) = fit.fit_rows(window, angles);
     }
     let angle = |i: usize| Some(angles[i]).filter(|_| exist[i] && residual.is_some());
-    PhaseErrors { nutation: angle(0), precession: angle(1), spin: angle(2), residual }
+    PhaseErrors {
+        nutation_error_rad: angle(0),
+        precession_error_rad: angle(1),
+        spin_error_rad: angle(2),
+        residual_rad: residual,
+    }
 }
 
 /// Fit of phase errors to rows.
-struct Fit<'a> {
+struct PhaseFit<'a> {
     table: &'a dyn DynEphemeris,
     /// Time that a fit covers, s.
     period: f64,
@@ -71,9 +77,9 @@ struct Fit<'a> {
     exist: [bool; 3],
 }
 
-impl Fit<'_> {
+impl PhaseFit<'_> {
     /// Consecutive windows, counted from the last row.
-    fn windows<'r>(&self, rows: &'r [Pose]) -> Vec<&'r [Pose]> {
+    fn windows<'r>(&self, rows: &'r [TrajectoryRow]) -> Vec<&'r [TrajectoryRow]> {
         let mut windows = Vec::new();
         let mut rest = rows;
         while rest.len() >= MIN_ROWS {
@@ -89,12 +95,12 @@ impl Fit<'_> {
 
     /// Angles in the middle of the rows with their change in a period, and the root of the mean square of the remaining rotation, by
     /// Gauss-Newton iteration. With the change, an error of a rate is not mistaken for one of another angle.
-    fn fitted(&self, rows: &[Pose], mut angles: Vector6<f64>) -> (Vector6<f64>, Option<f64>) {
+    fn fit_rows(&self, rows: &[TrajectoryRow], mut angles: Vector6<f64>) -> (Vector6<f64>, Option<f64>) {
         const MAX_STEPS: usize = 20;
-        const ENOUGH: f64 = 1e-3;
+        const SMALL_STEP: f64 = 1e-3;
         let middle = 0.5 * (rows[0].t + rows[rows.len() - 1].t);
-        let fraction = |row: &Pose| (row.t - middle) / self.period;
-        let at = |angles: &Vector6<f64>, row: &Pose| {
+        let fraction = |row: &TrajectoryRow| (row.t - middle) / self.period;
+        let at = |angles: &Vector6<f64>, row: &TrajectoryRow| {
             let angles = angles.fixed_rows::<3>(0) + angles.fixed_rows::<3>(3) * fraction(row);
             self.linearised(row, &angles)
         };
@@ -115,7 +121,7 @@ impl Fit<'_> {
             let step = factors.solve(&right);
             angles += step;
             // after a small step, the remaining rotation is known to first order
-            if step.amax() < ENOUGH {
+            if step.amax() < SMALL_STEP {
                 break;
             }
         }
@@ -124,7 +130,7 @@ impl Fit<'_> {
     }
 
     /// Rotation that each angle adds, rad per rad, as columns, and the rotation that remains, rad.
-    fn linearised(&self, row: &Pose, angles: &Vector3<f64>) -> (Matrix3<f64>, Vector3<f64>) {
+    fn linearised(&self, row: &TrajectoryRow, angles: &Vector3<f64>) -> (Matrix3<f64>, Vector3<f64>) {
         let [a_rate, b_rate, theta_rate] = self.rates;
         // t + τ is rounded; the rest of Δθ is taken into account to first order
         let t = if angles[0] == 0.0 { row.t } else { row.t + angles[0] / theta_rate };

@@ -9,9 +9,9 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 use std::path::Path;
 use toytop::{Complex, Orientation};
 
-/// Time and orientation of a trajectory, with what else the file has.
+/// Time and orientation, with the other quantities that the file has.
 #[derive(Clone, Copy, Debug)]
-pub struct Pose {
+pub struct TrajectoryRow {
     /// Time, s.
     pub t: f64,
     /// Orientation, normalised. Its sign is the file's.
@@ -36,7 +36,7 @@ pub struct Trajectory {
     /// Evaluations of the equations, from a line `# evaluations = N`.
     pub evaluations: Option<f64>,
     /// Rows, at least one, with monotone times.
-    pub rows: Vec<Pose>,
+    pub rows: Vec<TrajectoryRow>,
 }
 
 /// Columns of an orientation, one of three sets; the first that is complete counts.
@@ -79,10 +79,10 @@ impl Trajectory {
             let allowed = "t with w,x,y,z (body to fixed), alpha_re,alpha_im,beta_re,beta_im or r11,r12,...,r33 (by rows)";
             return Err(format!("columns: must have {allowed}; has {}", excerpt(&header.join(","))));
         }
-        let mut rows: Vec<Pose> = Vec::new();
+        let mut rows: Vec<TrajectoryRow> = Vec::new();
         for record in records {
             let (line, record) = record?;
-            let row = row(&header, &record).map_err(|reason| format!("line {line}: {reason}"))?;
+            let row = parse_row(&header, &record).map_err(|reason| format!("line {line}: {reason}"))?;
             let goes_on = rows.last().is_none_or(|last| {
                 row.t != last.t && (rows.len() == 1 || (row.t > last.t) == (last.t > rows[0].t))
             });
@@ -111,7 +111,7 @@ impl Trajectory {
     pub fn spacing(&self) -> Option<f64> {
         let [first, .., last] = &self.rows[..] else { return None };
         let mean = (last.t - first.t) / (self.rows.len() - 1) as f64;
-        let even = |pair: &[Pose]| (pair[1].t - pair[0].t - mean).abs() <= 1e-6 * mean.abs();
+        let even = |pair: &[TrajectoryRow]| (pair[1].t - pair[0].t - mean).abs() <= 1e-6 * mean.abs();
         self.rows.windows(2).all(even).then_some(mean.abs())
     }
 }
@@ -130,8 +130,8 @@ fn column_indices(header: &[String], names: &[&str]) -> Option<Vec<usize>> {
     names.iter().map(|name| header.iter().position(|own| own == name)).collect()
 }
 
-/// Pose of a record.
-fn row(header: &[String], record: &StringRecord) -> Result<Pose, String> {
+/// TrajectoryRow of a record.
+fn parse_row(header: &[String], record: &StringRecord) -> Result<TrajectoryRow, String> {
     let given = match numbers(header, record, QUATERNION)? {
         Some(quaternion) => Some(Orientation::from_quaternion(quaternion)),
         None => numbers(header, record, ALPHA_BETA)?
@@ -141,13 +141,17 @@ fn row(header: &[String], record: &StringRecord) -> Result<Pose, String> {
         Some(given) => normalised(given).map_err(|reason| format!("orientation: {reason}"))?,
         None => nearest_rotation(numbers(header, record, MATRIX)?.unwrap_or_default())?,
     };
-    let omega = match numbers(header, record, ["wx", "wy", "wz"])? {
-        Some(omega) => Some(orientation.adjoint(omega)),
+    let omega_body = match numbers(header, record, ["omega_body_x", "omega_body_y", "omega_body_z"])? {
+        Some(omega_body) => Some(omega_body),
+        None => numbers(header, record, ["wx", "wy", "wz"])?,
+    };
+    let omega = match omega_body {
+        Some(omega_body) => Some(orientation.adjoint(omega_body)),
         None => numbers(header, record, ["omega_x", "omega_y", "omega_z"])?,
     };
     let tip = numbers(header, record, ["tip_x", "tip_y"])?;
     let [t] = numbers(header, record, ["t"])?.unwrap_or_default();
-    Ok(Pose { t, orientation, norm_error, omega, tip })
+    Ok(TrajectoryRow { t, orientation, norm_error, omega, tip })
 }
 
 /// Numbers of a record in these columns; `None` where one of the columns is missing.
@@ -194,7 +198,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn three_ways_to_write_an_orientation() {
+    fn an_orientation_and_its_rates_may_be_written_in_several_ways() {
         let phi = Orientation::from_quaternion([0.5, -0.5, 0.1, 0.7]).normalised();
         let omega = [0.3, -1.0, 2.0];
         let [w, x, y, z] = phi.quaternion();
@@ -204,6 +208,7 @@ mod tests {
         let [ox, oy, oz] = omega;
         let texts = [
             format!("t,w,x,y,z,wx,wy,wz\n1,{w},{x},{y},{z},{wx},{wy},{wz}\n"),
+            format!("t,w,x,y,z,omega_body_x,omega_body_y,omega_body_z\n1,{w},{x},{y},{z},{wx},{wy},{wz}\n"),
             format!(
                 "# step = 0.25\nomega_x,t [s],alpha_re,alpha_im, beta_re,beta_im,omega_y,omega_z (rad/s)\n\
                  {ox},1,{},{},{},{},{oy},{oz}\n",
@@ -214,7 +219,7 @@ mod tests {
             ),
         ];
         let read = texts.map(|text| Trajectory::parse(&text).unwrap());
-        for (trajectory, has_omega) in read.iter().zip([true, true, false]) {
+        for (trajectory, has_omega) in read.iter().zip([true, true, true, false]) {
             let [row] = trajectory.rows[..] else { panic!("one row") };
             assert!(row.t == 1.0 && row.norm_error < 1e-15);
             let off = crate::score::rotation_between(&phi, &row.orientation);
@@ -224,8 +229,8 @@ mod tests {
                 assert!((found - given).abs() < 1e-14, "{found} {given}");
             }
         }
-        assert_eq!((read[1].step, read[1].method.as_deref()), (Some(0.25), None));
-        assert_eq!((read[2].evaluations, read[2].method.as_deref()), (Some(7.0), Some("Euler")));
+        assert_eq!((read[2].step, read[2].method.as_deref()), (Some(0.25), None));
+        assert_eq!((read[3].evaluations, read[3].method.as_deref()), (Some(7.0), Some("Euler")));
     }
 
     #[test]

@@ -53,11 +53,40 @@ def fit(
     Raises:
         ValueError: a column, a sensor, a key or a row is wrong; the message names it.
     """
+    import numpy as np
+
     given = columns("samples", samples)
-    fields = _toytop.fit(given, top._core, described(sensors), free, huber, drift)
-    launched = fields.pop("_launched")
-    motion = launched if isinstance(launched, str) else Motion(launched)
-    return Fitted(_launched=motion, **fields)
+    found = _toytop.fit(given, top._core, described(sensors), free, huber, drift)
+    launched, drifted = found["launched"], found["drift"]
+    covariance = np.array(found["covariance"])
+    deviations = np.sqrt(covariance.diagonal())
+    of_losses = deviations[6 + len(found["free"]) :].tolist()
+    return Fitted(
+        _core=found["core"],
+        _launched=launched if isinstance(launched, str) else Motion(launched),
+        reason=found["reason"],
+        epoch=found["epoch"],
+        quaternion=np.array(found["quaternion"]),
+        omega=np.array(found["omega"]),
+        spin=(found["spin"], found["spin_deviation"]),
+        tilt=found["tilt"],
+        covariance=covariance,
+        deviations=deviations,
+        drift=drifted and (np.array(drifted["rates"]), np.array(drifted["deviation"])),
+        free={key: (one["value"], one["deviation"]) for key, one in found["free"].items()},
+        losses=drifted and dict(zip(found["loss_names"], zip(drifted["losses"], of_losses, strict=False), strict=True)),
+        biases={
+            name: (np.array(one["value"]), np.array(one["deviation"])) for name, one in found["biases"].items()
+        },
+        undetermined=found["undetermined"],
+        alternatives=found["alternatives"],
+        chi_squared=found["chi_squared"],
+        reduced_chi_squared=found["reduced_chi_squared"],
+        used=found["used"],
+        saturated=found["saturated"],
+        outliers=found["outliers"],
+        residuals=found["residuals"],
+    )
 
 
 def simulate(

@@ -42,7 +42,9 @@ def score(
             raise ValueError(f"{column}: must have {len(times)} rows, as t; has {len(array)}")
     if len(times) == 0 or not ((times[1:] > times[:-1]).all() or (times[1:] < times[:-1]).all()):
         raise ValueError("t: must be at least one time, and go on in one direction")
-    return Score(**_toytop.score(motion._core, times, quaternions, velocities, name == "omega_body"))
+    found = _toytop.score(motion._core, times, quaternions, velocities, name == "omega_body")
+    del found["max_position_error"]  # the arrays have no positions
+    return Score(**{key.removesuffix("_rad"): value for key, value in found.items()})
 
 
 def order(steps: ArrayLike, errors: ArrayLike) -> float | None:
@@ -71,7 +73,7 @@ class Score:
         drift_h: greatest change of h in units of the greater of |h| and p g; None without angular velocity.
         drift_l: greatest change of l in units of the greatest of |l|, |n| and sqrt(2 A p g); None without angular velocity.
         drift_n: greatest change of n in the unit of drift_l; None without angular velocity.
-        norm_error: greatest distance of the quaternions from unit norm.
+        max_norm_error: greatest distance of the quaternions from unit norm.
         truth_bound: upper bound on the error of the exact motion itself, rad.
         warning: likely reason why the first row is far from the motion, if it is; otherwise None.
     """
@@ -87,7 +89,7 @@ class Score:
     drift_h: float | None
     drift_l: float | None
     drift_n: float | None
-    norm_error: float
+    max_norm_error: float
     truth_bound: float
     warning: str | None
 

@@ -4,7 +4,7 @@ use super::problems::{self, Problem};
 use crate::input::times::Times;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::smallest_ephemeris;
-use crate::output::table::Table;
+use crate::output::table::TextTable;
 use crate::output::{self, Format, eight_digits};
 use crate::score::trajectory::to_symmetry_axis;
 use crate::{Failure, Report};
@@ -66,7 +66,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
             about.title,
             about.source,
             about.symmetry_axis,
-            Table::of_all(&lines, eight_digits).aligned()
+            TextTable::of_all(&lines, eight_digits).aligned()
         )
     };
     Ok(output::render(*format, &document, table).into())
@@ -88,7 +88,7 @@ fn list(format: Format) -> Result<Report, Failure> {
     };
     let problems: Vec<_> = problems::all().iter().map(summary).collect();
     let table = || {
-        Table::new(&problems, &[("benchmark", "", eight_digits), ("title", "", eight_digits)]).aligned()
+        TextTable::new(&problems, &[("benchmark", "", eight_digits), ("title", "", eight_digits)]).aligned()
             + "\ntoytop benchmark NAME prints 30 digits; --scenario its scenario file; toytop score --benchmark NAME judges a run.\n"
     };
     Ok(output::render(format, &json!({ "problems": problems }), table).into())

@@ -2,10 +2,11 @@
 
 use super::problems;
 use crate::commands::options::{PICTURE, ending_in, positive};
+use crate::files::whole_file;
 use crate::input::scenario::Scenario;
 use crate::motion::period_or_natural_time;
-use crate::output::table::{Column, Table};
-use crate::output::{self, Format, short, two_digits, whole_file};
+use crate::output::table::{Column, TextTable};
+use crate::output::{self, Format, short, two_digits};
 use crate::pictures::drawing;
 use crate::pictures::drawing::chart::{Chart, Curve};
 use crate::score::errors::{ExactReference, Score};
@@ -13,6 +14,7 @@ use crate::score::order;
 use crate::score::trajectory::Trajectory;
 use crate::{Failure, Report};
 use clap::Args;
+use serde::Serialize;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -21,8 +23,8 @@ use std::path::{Path, PathBuf};
 #[command(
     after_help = "A RESULT has a header, and a row for each time: t in s, and w,x,y,z (unit quaternion from body to fixed coordinates), or\n\
         alpha_re,alpha_im,beta_re,beta_im, or r11,r12,...,r33 (matrix by rows, body to fixed). The drifts of h, l and n need\n\
-        wx,wy,wz (rad/s, body frame) or omega_x,omega_y,omega_z (fixed frame). Other columns are\n\
-        ignored. The two signs of a quaternion are one rotation. Lines above the header may state: # method = RK4, # step = 0.001,\n\
+        omega_body_x,omega_body_y,omega_body_z (rad/s, body frame, or wx,wy,wz) or omega_x,omega_y,omega_z (fixed frame). Other columns\n\
+        are ignored. The two signs of a quaternion are one rotation. Lines above the header may state: # method = RK4, # step = 0.001,\n\
         # evaluations = 40000. Files of one method with different steps give its order of convergence.\n\n\
         Example: toytop score host/scenarios/toy_top.toml rk4_*.csv --plot rk4.svg\n         \
         toytop state TOP.toml --times 0..1/1001 --method stepper --format csv > s.csv && toytop score TOP.toml s.csv"
@@ -45,36 +47,44 @@ pub struct ScoreArgs {
     format: Format,
 }
 
-/// Trajectory of a file with its errors.
+/// File with its errors, as a record.
+#[derive(Serialize)]
 struct ScoredFile {
-    trajectory: Trajectory,
+    name: String,
+    method: Option<String>,
+    /// Number of rows.
+    rows: usize,
+    /// Step size, s.
+    step: Option<f64>,
+    /// Source of the step size.
+    step_from: Option<&'static str>,
+    /// Evaluations of the equations.
+    evaluations: Option<f64>,
+    #[serde(flatten)]
     score: Score,
-    /// Step size, s, and its source.
-    step: Option<(f64, &'static str)>,
+    /// Order of convergence of its method.
+    method_order: Option<f64>,
     /// Order of convergence from the next larger step of the same method.
     order: Option<f64>,
+    /// Time of the last row, s.
+    #[serde(skip)]
+    end: f64,
 }
 
 impl ScoredFile {
     /// Name of the method; empty if the file does not state it.
     fn method(&self) -> &str {
-        self.trajectory.method.as_deref().unwrap_or_default()
-    }
-
-    fn end(&self) -> f64 {
-        self.trajectory.rows.last().map_or(0.0, |row| row.t)
-    }
-
-    /// Step size and greatest error.
-    fn point(&self) -> Option<[f64; 2]> {
-        self.step.map(|(step, _)| [step, self.score.max_error])
+        self.method.as_deref().unwrap_or_default()
     }
 }
 
-/// Integration method with its number of files and its order of convergence.
+/// Integration method, as a record.
+#[derive(Serialize)]
 struct Integrator {
-    name: String,
+    method: String,
+    /// Number of its files.
     files: usize,
+    /// Order of convergence.
     order: Option<f64>,
 }
 
@@ -108,36 +118,43 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
         let axis = problem.as_ref().map_or(3, |problem| problem.about.symmetry_axis);
         let trajectory = Trajectory::read(path)?.with_symmetry_axis(axis);
         let score = reference.score(&trajectory)?;
-        warnings
-            .extend(score.warning.iter().map(|warning| format!("warning: {}: {warning}", trajectory.name)));
-        let steps = [
-            (steps.get(index).copied(), "option"),
-            (trajectory.step, "file"),
-            (trajectory.spacing(), "rows"),
-        ];
-        let step = steps.into_iter().find_map(|(step, source)| Some((step?, source)));
-        files.push(ScoredFile { trajectory, score, step, order: None });
+        let spacing = trajectory.spacing();
+        let Trajectory { name, method, step, evaluations, rows } = trajectory;
+        warnings.extend(score.warning.iter().map(|warning| format!("warning: {name}: {warning}")));
+        let given = [(steps.get(index).copied(), "option"), (step, "file"), (spacing, "rows")];
+        let (step, step_from) = given.into_iter().find_map(|(step, source)| Some((step?, source))).unzip();
+        let end = rows.last().map_or(0.0, |row| row.t);
+        let (rows, method_order, order) = (rows.len(), None, None);
+        files.push(ScoredFile {
+            name,
+            method,
+            rows,
+            step,
+            step_from,
+            evaluations,
+            score,
+            method_order,
+            order,
+            end,
+        });
     }
     let integrators = integrators(&mut files, &mut warnings);
     if let Some(path) = plot {
         draw(path, &scenario, &files, &integrators)?;
     }
-    let records: Vec<_> = files.iter().map(|file| record(file, &integrators)).collect();
-    let summary = |Integrator { name, files, order }: &Integrator| json!({ "method": name, "files": files, "order": order });
-    let summaries: Vec<_> = integrators.iter().map(summary).collect();
     let order = if let [only] = &integrators[..] { only.order } else { None };
     let document = json!({
-        "files": records,
-        "methods": summaries,
+        "files": files,
+        "methods": integrators,
         "order": order,
         "scenario": scenario.name,
         "sign": "nearest",
     });
-    let text = output::render(*format, &document, || tables(&files, &records, &integrators));
+    let text = output::render(*format, &document, || tables(&document, &files, &integrators));
     Ok(Report::from(text).with_notes(warnings))
 }
 
-/// Methods by their first files. Sets the order of convergence of each file. Files of one method that end at different times get no order
+/// Methods by their first files. Sets the orders of convergence of each file. Files of one method that end at different times get no order
 /// of convergence, and a warning states it.
 fn integrators(files: &mut [ScoredFile], warnings: &mut Vec<String>) -> Vec<Integrator> {
     let mut names: Vec<String> = Vec::new();
@@ -146,25 +163,31 @@ fn integrators(files: &mut [ScoredFile], warnings: &mut Vec<String>) -> Vec<Inte
             names.push(file.method().to_owned());
         }
     }
-    let mut integrator = |name: String| {
-        let mut files: Vec<_> = files.iter_mut().filter(|file| file.method() == name).collect();
+    let mut integrator = |method: String| {
+        let mut files: Vec<_> = files.iter_mut().filter(|file| file.method() == method).collect();
         let count = files.len();
-        let first = files[0].end();
-        if let Some(other) = files.iter().find(|file| (file.end() - first).abs() > 1e-6 * first.abs()) {
-            let names = [&files[0].trajectory.name, &other.trajectory.name];
-            warnings.push(format!("warning: no order: {} and {} end at different times", names[0], names[1]));
-            return Integrator { name, files: count, order: None };
+        let first = files[0].end;
+        if let Some(other) = files.iter().find(|file| (file.end - first).abs() > 1e-6 * first.abs()) {
+            let [first, other] = [&files[0].name, &other.name];
+            warnings.push(format!("warning: no order: {first} and {other} end at different times"));
+            return Integrator { method, files: count, order: None };
         }
         files.retain(|file| file.step.is_some());
-        let step = |file: &ScoredFile| file.step.map_or(0.0, |(step, _)| step);
-        files.sort_by(|a, b| step(b).total_cmp(&step(a)));
-        let points: Vec<_> = files.iter().filter_map(|file| file.point()).collect();
+        files.sort_by(|a, b| b.step.unwrap_or(0.0).total_cmp(&a.step.unwrap_or(0.0)));
+        let points: Vec<_> =
+            files.iter().filter_map(|file| Some([file.step?, file.score.max_error_rad])).collect();
+        let order = order::fitted(&points);
         for (file, pair) in files.iter_mut().skip(1).zip(points.windows(2)) {
             file.order = order::between(pair[0], pair[1]);
         }
-        Integrator { name, files: count, order: order::fitted(&points) }
+        Integrator { method, files: count, order }
     };
-    names.into_iter().map(&mut integrator).collect()
+    let integrators: Vec<_> = names.into_iter().map(&mut integrator).collect();
+    for file in files {
+        let own = integrators.iter().find(|integrator| integrator.method == file.method());
+        file.method_order = own.and_then(|integrator| integrator.order);
+    }
+    integrators
 }
 
 /// Draws the greatest error against the work for each method. The work is the number of evaluations of the equations if every file states
@@ -175,23 +198,22 @@ fn draw(
     files: &[ScoredFile],
     integrators: &[Integrator],
 ) -> Result<(), Failure> {
-    let counted = files.iter().all(|file| file.trajectory.evaluations.is_some());
+    let counted = files.iter().all(|file| file.evaluations.is_some());
     let period = period_or_natural_time(&scenario.motion);
     let point = |file: &ScoredFile| {
-        let steps = file.step.map(|(step, _)| period / step);
-        let work = if counted { file.trajectory.evaluations } else { steps }.ok_or_else(|| {
+        let steps = file.step.map(|step| period / step);
+        let work = if counted { file.evaluations } else { steps }.ok_or_else(|| {
             let needed = "needs a line # evaluations = N in every file, or --steps";
-            let name = &file.trajectory.name;
-            Failure::Input(format!("--plot: {name}: {needed}, because its rows are uneven"))
+            Failure::Input(format!("--plot: {}: {needed}, because its rows are uneven", file.name))
         })?;
-        Ok([work, file.score.max_error])
+        Ok([work, file.score.max_error_rad])
     };
     let mut curves = Vec::new();
-    for Integrator { name, order, .. } in integrators {
+    for Integrator { method, order, .. } in integrators {
         let order = order.map(|order| format!("measured order {order:.2}"));
         let label: Vec<_> =
-            [Some(name.clone()).filter(|name| !name.is_empty()), order].into_iter().flatten().collect();
-        let of_method = files.iter().filter(|file| file.method() == name);
+            [Some(method.clone()).filter(|name| !name.is_empty()), order].into_iter().flatten().collect();
+        let of_method = files.iter().filter(|file| file.method() == method);
         let mut points = of_method.map(point).collect::<Result<Vec<_>, Failure>>()?;
         points.sort_by(|[a, _], [b, _]| a.total_cmp(b));
         curves.push(Curve::marked(label.join(", "), points));
@@ -205,38 +227,8 @@ fn draw(
     drawing::write("--plot", path, &chart.draw(&curves), None)
 }
 
-fn record(file: &ScoredFile, integrators: &[Integrator]) -> Value {
-    let ScoredFile { trajectory, score, step, order } = file;
-    let method = integrators.iter().find(|integrator| integrator.name == file.method());
-    let phases = &score.phases;
-    json!({
-        "name": trajectory.name,
-        "method": trajectory.method,
-        "rows": trajectory.rows.len(),
-        "step": step.map(|(step, _)| step),
-        "step_from": step.map(|(_, source)| source),
-        "evaluations": trajectory.evaluations,
-        "max_error_rad": score.max_error,
-        "rms_error_rad": score.rms_error,
-        "final_error_rad": score.final_error,
-        "max_u_error": score.max_u_error,
-        "max_position_error": score.max_tip_error,
-        "nutation_error_rad": phases.nutation,
-        "precession_error_rad": phases.precession,
-        "spin_error_rad": phases.spin,
-        "residual_rad": phases.residual,
-        "drift_h": score.drift.map(|drift| drift.h),
-        "drift_l": score.drift.map(|drift| drift.l),
-        "drift_n": score.drift.map(|drift| drift.n),
-        "max_norm_error": score.norm_error,
-        "truth_bound_rad": score.truth_bound,
-        "method_order": method.and_then(|method| method.order),
-        "order": order,
-    })
-}
-
 /// Table of the errors, table of the phase errors and drifts, and the orders of convergence.
-fn tables(files: &[ScoredFile], records: &[Value], integrators: &[Integrator]) -> String {
+fn tables(document: &Value, files: &[ScoredFile], integrators: &[Integrator]) -> String {
     let errors: [Column<'_>; 9] = [
         ("name", "", two_digits),
         ("rows", "rows", two_digits),
@@ -260,17 +252,18 @@ fn tables(files: &[ScoredFile], records: &[Value], integrators: &[Integrator]) -
     ];
     let details: [Column<'_>; 8] = details.map(|(name, heading)| (name, heading, two_digits as _));
     let mut orders = String::new();
-    for Integrator { name, order, .. } in integrators {
-        let of = if name.is_empty() { String::new() } else { format!(" of {name}") };
+    for Integrator { method, order, .. } in integrators {
+        let of = if method.is_empty() { String::new() } else { format!(" of {method}") };
         orders.extend(order.map(|order| format!("Order of convergence{of}: {order:.2}\n")));
     }
-    let bound = files.iter().map(|file| file.score.truth_bound).fold(0.0, f64::max);
+    let records = document["files"].as_array().map_or(&[][..], Vec::as_slice);
+    let bound = files.iter().map(|file| file.score.truth_bound_rad).fold(0.0, f64::max);
     format!(
         "Errors against the exact motion\n{}\nPhase errors over the last nutation period, rad (above 0: ahead), and relative drifts of h, l and n\n{}\n\
          {orders}The exact motion is within {bound:.1e} rad. Errors of the orientation are 2 sqrt(|d alpha|^2 + |d beta|^2) with the nearer\n\
          sign. Residual: what no phase error explains. Order: from the next larger step of the same method. Drifts: of h in units of max(|h|, p g), of l and n in units of\n\
          max(|l|, |n|, sqrt(2 A p g)).\n",
-        Table::new(records, &errors).aligned(),
-        Table::new(records, &details).aligned(),
+        TextTable::new(records, &errors).aligned(),
+        TextTable::new(records, &details).aligned(),
     )
 }

@@ -11,10 +11,10 @@ mod rust;
 
 use crate::commands::options::hertz;
 use crate::commands::warnings;
+use crate::files::whole_file;
 use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{HeapTable, TableScalar};
-use crate::output::whole_file;
 use crate::{Failure, Report};
 use c::header;
 use clap::{Args, ValueEnum};
@@ -41,7 +41,7 @@ pub struct BakeArgs {
     lang: Language,
     /// Segments of the table: 8, 16, 32, ... 4096; in f32 also 25, in f64 also 48. Without it, the default of the crate (25 in f32, 48 in
     /// f64, 32 in q31, 16 in q15), or more if the motion needs them
-    #[arg(long, alias = "size", value_name = "N")]
+    #[arg(long, value_name = "N")]
     segments: Option<u32>,
     /// Ticks in a second: N, or A/B for A ticks in B seconds
     #[arg(long, value_name = "N", default_value = "1000", value_parser = hertz)]

@@ -3,7 +3,7 @@
 use crate::commands::warnings;
 use crate::input::scenario::{Scenario, Units};
 use crate::motion::value;
-use crate::output::table::Table;
+use crate::output::table::TextTable;
 use crate::output::{self, Format, eight_digits};
 use crate::{Failure, Report};
 use clap::Args;
@@ -41,7 +41,7 @@ pub fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
                 .map(str::to_owned)
                 .to_vec()
         };
-        Table { lines: CONSTANTS.iter().map(line).collect(), left: 3 }.aligned()
+        TextTable { lines: CONSTANTS.iter().map(line).collect(), left: 3 }.aligned()
     };
     let text = output::render(arguments.format, &values, table);
     Ok(Report::from(text).with_notes(warnings(&[scenario])))

@@ -6,7 +6,7 @@ use crate::input::{finite, require_within};
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{EventFilter, EventKind, FoundEvent, search, smallest_ephemeris};
 use crate::motion::sample::Sample;
-use crate::output::table::{Column, Table};
+use crate::output::table::{Column, TextTable};
 use crate::output::{self, Format, eight_digits};
 use crate::{Failure, Report};
 use clap::Args;
@@ -108,9 +108,10 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     let records: Vec<_> = events.iter().map(|(kind, event)| record(kind, event)).collect();
     let table = || match &records[..] {
         [] => "no such event\n".to_owned(),
-        _ => Table::new(&records, &columns(scenario.units)).aligned(),
+        _ => TextTable::new(&records, &columns(scenario.units)).aligned(),
     };
-    let text = output::render(arguments.format, &json!({ "events": records }), table);
+    let text =
+        output::render_lists(arguments.format, &json!({ "events": records }), &[("tip", &["x", "y"])], table);
     // no warning that the top leaves the plane if the command asks for these times
     let asked = arguments.kinds.iter().any(|kind| kind.event == EventKind::LiftOff);
     let notes = if asked { Vec::new() } else { warnings(&[scenario]) };

@@ -4,6 +4,7 @@ mod rows;
 
 use crate::commands::options::{Method, hertz};
 use crate::commands::warnings;
+use crate::files::whole_file;
 use crate::input::scenario::Scenario;
 use crate::input::times::{Times, TimesArgs};
 use crate::motion::column::SampleColumn;
@@ -12,9 +13,9 @@ use crate::motion::sample::{Sample, body_rates};
 use crate::motion::stepper::stepped;
 use crate::motion::tip_angle::TipAngle;
 use crate::motion::{MotionConstants, Scalar, period_or_natural_time};
-use crate::output::stdout;
-use crate::output::{Format, whole_file};
+use crate::output::Format;
 use crate::parallel;
+use crate::terminal::stdout;
 use crate::truth::full_equations;
 use crate::{Failure, Report};
 use clap::{ArgGroup, Args};
@@ -95,7 +96,7 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     let count = times.seconds.len() as u64;
     let sample = sampler(arguments, &scenario, times, rate)?;
     // from here on the input cannot cause a failure
-    stdout::or_file(arguments.output.as_deref(), |out| {
+    stdout::write_or_file(arguments.output.as_deref(), |out| {
         out.write_all(rows.head().as_bytes())?;
         parallel::write_rows(
             count,

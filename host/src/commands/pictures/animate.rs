@@ -2,11 +2,11 @@
 
 use crate::commands::options::{ending_in, span};
 use crate::commands::warnings;
+use crate::files::whole_file;
 use crate::input::scenario::Scenario;
-use crate::output::progress::Progress;
-use crate::output::whole_file;
 use crate::pictures::drawing::film::Film;
 use crate::pictures::span::MotionSpan;
+use crate::terminal::progress::Progress;
 use crate::{Failure, Report};
 use clap::Args;
 use std::io::BufWriter;

@@ -2,8 +2,8 @@
 
 use crate::commands::options::ending_in;
 use crate::commands::warnings;
+use crate::files::whole_file;
 use crate::input::scenario::ScenarioFile;
-use crate::output::whole_file;
 use crate::pictures::page;
 use crate::{Failure, Report};
 use clap::Args;

@@ -3,15 +3,19 @@
 mod report;
 
 use crate::commands::options::{PICTURE, ending_in, positive};
+use crate::files::whole_file;
 use crate::fit::columns;
-use crate::fit::launch::{FREE_KEYS, FitInput};
+use crate::fit::input::{FREE_KEYS, FitInput};
 use crate::fit::sensors::{Body, Sensors};
+use crate::fit::solve::fit_launch;
+use crate::fit::summary::LIST_ENDS;
 use crate::input::scenario::ScenarioFile;
 use crate::input::text_file::excerpt;
-use crate::output::{self, Format, whole_file};
+use crate::output::{self, Format};
 use crate::pictures::drawing::{self, residuals};
 use crate::{Failure, Report};
 use clap::Args;
+use serde_json::json;
 use std::path::{Path, PathBuf};
 
 /// Launch of a top from samples of sensors, with error bars
@@ -70,7 +74,7 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     let table = scenario.table.get("top").and_then(toml::Value::as_table).cloned().unwrap_or_default();
     let input = FitInput { top, table, free: free.clone(), sensors, huber: *huber, drift: *drift };
     let samples = samples.display();
-    let fit = input.fitted(&measurements).map_err(|(parameter, reason)| {
+    let fit = fit_launch(input, &measurements).map_err(|(parameter, reason)| {
         Failure::Input(match parameter {
             "samples" => format!("{samples}: {reason}"),
             _ => format!("--{parameter}: {reason} ({})", scenario.file),
@@ -101,6 +105,8 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
         }
     }
     whole_file::write_all(&files)?;
-    let text = output::render(arguments.format, &report::record(&fit), || report::table(&fit));
+    let summary = fit.summary();
+    let table = || report::table(&fit, &summary);
+    let text = output::render_lists(arguments.format, &json!(summary), &LIST_ENDS, table);
     Ok(Report { text, notes, check_failed: !converged })
 }

@@ -1,11 +1,11 @@
 //! `toytop simulate`: simulated readings of sensors on a top.
 
 use crate::commands::options::positive;
+use crate::files::whole_file;
 use crate::fit::columns;
 use crate::fit::sensors::{Body, Sensors};
-use crate::fit::simulated::{MOST_SAMPLES, Recording, measurements};
+use crate::fit::simulated::{MAX_SAMPLES, Recording, simulate_measurements};
 use crate::input::scenario::Scenario;
-use crate::output::whole_file;
 use crate::{Failure, Report};
 use clap::Args;
 use std::path::PathBuf;
@@ -43,9 +43,9 @@ pub fn run(arguments: &SimulateArgs) -> Result<Report, Failure> {
     let body = Body::new(scenario.motion.top(), height);
     let sensors = Sensors::read(arguments.sensors.as_deref(), body)?;
     let recording = Recording::new(arguments.hertz, arguments.duration, arguments.seed).ok_or_else(|| {
-        Failure::Input(format!("--hertz, --duration: must give from 1 to {MOST_SAMPLES:e} samples"))
+        Failure::Input(format!("--hertz, --duration: must give from 1 to {MAX_SAMPLES:e} samples"))
     })?;
-    let found = measurements(&scenario.motion, &sensors, &recording).ok_or_else(|| {
+    let found = simulate_measurements(&scenario.motion, &sensors, &recording).ok_or_else(|| {
         let reason = "the motion has no period, and cannot be followed for so long";
         Failure::Method(format!("{}: {reason}", scenario.name))
     })?;

@@ -1,20 +1,20 @@
 //! `toytop accuracy`: error of each scalar at ticks 1 to 2^40, against the truth to thirty digits.
 
 use crate::commands::options::{Scalars, scalars};
+use crate::files::doc_page::DocPage;
 use crate::input::builtin;
 use crate::input::random::Random;
 use crate::input::scenario::{Launch, Scenario};
 use crate::motion::ephemeris::smallest_ephemeris;
 use crate::motion::errors::Errors;
 use crate::motion::{MotionConstants, Scalar};
-use crate::output::doc_markers::Page;
-use crate::output::progress::Progress;
-use crate::output::table::{Column, Table};
+use crate::output::table::{Column, TextTable};
 use crate::output::{self, Format};
 use crate::parallel::thread_pool;
 use crate::truth::float640::{from_f64, from_i64};
 use crate::truth::motion_input::MotionInput;
 use crate::truth::quadrature::Quadrature;
+use crate::terminal::progress::Progress;
 use crate::{Failure, Report};
 use clap::Args;
 use micromath::F32Ext;
@@ -55,7 +55,7 @@ const OCTAVES: usize = 40;
 const TICKS: u64 = 16;
 
 pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
-    let page = arguments.accept.as_deref().map(|path| Page::read(path, "toytop accuracy: scalars"));
+    let page = arguments.accept.as_deref().map(|path| DocPage::read(path, "toytop accuracy: scalars"));
     let page = page.transpose()?;
     let Scalars(scalars) = &arguments.scalar;
     let (mut totals, mut rows) = (Vec::new(), Vec::new());
@@ -79,12 +79,12 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
             "{}\nThe ephemeris in each scalar, over ticks from 1 to 2^{OCTAVES}, against the truth to thirty digits. Tip: in units of s. Norm:\n\
              of alpha and beta. Energy: from alpha, beta and their rates (in fixed point, f32), relative. CSV and JSON have the\n\
              errors over each octave of ticks. {micromath}",
-            Table::new(&totals, &columns(output::two_digits)).aligned(),
+            TextTable::new(&totals, &columns(output::two_digits)).aligned(),
         )
     };
     let text = output::render(arguments.format, &json!({ "rows": rows }), table);
     if let Some(page) = page {
-        let table = Table::new(&totals, &columns(|x| format!("{x:.0e}"))).markdown();
+        let table = TextTable::new(&totals, &columns(|x| format!("{x:.0e}"))).markdown();
         page.write(&format!("{table}\n{micromath}"))?;
     }
     Ok(text.into())

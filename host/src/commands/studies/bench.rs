@@ -1,7 +1,7 @@
 //! `toytop bench`: computing times of a state, by the core and by other methods, on this machine with this build.
 
 use crate::input::builtin;
-use crate::output::table::{Column, Table};
+use crate::output::table::{Column, TextTable};
 use crate::output::{self, Format, short};
 use crate::truth::full_equations;
 use crate::truth::full_equations::full_solver::{Equations, FullSolver};
@@ -62,7 +62,7 @@ pub fn run(arguments: &BenchArgs) -> Result<Report, Failure> {
         format!(
             "{}\nThe paper's curve with cusps. Ticks given by their numbers do not depend on each other, and the processor may overlap\n\
              them; the next tick waits for the one before. Least of {RUNS} runs on one core of {cores}; {build}.\n",
-            Table::new(&rows, &columns).aligned(),
+            TextTable::new(&rows, &columns).aligned(),
         )
     };
     Ok(output::render(arguments.format, &json!({ "rows": rows }), table).into())

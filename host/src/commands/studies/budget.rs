@@ -21,8 +21,9 @@ mod pages;
 mod trace;
 
 use crate::commands::options::positive;
-use crate::output::table::Table;
-use crate::output::{self, Format, eight_digits, short, whole_file};
+use crate::files::whole_file;
+use crate::output::table::TextTable;
+use crate::output::{self, Format, eight_digits, short};
 use crate::{Failure, Report};
 use budgets::{Budgets, FLASH_S};
 use chips::Chip;
@@ -68,7 +69,7 @@ pub struct BudgetArgs {
     #[arg(long, conflicts_with_all = ["elf", "check"])]
     corpus: bool,
     /// Compile for little flash (opt-level s) instead of speed
-    #[arg(long, alias = "size", conflicts_with_all = ["elf", "check", "accept"])]
+    #[arg(long, conflicts_with_all = ["elf", "check", "accept"])]
     flash: bool,
     /// Form of the output
     #[arg(long, default_value = "table", conflicts_with = "accept")]
@@ -187,7 +188,7 @@ fn report_on_launches(
             "{}\nMotion and table of 200 launches: tilt 0 to 180 degrees, spin 0 to 1000 rad/s, A/(ps) 0.01 to 1000, both \
              supports, corners; at most 64 segments. Instructions are exact to 40; cycles are those of bench_launch in \
              proportion (model). A slice is the time between two calls of the set-up's function.\n",
-            Table::of_all(&rows, eight_digits).aligned()
+            TextTable::of_all(&rows, eight_digits).aligned()
         )
     };
     Ok(output::render(arguments.format, &json!({ "rows": rows }), table).into())
@@ -218,7 +219,7 @@ fn report_on_calls(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -
         format!(
             "{}\nThe costliest of several calls. Instructions are exact; cycles are a model (published timings, no wait states); \
              stack, flash, RAM in bytes; tick_percent of a tick of 1 kHz.\n",
-            Table::of_all(&records, |x| short(x, 3)).aligned()
+            TextTable::of_all(&records, |x| short(x, 3)).aligned()
         )
     };
     Ok(output::render(arguments.format, &json!({ "rows": records }), table).into())

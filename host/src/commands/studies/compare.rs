@@ -12,7 +12,7 @@ use crate::motion::errors::Errors;
 use crate::motion::sample::Sample;
 use crate::motion::stepper::TimedStepper;
 use crate::motion::{Scalar, period_or_natural_time};
-use crate::output::table::Table;
+use crate::output::table::TextTable;
 use crate::output::{self, Format, short};
 use crate::truth::full_equations;
 use crate::truth::full_equations::full_solver::FullState;
@@ -119,7 +119,7 @@ fn table(motions: &[Vec<Value>], periods: u32) -> String {
         "{}\nThe core against the full 3-D equations, {SAMPLES} times in a period over {periods} periods: greatest error of\n\
          the orientation, 2 sqrt(|d alpha|^2 + |d beta|^2), rad, by stepper and ephemeris, and its share\n\
          of its bound. ns: a look-up, median of five runs. Steps a period: {} (f64), {} (f32). More: CSV.\n",
-        Table::of_all(&lines, |x| short(x, 1)).aligned(),
+        TextTable::of_all(&lines, |x| short(x, 1)).aligned(),
         steps_per_period(Scalar::F64),
         steps_per_period(Scalar::F32),
     )

@@ -3,11 +3,11 @@
 mod columns;
 mod motions;
 
+use crate::files::whole_file;
 use crate::input::axis::Axis;
 use crate::input::scenario::ScenarioFile;
-use crate::output::stdout;
-use crate::output::whole_file;
 use crate::parallel;
+use crate::terminal::stdout;
 use crate::{Failure, Report};
 use clap::Args;
 use columns::{DEFAULT_COLUMNS, SweepColumn};
@@ -115,7 +115,7 @@ pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
             first.fetch_min(index, Relaxed);
         }
     };
-    stdout::or_file(file, |out| {
+    stdout::write_or_file(file, |out| {
         // only the first part has the header, so that `cat` joins all parts
         out.write_all(if part == 1 { sweep.header() } else { String::new() }.as_bytes())?;
         parallel::write_rows(count, &row, out)

@@ -3,8 +3,8 @@
 use super::sphere::{Camera, circle};
 use super::{CAPTION, CURVE, START, disc, raster, text};
 use crate::input::scenario::Scenario;
-use crate::output::progress::Progress;
 use crate::pictures::span::MotionSpan;
+use crate::terminal::progress::Progress;
 use kuva::render::render::{Scene, TextAnchor};
 use std::f64::consts::PI;
 use std::io::{self, Write};

@@ -2,7 +2,7 @@
 
 use super::chart::COLORS;
 use super::{BOUND, frame};
-use crate::fit::launch::FitReport;
+use crate::fit::result::FitResult;
 use kuva::plot::LinePlot;
 use kuva::plot::scatter::ScatterPlot;
 use kuva::render::figure::Figure;
@@ -15,7 +15,7 @@ const OUTLIER: f64 = 3.0;
 
 /// Residuals in standard deviations: a strip for each sensor, with a dot for each sample and lines at ±3. Saturated
 /// readings are left out.
-pub fn draw(report: &FitReport, measurements: &[Measurement]) -> Scene {
+pub fn draw(report: &FitResult, measurements: &[Measurement]) -> Scene {
     let found = report.residuals(measurements);
     let ends = ends_of(measurements);
     let level = |x: f64| {

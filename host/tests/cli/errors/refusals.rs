@@ -24,7 +24,6 @@ fn arguments() {
             ("animate @toy_top --seconds -1 -o x.gif", "'-1' for '--seconds <S>' ... 0.1 to 600"),
             ("fit x.csv --top @toy_top --huber -1", "'-1' for '--huber <X>' ... a number from 1"),
             ("bake @toy_top --segments -8", "'-8' for '--segments <N>'"),
-            ("bake @toy_top --size -8", "'-8' for '--segments <N>'"),
             ("plot @toy_top --size -100 -o x.svg", "'-100' ... 100..=10000"),
             ("simulate @toy_top -o no_such_folder/f.csv", "error: --output: no_such_folder/f.csv: "),
             ("state @lagrange --times 1,-1e300 --method closed-form", "times ... -1e300 ... closed-form"),

@@ -71,6 +71,7 @@ fn a_wrong_inertia_is_corrected_where_it_is_free() {
     assert!(error.abs() < 4.5, "{inertia}");
     let row = toytop(format!("{line} --free axial_inertia --format csv")).ok();
     let (header, values) = row.split_once('\n').expect("a header");
+    assert!(header.starts_with("converged,reason,epoch,quaternion_w,quaternion_x,"), "{header}");
     let place = header.split(',').position(|name| name == "free_axial_inertia_value").expect("a column");
     let value: f64 = values.split(',').nth(place).expect("a value").parse().expect("a number");
     assert_eq!((values.starts_with("true,"), value), (true, number(&inertia["value"])), "{row}");

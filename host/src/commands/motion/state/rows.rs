@@ -3,7 +3,7 @@
 use crate::input::scenario::Units;
 use crate::motion::column::SampleColumn;
 use crate::motion::sample::Sample;
-use crate::output::table::Table;
+use crate::output::table::TextTable;
 use crate::output::{Format, csv_line, json, short};
 use serde_json::Value;
 use toytop::Support;
@@ -83,6 +83,6 @@ impl Rows {
             let texts = [name.to_owned(), unit.to_owned()];
             texts.into_iter().chain(numbers.map(|x| short(x, digits))).collect()
         };
-        Table { lines: self.columns.iter().map(line).collect(), left: 2 }.aligned()
+        TextTable { lines: self.columns.iter().map(line).collect(), left: 2 }.aligned()
     }
 }

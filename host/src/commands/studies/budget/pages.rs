@@ -1,9 +1,9 @@
 //! Parts of pages that have costs: tables of the budgets, and of the set-up of many launches.
 
 use super::budgets::Budgets;
-use crate::output::doc_markers::Page;
+use crate::files::doc_page::DocPage;
 use crate::output::eight_digits;
-use crate::output::table::{Column, Table};
+use crate::output::table::{Column, TextTable};
 use crate::{Failure, Report};
 use serde_json::Value;
 use std::iter::once;
@@ -35,15 +35,15 @@ pub fn part_with_launches(rows: &[Value]) -> Part {
         ("slice_cycles_model", "cycles of the longest slice"),
     ];
     let columns = columns.map(|(name, heading)| -> Column<'_> { (name, heading, eight_digits) });
-    (COSTS, "toytop budget: launches", Table::new(rows, &columns).markdown())
+    (COSTS, "toytop budget: launches", TextTable::new(rows, &columns).markdown())
 }
 
 /// Writes parts of pages below a folder, after each of them was found to have a place.
 ///
 /// # Errors
-/// The failures of [`Page::read`] and [`Page::write`].
+/// The failures of [`DocPage::read`] and [`DocPage::write`].
 pub fn write(root: &Path, parts: &[Part]) -> Result<Report, Failure> {
-    let pages = parts.iter().map(|(name, mark, _)| Page::read(&root.join(name), mark));
+    let pages = parts.iter().map(|(name, mark, _)| DocPage::read(&root.join(name), mark));
     for (page, (.., text)) in pages.collect::<Result<Vec<_>, _>>()?.iter().zip(parts) {
         page.write(text)?;
     }
@@ -105,7 +105,7 @@ fn table_of_calls(budgets: &Budgets) -> String {
             .chain(COLUMNS.map(figure))
             .collect()
     };
-    Table::of_all(&ROWS.map(row), eight_digits).markdown()
+    TextTable::of_all(&ROWS.map(row), eight_digits).markdown()
 }
 
 /// Rows of the front page: chip, call and text.
@@ -123,7 +123,7 @@ fn table_of_front_page(budgets: &Budgets) -> String {
         let figure = |(heading, figure)| (heading, Value::from(budgets.budget(chip, call, figure)));
         once(("at most", Value::from(what))).chain(FIGURES.map(figure)).collect()
     };
-    Table::of_all(&FRONT_ROWS.map(row), eight_digits).markdown()
+    TextTable::of_all(&FRONT_ROWS.map(row), eight_digits).markdown()
 }
 
 #[cfg(test)]

@@ -1,20 +1,34 @@
-//! Parser of a command line, whose refusals and helps are reports of a command.
+//! Command line of a program: its parser, whose refusals and helps are reports of a command, and the exit code.
 
-use super::stdout::Report;
+use super::stdout::{Report, print};
 use crate::Failure;
 use clap::error::ErrorKind;
 use clap::{Arg, Parser};
+use std::io::{self, Write};
+use std::process::ExitCode;
 
-/// Parses the command line of the process and calls `run`. Help and version are reports too.
+/// Parses the command line of the process, runs the command and prints its report or its failure. Returns the exit code.
+pub fn run<C: Parser>(command: impl FnOnce(&C) -> Result<Report, Failure>) -> ExitCode {
+    match parsed(command).and_then(print) {
+        Ok(code) => code,
+        Err(failure) => {
+            // if stderr is closed, the message cannot be shown
+            let _ = writeln!(io::stderr(), "error: {failure}");
+            ExitCode::from(failure.exit_code())
+        }
+    }
+}
+
+/// Report of the command on the command line. Help and version are reports too.
 ///
 /// # Errors
-/// [`Failure::Input`] for everything that clap refuses, and the failures of `run`.
-pub fn report<C: Parser>(run: impl FnOnce(&C) -> Result<Report, Failure>) -> Result<Report, Failure> {
+/// [`Failure::Input`] for everything that clap refuses, and the failures of the command.
+fn parsed<C: Parser>(command: impl FnOnce(&C) -> Result<Report, Failure>) -> Result<Report, Failure> {
     let parsed = with_negative_numbers(C::command())
         .try_get_matches()
         .and_then(|matches| C::from_arg_matches(&matches));
     let error = match parsed {
-        Ok(arguments) => return run(&arguments),
+        Ok(arguments) => return command(&arguments),
         Err(error) => error,
     };
     match error.kind() {

@@ -1,19 +1,19 @@
 //! Parts of a page that a command writes, between the lines `<!-- toytop COMMAND: NAME -->` and `<!-- end of NAME -->`. The rest of the
 //! page does not change.
 
+use super::whole_file;
 use crate::Failure;
 use crate::input::text_file;
-use crate::output::whole_file;
 use std::path::{Path, PathBuf};
 
 /// Page with a part that a command writes.
-pub struct Page {
+pub struct DocPage {
     path: PathBuf,
     /// Text up to the first line of the mark, and from the last one on.
     around: [String; 2],
 }
 
-impl Page {
+impl DocPage {
     /// Page of a file, with a part at a mark `toytop COMMAND: NAME`.
     ///
     /// # Errors

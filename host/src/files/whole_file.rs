@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
 /// Writes a file under a temporary name and then renames it, so that no reader sees half a file and no other file is touched. A device or a
-/// pipe is written to directly. A link is followed.
+/// pipe is written to directly. A link is link_target.
 ///
 /// # Errors
 /// The failures of [`refused`], which name `option` and the file; the temporary file is then removed.
@@ -24,7 +24,7 @@ pub fn write_by(
     path: &Path,
     fill: impl FnOnce(&mut File) -> io::Result<()>,
 ) -> Result<(), Failure> {
-    unnamed(path, fill).and_then(named).map_err(|error| refused(option, path, error))
+    write_temporary(path, fill).and_then(give_name).map_err(|error| refused(option, path, error))
 }
 
 /// Writes files as [`write()`] does, all or none: none gets its name before all are written.
@@ -34,20 +34,20 @@ pub fn write_by(
 pub fn write_all(files: &[(&str, &Path, Vec<u8>)]) -> Result<(), Failure> {
     let mut written = Vec::new();
     for (option, path, bytes) in files {
-        let file = unnamed(path, |file| file.write_all(bytes));
+        let file = write_temporary(path, |file| file.write_all(bytes));
         written.push(file.map_err(|error| refused(option, path, error))?);
     }
     for (file, (option, path, _)) in written.into_iter().zip(files) {
-        named(file).map_err(|error| refused(option, path, error))?;
+        give_name(file).map_err(|error| refused(option, path, error))?;
     }
     Ok(())
 }
 
 /// Complete file under a temporary name, with its path; `None` for a device or a pipe, which is written to directly.
-type Unnamed = Option<(NamedTempFile, PathBuf)>;
+type TemporaryFile = Option<(NamedTempFile, PathBuf)>;
 
-fn unnamed(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<Unnamed> {
-    let path = followed(path);
+fn write_temporary(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<TemporaryFile> {
+    let path = link_target(path);
     let old = fs::metadata(&path);
     if old.as_ref().is_ok_and(|old| !old.is_file() && !old.is_dir()) {
         return fill(&mut File::create(path)?).map(|()| None);
@@ -65,13 +65,13 @@ fn unnamed(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) -> io::R
 }
 
 /// Gives a file its name.
-fn named(file: Unnamed) -> io::Result<()> {
+fn give_name(file: TemporaryFile) -> io::Result<()> {
     let Some((file, path)) = file else { return Ok(()) };
     file.persist(path).map(drop).map_err(|error| error.error)
 }
 
 /// Target of a path, which may not exist yet.
-fn followed(path: &Path) -> PathBuf {
+fn link_target(path: &Path) -> PathBuf {
     fs::canonicalize(path).unwrap_or_else(|_| match fs::read_link(path) {
         Ok(target) => path.with_file_name(".").join(target),
         Err(_) => path.to_owned(),

@@ -1,7 +1,7 @@
 //! Report of a command, and its way to standard output.
 
 use crate::Failure;
-use crate::output::whole_file;
+use crate::files::whole_file;
 use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
@@ -31,20 +31,8 @@ impl Report {
     }
 }
 
-/// Exit code, after the report or the failure of a command is printed.
-pub fn finish(result: Result<Report, Failure>) -> ExitCode {
-    match result.and_then(|report| print(&report)) {
-        Ok(code) => code,
-        Err(failure) => {
-            // if stderr is closed, the message cannot be shown
-            let _ = writeln!(io::stderr(), "error: {failure}");
-            ExitCode::from(failure.exit_code())
-        }
-    }
-}
-
-/// Exit code after the report is printed.
-fn print(report: &Report) -> Result<ExitCode, Failure> {
+/// Prints a report. Returns the exit code.
+pub(super) fn print(report: Report) -> Result<ExitCode, Failure> {
     if !report.text.is_empty() {
         write(|out| out.write_all(report.text.as_bytes()))?;
     }
@@ -58,7 +46,7 @@ fn print(report: &Report) -> Result<ExitCode, Failure> {
 ///
 /// # Errors
 /// [`Failure::Output`]: the error of `fill`.
-pub fn write(fill: impl FnOnce(&mut io::Stdout) -> io::Result<()>) -> Result<(), Failure> {
+fn write(fill: impl FnOnce(&mut io::Stdout) -> io::Result<()>) -> Result<(), Failure> {
     let mut out = io::stdout();
     match fill(&mut out).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(error)),
@@ -66,11 +54,11 @@ pub fn write(fill: impl FnOnce(&mut io::Stdout) -> io::Result<()>) -> Result<(),
     }
 }
 
-/// Output that `fill` writes: a complete file, or stdout.
+/// Writes a complete file, or stdout where there is no path.
 ///
 /// # Errors
-/// The failures of [`whole_file::write_by`], or of [`write()`].
-pub fn or_file(
+/// The failures of [`whole_file::write_by`], or [`Failure::Output`]: the error of `fill` on stdout.
+pub fn write_or_file(
     path: Option<&Path>,
     fill: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
 ) -> Result<(), Failure> {

@@ -1,15 +1,10 @@
 //! Progress bar on stderr for work that takes more than a second; there is none where stderr is no terminal.
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::sync::Once;
-use std::time::{Duration, Instant};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
+use std::time::Duration;
 
-/// Progress of work with a known total.
-pub struct Progress {
-    bar: ProgressBar,
-    started: Instant,
-    shown: Once,
-}
+/// Progress of work with a known total. The bar disappears with it.
+pub struct Progress(ProgressBar);
 
 /// Time before the bar is shown.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -22,21 +17,14 @@ impl Progress {
         {
             bar.set_style(style);
         }
-        bar.set_message(unit);
-        Self { bar, started: Instant::now(), shown: Once::new() }
+        Self(bar.with_message(unit).with_finish(ProgressFinish::AndClear))
     }
 
     /// Adds units of finished work.
     pub fn add(&self, units: u64) {
-        self.bar.inc(units);
-        if self.started.elapsed() > PATIENCE {
-            self.shown.call_once(|| self.bar.set_draw_target(ProgressDrawTarget::stderr()));
+        self.0.inc(units);
+        if self.0.is_hidden() && self.0.elapsed() > PATIENCE {
+            self.0.set_draw_target(ProgressDrawTarget::stderr());
         }
-    }
-}
-
-impl Drop for Progress {
-    fn drop(&mut self) {
-        self.bar.finish_and_clear();
     }
 }

@@ -1,0 +1,11 @@
+//! Terminal of a program: its command line, its output and its exit code.
+//!
+//! | module | contents |
+//! |---|---|
+//! | [`stdout`] | report of a command, and its way to standard output |
+//! | [`progress`] | progress bar on stderr |
+//! | [`command_line`] | parser of the command line, and exit code |
+
+pub mod command_line;
+pub mod progress;
+pub mod stdout;
