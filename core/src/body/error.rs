@@ -63,12 +63,13 @@ pub fn check(holds: bool, parameter: &'static str, allowed: &'static str) -> Res
     if holds { Ok(()) } else { Err(ParameterError::OutOfRange { parameter, allowed }) }
 }
 
-/// Error where a value is outside a range, which `allowed` describes.
+/// The value, or an error where it is outside a range, which `allowed` describes.
 pub(crate) fn check_range(
     range: RangeInclusive<f64>,
     parameter: &'static str,
     value: f64,
     allowed: &'static str,
-) -> Result<(), ParameterError> {
-    check(range.contains(&check_finite(parameter, value)?), parameter, allowed)
+) -> Result<f64, ParameterError> {
+    check(range.contains(&check_finite(parameter, value)?), parameter, allowed)?;
+    Ok(value)
 }

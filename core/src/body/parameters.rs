@@ -40,8 +40,7 @@ impl Default for TopParameters {
 }
 
 fn check_positive(parameter: &'static str, value: f64) -> Result<f64, ParameterError> {
-    check_range(1e-60..=1e60, parameter, value, "positive, between 1e-60 and 1e60")?;
-    Ok(value)
+    check_range(1e-60..=1e60, parameter, value, "positive, between 1e-60 and 1e60")
 }
 
 impl TopParameters {
@@ -157,11 +156,10 @@ impl Top {
         p: Extended,
     ) -> Result<Self, ParameterError> {
         let a = check_positive("transverse_inertia", parameters.transverse_inertia)?;
-        let c = parameters.axial_inertia;
-        check_range(
+        let c = check_range(
             0.0..=2.0 * a,
             "axial_inertia",
-            c,
+            parameters.axial_inertia,
             "between 0 and twice transverse_inertia (no body has C > 2A)",
         )?;
         check(c == 0.0 || c >= 1e-60 * a, "axial_inertia", "0, or at least 1e-60 times transverse_inertia")?;

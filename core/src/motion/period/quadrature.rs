@@ -81,8 +81,7 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         let half_cosine = (Wide::ONE + cosine).halved().sqrt();
         let half_step = [sine / half_cosine.doubled(), half_cosine];
         let odd = self.sum_nodes(self.nodes, half_step);
-        let ([a, b, c], [x, y, z]) = (odd, self.sums);
-        let difference = [a - x, b - y, c - z];
+        let difference = add(odd, self.sums.map(|sum| -sum));
         self.sums = add(self.sums, odd);
         (self.nodes, self.step) = (2 * self.nodes, half_step);
         let (changes, before) = (self.relative(difference), self.changes);
