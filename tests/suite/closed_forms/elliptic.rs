@@ -90,7 +90,7 @@ fn weierstrass_against_thirty_digits() {
 }
 
 #[test]
-fn half_periods_and_quasi_periods() {
+fn half_periods_and_quasi_periods_against_thirty_digits() {
     let mut worst = 0.0_f64;
     for (lattice, json) in lattices("elliptic.json") {
         for (values, key) in
@@ -106,7 +106,7 @@ fn half_periods_and_quasi_periods() {
 
 /// ℘ has the values e₁, e₂, e₃ at the half periods, where each difference has a double zero. Differences of given roots are exact.
 #[test]
-fn roots_at_the_half_periods() {
+fn p_has_the_roots_at_the_half_periods() {
     for (lattice, _) in lattices("elliptic.json") {
         let [real, imaginary] = lattice.half_periods();
         let points = [Complex::new(real, 0.0), Complex::new(real, imaginary), Complex::new(0.0, imaginary)];

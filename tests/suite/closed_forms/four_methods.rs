@@ -138,7 +138,7 @@ fn corners() -> Vec<(f64, f64, [f64; 3])> {
 /// million. Tables that do not fit, or whose bound exceeds 1e-14 rad, judge nothing (small A/(ps); the file `reference`
 /// compares those with exact values).
 #[test]
-fn towards_every_corner() {
+fn the_error_does_not_grow_towards_any_corner() {
     let (mut worst, [mut judged, mut left_out]) = (0.0_f64, [0; 2]);
     for ((s, a, e), signs) in
         corners().into_iter().flat_map(|corner| [SAME, DIFFERENT].map(|signs| (corner, signs)))

@@ -45,7 +45,7 @@ fn both_kinds_of_regular_precession() {
 
 /// The frequency is that of small nutations in the vectors.
 #[test]
-fn small_nutations() {
+fn the_frequency_is_that_of_small_nutations() {
     for name in
         ["regular_precession", "regular_precession_fast", "sleeping_stable", "exact_regular_precession_pm"]
     {

@@ -14,7 +14,7 @@ fn hold(name: &str, run: fn(&[u8]), what: &str, bytes: &[u8]) {
 }
 
 #[test]
-fn committed_seeds() {
+fn no_committed_seed_panics() {
     for target in TARGETS {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/seeds").join(target.name);
         let seeds: Vec<_> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
@@ -27,7 +27,7 @@ fn committed_seeds() {
 }
 
 #[test]
-fn random_bytes() {
+fn no_random_bytes_panic() {
     let mut runner = proptest::test_runner::TestRunner::new(crate::motion::properties::config(600));
     let bytes = prop::collection::vec(any::<u8>(), 0..400);
     runner

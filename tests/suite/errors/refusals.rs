@@ -43,7 +43,7 @@ fn branch_points_that_do_not_determine_the_motion() {
 }
 
 #[test]
-fn states() {
+fn states_out_of_range_are_refused() {
     let (nan, infinity) = (f64::NAN, f64::INFINITY);
     for ([alpha, beta, omega], refused) in [
         ([0.6, 0.8, 0.0], None),
@@ -61,7 +61,7 @@ fn states() {
 }
 
 #[test]
-fn impulses() {
+fn impulses_out_of_range_are_refused() {
     let state = State::from_release(&Release { tilt: 0.3, spin: 10.0, ..Release::default() }).unwrap();
     let (impulse, point) = ([1e-3, 2e-3, -1e-3], [0.01, 0.0, 0.02]);
     for (impulse, point, refused) in [
@@ -80,7 +80,7 @@ fn impulses() {
 }
 
 #[test]
-fn quaternions_and_gyroscopes() {
+fn quaternions_and_gyroscopes_out_of_range_are_refused() {
     for (quaternion, gyro, refused) in [
         ([0.6, 0.0, 0.8000006, 0.0], [0.0, 0.0, 1e12], None),
         ([0.6, 0.0, 0.8000007, 0.0], [0.0; 3], Some("quaternion")),
@@ -97,7 +97,7 @@ fn quaternions_and_gyroscopes() {
 }
 
 #[test]
-fn releases() {
+fn releases_out_of_range_are_refused() {
     let good = Release { tilt: 0.3, spin: 10.0, ..Release::default() };
     for (release, refused) in [
         (good, None),
@@ -114,7 +114,7 @@ fn releases() {
 }
 
 #[test]
-fn branch_points() {
+fn branch_points_out_of_range_are_refused() {
     for ([e1, e2, e3], refused) in [
         ([-1.0, 1.0, 1.0], None),
         ([-1.0000001, 0.5, 2.0], Some("e1")),
@@ -138,7 +138,7 @@ fn branch_points() {
 }
 
 #[test]
-fn motions_too_fast_and_energies_too_low() {
+fn motions_too_fast_and_energies_too_low_are_refused() {
     let spinning = |spin| State::from_release(&Release { tilt: 0.3, spin, ..Release::default() }).unwrap();
     assert_eq!(parameter(Motion::launch(&top(), &spinning(1e7))), None);
     assert_eq!(parameter(Motion::launch(&top(), &spinning(1e8))), Some("omega"));
@@ -157,7 +157,7 @@ fn motions_too_fast_and_energies_too_low() {
 }
 
 #[test]
-fn ticks() {
+fn ticks_without_a_length_are_refused() {
     assert_eq!([Tick::hertz(0), Tick::ratio(0, 1), Tick::ratio(1, 0)].map(parameter), [Some("tick"); 3]);
     assert_eq!(parameter(Tick::ratio(u32::MAX, 1)), None);
 }

@@ -55,7 +55,7 @@ fn by_balances(support: Support, state: &State, impulse: V, point: V) -> [V; 2] 
 }
 
 #[test]
-fn it_obeys_the_balances_of_momentum() {
+fn an_impulse_obeys_the_balances_of_momentum() {
     for support in [Support::Sliding, Support::Fixed, Support::Free] {
         let (top, mut random, mut errors) = (top(support), Random(17), [0.0; 2]);
         for _ in 0..200 {

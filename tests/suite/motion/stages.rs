@@ -12,7 +12,7 @@ fn relative(value: f64, truth: f64, scale: f64) -> f64 {
 }
 
 #[test]
-fn first_integrals_from_branch_points_and_from_states() {
+fn first_integrals_from_branch_points_and_from_states_agree() {
     // near_vertical_pass contains 1 - 1e-8 in decimal, which is rounded; the exact vectors contain its exact counterpart
     let errors =
         vectors::all().into_iter().filter(|vector| vector.name != "near_vertical_pass").flat_map(|vector| {
@@ -33,7 +33,7 @@ fn first_integrals_from_branch_points_and_from_states() {
 /// Errors of the nutation period, relative, and of the phase advances over it, rad. Rounded inputs have an effect on them that is an
 /// inverse of the smallest difference.
 #[test]
-fn period_and_phase_advances() {
+fn periods_and_phase_advances_are_those_of_the_vectors() {
     let (mut worst, mut exact) = ([0.0_f64; 2], 0);
     for vector in vectors::all() {
         let motion = vector.motion().unwrap();

@@ -92,7 +92,7 @@ fn at_a_double_root_u_may_stay_or_leave() {
 
 /// The aperiodic motion comes from the vertical and rises to it, at any time.
 #[test]
-fn aperiodic_for_ever() {
+fn an_aperiodic_motion_rises_to_the_vertical_and_returns() {
     let motion = vectors::motion("aperiodic_AneC");
     let mut stepper = Stepper::<f64>::new(&motion);
     (0..40_000).for_each(|_| stepper.step(0.01));
@@ -132,7 +132,7 @@ fn an_aperiodic_launch_from_half_way() {
 /// Pendulum on its separatrix, which does not rotate about the vertical: α changes sign between the distant past and
 /// the distant future.
 #[test]
-fn a_step_longer_than_all_time() {
+fn alpha_changes_sign_between_past_and_future_of_a_separatrix() {
     let motion = by_branch_points(&top_of([1.25, 0.75, 0.5, 1.5], 3.0), [-1.0, 1.0, 1.0], SAME);
     let mut stepper = Stepper::<f64>::new(&motion);
     stepper.step(-1e300);

@@ -9,7 +9,7 @@ use toytop_tests::{greater, keep};
 
 /// Sine and cosine of a phase: errors within three units of the last place in 32 bits, and the nearest numbers in 16 bits.
 #[test]
-fn sine_and_cosine_of_a_phase() {
+fn sines_and_cosines_have_the_digits_of_their_type() {
     let mut worst = [0.0_f64; 2];
     for i in 0..4096 {
         let phase = Phase::from_turns(f64::from(i) * 0.618_033_988_75);
@@ -24,7 +24,7 @@ fn sine_and_cosine_of_a_phase() {
 
 /// Products of both types are rounded down.
 #[test]
-fn products_of_either_size() {
+fn products_are_rounded_down() {
     fn of<F: Fixed + Ring + PartialEq + std::fmt::Debug>() {
         let [a, b, c, half] = [0.75, -0.25, 0.25, 0.5].map(F::from_num::<f64>);
         assert_eq!(a.truncated_product(-half), F::from_num(-0.375));

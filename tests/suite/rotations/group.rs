@@ -75,7 +75,7 @@ fn moebius_is_the_adjoint_action() {
 
 /// In `f32` a small rotation has full relative precision, and a large one the precision of its angle.
 #[test]
-fn the_exponential_of_small_rotations() {
+fn small_rotations_keep_their_digits() {
     for exponent in -30..2 {
         let angle = 1.37 * 10_f64.powi(exponent);
         let phi = Orientation::<f32>::exp([0.0, angle as f32, 0.0]);

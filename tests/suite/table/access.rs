@@ -12,44 +12,27 @@ fn generic() -> Motion {
     vectors::motion("exact_generic_pm")
 }
 
-/// Cursor, random access and access by time (at whole numbers of ticks) give the same bits.
+/// Random access by tick, by time, by a cursor and by a batch give the same bits in every arithmetic, and a pose those of its quantities.
 #[test]
-fn cursor_and_random_access_and_time_agree_to_the_bit() {
-    let ephemeris = EphemerisF32::new(&generic(), kilohertz()).unwrap();
-    let first = -5_000_000;
-    let mut cursor = ephemeris.cursor(first);
-    for n in first..first + 10_000_000 {
-        let sample = cursor.next(&ephemeris);
-        if n % 97 == 0 {
-            let other = ephemeris.at_tick(n);
-            assert_eq!(sample.attitude_state(), other.attitude_state());
-            assert_eq!((sample.orientation(), sample.tip_angle()), (other.orientation(), other.tip_angle()));
-        }
-    }
-    for tick in [Tick::ratio(44100, 2).unwrap(), Tick::hertz(1024).unwrap()] {
-        let table = EphemerisF64::new(&generic(), tick).unwrap();
-        for n in [0, 1, -1, 7, -7, 1 << 30, -(1 << 30), 12345] {
-            // whole seconds are whole ticks of either length
-            let ticks = n * if tick == Tick::hertz(1024).unwrap() { 1024 } else { 22050 };
-            assert_eq!(table.at(n as f64).orientation(), table.at_tick(ticks).orientation());
-        }
-    }
-}
-
-/// A batch and a cursor give the same bits as their ticks one by one, in every arithmetic.
-#[test]
-fn batches_and_cursors_agree_with_random_access_to_the_bit() {
+fn every_access_gives_the_same_bits() {
     fn agree<R: EphemerisScalar, const S: usize>() {
-        let ephemeris = Ephemeris::<R, S>::new(&generic(), kilohertz()).unwrap();
+        let tick = Tick::hertz(1024).unwrap();
+        let ephemeris = Ephemeris::<R, S>::new(&generic(), tick).unwrap();
         assert_eq!(ephemeris.capacity(), S);
         for (first, length) in [(0, 0), (-1, 1), (-500, 1001), (1 << 40, 4099)] {
             let mut batch = vec![Orientation::<R>::IDENTITY; length];
             ephemeris.fill(first, &mut batch);
             let mut cursor = ephemeris.cursor(first);
             for (n, phi) in (first..).zip(batch) {
-                let expected = ephemeris.at_tick(n).orientation();
-                let next = cursor.next(&ephemeris).orientation();
-                assert_eq!([phi, next], [expected; 2], "tick {n} of {length} from {first}");
+                let sample = ephemeris.at_tick(n);
+                let next = cursor.next(&ephemeris);
+                assert_eq!([phi, next.orientation()], [sample.orientation(); 2], "tick {n} of {length}");
+                assert_eq!(next.tip_angle(), sample.tip_angle(), "tick {n} of {length}");
+                // the time of a tick of 1/1024 s is exact
+                let timed = ephemeris.at(n as f64 / 1024.0);
+                assert_eq!(timed.attitude_state(), sample.attitude_state(), "tick {n} of {length}");
+                let pose = sample.pose();
+                assert_eq!((pose.orientation, pose.u, pose.tip), (phi, sample.u(), sample.tip()), "tick {n}");
             }
         }
     }
@@ -57,6 +40,15 @@ fn batches_and_cursors_agree_with_random_access_to_the_bit() {
     agree::<f64, 48>();
     agree::<I2F30, 256>();
     agree::<I2F14, 128>();
+}
+
+/// Whole seconds are whole ticks of 2/44100 s.
+#[test]
+fn a_whole_second_is_a_whole_number_of_ticks() {
+    let table = EphemerisF64::new(&generic(), Tick::ratio(44100, 2).unwrap()).unwrap();
+    for n in [0, 1, -1, 7, -7, 1 << 30, -(1 << 30), 12345] {
+        assert_eq!(table.at(n as f64).orientation(), table.at_tick(22050 * n).orientation());
+    }
 }
 
 /// A quantity has one name and one value, whether it is asked of a sample, of its attitude state or of the stepper.
@@ -90,24 +82,6 @@ fn samples_and_the_stepper_have_the_same_quantities() {
     check_all(["attitude state", "stepper"], greatest, tolerance::ACCESS_SAME_QUANTITIES);
 }
 
-/// A pose has the bits of its single quantities, in every arithmetic.
-#[test]
-fn a_pose_is_its_quantities_to_the_bit() {
-    fn agree<R: EphemerisScalar, const S: usize>() {
-        let ephemeris = Ephemeris::<R, S>::new(&generic(), kilohertz()).unwrap();
-        for n in (-500..500).chain([1 << 40]) {
-            let sample = ephemeris.at_tick(n);
-            let pose = sample.pose();
-            assert_eq!((pose.orientation, pose.u), (sample.orientation(), sample.u()), "tick {n}");
-            assert_eq!(pose.tip, sample.tip(), "tick {n}");
-        }
-    }
-    agree::<f32, 25>();
-    agree::<f64, 48>();
-    agree::<I2F30, 256>();
-    agree::<I2F14, 128>();
-}
-
 /// The last time is that of tick 2^63.
 #[test]
 fn the_last_time_is_that_of_the_last_tick() {
@@ -117,7 +91,7 @@ fn the_last_time_is_that_of_the_last_tick() {
 
 /// Across the border of two segments value and slope change by no more than in 2e-12 of time.
 #[test]
-fn continuity_across_segments_and_turning_points() {
+fn motions_are_continuous_across_segments_and_turning_points() {
     let motion = generic();
     let period = motion.period_advance().unwrap().period;
     let ephemeris = EphemerisF64::new(&motion, kilohertz()).unwrap();

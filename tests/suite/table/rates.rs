@@ -87,7 +87,7 @@ fn consistent<R: EphemerisScalar, const SEGMENTS: usize>(rounding: f64) {
 }
 
 #[test]
-fn one_evaluation_agrees_with_another() {
+fn rates_of_two_evaluations_agree() {
     let single = f64::from(f32::EPSILON);
     consistent::<f64, 64>(f64::EPSILON);
     consistent::<f32, 64>(single);

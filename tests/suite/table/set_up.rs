@@ -7,7 +7,7 @@ use toytop::{
     Ephemeris, EphemerisF32, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Release, SetUpError,
     State, Tick, Top, Workspace,
 };
-use toytop_tests::{TOY, kilohertz, table_if_it_fits, vectors};
+use toytop_tests::{TOY, kilohertz, vectors};
 
 fn equal_the_ones_by_value<R: EphemerisScalar>() {
     const SEGMENTS: usize = 128;
@@ -33,18 +33,10 @@ fn tables_in_place_equal_those_by_value() {
     equal_the_ones_by_value::<I2F30>();
 }
 
-/// A table that is too small is refused, and a table of the size that is needed is large enough, or one of any size if a larger error is
-/// allowed. Other work is done in between, however many segments there are, and a refusal takes no longer than a table.
+/// Other work is done in between, however many segments there are, and a refusal takes no longer than a table.
 #[test]
-fn a_table_too_small_is_refused() {
+fn a_refusal_takes_no_longer_than_a_table() {
     let motion = vectors::motion("exact_near_separatrix_straddle");
-    let truncation = f64::from(f32::EPSILON);
-    assert_eq!(EphemerisView::<f32>::segments_needed(&motion, truncation), Some(27));
-    assert!(
-        table_if_it_fits::<f32, 26>(&motion, kilohertz()).is_none()
-            && table_if_it_fits::<f32, 27>(&motion, kilohertz()).is_some()
-    );
-    assert!(Ephemeris::<f32, 16>::with_truncation(&motion, kilohertz(), 1e-4).is_ok());
     let calls = |memory: &mut EphemerisMemory<EphemerisView<f32>>| {
         let mut calls = 0;
         let refused = memory.set_up(&mut Workspace::new(), &motion, kilohertz(), 0, &mut || calls += 1).err();
@@ -52,6 +44,7 @@ fn a_table_too_small_is_refused() {
     };
     let refused = calls(&mut EphemerisMemory::<Ephemeris<f32, 16>>::new());
     let ready = calls(&mut EphemerisMemory::<Ephemeris<f32, 64>>::new());
+    let truncation = f64::from(f32::EPSILON);
     assert_eq!(refused.0, Some(SetUpError::TooSmall { truncation, segments: 16 }));
     assert_eq!(ready.0, None);
     assert!((50..ready.1).contains(&refused.1), "{} and {} calls", refused.1, ready.1);

@@ -33,7 +33,7 @@ fn greatest_error<R: EphemerisScalar, const SEGMENTS: usize>() -> f64 {
 }
 
 #[test]
-fn against_thirty_digits_in_every_scalar() {
+fn tip_angles_against_thirty_digits_in_every_scalar() {
     check("f64", greatest_error::<f64, 256>(), tolerance::TIP_ANGLE_F64);
     check("f32", greatest_error::<f32, 256>(), tolerance::TIP_ANGLE_F32);
     check("q31", greatest_error::<I2F30, 1024>(), tolerance::TIP_ANGLE_Q31);

@@ -66,12 +66,12 @@ const QUANTITIES: [&str; 8] =
     ["3 periods", "1e3 periods", "1e6 periods", "1e9 periods", "u", "u'", "tip", "tip in the scalar"];
 
 #[test]
-fn truth_to_a_thousand_million_periods_in_f64() {
+fn tables_in_f64_are_right_for_1e9_periods() {
     check_all(QUANTITIES, greatest::<f64, 64, 1024>(0.0), tolerance::TRUTH_F64);
 }
 
 #[test]
-fn truth_to_a_thousand_million_periods_in_f32_and_fixed_point() {
+fn tables_in_f32_and_fixed_point_are_right_for_1e9_periods() {
     check_all(QUANTITIES, greatest::<f32, 64, 256>(0.0), tolerance::TRUTH_F32);
     check_all(QUANTITIES, greatest::<I2F30, 32, 256>(1e-4), tolerance::TRUTH_Q31);
     check_all(QUANTITIES, greatest::<I2F14, 32, 128>(1e-4), tolerance::TRUTH_Q15);
@@ -79,7 +79,7 @@ fn truth_to_a_thousand_million_periods_in_f32_and_fixed_point() {
 
 /// Errors of every vector, including those with decimal inputs, over its first periods.
 #[test]
-fn truth_on_every_vector() {
+fn tables_of_every_vector_are_right() {
     for vector in vectors::tabulated() {
         let rounding = if vector.gap() > 0.0 && vector.gap() < 1e-5 { 1e-8 } else { 1e-11 };
         let small = errors::<f64, 32>(&vector);
