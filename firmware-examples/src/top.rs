@@ -15,13 +15,5 @@ pub fn toy_top() -> Result<Motion, ParameterError> {
 /// # Errors
 /// See [`State::from_release`].
 pub fn released(release: &Release) -> Result<Motion, ParameterError> {
-    let top = Top::sliding(&TopParameters {
-        transverse_inertia: 3.0e-5,
-        axial_inertia: 2.0e-5,
-        com_height: 0.03,
-        mass: 0.05,
-        gravity: 9.81,
-        ..TopParameters::default()
-    })?;
-    Motion::launch(&top, &State::from_release(release)?)
+    Motion::launch(&Top::sliding(&TopParameters::TOY)?, &State::from_release(release)?)
 }

@@ -10,79 +10,51 @@ use toytop::scalar::{Float, Scalar};
 use crate::calls::Output;
 use crate::full_equations::{Constants, Point, orientation, renormalised};
 
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_rk4_f32(
-    constants: &Constants<f32>,
-    y: &mut Point<f32>,
-    out: &mut Output<f32>,
-) {
-    step(constants, y, out);
-}
-
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_rk4_f64(
-    constants: &Constants<f64>,
-    y: &mut Point<f64>,
-    out: &mut Output<f64>,
-) {
-    step(constants, y, out);
-}
-
 #[inline(always)]
 fn step<R: Float>(constants: &Constants<R>, y: &mut Point<R>, out: &mut Output<R>) {
     constants.step(y);
     *out = Output::of(orientation(*y), constants.tip_scale);
 }
 
-/// Step of the same equations by the Runge-Kutta method of the crate multicalc.
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_multicalc_rk4_f32(
-    constants: &Constants<f32>,
-    y: &mut Point<f32>,
-    out: &mut Output<f32>,
-) {
-    let rates = |_, y: &Vector<6, f32>| Vector::new(constants.rates(y.into_array()));
-    *y = renormalised(Rk4::step(&rates, 0.0, &Vector::new(*y), constants.dt).into_array());
-    *out = Output::of(orientation(*y), constants.tip_scale);
-}
+symbols! {
+    fn bench_rk4_f32(constants: &Constants<f32>, y: &mut Point<f32>, out: &mut Output<f32>) {
+        step(constants, y, out);
+    }
 
-/// Sine and cosine of an integer phase, which is the argument in a tick.
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_sincos_ours_f32(phase: &Phase, out: &mut [f32; 2]) {
-    *out = f32::sine_cosine(*phase).into();
-}
+    fn bench_rk4_f64(constants: &Constants<f64>, y: &mut Point<f64>, out: &mut Output<f64>) {
+        step(constants, y, out);
+    }
 
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_sincos_ours_q31(phase: &Phase, out: &mut [I2F30; 2]) {
-    *out = I2F30::sine_cosine(*phase).into();
-}
+    /// Step of the same equations by the Runge-Kutta method of the crate multicalc.
+    fn bench_multicalc_rk4_f32(constants: &Constants<f32>, y: &mut Point<f32>, out: &mut Output<f32>) {
+        let rates = |_, y: &Vector<6, f32>| Vector::new(constants.rates(y.into_array()));
+        *y = renormalised(Rk4::step(&rates, 0.0, &Vector::new(*y), constants.dt).into_array());
+        *out = Output::of(orientation(*y), constants.tip_scale);
+    }
 
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_sincos_ours_f64(phase: &Phase, out: &mut [f64; 2]) {
-    *out = f64::sine_cosine(*phase).into();
-}
+    /// Sine and cosine of an integer phase, which is the argument in a tick.
+    fn bench_sincos_ours_f32(phase: &Phase, out: &mut [f32; 2]) {
+        *out = f32::sine_cosine(*phase).into();
+    }
 
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_sincos_libm_f32(angle: f32, out: &mut [f32; 2]) {
-    *out = libm::sincosf(angle).into();
-}
+    fn bench_sincos_ours_q31(phase: &Phase, out: &mut [I2F30; 2]) {
+        *out = I2F30::sine_cosine(*phase).into();
+    }
 
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_sincos_libm_f64(angle: f64, out: &mut [f64; 2]) {
-    *out = libm::sincos(angle).into();
-}
+    fn bench_sincos_ours_f64(phase: &Phase, out: &mut [f64; 2]) {
+        *out = f64::sine_cosine(*phase).into();
+    }
 
-/// Sine and cosine with an error of 1e-3.
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_sincos_micromath_f32(angle: f32, out: &mut [f32; 2]) {
-    *out = angle.sin_cos().into();
+    fn bench_sincos_libm_f32(angle: f32, out: &mut [f32; 2]) {
+        *out = libm::sincosf(angle).into();
+    }
+
+    fn bench_sincos_libm_f64(angle: f64, out: &mut [f64; 2]) {
+        *out = libm::sincos(angle).into();
+    }
+
+    /// Sine and cosine with an error of 1e-3.
+    fn bench_sincos_micromath_f32(angle: f32, out: &mut [f32; 2]) {
+        *out = angle.sin_cos().into();
+    }
 }

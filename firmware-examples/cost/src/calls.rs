@@ -91,148 +91,18 @@ fn on_stack(memory: &mut EphemerisMemory<EphemerisView<f32>>, measured: &Measure
     set_up(memory, &mut Workspace::new(), &top, &state)
 }
 
-/// Set-up from measured numbers to a complete table, once per launch.
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_launch(memory: &mut Memory<25>, measured: &Measured) -> bool {
-    on_stack(memory, measured)
-}
-
-/// Set-up as for `bench_launch`, of a table that is made by value on the stack.
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_new(measured: &Measured, out: &mut Output<f32>) -> bool {
-    let (Ok(motion), Ok(tick)) = (measured.motion(), Tick::hertz(TICK_RATE)) else { return false };
-    let Ok(ephemeris) = EphemerisF32::new(&motion, tick) else { return false };
-    *out = Output::floating(ephemeris.at_tick(0));
-    true
-}
-
-/// Set-up of [`Measured::slow`].
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_launch_slow(memory: &mut Memory<64>, measured: &Measured) -> bool {
-    on_stack(memory, measured)
-}
-
-/// Set-up of [`Measured::falling`].
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_launch_falling(memory: &mut Memory<128>, measured: &Measured) -> bool {
-    on_stack(memory, measured)
-}
-
-/// Set-up as for `bench_launch`, with memory that a program keeps in a static.
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_slices(
-    workspace: &mut Workspace,
-    memory: &mut Memory<25>,
-    (top, state): &(Top, State),
-) -> bool {
-    set_up(memory, workspace, top, state)
-}
-
 /// Cursor with its table, as an interrupt keeps them.
 pub(crate) struct Reader<'a, T> {
     pub(crate) cursor: Cursor,
     pub(crate) table: &'a T,
 }
 
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_ephemeris_f32(ephemeris: &EphemerisF32, tick: i64, out: &mut Output<f32>) {
-    *out = Output::floating(ephemeris.at_tick(tick));
-}
+/// Parameters α and β, and the angular velocity, rad/s: Ω in the body frame, as a gyroscope measures it, or ω in the fixed frame.
+type Rates<R> = (Complex<R>, Complex<R>, [f32; 3]);
 
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_cursor_f32(reader: &mut Reader<'_, EphemerisF32>, out: &mut Output<f32>) {
-    *out = Output::floating(reader.cursor.next(reader.table));
-}
-
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_ephemeris_f64(ephemeris: &EphemerisF64, tick: i64, out: &mut Output<f64>) {
-    *out = Output::floating(ephemeris.at_tick(tick));
-}
-
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_cursor_f64(reader: &mut Reader<'_, EphemerisF64>, out: &mut Output<f64>) {
-    *out = Output::floating(reader.cursor.next(reader.table));
-}
-
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_ephemeris_q31(ephemeris: &EphemerisQ31, tick: i64, out: &mut Output<I2F30>) {
-    *out = Output::fixed_point(ephemeris.at_tick(tick));
-}
-
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_cursor_q31(reader: &mut Reader<'_, EphemerisQ31>, out: &mut Output<I2F30>) {
-    *out = Output::fixed_point(reader.cursor.next(reader.table));
-}
-
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_ephemeris_q15(ephemeris: &EphemerisQ15, tick: i64, out: &mut Output<I2F14>) {
-    *out = Output::fixed_point(ephemeris.at_tick(tick));
-}
-
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_cursor_q15(reader: &mut Reader<'_, EphemerisQ15>, out: &mut Output<I2F14>) {
-    *out = Output::fixed_point(reader.cursor.next(reader.table));
-}
-
-/// Orientation, and the tip in m.
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_tip_q31(
-    reader: &mut Reader<'_, EphemerisQ31>,
-    out: &mut (Orientation<I2F30>, Complex<f32>),
-) {
-    let sample = reader.cursor.next(reader.table);
-    *out = (sample.orientation(), sample.tip());
-}
-
-/// Orientation and angular velocity.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Rates<R> {
-    pub(crate) orientation: Orientation<R>,
-    /// Angular velocity, rad/s: Ω in the body frame, as a gyroscope measures it, or ω in the fixed frame.
-    pub(crate) omega: [f32; 3],
-}
-
-impl<R: EphemerisScalar<Quantity = f32>> Rates<R> {
-    pub(crate) const ZERO: Self = Self { orientation: Orientation::IDENTITY, omega: [0.0; 3] };
-
-    #[inline(always)]
-    fn of(sample: Sample<'_, R>) -> Self {
-        let (orientation, omega) = sample.orientation_and_omega_body();
-        Self { orientation, omega }
-    }
-}
-
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_omega_f32(ephemeris: &EphemerisF32, tick: i64, out: &mut Rates<f32>) {
-    *out = Rates::of(ephemeris.at_tick(tick));
-}
-
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_omega_q31(ephemeris: &EphemerisQ31, tick: i64, out: &mut Rates<I2F30>) {
-    *out = Rates::of(ephemeris.at_tick(tick));
-}
-
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_omega_fixed_f32(ephemeris: &EphemerisF32, tick: i64, out: &mut Rates<f32>) {
-    let state = ephemeris.at_tick(tick).attitude_state();
-    *out = Rates { orientation: state.orientation, omega: state.omega() };
+#[inline(always)]
+fn rates<R>((Orientation { alpha, beta }, omega): (Orientation<R>, [f32; 3])) -> Rates<R> {
+    (alpha, beta, omega)
 }
 
 /// Stepper with the scale 2 s of the tip.
@@ -277,14 +147,96 @@ impl<R: EphemerisScalar> Output<R> {
     }
 }
 
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_stepper_f32(stepping: &mut Stepping<f32>, out: &mut Output<f32>) {
-    stepping.step(out);
-}
+symbols! {
+    /// Set-up from measured numbers to a complete table, once per launch.
+    fn bench_launch(memory: &mut Memory<25>, measured: &Measured) -> bool {
+        on_stack(memory, measured)
+    }
 
-#[inline(never)]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn bench_stepper_f64(stepping: &mut Stepping<f64>, out: &mut Output<f64>) {
-    stepping.step(out);
+    /// Set-up as for `bench_launch`, of a table that is made by value on the stack.
+    fn bench_new(measured: &Measured, out: &mut Output<f32>) -> bool {
+        let (Ok(motion), Ok(tick)) = (measured.motion(), Tick::hertz(TICK_RATE)) else { return false };
+        let Ok(ephemeris) = EphemerisF32::new(&motion, tick) else { return false };
+        *out = Output::floating(ephemeris.at_tick(0));
+        true
+    }
+
+    /// Set-up of [`Measured::slow`].
+    fn bench_launch_slow(memory: &mut Memory<64>, measured: &Measured) -> bool {
+        on_stack(memory, measured)
+    }
+
+    /// Set-up of [`Measured::falling`].
+    fn bench_launch_falling(memory: &mut Memory<128>, measured: &Measured) -> bool {
+        on_stack(memory, measured)
+    }
+
+    /// Set-up as for `bench_launch`, with memory that a program keeps in a static.
+    fn bench_slices(scratch: &mut Workspace, memory: &mut Memory<25>, launch: &(Top, State)) -> bool {
+        let (top, state) = launch;
+        set_up(memory, scratch, top, state)
+    }
+
+    fn bench_ephemeris_f32(ephemeris: &EphemerisF32, tick: i64, out: &mut Output<f32>) {
+        *out = Output::floating(ephemeris.at_tick(tick));
+    }
+
+    fn bench_cursor_f32(reader: &mut Reader<'_, EphemerisF32>, out: &mut Output<f32>) {
+        *out = Output::floating(reader.cursor.next(reader.table));
+    }
+
+    fn bench_ephemeris_f64(ephemeris: &EphemerisF64, tick: i64, out: &mut Output<f64>) {
+        *out = Output::floating(ephemeris.at_tick(tick));
+    }
+
+    fn bench_cursor_f64(reader: &mut Reader<'_, EphemerisF64>, out: &mut Output<f64>) {
+        *out = Output::floating(reader.cursor.next(reader.table));
+    }
+
+    fn bench_ephemeris_q31(ephemeris: &EphemerisQ31, tick: i64, out: &mut Output<I2F30>) {
+        *out = Output::fixed_point(ephemeris.at_tick(tick));
+    }
+
+    fn bench_cursor_q31(reader: &mut Reader<'_, EphemerisQ31>, out: &mut Output<I2F30>) {
+        *out = Output::fixed_point(reader.cursor.next(reader.table));
+    }
+
+    fn bench_ephemeris_q15(ephemeris: &EphemerisQ15, tick: i64, out: &mut Output<I2F14>) {
+        *out = Output::fixed_point(ephemeris.at_tick(tick));
+    }
+
+    fn bench_cursor_q15(reader: &mut Reader<'_, EphemerisQ15>, out: &mut Output<I2F14>) {
+        *out = Output::fixed_point(reader.cursor.next(reader.table));
+    }
+
+    /// Parameters α and β, and the tip in m.
+    fn bench_tip_q31(
+        reader: &mut Reader<'_, EphemerisQ31>,
+        out: &mut (Complex<I2F30>, Complex<I2F30>, Complex<f32>),
+    ) {
+        let sample = reader.cursor.next(reader.table);
+        let Orientation { alpha, beta } = sample.orientation();
+        *out = (alpha, beta, sample.tip());
+    }
+
+    fn bench_omega_f32(ephemeris: &EphemerisF32, tick: i64, out: &mut Rates<f32>) {
+        *out = rates(ephemeris.at_tick(tick).orientation_and_omega_body());
+    }
+
+    fn bench_omega_q31(ephemeris: &EphemerisQ31, tick: i64, out: &mut Rates<I2F30>) {
+        *out = rates(ephemeris.at_tick(tick).orientation_and_omega_body());
+    }
+
+    fn bench_omega_fixed_f32(ephemeris: &EphemerisF32, tick: i64, out: &mut Rates<f32>) {
+        let state = ephemeris.at_tick(tick).attitude_state();
+        *out = rates((state.orientation, state.omega()));
+    }
+
+    fn bench_stepper_f32(stepping: &mut Stepping<f32>, out: &mut Output<f32>) {
+        stepping.step(out);
+    }
+
+    fn bench_stepper_f64(stepping: &mut Stepping<f64>, out: &mut Output<f64>) {
+        stepping.step(out);
+    }
 }

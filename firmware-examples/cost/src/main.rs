@@ -8,6 +8,16 @@
 #![no_std]
 #![no_main]
 
+/// Functions with a symbol each, by which `toytop budget` finds them.
+macro_rules! symbols {
+    ($($(#[$doc:meta])* fn $name:ident($($argument:ident: $type:ty),* $(,)?) $(-> $result:ty)? $body:block)*) => {$(
+        $(#[$doc])*
+        #[inline(never)]
+        #[unsafe(no_mangle)]
+        pub(crate) extern "C" fn $name($($argument: $type),*) $(-> $result)? $body
+    )*};
+}
+
 mod baselines;
 mod calls;
 mod full_equations;
@@ -17,14 +27,14 @@ mod start;
 use core::hint::black_box;
 use core::mem::size_of_val;
 
-use calls::{Measured, Memory, Output, Rates, Reader, Stepping};
-use fixed::types::I2F30;
-use full_equations::{Constants, start};
+use calls::{Measured, Memory, Output, Reader, Stepping};
+use full_equations::{Constants, Point};
 use measure::Meter;
 use semihosting::process;
 use toytop::scalar::{Float, Real};
 use toytop::{
-    EphemerisF32, EphemerisF64, EphemerisQ15, EphemerisQ31, Motion, Orientation, Phase, Pose, Tick, Workspace,
+    EphemerisF32, EphemerisF64, EphemerisQ15, EphemerisQ31, Motion, Orientation, Phase, Pose, State, Tick,
+    Workspace,
 };
 
 use start::entry;
@@ -39,42 +49,51 @@ fn main() -> ! {
     let mut meter = Meter::new();
     let measured = Measured::default();
 
-    let mut memory = Memory::<25>::new();
-    meter.measure("bench_launch", size_of_val(&memory), 1, |_| {
-        assert!(calls::bench_launch(&mut memory, black_box(&measured)), "the motion fits");
-    });
+    launch(&mut meter, "bench_launch", &measured, calls::bench_launch);
     let mut out = Output::default();
-    meter.measure("bench_new", size_of_val(&memory), 1, |_| {
+    meter.measure("bench_new", size_of::<Memory<25>>(), 1, |_| {
         assert!(calls::bench_new(black_box(&measured), &mut out), "the motion fits");
     });
     black_box(out);
-    other_launches(&mut meter);
+    launch(&mut meter, "bench_launch_slow", &Measured::slow(), calls::bench_launch_slow);
+    launch(&mut meter, "bench_launch_falling", &Measured::falling(), calls::bench_launch_falling);
     in_slices(&mut meter, &measured);
     let motion = measured.motion().expect("a possible top");
     let tick = Tick::hertz(calls::TICK_RATE).expect("positive");
     let double = EphemerisF64::new(&motion, tick).expect("the motion fits");
     let single = EphemerisF32::new(&motion, tick).expect("the motion fits");
 
-    ephemerides(&mut meter, &single, &double);
+    any_tick(&mut meter, "bench_ephemeris_f32", &single, calls::bench_ephemeris_f32);
+    any_tick(&mut meter, "bench_ephemeris_f64", &double, calls::bench_ephemeris_f64);
+    any_tick(&mut meter, "bench_omega_f32", &single, calls::bench_omega_f32);
+    any_tick(&mut meter, "bench_omega_fixed_f32", &single, calls::bench_omega_fixed_f32);
+    let reader = Reader { cursor: single.cursor(STRIDE), table: &single };
+    next_tick(&mut meter, "bench_cursor_f32", reader, calls::bench_cursor_f32);
+    let reader = Reader { cursor: double.cursor(STRIDE), table: &double };
+    next_tick(&mut meter, "bench_cursor_f64", reader, calls::bench_cursor_f64);
     fixed_point(&mut meter, &motion, tick);
     stepper(&mut meter, &motion, "bench_stepper_f32", calls::bench_stepper_f32);
     stepper(&mut meter, &motion, "bench_stepper_f64", calls::bench_stepper_f64);
-    runge_kutta(&mut meter, &measured, &motion, &single);
+    let state = measured.state().expect("a possible release");
+    let start = (&motion, &state);
+    runge_kutta(&mut meter, "bench_rk4_f32", start, &single, baselines::bench_rk4_f32);
+    runge_kutta(&mut meter, "bench_multicalc_rk4_f32", start, &single, baselines::bench_multicalc_rk4_f32);
+    runge_kutta(&mut meter, "bench_rk4_f64", start, &single, baselines::bench_rk4_f64);
     sines(&mut meter);
     process::exit(0)
 }
 
-/// Set-ups that cost more than that of a fast top.
+/// Measures a set-up with its own memory.
 #[inline(never)] // its table must not stay on the stack
-fn other_launches(meter: &mut Meter) {
-    let (slow, falling) = (Measured::slow(), Measured::falling());
-    let mut table = Memory::<64>::new();
-    meter.measure("bench_launch_slow", size_of_val(&table), 1, |_| {
-        assert!(calls::bench_launch_slow(&mut table, black_box(&slow)), "the motion fits");
-    });
-    let mut table = Memory::<128>::new();
-    meter.measure("bench_launch_falling", size_of_val(&table), 1, |_| {
-        assert!(calls::bench_launch_falling(&mut table, black_box(&falling)), "the motion fits");
+fn launch<const SEGMENTS: usize>(
+    meter: &mut Meter,
+    name: &str,
+    measured: &Measured,
+    call: extern "C" fn(&mut Memory<SEGMENTS>, &Measured) -> bool,
+) {
+    let mut memory = Memory::new();
+    meter.measure(name, size_of_val(&memory), 1, |_| {
+        assert!(call(&mut memory, black_box(measured)), "the motion fits");
     });
 }
 
@@ -90,62 +109,39 @@ fn in_slices(meter: &mut Meter, measured: &Measured) {
     });
 }
 
-fn ephemerides(meter: &mut Meter, single: &EphemerisF32, double: &EphemerisF64) {
-    let tick = |call: usize| black_box(call as i64 * STRIDE);
-    let (mut out, mut wide) = (Output::default(), Output::default());
-    meter.measure("bench_ephemeris_f32", size_of_val(single), CALLS, |call| {
-        calls::bench_ephemeris_f32(single, tick(call), &mut out);
+/// Measures a call at distant ticks of a table.
+fn any_tick<T, O: Default>(meter: &mut Meter, name: &str, table: &T, call: extern "C" fn(&T, i64, &mut O)) {
+    let mut out = O::default();
+    meter.measure(name, size_of_val(table), CALLS, |number| {
+        call(table, black_box(number as i64 * STRIDE), &mut out);
     });
-    meter.measure("bench_ephemeris_f64", size_of_val(double), CALLS, |call| {
-        calls::bench_ephemeris_f64(double, tick(call), &mut wide);
-    });
-    let mut rates = Rates::ZERO;
-    meter.measure("bench_omega_f32", size_of_val(single), CALLS, |call| {
-        calls::bench_omega_f32(single, tick(call), &mut rates);
-    });
-    meter.measure("bench_omega_fixed_f32", size_of_val(single), CALLS, |call| {
-        calls::bench_omega_fixed_f32(single, tick(call), &mut rates);
-    });
-    black_box((rates.orientation, rates.omega));
-    let mut reader = Reader { cursor: single.cursor(STRIDE), table: single };
-    let ram = size_of_val(single) + size_of_val(&reader);
-    meter.measure("bench_cursor_f32", ram, CALLS, |_| calls::bench_cursor_f32(&mut reader, &mut out));
-    let mut reader = Reader { cursor: double.cursor(STRIDE), table: double };
-    let ram = size_of_val(double) + size_of_val(&reader);
-    meter.measure("bench_cursor_f64", ram, CALLS, |_| calls::bench_cursor_f64(&mut reader, &mut wide));
-    black_box((out, wide));
+    black_box(out);
+}
+
+/// Measures a call at consecutive ticks of a table.
+fn next_tick<T, O: Default>(
+    meter: &mut Meter,
+    name: &str,
+    mut reader: Reader<'_, T>,
+    call: extern "C" fn(&mut Reader<'_, T>, &mut O),
+) {
+    let mut out = O::default();
+    let ram = size_of_val(reader.table) + size_of_val(&reader);
+    meter.measure(name, ram, CALLS, |_| call(&mut reader, &mut out));
+    black_box(out);
 }
 
 fn fixed_point(meter: &mut Meter, motion: &Motion, tick: Tick) {
-    let at = |call: usize| black_box(call as i64 * STRIDE);
-    let (mut long, mut short) = (Output::default(), Output::default());
-    let ephemeris = EphemerisQ31::new(motion, tick).expect("the motion fits");
-    let ram = size_of_val(&ephemeris);
-    meter.measure("bench_ephemeris_q31", ram, CALLS, |call| {
-        calls::bench_ephemeris_q31(&ephemeris, at(call), &mut long);
-    });
-    let mut rates = Rates::ZERO;
-    meter.measure("bench_omega_q31", ram, CALLS, |call| {
-        calls::bench_omega_q31(&ephemeris, at(call), &mut rates);
-    });
-    black_box((rates.orientation, rates.omega));
-    let mut reader = Reader { cursor: ephemeris.cursor(STRIDE), table: &ephemeris };
-    let ram = ram + size_of_val(&reader);
-    meter.measure("bench_cursor_q31", ram, CALLS, |_| calls::bench_cursor_q31(&mut reader, &mut long));
-    let mut metres = (Orientation::IDENTITY, toytop::Complex::new(0.0, 0.0));
-    meter.measure("bench_tip_q31", ram, CALLS, |_| {
-        calls::bench_tip_q31(&mut reader, &mut metres);
-    });
-    black_box(metres);
-    let ephemeris = EphemerisQ15::new(motion, tick).expect("the motion fits");
-    let ram = size_of_val(&ephemeris);
-    meter.measure("bench_ephemeris_q15", ram, CALLS, |call| {
-        calls::bench_ephemeris_q15(&ephemeris, at(call), &mut short);
-    });
-    let mut reader = Reader { cursor: ephemeris.cursor(STRIDE), table: &ephemeris };
-    let ram = ram + size_of_val(&reader);
-    meter.measure("bench_cursor_q15", ram, CALLS, |_| calls::bench_cursor_q15(&mut reader, &mut short));
-    black_box((long, short));
+    let long = EphemerisQ31::new(motion, tick).expect("the motion fits");
+    let reader = || Reader { cursor: long.cursor(STRIDE), table: &long };
+    any_tick(meter, "bench_ephemeris_q31", &long, calls::bench_ephemeris_q31);
+    any_tick(meter, "bench_omega_q31", &long, calls::bench_omega_q31);
+    next_tick(meter, "bench_cursor_q31", reader(), calls::bench_cursor_q31);
+    next_tick(meter, "bench_tip_q31", reader(), calls::bench_tip_q31);
+    let short = EphemerisQ15::new(motion, tick).expect("the motion fits");
+    any_tick(meter, "bench_ephemeris_q15", &short, calls::bench_ephemeris_q15);
+    let reader = Reader { cursor: short.cursor(STRIDE), table: &short };
+    next_tick(meter, "bench_cursor_q15", reader, calls::bench_cursor_q15);
 }
 
 fn stepper<R: Real + Default>(
@@ -159,27 +155,18 @@ fn stepper<R: Real + Default>(
     black_box(out);
 }
 
-fn runge_kutta(meter: &mut Meter, measured: &Measured, motion: &Motion, truth: &EphemerisF32) {
-    let state = measured.state().expect("a possible release");
-    let constants = Constants::<f32>::of(motion, calls::TICK_RATE);
-    let (mut point, mut out) = (start(motion, &state), Output::default());
+fn runge_kutta<R: Float>(
+    meter: &mut Meter,
+    name: &str,
+    (motion, state): (&Motion, &State),
+    truth: &EphemerisF32,
+    call: extern "C" fn(&Constants<R>, &mut Point<R>, &mut Output<R>),
+) {
+    let constants = Constants::of(motion, calls::TICK_RATE);
+    let (mut point, mut out) = (full_equations::start(motion, state), Output::default());
     let ram = size_of_val(&constants) + size_of_val(&point);
-    meter.measure("bench_rk4_f32", ram, CALLS, |_| {
-        baselines::bench_rk4_f32(&constants, &mut point, &mut out);
-    });
+    meter.measure(name, ram, CALLS, |_| call(&constants, &mut point, &mut out));
     same_motion(&out, truth);
-    let mut point = start(motion, &state);
-    meter.measure("bench_multicalc_rk4_f32", ram, CALLS, |_| {
-        baselines::bench_multicalc_rk4_f32(&constants, &mut point, &mut out);
-    });
-    same_motion(&out, truth);
-    let constants = Constants::<f64>::of(motion, calls::TICK_RATE);
-    let (mut point, mut wide) = (start(motion, &state), Output::default());
-    let ram = size_of_val(&constants) + size_of_val(&point);
-    meter.measure("bench_rk4_f64", ram, CALLS, |_| {
-        baselines::bench_rk4_f64(&constants, &mut point, &mut wide);
-    });
-    same_motion(&wide, truth);
 }
 
 /// Measures sines of angles within one turn, because the baselines take longer for large angles.
@@ -189,27 +176,23 @@ fn sines(meter: &mut Meter) {
         black_box(core::array::from_fn(|call| Phase::from_turns(call as f64 * 0.119)));
     let angles: [f64; CALLS] = black_box(core::array::from_fn(|call| call as f64 * 0.75));
     let single = black_box(angles.map(|angle| angle as f32));
-    let (mut pair, mut wide) = ([0.0; 2], [0.0; 2]);
-    meter.measure("bench_sincos_ours_f32", 0, CALLS, |call| {
-        baselines::bench_sincos_ours_f32(&turns[call], &mut pair);
-    });
-    let mut fixed = [I2F30::ZERO; 2];
-    meter.measure("bench_sincos_ours_q31", 0, CALLS, |call| {
-        baselines::bench_sincos_ours_q31(&turns[call], &mut fixed);
-    });
-    meter.measure("bench_sincos_libm_f32", 0, CALLS, |call| {
-        baselines::bench_sincos_libm_f32(single[call], &mut pair);
-    });
-    meter.measure("bench_sincos_micromath_f32", 0, CALLS, |call| {
-        baselines::bench_sincos_micromath_f32(single[call], &mut pair);
-    });
-    meter.measure("bench_sincos_ours_f64", 0, CALLS, |call| {
-        baselines::bench_sincos_ours_f64(&turns[call], &mut wide);
-    });
-    meter.measure("bench_sincos_libm_f64", 0, CALLS, |call| {
-        baselines::bench_sincos_libm_f64(angles[call], &mut wide);
-    });
-    black_box((pair, fixed, wide));
+    sine(meter, "bench_sincos_ours_f32", turns.each_ref(), baselines::bench_sincos_ours_f32);
+    sine(meter, "bench_sincos_ours_q31", turns.each_ref(), baselines::bench_sincos_ours_q31);
+    sine(meter, "bench_sincos_libm_f32", single, baselines::bench_sincos_libm_f32);
+    sine(meter, "bench_sincos_micromath_f32", single, baselines::bench_sincos_micromath_f32);
+    sine(meter, "bench_sincos_ours_f64", turns.each_ref(), baselines::bench_sincos_ours_f64);
+    sine(meter, "bench_sincos_libm_f64", angles, baselines::bench_sincos_libm_f64);
+}
+
+fn sine<A: Copy, O: Default>(
+    meter: &mut Meter,
+    name: &str,
+    angles: [A; CALLS],
+    call: extern "C" fn(A, &mut O),
+) {
+    let mut out = O::default();
+    meter.measure(name, 0, CALLS, |number| call(angles[number], &mut out));
+    black_box(out);
 }
 
 /// Asserts that a baseline has the orientation and tip of the ephemeris after the same number of ticks.

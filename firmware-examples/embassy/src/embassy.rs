@@ -3,13 +3,12 @@
 #![no_std]
 #![no_main]
 
-use cortex_m::singleton;
 use cortex_m_rt::exception;
 use embassy_executor::Spawner;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::signal::Signal;
-use toytop::{EphemerisF32, EphemerisMemory, EphemerisView, Event, Tick, Workspace};
-use toytop_firmware::{exit, start_systick, toy_top};
+use toytop::{EphemerisView, Event};
+use toytop_firmware::{exit, set_up, start_systick, toy_top};
 
 /// Clock of the processor, Hz. The emulated board has 25 MHz.
 const CLOCK: u32 = 25_000_000;
@@ -21,11 +20,7 @@ static TURN: Signal<CriticalSectionRawMutex, Event> = Signal::new();
 
 #[embassy_executor::main]
 async fn main(spawner: Spawner) {
-    let motion = toy_top().expect("a possible top");
-    let memory = singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
-    let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
-    let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
-    let ephemeris = memory.set_up(workspace, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+    let ephemeris = set_up(&toy_top().expect("a possible top"), TICK_RATE);
     spawner.spawn(log_turns(ephemeris).expect("spawned once"));
 
     start_systick(CLOCK, TICK_RATE);

@@ -5,9 +5,9 @@
 
 #[rtic::app(device = lm3s6965, peripherals = false)]
 mod app {
-    use cortex_m::{asm, singleton};
-    use toytop::{Cursor, EphemerisF32, EphemerisMemory, EphemerisView, Tick, Workspace};
-    use toytop_firmware::{exit, run_systick, toy_top};
+    use cortex_m::asm;
+    use toytop::{Cursor, EphemerisView};
+    use toytop_firmware::{exit, run_systick, set_up, toy_top};
 
     /// Clock of the processor, Hz. The emulated board has 25 MHz.
     const CLOCK: u32 = 25_000_000;
@@ -28,12 +28,7 @@ mod app {
 
     #[init]
     fn init(context: init::Context) -> (Shared, Local) {
-        let motion = toy_top().expect("a possible top");
-        let memory =
-            singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
-        let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
-        let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
-        let table = memory.set_up(workspace, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+        let table = set_up(&toy_top().expect("a possible top"), TICK_RATE);
         run_systick(context.core.SYST, CLOCK, TICK_RATE);
         (Shared { now: (0, [0.0; 3]) }, Local { table, cursor: table.cursor(1) })
     }

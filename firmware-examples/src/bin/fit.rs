@@ -9,15 +9,16 @@
 
 use core::cell::RefCell;
 
-use cortex_m::{asm, singleton};
+use cortex_m::asm;
 use cortex_m_rt::exception;
 use critical_section::Mutex;
-use toytop::{Cursor, EphemerisF32, EphemerisMemory, EphemerisView, Tick, Workspace};
-use toytop_firmware::{entry, exit, imu, start_systick, toy_top};
+use toytop::{Cursor, EphemerisView};
+use toytop_firmware::{entry, exit, imu, set_up, start_systick, toy_top};
 use toytop_fit::{Fit, Sensor};
 
 /// Frequency of the processor, Hz. The emulated board has 25 MHz.
 const CLOCK: u32 = 25_000_000;
+
 struct Follower {
     table: &'static EphemerisView<f32>,
     cursor: Cursor,
@@ -55,10 +56,7 @@ fn main() -> ! {
     defmt::info!("state of the fit: {=usize} bytes", size_of::<Fit<'_, f32>>());
 
     let motion = fitted.motion(&top).expect("a possible launch");
-    let memory = singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
-    let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
-    let tick = Tick::hertz(imu::SAMPLE_RATE).expect("a positive rate");
-    let table = memory.set_up(workspace, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+    let table = set_up(&motion, imu::SAMPLE_RATE);
     let follower = Follower { table, cursor: table.cursor(0), tick: 0 };
     critical_section::with(|cs| FOLLOWER.replace(cs, Some(follower)));
     start_systick(CLOCK, imu::SAMPLE_RATE);

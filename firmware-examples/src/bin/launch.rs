@@ -31,14 +31,7 @@ fn main() -> ! {
 }
 
 fn launch(axial_inertia: f64, measured: &Measured) -> Result<Motion, ParameterError> {
-    let top = Top::sliding(&TopParameters {
-        transverse_inertia: 3.0e-5,
-        axial_inertia,
-        com_height: 0.03,
-        mass: 0.05,
-        gravity: 9.81,
-        ..TopParameters::default()
-    })?;
+    let top = Top::sliding(&TopParameters { axial_inertia, ..TopParameters::TOY })?;
     let release = Release {
         tilt: (f64::from(measured.tilt) / 10.0).to_radians(),
         spin: f64::from(measured.spin) * (core::f64::consts::TAU / 60.0),

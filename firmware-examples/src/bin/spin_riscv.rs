@@ -5,8 +5,8 @@
 
 use riscv::asm::wfi;
 use riscv::register::mie;
-use toytop::{EphemerisF32, EphemerisMemory, Pose, Tick, Workspace};
-use toytop_firmware::{entry, exit, toy_top};
+use toytop::Pose;
+use toytop_firmware::{entry, exit, set_up, toy_top};
 
 /// Frequency of the timer of QEMU's "virt" machine, Hz.
 const TIMER: u64 = 10_000_000;
@@ -19,12 +19,7 @@ const TICK_RATE: u32 = 1000;
 
 #[entry]
 fn main() -> ! {
-    let motion = toy_top().expect("a possible top");
-    let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
-    let memory =
-        riscv::singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
-    let workspace = riscv::singleton!(: Workspace = Workspace::new()).expect("taken once");
-    let ephemeris = memory.set_up(workspace, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+    let ephemeris = set_up(&toy_top().expect("a possible top"), TICK_RATE);
 
     // An interrupt that is masked (mstatus.MIE is off) still ends the sleep.
     // SAFETY: no handler can run, so none can see incomplete data

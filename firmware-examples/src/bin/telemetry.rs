@@ -11,8 +11,8 @@ use cortex_m::{asm, singleton};
 use cortex_m_rt::exception;
 use critical_section::Mutex;
 use heapless::spsc::{Producer, Queue};
-use toytop::{EphemerisF32, EphemerisMemory, EphemerisView, Orientation, Tick, Workspace};
-use toytop_firmware::{entry, exit, start_systick, toy_top};
+use toytop::{EphemerisView, Orientation};
+use toytop_firmware::{entry, exit, set_up, start_systick, toy_top};
 
 /// Clock of the processor, Hz. The emulated board has 25 MHz.
 const CLOCK: u32 = 25_000_000;
@@ -42,11 +42,7 @@ static LOST: AtomicU32 = AtomicU32::new(0);
 
 #[entry]
 fn main() -> ! {
-    let motion = toy_top().expect("a possible top");
-    let memory = singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
-    let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
-    let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
-    let ephemeris = memory.set_up(workspace, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+    let ephemeris = set_up(&toy_top().expect("a possible top"), TICK_RATE);
     let queue = singleton!(: Queue<Sample, SIZE> = Queue::new()).expect("taken once");
     let (producer, mut consumer) = queue.split();
     let source = Source { ephemeris, queue: producer, tick: 0 };

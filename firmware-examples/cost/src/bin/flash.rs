@@ -19,7 +19,8 @@ use toytop::{
 #[entry]
 fn main() -> ! {
     let (mut workspace, mut memory) = (Workspace::new(), EphemerisMemory::<EphemerisF32>::new());
-    let fits = launch(black_box([3.0e-5, 2.0e-5, 0.03, 0.05, 0.35, 150.0]))
+    let release = Release { tilt: 0.35, spin: 150.0, ..Release::default() };
+    let fits = launch(&black_box(TopParameters::TOY), &black_box(release))
         .and_then(|motion| Ok(memory.set_up(&mut workspace, &motion, Tick::hertz(1000)?, 0, &mut || {})));
     let Ok(Ok(table)) = fits else { process::exit(1) };
     let (mut cursor, mut quaternion) = (table.cursor(0), [0.0; 4]);
@@ -30,16 +31,8 @@ fn main() -> ! {
     process::exit(0)
 }
 
-fn launch([a, c, com_height, mass, tilt, spin]: [f64; 6]) -> Result<Motion, ParameterError> {
-    let top = Top::sliding(&TopParameters {
-        transverse_inertia: a,
-        axial_inertia: c,
-        com_height,
-        mass,
-        gravity: 9.81,
-        ..TopParameters::default()
-    })?;
-    Motion::launch(&top, &State::from_release(&Release { tilt, spin, ..Release::default() })?)
+fn launch(parameters: &TopParameters, release: &Release) -> Result<Motion, ParameterError> {
+    Motion::launch(&Top::sliding(parameters)?, &State::from_release(release)?)
 }
 
 #[inline(never)]

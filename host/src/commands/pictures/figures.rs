@@ -1,9 +1,9 @@
 //! `toytop figures`: the curves of figures 2 and 3 of the paper, as `plot` draws them.
 
+use crate::files::whole_file;
 use crate::input::builtin;
 use crate::pictures::drawing::{self, tip};
 use crate::pictures::span::{MAX_CYCLES, MotionSpan};
-use crate::files::whole_file;
 use crate::{Failure, Report};
 use clap::Args;
 use std::path::PathBuf;
