@@ -9,8 +9,6 @@
 //! | [`Float`] | division, square root, conversion: what *set-up* needs | yes | yes | no |
 //! | [`Real`] | both, an arctangent and an exponential: what a *stepper* and a fit need | yes | no | no |
 
-mod numeric_struct;
-
 mod power_of_two;
 
 mod wide;
@@ -20,6 +18,8 @@ pub mod sine;
 
 #[cfg(feature = "fixed")]
 mod fixed_point;
+
+mod numeric_struct;
 
 pub(crate) use numeric_struct::numeric_struct;
 pub(crate) use power_of_two::{exponent, ldexp, power_of_two, power_of_two_f32, u64_to_f32};

@@ -88,8 +88,8 @@ impl<R: Real> Stepper<R> {
                 change
             }
             HalfPhase::Aperiodic(v) => {
-                // a change beyond 1e30 may be infinite, and cos χ is 0 in every scalar
-                let at = |delta: R| v + delta.to_f64().clamp(-1e30, 1e30).into();
+                // an infinite number would become 0
+                let at = |delta: R| v + delta.to_f64().clamp(f64::MIN, f64::MAX).into();
                 let change = runge_kutta(dt, |delta| {
                     let Complex { re: sech, im: tanh } = gudermannian(rounded::<R>(at(delta)));
                     let half_phase = self.equations.aperiodic_rate(tanh, sech);
