@@ -88,7 +88,7 @@ fn fields(name: &str, key: &str, value: &Value, ends: &ListEnds<'_>) -> Vec<(Str
         }
         Value::Array(parts) => match ends.iter().find(|(list, _)| *list == key) {
             Some((_, ends)) => ends.iter().map(|end| (*end).to_owned()).zip(parts).flat_map(part).collect(),
-            None => (1..).map(|place: usize| place.to_string()).zip(parts).flat_map(part).collect(),
+            None => (1..).map(|number: usize| number.to_string()).zip(parts).flat_map(part).collect(),
         },
         value => vec![(name.to_owned(), value.clone())],
     }

@@ -19,13 +19,13 @@ impl DocPage {
     /// # Errors
     /// [`Failure::Input`], with `--accept` in front: the page cannot be read, is larger than 16 MiB, or does not contain the lines.
     pub fn read(path: &Path, mark: &str) -> Result<Self, Failure> {
-        let place = format!("--accept: {}", path.display());
-        let text = text_file::read(&place, path, 16)?;
+        let page = format!("--accept: {}", path.display());
+        let text = text_file::read(&page, path, 16)?;
         let name = mark.split_once(": ").map_or(mark, |(_, name)| name);
         let [begin, end] = [format!("<!-- {mark} -->\n"), format!("<!-- end of {name} -->\n")];
         let found = text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?)));
         let (before, (_, after)) = found.ok_or_else(|| {
-            Failure::Input(format!("{place}: must hold the lines {} and {}", begin.trim(), end.trim()))
+            Failure::Input(format!("{page}: must hold the lines {} and {}", begin.trim(), end.trim()))
         })?;
         Ok(Self { path: path.to_owned(), around: [before.to_owned() + &begin, end + after] })
     }

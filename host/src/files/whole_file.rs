@@ -53,11 +53,14 @@ fn write_temporary(path: &Path, fill: impl FnOnce(&mut File) -> io::Result<()>) 
         return fill(&mut File::create(path)?).map(|()| None);
     }
     path.file_name().ok_or(ErrorKind::InvalidInput)?;
+    let folder = path.with_file_name(".");
+    // without this, the message for a missing folder would name the temporary file
+    fs::metadata(&folder)?;
     let mut builder = tempfile::Builder::new();
     builder.prefix(".toytop");
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = builder.tempfile_in(path.with_file_name("."))?;
+    let mut file = builder.tempfile_in(folder)?;
     fill(file.as_file_mut())?;
     // the new file has the permissions of the old one
     old.map_or(Ok(()), |old| file.as_file().set_permissions(old.permissions()))?;

@@ -113,23 +113,23 @@ pub fn read(
 fn parse(text: &str, sensors: &mut Sensors, all: bool) -> Result<(Vec<Measurement>, Vec<String>), String> {
     let (line, header, rows) = rows::parse(text)?;
     let in_header = |reason: String| format!("line {line}: {reason}");
-    let place = |name: &str| header.iter().position(|column| column == name);
-    let time = place("t").ok_or_else(|| in_header("must have a column t".to_owned()))?;
-    sensors.keep_present(|name| place(name).is_some(), all).map_err(in_header)?;
+    let index_of = |name: &str| header.iter().position(|column| column == name);
+    let time = index_of("t").ok_or_else(|| in_header("must have a column t".to_owned()))?;
+    sensors.keep_present(|name| index_of(name).is_some(), all).map_err(in_header)?;
     let mut columns = Columns::new(sensors, &[]);
-    let places: Vec<_> = columns.readings.iter().filter_map(|(name, _)| place(name)).collect();
+    let indices: Vec<_> = columns.readings.iter().filter_map(|(name, _)| index_of(name)).collect();
     let mut lines = Vec::new();
     for row in rows {
         let (line, row) = row?;
-        let value = |place: usize| {
-            let (name, field) = (&header[place], &row[place]);
+        let value = |index: usize| {
+            let (name, field) = (&header[index], &row[index]);
             let refused =
                 || format!("line {line}: {name}: must be a finite number, not {:?}", excerpt(field));
             finite(field).ok_or_else(refused)
         };
         columns.t.push(value(time)?);
-        for ((_, readings), place) in columns.readings.iter_mut().zip(&places) {
-            readings.push(if row[*place].is_empty() { f64::NAN } else { value(*place)? });
+        for ((_, readings), index) in columns.readings.iter_mut().zip(&indices) {
+            readings.push(if row[*index].is_empty() { f64::NAN } else { value(*index)? });
         }
         lines.push(line);
     }

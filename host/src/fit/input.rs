@@ -34,8 +34,8 @@ impl FitInput {
         let held = self.top.support() == Support::Fixed;
         let has = |key: &str| self.table.contains_key(key);
         let mut ratios = Vec::new();
-        for (place, key) in self.free.iter().enumerate() {
-            if self.free[..place].contains(key) {
+        for (index, key) in self.free.iter().enumerate() {
+            if self.free[..index].contains(key) {
                 return Err(format!("{key}: must be named once"));
             }
             ratios.push(match key.as_str() {

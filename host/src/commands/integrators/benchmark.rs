@@ -37,14 +37,14 @@ const COLUMNS: [&str; 11] = ["t", "x_com", "y_com", "z_com", "w", "x", "y", "z",
 
 pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
     let BenchmarkArgs { name, times, scenario, format } = arguments;
-    let Some(name) = name else { return list(*format) };
-    let problem = problems::named(name).map_err(|failure| failure.with_context("benchmark"))?;
+    let Some(name) = name else { return list_problems(*format) };
+    let problem = problems::find(name).map_err(|failure| failure.with_context("benchmark"))?;
     if *scenario {
         return Ok(problem.text.to_owned().into());
     }
     let rows = match times {
-        Some(times) => computed(&problem, times)?,
-        None => problem.samples.iter().map(digits).collect(),
+        Some(times) => computed_rows(&problem, times)?,
+        None => problem.samples.iter().map(reference_row).collect(),
     };
     let record = |row: &Vec<Value>| COLUMNS.into_iter().zip(row.iter().cloned()).collect::<Value>();
     let records: Vec<_> = rows.iter().map(record).collect();
@@ -73,7 +73,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
 }
 
 /// List of all problems, each with the height of the centre of mass at its last time.
-fn list(format: Format) -> Result<Report, Failure> {
+fn list_problems(format: Format) -> Result<Report, Failure> {
     let summary = |Problem { scenario, about, samples, .. }: &Problem| {
         let last = samples.last().unwrap_or(&Value::Null);
         let seconds = last["t"].as_str().and_then(|t| t.parse::<f64>().ok());
@@ -95,13 +95,13 @@ fn list(format: Format) -> Result<Report, Failure> {
 }
 
 /// Values of a sample with 30 digits, by [`COLUMNS`].
-fn digits(sample: &Value) -> Vec<Value> {
+fn reference_row(sample: &Value) -> Vec<Value> {
     let lists = ["position", "quaternion", "omega_body"].map(|key| sample[key].as_array().cloned());
     std::iter::once(sample["t"].clone()).chain(lists.into_iter().flatten().flatten()).collect()
 }
 
 /// Values of the ephemeris at any times, with 17 digits, by [`COLUMNS`].
-fn computed(problem: &Problem, times: &str) -> Result<Vec<Vec<Value>>, Failure> {
+fn computed_rows(problem: &Problem, times: &str) -> Result<Vec<Vec<Value>>, Failure> {
     let Problem { scenario, about, .. } = problem;
     let times = Times::parse(times)?;
     let table = smallest_ephemeris(Scalar::F64, &scenario.motion)

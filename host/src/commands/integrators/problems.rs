@@ -65,7 +65,7 @@ pub fn all() -> Vec<Problem> {
 ///
 /// # Errors
 /// [`Failure::Input`]: there is no such problem; the message lists the names.
-pub fn named(name: &str) -> Result<Problem, Failure> {
+pub fn find(name: &str) -> Result<Problem, Failure> {
     all().into_iter().find(|problem| problem.scenario.name == name).ok_or_else(|| {
         let names = FILES.map(|(name, ..)| name).join(", ");
         Failure::Input(format!("{}: must be one of {names}", excerpt(name)))

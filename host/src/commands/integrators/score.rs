@@ -92,7 +92,7 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     let ScoreArgs { files, benchmark, steps, plot, format } = arguments;
     let inputs: Vec<_> = files.iter().map(|path| Some(&**path)).collect();
     whole_file::require_other("--plot", plot.as_deref(), &inputs)?;
-    let problem = benchmark.as_deref().map(problems::named).transpose();
+    let problem = benchmark.as_deref().map(problems::find).transpose();
     let problem = problem.map_err(|failure| failure.with_context("--benchmark"))?;
     // command that prints the state from which a run has to start
     let (scenario, start, results) = match (&problem, &files[..]) {
@@ -138,7 +138,7 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
             end,
         });
     }
-    let integrators = integrators(&mut files, &mut warnings);
+    let integrators = measure_orders(&mut files, &mut warnings);
     if let Some(path) = plot {
         draw(path, &scenario, &files, &integrators)?;
     }
@@ -156,7 +156,7 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
 
 /// Methods by their first files. Sets the orders of convergence of each file. Files of one method that end at different times get no order
 /// of convergence, and a warning states it.
-fn integrators(files: &mut [ScoredFile], warnings: &mut Vec<String>) -> Vec<Integrator> {
+fn measure_orders(files: &mut [ScoredFile], warnings: &mut Vec<String>) -> Vec<Integrator> {
     let mut names: Vec<String> = Vec::new();
     for file in &*files {
         if !names.iter().any(|name| name == file.method()) {
