@@ -101,7 +101,7 @@ static TOP_AND_START: [Constant; 20] = [
     number("m_z", "kg m^2/s", |motion| momentum(motion)[2]),
 ];
 
-/// Number of ticks from t = 0 at which a table can be evaluated at most, because ticks are counted in 64 bits.
+/// Greatest number of ticks from t = 0 at which a table is evaluated. They are counted in 64 bits.
 pub const MOST_TICKS: f64 = (1_u64 << 62) as f64;
 
 /// Motion that computes its period once at most.
@@ -146,7 +146,7 @@ impl MotionConstants {
         rate
     }
 
-    /// Greatest distance of a time from t = 0 that is fewer than [`MOST_TICKS`] away.
+    /// Greatest distance from t = 0 at which the table can be evaluated, s.
     pub fn furthest_time(&self) -> f64 {
         MOST_TICKS / self.ticks_per_time()
     }

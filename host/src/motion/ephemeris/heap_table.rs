@@ -43,7 +43,7 @@ table_scalar!(f64: F64, f32: F32, I2F30: Q31, I2F14: Q15);
 pub struct HeapTable<R: EphemerisScalar>(pub(super) Box<EphemerisMemory<EphemerisView<R>>>);
 
 impl<R: EphemerisScalar> HeapTable<R> {
-    /// Table of the core.
+    /// Table itself.
     pub fn table(&self) -> &EphemerisView<R> {
         self.0.get().expect("set up")
     }
