@@ -1,11 +1,11 @@
 /* toytop: the exact motion of a spinning top, in C99 and C++11 or later. Written by cbindgen; do not edit.
  *
- * No function allocates or keeps anything: all memory is the caller's. A function returns TOYTOP_OK or the reason for a refusal. Units
- * are SI or any consistent ones. The third fixed axis points up, the third body axis from the tip to the centre of mass. Numbers of
- * type int32_t in results are in units of 2^-30.
+ * No function allocates memory or stores anything between calls: all memory belongs to the caller. A function returns TOYTOP_OK, or the
+ * reason why it did nothing. Units are SI or any consistent ones. The third fixed axis points up, the third body axis from the tip to the
+ * centre of mass. Results of type int32_t are in units of 2^-30.
  *
- * Each pointer is null or points to an object of its type, or to as many as are named. A table stays where and as it is while a cursor
- * or a sample of it is used, and nobody else uses its memory during a set-up. */
+ * A pointer is null, or it points to an object of its type, or to as many objects as its description names. While a program uses a cursor
+ * or a sample, it must not change or move the table. During a set-up nothing else may use the memory of the table. */
 
 #ifndef TOYTOP_H
 #define TOYTOP_H

@@ -109,28 +109,18 @@ fn a_cursor_an_epoch_and_a_time_agree() {
         assert_eq!(told(|to| toytop_ephemeris_cursor_tick(&cursor, to)), 108);
 
         // cursors and samples of an earlier table, of another one or of another scalar are refused
-        let mut of_f32 = MaybeUninit::<toytop_ephemeris_f32>::uninit();
-        let (single, size) = (of_f32.as_mut_ptr(), size_of::<toytop_ephemeris_f32>());
-        assert_eq!(
-            toytop_f32_set_up(single, size, &motion, toytop_hertz(1000), 100, 0.0, null_mut()),
-            TOYTOP_OK
-        );
-        assert_eq!(toytop_f32_next_quaternion(single, &mut cursor, [0.0; 4].as_mut_ptr()), TOYTOP_NOT_SET_UP);
-        let mut of_another = MaybeUninit::<toytop_ephemeris_f32>::uninit();
-        let another = of_another.as_mut_ptr();
         // zeroed memory: both tables are the first in theirs
+        let mut tables = [MaybeUninit::<toytop_ephemeris_f32>::zeroed(); 2];
+        let [single, another] = tables.each_mut().map(MaybeUninit::as_mut_ptr);
         for place in [single, another] {
-            place.write_bytes(0, 1);
-            let tick = toytop_hertz(1000);
+            let (size, tick) = (size_of::<toytop_ephemeris_f32>(), toytop_hertz(1000));
             assert_eq!(toytop_f32_set_up(place, size, &motion, tick, 100, 0.0, null_mut()), TOYTOP_OK);
         }
         let mut of_single = told(|to| toytop_f32_cursor(single, 100, to));
-        let mut quaternion = [0.0; 4];
-        assert_eq!(
-            toytop_f32_next_quaternion(another, &mut of_single, quaternion.as_mut_ptr()),
-            TOYTOP_NOT_SET_UP
-        );
-        assert_eq!(toytop_f32_next_quaternion(single, &mut of_single, quaternion.as_mut_ptr()), TOYTOP_OK);
+        let next = |table, cursor| toytop_f32_next_quaternion(table, cursor, [0.0; 4].as_mut_ptr());
+        assert_eq!(next(single, &mut cursor), TOYTOP_NOT_SET_UP);
+        assert_eq!(next(another, &mut of_single), TOYTOP_NOT_SET_UP);
+        assert_eq!(next(single, &mut of_single), TOYTOP_OK);
         let stale = told(|to| toytop_q31_at_tick(table, 107, to));
         assert_eq!(set_up(100), TOYTOP_OK);
         let mut numbers = [0; 4];

@@ -53,12 +53,11 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[must_use]
     pub fn pose(&self) -> Pose<R, R::Quantity> {
         let numbers = self.unrounded();
-        let product = numbers.alpha * numbers.beta;
-        let [re, im] = [product.re, product.im].map(Into::into);
+        let product = (numbers.alpha * numbers.beta).map(Into::into);
         Pose {
             orientation: numbers.map(R::from_number),
             u: R::from_number(numbers.u()),
-            tip: Complex::new(re, im).scaled(self.ephemeris.clock.twice_tip_scale),
+            tip: product.scaled(self.ephemeris.clock.twice_tip_scale),
         }
     }
 
@@ -132,8 +131,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R::Quantity> {
         let (numbers, omega_body) = self.numbers_and_omega_body();
-        let orientation = numbers.map(Into::into);
-        AttitudeState::from_body(orientation, omega_body)
+        AttitudeState::from_body(numbers.map(Into::into), omega_body)
     }
 
     #[inline(always)]
