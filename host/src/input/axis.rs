@@ -53,11 +53,6 @@ impl Axis {
         self.count().unwrap_or(1)
     }
 
-    /// Whether the values are spread evenly in the logarithm.
-    fn is_log(&self) -> bool {
-        matches!(self, Self::Range { log: true, .. })
-    }
-
     /// Value with this index. A continuous range has the index 0, whose value is its lower end.
     pub fn at(&self, index: u64) -> f64 {
         match self {
@@ -74,7 +69,9 @@ impl Axis {
         match fraction {
             0.0 => low,
             1.0 => high,
-            _ if self.is_log() => between(low.ln(), high.ln()).exp().clamp(low, high),
+            _ if matches!(self, Self::Range { log: true, .. }) => {
+                between(low.ln(), high.ln()).exp().clamp(low, high)
+            }
             _ => between(low, high).clamp(low, high),
         }
     }

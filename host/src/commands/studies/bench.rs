@@ -20,7 +20,7 @@ const CURVE_WITH_CUSPS: &str = "figure 3 e3=1.85";
 /// Number of states of a task: enough for the clock, and few enough for the cache.
 const STATES: u32 = 4096;
 /// Number of steps of the Runge-Kutta method in a nutation period.
-const STEPS: u32 = 6400;
+const STEPS_A_PERIOD: u32 = 6400;
 /// Number of states in a nutation period.
 const STATES_A_PERIOD: u32 = 10;
 /// Tick of the first state of a table.
@@ -50,7 +50,7 @@ pub struct BenchArgs {
 }
 
 pub fn run(arguments: &BenchArgs) -> Result<Report, Failure> {
-    let rows = rows()?;
+    let rows = rows();
     let table = || {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         let build = if cfg!(debug_assertions) { "UNOPTIMISED build" } else { "release build" };
@@ -80,33 +80,34 @@ fn short_seconds(seconds: f64) -> String {
 }
 
 /// Rows of all tasks.
-fn rows() -> Result<Vec<Value>, Failure> {
-    let fail = |error: &dyn std::fmt::Display| Failure::Method(format!("bench: {error}"));
-    let figures = builtin::figures();
-    let scenario = figures.iter().find(|scenario| scenario.name == CURVE_WITH_CUSPS);
-    let scenario = scenario.ok_or_else(|| fail(&"no motion"))?;
+fn rows() -> Vec<Value> {
+    let mut figures = builtin::figures().into_iter();
+    let scenario = figures.find(|scenario| scenario.name == CURVE_WITH_CUSPS).expect("a built-in motion");
     let motion = &scenario.motion;
     let period = motion.period_advance().map_or(1.0, |advance| advance.period);
     let apart = period / f64::from(STATES_A_PERIOD);
     let times = |states: u32| (1..=states).map(move |i| f64::from(i) * apart);
-    let (top, state) = (motion.top(), full_equations::initial_state(scenario));
-    let tick = Tick::hertz(1024).map_err(|error| fail(&error))?;
-    let double = EphemerisF64::new(motion, tick).map_err(|error| fail(&error))?;
-    let single = EphemerisF32::new(motion, tick).map_err(|error| fail(&error))?;
-    let solver = FullSolver::new(top, state, TOLERANCE)?;
+    let (top, state) = (motion.top(), full_equations::initial_state(&scenario));
+    let tick = Tick::hertz(1024).expect("a rate");
+    let double = EphemerisF64::new(motion, tick).expect("a table");
+    let single = EphemerisF32::new(motion, tick).expect("a table");
+    let solver = FullSolver::new(top, state, TOLERANCE).expect("a solver");
     let full = time(format!("full solver, tolerance {TOLERANCE:.0e}"), STATES / 8, || {
         let mut solver = solver.clone();
         times(STATES / 8).for_each(|t| drop(black_box(solver.advance_to(t))));
     });
-    let runge_kutta =
-        time(format!("Runge-Kutta of the full equations, {STEPS} steps a period"), STATES / 8, || {
+    let runge_kutta = time(
+        format!("Runge-Kutta of the full equations, {STEPS_A_PERIOD} steps a period"),
+        STATES / 8,
+        || {
             let equations = Equations::new(top, &state);
-            let (mut y, step) = (equations.numbers(&state), period / f64::from(STEPS));
+            let (mut y, step) = (equations.numbers(&state), period / f64::from(STEPS_A_PERIOD));
             for _ in 0..STATES / 8 {
-                (0..STEPS / STATES_A_PERIOD).for_each(|_| y = equations.runge_kutta(&y, step));
+                (0..STEPS_A_PERIOD / STATES_A_PERIOD).for_each(|_| y = equations.runge_kutta(&y, step));
                 black_box(equations.state(&y));
             }
-        });
+        },
+    );
     let set_up = time("ephemeris f64: its set-up, once", 1, || {
         drop(black_box(EphemerisF64::new(black_box(motion), tick)));
     });
@@ -120,7 +121,7 @@ fn rows() -> Result<Vec<Value>, Failure> {
     rows.extend(time_ephemeris("f32", &single));
     rows.extend(time_ephemeris("f64", &double));
     rows.extend([time_stepper::<f32>("f32", motion), time_stepper::<f64>("f64", motion)]);
-    Ok(rows)
+    rows
 }
 
 /// Rows of an ephemeris.

@@ -147,7 +147,8 @@ fn bad_samples_are_refused_with_their_line() {
     ] {
         fitted(format!("{header}{rows}")).refused(2, expected);
     }
-    fitted("t,a,b\n0,1,2\n".to_owned()).refused(2, "line 1: must have the columns of a sensor");
+    fitted("# a comment\n\nt,a,b\n0,1,2\n".to_owned())
+        .refused(2, "line 3: must have the columns of a sensor");
     fitted("gyro_x,gyro_y,gyro_z\n0,1,2\n".to_owned()).refused(2, "line 1: must have a column t");
     let few = fitted(format!("{header}0,1,2,3,0,0,9.8\n"));
     assert_eq!(few.code, Some(1));

@@ -143,6 +143,17 @@ mod tests {
     }
 
     #[test]
+    fn a_promise_has_no_slack() {
+        let flash = |bytes| on_m4f(FLASH_S, Cost::from([("flash".to_owned(), bytes)]));
+        let budgets = Budgets::with_slack(flash(79_000));
+        assert_eq!(budgets.violations(&flash(80_000)), Vec::<String>::new());
+        assert_eq!(
+            budgets.violations(&flash(80_001)),
+            ["m4f: flash_s: 80001 flash, 80000 allowed: 1 too many (0.0 %)"]
+        );
+    }
+
+    #[test]
     fn costs_above_and_far_below_the_budget_are_reported() {
         let budgets = Budgets::with_slack(on_m4f("tick", cost(300)));
         let said = |call: &str, cost: Cost| budgets.violations(&on_m4f(call, cost));
