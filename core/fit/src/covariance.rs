@@ -4,6 +4,7 @@ use crate::information::Information;
 use crate::sensitivity::{LAUNCH_COLUMNS, Tangent};
 use crate::triangle::{MOST_UNKNOWNS, Triangle, Unknowns};
 use crate::vector::Vector;
+use toytop::Orientation;
 use toytop::scalar::Real;
 
 /// Least variance of an unknown given those before it: an unknown whose variance is negative by rounding counts as
@@ -21,7 +22,7 @@ impl Covariance {
 
     /// Covariance (RᵀR)⁻¹ of an information. An unknown without any information gets the variance 0.
     #[inline(never)] // stack
-    pub(crate) fn of<F: Real>(information: &Information<F>) -> Self {
+    pub(crate) fn from_information<F: Real>(information: &Information<F>) -> Self {
         let mut covariance = Self::ZERO;
         for index in 0..information.count {
             covariance.add_square(&information.triangle.inverse_column(index).map(F::to_f64));
@@ -51,7 +52,7 @@ impl Covariance {
     /// Replaces the covariance of the launch by that of a later change of the motion.
     ///
     /// * `columns`: derivatives of the change with respect to the unknowns; those that are left out are 0
-    pub(crate) fn carry(&mut self, columns: &[Tangent<f64>]) {
+    pub(crate) fn propagate(&mut self, columns: &[Tangent<f64>]) {
         let weight = |index: usize, unknown: usize| {
             let change = columns.get(unknown).map_or([[0.0; 3]; 2], |by| [by.theta, by.eta]);
             change.as_flattened().get(index).copied().unwrap_or(0.0)
@@ -71,15 +72,15 @@ impl Covariance {
         }
     }
 
-    /// Replaces the covariance of a launch along other axes by that along the fixed ones.
-    pub(crate) fn turn(&mut self, axes: &[Vector<f64>; 3]) {
-        self.carry(&Tangent::along_axes::<LAUNCH_COLUMNS>(axes));
+    /// Replaces the covariance of a launch along the body axes of an orientation by that along the fixed axes.
+    pub(crate) fn turn(&mut self, phi: &Orientation<f64>) {
+        self.propagate(&Tangent::along_body_axes(phi));
     }
 
     /// Covariance of a vector with these derivatives with respect to the unknowns.
     pub(crate) fn of_vector(&self, columns: &[Vector<f64>; MOST_UNKNOWNS]) -> [Vector<f64>; 3] {
         let mut carried = *self;
-        carried.carry(&columns.map(|theta| Tangent { theta, eta: [0.0; 3] }));
+        carried.propagate(&columns.map(|theta| Tangent { theta, eta: [0.0; 3] }));
         [0, 1, 2].map(|i| [0, 1, 2].map(|j| carried.get(i, j)))
     }
 
@@ -136,7 +137,7 @@ mod tests {
         let column = |shift: usize, k: usize| [0.3, 1.1, 2.3].map(|x| libm::cos(x * (k + shift) as f64));
         let columns = [0, 1, 2, 3, 4, 5, 6, 7].map(|k| Tangent { theta: column(0, k), eta: column(5, k) });
         let mut carried = covariance();
-        carried.carry(&columns);
+        carried.propagate(&columns);
         let mut expected = Covariance::ZERO;
         for k in 0..9 {
             let before = |i: u32| libm::sin(f64::from(i * i + 3 * k * i + k));
@@ -167,7 +168,7 @@ mod tests {
             wide[..3].copy_from_slice(&row);
             information.add(wide, 1.0);
         }
-        let covariance = Covariance::of(&information);
+        let covariance = Covariance::from_information(&information);
         let normal = |i: usize, j: usize| rows.iter().map(|row| row[i] * row[j]).sum::<f64>();
         for i in 0..3 {
             for j in 0..3 {

@@ -1,6 +1,6 @@
 //! Estimate of the unknowns of a fit: a launch, free ratios of the top, losses and biases.
 
-use crate::sensitivity::{LAUNCH_COLUMNS, RATIOS};
+use crate::sensitivity::{BodyState, LAUNCH_COLUMNS, RATIOS};
 use crate::triangle::{MOST_UNKNOWNS, Unknowns};
 use crate::vector::{Vector, add_scaled, rotation_vector};
 use toytop::su2::Orientation;
@@ -67,6 +67,11 @@ impl Estimate {
     /// State of the launch.
     pub(crate) fn state(&self) -> Result<State, ParameterError> {
         State::new(self.orientation.normalised(), self.omega)
+    }
+
+    /// State of the launch, of any norm.
+    pub(crate) fn body_state(&self) -> BodyState<f64> {
+        BodyState::new(self.orientation, self.omega)
     }
 
     /// Angular velocity in the body frame.

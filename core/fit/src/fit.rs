@@ -5,6 +5,8 @@
 // In the order of dependence.
 mod error;
 
+mod statistics;
+
 mod pass;
 
 mod marquardt;
@@ -19,11 +21,12 @@ use crate::estimate::{Estimate, FreeRatio};
 use crate::model::Model;
 use crate::sensitivity::LAUNCH_COLUMNS;
 use crate::sensors::{Measurement, Sensor};
-use crate::vector::{UNITS, Vector, norm, rotation_vector};
+use crate::vector::{Vector, norm, rotation_vector};
 pub use error::{FitError, FitWarning};
 pub use fitted::{Drift, Fitted, Unobservable};
 use marquardt::CONVERGED_SIGMA;
-pub use pass::{Fit, Statistics};
+pub use pass::Fit;
+pub use statistics::Statistics;
 use toytop::Top;
 use toytop::scalar::Real;
 
@@ -132,7 +135,7 @@ impl<'a, F: Real> Fit<'a, F> {
         let followed = self.model.predicted(&last.launch, span).filter(|_| span >= 0.0);
         let (predicted, at) = followed.ok_or(FitError::OutOfOrder { index: 0 })?;
         let mut covariance = last.covariance;
-        covariance.carry(&at.state.tangents);
+        covariance.propagate(&at.tangents);
         let noise = loss * norm(predicted.omega) * span;
         for index in 0..LAUNCH_COLUMNS {
             let noise = if index < 3 { 0.5 * span * noise } else { noise };
@@ -145,8 +148,7 @@ impl<'a, F: Real> Fit<'a, F> {
             covariance.set(index, index, variance);
         }
         // to changes along the body axes
-        let body = predicted.orientation.inverse();
-        covariance.turn(&UNITS.map(|axis| body.adjoint(axis)));
+        covariance.turn(&predicted.orientation.inverse());
         self.prior = (predicted, covariance.information(last.unknown_count));
         self.start_from(&predicted);
         let settled = self.settle(&measurements, usize::MAX, CONVERGED_SIGMA);

@@ -7,12 +7,12 @@
 use crate::triangle::{Triangle, Unknowns, unit_row};
 use toytop::scalar::Real;
 
-/// Triangle R with its right-hand side z, for the first `count` unknowns.
+/// Triangle R with its right-hand right_side z, for the first `count` unknowns.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Information<F> {
     pub(crate) count: usize,
     pub(crate) triangle: Triangle<F>,
-    side: Unknowns<F>,
+    right_side: Unknowns<F>,
 }
 
 impl<F: Real> Information<F> {
@@ -23,14 +23,14 @@ impl<F: Real> Information<F> {
 
     /// Information that all unknowns are 0, with the covariance (RᵀR)⁻¹.
     pub(crate) fn with_triangle(count: usize, triangle: Triangle<F>) -> Self {
-        Self { count, triangle, side: [F::ZERO; _] }
+        Self { count, triangle, right_side: [F::ZERO; _] }
     }
 
     /// Adds a row: the equation `row` · δ = `value`, of unit variance.
     pub(crate) fn add(&mut self, mut row: Unknowns<F>, mut value: F) {
         for index in (0..self.count).rev() {
-            let ([line @ .., pivot], Some(side), Some([others @ .., x])) =
-                (self.triangle.row_mut(index), self.side.get_mut(index), row.get_mut(..=index))
+            let ([line @ .., pivot], Some(right_side), Some([others @ .., x])) =
+                (self.triangle.row_mut(index), self.right_side.get_mut(index), row.get_mut(..=index))
             else {
                 return;
             };
@@ -43,23 +43,23 @@ impl<F: Real> Information<F> {
             for (a, b) in line.iter_mut().zip(others) {
                 (*a, *b) = (cosine * *a + sine * *b, cosine * *b - sine * *a);
             }
-            (*side, value) = (cosine * *side + sine * value, cosine * value - sine * *side);
+            (*right_side, value) = (cosine * *right_side + sine * value, cosine * value - sine * *right_side);
         }
     }
 
     /// Adds the information that one unknown is 0, with this standard deviation > 0.
-    pub(crate) fn add_known(&mut self, index: usize, deviation: F) {
+    pub(crate) fn add_prior(&mut self, index: usize, deviation: F) {
         self.add(unit_row(index, F::ONE / deviation), F::ZERO);
     }
 
     /// Least-squares solution δ; 0 where there is no information.
     pub(crate) fn solution(&self) -> Unknowns<F> {
-        self.triangle.solved(self.side)
+        self.triangle.solved(self.right_side)
     }
 
-    /// Sets the right-hand side to that of a solution.
-    pub(crate) fn point_to(&mut self, point: &Unknowns<F>) {
-        self.side = self.triangle.product(point);
+    /// Sets the right-hand right_side to that of a solution.
+    pub(crate) fn set_solution(&mut self, point: &Unknowns<F>) {
+        self.right_side = self.triangle.product(point);
     }
 
     /// Square |R x|² of the size of a change, in standard deviations.

@@ -3,15 +3,15 @@
 use crate::estimate::{Estimate, FreeRatio};
 use crate::information::Information;
 use crate::sensitivity::{
-    AugmentedState, COARSE, COLUMNS, Coefficients, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS,
-    Sensitivity, coefficients, exponents, ratios, with_coefficients,
+    COARSE, COLUMNS, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS, Sensitivity, coefficients,
+    log_derivatives, product, ratios, with_coefficients,
 };
 use crate::sensors::Sensor;
 use crate::triangle::{MOST_UNKNOWNS, Unknowns, unit_row};
 use crate::vector::{UNITS, Vector, norm, scaled};
 use core::ops::Range;
 use toytop::scalar::Real;
-use toytop::{Motion, Orientation, Top};
+use toytop::{Motion, Orientation, ParameterError, Top};
 
 /// Largest number of sensors.
 pub const MOST_SENSORS: usize = 4;
@@ -24,14 +24,12 @@ pub(crate) struct Model {
     pub(crate) top: Top,
     free: [FreeRatio; MOST_RATIOS],
     free_count: usize,
-    /// Whether the losses are unknowns.
-    pub(crate) has_losses: bool,
     /// First bias of each sensor among the unknowns.
     biases: [Option<usize>; MOST_SENSORS],
     /// Prior standard deviations; infinite where there is no prior information.
     pub(crate) deviations: Unknowns,
-    /// Number of unknowns that are not biases.
-    pub(crate) common: usize,
+    /// Number of unknowns of the motion: all but the biases.
+    pub(crate) motion_count: usize,
     pub(crate) count: usize,
 }
 
@@ -44,19 +42,18 @@ impl Model {
         loss_deviation: Option<f64>,
     ) -> Option<Self> {
         let losses = loss_deviation.into_iter().flat_map(|deviation| [deviation; LOSS_COUNT]);
-        let common = LAUNCH_COLUMNS + ratios.len() + losses.clone().count();
-        if sensors.len() > MOST_SENSORS || common > COLUMNS {
+        let motion_count = LAUNCH_COLUMNS + ratios.len() + losses.clone().count();
+        if sensors.len() > MOST_SENSORS || motion_count > COLUMNS {
             return None;
         }
         let mut model = Self {
             top: *top,
             free: [FreeRatio::new([0.0; RATIOS]); MOST_RATIOS],
             free_count: ratios.len(),
-            has_losses: loss_deviation.is_some(),
-            common,
+            motion_count,
             biases: [None; MOST_SENSORS],
             deviations: [f64::INFINITY; MOST_UNKNOWNS],
-            count: common,
+            count: motion_count,
         };
         model.free.iter_mut().zip(ratios).for_each(|(slot, ratio)| *slot = *ratio);
         let mut slots = model.deviations.iter_mut().skip(LAUNCH_COLUMNS);
@@ -78,9 +75,14 @@ impl Model {
         self.free.get(..self.free_count).unwrap_or(&[])
     }
 
+    /// Whether the losses are unknowns.
+    pub(crate) fn has_losses(&self) -> bool {
+        !self.loss_range().is_empty()
+    }
+
     /// Places of the losses among the unknowns.
     pub(crate) fn loss_range(&self) -> Range<usize> {
-        LAUNCH_COLUMNS + self.free_count..self.common
+        LAUNCH_COLUMNS + self.free_count..self.motion_count
     }
 
     /// First bias of a sensor among the unknowns.
@@ -91,34 +93,29 @@ impl Model {
     /// Losses of an estimate.
     pub(crate) fn losses_of(&self, estimate: &Estimate) -> [f64; LOSS_COUNT] {
         let losses = estimate.other.get(self.free_count..).and_then(<[f64]>::first_chunk);
-        losses.copied().filter(|_| self.has_losses).unwrap_or([0.0; LOSS_COUNT])
+        losses.copied().filter(|_| self.has_losses()).unwrap_or([0.0; LOSS_COUNT])
     }
 
     /// Equations of an estimate. Their columns after those of the launch are the free ratios and the losses.
     pub(crate) fn equations(&self, estimate: &Estimate) -> Equations<f64> {
         let mut coefficients = coefficients(&self.top);
-        let mut changes: [Coefficients; _] = [[0.0; _]; _];
-        let exponents = |free: &FreeRatio| exponents(self.top.support(), free.direction);
-        for (free, value) in self.free().iter().zip(estimate.other) {
-            let factors = exponents(free).map(|by| libm::exp(by * value));
-            coefficients.iter_mut().zip(factors).for_each(|(slot, factor)| *slot *= factor);
+        let by = self.free.map(|free| log_derivatives(self.top.support(), free.direction));
+        for (by, value) in by.iter().zip(estimate.other).take(self.free_count) {
+            coefficients = product(coefficients, by.map(|by| libm::exp(by * value)));
         }
+        let mut changes = by.map(|by| product(coefficients, by));
         let [.., x1, x2, x3] = &mut coefficients;
         [*x1, *x2, *x3] = self.losses_of(estimate);
-        let mut columns = changes.iter_mut();
-        for (free, column) in self.free().iter().zip(&mut columns) {
-            let shares = coefficients.iter().zip(exponents(free));
-            column.iter_mut().zip(shares).for_each(|(slot, (value, by))| *slot = value * by);
-        }
-        for ([.., x1, x2, x3], unit) in columns.filter(|_| self.has_losses).zip(UNITS) {
+        let columns = changes.iter_mut().skip(self.free_count).filter(|_| self.has_losses());
+        for ([.., x1, x2, x3], unit) in columns.zip(UNITS) {
             [*x1, *x2, *x3] = unit;
         }
-        Equations { coefficients, changes, columns: self.common, lossy: self.has_losses }
+        Equations { coefficients, changes, columns: self.motion_count }
     }
 
     /// Derivatives of the ratios with respect to those that are free; 0 for the infinite A/C of a thin rod, whose motion does not
     /// depend on it.
-    pub(crate) fn ratio_shares(&self, estimate: &Estimate) -> [[f64; RATIOS]; MOST_RATIOS] {
+    pub(crate) fn ratio_derivatives(&self, estimate: &Estimate) -> [[f64; RATIOS]; MOST_RATIOS] {
         let ratios = ratios(&self.equations(estimate).coefficients, self.top.support());
         let mut shares = self.free.map(|free| free.direction);
         for (weight, ratio) in shares.iter_mut().flat_map(|direction| direction.iter_mut().zip(ratios)) {
@@ -127,18 +124,21 @@ impl Model {
         shares
     }
 
-    /// Coefficients of an estimate; `None` where no ratio is free.
-    pub(crate) fn coefficients(&self, estimate: &Estimate) -> Option<Coefficients> {
-        (self.free_count > 0).then(|| self.equations(estimate).coefficients)
+    /// Top of an estimate, with the A, the rotor and the support of a given one.
+    pub(crate) fn top_of(&self, given: &Top, estimate: &Estimate) -> Result<Top, ParameterError> {
+        if self.free_count == 0 {
+            return Ok(*given);
+        }
+        with_coefficients(given, &self.equations(estimate).coefficients)
     }
 
     /// Derivatives of the motion of an estimate with respect to the unknowns.
     fn sensitivity(&self, estimate: &Estimate) -> Option<Sensitivity> {
         let equations = self.equations(estimate);
-        if self.has_losses {
-            return Some(Sensitivity::launched(&equations, &estimate.orientation, estimate.omega, COARSE));
+        if self.has_losses() {
+            return Some(Sensitivity::launched(&equations, &estimate.body_state(), COARSE));
         }
-        let top = with_coefficients(&self.top, &self.coefficients(estimate)).ok()?;
+        let top = self.top_of(&self.top, estimate).ok()?;
         let motion = Motion::launch(&top, &estimate.state().ok()?).ok()?;
         Some(Sensitivity::with_equations(&motion, &equations, COARSE))
     }
@@ -152,15 +152,14 @@ impl Model {
 
     /// First integrals l, n and h of an estimate.
     pub(crate) fn integrals(&self, estimate: &Estimate) -> Vector<f64> {
-        let state = AugmentedState::launched(&estimate.orientation, estimate.omega);
-        scaled(self.equations(estimate).integrals(&state), self.top.transverse_inertia())
+        scaled(self.equations(estimate).integrals(&estimate.body_state()), self.top.transverse_inertia())
     }
 
     /// Information before the first measurement, and the estimate that it is about. Losses, biases and changes of the ratios are near 0.
     pub(crate) fn prior<F: Real>(&self) -> (Estimate, Information<F>) {
         let mut information = Information::new(self.count);
         for (index, deviation) in self.deviations.iter().enumerate() {
-            information.add_known(index, F::from_f64(*deviation));
+            information.add_prior(index, F::from_f64(*deviation));
         }
         (Estimate::new(Orientation::IDENTITY, [0.0; 3]), information)
     }

@@ -12,21 +12,21 @@ mod equations;
 
 mod integrals;
 
-mod integration;
+mod runge_kutta;
 
 mod partials;
 
 mod trajectory;
 
-use crate::vector::{UNITS, Vector, cross};
+use crate::vector::{UNITS, cross};
 pub(crate) use coefficients::{
-    Coefficients, LOSS_COUNT, RATIOS, coefficients, exponents, ratios, with_coefficients,
+    LOSS_COUNT, RATIOS, coefficients, log_derivatives, product, ratios, with_coefficients,
 };
 pub(crate) use equations::Equations;
 use integrals::projected;
 pub use partials::Partials;
-pub(crate) use state::{AugmentedState, COLUMNS, LAUNCH_COLUMNS, Tangent};
-use toytop::scalar::{Extended, Float, Scalar};
+pub(crate) use state::{BodyState, COLUMNS, LAUNCH_COLUMNS, Tangent};
+use toytop::scalar::{Extended, Float};
 use toytop::{Motion, Orientation, PeriodAdvance, Phase, Stepper};
 pub(crate) use trajectory::Trajectory;
 
@@ -35,7 +35,7 @@ const FINE: f64 = 0.02;
 /// Longest step for a motion that was fitted, in the same unit. An error of 1e-9 has no effect there.
 pub(crate) const COARSE: f64 = 0.1;
 /// Longest step of a pass over measurements, in the same unit. The error of the derivatives is about 1e-4 in `f32`.
-pub(crate) const PASS: f64 = 0.45;
+pub(crate) const PASS: f64 = 0.55;
 
 /// Partial derivatives of a motion with respect to its launch, as a function of time.
 ///
@@ -89,37 +89,33 @@ impl Sensitivity {
 
     /// Sensitivity of a motion whose last four columns are the changes of these equations.
     pub(crate) fn with_equations(motion: &Motion, equations: &Equations<f64>, longest_step: f64) -> Self {
-        let state = Stepper::<f64>::new(motion).attitude_state();
-        let launched = Self::launched(equations, &state.orientation, state.omega(), longest_step);
+        let attitude = Stepper::<f64>::new(motion).attitude_state();
+        let launch = BodyState::new(attitude.orientation, attitude.omega());
+        let launched = Self::launched(equations, &launch, longest_step);
         let start = launched.start;
         let period =
             motion.period_advance().and_then(|PeriodAdvance { exact_period: length, rotations, .. }| {
                 let [about_vertical, _] = rotations;
-                let (launch, mut end) = (&start.now.state, start.moved(length.to_f64())?.now.state);
-                end.turn(f64::sine_cosine(-about_vertical));
+                let mut end = start.moved(length.to_f64())?.now;
+                end.turn(-about_vertical);
                 let mut growth = end.tangents;
-                for (grown, initial) in growth.iter_mut().zip(&launch.tangents) {
+                for (grown, initial) in growth.iter_mut().zip(&start.now.tangents) {
                     *grown = grown.plus(initial, -1.0);
                 }
-                let rate = equations.frequency(launch);
-                Some(Period {
-                    length,
-                    rotations,
-                    growth: projected(&equations.gradients(launch), rate, &growth),
-                })
+                let growth = projected(&equations.gradients(&launch), equations.frequency(&launch), &growth);
+                Some(Period { length, rotations, growth })
             });
         Self { period, ..launched }
     }
 
     /// Sensitivity of a launch, without its period.
-    pub(crate) fn launched(
-        equations: &Equations<f64>,
-        orientation: &Orientation<f64>,
-        omega: Vector<f64>,
-        longest_step: f64,
-    ) -> Self {
-        let (state, tangents) = (AugmentedState::launched(orientation, omega), Tangent::along_axes(&UNITS));
-        let start = Trajectory::new(&state, tangents, equations, longest_step);
+    pub(crate) fn launched(equations: &Equations<f64>, launch: &BodyState<f64>, longest_step: f64) -> Self {
+        let start = Trajectory::new(
+            launch,
+            Tangent::along_body_axes(&Orientation::IDENTITY),
+            equations,
+            longest_step,
+        );
         Self { start, period: None, trajectory: start, count: 0 }
     }
 
@@ -135,7 +131,7 @@ impl Sensitivity {
         let mut partials = self.with_turned_omega(t)?;
         // with ω kept, a rotation δ of Φ changes ω by -δ × ω in the frame that turns by δ
         let omega = self.start.now.omega();
-        if let Some((launch, _)) = partials.state.tangents.split_first_chunk_mut::<LAUNCH_COLUMNS>() {
+        if let Some((launch, _)) = partials.tangents.split_first_chunk_mut::<LAUNCH_COLUMNS>() {
             let [x, y, z, by_omega @ ..] = launch;
             for (slot, unit) in [x, y, z].into_iter().zip(UNITS) {
                 for (column, weight) in by_omega.iter().zip(cross(omega, unit)) {
@@ -159,7 +155,7 @@ impl Sensitivity {
         let (count, since_period) = period.reduced(t)?;
         let [about_vertical, about_axis] = period.rotations;
         if count != self.count {
-            let mut tangents = start.now.state.tangents;
+            let mut tangents = start.now.tangents;
             for (tangent, growth) in tangents.iter_mut().zip(&period.growth) {
                 *tangent = tangent.plus(growth, count as f64);
             }
@@ -167,7 +163,7 @@ impl Sensitivity {
         }
         self.trajectory = self.trajectory.moved(since_period)?;
         let mut partials = self.trajectory.now;
-        partials.state.turn(f64::sine_cosine(about_vertical * count));
+        partials.turn(about_vertical * count);
         Some(partials)
     }
 }

@@ -5,7 +5,7 @@ mod inertial;
 mod optical;
 
 use crate::sensitivity::{COLUMNS, Partials};
-use crate::vector::{UNITS, Vector, cast};
+use crate::vector::{Vector, add_scaled, cast, cast_orientation, coordinates};
 pub use inertial::{Accelerometer, Gyroscope, Magnetometer};
 pub use optical::{AxisCamera, Mark, OrientationCamera, TipCamera};
 use toytop::Complex;
@@ -113,22 +113,23 @@ pub struct Mounting {
 }
 
 impl Mounting {
-    /// Axes of the sensor in the fixed frame.
-    pub(crate) fn axes<F: Real>(&self, at: &Partials<F>) -> [Vector<F>; 3] {
-        if self.rotation == Orientation::IDENTITY {
-            return at.state.axes();
+    /// Residual of a reading, from the predicted vector in body coordinates and its derivatives. A component at the end of the range has
+    /// no information.
+    fn residual<F: Real>(
+        &self,
+        values: &[f64; 4],
+        (predicted, columns): (Vector<F>, [Vector<F>; COLUMNS]),
+        noise: &Noise,
+        range: f64,
+    ) -> Residual<F> {
+        let in_sensor = coordinates(cast_orientation(&self.rotation));
+        let reading = cast(three(values));
+        let [range, deviation, unused] = cast([range, noise.deviation, f64::INFINITY]);
+        Residual {
+            difference: add_scaled(reading, in_sensor(predicted), -F::ONE),
+            deviation: reading.map(|x| if x.abs() < range { deviation } else { unused }),
+            columns: columns.map(in_sensor),
         }
-        UNITS.map(|unit| at.in_fixed(cast(self.in_body(unit))))
-    }
-
-    /// Axis of the top in the coordinates of the sensor.
-    pub(crate) fn axis(&self) -> Vector<f64> {
-        self.rotation.inverse().axis()
-    }
-
-    /// Body coordinates of a vector that is given in sensor coordinates.
-    pub(crate) fn in_body(&self, sensor: Vector<f64>) -> Vector<f64> {
-        self.rotation.adjoint(sensor)
     }
 }
 

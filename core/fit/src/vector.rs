@@ -3,6 +3,7 @@
 use toytop::scalar::{Float, Real, Ring};
 use toytop::su2::Orientation;
 pub(crate) use toytop::su2::{Vector, cross, dot};
+use toytop::{Complex, Phase};
 
 /// Vertical unit vector k.
 pub(crate) const UP: Vector<f64> = [0.0, 0.0, 1.0];
@@ -29,36 +30,33 @@ pub(crate) fn unit(x: Vector<f64>) -> Option<Vector<f64>> {
     (norm(x) > 0.0).then(|| scaled(x, 1.0 / norm(x)))
 }
 
-/// Vector in another scalar.
-pub(crate) fn cast<F: Float>(x: Vector<f64>) -> Vector<F> {
-    x.map(F::from_f64)
+/// Three or four numbers in another scalar.
+pub(crate) fn cast<F: Float, G: Float, const N: usize>(x: [F; N]) -> [G; N] {
+    x.map(|component| G::from_f64(component.to_f64()))
 }
 
-/// Coordinates of a vector along three axes.
-pub(crate) fn along<F: Ring>(axes: &[Vector<F>; 3], x: Vector<F>) -> Vector<F> {
-    axes.map(|axis| dot(axis, x))
+/// Orientation in another scalar.
+pub(crate) fn cast_orientation<F: Float, G: Float>(phi: &Orientation<F>) -> Orientation<G> {
+    Orientation::from_quaternion(cast(phi.quaternion()))
 }
 
-/// Vector with these coordinates along three axes.
-pub(crate) fn combined<F: Ring>([first, second, third]: &[Vector<F>; 3], [x, y, z]: Vector<F>) -> Vector<F> {
-    add_scaled(add_scaled(scaled(*first, x), *second, y), *third, z)
+/// Rotation about the third axis.
+pub(crate) fn about_third_axis<F: Real>(angle: Phase) -> Orientation<F> {
+    Orientation { alpha: Complex::cis(Phase::from_bits(angle.to_bits() / 2)), beta: Complex::ZERO }
 }
 
-/// Orientation whose third and first body axes are these unit vectors, of either sign.
-pub(crate) fn from_axes<F: Float>(third: Vector<F>, first: Vector<F>) -> Orientation<F> {
-    let ([x1, y1, z1], [x2, y2, z2], [x3, y3, z3]) = (first, cross(third, first), third);
-    // four times a component of the quaternion times the others: the row with the largest component is used
-    let one = F::ONE;
-    let rows = [
-        [one + x1 + y2 + z3, z2 - y3, x3 - z1, y1 - x2],
-        [z2 - y3, one + x1 - y2 - z3, y1 + x2, x3 + z1],
-        [x3 - z1, y1 + x2, one - x1 + y2 - z3, z2 + y3],
-        [y1 - x2, x3 + z1, z2 + y3, one - x1 - y2 + z3],
-    ];
-    let size = |row: &[F; 4]| row.iter().fold(F::ZERO, |sum, x| sum + *x * *x);
-    let start = [one, F::ZERO, F::ZERO, F::ZERO];
-    let largest = rows.into_iter().fold(start, |best, row| if size(&row) > size(&best) { row } else { best });
-    Orientation::from_quaternion(largest).normalised()
+/// Map from fixed coordinates to those along the body axes of an orientation.
+pub(crate) fn coordinates<F: Float>(phi: Orientation<F>) -> impl Fn(Vector<F>) -> Vector<F> {
+    let axes = UNITS.map(|unit| phi.adjoint(cast(unit)));
+    move |fixed| axes.map(|axis| dot(axis, fixed))
+}
+
+/// Sum of a vector and of others, each times a factor.
+pub(crate) fn add_all<F: Ring>(
+    start: Vector<F>,
+    terms: impl IntoIterator<Item = (Vector<F>, F)>,
+) -> Vector<F> {
+    terms.into_iter().fold(start, |sum, (x, f)| add_scaled(sum, x, f))
 }
 
 /// Rotation vector of an orientation of either sign, of magnitude up to π.

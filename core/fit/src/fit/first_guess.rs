@@ -6,9 +6,7 @@
 use crate::estimate::Estimate;
 use crate::fit::pass::Fit;
 use crate::sensors::{Hint, Measurements};
-use crate::vector::{
-    UP, Vector, add_scaled, cast, cross, dot, from_axes, norm, rotation_vector, scaled, unit,
-};
+use crate::vector::{UP, Vector, add_scaled, cast, cross, dot, norm, rotation_vector, scaled, unit};
 use core::f64::consts::PI;
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
@@ -42,12 +40,12 @@ pub(super) struct Guesses {
     orientation: Orientation<f64>,
     /// Angular velocity in the body frame.
     omega: Vector<f64>,
-    open: Open,
+    undetermined: Undetermined,
 }
 
 /// Quantities that the first measurements do not determine.
 #[derive(Clone, Copy)]
-enum Open {
+enum Undetermined {
     Nothing,
     /// Rotation about this direction of the fixed frame.
     Rotation(Vector<f64>),
@@ -60,11 +58,11 @@ enum Open {
 impl Guesses {
     /// Number of guesses.
     pub(super) fn count(&self) -> u32 {
-        match self.open {
-            Open::Nothing => 1,
-            Open::Rotation(_) => ROTATIONS,
-            Open::Spin(_) => 2 * SPINS,
-            Open::Orientation => ROTATIONS * TILTS.len() as u32,
+        match self.undetermined {
+            Undetermined::Nothing => 1,
+            Undetermined::Rotation(_) => ROTATIONS,
+            Undetermined::Spin(_) => 2 * SPINS,
+            Undetermined::Orientation => ROTATIONS * TILTS.len() as u32,
         }
     }
 
@@ -72,15 +70,17 @@ impl Guesses {
     pub(super) fn get(&self, number: u32) -> Estimate {
         let (mut orientation, mut omega) = (self.orientation, self.omega);
         let angle = 2.0 * PI * f64::from(number) / f64::from(ROTATIONS);
-        match self.open {
-            Open::Nothing => {}
-            Open::Rotation(axis) => orientation = Orientation::exp(scaled(axis, angle)).compose(&orientation),
-            Open::Spin(fastest) => {
+        match self.undetermined {
+            Undetermined::Nothing => {}
+            Undetermined::Rotation(axis) => {
+                orientation = Orientation::exp(scaled(axis, angle)).compose(&orientation)
+            }
+            Undetermined::Spin(fastest) => {
                 let [.., axial] = &mut omega;
                 let rate = fastest * libm::exp2(-0.75 * f64::from(number / 2));
                 *axial = if number.is_multiple_of(2) { rate } else { -rate };
             }
-            Open::Orientation => {
+            Undetermined::Orientation => {
                 let tilt = TILTS.get((number / ROTATIONS) as usize).copied().unwrap_or(0.0);
                 let roll = Orientation::exp([0.0, 0.0, angle]);
                 orientation = Orientation::exp([0.0, tilt, 0.0]).compose(&roll);
@@ -124,22 +124,28 @@ impl Instant {
             return self.orientation;
         }
         let [Some([fixed, body]), Some([second_fixed, second_body])] = self.directions else { return None };
-        let frame = |x: Vector<f64>, y: Vector<f64>| {
-            let across = cross(x, y);
-            let length = norm(across);
-            (length > 1e-3).then(|| from_axes(x, scaled(across, 1.0 / length)))
-        };
-        Some(frame(fixed, second_fixed)?.compose(&frame(body, second_body)?.inverse()))
+        // one direction leaves a rotation about it open, which the part of the other across it tells
+        let phi = aligned([fixed, body]);
+        let [expected, found] =
+            [second_fixed, phi.adjoint(second_body)].map(|x| add_scaled(x, fixed, -dot(x, fixed)));
+        let is_parallel = [expected, found].map(norm).into_iter().any(|across| across < 1e-3);
+        let angle = libm::atan2(dot(fixed, cross(found, expected)), dot(found, expected));
+        (!is_parallel).then(|| Orientation::exp(scaled(fixed, angle)).compose(&phi))
     }
 }
 
 /// Smallest rotation that takes the vertical to this unit vector.
-pub(super) fn upright_to([x, y, z]: Vector<f64>) -> Orientation<f64> {
+pub(super) fn rotation_from_vertical([x, y, z]: Vector<f64>) -> Orientation<f64> {
     // below -1 + 1e-12 the rotation may be about any horizontal axis
     if z < -1.0 + 1e-12 {
         return Orientation::from_quaternion([0.0, 1.0, 0.0, 0.0]);
     }
     Orientation::from_quaternion([1.0 + z, -y, x, 0.0]).normalised()
+}
+
+/// Orientation that takes the second of two unit vectors to the first.
+fn aligned([fixed, body]: [Vector<f64>; 2]) -> Orientation<f64> {
+    rotation_from_vertical(fixed).compose(&rotation_from_vertical(body).inverse())
 }
 
 impl<F: Real> Fit<'_, F> {
@@ -155,14 +161,21 @@ impl<F: Real> Fit<'_, F> {
         let first = instants.clone().find(Instant::is_oriented);
         let Some(first) = first else {
             let (omega, _) = rate.filter(|(_, axial_is_saturated)| !axial_is_saturated)?;
-            return Some(Guesses { orientation: Orientation::IDENTITY, omega, open: Open::Orientation });
+            return Some(Guesses {
+                orientation: Orientation::IDENTITY,
+                omega,
+                undetermined: Undetermined::Orientation,
+            });
         };
-        let (orientation, open) = match (first.attitude(), first.directions, first.axis) {
-            (Some(orientation), ..) => (orientation, Open::Nothing),
-            (None, [Some([fixed, body]), _], _) => {
+        let (orientation, undetermined) = match (first.attitude(), first.directions, first.axis) {
+            (Some(orientation), ..) => (orientation, Undetermined::Nothing),
+            (None, [Some(direction), _], _) => {
                 // a rotation about the vertical changes nothing that such measurements tell
-                let open = if fixed == UP { Open::Nothing } else { Open::Rotation(fixed) };
-                (upright_to(fixed).compose(&upright_to(body).inverse()), open)
+                let [fixed, _] = direction;
+                (
+                    aligned(direction),
+                    if fixed == UP { Undetermined::Nothing } else { Undetermined::Rotation(fixed) },
+                )
             }
             (None, _, Some(axis)) => return self.guesses_from_axis(instants, axis),
             _ => return None,
@@ -176,7 +189,7 @@ impl<F: Real> Fit<'_, F> {
         };
         // from the first instant with an orientation back to the first measurement
         let orientation = orientation.compose(&Orientation::exp(scaled(omega, epoch - first.time)));
-        Some(Guesses { orientation, omega, open })
+        Some(Guesses { orientation, omega, undetermined })
     }
 
     /// Guesses from the axis alone: its rate from the first and a later instant, and several rates about it.
@@ -188,9 +201,9 @@ impl<F: Real> Fit<'_, F> {
         let mut seen = instants.filter_map(|instant| Some((instant.time, instant.axis?)));
         let ((start, _), (end, later)) = (seen.next()?, seen.nth(2)?);
         let per_time = 1.0 / (end - start);
-        let orientation = upright_to(axis);
+        let orientation = rotation_from_vertical(axis);
         let omega = orientation.inverse().adjoint(scaled(cross(axis, later), per_time));
-        Some(Guesses { orientation, omega, open: Open::Spin(4.0 * per_time) })
+        Some(Guesses { orientation, omega, undetermined: Undetermined::Spin(4.0 * per_time) })
     }
 
     /// Instants of the measurements, one at a time: all would be too many for the stack.
@@ -261,16 +274,18 @@ fn axial_rate_from_circle<F: Real>(
         intervals.fold((f64::INFINITY, 0.0_f64), |(least, most), span| (least.min(span), most.max(span)));
     let mut step = libm::copysign(0.3 / longest, bound);
     let steps = ((PI / shortest - 0.9 * libm::fabs(bound)) / libm::fabs(step)).min(2000.0) as u32;
-    let better = |(rate, least): (Option<f64>, F), tried: f64| {
+    let better = |(rate, least): (f64, F), tried: f64| {
         let value = mismatch(tried);
-        if value < least { (Some(tried), value) } else { (rate, least) }
+        if value < least { (tried, value) } else { (rate, least) }
     };
+    let unknown = F::from_f64(f64::INFINITY);
     let rates = (0..steps).map(|count| 0.9 * bound + step * f64::from(count));
-    let mut best = rates.fold((None, F::from_f64(f64::INFINITY)), better);
+    let mut best = rates.fold((bound, unknown), better);
     for _ in 0..HALVINGS {
         step *= 0.5;
-        let middle = best.0?;
+        let (middle, _) = best;
         best = better(better(best, middle - step), middle + step);
     }
-    best.0
+    let (rate, least) = best;
+    (least < unknown).then_some(rate)
 }

@@ -3,15 +3,13 @@
 use crate::covariance::Covariance;
 use crate::estimate::Estimate;
 use crate::fit::error::FitWarning;
-use crate::fit::pass::{Fit, Pass, Statistics};
+use crate::fit::pass::{Fit, Pass};
 use crate::fit::search::Extent;
-use crate::model::MOST_RATIOS;
-use crate::sensitivity::{
-    AugmentedState, COARSE, COLUMNS, Coefficients, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS,
-    Sensitivity, with_coefficients,
-};
+use crate::fit::statistics::Statistics;
+use crate::model::Model;
+use crate::sensitivity::{COARSE, COLUMNS, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, Sensitivity};
 use crate::triangle::{MOST_UNKNOWNS, Unknowns};
-use crate::vector::{UNITS, UP, Vector, add_scaled, cross, scaled};
+use crate::vector::{UNITS, UP, Vector, add_all, add_scaled, cross, scaled};
 use toytop::scalar::Real;
 use toytop::{Motion, ParameterError, State, Top};
 
@@ -76,10 +74,8 @@ pub struct Fitted {
     pub unknown_count: usize,
     /// Drift of the first integrals, if it was fitted.
     pub drift: Option<Drift>,
-    /// Coefficients of the top, if a ratio is free.
-    pub(super) coefficients: Option<Coefficients>,
-    /// Derivatives of the ratios with respect to those that are free.
-    pub(super) ratio_shares: [[f64; RATIOS]; MOST_RATIOS],
+    /// Model of the unknowns.
+    pub(super) model: Model,
 }
 
 impl Fitted {
@@ -102,7 +98,7 @@ impl Fitted {
     /// # Errors
     /// The errors of [`Top::sliding`].
     pub fn top(&self, given: &Top) -> Result<Top, ParameterError> {
-        with_coefficients(given, &self.coefficients)
+        self.model.top_of(given, &self.launch)
     }
 
     /// Motion of the launch, also of one that must not be trusted: see [`Fitted::warning`].
@@ -122,11 +118,10 @@ impl Fitted {
         let Some(Drift { losses, .. }) = self.drift else {
             return Ok(Sensitivity::new(&self.motion(given)?));
         };
-        let (top, state) = (self.top(given)?, self.state()?);
-        let mut equations = Equations { lossy: true, ..Equations::new(&top) };
+        let mut equations = Equations::new(&self.top(given)?);
         let [.., x1, x2, x3] = &mut equations.coefficients;
         [*x1, *x2, *x3] = losses;
-        Ok(Sensitivity::launched(&equations, &state.orientation(), state.omega(), COARSE))
+        Ok(Sensitivity::launched(&equations, &self.launch.body_state(), COARSE))
     }
 
     /// Standard deviations of the unknowns, in the coordinates of [`Fitted::covariance`]. Those after the first
@@ -144,22 +139,16 @@ impl Fitted {
 
     /// Derivatives with respect to the unknowns, from those with respect to the launch and the ratios.
     fn columns(&self, by: &[Vector<f64>; COLUMNS]) -> [Vector<f64>; MOST_UNKNOWNS] {
-        let [_, _, _, by_omega @ .., _, _, _, _] = by;
-        let (_, ratios) = by.split_at(LAUNCH_COLUMNS);
-        let mut columns = [[0.0; 3]; MOST_UNKNOWNS];
-        columns.iter_mut().zip(by).take(LAUNCH_COLUMNS).for_each(|(slot, column)| *slot = *column);
+        let [d1, d2, d3, w1, w2, w3, by_ratios @ ..] = *by;
+        let by_omega = [w1, w2, w3];
         // ω turns with the orientation
-        for (slot, unit) in columns.iter_mut().zip(UNITS) {
-            for (column, weight) in by_omega.iter().zip(cross(unit, self.launch.omega)) {
-                *slot = add_scaled(*slot, *column, weight);
-            }
-        }
-        for (slot, shares) in columns.iter_mut().skip(LAUNCH_COLUMNS).zip(self.ratio_shares) {
-            for (column, weight) in ratios.iter().zip(shares) {
-                *slot = add_scaled(*slot, *column, weight);
-            }
-        }
-        columns
+        let turned =
+            UNITS.map(|unit| add_all([0.0; 3], by_omega.into_iter().zip(cross(unit, self.launch.omega))));
+        let turns = [d1, d2, d3].into_iter().zip(turned).map(|(by, turned)| add_scaled(by, turned, 1.0));
+        let shares = self.model.ratio_derivatives(&self.launch);
+        let free = shares.map(|shares| add_all([0.0; 3], by_ratios.into_iter().zip(shares)));
+        let mut columns = turns.chain(by_omega).chain(free);
+        core::array::from_fn(|_| columns.next().unwrap_or([0.0; 3]))
     }
 }
 
@@ -176,19 +165,18 @@ impl<F: Real> Fit<'_, F> {
         let mut fitted = Fitted {
             time: extent.first,
             launch,
-            covariance: Covariance::of(&self.current.information),
+            covariance: Covariance::from_information(&self.current.information),
             statistics: self.best.statistics,
             unobservable: Unobservable::default(),
             warning,
             other_launch_count,
             unknown_count: self.model.count,
-            coefficients: self.model.coefficients(&launch),
-            ratio_shares: self.model.ratio_shares(&launch),
+            model: self.model,
             drift: None,
         };
-        fitted.covariance.turn(&AugmentedState::launched(&launch.orientation, launch.omega).axes());
+        fitted.covariance.turn(&launch.orientation);
         fitted.unobservable = unobservable(&fitted, &self.model.units(&launch));
-        if self.model.has_losses && self.carry_to_end(&mut fitted, extent.last).is_none() {
+        if self.model.has_losses() && self.carry_to_end(&mut fitted, extent.last).is_none() {
             fitted.warning = fitted.warning.or(Some(FitWarning::NotSettled));
         }
         fitted
@@ -216,14 +204,14 @@ impl<F: Real> Fit<'_, F> {
         let [c_over_a, ..] = at.equations.coefficients;
         let per_time = self.model.top.transverse_inertia() / span;
         let mut rates_by = [[0.0; 3]; MOST_UNKNOWNS];
-        let losses = rates_by.iter_mut().zip(&at.state.tangents).enumerate();
+        let losses = rates_by.iter_mut().zip(&at.tangents).enumerate();
         for (_, (slot, tangent)) in losses.filter(|(index, _)| self.model.loss_range().contains(index)) {
             let [l, spin, h] = gradients.map(|by| by.inner(tangent));
             *slot = scaled([l, c_over_a * spin, h], per_time);
         }
         let covariance = fitted.covariance.of_vector(&rates_by);
         fitted.drift = Some(Drift { rates, covariance, losses: self.model.losses_of(&launch) });
-        fitted.covariance.carry(&at.state.tangents);
+        fitted.covariance.propagate(&at.tangents);
         (fitted.time, fitted.launch) = (end, launch);
         Some(())
     }

@@ -83,7 +83,7 @@ impl<F: Real> Fit<'_, F> {
             && self.curvature * size * size < NEXT_SETTLED;
         if size < settled || near {
             // the information is about changes along the body axes, and does not turn with the correction
-            best.information.point_to(&[F::ZERO; MOST_UNKNOWNS]);
+            best.information.set_solution(&[F::ZERO; MOST_UNKNOWNS]);
             best.estimate = next;
             // the correction lowers the sum of squares by this amount, as far as the equations are linear
             best.statistics.cost -= size * size;

@@ -1,108 +1,16 @@
-//! Passes over the measurements, and the residuals of a pass.
+//! Passes over the measurements: the rows of a least-squares problem.
 
 use crate::estimate::Estimate;
+use crate::fit::statistics::Statistics;
 use crate::information::Information;
 use crate::model::{MOST_SENSORS, Model};
-use crate::sensitivity::{AugmentedState, PASS, Tangent, Trajectory};
+use crate::sensitivity::{PASS, Tangent, Trajectory};
 use crate::sensors::{Hint, Measurement, Measurements, Residual, Sensor};
 use crate::triangle::MOST_UNKNOWNS;
 use toytop::scalar::Real;
 
 /// Marquardt's damping at the beginning.
 pub(super) const FIRST_DAMPING: f64 = 1e-3;
-/// Largest excess of a sum of squares that noise explains, in its standard deviations.
-const MISFIT_SIGMA: f64 = 5.0;
-/// Residual of a gross error, in standard deviations.
-const GROSS_SIGMA: f64 = 10.0;
-/// Largest sum of squares of the differences from prior values. There are at most a dozen.
-const MOST_PRIOR: f64 = 60.0;
-
-/// Residuals of a fit.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Statistics {
-    /// Number of components that were used.
-    pub used: u32,
-    /// Number of components that are not used, because they are at the end of their range.
-    pub unused: u32,
-    /// Number of components whose weight was reduced.
-    pub outliers: u32,
-    /// Sum of the squares of all residuals in standard deviations; the residual of an outlier counts as the limit.
-    pub chi_squared: f64,
-    /// Largest residual in standard deviations.
-    pub largest: f64,
-    /// Sum of the squares of the differences from prior values, such as those of biases, in standard deviations.
-    pub prior: f64,
-    /// Sum of squares in which an outlier counts linearly; infinite where the motion cannot be followed.
-    pub(super) cost: f64,
-    /// Number of residuals beyond 10 standard deviations.
-    gross: u32,
-    /// Largest residual of a component that is no outlier.
-    huber: f64,
-    /// Whether the readings of one of the sensors contradict the motion.
-    contradicted: bool,
-}
-
-impl Statistics {
-    /// Statistics without residuals.
-    pub(super) fn new(huber: f64, prior: f64) -> Self {
-        Self { huber, prior, cost: prior, ..Self::default() }
-    }
-
-    /// Adds a residual in standard deviations; returns the square root of its weight.
-    pub(super) fn add<F: Real>(&mut self, residual: F) -> F {
-        let (size, huber) = (residual.abs(), F::from_f64(self.huber));
-        let limited = if size > huber { huber } else { size };
-        self.used += 1;
-        // an addition of many numbers in `f32` would lose their digits
-        self.chi_squared += limited.squared().to_f64();
-        self.cost += (limited * (size.doubled() - limited)).to_f64();
-        self.largest = self.largest.max(size.to_f64());
-        if size <= huber {
-            return F::ONE;
-        }
-        self.outliers += 1;
-        self.gross += u32::from(size > F::from_f64(GROSS_SIGMA));
-        (huber / size).sqrt()
-    }
-
-    /// Adds the statistics of a sensor.
-    pub(super) fn add_sensor(&mut self, sensor: &Self) {
-        self.contradicted |= sensor.is_misfit(0);
-        self.used += sensor.used;
-        self.unused += sensor.unused;
-        self.outliers += sensor.outliers;
-        self.gross += sensor.gross;
-        self.chi_squared += sensor.chi_squared;
-        self.cost += sensor.cost;
-        self.largest = self.largest.max(sensor.largest);
-    }
-
-    /// Sum of squares over the number of degrees of freedom, observations minus unknowns: about 1 where model and noise
-    /// are right.
-    #[must_use]
-    pub fn reduced_chi_squared(&self, unknowns: usize) -> f64 {
-        let freedom = f64::from(self.used) - unknowns as f64;
-        self.chi_squared / freedom.max(1.0)
-    }
-
-    /// Whether the residuals contradict the noise. One of these is then true of a sensor, or of all sensors together:
-    ///
-    /// * a fifth of the residuals are outliers;
-    /// * a twentieth are beyond ten standard deviations;
-    /// * the sum of squares of the others is five of its standard deviations above its mean;
-    /// * the differences from the prior values are too large.
-    pub(super) fn is_misfit(&self, unknowns: usize) -> bool {
-        let outliers = f64::from(self.outliers);
-        let limited = if self.outliers > 0 { self.huber * self.huber * outliers } else { 0.0 };
-        let freedom = (f64::from(self.used) - outliers - unknowns as f64).max(1.0);
-        self.contradicted
-            || self.prior > MOST_PRIOR
-            || self.outliers > self.used / 5 + 3
-            || self.gross > self.used / 20 + 3
-            || self.chi_squared - limited > freedom + MISFIT_SIGMA * libm::sqrt(2.0 * freedom)
-    }
-}
-
 /// Fit of a launch to measurements.
 ///
 /// The unknowns are the launch, the free ratios, and the constant biases of the sensors. The scalar `f32` suffices for sensors whose noise
@@ -140,8 +48,8 @@ pub(super) struct Pass<F> {
 
 /// Trajectory of an estimate, whose columns are changes along the body axes.
 fn trajectory<F: Real>(estimate: &Estimate, model: &Model) -> Trajectory<F> {
-    let launch = AugmentedState::launched(&estimate.orientation, estimate.omega);
-    Trajectory::new(&launch, Tangent::along_axes(&launch.axes()), &model.equations(estimate), PASS)
+    let tangents = Tangent::along_body_axes(&estimate.orientation);
+    Trajectory::new(&estimate.body_state(), tangents, &model.equations(estimate), PASS)
 }
 
 impl<'a, F: Real> Fit<'a, F> {
@@ -169,7 +77,7 @@ impl<'a, F: Real> Fit<'a, F> {
     #[inline(never)] // stack
     pub(super) fn start_from(&mut self, estimate: &Estimate) {
         self.best.information = Information::new(self.model.count);
-        self.best.statistics = Statistics { cost: f64::INFINITY, ..Statistics::default() };
+        self.best.statistics = Statistics::infinite();
         self.best.estimate = *estimate;
         self.best.estimate.orientation = estimate.orientation.normalised();
         self.damping = FIRST_DAMPING;
@@ -205,7 +113,7 @@ impl<'a, F: Real> Fit<'a, F> {
         let (known, prior) = &self.prior;
         information.clone_from(prior);
         let change = known.change_from(estimate).map(F::from_f64);
-        information.point_to(&change);
+        information.set_solution(&change);
         self.trajectory = trajectory(estimate, &self.model);
         prior.square(&change).to_f64()
     }
@@ -216,7 +124,7 @@ impl<'a, F: Real> Fit<'a, F> {
         let sensor = self.sensors.get(measurement.sensor)?;
         let prediction = sensor.residual(&self.trajectory.now, &self.reading(measurement));
         let Residual { difference, deviation, columns } = &prediction;
-        let (bias, common) = (self.model.bias(measurement.sensor), self.model.common);
+        let (bias, motion_count) = (self.model.bias(measurement.sensor), self.model.motion_count);
         let Pass { estimate, information, .. } = &mut self.current;
         for (component, (difference, deviation)) in difference.iter().zip(deviation).enumerate() {
             let per_deviation = F::ONE / *deviation;
@@ -230,7 +138,7 @@ impl<'a, F: Real> Fit<'a, F> {
             let weight = statistics.add(residual);
             let scale = weight * per_deviation;
             let mut row = [F::ZERO; MOST_UNKNOWNS];
-            for (slot, column) in row.iter_mut().zip(columns).take(common) {
+            for (slot, column) in row.iter_mut().zip(columns).take(motion_count) {
                 *slot = scale * column.get(component).copied()?;
             }
             if let Some(slot) = bias.and_then(|bias| row.get_mut(bias)) {

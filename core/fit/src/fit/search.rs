@@ -2,9 +2,10 @@
 
 use crate::estimate::Estimate;
 use crate::fit::error::{FitError, FitWarning};
-use crate::fit::first_guess::{FIRST_INSTANTS, Guesses, upright_to};
+use crate::fit::first_guess::{FIRST_INSTANTS, Guesses, rotation_from_vertical};
 use crate::fit::marquardt::CONVERGED_SIGMA;
-use crate::fit::pass::{Fit, Pass, Statistics};
+use crate::fit::pass::{Fit, Pass};
+use crate::fit::statistics::Statistics;
 use crate::sensors::{Hint, Measurement, Measurements};
 use crate::vector::{Vector, cross, dot, scaled};
 use toytop::scalar::Real;
@@ -120,13 +121,13 @@ impl<F: Real> Fit<'_, F> {
             return false;
         }
         let sign = libm::copysign(1.0, z);
-        let orientation = upright_to(scaled(axis, sign)).inverse().compose(&found.orientation);
+        let orientation = rotation_from_vertical(scaled(axis, sign)).inverse().compose(&found.orientation);
         self.current.estimate = Estimate { orientation, omega: [0.0, 0.0, sign * 2.0 * spin], ..found };
         self.pass(measurements, usize::MAX);
         // only the biases are corrected; the launch is held fixed
         for index in 0..self.model.count {
-            let deviation = if index < self.model.common { 1e-9 } else { 1e6 };
-            self.current.information.add_known(index, F::from_f64(deviation));
+            let deviation = if index < self.model.motion_count { 1e-9 } else { 1e6 };
+            self.current.information.add_prior(index, F::from_f64(deviation));
         }
         let change = self.current.information.solution();
         self.current.estimate = self.current.estimate.moved(&change.map(F::to_f64));

@@ -1,5 +1,6 @@
 //! Coefficients of the equations of motion, and their derivatives with respect to the ratios and the losses.
 
+use toytop::scalar::Float;
 use toytop::{ParameterError, Support, Top, TopParameters};
 
 /// Number of ratios: A/C, A/(ps), s and g.
@@ -19,12 +20,11 @@ pub(crate) fn coefficients(top: &Top) -> Coefficients {
     [top.axial_inertia() / a, p_over_a, top.com_height(), top.gravity(), k_over_a, 0.0, 0.0, 0.0]
 }
 
-/// Top with these coefficients, and with the A, the rotor and the support of a given one; without coefficients, the given one.
+/// Top with these coefficients, and with the A, the rotor and the support of a given one.
 pub(crate) fn with_coefficients(
     given: &Top,
-    coefficients: &Option<Coefficients>,
+    &[c_over_a, p_over_a, s, g, ..]: &Coefficients,
 ) -> Result<Top, ParameterError> {
-    let Some([c_over_a, p_over_a, s, g, ..]) = *coefficients else { return Ok(*given) };
     let a = given.transverse_inertia();
     let make = match given.support() {
         Support::Sliding => Top::sliding,
@@ -42,10 +42,26 @@ pub(crate) fn with_coefficients(
     })
 }
 
-/// Derivatives of the logarithms of the first four coefficients along a direction of those of the ratios.
-pub(crate) fn exponents(support: Support, [a_over_c, a_over_ps, s, g]: [f64; RATIOS]) -> [f64; 4] {
+/// Rate n/A = (C/A) S + K/A of the gyroscopic torque.
+pub(crate) fn n_over_a<F: Float>(&[c_over_a, _, _, _, k_over_a, ..]: &Coefficients<F>, spin: F) -> F {
+    c_over_a * spin + k_over_a
+}
+
+/// Whether there are losses, or changes of them.
+pub(crate) fn are_lossy<F: Float>(&[.., x1, x2, x3]: &Coefficients<F>) -> bool {
+    [x1, x2, x3] != [F::ZERO; 3]
+}
+
+/// Derivatives of the logarithms of the coefficients along a direction of those of the ratios.
+pub(crate) fn log_derivatives(support: Support, [a_over_c, a_over_ps, s, g]: [f64; RATIOS]) -> Coefficients {
     let a_over_p = if support == Support::Sliding { a_over_ps + s } else { a_over_ps };
-    [-a_over_c, -a_over_p, s, g]
+    [-a_over_c, -a_over_p, s, g, 0.0, 0.0, 0.0, 0.0]
+}
+
+/// Products of the coefficients with factors.
+pub(crate) fn product(mut coefficients: Coefficients, factors: Coefficients) -> Coefficients {
+    coefficients.iter_mut().zip(factors).for_each(|(x, factor)| *x *= factor);
+    coefficients
 }
 
 /// Ratios A/C, A/(ps), s and g; A/p in the second place for a fixed tip.

@@ -3,40 +3,40 @@
 //! A change of the launch that keeps l, n and h does not grow. The error of the integration makes it grow a million times in a
 //! million periods; the projection of the growth onto the gradients removes it.
 
+use crate::sensitivity::coefficients::n_over_a;
 use crate::sensitivity::equations::{Equations, cross_vertical};
-use crate::sensitivity::state::{AugmentedState, COLUMNS, LAUNCH_COLUMNS, Tangent};
-use crate::vector::{UP, Vector, add_scaled, cross, dot, scaled};
+use crate::sensitivity::state::{BodyState, COLUMNS, LAUNCH_COLUMNS, Tangent};
+use crate::vector::{UP, Vector, add_all, add_scaled, cross, dot, scaled};
 
 impl Equations<f64> {
     /// Gradients of l/A, S and h/A with respect to θ and η.
     ///
     /// The spin S stands in for n, which does not depend on it where C = 0.
-    pub(crate) fn gradients<const N: usize>(&self, state: &AugmentedState<f64, N>) -> [Tangent<f64>; 3] {
+    pub(crate) fn gradients(&self, state: &BodyState<f64>) -> [Tangent<f64>; 3] {
         let [c_over_a, p_over_a, s, g, k_over_a, ..] = self.coefficients;
-        let (axis, omega, spin) = (state.axis, state.omega(), state.spin);
-        let (up, q, rate) = (UP, cross_vertical(axis), cross(omega, axis));
+        let (axis, omega) = (state.orientation.axis(), state.omega());
+        let (q, rate) = (cross_vertical(axis), cross(omega, axis));
         let ([.., u], [.., u_rate]) = (axis, rate);
-        let momentum = add_scaled(omega, axis, (c_over_a - 1.0) * spin + k_over_a);
+        let beyond_sphere = (c_over_a - 1.0) * state.spin;
         let lift = p_over_a * s * u_rate;
+        let momentum = add_scaled(omega, axis, beyond_sphere + k_over_a);
+        let vertical = add_scaled(UP, axis, (c_over_a - 1.0) * u);
         let energy = add_scaled(scaled(cross_vertical(rate), lift), q, p_over_a * g);
+        let kinetic = add_all(omega, [(axis, beyond_sphere), (q, lift)]);
         [
-            Tangent { theta: cross_vertical(momentum), eta: add_scaled(up, axis, (c_over_a - 1.0) * u) },
+            Tangent { theta: cross_vertical(momentum), eta: vertical },
             Tangent { theta: [0.0; 3], eta: axis },
-            Tangent {
-                theta: energy,
-                eta: add_scaled(add_scaled(omega, axis, (c_over_a - 1.0) * spin), q, lift),
-            },
+            Tangent { theta: energy, eta: kinetic },
         ]
     }
 
     /// First integrals l/A, n/A and h/A.
-    pub(crate) fn integrals<const N: usize>(&self, state: &AugmentedState<f64, N>) -> Vector<f64> {
+    pub(crate) fn integrals(&self, &BodyState { orientation, across, spin }: &BodyState<f64>) -> Vector<f64> {
         let [c_over_a, p_over_a, s, g, ..] = self.coefficients;
-        let ([.., u], [.., vertical], spin) = (state.axis, state.across, state.spin);
-        let [.., u_rate] = cross(state.across, state.axis);
-        let n = self.n_over_a(spin);
-        let square =
-            dot(state.across, state.across) + c_over_a * spin * spin + p_over_a * s * u_rate * u_rate;
+        let axis = orientation.axis();
+        let ([.., u], [.., vertical], [.., u_rate]) = (axis, across, cross(across, axis));
+        let n = n_over_a(&self.coefficients, spin);
+        let square = dot(across, across) + c_over_a * spin * spin + p_over_a * s * u_rate * u_rate;
         [vertical + n * u, n, 0.5 * square + p_over_a * g * u]
     }
 }

@@ -1,17 +1,19 @@
 //! Partial derivatives of the quantities of a sample, at one time.
 
 use crate::sensitivity::coefficients::Coefficients;
-use crate::sensitivity::equations::{Acceleration, Equations};
-use crate::sensitivity::state::{AugmentedState, COLUMNS, Tangent};
-use crate::vector::{Vector, add_scaled, along, combined, cross, from_axes, scaled};
-use toytop::Complex;
-use toytop::scalar::Float;
+use crate::sensitivity::equations::{Acceleration, Equations, vertical_cross};
+use crate::sensitivity::runge_kutta::runge_kutta;
+use crate::sensitivity::state::{BodyState, COLUMNS, Tangent};
+use crate::vector::{Vector, about_third_axis, add_all, add_scaled, coordinates, cross, scaled};
+use toytop::scalar::{Float, Real};
 use toytop::su2::Orientation;
+use toytop::{Complex, Phase};
 
 /// State at one time with its partial derivatives, in the order of [`Sensitivity::NAMES`](crate::Sensitivity::NAMES).
 #[derive(Clone, Copy, Debug)]
 pub struct Partials<F = f64> {
-    pub(crate) state: AugmentedState<F, COLUMNS>,
+    pub(crate) state: BodyState<F>,
+    pub(crate) tangents: [Tangent<F>; COLUMNS],
     pub(crate) equations: Equations<F>,
 }
 
@@ -21,24 +23,47 @@ impl<F: Float> Partials<F> {
         &self,
         mut image: impl FnMut(&Tangent<F>, Option<&Coefficients<F>>) -> Vector<F>,
     ) -> [Vector<F>; COLUMNS] {
-        // columns that are built where they are returned need not be cleared and copied
-        let mut known = self.state.tangents.iter().take(self.equations.columns).enumerate();
-        [(); COLUMNS].map(|()| match known.next() {
-            Some((column, tangent)) => image(tangent, self.equations.change(column)),
-            None => [F::ZERO; 3],
+        core::array::from_fn(|column| match self.tangents.get(column) {
+            Some(tangent) if column < self.equations.columns => image(tangent, self.equations.change(column)),
+            _ => [F::ZERO; 3],
         })
+    }
+
+    /// Moves the state and its derivatives by a step of either sign.
+    pub(crate) fn step(&mut self, step: F) {
+        let Self { state, tangents, equations } = self;
+        let mut moved = (*state, *tangents);
+        runge_kutta(
+            &mut moved,
+            step,
+            |(state, tangents), (rate, rates)| {
+                let at = Acceleration::new(&equations.coefficients, state);
+                *rate = at.rate;
+                let slots = rates.iter_mut().zip(tangents).take(equations.columns);
+                for (column, (slot, tangent)) in slots.enumerate() {
+                    *slot = equations.tangent_rate(&at, tangent, equations.change(column));
+                }
+            },
+            |(state, tangents), (rate, rates), f| {
+                state.add(rate, f);
+                for (tangent, rate) in tangents.iter_mut().zip(rates).take(equations.columns) {
+                    *tangent = tangent.plus(rate, f);
+                }
+            },
+        );
+        (*state, *tangents) = moved;
     }
 
     /// Symmetry axis r.
     #[must_use]
     pub fn axis(&self) -> Vector<F> {
-        self.state.axis
+        self.state.orientation.axis()
     }
 
     /// Orientation Φ, of either sign.
     #[must_use]
     pub fn orientation(&self) -> Orientation<F> {
-        from_axes(self.state.axis, self.state.first_axis)
+        self.state.orientation.normalised()
     }
 
     /// Angular velocity ω in the fixed frame, rad per unit time.
@@ -47,16 +72,24 @@ impl<F: Float> Partials<F> {
         self.state.omega()
     }
 
+    /// Angular velocity Ω in the body frame, rad per unit time.
+    #[must_use]
+    pub fn omega_body(&self) -> Vector<F> {
+        // the axial part is larger than the rest, and keeps its digits
+        let [x, y, _] = self.in_body(self.state.across);
+        [x, y, self.state.spin]
+    }
+
     /// Body coordinates of a vector given in the fixed frame.
     #[must_use]
     pub fn in_body(&self, fixed: Vector<F>) -> Vector<F> {
-        along(&self.state.axes(), fixed)
+        self.state.orientation.inverse().adjoint(fixed)
     }
 
     /// Fixed coordinates of a vector given in the body frame.
     #[must_use]
     pub fn in_fixed(&self, body: Vector<F>) -> Vector<F> {
-        combined(&self.state.axes(), body)
+        self.state.orientation.adjoint(body)
     }
 
     /// Derivatives of the orientation: rotation vectors θ in the fixed frame, with dΦ = θ Φ.
@@ -75,20 +108,21 @@ impl<F: Float> Partials<F> {
     /// Derivatives of Ω in the body frame.
     #[must_use]
     pub fn d_omega_body(&self) -> [Vector<F>; COLUMNS] {
-        let axes = self.state.axes();
-        self.each(|tangent, _| along(&axes, tangent.eta))
+        let in_body = coordinates(self.state.orientation);
+        self.each(|tangent, _| in_body(tangent.eta))
     }
 
     /// Derivatives of the axis r.
     #[must_use]
     pub fn d_axis(&self) -> [Vector<F>; COLUMNS] {
-        self.each(|tangent, _| cross(tangent.theta, self.state.axis))
+        let axis = self.axis();
+        self.each(|tangent, _| cross(tangent.theta, axis))
     }
 
     /// Tip c = -s (r₁ + i r₂), m; -(r₁ + i r₂) for a fixed tip.
     #[must_use]
     pub fn tip(&self) -> Complex<F> {
-        let [x, y, _] = scaled(self.state.axis, -self.tip_scale());
+        let [x, y, _] = scaled(self.axis(), -self.tip_scale());
         Complex::new(x, y)
     }
 
@@ -101,10 +135,10 @@ impl<F: Float> Partials<F> {
     /// Derivatives of the tip c = -s (r₁ + i r₂), m; of -(r₁ + i r₂) for a fixed tip.
     #[must_use]
     pub fn d_tip(&self) -> [Complex<F>; COLUMNS] {
-        let axis = self.state.axis;
+        let (axis, scale) = (self.axis(), self.tip_scale());
         let changes = self.each(|tangent, change| {
             let d_s = change.map_or(F::ZERO, |&[_, _, d_s, ..]| d_s);
-            add_scaled(scaled(cross(tangent.theta, axis), -self.tip_scale()), axis, -d_s)
+            add_scaled(scaled(axis, -d_s), cross(tangent.theta, axis), -scale)
         });
         changes.map(|[x, y, _]| Complex::new(x, y))
     }
@@ -112,7 +146,7 @@ impl<F: Float> Partials<F> {
     /// Derivatives of the tip angle φ = arg c, rad; `None` where the tip is at the centre.
     #[must_use]
     pub fn d_tip_angle(&self) -> Option<[F; COLUMNS]> {
-        let [x, y, _] = self.state.axis;
+        let [x, y, _] = self.axis();
         let square = x * x + y * y;
         (square > F::ZERO).then(|| self.d_axis().map(|[dx, dy, _]| (x * dy - y * dx) / square))
     }
@@ -124,69 +158,50 @@ impl<F: Float> Partials<F> {
     ///   fixed tip
     #[must_use]
     pub fn specific_force(&self, place: Vector<F>) -> (Vector<F>, [Vector<F>; COLUMNS]) {
-        self.force_along(&self.state.axes(), place)
+        let (at, is_central) =
+            (Acceleration::new(&self.equations.coefficients, &self.state), place == [F::ZERO; 3]);
+        let (axis, omega, arm) = (self.axis(), self.omega(), self.in_fixed(place));
+        let (in_body, swing, one) = (coordinates(self.state.orientation), cross(omega, arm), F::ONE);
+        let mut force = [F::ZERO, F::ZERO, at.support];
+        if !is_central {
+            let BodyState { across, spin, .. } = at.rate;
+            let turning = [(cross(self.state.across, axis), self.state.spin), (axis, spin)];
+            let turning = add_all(across, turning);
+            force = add_all(force, [(cross(turning, arm), one), (cross(omega, swing), one)]);
+        }
+        let changes = self.each(|tangent, change| {
+            let Tangent { theta, eta } = *tangent;
+            // in the frame that turns by θ, the arm is constant, and the vertical turns by -θ
+            let [x, y, _] = vertical_cross(theta);
+            let support = self.equations.support_change(&at, tangent, change);
+            let mut d_force = [x * at.support, y * at.support, support];
+            if !is_central {
+                let rate = self.equations.tangent_rate(&at, tangent, change).eta;
+                let turning = add_scaled(rate, cross(eta, omega), one);
+                let swings = [cross(turning, arm), cross(eta, swing), cross(omega, cross(eta, arm))];
+                d_force = add_all(d_force, swings.map(|swing| (swing, one)));
+            }
+            in_body(d_force)
+        });
+        (in_body(force), changes)
     }
 
     /// Body coordinates of a fixed direction, as a magnetometer sees the field, and their derivatives.
     #[must_use]
     pub fn direction(&self, fixed: Vector<F>) -> (Vector<F>, [Vector<F>; COLUMNS]) {
-        self.direction_along(&self.state.axes(), fixed)
+        let in_body = coordinates(self.state.orientation);
+        (in_body(fixed), self.each(|tangent, _| in_body(cross(fixed, tangent.theta))))
     }
+}
 
-    /// Coordinates of a fixed direction along the axes of an instrument, and their derivatives.
-    pub(crate) fn direction_along(
-        &self,
-        axes: &[Vector<F>; 3],
-        fixed: Vector<F>,
-    ) -> (Vector<F>, [Vector<F>; COLUMNS]) {
-        (along(axes, fixed), self.each(|tangent, _| along(axes, cross(fixed, tangent.theta))))
-    }
-
-    /// Specific force along the axes of an instrument, and its derivatives.
-    pub(crate) fn force_along(
-        &self,
-        axes: &[Vector<F>; 3],
-        place: Vector<F>,
-    ) -> (Vector<F>, [Vector<F>; COLUMNS]) {
-        let at = self.equations.acceleration(&self.state);
-        let force = axes.map(|[.., up]| up * at.support);
-        let changes = self.each(|tangent, change| {
-            let support = self.equations.support_change(self.state.spin, &at, tangent, change);
-            // in the frame that turns by θ, the vertical turns by -θ: k × θ has no vertical component
-            let [x, y, _] = tangent.theta;
-            axes.map(|[east, north, up]| up * support + at.support * (north * x - east * y))
-        });
-        if place == [F::ZERO; 3] {
-            (force, changes)
-        } else {
-            self.with_swing(&at, axes, place, (force, changes))
+impl<F: Real> Partials<F> {
+    /// Turns the motion about the vertical.
+    pub(crate) fn turn(&mut self, angle: Phase) {
+        let turn = about_third_axis(angle);
+        self.state.orientation = turn.compose(&self.state.orientation);
+        self.state.across = turn.adjoint(self.state.across);
+        for Tangent { theta, eta } in &mut self.tangents {
+            (*theta, *eta) = (turn.adjoint(*theta), turn.adjoint(*eta));
         }
-    }
-
-    /// Specific force with the part that the rotation causes away from the centre.
-    #[inline(never)] // stack
-    fn with_swing(
-        &self,
-        at: &Acceleration<F>,
-        axes: &[Vector<F>; 3],
-        place: Vector<F>,
-        (force, changes): (Vector<F>, [Vector<F>; COLUMNS]),
-    ) -> (Vector<F>, [Vector<F>; COLUMNS]) {
-        let AugmentedState { axis, across, spin, .. } = self.state;
-        let (omega, arm) = (self.omega(), self.in_fixed(place));
-        let swing = cross(omega, arm);
-        let rate = add_scaled(add_scaled(at.across, cross(across, axis), spin), axis, at.spin);
-        let by_rotation = add_scaled(cross(rate, arm), cross(omega, swing), F::ONE);
-        let mut before = changes.into_iter();
-        let changes = self.each(|tangent, change| {
-            // in the frame that turns by θ, the arm is constant
-            let eta = tangent.eta;
-            let rate = self.equations.tangent_rate(&self.state, at, tangent, change).eta;
-            let turning = add_scaled(rate, cross(eta, omega), F::ONE);
-            let change = add_scaled(cross(turning, arm), cross(eta, swing), F::ONE);
-            let change = add_scaled(change, cross(omega, cross(eta, arm)), F::ONE);
-            add_scaled(before.next().unwrap_or([F::ZERO; 3]), along(axes, change), F::ONE)
-        });
-        (add_scaled(force, along(axes, by_rotation), F::ONE), changes)
     }
 }

@@ -1,9 +1,11 @@
 //! State and derivatives of a motion, moved from one time to the next.
 
 use crate::sensitivity::coefficients::Coefficients;
-use crate::sensitivity::equations::Equations;
+use crate::sensitivity::equations::{Acceleration, Equations};
 use crate::sensitivity::partials::Partials;
-use crate::sensitivity::state::{AugmentedState, COLUMNS, Tangent};
+use crate::sensitivity::runge_kutta::runge_kutta;
+use crate::sensitivity::state::{BodyState, COLUMNS, Tangent};
+use crate::vector::about_third_axis;
 use toytop::Phase;
 use toytop::scalar::Real;
 
@@ -25,7 +27,7 @@ pub(crate) struct Trajectory<F> {
     /// Time of the node.
     node: f64,
     /// State at the node, without the rotation about the axis since the launch.
-    state: AugmentedState<f64, 0>,
+    state: BodyState<f64>,
     /// Derivatives at the node.
     tangents: [Tangent<F>; COLUMNS],
     /// Coefficients, and the rate about the axis at the launch, in `f64`.
@@ -41,17 +43,17 @@ impl<F: Real> Trajectory<F> {
     /// * `longest_step`: product of the longest step and the bound on the frequencies
     #[inline(never)] // stack
     pub(crate) fn new(
-        state: &AugmentedState<f64, 0>,
+        state: &BodyState<f64>,
         tangents: [Tangent<F>; COLUMNS],
         equations: &Equations<f64>,
         longest_step: f64,
     ) -> Self {
         Self {
-            now: Partials { state: state.with_tangents(tangents), equations: equations.cast() },
+            now: Partials { state: state.cast(), tangents, equations: equations.cast() },
             time: 0.0,
+            node: 0.0,
             state: *state,
             tangents,
-            node: 0.0,
             coefficients: equations.coefficients,
             spin: state.spin,
             longest_step: longest_step / equations.frequency(state),
@@ -75,7 +77,8 @@ impl<F: Real> Trajectory<F> {
             self.move_node();
         }
         self.step_to(t);
-        self.now.state.roll(rolled(self.spin, &self.coefficients, t));
+        let roll = about_third_axis(self.roll(t));
+        self.now.state.orientation = self.now.state.orientation.compose(&roll);
         Some(())
     }
 
@@ -86,32 +89,37 @@ impl<F: Real> Trajectory<F> {
 
     /// Moves from the node to a time.
     fn step_to(&mut self, t: f64) {
-        let Partials { state, equations } = &mut self.now;
-        *state = self.state.with_tangents(self.tangents);
-        equations.step(state, F::from_f64(t - self.node));
+        (self.now.state, self.now.tangents) = (self.state.cast(), self.tangents);
+        self.now.step(F::from_f64(t - self.node));
         self.time = t;
     }
 
     /// Moves the node to the last time.
     #[inline(never)] // stack
     fn move_node(&mut self) {
-        let Partials { state, equations: Equations { columns, lossy, .. } } = &self.now;
-        let equations = Equations {
-            coefficients: self.coefficients,
-            changes: [[0.0; _]; _],
-            columns: *columns,
-            lossy: *lossy,
+        let set_rate = |state: &BodyState<f64>, rate: &mut BodyState<f64>| {
+            *rate = Acceleration::new(&self.coefficients, state).rate;
         };
-        equations.step(&mut self.state, self.time - self.node);
-        (self.tangents, self.node) = (state.tangents, self.time);
+        runge_kutta(&mut self.state, self.time - self.node, set_rate, BodyState::add);
+        (self.tangents, self.node) = (self.now.tangents, self.time);
+    }
+
+    /// Angle by which the body has turned about its axis at a time.
+    fn roll(&self, t: f64) -> Phase {
+        let [.., loss, _, _] = self.coefficients;
+        let lost = loss * t;
+        // (1 - e⁻ˣ)/x
+        let mean = if lost == 0.0 { 1.0 } else { -libm::expm1(-lost) / lost };
+        Phase::from_radians(self.spin * t * mean)
     }
 }
 
 impl Trajectory<f64> {
     /// Launch with other tangents and another angle of the body about its axis.
     pub(crate) fn relaunched(mut self, roll: Phase, tangents: [Tangent<f64>; COLUMNS]) -> Self {
-        self.state.roll(roll);
-        (self.now.state, self.tangents) = (self.state.with_tangents(tangents), tangents);
+        self.state.orientation = self.state.orientation.compose(&about_third_axis(roll));
+        self.tangents = tangents;
+        (self.now.state, self.now.tangents) = (self.state, tangents);
         self
     }
 
@@ -119,23 +127,15 @@ impl Trajectory<f64> {
     pub(crate) fn moved(mut self, t: f64) -> Option<Self> {
         self.move_to(t)?;
         let is_bounded = |tangent: &Tangent<f64>| tangent.inner(tangent) < LARGEST;
-        self.now.state.tangents.iter().all(is_bounded).then_some(self)
+        self.now.tangents.iter().all(is_bounded).then_some(self)
     }
-}
-
-/// Angle by which the body has turned about its axis at a time, from S at the start.
-fn rolled(spin: f64, &[.., axial, _, _]: &Coefficients, t: f64) -> Phase {
-    let lost = axial * t;
-    // (1 - e⁻ˣ)/x
-    let mean = if lost == 0.0 { 1.0 } else { -libm::expm1(-lost) / lost };
-    Phase::from_radians(spin * t * mean)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::sensitivity::{LAUNCH_COLUMNS, PASS, Sensitivity};
-    use crate::vector::{UNITS, Vector, add_scaled, along, cross, dot};
+    use crate::vector::{UNITS, Vector, add_scaled, cross, dot};
     use toytop::{Motion, Release, State, Top, TopParameters};
 
     /// A top by A, C, s, M, K and support (0: sliding, 1: fixed, 2: free), and its launch by tilt, spin, precession and
@@ -181,9 +181,9 @@ mod tests {
         let (top, state) = launched(case);
         let motion = Motion::launch(&top, &state).unwrap();
         let equations = Equations { columns: LAUNCH_COLUMNS, ..Equations::new(&top) };
-        let launch = AugmentedState::launched(&state.orientation(), state.omega());
-        let axes = launch.axes();
-        let mut trajectory = Trajectory::<F>::new(&launch, Tangent::along_axes(&axes), &equations, PASS);
+        let launch = BodyState::new(state.orientation(), state.omega());
+        let tangents = Tangent::along_body_axes(&launch.orientation);
+        let mut trajectory = Trajectory::<F>::new(&launch, tangents, &equations, PASS);
         let mut sensitivity = Sensitivity::new(&motion);
         let frequency = equations.frequency(&launch);
         let [mut off, mut changed] = [0.0_f64; 2];
@@ -192,19 +192,22 @@ mod tests {
         for n in 0..700 {
             let t = f64::from(n) / 699.0;
             trajectory.move_to(t).unwrap();
-            let (found, truth) = (trajectory.now.state, sensitivity.advance_to(t).unwrap().state);
-            off = off.max(apart(found.axis, truth.axis)).max(apart(found.first_axis, truth.first_axis));
+            let (now, partials) = (trajectory.now, sensitivity.advance_to(t).unwrap());
+            let (found, truth) = (now.state, partials.state);
+            for (found, truth) in found.orientation.matrix().into_iter().zip(truth.orientation.matrix()) {
+                off = off.max(apart(found, truth));
+            }
             off = off.max(apart(found.across, truth.across) / frequency);
             // the columns of the truth are changes along the fixed axes, those of Φ with ω kept
             let column = |theta: Vector<f64>, eta: Vector<f64>| {
-                let shares = [along(&axes, theta), along(&axes, eta)];
-                let columns = found.tangents.iter().zip(shares.as_flattened());
+                let shares = [theta, eta].map(|x| launch.orientation.inverse().adjoint(x));
+                let columns = now.tangents.iter().zip(shares.as_flattened());
                 columns
                     .fold(Tangent::ZERO, |sum: Tangent<F>, (one, weight)| sum.plus(one, F::from_f64(*weight)))
             };
             let turns = UNITS.map(|unit| column(unit, cross(state.omega(), unit)));
             let rates = UNITS.map(|unit| column([0.0; 3], unit));
-            for (x, y) in [turns, rates].as_flattened().iter().zip(&truth.tangents) {
+            for (x, y) in [turns, rates].as_flattened().iter().zip(&partials.tangents) {
                 let error = apart(x.theta, y.theta) + apart(x.eta, y.eta) / frequency;
                 changed = changed.max(error / (size(y.theta) + size(y.eta) / frequency));
             }

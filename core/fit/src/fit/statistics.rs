@@ -1,0 +1,101 @@
+//! Statistics of the residuals of a fit.
+
+use toytop::scalar::Real;
+
+/// Largest excess of a sum of squares that noise explains, in its standard deviations.
+const MISFIT_SIGMA: f64 = 5.0;
+/// Residual of a gross error, in standard deviations.
+const GROSS_SIGMA: f64 = 10.0;
+/// Largest sum of squares of the differences from prior values. There are at most a dozen.
+const MOST_PRIOR: f64 = 60.0;
+
+/// Residuals of a fit.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Statistics {
+    /// Number of components that were used.
+    pub used: u32,
+    /// Number of components that are not used, because they are at the end of their range.
+    pub unused: u32,
+    /// Number of components whose weight was reduced.
+    pub outliers: u32,
+    /// Sum of the squares of all residuals in standard deviations; the residual of an outlier counts as the limit.
+    pub chi_squared: f64,
+    /// Largest residual in standard deviations.
+    pub largest: f64,
+    /// Sum of the squares of the differences from prior values, such as those of biases, in standard deviations.
+    pub prior: f64,
+    /// Sum of squares in which an outlier counts linearly; infinite where the motion cannot be followed.
+    pub(super) cost: f64,
+    /// Number of residuals beyond 10 standard deviations.
+    gross: u32,
+    /// Largest residual of a component that is no outlier.
+    huber: f64,
+    /// Whether the readings of one of the sensors contradict the motion.
+    contradicted: bool,
+}
+
+impl Statistics {
+    /// Statistics without residuals.
+    pub(super) fn new(huber: f64, prior: f64) -> Self {
+        Self { huber, prior, cost: prior, ..Self::default() }
+    }
+
+    /// Statistics of no pass, whose sum of squares is infinite.
+    pub(super) fn infinite() -> Self {
+        Self { cost: f64::INFINITY, ..Self::default() }
+    }
+
+    /// Adds a residual in standard deviations; returns the square root of its weight.
+    pub(super) fn add<F: Real>(&mut self, residual: F) -> F {
+        let (size, huber) = (residual.abs(), F::from_f64(self.huber));
+        let limited = if size > huber { huber } else { size };
+        self.used += 1;
+        // an addition of many numbers in `f32` would lose their digits
+        self.chi_squared += limited.squared().to_f64();
+        self.cost += (limited * (size.doubled() - limited)).to_f64();
+        self.largest = self.largest.max(size.to_f64());
+        if size <= huber {
+            return F::ONE;
+        }
+        self.outliers += 1;
+        self.gross += u32::from(size > F::from_f64(GROSS_SIGMA));
+        (huber / size).sqrt()
+    }
+
+    /// Adds the statistics of a sensor.
+    pub(super) fn add_sensor(&mut self, sensor: &Self) {
+        self.contradicted |= sensor.is_misfit(0);
+        self.used += sensor.used;
+        self.unused += sensor.unused;
+        self.outliers += sensor.outliers;
+        self.gross += sensor.gross;
+        self.chi_squared += sensor.chi_squared;
+        self.cost += sensor.cost;
+        self.largest = self.largest.max(sensor.largest);
+    }
+
+    /// Sum of squares over the number of degrees of freedom, observations minus unknowns: about 1 where model and noise
+    /// are right.
+    #[must_use]
+    pub fn reduced_chi_squared(&self, unknowns: usize) -> f64 {
+        let freedom = f64::from(self.used) - unknowns as f64;
+        self.chi_squared / freedom.max(1.0)
+    }
+
+    /// Whether the residuals contradict the noise. One of these is then true of a sensor, or of all sensors together:
+    ///
+    /// * a fifth of the residuals are outliers;
+    /// * a twentieth are beyond ten standard deviations;
+    /// * the sum of squares of the others is five of its standard deviations above its mean;
+    /// * the differences from the prior values are too large.
+    pub(super) fn is_misfit(&self, unknowns: usize) -> bool {
+        let outliers = f64::from(self.outliers);
+        let limited = if self.outliers > 0 { self.huber * self.huber * outliers } else { 0.0 };
+        let freedom = (f64::from(self.used) - outliers - unknowns as f64).max(1.0);
+        self.contradicted
+            || self.prior > MOST_PRIOR
+            || self.outliers > self.used / 5 + 3
+            || self.gross > self.used / 20 + 3
+            || self.chi_squared - limited > freedom + MISFIT_SIGMA * libm::sqrt(2.0 * freedom)
+    }
+}
