@@ -3,7 +3,7 @@
 use crate::command::{RELEASE, TOP, branch_points, sample, scenario};
 use crate::motion::vectors::scenario_of;
 use fixed::types::{I2F14, I2F30};
-use std::fmt::Write as _;
+use std::fmt::{Debug, Write as _};
 use std::path::Path;
 use toytop::scalar::Float;
 use toytop::{Complex, Ephemeris, EphemerisScalar, Sample, Tick};
@@ -13,9 +13,17 @@ use toytop_host::input::scenario::Scenario;
 pub(crate) struct Case {
     pub(crate) file: String,
     pub(crate) scalar: &'static str,
-    pub(crate) size: &'static str,
+    pub(crate) size: usize,
     tick: [u32; 2],
-    truth: fn(&str, [u32; 2]) -> [String; 2],
+    truth: fn(&str, [u32; 2]) -> Truth,
+}
+
+/// Table of a case by the crate.
+pub(crate) struct Truth {
+    /// All fields of the table.
+    pub(crate) table: String,
+    /// Bits of its numbers, a line for each tick: samples, then quaternions, angular velocities and turning points.
+    pub(crate) ticks: String,
 }
 
 impl Case {
@@ -25,18 +33,13 @@ impl Case {
         format!("{file} --scalar {scalar} --segments {size} --hertz {hertz}/{per}")
     }
 
-    /// Numbers by the crate, as bits, a line for each tick: those of samples, and quaternions, angular velocities and turning points.
-    pub(crate) fn truth(&self) -> [String; 2] {
+    pub(crate) fn truth(&self) -> Truth {
         (self.truth)(&self.file, self.tick)
     }
 }
 
-/// Function that makes the cases of a scalar and a size.
-fn case<R: Printed, const S: usize>(
-    scalar: &'static str,
-    size: &'static str,
-) -> impl Fn(String, [u32; 2]) -> Case {
-    move |file, tick| Case { file, scalar, size, tick, truth: truth::<R, S> }
+fn case<R: Printed, const S: usize>(file: String, tick: [u32; 2]) -> Case {
+    Case { file, scalar: R::NAME, size: S, tick, truth: truth::<R, S> }
 }
 
 /// Cases of nutating, steady and vertical motions, and motions near the separatrix, with sliding and fixed tips.
@@ -51,14 +54,14 @@ pub(crate) fn cases() -> Vec<Case> {
     };
     let unstable = RELEASE.replace("40", "0").replace("3.5", "0.5").replace("precession = 0.3", "");
     let unstable = TOP.to_owned() + &unstable;
-    let f32_default = case::<f32, 25>("f32", "25");
-    let f32_large = case::<f32, 128>("f32", "128");
-    let f64_default = case::<f64, 48>("f64", "48");
-    let f64_large = case::<f64, 512>("f64", "512");
-    let q31 = case::<I2F30, 32>("q31", "32");
-    let q31_large = case::<I2F30, 128>("q31", "128");
-    let q31_largest = case::<I2F30, 256>("q31", "256");
-    let q15 = case::<I2F14, 128>("q15", "128");
+    let f32_default = case::<f32, 25>;
+    let f32_large = case::<f32, 128>;
+    let f64_default = case::<f64, 48>;
+    let f64_large = case::<f64, 512>;
+    let q31 = case::<I2F30, 32>;
+    let q31_large = case::<I2F30, 128>;
+    let q31_largest = case::<I2F30, 256>;
+    let q15 = case::<I2F14, 128>;
     vec![
         f32_default(sample("toy_top"), [1000, 1]),
         f32_default(sample("lagrange"), [44_100, 2]),
@@ -84,7 +87,7 @@ pub(crate) fn cases() -> Vec<Case> {
     ]
 }
 
-/// Ticks in every language: 2000 of all sizes and signs, and 40 runs of 50 ticks.
+/// Ticks: 2000 of all sizes and signs, and 40 runs of 50 ticks.
 pub(crate) const RUNS: (u32, u32, u32) = (2000, 40, 50);
 
 fn next_tick(state: &mut u64, k: u32) -> i64 {
@@ -95,22 +98,22 @@ fn next_tick(state: &mut u64, k: u32) -> i64 {
 /// Number of ticks of quaternions, angular velocities and turning points.
 pub(crate) const RATES: u32 = 500;
 
-fn truth<R: Printed, const S: usize>(file: &str, [ticks, seconds]: [u32; 2]) -> [String; 2] {
+fn truth<R: Printed, const S: usize>(file: &str, [ticks, seconds]: [u32; 2]) -> Truth {
     let motion = Scenario::read(Path::new(file)).expect("a scenario").motion;
     let tick = Tick::ratio(ticks, seconds).expect("a tick");
     let table: Box<Ephemeris<R, S>> = Box::new(Ephemeris::new(&motion, tick).expect("it fits"));
     let (singles, runs, length) = RUNS;
-    let (mut state, mut samples) = (1, String::new());
+    let (mut state, mut lines) = (1, String::new());
     for k in 0..singles {
-        line(&mut samples, &table.at_tick(next_tick(&mut state, k)));
+        line(&mut lines, &table.at_tick(next_tick(&mut state, k)));
     }
     for k in 0..runs {
         let mut cursor = table.cursor(next_tick(&mut state, k + 20));
         for _ in 0..length {
-            line(&mut samples, &cursor.next(&table));
+            line(&mut lines, &cursor.next(&table));
         }
     }
-    let (mut state, mut rates) = (1, String::new());
+    state = 1;
     let [[turns_per_tick, _], ..] = table.clock().exact_step;
     for k in 0..RATES {
         let tick = next_tick(&mut state, k);
@@ -126,9 +129,9 @@ fn truth<R: Printed, const S: usize>(file: &str, [ticks, seconds]: [u32; 2]) -> 
             Some((first, upper)) => format!("{first} {upper}"),
             None => "-".to_owned(),
         };
-        writeln!(rates, "{}{turning}", bits(quaternion.into_iter().chain(omega))).expect("memory");
+        writeln!(lines, "{}{turning}", bits(quaternion.into_iter().chain(omega))).expect("memory");
     }
-    [samples, rates]
+    Truth { table: format!("{table:?}"), ticks: lines }
 }
 
 /// Bits of numbers, with a space after each.
@@ -137,7 +140,9 @@ fn bits(numbers: impl IntoIterator<Item = f64>) -> String {
 }
 
 /// Scalars with u and the tip as the C evaluator has them: in units of length in floating point, of s in fixed point.
-trait Printed: EphemerisScalar + Into<f64> {
+trait Printed: EphemerisScalar + Into<f64> + Debug {
+    const NAME: &'static str;
+
     fn u(sample: &Sample<'_, Self>) -> Self {
         sample.orientation().u()
     }
@@ -147,11 +152,17 @@ trait Printed: EphemerisScalar + Into<f64> {
     }
 }
 
-impl Printed for I2F30 {}
+impl Printed for I2F30 {
+    const NAME: &'static str = "q31";
+}
 
-impl Printed for I2F14 {}
+impl Printed for I2F14 {
+    const NAME: &'static str = "q15";
+}
 
 impl Printed for f32 {
+    const NAME: &'static str = "f32";
+
     fn u(sample: &Sample<'_, Self>) -> Self {
         sample.u()
     }
@@ -162,6 +173,8 @@ impl Printed for f32 {
 }
 
 impl Printed for f64 {
+    const NAME: &'static str = "f64";
+
     fn tip(sample: &Sample<'_, Self>) -> Complex<Self> {
         sample.tip()
     }

@@ -3,7 +3,7 @@
 use crate::command::{RELEASE, TOP, all_refused, branch_points, needle, scenario, toytop, write};
 
 #[test]
-fn arguments() {
+fn wrong_arguments_are_refused() {
     write("far.txt", "1e300\n");
     write("no_times.txt", "# none\n\n");
     all_refused(

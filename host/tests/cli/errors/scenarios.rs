@@ -3,7 +3,7 @@
 use crate::command::{RELEASE, TOP, branch_points, scenario, toytop, write};
 
 #[test]
-fn files() {
+fn wrong_files_are_refused() {
     let good = format!("{TOP}{RELEASE}");
     for (name, content, parts) in [
         ("empty", Vec::new(), "top ... missing"),
@@ -34,7 +34,7 @@ fn changes_are_refused(kind: &str, good: &str, changes: &[(&str, &str, &str)]) {
 }
 
 #[test]
-fn tops() {
+fn wrong_tops_are_refused() {
     changes_are_refused(
         "top",
         &format!("{TOP}{RELEASE}"),
@@ -71,7 +71,7 @@ fn tops() {
 }
 
 #[test]
-fn releases() {
+fn wrong_releases_are_refused() {
     changes_are_refused(
         "release",
         &format!("{TOP}{RELEASE}"),
@@ -106,7 +106,7 @@ fn releases() {
 }
 
 #[test]
-fn states() {
+fn wrong_states_are_refused() {
     let good =
         format!("{TOP}[motion]\nkind = \"state\"\nalpha = [0.6, 0]\nbeta = [0, 0.8]\nomega = [1, 2.5, 3]\n");
     changes_are_refused(
@@ -126,7 +126,7 @@ fn states() {
 }
 
 #[test]
-fn branch_points_out_of_order() {
+fn wrong_branch_points_are_refused() {
     changes_are_refused(
         "branch_points",
         &branch_points([0.2, 0.8, 1.5], 1),
@@ -148,7 +148,7 @@ fn branch_points_out_of_order() {
 
 /// The message names the greatest rate.
 #[test]
-fn the_greatest_rate_is_named() {
+fn a_refusal_names_the_greatest_rate() {
     let good = format!("{TOP}{RELEASE}");
     for (from, key) in [("= 3.5", "spin"), ("= 0.3", "precession")] {
         let file = scenario("greatest_rate", &good.replace(from, "= 1e9"));

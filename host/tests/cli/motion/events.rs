@@ -96,7 +96,7 @@ fn events_that_do_not_occur_give_an_empty_list() {
 }
 
 #[test]
-fn bad_input_is_one_line() {
+fn wrong_arguments_are_refused() {
     all_refused(
         "events @toy_top",
         &[

@@ -134,33 +134,33 @@ fn where_the_tip_is_at_the_centre_phi_goes_on_smoothly() {
     }
 }
 
-/// Numbers are computed in the scalar, not rounded to it: they have its bits, and errors of its size of both signs.
+/// Numbers have the bits of the scalar, and an error of its size.
 #[test]
-fn every_scalar_is_itself() {
+fn every_scalar_has_its_bits() {
     let file = scenario("scalars", &format!("{TOP}{RELEASE}"));
-    // the greatest error, the numbers in the scalar, and their last bit
-    for (method, scalar, [least, most], keys, bits) in [
-        ("ephemeris", "f32", [1e-9, 1e-4], "alpha beta omega", None),
-        ("stepper", "f32", [1e-9, 1e-5], "alpha beta", None),
-        ("ephemeris", "q31", [1e-10, 2e-8], "alpha beta u", Some(30)),
-        ("ephemeris", "q15", [1e-6, 3e-4], "alpha beta u", Some(14)),
+    // limits of the error, the numbers in the scalar, and their last bit in fixed point
+    for (how, [least, most], keys, bits) in [
+        ("ephemeris --scalar f32", [1e-9, 1e-4], "alpha beta omega", None),
+        ("stepper --scalar f32", [1e-9, 1e-5], "alpha beta", None),
+        ("ephemeris --scalar q31", [1e-10, 2e-8], "alpha beta u", Some(30)),
+        ("ephemeris --scalar q15", [1e-6, 3e-4], "alpha beta u", Some(14)),
     ] {
-        let times = if method == "stepper" { "0.3,1,2.5" } else { "-7.3,0.1,25,333.3,25" };
-        let of = |scalar| samples(format!("{file} --times={times} --method {method} --scalar {scalar}"));
-        let (double, single) = (of("f64"), of(scalar));
-        assert!(method == "stepper" || single[2] == single[4], "{scalar}");
+        let at = |how: &str| samples(format!("{file} --times=-0.7,0.3,2.5 --method {how}"));
         let is_narrow = |x: &f64| match bits {
             Some(bits) => (x * 2_f64.powi(bits)).fract() == 0.0,
             None => f64::from(*x as f32) == *x,
         };
-        for (a, b) in double.iter().zip(&single) {
-            assert_eq!(a["t"], b["t"]);
-            let error = distance(a, b, if bits.is_some() { keys } else { "alpha beta" });
-            assert!(error > least && error < most, "{method} {scalar}: {error:e}");
-            assert!(numbers(b, keys).iter().all(is_narrow), "{scalar}: {b}");
-            assert!(!numbers(a, "alpha beta").iter().all(is_narrow), "{a}");
+        for (exact, found) in at("ephemeris").iter().zip(at(how)) {
+            assert_eq!(exact["t"], found["t"]);
+            assert!(numbers(&found, keys).iter().all(is_narrow), "{how}: {found}");
+            assert!(!numbers(exact, "alpha beta").iter().all(is_narrow), "{exact}");
+            let error = distance(exact, &found, "alpha beta");
+            assert!(error > least && error < most, "{how}: {error:e}");
             // the rates are rounded to f32
-            assert!(bits.is_none() || distance(a, b, "omega tip udot") < 25.0 * most, "{scalar}: {b}");
+            assert!(
+                bits.is_none() || distance(exact, &found, "omega tip udot") < 25.0 * most,
+                "{how}: {found}"
+            );
         }
     }
 }

@@ -27,7 +27,7 @@ fn a_gif_shows_the_top_in_motion() {
 }
 
 #[test]
-fn invalid_film_arguments_are_refused() {
+fn wrong_arguments_are_refused() {
     folder("animate_refused");
     for (name, part) in [
         ("top.avi", "must end in .gif"),

@@ -3,7 +3,7 @@
 use crate::command::{count, folder, read, toytop};
 
 #[test]
-fn the_papers_nine_curves() {
+fn captions_have_the_numbers_of_the_paper() {
     folder("figures");
     assert_eq!(toytop("figures -o figures/new").ok().lines().count(), 9);
     assert_eq!(count("figures/new"), 9);

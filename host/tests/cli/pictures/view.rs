@@ -68,7 +68,7 @@ fn every_kind_of_motion_has_a_page() {
 }
 
 #[test]
-fn what_has_no_page_is_refused() {
+fn wrong_arguments_and_motions_are_refused() {
     folder("view_refused");
     let needle = needle("view_needle");
     for (file, name, code, part) in [

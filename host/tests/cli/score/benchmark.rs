@@ -69,7 +69,7 @@ fn the_pages_have_the_digits() {
 }
 
 #[test]
-fn bad_input_is_one_line() {
+fn wrong_arguments_are_refused() {
     write("rows.csv", "t,w,x,y,z\n0,1,0,0,0\n");
     all_refused(
         "",

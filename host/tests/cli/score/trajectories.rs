@@ -105,7 +105,7 @@ fn an_error_of_a_rate_is_that_of_its_angle() {
 
 /// For a top that spins faster by a millionth, the drift of n is a millionth.
 #[test]
-fn drift_of_n() {
+fn a_faster_spin_is_a_drift_of_l_and_n() {
     let text = read(&sample("toy_top"));
     let faster = scenario("score_faster", &text.replace("spin = 150.0", "spin = 150.00015"));
     let [own, other] = ["@toy_top", &faster].map(|file| json(format!("constants {file}")));
@@ -201,7 +201,7 @@ fn positions_and_rates_are_checked() {
 }
 
 #[test]
-fn invalid_results_are_refused_in_one_line() {
+fn wrong_files_are_refused() {
     written("score_good.csv", &rows("@toy_top", &[0.0, 0.1, 0.2]), WITHOUT_RATES);
     written("score_uneven.csv", &rows("@toy_top", &[0.0, 0.1, 0.3]), WITHOUT_RATES);
     write("score_far.csv", "t,w,x,y,z\n1e300,1,0,0,0\n");

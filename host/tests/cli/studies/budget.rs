@@ -3,7 +3,7 @@
 use crate::command::{all_refused, write};
 
 #[test]
-fn bad_input_is_refused_in_one_line() {
+fn wrong_arguments_are_refused() {
     write("no_program.elf", "");
     all_refused(
         "budget",

@@ -6,7 +6,7 @@ mod addresses;
 mod controls;
 
 use super::{element, folder, view};
-use crate::command::{list, sample, samples};
+use crate::command::{list, sample};
 use serde_json::Value;
 use std::path::Path;
 use std::process::Command;
@@ -135,18 +135,13 @@ fn the_page_shows_what_the_core_says() {
         view(&[&file], &page);
         let core = core_of(&Scenario::read(Path::new(&file)).expect("a scenario").motion);
         // also far from t = 0, and in the past
-        let times = "[0.3125, -2.5, 1000000.75]";
-        let shown = probe(&page, &SHOWN.replace("TIMES", times), 1200, "");
-        let truth = samples(format!("{file} --times={}", times.trim_matches(['[', ']']).replace(", ", ",")));
+        let times = [0.3125, -2.5, 1_000_000.75];
+        let shown = probe(&page, &SHOWN.replace("TIMES", &format!("{times:?}")), 1200, "");
         let shown = list(&shown);
-        assert_eq!(shown.len(), 3);
-        for (shown, truth) in shown.iter().zip(&truth) {
-            let t = truth["t"].as_f64().expect("a time");
+        assert_eq!(shown.len(), times.len());
+        for (shown, t) in shown.iter().zip(times) {
             assert_eq!(shown["t"].as_f64(), Some(t), "{name}");
             let phi = assert_core(shown, &core, t);
-            let [alpha, beta] = ["alpha", "beta"].map(|key| complex(&shown[key]) - complex(&truth[key]));
-            let error = 2.0 * (alpha.norm_squared() + beta.norm_squared()).sqrt();
-            assert!(error < ORIENTATION, "{name}: {error:e} rad at {t}");
             // the matrix with which the top is drawn
             for (column, body) in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].into_iter().enumerate()
             {
@@ -166,8 +161,6 @@ fn the_page_shows_what_the_core_says() {
     }
 }
 
-/// Greatest difference of two tables in f64 after 1e6 s, rad.
-const ORIENTATION: f64 = 1e-13;
 /// Greatest rounding of an element of a matrix.
 const MATRIX: f64 = 1e-15;
 /// Number of colours that a picture with smooth lines exceeds; an empty one has one colour.
