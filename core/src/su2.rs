@@ -219,12 +219,6 @@ fn matrix_of<R: Float>(vector: Vector<R>) -> Orientation<R> {
     Orientation::from_quaternion([R::ZERO, x, y, z])
 }
 
-/// Vector for which a matrix of su(2) stands.
-fn vector_of<R: Ring>(matrix: Orientation<R>) -> Vector<R> {
-    let [_, x, y, z] = matrix.quaternion();
-    [x, y, z].map(Ring::doubled)
-}
-
 impl<R: Ring> AttitudeState<R> {
     /// Rate u' = d(|α|² - |β|²)/dt of the cosine of the tilt, per unit time.
     pub fn udot(&self) -> R {
@@ -234,16 +228,18 @@ impl<R: Ring> AttitudeState<R> {
 
     /// Angular velocity ω = Φ' Φ⁻¹ in the fixed frame, rad/s: equation (2.2) of the paper, erratum 1 corrected.
     pub fn omega(&self) -> Vector<R> {
-        vector_of(self.rate_matrix().compose(&self.orientation.inverse()))
+        let Self { orientation: phi, rate } = self;
+        let diagonal = rate.alpha * phi.delta() - rate.beta * phi.gamma();
+        let upper = rate.beta * phi.alpha - rate.alpha * phi.beta;
+        [upper.im.doubled(), -upper.re.doubled(), diagonal.im.doubled()]
     }
 
     /// Angular velocity Ω = Φ⁻¹ Φ' in the body frame, rad/s: equation (2.3) of the paper, erratum 2 corrected.
     pub fn omega_body(&self) -> Vector<R> {
-        vector_of(self.orientation.inverse().compose(&self.rate_matrix()))
-    }
-
-    fn rate_matrix(&self) -> Orientation<R> {
-        let OrientationRate { alpha, beta } = self.rate;
-        Orientation { alpha, beta }
+        let Self { orientation: phi, rate } = self;
+        let (gamma, delta) = (-rate.beta.conj(), rate.alpha.conj());
+        let diagonal = phi.delta() * rate.alpha - phi.beta * gamma;
+        let upper = phi.delta() * rate.beta - phi.beta * delta;
+        [upper.im.doubled(), -upper.re.doubled(), diagonal.im.doubled()]
     }
 }
