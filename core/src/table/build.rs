@@ -1,21 +1,18 @@
 //! Build of a table: from the equations of a motion to the polynomials of half a period. A set-up goes from file to file:
 //!
 //! ```text
-//! set_up.rs        set_up: a motion, a memory             -> a table
-//!   limits.rs        allowed error, capacity              -> limits of its parts
-//!   workspace.rs   begin
-//!     mean_rates.rs  motion/period                        -> mean rates of the phases, and their errors
-//!     path.rs        turning point u = e₁                 -> first span
-//!   workspace.rs   build: for each span of half a period
-//!     path.rs        phases at the centre                 -> origin of the expansion
-//!       expansion.rs   recurrence.rs, series.rs           -> power series of the phases
+//! set_up.rs          motion, memory                 -> table
+//!   limits.rs          allowed error, capacity        -> limits of its parts
+//!   half_period.rs     for each cell: segments that are short enough
+//!     mean_rates.rs      motion, period                 -> mean rates of the phases, and their errors
+//!     path.rs            for each span: two expansions, from its beginning to its centre and from there to its end
+//!       expansion.rs       recurrence.rs, series.rs       -> power series of the phases
 //!       expansion/cayley_klein.rs                         -> power series of a and b
-//!     polynomial.rs  series                               -> polynomials of a and b
-//!     launch_place.rs  phase of the launch                -> nutation phase at t = 0
-//!     segmentation.rs  polynomials                        -> segments, and cells that refer to them
-//!       set_up.rs        polynomial of a segment          -> stored coefficients
-//!   set_up.rs      finish: rates, launch                  -> clock
-//!     bound.rs       errors of all parts                  -> error bounds
+//!       polynomial.rs      power series                   -> polynomials of a and b on the span
+//!     launch_place.rs    phase of the launch            -> nutation phase at t = 0
+//!     segment.rs         polynomials on the span        -> stored coefficients, and bounds on errors and speeds
+//!   set_up/clock.rs    rates, launch                  -> clock
+//!   half_period/bound.rs  errors of all parts         -> error bounds
 //! ```
 //!
 //! The tabulated a and b are α and β without their mean rotation. Series have an exponent each (`series`). The
@@ -25,25 +22,25 @@
 
 mod series;
 
-mod limits;
-
-mod speeds;
-
 mod expansion;
+
+mod limits;
 
 mod polynomial;
 
 mod mean_rates;
 
-mod path;
+mod interval;
 
 mod launch_place;
 
-mod segmentation;
+mod path;
+
+mod segment;
+
+mod half_period;
 
 mod workspace;
-
-mod bound;
 
 mod set_up;
 

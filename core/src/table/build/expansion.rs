@@ -1,4 +1,4 @@
-//! Expansion of the motion around a point of its path, in y = x/4. One unit of x is half a span, and x is at most 3.
+//! Expansion of the motion around a point of its path, in y = x/4. One unit of x is half a span.
 //!
 //! Index 0: at the point. v and the Greek letters: power series in y.
 //!
@@ -18,17 +18,17 @@
 //!
 //! Each coefficient follows from those before. The residual phase ρ is ψ minus its mean rotation.
 
+mod path_equations;
+
 mod recurrence;
 
 mod cayley_klein;
 
-use super::limits::max_or_nan;
-use super::series::sine_q57::{FRACTION, sine_cosine_q57};
-use super::series::{MOST_TERMS, PowerSeries, integrated};
+use super::series::{MOST_TERMS, PowerSeries, integrated, max_or_nan};
 use crate::phase::Phase;
-use crate::scalar::{Scalar, power_of_two, power_of_two_f32};
+use crate::scalar::{Scalar, power_of_two_f32};
 
-pub(super) use cayley_klein::CayleyKleinSeries;
+pub(super) use path_equations::PathEquations;
 
 /// Largest rounding error of a coefficient, in units of its series.
 const NOISE: i64 = 4;
@@ -81,19 +81,6 @@ pub(super) struct PathPhases {
 
 impl PathPhases {
     pub(super) const ZERO: Self = Self { chi: Phase::ZERO, residual: [Phase::ZERO; 2] };
-
-    /// sin χ and cos χ. Error: below 2^-53, relative to the result near its zeros.
-    pub(super) fn sine_cosine(&self) -> (f64, f64) {
-        /// Least result in integers, at a fifth of the cost in `f64`.
-        const LEAST: i64 = 1 << (FRACTION - 3);
-        let (sine, cosine) = sine_cosine_q57(self.chi);
-        if sine.abs().min(cosine.abs()) < LEAST {
-            f64::sine_cosine(self.chi)
-        } else {
-            let number = |part: i64| part as f64 * power_of_two(-FRACTION);
-            (number(sine), number(cosine))
-        }
-    }
 }
 
 /// Point around which the motion is expanded, with derivatives by y. The pairs are those of α and β.
@@ -101,13 +88,14 @@ pub(super) struct Origin {
     pub(super) phases: PathPhases,
     pub(super) sine: f64,
     pub(super) cosine: f64,
+    /// Time of one unit of y, s.
     pub(super) unit: f64,
     pub(super) chi_rate: f64,
     pub(super) psi_rates: [f64; 2],
     pub(super) residual_rates: [f64; 2],
     /// Orientation error that an error of χ causes, over that of an equal error of a residual phase.
     pub(super) weight: f64,
-    /// Magnitude below which a term at x = 2 is negligible, rad.
+    /// Magnitude below which a term at x = 1 is negligible, rad.
     pub(super) negligible: f64,
 }
 
@@ -126,7 +114,7 @@ pub(super) struct Expansion {
     mu: PowerSeries,
     weight: f32,
     /// Number of terms; 0 where the series do not converge.
-    terms: usize,
+    pub(super) terms: usize,
 }
 
 impl Expansion {
@@ -154,22 +142,21 @@ impl Expansion {
         (PathPhases { chi: after(chi, &self.chi), residual }, 0.25 * self.chi.value(y, self.terms))
     }
 
-    /// Rounding error of the phases at x > 0, rad.
-    pub(super) fn rounding_error(&self, x: f64) -> f64 {
-        /// Roundings of the terms of a rate.
-        const ROUNDINGS: f64 = 2.0;
-        let y = 0.25 * x;
-        let size = |rate: &RateSeries| rate.at_origin.abs() + y * rate.magnitude_of_variation();
-        let [alpha, beta] = self.residual.each_ref().map(size);
-        let chi = f64::from(self.weight) * size(&self.chi);
-        ROUNDINGS * f64::ROUNDING * y * max_or_nan(chi, max_or_nan(alpha, beta))
-    }
-
     /// Whether coefficients should be in range over twice the distance.
     pub(super) fn may_double(&self) -> bool {
         /// Greatest ratio |c₁/c₀| of the coefficients of dχ/dy.
         const GREATEST_CHANGE: f32 = 1.25;
         self.chi.term(1, 1.0) <= GREATEST_CHANGE * self.chi.term(0, 1.0)
+    }
+
+    /// Rounding error of the phases at x = 1, rad.
+    pub(super) fn rounding_error(&self) -> f64 {
+        /// Roundings of the terms of a rate.
+        const ROUNDINGS: f64 = 2.0;
+        let size = |rate: &RateSeries| rate.at_origin.abs() + 0.25 * rate.magnitude_of_variation();
+        let [alpha, beta] = self.residual.each_ref().map(size);
+        let chi = f64::from(self.weight) * size(&self.chi);
+        ROUNDINGS * f64::ROUNDING * 0.25 * max_or_nan(chi, max_or_nan(alpha, beta))
     }
 
     /// Upper bound on the rates of the residual phases by x in [-1, 1].
@@ -180,16 +167,15 @@ impl Expansion {
         0.25 * max_or_nan(alpha, beta)
     }
 
-    /// Estimated truncation error of the phases at a whole x > 0, rad, if each term is a quarter of the one before.
-    pub(super) fn truncation_error(&self, x: u32) -> f64 {
+    /// Estimated truncation error of the phases at x = 1, rad, if each term is a quarter of the one before; infinite where the series do not
+    /// converge.
+    pub(super) fn truncation_error(&self) -> f64 {
         let Some(before) = self.terms.checked_sub(2) else { return f64::INFINITY };
-        let y = 0.25 * x as f32;
-        let power = (0..before).fold(1.0, |power, _| power * y);
         let term = |k: usize| {
             let [alpha, beta] = self.residual.each_ref().map(|rate| rate.term(k, 1.0));
             max_or_nan(self.chi.term(k, self.weight), max_or_nan(alpha, beta))
         };
-        let last = max_or_nan(term(before) * power, term(before + 1) * power * y);
-        (last * y / (3 * self.terms) as f32).into()
+        let last = max_or_nan(term(before), 0.25 * term(before + 1)) * power_of_two_f32(-2 * before as i32);
+        (0.25 * last / (3 * self.terms) as f32).into()
     }
 }

@@ -1,7 +1,7 @@
 //! Place of a launch on the path along half a nutation period.
 
 use super::expansion::{Expansion, PathPhases};
-use super::path::{HALF_PERIOD, Span};
+use super::interval::{HALF_PERIOD, Interval};
 use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::Scalar;
@@ -31,7 +31,7 @@ impl LaunchPlace {
 
     /// Finds the place if it is in this span, which ends at χ = `end`, or if the span is the last.
     #[inline(never)]
-    pub(super) fn search(&mut self, expansion: &Expansion, end: Phase, span: Span) {
+    pub(super) fn search(&mut self, expansion: &Expansion, end: Phase, span: Interval) {
         let Some(chi) = self.chi else { return };
         // a turning point is an end of the half period exactly
         let x = match chi {

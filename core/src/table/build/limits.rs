@@ -1,13 +1,12 @@
 //! Errors that a set-up allows to the parts of a table.
 
-use crate::scalar::Float;
+use super::expansion::PathEquations;
+use crate::motion::Motion;
+use crate::motion::period::Period;
+use crate::motion::phase_equations::PhaseEquations;
+use crate::scalar::Extended;
 use crate::table::data::cell::LEAST_DEPTH;
-use crate::table::evaluation::TABLE_UNIT;
-
-/// Larger of two numbers, or NaN if one of them is NaN.
-pub(super) fn max_or_nan<F: Float>(a: F, b: F) -> F {
-    if b <= a || a.partial_cmp(&a).is_none() { a } else { b }
-}
+use crate::table::evaluation::{EphemerisScalar, TABLE_UNIT};
 
 /// Share of the allowed error: all steps.
 const STEPS_SHARE: f64 = 0.125;
@@ -20,8 +19,10 @@ const TWO_CELLS_SHARE: f32 = 0.125;
 /// Share of the allowed error: a negligible term.
 const NEGLIGIBLE_SHARE: f64 = 1.0 / 256.0;
 
-/// Limits that a set-up keeps.
-#[derive(Clone, Copy, Debug)]
+/// Function for the period of a motion.
+type PeriodOf = fn(&Motion, &PhaseEquations<Extended>, &mut dyn FnMut()) -> Option<Period>;
+
+/// Limits that a set-up keeps, and the precision of its numbers.
 pub(super) struct Limits {
     /// Number of terms of a polynomial in the table.
     pub(super) terms: usize,
@@ -35,24 +36,34 @@ pub(super) struct Limits {
     pub(super) dropped_terms: i64,
     /// Negligible term of a and b, rad.
     pub(super) negligible: f64,
+    /// [`Motion::period`] in numbers of this precision.
+    pub(super) period: PeriodOf,
+    /// [`PathEquations::rates`] of the exact or of the rounded equations.
+    pub(super) rates: fn(&PathEquations<Extended>, &PathEquations<f64>, f64, f64) -> [f64; 5],
 }
 
 impl Limits {
-    pub(super) const ZERO: Self =
-        Self { terms: 0, capacity: 0, steps: 0.0, polynomial: 0.0, dropped_terms: 0, negligible: 0.0 };
-
-    /// Limits for a truncation error, rad, with series at least as accurate as for the `usual` one.
-    pub(super) fn new(terms: usize, allowed: f64, usual: f64, capacity: usize) -> Self {
+    /// Limits for a truncation error, rad, with series at least as accurate as for that of the scalar.
+    pub(super) fn new<R: EphemerisScalar>(allowed: f64, capacity: usize) -> Self {
         let polynomial =
             |error: f64| (((1.0 - STEPS_SHARE) * error / TABLE_UNIT) as f32).clamp(f32::MIN, f32::MAX);
-        let of_series = allowed.min(usual);
+        let of_series = allowed.min(R::TRUNCATION);
         Self {
-            terms,
+            terms: R::TERMS,
             capacity,
             steps: STEPS_SHARE * allowed,
             polynomial: polynomial(allowed),
             dropped_terms: (DROPPED_SHARE * polynomial(of_series)) as i64,
             negligible: NEGLIGIBLE_SHARE * of_series,
+            period: match R::PERIOD_WORDS {
+                1 => Motion::period::<1>,
+                _ => Motion::period::<2>,
+            },
+            // a slow phase may hardly differ from its mean, which the table of an `f64` must resolve
+            rates: match R::PERIOD_WORDS {
+                1 => |_, rounded, sine, cosine| rounded.rates(sine, cosine),
+                _ => |exact, _, sine, cosine| exact.rates(sine, cosine),
+            },
         }
     }
 

@@ -20,8 +20,6 @@ pub(super) struct MeanRates {
 }
 
 impl MeanRates {
-    pub(super) const ZERO: Self = Self { rates: [Extended::ZERO; 3], errors: [0.0; 3] };
-
     /// Rates from the period; without one, those of a constant u.
     #[inline(never)]
     pub(super) fn new(motion: &Motion, period: Option<&Period>) -> Self {

@@ -2,9 +2,8 @@
 //!
 //! The last term c x^k is dropped by subtracting c 2^(1-k) T_k(x), at most |c| 2^(1-k) in value.
 
-use super::limits::{Limits, REMAINDER_SHARE, max_or_nan};
-use super::series::{Limbs, MOST_TERMS};
-use super::speeds::SegmentErrors;
+use super::limits::{Limits, REMAINDER_SHARE};
+use super::series::{Limbs, MOST_TERMS, max_or_nan};
 use crate::integer::product_u32;
 use crate::scalar::{Float, Ring, u64_to_f32};
 use crate::table::evaluation::TABLE_UNIT;
@@ -142,16 +141,22 @@ impl Polynomial {
         }
     }
 
-    /// Adds the truncation error of this polynomial, and Σ k |c_k| as a bound on its derivative.
-    pub(super) fn add_errors(&self, sums: &mut SegmentErrors) {
+    /// Truncation error, in units of 2^-62.
+    pub(super) fn truncation(&self) -> f32 {
+        let [re, im] = self.parts.each_ref().map(|part| u64_to_f32(part.dropped.unsigned_abs()));
+        Float::sqrt(re * re + im * im) + self.remainder
+    }
+
+    /// Square of the bound Σ k |c_k| on the derivative, in units of 2^-62.
+    pub(super) fn slope_squared(&self) -> f32 {
         const WORD: f32 = (1_u64 << 32) as f32;
-        for part in &self.parts {
+        let squared = |part: &Part| {
             let terms = part.coefficients.iter().zip(0_u32..).take(self.terms);
             let slope: u64 = terms.map(|(c, k)| product_u32((c.unsigned_abs() >> 32) as u32 + 1, k)).sum();
-            sums.slope_squared += Ring::squared(u64_to_f32(slope) * WORD);
-        }
-        let [re, im] = self.parts.each_ref().map(|part| u64_to_f32(part.dropped.unsigned_abs()));
-        sums.truncation_squared += Ring::squared(Float::sqrt(re * re + im * im) + self.remainder);
+            Ring::squared(u64_to_f32(slope) * WORD)
+        };
+        let [re, im] = self.parts.each_ref().map(squared);
+        re + im
     }
 }
 
@@ -215,12 +220,10 @@ mod tests {
             let mut short = exact;
             short.shorten(terms, i64::MAX);
             assert!(short.parts.iter().all(|part| part.coefficients[terms..].iter().all(|c| *c == 0)));
-            let mut sums = SegmentErrors::default();
-            short.add_errors(&mut sums);
             let change = greatest(&|x| distance(derivative(&exact, 0, x), derivative(&short, 0, x)));
             let slope = greatest(&|x| distance(derivative(&short, 1, x), [0.0; 2]));
-            for (worst, bound) in [(change, sums.truncation_squared), (slope, sums.slope_squared)] {
-                let bound = TABLE_UNIT * f64::from(bound.sqrt());
+            for (worst, bound) in [(change, short.truncation()), (slope, short.slope_squared().sqrt())] {
+                let bound = TABLE_UNIT * f64::from(bound);
                 assert!(worst <= bound * 1.000_001 + 3e-16, "{terms}: {worst:e} {bound:e}");
                 assert!(bound <= 1.5 * worst + 1e-8, "{terms}: {worst:e} {bound:e}");
             }

@@ -7,7 +7,7 @@ pub(super) mod sine_q57;
 use core::ops::Range;
 
 use crate::integer::{mantissa_and_exponent, product_i32};
-use crate::scalar::{exponent, ldexp, power_of_two_f32};
+use crate::scalar::{Float, exponent, ldexp, power_of_two_f32};
 use crate::table::evaluation::shifted_right;
 
 /// Largest number of terms of a series.
@@ -18,6 +18,11 @@ pub(super) const BITS: i32 = 56;
 
 /// Bits of the lower limb.
 const LIMB_BITS: u32 = 30;
+
+/// Larger of two numbers, or NaN if one of them is NaN.
+pub(super) fn max_or_nan<F: Float>(a: F, b: F) -> F {
+    if b <= a || a.partial_cmp(&a).is_none() { a } else { b }
+}
 
 /// Integer high · 2^30 + low, with low in [0, 2^30).
 #[derive(Clone, Copy, Debug)]

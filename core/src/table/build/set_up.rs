@@ -4,9 +4,10 @@ mod clock;
 
 use core::fmt;
 
+use super::half_period::HalfPeriod;
 use super::limits::Limits;
 use super::polynomial::Polynomial;
-use super::segmentation::{SegmentStore, Segmentation};
+use super::segment::SegmentStore;
 use super::workspace::Workspace;
 use crate::constants::Regime;
 use crate::motion::Motion;
@@ -49,50 +50,26 @@ impl fmt::Display for SetUpError {
 
 impl core::error::Error for SetUpError {}
 
-impl Workspace {
-    /// Computes the segments and stores those that fit.
-    fn tabulate<R: EphemerisScalar>(
-        &mut self,
-        motion: &Motion,
-        segments: &mut [R::Segment],
-        capacity: usize,
-        pause: &mut dyn FnMut(),
-    ) -> Result<(), SetUpError> {
-        let truncation = self.truncation.unwrap_or(R::TRUNCATION);
-        if !(truncation > 0.0 && truncation < f64::INFINITY) {
-            return Err(SetUpError::Truncation);
-        }
-        if motion.regime() == Regime::Aperiodic {
-            return Err(SetUpError::Aperiodic);
-        }
-        self.limits = Limits::new(R::TERMS, truncation, R::TRUNCATION, capacity);
-        let store = &mut Segments::<R>(segments);
-        let built = match R::PERIOD_WORDS {
-            1 => self.compute::<1>(motion, store, pause),
-            _ => self.compute::<2>(motion, store, pause),
-        };
-        built.ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
+/// Computes the segments of half a period, and stores those that fit.
+fn tabulate<R: EphemerisScalar>(
+    motion: &Motion,
+    workspace: &mut Workspace,
+    segments: &mut [R::Segment],
+    capacity: usize,
+    pause: &mut dyn FnMut(),
+) -> Result<(), SetUpError> {
+    let truncation = workspace.truncation.unwrap_or(R::TRUNCATION);
+    if !(truncation > 0.0 && truncation < f64::INFINITY) {
+        return Err(SetUpError::Truncation);
     }
-
-    /// Writes the cells, the clock and the error bounds.
-    #[inline(never)]
-    fn finish<R: EphemerisScalar>(
-        &self,
-        table: &mut EphemerisView<R>,
-        motion: &Motion,
-        tick: Tick,
-        epoch: i64,
-        pause: &mut dyn FnMut(),
-    ) {
-        let Segmentation { cells, segments, .. } = &self.segmentation;
-        table.cells = *cells;
-        table.segments.get_mut(*segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
-        table.clock = Clock::new(motion, tick, epoch, self.mean_rates.rates, self.launch.phases);
-        pause();
-        table.start_tip_angle(motion, self.launch.phases, pause);
-        pause();
-        [table.error_bound, table.rate_error_bound] = self.error_bounds(&R::ERRORS, motion, tick.length());
+    if motion.regime() == Regime::Aperiodic {
+        return Err(SetUpError::Aperiodic);
     }
+    let limits = Limits::new::<R>(truncation, capacity);
+    let Workspace { half_period, span, .. } = workspace;
+    half_period
+        .compute(motion, &limits, span, &mut Segments::<R>(segments), pause)
+        .ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
 }
 
 impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
@@ -114,10 +91,33 @@ impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
         let Self { is_set_up, table } = self;
         *is_set_up = false;
         let capacity = table.capacity();
-        workspace.tabulate::<R>(motion, &mut table.segments, capacity, pause)?;
-        workspace.finish(table, motion, tick, epoch, pause);
+        tabulate::<R>(motion, workspace, &mut table.segments, capacity, pause)?;
+        table.finish(&workspace.half_period, motion, tick, epoch, pause);
         *is_set_up = true;
         Ok(table)
+    }
+}
+
+impl<R: EphemerisScalar> EphemerisView<R> {
+    /// Writes the cells, the clock and the error bounds.
+    #[inline(never)]
+    fn finish(
+        &mut self,
+        half_period: &HalfPeriod,
+        motion: &Motion,
+        tick: Tick,
+        epoch: i64,
+        pause: &mut dyn FnMut(),
+    ) {
+        let HalfPeriod { cells, segments, mean_rates, launch, .. } = half_period;
+        self.cells = *cells;
+        self.segments.get_mut(*segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
+        self.clock = Clock::new(motion, tick, epoch, mean_rates.rates, launch.phases);
+        pause();
+        self.start_tip_angle(motion, launch.phases, pause);
+        pause();
+        [self.error_bound, self.rate_error_bound] =
+            half_period.error_bounds(R::TERMS, &R::ERRORS, motion, tick.length());
     }
 }
 
@@ -145,9 +145,9 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// Number of segments for a truncation error, rad; `None` if 4096 are too few or the motion has no table.
     #[must_use]
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
-        let mut workspace = Workspace::with_truncation(truncation);
-        workspace.tabulate::<R>(motion, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
-        Some(workspace.segmentation.segments.max(LEAST_SEGMENTS) as u32)
+        let workspace = &mut Workspace::with_truncation(truncation);
+        tabulate::<R>(motion, workspace, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
+        Some(workspace.half_period.segments.max(LEAST_SEGMENTS) as u32)
     }
 }
 

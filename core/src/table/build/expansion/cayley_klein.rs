@@ -5,40 +5,25 @@ use crate::table::build::series::sine_q57::{FRACTION, sine_cosine_q57};
 use crate::table::build::series::{BITS, Limbs, UnitFactor, in_range, in_units, integrated, scaled_product};
 use crate::table::evaluation::{TABLE_BITS, shifted_right};
 
-/// Rates of ρ + χ and of ρ - χ, and the exponential of one of them.
-#[derive(Debug)]
-pub(crate) struct CayleyKleinSeries {
-    forwards: PowerSeries,
-    backwards: PowerSeries,
-    re: PowerSeries,
-    im: PowerSeries,
-}
-
 /// Fraction bits that a coefficient of a or b has more than one of an exponential.
 const MORE_BITS: i32 = TABLE_BITS as i32 - BITS;
 
-impl CayleyKleinSeries {
-    pub(crate) const ZERO: Self = Self {
-        forwards: PowerSeries::ZERO,
-        backwards: PowerSeries::ZERO,
-        re: PowerSeries::ZERO,
-        im: PowerSeries::ZERO,
-    };
-
+impl Expansion {
     /// Adds p e^{i(ρ+χ)} + q e^{i(ρ-χ)} to `sums`, with the residual phase ρ of this index. Returns the number of terms not below `least`.
     ///
+    /// * `scratch`: rates of ρ + χ and of ρ - χ, and the exponential of one of them
     /// * `sums`: coefficients of x^k in units of 2^-62
     #[inline(never)]
-    pub(crate) fn compute(
-        &mut self,
-        expansion: &Expansion,
+    pub(crate) fn add_exponentials(
+        &self,
         index: usize,
         [p, q]: [f64; 2],
         least: i64,
+        scratch: &mut [PowerSeries; 4],
         mut sums: [&mut [i64; MOST_TERMS]; 2],
     ) -> Option<usize> {
-        let Self { forwards, backwards, re, im } = self;
-        let Expansion { chi, residual, origin, terms, .. } = expansion;
+        let [forwards, backwards, re, im] = scratch;
+        let Self { chi, residual, origin, terms, .. } = self;
         let (residual, residual_phase) = (residual.get(index)?, *origin.residual.get(index)?);
         let at_origin = residual.at_origin.abs() + chi.at_origin.abs();
         forwards.set_exponent(max_or_nan(
@@ -125,6 +110,7 @@ mod tests {
     use crate::motion::phase_equations::PhaseEquations;
     use crate::phase::Phase;
     use crate::scalar::{Extended, Float, Scalar};
+    use crate::table::build::series::sine_q57::sine_cosine;
     use crate::table::evaluation::TABLE_UNIT;
 
     fn equations(spread: f64, [e1, e2, e3]: [f64; 3]) -> PhaseEquations<Extended> {
@@ -161,7 +147,7 @@ mod tests {
                     chi: Phase::from_turns(turns),
                     residual: [Phase::from_turns(0.3), Phase::from_turns(-0.4)],
                 };
-                let (sine, cosine) = phases.sine_cosine();
+                let (sine, cosine) = sine_cosine(phases.chi);
                 let rates = exact.rates(sine.into(), cosine.into());
                 let beyond = rounded.rates(sine, cosine);
                 let size = [beyond.half_phase, beyond.psi_alpha, beyond.psi_beta].into_iter().map(f64::abs);
@@ -195,8 +181,8 @@ mod tests {
                     worst[1] = worst[1].max((alpha - of(rates.psi_alpha)).abs());
                     worst[2] = worst[2].max((beta - of(rates.psi_beta)).abs());
                     let ([p, q], mut parts) = ([0.6, -0.3], [[0; MOST_TERMS]; 2]);
-                    let mut series = CayleyKleinSeries::ZERO;
-                    series.compute(&expansion, 0, [p, q], 5, parts.each_mut()).unwrap();
+                    let mut scratch = [PowerSeries::ZERO; 4];
+                    expansion.add_exponentials(0, [p, q], 5, &mut scratch, parts.each_mut()).unwrap();
                     let [re, im] = parts
                         .map(|part| part.iter().rev().fold(0.0, |sum, c| sum * x + *c as f64 * TABLE_UNIT));
                     let [up, down] = [at, -at].map(|chi| Complex::cis(chi + residual[0]));

@@ -4,10 +4,10 @@ use super::{Expansion, MOST_TERMS, NOISE, Origin, PowerSeries, RateSeries, max_o
 use crate::motion::phase_equations::PhaseEquations;
 use crate::table::build::series::{BITS, UnitFactor, in_range, in_units, integrated, sum_in_range};
 
-/// Whether the k-th coefficient is a rounding error, or its term at y = 1/2 is below `least` units.
+/// Whether the k-th coefficient is a rounding error, or its term at x = 1 is below `least` units.
 fn is_negligible(coefficient: i64, k: usize, least: i64) -> bool {
     let size = coefficient.abs();
-    size <= NOISE || size >> k < least
+    size <= NOISE || size >> (2 * k) < least
 }
 
 /// Constant factors of the recurrence for one slow phase.

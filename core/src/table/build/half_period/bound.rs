@@ -1,7 +1,6 @@
 //! Error bounds of a table, with the terms of `core/docs/error_bound.md`.
 
-use super::mean_rates::MeanRates;
-use super::workspace::Workspace;
+use super::{HalfPeriod, MeanRates};
 use crate::motion::Motion;
 use crate::scalar::{Extended, Float, Ring};
 use crate::table::data::ErrorBound;
@@ -10,10 +9,11 @@ use crate::table::evaluation::EvaluationErrors;
 /// One turn in rad.
 const TURN: f64 = 2.0 * core::f64::consts::PI;
 
-impl Workspace {
+impl HalfPeriod {
     /// Error bounds of orientation and angular velocity for ticks of this length.
-    pub(super) fn error_bounds(
+    pub(crate) fn error_bounds(
         &self,
+        terms: usize,
         errors: &EvaluationErrors,
         motion: &Motion,
         tick: Extended,
@@ -23,25 +23,26 @@ impl Workspace {
             *growth = *growth * tick.to_f64() + increment_error(rate * tick).abs();
         }
         let [nutation, alpha, beta] = growth;
-        let speeds = &self.segmentation.speeds;
-        let angular = speeds.angular_speed;
+        let bounds = &self.bounds;
+        let angular = f64::from(bounds.angular_speed);
         let orientation = ErrorBound {
             constant: self.error
                 + errors.orientation
-                + errors.per_half_segment * speeds.half_segment_change(),
+                + errors.per_half_segment * bounds.half_segment_change(),
             per_tick: 2.0 * (angular * nutation + TURN * alpha.max(beta)),
         };
 
         let [frequency, alpha_rate, beta_rate] = rates;
         let half_periods = 2.0 * frequency.to_f64();
-        let (x_rate, mean) = (speeds.x_rate * half_periods, TURN * (alpha_rate + beta_rate).to_f64().abs());
+        let (x_rate, mean) =
+            (f64::from(bounds.x_rate) * half_periods, TURN * (alpha_rate + beta_rate).to_f64().abs());
         // terms of the angular velocity, which may cancel
         let whole = angular * half_periods + mean + motion.first_integrals().spin.abs();
         let rotor = motion.top().rotor_momentum().abs() / motion.top().transverse_inertia();
         // relative rate of change of the angular velocity
         let change = 0.25 * x_rate + whole;
         // |T_k'| <= k² for a dropped term of degree k
-        let slope = ((self.limits.terms + 1) as f64).squared() * self.segmentation.truncation;
+        let slope = ((terms + 1) as f64).squared() * bounds.truncation();
         let rate = ErrorBound {
             constant: slope * x_rate
                 + errors.omega * (x_rate + mean)
@@ -63,6 +64,7 @@ fn increment_error(increment: Extended) -> f64 {
 mod tests {
     use super::*;
     use crate::phase::Phase;
+    use crate::table::build::segment::SegmentBounds;
     use crate::table::build::tests::nutating_motion;
     use crate::table::evaluation::EphemerisScalar;
 
@@ -70,11 +72,13 @@ mod tests {
     #[test]
     fn the_rates_errors_are_in_it() {
         let motion = nutating_motion();
-        let mut workspace = Workspace::new();
-        workspace.segmentation.speeds.angular_speed = 5.0;
-        let mut per_tick = |errors, rate| {
-            workspace.mean_rates = MeanRates { rates: [rate; 3], errors };
-            let [bound, _] = workspace.error_bounds(&f64::ERRORS, &motion, 0.5.into());
+        let per_tick = |errors, rate| {
+            let half_period = HalfPeriod {
+                mean_rates: MeanRates { rates: [rate; 3], errors },
+                bounds: SegmentBounds { angular_speed: 5.0, ..SegmentBounds::ZERO },
+                ..HalfPeriod::ZERO
+            };
+            let [bound, _] = half_period.error_bounds(f64::TERMS, &f64::ERRORS, &motion, 0.5.into());
             bound.per_tick
         };
         let whole = Extended::from(2.0);

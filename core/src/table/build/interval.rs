@@ -1,0 +1,55 @@
+//! Intervals of half a nutation period: spans, cells and segments.
+
+use crate::phase::Phase;
+use crate::scalar::power_of_two;
+use crate::table::data::cell::Cell;
+
+/// Length of half a period, in shortest segments.
+pub(super) const HALF_PERIOD: usize = 1 << Cell::DEEPEST;
+
+/// One of the 2^depth equal parts of half a period: a span, a cell or a segment. Positions are in shortest segments.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Interval {
+    pub(super) begin: usize,
+    pub(super) depth: u32,
+}
+
+impl Interval {
+    pub(super) fn length(self) -> usize {
+        HALF_PERIOD >> self.depth
+    }
+
+    pub(super) fn end(self) -> usize {
+        self.begin + self.length()
+    }
+
+    /// Half the length, in half periods.
+    pub(super) fn half_length(self) -> f64 {
+        power_of_two(-1 - self.depth as i32)
+    }
+
+    /// Nutation phase at x in [-1, 1].
+    pub(super) fn phase(self, x: f64) -> Phase {
+        // the half period is half a turn
+        let unit = Phase::from_bits(Phase::QUARTER.to_bits() >> Cell::DEEPEST);
+        unit * (self.begin + self.end()) as i64 + Phase::from_turns(0.5 * x * self.half_length())
+    }
+
+    /// Equal parts of this depth.
+    pub(super) fn parts(self, depth: u32) -> impl Iterator<Item = Self> {
+        (self.begin..self.end()).step_by(HALF_PERIOD >> depth).map(move |begin| Self { begin, depth })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_span_has_the_phases_of_its_position() {
+        let second = Interval { begin: HALF_PERIOD / 4, depth: 2 };
+        assert_eq!((second.phase(-1.0), second.phase(1.0)), (Phase::from_bits(1 << 93), Phase::QUARTER));
+        let last = Interval { begin: HALF_PERIOD - 1, depth: Cell::DEEPEST };
+        assert_eq!((last.end(), last.phase(1.0)), (HALF_PERIOD, Phase::HALF));
+    }
+}

@@ -1,0 +1,88 @@
+//! One segment: from the polynomials of its span to its coefficients, with bounds on its error and speeds.
+
+use super::interval::Interval;
+use super::path::{Path, SpanMemory};
+use super::polynomial::Polynomial;
+use super::series::max_or_nan;
+use crate::scalar::{Float, Ring};
+use crate::table::evaluation::TABLE_UNIT;
+
+/// Table in which segments are stored.
+pub(super) trait SegmentStore {
+    /// Rounds and stores the polynomial of a (index 0) or b (1), if the table contains the segment. Returns the orientation error by products
+    /// with 16 bits, in units of 2^-62 rad; infinite where a sum could overflow.
+    fn store(&mut self, segment: usize, index: usize, polynomial: &Polynomial) -> f32;
+}
+
+/// Upper bounds on the errors and speeds of segments. The unit of time is half a period. `f64` is slow without an FPU for it.
+#[derive(Debug)]
+pub(super) struct SegmentBounds {
+    /// Orientation error by truncation and rounding, in units of 2^-62 rad.
+    pub(super) error: f32,
+    /// Angular speed 2 √(|da/dt|² + |db/dt|²), rad.
+    pub(super) angular_speed: f32,
+    /// Rate of a residual phase, rad.
+    pub(super) residual_rate: f32,
+    /// Rate of the local coordinate x.
+    pub(super) x_rate: f32,
+}
+
+impl SegmentBounds {
+    pub(super) const ZERO: Self = Self { error: 0.0, angular_speed: 0.0, residual_rate: 0.0, x_rate: 0.0 };
+
+    /// Includes other segments.
+    pub(super) fn include(&mut self, other: &Self) {
+        let include = |greatest: &mut f32, other: f32| *greatest = max_or_nan(*greatest, other);
+        include(&mut self.error, other.error);
+        include(&mut self.angular_speed, other.angular_speed);
+        include(&mut self.residual_rate, other.residual_rate);
+        include(&mut self.x_rate, other.x_rate);
+    }
+
+    /// Truncation and rounding error of the orientation, rad.
+    pub(super) fn truncation(&self) -> f64 {
+        TABLE_UNIT * f64::from(self.error)
+    }
+
+    /// Greatest change of the orientation on half a segment, which is at most one cell, rad.
+    pub(super) fn half_segment_change(&self) -> f64 {
+        f64::from(self.angular_speed) / 16.0
+    }
+
+    /// Orientation error by a delay of χ alone, in half periods.
+    pub(super) fn error_of_delay(&self, delay: f64) -> f64 {
+        f64::from(self.angular_speed + 2.0 * self.residual_rate) * delay
+    }
+}
+
+/// Computes the polynomials of a and b on a segment, and stores them.
+///
+/// * `span`: that of the path, which contains the segment
+/// * `number`: of the segment in the table
+pub(super) fn store_segment(
+    path: &mut Path<'_>,
+    span: Interval,
+    segment: Interval,
+    (number, store): (usize, &mut dyn SegmentStore),
+    pause: &mut dyn FnMut(),
+) -> SegmentBounds {
+    let SpanMemory { expansion, polynomials, segment: polynomial, .. } = &mut *path.memory;
+    let halvings = segment.depth - span.depth;
+    let (mut stored, mut truncation_squared, mut slope_squared) = (0.0_f32, 0.0, 0.0);
+    for (index, whole) in polynomials.iter().enumerate() {
+        polynomial.restrict(whole, segment.begin / segment.length(), halvings, path.limits.dropped_terms);
+        polynomial.shorten(path.limits.terms, i64::MAX);
+        truncation_squared += Ring::squared(polynomial.truncation());
+        slope_squared += polynomial.slope_squared();
+        stored = max_or_nan(stored, store.store(number, index, polynomial));
+        pause();
+    }
+    // x is 2 longer at the end of a segment
+    let x_rate = (2_u32 << segment.depth) as f32;
+    SegmentBounds {
+        error: max_or_nan(2.0 * Float::sqrt(truncation_squared), stored),
+        angular_speed: 2.0 * TABLE_UNIT as f32 * Float::sqrt(slope_squared) * x_rate,
+        residual_rate: expansion.greatest_residual_rate() * (2_u32 << span.depth) as f32,
+        x_rate,
+    }
+}
