@@ -21,6 +21,7 @@ mod pages;
 mod trace;
 
 use crate::commands::options::positive;
+use crate::files::doc_page::repository;
 use crate::files::whole_file;
 use crate::output::table::TextTable;
 use crate::output::{self, Format, eight_digits, short};
@@ -93,7 +94,7 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
         };
         return report_on_calls(arguments, &BTreeMap::from([(chip.name.to_owned(), measure(chip, elf)?)]));
     }
-    let root = repository()?;
+    let root = repository("budget without --elf", "firmware-examples/cost")?;
     if arguments.corpus {
         return report_on_launches(arguments, &root, chips);
     }
@@ -103,7 +104,7 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
     }
     if arguments.accept {
         let budgets = Budgets::with_slack(all);
-        let report = pages::write(&root, &pages::parts_with_budgets(&budgets))?;
+        let report = pages::write(&pages::parts_with_budgets(&budgets))?;
         whole_file::write("--accept", &root.join(LIMITS), budgets.to_toml().as_bytes())?;
         return Ok(report);
     }
@@ -119,14 +120,6 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
         "within budget".into()
     });
     Ok(Report { check_failed, ..report }.with_notes(violations))
-}
-
-/// Root of the repository: the current folder, or one above it.
-fn repository() -> Result<PathBuf, Failure> {
-    let here = std::env::current_dir().map_err(|error| Failure::Input(format!("current folder: {error}")))?;
-    let root = here.ancestors().find(|folder| folder.join("firmware-examples/cost").is_dir());
-    let missing = "budget: not in the repository of toytop (it builds firmware-examples/cost); see --elf";
-    root.map(Path::to_owned).ok_or_else(|| Failure::Input(missing.into()))
 }
 
 /// Costs of all calls on a chip.
@@ -181,7 +174,7 @@ fn report_on_launches(
         rows.extend(costs_of_launches(chip, &build(root, chip, "corpus", arguments.flash)?, &budgets)?);
     }
     if arguments.accept {
-        return pages::write(root, &[pages::part_with_launches(&rows)]);
+        return pages::write(&[pages::part_with_launches(&rows)]);
     }
     let table = || {
         format!(
