@@ -34,7 +34,7 @@ use meter::{Cost, Costs, linked_flash, measure};
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 
 /// Chips whose calls are measured.
 const CHIPS: [Chip; 5] = [chips::M0PLUS, chips::M4F, chips::M7, chips::M33, chips::RISCV];
@@ -147,12 +147,9 @@ fn costs_of_calls(arguments: &BudgetArgs, root: &Path, chip: &Chip) -> Result<Co
 
 /// Path of a program of the package `toytop-cost` after its build, optimised for size if `small`, otherwise for speed.
 fn build(root: &Path, chip: &Chip, program: &str, small: bool) -> Result<PathBuf, Failure> {
-    let mut cargo = Command::new("cargo");
-    cargo.current_dir(root.join("firmware-examples")).stdout(Stdio::null());
-    cargo.args(["build", "--quiet", "--package", "toytop-cost", "--bin", program]);
+    let (mut cargo, folder) = chip.build(root, &format!("--quiet --package toytop-cost --bin {program}"));
     cargo.envs(small.then_some(("CARGO_PROFILE_RELEASE_OPT_LEVEL", "s")));
-    let folder = chip.build(&mut cargo, root);
-    match cargo.status() {
+    match cargo.stdout(Stdio::null()).status() {
         Ok(status) if status.success() => Ok(folder.join(program)),
         ended => {
             let reason = ended.map_or_else(|error| error.to_string(), |status| status.to_string());

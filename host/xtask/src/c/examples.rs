@@ -1,17 +1,18 @@
 //! Examples in C, which are built and run, and whose bits are compared with those of `toytop state`.
 
 use std::fs;
+use std::io::{Read, read_to_string};
 use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::time::Duration;
+use std::process::{ChildStderr, ChildStdout, Command};
 
 use anyhow::{Context, Result, bail};
 
 use super::archive::{make, target_dir};
 use super::compile;
 use super::header::programs_of_pages;
-use crate::process::{root, run, run_within};
-use crate::{checks, chip};
+use crate::checks;
+use crate::chip::{self, REPEATABLE};
+use crate::process::{root, run};
 
 /// Folder of the archives, after the requested one is made.
 fn archives(wanted: &str) -> Result<PathBuf> {
@@ -67,16 +68,14 @@ pub(crate) fn on_chip() -> Result<String> {
     run(command.arg(archives.join("lib/cortex-m4-hard/libtoytop.a")).arg("-Wl,--gc-sections"))?;
     check_size(&elf)?;
 
-    let mut qemu = chip::M4F.qemu(&elf);
-    let ended = run_within(qemu.args(["-icount", "shift=0,sleep=off"]), Duration::from_secs(60))?;
-    if !ended.success {
-        bail!("{}\nthe program failed", ended.output.trim_end());
+    let read = |stdout: ChildStdout, stderr: ChildStderr| read_to_string(stdout.chain(stderr));
+    let (status, output) = chip::M4F.emulate(&elf, &REPEATABLE, read)?;
+    let output = output?;
+    let said = output.lines().last().unwrap_or_default();
+    if !status.success() || said != "interrupts 1000, exchanges 1, failures 0, no jump" {
+        bail!("{output}{status}: the last line is not as expected");
     }
-    let said = ended.output.lines().last().unwrap_or_default().to_owned();
-    if said != "interrupts 1000, exchanges 1, failures 0, no jump" {
-        bail!("{}\nthe last line is not as expected", ended.output.trim_end());
-    }
-    let lines = compare(&ended.output)?;
+    let lines = compare(&output)?;
     Ok(format!("{lines} lines have the bits of `toytop state`; {said}"))
 }
 
