@@ -5,5 +5,6 @@
 //! | [`whole_file`] | files that are written completely or not at all |
 //! | [`doc_page`] | page of the documentation with a part that a command writes |
 
-pub mod doc_page;
 pub mod whole_file;
+
+pub mod doc_page;

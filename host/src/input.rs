@@ -4,23 +4,29 @@
 //! |---|---|
 //! | [`random`] | random numbers fixed by a seed |
 //! | [`text_file`] | text of a file |
+//! | `rows` | columns and rows of CSV files |
 //! | [`axis`] | values of one number: a list or a range |
 //! | `times` | times of the command line or of a file |
-//! | `rows` | columns and rows of CSV files |
 //! | `units` | numbers with units |
 //! | `section` | table of a TOML file |
 //! | [`scenario`], [`builtin`] | motion from a TOML file; motions that need no file |
 
-pub mod axis;
-pub mod builtin;
 pub mod random;
-pub(crate) mod rows;
-pub mod scenario;
-pub(crate) mod section;
 pub mod text_file;
+
+pub(crate) mod rows;
+
+pub mod axis;
 #[cfg(feature = "program")]
 pub mod times;
+
 mod units;
+
+pub(crate) mod section;
+
+pub mod scenario;
+
+pub mod builtin;
 
 use crate::Failure;
 

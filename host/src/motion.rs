@@ -1,22 +1,30 @@
-//! Motion by the core: its ephemeris and its stepper at given times, and quantities of a motion.
+//! Motion at given times by the core's ephemeris, its stepper or the full equations, and quantities of a motion.
 //!
 //! | module | contents |
 //! |---|---|
 //! | [`Scalar`] | scalar types of the core |
 //! | [`sample`] | motion at one time |
-//! | [`mod@column`], [`euler_angles`] | quantities of a sample |
-//! | [`stepper`] | stepper at given times |
+//! | [`euler_angles`], [`mod@column`] | quantities of a sample |
 //! | [`errors`] | errors of samples, and drift of the first integrals |
 //! | [`ephemeris`] | ephemeris in the smallest table that fits |
 //! | [`tip_angle`] | tip angle of an ephemeris, continued from t = 0 |
+//! | [`stepper`] | stepper at given times |
+//! | [`full_equations`] | full 3-D equations at given times |
+
+pub mod sample;
+
+pub mod euler_angles;
 
 pub mod column;
-pub mod ephemeris;
+
 pub mod errors;
-pub mod euler_angles;
-pub mod sample;
-pub mod stepper;
+
+pub mod ephemeris;
 pub mod tip_angle;
+
+pub mod stepper;
+
+pub mod full_equations;
 
 pub use toytop_model::constants::{MotionConstants, period_or_natural_time, regime, tilts};
 

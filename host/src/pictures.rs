@@ -7,8 +7,10 @@
 //! | `drawing` | drawings as SVG, PNG and GIF, which only the program makes |
 //! | [`page`] | page for a browser |
 
+pub mod span;
+
 pub mod curve;
+
 #[cfg(feature = "program")]
 pub mod drawing;
 pub mod page;
-pub mod span;

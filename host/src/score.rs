@@ -3,14 +3,16 @@
 //! | module | contents |
 //! |---|---|
 //! | [`trajectory`] | times and orientations from a file |
-//! | [`errors`] | errors of a trajectory, and drifts of l, n and h |
 //! | `phases` | phase errors of nutation, precession and spin |
+//! | [`errors`] | errors of a trajectory, and drifts of l, n and h |
 //! | [`order`] | order of convergence of several step sizes |
+
+pub mod trajectory;
+
+mod phases;
 
 pub mod errors;
 pub mod order;
-mod phases;
-pub mod trajectory;
 
 use toytop::Orientation;
 

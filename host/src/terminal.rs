@@ -6,6 +6,7 @@
 //! | [`progress`] | progress bar on stderr |
 //! | [`command_line`] | parser of the command line, and exit code |
 
-pub mod command_line;
 pub mod progress;
 pub mod stdout;
+
+pub mod command_line;

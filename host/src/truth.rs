@@ -7,19 +7,22 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`float640`] | arithmetic in numbers of 640 bits |
 //! | [`motion_input`] | top, and branch points or a state |
+//! | [`float640`] | arithmetic in numbers of 640 bits |
 //! | `nutation` | rates of a motion, and their integrals over a nutation |
 //! | `constants` | constants from branch points or a state |
 //! | [`quadrature`] | orientation and rates at a time by quadrature |
-//! | [`full_equations`] | integration of the full 3-D equations |
+//! | [`full_solver`] | integration of the full 3-D equations |
+
+pub mod motion_input;
+
+pub mod float640;
+mod nutation;
 
 mod constants;
-pub mod float640;
-pub mod full_equations;
-pub mod motion_input;
-mod nutation;
 pub mod quadrature;
+
+pub mod full_solver;
 
 #[cfg(test)]
 mod tests {

@@ -14,7 +14,6 @@ mod fit;
 use clap::{Args, Parser, Subcommand};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use serde_json::{Value, json};
-use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use toytop_host::files::doc_page::DocPage;
 use toytop_host::output::table::TextTable;
@@ -61,9 +60,9 @@ struct Study {
     /// Seed of the random launches
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
-    /// Rewrite the table of the study's page in host/docs, or of another page
-    #[arg(long, value_name = "FILE", num_args = 0..=1)]
-    accept: Option<Option<PathBuf>>,
+    /// Rewrite the table of the study's page in host/docs
+    #[arg(long)]
+    accept: bool,
     /// Form of the output
     #[arg(long, value_enum, default_value_t = Format::Table)]
     format: Format,
@@ -111,8 +110,7 @@ impl Study {
         /// Largest number of failures in a report.
         const REPORTED: usize = 20;
         // a missing place in the page is reported before the computation
-        let path = self.accept.as_ref().map(|path| path.as_deref().unwrap_or(Path::new(page)));
-        let page = path.map(|path| DocPage::read(path, mark)).transpose()?;
+        let page = self.accept.then(|| DocPage::read(page, mark)).transpose()?;
         let Summary { headline, rows, failures } = study()?;
         let mut table = TextTable::of_all(&rows, |x| output::short(x, 2));
         for heading in &mut table.lines[0] {

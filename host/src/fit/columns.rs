@@ -110,8 +110,21 @@ pub fn read(
     parse(&text, sensors, all).map_err(|reason| Failure::Input(format!("{file}: {reason}")))
 }
 
+/// Spellings of the unit of a column.
+fn unit_of(column: &str) -> &'static [&'static str] {
+    match column {
+        "t" => &["s"],
+        "gyro_x" | "gyro_y" | "gyro_z" => &["rad/s"],
+        "accel_x" | "accel_y" | "accel_z" => &["m/s^2", "m/s²", "m/s2"],
+        "mag_x" | "mag_y" | "mag_z" => &["uT", "µT"],
+        "tip_x" | "tip_y" => &["m"],
+        "mark" => &["rad"],
+        _ => &[],
+    }
+}
+
 fn parse(text: &str, sensors: &mut Sensors, all: bool) -> Result<(Vec<Measurement>, Vec<String>), String> {
-    let (line, header, rows) = rows::parse(text)?;
+    let (line, header, rows) = rows::parse(text, unit_of)?;
     let in_header = |reason: String| format!("line {line}: {reason}");
     let index_of = |name: &str| header.iter().position(|column| column == name);
     let time = index_of("t").ok_or_else(|| in_header("must have a column t".to_owned()))?;

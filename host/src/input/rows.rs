@@ -8,17 +8,20 @@ pub const MAX_FILE_MIB: u64 = 1024;
 /// Row with its line, or the reason why it cannot be read.
 type Row = Result<(u64, StringRecord), String>;
 
+/// Spellings of the unit of a column; none for a column that is not read.
+pub type UnitOf = fn(&str) -> &'static [&'static str];
+
 /// Line of the header of a CSV text, names of its columns without their units, and its rows, each with its line. A # begins a comment.
 ///
 /// # Errors
-/// Column that the program can read, with another unit than the program's. Line of a row with another number of fields than the header.
-pub fn parse(text: &str) -> Result<(u64, Vec<String>, impl Iterator<Item = Row>), String> {
+/// Column that is in another unit than `unit_of` allows. Line of a row with another number of fields than the header.
+pub fn parse(text: &str, unit_of: UnitOf) -> Result<(u64, Vec<String>, impl Iterator<Item = Row>), String> {
     let text = text.trim_start_matches('\u{feff}');
     let mut builder = csv::ReaderBuilder::new();
     let mut reader = builder.comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
     let header = reader.headers().map_err(|error| reason(text, &error))?;
     let line = line_of(text, header.position());
-    let names = header.iter().map(without_unit).collect::<Result<_, _>>();
+    let names = header.iter().map(|field| without_unit(field, unit_of)).collect::<Result<_, _>>();
     let names = names.map_err(|reason| format!("line {line}: {reason}"))?;
     let row = move |row: StringRecord| (line_of(text, row.position()), row);
     let rows = reader.into_records().map(move |found| found.map(row).map_err(|error| reason(text, &error)));
@@ -33,20 +36,11 @@ fn line_of(text: &str, position: Option<&Position>) -> u64 {
 }
 
 /// Name of a column without the unit that follows in brackets.
-fn without_unit(field: &str) -> Result<String, String> {
+fn without_unit(field: &str, unit_of: UnitOf) -> Result<String, String> {
     let (name, unit) = field.split_once(['[', '(']).unwrap_or((field, ""));
     let (name, unit) = (name.trim(), unit.trim_end_matches([']', ')', ' ']).trim());
-    let allowed: &[&str] = match name {
-        "t" => &["s"],
-        "gyro_x" | "gyro_y" | "gyro_z" | "omega_x" | "omega_y" | "omega_z" | "omega_body_x"
-        | "omega_body_y" | "omega_body_z" | "wx" | "wy" | "wz" => &["rad/s"],
-        "accel_x" | "accel_y" | "accel_z" => &["m/s^2", "m/s²", "m/s2"],
-        "tip_x" | "tip_y" => &["m"],
-        "mark" => &["rad"],
-        "mag_x" | "mag_y" | "mag_z" => &["uT", "µT"],
-        _ => &[unit],
-    };
-    if unit.is_empty() || allowed.contains(&unit) {
+    let allowed = unit_of(name);
+    if unit.is_empty() || allowed.is_empty() || allowed.contains(&unit) {
         Ok(name.to_owned())
     } else {
         Err(format!("{name}: must be in {}, not {unit}", allowed[0]))
@@ -70,20 +64,17 @@ mod tests {
 
     #[test]
     fn only_units_of_known_columns_matter() {
-        let names = parse("t [s],tip_z [mm],accel_raw (LSB),t_wall [ms],w [1],wx [rad/s]\n").unwrap().1;
-        assert_eq!(names, ["t", "tip_z", "accel_raw", "t_wall", "w", "wx"]);
-        for column in
-            ["t [ms]", "tip_x [mm]", "wy [deg/s]", "omega_z [deg/s]", "omega_body_x [deg/s]", "mag_x [nT]"]
-        {
-            assert!(parse(column).is_err(), "{column}");
-        }
+        let unit_of: UnitOf = |name| if name == "t" { &["s", "sec"] } else { &[] };
+        let names = parse("t (sec),tip_z [mm],t_wall [ms],w [1]\n", unit_of).unwrap().1;
+        assert_eq!(names, ["t", "tip_z", "t_wall", "w"]);
+        assert_eq!(parse("w,t [ms]", unit_of).err().unwrap(), "line 1: t: must be in s, not ms");
     }
 
     #[test]
     fn lines_count_comments_and_empty_lines() {
         for end in ["\n", "\r\n"] {
             let text = ["# one", "", "t,x", "# four", "1,2", "", "# seven", "3,4", "5"].join(end);
-            let (header, _, rows) = parse(&text).unwrap();
+            let (header, _, rows) = parse(&text, |_| &[]).unwrap();
             let lines: Vec<_> = rows.map(|row| row.map(|(line, _)| line)).collect();
             let refused = Err("line 9: must have 2 fields, as the header; has 1".to_owned());
             assert_eq!((header, lines), (3, vec![Ok(5), Ok(8), refused]));

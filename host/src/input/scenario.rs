@@ -6,7 +6,7 @@
 mod motion;
 mod top;
 
-pub use motion::fastest_rate;
+pub use motion::{Launch, fastest_rate};
 
 use super::section::{self, Key, Section};
 use super::text_file::{self, excerpt};
@@ -15,7 +15,7 @@ use crate::Failure;
 use std::fmt::Display;
 use std::path::Path;
 use toml::{Table, Value};
-use toytop::{InitialAngles, Motion, Orientation, Signs, State, Top, TopParameters};
+use toytop::{InitialAngles, Motion, Top, TopParameters};
 
 /// Units of a scenario's numbers.
 #[derive(Clone, Copy, PartialEq)]
@@ -49,33 +49,6 @@ pub struct Scenario {
     pub launch: Launch,
     /// Units of the numbers.
     pub units: Units,
-}
-
-/// Launch of a motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Launch {
-    /// Branch points e₁, e₂ and e₃.
-    BranchPoints {
-        /// Branch points.
-        e: [f64; 3],
-        /// Signs of l + n and l - n.
-        signs: Signs,
-        /// Phases at t = 0.
-        phases: InitialAngles,
-    },
-    /// Orientation and angular velocity.
-    State {
-        /// Orientation. Its norm is 1 to within 1e-6, and it stands for the normalised one.
-        orientation: Orientation<f64>,
-        /// Angular velocity ω in the fixed frame.
-        omega: [f64; 3],
-    },
-}
-
-impl From<&State> for Launch {
-    fn from(state: &State) -> Self {
-        Self::State { orientation: state.orientation(), omega: state.omega() }
-    }
 }
 
 impl Scenario {

@@ -1,19 +1,21 @@
 //! Ephemeris of the core with as many segments as a motion needs, behind a trait that hides scalar and capacity.
 
-mod aperiodic;
-mod capacities;
 mod events;
+
+mod aperiodic;
 mod heap_table;
 
+mod capacities;
+
 pub use capacities::{ephemeris_with_truncation, smallest_ephemeris, smallest_table};
-pub use events::{EventFilter, EventKind, FoundEvent, search};
+pub use events::{EventFilter, EventKind, FoundEvent};
 pub use heap_table::{HeapTable, TableScalar};
 
 use crate::motion::column::SampleColumn;
 use crate::motion::sample::Sample;
 use events::Condition;
 use std::f64::consts::TAU;
-use toytop::{ErrorBound, Phase};
+use toytop::{ErrorBound, Motion, ParameterError, Phase};
 use toytop_model::constants::MOST_TICKS;
 
 /// Ephemeris of any scalar.
@@ -46,6 +48,23 @@ pub trait DynEphemeris: Send + Sync {
 
     /// First events at which a condition holds, of those that the filter accepts.
     fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent>;
+}
+
+/// First events of a kind, in the order of their times.
+///
+/// # Errors
+/// `tilt` or `radius`: the motion's top has no such event.
+pub fn search(
+    table: &dyn DynEphemeris,
+    motion: &Motion,
+    kind: EventKind,
+    filter: &EventFilter,
+) -> Result<Vec<FoundEvent>, ParameterError> {
+    let conditions = kind.conditions(motion)?.into_iter();
+    let mut events: Vec<_> = conditions.flat_map(|condition| table.events(condition, filter)).collect();
+    events.sort_by(|a, b| a.t.total_cmp(&b.t));
+    events.truncate(filter.count);
+    Ok(events)
 }
 
 /// Angle in radians of a phase known modulo 2^32 turns, nearest to `near`, a number of turns.

@@ -3,7 +3,6 @@
 use crate::Failure;
 use crate::motion::Scalar;
 use crate::motion::sample::Sample;
-use crate::terminal::progress::Progress;
 use toytop::scalar::Real;
 use toytop::{Motion, Phase, Stepper};
 
@@ -47,14 +46,20 @@ pub fn visit_times<S, T>(
     Ok(results.into_iter().map(|(_, result)| result).collect())
 }
 
-/// Samples by the stepper at `times`, in steps of `step`, s.
+/// Samples by the stepper at `times`, in steps of `step`, s. `advanced` is called with the number of steps after each batch.
 ///
 /// # Errors
-/// [`Failure::Input`]: there is no stepper in fixed point, or as [`steps_needed`].
-pub fn stepped(scalar: Scalar, motion: &Motion, times: &[f64], step: f64) -> Result<Vec<Sample>, Failure> {
+/// [`Failure::Input`]: there is no stepper in fixed point.
+pub fn stepped(
+    scalar: Scalar,
+    motion: &Motion,
+    times: &[f64],
+    step: f64,
+    advanced: impl Fn(u64),
+) -> Result<Vec<Sample>, Failure> {
     match scalar {
-        Scalar::F64 => stepped_in::<f64>(motion, times, step),
-        Scalar::F32 => stepped_in::<f32>(motion, times, step),
+        Scalar::F64 => stepped_in::<f64>(motion, times, step, advanced),
+        Scalar::F32 => stepped_in::<f32>(motion, times, step, advanced),
         _ => {
             let name = scalar.name();
             Err(Failure::Input(format!(
@@ -64,13 +69,17 @@ pub fn stepped(scalar: Scalar, motion: &Motion, times: &[f64], step: f64) -> Res
     }
 }
 
-fn stepped_in<R: Real>(motion: &Motion, times: &[f64], step: f64) -> Result<Vec<Sample>, Failure> {
-    let progress = Progress::new(steps_needed(times, step)?, "steps");
+fn stepped_in<R: Real>(
+    motion: &Motion,
+    times: &[f64],
+    step: f64,
+    advanced: impl Fn(u64),
+) -> Result<Vec<Sample>, Failure> {
     visit_times(
         times,
         || TimedStepper::<R>::new(motion, step),
         |stepper, t| {
-            stepper.reach(t, |steps| progress.add(steps));
+            stepper.reach(t, &advanced);
             Ok(Sample { t, ..stepper.sample() })
         },
     )

@@ -9,12 +9,15 @@
 //! | `charts` | tilt and precession against time, effective potential |
 //! | `residuals` | residuals of a fit |
 
+pub mod tip;
+
+pub mod sphere;
+
+pub mod film;
+
 pub mod chart;
 pub mod charts;
-pub mod film;
 pub mod residuals;
-pub mod sphere;
-pub mod tip;
 
 use crate::Failure;
 use crate::files::whole_file;

@@ -43,6 +43,9 @@ pub struct Trajectory {
 const QUATERNION: [&str; 4] = ["w", "x", "y", "z"];
 const ALPHA_BETA: [&str; 4] = ["alpha_re", "alpha_im", "beta_re", "beta_im"];
 const MATRIX: [&str; 9] = ["r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"];
+/// Columns of the angular velocity: in the body, by two names, and in the fixed frame.
+const OMEGA: [[&str; 3]; 3] =
+    [["omega_body_x", "omega_body_y", "omega_body_z"], ["wx", "wy", "wz"], ["omega_x", "omega_y", "omega_z"]];
 
 impl Trajectory {
     /// Trajectory of a file.
@@ -73,7 +76,7 @@ impl Trajectory {
             stated(key).map(number).transpose()
         };
         let (step, evaluations) = (positive("step")?, positive("evaluations")?);
-        let (_, header, records) = rows::parse(text)?;
+        let (_, header, records) = rows::parse(text, unit_of)?;
         let has = |names: &[&str]| column_indices(&header, names).is_some();
         if !has(&["t"]) || !(has(&QUATERNION) || has(&ALPHA_BETA) || has(&MATRIX)) {
             let allowed = "t with w,x,y,z (body to fixed), alpha_re,alpha_im,beta_re,beta_im or r11,r12,...,r33 (by rows)";
@@ -125,6 +128,16 @@ pub fn to_symmetry_axis(axis: u8) -> Orientation<f64> {
     }
 }
 
+/// Spellings of the unit of a column.
+fn unit_of(column: &str) -> &'static [&'static str] {
+    match column {
+        "t" => &["s"],
+        "tip_x" | "tip_y" => &["m"],
+        _ if OMEGA.as_flattened().contains(&column) => &["rad/s"],
+        _ => &[],
+    }
+}
+
 /// Indices of columns in a header, where of equal names the first counts; `None` if one is missing.
 fn column_indices(header: &[String], names: &[&str]) -> Option<Vec<usize>> {
     names.iter().map(|name| header.iter().position(|own| own == name)).collect()
@@ -141,13 +154,13 @@ fn parse_row(header: &[String], record: &StringRecord) -> Result<TrajectoryRow, 
         Some(given) => normalised(given).map_err(|reason| format!("orientation: {reason}"))?,
         None => nearest_rotation(numbers(header, record, MATRIX)?.unwrap_or_default())?,
     };
-    let omega_body = match numbers(header, record, ["omega_body_x", "omega_body_y", "omega_body_z"])? {
+    let omega_body = match numbers(header, record, OMEGA[0])? {
         Some(omega_body) => Some(omega_body),
-        None => numbers(header, record, ["wx", "wy", "wz"])?,
+        None => numbers(header, record, OMEGA[1])?,
     };
     let omega = match omega_body {
         Some(omega_body) => Some(orientation.adjoint(omega_body)),
-        None => numbers(header, record, ["omega_x", "omega_y", "omega_z"])?,
+        None => numbers(header, record, OMEGA[2])?,
     };
     let tip = numbers(header, record, ["tip_x", "tip_y"])?;
     let [t] = numbers(header, record, ["t"])?.unwrap_or_default();
@@ -239,6 +252,9 @@ mod tests {
             ("", "columns: must have t with w,x,y,z"),
             ("t,w,x,y\n0,1,0,0\n", "has t,w,x,y"),
             ("t,w,x,y,z\n", "at least one row"),
+            ("t [s],tip_z [mm],tip_x [mm]\n", "line 1: tip_x: must be in m, not mm"),
+            ("t,wy [deg/s]\n", "line 1: wy: must be in rad/s, not deg/s"),
+            ("t,omega_body_x [deg/s]\n", "line 1: omega_body_x: must be in rad/s"),
             ("t,w,x,y,z\n0,1,0,0,NaN\n", "line 2: z: \"NaN\" must be a finite number"),
             ("t,w,x,y,z\n0,1,0,0\n", "line 2: must have 5 fields, as the header; has 4"),
             ("# step = 1\nt,w,x,y,z\n0,1,0,0,0\n1,1\n", "line 4: must have 5 fields, as the header; has 2"),

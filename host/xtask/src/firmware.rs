@@ -3,13 +3,13 @@
 use std::fs;
 use std::io::read_to_string;
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode};
+use std::process::{ChildStderr, ChildStdout, Command, ExitCode};
 use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
 
-use crate::chip::{self, Chip};
-use crate::process::{cargo, firmware_target_dir, root, run, run_within};
+use crate::chip::{self, Chip, REPEATABLE};
+use crate::process::{cargo, firmware_target_dir, locked, root, run, run_within};
 use crate::tools::{self, QEMU};
 
 /// Program with the folder of its source in firmware-examples and the chips that it runs on; `show` uses the first one.
@@ -53,9 +53,6 @@ fn chip_named(name: &str) -> Result<&'static Chip> {
 const BITS: &str = "bits";
 /// Program that ends with a panic.
 const PANICS: &str = "panics";
-
-/// Longest time of a run; a program that takes longer is killed.
-const LIMIT: Duration = Duration::from_secs(60);
 
 /// Result of a run.
 struct Run {
@@ -244,31 +241,23 @@ fn build(chip: &Chip, what: &str) -> Result<PathBuf> {
 /// Command that builds for a chip, and the folder of the ELF.
 fn build_command(chip: &Chip, what: &str) -> Result<(Command, PathBuf)> {
     tools::CHIPS.provide()?;
-    let mut command = cargo("firmware-examples", &format!("build {what}"));
-    let folder = chip.build(&mut command, &root());
+    let (mut command, folder) = chip.build(&root(), what);
+    command.args(locked());
     Ok((command, folder))
 }
 
-/// Result of the run of an ELF. One instruction takes one virtual nanosecond, and a sleeping processor continues immediately at its next
-/// interrupt, so that a run is repeatable.
+/// Result of the run of an ELF.
 fn emulate(chip: &Chip, elf: &Path) -> Result<Run> {
     QEMU.provide()?;
     let mut build = cargo("firmware-examples", "build --package toytop-firmware-decoder");
     run(build.arg("--target-dir").arg(firmware_target_dir()))?;
-    let mut decoder = Command::new(firmware_target_dir().join("debug/toytop-firmware-decoder"));
-
-    let mut qemu = chip.qemu(elf).args(["-icount", "shift=0,sleep=off"]).spawn()?;
-    decoder.arg(elf).stdin(qemu.stdout.take().context("a pipe")?);
-    let decoded = run_within(&mut decoder, LIMIT);
-    if decoded.is_err() {
-        qemu.kill()?;
-    }
-    let status = qemu.wait()?;
-    let errors = read_to_string(qemu.stderr.take().context("a pipe")?)?;
-    let decoded = decoded.with_context(|| format!("{}: {errors}", chip.name))?;
-    if !decoded.success {
-        bail!("{}: the log cannot be decoded\n{}{errors}", chip.name, decoded.output);
-    }
+    let decoder = firmware_target_dir().join("debug/toytop-firmware-decoder");
+    let read = |stdout: ChildStdout, stderr: ChildStderr| {
+        (run(Command::new(decoder).arg(elf).stdin(stdout)), read_to_string(stderr))
+    };
+    let (status, (log, errors)) = chip.emulate(elf, &REPEATABLE, read).context(chip.name)?;
+    let errors = errors?;
+    let log = log.with_context(|| format!("{}: {errors}", chip.name))?;
     let exit_code = status.code().context("QEMU was killed")?;
-    Ok(Run { log: decoded.output, errors, exit_code })
+    Ok(Run { log, errors, exit_code })
 }

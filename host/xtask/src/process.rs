@@ -33,12 +33,15 @@ pub(crate) fn command(folder: &str, words: &str) -> Command {
     command
 }
 
-/// Command that runs cargo in a folder of the repository; in CI the lock files must be right.
+/// Argument of cargo in CI, where the lock files must be right.
+pub(crate) fn locked() -> Option<&'static str> {
+    env::var("CI").is_ok_and(|value| !value.is_empty() && value != "false").then_some("--locked")
+}
+
+/// Command that runs cargo in a folder of the repository.
 pub(crate) fn cargo(folder: &str, words: &str) -> Command {
-    let in_ci = env::var("CI").is_ok_and(|value| !value.is_empty() && value != "false");
-    let locked = if in_ci { " --locked" } else { "" };
     let (own, passed_on) = words.split_at(words.find(" -- ").unwrap_or(words.len()));
-    command(folder, &format!("cargo {own}{locked}{passed_on}"))
+    command(folder, &format!("cargo {own} {}{passed_on}", locked().unwrap_or_default()))
 }
 
 /// Command as text.

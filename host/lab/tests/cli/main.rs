@@ -4,9 +4,15 @@ mod study;
 
 use std::process::Command;
 
-/// Exit code, stdout and stderr of a command.
+/// Exit code, stdout and stderr of a command, in the folder for its files.
 fn lab(words: &[&str]) -> (Option<i32>, String, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_toytop-lab")).args(words).output().expect("it runs");
+    lab_in(env!("CARGO_TARGET_TMPDIR"), words)
+}
+
+/// Exit code, stdout and stderr of a command in a folder.
+fn lab_in(folder: &str, words: &[&str]) -> (Option<i32>, String, String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_toytop-lab"));
+    let output = command.args(words).current_dir(folder).output().expect("it runs");
     let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
     (output.status.code(), text(output.stdout), text(output.stderr))
 }

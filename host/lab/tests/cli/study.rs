@@ -1,18 +1,24 @@
 //! Tests of the two studies: rows, pages and refusals.
 
-use super::lab;
+use super::{lab, lab_in};
 use serde_json::Value;
+
+/// Folder of this name with pages of this text, as in a repository.
+fn folder_with_pages(name: &str, text: &str) -> String {
+    let folder = format!("{}/{name}", env!("CARGO_TARGET_TMPDIR"));
+    std::fs::create_dir_all(format!("{folder}/host/docs")).expect("a folder");
+    for page in ["accuracy", "fit"] {
+        std::fs::write(format!("{folder}/host/docs/{page}.md"), text).expect("a page");
+    }
+    folder
+}
 
 #[test]
 fn corners_keep_their_bounds_and_fill_their_page() {
-    let page = concat!(env!("CARGO_TARGET_TMPDIR"), "/study.md");
-    std::fs::write(
-        page,
-        "before\n<!-- toytop-lab corners: corners -->\nold\n<!-- end of corners -->\nafter\n",
-    )
-    .expect("written");
-    let arguments = ["corners", "--motions", "150", "--truths", "30", "--accept", page, "--format", "json"];
-    let (code, study, said) = lab(&arguments);
+    let text = "before\n<!-- toytop-lab corners: corners -->\nold\n<!-- end of corners -->\nafter\n";
+    let folder = folder_with_pages("study", text);
+    let arguments = ["corners", "--motions", "150", "--truths", "30", "--accept", "--format", "json"];
+    let (code, study, said) = lab_in(&folder, &arguments);
     assert_eq!(code, Some(0), "{said}");
     let study: Value = serde_json::from_str(&study).expect("JSON");
     let rows = study["rows"].as_array().expect("rows");
@@ -42,17 +48,16 @@ fn corners_keep_their_bounds_and_fill_their_page() {
         }
     }
     assert!(all[0]["distant_ticks"].as_u64().is_some_and(|count| count > 50), "{study}");
-    let text = std::fs::read_to_string(page).expect("the page");
+    let text = std::fs::read_to_string(folder + "/host/docs/accuracy.md").expect("the page");
     assert!(text.starts_with("before\n") && text.ends_with("after\n") && !text.contains("old"), "{text}");
     assert!(text.contains("seed 1: 150 launches") && text.contains("; failures: 0."), "{text}");
 }
 
 #[test]
 fn a_page_without_a_place_is_refused_before_the_work() {
-    let page = concat!(env!("CARGO_TARGET_TMPDIR"), "/no_place.md");
-    std::fs::write(page, "no place\n").expect("written");
+    let folder = folder_with_pages("no_place", "no place\n");
     for study in ["corners", "fit"] {
-        let (code, _, message) = lab(&[study, "--accept", page]);
+        let (code, _, message) = lab_in(&folder, &[study, "--accept"]);
         assert_eq!(code, Some(2), "{message}");
         assert!(message.contains("must hold the lines <!-- toytop-lab "), "{message}");
     }
@@ -60,12 +65,11 @@ fn a_page_without_a_place_is_refused_before_the_work() {
 
 #[test]
 fn wrong_arguments_are_refused() {
-    let svg = "/proc/toytop.svg";
     for (arguments, part) in [
         (&[][..], "see toytop-lab --help"),
         (&["fit", "--motions", "0"], "1..=100000000"),
         (&["corners", "--seed", "x"], "--seed"),
-        (&["corners", "--accept", svg], svg),
+        (&["corners", "--accept", "page.md"], "page.md"),
     ] {
         let (code, out, message) = lab(arguments);
         assert_eq!((code, &*out), (Some(2), ""), "{arguments:?}: {message}");

@@ -9,14 +9,15 @@ use crate::input::scenario::Scenario;
 use crate::input::times::{Times, TimesArgs};
 use crate::motion::column::SampleColumn;
 use crate::motion::ephemeris::{smallest_ephemeris, smallest_table};
+use crate::motion::full_equations;
 use crate::motion::sample::{Sample, body_rates};
-use crate::motion::stepper::stepped;
+use crate::motion::stepper::{stepped, steps_needed};
 use crate::motion::tip_angle::TipAngle;
 use crate::motion::{MotionConstants, Scalar, period_or_natural_time};
 use crate::output::Format;
 use crate::parallel;
+use crate::terminal::progress::Progress;
 use crate::terminal::stdout;
-use crate::truth::full_equations;
 use crate::{Failure, Report};
 use clap::{ArgGroup, Args};
 use rows::Rows;
@@ -123,7 +124,8 @@ fn sampler(
         (Method::Ephemeris, scalar) => return by_ephemeris(scalar, scenario, times, rate),
         (Method::Stepper, scalar) => {
             let step = period_or_natural_time(motion) / f64::from(arguments.steps_per_period.unwrap_or(4096));
-            stepped(scalar, motion, &times.seconds, step)?
+            let progress = Progress::new(steps_needed(&times.seconds, step)?, "steps");
+            stepped(scalar, motion, &times.seconds, step, |steps| progress.add(steps))?
         }
         (Method::Full, Scalar::F64) => full_equations::samples(scenario, &times.seconds)?,
         (Method::ClosedForm, Scalar::F64) => return by_closed_form(scenario, times),

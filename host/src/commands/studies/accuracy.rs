@@ -21,7 +21,6 @@ use micromath::F32Ext;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde_json::{Value, json};
 use std::iter::once;
-use std::path::PathBuf;
 use toytop::{InitialAngles, Regime, Support, TopParameters};
 
 /// Errors of each scalar up to tick 2^40
@@ -31,9 +30,9 @@ pub struct AccuracyArgs {
     /// Scalar types
     #[arg(long, value_name = "LIST", default_value = "all", value_parser = scalars)]
     scalar: Scalars,
-    /// Rewrite the table of host/docs/accuracy.md, or of another page
-    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "host/docs/accuracy.md")]
-    accept: Option<PathBuf>,
+    /// Rewrite the table of host/docs/accuracy.md
+    #[arg(long)]
+    accept: bool,
     /// Form of the output
     #[arg(long, default_value = "table")]
     format: Format,
@@ -55,8 +54,8 @@ const OCTAVES: usize = 40;
 const TICKS: u64 = 16;
 
 pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
-    let page = arguments.accept.as_deref().map(|path| DocPage::read(path, "toytop accuracy: scalars"));
-    let page = page.transpose()?;
+    let page = || DocPage::read("host/docs/accuracy.md", "toytop accuracy: scalars");
+    let page = arguments.accept.then(page).transpose()?;
     let Scalars(scalars) = &arguments.scalar;
     let (mut totals, mut rows) = (Vec::new(), Vec::new());
     for (scalar, octaves) in scalars.iter().zip(errors_by_octave(scalars)?) {

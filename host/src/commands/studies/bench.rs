@@ -1,10 +1,10 @@
 //! `toytop bench`: computing times of a state, by the core and by other methods, on this machine with this build.
 
 use crate::input::builtin;
+use crate::motion::full_equations;
 use crate::output::table::{Column, TextTable};
 use crate::output::{self, Format, short};
-use crate::truth::full_equations;
-use crate::truth::full_equations::full_solver::{Equations, FullSolver};
+use crate::truth::full_solver::{Equations, FullSolver};
 use crate::{Failure, Report};
 use clap::Args;
 use serde_json::{Value, json};

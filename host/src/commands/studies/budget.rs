@@ -21,6 +21,7 @@ mod pages;
 mod trace;
 
 use crate::commands::options::positive;
+use crate::files::doc_page::repository;
 use crate::files::whole_file;
 use crate::output::table::TextTable;
 use crate::output::{self, Format, eight_digits, short};
@@ -33,7 +34,7 @@ use meter::{Cost, Costs, linked_flash, measure};
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 
 /// Chips whose calls are measured.
 const CHIPS: [Chip; 5] = [chips::M0PLUS, chips::M4F, chips::M7, chips::M33, chips::RISCV];
@@ -93,7 +94,7 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
         };
         return report_on_calls(arguments, &BTreeMap::from([(chip.name.to_owned(), measure(chip, elf)?)]));
     }
-    let root = repository()?;
+    let root = repository("budget without --elf", "firmware-examples/cost")?;
     if arguments.corpus {
         return report_on_launches(arguments, &root, chips);
     }
@@ -103,7 +104,7 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
     }
     if arguments.accept {
         let budgets = Budgets::with_slack(all);
-        let report = pages::write(&root, &pages::parts_with_budgets(&budgets))?;
+        let report = pages::write(&pages::parts_with_budgets(&budgets))?;
         whole_file::write("--accept", &root.join(LIMITS), budgets.to_toml().as_bytes())?;
         return Ok(report);
     }
@@ -119,14 +120,6 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
         "within budget".into()
     });
     Ok(Report { check_failed, ..report }.with_notes(violations))
-}
-
-/// Root of the repository: the current folder, or one above it.
-fn repository() -> Result<PathBuf, Failure> {
-    let here = std::env::current_dir().map_err(|error| Failure::Input(format!("current folder: {error}")))?;
-    let root = here.ancestors().find(|folder| folder.join("firmware-examples/cost").is_dir());
-    let missing = "budget: not in the repository of toytop (it builds firmware-examples/cost); see --elf";
-    root.map(Path::to_owned).ok_or_else(|| Failure::Input(missing.into()))
 }
 
 /// Costs of all calls on a chip.
@@ -154,12 +147,9 @@ fn costs_of_calls(arguments: &BudgetArgs, root: &Path, chip: &Chip) -> Result<Co
 
 /// Path of a program of the package `toytop-cost` after its build, optimised for size if `small`, otherwise for speed.
 fn build(root: &Path, chip: &Chip, program: &str, small: bool) -> Result<PathBuf, Failure> {
-    let mut cargo = Command::new("cargo");
-    cargo.current_dir(root.join("firmware-examples")).stdout(Stdio::null());
-    cargo.args(["build", "--quiet", "--package", "toytop-cost", "--bin", program]);
+    let (mut cargo, folder) = chip.build(root, &format!("--quiet --package toytop-cost --bin {program}"));
     cargo.envs(small.then_some(("CARGO_PROFILE_RELEASE_OPT_LEVEL", "s")));
-    let folder = chip.build(&mut cargo, root);
-    match cargo.status() {
+    match cargo.stdout(Stdio::null()).status() {
         Ok(status) if status.success() => Ok(folder.join(program)),
         ended => {
             let reason = ended.map_or_else(|error| error.to_string(), |status| status.to_string());
@@ -181,7 +171,7 @@ fn report_on_launches(
         rows.extend(costs_of_launches(chip, &build(root, chip, "corpus", arguments.flash)?, &budgets)?);
     }
     if arguments.accept {
-        return pages::write(root, &[pages::part_with_launches(&rows)]);
+        return pages::write(&[pages::part_with_launches(&rows)]);
     }
     let table = || {
         format!(

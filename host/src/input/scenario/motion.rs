@@ -1,6 +1,5 @@
 //! Table `[motion]`: exactly one of three kinds.
 
-use super::Launch;
 use crate::Failure;
 use crate::input::section::{Key, Section};
 use crate::input::units::{RADIANS, RATE};
@@ -55,6 +54,33 @@ pub fn numbers(kind: &str) -> &'static [Key] {
         "release" => &RELEASE,
         "branch_points" => &BRANCH_POINTS,
         _ => &[],
+    }
+}
+
+/// Launch of a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Launch {
+    /// Branch points e₁, e₂ and e₃.
+    BranchPoints {
+        /// Branch points.
+        e: [f64; 3],
+        /// Signs of l + n and l - n.
+        signs: Signs,
+        /// Phases at t = 0.
+        phases: InitialAngles,
+    },
+    /// Orientation and angular velocity.
+    State {
+        /// Orientation. Its norm is 1 to within 1e-6, and it stands for the normalised one.
+        orientation: Orientation<f64>,
+        /// Angular velocity ω in the fixed frame.
+        omega: [f64; 3],
+    },
+}
+
+impl From<&State> for Launch {
+    fn from(state: &State) -> Self {
+        Self::State { orientation: state.orientation(), omega: state.omega() }
     }
 }
 

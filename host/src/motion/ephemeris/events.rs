@@ -1,6 +1,5 @@
 //! Search for the events of a motion.
 
-use super::DynEphemeris;
 use crate::motion::sample::Sample;
 use toytop::{
     AttitudeState, EphemerisScalar, EphemerisView, Event, Level, Motion, Orientation, ParameterError, Phase,
@@ -23,7 +22,7 @@ pub enum EventKind {
 
 impl EventKind {
     /// Conditions for an event of this kind. A circle has two levels of u. A top that stays on the plane has no lift-off.
-    fn conditions(self, motion: &Motion) -> Result<Vec<Condition>, ParameterError> {
+    pub fn conditions(self, motion: &Motion) -> Result<Vec<Condition>, ParameterError> {
         let levels = match self {
             Self::Turning => return Ok(vec![Condition::Turning]),
             Self::TipAngle(angle) => return Ok(vec![Condition::TipAngle(angle)]),
@@ -99,23 +98,6 @@ fn time_error(condition: Condition, sample: &Sample) -> Option<f64> {
             Some(bound / (2.0 * product.modulus() * turning.abs()))
         }
     }
-}
-
-/// First events of a kind, in the order of their times.
-///
-/// # Errors
-/// `tilt` or `radius`: the motion's top has no such event.
-pub fn search(
-    table: &dyn DynEphemeris,
-    motion: &Motion,
-    kind: EventKind,
-    filter: &EventFilter,
-) -> Result<Vec<FoundEvent>, ParameterError> {
-    let conditions = kind.conditions(motion)?.into_iter();
-    let mut events: Vec<_> = conditions.flat_map(|condition| table.events(condition, filter)).collect();
-    events.sort_by(|a, b| a.t.total_cmp(&b.t));
-    events.truncate(filter.count);
-    Ok(events)
 }
 
 /// Number of consecutive events refused by the filter after which the search ends.

@@ -1,6 +1,6 @@
 //! `toytop accuracy`: the errors of every scalar, and its page.
 
-use crate::command::{all_refused, json, list, number, read, repository, write};
+use crate::command::{all_refused, json, list, number, path, read, repository, write};
 use serde_json::Value;
 
 /// Greatest error among rows, by the key of the error.
@@ -10,9 +10,11 @@ fn greatest<'a>(rows: impl IntoIterator<Item = &'a Value>, key: &str) -> f64 {
 
 #[test]
 fn each_scalar_is_as_exact_as_it_says_at_every_tick() {
-    write("accuracy.md", read(&repository("host/docs/accuracy.md")));
-    let page = read("accuracy.md");
-    let object = json("accuracy --accept accuracy.md");
+    const PAGE: &str = "host/docs/accuracy.md";
+    let page = read(&repository(PAGE));
+    std::fs::create_dir_all(path("host/docs")).expect("a folder");
+    write(PAGE, &page);
+    let object = json("accuracy --accept");
     let rows = list(&object["rows"]);
     assert_eq!(rows.len(), 4 * 41);
     assert!(rows.iter().any(|row| row["last_tick"] == 1_u64 << 40));
@@ -34,13 +36,10 @@ fn each_scalar_is_as_exact_as_it_says_at_every_tick() {
         });
         assert!(late < 2.0 * early, "{scalar}");
     }
-    assert!(read("accuracy.md") == page, "stale: toytop accuracy --accept");
+    assert!(read(PAGE) == page, "stale: toytop accuracy --accept");
 }
 
 #[test]
 fn wrong_arguments_are_refused() {
-    all_refused(
-        "accuracy",
-        &[("--scalar q7", "q31, q15, all"), ("--accept no/such/page.md", "no/such/page.md")],
-    );
+    all_refused("accuracy", &[("--scalar q7", "q31, q15, all"), ("--accept page.md", "page.md")]);
 }

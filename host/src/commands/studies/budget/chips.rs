@@ -1,8 +1,10 @@
 //! Chips that toytop is tested on, and how firmware is built and emulated for them.
 
-use std::env;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{ChildStderr, ChildStdout, Command, ExitStatus, Stdio};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::Duration;
+use std::{env, io, thread};
 
 /// Processor core with its Rust target and QEMU machine.
 pub struct Chip {
@@ -69,6 +71,13 @@ pub const RISCV: Chip = Chip {
     machine: &["-machine", "virt", "-bios", "none"],
 };
 
+/// Longest time of a run; the programs of this repository take seconds.
+const LONGEST_RUN: Duration = Duration::from_secs(120);
+
+/// Arguments of QEMU for a repeatable run: one instruction takes one virtual nanosecond, and a sleeping processor continues immediately at
+/// its next interrupt.
+pub const REPEATABLE: [&str; 2] = ["-icount", "shift=0,sleep=off"];
+
 /// Target folder of the firmware: beside its sources, or below `CARGO_TARGET_DIR`.
 pub fn target_dir(root: &Path) -> PathBuf {
     match env::var_os("CARGO_TARGET_DIR") {
@@ -78,22 +87,26 @@ pub fn target_dir(root: &Path) -> PathBuf {
 }
 
 impl Chip {
-    /// Adds the arguments for this chip to a `cargo build`, and returns the folder of its ELFs. A chip with flags or a memory map has a target
-    /// folder of its own.
-    pub fn build(&self, cargo: &mut Command, root: &Path) -> PathBuf {
+    /// Command that builds a program of `firmware-examples`, and the folder of its ELF. A chip with flags or a memory map has a target folder
+    /// of its own.
+    ///
+    /// * `what`: arguments of cargo that select the program
+    pub fn build(&self, root: &Path, what: &str) -> (Command, PathBuf) {
         let own = if self.rustflags.is_empty() && self.memory.is_none() { "" } else { self.name };
         let folder = target_dir(root).join(own);
+        let mut cargo = Command::new("cargo");
+        cargo.current_dir(root.join("firmware-examples")).arg("build").args(what.split_whitespace());
         cargo.args(["--release", "--target", self.target, "--target-dir"]).arg(&folder);
         cargo.envs(self.memory.map(|memory| ("MEMORY_X", memory)));
         if !self.rustflags.is_empty() {
             let flags = env::var("RUSTFLAGS").unwrap_or_default();
             cargo.env("RUSTFLAGS", format!("{flags} {}", self.rustflags).trim_start());
         }
-        folder.join(self.target).join("release")
+        (cargo, folder.join(self.target).join("release"))
     }
 
     /// Command that runs an ELF to its end: no input, and the semihosting of the host. Both outputs are piped.
-    pub fn qemu(&self, elf: &Path) -> Command {
+    fn qemu(&self, elf: &Path) -> Command {
         let mut command = Command::new(self.emulator);
         command
             .args(self.machine)
@@ -105,6 +118,42 @@ impl Chip {
             .stdout(Stdio::piped())
             .stderr(Stdio::piped());
         command
+    }
+
+    /// Runs an ELF, and returns how it ended and the result of `read`. The program is killed if `read` returns before both outputs end.
+    ///
+    /// * `arguments`: more arguments of QEMU
+    /// * `read`: reads stdout and stderr
+    ///
+    /// # Errors
+    /// There is no QEMU, or the program does not end in time.
+    pub fn emulate<T>(
+        &self,
+        elf: &Path,
+        arguments: &[&str],
+        read: impl FnOnce(ChildStdout, ChildStderr) -> T,
+    ) -> io::Result<(ExitStatus, T)> {
+        let missing = |error: io::Error| {
+            io::Error::new(error.kind(), format!("cannot run {} ({error}); install QEMU", self.emulator))
+        };
+        let mut qemu = self.qemu(elf).args(arguments).spawn().map_err(missing)?;
+        let outputs = qemu.stdout.take().zip(qemu.stderr.take());
+        let (stdout, stderr) = outputs.ok_or(io::ErrorKind::BrokenPipe)?;
+        thread::scope(|scope| {
+            let (reading, read_ended) = channel::<()>();
+            let watcher = scope.spawn(move || {
+                let late = read_ended.recv_timeout(LONGEST_RUN) == Err(RecvTimeoutError::Timeout);
+                // a program that has closed its outputs is ending, which this does not change
+                qemu.kill()?;
+                let status = qemu.wait()?;
+                let limit = LONGEST_RUN.as_secs();
+                if late { Err(io::Error::other(format!("did not end within {limit} s"))) } else { Ok(status) }
+            });
+            let result = read(stdout, stderr);
+            drop(reading);
+            let status = watcher.join().unwrap_or_else(|_| Err(io::Error::other("a panic")))?;
+            Ok((status, result))
+        })
     }
 }
 

@@ -1,7 +1,7 @@
 //! Cost of many set-ups: the firmware `corpus` launches 200 tops and counts its own instructions.
 
 use super::budgets::Budgets;
-use super::chips::Chip;
+use super::chips::{Chip, REPEATABLE};
 use super::trace;
 use crate::Failure;
 use serde_json::{Value, json};
@@ -14,8 +14,7 @@ use std::path::Path;
 /// # Errors
 /// [`Failure::Tool`]: there is no QEMU, the program did not end with exit code 0, or a line of its output cannot be read.
 pub fn costs_of_launches(chip: &Chip, elf: &Path, budgets: &Budgets) -> Result<Vec<Value>, Failure> {
-    // an instruction takes one nanosecond of virtual time
-    let text = trace::emulate(chip, elf, &["-icount", "shift=0,sleep=off"], |_| Ok(()))?;
+    let text = trace::emulate(chip, elf, &REPEATABLE, |_| Ok(()))?;
     let launch = |figure| budgets.budget(chip.name, "launch", figure).map(|count| count as f64);
     let ratio =
         launch("cycles").zip(launch("instructions")).map(|(cycles, instructions)| cycles / instructions);

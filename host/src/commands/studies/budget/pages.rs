@@ -7,7 +7,6 @@ use crate::output::table::{Column, TextTable};
 use crate::{Failure, Report};
 use serde_json::Value;
 use std::iter::once;
-use std::path::Path;
 
 /// Part of a page: the page, its mark, and its text.
 pub type Part = (&'static str, &'static str, String);
@@ -38,12 +37,12 @@ pub fn part_with_launches(rows: &[Value]) -> Part {
     (COSTS, "toytop budget: launches", TextTable::new(rows, &columns).markdown())
 }
 
-/// Writes parts of pages below a folder, after each of them was found to have a place.
+/// Writes parts of pages of the repository, after each of them was found to have a place.
 ///
 /// # Errors
 /// The failures of [`DocPage::read`] and [`DocPage::write`].
-pub fn write(root: &Path, parts: &[Part]) -> Result<Report, Failure> {
-    let pages = parts.iter().map(|(name, mark, _)| DocPage::read(&root.join(name), mark));
+pub fn write(parts: &[Part]) -> Result<Report, Failure> {
+    let pages = parts.iter().map(|(name, mark, _)| DocPage::read(name, mark));
     for (page, (.., text)) in pages.collect::<Result<Vec<_>, _>>()?.iter().zip(parts) {
         page.write(text)?;
     }
@@ -129,6 +128,7 @@ fn table_of_front_page(budgets: &Budgets) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::path::Path;
 
     #[test]
     fn the_pages_have_the_tables_of_the_budgets() {

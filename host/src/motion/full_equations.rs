@@ -1,13 +1,11 @@
 //! Motion of a scenario by the full 3-D equations. Only the state that branch points mean at t = 0 comes from the core.
 
-pub mod full_solver;
-
 use crate::Failure;
 use crate::input::scenario::{Launch, Scenario};
 use crate::motion::sample::Sample;
 use crate::motion::stepper::visit_times;
 use crate::motion::tip_angle::TipAngle;
-use full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullState};
+use crate::truth::full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullState};
 use toytop::Stepper;
 use toytop_model::equations::BodyRates;
 

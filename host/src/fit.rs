@@ -1,0 +1,12 @@
+//! Measurements of a top: sensors from a file, samples as columns, simulated samples, and the launch that is fitted to them.
+
+pub mod sensors;
+
+pub mod columns;
+pub mod simulated;
+
+pub mod input;
+pub mod result;
+
+pub mod solve;
+pub mod summary;
