@@ -1,13 +1,25 @@
 //! Failures of a command, with their exit codes.
 
+use crate::input::text_file::excerpt;
 use std::fmt;
 use std::io;
 
 /// Reason why a command has no result, which is displayed as one line.
 #[derive(Debug)]
 pub enum Failure {
-    /// Bad input: the line names the file, the key and the allowed values. Exit code 2.
+    /// Bad input: the line names the file or the option, and the allowed values. Exit code 2.
     Input(String),
+    /// Bad value of a key in a file, or a key that is unknown or missing. Exit code 2.
+    Key {
+        /// Name of the file.
+        file: String,
+        /// Table that the key belongs to.
+        table: String,
+        /// Key.
+        key: String,
+        /// Reason, with the allowed values.
+        reason: String,
+    },
     /// Method that does not apply to this motion, with the reason. Exit code 3.
     Method(String),
     /// Result that cannot be written. Exit code 1.
@@ -21,7 +33,7 @@ impl Failure {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Output(_) | Self::Tool(_) => 1,
-            Self::Input(_) => 2,
+            Self::Input(_) | Self::Key { .. } => 2,
             Self::Method(_) => 3,
         }
     }
@@ -33,6 +45,7 @@ impl Failure {
             Self::Input(message) => Self::Input(named(message)),
             Self::Method(message) => Self::Method(named(message)),
             Self::Tool(message) => Self::Tool(named(message)),
+            Self::Key { file, table, key, reason } => Self::Key { file: named(file), table, key, reason },
             output @ Self::Output(_) => output,
         }
     }
@@ -48,6 +61,9 @@ impl fmt::Display for Failure {
         let message = match self {
             Self::Input(message) | Self::Method(message) | Self::Tool(message) => message.clone(),
             Self::Output(error) => format!("cannot write the output: {error}"),
+            Self::Key { file, table, key, reason } => {
+                format!("{file}: {}.{}: {reason}", excerpt(table), excerpt(key))
+            }
         };
         f.write_str(&one_line(&message))
     }

@@ -30,8 +30,8 @@ pub(crate) fn value_error(parameter: &str, reason: impl Display) -> PyErr {
 /// Exception for a failure of the host library.
 pub(crate) fn failed(failure: Failure) -> PyErr {
     match failure {
-        Failure::Input(_) | Failure::Method(_) => PyValueError::new_err(failure.to_string()),
         Failure::Output(_) | Failure::Tool(_) => PyOSError::new_err(failure.to_string()),
+        _ => PyValueError::new_err(failure.to_string()),
     }
 }
 

@@ -1,6 +1,5 @@
 //! One table of a TOML file. Each [`Key`] states its allowed values, by which the table is read.
 
-use super::text_file::excerpt;
 use super::units::UnitTable;
 use crate::Failure;
 use toml::{Table, Value};
@@ -61,7 +60,8 @@ pub struct Section<'a> {
 impl Section<'_> {
     /// Failure that names a key and the reason.
     pub fn failure(&self, key: &str, reason: &str) -> Failure {
-        Failure::Input(format!("{}: {}.{}: {reason}", self.file, excerpt(self.name), excerpt(key)))
+        let [file, table, key, reason] = [self.file, self.name, key, reason].map(str::to_owned);
+        Failure::Key { file, table, key, reason }
     }
 
     /// Failure that names the key of the core's error.

@@ -142,6 +142,10 @@ fn wrong_arguments_are_refused() {
             ("--motions 3 --periods -1", "--periods"),
         ],
     );
+    // the allowed keys in the reason are no axes
+    let unknown = read(&sample("toy_top")).replace("spin =", "foo = 1\nspin =");
+    let unknown = scenario("sweep_unknown_key", &unknown);
+    toytop(format!("sweep -o sweep_kept.csv {unknown} --spin 90,100")).refused(2, "motion.foo: unknown");
     assert_eq!(read("sweep_kept.csv"), "kept");
     toytop("sweep -o no/such/folder/a.csv @toy_top --spin 1,2").refused(2, "--output");
     assert_eq!(toytop("sweep -o sweep_kept.csv --spin 1,2").code, Some(2));

@@ -35,8 +35,8 @@ impl Sweep {
     /// Sweep of a scenario over these axes, each in the unit of its key.
     ///
     /// # Errors
-    /// [`Failure::Input`]: no axis, a key that the scenario does not have or that is given twice, a range in a grid, or a scenario whose
-    /// first motion is refused for a key that does not vary.
+    /// [`Failure::Input`]: no axis, a key that the scenario does not have or that is given twice, a range in a grid, or a file that
+    /// is no scenario for another reason than the numbers that vary.
     pub fn new(
         template: ScenarioFile,
         varied: Vec<(String, Axis)>,
@@ -66,11 +66,12 @@ impl Sweep {
             return refuse(format!("a grid: must have at most {:e} motions", MAX_MOTIONS as f64));
         };
         let sweep = Self { template, axes, sample, count, columns, times, periods };
-        match sweep.template.with_numbers(&sweep.numbers(0)) {
-            Err(Failure::Input(message)) if !sweep.axes.iter().any(|(key, _)| message.contains(key)) => {
-                refuse(message)
-            }
-            _ => Ok(sweep),
+        // a file that is no scenario may lack only numbers that vary
+        let first = |_| sweep.template.with_numbers(&sweep.numbers(0));
+        match sweep.template.scenario().or_else(first) {
+            Err(Failure::Key { key, .. }) if sweep.axes.iter().any(|(axis, _)| *axis == key) => Ok(sweep),
+            Err(failure) => Err(failure),
+            Ok(_) => Ok(sweep),
         }
     }
 
@@ -115,15 +116,15 @@ impl Sweep {
         motion.is_some()
     }
 
-    /// Reason why the scenario refuses the numbers of a row, beginning with the key that varies and its value.
+    /// Reason why the scenario refuses the numbers of a row, beginning with the key, and with its value if it varies.
     pub fn refusal(&self, index: u64) -> Option<String> {
         let numbers = self.numbers(index);
-        let message = self.motion(&numbers).err()?.to_string();
-        let reason = message.strip_prefix(&format!("{}: ", self.template.file)).unwrap_or(&message);
-        let of_key = numbers.iter().find_map(|(key, number)| {
-            let (_, reason) = reason.split_once(&format!(".{key}: "))?;
-            Some(format!("{key} = {}: {reason}", short(*number, 5)))
-        });
-        Some(of_key.unwrap_or_else(|| reason.to_owned()))
+        Some(match self.motion(&numbers).err()? {
+            Failure::Key { table, key, reason, .. } => match numbers.iter().find(|(axis, _)| *axis == key) {
+                Some((key, number)) => format!("{key} = {}: {reason}", short(*number, 5)),
+                None => format!("{table}.{key}: {reason}"),
+            },
+            failure => failure.to_string(),
+        })
     }
 }
