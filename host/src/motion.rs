@@ -29,13 +29,7 @@ pub mod full_equations;
 pub use toytop_model::constants::{MotionConstants, period_or_natural_time, regime, tilts};
 
 use serde_json::Value;
-use toytop::Complex;
 use toytop_model::constants::{self, Constant};
-
-/// Complex number in `f64`, each part by `to_f64`.
-pub fn widened<R>(z: Complex<R>, to_f64: impl Fn(R) -> f64) -> Complex<f64> {
-    Complex { re: to_f64(z.re), im: to_f64(z.im) }
-}
 
 /// Scalar types of the core.
 #[derive(Clone, Copy, PartialEq, clap::ValueEnum)]

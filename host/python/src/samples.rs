@@ -104,11 +104,7 @@ impl Sampler {
         let numbers = writer.as_slice_mut()?;
         let fill = |motion: usize, first: usize, rows: &mut [f64]| match &self.source {
             Source::Tables(tables) => tables[motion].fill(column, &times[first..], rows),
-            Source::Points(points) => {
-                for (point, row) in points[first..].iter().zip(rows.chunks_exact_mut(width)) {
-                    row.copy_from_slice(&column.numbers_of(point));
-                }
-            }
+            Source::Points(points) => column.fill(points[first..].iter().copied(), rows),
         };
         let of_motion = (width * times.len()).max(1);
         if numbers.len() <= width * BLOCK {

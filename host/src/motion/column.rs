@@ -1,7 +1,7 @@
 //! Columns of samples: names, unit and numbers of a quantity.
 
 use super::euler_angles;
-use super::sample::{Quantities, Sample};
+use super::sample::{Part, Sample};
 use toytop::{Complex, Support};
 
 /// Quantity of a sample, one number or several.
@@ -58,52 +58,43 @@ impl SampleColumn {
     ];
 }
 
-/// Function that writes the numbers of a column.
-type Write = fn(&dyn Quantities, &mut [f64]);
-
-/// Key of JSON, names of the numbers as columns of CSV, unit in SI, and the numbers. NaN stands for what does not exist.
-type Description = (&'static str, &'static [&'static str], &'static str, Write);
+/// Key of JSON, names of the numbers as columns of CSV, unit in SI, part of the sample that is read, and function that writes the
+/// numbers. NaN stands for what does not exist.
+type Description = (&'static str, &'static [&'static str], &'static str, Part, fn(&Sample, &mut [f64]));
 
 impl SampleColumn {
+    #[rustfmt::skip] // one quantity a row
     fn description(self) -> Description {
+        use Part::{All, ErrorBound, Omega, OmegaBody, Orientation, Pose, TipAngle, Udot};
         match self {
-            Self::T => ("t", &["t"], "s", |at, row| row[0] = at.t()),
-            Self::U => ("u", &["u"], "", |at, row| row[0] = at.pose().u),
-            Self::Udot => ("udot", &["udot"], "1/s", |at, row| row[0] = at.udot()),
-            Self::Alpha => {
-                ("alpha", &["alpha_re", "alpha_im"], "", |at, row| put(row, at.orientation().alpha))
-            }
-            Self::Beta => ("beta", &["beta_re", "beta_im"], "", |at, row| put(row, at.orientation().beta)),
-            Self::Gamma => {
-                ("gamma", &["gamma_re", "gamma_im"], "", |at, row| put(row, at.orientation().gamma()))
-            }
-            Self::Delta => {
-                ("delta", &["delta_re", "delta_im"], "", |at, row| put(row, at.orientation().delta()))
-            }
-            Self::Omega => ("omega", &["omega_x", "omega_y", "omega_z"], "rad/s", |at, row| {
-                row.copy_from_slice(&at.omega())
+            Self::T => ("t", &["t"], "s", All, |at, row| row[0] = at.t),
+            Self::U => ("u", &["u"], "", Pose, |at, row| row[0] = at.pose.u),
+            Self::Udot => ("udot", &["udot"], "1/s", Udot, |at, row| row[0] = at.rates.udot),
+            Self::Alpha => ("alpha", &["alpha_re", "alpha_im"], "", Orientation, |at, row| put(row, at.pose.orientation.alpha)),
+            Self::Beta => ("beta", &["beta_re", "beta_im"], "", Orientation, |at, row| put(row, at.pose.orientation.beta)),
+            Self::Gamma => ("gamma", &["gamma_re", "gamma_im"], "", Orientation, |at, row| put(row, at.pose.orientation.gamma())),
+            Self::Delta => ("delta", &["delta_re", "delta_im"], "", Orientation, |at, row| put(row, at.pose.orientation.delta())),
+            Self::Omega => ("omega", &["omega_x", "omega_y", "omega_z"], "rad/s", Omega, |at, row| row.copy_from_slice(&at.rates.omega)),
+            Self::Tip => ("tip", &["tip_x", "tip_y"], "m", Pose, |at, row| put(row, at.pose.tip)),
+            Self::Phi => ("phi", &["phi"], "rad", TipAngle, |at, row| row[0] = at.tip_angle.unwrap_or(f64::NAN)),
+            Self::Quaternion => ("quaternion", &["w", "x", "y", "z"], "", Orientation, |at, row| {
+                row.copy_from_slice(&at.pose.orientation.quaternion())
             }),
-            Self::Tip => ("tip", &["tip_x", "tip_y"], "m", |at, row| put(row, at.pose().tip)),
-            Self::Phi => ("phi", &["phi"], "rad", |at, row| row[0] = at.tip_angle().unwrap_or(f64::NAN)),
-            Self::Quaternion => ("quaternion", &["w", "x", "y", "z"], "", |at, row| {
-                row.copy_from_slice(&at.orientation().quaternion())
+            Self::Axis => ("axis", &["axis_x", "axis_y", "axis_z"], "", Pose, |at, row| {
+                let [x, y, _] = at.pose.orientation.axis();
+                row.copy_from_slice(&[x, y, at.pose.u]);
             }),
-            Self::Axis => ("axis", &["axis_x", "axis_y", "axis_z"], "", |at, row| {
-                let pose = at.pose();
-                let [x, y, _] = pose.orientation.axis();
-                row.copy_from_slice(&[x, y, pose.u]);
+            Self::OmegaBody => ("omega_body", &["wx", "wy", "wz"], "rad/s", OmegaBody, |at, row| {
+                row.copy_from_slice(&at.rates.omega_body)
             }),
-            Self::OmegaBody => {
-                ("omega_body", &["wx", "wy", "wz"], "rad/s", |at, row| row.copy_from_slice(&at.omega_body()))
-            }
-            Self::Angles => ("angles", &["tilt", "azimuth", "roll"], "rad", |at, row| {
-                row.copy_from_slice(&euler_angles::tilt_azimuth_roll(&at.orientation()))
+            Self::Angles => ("angles", &["tilt", "azimuth", "roll"], "rad", Orientation, |at, row| {
+                row.copy_from_slice(&euler_angles::tilt_azimuth_roll(&at.pose.orientation))
             }),
-            Self::EulerZxz => ("euler_zxz", &["euler_phi", "euler_theta", "euler_psi"], "rad", |at, row| {
-                row.copy_from_slice(&euler_angles::zxz(&at.orientation()))
+            Self::EulerZxz => ("euler_zxz", &["euler_phi", "euler_theta", "euler_psi"], "rad", Orientation, |at, row| {
+                row.copy_from_slice(&euler_angles::zxz(&at.pose.orientation))
             }),
-            Self::ErrorBound => ("error_bound", &["error_bound"], "rad", |at, row| {
-                row[0] = at.error_bound().unwrap_or(f64::NAN)
+            Self::ErrorBound => ("error_bound", &["error_bound"], "rad", ErrorBound, |at, row| {
+                row[0] = at.error_bound.unwrap_or(f64::NAN)
             }),
         }
     }
@@ -121,21 +112,27 @@ impl SampleColumn {
     /// Unit of its numbers in SI; empty where there is none.
     pub fn si_unit(self, support: Support) -> &'static str {
         match self.description() {
-            (_, _, "m", _) if support != Support::Sliding => "",
-            (_, _, unit, _) => unit,
+            (_, _, "m", ..) if support != Support::Sliding => "",
+            (_, _, unit, ..) => unit,
         }
     }
 
-    /// Writes its numbers at several times, one row for each.
-    pub fn fill<Q: Quantities>(self, times: impl Iterator<Item = Q>, rows: &mut [f64]) {
-        let (_, names, _, write) = self.description();
-        times.zip(rows.chunks_exact_mut(names.len())).for_each(|(quantities, row)| write(&quantities, row));
+    /// Part of a sample that it reads.
+    pub fn part(self) -> Part {
+        self.description().3
+    }
+
+    /// Writes its numbers of each sample into a row.
+    pub fn fill(self, samples: impl Iterator<Item = Sample>, rows: &mut [f64]) {
+        let (_, names, .., write) = self.description();
+        samples.zip(rows.chunks_exact_mut(names.len())).for_each(|(sample, row)| write(&sample, row));
     }
 
     /// Numbers of a sample.
-    pub fn numbers_of(self, sample: &Sample) -> Vec<f64> {
-        let mut row = vec![f64::NAN; self.names().len()];
-        self.fill(std::iter::once(*sample), &mut row);
+    pub fn numbers(self, sample: &Sample) -> Vec<f64> {
+        let (_, names, .., write) = self.description();
+        let mut row = vec![f64::NAN; names.len()];
+        write(sample, &mut row);
         row
     }
 }

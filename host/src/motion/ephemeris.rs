@@ -12,7 +12,7 @@ pub use events::{EventFilter, EventKind, FoundEvent};
 pub use heap_table::{HeapTable, TableScalar};
 
 use crate::motion::column::SampleColumn;
-use crate::motion::sample::Sample;
+use crate::motion::sample::{Part, Sample};
 use events::Condition;
 use std::f64::consts::TAU;
 use toytop::{ErrorBound, Motion, ParameterError, Phase};
@@ -37,14 +37,21 @@ pub trait DynEphemeris: Send + Sync {
     /// Upper bound on the error of ω, of Ω and of u', rad per unit time.
     fn rate_error_bound(&self) -> ErrorBound;
 
+    /// Part of the sample of the motion t units of time after t = 0, t taken as exact. Other parts may be unknown.
+    fn part_at(&self, part: Part, t: f64) -> Sample;
+
     /// Sample of the motion t units of time after t = 0, t taken as exact.
-    fn at(&self, t: f64) -> Sample;
+    fn at(&self, t: f64) -> Sample {
+        self.part_at(Part::All, t)
+    }
+
+    /// Writes one column at each time, and computes no other.
+    fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
+        column.fill(times.iter().map(|t| self.part_at(column.part(), *t)), rows);
+    }
 
     /// Sample of the motion at tick n.
     fn at_tick(&self, n: i64) -> Sample;
-
-    /// Writes one column at each time, and computes no other.
-    fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]);
 
     /// First events at which a condition holds, of those that the filter accepts.
     fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent>;

@@ -1,42 +1,28 @@
 //! Motion at one time, by any method.
 
-use super::widened;
 use toytop::scalar::Real;
 use toytop::{AttitudeState, Complex, Orientation, Pose};
 use toytop_model::equations::BodyRates;
 
-/// Quantities of a motion at one time in `f64`, each computed when it is asked for.
-pub trait Quantities {
-    /// Time, s.
-    fn t(&self) -> f64;
-
-    /// Orientation, cosine of the tilt, and position of the tip, m.
-    fn pose(&self) -> Pose<f64, f64>;
-
-    /// Orientation of [`Self::pose`] alone.
-    fn orientation(&self) -> Orientation<f64>;
-
-    /// Angular velocity ω in the fixed frame, rad/s.
-    fn omega(&self) -> [f64; 3];
-
-    /// Angular velocity Ω in the body frame, rad/s.
-    fn omega_body(&self) -> [f64; 3];
-
-    /// Rate of the cosine of the tilt, 1/s.
-    fn udot(&self) -> f64;
-
-    /// Tip angle continued from t = 0, rad; `None` where the axis is vertical at all times.
-    fn tip_angle(&self) -> Option<f64>;
-
-    /// Upper bound on the error of the orientation, rad, where the method has one.
-    fn error_bound(&self) -> Option<f64>;
-
-    /// All quantities.
-    fn sample(&self) -> Sample {
-        let rates = BodyRates { omega: self.omega(), omega_body: self.omega_body(), udot: self.udot() };
-        let (tip_angle, error_bound) = (self.tip_angle(), self.error_bound());
-        Sample { t: self.t(), pose: self.pose(), rates, tip_angle, error_bound }
-    }
+/// Part of a sample that is computed by itself.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Part {
+    /// All of it.
+    All,
+    /// Orientation.
+    Orientation,
+    /// Orientation, cosine of the tilt, and position of the tip.
+    Pose,
+    /// Angular velocity in the fixed frame.
+    Omega,
+    /// Angular velocity in the body frame.
+    OmegaBody,
+    /// Rate of u.
+    Udot,
+    /// Tip angle.
+    TipAngle,
+    /// Bound on the error of the orientation.
+    ErrorBound,
 }
 
 /// Motion at one time in `f64`.
@@ -55,6 +41,20 @@ pub struct Sample {
 }
 
 impl Sample {
+    /// Sample at time t of which no other number is known: they are NaN, or `None`.
+    pub fn unknown(t: f64) -> Self {
+        let (number, vector) = (Complex::new(f64::NAN, f64::NAN), [f64::NAN; 3]);
+        let orientation = Orientation { alpha: number, beta: number };
+        let rates = BodyRates { omega: vector, omega_body: vector, udot: f64::NAN };
+        Self {
+            t,
+            pose: Pose { orientation, u: f64::NAN, tip: number },
+            rates,
+            tip_angle: None,
+            error_bound: None,
+        }
+    }
+
     /// Sample of an attitude state of the core at time t.
     pub fn from_state<R: Real>(
         t: f64,
@@ -63,47 +63,13 @@ impl Sample {
         tip_angle: Option<f64>,
     ) -> Self {
         let Orientation { alpha, beta } = state.orientation;
-        let [alpha, beta, tip] = [alpha, beta, tip].map(|z| widened(z, R::to_f64));
+        let [alpha, beta, tip] = [alpha, beta, tip].map(|z| Complex::new(z.re.to_f64(), z.im.to_f64()));
         let pose = Pose {
             orientation: Orientation { alpha, beta },
             u: state.orientation.u().to_f64().clamp(-1.0, 1.0),
             tip,
         };
         Self { t, pose, rates: body_rates(state), tip_angle, error_bound: None }
-    }
-}
-
-impl Quantities for Sample {
-    fn t(&self) -> f64 {
-        self.t
-    }
-
-    fn pose(&self) -> Pose<f64, f64> {
-        self.pose
-    }
-
-    fn orientation(&self) -> Orientation<f64> {
-        self.pose.orientation
-    }
-
-    fn omega(&self) -> [f64; 3] {
-        self.rates.omega
-    }
-
-    fn omega_body(&self) -> [f64; 3] {
-        self.rates.omega_body
-    }
-
-    fn udot(&self) -> f64 {
-        self.rates.udot
-    }
-
-    fn tip_angle(&self) -> Option<f64> {
-        self.tip_angle
-    }
-
-    fn error_bound(&self) -> Option<f64> {
-        self.error_bound
     }
 }
 

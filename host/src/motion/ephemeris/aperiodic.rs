@@ -2,8 +2,7 @@
 
 use super::events::Condition;
 use super::{DynEphemeris, EventFilter, FoundEvent, unwrapped};
-use crate::motion::column::SampleColumn;
-use crate::motion::sample::Sample;
+use crate::motion::sample::{Part, Sample};
 use std::f64::consts::TAU;
 use toytop::ErrorBound;
 use toytop_model::aperiodic::AperiodicMotion;
@@ -81,7 +80,7 @@ impl DynEphemeris for AperiodicEphemeris {
         ErrorBound { constant, per_tick: constant * speed / self.ticks_per_time() }
     }
 
-    fn at(&self, t: f64) -> Sample {
+    fn part_at(&self, _: Part, t: f64) -> Sample {
         let (state, tip) = self.motion.at(t);
         Sample {
             error_bound: Some(self.error_bound().after(t * self.ticks_per_time())),
@@ -91,10 +90,6 @@ impl DynEphemeris for AperiodicEphemeris {
 
     fn at_tick(&self, n: i64) -> Sample {
         self.at(n as f64 / self.ticks_per_time())
-    }
-
-    fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
-        column.fill(times.iter().map(|t| self.at(*t)), rows);
     }
 
     /// Events while the axis is not upright to a rounding: places at which the integer part of a function of time changes.

@@ -2,12 +2,11 @@
 
 use super::events::{self, Condition};
 use super::{DynEphemeris, EventFilter, FoundEvent, unwrapped};
-use crate::motion::column::SampleColumn;
-use crate::motion::sample::{Quantities, Sample};
-use crate::motion::{Scalar, widened};
+use crate::motion::Scalar;
+use crate::motion::sample::{Part, Sample};
 use fixed::types::{I2F14, I2F30};
 use toytop::scalar::Float;
-use toytop::{EphemerisMemory, EphemerisScalar, EphemerisView, ErrorBound, Orientation, Pose};
+use toytop::{Complex, EphemerisMemory, EphemerisScalar, EphemerisView, ErrorBound, Orientation, Pose};
 
 /// Scalar of the core, with its name and the numbers of its tables.
 pub trait TableScalar: EphemerisScalar<Segment: Send + Sync, Quantity: Send + Sync> + Send + Sync {
@@ -48,57 +47,35 @@ impl<R: EphemerisScalar> HeapTable<R> {
         self.0.get().expect("set up")
     }
 
-    /// Quantities at time t, which is this number of ticks.
-    fn quantities<'a>(&'a self, t: f64, ticks: f64, now: toytop::Sample<'a, R>) -> TableQuantities<'a, R> {
-        TableQuantities { table: self.table(), t, ticks, now }
-    }
-
-    fn quantities_at(&self, t: f64) -> TableQuantities<'_, R> {
-        self.quantities(t, t * self.table().clock().ticks_per_time[0], self.table().at(t))
-    }
-}
-
-/// Quantities of a table at one time.
-struct TableQuantities<'a, R: EphemerisScalar> {
-    table: &'a EphemerisView<R>,
-    t: f64,
-    ticks: f64,
-    now: toytop::Sample<'a, R>,
-}
-
-impl<R: EphemerisScalar> Quantities for TableQuantities<'_, R> {
-    fn t(&self) -> f64 {
-        self.t
-    }
-
-    fn pose(&self) -> Pose<f64, f64> {
-        let Pose { orientation, u, tip } = self.now.pose();
-        Pose { orientation: exact(orientation), u: u.into(), tip: widened(tip, Float::to_f64) }
-    }
-
-    fn orientation(&self) -> Orientation<f64> {
-        exact(self.now.orientation())
-    }
-
-    fn omega(&self) -> [f64; 3] {
-        self.now.omega().map(Float::to_f64)
-    }
-
-    fn omega_body(&self) -> [f64; 3] {
-        self.now.omega_body().map(Float::to_f64)
-    }
-
-    fn udot(&self) -> f64 {
-        self.now.udot().to_f64()
-    }
-
-    fn tip_angle(&self) -> Option<f64> {
-        let near = self.table.mean_tip_angle_rate() * self.t;
-        self.now.tip_angle().map(|angle| unwrapped(angle, near))
-    }
-
-    fn error_bound(&self) -> Option<f64> {
-        Some(self.table.error_bound().after(self.ticks))
+    /// Part of the sample `now`, which is that of time t and of this number of ticks.
+    fn sample(&self, part: Part, [t, ticks]: [f64; 2], now: &toytop::Sample<'_, R>) -> Sample {
+        let wanted = |other: Part| part == Part::All || part == other;
+        let mut sample = Sample::unknown(t);
+        if part == Part::Orientation {
+            sample.pose.orientation = widened(now.orientation());
+        }
+        if wanted(Part::Pose) {
+            let Pose { orientation, u, tip } = now.pose();
+            let tip = Complex::new(tip.re.to_f64(), tip.im.to_f64());
+            sample.pose = Pose { orientation: widened(orientation), u: u.into(), tip };
+        }
+        if wanted(Part::Omega) {
+            sample.rates.omega = now.omega().map(Float::to_f64);
+        }
+        if wanted(Part::OmegaBody) {
+            sample.rates.omega_body = now.omega_body().map(Float::to_f64);
+        }
+        if wanted(Part::Udot) {
+            sample.rates.udot = now.udot().to_f64();
+        }
+        if wanted(Part::TipAngle) {
+            let near = self.table().mean_tip_angle_rate() * t;
+            sample.tip_angle = now.tip_angle().map(|angle| unwrapped(angle, near));
+        }
+        if wanted(Part::ErrorBound) {
+            sample.error_bound = Some(self.table().error_bound().after(ticks));
+        }
+        sample
     }
 }
 
@@ -120,27 +97,24 @@ impl<R: TableScalar> DynEphemeris for HeapTable<R> {
         self.table().rate_error_bound()
     }
 
-    fn at(&self, t: f64) -> Sample {
-        self.quantities_at(t).sample()
+    fn part_at(&self, part: Part, t: f64) -> Sample {
+        self.sample(part, [t, t * self.ticks_per_time()], &self.table().at(t))
     }
 
     fn at_tick(&self, n: i64) -> Sample {
-        self.quantities(n as f64 / self.ticks_per_time(), n as f64, self.table().at_tick(n)).sample()
-    }
-
-    fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
-        column.fill(times.iter().map(|t| self.quantities_at(*t)), rows);
+        let times = [n as f64 / self.ticks_per_time(), n as f64];
+        self.sample(Part::All, times, &self.table().at_tick(n))
     }
 
     fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent> {
         let table = self.table();
         let sample =
-            |event: &_, t| self.quantities(t, t * self.ticks_per_time(), table.at_event(event)).sample();
+            |event: &_, t| self.sample(Part::All, [t, t * self.ticks_per_time()], &table.at_event(event));
         events::of_table(table, condition, filter, sample)
     }
 }
 
-fn exact<R: Into<f64>>(Orientation { alpha, beta }: Orientation<R>) -> Orientation<f64> {
-    let [alpha, beta] = [alpha, beta].map(|z| widened(z, Into::into));
+fn widened<R: Into<f64>>(Orientation { alpha, beta }: Orientation<R>) -> Orientation<f64> {
+    let [alpha, beta] = [alpha, beta].map(|z| Complex { re: z.re.into(), im: z.im.into() });
     Orientation { alpha, beta }
 }

@@ -4,8 +4,7 @@ use crate::input::scenario::Units;
 use crate::motion::column::SampleColumn;
 use crate::motion::sample::Sample;
 use crate::output::table::TextTable;
-use crate::output::{Format, csv_line, json, short};
-use serde_json::Value;
+use crate::output::{Format, number, short};
 use toytop::Support;
 
 /// Columns of the rows, the units of their numbers, and the form in which they are written.
@@ -25,7 +24,8 @@ impl Rows {
     pub fn head(&self) -> String {
         match self.format {
             Format::Csv => {
-                csv_line(self.columns.iter().flat_map(|column| column.names()).map(|name| (*name).into()))
+                let names: Vec<_> = self.columns.iter().flat_map(|column| column.names()).copied().collect();
+                names.join(",") + "\n"
             }
             Format::Json => "{\"samples\":[".to_owned(),
             Format::Table => String::new(),
@@ -34,17 +34,24 @@ impl Rows {
 
     /// Row of this index.
     pub fn row(&self, index: u64, sample: &Sample) -> String {
-        let entry = |column: &SampleColumn| {
-            let numbers = column.numbers_of(sample);
-            let value: Value = if let [x] = numbers[..] { x.into() } else { numbers.into() };
-            (column.key(), value)
+        let texts = |column: &SampleColumn, absent: &str| -> Vec<String> {
+            let text = |x: f64| if x.is_finite() { number(x) } else { absent.to_owned() };
+            column.numbers(sample).into_iter().map(text).collect()
         };
         let between = |text: &str| if index == 0 { String::new() } else { text.to_owned() };
         match self.format {
             Format::Csv => {
-                csv_line(self.columns.iter().flat_map(|column| column.numbers_of(sample)).map(Value::from))
+                let fields: Vec<_> = self.columns.iter().flat_map(|column| texts(column, "")).collect();
+                fields.join(",") + "\n"
             }
-            Format::Json => between(",") + &json(&self.columns.iter().map(entry).collect()),
+            Format::Json => {
+                let entry = |column: &SampleColumn| match &texts(column, "null")[..] {
+                    [text] => format!("\"{}\":{text}", column.key()),
+                    list => format!("\"{}\":[{}]", column.key(), list.join(",")),
+                };
+                let entries: Vec<_> = self.columns.iter().map(entry).collect();
+                format!("{}{{{}}}", between(","), entries.join(","))
+            }
             Format::Table => between("\n") + &self.block(sample),
         }
     }
@@ -79,7 +86,7 @@ impl Rows {
                 _ => 8,
             };
             let (name, unit) = (column.key(), self.unit(*column));
-            let numbers = column.numbers_of(sample).into_iter().filter(|x| !x.is_nan());
+            let numbers = column.numbers(sample).into_iter().filter(|x| !x.is_nan());
             let texts = [name.to_owned(), unit.to_owned()];
             texts.into_iter().chain(numbers.map(|x| short(x, digits))).collect()
         };
