@@ -143,8 +143,7 @@ impl Times {
     }
 }
 
-/// `count` times, one in each of as many equal parts of [0, `horizon`], s. Their fractions of the parts are multiples of the golden
-/// section modulo 1.
+/// Times in [0, `horizon`], s: one in each of `count` equal parts, shifted within the part by multiples of the golden section.
 pub fn spread_times(horizon: f64, count: u32) -> Vec<f64> {
     const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
     let part = horizon / f64::from(count);

@@ -87,7 +87,7 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     } else {
         &[SampleColumn::ErrorBound]
     };
-    // a program that reads JSON always gets the bound
+    // JSON always contains error_bound
     if format == Format::Json {
         columns.extend(further.iter().filter(|column| !arguments.columns.contains(column)));
     }
