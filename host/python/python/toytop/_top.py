@@ -11,7 +11,7 @@ from ._motion import Motion
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-# m/s²
+# default of gravity, m/s²
 STANDARD_GRAVITY: Final = 9.80665
 
 
