@@ -1,4 +1,4 @@
-//! Commands of `toytop`, one file for each, in folders by their purpose. A command checks its input before it writes.
+//! Commands of `toytop`, one module for each, in folders by their purpose. A command checks its input before it writes.
 //!
 //! | module | contents |
 //! |---|---|

@@ -64,6 +64,7 @@ mod fit {
     mod limits;
     #[cfg(feature = "host")]
     mod sensitivity;
+    mod sensors;
     mod simulated;
     mod tracking;
 }

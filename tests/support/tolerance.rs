@@ -23,6 +23,9 @@ pub const FOUR_METHODS_CLOSED_FORM_AND_EPHEMERIS: f64 = 2e-15;
 pub const FOUR_METHODS_CLOSED_FORM_AND_STEPPER: f64 = 1e-13;
 pub const FOUR_METHODS_TOWARDS_THE_CORNERS: f64 = 1e-14;
 
+// closed_forms/free_body.rs
+pub const FREE_BODY_SPINNING: f64 = 5e-15;
+
 // closed_forms/hyperelliptic.rs
 pub const HYPERELLIPTIC_R_U: f64 = 5e-15;
 pub const HYPERELLIPTIC_W_AND_DT: f64 = 5e-14;
@@ -37,6 +40,10 @@ pub const POLES_T_INFINITY: f64 = 1e-14;
 pub const REFERENCE_FORMULAS: f64 = 3e-15;
 pub const REFERENCE_SEVERAL_DIFFERENCES_SMALL_TOGETHER: f64 = 1e-15;
 pub const REFERENCE_PER_PERIOD: f64 = 5e-14;
+
+// events/impulse.rs
+pub const IMPULSE_BALANCES: [f64; 2] = [1e-13, 5e-15];
+pub const IMPULSE_WITHOUT_EFFECT: [f64; 2] = [2e-15; 2];
 
 // events/instants.rs
 pub const EVENTS_F64: [f64; 3] = [6e-15, 6e-15, 2e-16];
@@ -68,9 +75,15 @@ pub const STAGES_PERIOD: [f64; 2] = [4e-16, 3e-16];
 pub const STAGES_STEPPER: [f64; 4] = [3e-13, 1e-11, 3e-16, 6e-6];
 pub const STAGES_REDUCED_MOTION_AND_TIP: [f64; 3] = [3e-13; 3];
 
+// motion/tip_curve.rs
+pub const TIP_CURVE_DERIVATIVES: [f64; 2] = [2e-3, 1e-3];
+
 // rotations/cayley_klein.rs
 pub const CAYLEY_KLEIN_SU_2: f64 = 3e-15;
 pub const CAYLEY_KLEIN_RELATIONS_OF_SECTION_3_4: f64 = 5e-15;
+
+// rotations/fixed_point.rs
+pub const FIXED_POINT_ADJOINT: [f64; 2] = [3e-8, 1e-3];
 
 // rotations/group.rs
 pub const GROUP_MOEBIUS: f64 = 3e-15;
@@ -94,3 +107,4 @@ pub const TRUTH_F64: [f64; 8] = [1e-14, 1e-14, 1e-14, 1e-14, 2e-15, 1e-14, 2e-15
 pub const TRUTH_F32: [f64; 8] = [2.5e-7, 2.5e-7, 2.5e-7, 2.5e-7, 1e-7, 2e-5, 2e-7, 2e-7];
 pub const TRUTH_Q31: [f64; 8] = [1e-8, 1e-8, 1e-8, 1e-8, 2e-8, 1e-6, 2e-7, 4e-8];
 pub const TRUTH_Q15: [f64; 8] = [3e-4, 3e-4, 3e-4, 3e-4, 3e-4, 3e-3, 1e-3, 1e-3];
+pub const TRUTH_OF_EVERY_VECTOR: [f64; 2] = [1e-11, 1e-8];

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
 /// Writes a file under a temporary name and then renames it, so that no reader sees half a file and no other file is touched. A device or a
-/// pipe is written to directly. A link is link_target.
+/// pipe is written to directly. A link is followed to its target.
 ///
 /// # Errors
 /// The failures of [`refused`], which name `option` and the file; the temporary file is then removed.

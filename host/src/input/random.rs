@@ -1,6 +1,7 @@
 //! Generator of random numbers (SplitMix64). A seed and a number determine each stream.
 //!
-//! It is written here because a seed gives the same numbers in all versions, which a crate does not promise.
+//! The seeds of sweeps, simulated sensors and studies promise their numbers, and the printed pages depend on them. Another generator, such as a
+//! named one of the `rand` family, would change them.
 
 /// Stream of random numbers.
 pub struct Random(u64);

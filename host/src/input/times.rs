@@ -11,17 +11,16 @@ use std::path::{Path, PathBuf};
 #[derive(Args)]
 #[group(skip)]
 pub struct TimesArgs {
-    /// Times, s, separated by commas, in any order; they may be negative. LOW..HIGH/COUNT spreads times evenly, both ends included,
-    /// log:LOW..HIGH/COUNT evenly in the logarithm
+    /// Times, s, in any order: T1,T2,... or LOW..HIGH/COUNT, both ends included; log:LOW..HIGH/COUNT is even in the logarithm
     #[arg(long, value_name = "T1,T2,...", allow_hyphen_values = true)]
     pub times: Option<String>,
     /// File with one time, s, in each line; # starts a comment
     #[arg(long, value_name = "FILE")]
     pub times_file: Option<PathBuf>,
-    /// Ticks of a clock, as an interrupt counts them, in place of times: N1,N2,... or FIRST..LAST
+    /// Ticks of an interrupt in place of times: N1,N2,... or FIRST..LAST
     #[arg(long, value_name = "N1,N2,...", allow_hyphen_values = true)]
     pub ticks: Option<String>,
-    /// First of --count times that are spread evenly, s
+    /// First of --count evenly spaced times, s
     #[arg(long, value_name = "T", allow_hyphen_values = true, requires_all = ["to", "count"])]
     pub from: Option<f64>,
     /// Last of these times, s
@@ -143,8 +142,7 @@ impl Times {
     }
 }
 
-/// `count` times, one in each of as many equal parts of [0, `horizon`], s. Their fractions of the parts are multiples of the golden
-/// section modulo 1.
+/// Times in [0, `horizon`], s: one in each of `count` equal parts, shifted within the part by multiples of the golden section.
 pub fn spread_times(horizon: f64, count: u32) -> Vec<f64> {
     const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
     let part = horizon / f64::from(count);

@@ -1,4 +1,4 @@
-//! Tip angles of methods that compute orientations and rates only: the argument of αβ, continued by the ephemeris.
+//! Tip angles of methods that compute orientations and rates only: arg(αβ), unwrapped by the tip angle of the ephemeris.
 
 use crate::Failure;
 use crate::motion::Scalar;

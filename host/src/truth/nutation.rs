@@ -18,7 +18,7 @@ use std::sync::LazyLock;
 pub const RATIO: f64 = 0.5;
 /// Number of nodes of a panel.
 const NODE_COUNT: i64 = 26;
-/// Least cos χ of an aperiodic motion that is integrated; beyond it α turns at a constant rate, and |β| is below 1e-24.
+/// Least cos χ of an aperiodic motion that is integrated; beyond it |β| < 1e-24, and α turns uniformly.
 const MIN_COSINE: f64 = 1e-24;
 
 /// Half phase χ, as a positive multiple of cos χ + i sin χ.

@@ -2,7 +2,7 @@
 //!
 //! The lossy motion is made of exact motions: every half millisecond, angular impulses on the body take rotation away.
 
-use super::simulated::{ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, fitted, held, measured, release};
+use super::sensors::{ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, fitted, held, measured, release};
 use nalgebra::{Matrix6, Vector6};
 use toytop::su2::{cross, dot};
 use toytop::{Motion, State, Stepper, Top, TopParameters};

@@ -1,6 +1,6 @@
 //! First guesses: measurements that leave a rotation or the orientation open, and launches that fit only some of the sensors.
 
-use super::simulated::{ACCELEROMETER, GYROSCOPE, MAGNETOMETER, held, mounting, simulated};
+use super::sensors::{ACCELEROMETER, GYROSCOPE, MAGNETOMETER, held, mounting, simulated};
 use toytop::{Orientation, Release, State, Top};
 use toytop_fit::{Accelerometer, Fitted, Mounting, Sensor};
 use toytop_tests::toy;

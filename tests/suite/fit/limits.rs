@@ -1,6 +1,6 @@
 //! Fits at their limits: readings beyond a range, a top without a moment of inertia, and measurements that are refused.
 
-use super::simulated::{
+use super::sensors::{
     ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check_errors, fitted, readings, release, simulated,
 };
 use toytop::{Motion, Orientation, State, Top, TopParameters};

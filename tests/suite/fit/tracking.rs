@@ -1,6 +1,6 @@
 //! Measurements in blocks, and fits in single precision.
 
-use super::simulated::{
+use super::sensors::{
     ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check_errors, fitted, readings, release,
 };
 use toytop::{Motion, State};

@@ -80,10 +80,12 @@ fn tables_in_f32_and_fixed_point_are_right_for_1e9_periods() {
 /// Errors of every vector, including those with decimal inputs, over its first periods.
 #[test]
 fn tables_of_every_vector_are_right() {
+    let mut greatest = [0.0; 2];
     for vector in vectors::tabulated() {
-        let rounding = if vector.gap() > 0.0 && vector.gap() < 1e-5 { 1e-8 } else { 1e-11 };
         let small = errors::<f64, 32>(&vector);
         let [first, ..] = small.or_else(|| errors::<f64, 1024>(&vector)).unwrap();
-        assert!(first < rounding, "{}: {first:.1e}", vector.name);
+        let near_separatrix = vector.gap() > 0.0 && vector.gap() < 1e-5;
+        keep(&mut greatest, if near_separatrix { [0.0, first] } else { [first, 0.0] });
     }
+    check_all(["any input", "near the separatrix"], greatest, tolerance::TRUTH_OF_EVERY_VECTOR);
 }

@@ -195,9 +195,13 @@ class Fitted:
 
     @property
     def unknowns(self) -> list[str]:
-        """Names of the rows and columns of the covariance: the rotation vector of the orientation in the fixed frame (rad), the change of
-        omega in the frame that this rotation turns (rad/s), in which a poorly known yaw does not make omega uncertain, the logarithms of
-        the free numbers of the top, the losses of rotation (1/s) if there is a drift, and the biases in the units of their sensors.
+        """Names of the rows and columns of the covariance, in this order:
+
+        * rotation vector of the orientation in the fixed frame, rad;
+        * change of omega in the frame that this rotation turns, rad/s, so that an uncertain yaw does not make omega uncertain;
+        * logarithms of the free numbers of the top;
+        * losses of rotation, 1/s, if there is a drift;
+        * biases, in the units of their sensors.
         """
         of_biases = [f"{name}_bias_{axis}" for name in self.biases for axis in "xyz"]
         return [*Motion.partial_names[:6], *self.free, *(self.losses or ()), *of_biases]

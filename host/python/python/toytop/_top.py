@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal, final
+from typing import TYPE_CHECKING, Any, Final, Literal, final
 
 from . import _toytop
 from ._arguments import rates, vector
@@ -10,6 +10,9 @@ from ._motion import Motion
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
+
+# default of gravity, m/s²
+STANDARD_GRAVITY: Final = 9.80665
 
 
 @final
@@ -38,7 +41,7 @@ class Top:
         axial_inertia: float,
         mass: float = 0.0,
         mass_moment: float = 0.0,
-        gravity: float = 9.80665,
+        gravity: float = STANDARD_GRAVITY,
         rotor_momentum: float = 0.0,
     ) -> Top:
         """Top whose tip slides without friction on a horizontal plane: Springborn's toy top.
@@ -66,7 +69,7 @@ class Top:
         mass_moment: float = 0.0,
         mass: float = 0.0,
         com_height: float = 0.0,
-        gravity: float = 9.80665,
+        gravity: float = STANDARD_GRAVITY,
         rotor_momentum: float = 0.0,
     ) -> Top:
         """Top whose tip is held at a fixed point: the Lagrange top.
@@ -98,7 +101,7 @@ class Top:
         Raises:
             ValueError: a parameter is out of range; the message names it.
         """
-        numbers = transverse_inertia, axial_inertia, 0.0, 0.0, 0.0, 9.80665, rotor_momentum
+        numbers = transverse_inertia, axial_inertia, 0.0, 0.0, 0.0, STANDARD_GRAVITY, rotor_momentum
         return Top(_toytop.TopCore("free", *numbers))
 
     def release(

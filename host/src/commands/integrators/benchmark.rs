@@ -14,14 +14,14 @@ use serde_json::{Value, json};
 /// Reference values of the heavy tops that integrators are tested with
 #[derive(Args)]
 #[command(
-    after_help = "The values have 30 digits, and two integrations confirm each of them. The conventions are those of the problem's source.\n\n\
+    after_help = "The values have 30 digits, which two integrations confirm. The conventions are those of the problem's source.\n\n\
         Example: toytop benchmark bruls_cardona --format json\n         \
         toytop benchmark bruls_cardona --times 0..2/2001 --format csv > run.csv && toytop score --benchmark bruls_cardona run.csv"
 )]
 pub struct BenchmarkArgs {
     /// Name of a problem; without it, all problems are listed
     name: Option<String>,
-    /// Times, s, in place of the source's, with 17 digits in place of 30: T1,T2,... or LOW..HIGH/COUNT
+    /// Times in place of the source's, s: T1,T2,... or LOW..HIGH/COUNT; the values then have 17 digits
     #[arg(long, value_name = "T1,T2,...", allow_hyphen_values = true, requires = "name")]
     times: Option<String>,
     /// Print the scenario file of the problem

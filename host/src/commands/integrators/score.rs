@@ -21,22 +21,26 @@ use std::path::{Path, PathBuf};
 /// Errors of your integrator's output against the exact motion
 #[derive(Args)]
 #[command(
-    after_help = "A RESULT has a header, and a row for each time: t in s, and w,x,y,z (unit quaternion from body to fixed coordinates), or\n\
-        alpha_re,alpha_im,beta_re,beta_im, or r11,r12,...,r33 (matrix by rows, body to fixed). The drifts of h, l and n need\n\
-        omega_body_x,omega_body_y,omega_body_z (rad/s, body frame, or wx,wy,wz) or omega_x,omega_y,omega_z (fixed frame). Other columns\n\
-        are ignored. The two signs of a quaternion are one rotation. Lines above the header may state: # method = RK4, # step = 0.001,\n\
-        # evaluations = 40000. Files of one method with different steps give its order of convergence.\n\n\
+    after_help = "RESULT.csv has a header, a row for each time, and these columns; others are ignored:\n  \
+        t                                       time, s\n  \
+        w,x,y,z                                 unit quaternion from body to fixed coordinates; q and -q are the same\n   \
+        or alpha_re,alpha_im,beta_re,beta_im   Cayley-Klein parameters\n   \
+        or r11,r12,...,r33                     matrix from body to fixed coordinates, by rows\n  \
+        omega_body_x,omega_body_y,omega_body_z  for the drifts of h, l and n: rad/s in the body frame (also wx,wy,wz)\n   \
+        or omega_x,omega_y,omega_z             in the fixed frame\n\
+        Lines above the header may state # method = RK4, # step = 0.001, # evaluations = 40000.\n\
+        Files of one method with different steps give its order of convergence.\n\n\
         Example: toytop score host/scenarios/toy_top.toml rk4_*.csv --plot rk4.svg\n         \
         toytop state TOP.toml --times 0..1/1001 --method stepper --format csv > s.csv && toytop score TOP.toml s.csv"
 )]
 pub struct ScoreArgs {
-    /// Scenario file, and CSV files with the output of integrators for it: one file for each step size and method
+    /// Scenario file, then the output of integrators: one CSV file for each method and step size
     #[arg(value_names = ["SCENARIO", "RESULT.csv"], num_args = 0..)]
     files: Vec<PathBuf>,
-    /// Problem of `toytop benchmark` in place of the scenario; the files are in the conventions of its source
+    /// Problem of toytop benchmark in place of the scenario; the files are in the conventions of its source
     #[arg(long, value_name = "NAME")]
     benchmark: Option<String>,
-    /// Step size of each file, s; without it, the step size that the file states, or the spacing of its rows
+    /// Step size of each file, s; by default the one that the file states, or the spacing of its rows
     #[arg(long, value_name = "H1,H2,...", value_delimiter = ',', allow_hyphen_values = true, value_parser = positive)]
     steps: Vec<f64>,
     /// Picture of the greatest error against the work, whose name ends in .svg or .png

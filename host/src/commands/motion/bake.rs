@@ -39,14 +39,13 @@ pub struct BakeArgs {
     /// Language of the table
     #[arg(long, default_value = "rust")]
     lang: Language,
-    /// Segments of the table: 8, 16, 32, ... 4096; in f32 also 25, in f64 also 48. Without it, the default of the crate (25 in f32, 48 in
-    /// f64, 32 in q31, 16 in q15), or more if the motion needs them
+    /// Segments: 8, 16, 32, ... 4096, or the default: 25 in f32, 48 in f64, 32 in q31, 16 in q15, more if the motion needs them
     #[arg(long, value_name = "N")]
     segments: Option<u32>,
     /// Ticks in a second: N, or A/B for A ticks in B seconds
     #[arg(long, value_name = "N", default_value = "1000", value_parser = hertz)]
     hertz: [u32; 2],
-    /// Name of the table; without it, that of the scenario file
+    /// Name of the table; by default that of the scenario file
     #[arg(long, value_name = "NAME")]
     name: Option<String>,
     /// Output file; without it, stdout

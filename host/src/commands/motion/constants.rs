@@ -14,9 +14,9 @@ use toytop_model::constants::{CONSTANTS, Constant, MotionConstants};
 /// First integrals, branch points, period and mean rotations
 #[derive(Args)]
 #[command(
-    after_help = "A tilt is the angle of the axis from the upward vertical. The precession is the mean rate of the axis about the vertical. The spin is\n\
-        omega . r, the whole component of omega along the axis. Above the critical spin a top that spins upright is stable.\n\
-        With units = \"none\" a second stands for the unit of time of the scenario.\n\n\
+    after_help = "tilt: angle of the axis from the upward vertical; precession: mean rate of the axis about the vertical;\n\
+        spin: component of omega along the axis. Above the critical spin an upright top is stable.\n\
+        With units = \"none\" a second is the unit of time of the scenario.\n\n\
         Example: toytop constants host/scenarios/figure_3_loops.toml"
 )]
 pub struct ConstantsArgs {

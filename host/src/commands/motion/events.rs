@@ -16,19 +16,19 @@ use toytop::{Phase, Support};
 
 /// Times of turning points, tilts, circles, tip angles and lift-off
 #[derive(Args)]
-#[command(
-    after_help = "tilt=X: the axis makes the angle X with the upward vertical; :up selects the times at which it rises. circle=R: the tip is at the\n\
-        distance R from the centre (for a held tip R is the sine of the tilt). tip-angle=X: the tip angle is X, whole turns aside. lift-off: the\n\
-        normal force is 0; :up selects the times at which a real top leaves the plane. The search ends after 10000 events in succession that\n\
-        :up or :down leaves out.\n\n\
+#[command(after_help = "Events:\n  \
+        turning            u is least or greatest\n  \
+        tilt=DEGREES       angle between the axis and the upward vertical; :up where the axis rises\n  \
+        tip-angle=DEGREES  tip angle, apart from whole turns\n  \
+        circle=RADIUS      distance of the tip from the centre; for a held tip the sine of the tilt\n  \
+        lift-off           the normal force is 0; :up where a real top leaves the plane\n\
+        The search ends after 10000 events in succession that :up or :down leaves out.\n\n\
         Example: toytop events host/scenarios/figure_3_loops.toml --kind turning,tilt=40:up,tip-angle=90 --count 20\n         \
-        toytop events host/scenarios/toy_top.toml --kind tilt=22 --from 1e6 --format json"
-)]
+        toytop events host/scenarios/toy_top.toml --kind tilt=22 --from 1e6 --format json")]
 pub struct EventsArgs {
     /// Scenario file
     scenario: PathBuf,
-    /// Events to list, separated by commas: turning, tilt=DEGREES, tip-angle=DEGREES, circle=RADIUS, lift-off. With :up or :down
-    /// after its name an event counts only where u (or the tip angle) rises or falls
+    /// Events listed below, separated by commas; :up or :down after one selects the times at which u (or the tip angle) rises or falls
     #[arg(long = "kind", value_name = "KIND,...", value_delimiter = ',', default_value = "turning", allow_hyphen_values = true, value_parser = kind)]
     kinds: Vec<EventRequest>,
     /// Time of the earliest event to list, s

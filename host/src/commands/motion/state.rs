@@ -31,11 +31,11 @@ type Sampler = dyn Fn(u64) -> Sample + Sync;
 /// Orientation, rates and tip at given times
 #[derive(Args)]
 #[command(
-    after_help = "Units: t in s, udot in 1/s, omega in rad/s, tip in m, phi in rad; the other angles are in rad too.\n\
-        With units = \"none\" in the scenario no units are named. u, alpha, beta, gamma, delta, quaternion and axis are pure numbers.\n\
-        The tip is c = 2 s alpha beta. With support = \"fixed\" or \"free\" it is 2 alpha beta, a pure number: minus the horizontal part of the axis.\n\
-        The CSV columns have the names of the JSON keys, except for quaternion (w,x,y,z), omega_body (wx,wy,wz), angles (tilt,azimuth,roll)\n\
-        and euler_zxz (euler_phi,euler_theta,euler_psi).\n\n\
+    after_help = "Units: t in s, udot in 1/s, omega in rad/s, tip in m, phi in rad, and all other angles in rad.\n\
+        With units = \"none\" in the scenario no units are named.\n\
+        The tip is 2 s alpha beta; with support = \"fixed\" or \"free\" it is 2 alpha beta: minus the horizontal part of the axis.\n\
+        CSV columns: quaternion is w,x,y,z; omega_body is wx,wy,wz; angles is tilt,azimuth,roll;\n\
+        euler_zxz is euler_phi,euler_theta,euler_psi; all others have their JSON names.\n\n\
         Example: toytop state host/scenarios/toy_top.toml --times 0,0.5,1e6 --format json\n         \
         toytop state host/scenarios/toy_top.toml --from 0 --to 10 --count 1000001 --columns t,quaternion,omega_body --format csv -o top.csv\n         \
         toytop state host/scenarios/toy_top.toml --ticks 0..999 --hertz 8000 --scalar q15 --format csv"
@@ -53,14 +53,13 @@ pub struct StateArgs {
     /// Scalar type of the core
     #[arg(long, default_value = "f64")]
     scalar: Scalar,
-    /// Steps of the stepper in a nutation period (for a motion without a period: in a time of 2 pi sqrt((A/p + s)/g)), for --method
-    /// stepper; 4096 without this option
+    /// Steps in a nutation period, for --method stepper; by default 4096. A motion without a period counts 2 pi sqrt((A/p + s)/g) as one
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
     steps_per_period: Option<u32>,
-    /// Ticks in a second, for --ticks: N, or A/B for A ticks in B seconds; 1000 without this option
+    /// Ticks in a second, for --ticks: N, or A/B for A ticks in B seconds; by default 1000
     #[arg(long, value_name = "N", value_parser = hertz)]
     hertz: Option<[u32; 2]>,
-    /// Columns, in the order of the output; without this option t,u,udot,alpha,beta,quaternion,omega,tip,phi,error_bound, and in JSON gamma,delta too
+    /// Columns in their order; by default t,u,udot,alpha,beta,quaternion,omega,tip,phi,error_bound, and in JSON gamma,delta too
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     columns: Vec<SampleColumn>,
     /// Form of the output
@@ -88,7 +87,7 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     } else {
         &[SampleColumn::ErrorBound]
     };
-    // a program that reads JSON always gets the bound
+    // JSON always contains error_bound
     if format == Format::Json {
         columns.extend(further.iter().filter(|column| !arguments.columns.contains(column)));
     }

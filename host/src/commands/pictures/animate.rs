@@ -15,14 +15,14 @@ use std::path::PathBuf;
 /// Animation of a motion, as a GIF
 #[derive(Args)]
 #[command(
-    after_help = "Each frame shows the top at one exact time. A red spoke of the disc turns with the body. A fast spin can be seen only in slow motion:\n\
-        --times 0..0.2 shows a fifth of a second over the whole film.\n\n\
+    after_help = "Each frame shows the top at one exact time. A red spoke of the disc turns with the body.\n\
+        A fast spin needs slow motion: --times 0..0.2 shows a fifth of a second over the whole film.\n\n\
         Example: toytop animate host/scenarios/toy_top.toml --times 0..0.2 -o top.gif"
 )]
 pub struct AnimateArgs {
     /// Scenario file
     scenario: PathBuf,
-    /// Times to show, s; without it, from 0 over about one turn of the tip around the centre
+    /// Times to show, s; by default about one turn of the tip around the centre
     #[arg(long, value_name = "LOW..HIGH", value_parser = span, allow_hyphen_values = true)]
     times: Option<[f64; 2]>,
     /// Length of the film, s

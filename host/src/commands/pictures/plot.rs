@@ -12,21 +12,22 @@ use std::path::PathBuf;
 
 /// Picture of a motion: curve of the tip or axis, tilt, precession, potential
 ///
-/// For a held tip the curve from above is that of the end of a unit vector along the axis, which is minus the tip of toytop state.
+/// For a held tip, --kind tip draws the end of a unit vector along the axis: minus the tip of toytop state.
 #[derive(Args)]
-#[command(
-    after_help = "Symbols: u: cosine of the tilt; e1 <= u <= e2: its bounds; e3: third root of the cubic of the nutation; rho: distance of the\n\
-        tip from the centre, s sqrt(1 - u^2); l, n: angular momenta about the vertical and about the axis of the top.\n\n\
-        Example: toytop plot host/scenarios/figure_3_loops.toml -o tip.svg\n         toytop plot host/scenarios/toy_top.toml --kind tilt --times 0..0.5 --size 1200 -o tilt.png"
-)]
+#[command(after_help = "Symbols:\n  \
+        u     cosine of the tilt, e1 <= u <= e2\n  \
+        e3    third root of the cubic of the nutation\n  \
+        rho   distance of the tip from the centre, s sqrt(1 - u^2)\n  \
+        l, n  angular momenta about the vertical and about the axis of the top\n\n\
+        Example: toytop plot host/scenarios/figure_3_loops.toml -o tip.svg\n         \
+        toytop plot host/scenarios/toy_top.toml --kind tilt --times 0..0.5 --size 1200 -o tilt.png")]
 pub struct PlotArgs {
     /// Scenario file
     scenario: PathBuf,
     /// Kind of picture
     #[arg(long, default_value = "tip")]
     kind: PlotKind,
-    /// Times to draw, s, at most 1000 nutation periods, and none for the potential; without it, from 0 over about one turn of the tip
-    /// around the centre
+    /// Times to draw, s, at most 1000 nutation periods; by default about one turn of the tip around the centre
     #[arg(long, value_name = "LOW..HIGH", value_parser = span, allow_hyphen_values = true)]
     times: Option<[f64; 2]>,
     /// Width of the picture, pixels
@@ -48,7 +49,7 @@ enum PlotKind {
     Tilt,
     /// Azimuth of the axis against time
     Precession,
-    /// Effective potential of the nutation against the tilt
+    /// Effective potential of the nutation against the tilt, without --times
     Potential,
 }
 

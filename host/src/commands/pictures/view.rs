@@ -17,7 +17,7 @@ use std::path::PathBuf;
     after_help = "Example: toytop view host/scenarios/figure_3_loops.toml -o top.html\n         top.html#t=12.5 then shows that time\n         toytop view -o index.html   a page that begins with a toy top"
 )]
 pub struct ViewArgs {
-    /// Scenario file of the motion that the page begins with; without it, the page begins with a toy top
+    /// Scenario file of the first motion; by default a toy top
     scenario: Option<PathBuf>,
     /// Output file, whose name ends in .html or .htm
     #[arg(short, long, value_name = "FILE", value_parser = ending_in(&[".html", ".htm"]))]

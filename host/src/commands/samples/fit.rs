@@ -20,12 +20,18 @@ use std::path::{Path, PathBuf};
 
 /// Launch of a top from samples of sensors, with error bars
 ///
-/// The exit code is 1 if the fit has not converged; the reason is printed, and no scenario is written.
+/// If the fit has not converged, the exit code is 1, the reason is printed, and no scenario is written.
 #[derive(Args)]
 #[command(
-    after_help = "SAMPLES.csv has a column t (s), and those of its sensors: gyro_x,gyro_y,gyro_z (rad/s, body frame); accel_x,accel_y,accel_z (m/s^2);\n\
-        mag_x,mag_y,mag_z; w,x,y,z (unit quaternion from body to fixed coordinates); axis_x,axis_y,axis_z; tip_x,tip_y (m); mark (azimuth, rad).\n\
-        An empty field is no reading. The row of --format csv has all values of JSON; the x, y and z of a drift are those of l, n and h.\n\n\
+    after_help = "SAMPLES has a column t (s) and those of its sensors; an empty field is no reading:\n  \
+        gyro_x,gyro_y,gyro_z     rad/s, body frame\n  \
+        accel_x,accel_y,accel_z  m/s^2\n  \
+        mag_x,mag_y,mag_z        magnetometer\n  \
+        w,x,y,z                  unit quaternion from body to fixed coordinates\n  \
+        axis_x,axis_y,axis_z     unit vector along the axis\n  \
+        tip_x,tip_y              position of the tip, m\n  \
+      mark                     azimuth through which a mark on the body passes, rad\n\
+        CSV has one row with all values of JSON; x, y and z of a drift are those of l, n and h.\n\n\
         Example: toytop fit samples.csv --top host/scenarios/toy_top.toml --free axial_inertia -o fitted.toml"
 )]
 pub struct FitArgs {
@@ -34,7 +40,7 @@ pub struct FitArgs {
     /// Scenario file with the top; its motion is not read
     #[arg(long, value_name = "TOP.toml")]
     top: PathBuf,
-    /// Sensors; without this option, those of a telephone, as far as the samples have their columns
+    /// Sensors; by default those of a telephone, as far as the samples have their columns
     #[arg(long, value_name = "SENSORS.toml")]
     sensors: Option<PathBuf>,
     /// Keys of the top that are fitted too
@@ -43,14 +49,13 @@ pub struct FitArgs {
     /// Residual, in standard deviations, from which a sample is an outlier; inf for least squares
     #[arg(long, value_name = "X", default_value_t = 3.0, value_parser = huber)]
     huber: f64,
-    /// Fits a slow loss of rotation too, and reports the drift of l, n and h: standard deviation of the loss in units of the rotation
-    /// itself, 1/s, such as 0.017 where the spin may be lost in a minute
+    /// Fits a slow loss of rotation too, expected to be X (relative, 1/s; 0.017 loses the spin in a minute), and reports the drifts
     #[arg(long, value_name = "X", value_parser = positive)]
     drift: Option<f64>,
     /// Form of the output
     #[arg(long, default_value = "table")]
     format: Format,
-    /// Residuals against time, as a picture: a file that ends in .svg or .png
+    /// Picture of the residuals against time, whose name ends in .svg or .png
     #[arg(long, value_name = "FILE", value_parser = ending_in(PICTURE))]
     plot_residuals: Option<PathBuf>,
     /// Scenario file to write

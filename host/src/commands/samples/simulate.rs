@@ -18,10 +18,10 @@ use std::path::PathBuf;
 pub struct SimulateArgs {
     /// Scenario file
     scenario: PathBuf,
-    /// Sensors; without this option, a gyroscope, an accelerometer and a magnetometer of a telephone at the centre of mass
+    /// Sensors; by default those of a telephone at the centre of mass: gyroscope, accelerometer, magnetometer
     #[arg(long, value_name = "SENSORS.toml")]
     sensors: Option<PathBuf>,
-    /// Samples a second
+    /// Number of samples in a second
     #[arg(long, value_name = "N", default_value_t = 1000.0, value_parser = positive)]
     hertz: f64,
     /// Length of the recording, s

@@ -39,7 +39,7 @@ use std::process::Stdio;
 /// Chips whose calls are measured.
 const CHIPS: [Chip; 5] = [chips::M0PLUS, chips::M4F, chips::M7, chips::M33, chips::RISCV];
 
-/// Frequency of the interrupt that a tick has to fit into, Hz.
+/// Frequency of the interrupt, Hz; a tick has to fit into its period.
 const TICK_RATE: f64 = 1000.0;
 
 /// Cost of each call on emulated microcontrollers, beside its budget

@@ -31,10 +31,10 @@ use toytop::scalar::Real;
 #[derive(Args)]
 #[command(after_help = "Example: toytop compare host/scenarios/toy_top.toml --periods 100 --format csv")]
 pub struct CompareArgs {
-    /// Scenario files; without any, the built-in motions are compared
+    /// Scenario files; without any, the built-in motions
     #[arg(value_name = "SCENARIO")]
     scenarios: Vec<PathBuf>,
-    /// Nutation periods to compare over; for a motion without a period, natural times 2 pi sqrt((A/p + s)/g)
+    /// Nutation periods to compare over. A motion without a period counts 2 pi sqrt((A/p + s)/g) as one
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     periods: u32,
     /// Scalar types of the core

@@ -19,7 +19,7 @@ use std::time::Instant;
 
 /// Constants and errors of many motions of a scenario, a grid or a random sample
 ///
-/// Each motion is one row. All processor cores are used, and a sweep can be divided into parts.
+/// Each motion is one row. A sweep uses all processor cores and can be divided into parts.
 #[derive(Args)]
 #[command(
     after_help = "Example: toytop sweep host/scenarios/toy_top.toml --spin 90..300/200 --tilt 1..60/100 -o grid.csv\n         toytop sweep host/scenarios/figure_3_loops.toml --axis e1=-0.9..0.1/41 --axis e3=log:1.01..100/33 -o grid.csv\n         toytop sweep host/scenarios/toy_top.toml --spin 90..300 --motions 1000000 --part 3/100 -o part_003.csv"
@@ -27,10 +27,10 @@ use std::time::Instant;
 pub struct SweepArgs {
     /// Scenario file whose numbers vary
     scenario: PathBuf,
-    /// CSV file to write (- is stdout); it appears under its name when it is complete
+    /// CSV file, which appears when it is complete; - is stdout
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// Spin of a release, rad/s: X,Y,... or LOW..HIGH, in a grid LOW..HIGH/COUNT; with log: in front even in the logarithm
+    /// Spin of a release, rad/s: X,Y,... or LOW..HIGH/COUNT, with --motions LOW..HIGH; log: in front is even in the logarithm
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     spin: Option<Axis>,
     /// Tilt of a release, degrees
@@ -45,23 +45,22 @@ pub struct SweepArgs {
     /// Any number of the scenario, in the unit of its key: --axis com_height=0.02..0.04/21
     #[arg(long, value_name = "KEY=AXIS", value_parser = key_and_axis)]
     axis: Vec<(String, Axis)>,
-    /// Number of random motions; without it, the motions are the grid of all combinations
+    /// Number of random motions; without it, all combinations of the grid
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_MOTIONS))]
     motions: Option<u64>,
     /// Seed of the random motions
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
-    /// Columns of each motion: constants by their names in toytop constants; columns of toytop state, at every time; error_f32, the
-    /// greatest error of the f32 ephemeris against the f64 ephemeris, bound_f32 and segments_f32
+    /// Columns: names of toytop constants; of toytop state, at every time; error_f32 (against f64), bound_f32, segments_f32
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS, value_parser = SweepColumn::from_str)]
     columns: Vec<SweepColumn>,
     /// Number of times at which each motion is evaluated
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=4096))]
     samples: u32,
-    /// Nutation periods that these times are spread over; for a motion without a period, natural times 2 pi sqrt((A/p + s)/g)
+    /// Nutation periods over which these times are spread. A motion without a period counts 2 pi sqrt((A/p + s)/g) as one
     #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = periods, allow_hyphen_values = true)]
     periods: f64,
-    /// Every N-th motion, beginning with the I-th; only part 1 has the header, so that cat joins all parts
+    /// Every N-th motion from the I-th; only part 1 has the header, so that cat joins the parts
     #[arg(long, value_name = "I/N", default_value = "1/1", value_parser = part)]
     part: [u64; 2],
 }

@@ -1,4 +1,4 @@
-//! Samples as rows of CSV, JSON or blocks of aligned lines, one at a time, because not all of them fit into memory.
+//! Samples as rows of CSV, JSON or blocks of aligned lines, one at a time, because the text of all of them may not fit into memory.
 
 use crate::input::scenario::Units;
 use crate::motion::column::SampleColumn;

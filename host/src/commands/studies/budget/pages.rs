@@ -56,7 +56,7 @@ const ROWS: [(&str, &str); 24] = [
     ("cursor_f32", "**ephemeris**, the next tick, `f32`"),
     (
         "fast_tick",
-        "**ephemeris**, the next tick, `f32`, in a crate of its own: α and β, which is fast in a program compiled for size too",
+        "**ephemeris**, the next tick, `f32`, α and β only, in a crate that stays at opt-level 3 in a program compiled for size",
     ),
     ("omega_fixed_f32", "**ephemeris**, any tick, `f32`: α, β and ω in the fixed frame"),
     ("omega_f32", "**ephemeris**, any tick, `f32`: α, β and Ω in the body frame"),
