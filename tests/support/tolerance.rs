@@ -50,6 +50,8 @@ pub const EVENTS_F64: [f64; 3] = [6e-15, 6e-15, 2e-16];
 pub const EVENTS_F32: [f64; 3] = [3e-7, 3e-7, 2e-11];
 pub const EVENTS_Q31: [f64; 3] = [2.1e-8, 2.1e-8, 1e-12];
 pub const EVENTS_Q15: [f64; 3] = [3e-4, 3e-3, 4e-8];
+/// Time in s. The tip angle grows with the cube of the time, so that its rounding shifts an instant by 1e-6 s.
+pub const EVENTS_AT_A_CUSP: f64 = 2e-6;
 
 // fit/sensitivity.rs
 pub const SENSITIVITY_DERIVATIVES: f64 = 1e-10;

@@ -96,7 +96,7 @@ fn a_release_from_rest_is_an_event_at_tick_0() {
         let first = view.turning_points(0).next().unwrap();
         assert_eq!((first.tick, first.fraction, first.upward), (0, 0.0, true), "{tilt}");
         let angle = view.tip_angles(Phase::HALF, 0).next().unwrap();
-        assert!(view.time_of(&angle) < 1e-6, "{tilt}: {angle:?}");
+        assert!(view.time_of(&angle) < tolerance::EVENTS_AT_A_CUSP, "{tilt}: {angle:?}");
         let coarse = Ephemeris::<f32, 64>::with_truncation(&motion, kilohertz(), truncation).unwrap();
         let half_period = motion.period_advance().unwrap().period / 2.0;
         let [now, next] = [0, 1].map(|tick| coarse.turning_points(tick).next().unwrap());
