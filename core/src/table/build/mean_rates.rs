@@ -11,7 +11,7 @@ const STORED: f64 = 1.0 / (1_u128 << 106) as f64;
 /// Number of roundings per node of the quadrature.
 const OPERATIONS_PER_NODE: f64 = 2.0;
 
-/// Rates of the nutation phase and of the mean slow phases.
+/// Rates of the nutation phase and of the mean phases.
 #[derive(Debug)]
 pub(super) struct MeanRates {
     /// Nutation frequency 1/T and mean rates of α and β, in turns/s.

@@ -70,7 +70,7 @@ pub(super) struct Path<'a> {
 impl<'a> Path<'a> {
     /// Path from u = e₁ on. The memory has the phase equations.
     ///
-    /// * `rates`: nutation frequency and mean rates of the slow phases, turns/s
+    /// * `rates`: nutation frequency and rates of the mean phases, turns/s
     #[inline(never)]
     pub(super) fn new(
         memory: &'a mut SpanMemory,

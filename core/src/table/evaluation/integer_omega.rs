@@ -14,7 +14,7 @@ impl Number for Q30 {
         sum >> 1
     }
 
-    /// Values and derivatives are in units of 2^-31, sine and cosine of λ_β - λ_α in units of 2^-30. Sums wrap only with invalid table data.
+    /// Values and derivatives are in units of 2^-31, sine and cosine of Λ_β - Λ_α in units of 2^-30. Sums wrap only with invalid table data.
     #[inline(always)]
     fn omega_body(
         polynomials: [[i32; 4]; 2],
