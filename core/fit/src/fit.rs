@@ -1,6 +1,6 @@
 //! Fit of a launch to measurements: without a first guess, from one, and from the fit of the block before.
 //!
-//! A pass reads the measurements and stores none of them; then the launch is corrected, and the next pass begins (`docs/partials.md`).
+//! A pass reads the measurements and stores none of them; then the launch is corrected, and the next pass begins: see [partials](crate::partials).
 
 // In the order of dependence.
 mod error;

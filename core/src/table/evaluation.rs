@@ -53,7 +53,7 @@ pub struct SegmentPoint {
 pub struct EvaluationErrors {
     /// Orientation error without that of the next field, rad.
     pub(crate) orientation: f64,
-    /// Orientation error over the greatest change of the orientation on half a segment.
+    /// Orientation error per rad that the body turns in half a segment.
     pub(crate) per_half_segment: f64,
     /// Error of the angular velocity, divided by x' + |Λ_α' + Λ_β'|.
     pub(crate) omega: f64,
@@ -81,7 +81,7 @@ pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
     /// Segment whose coefficients are all 0.
     #[doc(hidden)]
     const ZERO_SEGMENT: Self::Segment;
-    /// Code of the scalar in table data: see `core/docs/table_format.md`.
+    /// Code of the scalar in [the table format](crate::table_format).
     #[doc(hidden)]
     const CODE: u32;
 
@@ -152,7 +152,7 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     fn step(added: SumOf<Self>, sum: SumOf<Self>, x: SumOf<Self>, by_16_bits: bool) -> SumOf<Self>;
     /// Last step, to the value of a polynomial with this constant.
     fn last_step(constant: Self, sum: SumOf<Self>, x: SumOf<Self>) -> SumOf<Self>;
-    /// Complex number of the table, turned by the angle with this sine and cosine.
+    /// Complex number of the table, rotated by the angle with this sine and cosine.
     fn rotated(
         number: [SumOf<Self>; 2],
         is_falling: bool,

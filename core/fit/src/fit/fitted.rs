@@ -59,8 +59,7 @@ pub struct Fitted {
     /// Covariance of the unknowns: rotation vector δ of Φ in the fixed frame, change η of ω in the frame that δ turns, logarithms of the
     /// free ratios, losses of rotation if they are unknowns, biases. The true launch is exp(δ) Φ and exp(δ) (ω + η).
     ///
-    /// In these coordinates the errors are normally distributed. Those of ω itself are not where the rotation about the vertical is
-    /// poorly known.
+    /// Errors are normally distributed in δ and η. In ω they are not, if the rotation about the vertical is poorly known.
     pub covariance: Covariance,
     /// Residuals.
     pub statistics: Statistics,
@@ -193,7 +192,7 @@ impl<F: Real> Fit<'_, F> {
 
     /// Moves the launch to the last measurement, and adds the drift. `None` where the motion cannot be followed.
     ///
-    /// From the last measurement on, the motion is exact (`docs/partials.md`).
+    /// [`Fitted::motion`] goes on from there without losses: see [partials](crate::partials).
     #[inline(never)] // stack
     fn carry_to_end(&self, fitted: &mut Fitted, end: f64) -> Option<()> {
         let span = end - fitted.time;

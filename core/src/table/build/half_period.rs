@@ -7,7 +7,7 @@
 //! |         |         |         |         |    |  |  |  |         |         |         |    spans: one expansion of the motion
 //! ```
 //!
-//! The segments of a cell are equal, and the longest with an allowed error. A segment is part of a span, or all of it.
+//! The segments of a cell have one length, the longest whose error is allowed. No segment crosses the end of a span.
 
 mod bound;
 

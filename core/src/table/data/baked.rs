@@ -15,22 +15,22 @@ use crc32::Crc32;
 /// Version of the format.
 const FORMAT: u32 = 7;
 
-/// Fields of an [`Ephemeris`] as `toytop bake SCENARIO` writes them: see `core/docs/table_format.md`.
+/// Fields of an [`Ephemeris`] as `toytop bake SCENARIO` writes them, in [the table format](crate::table_format).
 ///
-/// Changed data, and numbers that would overflow, are refused; in a constant they do not compile.
+/// `ephemeris` refuses data that were changed or would overflow. A constant of such data does not compile.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
     /// Version of the format: [`Baked::FORMAT`].
     pub format: u32,
     /// CRC-32 of the format, the scalar, the number of segments and all fields below.
     pub crc32: u32,
-    /// Phases and rates.
+    /// Clock: phases and rates.
     pub clock: Clock<R::Quantity>,
     /// Error bound of the orientation, rad.
     pub error_bound: ErrorBound,
     /// Error bound of the angular velocity, rad/s.
     pub rate_error_bound: ErrorBound,
-    /// Depth and segment offset of each sixteenth of half a period: see `core/docs/table_format.md`.
+    /// Cells, each a sixteenth of half a period: see [the table format](crate::table_format).
     pub cells: [u16; CELLS],
     /// Segments: coefficients of Re a, Im a, Re b and Im b, lowest power first.
     pub segments: [R::Segment; SEGMENTS],

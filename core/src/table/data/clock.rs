@@ -3,7 +3,7 @@
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
 
-/// Numbers of a table that do not depend on the segment: see `core/docs/table_format.md`.
+/// Numbers of a table that do not depend on the segment, as in [the table format](crate::table_format).
 ///
 /// | for | fields |
 /// |---|---|
