@@ -25,7 +25,7 @@ use crate::scalar::{Extended, Float, Ring};
 use crate::table::data::cell::LEAST_DEPTH;
 use crate::table::data::cell::{CELLS, Cell};
 
-/// What a table of half a period has besides its segments.
+/// Quantities of half a period besides its segments.
 #[derive(Debug)]
 pub(super) struct HalfPeriod {
     pub(super) mean_rates: MeanRates,

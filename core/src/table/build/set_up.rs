@@ -122,7 +122,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 }
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
-    /// Ephemeris of a motion launched at tick 0. In `f32` it takes 13 KiB of a Cortex-M4F's stack, [`EphemerisMemory::set_up`] 4 KiB.
+    /// Ephemeris of a motion launched at tick 0. In `f32` this takes 13 KB of a Cortex-M4F's stack; [`EphemerisMemory::set_up`] takes 4 KB.
     ///
     /// # Errors
     /// [`SetUpError`]

@@ -125,7 +125,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 macro_rules! baked {
     ($scalar:ty, $quantity:ident <= $greatest:ident, $coefficient:ident) => {
         impl EphemerisView<$scalar> {
-            /// Checksum of the table, as in table data.
+            /// CRC-32 of the table: see [`Baked::crc32`].
             #[must_use]
             pub const fn crc32(&self) -> u32 {
                 let clock = &self.clock;
@@ -168,7 +168,7 @@ macro_rules! baked {
         }
 
         impl<const SEGMENTS: usize> Baked<$scalar, SEGMENTS> {
-            /// Ephemeris of these data, for a constant.
+            /// Ephemeris of these data. It can be computed in a constant.
             ///
             /// # Errors
             /// [`BakedError`]
@@ -196,7 +196,7 @@ macro_rules! baked {
         }
 
         impl<const SEGMENTS: usize> Ephemeris<$scalar, SEGMENTS> {
-            /// Literal data of the ephemeris, perhaps too large for a chip's stack.
+            /// Literal data of the ephemeris. They may be too large for the stack of a chip.
             #[must_use]
             pub fn to_baked(&self) -> Baked<$scalar, SEGMENTS> {
                 Baked {

@@ -62,7 +62,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for Ephemeris<R, SEGMENTS>
     }
 }
 
-/// Memory of a table, perhaps in a static. The table cannot be read before its set-up.
+/// Memory of a table, in a static for example. The table cannot be read before its set-up.
 #[derive(Debug)]
 #[repr(C)] // the C interface reads it by its address
 pub struct EphemerisMemory<T: ?Sized> {

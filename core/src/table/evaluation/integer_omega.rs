@@ -35,7 +35,7 @@ impl Number for Q30 {
         let x = Significand { exponent: x.exponent + point.halvings as i32, ..x };
         let exponent = x.exponent.max(mean.exponent);
         let sum =
-            |change: i32, turned: i32| x.times(change, exponent).wrapping_add(mean.times(turned, exponent));
+            |change: i32, value: i32| x.times(change, exponent).wrapping_add(mean.times(value, exponent));
         let re = sum(forth.wrapping_sub(back), iproduct.wrapping_neg());
         let n =
             [if point.is_falling { re.wrapping_neg() } else { re }, sum(iforth.wrapping_sub(iback), product)];

@@ -24,7 +24,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Sample of the motion t (s) after tick 0, taken as exact; 0 if it is not finite.
     ///
-    /// Same bits as [`EphemerisView::at_tick`] at whole ticks, if the tick rate is a multiple of 1/2. It is slow beyond 2^62 ticks, and for
+    /// At whole ticks the bits are those of [`EphemerisView::at_tick`], if the tick rate is a multiple of 1/2. It is slow beyond 2^62 ticks, and for
     /// ticks of half a turn or more of a phase.
     #[inline(always)] // so that the mean tip angle is computed only where the caller uses it
     #[must_use]

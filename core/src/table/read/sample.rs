@@ -41,7 +41,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
         Phase::from_leading_bits(nutation)
     }
 
-    /// Orientation Φ, from which γ, δ and u follow.
+    /// Orientation Φ.
     #[inline(always)]
     #[must_use]
     pub fn orientation(&self) -> Orientation<R> {
