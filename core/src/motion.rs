@@ -89,7 +89,8 @@ impl Motion {
         self.signs
     }
 
-    /// Nutation period, and the advances over it. For a constant u they are those of an infinitesimal nutation. `None` if e₂ = e₃.
+    /// Nutation period, and the advances over it. For a constant u they are those of an infinitesimal nutation. `None` if e₂ = e₃, and for a
+    /// body without torque and angular momentum.
     ///
     /// Cost: one integration.
     pub fn period_advance(&self) -> Option<PeriodAdvance> {

@@ -11,6 +11,12 @@ use core::ops::{Add, AddAssign, Mul, Neg, Sub};
 
 /// Phase in turns: a signed integer in units of 2^-96.
 ///
+/// ```text
+/// 127          96 95                                        0
+/// | whole turns  | fraction of a turn                        |
+///                | 64 leading bits            |
+/// ```
+///
 /// Resolution: 2^-96 turns (8e-29 rad). Sums wrap at ±2^31 whole turns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Phase(i128);

@@ -72,7 +72,7 @@ impl<R: Real> Stepper<R> {
         stepper
     }
 
-    /// Advances by dt, s; by 0 if dt is not finite.
+    /// Advances by a time dt, s. A dt that is not finite counts as 0.
     pub fn step(&mut self, dt: R) {
         if !dt.to_f64().is_finite() {
             return;
@@ -138,7 +138,7 @@ impl<R: Real> Stepper<R> {
     }
 
     /// Tip angle φ = arg c, continuous from φ(0) in (-1/2, 1/2] turn; `None` for an axis that stays vertical. At the centre the radius changes
-    /// sign instead.
+    /// its sign in place of a jump of φ.
     #[must_use]
     pub fn tip_angle(&self) -> Option<Phase> {
         self.phi_origin.map(|origin| origin + self.continued_phi())

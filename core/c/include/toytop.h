@@ -232,7 +232,8 @@ typedef struct toytop_tick {
 
 // Phases of consecutive ticks of one table, which an interrupt keeps. It may be copied.
 //
-// A cursor belongs to the table that made it, and must be made again after a set-up: any other table refuses it.
+// A cursor belongs to the table that made it, and must be made again after a set-up. A number of 32 bits identifies a table, by which other
+// tables almost always refuse the cursor.
 typedef struct toytop_ephemeris_cursor {
   uint64_t opaque[8];
 } toytop_ephemeris_cursor;
@@ -261,7 +262,7 @@ typedef struct toytop_error_bounds {
 
 // Sample of a motion at one instant: phases, from which each quantity is computed on demand. It may be copied.
 //
-// A sample refers to its table, and is refused after another set-up in the memory of the table, which must still be there.
+// A sample refers to its table, whose memory must still be there. After another set-up in this memory the sample is refused.
 typedef struct toytop_ephemeris_sample {
   uint64_t opaque[14];
 } toytop_ephemeris_sample;

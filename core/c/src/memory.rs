@@ -65,6 +65,6 @@ pub(crate) unsafe fn store<P, T: Opaque>(place: *mut P, value: T) -> Result<(), 
 
 /// Type whose values C keeps.
 pub(crate) trait Opaque: Sized {
-    /// Number that no other type has, and that memory of another use is unlikely to begin with.
+    /// Number that identifies the type. Memory of another use is unlikely to begin with it.
     const TAG: u32;
 }

@@ -11,7 +11,8 @@ pub const TOYTOP_EPHEMERIS_CURSOR_SIZE: usize = 64;
 pub const TOYTOP_EPHEMERIS_SAMPLE_SIZE: usize = 112;
 /// Phases of consecutive ticks of one table, which an interrupt keeps. It may be copied.
 ///
-/// A cursor belongs to the table that made it, and must be made again after a set-up: any other table refuses it.
+/// A cursor belongs to the table that made it, and must be made again after a set-up. A number of 32 bits identifies a table, by which other
+/// tables almost always refuse the cursor.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_ephemeris_cursor {
@@ -20,7 +21,7 @@ pub struct toytop_ephemeris_cursor {
 
 /// Sample of a motion at one instant: phases, from which each quantity is computed on demand. It may be copied.
 ///
-/// A sample refers to its table, and is refused after another set-up in the memory of the table, which must still be there.
+/// A sample refers to its table, whose memory must still be there. After another set-up in this memory the sample is refused.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_ephemeris_sample {
@@ -74,11 +75,11 @@ pub(crate) unsafe fn write_quantity<R: EphemerisScalar, T>(
     }
 }
 
-/// Keeps a sample of a table for the caller.
+/// Stores a sample of a table in memory of the caller.
 ///
 /// # Safety
 /// The pointers are null or valid, and the table stays as long as the sample is used.
-pub(crate) unsafe fn keep_sample<R: EphemerisScalar>(
+pub(crate) unsafe fn store_sample<R: EphemerisScalar>(
     table: *const u8,
     place: *mut toytop_ephemeris_sample,
     sample: impl FnOnce(&'static EphemerisView<R>) -> Result<Sample<'static, R>, Refusal>,
@@ -104,7 +105,7 @@ pub(crate) fn at<R: EphemerisScalar>(view: &EphemerisView<R>, time: f64) -> Resu
 /// Cursor whose first sample is that of tick `first`.
 ///
 /// # Safety
-/// As for [`keep_sample`].
+/// The conditions are those of [`store_sample`].
 pub(crate) unsafe fn cursor<R: EphemerisScalar>(
     table: *const u8,
     first: i64,
@@ -120,7 +121,7 @@ pub(crate) unsafe fn cursor<R: EphemerisScalar>(
 /// Gives the next sample of a cursor to `take`. If that refuses, the cursor stays.
 ///
 /// # Safety
-/// As for [`keep_sample`].
+/// The conditions are those of [`store_sample`].
 unsafe fn advance<R: EphemerisScalar>(
     table: *const u8,
     place: *mut toytop_ephemeris_cursor,
@@ -139,20 +140,20 @@ unsafe fn advance<R: EphemerisScalar>(
 /// Next sample of a cursor.
 ///
 /// # Safety
-/// As for [`keep_sample`].
+/// The conditions are those of [`store_sample`].
 pub(crate) unsafe fn next<R: EphemerisScalar>(
     table: *const u8,
     cursor: *mut toytop_ephemeris_cursor,
     place: *mut toytop_ephemeris_sample,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table, here and inside.
-    unsafe { advance::<R>(table, cursor, |sample| keep_sample(table, place, |_| Ok(sample))) }
+    unsafe { advance::<R>(table, cursor, |sample| store_sample(table, place, |_| Ok(sample))) }
 }
 
 /// Quaternion at the next tick of a cursor.
 ///
 /// # Safety
-/// As for [`keep_sample`].
+/// The conditions are those of [`store_sample`].
 pub(crate) unsafe fn next_quaternion<R: EphemerisScalar>(
     table: *const u8,
     cursor: *mut toytop_ephemeris_cursor,
@@ -173,7 +174,7 @@ pub unsafe extern "C" fn toytop_ephemeris_cursor_tick(
 }
 
 /// Parts of a complex number, {re, im}.
-pub(crate) fn parts<R>(z: Complex<R>) -> [R; 2] {
+pub(crate) fn re_im<R>(z: Complex<R>) -> [R; 2] {
     [z.re, z.im]
 }
 

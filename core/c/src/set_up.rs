@@ -46,7 +46,7 @@ fn truncation_or_default<R: EphemerisScalar>(truncation: f64) -> f64 {
 /// # Safety
 /// `table` is null or valid for writing `size` bytes, `set_up` is null or valid for writing, and nobody else uses them until this returns.
 /// The motion is null or valid for reading. `pause` may be called with `context`.
-pub(crate) unsafe fn run<R: EphemerisScalar>(
+pub(crate) unsafe fn set_up_in<R: EphemerisScalar>(
     (table, size): (*mut u8, usize),
     set_up: *mut toytop_set_up,
     launched: Launched,
@@ -84,18 +84,18 @@ pub(crate) unsafe fn run<R: EphemerisScalar>(
     Ok(())
 }
 
-/// Sets up a table with the memory of the set-up on the stack: see [`run`].
+/// Sets up a table with the memory of the set-up on the stack: see [`set_up_in`].
 ///
 /// # Safety
-/// As for [`run`].
+/// The conditions are those of [`set_up_in`].
 #[inline(never)]
-pub(crate) unsafe fn on_stack<R: EphemerisScalar>(
+pub(crate) unsafe fn set_up_on_stack<R: EphemerisScalar>(
     table: (*mut u8, usize),
     launched: Launched,
 ) -> Result<(), Refusal> {
     let mut memory = core::mem::MaybeUninit::uninit();
     // SAFETY: as the caller guarantees, and the memory is a local variable.
-    unsafe { run::<R>(table, memory.as_mut_ptr(), launched, (None, core::ptr::null_mut())) }
+    unsafe { set_up_in::<R>(table, memory.as_mut_ptr(), launched, (None, core::ptr::null_mut())) }
 }
 
 /// Number of segments that is enough; 0 where no number is, or a parameter is refused.

@@ -154,7 +154,7 @@ pub(crate) unsafe fn view<'a, R: EphemerisScalar>(address: *const u8) -> Result<
 /// Writes a quantity of a table to memory of the caller.
 ///
 /// # Safety
-/// As for [`view`]; `place` is null or valid for writing a `T`.
+/// The conditions are those of [`view`]; `place` is null or valid for writing a `T`.
 pub(crate) unsafe fn write_from<R: EphemerisScalar, T>(
     table: *const u8,
     place: *mut T,
@@ -206,7 +206,7 @@ impl Memory {
     /// Makes the table in this memory known as one that is set up.
     ///
     /// # Safety
-    /// As for [`Self::clear`], which was called before.
+    /// The conditions are those of [`Self::clear`], which was called before.
     pub(crate) unsafe fn ready<R: EphemerisScalar>(self) {
         // SAFETY: the caller guarantees valid memory.
         unsafe { (*self.head).tag = tag_of::<R>() };

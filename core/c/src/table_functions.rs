@@ -44,7 +44,7 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up>](
 ) -> toytop_status {
     let launched = Launched { motion, tick, epoch, truncation };
     // SAFETY: the caller guarantees valid pointers.
-    unsafe { status_of(error, || set_up::on_stack::<$scalar>((table.cast(), size), launched)) }
+    unsafe { status_of(error, || set_up::set_up_on_stack::<$scalar>((table.cast(), size), launched)) }
 }
 
 /// Sets up a table with the memory of the set-up from the caller instead of on the stack, and with pauses for other work.
@@ -66,7 +66,7 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up_with_pauses>](
     let launched = Launched { motion, tick, epoch, truncation };
     // SAFETY: the caller guarantees valid pointers.
     unsafe {
-        status_of(error, || set_up::run::<$scalar>((table.cast(), size), set_up, launched, (pause, context)))
+        status_of(error, || set_up::set_up_in::<$scalar>((table.cast(), size), set_up, launched, (pause, context)))
     }
 }
 
@@ -93,13 +93,13 @@ reader! {
 reader! {
 /// Sample at any tick, of either sign, always at the same cost.
 [<toytop_ $name _at_tick>](table: $table; tick: i64, sample: *mut toytop_ephemeris_sample)
-    |table, tick, place| sample::keep_sample::<$scalar>(table, place, |view| Ok(view.at_tick(tick)))
+    |table, tick, place| sample::store_sample::<$scalar>(table, place, |view| Ok(view.at_tick(tick)))
 }
 
 reader! {
 /// Sample at any time, s from tick 0.
 [<toytop_ $name _at>](table: $table; time: f64, sample: *mut toytop_ephemeris_sample)
-    |table, time, place| sample::keep_sample::<$scalar>(table, place, |view| sample::at(view, time))
+    |table, time, place| sample::store_sample::<$scalar>(table, place, |view| sample::at(view, time))
 }
 
 reader! {

@@ -9,7 +9,7 @@ use toytop::{ParameterError, State};
 /// Unknown ratio of the top: a direction in the space of log A/C, log A/(ps) (A/p for a fixed tip), log s and log g.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeRatio {
-    /// Direction.
+    /// Direction in that space. Its length is the change for which the unknown is 1.
     pub direction: [f64; RATIOS],
     /// Prior standard deviation of the unknown; infinite where there is no prior information.
     pub deviation: f64,

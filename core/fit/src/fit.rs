@@ -1,6 +1,6 @@
 //! Fit of a launch to measurements: without a first guess, from one, and from the fit of the block before.
 //!
-//! A pass reads the measurements and stores none of them; then the launch is corrected, and the next pass begins (`docs/partials.md`).
+//! A pass reads the measurements and stores none of them; then the launch is corrected, and the next pass begins: see [partials](crate::partials).
 
 // In the order of dependence.
 mod error;
@@ -119,8 +119,8 @@ impl<'a, F: Real> Fit<'a, F> {
     /// * `loss`: standard deviation of the relative change of ω per unit time: 1/60 /s for a spin that stops in a minute
     ///
     /// # Errors
-    /// The errors of [`Fit::run`]. [`FitError::OutOfOrder`]: the last fit cannot be followed to the block. [`FitError::LossDeviation`]: the loss is
-    /// negative or not finite.
+    /// The errors of [`Fit::run`]. [`FitError::OutOfOrder`]: the block is earlier than the last fit. [`FitError::LastFit`]: the motion of the last fit
+    /// cannot be followed to the block. [`FitError::LossDeviation`]: the loss is negative or not finite.
     pub fn track(
         &mut self,
         last: &Fitted,
@@ -132,8 +132,10 @@ impl<'a, F: Real> Fit<'a, F> {
         }
         let extent = self.checked(&measurements)?;
         let span = extent.first - last.time;
-        let followed = self.model.predicted(&last.launch, span).filter(|_| span >= 0.0);
-        let (predicted, at) = followed.ok_or(FitError::OutOfOrder { index: 0 })?;
+        if span < 0.0 {
+            return Err(FitError::OutOfOrder { index: 0 });
+        }
+        let (predicted, at) = self.model.predicted(&last.launch, span).ok_or(FitError::LastFit)?;
         let mut covariance = last.covariance;
         covariance.propagate(&at.tangents);
         let noise = loss * norm(predicted.omega) * span;

@@ -7,7 +7,7 @@
 use crate::triangle::{Triangle, Unknowns, unit_row};
 use toytop::scalar::Real;
 
-/// Triangle R with its right-hand right_side z, for the first `count` unknowns.
+/// Triangle R with its right side z, for the first `count` unknowns.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Information<F> {
     pub(crate) count: usize,
@@ -57,7 +57,7 @@ impl<F: Real> Information<F> {
         self.triangle.solved(self.right_side)
     }
 
-    /// Sets the right-hand right_side to that of a solution.
+    /// Sets the right side to that of a solution.
     pub(crate) fn set_solution(&mut self, point: &Unknowns<F>) {
         self.right_side = self.triangle.product(point);
     }

@@ -1,7 +1,7 @@
 //! Partial derivatives of a motion at any time, with respect to its launch, to the ratios of its top, and to losses of rotation.
 //!
 //! Linear differential equations are integrated over one period at set-up, and over at most half a period for a time. Each whole
-//! period changes the derivatives by the same amount (`docs/partials.md`).
+//! period changes the derivatives by the same amount ([partials](crate::partials)).
 
 // In the order of dependence.
 mod coefficients;

@@ -47,8 +47,8 @@ impl<F: Real> Triangle<F> {
     /// Solution of R x = y. It is 0 where the diagonal is 0.
     pub(crate) fn solved(&self, mut y: Unknowns<F>) -> Unknowns<F> {
         for index in 0..MOST_UNKNOWNS {
-            let parts = y.split_at_mut_checked(index);
-            if let ([row @ .., pivot], Some((known, [slot, ..]))) = (self.row(index), parts) {
+            let solved_and_rest = y.split_at_mut_checked(index);
+            if let ([row @ .., pivot], Some((known, [slot, ..]))) = (self.row(index), solved_and_rest) {
                 *slot = if *pivot == F::ZERO { F::ZERO } else { (*slot - inner(row, known)) / *pivot };
             }
         }

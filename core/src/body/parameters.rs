@@ -13,13 +13,13 @@ pub struct TopParameters {
     pub transverse_inertia: f64,
     /// Axial moment of inertia C <= 2A, kg m²; 0 for a thin rod or a point at its end.
     pub axial_inertia: f64,
-    /// Distance s of the centre of mass from the tip, m; a fixed tip has it only to give p = M s.
+    /// Distance s of the centre of mass from the tip, m. For a fixed tip it serves only to give p = M s.
     pub com_height: f64,
     /// Mass M, kg.
     pub mass: f64,
     /// Mass moment p = M s, kg m.
     pub mass_moment: f64,
-    /// Gravity g, m/s²; by default 9.80665; 0 only for a fixed tip or a free body.
+    /// Gravity g, m/s², 9.80665 by default. It may be 0 for a fixed tip or a free body.
     pub gravity: f64,
     /// Angular momentum K of a rotor inside, along the axis and relative to the body, kg m²/s. M, A and C include it.
     pub rotor_momentum: f64,

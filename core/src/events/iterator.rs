@@ -40,7 +40,7 @@ impl<R: EphemerisScalar> Iterator for Events<'_, R> {
 const START_TOLERANCE: Phase = Phase::from_bits(1 << 48);
 /// Number of consecutive pieces that contain a whole period.
 const PIECES_OF_A_PERIOD: usize = 5;
-/// Greatest number of skips. A skip leaves a billionth of the way; 2^63 ticks take at most three. The others are for roundings.
+/// Greatest number of skips. A skip leaves 1e-9 of the way, so that three skips reach 2^63 ticks; five are in reserve.
 const MOST_SKIPS: usize = 8;
 
 impl<R: EphemerisScalar> EphemerisView<R> {

@@ -102,7 +102,7 @@ impl<R: Ring> Ellipse<R> {
 }
 
 impl<F: Float> Ellipse<F> {
-    /// Number along e^{iλ}, for the slow phase λ: least squares over the parameter z and its rate, with the rates of χ and λ.
+    /// Positive multiple of e^{iλ} that best fits a parameter z and its rate (least squares), with the rates of χ and λ.
     pub fn slow_phase(
         &self,
         cis_chi: Complex<F>,

@@ -18,7 +18,7 @@ pub(crate) struct LaunchRounding {
 const ROUNDINGS_OF_A_COEFFICIENT: f64 = 32.0;
 
 impl LaunchRounding {
-    /// Errors of a launch from a state: see `core/docs/error_bound.md`.
+    /// Errors of a launch from a state, as in [the error bound](crate::error_bound).
     #[inline(never)]
     pub(crate) fn new(
         top: &Top,

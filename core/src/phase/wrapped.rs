@@ -3,7 +3,13 @@
 use super::Phase;
 use crate::integer::{product_u32, wrapping_product};
 
-/// Phase in [0, 1) turn in 96 bits. Whole turns are dropped.
+/// Phase in [0, 1) turn: the 96 bits of the fraction of a [`Phase`].
+///
+/// ```text
+/// 95            64 63            32 31             0
+/// | words[2]      | words[1]       | words[0]       |
+/// | leading bits                   |
+/// ```
 ///
 /// The rounding of a step causes 4e-17 rad after 2^40 ticks (1.9e-7 rad with 64 bits).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

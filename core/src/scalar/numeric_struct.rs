@@ -17,7 +17,7 @@ macro_rules! numeric_struct {
         impl<$F: crate::scalar::Ring> $Name<$F> {
             pub(crate) const ZERO: Self = Self { $($field: $F::ZERO,)* };
 
-            /// The same numbers in another type.
+            /// Numbers in another type.
             #[inline(never)]
             pub(crate) fn map<G>(&self, convert: fn($F) -> G) -> $Name<G> {
                 $Name { $($field: convert(self.$field),)* }

@@ -1,10 +1,10 @@
 //! Evaluation of a segment: four polynomials by Horner's rule and two rotations.
 //!
-//! `f32` and fixed point are evaluated in integers, with the same bits on every chip. With α = a e^{iλ_α} and β = b e^{iλ_β}, where a and b
+//! `f32` and fixed point are evaluated in integers, with the same bits on every chip. With α = a e^{iΛ_α} and β = b e^{iΛ_β}, where a and b
 //! are tabulated, the angular velocity Ω = Φ⁻¹Φ' in the body frame has the transverse part
 //!
 //! ```text
-//! Ω₁ + iΩ₂ = -2i (ᾱβ' - βᾱ') = -2i e^{i(λ_β-λ_α)} N,    N = x' (ā db/dx - b dā/dx) + i (λ_α' + λ_β') ā b
+//! Ω₁ + iΩ₂ = -2i (ᾱβ' - βᾱ') = -2i e^{i(Λ_β-Λ_α)} N,    N = x' (ā db/dx - b dā/dx) + i (Λ_α' + Λ_β') ā b
 //! ```
 //!
 //! Where u falls, a and b become their complex conjugates, and N becomes -N̄. The axial part Ω₃ = (n - K)/C is constant.
@@ -53,9 +53,9 @@ pub struct SegmentPoint {
 pub struct EvaluationErrors {
     /// Orientation error without that of the next field, rad.
     pub(crate) orientation: f64,
-    /// Orientation error over the greatest change of the orientation on half a segment.
+    /// Orientation error per rad that the body turns in half a segment.
     pub(crate) per_half_segment: f64,
-    /// Error of the angular velocity, divided by x' + |λ_α' + λ_β'|.
+    /// Error of the angular velocity, divided by x' + |Λ_α' + Λ_β'|.
     pub(crate) omega: f64,
     /// Further error of the angular velocity, relative to its greatest value.
     pub(crate) relative_omega: f64,
@@ -81,7 +81,7 @@ pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
     /// Segment whose coefficients are all 0.
     #[doc(hidden)]
     const ZERO_SEGMENT: Self::Segment;
-    /// Code of the scalar in table data: see `core/docs/table_format.md`.
+    /// Code of the scalar in [the table format](crate::table_format).
     #[doc(hidden)]
     const CODE: u32;
 
@@ -123,8 +123,8 @@ pub trait Number: Ring + Into<Self::Quantity> {
     /// Angular velocity Ω over a power of two, with the exponent of that power.
     ///
     /// * `polynomials`: values and derivatives
-    /// * `difference`: sine and cosine of λ_β - λ_α
-    /// * `rates`: rates of x on an eighth of half a period, of λ_α + λ_β, and about the axis
+    /// * `difference`: sine and cosine of Λ_β - Λ_α
+    /// * `rates`: rates of x on an eighth of half a period, of Λ_α + Λ_β, and about the axis
     fn omega_body(
         polynomials: [[Self::Sum; 4]; 2],
         difference: [Self::Sum; 2],
@@ -152,13 +152,13 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     fn step(added: SumOf<Self>, sum: SumOf<Self>, x: SumOf<Self>, by_16_bits: bool) -> SumOf<Self>;
     /// Last step, to the value of a polynomial with this constant.
     fn last_step(constant: Self, sum: SumOf<Self>, x: SumOf<Self>) -> SumOf<Self>;
-    /// Complex number of the table, turned by the angle with this sine and cosine.
+    /// Complex number of the table, rotated by the angle with this sine and cosine.
     fn rotated(
         number: [SumOf<Self>; 2],
         is_falling: bool,
         sine_cosine: [SumOf<Self>; 2],
     ) -> Complex<Self::Number>;
-    /// Sine and cosine of λ_β - λ_α, from those of λ_α and λ_β.
+    /// Sine and cosine of Λ_β - Λ_α, from those of Λ_α and Λ_β.
     fn sine_cosine_of_difference(sines_cosines: [[SumOf<Self>; 2]; 2]) -> [SumOf<Self>; 2];
 
     // For the set-up.
@@ -175,7 +175,7 @@ const fn is_by_16_bits(power: usize, terms: usize) -> bool {
     2 * power > terms
 }
 
-/// Orientation at a point of a segment, from the 64 leading bits of the slow phases.
+/// Orientation at a point of a segment, from the 64 leading bits of the mean phases.
 #[inline(always)]
 pub(crate) fn orientation<R: EphemerisScalar>(
     rows: &[[R::Coefficient; 4]],

@@ -37,6 +37,14 @@ fn a_loss_of_spin_between_two_blocks_is_tracked_and_reported() {
         let refused = fit.track(&last, loss, second.iter().copied());
         assert_eq!(refused.err(), Some(FitError::LossDeviation), "{loss}");
     }
+    let mut later = last;
+    later.time = 10.0;
+    let late = fit.track(&later, 0.0, second.iter().copied());
+    assert_eq!(late.err(), Some(FitError::OutOfOrder { index: 0 }));
+    let mut invalid = last;
+    invalid.launch.omega = [f64::NAN; 3];
+    let invalid = fit.track(&invalid, 0.0, second.iter().copied());
+    assert_eq!(invalid.err(), Some(FitError::LastFit));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Tests of the functions as a program in C calls them: they give the bits of the crate, and a status for each error.
 
-use crate::top::{RELEASE, TOP, f32_size, f64_table, launched, numbers, parameters, state, text, told};
+use crate::top::{RELEASE, TOP, f32_size, f64_table, launched, numbers, output_of, parameters, state, text};
 use core::ffi::CStr;
 use core::mem::{MaybeUninit, size_of};
 use core::ptr::{null, null_mut};
@@ -20,7 +20,7 @@ fn every_quantity_has_the_bits_of_the_crate() {
     unsafe {
         for n in [0, 1, -5000, 1 << 40, i64::MAX] {
             let sample = expected.at_tick(n);
-            let now = &told(|to| toytop_f64_at_tick(table, n, to));
+            let now = &output_of(|to| toytop_f64_at_tick(table, n, to));
             assert_eq!(numbers(|to| toytop_f64_quaternion(now, to)), sample.quaternion());
             assert_eq!(numbers(|to| toytop_f64_axis(now, to)), sample.axis());
             assert_eq!(numbers(|to| toytop_f64_omega(now, to)), sample.omega());
@@ -30,8 +30,8 @@ fn every_quantity_has_the_bits_of_the_crate() {
             let velocity = numbers(|to| toytop_f64_tip_velocity(now, to));
             assert_eq!(velocity, parts(sample.tip_velocity()));
             let angle = sample.tip_angle().expect("an angle").to_radians();
-            assert_eq!(told(|to| toytop_f64_tip_angle(now, to)), angle);
-            let bounds: toytop_error_bounds = told(|to| toytop_f64_error_bounds(table, n, to));
+            assert_eq!(output_of(|to| toytop_f64_tip_angle(now, to)), angle);
+            let bounds: toytop_error_bounds = output_of(|to| toytop_f64_error_bounds(table, n, to));
             let [orientation, rate] = [expected.error_bound_at(n), expected.rate_error_bound_at(n)];
             assert_eq!([bounds.orientation, bounds.rate], [orientation, rate]);
         }
@@ -52,11 +52,14 @@ fn events_and_partial_derivatives_are_those_of_the_crate() {
     };
     unsafe {
         for from in [0, -5000, 1 << 40] {
-            same(told(|to| toytop_f64_turning_point(table, from, to)), expected.turning_points(from));
+            same(output_of(|to| toytop_f64_turning_point(table, from, to)), expected.turning_points(from));
             let level = Level::of_tilt(0.36).expect("a level");
-            same(told(|to| toytop_f64_tilt_reached(table, 0.36, from, to)), expected.crossings(level, from));
+            same(
+                output_of(|to| toytop_f64_tilt_reached(table, 0.36, from, to)),
+                expected.crossings(level, from),
+            );
             let direction = Phase::from_radians(-2.0);
-            let found = told(|to| toytop_f64_direction_reached(table, -2.0, from, to));
+            let found = output_of(|to| toytop_f64_direction_reached(table, -2.0, from, to));
             same(found, expected.tip_angles(direction, from));
         }
         let mut event = MaybeUninit::uninit();
@@ -64,7 +67,7 @@ fn events_and_partial_derivatives_are_those_of_the_crate() {
         assert_eq!(toytop_f64_tilt_reached(table, 3.0, 0, event), TOYTOP_NONE);
         assert_eq!(toytop_f64_tilt_reached(table, 4.0, 0, event), TOYTOP_OUT_OF_RANGE);
         assert_eq!(toytop_f64_direction_reached(table, f64::NAN, 0, event), TOYTOP_NOT_FINITE);
-        let partials: toytop_partials = told(|to| toytop_motion_partials(launched, 0.3, to));
+        let partials: toytop_partials = output_of(|to| toytop_motion_partials(launched, 0.3, to));
         let now = Sensitivity::new(&motion()).at(0.3).expect("derivatives");
         assert_eq!((partials.orientation, partials.omega), (now.d_orientation(), now.d_omega()));
         assert_eq!(partials.omega_body, now.d_omega_body());
@@ -87,14 +90,14 @@ fn a_cursor_an_epoch_and_a_time_agree() {
     };
     unsafe {
         assert_eq!(set_up(0), TOYTOP_OK);
-        let before = quaternion(told(|to| toytop_q31_at_tick(table, 7, to)));
+        let before = quaternion(output_of(|to| toytop_q31_at_tick(table, 7, to)));
         assert_eq!(set_up(100), TOYTOP_OK);
-        let delayed = quaternion(told(|to| toytop_q31_at_tick(table, 107, to)));
+        let delayed = quaternion(output_of(|to| toytop_q31_at_tick(table, 107, to)));
         assert!(before.iter().zip(delayed).all(|(x, y)| x.abs_diff(y) < 8), "{before:?} {delayed:?}");
-        let mut cursor = told(|to| toytop_q31_cursor(table, 107, to));
+        let mut cursor = output_of(|to| toytop_q31_cursor(table, 107, to));
         assert_eq!(numbers(|to| toytop_q31_next_quaternion(table, &mut cursor, to)), delayed);
-        assert_eq!(told(|to| toytop_ephemeris_cursor_tick(&cursor, to)), 107);
-        let mut now = told(|to| toytop_q31_at(table, 0.107, to));
+        assert_eq!(output_of(|to| toytop_ephemeris_cursor_tick(&cursor, to)), 107);
+        let mut now = output_of(|to| toytop_q31_at(table, 0.107, to));
         assert_eq!(quaternion(now), delayed);
         assert_eq!(toytop_q31_at(table, f64::NAN, &mut now), TOYTOP_NOT_FINITE);
         for beyond in [9.3e15, -9.3e15] {
@@ -104,9 +107,9 @@ fn a_cursor_an_epoch_and_a_time_agree() {
 
         // a call that is refused leaves the cursor where it is
         assert_eq!(toytop_q31_next(table, &mut cursor, null_mut()), TOYTOP_NULL_POINTER);
-        assert_eq!(told(|to| toytop_ephemeris_cursor_tick(&cursor, to)), 107);
+        assert_eq!(output_of(|to| toytop_ephemeris_cursor_tick(&cursor, to)), 107);
         assert_eq!(toytop_q31_next(table, &mut cursor, &mut now), TOYTOP_OK);
-        assert_eq!(told(|to| toytop_ephemeris_cursor_tick(&cursor, to)), 108);
+        assert_eq!(output_of(|to| toytop_ephemeris_cursor_tick(&cursor, to)), 108);
 
         // cursors and samples of an earlier table, of another one or of another scalar are refused
         // zeroed memory: both tables are the first in theirs
@@ -116,12 +119,12 @@ fn a_cursor_an_epoch_and_a_time_agree() {
             let (size, tick) = (size_of::<toytop_ephemeris_f32>(), toytop_hertz(1000));
             assert_eq!(toytop_f32_set_up(place, size, &motion, tick, 100, 0.0, null_mut()), TOYTOP_OK);
         }
-        let mut of_single = told(|to| toytop_f32_cursor(single, 100, to));
+        let mut of_single = output_of(|to| toytop_f32_cursor(single, 100, to));
         let next = |table, cursor| toytop_f32_next_quaternion(table, cursor, [0.0; 4].as_mut_ptr());
         assert_eq!(next(single, &mut cursor), TOYTOP_NOT_SET_UP);
         assert_eq!(next(another, &mut of_single), TOYTOP_NOT_SET_UP);
         assert_eq!(next(single, &mut of_single), TOYTOP_OK);
-        let stale = told(|to| toytop_q31_at_tick(table, 107, to));
+        let stale = output_of(|to| toytop_q31_at_tick(table, 107, to));
         assert_eq!(set_up(100), TOYTOP_OK);
         let mut numbers = [0; 4];
         assert_eq!(toytop_q31_next(table, &mut cursor, &mut now), TOYTOP_NOT_SET_UP);
@@ -131,11 +134,11 @@ fn a_cursor_an_epoch_and_a_time_agree() {
         let never = MaybeUninit::zeroed();
         assert_eq!(toytop_q31_quaternion(never.as_ptr(), numbers.as_mut_ptr()), TOYTOP_NOT_SET_UP);
         assert_eq!(
-            toytop_q31_quaternion(&told(|to| toytop_q31_at_tick(table, 0, to)), null_mut()),
+            toytop_q31_quaternion(&output_of(|to| toytop_q31_at_tick(table, 0, to)), null_mut()),
             TOYTOP_NULL_POINTER
         );
         assert_eq!(
-            toytop_f64_quaternion(&told(|to| toytop_q31_at_tick(table, 0, to)), [0.0; 4].as_mut_ptr()),
+            toytop_f64_quaternion(&output_of(|to| toytop_q31_at_tick(table, 0, to)), [0.0; 4].as_mut_ptr()),
             TOYTOP_NOT_SET_UP
         );
         assert_eq!(toytop_f32_at_tick(table.cast(), 0, &mut now), TOYTOP_NOT_SET_UP);
@@ -227,7 +230,7 @@ fn each_refused_top_has_a_text() {
 fn refusal(top: toytop_top) -> toytop_error {
     let mut motion = MaybeUninit::uninit();
     unsafe {
-        let state = told(|to| toytop_state_from_release(&RELEASE, to, null_mut()));
+        let state = output_of(|to| toytop_state_from_release(&RELEASE, to, null_mut()));
         let mut why = MaybeUninit::uninit();
         assert_ne!(toytop_launch(&top, &state, motion.as_mut_ptr(), why.as_mut_ptr()), TOYTOP_OK);
         why.assume_init()
@@ -242,10 +245,11 @@ fn an_impulse_starts_another_motion() {
     let release = toytop_release { azimuth: 0.0, precession: 0.0, ..RELEASE };
     let (impulse, point) = ([0.0, 2e-3, 0.0], [0.025, 0.0, 0.03]);
     unsafe {
-        let from = &told(|to| toytop_state_from_release(&release, to, null_mut()));
-        let after = told(|to| toytop_impulse(&TOP, from, impulse.as_ptr(), point.as_ptr(), to, null_mut()));
+        let from = &output_of(|to| toytop_state_from_release(&release, to, null_mut()));
+        let after =
+            output_of(|to| toytop_impulse(&TOP, from, impulse.as_ptr(), point.as_ptr(), to, null_mut()));
         assert_eq!(after.omega, struck.omega());
-        let reaction = told(|to: *mut [f64; 3]| {
+        let reaction = output_of(|to: *mut [f64; 3]| {
             toytop_reaction_impulse(&TOP, from, impulse.as_ptr(), point.as_ptr(), to.cast(), null_mut())
         });
         assert_eq!(reaction, state.reaction_impulse(motion().top(), impulse, point).expect("an answer"));

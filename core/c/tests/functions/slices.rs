@@ -1,6 +1,6 @@
 //! Tests of set-ups with other work in between, and of free bodies and rotors.
 
-use crate::top::{TOP, launched, numbers, parameters, state, told};
+use crate::top::{TOP, launched, numbers, output_of, parameters, state};
 use core::ffi::c_void;
 use core::mem::size_of;
 use core::ptr::null_mut;
@@ -68,10 +68,10 @@ fn free_bodies_and_rotors_are_those_of_the_crate() {
         let q = unsafe {
             let size = size_of::<toytop_ephemeris_f32>();
             assert_eq!(toytop_f32_set_up(table, size, &motion, TICK, 0, 0.0, null_mut()), TOYTOP_OK);
-            let constants = told(|to| toytop_motion_constants(&motion, to));
+            let constants = output_of(|to| toytop_motion_constants(&motion, to));
             assert_eq!(constants.min_normal_force.is_nan(), support == TOYTOP_FREE);
             assert_eq!(constants.e3.is_infinite(), support == TOYTOP_FREE);
-            let now = told(|to| toytop_f32_at_tick(table, 777, to));
+            let now = output_of(|to| toytop_f32_at_tick(table, 777, to));
             numbers(|to| toytop_f32_quaternion(&now, to))
         };
         assert_eq!(q, expected.at_tick(777).quaternion());

@@ -44,7 +44,7 @@ pub(crate) fn state() -> State {
 }
 
 /// Value that a function writes.
-pub(crate) fn told<T>(call: impl FnOnce(*mut T) -> toytop_status) -> T {
+pub(crate) fn output_of<T>(call: impl FnOnce(*mut T) -> toytop_status) -> T {
     let mut value = MaybeUninit::uninit();
     assert_eq!(call(value.as_mut_ptr()), TOYTOP_OK);
     unsafe { value.assume_init() }
@@ -52,14 +52,14 @@ pub(crate) fn told<T>(call: impl FnOnce(*mut T) -> toytop_status) -> T {
 
 /// Numbers that a function writes.
 pub(crate) fn numbers<T, const N: usize>(call: impl FnOnce(*mut T) -> toytop_status) -> [T; N] {
-    told(|to: *mut [T; N]| call(to.cast()))
+    output_of(|to: *mut [T; N]| call(to.cast()))
 }
 
 /// Motion of a top with this release.
 pub(crate) fn launched(top: &toytop_top) -> toytop_motion {
     unsafe {
-        let state = told(|to| toytop_state_from_release(&RELEASE, to, null_mut()));
-        told(|to| toytop_launch(top, &state, to, null_mut()))
+        let state = output_of(|to| toytop_state_from_release(&RELEASE, to, null_mut()));
+        output_of(|to| toytop_launch(top, &state, to, null_mut()))
     }
 }
 

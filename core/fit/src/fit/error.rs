@@ -25,8 +25,10 @@ pub enum FitError {
     NoMeasurements,
     /// There are more than four sensors, or more than four free ratios, or more than one with losses.
     TooManyUnknowns,
-    /// The deviation of the losses is not a positive number.
+    /// The deviation of the losses is not finite, negative, or 0 where it must be positive.
     LossDeviation,
+    /// The motion of the last fit cannot be followed to the first measurement.
+    LastFit,
     /// The deviation of a sensor's noise is not a positive number, or that of its bias is not finite or negative.
     SensorNoise {
         /// Index of the sensor in the list.
@@ -47,7 +49,12 @@ impl fmt::Display for FitError {
             Self::SensorNoise { sensor } => {
                 return write!(f, "sensor {sensor}: its noise must be positive, and its bias not negative");
             }
-            Self::LossDeviation => return f.write_str("losses: must be a positive number"),
+            Self::LossDeviation => {
+                return f.write_str("losses: must be finite and positive, or 0 between two blocks");
+            }
+            Self::LastFit => {
+                return f.write_str("last fit: must be a motion that reaches the first measurement");
+            }
         };
         write!(f, "measurement {index}: {what}")
     }

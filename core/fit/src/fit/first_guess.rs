@@ -225,15 +225,15 @@ impl<F: Real> Fit<'_, F> {
 fn mean_rate(instants: impl Iterator<Item = Instant>) -> Option<Vector<f64>> {
     let mut known = instants.filter_map(|instant| Some((instant.time, instant.attitude()?)));
     let (start, mut orientation) = known.next()?;
-    let (mut time, mut turned, mut first) = (start, 0.0, None);
+    let (mut time, mut axial_angle, mut first) = (start, 0.0, None);
     for (next_time, next) in known {
         let turn = rotation_vector(&orientation.inverse().compose(&next));
         let [.., axial] = turn;
-        turned += axial;
+        axial_angle += axial;
         first = first.or(Some(scaled(turn, 1.0 / (next_time - time))));
         (time, orientation) = (next_time, next);
     }
-    first.map(|[x, y, _]| [x, y, turned / (time - start)])
+    first.map(|[x, y, _]| [x, y, axial_angle / (time - start)])
 }
 
 /// Rate about the axis from the circle that a direction draws in the body, with the sign of `bound`.

@@ -59,8 +59,7 @@ pub struct Fitted {
     /// Covariance of the unknowns: rotation vector δ of Φ in the fixed frame, change η of ω in the frame that δ turns, logarithms of the
     /// free ratios, losses of rotation if they are unknowns, biases. The true launch is exp(δ) Φ and exp(δ) (ω + η).
     ///
-    /// In these coordinates the errors are normally distributed. Those of ω itself are not where the rotation about the vertical is
-    /// poorly known.
+    /// Errors are normally distributed in δ and η. In ω they are not, if the rotation about the vertical is poorly known.
     pub covariance: Covariance,
     /// Residuals.
     pub statistics: Statistics,
@@ -142,9 +141,10 @@ impl Fitted {
         let [d1, d2, d3, w1, w2, w3, by_ratios @ ..] = *by;
         let by_omega = [w1, w2, w3];
         // ω turns with the orientation
-        let turned =
+        let by_turn_of_omega =
             UNITS.map(|unit| add_all([0.0; 3], by_omega.into_iter().zip(cross(unit, self.launch.omega))));
-        let turns = [d1, d2, d3].into_iter().zip(turned).map(|(by, turned)| add_scaled(by, turned, 1.0));
+        let turns =
+            [d1, d2, d3].into_iter().zip(by_turn_of_omega).map(|(by, turn)| add_scaled(by, turn, 1.0));
         let shares = self.model.ratio_derivatives(&self.launch);
         let free = shares.map(|shares| add_all([0.0; 3], by_ratios.into_iter().zip(shares)));
         let mut columns = turns.chain(by_omega).chain(free);
@@ -193,7 +193,7 @@ impl<F: Real> Fit<'_, F> {
 
     /// Moves the launch to the last measurement, and adds the drift. `None` where the motion cannot be followed.
     ///
-    /// From the last measurement on, the motion is exact (`docs/partials.md`).
+    /// [`Fitted::motion`] goes on from there without losses: see [partials](crate::partials).
     #[inline(never)] // stack
     fn carry_to_end(&self, fitted: &mut Fitted, end: f64) -> Option<()> {
         let span = end - fitted.time;
@@ -251,8 +251,8 @@ fn unobservable(fitted: &Fitted, units: &Unknowns) -> Unobservable {
     let (axis, none) = (launch.orientation.axis(), [0.0; 3]);
     let [yaw, roll, spin] = [[UP, none], [axis, cross(launch.omega, axis)], [none, axis]].map(|direction| {
         let mut along = [0.0; MOST_UNKNOWNS];
-        let parts = direction.as_flattened().iter().zip(units);
-        along.iter_mut().zip(parts).for_each(|(slot, (x, unit))| *slot = x / unit);
+        let components = direction.as_flattened().iter().zip(units);
+        along.iter_mut().zip(components).for_each(|(slot, (x, unit))| *slot = x / unit);
         squares(&sum.solved(along)) < squares(&along)
     });
     Unobservable { yaw, roll, spin, count: undetermined }

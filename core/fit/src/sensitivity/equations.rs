@@ -1,5 +1,5 @@
 //! Equations of motion in the fixed frame, and the variational equations: the linear equations of a small change of the motion
-//! (`docs/partials.md`).
+//! ([partials](crate::partials)).
 
 use crate::sensitivity::coefficients::{Coefficients, RATIOS, are_lossy, by_ratios, coefficients, n_over_a};
 use crate::sensitivity::state::{BodyState, COLUMNS, LAUNCH_COLUMNS, Tangent};

@@ -70,7 +70,7 @@ pub(super) fn product<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) ->
 
 /// Quotient a/b of numbers with the leading bit set, times 2^(56 (WORDS + 1)).
 ///
-/// It is computed in WORDS + 1 digits of 56 bits. Each digit is at most 4 too small.
+/// The quotient is computed in WORDS + 1 digits of 56 bits. Each digit is at most 4 too small.
 #[inline(always)]
 pub(super) fn quotient<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) -> [[u64; WORDS]; 2] {
     // at most the true one

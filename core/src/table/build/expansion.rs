@@ -16,7 +16,7 @@
 //! dψ/dy = (dψ/dy)₀ + σ              (1 + κ) ((dψ/dy)₀ + σ) = (dψ/dy)₀ + f v,    κ = g δ + h μ
 //! ```
 //!
-//! Each coefficient follows from those before. The residual phase ρ is ψ minus its mean rotation.
+//! Each coefficient follows from those before. The residual phase is ρ = λ - Λ, with the mean phase Λ.
 
 mod path_equations;
 

@@ -7,7 +7,7 @@
 //! |         |         |         |         |    |  |  |  |         |         |         |    spans: one expansion of the motion
 //! ```
 //!
-//! The segments of a cell are equal, and the longest with an allowed error. A segment is part of a span, or all of it.
+//! The segments of a cell have one length, the longest whose error is allowed. No segment crosses the end of a span.
 
 mod bound;
 
@@ -25,7 +25,7 @@ use crate::scalar::{Extended, Float, Ring};
 use crate::table::data::cell::LEAST_DEPTH;
 use crate::table::data::cell::{CELLS, Cell};
 
-/// What a table of half a period has besides its segments.
+/// Quantities of half a period besides its segments.
 #[derive(Debug)]
 pub(super) struct HalfPeriod {
     pub(super) mean_rates: MeanRates,

@@ -12,7 +12,7 @@ pub(super) struct LaunchPlace {
     /// Half phase χ, folded into [0, 1/4] turn; `None` once its span is found.
     chi: Option<Phase>,
     is_falling: bool,
-    /// Nutation phase and mean slow phases.
+    /// Nutation phase and mean phases.
     pub(super) phases: [Phase; 3],
 }
 

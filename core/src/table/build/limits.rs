@@ -59,7 +59,7 @@ impl Limits {
                 1 => Motion::period::<1>,
                 _ => Motion::period::<2>,
             },
-            // a slow phase may hardly differ from its mean, which the table of an `f64` must resolve
+            // `f64`: exact rates, because a residual phase may be below 1e-16
             rates: match R::PERIOD_WORDS {
                 1 => |_, rounded, sine, cosine| rounded.rates(sine, cosine),
                 _ => |exact, _, sine, cosine| exact.rates(sine, cosine),

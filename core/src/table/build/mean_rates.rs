@@ -4,14 +4,14 @@ use crate::motion::period::Period;
 use crate::motion::{LaunchRounding, Motion};
 use crate::scalar::{Extended, Float, Ring};
 
-/// Number of roundings in a rate and an increment, without the quadrature.
+/// Number of roundings that count for a rate and its increment, without those of the quadrature.
 const OPERATIONS: f64 = 64.0;
 /// Relative error of an increment that is stored as the sum of two `f64`.
 const STORED: f64 = 1.0 / (1_u128 << 106) as f64;
 /// Number of roundings per node of the quadrature.
 const OPERATIONS_PER_NODE: f64 = 2.0;
 
-/// Rates of the nutation phase and of the mean slow phases.
+/// Rates of the nutation phase and of the mean phases.
 #[derive(Debug)]
 pub(super) struct MeanRates {
     /// Nutation frequency 1/T and mean rates of α and β, in turns/s.

@@ -70,7 +70,7 @@ pub(super) struct Path<'a> {
 impl<'a> Path<'a> {
     /// Path from u = e₁ on. The memory has the phase equations.
     ///
-    /// * `rates`: nutation frequency and mean rates of the slow phases, turns/s
+    /// * `rates`: nutation frequency and rates of the mean phases, turns/s
     #[inline(never)]
     pub(super) fn new(
         memory: &'a mut SpanMemory,
@@ -111,8 +111,7 @@ impl<'a> Path<'a> {
         PathPoint { phases: self.memory.expansion.at(x).0, error: self.end.error }
     }
 
-    /// Makes the next span longer if its series should still converge: twice as long after few terms, and at least as long as a segment of
-    /// this depth.
+    /// Doubles the next span after a series of few terms. Then makes it at least as long as a segment of depth `deepest`.
     pub(super) fn lengthen(&mut self, deepest: u32) {
         /// A series of at most so many terms needs at most 16 over twice the distance.
         const FEW_TERMS: usize = 10;

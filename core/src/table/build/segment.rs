@@ -9,8 +9,8 @@ use crate::table::evaluation::TABLE_UNIT;
 
 /// Table in which segments are stored.
 pub(super) trait SegmentStore {
-    /// Rounds and stores the polynomial of a (index 0) or b (1), if the table contains the segment. Returns the orientation error by products
-    /// with 16 bits, in units of 2^-62 rad; infinite where a sum could overflow.
+    /// Rounds and stores the polynomial of a (index 0) or b (1), if the table contains the segment. Returns the rounding error of
+    /// the 16-bit products, in units of 2^-62 rad; infinite where a sum could overflow.
     fn store(&mut self, segment: usize, index: usize, polynomial: &Polynomial) -> f32;
 }
 

@@ -122,7 +122,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 }
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
-    /// Ephemeris of a motion launched at tick 0. In `f32` it takes 13 KiB of a Cortex-M4F's stack, [`EphemerisMemory::set_up`] 4 KiB.
+    /// Ephemeris of a motion launched at tick 0. In `f32` this takes 13 KB of a Cortex-M4F's stack; [`EphemerisMemory::set_up`] takes 4 KB.
     ///
     /// # Errors
     /// [`SetUpError`]
@@ -142,7 +142,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Number of segments for a truncation error, rad; `None` if 4096 are too few or the motion has no table.
+    /// Number of segments for a truncation error > 0, rad. `None` if 4096 are too few, if the motion has no table, and if the error is refused.
     #[must_use]
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let workspace = &mut Workspace::with_truncation(truncation);

@@ -5,7 +5,7 @@ use super::path::SpanMemory;
 
 /// Workspace of a set-up, 3.6 KiB, with its truncation error.
 ///
-/// A program with a small stack keeps it in a static. [`Cursor`](crate::Cursor) shows its use.
+/// A program with a small stack keeps it in a static: see "In firmware" on [the first page](crate).
 #[derive(Debug)]
 pub struct Workspace {
     /// Truncation error, rad; `None` for that of the scalar.

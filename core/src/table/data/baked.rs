@@ -15,22 +15,22 @@ use crc32::Crc32;
 /// Version of the format.
 const FORMAT: u32 = 7;
 
-/// Fields of an [`Ephemeris`] as `toytop bake SCENARIO` writes them: see `core/docs/table_format.md`.
+/// Fields of an [`Ephemeris`] as `toytop bake SCENARIO` writes them, in [the table format](crate::table_format).
 ///
-/// Changed data, and numbers that would overflow, are refused; in a constant they do not compile.
+/// `ephemeris` refuses data that were changed or would overflow. A constant of such data does not compile.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
     /// Version of the format: [`Baked::FORMAT`].
     pub format: u32,
     /// CRC-32 of the format, the scalar, the number of segments and all fields below.
     pub crc32: u32,
-    /// Phases and rates.
+    /// Clock: phases and rates.
     pub clock: Clock<R::Quantity>,
     /// Error bound of the orientation, rad.
     pub error_bound: ErrorBound,
     /// Error bound of the angular velocity, rad/s.
     pub rate_error_bound: ErrorBound,
-    /// Depth and segment offset of each sixteenth of half a period: see `core/docs/table_format.md`.
+    /// Cells, each a sixteenth of half a period: see [the table format](crate::table_format).
     pub cells: [u16; CELLS],
     /// Segments: coefficients of Re a, Im a, Re b and Im b, lowest power first.
     pub segments: [R::Segment; SEGMENTS],
@@ -125,7 +125,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 macro_rules! baked {
     ($scalar:ty, $quantity:ident <= $greatest:ident, $coefficient:ident) => {
         impl EphemerisView<$scalar> {
-            /// Checksum of the table, as in table data.
+            /// CRC-32 of the table: see [`Baked::crc32`].
             #[must_use]
             pub const fn crc32(&self) -> u32 {
                 let clock = &self.clock;
@@ -168,7 +168,7 @@ macro_rules! baked {
         }
 
         impl<const SEGMENTS: usize> Baked<$scalar, SEGMENTS> {
-            /// Ephemeris of these data, for a constant.
+            /// Ephemeris of these data. It can be computed in a constant.
             ///
             /// # Errors
             /// [`BakedError`]
@@ -196,7 +196,7 @@ macro_rules! baked {
         }
 
         impl<const SEGMENTS: usize> Ephemeris<$scalar, SEGMENTS> {
-            /// Literal data of the ephemeris, perhaps too large for a chip's stack.
+            /// Literal data of the ephemeris. They may be too large for the stack of a chip.
             #[must_use]
             pub fn to_baked(&self) -> Baked<$scalar, SEGMENTS> {
                 Baked {

@@ -1,6 +1,6 @@
 //! Cells, by which a tick finds its segment: sixteenths of half a nutation period.
 //!
-//! The segments of a cell are equal. At depth d the half period would have 2^d segments; one of depth 3 covers two cells.
+//! The segments of a cell have one length. At depth d half a period would have 2^d of them; a segment of depth 3 covers two cells.
 
 /// Number of cells in half a period.
 pub(crate) const CELLS: usize = 16;
@@ -16,8 +16,12 @@ pub(crate) fn is_falling(nutation: u64) -> bool {
     (nutation as i64) < 0
 }
 
-/// Entry of a cell: the depth of its segments minus 3 in the lower 4 bits, and an offset m in the upper 12. Segment i of half a period at that
-/// depth is number m + i of the table, modulo 4096.
+/// Entry of a cell. Segment i of half a period at its depth is number (m + i) modulo 4096 of the table.
+///
+/// ```text
+/// 15          4 3         0
+/// | m           | depth - 3 |
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Cell(pub(crate) u16);
 
@@ -40,7 +44,7 @@ impl Cell {
         ((self.0 as u32 >> Self::DEPTH_BITS) + (phase >> shift)) as usize % Self::MOST_SEGMENTS
     }
 
-    /// Whether all segments of the cell with this number are among so many.
+    /// Whether the segments of the cell with this number are below a number of segments.
     pub(crate) const fn is_within(self, number: u32, segments: usize) -> bool {
         let begin = number << 28;
         let [first, last] = [self.segment(begin), self.segment(begin | ((1 << 28) - 1))];

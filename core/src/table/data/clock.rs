@@ -3,7 +3,7 @@
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
 
-/// Numbers of a table that do not depend on the segment: see `core/docs/table_format.md`.
+/// Numbers of a table that do not depend on the segment, as in [the table format](crate::table_format).
 ///
 /// | for | fields |
 /// |---|---|
@@ -15,7 +15,7 @@ use crate::scalar::{Extended, Float};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)] // the increments first, in reach of the smallest chip's load instructions
 pub struct Clock<W> {
-    /// Increments per tick of nutation phase and slow phases, in units of 2^-96 turns, lowest word first.
+    /// Increments per tick of the nutation phase and of the mean phases Λ_α and Λ_β, in units of 2^-96 turns, lowest word first.
     pub step: [[u32; 3]; 3],
     /// Argument of the tabulated ab at u = e₁ in quarter turns: 0, or ±1 for e₁ = -1.
     pub tip_start_quarter_turns: i8,
@@ -29,11 +29,11 @@ pub struct Clock<W> {
     pub twice_tip_scale: W,
     /// Rate dx/dt on a segment of an eighth of half a period, /s.
     pub x_rate: W,
-    /// Mean rate of λ_α + λ_β, rad/s.
+    /// Rate of Λ_α + Λ_β, rad/s.
     pub slow_sum_rate: W,
     /// Angular velocity (n - K)/C about the axis, rad/s.
     pub axial_rate: W,
-    /// Nutation phase and slow phases at tick `i64::MIN`, in units of 2^-64 turns.
+    /// Nutation phase and mean phases at tick `i64::MIN`, in units of 2^-64 turns.
     pub first_phases: [u64; 3],
     /// Increments per tick in turns, with whole turns, as sums of two `f64`.
     pub exact_step: [[f64; 2]; 3],
@@ -68,7 +68,7 @@ impl<W: Float> Clock<W> {
 }
 
 impl<W: Copy> Clock<W> {
-    /// Rates of x on a segment of an eighth of half a period, of λ_α + λ_β, and about the axis.
+    /// Rates of x on a segment of an eighth of half a period, of Λ_α + Λ_β, and about the axis.
     #[inline(always)]
     pub(crate) const fn rates(&self) -> [W; 3] {
         [self.x_rate, self.slow_sum_rate, self.axial_rate]

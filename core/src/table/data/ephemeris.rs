@@ -8,7 +8,7 @@ use core::ops::{Deref, DerefMut};
 /// Ephemeris of one motion with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.
 ///
 /// Its methods are those of [`EphemerisView`]. Size: 4 · SEGMENTS ·
-/// [`EphemerisScalar::TERMS`] coefficients and about 300 bytes.
+/// [`EphemerisScalar::TERMS`] coefficients, and 248 bytes, or 264 in `f64`.
 pub type Ephemeris<R, const SEGMENTS: usize> = EphemerisView<R, [<R as EphemerisScalar>::Segment; SEGMENTS]>;
 
 /// Ephemeris without its capacity in the type. Readers take an `&EphemerisView<f32>`.
@@ -62,7 +62,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for Ephemeris<R, SEGMENTS>
     }
 }
 
-/// Memory of a table, perhaps in a static. The table cannot be read before its set-up.
+/// Memory of a table, in a static for example. The table cannot be read before its set-up.
 #[derive(Debug)]
 #[repr(C)] // the C interface reads it by its address
 pub struct EphemerisMemory<T: ?Sized> {
@@ -108,25 +108,25 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> DerefMut for EphemerisMemory<Eph
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Largest number of segments.
+    /// Number of segments that there is room for.
     #[must_use]
     pub fn capacity(&self) -> usize {
         self.segments.len()
     }
 
-    /// Phases and rates.
+    /// Clock: phases and rates.
     #[must_use]
     pub fn clock(&self) -> &Clock<R::Quantity> {
         &self.clock
     }
 
-    /// Depth and segment offset of each sixteenth of half a period: see `core/docs/table_format.md`.
+    /// Cells, each a sixteenth of half a period: see [the table format](crate::table_format).
     #[must_use]
     pub fn cells(&self) -> [u16; CELLS] {
         self.cells
     }
 
-    /// Coefficients.
+    /// Segments in the order of their numbers; unused ones are 0.
     #[must_use]
     pub fn segments(&self) -> &[R::Segment] {
         &self.segments
@@ -150,7 +150,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.rate_error_bound
     }
 
-    /// Upper bound on the errors of the rates at a tick.
+    /// Upper bound on |Δω|, |ΔΩ| and |Δu'| at a tick, rad/s.
     #[must_use]
     pub fn rate_error_bound_at(&self, tick: i64) -> f64 {
         self.rate_error_bound.after(self.ticks_from_launch(tick))

@@ -2,8 +2,8 @@
 
 /// Upper bound on an error: `constant` plus `per_tick` for each tick from the launch.
 ///
-/// The error of an orientation is 2 √(|Δα|² + |Δβ|²). Roundings count at their worst case; the remainders of series, and the roundings along the
-/// path, are estimated.
+/// The error of an orientation is 2 √(|Δα|² + |Δβ|²). Its part by roundings of a tick is proved; the parts by series, and by roundings of the
+/// set-up, are counted or estimated. [The error bound](crate::error_bound) derives them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ErrorBound {
@@ -16,7 +16,7 @@ pub struct ErrorBound {
 impl ErrorBound {
     pub(crate) const ZERO: Self = Self { constant: 0.0, per_tick: 0.0 };
 
-    /// Upper bound on the error at a number of ticks from the launch, of either sign: the tick minus the epoch.
+    /// Upper bound on the error at this number of ticks after the launch, or before it if negative.
     #[must_use]
     pub fn after(&self, ticks: f64) -> f64 {
         self.constant + self.per_tick * ticks.abs()

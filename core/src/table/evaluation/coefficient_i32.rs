@@ -21,7 +21,7 @@ const UNIT: f64 = 1.0 / (1_u64 << 30) as f64;
 /// Error of an orientation with sines to 26 bits and results in `f32`.
 const SINGLE_ERROR: f64 = (17.2 + 2.83 * 12.5) * UNIT + f32::EPSILON as f64;
 
-/// Errors in 32 bits: `core/docs/error_bound.md` lists their parts.
+/// Errors in 32 bits, whose parts are listed in [the error bound](crate::error_bound).
 pub(super) const INTEGER_ERRORS: EvaluationErrors = EvaluationErrors {
     orientation: (17.2 + 2.83 * 1.23) * UNIT,
     per_half_segment: COORDINATE_ERROR,
@@ -84,7 +84,7 @@ pub(super) const fn overflow_limit(margin: f64) -> i64 {
     ((1.0 - margin) * (1_i64 << TABLE_BITS) as f64) as i64
 }
 
-/// Upper bound on the sum of the factors by which 16 bits of x are multiplied, in units of 2^-30; `None` where a sum could exceed `limit`.
+/// Total of the bounds on those sums that are multiplied by 16 bits of x, in units of 2^-30; `None` where a sum could exceed `limit`.
 pub(super) fn truncated_factors(polynomial: &[i64], limit: i64) -> Option<u32> {
     let limit = (limit >> 32) as u32;
     let (mut sum, mut factors) = (0_u32, 0);

@@ -14,7 +14,7 @@ impl Number for Q30 {
         sum >> 1
     }
 
-    /// Values and derivatives are in units of 2^-31, sine and cosine of λ_β - λ_α in units of 2^-30. Sums wrap only with invalid table data.
+    /// Values and derivatives are in units of 2^-31, sine and cosine of Λ_β - Λ_α in units of 2^-30. Sums wrap only with invalid table data.
     #[inline(always)]
     fn omega_body(
         polynomials: [[i32; 4]; 2],
@@ -35,7 +35,7 @@ impl Number for Q30 {
         let x = Significand { exponent: x.exponent + point.halvings as i32, ..x };
         let exponent = x.exponent.max(mean.exponent);
         let sum =
-            |change: i32, turned: i32| x.times(change, exponent).wrapping_add(mean.times(turned, exponent));
+            |change: i32, value: i32| x.times(change, exponent).wrapping_add(mean.times(value, exponent));
         let re = sum(forth.wrapping_sub(back), iproduct.wrapping_neg());
         let n =
             [if point.is_falling { re.wrapping_neg() } else { re }, sum(iforth.wrapping_sub(iback), product)];

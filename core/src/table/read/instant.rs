@@ -24,7 +24,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Sample of the motion t (s) after tick 0, taken as exact; 0 if it is not finite.
     ///
-    /// Same bits as [`EphemerisView::at_tick`] at whole ticks, if the tick rate is a multiple of 1/2. It is slow beyond 2^62 ticks, and for
+    /// At whole ticks the bits are those of [`EphemerisView::at_tick`], if the tick rate is a multiple of 1/2. It is slow beyond 2^62 ticks, and for
     /// ticks of half a turn or more of a phase.
     #[inline(always)] // so that the mean tip angle is computed only where the caller uses it
     #[must_use]
@@ -55,7 +55,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 }
 
 impl<W: Copy> Clock<W> {
-    /// Nutation phase and slow phases at tick n.
+    /// Nutation phase and mean phases at tick n.
     #[inline(always)]
     pub(crate) fn phases_at_tick(&self, n: i64) -> [WrappedPhase; 3] {
         let since_first = n.wrapping_sub(i64::MIN) as u64;
@@ -88,7 +88,7 @@ impl<W: Copy> Clock<W> {
         Some(((ticks >> 64) as i64, ticks as u64))
     }
 
-    /// 64 leading bits of nutation phase and slow phases at a fraction of a tick after tick n.
+    /// 64 leading bits of nutation phase and mean phases at a fraction of a tick after tick n.
     #[inline(always)]
     fn phases_after_tick(&self, n: i64, fraction: u64) -> [u64; 3] {
         let since_first = n.wrapping_sub(i64::MIN) as u64;
@@ -99,7 +99,7 @@ impl<W: Copy> Clock<W> {
         [after(nutation, nutation_step), after(a, a_step), after(b, b_step)]
     }
 
-    /// 64 leading bits of nutation phase and slow phases, and mean tip angle, at any number of ticks.
+    /// 64 leading bits of nutation phase and mean phases, and mean tip angle, at any number of ticks.
     #[cold]
     #[inline(never)]
     fn phases_at_ticks(&self, ticks: Extended) -> ([u64; 3], Phase) {

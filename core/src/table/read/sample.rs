@@ -15,7 +15,7 @@ use crate::table::read::segment::LocatedSegment;
 #[derive(Clone, Copy, Debug)]
 pub struct Sample<'a, R: EphemerisScalar> {
     pub(crate) ephemeris: &'a EphemerisView<R>,
-    /// Leading 64 bits of nutation phase and slow phases.
+    /// 64 leading bits of nutation phase and mean phases.
     pub(crate) phases: [u64; 3],
     /// Mean tip angle.
     pub(crate) mean_tip: Phase,
@@ -41,7 +41,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
         Phase::from_leading_bits(nutation)
     }
 
-    /// Orientation Φ, from which γ, δ and u follow.
+    /// Orientation Φ.
     #[inline(always)]
     #[must_use]
     pub fn orientation(&self) -> Orientation<R> {

@@ -1,4 +1,4 @@
-//! Error bounds of a table, with the terms of `core/docs/error_bound.md`.
+//! Error bounds of a table, with the terms of [the error bound](crate::error_bound).
 
 use super::{HalfPeriod, MeanRates};
 use crate::motion::Motion;

@@ -11,8 +11,8 @@ use crate::table::evaluation::EphemerisScalar;
 impl<W: Float> Clock<W> {
     /// Clock of a motion that is launched at tick `epoch`, without [`Clock::tip_start`].
     ///
-    /// * `turns`: nutation frequency and mean rates of the slow phases, turns/s
-    /// * `start`: nutation phase and slow phases at the launch
+    /// * `turns`: nutation frequency and rates of the mean phases, turns/s
+    /// * `start`: nutation phase and mean phases at the launch
     pub(super) fn new(
         motion: &Motion,
         tick: Tick,
@@ -63,7 +63,7 @@ impl<W: Float> Clock<W> {
 impl<R: EphemerisScalar> EphemerisView<R> {
     /// Sets the mean tip angle so that the tip angle at the launch is the argument of c in (-1/2, 1/2] turn.
     ///
-    /// * `start`: nutation phase and slow phases at the launch
+    /// * `start`: nutation phase and mean phases at the launch
     pub(super) fn start_tip_angle(&mut self, motion: &Motion, start: [Phase; 3], pause: &mut dyn FnMut()) {
         let [nutation, a, b] = start;
         let nutation = nutation.leading_bits();
