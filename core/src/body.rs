@@ -2,9 +2,9 @@
 
 mod error;
 
-mod top;
-
 mod parameters;
+
+mod top;
 
 mod state;
 

@@ -5,11 +5,11 @@
 
 mod event;
 
-mod bisection;
-
 mod level;
 
 mod recurring_instants;
+
+mod tip_angle_search;
 
 mod iterator;
 

@@ -10,6 +10,8 @@ pub(crate) mod period;
 
 mod launch_rounding;
 
+mod start;
+
 mod launch;
 
 pub use launch::InitialAngles;
@@ -147,21 +149,13 @@ impl Motion {
         self.ellipses.cast()
     }
 
-    /// 1 + u and 1 - u of a steady motion.
-    fn steady_complements(&self) -> [Extended; 2] {
-        match self.regime {
-            Regime::SleepingUnstable => [Extended::from(2.0), Extended::ZERO],
-            _ => [self.e.one_plus_e1, self.e.one_minus_e2],
-        }
-    }
-
     /// Rates ((l ± n)/(A (1 ± u)) ± τ)/2 of the slow phases where u is constant, rad/s; 0 for a parameter that is 0.
     pub(crate) fn steady_rates(&self) -> [Extended; 2] {
         let (twice_a, zero) = (self.top.a.doubled(), Extended::ZERO);
         let rate = |momentum: Extended, complement: Extended, half_tau: Extended| {
             if complement > zero { momentum / (twice_a * complement) + half_tau } else { zero }
         };
-        let ([one_plus_u, one_minus_u], half_tau) = (self.steady_complements(), self.half_tau);
+        let ([one_plus_u, one_minus_u], half_tau) = (steady_complements(&self.e, self.regime), self.half_tau);
         let FirstIntegrals { l_plus_n, l_minus_n, .. } = self.integrals;
         [rate(l_plus_n, one_plus_u, half_tau), rate(l_minus_n, one_minus_u, -half_tau)]
     }
@@ -180,11 +174,15 @@ impl Motion {
     #[doc(hidden)]
     #[inline(never)]
     pub fn equations(&self) -> PhaseEquations<Extended> {
-        if self.top.is_torque_free() {
-            PhaseEquations::torque_free(self.torque_free_rate, &self.e)
-        } else {
-            PhaseEquations::new(&self.top, &self.e, self.integrals.l_plus_n, self.signs)
-        }
+        PhaseEquations::new(&self.top, &self.e, self.integrals.l_plus_n, self.signs, self.torque_free_rate)
+    }
+}
+
+/// 1 + u and 1 - u of a steady motion.
+fn steady_complements(e: &BranchPoints<Extended>, regime: Regime) -> [Extended; 2] {
+    match regime {
+        Regime::SleepingUnstable => [Extended::from(2.0), Extended::ZERO],
+        _ => [e.one_plus_e1, e.one_minus_e2],
     }
 }
 

@@ -1,5 +1,7 @@
-//! Symmetric top, with valid parameters.
+//! Symmetric top, with valid parameters, and their allowed ranges.
 
+use super::parameters::check_positive;
+use super::{ParameterError, TopParameters, check, check_finite, check_range};
 use crate::scalar::{Extended, Float, Ring};
 
 /// Support of the tip.
@@ -28,6 +30,123 @@ pub struct Top {
     pub(crate) p: Extended,
     pub(crate) g: Extended,
     pub(crate) k: Extended,
+}
+
+impl Top {
+    /// Top whose tip slides on a plane: Springborn's toy top. It needs A, C, s, and either M or p.
+    ///
+    /// # Errors
+    /// [`ParameterError`] names the wrong parameter. The ranges are
+    ///
+    /// * A, s, g, and M or p: 1e-60 to 1e60
+    /// * C: 0, or 1e-60 A to 2A
+    /// * A/(ps): 1e-6 to 1e30
+    /// * √(pg/A): 1e-9 to 1e9 per unit of time
+    /// * |K|/A: at most 1e12 per unit of time
+    pub fn sliding(parameters: &TopParameters) -> Result<Self, ParameterError> {
+        check(
+            parameters.gravity != 0.0,
+            "gravity",
+            "positive: without weight nothing keeps the tip on the plane, and the body is free",
+        )?;
+        let s = check_positive("com_height", parameters.com_height)?;
+        let p = match parameters.given_mass()? {
+            Some(mass) => Extended::from(mass) * s.into(),
+            None => check_positive("mass_moment", parameters.mass_moment)?.into(),
+        };
+        let top = Self::new(Support::Sliding, parameters, s, p)?;
+        check_range(
+            1e-6..=1e30,
+            "transverse_inertia",
+            top.a_over_ps().to_f64(),
+            "between 1e-6 and 1e30 times mass_moment x com_height",
+        )?;
+        Ok(top)
+    }
+
+    /// Top whose tip is held at a fixed point, the Lagrange top. It needs A and C, both about the *tip*, and either p, or M and
+    /// s. Without gravity the motion is that of [`Top::free`].
+    ///
+    /// # Errors
+    /// [`ParameterError`] names the wrong parameter. The ranges are
+    ///
+    /// * A, and p or M and s: 1e-60 to 1e60; with M, A at least M s² + C/2
+    /// * C: 0, or 1e-60 A to 2A; without gravity 0, or 1e-20 A to 2A
+    /// * g: 0, or 1e-60 to 1e60 with √(pg/A) 1e-9 to 1e9 per unit of time
+    /// * |K|/A: at most 1e12 per unit of time
+    pub fn fixed(parameters: &TopParameters) -> Result<Self, ParameterError> {
+        const ROUNDING: f64 = 1e-9;
+        let Some(mass) = parameters.given_mass()? else {
+            check_range(
+                0.0..=0.0,
+                "com_height",
+                parameters.com_height,
+                "left out where the tip is fixed and mass_moment is given",
+            )?;
+            let p = check_positive("mass_moment", parameters.mass_moment)?.into();
+            return Self::new(Support::Fixed, parameters, 0.0, p);
+        };
+        let p = Extended::from(mass) * check_positive("com_height", parameters.com_height)?.into();
+        let top = Self::new(Support::Fixed, parameters, 0.0, p)?;
+        let least = top.mass_moment() * parameters.com_height + 0.5 * top.axial_inertia();
+        check(
+            top.transverse_inertia() >= least * (1.0 - ROUNDING),
+            "transverse_inertia",
+            "the moment about the tip, at least mass x com_height^2 + axial_inertia / 2",
+        )?;
+        Ok(top)
+    }
+
+    /// Body without support. It needs A and C, both about its centre of mass; of the other parameters only K has an effect.
+    ///
+    /// # Errors
+    /// [`ParameterError`] names the wrong parameter. A must be 1e-60 to 1e60; C 0, or 1e-20 A to 2A; |K|/A at most 1e12 per unit of
+    /// time; and the others finite.
+    pub fn free(parameters: &TopParameters) -> Result<Self, ParameterError> {
+        check_finite("com_height", parameters.com_height)?;
+        check_finite("mass", parameters.mass)?;
+        check_finite("mass_moment", parameters.mass_moment)?;
+        check_finite("gravity", parameters.gravity)?;
+        let weightless = TopParameters { gravity: 0.0, ..*parameters };
+        Self::new(Support::Free, &weightless, 0.0, Extended::ZERO)
+    }
+
+    fn new(
+        support: Support,
+        parameters: &TopParameters,
+        s: f64,
+        p: Extended,
+    ) -> Result<Self, ParameterError> {
+        let a = check_positive("transverse_inertia", parameters.transverse_inertia)?;
+        let c = check_range(
+            0.0..=2.0 * a,
+            "axial_inertia",
+            parameters.axial_inertia,
+            "between 0 and twice transverse_inertia (no body has C > 2A)",
+        )?;
+        check(c == 0.0 || c >= 1e-60 * a, "axial_inertia", "0, or at least 1e-60 times transverse_inertia")?;
+        let g = if parameters.gravity == 0.0 { 0.0 } else { check_positive("gravity", parameters.gravity)? };
+        check(
+            g > 0.0 || c == 0.0 || c >= 1e-20 * a,
+            "axial_inertia",
+            "0, or without gravity at least 1e-20 times transverse_inertia",
+        )?;
+        check(
+            g == 0.0 || (1e-18..=1e18).contains(&(g * (p.to_f64() / a))),
+            "gravity",
+            "such that sqrt(mass_moment x gravity / transverse_inertia) is between 1e-9 and 1e9 per second (change the \
+             unit of time), or a free body instead",
+        )?;
+        let k = check_finite("rotor_momentum", parameters.rotor_momentum)?;
+        check(
+            k.abs() <= 1e12 * a,
+            "rotor_momentum",
+            "at most 1e12 per second times transverse_inertia in magnitude",
+        )?;
+        let k = if k.abs() < 1e-60 * a { 0.0 } else { k };
+        let [a, c, s, g, k] = [a, c, s, g, k].map(Extended::from);
+        Ok(Self { support, a, c, s, p, g, k })
+    }
 }
 
 impl Top {
@@ -121,7 +240,6 @@ impl Top {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::TopParameters;
 
     #[test]
     fn the_mass_moment_is_exact() {

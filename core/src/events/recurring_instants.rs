@@ -4,7 +4,7 @@ use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Ring};
 use crate::table::{EphemerisScalar, EphemerisView};
 
-/// Distance from the start within which a phase is an event at the start.
+/// Distance from the start, in nutation phase, within which an instant is at the start.
 const PHASE_TOLERANCE: Phase = Phase::from_bits(1 << 46);
 
 /// Next instants of up to four nutation phases, in ticks.

@@ -1,15 +1,9 @@
 //! Launch of a motion: from a state, or from branch points and phases.
 
-mod half_phase;
-
-mod slow_phases;
-
-use self::half_phase::half_phase_of_angle;
-use self::slow_phases::attitude;
 use crate::body::{ParameterError, State, Top, check, check_range};
+use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, Regime, Signs};
-use crate::motion::cayley_klein::Ellipses;
-use crate::motion::{LaunchRounding, Motion};
+use crate::motion::{LaunchRounding, Motion, start};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 
@@ -64,15 +58,38 @@ impl Motion {
         // by reference: a copy takes 280 bytes of stack
         let e = e.as_ref().map_err(|error| *error)?;
         pause();
-        let mut motion = Self::with_constants(top, &integrals, e, integrals.signs(), point.is_sleeping());
+        let signs = integrals.signs();
+        let regime = Regime::new(e, signs, point.is_sleeping());
+        let ellipses = start::ellipses(e, signs, regime);
+        let half_tau = start::half_tau(top, integrals.spin);
         pause();
-        motion.rounding = LaunchRounding::new(top, &integrals, &point, e, state);
+        let rounding = LaunchRounding::new(top, &integrals, &point, e, state);
         pause();
-        motion.set_torque_free_rate(&point);
-        motion.start_half_phase(&point);
+        let torque_free_rate = start::torque_free_rate(top, &integrals, &point);
+        let half_phase = start::half_phase(top, e, regime, torque_free_rate, &point);
         pause();
-        motion.start_slow_phases(&attitude(state), pause);
-        Ok(motion)
+        let attitude = start::attitude(state);
+        let slow_phases = match half_phase {
+            None => start::steady_slow_phases(&attitude),
+            Some(chi) => {
+                let equations = start::equations(top, e, integrals.l_plus_n, signs, torque_free_rate);
+                pause();
+                start::slow_phases(&equations, &ellipses, half_tau.to_f64(), chi, &attitude)
+            }
+        };
+        Ok(Self {
+            top: *top,
+            signs,
+            e: *e,
+            integrals,
+            half_tau,
+            ellipses,
+            regime,
+            half_phase,
+            slow_phases,
+            rounding,
+            torque_free_rate,
+        })
     }
 
     /// Motion from branch points -1 <= e₁ <= e₂ <= 1 <= e₃, which count as exact, and its phases at t = 0.
@@ -106,52 +123,28 @@ impl Motion {
             "e3",
             "such that (n - rotor_momentum)/axial_inertia is at most 1e24 rad/s, and n = rotor_momentum for a rod",
         )?;
-        let chi = half_phase_of_angle(theta);
+        let chi = start::half_phase_of_angle(theta);
         let (_, remainder) = chi.split_half_turns();
-        let mut motion = Self::with_constants(top, &integrals, &e, signs, remainder == Phase::QUARTER);
-        motion.slow_phases = [arg_alpha, arg_beta].map(|angle| Extended::from(angle).in_turns().to_phase());
-        if motion.is_steady() {
-            return Ok(motion);
-        }
-        motion.half_phase = Some(chi);
-        let arguments = motion.ellipses.arguments(motion.cis_chi());
-        for (phase, argument) in motion.slow_phases.iter_mut().zip(arguments) {
-            *phase = *phase - argument;
-        }
-        Ok(motion)
-    }
-
-    /// Motion with these constants, without its start.
-    ///
-    /// * `upright`: whether a motion with e₂ = e₃ = 1 has u = 1
-    #[inline(never)]
-    fn with_constants(
-        top: &Top,
-        integrals: &FirstIntegrals<Extended>,
-        e: &BranchPoints<Extended>,
-        signs: Signs,
-        upright: bool,
-    ) -> Self {
-        let Top { a, c, k, .. } = *top;
-        let regime = Regime::new(e, signs, upright);
-        // a swing below the threshold of the regime still has a period
-        let is_steady = e.e2_minus_e1 == Extended::ZERO || regime == Regime::SleepingUnstable;
-        let mut motion = Self {
+        let regime = Regime::new(&e, signs, remainder == Phase::QUARTER);
+        let ellipses = start::ellipses(&e, signs, regime);
+        let half_phase = (!start::is_steady(&e, regime)).then_some(chi);
+        let [alpha, beta] = match half_phase {
+            None => [Phase::ZERO; 2],
+            Some(chi) => ellipses.arguments(Complex::cis(chi)),
+        };
+        let phase = |angle: f64| Extended::from(angle).in_turns().to_phase();
+        Ok(Self {
             top: *top,
             signs,
-            e: *e,
-            integrals: *integrals,
-            half_tau: ((a - c) / a * integrals.spin - k / a).halved(),
-            ellipses: Ellipses::oscillating(e, signs, Extended::to_f64),
+            e,
+            integrals,
+            half_tau: start::half_tau(top, spin),
+            ellipses,
             regime,
-            half_phase: (!is_steady).then_some(Phase::ZERO),
-            slow_phases: [Phase::ZERO; 2],
+            half_phase,
+            slow_phases: [phase(arg_alpha) - alpha, phase(arg_beta) - beta],
             rounding: LaunchRounding::default(),
             torque_free_rate: Extended::ZERO,
-        };
-        if is_steady {
-            motion.ellipses = Ellipses::steady(motion.steady_complements());
-        }
-        motion
+        })
     }
 }

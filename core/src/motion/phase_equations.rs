@@ -58,7 +58,27 @@ numeric_struct! {
 }
 
 impl PhaseEquations<Extended> {
-    pub(crate) fn new(top: &Top, e: &BranchPoints<Extended>, l_plus_n: Extended, signs: Signs) -> Self {
+    /// Equations of a motion, with its rate χ' without torque.
+    pub(crate) fn new(
+        top: &Top,
+        e: &BranchPoints<Extended>,
+        l_plus_n: Extended,
+        signs: Signs,
+        torque_free_rate: Extended,
+    ) -> Self {
+        if top.is_torque_free() {
+            Self::without_torque(torque_free_rate, e)
+        } else {
+            Self::with_torque(top, e, l_plus_n, signs)
+        }
+    }
+
+    pub(crate) fn with_torque(
+        top: &Top,
+        e: &BranchPoints<Extended>,
+        l_plus_n: Extended,
+        signs: Signs,
+    ) -> Self {
         let Top { a, s, p, g, .. } = *top;
         // with lengths near 1 the constants are in the range of `f32`
         let unit = exponent(a.to_f64()) - exponent(p.to_f64());
@@ -86,7 +106,7 @@ impl PhaseEquations<Extended> {
     /// Equations without torque, the limit e₃ → ∞: χ' is constant, and ψ_α' and ψ_β' are 0.
     ///
     /// With e₃ - u = D = 1 and g/2 = χ'² the formula of χ' gives the constant rate.
-    pub(crate) fn torque_free(chi_rate: Extended, e: &BranchPoints<Extended>) -> Self {
+    fn without_torque(chi_rate: Extended, e: &BranchPoints<Extended>) -> Self {
         let one = Extended::ONE;
         Self {
             one_plus_e1: e.one_plus_e1,

@@ -1,0 +1,186 @@
+//! Start of a motion: its half phase and slow phases at t = 0, and the constants that they need.
+
+use crate::body::{State, Top};
+use crate::complex::Complex;
+use crate::constants::{BranchPoints, FirstIntegrals, ReducedPoint, Regime, Signs};
+use crate::motion::cayley_klein::Ellipses;
+use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
+use crate::motion::steady_complements;
+use crate::phase::Phase;
+use crate::scalar::{Extended, Float, Ring};
+use crate::su2::{AttitudeState, OrientationRate};
+
+/// Whether u is constant. A swing below the threshold of the regime still has a period.
+pub(super) fn is_steady(e: &BranchPoints<Extended>, regime: Regime) -> bool {
+    e.e2_minus_e1 == Extended::ZERO || regime == Regime::SleepingUnstable
+}
+
+/// Ellipses of α and β.
+#[inline(never)]
+pub(super) fn ellipses(e: &BranchPoints<Extended>, signs: Signs, regime: Regime) -> Ellipses<f64> {
+    if is_steady(e, regime) {
+        Ellipses::steady(steady_complements(e, regime))
+    } else {
+        Ellipses::oscillating(e, signs, Extended::to_f64)
+    }
+}
+
+/// Half of τ = ⟨ω, r⟩ - n/A, rad/s, from the axial rate.
+#[inline(never)]
+pub(super) fn half_tau(top: &Top, spin: Extended) -> Extended {
+    let Top { a, c, k, .. } = *top;
+    ((a - c) / a * spin - k / a).halved()
+}
+
+/// Rate χ' of a motion without torque, rad/s; otherwise 0. The axis rotates about the angular momentum m at the rate |m|/A.
+#[inline(never)]
+pub(super) fn torque_free_rate(
+    top: &Top,
+    integrals: &FirstIntegrals<Extended>,
+    point: &ReducedPoint,
+) -> Extended {
+    if top.is_torque_free() { (point.momentum(top.a, integrals.n) / top.a).halved() } else { Extended::ZERO }
+}
+
+/// Half phase at a point of the reduced curve; `None` where u is constant.
+///
+/// √(e₂ - e₁) sin χ = √(u - e₁), and √(e₂ - e₁) cos χ = ±√(e₂ - u) with the sign of u'. In an aperiodic motion sin χ has that sign
+/// instead. The smaller difference comes from (u - e₁)(e₂ - u) = g₀/(e₃ - u).
+#[inline(never)]
+pub(super) fn half_phase(
+    top: &Top,
+    e: &BranchPoints<Extended>,
+    regime: Regime,
+    torque_free_rate: Extended,
+    point: &ReducedPoint,
+) -> Option<Phase> {
+    if is_steady(e, regime) {
+        return None;
+    }
+    let ReducedPoint { one_minus_u, one_plus_u, udot, .. } = *point;
+    let (g0, below_e3) = if top.is_torque_free() {
+        ((udot / torque_free_rate.doubled()).squared(), Extended::ONE)
+    } else {
+        let d = top.d(one_minus_u * one_plus_u);
+        (d * udot.squared() / top.g.doubled(), one_minus_u + e.e3_minus_one)
+    };
+    let (above_e1, below_e2) = (one_plus_u - e.one_plus_e1, one_minus_u - e.one_minus_e2);
+    let (above_e1, below_e2) = if below_e2 < above_e1 {
+        (above_e1, g0 / (below_e3 * above_e1))
+    } else {
+        (g0 / (below_e3 * below_e2), below_e2)
+    };
+    let rising = angle_to([below_e2, above_e1].map(|square| square.sqrt().to_f64()));
+    Some(match regime {
+        _ if udot >= Extended::ZERO => rising,
+        Regime::Aperiodic => -rising,
+        _ => Phase::HALF - rising,
+    })
+}
+
+/// Angle of a point with x >= 0 and y >= 0, relatively exact near 0 and near a quarter turn.
+fn angle_to([x, y]: [f64; 2]) -> Phase {
+    let angle = |y: f64, x: f64| Phase::from_radians(libm::atan2(y, x));
+    if x < y { Phase::QUARTER - angle(x, y) } else { angle(y, x) }
+}
+
+/// Half phase χ = θ/2.
+pub(super) fn half_phase_of_angle(theta: f64) -> Phase {
+    let nearest = libm::round(theta * core::f64::consts::FRAC_1_PI);
+    let multiple = Extended::TWO_PI.halved() * nearest.into();
+    if nearest != 0.0 && multiple.to_f64() == theta {
+        return Phase::from_turns(0.25 * nearest);
+    }
+    (Extended::from(theta).in_turns() * Extended::from(0.5)).to_phase()
+}
+
+/// Phase equations, rounded.
+#[inline(never)]
+pub(super) fn equations(
+    top: &Top,
+    e: &BranchPoints<Extended>,
+    l_plus_n: Extended,
+    signs: Signs,
+    torque_free_rate: Extended,
+) -> PhaseEquations<f64> {
+    PhaseEquations::new(top, e, l_plus_n, signs, torque_free_rate).cast()
+}
+
+/// Slow phases at an attitude where u is constant.
+pub(super) fn steady_slow_phases(attitude: &AttitudeState<f64>) -> [Phase; 2] {
+    [attitude.orientation.alpha, attitude.orientation.beta].map(argument)
+}
+
+/// Slow phases at an attitude with this half phase.
+#[inline(never)]
+pub(super) fn slow_phases(
+    equations: &PhaseEquations<f64>,
+    Ellipses { alpha, beta }: &Ellipses<f64>,
+    half_tau: f64,
+    chi: Phase,
+    AttitudeState { orientation: phi, rate }: &AttitudeState<f64>,
+) -> [Phase; 2] {
+    let cis_chi = Complex::cis(chi);
+    let PhaseRates { half_phase, psi_alpha, psi_beta } = equations.rates(cis_chi.im, cis_chi.re);
+    [
+        alpha.slow_phase(cis_chi, [half_phase, psi_alpha + half_tau], [phi.alpha, rate.alpha]),
+        beta.slow_phase(cis_chi, [half_phase, psi_beta - half_tau], [phi.beta, rate.beta]),
+    ]
+    .map(argument)
+}
+
+fn argument(z: Complex<f64>) -> Phase {
+    Phase::from_radians(z.arg())
+}
+
+/// Orientation of a state and its rate, computed in extended precision.
+#[inline(never)]
+pub(super) fn attitude(state: &State) -> AttitudeState<f64> {
+    let (phi, omega) = state.in_extended();
+    let AttitudeState { orientation, rate } = AttitudeState::from_fixed(phi.normalised(), omega);
+    AttitudeState {
+        orientation: orientation.map(Float::to_f64),
+        rate: OrientationRate { alpha: rate.alpha.map(Float::to_f64), beta: rate.beta.map(Float::to_f64) },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `f64` nearest to k π, computed in integers: π to 100 fraction bits, and the leading 53 bits of the product.
+    fn nearest_to_multiple(k: u32) -> f64 {
+        const PI: u128 = 0x32_43f6_a888_5a30_8d31_3198_a2e0;
+        let product = PI * u128::from(k);
+        let dropped = product.ilog2() - 52;
+        let remainder = product & ((1 << dropped) - 1);
+        let half = 1 << (dropped - 1);
+        // the product is smaller than k π, by less than k units
+        assert!(remainder.abs_diff(half) > u128::from(k), "{k}");
+        let mantissa = (product >> dropped) + u128::from(remainder > half);
+        libm::ldexp(mantissa as f64, dropped as i32 - 100)
+    }
+
+    #[test]
+    fn the_nearest_number_to_any_multiple_of_pi_is_that_multiple() {
+        let most = if cfg!(miri) { 300 } else { 400_000 };
+        for k in 1..=most {
+            let theta = nearest_to_multiple(k);
+            let turns = Phase::from_bits(i128::from(k) * (Phase::QUARTER.to_bits()));
+            assert_eq!(
+                [half_phase_of_angle(theta), half_phase_of_angle(-theta)],
+                [turns, -turns],
+                "{k}: {theta:e}"
+            );
+            // a neighbouring number is a different, close angle
+            for near in [theta.next_up(), theta.next_down()] {
+                let off = half_phase_of_angle(near) - turns;
+                let unit = (near - theta).abs() * 0.25 * core::f64::consts::FRAC_1_PI;
+                let relative = off.to_turns().abs() / unit;
+                assert!((0.49..1.51).contains(&relative), "{k}: {relative}");
+                assert!((half_phase_of_angle(-near) + half_phase_of_angle(near)).to_bits().abs() <= 1, "{k}");
+            }
+        }
+        assert_eq!(half_phase_of_angle(0.0), Phase::ZERO);
+    }
+}
