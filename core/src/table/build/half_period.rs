@@ -7,17 +7,24 @@
 //! |         |         |         |         |    |  |  |  |         |         |         |    spans: one expansion of the motion
 //! ```
 //!
-//! The segments of a cell are equal, and the longest with an allowed error. A segment is part of a span, or all of it.
+//! All segments of a cell have one length, the longest whose error is allowed. A segment does not cross the ends of a span.
+
+mod mean_rates;
+
+mod launch_place;
+
+mod segment;
 
 mod bound;
 
+use launch_place::LaunchPlace;
+use mean_rates::MeanRates;
+use segment::{SegmentBounds, store_polynomial, store_segment};
+
 use super::interval::{HALF_PERIOD, Interval};
-use super::launch_place::LaunchPlace;
 use super::limits::Limits;
-use super::mean_rates::MeanRates;
 use super::path::{Path, PathPoint, SpanMemory};
 use super::polynomial::Polynomial;
-use super::segment::{SegmentBounds, store_polynomial, store_segment};
 use crate::motion::Motion;
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::phase_equations::PhaseEquations;
@@ -33,9 +40,9 @@ pub(super) struct HalfPeriod {
     pub(super) cells: [u16; CELLS],
     /// Number of segments.
     pub(super) segments: usize,
-    pub(super) bounds: SegmentBounds,
+    bounds: SegmentBounds,
     /// Orientation error that does not grow, without that of a tick, rad.
-    pub(super) error: f64,
+    error: f64,
 }
 
 /// Length of a cell, in shortest segments.

@@ -1,12 +1,15 @@
 //! Set-up: from a motion to its table.
 
+mod workspace;
+
 mod clock;
+
+pub use workspace::Workspace;
 
 use core::fmt;
 
 use super::half_period::HalfPeriod;
 use super::limits::Limits;
-use super::workspace::Workspace;
 use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::table::data::cell::{Cell, LEAST_SEGMENTS};
@@ -140,7 +143,8 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Number of segments for a truncation error, rad; `None` if 4096 are too few or the motion has no table.
+    /// Number of segments for a truncation error, rad; `None` if 4096 are too few, the motion has no table, or the error is not finite and
+    /// positive.
     #[must_use]
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let workspace = &mut Workspace::with_truncation(truncation);

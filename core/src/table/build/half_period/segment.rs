@@ -1,10 +1,10 @@
 //! One segment: from the polynomials of its span to its coefficients, with bounds on its error and speeds.
 
-use super::interval::Interval;
-use super::path::{Path, SpanMemory};
-use super::polynomial::Polynomial;
-use super::series::max_or_nan;
 use crate::scalar::{Float, Ring};
+use crate::table::build::interval::Interval;
+use crate::table::build::path::{Path, SpanMemory};
+use crate::table::build::polynomial::Polynomial;
+use crate::table::build::series::max_or_nan;
 use crate::table::evaluation::{Coefficient, EphemerisScalar, TABLE_UNIT};
 
 /// Rounds the polynomial of a (index 0) or b (1), and stores it in a segment, if the table has it. Returns the rounding error of the
