@@ -113,7 +113,7 @@ impl Motion {
                 .then(|| Period::torque_free(half_turn / self.torque_free_rate));
         }
         (self.e.e3_minus_e2 > Extended::ZERO)
-            .then(|| Period::integrated(&equations.map(Wide::<WORDS>::resized), pause))
+            .then(|| Period::integrated(&equations.map(Wide::<WORDS>::from_extended), pause))
     }
 
     /// Winding numbers of the ellipses of α and β; 1 for a steady motion.

@@ -108,6 +108,8 @@ pub trait Scalar: Ring {
 pub trait Float: Ring + Div<Output = Self> {
     /// Nearest value of this type.
     fn from_f64(x: f64) -> Self;
+    /// Nearest value of this type.
+    fn from_extended(x: Extended) -> Self;
     /// Nearest `f64`.
     fn to_f64(self) -> f64;
     /// Square root; 0 for a negative number.
@@ -149,6 +151,10 @@ macro_rules! float_scalar {
             #[inline]
             fn from_f64(x: f64) -> Self {
                 x as Self
+            }
+            #[inline]
+            fn from_extended(x: Extended) -> Self {
+                x.to_f64() as Self
             }
             #[inline]
             fn to_f64(self) -> f64 {

@@ -1,18 +1,18 @@
 //! Build of a table: from the equations of a motion to the polynomials of half a period. A set-up goes from file to file:
 //!
 //! ```text
-//! set_up.rs          motion, memory                 -> table
-//!   limits.rs          allowed error, capacity        -> limits of its parts
-//!   half_period.rs     for each cell: segments that are short enough
-//!     mean_rates.rs      motion, period                 -> mean rates of the phases, and their errors
-//!     path.rs            for each span: two expansions, from its beginning to its centre and from there to its end
-//!       expansion.rs       recurrence.rs, series.rs       -> power series of the phases
-//!       expansion/cayley_klein.rs                         -> power series of a and b
-//!       polynomial.rs      power series                   -> polynomials of a and b on the span
-//!     launch_place.rs    phase of the launch            -> nutation phase at t = 0
-//!     segment.rs         polynomials on the span        -> stored coefficients, and bounds on errors and speeds
-//!   set_up/clock.rs    rates, launch                  -> clock
-//!   half_period/bound.rs  errors of all parts         -> error bounds
+//! set_up.rs              motion, memory                 -> table
+//!   limits.rs              allowed error, capacity        -> limits of its parts
+//!   half_period.rs         for each cell: segments that are short enough
+//!     mean_rates.rs          motion, period                 -> mean rates of the phases, and their errors
+//!     launch_place.rs        phase of the launch            -> nutation phase at t = 0
+//!     segment.rs             polynomials on the span        -> stored coefficients, and bounds on errors and speeds
+//!     bound.rs               errors of all parts            -> error bounds
+//!   path.rs                for each span: two expansions, from its beginning to its centre and from there to its end
+//!     expansion.rs           recurrence.rs, series.rs       -> power series of the phases
+//!     expansion/cayley_klein.rs                             -> power series of a and b
+//!     polynomial.rs          power series                   -> polynomials of a and b on the span
+//!   set_up/clock.rs        rates, launch                  -> clock
 //! ```
 //!
 //! The tabulated a and b are α and β without their mean rotation. Series have an exponent each (`series`). The
@@ -28,24 +28,15 @@ mod limits;
 
 mod polynomial;
 
-mod mean_rates;
-
 mod interval;
-
-mod launch_place;
 
 mod path;
 
-mod segment;
-
 mod half_period;
-
-mod workspace;
 
 mod set_up;
 
-pub use set_up::SetUpError;
-pub use workspace::Workspace;
+pub use set_up::{SetUpError, Workspace};
 
 #[cfg(test)]
 mod tests {

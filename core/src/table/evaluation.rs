@@ -21,7 +21,7 @@ mod coefficient_i16;
 mod coefficient_f64;
 
 use crate::complex::Complex;
-use crate::scalar::{Real, Ring, Scalar};
+use crate::scalar::{Float, Real, Ring, Scalar};
 use crate::su2::{Orientation, Vector};
 use core::fmt::Debug;
 
@@ -96,9 +96,12 @@ pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
 
     /// Truncation error of a table unless another one is chosen, rad.
     const TRUNCATION: f64 = 2.0 * Self::ROUNDING;
-    /// Number of 64-bit words in which its period is integrated. With 1 the rates along the path are `f64`.
+    /// Number of 64-bit words in which its period is integrated.
     #[doc(hidden)]
     const PERIOD_WORDS: usize = 1;
+    /// Number type of the rates along its path. `Extended` for `f64`, because a residual phase may be below 1e-16.
+    #[doc(hidden)]
+    type PathNumber: Float;
     /// Rounding errors of a tick.
     #[doc(hidden)]
     const ERRORS: EvaluationErrors;

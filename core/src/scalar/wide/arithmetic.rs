@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::words::{inverse_root_u64, leading, quotient};
-use super::{Exact, Wide};
+use super::{Exact, Extended, Wide};
 use crate::scalar::{Float, Ring, ldexp};
 
 impl<const WORDS: usize> Wide<WORDS> {
@@ -94,6 +94,10 @@ impl<const WORDS: usize> Float for Wide<WORDS> {
     #[inline(never)]
     fn from_f64(x: f64) -> Self {
         x.into()
+    }
+
+    fn from_extended(x: Extended) -> Self {
+        Self::resized(x)
     }
 
     /// Nearest `f64`, ties to even; infinity beyond its range, 0 below its normal numbers.

@@ -18,8 +18,6 @@
 //!
 //! Each coefficient follows from those before. The residual phase is ρ = λ - Λ, with the mean phase Λ.
 
-mod path_equations;
-
 mod recurrence;
 
 mod cayley_klein;
@@ -27,8 +25,6 @@ mod cayley_klein;
 use super::series::{MOST_TERMS, PowerSeries, integrated, max_or_nan};
 use crate::phase::Phase;
 use crate::scalar::{Scalar, power_of_two_f32};
-
-pub(super) use path_equations::PathEquations;
 
 /// Largest rounding error of a coefficient, in units of its series.
 const NOISE: i64 = 4;

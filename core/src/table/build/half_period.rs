@@ -7,23 +7,30 @@
 //! |         |         |         |         |    |  |  |  |         |         |         |    spans: one expansion of the motion
 //! ```
 //!
-//! The segments of a cell have one length, the longest whose error is allowed. No segment crosses the end of a span.
+//! All segments of a cell have one length, the longest whose error is allowed. A segment does not cross the ends of a span.
+
+mod mean_rates;
+
+mod launch_place;
+
+mod segment;
 
 mod bound;
 
+use launch_place::LaunchPlace;
+use mean_rates::MeanRates;
+use segment::{SegmentBounds, store_polynomial, store_segment};
+
 use super::interval::{HALF_PERIOD, Interval};
-use super::launch_place::LaunchPlace;
 use super::limits::Limits;
-use super::mean_rates::MeanRates;
 use super::path::{Path, PathPoint, SpanMemory};
 use super::polynomial::Polynomial;
-use super::segment::{SegmentBounds, SegmentStore, store_segment};
 use crate::motion::Motion;
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::{Extended, Float, Ring};
-use crate::table::data::cell::LEAST_DEPTH;
-use crate::table::data::cell::{CELLS, Cell};
+use crate::table::data::cell::{CELLS, Cell, LEAST_DEPTH};
+use crate::table::evaluation::EphemerisScalar;
 
 /// Quantities of half a period besides its segments.
 #[derive(Debug)]
@@ -33,9 +40,9 @@ pub(super) struct HalfPeriod {
     pub(super) cells: [u16; CELLS],
     /// Number of segments.
     pub(super) segments: usize,
-    pub(super) bounds: SegmentBounds,
+    bounds: SegmentBounds,
     /// Orientation error that does not grow, without that of a tick, rad.
-    pub(super) error: f64,
+    error: f64,
 }
 
 /// Length of a cell, in shortest segments.
@@ -52,28 +59,27 @@ impl HalfPeriod {
         error: 0.0,
     };
 
-    /// Computes and stores all segments; `None` if they are too many.
-    pub(super) fn compute(
+    /// Computes all segments, and stores those that fit; `None` if they are more than allowed.
+    pub(super) fn compute<R: EphemerisScalar>(
         &mut self,
         motion: &Motion,
         limits: &Limits,
         memory: &mut SpanMemory,
-        store: &mut dyn SegmentStore,
+        segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
     ) -> Option<()> {
-        match self.begin(motion, limits, &mut memory.equations.equations, pause) {
-            Some(length) => self.follow(motion, length, limits, memory, store, pause)?,
-            None => self.store_constants(motion, store),
+        match self.begin::<R>(motion, &mut memory.equations, pause) {
+            Some(length) => self.follow::<R>(motion, length, limits, memory, segments, pause)?,
+            None => self.store_constants::<R>(motion, segments),
         }
         Some(())
     }
 
     /// Begins with the mean rates. Sets the phase equations, and returns the length of half a period, s; `None` for a constant u.
     #[inline(never)]
-    fn begin(
+    fn begin<R: EphemerisScalar>(
         &mut self,
         motion: &Motion,
-        limits: &Limits,
         equations: &mut PhaseEquations<Extended>,
         pause: &mut dyn FnMut(),
     ) -> Option<Extended> {
@@ -81,7 +87,10 @@ impl HalfPeriod {
         if !motion.is_steady() {
             *equations = motion.equations();
             pause();
-            period = (limits.period)(motion, equations, pause);
+            period = match R::PERIOD_WORDS {
+                1 => motion.period::<1>(equations, pause),
+                _ => motion.period::<2>(equations, pause),
+            };
         }
         *self = Self::ZERO;
         self.mean_rates = MeanRates::new(motion, period.as_ref());
@@ -92,17 +101,17 @@ impl HalfPeriod {
 
     /// Follows the motion from u = e₁ to u = e₂; `None` if the segments are too many.
     #[inline(never)]
-    fn follow(
+    fn follow<R: EphemerisScalar>(
         &mut self,
         motion: &Motion,
         length: Extended,
         limits: &Limits,
         memory: &mut SpanMemory,
-        store: &mut dyn SegmentStore,
+        segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
     ) -> Option<()> {
         let mut path = Path::new(memory, limits, motion, length, self.mean_rates.rates);
-        self.divide(&mut path, store, pause)?;
+        self.divide::<R>(&mut path, segments, pause)?;
         let ([delay, slow], bounds) = (path.errors(), &self.bounds);
         self.error = bounds.truncation() + bounds.error_of_delay(delay) + 2.0 * slow;
         Some(())
@@ -110,20 +119,20 @@ impl HalfPeriod {
 
     /// Stores one segment with constant a and b, for a constant u.
     #[inline(never)] // its polynomials must not stay on the stack
-    fn store_constants(&mut self, motion: &Motion, store: &mut dyn SegmentStore) {
+    fn store_constants<R: EphemerisScalar>(&mut self, motion: &Motion, segments: &mut [R::Segment]) {
         let Ellipses { alpha, beta } = motion.ellipses::<f64>();
         for (index, ellipse) in [alpha, beta].into_iter().enumerate() {
             let [plus, minus] = ellipse.exponentials();
-            store.store(0, index, &Polynomial::constant(plus + minus));
+            store_polynomial::<R>(segments.first_mut(), index, &Polynomial::constant(plus + minus));
         }
         self.segments = 1;
     }
 
     /// Divides the half period into cells, and these into segments; `None` if they are too many.
-    fn divide(
+    fn divide<R: EphemerisScalar>(
         &mut self,
-        path: &mut Path<'_>,
-        store: &mut dyn SegmentStore,
+        path: &mut Path<'_, R::PathNumber>,
+        segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
     ) -> Option<()> {
         let (mut position, mut depth) = (0, LEAST_DEPTH);
@@ -135,11 +144,11 @@ impl HalfPeriod {
             let (cell, bounds) = loop {
                 let cell = Interval { begin: position, depth: depth.min(CELLS.ilog2()) };
                 let remainder = (HALF_PERIOD - cell.end()).div_ceil(HALF_PERIOD >> LEAST_DEPTH);
-                let segments = self.segments + (1 << (depth - cell.depth)) + remainder;
-                if depth > Cell::DEEPEST || segments > path.limits.capacity {
+                let count = self.segments + (1 << (depth - cell.depth)) + remainder;
+                if depth > Cell::DEEPEST || count > path.limits.capacity {
                     return None;
                 }
-                if let Some(bounds) = self.fill(cell, depth, point, path, store, pause) {
+                if let Some(bounds) = self.fill::<R>(cell, depth, point, path, segments, pause) {
                     break (cell, bounds);
                 }
                 depth += 1;
@@ -161,13 +170,13 @@ impl HalfPeriod {
     ///
     /// * `depth`: that of the segments
     /// * `point`: beginning of the cell
-    fn fill(
+    fn fill<R: EphemerisScalar>(
         &mut self,
         cell: Interval,
         depth: u32,
         mut point: PathPoint,
-        path: &mut Path<'_>,
-        store: &mut dyn SegmentStore,
+        path: &mut Path<'_, R::PathNumber>,
+        segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
     ) -> Option<SegmentBounds> {
         let (mut position, mut number) = (cell.begin, self.segments);
@@ -178,7 +187,8 @@ impl HalfPeriod {
             point = path.end;
             let part = if span.depth < cell.depth { cell } else { span };
             for segment in part.parts(depth) {
-                bounds.include(&store_segment(path, span, segment, (number, store), pause));
+                let stored = segments.get_mut(number);
+                bounds.include(&store_segment::<R>(path, span, segment, stored, pause));
                 (bounds.error <= path.limits.segment_error(depth)).then_some(())?;
                 number += 1;
             }

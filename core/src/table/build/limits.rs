@@ -1,10 +1,5 @@
 //! Errors that a set-up allows to the parts of a table.
 
-use super::expansion::PathEquations;
-use crate::motion::Motion;
-use crate::motion::period::Period;
-use crate::motion::phase_equations::PhaseEquations;
-use crate::scalar::Extended;
 use crate::table::data::cell::LEAST_DEPTH;
 use crate::table::evaluation::{EphemerisScalar, TABLE_UNIT};
 
@@ -19,13 +14,8 @@ const TWO_CELLS_SHARE: f32 = 0.125;
 /// Share of the allowed error: a negligible term.
 const NEGLIGIBLE_SHARE: f64 = 1.0 / 256.0;
 
-/// Function for the period of a motion.
-type PeriodOf = fn(&Motion, &PhaseEquations<Extended>, &mut dyn FnMut()) -> Option<Period>;
-
-/// Limits that a set-up keeps, and the precision of its numbers.
+/// Limits that a set-up keeps.
 pub(super) struct Limits {
-    /// Number of terms of a polynomial in the table.
-    pub(super) terms: usize,
     /// Number of segments.
     pub(super) capacity: usize,
     /// Truncation error of all steps along half a period, rad.
@@ -36,10 +26,6 @@ pub(super) struct Limits {
     pub(super) dropped_terms: i64,
     /// Negligible term of a and b, rad.
     pub(super) negligible: f64,
-    /// [`Motion::period`] in numbers of this precision.
-    pub(super) period: PeriodOf,
-    /// [`PathEquations::rates`] of the exact or of the rounded equations.
-    pub(super) rates: fn(&PathEquations<Extended>, &PathEquations<f64>, f64, f64) -> [f64; 5],
 }
 
 impl Limits {
@@ -49,21 +35,11 @@ impl Limits {
             |error: f64| (((1.0 - STEPS_SHARE) * error / TABLE_UNIT) as f32).clamp(f32::MIN, f32::MAX);
         let of_series = allowed.min(R::TRUNCATION);
         Self {
-            terms: R::TERMS,
             capacity,
             steps: STEPS_SHARE * allowed,
             polynomial: polynomial(allowed),
             dropped_terms: (DROPPED_SHARE * polynomial(of_series)) as i64,
             negligible: NEGLIGIBLE_SHARE * of_series,
-            period: match R::PERIOD_WORDS {
-                1 => Motion::period::<1>,
-                _ => Motion::period::<2>,
-            },
-            // `f64`: exact rates, because a residual phase may be below 1e-16
-            rates: match R::PERIOD_WORDS {
-                1 => |_, rounded, sine, cosine| rounded.rates(sine, cosine),
-                _ => |exact, _, sine, cosine| exact.rates(sine, cosine),
-            },
         }
     }
 

@@ -1,6 +1,6 @@
 //! Path of the phases from u = e₁ to u = e₂, span by span.
 
-use super::expansion::{Expansion, Origin, PathEquations, PathPhases};
+use super::expansion::{Expansion, Origin, PathPhases};
 use super::interval::Interval;
 use super::limits::Limits;
 use super::polynomial::Polynomial;
@@ -8,6 +8,7 @@ use super::series::sine_q57::sine_cosine;
 use super::series::{PowerSeries, max_or_nan};
 use crate::motion::Motion;
 use crate::motion::cayley_klein::Ellipses;
+use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Scalar};
 use crate::table::data::cell::Cell;
@@ -28,11 +29,31 @@ impl PathPoint {
     pub(super) const FIRST: Self = Self { phases: PathPhases::ZERO, error: 0.0 };
 }
 
+/// Phase equations of a motion along half a period.
+struct PathEquations<F> {
+    equations: PhaseEquations<F>,
+    /// Half period, s.
+    half_period: F,
+    /// Residual rates minus ψ_α' and ψ_β', rad/s.
+    residual_offsets: [F; 2],
+}
+
+impl<F: Float> PathEquations<F> {
+    /// Rates of χ, ψ_α, ψ_β, ρ_α and ρ_β, rad per half period.
+    #[inline(never)]
+    fn rates(&self, sine: f64, cosine: f64) -> [f64; 5] {
+        let PhaseRates { half_phase, psi_alpha, psi_beta } =
+            self.equations.rates(F::from_f64(sine), F::from_f64(cosine));
+        let [alpha, beta] = self.residual_offsets;
+        [half_phase, psi_alpha, psi_beta, psi_alpha + alpha, psi_beta + beta]
+            .map(|rate| (self.half_period * rate).to_f64())
+    }
+}
+
 /// Memory for the motion on one span.
 #[derive(Debug)]
 pub(super) struct SpanMemory {
-    pub(super) equations: PathEquations<Extended>,
-    rounded_equations: PathEquations<f64>,
+    pub(super) equations: PhaseEquations<Extended>,
     pub(super) expansion: Expansion,
     /// Rates and value of an exponential in a or b.
     exponential: [PowerSeries; 4],
@@ -44,8 +65,7 @@ pub(super) struct SpanMemory {
 
 impl SpanMemory {
     pub(super) const ZERO: Self = Self {
-        equations: PathEquations::ZERO,
-        rounded_equations: PathEquations::ZERO,
+        equations: PhaseEquations::ZERO,
         expansion: Expansion::ZERO,
         exponential: [PowerSeries::ZERO; 4],
         polynomials: [Polynomial::ZERO; 2],
@@ -53,8 +73,9 @@ impl SpanMemory {
     };
 }
 
-/// Path, and its span with polynomials of a and b in its memory.
-pub(super) struct Path<'a> {
+/// Path with phase equations in `F`, and its span with polynomials of a and b in its memory.
+pub(super) struct Path<'a, F> {
+    equations: PathEquations<F>,
     pub(super) memory: &'a mut SpanMemory,
     pub(super) limits: &'a Limits,
     /// Coefficients of the exponentials in a and in b.
@@ -67,7 +88,7 @@ pub(super) struct Path<'a> {
     pub(super) depth: u32,
 }
 
-impl<'a> Path<'a> {
+impl<'a, F: Float> Path<'a, F> {
     /// Path from u = e₁ on. The memory has the phase equations.
     ///
     /// * `rates`: nutation frequency and rates of the mean phases, turns/s
@@ -79,21 +100,19 @@ impl<'a> Path<'a> {
         half_period: Extended,
         rates: [Extended; 3],
     ) -> Self {
-        let SpanMemory { equations, rounded_equations, .. } = memory;
         let [_, alpha, beta] = rates.map(|rate| Extended::TWO_PI * rate);
-        equations.half_period = half_period;
-        equations.residual_offsets = [motion.half_tau - alpha, -motion.half_tau - beta];
-        *rounded_equations = PathEquations {
-            equations: equations.equations.cast(),
-            half_period: half_period.to_f64(),
-            residual_offsets: equations.residual_offsets.map(Float::to_f64),
+        let equations = PathEquations {
+            equations: memory.equations.map(F::from_extended),
+            half_period: F::from_extended(half_period),
+            residual_offsets: [motion.half_tau - alpha, -motion.half_tau - beta].map(F::from_extended),
         };
         let [first, last] = [(0.0, 1.0), (1.0, 0.0)].map(|(sine, cosine)| {
-            let [chi, _, _, alpha, beta] = rounded_equations.rates(sine, cosine).map(Float::abs);
+            let [chi, _, _, alpha, beta] = equations.rates(sine, cosine).map(Float::abs);
             chi + (alpha + beta)
         });
         let Ellipses { alpha, beta } = motion.ellipses::<f64>();
         Self {
+            equations,
             memory,
             limits,
             exponentials: [alpha, beta].map(|ellipse| ellipse.exponentials()),
@@ -173,14 +192,14 @@ impl<'a> Path<'a> {
         // y is in units of two spans
         let (unit, allowed) = (4.0 * half_length, half_length * self.limits.steps);
         let (sine, cosine) = sine_cosine(from.phases.chi);
-        let SpanMemory { equations, rounded_equations, expansion, .. } = &mut *self.memory;
+        let PathEquations { equations, half_period, .. } = &self.equations;
         let [chi_rate, alpha, beta, residual_alpha, residual_beta] =
-            (self.limits.rates)(equations, rounded_equations, sine, cosine).map(|rate| unit * rate);
+            self.equations.rates(sine, cosine).map(|rate| unit * rate);
         let origin = Origin {
             phases: from.phases,
             sine,
             cosine,
-            unit: unit * rounded_equations.half_period,
+            unit: unit * half_period.to_f64(),
             chi_rate,
             psi_rates: [alpha, beta],
             residual_rates: [residual_alpha, residual_beta],
@@ -188,7 +207,8 @@ impl<'a> Path<'a> {
             // the estimated error is then an eighth of that allowed to a step, unless more is allowed than usual
             negligible: 512.0 * half_length * self.limits.negligible,
         };
-        expansion.expand(&rounded_equations.equations, &origin, pause);
+        let expansion = &mut self.memory.expansion;
+        expansion.expand(&equations.cast(), &origin, pause);
         pause();
         let truncation = expansion.truncation_error();
         (truncation <= allowed).then(|| {
@@ -209,7 +229,7 @@ impl<'a> Path<'a> {
         };
         // at u = e₂, cos χ = 0 and the cosines of the residual phases are 0
         let [alpha, beta] = residual.map(miss);
-        let [chi_rate, ..] = self.memory.rounded_equations.rates(1.0, 0.0);
+        let [chi_rate, ..] = self.equations.rates(1.0, 0.0);
         let delay = ROUNDING_DELAY + error / self.endpoint_rate + miss(chi) / chi_rate;
         [delay, error + alpha.max(beta)]
     }

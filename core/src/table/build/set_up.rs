@@ -1,19 +1,20 @@
 //! Set-up: from a motion to its table.
 
+mod workspace;
+
 mod clock;
+
+pub use workspace::Workspace;
 
 use core::fmt;
 
 use super::half_period::HalfPeriod;
 use super::limits::Limits;
-use super::polynomial::Polynomial;
-use super::segment::SegmentStore;
-use super::workspace::Workspace;
 use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::table::data::cell::{Cell, LEAST_SEGMENTS};
 use crate::table::data::{Clock, Ephemeris, EphemerisMemory, EphemerisView, Tick};
-use crate::table::evaluation::{Coefficient, EphemerisScalar};
+use crate::table::evaluation::EphemerisScalar;
 
 /// Reason why a motion has no table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,7 +69,7 @@ fn tabulate<R: EphemerisScalar>(
     let limits = Limits::new::<R>(truncation, capacity);
     let Workspace { half_period, span, .. } = workspace;
     half_period
-        .compute(motion, &limits, span, &mut Segments::<R>(segments), pause)
+        .compute::<R>(motion, &limits, span, segments, pause)
         .ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
 }
 
@@ -142,32 +143,12 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
 }
 
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Number of segments for a truncation error > 0, rad. `None` if 4096 are too few, if the motion has no table, and if the error is refused.
+    /// Number of segments for a truncation error, rad; `None` if 4096 are too few, the motion has no table, or the error is not finite and
+    /// positive.
     #[must_use]
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let workspace = &mut Workspace::with_truncation(truncation);
         tabulate::<R>(motion, workspace, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
         Some(workspace.half_period.segments.max(LEAST_SEGMENTS) as u32)
-    }
-}
-
-/// Segments of a table, or none of them.
-struct Segments<'a, R: EphemerisScalar>(&'a mut [R::Segment]);
-
-impl<R: EphemerisScalar> SegmentStore for Segments<'_, R> {
-    fn store(&mut self, segment: usize, index: usize, polynomial: &Polynomial) -> f32 {
-        let mut greatest = 0.0_f32;
-        for (column, part) in (2 * index..).zip(&polynomial.parts) {
-            let coefficients = part.coefficients.get(..R::TERMS).unwrap_or(&part.coefficients);
-            let rows = self.0.get_mut(segment).map_or(&mut [][..], |segment| segment.as_mut());
-            for (power, (row, &value)) in rows.iter_mut().zip(coefficients).enumerate() {
-                if let Some(stored) = row.get_mut(column) {
-                    *stored = R::Coefficient::nearest(value, power);
-                }
-            }
-            greatest = greatest.max(R::Coefficient::error(coefficients));
-        }
-        // the norm of four parts is twice as large, and the orientation error is twice the norm
-        4.0 * greatest
     }
 }

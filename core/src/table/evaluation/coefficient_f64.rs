@@ -1,7 +1,7 @@
 //! Evaluation in `f64`.
 
 use crate::complex::Complex;
-use crate::scalar::{Scalar, fraction_of_word, sine_cosine_f64};
+use crate::scalar::{Extended, Scalar, fraction_of_word, sine_cosine_f64};
 use crate::su2::Vector;
 use crate::table::evaluation::{
     Coefficient, EphemerisScalar, EvaluationErrors, Number, SegmentPoint, TABLE_UNIT,
@@ -11,6 +11,7 @@ impl EphemerisScalar for f64 {
     type Coefficient = Self;
     type Segment = [[Self; 4]; 11];
     type Quantity = Self;
+    type PathNumber = Extended;
 
     const TERMS: usize = 11;
     const PERIOD_WORDS: usize = 2;

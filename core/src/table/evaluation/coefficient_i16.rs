@@ -22,6 +22,7 @@ impl EphemerisScalar for I2F14 {
     type Coefficient = i16;
     type Segment = [[i16; 4]; 3];
     type Quantity = f32;
+    type PathNumber = f64;
 
     const TERMS: usize = 3;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 3];

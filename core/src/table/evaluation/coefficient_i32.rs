@@ -34,6 +34,7 @@ impl EphemerisScalar for f32 {
     type Coefficient = i32;
     type Segment = [[i32; 4]; 5];
     type Quantity = Self;
+    type PathNumber = f64;
 
     const TERMS: usize = 5;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 5];
@@ -56,6 +57,7 @@ impl EphemerisScalar for I2F30 {
     type Coefficient = i32;
     type Segment = [[i32; 4]; 4];
     type Quantity = f32;
+    type PathNumber = f64;
 
     const TERMS: usize = 4;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 4];

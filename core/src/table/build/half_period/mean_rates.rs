@@ -13,9 +13,9 @@ const OPERATIONS_PER_NODE: f64 = 2.0;
 
 /// Rates of the nutation phase and of the mean phases.
 #[derive(Debug)]
-pub(super) struct MeanRates {
+pub(crate) struct MeanRates {
     /// Nutation frequency 1/T and mean rates of α and β, in turns/s.
-    pub(super) rates: [Extended; 3],
+    pub(crate) rates: [Extended; 3],
     pub(super) errors: [f64; 3],
 }
 

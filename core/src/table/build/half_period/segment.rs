@@ -1,17 +1,32 @@
 //! One segment: from the polynomials of its span to its coefficients, with bounds on its error and speeds.
 
-use super::interval::Interval;
-use super::path::{Path, SpanMemory};
-use super::polynomial::Polynomial;
-use super::series::max_or_nan;
 use crate::scalar::{Float, Ring};
-use crate::table::evaluation::TABLE_UNIT;
+use crate::table::build::interval::Interval;
+use crate::table::build::path::{Path, SpanMemory};
+use crate::table::build::polynomial::Polynomial;
+use crate::table::build::series::max_or_nan;
+use crate::table::evaluation::{Coefficient, EphemerisScalar, TABLE_UNIT};
 
-/// Table in which segments are stored.
-pub(super) trait SegmentStore {
-    /// Rounds and stores the polynomial of a (index 0) or b (1), if the table contains the segment. Returns the rounding error of
-    /// the 16-bit products, in units of 2^-62 rad; infinite where a sum could overflow.
-    fn store(&mut self, segment: usize, index: usize, polynomial: &Polynomial) -> f32;
+/// Rounds the polynomial of a (index 0) or b (1), and stores it in a segment, if the table has it. Returns the rounding error of the
+/// 16-bit products (2^-62 rad); infinite on overflow.
+pub(super) fn store_polynomial<R: EphemerisScalar>(
+    segment: Option<&mut R::Segment>,
+    index: usize,
+    polynomial: &Polynomial,
+) -> f32 {
+    let rows = segment.map_or(&mut [][..], AsMut::as_mut);
+    let mut greatest = 0.0_f32;
+    for (column, part) in (2 * index..).zip(&polynomial.parts) {
+        let coefficients = part.coefficients.get(..R::TERMS).unwrap_or(&part.coefficients);
+        for (power, (row, &value)) in rows.iter_mut().zip(coefficients).enumerate() {
+            if let Some(stored) = row.get_mut(column) {
+                *stored = R::Coefficient::nearest(value, power);
+            }
+        }
+        greatest = greatest.max(R::Coefficient::error(coefficients));
+    }
+    // the norm of four parts is twice as large, and the orientation error is twice the norm
+    4.0 * greatest
 }
 
 /// Upper bounds on the errors and speeds of segments. The unit of time is half a period. `f64` is slow without an FPU for it.
@@ -55,15 +70,14 @@ impl SegmentBounds {
     }
 }
 
-/// Computes the polynomials of a and b on a segment, and stores them.
+/// Computes the polynomials of a and b on a segment, and stores them if the table has the segment.
 ///
 /// * `span`: that of the path, which contains the segment
-/// * `number`: of the segment in the table
-pub(super) fn store_segment(
-    path: &mut Path<'_>,
+pub(super) fn store_segment<R: EphemerisScalar>(
+    path: &mut Path<'_, R::PathNumber>,
     span: Interval,
     segment: Interval,
-    (number, store): (usize, &mut dyn SegmentStore),
+    mut stored_segment: Option<&mut R::Segment>,
     pause: &mut dyn FnMut(),
 ) -> SegmentBounds {
     let SpanMemory { expansion, polynomials, segment: polynomial, .. } = &mut *path.memory;
@@ -71,10 +85,10 @@ pub(super) fn store_segment(
     let (mut stored, mut truncation_squared, mut slope_squared) = (0.0_f32, 0.0, 0.0);
     for (index, whole) in polynomials.iter().enumerate() {
         polynomial.restrict(whole, segment.begin / segment.length(), halvings, path.limits.dropped_terms);
-        polynomial.shorten(path.limits.terms, i64::MAX);
+        polynomial.shorten(R::TERMS, i64::MAX);
         truncation_squared += Ring::squared(polynomial.truncation());
         slope_squared += polynomial.slope_squared();
-        stored = max_or_nan(stored, store.store(number, index, polynomial));
+        stored = max_or_nan(stored, store_polynomial::<R>(stored_segment.as_deref_mut(), index, polynomial));
         pause();
     }
     // x is 2 longer at the end of a segment

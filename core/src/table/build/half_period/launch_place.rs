@@ -1,19 +1,19 @@
 //! Place of a launch on the path along half a nutation period.
 
-use super::expansion::{Expansion, PathPhases};
-use super::interval::{HALF_PERIOD, Interval};
 use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::Scalar;
+use crate::table::build::expansion::{Expansion, PathPhases};
+use crate::table::build::interval::{HALF_PERIOD, Interval};
 
 /// Phases of a launch, and the place where a path reaches them.
 #[derive(Debug)]
-pub(super) struct LaunchPlace {
+pub(crate) struct LaunchPlace {
     /// Half phase χ, folded into [0, 1/4] turn; `None` once its span is found.
     chi: Option<Phase>,
     is_falling: bool,
     /// Nutation phase and mean phases.
-    pub(super) phases: [Phase; 3],
+    pub(crate) phases: [Phase; 3],
 }
 
 impl LaunchPlace {

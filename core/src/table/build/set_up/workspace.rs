@@ -1,7 +1,7 @@
 //! Workspace of a set-up.
 
-use super::half_period::HalfPeriod;
-use super::path::SpanMemory;
+use crate::table::build::half_period::HalfPeriod;
+use crate::table::build::path::SpanMemory;
 
 /// Workspace of a set-up, 3.6 KiB, with its truncation error.
 ///
