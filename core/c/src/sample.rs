@@ -173,7 +173,7 @@ pub unsafe extern "C" fn toytop_ephemeris_cursor_tick(
 }
 
 /// Parts of a complex number, {re, im}.
-pub(crate) fn parts<R>(z: Complex<R>) -> [R; 2] {
+pub(crate) fn re_im<R>(z: Complex<R>) -> [R; 2] {
     [z.re, z.im]
 }
 

@@ -1,7 +1,7 @@
 //! Quantities of a sample.
 
 use crate::input::toytop_state;
-use crate::sample::{parts, toytop_ephemeris_sample, write_quantity};
+use crate::sample::{re_im, toytop_ephemeris_sample, write_quantity};
 use crate::status::toytop_status;
 use toytop::fixed::types::I2F30;
 use toytop::{Orientation, State};
@@ -29,7 +29,7 @@ macro_rules! functions {
         /// Cayley-Klein parameters: four numbers Re alpha, Im alpha, Re beta, Im beta.
         [<toytop_ $name _cayley_klein>]<$scalar>(parameters: $output) = |sample| {
             let Orientation { alpha, beta } = sample.orientation();
-            [parts(alpha), parts(beta)]
+            [re_im(alpha), re_im(beta)]
         }
         }
 
@@ -57,12 +57,12 @@ macro_rules! functions {
         quantity! {
         /// Position x, y of the tip, m from the point of the plane below the centre of mass; for a fixed tip the horizontal part of the
         /// axis with the opposite sign.
-        [<toytop_ $name _tip>]<$scalar>(tip: $wide) = |sample| parts(sample.tip())
+        [<toytop_ $name _tip>]<$scalar>(tip: $wide) = |sample| re_im(sample.tip())
         }
 
         quantity! {
         /// Velocity x, y of the tip, m/s; 1/s for a fixed tip.
-        [<toytop_ $name _tip_velocity>]<$scalar>(velocity: $wide) = |sample| parts(sample.tip_velocity())
+        [<toytop_ $name _tip_velocity>]<$scalar>(velocity: $wide) = |sample| re_im(sample.tip_velocity())
         }
 
         quantity! {
