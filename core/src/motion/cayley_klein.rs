@@ -106,7 +106,7 @@ impl<R: Ring> Ellipse<R> {
 }
 
 impl<F: Float> Ellipse<F> {
-    /// Multiple of e^{iλ} that best fits the parameter z and its rate (least squares), from the rates of χ and λ.
+    /// Positive multiple of e^{iλ} that best fits a parameter z and its rate (least squares), with the rates of χ and λ.
     pub fn slow_phase(
         &self,
         cis_chi: Complex<F>,

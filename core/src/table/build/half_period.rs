@@ -177,7 +177,7 @@ impl HalfPeriod {
             self.launch.search(&path.memory.expansion, path.end.phases.chi, span);
             point = path.end;
             let part = if span.depth < cell.depth { cell } else { span };
-            for segment in part.subdivided(depth) {
+            for segment in part.parts(depth) {
                 bounds.include(&store_segment(path, span, segment, (number, store), pause));
                 (bounds.error <= path.limits.segment_error(depth)).then_some(())?;
                 number += 1;

@@ -36,7 +36,7 @@ impl Interval {
     }
 
     /// Equal parts of this depth.
-    pub(super) fn subdivided(self, depth: u32) -> impl Iterator<Item = Self> {
+    pub(super) fn parts(self, depth: u32) -> impl Iterator<Item = Self> {
         (self.begin..self.end()).step_by(HALF_PERIOD >> depth).map(move |begin| Self { begin, depth })
     }
 }
