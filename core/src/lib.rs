@@ -46,7 +46,7 @@ pub mod table_format {}
 #[doc(hidden)]
 pub mod internal {
     pub use crate::body::{check, check_finite};
-    pub use crate::motion::MotionParts;
+    pub use crate::motion::UnroundedMotion;
     pub use crate::motion::cayley_klein::{Ellipse, Ellipses};
 }
 

@@ -1,7 +1,5 @@
 //! Motion of one launch: its kind, its constants, and its phases at t = 0.
 
-pub(crate) mod gudermannian;
-
 pub(crate) mod phase_equations;
 
 pub(crate) mod cayley_klein;
@@ -47,7 +45,7 @@ pub struct Motion {
 }
 
 /// Unrounded constants of a [`Motion`] and its phases at t = 0, for the closed forms.
-pub struct MotionParts {
+pub struct UnroundedMotion {
     /// Branch points.
     pub e: BranchPoints<Extended>,
     /// First integrals.
@@ -165,9 +163,9 @@ impl Motion {
     }
 
     #[doc(hidden)]
-    pub fn parts(&self) -> MotionParts {
+    pub fn unrounded(&self) -> UnroundedMotion {
         let Self { e, integrals, half_tau, half_phase, slow_phases, .. } = *self;
-        MotionParts { e, integrals, half_tau, half_phase, slow_phases }
+        UnroundedMotion { e, integrals, half_tau, half_phase, slow_phases }
     }
 
     /// Phase equations of the motion.

@@ -5,7 +5,6 @@
 use crate::complex::Complex;
 use crate::motion::Motion;
 use crate::motion::cayley_klein::Ellipses;
-use crate::motion::gudermannian::gudermannian;
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real};
@@ -99,15 +98,15 @@ impl<R: Real> Stepper<R> {
                 change
             }
         };
-        let turned = |(rate, _): (Extended, R)| (rate * dt.to_f64().into()).to_phase();
+        let advance = |(rate, _): (Extended, R)| (rate * dt.to_f64().into()).to_phase();
         let [alpha_rate, beta_rate] = self.constant_rates;
-        let alpha_turned = turned(alpha_rate);
+        let alpha_advance = advance(alpha_rate);
         // the constant rates are ±τ/2 unless u is constant, and a product costs much
-        let beta_turned =
-            if self.half_phase == HalfPhase::Steady { turned(beta_rate) } else { -alpha_turned };
+        let beta_advance =
+            if self.half_phase == HalfPhase::Steady { advance(beta_rate) } else { -alpha_advance };
         let [alpha, beta] = &mut self.slow_phases;
-        *alpha += phase_from_radians(change.psi_alpha) + alpha_turned;
-        *beta += phase_from_radians(change.psi_beta) + beta_turned;
+        *alpha += phase_from_radians(change.psi_alpha) + alpha_advance;
+        *beta += phase_from_radians(change.psi_beta) + beta_advance;
     }
 
     /// Orientation Φ.
@@ -179,14 +178,17 @@ impl<R: Real> Stepper<R> {
 
     /// Sum arg α + arg β, continuous in time.
     fn continued_phi(&self) -> Phase {
-        let (cis_chi, [a, b]) = (self.cis_chi(), self.slow_phases);
+        let (cis_chi, [alpha_phase, beta_phase]) = (self.cis_chi(), self.slow_phases);
         let chi = match self.half_phase {
             HalfPhase::Steady => Phase::ZERO,
             HalfPhase::Nutating(chi) => chi,
             HalfPhase::Aperiodic(_) => phase_from_radians(cis_chi.arg()),
         };
         let Ellipses { alpha, beta } = &self.ellipses;
-        a + b + alpha.continued_argument(cis_chi, chi) + beta.continued_argument(cis_chi, chi)
+        alpha_phase
+            + beta_phase
+            + alpha.continued_argument(cis_chi, chi)
+            + beta.continued_argument(cis_chi, chi)
     }
 }
 
@@ -207,6 +209,17 @@ fn runge_kutta<R: Real>(dt: R, rates: impl Fn(R) -> PhaseRates<R>) -> PhaseRates
     }
 }
 
+/// Unit complex number e^{iχ} = sech v + i tanh v, for χ = gd v, the Gudermannian of v.
+fn gudermannian<R: Real>(v: R) -> Complex<R> {
+    // q = e^-|v| and 1 - q from one function, which saves flash
+    let growth = v.abs().exp_minus_one();
+    let q = R::ONE / (R::ONE + growth);
+    let one_minus_q = if q > R::ZERO { growth * q } else { R::ONE };
+    let per_sum = R::ONE / (R::ONE + q.squared());
+    let tanh = one_minus_q * (R::ONE + q) * per_sum;
+    Complex::new(q.doubled() * per_sum, if v < R::ZERO { -tanh } else { tanh })
+}
+
 fn rounded<R: Float>(x: Extended) -> R {
     R::from_f64(x.to_f64())
 }
@@ -219,5 +232,23 @@ fn phase_from_radians<R: Real>(angle: R) -> Phase {
 impl<R: Real + defmt::Format> defmt::Format for Stepper<R> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "stepper at {}", self.orientation());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_gudermannian_keeps_its_digits_at_both_ends() {
+        for v in [1e-20, 3e-9, 0.1, 2.0, 30.0, 700.0_f64] {
+            let cis_chi = gudermannian(v);
+            let Complex { re: sech, im: tanh } = cis_chi;
+            assert!((tanh / libm::tanh(v) - 1.0).abs() < 5e-16, "{v}: {tanh:e}");
+            assert!((sech * libm::cosh(v) - 1.0).abs() < 5e-16, "{v}: {sech:e}");
+            assert_eq!(gudermannian(-v), cis_chi.conj());
+            let inverse = libm::asinh(tanh / sech);
+            assert!((inverse / v - 1.0).abs() < 5e-16, "{v}: {inverse:e}");
+        }
     }
 }

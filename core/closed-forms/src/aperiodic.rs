@@ -95,12 +95,12 @@ impl Aperiodic {
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
         let v = Extended::from(motion.aperiodic_v()?);
-        let (e, [a, _, s, p, g, _]) = (motion.parts().e, motion.top().parts());
+        let (e, [a, _, s, p, g, _]) = (motion.unrounded().e, motion.top().unrounded());
         let one_minus_e1 = e.one_minus_e1();
         let constants =
             AperiodicConstants { e1: e.e1, one_plus_e1: e.one_plus_e1, one_minus_e1, a_over_p: a / p, s, g };
         let form = match motion.top().support() {
-            Support::Sliding => Form::Sliding(Sliding::new(&constants, motion.parts().integrals.l / a)),
+            Support::Sliding => Form::Sliding(Sliding::new(&constants, motion.unrounded().integrals.l / a)),
             // the axis of a free body does not rise to the vertical
             Support::Fixed | Support::Free => {
                 Form::FixedTip(FixedTip::new(&constants, motion.signs().l_plus_n))

@@ -52,12 +52,12 @@ impl E3EqualsE4 {
     /// - e₄²| relative to e₄² - 1, and |e₃ - e₄| relative to e₃ - e₂.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let chi = motion.parts().half_phase?;
+        let chi = motion.unrounded().half_phase?;
         if motion.top().support() != Support::Sliding || !coincide(motion) {
             return None;
         }
-        let e = motion.parts().e;
-        let [transverse_inertia, _, s, _, g, _] = motion.top().parts();
+        let e = motion.unrounded().e;
+        let [transverse_inertia, _, s, _, g, _] = motion.top().unrounded();
         let (e2_plus_e3, e1_plus_e3) = (e.one_plus_e3() - e.one_minus_e2, e.one_plus_e1 + e.e3_minus_one);
         let lattice = Lattice::from_gaps(e.e2_minus_e1, e1_plus_e3);
         let [_, half] = lattice.half_periods;
@@ -73,7 +73,7 @@ impl E3EqualsE4 {
             let rate_offset = real((time_scale * momentum / transverse_inertia).halved());
             ThetaQuotient::through(&lattice, [half, HalfPeriod::Omega], zero, rate_offset, point)
         };
-        let integrals = motion.parts().integrals;
+        let integrals = motion.unrounded().integrals;
         let alpha = quotient(HalfPeriod::OmegaPrime, a, integrals.l_plus_n, (highest, alpha_size));
         let beta = quotient(HalfPeriod::Origin, b, -integrals.l_minus_n, (lowest, beta_size));
         let whole = imaginary(half.doubled());
@@ -115,19 +115,19 @@ impl E3EqualsE4 {
 
 /// Difference e₃² - e₄², and e₄² - 1 = A/(ps).
 fn squares(motion: &Motion) -> [Extended; 2] {
-    let (e, a_over_ps) = (motion.parts().e, motion.top().a_over_ps());
+    let (e, a_over_ps) = (motion.unrounded().e, motion.top().a_over_ps());
     [e.e3_minus_one * e.one_plus_e3() - a_over_ps, a_over_ps]
 }
 
 /// Difference e₃ - e₄ for a sliding tip.
 pub(super) fn e3_minus_e4(motion: &Motion) -> f64 {
     let [apart, a_over_ps] = squares(motion);
-    (apart / (motion.parts().e.e3 + (Extended::ONE + a_over_ps).sqrt())).to_f64()
+    (apart / (motion.unrounded().e.e3 + (Extended::ONE + a_over_ps).sqrt())).to_f64()
 }
 
 /// Whether e₃ = e₄ to the tolerance.
 fn coincide(motion: &Motion) -> bool {
-    let (e, [apart, a_over_ps]) = (motion.parts().e, squares(motion));
+    let (e, [apart, a_over_ps]) = (motion.unrounded().e, squares(motion));
     let allowed = Extended::from(E3EqualsE4::TOLERANCE);
     apart.abs() <= a_over_ps * allowed && apart.abs() <= e.e3_minus_e2 * e.e3.doubled() * allowed
 }
@@ -137,7 +137,7 @@ impl Solution {
     fn time(&self, y: Extended) -> (Extended, Extended) {
         let lattice = &self.alpha.lattice;
         let zeta = lattice.log_slope(HalfPeriod::Omega, imaginary(y)).im;
-        let linear = lattice.kappa.doubled() - self.linear;
+        let linear = lattice.sigma_exponent.doubled() - self.linear;
         let [shift, _] = lattice.half_periods;
         let [_, _, u_plus_e3] = lattice.differences(Complex::new(-shift, y));
         (-(self.time_scale * (zeta + linear * y)), self.time_scale * u_plus_e3.re)

@@ -35,7 +35,7 @@ impl FreeBody {
         if !motion.top().is_torque_free() {
             return None;
         }
-        let [a, c, .., k] = motion.top().parts().map(Float::to_f64);
+        let [a, c, .., k] = motion.top().unrounded().map(Float::to_f64);
         let attitude = Stepper::<f64>::new(motion).attitude_state();
         let (r, omega) = (attitude.orientation.axis(), attitude.omega());
         let beyond_sphere = (c - a) * dot(omega, r) + k;
@@ -53,8 +53,8 @@ impl FreeBody {
             },
             // χ advances by half a turn in a turn of the axis
             precession: motion.equations().rates(Extended::ZERO, Extended::ONE).half_phase.doubled(),
-            half_tau: motion.parts().half_tau,
-            nutation: motion.parts().half_phase,
+            half_tau: motion.unrounded().half_tau,
+            nutation: motion.unrounded().half_phase,
         })
     }
 

@@ -42,7 +42,7 @@ impl Lagrange {
     /// Closed form of a motion; `None` unless the tip is fixed and u oscillates, e₁ < e₂ < e₃.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let (e, chi) = (motion.parts().e, motion.parts().half_phase?);
+        let (e, chi) = (motion.unrounded().e, motion.unrounded().half_phase?);
         if motion.top().support() != Support::Fixed
             || motion.top().is_torque_free()
             || motion.regime() == Regime::Aperiodic
@@ -52,7 +52,7 @@ impl Lagrange {
         let (swing, gap) = (e.e2_minus_e1, e.e3_minus_e2);
         let lattice = Lattice::from_gaps(gap, swing);
         let [half, _] = lattice.half_periods;
-        let [a, _, _, p, g, _] = motion.top().parts();
+        let [a, _, _, p, g, _] = motion.top().unrounded();
         let z_rate = (p * g / a).halved().sqrt();
 
         // along imaginary z

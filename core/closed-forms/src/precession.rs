@@ -56,8 +56,8 @@ impl RegularPrecession {
         if matches!(regime, Regime::Nutating | Regime::Aperiodic) || motion.top().is_torque_free() {
             return None;
         }
-        let (e, top) = (motion.parts().e, motion.top());
-        let [a, _, _, p, g, _] = top.parts();
+        let (e, top) = (motion.unrounded().e, motion.top());
+        let [a, _, _, p, g, _] = top.unrounded();
         let falls = regime == Regime::SleepingUnstable;
         let (zero, one) = (Extended::ZERO, Extended::ONE);
         let swing = e.e2_minus_e1.halved();
@@ -69,7 +69,7 @@ impl RegularPrecession {
         // for different signs √(e₃ + 1) - √(e₃ - 1), without cancellation
         let roots = if l_plus_n == l_minus_n { sum } else { one.doubled() / sum };
         let precession = l_plus_n.times((p * g / a).halved().sqrt() * roots);
-        let axial = motion.parts().integrals.spin;
+        let axial = motion.unrounded().integrals.spin;
         let u = if one_minus_u < one_plus_u { one - one_minus_u } else { one_plus_u - one };
         // φ' ± ψ' with ψ' = ⟨ω, r⟩ - u φ'
         let turning = [precession * one_minus_u + axial, precession * one_plus_u - axial].map(Float::halved);
@@ -108,13 +108,13 @@ impl RegularPrecession {
     /// Orientation Φ and rate Φ' at t.
     #[must_use]
     pub fn at(&self, t: f64) -> AttitudeState<f64> {
-        let turned = |z: Complex<f64>, rate: Extended| {
+        let rotated = |z: Complex<f64>, rate: Extended| {
             let value = z * Complex::cis((rate * t.into()).in_turns().to_phase());
             [value, value.times_i().scaled(rate.to_f64())]
         };
         let [alpha_turning, beta_turning] = self.turning;
         let [[alpha, alpha_rate], [beta, beta_rate]] =
-            [turned(self.start.alpha, alpha_turning), turned(self.start.beta, beta_turning)];
+            [rotated(self.start.alpha, alpha_turning), rotated(self.start.beta, beta_turning)];
         let rate = OrientationRate { alpha: alpha_rate, beta: beta_rate };
         AttitudeState { orientation: Orientation { alpha, beta }, rate }
     }
@@ -171,7 +171,7 @@ impl SteadyPrecession {
         check_finite("spin", spin)?;
         check(tilt > 0.0 && tilt < core::f64::consts::PI, "tilt", "strictly between 0 and pi")?;
         check(Float::abs(spin) <= 1e11, "spin", "between -1e11 and 1e11 rad/s")?;
-        let [a, c, _, p, g, k] = top.parts().map(Float::to_f64);
+        let [a, c, _, p, g, k] = top.unrounded().map(Float::to_f64);
         let (n, weight) = (c * spin + k, p * g);
         // the f64 nearest to π/2 means a horizontal axis
         let e = if tilt == core::f64::consts::FRAC_PI_2 { 0.0 } else { libm::cos(tilt) };

@@ -45,8 +45,8 @@ impl ThetaQuotient {
 
     /// Change of the argument from `x` to `x` + `period`, without whole turns. The value must not be 0 at `x`.
     pub(crate) fn rotation(&self, x: WideComplex, period: WideComplex) -> Phase {
-        let turned = self.at(x + period).value * self.at(x).value.conj();
-        angle(turned.im, turned.re).in_turns().to_phase()
+        let quotient = self.at(x + period).value * self.at(x).value.conj();
+        angle(quotient.im, quotient.re).in_turns().to_phase()
     }
 }
 

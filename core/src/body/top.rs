@@ -220,8 +220,8 @@ impl Top {
         if self.is_torque_free() { Extended::ONE } else { self.p * self.g }
     }
 
-    /// Factor κ = 1/(2 A p g), which makes κ l² dimensionless.
-    pub(crate) fn kappa(&self) -> Extended {
+    /// Factor 1/(2 A p g), by which the square of an angular momentum becomes an energy of the axis over the weight p g.
+    pub(crate) fn energy_factor(&self) -> Extended {
         Extended::ONE / (self.a * self.p * self.g).doubled()
     }
 
@@ -232,7 +232,7 @@ impl Top {
 
     /// Unrounded A, C, s, p, g and K.
     #[doc(hidden)]
-    pub fn parts(&self) -> [Extended; 6] {
+    pub fn unrounded(&self) -> [Extended; 6] {
         [self.a, self.c, self.s, self.p, self.g, self.k]
     }
 }
@@ -244,7 +244,7 @@ mod tests {
     #[test]
     fn the_mass_moment_is_exact() {
         let top = Top::sliding(&TopParameters::TOY).unwrap();
-        assert!(top.p.to_parts()[1] != 0.0);
+        assert!(top.p.to_f64_pair()[1] != 0.0);
         assert_eq!(top.mass_moment(), 0.05 * 0.03);
     }
 }

@@ -60,27 +60,31 @@ impl<R: Real> Ellipses<R> {
     }
 
     /// Tip angle arg αβ in (-1/2, 1/2] turn, from the slow phases.
-    pub(crate) fn tip_angle(&self, cis_chi: Complex<R>, [a, b]: [Phase; 2]) -> Phase {
+    pub(crate) fn tip_angle(&self, cis_chi: Complex<R>, [alpha_phase, beta_phase]: [Phase; 2]) -> Phase {
         let [alpha, beta] = self.arguments(cis_chi);
-        (a + b + alpha + beta).principal()
+        (alpha_phase + beta_phase + alpha + beta).principal()
     }
 
     /// Orientation Φ, from e^{iλ_α} and e^{iλ_β}.
     #[inline]
-    pub(crate) fn orientation(&self, cis_chi: Complex<R>, [a, b]: [Complex<R>; 2]) -> Orientation<R> {
-        Orientation { alpha: self.alpha.at(cis_chi) * a, beta: self.beta.at(cis_chi) * b }
+    pub(crate) fn orientation(
+        &self,
+        cis_chi: Complex<R>,
+        [cis_alpha, cis_beta]: [Complex<R>; 2],
+    ) -> Orientation<R> {
+        Orientation { alpha: self.alpha.at(cis_chi) * cis_alpha, beta: self.beta.at(cis_chi) * cis_beta }
     }
 
     /// Rate Φ', from e^{iλ_α} and e^{iλ_β} and the rates of χ, λ_α and λ_β, rad/s.
     pub(crate) fn rate(
         &self,
         cis_chi: Complex<R>,
-        [a, b]: [Complex<R>; 2],
+        [cis_alpha, cis_beta]: [Complex<R>; 2],
         [chi, lambda_alpha, lambda_beta]: [R; 3],
     ) -> OrientationRate<R> {
         OrientationRate {
-            alpha: self.alpha.rate(cis_chi, [chi, lambda_alpha]) * a,
-            beta: self.beta.rate(cis_chi, [chi, lambda_beta]) * b,
+            alpha: self.alpha.rate(cis_chi, [chi, lambda_alpha]) * cis_alpha,
+            beta: self.beta.rate(cis_chi, [chi, lambda_beta]) * cis_beta,
         }
     }
 }

@@ -103,7 +103,7 @@ impl Motion {
         top: &Top,
         e: [f64; 3],
         signs: Signs,
-        start: &InitialAngles,
+        angles: &InitialAngles,
     ) -> Result<Self, ParameterError> {
         check(
             !top.is_torque_free(),
@@ -111,7 +111,7 @@ impl Motion {
             "one with torque: without it branch points tell no rate; give a state or a release",
         )?;
         let e = BranchPoints::from_roots(e)?;
-        let InitialAngles { theta, arg_alpha, arg_beta } = *start;
+        let InitialAngles { theta, arg_alpha, arg_beta } = *angles;
         for (name, angle) in [("theta", theta), ("arg_alpha", arg_alpha), ("arg_beta", arg_beta)] {
             check_range(-1e6..=1e6, name, angle, "between -1e6 and 1e6 rad")?;
         }

@@ -38,13 +38,14 @@ impl LaunchRounding {
         let ReducedPoint { u, one_minus_u, one_plus_u, axis_energy, .. } = *point;
         // terms of n = C ⟨ω, r⟩ + K, which may cancel
         let n = integrals.n.abs() + k;
-        let (kappa_n, l_minus_n) = (top.kappa() * n, integrals.l_minus_n.abs());
+        let (energy_per_momentum, l_minus_n) = (top.energy_factor() * n, integrals.l_minus_n.abs());
         // magnitude of the terms of (1 - e₂) + (1 - e₃)
-        let upper_terms = (axis_energy + one_minus_u + kappa_n * (l_minus_n + k * one_minus_u)).doubled();
+        let upper_terms =
+            (axis_energy + one_minus_u + energy_per_momentum * (l_minus_n + k * one_minus_u)).doubled();
         let upper = upper_terms / e.one_minus_e1();
         // magnitude of the terms of (e₁ - u) + (e₂ - u)
-        let lower_terms =
-            (axis_energy + kappa_n * (l_minus_n + n * one_minus_u)).doubled() + one_minus_u * one_plus_u;
+        let lower_terms = (axis_energy + energy_per_momentum * (l_minus_n + n * one_minus_u)).doubled()
+            + one_minus_u * one_plus_u;
         let lower = lower_terms / (e.e3_minus_one + one_minus_u);
         let condition =
             upper / e.e3_minus_e2 + lower * (one / e.e3_minus_e1() + (u.abs() * p * s / a).doubled());

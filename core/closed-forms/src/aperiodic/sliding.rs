@@ -86,7 +86,7 @@ impl Sliding {
 
         let of_log = -(a_over_ps / w_plus);
         let zetas = lattice.log_slope(HalfPeriod::Sum, b_point).im;
-        let of_y = one + e1 / 3.0.into() - lattice.kappa.doubled() + of_log.doubled() * zetas;
+        let of_y = one + e1 / 3.0.into() - lattice.sigma_exponent.doubled() + of_log.doubled() * zetas;
         Self { lowest, upright, b, time_scale, time_factors: [of_y, of_log], alpha, log_power }
     }
 
@@ -140,9 +140,9 @@ impl Sliding {
         let x = imaginary(-position.y);
         let [here, lowest] = [x, Complex::ZERO]
             .map(|x| self.alpha.lattice.theta(HalfPeriod::Origin, x - self.alpha.zero).value);
-        let turned = here * lowest.conj();
+        let quotient = here * lowest.conj();
         let log = self.log_power * self.log(point, &position).0;
-        (self.alpha.rate * x).im + angle(turned.im, turned.re) + log
+        (self.alpha.rate * x).im + angle(quotient.im, quotient.re) + log
     }
 
     pub(super) fn alpha(&self, point: &AperiodicValues) -> ValueAndSlope {

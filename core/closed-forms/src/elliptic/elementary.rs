@@ -9,7 +9,7 @@ use toytop::{Complex, Phase};
 
 /// Constant ln 2.
 fn ln_two() -> Extended {
-    Extended::from_parts([core::f64::consts::LN_2, 2.3190468138462996e-17])
+    Extended::from_f64_pair([core::f64::consts::LN_2, 2.3190468138462996e-17])
 }
 
 /// Constant π/2.
@@ -207,7 +207,7 @@ mod tests {
     }
 
     fn within(allowed: f64, ours: Extended, [hi, lo]: [f64; 2]) {
-        let truth = Extended::from_parts([hi, lo]);
+        let truth = Extended::from_f64_pair([hi, lo]);
         let error = ((ours - truth) / truth).abs().to_f64();
         assert!(error < allowed, "{ours:?} for {truth:?}: {error:e}");
     }

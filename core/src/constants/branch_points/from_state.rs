@@ -40,10 +40,10 @@ impl BranchPoints<Extended> {
         let e = if point.is_sleeping() {
             Self::upright(top, integrals.n)
         } else {
-            let kappa = top.kappa();
-            let lower = LowerBranchPoints::new(top, kappa, integrals, point, pause);
+            let energy_factor = top.energy_factor();
+            let lower = LowerBranchPoints::new(top, energy_factor, integrals, point, pause);
             pause();
-            Self::from_lower(&lower, kappa, integrals, point)
+            Self::from_lower(&lower, energy_factor, integrals, point)
         };
         check(
             e.e3_minus_one <= LARGEST_E3.into(),
@@ -112,7 +112,7 @@ impl BranchPoints<Extended> {
     #[inline(never)]
     fn from_lower(
         lower: &LowerBranchPoints,
-        kappa: Extended,
+        energy_factor: Extended,
         integrals: &FirstIntegrals<Extended>,
         point: &ReducedPoint,
     ) -> Self {
@@ -121,8 +121,9 @@ impl BranchPoints<Extended> {
         let ReducedPoint { one_minus_u, axis_energy, .. } = *point;
         let (zero, one) = (Extended::ZERO, Extended::ONE);
         // product and sum of 1 - e₂ and 1 - e₃
-        let product = -kappa * l_minus_n.squared() / one_minus_e1;
-        let sum = (-(axis_energy - one_minus_u - kappa * l_minus_n * n).doubled() - product) / one_minus_e1;
+        let product = -energy_factor * l_minus_n.squared() / one_minus_e1;
+        let sum =
+            (-(axis_energy - one_minus_u - energy_factor * l_minus_n * n).doubled() - product) / one_minus_e1;
         let e3_minus_e2 = (sum.squared() - product.doubled().doubled()).sqrt();
         let (one_minus_e2, e3_minus_one) = if sum > zero {
             let one_minus_e2 = (sum + e3_minus_e2).halved();
@@ -136,8 +137,8 @@ impl BranchPoints<Extended> {
         let one_plus_e1 = if one_minus_e1 < one {
             one.doubled() - one_minus_e1
         } else {
-            // (1 + e₁)(1 + e₂) = κ (l+n)²/(1 + e₃)
-            smaller_factor(kappa * l_plus_n.squared() / (one.doubled() + e3_minus_one), e2_minus_e1)
+            // (1 + e₁)(1 + e₂) = (l+n)²/(2 A p g (1 + e₃))
+            smaller_factor(energy_factor * l_plus_n.squared() / (one.doubled() + e3_minus_one), e2_minus_e1)
         };
         Self::from_differences(one_plus_e1, one_minus_e2, e2_minus_e1, [e3_minus_e2, e3_minus_one])
     }
@@ -161,7 +162,7 @@ impl LowerBranchPoints {
     #[inline(never)]
     fn new(
         top: &Top,
-        kappa: Extended,
+        energy_factor: Extended,
         integrals: &FirstIntegrals<Extended>,
         point: &ReducedPoint,
         pause: &mut dyn FnMut(),
@@ -170,9 +171,9 @@ impl LowerBranchPoints {
         let ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy } = *point;
         let sine_squared = one_minus_u * one_plus_u;
         let g0 = top.d(sine_squared) * udot.squared() / top.g.doubled();
-        let g1 =
-            -(u * axis_energy).doubled() - sine_squared + (kappa * n * point.l_minus_nu(integrals)).doubled();
-        let g2 = u.doubled() - axis_energy - kappa * n.squared();
+        let g1 = -(u * axis_energy).doubled() - sine_squared
+            + (energy_factor * n * point.l_minus_nu(integrals)).doubled();
+        let g2 = u.doubled() - axis_energy - energy_factor * n.squared();
         let cubic = Cubic { g0, g1, g2 };
         pause();
         let e3_minus_u = cubic.largest_root(pause);

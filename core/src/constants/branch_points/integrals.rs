@@ -70,16 +70,16 @@ fn point_of_greatest_cubic(top: &Top, integrals: &FirstIntegrals<Extended>) -> O
         return Some(point(l * n / square, udot, axis_and_height));
     }
     // f(u) = u³ - b u² + c₁ u + c₀
-    let (kappa, energy) = (top.kappa(), axis_and_height / top.weight_or_one());
-    let b = energy + kappa * n.squared();
-    let c1 = (kappa * l * n).doubled() - one;
-    let c0 = energy - kappa * l.squared();
+    let (energy_factor, energy) = (top.energy_factor(), axis_and_height / top.weight_or_one());
+    let b = energy + energy_factor * n.squared();
+    let c1 = (energy_factor * l * n).doubled() - one;
+    let c0 = energy - energy_factor * l.squared();
     let root = (b.squared() - Extended::from(3.0) * c1).sqrt();
     let u = if b > zero { c1 / (b + root) } else { (b - root) / 3.0.into() };
     // f(u) again, without cancellation where the axis is nearly upright
     let found = point(u, zero, energy - u);
     let sine_squared = found.one_minus_u * found.one_plus_u;
-    let peak = found.axis_energy * sine_squared - kappa * found.l_minus_nu(integrals).squared();
+    let peak = found.axis_energy * sine_squared - energy_factor * found.l_minus_nu(integrals).squared();
     let noise = (b.abs() + c1.abs() + c0.abs() + one) * noise;
     if u.abs() > one + noise.sqrt() || peak < -noise || found.axis_energy < -noise.sqrt() {
         return None;

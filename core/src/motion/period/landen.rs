@@ -76,7 +76,7 @@ impl<const WORDS: usize> Landen<WORDS> {
     /// Quarter period K = π/2 ∏ (1 + k).
     pub(super) fn quarter_period(&self) -> Wide<WORDS> {
         // π/2 to 32 digits
-        let half_pi = Wide::from_parts([core::f64::consts::FRAC_PI_2, 6.123233995736766e-17]);
+        let half_pi = Wide::from_f64_pair([core::f64::consts::FRAC_PI_2, 6.123233995736766e-17]);
         self.active_steps().fold(half_pi, |product, step| product * (Wide::ONE + step.modulus))
     }
 

@@ -161,7 +161,7 @@ mod tests {
         let third = Extended::ONE / 3.0.into();
         let defect = Extended::residual(Extended::ONE, [third, 3.0.into()]).abs().to_f64();
         assert!(defect < 3e-39 && defect > 0.0, "{defect:e}");
-        assert_eq!(third.to_parts(), [1.0 / 3.0, 1.850371707708594e-17]);
+        assert_eq!(third.to_f64_pair(), [1.0 / 3.0, 1.850371707708594e-17]);
     }
 
     #[test]
@@ -199,7 +199,7 @@ mod tests {
 
     #[test]
     fn a_small_difference_survives() {
-        let big = Extended::from_parts([1.0, 1e-20]);
+        let big = Extended::from_f64_pair([1.0, 1e-20]);
         assert_eq!((big - Extended::ONE).to_f64(), 1e-20);
         assert!(big > Extended::ONE);
         let x = Extended::ONE + Extended::from(2_f64.powi(-120));

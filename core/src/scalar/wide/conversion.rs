@@ -52,12 +52,12 @@ impl<const WORDS: usize> Wide<WORDS> {
     }
 
     /// Number from two parts, their sum.
-    pub fn from_parts([a, b]: [f64; 2]) -> Self {
+    pub fn from_f64_pair([a, b]: [f64; 2]) -> Self {
         Self::from(a) + Self::from(b)
     }
 
     /// Nearest `f64`, and the `f64` nearest to the remainder.
-    pub fn to_parts(self) -> [f64; 2] {
+    pub fn to_f64_pair(self) -> [f64; 2] {
         let leading = self.to_f64();
         [leading, (self - leading.into()).to_f64()]
     }
@@ -82,10 +82,10 @@ impl<const WORDS: usize> Wide<WORDS> {
     }
 }
 
-/// Two `f64`: see [`Wide::to_parts`].
+/// Two `f64`: see [`Wide::to_f64_pair`].
 impl<const WORDS: usize> fmt::Debug for Wide<WORDS> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.to_parts().fmt(f)
+        self.to_f64_pair().fmt(f)
     }
 }
 
@@ -120,7 +120,7 @@ mod tests {
         assert_eq!(Extended::from(-3.25).to_phase(), Phase::from_turns(-3.25));
         assert_eq!(Extended::from(Phase::from_turns(-3.25)).to_f64(), -3.25);
         assert_eq!((Extended::TWO_PI * 0.25.into()).in_turns().to_phase(), Phase::QUARTER);
-        let (whole, remainder) = Extended::from_parts([1e20, 0.75]).floor_and_fraction();
+        let (whole, remainder) = Extended::from_f64_pair([1e20, 0.75]).floor_and_fraction();
         assert_eq!((whole, remainder.to_f64()), (10_i128.pow(20), 0.75));
         for (x, floor, left) in [
             (-2.25, -3, 0.75),

@@ -80,12 +80,12 @@ impl<W: Copy> Clock<W> {
     }
 
     pub(crate) fn exact_steps(&self) -> [Extended; 3] {
-        self.exact_step.map(Extended::from_parts)
+        self.exact_step.map(Extended::from_f64_pair)
     }
 
     /// Number of ticks in a unit of time.
     pub(crate) fn tick_rate(&self) -> Extended {
-        Extended::from_parts(self.ticks_per_time)
+        Extended::from_f64_pair(self.ticks_per_time)
     }
 
     /// Increment of the mean tip angle per tick.

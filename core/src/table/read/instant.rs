@@ -61,10 +61,10 @@ impl<W: Copy> Clock<W> {
         let since_first = n.wrapping_sub(i64::MIN) as u64;
         let after =
             |first: u64, step: [u32; 3]| WrappedPhase::new(step).times(since_first).plus_leading_bits(first);
-        let [nutation, a, b] = &self.first_phases;
+        let [nutation, alpha, beta] = &self.first_phases;
         // by reference: an array of all steps would take nine registers at once
-        let [nutation_step, a_step, b_step] = &self.step;
-        [after(*nutation, *nutation_step), after(*a, *a_step), after(*b, *b_step)]
+        let [nutation_step, alpha_step, beta_step] = &self.step;
+        [after(*nutation, *nutation_step), after(*alpha, *alpha_step), after(*beta, *beta_step)]
     }
 
     /// Tick at or before a time (0 if not finite), and the fraction of a tick after it in units of 2^-64.
@@ -92,11 +92,12 @@ impl<W: Copy> Clock<W> {
     #[inline(always)]
     fn phases_after_tick(&self, n: i64, fraction: u64) -> [u64; 3] {
         let since_first = n.wrapping_sub(i64::MIN) as u64;
-        let ([nutation, a, b], [nutation_step, a_step, b_step]) = (self.first_phases, self.steps());
+        let ([nutation, alpha, beta], [nutation_step, alpha_step, beta_step]) =
+            (self.first_phases, self.steps());
         let after = |first: u64, step: WrappedPhase| {
             first.wrapping_add(step.leading_bits_after(since_first, fraction))
         };
-        [after(nutation, nutation_step), after(a, a_step), after(b, b_step)]
+        [after(nutation, nutation_step), after(alpha, alpha_step), after(beta, beta_step)]
     }
 
     /// 64 leading bits of nutation phase and mean phases, and mean tip angle, at any number of ticks.
@@ -105,13 +106,13 @@ impl<W: Copy> Clock<W> {
     fn phases_at_ticks(&self, ticks: Extended) -> ([u64; 3], Phase) {
         let (ticks, fraction) = ticks.floor_and_fraction();
         let since_first = ticks.wrapping_sub(i64::MIN.into());
-        let turned = |step: Phase, ticks: i128| Phase::from_bits(step.to_bits().wrapping_mul(ticks));
+        let times = |step: Phase, ticks: i128| Phase::from_bits(step.to_bits().wrapping_mul(ticks));
         let mut phases = self.first_phases;
         for ((phase, step), turns) in phases.iter_mut().zip(self.steps()).zip(self.exact_steps()) {
             let part = (turns * fraction).to_phase();
-            *phase = phase.wrapping_add((turned(step.to_phase(), since_first) + part).leading_bits());
+            *phase = phase.wrapping_add((times(step.to_phase(), since_first) + part).leading_bits());
         }
         let part = (self.exact_tip_step() * fraction).to_phase();
-        (phases, Phase::from_words(self.tip_start) + turned(self.tip_step(), ticks) + part)
+        (phases, Phase::from_words(self.tip_start) + times(self.tip_step(), ticks) + part)
     }
 }

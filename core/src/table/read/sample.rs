@@ -136,17 +136,17 @@ impl<R: EphemerisScalar> Sample<'_, R> {
 
     #[inline(always)]
     fn unrounded(&self) -> Orientation<NumberOf<R>> {
-        let [nutation, a, b] = self.phases;
+        let [nutation, alpha_phase, beta_phase] = self.phases;
         let LocatedSegment { rows, point, .. } = self.ephemeris.segment_at(nutation);
-        orientation::<R>(rows, point, [a, b])
+        orientation::<R>(rows, point, [alpha_phase, beta_phase])
     }
 
     /// Unrounded orientation, and Ω over a power of two with its exponent.
     #[inline(always)]
     fn unrounded_with_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
-        let [nutation, a, b] = self.phases;
+        let [nutation, alpha_phase, beta_phase] = self.phases;
         let LocatedSegment { rows, point, .. } = self.ephemeris.segment_at(nutation);
-        orientation_and_omega_body::<R>(rows, point, [a, b], self.ephemeris.clock.rates())
+        orientation_and_omega_body::<R>(rows, point, [alpha_phase, beta_phase], self.ephemeris.clock.rates())
     }
 
     /// Unrounded orientation, and Ω.

@@ -104,9 +104,10 @@ mod tests {
             let unit = Extended::ONE / Extended::from((1_u64 << FRACTION) as f64);
             for (ours, truth) in [(sine, true_sine), (cosine, true_cosine)] {
                 worst = worst.max(
-                    (truth / unit - Extended::from_parts([ours as f64, (ours - ours as f64 as i64) as f64]))
-                        .to_f64()
-                        .abs(),
+                    (truth / unit
+                        - Extended::from_f64_pair([ours as f64, (ours - ours as f64 as i64) as f64]))
+                    .to_f64()
+                    .abs(),
                 );
             }
         }

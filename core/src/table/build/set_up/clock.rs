@@ -50,8 +50,8 @@ impl<W: Float> Clock<W> {
             slow_sum_rate: W::from_f64(((alpha + beta) * Extended::TWO_PI).to_f64()),
             axial_rate: W::from_f64(motion.first_integrals().spin),
             first_phases,
-            exact_step: exact_step.map(Extended::to_parts),
-            ticks_per_time: tick.rate().to_parts(),
+            exact_step: exact_step.map(Extended::to_f64_pair),
+            ticks_per_time: tick.rate().to_f64_pair(),
             epoch,
             ..Self::ZERO
         };
