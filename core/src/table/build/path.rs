@@ -130,14 +130,10 @@ impl<'a, F: Float> Path<'a, F> {
         PathPoint { phases: self.memory.expansion.at(x).0, error: self.end.error }
     }
 
-    /// Doubles the next span after a series of few terms. Then makes it at least as long as a segment of depth `deepest`.
+    /// Makes the next span at least as long as a segment of this depth, if its series should still converge.
     pub(super) fn lengthen(&mut self, deepest: u32) {
-        /// A series of at most so many terms needs at most 16 over twice the distance.
-        const FEW_TERMS: usize = 10;
-        let SpanMemory { expansion, .. } = &*self.memory;
-        if expansion.may_double() {
-            let is_short = expansion.terms <= FEW_TERMS && self.depth > LEAST_SPAN_DEPTH;
-            self.depth = (self.depth - u32::from(is_short)).min(deepest);
+        if self.memory.expansion.may_double() {
+            self.depth = self.depth.min(deepest);
         }
     }
 
