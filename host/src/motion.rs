@@ -18,7 +18,7 @@ pub mod sample;
 pub mod stepper;
 pub mod tip_angle;
 
-pub use toytop_model::constants::{MotionConstants, period_or_natural_time, regime, tilts};
+pub use toytop_model::constants::{MotionConstants, regime, tilts};
 
 use serde_json::Value;
 use toytop_model::constants::{self, Constant};

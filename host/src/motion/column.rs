@@ -58,9 +58,11 @@ impl SampleColumn {
     ];
 }
 
-/// Key of JSON, names of the numbers as columns of CSV, unit in SI, part of the sample that is read, and function that writes the
-/// numbers. NaN stands for what does not exist.
-type Description = (&'static str, &'static [&'static str], &'static str, Part, fn(&Sample, &mut [f64]));
+/// Function that writes the numbers of a column of a sample. NaN stands for what does not exist.
+pub type Writer = fn(&Sample, &mut [f64]);
+
+/// Key of JSON, names of the numbers as columns of CSV, unit in SI, part of the sample that is read, and function that writes the numbers.
+type Description = (&'static str, &'static [&'static str], &'static str, Part, Writer);
 
 impl SampleColumn {
     #[rustfmt::skip] // one quantity a row
@@ -122,17 +124,15 @@ impl SampleColumn {
         self.description().3
     }
 
-    /// Writes its numbers of each sample into a row.
-    pub fn fill(self, samples: impl Iterator<Item = Sample>, rows: &mut [f64]) {
-        let (_, names, .., write) = self.description();
-        samples.zip(rows.chunks_exact_mut(names.len())).for_each(|(sample, row)| write(&sample, row));
+    /// Function that writes the numbers of a sample into a row of as many numbers as it has names.
+    pub fn writer(self) -> Writer {
+        self.description().4
     }
 
     /// Numbers of a sample.
     pub fn numbers(self, sample: &Sample) -> Vec<f64> {
-        let (_, names, .., write) = self.description();
-        let mut row = vec![f64::NAN; names.len()];
-        write(sample, &mut row);
+        let mut row = vec![f64::NAN; self.names().len()];
+        self.writer()(sample, &mut row);
         row
     }
 }

@@ -8,8 +8,8 @@ use crate::top::TopCore;
 use pyo3::prelude::*;
 use toytop::Motion;
 use toytop_closed_forms::ClosedForm;
+use toytop_host::motion::MotionConstants;
 use toytop_host::motion::sample::body_rates;
-use toytop_host::motion::{MotionConstants, period_or_natural_time};
 use toytop_host::truth::float640::{decimal, from_f64};
 use toytop_host::truth::motion_input::MotionInput;
 use toytop_host::truth::quadrature::Quadrature;
@@ -59,7 +59,7 @@ impl MotionCore {
     /// Samples of the truth at these times.
     fn reference(&self, py: Python<'_>, t: NumericArg) -> PyResult<Sampler> {
         self.within_reach(&t.numbers)?;
-        let (truth, unit) = (py.detach(|| self.truth()), period_or_natural_time(&self.motion));
+        let (truth, unit) = (py.detach(|| self.truth()), MotionConstants::new(self.motion).time_scale());
         Sampler::of_points(py, t, &self.motion, Some(ROUNDING), |t| {
             (truth.at(&from_f64(t)).to_f64(), truth.rates(&from_f64(t), unit))
         })
