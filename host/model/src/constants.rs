@@ -36,7 +36,7 @@ const fn word(name: &'static str, value: fn(&MotionConstants) -> &'static str) -
 }
 
 /// Names and functions of all constants that are numbers, with the numbers of the top and of the start.
-pub fn numbers() -> impl Iterator<Item = (&'static str, fn(&MotionConstants) -> f64)> {
+pub fn number_constants() -> impl Iterator<Item = (&'static str, fn(&MotionConstants) -> f64)> {
     CONSTANTS.iter().chain(&TOP_AND_START).filter_map(|constant| match constant.value {
         Value::Number(value) => Some((constant.name, value)),
         Value::Word(_) => None,

@@ -64,7 +64,7 @@ impl Sampler {
     ///
     /// # Errors
     /// `KeyboardInterrupt`, or `ValueError`: no table is large enough for the tip angle.
-    pub(crate) fn of_points(
+    pub(crate) fn by_method(
         py: Python<'_>,
         times: NumericArg,
         motion: &Motion,

@@ -44,7 +44,7 @@ impl ClosedFormCore {
     /// Samples at these times.
     fn at(&self, py: Python<'_>, t: NumericArg) -> PyResult<Sampler> {
         within(MotionConstants::new(self.motion).furthest_time_of_closed_form(), &t.numbers)?;
-        Sampler::of_points(py, t, &self.motion, None, |t| {
+        Sampler::by_method(py, t, &self.motion, None, |t| {
             let state = self.form.at(t);
             (state.orientation, body_rates(&state))
         })
@@ -60,7 +60,7 @@ impl MotionCore {
     fn reference(&self, py: Python<'_>, t: NumericArg) -> PyResult<Sampler> {
         self.within_reach(&t.numbers)?;
         let (truth, unit) = (py.detach(|| self.truth()), MotionConstants::new(self.motion).time_scale());
-        Sampler::of_points(py, t, &self.motion, Some(ROUNDING), |t| {
+        Sampler::by_method(py, t, &self.motion, Some(ROUNDING), |t| {
             (truth.at(&from_f64(t)).to_f64(), truth.rates(&from_f64(t), unit))
         })
     }

@@ -120,7 +120,7 @@ impl<R: TableScalar> DynEphemeris for HeapTable<R> {
     fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent> {
         let table = self.table();
         let sample = |event: &_, t| self.sample([t, t * self.ticks_per_time()], &table.at_event(event));
-        events::of_table(table, condition, filter, sample)
+        events::table_events(table, condition, filter, sample)
     }
 }
 
