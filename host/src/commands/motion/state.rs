@@ -81,15 +81,15 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     let times = Times::read(&arguments.times, rate)?;
     let format = arguments.format;
     let mut columns = arguments.columns.clone();
-    let further = if columns.is_empty() {
+    let json_columns = if columns.is_empty() {
         columns.extend(SampleColumn::DEFAULT);
         &[SampleColumn::Gamma, SampleColumn::Delta][..]
     } else {
         &[SampleColumn::ErrorBound]
     };
-    // a program that reads JSON always gets the bound
+    // JSON always contains the bound
     if format == Format::Json {
-        columns.extend(further.iter().filter(|column| !arguments.columns.contains(column)));
+        columns.extend(json_columns.iter().filter(|column| !arguments.columns.contains(column)));
     }
     let support = scenario.motion.top().support();
     let rows = Rows { format, columns, units: scenario.units, support };
