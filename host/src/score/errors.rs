@@ -6,9 +6,8 @@ use crate::Failure;
 use crate::input::require_within;
 use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::{DynEphemeris, smallest_ephemeris};
-use crate::motion::errors::{IntegralDrift, drift, greater};
+use crate::motion::errors::{IntegralDrift, distance, drift, greater};
 use crate::motion::{MotionConstants, Scalar};
-use nalgebra::Vector3;
 use serde::Serialize;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
@@ -142,11 +141,6 @@ impl<'a> Scorer<'a> {
 
 fn greatest(errors: impl Iterator<Item = f64>) -> f64 {
     errors.fold(0.0, greater)
-}
-
-/// Distance of two vectors.
-fn distance(x: [f64; 3], y: [f64; 3]) -> f64 {
-    (Vector3::from(x) - Vector3::from(y)).norm()
 }
 
 /// Error of the orientation with the nearer of the two signs, rad.
