@@ -26,7 +26,7 @@ pub mod stepper;
 
 pub mod full_equations;
 
-pub use toytop_model::constants::{MotionConstants, period_or_natural_time, regime, tilts};
+pub use toytop_model::constants::{MotionConstants, regime, tilts};
 
 use serde_json::Value;
 use toytop_model::constants::{self, Constant};

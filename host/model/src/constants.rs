@@ -2,7 +2,6 @@
 
 use crate::equations::{cross, dot};
 use core::array::from_fn;
-use core::cell::OnceCell;
 use core::f64::consts::PI;
 use core::ops::Deref;
 use toytop::scalar::{Float, Real, Ring};
@@ -37,7 +36,7 @@ const fn word(name: &'static str, value: fn(&MotionConstants) -> &'static str) -
 }
 
 /// Names and functions of all constants that are numbers, with the numbers of the top and of the start.
-pub fn numbers() -> impl Iterator<Item = (&'static str, fn(&MotionConstants) -> f64)> {
+pub fn number_constants() -> impl Iterator<Item = (&'static str, fn(&MotionConstants) -> f64)> {
     CONSTANTS.iter().chain(&TOP_AND_START).filter_map(|constant| match constant.value {
         Value::Number(value) => Some((constant.name, value)),
         Value::Word(_) => None,
@@ -104,30 +103,26 @@ static TOP_AND_START: [Constant; 20] = [
 /// Greatest number of ticks from t = 0 at which a table is evaluated. They are counted in 64 bits.
 pub const MOST_TICKS: f64 = (1_u64 << 62) as f64;
 
-/// Motion that computes its period once at most.
+/// Motion with its period.
 pub struct MotionConstants {
     motion: Motion,
-    advance: OnceCell<Option<PeriodAdvance>>,
+    advance: Option<PeriodAdvance>,
 }
 
 impl MotionConstants {
     /// Constants of a motion.
     pub fn new(motion: Motion) -> Self {
-        Self { motion, advance: OnceCell::new() }
-    }
-
-    fn advance(&self) -> Option<PeriodAdvance> {
-        *self.advance.get_or_init(|| self.period_advance())
+        Self { motion, advance: motion.period_advance() }
     }
 
     /// Period, s; NaN where there is none.
     pub fn period(&self) -> f64 {
-        self.advance().map_or(f64::NAN, |advance| advance.period)
+        self.advance.map_or(f64::NAN, |advance| advance.period)
     }
 
     /// Nutation period of a motion that nutates, T₀ of any other, s.
-    pub fn period_or_natural_time(&self) -> f64 {
-        match self.advance() {
+    pub fn time_scale(&self) -> f64 {
+        match self.advance {
             Some(advance) if self.regime() == Regime::Nutating => advance.period,
             _ => natural_time(self),
         }
@@ -138,7 +133,7 @@ impl MotionConstants {
         /// A [`Tick`] has 32 bits on both sides.
         const MOST: f64 = (1_u32 << 31) as f64;
         let omega = at_start(self).omega();
-        let fastest = Float::sqrt(dot(omega, omega)).max(1000.0 / self.period_or_natural_time());
+        let fastest = Float::sqrt(dot(omega, omega)).max(1000.0 / self.time_scale());
         let mut rate = MOST.recip();
         while rate < fastest.min(MOST) {
             rate *= 2.0;
@@ -154,7 +149,7 @@ impl MotionConstants {
     /// Greatest distance from t = 0 at which a closed form is evaluated, s. Where e₃ = e₄ holds up to rounding, its error grows by up to
     /// 5e-14 rad in a period.
     pub fn furthest_time_of_closed_form(&self) -> f64 {
-        1e12 * self.period_or_natural_time()
+        1e12 * self.time_scale()
     }
 
     /// Tick of this rate.
@@ -168,7 +163,7 @@ impl MotionConstants {
     /// are constant, which quadratures reach only up to rounding.
     fn advance_of(&self, angle: fn(&PeriodAdvance) -> f64) -> f64 {
         let integrals = self.first_integrals();
-        match self.advance() {
+        match &self.advance {
             Some(_) if integrals.l == 0.0 && integrals.n == 0.0 => 0.0,
             advance => advance.as_ref().map_or(f64::NAN, angle),
         }
@@ -228,11 +223,6 @@ pub fn natural_time(motion: &Motion) -> f64 {
     }
     let length = top.transverse_inertia() / top.mass_moment() + top.com_height();
     2.0 * PI * Float::sqrt(length / top.gravity())
-}
-
-/// Nutation period of a motion that nutates, T₀ of any other, s.
-pub fn period_or_natural_time(motion: &Motion) -> f64 {
-    MotionConstants::new(*motion).period_or_natural_time()
 }
 
 fn at_start(motion: &Motion) -> AttitudeState<f64> {

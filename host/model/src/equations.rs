@@ -7,7 +7,7 @@ use toytop::{Complex, Orientation, Top};
 /// Vector of the fixed frame, in which k = (0, 0, 1) points up.
 type Vector = [f64; 3];
 
-/// State of the integration: re alpha, im alpha, re beta, im beta, m1, m2, m3.
+/// State as a vector for the integration: re alpha, im alpha, re beta, im beta, m1, m2, m3.
 pub type Vector7 = [f64; 7];
 
 /// Orientation Phi = \[\[alpha, beta\], \[-conj beta, conj alpha\]\] and angular velocity.
@@ -116,8 +116,8 @@ impl Equations {
         core::array::from_fn(|i| self.a * w[i] + axial * r[i] + rise * q[i])
     }
 
-    /// Numbers of a state for the integration.
-    pub fn numbers(&self, state: &FullState) -> Vector7 {
+    /// State as a vector for the integration.
+    pub fn vector(&self, state: &FullState) -> Vector7 {
         let ([a, b], [c, d], [m1, m2, m3]) = (state.alpha, state.beta, self.momentum(state));
         [a, b, c, d, m1, m2, m3]
     }

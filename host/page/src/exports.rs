@@ -10,7 +10,7 @@ use core::array::from_fn;
 use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
 use toytop::{Motion, ParameterError};
-use toytop_model::constants::{MotionConstants, numbers as constants, regime, tip_class};
+use toytop_model::constants::{MotionConstants, number_constants, regime, tip_class};
 use toytop_model::span::span;
 
 /// Points of a curve that one call computes at most.
@@ -39,7 +39,7 @@ pub extern "C" fn words() -> *const AtomicU8 {
 /// Names of the numbers that [`launch`] returns: the constants, the bound on the orientation error at t = 0, rad, its
 /// growth, rad/s, and the time that the pictures cover, s.
 pub fn launch_names() -> impl Iterator<Item = &'static str> {
-    constants().map(|(name, _)| name).chain(["error", "error_growth", "span"])
+    number_constants().map(|(name, _)| name).chain(["error", "error_growth", "span"])
 }
 
 /// Sets the motion by its kind: 0 release, 1 state, 2 branch points. The array holds the numbers of the top, then of the motion. After a
@@ -57,7 +57,7 @@ pub extern "C" fn launch(kind: u32) -> i32 {
         Ok(motion) => {
             let table = TABLE.lock();
             write_numbers(
-                constants()
+                number_constants()
                     .map(|(_, value)| value(&motion))
                     .chain(table.error_bound())
                     .chain([span(&motion, |t| table.at(t).1.modulus())]),

@@ -26,7 +26,7 @@ impl RungeKutta {
         let (top, state) = (motion.top(), Stepper::<f64>::new(motion).attitude_state());
         let full = FullState::new(&state.orientation, state.omega());
         let equations = Equations::new(top, &full);
-        let start = equations.numbers(&full);
+        let start = equations.vector(&full);
         Self { equations, com_height: top.com_height(), start, step, y: start, steps: 0.0, sense: 1.0 }
     }
 

@@ -3,7 +3,7 @@
 use toytop::scalar::Float;
 use toytop::{EphemerisF64, Motion, Pose, Release, State, Stepper, Support};
 use toytop_model::angles;
-use toytop_model::constants::{MotionConstants, numbers};
+use toytop_model::constants::{MotionConstants, number_constants};
 use toytop_page::exports::launch_names;
 use toytop_page::runge_kutta::{MOST_STEPS, RungeKutta};
 use toytop_page::scenario;
@@ -21,7 +21,7 @@ fn thrown() -> Motion {
 }
 
 fn constant(motion: &Motion, name: &str) -> f64 {
-    let (_, value) = numbers().find(|(other, _)| *other == name).unwrap();
+    let (_, value) = number_constants().find(|(other, _)| *other == name).unwrap();
     value(&MotionConstants::new(*motion))
 }
 
@@ -69,7 +69,7 @@ fn angles_and_rates_at_the_start_are_those_of_the_throw() {
         let found = constant(&motion, name);
         assert!((found / given - 1.0).abs() < 1e-12, "{name}: {found} for {given}");
     }
-    assert_eq!(launch_names().count(), numbers().count() + 3);
+    assert_eq!(launch_names().count(), number_constants().count() + 3);
 }
 
 /// Where no torque acts the angular momentum stands still, Aω + ((C - A)⟨ω, r⟩ + K) r; elsewhere it does not.

@@ -8,7 +8,7 @@ use crate::top::TopCore;
 use numpy::PyReadonlyArray2;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use toytop_model::constants::numbers;
+use toytop_model::constants::number_constants;
 
 /// Motions of tops by rows. A row has the numbers of a release, or a quaternion and the rates of this name. A single top or row counts for all.
 ///
@@ -59,8 +59,8 @@ pub(crate) fn constant_of_many<'py>(
     motions: Vec<Py<MotionCore>>,
     name: &str,
 ) -> PyResult<Bound<'py, Array>> {
-    if !numbers().any(|(known, _)| known == name) {
-        let names = numbers().map(|(name, _)| name).collect::<Vec<_>>().join(", ");
+    if !number_constants().any(|(known, _)| known == name) {
+        let names = number_constants().map(|(name, _)| name).collect::<Vec<_>>().join(", ");
         return Err(value_error("name", format!("must be one of {names}")));
     }
     let number = |index: usize| motions[index].get().constant(name);

@@ -64,7 +64,7 @@ impl Sampler {
     ///
     /// # Errors
     /// `KeyboardInterrupt`, or `ValueError`: no table is large enough for the tip angle.
-    pub(crate) fn of_points(
+    pub(crate) fn by_method(
         py: Python<'_>,
         times: NumericArg,
         motion: &Motion,
@@ -104,7 +104,10 @@ impl Sampler {
         let numbers = writer.as_slice_mut()?;
         let fill = |motion: usize, first: usize, rows: &mut [f64]| match &self.source {
             Source::Tables(tables) => tables[motion].fill(column, &times[first..], rows),
-            Source::Points(points) => column.fill(points[first..].iter().copied(), rows),
+            Source::Points(points) => {
+                let (points, rows, write) = (&points[first..], rows.chunks_exact_mut(width), column.writer());
+                points.iter().zip(rows).for_each(|(point, row)| write(point, row));
+            }
         };
         let of_motion = (width * times.len()).max(1);
         if numbers.len() <= width * BLOCK {

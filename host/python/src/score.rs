@@ -10,7 +10,7 @@ use pythonize::pythonize;
 use toytop::Orientation;
 use toytop_host::Failure;
 use toytop_host::input::scenario::{Scenario, Units};
-use toytop_host::score::errors::ExactReference;
+use toytop_host::score::errors::Scorer;
 use toytop_host::score::order as convergence;
 use toytop_host::score::trajectory::{Trajectory, TrajectoryRow, normalised};
 
@@ -47,7 +47,7 @@ pub(crate) fn score<'py>(
         let rows = (0..count).map(row).collect::<Result<_, Failure>>()?;
         let trajectory =
             Trajectory { name: "result".into(), method: None, step: None, evaluations: None, rows };
-        ExactReference::new(&scenario, "motion.at(t[0])")?.score(&trajectory)
+        Scorer::new(&scenario, "motion.at(t[0])")?.score(&trajectory)
     })?;
     let score = score.map_err(failed)?;
     let fields = pythonize(py, &score)?.cast_into::<PyDict>()?;

@@ -58,25 +58,38 @@ impl SampleColumn {
     ];
 }
 
-/// Key of JSON, names of the numbers as columns of CSV, unit in SI, part of the sample that is read, and function that writes the
-/// numbers. NaN stands for what does not exist.
-type Description = (&'static str, &'static [&'static str], &'static str, Part, fn(&Sample, &mut [f64]));
+/// Function that writes the numbers of a column of a sample. NaN stands for what does not exist.
+pub type Writer = fn(&Sample, &mut [f64]);
+
+/// Key of JSON, names of the numbers as columns of CSV, unit in SI, part of the sample that is read, and function that writes the numbers.
+type Description = (&'static str, &'static [&'static str], &'static str, Part, Writer);
 
 impl SampleColumn {
-    #[rustfmt::skip] // one quantity a row
     fn description(self) -> Description {
         use Part::{All, ErrorBound, Omega, OmegaBody, Orientation, Pose, TipAngle, Udot};
         match self {
             Self::T => ("t", &["t"], "s", All, |at, row| row[0] = at.t),
             Self::U => ("u", &["u"], "", Pose, |at, row| row[0] = at.pose.u),
             Self::Udot => ("udot", &["udot"], "1/s", Udot, |at, row| row[0] = at.rates.udot),
-            Self::Alpha => ("alpha", &["alpha_re", "alpha_im"], "", Orientation, |at, row| put(row, at.pose.orientation.alpha)),
-            Self::Beta => ("beta", &["beta_re", "beta_im"], "", Orientation, |at, row| put(row, at.pose.orientation.beta)),
-            Self::Gamma => ("gamma", &["gamma_re", "gamma_im"], "", Orientation, |at, row| put(row, at.pose.orientation.gamma())),
-            Self::Delta => ("delta", &["delta_re", "delta_im"], "", Orientation, |at, row| put(row, at.pose.orientation.delta())),
-            Self::Omega => ("omega", &["omega_x", "omega_y", "omega_z"], "rad/s", Omega, |at, row| row.copy_from_slice(&at.rates.omega)),
+            Self::Alpha => ("alpha", &["alpha_re", "alpha_im"], "", Orientation, |at, row| {
+                put(row, at.pose.orientation.alpha)
+            }),
+            Self::Beta => ("beta", &["beta_re", "beta_im"], "", Orientation, |at, row| {
+                put(row, at.pose.orientation.beta)
+            }),
+            Self::Gamma => ("gamma", &["gamma_re", "gamma_im"], "", Orientation, |at, row| {
+                put(row, at.pose.orientation.gamma())
+            }),
+            Self::Delta => ("delta", &["delta_re", "delta_im"], "", Orientation, |at, row| {
+                put(row, at.pose.orientation.delta())
+            }),
+            Self::Omega => ("omega", &["omega_x", "omega_y", "omega_z"], "rad/s", Omega, |at, row| {
+                row.copy_from_slice(&at.rates.omega)
+            }),
             Self::Tip => ("tip", &["tip_x", "tip_y"], "m", Pose, |at, row| put(row, at.pose.tip)),
-            Self::Phi => ("phi", &["phi"], "rad", TipAngle, |at, row| row[0] = at.tip_angle.unwrap_or(f64::NAN)),
+            Self::Phi => {
+                ("phi", &["phi"], "rad", TipAngle, |at, row| row[0] = at.tip_angle.unwrap_or(f64::NAN))
+            }
             Self::Quaternion => ("quaternion", &["w", "x", "y", "z"], "", Orientation, |at, row| {
                 row.copy_from_slice(&at.pose.orientation.quaternion())
             }),
@@ -90,9 +103,11 @@ impl SampleColumn {
             Self::Angles => ("angles", &["tilt", "azimuth", "roll"], "rad", Orientation, |at, row| {
                 row.copy_from_slice(&euler_angles::tilt_azimuth_roll(&at.pose.orientation))
             }),
-            Self::EulerZxz => ("euler_zxz", &["euler_phi", "euler_theta", "euler_psi"], "rad", Orientation, |at, row| {
-                row.copy_from_slice(&euler_angles::zxz(&at.pose.orientation))
-            }),
+            Self::EulerZxz => {
+                ("euler_zxz", &["euler_phi", "euler_theta", "euler_psi"], "rad", Orientation, |at, row| {
+                    row.copy_from_slice(&euler_angles::zxz(&at.pose.orientation))
+                })
+            }
             Self::ErrorBound => ("error_bound", &["error_bound"], "rad", ErrorBound, |at, row| {
                 row[0] = at.error_bound.unwrap_or(f64::NAN)
             }),
@@ -122,17 +137,15 @@ impl SampleColumn {
         self.description().3
     }
 
-    /// Writes its numbers of each sample into a row.
-    pub fn fill(self, samples: impl Iterator<Item = Sample>, rows: &mut [f64]) {
-        let (_, names, .., write) = self.description();
-        samples.zip(rows.chunks_exact_mut(names.len())).for_each(|(sample, row)| write(&sample, row));
+    /// Function that writes the numbers of a sample into a row of as many numbers as it has names.
+    pub fn writer(self) -> Writer {
+        self.description().4
     }
 
     /// Numbers of a sample.
     pub fn numbers(self, sample: &Sample) -> Vec<f64> {
-        let (_, names, .., write) = self.description();
-        let mut row = vec![f64::NAN; names.len()];
-        write(sample, &mut row);
+        let mut row = vec![f64::NAN; self.names().len()];
+        self.writer()(sample, &mut row);
         row
     }
 }

@@ -7,8 +7,8 @@ mod heap_table;
 
 mod capacities;
 
-pub use capacities::{ephemeris_with_truncation, smallest_ephemeris, smallest_table};
-pub use events::{EventFilter, EventKind, FoundEvent};
+pub use capacities::{EphemerisOptions, smallest_ephemeris};
+pub use events::{EventFilter, EventKind, FoundEvent, search};
 pub use heap_table::{HeapTable, TableScalar};
 
 use crate::motion::column::SampleColumn;
@@ -37,21 +37,28 @@ pub trait DynEphemeris: Send + Sync {
     /// Upper bound on the error of ω, of Ω and of u', rad per unit time.
     fn rate_error_bound(&self) -> ErrorBound;
 
-    /// Part of the sample of the motion t units of time after t = 0, t taken as exact. Other parts may be unknown.
-    fn part_at(&self, part: Part, t: f64) -> Sample;
+    /// Sets one part of a sample to that of the motion t units of time after t = 0, t taken as exact. Others may change too.
+    fn update(&self, sample: &mut Sample, part: Part, t: f64);
 
     /// Sample of the motion t units of time after t = 0, t taken as exact.
     fn at(&self, t: f64) -> Sample {
-        self.part_at(Part::All, t)
-    }
-
-    /// Writes one column at each time, and computes no other.
-    fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
-        column.fill(times.iter().map(|t| self.part_at(column.part(), *t)), rows);
+        let mut sample = Sample::UNKNOWN;
+        self.update(&mut sample, Part::All, t);
+        sample
     }
 
     /// Sample of the motion at tick n.
     fn at_tick(&self, n: i64) -> Sample;
+
+    /// Writes one column at each time, and computes no other.
+    fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
+        // one sample for all times, because to make another costs a tenth of its evaluation
+        let (mut sample, write) = (Sample::UNKNOWN, column.writer());
+        for (t, row) in times.iter().zip(rows.chunks_exact_mut(column.names().len())) {
+            self.update(&mut sample, column.part(), *t);
+            write(&sample, row);
+        }
+    }
 
     /// First events at which a condition holds, of those that the filter accepts.
     fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent>;
@@ -105,7 +112,7 @@ mod tests {
             [motion(1.0, [0.2, 0.8, 1.5]), motion(1e-6, [0.2, 0.8, 1e6]), motion(1e9, [0.2, 0.8, 1.5])]
         {
             let constants = MotionConstants::new(motion);
-            let (rate, period) = (constants.ticks_per_time(), constants.period_or_natural_time());
+            let (rate, period) = (constants.ticks_per_time(), constants.time_scale());
             assert!(rate * period >= 1000.0 && rate.log2().fract() == 0.0);
             assert!(constants.furthest_time() / period >= 1e10);
         }

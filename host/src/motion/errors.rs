@@ -10,6 +10,11 @@ pub fn greater(a: f64, b: f64) -> f64 {
     if b.is_nan() { f64::INFINITY } else { a.max(b) }
 }
 
+/// Distance of two vectors.
+pub fn distance(x: [f64; 3], y: [f64; 3]) -> f64 {
+    (Vector3::from(x) - Vector3::from(y)).norm()
+}
+
 /// Errors of a sample.
 #[derive(Clone, Copy, Default)]
 pub struct Errors {
@@ -53,8 +58,7 @@ impl Errors {
 
 /// Greatest of the differences |Δω|, |ΔΩ| and |Δu'|, rad per unit time.
 pub fn rate_error(found: &BodyRates, truth: &BodyRates) -> f64 {
-    let apart = |x: [f64; 3], y: [f64; 3]| (Vector3::from(x) - Vector3::from(y)).norm();
-    let vectors = [apart(found.omega, truth.omega), apart(found.omega_body, truth.omega_body)];
+    let vectors = [distance(found.omega, truth.omega), distance(found.omega_body, truth.omega_body)];
     vectors.into_iter().fold(greater(0.0, (found.udot - truth.udot).abs()), greater)
 }
 

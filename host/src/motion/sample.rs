@@ -41,19 +41,18 @@ pub struct Sample {
 }
 
 impl Sample {
-    /// Sample at time t of which no other number is known: they are NaN, or `None`.
-    pub fn unknown(t: f64) -> Self {
-        let (number, vector) = (Complex::new(f64::NAN, f64::NAN), [f64::NAN; 3]);
+    /// Sample of which nothing is known: its numbers are NaN.
+    pub const UNKNOWN: Self = {
+        let (number, vector) = (Complex { re: f64::NAN, im: f64::NAN }, [f64::NAN; 3]);
         let orientation = Orientation { alpha: number, beta: number };
-        let rates = BodyRates { omega: vector, omega_body: vector, udot: f64::NAN };
         Self {
-            t,
+            t: f64::NAN,
             pose: Pose { orientation, u: f64::NAN, tip: number },
-            rates,
+            rates: BodyRates { omega: vector, omega_body: vector, udot: f64::NAN },
             tip_angle: None,
             error_bound: None,
         }
-    }
+    };
 
     /// Sample of an attitude state of the core at time t.
     pub fn from_state<R: Real>(

@@ -6,15 +6,14 @@ use crate::Failure;
 use crate::input::require_within;
 use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::{DynEphemeris, smallest_ephemeris};
-use crate::motion::errors::{IntegralDrift, drift, greater};
-use crate::motion::{Scalar, period_or_natural_time};
-use nalgebra::Vector3;
+use crate::motion::errors::{IntegralDrift, distance, drift, greater};
+use crate::motion::{MotionConstants, Scalar};
 use serde::Serialize;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
 
 /// Exact motion that trajectories are compared with.
-pub struct ExactReference<'a> {
+pub struct Scorer<'a> {
     motion: &'a Motion,
     table: Box<dyn DynEphemeris>,
     /// Command that prints the state from which a run has to start.
@@ -55,7 +54,7 @@ pub struct Score {
 /// Error of the first row above which a warning is given, rad or relative.
 const SUSPECT_DISTANCE: f64 = 0.01;
 
-impl<'a> ExactReference<'a> {
+impl<'a> Scorer<'a> {
     /// Exact motion of a scenario, by its ephemeris in `f64`; `start` is the command that prints the state from which a run has to start.
     ///
     /// # Errors
@@ -117,7 +116,8 @@ impl<'a> ExactReference<'a> {
         let exact = self.table.at(first.t);
         let [error, _] = self.errors(first);
         let inverse = orientation_error(&exact.pose.orientation, &first.orientation.inverse());
-        let speed = distance(exact.rates.omega, [0.0; 3]).max(2.0 * PI / period_or_natural_time(self.motion));
+        let speed = distance(exact.rates.omega, [0.0; 3])
+            .max(2.0 * PI / MotionConstants::new(*self.motion).time_scale());
         let rate_error = first.omega.map_or(0.0, |omega| distance(omega, exact.rates.omega)) / speed;
         let position_error = self.position_error(first).unwrap_or(0.0) / self.motion.top().tip_scale();
         let far = format!("the first row is {error:.1e} rad from the motion;");
@@ -141,11 +141,6 @@ impl<'a> ExactReference<'a> {
 
 fn greatest(errors: impl Iterator<Item = f64>) -> f64 {
     errors.fold(0.0, greater)
-}
-
-/// Distance of two vectors.
-fn distance(x: [f64; 3], y: [f64; 3]) -> f64 {
-    (Vector3::from(x) - Vector3::from(y)).norm()
 }
 
 /// Error of the orientation with the nearer of the two signs, rad.

@@ -66,7 +66,7 @@ impl FullSolver {
         // If the norm is 1 up to rounding, the numbers are kept, and `normalise_orientation` computes their deviation.
         let scale = if (norm - 1.0).abs() > 1e-14 { norm } else { 1.0 };
         let (alpha, beta) = ([a / scale, b / scale], [c / scale, d / scale]);
-        let y = equations.numbers(&FullState { alpha, beta, omega: state.omega.map(|w| w / rate_unit) });
+        let y = equations.vector(&FullState { alpha, beta, omega: state.omega.map(|w| w / rate_unit) });
         let m = [y[4], y[5], y[6]];
         let mut low = [0.0; 7];
         normalise_orientation(&y, &mut low);

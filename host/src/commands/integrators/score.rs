@@ -4,12 +4,12 @@ use super::problems;
 use crate::commands::options::{PICTURE, ending_in, positive};
 use crate::files::whole_file;
 use crate::input::scenario::Scenario;
-use crate::motion::period_or_natural_time;
+use crate::motion::MotionConstants;
 use crate::output::table::{Column, TextTable};
 use crate::output::{self, Format, short, two_digits};
 use crate::pictures::drawing;
 use crate::pictures::drawing::chart::{Chart, Curve};
-use crate::score::errors::{ExactReference, Score};
+use crate::score::errors::{Score, Scorer};
 use crate::score::order;
 use crate::score::trajectory::Trajectory;
 use crate::{Failure, Report};
@@ -116,7 +116,7 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     if !steps.is_empty() && steps.len() != results.len() {
         return Err(Failure::Input(format!("--steps: must be {} numbers, one for each file", results.len())));
     }
-    let reference = ExactReference::new(&scenario, &start)?;
+    let reference = Scorer::new(&scenario, &start)?;
     let (mut files, mut warnings) = (Vec::new(), Vec::new());
     for (index, path) in results.iter().enumerate() {
         let axis = problem.as_ref().map_or(3, |problem| problem.about.symmetry_axis);
@@ -203,7 +203,7 @@ fn draw(
     integrators: &[Integrator],
 ) -> Result<(), Failure> {
     let counted = files.iter().all(|file| file.evaluations.is_some());
-    let period = period_or_natural_time(&scenario.motion);
+    let period = MotionConstants::new(scenario.motion).time_scale();
     let point = |file: &ScoredFile| {
         let steps = file.step.map(|step| period / step);
         let work = if counted { file.evaluations } else { steps }.ok_or_else(|| {

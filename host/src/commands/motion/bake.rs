@@ -93,7 +93,7 @@ fn baked<R: TableScalar>(
     tick: Tick,
     title: &TableTitle,
 ) -> Result<[String; 2], Failure> {
-    let table = HeapTable::<R>::with_capacity(&scenario.motion, tick, arguments.segments)?;
+    let table = HeapTable::<R>::with_segments(&scenario.motion, tick, arguments.segments)?;
     let table = table.table();
     let text = match arguments.lang {
         Language::Rust => module(title, table),

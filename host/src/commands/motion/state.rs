@@ -8,12 +8,12 @@ use crate::files::whole_file;
 use crate::input::scenario::Scenario;
 use crate::input::times::{Times, TimesArgs};
 use crate::motion::column::SampleColumn;
-use crate::motion::ephemeris::{smallest_ephemeris, smallest_table};
+use crate::motion::ephemeris::{EphemerisOptions, smallest_ephemeris};
 use crate::motion::full_equations;
 use crate::motion::sample::{Sample, body_rates};
 use crate::motion::stepper::{stepped, steps_needed};
 use crate::motion::tip_angle::TipAngle;
-use crate::motion::{MotionConstants, Scalar, period_or_natural_time};
+use crate::motion::{MotionConstants, Scalar};
 use crate::output::Format;
 use crate::parallel;
 use crate::terminal::progress::Progress;
@@ -81,7 +81,7 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     let times = Times::read(&arguments.times, rate)?;
     let format = arguments.format;
     let mut columns = arguments.columns.clone();
-    let further = if columns.is_empty() {
+    let json_columns = if columns.is_empty() {
         columns.extend(SampleColumn::DEFAULT);
         &[SampleColumn::Gamma, SampleColumn::Delta][..]
     } else {
@@ -89,7 +89,7 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     };
     // JSON always contains error_bound
     if format == Format::Json {
-        columns.extend(further.iter().filter(|column| !arguments.columns.contains(column)));
+        columns.extend(json_columns.iter().filter(|column| !arguments.columns.contains(column)));
     }
     let support = scenario.motion.top().support();
     let rows = Rows { format, columns, units: scenario.units, support };
@@ -122,7 +122,8 @@ fn sampler(
     let samples = match (arguments.method, arguments.scalar) {
         (Method::Ephemeris, scalar) => return by_ephemeris(scalar, scenario, times, rate),
         (Method::Stepper, scalar) => {
-            let step = period_or_natural_time(motion) / f64::from(arguments.steps_per_period.unwrap_or(4096));
+            let step = MotionConstants::new(*motion).time_scale()
+                / f64::from(arguments.steps_per_period.unwrap_or(4096));
             let progress = Progress::new(steps_needed(&times.seconds, step)?, "steps");
             stepped(scalar, motion, &times.seconds, step, |steps| progress.add(steps))?
         }
@@ -148,16 +149,19 @@ fn by_ephemeris(
         Scalar::F64 => failure.with_context(&scenario.name),
         _ => failure.with_context(&format!("{}: --scalar: {}", scenario.name, scalar.name())),
     };
-    if !times.ticks.is_empty() && motion.regime() != Regime::Aperiodic {
-        let refused = |error| Failure::Input(format!("--hertz: {error}"));
-        let tick = Tick::ratio(rate[0], rate[1]).map_err(refused)?;
-        let table = smallest_table(scalar, motion, tick).map_err(named)?;
+    let tick = match times.ticks[..] {
+        [] => None,
+        _ => {
+            Some(Tick::ratio(rate[0], rate[1]).map_err(|error| Failure::Input(format!("--hertz: {error}")))?)
+        }
+    };
+    let table = smallest_ephemeris(EphemerisOptions { tick, ..scalar.into() }, motion).map_err(named)?;
+    if tick.is_some() && motion.regime() != Regime::Aperiodic {
         return Ok(Box::new(move |index| {
             let (tick, t) = (times.ticks[index as usize], times.seconds[index as usize]);
             Sample { t, ..table.at_tick(tick) }
         }));
     }
-    let table = smallest_ephemeris(scalar, motion).map_err(named)?;
     times.require_within(table.furthest_time(), " with --method ephemeris")?;
     Ok(Box::new(move |index| table.at(times.seconds[index as usize])))
 }

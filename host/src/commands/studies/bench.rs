@@ -101,7 +101,7 @@ fn rows() -> Vec<Value> {
         STATES / 8,
         || {
             let equations = Equations::new(top, &state);
-            let (mut y, step) = (equations.numbers(&state), period / f64::from(STEPS_A_PERIOD));
+            let (mut y, step) = (equations.vector(&state), period / f64::from(STEPS_A_PERIOD));
             for _ in 0..STATES / 8 {
                 (0..STEPS_A_PERIOD / STATES_A_PERIOD).for_each(|_| y = equations.runge_kutta(&y, step));
                 black_box(equations.state(&y));

@@ -12,7 +12,7 @@ use crate::motion::errors::Errors;
 use crate::motion::full_equations;
 use crate::motion::sample::Sample;
 use crate::motion::stepper::TimedStepper;
-use crate::motion::{Scalar, period_or_natural_time};
+use crate::motion::{MotionConstants, Scalar};
 use crate::output::table::TextTable;
 use crate::output::{self, Format, short};
 use crate::truth::full_solver::FullState;
@@ -201,7 +201,7 @@ fn median(mut run: impl FnMut() -> u64) -> f64 {
 
 /// Run of the stepper through the times.
 fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
-    let step = period_or_natural_time(motion) / f64::from(steps_per_period(scalar));
+    let step = MotionConstants::new(*motion).time_scale() / f64::from(steps_per_period(scalar));
     let (mut samples, mut steps) = (Vec::new(), 0);
     let call = median(|| {
         let mut timed = TimedStepper::<R>::new(motion, step);

@@ -80,12 +80,12 @@ impl DynEphemeris for AperiodicEphemeris {
         ErrorBound { constant, per_tick: constant * speed / self.ticks_per_time() }
     }
 
-    fn part_at(&self, _: Part, t: f64) -> Sample {
+    fn update(&self, sample: &mut Sample, _: Part, t: f64) {
         let (state, tip) = self.motion.at(t);
-        Sample {
+        *sample = Sample {
             error_bound: Some(self.error_bound().after(t * self.ticks_per_time())),
             ..Sample::from_state(t, &state, tip, Some(self.tip_angle(t)))
-        }
+        };
     }
 
     fn at_tick(&self, n: i64) -> Sample {

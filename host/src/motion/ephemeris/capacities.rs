@@ -5,9 +5,7 @@ use super::{DynEphemeris, HeapTable, TableScalar};
 use crate::Failure;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
-use toytop::{
-    Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Regime, SetUpError, Tick, Workspace,
-};
+use toytop::{Ephemeris, EphemerisMemory, EphemerisView, Motion, SetUpError, Tick, Workspace};
 use toytop_model::constants::MotionConstants;
 
 /// Capacities among which the smallest is chosen, in ascending order.
@@ -15,45 +13,48 @@ const CAPACITIES: [u32; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, MAX_CAP
 
 const MAX_CAPACITY: u32 = 4096;
 
-/// Smallest table whose truncation error is within the rounding of the scalar, or the closed form of an aperiodic motion.
+/// Ephemeris that is asked for. A scalar alone stands for one without further conditions.
+#[derive(Clone, Copy)]
+pub struct EphemerisOptions {
+    /// Scalar of the table.
+    pub scalar: Scalar,
+    /// Length of a tick; without it, that of [`MotionConstants`].
+    pub tick: Option<Tick>,
+    /// Greatest truncation error, rad; without it, a bound within the rounding of the scalar.
+    pub truncation: Option<f64>,
+}
+
+impl From<Scalar> for EphemerisOptions {
+    fn from(scalar: Scalar) -> Self {
+        Self { scalar, tick: None, truncation: None }
+    }
+}
+
+/// Smallest table of a motion, or the closed form of an aperiodic motion, which has no truncation error.
 ///
 /// # Errors
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
-pub fn smallest_ephemeris(scalar: Scalar, motion: &Motion) -> Result<Box<dyn DynEphemeris>, Failure> {
-    match scalar {
-        Scalar::F64 => ephemeris_with_truncation(motion, f64::TRUNCATION),
-        _ if motion.regime() == Regime::Aperiodic => {
+pub fn smallest_ephemeris(
+    options: impl Into<EphemerisOptions>,
+    motion: &Motion,
+) -> Result<Box<dyn DynEphemeris>, Failure> {
+    type Boxed = Result<Box<dyn DynEphemeris>, Failure>;
+    fn table<R: TableScalar>(motion: &Motion, tick: Tick, truncation: Option<f64>) -> Boxed {
+        let truncation = truncation.unwrap_or(R::TRUNCATION);
+        Ok(Box::new(HeapTable::<R>::smallest(&CAPACITIES, motion, tick, truncation)?))
+    }
+    let EphemerisOptions { scalar, tick, truncation } = options.into();
+    let constants = MotionConstants::new(*motion);
+    let tick = tick.unwrap_or_else(|| constants.tick());
+    match (AperiodicEphemeris::new(&constants), scalar) {
+        (Some(closed_form), Scalar::F64) => Ok(Box::new(closed_form)),
+        (Some(_), _) => {
             Err(Failure::Method("an aperiodic motion has a closed form in f64, and no table".into()))
         }
-        _ => smallest_table(scalar, motion, MotionConstants::new(*motion).tick()),
-    }
-}
-
-/// Smallest table in `f64` with a truncation error of at most `truncation`, rad, or the closed form of an aperiodic motion.
-///
-/// # Errors
-/// [`Failure::Method`]: no table is large enough.
-pub fn ephemeris_with_truncation(motion: &Motion, truncation: f64) -> Result<Box<dyn DynEphemeris>, Failure> {
-    let constants = MotionConstants::new(*motion);
-    Ok(match AperiodicEphemeris::new(&constants) {
-        Some(closed_form) => Box::new(closed_form),
-        None => Box::new(HeapTable::<f64>::smallest(&CAPACITIES, motion, constants.tick(), truncation)?),
-    })
-}
-
-/// Smallest table, with ticks of this length, whose truncation error is within the rounding of the scalar.
-///
-/// # Errors
-/// [`Failure::Method`]: no table is large enough.
-pub fn smallest_table(scalar: Scalar, motion: &Motion, tick: Tick) -> Result<Box<dyn DynEphemeris>, Failure> {
-    fn boxed<R: TableScalar>(motion: &Motion, tick: Tick) -> Result<Box<dyn DynEphemeris>, Failure> {
-        Ok(Box::new(HeapTable::<R>::smallest(&CAPACITIES, motion, tick, R::TRUNCATION)?))
-    }
-    match scalar {
-        Scalar::F64 => boxed::<f64>(motion, tick),
-        Scalar::F32 => boxed::<f32>(motion, tick),
-        Scalar::Q31 => boxed::<I2F30>(motion, tick),
-        Scalar::Q15 => boxed::<I2F14>(motion, tick),
+        (None, Scalar::F64) => table::<f64>(motion, tick, truncation),
+        (None, Scalar::F32) => table::<f32>(motion, tick, truncation),
+        (None, Scalar::Q31) => table::<I2F30>(motion, tick, truncation),
+        (None, Scalar::Q15) => table::<I2F14>(motion, tick, truncation),
     }
 }
 
@@ -82,7 +83,7 @@ impl<R: TableScalar> HeapTable<R> {
     ///
     /// # Errors
     /// [`Failure::Input`]: no table has this many segments. [`Failure::Method`]: they are too few; the message states a sufficient capacity.
-    pub fn with_capacity(motion: &Motion, tick: Tick, segments: Option<u32>) -> Result<Self, Failure> {
+    pub fn with_segments(motion: &Motion, tick: Tick, segments: Option<u32>) -> Result<Self, Failure> {
         let mut capacities = capacities_of(R::SCALAR);
         match segments {
             None => capacities.retain(|capacity| *capacity >= default_capacity(R::SCALAR)),
@@ -153,7 +154,7 @@ mod tests {
             let table = smallest_ephemeris(R::SCALAR, motion).unwrap();
             let tick = MotionConstants::new(*motion).tick();
             for segments in CAPACITIES.into_iter().filter(|&segments| (segments as usize) < table.size()[0]) {
-                let refused = HeapTable::<R>::with_capacity(motion, tick, Some(segments)).is_err();
+                let refused = HeapTable::<R>::with_segments(motion, tick, Some(segments)).is_err();
                 assert!(refused, "{segments} segments would do");
             }
             table.size()[0]

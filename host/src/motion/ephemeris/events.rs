@@ -104,7 +104,7 @@ fn time_error(condition: Condition, sample: &Sample) -> Option<f64> {
 const MOST_UNWANTED: u32 = 10_000;
 
 /// First events of a table at which a condition holds; `sample` is that of an event and its time.
-pub fn of_table<R: EphemerisScalar>(
+pub fn table_events<R: EphemerisScalar>(
     table: &EphemerisView<R>,
     condition: Condition,
     filter: &EventFilter,

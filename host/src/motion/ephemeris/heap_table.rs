@@ -47,10 +47,16 @@ impl<R: EphemerisScalar> HeapTable<R> {
         self.0.get().expect("set up")
     }
 
-    /// Part of the sample `now`, which is that of time t and of this number of ticks.
-    fn sample(&self, part: Part, [t, ticks]: [f64; 2], now: &toytop::Sample<'_, R>) -> Sample {
+    /// Sets one part of a sample to that of `now`, at time t and at this number of ticks.
+    fn update_from(
+        &self,
+        sample: &mut Sample,
+        part: Part,
+        [t, ticks]: [f64; 2],
+        now: &toytop::Sample<'_, R>,
+    ) {
         let wanted = |other: Part| part == Part::All || part == other;
-        let mut sample = Sample::unknown(t);
+        sample.t = t;
         if part == Part::Orientation {
             sample.pose.orientation = widened(now.orientation());
         }
@@ -75,6 +81,12 @@ impl<R: EphemerisScalar> HeapTable<R> {
         if wanted(Part::ErrorBound) {
             sample.error_bound = Some(self.table().error_bound().after(ticks));
         }
+    }
+
+    /// Sample `now`, at time t and at this number of ticks.
+    fn sample(&self, times: [f64; 2], now: &toytop::Sample<'_, R>) -> Sample {
+        let mut sample = Sample::UNKNOWN;
+        self.update_from(&mut sample, Part::All, times, now);
         sample
     }
 }
@@ -97,20 +109,18 @@ impl<R: TableScalar> DynEphemeris for HeapTable<R> {
         self.table().rate_error_bound()
     }
 
-    fn part_at(&self, part: Part, t: f64) -> Sample {
-        self.sample(part, [t, t * self.ticks_per_time()], &self.table().at(t))
+    fn update(&self, sample: &mut Sample, part: Part, t: f64) {
+        self.update_from(sample, part, [t, t * self.ticks_per_time()], &self.table().at(t));
     }
 
     fn at_tick(&self, n: i64) -> Sample {
-        let times = [n as f64 / self.ticks_per_time(), n as f64];
-        self.sample(Part::All, times, &self.table().at_tick(n))
+        self.sample([n as f64 / self.ticks_per_time(), n as f64], &self.table().at_tick(n))
     }
 
     fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent> {
         let table = self.table();
-        let sample =
-            |event: &_, t| self.sample(Part::All, [t, t * self.ticks_per_time()], &table.at_event(event));
-        events::of_table(table, condition, filter, sample)
+        let sample = |event: &_, t| self.sample([t, t * self.ticks_per_time()], &table.at_event(event));
+        events::table_events(table, condition, filter, sample)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Bounds on the errors of the core, and the time over which it is compared.
 
 use crate::commands::options::Method;
-use crate::motion::{Scalar, period_or_natural_time};
+use crate::motion::{MotionConstants, Scalar};
 use toytop::{Motion, Regime};
 
 /// Tighter bounds of the built-in motions near the separatrix over ten periods, rad: of the full solver, and of the stepper in f32.
@@ -86,7 +86,7 @@ const MAX_GROWTH: f64 = 1e4;
 /// Time of `periods` periods, s, or a shorter one with the reason: an aperiodic motion is followed until shortly before the axis reaches
 /// the vertical, from where the solution of the full equations falls again.
 pub fn horizon(motion: &Motion, periods: u32) -> (f64, Option<String>) {
-    let time = period_or_natural_time(motion) * f64::from(periods);
+    let time = MotionConstants::new(*motion).time_scale() * f64::from(periods);
     if motion.regime() != Regime::Aperiodic {
         return (time, None);
     }

@@ -2,7 +2,7 @@
 
 use crate::input::times::spread_times;
 use crate::motion::column::SampleColumn;
-use crate::motion::ephemeris::{DynEphemeris, ephemeris_with_truncation, smallest_ephemeris};
+use crate::motion::ephemeris::{DynEphemeris, EphemerisOptions, smallest_ephemeris};
 use crate::motion::errors::greater;
 use crate::motion::{Scalar, value};
 use clap::ValueEnum;
@@ -102,14 +102,15 @@ impl RowMotion {
     /// Motion with `count` times spread over this many periods.
     pub fn new(motion: Motion, count: u32, periods: f64) -> Self {
         let motion = MotionConstants::new(motion);
-        let times = spread_times(periods * motion.period_or_natural_time(), count);
+        let times = spread_times(periods * motion.time_scale(), count);
         Self { motion, times, f64_ephemeris: OnceCell::new(), f32_ephemeris: OnceCell::new() }
     }
 
     fn f64_ephemeris(&self) -> Option<&dyn DynEphemeris> {
         /// Truncation error, rad.
         const TRUNCATION: f64 = 1e-13;
-        self.f64_ephemeris.get_or_init(|| ephemeris_with_truncation(&self.motion, TRUNCATION).ok()).as_deref()
+        let options = EphemerisOptions { truncation: Some(TRUNCATION), ..Scalar::F64.into() };
+        self.f64_ephemeris.get_or_init(|| smallest_ephemeris(options, &self.motion).ok()).as_deref()
     }
 
     fn f32_ephemeris(&self) -> Option<&dyn DynEphemeris> {
