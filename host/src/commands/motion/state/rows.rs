@@ -44,7 +44,7 @@ impl Rows {
             Format::Csv => {
                 csv_line(self.columns.iter().flat_map(|column| column.numbers_of(sample)).map(Value::from))
             }
-            Format::Json => between(",") + &json(&self.columns.iter().map(entry).collect()),
+            Format::Json => between(",") + &json(&self.columns.iter().map(entry).collect::<Value>()),
             Format::Table => between("\n") + &self.block(sample),
         }
     }
