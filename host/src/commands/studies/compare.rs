@@ -115,18 +115,18 @@ pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
 fn table(motions: &[Vec<Comparison<'_>>], periods: u32) -> String {
     let prefix = |row: &Comparison<'_>| if row.steps.is_some() { "step " } else { "" };
     let line = |rows: &Vec<Comparison<'_>>| {
-        let greatest = |values: Vec<f64>| short(values.into_iter().fold(0.0, f64::max), 1);
-        let share = |row: &Comparison<'_>| Some(row.max_orientation_error_rad? / row.bound_rad?);
-        let look_up = |row: &Comparison<'_>| row.ns.filter(|_| row.table.is_some());
+        let greatest = |value: fn(&Comparison<'_>) -> Option<f64>| {
+            short(rows.iter().filter_map(value).fold(0.0, f64::max), 1)
+        };
         let errors = rows.iter().map(|row| or_dash(row.max_orientation_error_rad, |x| short(x, 1)));
         let worst = rows.iter().map(|row| row.verdict).max().unwrap_or_default();
-        let of_all = [
-            greatest(rows.iter().filter_map(share).collect()),
-            greatest(rows.iter().filter_map(look_up).collect()),
+        let summary = [
+            greatest(|row| Some(row.max_orientation_error_rad? / row.bound_rad?)),
+            greatest(|row| row.ns.filter(|_| row.table.is_some())),
             worst.word().to_owned(),
         ];
         let name = rows.first().map_or("", |row| row.motion).to_owned();
-        once(name).chain(errors).chain(of_all).collect()
+        once(name).chain(errors).chain(summary).collect()
     };
     let propagators = motions.iter().take(1).flatten().map(|row| format!("{}{}", prefix(row), row.scalar));
     let header =
@@ -156,7 +156,7 @@ fn compare<'a>(
     let (time, remark) = horizon(motion, periods);
     notes.extend(remark.map(|remark| format!("{name}: {remark}")));
     let times = spread_times(time, SAMPLES * periods);
-    let mut reference = Reference::default();
+    let mut cache = SolverCache::default();
     let mut rows = Vec::new();
     for (method, scalar) in PROPAGATORS {
         if !arguments.scalar.0.contains(&scalar) {
@@ -171,7 +171,7 @@ fn compare<'a>(
             notes.push(format!("{name} {}: {failure}", scalar.name()));
             Run::default()
         });
-        let errors = reference.errors(scenario, &run.samples)?;
+        let errors = cache.errors(scenario, &run.samples)?;
         let error = |value: fn(&Errors) -> f64| errors.as_ref().map(value);
         let bound_rad = bound(motion, (method, scalar), periods, tighter, run.table_bound);
         rows.push(Comparison {
@@ -185,8 +185,8 @@ fn compare<'a>(
             l_drift: error(|errors| errors.drift.l),
             n_drift: error(|errors| errors.drift.n),
             steps: run.steps,
-            table: run.table_size.map(|[segments, terms]| format!("{segments}x{terms}")),
-            ns: run.call.map(|seconds| 1e9 * seconds),
+            table: run.table,
+            ns: run.ns,
             bound_rad,
             verdict: Verdict::new(error(|errors| errors.orientation), bound_rad),
         });
@@ -202,35 +202,35 @@ struct Run {
     /// Number of steps of a stepper.
     steps: Option<u64>,
     /// Segments and terms of a table.
-    table_size: Option<[usize; 2]>,
+    table: Option<String>,
     /// Bound on the error of a table at the last time, rad.
     table_bound: Option<f64>,
-    /// Median time of a step or of a look-up, s.
-    call: Option<f64>,
+    /// Median time of a step or of a look-up.
+    ns: Option<f64>,
 }
 
-/// Samples at the times, and the time of one: the median of five parts of the times, s.
+/// Samples at the times, and the computing time of one, ns: the median of five parts of the times.
 fn timed_samples(times: &[f64], mut sample: impl FnMut(f64) -> Sample) -> (Vec<Sample>, f64) {
-    let (mut samples, mut seconds) = (Vec::new(), Vec::new());
+    let (mut samples, mut spent) = (Vec::new(), Vec::new());
     for part in times.chunks(times.len().div_ceil(5)) {
         let started = Instant::now();
         samples.extend(part.iter().map(|&t| sample(t)));
-        seconds.push(started.elapsed().as_secs_f64() / part.len() as f64);
+        spent.push(1e9 * started.elapsed().as_secs_f64() / part.len() as f64);
     }
-    seconds.sort_by(f64::total_cmp);
-    (samples, seconds[seconds.len() / 2])
+    spent.sort_by(f64::total_cmp);
+    (samples, spent[spent.len() / 2])
 }
 
 /// Run of the stepper through the times.
 fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
     let step = period_or_natural_time(motion) / f64::from(steps_per_period(scalar));
     let mut timed = TimedStepper::<R>::new(motion, step);
-    let (samples, call) = timed_samples(times, |t| {
+    let (samples, ns) = timed_samples(times, |t| {
         timed.reach(t, |_| ());
         timed.sample()
     });
-    let call = call * times.len() as f64 / timed.steps.max(1) as f64;
-    Run { samples, steps: Some(timed.steps), call: Some(call), ..Run::default() }
+    let ns = ns * times.len() as f64 / timed.steps.max(1) as f64;
+    Run { samples, steps: Some(timed.steps), ns: Some(ns), ..Run::default() }
 }
 
 /// Run of an ephemeris at the times.
@@ -239,26 +239,20 @@ fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
 fn run_ephemeris(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
     let table = smallest_ephemeris(scalar, motion)?;
-    let (samples, call) = timed_samples(times, |t| table.at(t));
-    let last = times.last().copied().unwrap_or(0.0);
-    let bound = table.error_bound().after(last * table.ticks_per_time());
-    Ok(Run {
-        samples,
-        steps: None,
-        table_size: Some(table.size()),
-        table_bound: Some(bound),
-        call: Some(call),
-    })
+    let (samples, ns) = timed_samples(times, |t| table.at(t));
+    let ticks = times.last().map_or(0.0, |last| last * table.ticks_per_time());
+    let (table_bound, [segments, terms]) = (Some(table.error_bound().after(ticks)), table.size());
+    Ok(Run { samples, table: Some(format!("{segments}x{terms}")), table_bound, ns: Some(ns), steps: None })
 }
 
-/// States of the full solver, kept for the next run with the same times.
+/// States of the full solver at the times of the last run, for the next one with the same times.
 #[derive(Default)]
-struct Reference {
+struct SolverCache {
     times: Vec<f64>,
     states: Vec<FullState>,
 }
 
-impl Reference {
+impl SolverCache {
     /// Greatest errors of samples, at the times that they have reached: an f32 step misses the requested one. `None` without samples.
     fn errors(&mut self, scenario: &Scenario, samples: &[Sample]) -> Result<Option<Errors>, Failure> {
         if samples.is_empty() {
