@@ -1,6 +1,4 @@
-//! Records as an aligned table, CSV or JSON. In CSV and JSON a number has 17 significant digits, from which a reader obtains the same `f64`.
-//!
-//! A record is an object of JSON: words, numbers, lists of them, and null for an absent value.
+//! Rows as an aligned table, CSV or JSON. In CSV and JSON a number has 17 significant digits, from which a reader obtains the same `f64`.
 
 pub mod table;
 
@@ -8,45 +6,35 @@ use serde::ser::Serialize;
 use serde_json::Value;
 use serde_json::ser::Formatter;
 use std::io::{self, Write};
-use std::slice;
+use std::iter::once;
 
 /// Form of the output.
 #[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
 pub enum Format {
     /// Aligned table
     Table,
-    /// Comma-separated values, one line for each record
+    /// Comma-separated values, one line for each row
     Csv,
     /// One JSON object
     Json,
 }
 
-/// Ends of the names of CSV columns for the parts of a list, by the key of the list.
-pub type ListEnds<'a> = [(&'a str, &'a [&'a str])];
-
-/// Document in a form; `table` makes the table. CSV has the records of its first value, or else the document as one record.
-pub fn render(format: Format, document: &Value, table: impl FnOnce() -> String) -> String {
-    render_lists(format, document, &[], table)
-}
-
-/// As [`render`], of records that have lists.
-pub fn render_lists(
+/// Output in a form: the document in JSON, its rows in CSV, or the text of `table`.
+pub fn render<T: Serialize + Default>(
     format: Format,
-    document: &Value,
-    ends: &ListEnds<'_>,
+    document: &impl Serialize,
+    rows: &[T],
     table: impl FnOnce() -> String,
 ) -> String {
-    let first = document.as_object().and_then(|values| values.values().next());
-    let records = first.and_then(Value::as_array).map_or(slice::from_ref(document), Vec::as_slice);
     match format {
         Format::Table => table(),
-        Format::Csv => csv(records, ends),
+        Format::Csv => csv(rows),
         Format::Json => json(document) + "\n",
     }
 }
 
 /// JSON in which a number has 17 digits.
-pub fn json(value: &Value) -> String {
+pub fn json(value: &impl Serialize) -> String {
     let mut json = Vec::new();
     value
         .serialize(&mut serde_json::Serializer::with_formatter(&mut json, Digits))
@@ -63,34 +51,43 @@ impl Formatter for Digits {
     }
 }
 
-/// Records as CSV, with a header line.
-fn csv(records: &[Value], ends: &ListEnds<'_>) -> String {
-    let rows = records.iter().map(|record| fields("", "", record, ends)).collect::<Vec<_>>();
-    let header = rows.first().map(|row| csv_line(row.iter().map(|(name, _)| name.as_str().into())));
-    let line = |row: Vec<(String, Value)>| csv_line(row.into_iter().map(|(_, value)| value));
-    header.into_iter().chain(rows.into_iter().map(line)).collect()
+/// Rows as CSV below a header, which is that of the default row where there is none.
+fn csv<T: Serialize + Default>(rows: &[T]) -> String {
+    let header = rows.first().map_or_else(|| fields(&T::default()), fields);
+    let header = csv_line(header.into_iter().map(|(name, _)| name.into()));
+    let line = |row| csv_line(fields(row).into_iter().map(|(_, value)| value));
+    once(header).chain(rows.iter().map(line)).collect()
 }
 
-/// Fields of CSV with their names, which end in the keys of objects and in the ends of lists, or else in numbers from 1. Words are one
-/// field.
-fn fields(name: &str, key: &str, value: &Value, ends: &ListEnds<'_>) -> Vec<(String, Value)> {
-    let part = |(end, part): (String, &Value)| {
-        let name = if name.is_empty() { end.clone() } else { format!("{name}_{end}") };
-        fields(&name, &end, part, ends)
-    };
+/// Names of the parts of a list of two, three or four numbers.
+const PARTS: [&[&str]; 3] = [&["x", "y"], &["x", "y", "z"], &["w", "x", "y", "z"]];
+
+/// Words and numbers of a row with their names. The name of a part ends in its key, or in its place in the list.
+fn fields(row: &impl Serialize) -> Vec<(String, Value)> {
+    let mut fields = Vec::new();
+    let row = serde_json::to_value(row).expect("a row has names");
+    flatten(String::new(), row, &mut fields);
+    fields
+}
+
+/// Appends the words and numbers of a value of this name. Words of a list are one.
+fn flatten(name: String, value: Value, fields: &mut Vec<(String, Value)>) {
+    let named = |part: &str| if name.is_empty() { part.to_owned() } else { format!("{name}_{part}") };
     match value {
-        Value::Object(parts) => {
-            parts.iter().map(|(key, value)| (key.clone(), value)).flat_map(part).collect()
-        }
+        Value::Object(parts) => parts.into_iter().for_each(|(key, part)| flatten(named(&key), part, fields)),
         Value::Array(words) if words.iter().all(Value::is_string) => {
             let words: Vec<_> = words.iter().filter_map(Value::as_str).collect();
-            vec![(name.to_owned(), words.join("; ").into())]
+            fields.push((name, words.join("; ").into()));
         }
-        Value::Array(parts) => match ends.iter().find(|(list, _)| *list == key) {
-            Some((_, ends)) => ends.iter().map(|end| (*end).to_owned()).zip(parts).flat_map(part).collect(),
-            None => (1..).map(|number: usize| number.to_string()).zip(parts).flat_map(part).collect(),
-        },
-        value => vec![(name.to_owned(), value.clone())],
+        Value::Array(parts) => {
+            let are_numbers = parts.iter().all(|part| !part.is_object() && !part.is_array());
+            let names = PARTS.iter().find(|names| are_numbers && names.len() == parts.len());
+            for (place, part) in parts.into_iter().enumerate() {
+                let end = names.map_or_else(|| (place + 1).to_string(), |names| names[place].to_owned());
+                flatten(named(&end), part, fields);
+            }
+        }
+        value => fields.push((name, value)),
     }
 }
 
@@ -110,6 +107,11 @@ pub fn text(value: &Value, of_number: impl Fn(f64) -> String) -> Option<String> 
         Value::Number(whole) if !whole.is_f64() => Some(whole.to_string()),
         value => value.as_f64().map(of_number),
     }
+}
+
+/// Text of a number, or a dash where it is absent.
+pub fn or_dash(number: Option<f64>, text: fn(f64) -> String) -> String {
+    number.map_or_else(|| "-".to_owned(), text)
 }
 
 /// Number with eight significant digits.

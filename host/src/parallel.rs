@@ -45,10 +45,11 @@ pub fn write_rows(count: u64, encode: &Encode<'_>, out: &mut dyn Write) -> io::R
     let progress = Progress::new(count, "rows");
     for first in (0..count).step_by(BATCH_ROWS as usize) {
         let rows = first..count.min(first + BATCH_ROWS);
-        progress.add(rows.end - first);
+        let batch = rows.end - first;
         // in the order of the rows, whichever thread encodes them
         let parts: Vec<_> = cores.install(|| rows.into_par_iter().fold(Vec::new, append).collect());
         parts.iter().try_for_each(|bytes| out.write_all(bytes))?;
+        progress.add(batch);
     }
     out.flush()
 }

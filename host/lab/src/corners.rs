@@ -4,14 +4,14 @@ mod random_launch;
 mod trial;
 
 use crate::{Study, Summary, trials};
-use serde_json::{Value, json};
+use serde::Serialize;
 use std::collections::BTreeSet;
 use toytop_host::Failure;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::errors::greater;
 use trial::{Errors, Trial};
 
-pub fn run(study: &Study, truths: u64) -> Result<Summary, Failure> {
+pub fn run(study: &Study, truths: u64) -> Result<Summary<Row>, Failure> {
     // launches are independent, so that those with the truth may be spread evenly
     let spacing = (study.motions / truths).max(1);
     let trial = |launch: u64| trial::run(study.seed, launch, launch.is_multiple_of(spacing));
@@ -45,7 +45,7 @@ pub fn run(study: &Study, truths: u64) -> Result<Summary, Failure> {
         for (index, scalar) in Scalar::ALL.iter().enumerate() {
             let found = launched.iter().filter(|(regime, _)| [regime, "all"].contains(&name));
             let tables: Vec<_> = found.map(|(_, tables)| tables[index]).collect();
-            rows.push(row(name, scalar.name(), &tables));
+            rows.push(Row::new(name, scalar.name(), &tables));
         }
     }
     Ok(Summary { headline, rows, failures })
@@ -54,31 +54,57 @@ pub fn run(study: &Study, truths: u64) -> Result<Summary, Failure> {
 /// Least share of the bound for an error that counts as close to it.
 const CLOSE: f64 = 0.01;
 
-/// Row of the tables of one scalar; `None` is a motion for which no table is large enough.
-fn row(regime: &str, scalar: &str, tables: &[Option<Errors>]) -> Value {
-    let found: Vec<_> = tables.iter().flatten().collect();
-    let compared: Vec<_> = found.iter().filter(|errors| errors.ticks > 0).collect();
-    let truths = compared.len();
-    let greatest = |error: fn(&Errors) -> f64| found.iter().map(|errors| error(errors)).fold(0.0, greater);
-    let truth = |error| (truths > 0).then(|| greatest(error));
-    let close = |error: fn(&Errors) -> f64| {
-        let close = compared.iter().filter(|errors| error(errors) >= CLOSE).count();
-        (truths > 0).then(|| close as f64 / truths as f64)
-    };
-    json!({
-        "regime": regime,
-        "scalar": scalar,
-        "motions": tables.len(),
-        "no_table": tables.len() - found.len(),
-        "norm_error_over_bound": greatest(|errors| errors.norm_over_bound),
-        "compared_motions": truths,
-        "compared_ticks": compared.iter().map(|errors| errors.ticks).sum::<usize>(),
-        "distant_ticks": compared.iter().map(|errors| errors.distant_ticks).sum::<usize>(),
-        "error_rad": truth(|errors| errors.error),
-        "error_over_bound": truth(|errors| errors.error_over_bound),
-        "tight_bounds": close(|errors| errors.error_over_bound),
-        "rate_error_over_bound": truth(|errors| errors.rate_error_over_bound),
-        "tight_rate_bounds": close(|errors| errors.rate_error_over_bound),
-        "beyond_bound": found.iter().filter(|errors| errors.beyond_bound()).count(),
-    })
+/// Tables of one scalar for the motions of a regime. The names are the keys of JSON.
+#[derive(Default, Serialize)]
+pub struct Row {
+    regime: &'static str,
+    scalar: &'static str,
+    motions: usize,
+    /// Number of motions for which no table is large enough.
+    no_table: usize,
+    norm_error_over_bound: f64,
+    /// Number of motions that were compared with the truth.
+    compared_motions: usize,
+    compared_ticks: usize,
+    distant_ticks: usize,
+    error_rad: Option<f64>,
+    error_over_bound: Option<f64>,
+    /// Share of the compared motions whose error is close to its bound.
+    tight_bounds: Option<f64>,
+    rate_error_over_bound: Option<f64>,
+    tight_rate_bounds: Option<f64>,
+    /// Number of motions with an error beyond its bound.
+    beyond_bound: usize,
+}
+
+impl Row {
+    /// * `tables`: `None` for a motion for which no table is large enough
+    fn new(regime: &'static str, scalar: &'static str, tables: &[Option<Errors>]) -> Self {
+        let found: Vec<_> = tables.iter().flatten().collect();
+        let compared: Vec<_> = found.iter().filter(|errors| errors.ticks > 0).collect();
+        let truths = compared.len();
+        let greatest =
+            |error: fn(&Errors) -> f64| found.iter().map(|errors| error(errors)).fold(0.0, greater);
+        let truth = |error| (truths > 0).then(|| greatest(error));
+        let close = |error: fn(&Errors) -> f64| {
+            let close = compared.iter().filter(|errors| error(errors) >= CLOSE).count();
+            (truths > 0).then(|| close as f64 / truths as f64)
+        };
+        Self {
+            regime,
+            scalar,
+            motions: tables.len(),
+            no_table: tables.len() - found.len(),
+            norm_error_over_bound: greatest(|errors| errors.norm_over_bound),
+            compared_motions: truths,
+            compared_ticks: compared.iter().map(|errors| errors.ticks).sum(),
+            distant_ticks: compared.iter().map(|errors| errors.distant_ticks).sum(),
+            error_rad: truth(|errors| errors.error),
+            error_over_bound: truth(|errors| errors.error_over_bound),
+            tight_bounds: close(|errors| errors.error_over_bound),
+            rate_error_over_bound: truth(|errors| errors.rate_error_over_bound),
+            tight_rate_bounds: close(|errors| errors.rate_error_over_bound),
+            beyond_bound: found.iter().filter(|errors| errors.beyond_bound()).count(),
+        }
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::{Study, Summary, trials};
 use nalgebra::{Matrix6, Vector6};
-use serde_json::json;
+use serde::Serialize;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation, Release, State, Top, TopParameters};
@@ -32,7 +32,21 @@ struct Accepted {
     freedom: usize,
 }
 
-pub fn run(study: &Study) -> Result<Summary, Failure> {
+/// Launches of a set of sensors. The names are the keys of JSON.
+#[derive(Default, Serialize)]
+pub struct Row {
+    sensors: &'static str,
+    /// Reasons why launches were refused, each with their number.
+    not_converged: String,
+    /// Number of accepted launches.
+    converged: usize,
+    /// Number of launches that were accepted, but are wrong.
+    wrong: usize,
+    in_the_95_percent_ellipsoid: f64,
+    rms_error_over_bound: f64,
+}
+
+pub fn run(study: &Study) -> Result<Summary<Row>, Failure> {
     let trials = trials(3 * study.motions, |stream| {
         let noise = study.seed.wrapping_mul(1_000_003).wrapping_add(stream);
         trial(&mut Random::new(study.seed, stream), (stream % 3) as usize, noise)
@@ -56,15 +70,14 @@ pub fn run(study: &Study) -> Result<Summary, Failure> {
         let covered = accepted.iter().filter(|trial| trial.square <= QUANTILES[trial.freedom - 1]).count();
         let squares: f64 = accepted.iter().map(|trial| trial.square).sum();
         let freedom: usize = accepted.iter().map(|trial| trial.freedom).sum();
-        let row = json!({
-            "sensors": name,
-            "not_converged": refused.join("; "),
-            "converged": accepted.len(),
-            "wrong": wrong.len(),
-            "in_the_95_percent_ellipsoid": covered as f64 / accepted.len() as f64,
-            "rms_error_over_bound": (squares / freedom as f64).sqrt(),
+        rows.push(Row {
+            sensors: name,
+            not_converged: refused.join("; "),
+            converged: accepted.len(),
+            wrong: wrong.len(),
+            in_the_95_percent_ellipsoid: covered as f64 / accepted.len() as f64,
+            rms_error_over_bound: (squares / freedom as f64).sqrt(),
         });
-        rows.push(row);
     }
     let headline = format!("{} launches of each set, seed {}.", study.motions, study.seed);
     Ok(Summary { headline, rows, failures })

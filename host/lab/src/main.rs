@@ -13,7 +13,8 @@ mod fit;
 
 use clap::{Args, Parser, Subcommand};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use serde_json::{Value, json};
+use serde::Serialize;
+use serde_json::json;
 use std::process::ExitCode;
 use toytop_host::files::doc_page::DocPage;
 use toytop_host::output::table::TextTable;
@@ -78,9 +79,9 @@ fn main() -> ExitCode {
 }
 
 /// Result of a study.
-struct Summary {
+struct Summary<T> {
     headline: String,
-    rows: Vec<Value>,
+    rows: Vec<T>,
     /// Launches that must not occur.
     failures: Vec<String>,
 }
@@ -101,11 +102,11 @@ fn trials<T: Send>(count: u64, trial: impl Fn(u64) -> T + Sync) -> Result<Vec<T>
 
 impl Study {
     /// Report of a study, whose table belongs to a page at this mark.
-    fn run(
+    fn run<T: Serialize + Default>(
         &self,
         page: &str,
         mark: &str,
-        study: impl FnOnce() -> Result<Summary, Failure>,
+        study: impl FnOnce() -> Result<Summary<T>, Failure>,
     ) -> Result<Report, Failure> {
         /// Largest number of failures in a report.
         const REPORTED: usize = 20;
@@ -120,7 +121,7 @@ impl Study {
             page.write(&format!("{headline}\n\n{}", table.markdown()))?;
         }
         let aligned = || format!("{headline}\n{}", table.aligned());
-        let text = output::render(self.format, &json!({ "rows": rows }), aligned);
+        let text = output::render(self.format, &json!({ "rows": rows }), &rows, aligned);
         let first = failures.iter().take(REPORTED).map(|failure| format!("FAILURE: {failure}"));
         Ok(Report { text, notes: first.collect(), check_failed: !failures.is_empty() })
     }

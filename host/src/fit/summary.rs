@@ -5,7 +5,7 @@ use serde::{Serialize, Serializer};
 use toytop_fit::Sensitivity;
 
 /// Numbers of a fit. Their names are the keys of JSON.
-#[derive(Serialize)]
+#[derive(Default, Serialize)]
 pub struct FitSummary<'a> {
     /// Whether the launch may be trusted.
     pub converged: bool,
@@ -82,20 +82,6 @@ pub struct Prediction {
     /// Time, s.
     pub t: f64,
 }
-
-const XYZ: &[&str] = &["x", "y", "z"];
-
-/// Ends of the names of CSV columns for the values that are lists.
-pub const LIST_ENDS: [(&str, &[&str]); 8] = [
-    ("quaternion", &["w", "x", "y", "z"]),
-    ("orientation_deviation", XYZ),
-    ("omega", XYZ),
-    ("omega_deviation", XYZ),
-    ("value", XYZ),
-    ("deviation", XYZ),
-    ("losses", XYZ),
-    ("rates", XYZ),
-];
 
 /// Unknowns of the covariance.
 const UNKNOWNS: &str = "rotation vector delta of the orientation in the fixed frame, change of omega in the frame that delta turns, others";

@@ -56,15 +56,15 @@ impl Times {
             TimesArgs { times: Some(text), .. } => Self::parse(text),
             TimesArgs { times_file: Some(path), .. } => Self::read_file(path),
             TimesArgs { ticks: Some(text), .. } => Self::parse_ticks(text, rate),
-            TimesArgs { from: Some(from), to: Some(to), count, .. } => {
-                let axis = Axis::range(*from, *to, false, *count);
-                let axis = axis.ok().filter(|_| from.is_finite() && to.is_finite()).ok_or_else(|| {
+            TimesArgs { from, to, count, .. } => {
+                let finite = from.zip(*to).filter(|(from, to)| from.is_finite() && to.is_finite());
+                let axis = finite.and_then(|(from, to)| Axis::range(from, to, false, *count).ok());
+                let axis = axis.ok_or_else(|| {
                     let allowed = "must be two finite times, --from first, and a number from 2";
                     Failure::Input(format!("--from, --to, --count: {allowed}"))
                 })?;
                 Self::new("--from, --to, --count".to_owned(), &axis)
             }
-            _ => Err(Failure::Input("--times, --times-file, --ticks or --from is required".to_owned())),
         }
     }
 

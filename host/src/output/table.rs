@@ -1,12 +1,13 @@
 //! Table of texts, as aligned columns or in Markdown.
 
-use super::text;
+use super::{fields, text};
 use comfy_table::{CellAlignment, Row, presets::NOTHING};
+use serde::Serialize;
 use serde_json::Value;
 use std::iter::once;
 
-/// Column: name of a value, heading, and text of a number.
-pub type Column<'a> = (&'a str, &'a str, fn(f64) -> String);
+/// Column: heading, and text of a row.
+pub type Column<T> = (&'static str, fn(&T) -> String);
 
 /// Lines of texts.
 pub struct TextTable {
@@ -17,23 +18,23 @@ pub struct TextTable {
 }
 
 impl TextTable {
-    /// Columns of records below their headings. An absent value is a dash. The first columns are aligned to the left as long as they
-    /// contain words.
-    pub fn new(records: &[Value], columns: &[Column<'_>]) -> Self {
-        let line = |record: &Value| {
-            let cell = |(name, _, of_number): &Column<'_>| text(&record[*name], *of_number);
-            columns.iter().map(|column| cell(column).unwrap_or_else(|| "-".to_owned())).collect()
-        };
-        let header = columns.iter().map(|(_, heading, _)| (*heading).to_owned()).collect();
-        let lines = once(header).chain(records.iter().map(line)).collect();
-        let is_word = |(name, ..): &&Column<'_>| records.iter().all(|record| record[*name].is_string());
-        Self { lines, left: columns.iter().take_while(is_word).count() }
+    /// Columns of rows below their headings; the first `left` columns are aligned to the left.
+    pub fn new<T>(left: usize, columns: &[Column<T>], rows: &[T]) -> Self {
+        let header = columns.iter().map(|(heading, _)| (*heading).to_owned()).collect();
+        let line = |row| columns.iter().map(|(_, text)| text(row)).collect();
+        Self { lines: once(header).chain(rows.iter().map(line)).collect(), left }
     }
 
-    /// All values of records, with their names as headings.
-    pub fn of_all(records: &[Value], of_number: fn(f64) -> String) -> Self {
-        let names = records.iter().take(1).filter_map(Value::as_object).flat_map(|record| record.keys());
-        Self::new(records, &names.map(|name| (&**name, &**name, of_number)).collect::<Vec<_>>())
+    /// All words and numbers of rows below their names. An absent one is a dash. The first columns are aligned to the left as long as
+    /// they contain words.
+    pub fn of_all<T: Serialize>(rows: &[T], of_number: fn(f64) -> String) -> Self {
+        let rows: Vec<_> = rows.iter().map(fields).collect();
+        let header = rows.iter().take(1).flatten().map(|(name, _)| name.clone()).collect();
+        let is_word = |column: &usize| rows.iter().all(|row| row[*column].1.is_string());
+        let left = (0..rows.first().map_or(0, Vec::len)).take_while(is_word).count();
+        let cell = |(_, value): &(String, Value)| text(value, of_number).unwrap_or_else(|| "-".to_owned());
+        let lines = rows.iter().map(|row| row.iter().map(cell).collect());
+        Self { lines: once(header).chain(lines).collect(), left }
     }
 
     /// Aligned columns without rules.

@@ -1,14 +1,15 @@
 //! `toytop benchmark`: reference values of the problems that other integrators are tested with.
 
-use super::problems::{self, Problem};
+use super::problems::{self, Problem, ReferenceSample};
 use crate::input::times::Times;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::smallest_ephemeris;
-use crate::output::table::TextTable;
+use crate::output::table::{Column, TextTable};
 use crate::output::{self, Format, eight_digits};
 use crate::score::trajectory::to_symmetry_axis;
 use crate::{Failure, Report};
 use clap::Args;
+use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
 /// Reference values of the heavy tops that integrators are tested with
@@ -35,6 +36,38 @@ pub struct BenchmarkArgs {
 /// Names of the columns. `toytop score` reads the time, the orientation and the rates by these names.
 const COLUMNS: [&str; 11] = ["t", "x_com", "y_com", "z_com", "w", "x", "y", "z", "wx", "wy", "wz"];
 
+/// Numbers at one time, by [`COLUMNS`]: texts of 30 digits, or numbers of the ephemeris.
+#[derive(Default)]
+struct Row([Value; 11]);
+
+impl Serialize for Row {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(COLUMNS.iter().zip(&self.0))
+    }
+}
+
+/// Number of a table that has a line for each.
+#[derive(Serialize)]
+struct Line<'a> {
+    t: &'a Value,
+    quantity: &'static str,
+    value: &'a Value,
+}
+
+/// Problem of the list. The names are the keys of JSON.
+#[derive(Default, Serialize)]
+struct ListedProblem {
+    benchmark: String,
+    title: String,
+    /// Last time, s.
+    seconds: Option<f64>,
+    /// Last time with all its digits.
+    t: String,
+    /// Height of the centre of mass at the last time.
+    height: String,
+    used_by: String,
+}
+
 pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
     let BenchmarkArgs { name, times, scenario, format } = arguments;
     let Some(name) = name else { return list_problems(*format) };
@@ -46,19 +79,19 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
         Some(times) => computed_rows(&problem, times)?,
         None => problem.samples.iter().map(reference_row).collect(),
     };
-    let record = |row: &Vec<Value>| COLUMNS.into_iter().zip(row.iter().cloned()).collect::<Value>();
-    let records: Vec<_> = rows.iter().map(record).collect();
     let about = &problem.about;
     let document = json!({
-        "samples": records,
+        "samples": rows,
         "benchmark": name,
         "source": about.source,
         "symmetry_axis": about.symmetry_axis,
     });
     let table = || {
-        let line = |row: &Vec<Value>, (name, value): (&str, &Value)| json!({ "t": row[0], "quantity": name, "value": value });
-        let lines_of = |row| COLUMNS.into_iter().zip(row).skip(1).map(move |value| line(row, value));
-        let lines: Vec<_> = rows.iter().flat_map(lines_of).collect();
+        let mut lines = Vec::new();
+        for Row(numbers) in &rows {
+            let named = COLUMNS.into_iter().zip(numbers).skip(1);
+            lines.extend(named.map(|(quantity, value)| Line { t: &numbers[0], quantity, value }));
+        }
         format!(
             "{}\n{}\n\nThe third fixed axis points up, body axis {} from the tip to the centre of mass. x_com, y_com, z_com: of the\n\
              centre of mass relative to the tip; w, x, y, z: quaternion from body to fixed axes; wx, wy, wz: angular velocity along\n\
@@ -69,51 +102,54 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
             TextTable::of_all(&lines, eight_digits).aligned()
         )
     };
-    Ok(output::render(*format, &document, table).into())
+    Ok(output::render(*format, &document, &rows, table).into())
 }
 
 /// List of all problems, each with the height of the centre of mass at its last time.
 fn list_problems(format: Format) -> Result<Report, Failure> {
-    let summary = |Problem { scenario, about, samples, .. }: &Problem| {
-        let last = samples.last().unwrap_or(&Value::Null);
-        let seconds = last["t"].as_str().and_then(|t| t.parse::<f64>().ok());
-        json!({
-            "benchmark": scenario.name,
-            "title": about.title,
-            "seconds": seconds,
-            "t": last["t"],
-            "height": last["position"][2],
-            "used_by": about.used_by.join("; "),
+    let listed = |Problem { scenario, about, samples, .. }: &Problem| {
+        let ReferenceSample { t, position: [_, _, height], .. } = samples.last()?;
+        Some(ListedProblem {
+            benchmark: scenario.name.clone(),
+            title: about.title.clone(),
+            seconds: t.parse().ok(),
+            t: t.clone(),
+            height: height.clone(),
+            used_by: about.used_by.join("; "),
         })
     };
-    let problems: Vec<_> = problems::all().iter().map(summary).collect();
+    let rows: Vec<_> = problems::all().iter().filter_map(listed).collect();
     let table = || {
-        TextTable::new(&problems, &[("benchmark", "", eight_digits), ("title", "", eight_digits)]).aligned()
+        let columns: [Column<ListedProblem>; 2] =
+            [("", |problem| problem.benchmark.clone()), ("", |problem| problem.title.clone())];
+        TextTable::new(2, &columns, &rows).aligned()
             + "\ntoytop benchmark NAME prints 30 digits; --scenario its scenario file; toytop score --benchmark NAME judges a run.\n"
     };
-    Ok(output::render(format, &json!({ "problems": problems }), table).into())
+    Ok(output::render(format, &json!({ "problems": rows }), &rows, table).into())
 }
 
-/// Values of a sample with 30 digits, by [`COLUMNS`].
-fn reference_row(sample: &Value) -> Vec<Value> {
-    let lists = ["position", "quaternion", "omega_body"].map(|key| sample[key].as_array().cloned());
-    std::iter::once(sample["t"].clone()).chain(lists.into_iter().flatten().flatten()).collect()
+/// Values of a sample with 30 digits.
+fn reference_row(sample: &ReferenceSample) -> Row {
+    let ReferenceSample { t, position: [x_com, y_com, z_com], quaternion: [w, x, y, z], omega_body } = sample;
+    let [wx, wy, wz] = omega_body;
+    let texts = [t, x_com, y_com, z_com, w, x, y, z, wx, wy, wz];
+    Row(texts.map(|text| Value::from(&**text)))
 }
 
-/// Values of the ephemeris at any times, with 17 digits, by [`COLUMNS`].
-fn computed_rows(problem: &Problem, times: &str) -> Result<Vec<Vec<Value>>, Failure> {
+/// Values of the ephemeris at any times, with 17 digits.
+fn computed_rows(problem: &Problem, times: &str) -> Result<Vec<Row>, Failure> {
     let Problem { scenario, about, .. } = problem;
     let times = Times::parse(times)?;
     let table = smallest_ephemeris(Scalar::F64, &scenario.motion)
         .map_err(|failure| failure.with_context(&scenario.name))?;
     times.require_within(table.furthest_time(), "")?;
-    let values = |t: &f64| {
+    let row = |t: &f64| {
         let sample = table.at(*t);
         let orientation = sample.pose.orientation.compose(&to_symmetry_axis(about.symmetry_axis));
-        let position = sample.pose.orientation.axis().map(|x| about.length * x);
-        let omega = orientation.inverse().adjoint(sample.rates.omega);
-        let numbers = [&[*t][..], &position, &orientation.quaternion(), &omega].concat();
-        numbers.into_iter().map(Value::from).collect()
+        let [x_com, y_com, z_com] = sample.pose.orientation.axis().map(|x| about.length * x);
+        let [w, x, y, z] = orientation.quaternion();
+        let [wx, wy, wz] = orientation.inverse().adjoint(sample.rates.omega);
+        Row([*t, x_com, y_com, z_com, w, x, y, z, wx, wy, wz].map(Value::from))
     };
-    Ok(times.seconds.iter().map(values).collect())
+    Ok(times.seconds.iter().map(row).collect())
 }

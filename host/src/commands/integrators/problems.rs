@@ -4,7 +4,6 @@ use crate::Failure;
 use crate::input::scenario::Scenario;
 use crate::input::text_file::excerpt;
 use serde::Deserialize;
-use serde_json::Value;
 
 macro_rules! files {
     ($($name:literal)*) => { [$((
@@ -29,8 +28,27 @@ pub struct Problem {
     pub text: &'static str,
     /// Source of the problem.
     pub about: Description,
-    /// Values to 30 digits as texts, at the times of the source and in its body axes.
-    pub samples: Vec<Value>,
+    /// Reference values at the times of the source and in its body axes.
+    pub samples: Vec<ReferenceSample>,
+}
+
+/// Numbers at one time to 30 digits, as texts.
+#[derive(Deserialize)]
+pub struct ReferenceSample {
+    /// Time, s.
+    pub t: String,
+    /// Position of the centre of mass relative to the tip.
+    pub position: [String; 3],
+    /// Unit quaternion w, x, y, z from body to fixed coordinates.
+    pub quaternion: [String; 4],
+    /// Angular velocity along the body axes, rad/s.
+    pub omega_body: [String; 3],
+}
+
+/// File of reference values.
+#[derive(Deserialize)]
+struct Reference {
+    samples: Vec<ReferenceSample>,
 }
 
 /// File that describes a problem.
@@ -53,9 +71,8 @@ pub struct Description {
 pub fn all() -> Vec<Problem> {
     let problem = |(name, text, about, reference)| {
         const READ: &str = "a test reads the files of every problem";
-        let reference: Value = serde_json::from_str(reference).expect(READ);
+        let Reference { samples } = serde_json::from_str(reference).expect(READ);
         let scenario = Scenario::parse(name, text).expect(READ);
-        let samples = reference["samples"].as_array().expect(READ).clone();
         Problem { scenario, text, about: toml::from_str(about).expect(READ), samples }
     };
     FILES.map(problem).into()

@@ -6,7 +6,7 @@ use crate::files::whole_file;
 use crate::input::scenario::Scenario;
 use crate::motion::MotionConstants;
 use crate::output::table::{Column, TextTable};
-use crate::output::{self, Format, short, two_digits};
+use crate::output::{self, Format, or_dash, short, two_digits};
 use crate::pictures::drawing;
 use crate::pictures::drawing::chart::{Chart, Curve};
 use crate::score::errors::{Score, Scorer};
@@ -15,7 +15,7 @@ use crate::score::trajectory::Trajectory;
 use crate::{Failure, Report};
 use clap::Args;
 use serde::Serialize;
-use serde_json::{Value, json};
+use serde_json::json;
 use std::path::{Path, PathBuf};
 
 /// Errors of your integrator's output against the exact motion
@@ -51,8 +51,8 @@ pub struct ScoreArgs {
     format: Format,
 }
 
-/// File with its errors, as a record.
-#[derive(Serialize)]
+/// File with its errors. The names are the keys of JSON.
+#[derive(Default, Serialize)]
 struct ScoredFile {
     name: String,
     method: Option<String>,
@@ -82,7 +82,7 @@ impl ScoredFile {
     }
 }
 
-/// Integration method, as a record.
+/// Integration method. The names are the keys of JSON.
 #[derive(Serialize)]
 struct Integrator {
     method: String,
@@ -154,7 +154,7 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
         "scenario": scenario.name,
         "sign": "nearest",
     });
-    let text = output::render(*format, &document, || tables(&document, &files, &integrators));
+    let text = output::render(*format, &document, &files, || tables(&files, &integrators));
     Ok(Report::from(text).with_notes(warnings))
 }
 
@@ -232,42 +232,40 @@ fn draw(
 }
 
 /// Table of the errors, table of the phase errors and drifts, and the orders of convergence.
-fn tables(document: &Value, files: &[ScoredFile], integrators: &[Integrator]) -> String {
-    let errors: [Column<'_>; 9] = [
-        ("name", "", two_digits),
-        ("rows", "rows", two_digits),
-        ("step", "step, s", |step| short(step, 4)),
-        ("max_error_rad", "max, rad", two_digits),
-        ("rms_error_rad", "rms, rad", two_digits),
-        ("final_error_rad", "final, rad", two_digits),
-        ("max_u_error", "u", two_digits),
-        ("max_position_error", "position", two_digits),
-        ("order", "order", |order| format!("{order:.2}")),
+fn tables(files: &[ScoredFile], integrators: &[Integrator]) -> String {
+    let errors: [Column<ScoredFile>; 9] = [
+        ("", |file| file.name.clone()),
+        ("rows", |file| file.rows.to_string()),
+        ("step, s", |file| or_dash(file.step, |step| short(step, 4))),
+        ("max, rad", |file| two_digits(file.score.max_error_rad)),
+        ("rms, rad", |file| two_digits(file.score.rms_error_rad)),
+        ("final, rad", |file| two_digits(file.score.final_error_rad)),
+        ("u", |file| two_digits(file.score.max_u_error)),
+        ("position", |file| or_dash(file.score.max_position_error, two_digits)),
+        ("order", |file| or_dash(file.order, |order| format!("{order:.2}"))),
     ];
-    let details = [
-        ("name", ""),
-        ("nutation_error_rad", "nutation"),
-        ("precession_error_rad", "precession"),
-        ("spin_error_rad", "spin"),
-        ("residual_rad", "residual"),
-        ("drift_h", "h"),
-        ("drift_l", "l"),
-        ("drift_n", "n"),
+    let details: [Column<ScoredFile>; 8] = [
+        ("", |file| file.name.clone()),
+        ("nutation", |file| or_dash(file.score.phases.nutation_error_rad, two_digits)),
+        ("precession", |file| or_dash(file.score.phases.precession_error_rad, two_digits)),
+        ("spin", |file| or_dash(file.score.phases.spin_error_rad, two_digits)),
+        ("residual", |file| or_dash(file.score.phases.residual_rad, two_digits)),
+        ("h", |file| or_dash(file.score.drift_h, two_digits)),
+        ("l", |file| or_dash(file.score.drift_l, two_digits)),
+        ("n", |file| or_dash(file.score.drift_n, two_digits)),
     ];
-    let details: [Column<'_>; 8] = details.map(|(name, heading)| (name, heading, two_digits as _));
     let mut orders = String::new();
     for Integrator { method, order, .. } in integrators {
         let of = if method.is_empty() { String::new() } else { format!(" of {method}") };
         orders.extend(order.map(|order| format!("Order of convergence{of}: {order:.2}\n")));
     }
-    let records = document["files"].as_array().map_or(&[][..], Vec::as_slice);
     let bound = files.iter().map(|file| file.score.truth_bound_rad).fold(0.0, f64::max);
     format!(
         "Errors against the exact motion\n{}\nPhase errors over the last nutation period, rad (above 0: ahead), and relative drifts of h, l and n\n{}\n\
          {orders}The exact motion is within {bound:.1e} rad. Errors of the orientation are 2 sqrt(|d alpha|^2 + |d beta|^2) with the nearer\n\
          sign. Residual: what no phase error explains. Order: from the next larger step of the same method. Drifts: of h in units of max(|h|, p g), of l and n in units of\n\
          max(|l|, |n|, sqrt(2 A p g)).\n",
-        TextTable::new(records, &errors).aligned(),
-        TextTable::new(records, &details).aligned(),
+        TextTable::new(1, &errors, files).aligned(),
+        TextTable::new(1, &details, files).aligned(),
     )
 }

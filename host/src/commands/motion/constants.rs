@@ -43,6 +43,6 @@ pub fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
         };
         TextTable { lines: CONSTANTS.iter().map(line).collect(), left: 3 }.aligned()
     };
-    let text = output::render(arguments.format, &values, table);
+    let text = output::render(arguments.format, &values, std::slice::from_ref(&values), table);
     Ok(Report::from(text).with_notes(warnings(&[scenario])))
 }

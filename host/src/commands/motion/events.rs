@@ -7,10 +7,11 @@ use crate::motion::Scalar;
 use crate::motion::ephemeris::{EventFilter, EventKind, FoundEvent, search, smallest_ephemeris};
 use crate::motion::sample::Sample;
 use crate::output::table::{Column, TextTable};
-use crate::output::{self, Format, eight_digits};
+use crate::output::{self, Format, eight_digits, or_dash, short, two_digits};
 use crate::{Failure, Report};
 use clap::Args;
-use serde_json::{Value, json};
+use serde::Serialize;
+use serde_json::json;
 use std::path::PathBuf;
 use toytop::{Phase, Support};
 
@@ -96,7 +97,7 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
         }
         // only a circle depends on the top
         let refused = |_| {
-            let below = output::short(motion.top().tip_scale(), 6);
+            let below = short(motion.top().tip_scale(), 6);
             Failure::Input(format!("--kind: {}: must be above 0 and below {below}", kind.text))
         };
         let filter = EventFilter { from, upward: kind.upward, count };
@@ -105,52 +106,74 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     }
     events.sort_by(|(_, a), (_, b)| a.t.total_cmp(&b.t));
     events.truncate(count);
-    let records: Vec<_> = events.iter().map(|(kind, event)| record(kind, event)).collect();
-    let table = || match &records[..] {
+    let rows: Vec<_> = events.iter().map(|(kind, event)| EventRow::new(kind, event)).collect();
+    let table = || match &rows[..] {
         [] => "no such event\n".to_owned(),
-        _ => TextTable::new(&records, &columns(scenario.units)).aligned(),
+        _ => TextTable::new(2, &columns(scenario.units), &rows).aligned(),
     };
-    let text =
-        output::render_lists(arguments.format, &json!({ "events": records }), &[("tip", &["x", "y"])], table);
+    let text = output::render(arguments.format, &json!({ "events": rows }), &rows, table);
     // no warning that the top leaves the plane if the command asks for these times
     let asked = arguments.kinds.iter().any(|kind| kind.event == EventKind::LiftOff);
     let notes = if asked { Vec::new() } else { warnings(&[scenario]) };
     Ok(Report::from(text).with_notes(notes))
 }
 
-fn record(kind: &EventRequest, event: &FoundEvent) -> Value {
-    let Sample { pose, tip_angle, .. } = &event.sample;
-    let sense = match (kind.event, event.upward) {
-        (EventKind::Turning, true) => "upper",
-        (EventKind::Turning, false) => "lower",
-        (_, true) => "up",
-        (_, false) => "down",
-    };
-    let tilt = 2.0 * pose.orientation.beta.modulus().atan2(pose.orientation.alpha.modulus());
-    json!({
-        "t": event.t,
-        "kind": kind.text,
-        "sense": sense,
-        "u": pose.u,
-        "tilt_deg": tilt.to_degrees(),
-        "tip": [pose.tip.re, pose.tip.im],
-        "phi_deg": tip_angle.map(f64::to_degrees),
-        "time_error": event.time_error,
-    })
+/// Event. The names are the keys of JSON.
+#[derive(Default, Serialize)]
+struct EventRow<'a> {
+    /// Time, s.
+    t: f64,
+    /// Text of the command line that asks for it.
+    kind: &'a str,
+    /// Turning point, or direction in which the quantity passes its value.
+    sense: &'static str,
+    /// Height of the axis, the cosine of the tilt.
+    u: f64,
+    /// Angle of the axis from the upward vertical, degrees.
+    tilt_deg: f64,
+    /// Position of the tip, m.
+    tip: [f64; 2],
+    /// Tip angle, degrees; `None` where the axis is vertical for ever.
+    phi_deg: Option<f64>,
+    /// Upper bound on the error of `t`, s.
+    time_error: Option<f64>,
 }
 
-fn columns(units: Units) -> [Column<'static>; 6] {
+impl<'a> EventRow<'a> {
+    fn new(kind: &'a EventRequest, event: &FoundEvent) -> Self {
+        let Sample { pose, tip_angle, .. } = &event.sample;
+        let sense = match (kind.event, event.upward) {
+            (EventKind::Turning, true) => "upper",
+            (EventKind::Turning, false) => "lower",
+            (_, true) => "up",
+            (_, false) => "down",
+        };
+        let tilt = 2.0 * pose.orientation.beta.modulus().atan2(pose.orientation.alpha.modulus());
+        Self {
+            t: event.t,
+            kind: &kind.text,
+            sense,
+            u: pose.u,
+            tilt_deg: tilt.to_degrees(),
+            tip: [pose.tip.re, pose.tip.im],
+            phi_deg: tip_angle.map(f64::to_degrees),
+            time_error: event.time_error,
+        }
+    }
+}
+
+fn columns<'a>(units: Units) -> [Column<EventRow<'a>>; 6] {
     let [t, error] = match units {
         Units::Si => ["t, s", "error of t at most, s"],
         Units::None => ["t", "error of t at most"],
     };
     [
-        ("kind", "event", eight_digits),
-        ("sense", "sense", eight_digits),
-        ("t", t, |t| output::short(t, 17)),
-        ("tilt_deg", "tilt, degrees", eight_digits),
-        ("phi_deg", "tip angle, degrees", eight_digits),
-        ("time_error", error, output::two_digits),
+        ("event", |row| row.kind.to_owned()),
+        ("sense", |row| row.sense.to_owned()),
+        (t, |row| short(row.t, 17)),
+        ("tilt, degrees", |row| eight_digits(row.tilt_deg)),
+        ("tip angle, degrees", |row| or_dash(row.phi_deg, eight_digits)),
+        (error, |row| or_dash(row.time_error, two_digits)),
     ]
 }
 

@@ -8,15 +8,14 @@ use crate::fit::columns;
 use crate::fit::input::{FREE_KEYS, FitInput};
 use crate::fit::sensors::{Body, Sensors};
 use crate::fit::solve::fit_launch;
-use crate::fit::summary::LIST_ENDS;
 use crate::input::scenario::ScenarioFile;
 use crate::input::text_file::excerpt;
 use crate::output::{self, Format};
 use crate::pictures::drawing::{self, residuals};
 use crate::{Failure, Report};
 use clap::Args;
-use serde_json::json;
 use std::path::{Path, PathBuf};
+use std::slice;
 
 /// Launch of a top from samples of sensors, with error bars
 ///
@@ -112,6 +111,6 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     whole_file::write_all(&files)?;
     let summary = fit.summary();
     let table = || report::table(&fit, &summary);
-    let text = output::render_lists(arguments.format, &json!(summary), &LIST_ENDS, table);
+    let text = output::render(arguments.format, &summary, slice::from_ref(&summary), table);
     Ok(Report { text, notes, check_failed: !converged })
 }

@@ -8,7 +8,7 @@ use crate::input::scenario::{Launch, Scenario};
 use crate::motion::ephemeris::smallest_ephemeris;
 use crate::motion::errors::Errors;
 use crate::motion::{MotionConstants, Scalar};
-use crate::output::table::{Column, TextTable};
+use crate::output::table::TextTable;
 use crate::output::{self, Format};
 use crate::parallel::thread_pool;
 use crate::terminal::progress::Progress;
@@ -19,7 +19,8 @@ use crate::{Failure, Report};
 use clap::Args;
 use micromath::F32Ext;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
-use serde_json::{Value, json};
+use serde::Serialize;
+use serde_json::json;
 use std::iter::once;
 use toytop::{InitialAngles, Regime, Support, TopParameters};
 
@@ -38,14 +39,27 @@ pub struct AccuracyArgs {
     format: Format,
 }
 
-/// Columns of the scalar and of its errors, each with its heading.
-const COLUMNS: [(&str, &str); 5] = [
-    ("scalar", ""),
-    ("max_orientation_error_rad", "greatest error, rad"),
-    ("max_tip_error_per_s", "tip, s"),
-    ("max_norm_defect", "norm"),
-    ("max_energy_defect", "energy"),
-];
+/// Errors of a scalar. The names are the keys of JSON.
+#[derive(Default, Serialize)]
+struct ScalarErrors {
+    /// Name of the scalar.
+    scalar: &'static str,
+    /// Greatest error of the orientation, rad.
+    max_orientation_error_rad: f64,
+    /// Greatest error of the tip in units of s.
+    max_tip_error_per_s: f64,
+    /// Greatest error of the norm.
+    max_norm_defect: f64,
+    /// Greatest drift of the energy.
+    max_energy_defect: f64,
+    /// First tick of the octave.
+    first_tick: u64,
+    /// Last tick of the octave.
+    last_tick: u64,
+}
+
+/// Headings of the scalar and of its errors.
+const HEADINGS: [&str; 5] = ["", "greatest error, rad", "tip, s", "norm", "energy"];
 
 /// Binary logarithm of the last tick.
 const OCTAVES: usize = 40;
@@ -60,15 +74,28 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
     let (mut totals, mut rows) = (Vec::new(), Vec::new());
     for (scalar, octaves) in scalars.iter().zip(errors_by_octave(scalars)?) {
         for (octave, errors) in octaves.iter().enumerate() {
-            let first = 1_u64 << octave;
-            let mut row = record(*scalar, *errors);
-            row["first_tick"] = first.into();
-            row["last_tick"] = if octave < OCTAVES { 2 * first - 1 } else { first }.into();
-            rows.push(row);
+            let first_tick = 1 << octave;
+            let last_tick = if octave < OCTAVES { 2 * first_tick - 1 } else { first_tick };
+            rows.push(ScalarErrors {
+                scalar: scalar.name(),
+                max_orientation_error_rad: errors.orientation,
+                max_tip_error_per_s: errors.tip,
+                max_norm_defect: errors.norm,
+                max_energy_defect: errors.drift.h,
+                first_tick,
+                last_tick,
+            });
         }
-        totals.push(record(*scalar, octaves.into_iter().fold(Errors::default(), Errors::greater)));
+        totals.push((scalar.name(), octaves.into_iter().fold(Errors::default(), Errors::greater)));
     }
-    let columns = |of_number| COLUMNS.map(|(name, heading)| -> Column<'_> { (name, heading, of_number) });
+    let table_of_totals = |text: fn(f64) -> String| {
+        let line = |(scalar, errors): &(&str, Errors)| {
+            let errors = [errors.orientation, errors.tip, errors.norm, errors.drift.h];
+            once((*scalar).to_owned()).chain(errors.map(text)).collect()
+        };
+        let header = HEADINGS.map(str::to_owned).to_vec();
+        TextTable { lines: once(header).chain(totals.iter().map(line)).collect(), left: 1 }
+    };
     let micromath = format!(
         "The sine of micromath, an approximation for f32, is off by up to {:.0e}.\n",
         error_of_micromath()
@@ -78,12 +105,12 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
             "{}\nThe ephemeris in each scalar, over ticks from 1 to 2^{OCTAVES}, against the truth to thirty digits. Tip: in units of s. Norm:\n\
              of alpha and beta. Energy: from alpha, beta and their rates (in fixed point, f32), relative. CSV and JSON have the\n\
              errors over each octave of ticks. {micromath}",
-            TextTable::new(&totals, &columns(output::two_digits)).aligned(),
+            table_of_totals(output::two_digits).aligned(),
         )
     };
-    let text = output::render(arguments.format, &json!({ "rows": rows }), table);
+    let text = output::render(arguments.format, &json!({ "rows": rows }), &rows, table);
     if let Some(page) = page {
-        let table = TextTable::new(&totals, &columns(|x| format!("{x:.0e}"))).markdown();
+        let table = table_of_totals(|x| format!("{x:.0e}")).markdown();
         page.write(&format!("{table}\n{micromath}"))?;
     }
     Ok(text.into())
@@ -93,13 +120,6 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
 fn error_of_micromath() -> f64 {
     let error = |x: f32| (f64::from(F32Ext::sin(x)) - f64::from(x).sin()).abs();
     (0..=u16::MAX).map(|i| error(1e-4 * f32::from(i))).fold(0.0, f64::max)
-}
-
-/// Record of a scalar with its errors.
-fn record(scalar: Scalar, errors: Errors) -> Value {
-    let names = COLUMNS.map(|(name, _)| name);
-    let errors = [errors.orientation, errors.tip, errors.norm, errors.drift.h];
-    names.into_iter().zip(once(scalar.name().into()).chain(errors.map(Value::from))).collect()
 }
 
 /// Errors of each scalar over all motions: at ticks from 2^k to 2^(k+1) - 1 for each k below [`OCTAVES`], and at tick 2^40.

@@ -7,7 +7,8 @@ use crate::output::{self, Format, short};
 use crate::truth::full_solver::{Equations, FullSolver};
 use crate::{Failure, Report};
 use clap::Args;
-use serde_json::{Value, json};
+use serde::Serialize;
+use serde_json::json;
 use std::hint::black_box;
 use std::time::Instant;
 use toytop::scalar::Real;
@@ -30,14 +31,23 @@ const TOLERANCE: f64 = 1e-12;
 /// Number of runs of a task, of which the least time counts, because other processes can only make a run longer.
 const RUNS: u32 = 5;
 
-/// Row of a task that computes this many states, with the least time of a state, s.
-fn time(name: impl Into<String>, states: u32, mut task: impl FnMut()) -> Value {
+/// Time of a task. The names are the keys of JSON.
+#[derive(Default, Serialize)]
+struct TimedTask {
+    /// Task.
+    what: String,
+    /// Least time of a state, s.
+    seconds: f64,
+}
+
+/// Time of a task that computes this many states.
+fn time(what: impl Into<String>, states: u32, mut task: impl FnMut()) -> TimedTask {
     let run = |_| {
         let started = Instant::now();
         task();
         started.elapsed().as_secs_f64() / f64::from(states)
     };
-    json!({ "what": name.into(), "seconds": (0..RUNS).map(run).fold(f64::INFINITY, f64::min) })
+    TimedTask { what: what.into(), seconds: (0..RUNS).map(run).fold(f64::INFINITY, f64::min) }
 }
 
 /// Computing times on this machine: ephemeris, stepper, full solver
@@ -54,18 +64,18 @@ pub fn run(arguments: &BenchArgs) -> Result<Report, Failure> {
     let table = || {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         let build = if cfg!(debug_assertions) { "UNOPTIMISED build" } else { "release build" };
-        let columns: [Column<'_>; 3] = [
-            ("what", "", short_seconds),
-            ("seconds", "time of a state", short_seconds),
-            ("seconds", "million a second", |seconds| short(1e-6 / seconds, 3)),
+        let columns: [Column<TimedTask>; 3] = [
+            ("", |task| task.what.clone()),
+            ("time of a state", |task| short_seconds(task.seconds)),
+            ("million a second", |task| short(1e-6 / task.seconds, 3)),
         ];
         format!(
             "{}\nThe paper's curve with cusps. Ticks given by their numbers do not depend on each other, and the processor may overlap\n\
              them; the next tick waits for the one before. Least of {RUNS} runs on one core of {cores}; {build}.\n",
-            TextTable::new(&rows, &columns).aligned(),
+            TextTable::new(1, &columns, &rows).aligned(),
         )
     };
-    Ok(output::render(arguments.format, &json!({ "rows": rows }), table).into())
+    Ok(output::render(arguments.format, &json!({ "rows": rows }), &rows, table).into())
 }
 
 /// Time with three digits and a unit.
@@ -80,7 +90,7 @@ fn short_seconds(seconds: f64) -> String {
 }
 
 /// Rows of all tasks.
-fn rows() -> Vec<Value> {
+fn rows() -> Vec<TimedTask> {
     let mut figures = builtin::figures().into_iter();
     let scenario = figures.find(|scenario| scenario.name == CURVE_WITH_CUSPS).expect("a built-in motion");
     let motion = &scenario.motion;
@@ -125,7 +135,7 @@ fn rows() -> Vec<Value> {
 }
 
 /// Rows of an ephemeris.
-fn time_ephemeris<R: EphemerisScalar>(scalar: &str, table: &EphemerisView<R>) -> [Value; 3] {
+fn time_ephemeris<R: EphemerisScalar>(scalar: &str, table: &EphemerisView<R>) -> [TimedTask; 3] {
     let mut out = vec![Orientation::<R>::IDENTITY; STATES as usize];
     let batch = time(format!("ephemeris {scalar}: in a batch"), STATES, || {
         table.fill(black_box(FIRST_TICK), &mut out);
@@ -146,7 +156,7 @@ fn time_ephemeris<R: EphemerisScalar>(scalar: &str, table: &EphemerisView<R>) ->
 }
 
 /// Row of a stepper.
-fn time_stepper<R: Real>(scalar: &str, motion: &Motion) -> Value {
+fn time_stepper<R: Real>(scalar: &str, motion: &Motion) -> TimedTask {
     let mut stepper = Stepper::<R>::new(motion);
     let step = R::from_f64(1e-3);
     time(format!("stepper {scalar}: a step"), STATES, || {

@@ -181,7 +181,7 @@ fn report_on_launches(
             TextTable::of_all(&rows, eight_digits).aligned()
         )
     };
-    Ok(output::render(arguments.format, &json!({ "rows": rows }), table).into())
+    Ok(output::render(arguments.format, &json!({ "rows": rows }), &rows, table).into())
 }
 
 /// Report on the cost of each call on each chip.
@@ -212,5 +212,5 @@ fn report_on_calls(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -
             TextTable::of_all(&records, |x| short(x, 3)).aligned()
         )
     };
-    Ok(output::render(arguments.format, &json!({ "rows": records }), table).into())
+    Ok(output::render(arguments.format, &json!({ "rows": records }), &records, table).into())
 }

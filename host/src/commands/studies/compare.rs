@@ -14,12 +14,14 @@ use crate::motion::sample::Sample;
 use crate::motion::stepper::TimedStepper;
 use crate::motion::{MotionConstants, Scalar};
 use crate::output::table::TextTable;
-use crate::output::{self, Format, short};
+use crate::output::{self, Format, or_dash, short};
 use crate::truth::full_solver::FullState;
 use crate::{Failure, Report};
-use bounds::{bound, bounds_of_builtin, horizon, steps_per_period};
+use bounds::{Verdict, bound, bounds_of_builtin, horizon, steps_per_period};
 use clap::Args;
-use serde_json::{Value, json};
+use serde::Serialize;
+use serde_json::json;
+use std::iter::once;
 use std::path::PathBuf;
 use std::time::Instant;
 use toytop::Motion;
@@ -27,7 +29,7 @@ use toytop::scalar::Real;
 
 /// Errors of the core against an integration of the full 3-D equations
 ///
-/// The exit code is 1 if a bound is missed.
+/// The exit code is 1 if a bound is missed, or if the full solver cannot follow a motion.
 #[derive(Args)]
 #[command(after_help = "Example: toytop compare host/scenarios/toy_top.toml --periods 100 --format csv")]
 pub struct CompareArgs {
@@ -58,24 +60,28 @@ const PROPAGATORS: [(Method, Scalar); 6] = [
 /// Samples in a period.
 const SAMPLES: u32 = 64;
 
-/// Verdict on an error beyond its bound.
-const MISSED: &str = "MISS";
-
-/// Name of an error in the records, and its value.
-type ErrorColumn = (&'static str, fn(&Errors) -> f64);
-
-/// Name of the error that has a bound.
-const ORIENTATION: &str = "max_orientation_error_rad";
-
-/// Names of the errors, with their values.
-const ERRORS: [ErrorColumn; 6] = [
-    (ORIENTATION, |errors| errors.orientation),
-    ("max_u_error", |errors| errors.u),
-    ("max_tip_error_per_s", |errors| errors.tip),
-    ("h_drift", |errors| errors.drift.h),
-    ("l_drift", |errors| errors.drift.l),
-    ("n_drift", |errors| errors.drift.n),
-];
+/// Greatest errors of a propagator on a motion; `None` where no table is large enough. The names are the keys of JSON.
+#[derive(Clone, Default, Serialize)]
+struct Comparison<'a> {
+    motion: &'a str,
+    scalar: &'static str,
+    method: &'static str,
+    max_orientation_error_rad: Option<f64>,
+    max_u_error: Option<f64>,
+    /// Error of the tip in units of s.
+    max_tip_error_per_s: Option<f64>,
+    h_drift: Option<f64>,
+    l_drift: Option<f64>,
+    n_drift: Option<f64>,
+    /// Number of steps of a stepper.
+    steps: Option<u64>,
+    /// Segments and terms of a table.
+    table: Option<String>,
+    /// Time of a step or of a look-up.
+    ns: Option<f64>,
+    bound_rad: Option<f64>,
+    verdict: Verdict,
+}
 
 pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     let scenarios = if arguments.scenarios.is_empty() {
@@ -83,61 +89,75 @@ pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     } else {
         arguments.scenarios.iter().map(|path| Scenario::read(path)).collect::<Result<_, _>>()?
     };
-    let (mut motions, mut notes) = (Vec::new(), Vec::new());
+    let (mut motions, mut notes, mut failures) = (Vec::new(), Vec::new(), Vec::new());
     for scenario in &scenarios {
-        motions.push(records(scenario, arguments, &mut notes)?);
+        match compare(scenario, arguments, &mut notes) {
+            Ok(rows) => motions.push(rows),
+            Err(failure) => failures.push(failure),
+        }
     }
-    let table = || table(&motions, arguments.periods);
-    let text = output::render(arguments.format, &json!({ "rows": motions.concat() }), table);
+    if motions.is_empty()
+        && let Some(failure) = failures.pop()
+    {
+        return Err(failure);
+    }
+    notes.extend(failures.iter().map(Failure::to_string));
     notes.extend(warnings(&scenarios));
-    let check_failed = motions.iter().flatten().any(|record| record["verdict"] == MISSED);
-    Ok(Report { text, notes, check_failed })
+    let rows = motions.concat();
+    let table = || table(&motions, arguments.periods);
+    let text = output::render(arguments.format, &json!({ "rows": rows }), &rows, table);
+    let missed = rows.iter().any(|row| row.verdict == Verdict::Missed);
+    Ok(Report { text, notes, check_failed: missed || !failures.is_empty() })
 }
 
 /// Table with one row for each motion: error of each propagator, greatest fraction of a bound, time of the slowest look-up, and whether
 /// all bounds are kept.
-fn table(motions: &[Vec<Value>], periods: u32) -> String {
-    let line = |records: &Vec<Value>| {
-        let mut line = json!({ "motion": records[0]["motion"] });
-        for record in records {
-            let scalar = record["scalar"].as_str().unwrap_or_default();
-            let prefix = if record["method"] == "stepper" { "step " } else { "" };
-            line[format!("{prefix}{scalar}")] = record[ORIENTATION].clone();
-        }
-        let greatest =
-            |value: fn(&Value) -> Option<f64>| records.iter().filter_map(value).fold(0.0, f64::max);
-        let has = |verdict: &&str| records.iter().any(|record| record["verdict"] == **verdict);
-        let worst = [MISSED, "no fit", "no bound"].into_iter().find(has).unwrap_or("ok");
-        line["of bound"] =
-            greatest(|record| Some(record[ORIENTATION].as_f64()? / record["bound_rad"].as_f64()?)).into();
-        line["ns"] = greatest(|record| record["table"].as_str().and(record["ns"].as_f64())).into();
-        line["result"] = worst.into();
-        line
+fn table(motions: &[Vec<Comparison<'_>>], periods: u32) -> String {
+    let prefix = |row: &Comparison<'_>| if row.steps.is_some() { "step " } else { "" };
+    let line = |rows: &Vec<Comparison<'_>>| {
+        let greatest = |value: fn(&Comparison<'_>) -> Option<f64>| {
+            short(rows.iter().filter_map(value).fold(0.0, f64::max), 1)
+        };
+        let errors = rows.iter().map(|row| or_dash(row.max_orientation_error_rad, |x| short(x, 1)));
+        let worst = rows.iter().map(|row| row.verdict).max().unwrap_or_default();
+        let summary = [
+            greatest(|row| Some(row.max_orientation_error_rad? / row.bound_rad?)),
+            greatest(|row| row.ns.filter(|_| row.table.is_some())),
+            worst.word().to_owned(),
+        ];
+        let name = rows.first().map_or("", |row| row.motion).to_owned();
+        once(name).chain(errors).chain(summary).collect()
     };
-    let lines: Vec<_> = motions.iter().map(line).collect();
+    let propagators = motions.iter().take(1).flatten().map(|row| format!("{}{}", prefix(row), row.scalar));
+    let header =
+        once("motion".to_owned()).chain(propagators).chain(["of bound", "ns", "result"].map(str::to_owned));
+    let lines = once(header.collect()).chain(motions.iter().map(line)).collect();
     format!(
         "{}\nThe core against the full 3-D equations, {SAMPLES} times in a period over {periods} periods: greatest error of\n\
          the orientation, 2 sqrt(|d alpha|^2 + |d beta|^2), rad, by stepper and ephemeris, and its share\n\
-         of its bound. ns: a look-up, median of five runs. Steps a period: {} (f64), {} (f32). More: CSV.\n",
-        TextTable::of_all(&lines, |x| short(x, 1)).aligned(),
+         of its bound. ns: a look-up, median of five parts. Steps a period: {} (f64), {} (f32). More: CSV.\n",
+        TextTable { lines, left: 1 }.aligned(),
         steps_per_period(Scalar::F64),
         steps_per_period(Scalar::F32),
     )
 }
 
-/// Records of a motion, one for each propagator.
-fn records(
-    scenario: &Scenario,
+/// Comparisons of a motion, one for each propagator.
+///
+/// # Errors
+/// [`Failure::Method`]: the full solver cannot integrate that far.
+fn compare<'a>(
+    scenario: &'a Scenario,
     arguments: &CompareArgs,
     notes: &mut Vec<String>,
-) -> Result<Vec<Value>, Failure> {
-    let (motion, name, periods) = (&scenario.motion, &scenario.name, arguments.periods);
+) -> Result<Vec<Comparison<'a>>, Failure> {
+    let (motion, name, periods) = (&scenario.motion, &*scenario.name, arguments.periods);
     let tighter = arguments.scenarios.is_empty().then(|| bounds_of_builtin(name)).flatten();
     let (time, remark) = horizon(motion, periods);
     notes.extend(remark.map(|remark| format!("{name}: {remark}")));
     let times = spread_times(time, SAMPLES * periods);
-    let mut reference = Reference::default();
-    let mut records = Vec::new();
+    let mut cache = SolverCache::default();
+    let mut rows = Vec::new();
     for (method, scalar) in PROPAGATORS {
         if !arguments.scalar.0.contains(&scalar) {
             continue;
@@ -151,26 +171,27 @@ fn records(
             notes.push(format!("{name} {}: {failure}", scalar.name()));
             Run::default()
         });
-        let errors = reference.errors(scenario, &run.samples)?;
-        let bound = bound(motion, (method, scalar), periods, tighter, run.table_bound);
-        let mut record = json!({ "motion": name, "scalar": scalar.name(), "method": method.name() });
-        for (name, error) in ERRORS {
-            record[name] = errors.as_ref().map(error).into();
-        }
-        record["steps"] = run.steps.into();
-        record["table"] = run.table_size.map(|[segments, terms]| format!("{segments}x{terms}")).into();
-        record["ns"] = run.call.map(|seconds| 1e9 * seconds).into();
-        record["bound_rad"] = bound.into();
-        record["verdict"] = match (errors, bound) {
-            (None, _) => "no fit",
-            (_, None) => "no bound",
-            (Some(errors), Some(bound)) if errors.orientation <= bound => "ok",
-            _ => MISSED,
-        }
-        .into();
-        records.push(record);
+        let errors = cache.errors(scenario, &run.samples)?;
+        let error = |value: fn(&Errors) -> f64| errors.as_ref().map(value);
+        let bound_rad = bound(motion, (method, scalar), periods, tighter, run.table_bound);
+        rows.push(Comparison {
+            motion: name,
+            scalar: scalar.name(),
+            method: method.name(),
+            max_orientation_error_rad: error(|errors| errors.orientation),
+            max_u_error: error(|errors| errors.u),
+            max_tip_error_per_s: error(|errors| errors.tip),
+            h_drift: error(|errors| errors.drift.h),
+            l_drift: error(|errors| errors.drift.l),
+            n_drift: error(|errors| errors.drift.n),
+            steps: run.steps,
+            table: run.table,
+            ns: run.ns,
+            bound_rad,
+            verdict: Verdict::new(error(|errors| errors.orientation), bound_rad),
+        });
     }
-    Ok(records)
+    Ok(rows)
 }
 
 /// Run of the core through the times of a comparison; empty where no table is large enough.
@@ -181,39 +202,35 @@ struct Run {
     /// Number of steps of a stepper.
     steps: Option<u64>,
     /// Segments and terms of a table.
-    table_size: Option<[usize; 2]>,
+    table: Option<String>,
     /// Bound on the error of a table at the last time, rad.
     table_bound: Option<f64>,
-    /// Median time of a step or of a look-up, s.
-    call: Option<f64>,
+    /// Median time of a step or of a look-up.
+    ns: Option<f64>,
 }
 
-/// Median time in five runs of a function that returns its number of calls, s a call.
-fn median(mut run: impl FnMut() -> u64) -> f64 {
-    let mut times = [(); 5].map(|()| {
+/// Samples at the times, and the computing time of one, ns: the median of five parts of the times.
+fn timed_samples(times: &[f64], mut sample: impl FnMut(f64) -> Sample) -> (Vec<Sample>, f64) {
+    let (mut samples, mut spent) = (Vec::new(), Vec::new());
+    for part in times.chunks(times.len().div_ceil(5)) {
         let started = Instant::now();
-        let calls = run();
-        started.elapsed().as_secs_f64() / calls.max(1) as f64
-    });
-    times.sort_by(f64::total_cmp);
-    times[2]
+        samples.extend(part.iter().map(|&t| sample(t)));
+        spent.push(1e9 * started.elapsed().as_secs_f64() / part.len() as f64);
+    }
+    spent.sort_by(f64::total_cmp);
+    (samples, spent[spent.len() / 2])
 }
 
 /// Run of the stepper through the times.
 fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
     let step = MotionConstants::new(*motion).time_scale() / f64::from(steps_per_period(scalar));
-    let (mut samples, mut steps) = (Vec::new(), 0);
-    let call = median(|| {
-        let mut timed = TimedStepper::<R>::new(motion, step);
-        let sample = |&t: &f64| {
-            timed.reach(t, |_| ());
-            timed.sample()
-        };
-        samples = times.iter().map(sample).collect();
-        steps = timed.steps;
-        steps
+    let mut timed = TimedStepper::<R>::new(motion, step);
+    let (samples, ns) = timed_samples(times, |t| {
+        timed.reach(t, |_| ());
+        timed.sample()
     });
-    Run { samples, steps: Some(steps), call: Some(call), ..Run::default() }
+    let ns = ns * times.len() as f64 / timed.steps.max(1) as f64;
+    Run { samples, steps: Some(timed.steps), ns: Some(ns), ..Run::default() }
 }
 
 /// Run of an ephemeris at the times.
@@ -222,30 +239,20 @@ fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
 fn run_ephemeris(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
     let table = smallest_ephemeris(scalar, motion)?;
-    let mut samples = Vec::new();
-    let call = median(|| {
-        samples = times.iter().map(|&t| table.at(t)).collect();
-        times.len() as u64
-    });
-    let last = times.last().copied().unwrap_or(0.0);
-    let bound = table.error_bound().after(last * table.ticks_per_time());
-    Ok(Run {
-        samples,
-        steps: None,
-        table_size: Some(table.size()),
-        table_bound: Some(bound),
-        call: Some(call),
-    })
+    let (samples, ns) = timed_samples(times, |t| table.at(t));
+    let ticks = times.last().map_or(0.0, |last| last * table.ticks_per_time());
+    let (table_bound, [segments, terms]) = (Some(table.error_bound().after(ticks)), table.size());
+    Ok(Run { samples, table: Some(format!("{segments}x{terms}")), table_bound, ns: Some(ns), steps: None })
 }
 
-/// States of the full solver, kept for the next run with the same times.
+/// States of the full solver at the times of the last run, for the next one with the same times.
 #[derive(Default)]
-struct Reference {
+struct SolverCache {
     times: Vec<f64>,
     states: Vec<FullState>,
 }
 
-impl Reference {
+impl SolverCache {
     /// Greatest errors of samples, at the times that they have reached: an f32 step misses the requested one. `None` without samples.
     fn errors(&mut self, scenario: &Scenario, samples: &[Sample]) -> Result<Option<Errors>, Failure> {
         if samples.is_empty() {

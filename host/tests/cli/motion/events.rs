@@ -83,6 +83,9 @@ fn events_that_do_not_occur_give_an_empty_list() {
     for line in ["@sleeping", "@toy_top --kind tilt=60"] {
         assert!(toytop(format!("events {line}")).ok().starts_with("no such event\n"), "{line}");
     }
+    // CSV has its header
+    let header = "t,kind,sense,u,tilt_deg,tip_x,tip_y,phi_deg,time_error\n";
+    assert_eq!(toytop("events @sleeping --format csv").ok(), header);
     assert_eq!(events("@toy_top --kind tilt=60,tilt=21 --count 2").len(), 2);
     // a regular precession goes round in one sense for ever
     let circle = scenario("events_circle", &branch_points([0.5, 0.5, 1.7], 1));

@@ -1,6 +1,6 @@
 //! `toytop compare`: errors within their bounds, one screen, and missed bounds.
 
-use crate::command::{branch_points, json, list, needle, number, scenario, slender, toytop};
+use crate::command::{RELEASE, TOP, branch_points, json, list, needle, number, scenario, slender, toytop};
 use serde_json::Value;
 
 fn rows(line: &str) -> Vec<Value> {
@@ -82,4 +82,16 @@ fn compare_reads_scenarios_and_reports_a_missed_bound() {
     let run = toytop(format!("compare {} --scalar f32 --periods 1 --format csv", needle("needle_compared")));
     assert!(run.err.contains("needle_compared f32: no ephemeris"), "{}", run.err);
     assert!(run.out.contains(",ephemeris,,,") && run.out.ends_with(",no fit\n"), "{}", run.out);
+}
+
+/// The full solver finds no step for a needle of almost no inertia about its axis; the other motion is compared all the same.
+#[test]
+fn a_motion_that_the_full_solver_cannot_follow_is_named() {
+    let steep = RELEASE.replace("spin = 3.5", "spin = 1e11");
+    let file =
+        scenario("unfollowed", &(TOP.replace("axial_inertia = 0.8", "axial_inertia = 1e-59") + &steep));
+    let run = toytop(format!("compare {file} @toy_top --periods 1 --scalar f64 --format csv"));
+    assert_eq!((run.code, run.out.lines().count()), (Some(1), 3), "{}", run.err);
+    assert!(run.err.contains("unfollowed: full solver: no step"), "{}", run.err);
+    toytop(format!("compare {file} --scalar f64")).refused(3, "unfollowed: full solver: no step");
 }

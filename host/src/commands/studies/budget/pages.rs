@@ -3,7 +3,7 @@
 use super::budgets::Budgets;
 use crate::files::doc_page::DocPage;
 use crate::output::eight_digits;
-use crate::output::table::{Column, TextTable};
+use crate::output::table::TextTable;
 use crate::{Failure, Report};
 use serde_json::Value;
 use std::iter::once;
@@ -33,8 +33,9 @@ pub fn part_with_launches(rows: &[Value]) -> Part {
         ("greatest_cycles_model", "greatest cycles"),
         ("slice_cycles_model", "cycles of the longest slice"),
     ];
-    let columns = columns.map(|(name, heading)| -> Column<'_> { (name, heading, eight_digits) });
-    (COSTS, "toytop budget: launches", TextTable::new(rows, &columns).markdown())
+    let named = |row: &Value| columns.iter().map(|(name, heading)| (*heading, row[*name].clone())).collect();
+    let rows: Vec<Value> = rows.iter().map(named).collect();
+    (COSTS, "toytop budget: launches", TextTable::of_all(&rows, eight_digits).markdown())
 }
 
 /// Writes parts of pages of the repository, after each of them was found to have a place.
@@ -98,7 +99,7 @@ const COLUMNS: [(&str, &str, &str); 6] = [
 ];
 
 fn table_of_calls(budgets: &Budgets) -> String {
-    let row = |(call, what): (&str, &str)| {
+    let row = |(call, what): (&str, &str)| -> Value {
         let figure = |(heading, chip, figure)| (heading, Value::from(budgets.budget(chip, call, figure)));
         once(("from a tick to α, β, u and the tip in memory, at most", Value::from(what)))
             .chain(COLUMNS.map(figure))
@@ -118,7 +119,7 @@ const FRONT_ROWS: [(&str, &str, &str); 4] = [
 fn table_of_front_page(budgets: &Budgets) -> String {
     const FIGURES: [(&str, &str); 4] =
         [("cycles", "cycles"), ("kept, bytes", "ram"), ("stack, bytes", "stack"), ("flash, bytes", "flash")];
-    let row = |(chip, call, what): (&str, &str, &str)| {
+    let row = |(chip, call, what): (&str, &str, &str)| -> Value {
         let figure = |(heading, figure)| (heading, Value::from(budgets.budget(chip, call, figure)));
         once(("at most", Value::from(what))).chain(FIGURES.map(figure)).collect()
     };

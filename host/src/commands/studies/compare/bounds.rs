@@ -1,7 +1,8 @@
-//! Bounds on the errors of the core, and the time over which it is compared.
+//! Bounds on the errors of the core, the verdict by a bound, and the time over which the core is compared.
 
 use crate::commands::options::Method;
 use crate::motion::{MotionConstants, Scalar};
+use serde::{Serialize, Serializer};
 use toytop::{Motion, Regime};
 
 /// Tighter bounds of the built-in motions near the separatrix over ten periods, rad: of the full solver, and of the stepper in f32.
@@ -101,4 +102,46 @@ pub fn horizon(motion: &Motion, periods: u32) -> (f64, Option<String>) {
         )
     };
     (sensible.min(time), (sensible < time).then(remark))
+}
+
+/// Verdict on an error, from the best to the worst.
+#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Verdict {
+    /// Error within its bound.
+    #[default]
+    Kept,
+    /// Error without a bound.
+    Unbounded,
+    /// No table, because none is large enough.
+    NoTable,
+    /// Error beyond its bound.
+    Missed,
+}
+
+impl Verdict {
+    /// Verdict on an error, if there is one, by its bound.
+    pub fn new(error: Option<f64>, bound: Option<f64>) -> Self {
+        match (error, bound) {
+            (None, _) => Self::NoTable,
+            (_, None) => Self::Unbounded,
+            (Some(error), Some(bound)) if error <= bound => Self::Kept,
+            _ => Self::Missed,
+        }
+    }
+
+    /// Word of the output.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Kept => "ok",
+            Self::Unbounded => "no bound",
+            Self::NoTable => "no fit",
+            Self::Missed => "MISS",
+        }
+    }
+}
+
+impl Serialize for Verdict {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.word())
+    }
 }
