@@ -1,5 +1,5 @@
 //! Scenario files, motions at given times, two truths, fitted launches, scored integrators, and the forms of output: the library of the
-//! programs `toytop` (`main.rs` and `commands`) and `toytop-lab`, and of the Python package.
+//! programs `toytop` (`host/program`) and `toytop-lab`, and of the Python package.
 //!
 //! A module uses only those above it.
 //!

@@ -8,7 +8,7 @@ mod heap_table;
 mod capacities;
 
 pub use capacities::{EphemerisOptions, smallest_ephemeris};
-pub use events::{EventFilter, EventKind, FoundEvent, search};
+pub use events::{EventFilter, EventKind, FoundEvent};
 pub use heap_table::{HeapTable, TableScalar};
 
 use crate::motion::column::SampleColumn;

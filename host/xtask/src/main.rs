@@ -4,7 +4,7 @@ mod c;
 mod checks;
 // a file of the program `toytop`, which takes long to build
 #[allow(unreachable_pub)]
-#[path = "../../src/commands/studies/budget/chips.rs"]
+#[path = "../../program/commands/studies/budget/chips.rs"]
 mod chip;
 mod firmware;
 mod process;

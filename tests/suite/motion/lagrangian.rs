@@ -101,7 +101,7 @@ fn the_torque_of_the_full_equations_is_the_lagrangians() {
     let state = FullState { alpha: [0.48, 0.64], beta: [0.36, -0.48], omega: [0.4, -0.3, 2.1] };
     let lagrangian = Lagrangian::new(&top);
     let equations = Equations::new(&top, &state);
-    let y = equations.numbers(&state);
+    let y = equations.vector(&state);
     let rate = lagrangian.momentum_rate(state.axis(), state.omega);
     for (i, rate) in rate.into_iter().enumerate() {
         assert!((rate - equations.derivative(&y)[4 + i]).abs() < 2e-15);

@@ -186,7 +186,7 @@ fn files_are_short_and_folders_have_few() {
     assert!(large.is_empty(), "above {LINES} lines or {FILES} files: {large:#?}");
 }
 
-/// A file that no `mod` declares, in its folder or in the folder above, is never compiled.
+/// A file that no `mod` declares, in its folder or in one above, is never compiled.
 #[test]
 fn every_file_is_a_module() {
     let files = files();
@@ -196,8 +196,8 @@ fn every_file_is_a_module() {
     };
     let is_declared = |path: &str| {
         let (folder, name) = split(path);
-        let (places, declaration) = ([folder, split(folder).0], format!("mod {}", name.replace(".rs", ";")));
-        files.iter().any(|(other, text)| places.contains(&split(other).0) && text.contains(&declaration))
+        let declaration = format!("mod {}", name.replace(".rs", ";"));
+        files.iter().any(|(other, text)| folder.starts_with(split(other).0) && text.contains(&declaration))
     };
     let forgotten: Vec<_> = files.keys().filter(|path| !is_root(path) && !is_declared(path)).collect();
     assert!(forgotten.is_empty(), "without a `mod`: {forgotten:#?}");

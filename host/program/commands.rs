@@ -1,0 +1,145 @@
+//! Commands of `toytop`, one module for each, in folders by their purpose. A command checks its input before it writes.
+
+/// Options of several commands.
+mod options;
+/// States, constants, events and tables of one motion.
+mod one_motion {
+    pub mod bake;
+    pub mod constants;
+    pub mod events;
+    pub mod state;
+}
+/// Commands that draw a motion.
+mod graphics {
+    pub mod animate;
+    pub mod figures;
+    pub mod plot;
+    pub mod view;
+}
+/// Output of other integrators, and problems to test them with.
+mod integrators {
+    pub mod benchmark;
+    mod problems;
+    pub mod score;
+}
+/// Samples of sensors, and launches fitted to them.
+mod samples {
+    pub mod fit;
+    pub mod simulate;
+}
+/// Many motions, errors of the core and of the paper, computing times, costs on chips.
+mod studies {
+    pub mod accuracy;
+    pub mod bench;
+    pub mod budget;
+    pub mod compare;
+    pub mod errata;
+    pub mod sweep;
+}
+
+use clap::{CommandFactory, Subcommand};
+use clap_complete::Shell;
+use graphics::{animate, figures, plot, view};
+use integrators::{benchmark, score};
+use one_motion::{bake, constants, events, state};
+use samples::{fit, simulate};
+use studies::{accuracy, bench, budget, compare, errata, sweep};
+use toytop::{Motion, Regime, Support};
+use toytop_host::input::scenario::Scenario;
+use toytop_host::motion::tilts;
+use toytop_host::{Failure, Report};
+
+/// Command with its arguments, whose comment is its help.
+#[derive(Subcommand)]
+pub enum Command {
+    Compare(compare::CompareArgs),
+    State(state::StateArgs),
+    Constants(constants::ConstantsArgs),
+    Events(events::EventsArgs),
+    Plot(plot::PlotArgs),
+    Animate(animate::AnimateArgs),
+    View(view::ViewArgs),
+    Bake(bake::BakeArgs),
+    Figures(figures::FiguresArgs),
+    Score(score::ScoreArgs),
+    Benchmark(benchmark::BenchmarkArgs),
+    Simulate(simulate::SimulateArgs),
+    Fit(fit::FitArgs),
+    Bench(bench::BenchArgs),
+    Budget(budget::BudgetArgs),
+    Errata(errata::ErrataArgs),
+    Accuracy(accuracy::AccuracyArgs),
+    Sweep(Box<sweep::SweepArgs>),
+    /// Completions for a shell
+    #[command(
+        after_help = "Example: toytop completions bash > ~/.local/share/bash-completion/completions/toytop"
+    )]
+    Completions {
+        /// Shell that the completions are for
+        shell: Shell,
+    },
+}
+
+impl Command {
+    /// Runs the command.
+    ///
+    /// # Errors
+    /// See [`Failure`].
+    pub fn run(&self) -> Result<Report, Failure> {
+        match self {
+            Self::Compare(arguments) => compare::run(arguments),
+            Self::State(arguments) => state::run(arguments),
+            Self::Constants(arguments) => constants::run(arguments),
+            Self::Events(arguments) => events::run(arguments),
+            Self::Plot(arguments) => plot::run(arguments),
+            Self::Animate(arguments) => animate::run(arguments),
+            Self::View(arguments) => view::run(arguments),
+            Self::Bake(arguments) => bake::run(arguments),
+            Self::Figures(arguments) => figures::run(arguments),
+            Self::Score(arguments) => score::run(arguments),
+            Self::Benchmark(arguments) => benchmark::run(arguments),
+            Self::Simulate(arguments) => simulate::run(arguments),
+            Self::Fit(arguments) => fit::run(arguments),
+            Self::Bench(arguments) => bench::run(arguments),
+            Self::Budget(arguments) => budget::run(arguments),
+            Self::Errata(arguments) => errata::run(arguments),
+            Self::Accuracy(arguments) => accuracy::run(arguments),
+            Self::Sweep(arguments) => sweep::run(arguments),
+            Self::Completions { shell } => {
+                let mut script = Vec::new();
+                clap_complete::generate(*shell, &mut crate::Cli::command(), "toytop", &mut script);
+                Ok(String::from_utf8_lossy(&script).into_owned().into())
+            }
+        }
+    }
+}
+
+/// Warnings that a real top on a plane would move differently, one line for each reason, with the names of the motions.
+fn warnings(scenarios: &[Scenario]) -> Vec<String> {
+    let line = |what: &str, of: &dyn Fn(&Motion) -> Option<String>| {
+        let named = |scenario: &Scenario| of(&scenario.motion).map(|number| scenario.name.clone() + &number);
+        let names: Vec<_> = scenarios.iter().filter_map(named).collect();
+        (!names.is_empty()).then(|| format!("warning: {what}: {}", names.join(", ")))
+    };
+    let pulled = line("a real top would leave the plane (least normal force / weight)", &|motion| {
+        let force = motion.min_normal_force().filter(|force| *force < 0.0)?;
+        Some(format!(" ({})", rounded(force, 3)))
+    });
+    // e₁ < 0 does not mean that a sleeping top falls: it stays at u = 1
+    let fallen = line("a real top would fall on its side (greatest tilt, degrees)", &|motion| {
+        let [_, tilt] = tilts(motion);
+        let fallen = motion.top().support() == Support::Sliding && tilt > 90.0;
+        fallen.then(|| format!(" ({})", rounded(tilt, 1)))
+    });
+    let unstable = line(
+        "by the equations the axis stays upright, but the motion is unstable (a real top would fall)",
+        &|motion| (motion.regime() == Regime::SleepingUnstable).then(String::new),
+    );
+    [pulled, fallen, unstable].into_iter().flatten().collect()
+}
+
+/// Number with this many digits after the point, or in scientific notation where these are all 0.
+fn rounded(number: f64, digits: usize) -> String {
+    let text = format!("{number:.digits$}");
+    if text.bytes().any(|byte| (b'1'..=b'9').contains(&byte)) { text } else { format!("{number:.1e}") }
+}

@@ -1,0 +1,155 @@
+//! `toytop benchmark`: reference values of the problems that other integrators are tested with.
+
+use super::problems::{self, Problem, ReferenceSample};
+use clap::Args;
+use serde::{Serialize, Serializer};
+use serde_json::{Value, json};
+use toytop_host::input::times::Times;
+use toytop_host::motion::Scalar;
+use toytop_host::motion::ephemeris::smallest_ephemeris;
+use toytop_host::output::table::{Column, TextTable};
+use toytop_host::output::{self, Format, eight_digits};
+use toytop_host::score::trajectory::to_symmetry_axis;
+use toytop_host::{Failure, Report};
+
+/// Reference values of the heavy tops that integrators are tested with
+#[derive(Args)]
+#[command(
+    after_help = "The values have 30 digits, which two integrations confirm. The conventions are those of the problem's source.\n\n\
+        Example: toytop benchmark bruls_cardona --format json\n         \
+        toytop benchmark bruls_cardona --times 0..2/2001 --format csv > run.csv && toytop score --benchmark bruls_cardona run.csv"
+)]
+pub struct BenchmarkArgs {
+    /// Name of a problem; without it, all problems are listed
+    name: Option<String>,
+    /// Times in place of the source's, s: T1,T2,... or LOW..HIGH/COUNT; the values then have 17 digits
+    #[arg(long, value_name = "T1,T2,...", allow_hyphen_values = true, requires = "name")]
+    times: Option<String>,
+    /// Print the scenario file of the problem
+    #[arg(long, requires = "name", conflicts_with_all = ["times", "format"])]
+    scenario: bool,
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
+}
+
+/// Names of the columns. `toytop score` reads the time, the orientation and the rates by these names.
+const COLUMNS: [&str; 11] = ["t", "x_com", "y_com", "z_com", "w", "x", "y", "z", "wx", "wy", "wz"];
+
+/// Numbers at one time, by [`COLUMNS`]: texts of 30 digits, or numbers of the ephemeris.
+#[derive(Default)]
+struct Row([Value; 11]);
+
+impl Serialize for Row {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(COLUMNS.iter().zip(&self.0))
+    }
+}
+
+/// Number of a table that has a line for each.
+#[derive(Serialize)]
+struct Line<'a> {
+    t: &'a Value,
+    quantity: &'static str,
+    value: &'a Value,
+}
+
+/// Problem of the list. The names are the keys of JSON.
+#[derive(Default, Serialize)]
+struct ListedProblem {
+    benchmark: String,
+    title: String,
+    /// Last time, s.
+    seconds: Option<f64>,
+    /// Last time with all its digits.
+    t: String,
+    /// Height of the centre of mass at the last time.
+    height: String,
+    used_by: String,
+}
+
+pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
+    let BenchmarkArgs { name, times, scenario, format } = arguments;
+    let Some(name) = name else { return list_problems(*format) };
+    let problem = problems::find(name).map_err(|failure| failure.with_context("benchmark"))?;
+    if *scenario {
+        return Ok(problem.text.to_owned().into());
+    }
+    let rows = match times {
+        Some(times) => computed_rows(&problem, times)?,
+        None => problem.samples.iter().map(reference_row).collect(),
+    };
+    let about = &problem.about;
+    let document = json!({
+        "samples": rows,
+        "benchmark": name,
+        "source": about.source,
+        "symmetry_axis": about.symmetry_axis,
+    });
+    let table = || {
+        let mut lines = Vec::new();
+        for Row(numbers) in &rows {
+            let named = COLUMNS.into_iter().zip(numbers).skip(1);
+            lines.extend(named.map(|(quantity, value)| Line { t: &numbers[0], quantity, value }));
+        }
+        format!(
+            "{}\n{}\n\nThe third fixed axis points up, body axis {} from the tip to the centre of mass. x_com, y_com, z_com: of the\n\
+             centre of mass relative to the tip; w, x, y, z: quaternion from body to fixed axes; wx, wy, wz: angular velocity along\n\
+             the body axes.\n\n{}",
+            about.title,
+            about.source,
+            about.symmetry_axis,
+            TextTable::of_all(&lines, eight_digits).aligned()
+        )
+    };
+    Ok(output::render(*format, &document, &rows, table).into())
+}
+
+/// List of all problems, each with the height of the centre of mass at its last time.
+fn list_problems(format: Format) -> Result<Report, Failure> {
+    let listed = |Problem { scenario, about, samples, .. }: &Problem| {
+        let ReferenceSample { t, position: [_, _, height], .. } = samples.last()?;
+        Some(ListedProblem {
+            benchmark: scenario.name.clone(),
+            title: about.title.clone(),
+            seconds: t.parse().ok(),
+            t: t.clone(),
+            height: height.clone(),
+            used_by: about.used_by.join("; "),
+        })
+    };
+    let rows: Vec<_> = problems::all().iter().filter_map(listed).collect();
+    let table = || {
+        let columns: [Column<ListedProblem>; 2] =
+            [("", |problem| problem.benchmark.clone()), ("", |problem| problem.title.clone())];
+        TextTable::new(2, &columns, &rows).aligned()
+            + "\ntoytop benchmark NAME prints 30 digits; --scenario its scenario file; toytop score --benchmark NAME judges a run.\n"
+    };
+    Ok(output::render(format, &json!({ "problems": rows }), &rows, table).into())
+}
+
+/// Values of a sample with 30 digits.
+fn reference_row(sample: &ReferenceSample) -> Row {
+    let ReferenceSample { t, position: [x_com, y_com, z_com], quaternion: [w, x, y, z], omega_body } = sample;
+    let [wx, wy, wz] = omega_body;
+    let texts = [t, x_com, y_com, z_com, w, x, y, z, wx, wy, wz];
+    Row(texts.map(|text| Value::from(&**text)))
+}
+
+/// Values of the ephemeris at any times, with 17 digits.
+fn computed_rows(problem: &Problem, times: &str) -> Result<Vec<Row>, Failure> {
+    let Problem { scenario, about, .. } = problem;
+    let times = Times::parse(times)?;
+    let table = smallest_ephemeris(Scalar::F64, &scenario.motion)
+        .map_err(|failure| failure.with_context(&scenario.name))?;
+    times.require_within(table.furthest_time(), "")?;
+    let row = |t: &f64| {
+        let sample = table.at(*t);
+        let orientation = sample.pose.orientation.compose(&to_symmetry_axis(about.symmetry_axis));
+        let [x_com, y_com, z_com] = sample.pose.orientation.axis().map(|x| about.length * x);
+        let [w, x, y, z] = orientation.quaternion();
+        let [wx, wy, wz] = orientation.inverse().adjoint(sample.rates.omega);
+        Row([*t, x_com, y_com, z_com, w, x, y, z, wx, wy, wz].map(Value::from))
+    };
+    Ok(times.seconds.iter().map(row).collect())
+}

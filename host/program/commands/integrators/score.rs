@@ -1,0 +1,271 @@
+//! `toytop score`: output of an integrator, compared with the exact motion.
+
+use super::problems;
+use crate::commands::options::{PICTURE, ending_in, positive};
+use clap::Args;
+use serde::Serialize;
+use serde_json::json;
+use std::path::{Path, PathBuf};
+use toytop_host::files::whole_file;
+use toytop_host::input::scenario::Scenario;
+use toytop_host::motion::MotionConstants;
+use toytop_host::output::table::{Column, TextTable};
+use toytop_host::output::{self, Format, or_dash, short, two_digits};
+use toytop_host::pictures::drawing;
+use toytop_host::pictures::drawing::chart::{Chart, Curve};
+use toytop_host::score::errors::{Score, Scorer};
+use toytop_host::score::order;
+use toytop_host::score::trajectory::Trajectory;
+use toytop_host::{Failure, Report};
+
+/// Errors of your integrator's output against the exact motion
+#[derive(Args)]
+#[command(
+    after_help = "RESULT.csv has a header, a row for each time, and these columns; others are ignored:\n  \
+        t                                       time, s\n  \
+        w,x,y,z                                 unit quaternion from body to fixed coordinates; q and -q are the same\n   \
+        or alpha_re,alpha_im,beta_re,beta_im   Cayley-Klein parameters\n   \
+        or r11,r12,...,r33                     matrix from body to fixed coordinates, by rows\n  \
+        omega_body_x,omega_body_y,omega_body_z  for the drifts of h, l and n: rad/s in the body frame (also wx,wy,wz)\n   \
+        or omega_x,omega_y,omega_z             in the fixed frame\n\
+        Lines above the header may state # method = RK4, # step = 0.001, # evaluations = 40000.\n\
+        Files of one method with different steps give its order of convergence.\n\n\
+        Example: toytop score host/scenarios/toy_top.toml rk4_*.csv --plot rk4.svg\n         \
+        toytop state TOP.toml --times 0..1/1001 --method stepper --format csv > s.csv && toytop score TOP.toml s.csv"
+)]
+pub struct ScoreArgs {
+    /// Scenario file, then the output of integrators: one CSV file for each method and step size
+    #[arg(value_names = ["SCENARIO", "RESULT.csv"], num_args = 0..)]
+    files: Vec<PathBuf>,
+    /// Problem of toytop benchmark in place of the scenario; the files are in the conventions of its source
+    #[arg(long, value_name = "NAME")]
+    benchmark: Option<String>,
+    /// Step size of each file, s; by default the one that the file states, or the spacing of its rows
+    #[arg(long, value_name = "H1,H2,...", value_delimiter = ',', allow_hyphen_values = true, value_parser = positive)]
+    steps: Vec<f64>,
+    /// Picture of the greatest error against the work, whose name ends in .svg or .png
+    #[arg(long, value_name = "FILE", value_parser = ending_in(PICTURE))]
+    plot: Option<PathBuf>,
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
+}
+
+/// File with its errors. The names are the keys of JSON.
+#[derive(Default, Serialize)]
+struct ScoredFile {
+    name: String,
+    method: Option<String>,
+    /// Number of rows.
+    rows: usize,
+    /// Step size, s.
+    step: Option<f64>,
+    /// Source of the step size.
+    step_from: Option<&'static str>,
+    /// Evaluations of the equations.
+    evaluations: Option<f64>,
+    #[serde(flatten)]
+    score: Score,
+    /// Order of convergence of its method.
+    method_order: Option<f64>,
+    /// Order of convergence from the next larger step of the same method.
+    order: Option<f64>,
+    /// Time of the last row, s.
+    #[serde(skip)]
+    end: f64,
+}
+
+impl ScoredFile {
+    /// Name of the method; empty if the file does not state it.
+    fn method(&self) -> &str {
+        self.method.as_deref().unwrap_or_default()
+    }
+}
+
+/// Integration method. The names are the keys of JSON.
+#[derive(Serialize)]
+struct Integrator {
+    method: String,
+    /// Number of its files.
+    files: usize,
+    /// Order of convergence.
+    order: Option<f64>,
+}
+
+pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
+    let ScoreArgs { files, benchmark, steps, plot, format } = arguments;
+    let inputs: Vec<_> = files.iter().map(|path| Some(&**path)).collect();
+    whole_file::require_other("--plot", plot.as_deref(), &inputs)?;
+    let problem = benchmark.as_deref().map(problems::find).transpose();
+    let problem = problem.map_err(|failure| failure.with_context("--benchmark"))?;
+    // command that prints the state from which a run has to start
+    let (scenario, start, results) = match (&problem, &files[..]) {
+        (Some(problem), results) if !results.is_empty() => {
+            let start = format!("toytop benchmark {} --times 0 --format csv", problem.scenario.name);
+            (problem.scenario.clone(), start, results)
+        }
+        (None, [scenario, results @ ..]) if !results.is_empty() => {
+            (Scenario::read(scenario)?, format!("toytop state {} --times 0", scenario.display()), results)
+        }
+        _ => {
+            return Err(Failure::Input(
+                "score: needs SCENARIO RESULT.csv..., or --benchmark NAME RESULT.csv...".into(),
+            ));
+        }
+    };
+    if !steps.is_empty() && steps.len() != results.len() {
+        return Err(Failure::Input(format!("--steps: must be {} numbers, one for each file", results.len())));
+    }
+    let reference = Scorer::new(&scenario, &start)?;
+    let (mut files, mut warnings) = (Vec::new(), Vec::new());
+    for (index, path) in results.iter().enumerate() {
+        let axis = problem.as_ref().map_or(3, |problem| problem.about.symmetry_axis);
+        let trajectory = Trajectory::read(path)?.with_symmetry_axis(axis);
+        let score = reference.score(&trajectory)?;
+        let spacing = trajectory.spacing();
+        let Trajectory { name, method, step, evaluations, rows } = trajectory;
+        warnings.extend(score.warning.iter().map(|warning| format!("warning: {name}: {warning}")));
+        let given = [(steps.get(index).copied(), "option"), (step, "file"), (spacing, "rows")];
+        let (step, step_from) = given.into_iter().find_map(|(step, source)| Some((step?, source))).unzip();
+        let end = rows.last().map_or(0.0, |row| row.t);
+        let (rows, method_order, order) = (rows.len(), None, None);
+        files.push(ScoredFile {
+            name,
+            method,
+            rows,
+            step,
+            step_from,
+            evaluations,
+            score,
+            method_order,
+            order,
+            end,
+        });
+    }
+    let integrators = measure_orders(&mut files, &mut warnings);
+    if let Some(path) = plot {
+        draw(path, &scenario, &files, &integrators)?;
+    }
+    let order = if let [only] = &integrators[..] { only.order } else { None };
+    let document = json!({
+        "files": files,
+        "methods": integrators,
+        "order": order,
+        "scenario": scenario.name,
+        "sign": "nearest",
+    });
+    let text = output::render(*format, &document, &files, || tables(&files, &integrators));
+    Ok(Report::from(text).with_notes(warnings))
+}
+
+/// Methods by their first files. Sets the orders of convergence of each file. Files of one method that end at different times get no order
+/// of convergence, and a warning states it.
+fn measure_orders(files: &mut [ScoredFile], warnings: &mut Vec<String>) -> Vec<Integrator> {
+    let mut names: Vec<String> = Vec::new();
+    for file in &*files {
+        if !names.iter().any(|name| name == file.method()) {
+            names.push(file.method().to_owned());
+        }
+    }
+    let mut integrator = |method: String| {
+        let mut files: Vec<_> = files.iter_mut().filter(|file| file.method() == method).collect();
+        let count = files.len();
+        let first = files[0].end;
+        if let Some(other) = files.iter().find(|file| (file.end - first).abs() > 1e-6 * first.abs()) {
+            let [first, other] = [&files[0].name, &other.name];
+            warnings.push(format!("warning: no order: {first} and {other} end at different times"));
+            return Integrator { method, files: count, order: None };
+        }
+        files.retain(|file| file.step.is_some());
+        files.sort_by(|a, b| b.step.unwrap_or(0.0).total_cmp(&a.step.unwrap_or(0.0)));
+        let points: Vec<_> =
+            files.iter().filter_map(|file| Some([file.step?, file.score.max_error_rad])).collect();
+        let order = order::fitted(&points);
+        for (file, pair) in files.iter_mut().skip(1).zip(points.windows(2)) {
+            file.order = order::between(pair[0], pair[1]);
+        }
+        Integrator { method, files: count, order }
+    };
+    let integrators: Vec<_> = names.into_iter().map(&mut integrator).collect();
+    for file in files {
+        let own = integrators.iter().find(|integrator| integrator.method == file.method());
+        file.method_order = own.and_then(|integrator| integrator.order);
+    }
+    integrators
+}
+
+/// Draws the greatest error against the work for each method. The work is the number of evaluations of the equations if every file states
+/// it, otherwise the number of steps.
+fn draw(
+    path: &Path,
+    scenario: &Scenario,
+    files: &[ScoredFile],
+    integrators: &[Integrator],
+) -> Result<(), Failure> {
+    let counted = files.iter().all(|file| file.evaluations.is_some());
+    let period = MotionConstants::new(scenario.motion).time_scale();
+    let point = |file: &ScoredFile| {
+        let steps = file.step.map(|step| period / step);
+        let work = if counted { file.evaluations } else { steps }.ok_or_else(|| {
+            let needed = "needs a line # evaluations = N in every file, or --steps";
+            Failure::Input(format!("--plot: {}: {needed}, because its rows are uneven", file.name))
+        })?;
+        Ok([work, file.score.max_error_rad])
+    };
+    let mut curves = Vec::new();
+    for Integrator { method, order, .. } in integrators {
+        let order = order.map(|order| format!("measured order {order:.2}"));
+        let label: Vec<_> =
+            [Some(method.clone()).filter(|name| !name.is_empty()), order].into_iter().flatten().collect();
+        let of_method = files.iter().filter(|file| file.method() == method);
+        let mut points = of_method.map(point).collect::<Result<Vec<_>, Failure>>()?;
+        points.sort_by(|[a, _], [b, _]| a.total_cmp(b));
+        curves.push(Curve::marked(label.join(", "), points));
+    }
+    let work = if counted { "evaluations of the equations" } else { "steps in a nutation period" };
+    let chart = Chart {
+        title: &format!("Work and precision: {}", scenario.name),
+        labels: [work, "greatest error of the orientation, rad"],
+        logarithmic: true,
+    };
+    drawing::write("--plot", path, &chart.draw(&curves), None)
+}
+
+/// Table of the errors, table of the phase errors and drifts, and the orders of convergence.
+fn tables(files: &[ScoredFile], integrators: &[Integrator]) -> String {
+    let errors: [Column<ScoredFile>; 9] = [
+        ("", |file| file.name.clone()),
+        ("rows", |file| file.rows.to_string()),
+        ("step, s", |file| or_dash(file.step, |step| short(step, 4))),
+        ("max, rad", |file| two_digits(file.score.max_error_rad)),
+        ("rms, rad", |file| two_digits(file.score.rms_error_rad)),
+        ("final, rad", |file| two_digits(file.score.final_error_rad)),
+        ("u", |file| two_digits(file.score.max_u_error)),
+        ("position", |file| or_dash(file.score.max_position_error, two_digits)),
+        ("order", |file| or_dash(file.order, |order| format!("{order:.2}"))),
+    ];
+    let details: [Column<ScoredFile>; 8] = [
+        ("", |file| file.name.clone()),
+        ("nutation", |file| or_dash(file.score.phases.nutation_error_rad, two_digits)),
+        ("precession", |file| or_dash(file.score.phases.precession_error_rad, two_digits)),
+        ("spin", |file| or_dash(file.score.phases.spin_error_rad, two_digits)),
+        ("residual", |file| or_dash(file.score.phases.residual_rad, two_digits)),
+        ("h", |file| or_dash(file.score.drift_h, two_digits)),
+        ("l", |file| or_dash(file.score.drift_l, two_digits)),
+        ("n", |file| or_dash(file.score.drift_n, two_digits)),
+    ];
+    let mut orders = String::new();
+    for Integrator { method, order, .. } in integrators {
+        let of = if method.is_empty() { String::new() } else { format!(" of {method}") };
+        orders.extend(order.map(|order| format!("Order of convergence{of}: {order:.2}\n")));
+    }
+    let bound = files.iter().map(|file| file.score.truth_bound_rad).fold(0.0, f64::max);
+    format!(
+        "Errors against the exact motion\n{}\nPhase errors over the last nutation period, rad (above 0: ahead), and relative drifts of h, l and n\n{}\n\
+         {orders}The exact motion is within {bound:.1e} rad. Errors of the orientation are 2 sqrt(|d alpha|^2 + |d beta|^2) with the nearer\n\
+         sign. Residual: what no phase error explains. Order: from the next larger step of the same method. Drifts: of h in units of max(|h|, p g), of l and n in units of\n\
+         max(|l|, |n|, sqrt(2 A p g)).\n",
+        TextTable::new(1, &errors, files).aligned(),
+        TextTable::new(1, &details, files).aligned(),
+    )
+}

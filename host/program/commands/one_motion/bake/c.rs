@@ -1,0 +1,216 @@
+//! Tables in C99 or C++11: one header with the code that evaluates the table. The code needs no library, and gives the same bits as the
+//! crate.
+//!
+//! Numbers are decimal, because C++ has hexadecimal ones only since C++17, with enough digits to determine every number (9 in single, 17
+//! in double precision). The value of the include guard of a table is its checksum, so that another table of the same name is an error.
+
+use super::TableTitle;
+use toytop::scalar::Float;
+use toytop::scalar::sine::{COSINE, CUBIC, LINEAR, SECANT, SINE, SINES, VERSINE};
+use toytop::{Baked, EphemerisView, ErrorBound};
+use toytop_host::motion::Scalar;
+use toytop_host::motion::ephemeris::TableScalar;
+
+/// Version of the format.
+const FORMAT: u32 = Baked::<f32, 16>::FORMAT;
+
+/// Text of a header: a comment, the include guard, size and error bounds as macros, the code and the table. If one file includes several
+/// headers, the code that they share is compiled once.
+pub fn header<R: TableScalar>(title: &TableTitle, table: &EphemerisView<R>) -> String {
+    let name = title.c_name();
+    let (scalar, upper) = (R::SCALAR.name(), name.to_uppercase());
+    let bounds = [table.error_bound(), table.rate_error_bound()];
+    let [[error, error_growth], [rate, rate_growth]] =
+        bounds.map(|ErrorBound { constant, per_tick }| [constant, per_tick].map(decimal));
+    format!(
+        "/* {headline}
+ *
+ * Written by `toytop bake`. Call toytop_at_tick_{scalar}(&{name}, tick), or toytop_next_{scalar} with a cursor; toytop_quaternion_{scalar} and
+ * toytop_omega_{scalar} tell more, and toytop_intact_{scalar} whether a bit was changed.
+ * The same bits as the Rust crate, in every standard and with any flag but -ffast-math. */
+#ifdef {upper}_H
+#if {upper}_H != {crc32:#x}
+#error two different tables have the name {name}: give one of them another by --name
+#endif
+#else
+#define {upper}_H {crc32:#x}
+
+#define {upper}_RATE {ticks} /* ticks in a unit of time */
+#define {upper}_SEGMENTS {segments}
+#define {upper}_BYTES {bytes} /* of coefficients */
+#define {upper}_ERROR {error} /* at most, rad, at tick 0 */
+#define {upper}_ERROR_PER_TICK {error_growth} /* more for each tick from there */
+#define {upper}_RATE_ERROR {rate} /* of the angular velocity, rad in a unit of time */
+#define {upper}_RATE_ERROR_PER_TICK {rate_growth}
+
+{code}
+{table}#endif
+",
+        code = code(R::SCALAR),
+        table = definition(title, table),
+        headline = title.headline(table),
+        crc32 = R::crc32(table),
+        ticks = decimal(table.clock().ticks_per_time[0]),
+        segments = table.capacity(),
+        bytes = size_of_val(table.segments()),
+    )
+}
+
+/// Definition of a table.
+fn definition<R: TableScalar>(title: &TableTitle, table: &EphemerisView<R>) -> String {
+    let (name, scalar) = (title.c_name(), R::SCALAR.name());
+    let is_f64 = R::SCALAR == Scalar::F64;
+    let number = |x: R::Coefficient| {
+        let x = R::number(x);
+        if is_f64 { decimal(x) } else { integer(x as i32) }
+    };
+    let rows = table.segments().iter().flat_map(|segment| segment.as_ref());
+    let rows: Vec<_> = rows.map(|row| format!("    {{{}}},\n", row.map(number).join(", "))).collect();
+    let clock = table.clock();
+    let scales =
+        [clock.twice_tip_scale, clock.x_rate, clock.slow_sum_rate, clock.axial_rate].map(Float::to_f64);
+    format!(
+        "static const {coefficient} {name}_coefficients[{count}][4] = {{
+{rows}}};
+
+static const toytop_{scalar} {name} = {{
+    {{
+{clock}    }},
+    {{{scales}}},
+    {name}_coefficients,
+}};
+",
+        coefficient = types(R::SCALAR)[1],
+        count = rows.len(),
+        rows = rows.concat(),
+        clock = initialisers(table),
+        scales = scales.map(|x| if is_f64 { decimal(x) } else { format!("{:.8e}f", x as f32) }).join(", "),
+    )
+}
+
+/// Initialisers of a `toytop_clock`.
+fn initialisers<R: TableScalar>(table: &EphemerisView<R>) -> String {
+    let wide = |bits: u64| format!("{bits:#x}u");
+    let phase = |[low, middle, upper]: [u32; 3]| {
+        format!("{{{:#x}u, {low:#x}u}}", u64::from(upper) << 32 | u64::from(middle))
+    };
+    let clock = table.clock();
+    let bound = |ErrorBound { constant, per_tick }: ErrorBound| [constant, per_tick];
+    let bounds = [table.error_bound(), table.rate_error_bound()].map(bound);
+    let doubles = [clock.exact_step.as_flattened(), &clock.ticks_per_time, bounds.as_flattened()].concat();
+    let numbers: Vec<_> = doubles.into_iter().map(|x| wide(x.to_bits())).collect();
+    let words = |words: [u32; 4]| words.map(|word| format!("{word:#x}u")).join(", ");
+    let flags = [
+        clock.tip_start_quarter_turns as u8,
+        clock.tip_sign_changes,
+        clock.tip_exists.into(),
+        clock.has_turning_points.into(),
+    ];
+    let lines = [
+        format!("{FORMAT}u, {:#x}u, {}u, {}u", R::crc32(table), table.capacity(), R::TERMS),
+        format!("{{{}}}, {}", clock.first_phases.map(wide).join(", "), wide(clock.epoch as u64)),
+        format!("{{{}}}", clock.step.map(phase).join(", ")),
+        format!("{{{}}}", numbers.join(", ")),
+        format!("{{{}}}, {{{}}}", words(clock.tip_start), words(clock.tip_step)),
+        format!("{{{}}}", flags.map(|flag| flag.to_string()).join(", ")),
+        format!("{{{}}}", table.cells().map(|cell| cell.to_string()).join(", ")),
+    ];
+    lines.iter().map(|line| format!("        {line},\n")).collect()
+}
+
+/// Constant of 32 bits in C, which has no literal -2147483648.
+fn integer(x: i32) -> String {
+    if x == i32::MIN { "INT32_MIN".to_owned() } else { x.to_string() }
+}
+
+/// Number in double precision with 17 significant digits, from which C and C++ obtain the same bits.
+fn decimal(x: f64) -> String {
+    format!("{x:.16e}")
+}
+
+/// Scalars in the order of their code. q31 needs the code of f32, and q15 that of both.
+const SCALARS: [Scalar; 4] = [Scalar::F32, Scalar::Q31, Scalar::Q15, Scalar::F64];
+
+/// Code that evaluates a table of this scalar: the phases, and the scalars that it needs. Each part is compiled once.
+fn code(scalar: Scalar) -> String {
+    let needed = match scalar {
+        Scalar::F32 => &SCALARS[..1],
+        Scalar::Q31 => &SCALARS[..2],
+        Scalar::Q15 => &SCALARS[..3],
+        Scalar::F64 => &SCALARS[3..],
+    };
+    let clock = ("clock", include_str!("c/clock.h").to_owned());
+    let mut text = "#ifndef TOYTOP_API\n#define TOYTOP_API static inline\n#endif\n".to_owned();
+    for (name, code) in std::iter::once(clock).chain(needed.iter().map(evaluator)) {
+        let guard = name.to_uppercase();
+        text += &format!("#ifndef TOYTOP_{guard}\n#define TOYTOP_{guard} {FORMAT}\n{code}#endif\n");
+    }
+    text
+}
+
+/// Name and code of a scalar: its arithmetic between the types and the functions that are written for all scalars.
+fn evaluator(scalar: &Scalar) -> (&'static str, String) {
+    let name = scalar.name();
+    let (constants, arithmetic, omega) = match scalar {
+        Scalar::F32 => (points(), include_str!("c/f32.h"), include_str!("c/omega.h")),
+        Scalar::Q31 => (String::new(), include_str!("c/q31.h"), include_str!("c/omega.h")),
+        Scalar::Q15 => (String::new(), include_str!("c/q15.h"), include_str!("c/omega.h")),
+        Scalar::F64 => (series(), include_str!("c/f64.h"), ""),
+    };
+    let (accessors, intact) = (include_str!("c/accessors.h"), include_str!("c/intact.h"));
+    let mut code = [include_str!("c/table.h"), arithmetic, accessors, omega, intact].concat();
+    let words = ["COEFFICIENT_WORD", "COEFFICIENT", "REAL_WORD", "REAL", "NUMBER"];
+    for (word, ctype) in words.into_iter().zip(types(*scalar)) {
+        code = code.replace(word, ctype);
+    }
+    (name, constants + &code.replace("SCALAR", name).replace("BITS", &name[1..]))
+}
+
+/// Types in C: bits of a coefficient, coefficient, bits of a scale, scale, number of a sample.
+fn types(scalar: Scalar) -> [&'static str; 5] {
+    match scalar {
+        Scalar::F64 => ["uint64_t", "double", "uint64_t", "double", "double"],
+        Scalar::F32 => ["uint32_t", "int32_t", "uint32_t", "float", "float"],
+        Scalar::Q31 => ["uint32_t", "int32_t", "uint32_t", "float", "int32_t"],
+        Scalar::Q15 => ["uint16_t", "int16_t", "uint32_t", "float", "int16_t"],
+    }
+}
+
+/// Table of sines in C, and the coefficients of the interpolation.
+fn points() -> String {
+    let rows = SINES.chunks(8);
+    let rows: String = rows
+        .map(|row| format!("    {},\n", row.iter().map(|&x| integer(x)).collect::<Vec<_>>().join(", ")))
+        .collect();
+    let count = SINES.len();
+    format!(
+        "#define TOYTOP_LINEAR {LINEAR}\n#define TOYTOP_CUBIC {CUBIC}\n#define TOYTOP_VERSINE {VERSINE}\n\
+         #define TOYTOP_SECANT {SECANT}\n\
+         /* 2^31 sin of 0, 1/512, ... turns, at most 2^31 - 1; a quarter turn on is the cosine. */\n\
+         static const int32_t toytop_sines[{count}] = {{\n{rows}}};\n"
+    )
+}
+
+/// Coefficients in C of the series sin 2 pi x = x S(x^2), cos 2 pi x = C(x^2).
+fn series() -> String {
+    let series = |name: &str, coefficients: &[f64]| {
+        let rows: String = coefficients.iter().map(|&x| format!("    {},\n", decimal(x))).collect();
+        format!("static const double toytop_{name}[{}] = {{\n{rows}}};\n", coefficients.len())
+    };
+    "/* sin 2 pi x = x S(x^2) and cos 2 pi x = C(x^2) for |x| <= 1/8. */\n".to_owned()
+        + &series("sine", &SINE)
+        + &series("cosine", &COSINE)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decimal_numbers_are_read_back_to_the_same_bits() {
+        for x in [1.0, -0.1, -0.0, f64::from_bits(1), f64::MAX, 1.0 / 3.0] {
+            assert_eq!(decimal(x).parse::<f64>().map(f64::to_bits), Ok(x.to_bits()));
+        }
+        assert_eq!([1.0, -0.0].map(decimal), ["1.0000000000000000e0", "-0.0000000000000000e0"]);
+    }
+}

@@ -1,0 +1,70 @@
+//! Fitted launch as a table.
+
+use toytop_host::fit::result::{Estimated, FitResult, RATES};
+use toytop_host::fit::summary::{DriftSummary, FitSummary, Prediction};
+use toytop_host::output::short;
+use toytop_host::output::table::TextTable;
+
+/// Report as text, or the reason why there is no launch.
+pub fn table(fit: &FitResult, summary: &FitSummary<'_>) -> String {
+    const AXES: [&str; 3] = ["x", "y", "z"];
+    let state = match summary.reason {
+        None => "converged".to_owned(),
+        Some(reason) => format!("NOT CONVERGED: {reason}"),
+    };
+    if !fit.used_any_sample() {
+        return state + "\n";
+    }
+    let line = |name: &str, value: f64, deviation: f64, unit: &str| {
+        vec![name.to_owned(), short(value, 9), format!("+- {}", short(deviation, 2)), unit.to_owned()]
+    };
+    let mut rows = vec![
+        line("tilt", summary.tilt_deg, summary.tilt_deviation_deg, "degrees"),
+        line("spin", summary.spin, summary.spin_deviation, "rad/s"),
+    ];
+    for (k, axis) in AXES.into_iter().enumerate() {
+        rows.push(line(&format!("omega_{axis}"), summary.omega[k], summary.omega_deviation[k], "rad/s"));
+    }
+    let quaternion = summary.quaternion.map(|x| short(x, 9)).join(" ");
+    let turned = summary.orientation_deviation.map(|x| short(x.to_degrees(), 2)).join(" ");
+    rows.push(
+        ["orientation", &quaternion, &format!("+- {turned}"), "degrees about x, y, z"]
+            .map(str::to_owned)
+            .to_vec(),
+    );
+    for (key, Estimated { deviation, value }) in &summary.free {
+        rows.push(line(key, *value, *deviation, ""));
+    }
+    for (sensor, Estimated { deviation, value }) in &summary.biases {
+        for (k, axis) in AXES.into_iter().enumerate() {
+            rows.push(line(&format!("bias of {sensor} {axis}"), value[k], deviation[k], ""));
+        }
+    }
+    if let Some(DriftSummary { deviation, rates, .. }) = &summary.drift {
+        for (k, (name, unit)) in RATES.into_iter().enumerate() {
+            rows.push(line(name, rates[k], deviation[k], unit));
+        }
+    }
+    let mut text = format!(
+        "{state}\n\nlaunch at t = {}\n{}\n\
+         chi squared by degrees of freedom {}; {} values used, {} at the end of the range, {} outliers, largest residual {} sigma\n",
+        short(summary.epoch, 9),
+        TextTable { lines: rows, left: 4 }.aligned(),
+        short(summary.reduced_chi_squared, 4),
+        summary.used,
+        summary.saturated,
+        summary.outliers,
+        short(summary.largest_residual, 3)
+    );
+    if !summary.undetermined.is_empty() {
+        text += &format!("not determined by these samples: {}\n", summary.undetermined.join(", "));
+    }
+    if summary.alternatives > 0 {
+        text += &format!("{} other launches fit the first samples as well\n", summary.alternatives);
+    }
+    let mut ahead = vec![["t, s", "orientation +-, rad", "axis +-, rad"].map(str::to_owned).to_vec()];
+    for Prediction { axis_rad, orientation_rad, t } in &summary.prediction {
+        ahead.push(vec![short(*t, 6), short(*orientation_rad, 2), short(*axis_rad, 2)]);
+    }
+    text + "\nprediction\n" + &TextTable { lines: ahead, left: 0 }.aligned() + "\n"
+}

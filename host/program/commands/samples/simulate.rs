@@ -1,0 +1,55 @@
+//! `toytop simulate`: simulated readings of sensors on a top.
+
+use crate::commands::options::positive;
+use clap::Args;
+use std::path::PathBuf;
+use toytop_host::files::whole_file;
+use toytop_host::fit::columns;
+use toytop_host::fit::sensors::{Body, Sensors};
+use toytop_host::fit::simulated::{MAX_SAMPLES, Recording, simulate_measurements};
+use toytop_host::input::scenario::Scenario;
+use toytop_host::{Failure, Report};
+
+/// Samples of sensors on a top, with noise, bias and limited range
+#[derive(Args)]
+#[command(
+    after_help = "Example: toytop simulate host/scenarios/toy_top.toml --hertz 1000 --duration 1 --seed 7 -o samples.csv"
+)]
+pub struct SimulateArgs {
+    /// Scenario file
+    scenario: PathBuf,
+    /// Sensors; by default those of a telephone at the centre of mass: gyroscope, accelerometer, magnetometer
+    #[arg(long, value_name = "SENSORS.toml")]
+    sensors: Option<PathBuf>,
+    /// Number of samples in a second
+    #[arg(long, value_name = "N", default_value_t = 1000.0, value_parser = positive)]
+    hertz: f64,
+    /// Length of the recording, s
+    #[arg(long, value_name = "S", default_value_t = 1.0, value_parser = positive)]
+    duration: f64,
+    /// Seed of the noise
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    seed: u64,
+    /// Output file
+    #[arg(short, long, value_name = "SAMPLES.csv")]
+    output: PathBuf,
+}
+
+pub fn run(arguments: &SimulateArgs) -> Result<Report, Failure> {
+    let inputs = [Some(&*arguments.scenario), arguments.sensors.as_deref()];
+    whole_file::require_other("--output", Some(&arguments.output), &inputs)?;
+    let scenario = Scenario::read(&arguments.scenario)?;
+    let height = scenario.top.com_height;
+    let body = Body::new(scenario.motion.top(), height);
+    let sensors = Sensors::read(arguments.sensors.as_deref(), body)?;
+    let recording = Recording::new(arguments.hertz, arguments.duration, arguments.seed).ok_or_else(|| {
+        Failure::Input(format!("--hertz, --duration: must give from 1 to {MAX_SAMPLES:e} samples"))
+    })?;
+    let found = simulate_measurements(&scenario.motion, &sensors, &recording).ok_or_else(|| {
+        let reason = "the motion has no period, and cannot be followed for so long";
+        Failure::Method(format!("{}: {reason}", scenario.name))
+    })?;
+    let text = columns::csv(&sensors, &found);
+    whole_file::write("--output", &arguments.output, text.as_bytes())?;
+    Ok(Report::default())
+}

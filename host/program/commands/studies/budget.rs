@@ -1,0 +1,216 @@
+//! `toytop budget`: cost of each call on each emulated chip, compared with its budget.
+//!
+//! QEMU runs the firmware `cost` and logs the blocks of code that it executes. No clock is used: the same ELF gives the same figures.
+//!
+//! | module | contents |
+//! |---|---|
+//! | `chips` | chips with their compilers and emulators |
+//! | `trace` | blocks of code that QEMU executes |
+//! | `model` | cycles of an instruction, from published timings |
+//! | `meter` | cost of each call: the blocks between its entry and its return |
+//! | `budgets` | allowed costs, `firmware-examples/budgets.toml` |
+//! | `corpus` | set-up of many launches |
+//! | `pages` | tables of the documents |
+
+mod budgets;
+mod chips;
+mod corpus;
+mod meter;
+mod model;
+mod pages;
+mod trace;
+
+use crate::commands::options::positive;
+use budgets::{Budgets, FLASH_S};
+use chips::Chip;
+use clap::Args;
+use corpus::costs_of_launches;
+use meter::{Cost, Costs, linked_flash, measure};
+use serde_json::json;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::Stdio;
+use toytop_host::files::doc_page::repository;
+use toytop_host::files::whole_file;
+use toytop_host::output::table::TextTable;
+use toytop_host::output::{self, Format, eight_digits, short};
+use toytop_host::{Failure, Report};
+
+/// Chips whose calls are measured.
+const CHIPS: [Chip; 5] = [chips::M0PLUS, chips::M4F, chips::M7, chips::M33, chips::RISCV];
+
+/// Frequency of the interrupt, Hz; a tick has to fit into its period.
+const TICK_RATE: f64 = 1000.0;
+
+/// Cost of each call on emulated microcontrollers, beside its budget
+///
+/// The exit code is 1 if a call is beyond its budget.
+#[derive(Args)]
+#[command(
+    after_help = "Example: toytop budget --chip m4f,m0plus --clock 48\nNeeds QEMU (qemu-system-arm, qemu-system-misc) and, without --elf, the repository."
+)]
+pub struct BudgetArgs {
+    /// Chips, separated by commas: m0plus, m4f, m7, m33, riscv; without it, all
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = CHIPS.map(|chip| chip.name))]
+    chip: Vec<String>,
+    /// Clock of the chip, MHz, from which times follow
+    #[arg(long, value_name = "MHZ", default_value_t = 64.0, value_parser = positive, conflicts_with_all = ["accept", "corpus"])]
+    clock: f64,
+    /// ELF file of your own, whose functions named bench_... are measured
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["check", "accept"])]
+    elf: Option<PathBuf>,
+    /// Compare with firmware-examples/budgets.toml
+    #[arg(long, conflicts_with = "accept")]
+    check: bool,
+    /// Measure all chips, and rewrite that file and the tables of host/docs/costs.md and README.md
+    #[arg(long, conflicts_with = "chip")]
+    accept: bool,
+    /// Measure the set-up of 200 different launches: median and greatest cost on each chip; with --accept, on those with a model
+    /// of their cycles, for the table in host/docs/costs.md
+    #[arg(long, conflicts_with_all = ["elf", "check"])]
+    corpus: bool,
+    /// Compile for little flash (opt-level s) instead of speed
+    #[arg(long, conflicts_with_all = ["elf", "check", "accept"])]
+    flash: bool,
+    /// Form of the output
+    #[arg(long, default_value = "table", conflicts_with = "accept")]
+    format: Format,
+}
+
+/// File of the limits.
+const LIMITS: &str = "firmware-examples/budgets.toml";
+/// Only chip on which the fit of a launch, whose trace is long, and the flash at opt-level s are measured.
+const CHIP_OF_FIT: &str = "m4f";
+/// Calls whose flash is that of the program `flash` without that of `empty`: a launch, a table and a tick.
+const SET_UPS: [&str; 5] = ["launch", "new", "slices", "launch_slow", "launch_falling"];
+
+pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
+    let chosen =
+        |chip: &&Chip| arguments.chip.is_empty() || arguments.chip.iter().any(|name| name == chip.name);
+    let chips: Vec<_> = CHIPS.iter().filter(chosen).collect();
+    if let Some(elf) = &arguments.elf {
+        let [chip] = chips[..] else {
+            return Err(Failure::Input("--elf: needs one --chip, for which the file was built".into()));
+        };
+        return report_on_calls(arguments, &BTreeMap::from([(chip.name.to_owned(), measure(chip, elf)?)]));
+    }
+    let root = repository("budget without --elf", "firmware-examples/cost")?;
+    if arguments.corpus {
+        return report_on_launches(arguments, &root, chips);
+    }
+    let mut all = BTreeMap::new();
+    for chip in chips {
+        all.insert(chip.name.to_owned(), costs_of_calls(arguments, &root, chip)?);
+    }
+    if arguments.accept {
+        let budgets = Budgets::with_slack(all);
+        let report = pages::write(&pages::parts_with_budgets(&budgets))?;
+        whole_file::write("--accept", &root.join(LIMITS), budgets.to_toml().as_bytes())?;
+        return Ok(report);
+    }
+    let report = report_on_calls(arguments, &all)?;
+    if !arguments.check {
+        return Ok(report);
+    }
+    let mut violations = Budgets::read(&root.join(LIMITS))?.violations(&all);
+    let check_failed = !violations.is_empty();
+    violations.push(if check_failed {
+        format!("how to change a budget: the head of {LIMITS}")
+    } else {
+        "within budget".into()
+    });
+    Ok(Report { check_failed, ..report }.with_notes(violations))
+}
+
+/// Costs of all calls on a chip.
+fn costs_of_calls(arguments: &BudgetArgs, root: &Path, chip: &Chip) -> Result<Costs, Failure> {
+    let program = |name| build(root, chip, name, arguments.flash);
+    let mut costs = measure(chip, &program("cost")?)?;
+    let flash_of_table = |small| {
+        let [with_table, empty] = ["flash", "empty"].map(|name| build(root, chip, name, small));
+        Ok(linked_flash(&with_table?)? - linked_flash(&empty?)?)
+    };
+    if chip.name == CHIP_OF_FIT {
+        costs.extend(measure(chip, &program("fit_cost")?)?);
+        costs.insert(FLASH_S.to_owned(), Cost::from([("flash".to_owned(), flash_of_table(true)?)]));
+    }
+    // a set-up cannot be linked without the rest of its table: its flash is that of a program, as the linker sees it
+    let flash = flash_of_table(arguments.flash)?;
+    for call in SET_UPS {
+        if let Some(cost) = costs.get_mut(call) {
+            cost.insert("flash".to_owned(), flash);
+        }
+    }
+    costs.extend(measure(chip, &program("flash")?)?);
+    Ok(costs)
+}
+
+/// Path of a program of the package `toytop-cost` after its build, optimised for size if `small`, otherwise for speed.
+fn build(root: &Path, chip: &Chip, program: &str, small: bool) -> Result<PathBuf, Failure> {
+    let (mut cargo, folder) = chip.build(root, &format!("--quiet --package toytop-cost --bin {program}"));
+    cargo.envs(small.then_some(("CARGO_PROFILE_RELEASE_OPT_LEVEL", "s")));
+    match cargo.stdout(Stdio::null()).status() {
+        Ok(status) if status.success() => Ok(folder.join(program)),
+        ended => {
+            let reason = ended.map_or_else(|error| error.to_string(), |status| status.to_string());
+            Err(Failure::Tool(format!("budget: cargo build of {program} for {}: {reason}", chip.name)))
+        }
+    }
+}
+
+/// Report on the set-up of many launches on each chip.
+fn report_on_launches(
+    arguments: &BudgetArgs,
+    root: &Path,
+    chips: Vec<&'static Chip>,
+) -> Result<Report, Failure> {
+    let budgets = Budgets::read(&root.join(LIMITS))?;
+    let modelled = |chip: &Chip| budgets.budget(chip.name, "launch", "cycles").is_some();
+    let mut rows = Vec::new();
+    for chip in chips.into_iter().filter(|chip| !arguments.accept || modelled(chip)) {
+        rows.extend(costs_of_launches(chip, &build(root, chip, "corpus", arguments.flash)?, &budgets)?);
+    }
+    if arguments.accept {
+        return pages::write(&[pages::part_with_launches(&rows)]);
+    }
+    let table = || {
+        format!(
+            "{}\nMotion and table of 200 launches: tilt 0 to 180 degrees, spin 0 to 1000 rad/s, A/(ps) 0.01 to 1000, both \
+             supports, corners; at most 64 segments. Instructions are exact to 40; cycles are those of bench_launch in \
+             proportion (model). A slice is the time between two calls of the set-up's function.\n",
+            TextTable::of_all(&rows, eight_digits).aligned()
+        )
+    };
+    Ok(output::render(arguments.format, &json!({ "rows": rows }), &rows, table).into())
+}
+
+/// Report on the cost of each call on each chip.
+fn report_on_calls(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -> Result<Report, Failure> {
+    let record = |chip: &str, call: &str, cost: &Cost| {
+        let figure = |name: &str| cost.get(name).copied();
+        let microseconds = figure("cycles").map(|cycles| cycles as f64 / arguments.clock);
+        json!({
+            "chip": chip,
+            "call": call,
+            "instructions": figure("instructions"),
+            "cycles_model": figure("cycles"),
+            "microseconds": microseconds,
+            "tick_percent": microseconds.map(|time| time * 1e-6 * TICK_RATE * 100.0),
+            "stack": figure("stack"),
+            "flash": figure("flash"),
+            "ram": figure("ram"),
+        })
+    };
+    let mut records = Vec::new();
+    for (chip, costs) in measured {
+        records.extend(costs.iter().map(|(call, cost)| record(chip, call, cost)));
+    }
+    let table = || {
+        format!(
+            "{}\nThe costliest of several calls. Instructions are exact; cycles are a model (published timings, no wait states); \
+             stack, flash, RAM in bytes; tick_percent of a tick of 1 kHz.\n",
+            TextTable::of_all(&records, |x| short(x, 3)).aligned()
+        )
+    };
+    Ok(output::render(arguments.format, &json!({ "rows": records }), &records, table).into())
+}

@@ -1,0 +1,174 @@
+//! Allowed cost of each call: `firmware-examples/budgets.toml`.
+
+use super::meter::Costs;
+use serde::Deserialize;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+use toytop_host::Failure;
+use toytop_host::input::text_file;
+
+/// Allowed costs of each call, by the name of the chip.
+#[derive(Debug, Deserialize, PartialEq)]
+pub struct Budgets(pub BTreeMap<String, Costs>);
+
+/// Percent of a budget above the measured cost, so that another compiler causes no failure.
+const SLACK_PERCENT: u64 = 5;
+
+/// Row with the flash of launch, table and tick at opt-level s.
+pub const FLASH_S: &str = "flash_s";
+/// Limit of this flash, which is a promise, bytes.
+const MAX_FLASH_S: u64 = 80_000;
+
+/// First lines of the file.
+const HEAD: &str = "\
+# Limits of what each call costs on each chip: the measured figures plus 5 %. `cargo xtask test` measures every call on m0plus and
+# m4f, with --all on every chip, and fails where one exceeds its limit or is less than three quarters of it.
+#
+# To change them: see what costs more and why (`cargo run --release --bin toytop -- budget`), then
+#     cargo run --release --bin toytop -- budget --accept
+# which rewrites this file and the tables in host/docs/costs.md and README.md; justify the difference in the commit message.
+#
+# instructions: those executed. cycles: by a model without wait states. stack: as a painted stack shows, bytes. flash: code of every
+# function that a call ran through, and for set-ups code and constants of a program with launch, table and tick minus those of the same
+# program without them, bytes. ram: kept between calls, bytes. Each figure is that of the costliest of several calls.
+# flash_s: that program compiled for little flash (opt-level s); its limit is a promise, without the 5 %.
+";
+
+impl Budgets {
+    /// Budgets of a file.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: the file cannot be read, or as [`Budgets::parse`].
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        Self::parse(&text_file::read(&path.display().to_string(), path, 1)?)
+    }
+
+    /// Budgets for measured costs. RAM is the size of a type, which does not vary.
+    pub fn with_slack(mut measured: BTreeMap<String, Costs>) -> Self {
+        for (call, cost) in measured.values_mut().flatten() {
+            for (_, figure) in cost.iter_mut().filter(|(name, _)| *name != "ram") {
+                *figure += (*figure * SLACK_PERCENT).div_ceil(100);
+            }
+            if call == FLASH_S {
+                cost.insert("flash".to_owned(), MAX_FLASH_S);
+            }
+        }
+        Self(measured)
+    }
+
+    /// Text of the file.
+    pub fn to_toml(&self) -> String {
+        let mut text = HEAD.to_owned();
+        for (chip, costs) in &self.0 {
+            text += &format!("\n[{chip}]\n");
+            for (call, cost) in costs {
+                let figures: Vec<_> =
+                    cost.iter().map(|(name, figure)| format!("{name} = {figure}")).collect();
+                text += &format!("{call} = {{ {} }}\n", figures.join(", "));
+            }
+        }
+        text
+    }
+
+    /// Budgets of the text of a file.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: the text is not of the form that [`Budgets::to_toml`] writes.
+    pub fn parse(text: &str) -> Result<Self, Failure> {
+        toml::from_str(text).map_err(|error| Failure::Input(format!("budgets.toml: {}", error.message())))
+    }
+
+    /// Budget of a figure of a call on a chip.
+    pub fn budget(&self, chip: &str, call: &str, figure: &str) -> Option<u64> {
+        self.0.get(chip)?.get(call)?.get(figure).copied()
+    }
+
+    /// One line for each figure beyond its budget, and for each without a measurement or a budget.
+    pub fn violations(&self, measured: &BTreeMap<String, Costs>) -> Vec<String> {
+        let mut lines = Vec::new();
+        for (chip, costs) in measured {
+            let (measured, budgets) = (figures(costs), self.0.get(chip).map(figures).unwrap_or_default());
+            for key @ (call, name) in measured.keys().chain(budgets.keys()).collect::<BTreeSet<_>>() {
+                let violation = match (measured.get(key), budgets.get(key)) {
+                    (Some(figure), Some(most)) if figure > most => {
+                        let over = figure - most;
+                        let percent = 100.0 * over as f64 / *most.max(&1) as f64;
+                        format!("{figure} {name}, {most} allowed: {over} too many ({percent:.1} %)")
+                    }
+                    (Some(figure), Some(most)) if *figure < most - most / 4 => {
+                        format!("{figure} {name}, {most} allowed: the budget must be lowered")
+                    }
+                    (Some(_), Some(_)) => continue,
+                    _ => format!("{name}: is in only one of the measurement and the budgets"),
+                };
+                lines.push(format!("{chip}: {call}: {violation}"));
+            }
+        }
+        lines
+    }
+}
+
+/// Figures of all calls, by call and name.
+fn figures(costs: &Costs) -> BTreeMap<(&str, &str), u64> {
+    let mut all = BTreeMap::new();
+    for (call, cost) in costs {
+        all.extend(cost.iter().map(|(name, figure)| ((&**call, &**name), *figure)));
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::meter::Cost;
+    use super::*;
+
+    fn cost(instructions: u64) -> Cost {
+        let figures =
+            [("instructions", instructions), ("cycles", 400), ("stack", 40), ("flash", 900), ("ram", 2000)];
+        figures.map(|(name, figure)| (name.to_owned(), figure)).into()
+    }
+
+    fn on_m4f(call: &str, cost: Cost) -> BTreeMap<String, Costs> {
+        BTreeMap::from([("m4f".to_owned(), Costs::from([(call.to_owned(), cost)]))])
+    }
+
+    #[test]
+    fn written_budgets_can_be_read() {
+        let mut two = on_m4f("tick", cost(300));
+        two.insert("riscv".into(), Costs::from([("tick".into(), Cost::from([("flash".into(), 5)]))]));
+        let budgets = Budgets::with_slack(two);
+        assert_eq!(Budgets::parse(&budgets.to_toml()).unwrap(), budgets);
+        assert_eq!(["ram", "flash"].map(|name| budgets.budget("m4f", "tick", name)), [Some(2000), Some(945)]);
+        assert!(Budgets::parse("[m4f]\ntick = { instructions = -1, flash = 2 }").is_err());
+    }
+
+    #[test]
+    fn a_promise_has_no_slack() {
+        let flash = |bytes| on_m4f(FLASH_S, Cost::from([("flash".to_owned(), bytes)]));
+        let budgets = Budgets::with_slack(flash(79_000));
+        assert_eq!(budgets.violations(&flash(80_000)), Vec::<String>::new());
+        assert_eq!(
+            budgets.violations(&flash(80_001)),
+            ["m4f: flash_s: 80001 flash, 80000 allowed: 1 too many (0.0 %)"]
+        );
+    }
+
+    #[test]
+    fn costs_above_and_far_below_the_budget_are_reported() {
+        let budgets = Budgets::with_slack(on_m4f("tick", cost(300)));
+        let said = |call: &str, cost: Cost| budgets.violations(&on_m4f(call, cost));
+        assert_eq!(said("tick", cost(315)), Vec::<String>::new());
+        assert_eq!(said("tick", cost(316)), ["m4f: tick: 316 instructions, 315 allowed: 1 too many (0.3 %)"]);
+        assert!(said("tick", cost(200))[0].contains("lowered"));
+        let mut without = cost(300);
+        without.remove("stack");
+        assert_eq!(
+            said("tick", without),
+            ["m4f: tick: stack: is in only one of the measurement and the budgets"]
+        );
+        // each of five figures of two calls
+        let others = said("tock", cost(300));
+        assert_eq!(others.len(), 10);
+        assert!(others.iter().all(|line| line.contains(": is in only one of")), "{others:?}");
+    }
+}

@@ -1,0 +1,190 @@
+//! Cost of each call, from the log of a run.
+
+use super::chips::Chip;
+use super::model::{BlockCycles, CycleModel, Instruction};
+use super::trace::{self, Block};
+use object::{Architecture, File, Object, ObjectSection, ObjectSymbol, SectionKind, SymbolKind};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+use toytop_host::Failure;
+
+/// Figures of the costliest of several calls, by name:
+///
+/// * `instructions`: exact number, from the first to the return
+/// * `cycles`: by the model of the chip
+/// * `stack`: bytes below the stack pointer of the caller that the firmware found changed
+/// * `flash`: bytes of all functions that the call ran through, with the literals in their code
+/// * `ram`: bytes between calls, as the firmware states
+pub type Cost = BTreeMap<String, u64>;
+
+/// Costs by the name of the function, without `bench_`.
+pub type Costs = BTreeMap<String, Cost>;
+
+const PREFIX: &str = "bench_";
+
+/// Costs of the functions of an ELF that are named `bench_...`, on an emulated chip.
+///
+/// # Errors
+/// [`Failure::Input`]: the file is no ELF, or no such function was called. [`Failure::Tool`]: there is no QEMU, the program did not end with
+/// exit code 0, or QEMU's log cannot be read.
+pub fn measure(chip: &Chip, elf: &Path) -> Result<Costs, Failure> {
+    let bytes = read(elf)?;
+    let image = Image::new(parsed(elf, &bytes)?);
+    let cycle_model = CycleModel::for_chip(chip)?;
+    let mut measurement = Measurement { image, cycle_model, calls: BTreeMap::new(), end: 0, running: None };
+    let printed =
+        trace::emulate(chip, elf, &["-d", "in_asm,exec,nochain"], |block| measurement.executed(block))?;
+    if measurement.calls.is_empty() {
+        return Err(Failure::Input(format!("{}: calls no function named {PREFIX}...", elf.display())));
+    }
+    // the firmware prints `bench_NAME stack BYTES ram BYTES`
+    for line in printed.lines() {
+        let words: Vec<_> = line.split_whitespace().collect();
+        let [name, "stack", stack, "ram", ram] = words[..] else { continue };
+        if let Some((cost, _)) = name.strip_prefix(PREFIX).and_then(|call| measurement.calls.get_mut(call)) {
+            let figures = [("stack", stack.parse().ok()), ("ram", ram.parse().ok())];
+            cost.extend(figures.into_iter().filter_map(|(name, bytes)| Some((name.to_owned(), bytes?))));
+        }
+    }
+    Ok(measurement.calls.into_iter().map(|(call, (cost, _))| (call, cost)).collect())
+}
+
+/// Bytes of code, constants and initial values that the linker put into flash.
+///
+/// # Errors
+/// [`Failure::Input`]: the file is no ELF.
+pub fn linked_flash(elf: &Path) -> Result<u64, Failure> {
+    let bytes = read(elf)?;
+    let in_flash =
+        [SectionKind::Text, SectionKind::ReadOnlyData, SectionKind::ReadOnlyString, SectionKind::Data];
+    let file = parsed(elf, &bytes)?;
+    let sections = file.sections().filter(|section| in_flash.contains(&section.kind()));
+    Ok(sections.map(|section| section.size()).sum())
+}
+
+fn read(elf: &Path) -> Result<Vec<u8>, Failure> {
+    fs::read(elf).map_err(|error| Failure::Input(format!("{}: {error}", elf.display())))
+}
+
+fn parsed<'a>(elf: &Path, bytes: &'a [u8]) -> Result<File<'a>, Failure> {
+    File::parse(bytes).map_err(|error| Failure::Input(format!("{}: must be an ELF: {error}", elf.display())))
+}
+
+/// Function of an ELF.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+struct Function {
+    address: u64,
+    /// First of its names.
+    name: String,
+    /// Size with the literals after the code, bytes.
+    size: u64,
+}
+
+/// ELF with its functions by address.
+struct Image<'a> {
+    file: File<'a>,
+    functions: Vec<Function>,
+}
+
+impl<'a> Image<'a> {
+    fn new(file: File<'a>) -> Self {
+        // the lowest bit of an Arm function's address marks Thumb code
+        let thumb = u64::from(file.architecture() == Architecture::Arm);
+        let mut functions: Vec<_> = file
+            .symbols()
+            .filter(|symbol| symbol.kind() == SymbolKind::Text && symbol.size() > 0)
+            .map(|symbol| Function {
+                address: symbol.address() & !thumb,
+                name: symbol.name().unwrap_or_default().to_owned(),
+                size: symbol.size(),
+            })
+            .collect();
+        functions.sort();
+        functions.dedup_by_key(|function| function.address);
+        Self { file, functions }
+    }
+
+    /// Function that contains an address.
+    fn function_at(&self, address: u64) -> Option<&Function> {
+        let after = self.functions.partition_point(|function| function.address <= address);
+        let function = self.functions.get(after.checked_sub(1)?);
+        function.filter(|function| address < function.address + function.size)
+    }
+
+    /// Code of a block.
+    fn code(&self, block: Block) -> Option<&'a [u8]> {
+        let size = block.end - block.start;
+        self.file.sections().find_map(|section| section.data_range(block.start, size).ok()?)
+    }
+}
+
+/// State of the measurement during a run.
+struct Measurement<'a> {
+    image: Image<'a>,
+    cycle_model: Option<CycleModel>,
+    /// Costs of the calls that have returned, and addresses of the functions that they ran through.
+    calls: BTreeMap<String, (Cost, BTreeSet<u64>)>,
+    /// End of the block before the one that is executed.
+    end: u64,
+    running: Option<Call>,
+}
+
+/// Call that has not returned.
+#[derive(Default)]
+struct Call {
+    name: String,
+    return_to: u64,
+    instructions: u64,
+    cycles: i64,
+    functions: BTreeSet<u64>,
+    last: Option<Instruction>,
+}
+
+impl Measurement<'_> {
+    fn executed(&mut self, block: Block) -> Result<(), Failure> {
+        if let Some(running) = self.running.take_if(|running| running.return_to == block.start) {
+            self.returned(running);
+        }
+        let function = self.image.function_at(block.start);
+        let entered = function.filter(|function| function.address == block.start);
+        let name = entered.and_then(|function| function.name.strip_prefix(PREFIX));
+        if let (None, Some(name)) = (&self.running, name) {
+            self.running = Some(Call { name: name.to_owned(), return_to: self.end, ..Call::default() });
+        }
+        if let Some(running) = &mut self.running {
+            running.instructions += block.count;
+            running.functions.extend(function.map(|function| function.address));
+            if let Some(cycle_model) = &mut self.cycle_model {
+                let BlockCycles { cycles, first, last } =
+                    cycle_model.block(block, self.image.code(block).unwrap_or_default())?;
+                running.cycles += cycles;
+                if let Some(last) = running.last {
+                    running.cycles += cycle_model.cycles_after(&last, &first);
+                    if self.end != block.start {
+                        running.cycles += cycle_model.jump_cycles(&last, Some(&first));
+                    }
+                }
+                running.last = Some(last);
+            }
+        }
+        self.end = block.end;
+        Ok(())
+    }
+
+    fn returned(&mut self, running: Call) {
+        let (cost, functions) = self.calls.entry(running.name).or_default();
+        functions.extend(running.functions);
+        let size = |address: &u64| self.image.function_at(*address).map_or(0, |function| function.size);
+        cost.insert("flash".to_owned(), functions.iter().map(size).sum());
+        let mut raise = |name: &str, figure: u64| {
+            let greatest = cost.entry(name.to_owned()).or_default();
+            *greatest = figure.max(*greatest);
+        };
+        raise("instructions", running.instructions);
+        if let (Some(model), Some(last)) = (&self.cycle_model, running.last) {
+            let cycles = running.cycles + model.jump_cycles(&last, None);
+            raise("cycles", u64::try_from(cycles).unwrap_or_default());
+        }
+    }
+}

@@ -1,5 +1,0 @@
-//! Commands on the output of integrators.
-
-pub mod benchmark;
-pub mod problems;
-pub mod score;

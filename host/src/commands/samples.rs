@@ -1,4 +1,0 @@
-//! Commands on samples of sensors.
-
-pub mod fit;
-pub mod simulate;
