@@ -53,7 +53,7 @@ pub struct SegmentPoint {
 pub struct EvaluationErrors {
     /// Orientation error without that of the next field, rad.
     pub(crate) orientation: f64,
-    /// Orientation error over the greatest change of the orientation on half a segment.
+    /// Orientation error per rad by which the orientation changes on half a segment.
     pub(crate) per_half_segment: f64,
     /// Error of the angular velocity, divided by x' + |λ_α' + λ_β'|.
     pub(crate) omega: f64,

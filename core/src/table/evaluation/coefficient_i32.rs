@@ -86,7 +86,7 @@ pub(super) const fn overflow_limit(margin: f64) -> i64 {
     ((1.0 - margin) * (1_i64 << TABLE_BITS) as f64) as i64
 }
 
-/// Upper bound on the sum of the factors by which 16 bits of x are multiplied, in units of 2^-30; `None` where a sum could exceed `limit`.
+/// Bound on the sum of all factors of 16-bit x, in units of 2^-30; `None` where one could exceed `limit`.
 pub(super) fn truncated_factors(polynomial: &[i64], limit: i64) -> Option<u32> {
     let limit = (limit >> 32) as u32;
     let (mut sum, mut factors) = (0_u32, 0);

@@ -4,7 +4,7 @@ use crate::motion::period::Period;
 use crate::motion::{LaunchRounding, Motion};
 use crate::scalar::{Extended, Float, Ring};
 
-/// Number of roundings in a rate and an increment, without the quadrature.
+/// Roundings counted for a rate and its increment, without those of the quadrature.
 const OPERATIONS: f64 = 64.0;
 /// Relative error of an increment that is stored as the sum of two `f64`.
 const STORED: f64 = 1.0 / (1_u128 << 106) as f64;
