@@ -49,7 +49,7 @@
 #define TOYTOP_EPHEMERIS_ALIGNMENT 8
 
 // Bytes of the memory of a set-up.
-#define TOYTOP_SET_UP_SIZE 4152
+#define TOYTOP_SET_UP_SIZE 3448
 
 // Bytes of a cursor.
 #define TOYTOP_EPHEMERIS_CURSOR_SIZE 64
@@ -246,7 +246,7 @@ typedef struct toytop_ephemeris_f32 {
 
 // Memory of a set-up, which need not be initialised, and which a program may use for something else afterwards.
 typedef struct toytop_set_up {
-  uint64_t opaque[519];
+  uint64_t opaque[431];
 } toytop_set_up;
 
 // Function that a set-up calls again and again, at least every 50 000 cycles of a Cortex-M4F: to feed a watchdog, or to read another table.

@@ -8,13 +8,13 @@ use core::ffi::c_void;
 use toytop::{EphemerisScalar, EphemerisView, Motion, Tick, Workspace};
 
 /// Bytes of the memory of a set-up.
-pub const TOYTOP_SET_UP_SIZE: usize = 4152;
+pub const TOYTOP_SET_UP_SIZE: usize = 3448;
 
 /// Memory of a set-up, which need not be initialised, and which a program may use for something else afterwards.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_set_up {
-    opaque: [u64; 519],
+    opaque: [u64; 431],
 }
 
 /// Function that a set-up calls again and again, at least every 50 000 cycles of a Cortex-M4F: to feed a watchdog, or to read another table.

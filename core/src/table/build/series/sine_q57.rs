@@ -52,8 +52,8 @@ fn reduced(phase: Phase) -> (u32, Phase, [i64; 3]) {
     (quadrant, rest, [angle, evaluate(&SINE, square), evaluate(&COSINE, square)])
 }
 
-/// Sine and cosine after quarter turns.
-fn turned<T: Neg<Output = T>>(quarters: u32, sine: T, cosine: T) -> (T, T) {
+/// Sine and cosine of an angle that is larger by quarter turns.
+fn after_quarter_turns<T: Neg<Output = T>>(quarters: u32, sine: T, cosine: T) -> (T, T) {
     match quarters % 4 {
         0 => (sine, cosine),
         1 => (cosine, -sine),
@@ -66,7 +66,7 @@ fn turned<T: Neg<Output = T>>(quarters: u32, sine: T, cosine: T) -> (T, T) {
 #[inline(never)]
 pub(crate) fn sine_cosine_q57(phase: Phase) -> (i64, i64) {
     let (quadrant, _, [angle, ratio, cosine]) = reduced(phase);
-    turned(quadrant, scaled_product::<59>(Limbs::new(angle), ratio), (cosine + 1) >> 1)
+    after_quarter_turns(quadrant, scaled_product::<59>(Limbs::new(angle), ratio), (cosine + 1) >> 1)
 }
 
 /// (sin 2πx, cos 2πx) of a phase of x turns. Error: below 2^-51, relative to the result near its zeros.
@@ -74,7 +74,7 @@ pub(crate) fn sine_cosine_q57(phase: Phase) -> (i64, i64) {
 pub(crate) fn sine_cosine(phase: Phase) -> (f64, f64) {
     let (quadrant, rest, [_, ratio, cosine]) = reduced(phase);
     let number = |part: i64| part as f64 * power_of_two(-FRACTION - 1);
-    turned(quadrant, rest.to_radians() * number(ratio), number(cosine))
+    after_quarter_turns(quadrant, rest.to_radians() * number(ratio), number(cosine))
 }
 
 #[cfg(test)]

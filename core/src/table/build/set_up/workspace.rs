@@ -3,7 +3,7 @@
 use crate::table::build::half_period::HalfPeriod;
 use crate::table::build::path::SpanMemory;
 
-/// Workspace of a set-up, 3.6 KiB, with its truncation error.
+/// Workspace of a set-up, 3.4 KiB, with its truncation error.
 ///
 /// A program with a small stack keeps it in a static: see "In firmware" on [the first page](crate).
 #[derive(Debug)]
