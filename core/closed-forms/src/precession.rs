@@ -108,13 +108,13 @@ impl RegularPrecession {
     /// Orientation Φ and rate Φ' at t.
     #[must_use]
     pub fn at(&self, t: f64) -> AttitudeState<f64> {
-        let turned = |z: Complex<f64>, rate: Extended| {
+        let rotated = |z: Complex<f64>, rate: Extended| {
             let value = z * Complex::cis((rate * t.into()).in_turns().to_phase());
             [value, value.times_i().scaled(rate.to_f64())]
         };
         let [alpha_turning, beta_turning] = self.turning;
         let [[alpha, alpha_rate], [beta, beta_rate]] =
-            [turned(self.start.alpha, alpha_turning), turned(self.start.beta, beta_turning)];
+            [rotated(self.start.alpha, alpha_turning), rotated(self.start.beta, beta_turning)];
         let rate = OrientationRate { alpha: alpha_rate, beta: beta_rate };
         AttitudeState { orientation: Orientation { alpha, beta }, rate }
     }

@@ -15,7 +15,7 @@ pub(crate) struct Lattice {
     /// Half periods ω and |ω'|.
     pub(crate) half_periods: [Extended; 2],
     /// Whether ω > |ω'|. The theta functions are then those of the lattice rotated by a right angle, whose nome is at most e^{-π} too.
-    turned: bool,
+    is_rotated: bool,
     /// Logarithm of the nome q.
     ln_nome: Extended,
     nome: Extended,
@@ -23,13 +23,13 @@ pub(crate) struct Lattice {
     unit: WideComplex,
     /// Factors that make the slope of the first theta function and the values of the others 1 at 0.
     scales: [WideComplex; 4],
-    /// Coefficient κ in σ(z) = e^{κz²} ϑ₁(Uz)/(U ϑ₁'(0)).
-    pub(crate) kappa: Extended,
+    /// Coefficient c in σ(z) = e^{cz²} ϑ₁(Uz)/(U ϑ₁'(0)).
+    pub(crate) sigma_exponent: Extended,
 }
 
 /// Half period, or 0. A theta function is named by the half period at which it is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum HalfPeriod {
+pub(crate) enum LatticeHalfPeriod {
     Origin,
     Omega,
     OmegaPrime,
@@ -37,7 +37,7 @@ pub(crate) enum HalfPeriod {
     Sum,
 }
 
-impl HalfPeriod {
+impl LatticeHalfPeriod {
     /// Sum of 0 and a half period, or of ω and ω'.
     pub(crate) fn plus(self, other: Self) -> Self {
         if self == Self::Origin { other } else { Self::Sum }
@@ -56,16 +56,24 @@ impl Lattice {
             third(lower_gap - upper_gap),
             -third(upper_gap + lower_gap.doubled()),
         ];
-        let turned = across > up;
-        let (width, height) = if turned { (up, across) } else { (across, up) };
+        let is_rotated = across > up;
+        let (width, height) = if is_rotated { (up, across) } else { (across, up) };
         let ln_nome = -(half_pi().doubled() * height / width);
         let nome = exp(ln_nome);
         let size = half_pi() / width;
-        let unit = if turned { imaginary(size) } else { real(size) };
-        let kappa = (unit * unit).re * eisenstein(nome) / 6.0.into();
+        let unit = if is_rotated { imaginary(size) } else { real(size) };
+        let sigma_exponent = (unit * unit).re * eisenstein(nome) / 6.0.into();
         let half_periods = [across, up];
-        let unscaled =
-            Self { roots, half_periods, turned, ln_nome, nome, unit, scales: [Complex::ONE; 4], kappa };
+        let unscaled = Self {
+            roots,
+            half_periods,
+            is_rotated,
+            ln_nome,
+            nome,
+            unit,
+            scales: [Complex::ONE; 4],
+            sigma_exponent,
+        };
         let [origin, omega, omega_prime, sum] = unscaled.thetas(Complex::ZERO);
         let at_zero = [origin.slope, omega.value, omega_prime.value, sum.value];
         Self { scales: at_zero.map(|z| quotient(Complex::ONE, z)), ..unscaled }
@@ -73,30 +81,34 @@ impl Lattice {
 
     /// Quasi-periods ζ(ω) and ζ(ω')/i. The longer period has the term of Legendre's relation.
     pub(crate) fn quasi_periods(&self) -> [Extended; 2] {
-        let [across, up] = self.half_periods.map(|half| self.kappa.doubled() * half);
+        let [across, up] = self.half_periods.map(|half| self.sigma_exponent.doubled() * half);
         let [omega, omega_prime] = self.half_periods;
-        if self.turned { [across + half_pi() / omega_prime, up] } else { [across, up - half_pi() / omega] }
+        if self.is_rotated {
+            [across + half_pi() / omega_prime, up]
+        } else {
+            [across, up - half_pi() / omega]
+        }
     }
 
-    /// Theta functions at Uz with their derivatives by z, in the order of [`HalfPeriod`], for z within a period of 0.
+    /// Theta functions at Uz with their derivatives by z, in the order of [`LatticeHalfPeriod`], for z within a period of 0.
     pub(crate) fn thetas(&self, z: WideComplex) -> [ValueAndSlope; 4] {
         let [one, two, four, three] = thetas(self.nome, self.unit * z).map(|theta| theta.by(self.unit));
-        if self.turned { [one, four, two, three] } else { [one, two, four, three] }
+        if self.is_rotated { [one, four, two, three] } else { [one, two, four, three] }
     }
 
     /// Theta function that is 0 at a half period. It costs as much as all four.
-    pub(crate) fn theta(&self, half: HalfPeriod, z: WideComplex) -> ValueAndSlope {
+    pub(crate) fn theta(&self, half: LatticeHalfPeriod, z: WideComplex) -> ValueAndSlope {
         let [origin, omega, omega_prime, sum] = self.thetas(z);
         match half {
-            HalfPeriod::Origin => origin,
-            HalfPeriod::Omega => omega,
-            HalfPeriod::OmegaPrime => omega_prime,
-            HalfPeriod::Sum => sum,
+            LatticeHalfPeriod::Origin => origin,
+            LatticeHalfPeriod::Omega => omega,
+            LatticeHalfPeriod::OmegaPrime => omega_prime,
+            LatticeHalfPeriod::Sum => sum,
         }
     }
 
     /// Logarithmic derivative of the theta function that is 0 at a half period.
-    pub(crate) fn log_slope(&self, half: HalfPeriod, z: WideComplex) -> WideComplex {
+    pub(crate) fn log_slope(&self, half: LatticeHalfPeriod, z: WideComplex) -> WideComplex {
         self.theta(half, z).log_slope()
     }
 
@@ -140,9 +152,9 @@ impl Lattice {
     /// σ(z) as a value and the exponent of a factor, and ζ(z).
     fn sigma_parts(&self, z: WideComplex) -> (WideComplex, WideComplex, WideComplex) {
         let (reduced, [n, m]) = self.reduced(z);
-        let theta = self.theta(HalfPeriod::Origin, reduced);
+        let theta = self.theta(LatticeHalfPeriod::Origin, reduced);
         // ϑ₁(v + nπ + mπτ) = (-1)^{n+m} q^{-m²} e^{-2imv} ϑ₁(v)
-        let up = Extended::from(if self.turned { n } else { m });
+        let up = Extended::from(if self.is_rotated { n } else { m });
         let rate = -(self.unit.times_i().scaled(up.doubled()));
         let sum = n + m;
         let odd = sum - 2.0 * libm::floor(0.5 * sum);
@@ -150,8 +162,8 @@ impl Lattice {
         let [scale, ..] = self.scales;
         (
             theta.value * scale,
-            (z * z).scaled(self.kappa) + rate * reduced + constant,
-            z.scaled(self.kappa.doubled()) + rate + theta.log_slope(),
+            (z * z).scaled(self.sigma_exponent) + rate * reduced + constant,
+            z.scaled(self.sigma_exponent.doubled()) + rate + theta.log_slope(),
         )
     }
 
