@@ -48,8 +48,8 @@
 // Alignment of the memory of a table, bytes.
 #define TOYTOP_EPHEMERIS_ALIGNMENT 8
 
-// Bytes of the memory of a set-up.
-#define TOYTOP_SET_UP_SIZE 3448
+// Bytes of the workspace of a set-up.
+#define TOYTOP_WORKSPACE_SIZE 3448
 
 // Bytes of a cursor.
 #define TOYTOP_EPHEMERIS_CURSOR_SIZE 64
@@ -244,10 +244,10 @@ typedef struct toytop_ephemeris_f32 {
   uint64_t opaque[283];
 } toytop_ephemeris_f32;
 
-// Memory of a set-up, which need not be initialised, and which a program may use for something else afterwards.
-typedef struct toytop_set_up {
+// Workspace of a set-up, which need not be initialised, and which a program may use for something else afterwards.
+typedef struct toytop_workspace {
   uint64_t opaque[431];
-} toytop_set_up;
+} toytop_workspace;
 
 // Function that a set-up calls again and again, at least every 50 000 cycles of a Cortex-M4F: to feed a watchdog, or to read another table.
 typedef void (*toytop_pause)(void *context);
@@ -378,12 +378,12 @@ toytop_status toytop_f32_set_up(struct toytop_ephemeris_f32 *table,
                                 double truncation,
                                 struct toytop_error *error);
 
-// Sets up a table with the memory of the set-up from the caller instead of on the stack, and with pauses for other work.
+// Sets up a table with the workspace of the caller instead of one on the stack, and with pauses for other work.
 //
 // * `pause`: function that is called again and again with `context`, or null
 toytop_status toytop_f32_set_up_with_pauses(struct toytop_ephemeris_f32 *table,
                                             uintptr_t size,
-                                            struct toytop_set_up *set_up,
+                                            struct toytop_workspace *workspace,
                                             const struct toytop_motion *motion,
                                             struct toytop_tick tick,
                                             int64_t epoch,
@@ -465,12 +465,12 @@ toytop_status toytop_f64_set_up(struct toytop_ephemeris_f64 *table,
                                 double truncation,
                                 struct toytop_error *error);
 
-// Sets up a table with the memory of the set-up from the caller instead of on the stack, and with pauses for other work.
+// Sets up a table with the workspace of the caller instead of one on the stack, and with pauses for other work.
 //
 // * `pause`: function that is called again and again with `context`, or null
 toytop_status toytop_f64_set_up_with_pauses(struct toytop_ephemeris_f64 *table,
                                             uintptr_t size,
-                                            struct toytop_set_up *set_up,
+                                            struct toytop_workspace *workspace,
                                             const struct toytop_motion *motion,
                                             struct toytop_tick tick,
                                             int64_t epoch,
@@ -552,12 +552,12 @@ toytop_status toytop_q31_set_up(struct toytop_ephemeris_q31 *table,
                                 double truncation,
                                 struct toytop_error *error);
 
-// Sets up a table with the memory of the set-up from the caller instead of on the stack, and with pauses for other work.
+// Sets up a table with the workspace of the caller instead of one on the stack, and with pauses for other work.
 //
 // * `pause`: function that is called again and again with `context`, or null
 toytop_status toytop_q31_set_up_with_pauses(struct toytop_ephemeris_q31 *table,
                                             uintptr_t size,
-                                            struct toytop_set_up *set_up,
+                                            struct toytop_workspace *workspace,
                                             const struct toytop_motion *motion,
                                             struct toytop_tick tick,
                                             int64_t epoch,
@@ -731,7 +731,7 @@ toytop_status toytop_q31_state(const struct toytop_ephemeris_sample *sample, str
 typedef char toytop_f32_has_its_size[sizeof(toytop_ephemeris_f32) == TOYTOP_EPHEMERIS_F32_SIZE_OF(25) ? 1 : -1];
 typedef char toytop_f64_has_its_size[sizeof(toytop_ephemeris_f64) == TOYTOP_EPHEMERIS_F64_SIZE_OF(48) ? 1 : -1];
 typedef char toytop_q31_has_its_size[sizeof(toytop_ephemeris_q31) == TOYTOP_EPHEMERIS_Q31_SIZE_OF(32) ? 1 : -1];
-typedef char toytop_set_up_has_its_size[sizeof(toytop_set_up) == TOYTOP_SET_UP_SIZE ? 1 : -1];
+typedef char toytop_workspace_has_its_size[sizeof(toytop_workspace) == TOYTOP_WORKSPACE_SIZE ? 1 : -1];
 typedef char toytop_top_has_its_size[sizeof(toytop_top) == 64 ? 1 : -1];
 typedef char toytop_state_has_its_size[sizeof(toytop_state) == 56 && sizeof(double) == 8 ? 1 : -1];
 #endif

@@ -7,13 +7,13 @@ use crate::table::{Memory, TOYTOP_EPHEMERIS_ALIGNMENT, toytop_tick};
 use core::ffi::c_void;
 use toytop::{EphemerisScalar, EphemerisView, Motion, Tick, Workspace};
 
-/// Bytes of the memory of a set-up.
-pub const TOYTOP_SET_UP_SIZE: usize = 3448;
+/// Bytes of the workspace of a set-up.
+pub const TOYTOP_WORKSPACE_SIZE: usize = 3448;
 
-/// Memory of a set-up, which need not be initialised, and which a program may use for something else afterwards.
+/// Workspace of a set-up, which need not be initialised, and which a program may use for something else afterwards.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
-pub struct toytop_set_up {
+pub struct toytop_workspace {
     opaque: [u64; 431],
 }
 
@@ -22,9 +22,9 @@ pub type toytop_pause = Option<unsafe extern "C" fn(context: *mut c_void)>;
 
 // cbindgen accepts only a number as a length
 const _: () = assert!(
-    size_of::<toytop_set_up>() == TOYTOP_SET_UP_SIZE
+    size_of::<toytop_workspace>() == TOYTOP_WORKSPACE_SIZE
         && size_of::<Workspace>() + align_of::<Workspace>() - TOYTOP_EPHEMERIS_ALIGNMENT
-            <= TOYTOP_SET_UP_SIZE
+            <= TOYTOP_WORKSPACE_SIZE
 );
 
 /// Launch that a table is set up for.
@@ -44,33 +44,33 @@ fn truncation_or_default<R: EphemerisScalar>(truncation: f64) -> f64 {
 /// Sets up a table in memory of the caller, which need not be initialised.
 ///
 /// # Safety
-/// `table` is null or valid for writing `size` bytes, `set_up` is null or valid for writing, and nobody else uses them until this returns.
+/// `table` is null or valid for writing `size` bytes, `workspace` is null or valid for writing, and nobody else uses them until this returns.
 /// The motion is null or valid for reading. `pause` may be called with `context`.
 pub(crate) unsafe fn set_up_in<R: EphemerisScalar>(
     (table, size): (*mut u8, usize),
-    set_up: *mut toytop_set_up,
+    workspace: *mut toytop_workspace,
     launched: Launched,
     (pause, context): (toytop_pause, *mut c_void),
 ) -> Result<(), Refusal> {
     let memory = Memory::of::<R>(table, size)?;
     // SAFETY: the caller guarantees valid memory.
     let cleared = unsafe { memory.clear::<R>() };
-    if set_up.is_null() {
+    if workspace.is_null() {
         return Err(toytop_status::TOYTOP_NULL_POINTER.into());
     }
-    if !set_up.is_aligned() {
+    if !workspace.is_aligned() {
         return Err(toytop_status::TOYTOP_BAD_MEMORY.into());
     }
     // a computer may align the numbers of a set-up to more bytes, for which there is room
-    let words = set_up.cast::<u8>();
-    let set_up = words.wrapping_add(words.align_offset(align_of::<Workspace>())).cast::<Workspace>();
+    let bytes = workspace.cast::<u8>();
+    let workspace = bytes.wrapping_add(bytes.align_offset(align_of::<Workspace>())).cast::<Workspace>();
     // SAFETY: the caller guarantees a valid pointer.
     let motion: Motion = unsafe { load(launched.motion)? };
     let tick = Tick::ratio(launched.tick.ticks, launched.tick.seconds)?;
     // SAFETY: the pointer is neither null nor unaligned, and the memory is large enough.
-    let set_up = unsafe {
-        set_up.write(Workspace::with_truncation(truncation_or_default::<R>(launched.truncation)));
-        &mut *set_up
+    let workspace = unsafe {
+        workspace.write(Workspace::with_truncation(truncation_or_default::<R>(launched.truncation)));
+        &mut *workspace
     };
     let mut call = || {
         if let Some(pause) = pause {
@@ -78,13 +78,13 @@ pub(crate) unsafe fn set_up_in<R: EphemerisScalar>(
             unsafe { pause(context) };
         }
     };
-    cleared.set_up(set_up, &motion, tick, launched.epoch, &mut call)?;
+    cleared.set_up(workspace, &motion, tick, launched.epoch, &mut call)?;
     // SAFETY: `clear` was called on this memory before.
     unsafe { memory.ready::<R>() };
     Ok(())
 }
 
-/// Sets up a table with the memory of the set-up on the stack: see [`set_up_in`].
+/// Sets up a table with the workspace on the stack: see [`set_up_in`].
 ///
 /// # Safety
 /// The conditions are those of [`set_up_in`].
@@ -93,9 +93,9 @@ pub(crate) unsafe fn set_up_on_stack<R: EphemerisScalar>(
     table: (*mut u8, usize),
     launched: Launched,
 ) -> Result<(), Refusal> {
-    let mut memory = core::mem::MaybeUninit::uninit();
-    // SAFETY: as the caller guarantees, and the memory is a local variable.
-    unsafe { set_up_in::<R>(table, memory.as_mut_ptr(), launched, (None, core::ptr::null_mut())) }
+    let mut workspace = core::mem::MaybeUninit::uninit();
+    // SAFETY: as the caller guarantees, and the workspace is a local variable.
+    unsafe { set_up_in::<R>(table, workspace.as_mut_ptr(), launched, (None, core::ptr::null_mut())) }
 }
 
 /// Number of segments that is enough; 0 where no number is, or a parameter is refused.

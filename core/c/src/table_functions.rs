@@ -2,7 +2,7 @@
 
 use crate::motion::toytop_motion;
 use crate::sample::{self, toytop_ephemeris_cursor, toytop_ephemeris_sample, toytop_event};
-use crate::set_up::{self, Launched, toytop_pause, toytop_set_up};
+use crate::set_up::{self, Launched, toytop_pause, toytop_workspace};
 use crate::status::{status_of, toytop_error, toytop_status};
 use crate::table::*;
 use core::ffi::c_void;
@@ -47,14 +47,14 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up>](
     unsafe { status_of(error, || set_up::set_up_on_stack::<$scalar>((table.cast(), size), launched)) }
 }
 
-/// Sets up a table with the memory of the set-up from the caller instead of on the stack, and with pauses for other work.
+/// Sets up a table with the workspace of the caller instead of one on the stack, and with pauses for other work.
 ///
 /// * `pause`: function that is called again and again with `context`, or null
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn [<toytop_ $name _set_up_with_pauses>](
     table: *mut $table,
     size: usize,
-    set_up: *mut toytop_set_up,
+    workspace: *mut toytop_workspace,
     motion: *const toytop_motion,
     tick: toytop_tick,
     epoch: i64,
@@ -66,7 +66,7 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up_with_pauses>](
     let launched = Launched { motion, tick, epoch, truncation };
     // SAFETY: the caller guarantees valid pointers.
     unsafe {
-        status_of(error, || set_up::set_up_in::<$scalar>((table.cast(), size), set_up, launched, (pause, context)))
+        status_of(error, || set_up::set_up_in::<$scalar>((table.cast(), size), workspace, launched, (pause, context)))
     }
 }
 

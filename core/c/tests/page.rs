@@ -21,12 +21,12 @@ fn in_one_line(text: &str) -> String {
 fn the_sizes_are_those_of_the_header() {
     let [f32, f64, q31] =
         ["F32", "F64", "Q31"].map(|scalar| defined(&format!("TOYTOP_EPHEMERIS_{scalar}_SIZE")));
-    let set_up = defined("TOYTOP_SET_UP_SIZE");
+    let workspace = defined("TOYTOP_WORKSPACE_SIZE");
     let page = in_one_line(PAGE);
     for part in [
         format!("static toytop_ephemeris_f32 table; /* {f32} bytes */"),
         format!("and takes {f32}, {f64} or {q31} bytes"),
-        format!("a `toytop_set_up` of {set_up} bytes"),
+        format!("a `toytop_workspace` of {workspace} bytes"),
     ] {
         assert!(page.contains(&part), "not in the page: {part}");
     }
@@ -36,6 +36,6 @@ fn the_sizes_are_those_of_the_header() {
     let words: Vec<_> = page.split(' ').collect();
     for pair in words.windows(2).filter(|pair| pair[1].starts_with("bytes")) {
         let Ok(bytes) = pair[0].parse::<usize>() else { continue };
-        assert!([f32, q31, set_up].contains(&bytes), "{bytes} bytes");
+        assert!([f32, q31, workspace].contains(&bytes), "{bytes} bytes");
     }
 }

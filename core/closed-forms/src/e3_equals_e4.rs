@@ -14,7 +14,7 @@
 
 use crate::elliptic::carlson_rf;
 use crate::elliptic::elementary::{ValueAndSlope, imaginary, of_turns, real};
-use crate::elliptic::lattice::{HalfPeriod, Lattice};
+use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use crate::orientation::{ArgumentOffsets, Periods, solve_increasing};
 use crate::theta_quotient::{ThetaQuotient, zeros};
 use toytop::scalar::{Extended, Float, Ring};
@@ -71,11 +71,11 @@ impl E3EqualsE4 {
         // w₋₁/(2(e₃ - 1)) = √(s/2g) (l + n)/A, and w₊₁ likewise
         let quotient = |half, zero, momentum: Extended, point| {
             let rate_offset = real((time_scale * momentum / transverse_inertia).halved());
-            ThetaQuotient::through(&lattice, [half, HalfPeriod::Omega], zero, rate_offset, point)
+            ThetaQuotient::through(&lattice, [half, LatticeHalfPeriod::Omega], zero, rate_offset, point)
         };
         let integrals = motion.unrounded().integrals;
-        let alpha = quotient(HalfPeriod::OmegaPrime, a, integrals.l_plus_n, (highest, alpha_size));
-        let beta = quotient(HalfPeriod::Origin, b, -integrals.l_minus_n, (lowest, beta_size));
+        let alpha = quotient(LatticeHalfPeriod::OmegaPrime, a, integrals.l_plus_n, (highest, alpha_size));
+        let beta = quotient(LatticeHalfPeriod::Origin, b, -integrals.l_minus_n, (lowest, beta_size));
         let whole = imaginary(half.doubled());
         let rotations = [alpha.rotation(highest, whole), beta.rotation(lowest, whole)];
 
@@ -136,7 +136,7 @@ impl Solution {
     /// Time t and derivative dt/dy at x = iy.
     fn time(&self, y: Extended) -> (Extended, Extended) {
         let lattice = &self.alpha.lattice;
-        let zeta = lattice.log_slope(HalfPeriod::Omega, imaginary(y)).im;
+        let zeta = lattice.log_slope(LatticeHalfPeriod::Omega, imaginary(y)).im;
         let linear = lattice.sigma_exponent.doubled() - self.linear;
         let [shift, _] = lattice.half_periods;
         let [_, _, u_plus_e3] = lattice.differences(Complex::new(-shift, y));

@@ -12,7 +12,7 @@
 
 use crate::elliptic::carlson_rf;
 use crate::elliptic::elementary::{ValueAndSlope, imaginary, of_turns, real};
-use crate::elliptic::lattice::{HalfPeriod, Lattice};
+use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use crate::orientation::{ArgumentOffsets, Periods};
 use crate::theta_quotient::{ThetaQuotient, zeros};
 use toytop::scalar::{Extended, Float, Ring};
@@ -62,10 +62,16 @@ impl Lagrange {
         let (highest, lowest) = (real(half), Complex::ZERO);
         let [alpha_size, beta_size] = [e.one_plus_e2(), e.one_minus_e1()].map(|x| x.halved().sqrt());
         let quotient = |half, zero, point| {
-            ThetaQuotient::through(&lattice, [half, HalfPeriod::OmegaPrime], zero, Complex::ZERO, point)
+            ThetaQuotient::through(
+                &lattice,
+                [half, LatticeHalfPeriod::OmegaPrime],
+                zero,
+                Complex::ZERO,
+                point,
+            )
         };
-        let alpha = quotient(HalfPeriod::Origin, a, (highest, alpha_size));
-        let beta = quotient(HalfPeriod::Omega, b, (lowest, beta_size));
+        let alpha = quotient(LatticeHalfPeriod::Origin, a, (highest, alpha_size));
+        let beta = quotient(LatticeHalfPeriod::Omega, b, (lowest, beta_size));
         let whole = real(half.doubled());
         let rotations = [alpha.rotation(-highest, whole), beta.rotation(lowest, whole)];
 

@@ -2,7 +2,7 @@
 
 use crate::elliptic::agm::first_kind;
 use crate::elliptic::elementary::{ValueAndSlope, WideComplex, angle, complex_exp, quotient};
-use crate::elliptic::lattice::{HalfPeriod, Lattice};
+use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{BranchPoints, Phase, Signs};
 
@@ -17,14 +17,14 @@ pub(crate) struct ThetaQuotient {
     scale: Extended,
     pub(crate) rate: WideComplex,
     pub(crate) zero: WideComplex,
-    half_periods: [HalfPeriod; 2],
+    half_periods: [LatticeHalfPeriod; 2],
 }
 
 impl ThetaQuotient {
     /// Quotient with the zero a + h and the pole c, and the given modulus at x; the argument of k is arbitrary.
     pub(crate) fn through(
         lattice: &Lattice,
-        half_periods: [HalfPeriod; 2],
+        half_periods: [LatticeHalfPeriod; 2],
         zero: WideComplex,
         rate_offset: WideComplex,
         (x, size): (WideComplex, Extended),
@@ -45,8 +45,8 @@ impl ThetaQuotient {
 
     /// Change of the argument from `x` to `x` + `period`, without whole turns. The value must not be 0 at `x`.
     pub(crate) fn rotation(&self, x: WideComplex, period: WideComplex) -> Phase {
-        let quotient = self.at(x + period).value * self.at(x).value.conj();
-        angle(quotient.im, quotient.re).in_turns().to_phase()
+        let ratio = self.at(x + period).value * self.at(x).value.conj();
+        angle(ratio.im, ratio.re).in_turns().to_phase()
     }
 }
 

@@ -16,7 +16,7 @@ pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25>
         has_turning_points: true,
         twice_tip_scale: 0.06,
         x_rate: 421.27243,
-        slow_sum_rate: 5.170723,
+        mean_sum_rate: 5.170723,
         axial_rate: 150.0,
         first_phases: [3493103337845293056, 6120415215266720256, 14410232149199845632],
         exact_step: [[0.013164763137927308, -7.252620283208037e-19], [0.01196570325564672, 5.061285186898859e-19], [-0.011142757134816631, 4.0319524518681763e-19]],

@@ -48,10 +48,10 @@ static void count(void *context) { ++*(uint32_t *)context; }
 /* Sets up a table of the motion from a state at a tick, and prints the bits of three of its ticks. */
 static void set_up(toytop_ephemeris_f32 *table, const toytop_state *state, int64_t epoch) {
     static toytop_motion motion;
-    static toytop_set_up memory;
+    static toytop_workspace workspace;
     static toytop_error error;
     stop_if(toytop_launch(&top, state, &motion, &error), &error);
-    stop_if(toytop_f32_set_up_with_pauses(table, sizeof *table, &memory, &motion, toytop_hertz(1000), epoch, 0.0, count,
+    stop_if(toytop_f32_set_up_with_pauses(table, sizeof *table, &workspace, &motion, toytop_hertz(1000), epoch, 0.0, count,
                                       &calls, &error), &error);
     for (int64_t tick = 0; tick < 3; tick++) {
         toytop_ephemeris_sample now;

@@ -152,19 +152,19 @@ fn each_refused_set_up_has_a_status() {
     let mut words = [0_u64; TOYTOP_EPHEMERIS_F32_SIZE / 8];
     let table: *mut toytop_ephemeris_f32 = words.as_mut_ptr().cast();
     let size = size_of::<toytop_ephemeris_f32>();
-    let mut memory = Box::<toytop_set_up>::new_uninit();
-    let set_up = memory.as_mut_ptr();
+    let mut boxed = Box::<toytop_workspace>::new_uninit();
+    let memory = boxed.as_mut_ptr();
     let empty: toytop_motion = unsafe { MaybeUninit::zeroed().assume_init() };
     let [tick, never] = [1000, 0].map(|rate| toytop_hertz(rate));
-    let run = |table, size, set_up, motion: *const _, tick, truncation| unsafe {
+    let run = |table, size, memory, motion: *const _, tick, truncation| unsafe {
         let mut why = MaybeUninit::<toytop_error>::zeroed();
         let (none, error) = (null_mut(), why.as_mut_ptr());
         let status = toytop_f32_set_up_with_pauses(
-            table, size, set_up, motion, tick, 0, truncation, None, none, error,
+            table, size, memory, motion, tick, 0, truncation, None, none, error,
         );
         (status, why.assume_init())
     };
-    let good = || run(table, f32_size(16), set_up, motion, tick, 1e-2).0;
+    let good = || run(table, f32_size(16), memory, motion, tick, 1e-2).0;
     let read = || unsafe { toytop_f32_at_tick(table, 0, MaybeUninit::uninit().as_mut_ptr()) };
     assert_eq!(read(), TOYTOP_NOT_SET_UP);
     let odd = table.wrapping_byte_add(4);
@@ -173,20 +173,20 @@ fn each_refused_set_up_has_a_status() {
         (odd, size - 8, TOYTOP_BAD_MEMORY),
         (table, f32_size(8) - 1, TOYTOP_BAD_MEMORY),
     ] {
-        assert_eq!(run(table, size, set_up, motion, tick, 0.0).0, expected);
+        assert_eq!(run(table, size, memory, motion, tick, 0.0).0, expected);
     }
-    for (size, set_up, motion, tick, truncation, expected, line) in [
+    for (size, memory, motion, tick, truncation, expected, line) in [
         (size, null_mut(), motion as *const _, tick, 0.0, TOYTOP_NULL_POINTER, ""),
-        (size, set_up.wrapping_byte_add(4), motion, tick, 0.0, TOYTOP_BAD_MEMORY, ""),
-        (size, set_up, null(), tick, 0.0, TOYTOP_NULL_POINTER, ""),
-        (size, set_up, &empty, tick, 0.0, TOYTOP_NOT_SET_UP, ""),
-        (size, set_up, motion, never, 0.0, TOYTOP_OUT_OF_RANGE, "tick: must be a positive number"),
-        (size, set_up, motion, tick, f64::NAN, TOYTOP_OUT_OF_RANGE, "truncation: must be positive"),
-        (f32_size(16), set_up, motion, tick, 1e-12, TOYTOP_TABLE_TOO_SMALL, "table: must have more segments"),
+        (size, memory.wrapping_byte_add(4), motion, tick, 0.0, TOYTOP_BAD_MEMORY, ""),
+        (size, memory, null(), tick, 0.0, TOYTOP_NULL_POINTER, ""),
+        (size, memory, &empty, tick, 0.0, TOYTOP_NOT_SET_UP, ""),
+        (size, memory, motion, never, 0.0, TOYTOP_OUT_OF_RANGE, "tick: must be a positive number"),
+        (size, memory, motion, tick, f64::NAN, TOYTOP_OUT_OF_RANGE, "truncation: must be positive"),
+        (f32_size(16), memory, motion, tick, 1e-12, TOYTOP_TABLE_TOO_SMALL, "table: must have more segments"),
     ] {
         assert_eq!(good(), TOYTOP_OK);
         assert_eq!(read(), TOYTOP_OK);
-        let (status, why) = run(table, size, set_up, motion, tick, truncation);
+        let (status, why) = run(table, size, memory, motion, tick, truncation);
         assert_eq!(status, expected);
         assert!(text(&why).contains(line), "{}", text(&why));
         assert_eq!(why.segments, if status == TOYTOP_TABLE_TOO_SMALL { 16 } else { 0 });

@@ -25,8 +25,8 @@ fn other_work_in_between_gives_the_same_table() {
     for truncation in [0.0, 1e-4] {
         let [mut whole, mut interrupted] = [(); 2].map(|()| memory::<toytop_ephemeris_f64>());
         let (size, mut calls) = (size_of::<toytop_ephemeris_f64>(), 0_u32);
-        let mut set_up = Box::<toytop_set_up>::new_uninit();
-        let (table, set_up) = (interrupted.as_mut_ptr().cast(), set_up.as_mut_ptr());
+        let mut workspace = Box::<toytop_workspace>::new_uninit();
+        let (table, workspace) = (interrupted.as_mut_ptr().cast(), workspace.as_mut_ptr());
         let [on_stack, with_pauses] = unsafe {
             let context = (&raw mut calls).cast();
             [
@@ -34,7 +34,7 @@ fn other_work_in_between_gives_the_same_table() {
                 toytop_f64_set_up_with_pauses(
                     table,
                     size,
-                    set_up,
+                    workspace,
                     &motion,
                     TICK,
                     7,

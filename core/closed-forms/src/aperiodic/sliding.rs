@@ -17,7 +17,7 @@
 use crate::aperiodic::constants::{AperiodicConstants, AperiodicValues};
 use crate::elliptic::agm::{first_kind, first_kind_per_length};
 use crate::elliptic::elementary::{ValueAndSlope, WideComplex, angle, cis, imaginary, ln, real};
-use crate::elliptic::lattice::{HalfPeriod, Lattice};
+use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use crate::theta_quotient::ThetaQuotient;
 use toytop::Complex;
 use toytop::scalar::{Extended, Float, Ring};
@@ -74,18 +74,18 @@ impl Sliding {
         let log_power = (w_minus / w_plus).halved();
         let p = imaginary(-log_power);
         let rate_offset = real(w_minus.halved().halved() + w_minus / a_over_ps)
-            - p * (lattice.log_slope(HalfPeriod::Origin, a + b_point)
-                - lattice.log_slope(HalfPeriod::Origin, a - b_point));
+            - p * (lattice.log_slope(LatticeHalfPeriod::Origin, a + b_point)
+                - lattice.log_slope(LatticeHalfPeriod::Origin, a - b_point));
         let alpha = ThetaQuotient::through(
             &lattice,
-            [HalfPeriod::Origin, HalfPeriod::Sum],
+            [LatticeHalfPeriod::Origin, LatticeHalfPeriod::Sum],
             a,
             rate_offset,
             (b_point, one),
         );
 
         let of_log = -(a_over_ps / w_plus);
-        let zetas = lattice.log_slope(HalfPeriod::Sum, b_point).im;
+        let zetas = lattice.log_slope(LatticeHalfPeriod::Sum, b_point).im;
         let of_y = one + e1 / 3.0.into() - lattice.sigma_exponent.doubled() + of_log.doubled() * zetas;
         Self { lowest, upright, b, time_scale, time_factors: [of_y, of_log], alpha, log_power }
     }
@@ -109,7 +109,8 @@ impl Sliding {
     fn near(&self, left: Extended) -> (Extended, WideComplex) {
         // below this distance the theta function is linear to all digits
         const TINY: f64 = 1e-40;
-        let at = |left: Extended| (self.alpha.lattice.theta(HalfPeriod::Origin, imaginary(left)), left);
+        let at =
+            |left: Extended| (self.alpha.lattice.theta(LatticeHalfPeriod::Origin, imaginary(left)), left);
         let (theta, left) = at(if left.to_f64() < TINY { TINY.into() } else { left });
         (theta.value.modulus() / left, theta.log_slope() * imaginary(left))
     }
@@ -118,7 +119,7 @@ impl Sliding {
     fn log(&self, point: &AperiodicValues, position: &PathPosition) -> (Extended, WideComplex) {
         let (&PathPosition { y, left_per_below }, [one_minus_e1, ..]) = (position, self.upright);
         let (near, near_slope) = self.near(left_per_below * point.one_minus_u);
-        let far = self.alpha.lattice.theta(HalfPeriod::Origin, imaginary(-(y.abs() + self.b)));
+        let far = self.alpha.lattice.theta(LatticeHalfPeriod::Origin, imaginary(-(y.abs() + self.b)));
         let log_ratio = ln(left_per_below * near / far.value.modulus());
         let log = ln(one_minus_e1) + point.ln_sech.doubled() + log_ratio;
         // (1 - u)/(x - b) · (x - b) ϑ'(x - b)/ϑ(x - b)
@@ -130,7 +131,7 @@ impl Sliding {
     pub(super) fn time(&self, point: &AperiodicValues) -> Extended {
         let position = self.position(point);
         let [of_y, of_log] = self.time_factors;
-        let zeta = self.alpha.lattice.log_slope(HalfPeriod::Sum, imaginary(-position.y)).im;
+        let zeta = self.alpha.lattice.log_slope(LatticeHalfPeriod::Sum, imaginary(-position.y)).im;
         self.time_scale * (zeta + of_y * position.y + of_log * self.log(point, &position).0)
     }
 
@@ -139,10 +140,10 @@ impl Sliding {
         let position = self.position(point);
         let x = imaginary(-position.y);
         let [here, lowest] = [x, Complex::ZERO]
-            .map(|x| self.alpha.lattice.theta(HalfPeriod::Origin, x - self.alpha.zero).value);
-        let quotient = here * lowest.conj();
+            .map(|x| self.alpha.lattice.theta(LatticeHalfPeriod::Origin, x - self.alpha.zero).value);
+        let ratio = here * lowest.conj();
         let log = self.log_power * self.log(point, &position).0;
-        (self.alpha.rate * x).im + angle(quotient.im, quotient.re) + log
+        (self.alpha.rate * x).im + angle(ratio.im, ratio.re) + log
     }
 
     pub(super) fn alpha(&self, point: &AperiodicValues) -> ValueAndSlope {

@@ -23,13 +23,13 @@ pub(crate) struct Lattice {
     unit: WideComplex,
     /// Factors that make the slope of the first theta function and the values of the others 1 at 0.
     scales: [WideComplex; 4],
-    /// Coefficient κ in σ(z) = e^{κz²} ϑ₁(Uz)/(U ϑ₁'(0)).
+    /// Coefficient c in σ(z) = e^{cz²} ϑ₁(Uz)/(U ϑ₁'(0)).
     pub(crate) sigma_exponent: Extended,
 }
 
 /// Half period, or 0. A theta function is named by the half period at which it is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum HalfPeriod {
+pub(crate) enum LatticeHalfPeriod {
     Origin,
     Omega,
     OmegaPrime,
@@ -37,7 +37,7 @@ pub(crate) enum HalfPeriod {
     Sum,
 }
 
-impl HalfPeriod {
+impl LatticeHalfPeriod {
     /// Sum of 0 and a half period, or of ω and ω'.
     pub(crate) fn plus(self, other: Self) -> Self {
         if self == Self::Origin { other } else { Self::Sum }
@@ -90,25 +90,25 @@ impl Lattice {
         }
     }
 
-    /// Theta functions at Uz with their derivatives by z, in the order of [`HalfPeriod`], for z within a period of 0.
+    /// Theta functions at Uz with their derivatives by z, in the order of [`LatticeHalfPeriod`], for z within a period of 0.
     pub(crate) fn thetas(&self, z: WideComplex) -> [ValueAndSlope; 4] {
         let [one, two, four, three] = thetas(self.nome, self.unit * z).map(|theta| theta.by(self.unit));
         if self.is_rotated { [one, four, two, three] } else { [one, two, four, three] }
     }
 
     /// Theta function that is 0 at a half period. It costs as much as all four.
-    pub(crate) fn theta(&self, half: HalfPeriod, z: WideComplex) -> ValueAndSlope {
+    pub(crate) fn theta(&self, half: LatticeHalfPeriod, z: WideComplex) -> ValueAndSlope {
         let [origin, omega, omega_prime, sum] = self.thetas(z);
         match half {
-            HalfPeriod::Origin => origin,
-            HalfPeriod::Omega => omega,
-            HalfPeriod::OmegaPrime => omega_prime,
-            HalfPeriod::Sum => sum,
+            LatticeHalfPeriod::Origin => origin,
+            LatticeHalfPeriod::Omega => omega,
+            LatticeHalfPeriod::OmegaPrime => omega_prime,
+            LatticeHalfPeriod::Sum => sum,
         }
     }
 
     /// Logarithmic derivative of the theta function that is 0 at a half period.
-    pub(crate) fn log_slope(&self, half: HalfPeriod, z: WideComplex) -> WideComplex {
+    pub(crate) fn log_slope(&self, half: LatticeHalfPeriod, z: WideComplex) -> WideComplex {
         self.theta(half, z).log_slope()
     }
 
@@ -152,7 +152,7 @@ impl Lattice {
     /// σ(z) as a value and the exponent of a factor, and ζ(z).
     fn sigma_parts(&self, z: WideComplex) -> (WideComplex, WideComplex, WideComplex) {
         let (reduced, [n, m]) = self.reduced(z);
-        let theta = self.theta(HalfPeriod::Origin, reduced);
+        let theta = self.theta(LatticeHalfPeriod::Origin, reduced);
         // ϑ₁(v + nπ + mπτ) = (-1)^{n+m} q^{-m²} e^{-2imv} ϑ₁(v)
         let up = Extended::from(if self.is_rotated { n } else { m });
         let rate = -(self.unit.times_i().scaled(up.doubled()));

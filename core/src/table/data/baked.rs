@@ -152,7 +152,7 @@ macro_rules! baked {
                     ("rate_error_bound", range::finite(&self.rate_error_bound.numbers())),
                     ("twice_tip_scale", is_small(clock.twice_tip_scale)),
                     ("x_rate", is_small(clock.x_rate)),
-                    ("slow_sum_rate", is_small(clock.slow_sum_rate)),
+                    ("mean_sum_rate", is_small(clock.mean_sum_rate)),
                     ("axial_rate", is_small(clock.axial_rate)),
                     ("segments", segments.is_empty()),
                     ("cells", self.has_segments_of_cells()),

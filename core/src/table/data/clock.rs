@@ -9,7 +9,7 @@ use crate::scalar::{Extended, Float};
 /// |---|---|
 /// | orientation at a tick | `first_phases`, `step` |
 /// | orientation at a time | also `ticks_per_time`, `exact_step` |
-/// | tip, angular velocity | `twice_tip_scale`; `x_rate`, `slow_sum_rate`, `axial_rate` |
+/// | tip, angular velocity | `twice_tip_scale`; `x_rate`, `mean_sum_rate`, `axial_rate` |
 /// | tip angle | `tip_start`, `tip_step`, `tip_start_quarter_turns`, `tip_sign_changes`, `tip_exists` |
 /// | events, error bounds | `has_turning_points`; `epoch` |
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +30,7 @@ pub struct Clock<W> {
     /// Rate dx/dt on a segment of an eighth of half a period, /s.
     pub x_rate: W,
     /// Rate of Λ_α + Λ_β, rad/s.
-    pub slow_sum_rate: W,
+    pub mean_sum_rate: W,
     /// Angular velocity (n - K)/C about the axis, rad/s.
     pub axial_rate: W,
     /// Nutation phase and mean phases at tick `i64::MIN`, in units of 2^-64 turns.
@@ -56,7 +56,7 @@ impl<W: Float> Clock<W> {
         has_turning_points: false,
         twice_tip_scale: W::ZERO,
         x_rate: W::ZERO,
-        slow_sum_rate: W::ZERO,
+        mean_sum_rate: W::ZERO,
         axial_rate: W::ZERO,
         first_phases: [0; 3],
         exact_step: [[0.0; 2]; 3],
@@ -71,7 +71,7 @@ impl<W: Copy> Clock<W> {
     /// Rates of x on a segment of an eighth of half a period, of Λ_α + Λ_β, and about the axis.
     #[inline(always)]
     pub(crate) const fn rates(&self) -> [W; 3] {
-        [self.x_rate, self.slow_sum_rate, self.axial_rate]
+        [self.x_rate, self.mean_sum_rate, self.axial_rate]
     }
 
     #[inline(always)]

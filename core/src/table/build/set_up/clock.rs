@@ -47,7 +47,7 @@ impl<W: Float> Clock<W> {
             twice_tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
             // x changes by 2 over each segment
             x_rate: W::from_f64(4.0 * LEAST_SEGMENTS as f64 * frequency.to_f64()),
-            slow_sum_rate: W::from_f64(((alpha + beta) * Extended::TWO_PI).to_f64()),
+            mean_sum_rate: W::from_f64(((alpha + beta) * Extended::TWO_PI).to_f64()),
             axial_rate: W::from_f64(motion.first_integrals().spin),
             first_phases,
             exact_step: exact_step.map(Extended::to_f64_pair),

@@ -68,7 +68,7 @@ fn definition<R: TableScalar>(title: &TableTitle, table: &EphemerisView<R>) -> S
     let rows: Vec<_> = rows.map(|row| format!("    {{{}}},\n", row.map(number).join(", "))).collect();
     let clock = table.clock();
     let scales =
-        [clock.twice_tip_scale, clock.x_rate, clock.slow_sum_rate, clock.axial_rate].map(Float::to_f64);
+        [clock.twice_tip_scale, clock.x_rate, clock.mean_sum_rate, clock.axial_rate].map(Float::to_f64);
     format!(
         "static const {coefficient} {name}_coefficients[{count}][4] = {{
 {rows}}};
