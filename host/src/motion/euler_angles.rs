@@ -7,10 +7,10 @@ use toytop::{Complex, Orientation};
 /// the two is 0.
 pub fn tilt_azimuth_roll(phi: &Orientation<f64>) -> [f64; 3] {
     let Orientation { alpha, beta } = *phi;
-    let tilt = 2.0 * beta.modulus().atan2(alpha.modulus());
+    let tilt = 2.0 * modulus(beta).atan2(modulus(alpha));
     // alpha = cos(tilt/2) exp(i (azimuth + roll)/2), beta = -sin(tilt/2) exp(i (azimuth - roll)/2)
     let argument = |z: Complex<f64>| z.im.atan2(z.re);
-    let (azimuth, roll) = match [alpha.modulus(), beta.modulus()] {
+    let (azimuth, roll) = match [modulus(alpha), modulus(beta)] {
         [_, 0.0] => (0.0, 2.0 * argument(alpha)),
         [0.0, _] => (2.0 * argument(-beta), 0.0),
         _ => (argument(alpha) + argument(-beta), argument(alpha) - argument(-beta)),
@@ -22,6 +22,11 @@ pub fn tilt_azimuth_roll(phi: &Orientation<f64>) -> [f64; 3] {
 pub fn zxz(phi: &Orientation<f64>) -> [f64; 3] {
     let [tilt, azimuth, roll] = tilt_azimuth_roll(phi);
     [wrapped(azimuth + 0.5 * PI), tilt, wrapped(roll - 0.5 * PI)]
+}
+
+/// Modulus also of a number whose square underflows, unlike [`Complex::modulus`].
+fn modulus(z: Complex<f64>) -> f64 {
+    z.re.hypot(z.im)
 }
 
 /// Angle in (-π, π] that differs by whole turns.

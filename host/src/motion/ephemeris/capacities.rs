@@ -5,7 +5,7 @@ use super::{DynEphemeris, HeapTable, TableScalar};
 use crate::Failure;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
-use toytop::{Ephemeris, EphemerisMemory, EphemerisView, Motion, SetUpError, Tick, Workspace};
+use toytop::{Ephemeris, EphemerisMemory, EphemerisView, Motion, Regime, SetUpError, Tick, Workspace};
 use toytop_model::constants::MotionConstants;
 
 /// Capacities among which the smallest is chosen, in ascending order.
@@ -46,15 +46,17 @@ pub fn smallest_ephemeris(
     let EphemerisOptions { scalar, tick, truncation } = options.into();
     let constants = MotionConstants::new(*motion);
     let tick = tick.unwrap_or_else(|| constants.tick());
-    match (AperiodicEphemeris::new(&constants), scalar) {
-        (Some(closed_form), Scalar::F64) => Ok(Box::new(closed_form)),
-        (Some(_), _) => {
+    match scalar {
+        Scalar::F64 => match AperiodicEphemeris::new(&constants) {
+            Some(closed_form) => Ok(Box::new(closed_form)),
+            None => table::<f64>(motion, tick, truncation),
+        },
+        _ if motion.regime() == Regime::Aperiodic => {
             Err(Failure::Method("an aperiodic motion has a closed form in f64, and no table".into()))
         }
-        (None, Scalar::F64) => table::<f64>(motion, tick, truncation),
-        (None, Scalar::F32) => table::<f32>(motion, tick, truncation),
-        (None, Scalar::Q31) => table::<I2F30>(motion, tick, truncation),
-        (None, Scalar::Q15) => table::<I2F14>(motion, tick, truncation),
+        Scalar::F32 => table::<f32>(motion, tick, truncation),
+        Scalar::Q31 => table::<I2F30>(motion, tick, truncation),
+        Scalar::Q15 => table::<I2F14>(motion, tick, truncation),
     }
 }
 
