@@ -43,7 +43,7 @@ pub const REFERENCE_PER_PERIOD: f64 = 5e-14;
 
 // events/impulse.rs
 pub const IMPULSE_BALANCES: [f64; 2] = [1e-13, 5e-15];
-pub const IMPULSE_WITHOUT_EFFECT: [f64; 2] = [2e-15; 2];
+pub const IMPULSE_WITHOUT_EFFECT: f64 = 2e-15;
 
 // events/instants.rs
 pub const EVENTS_F64: [f64; 3] = [6e-15, 6e-15, 2e-16];

@@ -87,7 +87,7 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     } else {
         &[SampleColumn::ErrorBound]
     };
-    // JSON always contains error_bound
+    // JSON always contains the bound
     if format == Format::Json {
         columns.extend(json_columns.iter().filter(|column| !arguments.columns.contains(column)));
     }
