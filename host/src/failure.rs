@@ -1,6 +1,5 @@
 //! Failures of a command, with their exit codes.
 
-use crate::input::text_file::excerpt;
 use std::fmt;
 use std::io;
 
@@ -81,4 +80,11 @@ fn one_line(message: &str) -> String {
         len if len > 3 * ENDS => text(&characters[..ENDS]) + " ... " + &text(&characters[len - ENDS..]),
         _ => text(&characters),
     }
+}
+
+/// Beginning of a text of the input, short enough for a message.
+pub fn excerpt(text: &str) -> String {
+    const MAX_LENGTH: usize = 60;
+    let beginning: String = text.chars().take(MAX_LENGTH).collect();
+    if beginning.len() < text.len() { format!("{beginning}...") } else { beginning }
 }

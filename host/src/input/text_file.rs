@@ -1,5 +1,7 @@
 //! Text of a file, and its beginning for a message.
 
+pub use crate::failure::excerpt;
+
 use crate::Failure;
 use std::fs::File;
 use std::io::Read;
@@ -20,11 +22,4 @@ pub fn read(name: &str, path: &Path, most_mebibytes: u64) -> Result<String, Fail
         return Err(refuse(format!("must be at most {most_mebibytes} MiB")));
     }
     String::from_utf8(bytes).map_err(|_| refuse("must be UTF-8".to_owned()))
-}
-
-/// Beginning of a text of the input, short enough for a message.
-pub fn excerpt(text: &str) -> String {
-    const MAX_LENGTH: usize = 60;
-    let beginning: String = text.chars().take(MAX_LENGTH).collect();
-    if beginning.len() < text.len() { format!("{beginning}...") } else { beginning }
 }
