@@ -18,9 +18,9 @@ pub enum toytop_status {
     TOYTOP_OUT_OF_RANGE = 3,
     /// The memory of a table is too small for the motion; the error says how many segments are not enough.
     TOYTOP_TABLE_TOO_SMALL = 4,
-    /// The memory of a table or of a set-up is not aligned, or that of a table is smaller than for 8 segments.
+    /// The memory of a table or a workspace is not aligned, or that of a table is smaller than for 8 segments.
     TOYTOP_BAD_MEMORY = 5,
-    /// A table, motion, set-up, cursor or sample was not made by this library, or its set-up failed or has not ended.
+    /// A table, motion, cursor or sample was not made by this library, or its set-up failed or has not ended.
     TOYTOP_NOT_SET_UP = 6,
     /// The motion has no such event, angle or derivative.
     TOYTOP_NONE = 7,
@@ -54,8 +54,8 @@ const TEXTS: [&CStr; 9] = [
     c"a parameter must be a finite number",
     c"a parameter is out of its allowed range",
     c"table: must have more segments for this motion",
-    c"table or set-up: must be aligned to 8 bytes, and a table must hold at least 8 segments",
-    c"table, motion, set-up, cursor or sample: must be made first",
+    c"table or workspace: must be aligned to 8 bytes, and a table must hold at least 8 segments",
+    c"table, motion, cursor or sample: must be made first",
     c"the motion has no such event, angle or derivative",
     c"an aperiodic motion has no table",
 ];

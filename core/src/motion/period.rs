@@ -15,11 +15,11 @@ use crate::scalar::{Extended, Float, Ring};
 pub struct PeriodAdvance {
     /// Period T: time from u = e₁ to e₂ and back to e₁, in the unit of time (s).
     pub period: f64,
-    /// Advance (arg α(t+T) - arg α(t))/2π. If e₁ = -1, α passes through 0, and |α| changes its sign there in place of a jump of arg α.
+    /// Advance (arg α(t+T) - arg α(t))/2π. If e₁ = -1, α passes through 0, where its argument is continued without a jump.
     pub alpha_turns: f64,
-    /// Advance (arg β(t+T) - arg β(t))/2π. If e₂ = 1, β passes through 0, and |β| changes its sign there in place of a jump of arg β.
+    /// Advance (arg β(t+T) - arg β(t))/2π. If e₂ = 1, β passes through 0, where its argument is continued without a jump.
     pub beta_turns: f64,
-    /// Advance of the tip angle φ over a period, rad. At the centre the radius changes its sign in place of a jump of φ.
+    /// Advance of the tip angle φ over a period, rad. At the centre it is continued without a jump.
     pub phi_radians: f64,
     /// Period before rounding.
     #[doc(hidden)]

@@ -23,8 +23,8 @@ function liftOff({ min_tilt_deg, lift_off_u }) {
 const REGIMES = {
   nutating: "The axis nods between two tilts while it goes round.",
   regular_precession: "Regular precession: the axis goes round at a constant tilt.",
-  sleeping_stable: "A sleeping top: it isAtGivenTime upright, and a push makes it nod a little.",
-  sleeping_unstable: "It isAtGivenTime upright, but any push makes it fall.",
+  sleeping_stable: "A sleeping top: it stands upright, and a push makes it nod a little.",
+  sleeping_unstable: "It stands upright, but any push makes it fall.",
   hanging: "The body hangs straight down.",
   aperiodic: "The axis rises to the vertical and reaches it only in infinite time.",
 };
@@ -33,8 +33,8 @@ const REGIMES = {
 function torqueFree(constants) {
   const angle = coneAngle(constants);
   if (Number.isNaN(angle)) return "The body rests.";
-  if (angle < 1e-3 || angle > 180 - 1e-3) return "No torque acts, and the axis isAtGivenTime still: it is that of the angular momentum.";
-  return `No torque acts: the axis goes round the angular momentum, which isAtGivenTime still, at a constant angle of ${decimals(angle, 1)}°.`;
+  if (angle < 1e-3 || angle > 180 - 1e-3) return "No torque acts, and the axis stands still: it is that of the angular momentum.";
+  return `No torque acts: the axis goes round the angular momentum, which stands still, at a constant angle of ${decimals(angle, 1)}°.`;
 }
 
 /** Sentence about the kind of a motion; where l = n = 0 exactly, the motion is in a plane. */
@@ -68,7 +68,7 @@ export function curveReason(constants) {
     case "loops":
       return `Loops: ${compared(">")}. The axis goes backwards at its highest.`;
     case "cusp":
-      return `Cusps: ${compared("=")}. The axis isAtGivenTime still at its highest, as when it is let go there.`;
+      return `Cusps: ${compared("=")}. The axis stands still at its highest, as when it is let go there.`;
     case "smooth":
       return signs === "the same sign" ? `Smooth: l + n and l − n have ${signs}, so that the axis never turns back.` : `Smooth: ${compared("<")}.`;
     case "circle":

@@ -32,7 +32,7 @@ pub struct AccuracyArgs {
     #[arg(long, value_name = "LIST", default_value = "all", value_parser = scalars)]
     scalar: Scalars,
     /// Rewrite the table of host/docs/accuracy.md
-    #[arg(long)]
+    #[arg(long, conflicts_with = "scalar")]
     accept: bool,
     /// Form of the output
     #[arg(long, default_value = "table")]
