@@ -41,15 +41,20 @@ impl<const WORDS: usize> Landen<WORDS> {
     /// Modulus whose transformation is negligible.
     const LEAST_MODULUS: f64 = if WORDS == 1 { 2e-20 } else { 1e-33 };
 
-    /// Sequence for m and m₁ = 1 - m, each given with full relative precision.
-    #[inline(never)]
-    pub(super) fn new([m, m1]: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) -> Self {
+    /// Sequence without steps.
+    pub(super) const EMPTY: Self = {
         let zero = Wide::ZERO;
-        let unused = LandenStep { modulus: zero, complement: zero, is_near_one: false, scaled_modulus: zero };
-        let mut landen = Self { steps: [unused; LANDEN_STEPS], scale: Wide::ONE };
+        let step = LandenStep { modulus: zero, complement: zero, is_near_one: false, scaled_modulus: zero };
+        Self { steps: [step; LANDEN_STEPS], scale: Wide::ONE }
+    };
+
+    /// Fills an empty sequence for m and m₁ = 1 - m, each given with full relative precision. It is filled in place, because a sequence that
+    /// is returned takes a kilobyte more of stack.
+    #[inline(never)]
+    pub(super) fn fill(&mut self, [m, m1]: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) {
         // k₁ = (1 - k')/(1 + k') = k²/(1 + k')²,  k₁' = 2 √k'/(1 + k')
         let (mut modulus_squared, mut conjugate) = (m, m1.sqrt());
-        for step in &mut landen.steps {
+        for step in &mut self.steps {
             let per_sum = Wide::ONE / (Wide::ONE + conjugate);
             let modulus = modulus_squared * per_sum.squared();
             if modulus.to_f64() <= Self::LEAST_MODULUS {
@@ -62,11 +67,10 @@ impl<const WORDS: usize> Landen<WORDS> {
             modulus_squared = modulus.squared();
             pause();
         }
-        for step in landen.steps.iter_mut().rev().filter(|step| step.modulus > zero) {
-            step.scaled_modulus = step.modulus * landen.scale;
-            landen.scale = landen.scale * (Wide::ONE + step.modulus).squared();
+        for step in self.steps.iter_mut().rev().filter(|step| step.modulus > Wide::ZERO) {
+            step.scaled_modulus = step.modulus * self.scale;
+            self.scale = self.scale * (Wide::ONE + step.modulus).squared();
         }
-        landen
     }
 
     fn active_steps(&self) -> impl DoubleEndedIterator<Item = &LandenStep<Wide<WORDS>>> {
@@ -140,7 +144,9 @@ mod tests {
     fn the_number_of_nodes_is_known_beforehand() {
         let [half, small, least] = [0.5, 1e-15, 1e-300].map(|m1| {
             let m1 = Extended::from(m1);
-            Landen::new([Extended::ONE - m1, m1], &mut || {})
+            let mut landen = Landen::EMPTY;
+            landen.fill([Extended::ONE - m1, m1], &mut || {});
+            landen
         });
         let (bits, expected) = (half.bits_per_node(), 2.0 * core::f64::consts::PI / core::f64::consts::LN_2);
         assert!((bits / expected - 1.0).abs() < 0.02, "{bits}");

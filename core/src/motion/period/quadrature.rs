@@ -15,7 +15,8 @@ impl Period {
     ) -> Self {
         let elliptic = EllipticEquations::new(equations);
         pause();
-        let landen = Landen::new(elliptic.parameters, pause);
+        let mut landen = Landen::EMPTY;
+        landen.fill(elliptic.parameters, pause);
         let (nodes, needed) = landen.node_counts(TrapezoidRule::<WORDS>::BITS);
         let mut rule = TrapezoidRule::new(&elliptic, &landen, nodes, pause);
         // beyond twice the number needed only roundings are left
@@ -196,7 +197,8 @@ mod tests {
         let equations = Motion::launch(&top, &state).unwrap().equations();
         let first = Period::integrated(&equations, &mut || {});
         let elliptic = EllipticEquations::new(&equations);
-        let landen = Landen::new(elliptic.parameters, &mut || {});
+        let mut landen = Landen::EMPTY;
+        landen.fill(elliptic.parameters, &mut || {});
         let (nodes, _) = landen.node_counts(TrapezoidRule::<2>::BITS);
         let mut pause = || {};
         let mut rule = TrapezoidRule::new(&elliptic, &landen, nodes, &mut pause);
