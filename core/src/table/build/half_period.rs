@@ -27,6 +27,7 @@ use super::path::{Path, PathPoint, SpanMemory};
 use super::polynomial::Polynomial;
 use crate::motion::Motion;
 use crate::motion::cayley_klein::Ellipses;
+use crate::motion::period::Period;
 use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::{Extended, Float, Ring};
 use crate::table::data::cell::{CELLS, Cell, LEAST_DEPTH};
@@ -85,18 +86,24 @@ impl HalfPeriod {
     ) -> Option<Extended> {
         let mut period = None;
         if !motion.is_steady() {
-            *equations = motion.equations();
+            set_equations(motion, equations);
             pause();
             period = match R::PERIOD_WORDS {
                 1 => motion.period::<1>(equations, pause),
                 _ => motion.period::<2>(equations, pause),
             };
         }
-        *self = Self::ZERO;
-        self.mean_rates = MeanRates::new(motion, period.as_ref());
-        self.launch = LaunchPlace::new(motion);
+        self.start(motion, period.as_ref());
         pause();
         period.map(|period| period.time.halved())
+    }
+
+    /// Sets the mean rates and the phases of the launch.
+    #[inline(never)] // neither must stay on the stack of the quadrature
+    fn start(&mut self, motion: &Motion, period: Option<&Period>) {
+        *self = Self::ZERO;
+        self.mean_rates = MeanRates::new(motion, period);
+        self.launch = LaunchPlace::new(motion);
     }
 
     /// Follows the motion from u = e₁ to u = e₂; `None` if the segments are too many.
@@ -196,4 +203,9 @@ impl HalfPeriod {
         }
         Some(bounds)
     }
+}
+
+#[inline(never)] // a copy of them must not stay on the stack of the quadrature
+fn set_equations(motion: &Motion, equations: &mut PhaseEquations<Extended>) {
+    *equations = motion.equations();
 }
