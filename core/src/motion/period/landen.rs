@@ -17,6 +17,8 @@ pub(super) struct Landen<const WORDS: usize> {
     steps: [LandenStep<Wide<WORDS>>; LANDEN_STEPS],
     /// Product of (1 + k)² over all steps.
     scale: Wide<WORDS>,
+    /// Number of steps, from the first, with 1 - k <= 1/8.
+    steps_near_one: usize,
 }
 
 /// Largest number of nodes on half a period. A motion with m₁ = 1e-300 needs 2560.
@@ -28,8 +30,6 @@ struct LandenStep<F> {
     modulus: F,
     /// Difference 1 - k.
     complement: F,
-    /// Whether 1 - k <= 1/8.
-    is_near_one: bool,
     /// Modulus times the product of (1 + k)² over the steps to smaller moduli.
     scaled_modulus: F,
 }
@@ -44,8 +44,8 @@ impl<const WORDS: usize> Landen<WORDS> {
     /// Sequence without steps.
     pub(super) const EMPTY: Self = {
         let zero = Wide::ZERO;
-        let step = LandenStep { modulus: zero, complement: zero, is_near_one: false, scaled_modulus: zero };
-        Self { steps: [step; LANDEN_STEPS], scale: Wide::ONE }
+        let step = LandenStep { modulus: zero, complement: zero, scaled_modulus: zero };
+        Self { steps: [step; LANDEN_STEPS], scale: Wide::ONE, steps_near_one: 0 }
     };
 
     /// Fills an empty sequence for m and m₁ = 1 - m, each given with full relative precision. It is filled in place, because a sequence that
@@ -61,8 +61,8 @@ impl<const WORDS: usize> Landen<WORDS> {
                 break;
             }
             let complement = conjugate.doubled() * per_sum;
-            let is_near_one = complement.to_f64() <= 0.125;
-            *step = LandenStep { modulus, complement, is_near_one, scaled_modulus: modulus };
+            *step = LandenStep { modulus, complement, scaled_modulus: modulus };
+            self.steps_near_one += usize::from(complement.to_f64() <= 0.125);
             conjugate = conjugate.sqrt().doubled() * per_sum;
             modulus_squared = modulus.squared();
             pause();
@@ -73,7 +73,7 @@ impl<const WORDS: usize> Landen<WORDS> {
         }
     }
 
-    fn active_steps(&self) -> impl DoubleEndedIterator<Item = &LandenStep<Wide<WORDS>>> {
+    fn active_steps(&self) -> impl Iterator<Item = &LandenStep<Wide<WORDS>>> {
         self.steps.iter().filter(|step| step.modulus > Wide::ZERO)
     }
 
@@ -119,13 +119,15 @@ impl<const WORDS: usize> Landen<WORDS> {
         // X without its constant factors (1 + k)²
         let (mut x, mut y, mut w) = (sine.squared(), cosine.squared(), Wide::ONE);
         let (mut sum, mut difference) = (Wide::ONE, Wide::ONE);
-        for LandenStep { modulus, complement, is_near_one, scaled_modulus } in
-            self.active_steps().rev().copied()
-        {
+        for (number, step) in self.steps.iter().enumerate().rev() {
+            let LandenStep { modulus, complement, scaled_modulus } = *step;
+            if modulus == Wide::ZERO {
+                continue;
+            }
             let kx = scaled_modulus * x;
             sum = w + kx;
             // W - k X = (1 - k) W + k Y, whose rounding error is smaller where k is near 1
-            difference = if is_near_one { complement * w + modulus * y } else { w - kx };
+            difference = if number < self.steps_near_one { complement * w + modulus * y } else { w - kx };
             y = y * (difference + complement * kx);
             x = x * w;
             w = sum.squared();
