@@ -19,7 +19,7 @@ fn main() -> ! {
     let memory = singleton!(: EphemerisMemory<EphemerisF64> = EphemerisMemory::new()).expect("taken once");
     let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
-    let ephemeris = memory.set_up(set_up, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+    let ephemeris = memory.set_up(workspace, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
     let ErrorBound { constant, per_tick } = ephemeris.error_bound();
     defmt::info!("at tick n within {=f64} rad + n * {=f64}", constant, per_tick);
 
