@@ -37,7 +37,9 @@ impl Interval {
 
     /// Equal parts of this depth.
     pub(super) fn parts(self, depth: u32) -> impl Iterator<Item = Self> {
-        (self.begin..self.end()).step_by(HALF_PERIOD >> depth).map(move |begin| Self { begin, depth })
+        (self.begin..self.end())
+            .step_by((HALF_PERIOD >> depth).max(1))
+            .map(move |begin| Self { begin, depth })
     }
 }
 
