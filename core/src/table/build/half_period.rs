@@ -160,7 +160,7 @@ impl HalfPeriod {
                 }
                 depth += 1;
             };
-            let Cell(entry) = Cell::new(self.segments, position / (HALF_PERIOD >> depth), depth);
+            let Cell(entry) = Cell::new(self.segments, position >> (Cell::DEEPEST - depth), depth);
             self.cells
                 .iter_mut()
                 .skip(position / CELL)

@@ -37,9 +37,8 @@ impl Interval {
 
     /// Equal parts of this depth.
     pub(super) fn parts(self, depth: u32) -> impl Iterator<Item = Self> {
-        (self.begin..self.end())
-            .step_by((HALF_PERIOD >> depth).max(1))
-            .map(move |begin| Self { begin, depth })
+        let count = 1_usize << depth.saturating_sub(self.depth);
+        (0..count).map(move |index| Self { begin: self.begin + index * (HALF_PERIOD >> depth), depth })
     }
 }
 
