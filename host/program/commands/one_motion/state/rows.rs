@@ -1,11 +1,12 @@
 //! Samples as rows of CSV, JSON or blocks of aligned lines, one at a time, because the text of all of them may not fit into memory.
 
+use serde_json::Value;
 use toytop::Support;
 use toytop_host::input::scenario::Units;
 use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::sample::Sample;
 use toytop_host::output::table::TextTable;
-use toytop_host::output::{Format, number, short};
+use toytop_host::output::{Format, csv_line, json, short};
 
 /// Columns of the rows, the units of their numbers, and the form in which they are written.
 pub struct Rows {
@@ -34,24 +35,17 @@ impl Rows {
 
     /// Row of this index.
     pub fn row(&self, index: u64, sample: &Sample) -> String {
-        let texts = |column: &SampleColumn, absent: &str| -> Vec<String> {
-            let text = |x: f64| if x.is_finite() { number(x) } else { absent.to_owned() };
-            column.numbers(sample).into_iter().map(text).collect()
+        let entry = |column: &SampleColumn| {
+            let numbers = column.numbers(sample);
+            let value: Value = if let [x] = numbers[..] { x.into() } else { numbers.into() };
+            (column.key(), value)
         };
         let between = |text: &str| if index == 0 { String::new() } else { text.to_owned() };
         match self.format {
             Format::Csv => {
-                let fields: Vec<_> = self.columns.iter().flat_map(|column| texts(column, "")).collect();
-                fields.join(",") + "\n"
+                csv_line(self.columns.iter().flat_map(|column| column.numbers(sample)).map(Value::from))
             }
-            Format::Json => {
-                let entry = |column: &SampleColumn| match &texts(column, "null")[..] {
-                    [text] => format!("\"{}\":{text}", column.key()),
-                    list => format!("\"{}\":[{}]", column.key(), list.join(",")),
-                };
-                let entries: Vec<_> = self.columns.iter().map(entry).collect();
-                format!("{}{{{}}}", between(","), entries.join(","))
-            }
+            Format::Json => between(",") + &json(&self.columns.iter().map(entry).collect::<Value>()),
             Format::Table => between("\n") + &self.block(sample),
         }
     }
