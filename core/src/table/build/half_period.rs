@@ -151,7 +151,7 @@ impl HalfPeriod {
             let (cell, bounds) = loop {
                 let cell = Interval { begin: position, depth: depth.min(CELLS.ilog2()) };
                 let remainder = (HALF_PERIOD - cell.end()).div_ceil(HALF_PERIOD >> LEAST_DEPTH);
-                let count = self.segments + (1 << (depth - cell.depth)) + remainder;
+                let count = self.segments + cell.part_count(depth) + remainder;
                 if depth > Cell::DEEPEST || count > path.limits.capacity {
                     return None;
                 }
@@ -166,7 +166,7 @@ impl HalfPeriod {
                 .skip(position / CELL)
                 .take(cell.length() / CELL)
                 .for_each(|cell| *cell = entry);
-            self.segments += 1 << (depth - cell.depth);
+            self.segments += cell.part_count(depth);
             self.bounds.include(&bounds);
             position = cell.end();
         }

@@ -35,10 +35,15 @@ impl Interval {
         unit * (self.begin + self.end()) as i64 + Phase::from_turns(0.5 * x * self.half_length())
     }
 
+    /// Number of equal parts of this depth.
+    pub(super) fn part_count(self, depth: u32) -> usize {
+        1 << depth.saturating_sub(self.depth)
+    }
+
     /// Equal parts of this depth.
     pub(super) fn parts(self, depth: u32) -> impl Iterator<Item = Self> {
-        let count = 1_usize << depth.saturating_sub(self.depth);
-        (0..count).map(move |index| Self { begin: self.begin + index * (HALF_PERIOD >> depth), depth })
+        (0..self.part_count(depth))
+            .map(move |index| Self { begin: self.begin + index * (HALF_PERIOD >> depth), depth })
     }
 }
 
