@@ -40,5 +40,5 @@ pub mod score;
 
 pub mod pictures;
 
-pub use failure::Failure;
+pub use failure::{Failure, excerpt};
 pub use terminal::stdout::Report;

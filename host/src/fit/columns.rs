@@ -1,10 +1,10 @@
 //! Samples by column, and their CSV. A row has a time and the readings of the sensors; an empty field is no reading.
 
 use super::sensors::Sensors;
-use crate::Failure;
-use crate::input::text_file::{self, excerpt};
+use crate::input::text_file;
 use crate::input::{finite, rows};
 use crate::output::csv_line;
+use crate::{Failure, excerpt};
 use serde_json::Value;
 use std::iter::once;
 use std::path::Path;

@@ -1,8 +1,8 @@
 //! Sensors of a recording: their noise, bias, range and mounting, from a TOML file.
 
-use crate::Failure;
 use crate::input::section::{self, Key, Section};
-use crate::input::text_file::{self, excerpt};
+use crate::input::text_file;
+use crate::{Failure, excerpt};
 use std::path::Path;
 use toml::Value;
 use toytop::{Orientation, Support, Top};

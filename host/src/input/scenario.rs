@@ -9,9 +9,9 @@ mod top;
 pub use motion::{Launch, fastest_rate};
 
 use super::section::{self, Key, Section};
-use super::text_file::{self, excerpt};
+use super::text_file;
 use super::units::{self, DEGREES, RADIANS};
-use crate::Failure;
+use crate::{Failure, excerpt};
 use std::fmt::Display;
 use std::path::Path;
 use toml::{Table, Value};

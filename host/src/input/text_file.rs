@@ -1,6 +1,4 @@
-//! Text of a file, and its beginning for a message.
-
-pub use crate::failure::excerpt;
+//! Text of a file.
 
 use crate::Failure;
 use std::fs::File;

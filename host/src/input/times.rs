@@ -1,9 +1,9 @@
 //! Times at which a motion is computed: times or ticks on the command line, or a file of times.
 
 use super::axis::Axis;
-use super::text_file::{self, excerpt};
+use super::text_file;
 use super::{finite, require_within};
-use crate::Failure;
+use crate::{Failure, excerpt};
 use clap::Args;
 use std::path::{Path, PathBuf};
 

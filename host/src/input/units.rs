@@ -1,6 +1,6 @@
 //! Numbers with units, as `"30 g"`, in place of numbers in the units of their keys.
 
-use super::text_file::excerpt;
+use crate::excerpt;
 use std::f64::consts::PI;
 
 /// Units of a quantity as (name, m, d): x in such a unit is x m/d in the first unit, which is the key's. The two factors give `"30 g"` the

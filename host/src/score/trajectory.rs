@@ -1,9 +1,9 @@
 //! Trajectory of a CSV file: columns by name, and statements about the run in comment lines above the header.
 
-use crate::Failure;
 use crate::input::finite;
 use crate::input::rows;
-use crate::input::text_file::{self, excerpt};
+use crate::input::text_file;
+use crate::{Failure, excerpt};
 use csv::StringRecord;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 use std::path::Path;

@@ -55,7 +55,7 @@ impl Constants {
         })
     }
 
-    /// Derivatives of the integrals with respect to x, at the half_phase from + x (to - from).
+    /// Derivatives of the integrals with respect to x, at the half phase `from` + x (`to` - `from`).
     fn rates(&self, from: &HalfPhase, to: &HalfPhase, x: &Float640) -> Integrals {
         let half_phase = between(from, to, x);
         let linear_factors = self.linear_factors(&half_phase);

@@ -1,9 +1,8 @@
 //! Benchmark problems: tops that the tests and papers of other integrators use, with reference values to 30 digits.
 
 use serde::Deserialize;
-use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
-use toytop_host::input::text_file::excerpt;
+use toytop_host::{Failure, excerpt};
 
 macro_rules! files {
     ($($name:literal)*) => { [$((

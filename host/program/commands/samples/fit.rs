@@ -12,10 +12,9 @@ use toytop_host::fit::input::{FREE_KEYS, FitInput};
 use toytop_host::fit::sensors::{Body, Sensors};
 use toytop_host::fit::solve::fit_launch;
 use toytop_host::input::scenario::ScenarioFile;
-use toytop_host::input::text_file::excerpt;
 use toytop_host::output::{self, Format};
 use toytop_host::pictures::drawing::{self, residuals};
-use toytop_host::{Failure, Report};
+use toytop_host::{Failure, Report, excerpt};
 
 /// Launch of a top from samples of sensors, with error bars
 ///
