@@ -15,7 +15,7 @@ use crate::motion::column::SampleColumn;
 use crate::motion::sample::{Part, Sample};
 use events::Condition;
 use std::f64::consts::TAU;
-use toytop::{ErrorBound, Motion, ParameterError, Phase};
+use toytop::{ErrorBound, Motion, ParameterError, Phase, Pose};
 use toytop_model::constants::MOST_TICKS;
 
 /// Ephemeris of any scalar.
@@ -45,6 +45,13 @@ pub trait DynEphemeris: Send + Sync {
         let mut sample = Sample::UNKNOWN;
         self.update(&mut sample, Part::All, t);
         sample
+    }
+
+    /// Orientation, u and tip of the motion t units of time after t = 0, without its rates and tip angle.
+    fn pose(&self, t: f64) -> Pose<f64, f64> {
+        let mut sample = Sample::UNKNOWN;
+        self.update(&mut sample, Part::Pose, t);
+        sample.pose
     }
 
     /// Sample of the motion at tick n.

@@ -48,7 +48,7 @@ impl MotionSpan {
             return Err(Failure::Input(format!("--times: {from}..{until}: {reason}")));
         }
         let periods = periods(&constants).filter(|_| times.is_none());
-        let ends = times.unwrap_or_else(|| [0.0, span(&constants, |t| table.at(t).pose.tip.modulus())]);
+        let ends = times.unwrap_or_else(|| [0.0, span(&constants, |t| table.pose(t).tip.modulus())]);
         Ok(Self { table, ends, periods, cycle })
     }
 

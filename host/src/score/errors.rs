@@ -95,13 +95,14 @@ impl<'a> Scorer<'a> {
 
     /// Errors of the orientation of a row, rad, and of its u.
     fn errors(&self, row: &TrajectoryRow) -> [f64; 2] {
-        let exact = self.table.at(row.t).pose.orientation;
+        let exact = self.table.pose(row.t).orientation;
         [orientation_error(&exact, &row.orientation), (row.orientation.u() - exact.u()).abs()]
     }
 
     fn position_error(&self, row: &TrajectoryRow) -> Option<f64> {
-        let exact = self.table.at(row.t).pose.tip;
-        row.tip.map(|[x, y]| (x - exact.re).hypot(y - exact.im))
+        let [x, y] = row.tip?;
+        let exact = self.table.pose(row.t).tip;
+        Some((x - exact.re).hypot(y - exact.im))
     }
 
     fn drift(&self, rows: &[TrajectoryRow]) -> Option<IntegralDrift> {

@@ -109,8 +109,8 @@ fn norm_over_bound(table: &dyn DynEphemeris, motion: &Motion, times: &[f64]) -> 
     let turning = search(table, motion, EventKind::Turning, &filter).unwrap_or_default();
     let turning = turning.into_iter().map(|event| (event.t, if event.upward { e.e2 } else { e.e1 }));
     let turning = turning.filter(|_| motion.regime() == Regime::Nutating);
-    let norms = times.iter().map(|&t| (t, table.at(t).pose.orientation.norm_squared() - 1.0));
-    let heights = turning.map(|(t, u)| (t, table.at(t).pose.orientation.u() - u));
+    let norms = times.iter().map(|&t| (t, table.pose(t).orientation.norm_squared() - 1.0));
+    let heights = turning.map(|(t, u)| (t, table.pose(t).orientation.u() - u));
     let of_bound =
         |(t, error): (f64, f64)| ratio(error.abs(), table.error_bound().after(t * table.ticks_per_time()));
     norms.chain(heights).map(of_bound).fold(0.0, greater)

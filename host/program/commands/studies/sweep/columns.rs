@@ -119,7 +119,7 @@ impl RowMotion {
 
     fn error_f32(&self) -> Option<f64> {
         let (single, double) = (self.f32_ephemeris()?, self.f64_ephemeris()?);
-        let error = |&t: &f64| single.at(t).pose.orientation.distance(&double.at(t).pose.orientation);
+        let error = |&t: &f64| single.pose(t).orientation.distance(&double.pose(t).orientation);
         Some(self.times.iter().map(error).fold(0.0, greater))
     }
 }
