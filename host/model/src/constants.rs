@@ -2,6 +2,7 @@
 
 use crate::equations::{cross, dot};
 use core::array::from_fn;
+use core::cell::OnceCell;
 use core::f64::consts::PI;
 use core::ops::Deref;
 use toytop::scalar::{Float, Real, Ring};
@@ -103,26 +104,31 @@ static TOP_AND_START: [Constant; 20] = [
 /// Greatest number of ticks from t = 0 at which a table is evaluated. They are counted in 64 bits.
 pub const MOST_TICKS: f64 = (1_u64 << 62) as f64;
 
-/// Motion with its period.
+/// Motion whose period is integrated once, where it is first needed.
 pub struct MotionConstants {
     motion: Motion,
-    advance: Option<PeriodAdvance>,
+    advance: OnceCell<Option<PeriodAdvance>>,
 }
 
 impl MotionConstants {
     /// Constants of a motion.
     pub fn new(motion: Motion) -> Self {
-        Self { motion, advance: motion.period_advance() }
+        Self { motion, advance: OnceCell::new() }
+    }
+
+    /// Period and advances, integrated at the first call.
+    fn advance(&self) -> Option<PeriodAdvance> {
+        *self.advance.get_or_init(|| self.period_advance())
     }
 
     /// Period, s; NaN where there is none.
     pub fn period(&self) -> f64 {
-        self.advance.map_or(f64::NAN, |advance| advance.period)
+        self.advance().map_or(f64::NAN, |advance| advance.period)
     }
 
     /// Nutation period of a motion that nutates, T₀ of any other, s.
     pub fn time_scale(&self) -> f64 {
-        match self.advance {
+        match self.advance() {
             Some(advance) if self.regime() == Regime::Nutating => advance.period,
             _ => natural_time(self),
         }
@@ -163,7 +169,7 @@ impl MotionConstants {
     /// are constant, which quadratures reach only up to rounding.
     fn advance_of(&self, angle: fn(&PeriodAdvance) -> f64) -> f64 {
         let integrals = self.first_integrals();
-        match &self.advance {
+        match self.advance() {
             Some(_) if integrals.l == 0.0 && integrals.n == 0.0 => 0.0,
             advance => advance.as_ref().map_or(f64::NAN, angle),
         }
