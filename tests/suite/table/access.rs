@@ -42,6 +42,22 @@ fn every_access_gives_the_same_bits() {
     agree::<I2F14, 128>();
 }
 
+/// A cursor has the bits of random access on a long way, across t = 0.
+#[test]
+fn a_cursor_agrees_over_ten_million_ticks() {
+    let ephemeris = EphemerisF32::new(&generic(), kilohertz()).unwrap();
+    let first = -5_000_000;
+    let mut cursor = ephemeris.cursor(first);
+    for n in first..first + 10_000_000 {
+        let sample = cursor.next(&ephemeris);
+        if n % 97 == 0 {
+            let other = ephemeris.at_tick(n);
+            assert_eq!(sample.attitude_state(), other.attitude_state());
+            assert_eq!((sample.orientation(), sample.tip_angle()), (other.orientation(), other.tip_angle()));
+        }
+    }
+}
+
 /// Whole seconds are whole ticks of 2/44100 s.
 #[test]
 fn a_whole_second_is_a_whole_number_of_ticks() {

@@ -7,7 +7,7 @@ use toytop::{
     Ephemeris, EphemerisF32, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Release, SetUpError,
     State, Tick, Top, Workspace,
 };
-use toytop_tests::{TOY, kilohertz, vectors};
+use toytop_tests::{TOY, kilohertz, table_if_it_fits, vectors};
 
 fn equal_the_ones_by_value<R: EphemerisScalar>() {
     const SEGMENTS: usize = 128;
@@ -31,6 +31,19 @@ fn tables_in_place_equal_those_by_value() {
     equal_the_ones_by_value::<f32>();
     equal_the_ones_by_value::<f64>();
     equal_the_ones_by_value::<I2F30>();
+}
+
+/// A table that is too small is refused, and a table of the size that is needed is large enough, or one of any size if a larger error is
+/// allowed.
+#[test]
+fn a_table_too_small_is_refused() {
+    let motion = vectors::motion("exact_near_separatrix_straddle");
+    assert_eq!(EphemerisView::<f32>::segments_needed(&motion, f64::from(f32::EPSILON)), Some(27));
+    assert!(
+        table_if_it_fits::<f32, 26>(&motion, kilohertz()).is_none()
+            && table_if_it_fits::<f32, 27>(&motion, kilohertz()).is_some()
+    );
+    assert!(Ephemeris::<f32, 16>::with_truncation(&motion, kilohertz(), 1e-4).is_ok());
 }
 
 /// Other work is done in between, however many segments there are, and a refusal takes no longer than a table.
