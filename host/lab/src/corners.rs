@@ -5,7 +5,7 @@ mod trial;
 
 use crate::{Study, Summary, trials};
 use serde::Serialize;
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use toytop_host::Failure;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::errors::greater;
@@ -15,7 +15,8 @@ pub fn run(study: &Study, truths: u64) -> Result<Summary<Row>, Failure> {
     // launches are independent, so that those with the truth may be spread evenly
     let spacing = (study.motions / truths).max(1);
     let trial = |launch: u64| trial::run(study.seed, launch, launch.is_multiple_of(spacing));
-    let (mut launched, mut refused, mut failures) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut regimes, mut launched) = (BTreeMap::<_, usize>::new(), Vec::new());
+    let (mut refused, mut failures) = (Vec::new(), Vec::new());
     for (launch, tried) in trials(study.motions, trial)?.into_iter().enumerate() {
         match tried {
             Err(refusal) => refused.push(refusal.parameter()),
@@ -25,39 +26,37 @@ pub fn run(study: &Study, truths: u64) -> Result<Summary<Row>, Failure> {
                         failures.push(format!("{launch}: {}: {errors:?}: {input:?}", scalar.name()));
                     }
                 }
-                launched.push((toytop_host::motion::regime(regime), tables));
+                *regimes.entry(toytop_host::motion::regime(regime)).or_default() += 1;
+                launched.push(tables);
             }
         }
     }
     let refusals = refused.len();
     refused.sort_unstable();
     refused.dedup();
+    let regimes: Vec<_> = regimes.iter().map(|(regime, motions)| format!("{motions} {regime}")).collect();
     let headline = format!(
-        "toytop {}, seed {}: {} launches; refused: {refusals} {refused:?}; failures: {}.",
+        "toytop {}, seed {}: {} launches ({}); refused: {refusals} {refused:?}; failures: {}.",
         env!("CARGO_PKG_VERSION"),
         study.seed,
         study.motions,
+        regimes.join(", "),
         failures.len(),
     );
-    let regimes: BTreeSet<_> = launched.iter().map(|(regime, _)| *regime).collect();
-    let mut rows = Vec::new();
-    for name in ["all"].into_iter().chain(regimes) {
-        for (index, scalar) in Scalar::ALL.iter().enumerate() {
-            let found = launched.iter().filter(|(regime, _)| [regime, "all"].contains(&name));
-            let tables: Vec<_> = found.map(|(_, tables)| tables[index]).collect();
-            rows.push(Row::new(name, scalar.name(), &tables));
-        }
-    }
+    let row = |(index, scalar): (usize, &Scalar)| {
+        let tables: Vec<_> = launched.iter().map(|tables| tables[index]).collect();
+        Row::new(scalar.name(), &tables)
+    };
+    let rows = Scalar::ALL.iter().enumerate().map(row).collect();
     Ok(Summary { headline, rows, failures })
 }
 
 /// Least share of the bound for an error that counts as close to it.
 const CLOSE: f64 = 0.01;
 
-/// Tables of one scalar for the motions of a regime. The names are the keys of JSON.
+/// Tables of one scalar. The names are the keys of JSON.
 #[derive(Default, Serialize)]
 pub struct Row {
-    regime: &'static str,
     scalar: &'static str,
     motions: usize,
     /// Number of motions for which no table is large enough.
@@ -79,7 +78,7 @@ pub struct Row {
 
 impl Row {
     /// * `tables`: `None` for a motion for which no table is large enough
-    fn new(regime: &'static str, scalar: &'static str, tables: &[Option<Errors>]) -> Self {
+    fn new(scalar: &'static str, tables: &[Option<Errors>]) -> Self {
         let found: Vec<_> = tables.iter().flatten().collect();
         let compared: Vec<_> = found.iter().filter(|errors| errors.ticks > 0).collect();
         let truths = compared.len();
@@ -91,7 +90,6 @@ impl Row {
             (truths > 0).then(|| close as f64 / truths as f64)
         };
         Self {
-            regime,
             scalar,
             motions: tables.len(),
             no_table: tables.len() - found.len(),
