@@ -7,8 +7,8 @@ use std::process::{ChildStderr, ChildStdout, Command, ExitCode};
 use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
+use toytop_chips::chip::{self, Chip, REPEATABLE};
 
-use crate::chip::{self, Chip, REPEATABLE};
 use crate::process::{cargo, firmware_target_dir, locked, root, run, run_within};
 use crate::tools::{self, QEMU};
 
