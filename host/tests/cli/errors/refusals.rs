@@ -21,7 +21,7 @@ fn wrong_arguments_are_refused() {
             ("compare @toy_top @no_such_file", "no_such_file.toml"),
             ("compare --periods 0", "--periods ... 1..=10000"),
             ("compare --scalar f64,q7", "--scalar ... f64, f32, q31, q15, all"),
-            ("animate @toy_top --seconds -1 -o x.gif", "'-1' for '--seconds <S>' ... 0.1 to 600"),
+            ("animate @toy_top --duration -1 -o x.gif", "'-1' for '--duration <S>' ... 0.1 to 600"),
             ("fit x.csv --top @toy_top --huber -1", "'-1' for '--huber <X>' ... a number from 1"),
             ("bake @toy_top --segments -8", "'-8' for '--segments <N>'"),
             ("plot @toy_top --size -100 -o x.svg", "'-100' ... 100..=10000"),
