@@ -72,7 +72,7 @@ pub struct BudgetArgs {
 
 /// File of the limits.
 const LIMITS: &str = "firmware-examples/budgets.toml";
-/// Only chip on which the fit of a launch, whose trace is long, and the flash at opt-level s are measured.
+/// Chip of two slow measurements: the fit of a launch, and the flash at opt-level s.
 const CHIP_OF_FIT: &str = "m4f";
 /// Calls whose flash is that of the program `flash` without that of `empty`: a launch, a table and a tick.
 const SET_UPS: [&str; 5] = ["launch", "new", "slices", "launch_slow", "launch_falling"];
