@@ -47,7 +47,7 @@ fn wrong_arguments_are_refused() {
             ("--times-file /dev/zero", "64 MiB"),
             ("--ticks 1..0", "--ticks: 1..0: must be N1,N2,... or FIRST..LAST"),
             ("--ticks 1 --hertz 0/1", "--hertz"),
-            ("--times 1 --hertz 5", "'--hertz <N>' cannot be used with '--times"),
+            ("--times 1 --hertz 5", "'--times <T1,T2,...>' cannot be used with '--hertz <N>'"),
             ("--from 0 --to 1", "--count"),
             ("--from 1 --to 0 --count 3", "--from, --to, --count: must be"),
             ("--from 0 --to 1 --count 3 --times 1", "cannot be used with"),
