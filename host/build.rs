@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 const TARGET: &str = "wasm32-unknown-unknown";
-/// Environment variables of cargo that are meant for the host's program and must not affect the page's.
-const NOT_OURS: [&str; 6] = [
+/// Environment variables of cargo for the build of the program, which must not affect that of the page.
+const VARIABLES_OF_PROGRAM: [&str; 6] = [
     "RUSTFLAGS",
     "CARGO_ENCODED_RUSTFLAGS",
     "CARGO_BUILD_TARGET",
@@ -61,8 +61,9 @@ fn compiled() -> PathBuf {
     if !Path::new("../Cargo.lock").exists() {
         cargo.args(["--manifest-path", "python/Cargo.toml"]);
     }
-    let is_not_ours = |name: &str| NOT_OURS.contains(&name) || name.starts_with("CARGO_PROFILE_");
-    for (name, _) in env::vars_os().filter(|(name, _)| name.to_str().is_some_and(is_not_ours)) {
+    let is_of_program =
+        |name: &str| VARIABLES_OF_PROGRAM.contains(&name) || name.starts_with("CARGO_PROFILE_");
+    for (name, _) in env::vars_os().filter(|(name, _)| name.to_str().is_some_and(is_of_program)) {
         cargo.env_remove(name);
     }
     let output = cargo.output().expect("cargo runs");

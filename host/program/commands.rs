@@ -49,27 +49,22 @@ use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::tilts;
 use toytop_host::{Failure, Report};
 
-/// Command with its arguments, whose comment is its help.
+/// Command with its arguments, whose comment is its help. Help lists the commands in this order, and names the hidden ones in its last line.
 #[derive(Subcommand)]
 pub enum Command {
-    Compare(compare::CompareArgs),
     State(state::StateArgs),
     Constants(constants::ConstantsArgs),
     Events(events::EventsArgs),
+    Compare(compare::CompareArgs),
+    Sweep(Box<sweep::SweepArgs>),
+    Bake(bake::BakeArgs),
     Plot(plot::PlotArgs),
     Animate(animate::AnimateArgs),
     View(view::ViewArgs),
-    Bake(bake::BakeArgs),
-    Figures(figures::FiguresArgs),
-    Score(score::ScoreArgs),
-    Benchmark(benchmark::BenchmarkArgs),
     Simulate(simulate::SimulateArgs),
     Fit(fit::FitArgs),
-    Bench(bench::BenchArgs),
-    Budget(budget::BudgetArgs),
-    Errata(errata::ErrataArgs),
-    Accuracy(accuracy::AccuracyArgs),
-    Sweep(Box<sweep::SweepArgs>),
+    Score(score::ScoreArgs),
+    Benchmark(benchmark::BenchmarkArgs),
     /// Completions for a shell
     #[command(
         after_help = "Example: toytop completions bash > ~/.local/share/bash-completion/completions/toytop"
@@ -78,6 +73,16 @@ pub enum Command {
         /// Shell that the completions are for
         shell: Shell,
     },
+    #[command(hide = true)]
+    Accuracy(accuracy::AccuracyArgs),
+    #[command(hide = true)]
+    Bench(bench::BenchArgs),
+    #[command(hide = true)]
+    Budget(budget::BudgetArgs),
+    #[command(hide = true)]
+    Errata(errata::ErrataArgs),
+    #[command(hide = true)]
+    Figures(figures::FiguresArgs),
 }
 
 impl Command {
@@ -87,29 +92,29 @@ impl Command {
     /// See [`Failure`].
     pub fn run(&self) -> Result<Report, Failure> {
         match self {
-            Self::Compare(arguments) => compare::run(arguments),
             Self::State(arguments) => state::run(arguments),
             Self::Constants(arguments) => constants::run(arguments),
             Self::Events(arguments) => events::run(arguments),
+            Self::Compare(arguments) => compare::run(arguments),
+            Self::Sweep(arguments) => sweep::run(arguments),
+            Self::Bake(arguments) => bake::run(arguments),
             Self::Plot(arguments) => plot::run(arguments),
             Self::Animate(arguments) => animate::run(arguments),
             Self::View(arguments) => view::run(arguments),
-            Self::Bake(arguments) => bake::run(arguments),
-            Self::Figures(arguments) => figures::run(arguments),
-            Self::Score(arguments) => score::run(arguments),
-            Self::Benchmark(arguments) => benchmark::run(arguments),
             Self::Simulate(arguments) => simulate::run(arguments),
             Self::Fit(arguments) => fit::run(arguments),
-            Self::Bench(arguments) => bench::run(arguments),
-            Self::Budget(arguments) => budget::run(arguments),
-            Self::Errata(arguments) => errata::run(arguments),
-            Self::Accuracy(arguments) => accuracy::run(arguments),
-            Self::Sweep(arguments) => sweep::run(arguments),
+            Self::Score(arguments) => score::run(arguments),
+            Self::Benchmark(arguments) => benchmark::run(arguments),
             Self::Completions { shell } => {
                 let mut script = Vec::new();
                 clap_complete::generate(*shell, &mut crate::Cli::command(), "toytop", &mut script);
                 Ok(String::from_utf8_lossy(&script).into_owned().into())
             }
+            Self::Accuracy(arguments) => accuracy::run(arguments),
+            Self::Bench(arguments) => bench::run(arguments),
+            Self::Budget(arguments) => budget::run(arguments),
+            Self::Errata(arguments) => errata::run(arguments),
+            Self::Figures(arguments) => figures::run(arguments),
         }
     }
 }

@@ -15,7 +15,8 @@ use toytop_host::terminal;
 #[command(
     name = "toytop",
     version,
-    help_template = "{about}\n{usage-heading} {usage}; each command has --help, and toytop has --version\n\nCommands:\n{subcommands}\n"
+    help_template = "{about}\n{usage-heading} {usage}; each command has --help, and toytop has --version\n\nCommands:\n{subcommands}\n\n\
+        Checks of toytop itself: accuracy bench budget errata figures\n"
 )]
 struct Cli {
     /// Command to run.

@@ -32,7 +32,8 @@ use serde_json::Value;
 use toytop_model::constants::{self, Constant};
 
 /// Scalar types of the core.
-#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
+#[derive(Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "program", derive(clap::ValueEnum))]
 pub enum Scalar {
     /// Double precision
     F64,

@@ -1,5 +1,6 @@
 //! Rows as an aligned table, CSV or JSON. In CSV and JSON a number has 17 significant digits, from which a reader obtains the same `f64`.
 
+#[cfg(feature = "program")]
 pub mod table;
 
 use serde::ser::Serialize;
@@ -9,7 +10,8 @@ use std::io::{self, Write};
 use std::iter::once;
 
 /// Form of the output.
-#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
+#[derive(Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "program", derive(clap::ValueEnum))]
 pub enum Format {
     /// Aligned table
     Table,

@@ -102,7 +102,7 @@ static TOP_AND_START: [Constant; 20] = [
 ];
 
 /// Greatest number of ticks from t = 0 at which a table is evaluated. They are counted in 64 bits.
-pub const MOST_TICKS: f64 = (1_u64 << 62) as f64;
+pub const MAX_TICKS: f64 = (1_u64 << 62) as f64;
 
 /// Motion whose period is integrated once, where it is first needed.
 pub struct MotionConstants {
@@ -149,7 +149,7 @@ impl MotionConstants {
 
     /// Greatest distance from t = 0 at which the table can be evaluated, s.
     pub fn furthest_time(&self) -> f64 {
-        MOST_TICKS / self.ticks_per_time()
+        MAX_TICKS / self.ticks_per_time()
     }
 
     /// Greatest distance from t = 0 at which a closed form is evaluated, s. Where e₃ = e₄ holds up to rounding, its error grows by up to

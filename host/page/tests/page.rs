@@ -5,7 +5,7 @@ use toytop::{EphemerisF64, Motion, Pose, Release, State, Stepper, Support};
 use toytop_model::angles;
 use toytop_model::constants::{MotionConstants, number_constants};
 use toytop_page::exports::launch_names;
-use toytop_page::runge_kutta::{MOST_STEPS, RungeKutta};
+use toytop_page::runge_kutta::{MAX_STEPS, RungeKutta};
 use toytop_page::scenario;
 use toytop_page::table::{Table, pose_numbers};
 
@@ -136,7 +136,7 @@ fn runge_kutta_drifts_as_its_step_says() {
     }
     let mut integration = RungeKutta::new(&motion, 1e-5);
     let (first, ..) = integration.go(1.0);
-    assert!((first / (f64::from(MOST_STEPS) * 1e-5) - 1.0).abs() < 1e-12, "{first}");
+    assert!((first / (f64::from(MAX_STEPS) * 1e-5) - 1.0).abs() < 1e-12, "{first}");
     let (second, ..) = integration.go(1.0);
     assert!(second > first && second < 1.0);
     assert_eq!(Float::abs(integration.go(-1e-7).0), 1e-7);

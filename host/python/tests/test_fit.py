@@ -15,7 +15,7 @@ TELEPHONE: dict[str, Any] = {
     "magnetometer": {"noise": 0.6, "field": [20.0, 0.0, -43.0], "every": 10},
 }
 # largest of some ten normal numbers
-MOST_DEVIATIONS = 4.5
+MAX_DEVIATIONS = 4.5
 
 
 @pytest.fixture(scope="module")
@@ -43,9 +43,9 @@ def test_the_truth_is_within_the_error_bars(truth: toytop.Motion, samples: dict[
     (w, *r), body = fitted.quaternion, start.omega_body
     turned = body + 2.0 * np.cross(r, np.cross(r, body) + w * body)
     off = np.abs(turned - fitted.omega) / fitted.deviations[3:6]
-    assert 0.01 < off.max() < MOST_DEVIATIONS
+    assert 0.01 < off.max() < MAX_DEVIATIONS
     for (value, deviation), true in [(fitted.spin, 150.0), (fitted.tilt, 0.35)]:
-        assert 0.0 < abs(value - true) < MOST_DEVIATIONS * deviation < 0.5
+        assert 0.0 < abs(value - true) < MAX_DEVIATIONS * deviation < 0.5
     count = len(fitted.unknowns)
     assert fitted.covariance.shape == (count, count) == (12, 12)
     assert np.allclose(np.sqrt(np.diag(fitted.covariance)), fitted.deviations, rtol=1e-12)
@@ -62,7 +62,7 @@ def test_a_drift_is_fitted(truth: toytop.Motion, samples: dict[str, Any]) -> Non
     assert fitted.converged and fitted.epoch == pytest.approx(0.299)
     assert fitted.drift is not None
     rates, deviations = fitted.drift
-    assert (deviations > 0.0).all() and (np.abs(rates) < MOST_DEVIATIONS * deviations).all() and (rates != 0.0).all()
+    assert (deviations > 0.0).all() and (np.abs(rates) < MAX_DEVIATIONS * deviations).all() and (rates != 0.0).all()
     assert fitted.unknowns[6:9] == ["loss_axial", "loss_across", "loss_vertical"]
     assert np.nanstd(fitted.residuals["accel_x"]) == pytest.approx(1.0, abs=0.2)
     assert toytop.fit(samples, truth.top).drift is None
@@ -83,7 +83,7 @@ def test_the_motion_predicts(truth: toytop.Motion, samples: dict[str, Any]) -> N
         np.linalg.norm(now.quaternion + true.quaternion, axis=-1),
     )
     announced = np.sqrt(np.trace(covariance, axis1=-2, axis2=-1))
-    assert (error < MOST_DEVIATIONS * announced).all() and (announced < 0.05).all()
+    assert (error < MAX_DEVIATIONS * announced).all() and (announced < 0.05).all()
     assert np.abs(now.omega[0, 0] - fitted.omega).max() < 1e-11
     assert fitted.motion.top == truth.top and fitted.motion is fitted.motion
 
@@ -144,7 +144,7 @@ def test_an_unknown_inertia_is_found(truth: toytop.Motion) -> None:
             refused()
     fitted = toytop.fit(samples, wrong, CAMERA, free=["axial_inertia"])
     value, deviation = fitted.free["axial_inertia"]
-    assert abs(value - 2.0e-5) < MOST_DEVIATIONS * deviation < 1e-6
+    assert abs(value - 2.0e-5) < MAX_DEVIATIONS * deviation < 1e-6
     assert fitted.unknowns[6] == "axial_inertia" and fitted.motion.top.axial_inertia == value
     # its row of the covariance is that of the logarithm
     assert deviation == pytest.approx(value * fitted.deviations[6], rel=1e-12)

@@ -1,5 +1,4 @@
-//! Parts of a page that a command writes, between the lines `<!-- toytop COMMAND: NAME -->` and `<!-- end of NAME -->`. The rest of the
-//! page does not change.
+//! Part of a page that a command writes with `--accept`, between the lines `<!-- toytop COMMAND: NAME -->` and `<!-- end of NAME -->`.
 
 use super::whole_file;
 use crate::Failure;
@@ -9,7 +8,7 @@ use std::path::PathBuf;
 /// Page with a part that a command writes.
 pub struct DocPage {
     path: PathBuf,
-    /// Text up to the first line of the mark, and from the last one on.
+    /// Page before and after the part.
     around: [String; 2],
 }
 

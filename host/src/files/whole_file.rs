@@ -27,7 +27,7 @@ pub fn write_by(
     write_temporary(path, fill).and_then(give_name).map_err(|error| refused(option, path, error))
 }
 
-/// Writes files as [`write()`] does. None gets its name before all are written.
+/// Writes files as [`write()`] does. None gets its name before all are written; if naming one then fails, those before it stay.
 ///
 /// # Errors
 /// The failures of [`write()`].

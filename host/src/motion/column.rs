@@ -5,8 +5,8 @@ use super::sample::{Part, Sample};
 use toytop::{Complex, Support};
 
 /// Quantity of a sample, one number or several.
-#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
-#[value(rename_all = "snake_case")]
+#[derive(Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "program", derive(clap::ValueEnum), value(rename_all = "snake_case"))]
 pub enum SampleColumn {
     /// Time
     T,

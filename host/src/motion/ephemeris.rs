@@ -16,7 +16,7 @@ use crate::motion::sample::{Part, Sample};
 use events::Condition;
 use std::f64::consts::TAU;
 use toytop::{ErrorBound, Motion, ParameterError, Phase, Pose};
-use toytop_model::constants::MOST_TICKS;
+use toytop_model::constants::MAX_TICKS;
 
 /// Ephemeris of any scalar.
 pub trait DynEphemeris: Send + Sync {
@@ -28,7 +28,7 @@ pub trait DynEphemeris: Send + Sync {
 
     /// Greatest distance of a time from t = 0 at which the ephemeris can be evaluated.
     fn furthest_time(&self) -> f64 {
-        MOST_TICKS / self.ticks_per_time()
+        MAX_TICKS / self.ticks_per_time()
     }
 
     /// Upper bound on the orientation error, rad.

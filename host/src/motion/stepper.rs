@@ -7,7 +7,7 @@ use toytop::scalar::Real;
 use toytop::{Motion, Phase, Stepper};
 
 /// Greatest number of steps that is computed.
-const MOST_STEPS: f64 = 1e10;
+const MAX_STEPS: f64 = 1e10;
 
 /// Number of steps of size `step`, s, that reach all of `times`.
 ///
@@ -16,7 +16,7 @@ const MOST_STEPS: f64 = 1e10;
 pub fn steps_needed(times: &[f64], step: f64) -> Result<u64, Failure> {
     let furthest = |sign: f64| times.iter().fold(0.0_f64, |most, t| most.max(sign * t));
     let steps = (furthest(1.0) + furthest(-1.0)) / step + times.len() as f64;
-    if steps > MOST_STEPS {
+    if steps > MAX_STEPS {
         let reason = format!("{steps:.1e} steps of {step:.1e} s; must be at most 1e10 steps");
         return Err(Failure::Input(format!("--steps-per-period: {reason}")));
     }

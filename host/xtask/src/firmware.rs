@@ -7,12 +7,12 @@ use std::process::{ChildStderr, ChildStdout, Command, ExitCode};
 use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
+use toytop_chips::chip::{self, Chip, REPEATABLE};
 
-use crate::chip::{self, Chip, REPEATABLE};
 use crate::process::{cargo, firmware_target_dir, locked, root, run, run_within};
 use crate::tools::{self, QEMU};
 
-/// Program with the folder of its source in firmware-examples and the chips that it runs on; `show` uses the first one.
+/// Program of firmware-examples with the folder of its source and its chips, of which the first is the default.
 pub(crate) struct Program {
     pub(crate) name: &'static str,
     folder: &'static str,

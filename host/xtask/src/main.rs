@@ -2,10 +2,6 @@
 
 mod c;
 mod checks;
-// a file of the program `toytop`, which takes long to build
-#[allow(unreachable_pub)]
-#[path = "../../program/commands/studies/budget/chips.rs"]
-mod chip;
 mod firmware;
 mod process;
 mod python;

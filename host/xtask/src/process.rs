@@ -22,7 +22,7 @@ pub(crate) fn target_dir() -> PathBuf {
 
 /// Target folder of the firmware workspace.
 pub(crate) fn firmware_target_dir() -> PathBuf {
-    crate::chip::target_dir(&root())
+    toytop_chips::chip::target_dir(&root())
 }
 
 /// Command from words, in a folder of the repository.

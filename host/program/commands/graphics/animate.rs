@@ -27,7 +27,7 @@ pub struct AnimateArgs {
     times: Option<[f64; 2]>,
     /// Length of the film, s
     #[arg(long, value_name = "S", default_value_t = 6.0, value_parser = length)]
-    seconds: f64,
+    duration: f64,
     /// Width and height of the film, pixels
     #[arg(long, value_name = "PIXELS", default_value_t = 480, value_parser = clap::value_parser!(u16).range(64..=2160))]
     size: u16,
@@ -47,9 +47,9 @@ const HUNDREDTHS: u16 = 4;
 const FRAMES_PER_CYCLE: u64 = 2;
 
 pub fn run(arguments: &AnimateArgs) -> Result<Report, Failure> {
-    let AnimateArgs { scenario, times, seconds, size, output } = arguments;
+    let AnimateArgs { scenario, times, duration, size, output } = arguments;
     let scenario = Scenario::read(scenario)?;
-    let frames = (100.0 * seconds / f64::from(HUNDREDTHS)).round().max(2.0) as u64;
+    let frames = (100.0 * duration / f64::from(HUNDREDTHS)).round().max(2.0) as u64;
     let span = MotionSpan::new(&scenario.motion, *times, (frames / FRAMES_PER_CYCLE) as f64)
         .map_err(|failure| failure.of_motion(&scenario.name))?;
     let film = Film { scenario: &scenario, span: &span, frames, size: *size };

@@ -20,8 +20,8 @@ use toytop_host::motion::stepper::{stepped, steps_needed};
 use toytop_host::motion::tip_angle::TipAngle;
 use toytop_host::motion::{MotionConstants, Scalar};
 use toytop_host::output::Format;
-use toytop_host::parallel;
 use toytop_host::terminal::progress::Progress;
+use toytop_host::terminal::rows::write_rows;
 use toytop_host::terminal::stdout;
 use toytop_host::{Failure, Report};
 
@@ -57,7 +57,7 @@ pub struct StateArgs {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
     steps_per_period: Option<u32>,
     /// Ticks in a second, for --ticks: N, or A/B for A ticks in B seconds; by default 1000
-    #[arg(long, value_name = "N", value_parser = hertz)]
+    #[arg(long, value_name = "N", value_parser = hertz, conflicts_with_all = ["times", "times_file", "from"])]
     hertz: Option<[u32; 2]>,
     /// Columns in their order; by default t,u,udot,alpha,beta,quaternion,omega,tip,phi,error_bound, and in JSON gamma,delta too
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
@@ -74,9 +74,6 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     let inputs = [Some(&*arguments.scenario), arguments.times.times_file.as_deref()];
     whole_file::require_other("--output", arguments.output.as_deref(), &inputs)?;
     let scenario = Scenario::read(&arguments.scenario)?;
-    if arguments.hertz.is_some() && arguments.times.ticks.is_none() {
-        return Err(Failure::Input("--hertz: needs --ticks".to_owned()));
-    }
     let rate = arguments.hertz.unwrap_or([1000, 1]);
     let times = Times::read(&arguments.times, rate)?;
     let format = arguments.format;
@@ -98,11 +95,7 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     // from here on the input cannot cause a failure
     stdout::write_or_file(arguments.output.as_deref(), |out| {
         out.write_all(rows.head().as_bytes())?;
-        parallel::write_rows(
-            count,
-            &|index, bytes| bytes.extend(rows.row(index, &sample(index)).bytes()),
-            out,
-        )?;
+        write_rows(count, &|index, bytes| bytes.extend(rows.row(index, &sample(index)).bytes()), out)?;
         out.write_all(rows.end().as_bytes())
     })?;
     Ok(Report::default().with_notes(warnings(&[scenario])))

@@ -4,32 +4,25 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | `chips` | chips with their compilers and emulators |
-//! | `trace` | blocks of code that QEMU executes |
-//! | `model` | cycles of an instruction, from published timings |
-//! | `meter` | cost of each call: the blocks between its entry and its return |
 //! | `budgets` | allowed costs, `firmware-examples/budgets.toml` |
 //! | `corpus` | set-up of many launches |
 //! | `pages` | tables of the documents |
 
 mod budgets;
-mod chips;
 mod corpus;
-mod meter;
-mod model;
 mod pages;
-mod trace;
 
 use crate::commands::options::positive;
 use budgets::{Budgets, FLASH_S};
-use chips::Chip;
 use clap::Args;
 use corpus::costs_of_launches;
-use meter::{Cost, Costs, linked_flash, measure};
 use serde_json::json;
 use std::collections::BTreeMap;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
+use toytop_chips::chip::{Chip, M0PLUS, M4F, M7, M33, RISCV};
+use toytop_chips::costs::{Cost, Costs, linked_flash, measure};
 use toytop_host::files::doc_page::repository;
 use toytop_host::files::whole_file;
 use toytop_host::output::table::TextTable;
@@ -37,7 +30,7 @@ use toytop_host::output::{self, Format, eight_digits, short};
 use toytop_host::{Failure, Report};
 
 /// Chips whose calls are measured.
-const CHIPS: [Chip; 5] = [chips::M0PLUS, chips::M4F, chips::M7, chips::M33, chips::RISCV];
+const CHIPS: [Chip; 5] = [M0PLUS, M4F, M7, M33, RISCV];
 
 /// Frequency of the interrupt, Hz; a tick has to fit into its period.
 const TICK_RATE: f64 = 1000.0;
@@ -79,7 +72,7 @@ pub struct BudgetArgs {
 
 /// File of the limits.
 const LIMITS: &str = "firmware-examples/budgets.toml";
-/// Only chip on which the fit of a launch, whose trace is long, and the flash at opt-level s are measured.
+/// Chip of two slow measurements: the fit of a launch, and the flash at opt-level s.
 const CHIP_OF_FIT: &str = "m4f";
 /// Calls whose flash is that of the program `flash` without that of `empty`: a launch, a table and a tick.
 const SET_UPS: [&str; 5] = ["launch", "new", "slices", "launch_slow", "launch_falling"];
@@ -92,7 +85,8 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
         let [chip] = chips[..] else {
             return Err(Failure::Input("--elf: needs one --chip, for which the file was built".into()));
         };
-        return report_on_calls(arguments, &BTreeMap::from([(chip.name.to_owned(), measure(chip, elf)?)]));
+        let costs = measure(chip, elf).map_err(|error| failure(chip, error))?;
+        return report_on_calls(arguments, &BTreeMap::from([(chip.name.to_owned(), costs)]));
     }
     let root = repository("budget without --elf", "firmware-examples/cost")?;
     if arguments.corpus {
@@ -100,7 +94,8 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
     }
     let mut all = BTreeMap::new();
     for chip in chips {
-        all.insert(chip.name.to_owned(), costs_of_calls(arguments, &root, chip)?);
+        let costs = costs_of_calls(arguments, &root, chip).map_err(|error| failure(chip, error))?;
+        all.insert(chip.name.to_owned(), costs);
     }
     if arguments.accept {
         let budgets = Budgets::with_slack(all);
@@ -122,13 +117,21 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
     Ok(Report { check_failed, ..report }.with_notes(violations))
 }
 
+/// Failure of a measurement on a chip.
+fn failure(chip: &Chip, error: io::Error) -> Failure {
+    match error.kind() {
+        io::ErrorKind::InvalidInput => Failure::Input(error.to_string()),
+        _ => Failure::Tool(format!("budget: {}: {error}", chip.name)),
+    }
+}
+
 /// Costs of all calls on a chip.
-fn costs_of_calls(arguments: &BudgetArgs, root: &Path, chip: &Chip) -> Result<Costs, Failure> {
+fn costs_of_calls(arguments: &BudgetArgs, root: &Path, chip: &Chip) -> io::Result<Costs> {
     let program = |name| build(root, chip, name, arguments.flash);
     let mut costs = measure(chip, &program("cost")?)?;
     let flash_of_table = |small| {
         let [with_table, empty] = ["flash", "empty"].map(|name| build(root, chip, name, small));
-        Ok(linked_flash(&with_table?)? - linked_flash(&empty?)?)
+        io::Result::Ok(linked_flash(&with_table?)? - linked_flash(&empty?)?)
     };
     if chip.name == CHIP_OF_FIT {
         costs.extend(measure(chip, &program("fit_cost")?)?);
@@ -146,15 +149,12 @@ fn costs_of_calls(arguments: &BudgetArgs, root: &Path, chip: &Chip) -> Result<Co
 }
 
 /// Path of a program of the package `toytop-cost` after its build, optimised for size if `small`, otherwise for speed.
-fn build(root: &Path, chip: &Chip, program: &str, small: bool) -> Result<PathBuf, Failure> {
+fn build(root: &Path, chip: &Chip, program: &str, small: bool) -> io::Result<PathBuf> {
     let (mut cargo, folder) = chip.build(root, &format!("--quiet --package toytop-cost --bin {program}"));
     cargo.envs(small.then_some(("CARGO_PROFILE_RELEASE_OPT_LEVEL", "s")));
-    match cargo.stdout(Stdio::null()).status() {
-        Ok(status) if status.success() => Ok(folder.join(program)),
-        ended => {
-            let reason = ended.map_or_else(|error| error.to_string(), |status| status.to_string());
-            Err(Failure::Tool(format!("budget: cargo build of {program} for {}: {reason}", chip.name)))
-        }
+    match cargo.stdout(Stdio::null()).status()? {
+        status if status.success() => Ok(folder.join(program)),
+        status => Err(io::Error::other(format!("cargo build of {program}: {status}"))),
     }
 }
 
@@ -168,7 +168,9 @@ fn report_on_launches(
     let modelled = |chip: &Chip| budgets.budget(chip.name, "launch", "cycles").is_some();
     let mut rows = Vec::new();
     for chip in chips.into_iter().filter(|chip| !arguments.accept || modelled(chip)) {
-        rows.extend(costs_of_launches(chip, &build(root, chip, "corpus", arguments.flash)?, &budgets)?);
+        let costs = build(root, chip, "corpus", arguments.flash)
+            .and_then(|elf| costs_of_launches(chip, &elf, &budgets));
+        rows.extend(costs.map_err(|error| failure(chip, error))?);
     }
     if arguments.accept {
         return pages::write(&[pages::part_with_launches(&rows)]);

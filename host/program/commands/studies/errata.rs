@@ -29,7 +29,8 @@ pub fn run(arguments: &ErrataArgs) -> Result<Report, Failure> {
         })
     };
     let records: Vec<_> = (1..).zip(errata()).map(record).collect();
-    Ok(output::render(arguments.format, &json!({ "slips": records }), &records, || table().to_owned()).into())
+    Ok(output::render(arguments.format, &json!({ "errata": records }), &records, || table().to_owned())
+        .into())
 }
 
 /// Page whose first block of text is the table.

@@ -13,7 +13,7 @@ use std::time::Instant;
 use toytop_host::files::whole_file;
 use toytop_host::input::axis::Axis;
 use toytop_host::input::scenario::ScenarioFile;
-use toytop_host::parallel;
+use toytop_host::terminal::rows::write_rows;
 use toytop_host::terminal::stdout;
 use toytop_host::{Failure, Report};
 
@@ -117,7 +117,7 @@ pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
     stdout::write_or_file(file, |out| {
         // only the first part has the header, so that `cat` joins all parts
         out.write_all(if part == 1 { sweep.header() } else { String::new() }.as_bytes())?;
-        parallel::write_rows(count, &row, out)
+        write_rows(count, &row, out)
     })?;
     let refused = match refused.into_inner() {
         0 => String::new(),

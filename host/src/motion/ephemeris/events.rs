@@ -101,7 +101,7 @@ fn time_error(condition: Condition, sample: &Sample) -> Option<f64> {
 }
 
 /// Number of consecutive events refused by the filter after which the search ends.
-const MOST_UNWANTED: u32 = 10_000;
+const MAX_UNWANTED: u32 = 10_000;
 
 /// First events of a table at which a condition holds; `sample` is that of an event and its time.
 pub fn table_events<R: EphemerisScalar>(
@@ -127,7 +127,7 @@ pub fn table_events<R: EphemerisScalar>(
         } else {
             unwanted += 1;
         }
-        if found.len() >= filter.count || unwanted == MOST_UNWANTED {
+        if found.len() >= filter.count || unwanted == MAX_UNWANTED {
             break;
         }
     }

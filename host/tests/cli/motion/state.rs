@@ -3,7 +3,7 @@
 use crate::command::{RELEASE, TOP, branch_points, numbers, samples, scenario, toytop};
 use serde_json::Value;
 
-const MOST_KEYS: &str = "u udot alpha beta quaternion omega tip";
+const COMPARED_KEYS: &str = "u udot alpha beta quaternion omega tip";
 
 /// Greatest difference of two samples in the numbers of these keys.
 fn distance(a: &Value, b: &Value, keys: &str) -> f64 {
@@ -101,7 +101,8 @@ fn each_method_is_another_way_to_one_motion() {
         let closed = by("closed-form");
         for method in ["stepper", "full"] {
             let found = by(method);
-            let errors = closed.iter().zip(&found).map(|(ours, theirs)| distance(ours, theirs, MOST_KEYS));
+            let errors =
+                closed.iter().zip(&found).map(|(ours, theirs)| distance(ours, theirs, COMPARED_KEYS));
             let worst = errors.fold(0.0, f64::max);
             assert!((1e-16..1e-12).contains(&worst), "{name}, {method}: {worst:e}");
             for (ours, theirs) in closed.iter().zip(&found) {

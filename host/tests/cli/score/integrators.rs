@@ -1,4 +1,4 @@
-//! Integrators of `host/comparisons`, which need Python and their libraries.
+//! Integrators of `host/problems/comparisons`, which need Python and their libraries.
 
 use crate::command::{PROGRAM, finished, folder, json, list, number, path, repository, sample};
 use std::process::Command;
@@ -13,7 +13,7 @@ fn integrated(script: &str, modules: &str) -> Option<String> {
     }
     let to = format!("score_{script}");
     folder(&to);
-    let code = repository(&format!("host/comparisons/{script}.py"));
+    let code = repository(&format!("host/problems/comparisons/{script}.py"));
     finished(python().arg("-B").arg(code).args([PROGRAM, &sample("toy_top"), "0.5", &to])).ok();
     let entries =
         std::fs::read_dir(path(&to)).expect("a folder").map(|entry| entry.expect("an entry").file_name());

@@ -81,7 +81,7 @@ fn compare_reads_scenarios_and_reports_a_missed_bound() {
     // at 1e-6 no table is large enough; this is stated, and is no missed bound
     let run = toytop(format!("compare {} --scalar f32 --periods 1 --format csv", needle("needle_compared")));
     assert!(run.err.contains("needle_compared f32: no ephemeris"), "{}", run.err);
-    assert!(run.out.contains(",ephemeris,,,") && run.out.ends_with(",no fit\n"), "{}", run.out);
+    assert!(run.out.contains(",ephemeris,,,") && run.out.ends_with(",no table\n"), "{}", run.out);
 }
 
 /// The full solver finds no step for a needle of almost no inertia about its axis; the other motion is compared all the same.

@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 use std::process::{ChildStderr, ChildStdout, Command};
 
 use anyhow::{Context, Result, bail};
+use toytop_chips::chip::{self, REPEATABLE};
 
 use super::archive::{make, target_dir};
 use super::compile;
 use super::header::programs_of_pages;
 use crate::checks;
-use crate::chip::{self, REPEATABLE};
 use crate::process::{root, run};
 
 /// Folder of the archives, after the requested one is made.

@@ -1,9 +1,9 @@
 //! Allowed cost of each call: `firmware-examples/budgets.toml`.
 
-use super::meter::Costs;
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
+use toytop_chips::costs::Costs;
 use toytop_host::Failure;
 use toytop_host::input::text_file;
 
@@ -119,8 +119,8 @@ fn figures(costs: &Costs) -> BTreeMap<(&str, &str), u64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::meter::Cost;
     use super::*;
+    use toytop_chips::costs::Cost;
 
     fn cost(instructions: u64) -> Cost {
         let figures =

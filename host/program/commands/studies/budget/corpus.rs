@@ -1,26 +1,26 @@
 //! Cost of many set-ups: the firmware `corpus` launches 200 tops and counts its own instructions.
 
 use super::budgets::Budgets;
-use super::chips::{Chip, REPEATABLE};
-use super::trace;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
+use std::io;
 use std::path::Path;
-use toytop_host::Failure;
+use toytop_chips::chip::{Chip, REPEATABLE};
+use toytop_chips::trace;
 
 /// Costs of the launches of an ELF on an emulated chip: a row for each scalar and each result, `ready` or `refused`. Cycles are in
 /// proportion to those of the call `launch`. A slice is the longest time between two calls of the set-up's function.
 ///
 /// # Errors
-/// [`Failure::Tool`]: there is no QEMU, the program did not end with exit code 0, or a line of its output cannot be read.
-pub fn costs_of_launches(chip: &Chip, elf: &Path, budgets: &Budgets) -> Result<Vec<Value>, Failure> {
+/// There is no QEMU, the program did not end with exit code 0, or a line of its output cannot be read.
+pub fn costs_of_launches(chip: &Chip, elf: &Path, budgets: &Budgets) -> io::Result<Vec<Value>> {
     let text = trace::emulate(chip, elf, &REPEATABLE, |_| Ok(()))?;
     let launch = |figure| budgets.budget(chip.name, "launch", figure).map(|count| count as f64);
     let ratio =
         launch("cycles").zip(launch("instructions")).map(|(cycles, instructions)| cycles / instructions);
     let mut groups: BTreeMap<[&str; 2], (Vec<u64>, u64)> = BTreeMap::new();
     for line in text.lines() {
-        let unknown = || Failure::Tool(format!("budget: {}: not a line of the corpus: {line}", chip.name));
+        let unknown = || io::Error::other(format!("not a line of the corpus: {line}"));
         let (key, [motion, table, slice]) = parsed(line).ok_or_else(unknown)?;
         let (launches, greatest) = groups.entry(key).or_default();
         launches.push(motion + table);

@@ -101,7 +101,7 @@ const COLUMNS: [(&str, &str, &str); 6] = [
 fn table_of_calls(budgets: &Budgets) -> String {
     let row = |(call, what): (&str, &str)| -> Value {
         let figure = |(heading, chip, figure)| (heading, Value::from(budgets.budget(chip, call, figure)));
-        once(("from a tick to α, β, u and the tip in memory, at most", Value::from(what)))
+        once(("call, at most; a tick gives α, β, u and the tip", Value::from(what)))
             .chain(COLUMNS.map(figure))
             .collect()
     };

@@ -134,7 +134,7 @@ impl Verdict {
         match self {
             Self::Kept => "ok",
             Self::Unbounded => "no bound",
-            Self::NoTable => "no fit",
+            Self::NoTable => "no table",
             Self::Missed => "MISS",
         }
     }

@@ -1,13 +1,12 @@
 //! Cost of each call, from the log of a run.
 
-use super::chips::Chip;
-use super::model::{BlockCycles, CycleModel, Instruction};
-use super::trace::{self, Block};
+use crate::chip::Chip;
+use crate::cycles::{BlockCycles, CycleModel, Instruction};
+use crate::trace::{self, Block};
 use object::{Architecture, File, Object, ObjectSection, ObjectSymbol, SectionKind, SymbolKind};
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
 use std::path::Path;
-use toytop_host::Failure;
+use std::{fs, io};
 
 /// Figures of the costliest of several calls, by name:
 ///
@@ -26,9 +25,9 @@ const PREFIX: &str = "bench_";
 /// Costs of the functions of an ELF that are named `bench_...`, on an emulated chip.
 ///
 /// # Errors
-/// [`Failure::Input`]: the file is no ELF, or no such function was called. [`Failure::Tool`]: there is no QEMU, the program did not end with
-/// exit code 0, or QEMU's log cannot be read.
-pub fn measure(chip: &Chip, elf: &Path) -> Result<Costs, Failure> {
+/// [`io::ErrorKind::InvalidInput`]: the file is no ELF, or no such function was called. Other kinds: there is no QEMU, the program did not end
+/// with exit code 0, or QEMU's log cannot be read.
+pub fn measure(chip: &Chip, elf: &Path) -> io::Result<Costs> {
     let bytes = read(elf)?;
     let image = Image::new(parsed(elf, &bytes)?);
     let cycle_model = CycleModel::for_chip(chip)?;
@@ -36,7 +35,7 @@ pub fn measure(chip: &Chip, elf: &Path) -> Result<Costs, Failure> {
     let printed =
         trace::emulate(chip, elf, &["-d", "in_asm,exec,nochain"], |block| measurement.executed(block))?;
     if measurement.calls.is_empty() {
-        return Err(Failure::Input(format!("{}: calls no function named {PREFIX}...", elf.display())));
+        return Err(refused(elf, &format!("calls no function named {PREFIX}...")));
     }
     // the firmware prints `bench_NAME stack BYTES ram BYTES`
     for line in printed.lines() {
@@ -53,8 +52,8 @@ pub fn measure(chip: &Chip, elf: &Path) -> Result<Costs, Failure> {
 /// Bytes of code, constants and initial values that the linker put into flash.
 ///
 /// # Errors
-/// [`Failure::Input`]: the file is no ELF.
-pub fn linked_flash(elf: &Path) -> Result<u64, Failure> {
+/// [`io::ErrorKind::InvalidInput`]: the file is no ELF.
+pub fn linked_flash(elf: &Path) -> io::Result<u64> {
     let bytes = read(elf)?;
     let in_flash =
         [SectionKind::Text, SectionKind::ReadOnlyData, SectionKind::ReadOnlyString, SectionKind::Data];
@@ -63,12 +62,16 @@ pub fn linked_flash(elf: &Path) -> Result<u64, Failure> {
     Ok(sections.map(|section| section.size()).sum())
 }
 
-fn read(elf: &Path) -> Result<Vec<u8>, Failure> {
-    fs::read(elf).map_err(|error| Failure::Input(format!("{}: {error}", elf.display())))
+fn read(elf: &Path) -> io::Result<Vec<u8>> {
+    fs::read(elf).map_err(|error| refused(elf, &error.to_string()))
 }
 
-fn parsed<'a>(elf: &Path, bytes: &'a [u8]) -> Result<File<'a>, Failure> {
-    File::parse(bytes).map_err(|error| Failure::Input(format!("{}: must be an ELF: {error}", elf.display())))
+fn parsed<'a>(elf: &Path, bytes: &'a [u8]) -> io::Result<File<'a>> {
+    File::parse(bytes).map_err(|error| refused(elf, &format!("must be an ELF: {error}")))
+}
+
+fn refused(elf: &Path, reason: &str) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidInput, format!("{}: {reason}", elf.display()))
 }
 
 /// Function of an ELF.
@@ -142,7 +145,7 @@ struct Call {
 }
 
 impl Measurement<'_> {
-    fn executed(&mut self, block: Block) -> Result<(), Failure> {
+    fn executed(&mut self, block: Block) -> io::Result<()> {
         if let Some(running) = self.running.take_if(|running| running.return_to == block.start) {
             self.returned(running);
         }

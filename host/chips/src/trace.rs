@@ -3,13 +3,12 @@
 //! With `-d in_asm,exec,nochain` QEMU lists the instructions of a block when it translates it, and writes a line whenever a block begins.
 //! A block ends with a branch, or where QEMU ends its translation. A block is identified by the address of its translation.
 
-use super::chips::Chip;
+use crate::chip::Chip;
 use std::collections::HashMap;
 use std::io::{self, BufRead, BufReader};
 use std::path::Path;
 use std::process::{ChildStderr, ChildStdout};
 use std::thread;
-use toytop_host::Failure;
 
 /// Consecutive instructions.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
@@ -25,26 +24,25 @@ pub struct Block {
 /// Output of an ELF that QEMU runs with these arguments. `executed` is called for every executed block that QEMU logs.
 ///
 /// # Errors
-/// [`Failure::Tool`]: there is no QEMU, the program did not end in time and with exit code 0, or the log cannot be read.
+/// There is no QEMU, the program did not end in time and with exit code 0, or the log cannot be read.
 pub fn emulate(
     chip: &Chip,
     elf: &Path,
     arguments: &[&str],
-    executed: impl FnMut(Block) -> Result<(), Failure>,
-) -> Result<String, Failure> {
-    let fail = |what: String| Failure::Tool(format!("budget: {}: {what}", chip.name));
-    let failed = |error: io::Error| fail(error.to_string());
+    executed: impl FnMut(Block) -> io::Result<()>,
+) -> io::Result<String> {
     let mut reader = Reader::default();
     let read = |stdout: ChildStdout, stderr: ChildStderr| {
         // in a thread, because a full pipe would stop the program
         let printed = thread::spawn(move || io::read_to_string(stdout));
         reader.read(BufReader::with_capacity(1 << 16, stderr), executed)?;
-        printed.join().map_err(|_| fail("no output".into()))?.map_err(failed)
+        printed.join().unwrap_or_else(|_| Err(io::Error::other("no output")))
     };
-    let (status, text) = chip.emulate(elf, arguments, read).map_err(failed)?;
+    let (status, text) = chip.emulate(elf, arguments, read)?;
     let text = text?;
     if !status.success() {
-        return Err(fail(format!("the firmware ended with {status}: {text}{}", reader.notes.join(" "))));
+        let notes = reader.notes.join(" ");
+        return Err(io::Error::other(format!("the firmware ended with {status}: {text}{notes}")));
     }
     Ok(text)
 }
@@ -65,13 +63,13 @@ impl Reader {
     fn read(
         &mut self,
         log: impl BufRead,
-        mut executed: impl FnMut(Block) -> Result<(), Failure>,
-    ) -> Result<(), Failure> {
+        mut executed: impl FnMut(Block) -> io::Result<()>,
+    ) -> io::Result<()> {
         // a block is counted when the next begins, because QEMU may cancel it
         let mut begun = None;
         for line in log.lines() {
-            let line = line.map_err(|error| Failure::Tool(format!("budget: QEMU's log: {error}")))?;
-            let unknown = || Failure::Tool(format!("budget: QEMU's log is not as expected: {line}"));
+            let line = line?;
+            let unknown = || io::Error::other(format!("QEMU's log is not as expected: {line}"));
             if line.starts_with("Trace ") {
                 begun.take().map_or(Ok(()), &mut executed)?;
                 begun = Some(self.read_block(&line).ok_or_else(unknown)?);
@@ -134,7 +132,7 @@ mod tests {
         Trace 0: 0x7f40 [00800408/00000500/00000110/ff000200] g\n\
         Trace 0: 0x7f00 [00800408/00000400/00000110/ff000200] f\n";
 
-    fn executed(log: &str) -> Result<Vec<(u64, u64, u64)>, Failure> {
+    fn executed(log: &str) -> io::Result<Vec<(u64, u64, u64)>> {
         let mut seen = Vec::new();
         Reader::default().read(log.as_bytes(), |Block { start, end, count }| {
             seen.push((start, end, count));

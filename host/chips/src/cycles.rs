@@ -10,13 +10,13 @@
 //! * SDIV and UDIV take 2 to 12 cycles: always 12, because the operands are not known
 //! * an instruction that a condition skips takes as many cycles as if it were executed
 
-use super::chips::Chip;
-use super::trace::Block;
+use crate::chip::Chip;
+use crate::trace::Block;
 use capstone::arch::ArchDetail;
 use capstone::arch::arm::{ArchMode, ArmOperandType, ArmReg};
 use capstone::prelude::*;
 use std::collections::HashMap;
-use toytop_host::Failure;
+use std::io;
 
 /// Processor with published timings.
 #[derive(Clone, Copy, PartialEq)]
@@ -49,14 +49,14 @@ impl CycleModel {
     /// Model of a chip; `None` where no timings are published.
     ///
     /// # Errors
-    /// [`Failure::Tool`] with the error of Capstone.
-    pub fn for_chip(chip: &Chip) -> Result<Option<Self>, Failure> {
+    /// The error of Capstone.
+    pub fn for_chip(chip: &Chip) -> io::Result<Option<Self>> {
         let processor = match chip.name {
             "m0plus" => Processor::M0Plus,
             "m4f" => Processor::M4,
             _ => return Ok(None),
         };
-        Self::new(processor).map(Some).map_err(|error| Failure::Tool(format!("budget: {error}")))
+        Self::new(processor).map(Some).map_err(io::Error::other)
     }
 
     fn new(processor: Processor) -> Result<Self, capstone::Error> {
@@ -69,14 +69,14 @@ impl CycleModel {
     /// Cycles of a block with this code.
     ///
     /// # Errors
-    /// [`Failure::Tool`]: the code cannot be decoded.
-    pub fn block(&mut self, block: Block, code: &[u8]) -> Result<BlockCycles, Failure> {
+    /// The code cannot be decoded.
+    pub fn block(&mut self, block: Block, code: &[u8]) -> io::Result<BlockCycles> {
         if let Some(known) = self.known.get(&block) {
             return Ok(*known);
         }
         let instructions = self.decoded(code, block.start).unwrap_or_default();
         let ([first, ..], [.., last]) = (&instructions[..], &instructions[..]) else {
-            return Err(Failure::Tool(format!("budget: code at {:#x} cannot be decoded", block.start)));
+            return Err(io::Error::other(format!("code at {:#x} cannot be decoded", block.start)));
         };
         let alone: i64 =
             instructions.iter().map(|instruction| instruction.cycles[self.processor as usize]).sum();
