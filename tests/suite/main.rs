@@ -6,6 +6,7 @@ mod rotations {
     mod fixed_point;
     mod group;
     mod interop;
+    mod moebius;
 }
 
 /// From a launch to the stepper: constants, kinds of motion, first integrals, the tip.

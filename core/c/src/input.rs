@@ -98,7 +98,7 @@ impl toytop_state {
         State::new(Orientation { alpha: complex(self.alpha), beta: complex(self.beta) }, self.omega)
     }
 
-    pub(crate) fn of(state: &State) -> Self {
+    pub(crate) fn from_state(state: &State) -> Self {
         let (Orientation { alpha, beta }, omega) = (state.orientation(), state.omega());
         Self { alpha: [alpha.re, alpha.im], beta: [beta.re, beta.im], omega }
     }
@@ -118,7 +118,7 @@ pub unsafe extern "C" fn toytop_state_from_release(
         status_of(error, || {
             let toytop_release { tilt, azimuth, roll, spin, precession, nutation } = read(release)?;
             let thrown = State::from_release(&Release { tilt, azimuth, roll, spin, precession, nutation })?;
-            write(state, toytop_state::of(&thrown))
+            write(state, toytop_state::from_state(&thrown))
         })
     }
 }
@@ -141,7 +141,7 @@ pub unsafe extern "C" fn toytop_state_from_quaternion_and_gyro(
         status_of(error, || {
             let (quaternion, gyro) = (read(quaternion.cast())?, read(gyro.cast())?);
             let measured = State::from_quaternion_and_gyro(quaternion, gyro)?;
-            write(state, toytop_state::of(&measured))
+            write(state, toytop_state::from_state(&measured))
         })
     }
 }
@@ -166,7 +166,7 @@ pub unsafe extern "C" fn toytop_impulse(
         status_of(error, || {
             let (top, before, impulse, point) = impulse_arguments(top, before, impulse, point)?;
             let struck = before.with_impulse(&top, impulse, point)?;
-            write(after, toytop_state::of(&struck))
+            write(after, toytop_state::from_state(&struck))
         })
     }
 }

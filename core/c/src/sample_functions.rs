@@ -74,7 +74,7 @@ macro_rules! functions {
         quantity! {
         /// State of a sample, from which another motion can be launched.
         [<toytop_ $name _state>]<$scalar>(state: toytop_state) =
-            |sample| toytop_state::of(&State::from_attitude(&sample.attitude_state())?)
+            |sample| toytop_state::from_state(&State::from_attitude(&sample.attitude_state())?)
         }
 
             }

@@ -52,7 +52,7 @@ pub(crate) unsafe fn set_up_in<R: EphemerisScalar>(
     launched: Launched,
     (pause, context): (toytop_pause, *mut c_void),
 ) -> Result<(), Refusal> {
-    let memory = Memory::of::<R>(table, size)?;
+    let memory = Memory::new::<R>(table, size)?;
     // SAFETY: the caller guarantees valid memory.
     let cleared = unsafe { memory.clear::<R>() };
     if workspace.is_null() {

@@ -173,7 +173,7 @@ pub(crate) struct Memory {
 
 impl Memory {
     /// Memory of `size` bytes for a table of a scalar. Null and unaligned pointers, and too few bytes, are refused.
-    pub(crate) fn of<R: EphemerisScalar>(table: *mut u8, size: usize) -> Result<Self, Refusal> {
+    pub(crate) fn new<R: EphemerisScalar>(table: *mut u8, size: usize) -> Result<Self, Refusal> {
         let head = checked_head(table)?.cast_mut();
         let most = size.saturating_sub(size_of_table::<R>(0)) / size_of::<R::Segment>();
         let segments = most.min(MOST);
@@ -225,10 +225,10 @@ mod tests {
             let table = words.as_mut_ptr().cast::<u8>();
             for segments in 8..=40 {
                 let memory =
-                    Memory::of::<R>(table, size_of_table::<R>(segments)).map(|memory| memory.segments);
+                    Memory::new::<R>(table, size_of_table::<R>(segments)).map(|memory| memory.segments);
                 assert_eq!(memory.ok(), Some(segments));
             }
-            assert!(Memory::of::<R>(table, size_of_table::<R>(8) - 1).is_err());
+            assert!(Memory::new::<R>(table, size_of_table::<R>(8) - 1).is_err());
         }
         check::<f32>();
         check::<f64>();

@@ -109,13 +109,13 @@ impl Aperiodic {
         let point = constants.at(v);
         let alpha = form.alpha(&point);
         let arguments = ArgumentOffsets::new(motion, [alpha, constants.beta(&point)]);
-        let [a, b] = arguments.angles;
+        let [alpha_offset, beta_offset] = arguments.angles;
         let at_start = form.argument(&point);
         // the argument of α at u = e₁ in the closed form
         let lowest =
             if e.one_plus_e1 > Extended::ZERO { form.alpha(&constants.at(Extended::ZERO)) } else { alpha };
         let origin = Phase::from_radians(rounded(lowest.value).arg());
-        let tip_origin = (a + b + origin + at_start).principal() - at_start;
+        let tip_origin = (alpha_offset + beta_offset + origin + at_start).principal() - at_start;
         let tip_scale = motion.top().tip_scale();
         Some(Self { constants, form, start: [v, form.time(&point)], arguments, tip_scale, tip_origin })
     }

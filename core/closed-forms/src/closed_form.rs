@@ -24,7 +24,7 @@ pub enum ClosedForm {
     Lagrange(Lagrange),
 }
 
-/// Error of [`ClosedForm::of`]: the motion needs hyperelliptic functions.
+/// Error of [`ClosedForm::from_motion`]: the motion needs hyperelliptic functions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoClosedForm {
     /// Branch point e₃ of the motion.
@@ -54,7 +54,7 @@ impl ClosedForm {
     ///
     /// # Errors
     /// [`NoClosedForm`]: the motion is that of a nutating toy top with e₃ ≠ e₄.
-    pub fn of(motion: &Motion) -> Result<Self, NoClosedForm> {
+    pub fn from_motion(motion: &Motion) -> Result<Self, NoClosedForm> {
         FreeBody::new(motion)
             .map(Self::FreeBody)
             .or_else(|| RegularPrecession::new(motion).map(Self::RegularPrecession))

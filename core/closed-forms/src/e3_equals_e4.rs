@@ -64,7 +64,7 @@ impl E3EqualsE4 {
         let time_scale = (s.doubled() / g).sqrt();
 
         let third = [e.e3_minus_one, e1_plus_e3, e2_plus_e3, e.one_plus_e3()];
-        let [a, b] = zeros(&e, motion.signs(), third).map(|x| real(-x));
+        let [alpha_zero, beta_zero] = zeros(&e, motion.signs(), third).map(|x| real(-x));
         // |k₁| follows from |α| at u = e₂ and |k₂| from |β| at u = e₁, which are never 0
         let (highest, lowest) = (Complex::ZERO, imaginary(-half));
         let [alpha_size, beta_size] = [e.one_plus_e2(), e.one_minus_e1()].map(|x| x.halved().sqrt());
@@ -74,8 +74,9 @@ impl E3EqualsE4 {
             ThetaQuotient::through(&lattice, [half, LatticeHalfPeriod::Omega], zero, rate_offset, point)
         };
         let integrals = motion.unrounded().integrals;
-        let alpha = quotient(LatticeHalfPeriod::OmegaPrime, a, integrals.l_plus_n, (highest, alpha_size));
-        let beta = quotient(LatticeHalfPeriod::Origin, b, -integrals.l_minus_n, (lowest, beta_size));
+        let alpha =
+            quotient(LatticeHalfPeriod::OmegaPrime, alpha_zero, integrals.l_plus_n, (highest, alpha_size));
+        let beta = quotient(LatticeHalfPeriod::Origin, beta_zero, -integrals.l_minus_n, (lowest, beta_size));
         let whole = imaginary(half.doubled());
         let rotations = [alpha.rotation(highest, whole), beta.rotation(lowest, whole)];
 

@@ -57,7 +57,7 @@ impl Lagrange {
 
         // along imaginary z
         let third = [e.one_plus_e3(), e.e3_minus_e1(), gap, e.e3_minus_one];
-        let [a, b] = zeros(&e, motion.signs(), third).map(imaginary);
+        let [alpha_zero, beta_zero] = zeros(&e, motion.signs(), third).map(imaginary);
         // |k| from |α| at u = e₂ and from |β| at u = e₁, which are never 0
         let (highest, lowest) = (real(half), Complex::ZERO);
         let [alpha_size, beta_size] = [e.one_plus_e2(), e.one_minus_e1()].map(|x| x.halved().sqrt());
@@ -70,8 +70,8 @@ impl Lagrange {
                 point,
             )
         };
-        let alpha = quotient(LatticeHalfPeriod::Origin, a, (highest, alpha_size));
-        let beta = quotient(LatticeHalfPeriod::Omega, b, (lowest, beta_size));
+        let alpha = quotient(LatticeHalfPeriod::Origin, alpha_zero, (highest, alpha_size));
+        let beta = quotient(LatticeHalfPeriod::Omega, beta_zero, (lowest, beta_size));
         let whole = real(half.doubled());
         let rotations = [alpha.rotation(-highest, whole), beta.rotation(lowest, whole)];
 

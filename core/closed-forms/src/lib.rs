@@ -2,8 +2,6 @@
 #![cfg_attr(not(test), no_std)]
 
 // Modules in the order of dependence: each one uses only those above it.
-pub mod moebius;
-
 pub mod elliptic;
 
 // Parts of the solutions.

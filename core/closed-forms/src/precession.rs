@@ -27,7 +27,7 @@ pub struct RegularPrecession {
     stability: Stability,
     start: Orientation<f64>,
     /// Rates of arg α and arg β, rad per unit time.
-    turning: [Extended; 2],
+    argument_rates: [Extended; 2],
 }
 
 /// Stability of a motion at constant tilt under a small push.
@@ -72,7 +72,8 @@ impl RegularPrecession {
         let axial = motion.unrounded().integrals.spin;
         let u = if one_minus_u < one_plus_u { one - one_minus_u } else { one_plus_u - one };
         // φ' ± ψ' with ψ' = ⟨ω, r⟩ - u φ'
-        let turning = [precession * one_minus_u + axial, precession * one_plus_u - axial].map(Float::halved);
+        let argument_rates =
+            [precession * one_minus_u + axial, precession * one_plus_u - axial].map(Float::halved);
 
         let stability = if falls {
             // 4 A p g - n² = 2 A p g (1 - e₁)
@@ -84,7 +85,13 @@ impl RegularPrecession {
             Stability::Marginal
         };
         let rates = [precession, axial - u * precession].map(Float::to_f64);
-        Some(Self { regime, rates, stability, start: Stepper::<f64>::new(motion).orientation(), turning })
+        Some(Self {
+            regime,
+            rates,
+            stability,
+            start: Stepper::<f64>::new(motion).orientation(),
+            argument_rates,
+        })
     }
 
     /// Regime of the motion, one of those at constant tilt.
@@ -110,11 +117,11 @@ impl RegularPrecession {
     pub fn at(&self, t: f64) -> AttitudeState<f64> {
         let rotated = |z: Complex<f64>, rate: Extended| {
             let value = z * Complex::cis((rate * t.into()).in_turns().to_phase());
-            [value, value.times_i().scaled(rate.to_f64())]
+            (value, value.times_i().scaled(rate.to_f64()))
         };
-        let [alpha_turning, beta_turning] = self.turning;
-        let [[alpha, alpha_rate], [beta, beta_rate]] =
-            [rotated(self.start.alpha, alpha_turning), rotated(self.start.beta, beta_turning)];
+        let [of_alpha, of_beta] = self.argument_rates;
+        let (alpha, alpha_rate) = rotated(self.start.alpha, of_alpha);
+        let (beta, beta_rate) = rotated(self.start.beta, of_beta);
         let rate = OrientationRate { alpha: alpha_rate, beta: beta_rate };
         AttitudeState { orientation: Orientation { alpha, beta }, rate }
     }

@@ -36,10 +36,26 @@ impl Covariance {
         self.lower.row(i.max(j)).get(i.min(j)).copied().unwrap_or(0.0)
     }
 
-    pub(crate) fn set(&mut self, i: usize, j: usize, value: f64) {
-        if let Some(slot) = self.lower.row_mut(i.max(j)).get_mut(i.min(j)) {
-            *slot = value;
+    /// Adds a variance to that of one unknown.
+    pub(crate) fn add_variance(&mut self, index: usize, variance: f64) {
+        self.lower.symmetric_mut(index, index).into_iter().for_each(|slot| *slot += variance);
+    }
+
+    /// Replaces an unknown by one of this variance that is independent of the others.
+    pub(crate) fn replace_unknown(&mut self, index: usize, variance: f64) {
+        for other in 0..MOST_UNKNOWNS {
+            if let Some(slot) = self.lower.symmetric_mut(index, other) {
+                *slot = if other == index { variance } else { 0.0 };
+            }
         }
+    }
+
+    /// Covariance of the unknowns in these units.
+    pub(crate) fn in_units(mut self, units: &Unknowns) -> Self {
+        for (index, x) in units.iter().enumerate() {
+            self.lower.row_mut(index).iter_mut().zip(units).for_each(|(slot, y)| *slot /= x * y);
+        }
+        self
     }
 
     /// Adds v vᵀ.
@@ -54,8 +70,8 @@ impl Covariance {
     /// * `columns`: derivatives of the change with respect to the unknowns; those that are left out are 0
     pub(crate) fn propagate(&mut self, columns: &[Tangent<f64>]) {
         let weight = |index: usize, unknown: usize| {
-            let change = columns.get(unknown).map_or([[0.0; 3]; 2], |by| [by.theta, by.eta]);
-            change.as_flattened().get(index).copied().unwrap_or(0.0)
+            let change = columns.get(unknown).map(Tangent::components);
+            change.and_then(|by| by.get(index).copied()).unwrap_or(0.0)
         };
         // the other unknowns are kept, so that only the rows of the launch have to be multiplied
         let mut rows = [[0.0; MOST_UNKNOWNS]; LAUNCH_COLUMNS];
@@ -67,7 +83,9 @@ impl Covariance {
         for (index, row) in rows.iter().enumerate() {
             for (unknown, entry) in row.iter().enumerate().skip(index) {
                 let product = || row.iter().enumerate().map(|(k, entry)| entry * weight(unknown, k)).sum();
-                self.set(index, unknown, if unknown < LAUNCH_COLUMNS { product() } else { *entry });
+                if let Some(slot) = self.lower.symmetric_mut(index, unknown) {
+                    *slot = if unknown < LAUNCH_COLUMNS { product() } else { *entry };
+                }
             }
         }
     }

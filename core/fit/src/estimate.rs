@@ -80,7 +80,7 @@ impl Estimate {
     }
 
     /// Estimate after a change of the unknowns: a rotation vector of the body frame, a change of Ω, and those of the others.
-    pub(crate) fn moved(&self, change: &Unknowns) -> Self {
+    pub(crate) fn corrected(&self, change: &Unknowns) -> Self {
         let [d1, d2, d3, w1, w2, w3, others @ ..] = *change;
         let orientation = self.orientation.compose(&Orientation::exp([d1, d2, d3])).normalised();
         let mut other = self.other;

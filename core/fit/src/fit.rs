@@ -5,11 +5,13 @@
 // In the order of dependence.
 mod error;
 
+mod problem;
+
 mod statistics;
 
 mod pass;
 
-mod marquardt;
+mod solver;
 
 mod first_guess;
 
@@ -18,17 +20,31 @@ mod search;
 mod fitted;
 
 use crate::estimate::{Estimate, FreeRatio};
-use crate::model::Model;
+use crate::model::{Model, Prior};
 use crate::sensitivity::LAUNCH_COLUMNS;
 use crate::sensors::{Measurement, Sensor};
 use crate::vector::{Vector, norm, rotation_vector};
 pub use error::{FitError, FitWarning};
 pub use fitted::{Drift, Fitted, Unobservable};
-use marquardt::CONVERGED_SIGMA;
-pub use pass::Fit;
+use problem::Problem;
+use search::{misfit_cause, search, settle_finally, warning};
+use solver::{CONVERGED_SIGMA, Solver};
 pub use statistics::Statistics;
 use toytop::Top;
 use toytop::scalar::Real;
+
+/// Fit of a launch to measurements.
+///
+/// The unknowns are the launch, the free ratios, and the constant biases of the sensors. The scalar `f32` suffices for sensors whose noise
+/// is at least 1e-4 of their readings; the fit then takes less than 8 KiB, whatever the number of measurements.
+#[derive(Clone)]
+pub struct Fit<'a, F = f64> {
+    sensors: &'a [&'a dyn Sensor<F>],
+    model: Model,
+    /// Largest residual that counts quadratically, in standard deviations.
+    huber: f64,
+    solver: Solver<F>,
+}
 
 /// Fit of a block, and its difference from the prediction of the last block.
 #[derive(Clone, Copy, Debug)]
@@ -53,7 +69,7 @@ impl<'a, F: Real> Fit<'a, F> {
             return Err(FitError::SensorNoise { sensor });
         }
         let model = Model::new(top, sensors, ratios, None).ok_or(FitError::TooManyUnknowns)?;
-        Ok(Self::with_model(sensors, model))
+        Ok(Self { sensors, model, huber: 3.0, solver: Solver::new(&model) })
     }
 
     /// Sets the largest residual that counts quadratically, in standard deviations; larger ones count linearly (Huber). It is infinite for
@@ -72,13 +88,14 @@ impl<'a, F: Real> Fit<'a, F> {
     ///
     /// # Errors
     /// [`FitError::TooManyUnknowns`]: more than one free ratio. [`FitError::LossDeviation`]: not a positive number.
-    pub fn with_losses(self, deviation: f64) -> Result<Self, FitError> {
+    pub fn with_losses(mut self, deviation: f64) -> Result<Self, FitError> {
         if !(deviation.is_finite() && deviation > 0.0) {
             return Err(FitError::LossDeviation);
         }
         let model = Model::new(&self.model.top, self.sensors, self.model.free(), Some(deviation));
-        let model = model.ok_or(FitError::TooManyUnknowns)?;
-        Ok(Self::with_model(self.sensors, model).with_huber(self.huber))
+        self.model = model.ok_or(FitError::TooManyUnknowns)?;
+        self.solver = Solver::new(&self.model);
+        Ok(self)
     }
 
     /// Launch from all measurements, without a first guess. The measurements are read several times.
@@ -89,11 +106,14 @@ impl<'a, F: Real> Fit<'a, F> {
         &mut self,
         measurements: impl Iterator<Item = Measurement> + Clone,
     ) -> Result<Fitted, FitError> {
-        let extent = self.checked(&measurements)?;
-        let (warning, other_launch_count) = self.search(&measurements, &extent);
-        let mut fitted = self.fitted(&extent, warning, other_launch_count);
+        let Self { sensors, model, huber, solver } = self;
+        let problem = Problem::new(sensors, model, *huber, measurements)?;
+        solver.reset_prior(model);
+        let (warning, other_launch_count) = search(&problem, solver);
+        let mut fitted = Fitted::new(&problem, solver, warning, other_launch_count);
         if matches!(fitted.warning, Some(FitWarning::Misfit | FitWarning::NotSettled)) {
-            let cause = self.misfit_cause(&measurements, &extent, fitted.statistics.chi_squared);
+            let chi_squared = fitted.statistics.chi_squared;
+            let cause = misfit_cause(&problem, solver, chi_squared);
             fitted.warning = cause.or(fitted.warning);
         }
         Ok(fitted)
@@ -108,10 +128,12 @@ impl<'a, F: Real> Fit<'a, F> {
         guess: Estimate,
         measurements: impl Iterator<Item = Measurement> + Clone,
     ) -> Result<Fitted, FitError> {
-        let extent = self.checked(&measurements)?;
-        self.start_from(&guess);
-        let warning = self.settle_finally(&measurements);
-        Ok(self.fitted(&extent, warning, 0))
+        let Self { sensors, model, huber, solver } = self;
+        let problem = Problem::new(sensors, model, *huber, measurements)?;
+        solver.reset_prior(model);
+        solver.start_from(&guess);
+        let warning = settle_finally(&problem, solver);
+        Ok(Fitted::new(&problem, solver, warning, 0))
     }
 
     /// Fits the next block of measurements from the fit of the last one, carried to it with its covariance.
@@ -130,40 +152,33 @@ impl<'a, F: Real> Fit<'a, F> {
         if !(loss.is_finite() && loss >= 0.0) {
             return Err(FitError::LossDeviation);
         }
-        let extent = self.checked(&measurements)?;
-        let span = extent.first - last.time;
+        let Self { sensors, model, huber, solver } = self;
+        let problem = Problem::new(sensors, model, *huber, measurements)?;
+        let span = problem.first_time - last.time;
         if span < 0.0 {
             return Err(FitError::OutOfOrder { index: 0 });
         }
-        let (predicted, at) = self.model.predicted(&last.launch, span).ok_or(FitError::LastFit)?;
+        let (predicted, at) = model.predicted(&last.launch, span).ok_or(FitError::LastFit)?;
         let mut covariance = last.covariance;
         covariance.propagate(&at.tangents);
         let noise = loss * norm(predicted.omega) * span;
         for index in 0..LAUNCH_COLUMNS {
             let noise = if index < 3 { 0.5 * span * noise } else { noise };
-            covariance.set(index, index, covariance.get(index, index) + noise * noise);
+            covariance.add_variance(index, noise * noise);
         }
         // the losses may be others now
-        for index in self.model.loss_range() {
-            (0..last.unknown_count).for_each(|other| covariance.set(index, other, 0.0));
-            let variance = self.model.deviations.get(index).map_or(0.0, |deviation| deviation * deviation);
-            covariance.set(index, index, variance);
+        for (index, deviation) in model.losses() {
+            covariance.replace_unknown(index, deviation * deviation);
         }
         // to changes along the body axes
         covariance.turn(&predicted.orientation.inverse());
-        self.prior = (predicted, covariance.information(last.unknown_count));
-        self.start_from(&predicted);
-        let settled = self.settle(&measurements, usize::MAX, CONVERGED_SIGMA);
-        let fitted = self.fitted(&extent, self.warning(settled), 0);
-        self.reset_prior();
-        let turn = self.best.estimate.orientation.compose(&predicted.orientation.inverse());
-        let drift_rates = self.mean_rates([&last.launch, &fitted.launch], fitted.time - last.time);
+        solver.prior = Prior { estimate: predicted, information: covariance.information(last.unknown_count) };
+        solver.start_from(&predicted);
+        let settled = solver.settle(&problem, usize::MAX, CONVERGED_SIGMA);
+        let warning = warning(model, solver, settled);
+        let fitted = Fitted::new(&problem, solver, warning, 0);
+        let turn = solver.best.estimate.orientation.compose(&predicted.orientation.inverse());
+        let drift_rates = model.mean_rates([&last.launch, &fitted.launch], fitted.time - last.time);
         Ok(Tracked { fitted, jump: rotation_vector(&turn), drift_rates })
-    }
-
-    /// Sets the information before the measurements to that of the model.
-    #[inline(never)] // stack
-    fn reset_prior(&mut self) {
-        self.prior = self.model.prior();
     }
 }

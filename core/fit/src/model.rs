@@ -3,13 +3,12 @@
 use crate::estimate::{Estimate, FreeRatio};
 use crate::information::Information;
 use crate::sensitivity::{
-    COARSE, COLUMNS, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, RATIOS, Sensitivity, coefficients,
-    log_derivatives, product, ratios, with_coefficients,
+    COARSE, COLUMNS, Coefficients, Equations, LAUNCH_COLUMNS, LOSS_COUNT, PASS, Partials, RATIOS,
+    Sensitivity, Tangent, Trajectory, log_derivatives,
 };
 use crate::sensors::Sensor;
 use crate::triangle::{MOST_UNKNOWNS, Unknowns, unit_row};
-use crate::vector::{UNITS, Vector, norm, scaled};
-use core::ops::Range;
+use crate::vector::{UNITS, Vector, add_scaled, norm, scaled};
 use toytop::scalar::Real;
 use toytop::{Motion, Orientation, ParameterError, Top};
 
@@ -17,6 +16,13 @@ use toytop::{Motion, Orientation, ParameterError, Top};
 pub const MOST_SENSORS: usize = 4;
 /// Largest number of ratios that are unknowns.
 pub const MOST_RATIOS: usize = RATIOS;
+
+/// Information before the measurements, about changes of an estimate.
+#[derive(Clone)]
+pub(crate) struct Prior<F> {
+    pub(crate) estimate: Estimate,
+    pub(crate) information: Information<F>,
+}
 
 /// Unknowns of a fit: the launch, the free ratios, the losses of rotation, and the biases.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +33,7 @@ pub(crate) struct Model {
     /// First bias of each sensor among the unknowns.
     biases: [Option<usize>; MOST_SENSORS],
     /// Prior standard deviations; infinite where there is no prior information.
-    pub(crate) deviations: Unknowns,
+    deviations: Unknowns,
     /// Number of unknowns of the motion: all but the biases.
     pub(crate) motion_count: usize,
     pub(crate) count: usize,
@@ -77,12 +83,13 @@ impl Model {
 
     /// Whether the losses are unknowns.
     pub(crate) fn has_losses(&self) -> bool {
-        !self.loss_range().is_empty()
+        self.losses().next().is_some()
     }
 
-    /// Places of the losses among the unknowns.
-    pub(crate) fn loss_range(&self) -> Range<usize> {
-        LAUNCH_COLUMNS + self.free_count..self.motion_count
+    /// Places of the losses among the unknowns, and their prior standard deviations.
+    pub(crate) fn losses(&self) -> impl Iterator<Item = (usize, f64)> {
+        let unknowns = self.deviations.iter().copied().enumerate();
+        unknowns.take(self.motion_count).skip(LAUNCH_COLUMNS + self.free_count)
     }
 
     /// First bias of a sensor among the unknowns.
@@ -98,25 +105,28 @@ impl Model {
 
     /// Equations of an estimate. Their columns after those of the launch are the free ratios and the losses.
     pub(crate) fn equations(&self, estimate: &Estimate) -> Equations<f64> {
-        let mut coefficients = coefficients(&self.top);
+        let mut coefficients = Coefficients::new(&self.top);
         let by = self.free.map(|free| log_derivatives(self.top.support(), free.direction));
         for (by, value) in by.iter().zip(estimate.other).take(self.free_count) {
-            coefficients = product(coefficients, by.map(|by| libm::exp(by * value)));
+            coefficients = coefficients.times(by.map(|by| libm::exp(by * value)));
         }
-        let mut changes = by.map(|by| product(coefficients, by));
-        let [.., x1, x2, x3] = &mut coefficients;
-        [*x1, *x2, *x3] = self.losses_of(estimate);
+        let mut changes = by.map(|by| Coefficients { k_over_a: 0.0, ..coefficients.times(by) });
+        coefficients.losses = self.losses_of(estimate);
         let columns = changes.iter_mut().skip(self.free_count).filter(|_| self.has_losses());
-        for ([.., x1, x2, x3], unit) in columns.zip(UNITS) {
-            [*x1, *x2, *x3] = unit;
-        }
+        columns.zip(UNITS).for_each(|(change, unit)| change.losses = unit);
         Equations { coefficients, changes, columns: self.motion_count }
+    }
+
+    /// Trajectory of an estimate for a pass, whose columns are changes along the body axes.
+    pub(crate) fn trajectory<F: Real>(&self, estimate: &Estimate) -> Trajectory<F> {
+        let tangents = Tangent::along_body_axes(&estimate.orientation);
+        Trajectory::new(&estimate.body_state(), tangents, &self.equations(estimate), PASS)
     }
 
     /// Derivatives of the ratios with respect to those that are free; 0 for the infinite A/C of a thin rod, whose motion does not
     /// depend on it.
     pub(crate) fn ratio_derivatives(&self, estimate: &Estimate) -> [[f64; RATIOS]; MOST_RATIOS] {
-        let ratios = ratios(&self.equations(estimate).coefficients, self.top.support());
+        let ratios = self.equations(estimate).coefficients.ratios(self.top.support());
         let mut shares = self.free.map(|free| free.direction);
         for (weight, ratio) in shares.iter_mut().flat_map(|direction| direction.iter_mut().zip(ratios)) {
             *weight = if ratio.is_finite() { *weight * ratio } else { 0.0 };
@@ -129,7 +139,7 @@ impl Model {
         if self.free_count == 0 {
             return Ok(*given);
         }
-        with_coefficients(given, &self.equations(estimate).coefficients)
+        self.equations(estimate).coefficients.top(given)
     }
 
     /// Derivatives of the motion of an estimate with respect to the unknowns.
@@ -145,29 +155,32 @@ impl Model {
 
     /// Launch at a later time, with the derivatives there with respect to the unknowns.
     pub(crate) fn predicted(&self, estimate: &Estimate, span: f64) -> Option<(Estimate, Partials)> {
-        let at = self.sensitivity(estimate)?.with_turned_omega(span)?;
+        let at = self.sensitivity(estimate)?.advance_with_omega_turned(span)?;
         let (orientation, omega) = (at.orientation(), at.omega());
         Some((Estimate { orientation, omega, ..*estimate }, at))
     }
 
-    /// First integrals l, n and h of an estimate.
-    pub(crate) fn integrals(&self, estimate: &Estimate) -> Vector<f64> {
-        scaled(self.equations(estimate).integrals(&estimate.body_state()), self.top.transverse_inertia())
+    /// Mean rates of change of l, n and h between two estimates that are `span` apart; 0 where that is 0.
+    pub(crate) fn mean_rates(&self, estimates: [&Estimate; 2], span: f64) -> Vector<f64> {
+        let [before, after] = estimates.map(|estimate| {
+            scaled(self.equations(estimate).integrals(&estimate.body_state()), self.top.transverse_inertia())
+        });
+        scaled(add_scaled(after, before, -1.0), if span > 0.0 { 1.0 / span } else { 0.0 })
     }
 
-    /// Information before the first measurement, and the estimate that it is about. Losses, biases and changes of the ratios are near 0.
-    pub(crate) fn prior<F: Real>(&self) -> (Estimate, Information<F>) {
+    /// Information before the first measurement: losses, biases and changes of the ratios are near 0.
+    pub(crate) fn prior<F: Real>(&self) -> Prior<F> {
         let mut information = Information::new(self.count);
         for (index, deviation) in self.deviations.iter().enumerate() {
             information.add_prior(index, F::from_f64(*deviation));
         }
-        (Estimate::new(Orientation::IDENTITY, [0.0; 3]), information)
+        Prior { estimate: Estimate::new(Orientation::IDENTITY, [0.0; 3]), information }
     }
 
     /// Unit of each unknown: 1 rad, a change of ω or of a ratio by its own size, and ten times a prior deviation, so that an unknown
     /// that only its prior determines counts as determined.
     pub(crate) fn units(&self, estimate: &Estimate) -> Unknowns {
-        let [_, p_over_a, _, g, ..] = self.equations(estimate).coefficients;
+        let Coefficients { p_over_a, g, .. } = self.equations(estimate).coefficients;
         let rate = norm([norm(estimate.omega), libm::sqrt(p_over_a * g), 0.0]);
         let mut units =
             self.deviations.map(|deviation| if deviation.is_finite() { 10.0 * deviation } else { 1.0 });

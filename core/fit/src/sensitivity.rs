@@ -19,9 +19,7 @@ mod partials;
 mod trajectory;
 
 use crate::vector::{UNITS, cross};
-pub(crate) use coefficients::{
-    LOSS_COUNT, RATIOS, coefficients, log_derivatives, product, ratios, with_coefficients,
-};
+pub(crate) use coefficients::{Coefficients, LOSS_COUNT, RATIOS, log_derivatives};
 pub(crate) use equations::Equations;
 use integrals::projected;
 pub use partials::Partials;
@@ -96,7 +94,7 @@ impl Sensitivity {
         let period =
             motion.period_advance().and_then(|PeriodAdvance { exact_period: length, rotations, .. }| {
                 let [about_vertical, _] = rotations;
-                let mut end = start.moved(length.to_f64())?.now;
+                let mut end = start.at(length.to_f64())?.now;
                 end.turn(-about_vertical);
                 let mut growth = end.tangents;
                 for (grown, initial) in growth.iter_mut().zip(&start.now.tangents) {
@@ -128,28 +126,27 @@ impl Sensitivity {
 
     /// Derivatives as those of [`Sensitivity::at`], integrated from the time of the last call. This is faster for a sequence of times.
     pub fn advance_to(&mut self, t: f64) -> Option<Partials> {
-        let mut partials = self.with_turned_omega(t)?;
+        let mut partials = self.advance_with_omega_turned(t)?;
         // with ω kept, a rotation δ of Φ changes ω by -δ × ω in the frame that turns by δ
         let omega = self.start.now.omega();
-        if let Some((launch, _)) = partials.tangents.split_first_chunk_mut::<LAUNCH_COLUMNS>() {
-            let [x, y, z, by_omega @ ..] = launch;
-            for (slot, unit) in [x, y, z].into_iter().zip(UNITS) {
-                for (column, weight) in by_omega.iter().zip(cross(omega, unit)) {
-                    *slot = slot.plus(column, weight);
-                }
+        let [x, y, z, by_omega @ ..] = &mut partials.tangents;
+        for (slot, unit) in [x, y, z].into_iter().zip(UNITS) {
+            for (column, weight) in by_omega.iter().zip(cross(omega, unit)) {
+                *slot = slot.plus(column, weight);
             }
         }
         Some(partials)
     }
 
-    /// Derivatives at time t, those of the orientation with ω turned along: Φ(0) → exp(δ) Φ(0), ω(0) → exp(δ) ω(0).
-    pub(crate) fn with_turned_omega(&mut self, t: f64) -> Option<Partials> {
+    /// Derivatives as those of [`Sensitivity::advance_to`], but a rotation δ of the launch also turns ω(0): Φ(0) → exp(δ) Φ(0) and
+    /// ω(0) → exp(δ) ω(0).
+    pub(crate) fn advance_with_omega_turned(&mut self, t: f64) -> Option<Partials> {
         let Self { start, period, .. } = self;
         if !t.is_finite() {
             return None;
         }
         let Some(period) = period else {
-            self.trajectory = self.trajectory.moved(t)?;
+            self.trajectory = self.trajectory.at(t)?;
             return Some(self.trajectory.now);
         };
         let (count, since_period) = period.reduced(t)?;
@@ -161,7 +158,7 @@ impl Sensitivity {
             }
             (self.trajectory, self.count) = (start.relaunched(about_axis * count, tangents), count);
         }
-        self.trajectory = self.trajectory.moved(since_period)?;
+        self.trajectory = self.trajectory.at(since_period)?;
         let mut partials = self.trajectory.now;
         partials.turn(about_vertical * count);
         Some(partials)

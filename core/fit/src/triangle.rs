@@ -39,6 +39,11 @@ impl<F: Real> Triangle<F> {
         self.entries.get_mut(places(index)).unwrap_or(&mut [])
     }
 
+    /// Entry of a row and a column of the symmetric matrix that has these rows; `None` where there is no such unknown.
+    pub(crate) fn symmetric_mut(&mut self, i: usize, j: usize) -> Option<&mut F> {
+        self.row_mut(i.max(j)).get_mut(i.min(j))
+    }
+
     /// Product R x.
     pub(crate) fn product(&self, x: &Unknowns<F>) -> Unknowns<F> {
         core::array::from_fn(|index| inner(self.row(index), x))
@@ -65,8 +70,9 @@ impl<F: Real> Triangle<F> {
         let mut inverse = Triangle::ZERO;
         for index in 0..MOST_UNKNOWNS {
             for (row, value) in self.inverse_column(index).iter().enumerate().skip(index) {
-                let slot = inverse.row_mut(row).get_mut(index);
-                slot.into_iter().for_each(|slot| *slot = G::from_f64(value.to_f64()));
+                if let Some(slot) = inverse.symmetric_mut(row, index) {
+                    *slot = G::from_f64(value.to_f64());
+                }
             }
         }
         inverse

@@ -58,7 +58,7 @@ impl Level {
     /// Level above which the normal force is negative, so that a real top lifts off. `None` if the tip does not slide, or the force never changes
     /// its sign: see [`Motion::min_normal_force`].
     #[must_use]
-    pub fn of_lift_off(motion: &Motion) -> Option<Self> {
+    pub fn lift_off(motion: &Motion) -> Option<Self> {
         if motion.top().support() != Support::Sliding || motion.is_steady() {
             return None;
         }

@@ -121,7 +121,7 @@ fn spin(motion: &Motion) {
     black_box((motion.first_integrals(), motion.branch_points()));
     black_box(motion.period_advance().map(|averages| averages.phi_radians));
     black_box(motion.min_normal_force());
-    if let Ok(form) = ClosedForm::of(motion) {
+    if let Ok(form) = ClosedForm::from_motion(motion) {
         black_box((form.at(unknown()), form.nutation_phase(unknown())));
     }
     tick::<f32>(motion);
@@ -194,7 +194,7 @@ fn events<R: EphemerisScalar>(table: &EphemerisView<R>, motion: &Motion) {
     black_box(table.tip_angles(Phase::from_turns(unknown()), black_box(3)).next());
     let circle = Level::of_circle(motion.top(), unknown()).ok().map(|[upper, _]| upper);
     let levels =
-        [Level::of_u(unknown()).ok(), Level::of_tilt(unknown()).ok(), circle, Level::of_lift_off(motion)];
+        [Level::of_u(unknown()).ok(), Level::of_tilt(unknown()).ok(), circle, Level::lift_off(motion)];
     for level in levels.into_iter().flatten() {
         black_box((table.crossings(level, black_box(3)).next(), level.u()));
     }

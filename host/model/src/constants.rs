@@ -95,7 +95,7 @@ static TOP_AND_START: [Constant; 20] = [
     number("precession", "rad/s", |motion| axis_at_start(motion)[2]),
     number("nutation", "rad/s", |motion| axis_at_start(motion)[3]),
     number("critical_spin", "rad/s", |motion| 2.0 * PI * critical_spin(motion)),
-    number("lift_off_u", "", |motion| Level::of_lift_off(motion).map_or(f64::NAN, |level| level.u())),
+    number("lift_off_u", "", |motion| Level::lift_off(motion).map_or(f64::NAN, |level| level.u())),
     number("m_x", "kg m^2/s", |motion| momentum(motion)[0]),
     number("m_y", "kg m^2/s", |motion| momentum(motion)[1]),
     number("m_z", "kg m^2/s", |motion| momentum(motion)[2]),

@@ -14,7 +14,7 @@ fn closed_forms_agree_with_the_vectors() {
     let (mut exact, mut count) = ([0.0_f64; 4], [0; 4]);
     let [mut rounded, mut far_out] = [0.0_f64; 2];
     for vector in vectors::all() {
-        let Ok(form) = ClosedForm::of(&vector.motion().unwrap()) else { continue };
+        let Ok(form) = ClosedForm::from_motion(&vector.motion().unwrap()) else { continue };
         let kind = match form {
             ClosedForm::RegularPrecession(_) => 0,
             ClosedForm::Aperiodic(_) => 1,
@@ -84,7 +84,7 @@ fn motions() -> Vec<Motion> {
 fn closed_form_ephemeris_and_stepper_agree() {
     let mut worst = [0.0_f64; 2];
     for motion in motions() {
-        let form = ClosedForm::of(&motion).unwrap();
+        let form = ClosedForm::from_motion(&motion).unwrap();
         let table = table_if_it_fits::<f64, 1024>(&motion, Tick::hertz(1024).unwrap());
         assert_eq!(table.is_none(), motion.regime() == Regime::Aperiodic);
         let mut stepper = Stepper::<f64>::new(&motion);
@@ -146,7 +146,7 @@ fn the_error_does_not_grow_towards_any_corner() {
         let start = InitialAngles { theta: 0.9, arg_alpha: 0.7, arg_beta: -2.1 };
         let motion =
             Motion::from_branch_points(&top_of([a, 0.8 * a, s, 1.0], 1.0), e, signs, &start).unwrap();
-        let form = ClosedForm::of(&motion).unwrap();
+        let form = ClosedForm::from_motion(&motion).unwrap();
         let table = table_if_it_fits::<f64, 4096>(&motion, Tick::hertz(1 << 20).unwrap());
         let Some(table) = table.filter(|table| table.error_bound().constant <= 1.7e-14) else {
             left_out += 1;

@@ -13,7 +13,7 @@ fn of_spinning_body<R: EphemerisScalar<Quantity: Into<f64>> + Into<f64>>(
 ) -> f64 {
     // a wide nutation needs more than 64 segments in q31
     let table = table_of::<R, 128>(motion, kilohertz());
-    let form = ClosedForm::of(motion).unwrap();
+    let form = ClosedForm::from_motion(motion).unwrap();
     let beyond = [0.0, 0.3, 1.1].map(|t| {
         let phi = Orientation::exp(state.omega().map(|x| x * t)).compose(&state.orientation());
         let off = widened(table.at(t).orientation()).distance(&phi) - table.error_bound().after(1000.0 * t);

@@ -19,7 +19,7 @@ fn motion(case: &Value) -> Motion {
 fn compared(json: &Value) -> (f64, Vec<&Value>) {
     let (mut worst, mut refused) = (0.0_f64, Vec::new());
     for case in entries(&json["cases"]) {
-        let Ok(form) = ClosedForm::of(&motion(case)) else {
+        let Ok(form) = ClosedForm::from_motion(&motion(case)) else {
             refused.push(case);
             continue;
         };
@@ -55,7 +55,7 @@ fn nothing_is_lost_where_several_differences_are_small() {
     );
     assert!(refused.len() == 1 && refused[0]["refused"] == true, "{refused:?}");
     let motion = motion(refused[0]);
-    let refusal = ClosedForm::of(&motion).unwrap_err();
+    let refusal = ClosedForm::from_motion(&motion).unwrap_err();
     assert_eq!((refusal.e3, Some(refusal.e4)), (motion.branch_points().e3, motion.top().e4()));
     assert!(refusal.e3_minus_e4.abs() < 1e-16 && refusal.e3_minus_e4 != 0.0, "{refusal}");
     let text = refusal.to_string();

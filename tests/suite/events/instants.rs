@@ -29,7 +29,7 @@ fn found<R: EphemerisScalar>(
             levels.into_iter().flat_map(|level| view.crossings(level, from).take(MOST)).collect()
         }
         "tip_angle" => view.tip_angles(Phase::from_turns(value), from).take(MOST).collect(),
-        _ => Level::of_lift_off(motion)
+        _ => Level::lift_off(motion)
             .map_or(Vec::new(), |level| view.crossings(level, from).take(MOST).collect()),
     };
     events.sort_by(|a, b| a.tick.cmp(&b.tick).then(a.fraction.total_cmp(&b.fraction)));
@@ -152,7 +152,7 @@ fn events_that_do_not_occur_are_not_found() {
     for u in [0.626, 1.0, -0.344, -1.0] {
         assert_eq!(view.crossings(Level::of_u(u).unwrap(), 0).next(), None, "{u}");
     }
-    assert_eq!(Level::of_lift_off(&vectors::motion("exact_lagrange")), None);
+    assert_eq!(Level::lift_off(&vectors::motion("exact_lagrange")), None);
 }
 
 /// The cosine of a level is that which it was made of, to one rounding, and a level that does not exist is refused.

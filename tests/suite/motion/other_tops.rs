@@ -111,7 +111,7 @@ fn steppers_follow_the_truth() {
 fn closed_forms_agree() {
     let (mut worst, mut count) = ([0.0; 2], 0);
     for case in cases() {
-        let Ok(form) = ClosedForm::of(&case.motion) else { continue };
+        let Ok(form) = ClosedForm::from_motion(&case.motion) else { continue };
         count += 1;
         for &(t, phi, omega) in &case.samples {
             let attitude = form.at(t);

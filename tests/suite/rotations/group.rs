@@ -1,9 +1,7 @@
-//! The exponential of su(2), and the two actions of SU(2) on the sphere (section 2 of the paper).
+//! The exponential of su(2) and its action on vectors (section 2 of the paper).
 
+use toytop::Orientation;
 use toytop::su2::{Vector, dot};
-use toytop::{Complex, Orientation};
-use toytop_closed_forms::moebius::{moebius, sphere_point, stereographic};
-use toytop_tests::{check, greater, tolerance};
 
 /// Fixed pseudo-random rotations: exponentials of elements of su(2).
 pub(super) fn rotations() -> Vec<Orientation<f64>> {
@@ -51,26 +49,6 @@ fn the_exponential_is_a_rotation_whatever_its_size() {
             );
         }
     }
-}
-
-/// Equations (2.4) and (2.5): the Möbius transformation is Ad in the stereographic plane.
-#[test]
-fn moebius_is_the_adjoint_action() {
-    let mut worst = 0.0_f64;
-    for (i, phi) in rotations().into_iter().enumerate() {
-        let x = vector(i as u32 + 3);
-        let point = x.map(|component| component / dot(x, x).sqrt());
-        let turned = sphere_point(moebius(&phi, stereographic(point)));
-        worst = greater(worst, distance(turned, phi.adjoint(point)) * (1.0 - point[2]).min(1.0));
-    }
-    check("Moebius", worst, tolerance::GROUP_MOEBIUS);
-    // 0 is the south pole, the unit circle the equator, and infinity the north pole
-    assert_eq!(sphere_point(Some(Complex::ZERO)), [0.0, 0.0, -1.0]);
-    assert_eq!(sphere_point(Some(Complex::new(0.6, 0.8))), [0.6, 0.8, 0.0]);
-    let upset = Orientation::<f64>::exp([std::f64::consts::PI, 0.0, 0.0]);
-    assert_eq!(stereographic([0.0, 0.0, 1.0]), None);
-    assert_eq!(sphere_point(None), [0.0, 0.0, 1.0]);
-    assert!(moebius(&upset, None).unwrap().norm_squared() < 1e-30);
 }
 
 /// In `f32` a small rotation has full relative precision, and a large one the precision of its angle.

@@ -31,7 +31,7 @@ fn error<R: EphemerisScalar>(sample: Sample<'_, R>, truth: &AttitudeState<f64>, 
 fn errors_over_bounds<R: EphemerisScalar, const SEGMENTS: usize>() -> Vec<f64> {
     let tick = Tick::hertz(RATE).unwrap();
     let of_motion = |motion: Motion| {
-        let form = ClosedForm::of(&motion).ok()?;
+        let form = ClosedForm::from_motion(&motion).ok()?;
         let ephemeris = Ephemeris::<R, SEGMENTS>::new(&motion, tick).ok()?;
         let (bound, scale) = (ephemeris.rate_error_bound(), motion.top().tip_scale());
         let ticks = (-1000..1000).chain([1 << 30, -(1 << 30)]);

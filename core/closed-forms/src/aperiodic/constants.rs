@@ -99,11 +99,11 @@ impl FixedTip {
         let AperiodicValues { tanh, sech, dt_dv, .. } = *point;
         let one = Extended::ONE;
         // dψ/dv = s₊ a/b / (1 + b sech v)
-        let turning = self.sign.times(a / b / (one + b * sech));
-        let brackets: WideComplex = Complex::new(a * sech, self.sign.times(tanh));
-        let along: WideComplex = Complex::new(-(a * sech * tanh), self.sign.times(sech.squared()));
+        let psi_slope = self.sign.times(a / b / (one + b * sech));
+        let ellipse: WideComplex = Complex::new(a * sech, self.sign.times(tanh));
+        let ellipse_slope = Complex::new(-(a * sech * tanh), self.sign.times(sech.squared()));
         let factor = cis(self.psi(point));
-        let slope = (along + brackets.times_i().scaled(turning)) * factor;
-        ValueAndSlope { value: brackets * factor, slope: slope.scaled(one / dt_dv) }
+        let slope = (ellipse_slope + ellipse.times_i().scaled(psi_slope)) * factor;
+        ValueAndSlope { value: ellipse * factor, slope: slope.scaled(one / dt_dv) }
     }
 }

@@ -154,10 +154,10 @@ impl Sliding {
         let speed = imaginary(-(Extended::ONE / (self.time_scale * from_e4 * to_e4)));
         let (log, log_slope) = self.log(point, &position);
         let factor = cis(self.log_power * log);
-        let turning = imaginary(self.log_power) * log_slope * speed;
+        let log_rate = imaginary(self.log_power) * log_slope * speed;
         ValueAndSlope {
             value: value * factor,
-            slope: (slope * speed.scaled(point.one_minus_u) + value * turning) * factor,
+            slope: (slope * speed.scaled(point.one_minus_u) + value * log_rate) * factor,
         }
     }
 }

@@ -4,7 +4,7 @@
 //! rates alone the orientation: several guesses are then tried.
 
 use crate::estimate::Estimate;
-use crate::fit::pass::Fit;
+use crate::fit::problem::Problem;
 use crate::sensors::{Hint, Measurements};
 use crate::vector::{UP, Vector, add_scaled, cast, cross, dot, norm, rotation_vector, scaled, unit};
 use core::f64::consts::PI;
@@ -119,7 +119,7 @@ impl Instant {
 
     /// Orientation, if it is fully determined.
     #[inline(never)] // stack
-    fn attitude(&self) -> Option<Orientation<f64>> {
+    fn full_orientation(&self) -> Option<Orientation<f64>> {
         if self.orientation.is_some() {
             return self.orientation;
         }
@@ -148,82 +148,66 @@ fn aligned([fixed, body]: [Vector<f64>; 2]) -> Orientation<f64> {
     rotation_from_vertical(fixed).compose(&rotation_from_vertical(body).inverse())
 }
 
-impl<F: Real> Fit<'_, F> {
-    /// Guesses at the time of the first measurement, if there are any.
-    #[inline(never)] // stack
-    pub(super) fn guesses(&self, measurements: &impl Measurements, epoch: f64) -> Option<Guesses> {
-        let all = self.instants(measurements.clone());
-        let all = all.take(MOST_INSTANTS);
-        let end = all.clone().filter(Instant::is_oriented).nth(FIRST_INSTANTS);
-        let end = end.map_or(f64::INFINITY, |instant| instant.time);
-        let instants = all.take_while(|instant| instant.time < end);
-        let rate = instants.clone().find_map(|instant| instant.rate);
-        let first = instants.clone().find(Instant::is_oriented);
-        let Some(first) = first else {
-            let (omega, _) = rate.filter(|(_, axial_is_saturated)| !axial_is_saturated)?;
-            return Some(Guesses {
-                orientation: Orientation::IDENTITY,
-                omega,
-                undetermined: Undetermined::Orientation,
-            });
-        };
-        let (orientation, undetermined) = match (first.attitude(), first.directions, first.axis) {
-            (Some(orientation), ..) => (orientation, Undetermined::Nothing),
-            (None, [Some(direction), _], _) => {
-                // a rotation about the vertical changes nothing that such measurements tell
-                let [fixed, _] = direction;
-                (
-                    aligned(direction),
-                    if fixed == UP { Undetermined::Nothing } else { Undetermined::Rotation(fixed) },
-                )
-            }
-            (None, _, Some(axis)) => return self.guesses_from_axis(instants, axis),
-            _ => return None,
-        };
-        let mean = mean_rate(instants.clone());
-        let omega = match (rate, mean) {
-            (Some(([x, y, _], true)), Some([.., axial])) => [x, y, axial],
-            (Some(([x, y, low], true)), None) => [x, y, axial_rate_from_circle::<F>(instants, low)?],
-            (Some((omega, false)), _) => omega,
-            (None, mean) => mean?,
-        };
-        // from the first instant with an orientation back to the first measurement
-        let orientation = orientation.compose(&Orientation::exp(scaled(omega, epoch - first.time)));
-        Some(Guesses { orientation, omega, undetermined })
-    }
+/// Guesses at the time of the first measurement, if there are any.
+#[inline(never)] // stack
+pub(super) fn guesses<F: Real>(problem: &Problem<F, impl Measurements>) -> Option<Guesses> {
+    let all = instants(problem).take(MOST_INSTANTS);
+    let end = all.clone().filter(Instant::is_oriented).nth(FIRST_INSTANTS);
+    let end = end.map_or(f64::INFINITY, |instant| instant.time);
+    let instants = all.take_while(|instant| instant.time < end);
+    let rate = instants.clone().find_map(|instant| instant.rate);
+    let Some(first) = instants.clone().find(Instant::is_oriented) else {
+        let (omega, _) = rate.filter(|(_, axial_is_saturated)| !axial_is_saturated)?;
+        let (orientation, undetermined) = (Orientation::IDENTITY, Undetermined::Orientation);
+        return Some(Guesses { orientation, omega, undetermined });
+    };
+    let (orientation, undetermined) = match (first.full_orientation(), first.directions, first.axis) {
+        (Some(orientation), ..) => (orientation, Undetermined::Nothing),
+        // a rotation about the vertical changes nothing that such measurements tell
+        (None, [Some([UP, body]), _], _) => (aligned([UP, body]), Undetermined::Nothing),
+        (None, [Some([fixed, body]), _], _) => (aligned([fixed, body]), Undetermined::Rotation(fixed)),
+        (None, _, Some(axis)) => return guesses_from_axis(instants, axis),
+        _ => return None,
+    };
+    let mean = mean_rate(instants.clone());
+    let omega = match (rate, mean) {
+        (Some(([x, y, _], true)), Some([.., axial])) => [x, y, axial],
+        (Some(([x, y, low], true)), None) => [x, y, axial_rate_from_circle::<F>(instants, low)?],
+        (Some((omega, false)), _) => omega,
+        (None, mean) => mean?,
+    };
+    // from the first instant with an orientation back to the first measurement
+    let orientation = orientation.compose(&Orientation::exp(scaled(omega, problem.first_time - first.time)));
+    Some(Guesses { orientation, omega, undetermined })
+}
 
-    /// Guesses from the axis alone: its rate from the first and a later instant, and several rates about it.
-    fn guesses_from_axis(
-        &self,
-        instants: impl Iterator<Item = Instant>,
-        axis: Vector<f64>,
-    ) -> Option<Guesses> {
-        let mut seen = instants.filter_map(|instant| Some((instant.time, instant.axis?)));
-        let ((start, _), (end, later)) = (seen.next()?, seen.nth(2)?);
-        let per_time = 1.0 / (end - start);
-        let orientation = rotation_from_vertical(axis);
-        let omega = orientation.inverse().adjoint(scaled(cross(axis, later), per_time));
-        Some(Guesses { orientation, omega, undetermined: Undetermined::Spin(4.0 * per_time) })
-    }
+/// Guesses from the axis alone: its rate from the first and a later instant, and several rates about it.
+fn guesses_from_axis(instants: impl Iterator<Item = Instant>, axis: Vector<f64>) -> Option<Guesses> {
+    let mut seen = instants.filter_map(|instant| Some((instant.time, instant.axis?)));
+    let ((start, _), (end, later)) = (seen.next()?, seen.nth(2)?);
+    let per_time = 1.0 / (end - start);
+    let orientation = rotation_from_vertical(axis);
+    let omega = orientation.inverse().adjoint(scaled(cross(axis, later), per_time));
+    Some(Guesses { orientation, omega, undetermined: Undetermined::Spin(4.0 * per_time) })
+}
 
-    /// Instants of the measurements, one at a time: all would be too many for the stack.
-    fn instants(&self, measurements: impl Measurements) -> impl Iterator<Item = Instant> + Clone {
-        let mut ahead = measurements.peekable();
-        core::iter::from_fn(move || {
-            let time = ahead.peek()?.time;
-            let mut instant = Instant { time, ..Instant::default() };
-            while let Some(measurement) = ahead.next_if(|measurement| measurement.time == time) {
-                instant.add(self.hint(&measurement), self.model.top.tip_scale());
-            }
-            Some(instant)
-        })
-    }
+/// Instants of the measurements, one at a time: all would be too many for the stack.
+fn instants<F>(problem: &Problem<F, impl Measurements>) -> impl Iterator<Item = Instant> + Clone {
+    let mut ahead = problem.measurements().peekable();
+    core::iter::from_fn(move || {
+        let time = ahead.peek()?.time;
+        let mut instant = Instant { time, ..Instant::default() };
+        while let Some(measurement) = ahead.next_if(|measurement| measurement.time == time) {
+            instant.add(problem.hint(&measurement), problem.model.top.tip_scale());
+        }
+        Some(instant)
+    })
 }
 
 /// Angular velocity in the body frame from the orientations: along the axis the mean, across it that of the first instants.
 #[inline(never)] // stack
 fn mean_rate(instants: impl Iterator<Item = Instant>) -> Option<Vector<f64>> {
-    let mut known = instants.filter_map(|instant| Some((instant.time, instant.attitude()?)));
+    let mut known = instants.filter_map(|instant| Some((instant.time, instant.full_orientation()?)));
     let (start, mut orientation) = known.next()?;
     let (mut time, mut axial_angle, mut first) = (start, 0.0, None);
     for (next_time, next) in known {

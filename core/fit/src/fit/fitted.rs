@@ -3,11 +3,12 @@
 use crate::covariance::Covariance;
 use crate::estimate::Estimate;
 use crate::fit::error::FitWarning;
-use crate::fit::pass::{Fit, Pass};
-use crate::fit::search::Extent;
+use crate::fit::problem::Problem;
+use crate::fit::solver::Solver;
 use crate::fit::statistics::Statistics;
 use crate::model::Model;
 use crate::sensitivity::{COARSE, COLUMNS, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, Sensitivity};
+use crate::sensors::Measurements;
 use crate::triangle::{MOST_UNKNOWNS, Unknowns};
 use crate::vector::{UNITS, UP, Vector, add_all, add_scaled, cross, scaled};
 use toytop::scalar::Real;
@@ -78,6 +79,36 @@ pub struct Fitted {
 }
 
 impl Fitted {
+    /// Result of the best estimate of a solver.
+    pub(super) fn new<F: Real>(
+        problem: &Problem<F, impl Measurements>,
+        solver: &mut Solver<F>,
+        warning: Option<FitWarning>,
+        other_launch_count: usize,
+    ) -> Self {
+        let (model, launch) = (problem.model, solver.best.estimate);
+        // with a larger limit, the covariance would lose digits of what is determined
+        let covariance = Covariance::from_information(solver.damped(model, 0.0, 10.0));
+        let mut fitted = Self {
+            time: problem.first_time,
+            launch,
+            covariance,
+            statistics: solver.best.statistics,
+            unobservable: Unobservable::default(),
+            warning,
+            other_launch_count,
+            unknown_count: model.count,
+            model: *model,
+            drift: None,
+        };
+        fitted.covariance.turn(&launch.orientation);
+        fitted.unobservable = unobservable(&fitted, &model.units(&launch));
+        if model.has_losses() && fitted.carry_to(problem.last_time).is_none() {
+            fitted.warning = fitted.warning.or(Some(FitWarning::NotSettled));
+        }
+        fitted
+    }
+
     /// Whether the launch may be trusted.
     #[must_use]
     pub fn is_trusted(&self) -> bool {
@@ -118,8 +149,7 @@ impl Fitted {
             return Ok(Sensitivity::new(&self.motion(given)?));
         };
         let mut equations = Equations::new(&self.top(given)?);
-        let [.., x1, x2, x3] = &mut equations.coefficients;
-        [*x1, *x2, *x3] = losses;
+        equations.coefficients.losses = losses;
         Ok(Sensitivity::launched(&equations, &self.launch.body_state(), COARSE))
     }
 
@@ -150,76 +180,32 @@ impl Fitted {
         let mut columns = turns.chain(by_omega).chain(free);
         core::array::from_fn(|_| columns.next().unwrap_or([0.0; 3]))
     }
-}
-
-impl<F: Real> Fit<'_, F> {
-    /// Result of the best estimate.
-    pub(super) fn fitted(
-        &mut self,
-        extent: &Extent,
-        warning: Option<FitWarning>,
-        other_launch_count: usize,
-    ) -> Fitted {
-        self.limit_information();
-        let launch = self.best.estimate;
-        let mut fitted = Fitted {
-            time: extent.first,
-            launch,
-            covariance: Covariance::from_information(&self.current.information),
-            statistics: self.best.statistics,
-            unobservable: Unobservable::default(),
-            warning,
-            other_launch_count,
-            unknown_count: self.model.count,
-            model: self.model,
-            drift: None,
-        };
-        fitted.covariance.turn(&launch.orientation);
-        fitted.unobservable = unobservable(&fitted, &self.model.units(&launch));
-        if self.model.has_losses() && self.carry_to_end(&mut fitted, extent.last).is_none() {
-            fitted.warning = fitted.warning.or(Some(FitWarning::NotSettled));
-        }
-        fitted
-    }
-
-    /// Copies the information of the best pass to the current one, and limits the deviations of undetermined directions.
-    #[inline(never)] // stack
-    fn limit_information(&mut self) {
-        let Pass { estimate, information, .. } = &self.best;
-        // not larger, so that the covariance keeps the digits of what is determined
-        self.current.information.clone_from(information);
-        self.model.damp(estimate, information, [0.0, 10.0], &mut self.current.information);
-    }
 
     /// Moves the launch to the last measurement, and adds the drift. `None` where the motion cannot be followed.
     ///
     /// [`Fitted::motion`] goes on from there without losses: see [partials](crate::partials).
     #[inline(never)] // stack
-    fn carry_to_end(&self, fitted: &mut Fitted, end: f64) -> Option<()> {
-        let span = end - fitted.time;
-        let (launch, at) = self.model.predicted(&fitted.launch, span)?;
-        let rates = self.mean_rates([&fitted.launch, &launch], span);
+    fn carry_to(&mut self, end: f64) -> Option<()> {
+        let (model, span) = (&self.model, end - self.time);
+        let (launch, at) = model.predicted(&self.launch, span)?;
+        let rates = model.mean_rates([&self.launch, &launch], span);
         // a change of a loss changes nothing at the launch, and the integrals at the end by their gradients
         let gradients = at.equations.gradients(&at.state);
-        let [c_over_a, ..] = at.equations.coefficients;
-        let per_time = self.model.top.transverse_inertia() / span;
+        let c_over_a = at.equations.coefficients.c_over_a;
+        let per_time = model.top.transverse_inertia() / span;
         let mut rates_by = [[0.0; 3]; MOST_UNKNOWNS];
-        let losses = rates_by.iter_mut().zip(&at.tangents).enumerate();
-        for (_, (slot, tangent)) in losses.filter(|(index, _)| self.model.loss_range().contains(index)) {
+        for (index, _) in model.losses() {
+            let (Some(slot), Some(tangent)) = (rates_by.get_mut(index), at.tangents.get(index)) else {
+                continue;
+            };
             let [l, spin, h] = gradients.map(|by| by.inner(tangent));
             *slot = scaled([l, c_over_a * spin, h], per_time);
         }
-        let covariance = fitted.covariance.of_vector(&rates_by);
-        fitted.drift = Some(Drift { rates, covariance, losses: self.model.losses_of(&launch) });
-        fitted.covariance.propagate(&at.tangents);
-        (fitted.time, fitted.launch) = (end, launch);
+        let covariance = self.covariance.of_vector(&rates_by);
+        self.drift = Some(Drift { rates, covariance, losses: model.losses_of(&launch) });
+        self.covariance.propagate(&at.tangents);
+        (self.time, self.launch) = (end, launch);
         Some(())
-    }
-
-    /// Mean rates of l, n and h between two launches that are `span` apart; 0 where that is 0.
-    pub(super) fn mean_rates(&self, [before, after]: [&Estimate; 2], span: f64) -> Vector<f64> {
-        let change = add_scaled(self.model.integrals(after), self.model.integrals(before), -1.0);
-        scaled(change, if span > 0.0 { 1.0 / span } else { 0.0 })
     }
 }
 
@@ -235,12 +221,8 @@ const ALIGNED_SINE: f64 = 0.1;
 fn unobservable(fitted: &Fitted, units: &Unknowns) -> Unobservable {
     let Fitted { launch, unknown_count: count, .. } = *fitted;
     let factor = |least: f64, count: usize| {
-        let mut sum = fitted.covariance;
-        for (i, x) in units.iter().enumerate() {
-            for (j, y) in units.iter().enumerate().take(i + 1) {
-                sum.set(i, j, sum.get(i, j) / (x * y) + if i == j { least } else { 0.0 });
-            }
-        }
+        let mut sum = fitted.covariance.in_units(units);
+        (0..count).for_each(|index| sum.add_variance(index, least));
         sum.factor(count)
     };
     let squares = |numbers: &[f64]| numbers.iter().map(|x| x * x).sum::<f64>();

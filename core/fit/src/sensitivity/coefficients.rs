@@ -8,80 +8,122 @@ pub(crate) const RATIOS: usize = 4;
 /// Number of losses.
 pub(crate) const LOSS_COUNT: usize = 3;
 
-/// Coefficients C/A, p/A (1/m), s (m, 0 for a fixed tip), g (m/s²), K/A (rad per unit time), and the losses about the axis,
-/// across it and about the vertical (per unit time); or a change of them.
-pub(crate) type Coefficients<F = f64> = [F; 5 + LOSS_COUNT];
-
-/// Coefficients of a top without losses.
-pub(crate) fn coefficients(top: &Top) -> Coefficients {
-    let a = top.transverse_inertia();
-    let p_over_a = if top.support() == Support::Free { 0.0 } else { top.mass_moment() / a };
-    let k_over_a = top.rotor_momentum() / a;
-    [top.axial_inertia() / a, p_over_a, top.com_height(), top.gravity(), k_over_a, 0.0, 0.0, 0.0]
+/// Coefficients of the equations of motion, or a change of them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Coefficients<F = f64> {
+    /// Ratio C/A.
+    pub(crate) c_over_a: F,
+    /// Ratio p/A, 1/m.
+    pub(crate) p_over_a: F,
+    /// Length s, m; 0 for a fixed tip.
+    pub(crate) s: F,
+    /// Gravity g, m/s².
+    pub(crate) g: F,
+    /// Ratio K/A, rad per unit time.
+    pub(crate) k_over_a: F,
+    /// Losses x₁, x₂ and x₃ about the axis, across it and about the vertical, per unit time.
+    pub(crate) losses: [F; LOSS_COUNT],
 }
 
-/// Top with these coefficients, and with the A, the rotor and the support of a given one.
-pub(crate) fn with_coefficients(
-    given: &Top,
-    &[c_over_a, p_over_a, s, g, ..]: &Coefficients,
-) -> Result<Top, ParameterError> {
-    let a = given.transverse_inertia();
-    let make = match given.support() {
-        Support::Sliding => Top::sliding,
-        Support::Fixed => Top::fixed,
-        Support::Free => Top::free,
-    };
-    make(&TopParameters {
-        transverse_inertia: a,
-        axial_inertia: a * c_over_a,
-        mass_moment: a * p_over_a,
-        com_height: s,
-        gravity: g,
-        rotor_momentum: given.rotor_momentum(),
-        ..TopParameters::default()
-    })
-}
-
-/// Rate n/A = (C/A) S + K/A of the gyroscopic torque.
-pub(crate) fn n_over_a<F: Float>(&[c_over_a, _, _, _, k_over_a, ..]: &Coefficients<F>, spin: F) -> F {
-    c_over_a * spin + k_over_a
-}
-
-/// Whether there are losses, or changes of them.
-pub(crate) fn are_lossy<F: Float>(&[.., x1, x2, x3]: &Coefficients<F>) -> bool {
-    [x1, x2, x3] != [F::ZERO; 3]
-}
-
-/// Derivatives of the logarithms of the coefficients along a direction of those of the ratios.
-pub(crate) fn log_derivatives(support: Support, [a_over_c, a_over_ps, s, g]: [f64; RATIOS]) -> Coefficients {
-    let a_over_p = if support == Support::Sliding { a_over_ps + s } else { a_over_ps };
-    [-a_over_c, -a_over_p, s, g, 0.0, 0.0, 0.0, 0.0]
-}
-
-/// Products of the coefficients with factors.
-pub(crate) fn product(mut coefficients: Coefficients, factors: Coefficients) -> Coefficients {
-    coefficients.iter_mut().zip(factors).for_each(|(x, factor)| *x *= factor);
-    coefficients
-}
-
-/// Ratios A/C, A/(ps), s and g; A/p in the second place for a fixed tip.
-pub(crate) fn ratios(&[c_over_a, p_over_a, s, g, ..]: &Coefficients, support: Support) -> [f64; RATIOS] {
-    let ps_over_a = if support == Support::Sliding { p_over_a * s } else { p_over_a };
-    [1.0 / c_over_a, 1.0 / ps_over_a, s, g]
-}
-
-/// Derivatives with respect to A/C, A/(ps), s and g; for a fixed tip, to A/C, A/p, s and g. A free body depends on A/C only.
-pub(crate) fn by_ratios(
-    &[c_over_a, p_over_a, s, ..]: &Coefficients,
-    support: Support,
-) -> [Coefficients; RATIOS] {
-    let mut by = [[0.0; 5 + LOSS_COUNT]; RATIOS];
-    let [[d_c_over_a, ..], [_, by_length, ..], [_, by_s, d_s, ..], [_, _, _, d_g, ..]] = &mut by;
-    (*d_c_over_a, *d_g) = (-c_over_a * c_over_a, 1.0);
-    match support {
-        Support::Sliding => (*by_length, *by_s, *d_s) = (-p_over_a * p_over_a * s, -p_over_a / s, 1.0),
-        Support::Fixed => *by_length = -p_over_a * p_over_a,
-        Support::Free => {}
+impl<F: Float> Coefficients<F> {
+    /// Coefficients in another scalar.
+    pub(crate) fn cast<G: Float>(&self) -> Coefficients<G> {
+        let cast = |x: F| G::from_f64(x.to_f64());
+        Coefficients {
+            c_over_a: cast(self.c_over_a),
+            p_over_a: cast(self.p_over_a),
+            s: cast(self.s),
+            g: cast(self.g),
+            k_over_a: cast(self.k_over_a),
+            losses: self.losses.map(cast),
+        }
     }
-    by
+
+    /// Rate n/A = (C/A) S + K/A of the gyroscopic torque.
+    pub(crate) fn n_over_a(&self, spin: F) -> F {
+        self.c_over_a * spin + self.k_over_a
+    }
+
+    /// Whether there are losses, or changes of them.
+    pub(crate) fn are_lossy(&self) -> bool {
+        self.losses != [F::ZERO; LOSS_COUNT]
+    }
+}
+
+impl Coefficients {
+    const ZERO: Self =
+        Self { c_over_a: 0.0, p_over_a: 0.0, s: 0.0, g: 0.0, k_over_a: 0.0, losses: [0.0; LOSS_COUNT] };
+
+    /// Coefficients of a top without losses.
+    pub(crate) fn new(top: &Top) -> Self {
+        let a = top.transverse_inertia();
+        Self {
+            c_over_a: top.axial_inertia() / a,
+            p_over_a: if top.support() == Support::Free { 0.0 } else { top.mass_moment() / a },
+            s: top.com_height(),
+            g: top.gravity(),
+            k_over_a: top.rotor_momentum() / a,
+            losses: [0.0; LOSS_COUNT],
+        }
+    }
+
+    /// Top with these coefficients, and with the A, the rotor and the support of a given one.
+    pub(crate) fn top(&self, given: &Top) -> Result<Top, ParameterError> {
+        let a = given.transverse_inertia();
+        let make = match given.support() {
+            Support::Sliding => Top::sliding,
+            Support::Fixed => Top::fixed,
+            Support::Free => Top::free,
+        };
+        make(&TopParameters {
+            transverse_inertia: a,
+            axial_inertia: a * self.c_over_a,
+            mass_moment: a * self.p_over_a,
+            com_height: self.s,
+            gravity: self.g,
+            rotor_momentum: given.rotor_momentum(),
+            ..TopParameters::default()
+        })
+    }
+
+    /// Coefficients whose C/A, p/A, s and g are multiplied by factors.
+    pub(crate) fn times(self, [c_over_a, p_over_a, s, g]: [f64; 4]) -> Self {
+        Self {
+            c_over_a: self.c_over_a * c_over_a,
+            p_over_a: self.p_over_a * p_over_a,
+            s: self.s * s,
+            g: self.g * g,
+            ..self
+        }
+    }
+
+    /// Ratios A/C, A/(ps), s and g; A/p in the second place for a fixed tip.
+    pub(crate) fn ratios(&self, support: Support) -> [f64; RATIOS] {
+        let ps_over_a = if support == Support::Sliding { self.p_over_a * self.s } else { self.p_over_a };
+        [1.0 / self.c_over_a, 1.0 / ps_over_a, self.s, self.g]
+    }
+
+    /// Derivatives with respect to A/C, A/(ps), s and g; for a fixed tip, to A/C, A/p, s and g. A free body depends on A/C only.
+    pub(crate) fn by_ratios(&self, support: Support) -> [Self; RATIOS] {
+        let Self { c_over_a, p_over_a, s, .. } = *self;
+        let (by_length, by_s) = match support {
+            Support::Sliding => {
+                (-p_over_a * p_over_a * s, Self { p_over_a: -p_over_a / s, s: 1.0, ..Self::ZERO })
+            }
+            Support::Fixed => (-p_over_a * p_over_a, Self::ZERO),
+            Support::Free => (0.0, Self::ZERO),
+        };
+        [
+            Self { c_over_a: -c_over_a * c_over_a, ..Self::ZERO },
+            Self { p_over_a: by_length, ..Self::ZERO },
+            by_s,
+            Self { g: 1.0, ..Self::ZERO },
+        ]
+    }
+}
+
+/// Derivatives of the logarithms of C/A, p/A, s and g along a direction of those of the ratios.
+pub(crate) fn log_derivatives(support: Support, [a_over_c, a_over_ps, s, g]: [f64; RATIOS]) -> [f64; 4] {
+    let a_over_p = if support == Support::Sliding { a_over_ps + s } else { a_over_ps };
+    [-a_over_c, -a_over_p, s, g]
 }

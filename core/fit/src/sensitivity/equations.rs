@@ -1,7 +1,7 @@
 //! Equations of motion in the fixed frame, and the variational equations: the linear equations of a small change of the motion
 //! ([partials](crate::partials)).
 
-use crate::sensitivity::coefficients::{Coefficients, RATIOS, are_lossy, by_ratios, coefficients, n_over_a};
+use crate::sensitivity::coefficients::{Coefficients, RATIOS};
 use crate::sensitivity::state::{BodyState, COLUMNS, LAUNCH_COLUMNS, Tangent};
 use crate::vector::{Vector, add_all, add_scaled, cross, dot, scaled};
 use toytop::Top;
@@ -29,7 +29,7 @@ pub(crate) struct Acceleration<F> {
     /// Rate n/A = (C/A) S + K/A of the gyroscopic torque.
     n_over_a: F,
     /// Acceleration u''.
-    u: F,
+    u_acceleration: F,
     /// Factor 1 + (p/A) s |q|² of u''.
     factor: F,
     /// Derivatives of `factor` · u'' with respect to ω and to the vertical k.
@@ -64,23 +64,23 @@ impl<F: Float> Acceleration<F> {
     /// w' = -(p/A)(g + s u'') q - (n/A) r' - x₂ w - x₃ ⟨ω, k⟩ (k - u r),    S' = -x₁ S.
     #[inline(always)] // where only the rate is used, the rest is not computed
     pub(crate) fn new(coefficients: &Coefficients<F>, state: &BodyState<F>) -> Self {
-        let [c_over_a, p_over_a, s, g, _, x1, x2, x3] = *coefficients;
+        let Coefficients { c_over_a, p_over_a, s, g, losses: [x1, x2, x3], .. } = *coefficients;
         let BodyState { orientation, across, spin } = *state;
-        let (axis, n_over_a, one) = (orientation.axis(), n_over_a(coefficients, spin), F::ONE);
+        let (axis, n_over_a, one) = (orientation.axis(), coefficients.n_over_a(spin), F::ONE);
         let (axis_rate, q) = (cross(across, axis), cross_vertical(axis));
         let (q_squared, axis_rate_q) = (dot(q, q), dot(axis_rate, q));
         let (axis_rate_cross_k, [.., u_rate]) = (cross_vertical(axis_rate), axis_rate);
         let factor = one + p_over_a * s * q_squared;
         let mut force = dot(across, axis_rate_cross_k) - n_over_a * axis_rate_q - p_over_a * g * q_squared;
-        if are_lossy(coefficients) {
+        if coefficients.are_lossy() {
             force = force - x2 * u_rate;
         }
-        let u = force / factor;
-        let support = g + s * u;
+        let u_acceleration = force / factor;
+        let support = g + s * u_acceleration;
         let support_torque = p_over_a * support;
         let mut across_rate = add_scaled(scaled(q, -support_torque), axis_rate, -n_over_a);
         let mut spin_rate = F::ZERO;
-        if are_lossy(coefficients) {
+        if coefficients.are_lossy() {
             let [.., omega_k] = state.omega();
             let lost = [(across, -x2), (vertical_across(axis), -(x3 * omega_k))];
             (across_rate, spin_rate) = (add_all(across_rate, lost), -(x1 * spin));
@@ -103,34 +103,44 @@ impl<F: Float> Acceleration<F> {
         let by_omega = add_all(axis_rate_cross_k, by_omega);
         let by_vertical = add_all(cross(across, axis_rate), by_vertical);
         let state = *state;
-        Self { state, axis, axis_rate, q, n_over_a, u, factor, by_omega, by_vertical, support, rate }
+        Self {
+            state,
+            axis,
+            axis_rate,
+            q,
+            n_over_a,
+            u_acceleration,
+            factor,
+            by_omega,
+            by_vertical,
+            support,
+            rate,
+        }
     }
 }
 
 impl Equations<f64> {
     /// Equations of a top, whose last four columns are those of the ratios.
     pub(crate) fn new(top: &Top) -> Self {
-        let coefficients = coefficients(top);
-        let changes = by_ratios(&coefficients, top.support());
-        Self { coefficients, changes, columns: COLUMNS }
+        let coefficients = Coefficients::new(top);
+        Self { coefficients, changes: coefficients.by_ratios(top.support()), columns: COLUMNS }
     }
 
     /// Equations in another scalar.
     pub(crate) fn cast<F: Float>(&self) -> Equations<F> {
-        let Self { coefficients, changes, columns } = *self;
-        let cast = |numbers: Coefficients| numbers.map(F::from_f64);
-        Equations { coefficients: cast(coefficients), changes: changes.map(cast), columns }
+        let changes = self.changes.map(|change| change.cast());
+        Equations { coefficients: self.coefficients.cast(), changes, columns: self.columns }
     }
 
     /// Upper bound on the frequencies of the motion, rad per unit time: that of the gyroscopic torque, plus twice the greatest rate of
     /// the axis. Gravity accelerates the axis until it points down, or until the gyroscopic torque has turned it; the axis of a
     /// sliding top is faster near the vertical by √(ps/A). It is 1 for a body at rest without torque.
     pub(crate) fn frequency(&self, state: &BodyState<f64>) -> f64 {
-        let [_, p_over_a, s, g, ..] = self.coefficients;
+        let Coefficients { p_over_a, s, g, .. } = self.coefficients;
         let axis = state.orientation.axis();
         let rate = cross(state.across, axis);
-        let ([.., u_rate], [.., u], n_over_a) =
-            (rate, axis, libm::fabs(n_over_a(&self.coefficients, state.spin)));
+        let ([.., u_rate], [.., u]) = (rate, axis);
+        let n_over_a = libm::fabs(self.coefficients.n_over_a(state.spin));
         let square = dot(rate, rate) + p_over_a * s * u_rate * u_rate;
         let hanging = libm::sqrt(square + 2.0 * p_over_a * g * (1.0 + u));
         let driven = libm::sqrt(square) + 2.0 * p_over_a * g / n_over_a;
@@ -155,15 +165,14 @@ impl<F: Float> Equations<F> {
         &Tangent { theta, eta }: &Tangent<F>,
         change: Option<&Coefficients<F>>,
     ) -> F {
-        let [_, p_over_a, s, ..] = self.coefficients;
+        let Coefficients { p_over_a, s, .. } = self.coefficients;
         let force = dot(eta, at.by_omega) + dot(vertical_cross(theta), at.by_vertical);
-        let Some(&[d_c_over_a, d_p_over_a, d_s, d_g, _, _, d_x2, _]) = change else {
-            return s * (force / at.factor);
-        };
-        let (direct, [.., u_rate]) = (d_g + at.u * d_s, at.axis_rate);
+        let Some(change) = change else { return s * (force / at.factor) };
+        let ([.., u_rate], [_, d_x2, _]) = (at.axis_rate, change.losses);
+        let direct = change.g + at.u_acceleration * change.s;
         let force = force
-            - d_c_over_a * at.state.spin * dot(at.axis_rate, at.q)
-            - (d_p_over_a * at.support + p_over_a * direct) * dot(at.q, at.q)
+            - change.c_over_a * at.state.spin * dot(at.axis_rate, at.q)
+            - (change.p_over_a * at.support + p_over_a * direct) * dot(at.q, at.q)
             - d_x2 * u_rate;
         direct + s * (force / at.factor)
     }
@@ -175,12 +184,13 @@ impl<F: Float> Equations<F> {
         tangent: &Tangent<F>,
         change: Option<&Coefficients<F>>,
     ) -> Tangent<F> {
-        let ([c_over_a, p_over_a, ..], Tangent { theta, eta }) = (self.coefficients, *tangent);
+        let Coefficients { c_over_a, p_over_a, .. } = self.coefficients;
+        let Tangent { theta, eta } = *tangent;
         let mut d_support_torque = p_over_a * self.support_change(at, tangent, change);
         let mut d_n_over_a = (c_over_a - F::ONE) * dot(eta, at.axis);
-        if let Some([d_c_over_a, d_p_over_a, ..]) = change {
-            d_support_torque = d_support_torque + *d_p_over_a * at.support;
-            d_n_over_a = d_n_over_a + *d_c_over_a * at.state.spin;
+        if let Some(change) = change {
+            d_support_torque = d_support_torque + change.p_over_a * at.support;
+            d_n_over_a = d_n_over_a + change.c_over_a * at.state.spin;
         }
         let terms = [
             (cross(at.axis, vertical_cross(theta)), -(p_over_a * at.support)),
@@ -189,7 +199,7 @@ impl<F: Float> Equations<F> {
             (cross(eta, at.axis), -at.n_over_a),
         ];
         let mut rate = add_all(cross(at.state.across, eta), terms);
-        if are_lossy(&self.coefficients) || change.is_some_and(are_lossy) {
+        if self.coefficients.are_lossy() || change.is_some_and(Coefficients::are_lossy) {
             rate = add_scaled(rate, self.loss_change(at, tangent, change), -F::ONE);
         }
         Tangent { theta: eta, eta: rate }
@@ -202,8 +212,8 @@ impl<F: Float> Equations<F> {
         &Tangent { theta, eta }: &Tangent<F>,
         change: Option<&Coefficients<F>>,
     ) -> Vector<F> {
-        let [.., x1, x2, x3] = self.coefficients;
-        let [d_x1, d_x2, d_x3] = change.map_or([F::ZERO; 3], |&[.., x1, x2, x3]| [x1, x2, x3]);
+        let [x1, x2, x3] = self.coefficients.losses;
+        let [d_x1, d_x2, d_x3] = change.map_or([F::ZERO; 3], |change| change.losses);
         let (axis, omega, d_k) = (at.axis, at.state.omega(), vertical_cross(theta));
         let ([.., omega_k], [.., eta_k], d_spin) = (omega, eta, dot(eta, axis));
         let d_omega_k = eta_k + dot(omega, d_k);

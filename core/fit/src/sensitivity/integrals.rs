@@ -3,7 +3,7 @@
 //! A change of the launch that keeps l, n and h does not grow. The error of the integration makes it grow a million times in a
 //! million periods; the projection of the growth onto the gradients removes it.
 
-use crate::sensitivity::coefficients::n_over_a;
+use crate::sensitivity::coefficients::Coefficients;
 use crate::sensitivity::equations::{Equations, cross_vertical};
 use crate::sensitivity::state::{BodyState, COLUMNS, LAUNCH_COLUMNS, Tangent};
 use crate::vector::{UP, Vector, add_all, add_scaled, cross, dot, scaled};
@@ -13,7 +13,7 @@ impl Equations<f64> {
     ///
     /// The spin S stands in for n, which does not depend on it where C = 0.
     pub(crate) fn gradients(&self, state: &BodyState<f64>) -> [Tangent<f64>; 3] {
-        let [c_over_a, p_over_a, s, g, k_over_a, ..] = self.coefficients;
+        let Coefficients { c_over_a, p_over_a, s, g, k_over_a, .. } = self.coefficients;
         let (axis, omega) = (state.orientation.axis(), state.omega());
         let (q, rate) = (cross_vertical(axis), cross(omega, axis));
         let ([.., u], [.., u_rate]) = (axis, rate);
@@ -32,10 +32,10 @@ impl Equations<f64> {
 
     /// First integrals l/A, n/A and h/A.
     pub(crate) fn integrals(&self, &BodyState { orientation, across, spin }: &BodyState<f64>) -> Vector<f64> {
-        let [c_over_a, p_over_a, s, g, ..] = self.coefficients;
+        let Coefficients { c_over_a, p_over_a, s, g, .. } = self.coefficients;
         let axis = orientation.axis();
         let ([.., u], [.., vertical], [.., u_rate]) = (axis, across, cross(across, axis));
-        let n = n_over_a(&self.coefficients, spin);
+        let n = self.coefficients.n_over_a(spin);
         let square = dot(across, across) + c_over_a * spin * spin + p_over_a * s * u_rate * u_rate;
         [vertical + n * u, n, 0.5 * square + p_over_a * g * u]
     }
@@ -54,29 +54,33 @@ pub(crate) fn projected(
 ) -> [Tangent<f64>; COLUMNS] {
     let mut projected = *growth;
     projected.iter_mut().take(LAUNCH_COLUMNS).for_each(|slot| *slot = Tangent::ZERO);
-    // orthonormal directions, whose η is in units of the rate; 0 for a gradient that depends on those before
-    let mut directions = [Tangent::ZERO; 3];
-    for (index, gradient) in gradients.iter().enumerate() {
-        let gradient = Tangent { theta: gradient.theta, eta: scaled(gradient.eta, rate) };
-        let mut remainder = gradient;
-        // twice, because the first subtraction leaves rounding errors of what it subtracts
-        for direction in [directions, directions].as_flattened() {
-            remainder = remainder.plus(direction, -remainder.inner(direction));
-        }
-        let length = libm::sqrt(remainder.inner(&remainder));
-        if length <= ROUNDING * libm::sqrt(gradient.inner(&gradient)) {
-            continue;
-        }
-        let direction = Tangent::ZERO.plus(&remainder, 1.0 / length);
-        let (up, down) = (scaled(direction.eta, rate), scaled(direction.eta, 1.0 / rate));
-        let mut along = Tangent::ZERO;
-        for (column, weight) in growth.iter().zip([direction.theta, up].as_flattened()) {
-            along = along.plus(column, *weight);
-        }
-        for (slot, weight) in projected.iter_mut().zip([direction.theta, down].as_flattened()) {
-            *slot = slot.plus(&along, *weight);
-        }
-        directions.iter_mut().skip(index).take(1).for_each(|slot| *slot = direction);
+    for direction in orthonormal(gradients.map(|gradient| gradient.with_eta_times(rate))) {
+        // growth along the direction, in the units of the columns
+        let weights = direction.with_eta_times(rate).components();
+        let along = growth.iter().zip(weights).fold(Tangent::ZERO, |sum, (by, weight)| sum.plus(by, weight));
+        let weights = direction.with_eta_times(1.0 / rate).components();
+        projected.iter_mut().zip(weights).for_each(|(slot, weight)| *slot = slot.plus(&along, weight));
     }
     projected
+}
+
+/// Orthonormal directions by the method of Gram and Schmidt; 0 for a vector that depends on those before it.
+fn orthonormal(vectors: [Tangent<f64>; 3]) -> [Tangent<f64>; 3] {
+    let mut directions = [Tangent::ZERO; 3];
+    for (index, vector) in vectors.iter().enumerate() {
+        let mut remainder = *vector;
+        // twice, because the first subtraction leaves rounding errors of what it subtracts
+        for _ in 0..2 {
+            for direction in &directions {
+                remainder = remainder.plus(direction, -remainder.inner(direction));
+            }
+        }
+        let length = libm::sqrt(remainder.inner(&remainder));
+        if length > ROUNDING * libm::sqrt(vector.inner(vector))
+            && let Some(direction) = directions.get_mut(index)
+        {
+            *direction = Tangent::ZERO.plus(&remainder, 1.0 / length);
+        }
+    }
+    directions
 }

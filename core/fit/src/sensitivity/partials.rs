@@ -128,7 +128,7 @@ impl<F: Float> Partials<F> {
 
     /// Length s of a sliding top; 1 for a fixed tip.
     fn tip_scale(&self) -> F {
-        let [_, _, s, ..] = self.equations.coefficients;
+        let s = self.equations.coefficients.s;
         if s > F::ZERO { s } else { F::ONE }
     }
 
@@ -137,7 +137,7 @@ impl<F: Float> Partials<F> {
     pub fn d_tip(&self) -> [Complex<F>; COLUMNS] {
         let (axis, scale) = (self.axis(), self.tip_scale());
         let changes = self.each(|tangent, change| {
-            let d_s = change.map_or(F::ZERO, |&[_, _, d_s, ..]| d_s);
+            let d_s = change.map_or(F::ZERO, |change| change.s);
             add_scaled(scaled(axis, -d_s), cross(tangent.theta, axis), -scale)
         });
         changes.map(|[x, y, _]| Complex::new(x, y))

@@ -1,6 +1,6 @@
 //! State of a motion, and small changes of it.
 
-use crate::vector::{UNITS, Vector, add_scaled, cast, cast_orientation, dot};
+use crate::vector::{UNITS, Vector, add_scaled, cast, cast_orientation, dot, scaled};
 use toytop::scalar::Float;
 use toytop::su2::Orientation;
 
@@ -73,6 +73,17 @@ impl<F: Float> Tangent<F> {
             (turn.theta, rate.eta) = (cast(phi.adjoint(unit)), cast(phi.adjoint(unit)));
         }
         tangents
+    }
+
+    /// Components of θ and of η.
+    pub(crate) fn components(&self) -> [F; LAUNCH_COLUMNS] {
+        let ([x, y, z], [u, v, w]) = (self.theta, self.eta);
+        [x, y, z, u, v, w]
+    }
+
+    /// Tangent whose η is multiplied by a factor.
+    pub(crate) fn with_eta_times(&self, f: F) -> Self {
+        Self { theta: self.theta, eta: scaled(self.eta, f) }
     }
 
     /// Inner product of all six numbers.

@@ -106,7 +106,7 @@ impl<F: Real> Trajectory<F> {
 
     /// Angle by which the body has turned about its axis at a time.
     fn roll(&self, t: f64) -> Phase {
-        let [.., loss, _, _] = self.coefficients;
+        let [loss, ..] = self.coefficients.losses;
         let lost = loss * t;
         // (1 - e⁻ˣ)/x
         let mean = if lost == 0.0 { 1.0 } else { -libm::expm1(-lost) / lost };
@@ -124,7 +124,7 @@ impl Trajectory<f64> {
     }
 
     /// Trajectory at another time. `None` where that is too far, or where a tangent has grown beyond 1e150.
-    pub(crate) fn moved(mut self, t: f64) -> Option<Self> {
+    pub(crate) fn at(mut self, t: f64) -> Option<Self> {
         self.move_to(t)?;
         let is_bounded = |tangent: &Tangent<f64>| tangent.inner(tangent) < LARGEST;
         self.now.tangents.iter().all(is_bounded).then_some(self)

@@ -162,7 +162,7 @@ fn by_ephemeris(
 /// Function that computes samples by the closed form, if the motion has one.
 fn by_closed_form(scenario: &Scenario, times: Times) -> Result<Box<Sampler>, Failure> {
     let motion = &scenario.motion;
-    let form = ClosedForm::of(motion)
+    let form = ClosedForm::from_motion(motion)
         .map_err(|refusal| Failure::Method(refusal.to_string()).with_context(&scenario.name))?;
     let furthest = MotionConstants::new(*motion).furthest_time_of_closed_form();
     times.require_within(furthest, " with --method closed-form")?;

@@ -25,7 +25,7 @@ pub(crate) struct ClosedFormCore {
 impl ClosedFormCore {
     #[new]
     fn new(of: &MotionCore) -> PyResult<Self> {
-        let form = ClosedForm::of(&of.motion).map_err(|none| value_error("closed_form", none))?;
+        let form = ClosedForm::from_motion(&of.motion).map_err(|none| value_error("closed_form", none))?;
         Ok(Self { motion: of.motion, form })
     }
 

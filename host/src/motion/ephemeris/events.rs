@@ -28,7 +28,7 @@ impl EventKind {
             Self::TipAngle(angle) => return Ok(vec![Condition::TipAngle(angle)]),
             Self::Tilt(tilt) => vec![Level::of_tilt(tilt)?],
             Self::Circle(radius) => Level::of_circle(motion.top(), radius)?.to_vec(),
-            Self::LiftOff => Level::of_lift_off(motion).into_iter().collect(),
+            Self::LiftOff => Level::lift_off(motion).into_iter().collect(),
         };
         Ok(levels.into_iter().map(Condition::Crossing).collect())
     }

@@ -1,0 +1,86 @@
+//! Sensors, unknowns and measurements of one fit.
+
+use crate::fit::error::FitError;
+use crate::model::Model;
+use crate::sensors::{Hint, Measurement, Measurements, Sensor};
+use crate::vector::Vector;
+
+/// Sensors, unknowns and measurements of one fit.
+#[derive(Clone, Copy)]
+pub(super) struct Problem<'a, F, M> {
+    pub(super) sensors: &'a [&'a dyn Sensor<F>],
+    pub(super) model: &'a Model,
+    pub(super) huber: f64,
+    measurements: M,
+    /// Number of measurements.
+    pub(super) total: usize,
+    /// Times of the first and the last measurement.
+    pub(super) first_time: f64,
+    pub(super) last_time: f64,
+    /// Factor of the readings of rate gyroscopes.
+    rate_unit: f64,
+}
+
+impl<'a, F, M: Measurements> Problem<'a, F, M> {
+    /// Problem with rates in rad. Each measurement is checked.
+    #[inline(never)] // stack
+    pub(super) fn new(
+        sensors: &'a [&'a dyn Sensor<F>],
+        model: &'a Model,
+        huber: f64,
+        measurements: M,
+    ) -> Result<Self, FitError> {
+        let first_time = measurements.clone().next().ok_or(FitError::NoMeasurements)?.time;
+        let mut problem = Self {
+            sensors,
+            model,
+            huber,
+            total: 0,
+            first_time,
+            last_time: first_time,
+            rate_unit: 1.0,
+            measurements,
+        };
+        for (index, Measurement { time, sensor, values }) in problem.measurements.clone().enumerate() {
+            if !time.is_finite() || values.iter().any(|x| !x.is_finite()) {
+                return Err(FitError::NotFinite { index });
+            }
+            if time < problem.last_time {
+                return Err(FitError::OutOfOrder { index });
+            }
+            if sensor >= sensors.len() {
+                return Err(FitError::UnknownSensor { index });
+            }
+            (problem.last_time, problem.total) = (time, index + 1);
+        }
+        Ok(problem)
+    }
+
+    /// Problem with another factor of the readings of rate gyroscopes.
+    pub(super) fn with_rate_unit(&self, rate_unit: f64) -> Self {
+        Self { rate_unit, measurements: self.measurements.clone(), ..*self }
+    }
+
+    /// Measurements in the unit of the problem.
+    pub(super) fn measurements(&self) -> impl Measurements {
+        self.measurements.clone().map(|mut measurement| {
+            if self.rate_unit != 1.0 && matches!(self.hint(&measurement), Hint::Rate { .. }) {
+                measurement.values = measurement.values.map(|x| x * self.rate_unit);
+            }
+            measurement
+        })
+    }
+
+    /// Hint of a measurement.
+    pub(super) fn hint(&self, Measurement { sensor, values, .. }: &Measurement) -> Hint {
+        self.sensors.get(*sensor).map_or(Hint::None, |sensor| sensor.hint(values))
+    }
+
+    /// Rates in the body frame, and whether their axial component is beyond the range.
+    pub(super) fn rates(&self) -> impl Iterator<Item = (Vector<f64>, bool)> {
+        self.measurements().filter_map(|measurement| match self.hint(&measurement) {
+            Hint::Rate { omega, axial_is_saturated } => Some((omega, axial_is_saturated)),
+            _ => None,
+        })
+    }
+}
