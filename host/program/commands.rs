@@ -39,11 +39,11 @@ mod studies {
 
 use clap::{CommandFactory, Subcommand};
 use clap_complete::Shell;
-use graphics::{animate, figures, plot, view};
-use integrators::{benchmark, score};
-use one_motion::{bake, constants, events, state};
-use samples::{fit, simulate};
-use studies::{accuracy, bench, budget, compare, errata, sweep};
+use graphics::*;
+use integrators::*;
+use one_motion::*;
+use samples::*;
+use studies::*;
 use toytop::{Motion, Regime, Support};
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::tilts;

@@ -2,6 +2,7 @@
 //! and as corrected, and a test compares the residuals.
 
 use clap::Args;
+use serde::Serialize;
 use serde_json::json;
 use toytop_host::output::{self, Format};
 use toytop_host::{Failure, Report};
@@ -16,21 +17,8 @@ pub struct ErrataArgs {
 }
 
 pub fn run(arguments: &ErrataArgs) -> Result<Report, Failure> {
-    let record = |(number, erratum): (u64, Erratum)| {
-        let Erratum { place, against, printed, corrected, residuals } = erratum;
-        json!({
-            "number": number,
-            "place": place,
-            "against": against,
-            "printed": printed,
-            "corrected": corrected,
-            "residual_printed": residuals[0],
-            "residual_corrected": residuals[1],
-        })
-    };
-    let records: Vec<_> = (1..).zip(errata()).map(record).collect();
-    Ok(output::render(arguments.format, &json!({ "errata": records }), &records, || table().to_owned())
-        .into())
+    let errata = errata();
+    Ok(output::render(arguments.format, &json!({ "errata": errata }), &errata, || table().to_owned()).into())
 }
 
 /// Page whose first block of text is the table.
@@ -41,8 +29,11 @@ fn table() -> &'static str {
     PAGE.split("```").nth(1).map_or("", |block| block.trim_start_matches("text\n"))
 }
 
-/// Wrong formula of the paper with its correction.
+/// Wrong formula of the paper with its correction. The names are the keys of JSON.
+#[derive(Default, Serialize)]
 struct Erratum {
+    /// Number on the page.
+    number: usize,
     /// Place in the paper: a label or a section.
     place: &'static str,
     /// Quantity that the formula is compared with; a residual is their largest difference.
@@ -51,19 +42,30 @@ struct Erratum {
     printed: &'static str,
     /// Corrected formula.
     corrected: &'static str,
-    /// Residual of the printed formula, to two decimals, and a power of ten above that of the corrected one; 0 where it is exact.
-    residuals: [f64; 2],
+    /// Residual of the printed formula, to two decimals.
+    residual_printed: f64,
+    /// Power of ten above the residual of the corrected formula; 0 where it is exact.
+    residual_corrected: f64,
 }
 
 /// All errors with a formula that can be evaluated, in the order of the paper.
-fn errata() -> impl Iterator<Item = Erratum> {
+fn errata() -> Vec<Erratum> {
     let lines: Vec<_> = table().lines().skip(1).map(|line| field(line, " ")).collect();
-    let erratum = |[(_, place), (_, against), (_, printed), (_, corrected)]: [(_, _); 4]| {
-        let [(wrong, printed), (right, corrected)] = [printed, corrected].map(|text| field(text, "  "));
-        let residuals = [wrong, right].map(|text| text.trim_start_matches("< ").parse().unwrap_or(f64::NAN));
-        Erratum { place, against, printed, corrected, residuals }
+    let residual = |text: &str| text.trim_start_matches("< ").parse().unwrap_or(f64::NAN);
+    let erratum = |(index, [(_, place), (_, against), (_, printed), (_, corrected)]): (_, &[(_, _); 4])| {
+        let [(wrong, printed), (right, corrected)] = [*printed, *corrected].map(|text| field(text, "  "));
+        let [residual_printed, residual_corrected] = [wrong, right].map(residual);
+        Erratum {
+            number: index + 1,
+            place,
+            against,
+            printed,
+            corrected,
+            residual_printed,
+            residual_corrected,
+        }
     };
-    lines.as_chunks().0.to_vec().into_iter().map(erratum)
+    lines.as_chunks().0.iter().enumerate().map(erratum).collect()
 }
 
 /// First field of a line, and the rest of it after a separator.
