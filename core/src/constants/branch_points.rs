@@ -10,7 +10,7 @@ use crate::body::{ParameterError, check_range};
 use crate::scalar::{Extended, Float, numeric_struct};
 
 numeric_struct! {
-    /// Branch points and their differences; none has a unit. They are only results: no launch takes them back.
+    /// Branch points and their differences; none has a unit.
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     #[non_exhaustive]
@@ -36,16 +36,6 @@ numeric_struct! {
 
 /// Largest e₃. Beyond it the torque has less effect than the rounding of a state.
 const LARGEST_E3: f64 = 1e14;
-
-impl BranchPoints {
-    /// Branch points from three numbers, which count as exact.
-    ///
-    /// # Errors
-    /// `e1`, `e2`, `e3`: not finite, or not -1 <= e1 <= e2 <= 1 <= e3 <= 1e14.
-    pub fn new(e1: f64, e2: f64, e3: f64) -> Result<Self, ParameterError> {
-        Ok(BranchPoints::from_roots([e1, e2, e3])?.map(Float::to_f64))
-    }
-}
 
 impl BranchPoints<Extended> {
     /// Branch points from three numbers, with exact differences.

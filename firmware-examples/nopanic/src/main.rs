@@ -75,11 +75,11 @@ fn set_up() -> Result<(), ParameterError> {
         fit(&top);
         let sign = |x| Sign::new(x);
         let signs = Signs { l_plus_n: sign(unknown()), l_minus_n: sign(unknown()) };
-        let e = BranchPoints::new(unknown(), unknown(), unknown())?;
-        black_box(e.integrals(&top, signs));
         black_box(BranchPoints::from_integrals(&top, unknown(), unknown(), unknown())?);
         let start = InitialAngles { theta: unknown(), arg_alpha: unknown(), arg_beta: unknown() };
-        spin(&Motion::from_branch_points(&top, [unknown(); 3], signs, &start)?);
+        let motion = Motion::from_branch_points(&top, [unknown(); 3], signs, &start)?;
+        black_box(motion.branch_points().integrals(&top, signs));
+        spin(&motion);
     }
     Ok(())
 }

@@ -115,6 +115,7 @@ fn releases_out_of_range_are_refused() {
 
 #[test]
 fn branch_points_out_of_range_are_refused() {
+    let start = InitialAngles::default();
     for ([e1, e2, e3], refused) in [
         ([-1.0, 1.0, 1.0], None),
         ([-1.0000001, 0.5, 2.0], Some("e1")),
@@ -124,9 +125,9 @@ fn branch_points_out_of_range_are_refused() {
         ([0.6, 0.9, 1e15], Some("e3")),
         ([f64::NAN, 0.9, 2.0], Some("e1")),
     ] {
-        assert_eq!(parameter(BranchPoints::new(e1, e2, e3)), refused, "{e1} {e2} {e3}");
+        let motion = Motion::from_branch_points(&top(), [e1, e2, e3], Signs::default(), &start);
+        assert_eq!(parameter(motion), refused, "{e1} {e2} {e3}");
     }
-    let start = InitialAngles::default();
     for (start, refused) in [
         (InitialAngles { theta: f64::NAN, ..start }, "theta"),
         (InitialAngles { arg_alpha: 1e7, ..start }, "arg_alpha"),

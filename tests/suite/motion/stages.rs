@@ -1,7 +1,7 @@
 //! Each stage of the computation separately, against the reference vectors.
 
 use toytop::scalar::Real;
-use toytop::{BranchPoints, FirstIntegrals, Stepper};
+use toytop::{FirstIntegrals, Stepper};
 use toytop_tests::vectors::{self, Vector};
 use toytop_tests::{
     DIFFERENT, SAME, by_branch_points, check, check_all, greater, keep, tolerance, top_of, widened, worst,
@@ -16,12 +16,11 @@ fn first_integrals_from_branch_points_and_from_states_agree() {
     // near_vertical_pass contains 1 - 1e-8 in decimal, which is rounded; the exact vectors contain its exact counterpart
     let errors =
         vectors::all().into_iter().filter(|vector| vector.name != "near_vertical_pass").flat_map(|vector| {
-            let ([e1, e2, e3], top) = (vector.roots(), vector.top());
             // a state near the vertical rounded to f64 has a different l - n, but the same l and n up to rounding
             let FirstIntegrals { l, n, h, .. } = if vector.by_branch_points() {
-                BranchPoints::new(e1, e2, e3).unwrap().integrals(&top, vector.signs())
+                vector.motion().unwrap().first_integrals()
             } else {
-                FirstIntegrals::from_state(&top, &vector.state())
+                FirstIntegrals::from_state(&vector.top(), &vector.state())
             };
             let truth = ["l", "n", "h"].map(|key| vector.number(key));
             let scale = truth.iter().fold(0.0_f64, |scale, x| scale.max(x.abs()));
