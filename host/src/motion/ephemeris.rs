@@ -12,7 +12,7 @@ pub use events::{EventFilter, EventKind, FoundEvent};
 pub use heap_table::{HeapTable, TableScalar};
 
 use crate::motion::column::SampleColumn;
-use crate::motion::sample::{Part, Sample};
+use crate::motion::sample::{Quantities, Sample};
 use events::Condition;
 use std::f64::consts::TAU;
 use toytop::{ErrorBound, Motion, ParameterError, Phase, Pose};
@@ -37,38 +37,29 @@ pub trait DynEphemeris: Send + Sync {
     /// Upper bound on the error of ω, of Ω and of u', rad per unit time.
     fn rate_error_bound(&self) -> ErrorBound;
 
-    /// Sets one part of a sample to that of the motion t units of time after t = 0, t taken as exact. Others may change too.
-    fn update(&self, sample: &mut Sample, part: Part, t: f64);
-
     /// Sample of the motion t units of time after t = 0, t taken as exact.
-    fn at(&self, t: f64) -> Sample {
-        let mut sample = Sample::UNKNOWN;
-        self.update(&mut sample, Part::All, t);
-        sample
-    }
+    fn at(&self, t: f64) -> Sample;
 
     /// Orientation, u and tip of the motion t units of time after t = 0, without its rates and tip angle.
     fn pose(&self, t: f64) -> Pose<f64, f64> {
-        let mut sample = Sample::UNKNOWN;
-        self.update(&mut sample, Part::Pose, t);
-        sample.pose
+        self.at(t).pose
     }
 
     /// Sample of the motion at tick n.
     fn at_tick(&self, n: i64) -> Sample;
 
-    /// Writes one column at each time, and computes no other.
-    fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
-        // one sample for all times, because to make another costs a tenth of its evaluation
-        let (mut sample, write) = (Sample::UNKNOWN, column.writer());
-        for (t, row) in times.iter().zip(rows.chunks_exact_mut(column.names().len())) {
-            self.update(&mut sample, column.part(), *t);
-            write(&sample, row);
-        }
-    }
+    /// Writes one column at each time.
+    fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]);
 
     /// First events at which a condition holds, of those that the filter accepts.
     fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent>;
+}
+
+/// Writes one column of the quantities at each time.
+fn fill<Q: Quantities>(column: SampleColumn, at: impl Fn(f64) -> Q, times: &[f64], rows: &mut [f64]) {
+    for (t, row) in times.iter().zip(rows.chunks_exact_mut(column.names().len())) {
+        column.write(&at(*t), row);
+    }
 }
 
 /// First events of a kind, in the order of their times.

@@ -4,25 +4,31 @@ use toytop::scalar::Real;
 use toytop::{AttitudeState, Complex, Orientation, Pose};
 use toytop_model::equations::BodyRates;
 
-/// Part of a sample that is computed by itself.
-#[derive(Clone, Copy, PartialEq)]
-pub enum Part {
-    /// All of it.
-    All,
-    /// Orientation.
-    Orientation,
-    /// Orientation, cosine of the tilt, and position of the tip.
-    Pose,
-    /// Angular velocity in the fixed frame.
-    Omega,
-    /// Angular velocity in the body frame.
-    OmegaBody,
-    /// Rate of u.
-    Udot,
-    /// Tip angle.
-    TipAngle,
-    /// Bound on the error of the orientation.
-    ErrorBound,
+/// Quantities of a motion at one time, each of which is computed where it is read.
+pub trait Quantities {
+    /// Time, s.
+    fn t(&self) -> f64;
+
+    /// Orientation Φ.
+    fn orientation(&self) -> Orientation<f64>;
+
+    /// Orientation Φ, cosine u of the tilt, and position of the tip c = 2 s αβ, m; 2 αβ for a fixed tip.
+    fn pose(&self) -> Pose<f64, f64>;
+
+    /// Angular velocity ω in the fixed frame, rad/s.
+    fn omega(&self) -> [f64; 3];
+
+    /// Angular velocity Ω in the body frame, rad/s.
+    fn omega_body(&self) -> [f64; 3];
+
+    /// Rate u' of the cosine of the tilt, 1/s.
+    fn udot(&self) -> f64;
+
+    /// Tip angle continued from t = 0, rad; `None` where the axis is vertical at all times.
+    fn tip_angle(&self) -> Option<f64>;
+
+    /// Upper bound on the error of the orientation, rad, where the method has one.
+    fn error_bound(&self) -> Option<f64>;
 }
 
 /// Motion at one time in `f64`.
@@ -41,18 +47,16 @@ pub struct Sample {
 }
 
 impl Sample {
-    /// Sample of which nothing is known: its numbers are NaN.
-    pub const UNKNOWN: Self = {
-        let (number, vector) = (Complex { re: f64::NAN, im: f64::NAN }, [f64::NAN; 3]);
-        let orientation = Orientation { alpha: number, beta: number };
+    /// All quantities of a motion at one time.
+    pub fn new(at: &impl Quantities) -> Self {
         Self {
-            t: f64::NAN,
-            pose: Pose { orientation, u: f64::NAN, tip: number },
-            rates: BodyRates { omega: vector, omega_body: vector, udot: f64::NAN },
-            tip_angle: None,
-            error_bound: None,
+            t: at.t(),
+            pose: at.pose(),
+            rates: BodyRates { omega: at.omega(), omega_body: at.omega_body(), udot: at.udot() },
+            tip_angle: at.tip_angle(),
+            error_bound: at.error_bound(),
         }
-    };
+    }
 
     /// Sample of an attitude state of the core at time t.
     pub fn from_state<R: Real>(
@@ -69,6 +73,40 @@ impl Sample {
             tip,
         };
         Self { t, pose, rates: body_rates(state), tip_angle, error_bound: None }
+    }
+}
+
+impl Quantities for Sample {
+    fn t(&self) -> f64 {
+        self.t
+    }
+
+    fn orientation(&self) -> Orientation<f64> {
+        self.pose.orientation
+    }
+
+    fn pose(&self) -> Pose<f64, f64> {
+        self.pose
+    }
+
+    fn omega(&self) -> [f64; 3] {
+        self.rates.omega
+    }
+
+    fn omega_body(&self) -> [f64; 3] {
+        self.rates.omega_body
+    }
+
+    fn udot(&self) -> f64 {
+        self.rates.udot
+    }
+
+    fn tip_angle(&self) -> Option<f64> {
+        self.tip_angle
+    }
+
+    fn error_bound(&self) -> Option<f64> {
+        self.error_bound
     }
 }
 

@@ -2,7 +2,8 @@
 
 use super::events::Condition;
 use super::{DynEphemeris, EventFilter, FoundEvent, unwrapped};
-use crate::motion::sample::{Part, Sample};
+use crate::motion::column::SampleColumn;
+use crate::motion::sample::Sample;
 use std::f64::consts::TAU;
 use toytop::ErrorBound;
 use toytop_model::aperiodic::AperiodicMotion;
@@ -80,16 +81,20 @@ impl DynEphemeris for AperiodicEphemeris {
         ErrorBound { constant, per_tick: constant * speed / self.ticks_per_time() }
     }
 
-    fn update(&self, sample: &mut Sample, _: Part, t: f64) {
+    fn at(&self, t: f64) -> Sample {
         let (state, tip) = self.motion.at(t);
-        *sample = Sample {
+        Sample {
             error_bound: Some(self.error_bound().after(t * self.ticks_per_time())),
             ..Sample::from_state(t, &state, tip, Some(self.tip_angle(t)))
-        };
+        }
     }
 
     fn at_tick(&self, n: i64) -> Sample {
         self.at(n as f64 / self.ticks_per_time())
+    }
+
+    fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
+        super::fill(column, |t| self.at(t), times, rows);
     }
 
     /// Events while the axis is not upright to a rounding: places at which the integer part of a function of time changes.
