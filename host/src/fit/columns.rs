@@ -5,7 +5,6 @@ use crate::input::text_file;
 use crate::input::{finite, rows};
 use crate::output::csv_line;
 use crate::{Failure, excerpt};
-use serde_json::Value;
 use std::iter::once;
 use std::path::Path;
 use toytop_fit::Measurement;
@@ -157,9 +156,9 @@ fn parse(text: &str, sensors: &mut Sensors, all: bool) -> Result<(Vec<Measuremen
 /// Measurements as CSV, those of one time in one row.
 pub fn csv(sensors: &Sensors, measurements: &[Measurement]) -> String {
     let Columns { t, readings } = Columns::new(sensors, measurements);
-    let header = once("t").chain(readings.iter().map(|(name, _)| *name));
+    let header = csv_line(once("t").chain(readings.iter().map(|(name, _)| *name)));
     let row = |(row, time): (usize, &f64)| {
-        csv_line(once(*time).chain(readings.iter().map(|(_, readings)| readings[row])).map(Value::from))
+        csv_line(once(*time).chain(readings.iter().map(|(_, readings)| readings[row])))
     };
-    once(csv_line(header.map(Value::from))).chain(t.iter().enumerate().map(row)).collect()
+    once(header).chain(t.iter().enumerate().map(row)).collect()
 }

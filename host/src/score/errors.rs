@@ -21,7 +21,7 @@ pub struct Scorer<'a> {
 }
 
 /// Errors of one trajectory. Their names are the keys of JSON.
-#[derive(Default, Serialize)]
+#[derive(Serialize)]
 pub struct Score {
     /// Greatest error of the orientation, 2 √(|Δα|² + |Δβ|²) with the nearer sign, rad.
     pub max_error_rad: f64,

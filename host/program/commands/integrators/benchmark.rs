@@ -37,7 +37,6 @@ pub struct BenchmarkArgs {
 const COLUMNS: [&str; 11] = ["t", "x_com", "y_com", "z_com", "w", "x", "y", "z", "wx", "wy", "wz"];
 
 /// Numbers at one time, by [`COLUMNS`]: texts of 30 digits, or numbers of the ephemeris.
-#[derive(Default)]
 struct Row([Value; 11]);
 
 impl Serialize for Row {
@@ -55,7 +54,7 @@ struct Line<'a> {
 }
 
 /// Problem of the list. The names are the keys of JSON.
-#[derive(Default, Serialize)]
+#[derive(Serialize)]
 struct ListedProblem {
     benchmark: String,
     title: String,
@@ -99,7 +98,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
             about.title,
             about.source,
             about.symmetry_axis,
-            TextTable::of_all(&lines, eight_digits).aligned()
+            TextTable::from_rows(&lines, eight_digits).aligned()
         )
     };
     Ok(output::render(*format, &document, &rows, table).into())

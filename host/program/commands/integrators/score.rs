@@ -52,7 +52,7 @@ pub struct ScoreArgs {
 }
 
 /// File with its errors. The names are the keys of JSON.
-#[derive(Default, Serialize)]
+#[derive(Serialize)]
 struct ScoredFile {
     name: String,
     method: Option<String>,

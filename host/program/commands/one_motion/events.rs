@@ -111,15 +111,21 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
         [] => "no such event\n".to_owned(),
         _ => TextTable::new(2, &columns(scenario.units), &rows).aligned(),
     };
-    let text = output::render(arguments.format, &json!({ "events": rows }), &rows, table);
+    let text = match (arguments.format, &rows[..]) {
+        (Format::Csv, []) => output::csv_line(HEADER),
+        (format, rows) => output::render(format, &json!({ "events": rows }), rows, table),
+    };
     // no warning that the top leaves the plane if the command asks for these times
     let asked = arguments.kinds.iter().any(|kind| kind.event == EventKind::LiftOff);
     let notes = if asked { Vec::new() } else { warnings(&[scenario]) };
     Ok(Report::from(text).with_notes(notes))
 }
 
+/// Names of the columns of CSV, where there is no event.
+const HEADER: [&str; 9] = ["t", "kind", "sense", "u", "tilt_deg", "tip_x", "tip_y", "phi_deg", "time_error"];
+
 /// Event. The names are the keys of JSON.
-#[derive(Default, Serialize)]
+#[derive(Serialize)]
 struct EventRow<'a> {
     /// Time, s.
     t: f64,

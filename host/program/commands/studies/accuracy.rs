@@ -40,7 +40,7 @@ pub struct AccuracyArgs {
 }
 
 /// Errors of a scalar. The names are the keys of JSON.
-#[derive(Default, Serialize)]
+#[derive(Serialize)]
 struct ScalarErrors {
     /// Name of the scalar.
     scalar: &'static str,

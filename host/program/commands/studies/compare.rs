@@ -61,7 +61,7 @@ const PROPAGATORS: [(Method, Scalar); 6] = [
 const SAMPLES: u32 = 64;
 
 /// Greatest errors of a propagator on a motion; `None` where no table is large enough. The names are the keys of JSON.
-#[derive(Clone, Default, Serialize)]
+#[derive(Clone, Serialize)]
 struct Comparison<'a> {
     motion: &'a str,
     scalar: &'static str,
