@@ -53,7 +53,7 @@ pub extern "C" fn launch(kind: u32) -> i32 {
     let top: TopNumbers = from_fn(number);
     let motion: MotionNumbers = from_fn(|i| number(top.len() + i));
     (*MOTION.lock(), *RUNGE_KUTTA.lock()) = (None, None);
-    match launched(&top, kind, &motion) {
+    match launched(top, kind, motion) {
         Ok(motion) => {
             let table = TABLE.lock();
             write_numbers(
@@ -69,7 +69,7 @@ pub extern "C" fn launch(kind: u32) -> i32 {
     }
 }
 
-fn launched(top: &TopNumbers, kind: u32, numbers: &MotionNumbers) -> Result<MotionConstants, ParameterError> {
+fn launched(top: TopNumbers, kind: u32, numbers: MotionNumbers) -> Result<MotionConstants, ParameterError> {
     let motion = MotionConstants::new(scenario::motion(&scenario::top(top)?, kind, numbers)?);
     TABLE.lock().set_up(&motion)?;
     Ok(motion)

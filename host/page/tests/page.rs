@@ -2,8 +2,8 @@
 
 use toytop::scalar::Float;
 use toytop::{EphemerisF64, Motion, Pose, Release, State, Stepper, Support};
-use toytop_model::angles;
 use toytop_model::constants::{MotionConstants, number_constants};
+use toytop_model::scenario::tilt_from_degrees;
 use toytop_page::exports::launch_names;
 use toytop_page::runge_kutta::{MOST_STEPS, RungeKutta};
 use toytop_page::scenario;
@@ -17,7 +17,7 @@ const RELEASE: u32 = 0;
 const THROW: [f64; 8] = [20.0, 150.0, 4.0, -3.0, 50.0, 70.0, 0.0, 0.0];
 
 fn thrown() -> Motion {
-    scenario::motion(&scenario::top(&TOY_TOP).unwrap(), RELEASE, &THROW).unwrap()
+    scenario::motion(&scenario::top(TOY_TOP).unwrap(), RELEASE, THROW).unwrap()
 }
 
 fn constant(motion: &Motion, name: &str) -> f64 {
@@ -32,10 +32,10 @@ fn on_a_large_stack(test: impl FnOnce() + Send + 'static) {
 
 #[test]
 fn numbers_make_the_motion_that_names_make() {
-    let top = scenario::top(&TOY_TOP).unwrap();
+    let top = scenario::top(TOY_TOP).unwrap();
     assert_eq!([top.transverse_inertia(), top.axial_inertia(), top.com_height()], [3.0e-5, 2.0e-5, 0.03]);
     assert_eq!((top.support(), top.mass_moment(), top.gravity()), (Support::Sliding, 0.05 * 0.03, 9.81));
-    let held = scenario::top(&[1.0, 7.5e-5, 2.0e-5, 0.0, 0.0, 0.0015, 9.81, 0.25]).unwrap();
+    let held = scenario::top([1.0, 7.5e-5, 2.0e-5, 0.0, 0.0, 0.0015, 9.81, 0.25]).unwrap();
     assert_eq!((held.support(), held.mass_moment(), held.rotor_momentum()), (Support::Fixed, 0.0015, 0.25));
     let release = Release {
         tilt: 20_f64.to_radians(),
@@ -49,8 +49,8 @@ fn numbers_make_the_motion_that_names_make() {
     assert_eq!(thrown(), Motion::launch(&top, &state).unwrap());
     let ([alpha, beta], omega) = ([state.orientation().alpha, state.orientation().beta], state.omega());
     let numbers = [alpha.re, alpha.im, beta.re, beta.im, omega[0], omega[1], omega[2], 0.0];
-    assert_eq!(scenario::motion(&top, 1, &numbers).unwrap(), thrown());
-    let of_roots = scenario::motion(&top, 2, &[0.5, 0.75, 2.0, 1.0, -1.0, 0.0, 0.0, 0.0]).unwrap();
+    assert_eq!(scenario::motion(&top, 1, numbers).unwrap(), thrown());
+    let of_roots = scenario::motion(&top, 2, [0.5, 0.75, 2.0, 1.0, -1.0, 0.0, 0.0, 0.0]).unwrap();
     assert_eq!(["e1", "e2", "e3"].map(|name| constant(&of_roots, name)), [0.5, 0.75, 2.0]);
     assert!(constant(&of_roots, "l").abs() < constant(&of_roots, "n").abs());
 }
@@ -75,8 +75,8 @@ fn angles_and_rates_at_the_start_are_those_of_the_throw() {
 /// Where no torque acts the angular momentum stands still, Aω + ((C - A)⟨ω, r⟩ + K) r; elsewhere it does not.
 #[test]
 fn a_free_body_has_its_angular_momentum() {
-    let top = scenario::top(&[2.0, 3.0e-5, 2.0e-5, 0.0, 0.0, 0.0, 9.81, 1.0e-3]).unwrap();
-    let motion = scenario::motion(&top, RELEASE, &THROW).unwrap();
+    let top = scenario::top([2.0, 3.0e-5, 2.0e-5, 0.0, 0.0, 0.0, 9.81, 1.0e-3]).unwrap();
+    let motion = scenario::motion(&top, RELEASE, THROW).unwrap();
     let state = Stepper::<f64>::new(&motion).attitude_state();
     let (r, omega) = (state.orientation.axis(), state.omega());
     let axial = -1.0e-5 * 150.0 + 1.0e-3;
@@ -90,18 +90,18 @@ fn a_free_body_has_its_angular_momentum() {
 
 #[test]
 fn what_is_no_motion_is_refused_by_its_name() {
-    let top = scenario::top(&TOY_TOP).unwrap();
+    let top = scenario::top(TOY_TOP).unwrap();
     let refused = |i: usize, x: f64| {
         let mut numbers = THROW;
         numbers[i] = x;
-        scenario::motion(&top, RELEASE, &numbers).unwrap_err().parameter()
+        scenario::motion(&top, RELEASE, numbers).unwrap_err().parameter()
     };
     assert_eq!(
         [refused(0, 180.1), refused(0, -1.0), refused(1, f64::NAN), refused(2, 1e12)],
         ["tilt", "tilt", "spin", "precession"]
     );
-    assert_eq!(angles::tilt(180.0), std::f64::consts::PI);
-    assert!(angles::tilt(180_f64.next_down()) < std::f64::consts::PI);
+    assert_eq!(tilt_from_degrees(180.0), std::f64::consts::PI);
+    assert!(tilt_from_degrees(180_f64.next_down()) < std::f64::consts::PI);
 }
 
 #[test]

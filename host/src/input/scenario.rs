@@ -12,10 +12,13 @@ use super::section::{self, Key, Section};
 use super::text_file;
 use super::units::{self, DEGREES, RADIANS};
 use crate::{Failure, excerpt};
+use serde_json::json;
+use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::path::Path;
 use toml::{Table, Value};
 use toytop::{InitialAngles, Motion, Top, TopParameters};
+use toytop_model::scenario::SUPPORTS;
 
 /// Units of a scenario's numbers.
 #[derive(Clone, Copy, PartialEq)]
@@ -191,12 +194,28 @@ pub fn to_toml(top: &impl Display, launch: &Launch) -> String {
     format!("[top]\n{top}\n[motion]\n{motion}")
 }
 
+/// Keys of a top and of all kinds of motion.
+fn all_keys() -> impl Iterator<Item = &'static Key> {
+    top::KEYS.iter().chain(motion::KINDS.iter().flat_map(|(_, keys)| *keys))
+}
+
+/// Keys of scenarios with their order and their default values, as the page needs them.
+pub fn keys_as_json() -> serde_json::Value {
+    let names = |keys: &[Key]| keys.iter().map(|key| key.name).collect::<Vec<_>>();
+    json!({
+        "supports": SUPPORTS.map(|(name, _)| name),
+        "top": names(&top::KEYS),
+        "kinds": motion::KINDS.map(|(kind, keys)| (kind, names(keys))),
+        "defaults": all_keys().filter_map(|key| Some((key.name, key.default?))).collect::<BTreeMap<_, _>>(),
+    })
+}
+
 /// Key, and the reason why its value is refused.
 type Refused = (&'static str, String);
 
 /// Replaces numbers with units by numbers in the units of their keys.
 fn replace_units(table: &mut Table, has_units: bool) -> Result<(), Refused> {
-    for Key { name, units, .. } in top::KEYS.iter().chain(motion::keys()) {
+    for Key { name, units, .. } in all_keys() {
         let entries = match table.get_mut(*name) {
             Some(Value::Array(entries)) => &mut entries[..],
             Some(value) => std::slice::from_mut(value),

@@ -3,7 +3,7 @@
 
 use crate::Failure;
 use crate::input::builtin::{FIGURES, TOY_TOP};
-use crate::input::scenario::ScenarioFile;
+use crate::input::scenario::{ScenarioFile, keys_as_json};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::json;
@@ -38,6 +38,7 @@ pub fn html(start: &ScenarioFile) -> Result<String, Failure> {
         "name": scenario.name,
         "scenario": start.table,
         "constants": launch_names().collect::<Vec<_>>(),
+        "keys": keys_as_json(),
         "figures": FIGURES.map(|(figure, signs, e3s)| json!([figure, signs.l_minus_n.as_i32(), e3s])),
         "toy_top": toy_top().table,
     });

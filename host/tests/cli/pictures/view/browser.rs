@@ -4,6 +4,7 @@
 
 mod addresses;
 mod controls;
+mod sentences;
 
 use super::{element, folder, view};
 use crate::command::{list, sample};
