@@ -20,12 +20,12 @@ pub fn thread_pool() -> Result<ThreadPool, Failure> {
         .map_err(|error| Failure::Tool(format!("threads: {error}")))
 }
 
-/// Rows that need no other thread.
+/// Up to this number of rows one thread suffices.
 const FEW_ROWS: u64 = 1024;
 /// Rows between two writes.
 const BATCH_ROWS: u64 = 1 << 15;
 
-/// Function that appends the row of a number to the bytes.
+/// Function that appends row `n` to the bytes.
 pub type Encode<'a> = dyn Fn(u64, &mut Vec<u8>) + Sync + 'a;
 
 /// Writes this many rows in order, while all cores compute them. Memory does not grow with their number.

@@ -10,7 +10,7 @@ use core::array::from_fn;
 use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
 use toytop::{Motion, ParameterError};
-use toytop_model::constants::{MotionConstants, number_constants, regime, tip_class};
+use toytop_model::constants::{MotionWithPeriod, number_constants, regime, tip_class};
 use toytop_model::span::span;
 
 /// Points of a curve that one call computes at most.
@@ -69,8 +69,8 @@ pub extern "C" fn launch(kind: u32) -> i32 {
     }
 }
 
-fn launched(top: TopNumbers, kind: u32, numbers: MotionNumbers) -> Result<MotionConstants, ParameterError> {
-    let motion = MotionConstants::new(scenario::motion(&scenario::top(top)?, kind, numbers)?);
+fn launched(top: TopNumbers, kind: u32, numbers: MotionNumbers) -> Result<MotionWithPeriod, ParameterError> {
+    let motion = MotionWithPeriod::new(scenario::motion(&scenario::top(top)?, kind, numbers)?);
     TABLE.lock().set_up(&motion)?;
     Ok(motion)
 }

@@ -18,7 +18,7 @@ pub struct RungeKutta {
 }
 
 /// Greatest number of steps of a call, so that a page stays responsive.
-pub const MOST_STEPS: u32 = 40_000;
+pub const MAX_STEPS: u32 = 40_000;
 
 impl RungeKutta {
     /// Integration of a motion, at t = 0.
@@ -30,14 +30,14 @@ impl RungeKutta {
         Self { equations, com_height: top.com_height(), start, step, y: start, steps: 0.0, sense: 1.0 }
     }
 
-    /// Integrates towards a time by at most [`MOST_STEPS`] whole steps. Returns the time that is reached, and the orientation and the tip
+    /// Integrates towards a time by at most [`MAX_STEPS`] whole steps. Returns the time that is reached, and the orientation and the tip
     /// there. Within a step of t the last step is shorter, and is not kept. An earlier time than the last one begins again at t = 0.
     pub fn go(&mut self, t: f64) -> (f64, Orientation<f64>, Complex<f64>) {
         let sense = if t < 0.0 { -1.0 } else { 1.0 };
         if sense != self.sense || sense * t < self.steps * self.step {
             (self.y, self.steps, self.sense) = (self.start, 0.0, sense);
         }
-        let mut left = MOST_STEPS;
+        let mut left = MAX_STEPS;
         while left > 0 && (self.steps + 1.0) * self.step <= sense * t {
             self.y = self.equations.runge_kutta(&self.y, sense * self.step);
             self.steps += 1.0;

@@ -2,10 +2,10 @@
 
 use toytop::scalar::Float;
 use toytop::{EphemerisF64, Motion, Pose, Release, State, Stepper, Support};
-use toytop_model::constants::{MotionConstants, number_constants};
+use toytop_model::constants::{MotionWithPeriod, number_constants};
 use toytop_model::scenario::tilt_from_degrees;
 use toytop_page::exports::launch_names;
-use toytop_page::runge_kutta::{MOST_STEPS, RungeKutta};
+use toytop_page::runge_kutta::{MAX_STEPS, RungeKutta};
 use toytop_page::scenario;
 use toytop_page::table::{Table, pose_numbers};
 
@@ -22,7 +22,7 @@ fn thrown() -> Motion {
 
 fn constant(motion: &Motion, name: &str) -> f64 {
     let (_, value) = number_constants().find(|(other, _)| *other == name).unwrap();
-    value(&MotionConstants::new(*motion))
+    value(&MotionWithPeriod::new(*motion))
 }
 
 /// A table of the largest capacity is larger than a test's stack.
@@ -109,8 +109,8 @@ fn a_pose_is_the_cores() {
     on_a_large_stack(|| {
         let motion = thrown();
         let mut table = Box::new(Table::EMPTY);
-        table.set_up(&MotionConstants::new(motion)).unwrap();
-        let core = EphemerisF64::new(&motion, MotionConstants::new(motion).tick()).unwrap();
+        table.set_up(&MotionWithPeriod::new(motion)).unwrap();
+        let core = EphemerisF64::new(&motion, MotionWithPeriod::new(motion).tick()).unwrap();
         for t in [0.0, 0.3125, -7.1, 1e6] {
             let [a, b, c, d, u, .., x, y] = pose_numbers(table.at(t));
             let Pose { orientation: phi, tip, .. } = core.at(t).pose();
@@ -124,7 +124,7 @@ fn a_pose_is_the_cores() {
 #[test]
 fn runge_kutta_drifts_as_its_step_says() {
     let motion = thrown();
-    let core = EphemerisF64::new(&motion, MotionConstants::new(motion).tick()).unwrap();
+    let core = EphemerisF64::new(&motion, MotionWithPeriod::new(motion).tick()).unwrap();
     for t in [0.5, -0.5] {
         let errors = [4e-4, 2e-4].map(|step| {
             let (reached, phi, _) = RungeKutta::new(&motion, step).go(t);
@@ -136,7 +136,7 @@ fn runge_kutta_drifts_as_its_step_says() {
     }
     let mut integration = RungeKutta::new(&motion, 1e-5);
     let (first, ..) = integration.go(1.0);
-    assert!((first / (f64::from(MOST_STEPS) * 1e-5) - 1.0).abs() < 1e-12, "{first}");
+    assert!((first / (f64::from(MAX_STEPS) * 1e-5) - 1.0).abs() < 1e-12, "{first}");
     let (second, ..) = integration.go(1.0);
     assert!(second > first && second < 1.0);
     assert_eq!(Float::abs(integration.go(-1e-7).0), 1e-7);

@@ -14,8 +14,8 @@ use pyo3::prelude::*;
 use std::sync::OnceLock;
 use toytop::{Motion, State};
 use toytop_host::input::scenario::{Launch, Scenario, ScenarioFile, to_toml};
-use toytop_host::motion::ephemeris::smallest_ephemeris;
-use toytop_host::motion::{MotionConstants, Scalar};
+use toytop_host::motion::ephemeris::ephemeris_for;
+use toytop_host::motion::{MotionWithPeriod, Scalar};
 use toytop_host::pictures::curve::TipCurve;
 use toytop_host::pictures::page;
 use toytop_host::truth::quadrature::Quadrature;
@@ -61,7 +61,7 @@ impl MotionCore {
     /// `ValueError`: no table in this scalar is large enough.
     pub(crate) fn table(&self, scalar: Scalar) -> PyResult<Table> {
         let set_up = || {
-            let table = smallest_ephemeris(scalar, &self.motion);
+            let table = ephemeris_for(scalar, &self.motion);
             table.map(Table::from).map_err(|failure| failure.to_string())
         };
         let table = self.tables[scalar as usize].get_or_init(set_up).clone();
@@ -83,7 +83,7 @@ impl MotionCore {
     /// # Errors
     /// `ValueError`: one of the times is beyond them.
     pub(crate) fn within_reach(&self, times: &[f64]) -> PyResult<()> {
-        within(MotionConstants::new(self.motion).furthest_time(), times)
+        within(MotionWithPeriod::new(self.motion).furthest_time(), times)
     }
 }
 

@@ -7,8 +7,8 @@ mod heap_table;
 
 mod capacities;
 
-pub use capacities::{EphemerisOptions, smallest_ephemeris};
-pub use events::{EventFilter, EventKind, FoundEvent};
+pub use capacities::{EphemerisOptions, ephemeris_for};
+pub use events::{EventKind, EventQuery, MotionEvent};
 pub use heap_table::{HeapTable, TableScalar};
 
 use crate::motion::column::SampleColumn;
@@ -16,7 +16,7 @@ use crate::motion::sample::{Quantities, Sample};
 use events::Condition;
 use std::f64::consts::TAU;
 use toytop::{ErrorBound, Motion, ParameterError, Phase, Pose};
-use toytop_model::constants::MOST_TICKS;
+use toytop_model::constants::MAX_TICKS;
 
 /// Ephemeris of any scalar.
 pub trait DynEphemeris: Send + Sync {
@@ -28,7 +28,7 @@ pub trait DynEphemeris: Send + Sync {
 
     /// Greatest distance of a time from t = 0 at which the ephemeris can be evaluated.
     fn furthest_time(&self) -> f64 {
-        MOST_TICKS / self.ticks_per_time()
+        MAX_TICKS / self.ticks_per_time()
     }
 
     /// Upper bound on the orientation error, rad.
@@ -51,8 +51,8 @@ pub trait DynEphemeris: Send + Sync {
     /// Writes one column at each time.
     fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]);
 
-    /// First events at which a condition holds, of those that the filter accepts.
-    fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent>;
+    /// First events at which a condition holds, of those that the query includes.
+    fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent>;
 }
 
 /// Writes one column of the quantities at each time.
@@ -62,20 +62,19 @@ fn fill<Q: Quantities>(column: SampleColumn, at: impl Fn(f64) -> Q, times: &[f64
     }
 }
 
-/// First events of a kind, in the order of their times.
+/// Events of a query, in the order of their times.
 ///
 /// # Errors
 /// `tilt` or `radius`: the motion's top has no such event.
 pub fn search(
     table: &dyn DynEphemeris,
     motion: &Motion,
-    kind: EventKind,
-    filter: &EventFilter,
-) -> Result<Vec<FoundEvent>, ParameterError> {
-    let conditions = kind.conditions(motion)?.into_iter();
-    let mut events: Vec<_> = conditions.flat_map(|condition| table.events(condition, filter)).collect();
+    query: &EventQuery,
+) -> Result<Vec<MotionEvent>, ParameterError> {
+    let conditions = query.kind.conditions(motion)?.into_iter();
+    let mut events: Vec<_> = conditions.flat_map(|condition| table.events(condition, query)).collect();
     events.sort_by(|a, b| a.t.total_cmp(&b.t));
-    events.truncate(filter.count);
+    events.truncate(query.count);
     Ok(events)
 }
 
@@ -89,7 +88,7 @@ fn unwrapped(phase: Phase, near: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use toytop::{InitialAngles, Motion, Signs, Top, TopParameters};
-    use toytop_model::constants::MotionConstants;
+    use toytop_model::constants::MotionWithPeriod;
 
     pub(super) fn motion(a: f64, e: [f64; 3]) -> Motion {
         let top = Top::sliding(&TopParameters {
@@ -109,7 +108,7 @@ mod tests {
         for motion in
             [motion(1.0, [0.2, 0.8, 1.5]), motion(1e-6, [0.2, 0.8, 1e6]), motion(1e9, [0.2, 0.8, 1.5])]
         {
-            let constants = MotionConstants::new(motion);
+            let constants = MotionWithPeriod::new(motion);
             let (rate, period) = (constants.ticks_per_time(), constants.time_scale());
             assert!(rate * period >= 1000.0 && rate.log2().fract() == 0.0);
             assert!(constants.furthest_time() / period >= 1e10);

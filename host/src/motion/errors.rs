@@ -63,8 +63,8 @@ pub fn rate_error(found: &BodyRates, truth: &BodyRates) -> f64 {
 }
 
 /// First integrals [l, n, h] in kg m²/s and kg m²/s², by the full equations.
-fn first_integrals(top: &Top, phi: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
-    let state = FullState::new(phi, omega);
+fn first_integrals(top: &Top, orientation: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
+    let state = FullState::new(orientation, omega);
     Equations::new(top, &state).first_integrals(&state)
 }
 

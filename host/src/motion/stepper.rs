@@ -7,7 +7,7 @@ use toytop::scalar::Real;
 use toytop::{Motion, Phase, Stepper};
 
 /// Greatest number of steps that is computed.
-const MOST_STEPS: f64 = 1e10;
+const MAX_STEPS: f64 = 1e10;
 
 /// Number of steps of size `step`, s, that reach all of `times`.
 ///
@@ -16,7 +16,7 @@ const MOST_STEPS: f64 = 1e10;
 pub fn steps_needed(times: &[f64], step: f64) -> Result<u64, Failure> {
     let furthest = |sign: f64| times.iter().fold(0.0_f64, |most, t| most.max(sign * t));
     let steps = (furthest(1.0) + furthest(-1.0)) / step + times.len() as f64;
-    if steps > MOST_STEPS {
+    if steps > MAX_STEPS {
         let reason = format!("{steps:.1e} steps of {step:.1e} s; must be at most 1e10 steps");
         return Err(Failure::Input(format!("--steps-per-period: {reason}")));
     }
@@ -141,7 +141,7 @@ impl<R: Real> TimedStepper<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::motion::MotionConstants;
+    use crate::motion::MotionWithPeriod;
     use toytop::{InitialAngles, Signs, Top, TopParameters};
 
     fn motion() -> Motion {
@@ -160,7 +160,7 @@ mod tests {
 
     /// Greatest difference of elapsed and requested time over a million requests, s: 0 in f64, the rounding of one last step in f32.
     fn greatest_gap<R: Real>() -> f64 {
-        let step = MotionConstants::new(motion()).time_scale() / 4096.0;
+        let step = MotionWithPeriod::new(motion()).time_scale() / 4096.0;
         let mut stepper = TimedStepper::<R>::new(&motion(), step);
         let gap = |i: u32| {
             let t = 0.3 * step * f64::from(i);

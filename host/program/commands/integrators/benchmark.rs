@@ -6,7 +6,7 @@ use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 use toytop_host::input::times::Times;
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::smallest_ephemeris;
+use toytop_host::motion::ephemeris::ephemeris_for;
 use toytop_host::output::table::{Column, TextTable};
 use toytop_host::output::{self, Format, eight_digits};
 use toytop_host::score::trajectory::to_symmetry_axis;
@@ -139,7 +139,7 @@ fn reference_row(sample: &ReferenceSample) -> Row {
 fn computed_rows(problem: &Problem, times: &str) -> Result<Vec<Row>, Failure> {
     let Problem { scenario, about, .. } = problem;
     let times = Times::parse(times)?;
-    let table = smallest_ephemeris(Scalar::F64, &scenario.motion)
+    let table = ephemeris_for(Scalar::F64, &scenario.motion)
         .map_err(|failure| failure.with_context(&scenario.name))?;
     times.require_within(table.furthest_time(), "")?;
     let row = |t: &f64| {

@@ -12,9 +12,9 @@ use toytop_host::files::doc_page::DocPage;
 use toytop_host::input::builtin;
 use toytop_host::input::random::Random;
 use toytop_host::input::scenario::{Launch, Scenario};
-use toytop_host::motion::ephemeris::smallest_ephemeris;
+use toytop_host::motion::ephemeris::ephemeris_for;
 use toytop_host::motion::errors::Errors;
-use toytop_host::motion::{MotionConstants, Scalar};
+use toytop_host::motion::{MotionWithPeriod, Scalar};
 use toytop_host::output::table::TextTable;
 use toytop_host::output::{self, Format};
 use toytop_host::parallel::thread_pool;
@@ -152,9 +152,9 @@ fn input_of(scenario: &Scenario) -> Option<MotionInput> {
 fn errors_of_motion(input: &MotionInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
     let motion = input.motion().map_err(|error| Failure::Input(format!("{input:?}: {error}")))?;
     let tables =
-        scalars.iter().map(|&scalar| smallest_ephemeris(scalar, &motion)).collect::<Result<Vec<_>, _>>()?;
+        scalars.iter().map(|&scalar| ephemeris_for(scalar, &motion)).collect::<Result<Vec<_>, _>>()?;
     let truth = Quadrature::new(input);
-    let rate = MotionConstants::new(motion).ticks_per_time();
+    let rate = MotionWithPeriod::new(motion).ticks_per_time();
     let mut random = Random::new(1, 0);
     let mut found = vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];
     for octave in 0..=OCTAVES {

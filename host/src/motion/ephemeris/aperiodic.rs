@@ -1,13 +1,13 @@
 //! Aperiodic motion as an ephemeris: its closed form takes the place of a table.
 
 use super::events::Condition;
-use super::{DynEphemeris, EventFilter, FoundEvent, unwrapped};
+use super::{DynEphemeris, EventQuery, MotionEvent, unwrapped};
 use crate::motion::column::SampleColumn;
 use crate::motion::sample::Sample;
 use std::f64::consts::TAU;
 use toytop::ErrorBound;
 use toytop_model::aperiodic::AperiodicMotion;
-use toytop_model::constants::{MotionConstants, natural_time};
+use toytop_model::constants::{MotionWithPeriod, natural_time};
 
 /// Ephemeris of an aperiodic motion.
 pub struct AperiodicEphemeris {
@@ -22,12 +22,12 @@ pub struct AperiodicEphemeris {
 
 /// Variable v of an axis that is upright to a rounding.
 const UPRIGHT: f64 = 40.0;
-/// Number of intervals on either side of the lowest point, at most one event in each.
+/// Intervals of the search on either side of the lowest point. Each finds at most one event.
 const INTERVALS: i32 = 8192;
 
 impl AperiodicEphemeris {
     /// Ephemeris of a motion; `None` if it is not aperiodic.
-    pub fn new(constants: &MotionConstants) -> Option<Self> {
+    pub fn new(constants: &MotionWithPeriod) -> Option<Self> {
         let motion = AperiodicMotion::new(constants)?;
         let form = &motion.form;
         let mut upright = natural_time(constants);
@@ -98,7 +98,7 @@ impl DynEphemeris for AperiodicEphemeris {
     }
 
     /// Events while the axis is not upright to a rounding: places at which the integer part of a function of time changes.
-    fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent> {
+    fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
         let value = |t: f64| match condition {
             Condition::Turning => self.motion.form.v(t).clamp(-0.5, 0.5),
             Condition::Crossing(level) if level.u() < 1.0 => {
@@ -118,13 +118,13 @@ impl DynEphemeris for AperiodicEphemeris {
                 let t = root(time, next, |t| sense * (value(t) - whole));
                 // at the lowest point u is least
                 let upward = sense > 0.0 && condition != Condition::Turning;
-                if filter.accepts(t, upward) {
-                    found.push(FoundEvent::new(condition, t, upward, self.at(t)));
+                if query.includes(t, upward) {
+                    found.push(MotionEvent::new(condition, t, upward, self.at(t)));
                 }
             }
             (time, before) = (next, after);
         }
-        found.truncate(filter.count);
+        found.truncate(query.count);
         found
     }
 }

@@ -6,9 +6,9 @@ use crate::Failure;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
 use toytop::{Ephemeris, EphemerisMemory, EphemerisView, Motion, Regime, SetUpError, Tick, Workspace};
-use toytop_model::constants::MotionConstants;
+use toytop_model::constants::MotionWithPeriod;
 
-/// Capacities among which the smallest is chosen, in ascending order.
+/// Numbers of segments that are tried, smallest first.
 const CAPACITIES: [u32; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, MAX_CAPACITY];
 
 const MAX_CAPACITY: u32 = 4096;
@@ -18,7 +18,7 @@ const MAX_CAPACITY: u32 = 4096;
 pub struct EphemerisOptions {
     /// Scalar of the table.
     pub scalar: Scalar,
-    /// Length of a tick; without it, that of [`MotionConstants`].
+    /// Length of a tick; without it, that of [`MotionWithPeriod`].
     pub tick: Option<Tick>,
     /// Greatest truncation error, rad; without it, a bound within the rounding of the scalar.
     pub truncation: Option<f64>,
@@ -34,7 +34,7 @@ impl From<Scalar> for EphemerisOptions {
 ///
 /// # Errors
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
-pub fn smallest_ephemeris(
+pub fn ephemeris_for(
     options: impl Into<EphemerisOptions>,
     motion: &Motion,
 ) -> Result<Box<dyn DynEphemeris>, Failure> {
@@ -44,7 +44,7 @@ pub fn smallest_ephemeris(
         Ok(Box::new(HeapTable::<R>::smallest(&CAPACITIES, motion, tick, truncation)?))
     }
     let EphemerisOptions { scalar, tick, truncation } = options.into();
-    let constants = MotionConstants::new(*motion);
+    let constants = MotionWithPeriod::new(*motion);
     let tick = tick.unwrap_or_else(|| constants.tick());
     match scalar {
         Scalar::F64 => match AperiodicEphemeris::new(&constants) {
@@ -153,8 +153,8 @@ mod tests {
     /// Sizes that are chosen. Every smaller size is refused, and the motions of the test need every size.
     fn sizes_chosen<R: TableScalar>(motions: &[Motion]) -> Vec<usize> {
         let chosen = |motion: &Motion| {
-            let table = smallest_ephemeris(R::SCALAR, motion).unwrap();
-            let tick = MotionConstants::new(*motion).tick();
+            let table = ephemeris_for(R::SCALAR, motion).unwrap();
+            let tick = MotionWithPeriod::new(*motion).tick();
             for segments in CAPACITIES.into_iter().filter(|&segments| (segments as usize) < table.size()[0]) {
                 let refused = HeapTable::<R>::with_segments(motion, tick, Some(segments)).is_err();
                 assert!(refused, "{segments} segments would do");
@@ -182,9 +182,9 @@ mod tests {
     #[test]
     fn an_aperiodic_motion_has_a_closed_form_in_f64_alone() {
         let motion = motion(1.0, [0.2, 1.0, 1.0]);
-        assert_eq!(smallest_ephemeris(Scalar::F64, &motion).unwrap().size()[0], 0);
+        assert_eq!(ephemeris_for(Scalar::F64, &motion).unwrap().size()[0], 0);
         for scalar in [Scalar::F32, Scalar::Q31, Scalar::Q15] {
-            let refusal = smallest_ephemeris(scalar, &motion).err().unwrap().to_string();
+            let refusal = ephemeris_for(scalar, &motion).err().unwrap().to_string();
             assert_eq!(refusal, "an aperiodic motion has a closed form in f64, and no table");
         }
     }

@@ -1,7 +1,7 @@
 //! Table of the core on the heap, as an ephemeris.
 
 use super::events::{self, Condition};
-use super::{DynEphemeris, EventFilter, FoundEvent, unwrapped};
+use super::{DynEphemeris, EventQuery, MotionEvent, unwrapped};
 use crate::motion::Scalar;
 use crate::motion::column::SampleColumn;
 use crate::motion::sample::{Quantities, Sample};
@@ -141,13 +141,13 @@ impl<R: TableScalar> DynEphemeris for HeapTable<R> {
         super::fill(column, |t| self.quantities(t), times, rows);
     }
 
-    fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent> {
+    fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
         let table = self.table();
         let sample = |event: &_, t| {
             let ticks = t * self.ticks_per_time();
             Sample::new(&TableQuantities { table, t, ticks, now: table.at_event(event) })
         };
-        events::table_events(table, condition, filter, sample)
+        events::table_events(table, condition, query, sample)
     }
 }
 

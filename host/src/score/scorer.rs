@@ -5,9 +5,9 @@ use super::trajectory::{Trajectory, TrajectoryRow};
 use crate::Failure;
 use crate::input::require_within;
 use crate::input::scenario::Scenario;
-use crate::motion::ephemeris::{DynEphemeris, smallest_ephemeris};
+use crate::motion::ephemeris::{DynEphemeris, ephemeris_for};
 use crate::motion::errors::{IntegralDrift, distance, drift, greater};
-use crate::motion::{MotionConstants, Scalar};
+use crate::motion::{MotionWithPeriod, Scalar};
 use serde::Serialize;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
@@ -61,8 +61,8 @@ impl<'a> Scorer<'a> {
     /// [`Failure::Method`]: no ephemeris is large enough.
     pub fn new(scenario: &'a Scenario, start: &str) -> Result<Self, Failure> {
         let motion = &scenario.motion;
-        let table = smallest_ephemeris(Scalar::F64, motion)
-            .map_err(|failure| failure.with_context(&scenario.name))?;
+        let table =
+            ephemeris_for(Scalar::F64, motion).map_err(|failure| failure.with_context(&scenario.name))?;
         Ok(Self { motion, table, start: start.to_owned() })
     }
 
@@ -118,7 +118,7 @@ impl<'a> Scorer<'a> {
         let [error, _] = self.errors(first);
         let inverse = orientation_error(&exact.pose.orientation, &first.orientation.inverse());
         let speed = distance(exact.rates.omega, [0.0; 3])
-            .max(2.0 * PI / MotionConstants::new(*self.motion).time_scale());
+            .max(2.0 * PI / MotionWithPeriod::new(*self.motion).time_scale());
         let rate_error = first.omega.map_or(0.0, |omega| distance(omega, exact.rates.omega)) / speed;
         let position_error = self.position_error(first).unwrap_or(0.0) / self.motion.top().tip_scale();
         let far = format!("the first row is {error:.1e} rad from the motion;");
