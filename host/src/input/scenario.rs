@@ -13,7 +13,6 @@ use super::text_file;
 use super::units::{self, DEGREES, RADIANS};
 use crate::{Failure, excerpt};
 use serde_json::json;
-use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::path::Path;
 use toml::{Table, Value};
@@ -194,20 +193,11 @@ pub fn to_toml(top: &impl Display, launch: &Launch) -> String {
     format!("[top]\n{top}\n[motion]\n{motion}")
 }
 
-/// Keys of a top and of all kinds of motion.
-fn all_keys() -> impl Iterator<Item = &'static Key> {
-    top::KEYS.iter().chain(motion::KINDS.iter().flat_map(|(_, keys)| *keys))
-}
-
-/// Keys of scenarios with their order and their default values, as the page needs them.
+/// Supports and kinds of motion of a scenario, and the keys of each table with their default values.
 pub fn keys_as_json() -> serde_json::Value {
-    let names = |keys: &[Key]| keys.iter().map(|key| key.name).collect::<Vec<_>>();
-    json!({
-        "supports": SUPPORTS.map(|(name, _)| name),
-        "top": names(&top::KEYS),
-        "kinds": motion::KINDS.map(|(kind, keys)| (kind, names(keys))),
-        "defaults": all_keys().filter_map(|key| Some((key.name, key.default?))).collect::<BTreeMap<_, _>>(),
-    })
+    let keys = |keys: &[Key]| keys.iter().map(|key| (key.name, key.default)).collect::<Vec<_>>();
+    let kinds = motion::KINDS.map(|(kind, of_kind)| (kind, keys(of_kind)));
+    json!({ "supports": SUPPORTS.map(|(name, _)| name), "top": keys(&top::KEYS), "kinds": kinds })
 }
 
 /// Key, and the reason why its value is refused.
@@ -215,7 +205,7 @@ type Refused = (&'static str, String);
 
 /// Replaces numbers with units by numbers in the units of their keys.
 fn replace_units(table: &mut Table, has_units: bool) -> Result<(), Refused> {
-    for Key { name, units, .. } in all_keys() {
+    for Key { name, units, .. } in top::KEYS.iter().chain(motion::KINDS.iter().flat_map(|(_, keys)| *keys)) {
         let entries = match table.get_mut(*name) {
             Some(Value::Array(entries)) => &mut entries[..],
             Some(value) => std::slice::from_mut(value),

@@ -4,31 +4,40 @@ use toytop::scalar::Real;
 use toytop::{AttitudeState, Complex, Orientation, Pose};
 use toytop_model::equations::BodyRates;
 
-/// Quantities of a motion at one time, each of which is computed where it is read.
+/// Quantities of a motion at one time. A source that can compute one without the others does so.
 pub trait Quantities {
-    /// Time, s.
-    fn t(&self) -> f64;
+    /// All of them.
+    fn sample(&self) -> Sample;
+
+    /// Orientation Φ, cosine u of the tilt, and position of the tip.
+    fn pose(&self) -> Pose<f64, f64> {
+        self.sample().pose
+    }
 
     /// Orientation Φ.
-    fn orientation(&self) -> Orientation<f64>;
-
-    /// Orientation Φ, cosine u of the tilt, and position of the tip c = 2 s αβ, m; 2 αβ for a fixed tip.
-    fn pose(&self) -> Pose<f64, f64>;
+    fn orientation(&self) -> Orientation<f64> {
+        self.pose().orientation
+    }
 
     /// Angular velocity ω in the fixed frame, rad/s.
-    fn omega(&self) -> [f64; 3];
+    fn omega(&self) -> [f64; 3] {
+        self.sample().rates.omega
+    }
 
     /// Angular velocity Ω in the body frame, rad/s.
-    fn omega_body(&self) -> [f64; 3];
+    fn omega_body(&self) -> [f64; 3] {
+        self.sample().rates.omega_body
+    }
 
     /// Rate u' of the cosine of the tilt, 1/s.
-    fn udot(&self) -> f64;
+    fn udot(&self) -> f64 {
+        self.sample().rates.udot
+    }
 
     /// Tip angle continued from t = 0, rad; `None` where the axis is vertical at all times.
-    fn tip_angle(&self) -> Option<f64>;
-
-    /// Upper bound on the error of the orientation, rad, where the method has one.
-    fn error_bound(&self) -> Option<f64>;
+    fn tip_angle(&self) -> Option<f64> {
+        self.sample().tip_angle
+    }
 }
 
 /// Motion at one time in `f64`.
@@ -47,17 +56,6 @@ pub struct Sample {
 }
 
 impl Sample {
-    /// All quantities of a motion at one time.
-    pub fn new(at: &impl Quantities) -> Self {
-        Self {
-            t: at.t(),
-            pose: at.pose(),
-            rates: BodyRates { omega: at.omega(), omega_body: at.omega_body(), udot: at.udot() },
-            tip_angle: at.tip_angle(),
-            error_bound: at.error_bound(),
-        }
-    }
-
     /// Sample of an attitude state of the core at time t.
     pub fn from_state<R: Real>(
         t: f64,
@@ -77,36 +75,8 @@ impl Sample {
 }
 
 impl Quantities for Sample {
-    fn t(&self) -> f64 {
-        self.t
-    }
-
-    fn orientation(&self) -> Orientation<f64> {
-        self.pose.orientation
-    }
-
-    fn pose(&self) -> Pose<f64, f64> {
-        self.pose
-    }
-
-    fn omega(&self) -> [f64; 3] {
-        self.rates.omega
-    }
-
-    fn omega_body(&self) -> [f64; 3] {
-        self.rates.omega_body
-    }
-
-    fn udot(&self) -> f64 {
-        self.rates.udot
-    }
-
-    fn tip_angle(&self) -> Option<f64> {
-        self.tip_angle
-    }
-
-    fn error_bound(&self) -> Option<f64> {
-        self.error_bound
+    fn sample(&self) -> Sample {
+        *self
     }
 }
 

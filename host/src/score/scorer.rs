@@ -6,9 +6,10 @@ use crate::Failure;
 use crate::input::require_within;
 use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::{DynEphemeris, ephemeris_for};
-use crate::motion::errors::{IntegralDrift, distance, drift, greater};
+use crate::motion::errors::{distance, drift, greater};
 use crate::motion::{MotionWithPeriod, Scalar};
 use serde::Serialize;
+use std::array::from_fn;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
 
@@ -76,7 +77,7 @@ impl<'a> Scorer<'a> {
             .map_err(|failure| failure.with_context(&format!("{name}: t")))?;
         let errors: Vec<_> = rows.iter().map(|row| self.errors(row)).collect();
         let mean_square = errors.iter().map(|[error, _]| error * error).sum::<f64>() / rows.len() as f64;
-        let drift = self.drift(rows);
+        let [drift_l, drift_n, drift_h] = self.drifts(rows).map_or([None; 3], |drifts| drifts.map(Some));
         Ok(Score {
             max_error_rad: greatest(errors.iter().map(|[error, _]| *error)),
             rms_error_rad: mean_square.sqrt(),
@@ -84,9 +85,9 @@ impl<'a> Scorer<'a> {
             max_u_error: greatest(errors.iter().map(|[_, u_error]| *u_error)),
             max_position_error: rows.iter().filter_map(|row| self.position_error(row)).reduce(greater),
             phases: phases::phase_errors(self.motion, &*self.table, rows),
-            drift_h: drift.map(|drift| drift.h),
-            drift_l: drift.map(|drift| drift.l),
-            drift_n: drift.map(|drift| drift.n),
+            drift_h,
+            drift_l,
+            drift_n,
             max_norm_error: greatest(rows.iter().map(|row| row.norm_error)),
             truth_bound_rad: self.table.error_bound().after(furthest * self.table.ticks_per_time()),
             warning: rows.first().and_then(|row| self.warning(row)),
@@ -105,11 +106,12 @@ impl<'a> Scorer<'a> {
         Some((x - exact.re).hypot(y - exact.im))
     }
 
-    fn drift(&self, rows: &[TrajectoryRow]) -> Option<IntegralDrift> {
-        let drift = |most: IntegralDrift, row: &TrajectoryRow| {
-            Some(most.greater(drift(self.motion, &row.orientation, row.omega?)))
-        };
-        rows.iter().try_fold(IntegralDrift::default(), drift)
+    /// Greatest drifts of l, n and h.
+    fn drifts(&self, rows: &[TrajectoryRow]) -> Option<[f64; 3]> {
+        rows.iter().try_fold([0.0; 3], |most, row| {
+            let drift = drift(self.motion, &row.orientation, row.omega?);
+            Some(from_fn(|i| greater(most[i], drift[i])))
+        })
     }
 
     /// Reason why the first row is far from the motion; `None` if it is near.

@@ -81,7 +81,7 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
                 max_orientation_error_rad: errors.orientation,
                 max_tip_error_per_s: errors.tip,
                 max_norm_defect: errors.norm,
-                max_energy_defect: errors.drift.h,
+                max_energy_defect: errors.drift[2],
                 first_tick,
                 last_tick,
             });
@@ -90,7 +90,7 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
     }
     let table_of_totals = |text: fn(f64) -> String| {
         let line = |(scalar, errors): &(&str, Errors)| {
-            let errors = [errors.orientation, errors.tip, errors.norm, errors.drift.h];
+            let errors = [errors.orientation, errors.tip, errors.norm, errors.drift[2]];
             once((*scalar).to_owned()).chain(errors.map(text)).collect()
         };
         let header = HEADINGS.map(str::to_owned).to_vec();

@@ -8,6 +8,7 @@ use crate::motion::sample::{Quantities, Sample};
 use fixed::types::{I2F14, I2F30};
 use toytop::scalar::Float;
 use toytop::{Complex, EphemerisMemory, EphemerisScalar, EphemerisView, ErrorBound, Orientation, Pose};
+use toytop_model::equations::BodyRates;
 
 /// Scalar of the core, with its name and the numbers of its tables.
 pub trait TableScalar: EphemerisScalar<Segment: Send + Sync, Quantity: Send + Sync> + Send + Sync {
@@ -65,8 +66,14 @@ struct TableQuantities<'a, R: EphemerisScalar> {
 }
 
 impl<R: EphemerisScalar> Quantities for TableQuantities<'_, R> {
-    fn t(&self) -> f64 {
-        self.t
+    fn sample(&self) -> Sample {
+        Sample {
+            t: self.t,
+            pose: self.pose(),
+            rates: BodyRates { omega: self.omega(), omega_body: self.omega_body(), udot: self.udot() },
+            tip_angle: self.tip_angle(),
+            error_bound: Some(self.table.error_bound().after(self.ticks)),
+        }
     }
 
     fn orientation(&self) -> Orientation<f64> {
@@ -95,10 +102,6 @@ impl<R: EphemerisScalar> Quantities for TableQuantities<'_, R> {
         let near = self.table.mean_tip_angle_rate() * self.t;
         self.now.tip_angle().map(|angle| unwrapped(angle, near))
     }
-
-    fn error_bound(&self) -> Option<f64> {
-        Some(self.table.error_bound().after(self.ticks))
-    }
 }
 
 fn ticks_per_time<R: EphemerisScalar>(table: &EphemerisView<R>) -> f64 {
@@ -124,7 +127,7 @@ impl<R: TableScalar> DynEphemeris for HeapTable<R> {
     }
 
     fn at(&self, t: f64) -> Sample {
-        Sample::new(&self.quantities(t))
+        self.quantities(t).sample()
     }
 
     fn pose(&self, t: f64) -> Pose<f64, f64> {
@@ -134,7 +137,7 @@ impl<R: TableScalar> DynEphemeris for HeapTable<R> {
     fn at_tick(&self, n: i64) -> Sample {
         let table = self.table();
         let (t, ticks) = (n as f64 / self.ticks_per_time(), n as f64);
-        Sample::new(&TableQuantities { table, t, ticks, now: table.at_tick(n) })
+        TableQuantities { table, t, ticks, now: table.at_tick(n) }.sample()
     }
 
     fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
@@ -145,7 +148,7 @@ impl<R: TableScalar> DynEphemeris for HeapTable<R> {
         let table = self.table();
         let sample = |event: &_, t| {
             let ticks = t * self.ticks_per_time();
-            Sample::new(&TableQuantities { table, t, ticks, now: table.at_event(event) })
+            TableQuantities { table, t, ticks, now: table.at_event(event) }.sample()
         };
         events::table_events(table, condition, query, sample)
     }
