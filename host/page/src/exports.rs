@@ -5,7 +5,7 @@
 
 use crate::runge_kutta::RungeKutta;
 use crate::scenario::{self, MotionNumbers, TopNumbers};
-use crate::table::{self, Table};
+use crate::table::{self, PageTable};
 use core::array::from_fn;
 use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
@@ -21,7 +21,7 @@ const COORDINATES: usize = 5;
 static NUMBERS: [AtomicU64; POINTS * COORDINATES] = [const { AtomicU64::new(0) }; POINTS * COORDINATES];
 static WORDS: [AtomicU8; 256] = [const { AtomicU8::new(0) }; 256];
 static MOTION: Mutex<Option<Motion>> = Mutex::new(None);
-static TABLE: Mutex<Table> = Mutex::new(Table::EMPTY);
+static TABLE: Mutex<PageTable> = Mutex::new(PageTable::EMPTY);
 static RUNGE_KUTTA: Mutex<Option<RungeKutta>> = Mutex::new(None);
 
 /// Address of the numbers, each an `f64` by its bits.

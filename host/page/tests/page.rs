@@ -7,7 +7,7 @@ use toytop_model::scenario::tilt_from_degrees;
 use toytop_page::exports::launch_names;
 use toytop_page::runge_kutta::{MAX_STEPS, RungeKutta};
 use toytop_page::scenario;
-use toytop_page::table::{Table, pose_numbers};
+use toytop_page::table::{PageTable, pose_numbers};
 
 /// The toy top of the README: support, A, C, s, M, p, g.
 const TOY_TOP: [f64; 8] = [0.0, 3.0e-5, 2.0e-5, 0.03, 0.05, 0.0, 9.81, 0.0];
@@ -108,7 +108,7 @@ fn what_is_no_motion_is_refused_by_its_name() {
 fn a_pose_is_the_cores() {
     on_a_large_stack(|| {
         let motion = thrown();
-        let mut table = Box::new(Table::EMPTY);
+        let mut table = Box::new(PageTable::EMPTY);
         table.set_up(&MotionWithPeriod::new(motion)).unwrap();
         let core = EphemerisF64::new(&motion, MotionWithPeriod::new(motion).tick()).unwrap();
         for t in [0.0, 0.3125, -7.1, 1e6] {

@@ -31,12 +31,12 @@ const COLUMNS: [SampleColumn; 11] = [
 ];
 
 /// Ephemeris of one scalar.
-pub(crate) type Table = Arc<dyn DynEphemeris>;
+pub(crate) type SharedEphemeris = Arc<dyn DynEphemeris>;
 
 /// Source of samples.
 pub(crate) enum Source {
     /// A table for each motion, which are evaluated on demand.
-    Tables(Vec<Table>),
+    Tables(Vec<SharedEphemeris>),
     /// One point for each time.
     Points(Vec<Sample>),
 }

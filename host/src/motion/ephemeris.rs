@@ -7,7 +7,7 @@ mod heap_table;
 
 mod capacities;
 
-pub use capacities::{EphemerisOptions, ephemeris_for};
+pub use capacities::{ephemeris_for, ephemeris_with};
 pub use events::{EventKind, EventQuery, MotionEvent};
 pub use heap_table::{HeapTable, TableScalar};
 

@@ -9,7 +9,7 @@ use base64::engine::general_purpose::STANDARD;
 use serde_json::json;
 use toytop_page::TEMPLATE;
 use toytop_page::exports::launch_names;
-use toytop_page::table::Table;
+use toytop_page::table::PageTable;
 
 /// The core as WebAssembly; empty in a program that was compiled without that target.
 const CORE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/core.wasm"));
@@ -29,7 +29,7 @@ pub fn html(start: &ScenarioFile) -> Result<String, Failure> {
         return Err(Failure::Tool(format!("this toytop was compiled without the page: {install}")));
     }
     let scenario = start.scenario()?;
-    if !Table::fits(&scenario.motion) {
+    if !PageTable::fits(&scenario.motion) {
         return Err(Failure::Method(
             "no ephemeris: the table of the page is too small for this motion".to_owned(),
         ));

@@ -13,7 +13,7 @@ use toytop_host::files::whole_file;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::input::times::{Times, TimesArgs};
 use toytop_host::motion::column::SampleColumn;
-use toytop_host::motion::ephemeris::{EphemerisOptions, ephemeris_for};
+use toytop_host::motion::ephemeris::ephemeris_with;
 use toytop_host::motion::full_equations;
 use toytop_host::motion::sample::{Sample, body_rates};
 use toytop_host::motion::stepper::{stepped, steps_needed};
@@ -155,7 +155,7 @@ fn by_ephemeris(
             Some(Tick::ratio(rate[0], rate[1]).map_err(|error| Failure::Input(format!("--hertz: {error}")))?)
         }
     };
-    let table = ephemeris_for(EphemerisOptions { tick, ..scalar.into() }, motion).map_err(named)?;
+    let table = ephemeris_with(scalar, motion, tick, None).map_err(named)?;
     if tick.is_some() && motion.regime() != Regime::Aperiodic {
         return Ok(Box::new(move |index| {
             let (tick, t) = (times.ticks[index as usize], times.seconds[index as usize]);

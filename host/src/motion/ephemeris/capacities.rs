@@ -13,37 +13,33 @@ const CAPACITIES: [u32; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, MAX_CAP
 
 const MAX_CAPACITY: u32 = 4096;
 
-/// Ephemeris that is asked for. A scalar alone stands for one without further conditions.
-#[derive(Clone, Copy)]
-pub struct EphemerisOptions {
-    /// Scalar of the table.
-    pub scalar: Scalar,
-    /// Length of a tick; without it, that of [`MotionWithPeriod`].
-    pub tick: Option<Tick>,
-    /// Greatest truncation error, rad; without it, a bound within the rounding of the scalar.
-    pub truncation: Option<f64>,
+/// Ephemeris of a motion in the smallest table, or the closed form of an aperiodic motion, with the tick and the truncation error of
+/// [`ephemeris_with`].
+///
+/// # Errors
+/// As [`ephemeris_with`].
+pub fn ephemeris_for(scalar: Scalar, motion: &Motion) -> Result<Box<dyn DynEphemeris>, Failure> {
+    ephemeris_with(scalar, motion, None, None)
 }
 
-impl From<Scalar> for EphemerisOptions {
-    fn from(scalar: Scalar) -> Self {
-        Self { scalar, tick: None, truncation: None }
-    }
-}
-
-/// Smallest table of a motion, or the closed form of an aperiodic motion, which has no truncation error.
+/// Ephemeris of a motion in the smallest table, or the closed form of an aperiodic motion, which has no truncation error.
+///
+/// * `tick`: length of a tick; without it, that of [`MotionWithPeriod`]
+/// * `truncation`: greatest truncation error, rad; without it, a bound within the rounding of the scalar
 ///
 /// # Errors
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
-pub fn ephemeris_for(
-    options: impl Into<EphemerisOptions>,
+pub fn ephemeris_with(
+    scalar: Scalar,
     motion: &Motion,
+    tick: Option<Tick>,
+    truncation: Option<f64>,
 ) -> Result<Box<dyn DynEphemeris>, Failure> {
     type Boxed = Result<Box<dyn DynEphemeris>, Failure>;
     fn table<R: TableScalar>(motion: &Motion, tick: Tick, truncation: Option<f64>) -> Boxed {
         let truncation = truncation.unwrap_or(R::TRUNCATION);
         Ok(Box::new(HeapTable::<R>::smallest(&CAPACITIES, motion, tick, truncation)?))
     }
-    let EphemerisOptions { scalar, tick, truncation } = options.into();
     let constants = MotionWithPeriod::new(*motion);
     let tick = tick.unwrap_or_else(|| constants.tick());
     match scalar {

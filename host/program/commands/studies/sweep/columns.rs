@@ -7,7 +7,7 @@ use std::str::FromStr;
 use toytop::Motion;
 use toytop_host::input::times::spread_times;
 use toytop_host::motion::column::SampleColumn;
-use toytop_host::motion::ephemeris::{DynEphemeris, EphemerisOptions, ephemeris_for};
+use toytop_host::motion::ephemeris::{DynEphemeris, ephemeris_for, ephemeris_with};
 use toytop_host::motion::errors::greater;
 use toytop_host::motion::{Scalar, constant_as_json};
 use toytop_model::constants::{CONSTANTS, Constant, MotionWithPeriod};
@@ -109,8 +109,8 @@ impl RowMotion {
     fn f64_ephemeris(&self) -> Option<&dyn DynEphemeris> {
         /// Truncation error, rad.
         const TRUNCATION: f64 = 1e-13;
-        let options = EphemerisOptions { truncation: Some(TRUNCATION), ..Scalar::F64.into() };
-        self.f64_ephemeris.get_or_init(|| ephemeris_for(options, &self.motion).ok()).as_deref()
+        let ephemeris = || ephemeris_with(Scalar::F64, &self.motion, None, Some(TRUNCATION)).ok();
+        self.f64_ephemeris.get_or_init(ephemeris).as_deref()
     }
 
     fn f32_ephemeris(&self) -> Option<&dyn DynEphemeris> {
