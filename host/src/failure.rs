@@ -50,7 +50,7 @@ impl Failure {
     }
 
     /// Failure whose message begins with the motion's name, if a method does not apply to the motion.
-    pub fn of_motion(self, name: &str) -> Self {
+    pub fn with_motion_name(self, name: &str) -> Self {
         if matches!(self, Self::Method(_)) { self.with_context(name) } else { self }
     }
 }

@@ -26,7 +26,7 @@ pub mod stepper;
 
 pub mod full_equations;
 
-pub use toytop_model::constants::{MotionConstants, regime, tilts};
+pub use toytop_model::constants::{MotionWithPeriod, regime, tilts};
 
 use serde_json::Value;
 use toytop_model::constants::{self, Constant};
@@ -60,8 +60,8 @@ impl Scalar {
     }
 }
 
-/// Value of a constant; null where the motion does not have it.
-pub fn value(constant: &Constant, motion: &MotionConstants) -> Value {
+/// Value of a constant in JSON; null where the motion does not have it.
+pub fn constant_as_json(constant: &Constant, motion: &MotionWithPeriod) -> Value {
     match constant.value {
         constants::Value::Number(value) => value(motion).into(),
         constants::Value::Word(value) => value(motion).into(),

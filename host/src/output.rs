@@ -7,7 +7,6 @@ use serde::ser::Serialize;
 use serde_json::Value;
 use serde_json::ser::Formatter;
 use std::io::{self, Write};
-use std::iter::once;
 
 /// Form of the output.
 #[derive(Clone, Copy, PartialEq)]
@@ -22,10 +21,10 @@ pub enum Format {
 }
 
 /// Output in a form: the document in JSON, its rows in CSV, or the text of `table`.
-pub fn render<T: Serialize + Default>(
+pub fn render(
     format: Format,
     document: &impl Serialize,
-    rows: &[T],
+    rows: &[impl Serialize],
     table: impl FnOnce() -> String,
 ) -> String {
     match format {
@@ -53,12 +52,11 @@ impl Formatter for Digits {
     }
 }
 
-/// Rows as CSV below a header, which is that of the default row where there is none.
-fn csv<T: Serialize + Default>(rows: &[T]) -> String {
-    let header = rows.first().map_or_else(|| fields(&T::default()), fields);
-    let header = csv_line(header.into_iter().map(|(name, _)| name.into()));
+/// Rows as CSV below the header of the first one.
+fn csv(rows: &[impl Serialize]) -> String {
+    let header = rows.iter().take(1).map(|row| csv_line(fields(row).into_iter().map(|(name, _)| name)));
     let line = |row| csv_line(fields(row).into_iter().map(|(_, value)| value));
-    once(header).chain(rows.iter().map(line)).collect()
+    header.chain(rows.iter().map(line)).collect()
 }
 
 /// Names of the parts of a list of two, three or four numbers.
@@ -93,9 +91,9 @@ fn flatten(name: String, value: Value, fields: &mut Vec<(String, Value)>) {
     }
 }
 
-/// Line of CSV. An absent value is an empty field.
-pub fn csv_line(values: impl IntoIterator<Item = Value>) -> String {
-    let fields = values.into_iter().map(|value| text(&value, number).unwrap_or_default());
+/// Line of CSV, of names or of values. An absent value, or a number that is not finite, is an empty field.
+pub fn csv_line(values: impl IntoIterator<Item: Into<Value>>) -> String {
+    let fields = values.into_iter().map(|value| text(&value.into(), number).unwrap_or_default());
     let mut line = csv::Writer::from_writer(Vec::new());
     line.write_record(fields).expect("memory takes the line");
     String::from_utf8(line.into_inner().expect("memory takes the line")).expect("fields are UTF-8")

@@ -4,15 +4,15 @@
 //! |---|---|
 //! | [`trajectory`] | times and orientations from a file |
 //! | `phases` | phase errors of nutation, precession and spin |
-//! | [`errors`] | errors of a trajectory, and drifts of l, n and h |
+//! | [`scorer`] | errors of a trajectory, and drifts of l, n and h |
 //! | [`order`] | order of convergence of several step sizes |
 
 pub mod trajectory;
 
 mod phases;
 
-pub mod errors;
 pub mod order;
+pub mod scorer;
 
 use toytop::Orientation;
 

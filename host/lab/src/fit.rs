@@ -158,11 +158,11 @@ fn sensors(set: usize, body: Body) -> Result<Sensors, Failure> {
         _ => Sensors::telephone(body),
     };
     if set == 1 {
-        sensors.instruments.truncate(2);
+        sensors.setups.truncate(2);
     }
     // rounding is not normally distributed, and is no part of the stated noise
-    for instrument in &mut sensors.instruments {
-        instrument.quantum = 0.0;
+    for setup in &mut sensors.setups {
+        setup.quantum = 0.0;
     }
     Ok(sensors)
 }

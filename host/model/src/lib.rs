@@ -2,20 +2,18 @@
 //!
 //! | module | content |
 //! |---|---|
+//! | [`scenario`] | supports by name, top and motion from the numbers of a scenario |
 //! | [`equations`] | full 3-D equations of motion |
-//! | [`angles`] | angles of a scenario from degrees |
 //! | [`constants`] | constants of a motion by name, and the ticks of its table |
 //! | [`aperiodic`] | aperiodic motion, which has no table, by its closed form |
 //! | [`span`] | time in which a motion shows its form |
-//! | [`support`] | supports of the tip by name |
 //!
 //! The crate has no `std` and no allocator, because the page has none.
 
 #![no_std]
 
-pub mod angles;
 pub mod aperiodic;
 pub mod constants;
 pub mod equations;
+pub mod scenario;
 pub mod span;
-pub mod support;

@@ -5,12 +5,12 @@
 
 use crate::runge_kutta::RungeKutta;
 use crate::scenario::{self, MotionNumbers, TopNumbers};
-use crate::table::{self, Table};
+use crate::table::{self, PageTable};
 use core::array::from_fn;
 use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
 use toytop::{Motion, ParameterError};
-use toytop_model::constants::{MotionConstants, number_constants, regime, tip_class};
+use toytop_model::constants::{MotionWithPeriod, number_constants, regime, tip_class};
 use toytop_model::span::span;
 
 /// Points of a curve that one call computes at most.
@@ -21,7 +21,7 @@ const COORDINATES: usize = 5;
 static NUMBERS: [AtomicU64; POINTS * COORDINATES] = [const { AtomicU64::new(0) }; POINTS * COORDINATES];
 static WORDS: [AtomicU8; 256] = [const { AtomicU8::new(0) }; 256];
 static MOTION: Mutex<Option<Motion>> = Mutex::new(None);
-static TABLE: Mutex<Table> = Mutex::new(Table::EMPTY);
+static TABLE: Mutex<PageTable> = Mutex::new(PageTable::EMPTY);
 static RUNGE_KUTTA: Mutex<Option<RungeKutta>> = Mutex::new(None);
 
 /// Address of the numbers, each an `f64` by its bits.
@@ -53,7 +53,7 @@ pub extern "C" fn launch(kind: u32) -> i32 {
     let top: TopNumbers = from_fn(number);
     let motion: MotionNumbers = from_fn(|i| number(top.len() + i));
     (*MOTION.lock(), *RUNGE_KUTTA.lock()) = (None, None);
-    match launched(&top, kind, &motion) {
+    match launched(top, kind, motion) {
         Ok(motion) => {
             let table = TABLE.lock();
             write_numbers(
@@ -69,8 +69,8 @@ pub extern "C" fn launch(kind: u32) -> i32 {
     }
 }
 
-fn launched(top: &TopNumbers, kind: u32, numbers: &MotionNumbers) -> Result<MotionConstants, ParameterError> {
-    let motion = MotionConstants::new(scenario::motion(&scenario::top(top)?, kind, numbers)?);
+fn launched(top: TopNumbers, kind: u32, numbers: MotionNumbers) -> Result<MotionWithPeriod, ParameterError> {
+    let motion = MotionWithPeriod::new(scenario::motion(&scenario::top(top)?, kind, numbers)?);
     TABLE.lock().set_up(&motion)?;
     Ok(motion)
 }

@@ -5,17 +5,17 @@ use toytop::{
     Regime, Workspace,
 };
 use toytop_model::aperiodic::AperiodicMotion;
-use toytop_model::constants::MotionConstants;
+use toytop_model::constants::MotionWithPeriod;
 
 /// Table with the largest capacity that there is, or the closed form of an aperiodic motion.
-pub struct Table {
+pub struct PageTable {
     memory: EphemerisMemory<Ephemeris<f64, 4096>>,
     method: Method,
     ticks_per_time: f64,
 }
 
 /// Method that computes a motion.
-#[repr(u8)] // the first variant is 0: see `Table::EMPTY`
+#[repr(u8)] // the first variant is 0: see `PageTable::EMPTY`
 #[allow(clippy::large_enum_variant)] // there is no heap, and one table
 enum Method {
     Table,
@@ -28,7 +28,7 @@ pub type PoseNumbers = [f64; 10];
 /// Truncation errors that a table may have, rad: the least one that the capacity allows is taken.
 const TRUNCATIONS: [f64; 4] = [f64::TRUNCATION, 1e-12, 1e-9, 1e-6];
 
-impl Table {
+impl PageTable {
     /// Table before its first motion. All its bits are 0, so that it takes no space in a file.
     pub const EMPTY: Self =
         Self { memory: EphemerisMemory::new(), method: Method::Table, ticks_per_time: 0.0 };
@@ -37,7 +37,7 @@ impl Table {
     ///
     /// # Errors
     /// `e3`: the motion is so close to the separatrix that no table holds it.
-    pub fn set_up(&mut self, motion: &MotionConstants) -> Result<(), ParameterError> {
+    pub fn set_up(&mut self, motion: &MotionWithPeriod) -> Result<(), ParameterError> {
         self.ticks_per_time = motion.ticks_per_time();
         self.method = AperiodicMotion::new(motion).map_or(Method::Table, Method::ClosedForm);
         if matches!(self.method, Method::ClosedForm(_)) {

@@ -2,12 +2,12 @@
 
 use toytop::scalar::Float;
 use toytop::{EphemerisF64, Motion, Pose, Release, State, Stepper, Support};
-use toytop_model::angles;
-use toytop_model::constants::{MotionConstants, number_constants};
+use toytop_model::constants::{MotionWithPeriod, number_constants};
+use toytop_model::scenario::tilt_from_degrees;
 use toytop_page::exports::launch_names;
 use toytop_page::runge_kutta::{MAX_STEPS, RungeKutta};
 use toytop_page::scenario;
-use toytop_page::table::{Table, pose_numbers};
+use toytop_page::table::{PageTable, pose_numbers};
 
 /// The toy top of the README: support, A, C, s, M, p, g.
 const TOY_TOP: [f64; 8] = [0.0, 3.0e-5, 2.0e-5, 0.03, 0.05, 0.0, 9.81, 0.0];
@@ -17,12 +17,12 @@ const RELEASE: u32 = 0;
 const THROW: [f64; 8] = [20.0, 150.0, 4.0, -3.0, 50.0, 70.0, 0.0, 0.0];
 
 fn thrown() -> Motion {
-    scenario::motion(&scenario::top(&TOY_TOP).unwrap(), RELEASE, &THROW).unwrap()
+    scenario::motion(&scenario::top(TOY_TOP).unwrap(), RELEASE, THROW).unwrap()
 }
 
 fn constant(motion: &Motion, name: &str) -> f64 {
     let (_, value) = number_constants().find(|(other, _)| *other == name).unwrap();
-    value(&MotionConstants::new(*motion))
+    value(&MotionWithPeriod::new(*motion))
 }
 
 /// A table of the largest capacity is larger than a test's stack.
@@ -32,10 +32,10 @@ fn on_a_large_stack(test: impl FnOnce() + Send + 'static) {
 
 #[test]
 fn numbers_make_the_motion_that_names_make() {
-    let top = scenario::top(&TOY_TOP).unwrap();
+    let top = scenario::top(TOY_TOP).unwrap();
     assert_eq!([top.transverse_inertia(), top.axial_inertia(), top.com_height()], [3.0e-5, 2.0e-5, 0.03]);
     assert_eq!((top.support(), top.mass_moment(), top.gravity()), (Support::Sliding, 0.05 * 0.03, 9.81));
-    let held = scenario::top(&[1.0, 7.5e-5, 2.0e-5, 0.0, 0.0, 0.0015, 9.81, 0.25]).unwrap();
+    let held = scenario::top([1.0, 7.5e-5, 2.0e-5, 0.0, 0.0, 0.0015, 9.81, 0.25]).unwrap();
     assert_eq!((held.support(), held.mass_moment(), held.rotor_momentum()), (Support::Fixed, 0.0015, 0.25));
     let release = Release {
         tilt: 20_f64.to_radians(),
@@ -49,8 +49,8 @@ fn numbers_make_the_motion_that_names_make() {
     assert_eq!(thrown(), Motion::launch(&top, &state).unwrap());
     let ([alpha, beta], omega) = ([state.orientation().alpha, state.orientation().beta], state.omega());
     let numbers = [alpha.re, alpha.im, beta.re, beta.im, omega[0], omega[1], omega[2], 0.0];
-    assert_eq!(scenario::motion(&top, 1, &numbers).unwrap(), thrown());
-    let of_roots = scenario::motion(&top, 2, &[0.5, 0.75, 2.0, 1.0, -1.0, 0.0, 0.0, 0.0]).unwrap();
+    assert_eq!(scenario::motion(&top, 1, numbers).unwrap(), thrown());
+    let of_roots = scenario::motion(&top, 2, [0.5, 0.75, 2.0, 1.0, -1.0, 0.0, 0.0, 0.0]).unwrap();
     assert_eq!(["e1", "e2", "e3"].map(|name| constant(&of_roots, name)), [0.5, 0.75, 2.0]);
     assert!(constant(&of_roots, "l").abs() < constant(&of_roots, "n").abs());
 }
@@ -75,8 +75,8 @@ fn angles_and_rates_at_the_start_are_those_of_the_throw() {
 /// Where no torque acts the angular momentum stands still, Aω + ((C - A)⟨ω, r⟩ + K) r; elsewhere it does not.
 #[test]
 fn a_free_body_has_its_angular_momentum() {
-    let top = scenario::top(&[2.0, 3.0e-5, 2.0e-5, 0.0, 0.0, 0.0, 9.81, 1.0e-3]).unwrap();
-    let motion = scenario::motion(&top, RELEASE, &THROW).unwrap();
+    let top = scenario::top([2.0, 3.0e-5, 2.0e-5, 0.0, 0.0, 0.0, 9.81, 1.0e-3]).unwrap();
+    let motion = scenario::motion(&top, RELEASE, THROW).unwrap();
     let state = Stepper::<f64>::new(&motion).attitude_state();
     let (r, omega) = (state.orientation.axis(), state.omega());
     let axial = -1.0e-5 * 150.0 + 1.0e-3;
@@ -90,27 +90,27 @@ fn a_free_body_has_its_angular_momentum() {
 
 #[test]
 fn what_is_no_motion_is_refused_by_its_name() {
-    let top = scenario::top(&TOY_TOP).unwrap();
+    let top = scenario::top(TOY_TOP).unwrap();
     let refused = |i: usize, x: f64| {
         let mut numbers = THROW;
         numbers[i] = x;
-        scenario::motion(&top, RELEASE, &numbers).unwrap_err().parameter()
+        scenario::motion(&top, RELEASE, numbers).unwrap_err().parameter()
     };
     assert_eq!(
         [refused(0, 180.1), refused(0, -1.0), refused(1, f64::NAN), refused(2, 1e12)],
         ["tilt", "tilt", "spin", "precession"]
     );
-    assert_eq!(angles::tilt(180.0), std::f64::consts::PI);
-    assert!(angles::tilt(180_f64.next_down()) < std::f64::consts::PI);
+    assert_eq!(tilt_from_degrees(180.0), std::f64::consts::PI);
+    assert!(tilt_from_degrees(180_f64.next_down()) < std::f64::consts::PI);
 }
 
 #[test]
 fn a_pose_is_the_cores() {
     on_a_large_stack(|| {
         let motion = thrown();
-        let mut table = Box::new(Table::EMPTY);
-        table.set_up(&MotionConstants::new(motion)).unwrap();
-        let core = EphemerisF64::new(&motion, MotionConstants::new(motion).tick()).unwrap();
+        let mut table = Box::new(PageTable::EMPTY);
+        table.set_up(&MotionWithPeriod::new(motion)).unwrap();
+        let core = EphemerisF64::new(&motion, MotionWithPeriod::new(motion).tick()).unwrap();
         for t in [0.0, 0.3125, -7.1, 1e6] {
             let [a, b, c, d, u, .., x, y] = pose_numbers(table.at(t));
             let Pose { orientation: phi, tip, .. } = core.at(t).pose();
@@ -124,7 +124,7 @@ fn a_pose_is_the_cores() {
 #[test]
 fn runge_kutta_drifts_as_its_step_says() {
     let motion = thrown();
-    let core = EphemerisF64::new(&motion, MotionConstants::new(motion).tick()).unwrap();
+    let core = EphemerisF64::new(&motion, MotionWithPeriod::new(motion).tick()).unwrap();
     for t in [0.5, -0.5] {
         let errors = [4e-4, 2e-4].map(|step| {
             let (reached, phi, _) = RungeKutta::new(&motion, step).go(t);

@@ -1,8 +1,9 @@
 // The page starts here.
 
 import { listenToSizes } from "./pictures/canvas.js";
+import { data } from "./motion/data.js";
 import { buildControls } from "./interaction/controls.js";
-import { change, data, applyAddress, loadCore, play, redraw, setScenario } from "./interaction/state.js";
+import { change, applyAddress, loadCore, play, redraw, setScenario } from "./interaction/state.js";
 import { fillPresets, listenToMotion, listenToPictures, listenToTime, onKey, recolour } from "./interaction/listen.js";
 
 async function begin() {

@@ -50,13 +50,13 @@ pub(crate) fn fit<'py>(
     drift: Option<f64>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let table: Table = top.to_toml().parse().map_err(|error| value_error("top", error))?;
-    let mut instruments = self::sensors(sensors.as_ref(), top)?;
-    let given = columns(samples, &mut instruments, sensors.is_some())?;
-    let rows = given.measurements(&instruments).map_err(|refused| {
+    let mut used_sensors = self::sensors(sensors.as_ref(), top)?;
+    let given = columns(samples, &mut used_sensors, sensors.is_some())?;
+    let rows = given.measurements(&used_sensors).map_err(|refused| {
         value_error("samples", format!("{}: row {}: {}", refused.column, refused.row, refused.reason))
     })?;
     let readings: Vec<Measurement> = rows.iter().map(|(_, measurement)| *measurement).collect();
-    let input = FitInput { top: top.top, table, free, sensors: instruments, huber, drift };
+    let input = FitInput { top: top.top, table, free, sensors: used_sensors, huber, drift };
     let (report, residuals) = interrupt::interruptible(py, move || {
         let report = fit_launch(input, &readings)?;
         let residuals = report.residuals(&readings);
@@ -64,8 +64,8 @@ pub(crate) fn fit<'py>(
     })?
     .map_err(|(parameter, reason): (&str, String)| value_error(parameter, reason))?;
     let mut by_column = Columns { t: given.t, readings: Vec::new() };
-    for (sensor, instrument) in report.input.sensors.instruments.iter().enumerate() {
-        for (component, name) in instrument.kind.residuals().iter().enumerate() {
+    for (sensor, setup) in report.input.sensors.setups.iter().enumerate() {
+        for (component, name) in setup.kind.residuals().iter().enumerate() {
             let mut column = vec![f64::NAN; by_column.t.len()];
             for ((row, measurement), residual) in rows.iter().zip(&residuals) {
                 if measurement.sensor == sensor {
@@ -155,7 +155,7 @@ fn columns(samples: &Bound<'_, PyDict>, sensors: &mut Sensors, all: bool) -> PyR
         Err(value_error(&full_name, reason))
     };
     let t = column("t", None)?;
-    let wanted = sensors.instruments.iter().flat_map(|instrument| instrument.kind.columns().iter().copied());
+    let wanted = sensors.setups.iter().flat_map(|setup| setup.kind.columns().iter().copied());
     let readings: PyResult<Vec<_>> = wanted.map(|name| Ok((name, column(name, Some(t.len()))?))).collect();
     Ok(Columns { t, readings: readings? })
 }

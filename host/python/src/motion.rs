@@ -8,14 +8,14 @@ mod other_methods;
 pub(crate) use other_methods::ClosedFormCore;
 
 use crate::arguments::{NumericArg, failed, renamed, value_error, within};
-use crate::samples::{Sampler, Source, Table};
+use crate::samples::{Sampler, SharedEphemeris, Source};
 use crate::top::TopCore;
 use pyo3::prelude::*;
 use std::sync::OnceLock;
 use toytop::{Motion, State};
 use toytop_host::input::scenario::{Launch, Scenario, ScenarioFile, to_toml};
-use toytop_host::motion::ephemeris::smallest_ephemeris;
-use toytop_host::motion::{MotionConstants, Scalar};
+use toytop_host::motion::ephemeris::ephemeris_for;
+use toytop_host::motion::{MotionWithPeriod, Scalar};
 use toytop_host::pictures::curve::TipCurve;
 use toytop_host::pictures::page;
 use toytop_host::truth::quadrature::Quadrature;
@@ -27,7 +27,7 @@ pub(crate) struct MotionCore {
     pub(crate) top: TopCore,
     pub(crate) launch: Launch,
     pub(crate) motion: Motion,
-    tables: [OnceLock<Result<Table, String>>; Scalar::ALL.len()],
+    tables: [OnceLock<Result<SharedEphemeris, String>>; Scalar::ALL.len()],
     /// Motion in numbers of 640 bits.
     pub(crate) truth: OnceLock<Quadrature>,
 }
@@ -59,10 +59,10 @@ impl MotionCore {
     ///
     /// # Errors
     /// `ValueError`: no table in this scalar is large enough.
-    pub(crate) fn table(&self, scalar: Scalar) -> PyResult<Table> {
+    pub(crate) fn table(&self, scalar: Scalar) -> PyResult<SharedEphemeris> {
         let set_up = || {
-            let table = smallest_ephemeris(scalar, &self.motion);
-            table.map(Table::from).map_err(|failure| failure.to_string())
+            let table = ephemeris_for(scalar, &self.motion);
+            table.map(SharedEphemeris::from).map_err(|failure| failure.to_string())
         };
         let table = self.tables[scalar as usize].get_or_init(set_up).clone();
         table.map_err(|reason| value_error("scalar", reason))
@@ -72,7 +72,7 @@ impl MotionCore {
     ///
     /// # Errors
     /// `ValueError`: as [`Self::table`], or one of the times is beyond the ticks.
-    pub(crate) fn table_for(&self, scalar: Scalar, times: &[f64]) -> PyResult<Table> {
+    pub(crate) fn table_for(&self, scalar: Scalar, times: &[f64]) -> PyResult<SharedEphemeris> {
         let table = self.table(scalar)?;
         within(table.furthest_time(), times)?;
         Ok(table)
@@ -83,7 +83,7 @@ impl MotionCore {
     /// # Errors
     /// `ValueError`: one of the times is beyond them.
     pub(crate) fn within_reach(&self, times: &[f64]) -> PyResult<()> {
-        within(MotionConstants::new(self.motion).furthest_time(), times)
+        within(MotionWithPeriod::new(self.motion).furthest_time(), times)
     }
 }
 

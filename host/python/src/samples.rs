@@ -31,12 +31,12 @@ const COLUMNS: [SampleColumn; 11] = [
 ];
 
 /// Ephemeris of one scalar.
-pub(crate) type Table = Arc<dyn DynEphemeris>;
+pub(crate) type SharedEphemeris = Arc<dyn DynEphemeris>;
 
 /// Source of samples.
 pub(crate) enum Source {
     /// A table for each motion, which are evaluated on demand.
-    Tables(Vec<Table>),
+    Tables(Vec<SharedEphemeris>),
     /// One point for each time.
     Points(Vec<Sample>),
 }
@@ -105,8 +105,8 @@ impl Sampler {
         let fill = |motion: usize, first: usize, rows: &mut [f64]| match &self.source {
             Source::Tables(tables) => tables[motion].fill(column, &times[first..], rows),
             Source::Points(points) => {
-                let (points, rows, write) = (&points[first..], rows.chunks_exact_mut(width), column.writer());
-                points.iter().zip(rows).for_each(|(point, row)| write(point, row));
+                let rows = rows.chunks_exact_mut(width);
+                points[first..].iter().zip(rows).for_each(|(point, row)| column.write(point, row));
             }
         };
         let of_motion = (width * times.len()).max(1);

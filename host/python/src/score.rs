@@ -10,7 +10,7 @@ use pythonize::pythonize;
 use toytop::Orientation;
 use toytop_host::Failure;
 use toytop_host::input::scenario::{Scenario, Units};
-use toytop_host::score::errors::Scorer;
+use toytop_host::score::scorer::Scorer;
 use toytop_host::score::order as convergence;
 use toytop_host::score::trajectory::{Trajectory, TrajectoryRow, normalised};
 

@@ -3,7 +3,7 @@
 use crate::arguments::{refused, value_error};
 use pyo3::prelude::*;
 use toytop::{Support, Top, TopParameters};
-use toytop_model::support;
+use toytop_model::scenario::{self, support_name, support_named};
 
 /// Rust side of `toytop.Top`.
 #[pyclass(module = "toytop._toytop", frozen, from_py_object)]
@@ -37,15 +37,15 @@ impl TopCore {
             gravity,
             rotor_momentum,
         };
-        let support = support::named(support)
+        let support = support_named(support)
             .ok_or_else(|| value_error("support", "must be 'sliding', 'fixed' or 'free'"))?;
-        Ok(Self { parameters, top: support::top(support, &parameters).map_err(refused)? })
+        Ok(Self { parameters, top: scenario::top(support, &parameters).map_err(refused)? })
     }
 
     /// Support of the tip.
     #[getter]
     pub(crate) fn support(&self) -> &'static str {
-        support::name(self.top.support())
+        support_name(self.top.support())
     }
 
     #[getter]

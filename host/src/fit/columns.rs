@@ -5,7 +5,6 @@ use crate::input::text_file;
 use crate::input::{finite, rows};
 use crate::output::csv_line;
 use crate::{Failure, excerpt};
-use serde_json::Value;
 use std::iter::once;
 use std::path::Path;
 use toytop_fit::Measurement;
@@ -37,8 +36,8 @@ impl Columns {
         let same = |a: &Measurement, b: &Measurement| a.time == b.time && a.sensor < b.sensor;
         let rows: Vec<_> = measurements.chunk_by(same).collect();
         let mut readings = Vec::new();
-        for (sensor, instrument) in sensors.instruments.iter().enumerate() {
-            for (component, name) in instrument.kind.columns().iter().enumerate() {
+        for (sensor, setup) in sensors.setups.iter().enumerate() {
+            for (component, name) in setup.kind.columns().iter().enumerate() {
                 let reading = |row: &&[Measurement]| {
                     let own = row.iter().find(|measurement| measurement.sensor == sensor);
                     own.map_or(f64::NAN, |measurement| measurement.values[component])
@@ -69,8 +68,8 @@ impl Columns {
             }
             last = time;
             let mut rest = &self.readings[..];
-            for (sensor, instrument) in sensors.instruments.iter().enumerate() {
-                let (columns, others) = rest.split_at(instrument.kind.columns().len());
+            for (sensor, setup) in sensors.setups.iter().enumerate() {
+                let (columns, others) = rest.split_at(setup.kind.columns().len());
                 rest = others;
                 if columns.iter().all(|(_, readings)| readings[row].is_nan()) {
                     continue;
@@ -81,7 +80,7 @@ impl Columns {
                     if !value.is_finite() {
                         return refuse(name, "must be a finite number, as the sensor has a reading");
                     }
-                    if value.abs() > RANGE_TOLERANCE * instrument.range {
+                    if value.abs() > RANGE_TOLERANCE * setup.range {
                         return refuse(name, "must be at most the range of the sensor: another unit?");
                     }
                 }
@@ -157,9 +156,9 @@ fn parse(text: &str, sensors: &mut Sensors, all: bool) -> Result<(Vec<Measuremen
 /// Measurements as CSV, those of one time in one row.
 pub fn csv(sensors: &Sensors, measurements: &[Measurement]) -> String {
     let Columns { t, readings } = Columns::new(sensors, measurements);
-    let header = once("t").chain(readings.iter().map(|(name, _)| *name));
+    let header = csv_line(once("t").chain(readings.iter().map(|(name, _)| *name)));
     let row = |(row, time): (usize, &f64)| {
-        csv_line(once(*time).chain(readings.iter().map(|(_, readings)| readings[row])).map(Value::from))
+        csv_line(once(*time).chain(readings.iter().map(|(_, readings)| readings[row])))
     };
-    once(csv_line(header.map(Value::from))).chain(t.iter().enumerate().map(row)).collect()
+    once(header).chain(t.iter().enumerate().map(row)).collect()
 }

@@ -58,11 +58,11 @@ impl FitResult {
         let before = self.input.free.len() + losses;
         let values = self.fitted.launch.other_unknowns()[before..].as_chunks().0;
         let deviations = deviations[6 + before..].as_chunks().0;
-        let instruments = self.input.sensors.instruments.iter();
-        let biased = instruments.filter(|instrument| instrument.sensor.noise().bias > 0.0);
+        let setups = self.input.sensors.setups.iter();
+        let biased = setups.filter(|setup| setup.sensor.noise().bias > 0.0);
         let estimates =
             values.iter().zip(deviations).map(|(&value, &deviation)| Estimated { deviation, value });
-        biased.map(|instrument| instrument.kind.name()).zip(estimates).collect()
+        biased.map(|setup| setup.kind.name()).zip(estimates).collect()
     }
 
     /// Whether any value was used. Otherwise the launch is only the first guess.
@@ -117,10 +117,10 @@ impl FitResult {
             let Some(partials) = sensitivity.advance_to(time - self.fitted.time) else {
                 return [f64::NAN; 3];
             };
-            let instrument = &self.input.sensors.instruments[*sensor];
-            let bias = biases.iter().find(|(name, _)| *name == instrument.kind.name());
+            let setup = &self.input.sensors.setups[*sensor];
+            let bias = biases.iter().find(|(name, _)| *name == setup.kind.name());
             let bias = bias.map_or([0.0; 3], |(_, bias)| bias.value);
-            let predicted = instrument.sensor.residual(&partials, values);
+            let predicted = setup.sensor.residual(&partials, values);
             [0, 1, 2].map(|k| {
                 let deviation = predicted.deviation[k];
                 if deviation.is_finite() { (predicted.difference[k] - bias[k]) / deviation } else { f64::NAN }

@@ -84,11 +84,11 @@ impl SensorKind {
     }
 }
 
-/// One sensor.
-pub struct Instrument {
+/// Sensor with the errors of its readings.
+pub struct SensorSetup {
     /// Kind of the sensor.
     pub kind: SensorKind,
-    /// Sensor of the core.
+    /// Sensor as the core has it.
     pub sensor: Box<dyn Sensor + Send + Sync>,
     /// Standard deviations of bias and noise.
     pub noise: Noise,
@@ -103,7 +103,7 @@ pub struct Instrument {
 /// Sensors, and errors of their clock.
 pub struct Sensors {
     /// Sensors, at most four.
-    pub instruments: Vec<Instrument>,
+    pub setups: Vec<SensorSetup>,
     /// Standard deviation of the difference between the true and the stated time of a sample, s.
     pub jitter: f64,
     /// Share of samples that are lost.
@@ -151,7 +151,7 @@ impl Body {
 impl Sensors {
     /// Sensors as the core takes them.
     pub fn as_core(&self) -> Vec<&dyn Sensor> {
-        self.instruments.iter().map(|instrument| &*instrument.sensor as &dyn Sensor).collect()
+        self.setups.iter().map(|setup| &*setup.sensor as &dyn Sensor).collect()
     }
 
     /// A consumer MEMS gyroscope (2000 degrees per second, noise 0.005 degrees per second and root hertz in 500 Hz, bias 1
@@ -177,14 +177,14 @@ impl Sensors {
     /// [`Failure::Input`]: no TOML, or a key is unknown, missing or out of range.
     pub fn parse(file: &str, text: &str, body: Body) -> Result<Self, Failure> {
         let refuse = |reason: String| Err(Failure::Input(format!("{file}: {reason}")));
-        let mut sensors = Self { instruments: Vec::new(), jitter: 0.0, dropped: 0.0 };
+        let mut sensors = Self { setups: Vec::new(), jitter: 0.0, dropped: 0.0 };
         for (name, value) in &section::parse(file, text)? {
             let Value::Table(table) = value else {
                 return refuse(format!("{}: must be a table", excerpt(name)));
             };
             let section = Section { file, name, table };
             match SensorKind::ALL.into_iter().find(|kind| kind.name() == name) {
-                Some(kind) => sensors.instruments.push(instrument(&section, kind, body)?),
+                Some(kind) => sensors.setups.push(setup(&section, kind, body)?),
                 None if name == "timing" => {
                     [sensors.jitter, sensors.dropped] = section.only_numbers(None, &TIMING)?;
                 }
@@ -194,11 +194,11 @@ impl Sensors {
                 }
             }
         }
-        if !(1..=4).contains(&sensors.instruments.len()) {
+        if !(1..=4).contains(&sensors.setups.len()) {
             return refuse("must have one to four sensors".to_owned());
         }
         // in the order of the columns, whatever that of the file
-        sensors.instruments.sort_by_key(|instrument| instrument.kind as u8);
+        sensors.setups.sort_by_key(|setup| setup.kind as u8);
         Ok(sensors)
     }
 
@@ -210,12 +210,12 @@ impl Sensors {
     /// Requirement that the columns do not meet: those of at least one sensor must be complete, or with `all` those of every sensor.
     pub fn keep_present(&mut self, has: impl Fn(&str) -> bool, all: bool) -> Result<(), String> {
         let present = |columns: &[&'static str]| columns.iter().all(|name| has(name));
-        if all && let Some(missing) = self.instruments.iter().find(|one| !present(one.kind.columns())) {
+        if all && let Some(missing) = self.setups.iter().find(|one| !present(one.kind.columns())) {
             let columns = missing.kind.columns().join(", ");
             return Err(format!("must have the columns of the {}: {columns}", missing.kind.name()));
         }
-        self.instruments.retain(|instrument| present(instrument.kind.columns()));
-        if self.instruments.is_empty() {
+        self.setups.retain(|setup| present(setup.kind.columns()));
+        if self.setups.is_empty() {
             let names: Vec<_> = SensorKind::ALL.iter().map(|kind| kind.columns().join(",")).collect();
             return Err(format!("must have the columns of a sensor: {}", names.join("; ")));
         }
@@ -240,7 +240,7 @@ static ROTATION: Key = Key::required("rotation", "a unit quaternion [w, x, y, z]
 static POSITION: Key = Key::required("position", "an array of 3 finite numbers");
 static FIELD: Key = Key::required("field", "an array of 3 finite numbers, not all 0");
 
-fn instrument(section: &Section<'_>, kind: SensorKind, body: Body) -> Result<Instrument, Failure> {
+fn setup(section: &Section<'_>, kind: SensorKind, body: Body) -> Result<SensorSetup, Failure> {
     section.only(None, kind.description().2.iter().copied())?;
     let [deviation, bias, range, quantum, every] = section.numbers(&NUMBERS)?;
     let noise = Noise { deviation, bias };
@@ -273,5 +273,5 @@ fn instrument(section: &Section<'_>, kind: SensorKind, body: Body) -> Result<Ins
             Box::new(Mark { deviation, place: section.array(&POSITION, Some([1.0, 0.0, 0.0]))? })
         }
     };
-    Ok(Instrument { kind, sensor, noise, range, quantum, every: every as u64 })
+    Ok(SensorSetup { kind, sensor, noise, range, quantum, every: every as u64 })
 }

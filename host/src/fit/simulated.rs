@@ -1,6 +1,6 @@
 //! Simulated measurements of a motion.
 
-use super::sensors::{Instrument, SensorKind, Sensors};
+use super::sensors::{SensorKind, SensorSetup, Sensors};
 use crate::input::random::Random;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
@@ -37,20 +37,20 @@ pub fn simulate_measurements(
     let sensitivity = Sensitivity::new(motion);
     let mut cursor = sensitivity;
     let mut random = Random::new(recording.seed, 0);
-    let instruments = &sensors.instruments;
+    let setups = &sensors.setups;
     let biases: Vec<_> =
-        instruments.iter().map(|one| [0; 3].map(|_| one.noise.bias * normal(&mut random))).collect();
+        setups.iter().map(|one| [0; 3].map(|_| one.noise.bias * normal(&mut random))).collect();
     let mut found = Vec::new();
     // angles of the marks at the sample before
-    let mut before: Vec<Option<f64>> = vec![None; instruments.len()];
+    let mut before: Vec<Option<f64>> = vec![None; setups.len()];
     for n in 0..recording.count {
         let time = n as f64 / recording.hertz;
         let partials = cursor.advance_to(time + sensors.jitter * normal(&mut random))?;
         let dropped = random.uniform() < sensors.dropped;
-        for (sensor, instrument) in instruments.iter().enumerate() {
-            let Instrument { kind, noise, range, quantum, every, .. } = instrument;
+        for (sensor, setup) in setups.iter().enumerate() {
+            let SensorSetup { kind, noise, range, quantum, every, .. } = setup;
             // the difference of a reading of 0 from the prediction
-            let difference = |partials: &Partials| instrument.sensor.residual(partials, &[0.0; 4]).difference;
+            let difference = |partials: &Partials| setup.sensor.residual(partials, &[0.0; 4]).difference;
             if *kind == SensorKind::Mark {
                 let ahead = |time| Some(difference(&sensitivity.at(time)?)[0]);
                 let [now, ..] = difference(&partials);

@@ -47,7 +47,7 @@ fn has_beginning(sensors: &Sensors, measurements: &[Measurement]) -> bool {
     const FIRST: usize = 64;
     let [mut direction, mut rate] = [false; 2];
     for Measurement { sensor, values, .. } in measurements.iter().take(FIRST) {
-        match sensors.instruments.get(*sensor).map(|instrument| instrument.sensor.hint(values)) {
+        match sensors.setups.get(*sensor).map(|setup| setup.sensor.hint(values)) {
             Some(Hint::Orientation(_) | Hint::Axis(_) | Hint::Tip(_)) => return true,
             Some(Hint::Direction { .. }) => direction = true,
             Some(Hint::Rate { .. }) => rate = true,

@@ -5,7 +5,7 @@ use serde::{Serialize, Serializer};
 use toytop_fit::Sensitivity;
 
 /// Numbers of a fit. Their names are the keys of JSON.
-#[derive(Default, Serialize)]
+#[derive(Serialize)]
 pub struct FitSummary<'a> {
     /// Whether the launch may be trusted.
     pub converged: bool,

@@ -5,8 +5,8 @@ use csv::{ErrorKind, Position, StringRecord};
 /// Size of the largest CSV file that is read, MiB.
 pub const MAX_FILE_MIB: u64 = 1024;
 
-/// Row with its line, or the reason why it cannot be read.
-type Row = Result<(u64, StringRecord), String>;
+/// Row with the number of its line, or the reason why it cannot be read.
+type NumberedRow = Result<(u64, StringRecord), String>;
 
 /// Spellings of the unit of a column; none for a column that is not read.
 pub type UnitOf = fn(&str) -> &'static [&'static str];
@@ -15,7 +15,10 @@ pub type UnitOf = fn(&str) -> &'static [&'static str];
 ///
 /// # Errors
 /// Column that is in another unit than `unit_of` allows. Line of a row with another number of fields than the header.
-pub fn parse(text: &str, unit_of: UnitOf) -> Result<(u64, Vec<String>, impl Iterator<Item = Row>), String> {
+pub fn parse(
+    text: &str,
+    unit_of: UnitOf,
+) -> Result<(u64, Vec<String>, impl Iterator<Item = NumberedRow>), String> {
     let text = text.trim_start_matches('\u{feff}');
     let mut builder = csv::ReaderBuilder::new();
     let mut reader = builder.comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());

@@ -12,10 +12,12 @@ use super::section::{self, Key, Section};
 use super::text_file;
 use super::units::{self, DEGREES, RADIANS};
 use crate::{Failure, excerpt};
+use serde_json::json;
 use std::fmt::Display;
 use std::path::Path;
 use toml::{Table, Value};
 use toytop::{InitialAngles, Motion, Top, TopParameters};
+use toytop_model::scenario::SUPPORTS;
 
 /// Units of a scenario's numbers.
 #[derive(Clone, Copy, PartialEq)]
@@ -191,12 +193,19 @@ pub fn to_toml(top: &impl Display, launch: &Launch) -> String {
     format!("[top]\n{top}\n[motion]\n{motion}")
 }
 
+/// Supports and kinds of motion of a scenario, and the keys of each table with their default values.
+pub fn keys_as_json() -> serde_json::Value {
+    let keys = |keys: &[Key]| keys.iter().map(|key| (key.name, key.default)).collect::<Vec<_>>();
+    let kinds = motion::KINDS.map(|(kind, of_kind)| (kind, keys(of_kind)));
+    json!({ "supports": SUPPORTS.map(|(name, _)| name), "top": keys(&top::KEYS), "kinds": kinds })
+}
+
 /// Key, and the reason why its value is refused.
 type Refused = (&'static str, String);
 
 /// Replaces numbers with units by numbers in the units of their keys.
 fn replace_units(table: &mut Table, has_units: bool) -> Result<(), Refused> {
-    for Key { name, units, .. } in top::KEYS.iter().chain(motion::keys()) {
+    for Key { name, units, .. } in top::KEYS.iter().chain(motion::KINDS.iter().flat_map(|(_, keys)| *keys)) {
         let entries = match table.get_mut(*name) {
             Some(Value::Array(entries)) => &mut entries[..],
             Some(value) => std::slice::from_mut(value),

@@ -11,7 +11,7 @@ pub struct Key {
     /// Allowed values, in words.
     allowed: &'static str,
     /// Value of a missing key; `None` where it must not be missing.
-    default: Option<f64>,
+    pub default: Option<f64>,
     /// Least and greatest value.
     range: [f64; 2],
     /// Units of a value that is a text; none where it must be a number.

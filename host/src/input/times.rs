@@ -7,7 +7,7 @@ use crate::{Failure, excerpt};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
-/// Times of `toytop state`: exactly one of the four ways.
+/// Times of `toytop state`: exactly one of --times, --times-file, --ticks and --from.
 #[derive(Args)]
 #[group(skip)]
 pub struct TimesArgs {
@@ -142,10 +142,10 @@ impl Times {
     }
 }
 
-/// Times in [0, `horizon`], s: one in each of `count` equal parts, shifted within the part by multiples of the golden section.
-pub fn spread_times(horizon: f64, count: u32) -> Vec<f64> {
+/// Times in [0, `end`], s: one in each of `count` equal parts, shifted within the part by multiples of the golden section.
+pub fn spread_times(end: f64, count: u32) -> Vec<f64> {
     const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
-    let part = horizon / f64::from(count);
+    let part = end / f64::from(count);
     (0..count).map(|i| part * (f64::from(i) + (f64::from(i) * GOLDEN_SECTION).fract())).collect()
 }
 

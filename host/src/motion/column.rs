@@ -1,8 +1,8 @@
 //! Columns of samples: names, unit and numbers of a quantity.
 
 use super::euler_angles;
-use super::sample::{Part, Sample};
-use toytop::{Complex, Support};
+use super::sample::Quantities;
+use toytop::{Complex, Pose, Support};
 
 /// Quantity of a sample, one number or several.
 #[derive(Clone, Copy, PartialEq)]
@@ -58,59 +58,56 @@ impl SampleColumn {
     ];
 }
 
-/// Function that writes the numbers of a column of a sample. NaN stands for what does not exist.
-pub type Writer = fn(&Sample, &mut [f64]);
-
-/// Key of JSON, names of the numbers as columns of CSV, unit in SI, part of the sample that is read, and function that writes the numbers.
-type Description = (&'static str, &'static [&'static str], &'static str, Part, Writer);
+/// Key of JSON, names of the numbers as columns of CSV, and their unit in SI.
+type Description = (&'static str, &'static [&'static str], &'static str);
 
 impl SampleColumn {
     fn description(self) -> Description {
-        use Part::{All, ErrorBound, Omega, OmegaBody, Orientation, Pose, TipAngle, Udot};
         match self {
-            Self::T => ("t", &["t"], "s", All, |at, row| row[0] = at.t),
-            Self::U => ("u", &["u"], "", Pose, |at, row| row[0] = at.pose.u),
-            Self::Udot => ("udot", &["udot"], "1/s", Udot, |at, row| row[0] = at.rates.udot),
-            Self::Alpha => ("alpha", &["alpha_re", "alpha_im"], "", Orientation, |at, row| {
-                put(row, at.pose.orientation.alpha)
-            }),
-            Self::Beta => ("beta", &["beta_re", "beta_im"], "", Orientation, |at, row| {
-                put(row, at.pose.orientation.beta)
-            }),
-            Self::Gamma => ("gamma", &["gamma_re", "gamma_im"], "", Orientation, |at, row| {
-                put(row, at.pose.orientation.gamma())
-            }),
-            Self::Delta => ("delta", &["delta_re", "delta_im"], "", Orientation, |at, row| {
-                put(row, at.pose.orientation.delta())
-            }),
-            Self::Omega => ("omega", &["omega_x", "omega_y", "omega_z"], "rad/s", Omega, |at, row| {
-                row.copy_from_slice(&at.rates.omega)
-            }),
-            Self::Tip => ("tip", &["tip_x", "tip_y"], "m", Pose, |at, row| put(row, at.pose.tip)),
-            Self::Phi => {
-                ("phi", &["phi"], "rad", TipAngle, |at, row| row[0] = at.tip_angle.unwrap_or(f64::NAN))
+            Self::T => ("t", &["t"], "s"),
+            Self::U => ("u", &["u"], ""),
+            Self::Udot => ("udot", &["udot"], "1/s"),
+            Self::Alpha => ("alpha", &["alpha_re", "alpha_im"], ""),
+            Self::Beta => ("beta", &["beta_re", "beta_im"], ""),
+            Self::Gamma => ("gamma", &["gamma_re", "gamma_im"], ""),
+            Self::Delta => ("delta", &["delta_re", "delta_im"], ""),
+            Self::Omega => ("omega", &["omega_x", "omega_y", "omega_z"], "rad/s"),
+            Self::Tip => ("tip", &["tip_x", "tip_y"], "m"),
+            Self::Phi => ("phi", &["phi"], "rad"),
+            Self::Quaternion => ("quaternion", &["w", "x", "y", "z"], ""),
+            Self::Axis => ("axis", &["axis_x", "axis_y", "axis_z"], ""),
+            Self::OmegaBody => ("omega_body", &["wx", "wy", "wz"], "rad/s"),
+            Self::Angles => ("angles", &["tilt", "azimuth", "roll"], "rad"),
+            Self::EulerZxz => ("euler_zxz", &["euler_phi", "euler_theta", "euler_psi"], "rad"),
+            Self::ErrorBound => ("error_bound", &["error_bound"], "rad"),
+        }
+    }
+
+    /// Writes its numbers into a row of as many numbers as it has names, and computes no other. NaN stands for a number that does not exist.
+    pub fn write(self, at: &impl Quantities, row: &mut [f64]) {
+        let mut put = |numbers: &[f64]| row.copy_from_slice(numbers);
+        let parts = |z: Complex<f64>| [z.re, z.im];
+        match self {
+            Self::T => put(&[at.sample().t]),
+            Self::U => put(&[at.pose().u]),
+            Self::Udot => put(&[at.udot()]),
+            Self::Alpha => put(&parts(at.orientation().alpha)),
+            Self::Beta => put(&parts(at.orientation().beta)),
+            Self::Gamma => put(&parts(at.orientation().gamma())),
+            Self::Delta => put(&parts(at.orientation().delta())),
+            Self::Omega => put(&at.omega()),
+            Self::Tip => put(&parts(at.pose().tip)),
+            Self::Phi => put(&[at.tip_angle().unwrap_or(f64::NAN)]),
+            Self::Quaternion => put(&at.orientation().quaternion()),
+            Self::Axis => {
+                let Pose { orientation, u, .. } = at.pose();
+                let [x, y, _] = orientation.axis();
+                put(&[x, y, u]);
             }
-            Self::Quaternion => ("quaternion", &["w", "x", "y", "z"], "", Orientation, |at, row| {
-                row.copy_from_slice(&at.pose.orientation.quaternion())
-            }),
-            Self::Axis => ("axis", &["axis_x", "axis_y", "axis_z"], "", Pose, |at, row| {
-                let [x, y, _] = at.pose.orientation.axis();
-                row.copy_from_slice(&[x, y, at.pose.u]);
-            }),
-            Self::OmegaBody => ("omega_body", &["wx", "wy", "wz"], "rad/s", OmegaBody, |at, row| {
-                row.copy_from_slice(&at.rates.omega_body)
-            }),
-            Self::Angles => ("angles", &["tilt", "azimuth", "roll"], "rad", Orientation, |at, row| {
-                row.copy_from_slice(&euler_angles::tilt_azimuth_roll(&at.pose.orientation))
-            }),
-            Self::EulerZxz => {
-                ("euler_zxz", &["euler_phi", "euler_theta", "euler_psi"], "rad", Orientation, |at, row| {
-                    row.copy_from_slice(&euler_angles::zxz(&at.pose.orientation))
-                })
-            }
-            Self::ErrorBound => ("error_bound", &["error_bound"], "rad", ErrorBound, |at, row| {
-                row[0] = at.error_bound.unwrap_or(f64::NAN)
-            }),
+            Self::OmegaBody => put(&at.omega_body()),
+            Self::Angles => put(&euler_angles::tilt_azimuth_roll(&at.orientation())),
+            Self::EulerZxz => put(&euler_angles::zxz(&at.orientation())),
+            Self::ErrorBound => put(&[at.sample().error_bound.unwrap_or(f64::NAN)]),
         }
     }
 
@@ -127,29 +124,15 @@ impl SampleColumn {
     /// Unit of its numbers in SI; empty where there is none.
     pub fn si_unit(self, support: Support) -> &'static str {
         match self.description() {
-            (_, _, "m", ..) if support != Support::Sliding => "",
-            (_, _, unit, ..) => unit,
+            (_, _, "m") if support != Support::Sliding => "",
+            (_, _, unit) => unit,
         }
     }
 
-    /// Part of a sample that it reads.
-    pub fn part(self) -> Part {
-        self.description().3
-    }
-
-    /// Function that writes the numbers of a sample into a row of as many numbers as it has names.
-    pub fn writer(self) -> Writer {
-        self.description().4
-    }
-
     /// Numbers of a sample.
-    pub fn numbers(self, sample: &Sample) -> Vec<f64> {
+    pub fn numbers(self, sample: &impl Quantities) -> Vec<f64> {
         let mut row = vec![f64::NAN; self.names().len()];
-        self.writer()(sample, &mut row);
+        self.write(sample, &mut row);
         row
     }
-}
-
-fn put(row: &mut [f64], z: Complex<f64>) {
-    row.copy_from_slice(&[z.re, z.im]);
 }

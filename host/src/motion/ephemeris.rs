@@ -7,12 +7,12 @@ mod heap_table;
 
 mod capacities;
 
-pub use capacities::{EphemerisOptions, smallest_ephemeris};
-pub use events::{EventFilter, EventKind, FoundEvent};
+pub use capacities::{ephemeris_for, ephemeris_with};
+pub use events::{EventKind, EventQuery, MotionEvent};
 pub use heap_table::{HeapTable, TableScalar};
 
 use crate::motion::column::SampleColumn;
-use crate::motion::sample::{Part, Sample};
+use crate::motion::sample::{Quantities, Sample};
 use events::Condition;
 use std::f64::consts::TAU;
 use toytop::{ErrorBound, Motion, ParameterError, Phase, Pose};
@@ -37,54 +37,44 @@ pub trait DynEphemeris: Send + Sync {
     /// Upper bound on the error of ω, of Ω and of u', rad per unit time.
     fn rate_error_bound(&self) -> ErrorBound;
 
-    /// Sets one part of a sample to that of the motion t units of time after t = 0, t taken as exact. Others may change too.
-    fn update(&self, sample: &mut Sample, part: Part, t: f64);
-
     /// Sample of the motion t units of time after t = 0, t taken as exact.
-    fn at(&self, t: f64) -> Sample {
-        let mut sample = Sample::UNKNOWN;
-        self.update(&mut sample, Part::All, t);
-        sample
-    }
+    fn at(&self, t: f64) -> Sample;
 
     /// Orientation, u and tip of the motion t units of time after t = 0, without its rates and tip angle.
     fn pose(&self, t: f64) -> Pose<f64, f64> {
-        let mut sample = Sample::UNKNOWN;
-        self.update(&mut sample, Part::Pose, t);
-        sample.pose
+        self.at(t).pose
     }
 
     /// Sample of the motion at tick n.
     fn at_tick(&self, n: i64) -> Sample;
 
-    /// Writes one column at each time, and computes no other.
-    fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
-        // one sample for all times, because to make another costs a tenth of its evaluation
-        let (mut sample, write) = (Sample::UNKNOWN, column.writer());
-        for (t, row) in times.iter().zip(rows.chunks_exact_mut(column.names().len())) {
-            self.update(&mut sample, column.part(), *t);
-            write(&sample, row);
-        }
-    }
+    /// Writes one column at each time.
+    fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]);
 
-    /// First events at which a condition holds, of those that the filter accepts.
-    fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent>;
+    /// First events at which a condition holds, of those that the query includes.
+    fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent>;
 }
 
-/// First events of a kind, in the order of their times.
+/// Writes one column of the quantities at each time.
+fn fill<Q: Quantities>(column: SampleColumn, at: impl Fn(f64) -> Q, times: &[f64], rows: &mut [f64]) {
+    for (t, row) in times.iter().zip(rows.chunks_exact_mut(column.names().len())) {
+        column.write(&at(*t), row);
+    }
+}
+
+/// Events of a query, in the order of their times.
 ///
 /// # Errors
 /// `tilt` or `radius`: the motion's top has no such event.
 pub fn search(
     table: &dyn DynEphemeris,
     motion: &Motion,
-    kind: EventKind,
-    filter: &EventFilter,
-) -> Result<Vec<FoundEvent>, ParameterError> {
-    let conditions = kind.conditions(motion)?.into_iter();
-    let mut events: Vec<_> = conditions.flat_map(|condition| table.events(condition, filter)).collect();
+    query: &EventQuery,
+) -> Result<Vec<MotionEvent>, ParameterError> {
+    let conditions = query.kind.conditions(motion)?.into_iter();
+    let mut events: Vec<_> = conditions.flat_map(|condition| table.events(condition, query)).collect();
     events.sort_by(|a, b| a.t.total_cmp(&b.t));
-    events.truncate(filter.count);
+    events.truncate(query.count);
     Ok(events)
 }
 
@@ -98,7 +88,7 @@ fn unwrapped(phase: Phase, near: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use toytop::{InitialAngles, Motion, Signs, Top, TopParameters};
-    use toytop_model::constants::MotionConstants;
+    use toytop_model::constants::MotionWithPeriod;
 
     pub(super) fn motion(a: f64, e: [f64; 3]) -> Motion {
         let top = Top::sliding(&TopParameters {
@@ -118,7 +108,7 @@ mod tests {
         for motion in
             [motion(1.0, [0.2, 0.8, 1.5]), motion(1e-6, [0.2, 0.8, 1e6]), motion(1e9, [0.2, 0.8, 1.5])]
         {
-            let constants = MotionConstants::new(motion);
+            let constants = MotionWithPeriod::new(motion);
             let (rate, period) = (constants.ticks_per_time(), constants.time_scale());
             assert!(rate * period >= 1000.0 && rate.log2().fract() == 0.0);
             assert!(constants.furthest_time() / period >= 1e10);

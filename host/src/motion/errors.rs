@@ -2,6 +2,7 @@
 
 use super::sample::Sample;
 use nalgebra::Vector3;
+use std::array::from_fn;
 use toytop::{Motion, Orientation, Top};
 use toytop_model::equations::{BodyRates, Equations, FullState};
 
@@ -26,8 +27,8 @@ pub struct Errors {
     pub tip: f64,
     /// Error of the norm |α|² + |β|².
     pub norm: f64,
-    /// Drift of l, n and h, from α, β and Ω in `f64`.
-    pub drift: IntegralDrift,
+    /// Drifts of l, n and h, from α, β and Ω in `f64`.
+    pub drift: [f64; 3],
 }
 
 impl Errors {
@@ -51,7 +52,7 @@ impl Errors {
             u: greater(self.u, other.u),
             tip: greater(self.tip, other.tip),
             norm: greater(self.norm, other.norm),
-            drift: self.drift.greater(other.drift),
+            drift: from_fn(|i| greater(self.drift[i], other.drift[i])),
         }
     }
 }
@@ -63,8 +64,8 @@ pub fn rate_error(found: &BodyRates, truth: &BodyRates) -> f64 {
 }
 
 /// First integrals [l, n, h] in kg m²/s and kg m²/s², by the full equations.
-fn first_integrals(top: &Top, phi: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
-    let state = FullState::new(phi, omega);
+fn first_integrals(top: &Top, orientation: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
+    let state = FullState::new(orientation, omega);
     Equations::new(top, &state).first_integrals(&state)
 }
 
@@ -81,31 +82,12 @@ fn natural_scales(motion: &Motion) -> [f64; 3] {
     [momentum, momentum, energy]
 }
 
-/// Differences of l, n and h from those of a motion, in units of their natural scales.
-#[derive(Clone, Copy, Default)]
-pub struct IntegralDrift {
-    /// Difference of l.
-    pub l: f64,
-    /// Difference of n.
-    pub n: f64,
-    /// Difference of h.
-    pub h: f64,
-}
-
-impl IntegralDrift {
-    /// Greater differences of two states.
-    pub fn greater(self, other: Self) -> Self {
-        Self { l: greater(self.l, other.l), n: greater(self.n, other.n), h: greater(self.h, other.h) }
-    }
-}
-
-/// Drift of a state from a motion.
-pub fn drift(motion: &Motion, orientation: &Orientation<f64>, omega: [f64; 3]) -> IntegralDrift {
+/// Differences of l, n and h of a state from those of a motion, in units of their natural scales.
+pub fn drift(motion: &Motion, orientation: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
     let (constants, scales) = (motion.first_integrals(), natural_scales(motion));
     let exact = [constants.l, constants.n, constants.h];
     let integrals = first_integrals(motion.top(), orientation, omega);
-    let [l, n, h] = [0, 1, 2].map(|i| (integrals[i] - exact[i]).abs() / scales[i]);
-    IntegralDrift { l, n, h }
+    from_fn(|i| (integrals[i] - exact[i]).abs() / scales[i])
 }
 
 #[cfg(test)]

@@ -5,8 +5,8 @@ use toytop::{Complex, Orientation};
 
 /// Tilt in [0, π], azimuth and roll in (-π, π] of a scenario's release: Rz(azimuth) Ry(tilt) Rz(roll). Where the axis is vertical, one of
 /// the two is 0.
-pub fn tilt_azimuth_roll(phi: &Orientation<f64>) -> [f64; 3] {
-    let Orientation { alpha, beta } = *phi;
+pub fn tilt_azimuth_roll(orientation: &Orientation<f64>) -> [f64; 3] {
+    let Orientation { alpha, beta } = *orientation;
     let tilt = 2.0 * modulus(beta).atan2(modulus(alpha));
     // alpha = cos(tilt/2) exp(i (azimuth + roll)/2), beta = -sin(tilt/2) exp(i (azimuth - roll)/2)
     let argument = |z: Complex<f64>| z.im.atan2(z.re);
@@ -19,8 +19,8 @@ pub fn tilt_azimuth_roll(phi: &Orientation<f64>) -> [f64; 3] {
 }
 
 /// Euler's angles φ in (-π, π], θ in [0, π], ψ in (-π, π] of the sequence z-x-z: Rz(φ) Rx(θ) Rz(ψ).
-pub fn zxz(phi: &Orientation<f64>) -> [f64; 3] {
-    let [tilt, azimuth, roll] = tilt_azimuth_roll(phi);
+pub fn zxz(orientation: &Orientation<f64>) -> [f64; 3] {
+    let [tilt, azimuth, roll] = tilt_azimuth_roll(orientation);
     [wrapped(azimuth + 0.5 * PI), tilt, wrapped(roll - 0.5 * PI)]
 }
 
@@ -57,16 +57,16 @@ mod tests {
             (1e-9, 1.0, 2.0),
         ] {
             let release = Release { tilt, azimuth, roll, spin: 1.0, ..Release::default() };
-            let phi = State::from_release(&release).unwrap().orientation();
-            let [a, b, c] = tilt_azimuth_roll(&phi);
+            let orientation = State::from_release(&release).unwrap().orientation();
+            let [a, b, c] = tilt_azimuth_roll(&orientation);
             assert!(
                 (a - tilt).abs() < 1e-15 && (b - azimuth).abs() < 1e-14 && (c - roll).abs() < 1e-14,
                 "{tilt} {azimuth} {roll}: {a} {b} {c}"
             );
-            let [p, t, s] = zxz(&phi);
+            let [p, t, s] = zxz(&orientation);
             let again = about(2, p).compose(&about(0, t)).compose(&about(2, s));
             let opposite = Orientation { alpha: -again.alpha, beta: -again.beta };
-            let off = phi.distance(&again).min(phi.distance(&opposite));
+            let off = orientation.distance(&again).min(orientation.distance(&opposite));
             assert!(off < 2e-15, "{tilt} {azimuth} {roll}: {off:e}");
             assert!([p, t, s].iter().all(|x| x.abs() <= PI));
         }

@@ -4,25 +4,40 @@ use toytop::scalar::Real;
 use toytop::{AttitudeState, Complex, Orientation, Pose};
 use toytop_model::equations::BodyRates;
 
-/// Part of a sample that is computed by itself.
-#[derive(Clone, Copy, PartialEq)]
-pub enum Part {
-    /// All of it.
-    All,
-    /// Orientation.
-    Orientation,
-    /// Orientation, cosine of the tilt, and position of the tip.
-    Pose,
-    /// Angular velocity in the fixed frame.
-    Omega,
-    /// Angular velocity in the body frame.
-    OmegaBody,
-    /// Rate of u.
-    Udot,
-    /// Tip angle.
-    TipAngle,
-    /// Bound on the error of the orientation.
-    ErrorBound,
+/// Quantities of a motion at one time. A source that can compute one without the others does so.
+pub trait Quantities {
+    /// All of them.
+    fn sample(&self) -> Sample;
+
+    /// Orientation Φ, cosine u of the tilt, and position of the tip.
+    fn pose(&self) -> Pose<f64, f64> {
+        self.sample().pose
+    }
+
+    /// Orientation Φ.
+    fn orientation(&self) -> Orientation<f64> {
+        self.pose().orientation
+    }
+
+    /// Angular velocity ω in the fixed frame, rad/s.
+    fn omega(&self) -> [f64; 3] {
+        self.sample().rates.omega
+    }
+
+    /// Angular velocity Ω in the body frame, rad/s.
+    fn omega_body(&self) -> [f64; 3] {
+        self.sample().rates.omega_body
+    }
+
+    /// Rate u' of the cosine of the tilt, 1/s.
+    fn udot(&self) -> f64 {
+        self.sample().rates.udot
+    }
+
+    /// Tip angle continued from t = 0, rad; `None` where the axis is vertical at all times.
+    fn tip_angle(&self) -> Option<f64> {
+        self.sample().tip_angle
+    }
 }
 
 /// Motion at one time in `f64`.
@@ -41,19 +56,6 @@ pub struct Sample {
 }
 
 impl Sample {
-    /// Sample of which nothing is known: its numbers are NaN.
-    pub const UNKNOWN: Self = {
-        let (number, vector) = (Complex { re: f64::NAN, im: f64::NAN }, [f64::NAN; 3]);
-        let orientation = Orientation { alpha: number, beta: number };
-        Self {
-            t: f64::NAN,
-            pose: Pose { orientation, u: f64::NAN, tip: number },
-            rates: BodyRates { omega: vector, omega_body: vector, udot: f64::NAN },
-            tip_angle: None,
-            error_bound: None,
-        }
-    };
-
     /// Sample of an attitude state of the core at time t.
     pub fn from_state<R: Real>(
         t: f64,
@@ -69,6 +71,12 @@ impl Sample {
             tip,
         };
         Self { t, pose, rates: body_rates(state), tip_angle, error_bound: None }
+    }
+}
+
+impl Quantities for Sample {
+    fn sample(&self) -> Sample {
+        *self
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{DynEphemeris, smallest_ephemeris};
+use crate::motion::ephemeris::{DynEphemeris, ephemeris_for};
 use crate::motion::sample::Sample;
 use std::f64::consts::PI;
 use toytop::{Complex, Motion, Orientation, Pose, TipClass};
@@ -28,7 +28,7 @@ impl TipAngle {
     /// [`Failure::Method`]: no ephemeris is large enough.
     pub fn new(motion: &Motion) -> Result<Self, Failure> {
         let vertical = motion.regime().is_vertical();
-        let ephemeris = if vertical { None } else { Some(smallest_ephemeris(Scalar::F64, motion)?) };
+        let ephemeris = if vertical { None } else { Some(ephemeris_for(Scalar::F64, motion)?) };
         let signed = matches!(motion.tip_class(), TipClass::ThroughOrigin | TipClass::Spiral);
         let scale = motion.top().tip_scale();
         Ok(Self { ephemeris, scale, period: if signed { PI } else { 2.0 * PI } })

@@ -27,7 +27,7 @@ impl TextTable {
 
     /// All words and numbers of rows below their names. An absent one is a dash. The first columns are aligned to the left as long as
     /// they contain words.
-    pub fn of_all<T: Serialize>(rows: &[T], of_number: fn(f64) -> String) -> Self {
+    pub fn from_rows(rows: &[impl Serialize], of_number: fn(f64) -> String) -> Self {
         let rows: Vec<_> = rows.iter().map(fields).collect();
         let header = rows.iter().take(1).flatten().map(|(name, _)| name.clone()).collect();
         let is_word = |column: &usize| rows.iter().all(|row| row[*column].1.is_string());

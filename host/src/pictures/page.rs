@@ -3,13 +3,13 @@
 
 use crate::Failure;
 use crate::input::builtin::{FIGURES, TOY_TOP};
-use crate::input::scenario::ScenarioFile;
+use crate::input::scenario::{ScenarioFile, keys_as_json};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::json;
 use toytop_page::TEMPLATE;
 use toytop_page::exports::launch_names;
-use toytop_page::table::Table;
+use toytop_page::table::PageTable;
 
 /// The core as WebAssembly; empty in a program that was compiled without that target.
 const CORE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/core.wasm"));
@@ -29,7 +29,7 @@ pub fn html(start: &ScenarioFile) -> Result<String, Failure> {
         return Err(Failure::Tool(format!("this toytop was compiled without the page: {install}")));
     }
     let scenario = start.scenario()?;
-    if !Table::fits(&scenario.motion) {
+    if !PageTable::fits(&scenario.motion) {
         return Err(Failure::Method(
             "no ephemeris: the table of the page is too small for this motion".to_owned(),
         ));
@@ -38,6 +38,7 @@ pub fn html(start: &ScenarioFile) -> Result<String, Failure> {
         "name": scenario.name,
         "scenario": start.table,
         "constants": launch_names().collect::<Vec<_>>(),
+        "keys": keys_as_json(),
         "figures": FIGURES.map(|(figure, signs, e3s)| json!([figure, signs.l_minus_n.as_i32(), e3s])),
         "toy_top": toy_top().table,
     });

@@ -3,11 +3,11 @@
 use crate::Failure;
 use crate::input::require_within;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{DynEphemeris, smallest_ephemeris};
+use crate::motion::ephemeris::{DynEphemeris, ephemeris_for};
 use crate::motion::sample::Sample;
 use crate::output::short;
 use toytop::Motion;
-use toytop_model::constants::MotionConstants;
+use toytop_model::constants::MotionWithPeriod;
 use toytop_model::span::{cycle, periods, span};
 
 /// Motion between two times.
@@ -34,10 +34,10 @@ impl MotionSpan {
     /// [`Failure::Input`]: times beyond the reach of the ephemeris, or too many cycles. [`Failure::Method`]: no ephemeris is large
     /// enough.
     pub fn new(motion: &Motion, times: Option<[f64; 2]>, most_cycles: f64) -> Result<Self, Failure> {
-        let table = smallest_ephemeris(Scalar::F64, motion)?;
+        let table = ephemeris_for(Scalar::F64, motion)?;
         require_within(times.into_iter().flatten(), table.furthest_time(), " s")
             .map_err(|failure| failure.with_context("--times"))?;
-        let constants = MotionConstants::new(*motion);
+        let constants = MotionWithPeriod::new(*motion);
         let (regime, cycle) = (motion.regime(), cycle(&constants));
         let longest = most_cycles * cycle;
         if let Some([from, until]) = times.filter(|[from, until]| until - from > longest)

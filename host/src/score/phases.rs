@@ -13,7 +13,7 @@
 
 use super::rotation_between;
 use super::trajectory::TrajectoryRow;
-use crate::motion::MotionConstants;
+use crate::motion::MotionWithPeriod;
 use crate::motion::ephemeris::DynEphemeris;
 use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3, Vector6};
 use serde::Serialize;
@@ -46,7 +46,7 @@ pub fn phase_errors(motion: &Motion, table: &dyn DynEphemeris, rows: &[Trajector
         regime if regime.is_vertical() => [false, false, true],
         _ => [false, true, true],
     };
-    let period = MotionConstants::new(*motion).time_scale();
+    let period = MotionWithPeriod::new(*motion).time_scale();
     let rates = motion.period_advance().map_or([0.0; 3], |advance| {
         [advance.alpha_turns, advance.beta_turns, 1.0].map(|turns| 2.0 * PI * turns / period)
     });

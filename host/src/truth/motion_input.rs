@@ -4,7 +4,7 @@ use crate::input::random::Random;
 use crate::input::scenario::Launch;
 use std::f64::consts::PI;
 use toytop::{InitialAngles, Motion, ParameterError, Sign, Signs, State, Support, TopParameters};
-use toytop_model::support;
+use toytop_model::scenario;
 
 /// Numbers of a top and of its launch, taken as exact.
 #[derive(Clone, Copy, Debug)]
@@ -53,7 +53,7 @@ impl MotionInput {
     /// # Errors
     /// The errors of a top, a state and a launch.
     pub fn motion(&self) -> Result<Motion, ParameterError> {
-        let top = support::top(self.support, &self.top)?;
+        let top = scenario::top(self.support, &self.top)?;
         match self.launch {
             Launch::BranchPoints { e, signs, phases } => Motion::from_branch_points(&top, e, signs, &phases),
             Launch::State { orientation, omega } => Motion::launch(&top, &State::new(orientation, omega)?),

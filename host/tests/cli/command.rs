@@ -113,18 +113,18 @@ pub(crate) fn numbers(object: &Value, keys: &str) -> Vec<f64> {
 }
 
 /// CSV output of a command that must succeed: the names of the columns, and the rows.
-pub(crate) struct Table {
+pub(crate) struct CsvTable {
     pub names: String,
     pub rows: Vec<Vec<f64>>,
 }
 
 /// CSV output of a command that must succeed. An empty cell is NaN.
-pub(crate) fn csv(line: &str) -> Table {
+pub(crate) fn csv(line: &str) -> CsvTable {
     let text = toytop(format!("{line} --format csv")).ok();
     let (names, rows) = text.split_once('\n').expect("a header");
     let cell = |cell: &str| if cell.is_empty() { f64::NAN } else { cell.parse().expect("a number") };
     let rows = rows.lines().map(|row| row.split(',').map(cell).collect());
-    Table { names: names.to_owned(), rows: rows.collect() }
+    CsvTable { names: names.to_owned(), rows: rows.collect() }
 }
 
 /// Path of a file in the folder of the commands.

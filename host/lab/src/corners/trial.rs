@@ -3,10 +3,10 @@
 use super::random_launch;
 use toytop::{Motion, ParameterError, Regime};
 use toytop_host::input::random::Random;
-use toytop_host::motion::MotionConstants;
+use toytop_host::motion::MotionWithPeriod;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::{
-    DynEphemeris, EphemerisOptions, EventFilter, EventKind, search, smallest_ephemeris,
+    DynEphemeris, EventKind, EventQuery, ephemeris_for, ephemeris_with, search,
 };
 use toytop_host::motion::errors::{greater, rate_error};
 use toytop_host::truth::float640::{Float640, from_f64, from_i64, to_i64};
@@ -66,9 +66,9 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
     let mut random = Random::new(seed, number);
     let input = random_launch::draw(&mut random);
     let motion = input.motion()?;
-    let constants = MotionConstants::new(motion);
+    let constants = MotionWithPeriod::new(motion);
     let (period, rate) = (constants.time_scale(), constants.ticks_per_time());
-    let tables = Scalar::ALL.map(|scalar| smallest_ephemeris(scalar, &motion).ok());
+    let tables = Scalar::ALL.map(|scalar| ephemeris_for(scalar, &motion).ok());
     let times = [(); NORM_TIMES].map(|()| random.between(0.0, period));
     let mut errors = tables.each_ref().map(|table| {
         let table = table.as_deref()?;
@@ -105,8 +105,9 @@ fn ratio(error: f64, bound: f64) -> f64 {
 
 /// Greatest error of the norm at these times, and of u at both turning points, over the bound.
 fn norm_over_bound(table: &dyn DynEphemeris, motion: &Motion, times: &[f64]) -> f64 {
-    let (e, filter) = (motion.branch_points(), EventFilter { from: 0.0, upward: None, count: 2 });
-    let turning = search(table, motion, EventKind::Turning, &filter).unwrap_or_default();
+    let e = motion.branch_points();
+    let query = EventQuery { kind: EventKind::Turning, from: 0.0, upward: None, count: 2 };
+    let turning = search(table, motion, &query).unwrap_or_default();
     let turning = turning.into_iter().map(|event| (event.t, if event.upward { e.e2 } else { e.e1 }));
     let turning = turning.filter(|_| motion.regime() == Regime::Nutating);
     let norms = times.iter().map(|&t| (t, table.pose(t).orientation.norm_squared() - 1.0));
@@ -152,8 +153,8 @@ fn nearest(tick: i64, place: &Float640, period: &Float640) -> Option<i64> {
 
 /// For each scalar, the tick of the first period at which its rates differ most from those of a finer table.
 fn most_different_rates(tables: &[Option<Box<dyn DynEphemeris>>], motion: &Motion, period: f64) -> Vec<i64> {
-    let options = EphemerisOptions { truncation: Some(FINE_TRUNCATION), ..Scalar::F64.into() };
-    let Ok(finer) = smallest_ephemeris(options, motion) else { return Vec::new() };
+    let finer = ephemeris_with(Scalar::F64, motion, None, Some(FINE_TRUNCATION));
+    let Ok(finer) = finer else { return Vec::new() };
     let tick = |place: i64| (period * place as f64 / RATE_TICKS as f64) as i64;
     let fine: Vec<_> = (0..RATE_TICKS).map(tick).map(|tick| (tick, finer.at_tick(tick).rates)).collect();
     let most = |table: &dyn DynEphemeris| {

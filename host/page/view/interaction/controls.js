@@ -28,7 +28,11 @@ const WEIGHT_KEYS = ["mass", "mass_moment", "com_height", "gravity"];
 /** Control for a number of the top, by its key in a scenario. */
 const topControl = (key, label, unit, define, scale = LOGARITHMIC, range = aroundValue) => ({
   key, label, unit, define, group: "top", scale, range,
-  read: ({ top }) => (top.support === "free" && WEIGHT_KEYS.includes(key) ? undefined : (top[key] ?? DEFAULTS[key])),
+  read: ({ top }) => {
+    if (top.support === "free" && WEIGHT_KEYS.includes(key)) return undefined;
+    // a logarithmic scale has no 0, which stands for a number that is not given
+    return (top[key] ?? DEFAULTS[key]) || (scale === LOGARITHMIC ? undefined : 0);
+  },
   write: (scenario, x) => ({ ...scenario, top: { ...scenario.top, [key]: x } }),
 });
 

@@ -1,13 +1,14 @@
 // Buttons, sliders, keys and the address call the functions of the page.
 
 import { numberOf } from "../motion/text.js";
+import { data } from "../motion/data.js";
 import { SUPPORTS } from "../motion/core.js";
 import { asBranchPoints, toToml, withSupport } from "../motion/scenario.js";
 import { presetsOf } from "../motion/presets.js";
 import { palette, sizes } from "../pictures/canvas.js";
 import { element, mark, showMessage } from "./document.js";
 import { CONTROLS } from "./controls.js";
-import { addressFragment, change, clock, data, FLAT_PICTURES, go, play, redraw, updateAddress, scene, setScenario, setSpeed, show, shown, START_VIEW, startComparison, state } from "./state.js";
+import { addressFragment, change, clock, FLAT_PICTURES, go, play, redraw, updateAddress, scene, setScenario, setSpeed, show, shown, START_VIEW, startComparison, state } from "./state.js";
 import { canFilm, copy, download, fileName, filmer, savePng, svgOf } from "./save.js";
 import { listenToRoots, listenToTurns } from "./drag.js";
 

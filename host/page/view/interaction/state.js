@@ -2,6 +2,7 @@
 
 import { decimals, numberOf, short } from "../motion/text.js";
 import { degrees } from "../motion/angles.js";
+import { data } from "../motion/data.js";
 import { Core, refusalText } from "../motion/core.js";
 import { fromFragment, toFragment } from "../motion/scenario.js";
 import { curveReason, poseFacts, paperFacts, summaryOf, teachersFacts } from "../motion/facts.js";
@@ -16,8 +17,6 @@ import { drawPotential } from "../pictures/potential.js";
 import { element, fillTable, mark, showMessage } from "./document.js";
 import { showControls, typed } from "./controls.js";
 import { Clock } from "./clock.js";
-
-export const data = JSON.parse(element("data").textContent);
 
 /** Greatest time that the field accepts, s: 30 thousand years. */
 const FURTHEST = 1e12;

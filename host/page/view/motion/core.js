@@ -1,23 +1,20 @@
 // The core, as WebAssembly, takes a scenario and returns the constants of the motion and its state at any time, in the crate's bits.
 // The comparison top is integrated by the Runge-Kutta method.
 
-/** Default values of the keys of a scenario. */
-export const DEFAULTS = { gravity: 9.80665, rotor_momentum: 0, precession: 0, nutation: 0, azimuth_deg: 0, roll_deg: 0, nutation_phase: 0, arg_alpha: 0, arg_beta: 0 };
+import { data } from "./data.js";
 
-/** Supports of the tip, in the order of the core's numbers. */
-export const SUPPORTS = ["sliding", "fixed", "free"];
+const { supports, top, kinds } = data.keys;
+const namesOf = (keys) => keys.map(([name]) => name);
 
-export const TOP_KEYS = ["transverse_inertia", "axial_inertia", "com_height", "mass", "mass_moment", "gravity", "rotor_momentum"];
-
-/** Keys of each kind of motion, in the order in which the core takes their numbers. */
-export const MOTION_KEYS = {
-  release: ["tilt_deg", "spin", "precession", "nutation", "azimuth_deg", "roll_deg"],
-  state: ["alpha", "beta", "omega"],
-  branch_points: ["e1", "e2", "e3", "sign_l_plus_n", "sign_l_minus_n", "nutation_phase", "arg_alpha", "arg_beta"],
-};
+/** Supports of the tip, keys of a top, and keys of each kind of motion, in the order in which the core takes their numbers. */
+export const SUPPORTS = supports;
+export const TOP_KEYS = namesOf(top);
+export const MOTION_KEYS = Object.fromEntries(kinds.map(([kind, keys]) => [kind, namesOf(keys)]));
+/** Default values of keys; null for a required one. */
+export const DEFAULTS = Object.fromEntries([top, ...kinds.map(([, keys]) => keys)].flat());
 export const KINDS = Object.keys(MOTION_KEYS);
 
-/** Numbers of a scenario in the order in which the core takes them: those of the top, with 0 for missing ones, then those of the motion. */
+/** Numbers of a scenario in the order in which the core takes them: those of the top, then those of the motion. */
 function numbersOf({ top, motion }) {
   const value = (key, from) => from[key] ?? DEFAULTS[key] ?? 0;
   const topNumbers = TOP_KEYS.map((key) => value(key, top));

@@ -12,7 +12,7 @@ use toytop_host::{Failure, Report};
 
 /// Picture of a motion: curve of the tip or axis, tilt, precession, potential
 ///
-/// For a held tip, --kind tip draws the end of a unit vector along the axis: minus the tip of toytop state.
+/// For a held tip, --kind tip draws the axis, which is minus the tip of toytop state.
 #[derive(Args)]
 #[command(after_help = "Symbols:\n  \
         u     cosine of the tilt, e1 <= u <= e2\n  \
@@ -55,7 +55,7 @@ enum PlotKind {
 
 pub fn run(arguments: &PlotArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
-    let scene = scene(arguments, &scenario).map_err(|failure| failure.of_motion(&scenario.name))?;
+    let scene = scene(arguments, &scenario).map_err(|failure| failure.with_motion_name(&scenario.name))?;
     drawing::write("--output", &arguments.output, &scene, arguments.size)?;
     Ok(Report::default().with_notes(warnings(&[scenario])))
 }

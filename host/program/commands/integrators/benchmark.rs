@@ -6,7 +6,7 @@ use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 use toytop_host::input::times::Times;
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::smallest_ephemeris;
+use toytop_host::motion::ephemeris::ephemeris_for;
 use toytop_host::output::table::{Column, TextTable};
 use toytop_host::output::{self, Format, eight_digits};
 use toytop_host::score::trajectory::to_symmetry_axis;
@@ -37,10 +37,9 @@ pub struct BenchmarkArgs {
 const COLUMNS: [&str; 11] = ["t", "x_com", "y_com", "z_com", "w", "x", "y", "z", "wx", "wy", "wz"];
 
 /// Numbers at one time, by [`COLUMNS`]: texts of 30 digits, or numbers of the ephemeris.
-#[derive(Default)]
-struct Row([Value; 11]);
+struct BenchmarkRow([Value; 11]);
 
-impl Serialize for Row {
+impl Serialize for BenchmarkRow {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(COLUMNS.iter().zip(&self.0))
     }
@@ -55,7 +54,7 @@ struct Line<'a> {
 }
 
 /// Problem of the list. The names are the keys of JSON.
-#[derive(Default, Serialize)]
+#[derive(Serialize)]
 struct ListedProblem {
     benchmark: String,
     title: String,
@@ -88,7 +87,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
     });
     let table = || {
         let mut lines = Vec::new();
-        for Row(numbers) in &rows {
+        for BenchmarkRow(numbers) in &rows {
             let named = COLUMNS.into_iter().zip(numbers).skip(1);
             lines.extend(named.map(|(quantity, value)| Line { t: &numbers[0], quantity, value }));
         }
@@ -99,7 +98,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
             about.title,
             about.source,
             about.symmetry_axis,
-            TextTable::of_all(&lines, eight_digits).aligned()
+            TextTable::from_rows(&lines, eight_digits).aligned()
         )
     };
     Ok(output::render(*format, &document, &rows, table).into())
@@ -129,18 +128,18 @@ fn list_problems(format: Format) -> Result<Report, Failure> {
 }
 
 /// Values of a sample with 30 digits.
-fn reference_row(sample: &ReferenceSample) -> Row {
+fn reference_row(sample: &ReferenceSample) -> BenchmarkRow {
     let ReferenceSample { t, position: [x_com, y_com, z_com], quaternion: [w, x, y, z], omega_body } = sample;
     let [wx, wy, wz] = omega_body;
     let texts = [t, x_com, y_com, z_com, w, x, y, z, wx, wy, wz];
-    Row(texts.map(|text| Value::from(&**text)))
+    BenchmarkRow(texts.map(|text| Value::from(&**text)))
 }
 
 /// Values of the ephemeris at any times, with 17 digits.
-fn computed_rows(problem: &Problem, times: &str) -> Result<Vec<Row>, Failure> {
+fn computed_rows(problem: &Problem, times: &str) -> Result<Vec<BenchmarkRow>, Failure> {
     let Problem { scenario, about, .. } = problem;
     let times = Times::parse(times)?;
-    let table = smallest_ephemeris(Scalar::F64, &scenario.motion)
+    let table = ephemeris_for(Scalar::F64, &scenario.motion)
         .map_err(|failure| failure.with_context(&scenario.name))?;
     times.require_within(table.furthest_time(), "")?;
     let row = |t: &f64| {
@@ -149,7 +148,7 @@ fn computed_rows(problem: &Problem, times: &str) -> Result<Vec<Row>, Failure> {
         let [x_com, y_com, z_com] = sample.pose.orientation.axis().map(|x| about.length * x);
         let [w, x, y, z] = orientation.quaternion();
         let [wx, wy, wz] = orientation.inverse().adjoint(sample.rates.omega);
-        Row([*t, x_com, y_com, z_com, w, x, y, z, wx, wy, wz].map(Value::from))
+        BenchmarkRow([*t, x_com, y_com, z_com, w, x, y, z, wx, wy, wz].map(Value::from))
     };
     Ok(times.seconds.iter().map(row).collect())
 }

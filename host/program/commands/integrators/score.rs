@@ -8,13 +8,13 @@ use serde_json::json;
 use std::path::{Path, PathBuf};
 use toytop_host::files::whole_file;
 use toytop_host::input::scenario::Scenario;
-use toytop_host::motion::MotionConstants;
+use toytop_host::motion::MotionWithPeriod;
 use toytop_host::output::table::{Column, TextTable};
 use toytop_host::output::{self, Format, or_dash, short, two_digits};
 use toytop_host::pictures::drawing;
 use toytop_host::pictures::drawing::chart::{Chart, Curve};
-use toytop_host::score::errors::{Score, Scorer};
 use toytop_host::score::order;
+use toytop_host::score::scorer::{Score, Scorer};
 use toytop_host::score::trajectory::Trajectory;
 use toytop_host::{Failure, Report};
 
@@ -52,7 +52,7 @@ pub struct ScoreArgs {
 }
 
 /// File with its errors. The names are the keys of JSON.
-#[derive(Default, Serialize)]
+#[derive(Serialize)]
 struct ScoredFile {
     name: String,
     method: Option<String>,
@@ -203,7 +203,7 @@ fn draw(
     integrators: &[Integrator],
 ) -> Result<(), Failure> {
     let counted = files.iter().all(|file| file.evaluations.is_some());
-    let period = MotionConstants::new(scenario.motion).time_scale();
+    let period = MotionWithPeriod::new(scenario.motion).time_scale();
     let point = |file: &ScoredFile| {
         let steps = file.step.map(|step| period / step);
         let work = if counted { file.evaluations } else { steps }.ok_or_else(|| {

@@ -77,7 +77,7 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
         Scalar::Q31 => baked::<I2F30>(arguments, &scenario, tick, &title),
         Scalar::Q15 => baked::<I2F14>(arguments, &scenario, tick, &title),
     }
-    .map_err(|failure| failure.of_motion(&scenario.name))?;
+    .map_err(|failure| failure.with_motion_name(&scenario.name))?;
     let mut report = Report::default();
     match &arguments.output {
         None => report.text = text,

@@ -5,11 +5,11 @@ use clap::Args;
 use serde_json::Value;
 use std::path::PathBuf;
 use toytop_host::input::scenario::{Scenario, Units};
-use toytop_host::motion::value;
+use toytop_host::motion::constant_as_json;
 use toytop_host::output::table::TextTable;
 use toytop_host::output::{self, Format, eight_digits};
 use toytop_host::{Failure, Report};
-use toytop_model::constants::{CONSTANTS, Constant, MotionConstants};
+use toytop_model::constants::{CONSTANTS, Constant, MotionWithPeriod};
 
 /// First integrals, branch points, period and mean rotations
 #[derive(Args)]
@@ -29,8 +29,9 @@ pub struct ConstantsArgs {
 
 pub fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
-    let motion = MotionConstants::new(scenario.motion);
-    let values: Value = CONSTANTS.iter().map(|constant| (constant.name, value(constant, &motion))).collect();
+    let motion = MotionWithPeriod::new(scenario.motion);
+    let values: Value =
+        CONSTANTS.iter().map(|constant| (constant.name, constant_as_json(constant, &motion))).collect();
     let table = || {
         let line = |constant: &Constant| {
             let unit = constant.unit;

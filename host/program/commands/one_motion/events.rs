@@ -9,7 +9,7 @@ use toytop::{Phase, Support};
 use toytop_host::input::scenario::{Scenario, Units};
 use toytop_host::input::{finite, require_within};
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::{EventFilter, EventKind, FoundEvent, search, smallest_ephemeris};
+use toytop_host::motion::ephemeris::{EventKind, EventQuery, MotionEvent, ephemeris_for, search};
 use toytop_host::motion::sample::Sample;
 use toytop_host::output::table::{Column, TextTable};
 use toytop_host::output::{self, Format, eight_digits, or_dash, short, two_digits};
@@ -31,7 +31,7 @@ pub struct EventsArgs {
     scenario: PathBuf,
     /// Events listed below, separated by commas; :up or :down after one selects the times at which u (or the tip angle) rises or falls
     #[arg(long = "kind", value_name = "KIND,...", value_delimiter = ',', default_value = "turning", allow_hyphen_values = true, value_parser = kind)]
-    kinds: Vec<EventRequest>,
+    kinds: Vec<KindArgument>,
     /// Time of the earliest event to list, s
     #[arg(long, value_name = "T", default_value_t = 0.0, allow_hyphen_values = true, value_parser = time)]
     from: f64,
@@ -43,17 +43,17 @@ pub struct EventsArgs {
     format: Format,
 }
 
-/// Events on the command line.
+/// Value of --kind.
 #[derive(Clone, PartialEq)]
-pub struct EventRequest {
-    event: EventKind,
+pub struct KindArgument {
+    kind: EventKind,
     /// Whether only upward (`true`) or only downward (`false`) events count; `None` for both.
     upward: Option<bool>,
     /// Text of the command line that names it.
     text: String,
 }
 
-fn kind(text: &str) -> Result<EventRequest, String> {
+fn kind(text: &str) -> Result<KindArgument, String> {
     const ALLOWED: &str = "must be turning, tilt=DEGREES, tip-angle=DEGREES, circle=RADIUS or lift-off, with or without :up or :down";
     let (rest, upward) = match text.rsplit_once(':') {
         Some((rest, "up")) => (rest, Some(true)),
@@ -61,7 +61,7 @@ fn kind(text: &str) -> Result<EventRequest, String> {
         Some(_) => return Err(ALLOWED.to_owned()),
         None => (text, None),
     };
-    let event = match rest.split_once('=').map(|(name, value)| (name, finite(value))) {
+    let kind = match rest.split_once('=').map(|(name, value)| (name, finite(value))) {
         None if rest == "turning" => EventKind::Turning,
         None if rest == "lift-off" => EventKind::LiftOff,
         Some(("tilt", Some(degrees))) if (0.0..=180.0).contains(&degrees) => {
@@ -76,7 +76,7 @@ fn kind(text: &str) -> Result<EventRequest, String> {
         Some(("circle", Some(_))) => return Err("circle: must be above 0".to_owned()),
         _ => return Err(ALLOWED.to_owned()),
     };
-    Ok(EventRequest { event, upward, text: text.to_owned() })
+    Ok(KindArgument { kind, upward, text: text.to_owned() })
 }
 
 fn time(text: &str) -> Result<f64, &'static str> {
@@ -86,40 +86,46 @@ fn time(text: &str) -> Result<f64, &'static str> {
 pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let (motion, from, count) = (&scenario.motion, arguments.from, arguments.count as usize);
-    let table =
-        smallest_ephemeris(Scalar::F64, motion).map_err(|failure| failure.with_context(&scenario.name))?;
+    let table = ephemeris_for(Scalar::F64, motion).map_err(|failure| failure.with_context(&scenario.name))?;
     require_within([from], table.furthest_time(), " s").map_err(|failure| failure.with_context("--from"))?;
     let mut events = Vec::new();
-    for kind in &arguments.kinds {
-        if kind.event == EventKind::LiftOff && motion.top().support() != Support::Sliding {
+    for argument in &arguments.kinds {
+        let KindArgument { kind, upward, text } = argument;
+        if *kind == EventKind::LiftOff && motion.top().support() != Support::Sliding {
             let reason = "--kind: lift-off: none, because the tip does not slide on a plane";
             return Err(Failure::Method(reason.to_owned()));
         }
         // only a circle depends on the top
         let refused = |_| {
             let below = short(motion.top().tip_scale(), 6);
-            Failure::Input(format!("--kind: {}: must be above 0 and below {below}", kind.text))
+            Failure::Input(format!("--kind: {text}: must be above 0 and below {below}"))
         };
-        let filter = EventFilter { from, upward: kind.upward, count };
-        let found = search(&*table, motion, kind.event, &filter).map_err(refused)?;
-        events.extend(found.into_iter().map(|event| (kind, event)));
+        let query = EventQuery { kind: *kind, from, upward: *upward, count };
+        let found = search(&*table, motion, &query).map_err(refused)?;
+        events.extend(found.into_iter().map(|event| (argument, event)));
     }
     events.sort_by(|(_, a), (_, b)| a.t.total_cmp(&b.t));
     events.truncate(count);
-    let rows: Vec<_> = events.iter().map(|(kind, event)| EventRow::new(kind, event)).collect();
+    let rows: Vec<_> = events.iter().map(|(argument, event)| EventRow::new(argument, event)).collect();
     let table = || match &rows[..] {
         [] => "no such event\n".to_owned(),
         _ => TextTable::new(2, &columns(scenario.units), &rows).aligned(),
     };
-    let text = output::render(arguments.format, &json!({ "events": rows }), &rows, table);
+    let text = match (arguments.format, &rows[..]) {
+        (Format::Csv, []) => output::csv_line(HEADER),
+        (format, rows) => output::render(format, &json!({ "events": rows }), rows, table),
+    };
     // no warning that the top leaves the plane if the command asks for these times
-    let asked = arguments.kinds.iter().any(|kind| kind.event == EventKind::LiftOff);
+    let asked = arguments.kinds.iter().any(|argument| argument.kind == EventKind::LiftOff);
     let notes = if asked { Vec::new() } else { warnings(&[scenario]) };
     Ok(Report::from(text).with_notes(notes))
 }
 
+/// Names of the columns of CSV, where there is no event.
+const HEADER: [&str; 9] = ["t", "kind", "sense", "u", "tilt_deg", "tip_x", "tip_y", "phi_deg", "time_error"];
+
 /// Event. The names are the keys of JSON.
-#[derive(Default, Serialize)]
+#[derive(Serialize)]
 struct EventRow<'a> {
     /// Time, s.
     t: f64,
@@ -140,9 +146,9 @@ struct EventRow<'a> {
 }
 
 impl<'a> EventRow<'a> {
-    fn new(kind: &'a EventRequest, event: &FoundEvent) -> Self {
+    fn new(argument: &'a KindArgument, event: &MotionEvent) -> Self {
         let Sample { pose, tip_angle, .. } = &event.sample;
-        let sense = match (kind.event, event.upward) {
+        let sense = match (argument.kind, event.upward) {
             (EventKind::Turning, true) => "upper",
             (EventKind::Turning, false) => "lower",
             (_, true) => "up",
@@ -151,7 +157,7 @@ impl<'a> EventRow<'a> {
         let tilt = 2.0 * pose.orientation.beta.modulus().atan2(pose.orientation.alpha.modulus());
         Self {
             t: event.t,
-            kind: &kind.text,
+            kind: &argument.text,
             sense,
             u: pose.u,
             tilt_deg: tilt.to_degrees(),
@@ -183,13 +189,16 @@ mod tests {
 
     #[test]
     fn kinds_are_read_and_refused() {
-        assert_eq!(kind("turning").map(|kind| (kind.event, kind.upward)), Ok((EventKind::Turning, None)));
         assert_eq!(
-            kind("tilt=30:up").map(|kind| (kind.event, kind.upward)),
+            kind("turning").map(|argument| (argument.kind, argument.upward)),
+            Ok((EventKind::Turning, None))
+        );
+        assert_eq!(
+            kind("tilt=30:up").map(|argument| (argument.kind, argument.upward)),
             Ok((EventKind::Tilt(30_f64.to_radians()), Some(true)))
         );
         assert_eq!(
-            kind("tip-angle=-90").map(|kind| kind.event),
+            kind("tip-angle=-90").map(|argument| argument.kind),
             Ok(EventKind::TipAngle(Phase::from_turns(-0.25)))
         );
         for bad in [

@@ -13,12 +13,12 @@ use toytop_host::files::whole_file;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::input::times::{Times, TimesArgs};
 use toytop_host::motion::column::SampleColumn;
-use toytop_host::motion::ephemeris::{EphemerisOptions, smallest_ephemeris};
+use toytop_host::motion::ephemeris::ephemeris_with;
 use toytop_host::motion::full_equations;
 use toytop_host::motion::sample::{Sample, body_rates};
 use toytop_host::motion::stepper::{stepped, steps_needed};
 use toytop_host::motion::tip_angle::TipAngle;
-use toytop_host::motion::{MotionConstants, Scalar};
+use toytop_host::motion::{MotionWithPeriod, Scalar};
 use toytop_host::output::Format;
 use toytop_host::terminal::progress::Progress;
 use toytop_host::terminal::rows::write_rows;
@@ -115,7 +115,7 @@ fn sampler(
     let samples = match (arguments.method, arguments.scalar) {
         (Method::Ephemeris, scalar) => return by_ephemeris(scalar, scenario, times, rate),
         (Method::Stepper, scalar) => {
-            let step = MotionConstants::new(*motion).time_scale()
+            let step = MotionWithPeriod::new(*motion).time_scale()
                 / f64::from(arguments.steps_per_period.unwrap_or(4096));
             let progress = Progress::new(steps_needed(&times.seconds, step)?, "steps");
             stepped(scalar, motion, &times.seconds, step, |steps| progress.add(steps))?
@@ -148,7 +148,7 @@ fn by_ephemeris(
             Some(Tick::ratio(rate[0], rate[1]).map_err(|error| Failure::Input(format!("--hertz: {error}")))?)
         }
     };
-    let table = smallest_ephemeris(EphemerisOptions { tick, ..scalar.into() }, motion).map_err(named)?;
+    let table = ephemeris_with(scalar, motion, tick, None).map_err(named)?;
     if tick.is_some() && motion.regime() != Regime::Aperiodic {
         return Ok(Box::new(move |index| {
             let (tick, t) = (times.ticks[index as usize], times.seconds[index as usize]);
@@ -164,7 +164,7 @@ fn by_closed_form(scenario: &Scenario, times: Times) -> Result<Box<Sampler>, Fai
     let motion = &scenario.motion;
     let form = ClosedForm::from_motion(motion)
         .map_err(|refusal| Failure::Method(refusal.to_string()).with_context(&scenario.name))?;
-    let furthest = MotionConstants::new(*motion).furthest_time_of_closed_form();
+    let furthest = MotionWithPeriod::new(*motion).furthest_time_of_closed_form();
     times.require_within(furthest, " with --method closed-form")?;
     let angle = TipAngle::new(motion)?;
     Ok(Box::new(move |index| {

@@ -12,9 +12,9 @@ use toytop_host::files::doc_page::DocPage;
 use toytop_host::input::builtin;
 use toytop_host::input::random::Random;
 use toytop_host::input::scenario::{Launch, Scenario};
-use toytop_host::motion::ephemeris::smallest_ephemeris;
+use toytop_host::motion::ephemeris::ephemeris_for;
 use toytop_host::motion::errors::Errors;
-use toytop_host::motion::{MotionConstants, Scalar};
+use toytop_host::motion::{MotionWithPeriod, Scalar};
 use toytop_host::output::table::TextTable;
 use toytop_host::output::{self, Format};
 use toytop_host::parallel::thread_pool;
@@ -40,7 +40,7 @@ pub struct AccuracyArgs {
 }
 
 /// Errors of a scalar. The names are the keys of JSON.
-#[derive(Default, Serialize)]
+#[derive(Serialize)]
 struct ScalarErrors {
     /// Name of the scalar.
     scalar: &'static str,
@@ -81,7 +81,7 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
                 max_orientation_error_rad: errors.orientation,
                 max_tip_error_per_s: errors.tip,
                 max_norm_defect: errors.norm,
-                max_energy_defect: errors.drift.h,
+                max_energy_defect: errors.drift[2],
                 first_tick,
                 last_tick,
             });
@@ -90,7 +90,7 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
     }
     let table_of_totals = |text: fn(f64) -> String| {
         let line = |(scalar, errors): &(&str, Errors)| {
-            let errors = [errors.orientation, errors.tip, errors.norm, errors.drift.h];
+            let errors = [errors.orientation, errors.tip, errors.norm, errors.drift[2]];
             once((*scalar).to_owned()).chain(errors.map(text)).collect()
         };
         let header = HEADINGS.map(str::to_owned).to_vec();
@@ -152,9 +152,9 @@ fn input_of(scenario: &Scenario) -> Option<MotionInput> {
 fn errors_of_motion(input: &MotionInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
     let motion = input.motion().map_err(|error| Failure::Input(format!("{input:?}: {error}")))?;
     let tables =
-        scalars.iter().map(|&scalar| smallest_ephemeris(scalar, &motion)).collect::<Result<Vec<_>, _>>()?;
+        scalars.iter().map(|&scalar| ephemeris_for(scalar, &motion)).collect::<Result<Vec<_>, _>>()?;
     let truth = Quadrature::new(input);
-    let rate = MotionConstants::new(motion).ticks_per_time();
+    let rate = MotionWithPeriod::new(motion).ticks_per_time();
     let mut random = Random::new(1, 0);
     let mut found = vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];
     for octave in 0..=OCTAVES {

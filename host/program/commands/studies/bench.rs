@@ -32,7 +32,7 @@ const TOLERANCE: f64 = 1e-12;
 const RUNS: u32 = 5;
 
 /// Time of a task. The names are the keys of JSON.
-#[derive(Default, Serialize)]
+#[derive(Serialize)]
 struct TimedTask {
     /// Task.
     what: String,

@@ -180,7 +180,7 @@ fn report_on_launches(
             "{}\nMotion and table of 200 launches: tilt 0 to 180 degrees, spin 0 to 1000 rad/s, A/(ps) 0.01 to 1000, both \
              supports, corners; at most 64 segments. Instructions are exact to 40; cycles are those of bench_launch in \
              proportion (model). A slice is the time between two calls of the set-up's function.\n",
-            TextTable::of_all(&rows, eight_digits).aligned()
+            TextTable::from_rows(&rows, eight_digits).aligned()
         )
     };
     Ok(output::render(arguments.format, &json!({ "rows": rows }), &rows, table).into())
@@ -211,7 +211,7 @@ fn report_on_calls(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -
         format!(
             "{}\nThe costliest of several calls. Instructions are exact; cycles are a model (published timings, no wait states); \
              stack, flash, RAM in bytes; tick_percent of a tick of 1 kHz.\n",
-            TextTable::of_all(&records, |x| short(x, 3)).aligned()
+            TextTable::from_rows(&records, |x| short(x, 3)).aligned()
         )
     };
     Ok(output::render(arguments.format, &json!({ "rows": records }), &records, table).into())

@@ -4,7 +4,7 @@ mod bounds;
 
 use crate::commands::options::{Method, Scalars, scalars};
 use crate::commands::warnings;
-use bounds::{Verdict, bound, bounds_of_builtin, horizon, steps_per_period};
+use bounds::{Verdict, bound, bounds_of_builtin, compared_time, steps_per_period};
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;
@@ -16,12 +16,12 @@ use toytop::scalar::Real;
 use toytop_host::input::builtin;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::input::times::spread_times;
-use toytop_host::motion::ephemeris::smallest_ephemeris;
+use toytop_host::motion::ephemeris::ephemeris_for;
 use toytop_host::motion::errors::Errors;
 use toytop_host::motion::full_equations;
 use toytop_host::motion::sample::Sample;
 use toytop_host::motion::stepper::TimedStepper;
-use toytop_host::motion::{MotionConstants, Scalar};
+use toytop_host::motion::{MotionWithPeriod, Scalar};
 use toytop_host::output::table::TextTable;
 use toytop_host::output::{self, Format, or_dash, short};
 use toytop_host::truth::full_solver::FullState;
@@ -61,7 +61,7 @@ const PROPAGATORS: [(Method, Scalar); 6] = [
 const SAMPLES: u32 = 64;
 
 /// Greatest errors of a propagator on a motion; `None` where no table is large enough. The names are the keys of JSON.
-#[derive(Clone, Default, Serialize)]
+#[derive(Clone, Serialize)]
 struct Comparison<'a> {
     motion: &'a str,
     scalar: &'static str,
@@ -153,7 +153,7 @@ fn compare<'a>(
 ) -> Result<Vec<Comparison<'a>>, Failure> {
     let (motion, name, periods) = (&scenario.motion, &*scenario.name, arguments.periods);
     let tighter = arguments.scenarios.is_empty().then(|| bounds_of_builtin(name)).flatten();
-    let (time, remark) = horizon(motion, periods);
+    let (time, remark) = compared_time(motion, periods);
     notes.extend(remark.map(|remark| format!("{name}: {remark}")));
     let times = spread_times(time, SAMPLES * periods);
     let mut cache = SolverCache::default();
@@ -181,9 +181,9 @@ fn compare<'a>(
             max_orientation_error_rad: error(|errors| errors.orientation),
             max_u_error: error(|errors| errors.u),
             max_tip_error_per_s: error(|errors| errors.tip),
-            h_drift: error(|errors| errors.drift.h),
-            l_drift: error(|errors| errors.drift.l),
-            n_drift: error(|errors| errors.drift.n),
+            h_drift: error(|errors| errors.drift[2]),
+            l_drift: error(|errors| errors.drift[0]),
+            n_drift: error(|errors| errors.drift[1]),
             steps: run.steps,
             table: run.table,
             ns: run.ns,
@@ -223,7 +223,7 @@ fn timed_samples(times: &[f64], mut sample: impl FnMut(f64) -> Sample) -> (Vec<S
 
 /// Run of the stepper through the times.
 fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
-    let step = MotionConstants::new(*motion).time_scale() / f64::from(steps_per_period(scalar));
+    let step = MotionWithPeriod::new(*motion).time_scale() / f64::from(steps_per_period(scalar));
     let mut timed = TimedStepper::<R>::new(motion, step);
     let (samples, ns) = timed_samples(times, |t| {
         timed.reach(t, |_| ());
@@ -238,7 +238,7 @@ fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
 /// # Errors
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
 fn run_ephemeris(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
-    let table = smallest_ephemeris(scalar, motion)?;
+    let table = ephemeris_for(scalar, motion)?;
     let (samples, ns) = timed_samples(times, |t| table.at(t));
     let ticks = times.last().map_or(0.0, |last| last * table.ticks_per_time());
     let (table_bound, [segments, terms]) = (Some(table.error_bound().after(ticks)), table.size());

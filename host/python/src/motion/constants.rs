@@ -2,14 +2,14 @@
 
 use crate::motion::MotionCore;
 use pyo3::prelude::*;
-use toytop_model::constants::{self, MotionConstants, number_constants};
+use toytop_model::constants::{self, MotionWithPeriod, number_constants};
 
 #[pymethods]
 impl MotionCore {
     /// Constant of this name; NaN where it does not exist.
     pub(crate) fn constant(&self, name: &str) -> f64 {
         let value = number_constants().find(|(known, _)| *known == name);
-        value.map_or(f64::NAN, |(_, value)| value(&MotionConstants::new(self.motion)))
+        value.map_or(f64::NAN, |(_, value)| value(&MotionWithPeriod::new(self.motion)))
     }
 
     #[getter]

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use std::f64::consts::TAU;
 use toytop::{Phase, Support, Top};
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::{EventFilter, EventKind, FoundEvent, search};
+use toytop_host::motion::ephemeris::{EventKind, EventQuery, MotionEvent, search};
 use toytop_host::motion::sample::Sample;
 
 /// Kind of an event by its name, with `-` or `_` between words.
@@ -59,10 +59,10 @@ impl MotionCore {
         let (motion, table) = (self.motion, py.detach(|| self.table(Scalar::F64))?);
         within(table.furthest_time(), &[start])
             .map_err(|_| value_error("start", "must be within 2^62 ticks"))?;
-        let filter = EventFilter { from: start, upward, count };
-        let found = interrupt::interruptible(py, move || search(&*table, &motion, kind, &filter))?;
+        let query = EventQuery { kind, from: start, upward, count };
+        let found = interrupt::interruptible(py, move || search(&*table, &motion, &query))?;
         let found = found.map_err(|error| renamed(error, &[("tilt", "value"), ("radius", "value")]))?;
-        let row = |event: &FoundEvent| {
+        let row = |event: &MotionEvent| {
             let error = event.time_error.unwrap_or(f64::NAN);
             let Sample { pose, tip_angle, .. } = event.sample;
             let (up, angle) = (f64::from(event.upward), tip_angle.unwrap_or(f64::NAN));

@@ -3,8 +3,8 @@
 use crate::Failure;
 use crate::input::section::{Key, Section};
 use crate::input::units::{RADIANS, RATE};
-use toytop::{Complex, InitialAngles, Motion, Orientation, Release, Sign, Signs, State, Top};
-use toytop_model::angles::{angle, tilt};
+use toytop::{Complex, InitialAngles, Motion, Orientation, Release, Signs, State, Top};
+use toytop_model::scenario::{branch_points, release};
 
 const RATE_RANGE: &str = "a number of rad/s, at most 1e11 in size";
 const SPIN: &str = "a number of rad/s, at most 1e11 in size: the whole component of omega along the axis";
@@ -43,10 +43,9 @@ static BRANCH_POINTS: [Key; 8] = [
     Key::optional("arg_beta", 0.0, ANGLE).with_units(RADIANS),
 ];
 
-/// Keys of all kinds.
-pub fn keys() -> impl Iterator<Item = &'static Key> {
-    RELEASE.iter().chain(&STATE).chain(&BRANCH_POINTS)
-}
+/// Kinds of motion with their keys, in the order of the numbers of a page.
+pub static KINDS: [(&str, &[Key]); 3] =
+    [("release", &RELEASE), ("state", &STATE), ("branch_points", &BRANCH_POINTS)];
 
 /// Keys of a kind that hold one number each.
 pub fn numbers(kind: &str) -> &'static [Key] {
@@ -94,14 +93,11 @@ pub fn fastest_rate(release: &Release) -> &'static str {
 /// Motion, and its launch.
 pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Launch), Failure> {
     let refused = |error| section.refusal(&error);
-    let kind = section.choice("kind", &["release", "state", "branch_points"], None)?;
+    let kind = section.choice("kind", &KINDS.map(|(name, _)| name), None)?;
     let choice = Some(("kind", kind));
     let (state, fastest) = match kind {
         "release" => {
-            let [tilt_deg, spin, precession, nutation, azimuth_deg, roll_deg] =
-                section.only_numbers(choice, &RELEASE)?;
-            let (tilt, azimuth, roll) = (tilt(tilt_deg), angle(azimuth_deg), angle(roll_deg));
-            let release = Release { tilt, azimuth, roll, spin, precession, nutation };
+            let release = release(section.only_numbers(choice, &RELEASE)?);
             (State::from_release(&release), fastest_rate(&release))
         }
         "state" => {
@@ -112,15 +108,13 @@ pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Launch), Failur
             (State::new(orientation, section.array(omega, None)?), "omega")
         }
         _ => {
-            let [e1, e2, e3, plus, minus, theta, arg_alpha, arg_beta] =
-                section.only_numbers(choice, &BRANCH_POINTS)?;
-            for (sign, key) in [plus, minus].iter().zip(&BRANCH_POINTS[3..]) {
+            let numbers = section.only_numbers(choice, &BRANCH_POINTS)?;
+            for (sign, key) in numbers[3..5].iter().zip(&BRANCH_POINTS[3..]) {
                 if sign.abs() != 1.0 {
                     return Err(section.not_allowed(key));
                 }
             }
-            let signs = Signs { l_plus_n: Sign::new(plus), l_minus_n: Sign::new(minus) };
-            let (e, phases) = ([e1, e2, e3], InitialAngles { theta, arg_alpha, arg_beta });
+            let (e, signs, phases) = branch_points(numbers);
             let motion = Motion::from_branch_points(top, e, signs, &phases).map_err(refused)?;
             return Ok((motion, Launch::BranchPoints { e, signs, phases }));
         }

@@ -1,12 +1,13 @@
 //! Aperiodic motion as an ephemeris: its closed form takes the place of a table.
 
 use super::events::Condition;
-use super::{DynEphemeris, EventFilter, FoundEvent, unwrapped};
-use crate::motion::sample::{Part, Sample};
+use super::{DynEphemeris, EventQuery, MotionEvent, unwrapped};
+use crate::motion::column::SampleColumn;
+use crate::motion::sample::Sample;
 use std::f64::consts::TAU;
 use toytop::ErrorBound;
 use toytop_model::aperiodic::AperiodicMotion;
-use toytop_model::constants::{MotionConstants, natural_time};
+use toytop_model::constants::{MotionWithPeriod, natural_time};
 
 /// Ephemeris of an aperiodic motion.
 pub struct AperiodicEphemeris {
@@ -21,12 +22,12 @@ pub struct AperiodicEphemeris {
 
 /// Variable v of an axis that is upright to a rounding.
 const UPRIGHT: f64 = 40.0;
-/// Number of intervals on either side of the lowest point, at most one event in each.
+/// Intervals of the search on either side of the lowest point. Each finds at most one event.
 const INTERVALS: i32 = 8192;
 
 impl AperiodicEphemeris {
     /// Ephemeris of a motion; `None` if it is not aperiodic.
-    pub fn new(constants: &MotionConstants) -> Option<Self> {
+    pub fn new(constants: &MotionWithPeriod) -> Option<Self> {
         let motion = AperiodicMotion::new(constants)?;
         let form = &motion.form;
         let mut upright = natural_time(constants);
@@ -80,20 +81,24 @@ impl DynEphemeris for AperiodicEphemeris {
         ErrorBound { constant, per_tick: constant * speed / self.ticks_per_time() }
     }
 
-    fn update(&self, sample: &mut Sample, _: Part, t: f64) {
+    fn at(&self, t: f64) -> Sample {
         let (state, tip) = self.motion.at(t);
-        *sample = Sample {
+        Sample {
             error_bound: Some(self.error_bound().after(t * self.ticks_per_time())),
             ..Sample::from_state(t, &state, tip, Some(self.tip_angle(t)))
-        };
+        }
     }
 
     fn at_tick(&self, n: i64) -> Sample {
         self.at(n as f64 / self.ticks_per_time())
     }
 
+    fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
+        super::fill(column, |t| self.at(t), times, rows);
+    }
+
     /// Events while the axis is not upright to a rounding: places at which the integer part of a function of time changes.
-    fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent> {
+    fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
         let value = |t: f64| match condition {
             Condition::Turning => self.motion.form.v(t).clamp(-0.5, 0.5),
             Condition::Crossing(level) if level.u() < 1.0 => {
@@ -113,13 +118,13 @@ impl DynEphemeris for AperiodicEphemeris {
                 let t = root(time, next, |t| sense * (value(t) - whole));
                 // at the lowest point u is least
                 let upward = sense > 0.0 && condition != Condition::Turning;
-                if filter.accepts(t, upward) {
-                    found.push(FoundEvent::new(condition, t, upward, self.at(t)));
+                if query.includes(t, upward) {
+                    found.push(MotionEvent::new(condition, t, upward, self.at(t)));
                 }
             }
             (time, before) = (next, after);
         }
-        found.truncate(filter.count);
+        found.truncate(query.count);
         found
     }
 }

@@ -6,45 +6,41 @@ use crate::Failure;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
 use toytop::{Ephemeris, EphemerisMemory, EphemerisView, Motion, Regime, SetUpError, Tick, Workspace};
-use toytop_model::constants::MotionConstants;
+use toytop_model::constants::MotionWithPeriod;
 
-/// Capacities among which the smallest is chosen, in ascending order.
+/// Numbers of segments that are tried, smallest first.
 const CAPACITIES: [u32; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, MAX_CAPACITY];
 
 const MAX_CAPACITY: u32 = 4096;
 
-/// Ephemeris that is asked for. A scalar alone stands for one without further conditions.
-#[derive(Clone, Copy)]
-pub struct EphemerisOptions {
-    /// Scalar of the table.
-    pub scalar: Scalar,
-    /// Length of a tick; without it, that of [`MotionConstants`].
-    pub tick: Option<Tick>,
-    /// Greatest truncation error, rad; without it, a bound within the rounding of the scalar.
-    pub truncation: Option<f64>,
+/// Ephemeris of a motion in the smallest table, or the closed form of an aperiodic motion, with the tick and the truncation error of
+/// [`ephemeris_with`].
+///
+/// # Errors
+/// As [`ephemeris_with`].
+pub fn ephemeris_for(scalar: Scalar, motion: &Motion) -> Result<Box<dyn DynEphemeris>, Failure> {
+    ephemeris_with(scalar, motion, None, None)
 }
 
-impl From<Scalar> for EphemerisOptions {
-    fn from(scalar: Scalar) -> Self {
-        Self { scalar, tick: None, truncation: None }
-    }
-}
-
-/// Smallest table of a motion, or the closed form of an aperiodic motion, which has no truncation error.
+/// Ephemeris of a motion in the smallest table, or the closed form of an aperiodic motion, which has no truncation error.
+///
+/// * `tick`: length of a tick; without it, that of [`MotionWithPeriod`]
+/// * `truncation`: greatest truncation error, rad; without it, a bound within the rounding of the scalar
 ///
 /// # Errors
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
-pub fn smallest_ephemeris(
-    options: impl Into<EphemerisOptions>,
+pub fn ephemeris_with(
+    scalar: Scalar,
     motion: &Motion,
+    tick: Option<Tick>,
+    truncation: Option<f64>,
 ) -> Result<Box<dyn DynEphemeris>, Failure> {
     type Boxed = Result<Box<dyn DynEphemeris>, Failure>;
     fn table<R: TableScalar>(motion: &Motion, tick: Tick, truncation: Option<f64>) -> Boxed {
         let truncation = truncation.unwrap_or(R::TRUNCATION);
         Ok(Box::new(HeapTable::<R>::smallest(&CAPACITIES, motion, tick, truncation)?))
     }
-    let EphemerisOptions { scalar, tick, truncation } = options.into();
-    let constants = MotionConstants::new(*motion);
+    let constants = MotionWithPeriod::new(*motion);
     let tick = tick.unwrap_or_else(|| constants.tick());
     match scalar {
         Scalar::F64 => match AperiodicEphemeris::new(&constants) {
@@ -153,8 +149,8 @@ mod tests {
     /// Sizes that are chosen. Every smaller size is refused, and the motions of the test need every size.
     fn sizes_chosen<R: TableScalar>(motions: &[Motion]) -> Vec<usize> {
         let chosen = |motion: &Motion| {
-            let table = smallest_ephemeris(R::SCALAR, motion).unwrap();
-            let tick = MotionConstants::new(*motion).tick();
+            let table = ephemeris_for(R::SCALAR, motion).unwrap();
+            let tick = MotionWithPeriod::new(*motion).tick();
             for segments in CAPACITIES.into_iter().filter(|&segments| (segments as usize) < table.size()[0]) {
                 let refused = HeapTable::<R>::with_segments(motion, tick, Some(segments)).is_err();
                 assert!(refused, "{segments} segments would do");
@@ -182,9 +178,9 @@ mod tests {
     #[test]
     fn an_aperiodic_motion_has_a_closed_form_in_f64_alone() {
         let motion = motion(1.0, [0.2, 1.0, 1.0]);
-        assert_eq!(smallest_ephemeris(Scalar::F64, &motion).unwrap().size()[0], 0);
+        assert_eq!(ephemeris_for(Scalar::F64, &motion).unwrap().size()[0], 0);
         for scalar in [Scalar::F32, Scalar::Q31, Scalar::Q15] {
-            let refusal = smallest_ephemeris(scalar, &motion).err().unwrap().to_string();
+            let refusal = ephemeris_for(scalar, &motion).err().unwrap().to_string();
             assert_eq!(refusal, "an aperiodic motion has a closed form in f64, and no table");
         }
     }

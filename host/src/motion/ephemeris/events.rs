@@ -45,9 +45,11 @@ pub enum Condition {
     TipAngle(Phase),
 }
 
-/// Condition on the events to find.
+/// Events to find.
 #[derive(Clone, Copy)]
-pub struct EventFilter {
+pub struct EventQuery {
+    /// Kind.
+    pub kind: EventKind,
     /// Time of the earliest event.
     pub from: f64,
     /// Whether only upward (`true`) or only downward (`false`) events count; `None` for both.
@@ -56,15 +58,15 @@ pub struct EventFilter {
     pub count: usize,
 }
 
-impl EventFilter {
+impl EventQuery {
     /// Whether an event counts.
-    pub fn accepts(&self, t: f64, upward: bool) -> bool {
+    pub fn includes(&self, t: f64, upward: bool) -> bool {
         t >= self.from && self.upward.is_none_or(|only| only == upward)
     }
 }
 
 /// Event with its time and the motion there.
-pub struct FoundEvent {
+pub struct MotionEvent {
     /// Time in the motion's unit.
     pub t: f64,
     /// Whether u increases there, or the tip angle. At a turning point: whether u = e₂.
@@ -76,7 +78,7 @@ pub struct FoundEvent {
     pub sample: Sample,
 }
 
-impl FoundEvent {
+impl MotionEvent {
     /// Event at which a condition holds.
     pub fn new(condition: Condition, t: f64, upward: bool, sample: Sample) -> Self {
         let time_error = time_error(condition, &sample).filter(|error| error.is_finite());
@@ -100,18 +102,18 @@ fn time_error(condition: Condition, sample: &Sample) -> Option<f64> {
     }
 }
 
-/// Number of consecutive events refused by the filter after which the search ends.
+/// Number of consecutive events that are not counted, after which the search ends.
 const MAX_UNWANTED: u32 = 10_000;
 
 /// First events of a table at which a condition holds; `sample` is that of an event and its time.
 pub fn table_events<R: EphemerisScalar>(
     table: &EphemerisView<R>,
     condition: Condition,
-    filter: &EventFilter,
+    query: &EventQuery,
     sample: impl Fn(&Event, f64) -> Sample,
-) -> Vec<FoundEvent> {
+) -> Vec<MotionEvent> {
     let [ticks_per_time, _] = table.clock().ticks_per_time;
-    let from = (filter.from * ticks_per_time).floor() as i64;
+    let from = (query.from * ticks_per_time).floor() as i64;
     let events: Box<dyn Iterator<Item = Event>> = match condition {
         Condition::Turning => Box::new(table.turning_points(from)),
         Condition::Crossing(level) => Box::new(table.crossings(level, from)),
@@ -121,13 +123,13 @@ pub fn table_events<R: EphemerisScalar>(
     let mut found = Vec::new();
     for event in events {
         let t = table.time_of(&event);
-        if filter.accepts(t, event.upward) {
+        if query.includes(t, event.upward) {
             unwanted = 0;
-            found.push(FoundEvent::new(condition, t, event.upward, sample(&event, t)));
+            found.push(MotionEvent::new(condition, t, event.upward, sample(&event, t)));
         } else {
             unwanted += 1;
         }
-        if found.len() >= filter.count || unwanted == MAX_UNWANTED {
+        if found.len() >= query.count || unwanted == MAX_UNWANTED {
             break;
         }
     }

@@ -1,12 +1,14 @@
 //! Table of the core on the heap, as an ephemeris.
 
 use super::events::{self, Condition};
-use super::{DynEphemeris, EventFilter, FoundEvent, unwrapped};
+use super::{DynEphemeris, EventQuery, MotionEvent, unwrapped};
 use crate::motion::Scalar;
-use crate::motion::sample::{Part, Sample};
+use crate::motion::column::SampleColumn;
+use crate::motion::sample::{Quantities, Sample};
 use fixed::types::{I2F14, I2F30};
 use toytop::scalar::Float;
 use toytop::{Complex, EphemerisMemory, EphemerisScalar, EphemerisView, ErrorBound, Orientation, Pose};
+use toytop_model::equations::BodyRates;
 
 /// Scalar of the core, with its name and the numbers of its tables.
 pub trait TableScalar: EphemerisScalar<Segment: Send + Sync, Quantity: Send + Sync> + Send + Sync {
@@ -47,48 +49,64 @@ impl<R: EphemerisScalar> HeapTable<R> {
         self.0.get().expect("set up")
     }
 
-    /// Sets one part of a sample to that of `now`, at time t and at this number of ticks.
-    fn update_from(
-        &self,
-        sample: &mut Sample,
-        part: Part,
-        [t, ticks]: [f64; 2],
-        now: &toytop::Sample<'_, R>,
-    ) {
-        let wanted = |other: Part| part == Part::All || part == other;
-        sample.t = t;
-        if part == Part::Orientation {
-            sample.pose.orientation = widened(now.orientation());
-        }
-        if wanted(Part::Pose) {
-            let Pose { orientation, u, tip } = now.pose();
-            let tip = Complex::new(tip.re.to_f64(), tip.im.to_f64());
-            sample.pose = Pose { orientation: widened(orientation), u: u.into(), tip };
-        }
-        if wanted(Part::Omega) {
-            sample.rates.omega = now.omega().map(Float::to_f64);
-        }
-        if wanted(Part::OmegaBody) {
-            sample.rates.omega_body = now.omega_body().map(Float::to_f64);
-        }
-        if wanted(Part::Udot) {
-            sample.rates.udot = now.udot().to_f64();
-        }
-        if wanted(Part::TipAngle) {
-            let near = self.table().mean_tip_angle_rate() * t;
-            sample.tip_angle = now.tip_angle().map(|angle| unwrapped(angle, near));
-        }
-        if wanted(Part::ErrorBound) {
-            sample.error_bound = Some(self.table().error_bound().after(ticks));
+    /// Quantities t units of time after t = 0.
+    fn quantities(&self, t: f64) -> TableQuantities<'_, R> {
+        let table = self.table();
+        TableQuantities { table, t, ticks: t * ticks_per_time(table), now: table.at(t) }
+    }
+}
+
+/// Quantities of a motion at one time, read from its table.
+struct TableQuantities<'a, R: EphemerisScalar> {
+    table: &'a EphemerisView<R>,
+    t: f64,
+    /// The time in ticks.
+    ticks: f64,
+    now: toytop::Sample<'a, R>,
+}
+
+impl<R: EphemerisScalar> Quantities for TableQuantities<'_, R> {
+    fn sample(&self) -> Sample {
+        Sample {
+            t: self.t,
+            pose: self.pose(),
+            rates: BodyRates { omega: self.omega(), omega_body: self.omega_body(), udot: self.udot() },
+            tip_angle: self.tip_angle(),
+            error_bound: Some(self.table.error_bound().after(self.ticks)),
         }
     }
 
-    /// Sample `now`, at time t and at this number of ticks.
-    fn sample(&self, times: [f64; 2], now: &toytop::Sample<'_, R>) -> Sample {
-        let mut sample = Sample::UNKNOWN;
-        self.update_from(&mut sample, Part::All, times, now);
-        sample
+    fn orientation(&self) -> Orientation<f64> {
+        widened(self.now.orientation())
     }
+
+    fn pose(&self) -> Pose<f64, f64> {
+        let Pose { orientation, u, tip } = self.now.pose();
+        let tip = Complex::new(tip.re.to_f64(), tip.im.to_f64());
+        Pose { orientation: widened(orientation), u: u.into(), tip }
+    }
+
+    fn omega(&self) -> [f64; 3] {
+        self.now.omega().map(Float::to_f64)
+    }
+
+    fn omega_body(&self) -> [f64; 3] {
+        self.now.omega_body().map(Float::to_f64)
+    }
+
+    fn udot(&self) -> f64 {
+        self.now.udot().to_f64()
+    }
+
+    fn tip_angle(&self) -> Option<f64> {
+        let near = self.table.mean_tip_angle_rate() * self.t;
+        self.now.tip_angle().map(|angle| unwrapped(angle, near))
+    }
+}
+
+fn ticks_per_time<R: EphemerisScalar>(table: &EphemerisView<R>) -> f64 {
+    let [rate, _] = table.clock().ticks_per_time;
+    rate
 }
 
 impl<R: TableScalar> DynEphemeris for HeapTable<R> {
@@ -97,8 +115,7 @@ impl<R: TableScalar> DynEphemeris for HeapTable<R> {
     }
 
     fn ticks_per_time(&self) -> f64 {
-        let [rate, _] = self.table().clock().ticks_per_time;
-        rate
+        ticks_per_time(self.table())
     }
 
     fn error_bound(&self) -> ErrorBound {
@@ -109,18 +126,31 @@ impl<R: TableScalar> DynEphemeris for HeapTable<R> {
         self.table().rate_error_bound()
     }
 
-    fn update(&self, sample: &mut Sample, part: Part, t: f64) {
-        self.update_from(sample, part, [t, t * self.ticks_per_time()], &self.table().at(t));
+    fn at(&self, t: f64) -> Sample {
+        self.quantities(t).sample()
+    }
+
+    fn pose(&self, t: f64) -> Pose<f64, f64> {
+        self.quantities(t).pose()
     }
 
     fn at_tick(&self, n: i64) -> Sample {
-        self.sample([n as f64 / self.ticks_per_time(), n as f64], &self.table().at_tick(n))
+        let table = self.table();
+        let (t, ticks) = (n as f64 / self.ticks_per_time(), n as f64);
+        TableQuantities { table, t, ticks, now: table.at_tick(n) }.sample()
     }
 
-    fn events(&self, condition: Condition, filter: &EventFilter) -> Vec<FoundEvent> {
+    fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
+        super::fill(column, |t| self.quantities(t), times, rows);
+    }
+
+    fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
         let table = self.table();
-        let sample = |event: &_, t| self.sample([t, t * self.ticks_per_time()], &table.at_event(event));
-        events::table_events(table, condition, filter, sample)
+        let sample = |event: &_, t| {
+            let ticks = t * self.ticks_per_time();
+            TableQuantities { table, t, ticks, now: table.at_event(event) }.sample()
+        };
+        events::table_events(table, condition, query, sample)
     }
 }
 

@@ -24,10 +24,7 @@ impl Rows {
     /// Text before the rows.
     pub fn head(&self) -> String {
         match self.format {
-            Format::Csv => {
-                let names: Vec<_> = self.columns.iter().flat_map(|column| column.names()).copied().collect();
-                names.join(",") + "\n"
-            }
+            Format::Csv => csv_line(self.columns.iter().flat_map(|column| column.names()).copied()),
             Format::Json => "{\"samples\":[".to_owned(),
             Format::Table => String::new(),
         }
@@ -42,9 +39,7 @@ impl Rows {
         };
         let between = |text: &str| if index == 0 { String::new() } else { text.to_owned() };
         match self.format {
-            Format::Csv => {
-                csv_line(self.columns.iter().flat_map(|column| column.numbers(sample)).map(Value::from))
-            }
+            Format::Csv => csv_line(self.columns.iter().flat_map(|column| column.numbers(sample))),
             Format::Json => between(",") + &json(&self.columns.iter().map(entry).collect::<Value>()),
             Format::Table => between("\n") + &self.block(sample),
         }

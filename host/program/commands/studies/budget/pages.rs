@@ -35,7 +35,7 @@ pub fn part_with_launches(rows: &[Value]) -> Part {
     ];
     let named = |row: &Value| columns.iter().map(|(name, heading)| (*heading, row[*name].clone())).collect();
     let rows: Vec<Value> = rows.iter().map(named).collect();
-    (COSTS, "toytop budget: launches", TextTable::of_all(&rows, eight_digits).markdown())
+    (COSTS, "toytop budget: launches", TextTable::from_rows(&rows, eight_digits).markdown())
 }
 
 /// Writes parts of pages of the repository, after each of them was found to have a place.
@@ -105,7 +105,7 @@ fn table_of_calls(budgets: &Budgets) -> String {
             .chain(COLUMNS.map(figure))
             .collect()
     };
-    TextTable::of_all(&ROWS.map(row), eight_digits).markdown()
+    TextTable::from_rows(&ROWS.map(row), eight_digits).markdown()
 }
 
 /// Rows of the front page: chip, call and text.
@@ -123,7 +123,7 @@ fn table_of_front_page(budgets: &Budgets) -> String {
         let figure = |(heading, figure)| (heading, Value::from(budgets.budget(chip, call, figure)));
         once(("at most", Value::from(what))).chain(FIGURES.map(figure)).collect()
     };
-    TextTable::of_all(&FRONT_ROWS.map(row), eight_digits).markdown()
+    TextTable::from_rows(&FRONT_ROWS.map(row), eight_digits).markdown()
 }
 
 #[cfg(test)]

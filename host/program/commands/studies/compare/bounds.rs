@@ -3,7 +3,7 @@
 use crate::commands::options::Method;
 use serde::{Serialize, Serializer};
 use toytop::{Motion, Regime};
-use toytop_host::motion::{MotionConstants, Scalar};
+use toytop_host::motion::{MotionWithPeriod, Scalar};
 
 /// Tighter bounds of the built-in motions near the separatrix over ten periods, rad: of the full solver, and of the stepper in f32.
 /// In f64 the bound of the full solver is the larger one. The measured errors are 1.7e-11 and 5e-6 for the first motion, 4.1e-9 and 1.6e-5 for
@@ -86,8 +86,8 @@ const MAX_GROWTH: f64 = 1e4;
 
 /// Time of `periods` periods, s, or a shorter one with the reason: an aperiodic motion is followed until shortly before the axis reaches
 /// the vertical, from where the solution of the full equations falls again.
-pub fn horizon(motion: &Motion, periods: u32) -> (f64, Option<String>) {
-    let time = MotionConstants::new(*motion).time_scale() * f64::from(periods);
+pub fn compared_time(motion: &Motion, periods: u32) -> (f64, Option<String>) {
+    let time = MotionWithPeriod::new(*motion).time_scale() * f64::from(periods);
     if motion.regime() != Regime::Aperiodic {
         return (time, None);
     }

@@ -7,10 +7,10 @@ use std::str::FromStr;
 use toytop::Motion;
 use toytop_host::input::times::spread_times;
 use toytop_host::motion::column::SampleColumn;
-use toytop_host::motion::ephemeris::{DynEphemeris, EphemerisOptions, smallest_ephemeris};
+use toytop_host::motion::ephemeris::{DynEphemeris, ephemeris_for, ephemeris_with};
 use toytop_host::motion::errors::greater;
-use toytop_host::motion::{Scalar, value};
-use toytop_model::constants::{CONSTANTS, Constant, MotionConstants};
+use toytop_host::motion::{Scalar, constant_as_json};
+use toytop_model::constants::{CONSTANTS, Constant, MotionWithPeriod};
 
 /// Column of a sweep.
 #[derive(Clone, Copy)]
@@ -68,7 +68,7 @@ impl SweepColumn {
     /// Values of a motion.
     pub fn values(self, motion: &RowMotion) -> Vec<Value> {
         match self {
-            Self::Constant(constant) => vec![value(constant, &motion.motion)],
+            Self::Constant(constant) => vec![constant_as_json(constant, &motion.motion)],
             Self::Ephemeris((_, value)) => vec![value(motion).into()],
             Self::Sample(column) => {
                 // a number that is not finite is an absent value
@@ -92,7 +92,7 @@ impl SweepColumn {
 
 /// Motion of a row, with its ephemerides as far as columns need them.
 pub struct RowMotion {
-    motion: MotionConstants,
+    motion: MotionWithPeriod,
     times: Vec<f64>,
     f64_ephemeris: OnceCell<Option<Box<dyn DynEphemeris>>>,
     f32_ephemeris: OnceCell<Option<Box<dyn DynEphemeris>>>,
@@ -101,7 +101,7 @@ pub struct RowMotion {
 impl RowMotion {
     /// Motion with `count` times spread over this many periods.
     pub fn new(motion: Motion, count: u32, periods: f64) -> Self {
-        let motion = MotionConstants::new(motion);
+        let motion = MotionWithPeriod::new(motion);
         let times = spread_times(periods * motion.time_scale(), count);
         Self { motion, times, f64_ephemeris: OnceCell::new(), f32_ephemeris: OnceCell::new() }
     }
@@ -109,12 +109,12 @@ impl RowMotion {
     fn f64_ephemeris(&self) -> Option<&dyn DynEphemeris> {
         /// Truncation error, rad.
         const TRUNCATION: f64 = 1e-13;
-        let options = EphemerisOptions { truncation: Some(TRUNCATION), ..Scalar::F64.into() };
-        self.f64_ephemeris.get_or_init(|| smallest_ephemeris(options, &self.motion).ok()).as_deref()
+        let ephemeris = || ephemeris_with(Scalar::F64, &self.motion, None, Some(TRUNCATION)).ok();
+        self.f64_ephemeris.get_or_init(ephemeris).as_deref()
     }
 
     fn f32_ephemeris(&self) -> Option<&dyn DynEphemeris> {
-        self.f32_ephemeris.get_or_init(|| smallest_ephemeris(Scalar::F32, &self.motion).ok()).as_deref()
+        self.f32_ephemeris.get_or_init(|| ephemeris_for(Scalar::F32, &self.motion).ok()).as_deref()
     }
 
     fn error_f32(&self) -> Option<f64> {

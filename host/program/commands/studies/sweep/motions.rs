@@ -93,15 +93,15 @@ impl Sweep {
         Ok(self.template.with_numbers(numbers)?.motion)
     }
 
-    /// Names of the columns, with a line break.
+    /// Line of the names of the columns.
     pub fn header(&self) -> String {
         let mut names = vec!["index".to_owned()];
         names.extend(self.axes.iter().map(|(key, _)| (*key).to_owned()));
         names.extend(self.columns.iter().flat_map(|column| column.names(self.times)));
-        names.join(",") + "\n"
+        csv_line(names)
     }
 
-    /// Appends the row with this index and a line break; false if the scenario refuses its numbers.
+    /// Appends the line of the row with this index; false if the scenario refuses its numbers.
     pub fn row(&self, index: u64, text: &mut Vec<u8>) -> bool {
         let numbers = self.numbers(index);
         let motion = self.motion(&numbers).ok();

@@ -4,6 +4,7 @@
 
 mod addresses;
 mod controls;
+mod sentences;
 
 use super::{element, folder, view};
 use crate::command::{list, sample};
@@ -13,8 +14,8 @@ use std::process::Command;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use toytop::{Complex, Motion, Orientation};
 use toytop_host::input::scenario::Scenario;
-use toytop_host::motion::MotionConstants;
-use toytop_page::table::Table;
+use toytop_host::motion::MotionWithPeriod;
+use toytop_page::table::PageTable;
 
 /// The document at the end of a minute of Chromium's virtual time, and the lines of its console.
 fn browse(page: &Path, width: u32, fragment: &str) -> (String, Vec<String>) {
@@ -104,15 +105,15 @@ fn complex(value: &Value) -> Complex<f64> {
 }
 
 /// The core's table of a motion, with the capacity of the page's table. It is too large for the stack of a test.
-fn core_of(motion: &Motion) -> MutexGuard<'static, Table> {
-    static TABLE: Mutex<Table> = Mutex::new(Table::EMPTY);
+fn core_of(motion: &Motion) -> MutexGuard<'static, PageTable> {
+    static TABLE: Mutex<PageTable> = Mutex::new(PageTable::EMPTY);
     let mut table = TABLE.lock().unwrap_or_else(PoisonError::into_inner);
-    table.set_up(&MotionConstants::new(*motion)).expect("it fits");
+    table.set_up(&MotionWithPeriod::new(*motion)).expect("it fits");
     table
 }
 
 /// Asserts that the numbers that the page shows are the core's to the bit.
-fn assert_core(shown: &Value, core: &Table, t: f64) -> Orientation<f64> {
+fn assert_core(shown: &Value, core: &PageTable, t: f64) -> Orientation<f64> {
     let (phi, tip) = core.at(t);
     let [x, y, z] = phi.axis();
     assert_eq!([complex(&shown["alpha"]), complex(&shown["beta"])], [phi.alpha, phi.beta], "{t}");

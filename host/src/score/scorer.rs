@@ -5,10 +5,11 @@ use super::trajectory::{Trajectory, TrajectoryRow};
 use crate::Failure;
 use crate::input::require_within;
 use crate::input::scenario::Scenario;
-use crate::motion::ephemeris::{DynEphemeris, smallest_ephemeris};
-use crate::motion::errors::{IntegralDrift, distance, drift, greater};
-use crate::motion::{MotionConstants, Scalar};
+use crate::motion::ephemeris::{DynEphemeris, ephemeris_for};
+use crate::motion::errors::{distance, drift, greater};
+use crate::motion::{MotionWithPeriod, Scalar};
 use serde::Serialize;
+use std::array::from_fn;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
 
@@ -21,7 +22,7 @@ pub struct Scorer<'a> {
 }
 
 /// Errors of one trajectory. Their names are the keys of JSON.
-#[derive(Default, Serialize)]
+#[derive(Serialize)]
 pub struct Score {
     /// Greatest error of the orientation, 2 √(|Δα|² + |Δβ|²) with the nearer sign, rad.
     pub max_error_rad: f64,
@@ -61,8 +62,8 @@ impl<'a> Scorer<'a> {
     /// [`Failure::Method`]: no ephemeris is large enough.
     pub fn new(scenario: &'a Scenario, start: &str) -> Result<Self, Failure> {
         let motion = &scenario.motion;
-        let table = smallest_ephemeris(Scalar::F64, motion)
-            .map_err(|failure| failure.with_context(&scenario.name))?;
+        let table =
+            ephemeris_for(Scalar::F64, motion).map_err(|failure| failure.with_context(&scenario.name))?;
         Ok(Self { motion, table, start: start.to_owned() })
     }
 
@@ -76,7 +77,7 @@ impl<'a> Scorer<'a> {
             .map_err(|failure| failure.with_context(&format!("{name}: t")))?;
         let errors: Vec<_> = rows.iter().map(|row| self.errors(row)).collect();
         let mean_square = errors.iter().map(|[error, _]| error * error).sum::<f64>() / rows.len() as f64;
-        let drift = self.drift(rows);
+        let [drift_l, drift_n, drift_h] = self.drifts(rows).map_or([None; 3], |drifts| drifts.map(Some));
         Ok(Score {
             max_error_rad: greatest(errors.iter().map(|[error, _]| *error)),
             rms_error_rad: mean_square.sqrt(),
@@ -84,9 +85,9 @@ impl<'a> Scorer<'a> {
             max_u_error: greatest(errors.iter().map(|[_, u_error]| *u_error)),
             max_position_error: rows.iter().filter_map(|row| self.position_error(row)).reduce(greater),
             phases: phases::phase_errors(self.motion, &*self.table, rows),
-            drift_h: drift.map(|drift| drift.h),
-            drift_l: drift.map(|drift| drift.l),
-            drift_n: drift.map(|drift| drift.n),
+            drift_h,
+            drift_l,
+            drift_n,
             max_norm_error: greatest(rows.iter().map(|row| row.norm_error)),
             truth_bound_rad: self.table.error_bound().after(furthest * self.table.ticks_per_time()),
             warning: rows.first().and_then(|row| self.warning(row)),
@@ -105,11 +106,12 @@ impl<'a> Scorer<'a> {
         Some((x - exact.re).hypot(y - exact.im))
     }
 
-    fn drift(&self, rows: &[TrajectoryRow]) -> Option<IntegralDrift> {
-        let drift = |most: IntegralDrift, row: &TrajectoryRow| {
-            Some(most.greater(drift(self.motion, &row.orientation, row.omega?)))
-        };
-        rows.iter().try_fold(IntegralDrift::default(), drift)
+    /// Greatest drifts of l, n and h.
+    fn drifts(&self, rows: &[TrajectoryRow]) -> Option<[f64; 3]> {
+        rows.iter().try_fold([0.0; 3], |most, row| {
+            let drift = drift(self.motion, &row.orientation, row.omega?);
+            Some(from_fn(|i| greater(most[i], drift[i])))
+        })
     }
 
     /// Reason why the first row is far from the motion; `None` if it is near.
@@ -118,7 +120,7 @@ impl<'a> Scorer<'a> {
         let [error, _] = self.errors(first);
         let inverse = orientation_error(&exact.pose.orientation, &first.orientation.inverse());
         let speed = distance(exact.rates.omega, [0.0; 3])
-            .max(2.0 * PI / MotionConstants::new(*self.motion).time_scale());
+            .max(2.0 * PI / MotionWithPeriod::new(*self.motion).time_scale());
         let rate_error = first.omega.map_or(0.0, |omega| distance(omega, exact.rates.omega)) / speed;
         let position_error = self.position_error(first).unwrap_or(0.0) / self.motion.top().tip_scale();
         let far = format!("the first row is {error:.1e} rad from the motion;");
