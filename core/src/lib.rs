@@ -63,7 +63,7 @@ pub use stepper::Stepper;
 pub use su2::{AttitudeState, Orientation};
 pub use table::{
     Baked, BakedError, Clock, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory,
-    EphemerisScalar, EphemerisView, ErrorBound, Pose, Sample, SetUpError, Tick, Workspace,
+    EphemerisScalar, EphemerisView, ErrorBound, Pose, Sample, SetUpError, TableSettings, Tick, Workspace,
 };
 #[cfg(feature = "fixed")]
 pub use table::{EphemerisQ15, EphemerisQ31};
@@ -93,7 +93,7 @@ mod tests {
         logged::<(ParameterError, Support, Top, TopParameters, Release, InitialAngles, State)>();
         logged::<(BranchPoints, FirstIntegrals, PeriodAdvance, Regime, TipClass)>();
         logged::<(Motion, Sign, Signs)>();
-        logged::<(EphemerisF32, EphemerisF64, ErrorBound, SetUpError, Tick, Event, Level)>();
+        logged::<(EphemerisF32, EphemerisF64, ErrorBound, SetUpError, TableSettings, Event, Level)>();
         logged::<(Cursor, Sample<'static, f64>, AttitudeState<f32>, Stepper<f64>)>();
         #[cfg(feature = "fixed")]
         logged::<(Orientation<fixed::types::I2F30>, Complex<fixed::types::I2F14>)>();

@@ -4,22 +4,23 @@ use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
+use crate::table::build::TableSettings;
 use crate::table::data::cell::{LEAST_SEGMENTS, is_falling};
-use crate::table::data::{Clock, EphemerisView, Tick};
+use crate::table::data::{Clock, EphemerisView};
 use crate::table::evaluation::EphemerisScalar;
 
 impl<W: Float> Clock<W> {
-    /// Clock of a motion that is launched at tick `epoch`, without [`Clock::tip_start`].
+    /// Clock of a motion that is without [`Clock::tip_start`].
     ///
     /// * `turns`: nutation frequency and rates of the mean phases, turns/s
     /// * `start`: nutation phase and mean phases at the launch
     pub(super) fn new(
         motion: &Motion,
-        tick: Tick,
-        epoch: i64,
+        settings: &TableSettings,
         turns: [Extended; 3],
         start: [Phase; 3],
     ) -> Self {
+        let TableSettings { tick, epoch, .. } = *settings;
         let length = tick.length();
         let [frequency, alpha, beta] = turns;
         // LLVM 22 compiles a product of `i128` wrongly for RISC-V where the epoch is known
