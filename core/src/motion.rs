@@ -19,10 +19,10 @@ use crate::body::{Support, Top};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, Regime, Signs, TipClass, normal_force};
 use crate::motion::cayley_klein::Ellipses;
-use crate::motion::period::{Period, PeriodAdvance};
+use crate::motion::period::{PathNumber, Period, PeriodAdvance};
 use crate::motion::phase_equations::PhaseEquations;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring, Wide};
+use crate::scalar::{Extended, Float, Ring};
 
 /// Motion of one launch.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -95,12 +95,12 @@ impl Motion {
     /// Cost: one integration.
     pub fn period_advance(&self) -> Option<PeriodAdvance> {
         let windings = Ellipses::oscillating(&self.e, self.signs, Extended::to_f64).windings();
-        let period = self.period::<2>(&self.equations(), &mut || {})?;
+        let period = self.period::<Extended>(&self.equations(), &mut || {})?;
         Some(PeriodAdvance::new(&period, self.half_tau, windings))
     }
 
-    /// Nutation period, integrated in numbers of this many words.
-    pub(crate) fn period<const WORDS: usize>(
+    /// Nutation period, integrated for a path in `F`.
+    pub(crate) fn period<F: PathNumber>(
         &self,
         equations: &PhaseEquations<Extended>,
         pause: &mut dyn FnMut(),
@@ -110,8 +110,7 @@ impl Motion {
             return (self.torque_free_rate > Extended::ZERO)
                 .then(|| Period::torque_free(half_turn / self.torque_free_rate));
         }
-        (self.e.e3_minus_e2 > Extended::ZERO)
-            .then(|| Period::integrated(&equations.map(Wide::<WORDS>::from_extended), pause))
+        (self.e.e3_minus_e2 > Extended::ZERO).then(|| F::integrate(equations, pause))
     }
 
     /// Winding numbers of the ellipses of α and β; 1 for a steady motion.

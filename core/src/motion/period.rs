@@ -6,8 +6,9 @@ mod elliptic_equations;
 
 mod quadrature;
 
+use crate::motion::phase_equations::PhaseEquations;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring};
+use crate::scalar::{Extended, Float, Ring, Wide};
 
 /// Nutation period, and advance of α and β over one period in turns, whole turns included.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,7 +52,7 @@ impl PeriodAdvance {
 
 /// Nutation period with ψ_α and ψ_β over it, and their errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Period {
+pub struct Period {
     pub(crate) time: Extended,
     /// Angles ψ_α(T) and ψ_β(T), rad.
     pub(crate) psi: [Extended; 2],
@@ -73,5 +74,23 @@ impl Period {
         let ([psi_alpha, psi_beta], slow) = (self.psi, half_tau * self.time);
         let [alpha, beta] = windings.map(|sense| Extended::from(0.5 * f64::from(sense)));
         [(psi_alpha + slow).in_turns() + alpha, (psi_beta - slow).in_turns() + beta]
+    }
+}
+
+/// Number type of the rates along the path of a set-up, with the wide number in which the period is integrated.
+pub trait PathNumber: Float {
+    /// Period of a motion that nutates.
+    fn integrate(equations: &PhaseEquations<Extended>, pause: &mut dyn FnMut()) -> Period;
+}
+
+impl PathNumber for f64 {
+    fn integrate(equations: &PhaseEquations<Extended>, pause: &mut dyn FnMut()) -> Period {
+        Period::integrated(&equations.map(Wide::<1>::from_extended), pause)
+    }
+}
+
+impl PathNumber for Extended {
+    fn integrate(equations: &PhaseEquations<Extended>, pause: &mut dyn FnMut()) -> Period {
+        Period::integrated(equations, pause)
     }
 }

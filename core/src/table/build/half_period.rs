@@ -88,10 +88,7 @@ impl HalfPeriod {
         if !motion.is_steady() {
             set_equations(motion, equations);
             pause();
-            period = match R::PERIOD_WORDS {
-                1 => motion.period::<1>(equations, pause),
-                _ => motion.period::<2>(equations, pause),
-            };
+            period = motion.period::<R::PathNumber>(equations, pause);
         }
         self.start(motion, period.as_ref());
         pause();

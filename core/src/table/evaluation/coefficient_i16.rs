@@ -2,6 +2,7 @@
 
 use crate::complex::Complex;
 use crate::scalar::{ldexp, sine_cosine_q15};
+use crate::su2::Vector;
 use crate::table::evaluation::coefficient_i32::{
     COORDINATE_ERROR, INTEGER_ERRORS, overflow_limit, truncated_factors,
 };
@@ -47,7 +48,58 @@ impl EphemerisScalar for I2F14 {
 }
 
 impl Coefficient for i16 {
+    type Sum = i32;
     type Number = Q30;
+    type Quantity = f32;
+
+    #[inline]
+    fn coordinate(point: SegmentPoint) -> i32 {
+        ((point.x_q31 >> 15) + 1) >> 1
+    }
+
+    #[inline(always)]
+    fn step(self, sum: i32, x: i32, _: bool) -> i32 {
+        (i32::from(self) << 16) + (sum >> 16) * x
+    }
+
+    /// Value plus half a unit of 2^-15, so that the shift in a rotation rounds.
+    #[inline(always)]
+    fn last_step(self, sum: i32, x: i32) -> i32 {
+        ((i32::from(self) << 16) + (1 << 15)).saturating_add((sum >> 16) * x)
+    }
+
+    #[inline(always)]
+    fn slope_step(sum: i32, slope: i32, x: i32, _: bool) -> i32 {
+        (sum >> 1) + (slope >> 16) * x
+    }
+
+    /// Result rounded to 2^-14.
+    #[inline(always)]
+    fn rotated([re, im]: [i32; 2], is_falling: bool, [sine, cosine]: [i32; 2]) -> Complex<Q30> {
+        let [re, im] = [re, im ^ -i32::from(is_falling)].map(|part| part >> 16);
+        let rounded = |part: i32| Q30((part + (1 << 15)) >> 16 << 16);
+        Complex::new(rounded(re * cosine - im * sine), rounded(re * sine + im * cosine))
+    }
+
+    #[inline(always)]
+    fn sine_cosine_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> [i32; 2] {
+        [cosine_a * sine_b - sine_a * cosine_b, cosine_a * cosine_b + sine_a * sine_b]
+    }
+
+    #[inline(always)]
+    fn omega_body(
+        polynomials: [[i32; 4]; 2],
+        difference: [i32; 2],
+        point: SegmentPoint,
+        rates: [f32; 3],
+    ) -> (Vector<Q30>, i32) {
+        Q30::omega_body(polynomials, difference, point, rates)
+    }
+
+    #[inline(always)]
+    fn ldexp(number: Q30, exponent: i32) -> f32 {
+        number.ldexp(exponent)
+    }
 
     fn nearest(value: i64, power: usize) -> Self {
         let dropped = TABLE_BITS - 15 - power as u32;
@@ -62,40 +114,6 @@ impl Coefficient for i16 {
 
     fn to_f64(self, power: usize) -> f64 {
         ldexp(self.into(), -15 - power as i32)
-    }
-
-    #[inline]
-    fn coordinate(point: SegmentPoint) -> i32 {
-        ((point.x_q31 >> 15) + 1) >> 1
-    }
-
-    #[inline]
-    fn to_sum(self) -> i32 {
-        i32::from(self) << 16
-    }
-
-    #[inline(always)]
-    fn step(added: i32, sum: i32, x: i32, _: bool) -> i32 {
-        added + (sum >> 16) * x
-    }
-
-    /// Value plus half a unit of 2^-15, so that the shift in a rotation rounds.
-    #[inline(always)]
-    fn last_step(constant: Self, sum: i32, x: i32) -> i32 {
-        (constant.to_sum() + (1 << 15)).saturating_add((sum >> 16) * x)
-    }
-
-    /// Result rounded to 2^-14.
-    #[inline(always)]
-    fn rotated([re, im]: [i32; 2], is_falling: bool, [sine, cosine]: [i32; 2]) -> Complex<Q30> {
-        let [re, im] = [re, im ^ -i32::from(is_falling)].map(|part| part >> 16);
-        let rounded = |part: i32| Q30((part + (1 << 15)) >> 16 << 16);
-        Complex::new(rounded(re * cosine - im * sine), rounded(re * sine + im * cosine))
-    }
-
-    #[inline(always)]
-    fn sine_cosine_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> [i32; 2] {
-        [cosine_a * sine_b - sine_a * cosine_b, cosine_a * cosine_b + sine_a * sine_b]
     }
 }
 

@@ -9,6 +9,7 @@
 use crate::complex::Complex;
 use crate::integer::{high_product, high_product_limited, product_32x16};
 use crate::scalar::{Scalar, ldexp, sine_cosine_q26};
+use crate::su2::Vector;
 use crate::table::evaluation::q30::Q30;
 use crate::table::evaluation::{
     Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_BITS, is_by_16_bits, shifted_right,
@@ -43,7 +44,7 @@ impl EphemerisScalar for f32 {
 
     #[inline]
     fn from_number(number: Q30) -> Self {
-        number.into()
+        number.ldexp(0)
     }
 
     #[inline(always)]
@@ -104,7 +105,61 @@ pub(super) fn truncated_factors(polynomial: &[i64], limit: i64) -> Option<u32> {
 }
 
 impl Coefficient for i32 {
+    type Sum = Self;
     type Number = Q30;
+    type Quantity = f32;
+
+    #[inline]
+    fn coordinate(point: SegmentPoint) -> i32 {
+        point.x_q31
+    }
+
+    #[inline(always)]
+    fn step(self, sum: i32, x: i32, by_16_bits: bool) -> i32 {
+        self + if by_16_bits { product_32x16(sum, x) } else { high_product_limited(sum, x) }
+    }
+
+    #[inline(always)]
+    fn last_step(self, sum: i32, x: i32) -> i32 {
+        self.saturating_add(high_product_limited(sum, x))
+    }
+
+    #[inline(always)]
+    fn slope_step(sum: i32, slope: i32, x: i32, by_16_bits: bool) -> i32 {
+        (sum >> 1).step(slope, x, by_16_bits)
+    }
+
+    #[inline(always)]
+    fn rotated([re, im]: [i32; 2], is_falling: bool, [sine, cosine]: [i32; 2]) -> Complex<Q30> {
+        let im = im ^ -i32::from(is_falling);
+        Complex::new(
+            Q30(high_product(!im, sine) + high_product(re, cosine)),
+            Q30(high_product(im, cosine) + high_product(re, sine)),
+        )
+    }
+
+    #[inline(always)]
+    fn sine_cosine_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> [i32; 2] {
+        [
+            high_product(cosine_a, sine_b) - high_product(sine_a, cosine_b),
+            high_product(cosine_a, cosine_b) + high_product(sine_a, sine_b),
+        ]
+    }
+
+    #[inline(always)]
+    fn omega_body(
+        polynomials: [[i32; 4]; 2],
+        difference: [i32; 2],
+        point: SegmentPoint,
+        rates: [f32; 3],
+    ) -> (Vector<Q30>, i32) {
+        Q30::omega_body(polynomials, difference, point, rates)
+    }
+
+    #[inline(always)]
+    fn ldexp(number: Q30, exponent: i32) -> f32 {
+        number.ldexp(exponent)
+    }
 
     /// Coefficient with half a unit more, because the product added to it is rounded down. The constant has none: a complement changes its
     /// sign.
@@ -123,43 +178,6 @@ impl Coefficient for i32 {
 
     fn to_f64(self, power: usize) -> f64 {
         ldexp(self.into(), -31 - power as i32)
-    }
-
-    #[inline]
-    fn coordinate(point: SegmentPoint) -> i32 {
-        point.x_q31
-    }
-
-    #[inline]
-    fn to_sum(self) -> i32 {
-        self
-    }
-
-    #[inline(always)]
-    fn step(added: i32, sum: i32, x: i32, by_16_bits: bool) -> i32 {
-        added + if by_16_bits { product_32x16(sum, x) } else { high_product_limited(sum, x) }
-    }
-
-    #[inline(always)]
-    fn last_step(constant: Self, sum: i32, x: i32) -> i32 {
-        constant.saturating_add(high_product_limited(sum, x))
-    }
-
-    #[inline(always)]
-    fn rotated([re, im]: [i32; 2], is_falling: bool, [sine, cosine]: [i32; 2]) -> Complex<Q30> {
-        let im = im ^ -i32::from(is_falling);
-        Complex::new(
-            Q30(high_product(!im, sine) + high_product(re, cosine)),
-            Q30(high_product(im, cosine) + high_product(re, sine)),
-        )
-    }
-
-    #[inline(always)]
-    fn sine_cosine_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> [i32; 2] {
-        [
-            high_product(cosine_a, sine_b) - high_product(sine_a, cosine_b),
-            high_product(cosine_a, cosine_b) + high_product(sine_a, sine_b),
-        ]
     }
 }
 

@@ -5,7 +5,9 @@ use crate::phase::Phase;
 use crate::scalar::Float;
 use crate::su2::{AttitudeState, Orientation, Vector};
 use crate::table::data::EphemerisView;
-use crate::table::evaluation::{EphemerisScalar, Number, NumberOf, orientation, orientation_and_omega_body};
+use crate::table::evaluation::{
+    Coefficient, EphemerisScalar, NumberOf, orientation, orientation_and_omega_body,
+};
 use crate::table::read::segment::LocatedSegment;
 
 /// Sample of a motion at one time. Each method evaluates the table; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
@@ -53,7 +55,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[must_use]
     pub fn pose(&self) -> Pose<R, R::Quantity> {
         let numbers = self.unrounded();
-        let product = (numbers.alpha * numbers.beta).map(Into::into);
+        let product = (numbers.alpha * numbers.beta).map(|part| R::Coefficient::ldexp(part, 0));
         Pose {
             orientation: numbers.map(R::from_number),
             u: R::from_number(numbers.u()),
@@ -91,7 +93,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[must_use]
     pub fn omega(&self) -> Vector<R::Quantity> {
         let (orientation, omega_body, exponent) = self.unrounded_with_omega_body();
-        orientation.adjoint(omega_body).map(|rate| rate.ldexp(exponent))
+        orientation.adjoint(omega_body).map(|rate| R::Coefficient::ldexp(rate, exponent))
     }
 
     /// Angular velocity Ω in the body frame, rad/s.
@@ -131,7 +133,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R::Quantity> {
         let (numbers, omega_body) = self.numbers_and_omega_body();
-        AttitudeState::from_body(numbers.map(Into::into), omega_body)
+        AttitudeState::from_body(numbers.map(|part| R::Coefficient::ldexp(part, 0)), omega_body)
     }
 
     #[inline(always)]
@@ -153,15 +155,15 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[inline(always)]
     fn numbers_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
         let (orientation, [x1, x2, _], exponent) = self.unrounded_with_omega_body();
-        let transverse = |x: NumberOf<R>| x.ldexp(exponent);
-        (orientation, [transverse(x1), transverse(x2), self.ephemeris.clock.axial_rate])
+        let [x1, x2] = [x1, x2].map(|x| R::Coefficient::ldexp(x, exponent));
+        (orientation, [x1, x2, self.ephemeris.clock.axial_rate])
     }
 
     /// Rate r' of the axis in the fixed frame.
     #[inline(always)]
     fn axis_rate(&self) -> Vector<R::Quantity> {
         let (orientation, omega_body, exponent) = self.unrounded_with_omega_body();
-        orientation.axis_rate(omega_body).map(|rate| rate.ldexp(exponent))
+        orientation.axis_rate(omega_body).map(|rate| R::Coefficient::ldexp(rate, exponent))
     }
 }
 
