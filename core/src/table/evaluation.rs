@@ -107,7 +107,7 @@ pub(crate) type NumberOf<R> = <<R as EphemerisScalar>::Coefficient as Coefficien
 #[doc(hidden)]
 pub trait Coefficient: Copy + Debug + PartialEq {
     /// Sum of Horner's rule, and the local coordinate.
-    type Sum: Copy + Default;
+    type Sum: Copy + Default + Into<f64>;
     /// Number in which α, β and Ω are computed. Rates may be larger than its range, so they have a common power of two as a factor.
     type Number: Ring;
     /// Type of lengths and rates.
@@ -149,8 +149,6 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     fn nearest(value: i64, power: usize) -> Self;
     /// Error that the coefficients of a polynomial cause, both in units of 2^-62; infinite where a sum could overflow.
     fn error(polynomial: &[i64]) -> f32;
-    /// Value of a coefficient of x^power, exact.
-    fn to_f64(self, power: usize) -> f64;
 }
 
 /// Whether 16 bits of x are enough for this power.
@@ -189,6 +187,18 @@ pub(crate) fn orientation_and_omega_body<R: EphemerisScalar>(
     let difference = R::Coefficient::sine_cosine_of_difference([a, b]);
     let (omega, exponent) = R::Coefficient::omega_body(polynomials, difference, point, rates);
     (Orientation { alpha, beta }, omega, exponent)
+}
+
+/// a and b, and their derivatives, before the rotation. The values have one scale, and the derivatives another.
+#[inline(never)]
+pub(crate) fn before_rotation<R: EphemerisScalar>(
+    rows: &[[R::Coefficient; 4]],
+    point: SegmentPoint,
+) -> [[Complex<f64>; 2]; 2] {
+    polynomials::<R::Coefficient, true>(rows, point).map(|four| {
+        let [re_a, im_a, re_b, im_b] = four.map(Into::into);
+        [Complex::new(re_a, im_a), Complex::new(re_b, im_b)]
+    })
 }
 
 /// Polynomials and, if `SLOPES`, their derivatives.

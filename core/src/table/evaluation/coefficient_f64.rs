@@ -95,8 +95,4 @@ impl Coefficient for f64 {
     fn error(_: &[i64]) -> f32 {
         0.0
     }
-
-    fn to_f64(self, _: usize) -> f64 {
-        self
-    }
 }

@@ -1,7 +1,7 @@
 //! Evaluation with coefficients of 16 bits: c·2^(15+k) for x^k. Factors have 16 bits, so that a product is one instruction on the smallest chip.
 
 use crate::complex::Complex;
-use crate::scalar::{ldexp, sine_cosine_q15};
+use crate::scalar::sine_cosine_q15;
 use crate::su2::Vector;
 use crate::table::evaluation::coefficient_i32::{
     COORDINATE_ERROR, INTEGER_ERRORS, overflow_limit, truncated_factors,
@@ -110,10 +110,6 @@ impl Coefficient for i16 {
 
     fn error(polynomial: &[i64]) -> f32 {
         truncated_factors(polynomial, OVERFLOW).map_or(f32::INFINITY, |_| 0.0)
-    }
-
-    fn to_f64(self, power: usize) -> f64 {
-        ldexp(self.into(), -15 - power as i32)
     }
 }
 

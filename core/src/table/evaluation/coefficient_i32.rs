@@ -8,7 +8,7 @@
 
 use crate::complex::Complex;
 use crate::integer::{high_product, high_product_limited, product_32x16};
-use crate::scalar::{Scalar, ldexp, sine_cosine_q26};
+use crate::scalar::{Scalar, sine_cosine_q26};
 use crate::su2::Vector;
 use crate::table::evaluation::q30::Q30;
 use crate::table::evaluation::{
@@ -175,10 +175,6 @@ impl Coefficient for i32 {
         let error = factors as f32 * (1_u32 << (TABLE_BITS - 30 - 15)) as f32;
         if error > ACCEPTED_ERROR { error - ACCEPTED_ERROR } else { 0.0 }
     }
-
-    fn to_f64(self, power: usize) -> f64 {
-        ldexp(self.into(), -31 - power as i32)
-    }
 }
 
 #[cfg(test)]
@@ -206,7 +202,7 @@ mod tests {
         for power in 0..16 {
             for value in [0.2, -0.2, 1e-9, 0.0].map(|value| value * 0.5_f64.powi(power)) {
                 let [value] = polynomial([value]);
-                let stored = i32::nearest(value, power as usize).to_f64(power as usize);
+                let stored = f64::from(i32::nearest(value, power as usize)) * 2_f64.powi(-31 - power);
                 let error = stored - value as f64 * 2_f64.powi(-62);
                 assert!(error.abs() <= 2_f64.powi(-31 - power), "{power} {value}");
             }

@@ -55,7 +55,7 @@ impl Cursor {
             self.carry();
         }
         let phases = self.phases.map(WrappedPhase::leading_bits);
-        Sample { ephemeris: table, phases, mean_tip: table.clock.mean_tip(self.tick()) }
+        Sample { table, phases, tick: self.tick().into(), fraction: Phase::ZERO }
     }
 
     /// Tick of the last sample, or the one before the first sample. It wraps after 2^63 - 1.
@@ -97,7 +97,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
                 now.iter_mut().zip(step).for_each(|(now, step)| *now += step);
             }
             for (orientation, phases) in block.iter_mut().zip(phases) {
-                *orientation = Sample { ephemeris: self, phases, mean_tip: Phase::ZERO }.orientation();
+                *orientation = Sample { table: self, phases, tick: 0, fraction: Phase::ZERO }.orientation();
             }
         }
     }

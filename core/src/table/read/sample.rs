@@ -16,11 +16,13 @@ use crate::table::read::segment::LocatedSegment;
 /// Lengths and rates are in [`EphemerisScalar::Quantity`]: R itself in floating point, `f32` in fixed point.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample<'a, R: EphemerisScalar> {
-    pub(crate) ephemeris: &'a EphemerisView<R>,
+    pub(crate) table: &'a EphemerisView<R>,
     /// 64 leading bits of nutation phase and mean phases.
     pub(crate) phases: [u64; 3],
-    /// Mean tip angle.
-    pub(crate) mean_tip: Phase,
+    /// Tick at or before the sample.
+    pub(crate) tick: i128,
+    /// Fraction of a tick after it, with a turn for 1.
+    pub(crate) fraction: Phase,
 }
 
 /// Orientation, u and tip of a sample.
@@ -59,7 +61,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
         Pose {
             orientation: numbers.map(R::from_number),
             u: R::from_number(numbers.u()),
-            tip: product.scaled(self.ephemeris.clock.twice_tip_scale),
+            tip: product.scaled(self.table.clock.twice_tip_scale),
         }
     }
 
@@ -126,7 +128,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     pub fn tip_velocity(&self) -> Complex<R::Quantity> {
         let [x, y, _] = self.axis_rate();
         // c = -s (r₁ + i r₂), and the scale of the tip is 2 s
-        Complex::new(x, y).scaled(-self.ephemeris.clock.twice_tip_scale.halved())
+        Complex::new(x, y).scaled(-self.table.clock.twice_tip_scale.halved())
     }
 
     /// Orientation and its rate, from which ω, u' and a [`State`](crate::State) follow.
@@ -139,7 +141,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[inline(always)]
     fn unrounded(&self) -> Orientation<NumberOf<R>> {
         let [nutation, alpha_phase, beta_phase] = self.phases;
-        let LocatedSegment { rows, point, .. } = self.ephemeris.segment_at(nutation);
+        let LocatedSegment { rows, point, .. } = self.table.segment_at(nutation);
         orientation::<R>(rows, point, [alpha_phase, beta_phase])
     }
 
@@ -147,8 +149,8 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[inline(always)]
     fn unrounded_with_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
         let [nutation, alpha_phase, beta_phase] = self.phases;
-        let LocatedSegment { rows, point, .. } = self.ephemeris.segment_at(nutation);
-        orientation_and_omega_body::<R>(rows, point, [alpha_phase, beta_phase], self.ephemeris.clock.rates())
+        let LocatedSegment { rows, point, .. } = self.table.segment_at(nutation);
+        orientation_and_omega_body::<R>(rows, point, [alpha_phase, beta_phase], self.table.clock.rates())
     }
 
     /// Unrounded orientation, and Ω.
@@ -156,7 +158,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     fn numbers_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
         let (orientation, [x1, x2, _], exponent) = self.unrounded_with_omega_body();
         let [x1, x2] = [x1, x2].map(|x| R::Coefficient::ldexp(x, exponent));
-        (orientation, [x1, x2, self.ephemeris.clock.axial_rate])
+        (orientation, [x1, x2, self.table.clock.axial_rate])
     }
 
     /// Rate r' of the axis in the fixed frame.
