@@ -42,13 +42,8 @@ pub mod other_tops {}
 #[doc = include_str!("../docs/table_format.md")]
 pub mod table_format {}
 
-/// Parts for `toytop-fit`, `toytop-closed-forms` and `toytop-c` only; any version may change them.
 #[doc(hidden)]
-pub mod internal {
-    pub use crate::body::{check, check_finite};
-    pub use crate::motion::UnroundedMotion;
-    pub use crate::motion::cayley_klein::{Ellipse, Ellipses};
-}
+pub mod internal;
 
 pub use body::{ParameterError, Release, State, Support, Top, TopParameters};
 pub use complex::Complex;

@@ -30,7 +30,7 @@ pub struct Motion {
     top: Top,
     signs: Signs,
     pub(crate) e: BranchPoints<Extended>,
-    integrals: FirstIntegrals<Extended>,
+    pub(crate) integrals: FirstIntegrals<Extended>,
     /// Half of τ = ⟨ω, r⟩ - n/A, rad/s.
     pub(crate) half_tau: Extended,
     ellipses: Ellipses<f64>,
@@ -42,20 +42,6 @@ pub struct Motion {
     pub(crate) rounding: LaunchRounding,
     /// Rate χ' without torque, rad/s; otherwise 0.
     torque_free_rate: Extended,
-}
-
-/// Unrounded constants of a [`Motion`] and its phases at t = 0, for the closed forms.
-pub struct UnroundedMotion {
-    /// Branch points.
-    pub e: BranchPoints<Extended>,
-    /// First integrals.
-    pub integrals: FirstIntegrals<Extended>,
-    /// Half of τ = ⟨ω, r⟩ - n/A, rad/s.
-    pub half_tau: Extended,
-    /// Half phase χ at t = 0; `None` where u is constant.
-    pub half_phase: Option<Phase>,
-    /// Slow phases of α and β at t = 0.
-    pub slow_phases: [Phase; 2],
 }
 
 impl Motion {
@@ -124,8 +110,7 @@ impl Motion {
     }
 
     /// Variable v = asinh(tan χ) at t = 0 of an aperiodic motion, which has χ = gd v; `None` for another motion.
-    #[doc(hidden)]
-    pub fn aperiodic_v(&self) -> Option<f64> {
+    pub(crate) fn aperiodic_v(&self) -> Option<f64> {
         let Complex { re: cosine, im: sine } = self.cis_chi();
         (self.regime == Regime::Aperiodic).then(|| libm::asinh(sine / cosine))
     }
@@ -161,16 +146,9 @@ impl Motion {
         self.half_phase.is_none()
     }
 
-    #[doc(hidden)]
-    pub fn unrounded(&self) -> UnroundedMotion {
-        let Self { e, integrals, half_tau, half_phase, slow_phases, .. } = *self;
-        UnroundedMotion { e, integrals, half_tau, half_phase, slow_phases }
-    }
-
     /// Phase equations of the motion.
-    #[doc(hidden)]
     #[inline(never)]
-    pub fn equations(&self) -> PhaseEquations<Extended> {
+    pub(crate) fn equations(&self) -> PhaseEquations<Extended> {
         PhaseEquations::new(&self.top, &self.e, self.integrals.l_plus_n, self.signs, self.torque_free_rate)
     }
 }

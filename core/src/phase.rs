@@ -93,8 +93,7 @@ impl Phase {
     }
 
     /// Number of whole half turns, and the remainder in [0, 1/2) turn.
-    #[doc(hidden)]
-    pub fn split_half_turns(self) -> (i64, Self) {
+    pub(crate) fn split_half_turns(self) -> (i64, Self) {
         let half_turns = self.0 >> (FRACTION_BITS - 1);
         (half_turns as i64, Self(self.0.wrapping_sub(half_turns << (FRACTION_BITS - 1))))
     }

@@ -83,10 +83,8 @@ pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
     /// Truncation error of a table unless another one is chosen, rad.
     const TRUNCATION: f64 = 2.0 * Self::ROUNDING;
     /// Segment whose coefficients are all 0.
-    #[doc(hidden)]
     const ZERO_SEGMENT: Self::Segment;
     /// Code of the scalar in [the table format](crate::table_format).
-    #[doc(hidden)]
     const CODE: u32;
     /// Rounding errors of a tick.
     #[doc(hidden)]
@@ -104,7 +102,6 @@ pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
 pub(crate) type NumberOf<R> = <<R as EphemerisScalar>::Coefficient as Coefficient>::Number;
 
 /// Coefficient of a table, and the arithmetic of its evaluation.
-#[doc(hidden)]
 pub trait Coefficient: Copy + Debug + PartialEq {
     /// Sum of Horner's rule, and the local coordinate.
     type Sum: Copy + Default + Into<f64>;
