@@ -60,7 +60,7 @@ pub struct EvaluationErrors {
     pub(crate) relative_omega: f64,
 }
 
-/// Scalar of an ephemeris: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
+/// Scalar of a table: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
 pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
     /// Coefficient of the table.
     #[doc(hidden)]
@@ -103,13 +103,15 @@ pub(crate) type NumberOf<R> = <<R as EphemerisScalar>::Coefficient as Coefficien
 
 /// Coefficient of a table, and the arithmetic of its evaluation.
 pub trait Coefficient: Copy + Debug + PartialEq {
-    /// Sum of Horner's rule, and the local coordinate.
-    type Sum: Copy + Default + Into<f64>;
+    /// Sum of Horner's rule, and the local coordinate: the coefficient itself, or `i32` for `i16`.
+    type Sum: Coefficient<Sum = Self::Sum> + Default + Into<f64>;
     /// Number in which α, β and Ω are computed. Rates may be larger than its range, so they have a common power of two as a factor.
     type Number: Ring;
     /// Type of lengths and rates.
     type Quantity: Real;
 
+    /// Coefficient in the scale of the sums.
+    fn to_sum(self) -> Self::Sum;
     /// Local coordinate.
     fn coordinate(point: SegmentPoint) -> Self::Sum;
     /// Step of Horner's rule, `self` + `sum` x, with 16 bits of x if they are enough.
@@ -186,13 +188,14 @@ pub(crate) fn orientation_and_omega_body<R: EphemerisScalar>(
     (Orientation { alpha, beta }, omega, exponent)
 }
 
-/// a and b, and their derivatives, before the rotation. The values have one scale, and the derivatives another.
+/// a and b, and their derivatives, before the rotation, to 32 bits also for 16-bit coefficients. The derivatives have a scale of their own.
 #[inline(never)]
 pub(crate) fn before_rotation<R: EphemerisScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
 ) -> [[Complex<f64>; 2]; 2] {
-    polynomials::<R::Coefficient, true>(rows, point).map(|four| {
+    let x = <R::Coefficient as Coefficient>::Sum::coordinate(point);
+    horner::<_, _, 4, true>(rows, x, |four| four.map(Coefficient::to_sum)).map(|four| {
         let [re_a, im_a, re_b, im_b] = four.map(Into::into);
         [Complex::new(re_a, im_a), Complex::new(re_b, im_b)]
     })
@@ -204,36 +207,36 @@ fn polynomials<C: Coefficient, const SLOPES: bool>(rows: &[[C; 4]], point: Segme
     let x = C::coordinate(point);
     // four for vector units, two for the few registers of the smallest chips
     if cfg!(target_pointer_width = "64") || size_of::<C>() == 8 {
-        return horner::<C, 4, SLOPES>(rows, x, |four| *four);
+        return horner::<C, C, 4, SLOPES>(rows, x, |four| *four);
     }
     let [[re_b, im_b], [re_slope_b, im_slope_b]] =
-        horner::<C, 2, SLOPES>(rows, x, |&[_, _, re, im]| [re, im]);
+        horner::<C, C, 2, SLOPES>(rows, x, |&[_, _, re, im]| [re, im]);
     let [[re_a, im_a], [re_slope_a, im_slope_a]] =
-        horner::<C, 2, SLOPES>(rows, x, |&[re, im, _, _]| [re, im]);
+        horner::<C, C, 2, SLOPES>(rows, x, |&[re, im, _, _]| [re, im]);
     [[re_a, im_a, re_b, im_b], [re_slope_a, im_slope_a, re_slope_b, im_slope_b]]
 }
 
-/// Polynomials and, if `SLOPES`, their derivatives by Horner's rule. A borrowed row lets the compiler recognise a vector.
+/// Polynomials and, if `SLOPES`, their derivatives by Horner's rule in `D`. A borrowed row lets the compiler recognise a vector.
 #[inline(always)]
-fn horner<C: Coefficient, const N: usize, const SLOPES: bool>(
+fn horner<C, D: Coefficient, const N: usize, const SLOPES: bool>(
     rows: &[[C; 4]],
-    x: C::Sum,
-    part: impl Fn(&[C; 4]) -> [C; N],
-) -> [[C::Sum; N]; 2] {
+    x: D::Sum,
+    part: impl Fn(&[C; 4]) -> [D; N],
+) -> [[D::Sum; N]; 2] {
     let (mut sums, mut slopes) = ([Default::default(); N], [Default::default(); N]);
     let [constant, higher @ ..] = rows else { return [sums, slopes] };
     for (power, coefficients) in higher.iter().enumerate().map(|(below, four)| (below + 2, four)).rev() {
         let by_16_bits = is_by_16_bits(power, rows.len());
         for ((sum, slope), c) in sums.iter_mut().zip(&mut slopes).zip(&part(coefficients)) {
             if SLOPES {
-                *slope = C::slope_step(*sum, *slope, x, by_16_bits);
+                *slope = D::slope_step(*sum, *slope, x, by_16_bits);
             }
             *sum = c.step(*sum, x, by_16_bits);
         }
     }
     for ((sum, slope), c) in sums.iter_mut().zip(&mut slopes).zip(part(constant)) {
         if SLOPES {
-            *slope = C::slope_step(*sum, *slope, x, false);
+            *slope = D::slope_step(*sum, *slope, x, false);
         }
         *sum = c.last_step(*sum, x);
     }

@@ -37,6 +37,11 @@ impl Coefficient for f64 {
     type Number = Self;
     type Quantity = Self;
 
+    #[inline]
+    fn to_sum(self) -> f64 {
+        self
+    }
+
     #[inline(always)]
     fn coordinate(point: SegmentPoint) -> f64 {
         2.0 * fraction_of_word(point.x_q63)

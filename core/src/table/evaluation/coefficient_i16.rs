@@ -53,19 +53,24 @@ impl Coefficient for i16 {
     type Quantity = f32;
 
     #[inline]
+    fn to_sum(self) -> i32 {
+        i32::from(self) << 16
+    }
+
+    #[inline]
     fn coordinate(point: SegmentPoint) -> i32 {
         ((point.x_q31 >> 15) + 1) >> 1
     }
 
     #[inline(always)]
     fn step(self, sum: i32, x: i32, _: bool) -> i32 {
-        (i32::from(self) << 16) + (sum >> 16) * x
+        self.to_sum() + (sum >> 16) * x
     }
 
     /// Value plus half a unit of 2^-15, so that the shift in a rotation rounds.
     #[inline(always)]
     fn last_step(self, sum: i32, x: i32) -> i32 {
-        ((i32::from(self) << 16) + (1 << 15)).saturating_add((sum >> 16) * x)
+        (self.to_sum() + (1 << 15)).saturating_add((sum >> 16) * x)
     }
 
     #[inline(always)]

@@ -110,6 +110,11 @@ impl Coefficient for i32 {
     type Quantity = f32;
 
     #[inline]
+    fn to_sum(self) -> i32 {
+        self
+    }
+
+    #[inline]
     fn coordinate(point: SegmentPoint) -> i32 {
         point.x_q31
     }
