@@ -75,8 +75,8 @@ impl Level {
     }
 
     /// Nutation phase in (0, 1/2) turn at which u rises to the level; `None` where the motion does not reach it.
-    pub(super) fn phase<R: EphemerisScalar>(&self, view: &EphemerisView<R>) -> Option<Phase> {
-        let reached = |nutation| self.is_reached(&at_phase(view, nutation).orientation());
+    pub(super) fn phase<R: EphemerisScalar>(&self, table: &EphemerisView<R>) -> Option<Phase> {
+        let reached = |nutation| self.is_reached(&at_phase(table, nutation).orientation());
         (reached(LAST_RISING) && !reached(0)).then(|| bisect(reached))
     }
 

@@ -216,7 +216,7 @@ fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     events(&ephemeris, motion);
     black_box((ephemeris.error_bound_at(black_box(3)), ephemeris.capacity()));
     let mut out = [Orientation::<R>::IDENTITY; 4];
-    ephemeris.fill(black_box(0), &mut out);
+    ephemeris.fill_orientations(black_box(0), &mut out);
     black_box(out);
     let mut workspace = Workspace::new();
     let settings = TableSettings { tick, epoch: black_box(-7), truncation: Some(unknown()) };

@@ -160,7 +160,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 }
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
-    /// Ephemeris of a motion launched at tick 0. In `f32` this takes 13 KB of a Cortex-M4F's stack; [`EphemerisMemory::set_up`] takes 4 KB.
+    /// Table of a motion launched at tick 0. In `f32` this takes 13 KB of a Cortex-M4F's stack; [`EphemerisMemory::set_up`] takes 4 KB.
     ///
     /// # Errors
     /// [`SetUpError`]
@@ -168,7 +168,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
         Self::with_truncation(motion, tick, R::TRUNCATION)
     }
 
-    /// Ephemeris with a given truncation error > 0, rad: a smaller table for a larger error.
+    /// Table with a given truncation error > 0, rad: a smaller table for a larger error.
     ///
     /// # Errors
     /// [`SetUpError`]

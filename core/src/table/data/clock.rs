@@ -1,4 +1,4 @@
-//! Clock of an ephemeris: the numbers that give the phases at any time.
+//! Clock of a table: the numbers that give the phases at any time.
 
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};

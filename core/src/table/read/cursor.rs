@@ -6,7 +6,7 @@ use crate::table::data::EphemerisView;
 use crate::table::evaluation::EphemerisScalar;
 use crate::table::read::sample::Sample;
 
-/// Phases of consecutive ticks of one table, by three additions each. [`Cursor::next`] is given this table.
+/// Phases of consecutive ticks of one table, by three additions each. Pass that table to [`Cursor::next`].
 ///
 /// After a relaunch, a cursor of the new table takes the place of the old one, without lock and copy:
 ///
@@ -84,7 +84,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     }
 
     /// Fills `out` with the orientations at the ticks first, first + 1, .... The bits are those of [`EphemerisView::at_tick`]; faster on a PC.
-    pub fn fill(&self, first: i64, out: &mut [Orientation<R>]) {
+    pub fn fill_orientations(&self, first: i64, out: &mut [Orientation<R>]) {
         /// Number of ticks whose orientations are computed independently.
         const BLOCK: usize = 16;
         // as 128-bit numbers, which need no assembly from words

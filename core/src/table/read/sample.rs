@@ -94,7 +94,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[inline(always)]
     #[must_use]
     pub fn omega(&self) -> Vector<R::Quantity> {
-        let (orientation, omega_body, exponent) = self.unrounded_with_omega_body();
+        let (orientation, omega_body, exponent) = self.unrounded_and_scaled_omega_body();
         orientation.adjoint(omega_body).map(|rate| R::Coefficient::ldexp(rate, exponent))
     }
 
@@ -110,7 +110,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[inline(always)]
     #[must_use]
     pub fn orientation_and_omega_body(&self) -> (Orientation<R>, Vector<R::Quantity>) {
-        let (numbers, omega_body) = self.numbers_and_omega_body();
+        let (numbers, omega_body) = self.unrounded_and_omega_body();
         (numbers.map(R::from_number), omega_body)
     }
 
@@ -134,7 +134,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     /// Orientation and its rate, from which ω, u' and a [`State`](crate::State) follow.
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R::Quantity> {
-        let (numbers, omega_body) = self.numbers_and_omega_body();
+        let (numbers, omega_body) = self.unrounded_and_omega_body();
         AttitudeState::from_body(numbers.map(|part| R::Coefficient::ldexp(part, 0)), omega_body)
     }
 
@@ -147,7 +147,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
 
     /// Unrounded orientation, and Ω over a power of two with its exponent.
     #[inline(always)]
-    fn unrounded_with_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
+    fn unrounded_and_scaled_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
         let [nutation, alpha_phase, beta_phase] = self.phases;
         let LocatedSegment { rows, point, .. } = self.table.segment_at(nutation);
         orientation_and_omega_body::<R>(rows, point, [alpha_phase, beta_phase], self.table.clock.rates())
@@ -155,8 +155,8 @@ impl<R: EphemerisScalar> Sample<'_, R> {
 
     /// Unrounded orientation, and Ω.
     #[inline(always)]
-    fn numbers_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
-        let (orientation, [x1, x2, _], exponent) = self.unrounded_with_omega_body();
+    fn unrounded_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
+        let (orientation, [x1, x2, _], exponent) = self.unrounded_and_scaled_omega_body();
         let [x1, x2] = [x1, x2].map(|x| R::Coefficient::ldexp(x, exponent));
         (orientation, [x1, x2, self.table.clock.axial_rate])
     }
@@ -164,7 +164,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     /// Rate r' of the axis in the fixed frame.
     #[inline(always)]
     fn axis_rate(&self) -> Vector<R::Quantity> {
-        let (orientation, omega_body, exponent) = self.unrounded_with_omega_body();
+        let (orientation, omega_body, exponent) = self.unrounded_and_scaled_omega_body();
         orientation.axis_rate(omega_body).map(|rate| R::Coefficient::ldexp(rate, exponent))
     }
 }
