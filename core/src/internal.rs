@@ -16,16 +16,6 @@ pub fn top_constants(top: &Top) -> [Extended; 6] {
     [top.a, top.c, top.s, top.p, top.g, top.k]
 }
 
-/// Quotient A/(ps) of a top, e₄² - 1.
-pub fn a_over_ps(top: &Top) -> Extended {
-    top.a_over_ps()
-}
-
-/// Length D(u) = A/p + s (1 - u²) of a top, from 1 - u².
-pub fn d(top: &Top, sine_squared: Extended) -> Extended {
-    top.d(sine_squared)
-}
-
 /// Unrounded branch points of a motion.
 pub fn branch_points(motion: &Motion) -> &BranchPoints<Extended> {
     &motion.e

@@ -17,9 +17,7 @@ use crate::elliptic::elementary::{ValueAndSlope, imaginary, of_turns, real};
 use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use crate::orientation::{ArgumentOffsets, Periods, solve_increasing};
 use crate::theta_quotient::{ThetaQuotient, zeros};
-use toytop::internal::{
-    a_over_ps, branch_points, first_integrals, half_phase, split_half_turns, top_constants,
-};
+use toytop::internal::{branch_points, first_integrals, half_phase, split_half_turns, top_constants};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 
@@ -118,7 +116,8 @@ impl E3EqualsE4 {
 
 /// Difference e₃² - e₄², and e₄² - 1 = A/(ps).
 fn squares(motion: &Motion) -> [Extended; 2] {
-    let (e, a_over_ps) = (branch_points(motion), a_over_ps(motion.top()));
+    let (e, [a, _, s, p, ..]) = (branch_points(motion), top_constants(motion.top()));
+    let a_over_ps = a / (p * s);
     [e.e3_minus_one * e.one_plus_e3() - a_over_ps, a_over_ps]
 }
 

@@ -10,7 +10,7 @@
 //!
 //! Equal signs give the fast precession, different signs the slow one; at the same e and e₃ their product is pg/A.
 
-use toytop::internal::{branch_points, check, check_finite, d, first_integrals, top_constants};
+use toytop::internal::{branch_points, check, check_finite, first_integrals, top_constants};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 use toytop::{AttitudeState, Complex, Motion, ParameterError, Regime, Signs, Stepper, Top};
@@ -57,7 +57,7 @@ impl RegularPrecession {
             return None;
         }
         let (e, top) = (branch_points(motion), motion.top());
-        let [a, _, _, p, g, _] = top_constants(top);
+        let [a, _, s, p, g, _] = top_constants(top);
         let falls = regime == Regime::SleepingUnstable;
         let (zero, one) = (Extended::ZERO, Extended::ONE);
         let swing = e.e2_minus_e1.halved();
@@ -78,7 +78,7 @@ impl RegularPrecession {
             // 4 A p g - n² = 2 A p g (1 - e₁)
             Stability::Unstable { growth_rate: (p * g * e.one_minus_e1() / a).halved().sqrt().to_f64() }
         } else if e.e3_minus_e2 > zero {
-            let d = d(top, one_minus_u * one_plus_u);
+            let d = a / p + s * (one_minus_u * one_plus_u);
             Stability::Stable { frequency: (g.doubled() * e.e3_minus_e2 / d).sqrt().to_f64() }
         } else {
             Stability::Marginal

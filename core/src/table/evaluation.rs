@@ -103,8 +103,10 @@ pub(crate) type NumberOf<R> = <<R as EphemerisScalar>::Coefficient as Coefficien
 
 /// Coefficient of a table, and the arithmetic of its evaluation.
 pub trait Coefficient: Copy + Debug + PartialEq {
-    /// Sum of Horner's rule, and the local coordinate: the coefficient itself, or `i32` for `i16`.
-    type Sum: Coefficient<Sum = Self::Sum> + Default + Into<f64>;
+    /// Sum of Horner's rule, and the local coordinate: the type of the coefficient itself, or `i32` for `i16`.
+    type Sum: Coefficient<Sum = Self::Sum, Number = Self::Number, Quantity = Self::Quantity>
+        + Default
+        + Into<f64>;
     /// Number in which α, β and Ω are computed. Rates may be larger than its range, so they have a common power of two as a factor.
     type Number: Ring;
     /// Type of lengths and rates.
@@ -117,7 +119,10 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     /// Step of Horner's rule, `self` + `sum` x, with 16 bits of x if they are enough.
     fn step(self, sum: Self::Sum, x: Self::Sum, by_16_bits: bool) -> Self::Sum;
     /// Last step, to the value of a polynomial with this constant.
-    fn last_step(self, sum: Self::Sum, x: Self::Sum) -> Self::Sum;
+    #[inline(always)]
+    fn last_step(self, sum: Self::Sum, x: Self::Sum) -> Self::Sum {
+        self.step(sum, x, false)
+    }
     /// Step of Horner's rule for the derivative, `sum` + `slope` x, with the sum of the polynomial before its step.
     fn slope_step(sum: Self::Sum, slope: Self::Sum, x: Self::Sum, by_16_bits: bool) -> Self::Sum;
     /// Complex number of the table, rotated by the angle with this sine and cosine.
@@ -133,14 +138,20 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     /// * `polynomials`: values and derivatives
     /// * `difference`: sine and cosine of Λ_β - Λ_α
     /// * `rates`: rates of x on an eighth of half a period, of Λ_α + Λ_β, and about the axis
+    #[inline(always)]
     fn omega_body(
         polynomials: [[Self::Sum; 4]; 2],
         difference: [Self::Sum; 2],
         point: SegmentPoint,
         rates: [Self::Quantity; 3],
-    ) -> (Vector<Self::Number>, i32);
+    ) -> (Vector<Self::Number>, i32) {
+        Self::Sum::omega_body(polynomials, difference, point, rates)
+    }
     /// Product of a number and a power of two.
-    fn ldexp(number: Self::Number, exponent: i32) -> Self::Quantity;
+    #[inline(always)]
+    fn ldexp(number: Self::Number, exponent: i32) -> Self::Quantity {
+        Self::Sum::ldexp(number, exponent)
+    }
 
     // For the set-up.
 

@@ -53,11 +53,6 @@ impl Coefficient for f64 {
     }
 
     #[inline(always)]
-    fn last_step(self, sum: f64, x: f64) -> f64 {
-        sum * x + self
-    }
-
-    #[inline(always)]
     fn slope_step(sum: f64, slope: f64, x: f64, _: bool) -> f64 {
         slope * x + sum
     }

@@ -2,7 +2,6 @@
 
 use crate::complex::Complex;
 use crate::scalar::sine_cosine_q15;
-use crate::su2::Vector;
 use crate::table::evaluation::coefficient_i32::{
     COORDINATE_ERROR, INTEGER_ERRORS, overflow_limit, truncated_factors,
 };
@@ -89,21 +88,6 @@ impl Coefficient for i16 {
     #[inline(always)]
     fn sine_cosine_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> [i32; 2] {
         [cosine_a * sine_b - sine_a * cosine_b, cosine_a * cosine_b + sine_a * sine_b]
-    }
-
-    #[inline(always)]
-    fn omega_body(
-        polynomials: [[i32; 4]; 2],
-        difference: [i32; 2],
-        point: SegmentPoint,
-        rates: [f32; 3],
-    ) -> (Vector<Q30>, i32) {
-        Q30::omega_body(polynomials, difference, point, rates)
-    }
-
-    #[inline(always)]
-    fn ldexp(number: Q30, exponent: i32) -> f32 {
-        number.ldexp(exponent)
     }
 
     fn nearest(value: i64, power: usize) -> Self {
