@@ -24,11 +24,11 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     let state = State::from_quaternion_and_gyro(orientation.quaternion(), gyro)?;
 
     let motion = Motion::launch(&top, &state)?;
-    let ephemeris = EphemerisF32::new(&motion, Tick::hertz(1000)?)?;
-    let sample = ephemeris.at_tick(0);
+    let table = EphemerisF32::new(&motion, Tick::hertz(1000)?)?;
+    let sample = table.at_tick(0);
     println!("tilt {:.4} rad", orientation.u().clamp(-1.0, 1.0).acos());
     println!("omega in the body frame, back from the motion: {:?} rad/s", sample.omega_body());
-    println!("quaternion after a second: {:?}", ephemeris.at_tick(1000).quaternion());
+    println!("quaternion after a second: {:?}", table.at_tick(1000).quaternion());
 
     for (measured, back) in gyro.into_iter().zip(sample.omega_body()) {
         assert!((measured - f64::from(back)).abs() < 1e-3, "{measured} {back}");

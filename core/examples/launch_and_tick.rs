@@ -9,27 +9,27 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     // The axis leans by 0.35 rad and rests; the body turns about its axis at 150 rad/s.
     let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
     let motion = Motion::launch(&top, &state)?;
-    let ephemeris = EphemerisF32::new(&motion, Tick::hertz(1000)?)?;
+    let table = EphemerisF32::new(&motion, Tick::hertz(1000)?)?;
 
     // The next tick, three additions after the last one.
-    let mut cursor = ephemeris.cursor(0);
+    let mut cursor = table.cursor(0);
     for _ in 0..3 {
-        let Pose { orientation, u, .. } = cursor.next(&ephemeris).pose();
+        let Pose { orientation, u, .. } = cursor.next(&table).pose();
         println!("tick {}: quaternion {:?}, u = {u}", cursor.tick(), orientation.quaternion());
     }
 
     // Any other tick costs the same, and the error bound is known before.
-    let far = ephemeris.at_tick(1 << 40);
+    let far = table.at_tick(1 << 40);
     println!("tick 2^40, after 35 years: tip {:?} m", far.tip());
-    println!("error bound there: {:.1e} rad", ephemeris.error_bound_at(1 << 40));
+    println!("error bound there: {:.1e} rad", table.error_bound_at(1 << 40));
 
     // Between two ticks, and what follows from the orientation's rate.
-    let between = ephemeris.at(0.01234);
+    let between = table.at(0.01234);
     println!("t = 12.34 ms: omega {:?} rad/s in the fixed frame", between.omega());
 
-    let expected = ephemeris.at_tick(cursor.tick()).quaternion();
-    let mut again = ephemeris.cursor(cursor.tick());
-    assert_eq!(again.next(&ephemeris).quaternion(), expected, "cursor and at_tick give the same bits");
-    assert!(ephemeris.error_bound_at(1 << 40) < 3e-6);
+    let expected = table.at_tick(cursor.tick()).quaternion();
+    let mut again = table.cursor(cursor.tick());
+    assert_eq!(again.next(&table).quaternion(), expected, "cursor and at_tick give the same bits");
+    assert!(table.error_bound_at(1 << 40) < 3e-6);
     Ok(())
 }

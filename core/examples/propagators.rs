@@ -1,4 +1,4 @@
-//! Choice of a propagator: ephemeris, cursor, stepper or closed form.
+//! Choice of a propagator: table, cursor, stepper or closed form.
 //!
 //! | you need | use | why |
 //! |---|---|---|
@@ -17,21 +17,21 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     assert_eq!(motion.regime(), Regime::Nutating);
 
     // A table, then any tick.
-    let ephemeris = EphemerisF64::new(&motion, Tick::hertz(1000)?)?;
+    let table = EphemerisF64::new(&motion, Tick::hertz(1000)?)?;
     // Consecutive ticks.
-    let mut cursor = ephemeris.cursor(0);
+    let mut cursor = table.cursor(0);
     // No table; steps of any length.
     let mut stepper = Stepper::<f64>::new(&motion);
     let mut worst: f64 = 0.0;
     for tick in 0..2000 {
-        let next = cursor.next(&ephemeris).orientation();
-        assert_eq!(next, ephemeris.at_tick(tick).orientation(), "cursor and at_tick give the same bits");
+        let next = cursor.next(&table).orientation();
+        assert_eq!(next, table.at_tick(tick).orientation(), "cursor and at_tick give the same bits");
         worst = worst.max(next.distance(&stepper.orientation()));
         stepper.step(0.001);
     }
-    println!("ephemeris against stepper, two seconds in steps of 1 ms: {worst:.1e} rad");
-    println!("error bound of the ephemeris there: {:.1e} rad", ephemeris.error_bound_at(2000));
-    println!("size of the ephemeris: {} bytes", size_of_val(&ephemeris));
+    println!("table against stepper, two seconds in steps of 1 ms: {worst:.1e} rad");
+    println!("error bound of the table there: {:.1e} rad", table.error_bound_at(2000));
+    println!("size of the table: {} bytes", size_of_val(&table));
     println!("size of the stepper: {} bytes", size_of_val(&stepper));
     assert!(worst < 1e-3);
     Ok(())

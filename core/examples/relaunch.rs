@@ -4,15 +4,17 @@
 //! stroke is the epoch of the new table. The cursor is replaced together with the table; the firmware example
 //! `relaunch` does so between two ticks of a running interrupt.
 
-use toytop::{EphemerisF64, EphemerisMemory, Motion, Release, State, Tick, Top, TopParameters, Workspace};
+use toytop::{
+    EphemerisF64, EphemerisMemory, Motion, Release, State, TableSettings, Tick, Top, TopParameters, Workspace,
+};
 
 fn main() -> Result<(), Box<dyn core::error::Error>> {
     let top = Top::sliding(&TopParameters::TOY)?;
     let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
-    let tick = Tick::hertz(1000)?;
+    let settings = TableSettings::new(Tick::hertz(1000)?);
     let mut workspace = Workspace::new();
     let [mut first, mut second] = [(); 2].map(|()| EphemerisMemory::<EphemerisF64>::new());
-    let before = first.set_up(&mut workspace, &Motion::launch(&top, &state)?, tick, 0, &mut || {})?;
+    let before = first.set_up(&mut workspace, &Motion::launch(&top, &state)?, &settings, &mut || {})?;
 
     // At tick 250 a stick strikes the rim with 2 mN s: 25 mm from the axis, at the height of the centre of mass, along the
     // second fixed axis.
@@ -22,7 +24,8 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     let [.., pressure] = state.reaction_impulse(&top, impulse, point)?;
     println!("the plane answers with {pressure:.1e} N s; if that were negative, the top would leave it");
     let motion = Motion::launch(&top, &state.with_impulse(&top, impulse, point)?)?;
-    let after = second.set_up(&mut workspace, &motion, tick, struck_at.into(), &mut || {})?;
+    let settings = TableSettings { epoch: struck_at.into(), ..settings };
+    let after = second.set_up(&mut workspace, &motion, &settings, &mut || {})?;
 
     let [old, new] = [before, after].map(|table| table.at_tick(struck_at.into()));
     let jump = old.orientation().distance(&new.orientation());

@@ -42,13 +42,8 @@ pub mod other_tops {}
 #[doc = include_str!("../docs/table_format.md")]
 pub mod table_format {}
 
-/// Parts for `toytop-fit`, `toytop-closed-forms` and `toytop-c` only; any version may change them.
 #[doc(hidden)]
-pub mod internal {
-    pub use crate::body::{check, check_finite};
-    pub use crate::motion::UnroundedMotion;
-    pub use crate::motion::cayley_klein::{Ellipse, Ellipses};
-}
+pub mod internal;
 
 pub use body::{ParameterError, Release, State, Support, Top, TopParameters};
 pub use complex::Complex;
@@ -63,7 +58,7 @@ pub use stepper::Stepper;
 pub use su2::{AttitudeState, Orientation};
 pub use table::{
     Baked, BakedError, Clock, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory,
-    EphemerisScalar, EphemerisView, ErrorBound, Pose, Sample, SetUpError, Tick, Workspace,
+    EphemerisScalar, EphemerisView, ErrorBound, Pose, Sample, SetUpError, TableSettings, Tick, Workspace,
 };
 #[cfg(feature = "fixed")]
 pub use table::{EphemerisQ15, EphemerisQ31};
@@ -93,7 +88,7 @@ mod tests {
         logged::<(ParameterError, Support, Top, TopParameters, Release, InitialAngles, State)>();
         logged::<(BranchPoints, FirstIntegrals, PeriodAdvance, Regime, TipClass)>();
         logged::<(Motion, Sign, Signs)>();
-        logged::<(EphemerisF32, EphemerisF64, ErrorBound, SetUpError, Tick, Event, Level)>();
+        logged::<(EphemerisF32, EphemerisF64, ErrorBound, SetUpError, TableSettings, Event, Level)>();
         logged::<(Cursor, Sample<'static, f64>, AttitudeState<f32>, Stepper<f64>)>();
         #[cfg(feature = "fixed")]
         logged::<(Orientation<fixed::types::I2F30>, Complex<fixed::types::I2F14>)>();

@@ -19,10 +19,10 @@ use crate::body::{Support, Top};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, Regime, Signs, TipClass, normal_force};
 use crate::motion::cayley_klein::Ellipses;
-use crate::motion::period::{Period, PeriodAdvance};
+use crate::motion::period::{PathNumber, Period, PeriodAdvance};
 use crate::motion::phase_equations::PhaseEquations;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring, Wide};
+use crate::scalar::{Extended, Float, Ring};
 
 /// Motion of one launch.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +30,7 @@ pub struct Motion {
     top: Top,
     signs: Signs,
     pub(crate) e: BranchPoints<Extended>,
-    integrals: FirstIntegrals<Extended>,
+    pub(crate) integrals: FirstIntegrals<Extended>,
     /// Half of τ = ⟨ω, r⟩ - n/A, rad/s.
     pub(crate) half_tau: Extended,
     ellipses: Ellipses<f64>,
@@ -42,20 +42,6 @@ pub struct Motion {
     pub(crate) rounding: LaunchRounding,
     /// Rate χ' without torque, rad/s; otherwise 0.
     torque_free_rate: Extended,
-}
-
-/// Unrounded constants of a [`Motion`] and its phases at t = 0, for the closed forms.
-pub struct UnroundedMotion {
-    /// Branch points.
-    pub e: BranchPoints<Extended>,
-    /// First integrals.
-    pub integrals: FirstIntegrals<Extended>,
-    /// Half of τ = ⟨ω, r⟩ - n/A, rad/s.
-    pub half_tau: Extended,
-    /// Half phase χ at t = 0; `None` where u is constant.
-    pub half_phase: Option<Phase>,
-    /// Slow phases of α and β at t = 0.
-    pub slow_phases: [Phase; 2],
 }
 
 impl Motion {
@@ -95,12 +81,12 @@ impl Motion {
     /// Cost: one integration.
     pub fn period_advance(&self) -> Option<PeriodAdvance> {
         let windings = Ellipses::oscillating(&self.e, self.signs, Extended::to_f64).windings();
-        let period = self.period::<2>(&self.equations(), &mut || {})?;
+        let period = self.period::<Extended>(&self.equations(), &mut || {})?;
         Some(PeriodAdvance::new(&period, self.half_tau, windings))
     }
 
-    /// Nutation period, integrated in numbers of this many words.
-    pub(crate) fn period<const WORDS: usize>(
+    /// Nutation period, integrated for a path in `F`.
+    pub(crate) fn period<F: PathNumber>(
         &self,
         equations: &PhaseEquations<Extended>,
         pause: &mut dyn FnMut(),
@@ -110,8 +96,7 @@ impl Motion {
             return (self.torque_free_rate > Extended::ZERO)
                 .then(|| Period::torque_free(half_turn / self.torque_free_rate));
         }
-        (self.e.e3_minus_e2 > Extended::ZERO)
-            .then(|| Period::integrated(&equations.map(Wide::<WORDS>::from_extended), pause))
+        (self.e.e3_minus_e2 > Extended::ZERO).then(|| F::integrate(equations, pause))
     }
 
     /// Winding numbers of the ellipses of α and β; 1 for a steady motion.
@@ -125,8 +110,7 @@ impl Motion {
     }
 
     /// Variable v = asinh(tan χ) at t = 0 of an aperiodic motion, which has χ = gd v; `None` for another motion.
-    #[doc(hidden)]
-    pub fn aperiodic_v(&self) -> Option<f64> {
+    pub(crate) fn aperiodic_v(&self) -> Option<f64> {
         let Complex { re: cosine, im: sine } = self.cis_chi();
         (self.regime == Regime::Aperiodic).then(|| libm::asinh(sine / cosine))
     }
@@ -162,16 +146,9 @@ impl Motion {
         self.half_phase.is_none()
     }
 
-    #[doc(hidden)]
-    pub fn unrounded(&self) -> UnroundedMotion {
-        let Self { e, integrals, half_tau, half_phase, slow_phases, .. } = *self;
-        UnroundedMotion { e, integrals, half_tau, half_phase, slow_phases }
-    }
-
     /// Phase equations of the motion.
-    #[doc(hidden)]
     #[inline(never)]
-    pub fn equations(&self) -> PhaseEquations<Extended> {
+    pub(crate) fn equations(&self) -> PhaseEquations<Extended> {
         PhaseEquations::new(&self.top, &self.e, self.integrals.l_plus_n, self.signs, self.torque_free_rate)
     }
 }

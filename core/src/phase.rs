@@ -92,17 +92,8 @@ impl Phase {
         if wrapped.0 == -Self::HALF.0 { Self::HALF } else { wrapped }
     }
 
-    /// Product with part · 2^-64, rounded down.
-    #[inline]
-    pub(crate) fn times_part(self, part: u64) -> Self {
-        let (upper, lower) = ((self.0 >> 64) as i64, self.0 as u64);
-        let of_lower = (u128::from(lower) * u128::from(part)) >> 64;
-        Self(i128::from(upper) * i128::from(part) + of_lower as i128)
-    }
-
     /// Number of whole half turns, and the remainder in [0, 1/2) turn.
-    #[doc(hidden)]
-    pub fn split_half_turns(self) -> (i64, Self) {
+    pub(crate) fn split_half_turns(self) -> (i64, Self) {
         let half_turns = self.0 >> (FRACTION_BITS - 1);
         (half_turns as i64, Self(self.0.wrapping_sub(half_turns << (FRACTION_BITS - 1))))
     }
@@ -179,14 +170,6 @@ mod tests {
         assert_eq!(Phase::from_turns(f64::NAN), Phase::ZERO);
         assert_eq!(Phase::from_turns(f64::INFINITY), Phase::ZERO);
         assert_eq!(Phase::from_turns(0.5), Phase::HALF);
-    }
-
-    #[test]
-    fn a_share_is_rounded_down() {
-        for bits in [0, 7, -7, 3 << 95, -(5 << 95) + 1, i128::MAX, i128::MIN] {
-            let product = |fraction| Phase(bits).times_part(fraction).0;
-            assert_eq!([product(0), product(1 << 63), product(1 << 62)], [0, bits >> 1, bits >> 2]);
-        }
     }
 
     /// Conversion rounds to units of 2^-96 turns, halves upwards; a number far below the unit becomes 0.

@@ -13,8 +13,7 @@ mod power_of_two;
 
 mod wide;
 
-#[doc(hidden)]
-pub mod sine;
+pub(crate) mod sine;
 
 #[cfg(feature = "fixed")]
 mod fixed_point;

@@ -9,7 +9,7 @@ use toytop::scalar::Real;
 use toytop::{
     BranchPoints, Complex, Ephemeris, EphemerisMemory, EphemerisScalar, FirstIntegrals, InitialAngles,
     Motion, Orientation, ParameterError, PeriodAdvance, Pose, Release, Sample, Sign, Signs, State, Stepper,
-    Tick, Top, TopParameters, Workspace,
+    TableSettings, Tick, Top, TopParameters, Workspace,
 };
 
 /// Steps of each motion.
@@ -120,8 +120,9 @@ fn table<R: EphemerisScalar<Quantity: Into<f64>> + Into<f64>, const SEGMENTS: us
 ) -> [Hash; 2] {
     let mut hashes = [Hash::default(); 2];
     let mut memory = EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new();
-    let table = Tick::hertz(1000).map(|tick| memory.set_up(workspace, motion, tick, 0, &mut || {}));
-    let Ok(Ok(ephemeris)) = table else { return hashes };
+    let Ok(tick) = Tick::hertz(1000) else { return hashes };
+    let settings = TableSettings { truncation: Some(f64::MAX), ..TableSettings::new(tick) };
+    let Ok(ephemeris) = memory.set_up(workspace, motion, &settings, &mut || {}) else { return hashes };
     let with_sample = |hash: Hash, sample: Sample<'_, R>| {
         let Pose { orientation: Orientation { alpha, beta }, u, tip } = sample.pose();
         hash.complex(alpha).complex(beta).number(u).complex(tip)

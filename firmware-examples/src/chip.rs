@@ -12,7 +12,7 @@ use defmt_semihosting as _; // log transport
 #[cfg(target_arch = "riscv32")]
 use riscv as _; // critical section
 use semihosting::process;
-use toytop::{EphemerisF32, EphemerisMemory, EphemerisView, Motion, Tick, Workspace};
+use toytop::{EphemerisF32, EphemerisMemory, EphemerisView, Motion, TableSettings, Tick, Workspace};
 
 #[cfg(target_arch = "arm")]
 pub use cortex_m_rt::entry;
@@ -35,7 +35,7 @@ pub fn set_up(motion: &Motion, rate: u32) -> &'static EphemerisView<f32> {
     let memory = singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
     let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
     let tick = Tick::hertz(rate).expect("a positive rate");
-    memory.set_up(workspace, motion, tick, 0, &mut || {}).expect("an ordinary motion")
+    memory.set_up(workspace, motion, &TableSettings::new(tick), &mut || {}).expect("an ordinary motion")
 }
 
 /// Starts SysTick, an interrupt with the frequency `rate`, Hz, of a processor with the clock `clock`, Hz. `bin/spin.rs` shows the code

@@ -11,7 +11,7 @@ pub mod vectors;
 use std::ops::Deref;
 use toytop::{
     Complex, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, InitialAngles, Motion, Orientation,
-    Release, SetUpError, Sign, Signs, State, Tick, Top, TopParameters, Workspace,
+    Release, SetUpError, Sign, Signs, State, TableSettings, Tick, Top, TopParameters, Workspace,
 };
 
 /// Larger of two errors. NaN counts as larger than any number, so that it cannot pass a bound; `f64::max` would drop
@@ -166,7 +166,8 @@ pub fn table_from_epoch<R: EphemerisScalar, const SEGMENTS: usize>(
     epoch: i64,
 ) -> Result<Table<R, SEGMENTS>, SetUpError> {
     let mut memory = Box::new(EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new());
-    memory.set_up(&mut Workspace::new(), motion, tick, epoch, &mut || {})?;
+    let settings = TableSettings { epoch, ..TableSettings::new(tick) };
+    memory.set_up(&mut Workspace::new(), motion, &settings, &mut || {})?;
     Ok(Table(memory))
 }
 

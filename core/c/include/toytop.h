@@ -49,7 +49,7 @@
 #define TOYTOP_EPHEMERIS_ALIGNMENT 8
 
 // Bytes of the workspace of a set-up.
-#define TOYTOP_WORKSPACE_SIZE 3448
+#define TOYTOP_WORKSPACE_SIZE 3432
 
 // Bytes of a cursor.
 #define TOYTOP_EPHEMERIS_CURSOR_SIZE 64
@@ -246,7 +246,7 @@ typedef struct toytop_ephemeris_f32 {
 
 // Workspace of a set-up, which need not be initialised, and which a program may use for something else afterwards.
 typedef struct toytop_workspace {
-  uint64_t opaque[431];
+  uint64_t opaque[429];
 } toytop_workspace;
 
 // Function that a set-up calls again and again, at least every 50 000 cycles of a Cortex-M4F: to feed a watchdog, or to read another table.

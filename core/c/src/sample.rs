@@ -2,7 +2,7 @@
 
 use crate::memory::{Opaque, load, store, write};
 use crate::status::{Refusal, toytop_status};
-use crate::table::{Table, view};
+use crate::table::{Table, table_at};
 use toytop::{Complex, Cursor, EphemerisScalar, EphemerisView, Event, Events, ParameterError, Phase, Sample};
 
 /// Bytes of a cursor.
@@ -68,7 +68,7 @@ pub(crate) unsafe fn write_quantity<R: EphemerisScalar, T>(
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
         let TableSample { sample, address, table } = load(from)?;
-        if view::<R>(address)?.identity != table {
+        if table_at::<R>(address)?.identity != table {
             return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
         }
         write(place, quantity(sample)?)
@@ -86,20 +86,20 @@ pub(crate) unsafe fn store_sample<R: EphemerisScalar>(
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
-        let Table { view, address, identity } = view::<R>(table)?;
-        store(place, TableSample { sample: sample(view)?, address, table: identity })
+        let Table { table, address, identity } = table_at::<R>(table)?;
+        store(place, TableSample { sample: sample(table)?, address, table: identity })
     }
 }
 
 /// Sample at a time.
-pub(crate) fn at<R: EphemerisScalar>(view: &EphemerisView<R>, time: f64) -> Result<Sample<'_, R>, Refusal> {
+pub(crate) fn at<R: EphemerisScalar>(table: &EphemerisView<R>, time: f64) -> Result<Sample<'_, R>, Refusal> {
     if !time.is_finite() {
         return Err(ParameterError::NotFinite { parameter: "time" }.into());
     }
-    if time.abs() >= view.last_time() {
+    if time.abs() >= table.last_time() {
         return Err(ParameterError::OutOfRange { parameter: "time", allowed: "within 2^63 ticks" }.into());
     }
-    Ok(view.at(time))
+    Ok(table.at(time))
 }
 
 /// Cursor whose first sample is that of tick `first`.
@@ -113,8 +113,8 @@ pub(crate) unsafe fn cursor<R: EphemerisScalar>(
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
-        let table = view::<R>(table)?;
-        store(place, TableCursor { table: table.identity, cursor: table.view.cursor(first) })
+        let Table { table, identity, .. } = table_at::<R>(table)?;
+        store(place, TableCursor { table: identity, cursor: table.cursor(first) })
     }
 }
 
@@ -128,11 +128,12 @@ unsafe fn advance<R: EphemerisScalar>(
     take: impl FnOnce(Sample<'static, R>) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
-    let (table, mut kept): (_, TableCursor) = unsafe { (view::<R>(table)?, load(place)?) };
-    if kept.table != table.identity {
+    let (Table { table, identity, .. }, mut kept): (_, TableCursor) =
+        unsafe { (table_at::<R>(table)?, load(place)?) };
+    if kept.table != identity {
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
     }
-    take(kept.cursor.next(table.view))?;
+    take(kept.cursor.next(table))?;
     // SAFETY: the caller guarantees a valid pointer.
     unsafe { store(place, kept) }
 }

@@ -5,16 +5,16 @@ use crate::motion::toytop_motion;
 use crate::status::{Refusal, toytop_status};
 use crate::table::{Memory, TOYTOP_EPHEMERIS_ALIGNMENT, toytop_tick};
 use core::ffi::c_void;
-use toytop::{EphemerisScalar, EphemerisView, Motion, Tick, Workspace};
+use toytop::{EphemerisScalar, EphemerisView, Motion, TableSettings, Tick, Workspace};
 
 /// Bytes of the workspace of a set-up.
-pub const TOYTOP_WORKSPACE_SIZE: usize = 3448;
+pub const TOYTOP_WORKSPACE_SIZE: usize = 3432;
 
 /// Workspace of a set-up, which need not be initialised, and which a program may use for something else afterwards.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_workspace {
-    opaque: [u64; 431],
+    opaque: [u64; 429],
 }
 
 /// Function that a set-up calls again and again, at least every 50 000 cycles of a Cortex-M4F: to feed a watchdog, or to read another table.
@@ -34,11 +34,6 @@ pub(crate) struct Launched {
     pub(crate) epoch: i64,
     /// Greatest truncation error, rad; 0 stands for that of the scalar.
     pub(crate) truncation: f64,
-}
-
-/// Truncation error in place of that of a caller, for whom 0 stands for that of the scalar.
-fn truncation_or_default<R: EphemerisScalar>(truncation: f64) -> f64 {
-    if truncation == 0.0 { R::TRUNCATION } else { truncation }
 }
 
 /// Sets up a table in memory of the caller, which need not be initialised.
@@ -69,16 +64,18 @@ pub(crate) unsafe fn set_up_in<R: EphemerisScalar>(
     let tick = Tick::ratio(launched.tick.ticks, launched.tick.seconds)?;
     // SAFETY: the pointer is neither null nor unaligned, and the memory is large enough.
     let workspace = unsafe {
-        workspace.write(Workspace::with_truncation(truncation_or_default::<R>(launched.truncation)));
+        workspace.write(Workspace::new());
         &mut *workspace
     };
+    let truncation = (launched.truncation != 0.0).then_some(launched.truncation);
+    let settings = TableSettings { tick, epoch: launched.epoch, truncation };
     let mut call = || {
         if let Some(pause) = pause {
             // SAFETY: the caller guarantees that it may be called.
             unsafe { pause(context) };
         }
     };
-    cleared.set_up(workspace, &motion, tick, launched.epoch, &mut call)?;
+    cleared.set_up(workspace, &motion, &settings, &mut call)?;
     // SAFETY: `clear` was called on this memory before.
     unsafe { memory.ready::<R>() };
     Ok(())
@@ -108,6 +105,6 @@ pub(crate) unsafe fn segments_needed<R: EphemerisScalar>(
 ) -> u32 {
     // SAFETY: the caller guarantees a valid pointer.
     let motion: Result<Motion, Refusal> = unsafe { load(motion) };
-    let truncation = truncation_or_default::<R>(truncation);
+    let truncation = if truncation == 0.0 { R::TRUNCATION } else { truncation };
     motion.ok().and_then(|motion| EphemerisView::<R>::segments_needed(&motion, truncation)).unwrap_or(0)
 }

@@ -80,7 +80,7 @@ struct Head {
 
 /// Table whose set-up has succeeded.
 pub(crate) struct Table<'a, R: EphemerisScalar> {
-    pub(crate) view: &'a EphemerisView<R>,
+    pub(crate) table: &'a EphemerisView<R>,
     pub(crate) address: *const u8,
     /// Sum of scalar, generation and address, which a cursor and a sample of this table carry.
     pub(crate) identity: u32,
@@ -137,7 +137,7 @@ fn table_after<R: EphemerisScalar>(
 /// # Safety
 /// The pointer is null or valid for reading a head; and if its tag is that of the scalar, [`Memory::ready`] wrote what follows, which
 /// nobody changes as long as the reference lives.
-pub(crate) unsafe fn view<'a, R: EphemerisScalar>(address: *const u8) -> Result<Table<'a, R>, Refusal> {
+pub(crate) unsafe fn table_at<'a, R: EphemerisScalar>(address: *const u8) -> Result<Table<'a, R>, Refusal> {
     let head = checked_head(address)?;
     // SAFETY: any bits are a head.
     let Head { tag, segments, generation } = unsafe { read(head)? };
@@ -146,22 +146,22 @@ pub(crate) unsafe fn view<'a, R: EphemerisScalar>(address: *const u8) -> Result<
     }
     // SAFETY: the caller guarantees valid memory; `Memory::ready` wrote as many segments as it says.
     let memory = unsafe { &*table_after::<R>(head, segments.into()) };
-    let view = memory.get().ok_or(toytop_status::TOYTOP_NOT_SET_UP)?;
+    let table = memory.get().ok_or(toytop_status::TOYTOP_NOT_SET_UP)?;
     let identity = (tag << 16 | u32::from(generation)).wrapping_add(address.addr() as u32);
-    Ok(Table { view, address, identity })
+    Ok(Table { table, address, identity })
 }
 
 /// Writes a quantity of a table to memory of the caller.
 ///
 /// # Safety
-/// The conditions are those of [`view`]; `place` is null or valid for writing a `T`.
+/// The conditions are those of [`table_at`]; `place` is null or valid for writing a `T`.
 pub(crate) unsafe fn write_from<R: EphemerisScalar, T>(
     table: *const u8,
     place: *mut T,
     quantity: impl FnOnce(&'static EphemerisView<R>) -> Result<T, Refusal>,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
-    unsafe { write(place, quantity(view::<R>(table)?.view)?) }
+    unsafe { write(place, quantity(table_at::<R>(table)?.table)?) }
 }
 
 /// Memory of the caller for a table: address of its head, and number of segments.

@@ -84,8 +84,8 @@ reader! {
 /// Error bounds of a table at a tick.
 [<toytop_ $name _error_bounds>](table: $table; tick: i64, bounds: *mut toytop_error_bounds)
     |table, tick, bounds| {
-        write_from::<$scalar, _>(table, bounds, |view| {
-            Ok(toytop_error_bounds { orientation: view.error_bound_at(tick), rate: view.rate_error_bound_at(tick) })
+        write_from::<$scalar, _>(table, bounds, |table| {
+            Ok(toytop_error_bounds { orientation: table.error_bound_at(tick), rate: table.rate_error_bound_at(tick) })
         })
     }
 }
@@ -93,13 +93,13 @@ reader! {
 reader! {
 /// Sample at any tick, of either sign, always at the same cost.
 [<toytop_ $name _at_tick>](table: $table; tick: i64, sample: *mut toytop_ephemeris_sample)
-    |table, tick, place| sample::store_sample::<$scalar>(table, place, |view| Ok(view.at_tick(tick)))
+    |table, tick, place| sample::store_sample::<$scalar>(table, place, |table| Ok(table.at_tick(tick)))
 }
 
 reader! {
 /// Sample at any time, s from tick 0.
 [<toytop_ $name _at>](table: $table; time: f64, sample: *mut toytop_ephemeris_sample)
-    |table, time, place| sample::store_sample::<$scalar>(table, place, |view| sample::at(view, time))
+    |table, time, place| sample::store_sample::<$scalar>(table, place, |table| sample::at(table, time))
 }
 
 reader! {
@@ -124,7 +124,7 @@ reader! {
 /// First turning point of u at tick `from` or later; `upward` is 1 where u = e2. `TOYTOP_NONE` where there is none. The next one is
 /// found from `tick + 1` of this one, here and below.
 [<toytop_ $name _turning_point>](table: $table; from: i64, event: *mut toytop_event)
-    |table, from, event| write_from::<$scalar, _>(table, event, |view| sample::first_event(view.turning_points(from)))
+    |table, from, event| write_from::<$scalar, _>(table, event, |table| sample::first_event(table.turning_points(from)))
 }
 
 reader! {
@@ -132,7 +132,7 @@ reader! {
 /// the axis rises. `TOYTOP_NONE` where the motion does not reach it.
 [<toytop_ $name _tilt_reached>](table: $table; tilt: f64, from: i64, event: *mut toytop_event)
     |table, tilt, from, event| {
-        write_from::<$scalar, _>(table, event, |view| sample::first_event(view.crossings(Level::of_tilt(tilt)?, from)))
+        write_from::<$scalar, _>(table, event, |table| sample::first_event(table.crossings(Level::of_tilt(tilt)?, from)))
     }
 }
 
@@ -141,7 +141,7 @@ reader! {
 /// angle of the tip increases. `TOYTOP_NONE` where the axis is always vertical or the direction is not reached.
 [<toytop_ $name _direction_reached>](table: $table; direction: f64, from: i64, event: *mut toytop_event)
     |table, angle, from, event| {
-        write_from::<$scalar, _>(table, event, |view| sample::first_event(view.tip_angles(sample::direction(angle)?, from)))
+        write_from::<$scalar, _>(table, event, |table| sample::first_event(table.tip_angles(sample::direction(angle)?, from)))
     }
 }
 

@@ -18,6 +18,7 @@ use crate::elliptic::elementary::{ValueAndSlope, rounded};
 use crate::orientation::{ArgumentOffsets, solve_increasing};
 use constants::{AperiodicConstants, AperiodicValues, FixedTip};
 use sliding::Sliding;
+use toytop::internal::{aperiodic_v, branch_points, first_integrals, top_constants};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 
@@ -94,13 +95,13 @@ impl Aperiodic {
     /// Closed form of a motion; `None` unless e₂ = e₃ = 1 and u < 1.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let v = Extended::from(motion.aperiodic_v()?);
-        let (e, [a, _, s, p, g, _]) = (motion.unrounded().e, motion.top().unrounded());
+        let v = Extended::from(aperiodic_v(motion)?);
+        let (e, [a, _, s, p, g, _]) = (branch_points(motion), top_constants(motion.top()));
         let one_minus_e1 = e.one_minus_e1();
         let constants =
             AperiodicConstants { e1: e.e1, one_plus_e1: e.one_plus_e1, one_minus_e1, a_over_p: a / p, s, g };
         let form = match motion.top().support() {
-            Support::Sliding => Form::Sliding(Sliding::new(&constants, motion.unrounded().integrals.l / a)),
+            Support::Sliding => Form::Sliding(Sliding::new(&constants, first_integrals(motion).l / a)),
             // the axis of a free body does not rise to the vertical
             Support::Fixed | Support::Free => {
                 Form::FixedTip(FixedTip::new(&constants, motion.signs().l_plus_n))

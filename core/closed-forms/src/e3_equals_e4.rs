@@ -17,6 +17,7 @@ use crate::elliptic::elementary::{ValueAndSlope, imaginary, of_turns, real};
 use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use crate::orientation::{ArgumentOffsets, Periods, solve_increasing};
 use crate::theta_quotient::{ThetaQuotient, zeros};
+use toytop::internal::{branch_points, first_integrals, half_phase, split_half_turns, top_constants};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 
@@ -52,19 +53,19 @@ impl E3EqualsE4 {
     /// - e₄²| relative to e₄² - 1, and |e₃ - e₄| relative to e₃ - e₂.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let chi = motion.unrounded().half_phase?;
+        let chi = half_phase(motion)?;
         if motion.top().support() != Support::Sliding || !coincide(motion) {
             return None;
         }
-        let e = motion.unrounded().e;
-        let [transverse_inertia, _, s, _, g, _] = motion.top().unrounded();
+        let e = branch_points(motion);
+        let [transverse_inertia, _, s, _, g, _] = top_constants(motion.top());
         let (e2_plus_e3, e1_plus_e3) = (e.one_plus_e3() - e.one_minus_e2, e.one_plus_e1 + e.e3_minus_one);
         let lattice = Lattice::from_gaps(e.e2_minus_e1, e1_plus_e3);
         let [_, half] = lattice.half_periods;
         let time_scale = (s.doubled() / g).sqrt();
 
         let third = [e.e3_minus_one, e1_plus_e3, e2_plus_e3, e.one_plus_e3()];
-        let [alpha_zero, beta_zero] = zeros(&e, motion.signs(), third).map(|x| real(-x));
+        let [alpha_zero, beta_zero] = zeros(e, motion.signs(), third).map(|x| real(-x));
         // |k₁| follows from |α| at u = e₂ and |k₂| from |β| at u = e₁, which are never 0
         let (highest, lowest) = (Complex::ZERO, imaginary(-half));
         let [alpha_size, beta_size] = [e.one_plus_e2(), e.one_minus_e1()].map(|x| x.halved().sqrt());
@@ -73,7 +74,7 @@ impl E3EqualsE4 {
             let rate_offset = real((time_scale * momentum / transverse_inertia).halved());
             ThetaQuotient::through(&lattice, [half, LatticeHalfPeriod::Omega], zero, rate_offset, point)
         };
-        let integrals = motion.unrounded().integrals;
+        let integrals = first_integrals(motion);
         let alpha =
             quotient(LatticeHalfPeriod::OmegaPrime, alpha_zero, integrals.l_plus_n, (highest, alpha_size));
         let beta = quotient(LatticeHalfPeriod::Origin, beta_zero, -integrals.l_minus_n, (lowest, beta_size));
@@ -81,7 +82,7 @@ impl E3EqualsE4 {
         let rotations = [alpha.rotation(highest, whole), beta.rotation(lowest, whole)];
 
         // y(0) within half a period of u = e₂, from cos²χ = sn²(√(e₂ + e₃) y)
-        let (_, remainder) = chi.split_half_turns();
+        let (_, remainder) = split_half_turns(chi);
         let (sine, cosine) = of_turns(remainder - Phase::QUARTER);
         let middle = e1_plus_e3 + e.e2_minus_e1 * cosine.squared();
         let start = sine * carlson_rf(e2_plus_e3 * cosine.squared(), middle, e2_plus_e3);
@@ -116,19 +117,20 @@ impl E3EqualsE4 {
 
 /// Difference e₃² - e₄², and e₄² - 1 = A/(ps).
 fn squares(motion: &Motion) -> [Extended; 2] {
-    let (e, a_over_ps) = (motion.unrounded().e, motion.top().a_over_ps());
+    let (e, [a, _, s, p, ..]) = (branch_points(motion), top_constants(motion.top()));
+    let a_over_ps = a / (p * s);
     [e.e3_minus_one * e.one_plus_e3() - a_over_ps, a_over_ps]
 }
 
 /// Difference e₃ - e₄ for a sliding tip.
 pub(super) fn e3_minus_e4(motion: &Motion) -> f64 {
     let [apart, a_over_ps] = squares(motion);
-    (apart / (motion.unrounded().e.e3 + (Extended::ONE + a_over_ps).sqrt())).to_f64()
+    (apart / (branch_points(motion).e3 + (Extended::ONE + a_over_ps).sqrt())).to_f64()
 }
 
 /// Whether e₃ = e₄ to the tolerance.
 fn coincide(motion: &Motion) -> bool {
-    let (e, [apart, a_over_ps]) = (motion.unrounded().e, squares(motion));
+    let (e, [apart, a_over_ps]) = (branch_points(motion), squares(motion));
     let allowed = Extended::from(E3EqualsE4::TOLERANCE);
     apart.abs() <= a_over_ps * allowed && apart.abs() <= e.e3_minus_e2 * e.e3.doubled() * allowed
 }

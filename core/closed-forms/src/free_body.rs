@@ -9,6 +9,7 @@
 //!
 //! The formula needs neither branch points nor a table.
 
+use toytop::internal::{half_phase, half_tau, phase_equations, top_constants};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, Vector, dot};
 use toytop::{AttitudeState, Complex, Motion, Phase, Stepper};
@@ -35,7 +36,7 @@ impl FreeBody {
         if !motion.top().is_torque_free() {
             return None;
         }
-        let [a, c, .., k] = motion.top().unrounded().map(Float::to_f64);
+        let [a, c, .., k] = top_constants(motion.top()).map(Float::to_f64);
         let attitude = Stepper::<f64>::new(motion).attitude_state();
         let (r, omega) = (attitude.orientation.axis(), attitude.omega());
         let beyond_sphere = (c - a) * dot(omega, r) + k;
@@ -52,9 +53,9 @@ impl FreeBody {
                 [0.0; 3]
             },
             // χ advances by half a turn in a turn of the axis
-            precession: motion.equations().rates(Extended::ZERO, Extended::ONE).half_phase.doubled(),
-            half_tau: motion.unrounded().half_tau,
-            nutation: motion.unrounded().half_phase,
+            precession: phase_equations(motion).rates(Extended::ZERO, Extended::ONE).half_phase.doubled(),
+            half_tau: half_tau(motion),
+            nutation: half_phase(motion),
         })
     }
 

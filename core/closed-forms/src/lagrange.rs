@@ -15,6 +15,7 @@ use crate::elliptic::elementary::{ValueAndSlope, imaginary, of_turns, real};
 use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use crate::orientation::{ArgumentOffsets, Periods};
 use crate::theta_quotient::{ThetaQuotient, zeros};
+use toytop::internal::{branch_points, half_phase, split_half_turns, top_constants};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, BranchPoints, Complex, Motion, Phase, Regime, Support};
 
@@ -42,7 +43,7 @@ impl Lagrange {
     /// Closed form of a motion; `None` unless the tip is fixed and u oscillates, e₁ < e₂ < e₃.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let (e, chi) = (motion.unrounded().e, motion.unrounded().half_phase?);
+        let (e, chi) = (branch_points(motion), half_phase(motion)?);
         if motion.top().support() != Support::Fixed
             || motion.top().is_torque_free()
             || motion.regime() == Regime::Aperiodic
@@ -52,12 +53,12 @@ impl Lagrange {
         let (swing, gap) = (e.e2_minus_e1, e.e3_minus_e2);
         let lattice = Lattice::from_gaps(gap, swing);
         let [half, _] = lattice.half_periods;
-        let [a, _, _, p, g, _] = motion.top().unrounded();
+        let [a, _, _, p, g, _] = top_constants(motion.top());
         let z_rate = (p * g / a).halved().sqrt();
 
         // along imaginary z
         let third = [e.one_plus_e3(), e.e3_minus_e1(), gap, e.e3_minus_one];
-        let [alpha_zero, beta_zero] = zeros(&e, motion.signs(), third).map(imaginary);
+        let [alpha_zero, beta_zero] = zeros(e, motion.signs(), third).map(imaginary);
         // |k| from |α| at u = e₂ and from |β| at u = e₁, which are never 0
         let (highest, lowest) = (real(half), Complex::ZERO);
         let [alpha_size, beta_size] = [e.one_plus_e2(), e.one_minus_e1()].map(|x| x.halved().sqrt());
@@ -103,7 +104,7 @@ impl Lagrange {
 
 /// z(0) within half a period of u = e₁: the elliptic integral of χ.
 fn since_lowest(e: &BranchPoints<Extended>, chi: Phase) -> Extended {
-    let (_, remainder) = chi.split_half_turns();
+    let (_, remainder) = split_half_turns(chi);
     let remainder = if remainder > Phase::QUARTER { remainder - Phase::HALF } else { remainder };
     let (sine, cosine) = of_turns(remainder);
     let (squared, length) = (cosine * cosine, e.e3_minus_e1());

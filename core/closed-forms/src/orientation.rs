@@ -1,7 +1,9 @@
 //! Orientation of a motion at any time, from α and β of a closed form within a period, and the inverse of an increasing function.
 
 use crate::elliptic::elementary::{ValueAndSlope, angle, of_turns, rounded};
-use toytop::internal::{Ellipse, Ellipses};
+use toytop::internal::{
+    Ellipse, Ellipses, branch_points, half_phase, half_tau, phase_equations, slow_phases,
+};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 use toytop::{AttitudeState, Complex, Motion, Phase};
@@ -23,19 +25,19 @@ impl ArgumentOffsets {
     /// Value and derivative are averaged with weights, so that the argument is well defined also where a parameter is
     /// 0 at t = 0.
     pub(super) fn new(motion: &Motion, closed: [ValueAndSlope; 2]) -> Self {
-        let (im, re) = of_turns(motion.unrounded().half_phase.unwrap_or_default());
-        let rates = motion.equations().rates(im, re);
+        let (im, re) = of_turns(half_phase(motion).unwrap_or_default());
+        let rates = phase_equations(motion).rates(im, re);
         let argument = |ellipse: Ellipse<Extended>, psi, ValueAndSlope { value, slope }| {
             let z = ellipse.slow_phase(Complex::new(re, im), [rates.half_phase, psi], [value, slope]);
             angle(z.im, z.re).in_turns().to_phase()
         };
-        let ellipses = Ellipses::oscillating(&motion.unrounded().e, motion.signs(), |x| x);
-        let ([alpha, beta], [alpha_phase, beta_phase]) = (closed, motion.unrounded().slow_phases);
+        let ellipses = Ellipses::oscillating(branch_points(motion), motion.signs(), |x| x);
+        let ([alpha, beta], [alpha_phase, beta_phase]) = (closed, slow_phases(motion));
         let angles = [
             alpha_phase - argument(ellipses.alpha, rates.psi_alpha, alpha),
             beta_phase - argument(ellipses.beta, rates.psi_beta, beta),
         ];
-        Self { angles, half_tau: motion.unrounded().half_tau }
+        Self { angles, half_tau: half_tau(motion) }
     }
 
     /// Attitude state at t, from α, β and their time derivatives in the closed form, and the rotation of α and β over

@@ -10,7 +10,7 @@
 //!
 //! Equal signs give the fast precession, different signs the slow one; at the same e and e₃ their product is pg/A.
 
-use toytop::internal::{check, check_finite};
+use toytop::internal::{branch_points, check, check_finite, first_integrals, top_constants};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 use toytop::{AttitudeState, Complex, Motion, ParameterError, Regime, Signs, Stepper, Top};
@@ -56,8 +56,8 @@ impl RegularPrecession {
         if matches!(regime, Regime::Nutating | Regime::Aperiodic) || motion.top().is_torque_free() {
             return None;
         }
-        let (e, top) = (motion.unrounded().e, motion.top());
-        let [a, _, _, p, g, _] = top.unrounded();
+        let (e, top) = (branch_points(motion), motion.top());
+        let [a, _, s, p, g, _] = top_constants(top);
         let falls = regime == Regime::SleepingUnstable;
         let (zero, one) = (Extended::ZERO, Extended::ONE);
         let swing = e.e2_minus_e1.halved();
@@ -69,7 +69,7 @@ impl RegularPrecession {
         // for different signs √(e₃ + 1) - √(e₃ - 1), without cancellation
         let roots = if l_plus_n == l_minus_n { sum } else { one.doubled() / sum };
         let precession = l_plus_n.times((p * g / a).halved().sqrt() * roots);
-        let axial = motion.unrounded().integrals.spin;
+        let axial = first_integrals(motion).spin;
         let u = if one_minus_u < one_plus_u { one - one_minus_u } else { one_plus_u - one };
         // φ' ± ψ' with ψ' = ⟨ω, r⟩ - u φ'
         let argument_rates =
@@ -79,7 +79,7 @@ impl RegularPrecession {
             // 4 A p g - n² = 2 A p g (1 - e₁)
             Stability::Unstable { growth_rate: (p * g * e.one_minus_e1() / a).halved().sqrt().to_f64() }
         } else if e.e3_minus_e2 > zero {
-            let d = top.d(one_minus_u * one_plus_u);
+            let d = a / p + s * (one_minus_u * one_plus_u);
             Stability::Stable { frequency: (g.doubled() * e.e3_minus_e2 / d).sqrt().to_f64() }
         } else {
             Stability::Marginal
@@ -178,7 +178,7 @@ impl SteadyPrecession {
         check_finite("spin", spin)?;
         check(tilt > 0.0 && tilt < core::f64::consts::PI, "tilt", "strictly between 0 and pi")?;
         check(Float::abs(spin) <= 1e11, "spin", "between -1e11 and 1e11 rad/s")?;
-        let [a, c, _, p, g, k] = top.unrounded().map(Float::to_f64);
+        let [a, c, _, p, g, k] = top_constants(top).map(Float::to_f64);
         let (n, weight) = (c * spin + k, p * g);
         // the f64 nearest to π/2 means a horizontal axis
         let e = if tilt == core::f64::consts::FRAC_PI_2 { 0.0 } else { libm::cos(tilt) };

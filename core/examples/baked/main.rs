@@ -1,4 +1,4 @@
-//! Baked table: an ephemeris that was computed on a PC and is compiled in as a constant.
+//! Baked table: computed on a PC, and compiled in as a constant.
 //!
 //! `toy_top.rs` was written by `toytop bake host/scenarios/toy_top.toml --hertz 1000 -o core/examples/baked/toy_top.rs`. A chip that
 //! reads it needs no set-up, no RAM for the table and no floating point beyond the scalar's own. A number of the table that

@@ -24,8 +24,9 @@ pub(crate) use equations::Equations;
 use integrals::projected;
 pub use partials::Partials;
 pub(crate) use state::{BodyState, COLUMNS, LAUNCH_COLUMNS, Tangent};
+use toytop::internal::period_and_rotations;
 use toytop::scalar::{Extended, Float};
-use toytop::{Motion, Orientation, PeriodAdvance, Phase, Stepper};
+use toytop::{Motion, Orientation, Phase, Stepper};
 pub(crate) use trajectory::Trajectory;
 
 /// Product of the longest step and the bound on the frequencies, for an error of about 1e-12.
@@ -91,18 +92,17 @@ impl Sensitivity {
         let launch = BodyState::new(attitude.orientation, attitude.omega());
         let launched = Self::launched(equations, &launch, longest_step);
         let start = launched.start;
-        let period =
-            motion.period_advance().and_then(|PeriodAdvance { exact_period: length, rotations, .. }| {
-                let [about_vertical, _] = rotations;
-                let mut end = start.at(length.to_f64())?.now;
-                end.turn(-about_vertical);
-                let mut growth = end.tangents;
-                for (grown, initial) in growth.iter_mut().zip(&start.now.tangents) {
-                    *grown = grown.plus(initial, -1.0);
-                }
-                let growth = projected(&equations.gradients(&launch), equations.frequency(&launch), &growth);
-                Some(Period { length, rotations, growth })
-            });
+        let period = period_and_rotations(motion).and_then(|(length, rotations)| {
+            let [about_vertical, _] = rotations;
+            let mut end = start.at(length.to_f64())?.now;
+            end.turn(-about_vertical);
+            let mut growth = end.tangents;
+            for (grown, initial) in growth.iter_mut().zip(&start.now.tangents) {
+                *grown = grown.plus(initial, -1.0);
+            }
+            let growth = projected(&equations.gradients(&launch), equations.frequency(&launch), &growth);
+            Some(Period { length, rotations, growth })
+        });
         Self { period, ..launched }
     }
 

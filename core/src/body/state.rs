@@ -123,12 +123,12 @@ impl State {
         Self::new(orientation, omega)
     }
 
-    /// State from an attitude, whose orientation is normalised.
+    /// State from an orientation, which is normalised, and its rate.
     ///
     /// # Errors
     /// See [`State::new`].
-    pub fn from_attitude<R: Float>(attitude: &AttitudeState<R>) -> Result<Self, ParameterError> {
-        Self::new(attitude.orientation.map(R::to_f64).normalised(), attitude.omega().map(R::to_f64))
+    pub fn from_attitude<R: Float>(start: &AttitudeState<R>) -> Result<Self, ParameterError> {
+        Self::new(start.orientation.map(R::to_f64).normalised(), start.omega().map(R::to_f64))
     }
 
     /// Orientation Φ at t = 0, not normalised.

@@ -204,14 +204,12 @@ impl Top {
     }
 
     /// Quotient A/(ps) = e₄² - 1.
-    #[doc(hidden)]
-    pub fn a_over_ps(&self) -> Extended {
+    pub(crate) fn a_over_ps(&self) -> Extended {
         self.a / (self.p * self.s)
     }
 
     /// Length D(u) = A/p + s (1 - u²), from 1 - u².
-    #[doc(hidden)]
-    pub fn d(&self, sine_squared: Extended) -> Extended {
+    pub(crate) fn d(&self, sine_squared: Extended) -> Extended {
         self.a / self.p + self.s * sine_squared
     }
 
@@ -228,12 +226,6 @@ impl Top {
     /// Axial rate ⟨ω, r⟩ = (n - K)/C of the body, rad/s; 0 where C = 0, because n does not determine it.
     pub(crate) fn spin(&self, n: Extended) -> Extended {
         if self.c > Extended::ZERO { (n - self.k) / self.c } else { Extended::ZERO }
-    }
-
-    /// Unrounded A, C, s, p, g and K.
-    #[doc(hidden)]
-    pub fn unrounded(&self) -> [Extended; 6] {
-        [self.a, self.c, self.s, self.p, self.g, self.k]
     }
 }
 

@@ -75,8 +75,8 @@ impl Level {
     }
 
     /// Nutation phase in (0, 1/2) turn at which u rises to the level; `None` where the motion does not reach it.
-    pub(super) fn phase<R: EphemerisScalar>(&self, view: &EphemerisView<R>) -> Option<Phase> {
-        let reached = |nutation| self.is_reached(&at_phase(view, nutation).orientation());
+    pub(super) fn phase<R: EphemerisScalar>(&self, table: &EphemerisView<R>) -> Option<Phase> {
+        let reached = |nutation| self.is_reached(&at_phase(table, nutation).orientation());
         (reached(LAST_RISING) && !reached(0)).then(|| bisect(reached))
     }
 
@@ -94,8 +94,8 @@ impl Level {
 pub(super) const LAST_RISING: u64 = u64::MAX >> 1;
 
 /// Sample at the 64 leading bits of a nutation phase, with slow phases 0.
-pub(super) fn at_phase<R: EphemerisScalar>(ephemeris: &EphemerisView<R>, nutation: u64) -> Sample<'_, R> {
-    Sample { ephemeris, phases: [nutation, 0, 0], mean_tip: Phase::ZERO }
+pub(super) fn at_phase<R: EphemerisScalar>(table: &EphemerisView<R>, nutation: u64) -> Sample<'_, R> {
+    Sample { table, phases: [nutation, 0, 0], tick: 0, fraction: Phase::ZERO }
 }
 
 /// Nutation phase from which on a condition holds while u rises. Cost: 63 evaluations.

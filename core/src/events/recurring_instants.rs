@@ -18,17 +18,17 @@ pub(super) struct RecurringInstants {
 impl RecurringInstants {
     /// Instants at tick `from` or later. There are none where u is constant.
     pub(super) fn new<R: EphemerisScalar>(
-        view: &EphemerisView<R>,
+        table: &EphemerisView<R>,
         phases: [Option<Phase>; 4],
         from: i64,
     ) -> Self {
         let nowhere = Self { next: [None; 4], period: None };
-        let [step, ..] = view.clock.exact_steps();
-        if !(view.clock.has_turning_points && step > Extended::ZERO) {
+        let [step, ..] = table.clock.exact_steps();
+        if !(table.clock.has_turning_points && step > Extended::ZERO) {
             return nowhere;
         }
         let start = Extended::from(from);
-        let [now, ..] = view.clock.phases_at_tick(from).map(WrappedPhase::to_phase);
+        let [now, ..] = table.clock.phases_at_tick(from).map(WrappedPhase::to_phase);
         let ahead = |phase: Phase| {
             let ahead = WrappedPhase::from_phase(phase - now + PHASE_TOLERANCE).to_phase() - PHASE_TOLERANCE;
             if ahead <= PHASE_TOLERANCE { start } else { start + Extended::from(ahead) / step }

@@ -13,7 +13,7 @@ use crate::table::{EphemerisScalar, EphemerisView};
 /// Instants of one tip angle in order.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TipAngleSearch<'a, R: EphemerisScalar> {
-    view: &'a EphemerisView<R>,
+    table: &'a EphemerisView<R>,
     /// Ends of the monotone pieces.
     ends: RecurringInstants,
     /// Tip angle that is searched, modulo a turn.
@@ -58,15 +58,15 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
 impl<'a, R: EphemerisScalar> TipAngleSearch<'a, R> {
     /// Search from tick `from` on.
-    pub(super) fn new(view: &'a EphemerisView<R>, target: Phase, from: i64) -> Self {
-        let reversal = view.reversal();
+    pub(super) fn new(table: &'a EphemerisView<R>, target: Phase, from: i64) -> Self {
+        let reversal = table.reversal();
         let phases = [Some(Phase::ZERO), Some(Phase::HALF), reversal, reversal.map(|phase| -phase)];
-        let (mut ends, at) = (RecurringInstants::new(view, phases, from), from.into());
+        let (mut ends, at) = (RecurringInstants::new(table, phases, from), from.into());
         if ends.period.is_none() {
             // where u is constant, a piece is a turn
-            ends = RecurringInstants::every(Extended::ONE / Extended::from(view.clock.tip_step()).abs(), at);
+            ends = RecurringInstants::every(Extended::ONE / Extended::from(table.clock.tip_step()).abs(), at);
         }
-        Self { view, ends, target, at, angle: view.tip_angle_at(at) }.including_start()
+        Self { table, ends, target, at, angle: table.tip_angle_at(at) }.including_start()
     }
 
     /// Moves the start back by a rounding, so that an event at the start counts.
@@ -76,7 +76,7 @@ impl<'a, R: EphemerisScalar> TipAngleSearch<'a, R> {
             let Some((_, end)) = self.ends.peek() else {
                 break;
             };
-            after = if end > self.at { self.view.tip_angle_at(end) - self.angle } else { Phase::ZERO };
+            after = if end > self.at { self.table.tip_angle_at(end) - self.angle } else { Phase::ZERO };
             // a change by a rounding has no direction, as at a cusp
             if !(-START_TOLERANCE..=START_TOLERANCE).contains(&after) {
                 break;
@@ -107,7 +107,7 @@ impl<'a, R: EphemerisScalar> TipAngleSearch<'a, R> {
         let (start, mut low, mut high) = (self.angle, self.at, end);
         for _ in 0..u64::BITS {
             let middle = (low + high).halved();
-            if is_past(self.view.tip_angle_at(middle) - start) { high = middle } else { low = middle }
+            if is_past(self.table.tip_angle_at(middle) - start) { high = middle } else { low = middle }
         }
         (self.at, self.angle) = (high, start + ahead);
         Event::at(high, upward)
@@ -117,7 +117,7 @@ impl<'a, R: EphemerisScalar> TipAngleSearch<'a, R> {
     fn skip_periods(&mut self, period: Extended, [least, greatest]: [Phase; 2]) -> Option<()> {
         /// Part of the periods skipped at once; the rest allows for roundings.
         const SKIPPED_PART: f64 = 1.0 - 1e-9;
-        let per_period = Extended::from(self.view.clock.tip_step()) * period;
+        let per_period = Extended::from(self.table.clock.tip_step()) * period;
         let upward = per_period > Extended::ZERO;
         let edge = self.angle + if upward { greatest } else { least };
         let periods =
@@ -129,14 +129,14 @@ impl<'a, R: EphemerisScalar> TipAngleSearch<'a, R> {
             Event::at(self.at + ticks, true)?;
             self.ends.skip(ticks);
             self.at = self.at + ticks;
-            self.angle = self.view.tip_angle_at(self.at);
+            self.angle = self.table.tip_angle_at(self.at);
         }
         Some(())
     }
 
     /// Next instant at which the tip angle is the target.
     pub(super) fn next(&mut self) -> Option<Event> {
-        if !self.view.clock.tip_exists {
+        if !self.table.clock.tip_exists {
             return None;
         }
         let period = self.ends.period?;
@@ -145,7 +145,7 @@ impl<'a, R: EphemerisScalar> TipAngleSearch<'a, R> {
             let (mut least, mut greatest) = (Phase::ZERO, Phase::ZERO);
             for _ in 0..PIECES_OF_A_PERIOD {
                 let (_, end) = self.ends.peek()?;
-                let after = self.view.tip_angle_at(end);
+                let after = self.table.tip_angle_at(end);
                 if let Some(event) = self.find_on_piece(end, after) {
                     return Some(event);
                 }

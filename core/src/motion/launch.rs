@@ -68,13 +68,13 @@ impl Motion {
         let torque_free_rate = start::torque_free_rate(top, &integrals, &point);
         let half_phase = start::half_phase(top, e, regime, torque_free_rate, &point);
         pause();
-        let attitude = start::attitude(state);
+        let at_start = start::orientation_and_rate(state);
         let slow_phases = match half_phase {
-            None => start::steady_slow_phases(&attitude),
+            None => start::steady_slow_phases(&at_start),
             Some(chi) => {
                 let equations = start::equations(top, e, integrals.l_plus_n, signs, torque_free_rate);
                 pause();
-                start::slow_phases(&equations, &ellipses, half_tau.to_f64(), chi, &attitude)
+                start::slow_phases(&equations, &ellipses, half_tau.to_f64(), chi, &at_start)
             }
         };
         Ok(Self {

@@ -6,8 +6,8 @@ mod elliptic_equations;
 
 mod quadrature;
 
-use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring};
+use crate::motion::phase_equations::PhaseEquations;
+use crate::scalar::{Extended, Float, Ring, Wide};
 
 /// Nutation period, and advance of α and β over one period in turns, whole turns included.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,37 +21,21 @@ pub struct PeriodAdvance {
     pub beta_turns: f64,
     /// Advance of the tip angle φ over a period, rad. At the centre it is continued without a jump.
     pub phi_radians: f64,
-    /// Period before rounding.
-    #[doc(hidden)]
-    pub exact_period: Extended,
-    /// Rotations in a period about the vertical, ψ_α(T) + ψ_β(T), and about the axis, ψ_α(T) - ψ_β(T) + τT.
-    #[doc(hidden)]
-    pub rotations: [Phase; 2],
 }
 
 impl PeriodAdvance {
     pub(super) fn new(period: &Period, half_tau: Extended, windings: [i32; 2]) -> Self {
         let [alpha_turns, beta_turns] = period.advances(half_tau, windings).map(Float::to_f64);
-        let Period { time, psi: [psi_alpha, psi_beta], .. } = *period;
-        // the terms ±τT/2 of α and β cancel
-        let about_vertical = psi_alpha + psi_beta;
-        let about_axis = psi_alpha - psi_beta + half_tau.doubled() * time;
+        let [about_vertical, _] = period.rotations(half_tau);
         let windings: i32 = windings.iter().sum();
         let phi = about_vertical + Extended::TWO_PI.halved() * f64::from(windings).into();
-        Self {
-            period: time.to_f64(),
-            alpha_turns,
-            beta_turns,
-            phi_radians: phi.to_f64(),
-            exact_period: time,
-            rotations: [about_vertical, about_axis].map(|angle| angle.in_turns().to_phase()),
-        }
+        Self { period: period.time.to_f64(), alpha_turns, beta_turns, phi_radians: phi.to_f64() }
     }
 }
 
 /// Nutation period with ψ_α and ψ_β over it, and their errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Period {
+pub struct Period {
     pub(crate) time: Extended,
     /// Angles ψ_α(T) and ψ_β(T), rad.
     pub(crate) psi: [Extended; 2],
@@ -73,5 +57,30 @@ impl Period {
         let ([psi_alpha, psi_beta], slow) = (self.psi, half_tau * self.time);
         let [alpha, beta] = windings.map(|sense| Extended::from(0.5 * f64::from(sense)));
         [(psi_alpha + slow).in_turns() + alpha, (psi_beta - slow).in_turns() + beta]
+    }
+
+    /// Rotations about the vertical, ψ_α(T) + ψ_β(T), and about the axis, ψ_α(T) - ψ_β(T) + τT, rad.
+    pub(crate) fn rotations(&self, half_tau: Extended) -> [Extended; 2] {
+        let [psi_alpha, psi_beta] = self.psi;
+        // the terms ±τT/2 of α and β cancel
+        [psi_alpha + psi_beta, psi_alpha - psi_beta + half_tau.doubled() * self.time]
+    }
+}
+
+/// Number type of the rates along the path of a set-up, with the wide number in which the period is integrated.
+pub trait PathNumber: Float {
+    /// Period of a motion that nutates.
+    fn integrate(equations: &PhaseEquations<Extended>, pause: &mut dyn FnMut()) -> Period;
+}
+
+impl PathNumber for f64 {
+    fn integrate(equations: &PhaseEquations<Extended>, pause: &mut dyn FnMut()) -> Period {
+        Period::integrated(&equations.map(Wide::<1>::from_extended), pause)
+    }
+}
+
+impl PathNumber for Extended {
+    fn integrate(equations: &PhaseEquations<Extended>, pause: &mut dyn FnMut()) -> Period {
+        Period::integrated(equations, pause)
     }
 }

@@ -106,12 +106,12 @@ pub(super) fn equations(
     PhaseEquations::new(top, e, l_plus_n, signs, torque_free_rate).cast()
 }
 
-/// Slow phases at an attitude where u is constant.
-pub(super) fn steady_slow_phases(attitude: &AttitudeState<f64>) -> [Phase; 2] {
-    [attitude.orientation.alpha, attitude.orientation.beta].map(argument)
+/// Slow phases of an orientation where u is constant.
+pub(super) fn steady_slow_phases(at_start: &AttitudeState<f64>) -> [Phase; 2] {
+    [at_start.orientation.alpha, at_start.orientation.beta].map(argument)
 }
 
-/// Slow phases at an attitude with this half phase.
+/// Slow phases of an orientation and its rate, with this half phase.
 #[inline(never)]
 pub(super) fn slow_phases(
     equations: &PhaseEquations<f64>,
@@ -135,7 +135,7 @@ fn argument(z: Complex<f64>) -> Phase {
 
 /// Orientation of a state and its rate, computed in extended precision.
 #[inline(never)]
-pub(super) fn attitude(state: &State) -> AttitudeState<f64> {
+pub(super) fn orientation_and_rate(state: &State) -> AttitudeState<f64> {
     let (phi, omega) = state.in_extended();
     let AttitudeState { orientation, rate } = AttitudeState::from_fixed(phi.normalised(), omega);
     AttitudeState {

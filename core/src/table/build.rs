@@ -36,7 +36,7 @@ mod half_period;
 
 mod set_up;
 
-pub use set_up::{SetUpError, Workspace};
+pub use set_up::{SetUpError, TableSettings, Workspace};
 
 #[cfg(test)]
 mod tests {

@@ -1,7 +1,5 @@
 //! Table as plain numbers: the clock, the error bounds, the cells and the segments.
 
-mod error_bound;
-
 pub(super) mod cell;
 
 mod tick;
@@ -14,8 +12,7 @@ mod baked;
 
 pub use baked::{Baked, BakedError};
 pub use clock::Clock;
-pub use ephemeris::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisView};
+pub use ephemeris::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisView, ErrorBound};
 #[cfg(feature = "fixed")]
 pub use ephemeris::{EphemerisQ15, EphemerisQ31};
-pub use error_bound::ErrorBound;
 pub use tick::Tick;

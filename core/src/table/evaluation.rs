@@ -11,8 +11,6 @@
 
 mod q30;
 
-mod integer_omega;
-
 mod coefficient_i32;
 
 #[cfg(feature = "fixed")]
@@ -21,7 +19,8 @@ mod coefficient_i16;
 mod coefficient_f64;
 
 use crate::complex::Complex;
-use crate::scalar::{Float, Real, Ring, Scalar};
+use crate::motion::period::PathNumber;
+use crate::scalar::{Real, Ring, Scalar};
 use crate::su2::{Orientation, Vector};
 use core::fmt::Debug;
 
@@ -61,11 +60,11 @@ pub struct EvaluationErrors {
     pub(crate) relative_omega: f64,
 }
 
-/// Scalar of an ephemeris: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
+/// Scalar of a table: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
 pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
     /// Coefficient of the table.
     #[doc(hidden)]
-    type Coefficient: Coefficient<Number: Number<Quantity = Self::Quantity>>;
+    type Coefficient: Coefficient<Quantity = Self::Quantity>;
     /// Segment: coefficients of Re a, Im a, Re b and Im b side by side, lowest power first.
     type Segment: Copy
         + Debug
@@ -75,94 +74,84 @@ pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
         + 'static;
     /// Type of lengths and rates: the scalar itself, or `f32` for fixed point, whose range is too small.
     type Quantity: Real;
+    /// Number type of the rates along the path of a set-up. `Extended` for `f64`, because a residual phase may be below 1e-16.
+    #[doc(hidden)]
+    type PathNumber: PathNumber;
 
     /// Number of coefficients of a polynomial.
     const TERMS: usize;
+    /// Truncation error of a table unless another one is chosen, rad.
+    const TRUNCATION: f64 = 2.0 * Self::ROUNDING;
     /// Segment whose coefficients are all 0.
-    #[doc(hidden)]
     const ZERO_SEGMENT: Self::Segment;
     /// Code of the scalar in [the table format](crate::table_format).
-    #[doc(hidden)]
     const CODE: u32;
+    /// Rounding errors of a tick.
+    #[doc(hidden)]
+    const ERRORS: EvaluationErrors;
 
     /// Nearest value of the scalar.
     #[doc(hidden)]
     fn from_number(number: NumberOf<Self>) -> Self;
     /// Sine and cosine of a phase, given by its 64 leading bits.
     #[doc(hidden)]
-    fn sine_cosine_sums(phase: u64) -> [SumOf<Self::Coefficient>; 2];
-
-    // For the set-up.
-
-    /// Truncation error of a table unless another one is chosen, rad.
-    const TRUNCATION: f64 = 2.0 * Self::ROUNDING;
-    /// Number of 64-bit words in which its period is integrated.
-    #[doc(hidden)]
-    const PERIOD_WORDS: usize = 1;
-    /// Number type of the rates along its path. `Extended` for `f64`, because a residual phase may be below 1e-16.
-    #[doc(hidden)]
-    type PathNumber: Float;
-    /// Rounding errors of a tick.
-    #[doc(hidden)]
-    const ERRORS: EvaluationErrors;
+    fn sine_cosine_sums(phase: u64) -> [<Self::Coefficient as Coefficient>::Sum; 2];
 }
 
-/// Number in which a tick of a scalar computes.
+/// Number in which a tick of a scalar computes α, β and Ω.
 pub(crate) type NumberOf<R> = <<R as EphemerisScalar>::Coefficient as Coefficient>::Number;
 
-/// Sum of Horner's rule for a coefficient.
-type SumOf<C> = <<C as Coefficient>::Number as Number>::Sum;
-
-/// Number in which a tick computes α, β and Ω. Rates may be larger than its range, so they have a common power of two as a factor.
-#[doc(hidden)]
-pub trait Number: Ring + Into<Self::Quantity> {
-    /// Sum of Horner's rule, and the local coordinate.
-    type Sum: Copy + Default;
+/// Coefficient of a table, and the arithmetic of its evaluation.
+pub trait Coefficient: Copy + Debug + PartialEq {
+    /// Sum of Horner's rule, and the local coordinate: the type of the coefficient itself, or `i32` for `i16`.
+    type Sum: Coefficient<Sum = Self::Sum, Number = Self::Number, Quantity = Self::Quantity>
+        + Default
+        + Into<f64>;
+    /// Number in which α, β and Ω are computed. Rates may be larger than its range, so they have a common power of two as a factor.
+    type Number: Ring;
     /// Type of lengths and rates.
     type Quantity: Real;
 
-    /// Sum for a value in the scale of the sums for a derivative.
-    fn derivative_sum(sum: Self::Sum) -> Self::Sum;
+    /// Coefficient in the scale of the sums.
+    fn to_sum(self) -> Self::Sum;
+    /// Local coordinate.
+    fn coordinate(point: SegmentPoint) -> Self::Sum;
+    /// Step of Horner's rule, `self` + `sum` x, with 16 bits of x if they are enough.
+    fn step(self, sum: Self::Sum, x: Self::Sum, by_16_bits: bool) -> Self::Sum;
+    /// Last step, to the value of a polynomial with this constant.
+    #[inline(always)]
+    fn last_step(self, sum: Self::Sum, x: Self::Sum) -> Self::Sum {
+        self.step(sum, x, false)
+    }
+    /// Step of Horner's rule for the derivative, `sum` + `slope` x, with the sum of the polynomial before its step.
+    fn slope_step(sum: Self::Sum, slope: Self::Sum, x: Self::Sum, by_16_bits: bool) -> Self::Sum;
+    /// Complex number of the table, rotated by the angle with this sine and cosine.
+    fn rotated(
+        number: [Self::Sum; 2],
+        is_falling: bool,
+        sine_cosine: [Self::Sum; 2],
+    ) -> Complex<Self::Number>;
+    /// Sine and cosine of Λ_β - Λ_α, from those of Λ_α and Λ_β.
+    fn sine_cosine_of_difference(sines_cosines: [[Self::Sum; 2]; 2]) -> [Self::Sum; 2];
     /// Angular velocity Ω over a power of two, with the exponent of that power.
     ///
     /// * `polynomials`: values and derivatives
     /// * `difference`: sine and cosine of Λ_β - Λ_α
     /// * `rates`: rates of x on an eighth of half a period, of Λ_α + Λ_β, and about the axis
+    #[inline(always)]
     fn omega_body(
         polynomials: [[Self::Sum; 4]; 2],
         difference: [Self::Sum; 2],
         point: SegmentPoint,
         rates: [Self::Quantity; 3],
-    ) -> (Vector<Self>, i32);
-    /// Product with a power of two.
-    fn ldexp(self, exponent: i32) -> Self::Quantity;
-}
-
-/// Coefficient of a table, and the arithmetic of its evaluation.
-#[doc(hidden)]
-pub trait Coefficient: Copy + Debug + PartialEq {
-    /// Number in which α, β and Ω are computed.
-    type Number: Number;
-
-    /// Value of a coefficient of x^power, exact.
-    fn to_f64(self, power: usize) -> f64;
-
-    /// Local coordinate.
-    fn coordinate(point: SegmentPoint) -> SumOf<Self>;
-    /// Coefficient as a sum.
-    fn to_sum(self) -> SumOf<Self>;
-    /// Step of Horner's rule, `added` + `sum` x, with 16 bits of x if they are enough.
-    fn step(added: SumOf<Self>, sum: SumOf<Self>, x: SumOf<Self>, by_16_bits: bool) -> SumOf<Self>;
-    /// Last step, to the value of a polynomial with this constant.
-    fn last_step(constant: Self, sum: SumOf<Self>, x: SumOf<Self>) -> SumOf<Self>;
-    /// Complex number of the table, rotated by the angle with this sine and cosine.
-    fn rotated(
-        number: [SumOf<Self>; 2],
-        is_falling: bool,
-        sine_cosine: [SumOf<Self>; 2],
-    ) -> Complex<Self::Number>;
-    /// Sine and cosine of Λ_β - Λ_α, from those of Λ_α and Λ_β.
-    fn sine_cosine_of_difference(sines_cosines: [[SumOf<Self>; 2]; 2]) -> [SumOf<Self>; 2];
+    ) -> (Vector<Self::Number>, i32) {
+        Self::Sum::omega_body(polynomials, difference, point, rates)
+    }
+    /// Product of a number and a power of two.
+    #[inline(always)]
+    fn ldexp(number: Self::Number, exponent: i32) -> Self::Quantity {
+        Self::Sum::ldexp(number, exponent)
+    }
 
     // For the set-up.
 
@@ -206,51 +195,61 @@ pub(crate) fn orientation_and_omega_body<R: EphemerisScalar>(
     let alpha = R::Coefficient::rotated([re_a, im_a], point.is_falling, a);
     let beta = R::Coefficient::rotated([re_b, im_b], point.is_falling, b);
     let difference = R::Coefficient::sine_cosine_of_difference([a, b]);
-    let (omega, exponent) = Number::omega_body(polynomials, difference, point, rates);
+    let (omega, exponent) = R::Coefficient::omega_body(polynomials, difference, point, rates);
     (Orientation { alpha, beta }, omega, exponent)
+}
+
+/// a and b, and their derivatives, before the rotation, to 32 bits also for 16-bit coefficients. The derivatives have a scale of their own.
+#[inline(never)]
+pub(crate) fn before_rotation<R: EphemerisScalar>(
+    rows: &[[R::Coefficient; 4]],
+    point: SegmentPoint,
+) -> [[Complex<f64>; 2]; 2] {
+    let x = <R::Coefficient as Coefficient>::Sum::coordinate(point);
+    horner::<_, _, 4, true>(rows, x, |four| four.map(Coefficient::to_sum)).map(|four| {
+        let [re_a, im_a, re_b, im_b] = four.map(Into::into);
+        [Complex::new(re_a, im_a), Complex::new(re_b, im_b)]
+    })
 }
 
 /// Polynomials and, if `SLOPES`, their derivatives.
 #[inline(always)]
-fn polynomials<C: Coefficient, const SLOPES: bool>(
-    rows: &[[C; 4]],
-    point: SegmentPoint,
-) -> [[SumOf<C>; 4]; 2] {
+fn polynomials<C: Coefficient, const SLOPES: bool>(rows: &[[C; 4]], point: SegmentPoint) -> [[C::Sum; 4]; 2] {
     let x = C::coordinate(point);
     // four for vector units, two for the few registers of the smallest chips
     if cfg!(target_pointer_width = "64") || size_of::<C>() == 8 {
-        return horner::<C, 4, SLOPES>(rows, x, |four| *four);
+        return horner::<C, C, 4, SLOPES>(rows, x, |four| *four);
     }
     let [[re_b, im_b], [re_slope_b, im_slope_b]] =
-        horner::<C, 2, SLOPES>(rows, x, |&[_, _, re, im]| [re, im]);
+        horner::<C, C, 2, SLOPES>(rows, x, |&[_, _, re, im]| [re, im]);
     let [[re_a, im_a], [re_slope_a, im_slope_a]] =
-        horner::<C, 2, SLOPES>(rows, x, |&[re, im, _, _]| [re, im]);
+        horner::<C, C, 2, SLOPES>(rows, x, |&[re, im, _, _]| [re, im]);
     [[re_a, im_a, re_b, im_b], [re_slope_a, im_slope_a, re_slope_b, im_slope_b]]
 }
 
-/// Polynomials and, if `SLOPES`, their derivatives by Horner's rule. A borrowed row lets the compiler recognise a vector.
+/// Polynomials and, if `SLOPES`, their derivatives by Horner's rule in `D`. A borrowed row lets the compiler recognise a vector.
 #[inline(always)]
-fn horner<C: Coefficient, const N: usize, const SLOPES: bool>(
+fn horner<C, D: Coefficient, const N: usize, const SLOPES: bool>(
     rows: &[[C; 4]],
-    x: SumOf<C>,
-    part: impl Fn(&[C; 4]) -> [C; N],
-) -> [[SumOf<C>; N]; 2] {
+    x: D::Sum,
+    part: impl Fn(&[C; 4]) -> [D; N],
+) -> [[D::Sum; N]; 2] {
     let (mut sums, mut slopes) = ([Default::default(); N], [Default::default(); N]);
     let [constant, higher @ ..] = rows else { return [sums, slopes] };
     for (power, coefficients) in higher.iter().enumerate().map(|(below, four)| (below + 2, four)).rev() {
         let by_16_bits = is_by_16_bits(power, rows.len());
         for ((sum, slope), c) in sums.iter_mut().zip(&mut slopes).zip(&part(coefficients)) {
             if SLOPES {
-                *slope = C::step(C::Number::derivative_sum(*sum), *slope, x, by_16_bits);
+                *slope = D::slope_step(*sum, *slope, x, by_16_bits);
             }
-            *sum = C::step(c.to_sum(), *sum, x, by_16_bits);
+            *sum = c.step(*sum, x, by_16_bits);
         }
     }
     for ((sum, slope), c) in sums.iter_mut().zip(&mut slopes).zip(part(constant)) {
         if SLOPES {
-            *slope = C::step(C::Number::derivative_sum(*sum), *slope, x, false);
+            *slope = D::slope_step(*sum, *slope, x, false);
         }
-        *sum = C::last_step(c, *sum, x);
+        *sum = c.last_step(*sum, x);
     }
     [sums, slopes]
 }

@@ -5,7 +5,7 @@ use toytop::scalar::{Real, Ring};
 use toytop::{
     Complex, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisQ15, EphemerisQ31,
     EphemerisScalar, EphemerisView, Motion, Orientation, ParameterError, Pose, Release, Sample, State,
-    Stepper, Tick, Top, TopParameters, Workspace,
+    Stepper, TableSettings, Tick, Top, TopParameters, Workspace,
 };
 
 /// Number of ticks per second.
@@ -81,7 +81,7 @@ fn set_up(
     let Ok(tick) = Tick::hertz(TICK_RATE) else { return false };
     let motion = Motion::launch(top, state);
     let Ok(motion) = &motion else { return false };
-    memory.set_up(workspace, motion, tick, 0, &mut || {}).is_ok()
+    memory.set_up(workspace, motion, &TableSettings::new(tick), &mut || {}).is_ok()
 }
 
 /// Set-up with its own memory on the stack.

@@ -12,8 +12,8 @@ use toytop::scalar::Real;
 use toytop::su2::Orientation;
 use toytop::{
     BranchPoints, Complex, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, FirstIntegrals,
-    InitialAngles, Level, Motion, ParameterError, Phase, Release, Sign, Signs, State, Stepper, Tick, Top,
-    TopParameters, Workspace,
+    InitialAngles, Level, Motion, ParameterError, Phase, Release, Sign, Signs, State, Stepper, TableSettings,
+    Tick, Top, TopParameters, Workspace,
 };
 use toytop_closed_forms::ClosedForm;
 use toytop_closed_forms::elliptic::{Jacobi, Weierstrass, agm, carlson_rf};
@@ -216,11 +216,12 @@ fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     events(&ephemeris, motion);
     black_box((ephemeris.error_bound_at(black_box(3)), ephemeris.capacity()));
     let mut out = [Orientation::<R>::IDENTITY; 4];
-    ephemeris.fill(black_box(0), &mut out);
+    ephemeris.fill_orientations(black_box(0), &mut out);
     black_box(out);
-    let mut workspace = Workspace::with_truncation(unknown());
+    let mut workspace = Workspace::new();
+    let settings = TableSettings { tick, epoch: black_box(-7), truncation: Some(unknown()) };
     let mut memory = EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new();
     let mut calls = 0;
-    let is_ready = memory.set_up(&mut workspace, motion, tick, black_box(-7), &mut || calls += 1).is_ok();
+    let is_ready = memory.set_up(&mut workspace, motion, &settings, &mut || calls += 1).is_ok();
     black_box((is_ready, memory.get().map(|table| (cursor.next(table).orientation(), table.error_bound()))));
 }

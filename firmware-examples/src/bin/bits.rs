@@ -11,15 +11,14 @@ fn start() -> ! {
     use core::cell::RefCell;
     use critical_section::Mutex;
     // a static, because the stack of the smallest chip is short
-    static WORKSPACE: Mutex<RefCell<Workspace>> =
-        Mutex::new(RefCell::new(Workspace::with_truncation(f64::MAX)));
+    static WORKSPACE: Mutex<RefCell<Workspace>> = Mutex::new(RefCell::new(Workspace::new()));
     critical_section::with(|section| report(&mut WORKSPACE.borrow_ref_mut(section)));
     toytop_firmware::exit()
 }
 
 #[cfg(not(target_os = "none"))]
 fn main() {
-    report(&mut Workspace::with_truncation(f64::MAX));
+    report(&mut Workspace::new());
 }
 
 fn report(workspace: &mut Workspace) {

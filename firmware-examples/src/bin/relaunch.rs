@@ -15,7 +15,7 @@ use critical_section::Mutex;
 use heapless::spsc::{Consumer, Producer, Queue};
 use toytop::{
     AttitudeState, Cursor, EphemerisF32, EphemerisMemory, EphemerisView, Motion, Orientation, ParameterError,
-    State, Stepper, Tick, Top, Workspace,
+    State, Stepper, TableSettings, Tick, Top, Workspace,
 };
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
@@ -190,7 +190,9 @@ fn wait<T>(queue: &mut Consumer<'static, T>) -> T {
 fn launch(workspace: &mut Workspace, memory: &mut Memory) -> Result<Top, ParameterError> {
     let launched = toy_top(); // by reference from here on: a motion is large
     let motion = launched.as_ref().map_err(|error| *error)?;
-    memory.set_up(workspace, motion, Tick::hertz(TICK_RATE)?, 0, &mut || {}).expect("an ordinary motion");
+    memory
+        .set_up(workspace, motion, &TableSettings::new(Tick::hertz(TICK_RATE)?), &mut || {})
+        .expect("an ordinary motion");
     Ok(*motion.top())
 }
 
@@ -207,6 +209,7 @@ fn relaunch(
     let launched = Motion::launch(top, &State::from_attitude(before)?.with_impulse(top, IMPULSE, POINT)?);
     let motion = launched.as_ref().map_err(|error| *error)?;
     bridge(Stepper::new(motion));
-    memory.set_up(workspace, motion, Tick::hertz(TICK_RATE)?, at, &mut || {}).expect("an ordinary motion");
+    let settings = TableSettings { epoch: at, ..TableSettings::new(Tick::hertz(TICK_RATE)?) };
+    memory.set_up(workspace, motion, &settings, &mut || {}).expect("an ordinary motion");
     Ok(())
 }

@@ -11,7 +11,7 @@ use cortex_m_rt::exception;
 use critical_section::Mutex;
 use toytop::{
     Complex, EphemerisF32, EphemerisMemory, EphemerisView, Motion, Orientation, ParameterError, Pose,
-    Release, State, Tick, Top, TopParameters, Workspace,
+    Release, State, TableSettings, Tick, Top, TopParameters, Workspace,
 };
 use toytop_firmware::{entry, exit};
 
@@ -41,7 +41,8 @@ fn main() -> ! {
     // The table of 2 KiB is set up in static memory, not on the stack.
     let memory = singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
     let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
-    let ephemeris = memory.set_up(workspace, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+    let ephemeris =
+        memory.set_up(workspace, &motion, &TableSettings::new(tick), &mut || {}).expect("an ordinary motion");
     critical_section::with(|cs| EPHEMERIS.borrow(cs).set(Some(ephemeris)));
 
     let mut systick = Peripherals::take().expect("taken once").SYST;

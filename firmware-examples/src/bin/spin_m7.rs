@@ -5,7 +5,7 @@
 
 use cortex_m::peripheral::SCB;
 use cortex_m::{asm, interrupt, singleton};
-use toytop::{EphemerisF64, EphemerisMemory, ErrorBound, Tick, Workspace};
+use toytop::{EphemerisF64, EphemerisMemory, ErrorBound, TableSettings, Tick, Workspace};
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
 /// Clock of the processor, Hz. The emulated board has 25 MHz.
@@ -19,7 +19,8 @@ fn main() -> ! {
     let memory = singleton!(: EphemerisMemory<EphemerisF64> = EphemerisMemory::new()).expect("taken once");
     let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
-    let ephemeris = memory.set_up(workspace, &motion, tick, 0, &mut || {}).expect("an ordinary motion");
+    let ephemeris =
+        memory.set_up(workspace, &motion, &TableSettings::new(tick), &mut || {}).expect("an ordinary motion");
     let ErrorBound { constant, per_tick } = ephemeris.error_bound();
     defmt::info!("at tick n within {=f64} rad + n * {=f64}", constant, per_tick);
 

@@ -2,7 +2,7 @@
 
 use toytop::{
     Complex, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Orientation, ParameterError,
-    Regime, Workspace,
+    Regime, TableSettings, Workspace,
 };
 use toytop_model::aperiodic::AperiodicMotion;
 use toytop_model::constants::MotionWithPeriod;
@@ -43,11 +43,10 @@ impl PageTable {
         if matches!(self.method, Method::ClosedForm(_)) {
             return Ok(());
         }
-        let tick = motion.tick();
+        let settings = TableSettings::new(motion.tick());
         let mut fits = |truncation: &f64| {
-            self.memory
-                .set_up(&mut Workspace::with_truncation(*truncation), motion, tick, 0, &mut || {})
-                .is_ok()
+            let settings = TableSettings { truncation: Some(*truncation), ..settings };
+            self.memory.set_up(&mut Workspace::new(), motion, &settings, &mut || {}).is_ok()
         };
         if TRUNCATIONS.iter().any(&mut fits) {
             return Ok(());

@@ -21,7 +21,7 @@ fn every_access_gives_the_same_bits() {
         assert_eq!(ephemeris.capacity(), S);
         for (first, length) in [(0, 0), (-1, 1), (-500, 1001), (1 << 40, 4099)] {
             let mut batch = vec![Orientation::<R>::IDENTITY; length];
-            ephemeris.fill(first, &mut batch);
+            ephemeris.fill_orientations(first, &mut batch);
             let mut cursor = ephemeris.cursor(first);
             for (n, phi) in (first..).zip(batch) {
                 let sample = ephemeris.at_tick(n);

@@ -5,7 +5,7 @@ use std::sync::mpsc;
 use std::{mem, thread};
 use toytop::{
     Ephemeris, EphemerisF32, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Release, SetUpError,
-    State, Tick, Top, Workspace,
+    State, TableSettings, Tick, Top, Workspace,
 };
 use toytop_tests::{TOY, kilohertz, table_if_it_fits, vectors};
 
@@ -15,7 +15,8 @@ fn equal_the_ones_by_value<R: EphemerisScalar>() {
     for vector in vectors::all() {
         let motion = vector.motion().unwrap();
         let mut calls = 0;
-        let table = memory.set_up(&mut workspace, &motion, kilohertz(), 0, &mut || calls += 1);
+        let table =
+            memory.set_up(&mut workspace, &motion, &TableSettings::new(kilohertz()), &mut || calls += 1);
         match (table, Ephemeris::<R, SEGMENTS>::new(&motion, kilohertz())) {
             (Ok(table), Ok(by_value)) => assert!(*table == *by_value, "{}", vector.name),
             (refusal, by_value) => assert_eq!(refusal.err(), by_value.err(), "{}", vector.name),
@@ -52,7 +53,9 @@ fn a_refusal_takes_no_longer_than_a_table() {
     let motion = vectors::motion("exact_near_separatrix_straddle");
     let calls = |memory: &mut EphemerisMemory<EphemerisView<f32>>| {
         let mut calls = 0;
-        let refused = memory.set_up(&mut Workspace::new(), &motion, kilohertz(), 0, &mut || calls += 1).err();
+        let refused = memory
+            .set_up(&mut Workspace::new(), &motion, &TableSettings::new(kilohertz()), &mut || calls += 1)
+            .err();
         (refused, calls)
     };
     let refused = calls(&mut EphemerisMemory::<Ephemeris<f32, 16>>::new());
@@ -124,7 +127,8 @@ fn tables_are_handed_over_while_they_are_sampled() {
     type Memory = Box<EphemerisMemory<EphemerisF32>>;
     let set_up = |mut memory: Memory, name, epoch| {
         let (motion, tick) = (vectors::motion(name), Tick::hertz(16).unwrap());
-        memory.set_up(&mut Workspace::with_truncation(1e-3), &motion, tick, epoch, &mut || {}).unwrap();
+        let settings = TableSettings { tick, epoch, truncation: Some(1e-3) };
+        memory.set_up(&mut Workspace::new(), &motion, &settings, &mut || {}).unwrap();
         memory
     };
     let first = set_up(Memory::default(), "generic_AneC", 0);
@@ -161,17 +165,16 @@ fn tables_are_handed_over_while_they_are_sampled() {
 fn memory_has_a_table_after_a_set_up() {
     let [easy, hard, rising] =
         ["exact_generic_pp", "near_separatrix_straddle", "exact_aperiodic"].map(vectors::motion);
-    let tick = kilohertz();
+    let settings = TableSettings::new(kilohertz());
     let mut memory = EphemerisMemory::<Ephemeris<f64, 48>>::new();
     assert!(memory.get().is_none());
     let mut workspace = Workspace::new();
-    assert!(memory.set_up(&mut workspace, &easy, tick, 0, &mut || {}).is_ok());
+    assert!(memory.set_up(&mut workspace, &easy, &settings, &mut || {}).is_ok());
     assert!(memory.get().unwrap().error_bound().after(1e9) < 1e-12);
     for (truncation, motion) in [(1e-19, &hard), (1e-15, &rising), (f64::INFINITY, &easy), (-1.0, &easy)] {
-        assert!(memory.set_up(&mut Workspace::new(), &easy, tick, 0, &mut || {}).is_ok());
-        assert!(
-            memory.set_up(&mut Workspace::with_truncation(truncation), motion, tick, 0, &mut || {}).is_err()
-        );
+        assert!(memory.set_up(&mut workspace, &easy, &settings, &mut || {}).is_ok());
+        let settings = TableSettings { truncation: Some(truncation), ..settings };
+        assert!(memory.set_up(&mut workspace, motion, &settings, &mut || {}).is_err());
         assert!(memory.get().is_none());
     }
 }

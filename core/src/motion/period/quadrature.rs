@@ -182,7 +182,7 @@ mod tests {
     }
 
     fn period<const WORDS: usize>(motion: &Motion) -> Period {
-        motion.period::<WORDS>(&motion.equations(), &mut || {}).unwrap()
+        Period::integrated(&motion.equations().map(Wide::<WORDS>::from_extended), &mut || {})
     }
 
     /// The slow phases of this motion converge later than its period: the last changes of one say nothing about the other.

@@ -69,16 +69,16 @@ impl HalfPeriod {
         segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
     ) -> Option<()> {
-        match self.begin::<R>(motion, &mut memory.equations, pause) {
-            Some(length) => self.follow::<R>(motion, length, limits, memory, segments, pause)?,
+        match self.find_mean_rates::<R>(motion, &mut memory.equations, pause) {
+            Some(length) => self.tabulate_path::<R>(motion, length, limits, memory, segments, pause)?,
             None => self.store_constants::<R>(motion, segments),
         }
         Some(())
     }
 
-    /// Begins with the mean rates. Sets the phase equations, and returns the length of half a period, s; `None` for a constant u.
+    /// Finds the mean rates. Sets the phase equations, and returns the length of half a period, s; `None` for a constant u.
     #[inline(never)]
-    fn begin<R: EphemerisScalar>(
+    fn find_mean_rates<R: EphemerisScalar>(
         &mut self,
         motion: &Motion,
         equations: &mut PhaseEquations<Extended>,
@@ -88,27 +88,24 @@ impl HalfPeriod {
         if !motion.is_steady() {
             set_equations(motion, equations);
             pause();
-            period = match R::PERIOD_WORDS {
-                1 => motion.period::<1>(equations, pause),
-                _ => motion.period::<2>(equations, pause),
-            };
+            period = motion.period::<R::PathNumber>(equations, pause);
         }
-        self.start(motion, period.as_ref());
+        self.set_launch(motion, period.as_ref());
         pause();
         period.map(|period| period.time.halved())
     }
 
     /// Sets the mean rates and the phases of the launch.
     #[inline(never)] // neither must stay on the stack of the quadrature
-    fn start(&mut self, motion: &Motion, period: Option<&Period>) {
+    fn set_launch(&mut self, motion: &Motion, period: Option<&Period>) {
         *self = Self::ZERO;
         self.mean_rates = MeanRates::new(motion, period);
         self.launch = LaunchPlace::new(motion);
     }
 
-    /// Follows the motion from u = e₁ to u = e₂; `None` if the segments are too many.
+    /// Tabulates the motion from u = e₁ to u = e₂; `None` if the segments are too many.
     #[inline(never)]
-    fn follow<R: EphemerisScalar>(
+    fn tabulate_path<R: EphemerisScalar>(
         &mut self,
         motion: &Motion,
         length: Extended,
@@ -144,7 +141,7 @@ impl HalfPeriod {
     ) -> Option<()> {
         let (mut position, mut depth) = (0, LEAST_DEPTH);
         while position < HALF_PERIOD {
-            // first segments twice as long as those before; one of two cells begins at an even cell
+            // Segments twice as long as the last ones are tried first. A segment of two cells begins at an even cell.
             depth = (depth - 1).max(LEAST_DEPTH + (position / CELL % 2) as u32);
             let point = path.point_at(position);
             path.lengthen(depth);
@@ -155,7 +152,7 @@ impl HalfPeriod {
                 if depth > Cell::DEEPEST || count > path.limits.capacity {
                     return None;
                 }
-                if let Some(bounds) = self.fill::<R>(cell, depth, point, path, segments, pause) {
+                if let Some(bounds) = self.fill_cell::<R>(cell, depth, point, path, segments, pause) {
                     break (cell, bounds);
                 }
                 depth += 1;
@@ -177,7 +174,7 @@ impl HalfPeriod {
     ///
     /// * `depth`: that of the segments
     /// * `point`: beginning of the cell
-    fn fill<R: EphemerisScalar>(
+    fn fill_cell<R: EphemerisScalar>(
         &mut self,
         cell: Interval,
         depth: u32,

@@ -1,15 +1,12 @@
 //! Set-up: from a motion to its table.
 
-mod workspace;
-
 mod clock;
-
-pub use workspace::Workspace;
 
 use core::fmt;
 
 use super::half_period::HalfPeriod;
 use super::limits::Limits;
+use super::path::SpanMemory;
 use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::table::data::cell::{Cell, LEAST_SEGMENTS};
@@ -51,15 +48,58 @@ impl fmt::Display for SetUpError {
 
 impl core::error::Error for SetUpError {}
 
+/// Settings of a table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct TableSettings {
+    /// Length of a tick.
+    pub tick: Tick,
+    /// Tick of the launch on a running counter.
+    pub epoch: i64,
+    /// Truncation error > 0, rad: a smaller table for a larger error. `None` for [`EphemerisScalar::TRUNCATION`].
+    pub truncation: Option<f64>,
+}
+
+impl TableSettings {
+    /// Settings for a launch at tick 0 and the truncation error of the scalar.
+    #[must_use]
+    pub const fn new(tick: Tick) -> Self {
+        Self { tick, epoch: 0, truncation: None }
+    }
+}
+
+/// Workspace of a set-up, 3.4 KiB.
+///
+/// A program with a small stack keeps it in a static: see "In firmware" on [the first page](crate).
+#[derive(Debug)]
+pub struct Workspace {
+    half_period: HalfPeriod,
+    span: SpanMemory,
+}
+
+impl Default for Workspace {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Workspace {
+    /// Workspace before a set-up. A static of it takes no flash.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { half_period: HalfPeriod::ZERO, span: SpanMemory::ZERO }
+    }
+}
+
 /// Computes the segments of half a period, and stores those that fit.
 fn tabulate<R: EphemerisScalar>(
     motion: &Motion,
+    truncation: f64,
     workspace: &mut Workspace,
     segments: &mut [R::Segment],
     capacity: usize,
     pause: &mut dyn FnMut(),
 ) -> Result<(), SetUpError> {
-    let truncation = workspace.truncation.unwrap_or(R::TRUNCATION);
     if !(truncation > 0.0 && truncation < f64::INFINITY) {
         return Err(SetUpError::Truncation);
     }
@@ -67,7 +107,7 @@ fn tabulate<R: EphemerisScalar>(
         return Err(SetUpError::Aperiodic);
     }
     let limits = Limits::new::<R>(truncation, capacity);
-    let Workspace { half_period, span, .. } = workspace;
+    let Workspace { half_period, span } = workspace;
     half_period
         .compute::<R>(motion, &limits, span, segments, pause)
         .ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
@@ -76,7 +116,6 @@ fn tabulate<R: EphemerisScalar>(
 impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
     /// Sets up the table of a motion.
     ///
-    /// * `epoch`: tick of the launch on a running counter
     /// * `pause`: called at least every 50 000 cycles of a Cortex-M4F (200 000 of a Cortex-M0+)
     ///
     /// # Errors
@@ -85,15 +124,14 @@ impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
         &mut self,
         workspace: &mut Workspace,
         motion: &Motion,
-        tick: Tick,
-        epoch: i64,
+        settings: &TableSettings,
         pause: &mut dyn FnMut(),
     ) -> Result<&EphemerisView<R>, SetUpError> {
         let Self { is_set_up, table } = self;
         *is_set_up = false;
-        let capacity = table.capacity();
-        tabulate::<R>(motion, workspace, &mut table.segments, capacity, pause)?;
-        table.finish(&workspace.half_period, motion, tick, epoch, pause);
+        let (capacity, truncation) = (table.capacity(), settings.truncation.unwrap_or(R::TRUNCATION));
+        tabulate::<R>(motion, truncation, workspace, &mut table.segments, capacity, pause)?;
+        table.finish(&workspace.half_period, motion, settings, pause);
         *is_set_up = true;
         Ok(table)
     }
@@ -106,24 +144,23 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         &mut self,
         half_period: &HalfPeriod,
         motion: &Motion,
-        tick: Tick,
-        epoch: i64,
+        settings: &TableSettings,
         pause: &mut dyn FnMut(),
     ) {
         let HalfPeriod { cells, segments, mean_rates, launch, .. } = half_period;
         self.cells = *cells;
         self.segments.get_mut(*segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
-        self.clock = Clock::new(motion, tick, epoch, mean_rates.rates, launch.phases);
+        self.clock = Clock::new(motion, settings, mean_rates.rates, launch.phases);
         pause();
         self.start_tip_angle(motion, launch.phases, pause);
         pause();
         [self.error_bound, self.rate_error_bound] =
-            half_period.error_bounds(R::TERMS, &R::ERRORS, motion, tick.length());
+            half_period.error_bounds(R::TERMS, &R::ERRORS, motion, settings.tick.length());
     }
 }
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
-    /// Ephemeris of a motion launched at tick 0. In `f32` this takes 13 KB of a Cortex-M4F's stack; [`EphemerisMemory::set_up`] takes 4 KB.
+    /// Table of a motion launched at tick 0. In `f32` this takes 13 KB of a Cortex-M4F's stack; [`EphemerisMemory::set_up`] takes 4 KB.
     ///
     /// # Errors
     /// [`SetUpError`]
@@ -131,13 +168,14 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
         Self::with_truncation(motion, tick, R::TRUNCATION)
     }
 
-    /// Ephemeris with a given truncation error > 0, rad: a smaller table for a larger error.
+    /// Table with a given truncation error > 0, rad: a smaller table for a larger error.
     ///
     /// # Errors
     /// [`SetUpError`]
     pub fn with_truncation(motion: &Motion, tick: Tick, truncation: f64) -> Result<Self, SetUpError> {
         let mut memory = EphemerisMemory::<Self>::new();
-        memory.set_up(&mut Workspace::with_truncation(truncation), motion, tick, 0, &mut || {})?;
+        let settings = TableSettings { truncation: Some(truncation), ..TableSettings::new(tick) };
+        memory.set_up(&mut Workspace::new(), motion, &settings, &mut || {})?;
         Ok(memory.table)
     }
 }
@@ -147,8 +185,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// positive.
     #[must_use]
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
-        let workspace = &mut Workspace::with_truncation(truncation);
-        tabulate::<R>(motion, workspace, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
+        let workspace = &mut Workspace::new();
+        tabulate::<R>(motion, truncation, workspace, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
         Some(workspace.half_period.segments.max(LEAST_SEGMENTS) as u32)
     }
 }

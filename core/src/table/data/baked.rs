@@ -1,4 +1,4 @@
-//! Baked table: an ephemeris as literal data for the flash of a chip.
+//! Baked table: literal data for the flash of a chip.
 
 mod crc32;
 mod range;
@@ -168,7 +168,7 @@ macro_rules! baked {
         }
 
         impl<const SEGMENTS: usize> Baked<$scalar, SEGMENTS> {
-            /// Ephemeris of these data. It can be computed in a constant.
+            /// Table of these data. It can be computed in a constant.
             ///
             /// # Errors
             /// [`BakedError`]
@@ -183,12 +183,12 @@ macro_rules! baked {
                     cells: self.cells,
                     segments: self.segments,
                 };
-                let view: &EphemerisView<$scalar> = &table;
-                let computed = view.crc32();
+                let of_any_capacity: &EphemerisView<$scalar> = &table;
+                let computed = of_any_capacity.crc32();
                 if self.crc32 != computed {
                     return Err(BakedError::Checksum { stated: self.crc32, computed });
                 }
-                match view.out_of_range() {
+                match of_any_capacity.out_of_range() {
                     Some(field) => Err(BakedError::OutOfRange { field }),
                     None => Ok(table),
                 }
@@ -196,7 +196,7 @@ macro_rules! baked {
         }
 
         impl<const SEGMENTS: usize> Ephemeris<$scalar, SEGMENTS> {
-            /// Literal data of the ephemeris. They may be too large for the stack of a chip.
+            /// Literal data of the table. They may be too large for the stack of a chip.
             #[must_use]
             pub fn to_baked(&self) -> Baked<$scalar, SEGMENTS> {
                 Baked {

@@ -1,4 +1,4 @@
-//! Clock of an ephemeris: the numbers that give the phases at any time.
+//! Clock of a table: the numbers that give the phases at any time.
 
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
@@ -89,15 +89,18 @@ impl<W: Copy> Clock<W> {
     }
 
     /// Increment of the mean tip angle per tick.
-    #[inline(always)]
     pub(crate) fn tip_step(&self) -> Phase {
         Phase::from_words(self.tip_step)
     }
 
-    /// Mean tip angle at tick n.
-    #[inline(always)]
-    pub(in crate::table) fn mean_tip(&self, n: i64) -> Phase {
-        Phase::from_words(self.tip_start) + self.tip_step() * n
+    /// Mean tip angle at a tick and a fraction of a tick, plus half a turn for each passage of a parameter through 0.
+    ///
+    /// * `nutation`: 64 leading bits of the nutation phase then
+    pub(in crate::table) fn mean_tip(&self, tick: i128, fraction: Phase, nutation: u64) -> Phase {
+        let whole = Phase::from_bits(self.tip_step().to_bits().wrapping_mul(tick));
+        let part = (self.exact_tip_step() * Extended::from(fraction)).to_phase();
+        let passages = Phase::from_bits(i128::from(nutation as i64) << 31) * i64::from(self.tip_sign_changes);
+        Phase::from_words(self.tip_start) + whole + part + passages
     }
 
     /// Increment of the mean tip angle per tick, in turns. It lacks the half turn per period of a parameter that passes through 0.

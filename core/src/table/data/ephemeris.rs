@@ -1,17 +1,17 @@
-//! Table of one motion, and the memory for it.
+//! Table of one motion with its error bounds, and the memory for it.
 
+use crate::table::data::Clock;
 use crate::table::data::cell::{CELLS, Cell, LEAST_SEGMENTS};
-use crate::table::data::{Clock, ErrorBound};
 use crate::table::evaluation::EphemerisScalar;
 use core::ops::{Deref, DerefMut};
 
-/// Ephemeris of one motion with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.
+/// Table of one motion with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.
 ///
 /// Its methods are those of [`EphemerisView`]. Size: 4 · SEGMENTS ·
 /// [`EphemerisScalar::TERMS`] coefficients, and 248 bytes, or 264 in `f64`.
 pub type Ephemeris<R, const SEGMENTS: usize> = EphemerisView<R, [<R as EphemerisScalar>::Segment; SEGMENTS]>;
 
-/// Ephemeris without its capacity in the type. Readers take an `&EphemerisView<f32>`.
+/// Table without its capacity in the type. Readers take an `&EphemerisView<f32>`.
 ///
 /// The parameter S is the type of the segments: a slice, or the array of an [`Ephemeris`].
 #[derive(Debug, PartialEq)]
@@ -25,17 +25,17 @@ pub struct EphemerisView<R: EphemerisScalar, S: ?Sized = [<R as EphemerisScalar>
     pub(crate) segments: S,
 }
 
-/// Ephemeris in `f32`, 2 KiB: enough for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.4.
+/// Table in `f32`, 2 KiB: enough for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.4.
 pub type EphemerisF32 = Ephemeris<f32, 25>;
 
-/// Ephemeris in `f64`, 17 KiB, for the motions of [`EphemerisF32`]; where A/(ps) >= 1, `Ephemeris<f64, 32>` is enough.
+/// Table in `f64`, 17 KiB, for the motions of [`EphemerisF32`]; where A/(ps) >= 1, `Ephemeris<f64, 32>` is enough.
 pub type EphemerisF64 = Ephemeris<f64, 48>;
 
-/// Ephemeris in 32-bit fixed point, 2 KiB: enough for the README's top; many motions need 64 segments.
+/// Table in 32-bit fixed point, 2 KiB: enough for the README's top; many motions need 64 segments.
 #[cfg(feature = "fixed")]
 pub type EphemerisQ31 = Ephemeris<fixed::types::I2F30, 32>;
 
-/// Ephemeris in 16-bit fixed point, 0.6 KiB: enough for the README's top; many motions need 32 segments.
+/// Table in 16-bit fixed point, 0.6 KiB: enough for the README's top; many motions need 32 segments.
 #[cfg(feature = "fixed")]
 pub type EphemerisQ15 = Ephemeris<fixed::types::I2F14, 16>;
 
@@ -59,6 +59,33 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for Ephemeris<R, SEGMENTS>
     #[inline(always)]
     fn deref(&self) -> &EphemerisView<R> {
         self
+    }
+}
+
+/// Upper bound on an error: `constant` plus `per_tick` for each tick from the launch.
+///
+/// The error of an orientation is 2 √(|Δα|² + |Δβ|²). Its part by roundings of a tick is proved; the parts by series, and by roundings of the
+/// set-up, are counted or estimated. [The error bound](crate::error_bound) derives them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ErrorBound {
+    /// Error at the launch, rad (rad/s for rates).
+    pub constant: f64,
+    /// Growth of the error per tick.
+    pub per_tick: f64,
+}
+
+impl ErrorBound {
+    pub(crate) const ZERO: Self = Self { constant: 0.0, per_tick: 0.0 };
+
+    /// Upper bound on the error at this number of ticks after the launch, or before it if negative.
+    #[must_use]
+    pub fn after(&self, ticks: f64) -> f64 {
+        self.constant + self.per_tick * ticks.abs()
+    }
+
+    pub(super) const fn numbers(self) -> [f64; 2] {
+        [self.constant, self.per_tick]
     }
 }
 
@@ -164,6 +191,6 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 #[cfg(feature = "defmt")]
 impl<R: EphemerisScalar, const SEGMENTS: usize> defmt::Format for Ephemeris<R, SEGMENTS> {
     fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "ephemeris of {=usize} segments, {}", SEGMENTS, self.error_bound());
+        defmt::write!(f, "table of {=usize} segments, {}", SEGMENTS, self.error_bound());
     }
 }

@@ -3,9 +3,7 @@
 use crate::complex::Complex;
 use crate::scalar::{Extended, Scalar, fraction_of_word, sine_cosine_f64};
 use crate::su2::Vector;
-use crate::table::evaluation::{
-    Coefficient, EphemerisScalar, EvaluationErrors, Number, SegmentPoint, TABLE_UNIT,
-};
+use crate::table::evaluation::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_UNIT};
 
 impl EphemerisScalar for f64 {
     type Coefficient = Self;
@@ -14,7 +12,6 @@ impl EphemerisScalar for f64 {
     type PathNumber = Extended;
 
     const TERMS: usize = 11;
-    const PERIOD_WORDS: usize = 2;
     const ZERO_SEGMENT: Self::Segment = [[0.0; 4]; 11];
     const CODE: u32 = 64;
     const ERRORS: EvaluationErrors = EvaluationErrors {
@@ -36,17 +33,12 @@ impl EphemerisScalar for f64 {
 }
 
 impl Coefficient for f64 {
+    type Sum = Self;
     type Number = Self;
+    type Quantity = Self;
 
-    fn nearest(value: i64, _: usize) -> Self {
-        value as f64 * TABLE_UNIT
-    }
-
-    fn error(_: &[i64]) -> f32 {
-        0.0
-    }
-
-    fn to_f64(self, _: usize) -> f64 {
+    #[inline]
+    fn to_sum(self) -> f64 {
         self
     }
 
@@ -55,19 +47,14 @@ impl Coefficient for f64 {
         2.0 * fraction_of_word(point.x_q63)
     }
 
-    #[inline]
-    fn to_sum(self) -> f64 {
-        self
+    #[inline(always)]
+    fn step(self, sum: f64, x: f64, _: bool) -> f64 {
+        sum * x + self
     }
 
     #[inline(always)]
-    fn step(added: f64, sum: f64, x: f64, _: bool) -> f64 {
-        sum * x + added
-    }
-
-    #[inline(always)]
-    fn last_step(constant: f64, sum: f64, x: f64) -> f64 {
-        sum * x + constant
+    fn slope_step(sum: f64, slope: f64, x: f64, _: bool) -> f64 {
+        slope * x + sum
     }
 
     #[inline(always)]
@@ -79,16 +66,6 @@ impl Coefficient for f64 {
     fn sine_cosine_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[f64; 2]; 2]) -> [f64; 2] {
         let difference = Complex::new(cosine_a, sine_a).conj() * Complex::new(cosine_b, sine_b);
         [difference.im, difference.re]
-    }
-}
-
-impl Number for f64 {
-    type Sum = Self;
-    type Quantity = Self;
-
-    #[inline]
-    fn derivative_sum(sum: f64) -> f64 {
-        sum
     }
 
     #[inline(always)]
@@ -108,7 +85,14 @@ impl Number for f64 {
     }
 
     #[inline]
-    fn ldexp(self, _: i32) -> f64 {
-        self
+    fn ldexp(number: f64, _: i32) -> f64 {
+        number
+    }
+    fn nearest(value: i64, _: usize) -> Self {
+        value as f64 * TABLE_UNIT
+    }
+
+    fn error(_: &[i64]) -> f32 {
+        0.0
     }
 }

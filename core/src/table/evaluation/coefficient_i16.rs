@@ -1,7 +1,7 @@
 //! Evaluation with coefficients of 16 bits: c·2^(15+k) for x^k. Factors have 16 bits, so that a product is one instruction on the smallest chip.
 
 use crate::complex::Complex;
-use crate::scalar::{ldexp, sine_cosine_q15};
+use crate::scalar::sine_cosine_q15;
 use crate::table::evaluation::coefficient_i32::{
     COORDINATE_ERROR, INTEGER_ERRORS, overflow_limit, truncated_factors,
 };
@@ -47,21 +47,13 @@ impl EphemerisScalar for I2F14 {
 }
 
 impl Coefficient for i16 {
+    type Sum = i32;
     type Number = Q30;
+    type Quantity = f32;
 
-    fn nearest(value: i64, power: usize) -> Self {
-        let dropped = TABLE_BITS - 15 - power as u32;
-        // 2^-30 of the value's unit is far below the rounding
-        let shrunk = (value >> 30) * SHRINK;
-        shifted_right(shrunk, dropped).clamp(i16::MIN.into(), i16::MAX.into()) as i16
-    }
-
-    fn error(polynomial: &[i64]) -> f32 {
-        truncated_factors(polynomial, OVERFLOW).map_or(f32::INFINITY, |_| 0.0)
-    }
-
-    fn to_f64(self, power: usize) -> f64 {
-        ldexp(self.into(), -15 - power as i32)
+    #[inline]
+    fn to_sum(self) -> i32 {
+        i32::from(self) << 16
     }
 
     #[inline]
@@ -69,20 +61,20 @@ impl Coefficient for i16 {
         ((point.x_q31 >> 15) + 1) >> 1
     }
 
-    #[inline]
-    fn to_sum(self) -> i32 {
-        i32::from(self) << 16
-    }
-
     #[inline(always)]
-    fn step(added: i32, sum: i32, x: i32, _: bool) -> i32 {
-        added + (sum >> 16) * x
+    fn step(self, sum: i32, x: i32, _: bool) -> i32 {
+        self.to_sum() + (sum >> 16) * x
     }
 
     /// Value plus half a unit of 2^-15, so that the shift in a rotation rounds.
     #[inline(always)]
-    fn last_step(constant: Self, sum: i32, x: i32) -> i32 {
-        (constant.to_sum() + (1 << 15)).saturating_add((sum >> 16) * x)
+    fn last_step(self, sum: i32, x: i32) -> i32 {
+        (self.to_sum() + (1 << 15)).saturating_add((sum >> 16) * x)
+    }
+
+    #[inline(always)]
+    fn slope_step(sum: i32, slope: i32, x: i32, _: bool) -> i32 {
+        (sum >> 1) + (slope >> 16) * x
     }
 
     /// Result rounded to 2^-14.
@@ -96,6 +88,17 @@ impl Coefficient for i16 {
     #[inline(always)]
     fn sine_cosine_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> [i32; 2] {
         [cosine_a * sine_b - sine_a * cosine_b, cosine_a * cosine_b + sine_a * sine_b]
+    }
+
+    fn nearest(value: i64, power: usize) -> Self {
+        let dropped = TABLE_BITS - 15 - power as u32;
+        // 2^-30 of the value's unit is far below the rounding
+        let shrunk = (value >> 30) * SHRINK;
+        shifted_right(shrunk, dropped).clamp(i16::MIN.into(), i16::MAX.into()) as i16
+    }
+
+    fn error(polynomial: &[i64]) -> f32 {
+        truncated_factors(polynomial, OVERFLOW).map_or(f32::INFINITY, |_| 0.0)
     }
 }
 

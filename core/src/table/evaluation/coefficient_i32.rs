@@ -8,7 +8,8 @@
 
 use crate::complex::Complex;
 use crate::integer::{high_product, high_product_limited, product_32x16};
-use crate::scalar::{Scalar, ldexp, sine_cosine_q26};
+use crate::scalar::{Scalar, sine_cosine_q26};
+use crate::su2::Vector;
 use crate::table::evaluation::q30::Q30;
 use crate::table::evaluation::{
     Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_BITS, is_by_16_bits, shifted_right,
@@ -43,7 +44,7 @@ impl EphemerisScalar for f32 {
 
     #[inline]
     fn from_number(number: Q30) -> Self {
-        number.into()
+        number.ldexp(0)
     }
 
     #[inline(always)]
@@ -104,25 +105,13 @@ pub(super) fn truncated_factors(polynomial: &[i64], limit: i64) -> Option<u32> {
 }
 
 impl Coefficient for i32 {
+    type Sum = Self;
     type Number = Q30;
+    type Quantity = f32;
 
-    /// Coefficient with half a unit more, because the product added to it is rounded down. The constant has none: a complement changes its
-    /// sign.
-    fn nearest(value: i64, power: usize) -> Self {
-        let dropped = TABLE_BITS - 31 - power as u32;
-        let rounded = if power == 0 { shifted_right(value, dropped) } else { (value >> dropped) + 1 };
-        rounded.clamp(i32::MIN.into(), i32::MAX.into()) as i32
-    }
-
-    fn error(polynomial: &[i64]) -> f32 {
-        let Some(factors) = truncated_factors(polynomial, OVERFLOW) else { return f32::INFINITY };
-        // from units of 2^-30, times the truncation of x to 2^-15
-        let error = factors as f32 * (1_u32 << (TABLE_BITS - 30 - 15)) as f32;
-        if error > ACCEPTED_ERROR { error - ACCEPTED_ERROR } else { 0.0 }
-    }
-
-    fn to_f64(self, power: usize) -> f64 {
-        ldexp(self.into(), -31 - power as i32)
+    #[inline]
+    fn to_sum(self) -> i32 {
+        self
     }
 
     #[inline]
@@ -130,19 +119,19 @@ impl Coefficient for i32 {
         point.x_q31
     }
 
-    #[inline]
-    fn to_sum(self) -> i32 {
-        self
+    #[inline(always)]
+    fn step(self, sum: i32, x: i32, by_16_bits: bool) -> i32 {
+        self + if by_16_bits { product_32x16(sum, x) } else { high_product_limited(sum, x) }
     }
 
     #[inline(always)]
-    fn step(added: i32, sum: i32, x: i32, by_16_bits: bool) -> i32 {
-        added + if by_16_bits { product_32x16(sum, x) } else { high_product_limited(sum, x) }
+    fn last_step(self, sum: i32, x: i32) -> i32 {
+        self.saturating_add(high_product_limited(sum, x))
     }
 
     #[inline(always)]
-    fn last_step(constant: Self, sum: i32, x: i32) -> i32 {
-        constant.saturating_add(high_product_limited(sum, x))
+    fn slope_step(sum: i32, slope: i32, x: i32, by_16_bits: bool) -> i32 {
+        (sum >> 1).step(slope, x, by_16_bits)
     }
 
     #[inline(always)]
@@ -160,6 +149,36 @@ impl Coefficient for i32 {
             high_product(cosine_a, sine_b) - high_product(sine_a, cosine_b),
             high_product(cosine_a, cosine_b) + high_product(sine_a, sine_b),
         ]
+    }
+
+    #[inline(always)]
+    fn omega_body(
+        polynomials: [[i32; 4]; 2],
+        difference: [i32; 2],
+        point: SegmentPoint,
+        rates: [f32; 3],
+    ) -> (Vector<Q30>, i32) {
+        Q30::omega_body(polynomials, difference, point, rates)
+    }
+
+    #[inline(always)]
+    fn ldexp(number: Q30, exponent: i32) -> f32 {
+        number.ldexp(exponent)
+    }
+
+    /// Coefficient with half a unit more, because the product added to it is rounded down. The constant has none: a complement changes its
+    /// sign.
+    fn nearest(value: i64, power: usize) -> Self {
+        let dropped = TABLE_BITS - 31 - power as u32;
+        let rounded = if power == 0 { shifted_right(value, dropped) } else { (value >> dropped) + 1 };
+        rounded.clamp(i32::MIN.into(), i32::MAX.into()) as i32
+    }
+
+    fn error(polynomial: &[i64]) -> f32 {
+        let Some(factors) = truncated_factors(polynomial, OVERFLOW) else { return f32::INFINITY };
+        // from units of 2^-30, times the truncation of x to 2^-15
+        let error = factors as f32 * (1_u32 << (TABLE_BITS - 30 - 15)) as f32;
+        if error > ACCEPTED_ERROR { error - ACCEPTED_ERROR } else { 0.0 }
     }
 }
 
@@ -188,7 +207,7 @@ mod tests {
         for power in 0..16 {
             for value in [0.2, -0.2, 1e-9, 0.0].map(|value| value * 0.5_f64.powi(power)) {
                 let [value] = polynomial([value]);
-                let stored = i32::nearest(value, power as usize).to_f64(power as usize);
+                let stored = f64::from(i32::nearest(value, power as usize)) * 2_f64.powi(-31 - power);
                 let error = stored - value as f64 * 2_f64.powi(-62);
                 assert!(error.abs() <= 2_f64.powi(-31 - power), "{power} {value}");
             }

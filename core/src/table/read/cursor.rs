@@ -6,26 +6,27 @@ use crate::table::data::EphemerisView;
 use crate::table::evaluation::EphemerisScalar;
 use crate::table::read::sample::Sample;
 
-/// Phases of consecutive ticks of one table, by three additions each. [`Cursor::next`] is given this table.
+/// Phases of consecutive ticks of one table, by three additions each. Pass that table to [`Cursor::next`].
 ///
 /// After a relaunch, a cursor of the new table takes the place of the old one, without lock and copy:
 ///
 /// ```
-/// # use toytop::{EphemerisF32, EphemerisMemory, Motion, Release, Workspace, State, Tick, Top, TopParameters};
+/// # use toytop::{EphemerisF32, EphemerisMemory, Motion, Release, Workspace, State, TableSettings, Tick, Top, TopParameters};
 /// # let top = Top::sliding(&TopParameters::TOY)?;
-/// # let tick = Tick::hertz(1000)?;
 /// # let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
 /// # let motion = Motion::launch(&top, &state)?;
+/// let settings = TableSettings::new(Tick::hertz(1000)?);
 /// let mut workspace = Workspace::new();
 /// let [mut first, mut second] = [(); 2].map(|()| EphemerisMemory::<EphemerisF32>::new());
-/// let mut table = first.set_up(&mut workspace, &motion, tick, 0, &mut || { /* feed the watchdog */ })?;
+/// let mut table = first.set_up(&mut workspace, &motion, &settings, &mut || { /* feed the watchdog */ })?;
 /// let mut cursor = table.cursor(0);
 /// for _ in 0..4 {
 ///     let _orientation = cursor.next(table).orientation(); // ticks 0 to 3
 /// }
 /// # let struck = State::from_attitude(&table.at_tick(3).attitude_state())?.with_impulse(&top, [0.0, 1e-3, 0.0], [0.03, 0.0, 0.03])?;
 /// # let struck = Motion::launch(&top, &struck)?;
-/// table = second.set_up(&mut workspace, &struck, tick, 3, &mut || {})?; // launched at tick 3
+/// let settings = TableSettings { epoch: 3, ..settings }; // launched at tick 3
+/// table = second.set_up(&mut workspace, &struck, &settings, &mut || {})?;
 /// cursor = table.cursor(cursor.tick() + 1);
 /// let _orientation = cursor.next(table).orientation(); // tick 4
 /// assert_eq!(cursor.tick(), 4);
@@ -54,7 +55,7 @@ impl Cursor {
             self.carry();
         }
         let phases = self.phases.map(WrappedPhase::leading_bits);
-        Sample { ephemeris: table, phases, mean_tip: table.clock.mean_tip(self.tick()) }
+        Sample { table, phases, tick: self.tick().into(), fraction: Phase::ZERO }
     }
 
     /// Tick of the last sample, or the one before the first sample. It wraps after 2^63 - 1.
@@ -83,7 +84,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     }
 
     /// Fills `out` with the orientations at the ticks first, first + 1, .... The bits are those of [`EphemerisView::at_tick`]; faster on a PC.
-    pub fn fill(&self, first: i64, out: &mut [Orientation<R>]) {
+    pub fn fill_orientations(&self, first: i64, out: &mut [Orientation<R>]) {
         /// Number of ticks whose orientations are computed independently.
         const BLOCK: usize = 16;
         // as 128-bit numbers, which need no assembly from words
@@ -96,7 +97,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
                 now.iter_mut().zip(step).for_each(|(now, step)| *now += step);
             }
             for (orientation, phases) in block.iter_mut().zip(phases) {
-                *orientation = Sample { ephemeris: self, phases, mean_tip: Phase::ZERO }.orientation();
+                *orientation = Sample { table: self, phases, tick: 0, fraction: Phase::ZERO }.orientation();
             }
         }
     }

@@ -19,14 +19,14 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     #[must_use]
     pub fn at_tick(&self, n: i64) -> Sample<'_, R> {
         let phases = self.clock.phases_at_tick(n).map(WrappedPhase::leading_bits);
-        Sample { ephemeris: self, phases, mean_tip: self.clock.mean_tip(n) }
+        Sample { table: self, phases, tick: n.into(), fraction: Phase::ZERO }
     }
 
     /// Sample of the motion t (s) after tick 0, taken as exact; 0 if it is not finite.
     ///
     /// At whole ticks the bits are those of [`EphemerisView::at_tick`], if the tick rate is a multiple of 1/2. It is slow beyond 2^62 ticks, and for
     /// ticks of half a turn or more of a phase.
-    #[inline(always)] // so that the mean tip angle is computed only where the caller uses it
+    #[inline(always)]
     #[must_use]
     pub fn at(&self, t: f64) -> Sample<'_, R> {
         let clock = &self.clock;
@@ -34,16 +34,17 @@ impl<R: EphemerisScalar> EphemerisView<R> {
             let t = if t.is_finite() { t } else { 0.0 };
             return self.at_ticks(clock.tick_rate() * t.into());
         };
-        let mean_tip = clock.mean_tip(tick) + clock.tip_step().times_part(fraction);
-        Sample { ephemeris: self, phases: clock.phases_after_tick(tick, fraction), mean_tip }
+        let phases = clock.phases_after_tick(tick, fraction);
+        Sample { table: self, phases, tick: tick.into(), fraction: Phase::from_leading_bits(fraction) }
     }
 
     /// Sample at any number of ticks, with a fraction.
     #[cold]
     #[inline(never)]
     pub(crate) fn at_ticks(&self, ticks: Extended) -> Sample<'_, R> {
-        let (phases, mean_tip) = self.clock.phases_at_ticks(ticks);
-        Sample { ephemeris: self, phases, mean_tip }
+        let (tick, fraction) = ticks.floor_and_fraction();
+        let phases = self.clock.phases_at_fraction(tick, fraction);
+        Sample { table: self, phases, tick, fraction: fraction.to_phase() }
     }
 
     /// Time of the last tick, 2^63, in s.
@@ -100,19 +101,16 @@ impl<W: Copy> Clock<W> {
         [after(nutation, nutation_step), after(alpha, alpha_step), after(beta, beta_step)]
     }
 
-    /// 64 leading bits of nutation phase and mean phases, and mean tip angle, at any number of ticks.
+    /// 64 leading bits of nutation phase and mean phases at a fraction of a tick after any tick.
     #[cold]
     #[inline(never)]
-    fn phases_at_ticks(&self, ticks: Extended) -> ([u64; 3], Phase) {
-        let (ticks, fraction) = ticks.floor_and_fraction();
-        let since_first = ticks.wrapping_sub(i64::MIN.into());
-        let times = |step: Phase, ticks: i128| Phase::from_bits(step.to_bits().wrapping_mul(ticks));
+    fn phases_at_fraction(&self, tick: i128, fraction: Extended) -> [u64; 3] {
+        let since_first = tick.wrapping_sub(i64::MIN.into());
         let mut phases = self.first_phases;
         for ((phase, step), turns) in phases.iter_mut().zip(self.steps()).zip(self.exact_steps()) {
-            let part = (turns * fraction).to_phase();
-            *phase = phase.wrapping_add((times(step.to_phase(), since_first) + part).leading_bits());
+            let whole = Phase::from_bits(step.to_phase().to_bits().wrapping_mul(since_first));
+            *phase = phase.wrapping_add((whole + (turns * fraction).to_phase()).leading_bits());
         }
-        let part = (self.exact_tip_step() * fraction).to_phase();
-        (phases, Phase::from_words(self.tip_start) + times(self.tip_step(), ticks) + part)
+        phases
     }
 }

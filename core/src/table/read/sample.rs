@@ -5,7 +5,9 @@ use crate::phase::Phase;
 use crate::scalar::Float;
 use crate::su2::{AttitudeState, Orientation, Vector};
 use crate::table::data::EphemerisView;
-use crate::table::evaluation::{EphemerisScalar, Number, NumberOf, orientation, orientation_and_omega_body};
+use crate::table::evaluation::{
+    Coefficient, EphemerisScalar, NumberOf, orientation, orientation_and_omega_body,
+};
 use crate::table::read::segment::LocatedSegment;
 
 /// Sample of a motion at one time. Each method evaluates the table; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
@@ -14,11 +16,13 @@ use crate::table::read::segment::LocatedSegment;
 /// Lengths and rates are in [`EphemerisScalar::Quantity`]: R itself in floating point, `f32` in fixed point.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample<'a, R: EphemerisScalar> {
-    pub(crate) ephemeris: &'a EphemerisView<R>,
+    pub(crate) table: &'a EphemerisView<R>,
     /// 64 leading bits of nutation phase and mean phases.
     pub(crate) phases: [u64; 3],
-    /// Mean tip angle.
-    pub(crate) mean_tip: Phase,
+    /// Tick at or before the sample.
+    pub(crate) tick: i128,
+    /// Fraction of a tick after it, with a turn for 1.
+    pub(crate) fraction: Phase,
 }
 
 /// Orientation, u and tip of a sample.
@@ -53,11 +57,11 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[must_use]
     pub fn pose(&self) -> Pose<R, R::Quantity> {
         let numbers = self.unrounded();
-        let product = (numbers.alpha * numbers.beta).map(Into::into);
+        let product = (numbers.alpha * numbers.beta).map(|part| R::Coefficient::ldexp(part, 0));
         Pose {
             orientation: numbers.map(R::from_number),
             u: R::from_number(numbers.u()),
-            tip: product.scaled(self.ephemeris.clock.twice_tip_scale),
+            tip: product.scaled(self.table.clock.twice_tip_scale),
         }
     }
 
@@ -90,8 +94,8 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[inline(always)]
     #[must_use]
     pub fn omega(&self) -> Vector<R::Quantity> {
-        let (orientation, omega_body, exponent) = self.unrounded_with_omega_body();
-        orientation.adjoint(omega_body).map(|rate| rate.ldexp(exponent))
+        let (orientation, omega_body, exponent) = self.unrounded_and_scaled_omega_body();
+        orientation.adjoint(omega_body).map(|rate| R::Coefficient::ldexp(rate, exponent))
     }
 
     /// Angular velocity Ω in the body frame, rad/s.
@@ -106,7 +110,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[inline(always)]
     #[must_use]
     pub fn orientation_and_omega_body(&self) -> (Orientation<R>, Vector<R::Quantity>) {
-        let (numbers, omega_body) = self.numbers_and_omega_body();
+        let (numbers, omega_body) = self.unrounded_and_omega_body();
         (numbers.map(R::from_number), omega_body)
     }
 
@@ -124,44 +128,44 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     pub fn tip_velocity(&self) -> Complex<R::Quantity> {
         let [x, y, _] = self.axis_rate();
         // c = -s (r₁ + i r₂), and the scale of the tip is 2 s
-        Complex::new(x, y).scaled(-self.ephemeris.clock.twice_tip_scale.halved())
+        Complex::new(x, y).scaled(-self.table.clock.twice_tip_scale.halved())
     }
 
     /// Orientation and its rate, from which ω, u' and a [`State`](crate::State) follow.
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R::Quantity> {
-        let (numbers, omega_body) = self.numbers_and_omega_body();
-        AttitudeState::from_body(numbers.map(Into::into), omega_body)
+        let (numbers, omega_body) = self.unrounded_and_omega_body();
+        AttitudeState::from_body(numbers.map(|part| R::Coefficient::ldexp(part, 0)), omega_body)
     }
 
     #[inline(always)]
     fn unrounded(&self) -> Orientation<NumberOf<R>> {
         let [nutation, alpha_phase, beta_phase] = self.phases;
-        let LocatedSegment { rows, point, .. } = self.ephemeris.segment_at(nutation);
+        let LocatedSegment { rows, point, .. } = self.table.segment_at(nutation);
         orientation::<R>(rows, point, [alpha_phase, beta_phase])
     }
 
     /// Unrounded orientation, and Ω over a power of two with its exponent.
     #[inline(always)]
-    fn unrounded_with_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
+    fn unrounded_and_scaled_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
         let [nutation, alpha_phase, beta_phase] = self.phases;
-        let LocatedSegment { rows, point, .. } = self.ephemeris.segment_at(nutation);
-        orientation_and_omega_body::<R>(rows, point, [alpha_phase, beta_phase], self.ephemeris.clock.rates())
+        let LocatedSegment { rows, point, .. } = self.table.segment_at(nutation);
+        orientation_and_omega_body::<R>(rows, point, [alpha_phase, beta_phase], self.table.clock.rates())
     }
 
     /// Unrounded orientation, and Ω.
     #[inline(always)]
-    fn numbers_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
-        let (orientation, [x1, x2, _], exponent) = self.unrounded_with_omega_body();
-        let transverse = |x: NumberOf<R>| x.ldexp(exponent);
-        (orientation, [transverse(x1), transverse(x2), self.ephemeris.clock.axial_rate])
+    fn unrounded_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
+        let (orientation, [x1, x2, _], exponent) = self.unrounded_and_scaled_omega_body();
+        let [x1, x2] = [x1, x2].map(|x| R::Coefficient::ldexp(x, exponent));
+        (orientation, [x1, x2, self.table.clock.axial_rate])
     }
 
     /// Rate r' of the axis in the fixed frame.
     #[inline(always)]
     fn axis_rate(&self) -> Vector<R::Quantity> {
-        let (orientation, omega_body, exponent) = self.unrounded_with_omega_body();
-        orientation.axis_rate(omega_body).map(|rate| rate.ldexp(exponent))
+        let (orientation, omega_body, exponent) = self.unrounded_and_scaled_omega_body();
+        orientation.axis_rate(omega_body).map(|rate| R::Coefficient::ldexp(rate, exponent))
     }
 }
 

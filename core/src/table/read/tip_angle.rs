@@ -1,13 +1,13 @@
 //! Tip angle: its mean, which is linear in time, plus a periodic part from the table.
 //!
 //! The periodic part is the argument of the tabulated ab while u rises, and its negative while u falls. Crossings of the negative real axis are
-//! counted at the centres of the segments. Every scalar is evaluated in `f64`.
+//! counted at the centres of the segments.
 
 use crate::complex::Complex;
 use crate::phase::Phase;
 use crate::table::data::EphemerisView;
 use crate::table::data::cell::is_falling;
-use crate::table::evaluation::{Coefficient, EphemerisScalar};
+use crate::table::evaluation::{EphemerisScalar, before_rotation};
 use crate::table::read::sample::Sample;
 
 impl<R: EphemerisScalar> Sample<'_, R> {
@@ -16,15 +16,12 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     /// Where the curve passes through the centre, φ is smooth and the radius changes its sign: c = ±|c| e^{iφ}. Cost: an arctangent, and a complex product for every segment since u = e₁.
     #[must_use]
     pub fn tip_angle(&self) -> Option<Phase> {
-        self.ephemeris.clock.tip_exists.then(|| self.tip_angle_unchecked())
+        self.table.clock.tip_exists.then(|| self.tip_angle_unchecked())
     }
 
     pub(crate) fn tip_angle_unchecked(&self) -> Phase {
-        let [nutation, ..] = self.phases;
-        let ephemeris = self.ephemeris;
-        self.mean_tip
-            + ephemeris.passage_angle(nutation)
-            + ephemeris.tabulated_tip_angle(nutation, &mut || {})
+        let Self { table, phases: [nutation, ..], tick, fraction } = *self;
+        table.clock.mean_tip(tick, fraction, nutation) + table.tabulated_tip_angle(nutation, &mut || {})
     }
 }
 
@@ -36,36 +33,26 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         self.clock.tip_step().to_turns() * ticks_per_time
     }
 
-    /// Half a turn per period for each parameter that passes through 0.
-    pub(in crate::table) fn passage_angle(&self, nutation: u64) -> Phase {
-        Phase::from_bits(i128::from(nutation as i64) << 31) * i64::from(self.clock.tip_sign_changes)
-    }
-
     /// Argument of the tabulated ab, continued from u = e₁ through the centres of all segments before; near 0 the direction from or to 0.
     pub(in crate::table) fn tabulated_tip_angle(&self, nutation: u64, pause: &mut dyn FnMut()) -> Phase {
         const SEGMENTS: usize = 16;
         let found = self.segment_at(nutation);
         let mut argument = ContinuedArgument::ZERO;
         for (index, segment) in self.segments.iter().enumerate().take(found.index + 1) {
-            let [centre, ..] = segment.as_ref() else { continue };
-            let [a, b] = complex(centre.map(|coefficient| coefficient.to_f64(0)));
+            // the constants are the values at the centre
+            let constants = segment.as_ref().get(..1).unwrap_or_default();
+            let [[a, b], _] = before_rotation::<R>(constants, found.point);
             argument.continue_to(self.relative_to_start(a * b));
             if index % SEGMENTS == SEGMENTS - 1 {
                 pause();
             }
         }
         pause();
-        let x = found.point.x_q63 as f64 / (1_u64 << 63) as f64;
-        let [mut a, mut b, mut a_slope, mut b_slope] = [Complex::ZERO; 4];
-        for (power, row) in found.rows.iter().enumerate().rev() {
-            let [a_term, b_term] = complex(row.map(|c| c.to_f64(power)));
-            (a_slope, b_slope) = (a_slope.scaled(x) + a, b_slope.scaled(x) + b);
-            (a, b) = (a.scaled(x) + a_term, b.scaled(x) + b_term);
-        }
+        let [[a, b], [a_slope, b_slope]] = before_rotation::<R>(found.rows, found.point);
         let (product, change) = (a * b, a_slope * b + a * b_slope);
-        let least = LEAST_MODULUS * R::ROUNDING;
-        let near_zero = product.norm_squared() <= least * least;
-        let direction = match (near_zero, x < 0.0) {
+        let least = LEAST_MODULUS * R::ROUNDING * (a.norm_squared() + b.norm_squared());
+        let is_near_zero = product.norm_squared() <= least * least;
+        let direction = match (is_near_zero, found.point.x_q63 < 0) {
             (false, _) => product,
             (true, true) => change,
             (true, false) => -change,
@@ -85,12 +72,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     }
 }
 
-/// α and β from their parts.
-fn complex([re_alpha, im_alpha, re_beta, im_beta]: [f64; 4]) -> [Complex<f64>; 2] {
-    [Complex::new(re_alpha, im_alpha), Complex::new(re_beta, im_beta)]
-}
-
-/// Value of |αβ|, in roundings of the scalar, below which its argument is unknown.
+/// Value of |ab|, in roundings of the scalar, below which its argument is unknown.
 const LEAST_MODULUS: f64 = 64.0;
 
 /// Argument of a number that turns by less than half a turn at a time: it continues from 0, and counts whole turns.

@@ -138,7 +138,7 @@ fn rows() -> Vec<TimedTask> {
 fn time_ephemeris<R: EphemerisScalar>(scalar: &str, table: &EphemerisView<R>) -> [TimedTask; 3] {
     let mut out = vec![Orientation::<R>::IDENTITY; STATES as usize];
     let batch = time(format!("ephemeris {scalar}: in a batch"), STATES, || {
-        table.fill(black_box(FIRST_TICK), &mut out);
+        table.fill_orientations(black_box(FIRST_TICK), &mut out);
         black_box(&mut out);
     });
     let next = time(format!("ephemeris {scalar}: the next tick"), STATES, || {

@@ -5,7 +5,9 @@ use super::{DynEphemeris, HeapTable, TableScalar};
 use crate::Failure;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
-use toytop::{Ephemeris, EphemerisMemory, EphemerisView, Motion, Regime, SetUpError, Tick, Workspace};
+use toytop::{
+    Ephemeris, EphemerisMemory, EphemerisView, Motion, Regime, SetUpError, TableSettings, Tick, Workspace,
+};
 use toytop_model::constants::MotionWithPeriod;
 
 /// Numbers of segments that are tried, smallest first.
@@ -113,9 +115,8 @@ impl<R: TableScalar> HeapTable<R> {
             };
             Failure::Method(format!("no ephemeris: {error}{enough}"))
         };
-        memory
-            .set_up(&mut Workspace::with_truncation(truncation), motion, tick, 0, &mut || {})
-            .map_err(refused)?;
+        let settings = TableSettings { truncation: Some(truncation), ..TableSettings::new(tick) };
+        memory.set_up(&mut Workspace::new(), motion, &settings, &mut || {}).map_err(refused)?;
         Ok(Self(memory))
     }
 }

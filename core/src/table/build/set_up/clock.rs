@@ -4,22 +4,23 @@ use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
+use crate::table::build::TableSettings;
 use crate::table::data::cell::{LEAST_SEGMENTS, is_falling};
-use crate::table::data::{Clock, EphemerisView, Tick};
+use crate::table::data::{Clock, EphemerisView};
 use crate::table::evaluation::EphemerisScalar;
 
 impl<W: Float> Clock<W> {
-    /// Clock of a motion that is launched at tick `epoch`, without [`Clock::tip_start`].
+    /// Clock of a motion that is without [`Clock::tip_start`].
     ///
     /// * `turns`: nutation frequency and rates of the mean phases, turns/s
     /// * `start`: nutation phase and mean phases at the launch
     pub(super) fn new(
         motion: &Motion,
-        tick: Tick,
-        epoch: i64,
+        settings: &TableSettings,
         turns: [Extended; 3],
         start: [Phase; 3],
     ) -> Self {
+        let TableSettings { tick, epoch, .. } = *settings;
         let length = tick.length();
         let [frequency, alpha, beta] = turns;
         // LLVM 22 compiles a product of `i128` wrongly for RISC-V where the epoch is known
@@ -69,18 +70,15 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let nutation = nutation.leading_bits();
         let clock = &self.clock;
         let quarter_turn = Phase::QUARTER * i64::from(clock.tip_start_quarter_turns);
-        let tabulated = self.tabulated_tip_angle(nutation, pause);
-        // whole turns from the table; the remainder from the motion, which is exact near the centre
-        let argument = motion.tip_angle_at_start();
-        let required = argument - a - b - if is_falling(nutation) { -quarter_turn } else { quarter_turn };
-        let off = required - tabulated;
-        // modulo half a turn where the curve passes through the centre, because the radius then has a sign
-        let off = if clock.tip_sign_changes > 0 {
+        // the mean is known but for whole turns, or half turns where the curve passes through the centre and the radius has a sign
+        let mean = a + b + if is_falling(nutation) { -quarter_turn } else { quarter_turn };
+        let off = motion.tip_angle_at_start() - mean - self.tabulated_tip_angle(nutation, pause);
+        let remainder = if clock.tip_sign_changes > 0 {
             Phase::from_bits((off * 2).principal().to_bits() >> 1)
         } else {
             off.principal()
         };
-        let at_launch = argument - self.passage_angle(nutation) - tabulated - off;
-        self.clock.tip_start = (at_launch - clock.tip_step() * clock.epoch).words();
+        let mean_from_0 = clock.mean_tip(clock.epoch.into(), Phase::ZERO, nutation);
+        self.clock.tip_start = (mean + off - remainder - mean_from_0).words();
     }
 }

@@ -5,8 +5,8 @@
 //! in double precision). The value of the include guard of a table is its checksum, so that another table of the same name is an error.
 
 use super::TableTitle;
+use toytop::internal::{COSINE, CUBIC, LINEAR, SECANT, SINE, SINES, VERSINE};
 use toytop::scalar::Float;
-use toytop::scalar::sine::{COSINE, CUBIC, LINEAR, SECANT, SINE, SINES, VERSINE};
 use toytop::{Baked, EphemerisView, ErrorBound};
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::TableScalar;
