@@ -6,7 +6,6 @@ use crate::sensors::{Hint, Measurement, Measurements, Sensor};
 use crate::vector::Vector;
 
 /// Sensors, unknowns and measurements of one fit.
-#[derive(Clone, Copy)]
 pub(super) struct Problem<'a, F, M> {
     pub(super) sensors: &'a [&'a dyn Sensor<F>],
     pub(super) model: &'a Model,

@@ -63,10 +63,10 @@ fn try_guesses<F: Real>(
     guesses: &Guesses,
     count: usize,
 ) -> usize {
-    let mut best = (Estimate::new(Orientation::IDENTITY, [0.0; 3]), f64::INFINITY);
+    let mut best = (solver.best.estimate, f64::INFINITY);
     let mut others = 0;
-    for number in 0..guesses.count() {
-        solver.start_from(&guesses.get(number));
+    for guess in (0..).map_while(|number| guesses.get(number)) {
+        solver.start_from(&guess);
         solver.settle(problem, count / 4, PARTIAL_STEP_SIGMA);
         solver.settle(problem, count, CONVERGED_SIGMA);
         let Pass { estimate, information, statistics } = &solver.best;
@@ -82,7 +82,7 @@ fn try_guesses<F: Real>(
             best = (*estimate, cost);
         }
     }
-    if guesses.count() > 1 {
+    if guesses.get(1).is_some() {
         solver.start_from(&best.0);
     }
     others

@@ -67,10 +67,10 @@ impl<F: Real> Solver<F> {
     /// Begins without information, from an estimate.
     #[inline(never)] // stack
     pub(super) fn start_from(&mut self, estimate: &Estimate) {
-        self.best.information = Information::new(self.prior.information.count);
-        self.best.statistics = Statistics::infinite();
-        self.best.estimate = *estimate;
-        self.best.estimate.orientation = estimate.orientation.normalised();
+        let Pass { information, statistics, .. } = &mut self.best;
+        *information = Information::new(information.count);
+        *statistics = Statistics::default();
+        self.best.estimate = Estimate { orientation: estimate.orientation.normalised(), ..*estimate };
         self.damping = FIRST_DAMPING;
         self.curvature = f64::INFINITY;
     }
