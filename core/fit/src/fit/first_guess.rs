@@ -169,7 +169,8 @@ pub(super) fn guesses<F: Real>(problem: &Problem<F, impl Measurements>) -> Optio
         (None, mean) => mean?,
     };
     // from the first instant with an orientation back to the first measurement
-    let orientation = orientation.compose(&Orientation::exp(scaled(omega, problem.first_time - first.time)));
+    let [epoch, _] = problem.times;
+    let orientation = orientation.compose(&Orientation::exp(scaled(omega, epoch - first.time)));
     Some(Guesses { orientation, omega, undetermined })
 }
 

@@ -34,8 +34,9 @@ pub(super) fn search<F: Real>(
     problem: &Problem<F, impl Measurements>,
     solver: &mut Solver<F>,
 ) -> (Option<FitWarning>, usize) {
+    let [first, _] = problem.times;
     solver.start_from(&Estimate::new(Orientation::IDENTITY, [0.0; 3]));
-    if problem.measurements().filter(|one| one.time > problem.first_time).take(2).count() < 2 {
+    if problem.measurements().filter(|one| one.time > first).take(2).count() < 2 {
         return (Some(FitWarning::TooFew), 0);
     }
     let Some(guesses) = guesses(problem) else {

@@ -26,13 +26,16 @@ const LEAST_TILT: f64 = 0.1;
 /// Change of the sum of squares that the error of the integration may cause.
 const ROUNDING: f64 = 0.05;
 
-/// Best estimate so far, and the one that is tried.
+/// Solver by the method of Levenberg and Marquardt: the best estimate so far, and the one that is tried.
 #[derive(Clone)]
 pub(super) struct Solver<F> {
     pub(super) prior: Prior<F>,
+    /// Pass with the least sum of squares.
     pub(super) best: Pass<F>,
+    /// Pass of the estimate that is tried.
     current: Pass<F>,
     trajectory: Trajectory<F>,
+    /// Part of the information that is added to it, by Marquardt.
     damping: f64,
     /// Size of the last correction from the same measurements, in standard deviations.
     last_change: Option<f64>,
