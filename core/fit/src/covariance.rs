@@ -69,23 +69,21 @@ impl Covariance {
     ///
     /// * `columns`: derivatives of the change with respect to the unknowns; those that are left out are 0
     pub(crate) fn propagate(&mut self, columns: &[Tangent<f64>]) {
-        let weight = |index: usize, unknown: usize| {
-            let change = columns.get(unknown).map(Tangent::components);
-            change.and_then(|by| by.get(index).copied()).unwrap_or(0.0)
-        };
         // the other unknowns are kept, so that only the rows of the launch have to be multiplied
         let mut rows = [[0.0; MOST_UNKNOWNS]; LAUNCH_COLUMNS];
-        for (index, row) in rows.iter_mut().enumerate() {
-            for (unknown, slot) in row.iter_mut().enumerate() {
-                *slot = (0..MOST_UNKNOWNS).map(|k| weight(index, k) * self.get(k, unknown)).sum();
+        for (k, column) in columns.iter().enumerate() {
+            for (row, weight) in rows.iter_mut().zip(column.components()) {
+                row.iter_mut().enumerate().for_each(|(unknown, slot)| *slot += weight * self.get(k, unknown));
             }
         }
         for (index, row) in rows.iter().enumerate() {
-            for (unknown, entry) in row.iter().enumerate().skip(index) {
-                let product = || row.iter().enumerate().map(|(k, entry)| entry * weight(unknown, k)).sum();
-                if let Some(slot) = self.lower.symmetric_mut(index, unknown) {
-                    *slot = if unknown < LAUNCH_COLUMNS { product() } else { *entry };
-                }
+            let mut launch = [0.0; LAUNCH_COLUMNS];
+            for (entry, column) in row.iter().zip(columns) {
+                launch.iter_mut().zip(column.components()).for_each(|(slot, weight)| *slot += entry * weight);
+            }
+            let entries = launch.iter().chain(row.iter().skip(LAUNCH_COLUMNS));
+            for (unknown, entry) in entries.enumerate().skip(index) {
+                self.lower.symmetric_mut(index, unknown).into_iter().for_each(|slot| *slot = *entry);
             }
         }
     }

@@ -110,7 +110,7 @@ impl<'a, F: Real> Fit<'a, F> {
         let problem = Problem::new(sensors, model, *huber, measurements)?;
         solver.reset_prior(model);
         let (warning, other_launch_count) = search(&problem, solver);
-        let mut fitted = Fitted::new(&problem, solver, warning, other_launch_count);
+        let mut fitted = Fitted::new(model, solver, problem.times, warning, other_launch_count);
         if matches!(fitted.warning, Some(FitWarning::Misfit | FitWarning::NotSettled)) {
             let chi_squared = fitted.statistics.chi_squared;
             let cause = misfit_cause(&problem, solver, chi_squared);
@@ -133,7 +133,7 @@ impl<'a, F: Real> Fit<'a, F> {
         solver.reset_prior(model);
         solver.start_from(&guess);
         let warning = settle_finally(&problem, solver);
-        Ok(Fitted::new(&problem, solver, warning, 0))
+        Ok(Fitted::new(model, solver, problem.times, warning, 0))
     }
 
     /// Fits the next block of measurements from the fit of the last one, carried to it with its covariance.
@@ -154,7 +154,8 @@ impl<'a, F: Real> Fit<'a, F> {
         }
         let Self { sensors, model, huber, solver } = self;
         let problem = Problem::new(sensors, model, *huber, measurements)?;
-        let span = problem.first_time - last.time;
+        let [first, _] = problem.times;
+        let span = first - last.time;
         if span < 0.0 {
             return Err(FitError::OutOfOrder { index: 0 });
         }
@@ -176,7 +177,7 @@ impl<'a, F: Real> Fit<'a, F> {
         solver.start_from(&predicted);
         let settled = solver.settle(&problem, usize::MAX, CONVERGED_SIGMA);
         let warning = warning(model, solver, settled);
-        let fitted = Fitted::new(&problem, solver, warning, 0);
+        let fitted = Fitted::new(model, solver, problem.times, warning, 0);
         let turn = solver.best.estimate.orientation.compose(&predicted.orientation.inverse());
         let drift_rates = model.mean_rates([&last.launch, &fitted.launch], fitted.time - last.time);
         Ok(Tracked { fitted, jump: rotation_vector(&turn), drift_rates })

@@ -8,7 +8,7 @@ use crate::triangle::{Triangle, Unknowns, unit_row};
 use toytop::scalar::Real;
 
 /// Triangle R with its right side z, for the first `count` unknowns.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(crate) struct Information<F> {
     pub(crate) count: usize,
     pub(crate) triangle: Triangle<F>,

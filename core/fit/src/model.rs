@@ -198,15 +198,11 @@ impl Model {
         [damping, limit]: [f64; 2],
         damped: &mut Information<F>,
     ) {
-        let body = estimate.orientation.inverse();
+        let launch = Tangent::along_body_axes(&estimate.orientation.inverse());
         for (index, unit) in self.units(estimate).into_iter().enumerate().take(self.count) {
-            let mut direction = [F::ZERO; MOST_UNKNOWNS];
-            match [UNITS, UNITS].as_flattened().get(index) {
-                Some(axis) => {
-                    let slots = direction.iter_mut().skip(index / 3 * 3);
-                    slots.zip(body.adjoint(*axis)).for_each(|(slot, x)| *slot = F::from_f64(x));
-                }
-                None => direction = unit_row(index, F::ONE),
+            let mut direction = unit_row(index, F::ONE);
+            if let Some(along) = launch.iter().take(LAUNCH_COLUMNS).nth(index) {
+                direction.iter_mut().zip(along.components()).for_each(|(slot, x)| *slot = x);
             }
             let least = F::from_f64(1.0 / (limit * unit));
             let square = information.square(&direction) * F::from_f64(damping);

@@ -38,25 +38,26 @@ pub enum FitError {
 
 impl fmt::Display for FitError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (index, what) = match self {
-            Self::NotFinite { index } => (index, "must be finite"),
-            Self::OutOfOrder { index } => (index, "must not be earlier than the one before"),
-            Self::UnknownSensor { index } => (index, "must be of a sensor in the list"),
-            Self::NoMeasurements => return f.write_str("measurements: must not be empty"),
+        match self {
+            Self::NotFinite { index } => write!(f, "measurement {index}: must be finite"),
+            Self::OutOfOrder { index } => {
+                write!(f, "measurement {index}: must not be earlier than the one before")
+            }
+            Self::UnknownSensor { index } => {
+                write!(f, "measurement {index}: must be of a sensor in the list")
+            }
+            Self::NoMeasurements => f.write_str("measurements: must not be empty"),
             Self::TooManyUnknowns => {
-                return f.write_str("sensors, ratios: must be at most four each, and one ratio with losses");
+                f.write_str("sensors, ratios: must be at most four each, and one ratio with losses")
             }
             Self::SensorNoise { sensor } => {
-                return write!(f, "sensor {sensor}: its noise must be positive, and its bias not negative");
+                write!(f, "sensor {sensor}: its noise must be positive, and its bias not negative")
             }
             Self::LossDeviation => {
-                return f.write_str("losses: must be finite and positive, or 0 between two blocks");
+                f.write_str("losses: must be finite and positive, or 0 between two blocks")
             }
-            Self::LastFit => {
-                return f.write_str("last fit: must be a motion that reaches the first measurement");
-            }
-        };
-        write!(f, "measurement {index}: {what}")
+            Self::LastFit => f.write_str("last fit: must be a motion that reaches the first measurement"),
+        }
     }
 }
 

@@ -56,37 +56,30 @@ enum Undetermined {
 }
 
 impl Guesses {
-    /// Number of guesses.
-    pub(super) fn count(&self) -> u32 {
-        match self.undetermined {
-            Undetermined::Nothing => 1,
-            Undetermined::Rotation(_) => ROTATIONS,
-            Undetermined::Spin(_) => 2 * SPINS,
-            Undetermined::Orientation => ROTATIONS * TILTS.len() as u32,
-        }
-    }
-
-    /// Guess with this number, counted from 0.
-    pub(super) fn get(&self, number: u32) -> Estimate {
-        let (mut orientation, mut omega) = (self.orientation, self.omega);
+    /// Guess with this number, counted from 0; `None` after the last one.
+    pub(super) fn get(&self, number: u32) -> Option<Estimate> {
+        let Self { mut orientation, mut omega, undetermined } = *self;
         let angle = 2.0 * PI * f64::from(number) / f64::from(ROTATIONS);
-        match self.undetermined {
-            Undetermined::Nothing => {}
+        let count = match undetermined {
+            Undetermined::Nothing => 1,
             Undetermined::Rotation(axis) => {
-                orientation = Orientation::exp(scaled(axis, angle)).compose(&orientation)
+                orientation = Orientation::exp(scaled(axis, angle)).compose(&orientation);
+                ROTATIONS
             }
             Undetermined::Spin(fastest) => {
                 let [.., axial] = &mut omega;
                 let rate = fastest * libm::exp2(-0.75 * f64::from(number / 2));
                 *axial = if number.is_multiple_of(2) { rate } else { -rate };
+                2 * SPINS
             }
             Undetermined::Orientation => {
-                let tilt = TILTS.get((number / ROTATIONS) as usize).copied().unwrap_or(0.0);
+                let tilt = *TILTS.get((number / ROTATIONS) as usize)?;
                 let roll = Orientation::exp([0.0, 0.0, angle]);
                 orientation = Orientation::exp([0.0, tilt, 0.0]).compose(&roll);
+                u32::MAX
             }
-        }
-        Estimate::new(orientation.normalised(), orientation.adjoint(omega))
+        };
+        (number < count).then(|| Estimate::new(orientation.normalised(), orientation.adjoint(omega)))
     }
 }
 
@@ -106,8 +99,7 @@ impl Instant {
             Hint::Axis(axis) => self.axis = Some(axis),
             Hint::Tip(tip) => {
                 let level = tip.scaled(-1.0 / tip_scale);
-                let square = level.norm_squared();
-                let up = libm::sqrt(if square < 1.0 { 1.0 - square } else { 0.0 });
+                let up = libm::sqrt((1.0 - level.norm_squared()).max(0.0));
                 self.axis = Some([level.re, level.im, up]);
             }
         }
@@ -177,7 +169,8 @@ pub(super) fn guesses<F: Real>(problem: &Problem<F, impl Measurements>) -> Optio
         (None, mean) => mean?,
     };
     // from the first instant with an orientation back to the first measurement
-    let orientation = orientation.compose(&Orientation::exp(scaled(omega, problem.first_time - first.time)));
+    let [epoch, _] = problem.times;
+    let orientation = orientation.compose(&Orientation::exp(scaled(omega, epoch - first.time)));
     Some(Guesses { orientation, omega, undetermined })
 }
 

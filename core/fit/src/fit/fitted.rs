@@ -3,12 +3,10 @@
 use crate::covariance::Covariance;
 use crate::estimate::Estimate;
 use crate::fit::error::FitWarning;
-use crate::fit::problem::Problem;
 use crate::fit::solver::Solver;
 use crate::fit::statistics::Statistics;
 use crate::model::Model;
 use crate::sensitivity::{COARSE, COLUMNS, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, Sensitivity};
-use crate::sensors::Measurements;
 use crate::triangle::{MOST_UNKNOWNS, Unknowns};
 use crate::vector::{UNITS, UP, Vector, add_all, add_scaled, cross, scaled};
 use toytop::scalar::Real;
@@ -79,20 +77,20 @@ pub struct Fitted {
 }
 
 impl Fitted {
-    /// Result of the best estimate of a solver.
+    /// Result of the best estimate of a solver, for measurements between two times.
     pub(super) fn new<F: Real>(
-        problem: &Problem<F, impl Measurements>,
+        model: &Model,
         solver: &mut Solver<F>,
+        [first, last]: [f64; 2],
         warning: Option<FitWarning>,
         other_launch_count: usize,
     ) -> Self {
-        let (model, launch) = (problem.model, solver.best.estimate);
-        // with a larger limit, the covariance would lose digits of what is determined
-        let covariance = Covariance::from_information(solver.damped(model, 0.0, 10.0));
+        let launch = solver.best.estimate;
         let mut fitted = Self {
-            time: problem.first_time,
+            time: first,
             launch,
-            covariance,
+            // with a larger limit, the covariance would lose digits of what is determined
+            covariance: Covariance::from_information(solver.damped(model, 0.0, 10.0)),
             statistics: solver.best.statistics,
             unobservable: Unobservable::default(),
             warning,
@@ -103,7 +101,7 @@ impl Fitted {
         };
         fitted.covariance.turn(&launch.orientation);
         fitted.unobservable = unobservable(&fitted, &model.units(&launch));
-        if model.has_losses() && fitted.carry_to(problem.last_time).is_none() {
+        if model.has_losses() && fitted.carry_to(last).is_none() {
             fitted.warning = fitted.warning.or(Some(FitWarning::NotSettled));
         }
         fitted

@@ -11,9 +11,10 @@ use crate::triangle::MOST_UNKNOWNS;
 use toytop::scalar::Real;
 
 /// Estimate, and the least-squares problem of its corrections.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub(super) struct Pass<F> {
     pub(super) estimate: Estimate,
+    /// Rows of the prior and of the measurements.
     pub(super) information: Information<F>,
     pub(super) statistics: Statistics,
 }

@@ -6,23 +6,22 @@ use crate::sensors::{Hint, Measurement, Measurements, Sensor};
 use crate::vector::Vector;
 
 /// Sensors, unknowns and measurements of one fit.
-#[derive(Clone, Copy)]
 pub(super) struct Problem<'a, F, M> {
     pub(super) sensors: &'a [&'a dyn Sensor<F>],
     pub(super) model: &'a Model,
+    /// Largest residual that counts quadratically, in standard deviations.
     pub(super) huber: f64,
     measurements: M,
     /// Number of measurements.
     pub(super) total: usize,
     /// Times of the first and the last measurement.
-    pub(super) first_time: f64,
-    pub(super) last_time: f64,
+    pub(super) times: [f64; 2],
     /// Factor of the readings of rate gyroscopes.
     rate_unit: f64,
 }
 
 impl<'a, F, M: Measurements> Problem<'a, F, M> {
-    /// Problem with rates in rad. Each measurement is checked.
+    /// Problem whose rates are in rad per unit time. Each measurement is checked.
     #[inline(never)] // stack
     pub(super) fn new(
         sensors: &'a [&'a dyn Sensor<F>],
@@ -30,28 +29,21 @@ impl<'a, F, M: Measurements> Problem<'a, F, M> {
         huber: f64,
         measurements: M,
     ) -> Result<Self, FitError> {
-        let first_time = measurements.clone().next().ok_or(FitError::NoMeasurements)?.time;
-        let mut problem = Self {
-            sensors,
-            model,
-            huber,
-            total: 0,
-            first_time,
-            last_time: first_time,
-            rate_unit: 1.0,
-            measurements,
-        };
+        let first = measurements.clone().next().ok_or(FitError::NoMeasurements)?.time;
+        let times = [first; 2];
+        let mut problem = Self { sensors, model, huber, total: 0, times, rate_unit: 1.0, measurements };
         for (index, Measurement { time, sensor, values }) in problem.measurements.clone().enumerate() {
             if !time.is_finite() || values.iter().any(|x| !x.is_finite()) {
                 return Err(FitError::NotFinite { index });
             }
-            if time < problem.last_time {
+            let [_, last] = &mut problem.times;
+            if time < *last {
                 return Err(FitError::OutOfOrder { index });
             }
             if sensor >= sensors.len() {
                 return Err(FitError::UnknownSensor { index });
             }
-            (problem.last_time, problem.total) = (time, index + 1);
+            (*last, problem.total) = (time, index + 1);
         }
         Ok(problem)
     }

@@ -34,8 +34,9 @@ pub(super) fn search<F: Real>(
     problem: &Problem<F, impl Measurements>,
     solver: &mut Solver<F>,
 ) -> (Option<FitWarning>, usize) {
+    let [first, _] = problem.times;
     solver.start_from(&Estimate::new(Orientation::IDENTITY, [0.0; 3]));
-    if problem.measurements().filter(|one| one.time > problem.first_time).take(2).count() < 2 {
+    if problem.measurements().filter(|one| one.time > first).take(2).count() < 2 {
         return (Some(FitWarning::TooFew), 0);
     }
     let Some(guesses) = guesses(problem) else {
@@ -63,10 +64,10 @@ fn try_guesses<F: Real>(
     guesses: &Guesses,
     count: usize,
 ) -> usize {
-    let mut best = (Estimate::new(Orientation::IDENTITY, [0.0; 3]), f64::INFINITY);
+    let mut best = (solver.best.estimate, f64::INFINITY);
     let mut others = 0;
-    for number in 0..guesses.count() {
-        solver.start_from(&guesses.get(number));
+    for guess in (0..).map_while(|number| guesses.get(number)) {
+        solver.start_from(&guess);
         solver.settle(problem, count / 4, PARTIAL_STEP_SIGMA);
         solver.settle(problem, count, CONVERGED_SIGMA);
         let Pass { estimate, information, statistics } = &solver.best;
@@ -82,7 +83,7 @@ fn try_guesses<F: Real>(
             best = (*estimate, cost);
         }
     }
-    if guesses.count() > 1 {
+    if guesses.get(1).is_some() {
         solver.start_from(&best.0);
     }
     others

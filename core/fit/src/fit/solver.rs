@@ -26,13 +26,16 @@ const LEAST_TILT: f64 = 0.1;
 /// Change of the sum of squares that the error of the integration may cause.
 const ROUNDING: f64 = 0.05;
 
-/// Best estimate so far, and the one that is tried.
+/// Solver by the method of Levenberg and Marquardt: the best estimate so far, and the one that is tried.
 #[derive(Clone)]
 pub(super) struct Solver<F> {
     pub(super) prior: Prior<F>,
+    /// Pass with the least sum of squares.
     pub(super) best: Pass<F>,
+    /// Pass of the estimate that is tried.
     current: Pass<F>,
     trajectory: Trajectory<F>,
+    /// Part of the information that is added to it, by Marquardt.
     damping: f64,
     /// Size of the last correction from the same measurements, in standard deviations.
     last_change: Option<f64>,
@@ -67,10 +70,10 @@ impl<F: Real> Solver<F> {
     /// Begins without information, from an estimate.
     #[inline(never)] // stack
     pub(super) fn start_from(&mut self, estimate: &Estimate) {
-        self.best.information = Information::new(self.prior.information.count);
-        self.best.statistics = Statistics::infinite();
-        self.best.estimate = *estimate;
-        self.best.estimate.orientation = estimate.orientation.normalised();
+        let Pass { information, statistics, .. } = &mut self.best;
+        *information = Information::new(information.count);
+        *statistics = Statistics::default();
+        self.best.estimate = Estimate { orientation: estimate.orientation.normalised(), ..*estimate };
         self.damping = FIRST_DAMPING;
         self.curvature = f64::INFINITY;
     }

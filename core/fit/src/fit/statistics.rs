@@ -40,11 +40,6 @@ impl Statistics {
         Self { huber, prior, cost: prior, ..Self::default() }
     }
 
-    /// Statistics of no pass, whose sum of squares is infinite.
-    pub(super) fn infinite() -> Self {
-        Self { cost: f64::INFINITY, ..Self::default() }
-    }
-
     /// Adds a residual in standard deviations; returns the square root of its weight.
     pub(super) fn add<F: Real>(&mut self, residual: F) -> F {
         let (size, huber) = (residual.abs(), F::from_f64(self.huber));

@@ -9,7 +9,7 @@ pub(crate) const RATIOS: usize = 4;
 pub(crate) const LOSS_COUNT: usize = 3;
 
 /// Coefficients of the equations of motion, or a change of them.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Coefficients<F = f64> {
     /// Ratio C/A.
     pub(crate) c_over_a: F,
@@ -51,9 +51,6 @@ impl<F: Float> Coefficients<F> {
 }
 
 impl Coefficients {
-    const ZERO: Self =
-        Self { c_over_a: 0.0, p_over_a: 0.0, s: 0.0, g: 0.0, k_over_a: 0.0, losses: [0.0; LOSS_COUNT] };
-
     /// Coefficients of a top without losses.
     pub(crate) fn new(top: &Top) -> Self {
         let a = top.transverse_inertia();
@@ -63,7 +60,7 @@ impl Coefficients {
             s: top.com_height(),
             g: top.gravity(),
             k_over_a: top.rotor_momentum() / a,
-            losses: [0.0; LOSS_COUNT],
+            ..Self::default()
         }
     }
 
@@ -105,19 +102,17 @@ impl Coefficients {
 
     /// Derivatives with respect to A/C, A/(ps), s and g; for a fixed tip, to A/C, A/p, s and g. A free body depends on A/C only.
     pub(crate) fn by_ratios(&self, support: Support) -> [Self; RATIOS] {
-        let Self { c_over_a, p_over_a, s, .. } = *self;
+        let (Self { c_over_a, p_over_a, s, .. }, zero) = (*self, Self::default());
         let (by_length, by_s) = match support {
-            Support::Sliding => {
-                (-p_over_a * p_over_a * s, Self { p_over_a: -p_over_a / s, s: 1.0, ..Self::ZERO })
-            }
-            Support::Fixed => (-p_over_a * p_over_a, Self::ZERO),
-            Support::Free => (0.0, Self::ZERO),
+            Support::Sliding => (-p_over_a * p_over_a * s, Self { p_over_a: -p_over_a / s, s: 1.0, ..zero }),
+            Support::Fixed => (-p_over_a * p_over_a, zero),
+            Support::Free => (0.0, zero),
         };
         [
-            Self { c_over_a: -c_over_a * c_over_a, ..Self::ZERO },
-            Self { p_over_a: by_length, ..Self::ZERO },
+            Self { c_over_a: -c_over_a * c_over_a, ..zero },
+            Self { p_over_a: by_length, ..zero },
             by_s,
-            Self { g: 1.0, ..Self::ZERO },
+            Self { g: 1.0, ..zero },
         ]
     }
 }

@@ -18,7 +18,6 @@ pub(crate) struct Equations<F> {
 }
 
 /// Accelerations of a state, and what the equations of its changes share.
-#[derive(Clone, Copy, Debug)]
 pub(crate) struct Acceleration<F> {
     state: BodyState<F>,
     axis: Vector<F>,
