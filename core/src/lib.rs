@@ -49,12 +49,9 @@ pub mod internal {
     pub use crate::motion::cayley_klein::{Ellipse, Ellipses};
     pub use crate::scalar::sine::{COSINE, CUBIC, LINEAR, SECANT, SINE, SINES, VERSINE};
 
-    use crate::body::Top;
-    use crate::constants::{BranchPoints, FirstIntegrals};
-    use crate::motion::Motion;
     use crate::motion::phase_equations::PhaseEquations;
-    use crate::phase::Phase;
     use crate::scalar::Extended;
+    use crate::{BranchPoints, FirstIntegrals, Motion, Phase, Top};
 
     /// Unrounded A, C, s, p, g and K of a top.
     pub fn top_constants(top: &Top) -> [Extended; 6] {

@@ -1,4 +1,4 @@
-//! Segment of a nutation phase, and the point of it.
+//! Search for the segment of a nutation phase.
 
 use crate::table::data::EphemerisView;
 use crate::table::data::cell::{Cell, LEAST_DEPTH};
