@@ -77,7 +77,7 @@ impl Lagrange {
         let rotations = [alpha.rotation(-highest, whole), beta.rotation(lowest, whole)];
 
         let solution = Solution { z_rate, alpha, beta };
-        let origin = since_lowest(&e, chi) / z_rate;
+        let origin = since_lowest(e, chi) / z_rate;
         let (period, arguments) =
             (half.doubled() / z_rate, ArgumentOffsets::new(motion, solution.parameters(origin)));
         Some(Self { solution, periods: Periods { period, rotations, origin, arguments } })

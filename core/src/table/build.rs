@@ -1,7 +1,7 @@
 //! Build of a table: from the equations of a motion to the polynomials of half a period. A set-up goes from file to file:
 //!
 //! ```text
-//! set_up.rs              motion, memory                 -> table
+//! set_up.rs              motion, settings, memory       -> table
 //!   limits.rs              allowed error, capacity        -> limits of its parts
 //!   half_period.rs         for each cell: segments that are short enough
 //!     mean_rates.rs          motion, period                 -> mean rates of the phases, and their errors

@@ -253,3 +253,9 @@ fn horner<C, D: Coefficient, const N: usize, const SLOPES: bool>(
     }
     [sums, slopes]
 }
+
+/// Polynomial in units of 2^-62.
+#[cfg(test)]
+fn polynomial_q62<const N: usize>(values: [f64; N]) -> [i64; N] {
+    values.map(|value| (value / TABLE_UNIT) as i64)
+}

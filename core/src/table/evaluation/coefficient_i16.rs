@@ -105,15 +105,12 @@ impl Coefficient for i16 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn polynomial<const N: usize>(values: [f64; N]) -> [i64; N] {
-        values.map(|value| (value * 2_f64.powi(62)) as i64)
-    }
+    use crate::table::evaluation::polynomial_q62;
 
     #[test]
     fn sums_stay_below_their_powers_by_a_margin() {
-        assert_eq!(i16::error(&polynomial([0.9, 0.4994, 0.0])), 0.0);
-        assert_eq!(i16::error(&polynomial([0.9, 0.4996, 0.0])), f32::INFINITY);
-        assert_eq!(i16::error(&polynomial([0.9, 0.2, -0.2499, 0.0])), f32::INFINITY);
+        assert_eq!(i16::error(&polynomial_q62([0.9, 0.4994, 0.0])), 0.0);
+        assert_eq!(i16::error(&polynomial_q62([0.9, 0.4996, 0.0])), f32::INFINITY);
+        assert_eq!(i16::error(&polynomial_q62([0.9, 0.2, -0.2499, 0.0])), f32::INFINITY);
     }
 }

@@ -185,7 +185,7 @@ impl Coefficient for i32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::evaluation::TABLE_UNIT;
+    use crate::table::evaluation::{TABLE_UNIT, polynomial_q62};
 
     /// With six terms the products with the fourth and the fifth power are short, and the sum of the lower one
     /// contains both.
@@ -193,7 +193,7 @@ mod tests {
     fn what_16_bit_products_lose() {
         let near =
             |found: f64, expected: f64| assert!((found - expected).abs() < 2e-13, "{found:e} {expected:e}");
-        let error = |values| TABLE_UNIT * f64::from(i32::error(&polynomial(values)));
+        let error = |values| TABLE_UNIT * f64::from(i32::error(&polynomial_q62(values)));
         let accepted = TABLE_UNIT * f64::from(ACCEPTED_ERROR);
         // in range, but the short products are not accurate enough
         near(error([0.0, 0.0, 0.0, 0.0, 0.02, 0.01]), 0.04 / 32768.0 - accepted);
@@ -206,16 +206,12 @@ mod tests {
     fn a_coefficient_is_within_a_unit() {
         for power in 0..16 {
             for value in [0.2, -0.2, 1e-9, 0.0].map(|value| value * 0.5_f64.powi(power)) {
-                let [value] = polynomial([value]);
+                let [value] = polynomial_q62([value]);
                 let stored = f64::from(i32::nearest(value, power as usize)) * 2_f64.powi(-31 - power);
                 let error = stored - value as f64 * 2_f64.powi(-62);
                 assert!(error.abs() <= 2_f64.powi(-31 - power), "{power} {value}");
             }
         }
         assert_eq!(i32::nearest(i64::MAX, 1), i32::MAX);
-    }
-
-    fn polynomial<const N: usize>(values: [f64; N]) -> [i64; N] {
-        values.map(|value| (value * 2_f64.powi(62)) as i64)
     }
 }

@@ -8,30 +8,7 @@ use crate::table::read::sample::Sample;
 
 /// Phases of consecutive ticks of one table, by three additions each. Pass that table to [`Cursor::next`].
 ///
-/// After a relaunch, a cursor of the new table takes the place of the old one, without lock and copy:
-///
-/// ```
-/// # use toytop::{EphemerisF32, EphemerisMemory, Motion, Release, Workspace, State, TableSettings, Tick, Top, TopParameters};
-/// # let top = Top::sliding(&TopParameters::TOY)?;
-/// # let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
-/// # let motion = Motion::launch(&top, &state)?;
-/// let settings = TableSettings::new(Tick::hertz(1000)?);
-/// let mut workspace = Workspace::new();
-/// let [mut first, mut second] = [(); 2].map(|()| EphemerisMemory::<EphemerisF32>::new());
-/// let mut table = first.set_up(&mut workspace, &motion, &settings, &mut || { /* feed the watchdog */ })?;
-/// let mut cursor = table.cursor(0);
-/// for _ in 0..4 {
-///     let _orientation = cursor.next(table).orientation(); // ticks 0 to 3
-/// }
-/// # let struck = State::from_attitude(&table.at_tick(3).attitude_state())?.with_impulse(&top, [0.0, 1e-3, 0.0], [0.03, 0.0, 0.03])?;
-/// # let struck = Motion::launch(&top, &struck)?;
-/// let settings = TableSettings { epoch: 3, ..settings }; // launched at tick 3
-/// table = second.set_up(&mut workspace, &struck, &settings, &mut || {})?;
-/// cursor = table.cursor(cursor.tick() + 1);
-/// let _orientation = cursor.next(table).orientation(); // tick 4
-/// assert_eq!(cursor.tick(), 4);
-/// # Ok::<(), Box<dyn core::error::Error>>(())
-/// ```
+/// After a relaunch, a cursor of the new table takes the place of the old one, without lock and copy: see `examples/relaunch.rs`.
 #[derive(Clone, Debug)]
 pub struct Cursor {
     /// Phases of the last tick.

@@ -1,10 +1,4 @@
 //! Samples of a table at a tick, at a time, and at a number of ticks with a fraction.
-//!
-//! | method | instant | resolution |
-//! |---|---|---|
-//! | `at_tick` | tick n | exact |
-//! | `at` | t seconds after tick 0 | 2^-64 ticks up to 2^62 ticks, further on that of `at_ticks` |
-//! | `at_ticks` | number of ticks in extended precision, for events | 2^-128 of the number |
 
 use crate::integer::{ldexp_i128, mantissa_and_exponent};
 use crate::phase::{Phase, WrappedPhase};
@@ -24,8 +18,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Sample of the motion t (s) after tick 0, taken as exact; 0 if it is not finite.
     ///
-    /// At whole ticks the bits are those of [`EphemerisView::at_tick`], if the tick rate is a multiple of 1/2. It is slow beyond 2^62 ticks, and for
-    /// ticks of half a turn or more of a phase.
+    /// At whole ticks the bits are those of [`EphemerisView::at_tick`], if the tick rate is a multiple of 1/2. Resolution: 2^-64 ticks up to 2^62
+    /// ticks. It is slow beyond, and for ticks of half a turn or more of a phase.
     #[inline(always)]
     #[must_use]
     pub fn at(&self, t: f64) -> Sample<'_, R> {
@@ -38,7 +32,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         Sample { table: self, phases, tick: tick.into(), fraction: Phase::from_leading_bits(fraction) }
     }
 
-    /// Sample at any number of ticks, with a fraction.
+    /// Sample at any number of ticks, with a fraction. Resolution: 2^-128 of the number.
     #[cold]
     #[inline(never)]
     pub(crate) fn at_ticks(&self, ticks: Extended) -> Sample<'_, R> {

@@ -8,7 +8,6 @@ use crate::table::data::EphemerisView;
 use crate::table::evaluation::{
     Coefficient, EphemerisScalar, NumberOf, orientation, orientation_and_omega_body,
 };
-use crate::table::read::segment::LocatedSegment;
 
 /// Sample of a motion at one time. Each method evaluates the table; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
 /// [`Sample::attitude_state`] do so once for several quantities.
@@ -141,7 +140,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[inline(always)]
     fn unrounded(&self) -> Orientation<NumberOf<R>> {
         let [nutation, alpha_phase, beta_phase] = self.phases;
-        let LocatedSegment { rows, point, .. } = self.table.segment_at(nutation);
+        let (rows, point, _) = self.table.segment_at(nutation);
         orientation::<R>(rows, point, [alpha_phase, beta_phase])
     }
 
@@ -149,7 +148,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[inline(always)]
     fn unrounded_and_scaled_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
         let [nutation, alpha_phase, beta_phase] = self.phases;
-        let LocatedSegment { rows, point, .. } = self.table.segment_at(nutation);
+        let (rows, point, _) = self.table.segment_at(nutation);
         orientation_and_omega_body::<R>(rows, point, [alpha_phase, beta_phase], self.table.clock.rates())
     }
 

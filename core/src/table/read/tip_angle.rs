@@ -36,23 +36,23 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// Argument of the tabulated ab, continued from u = e₁ through the centres of all segments before; near 0 the direction from or to 0.
     pub(in crate::table) fn tabulated_tip_angle(&self, nutation: u64, pause: &mut dyn FnMut()) -> Phase {
         const SEGMENTS: usize = 16;
-        let found = self.segment_at(nutation);
+        let (rows, point, number) = self.segment_at(nutation);
         let mut argument = ContinuedArgument::ZERO;
-        for (index, segment) in self.segments.iter().enumerate().take(found.index + 1) {
+        for (index, segment) in self.segments.iter().enumerate().take(number + 1) {
             // the constants are the values at the centre
             let constants = segment.as_ref().get(..1).unwrap_or_default();
-            let [[a, b], _] = before_rotation::<R>(constants, found.point);
+            let [[a, b], _] = before_rotation::<R>(constants, point);
             argument.continue_to(self.relative_to_start(a * b));
             if index % SEGMENTS == SEGMENTS - 1 {
                 pause();
             }
         }
         pause();
-        let [[a, b], [a_slope, b_slope]] = before_rotation::<R>(found.rows, found.point);
+        let [[a, b], [a_slope, b_slope]] = before_rotation::<R>(rows, point);
         let (product, change) = (a * b, a_slope * b + a * b_slope);
         let least = LEAST_MODULUS * R::ROUNDING * (a.norm_squared() + b.norm_squared());
         let is_near_zero = product.norm_squared() <= least * least;
-        let direction = match (is_near_zero, found.point.x_q63 < 0) {
+        let direction = match (is_near_zero, point.x_q63 < 0) {
             (false, _) => product,
             (true, true) => change,
             (true, false) => -change,

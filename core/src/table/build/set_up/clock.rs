@@ -25,18 +25,15 @@ impl<W: Float> Clock<W> {
         let [frequency, alpha, beta] = turns;
         // LLVM 22 compiles a product of `i128` wrongly for RISC-V where the epoch is known
         let ticks = epoch.wrapping_sub(i64::MIN) as u64;
-        let (mut first_phases, mut step) = ([0; 3], [[0; 3]; 3]);
         let exact_step = turns.map(|turns| turns * length);
-        for (((first, words), start), turns) in
-            first_phases.iter_mut().zip(&mut step).zip(start).zip(exact_step)
-        {
-            let step = WrappedPhase::from_phase(turns.to_phase());
-            *words = step.words();
-            *first = WrappedPhase::from_phase(start).minus(step.times(ticks)).leading_bits();
+        let step = exact_step.map(|turns| WrappedPhase::from_phase(turns.to_phase()));
+        let mut first_phases = start.map(WrappedPhase::from_phase);
+        for (first, step) in first_phases.iter_mut().zip(step) {
+            *first = first.minus(step.times(ticks));
         }
         let [alpha_winding, beta_winding] = motion.windings();
         let mut clock = Self {
-            step,
+            step: step.map(WrappedPhase::words),
             tip_start_quarter_turns: if alpha_winding == 0 {
                 motion.signs().l_plus_n.as_i32() as i8
             } else {
@@ -50,7 +47,7 @@ impl<W: Float> Clock<W> {
             x_rate: W::from_f64(4.0 * LEAST_SEGMENTS as f64 * frequency.to_f64()),
             mean_sum_rate: W::from_f64(((alpha + beta) * Extended::TWO_PI).to_f64()),
             axial_rate: W::from_f64(motion.first_integrals().spin),
-            first_phases,
+            first_phases: first_phases.map(WrappedPhase::leading_bits),
             exact_step: exact_step.map(Extended::to_f64_pair),
             ticks_per_time: tick.rate().to_f64_pair(),
             epoch,
