@@ -23,8 +23,9 @@ mod recurrence;
 mod cayley_klein;
 
 use super::series::{MOST_TERMS, PowerSeries, integrated, max_or_nan};
+use crate::integer::power_of_two_f32;
 use crate::phase::Phase;
-use crate::scalar::{Scalar, power_of_two_f32};
+use crate::scalar::Scalar;
 
 /// Largest rounding error of a coefficient, in units of its series.
 const NOISE: i64 = 4;

@@ -4,13 +4,12 @@ use super::expansion::{Expansion, Origin, PathPhases};
 use super::interval::Interval;
 use super::limits::Limits;
 use super::polynomial::Polynomial;
-use super::series::sine_q57::sine_cosine;
 use super::series::{PowerSeries, max_or_nan};
 use crate::motion::Motion;
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Scalar};
+use crate::scalar::{Extended, Float, Scalar, sine_cosine_from_q57};
 use crate::table::data::cell::Cell;
 
 /// Depth of the longest span.
@@ -187,7 +186,7 @@ impl<'a, F: Float> Path<'a, F> {
         let half_length = span.half_length();
         // y is in units of two spans
         let (unit, allowed) = (4.0 * half_length, half_length * self.limits.steps);
-        let (sine, cosine) = sine_cosine(from.phases.chi);
+        let (sine, cosine) = sine_cosine_from_q57(from.phases.chi);
         let PathEquations { equations, half_period, .. } = &self.equations;
         let [chi_rate, alpha, beta, residual_alpha, residual_beta] =
             self.equations.rates(sine, cosine).map(|rate| unit * rate);

@@ -1,8 +1,9 @@
 //! Coefficients of an expansion, one after another.
 
 use super::{Expansion, MOST_TERMS, NOISE, Origin, PowerSeries, RateSeries, max_or_nan};
+use crate::integer::in_units;
 use crate::motion::phase_equations::PhaseEquations;
-use crate::table::build::series::{BITS, UnitFactor, in_range, in_units, integrated, sum_in_range};
+use crate::table::build::series::{BITS, UnitFactor, in_range, integrated, sum_in_range};
 
 /// Whether the k-th coefficient is a rounding error, or its term at x = 1 is below `least` units.
 fn is_negligible(coefficient: i64, k: usize, least: i64) -> bool {
