@@ -85,11 +85,11 @@ pub trait Ring:
         self + self
     }
 
-    /// Larger of two numbers; `other` if `self` is NaN.
+    /// Larger of two numbers, or NaN if one of them is NaN.
     #[inline]
     #[must_use]
     fn max(self, other: Self) -> Self {
-        if self > other { self } else { other }
+        if other <= self || self.partial_cmp(&self).is_none() { self } else { other }
     }
 }
 

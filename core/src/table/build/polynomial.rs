@@ -2,8 +2,8 @@
 //!
 //! The last term c x^k is dropped by subtracting c 2^(1-k) T_k(x), at most |c| 2^(1-k) in value.
 
-use super::limits::{Limits, REMAINDER_SHARE};
-use super::series::{MOST_TERMS, max_or_nan};
+use super::limits::Limits;
+use super::series::MOST_TERMS;
 use crate::integer::{Limbs, product_u32, u64_to_f32};
 use crate::scalar::{Float, Ring};
 use crate::table::evaluation::TABLE_UNIT;
@@ -92,10 +92,10 @@ impl Polynomial {
     pub(super) fn finish(&mut self, terms: usize, limits: &Limits) -> Option<()> {
         self.terms = terms;
         let [re, im] = self.parts.each_ref().map(Part::remainder);
-        let remainder = 2.0 * max_or_nan(re, im);
-        (2.0 * remainder <= REMAINDER_SHARE * limits.polynomial).then_some(())?;
-        self.shorten(0, limits.dropped_terms);
-        self.remainder = remainder + limits.negligible_term() as f32;
+        let (remainder, most) = (2.0 * Ring::max(re, im), limits.terms_in_units());
+        limits.allows_remainder(remainder).then_some(())?;
+        self.shorten(0, most);
+        self.remainder = remainder + most as f32;
         Some(())
     }
 
@@ -130,7 +130,7 @@ impl Polynomial {
         }
     }
 
-    /// Becomes the polynomial on one of 2^halvings parts of a span. Before the last halving it drops terms of at most `dropped` in all.
+    /// Restricts `whole`, that of a span, to part `part` of 2^halvings. Before the last halving it drops terms of at most `dropped` in all.
     pub(super) fn restrict(&mut self, whole: &Self, part: usize, halvings: u32, dropped: i64) {
         self.clone_from(whole);
         for halving in (0..halvings).rev() {

@@ -5,18 +5,12 @@
 use core::ops::Range;
 
 use crate::integer::{LIMB_BITS, Limbs, exponent, in_units, ldexp, mantissa_and_exponent, power_of_two_f32};
-use crate::scalar::Float;
 
 /// Largest number of terms of a series.
 pub(super) const MOST_TERMS: usize = 16;
 
 /// Bits of a coefficient of the expected magnitude. One may be four times as large.
 pub(super) const BITS: i32 = 56;
-
-/// Larger of two numbers, or NaN if one of them is NaN.
-pub(super) fn max_or_nan<F: Float>(a: F, b: F) -> F {
-    if b <= a || a.partial_cmp(&a).is_none() { a } else { b }
-}
 
 /// Result for a number above 59 bits; its complement is that for a negative one.
 const OUT_OF_RANGE: i64 = 1 << (BITS + 3);

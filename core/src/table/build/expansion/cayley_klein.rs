@@ -1,12 +1,12 @@
 //! Series of a and b: each is the sum of two exponentials of the phases.
 
-use super::{Expansion, MOST_TERMS, PowerSeries, max_or_nan};
+use super::{Expansion, MOST_TERMS, PowerSeries};
 use crate::integer::{Limbs, in_units, shifted_right};
-use crate::scalar::{SINE_BITS, sine_cosine_q57};
+use crate::scalar::{Ring, SINE_BITS, sine_cosine_q57};
 use crate::table::build::series::{BITS, UnitFactor, in_range, integrated};
 use crate::table::evaluation::TABLE_BITS;
 
-/// Fraction bits that a coefficient of a or b has more than one of an exponential.
+/// Difference of the fraction bits of a coefficient of a or b, 62, and of one of an exponential, 56.
 const MORE_BITS: i32 = TABLE_BITS as i32 - BITS;
 
 impl Expansion {
@@ -27,7 +27,7 @@ impl Expansion {
         let Self { chi, residual, origin, terms, .. } = self;
         let (residual, residual_phase) = (residual.get(index)?, *origin.residual.get(index)?);
         let at_origin = residual.at_origin.abs() + chi.at_origin.abs();
-        forwards.set_exponent(max_or_nan(
+        forwards.set_exponent(Ring::max(
             at_origin,
             residual.magnitude_of_variation() + chi.magnitude_of_variation(),
         ));
