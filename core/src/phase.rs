@@ -182,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn a_product_with_a_part_is_rounded_down() {
+    fn a_share_is_rounded_down() {
         for bits in [0, 7, -7, 3 << 95, -(5 << 95) + 1, i128::MAX, i128::MIN] {
             let product = |fraction| Phase(bits).times_part(fraction).0;
             assert_eq!([product(0), product(1 << 63), product(1 << 62)], [0, bits >> 1, bits >> 2]);

@@ -72,13 +72,13 @@ impl Motion {
         let torque_free_rate = torque_free_rate(top, &integrals, &point);
         let half_phase = half_phase(top, e, regime, torque_free_rate, &point);
         pause();
-        let attitude = orientation_and_rate(state);
+        let at_start = orientation_and_rate(state);
         let slow_phases = match half_phase {
-            None => [attitude.orientation.alpha, attitude.orientation.beta].map(argument),
+            None => [at_start.orientation.alpha, at_start.orientation.beta].map(argument),
             Some(chi) => {
                 let equations = equations(top, e, integrals.l_plus_n, signs, torque_free_rate);
                 pause();
-                slow_phases(&equations, &ellipses, half_tau.to_f64(), chi, &attitude)
+                slow_phases(&equations, &ellipses, half_tau.to_f64(), chi, &at_start)
             }
         };
         Ok(Self {
