@@ -8,7 +8,7 @@ pub(crate) mod period;
 
 mod launch_rounding;
 
-mod start;
+mod half_phase;
 
 mod launch;
 

@@ -9,8 +9,6 @@
 //! | [`Float`] | division, square root, conversion: what *set-up* needs | yes | yes | no |
 //! | [`Real`] | both, an arctangent and an exponential: what a *stepper* and a fit need | yes | no | no |
 
-mod power_of_two;
-
 mod wide;
 
 pub(crate) mod sine;
@@ -21,11 +19,11 @@ mod fixed_point;
 mod numeric_struct;
 
 pub(crate) use numeric_struct::numeric_struct;
-pub(crate) use power_of_two::{exponent, ldexp, power_of_two, power_of_two_f32, u64_to_f32};
 #[cfg(feature = "fixed")]
 pub(crate) use sine::sine_cosine_q15;
 pub(crate) use sine::{
-    fraction_of_word, sine_cosine_f64, sine_cosine_of_radians, sine_cosine_q26, sine_cosine_q31,
+    SINE_BITS, fraction_of_word, sine_cosine_f64, sine_cosine_from_q57, sine_cosine_of_phase,
+    sine_cosine_of_radians, sine_cosine_q26, sine_cosine_q31, sine_cosine_q57,
 };
 
 pub use wide::{Extended, Wide};
@@ -86,11 +84,11 @@ pub trait Ring:
         self + self
     }
 
-    /// Larger of two numbers; `other` if `self` is NaN.
+    /// Larger of two numbers, or NaN if one of them is NaN.
     #[inline]
     #[must_use]
     fn max(self, other: Self) -> Self {
-        if self > other { self } else { other }
+        if other <= self || self.partial_cmp(&self).is_none() { self } else { other }
     }
 }
 
@@ -203,7 +201,7 @@ impl Scalar for f64 {
     const ROUNDING: f64 = f64::EPSILON / 2.0;
 
     fn sine_cosine(phase: Phase) -> (Self, Self) {
-        sine::sine_cosine_of_phase(phase)
+        sine_cosine_of_phase(phase)
     }
 }
 

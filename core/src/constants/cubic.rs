@@ -1,6 +1,7 @@
 //! Largest root of a cubic.
 
-use crate::scalar::{Extended, Float, Ring, exponent, power_of_two};
+use crate::integer::{exponent, power_of_two};
+use crate::scalar::{Extended, Float, Ring};
 
 /// Cubic y³ + g₂ y² + g₁ y + g₀ that is convex from its largest root on.
 #[derive(Clone, Copy, Debug)]

@@ -2,10 +2,14 @@
 
 use crate::body::{ParameterError, State, Top, check, check_range};
 use crate::complex::Complex;
-use crate::constants::{BranchPoints, FirstIntegrals, Regime, Signs};
-use crate::motion::{LaunchRounding, Motion, start};
+use crate::constants::{BranchPoints, FirstIntegrals, ReducedPoint, Regime, Signs};
+use crate::motion::cayley_klein::Ellipses;
+use crate::motion::half_phase::{half_phase, half_phase_of_angle, is_steady};
+use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
+use crate::motion::{LaunchRounding, Motion, steady_complements};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
+use crate::su2::{AttitudeState, OrientationRate};
 
 /// Angles at t = 0 of a motion given by branch points, in rad; 0 by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -60,21 +64,21 @@ impl Motion {
         pause();
         let signs = integrals.signs();
         let regime = Regime::new(e, signs, point.is_sleeping());
-        let ellipses = start::ellipses(e, signs, regime);
-        let half_tau = start::half_tau(top, integrals.spin);
+        let ellipses = ellipses(e, signs, regime);
+        let half_tau = half_tau(top, integrals.spin);
         pause();
         let rounding = LaunchRounding::new(top, &integrals, &point, e, state);
         pause();
-        let torque_free_rate = start::torque_free_rate(top, &integrals, &point);
-        let half_phase = start::half_phase(top, e, regime, torque_free_rate, &point);
+        let torque_free_rate = torque_free_rate(top, &integrals, &point);
+        let half_phase = half_phase(top, e, regime, torque_free_rate, &point);
         pause();
-        let at_start = start::orientation_and_rate(state);
+        let at_start = orientation_and_rate(state);
         let slow_phases = match half_phase {
-            None => start::steady_slow_phases(&at_start),
+            None => [at_start.orientation.alpha, at_start.orientation.beta].map(argument),
             Some(chi) => {
-                let equations = start::equations(top, e, integrals.l_plus_n, signs, torque_free_rate);
+                let equations = equations(top, e, integrals.l_plus_n, signs, torque_free_rate);
                 pause();
-                start::slow_phases(&equations, &ellipses, half_tau.to_f64(), chi, &at_start)
+                slow_phases(&equations, &ellipses, half_tau.to_f64(), chi, &at_start)
             }
         };
         Ok(Self {
@@ -123,11 +127,11 @@ impl Motion {
             "e3",
             "such that (n - rotor_momentum)/axial_inertia is at most 1e24 rad/s, and n = rotor_momentum for a rod",
         )?;
-        let chi = start::half_phase_of_angle(theta);
+        let chi = half_phase_of_angle(theta);
         let (_, remainder) = chi.split_half_turns();
         let regime = Regime::new(&e, signs, remainder == Phase::QUARTER);
-        let ellipses = start::ellipses(&e, signs, regime);
-        let half_phase = (!start::is_steady(&e, regime)).then_some(chi);
+        let ellipses = ellipses(&e, signs, regime);
+        let half_phase = (!is_steady(&e, regime)).then_some(chi);
         let [alpha, beta] = match half_phase {
             None => [Phase::ZERO; 2],
             Some(chi) => ellipses.arguments(Complex::cis(chi)),
@@ -138,7 +142,7 @@ impl Motion {
             signs,
             e,
             integrals,
-            half_tau: start::half_tau(top, spin),
+            half_tau: half_tau(top, spin),
             ellipses,
             regime,
             half_phase,
@@ -147,4 +151,72 @@ impl Motion {
             torque_free_rate: Extended::ZERO,
         })
     }
+}
+
+/// Ellipses of α and β.
+#[inline(never)]
+fn ellipses(e: &BranchPoints<Extended>, signs: Signs, regime: Regime) -> Ellipses<f64> {
+    if is_steady(e, regime) {
+        Ellipses::steady(steady_complements(e, regime))
+    } else {
+        Ellipses::oscillating(e, signs, Extended::to_f64)
+    }
+}
+
+/// Half of τ = ⟨ω, r⟩ - n/A, rad/s, from the axial rate.
+#[inline(never)]
+fn half_tau(top: &Top, spin: Extended) -> Extended {
+    let Top { a, c, k, .. } = *top;
+    ((a - c) / a * spin - k / a).halved()
+}
+
+/// Rate χ' of a motion without torque, rad/s; otherwise 0. The axis rotates about the angular momentum m at the rate |m|/A.
+#[inline(never)]
+fn torque_free_rate(top: &Top, integrals: &FirstIntegrals<Extended>, point: &ReducedPoint) -> Extended {
+    if top.is_torque_free() { (point.momentum(top.a, integrals.n) / top.a).halved() } else { Extended::ZERO }
+}
+
+/// Orientation of a state and its rate, computed in extended precision.
+#[inline(never)]
+fn orientation_and_rate(state: &State) -> AttitudeState<f64> {
+    let (phi, omega) = state.in_extended();
+    let AttitudeState { orientation, rate } = AttitudeState::from_fixed(phi.normalised(), omega);
+    AttitudeState {
+        orientation: orientation.map(Float::to_f64),
+        rate: OrientationRate { alpha: rate.alpha.map(Float::to_f64), beta: rate.beta.map(Float::to_f64) },
+    }
+}
+
+/// Phase equations, rounded.
+#[inline(never)]
+fn equations(
+    top: &Top,
+    e: &BranchPoints<Extended>,
+    l_plus_n: Extended,
+    signs: Signs,
+    torque_free_rate: Extended,
+) -> PhaseEquations<f64> {
+    PhaseEquations::new(top, e, l_plus_n, signs, torque_free_rate).cast()
+}
+
+/// Slow phases of an orientation and its rate, from the half phase.
+#[inline(never)]
+fn slow_phases(
+    equations: &PhaseEquations<f64>,
+    Ellipses { alpha, beta }: &Ellipses<f64>,
+    half_tau: f64,
+    chi: Phase,
+    AttitudeState { orientation: phi, rate }: &AttitudeState<f64>,
+) -> [Phase; 2] {
+    let cis_chi = Complex::cis(chi);
+    let PhaseRates { half_phase, psi_alpha, psi_beta } = equations.rates(cis_chi.im, cis_chi.re);
+    [
+        alpha.slow_phase(cis_chi, [half_phase, psi_alpha + half_tau], [phi.alpha, rate.alpha]),
+        beta.slow_phase(cis_chi, [half_phase, psi_beta - half_tau], [phi.beta, rate.beta]),
+    ]
+    .map(argument)
+}
+
+fn argument(z: Complex<f64>) -> Phase {
+    Phase::from_radians(z.arg())
 }

@@ -12,7 +12,8 @@
 
 use crate::body::Top;
 use crate::constants::{BranchPoints, Signs};
-use crate::scalar::{Extended, Float, Ring, exponent, numeric_struct};
+use crate::integer::exponent;
+use crate::scalar::{Extended, Float, Ring, numeric_struct};
 
 numeric_struct! {
     /// Rates of the three phases, rad/s.

@@ -2,173 +2,42 @@
 //!
 //! | function | argument | result |
 //! |---|---|---|
-//! | `sine_cosine_of_phase` | phase of 96 bits | `f64`, relatively exact |
-//! | `sine_cosine_of_radians` | angle | `f64`, relatively exact |
-//! | `sine_cosine_f64` | phase of 64 bits | `f64` |
-//! | `sine_cosine_q31`, `q26`, `q15` | phase of 32 bits | integers, from 512 points of the circle (2.5 KiB of flash) |
+//! | `sine_cosine_q31`, `q26`, `q15` | phase of 32 bits | integers, from points of the circle |
+//! | `sine_cosine_f64` | phase of 64 bits | `f64`, from polynomials |
+//! | `sine_cosine_of_phase`, `of_radians` | phase of 96 bits, angle | `f64`, relatively exact, from the same polynomials |
+//! | `sine_cosine_q57`, `from_q57` | phase of 96 bits | integers, or relatively exact `f64`, from power series |
 //!
-//! `host` writes the constants into tables for C. A set-up has sines of 57 bits of its own, and `Orientation::exp`, whose angle may be of any
-//! size, libm's.
+//! `host` writes the constants into tables for C.
 
-use crate::integer::{high_product, product_32x16, product_32x16_by_constant};
-use crate::phase::Phase;
-use crate::scalar::Extended;
+mod polynomial;
 
-/// Coefficients of S in sin 2πx = x S(x²) for |x| <= 1/8, lowest power first: the Chebyshev interpolant on [0, 1/64]
-/// (mpmath: `chebyfit(lambda y: sin(2*pi*sqrt(y))/sqrt(y), [0, 1/64], 8)`). Truncation error: below 2e-21.
-pub const SINE: [f64; 8] = [
-    core::f64::consts::TAU,
-    -41.34170224039976,
-    81.60524927607493,
-    -76.70585975299812,
-    42.05869392898878,
-    -15.094640403891546,
-    3.8197881201632113,
-    -0.7116358090781666,
-];
-/// Coefficients of C in cos 2πx = C(x²) for |x| <= 1/8, lowest power first, found as those of S.
-pub const COSINE: [f64; 9] = [
-    1.0,
-    -19.739208802178716,
-    64.9393940226683,
-    -85.45681720669354,
-    60.244641371818105,
-    -26.426256772545436,
-    7.9035351947629575,
-    -1.7143161879285278,
-    0.27945867147528963,
-];
+mod points;
 
-/// Integer over 2^64, rounded once, by two conversions of 32 bits.
-#[inline(always)]
-pub(crate) const fn fraction_of_word(word: i64) -> f64 {
-    const SCALE: f64 = 1.0 / (1_u64 << 32) as f64;
-    ((word >> 32) as i32 as f64 + word as u32 as f64 * SCALE) * SCALE
-}
+mod q57;
 
-/// (sin 2πx, cos 2πx) of the 64 leading bits of a phase. Error: below 2e-16.
-pub(crate) const fn sine_cosine_f64(phase: u64) -> (f64, f64) {
-    // the nearest quarter turn, and the signed remainder in [-1/8, 1/8) turn
-    let quadrant = phase.wrapping_add(1 << 61) >> 62;
-    quarter_turns(quadrant as u32, fraction_of_word(phase.wrapping_sub(quadrant << 62) as i64))
-}
+use core::ops::Neg;
 
-/// (sin 2πx, cos 2πx) of a phase of x turns. The error is relative near the zeros.
-pub(super) fn sine_cosine_of_phase(phase: Phase) -> (f64, f64) {
-    let (quadrant, remainder) = phase.quadrant();
-    quarter_turns(quadrant, remainder.to_turns())
-}
-
-/// (sin x, cos x) of an angle of x rad up to 1e6. Error: below 4e-16, relative near the zeros. Those of libm take several kilobytes of flash.
-pub(crate) fn sine_cosine_of_radians(x: f64) -> (f64, f64) {
-    if x.abs() < core::f64::consts::FRAC_PI_4 {
-        return quarter_turns(0, x * (0.5 * core::f64::consts::FRAC_1_PI));
-    }
-    sine_cosine_of_phase(Extended::from(x).in_turns().to_phase())
-}
-
-/// (sin, cos) of `quadrant` quarter turns plus x turns, |x| <= 1/8. The error is relative near the zeros.
-#[inline]
-const fn quarter_turns(quadrant: u32, x: f64) -> (f64, f64) {
-    let y = x * x;
-    let (sine, cosine) = (x * horner(&SINE, y), horner(&COSINE, y));
-    let (sine, cosine) = if quadrant & 1 == 0 { (sine, cosine) } else { (cosine, -sine) };
-    if quadrant & 2 == 0 { (sine, cosine) } else { (-sine, -cosine) }
-}
-
-const fn horner(mut coefficients: &[f64], y: f64) -> f64 {
-    let mut sum = 0.0;
-    while let [rest @ .., last] = coefficients {
-        sum = sum * y + *last;
-        coefficients = rest;
-    }
-    sum
-}
-
-/// Number of points on the circle.
-const POINTS: usize = 512;
-
-/// Table of 2^31 sin(k/512 turn), limited to 2^31 - 1. The entries a quarter turn later are the cosines.
-#[allow(clippy::indexing_slicing)] // in a constant, an index out of range does not compile
-pub static SINES: [i32; POINTS + POINTS / 4] = {
-    let mut sines = [0; POINTS + POINTS / 4];
-    let mut i = 0;
-    while i < sines.len() {
-        let (sine, _) = sine_cosine_f64((i as u64) << 55);
-        let scaled = (1_u64 << 31) as f64 * sine;
-        let nearest = (if scaled < 0.0 { scaled - 0.5 } else { scaled + 0.5 }) as i32;
-        sines[i] = if nearest == i32::MIN { -i32::MAX } else { nearest };
-        i += 1;
-    }
-    sines
-};
-
-/// Largest distance of a phase from its nearest point, rad: d/DISTANCE is in [-1, 1).
-const DISTANCE: f64 = 2.0 * core::f64::consts::PI / 1024.0;
-/// Coefficient of d, times 2^38.
-pub const LINEAR: i32 = (DISTANCE * (1_u64 << 38) as f64) as i32;
-/// Coefficient of the cubic term d³/6, times 2^32.
-pub const CUBIC: i32 = (DISTANCE * DISTANCE * DISTANCE / 6.0 * (1_u64 << 32) as f64 + 0.5) as i32;
-/// Coefficient of the versine d²/2, times 2^30. The next term, d⁴/24, is an eighth of a unit.
-pub const VERSINE: i32 = (DISTANCE * DISTANCE / 2.0 * (1_u64 << 30) as f64 + 0.5) as i32;
-/// Coefficient of d (1 - d²/8), times 2^33. It replaces d - d³/6 where 26 bits are enough.
-pub const SECANT: i32 = (DISTANCE * (1.0 - DISTANCE * DISTANCE / 8.0) * (1_u64 << 33) as f64) as i32;
-
-/// (sin 2πx, cos 2πx)·2^31 of the 32 leading bits of a phase. Error: below 2.45 units, 1.2e-9.
-///
-/// The nearest point is rotated by the remaining angle d, with sin d = d - d³/6 and cos d = 1 - d²/2. No sum overflows.
-#[inline(always)]
-pub(crate) fn sine_cosine_q31(phase: u32) -> (i32, i32) {
-    let x = (phase << 9) as i32;
-    let (sine, cosine) = point(phase);
-    let square = high_product(x, x);
-    // 37 fraction bits, and 44
-    let small_sine = high_product(x, LINEAR - (((square >> 16) * CUBIC) >> 8));
-    let versine = product_32x16_by_constant(square, VERSINE << 16);
-    // the corrections have 36 fraction bits
-    let sine_change = high_product(small_sine, cosine) - (product_32x16(versine, sine) >> 7);
-    let cosine_change = high_product(small_sine, sine) + (product_32x16(versine, cosine) >> 7);
-    (sine + ((sine_change + 16) >> 5), cosine - ((cosine_change + 16) >> 5))
-}
-
-/// [`sine_cosine_q31`] for conversion to `f32`. Error: below 25 units, 1.2e-8.
-#[inline(always)]
-pub(crate) fn sine_cosine_q26(phase: u32) -> (i32, i32) {
-    let (sine, cosine) = point(phase);
-    // 32 fraction bits
-    let small_sine = high_product((phase << 9) as i32, SECANT);
-    let versine = high_product(small_sine, small_sine >> 1);
-    (
-        sine - high_product(sine, versine) + high_product(cosine, small_sine),
-        cosine - high_product(cosine, versine) - high_product(sine, small_sine),
-    )
-}
-
-/// (sin 2πx, cos 2πx)·2^30 as [`sine_cosine_q31`], by 16-bit products only. Error: below 2.2e-5. A point is moved along its tangent, so that
-/// results may exceed 1.
 #[cfg(feature = "fixed")]
-#[inline(always)]
-pub(crate) fn sine_cosine_q15(phase: u32) -> (i32, i32) {
-    /// Coefficient of d, times 2^22.
-    const LINEAR: i32 = (DISTANCE * (1 << 22) as f64) as i32;
-    let (sine, cosine) = point(phase);
-    let small = (((phase << 9) as i32 >> 16) * LINEAR) >> 15;
-    ((sine >> 1) + (((cosine >> 16) * small) >> 7), (cosine >> 1) - (((sine >> 16) * small) >> 7))
-}
+pub(crate) use points::sine_cosine_q15;
+pub use points::{CUBIC, LINEAR, SECANT, SINES, VERSINE};
+pub(crate) use points::{sine_cosine_q26, sine_cosine_q31};
+pub use polynomial::{COSINE, SINE};
+pub(crate) use polynomial::{
+    fraction_of_word, sine_cosine_f64, sine_cosine_of_phase, sine_cosine_of_radians,
+};
+pub(crate) use q57::{SINE_BITS, sine_cosine_from_q57, sine_cosine_q57};
 
-/// 2^31 times sine and cosine of the nearest point.
+/// Sine and cosine of an angle that is larger by quarter turns.
 #[inline(always)]
-fn point(phase: u32) -> (i32, i32) {
-    let point = (phase.wrapping_add(1 << 22) >> 23) as usize;
-    let from_here = SINES.get(point..).unwrap_or(&[]);
-    let sine = from_here.first().copied().unwrap_or(0);
-    let cosine = from_here.get(POINTS / 4).copied().unwrap_or(0);
-    (sine, cosine)
+fn rotate_quarter_turns<T: Neg<Output = T>>(quarters: u32, (sine, cosine): (T, T)) -> (T, T) {
+    let (sine, cosine) = if quarters & 1 == 0 { (sine, cosine) } else { (cosine, -sine) };
+    if quarters & 2 == 0 { (sine, cosine) } else { (-sine, -cosine) }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::phase::Phase;
     use crate::scalar::Scalar;
 
     /// Largest error against libm's f64 sine over a grid that is not a multiple of the table's spacing.

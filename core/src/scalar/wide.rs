@@ -9,7 +9,7 @@ mod arithmetic;
 mod conversion;
 
 use self::words::{add, add_word, leading, product, shift_left, shift_right};
-use crate::scalar::power_of_two;
+use crate::integer::power_of_two;
 use core::mem::replace;
 
 /// Number ±s · 2^exponent with a significand s in [1/2, 1) of `WORDS` words. The relative error of an operation is at most

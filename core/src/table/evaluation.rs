@@ -29,11 +29,6 @@ pub(crate) const TABLE_BITS: u32 = 62;
 /// Unit of these values, 2^-62.
 pub(crate) const TABLE_UNIT: f64 = 1.0 / (1_u64 << TABLE_BITS) as f64;
 
-/// Integer divided by 2^bits, for bits of 1 to 63, rounded to the nearest.
-pub(crate) const fn shifted_right(value: i64, bits: u32) -> i64 {
-    ((value >> (bits - 1)) + 1) >> 1
-}
-
 /// Point of a segment.
 #[derive(Clone, Copy, Debug)]
 pub struct SegmentPoint {

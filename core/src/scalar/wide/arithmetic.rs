@@ -5,7 +5,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::words::{inverse_root_u64, leading, quotient};
 use super::{Exact, Extended, Wide};
-use crate::scalar::{Float, Ring, ldexp};
+use crate::integer::ldexp;
+use crate::scalar::{Float, Ring};
 
 impl<const WORDS: usize> Wide<WORDS> {
     /// Difference a - bc with one rounding.

@@ -22,9 +22,10 @@ mod recurrence;
 
 mod cayley_klein;
 
-use super::series::{MOST_TERMS, PowerSeries, integrated, max_or_nan};
+use super::series::{MOST_TERMS, PowerSeries, integrated};
+use crate::integer::power_of_two_f32;
 use crate::phase::Phase;
-use crate::scalar::{Scalar, power_of_two_f32};
+use crate::scalar::{Ring, Scalar};
 
 /// Largest rounding error of a coefficient, in units of its series.
 const NOISE: i64 = 4;
@@ -152,7 +153,7 @@ impl Expansion {
         let size = |rate: &RateSeries| rate.at_origin.abs() + 0.25 * rate.magnitude_of_variation();
         let [alpha, beta] = self.residual.each_ref().map(size);
         let chi = f64::from(self.weight) * size(&self.chi);
-        ROUNDINGS * f64::ROUNDING * 0.25 * max_or_nan(chi, max_or_nan(alpha, beta))
+        ROUNDINGS * f64::ROUNDING * 0.25 * Ring::max(chi, Ring::max(alpha, beta))
     }
 
     /// Upper bound on the rates of the residual phases by x in [-1, 1].
@@ -160,7 +161,7 @@ impl Expansion {
         let greatest =
             |rate: &RateSeries| rate.at_origin.abs() as f32 + rate.variation.bound_at_quarter(self.terms);
         let [alpha, beta] = self.residual.each_ref().map(greatest);
-        0.25 * max_or_nan(alpha, beta)
+        0.25 * Ring::max(alpha, beta)
     }
 
     /// Estimated truncation error of the phases at x = 1, rad, if each term is a quarter of the one before; infinite where the series do not
@@ -169,9 +170,9 @@ impl Expansion {
         let Some(before) = self.terms.checked_sub(2) else { return f64::INFINITY };
         let term = |k: usize| {
             let [alpha, beta] = self.residual.each_ref().map(|rate| rate.term(k, 1.0));
-            max_or_nan(self.chi.term(k, self.weight), max_or_nan(alpha, beta))
+            Ring::max(self.chi.term(k, self.weight), Ring::max(alpha, beta))
         };
-        let last = max_or_nan(term(before), 0.25 * term(before + 1)) * power_of_two_f32(-2 * before as i32);
+        let last = Ring::max(term(before), 0.25 * term(before + 1)) * power_of_two_f32(-2 * before as i32);
         (0.25 * last / (3 * self.terms) as f32).into()
     }
 }

@@ -117,7 +117,7 @@ impl HalfPeriod {
         let mut path = Path::new(memory, limits, motion, length, self.mean_rates.rates);
         self.divide::<R>(&mut path, segments, pause)?;
         let ([delay, slow], bounds) = (path.errors(), &self.bounds);
-        self.error = bounds.truncation() + bounds.error_of_delay(delay) + 2.0 * slow;
+        self.error = f64::from(bounds.error) + bounds.error_of_delay(delay) + 2.0 * slow;
         Some(())
     }
 
@@ -144,7 +144,7 @@ impl HalfPeriod {
             // Segments twice as long as the last ones are tried first. A segment of two cells begins at an even cell.
             depth = (depth - 1).max(LEAST_DEPTH + (position / CELL % 2) as u32);
             let point = path.point_at(position);
-            path.lengthen(depth);
+            path.try_longer_spans(depth);
             let (cell, bounds) = loop {
                 let cell = Interval { begin: position, depth: depth.min(CELLS.ilog2()) };
                 let remainder = (HALF_PERIOD - cell.end()).div_ceil(HALF_PERIOD >> LEAST_DEPTH);
@@ -186,14 +186,14 @@ impl HalfPeriod {
         let (mut position, mut number) = (cell.begin, self.segments);
         let mut bounds = SegmentBounds::ZERO;
         while position < cell.end() {
-            let span = path.enter(position, point, depth, pause)?;
+            let span = path.span_at(position, point, depth, pause)?;
             self.launch.search(&path.memory.expansion, path.end.phases.chi, span);
             point = path.end;
             let part = if span.depth < cell.depth { cell } else { span };
             for segment in part.parts(depth) {
                 let stored = segments.get_mut(number);
                 bounds.include(&store_segment::<R>(path, span, segment, stored, pause));
-                (bounds.error <= path.limits.segment_error(depth)).then_some(())?;
+                (bounds.error <= path.limits.segment).then_some(())?;
                 number += 1;
             }
             position = part.end();

@@ -1,7 +1,7 @@
 //! Intervals of half a nutation period: spans, cells and segments.
 
+use crate::integer::power_of_two;
 use crate::phase::Phase;
-use crate::scalar::power_of_two;
 use crate::table::data::cell::Cell;
 
 /// Length of half a period, in shortest segments.

@@ -4,13 +4,12 @@ use super::expansion::{Expansion, Origin, PathPhases};
 use super::interval::Interval;
 use super::limits::Limits;
 use super::polynomial::Polynomial;
-use super::series::sine_q57::sine_cosine;
-use super::series::{PowerSeries, max_or_nan};
+use super::series::PowerSeries;
 use crate::motion::Motion;
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Scalar};
+use crate::scalar::{Extended, Float, Ring, Scalar, sine_cosine_from_q57};
 use crate::table::data::cell::Cell;
 
 /// Depth of the longest span.
@@ -116,7 +115,7 @@ impl<'a, F: Float> Path<'a, F> {
             memory,
             limits,
             exponentials: [alpha, beta].map(|ellipse| ellipse.exponentials()),
-            endpoint_rate: max_or_nan(first, last),
+            endpoint_rate: Ring::max(first, last),
             span: None,
             end: PathPoint::FIRST,
             depth: LEAST_SPAN_DEPTH,
@@ -130,17 +129,17 @@ impl<'a, F: Float> Path<'a, F> {
         PathPoint { phases: self.memory.expansion.at(x).0, error: self.end.error }
     }
 
-    /// Makes the next span at least as long as a segment of this depth, if its series should still converge.
-    pub(super) fn lengthen(&mut self, deepest: u32) {
+    /// Lets the next span be as long as a segment of this depth, if its series should converge.
+    pub(super) fn try_longer_spans(&mut self, deepest: u32) {
         if self.memory.expansion.may_double() {
             self.depth = self.depth.min(deepest);
         }
     }
 
-    /// Span that contains a position, not shorter than that of depth `deepest`; `None` if none is accurate.
+    /// Span at a position, of depth `deepest` at most; `None` if it must be deeper to be accurate.
     ///
     /// * `point`: point at the position
-    pub(super) fn enter(
+    pub(super) fn span_at(
         &mut self,
         position: usize,
         point: PathPoint,
@@ -168,7 +167,7 @@ impl<'a, F: Float> Path<'a, F> {
         let centre = self.step(span, beginning, pause)?;
         self.end = self.step(span, centre, pause)?;
         let SpanMemory { expansion, exponential, polynomials, .. } = &mut *self.memory;
-        let least = self.limits.negligible_term();
+        let least = self.limits.terms_in_units();
         for (index, (polynomial, exponentials)) in polynomials.iter_mut().zip(self.exponentials).enumerate() {
             pause();
             *polynomial = Polynomial::ZERO;
@@ -187,7 +186,7 @@ impl<'a, F: Float> Path<'a, F> {
         let half_length = span.half_length();
         // y is in units of two spans
         let (unit, allowed) = (4.0 * half_length, half_length * self.limits.steps);
-        let (sine, cosine) = sine_cosine(from.phases.chi);
+        let (sine, cosine) = sine_cosine_from_q57(from.phases.chi);
         let PathEquations { equations, half_period, .. } = &self.equations;
         let [chi_rate, alpha, beta, residual_alpha, residual_beta] =
             self.equations.rates(sine, cosine).map(|rate| unit * rate);
@@ -200,8 +199,8 @@ impl<'a, F: Float> Path<'a, F> {
             psi_rates: [alpha, beta],
             residual_rates: [residual_alpha, residual_beta],
             weight: (unit * self.endpoint_rate / chi_rate.abs()).max(1.0),
-            // the estimated error is then an eighth of that allowed to a step, unless more is allowed than usual
-            negligible: 512.0 * half_length * self.limits.negligible,
+            // the estimated error is then an eighth of that allowed to a step of the scalar
+            negligible: 512.0 * half_length * self.limits.terms,
         };
         let expansion = &mut self.memory.expansion;
         expansion.expand(&equations.cast(), &origin, pause);
@@ -227,6 +226,6 @@ impl<'a, F: Float> Path<'a, F> {
         let [alpha, beta] = residual.map(miss);
         let [chi_rate, ..] = self.equations.rates(1.0, 0.0);
         let delay = ROUNDING_DELAY + error / self.endpoint_rate + miss(chi) / chi_rate;
-        [delay, error + alpha.max(beta)]
+        [delay, error + Ring::max(alpha, beta)]
     }
 }

@@ -2,14 +2,14 @@
 //!
 //! The last term c x^k is dropped by subtracting c 2^(1-k) T_k(x), at most |c| 2^(1-k) in value.
 
-use super::limits::{Limits, REMAINDER_SHARE};
-use super::series::{Limbs, MOST_TERMS, max_or_nan};
-use crate::integer::product_u32;
-use crate::scalar::{Float, Ring, u64_to_f32};
+use super::limits::Limits;
+use super::series::MOST_TERMS;
+use crate::integer::{Limbs, product_u32, u64_to_f32};
+use crate::scalar::{Float, Ring};
 use crate::table::evaluation::TABLE_UNIT;
 
-/// Fraction bits of [`CHEBYSHEV`].
-const FRACTION_BITS: u32 = MOST_TERMS as u32 - 2;
+/// Fraction bits of the coefficients of [`CHEBYSHEV`].
+const CHEBYSHEV_BITS: u32 = MOST_TERMS as u32 - 2;
 
 /// Coefficients of x^(k-2), x^(k-4), ... in T_k(x) 2^(1-k), for each k.
 #[allow(clippy::indexing_slicing)] // in a constant, an index out of range does not compile
@@ -17,7 +17,7 @@ static CHEBYSHEV: [[i32; MOST_TERMS / 2]; MOST_TERMS] = {
     let mut coefficients = [[0; MOST_TERMS / 2]; MOST_TERMS];
     let mut k = 2;
     while k < MOST_TERMS {
-        let (mut coefficient, mut m) = (1_i64 << FRACTION_BITS, 0);
+        let (mut coefficient, mut m) = (1_i64 << CHEBYSHEV_BITS, 0);
         while 2 * m + 2 <= k {
             coefficient *= -(((k - 2 * m) * (k - 2 * m - 1)) as i64);
             coefficient /= (4 * (m + 1) * (k - m - 1)) as i64;
@@ -47,7 +47,7 @@ impl Part {
         let factors = CHEBYSHEV.get(degree).into_iter().flatten();
         lower
             .zip(factors)
-            .for_each(|(c, factor)| *c -= Limbs::new(last).times_word::<FRACTION_BITS>(*factor));
+            .for_each(|(c, factor)| *c -= Limbs::new(last).times_word::<CHEBYSHEV_BITS>(*factor));
     }
 
     /// Estimate of the terms beyond the sixteenth from the last four, as a geometric series; infinite where they do not decrease.
@@ -92,10 +92,10 @@ impl Polynomial {
     pub(super) fn finish(&mut self, terms: usize, limits: &Limits) -> Option<()> {
         self.terms = terms;
         let [re, im] = self.parts.each_ref().map(Part::remainder);
-        let remainder = 2.0 * max_or_nan(re, im);
-        (2.0 * remainder <= REMAINDER_SHARE * limits.polynomial).then_some(())?;
-        self.shorten(0, limits.dropped_terms);
-        self.remainder = remainder + limits.negligible_term() as f32;
+        let (remainder, most) = (2.0 * Ring::max(re, im), limits.terms_in_units());
+        limits.allows_remainder(remainder).then_some(())?;
+        self.shorten(0, most);
+        self.remainder = remainder + most as f32;
         Some(())
     }
 
@@ -130,7 +130,7 @@ impl Polynomial {
         }
     }
 
-    /// Becomes the polynomial on one of 2^halvings parts of a span. Before the last halving it drops terms of at most `dropped` in all.
+    /// Restricts `whole`, that of a span, to part `part` of 2^halvings. Before the last halving it drops terms of at most `dropped` in all.
     pub(super) fn restrict(&mut self, whole: &Self, part: usize, halvings: u32, dropped: i64) {
         self.clone_from(whole);
         for halving in (0..halvings).rev() {

@@ -2,13 +2,9 @@
 //!
 //! The coefficients of a converging series do not grow, so that one exponent serves all.
 
-pub(super) mod sine_q57;
-
 use core::ops::Range;
 
-use crate::integer::{mantissa_and_exponent, product_i32};
-use crate::scalar::{Float, exponent, ldexp, power_of_two_f32};
-use crate::table::evaluation::shifted_right;
+use crate::integer::{LIMB_BITS, Limbs, exponent, in_units, ldexp, mantissa_and_exponent, power_of_two_f32};
 
 /// Largest number of terms of a series.
 pub(super) const MOST_TERMS: usize = 16;
@@ -16,52 +12,8 @@ pub(super) const MOST_TERMS: usize = 16;
 /// Bits of a coefficient of the expected magnitude. One may be four times as large.
 pub(super) const BITS: i32 = 56;
 
-/// Bits of the lower limb.
-const LIMB_BITS: u32 = 30;
-
-/// Larger of two numbers, or NaN if one of them is NaN.
-pub(super) fn max_or_nan<F: Float>(a: F, b: F) -> F {
-    if b <= a || a.partial_cmp(&a).is_none() { a } else { b }
-}
-
-/// Integer high · 2^30 + low, with low in [0, 2^30).
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Limbs {
-    high: i32,
-    low: i32,
-}
-
-impl Limbs {
-    const ZERO: Self = Self { high: 0, low: 0 };
-
-    pub(super) const fn new(value: i64) -> Self {
-        Self { high: (value >> LIMB_BITS) as i32, low: value as i32 & ((1 << LIMB_BITS) - 1) }
-    }
-
-    fn value(self) -> i64 {
-        (i64::from(self.high) << LIMB_BITS) + i64::from(self.low)
-    }
-
-    /// Product with a factor of 32 bits divided by 2^SHIFT, for a SHIFT below 30, rounded to the nearest.
-    pub(super) fn times_word<const SHIFT: u32>(self, factor: i32) -> i64 {
-        let half = 1 << (SHIFT - 1);
-        (product_i32(self.high, factor) << (LIMB_BITS - SHIFT))
-            + ((product_i32(self.low, factor) + half) >> SHIFT)
-    }
-}
-
-/// Product of two integers divided by 2^SHIFT, for a SHIFT of 54 to 60, rounded to the nearest.
-#[inline(never)]
-pub(super) fn scaled_product<const SHIFT: u32>(a: Limbs, b: i64) -> i64 {
-    let b = Limbs::new(b);
-    let lower = product_i32(a.low, b.low) >> LIMB_BITS;
-    let mixed = product_i32(a.high, b.low) + product_i32(a.low, b.high) + lower;
-    let half = 1 << (SHIFT - LIMB_BITS - 1);
-    (product_i32(a.high, b.high) << (2 * LIMB_BITS - SHIFT)) + ((mixed + half) >> (SHIFT - LIMB_BITS))
-}
-
-/// First number beyond 59 bits, for every number out of range; its complement is the negative one.
-const OVERFLOW: i64 = 1 << (BITS + 3);
+/// Result for a number above 59 bits; its complement is that for a negative one.
+const OUT_OF_RANGE: i64 = 1 << (BITS + 3);
 
 /// Least shift of a sum in range.
 const LEAST_SHIFT: i32 = 33;
@@ -75,7 +27,7 @@ fn shifted_sum(upper: i64, lower: u32, shift: i32) -> i64 {
             (upper << (61 - shift)) + i64::from(lower >> (shift - 31))
         }
         _ if upper == 0 && lower == 0 => return 0,
-        _ => return OVERFLOW ^ (upper >> 63),
+        _ => return OUT_OF_RANGE ^ (upper >> 63),
     };
     (twice >> 1) + (twice & 1)
 }
@@ -99,18 +51,6 @@ pub(super) fn sum_in_range<const N: usize>(numbers: [i64; N]) -> Option<i64> {
     numbers.iter().all(|number| has_bits(*number, BITS + 3)).then(|| numbers.iter().sum())
 }
 
-/// Integer nearest to x / 2^exponent, at most ±2^62.
-#[inline(never)]
-pub(super) fn in_units(x: f64, exponent: i32) -> i64 {
-    let (mantissa, own) = mantissa_and_exponent(x);
-    match own.saturating_sub(exponent) {
-        10.. => mantissa.signum() << 62,
-        shift @ 0.. => mantissa << shift,
-        shift @ -62.. => shifted_right(mantissa, -shift as u32),
-        _ => 0,
-    }
-}
-
 /// Fraction bits of a [`UnitFactor`], of an inverse and of y.
 const FACTOR_BITS: u32 = 60;
 
@@ -131,13 +71,13 @@ impl UnitFactor {
         Self { mantissa: Limbs::new(in_units(factor, own)), shift: (own - least).min(62) as u32 }
     }
 
-    /// Product, rounded to the nearest, or [`OVERFLOW`].
+    /// Product, rounded to the nearest, or [`OUT_OF_RANGE`].
     pub(super) fn times(&self, value: i64) -> i64 {
-        let product = scaled_product::<FACTOR_BITS>(self.mantissa, value);
+        let product = self.mantissa.times::<FACTOR_BITS>(value);
         if self.shift == 0 {
             return product;
         }
-        product.saturating_mul(1 << self.shift).clamp(!OVERFLOW, OVERFLOW)
+        product.saturating_mul(1 << self.shift).clamp(!OUT_OF_RANGE, OUT_OF_RANGE)
     }
 }
 
@@ -154,7 +94,7 @@ pub(super) fn integrated(c: i64, k: usize) -> i64 {
         }
         inverses
     };
-    INVERSES.get(k).map_or(0, |inverse| scaled_product::<FACTOR_BITS>(*inverse, c))
+    INVERSES.get(k).map_or(0, |inverse| inverse.times::<FACTOR_BITS>(c))
 }
 
 /// Coefficients of 1, y, y², ..., in units of 2^exponent.
@@ -190,27 +130,21 @@ impl PowerSeries {
         Some(())
     }
 
-    /// Coefficient of y^k of the product of these terms and another series, divided by 2^shift and rounded to the nearest, or [`OVERFLOW`].
+    /// Coefficient of y^k of the product of these terms and another series, divided by 2^shift and rounded to the nearest, or [`OUT_OF_RANGE`].
     #[inline(never)]
     pub(super) fn product(&self, other: &Self, terms: Range<usize>, k: usize, shift: i32) -> i64 {
         let first = terms.start;
         let ours = self.coefficients.get(terms).unwrap_or_default();
         let theirs = other.coefficients.get(..=k.saturating_sub(first)).unwrap_or_default();
-        let (mut upper, mut mixed, mut lower) = (0, 0, 0_u64);
-        for (a, b) in ours.iter().zip(theirs.iter().rev()) {
-            upper += product_i32(a.high, b.high);
-            mixed += product_i32(a.high, b.low) + product_i32(a.low, b.high);
-            lower += product_i32(a.low, b.low) as u64;
-        }
-        mixed += (lower >> LIMB_BITS) as i64;
-        shifted_sum(upper + (mixed >> LIMB_BITS), mixed as u32 & ((1 << LIMB_BITS) - 1), shift)
+        let (upper, lower) = Limbs::sum_of_products(ours.iter().zip(theirs.iter().rev()));
+        shifted_sum(upper, lower, shift)
     }
 
     /// Sum Σ t(c, k) yᵏ⁻¹ of k = 1 to `terms` - 1, at y in [-1, 1].
     pub(super) fn sum(&self, y: f64, terms: usize, term: fn(i64, usize) -> i64) -> f64 {
         let y = Limbs::new(in_units(y, -(FACTOR_BITS as i32)));
         // beyond the range only where the series does not converge
-        let next = |sum, k| scaled_product::<FACTOR_BITS>(y, sum) + term(self.coefficient(k), k);
+        let next = |sum, k| y.times::<FACTOR_BITS>(sum) + term(self.coefficient(k), k);
         ldexp((1..terms).rev().fold(0, next) as f64, self.exponent)
     }
 
@@ -229,13 +163,17 @@ mod tests {
     /// A number beyond the range is seen before it can cancel with another, whatever its sign.
     #[test]
     fn numbers_beyond_the_range_do_not_cancel() {
-        for (upper, shift) in
-            [(OVERFLOW, 60), (2 * OVERFLOW, 61), (-OVERFLOW - 1, 60), (1 << 40, 33), (-(1 << 40), 33)]
-        {
+        for (upper, shift) in [
+            (OUT_OF_RANGE, 60),
+            (2 * OUT_OF_RANGE, 61),
+            (-OUT_OF_RANGE - 1, 60),
+            (1 << 40, 33),
+            (-(1 << 40), 33),
+        ] {
             let quotient = shifted_sum(upper, 0, shift);
             assert_eq!(sum_in_range([quotient, -quotient / 2]), None, "{upper:x}");
         }
-        let limit = OVERFLOW / 2;
+        let limit = OUT_OF_RANGE / 2;
         assert_eq!(sum_in_range([limit, -limit]), Some(0));
         let eight = UnitFactor::new(8.0, &PowerSeries::ZERO, &PowerSeries::ZERO);
         for value in [limit, -limit] {
@@ -254,11 +192,12 @@ mod tests {
             let shift = LEAST_SHIFT + (bits >> 40) as i32 % 90;
             let sum = (i128::from(upper) << (2 * LIMB_BITS)) + (i128::from(lower) << LIMB_BITS);
             let exact = ((sum >> (shift - 1)) + 1) >> 1;
-            let (found, in_range) = (shifted_sum(upper, lower, shift), exact.abs() < i128::from(OVERFLOW));
+            let (found, in_range) =
+                (shifted_sum(upper, lower, shift), exact.abs() < i128::from(OUT_OF_RANGE));
             assert!(!in_range || i128::from(found) == exact, "{upper} {lower} {shift}: {found}");
             assert_eq!(
                 has_bits(found, BITS + 3),
-                in_range || exact == i128::from(-OVERFLOW),
+                in_range || exact == i128::from(-OUT_OF_RANGE),
                 "{upper} {lower} {shift}"
             );
             seen[usize::from(found != 0) + usize::from(!in_range)] += 1;

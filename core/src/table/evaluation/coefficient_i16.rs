@@ -1,14 +1,13 @@
 //! Evaluation with coefficients of 16 bits: c·2^(15+k) for x^k. Factors have 16 bits, so that a product is one instruction on the smallest chip.
 
 use crate::complex::Complex;
+use crate::integer::shifted_right;
 use crate::scalar::sine_cosine_q15;
 use crate::table::evaluation::coefficient_i32::{
     COORDINATE_ERROR, INTEGER_ERRORS, overflow_limit, truncated_factors,
 };
 use crate::table::evaluation::q30::Q30;
-use crate::table::evaluation::{
-    Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_BITS, shifted_right,
-};
+use crate::table::evaluation::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_BITS};
 use fixed::types::I2F14;
 
 /// Unit of the sums in 16 bits, 2^-15.

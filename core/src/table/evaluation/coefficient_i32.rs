@@ -7,12 +7,12 @@
 //! For the upper half of the powers 16 bits of x are enough: their coefficients are small, as set-up verifies.
 
 use crate::complex::Complex;
-use crate::integer::{high_product, high_product_limited, product_32x16};
+use crate::integer::{high_product, high_product_limited, product_32x16, shifted_right};
 use crate::scalar::{Scalar, sine_cosine_q26};
 use crate::su2::Vector;
 use crate::table::evaluation::q30::Q30;
 use crate::table::evaluation::{
-    Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_BITS, is_by_16_bits, shifted_right,
+    Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_BITS, is_by_16_bits,
 };
 #[cfg(feature = "fixed")]
 use {crate::scalar::sine_cosine_q31, fixed::types::I2F30};

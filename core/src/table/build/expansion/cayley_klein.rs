@@ -1,11 +1,12 @@
 //! Series of a and b: each is the sum of two exponentials of the phases.
 
-use super::{Expansion, MOST_TERMS, PowerSeries, max_or_nan};
-use crate::table::build::series::sine_q57::{FRACTION, sine_cosine_q57};
-use crate::table::build::series::{BITS, Limbs, UnitFactor, in_range, in_units, integrated, scaled_product};
-use crate::table::evaluation::{TABLE_BITS, shifted_right};
+use super::{Expansion, MOST_TERMS, PowerSeries};
+use crate::integer::{Limbs, in_units, shifted_right};
+use crate::scalar::{Ring, SINE_BITS, sine_cosine_q57};
+use crate::table::build::series::{BITS, UnitFactor, in_range, integrated};
+use crate::table::evaluation::TABLE_BITS;
 
-/// Fraction bits that a coefficient of a or b has more than one of an exponential.
+/// Difference of the fraction bits of a coefficient of a or b, 62, and of one of an exponential, 56.
 const MORE_BITS: i32 = TABLE_BITS as i32 - BITS;
 
 impl Expansion {
@@ -26,7 +27,7 @@ impl Expansion {
         let Self { chi, residual, origin, terms, .. } = self;
         let (residual, residual_phase) = (residual.get(index)?, *origin.residual.get(index)?);
         let at_origin = residual.at_origin.abs() + chi.at_origin.abs();
-        forwards.set_exponent(max_or_nan(
+        forwards.set_exponent(Ring::max(
             at_origin,
             residual.magnitude_of_variation() + chi.magnitude_of_variation(),
         ));
@@ -45,8 +46,8 @@ impl Expansion {
         let mut most = 0;
         for (rate, phase, scale) in [(&*forwards, origin.chi, p), (&*backwards, -origin.chi, q)] {
             let (sine, cosine) = sine_cosine_q57(residual_phase + phase);
-            let scale = Limbs::new(in_units(scale, -FRACTION));
-            let start = |part: i64| scaled_product::<{ (2 * FRACTION - BITS) as u32 }>(scale, part);
+            let scale = Limbs::new(in_units(scale, -SINE_BITS));
+            let start = |part: i64| scale.times::<{ (2 * SINE_BITS - BITS) as u32 }>(part);
             re.set(0, start(cosine))?;
             im.set(0, start(sine))?;
             let computed = continue_exponential(rate, *terms, least, re, im)?;
@@ -109,8 +110,7 @@ mod tests {
     use crate::constants::{BranchPoints, Sign, Signs};
     use crate::motion::phase_equations::PhaseEquations;
     use crate::phase::Phase;
-    use crate::scalar::{Extended, Float, Scalar};
-    use crate::table::build::series::sine_q57::sine_cosine;
+    use crate::scalar::{Extended, Float, Scalar, sine_cosine_from_q57};
     use crate::table::evaluation::TABLE_UNIT;
 
     fn equations(spread: f64, [e1, e2, e3]: [f64; 3]) -> PhaseEquations<Extended> {
@@ -147,7 +147,7 @@ mod tests {
                     chi: Phase::from_turns(turns),
                     residual: [Phase::from_turns(0.3), Phase::from_turns(-0.4)],
                 };
-                let (sine, cosine) = sine_cosine(phases.chi);
+                let (sine, cosine) = sine_cosine_from_q57(phases.chi);
                 let rates = exact.rates(sine.into(), cosine.into());
                 let beyond = rounded.rates(sine, cosine);
                 let size = [beyond.half_phase, beyond.psi_alpha, beyond.psi_beta].into_iter().map(f64::abs);

@@ -1,8 +1,10 @@
 //! Coefficients of an expansion, one after another.
 
-use super::{Expansion, MOST_TERMS, NOISE, Origin, PowerSeries, RateSeries, max_or_nan};
+use super::{Expansion, MOST_TERMS, NOISE, Origin, PowerSeries, RateSeries};
+use crate::integer::in_units;
 use crate::motion::phase_equations::PhaseEquations;
-use crate::table::build::series::{BITS, UnitFactor, in_range, in_units, integrated, sum_in_range};
+use crate::scalar::Ring;
+use crate::table::build::series::{BITS, UnitFactor, in_range, integrated, sum_in_range};
 
 /// Whether the k-th coefficient is a rounding error, or its term at x = 1 is below `least` units.
 fn is_negligible(coefficient: i64, k: usize, least: i64) -> bool {
@@ -98,19 +100,19 @@ impl Expansion {
         let one_minus_u = swing + equations.one_minus_e2;
         let one_plus_u = equations.one_plus_e1 + equations.e2_minus_e1 * origin.sine * origin.sine;
         let per_d = 1.0 / (equations.a_over_p + equations.s * one_minus_u * one_plus_u);
-        // factors in η = of_eta v and δ = linear v - quadratic v²
-        let of_eta = equations.e2_minus_e1 / (equations.e3_minus_e2 + swing);
+        // factors in η = eta_per_v v and δ = linear v - quadratic v²
+        let eta_per_v = equations.e2_minus_e1 / (equations.e3_minus_e2 + swing);
         let c = equations.s * equations.e2_minus_e1 * per_d;
         let (linear, quadratic) = (2.0 * (c * (1.0 - one_minus_u)), c * equations.e2_minus_e1);
 
         let Self { chi, residual: [alpha, beta], sine, cosine, v, delta, mu, .. } = self;
-        let magnitude = |own: f64, other: f64| max_or_nan(own.abs(), (chi_rate * other).abs());
+        let magnitude = |own: f64, other: f64| Ring::max(own.abs(), (chi_rate * other).abs());
         sine.set_exponent(magnitude(origin.sine, origin.cosine));
         cosine.set_exponent(magnitude(origin.cosine, origin.sine));
         v.exponent = 2 * cosine.exponent + BITS;
         let delta_size = v.magnitude_times(linear.abs() + v.magnitude_times(quadratic));
         delta.set_exponent(delta_size);
-        mu.set_exponent(delta_size + v.magnitude_times(of_eta));
+        mu.set_exponent(delta_size + v.magnitude_times(eta_per_v));
         chi.variation.exponent = mu.exponent;
         (chi.at_origin, chi.scale) = (chi_rate, chi_rate);
         // in range by their exponents
@@ -141,7 +143,7 @@ impl Expansion {
         let negligible_xi = (negligible / (origin.weight * chi_rate).abs()).min(f64::MAX);
         Recurrence {
             slow,
-            v_to_eta: UnitFactor::new(of_eta, v, mu),
+            v_to_eta: UnitFactor::new(eta_per_v, v, mu),
             v_to_delta: UnitFactor::new(linear, v, delta),
             v_squared_to_delta: UnitFactor::new(-v.magnitude_times(quadratic), v, delta),
             delta_to_mu: UnitFactor::new(1.0, delta, mu),

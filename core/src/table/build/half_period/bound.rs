@@ -29,7 +29,7 @@ impl HalfPeriod {
             constant: self.error
                 + errors.orientation
                 + errors.per_half_segment * bounds.half_segment_change(),
-            per_tick: 2.0 * (angular * nutation + TURN * alpha.max(beta)),
+            per_tick: 2.0 * (angular * nutation + TURN * Ring::max(alpha, beta)),
         };
 
         let [frequency, alpha_rate, beta_rate] = rates;
@@ -42,7 +42,7 @@ impl HalfPeriod {
         // relative rate of change of the angular velocity
         let change = 0.25 * x_rate + whole;
         // |T_k'| <= k² for a dropped term of degree k
-        let slope = ((terms + 1) as f64).squared() * bounds.truncation();
+        let slope = ((terms + 1) as f64).squared() * f64::from(bounds.error);
         let rate = ErrorBound {
             constant: slope * x_rate
                 + errors.omega * (x_rate + mean)

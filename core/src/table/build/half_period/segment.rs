@@ -4,11 +4,10 @@ use crate::scalar::{Float, Ring};
 use crate::table::build::interval::Interval;
 use crate::table::build::path::{Path, SpanMemory};
 use crate::table::build::polynomial::Polynomial;
-use crate::table::build::series::max_or_nan;
 use crate::table::evaluation::{Coefficient, EphemerisScalar, TABLE_UNIT};
 
 /// Rounds the polynomial of a (index 0) or b (1), and stores it in a segment, if the table has it. Returns the rounding error of the
-/// 16-bit products (2^-62 rad); infinite on overflow.
+/// 16-bit products, rad; infinite on overflow.
 pub(super) fn store_polynomial<R: EphemerisScalar>(
     segment: Option<&mut R::Segment>,
     index: usize,
@@ -23,16 +22,16 @@ pub(super) fn store_polynomial<R: EphemerisScalar>(
                 *stored = R::Coefficient::nearest(value, power);
             }
         }
-        greatest = greatest.max(R::Coefficient::error(coefficients));
+        greatest = Ring::max(greatest, R::Coefficient::error(coefficients));
     }
     // the norm of four parts is twice as large, and the orientation error is twice the norm
-    4.0 * greatest
+    4.0 * TABLE_UNIT as f32 * greatest
 }
 
-/// Upper bounds on the errors and speeds of segments. The unit of time is half a period. `f64` is slow without an FPU for it.
+/// Upper bounds on the errors and speeds of segments, in rad and half periods. They are in `f32`, which many chips have an FPU for.
 #[derive(Debug)]
 pub(super) struct SegmentBounds {
-    /// Orientation error by truncation and rounding, in units of 2^-62 rad.
+    /// Orientation error by truncation and rounding, rad.
     pub(super) error: f32,
     /// Angular speed 2 √(|da/dt|² + |db/dt|²), rad.
     pub(super) angular_speed: f32,
@@ -47,16 +46,11 @@ impl SegmentBounds {
 
     /// Includes other segments.
     pub(super) fn include(&mut self, other: &Self) {
-        let include = |greatest: &mut f32, other: f32| *greatest = max_or_nan(*greatest, other);
+        let include = |greatest: &mut f32, other: f32| *greatest = Ring::max(*greatest, other);
         include(&mut self.error, other.error);
         include(&mut self.angular_speed, other.angular_speed);
         include(&mut self.residual_rate, other.residual_rate);
         include(&mut self.x_rate, other.x_rate);
-    }
-
-    /// Truncation and rounding error of the orientation, rad.
-    pub(super) fn truncation(&self) -> f64 {
-        TABLE_UNIT * f64::from(self.error)
     }
 
     /// Greatest change of the orientation on half a segment, which is at most one cell, rad.
@@ -84,17 +78,17 @@ pub(super) fn store_segment<R: EphemerisScalar>(
     let halvings = segment.depth - span.depth;
     let (mut stored, mut truncation_squared, mut slope_squared) = (0.0_f32, 0.0, 0.0);
     for (index, whole) in polynomials.iter().enumerate() {
-        polynomial.restrict(whole, segment.begin / segment.length(), halvings, path.limits.dropped_terms);
+        polynomial.restrict(whole, segment.begin / segment.length(), halvings, path.limits.terms_in_units());
         polynomial.shorten(R::TERMS, i64::MAX);
         truncation_squared += Ring::squared(polynomial.truncation());
         slope_squared += polynomial.slope_squared();
-        stored = max_or_nan(stored, store_polynomial::<R>(stored_segment.as_deref_mut(), index, polynomial));
+        stored = Ring::max(stored, store_polynomial::<R>(stored_segment.as_deref_mut(), index, polynomial));
         pause();
     }
     // x is 2 longer at the end of a segment
     let x_rate = (2_u32 << segment.depth) as f32;
     SegmentBounds {
-        error: max_or_nan(2.0 * Float::sqrt(truncation_squared), stored),
+        error: Ring::max(2.0 * TABLE_UNIT as f32 * Float::sqrt(truncation_squared), stored),
         angular_speed: 2.0 * TABLE_UNIT as f32 * Float::sqrt(slope_squared) * x_rate,
         residual_rate: expansion.greatest_residual_rate() * (2_u32 << span.depth) as f32,
         x_rate,

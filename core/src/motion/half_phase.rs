@@ -1,45 +1,13 @@
-//! Start of a motion: its half phase and slow phases at t = 0, and the constants that they need.
+//! Half phase χ at t = 0.
 
-use crate::body::{State, Top};
-use crate::complex::Complex;
-use crate::constants::{BranchPoints, FirstIntegrals, ReducedPoint, Regime, Signs};
-use crate::motion::cayley_klein::Ellipses;
-use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
-use crate::motion::steady_complements;
+use crate::body::Top;
+use crate::constants::{BranchPoints, ReducedPoint, Regime};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
-use crate::su2::{AttitudeState, OrientationRate};
 
 /// Whether u is constant. A swing below the threshold of the regime still has a period.
 pub(super) fn is_steady(e: &BranchPoints<Extended>, regime: Regime) -> bool {
     e.e2_minus_e1 == Extended::ZERO || regime == Regime::SleepingUnstable
-}
-
-/// Ellipses of α and β.
-#[inline(never)]
-pub(super) fn ellipses(e: &BranchPoints<Extended>, signs: Signs, regime: Regime) -> Ellipses<f64> {
-    if is_steady(e, regime) {
-        Ellipses::steady(steady_complements(e, regime))
-    } else {
-        Ellipses::oscillating(e, signs, Extended::to_f64)
-    }
-}
-
-/// Half of τ = ⟨ω, r⟩ - n/A, rad/s, from the axial rate.
-#[inline(never)]
-pub(super) fn half_tau(top: &Top, spin: Extended) -> Extended {
-    let Top { a, c, k, .. } = *top;
-    ((a - c) / a * spin - k / a).halved()
-}
-
-/// Rate χ' of a motion without torque, rad/s; otherwise 0. The axis rotates about the angular momentum m at the rate |m|/A.
-#[inline(never)]
-pub(super) fn torque_free_rate(
-    top: &Top,
-    integrals: &FirstIntegrals<Extended>,
-    point: &ReducedPoint,
-) -> Extended {
-    if top.is_torque_free() { (point.momentum(top.a, integrals.n) / top.a).halved() } else { Extended::ZERO }
 }
 
 /// Half phase at a point of the reduced curve; `None` where u is constant.
@@ -92,56 +60,6 @@ pub(super) fn half_phase_of_angle(theta: f64) -> Phase {
         return Phase::from_turns(0.25 * nearest);
     }
     (Extended::from(theta).in_turns() * Extended::from(0.5)).to_phase()
-}
-
-/// Phase equations, rounded.
-#[inline(never)]
-pub(super) fn equations(
-    top: &Top,
-    e: &BranchPoints<Extended>,
-    l_plus_n: Extended,
-    signs: Signs,
-    torque_free_rate: Extended,
-) -> PhaseEquations<f64> {
-    PhaseEquations::new(top, e, l_plus_n, signs, torque_free_rate).cast()
-}
-
-/// Slow phases of an orientation where u is constant.
-pub(super) fn steady_slow_phases(at_start: &AttitudeState<f64>) -> [Phase; 2] {
-    [at_start.orientation.alpha, at_start.orientation.beta].map(argument)
-}
-
-/// Slow phases of an orientation and its rate, with this half phase.
-#[inline(never)]
-pub(super) fn slow_phases(
-    equations: &PhaseEquations<f64>,
-    Ellipses { alpha, beta }: &Ellipses<f64>,
-    half_tau: f64,
-    chi: Phase,
-    AttitudeState { orientation: phi, rate }: &AttitudeState<f64>,
-) -> [Phase; 2] {
-    let cis_chi = Complex::cis(chi);
-    let PhaseRates { half_phase, psi_alpha, psi_beta } = equations.rates(cis_chi.im, cis_chi.re);
-    [
-        alpha.slow_phase(cis_chi, [half_phase, psi_alpha + half_tau], [phi.alpha, rate.alpha]),
-        beta.slow_phase(cis_chi, [half_phase, psi_beta - half_tau], [phi.beta, rate.beta]),
-    ]
-    .map(argument)
-}
-
-fn argument(z: Complex<f64>) -> Phase {
-    Phase::from_radians(z.arg())
-}
-
-/// Orientation of a state and its rate, computed in extended precision.
-#[inline(never)]
-pub(super) fn orientation_and_rate(state: &State) -> AttitudeState<f64> {
-    let (phi, omega) = state.in_extended();
-    let AttitudeState { orientation, rate } = AttitudeState::from_fixed(phi.normalised(), omega);
-    AttitudeState {
-        orientation: orientation.map(Float::to_f64),
-        rate: OrientationRate { alpha: rate.alpha.map(Float::to_f64), beta: rate.beta.map(Float::to_f64) },
-    }
 }
 
 #[cfg(test)]

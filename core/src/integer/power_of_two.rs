@@ -1,4 +1,6 @@
-//! Powers of two, products by them, and integers as `f32`.
+//! Products with powers of two, and parts of a floating-point number.
+//!
+//! Without an FPU they take a tenth of the time of a product.
 
 /// 2^exponent; 0 below the normal numbers of `f64`, infinity above them.
 pub(crate) const fn power_of_two(exponent: i32) -> f64 {
@@ -46,6 +48,48 @@ pub(crate) fn ldexp(x: f64, exponent: i32) -> f64 {
     }
     let upper = upper.wrapping_add((exponent as u32) << 20);
     f64::from_bits(u64::from(upper) << 32 | u64::from(lower))
+}
+
+/// Mantissa below 2^53 and exponent of x = mantissa · 2^exponent; 0 if x is not finite.
+pub(crate) fn mantissa_and_exponent(x: f64) -> (i64, i32) {
+    const MANTISSA_BITS: u32 = 52;
+    const BIAS: i32 = 1075; // 1023 + 52
+    let bits = x.to_bits();
+    let fraction = (bits & ((1 << MANTISSA_BITS) - 1)) as i64;
+    let magnitude = ((bits >> MANTISSA_BITS) & 0x7ff) as i32;
+    let (mantissa, exponent) = match magnitude {
+        0 => (fraction, 1 - BIAS),
+        0x7ff => (0, 0),
+        _ => (fraction | (1 << MANTISSA_BITS), magnitude - BIAS),
+    };
+    (if bits >> 63 == 1 { -mantissa } else { mantissa }, exponent)
+}
+
+/// Integer nearest to x / 2^exponent, at most ±2^62.
+#[inline(never)]
+pub(crate) fn in_units(x: f64, exponent: i32) -> i64 {
+    let (mantissa, own) = mantissa_and_exponent(x);
+    match own.saturating_sub(exponent) {
+        10.. => mantissa.signum() << 62,
+        shift @ 0.. => mantissa << shift,
+        shift @ -62.. => shifted_right(mantissa, -shift as u32),
+        _ => 0,
+    }
+}
+
+/// value / 2^bits, rounded to the nearest, for bits of 1 to 63.
+pub(crate) const fn shifted_right(value: i64, bits: u32) -> i64 {
+    ((value >> (bits - 1)) + 1) >> 1
+}
+
+/// value · 2^shift, rounded to the nearest integer, modulo 2^128.
+pub(crate) fn ldexp_i128(value: i128, shift: i32) -> i128 {
+    match shift {
+        128.. => 0,
+        0.. => value << shift,
+        -126.. => ((value >> (-shift - 1)) + 1) >> 1,
+        _ => 0,
+    }
 }
 
 #[cfg(test)]

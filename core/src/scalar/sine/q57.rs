@@ -1,16 +1,14 @@
-//! Sine and cosine to 56 bits in integers.
+//! Sines of phases of 96 bits in integers, from power series: for set-ups.
 //!
-//! They take a fifth of the time of those in `f64`, with whose 53 bits a release from rest would not be an event at its tick.
+//! Without an FPU they take a fifth of the time of those in `f64`, with whose 53 bits a release from rest would not be an event at its tick. With
+//! an FPU they take three times as long, so that [`Scalar::sine_cosine`](crate::scalar::Scalar::sine_cosine) does not use them.
 
-use core::ops::Neg;
-
-use super::{Limbs, scaled_product};
-use crate::integer::product_i32;
+use super::rotate_quarter_turns;
+use crate::integer::{Limbs, power_of_two, product_i32};
 use crate::phase::Phase;
-use crate::scalar::power_of_two;
 
 /// Fraction bits of [`sine_cosine_q57`].
-pub(crate) const FRACTION: i32 = 57;
+pub(crate) const SINE_BITS: i32 = 57;
 
 /// Series of sin r/r in powers of r², in units of 2^-58. The last four coefficients and their products with r² have at most 32 bits.
 const SINE: ([i64; 6], [i32; 4]) = (
@@ -38,43 +36,34 @@ fn evaluate((first, last): &([i64; 6], [i32; 4]), square: i64) -> i64 {
     let square = Limbs::new(square);
     let [first @ .., middle] = first;
     let middle = middle + i64::from(times_square(last));
-    first.iter().rev().fold(middle, |sum, c| c + scaled_product::<58>(square, sum))
+    first.iter().rev().fold(middle, |sum, c| c + square.times::<58>(sum))
 }
 
-/// Quadrant of a phase, and the remainder: as a phase, and in units of 2^-58 as an angle r with sin r/r and cos r.
-fn reduced(phase: Phase) -> (u32, Phase, [i64; 3]) {
+/// Angle r in rad with sin r/r and cos r, in units of 2^-58, of a phase in [-1/8, 1/8) turn.
+fn angle_and_series(remainder: Phase) -> [i64; 3] {
     /// π/2 in units of 2^-57.
     const QUARTER_TURN: Limbs = Limbs::new(226375608064910089);
-    let (quadrant, rest) = phase.quadrant();
-    // from units of 2^-62 turns to rad in units of 2^-58
-    let angle = scaled_product::<59>(QUARTER_TURN, (rest.to_bits() >> 34) as i64);
-    let square = scaled_product::<58>(Limbs::new(angle), angle);
-    (quadrant, rest, [angle, evaluate(&SINE, square), evaluate(&COSINE, square)])
-}
-
-/// Sine and cosine of an angle that is larger by quarter turns.
-fn after_quarter_turns<T: Neg<Output = T>>(quarters: u32, sine: T, cosine: T) -> (T, T) {
-    match quarters % 4 {
-        0 => (sine, cosine),
-        1 => (cosine, -sine),
-        2 => (-sine, -cosine),
-        _ => (-cosine, sine),
-    }
+    // from units of 2^-62 turns
+    let angle = QUARTER_TURN.times::<59>((remainder.to_bits() >> 34) as i64);
+    let square = Limbs::new(angle).times::<58>(angle);
+    [angle, evaluate(&SINE, square), evaluate(&COSINE, square)]
 }
 
 /// (sin 2πx, cos 2πx) of a phase of x turns, in units of 2^-57. Error: below 2^-56.
 #[inline(never)]
 pub(crate) fn sine_cosine_q57(phase: Phase) -> (i64, i64) {
-    let (quadrant, _, [angle, ratio, cosine]) = reduced(phase);
-    after_quarter_turns(quadrant, scaled_product::<59>(Limbs::new(angle), ratio), (cosine + 1) >> 1)
+    let (quadrant, remainder) = phase.quadrant();
+    let [angle, ratio, cosine] = angle_and_series(remainder);
+    rotate_quarter_turns(quadrant, (Limbs::new(angle).times::<59>(ratio), (cosine + 1) >> 1))
 }
 
 /// (sin 2πx, cos 2πx) of a phase of x turns. Error: below 2^-51, relative to the result near its zeros.
 #[inline(never)]
-pub(crate) fn sine_cosine(phase: Phase) -> (f64, f64) {
-    let (quadrant, rest, [_, ratio, cosine]) = reduced(phase);
-    let number = |part: i64| part as f64 * power_of_two(-FRACTION - 1);
-    after_quarter_turns(quadrant, rest.to_radians() * number(ratio), number(cosine))
+pub(crate) fn sine_cosine_from_q57(phase: Phase) -> (f64, f64) {
+    let (quadrant, remainder) = phase.quadrant();
+    let [_, ratio, cosine] = angle_and_series(remainder);
+    let number = |part: i64| part as f64 * power_of_two(-SINE_BITS - 1);
+    rotate_quarter_turns(quadrant, (remainder.to_radians() * number(ratio), number(cosine)))
 }
 
 #[cfg(test)]
@@ -83,7 +72,7 @@ mod tests {
     use crate::scalar::{Extended, Float, Ring};
 
     /// Sine and cosine by 40 terms of their power series.
-    fn series(phase: Phase) -> (Extended, Extended) {
+    fn exact(phase: Phase) -> (Extended, Extended) {
         let x = Extended::from(phase.principal()) * Extended::TWO_PI;
         let sum = |first: u32| {
             (0..40).rev().fold(Extended::ONE, |sum, k| {
@@ -100,8 +89,8 @@ mod tests {
         for k in 0..4000 {
             let phase = Phase::from_turns(0.000_573 * f64::from(k) - 1.1);
             let (sine, cosine) = sine_cosine_q57(phase);
-            let (true_sine, true_cosine) = series(phase);
-            let unit = Extended::ONE / Extended::from((1_u64 << FRACTION) as f64);
+            let (true_sine, true_cosine) = exact(phase);
+            let unit = Extended::ONE / Extended::from((1_u64 << SINE_BITS) as f64);
             for (ours, truth) in [(sine, true_sine), (cosine, true_cosine)] {
                 worst = worst.max(
                     (truth / unit
@@ -119,8 +108,8 @@ mod tests {
         let mut worst = 0.0_f64;
         for k in 0..4000 {
             let phase = Phase::from_turns(0.25 * f64::from(k % 4) + 0.127 * 0.99_f64.powi(k));
-            let (true_sine, true_cosine) = series(phase.principal());
-            let (sine, cosine) = sine_cosine(phase);
+            let (true_sine, true_cosine) = exact(phase.principal());
+            let (sine, cosine) = sine_cosine_from_q57(phase);
             for (ours, truth) in [(sine, true_sine), (cosine, true_cosine)] {
                 worst = worst.max(((truth - ours.into()) / truth).to_f64().abs());
             }
