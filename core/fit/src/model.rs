@@ -3,7 +3,7 @@
 use crate::estimate::{Estimate, FreeRatio};
 use crate::information::Information;
 use crate::sensitivity::{
-    COARSE, COLUMNS, Coefficients, Equations, LAUNCH_COLUMNS, LOSS_COUNT, PASS, Partials, RATIOS,
+    COARSE_STEP, COLUMNS, Coefficients, Equations, LAUNCH_COLUMNS, LOSS_COUNT, PASS_STEP, Partials, RATIOS,
     Sensitivity, Tangent, Trajectory, log_derivatives,
 };
 use crate::sensors::Sensor;
@@ -112,15 +112,15 @@ impl Model {
         }
         let mut changes = by.map(|by| Coefficients { k_over_a: 0.0, ..coefficients.times(by) });
         coefficients.losses = self.losses_of(estimate);
-        let columns = changes.iter_mut().skip(self.free_count).filter(|_| self.has_losses());
-        columns.zip(UNITS).for_each(|(change, unit)| change.losses = unit);
+        let columns = changes.iter_mut().skip(self.free_count).zip(self.losses());
+        columns.zip(UNITS).for_each(|((change, _), unit)| change.losses = unit);
         Equations { coefficients, changes, columns: self.motion_count }
     }
 
     /// Trajectory of an estimate for a pass, whose columns are changes along the body axes.
     pub(crate) fn trajectory<F: Real>(&self, estimate: &Estimate) -> Trajectory<F> {
         let tangents = Tangent::along_body_axes(&estimate.orientation);
-        Trajectory::new(&estimate.body_state(), tangents, &self.equations(estimate), PASS)
+        Trajectory::new(&estimate.body_state(), tangents, &self.equations(estimate), PASS_STEP)
     }
 
     /// Derivatives of the ratios with respect to those that are free; 0 for the infinite A/C of a thin rod, whose motion does not
@@ -146,11 +146,11 @@ impl Model {
     fn sensitivity(&self, estimate: &Estimate) -> Option<Sensitivity> {
         let equations = self.equations(estimate);
         if self.has_losses() {
-            return Some(Sensitivity::launched(&equations, &estimate.body_state(), COARSE));
+            return Some(Sensitivity::without_period(&equations, &estimate.body_state(), COARSE_STEP));
         }
         let top = self.top_of(&self.top, estimate).ok()?;
         let motion = Motion::launch(&top, &estimate.state().ok()?).ok()?;
-        Some(Sensitivity::with_equations(&motion, &equations, COARSE))
+        Some(Sensitivity::with_equations(&motion, &equations, COARSE_STEP))
     }
 
     /// Launch at a later time, with the derivatives there with respect to the unknowns.

@@ -30,11 +30,11 @@ use toytop::{Motion, Orientation, Phase, Stepper};
 pub(crate) use trajectory::Trajectory;
 
 /// Product of the longest step and the bound on the frequencies, for an error of about 1e-12.
-const FINE: f64 = 0.02;
+const FINE_STEP: f64 = 0.02;
 /// Longest step for a motion that was fitted, in the same unit. An error of 1e-9 has no effect there.
-pub(crate) const COARSE: f64 = 0.1;
+pub(crate) const COARSE_STEP: f64 = 0.1;
 /// Longest step of a pass over measurements, in the same unit. The error of the derivatives is about 1e-4 in `f32`.
-pub(crate) const PASS: f64 = 0.55;
+pub(crate) const PASS_STEP: f64 = 0.55;
 
 /// Partial derivatives of a motion with respect to its launch, as a function of time.
 ///
@@ -83,14 +83,14 @@ impl Sensitivity {
     /// Sensitivity of a motion. It takes one integration over a nutation period; none where there is no period.
     #[must_use]
     pub fn new(motion: &Motion) -> Self {
-        Self::with_equations(motion, &Equations::new(motion.top()), FINE)
+        Self::with_equations(motion, &Equations::new(motion.top()), FINE_STEP)
     }
 
     /// Sensitivity of a motion whose last four columns are the changes of these equations.
     pub(crate) fn with_equations(motion: &Motion, equations: &Equations<f64>, longest_step: f64) -> Self {
         let attitude = Stepper::<f64>::new(motion).attitude_state();
         let launch = BodyState::new(attitude.orientation, attitude.omega());
-        let launched = Self::launched(equations, &launch, longest_step);
+        let launched = Self::without_period(equations, &launch, longest_step);
         let start = launched.start;
         let period = period_and_rotations(motion).and_then(|(length, rotations)| {
             let [about_vertical, _] = rotations;
@@ -107,7 +107,11 @@ impl Sensitivity {
     }
 
     /// Sensitivity of a launch, without its period.
-    pub(crate) fn launched(equations: &Equations<f64>, launch: &BodyState<f64>, longest_step: f64) -> Self {
+    pub(crate) fn without_period(
+        equations: &Equations<f64>,
+        launch: &BodyState<f64>,
+        longest_step: f64,
+    ) -> Self {
         let start = Trajectory::new(
             launch,
             Tangent::along_body_axes(&Orientation::IDENTITY),

@@ -6,7 +6,9 @@ use crate::fit::error::FitWarning;
 use crate::fit::solver::Solver;
 use crate::fit::statistics::Statistics;
 use crate::model::Model;
-use crate::sensitivity::{COARSE, COLUMNS, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, Sensitivity};
+use crate::sensitivity::{
+    COARSE_STEP, COLUMNS, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, Sensitivity,
+};
 use crate::triangle::{MOST_UNKNOWNS, Unknowns};
 use crate::vector::{UNITS, UP, Vector, add_all, add_scaled, cross, scaled};
 use toytop::scalar::Real;
@@ -148,7 +150,7 @@ impl Fitted {
         };
         let mut equations = Equations::new(&self.top(given)?);
         equations.coefficients.losses = losses;
-        Ok(Sensitivity::launched(&equations, &self.launch.body_state(), COARSE))
+        Ok(Sensitivity::without_period(&equations, &self.launch.body_state(), COARSE_STEP))
     }
 
     /// Standard deviations of the unknowns, in the coordinates of [`Fitted::covariance`]. Those after the first

@@ -48,8 +48,9 @@ impl<'a, F, M: Measurements> Problem<'a, F, M> {
         Ok(problem)
     }
 
-    /// Problem with another factor of the readings of rate gyroscopes.
-    pub(super) fn with_rate_unit(&self, rate_unit: f64) -> Self {
+    /// Problem whose rates are in degrees per unit time.
+    pub(super) fn in_degrees(&self) -> Self {
+        let rate_unit = core::f64::consts::PI / 180.0;
         Self { rate_unit, measurements: self.measurements.clone(), ..*self }
     }
 

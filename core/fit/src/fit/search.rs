@@ -153,8 +153,7 @@ pub(super) fn misfit_cause<F: Real>(
     solver: &mut Solver<F>,
     chi_squared: f64,
 ) -> Option<FitWarning> {
-    let in_degrees = problem.with_rate_unit(core::f64::consts::PI / 180.0);
-    let (warning, _) = search(&in_degrees, solver);
+    let (warning, _) = search(&problem.in_degrees(), solver);
     // smaller numbers have smaller residuals, whatever the motion is
     let statistics = &solver.best.statistics;
     let has_noise = statistics.chi_squared > LEAST_NOISE * f64::from(statistics.used);

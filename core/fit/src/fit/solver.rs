@@ -23,8 +23,8 @@ const NEXT_SETTLED: f64 = 0.1;
 const MOST_UNCONFIRMED: f64 = 10.0;
 /// Least sine of the tilt at which a fit may end without another pass.
 const LEAST_TILT: f64 = 0.1;
-/// Change of the sum of squares that the error of the integration may cause.
-const ROUNDING: f64 = 0.05;
+/// Largest change of the sum of squares that the error of the integration causes.
+const COST_ERROR: f64 = 0.05;
 
 /// Solver by the method of Levenberg and Marquardt: the best estimate so far, and the one that is tried.
 #[derive(Clone)]
@@ -112,7 +112,7 @@ impl<F: Real> Solver<F> {
     fn correct(&mut self, model: &Model, settled: f64) -> Option<bool> {
         let (previous, cost) = (self.best.statistics.cost, self.current.statistics.cost);
         let improved = cost <= previous && cost.is_finite();
-        if !improved && cost - previous < ROUNDING {
+        if !improved && cost - previous < COST_ERROR {
             return Some(true);
         }
         if improved {

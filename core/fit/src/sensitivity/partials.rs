@@ -161,13 +161,13 @@ impl<F: Float> Partials<F> {
         let (at, is_central) =
             (Acceleration::new(&self.equations.coefficients, &self.state), place == [F::ZERO; 3]);
         let (axis, omega, arm) = (self.axis(), self.omega(), self.in_fixed(place));
-        let (in_body, swing, one) = (coordinates(self.state.orientation), cross(omega, arm), F::ONE);
+        let (in_body, velocity, one) = (coordinates(self.state.orientation), cross(omega, arm), F::ONE);
         let mut force = [F::ZERO, F::ZERO, at.support];
         if !is_central {
             let BodyState { across, spin, .. } = at.rate;
-            let turning = [(cross(self.state.across, axis), self.state.spin), (axis, spin)];
-            let turning = add_all(across, turning);
-            force = add_all(force, [(cross(turning, arm), one), (cross(omega, swing), one)]);
+            let axial = [(cross(self.state.across, axis), self.state.spin), (axis, spin)];
+            let omega_rate = add_all(across, axial);
+            force = add_all(force, [(cross(omega_rate, arm), one), (cross(omega, velocity), one)]);
         }
         let changes = self.each(|tangent, change| {
             let Tangent { theta, eta } = *tangent;
@@ -177,9 +177,9 @@ impl<F: Float> Partials<F> {
             let mut d_force = [x * at.support, y * at.support, support];
             if !is_central {
                 let rate = self.equations.tangent_rate(&at, tangent, change).eta;
-                let turning = add_scaled(rate, cross(eta, omega), one);
-                let swings = [cross(turning, arm), cross(eta, swing), cross(omega, cross(eta, arm))];
-                d_force = add_all(d_force, swings.map(|swing| (swing, one)));
+                let d_omega_rate = add_scaled(rate, cross(eta, omega), one);
+                let terms = [cross(d_omega_rate, arm), cross(eta, velocity), cross(omega, cross(eta, arm))];
+                d_force = add_all(d_force, terms.map(|term| (term, one)));
             }
             in_body(d_force)
         });

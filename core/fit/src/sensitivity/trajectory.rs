@@ -134,7 +134,7 @@ impl Trajectory<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sensitivity::{LAUNCH_COLUMNS, PASS, Sensitivity};
+    use crate::sensitivity::{LAUNCH_COLUMNS, PASS_STEP, Sensitivity};
     use crate::vector::{UNITS, Vector, add_scaled, cross, dot};
     use toytop::{Motion, Release, State, Top, TopParameters};
 
@@ -183,7 +183,7 @@ mod tests {
         let equations = Equations { columns: LAUNCH_COLUMNS, ..Equations::new(&top) };
         let launch = BodyState::new(state.orientation(), state.omega());
         let tangents = Tangent::along_body_axes(&launch.orientation);
-        let mut trajectory = Trajectory::<F>::new(&launch, tangents, &equations, PASS);
+        let mut trajectory = Trajectory::<F>::new(&launch, tangents, &equations, PASS_STEP);
         let mut sensitivity = Sensitivity::new(&motion);
         let frequency = equations.frequency(&launch);
         let [mut off, mut changed] = [0.0_f64; 2];
