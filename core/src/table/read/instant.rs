@@ -75,7 +75,7 @@ impl<W: Copy> Clock<W> {
         const MOST_TICKS: f64 = (1_u64 << 62) as f64;
         let [hi, lo] = self.ticks_per_time;
         let near = (t * hi).abs() < MOST_TICKS || !t.is_finite();
-        let slow = self.exact_step.iter().all(|[turns, _]| turns.abs() < 0.5);
+        let slow = self.step_turns.iter().all(|[turns, _]| turns.abs() < 0.5);
         if !(near && slow) {
             return None;
         }
@@ -108,7 +108,7 @@ impl<W: Copy> Clock<W> {
         let since_first = ticks.wrapping_sub(i64::MIN.into());
         let times = |step: Phase, ticks: i128| Phase::from_bits(step.to_bits().wrapping_mul(ticks));
         let mut phases = self.first_phases;
-        for ((phase, step), turns) in phases.iter_mut().zip(self.steps()).zip(self.exact_steps()) {
+        for ((phase, step), turns) in phases.iter_mut().zip(self.steps()).zip(self.steps_in_turns()) {
             let part = (turns * fraction).to_phase();
             *phase = phase.wrapping_add((times(step.to_phase(), since_first) + part).leading_bits());
         }

@@ -25,9 +25,9 @@ impl<W: Float> Clock<W> {
         // LLVM 22 compiles a product of `i128` wrongly for RISC-V where the epoch is known
         let ticks = epoch.wrapping_sub(i64::MIN) as u64;
         let (mut first_phases, mut step) = ([0; 3], [[0; 3]; 3]);
-        let exact_step = turns.map(|turns| turns * length);
+        let step_turns = turns.map(|turns| turns * length);
         for (((first, words), start), turns) in
-            first_phases.iter_mut().zip(&mut step).zip(start).zip(exact_step)
+            first_phases.iter_mut().zip(&mut step).zip(start).zip(step_turns)
         {
             let step = WrappedPhase::from_phase(turns.to_phase());
             *words = step.words();
@@ -50,7 +50,7 @@ impl<W: Float> Clock<W> {
             mean_sum_rate: W::from_f64(((alpha + beta) * Extended::TWO_PI).to_f64()),
             axial_rate: W::from_f64(motion.first_integrals().spin),
             first_phases,
-            exact_step: exact_step.map(Extended::to_f64_pair),
+            step_turns: step_turns.map(Extended::to_f64_pair),
             ticks_per_time: tick.rate().to_f64_pair(),
             epoch,
             ..Self::ZERO
