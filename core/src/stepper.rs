@@ -51,7 +51,7 @@ impl<R: Real> Stepper<R> {
         let per_a = 0.25 / top.transverse_inertia();
         let mut stepper = Self {
             ellipses: motion.ellipses(),
-            equations: motion.equations().cast(),
+            equations: motion.equations().map(R::from_extended),
             half_phase: match (motion.aperiodic_v(), motion.half_phase) {
                 (Some(v), _) => HalfPhase::Aperiodic(v.into()),
                 (None, Some(chi)) => HalfPhase::Nutating(chi),

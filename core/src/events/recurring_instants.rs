@@ -23,7 +23,7 @@ impl RecurringInstants {
         from: i64,
     ) -> Self {
         let nowhere = Self { next: [None; 4], period: None };
-        let [step, ..] = table.clock.exact_steps();
+        let [step, ..] = table.clock.steps_in_turns();
         if !(table.clock.has_turning_points && step > Extended::ZERO) {
             return nowhere;
         }

@@ -17,15 +17,6 @@ pub(crate) fn exponent(x: f64) -> i32 {
     ((x.to_bits() >> 52) & 0x7ff) as i32 - 1022
 }
 
-/// 2^exponent in `f32`; 0 below its range of normal numbers, and infinity above it.
-pub(crate) fn power_of_two_f32(exponent: i32) -> f32 {
-    match exponent {
-        ..-126 => 0.0,
-        128.. => f32::INFINITY,
-        _ => f32::from_bits(((exponent + 127) as u32) << 23),
-    }
-}
-
 /// Number as an `f32`, with at most two roundings. An FPU converts 32 bits in one instruction, 64 bits in forty.
 #[inline(always)]
 pub(crate) fn u64_to_f32(number: u64) -> f32 {

@@ -196,7 +196,7 @@ fn equations(
     signs: Signs,
     torque_free_rate: Extended,
 ) -> PhaseEquations<f64> {
-    PhaseEquations::new(top, e, l_plus_n, signs, torque_free_rate).cast()
+    PhaseEquations::new(top, e, l_plus_n, signs, torque_free_rate).map(Float::to_f64)
 }
 
 /// Slow phases of an orientation and its rate, from the half phase.

@@ -130,10 +130,6 @@ struct Point<F> {
 }
 
 impl<F: Float> PhaseEquations<F> {
-    pub(crate) fn cast<R: Float>(&self) -> PhaseEquations<R> {
-        self.map(|x| R::from_f64(x.to_f64()))
-    }
-
     /// Point at given sin χ and cos χ, without cancellation near the vertical.
     fn point(&self, sine: F, cosine: F) -> Point<F> {
         let e2_minus_u = self.e2_minus_e1 * cosine.squared();

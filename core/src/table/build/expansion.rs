@@ -23,7 +23,7 @@ mod recurrence;
 mod cayley_klein;
 
 use super::series::{MOST_TERMS, PowerSeries, integrated};
-use crate::integer::power_of_two_f32;
+use crate::integer::power_of_two;
 use crate::phase::Phase;
 use crate::scalar::{Ring, Scalar};
 
@@ -63,7 +63,11 @@ impl RateSeries {
         match k {
             0 => (weight * self.at_origin as f32).abs(),
             _ if size <= NOISE => 0.0,
-            _ => size as f32 * power_of_two_f32(self.variation.exponent) * (weight * self.scale as f32).abs(),
+            _ => {
+                size as f32
+                    * power_of_two(self.variation.exponent) as f32
+                    * (weight * self.scale as f32).abs()
+            }
         }
     }
 }
@@ -172,7 +176,7 @@ impl Expansion {
             let [alpha, beta] = self.residual.each_ref().map(|rate| rate.term(k, 1.0));
             Ring::max(self.chi.term(k, self.weight), Ring::max(alpha, beta))
         };
-        let last = Ring::max(term(before), 0.25 * term(before + 1)) * power_of_two_f32(-2 * before as i32);
+        let last = Ring::max(term(before), 0.25 * term(before + 1)) * power_of_two(-2 * before as i32) as f32;
         (0.25 * last / (3 * self.terms) as f32).into()
     }
 }

@@ -203,7 +203,7 @@ impl<'a, F: Float> Path<'a, F> {
             negligible: 512.0 * half_length * self.limits.terms,
         };
         let expansion = &mut self.memory.expansion;
-        expansion.expand(&equations.cast(), &origin, pause);
+        expansion.expand(&equations.map(F::to_f64), &origin, pause);
         pause();
         let truncation = expansion.truncation_error();
         (truncation <= allowed).then(|| {

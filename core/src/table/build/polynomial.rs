@@ -113,7 +113,7 @@ impl Polynomial {
         }
     }
 
-    /// Becomes the polynomial on half of the interval, by Horner's rule for x = (y ± 1)/2. All roundings together stay below 2^-57.
+    /// Restricts the polynomial to half of its interval, by Horner's rule for x = (y ± 1)/2. All roundings together stay below 2^-57.
     #[inline(never)]
     fn halve(&mut self, upper: bool) {
         for part in &mut self.parts {

@@ -4,7 +4,7 @@
 
 use core::ops::Range;
 
-use crate::integer::{LIMB_BITS, Limbs, exponent, in_units, ldexp, mantissa_and_exponent, power_of_two_f32};
+use crate::integer::{LIMB_BITS, Limbs, exponent, in_units, ldexp, mantissa_and_exponent, power_of_two};
 
 /// Largest number of terms of a series.
 pub(super) const MOST_TERMS: usize = 16;
@@ -152,7 +152,7 @@ impl PowerSeries {
     pub(super) fn bound_at_quarter(&self, terms: usize) -> f32 {
         let coefficients = self.coefficients.get(1..terms).unwrap_or_default().iter().rev();
         let sum = coefficients.fold(0, |sum: u32, c| ((sum + 3) >> 2) + c.high.unsigned_abs() + 1);
-        0.25 * ((1_u32 << LIMB_BITS) as f32 * sum as f32 * power_of_two_f32(self.exponent))
+        0.25 * ((1_u32 << LIMB_BITS) as f32 * sum as f32 * power_of_two(self.exponent) as f32)
     }
 }
 

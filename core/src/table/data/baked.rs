@@ -99,7 +99,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
             .u32(clock.step.as_flattened())
             .u64(&clock.first_phases)
             .u64(&[clock.epoch as u64])
-            .f64(clock.exact_step.as_flattened())
+            .f64(clock.step_turns.as_flattened())
             .f64(&clock.ticks_per_time)
             .u32(&clock.tip_start)
             .u32(&clock.tip_step)
@@ -146,7 +146,7 @@ macro_rules! baked {
                 }
                 let clock = &self.clock;
                 let mut fields: &[_] = &[
-                    ("exact_step", range::finite(clock.exact_step.as_flattened())),
+                    ("step_turns", range::finite(clock.step_turns.as_flattened())),
                     ("ticks_per_time", range::finite(&clock.ticks_per_time)),
                     ("error_bound", range::finite(&self.error_bound.numbers())),
                     ("rate_error_bound", range::finite(&self.rate_error_bound.numbers())),

@@ -8,7 +8,7 @@ use crate::scalar::{Extended, Float};
 /// | for | fields |
 /// |---|---|
 /// | orientation at a tick | `first_phases`, `step` |
-/// | orientation at a time | also `ticks_per_time`, `exact_step` |
+/// | orientation at a time | also `ticks_per_time`, `step_turns` |
 /// | tip, angular velocity | `twice_tip_scale`; `x_rate`, `mean_sum_rate`, `axial_rate` |
 /// | tip angle | `tip_start`, `tip_step`, `tip_start_quarter_turns`, `tip_sign_changes`, `tip_exists` |
 /// | events, error bounds | `has_turning_points`; `epoch` |
@@ -36,7 +36,7 @@ pub struct Clock<W> {
     /// Nutation phase and mean phases at tick `i64::MIN`, in units of 2^-64 turns.
     pub first_phases: [u64; 3],
     /// Increments per tick in turns, with whole turns, as sums of two `f64`.
-    pub exact_step: [[f64; 2]; 3],
+    pub step_turns: [[f64; 2]; 3],
     /// Number of ticks in a unit of time, as the sum of two `f64`.
     pub ticks_per_time: [f64; 2],
     /// Mean tip angle at tick 0, with whole turns, in units of 2^-96 turns, lowest word first.
@@ -59,7 +59,7 @@ impl<W: Float> Clock<W> {
         mean_sum_rate: W::ZERO,
         axial_rate: W::ZERO,
         first_phases: [0; 3],
-        exact_step: [[0.0; 2]; 3],
+        step_turns: [[0.0; 2]; 3],
         ticks_per_time: [0.0; 2],
         tip_start: [0; 4],
         tip_step: [0; 4],
@@ -79,8 +79,8 @@ impl<W: Copy> Clock<W> {
         self.step.map(WrappedPhase::new)
     }
 
-    pub(crate) fn exact_steps(&self) -> [Extended; 3] {
-        self.exact_step.map(Extended::from_f64_pair)
+    pub(crate) fn steps_in_turns(&self) -> [Extended; 3] {
+        self.step_turns.map(Extended::from_f64_pair)
     }
 
     /// Number of ticks in a unit of time.
@@ -105,7 +105,7 @@ impl<W: Copy> Clock<W> {
 
     /// Increment of the mean tip angle per tick, in turns. It lacks the half turn per period of a parameter that passes through 0.
     pub(in crate::table) fn exact_tip_step(&self) -> Extended {
-        let [nutation, a, b] = self.exact_steps();
+        let [nutation, a, b] = self.steps_in_turns();
         a + b - nutation * Extended::from(0.5 * f64::from(self.tip_sign_changes))
     }
 }

@@ -70,7 +70,7 @@ impl<W: Copy> Clock<W> {
         const MOST_TICKS: f64 = (1_u64 << 62) as f64;
         let [hi, lo] = self.ticks_per_time;
         let near = (t * hi).abs() < MOST_TICKS || !t.is_finite();
-        let slow = self.exact_step.iter().all(|[turns, _]| turns.abs() < 0.5);
+        let slow = self.step_turns.iter().all(|[turns, _]| turns.abs() < 0.5);
         if !(near && slow) {
             return None;
         }
@@ -101,7 +101,7 @@ impl<W: Copy> Clock<W> {
     fn phases_at_fraction(&self, tick: i128, fraction: Extended) -> [u64; 3] {
         let since_first = tick.wrapping_sub(i64::MIN.into());
         let mut phases = self.first_phases;
-        for ((phase, step), turns) in phases.iter_mut().zip(self.steps()).zip(self.exact_steps()) {
+        for ((phase, step), turns) in phases.iter_mut().zip(self.steps()).zip(self.steps_in_turns()) {
             let whole = Phase::from_bits(step.to_phase().to_bits().wrapping_mul(since_first));
             *phase = phase.wrapping_add((whole + (turns * fraction).to_phase()).leading_bits());
         }

@@ -114,7 +114,7 @@ fn truth<R: Printed, const S: usize>(file: &str, [ticks, seconds]: [u32; 2]) -> 
         }
     }
     state = 1;
-    let [[turns_per_tick, _], ..] = table.clock().exact_step;
+    let [[turns_per_tick, _], ..] = table.clock().step_turns;
     for k in 0..RATES {
         let tick = next_tick(&mut state, k);
         let now = table.at_tick(tick);

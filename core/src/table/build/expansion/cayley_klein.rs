@@ -141,7 +141,7 @@ mod tests {
             (1e-5, [-1.0, 0.26, 28.8]),
         ] {
             let exact = equations(spread, e);
-            let rounded: PhaseEquations<f64> = exact.cast();
+            let rounded = exact.map(Float::to_f64);
             for turns in [0.0, 1e-9, 0.1, 0.17, 0.2499, 0.25] {
                 let phases = PathPhases {
                     chi: Phase::from_turns(turns),

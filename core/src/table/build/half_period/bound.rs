@@ -70,7 +70,7 @@ mod tests {
 
     /// Errors of the rates far above the rounding of the increments: the bound must contain each of them completely.
     #[test]
-    fn the_rates_errors_are_in_it() {
+    fn the_bound_contains_the_errors_of_the_rates() {
         let motion = nutating_motion();
         let per_tick = |errors, rate| {
             let half_period = HalfPeriod {

@@ -25,8 +25,8 @@ impl<W: Float> Clock<W> {
         let [frequency, alpha, beta] = turns;
         // LLVM 22 compiles a product of `i128` wrongly for RISC-V where the epoch is known
         let ticks = epoch.wrapping_sub(i64::MIN) as u64;
-        let exact_step = turns.map(|turns| turns * length);
-        let step = exact_step.map(|turns| WrappedPhase::from_phase(turns.to_phase()));
+        let step_turns = turns.map(|turns| turns * length);
+        let step = step_turns.map(|turns| WrappedPhase::from_phase(turns.to_phase()));
         let mut first_phases = start.map(WrappedPhase::from_phase);
         for (first, step) in first_phases.iter_mut().zip(step) {
             *first = first.minus(step.times(ticks));
@@ -48,7 +48,7 @@ impl<W: Float> Clock<W> {
             mean_sum_rate: W::from_f64(((alpha + beta) * Extended::TWO_PI).to_f64()),
             axial_rate: W::from_f64(motion.first_integrals().spin),
             first_phases: first_phases.map(WrappedPhase::leading_bits),
-            exact_step: exact_step.map(Extended::to_f64_pair),
+            step_turns: step_turns.map(Extended::to_f64_pair),
             ticks_per_time: tick.rate().to_f64_pair(),
             epoch,
             ..Self::ZERO

@@ -97,7 +97,7 @@ fn initialisers<R: TableScalar>(table: &EphemerisView<R>) -> String {
     let clock = table.clock();
     let bound = |ErrorBound { constant, per_tick }: ErrorBound| [constant, per_tick];
     let bounds = [table.error_bound(), table.rate_error_bound()].map(bound);
-    let doubles = [clock.exact_step.as_flattened(), &clock.ticks_per_time, bounds.as_flattened()].concat();
+    let doubles = [clock.step_turns.as_flattened(), &clock.ticks_per_time, bounds.as_flattened()].concat();
     let numbers: Vec<_> = doubles.into_iter().map(|x| wide(x.to_bits())).collect();
     let words = |words: [u32; 4]| words.map(|word| format!("{word:#x}u")).join(", ");
     let flags = [
