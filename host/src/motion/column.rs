@@ -88,7 +88,7 @@ impl SampleColumn {
         let mut put = |numbers: &[f64]| row.copy_from_slice(numbers);
         let parts = |z: Complex<f64>| [z.re, z.im];
         match self {
-            Self::T => put(&[at.sample().t]),
+            Self::T => put(&[at.t()]),
             Self::U => put(&[at.pose().u]),
             Self::Udot => put(&[at.udot()]),
             Self::Alpha => put(&parts(at.orientation().alpha)),
@@ -107,7 +107,7 @@ impl SampleColumn {
             Self::OmegaBody => put(&at.omega_body()),
             Self::Angles => put(&euler_angles::tilt_azimuth_roll(&at.orientation())),
             Self::EulerZxz => put(&euler_angles::zxz(&at.orientation())),
-            Self::ErrorBound => put(&[at.sample().error_bound.unwrap_or(f64::NAN)]),
+            Self::ErrorBound => put(&[at.error_bound().unwrap_or(f64::NAN)]),
         }
     }
 

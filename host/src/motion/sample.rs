@@ -9,6 +9,11 @@ pub trait Quantities {
     /// All of them.
     fn sample(&self) -> Sample;
 
+    /// Time, s.
+    fn t(&self) -> f64 {
+        self.sample().t
+    }
+
     /// Orientation Φ, cosine u of the tilt, and position of the tip.
     fn pose(&self) -> Pose<f64, f64> {
         self.sample().pose
@@ -37,6 +42,11 @@ pub trait Quantities {
     /// Tip angle continued from t = 0, rad; `None` where the axis is vertical at all times.
     fn tip_angle(&self) -> Option<f64> {
         self.sample().tip_angle
+    }
+
+    /// Upper bound on the error of the orientation, rad, where the method has one.
+    fn error_bound(&self) -> Option<f64> {
+        self.sample().error_bound
     }
 }
 

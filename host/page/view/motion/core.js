@@ -3,15 +3,14 @@
 
 import { data } from "./data.js";
 
-const { supports, top, kinds } = data.keys;
 const namesOf = (keys) => keys.map(([name]) => name);
 
 /** Supports of the tip, keys of a top, and keys of each kind of motion, in the order in which the core takes their numbers. */
-export const SUPPORTS = supports;
-export const TOP_KEYS = namesOf(top);
-export const MOTION_KEYS = Object.fromEntries(kinds.map(([kind, keys]) => [kind, namesOf(keys)]));
+export const SUPPORTS = data.keys.supports;
+export const TOP_KEYS = namesOf(data.keys.top);
+export const MOTION_KEYS = Object.fromEntries(data.keys.kinds.map(([kind, keys]) => [kind, namesOf(keys)]));
 /** Default values of keys; null for a required one. */
-export const DEFAULTS = Object.fromEntries([top, ...kinds.map(([, keys]) => keys)].flat());
+export const DEFAULTS = Object.fromEntries([data.keys.top, ...data.keys.kinds.map(([, keys]) => keys)].flat());
 export const KINDS = Object.keys(MOTION_KEYS);
 
 /** Numbers of a scenario in the order in which the core takes them: those of the top, then those of the motion. */

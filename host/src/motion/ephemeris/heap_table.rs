@@ -72,8 +72,12 @@ impl<R: EphemerisScalar> Quantities for TableQuantities<'_, R> {
             pose: self.pose(),
             rates: BodyRates { omega: self.omega(), omega_body: self.omega_body(), udot: self.udot() },
             tip_angle: self.tip_angle(),
-            error_bound: Some(self.table.error_bound().after(self.ticks)),
+            error_bound: self.error_bound(),
         }
+    }
+
+    fn t(&self) -> f64 {
+        self.t
     }
 
     fn orientation(&self) -> Orientation<f64> {
@@ -101,6 +105,10 @@ impl<R: EphemerisScalar> Quantities for TableQuantities<'_, R> {
     fn tip_angle(&self) -> Option<f64> {
         let near = self.table.mean_tip_angle_rate() * self.t;
         self.now.tip_angle().map(|angle| unwrapped(angle, near))
+    }
+
+    fn error_bound(&self) -> Option<f64> {
+        Some(self.table.error_bound().after(self.ticks))
     }
 }
 

@@ -22,7 +22,8 @@ fn every_regime_is_described_in_words() {
     view(&[], &page);
     let regimes = REGIMES.map(|(regime, _)| regime);
     let script = format!(
-        "const found = {regimes:?}.map((regime) => summaryOf({{ ...scene.constants, regime }}));
+        "play(false);
+const found = {regimes:?}.map((regime) => summaryOf({{ ...scene.constants, regime }}));
 const definitions = [...document.querySelectorAll('[data-define]')].map((term) => term.dataset.define);
 found.push([document.body.innerText, ...definitions].join(' '));
 return found;"
