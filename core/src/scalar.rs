@@ -128,7 +128,7 @@ pub trait Float: Ring + Div<Output = Self> {
 /// Number type of a stepper and of a fit, with arctangent and exponential.
 pub trait Real: Scalar + Float {
     /// Largest finite number.
-    const GREATEST: Self;
+    const MAX: Self;
 
     /// Angle of the point (x, y) in rad, in [-π, π].
     fn atan2(y: Self, x: Self) -> Self;
@@ -169,7 +169,7 @@ macro_rules! float_scalar {
         }
 
         impl Real for $float {
-            const GREATEST: Self = <$float>::MAX;
+            const MAX: Self = <$float>::MAX;
 
             #[inline]
             fn atan2(y: Self, x: Self) -> Self {

@@ -153,7 +153,7 @@ impl<R: Real> Stepper<R> {
             let square = z.map(Float::to_f64).norm_squared();
             if square > 0.0 { momentum_rate.to_f64() / square } else { 0.0 }
         };
-        let greatest = R::GREATEST.to_f64();
+        let greatest = R::MAX.to_f64();
         R::from_f64((term(plus, alpha) + term(minus, beta)).max(-greatest).min(greatest))
     }
 

@@ -90,7 +90,7 @@ impl Form {
 
 impl Aperiodic {
     /// Largest |t| that is used, s; a larger one is limited to it. The phases lose all correct digits long before.
-    const FURTHEST: f64 = 1e200;
+    const MAX_TIME: f64 = 1e200;
 
     /// Closed form of a motion; `None` unless e₂ = e₃ = 1 and u < 1.
     #[must_use]
@@ -165,7 +165,7 @@ impl Aperiodic {
         if t == 0.0 || !t.is_finite() {
             return start;
         }
-        let target = origin + t.clamp(-Self::FURTHEST, Self::FURTHEST).into();
+        let target = origin + t.clamp(-Self::MAX_TIME, Self::MAX_TIME).into();
         let function = |v: Extended| {
             let point = self.constants.at(v);
             (self.form.time(&point), point.dt_dv)

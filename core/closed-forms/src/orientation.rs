@@ -116,12 +116,12 @@ pub(super) fn solve_increasing(
     guess: Extended,
     function: impl Fn(Extended) -> (Extended, Extended),
 ) -> Extended {
-    const MOST_STEPS: usize = 150;
+    const MAX_STEPS: usize = 150;
     /// Relative step after which the iteration ends. The error after a step of Newton's method is about the square of
     /// the step.
     const LAST_STEP: f64 = 1e-18;
     let (mut low, mut high, mut y) = (low, high, guess);
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let (value, slope) = function(y);
         let residual = value - target;
         if residual > Extended::ZERO {

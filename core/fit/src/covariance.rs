@@ -2,14 +2,14 @@
 
 use crate::information::Information;
 use crate::sensitivity::{LAUNCH_COLUMNS, Tangent};
-use crate::triangle::{MOST_UNKNOWNS, Triangle, Unknowns};
+use crate::triangle::{MAX_UNKNOWNS, Triangle, Unknowns};
 use crate::vector::Vector;
 use toytop::Orientation;
 use toytop::scalar::Real;
 
 /// Least variance of an unknown given those before it: an unknown whose variance is negative by rounding counts as
 /// known to 1e-12.
-const LEAST_VARIANCE: f64 = 1e-24;
+const MIN_VARIANCE: f64 = 1e-24;
 
 /// Covariance of the unknowns: a symmetric matrix.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,7 +43,7 @@ impl Covariance {
 
     /// Replaces an unknown by one of this variance that is independent of the others.
     pub(crate) fn replace_unknown(&mut self, index: usize, variance: f64) {
-        for other in 0..MOST_UNKNOWNS {
+        for other in 0..MAX_UNKNOWNS {
             if let Some(slot) = self.lower.symmetric_mut(index, other) {
                 *slot = if other == index { variance } else { 0.0 };
             }
@@ -70,7 +70,7 @@ impl Covariance {
     /// * `columns`: derivatives of the change with respect to the unknowns; those that are left out are 0
     pub(crate) fn propagate(&mut self, columns: &[Tangent<f64>]) {
         // the other unknowns are kept, so that only the rows of the launch have to be multiplied
-        let mut rows = [[0.0; MOST_UNKNOWNS]; LAUNCH_COLUMNS];
+        let mut rows = [[0.0; MAX_UNKNOWNS]; LAUNCH_COLUMNS];
         for (k, column) in columns.iter().enumerate() {
             for (row, weight) in rows.iter_mut().zip(column.components()) {
                 row.iter_mut().enumerate().for_each(|(unknown, slot)| *slot += weight * self.get(k, unknown));
@@ -94,7 +94,7 @@ impl Covariance {
     }
 
     /// Covariance of a vector with these derivatives with respect to the unknowns.
-    pub(crate) fn of_vector(&self, columns: &[Vector<f64>; MOST_UNKNOWNS]) -> [Vector<f64>; 3] {
+    pub(crate) fn of_vector(&self, columns: &[Vector<f64>; MAX_UNKNOWNS]) -> [Vector<f64>; 3] {
         let mut carried = *self;
         carried.propagate(&columns.map(|theta| Tangent { theta, eta: [0.0; 3] }));
         [0, 1, 2].map(|i| [0, 1, 2].map(|j| carried.get(i, j)))
@@ -114,7 +114,7 @@ impl Covariance {
             let known: f64 = row.iter().take(index).map(|x| x * x).sum();
             if let [line @ .., pivot] = factor.row_mut(index) {
                 line.iter_mut().zip(row).for_each(|(slot, x)| *slot = x);
-                *pivot = libm::sqrt((self.get(index, index) - known).max(LEAST_VARIANCE));
+                *pivot = libm::sqrt((self.get(index, index) - known).max(MIN_VARIANCE));
             }
         }
         factor
@@ -180,7 +180,7 @@ mod tests {
         let rows = [[1.0, 2.0, -1.0], [0.5, -1.0, 0.25], [3.0, 0.0, 1.0], [-1.0, 1.0, 1.0], [0.0, 2.0, 5.0]];
         let mut information = Information::<f64>::new(3);
         for row in rows {
-            let mut wide = [0.0; MOST_UNKNOWNS];
+            let mut wide = [0.0; MAX_UNKNOWNS];
             wide[..3].copy_from_slice(&row);
             information.add(wide, 1.0);
         }

@@ -1,7 +1,7 @@
 //! Estimate of the unknowns of a fit: a launch, free ratios of the top, losses and biases.
 
 use crate::sensitivity::{BodyState, LAUNCH_COLUMNS, RATIOS};
-use crate::triangle::{MOST_UNKNOWNS, Unknowns};
+use crate::triangle::{MAX_UNKNOWNS, Unknowns};
 use crate::vector::{Vector, add_scaled, rotation_vector};
 use toytop::su2::Orientation;
 use toytop::{ParameterError, State};
@@ -42,14 +42,14 @@ pub struct Estimate {
     /// Angular velocity ω at the launch in the fixed frame.
     pub omega: Vector<f64>,
     /// Changes of the logarithms of the free ratios, losses, and biases.
-    pub(crate) other: [f64; MOST_UNKNOWNS - LAUNCH_COLUMNS],
+    pub(crate) other: [f64; MAX_UNKNOWNS - LAUNCH_COLUMNS],
 }
 
 impl Estimate {
     /// Estimate without biases, and with the ratios of the top.
     #[must_use]
     pub fn new(orientation: Orientation<f64>, omega: Vector<f64>) -> Self {
-        Self { orientation, omega, other: [0.0; MOST_UNKNOWNS - LAUNCH_COLUMNS] }
+        Self { orientation, omega, other: [0.0; MAX_UNKNOWNS - LAUNCH_COLUMNS] }
     }
 
     /// Values of the other unknowns: changes of the logarithms of the free ratios, the three losses, if they are unknowns, and the biases

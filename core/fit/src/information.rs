@@ -71,7 +71,7 @@ impl<F: Real> Information<F> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::triangle::MOST_UNKNOWNS;
+    use crate::triangle::MAX_UNKNOWNS;
 
     const ROWS: [([f64; 3], f64); 5] = [
         ([1.0, 2.0, -1.0], 1.5),
@@ -84,7 +84,7 @@ mod tests {
     fn information() -> Information<f64> {
         let mut information = Information::new(3);
         for (row, value) in ROWS {
-            let mut wide = [0.0; MOST_UNKNOWNS];
+            let mut wide = [0.0; MAX_UNKNOWNS];
             wide[..3].copy_from_slice(&row);
             information.add(wide, value);
         }

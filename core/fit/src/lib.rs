@@ -30,10 +30,10 @@ pub mod partials {}
 pub use covariance::Covariance;
 pub use estimate::{Estimate, FreeRatio};
 pub use fit::{Drift, Fit, FitError, FitWarning, Fitted, Statistics, Tracked, Unobservable};
-pub use model::{MOST_RATIOS, MOST_SENSORS};
+pub use model::{MAX_RATIOS, MAX_SENSORS};
 pub use sensitivity::{Partials, Sensitivity};
 pub use sensors::{
     Accelerometer, AxisCamera, Gyroscope, Hint, Magnetometer, Mark, Measurement, Mounting, Noise,
     OrientationCamera, Residual, Sensor, TipCamera,
 };
-pub use triangle::MOST_UNKNOWNS;
+pub use triangle::MAX_UNKNOWNS;

@@ -7,15 +7,15 @@ use crate::sensitivity::{
     Sensitivity, Tangent, Trajectory, log_derivatives,
 };
 use crate::sensors::Sensor;
-use crate::triangle::{MOST_UNKNOWNS, Unknowns, unit_row};
+use crate::triangle::{MAX_UNKNOWNS, Unknowns, unit_row};
 use crate::vector::{UNITS, Vector, add_scaled, norm, scaled};
 use toytop::scalar::Real;
 use toytop::{Motion, Orientation, ParameterError, Top};
 
 /// Largest number of sensors.
-pub const MOST_SENSORS: usize = 4;
+pub const MAX_SENSORS: usize = 4;
 /// Largest number of ratios that are unknowns.
-pub const MOST_RATIOS: usize = RATIOS;
+pub const MAX_RATIOS: usize = RATIOS;
 
 /// Information before the measurements, about changes of an estimate.
 #[derive(Clone)]
@@ -28,10 +28,10 @@ pub(crate) struct Prior<F> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Model {
     pub(crate) top: Top,
-    free: [FreeRatio; MOST_RATIOS],
+    free: [FreeRatio; MAX_RATIOS],
     free_count: usize,
     /// First bias of each sensor among the unknowns.
-    biases: [Option<usize>; MOST_SENSORS],
+    biases: [Option<usize>; MAX_SENSORS],
     /// Prior standard deviations; infinite where there is no prior information.
     deviations: Unknowns,
     /// Number of unknowns of the motion: all but the biases.
@@ -49,16 +49,16 @@ impl Model {
     ) -> Option<Self> {
         let losses = loss_deviation.into_iter().flat_map(|deviation| [deviation; LOSS_COUNT]);
         let motion_count = LAUNCH_COLUMNS + ratios.len() + losses.clone().count();
-        if sensors.len() > MOST_SENSORS || motion_count > COLUMNS {
+        if sensors.len() > MAX_SENSORS || motion_count > COLUMNS {
             return None;
         }
         let mut model = Self {
             top: *top,
-            free: [FreeRatio::new([0.0; RATIOS]); MOST_RATIOS],
+            free: [FreeRatio::new([0.0; RATIOS]); MAX_RATIOS],
             free_count: ratios.len(),
             motion_count,
-            biases: [None; MOST_SENSORS],
-            deviations: [f64::INFINITY; MOST_UNKNOWNS],
+            biases: [None; MAX_SENSORS],
+            deviations: [f64::INFINITY; MAX_UNKNOWNS],
             count: motion_count,
         };
         model.free.iter_mut().zip(ratios).for_each(|(slot, ratio)| *slot = *ratio);
@@ -125,7 +125,7 @@ impl Model {
 
     /// Derivatives of the ratios with respect to those that are free; 0 for the infinite A/C of a thin rod, whose motion does not
     /// depend on it.
-    pub(crate) fn ratio_derivatives(&self, estimate: &Estimate) -> [[f64; RATIOS]; MOST_RATIOS] {
+    pub(crate) fn ratio_derivatives(&self, estimate: &Estimate) -> [[f64; RATIOS]; MAX_RATIOS] {
         let ratios = self.equations(estimate).coefficients.ratios(self.top.support());
         let mut shares = self.free.map(|free| free.direction);
         for (weight, ratio) in shares.iter_mut().flat_map(|direction| direction.iter_mut().zip(ratios)) {

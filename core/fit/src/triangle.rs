@@ -4,10 +4,10 @@ use core::ops::Range;
 use toytop::scalar::Real;
 
 /// Largest number of unknowns: a launch, four directions of the top's ratios, and the biases of four sensors.
-pub const MOST_UNKNOWNS: usize = 22;
+pub const MAX_UNKNOWNS: usize = 22;
 
 /// A number for each unknown.
-pub(crate) type Unknowns<F = f64> = [F; MOST_UNKNOWNS];
+pub(crate) type Unknowns<F = f64> = [F; MAX_UNKNOWNS];
 
 /// Unknowns that are 0 except one.
 pub(crate) fn unit_row<F: Real>(index: usize, value: F) -> Unknowns<F> {
@@ -17,7 +17,7 @@ pub(crate) fn unit_row<F: Real>(index: usize, value: F) -> Unknowns<F> {
 /// Rows up to the diagonal, one after another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Triangle<F> {
-    entries: [F; MOST_UNKNOWNS * (MOST_UNKNOWNS + 1) / 2],
+    entries: [F; MAX_UNKNOWNS * (MAX_UNKNOWNS + 1) / 2],
 }
 
 /// Places of a row.
@@ -51,7 +51,7 @@ impl<F: Real> Triangle<F> {
 
     /// Solution of R x = y. It is 0 where the diagonal is 0.
     pub(crate) fn solved(&self, mut y: Unknowns<F>) -> Unknowns<F> {
-        for index in 0..MOST_UNKNOWNS {
+        for index in 0..MAX_UNKNOWNS {
             let solved_and_rest = y.split_at_mut_checked(index);
             if let ([row @ .., pivot], Some((known, [slot, ..]))) = (self.row(index), solved_and_rest) {
                 *slot = if *pivot == F::ZERO { F::ZERO } else { (*slot - inner(row, known)) / *pivot };
@@ -68,7 +68,7 @@ impl<F: Real> Triangle<F> {
     /// Inverse in another scalar.
     pub(crate) fn inverse<G: Real>(&self) -> Triangle<G> {
         let mut inverse = Triangle::ZERO;
-        for index in 0..MOST_UNKNOWNS {
+        for index in 0..MAX_UNKNOWNS {
             for (row, value) in self.inverse_column(index).iter().enumerate().skip(index) {
                 if let Some(slot) = inverse.symmetric_mut(row, index) {
                     *slot = G::from_f64(value.to_f64());

@@ -16,7 +16,7 @@
 //!
 //! K is kept. A rod (C = 0) gets no axial rate.
 
-use super::state::GREATEST_RATE;
+use super::state::MAX_RATE;
 use super::{ParameterError, State, Support, Top, check, check_range};
 use crate::scalar::Float;
 use crate::su2::{Vector, cross, dot};
@@ -49,7 +49,7 @@ impl State {
         for (component, before) in omega.iter_mut().zip(self.omega) {
             *component += before;
             check(
-                component.abs() <= GREATEST_RATE,
+                component.abs() <= MAX_RATE,
                 "impulse",
                 "such that no component of omega exceeds 1e12 rad/s",
             )?;

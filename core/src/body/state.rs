@@ -7,7 +7,7 @@ use crate::su2::{AttitudeState, Orientation, Vector, dot};
 use core::f64::consts::PI;
 
 /// Largest component of an angular velocity, rad/s.
-pub(super) const GREATEST_RATE: f64 = 1e12;
+pub(super) const MAX_RATE: f64 = 1e12;
 
 /// Orientation and angular velocity at t = 0. The numbers are taken as exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,7 +54,7 @@ impl State {
         )?;
         for component in omega {
             check_range(
-                -GREATEST_RATE..=GREATEST_RATE,
+                -MAX_RATE..=MAX_RATE,
                 "omega",
                 component,
                 "between -1e12 and 1e12 rad/s in every component",
@@ -86,7 +86,7 @@ impl State {
         }
         let orientation = Orientation::from_quaternion(quaternion);
         check(is_unit(&orientation), "quaternion", "of unit norm: | w^2 + x^2 + y^2 + z^2 - 1 | <= 1e-6")?;
-        check(dot(gyro, gyro) <= GREATEST_RATE * GREATEST_RATE, "gyro", "at most 1e12 rad/s in magnitude")?;
+        check(dot(gyro, gyro) <= MAX_RATE * MAX_RATE, "gyro", "at most 1e12 rad/s in magnitude")?;
         Ok(Self { orientation, omega: orientation.normalised().adjoint(gyro) })
     }
 

@@ -35,14 +35,14 @@ numeric_struct! {
 }
 
 /// Largest e₃. Beyond it the torque has less effect than the rounding of a state.
-const LARGEST_E3: f64 = 1e14;
+const MAX_E3: f64 = 1e14;
 
 impl BranchPoints<Extended> {
     /// Branch points from three numbers, with exact differences.
     pub(crate) fn from_roots([e1, e2, e3]: [f64; 3]) -> Result<Self, ParameterError> {
         check_range(-1.0..=1.0, "e1", e1, "in [-1, e2]")?;
         check_range(e1..=1.0, "e2", e2, "in [e1, 1]")?;
-        check_range(1.0..=LARGEST_E3, "e3", e3, "in [1, 1e14]")?;
+        check_range(1.0..=MAX_E3, "e3", e3, "in [1, 1e14]")?;
         let [one, e1, e2, e3] = [1.0, e1, e2, e3].map(Extended::from);
         Ok(Self {
             e1,

@@ -50,9 +50,9 @@ impl Cubic {
     /// Largest root, by Newton's method from above.
     #[inline(never)]
     pub(super) fn largest_root(&self, pause: &mut dyn FnMut()) -> Extended {
-        const MOST_STEPS: u32 = 200;
+        const MAX_STEPS: u32 = 200;
         let mut y = self.upper_bound();
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let (value, slope) = (self.value(y), self.slope(y));
             if value <= Extended::ZERO || slope <= Extended::ZERO {
                 break;

@@ -58,11 +58,11 @@ impl Regime {
 /// Whether the tilt changes by more than roundings, or passes through the vertical.
 fn u_oscillates(e: &BranchPoints<Extended>) -> bool {
     /// Least change of the tilt that counts, rad: 2^-49, some roundings of a state.
-    const LEAST_SWING: f64 = 1.0 / (1_u64 << 49) as f64;
+    const MIN_SWING: f64 = 1.0 / (1_u64 << 49) as f64;
     let zero = Extended::ZERO;
     let passes_vertical = e.one_minus_e2 == zero || e.one_plus_e1 == zero;
     let sine_squared = e.one_minus_e1() * e.one_plus_e2();
-    let visible = e.e2_minus_e1.squared() > Extended::from(LEAST_SWING * LEAST_SWING) * sine_squared;
+    let visible = e.e2_minus_e1.squared() > Extended::from(MIN_SWING * MIN_SWING) * sine_squared;
     e.e2_minus_e1 > zero && (visible || passes_vertical)
 }
 

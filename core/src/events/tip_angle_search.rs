@@ -29,7 +29,7 @@ const START_TOLERANCE: Phase = Phase::from_bits(1 << 48);
 /// Number of consecutive pieces that contain a whole period.
 const PIECES_OF_A_PERIOD: usize = 5;
 /// Greatest number of skips. A skip leaves 1e-9 of the way: three reach 2^63 ticks, and five are in reserve.
-const MOST_SKIPS: usize = 8;
+const MAX_SKIPS: usize = 8;
 
 impl<R: EphemerisScalar> EphemerisView<R> {
     /// Tip angle at a number of ticks, with a fraction.
@@ -140,7 +140,7 @@ impl<'a, R: EphemerisScalar> TipAngleSearch<'a, R> {
             return None;
         }
         let period = self.ends.period?;
-        for _ in 0..MOST_SKIPS {
+        for _ in 0..MAX_SKIPS {
             let start = self.angle;
             let (mut least, mut greatest) = (Phase::ZERO, Phase::ZERO);
             for _ in 0..PIECES_OF_A_PERIOD {

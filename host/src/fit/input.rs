@@ -3,7 +3,7 @@
 use super::sensors::Sensors;
 use toml::Table;
 use toytop::{Support, Top};
-use toytop_fit::{FreeRatio, MOST_RATIOS};
+use toytop_fit::{FreeRatio, MAX_RATIOS};
 
 /// Keys of a top that a fit may change.
 pub const FREE_KEYS: [&str; 6] =
@@ -58,6 +58,6 @@ impl FitInput {
                 _ => FreeRatio::MASS_MOMENT,
             });
         }
-        if ratios.len() > MOST_RATIOS { Err("must be at most four keys".to_owned()) } else { Ok(ratios) }
+        if ratios.len() > MAX_RATIOS { Err("must be at most four keys".to_owned()) } else { Ok(ratios) }
     }
 }

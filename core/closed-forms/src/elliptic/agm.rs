@@ -14,12 +14,12 @@ use toytop::scalar::Float;
 /// ```
 #[must_use]
 pub fn agm<F: Float>(x: F, y: F) -> F {
-    const MOST_STEPS: usize = 24;
+    const MAX_STEPS: usize = 24;
     if x <= F::ZERO || y <= F::ZERO {
         return F::ZERO;
     }
     let (mut arithmetic, mut geometric) = (x, y);
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let gap = (arithmetic - geometric).abs();
         // √(xy) as a product of roots, because the product xy could overflow or underflow
         let root = arithmetic.sqrt() * geometric.sqrt();
@@ -43,13 +43,13 @@ pub fn agm<F: Float>(x: F, y: F) -> F {
 /// ```
 #[must_use]
 pub fn carlson_rf<F: Float>(x: F, y: F, z: F) -> F {
-    const MOST_STEPS: usize = 64;
+    const MAX_STEPS: usize = 64;
     /// Relative distance of the arguments at which the series is used; its error is of the sixth order in this
     /// distance.
     const CLOSE: f64 = 4e-6;
     let number = F::from_f64;
     let [mut x, mut y, mut z] = [x, y, z];
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let mean = (x + y + z) / number(3.0);
         let [from_x, from_y] = [(mean - x) / mean, (mean - y) / mean];
         let from_z = -(from_x + from_y);

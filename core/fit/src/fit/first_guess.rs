@@ -14,7 +14,7 @@ use toytop::su2::Orientation;
 /// Number of instants with an orientation, a direction or the axis that a guess uses.
 pub(super) const FIRST_INSTANTS: usize = 16;
 /// Largest number of instants that are searched for them.
-const MOST_INSTANTS: usize = 1024;
+const MAX_INSTANTS: usize = 1024;
 /// Number of rotations about a known direction that are tried.
 const ROTATIONS: u32 = 12;
 /// Number of rates about the axis that are tried on each side of 0.
@@ -143,7 +143,7 @@ fn aligned([fixed, body]: [Vector<f64>; 2]) -> Orientation<f64> {
 /// Guesses at the time of the first measurement, if there are any.
 #[inline(never)] // stack
 pub(super) fn guesses<F: Real>(problem: &Problem<F, impl Measurements>) -> Option<Guesses> {
-    let all = instants(problem).take(MOST_INSTANTS);
+    let all = instants(problem).take(MAX_INSTANTS);
     let end = all.clone().filter(Instant::is_oriented).nth(FIRST_INSTANTS);
     let end = end.map_or(f64::INFINITY, |instant| instant.time);
     let instants = all.take_while(|instant| instant.time < end);

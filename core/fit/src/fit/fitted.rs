@@ -9,7 +9,7 @@ use crate::model::Model;
 use crate::sensitivity::{
     COARSE_STEP, COLUMNS, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, Sensitivity,
 };
-use crate::triangle::{MOST_UNKNOWNS, Unknowns};
+use crate::triangle::{MAX_UNKNOWNS, Unknowns};
 use crate::vector::{UNITS, UP, Vector, add_all, add_scaled, cross, scaled};
 use toytop::scalar::Real;
 use toytop::{Motion, ParameterError, State, Top};
@@ -156,7 +156,7 @@ impl Fitted {
     /// Standard deviations of the unknowns, in the coordinates of [`Fitted::covariance`]. Those after the first
     /// [`Fitted::unknown_count`] are 0, and belong to no unknown.
     #[must_use]
-    pub fn deviations(&self) -> [f64; MOST_UNKNOWNS] {
+    pub fn deviations(&self) -> [f64; MAX_UNKNOWNS] {
         core::array::from_fn(|index| libm::sqrt(self.covariance.get(index, index)))
     }
 
@@ -167,7 +167,7 @@ impl Fitted {
     }
 
     /// Derivatives with respect to the unknowns, from those with respect to the launch and the ratios.
-    fn columns(&self, by: &[Vector<f64>; COLUMNS]) -> [Vector<f64>; MOST_UNKNOWNS] {
+    fn columns(&self, by: &[Vector<f64>; COLUMNS]) -> [Vector<f64>; MAX_UNKNOWNS] {
         let [d1, d2, d3, w1, w2, w3, by_ratios @ ..] = *by;
         let by_omega = [w1, w2, w3];
         // ω turns with the orientation
@@ -193,7 +193,7 @@ impl Fitted {
         let gradients = at.equations.gradients(&at.state);
         let c_over_a = at.equations.coefficients.c_over_a;
         let per_time = model.top.transverse_inertia() / span;
-        let mut rates_by = [[0.0; 3]; MOST_UNKNOWNS];
+        let mut rates_by = [[0.0; 3]; MAX_UNKNOWNS];
         for (index, _) in model.losses() {
             let (Some(slot), Some(tangent)) = (rates_by.get_mut(index), at.tangents.get(index)) else {
                 continue;
@@ -232,7 +232,7 @@ fn unobservable(fitted: &Fitted, units: &Unknowns) -> Unobservable {
     let sum = factor(ALIGNED_SINE * ALIGNED_SINE, LAUNCH_COLUMNS);
     let (axis, none) = (launch.orientation.axis(), [0.0; 3]);
     let [yaw, roll, spin] = [[UP, none], [axis, cross(launch.omega, axis)], [none, axis]].map(|direction| {
-        let mut along = [0.0; MOST_UNKNOWNS];
+        let mut along = [0.0; MAX_UNKNOWNS];
         let components = direction.as_flattened().iter().zip(units);
         along.iter_mut().zip(components).for_each(|(slot, (x, unit))| *slot = x / unit);
         squares(&sum.solved(along)) < squares(&along)

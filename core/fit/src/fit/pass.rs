@@ -4,10 +4,10 @@ use crate::estimate::Estimate;
 use crate::fit::problem::Problem;
 use crate::fit::statistics::Statistics;
 use crate::information::Information;
-use crate::model::{MOST_SENSORS, Model, Prior};
+use crate::model::{MAX_SENSORS, Model, Prior};
 use crate::sensitivity::{Partials, Trajectory};
 use crate::sensors::{Measurement, Measurements, Residual, Sensor};
-use crate::triangle::MOST_UNKNOWNS;
+use crate::triangle::MAX_UNKNOWNS;
 use toytop::scalar::Real;
 
 /// Estimate, and the least-squares problem of its corrections.
@@ -29,7 +29,7 @@ impl<F: Real> Pass<F> {
         trajectory: &mut Trajectory<F>,
     ) {
         let prior_squares = self.begin(problem.model, prior, trajectory);
-        let mut sensors = [Statistics::new(problem.huber, 0.0); MOST_SENSORS];
+        let mut sensors = [Statistics::new(problem.huber, 0.0); MAX_SENSORS];
         let mut epoch = None;
         for measurement in problem.measurements().take(count) {
             let start = *epoch.get_or_insert(measurement.time);
@@ -83,7 +83,7 @@ impl<F: Real> Pass<F> {
             let residual = (*difference - known) * per_deviation;
             let weight = statistics.add(residual);
             let scale = weight * per_deviation;
-            let mut row = [F::ZERO; MOST_UNKNOWNS];
+            let mut row = [F::ZERO; MAX_UNKNOWNS];
             for (slot, column) in row.iter_mut().zip(columns).take(model.motion_count) {
                 *slot = scale * column.get(component).copied()?;
             }

@@ -20,7 +20,7 @@ const EQUAL_COST: f64 = 9.0;
 /// Least distance of two launches that are not the same, in standard deviations.
 const OTHER_LAUNCH_SIGMA: f64 = 10.0;
 /// Least mean square of residuals of rates in degrees: the noise given may be twice too large.
-const LEAST_NOISE: f64 = 0.25;
+const MIN_NOISE: f64 = 0.25;
 /// Least quotient of a rate beyond the range and a reading at its end. Bias and mounting may shift the reading.
 const RANGE_FRACTION: f64 = 0.9;
 /// Largest sine of the tilt, and largest share of ω across the axis, of a launch that is compared with an upright one.
@@ -156,7 +156,7 @@ pub(super) fn misfit_cause<F: Real>(
     let (warning, _) = search(&problem.in_degrees(), solver);
     // smaller numbers have smaller residuals, whatever the motion is
     let statistics = &solver.best.statistics;
-    let has_noise = statistics.chi_squared > LEAST_NOISE * f64::from(statistics.used);
+    let has_noise = statistics.chi_squared > MIN_NOISE * f64::from(statistics.used);
     if has_noise && (warning.is_none() || statistics.chi_squared < 0.1 * chi_squared) {
         return Some(FitWarning::RatesInDegrees);
     }

@@ -8,7 +8,7 @@ use crate::information::Information;
 use crate::model::{Model, Prior};
 use crate::sensitivity::Trajectory;
 use crate::sensors::Measurements;
-use crate::triangle::MOST_UNKNOWNS;
+use crate::triangle::MAX_UNKNOWNS;
 use toytop::scalar::Real;
 
 /// Size of the last correction of a fit that has converged, in standard deviations. The next one would be about its square.
@@ -16,13 +16,13 @@ pub(super) const CONVERGED_SIGMA: f64 = 0.05;
 /// Damping at the beginning.
 const FIRST_DAMPING: f64 = 1e-3;
 /// Largest number of passes over one part of the measurements.
-const MOST_PASSES: u32 = 30;
+const MAX_PASSES: u32 = 30;
 /// Largest estimated size of the next correction, in standard deviations, for a fit to end without another pass.
 const NEXT_SETTLED: f64 = 0.1;
 /// Largest correction after which a fit may end without another pass, in standard deviations.
-const MOST_UNCONFIRMED: f64 = 10.0;
+const MAX_UNCONFIRMED: f64 = 10.0;
 /// Least sine of the tilt at which a fit may end without another pass.
-const LEAST_TILT: f64 = 0.1;
+const MIN_TILT: f64 = 0.1;
 /// Largest change of the sum of squares that the error of the integration causes.
 const COST_ERROR: f64 = 0.05;
 
@@ -93,7 +93,7 @@ impl<F: Real> Solver<F> {
         self.damping = self.damping.min(FIRST_DAMPING);
         self.last_change = None;
         self.current.estimate = self.best.estimate;
-        for _ in 0..MOST_PASSES {
+        for _ in 0..MAX_PASSES {
             self.pass(problem, count);
             if let Some(done) = self.correct(problem.model, settled) {
                 return done;
@@ -142,12 +142,12 @@ impl<F: Real> Solver<F> {
         }
         // near the vertical the derivatives themselves depend on the launch
         let [x, y, _] = next.orientation.axis();
-        let near = x * x + y * y > LEAST_TILT * LEAST_TILT
-            && size < MOST_UNCONFIRMED
+        let near = x * x + y * y > MIN_TILT * MIN_TILT
+            && size < MAX_UNCONFIRMED
             && self.curvature * size * size < NEXT_SETTLED;
         if size < settled || near {
             // the information is about changes along the body axes, and does not turn with the correction
-            best.information.set_solution(&[F::ZERO; MOST_UNKNOWNS]);
+            best.information.set_solution(&[F::ZERO; MAX_UNKNOWNS]);
             best.estimate = next;
             // the correction lowers the sum of squares by this amount, as far as the equations are linear
             best.statistics.cost -= size * size;

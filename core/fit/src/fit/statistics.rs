@@ -7,7 +7,7 @@ const MISFIT_SIGMA: f64 = 5.0;
 /// Residual of a gross error, in standard deviations.
 const GROSS_SIGMA: f64 = 10.0;
 /// Largest sum of squares of the differences from prior values. There are at most a dozen.
-const MOST_PRIOR: f64 = 60.0;
+const MAX_PRIOR: f64 = 60.0;
 
 /// Residuals of a fit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -88,7 +88,7 @@ impl Statistics {
         let limited = if self.outliers > 0 { self.huber * self.huber * outliers } else { 0.0 };
         let freedom = (f64::from(self.used) - outliers - unknowns as f64).max(1.0);
         self.contradicted
-            || self.prior > MOST_PRIOR
+            || self.prior > MAX_PRIOR
             || self.outliers > self.used / 5 + 3
             || self.gross > self.used / 20 + 3
             || self.chi_squared - limited > freedom + MISFIT_SIGMA * libm::sqrt(2.0 * freedom)

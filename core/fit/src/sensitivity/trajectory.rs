@@ -10,7 +10,7 @@ use toytop::Phase;
 use toytop::scalar::Real;
 
 /// Largest number of steps from one time to the next.
-const MOST_STEPS: f64 = 200_000.0;
+const MAX_STEPS: f64 = 200_000.0;
 /// Largest square of a tangent's size; the squares of larger ones would not be finite.
 const LARGEST: f64 = 1e300;
 
@@ -67,7 +67,7 @@ impl<F: Real> Trajectory<F> {
         if self.time.to_bits() == t.to_bits() {
             return Some(());
         }
-        if !self.reaches(t, MOST_STEPS) {
+        if !self.reaches(t, MAX_STEPS) {
             return None;
         }
         while !self.reaches(t, 1.0) {

@@ -9,7 +9,7 @@
 //! |m|² (1 - e₁)(1 - e₂) = (l - n)²,    |m|² (1 + e₁)(1 + e₂) = (l + n)²
 //! ```
 
-use super::{BranchPoints, LARGEST_E3};
+use super::{BranchPoints, MAX_E3};
 use crate::body::{ParameterError, State, Top, check};
 use crate::constants::cubic::Cubic;
 use crate::constants::{FirstIntegrals, ReducedPoint};
@@ -46,7 +46,7 @@ impl BranchPoints<Extended> {
             Self::from_lower(&lower, energy_factor, integrals, point)
         };
         check(
-            e.e3_minus_one <= LARGEST_E3.into(),
+            e.e3_minus_one <= MAX_E3.into(),
             "omega",
             "slow enough for e3 <= 1e14 (faster, a body feels no torque: Top::free is then exact)",
         )?;

@@ -22,7 +22,7 @@ pub(super) struct Landen<const WORDS: usize> {
 }
 
 /// Largest number of nodes on half a period. A motion with m₁ = 1e-300 needs 2560.
-pub(super) const MOST_NODES: u32 = 1 << 13;
+pub(super) const MAX_NODES: u32 = 1 << 13;
 
 /// Transformation to a modulus k.
 #[derive(Clone, Copy)]
@@ -39,7 +39,7 @@ const LANDEN_STEPS: usize = 12;
 
 impl<const WORDS: usize> Landen<WORDS> {
     /// Modulus whose transformation is negligible.
-    const LEAST_MODULUS: f64 = if WORDS == 1 { 2e-20 } else { 1e-33 };
+    const MIN_MODULUS: f64 = if WORDS == 1 { 2e-20 } else { 1e-33 };
 
     /// Sequence without steps.
     pub(super) const EMPTY: Self = {
@@ -57,7 +57,7 @@ impl<const WORDS: usize> Landen<WORDS> {
         for step in &mut self.steps {
             let per_sum = Wide::ONE / (Wide::ONE + conjugate);
             let modulus = modulus_squared * per_sum.squared();
-            if modulus.to_f64() <= Self::LEAST_MODULUS {
+            if modulus.to_f64() <= Self::MIN_MODULUS {
                 break;
             }
             let complement = conjugate.doubled() * per_sum;
@@ -89,7 +89,7 @@ impl<const WORDS: usize> Landen<WORDS> {
         let nodes = bits / self.bits_per_node();
         let doubled = |division: u32| {
             let mut count = 4 * division;
-            while f64::from(count) < nodes && count < MOST_NODES {
+            while f64::from(count) < nodes && count < MAX_NODES {
                 count *= 2;
             }
             (division, count)

@@ -2,7 +2,7 @@
 
 use super::Period;
 use super::elliptic_equations::EllipticEquations;
-use super::landen::{Landen, MOST_NODES};
+use super::landen::{Landen, MAX_NODES};
 use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::{Extended, Float, Ring, Wide};
 
@@ -20,7 +20,7 @@ impl Period {
         let (nodes, needed) = landen.node_counts(TrapezoidRule::<WORDS>::BITS);
         let mut rule = TrapezoidRule::new(&elliptic, &landen, nodes, pause);
         // beyond twice the number needed only roundings are left
-        let most = MOST_NODES.min(2 * needed);
+        let most = MAX_NODES.min(2 * needed);
         loop {
             let error = rule.double_nodes();
             if rule.nodes >= most || rule.nodes >= needed && error <= TrapezoidRule::<WORDS>::SETTLED {

@@ -22,7 +22,7 @@ mod recurrence;
 
 mod cayley_klein;
 
-use super::series::{MOST_TERMS, PowerSeries, integrated};
+use super::series::{MAX_TERMS, PowerSeries, integrated};
 use crate::integer::power_of_two;
 use crate::phase::Phase;
 use crate::scalar::{Ring, Scalar};
@@ -146,8 +146,8 @@ impl Expansion {
     /// Whether coefficients should be in range over twice the distance.
     pub(super) fn may_double(&self) -> bool {
         /// Greatest ratio |c₁/c₀| of the coefficients of dχ/dy.
-        const GREATEST_CHANGE: f32 = 1.25;
-        self.chi.term(1, 1.0) <= GREATEST_CHANGE * self.chi.term(0, 1.0)
+        const MAX_CHANGE: f32 = 1.25;
+        self.chi.term(1, 1.0) <= MAX_CHANGE * self.chi.term(0, 1.0)
     }
 
     /// Rounding error of the phases at x = 1, rad.

@@ -30,7 +30,7 @@ use crate::motion::cayley_klein::Ellipses;
 use crate::motion::period::Period;
 use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::{Extended, Float, Ring};
-use crate::table::data::cell::{CELLS, Cell, LEAST_DEPTH};
+use crate::table::data::cell::{CELLS, Cell, MIN_DEPTH};
 use crate::table::evaluation::EphemerisScalar;
 
 /// Quantities of half a period besides its segments.
@@ -139,17 +139,17 @@ impl HalfPeriod {
         segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
     ) -> Option<()> {
-        let (mut position, mut depth) = (0, LEAST_DEPTH);
+        let (mut position, mut depth) = (0, MIN_DEPTH);
         while position < HALF_PERIOD {
             // Segments twice as long as the last ones are tried first. A segment of two cells begins at an even cell.
-            depth = (depth - 1).max(LEAST_DEPTH + (position / CELL % 2) as u32);
+            depth = (depth - 1).max(MIN_DEPTH + (position / CELL % 2) as u32);
             let point = path.point_at(position);
             path.try_longer_spans(depth);
             let (cell, bounds) = loop {
                 let cell = Interval { begin: position, depth: depth.min(CELLS.ilog2()) };
-                let remainder = (HALF_PERIOD - cell.end()).div_ceil(HALF_PERIOD >> LEAST_DEPTH);
+                let remainder = (HALF_PERIOD - cell.end()).div_ceil(HALF_PERIOD >> MIN_DEPTH);
                 let count = self.segments + cell.part_count(depth) + remainder;
-                if depth > Cell::DEEPEST || count > path.limits.capacity {
+                if depth > Cell::MAX_DEPTH || count > path.limits.capacity {
                     return None;
                 }
                 if let Some(bounds) = self.fill_cell::<R>(cell, depth, point, path, segments, pause) {
@@ -157,7 +157,7 @@ impl HalfPeriod {
                 }
                 depth += 1;
             };
-            let Cell(entry) = Cell::new(self.segments, position >> (Cell::DEEPEST - depth), depth);
+            let Cell(entry) = Cell::new(self.segments, position >> (Cell::MAX_DEPTH - depth), depth);
             self.cells
                 .iter_mut()
                 .skip(position / CELL)

@@ -5,7 +5,7 @@ use crate::phase::Phase;
 use crate::table::data::cell::Cell;
 
 /// Length of half a period, in shortest segments.
-pub(super) const HALF_PERIOD: usize = 1 << Cell::DEEPEST;
+pub(super) const HALF_PERIOD: usize = 1 << Cell::MAX_DEPTH;
 
 /// One of the 2^depth equal parts of half a period: a span, a cell or a segment. Positions are in shortest segments.
 #[derive(Clone, Copy, Debug)]
@@ -31,7 +31,7 @@ impl Interval {
     /// Nutation phase at x in [-1, 1].
     pub(super) fn phase(self, x: f64) -> Phase {
         // the half period is half a turn
-        let unit = Phase::from_bits(Phase::QUARTER.to_bits() >> Cell::DEEPEST);
+        let unit = Phase::from_bits(Phase::QUARTER.to_bits() >> Cell::MAX_DEPTH);
         unit * (self.begin + self.end()) as i64 + Phase::from_turns(0.5 * x * self.half_length())
     }
 
@@ -55,7 +55,7 @@ mod tests {
     fn a_span_has_the_phases_of_its_position() {
         let second = Interval { begin: HALF_PERIOD / 4, depth: 2 };
         assert_eq!((second.phase(-1.0), second.phase(1.0)), (Phase::from_bits(1 << 93), Phase::QUARTER));
-        let last = Interval { begin: HALF_PERIOD - 1, depth: Cell::DEEPEST };
+        let last = Interval { begin: HALF_PERIOD - 1, depth: Cell::MAX_DEPTH };
         assert_eq!((last.end(), last.phase(1.0)), (HALF_PERIOD, Phase::HALF));
     }
 }

@@ -13,7 +13,7 @@ use crate::scalar::{Extended, Float, Ring, Scalar, sine_cosine_from_q57};
 use crate::table::data::cell::Cell;
 
 /// Depth of the longest span.
-const LEAST_SPAN_DEPTH: u32 = 2;
+const MIN_SPAN_DEPTH: u32 = 2;
 
 /// Point of the path.
 #[derive(Clone, Copy, Debug)]
@@ -118,7 +118,7 @@ impl<'a, F: Float> Path<'a, F> {
             endpoint_rate: Ring::max(first, last),
             span: None,
             end: PathPoint::FIRST,
-            depth: LEAST_SPAN_DEPTH,
+            depth: MIN_SPAN_DEPTH,
         }
     }
 
@@ -149,7 +149,7 @@ impl<'a, F: Float> Path<'a, F> {
         if let Some(span) = self.span.filter(|span| (span.begin..span.end()).contains(&position)) {
             return Some(span);
         }
-        let depth = self.depth.max(Cell::DEEPEST.saturating_sub(position.trailing_zeros()));
+        let depth = self.depth.max(Cell::MAX_DEPTH.saturating_sub(position.trailing_zeros()));
         let mut span = Interval { begin: position, depth };
         while span.depth <= deepest {
             self.span = self.expand(span, point, pause).map(|()| span);

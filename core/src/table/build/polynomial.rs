@@ -3,20 +3,20 @@
 //! The last term c x^k is dropped by subtracting c 2^(1-k) T_k(x), at most |c| 2^(1-k) in value.
 
 use super::limits::Limits;
-use super::series::MOST_TERMS;
+use super::series::MAX_TERMS;
 use crate::integer::{Limbs, product_u32, u64_to_f32};
 use crate::scalar::{Float, Ring};
 use crate::table::evaluation::TABLE_UNIT;
 
 /// Fraction bits of the coefficients of [`CHEBYSHEV`].
-const CHEBYSHEV_BITS: u32 = MOST_TERMS as u32 - 2;
+const CHEBYSHEV_BITS: u32 = MAX_TERMS as u32 - 2;
 
 /// Coefficients of x^(k-2), x^(k-4), ... in T_k(x) 2^(1-k), for each k.
 #[allow(clippy::indexing_slicing)] // in a constant, an index out of range does not compile
-static CHEBYSHEV: [[i32; MOST_TERMS / 2]; MOST_TERMS] = {
-    let mut coefficients = [[0; MOST_TERMS / 2]; MOST_TERMS];
+static CHEBYSHEV: [[i32; MAX_TERMS / 2]; MAX_TERMS] = {
+    let mut coefficients = [[0; MAX_TERMS / 2]; MAX_TERMS];
     let mut k = 2;
-    while k < MOST_TERMS {
+    while k < MAX_TERMS {
         let (mut coefficient, mut m) = (1_i64 << CHEBYSHEV_BITS, 0);
         while 2 * m + 2 <= k {
             coefficient *= -(((k - 2 * m) * (k - 2 * m - 1)) as i64);
@@ -32,13 +32,13 @@ static CHEBYSHEV: [[i32; MOST_TERMS / 2]; MOST_TERMS] = {
 /// Real or imaginary part of a polynomial. The unit is 2^-62.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part {
-    pub(super) coefficients: [i64; MOST_TERMS],
+    pub(super) coefficients: [i64; MAX_TERMS],
     /// Upper bound on the change of the value by the dropped terms.
     dropped: i64,
 }
 
 impl Part {
-    const ZERO: Self = Self { coefficients: [0; MOST_TERMS], dropped: 0 };
+    const ZERO: Self = Self { coefficients: [0; MAX_TERMS], dropped: 0 };
 
     fn drop_last(&mut self, degree: usize) {
         let last = self.coefficients.get_mut(degree).map_or(0, core::mem::take);
@@ -117,7 +117,7 @@ impl Polynomial {
     #[inline(never)]
     fn halve(&mut self, upper: bool) {
         for part in &mut self.parts {
-            let mut half = [0; MOST_TERMS];
+            let mut half = [0; MAX_TERMS];
             for (degree, c) in part.coefficients.iter().take(self.terms).rev().enumerate() {
                 let mut lower_power = 0;
                 for power in half.iter_mut().take(degree + 1) {
@@ -165,7 +165,7 @@ mod tests {
     use super::*;
 
     fn polynomial(ratio: f64, sense: f64) -> Polynomial {
-        let mut part = [0; MOST_TERMS];
+        let mut part = [0; MAX_TERMS];
         for (power, c) in part.iter_mut().enumerate() {
             *c =
                 (sense.powi(power as i32 % 2) * (1.0 - ratio) * ratio.powi(power as i32) / TABLE_UNIT) as i64;
@@ -174,7 +174,7 @@ mod tests {
         let parts = if sense > 0.0 { [part, half] } else { [half, part] };
         Polynomial {
             parts: parts.map(|coefficients| Part { coefficients, ..Part::ZERO }),
-            terms: MOST_TERMS,
+            terms: MAX_TERMS,
             remainder: 0.0,
         }
     }
@@ -182,7 +182,7 @@ mod tests {
     fn derivative(series: &Polynomial, order: i32, x: f64) -> [f64; 2] {
         series.parts.map(|part| {
             let factor = |k: i32| (0..order).map(|m| f64::from(k - m)).product::<f64>();
-            let terms = part.coefficients.iter().zip(0..MOST_TERMS as i32).skip(order as usize).rev();
+            let terms = part.coefficients.iter().zip(0..MAX_TERMS as i32).skip(order as usize).rev();
             TABLE_UNIT * terms.fold(0.0, |sum, (c, k)| sum * x + factor(k) * *c as f64)
         })
     }
@@ -216,7 +216,7 @@ mod tests {
         let greatest = |of: &dyn Fn(f64) -> f64| {
             (0..=points).map(|i| of(2.0 * f64::from(i) / f64::from(points) - 1.0)).fold(0.0, f64::max)
         };
-        for terms in 2..MOST_TERMS {
+        for terms in 2..MAX_TERMS {
             let mut short = exact;
             short.shorten(terms, i64::MAX);
             assert!(short.parts.iter().all(|part| part.coefficients[terms..].iter().all(|c| *c == 0)));

@@ -7,7 +7,7 @@ use core::ops::Range;
 use crate::integer::{LIMB_BITS, Limbs, exponent, in_units, ldexp, mantissa_and_exponent, power_of_two};
 
 /// Largest number of terms of a series.
-pub(super) const MOST_TERMS: usize = 16;
+pub(super) const MAX_TERMS: usize = 16;
 
 /// Bits of a coefficient of the expected magnitude. One may be four times as large.
 pub(super) const BITS: i32 = 56;
@@ -16,14 +16,14 @@ pub(super) const BITS: i32 = 56;
 const OUT_OF_RANGE: i64 = 1 << (BITS + 3);
 
 /// Least shift of a sum in range.
-const LEAST_SHIFT: i32 = 33;
+const MIN_SHIFT: i32 = 33;
 
 /// Sum upper · 2^60 + lower · 2^30 divided by 2^shift, rounded to the nearest, with lower in [0, 2^30).
 fn shifted_sum(upper: i64, lower: u32, shift: i32) -> i64 {
     let twice = match shift {
         61.. => upper >> (shift - 61).min(63),
         // whether upper is below 2^(shift - 1)
-        LEAST_SHIFT.. if matches!((upper >> 32) as i32 >> (shift - 33), 0 | -1) => {
+        MIN_SHIFT.. if matches!((upper >> 32) as i32 >> (shift - 33), 0 | -1) => {
             (upper << (61 - shift)) + i64::from(lower >> (shift - 31))
         }
         _ if upper == 0 && lower == 0 => return 0,
@@ -84,10 +84,10 @@ impl UnitFactor {
 /// Coefficient c/(k + 1) of the integral of a term c y^k, rounded to the nearest.
 pub(super) fn integrated(c: i64, k: usize) -> i64 {
     #[allow(clippy::indexing_slicing)]
-    static INVERSES: [Limbs; MOST_TERMS] = {
-        let mut inverses = [Limbs::ZERO; MOST_TERMS];
+    static INVERSES: [Limbs; MAX_TERMS] = {
+        let mut inverses = [Limbs::ZERO; MAX_TERMS];
         let mut k = 0;
-        while k < MOST_TERMS {
+        while k < MAX_TERMS {
             let divisor = k as i64 + 1;
             inverses[k] = Limbs::new(((1 << FACTOR_BITS) + divisor / 2) / divisor);
             k += 1;
@@ -100,12 +100,12 @@ pub(super) fn integrated(c: i64, k: usize) -> i64 {
 /// Coefficients of 1, y, y², ..., in units of 2^exponent.
 #[derive(Debug)]
 pub(super) struct PowerSeries {
-    coefficients: [Limbs; MOST_TERMS],
+    coefficients: [Limbs; MAX_TERMS],
     pub(super) exponent: i32,
 }
 
 impl PowerSeries {
-    pub(super) const ZERO: Self = Self { coefficients: [Limbs::ZERO; MOST_TERMS], exponent: 0 };
+    pub(super) const ZERO: Self = Self { coefficients: [Limbs::ZERO; MAX_TERMS], exponent: 0 };
 
     /// Sets the exponent for coefficients that are expected to be at most `magnitude`.
     pub(super) fn set_exponent(&mut self, magnitude: f64) {
@@ -189,7 +189,7 @@ mod tests {
         for _ in 0..if cfg!(miri) { 300 } else { 100_000 } {
             bits = crate::integer::next_random(bits);
             let (upper, lower) = (bits as i64 >> (5 + bits % 56), (bits >> 34) as u32);
-            let shift = LEAST_SHIFT + (bits >> 40) as i32 % 90;
+            let shift = MIN_SHIFT + (bits >> 40) as i32 % 90;
             let sum = (i128::from(upper) << (2 * LIMB_BITS)) + (i128::from(lower) << LIMB_BITS);
             let exact = ((sum >> (shift - 1)) + 1) >> 1;
             let (found, in_range) =

@@ -9,7 +9,7 @@ use super::limits::Limits;
 use super::path::SpanMemory;
 use crate::constants::Regime;
 use crate::motion::Motion;
-use crate::table::data::cell::{Cell, LEAST_SEGMENTS};
+use crate::table::data::cell::{Cell, MIN_SEGMENTS};
 use crate::table::data::{Clock, Ephemeris, EphemerisMemory, EphemerisView, Tick};
 use crate::table::evaluation::EphemerisScalar;
 
@@ -186,7 +186,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     #[must_use]
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let workspace = &mut Workspace::new();
-        tabulate::<R>(motion, truncation, workspace, &mut [], Cell::MOST_SEGMENTS, &mut || {}).ok()?;
-        Some(workspace.half_period.segments.max(LEAST_SEGMENTS) as u32)
+        tabulate::<R>(motion, truncation, workspace, &mut [], Cell::MAX_SEGMENTS, &mut || {}).ok()?;
+        Some(workspace.half_period.segments.max(MIN_SEGMENTS) as u32)
     }
 }

@@ -213,9 +213,9 @@ macro_rules! baked {
     };
 }
 
-baked!(f32, f32 <= GREATEST_F32, i32);
-baked!(f64, f64 <= GREATEST_F64, f64);
+baked!(f32, f32 <= MAX_F32, i32);
+baked!(f64, f64 <= MAX_F64, f64);
 #[cfg(feature = "fixed")]
-baked!(fixed::types::I2F30, f32 <= GREATEST_F32, i32);
+baked!(fixed::types::I2F30, f32 <= MAX_F32, i32);
 #[cfg(feature = "fixed")]
-baked!(fixed::types::I2F14, f32 <= GREATEST_F32, i16);
+baked!(fixed::types::I2F14, f32 <= MAX_F32, i16);

@@ -1,7 +1,7 @@
 //! Table of one motion with its error bounds, and the memory for it.
 
 use crate::table::data::Clock;
-use crate::table::data::cell::{CELLS, Cell, LEAST_SEGMENTS};
+use crate::table::data::cell::{CELLS, Cell, MIN_SEGMENTS};
 use crate::table::evaluation::EphemerisScalar;
 use core::ops::{Deref, DerefMut};
 
@@ -42,7 +42,7 @@ pub type EphemerisQ15 = Ephemeris<fixed::types::I2F14, 16>;
 impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
     /// Table before set-up. All its bits are 0, so that it takes no flash.
     const EMPTY: Self = {
-        assert!(SEGMENTS >= LEAST_SEGMENTS && SEGMENTS <= Cell::MOST_SEGMENTS);
+        assert!(SEGMENTS >= MIN_SEGMENTS && SEGMENTS <= Cell::MAX_SEGMENTS);
         Self {
             clock: Clock::ZERO,
             error_bound: ErrorBound::ZERO,

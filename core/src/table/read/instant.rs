@@ -67,9 +67,9 @@ impl<W: Copy> Clock<W> {
     /// `None` beyond 2^62 ticks, and for fast ticks, in which a phase turns by half a turn or more.
     #[inline(always)]
     fn tick_and_fraction(&self, t: f64) -> Option<(i64, u64)> {
-        const MOST_TICKS: f64 = (1_u64 << 62) as f64;
+        const MAX_TICKS: f64 = (1_u64 << 62) as f64;
         let [hi, lo] = self.ticks_per_time;
-        let near = (t * hi).abs() < MOST_TICKS || !t.is_finite();
+        let near = (t * hi).abs() < MAX_TICKS || !t.is_finite();
         let slow = self.step_turns.iter().all(|[turns, _]| turns.abs() < 0.5);
         if !(near && slow) {
             return None;

@@ -1,7 +1,7 @@
 //! Search for the segment of a nutation phase.
 
 use crate::table::data::EphemerisView;
-use crate::table::data::cell::{Cell, LEAST_DEPTH};
+use crate::table::data::cell::{Cell, MIN_DEPTH};
 use crate::table::evaluation::{EphemerisScalar, SegmentPoint};
 
 impl<R: EphemerisScalar> EphemerisView<R> {
@@ -17,9 +17,9 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         // a cell refers to a segment of the table, which has one: the fallbacks only avoid a panic
         let segment = self.segments.get(index).or(self.segments.first());
         // 32 leading bits of the fraction of an eighth
-        let eighth = (half >> (32 - LEAST_DEPTH)) as u32;
+        let eighth = (half >> (32 - MIN_DEPTH)) as u32;
         // the range [0, 1) becomes [-1, 1) by flipping the upper bit
-        let halvings = depth - LEAST_DEPTH;
+        let halvings = depth - MIN_DEPTH;
         let (x_q63, x_q31) = ((half << depth) ^ (1 << 63), (eighth << halvings) ^ (1 << 31));
         let point =
             SegmentPoint { x_q63: x_q63 as i64, x_q31: x_q31 as i32, halvings, is_falling: falling < 0 };

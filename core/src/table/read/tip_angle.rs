@@ -50,7 +50,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         pause();
         let [[a, b], [a_slope, b_slope]] = before_rotation::<R>(rows, point);
         let (product, change) = (a * b, a_slope * b + a * b_slope);
-        let least = LEAST_MODULUS * R::ROUNDING * (a.norm_squared() + b.norm_squared());
+        let least = MIN_MODULUS * R::ROUNDING * (a.norm_squared() + b.norm_squared());
         let is_near_zero = product.norm_squared() <= least * least;
         let direction = match (is_near_zero, point.x_q63 < 0) {
             (false, _) => product,
@@ -73,7 +73,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 }
 
 /// Value of |ab|, in roundings of the scalar, below which its argument is unknown.
-const LEAST_MODULUS: f64 = 64.0;
+const MIN_MODULUS: f64 = 64.0;
 
 /// Argument of a number that turns by less than half a turn at a time: it continues from 0, and counts whole turns.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,6 @@
 //! Series of a and b: each is the sum of two exponentials of the phases.
 
-use super::{Expansion, MOST_TERMS, PowerSeries};
+use super::{Expansion, MAX_TERMS, PowerSeries};
 use crate::integer::{Limbs, in_units, shifted_right};
 use crate::scalar::{Ring, SINE_BITS, sine_cosine_q57};
 use crate::table::build::series::{BITS, UnitFactor, in_range, integrated};
@@ -21,7 +21,7 @@ impl Expansion {
         [p, q]: [f64; 2],
         least: i64,
         scratch: &mut [PowerSeries; 4],
-        mut sums: [&mut [i64; MOST_TERMS]; 2],
+        mut sums: [&mut [i64; MAX_TERMS]; 2],
     ) -> Option<usize> {
         let [forwards, backwards, re, im] = scratch;
         let Self { chi, residual, origin, terms, .. } = self;
@@ -81,7 +81,7 @@ fn continue_exponential(
 ) -> Option<usize> {
     // limit of a coefficient of yᵏ, in units of 2^-62
     let (mut limit, mut before) = (least, false);
-    for k in 0..MOST_TERMS - 1 {
+    for k in 0..MAX_TERMS - 1 {
         let next = |part: &PowerSeries| {
             in_range(rate.product(part, 0..terms.min(k + 1), k, -rate.exponent))
                 .map(|next| integrated(next, k))
@@ -98,7 +98,7 @@ fn continue_exponential(
         }
         before = negligible;
     }
-    Some(MOST_TERMS)
+    Some(MAX_TERMS)
 }
 
 #[cfg(test)]
@@ -180,7 +180,7 @@ mod tests {
                     worst[0] = worst[0].max(origin.weight * (slope - of(rates.half_phase)).abs());
                     worst[1] = worst[1].max((alpha - of(rates.psi_alpha)).abs());
                     worst[2] = worst[2].max((beta - of(rates.psi_beta)).abs());
-                    let ([p, q], mut parts) = ([0.6, -0.3], [[0; MOST_TERMS]; 2]);
+                    let ([p, q], mut parts) = ([0.6, -0.3], [[0; MAX_TERMS]; 2]);
                     let mut scratch = [PowerSeries::ZERO; 4];
                     expansion.add_exponentials(0, [p, q], 5, &mut scratch, parts.each_mut()).unwrap();
                     let [re, im] = parts

@@ -1,6 +1,6 @@
 //! Coefficients of an expansion, one after another.
 
-use super::{Expansion, MOST_TERMS, NOISE, Origin, PowerSeries, RateSeries};
+use super::{Expansion, MAX_TERMS, NOISE, Origin, PowerSeries, RateSeries};
 use crate::integer::in_units;
 use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::Ring;
@@ -77,7 +77,7 @@ struct Recurrence {
 }
 
 /// Largest dχ/dy at which series may converge fast enough to be used.
-const STEEPEST: f64 = 4.0;
+const MAX_CHI_RATE: f64 = 4.0;
 
 impl Expansion {
     /// Expands the motion around a point.
@@ -158,9 +158,9 @@ impl Expansion {
     /// Computes coefficients until two in succession are negligible. Returns their number.
     #[inline(never)]
     fn recur(&mut self, recurrence: &Recurrence, pause: &mut dyn FnMut()) -> Option<usize> {
-        (self.chi.at_origin <= STEEPEST).then_some(())?;
+        (self.chi.at_origin <= MAX_CHI_RATE).then_some(())?;
         let mut before = false;
-        for k in 0..MOST_TERMS {
+        for k in 0..MAX_TERMS {
             if k % 4 == 0 {
                 pause();
             }
@@ -171,7 +171,7 @@ impl Expansion {
             }
             before = negligible;
         }
-        Some(MOST_TERMS)
+        Some(MAX_TERMS)
     }
 
     /// Computes the k-th coefficients of the rates. Returns whether they are negligible.

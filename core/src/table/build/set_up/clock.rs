@@ -5,7 +5,7 @@ use crate::motion::Motion;
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
 use crate::table::build::TableSettings;
-use crate::table::data::cell::{LEAST_SEGMENTS, is_falling};
+use crate::table::data::cell::{MIN_SEGMENTS, is_falling};
 use crate::table::data::{Clock, EphemerisView};
 use crate::table::evaluation::EphemerisScalar;
 
@@ -44,7 +44,7 @@ impl<W: Float> Clock<W> {
             has_turning_points: motion.regime() == Regime::Nutating,
             twice_tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
             // x changes by 2 over each segment
-            x_rate: W::from_f64(4.0 * LEAST_SEGMENTS as f64 * frequency.to_f64()),
+            x_rate: W::from_f64(4.0 * MIN_SEGMENTS as f64 * frequency.to_f64()),
             mean_sum_rate: W::from_f64(((alpha + beta) * Extended::TWO_PI).to_f64()),
             axial_rate: W::from_f64(motion.first_integrals().spin),
             first_phases: first_phases.map(WrappedPhase::leading_bits),

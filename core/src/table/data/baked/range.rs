@@ -1,11 +1,11 @@
 //! Ranges of literal data, in which no integer of a tick overflows and only the tip's velocity may become infinite. Every set-up keeps them.
 
 /// Largest rate, length or coefficient in `f64`. Products of three such numbers and of powers of two stay finite.
-pub(super) const GREATEST_F64: f64 = 1e60;
+pub(super) const MAX_F64: f64 = 1e60;
 /// Largest rate or length in `f32`. Only the velocity of the tip, a product of two such numbers, may become infinite.
-pub(super) const GREATEST_F32: f64 = 1e30_f32 as f64;
+pub(super) const MAX_F32: f64 = 1e30_f32 as f64;
 /// Largest 32-bit sum from which the smallest chip computes a product by halves.
-const GREATEST_SUM: u64 = (1 << 31) - (1 << 15);
+const MAX_SUM: u64 = (1 << 31) - (1 << 15);
 
 /// Whether no number is NaN or of a larger size.
 pub(super) const fn within(mut numbers: &[f64], greatest: f64) -> bool {
@@ -25,7 +25,7 @@ pub(super) const fn finite(numbers: &[f64]) -> bool {
 
 /// Whether a tick can compute with these coefficients.
 pub(super) const fn f64(coefficients: &[f64]) -> bool {
-    within(coefficients, GREATEST_F64)
+    within(coefficients, MAX_F64)
 }
 
 /// Whether the sums of Horner's rule stay in range, from the highest power of four polynomials down. A sum is at most its coefficient plus half
@@ -38,7 +38,7 @@ macro_rules! sums_in_range {
             while let [rest @ .., coefficient] = powers {
                 let [a, b, c, sum] = sums;
                 let sum = ((coefficient.unsigned_abs() as u64) << (31 - $fraction_bits)) + sum.div_ceil(2);
-                if sum >= GREATEST_SUM {
+                if sum >= MAX_SUM {
                     return false;
                 }
                 (powers, sums) = (rest, [sum, a, b, c]);
