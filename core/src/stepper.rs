@@ -26,9 +26,12 @@ pub struct Stepper<R> {
     tip_scale: R,
     /// Rates (l + n)/(4A) and (l - n)/(4A), rad/s.
     momentum_rates: [R; 2],
-    /// Difference of φ and the continued arg α + arg β; `None` where φ does not exist.
+    /// φ - (arg α + arg β), which is constant, by continued arguments; `None` for a vertical axis.
     phi_origin: Option<Phase>,
 }
+
+/// Changes of χ, ψ_α and ψ_β over a step, rad.
+type PhaseChanges<R> = PhaseRates<R>;
 
 /// Half phase χ, in the form in which a step advances it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,7 +61,7 @@ impl<R: Real> Stepper<R> {
                 (None, None) => HalfPhase::Steady,
             },
             slow_phases: motion.slow_phases,
-            constant_rates: rates.map(|rate| (rate.in_turns(), rounded(rate))),
+            constant_rates: rates.map(|rate| (rate.in_turns(), R::from_extended(rate))),
             tip_scale: R::from_f64(top.tip_scale()),
             momentum_rates: [integrals.l_plus_n, integrals.l_minus_n]
                 .map(|momentum| R::from_f64(momentum * per_a)),
@@ -77,24 +80,24 @@ impl<R: Real> Stepper<R> {
             return;
         }
         let change = match self.half_phase {
-            HalfPhase::Steady => PhaseRates::ZERO,
+            HalfPhase::Steady => PhaseChanges::ZERO,
             HalfPhase::Nutating(chi) => {
                 let change = runge_kutta(dt, |delta| {
                     let (sine, cosine) = R::sine_cosine(chi + phase_from_radians(delta));
                     self.equations.rates(sine, cosine)
                 });
-                self.half_phase = HalfPhase::Nutating(chi + phase_from_radians(change.half_phase));
+                self.half_phase = HalfPhase::Nutating(chi + phase_from_radians(change.chi));
                 change
             }
             HalfPhase::Aperiodic(v) => {
                 // an infinite number would become 0
                 let at = |delta: R| v + delta.to_f64().clamp(f64::MIN, f64::MAX).into();
                 let change = runge_kutta(dt, |delta| {
-                    let Complex { re: sech, im: tanh } = gudermannian(rounded::<R>(at(delta)));
-                    let half_phase = self.equations.aperiodic_rate(tanh, sech);
-                    PhaseRates { half_phase, ..self.equations.rates(tanh, sech) }
+                    let Complex { re: sech, im: tanh } = gudermannian(R::from_extended(at(delta)));
+                    let v = self.equations.aperiodic_rate(tanh, sech);
+                    PhaseRates { chi: v, ..self.equations.rates(tanh, sech) }
                 });
-                self.half_phase = HalfPhase::Aperiodic(at(change.half_phase));
+                self.half_phase = HalfPhase::Aperiodic(at(change.chi));
                 change
             }
         };
@@ -118,9 +121,9 @@ impl<R: Real> Stepper<R> {
     /// Orientation and its rate, from which u' and the angular velocity follow.
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R> {
-        let (cis_chi, slow) = (self.cis_chi(), self.slow_phases.map(Complex::cis));
-        let rate = self.ellipses.rate(cis_chi, slow, self.rates(cis_chi));
-        AttitudeState { orientation: self.ellipses.orientation(cis_chi, slow), rate }
+        let (cis_chi, cis_lambda) = (self.cis_chi(), self.slow_phases.map(Complex::cis));
+        let rate = self.ellipses.rate(cis_chi, cis_lambda, self.rates(cis_chi));
+        AttitudeState { orientation: self.ellipses.orientation(cis_chi, cis_lambda), rate }
     }
 
     /// Tip position c = 2 s αβ, m, from the point below the centre of mass; 2αβ for a fixed tip.
@@ -162,18 +165,18 @@ impl<R: Real> Stepper<R> {
         match self.half_phase {
             HalfPhase::Steady => Complex::ONE,
             HalfPhase::Nutating(chi) => Complex::cis(chi),
-            HalfPhase::Aperiodic(v) => gudermannian(rounded(v)),
+            HalfPhase::Aperiodic(v) => gudermannian(R::from_extended(v)),
         }
     }
 
     /// Rates of χ, λ_α and λ_β at e^{iχ}, rad/s.
     fn rates(&self, cis_chi: Complex<R>) -> [R; 3] {
-        let PhaseRates { half_phase, psi_alpha, psi_beta } = match self.half_phase {
+        let PhaseRates { chi, psi_alpha, psi_beta } = match self.half_phase {
             HalfPhase::Steady => PhaseRates::ZERO,
             _ => self.equations.rates(cis_chi.im, cis_chi.re),
         };
         let [(_, alpha), (_, beta)] = self.constant_rates;
-        [half_phase, psi_alpha + alpha, psi_beta + beta]
+        [chi, psi_alpha + alpha, psi_beta + beta]
     }
 
     /// Sum arg α + arg β, continuous in time.
@@ -192,21 +195,17 @@ impl<R: Real> Stepper<R> {
     }
 }
 
-/// Changes of the phases over dt by a Runge-Kutta step of order 4.
-fn runge_kutta<R: Real>(dt: R, rates: impl Fn(R) -> PhaseRates<R>) -> PhaseRates<R> {
+/// Changes over dt by a Runge-Kutta step of order 4. In an aperiodic motion v takes the place of χ.
+fn runge_kutta<R: Real>(dt: R, rates: impl Fn(R) -> PhaseRates<R>) -> PhaseChanges<R> {
     let half = dt.halved();
     let k1 = rates(R::ZERO);
-    let k2 = rates(k1.half_phase * half);
-    let k3 = rates(k2.half_phase * half);
-    let k4 = rates(k3.half_phase * dt);
+    let k2 = rates(k1.chi * half);
+    let k3 = rates(k2.chi * half);
+    let k4 = rates(k3.chi * dt);
     let sixth = dt * R::from_f64(1.0 / 6.0);
     let mean =
         |part: fn(&PhaseRates<R>) -> R| (part(&k1) + (part(&k2) + part(&k3)).doubled() + part(&k4)) * sixth;
-    PhaseRates {
-        half_phase: mean(|k| k.half_phase),
-        psi_alpha: mean(|k| k.psi_alpha),
-        psi_beta: mean(|k| k.psi_beta),
-    }
+    PhaseChanges { chi: mean(|k| k.chi), psi_alpha: mean(|k| k.psi_alpha), psi_beta: mean(|k| k.psi_beta) }
 }
 
 /// Unit complex number e^{iχ} = sech v + i tanh v, for χ = gd v, the Gudermannian of v.
@@ -218,10 +217,6 @@ fn gudermannian<R: Real>(v: R) -> Complex<R> {
     let per_sum = R::ONE / (R::ONE + q.squared());
     let tanh = one_minus_q * (R::ONE + q) * per_sum;
     Complex::new(q.doubled() * per_sum, if v < R::ZERO { -tanh } else { tanh })
-}
-
-fn rounded<R: Float>(x: Extended) -> R {
-    R::from_f64(x.to_f64())
 }
 
 fn phase_from_radians<R: Real>(angle: R) -> Phase {

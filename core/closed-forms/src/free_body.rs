@@ -53,7 +53,7 @@ impl FreeBody {
                 [0.0; 3]
             },
             // χ advances by half a turn in a turn of the axis
-            precession: phase_equations(motion).rates(Extended::ZERO, Extended::ONE).half_phase.doubled(),
+            precession: phase_equations(motion).rates(Extended::ZERO, Extended::ONE).chi.doubled(),
             half_tau: half_tau(motion),
             nutation: half_phase(motion),
         })

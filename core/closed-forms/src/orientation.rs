@@ -28,7 +28,7 @@ impl ArgumentOffsets {
         let (im, re) = of_turns(half_phase(motion).unwrap_or_default());
         let rates = phase_equations(motion).rates(im, re);
         let argument = |ellipse: Ellipse<Extended>, psi, ValueAndSlope { value, slope }| {
-            let z = ellipse.slow_phase(Complex::new(re, im), [rates.half_phase, psi], [value, slope]);
+            let z = ellipse.slow_phase(Complex::new(re, im), [rates.chi, psi], [value, slope]);
             angle(z.im, z.re).in_turns().to_phase()
         };
         let ellipses = Ellipses::oscillating(branch_points(motion), motion.signs(), |x| x);

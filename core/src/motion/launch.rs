@@ -209,10 +209,10 @@ fn slow_phases(
     AttitudeState { orientation: phi, rate }: &AttitudeState<f64>,
 ) -> [Phase; 2] {
     let cis_chi = Complex::cis(chi);
-    let PhaseRates { half_phase, psi_alpha, psi_beta } = equations.rates(cis_chi.im, cis_chi.re);
+    let PhaseRates { chi: chi_rate, psi_alpha, psi_beta } = equations.rates(cis_chi.im, cis_chi.re);
     [
-        alpha.slow_phase(cis_chi, [half_phase, psi_alpha + half_tau], [phi.alpha, rate.alpha]),
-        beta.slow_phase(cis_chi, [half_phase, psi_beta - half_tau], [phi.beta, rate.beta]),
+        alpha.slow_phase(cis_chi, [chi_rate, psi_alpha + half_tau], [phi.alpha, rate.alpha]),
+        beta.slow_phase(cis_chi, [chi_rate, psi_beta - half_tau], [phi.beta, rate.beta]),
     ]
     .map(argument)
 }

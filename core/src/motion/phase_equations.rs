@@ -19,8 +19,8 @@ numeric_struct! {
     /// Rates of the three phases, rad/s.
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct PhaseRates<F> {
-        /// Rate χ' of the half phase.
-        pub half_phase,
+        /// Rate χ'.
+        pub chi,
         /// Rate ψ_α'.
         pub psi_alpha,
         /// Rate ψ_β'.
@@ -154,7 +154,7 @@ impl<F: Float> PhaseEquations<F> {
         let [alpha, beta] = self.slow_factors(one_plus_u, one_minus_u);
         let beta_divisor = self.root_e3_minus_one + self.beta_chi_time * chi_rate;
         PhaseRates {
-            half_phase: chi_rate,
+            chi: chi_rate,
             psi_alpha: self.alpha_rate_factor * alpha * per_d / (F::ONE + self.alpha_chi_time * chi_rate),
             // for e₂ = e₃ = 1 and u = 1 numerator and denominator are 0, and ψ_β' is 0
             psi_beta: if beta_divisor > F::ZERO {

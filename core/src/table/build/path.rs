@@ -41,10 +41,10 @@ impl<F: Float> PathEquations<F> {
     /// Rates of χ, ψ_α, ψ_β, ρ_α and ρ_β, rad per half period.
     #[inline(never)]
     fn rates(&self, sine: f64, cosine: f64) -> [f64; 5] {
-        let PhaseRates { half_phase, psi_alpha, psi_beta } =
+        let PhaseRates { chi, psi_alpha, psi_beta } =
             self.equations.rates(F::from_f64(sine), F::from_f64(cosine));
         let [alpha, beta] = self.residual_offsets;
-        [half_phase, psi_alpha, psi_beta, psi_alpha + alpha, psi_beta + beta]
+        [chi, psi_alpha, psi_beta, psi_alpha + alpha, psi_beta + beta]
             .map(|rate| (self.half_period * rate).to_f64())
     }
 }
