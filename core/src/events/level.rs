@@ -93,7 +93,7 @@ impl Level {
 /// Leading 64 bits of the last nutation phase while u rises.
 pub(super) const LAST_RISING: u64 = u64::MAX >> 1;
 
-/// Sample at the 64 leading bits of a nutation phase, with slow phases 0.
+/// Sample at the 64 leading bits of a nutation phase, with mean phases 0.
 pub(super) fn at_phase<R: EphemerisScalar>(table: &EphemerisView<R>, nutation: u64) -> Sample<'_, R> {
     Sample { table, phases: [nutation, 0, 0], tick: 0, fraction: Phase::ZERO }
 }

@@ -140,7 +140,7 @@ impl<F: Float> PhaseEquations<F> {
     }
 
     /// Factors A/(p (e₃ + 1)) + s (1 - u) of ψ_α' and s (1 + u)(e₃ - 1) - A/p of ψ_β'.
-    pub(super) fn slow_factors(&self, one_plus_u: F, one_minus_u: F) -> [F; 2] {
+    pub(super) fn psi_factors(&self, one_plus_u: F, one_minus_u: F) -> [F; 2] {
         [
             self.a_over_p_by_e3_plus_one + self.s * one_minus_u,
             self.s_times_e3_minus_one * one_plus_u - self.a_over_p,
@@ -151,7 +151,7 @@ impl<F: Float> PhaseEquations<F> {
     pub fn rates(&self, sine: F, cosine: F) -> PhaseRates<F> {
         let Point { one_plus_u, one_minus_u, e3_minus_u, per_d } = self.point(sine, cosine);
         let chi_rate = (self.half_g * e3_minus_u * per_d).sqrt();
-        let [alpha, beta] = self.slow_factors(one_plus_u, one_minus_u);
+        let [alpha, beta] = self.psi_factors(one_plus_u, one_minus_u);
         let beta_divisor = self.root_e3_minus_one + self.beta_chi_time * chi_rate;
         PhaseRates {
             chi: chi_rate,

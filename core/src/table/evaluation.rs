@@ -176,15 +176,15 @@ pub(crate) fn orientation<R: EphemerisScalar>(
     Orientation { alpha, beta }
 }
 
-/// Orientation, and Ω over a power of two with its exponent.
+/// Orientation, and Ω over a power of two with its exponent, from the 64 leading bits of the mean phases.
 #[inline(always)]
 pub(crate) fn orientation_and_omega_body<R: EphemerisScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
-    slow: [u64; 2],
+    mean_phases: [u64; 2],
     rates: [R::Quantity; 3],
 ) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
-    let [a, b] = slow.map(R::sine_cosine_sums);
+    let [a, b] = mean_phases.map(R::sine_cosine_sums);
     let polynomials = polynomials::<R::Coefficient, true>(rows, point);
     let [[re_a, im_a, re_b, im_b], _] = polynomials;
     let alpha = R::Coefficient::rotated([re_a, im_a], point.is_falling, a);

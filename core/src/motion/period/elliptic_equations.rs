@@ -16,7 +16,7 @@ use super::landen::JacobiFractions;
 use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::Float;
 
-/// Time and slow phases as functions of v, up to constant factors.
+/// Derivatives of t, ψ_α and ψ_β by v, up to constant factors.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EllipticEquations<'a, F> {
     equations: &'a PhaseEquations<F>,
@@ -85,14 +85,14 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
         let one_plus_u = equations.one_plus_e1 + above_e1;
         let d_plus = *at_e1 + *root_s * above_e1;
         let d_minus = *d_plus_at_minus_one + *root_s * one_minus_u;
-        let [alpha, beta] = equations.slow_factors(one_plus_u, one_minus_u);
+        let [alpha, beta] = equations.psi_factors(one_plus_u, one_minus_u);
         if self.e4_is_nearer {
             let root = (equations.e3_minus_e2 + below_e2).sqrt();
-            let slow = d_plus * dn;
+            let d_plus_dn = d_plus * dn;
             [
                 d_minus * d_plus / root,
-                alpha * slow / (root * (slow + alpha_chi * root)),
-                beta * slow / (root * (equations.root_e3_minus_one * slow + beta_chi * root)),
+                alpha * d_plus_dn / (root * (d_plus_dn + alpha_chi * root)),
+                beta * d_plus_dn / (root * (equations.root_e3_minus_one * d_plus_dn + beta_chi * root)),
             ]
         } else {
             let root = d_minus.sqrt();

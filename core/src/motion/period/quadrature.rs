@@ -88,8 +88,8 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         let (changes, before) = (self.relative(difference), self.changes);
         self.changes = changes;
         (self.pause)();
-        let ([time, slow], [time_before, slow_before]) = (changes, before);
-        remaining_error(time, time_before).max(remaining_error(slow, slow_before))
+        let ([time, psi], [time_before, psi_before]) = (changes, before);
+        remaining_error(time, time_before).max(remaining_error(psi, psi_before))
     }
 
     /// Sums over nodes that are a step apart.
@@ -110,15 +110,15 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         self.equations.at(&self.landen.fractions_at_angle(angle))
     }
 
-    /// Relative changes of the time and of the slow phases.
+    /// Changes of the time and of ψ_α and ψ_β, relative to the time and to |ψ_α| + |ψ_β|.
     fn relative(&self, change: [Wide<WORDS>; 3]) -> [f64; 2] {
         let [_, alpha_factor, beta_factor] = self.equations.factors.map(|factor| factor.to_f64().abs());
         let magnitudes = |sums: [Wide<WORDS>; 3]| {
             let [time, alpha, beta] = sums.map(|sum| sum.to_f64().abs());
             [time, alpha * alpha_factor + beta * beta_factor]
         };
-        let ([time_change, slow_change], [time, slow]) = (magnitudes(change), magnitudes(self.sums));
-        [time_change / time, if slow > 0.0 { slow_change / slow } else { 0.0 }]
+        let ([time_change, psi_change], [time, psi]) = (magnitudes(change), magnitudes(self.sums));
+        [time_change / time, if psi > 0.0 { psi_change / psi } else { 0.0 }]
     }
 
     #[inline(never)]
@@ -185,7 +185,7 @@ mod tests {
         Period::integrated(&motion.equations().map(Wide::<WORDS>::from_extended), &mut || {})
     }
 
-    /// The slow phases of this motion converge later than its period: the last changes of one say nothing about the other.
+    /// ψ_α and ψ_β of this motion converge later than its period: the last changes of one say nothing about the other.
     #[test]
     fn the_estimate_holds_where_one_integral_converges_later() {
         let [a, c] = [550_727.206_840_833_8, 127_428.675_666_720_59];
@@ -246,9 +246,9 @@ mod tests {
                 Release { tilt: 3.0 * fraction(0.57), spin: 500.0 * fraction(0.327), ..Release::default() };
             let motion = released(&top, &release);
             let (exact, rounded) = (period::<2>(&motion), period::<1>(&motion));
-            let slow = |period: &Period| period.psi[0] + period.psi[1];
+            let sum = |period: &Period| period.psi[0] + period.psi[1];
             let size = exact.psi[0].abs() + exact.psi[1].abs();
-            let errors = [(rounded.time - exact.time) / exact.time, (slow(&rounded) - slow(&exact)) / size];
+            let errors = [(rounded.time - exact.time) / exact.time, (sum(&rounded) - sum(&exact)) / size];
             for error in errors.map(|error| error.to_f64().abs()) {
                 let allowed = rounded.relative_error + 64.0 * rounded.operation_error;
                 assert!(error <= allowed, "{k}: {error:e} {allowed:e}");

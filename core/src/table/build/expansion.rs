@@ -10,7 +10,7 @@
 //! D dχ/dy  = D₀ (dχ/dy)₀ (1 + μ)    1 + μ = (1 + ξ) (1 + δ)
 //! ```
 //!
-//! The rate of a slow phase is linear in v, over a combination of D and D dχ/dy:
+//! The rate of a ψ is linear in v, over a combination of D and D dχ/dy:
 //!
 //! ```text
 //! dψ/dy = (dψ/dy)₀ + σ              (1 + κ) ((dψ/dy)₀ + σ) = (dψ/dy)₀ + f v,    κ = g δ + h μ
@@ -106,7 +106,7 @@ pub(super) struct Expansion {
     origin: PathPhases,
     chi: RateSeries,
     residual: [RateSeries; 2],
-    /// Series κ of the two slow phases.
+    /// Series κ of ψ_α and ψ_β.
     kappa: [PowerSeries; 2],
     sine: PowerSeries,
     cosine: PowerSeries,

@@ -116,8 +116,8 @@ impl HalfPeriod {
     ) -> Option<()> {
         let mut path = Path::new(memory, limits, motion, length, self.mean_rates.rates);
         self.divide::<R>(&mut path, segments, pause)?;
-        let ([delay, slow], bounds) = (path.errors(), &self.bounds);
-        self.error = f64::from(bounds.error) + bounds.error_of_delay(delay) + 2.0 * slow;
+        let ([delay, residual], bounds) = (path.errors(), &self.bounds);
+        self.error = f64::from(bounds.error) + bounds.error_of_delay(delay) + 2.0 * residual;
         Some(())
     }
 

@@ -19,7 +19,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// Sample of the motion t (s) after tick 0, taken as exact; 0 if it is not finite.
     ///
     /// At whole ticks the bits are those of [`EphemerisView::at_tick`], if the tick rate is a multiple of 1/2. Resolution: 2^-64 ticks up to 2^62
-    /// ticks. It is slow beyond, and for ticks of half a turn or more of a phase.
+    /// ticks. It is slower beyond, and where a phase turns by half a turn or more a tick.
     #[inline(always)]
     #[must_use]
     pub fn at(&self, t: f64) -> Sample<'_, R> {
@@ -64,14 +64,14 @@ impl<W: Copy> Clock<W> {
 
     /// Tick at or before a time (0 if not finite), and the fraction of a tick after it in units of 2^-64.
     ///
-    /// `None` beyond 2^62 ticks, and for fast ticks, in which a phase turns by half a turn or more.
+    /// `None` beyond 2^62 ticks, and where a phase turns by half a turn or more a tick.
     #[inline(always)]
     fn tick_and_fraction(&self, t: f64) -> Option<(i64, u64)> {
         const MAX_TICKS: f64 = (1_u64 << 62) as f64;
         let [hi, lo] = self.ticks_per_time;
         let near = (t * hi).abs() < MAX_TICKS || !t.is_finite();
-        let slow = self.step_turns.iter().all(|[turns, _]| turns.abs() < 0.5);
-        if !(near && slow) {
+        let less_than_half_a_turn = self.step_turns.iter().all(|[turns, _]| turns.abs() < 0.5);
+        if !(near && less_than_half_a_turn) {
             return None;
         }
         let (time, exponent) = mantissa_and_exponent(t);

@@ -36,12 +36,12 @@ impl Expansion {
         let rates =
             [residual, chi].map(|rate| (rate, UnitFactor::new(rate.scale, &rate.variation, forwards)));
         for k in 0..*terms {
-            let [slow, fast] = rates.each_ref().map(|(rate, factor)| match k {
+            let [residual, chi] = rates.each_ref().map(|(rate, factor)| match k {
                 0 => in_units(rate.at_origin, exponent),
                 _ => factor.times(rate.variation.coefficient(k)),
             });
-            forwards.set(k, slow + fast)?;
-            backwards.set(k, slow - fast)?;
+            forwards.set(k, residual + chi)?;
+            backwards.set(k, residual - chi)?;
         }
         let mut most = 0;
         for (rate, phase, scale) in [(&*forwards, origin.chi, p), (&*backwards, -origin.chi, q)] {

@@ -12,8 +12,8 @@ fn is_negligible(coefficient: i64, k: usize, least: i64) -> bool {
     size <= NOISE || size >> (2 * k) < least
 }
 
-/// Constant factors of the recurrence for one slow phase.
-struct SlowFactors {
+/// Constant factors of the recurrence for ψ_α or ψ_β.
+struct PsiFactors {
     v_to_sigma: UnitFactor,
     kappa_to_sigma: UnitFactor,
     delta_to_kappa: UnitFactor,
@@ -21,7 +21,7 @@ struct SlowFactors {
     negligible: i64,
 }
 
-impl SlowFactors {
+impl PsiFactors {
     /// Factors from dψ/dy and from f, g and h. Sets the exponents of σ and κ.
     fn new(
         rate: &mut RateSeries,
@@ -64,7 +64,7 @@ impl SlowFactors {
 
 /// Constant factors of the recurrence.
 struct Recurrence {
-    slow: [SlowFactors; 2],
+    psi: [PsiFactors; 2],
     v_to_eta: UnitFactor,
     v_to_delta: UnitFactor,
     v_squared_to_delta: UnitFactor,
@@ -120,7 +120,7 @@ impl Expansion {
         let _ = cosine.set(0, in_units(origin.cosine, cosine.exponent));
 
         let scale = unit * unit * equations.e2_minus_e1 * per_d;
-        // f, g and h of a slow phase
+        // f, g and h of a ψ
         let factors = |numerator: f64, constant: f64, chi_time: f64| {
             let chi = chi_time * chi_rate;
             let per_divisor = 1.0 / (constant + chi);
@@ -134,15 +134,15 @@ impl Expansion {
         );
         let series = [&*v, &*delta, &*mu];
         let [alpha_kappa, beta_kappa] = &mut self.kappa;
-        let slow = [
-            SlowFactors::new(alpha, alpha_kappa, alpha_psi, of_alpha, series, negligible),
-            SlowFactors::new(beta, beta_kappa, beta_psi, of_beta, series, negligible),
+        let psi = [
+            PsiFactors::new(alpha, alpha_kappa, alpha_psi, of_alpha, series, negligible),
+            PsiFactors::new(beta, beta_kappa, beta_psi, of_beta, series, negligible),
         ];
         [alpha.at_origin, beta.at_origin] = origin.residual_rates;
         (self.origin, self.weight) = (origin.phases, origin.weight as f32);
         let negligible_xi = (negligible / (origin.weight * chi_rate).abs()).min(f64::MAX);
         Recurrence {
-            slow,
+            psi,
             v_to_eta: UnitFactor::new(eta_per_v, v, mu),
             v_to_delta: UnitFactor::new(linear, v, delta),
             v_squared_to_delta: UnitFactor::new(-v.magnitude_times(quadratic), v, delta),
@@ -193,7 +193,7 @@ impl Expansion {
         self.mu.set(k, mu)?;
         let mut negligible = is_negligible(xi, k, recurrence.negligible_xi);
         let series = self.residual.iter_mut().zip(&mut self.kappa);
-        for ((rate, kappa), factors) in series.zip(&recurrence.slow) {
+        for ((rate, kappa), factors) in series.zip(&recurrence.psi) {
             negligible &= factors.advance(rate, kappa, k, [v, delta, mu])?;
         }
         Some(negligible)

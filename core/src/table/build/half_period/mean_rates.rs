@@ -31,21 +31,21 @@ impl MeanRates {
         let relative = OPERATIONS * Extended::OPERATION_ERROR + STORED + motion.rounding.relative;
         // a rate is the sum of a quotient and ±τ/2, which may cancel
         let half_tau = size_in_turns(motion.half_tau);
-        let slow = size_in_turns(motion.rounding.slow_rates.into());
-        let error = |rate: Extended| (rate.to_f64().abs() + 2.0 * half_tau) * relative + slow;
+        let launch = size_in_turns(motion.rounding.lambda_rates.into());
+        let error = |rate: Extended| (rate.to_f64().abs() + 2.0 * half_tau) * relative + launch;
         Self { rates: [Extended::ZERO, alpha, beta], errors: [0.0, error(alpha), error(beta)] }
     }
 
     fn periodic(motion: &Motion, period: &Period) -> Self {
         let (half_tau, windings) = (motion.half_tau, motion.windings());
         let frequency = Extended::ONE / period.time;
-        let mut slow = period.advances(half_tau, windings);
-        for (turns, winding) in slow.iter_mut().zip(windings) {
+        let mut rates = period.advances(half_tau, windings);
+        for (advance, winding) in rates.iter_mut().zip(windings) {
             // an ellipse through 0 changes sign once in a period: half a turn
-            let whole = if winding == 0 { *turns + Extended::from(0.5) } else { *turns };
-            *turns = whole * frequency;
+            let whole = if winding == 0 { *advance + Extended::from(0.5) } else { *advance };
+            *advance = whole * frequency;
         }
-        let [alpha, beta] = slow;
+        let [alpha, beta] = rates;
         Self { rates: [frequency, alpha, beta], errors: errors(motion, period) }
     }
 }
@@ -56,17 +56,17 @@ fn size_in_turns(angle: Extended) -> f64 {
 
 /// Errors of 1/T and of the mean rates of α and β, turns/s.
 fn errors(motion: &Motion, period: &Period) -> [f64; 3] {
-    let LaunchRounding { relative, slow_rates } = motion.rounding;
+    let LaunchRounding { relative, lambda_rates } = motion.rounding;
     let operations = OPERATIONS + OPERATIONS_PER_NODE * f64::from(period.nodes);
     let arithmetic = operations * period.operation_error + STORED + relative;
     let rule = period.relative_error;
     let frequency = 1.0 / period.time.to_f64();
     let [alpha, beta] = period.psi.map(size_in_turns);
-    let slow = 2.0 * size_in_turns(motion.half_tau) * arithmetic + size_in_turns(slow_rates.into());
+    let half_tau = 2.0 * size_in_turns(motion.half_tau) * arithmetic + size_in_turns(lambda_rates.into());
     let error = |own: f64| {
         // the rate is (ψ(T) + half a turn)/T ± τ/2; the trapezoid rule affects only the first term
         let advance = alpha + beta + own + 0.5;
-        advance * (rule + 2.0 * arithmetic) * frequency + slow
+        advance * (rule + 2.0 * arithmetic) * frequency + half_tau
     };
     [frequency * (rule + arithmetic), error(alpha), error(beta)]
 }

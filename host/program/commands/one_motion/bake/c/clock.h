@@ -11,7 +11,7 @@
 /* Fraction of a turn in 96 bits, without whole turns. */
 typedef struct { uint64_t leading; uint32_t low; } toytop_phase;
 
-/* Clock of a table. The order of phases is nutation, slow phase of alpha, slow phase of beta. */
+/* Clock of a table. The order of phases is nutation, mean phase of alpha, mean phase of beta. */
 typedef struct {
     uint32_t format, crc32, segments, terms;
     uint64_t first[3];         /* phases at tick INT64_MIN, from which ticks are unsigned numbers */

@@ -106,7 +106,7 @@ static inline void toytop_times_conj(const int32_t x[2], const int32_t y[2], int
     product[1] = toytop_minus(toytop_high(x[1], y[0]), toytop_high(x[0], y[1]));
 }
 
-/* Angular velocity in the body frame, in units of 2^(exponent - 157) per unit of time, with the cosine and sine of the slow phase of
+/* Angular velocity in the body frame, in units of 2^(exponent - 157) per unit of time, with the cosine and sine of the mean phase of
  * beta minus that of alpha, in units of 2^-30. The exponent is returned. */
 static inline int32_t toytop_integer_rates(const toytop_sums *sums, int falling, const int32_t turn[2], const float scales[4],
                                            int32_t omega[3]) {

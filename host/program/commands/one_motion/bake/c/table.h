@@ -1,6 +1,6 @@
 typedef struct {
     toytop_clock clock;
-    REAL scales[4];                       /* 2s; rates of x and of the sum of the slow phases, and about the axis */
+    REAL scales[4];                       /* 2s; rates of x and of the sum of the mean phases, and about the axis */
     const COEFFICIENT (*coefficients)[4]; /* by segment and power: Re alpha, Im alpha, Re beta, Im beta */
 } toytop_SCALAR;
 
