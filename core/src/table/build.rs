@@ -5,14 +5,15 @@
 //!   limits.rs              allowed error, capacity        -> limits of its parts
 //!   half_period.rs         for each cell: segments that are short enough
 //!     mean_rates.rs          motion, period                 -> mean rates of the phases, and their errors
-//!     launch_place.rs        phase of the launch            -> nutation phase at t = 0
 //!     segment.rs             polynomials on the span        -> stored coefficients, and bounds on errors and speeds
-//!     bound.rs               errors of all parts            -> error bounds
 //!   path.rs                for each span: two expansions, from its beginning to its centre and from there to its end
 //!     expansion.rs           recurrence.rs, series.rs       -> power series of the phases
 //!     expansion/cayley_klein.rs                             -> power series of a and b
 //!     polynomial.rs          power series                   -> polynomials of a and b on the span
-//!   set_up/clock.rs        rates, launch                  -> clock
+//!     launch_phases.rs       χ of the launch                -> nutation phase and mean phases of the launch
+//!   set_up/clock.rs        mean rates, launch phases      -> clock
+//!   half_period/bound.rs   errors of all parts            -> error bounds
+//! interval.rs            spans, cells and segments as parts of half a period
 //! ```
 //!
 //! The tabulated a and b are α and β without their mean rotation. Series have an exponent each (`series`). The
@@ -29,6 +30,8 @@ mod limits;
 mod polynomial;
 
 mod interval;
+
+mod launch_phases;
 
 mod path;
 

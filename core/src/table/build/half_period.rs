@@ -7,23 +7,21 @@
 //! |         |         |         |         |    |  |  |  |         |         |         |    spans: one expansion of the motion
 //! ```
 //!
-//! All segments of a cell have one length, the longest whose error is allowed. A segment does not cross the ends of a span.
+//! All segments of a cell have one length: first twice that of the cell before, then halved until the error is allowed. A segment does not
+//! cross the ends of a span.
 
 mod mean_rates;
-
-mod launch_place;
 
 mod segment;
 
 mod bound;
 
-use launch_place::LaunchPlace;
 use mean_rates::MeanRates;
 use segment::{SegmentBounds, store_polynomial, store_segment};
 
 use super::interval::{HALF_PERIOD, Interval};
 use super::limits::Limits;
-use super::path::{Path, PathPoint, SpanMemory};
+use super::path::{Path, PathMemory, PathPoint};
 use super::polynomial::Polynomial;
 use crate::motion::Motion;
 use crate::motion::cayley_klein::Ellipses;
@@ -37,7 +35,6 @@ use crate::table::evaluation::EphemerisScalar;
 #[derive(Debug)]
 pub(super) struct HalfPeriod {
     pub(super) mean_rates: MeanRates,
-    pub(super) launch: LaunchPlace,
     pub(super) cells: [u16; CELLS],
     /// Number of segments.
     pub(super) segments: usize,
@@ -53,7 +50,6 @@ impl HalfPeriod {
     /// Half a period before a set-up. All its bits are 0.
     pub(super) const ZERO: Self = Self {
         mean_rates: MeanRates { rates: [Extended::ZERO; 3], errors: [0.0; 3] },
-        launch: LaunchPlace::ZERO,
         cells: [0; CELLS],
         segments: 0,
         bounds: SegmentBounds::ZERO,
@@ -65,42 +61,41 @@ impl HalfPeriod {
         &mut self,
         motion: &Motion,
         limits: &Limits,
-        memory: &mut SpanMemory,
+        memory: &mut PathMemory,
         segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
     ) -> Option<()> {
-        match self.find_mean_rates::<R>(motion, &mut memory.equations, pause) {
+        match self.find_mean_rates::<R>(motion, memory, pause) {
             Some(length) => self.tabulate_path::<R>(motion, length, limits, memory, segments, pause)?,
             None => self.store_constants::<R>(motion, segments),
         }
         Some(())
     }
 
-    /// Finds the mean rates. Sets the phase equations, and returns the length of half a period, s; `None` for a constant u.
+    /// Finds the mean rates. Sets the phase equations and the launch, and returns the length of half a period, s; `None` for a constant u.
     #[inline(never)]
     fn find_mean_rates<R: EphemerisScalar>(
         &mut self,
         motion: &Motion,
-        equations: &mut PhaseEquations<Extended>,
+        memory: &mut PathMemory,
         pause: &mut dyn FnMut(),
     ) -> Option<Extended> {
         let mut period = None;
         if !motion.is_steady() {
-            set_equations(motion, equations);
+            set_equations(motion, &mut memory.equations);
             pause();
-            period = motion.period::<R::PathNumber>(equations, pause);
+            period = motion.period::<R::PathNumber>(&memory.equations, pause);
         }
-        self.set_launch(motion, period.as_ref());
+        self.set_mean_rates(motion, period.as_ref());
+        memory.launch.begin(motion);
         pause();
         period.map(|period| period.time.halved())
     }
 
-    /// Sets the mean rates and the phases of the launch.
-    #[inline(never)] // neither must stay on the stack of the quadrature
-    fn set_launch(&mut self, motion: &Motion, period: Option<&Period>) {
+    #[inline(never)] // they must not stay on the stack of the quadrature
+    fn set_mean_rates(&mut self, motion: &Motion, period: Option<&Period>) {
         *self = Self::ZERO;
         self.mean_rates = MeanRates::new(motion, period);
-        self.launch = LaunchPlace::new(motion);
     }
 
     /// Tabulates the motion from u = e₁ to u = e₂; `None` if the segments are too many.
@@ -110,7 +105,7 @@ impl HalfPeriod {
         motion: &Motion,
         length: Extended,
         limits: &Limits,
-        memory: &mut SpanMemory,
+        memory: &mut PathMemory,
         segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
     ) -> Option<()> {
@@ -187,7 +182,6 @@ impl HalfPeriod {
         let mut bounds = SegmentBounds::ZERO;
         while position < cell.end() {
             let span = path.span_at(position, point, depth, pause)?;
-            self.launch.search(&path.memory.expansion, path.end.phases.chi, span);
             point = path.end;
             let part = if span.depth < cell.depth { cell } else { span };
             for segment in part.parts(depth) {

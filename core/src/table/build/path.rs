@@ -2,6 +2,7 @@
 
 use super::expansion::{Expansion, Origin, PathPhases};
 use super::interval::Interval;
+use super::launch_phases::LaunchPhases;
 use super::limits::Limits;
 use super::polynomial::Polynomial;
 use super::series::PowerSeries;
@@ -49,10 +50,11 @@ impl<F: Float> PathEquations<F> {
     }
 }
 
-/// Memory for the motion on one span.
+/// Memory of a path: its motion, and its span.
 #[derive(Debug)]
-pub(super) struct SpanMemory {
+pub(super) struct PathMemory {
     pub(super) equations: PhaseEquations<Extended>,
+    pub(super) launch: LaunchPhases,
     pub(super) expansion: Expansion,
     /// Rates and value of an exponential in a or b.
     exponential: [PowerSeries; 4],
@@ -62,9 +64,10 @@ pub(super) struct SpanMemory {
     pub(super) segment: Polynomial,
 }
 
-impl SpanMemory {
+impl PathMemory {
     pub(super) const ZERO: Self = Self {
         equations: PhaseEquations::ZERO,
+        launch: LaunchPhases::ZERO,
         expansion: Expansion::ZERO,
         exponential: [PowerSeries::ZERO; 4],
         polynomials: [Polynomial::ZERO; 2],
@@ -75,7 +78,7 @@ impl SpanMemory {
 /// Path with phase equations in `F`, and its span with polynomials of a and b in its memory.
 pub(super) struct Path<'a, F> {
     equations: PathEquations<F>,
-    pub(super) memory: &'a mut SpanMemory,
+    pub(super) memory: &'a mut PathMemory,
     pub(super) limits: &'a Limits,
     /// Coefficients of the exponentials in a and in b.
     exponentials: [[f64; 2]; 2],
@@ -83,17 +86,17 @@ pub(super) struct Path<'a, F> {
     endpoint_rate: f64,
     span: Option<Interval>,
     pub(super) end: PathPoint,
-    /// Depth of the next span, unless it must be shorter.
+    /// Least depth of the next span.
     pub(super) depth: u32,
 }
 
 impl<'a, F: Float> Path<'a, F> {
-    /// Path from u = e₁ on. The memory has the phase equations.
+    /// Path from u = e₁ on. The memory has the phase equations and the launch.
     ///
     /// * `rates`: nutation frequency and rates of the mean phases, turns/s
     #[inline(never)]
     pub(super) fn new(
-        memory: &'a mut SpanMemory,
+        memory: &'a mut PathMemory,
         limits: &'a Limits,
         motion: &Motion,
         half_period: Extended,
@@ -130,20 +133,20 @@ impl<'a, F: Float> Path<'a, F> {
     }
 
     /// Lets the next span be as long as a segment of this depth, if its series should converge.
-    pub(super) fn try_longer_spans(&mut self, deepest: u32) {
+    pub(super) fn try_longer_spans(&mut self, max_depth: u32) {
         if self.memory.expansion.may_double() {
-            self.depth = self.depth.min(deepest);
+            self.depth = self.depth.min(max_depth);
         }
     }
 
-    /// Span at a position, of depth `deepest` at most; `None` if it must be deeper to be accurate.
+    /// Span at a position, of depth `max_depth` at most; `None` if it must be deeper to be accurate.
     ///
     /// * `point`: point at the position
     pub(super) fn span_at(
         &mut self,
         position: usize,
         point: PathPoint,
-        deepest: u32,
+        max_depth: u32,
         pause: &mut dyn FnMut(),
     ) -> Option<Interval> {
         if let Some(span) = self.span.filter(|span| (span.begin..span.end()).contains(&position)) {
@@ -151,7 +154,7 @@ impl<'a, F: Float> Path<'a, F> {
         }
         let depth = self.depth.max(Cell::MAX_DEPTH.saturating_sub(position.trailing_zeros()));
         let mut span = Interval { begin: position, depth };
-        while span.depth <= deepest {
+        while span.depth <= max_depth {
             self.span = self.expand(span, point, pause).map(|()| span);
             if self.span.is_some() {
                 return self.span;
@@ -162,11 +165,12 @@ impl<'a, F: Float> Path<'a, F> {
         None
     }
 
-    /// Expands the motion around the centre of a span, and computes the polynomials of a and b; `None` if they are not accurate.
+    /// Expands the motion around the centre of a span, and computes the polynomials of a and b; `None` if they are not accurate. Finds the phases
+    /// of a launch on the span.
     fn expand(&mut self, span: Interval, beginning: PathPoint, pause: &mut dyn FnMut()) -> Option<()> {
         let centre = self.step(span, beginning, pause)?;
         self.end = self.step(span, centre, pause)?;
-        let SpanMemory { expansion, exponential, polynomials, .. } = &mut *self.memory;
+        let PathMemory { launch, expansion, exponential, polynomials, .. } = &mut *self.memory;
         let least = self.limits.terms_in_units();
         for (index, (polynomial, exponentials)) in polynomials.iter_mut().zip(self.exponentials).enumerate() {
             pause();
@@ -176,6 +180,7 @@ impl<'a, F: Float> Path<'a, F> {
             pause();
             polynomial.finish(terms, self.limits)?;
         }
+        launch.search(expansion, self.end.phases.chi, span);
         Some(())
     }
 

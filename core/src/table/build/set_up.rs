@@ -6,7 +6,7 @@ use core::fmt;
 
 use super::half_period::HalfPeriod;
 use super::limits::Limits;
-use super::path::SpanMemory;
+use super::path::PathMemory;
 use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::table::data::cell::{Cell, MIN_SEGMENTS};
@@ -74,7 +74,7 @@ impl TableSettings {
 #[derive(Debug)]
 pub struct Workspace {
     half_period: HalfPeriod,
-    span: SpanMemory,
+    path: PathMemory,
 }
 
 impl Default for Workspace {
@@ -87,7 +87,7 @@ impl Workspace {
     /// Workspace before a set-up. A static of it takes no flash.
     #[must_use]
     pub const fn new() -> Self {
-        Self { half_period: HalfPeriod::ZERO, span: SpanMemory::ZERO }
+        Self { half_period: HalfPeriod::ZERO, path: PathMemory::ZERO }
     }
 }
 
@@ -107,9 +107,9 @@ fn tabulate<R: EphemerisScalar>(
         return Err(SetUpError::Aperiodic);
     }
     let limits = Limits::new::<R>(truncation, capacity);
-    let Workspace { half_period, span } = workspace;
+    let Workspace { half_period, path } = workspace;
     half_period
-        .compute::<R>(motion, &limits, span, segments, pause)
+        .compute::<R>(motion, &limits, path, segments, pause)
         .ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
 }
 
@@ -131,7 +131,7 @@ impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
         *is_set_up = false;
         let (capacity, truncation) = (table.capacity(), settings.truncation.unwrap_or(R::TRUNCATION));
         tabulate::<R>(motion, truncation, workspace, &mut table.segments, capacity, pause)?;
-        table.finish(&workspace.half_period, motion, settings, pause);
+        table.finish(workspace, motion, settings, pause);
         *is_set_up = true;
         Ok(table)
     }
@@ -142,12 +142,13 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     #[inline(never)]
     fn finish(
         &mut self,
-        half_period: &HalfPeriod,
+        workspace: &Workspace,
         motion: &Motion,
         settings: &TableSettings,
         pause: &mut dyn FnMut(),
     ) {
-        let HalfPeriod { cells, segments, mean_rates, launch, .. } = half_period;
+        let Workspace { half_period, path: PathMemory { launch, .. } } = workspace;
+        let HalfPeriod { cells, segments, mean_rates, .. } = half_period;
         self.cells = *cells;
         self.segments.get_mut(*segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
         self.clock = Clock::new(motion, settings, mean_rates.rates, launch.phases);

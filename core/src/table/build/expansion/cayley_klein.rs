@@ -150,10 +150,10 @@ mod tests {
                 let (sine, cosine) = sine_cosine_from_q57(phases.chi);
                 let rates = exact.rates(sine.into(), cosine.into());
                 let beyond = rounded.rates(sine, cosine);
-                let size = [beyond.half_phase, beyond.psi_alpha, beyond.psi_beta].into_iter().map(f64::abs);
+                let size = [beyond.chi, beyond.psi_alpha, beyond.psi_beta].into_iter().map(f64::abs);
                 let unit = 0.02 * spread.sqrt().min(1.0) / size.fold(0.0, f64::max).max(1.0);
-                let [chi, alpha, beta] = [rates.half_phase, rates.psi_alpha, rates.psi_beta]
-                    .map(|rate| (rate * unit.into()).to_f64());
+                let [chi, alpha, beta] =
+                    [rates.chi, rates.psi_alpha, rates.psi_beta].map(|rate| (rate * unit.into()).to_f64());
                 let origin = Origin {
                     phases,
                     sine,
@@ -177,7 +177,7 @@ mod tests {
                         .residual
                         .each_ref()
                         .map(|rate| 0.25 * rate.value(0.25 * x, expansion.terms));
-                    worst[0] = worst[0].max(origin.weight * (slope - of(rates.half_phase)).abs());
+                    worst[0] = worst[0].max(origin.weight * (slope - of(rates.chi)).abs());
                     worst[1] = worst[1].max((alpha - of(rates.psi_alpha)).abs());
                     worst[2] = worst[2].max((beta - of(rates.psi_beta)).abs());
                     let ([p, q], mut parts) = ([0.6, -0.3], [[0; MAX_TERMS]; 2]);

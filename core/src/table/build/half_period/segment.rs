@@ -2,7 +2,7 @@
 
 use crate::scalar::{Float, Ring};
 use crate::table::build::interval::Interval;
-use crate::table::build::path::{Path, SpanMemory};
+use crate::table::build::path::{Path, PathMemory};
 use crate::table::build::polynomial::Polynomial;
 use crate::table::evaluation::{Coefficient, EphemerisScalar, TABLE_UNIT};
 
@@ -74,7 +74,7 @@ pub(super) fn store_segment<R: EphemerisScalar>(
     mut stored_segment: Option<&mut R::Segment>,
     pause: &mut dyn FnMut(),
 ) -> SegmentBounds {
-    let SpanMemory { expansion, polynomials, segment: polynomial, .. } = &mut *path.memory;
+    let PathMemory { expansion, polynomials, segment: polynomial, .. } = &mut *path.memory;
     let halvings = segment.depth - span.depth;
     let (mut stored, mut truncation_squared, mut slope_squared) = (0.0_f32, 0.0, 0.0);
     for (index, whole) in polynomials.iter().enumerate() {

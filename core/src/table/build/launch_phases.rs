@@ -1,35 +1,35 @@
-//! Place of a launch on the path along half a nutation period.
+//! Nutation phase and mean phases of a launch, from its place on the path.
 
+use super::expansion::{Expansion, PathPhases};
+use super::interval::{HALF_PERIOD, Interval};
 use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::Scalar;
-use crate::table::build::expansion::{Expansion, PathPhases};
-use crate::table::build::interval::{HALF_PERIOD, Interval};
 
-/// Phases of a launch, and the place where a path reaches them.
+/// Nutation phase and mean phases of a launch, which are known once the path has reached its χ.
 #[derive(Debug)]
-pub(crate) struct LaunchPlace {
-    /// Half phase χ, folded into [0, 1/4] turn; `None` once its span is found.
+pub(super) struct LaunchPhases {
+    /// Half phase χ, folded into [0, 1/4] turn; `None` once the path has reached it.
     chi: Option<Phase>,
     is_falling: bool,
-    /// Nutation phase and mean phases.
-    pub(crate) phases: [Phase; 3],
+    pub(super) phases: [Phase; 3],
 }
 
-impl LaunchPlace {
+impl LaunchPhases {
     pub(super) const ZERO: Self = Self { chi: None, is_falling: false, phases: [Phase::ZERO; 3] };
 
-    /// Place of a launch, not found yet. Without a nutation it is u = e₁.
-    pub(super) fn new(motion: &Motion) -> Self {
+    /// Begins the search for the launch of a motion. Without a nutation these are its phases already.
+    #[inline(never)]
+    pub(super) fn begin(&mut self, motion: &Motion) {
         let (half_turns, remainder) = motion.half_phase.unwrap_or_default().split_half_turns();
         let is_falling = remainder > Phase::QUARTER;
         let (half_turns, chi) =
             if is_falling { (half_turns + 1, Phase::HALF - remainder) } else { (half_turns, remainder) };
         let [alpha, beta] = motion.slow_phases.map(|phase| phase + Phase::HALF * half_turns);
-        Self { chi: Some(chi), is_falling, phases: [Phase::ZERO, alpha, beta] }
+        *self = Self { chi: Some(chi), is_falling, phases: [Phase::ZERO, alpha, beta] };
     }
 
-    /// Finds the place if it is in this span, which ends at χ = `end`, or if the span is the last.
+    /// Finds the phases if this span, which ends at χ = `end`, contains χ or is the last.
     #[inline(never)]
     pub(super) fn search(&mut self, expansion: &Expansion, end: Phase, span: Interval) {
         let Some(chi) = self.chi else { return };
