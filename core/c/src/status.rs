@@ -20,7 +20,7 @@ pub enum toytop_status {
     TOYTOP_TABLE_TOO_SMALL = 4,
     /// The memory of a table or a workspace is not aligned, or that of a table is smaller than for 8 segments.
     TOYTOP_BAD_MEMORY = 5,
-    /// A table, motion, cursor or sample was not made by this library, or its set-up failed or has not ended.
+    /// A table, motion, cursor or sample was not made by this library, or its set-up failed.
     TOYTOP_NOT_SET_UP = 6,
     /// The motion has no such event, angle or derivative.
     TOYTOP_NONE = 7,
@@ -39,8 +39,8 @@ pub const TOYTOP_TEXT_SIZE: usize = 192;
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_error {
-    /// The status that the call returned.
-    pub status: u32,
+    /// Status that the call returned.
+    pub status: toytop_status,
     /// With `TOYTOP_TABLE_TOO_SMALL`: number of segments of the table, which is not enough.
     pub segments: u32,
     /// One line without its end, such as "tilt: must be between 0 and pi"; it closes with a zero.
@@ -140,7 +140,7 @@ impl Refusal {
             }
             None => text.push(line(self.status as u32).to_bytes()),
         }
-        toytop_error { status: self.status as u32, segments: self.segments, text: text.bytes }
+        toytop_error { status: self.status, segments: self.segments, text: text.bytes }
     }
 }
 
