@@ -133,30 +133,16 @@ pub(crate) unsafe fn status_of(
 
 impl Refusal {
     fn described(&self) -> toytop_error {
-        let mut text = Text { bytes: [0; TOYTOP_TEXT_SIZE], length: 0 };
-        match self.parameter {
-            Some([parameter, allowed]) => {
-                [parameter, ": must be ", allowed].into_iter().for_each(|part| text.push(part.as_bytes()));
-            }
-            None => text.push(line(self.status as u32).to_bytes()),
-        }
-        toytop_error { status: self.status, segments: self.segments, text: text.bytes }
-    }
-}
-
-/// Text that is cut off where its memory ends, and always closes with a zero.
-struct Text {
-    bytes: [c_char; TOYTOP_TEXT_SIZE],
-    length: usize,
-}
-
-impl Text {
-    fn push(&mut self, part: &[u8]) {
-        let room = self.bytes.get_mut(self.length..TOYTOP_TEXT_SIZE - 1).unwrap_or_default();
-        for (place, byte) in room.iter_mut().zip(part) {
+        let parts = match self.parameter {
+            Some([parameter, allowed]) => [parameter.as_bytes(), b": must be ", allowed.as_bytes()],
+            None => [line(self.status as u32).to_bytes(), b"", b""],
+        };
+        let mut text = [0; TOYTOP_TEXT_SIZE];
+        // a longer text is cut off; the last byte stays the closing zero
+        for (place, byte) in text.iter_mut().take(TOYTOP_TEXT_SIZE - 1).zip(parts.into_iter().flatten()) {
             *place = *byte as c_char;
-            self.length += 1;
         }
+        toytop_error { status: self.status, segments: self.segments, text }
     }
 }
 
@@ -182,8 +168,8 @@ mod tests {
 
     #[test]
     fn a_long_text_is_cut_before_its_zero() {
-        let mut text = Text { bytes: [0; TOYTOP_TEXT_SIZE], length: 0 };
-        (0..3).for_each(|_| text.push(&[b'x'; 100]));
-        assert_eq!((text.length, text.bytes[TOYTOP_TEXT_SIZE - 1]), (TOYTOP_TEXT_SIZE - 1, 0));
+        let allowed = "x".repeat(300).leak();
+        let refused = ParameterError::OutOfRange { parameter: "tilt", allowed };
+        assert_eq!(text(refused).len(), TOYTOP_TEXT_SIZE - 1);
     }
 }
