@@ -38,13 +38,14 @@ static void print_f64(const char *label, int64_t tick, const double *numbers, in
 
 /* The motion from a state, in three scalars, at ticks of all sizes. */
 static int follow(const toytop_state *state) {
+    static const toytop_settings settings = {.tick = {1000, 1}};
     static const int64_t ticks[] = {0, 1, 2, 1000, -7, INT64_C(1) << 40};
     toytop_motion motion;
     toytop_error error;
     if (toytop_launch(&top, state, &motion, &error) != TOYTOP_OK) return refused(&error);
-    if (toytop_f32_set_up(&in_f32, sizeof in_f32, &motion, toytop_hertz(1000), 0, 0.0, &error) != TOYTOP_OK) return refused(&error);
-    if (toytop_f64_set_up(&in_f64, sizeof in_f64, &motion, toytop_hertz(1000), 0, 0.0, &error) != TOYTOP_OK) return refused(&error);
-    if (toytop_q31_set_up(&in_q31, sizeof in_q31, &motion, toytop_hertz(1000), 0, 0.0, &error) != TOYTOP_OK) return refused(&error);
+    if (toytop_f32_set_up(&in_f32, sizeof in_f32, &motion, &settings, &error) != TOYTOP_OK) return refused(&error);
+    if (toytop_f64_set_up(&in_f64, sizeof in_f64, &motion, &settings, &error) != TOYTOP_OK) return refused(&error);
+    if (toytop_q31_set_up(&in_q31, sizeof in_q31, &motion, &settings, &error) != TOYTOP_OK) return refused(&error);
     for (size_t i = 0; i < sizeof ticks / sizeof *ticks; i++) {
         toytop_ephemeris_sample now;
         float single[6];

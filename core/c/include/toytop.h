@@ -51,11 +51,11 @@
 // Bytes of the workspace of a set-up.
 #define TOYTOP_WORKSPACE_SIZE 3432
 
-// Bytes of a cursor.
-#define TOYTOP_EPHEMERIS_CURSOR_SIZE 64
-
 // Bytes of a sample.
 #define TOYTOP_EPHEMERIS_SAMPLE_SIZE 112
+
+// Bytes of a cursor.
+#define TOYTOP_EPHEMERIS_CURSOR_SIZE 64
 
 // Status of a call: `TOYTOP_OK`, or the reason for which the call did nothing.
 enum toytop_status
@@ -75,7 +75,7 @@ enum toytop_status
   TOYTOP_TABLE_TOO_SMALL = 4,
   // The memory of a table or a workspace is not aligned, or that of a table is smaller than for 8 segments.
   TOYTOP_BAD_MEMORY = 5,
-  // A table, motion, cursor or sample was not made by this library, or its set-up failed or has not ended.
+  // A table, motion, cursor or sample was not made by this library, or its set-up failed.
   TOYTOP_NOT_SET_UP = 6,
   // The motion has no such event, angle or derivative.
   TOYTOP_NONE = 7,
@@ -149,8 +149,8 @@ typedef struct toytop_state {
 
 // Reason why a call was refused.
 typedef struct toytop_error {
-  // The status that the call returned.
-  uint32_t status;
+  // Status that the call returned.
+  toytop_status status;
   // With `TOYTOP_TABLE_TOO_SMALL`: number of segments of the table, which is not enough.
   uint32_t segments;
   // One line without its end, such as "tilt: must be between 0 and pi"; it closes with a zero.
@@ -184,10 +184,14 @@ typedef struct toytop_motion {
   uint64_t opaque[128];
 } toytop_motion;
 
+// Function of the program that a launch or a set-up calls at least every 50 000 cycles of a Cortex-M4F (200 000 of a Cortex-M0+): to feed
+// a watchdog, or to read another table. Null for none.
+typedef void (*toytop_pause)(void *context);
+
 // Constants of a motion, by the paper's symbols.
 typedef struct toytop_constants {
-  // Regime, a `toytop_regime`.
-  uint32_t regime;
+  // Regime.
+  toytop_regime regime;
   // Vertical angular momentum l, kg m^2/s.
   double l;
   // Axial angular momentum n, kg m^2/s.
@@ -222,6 +226,12 @@ typedef struct toytop_partials {
   double tip[10][2];
 } toytop_partials;
 
+// Table of a motion in `f32`. Memory of `TOYTOP_EPHEMERIS_F32_SIZE_OF(segments)` bytes with the same alignment may be used
+// as a larger or smaller table.
+typedef struct toytop_ephemeris_f32 {
+  uint64_t opaque[283];
+} toytop_ephemeris_f32;
+
 // Length of a tick, as an exact fraction of a second: `ticks` ticks in `seconds` seconds.
 typedef struct toytop_tick {
   // Number of ticks, at least 1.
@@ -230,52 +240,26 @@ typedef struct toytop_tick {
   uint32_t seconds;
 } toytop_tick;
 
-// Phases of consecutive ticks of one table, which an interrupt keeps. It may be copied.
-//
-// A cursor belongs to the table that made it, and must be made again after a set-up. A number of 32 bits identifies a table, by which other
-// tables almost always refuse the cursor.
-typedef struct toytop_ephemeris_cursor {
-  uint64_t opaque[8];
-} toytop_ephemeris_cursor;
-
-// Table of a motion in `f32`. Memory of `TOYTOP_EPHEMERIS_F32_SIZE_OF(segments)` bytes with the same alignment may be used
-// as a larger or smaller table.
-typedef struct toytop_ephemeris_f32 {
-  uint64_t opaque[283];
-} toytop_ephemeris_f32;
-
 // Workspace of a set-up, which need not be initialised, and which a program may use for something else afterwards.
 typedef struct toytop_workspace {
   uint64_t opaque[429];
 } toytop_workspace;
 
-// Function that a set-up calls again and again, at least every 50 000 cycles of a Cortex-M4F: to feed a watchdog, or to read another table.
-typedef void (*toytop_pause)(void *context);
-
-// Upper bounds on the errors of a table at a tick.
-typedef struct toytop_error_bounds {
-  // Orientation error 2 sqrt(|d alpha|^2 + |d beta|^2), rad.
-  double orientation;
-  // Error of the angular velocity, in either frame, rad/s.
-  double rate;
-} toytop_error_bounds;
-
-// Sample of a motion at one instant: phases, from which each quantity is computed on demand. It may be copied.
-//
-// A sample refers to its table, whose memory must still be there. After another set-up in this memory the sample is refused.
-typedef struct toytop_ephemeris_sample {
-  uint64_t opaque[14];
-} toytop_ephemeris_sample;
-
-// Event of a motion: its instant in ticks, and the sense of the change.
-typedef struct toytop_event {
-  // Last tick at or before the event.
-  int64_t tick;
-  // Fraction of the following tick that passes before the event, in [0, 1).
-  double fraction;
-  // 1 or 0: see the function that found the event.
-  uint32_t upward;
-} toytop_event;
+// Settings of a table. The default of each one but the tick is 0 or null.
+typedef struct toytop_settings {
+  // Length of a tick, such as {1000, 1} for 1 kHz.
+  struct toytop_tick tick;
+  // Tick of the launch on a running counter.
+  int64_t epoch;
+  // Allowed truncation error, rad: a smaller table for a larger error. 0 stands for that of the scalar.
+  double truncation;
+  // Workspace of the set-up; null for one on the stack.
+  struct toytop_workspace *workspace;
+  // Function that the set-up calls; null for none.
+  toytop_pause pause;
+  // Argument of `pause`.
+  void *context;
+} toytop_settings;
 
 // Table of a motion in `f64`; see `toytop_ephemeris_f32`.
 typedef struct toytop_ephemeris_f64 {
@@ -286,6 +270,39 @@ typedef struct toytop_ephemeris_f64 {
 typedef struct toytop_ephemeris_q31 {
   uint64_t opaque[289];
 } toytop_ephemeris_q31;
+
+// Sample of a motion at one instant: phases, from which each quantity is computed on demand. It may be copied.
+//
+// A sample refers to its table, whose memory must still be there. After another set-up in this memory the sample is refused.
+typedef struct toytop_ephemeris_sample {
+  uint64_t opaque[14];
+} toytop_ephemeris_sample;
+
+// Upper bounds on the errors of a table at a tick.
+typedef struct toytop_error_bounds {
+  // Orientation error 2 sqrt(|d alpha|^2 + |d beta|^2), rad.
+  double orientation;
+  // Error of the angular velocity, in either frame, rad/s.
+  double rate;
+} toytop_error_bounds;
+
+// Phases of consecutive ticks of one table, which an interrupt keeps. It may be copied.
+//
+// A cursor belongs to the table that made it, and must be made again after a set-up. Another table refuses the
+// cursor, except by a coincidence of 32 bits.
+typedef struct toytop_ephemeris_cursor {
+  uint64_t opaque[8];
+} toytop_ephemeris_cursor;
+
+// Event of a motion: its instant in ticks, and the sense of the change.
+typedef struct toytop_event {
+  // Last tick at or before the event.
+  int64_t tick;
+  // Fraction of the following tick that passes before the event, in [0, 1).
+  double fraction;
+  // 1 or 0: see the function that found the event.
+  uint32_t upward;
+} toytop_event;
 
 #ifdef __cplusplus
 extern "C" {
@@ -346,6 +363,18 @@ toytop_status toytop_launch(const struct toytop_top *top,
                             struct toytop_motion *motion,
                             struct toytop_error *error);
 
+// Motion of a top from a state at t = 0, with pauses for other work.
+//
+// Refusals are those of `toytop_launch`.
+//
+// * `context`: argument of `pause`
+toytop_status toytop_launch_with_pauses(const struct toytop_top *top,
+                                        const struct toytop_state *state,
+                                        toytop_pause pause,
+                                        void *context,
+                                        struct toytop_motion *motion,
+                                        struct toytop_error *error);
+
 // Constants of a motion. The call integrates the period, as a set-up does, so it takes too long for an interrupt.
 toytop_status toytop_motion_constants(const struct toytop_motion *motion,
                                       struct toytop_constants *constants);
@@ -356,11 +385,24 @@ toytop_status toytop_motion_partials(const struct toytop_motion *motion,
                                      double time,
                                      struct toytop_partials *partials);
 
-// Tick of a frequency in Hz.
-struct toytop_tick toytop_hertz(uint32_t frequency);
+// Sets up a table in memory of the caller, which need not be initialised. It takes too long for an interrupt.
+//
+// Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion, or that it is aperiodic. After a refusal
+// every function that reads the table returns `TOYTOP_NOT_SET_UP`. A refusal of `table` or `size` changes nothing. `error` may be null.
+//
+// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
+toytop_status toytop_f32_set_up(struct toytop_ephemeris_f32 *table,
+                                uintptr_t size,
+                                const struct toytop_motion *motion,
+                                const struct toytop_settings *settings,
+                                struct toytop_error *error);
 
-// Tick of the last sample of a cursor; before the first sample, the tick before it.
-toytop_status toytop_ephemeris_cursor_tick(const struct toytop_ephemeris_cursor *place, int64_t *tick);
+// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is refused. A
+// table has at least 8. The call costs what a set-up costs, and has no pauses.
+//
+// * `truncation`: allowed truncation error, rad; 0 stands for that of the scalar
+uint32_t toytop_f32_segments_needed(const struct toytop_motion *motion,
+                                    double truncation);
 
 // Sets up a table in memory of the caller, which need not be initialised. It takes too long for an interrupt.
 //
@@ -368,41 +410,37 @@ toytop_status toytop_ephemeris_cursor_tick(const struct toytop_ephemeris_cursor 
 // every function that reads the table returns `TOYTOP_NOT_SET_UP`. A refusal of `table` or `size` changes nothing. `error` may be null.
 //
 // * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
-// * `epoch`: tick of the launch on a running counter
-// * `truncation`: greatest truncation error, rad; 0 stands for that of the scalar
-toytop_status toytop_f32_set_up(struct toytop_ephemeris_f32 *table,
+toytop_status toytop_f64_set_up(struct toytop_ephemeris_f64 *table,
                                 uintptr_t size,
                                 const struct toytop_motion *motion,
-                                struct toytop_tick tick,
-                                int64_t epoch,
-                                double truncation,
+                                const struct toytop_settings *settings,
                                 struct toytop_error *error);
 
-// Sets up a table with the workspace of the caller instead of one on the stack, and with pauses for other work.
+// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is refused. A
+// table has at least 8. The call costs what a set-up costs, and has no pauses.
 //
-// * `pause`: function that is called again and again with `context`, or null
-toytop_status toytop_f32_set_up_with_pauses(struct toytop_ephemeris_f32 *table,
-                                            uintptr_t size,
-                                            struct toytop_workspace *workspace,
-                                            const struct toytop_motion *motion,
-                                            struct toytop_tick tick,
-                                            int64_t epoch,
-                                            double truncation,
-                                            toytop_pause pause,
-                                            void *context,
-                                            struct toytop_error *error);
-
-// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
-// refused. A table has at least 8. The call takes much longer than a set-up, and is meant for a PC.
-//
-// * `truncation`: greatest truncation error, rad; 0 stands for that of the scalar
-uint32_t toytop_f32_segments_needed(const struct toytop_motion *motion,
+// * `truncation`: allowed truncation error, rad; 0 stands for that of the scalar
+uint32_t toytop_f64_segments_needed(const struct toytop_motion *motion,
                                     double truncation);
 
-// Error bounds of a table at a tick.
-toytop_status toytop_f32_error_bounds(const struct toytop_ephemeris_f32 *table,
-                                      int64_t tick,
-                                      struct toytop_error_bounds *bounds);
+// Sets up a table in memory of the caller, which need not be initialised. It takes too long for an interrupt.
+//
+// Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion, or that it is aperiodic. After a refusal
+// every function that reads the table returns `TOYTOP_NOT_SET_UP`. A refusal of `table` or `size` changes nothing. `error` may be null.
+//
+// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
+toytop_status toytop_q31_set_up(struct toytop_ephemeris_q31 *table,
+                                uintptr_t size,
+                                const struct toytop_motion *motion,
+                                const struct toytop_settings *settings,
+                                struct toytop_error *error);
+
+// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is refused. A
+// table has at least 8. The call costs what a set-up costs, and has no pauses.
+//
+// * `truncation`: allowed truncation error, rad; 0 stands for that of the scalar
+uint32_t toytop_q31_segments_needed(const struct toytop_motion *motion,
+                                    double truncation);
 
 // Sample at any tick, of either sign, always at the same cost.
 toytop_status toytop_f32_at_tick(const struct toytop_ephemeris_f32 *table,
@@ -414,214 +452,10 @@ toytop_status toytop_f32_at(const struct toytop_ephemeris_f32 *table,
                             double time,
                             struct toytop_ephemeris_sample *sample);
 
-// Cursor whose first sample is that of tick `first`.
-toytop_status toytop_f32_cursor(const struct toytop_ephemeris_f32 *table,
-                                int64_t first,
-                                struct toytop_ephemeris_cursor *cursor);
-
-// Next sample of a cursor. The sequence has no end.
-toytop_status toytop_f32_next(const struct toytop_ephemeris_f32 *table,
-                              struct toytop_ephemeris_cursor *cursor,
-                              struct toytop_ephemeris_sample *sample);
-
-// Quaternion, four numbers w, x, y, z, at the next tick of a cursor, from body to fixed coordinates, without a sample.
-toytop_status toytop_f32_next_quaternion(const struct toytop_ephemeris_f32 *table,
-                                         struct toytop_ephemeris_cursor *cursor,
-                                         float *quaternion);
-
-// First turning point of u at tick `from` or later; `upward` is 1 where u = e2. `TOYTOP_NONE` where there is none. The next one is
-// found from `tick + 1` of this one, here and below.
-toytop_status toytop_f32_turning_point(const struct toytop_ephemeris_f32 *table,
-                                       int64_t from,
-                                       struct toytop_event *event);
-
-// First instant at tick `from` or later at which the axis has a tilt, the angle to the upward vertical in rad; `upward` is 1 where
-// the axis rises. `TOYTOP_NONE` where the motion does not reach it.
-toytop_status toytop_f32_tilt_reached(const struct toytop_ephemeris_f32 *table,
-                                      double tilt,
-                                      int64_t from,
-                                      struct toytop_event *event);
-
-// First instant at tick `from` or later at which the tip is in a direction, an angle from the x axis in rad; `upward` is 1 where the
-// angle of the tip increases. `TOYTOP_NONE` where the axis is always vertical or the direction is not reached.
-toytop_status toytop_f32_direction_reached(const struct toytop_ephemeris_f32 *table,
-                                           double direction,
-                                           int64_t from,
-                                           struct toytop_event *event);
-
-// Sets up a table in memory of the caller, which need not be initialised. It takes too long for an interrupt.
-//
-// Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion, or that it is aperiodic. After a refusal
-// every function that reads the table returns `TOYTOP_NOT_SET_UP`. A refusal of `table` or `size` changes nothing. `error` may be null.
-//
-// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
-// * `epoch`: tick of the launch on a running counter
-// * `truncation`: greatest truncation error, rad; 0 stands for that of the scalar
-toytop_status toytop_f64_set_up(struct toytop_ephemeris_f64 *table,
-                                uintptr_t size,
-                                const struct toytop_motion *motion,
-                                struct toytop_tick tick,
-                                int64_t epoch,
-                                double truncation,
-                                struct toytop_error *error);
-
-// Sets up a table with the workspace of the caller instead of one on the stack, and with pauses for other work.
-//
-// * `pause`: function that is called again and again with `context`, or null
-toytop_status toytop_f64_set_up_with_pauses(struct toytop_ephemeris_f64 *table,
-                                            uintptr_t size,
-                                            struct toytop_workspace *workspace,
-                                            const struct toytop_motion *motion,
-                                            struct toytop_tick tick,
-                                            int64_t epoch,
-                                            double truncation,
-                                            toytop_pause pause,
-                                            void *context,
-                                            struct toytop_error *error);
-
-// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
-// refused. A table has at least 8. The call takes much longer than a set-up, and is meant for a PC.
-//
-// * `truncation`: greatest truncation error, rad; 0 stands for that of the scalar
-uint32_t toytop_f64_segments_needed(const struct toytop_motion *motion,
-                                    double truncation);
-
 // Error bounds of a table at a tick.
-toytop_status toytop_f64_error_bounds(const struct toytop_ephemeris_f64 *table,
+toytop_status toytop_f32_error_bounds(const struct toytop_ephemeris_f32 *table,
                                       int64_t tick,
                                       struct toytop_error_bounds *bounds);
-
-// Sample at any tick, of either sign, always at the same cost.
-toytop_status toytop_f64_at_tick(const struct toytop_ephemeris_f64 *table,
-                                 int64_t tick,
-                                 struct toytop_ephemeris_sample *sample);
-
-// Sample at any time, s from tick 0.
-toytop_status toytop_f64_at(const struct toytop_ephemeris_f64 *table,
-                            double time,
-                            struct toytop_ephemeris_sample *sample);
-
-// Cursor whose first sample is that of tick `first`.
-toytop_status toytop_f64_cursor(const struct toytop_ephemeris_f64 *table,
-                                int64_t first,
-                                struct toytop_ephemeris_cursor *cursor);
-
-// Next sample of a cursor. The sequence has no end.
-toytop_status toytop_f64_next(const struct toytop_ephemeris_f64 *table,
-                              struct toytop_ephemeris_cursor *cursor,
-                              struct toytop_ephemeris_sample *sample);
-
-// Quaternion, four numbers w, x, y, z, at the next tick of a cursor, from body to fixed coordinates, without a sample.
-toytop_status toytop_f64_next_quaternion(const struct toytop_ephemeris_f64 *table,
-                                         struct toytop_ephemeris_cursor *cursor,
-                                         double *quaternion);
-
-// First turning point of u at tick `from` or later; `upward` is 1 where u = e2. `TOYTOP_NONE` where there is none. The next one is
-// found from `tick + 1` of this one, here and below.
-toytop_status toytop_f64_turning_point(const struct toytop_ephemeris_f64 *table,
-                                       int64_t from,
-                                       struct toytop_event *event);
-
-// First instant at tick `from` or later at which the axis has a tilt, the angle to the upward vertical in rad; `upward` is 1 where
-// the axis rises. `TOYTOP_NONE` where the motion does not reach it.
-toytop_status toytop_f64_tilt_reached(const struct toytop_ephemeris_f64 *table,
-                                      double tilt,
-                                      int64_t from,
-                                      struct toytop_event *event);
-
-// First instant at tick `from` or later at which the tip is in a direction, an angle from the x axis in rad; `upward` is 1 where the
-// angle of the tip increases. `TOYTOP_NONE` where the axis is always vertical or the direction is not reached.
-toytop_status toytop_f64_direction_reached(const struct toytop_ephemeris_f64 *table,
-                                           double direction,
-                                           int64_t from,
-                                           struct toytop_event *event);
-
-// Sets up a table in memory of the caller, which need not be initialised. It takes too long for an interrupt.
-//
-// Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion, or that it is aperiodic. After a refusal
-// every function that reads the table returns `TOYTOP_NOT_SET_UP`. A refusal of `table` or `size` changes nothing. `error` may be null.
-//
-// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
-// * `epoch`: tick of the launch on a running counter
-// * `truncation`: greatest truncation error, rad; 0 stands for that of the scalar
-toytop_status toytop_q31_set_up(struct toytop_ephemeris_q31 *table,
-                                uintptr_t size,
-                                const struct toytop_motion *motion,
-                                struct toytop_tick tick,
-                                int64_t epoch,
-                                double truncation,
-                                struct toytop_error *error);
-
-// Sets up a table with the workspace of the caller instead of one on the stack, and with pauses for other work.
-//
-// * `pause`: function that is called again and again with `context`, or null
-toytop_status toytop_q31_set_up_with_pauses(struct toytop_ephemeris_q31 *table,
-                                            uintptr_t size,
-                                            struct toytop_workspace *workspace,
-                                            const struct toytop_motion *motion,
-                                            struct toytop_tick tick,
-                                            int64_t epoch,
-                                            double truncation,
-                                            toytop_pause pause,
-                                            void *context,
-                                            struct toytop_error *error);
-
-// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is
-// refused. A table has at least 8. The call takes much longer than a set-up, and is meant for a PC.
-//
-// * `truncation`: greatest truncation error, rad; 0 stands for that of the scalar
-uint32_t toytop_q31_segments_needed(const struct toytop_motion *motion,
-                                    double truncation);
-
-// Error bounds of a table at a tick.
-toytop_status toytop_q31_error_bounds(const struct toytop_ephemeris_q31 *table,
-                                      int64_t tick,
-                                      struct toytop_error_bounds *bounds);
-
-// Sample at any tick, of either sign, always at the same cost.
-toytop_status toytop_q31_at_tick(const struct toytop_ephemeris_q31 *table,
-                                 int64_t tick,
-                                 struct toytop_ephemeris_sample *sample);
-
-// Sample at any time, s from tick 0.
-toytop_status toytop_q31_at(const struct toytop_ephemeris_q31 *table,
-                            double time,
-                            struct toytop_ephemeris_sample *sample);
-
-// Cursor whose first sample is that of tick `first`.
-toytop_status toytop_q31_cursor(const struct toytop_ephemeris_q31 *table,
-                                int64_t first,
-                                struct toytop_ephemeris_cursor *cursor);
-
-// Next sample of a cursor. The sequence has no end.
-toytop_status toytop_q31_next(const struct toytop_ephemeris_q31 *table,
-                              struct toytop_ephemeris_cursor *cursor,
-                              struct toytop_ephemeris_sample *sample);
-
-// Quaternion, four numbers w, x, y, z, at the next tick of a cursor, from body to fixed coordinates, without a sample.
-toytop_status toytop_q31_next_quaternion(const struct toytop_ephemeris_q31 *table,
-                                         struct toytop_ephemeris_cursor *cursor,
-                                         int32_t *quaternion);
-
-// First turning point of u at tick `from` or later; `upward` is 1 where u = e2. `TOYTOP_NONE` where there is none. The next one is
-// found from `tick + 1` of this one, here and below.
-toytop_status toytop_q31_turning_point(const struct toytop_ephemeris_q31 *table,
-                                       int64_t from,
-                                       struct toytop_event *event);
-
-// First instant at tick `from` or later at which the axis has a tilt, the angle to the upward vertical in rad; `upward` is 1 where
-// the axis rises. `TOYTOP_NONE` where the motion does not reach it.
-toytop_status toytop_q31_tilt_reached(const struct toytop_ephemeris_q31 *table,
-                                      double tilt,
-                                      int64_t from,
-                                      struct toytop_event *event);
-
-// First instant at tick `from` or later at which the tip is in a direction, an angle from the x axis in rad; `upward` is 1 where the
-// angle of the tip increases. `TOYTOP_NONE` where the axis is always vertical or the direction is not reached.
-toytop_status toytop_q31_direction_reached(const struct toytop_ephemeris_q31 *table,
-                                           double direction,
-                                           int64_t from,
-                                           struct toytop_event *event);
 
 // Cayley-Klein parameters: four numbers Re alpha, Im alpha, Re beta, Im beta.
 toytop_status toytop_f32_cayley_klein(const struct toytop_ephemeris_sample *sample, float *parameters);
@@ -655,6 +489,21 @@ toytop_status toytop_f32_tip_angle(const struct toytop_ephemeris_sample *sample,
 // State of a sample, from which another motion can be launched.
 toytop_status toytop_f32_state(const struct toytop_ephemeris_sample *sample, struct toytop_state *state);
 
+// Sample at any tick, of either sign, always at the same cost.
+toytop_status toytop_f64_at_tick(const struct toytop_ephemeris_f64 *table,
+                                 int64_t tick,
+                                 struct toytop_ephemeris_sample *sample);
+
+// Sample at any time, s from tick 0.
+toytop_status toytop_f64_at(const struct toytop_ephemeris_f64 *table,
+                            double time,
+                            struct toytop_ephemeris_sample *sample);
+
+// Error bounds of a table at a tick.
+toytop_status toytop_f64_error_bounds(const struct toytop_ephemeris_f64 *table,
+                                      int64_t tick,
+                                      struct toytop_error_bounds *bounds);
+
 // Cayley-Klein parameters: four numbers Re alpha, Im alpha, Re beta, Im beta.
 toytop_status toytop_f64_cayley_klein(const struct toytop_ephemeris_sample *sample, double *parameters);
 
@@ -687,6 +536,21 @@ toytop_status toytop_f64_tip_angle(const struct toytop_ephemeris_sample *sample,
 // State of a sample, from which another motion can be launched.
 toytop_status toytop_f64_state(const struct toytop_ephemeris_sample *sample, struct toytop_state *state);
 
+// Sample at any tick, of either sign, always at the same cost.
+toytop_status toytop_q31_at_tick(const struct toytop_ephemeris_q31 *table,
+                                 int64_t tick,
+                                 struct toytop_ephemeris_sample *sample);
+
+// Sample at any time, s from tick 0.
+toytop_status toytop_q31_at(const struct toytop_ephemeris_q31 *table,
+                            double time,
+                            struct toytop_ephemeris_sample *sample);
+
+// Error bounds of a table at a tick.
+toytop_status toytop_q31_error_bounds(const struct toytop_ephemeris_q31 *table,
+                                      int64_t tick,
+                                      struct toytop_error_bounds *bounds);
+
 // Cayley-Klein parameters: four numbers Re alpha, Im alpha, Re beta, Im beta.
 toytop_status toytop_q31_cayley_klein(const struct toytop_ephemeris_sample *sample, int32_t *parameters);
 
@@ -718,6 +582,114 @@ toytop_status toytop_q31_tip_angle(const struct toytop_ephemeris_sample *sample,
 
 // State of a sample, from which another motion can be launched.
 toytop_status toytop_q31_state(const struct toytop_ephemeris_sample *sample, struct toytop_state *state);
+
+// Tick of the last sample of a cursor; before the first sample, the tick before it.
+toytop_status toytop_ephemeris_cursor_tick(const struct toytop_ephemeris_cursor *place, int64_t *tick);
+
+// Cursor whose first sample is that of tick `first`.
+toytop_status toytop_f32_cursor(const struct toytop_ephemeris_f32 *table,
+                                int64_t first,
+                                struct toytop_ephemeris_cursor *cursor);
+
+// Next sample of a cursor. The sequence has no end.
+toytop_status toytop_f32_next(const struct toytop_ephemeris_f32 *table,
+                              struct toytop_ephemeris_cursor *cursor,
+                              struct toytop_ephemeris_sample *sample);
+
+// Quaternion, four numbers w, x, y, z, at the next tick of a cursor, from body to fixed coordinates, without a sample.
+toytop_status toytop_f32_next_quaternion(const struct toytop_ephemeris_f32 *table,
+                                         struct toytop_ephemeris_cursor *cursor,
+                                         float *quaternion);
+
+// Cursor whose first sample is that of tick `first`.
+toytop_status toytop_f64_cursor(const struct toytop_ephemeris_f64 *table,
+                                int64_t first,
+                                struct toytop_ephemeris_cursor *cursor);
+
+// Next sample of a cursor. The sequence has no end.
+toytop_status toytop_f64_next(const struct toytop_ephemeris_f64 *table,
+                              struct toytop_ephemeris_cursor *cursor,
+                              struct toytop_ephemeris_sample *sample);
+
+// Quaternion, four numbers w, x, y, z, at the next tick of a cursor, from body to fixed coordinates, without a sample.
+toytop_status toytop_f64_next_quaternion(const struct toytop_ephemeris_f64 *table,
+                                         struct toytop_ephemeris_cursor *cursor,
+                                         double *quaternion);
+
+// Cursor whose first sample is that of tick `first`.
+toytop_status toytop_q31_cursor(const struct toytop_ephemeris_q31 *table,
+                                int64_t first,
+                                struct toytop_ephemeris_cursor *cursor);
+
+// Next sample of a cursor. The sequence has no end.
+toytop_status toytop_q31_next(const struct toytop_ephemeris_q31 *table,
+                              struct toytop_ephemeris_cursor *cursor,
+                              struct toytop_ephemeris_sample *sample);
+
+// Quaternion, four numbers w, x, y, z, at the next tick of a cursor, from body to fixed coordinates, without a sample.
+toytop_status toytop_q31_next_quaternion(const struct toytop_ephemeris_q31 *table,
+                                         struct toytop_ephemeris_cursor *cursor,
+                                         int32_t *quaternion);
+
+// First turning point of u at tick `from` or later; `upward` is 1 where u = e2. `TOYTOP_NONE` where there is none. The next one is
+// found from `tick + 1` of this one, here and below.
+toytop_status toytop_f32_first_turning_point(const struct toytop_ephemeris_f32 *table,
+                                             int64_t from,
+                                             struct toytop_event *event);
+
+// First crossing of a tilt, the angle of the axis to the upward vertical in rad, at tick `from` or later; `upward` is 1 where the axis
+// rises. `TOYTOP_NONE` where the motion does not reach it.
+toytop_status toytop_f32_first_crossing(const struct toytop_ephemeris_f32 *table,
+                                        double tilt,
+                                        int64_t from,
+                                        struct toytop_event *event);
+
+// First instant at tick `from` or later at which the angle of the tip is `angle`, rad, up to whole turns; `upward` is 1 where it
+// increases. `TOYTOP_NONE` where the axis is always vertical or the angle is not reached.
+toytop_status toytop_f32_first_tip_angle(const struct toytop_ephemeris_f32 *table,
+                                         double angle,
+                                         int64_t from,
+                                         struct toytop_event *event);
+
+// First turning point of u at tick `from` or later; `upward` is 1 where u = e2. `TOYTOP_NONE` where there is none. The next one is
+// found from `tick + 1` of this one, here and below.
+toytop_status toytop_f64_first_turning_point(const struct toytop_ephemeris_f64 *table,
+                                             int64_t from,
+                                             struct toytop_event *event);
+
+// First crossing of a tilt, the angle of the axis to the upward vertical in rad, at tick `from` or later; `upward` is 1 where the axis
+// rises. `TOYTOP_NONE` where the motion does not reach it.
+toytop_status toytop_f64_first_crossing(const struct toytop_ephemeris_f64 *table,
+                                        double tilt,
+                                        int64_t from,
+                                        struct toytop_event *event);
+
+// First instant at tick `from` or later at which the angle of the tip is `angle`, rad, up to whole turns; `upward` is 1 where it
+// increases. `TOYTOP_NONE` where the axis is always vertical or the angle is not reached.
+toytop_status toytop_f64_first_tip_angle(const struct toytop_ephemeris_f64 *table,
+                                         double angle,
+                                         int64_t from,
+                                         struct toytop_event *event);
+
+// First turning point of u at tick `from` or later; `upward` is 1 where u = e2. `TOYTOP_NONE` where there is none. The next one is
+// found from `tick + 1` of this one, here and below.
+toytop_status toytop_q31_first_turning_point(const struct toytop_ephemeris_q31 *table,
+                                             int64_t from,
+                                             struct toytop_event *event);
+
+// First crossing of a tilt, the angle of the axis to the upward vertical in rad, at tick `from` or later; `upward` is 1 where the axis
+// rises. `TOYTOP_NONE` where the motion does not reach it.
+toytop_status toytop_q31_first_crossing(const struct toytop_ephemeris_q31 *table,
+                                        double tilt,
+                                        int64_t from,
+                                        struct toytop_event *event);
+
+// First instant at tick `from` or later at which the angle of the tip is `angle`, rad, up to whole turns; `upward` is 1 where it
+// increases. `TOYTOP_NONE` where the axis is always vertical or the angle is not reached.
+toytop_status toytop_q31_first_tip_angle(const struct toytop_ephemeris_q31 *table,
+                                         double angle,
+                                         int64_t from,
+                                         struct toytop_event *event);
 
 #ifdef __cplusplus
 }  // extern "C"

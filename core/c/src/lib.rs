@@ -15,26 +15,26 @@ mod input;
 
 mod motion;
 
-// Functions that run at every tick.
+// From here on each module ends with its functions of each scalar, `toytop_f32_...`, `toytop_f64_...` and `toytop_q31_...`.
 mod table;
 
 mod set_up;
 
+// Functions that run at every tick.
 mod sample;
 
-// Functions of each scalar, `toytop_f32_...`, `toytop_f64_...` and `toytop_q31_...`, by one macro for tables and one for samples.
-mod table_functions;
+mod cursor;
 
-mod sample_functions;
+mod events;
 
+pub use cursor::*;
+pub use events::*;
 pub use input::*;
 pub use motion::*;
 pub use sample::*;
-pub use sample_functions::*;
 pub use set_up::*;
 pub use status::*;
 pub use table::*;
-pub use table_functions::*;
 
 /// Panic handler, which the compiler requires in an archive. It calls a function that does not exist. If no code can panic, the archive
 /// contains neither of them, which `cargo xtask c-archive` checks.

@@ -3,6 +3,7 @@
 use crate::input::{toytop_state, toytop_top};
 use crate::memory::{Opaque, load, read, store, write};
 use crate::status::{Refusal, status_of, toytop_error, toytop_status};
+use core::ffi::c_void;
 use toytop::{Complex, Motion, Regime};
 use toytop_fit::Sensitivity;
 
@@ -50,8 +51,8 @@ pub enum toytop_regime {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_constants {
-    /// Regime, a `toytop_regime`.
-    pub regime: u32,
+    /// Regime.
+    pub regime: toytop_regime,
     /// Vertical angular momentum l, kg m^2/s.
     pub l: f64,
     /// Axial angular momentum n, kg m^2/s.
@@ -70,6 +71,23 @@ pub struct toytop_constants {
     pub min_normal_force: f64,
 }
 
+/// Function of the program that a launch or a set-up calls at least every 50 000 cycles of a Cortex-M4F (200 000 of a Cortex-M0+): to feed
+/// a watchdog, or to read another table. Null for none.
+pub type toytop_pause = Option<unsafe extern "C" fn(context: *mut c_void)>;
+
+/// Call of a pause, if there is one.
+///
+/// # Safety
+/// `pause` may be called with `context`.
+pub(crate) unsafe fn call_of(pause: toytop_pause, context: *mut c_void) -> impl FnMut() {
+    move || {
+        if let Some(pause) = pause {
+            // SAFETY: the caller guarantees that it may be called.
+            unsafe { pause(context) };
+        }
+    }
+}
+
 /// Motion of a top from a state at t = 0.
 ///
 /// Refusals name a parameter of the top or of the state. `error` may be null.
@@ -81,10 +99,28 @@ pub unsafe extern "C" fn toytop_launch(
     error: *mut toytop_error,
 ) -> toytop_status {
     // SAFETY: the caller guarantees valid pointers.
+    unsafe { toytop_launch_with_pauses(top, state, None, core::ptr::null_mut(), motion, error) }
+}
+
+/// Motion of a top from a state at t = 0, with pauses for other work.
+///
+/// Refusals are those of `toytop_launch`.
+///
+/// * `context`: argument of `pause`
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn toytop_launch_with_pauses(
+    top: *const toytop_top,
+    state: *const toytop_state,
+    pause: toytop_pause,
+    context: *mut c_void,
+    motion: *mut toytop_motion,
+    error: *mut toytop_error,
+) -> toytop_status {
+    // SAFETY: the caller guarantees valid pointers, and that `pause` may be called.
     unsafe {
         status_of(error, || {
             let (top, state) = (read(top)?.checked()?, read(state)?.checked()?);
-            store(motion, Motion::launch(&top, &state)?)
+            store(motion, Motion::launch_with_pauses(&top, &state, &mut call_of(pause, context))?)
         })
     }
 }
@@ -98,7 +134,7 @@ pub unsafe extern "C" fn toytop_motion_constants(
     let found = |motion: Motion| {
         let (integrals, e) = (motion.first_integrals(), motion.branch_points());
         toytop_constants {
-            regime: regime(motion.regime()) as u32,
+            regime: regime(motion.regime()),
             l: integrals.l,
             n: integrals.n,
             h: integrals.h,

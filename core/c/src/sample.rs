@@ -1,24 +1,13 @@
-//! Reading of a table: any tick, cursors, the quantities of a sample, and events.
+//! Samples of a table at any tick or time, their error bounds and quantities.
 
+use crate::input::toytop_state;
 use crate::memory::{Opaque, load, store, write};
 use crate::status::{Refusal, toytop_status};
-use crate::table::{Table, table_at};
-use toytop::{Complex, Cursor, EphemerisScalar, EphemerisView, Event, Events, ParameterError, Phase, Sample};
+use crate::table::*;
+use toytop::{Complex, EphemerisScalar, EphemerisView, Orientation, ParameterError, Sample, State};
 
-/// Bytes of a cursor.
-pub const TOYTOP_EPHEMERIS_CURSOR_SIZE: usize = 64;
 /// Bytes of a sample.
 pub const TOYTOP_EPHEMERIS_SAMPLE_SIZE: usize = 112;
-/// Phases of consecutive ticks of one table, which an interrupt keeps. It may be copied.
-///
-/// A cursor belongs to the table that made it, and must be made again after a set-up. A number of 32 bits identifies a table, by which other
-/// tables almost always refuse the cursor.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct toytop_ephemeris_cursor {
-    opaque: [u64; 8],
-}
-
 /// Sample of a motion at one instant: phases, from which each quantity is computed on demand. It may be copied.
 ///
 /// A sample refers to its table, whose memory must still be there. After another set-up in this memory the sample is refused.
@@ -29,20 +18,7 @@ pub struct toytop_ephemeris_sample {
 }
 
 // cbindgen accepts only a number as a length
-const _: () = assert!(
-    size_of::<toytop_ephemeris_cursor>() == TOYTOP_EPHEMERIS_CURSOR_SIZE
-        && size_of::<toytop_ephemeris_sample>() == TOYTOP_EPHEMERIS_SAMPLE_SIZE
-);
-
-/// Cursor with the identity of its table.
-struct TableCursor {
-    table: u32,
-    cursor: Cursor,
-}
-
-impl Opaque for TableCursor {
-    const TAG: u32 = 0x746f_7063;
-}
+const _: () = assert!(size_of::<toytop_ephemeris_sample>() == TOYTOP_EPHEMERIS_SAMPLE_SIZE);
 
 /// Sample with the address and the identity of its table.
 struct TableSample<R: EphemerisScalar> {
@@ -60,7 +36,7 @@ impl<R: EphemerisScalar> Opaque for TableSample<R> {
 ///
 /// # Safety
 /// The pointers are null or valid, and the memory of the sample's table is still there.
-pub(crate) unsafe fn write_quantity<R: EphemerisScalar, T>(
+unsafe fn write_quantity<R: EphemerisScalar, T>(
     from: *const toytop_ephemeris_sample,
     place: *mut T,
     quantity: impl FnOnce(Sample<'static, R>) -> Result<T, Refusal>,
@@ -92,7 +68,7 @@ pub(crate) unsafe fn store_sample<R: EphemerisScalar>(
 }
 
 /// Sample at a time.
-pub(crate) fn at<R: EphemerisScalar>(table: &EphemerisView<R>, time: f64) -> Result<Sample<'_, R>, Refusal> {
+fn at<R: EphemerisScalar>(table: &EphemerisView<R>, time: f64) -> Result<Sample<'_, R>, Refusal> {
     if !time.is_finite() {
         return Err(ParameterError::NotFinite { parameter: "time" }.into());
     }
@@ -102,105 +78,116 @@ pub(crate) fn at<R: EphemerisScalar>(table: &EphemerisView<R>, time: f64) -> Res
     Ok(table.at(time))
 }
 
-/// Cursor whose first sample is that of tick `first`.
-///
-/// # Safety
-/// The conditions are those of [`store_sample`].
-pub(crate) unsafe fn cursor<R: EphemerisScalar>(
-    table: *const u8,
-    first: i64,
-    place: *mut toytop_ephemeris_cursor,
-) -> Result<(), Refusal> {
-    // SAFETY: the caller guarantees valid pointers and a valid table.
-    unsafe {
-        let Table { table, identity, .. } = table_at::<R>(table)?;
-        store(place, TableCursor { table: identity, cursor: table.cursor(first) })
-    }
-}
-
-/// Gives the next sample of a cursor to `take`. If that refuses, the cursor stays.
-///
-/// # Safety
-/// The conditions are those of [`store_sample`].
-unsafe fn advance<R: EphemerisScalar>(
-    table: *const u8,
-    place: *mut toytop_ephemeris_cursor,
-    take: impl FnOnce(Sample<'static, R>) -> Result<(), Refusal>,
-) -> Result<(), Refusal> {
-    // SAFETY: the caller guarantees valid pointers and a valid table.
-    let (Table { table, identity, .. }, mut kept): (_, TableCursor) =
-        unsafe { (table_at::<R>(table)?, load(place)?) };
-    if kept.table != identity {
-        return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
-    }
-    take(kept.cursor.next(table))?;
-    // SAFETY: the caller guarantees a valid pointer.
-    unsafe { store(place, kept) }
-}
-
-/// Next sample of a cursor.
-///
-/// # Safety
-/// The conditions are those of [`store_sample`].
-pub(crate) unsafe fn next<R: EphemerisScalar>(
-    table: *const u8,
-    cursor: *mut toytop_ephemeris_cursor,
-    place: *mut toytop_ephemeris_sample,
-) -> Result<(), Refusal> {
-    // SAFETY: the caller guarantees valid pointers and a valid table, here and inside.
-    unsafe { advance::<R>(table, cursor, |sample| store_sample(table, place, |_| Ok(sample))) }
-}
-
-/// Quaternion at the next tick of a cursor.
-///
-/// # Safety
-/// The conditions are those of [`store_sample`].
-pub(crate) unsafe fn next_quaternion<R: EphemerisScalar>(
-    table: *const u8,
-    cursor: *mut toytop_ephemeris_cursor,
-    quaternion: *mut [R; 4],
-) -> Result<(), Refusal> {
-    // SAFETY: the caller guarantees valid pointers and a valid table, here and inside.
-    unsafe { advance::<R>(table, cursor, |sample| write(quaternion, sample.quaternion())) }
-}
-
-/// Tick of the last sample of a cursor; before the first sample, the tick before it.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn toytop_ephemeris_cursor_tick(
-    place: *const toytop_ephemeris_cursor,
-    tick: *mut i64,
-) -> toytop_status {
-    // SAFETY: the caller guarantees valid pointers.
-    unsafe { load(place).and_then(|kept: TableCursor| write(tick, kept.cursor.tick())) }.into()
+/// Upper bounds on the errors of a table at a tick.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct toytop_error_bounds {
+    /// Orientation error 2 sqrt(|d alpha|^2 + |d beta|^2), rad.
+    pub orientation: f64,
+    /// Error of the angular velocity, in either frame, rad/s.
+    pub rate: f64,
 }
 
 /// Parts of a complex number, {re, im}.
-pub(crate) fn re_im<R>(z: Complex<R>) -> [R; 2] {
+fn re_im<R>(z: Complex<R>) -> [R; 2] {
     [z.re, z.im]
 }
 
-/// Event of a motion: its instant in ticks, and the sense of the change.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct toytop_event {
-    /// Last tick at or before the event.
-    pub tick: i64,
-    /// Fraction of the following tick that passes before the event, in [0, 1).
-    pub fraction: f64,
-    /// 1 or 0: see the function that found the event.
-    pub upward: u32,
+/// Function that writes one quantity of a sample.
+macro_rules! quantity {
+    ($(#[$doc:meta])* $function:ident<$scalar:ty>($quantity:ident: $number:ty) = |$sample:ident| $value:expr) => {
+$(#[$doc])*
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn $function(
+    sample: *const toytop_ephemeris_sample,
+    $quantity: *mut $number,
+) -> toytop_status {
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { write_quantity::<$scalar, _>(sample, $quantity.cast(), |$sample| Ok($value)).into() }
+}
+    };
 }
 
-/// First event of an iterator.
-pub(crate) fn first_event<R: EphemerisScalar>(mut events: Events<'_, R>) -> Result<toytop_event, Refusal> {
-    let Event { tick, fraction, upward } = events.next().ok_or(toytop_status::TOYTOP_NONE)?;
-    Ok(toytop_event { tick, fraction, upward: upward.into() })
+macro_rules! functions {
+    ($name:ident, $scalar:ty, $table:ty, $orientation:ty, $rate:ty) => {
+        pastey::paste! {
+
+        reader! {
+        /// Sample at any tick, of either sign, always at the same cost.
+        [<toytop_ $name _at_tick>](table: $table; tick: i64, sample: *mut toytop_ephemeris_sample)
+            |table, tick, place| store_sample::<$scalar>(table, place, |table| Ok(table.at_tick(tick)))
+        }
+
+        reader! {
+        /// Sample at any time, s from tick 0.
+        [<toytop_ $name _at>](table: $table; time: f64, sample: *mut toytop_ephemeris_sample)
+            |table, time, place| store_sample::<$scalar>(table, place, |table| at(table, time))
+        }
+
+        reader! {
+        /// Error bounds of a table at a tick.
+        [<toytop_ $name _error_bounds>](table: $table; tick: i64, bounds: *mut toytop_error_bounds)
+            |table, tick, bounds| {
+                write_from::<$scalar, _>(table, bounds, |table| {
+                    Ok(toytop_error_bounds { orientation: table.error_bound_at(tick), rate: table.rate_error_bound_at(tick) })
+                })
+            }
+        }
+
+        quantity! {
+        /// Cayley-Klein parameters: four numbers Re alpha, Im alpha, Re beta, Im beta.
+        [<toytop_ $name _cayley_klein>]<$scalar>(parameters: $orientation) = |sample| {
+            let Orientation { alpha, beta } = sample.orientation();
+            [re_im(alpha), re_im(beta)]
+        }
+        }
+
+        quantity! {
+        /// Unit quaternion, four numbers w, x, y, z, from body to fixed coordinates.
+        [<toytop_ $name _quaternion>]<$scalar>(quaternion: $orientation) = |sample| sample.quaternion()
+        }
+
+        quantity! {
+        /// Unit vector of three components from the tip to the centre of mass, in the fixed frame. The third is u, the cosine of the
+        /// tilt, which a rounding can take past 1.
+        [<toytop_ $name _axis>]<$scalar>(axis: $orientation) = |sample| sample.axis()
+        }
+
+        quantity! {
+        /// Angular velocity of three components in the fixed frame, rad/s.
+        [<toytop_ $name _omega>]<$scalar>(omega: $rate) = |sample| sample.omega()
+        }
+
+        quantity! {
+        /// Angular velocity of three components in the body frame, rad/s, as a gyroscope measures it.
+        [<toytop_ $name _omega_body>]<$scalar>(omega: $rate) = |sample| sample.omega_body()
+        }
+
+        quantity! {
+        /// Position x, y of the tip, m from the point of the plane below the centre of mass; for a fixed tip the horizontal part of the
+        /// axis with the opposite sign.
+        [<toytop_ $name _tip>]<$scalar>(tip: $rate) = |sample| re_im(sample.tip())
+        }
+
+        quantity! {
+        /// Velocity x, y of the tip, m/s; 1/s for a fixed tip.
+        [<toytop_ $name _tip_velocity>]<$scalar>(velocity: $rate) = |sample| re_im(sample.tip_velocity())
+        }
+
+        quantity! {
+        /// Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` if the axis is always vertical.
+        [<toytop_ $name _tip_angle>]<$scalar>(angle: f64) =
+            |sample| sample.tip_angle().ok_or(toytop_status::TOYTOP_NONE)?.to_radians()
+        }
+
+        quantity! {
+        /// State of a sample, from which another motion can be launched.
+        [<toytop_ $name _state>]<$scalar>(state: toytop_state) =
+            |sample| toytop_state::from_state(&State::from_attitude(&sample.attitude_state())?)
+        }
+
+            }
+    };
 }
 
-/// Direction of the tip, from an angle in rad.
-pub(crate) fn direction(angle: f64) -> Result<Phase, Refusal> {
-    if !angle.is_finite() {
-        return Err(ParameterError::NotFinite { parameter: "direction" }.into());
-    }
-    Ok(Phase::from_radians(angle))
-}
+for_each_scalar!(functions);

@@ -1,9 +1,9 @@
 //! Set-up of a table, and the number of segments that it needs.
 
-use crate::memory::load;
-use crate::motion::toytop_motion;
-use crate::status::{Refusal, toytop_status};
-use crate::table::{Memory, TOYTOP_EPHEMERIS_ALIGNMENT, toytop_tick};
+use crate::memory::{load, read};
+use crate::motion::{call_of, toytop_motion, toytop_pause};
+use crate::status::{Refusal, status_of, toytop_error, toytop_status};
+use crate::table::*;
 use core::ffi::c_void;
 use toytop::{EphemerisScalar, EphemerisView, Motion, TableSettings, Tick, Workspace};
 
@@ -17,9 +17,6 @@ pub struct toytop_workspace {
     opaque: [u64; 429],
 }
 
-/// Function that a set-up calls again and again, at least every 50 000 cycles of a Cortex-M4F: to feed a watchdog, or to read another table.
-pub type toytop_pause = Option<unsafe extern "C" fn(context: *mut c_void)>;
-
 // cbindgen accepts only a number as a length
 const _: () = assert!(
     size_of::<toytop_workspace>() == TOYTOP_WORKSPACE_SIZE
@@ -27,31 +24,60 @@ const _: () = assert!(
             <= TOYTOP_WORKSPACE_SIZE
 );
 
-/// Launch that a table is set up for.
-pub(crate) struct Launched {
-    pub(crate) motion: *const toytop_motion,
-    pub(crate) tick: toytop_tick,
-    pub(crate) epoch: i64,
-    /// Greatest truncation error, rad; 0 stands for that of the scalar.
-    pub(crate) truncation: f64,
+/// Length of a tick, as an exact fraction of a second: `ticks` ticks in `seconds` seconds.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct toytop_tick {
+    /// Number of ticks, at least 1.
+    pub ticks: u32,
+    /// Number of seconds, at least 1.
+    pub seconds: u32,
+}
+
+/// Settings of a table. The default of each one but the tick is 0 or null.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct toytop_settings {
+    /// Length of a tick, such as {1000, 1} for 1 kHz.
+    pub tick: toytop_tick,
+    /// Tick of the launch on a running counter.
+    pub epoch: i64,
+    /// Allowed truncation error, rad: a smaller table for a larger error. 0 stands for that of the scalar.
+    pub truncation: f64,
+    /// Workspace of the set-up; null for one on the stack.
+    pub workspace: *mut toytop_workspace,
+    /// Function that the set-up calls; null for none.
+    pub pause: toytop_pause,
+    /// Argument of `pause`.
+    pub context: *mut c_void,
 }
 
 /// Sets up a table in memory of the caller, which need not be initialised.
 ///
 /// # Safety
-/// `table` is null or valid for writing `size` bytes, `workspace` is null or valid for writing, and nobody else uses them until this returns.
-/// The motion is null or valid for reading. `pause` may be called with `context`.
-pub(crate) unsafe fn set_up_in<R: EphemerisScalar>(
-    (table, size): (*mut u8, usize),
-    workspace: *mut toytop_workspace,
-    launched: Launched,
-    (pause, context): (toytop_pause, *mut c_void),
+/// `table` is null or valid for writing `size` bytes, and nobody else uses it until this returns. The motion and the settings are null or
+/// valid for reading, and so is each pointer of the settings for its purpose.
+unsafe fn set_up<R: EphemerisScalar>(
+    table: *mut u8,
+    size: usize,
+    motion: *const toytop_motion,
+    settings: *const toytop_settings,
 ) -> Result<(), Refusal> {
     let memory = Memory::new::<R>(table, size)?;
-    // SAFETY: the caller guarantees valid memory.
-    let cleared = unsafe { memory.clear::<R>() };
+    // SAFETY: the caller guarantees valid pointers.
+    let (table, motion, settings): (_, Motion, _) =
+        unsafe { (memory.clear::<R>(), load(motion)?, read(settings)?) };
+    let toytop_settings { tick, epoch, truncation, workspace, pause, context } = settings;
+    let tick = Tick::ratio(tick.ticks, tick.seconds)?;
+    let settings = TableSettings { tick, epoch, truncation: (truncation != 0.0).then_some(truncation) };
+    // SAFETY: the caller guarantees that the pause may be called.
+    let mut pause = unsafe { call_of(pause, context) };
+    let mut set_up = |workspace: &mut Workspace| -> Result<(), Refusal> {
+        table.set_up(workspace, &motion, &settings, &mut pause)?;
+        Ok(())
+    };
     if workspace.is_null() {
-        return Err(toytop_status::TOYTOP_NULL_POINTER.into());
+        return with_workspace_on_stack(&mut set_up);
     }
     if !workspace.is_aligned() {
         return Err(toytop_status::TOYTOP_BAD_MEMORY.into());
@@ -59,52 +85,57 @@ pub(crate) unsafe fn set_up_in<R: EphemerisScalar>(
     // a computer may align the numbers of a set-up to more bytes, for which there is room
     let bytes = workspace.cast::<u8>();
     let workspace = bytes.wrapping_add(bytes.align_offset(align_of::<Workspace>())).cast::<Workspace>();
-    // SAFETY: the caller guarantees a valid pointer.
-    let motion: Motion = unsafe { load(launched.motion)? };
-    let tick = Tick::ratio(launched.tick.ticks, launched.tick.seconds)?;
     // SAFETY: the pointer is neither null nor unaligned, and the memory is large enough.
     let workspace = unsafe {
         workspace.write(Workspace::new());
         &mut *workspace
     };
-    let truncation = (launched.truncation != 0.0).then_some(launched.truncation);
-    let settings = TableSettings { tick, epoch: launched.epoch, truncation };
-    let mut call = || {
-        if let Some(pause) = pause {
-            // SAFETY: the caller guarantees that it may be called.
-            unsafe { pause(context) };
-        }
-    };
-    cleared.set_up(workspace, &motion, &settings, &mut call)?;
-    // SAFETY: `clear` was called on this memory before.
-    unsafe { memory.ready::<R>() };
-    Ok(())
+    set_up(workspace)
 }
 
-/// Sets up a table with the workspace on the stack: see [`set_up_in`].
-///
-/// # Safety
-/// The conditions are those of [`set_up_in`].
+// apart, so that a set-up in the caller's workspace does not reserve stack for another one
 #[inline(never)]
-pub(crate) unsafe fn set_up_on_stack<R: EphemerisScalar>(
-    table: (*mut u8, usize),
-    launched: Launched,
+fn with_workspace_on_stack(
+    set_up: &mut dyn FnMut(&mut Workspace) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
-    let mut workspace = core::mem::MaybeUninit::uninit();
-    // SAFETY: as the caller guarantees, and the workspace is a local variable.
-    unsafe { set_up_in::<R>(table, workspace.as_mut_ptr(), launched, (None, core::ptr::null_mut())) }
+    set_up(&mut Workspace::new())
 }
 
-/// Number of segments that is enough; 0 where no number is, or a parameter is refused.
+macro_rules! functions {
+    ($name:ident, $scalar:ty, $table:ty, $orientation:ty, $rate:ty) => { pastey::paste! {
+
+/// Sets up a table in memory of the caller, which need not be initialised. It takes too long for an interrupt.
 ///
-/// # Safety
-/// `motion` is null or valid for reading.
-pub(crate) unsafe fn segments_needed<R: EphemerisScalar>(
+/// Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion, or that it is aperiodic. After a refusal
+/// every function that reads the table returns `TOYTOP_NOT_SET_UP`. A refusal of `table` or `size` changes nothing. `error` may be null.
+///
+/// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn [<toytop_ $name _set_up>](
+    table: *mut $table,
+    size: usize,
     motion: *const toytop_motion,
-    truncation: f64,
-) -> u32 {
+    settings: *const toytop_settings,
+    error: *mut toytop_error,
+) -> toytop_status {
+    // SAFETY: the caller guarantees valid pointers.
+    unsafe { status_of(error, || set_up::<$scalar>(table.cast(), size, motion, settings)) }
+}
+
+/// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is refused. A
+/// table has at least 8. The call costs what a set-up costs, and has no pauses.
+///
+/// * `truncation`: allowed truncation error, rad; 0 stands for that of the scalar
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn [<toytop_ $name _segments_needed>](motion: *const toytop_motion, truncation: f64) -> u32 {
     // SAFETY: the caller guarantees a valid pointer.
     let motion: Result<Motion, Refusal> = unsafe { load(motion) };
-    let truncation = if truncation == 0.0 { R::TRUNCATION } else { truncation };
-    motion.ok().and_then(|motion| EphemerisView::<R>::segments_needed(&motion, truncation)).unwrap_or(0)
+    let truncation = if truncation == 0.0 { <$scalar>::TRUNCATION } else { truncation };
+    let needed = |motion| EphemerisView::<$scalar>::segments_needed(&motion, truncation);
+    motion.ok().and_then(needed).unwrap_or(0)
 }
+
+    } };
+}
+
+for_each_scalar!(functions);

@@ -20,7 +20,7 @@ pub enum toytop_status {
     TOYTOP_TABLE_TOO_SMALL = 4,
     /// The memory of a table or a workspace is not aligned, or that of a table is smaller than for 8 segments.
     TOYTOP_BAD_MEMORY = 5,
-    /// A table, motion, cursor or sample was not made by this library, or its set-up failed or has not ended.
+    /// A table, motion, cursor or sample was not made by this library, or its set-up failed.
     TOYTOP_NOT_SET_UP = 6,
     /// The motion has no such event, angle or derivative.
     TOYTOP_NONE = 7,
@@ -39,8 +39,8 @@ pub const TOYTOP_TEXT_SIZE: usize = 192;
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_error {
-    /// The status that the call returned.
-    pub status: u32,
+    /// Status that the call returned.
+    pub status: toytop_status,
     /// With `TOYTOP_TABLE_TOO_SMALL`: number of segments of the table, which is not enough.
     pub segments: u32,
     /// One line without its end, such as "tilt: must be between 0 and pi"; it closes with a zero.
@@ -133,30 +133,16 @@ pub(crate) unsafe fn status_of(
 
 impl Refusal {
     fn described(&self) -> toytop_error {
-        let mut text = Text { bytes: [0; TOYTOP_TEXT_SIZE], length: 0 };
-        match self.parameter {
-            Some([parameter, allowed]) => {
-                [parameter, ": must be ", allowed].into_iter().for_each(|part| text.push(part.as_bytes()));
-            }
-            None => text.push(line(self.status as u32).to_bytes()),
-        }
-        toytop_error { status: self.status as u32, segments: self.segments, text: text.bytes }
-    }
-}
-
-/// Text that is cut off where its memory ends, and always closes with a zero.
-struct Text {
-    bytes: [c_char; TOYTOP_TEXT_SIZE],
-    length: usize,
-}
-
-impl Text {
-    fn push(&mut self, part: &[u8]) {
-        let room = self.bytes.get_mut(self.length..TOYTOP_TEXT_SIZE - 1).unwrap_or_default();
-        for (place, byte) in room.iter_mut().zip(part) {
+        let parts = match self.parameter {
+            Some([parameter, allowed]) => [parameter.as_bytes(), b": must be ", allowed.as_bytes()],
+            None => [line(self.status as u32).to_bytes(), b"", b""],
+        };
+        let mut text = [0; TOYTOP_TEXT_SIZE];
+        // a longer text is cut off; the last byte stays the closing zero
+        for (place, byte) in text.iter_mut().take(TOYTOP_TEXT_SIZE - 1).zip(parts.into_iter().flatten()) {
             *place = *byte as c_char;
-            self.length += 1;
         }
+        toytop_error { status: self.status, segments: self.segments, text }
     }
 }
 
@@ -182,8 +168,8 @@ mod tests {
 
     #[test]
     fn a_long_text_is_cut_before_its_zero() {
-        let mut text = Text { bytes: [0; TOYTOP_TEXT_SIZE], length: 0 };
-        (0..3).for_each(|_| text.push(&[b'x'; 100]));
-        assert_eq!((text.length, text.bytes[TOYTOP_TEXT_SIZE - 1]), (TOYTOP_TEXT_SIZE - 1, 0));
+        let allowed = "x".repeat(300).leak();
+        let refused = ParameterError::OutOfRange { parameter: "tilt", allowed };
+        assert_eq!(text(refused).len(), TOYTOP_TEXT_SIZE - 1);
     }
 }

@@ -37,33 +37,7 @@ pub struct toytop_ephemeris_q31 {
     opaque: [u64; 289],
 }
 
-/// Length of a tick, as an exact fraction of a second: `ticks` ticks in `seconds` seconds.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct toytop_tick {
-    /// Number of ticks, at least 1.
-    pub ticks: u32,
-    /// Number of seconds, at least 1.
-    pub seconds: u32,
-}
-
-/// Upper bounds on the errors of a table at a tick.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct toytop_error_bounds {
-    /// Orientation error 2 sqrt(|d alpha|^2 + |d beta|^2), rad.
-    pub orientation: f64,
-    /// Error of the angular velocity, in either frame, rad/s.
-    pub rate: f64,
-}
-
-/// Tick of a frequency in Hz.
-#[unsafe(no_mangle)]
-pub extern "C" fn toytop_hertz(frequency: u32) -> toytop_tick {
-    toytop_tick { ticks: frequency, seconds: 1 }
-}
-
-/// Number that the memory of a table of this scalar begins with once it is set up.
+/// Number that the memory of a table of this scalar begins with.
 const fn tag_of<R: EphemerisScalar>() -> u32 {
     0x746f_7000 | R::CODE
 }
@@ -135,7 +109,7 @@ fn table_after<R: EphemerisScalar>(
 /// Table that was set up in memory of the caller.
 ///
 /// # Safety
-/// The pointer is null or valid for reading a head; and if its tag is that of the scalar, [`Memory::ready`] wrote what follows, which
+/// The pointer is null or valid for reading a head; and if its tag is that of the scalar, [`Memory::clear`] wrote what follows, which
 /// nobody changes as long as the reference lives.
 pub(crate) unsafe fn table_at<'a, R: EphemerisScalar>(address: *const u8) -> Result<Table<'a, R>, Refusal> {
     let head = checked_head(address)?;
@@ -144,7 +118,7 @@ pub(crate) unsafe fn table_at<'a, R: EphemerisScalar>(address: *const u8) -> Res
     if tag != tag_of::<R>() {
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
     }
-    // SAFETY: the caller guarantees valid memory; `Memory::ready` wrote as many segments as it says.
+    // SAFETY: the caller guarantees valid memory; `Memory::clear` wrote as many segments as it says.
     let memory = unsafe { &*table_after::<R>(head, segments.into()) };
     let table = memory.get().ok_or(toytop_status::TOYTOP_NOT_SET_UP)?;
     let identity = (tag << 16 | u32::from(generation)).wrapping_add(address.addr() as u32);
@@ -193,8 +167,7 @@ impl Memory {
         unsafe {
             // volatile, because the memory need not be initialised
             let generation = (&raw const (*self.head).generation).read_volatile().wrapping_add(1);
-            // nobody takes it for a table before it is ready
-            self.head.write(Head { tag: !tag_of::<R>(), segments: self.segments as u16, generation });
+            self.head.write(Head { tag: tag_of::<R>(), segments: self.segments as u16, generation });
             let least = self.head.wrapping_add(1).cast::<EphemerisMemory<Ephemeris<R, LEAST>>>();
             least.write(EphemerisMemory::new());
             let rest = least.wrapping_add(1).cast::<R::Segment>();
@@ -202,16 +175,29 @@ impl Memory {
             &mut *table_after::<R>(self.head, self.segments)
         }
     }
-
-    /// Makes the table in this memory known as one that is set up.
-    ///
-    /// # Safety
-    /// The conditions are those of [`Self::clear`], which was called before.
-    pub(crate) unsafe fn ready<R: EphemerisScalar>(self) {
-        // SAFETY: the caller guarantees valid memory.
-        unsafe { (*self.head).tag = tag_of::<R>() };
-    }
 }
+
+/// Function that reads a table.
+macro_rules! reader {
+    ($(#[$doc:meta])* $function:ident(table: $table:ty; $($argument:ident: $type:ty),*) $read:expr) => {
+$(#[$doc])*
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn $function(table: *const $table, $($argument: $type),*) -> toytop_status {
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { $read(table.cast(), $($argument),*).into() }
+}
+    };
+}
+
+/// Functions of each scalar: its name in C, its type, and those of its table, of its orientations, and of its lengths and rates.
+macro_rules! for_each_scalar {
+    ($functions:ident) => {
+        $functions!(f32, f32, toytop_ephemeris_f32, f32, f32);
+        $functions!(f64, f64, toytop_ephemeris_f64, f64, f64);
+        $functions!(q31, toytop::fixed::types::I2F30, toytop_ephemeris_q31, i32, f32);
+    };
+}
+pub(crate) use {for_each_scalar, reader};
 
 #[cfg(test)]
 mod tests {

@@ -1,8 +1,8 @@
 /* A Cortex-M4F in C: an interrupt of 1 kHz follows a top, the main loop relaunches it after a stroke and hands a new table over.
  *
  * Two tables take turns. The interrupt reads the one that `current` points to; the main loop sets up the other one and then changes
- * `current`, which is one word. The interrupt makes its cursor again when it sees the change. The set-up calls `count`, which
- * could feed a watchdog. */
+ * `current`, which is one word. The interrupt makes its cursor again when it sees the change. Launch and set-up call
+ * `count`, which could feed a watchdog. */
 #include "../throw.h"
 #include "chip.h"
 
@@ -50,9 +50,11 @@ static void set_up(toytop_ephemeris_f32 *table, const toytop_state *state, int64
     static toytop_motion motion;
     static toytop_workspace workspace;
     static toytop_error error;
-    stop_if(toytop_launch(&top, state, &motion, &error), &error);
-    stop_if(toytop_f32_set_up_with_pauses(table, sizeof *table, &workspace, &motion, toytop_hertz(1000), epoch, 0.0, count,
-                                      &calls, &error), &error);
+    const toytop_settings settings = {
+        .tick = {1000, 1}, .epoch = epoch, .workspace = &workspace, .pause = count, .context = &calls
+    };
+    stop_if(toytop_launch_with_pauses(&top, state, count, &calls, &motion, &error), &error);
+    stop_if(toytop_f32_set_up(table, sizeof *table, &motion, &settings, &error), &error);
     for (int64_t tick = 0; tick < 3; tick++) {
         toytop_ephemeris_sample now;
         float numbers[6];

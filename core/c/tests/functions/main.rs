@@ -6,6 +6,7 @@
     reason = "every pointer is of a local value, or null on purpose"
 )]
 
-mod interface;
-mod slices;
-mod top;
+mod fixture;
+mod launch;
+mod reading;
+mod set_up;

@@ -16,7 +16,9 @@ static toytop_ephemeris_q31 table;
 static uint64_t larger[TOYTOP_EPHEMERIS_F32_SIZE_OF(128) / 8];
 int main(void) {
     toytop_error error;
-    toytop_status status = toytop_q31_set_up(&table, sizeof table, 0, toytop_hertz(1000), 0, 0.0, &error);
+    toytop_settings settings = {{1000, 1}, 0, 0.0, 0, 0, 0};
+    toytop_status status = toytop_q31_set_up(&table, sizeof table, 0, &settings, &error);
+    if (status != TOYTOP_OK) status = error.status;
     return status == TOYTOP_NULL_POINTER && larger[0] == 0 && sizeof larger == 10496 ? 0 : 1;
 }
 ";

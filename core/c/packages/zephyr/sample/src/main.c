@@ -5,6 +5,7 @@
 
 static const toytop_top top = {TOYTOP_SLIDING, 3.0e-5, 2.0e-5, 0.03, 0.05, 0.0, TOYTOP_STANDARD_GRAVITY, 0.0};
 static const toytop_release release = {0.35, 0.0, 0.0, 150.0, 0.0, 0.0};
+static const toytop_settings settings = {.tick = {10, 1}}; /* 10 ticks in 1 s */
 static toytop_ephemeris_f32 table;
 static toytop_ephemeris_cursor cursor;
 static toytop_motion motion;
@@ -13,7 +14,7 @@ int main(void) {
     toytop_state state;
     toytop_error why;
     if (toytop_state_from_release(&release, &state, &why) || toytop_launch(&top, &state, &motion, &why)
-        || toytop_f32_set_up(&table, sizeof table, &motion, toytop_hertz(10), 0, 0.0, &why) || toytop_f32_cursor(&table, 0, &cursor)) {
+        || toytop_f32_set_up(&table, sizeof table, &motion, &settings, &why) || toytop_f32_cursor(&table, 0, &cursor)) {
         printf("%s\n", why.text);
         return 0;
     }

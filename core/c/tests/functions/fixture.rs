@@ -1,9 +1,9 @@
-//! Top, release and motion of the tests.
+//! Top, release, motion and settings of the tests, and the values that functions write.
 
-use core::ffi::CStr;
+use core::ffi::{CStr, c_void};
 use core::mem::MaybeUninit;
 use core::ptr::null_mut;
-use toytop::{Release, State, TopParameters};
+use toytop::{Motion, Release, State, Top, TopParameters};
 use toytop_c::toytop_status::*;
 use toytop_c::*;
 
@@ -19,6 +19,15 @@ pub(crate) const TOP: toytop_top = toytop_top {
 };
 pub(crate) const RELEASE: toytop_release =
     toytop_release { tilt: 0.35, azimuth: 0.1, roll: 0.0, spin: 150.0, precession: 2.0, nutation: 0.0 };
+
+pub(crate) const SETTINGS: toytop_settings = toytop_settings {
+    tick: toytop_tick { ticks: 1000, seconds: 1 },
+    epoch: 0,
+    truncation: 0.0,
+    workspace: null_mut(),
+    pause: None,
+    context: null_mut(),
+};
 
 /// Bytes of a table in `f32` with this many segments.
 pub(crate) fn f32_size(segments: usize) -> usize {
@@ -55,6 +64,16 @@ pub(crate) fn numbers<T, const N: usize>(call: impl FnOnce(*mut T) -> toytop_sta
     output_of(|to: *mut [T; N]| call(to.cast()))
 }
 
+/// Motion of the same top and state by the crate.
+pub(crate) fn motion() -> Motion {
+    Motion::launch(&Top::sliding(&parameters()).expect("a top"), &state()).expect("a motion")
+}
+
+/// Pause that counts its calls.
+pub(crate) unsafe extern "C" fn count(calls: *mut c_void) {
+    unsafe { *calls.cast::<u32>() += 1 };
+}
+
 /// Motion of a top with this release.
 pub(crate) fn launched(top: &toytop_top) -> toytop_motion {
     unsafe {
@@ -68,7 +87,7 @@ pub(crate) fn f64_table(motion: &toytop_motion) -> Box<toytop_ephemeris_f64> {
     let mut table = Box::<toytop_ephemeris_f64>::new_uninit();
     unsafe {
         let (place, size) = (table.as_mut_ptr(), size_of::<toytop_ephemeris_f64>());
-        assert_eq!(toytop_f64_set_up(place, size, motion, toytop_hertz(1000), 0, 0.0, null_mut()), TOYTOP_OK);
+        assert_eq!(toytop_f64_set_up(place, size, motion, &SETTINGS, null_mut()), TOYTOP_OK);
         table.assume_init()
     }
 }

@@ -1,0 +1,131 @@
+//! Cursors, which go from tick to tick of a table.
+
+use crate::memory::{Opaque, load, store, write};
+use crate::sample::{store_sample, toytop_ephemeris_sample};
+use crate::status::{Refusal, toytop_status};
+use crate::table::*;
+use toytop::{Cursor, EphemerisScalar, Sample};
+
+/// Bytes of a cursor.
+pub const TOYTOP_EPHEMERIS_CURSOR_SIZE: usize = 64;
+
+/// Phases of consecutive ticks of one table, which an interrupt keeps. It may be copied.
+///
+/// A cursor belongs to the table that made it, and must be made again after a set-up. Another table refuses the
+/// cursor, except by a coincidence of 32 bits.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct toytop_ephemeris_cursor {
+    opaque: [u64; 8],
+}
+
+// cbindgen accepts only a number as a length
+const _: () = assert!(size_of::<toytop_ephemeris_cursor>() == TOYTOP_EPHEMERIS_CURSOR_SIZE);
+
+/// Cursor with the identity of its table.
+struct TableCursor {
+    table: u32,
+    cursor: Cursor,
+}
+
+impl Opaque for TableCursor {
+    const TAG: u32 = 0x746f_7063;
+}
+
+/// Cursor whose first sample is that of tick `first`.
+///
+/// # Safety
+/// The conditions are those of [`store_sample`].
+unsafe fn store_cursor<R: EphemerisScalar>(
+    table: *const u8,
+    first: i64,
+    place: *mut toytop_ephemeris_cursor,
+) -> Result<(), Refusal> {
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe {
+        let Table { table, identity, .. } = table_at::<R>(table)?;
+        store(place, TableCursor { table: identity, cursor: table.cursor(first) })
+    }
+}
+
+/// Gives the next sample of a cursor to `take`. If that refuses, the cursor stays.
+///
+/// # Safety
+/// The conditions are those of [`store_sample`].
+unsafe fn advance<R: EphemerisScalar>(
+    table: *const u8,
+    place: *mut toytop_ephemeris_cursor,
+    take: impl FnOnce(Sample<'static, R>) -> Result<(), Refusal>,
+) -> Result<(), Refusal> {
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    let (Table { table, identity, .. }, mut kept): (_, TableCursor) =
+        unsafe { (table_at::<R>(table)?, load(place)?) };
+    if kept.table != identity {
+        return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
+    }
+    take(kept.cursor.next(table))?;
+    // SAFETY: the caller guarantees a valid pointer.
+    unsafe { store(place, kept) }
+}
+
+/// Next sample of a cursor.
+///
+/// # Safety
+/// The conditions are those of [`store_sample`].
+unsafe fn next<R: EphemerisScalar>(
+    table: *const u8,
+    cursor: *mut toytop_ephemeris_cursor,
+    place: *mut toytop_ephemeris_sample,
+) -> Result<(), Refusal> {
+    // SAFETY: the caller guarantees valid pointers and a valid table, here and inside.
+    unsafe { advance::<R>(table, cursor, |sample| store_sample(table, place, |_| Ok(sample))) }
+}
+
+/// Quaternion at the next tick of a cursor.
+///
+/// # Safety
+/// The conditions are those of [`store_sample`].
+unsafe fn next_quaternion<R: EphemerisScalar>(
+    table: *const u8,
+    cursor: *mut toytop_ephemeris_cursor,
+    quaternion: *mut [R; 4],
+) -> Result<(), Refusal> {
+    // SAFETY: the caller guarantees valid pointers and a valid table, here and inside.
+    unsafe { advance::<R>(table, cursor, |sample| write(quaternion, sample.quaternion())) }
+}
+
+/// Tick of the last sample of a cursor; before the first sample, the tick before it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn toytop_ephemeris_cursor_tick(
+    place: *const toytop_ephemeris_cursor,
+    tick: *mut i64,
+) -> toytop_status {
+    // SAFETY: the caller guarantees valid pointers.
+    unsafe { load(place).and_then(|kept: TableCursor| write(tick, kept.cursor.tick())) }.into()
+}
+
+macro_rules! functions {
+    ($name:ident, $scalar:ty, $table:ty, $orientation:ty, $rate:ty) => { pastey::paste! {
+
+reader! {
+/// Cursor whose first sample is that of tick `first`.
+[<toytop_ $name _cursor>](table: $table; first: i64, cursor: *mut toytop_ephemeris_cursor)
+    store_cursor::<$scalar>
+}
+
+reader! {
+/// Next sample of a cursor. The sequence has no end.
+[<toytop_ $name _next>](table: $table; cursor: *mut toytop_ephemeris_cursor, sample: *mut toytop_ephemeris_sample)
+    next::<$scalar>
+}
+
+reader! {
+/// Quaternion, four numbers w, x, y, z, at the next tick of a cursor, from body to fixed coordinates, without a sample.
+[<toytop_ $name _next_quaternion>](table: $table; cursor: *mut toytop_ephemeris_cursor, quaternion: *mut $orientation)
+    |table, cursor, place: *mut $orientation| next_quaternion::<$scalar>(table, cursor, place.cast())
+}
+
+    } };
+}
+
+for_each_scalar!(functions);

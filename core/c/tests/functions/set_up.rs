@@ -1,0 +1,119 @@
+//! Tests of set-ups: a status for each error, and equal tables with and without a workspace and pauses.
+
+use crate::fixture::{SETTINGS, TOP, count, f32_size, launched, text};
+use core::mem::{MaybeUninit, size_of};
+use core::ptr::{null, null_mut};
+use toytop::Ephemeris;
+use toytop_c::toytop_status::*;
+use toytop_c::*;
+
+/// Set-ups with every error, in the order of the checks; the table is void after each that is not about its own memory.
+#[test]
+fn each_refused_set_up_has_a_status() {
+    let motion = &launched(&TOP);
+    let mut words = [0_u64; TOYTOP_EPHEMERIS_F32_SIZE / 8];
+    let table: *mut toytop_ephemeris_f32 = words.as_mut_ptr().cast();
+    let size = size_of::<toytop_ephemeris_f32>();
+    let mut boxed = Box::<toytop_workspace>::new_uninit();
+    let empty: toytop_motion = unsafe { MaybeUninit::zeroed().assume_init() };
+    let settings = toytop_settings { workspace: boxed.as_mut_ptr(), ..SETTINGS };
+    let run = |table, size, motion: *const _, settings: *const _| unsafe {
+        let mut why = MaybeUninit::<toytop_error>::zeroed();
+        let status = toytop_f32_set_up(table, size, motion, settings, why.as_mut_ptr());
+        (status, why.assume_init())
+    };
+    let good = || run(table, f32_size(16), motion, &toytop_settings { truncation: 1e-2, ..settings }).0;
+    let read = || unsafe { toytop_f32_at_tick(table, 0, MaybeUninit::uninit().as_mut_ptr()) };
+    assert_eq!(read(), TOYTOP_NOT_SET_UP);
+    let odd = table.wrapping_byte_add(4);
+    for (table, size, expected) in [
+        (null_mut(), size, TOYTOP_NULL_POINTER),
+        (odd, size - 8, TOYTOP_BAD_MEMORY),
+        (table, f32_size(8) - 1, TOYTOP_BAD_MEMORY),
+    ] {
+        assert_eq!(run(table, size, motion, &settings).0, expected);
+    }
+    let settings = &settings;
+    let unaligned = settings.workspace.wrapping_byte_add(4);
+    for (size, motion, settings, expected, line) in [
+        (size, null(), settings as *const _, TOYTOP_NULL_POINTER, ""),
+        (size, motion, null(), TOYTOP_NULL_POINTER, ""),
+        (size, &empty, settings, TOYTOP_NOT_SET_UP, ""),
+        (size, motion, &toytop_settings { workspace: unaligned, ..*settings }, TOYTOP_BAD_MEMORY, ""),
+        (
+            size,
+            motion,
+            &toytop_settings { tick: toytop_tick { ticks: 0, seconds: 1 }, ..*settings },
+            TOYTOP_OUT_OF_RANGE,
+            "tick: must be a positive number",
+        ),
+        (
+            size,
+            motion,
+            &toytop_settings { truncation: f64::NAN, ..*settings },
+            TOYTOP_OUT_OF_RANGE,
+            "truncation: must be positive",
+        ),
+        (
+            f32_size(16),
+            motion,
+            &toytop_settings { truncation: 1e-12, ..*settings },
+            TOYTOP_TABLE_TOO_SMALL,
+            "table: must have more segments",
+        ),
+    ] {
+        assert_eq!(good(), TOYTOP_OK);
+        assert_eq!(read(), TOYTOP_OK);
+        let (status, why) = run(table, size, motion, settings);
+        assert_eq!([status, why.status], [expected; 2]);
+        assert!(text(&why).contains(line), "{}", text(&why));
+        assert_eq!(why.segments, if status == TOYTOP_TABLE_TOO_SMALL { 16 } else { 0 });
+        assert_eq!(read(), TOYTOP_NOT_SET_UP, "{line}");
+    }
+}
+
+/// The number of segments that is stated to be enough is, and one fewer is not.
+#[test]
+fn the_segments_needed_are_enough() {
+    let motion = &launched(&TOP);
+    let needed = |motion, truncation| unsafe { toytop_f32_segments_needed(motion, truncation) as usize };
+    let segments = needed(motion, 1e-12);
+    assert!((17..=4096).contains(&segments), "{segments}");
+    assert_eq!([needed(null(), 1e-12), needed(motion, -1.0)], [0; 2]);
+    let bytes = f32_size(segments);
+    let mut words = vec![0_u64; bytes / 8];
+    let table = words.as_mut_ptr().cast();
+    for (bytes, expected) in [(bytes - 80, TOYTOP_TABLE_TOO_SMALL), (bytes, TOYTOP_OK)] {
+        let settings = toytop_settings { truncation: 1e-12, ..SETTINGS };
+        let ended = unsafe { toytop_f32_set_up(table, bytes, motion, &settings, null_mut()) };
+        assert_eq!(ended, expected);
+    }
+}
+
+#[test]
+fn a_workspace_and_pauses_do_not_change_a_table() {
+    let motion = launched(&TOP);
+    let size = size_of::<toytop_ephemeris_f64>();
+    for truncation in [0.0, 1e-4] {
+        let on_stack = toytop_settings { epoch: 7, truncation, ..SETTINGS };
+        let mut calls = 0_u32;
+        let mut workspace = Box::<toytop_workspace>::new_uninit();
+        let with_pauses = toytop_settings {
+            workspace: workspace.as_mut_ptr(),
+            pause: Some(count),
+            context: (&raw mut calls).cast(),
+            ..on_stack
+        };
+        let [one, other] = [on_stack, with_pauses].map(|settings| {
+            let mut words = vec![0x5555_5555_5555_5555_u64; size / 8];
+            let table = words.as_mut_ptr().cast();
+            assert_eq!(unsafe { toytop_f64_set_up(table, size, &motion, &settings, null_mut()) }, TOYTOP_OK);
+            words
+        });
+        assert!(calls > 30, "{calls} calls");
+        // behind the head and the flag of the memory, without padding, whose bytes may differ
+        let table = |words: &[u64]| unsafe { words[2..].as_ptr().cast::<Ephemeris<f64, 48>>().read() };
+        assert_eq!(table(&one), table(&other), "truncation {truncation}");
+        assert_eq!(one[0], other[0]);
+    }
+}
