@@ -105,14 +105,14 @@ impl ReducedPoint {
 impl FirstIntegrals {
     /// First integrals of a state. Error: one `f64` rounding of the result.
     pub fn from_state(top: &Top, state: &State) -> Self {
-        FirstIntegrals::with_reduced_point(top, state).0.map(Float::to_f64)
+        FirstIntegrals::from_state_with_point(top, state).0.map(Float::to_f64)
     }
 }
 
 impl FirstIntegrals<Extended> {
     /// First integrals in extended precision, and the point of the reduced curve.
     #[inline(never)]
-    pub(crate) fn with_reduced_point(top: &Top, state: &State) -> (Self, ReducedPoint) {
+    pub(crate) fn from_state_with_point(top: &Top, state: &State) -> (Self, ReducedPoint) {
         let (Top { a, c, s, p, g, k, .. }, unit) = (*top, top.weight_or_one());
         let (phi, omega) = state.in_extended();
         // without a square root a simple fraction remains exact, and so does the vertical, where n = C ω₃

@@ -56,7 +56,7 @@ impl Motion {
         state: &State,
         pause: &mut dyn FnMut(),
     ) -> Result<Self, ParameterError> {
-        let (integrals, point) = FirstIntegrals::with_reduced_point(top, state);
+        let (integrals, point) = FirstIntegrals::from_state_with_point(top, state);
         pause();
         let e = BranchPoints::from_reduced_point(top, &integrals, &point, pause);
         // by reference: a copy takes 280 bytes of stack

@@ -89,7 +89,7 @@ impl<F: Real> Solver<F> {
         settled: f64,
     ) -> bool {
         self.best.statistics.cost = f64::INFINITY;
-        // a large damping of other measurements would make the first correction so small that the fit would end with it
+        // damping left from other measurements would end the fit after one tiny correction
         self.damping = self.damping.min(FIRST_DAMPING);
         self.last_change = None;
         self.current.estimate = self.best.estimate;

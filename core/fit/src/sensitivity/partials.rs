@@ -19,7 +19,7 @@ pub struct Partials<F = f64> {
 
 impl<F: Float> Partials<F> {
     /// Image of each known column, from its tangent and its change of the coefficients; 0 for the others.
-    pub(crate) fn each(
+    pub(crate) fn map_columns(
         &self,
         mut image: impl FnMut(&Tangent<F>, Option<&Coefficients<F>>) -> Vector<F>,
     ) -> [Vector<F>; COLUMNS] {
@@ -95,28 +95,28 @@ impl<F: Float> Partials<F> {
     /// Derivatives of the orientation: rotation vectors θ in the fixed frame, with dΦ = θ Φ.
     #[must_use]
     pub fn d_orientation(&self) -> [Vector<F>; COLUMNS] {
-        self.each(|tangent, _| tangent.theta)
+        self.map_columns(|tangent, _| tangent.theta)
     }
 
     /// Derivatives of ω in the fixed frame.
     #[must_use]
     pub fn d_omega(&self) -> [Vector<F>; COLUMNS] {
         let omega = self.omega();
-        self.each(|Tangent { theta, eta }, _| add_scaled(*eta, cross(*theta, omega), F::ONE))
+        self.map_columns(|Tangent { theta, eta }, _| add_scaled(*eta, cross(*theta, omega), F::ONE))
     }
 
     /// Derivatives of Ω in the body frame.
     #[must_use]
     pub fn d_omega_body(&self) -> [Vector<F>; COLUMNS] {
         let in_body = coordinates(self.state.orientation);
-        self.each(|tangent, _| in_body(tangent.eta))
+        self.map_columns(|tangent, _| in_body(tangent.eta))
     }
 
     /// Derivatives of the axis r.
     #[must_use]
     pub fn d_axis(&self) -> [Vector<F>; COLUMNS] {
         let axis = self.axis();
-        self.each(|tangent, _| cross(tangent.theta, axis))
+        self.map_columns(|tangent, _| cross(tangent.theta, axis))
     }
 
     /// Tip c = -s (r₁ + i r₂), m; -(r₁ + i r₂) for a fixed tip.
@@ -136,7 +136,7 @@ impl<F: Float> Partials<F> {
     #[must_use]
     pub fn d_tip(&self) -> [Complex<F>; COLUMNS] {
         let (axis, scale) = (self.axis(), self.tip_scale());
-        let changes = self.each(|tangent, change| {
+        let changes = self.map_columns(|tangent, change| {
             let d_s = change.map_or(F::ZERO, |change| change.s);
             add_scaled(scaled(axis, -d_s), cross(tangent.theta, axis), -scale)
         });
@@ -169,7 +169,7 @@ impl<F: Float> Partials<F> {
             let omega_rate = add_all(across, axial);
             force = add_all(force, [(cross(omega_rate, arm), one), (cross(omega, velocity), one)]);
         }
-        let changes = self.each(|tangent, change| {
+        let changes = self.map_columns(|tangent, change| {
             let Tangent { theta, eta } = *tangent;
             // in the frame that turns by θ, the arm is constant, and the vertical turns by -θ
             let [x, y, _] = vertical_cross(theta);
@@ -190,7 +190,7 @@ impl<F: Float> Partials<F> {
     #[must_use]
     pub fn direction(&self, fixed: Vector<F>) -> (Vector<F>, [Vector<F>; COLUMNS]) {
         let in_body = coordinates(self.state.orientation);
-        (in_body(fixed), self.each(|tangent, _| in_body(cross(fixed, tangent.theta))))
+        (in_body(fixed), self.map_columns(|tangent, _| in_body(cross(fixed, tangent.theta))))
     }
 }
 

@@ -114,7 +114,8 @@ impl<F: Real> Sensor<F> for Mark {
         Residual {
             difference: [F::atan2(sine * x - cosine * y, cosine * x + sine * y), F::ZERO, F::ZERO],
             deviation: [deviation, unused, unused],
-            columns: at.each(|tangent, _| [azimuth_rate(cross(tangent.theta, place)), F::ZERO, F::ZERO]),
+            columns: at
+                .map_columns(|tangent, _| [azimuth_rate(cross(tangent.theta, place)), F::ZERO, F::ZERO]),
         }
     }
 }

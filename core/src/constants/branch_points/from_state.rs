@@ -21,7 +21,7 @@ impl BranchPoints {
     /// # Errors
     /// `omega`: so large that e₃ would exceed 1e14.
     pub fn from_state(top: &Top, state: &State) -> Result<Self, ParameterError> {
-        let (integrals, point) = FirstIntegrals::with_reduced_point(top, state);
+        let (integrals, point) = FirstIntegrals::from_state_with_point(top, state);
         Ok(BranchPoints::from_reduced_point(top, &integrals, &point, &mut || {})?.map(Float::to_f64))
     }
 }

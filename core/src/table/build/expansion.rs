@@ -94,7 +94,7 @@ pub(super) struct Origin {
     pub(super) chi_rate: f64,
     pub(super) psi_rates: [f64; 2],
     pub(super) residual_rates: [f64; 2],
-    /// Orientation error that an error of χ causes, over that of an equal error of a residual phase.
+    /// Weight of an error of χ: the orientation error that it causes, over that of an equal error of ρ.
     pub(super) weight: f64,
     /// Magnitude below which a term at x = 1 is negligible, rad.
     pub(super) negligible: f64,

@@ -20,7 +20,7 @@ pub(super) struct Limits {
 }
 
 impl Limits {
-    /// Limits for a truncation error, rad, with series at least as accurate as for that of the scalar.
+    /// Limits for an allowed truncation error, rad. Series keep the scalar's accuracy even if more is allowed.
     pub(super) fn new<R: EphemerisScalar>(allowed: f64, capacity: usize) -> Self {
         Self {
             capacity,

@@ -14,7 +14,7 @@ use fixed::types::I2F14;
 const UNIT: f64 = 1.0 / (1_u64 << 15) as f64;
 /// Least sum that could overflow: 1 minus about thirty roundings of a coefficient.
 const OVERFLOW: i64 = overflow_limit(1e-3);
-/// Factor 1 - 9.4e-6 of the coefficients, in units of 2^-30. It centres the error of the sines, which is 0 to 1.9e-5.
+/// Factor 1 - 9.4e-6 of the coefficients, in units of 2^-30. The 16-bit sines are up to 1.9e-5 too large; this halves the error.
 const SHRINK: i64 = (1 << 30) - 10093;
 
 impl EphemerisScalar for I2F14 {

@@ -6,8 +6,8 @@ use crate::table::build::path::{Path, PathMemory};
 use crate::table::build::polynomial::Polynomial;
 use crate::table::evaluation::{Coefficient, EphemerisScalar, TABLE_UNIT};
 
-/// Rounds the polynomial of a (index 0) or b (1), and stores it in a segment, if the table has it. Returns the rounding error of the
-/// 16-bit products, rad; infinite on overflow.
+/// Rounds the polynomial of a (index 0) or b (1), and stores it in a segment, if there is one. Returns the error of 16-bit products, rad;
+/// infinite on overflow.
 pub(super) fn store_polynomial<R: EphemerisScalar>(
     segment: Option<&mut R::Segment>,
     index: usize,

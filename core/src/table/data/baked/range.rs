@@ -1,4 +1,4 @@
-//! Ranges of literal data, in which no integer of a tick overflows and only the tip's velocity may become infinite. Every set-up keeps them.
+//! Ranges of literal data in which no integer of a tick overflows. Only the tip's velocity may become infinite. Every set-up keeps them.
 
 /// Largest rate, length or coefficient in `f64`. Products of three such numbers and of powers of two stay finite.
 pub(super) const MAX_F64: f64 = 1e60;
