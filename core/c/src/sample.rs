@@ -8,6 +8,7 @@ use toytop::{Complex, EphemerisScalar, EphemerisView, Orientation, ParameterErro
 
 /// Bytes of a sample.
 pub const TOYTOP_EPHEMERIS_SAMPLE_SIZE: usize = 112;
+
 /// Sample of a motion at one instant: phases, from which each quantity is computed on demand. It may be copied.
 ///
 /// A sample refers to its table, whose memory must still be there. After another set-up in this memory the sample is refused.

@@ -63,10 +63,9 @@ unsafe fn set_up<R: EphemerisScalar>(
     motion: *const toytop_motion,
     settings: *const toytop_settings,
 ) -> Result<(), Refusal> {
-    let memory = Memory::new::<R>(table, size)?;
     // SAFETY: the caller guarantees valid pointers.
     let (table, motion, settings): (_, Motion, _) =
-        unsafe { (memory.clear::<R>(), load(motion)?, read(settings)?) };
+        unsafe { (empty_table::<R>(table, size)?, load(motion)?, read(settings)?) };
     let toytop_settings { tick, epoch, truncation, workspace, pause, context } = settings;
     let tick = Tick::ratio(tick.ticks, tick.seconds)?;
     let settings = TableSettings { tick, epoch, truncation: (truncation != 0.0).then_some(truncation) };

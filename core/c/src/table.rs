@@ -109,7 +109,7 @@ fn table_after<R: EphemerisScalar>(
 /// Table that was set up in memory of the caller.
 ///
 /// # Safety
-/// The pointer is null or valid for reading a head; and if its tag is that of the scalar, [`Memory::clear`] wrote what follows, which
+/// The pointer is null or valid for reading a head; and if its tag is that of the scalar, [`empty_table`] wrote what follows, which
 /// nobody changes as long as the reference lives.
 pub(crate) unsafe fn table_at<'a, R: EphemerisScalar>(address: *const u8) -> Result<Table<'a, R>, Refusal> {
     let head = checked_head(address)?;
@@ -118,7 +118,7 @@ pub(crate) unsafe fn table_at<'a, R: EphemerisScalar>(address: *const u8) -> Res
     if tag != tag_of::<R>() {
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
     }
-    // SAFETY: the caller guarantees valid memory; `Memory::clear` wrote as many segments as it says.
+    // SAFETY: the caller guarantees valid memory; `empty_table` wrote as many segments as it says.
     let memory = unsafe { &*table_after::<R>(head, segments.into()) };
     let table = memory.get().ok_or(toytop_status::TOYTOP_NOT_SET_UP)?;
     let identity = (tag << 16 | u32::from(generation)).wrapping_add(address.addr() as u32);
@@ -138,42 +138,33 @@ pub(crate) unsafe fn write_from<R: EphemerisScalar, T>(
     unsafe { write(place, quantity(table_at::<R>(table)?.table)?) }
 }
 
-/// Memory of the caller for a table: address of its head, and number of segments.
-#[derive(Clone, Copy)]
-pub(crate) struct Memory {
-    head: *mut Head,
-    segments: usize,
+/// Number of segments of a table in this many bytes; too few bytes are refused.
+fn segments_in<R: EphemerisScalar>(size: usize) -> Result<usize, Refusal> {
+    let segments = size.saturating_sub(size_of_table::<R>(0)) / size_of::<R::Segment>();
+    if segments < LEAST { Err(toytop_status::TOYTOP_BAD_MEMORY.into()) } else { Ok(segments.min(MOST)) }
 }
 
-impl Memory {
-    /// Memory of `size` bytes for a table of a scalar. Null and unaligned pointers, and too few bytes, are refused.
-    pub(crate) fn new<R: EphemerisScalar>(table: *mut u8, size: usize) -> Result<Self, Refusal> {
-        let head = checked_head(table)?.cast_mut();
-        let most = size.saturating_sub(size_of_table::<R>(0)) / size_of::<R::Segment>();
-        let segments = most.min(MOST);
-        if segments < LEAST {
-            return Err(toytop_status::TOYTOP_BAD_MEMORY.into());
-        }
-        Ok(Self { head, segments })
-    }
-
-    /// Empty table in this memory, which need not be initialised.
-    ///
-    /// # Safety
-    /// The memory is valid for writing, and nobody else uses it as long as the reference lives.
-    pub(crate) unsafe fn clear<'a, R: EphemerisScalar>(self) -> &'a mut EphemerisMemory<EphemerisView<R>> {
-        // SAFETY: there is room for a head, and behind it for a table of `segments` segments, at least 8. They are initialised
-        // before a reference to them is made.
-        unsafe {
-            // volatile, because the memory need not be initialised
-            let generation = (&raw const (*self.head).generation).read_volatile().wrapping_add(1);
-            self.head.write(Head { tag: tag_of::<R>(), segments: self.segments as u16, generation });
-            let least = self.head.wrapping_add(1).cast::<EphemerisMemory<Ephemeris<R, LEAST>>>();
-            least.write(EphemerisMemory::new());
-            let rest = least.wrapping_add(1).cast::<R::Segment>();
-            (LEAST..self.segments).zip(0..).for_each(|(_, place)| rest.add(place).write(R::ZERO_SEGMENT));
-            &mut *table_after::<R>(self.head, self.segments)
-        }
+/// Empty table in `size` bytes of the caller, which need not be initialised. Null and unaligned pointers, and too few bytes, are refused.
+///
+/// # Safety
+/// The pointer is null or valid for writing `size` bytes, and nobody else uses them as long as the reference lives.
+pub(crate) unsafe fn empty_table<'a, R: EphemerisScalar>(
+    table: *mut u8,
+    size: usize,
+) -> Result<&'a mut EphemerisMemory<EphemerisView<R>>, Refusal> {
+    let head = checked_head(table)?.cast_mut();
+    let segments = segments_in::<R>(size)?;
+    // SAFETY: there is room for a head, and behind it for a table of `segments` segments, at least 8. They are initialised before a
+    // reference to them is made.
+    unsafe {
+        // volatile, because the memory need not be initialised
+        let generation = (&raw const (*head).generation).read_volatile().wrapping_add(1);
+        head.write(Head { tag: tag_of::<R>(), segments: segments as u16, generation });
+        let least = head.wrapping_add(1).cast::<EphemerisMemory<Ephemeris<R, LEAST>>>();
+        least.write(EphemerisMemory::new());
+        let rest = least.wrapping_add(1).cast::<R::Segment>();
+        (LEAST..segments).zip(0..).for_each(|(_, place)| rest.add(place).write(R::ZERO_SEGMENT));
+        Ok(&mut *table_after::<R>(head, segments))
     }
 }
 
@@ -207,14 +198,10 @@ mod tests {
     #[test]
     fn a_table_may_have_eight_segments() {
         fn check<R: EphemerisScalar>() {
-            let mut words = [0_u64; 2048];
-            let table = words.as_mut_ptr().cast::<u8>();
             for segments in 8..=40 {
-                let memory =
-                    Memory::new::<R>(table, size_of_table::<R>(segments)).map(|memory| memory.segments);
-                assert_eq!(memory.ok(), Some(segments));
+                assert_eq!(segments_in::<R>(size_of_table::<R>(segments)).ok(), Some(segments));
             }
-            assert!(Memory::new::<R>(table, size_of_table::<R>(8) - 1).is_err());
+            assert!(segments_in::<R>(size_of_table::<R>(8) - 1).is_err());
         }
         check::<f32>();
         check::<f64>();

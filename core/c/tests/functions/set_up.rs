@@ -7,7 +7,7 @@ use toytop::Ephemeris;
 use toytop_c::toytop_status::*;
 use toytop_c::*;
 
-/// Set-ups with every error, in the order of the checks; the table is void after each that is not about its own memory.
+/// Set-ups with every error; the table is void after each that is not about its own memory.
 #[test]
 fn each_refused_set_up_has_a_status() {
     let motion = &launched(&TOP);
