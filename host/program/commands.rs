@@ -37,6 +37,7 @@ mod studies {
     pub mod sweep;
 }
 
+use crate::terminal::stdout::Report;
 use clap::{CommandFactory, Subcommand};
 use clap_complete::Shell;
 use graphics::*;
@@ -45,9 +46,9 @@ use one_motion::*;
 use samples::*;
 use studies::*;
 use toytop::{Motion, Regime, Support};
+use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::tilts;
-use toytop_host::{Failure, Report};
 
 /// Command with its arguments, whose comment is its help. Help lists the commands in this order, and names the hidden ones in its last line.
 #[derive(Subcommand)]

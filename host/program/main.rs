@@ -1,14 +1,32 @@
 //! Program `toytop`: parses the command line, runs the command, prints its report and returns the exit code.
+//!
+//! | module | contents |
+//! |---|---|
+//! | `files` | files written completely or not at all |
+//! | `terminal` | command line, standard output, progress |
+//! | `table` | table of texts |
+//! | `axis`, `times` | values of one number; times at which a motion is computed |
+//! | `drawing` | drawings as SVG, PNG and GIF |
+//! | `commands` | the commands |
 
 // Visibility is that of the modules.
 #![allow(unreachable_pub)]
+
+mod files;
+mod terminal;
+
+mod table;
+
+mod axis;
+mod times;
+
+mod drawing;
 
 mod commands;
 
 use clap::Parser;
 use commands::Command;
 use std::process::ExitCode;
-use toytop_host::terminal;
 
 /// Exact motion of a spinning top whose tip slides on a plane or is held, or of a free body.
 #[derive(Parser)]

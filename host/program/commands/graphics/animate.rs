@@ -2,15 +2,16 @@
 
 use crate::commands::options::{ending_in, span};
 use crate::commands::warnings;
+use crate::drawing::film::Film;
+use crate::files::whole_file;
+use crate::terminal::progress::Progress;
+use crate::terminal::stdout::Report;
 use clap::Args;
 use std::io::BufWriter;
 use std::path::PathBuf;
-use toytop_host::files::whole_file;
+use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
-use toytop_host::pictures::drawing::film::Film;
 use toytop_host::pictures::span::MotionSpan;
-use toytop_host::terminal::progress::Progress;
-use toytop_host::{Failure, Report};
 
 /// Animation of a motion, as a GIF
 #[derive(Args)]

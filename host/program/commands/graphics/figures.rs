@@ -1,12 +1,13 @@
 //! `toytop figures`: the curves of figures 2 and 3 of the paper, as `plot` draws them.
 
+use crate::drawing::{self, tip};
+use crate::files::whole_file;
+use crate::terminal::stdout::Report;
 use clap::Args;
 use std::path::PathBuf;
-use toytop_host::files::whole_file;
+use toytop_host::Failure;
 use toytop_host::input::builtin;
-use toytop_host::pictures::drawing::{self, tip};
 use toytop_host::pictures::span::{MAX_CYCLES, MotionSpan};
-use toytop_host::{Failure, Report};
 
 /// Curves of figures 2 and 3 of the paper, as SVG
 #[derive(Args)]

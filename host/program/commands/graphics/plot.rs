@@ -2,13 +2,14 @@
 
 use crate::commands::options::{PICTURE, ending_in, span};
 use crate::commands::warnings;
+use crate::drawing::{self, charts, sphere, tip};
+use crate::terminal::stdout::Report;
 use clap::{Args, ValueEnum};
 use kuva::render::render::Scene;
 use std::path::PathBuf;
+use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
-use toytop_host::pictures::drawing::{self, charts, sphere, tip};
 use toytop_host::pictures::span::{MAX_CYCLES, MotionSpan};
-use toytop_host::{Failure, Report};
 
 /// Picture of a motion: curve of the tip or axis, tilt, precession, potential
 ///

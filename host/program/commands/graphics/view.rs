@@ -2,12 +2,13 @@
 
 use crate::commands::options::ending_in;
 use crate::commands::warnings;
+use crate::files::whole_file;
+use crate::terminal::stdout::Report;
 use clap::Args;
 use std::path::PathBuf;
-use toytop_host::files::whole_file;
+use toytop_host::Failure;
 use toytop_host::input::scenario::ScenarioFile;
 use toytop_host::pictures::page;
-use toytop_host::{Failure, Report};
 
 /// Page for a browser that shows a top, with sliders for its launch
 ///

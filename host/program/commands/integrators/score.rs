@@ -2,21 +2,22 @@
 
 use super::problems;
 use crate::commands::options::{PICTURE, ending_in, positive};
+use crate::drawing;
+use crate::drawing::chart::{Chart, Curve};
+use crate::files::whole_file;
+use crate::table::{Column, TextTable};
+use crate::terminal::stdout::Report;
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;
 use std::path::{Path, PathBuf};
-use toytop_host::files::whole_file;
+use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::MotionWithPeriod;
-use toytop_host::output::table::{Column, TextTable};
 use toytop_host::output::{self, Format, or_dash, short, two_digits};
-use toytop_host::pictures::drawing;
-use toytop_host::pictures::drawing::chart::{Chart, Curve};
 use toytop_host::score::order;
 use toytop_host::score::scorer::{Score, Scorer};
 use toytop_host::score::trajectory::Trajectory;
-use toytop_host::{Failure, Report};
 
 /// Errors of your integrator's output against the exact motion
 #[derive(Args)]

@@ -11,17 +11,18 @@ mod rust;
 
 use crate::commands::options::hertz;
 use crate::commands::warnings;
+use crate::files::whole_file;
+use crate::terminal::stdout::Report;
 use c::header;
 use clap::{Args, ValueEnum};
 use fixed::types::{I2F14, I2F30};
 use rust::module;
 use std::path::PathBuf;
 use toytop::{EphemerisView, ErrorBound, Tick};
-use toytop_host::files::whole_file;
+use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::{HeapTable, TableScalar};
-use toytop_host::{Failure, Report};
 
 /// Table of a motion as a constant for firmware: Rust or C
 ///

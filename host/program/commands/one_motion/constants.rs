@@ -1,14 +1,15 @@
 //! `toytop constants`: first integrals, branch points, period and mean rotations of a motion.
 
 use crate::commands::warnings;
+use crate::table::TextTable;
+use crate::terminal::stdout::Report;
 use clap::Args;
 use serde_json::Value;
 use std::path::PathBuf;
+use toytop_host::Failure;
 use toytop_host::input::scenario::{Scenario, Units};
 use toytop_host::motion::constant_as_json;
-use toytop_host::output::table::TextTable;
 use toytop_host::output::{self, Format, eight_digits};
-use toytop_host::{Failure, Report};
 use toytop_model::constants::{CONSTANTS, Constant, MotionWithPeriod};
 
 /// First integrals, branch points, period and mean rotations

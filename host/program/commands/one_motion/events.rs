@@ -1,19 +1,20 @@
 //! `toytop events`: times of turning points, tilts, circles, tip angles and lift-off.
 
 use crate::commands::warnings;
+use crate::table::{Column, TextTable};
+use crate::terminal::stdout::Report;
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;
 use std::path::PathBuf;
 use toytop::{Phase, Support};
+use toytop_host::Failure;
 use toytop_host::input::scenario::{Scenario, Units};
 use toytop_host::input::{finite, require_within};
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::{EventKind, EventQuery, MotionEvent, ephemeris_for, search};
 use toytop_host::motion::sample::Sample;
-use toytop_host::output::table::{Column, TextTable};
 use toytop_host::output::{self, Format, eight_digits, or_dash, short, two_digits};
-use toytop_host::{Failure, Report};
 
 /// Times of turning points, tilts, circles, tip angles and lift-off
 #[derive(Args)]

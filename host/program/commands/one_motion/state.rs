@@ -4,14 +4,19 @@ mod rows;
 
 use crate::commands::options::{Method, hertz};
 use crate::commands::warnings;
+use crate::files::whole_file;
+use crate::terminal::progress::Progress;
+use crate::terminal::rows::write_rows;
+use crate::terminal::stdout;
+use crate::terminal::stdout::Report;
+use crate::times::{Times, TimesArgs};
 use clap::{ArgGroup, Args};
 use rows::Rows;
 use std::path::PathBuf;
 use toytop::{Regime, Tick};
 use toytop_closed_forms::ClosedForm;
-use toytop_host::files::whole_file;
+use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
-use toytop_host::input::times::{Times, TimesArgs};
 use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::ephemeris::ephemeris_with;
 use toytop_host::motion::full_equations;
@@ -20,10 +25,6 @@ use toytop_host::motion::stepper::{stepped, steps_needed};
 use toytop_host::motion::tip_angle::TipAngle;
 use toytop_host::motion::{MotionWithPeriod, Scalar};
 use toytop_host::output::Format;
-use toytop_host::terminal::progress::Progress;
-use toytop_host::terminal::rows::write_rows;
-use toytop_host::terminal::stdout;
-use toytop_host::{Failure, Report};
 
 /// Function from the index of a requested time to the sample there.
 type Sampler = dyn Fn(u64) -> Sample + Sync;

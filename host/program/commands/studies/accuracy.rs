@@ -1,6 +1,10 @@
 //! `toytop accuracy`: error of each scalar at ticks 1 to 2^40, against the truth to thirty digits.
 
 use crate::commands::options::{Scalars, scalars};
+use crate::files::doc_page::DocPage;
+use crate::table::TextTable;
+use crate::terminal::progress::Progress;
+use crate::terminal::stdout::Report;
 use clap::Args;
 use micromath::F32Ext;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -8,21 +12,18 @@ use serde::Serialize;
 use serde_json::json;
 use std::iter::once;
 use toytop::{InitialAngles, Regime, Support, TopParameters};
-use toytop_host::files::doc_page::DocPage;
+use toytop_host::Failure;
 use toytop_host::input::builtin;
 use toytop_host::input::random::Random;
 use toytop_host::input::scenario::{Launch, Scenario};
 use toytop_host::motion::ephemeris::ephemeris_for;
 use toytop_host::motion::errors::Errors;
 use toytop_host::motion::{MotionWithPeriod, Scalar};
-use toytop_host::output::table::TextTable;
 use toytop_host::output::{self, Format};
 use toytop_host::parallel::thread_pool;
-use toytop_host::terminal::progress::Progress;
 use toytop_host::truth::float640::{from_f64, from_i64};
 use toytop_host::truth::motion_input::MotionInput;
 use toytop_host::truth::quadrature::Quadrature;
-use toytop_host::{Failure, Report};
 
 /// Errors of each scalar up to tick 2^40
 #[derive(Args)]

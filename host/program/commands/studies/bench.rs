@@ -1,5 +1,7 @@
 //! `toytop bench`: computing times of a state, by the core and by other methods, on this machine with this build.
 
+use crate::table::{Column, TextTable};
+use crate::terminal::stdout::Report;
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;
@@ -9,12 +11,11 @@ use toytop::scalar::Real;
 use toytop::{
     EphemerisF32, EphemerisF64, EphemerisScalar, EphemerisView, Motion, Orientation, Stepper, Tick,
 };
+use toytop_host::Failure;
 use toytop_host::input::builtin;
 use toytop_host::motion::full_equations;
-use toytop_host::output::table::{Column, TextTable};
 use toytop_host::output::{self, Format, short};
 use toytop_host::truth::full_solver::{Equations, FullSolver};
-use toytop_host::{Failure, Report};
 
 /// Name of the built-in motion that is timed.
 const CURVE_WITH_CUSPS: &str = "figure 3 e3=1.85";

@@ -13,6 +13,10 @@ mod corpus;
 mod pages;
 
 use crate::commands::options::positive;
+use crate::files::doc_page::repository;
+use crate::files::whole_file;
+use crate::table::TextTable;
+use crate::terminal::stdout::Report;
 use budgets::{Budgets, FLASH_S};
 use clap::Args;
 use corpus::costs_of_launches;
@@ -23,11 +27,8 @@ use std::path::{Path, PathBuf};
 use std::process::Stdio;
 use toytop_chips::chip::{Chip, M0PLUS, M4F, M7, M33, RISCV};
 use toytop_chips::costs::{Cost, Costs, linked_flash, measure};
-use toytop_host::files::doc_page::repository;
-use toytop_host::files::whole_file;
-use toytop_host::output::table::TextTable;
+use toytop_host::Failure;
 use toytop_host::output::{self, Format, eight_digits, short};
-use toytop_host::{Failure, Report};
 
 /// Chips whose calls are measured.
 const CHIPS: [Chip; 5] = [M0PLUS, M4F, M7, M33, RISCV];

@@ -4,6 +4,9 @@ mod bounds;
 
 use crate::commands::options::{Method, Scalars, scalars};
 use crate::commands::warnings;
+use crate::table::TextTable;
+use crate::terminal::stdout::Report;
+use crate::times::spread_times;
 use bounds::{Verdict, bound, bounds_of_builtin, compared_time, steps_per_period};
 use clap::Args;
 use serde::Serialize;
@@ -13,19 +16,17 @@ use std::path::PathBuf;
 use std::time::Instant;
 use toytop::Motion;
 use toytop::scalar::Real;
+use toytop_host::Failure;
 use toytop_host::input::builtin;
 use toytop_host::input::scenario::Scenario;
-use toytop_host::input::times::spread_times;
 use toytop_host::motion::ephemeris::ephemeris_for;
 use toytop_host::motion::errors::Errors;
 use toytop_host::motion::full_equations;
 use toytop_host::motion::sample::Sample;
 use toytop_host::motion::stepper::TimedStepper;
 use toytop_host::motion::{MotionWithPeriod, Scalar};
-use toytop_host::output::table::TextTable;
 use toytop_host::output::{self, Format, or_dash, short};
 use toytop_host::truth::full_solver::FullState;
-use toytop_host::{Failure, Report};
 
 /// Errors of the core against an integration of the full 3-D equations
 ///

@@ -1,11 +1,12 @@
 //! `toytop errata`: errors of the printed paper, from the page of the errata. `tests/reference/errata.py` evaluates each formula as printed
 //! and as corrected, and a test compares the residuals.
 
+use crate::terminal::stdout::Report;
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;
+use toytop_host::Failure;
 use toytop_host::output::{self, Format};
-use toytop_host::{Failure, Report};
 
 /// Errors of the printed paper and their corrections
 #[derive(Args)]

@@ -3,6 +3,11 @@
 mod columns;
 mod motions;
 
+use crate::axis::Axis;
+use crate::files::whole_file;
+use crate::terminal::rows::write_rows;
+use crate::terminal::stdout;
+use crate::terminal::stdout::Report;
 use clap::Args;
 use columns::{DEFAULT_COLUMNS, SweepColumn};
 use motions::{MAX_MOTIONS, Sweep};
@@ -10,12 +15,8 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::Instant;
-use toytop_host::files::whole_file;
-use toytop_host::input::axis::Axis;
+use toytop_host::Failure;
 use toytop_host::input::scenario::ScenarioFile;
-use toytop_host::terminal::rows::write_rows;
-use toytop_host::terminal::stdout;
-use toytop_host::{Failure, Report};
 
 /// Constants and errors of many motions of a scenario, a grid or a random sample
 ///

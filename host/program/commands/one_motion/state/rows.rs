@@ -1,11 +1,11 @@
 //! Samples as rows of CSV, JSON or blocks of aligned lines, one at a time, because the text of all of them may not fit into memory.
 
+use crate::table::TextTable;
 use serde_json::Value;
 use toytop::Support;
 use toytop_host::input::scenario::Units;
 use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::sample::Sample;
-use toytop_host::output::table::TextTable;
 use toytop_host::output::{Format, csv_line, json, short};
 
 /// Columns of the rows, the units of their numbers, and the form in which they are written.

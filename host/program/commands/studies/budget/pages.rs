@@ -1,12 +1,13 @@
 //! Parts of pages that have costs: tables of the budgets, and of the set-up of many launches.
 
 use super::budgets::Budgets;
+use crate::files::doc_page::DocPage;
+use crate::table::TextTable;
+use crate::terminal::stdout::Report;
 use serde_json::Value;
 use std::iter::once;
-use toytop_host::files::doc_page::DocPage;
+use toytop_host::Failure;
 use toytop_host::output::eight_digits;
-use toytop_host::output::table::TextTable;
-use toytop_host::{Failure, Report};
 
 /// Part of a page: the page, its mark, and its text.
 pub type Part = (&'static str, &'static str, String);

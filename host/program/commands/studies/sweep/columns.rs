@@ -1,11 +1,11 @@
 //! Columns of a sweep, and what is computed of a motion for them.
 
+use crate::times::spread_times;
 use clap::ValueEnum;
 use serde_json::Value;
 use std::cell::OnceCell;
 use std::str::FromStr;
 use toytop::Motion;
-use toytop_host::input::times::spread_times;
 use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::ephemeris::{DynEphemeris, ephemeris_for, ephemeris_with};
 use toytop_host::motion::errors::greater;

@@ -3,10 +3,10 @@
 //! A row depends only on the options of the sweep and on its index, so that parts from different machines fit together.
 
 use super::columns::{RowMotion, SweepColumn};
+use crate::axis::Axis;
 use serde_json::Value;
 use toytop::Motion;
 use toytop_host::Failure;
-use toytop_host::input::axis::Axis;
 use toytop_host::input::random::Random;
 use toytop_host::input::scenario::ScenarioFile;
 use toytop_host::output::{csv_line, short};

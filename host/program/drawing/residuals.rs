@@ -2,13 +2,13 @@
 
 use super::chart::COLORS;
 use super::{BOUND, frame};
-use crate::fit::result::FitResult;
 use kuva::plot::LinePlot;
 use kuva::plot::scatter::ScatterPlot;
 use kuva::render::figure::Figure;
 use kuva::render::plots::Plot;
 use kuva::render::render::Scene;
 use toytop_fit::Measurement;
+use toytop_host::fit::result::FitResult;
 
 /// Residual of an outlier, standard deviations.
 const OUTLIER: f64 = 3.0;

@@ -1,9 +1,9 @@
 //! Part of a page that a command writes with `--accept`, between the lines `<!-- toytop COMMAND: NAME -->` and `<!-- end of NAME -->`.
 
 use super::whole_file;
-use crate::Failure;
-use crate::input::text_file;
 use std::path::PathBuf;
+use toytop_host::Failure;
+use toytop_host::input::text_file;
 
 /// Page with a part that a command writes.
 pub struct DocPage {

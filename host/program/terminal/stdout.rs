@@ -1,10 +1,10 @@
 //! Report of a command, and its way to standard output.
 
-use crate::Failure;
 use crate::files::whole_file;
 use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
+use toytop_host::Failure;
 
 /// Report of a command.
 #[derive(Default)]

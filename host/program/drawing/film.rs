@@ -2,13 +2,13 @@
 
 use super::sphere::{Camera, circle};
 use super::{CAPTION, CURVE, START, disc, raster, text};
-use crate::input::scenario::Scenario;
-use crate::pictures::span::MotionSpan;
 use crate::terminal::progress::Progress;
 use kuva::render::render::{Scene, TextAnchor};
 use std::f64::consts::PI;
 use std::io::{self, Write};
 use toytop::Support;
+use toytop_host::input::scenario::Scenario;
+use toytop_host::pictures::span::MotionSpan;
 
 /// Side of a frame's layout, pixels.
 const SIDE: f64 = 480.0;

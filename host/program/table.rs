@@ -1,10 +1,10 @@
 //! Table of texts, as aligned columns or in Markdown.
 
-use super::{fields, text};
 use comfy_table::{CellAlignment, Row, presets::NOTHING};
 use serde::Serialize;
 use serde_json::Value;
 use std::iter::once;
+use toytop_host::output::{fields, text};
 
 /// Column: heading, and text of a row.
 pub type Column<T> = (&'static str, fn(&T) -> String);

@@ -1,8 +1,8 @@
 //! Values of one number: a list, or a range.
 
-use super::finite;
-use super::random::Random;
 use std::str::FromStr;
+use toytop_host::input::finite;
+use toytop_host::input::random::Random;
 
 /// Values of one number, from a text such as `0.7`, `0.7,0.8,0.9`, `0.1..0.9`, `0.1..0.9/17` or `log:1e-3..1e3/7`.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,16 +1,16 @@
 //! Picture of a curve, for a white page.
 
 use super::{BOUND, CAPTION, CURVE, START, frame, label_above, text};
-use crate::input::scenario::{Scenario, Units};
-use crate::output::short;
-use crate::pictures::curve::TipCurve;
-use crate::pictures::span::MotionSpan;
 use kuva::plot::scatter::ScatterPlot;
 use kuva::plot::{LegendPosition, LinePlot, LineStyle};
 use kuva::render::plots::Plot;
 use kuva::render::render::{Scene, TextAnchor, render_multiple};
 use std::f64::consts::PI;
 use toytop::{Sign, Support};
+use toytop_host::input::scenario::{Scenario, Units};
+use toytop_host::output::short;
+use toytop_host::pictures::curve::TipCurve;
+use toytop_host::pictures::span::MotionSpan;
 use toytop_model::constants::tip_class;
 
 /// Sizes of the layout in pixels: side of the square for the curve, and margins around it.

@@ -19,7 +19,6 @@ pub mod chart;
 pub mod charts;
 pub mod residuals;
 
-use crate::Failure;
 use crate::files::whole_file;
 use kuva::backend::raster::RasterBackend;
 use kuva::backend::svg::SvgBackend;
@@ -29,6 +28,7 @@ use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor};
 use std::io;
 use std::path::Path;
+use toytop_host::Failure;
 
 /// Colour of the curve of the tip or axis.
 pub const CURVE: &str = "#1f4e8c";

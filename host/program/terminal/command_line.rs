@@ -1,11 +1,11 @@
 //! Command line of a program: its parser, whose refusals and helps are reports of a command, and the exit code.
 
 use super::stdout::{Report, print};
-use crate::Failure;
 use clap::error::ErrorKind;
 use clap::{Arg, Parser};
 use std::io::{self, Write};
 use std::process::ExitCode;
+use toytop_host::Failure;
 
 /// Parses the command line of the process, runs the command and prints its report or its failure. Returns the exit code.
 pub fn run<C: Parser>(command: impl FnOnce(&C) -> Result<Report, Failure>) -> ExitCode {

@@ -2,11 +2,11 @@
 
 use super::tip::caption;
 use super::{BOUND, CAPTION, CURVE, START, disc, line, text};
-use crate::input::scenario::Scenario;
-use crate::pictures::curve::{LimitKind, TiltLimit};
-use crate::pictures::span::MotionSpan;
 use kuva::render::render::{Scene, TextAnchor};
 use std::f64::consts::PI;
+use toytop_host::input::scenario::Scenario;
+use toytop_host::pictures::curve::{LimitKind, TiltLimit};
+use toytop_host::pictures::span::MotionSpan;
 use toytop_model::equations::dot;
 
 const WIDTH: f64 = 720.0;

@@ -1,11 +1,11 @@
 //! Times at which a motion is computed: times or ticks on the command line, or a file of times.
 
-use super::axis::Axis;
-use super::text_file;
-use super::{finite, require_within};
-use crate::{Failure, excerpt};
+use crate::axis::Axis;
 use clap::Args;
 use std::path::{Path, PathBuf};
+use toytop_host::input::text_file;
+use toytop_host::input::{finite, require_within};
+use toytop_host::{Failure, excerpt};
 
 /// Times of `toytop state`: exactly one of --times, --times-file, --ticks and --from.
 #[derive(Args)]

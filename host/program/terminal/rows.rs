@@ -1,9 +1,9 @@
 //! Rows of a result, which all processor cores compute, and which are written in their order.
 
 use super::progress::Progress;
-use crate::parallel::thread_pool;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::io::{self, Write};
+use toytop_host::parallel::thread_pool;
 
 /// Greatest number of rows for which one thread suffices.
 const FEW_ROWS: u64 = 1024;

@@ -1,10 +1,10 @@
 //! Files that are written completely or not at all.
 
-use crate::Failure;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
+use toytop_host::Failure;
 
 /// Writes a file under a temporary name and then renames it, so that no reader sees half a file and no other file is touched. A device or a
 /// pipe is written to directly. A link is followed to its target.

@@ -1,16 +1,16 @@
 //! Tilt and precession against time, and the effective potential of the nutation.
 
 use super::chart::{Chart, Curve};
-use crate::Failure;
-use crate::input::scenario::{Scenario, Units};
-use crate::motion::euler_angles::tilt_azimuth_roll;
-use crate::motion::tilts;
-use crate::output::short;
-use crate::pictures::curve::{LimitKind, TiltLimit};
-use crate::pictures::span::MotionSpan;
 use kuva::render::render::Scene;
 use std::f64::consts::PI;
 use toytop::{Motion, Regime};
+use toytop_host::Failure;
+use toytop_host::input::scenario::{Scenario, Units};
+use toytop_host::motion::euler_angles::tilt_azimuth_roll;
+use toytop_host::motion::tilts;
+use toytop_host::output::short;
+use toytop_host::pictures::curve::{LimitKind, TiltLimit};
+use toytop_host::pictures::span::MotionSpan;
 
 /// Subtraction of a number, for a label; empty for 0.
 fn minus(x: f64, unit: &str) -> String {
@@ -131,7 +131,7 @@ fn effective_potential(motion: &Motion, u: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::input::builtin;
+    use toytop_host::input::builtin;
 
     /// At the turning points the effective potential equals the energy; between them it is smaller.
     #[test]
