@@ -1,20 +1,27 @@
-//! Commands of `toytop`, one module for each, in folders by their purpose. A command checks its input before it writes.
+//! Commands of `toytop`, one module for each, in the groups of `toytop --help`. A command checks its input before it writes.
 
 /// Options of several commands.
 mod options;
-/// States, constants, events and tables of one motion.
-mod one_motion {
+
+/// States, constants and events; errors; many motions; tables for a chip.
+mod motions {
     pub mod bake;
+    pub mod compare;
     pub mod constants;
     pub mod events;
     pub mod state;
+    pub mod sweep;
 }
-/// Commands that draw a motion.
-mod graphics {
+/// Drawings, films and pages of a motion.
+mod pictures {
     pub mod animate;
-    pub mod figures;
     pub mod plot;
     pub mod view;
+}
+/// Samples of sensors, and launches fitted to them.
+mod samples {
+    pub mod fit;
+    pub mod simulate;
 }
 /// Output of other integrators, and problems to test them with.
 mod integrators {
@@ -22,35 +29,53 @@ mod integrators {
     mod problems;
     pub mod score;
 }
-/// Samples of sensors, and launches fitted to them.
-mod samples {
-    pub mod fit;
-    pub mod simulate;
-}
-/// Many motions, errors of the core and of the paper, computing times, costs on chips.
-mod studies {
+/// Checks of toytop itself: errors of the core and of the paper, computing times, costs on chips.
+mod checks {
     pub mod accuracy;
     pub mod bench;
     pub mod budget;
-    pub mod compare;
     pub mod errata;
-    pub mod sweep;
+    pub mod figures;
+    pub mod study;
 }
 
 use crate::terminal::stdout::Report;
+use checks::*;
 use clap::{CommandFactory, Subcommand};
 use clap_complete::Shell;
-use graphics::*;
 use integrators::*;
-use one_motion::*;
+use motions::*;
+use pictures::*;
 use samples::*;
-use studies::*;
 use toytop::{Motion, Regime, Support};
 use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::tilts;
 
-/// Command with its arguments, whose comment is its help. Help lists the commands in this order, and names the hidden ones in its last line.
+/// Groups of commands in `toytop --help`, which are the folders of their modules, and their commands.
+const GROUPS: [(&str, &[&str]); 4] = [
+    ("Motions", &["state", "constants", "events", "compare", "sweep", "bake"]),
+    ("Pictures", &["plot", "animate", "view"]),
+    ("Samples", &["simulate", "fit"]),
+    ("Integrators", &["score", "benchmark"]),
+];
+
+/// Template of `toytop --help`.
+pub fn help() -> String {
+    let commands = Command::augment_subcommands(clap::Command::new("toytop"));
+    let mut help =
+        "{about}\n{usage-heading} {usage}; each command has --help, and toytop has --version\n\n".to_owned();
+    for (group, names) in GROUPS {
+        help += &format!("{group}:\n");
+        for command in names.iter().filter_map(|name| commands.find_subcommand(name)) {
+            let about = command.get_about().map(ToString::to_string).unwrap_or_default();
+            help += &format!("  {:<12}{about}\n", command.get_name());
+        }
+    }
+    help + "Checks of toytop itself: accuracy bench budget errata figures study\nCompletions for a shell: completions\n"
+}
+
+/// Command with its arguments, whose comment is its help.
 #[derive(Subcommand)]
 pub enum Command {
     State(state::StateArgs),
@@ -84,6 +109,8 @@ pub enum Command {
     Errata(errata::ErrataArgs),
     #[command(hide = true)]
     Figures(figures::FiguresArgs),
+    #[command(hide = true)]
+    Study(study::StudyArgs),
 }
 
 impl Command {
@@ -116,6 +143,7 @@ impl Command {
             Self::Budget(arguments) => budget::run(arguments),
             Self::Errata(arguments) => errata::run(arguments),
             Self::Figures(arguments) => figures::run(arguments),
+            Self::Study(arguments) => study::run(arguments),
         }
     }
 }

@@ -30,12 +30,7 @@ use std::process::ExitCode;
 
 /// Exact motion of a spinning top whose tip slides on a plane or is held, or of a free body.
 #[derive(Parser)]
-#[command(
-    name = "toytop",
-    version,
-    help_template = "{about}\n{usage-heading} {usage}; each command has --help, and toytop has --version\n\nCommands:\n{subcommands}\n\n\
-        Checks of toytop itself: accuracy bench budget errata figures\n"
-)]
+#[command(name = "toytop", version, help_template = commands::help())]
 struct Cli {
     /// Command to run.
     #[command(subcommand)]

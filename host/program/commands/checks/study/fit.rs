@@ -1,6 +1,6 @@
-//! `toytop-lab fit`: launches fitted to simulated samples.
+//! `toytop study fit`: launches fitted to simulated samples.
 
-use crate::{Study, Summary, trials};
+use super::{StudyOptions, Summary, trials};
 use nalgebra::{Matrix6, Vector6};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -46,7 +46,7 @@ pub struct Row {
     rms_error_over_bound: f64,
 }
 
-pub fn run(study: &Study) -> Result<Summary<Row>, Failure> {
+pub fn run(study: &StudyOptions) -> Result<Summary<Row>, Failure> {
     let trials = trials(3 * study.motions, |stream| {
         let noise = study.seed.wrapping_mul(1_000_003).wrapping_add(stream);
         trial(&mut Random::new(study.seed, stream), (stream % 3) as usize, noise)

@@ -1,7 +1,7 @@
 //! Motions and sizes whose tables are compiled and run in every language, with the expected bits.
 
 use crate::command::{RELEASE, TOP, branch_points, sample, scenario};
-use crate::motion::vectors::scenario_of;
+use crate::motions::vectors::scenario_of;
 use fixed::types::{I2F14, I2F30};
 use std::fmt::{Debug, Write as _};
 use std::path::Path;

@@ -1,46 +1,38 @@
-//! Program `toytop-lab`: two studies of random launches that check the core itself.
-//!
-//! | module | contents |
-//! |---|---|
-//! | `corners` | tables of motions near every degenerate case, against the truth and their bounds |
-//! | `fit` | launches fitted to simulated samples, and their error bars |
-
-// Visibility is that of the modules.
-#![allow(unreachable_pub)]
+//! `toytop study`: two studies of random launches, which check the core.
 
 mod corners;
 mod fit;
 
-use clap::{Args, Parser, Subcommand};
+use crate::files::doc_page::DocPage;
+use crate::table::TextTable;
+use crate::terminal::progress::Progress;
+use crate::terminal::stdout::Report;
+use clap::{Args, Subcommand};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use serde::Serialize;
 use serde_json::json;
-use std::process::ExitCode;
-use toytop_host::files::doc_page::DocPage;
-use toytop_host::output::table::TextTable;
+use toytop_host::Failure;
 use toytop_host::output::{self, Format};
 use toytop_host::parallel::thread_pool;
-use toytop_host::terminal::command_line;
-use toytop_host::terminal::progress::Progress;
-use toytop_host::{Failure, Report};
 
-/// Studies of random launches that check toytop itself.
-#[derive(Parser)]
-#[command(name = "toytop-lab", version)]
-struct Cli {
+/// Random launches against the truth
+#[derive(Args)]
+#[command(after_help = "Example: toytop study corners --motions 20000 --truths 400 --accept")]
+pub struct StudyArgs {
+    /// Study with its arguments
     #[command(subcommand)]
-    command: Command,
+    study: Study,
 }
 
 #[derive(Subcommand)]
-enum Command {
+enum Study {
     /// Errors of tables near every degenerate case, in four scalars, beside their bounds
     ///
     /// The exit code is 1 if a bound is exceeded.
-    #[command(after_help = "Example: toytop-lab corners --motions 20000 --truths 400 --accept")]
+    #[command(after_help = "Example: toytop study corners --motions 20000 --truths 400 --accept")]
     Corners {
         #[command(flatten)]
-        study: Study,
+        options: StudyOptions,
         /// Number of launches that are compared with the truth
         #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u64).range(1..))]
         truths: u64,
@@ -48,13 +40,13 @@ enum Command {
     /// Launches fitted to simulated samples of three sets of sensors
     ///
     /// The exit code is 1 if a wrong launch is not refused.
-    #[command(after_help = "Example: toytop-lab fit --motions 1000 --seed 2")]
-    Fit(Study),
+    #[command(after_help = "Example: toytop study fit --motions 1000 --seed 2")]
+    Fit(StudyOptions),
 }
 
 /// Arguments of both studies.
 #[derive(Args)]
-struct Study {
+struct StudyOptions {
     /// Number of launches
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     motions: u64,
@@ -69,13 +61,17 @@ struct Study {
     format: Format,
 }
 
-fn main() -> ExitCode {
-    command_line::run(|cli: &Cli| match &cli.command {
-        Command::Corners { study, truths } => {
-            study.run("host/docs/accuracy.md", "toytop-lab corners: corners", || corners::run(study, *truths))
+pub fn run(arguments: &StudyArgs) -> Result<Report, Failure> {
+    match &arguments.study {
+        Study::Corners { options, truths } => {
+            options.run("host/docs/accuracy.md", "toytop study corners: corners", || {
+                corners::run(options, *truths)
+            })
         }
-        Command::Fit(study) => study.run("host/docs/fit.md", "toytop-lab fit: launches", || fit::run(study)),
-    })
+        Study::Fit(options) => {
+            options.run("host/docs/fit.md", "toytop study fit: launches", || fit::run(options))
+        }
+    }
 }
 
 /// Result of a study.
@@ -100,7 +96,7 @@ fn trials<T: Send>(count: u64, trial: impl Fn(u64) -> T + Sync) -> Result<Vec<T>
     Ok(thread_pool()?.install(|| (0..count).into_par_iter().map(counted).collect()))
 }
 
-impl Study {
+impl StudyOptions {
     /// Report of a study, whose table belongs to a page at this mark.
     fn run<T: Serialize + Default>(
         &self,

@@ -1,9 +1,9 @@
-//! `toytop-lab corners`: random launches near every degenerate case. Each keeps its error bound or is refused with a typed error.
+//! `toytop study corners`: random launches near every degenerate case. Each keeps its error bound or is refused with a typed error.
 
 mod random_launch;
 mod trial;
 
-use crate::{Study, Summary, trials};
+use super::{StudyOptions, Summary, trials};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use toytop_host::Failure;
@@ -11,7 +11,7 @@ use toytop_host::motion::Scalar;
 use toytop_host::motion::errors::greater;
 use trial::{Errors, Trial};
 
-pub fn run(study: &Study, truths: u64) -> Result<Summary<Row>, Failure> {
+pub fn run(study: &StudyOptions, truths: u64) -> Result<Summary<Row>, Failure> {
     // launches are independent, so that those with the truth may be spread evenly
     let spacing = (study.motions / truths).max(1);
     let trial = |launch: u64| trial::run(study.seed, launch, launch.is_multiple_of(spacing));
