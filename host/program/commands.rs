@@ -41,7 +41,7 @@ mod checks {
 
 use crate::terminal::stdout::Report;
 use checks::*;
-use clap::{CommandFactory, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
 use integrators::*;
 use motions::*;
@@ -52,31 +52,30 @@ use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::tilts;
 
-/// Groups of commands in `toytop --help`, which are the folders of their modules, and their commands.
-const GROUPS: [(&str, &[&str]); 4] = [
-    ("Motions", &["state", "constants", "events", "compare", "sweep", "bake"]),
-    ("Pictures", &["plot", "animate", "view"]),
-    ("Samples", &["simulate", "fit"]),
-    ("Integrators", &["score", "benchmark"]),
-];
-
-/// Template of `toytop --help`.
-pub fn help() -> String {
-    let commands = Command::augment_subcommands(clap::Command::new("toytop"));
+/// Template of `toytop --help`, whose groups are the folders of the modules.
+fn help() -> String {
     let mut help =
         "{about}\n{usage-heading} {usage}; each command has --help, and toytop has --version\n\n".to_owned();
-    for (group, names) in GROUPS {
-        help += &format!("{group}:\n");
-        for command in names.iter().filter_map(|name| commands.find_subcommand(name)) {
-            let about = command.get_about().map(ToString::to_string).unwrap_or_default();
-            help += &format!("  {:<12}{about}\n", command.get_name());
-        }
+    let commands = Command::augment_subcommands(clap::Command::new("toytop"));
+    for command in commands.get_subcommands().filter(|command| !command.is_hide_set()) {
+        let (name, about) = (command.get_name(), command.get_about().cloned().unwrap_or_default());
+        // first command of each group
+        let heading = match name {
+            "state" => "Motions:\n",
+            "plot" => "Pictures:\n",
+            "simulate" => "Samples:\n",
+            "score" => "Integrators:\n",
+            _ => "",
+        };
+        help += &format!("{heading}  {name:<12}{about}\n");
     }
     help + "Checks of toytop itself: accuracy bench budget errata figures study\nCompletions for a shell: completions\n"
 }
 
-/// Command with its arguments, whose comment is its help.
-#[derive(Subcommand)]
+// Help lists the commands in this order, and the hidden ones in its last lines.
+/// Exact motion of a spinning top whose tip slides on a plane or is held, or of a free body.
+#[derive(Parser)]
+#[command(name = "toytop", version, help_template = help())]
 pub enum Command {
     State(state::StateArgs),
     Constants(constants::ConstantsArgs),
@@ -93,6 +92,7 @@ pub enum Command {
     Benchmark(benchmark::BenchmarkArgs),
     /// Completions for a shell
     #[command(
+        hide = true,
         after_help = "Example: toytop completions bash > ~/.local/share/bash-completion/completions/toytop"
     )]
     Completions {
@@ -109,8 +109,13 @@ pub enum Command {
     Errata(errata::ErrataArgs),
     #[command(hide = true)]
     Figures(figures::FiguresArgs),
-    #[command(hide = true)]
-    Study(study::StudyArgs),
+    /// Random launches near degenerate cases, and fits, against the truth
+    #[command(
+        hide = true,
+        subcommand,
+        after_help = "Example: toytop study corners --motions 20000 --truths 400 --accept"
+    )]
+    Study(study::Study),
 }
 
 impl Command {
@@ -135,7 +140,7 @@ impl Command {
             Self::Benchmark(arguments) => benchmark::run(arguments),
             Self::Completions { shell } => {
                 let mut script = Vec::new();
-                clap_complete::generate(*shell, &mut crate::Cli::command(), "toytop", &mut script);
+                clap_complete::generate(*shell, &mut Self::command(), "toytop", &mut script);
                 Ok(String::from_utf8_lossy(&script).into_owned().into())
             }
             Self::Accuracy(arguments) => accuracy::run(arguments),
@@ -143,7 +148,7 @@ impl Command {
             Self::Budget(arguments) => budget::run(arguments),
             Self::Errata(arguments) => errata::run(arguments),
             Self::Figures(arguments) => figures::run(arguments),
-            Self::Study(arguments) => study::run(arguments),
+            Self::Study(study) => study::run(study),
         }
     }
 }

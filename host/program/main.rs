@@ -24,19 +24,8 @@ mod drawing;
 
 mod commands;
 
-use clap::Parser;
-use commands::Command;
 use std::process::ExitCode;
 
-/// Exact motion of a spinning top whose tip slides on a plane or is held, or of a free body.
-#[derive(Parser)]
-#[command(name = "toytop", version, help_template = commands::help())]
-struct Cli {
-    /// Command to run.
-    #[command(subcommand)]
-    command: Command,
-}
-
 fn main() -> ExitCode {
-    terminal::command_line::run(|cli: &Cli| cli.command.run())
+    terminal::command_line::run(commands::Command::run)
 }

@@ -1,4 +1,4 @@
-//! Command line of a program: its parser, whose refusals and helps are reports of a command, and the exit code.
+//! Command line of the program: its parser, whose refusals and helps are reports of a command, and the exit code.
 
 use super::stdout::{Report, print};
 use clap::error::ErrorKind;
@@ -34,7 +34,7 @@ fn parsed<C: Parser>(command: impl FnOnce(&C) -> Result<Report, Failure>) -> Res
     match error.kind() {
         ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => Ok(error.render().to_string().into()),
         ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
-            Err(Failure::Input(format!("no command given; see {} --help", C::command().get_name())))
+            Err(Failure::Input("no command given; see toytop --help".into()))
         }
         _ => Err(Failure::Input(in_one_line(&error.render().to_string()))),
     }

@@ -1,8 +1,9 @@
-//! Rows of a result, which all processor cores compute, and which are written in their order.
+//! Rows of a result, which all processor cores compute, in their order.
 
 use super::progress::Progress;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::io::{self, Write};
+use toytop_host::Failure;
 use toytop_host::parallel::thread_pool;
 
 /// Greatest number of rows for which one thread suffices.
@@ -40,4 +41,24 @@ pub fn write_rows(
         progress.add(batch);
     }
     out.flush()
+}
+
+/// Results of independent computations on all processor cores, in the order of their numbers.
+///
+/// * `unit`: name of the computations in the progress bar
+///
+/// # Errors
+/// The failures of [`thread_pool`].
+pub fn computed<T: Send>(
+    count: u64,
+    unit: &'static str,
+    compute: impl Fn(u64) -> T + Sync,
+) -> Result<Vec<T>, Failure> {
+    let progress = Progress::new(count, unit);
+    let counted = |number| {
+        let result = compute(number);
+        progress.add(1);
+        result
+    };
+    Ok(thread_pool()?.install(|| (0..count).into_par_iter().map(counted).collect()))
 }

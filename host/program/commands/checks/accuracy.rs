@@ -3,11 +3,10 @@
 use crate::commands::options::{Scalars, scalars};
 use crate::files::doc_page::DocPage;
 use crate::table::TextTable;
-use crate::terminal::progress::Progress;
+use crate::terminal::rows::computed;
 use crate::terminal::stdout::Report;
 use clap::Args;
 use micromath::F32Ext;
-use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde::Serialize;
 use serde_json::json;
 use std::iter::once;
@@ -20,7 +19,6 @@ use toytop_host::motion::ephemeris::ephemeris_for;
 use toytop_host::motion::errors::Errors;
 use toytop_host::motion::{MotionWithPeriod, Scalar};
 use toytop_host::output::{self, Format};
-use toytop_host::parallel::thread_pool;
 use toytop_host::truth::float640::{from_f64, from_i64};
 use toytop_host::truth::motion_input::MotionInput;
 use toytop_host::truth::quadrature::Quadrature;
@@ -126,14 +124,12 @@ fn error_of_micromath() -> f64 {
 /// Errors of each scalar over all motions: at ticks from 2^k to 2^(k+1) - 1 for each k below [`OCTAVES`], and at tick 2^40.
 fn errors_by_octave(scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
     let motions: Vec<_> = builtin::scenarios().iter().filter_map(input_of).collect();
-    let progress = Progress::new(motions.len() as u64, "motions");
-    let errors = |input: &MotionInput| errors_of_motion(input, scalars).inspect(|_| progress.add(1));
-    let nothing = || vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];
-    let together = |mut all: Vec<Vec<Errors>>, motion: Vec<Vec<Errors>>| {
-        all.iter_mut().flatten().zip(motion.iter().flatten()).for_each(|(a, b)| *a = a.greater(*b));
-        Ok(all)
-    };
-    thread_pool()?.install(|| motions.par_iter().map(errors).try_reduce(nothing, together))
+    let errors = |motion: u64| errors_of_motion(&motions[motion as usize], scalars);
+    let mut greatest = vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];
+    for errors in computed(motions.len() as u64, "motions", errors)? {
+        greatest.iter_mut().flatten().zip(errors?.iter().flatten()).for_each(|(a, b)| *a = a.greater(*b));
+    }
+    Ok(greatest)
 }
 
 /// Input of a motion that nutates and whose tip slides, launched at u = e₁.
@@ -157,23 +153,23 @@ fn errors_of_motion(input: &MotionInput, scalars: &[Scalar]) -> Result<Vec<Vec<E
     let truth = Quadrature::new(input);
     let rate = MotionWithPeriod::new(motion).ticks_per_time();
     let mut random = Random::new(1, 0);
-    let mut found = vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];
+    let mut errors = vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];
     for octave in 0..=OCTAVES {
         let first = 1_u64 << octave;
         for _ in 0..TICKS.min(first) {
             let more = if octave < OCTAVES { random.uniform() * first as f64 } else { 0.0 };
             let n = (first + more as u64) as i64;
             let exact = truth.at(&(from_i64(n) / from_f64(rate)));
-            for (table, octaves) in tables.iter().zip(&mut found) {
+            for (table, octaves) in tables.iter().zip(&mut errors) {
                 let sample = table.at_tick(n);
-                let (found, rounded) = (sample.pose.orientation, exact.to_f64());
+                let (orientation, rounded) = (sample.pose.orientation, exact.to_f64());
                 // in fixed point the tip of a sample is rounded to f32
-                let tip = (found.tip_over_s() - rounded.tip_over_s()).modulus();
-                let orientation = exact.error_of(&found);
+                let tip = (orientation.tip_over_s() - rounded.tip_over_s()).modulus();
+                let orientation = exact.error_of(&orientation);
                 let errors = Errors { orientation, tip, ..Errors::between(&motion, &sample, &rounded) };
                 octaves[octave] = octaves[octave].greater(errors);
             }
         }
     }
-    Ok(found)
+    Ok(errors)
 }

@@ -48,26 +48,26 @@ pub struct BudgetArgs {
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = CHIPS.map(|chip| chip.name))]
     chip: Vec<String>,
     /// Clock of the chip, MHz, from which times follow
-    #[arg(long, value_name = "MHZ", default_value_t = 64.0, value_parser = positive, conflicts_with_all = ["accept", "corpus"])]
+    #[arg(long, value_name = "MHZ", default_value_t = 64.0, value_parser = positive, conflicts_with = "corpus")]
     clock: f64,
     /// ELF file of your own, whose functions named bench_... are measured
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["check", "accept"])]
+    #[arg(long, value_name = "FILE", group = "measurement")]
     elf: Option<PathBuf>,
     /// Compare with firmware-examples/budgets.toml
-    #[arg(long, conflicts_with = "accept")]
+    #[arg(long, group = "measurement")]
     check: bool,
     /// Measure all chips, and rewrite that file and the tables of host/docs/costs.md and README.md
-    #[arg(long, conflicts_with = "chip")]
+    #[arg(long, conflicts_with_all = ["chip", "clock", "elf", "check", "flash", "format"])]
     accept: bool,
     /// Measure the set-up of 200 different launches: median and greatest cost on each chip; with --accept, on those with a model
     /// of their cycles, for the table in host/docs/costs.md
-    #[arg(long, conflicts_with_all = ["elf", "check"])]
+    #[arg(long, group = "measurement")]
     corpus: bool,
     /// Compile for little flash (opt-level s) instead of speed
-    #[arg(long, conflicts_with_all = ["elf", "check", "accept"])]
+    #[arg(long, group = "measurement")]
     flash: bool,
     /// Form of the output
-    #[arg(long, default_value = "table", conflicts_with = "accept")]
+    #[arg(long, default_value = "table")]
     format: Format,
 }
 

@@ -5,27 +5,16 @@ mod fit;
 
 use crate::files::doc_page::DocPage;
 use crate::table::TextTable;
-use crate::terminal::progress::Progress;
 use crate::terminal::stdout::Report;
 use clap::{Args, Subcommand};
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use serde::Serialize;
 use serde_json::json;
 use toytop_host::Failure;
 use toytop_host::output::{self, Format};
-use toytop_host::parallel::thread_pool;
 
-/// Random launches against the truth
-#[derive(Args)]
-#[command(after_help = "Example: toytop study corners --motions 20000 --truths 400 --accept")]
-pub struct StudyArgs {
-    /// Study with its arguments
-    #[command(subcommand)]
-    study: Study,
-}
-
+/// Study with its arguments.
 #[derive(Subcommand)]
-enum Study {
+pub enum Study {
     /// Errors of tables near every degenerate case, in four scalars, beside their bounds
     ///
     /// The exit code is 1 if a bound is exceeded.
@@ -46,7 +35,7 @@ enum Study {
 
 /// Arguments of both studies.
 #[derive(Args)]
-struct StudyOptions {
+pub struct StudyOptions {
     /// Number of launches
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     motions: u64,
@@ -57,12 +46,12 @@ struct StudyOptions {
     #[arg(long)]
     accept: bool,
     /// Form of the output
-    #[arg(long, value_enum, default_value_t = Format::Table)]
+    #[arg(long, default_value = "table")]
     format: Format,
 }
 
-pub fn run(arguments: &StudyArgs) -> Result<Report, Failure> {
-    match &arguments.study {
+pub fn run(study: &Study) -> Result<Report, Failure> {
+    match study {
         Study::Corners { options, truths } => {
             options.run("host/docs/accuracy.md", "toytop study corners: corners", || {
                 corners::run(options, *truths)
@@ -82,23 +71,9 @@ struct Summary<T> {
     failures: Vec<String>,
 }
 
-/// Results of independent trials on all processor cores, in the order of their numbers.
-///
-/// # Errors
-/// The failures of [`thread_pool`].
-fn trials<T: Send>(count: u64, trial: impl Fn(u64) -> T + Sync) -> Result<Vec<T>, Failure> {
-    let progress = Progress::new(count, "launches");
-    let counted = |number| {
-        let result = trial(number);
-        progress.add(1);
-        result
-    };
-    Ok(thread_pool()?.install(|| (0..count).into_par_iter().map(counted).collect()))
-}
-
 impl StudyOptions {
     /// Report of a study, whose table belongs to a page at this mark.
-    fn run<T: Serialize + Default>(
+    fn run<T: Serialize>(
         &self,
         page: &str,
         mark: &str,

@@ -30,7 +30,7 @@ use toytop_host::truth::full_solver::FullState;
 
 /// Errors of the core against an integration of the full 3-D equations
 ///
-/// The exit code is 1 if a bound is missed, or if the full solver cannot follow a motion.
+/// The exit code is 1 if a bound is missed, or if the full solver cannot follow some of the motions, and 3 if it can follow none.
 #[derive(Args)]
 #[command(after_help = "Example: toytop compare host/scenarios/toy_top.toml --periods 100 --format csv")]
 pub struct CompareArgs {
@@ -61,7 +61,7 @@ const PROPAGATORS: [(Method, Scalar); 6] = [
 /// Samples in a period.
 const SAMPLES: u32 = 64;
 
-/// Greatest errors of a propagator on a motion; `None` where no table is large enough. The names are the keys of JSON.
+/// Greatest errors of a propagator on a motion; `None` without a table. The names are the keys of JSON.
 #[derive(Clone, Serialize)]
 struct Comparison<'a> {
     motion: &'a str,
@@ -97,18 +97,17 @@ pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
             Err(failure) => failures.push(failure),
         }
     }
-    if motions.is_empty()
-        && let Some(failure) = failures.pop()
-    {
-        return Err(failure);
+    let failures: Vec<_> = failures.iter().map(Failure::to_string).collect();
+    if motions.is_empty() {
+        return Err(Failure::Method(failures.join("; ")));
     }
-    notes.extend(failures.iter().map(Failure::to_string));
-    notes.extend(warnings(&scenarios));
+    let check_failed = !failures.is_empty();
+    notes.extend(failures.into_iter().chain(warnings(&scenarios)));
     let rows = motions.concat();
     let table = || table(&motions, arguments.periods);
     let text = output::render(arguments.format, &json!({ "rows": rows }), &rows, table);
     let missed = rows.iter().any(|row| row.verdict == Verdict::Missed);
-    Ok(Report { text, notes, check_failed: missed || !failures.is_empty() })
+    Ok(Report { text, notes, check_failed: check_failed || missed })
 }
 
 /// Table with one row for each motion: error of each propagator, greatest fraction of a bound, time of the slowest look-up, and whether

@@ -37,7 +37,7 @@ pub fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
         let line = |constant: &Constant| {
             let unit = constant.unit;
             let named = scenario.units == Units::Si
-                || !(unit.contains("kg") || ["s", "1/s", "degrees/s"].contains(&unit));
+                || !(unit.contains("kg") || ["s", "1/s", "degrees/s", "turns/min"].contains(&unit));
             let value = output::text(&values[constant.name], eight_digits);
             [constant.name, value.as_deref().unwrap_or("-"), if named { unit } else { "" }]
                 .map(str::to_owned)

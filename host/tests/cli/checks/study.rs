@@ -64,7 +64,7 @@ fn wrong_arguments_are_refused() {
     all_refused(
         "study",
         &[
-            ("", "corners, fit"),
+            ("", "see toytop --help"),
             ("fit --motions 0", "1..=100000000"),
             ("corners --seed x", "--seed"),
             ("corners --accept page.md", "page.md"),

@@ -93,5 +93,6 @@ fn a_motion_that_the_full_solver_cannot_follow_is_named() {
     let run = toytop(format!("compare {file} @toy_top --periods 1 --scalar f64 --format csv"));
     assert_eq!((run.code, run.out.lines().count()), (Some(1), 3), "{}", run.err);
     assert!(run.err.contains("unfollowed: full solver: no step"), "{}", run.err);
-    toytop(format!("compare {file} --scalar f64")).refused(3, "unfollowed: full solver: no step");
+    let none = toytop(format!("compare {file} {file} --scalar f64"));
+    none.refused(3, "unfollowed: full solver: no step ... ; unfollowed: full solver");
 }

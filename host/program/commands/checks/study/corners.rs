@@ -3,9 +3,10 @@
 mod random_launch;
 mod trial;
 
-use super::{StudyOptions, Summary, trials};
+use super::{StudyOptions, Summary};
+use crate::terminal::rows::computed;
 use serde::Serialize;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use toytop_host::Failure;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::errors::greater;
@@ -16,10 +17,13 @@ pub fn run(study: &StudyOptions, truths: u64) -> Result<Summary<Row>, Failure> {
     let spacing = (study.motions / truths).max(1);
     let trial = |launch: u64| trial::run(study.seed, launch, launch.is_multiple_of(spacing));
     let (mut regimes, mut launched) = (BTreeMap::<_, usize>::new(), Vec::new());
-    let (mut refused, mut failures) = (Vec::new(), Vec::new());
-    for (launch, tried) in trials(study.motions, trial)?.into_iter().enumerate() {
+    let (mut refused, mut refusals, mut failures) = (BTreeSet::new(), 0, Vec::new());
+    for (launch, tried) in computed(study.motions, "launches", trial)?.into_iter().enumerate() {
         match tried {
-            Err(refusal) => refused.push(refusal.parameter()),
+            Err(refusal) => {
+                refusals += 1;
+                refused.insert(refusal.parameter());
+            }
             Ok(Trial { input, regime, tables }) => {
                 for (scalar, errors) in Scalar::ALL.iter().zip(&tables) {
                     if let Some(errors) = errors.filter(Errors::beyond_bound) {
@@ -31,9 +35,6 @@ pub fn run(study: &StudyOptions, truths: u64) -> Result<Summary<Row>, Failure> {
             }
         }
     }
-    let refusals = refused.len();
-    refused.sort_unstable();
-    refused.dedup();
     let regimes: Vec<_> = regimes.iter().map(|(regime, motions)| format!("{motions} {regime}")).collect();
     let headline = format!(
         "toytop {}, seed {}: {} launches ({}); refused: {refusals} {refused:?}; failures: {}.",
@@ -55,7 +56,7 @@ pub fn run(study: &StudyOptions, truths: u64) -> Result<Summary<Row>, Failure> {
 const CLOSE: f64 = 0.01;
 
 /// Tables of one scalar. The names are the keys of JSON.
-#[derive(Default, Serialize)]
+#[derive(Serialize)]
 pub struct Row {
     scalar: &'static str,
     motions: usize,

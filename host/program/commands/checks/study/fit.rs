@@ -1,6 +1,7 @@
 //! `toytop study fit`: launches fitted to simulated samples.
 
-use super::{StudyOptions, Summary, trials};
+use super::{StudyOptions, Summary};
+use crate::terminal::rows::computed;
 use nalgebra::{Matrix6, Vector6};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -33,7 +34,7 @@ struct Accepted {
 }
 
 /// Launches of a set of sensors. The names are the keys of JSON.
-#[derive(Default, Serialize)]
+#[derive(Serialize)]
 pub struct Row {
     sensors: &'static str,
     /// Reasons why launches were refused, each with their number.
@@ -47,7 +48,7 @@ pub struct Row {
 }
 
 pub fn run(study: &StudyOptions) -> Result<Summary<Row>, Failure> {
-    let trials = trials(3 * study.motions, |stream| {
+    let trials = computed(3 * study.motions, "launches", |stream| {
         let noise = study.seed.wrapping_mul(1_000_003).wrapping_add(stream);
         trial(&mut Random::new(study.seed, stream), (stream % 3) as usize, noise)
     })?;

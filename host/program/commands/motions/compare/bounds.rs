@@ -112,7 +112,7 @@ pub enum Verdict {
     Kept,
     /// Error without a bound.
     Unbounded,
-    /// No table, because none is large enough.
+    /// No table: none is large enough, or the motion is aperiodic and the scalar is not `f64`.
     NoTable,
     /// Error beyond its bound.
     Missed,
