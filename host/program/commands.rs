@@ -1,20 +1,27 @@
-//! Commands of `toytop`, one module for each, in folders by their purpose. A command checks its input before it writes.
+//! Commands of `toytop`, one module for each, in the groups of `toytop --help`. A command checks its input before it writes.
 
 /// Options of several commands.
 mod options;
-/// States, constants, events and tables of one motion.
-mod one_motion {
+
+/// States, constants and events; errors; many motions; tables for a chip.
+mod motions {
     pub mod bake;
+    pub mod compare;
     pub mod constants;
     pub mod events;
     pub mod state;
+    pub mod sweep;
 }
-/// Commands that draw a motion.
-mod graphics {
+/// Drawings, films and pages of a motion.
+mod pictures {
     pub mod animate;
-    pub mod figures;
     pub mod plot;
     pub mod view;
+}
+/// Samples of sensors, and launches fitted to them.
+mod samples {
+    pub mod fit;
+    pub mod simulate;
 }
 /// Output of other integrators, and problems to test them with.
 mod integrators {
@@ -22,35 +29,53 @@ mod integrators {
     mod problems;
     pub mod score;
 }
-/// Samples of sensors, and launches fitted to them.
-mod samples {
-    pub mod fit;
-    pub mod simulate;
-}
-/// Many motions, errors of the core and of the paper, computing times, costs on chips.
-mod studies {
+/// Checks of toytop itself: errors of the core and of the paper, computing times, costs on chips.
+mod checks {
     pub mod accuracy;
     pub mod bench;
     pub mod budget;
-    pub mod compare;
     pub mod errata;
-    pub mod sweep;
+    pub mod figures;
+    pub mod study;
 }
 
-use clap::{CommandFactory, Subcommand};
+use crate::terminal::stdout::Report;
+use checks::*;
+use clap::{CommandFactory, Parser, Subcommand};
 use clap_complete::Shell;
-use graphics::*;
 use integrators::*;
-use one_motion::*;
+use motions::*;
+use pictures::*;
 use samples::*;
-use studies::*;
 use toytop::{Motion, Regime, Support};
+use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::tilts;
-use toytop_host::{Failure, Report};
 
-/// Command with its arguments, whose comment is its help. Help lists the commands in this order, and names the hidden ones in its last line.
-#[derive(Subcommand)]
+/// Template of `toytop --help`, whose groups are the folders of the modules.
+fn help() -> String {
+    let mut help =
+        "{about}\n{usage-heading} {usage}; each command has --help, and toytop has --version\n\n".to_owned();
+    let commands = Command::augment_subcommands(clap::Command::new("toytop"));
+    for command in commands.get_subcommands().filter(|command| !command.is_hide_set()) {
+        let (name, about) = (command.get_name(), command.get_about().cloned().unwrap_or_default());
+        // first command of each group
+        let heading = match name {
+            "state" => "Motions:\n",
+            "plot" => "Pictures:\n",
+            "simulate" => "Samples:\n",
+            "score" => "Integrators:\n",
+            _ => "",
+        };
+        help += &format!("{heading}  {name:<12}{about}\n");
+    }
+    help + "Checks of toytop itself: accuracy bench budget errata figures study\nCompletions for a shell: completions\n"
+}
+
+// Help lists the commands in this order, and the hidden ones in its last lines.
+/// Exact motion of a spinning top whose tip slides on a plane or is held, or of a free body.
+#[derive(Parser)]
+#[command(name = "toytop", version, help_template = help())]
 pub enum Command {
     State(state::StateArgs),
     Constants(constants::ConstantsArgs),
@@ -67,6 +92,7 @@ pub enum Command {
     Benchmark(benchmark::BenchmarkArgs),
     /// Completions for a shell
     #[command(
+        hide = true,
         after_help = "Example: toytop completions bash > ~/.local/share/bash-completion/completions/toytop"
     )]
     Completions {
@@ -83,6 +109,13 @@ pub enum Command {
     Errata(errata::ErrataArgs),
     #[command(hide = true)]
     Figures(figures::FiguresArgs),
+    /// Random launches near degenerate cases, and fits, against the truth
+    #[command(
+        hide = true,
+        subcommand,
+        after_help = "Example: toytop study corners --motions 20000 --truths 400 --accept"
+    )]
+    Study(study::Study),
 }
 
 impl Command {
@@ -107,7 +140,7 @@ impl Command {
             Self::Benchmark(arguments) => benchmark::run(arguments),
             Self::Completions { shell } => {
                 let mut script = Vec::new();
-                clap_complete::generate(*shell, &mut crate::Cli::command(), "toytop", &mut script);
+                clap_complete::generate(*shell, &mut Self::command(), "toytop", &mut script);
                 Ok(String::from_utf8_lossy(&script).into_owned().into())
             }
             Self::Accuracy(arguments) => accuracy::run(arguments),
@@ -115,6 +148,7 @@ impl Command {
             Self::Budget(arguments) => budget::run(arguments),
             Self::Errata(arguments) => errata::run(arguments),
             Self::Figures(arguments) => figures::run(arguments),
+            Self::Study(study) => study::run(study),
         }
     }
 }

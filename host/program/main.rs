@@ -1,29 +1,31 @@
 //! Program `toytop`: parses the command line, runs the command, prints its report and returns the exit code.
+//!
+//! | module | contents |
+//! |---|---|
+//! | `files` | files written completely or not at all |
+//! | `terminal` | command line, standard output, progress |
+//! | `table` | table of texts |
+//! | `axis`, `times` | values of one number; times at which a motion is computed |
+//! | `drawing` | drawings as SVG, PNG and GIF |
+//! | `commands` | the commands |
 
 // Visibility is that of the modules.
 #![allow(unreachable_pub)]
 
+mod files;
+mod terminal;
+
+mod table;
+
+mod axis;
+mod times;
+
+mod drawing;
+
 mod commands;
 
-use clap::Parser;
-use commands::Command;
 use std::process::ExitCode;
-use toytop_host::terminal;
-
-/// Exact motion of a spinning top whose tip slides on a plane or is held, or of a free body.
-#[derive(Parser)]
-#[command(
-    name = "toytop",
-    version,
-    help_template = "{about}\n{usage-heading} {usage}; each command has --help, and toytop has --version\n\nCommands:\n{subcommands}\n\n\
-        Checks of toytop itself: accuracy bench budget errata figures\n"
-)]
-struct Cli {
-    /// Command to run.
-    #[command(subcommand)]
-    command: Command,
-}
 
 fn main() -> ExitCode {
-    terminal::command_line::run(|cli: &Cli| cli.command.run())
+    terminal::command_line::run(commands::Command::run)
 }

@@ -5,8 +5,6 @@
 //! | [`random`] | random numbers fixed by a seed |
 //! | [`text_file`] | text of a file |
 //! | `rows` | columns and rows of CSV files |
-//! | [`axis`] | values of one number: a list or a range |
-//! | `times` | times of the command line or of a file |
 //! | `units` | numbers with units |
 //! | `section` | table of a TOML file |
 //! | [`scenario`], [`builtin`] | motion from a TOML file; motions that need no file |
@@ -15,10 +13,6 @@ pub mod random;
 pub mod text_file;
 
 pub(crate) mod rows;
-
-pub mod axis;
-#[cfg(feature = "program")]
-pub mod times;
 
 mod units;
 

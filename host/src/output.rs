@@ -1,7 +1,4 @@
-//! Rows as an aligned table, CSV or JSON. In CSV and JSON a number has 17 significant digits, from which a reader obtains the same `f64`.
-
-#[cfg(feature = "program")]
-pub mod table;
+//! Rows as CSV or JSON. In CSV and JSON a number has 17 significant digits, from which a reader obtains the same `f64`.
 
 use serde::ser::Serialize;
 use serde_json::Value;
@@ -63,7 +60,7 @@ fn csv(rows: &[impl Serialize]) -> String {
 const PARTS: [&[&str]; 3] = [&["x", "y"], &["x", "y", "z"], &["w", "x", "y", "z"]];
 
 /// Words and numbers of a row with their names. The name of a part ends in its key, or in its place in the list.
-fn fields(row: &impl Serialize) -> Vec<(String, Value)> {
+pub fn fields(row: &impl Serialize) -> Vec<(String, Value)> {
     let mut fields = Vec::new();
     let row = serde_json::to_value(row).expect("a row has names");
     flatten(String::new(), row, &mut fields);

@@ -3,12 +3,23 @@
 mod command;
 mod readme;
 
-/// State, constants and events of a motion, and the scenario files that they are read from.
-mod motion {
+// The groups of `toytop --help`.
+
+/// State, constants and events of motions, and the scenario files that they are read from; errors and sweeps; tables in C and in Rust.
+mod motions {
+    /// Tables in C and in Rust.
+    mod bake {
+        mod c;
+        pub(crate) mod cases;
+        mod compiled;
+        mod contents;
+    }
+    mod compare;
     mod constants;
     mod events;
-    mod samples;
     mod state;
+    mod state_rows;
+    mod sweep;
     mod units;
     pub(crate) mod vectors;
 }
@@ -16,39 +27,30 @@ mod motion {
 /// Pictures, animations and pages.
 mod pictures {
     mod animate;
-    mod figures;
     pub(crate) mod plot;
     pub(crate) mod view;
 }
 
-/// Tables in C and in Rust.
-mod bake {
-    mod c;
-    pub(crate) mod cases;
-    mod compiled;
-    mod contents;
-}
-
 /// Launches fitted to samples.
-mod fit {
+mod samples {
     mod from_samples;
 }
 
 /// Scores of trajectories, and the problems that integrators are tested with.
-mod score {
+mod integrators {
     mod benchmark;
     mod integrators;
     mod trajectories;
 }
 
-/// Accuracy, cost, and sweeps over many launches.
-mod studies {
+/// Checks of toytop itself.
+mod checks {
     mod accuracy;
     mod bench;
     mod budget;
-    mod compare;
     mod errata;
-    mod sweep;
+    mod figures;
+    mod study;
 }
 
 /// Bad input, and failures while files are written.
@@ -72,12 +74,11 @@ fn help_and_version_are_no_failures() {
 fn every_command_has_help_with_an_example_and_completes() {
     let help = toytop("--help").ok();
     assert!(help.lines().count() <= 24, "one screen: {help}");
-    let commands = help.lines().skip_while(|line| *line != "Commands:").skip(1);
-    let commands = commands.map_while(|line| line.strip_prefix("  ")?.split_whitespace().next());
+    let commands = help.lines().filter_map(|line| line.strip_prefix("  ")?.split_whitespace().next());
     let checks = help.lines().find_map(|line| line.strip_prefix("Checks of toytop itself: "));
-    let commands = commands.filter(|name| *name != "help").chain(checks.expect("a line").split(' '));
-    let commands: Vec<_> = commands.collect();
-    assert_eq!(commands.len(), 19, "{commands:?}");
+    let commands: Vec<_> =
+        commands.chain(checks.expect("a line").split(' ')).chain(["completions"]).collect();
+    assert_eq!(commands.len(), 20, "{commands:?}");
     let scripts = ["bash", "zsh", "fish"].map(|shell| toytop(format!("completions {shell}")).ok());
     for command in commands {
         let help = toytop(format!("{command} --help")).ok();

@@ -1,16 +1,17 @@
 //! `toytop benchmark`: reference values of the problems that other integrators are tested with.
 
 use super::problems::{self, Problem, ReferenceSample};
+use crate::table::{Column, TextTable};
+use crate::terminal::stdout::Report;
+use crate::times::Times;
 use clap::Args;
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
-use toytop_host::input::times::Times;
+use toytop_host::Failure;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::ephemeris_for;
-use toytop_host::output::table::{Column, TextTable};
 use toytop_host::output::{self, Format, eight_digits};
 use toytop_host::score::trajectory::to_symmetry_axis;
-use toytop_host::{Failure, Report};
 
 /// Reference values of the heavy tops that integrators are tested with
 #[derive(Args)]

@@ -2,21 +2,22 @@
 
 use super::problems;
 use crate::commands::options::{PICTURE, ending_in, positive};
+use crate::drawing;
+use crate::drawing::chart::{Chart, Curve};
+use crate::files::whole_file;
+use crate::table::{Column, TextTable};
+use crate::terminal::stdout::Report;
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;
 use std::path::{Path, PathBuf};
-use toytop_host::files::whole_file;
+use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::MotionWithPeriod;
-use toytop_host::output::table::{Column, TextTable};
 use toytop_host::output::{self, Format, or_dash, short, two_digits};
-use toytop_host::pictures::drawing;
-use toytop_host::pictures::drawing::chart::{Chart, Curve};
 use toytop_host::score::order;
 use toytop_host::score::scorer::{Score, Scorer};
 use toytop_host::score::trajectory::Trajectory;
-use toytop_host::{Failure, Report};
 
 /// Errors of your integrator's output against the exact motion
 #[derive(Args)]
@@ -167,7 +168,7 @@ fn measure_orders(files: &mut [ScoredFile], warnings: &mut Vec<String>) -> Vec<I
             names.push(file.method().to_owned());
         }
     }
-    let mut integrator = |method: String| {
+    let integrator = |method: String| {
         let mut files: Vec<_> = files.iter_mut().filter(|file| file.method() == method).collect();
         let count = files.len();
         let first = files[0].end;
@@ -176,22 +177,18 @@ fn measure_orders(files: &mut [ScoredFile], warnings: &mut Vec<String>) -> Vec<I
             warnings.push(format!("warning: no order: {first} and {other} end at different times"));
             return Integrator { method, files: count, order: None };
         }
-        files.retain(|file| file.step.is_some());
+        // files without a step come last
         files.sort_by(|a, b| b.step.unwrap_or(0.0).total_cmp(&a.step.unwrap_or(0.0)));
         let points: Vec<_> =
             files.iter().filter_map(|file| Some([file.step?, file.score.max_error_rad])).collect();
         let order = order::fitted(&points);
+        files.iter_mut().for_each(|file| file.method_order = order);
         for (file, pair) in files.iter_mut().skip(1).zip(points.windows(2)) {
             file.order = order::between(pair[0], pair[1]);
         }
         Integrator { method, files: count, order }
     };
-    let integrators: Vec<_> = names.into_iter().map(&mut integrator).collect();
-    for file in files {
-        let own = integrators.iter().find(|integrator| integrator.method == file.method());
-        file.method_order = own.and_then(|integrator| integrator.order);
-    }
-    integrators
+    names.into_iter().map(integrator).collect()
 }
 
 /// Draws the greatest error against the work for each method. The work is the number of evaluations of the equations if every file states

@@ -3,18 +3,19 @@
 mod report;
 
 use crate::commands::options::{PICTURE, ending_in, positive};
+use crate::drawing::{self, residuals};
+use crate::files::whole_file;
+use crate::terminal::stdout::Report;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::slice;
-use toytop_host::files::whole_file;
 use toytop_host::fit::columns;
 use toytop_host::fit::input::{FREE_KEYS, FitInput};
 use toytop_host::fit::sensors::{Body, Sensors};
 use toytop_host::fit::solve::fit_launch;
 use toytop_host::input::scenario::ScenarioFile;
 use toytop_host::output::{self, Format};
-use toytop_host::pictures::drawing::{self, residuals};
-use toytop_host::{Failure, Report, excerpt};
+use toytop_host::{Failure, excerpt};
 
 /// Launch of a top from samples of sensors, with error bars
 ///

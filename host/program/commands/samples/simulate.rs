@@ -1,14 +1,15 @@
 //! `toytop simulate`: simulated readings of sensors on a top.
 
 use crate::commands::options::positive;
+use crate::files::whole_file;
+use crate::terminal::stdout::Report;
 use clap::Args;
 use std::path::PathBuf;
-use toytop_host::files::whole_file;
+use toytop_host::Failure;
 use toytop_host::fit::columns;
 use toytop_host::fit::sensors::{Body, Sensors};
 use toytop_host::fit::simulated::{MAX_SAMPLES, Recording, simulate_measurements};
 use toytop_host::input::scenario::Scenario;
-use toytop_host::{Failure, Report};
 
 /// Samples of sensors on a top, with noise, bias and limited range
 #[derive(Args)]

@@ -1,9 +1,9 @@
 //! Fitted launch as a table.
 
+use crate::table::TextTable;
 use toytop_host::fit::result::{Estimated, FitResult, RATES};
 use toytop_host::fit::summary::{DriftSummary, FitSummary, Prediction};
 use toytop_host::output::short;
-use toytop_host::output::table::TextTable;
 
 /// Report as text, or the reason why there is no launch.
 pub fn table(fit: &FitResult, summary: &FitSummary<'_>) -> String {

@@ -1,0 +1,169 @@
+//! Values of one number: a list, or a range.
+
+use std::str::FromStr;
+use toytop_host::input::finite;
+use toytop_host::input::random::Random;
+
+/// Values of one number, from a text such as `0.7`, `0.7,0.8,0.9`, `0.1..0.9`, `0.1..0.9/17` or `log:1e-3..1e3/7`.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Axis {
+    /// List of numbers.
+    List(Vec<f64>),
+    /// Range from `low` to `high`.
+    Range {
+        /// Lower end.
+        low: f64,
+        /// Upper end.
+        high: f64,
+        /// Whether values are spread evenly in the logarithm.
+        log: bool,
+        /// Number of values, both ends included; `None` for a continuous range.
+        count: Option<u32>,
+    },
+}
+
+impl Axis {
+    /// Range from `low` to `high`.
+    ///
+    /// # Errors
+    /// Condition that the numbers do not meet.
+    pub fn range(low: f64, high: f64, log: bool, count: Option<u32>) -> Result<Self, &'static str> {
+        if low >= high {
+            return Err("LOW must be below HIGH");
+        }
+        if log && low <= 0.0 {
+            return Err("LOW must be above 0 with log:");
+        }
+        if count.is_some_and(|count| count < 2) {
+            return Err("COUNT must be a whole number from 2 to 4294967295");
+        }
+        Ok(Self::Range { low, high, log, count })
+    }
+
+    /// Number of values; `None` for a continuous range.
+    pub fn count(&self) -> Option<u64> {
+        match self {
+            Self::List(numbers) => Some(numbers.len() as u64),
+            Self::Range { count, .. } => count.map(u64::from),
+        }
+    }
+
+    /// Number of values; 1 for a continuous range.
+    pub fn size(&self) -> u64 {
+        self.count().unwrap_or(1)
+    }
+
+    /// Value with this index. A continuous range has the index 0, whose value is its lower end.
+    pub fn at(&self, index: u64) -> f64 {
+        match self {
+            Self::List(numbers) => numbers.get(index as usize).copied().unwrap_or(f64::NAN),
+            _ => self.between(index as f64 / (self.size().max(2) - 1) as f64),
+        }
+    }
+
+    /// Number between the ends, at this fraction of the range.
+    fn between(&self, fraction: f64) -> f64 {
+        let [low, high] = self.ends();
+        let between = |low: f64, high: f64| low + (high - low) * fraction;
+        // rounding must neither change the ends nor pass them
+        match fraction {
+            0.0 => low,
+            1.0 => high,
+            _ if matches!(self, Self::Range { log: true, .. }) => {
+                between(low.ln(), high.ln()).exp().clamp(low, high)
+            }
+            _ => between(low, high).clamp(low, high),
+        }
+    }
+
+    /// Random value.
+    pub fn draw(&self, random: &mut Random) -> f64 {
+        let fraction = random.uniform();
+        match self.count() {
+            None => self.between(fraction),
+            Some(size) => self.at((fraction * size as f64) as u64),
+        }
+    }
+
+    /// Least and greatest value.
+    pub fn ends(&self) -> [f64; 2] {
+        match self {
+            Self::List(numbers) => ends(numbers.iter().copied()),
+            Self::Range { low, high, .. } => [*low, *high],
+        }
+    }
+}
+
+/// Least and greatest of numbers.
+pub fn ends(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
+    numbers.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
+}
+
+const FORMS: &str =
+    "must be a number, X,Y,... or LOW..HIGH or LOW..HIGH/COUNT (log:LOW..HIGH: even in the logarithm)";
+
+impl FromStr for Axis {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, &'static str> {
+        let number = |text: &str| finite(text).ok_or(FORMS);
+        let (log, rest) = text.strip_prefix("log:").map_or((false, text), |rest| (true, rest));
+        let Some((low, rest)) = rest.split_once("..") else {
+            return Ok(Self::List(text.split(',').map(number).collect::<Result<_, _>>()?));
+        };
+        let (high, count) = rest.split_once('/').map_or((rest, None), |(high, count)| (high, Some(count)));
+        // an unparsable count is refused below, as 0 is
+        let count = count.map(|count| count.trim().parse().unwrap_or(0));
+        Self::range(number(low)?, number(high)?, log, count)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn axis(text: &str) -> Axis {
+        text.parse().unwrap()
+    }
+
+    #[test]
+    fn a_grid_has_both_ends_and_even_steps() {
+        let all = |text: &str| {
+            let axis = axis(text);
+            (0..axis.count().unwrap()).map(|i| axis.at(i)).collect::<Vec<_>>()
+        };
+        assert_eq!(all("0.7"), [0.7]);
+        assert_eq!(all("0.7,-1, 1e3"), [0.7, -1.0, 1e3]);
+        assert_eq!(all("-1..1/5"), [-1.0, -0.5, 0.0, 0.5, 1.0]);
+        let log = all("log:1e-3..1e3/3");
+        assert!(log[0] == 1e-3 && log[2] == 1e3 && (log[1] - 1.0).abs() < 1e-15, "{log:?}");
+    }
+
+    #[test]
+    fn what_is_drawn_lies_within_and_reaches_everywhere() {
+        for (text, distinct) in [("log:0.1..0.3", 1000), ("-0.3..0.7", 1000), ("1,2,3", 3), ("0..1/11", 11)] {
+            let axis = axis(text);
+            let [low, high] = axis.ends();
+            let mut drawn: Vec<_> = (0..1000).map(|i| axis.draw(&mut Random::new(1, i))).collect();
+            assert!(drawn.iter().all(|x| (low..=high).contains(x)), "{text}");
+            drawn.sort_by(f64::total_cmp);
+            let middle = drawn[500];
+            let fair = if text.starts_with("log") { (low * high).sqrt() } else { 0.5 * (low + high) };
+            assert!((middle - fair).abs() <= 0.05 * (high - low), "{text}: {middle}");
+            drawn.dedup();
+            assert_eq!(drawn.len(), distinct, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_axis_is_refused() {
+        for text in ["", "x", "1,,2", "1..", "2..1", "1..1", "log:0..1", "0..1/1", "0..1/x", "nan", "log:3"] {
+            assert!(text.parse::<Axis>().is_err(), "{text}");
+        }
+        for (text, reason) in
+            [("2..1", "LOW must be below HIGH"), ("log:0..1/3", "LOW must be above 0 with log:")]
+        {
+            assert_eq!(text.parse::<Axis>(), Err(reason));
+        }
+    }
+}

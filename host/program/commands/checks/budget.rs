@@ -1,0 +1,219 @@
+//! `toytop budget`: cost of each call on each emulated chip, compared with its budget.
+//!
+//! QEMU runs the firmware `cost` and logs the blocks of code that it executes. No clock is used: the same ELF gives the same figures.
+//!
+//! | module | contents |
+//! |---|---|
+//! | `budgets` | allowed costs, `firmware-examples/budgets.toml` |
+//! | `corpus` | set-up of many launches |
+//! | `pages` | tables of the documents |
+
+mod budgets;
+mod corpus;
+mod pages;
+
+use crate::commands::options::positive;
+use crate::files::doc_page::repository;
+use crate::files::whole_file;
+use crate::table::TextTable;
+use crate::terminal::stdout::Report;
+use budgets::{Budgets, FLASH_S};
+use clap::Args;
+use corpus::costs_of_launches;
+use serde_json::json;
+use std::collections::BTreeMap;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::Stdio;
+use toytop_chips::chip::{Chip, M0PLUS, M4F, M7, M33, RISCV};
+use toytop_chips::costs::{Cost, Costs, linked_flash, measure};
+use toytop_host::Failure;
+use toytop_host::output::{self, Format, eight_digits, short};
+
+/// Chips whose calls are measured.
+const CHIPS: [Chip; 5] = [M0PLUS, M4F, M7, M33, RISCV];
+
+/// Frequency of the interrupt, Hz; a tick has to fit into its period.
+const TICK_RATE: f64 = 1000.0;
+
+/// Cost of each call on emulated microcontrollers, beside its budget
+///
+/// The exit code is 1 if a call is beyond its budget.
+#[derive(Args)]
+#[command(
+    after_help = "Example: toytop budget --chip m4f,m0plus --clock 48\nNeeds QEMU (qemu-system-arm, qemu-system-misc) and, without --elf, the repository."
+)]
+pub struct BudgetArgs {
+    /// Chips, separated by commas: m0plus, m4f, m7, m33, riscv; without it, all
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = CHIPS.map(|chip| chip.name))]
+    chip: Vec<String>,
+    /// Clock of the chip, MHz, from which times follow
+    #[arg(long, value_name = "MHZ", default_value_t = 64.0, value_parser = positive, conflicts_with = "corpus")]
+    clock: f64,
+    /// ELF file of your own, whose functions named bench_... are measured
+    #[arg(long, value_name = "FILE", group = "measurement")]
+    elf: Option<PathBuf>,
+    /// Compare with firmware-examples/budgets.toml
+    #[arg(long, group = "measurement")]
+    check: bool,
+    /// Measure all chips, and rewrite that file and the tables of host/docs/costs.md and README.md
+    #[arg(long, conflicts_with_all = ["chip", "clock", "elf", "check", "flash", "format"])]
+    accept: bool,
+    /// Measure the set-up of 200 different launches: median and greatest cost on each chip; with --accept, on those with a model
+    /// of their cycles, for the table in host/docs/costs.md
+    #[arg(long, group = "measurement")]
+    corpus: bool,
+    /// Compile for little flash (opt-level s) instead of speed
+    #[arg(long, group = "measurement")]
+    flash: bool,
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
+}
+
+/// File of the limits.
+const LIMITS: &str = "firmware-examples/budgets.toml";
+/// Chip of two slow measurements: the fit of a launch, and the flash at opt-level s.
+const CHIP_OF_FIT: &str = "m4f";
+/// Calls whose flash is that of the program `flash` without that of `empty`: a launch, a table and a tick.
+const SET_UPS: [&str; 5] = ["launch", "new", "slices", "launch_slow", "launch_falling"];
+
+pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
+    let chosen =
+        |chip: &&Chip| arguments.chip.is_empty() || arguments.chip.iter().any(|name| name == chip.name);
+    let chips: Vec<_> = CHIPS.iter().filter(chosen).collect();
+    if let Some(elf) = &arguments.elf {
+        let [chip] = chips[..] else {
+            return Err(Failure::Input("--elf: needs one --chip, for which the file was built".into()));
+        };
+        let costs = measure(chip, elf).map_err(|error| failure(chip, error))?;
+        return report_on_calls(arguments, &BTreeMap::from([(chip.name.to_owned(), costs)]));
+    }
+    let root = repository("budget without --elf", "firmware-examples/cost")?;
+    if arguments.corpus {
+        return report_on_launches(arguments, &root, chips);
+    }
+    let mut all = BTreeMap::new();
+    for chip in chips {
+        let costs = costs_of_calls(arguments, &root, chip).map_err(|error| failure(chip, error))?;
+        all.insert(chip.name.to_owned(), costs);
+    }
+    if arguments.accept {
+        let budgets = Budgets::with_slack(all);
+        let report = pages::write(&pages::parts_with_budgets(&budgets))?;
+        whole_file::write("--accept", &root.join(LIMITS), budgets.to_toml().as_bytes())?;
+        return Ok(report);
+    }
+    let report = report_on_calls(arguments, &all)?;
+    if !arguments.check {
+        return Ok(report);
+    }
+    let mut violations = Budgets::read(&root.join(LIMITS))?.violations(&all);
+    let check_failed = !violations.is_empty();
+    violations.push(if check_failed {
+        format!("how to change a budget: the head of {LIMITS}")
+    } else {
+        "within budget".into()
+    });
+    Ok(Report { check_failed, ..report }.with_notes(violations))
+}
+
+/// Failure of a measurement on a chip.
+fn failure(chip: &Chip, error: io::Error) -> Failure {
+    match error.kind() {
+        io::ErrorKind::InvalidInput => Failure::Input(error.to_string()),
+        _ => Failure::Tool(format!("budget: {}: {error}", chip.name)),
+    }
+}
+
+/// Costs of all calls on a chip.
+fn costs_of_calls(arguments: &BudgetArgs, root: &Path, chip: &Chip) -> io::Result<Costs> {
+    let program = |name| build(root, chip, name, arguments.flash);
+    let mut costs = measure(chip, &program("cost")?)?;
+    let flash_of_table = |small| {
+        let [with_table, empty] = ["flash", "empty"].map(|name| build(root, chip, name, small));
+        io::Result::Ok(linked_flash(&with_table?)? - linked_flash(&empty?)?)
+    };
+    if chip.name == CHIP_OF_FIT {
+        costs.extend(measure(chip, &program("fit_cost")?)?);
+        costs.insert(FLASH_S.to_owned(), Cost::from([("flash".to_owned(), flash_of_table(true)?)]));
+    }
+    // a set-up cannot be linked without the rest of its table: its flash is that of a program, as the linker sees it
+    let flash = flash_of_table(arguments.flash)?;
+    for call in SET_UPS {
+        if let Some(cost) = costs.get_mut(call) {
+            cost.insert("flash".to_owned(), flash);
+        }
+    }
+    costs.extend(measure(chip, &program("flash")?)?);
+    Ok(costs)
+}
+
+/// Path of a program of the package `toytop-cost` after its build, optimised for size if `small`, otherwise for speed.
+fn build(root: &Path, chip: &Chip, program: &str, small: bool) -> io::Result<PathBuf> {
+    let (mut cargo, folder) = chip.build(root, &format!("--quiet --package toytop-cost --bin {program}"));
+    cargo.envs(small.then_some(("CARGO_PROFILE_RELEASE_OPT_LEVEL", "s")));
+    match cargo.stdout(Stdio::null()).status()? {
+        status if status.success() => Ok(folder.join(program)),
+        status => Err(io::Error::other(format!("cargo build of {program}: {status}"))),
+    }
+}
+
+/// Report on the set-up of many launches on each chip.
+fn report_on_launches(
+    arguments: &BudgetArgs,
+    root: &Path,
+    chips: Vec<&'static Chip>,
+) -> Result<Report, Failure> {
+    let budgets = Budgets::read(&root.join(LIMITS))?;
+    let modelled = |chip: &Chip| budgets.budget(chip.name, "launch", "cycles").is_some();
+    let mut rows = Vec::new();
+    for chip in chips.into_iter().filter(|chip| !arguments.accept || modelled(chip)) {
+        let costs = build(root, chip, "corpus", arguments.flash)
+            .and_then(|elf| costs_of_launches(chip, &elf, &budgets));
+        rows.extend(costs.map_err(|error| failure(chip, error))?);
+    }
+    if arguments.accept {
+        return pages::write(&[pages::part_with_launches(&rows)]);
+    }
+    let table = || {
+        format!(
+            "{}\nMotion and table of 200 launches: tilt 0 to 180 degrees, spin 0 to 1000 rad/s, A/(ps) 0.01 to 1000, both \
+             supports, corners; at most 64 segments. Instructions are exact to 40; cycles are those of bench_launch in \
+             proportion (model). A slice is the time between two calls of the set-up's function.\n",
+            TextTable::from_rows(&rows, eight_digits).aligned()
+        )
+    };
+    Ok(output::render(arguments.format, &json!({ "rows": rows }), &rows, table).into())
+}
+
+/// Report on the cost of each call on each chip.
+fn report_on_calls(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -> Result<Report, Failure> {
+    let record = |chip: &str, call: &str, cost: &Cost| {
+        let figure = |name: &str| cost.get(name).copied();
+        let microseconds = figure("cycles").map(|cycles| cycles as f64 / arguments.clock);
+        json!({
+            "chip": chip,
+            "call": call,
+            "instructions": figure("instructions"),
+            "cycles_model": figure("cycles"),
+            "microseconds": microseconds,
+            "tick_percent": microseconds.map(|time| time * 1e-6 * TICK_RATE * 100.0),
+            "stack": figure("stack"),
+            "flash": figure("flash"),
+            "ram": figure("ram"),
+        })
+    };
+    let mut records = Vec::new();
+    for (chip, costs) in measured {
+        records.extend(costs.iter().map(|(call, cost)| record(chip, call, cost)));
+    }
+    let table = || {
+        format!(
+            "{}\nThe costliest of several calls. Instructions are exact; cycles are a model (published timings, no wait states); \
+             stack, flash, RAM in bytes; tick_percent of a tick of 1 kHz.\n",
+            TextTable::from_rows(&records, |x| short(x, 3)).aligned()
+        )
+    };
+    Ok(output::render(arguments.format, &json!({ "rows": records }), &records, table).into())
+}

@@ -1,0 +1,145 @@
+//! Parts of pages that have costs: tables of the budgets, and of the set-up of many launches.
+
+use super::budgets::Budgets;
+use crate::files::doc_page::DocPage;
+use crate::table::TextTable;
+use crate::terminal::stdout::Report;
+use serde_json::Value;
+use std::iter::once;
+use toytop_host::Failure;
+use toytop_host::output::eight_digits;
+
+/// Part of a page: the page, its mark, and its text.
+pub type Part = (&'static str, &'static str, String);
+
+const COSTS: &str = "host/docs/costs.md";
+const FRONT_PAGE: &str = "README.md";
+
+/// Parts of pages that have budgets.
+pub fn parts_with_budgets(budgets: &Budgets) -> [Part; 2] {
+    [
+        (COSTS, "toytop budget: calls", table_of_calls(budgets)),
+        (FRONT_PAGE, "toytop budget: front page", table_of_front_page(budgets)),
+    ]
+}
+
+/// Part of a page that has the costs of many launches.
+pub fn part_with_launches(rows: &[Value]) -> Part {
+    let columns = [
+        ("chip", "chip"),
+        ("scalar", "scalar"),
+        ("result", "result"),
+        ("launches", "launches"),
+        ("median_cycles_model", "median cycles"),
+        ("greatest_cycles_model", "greatest cycles"),
+        ("slice_cycles_model", "cycles of the longest slice"),
+    ];
+    let named = |row: &Value| columns.iter().map(|(name, heading)| (*heading, row[*name].clone())).collect();
+    let rows: Vec<Value> = rows.iter().map(named).collect();
+    (COSTS, "toytop budget: launches", TextTable::from_rows(&rows, eight_digits).markdown())
+}
+
+/// Writes parts of pages of the repository, after each of them was found to have a place.
+///
+/// # Errors
+/// The failures of [`DocPage::read`] and [`DocPage::write`].
+pub fn write(parts: &[Part]) -> Result<Report, Failure> {
+    let pages = parts.iter().map(|(name, mark, _)| DocPage::read(name, mark));
+    for (page, (.., text)) in pages.collect::<Result<Vec<_>, _>>()?.iter().zip(parts) {
+        page.write(text)?;
+    }
+    let names: Vec<_> = parts.iter().map(|(name, ..)| *name).collect();
+    Ok(format!("written: the tables in {}\n", names.join(" and ")).into())
+}
+
+/// Calls, each with its text on the page.
+const ROWS: [(&str, &str); 24] = [
+    ("ephemeris_f32", "**ephemeris**, any tick, `f32`"),
+    ("cursor_f32", "**ephemeris**, the next tick, `f32`"),
+    (
+        "fast_tick",
+        "**ephemeris**, the next tick, `f32`, α and β only, in a crate that stays at opt-level 3 in a program compiled for size",
+    ),
+    ("omega_fixed_f32", "**ephemeris**, any tick, `f32`: α, β and ω in the fixed frame"),
+    ("omega_f32", "**ephemeris**, any tick, `f32`: α, β and Ω in the body frame"),
+    ("ephemeris_q31", "**ephemeris**, any tick, fixed point of 32 bits"),
+    ("cursor_q31", "**ephemeris**, the next tick, fixed point of 32 bits, the tip in units of s"),
+    ("tip_q31", "**ephemeris**, the next tick, fixed point of 32 bits: α, β and the tip in m"),
+    ("omega_q31", "**ephemeris**, any tick, fixed point of 32 bits: α, β and Ω in the body frame"),
+    ("ephemeris_q15", "**ephemeris**, any tick, fixed point of 16 bits"),
+    ("cursor_q15", "**ephemeris**, the next tick, fixed point of 16 bits"),
+    ("stepper_f32", "stepper, `f32`"),
+    ("rk4_f32", "a Runge-Kutta step of the full equations, `f32`"),
+    ("multicalc_rk4_f32", "the same by the crate multicalc"),
+    ("ephemeris_f64", "**ephemeris**, any tick, `f64`"),
+    ("cursor_f64", "**ephemeris**, the next tick, `f64`"),
+    ("stepper_f64", "stepper, `f64`"),
+    ("rk4_f64", "a Runge-Kutta step of the full equations, `f64`"),
+    (
+        "launch",
+        "set-up, once per launch, `f32`: from measured numbers to the ephemeris, of a 50 g top at 150 rad/s",
+    ),
+    ("new", "set-up of this top, table by value on the stack (`EphemerisF32::new`)"),
+    ("slices", "set-up of this top, whose `Workspace` is kept in static memory"),
+    ("launch_slow", "set-up of the same top at 5 rad/s"),
+    ("launch_falling", "set-up of the same top almost upright, at 30 rad/s, which is too slow to sleep"),
+    (
+        "fit",
+        "fit of a launch, `f32`, to 250 samples of a gyroscope and an accelerometer, and 25 of a magnetometer",
+    ),
+];
+
+/// Columns, each with its heading, its chip and its figure.
+const COLUMNS: [(&str, &str, &str); 6] = [
+    ("M0+ cycles", "m0plus", "cycles"),
+    ("M4F cycles", "m4f", "cycles"),
+    ("M7 instr.", "m7", "instructions"),
+    ("RISC-V instr.", "riscv", "instructions"),
+    ("M4F stack, bytes", "m4f", "stack"),
+    ("kept, bytes", "m4f", "ram"),
+];
+
+fn table_of_calls(budgets: &Budgets) -> String {
+    let row = |(call, what): (&str, &str)| -> Value {
+        let figure = |(heading, chip, figure)| (heading, Value::from(budgets.budget(chip, call, figure)));
+        once(("call, at most; a tick gives α, β, u and the tip", Value::from(what)))
+            .chain(COLUMNS.map(figure))
+            .collect()
+    };
+    TextTable::from_rows(&ROWS.map(row), eight_digits).markdown()
+}
+
+/// Rows of the front page: chip, call and text.
+const FRONT_ROWS: [(&str, &str, &str); 4] = [
+    ("m4f", "cursor_f32", "next tick in `f32`, Cortex-M4F"),
+    ("m0plus", "cursor_q31", "next tick in 32-bit fixed point, Cortex-M0+"),
+    ("m0plus", "cursor_q15", "next tick in 16-bit fixed point, Cortex-M0+"),
+    ("m4f", "slices", "set-up in static memory, once per launch, Cortex-M4F"),
+];
+
+fn table_of_front_page(budgets: &Budgets) -> String {
+    const FIGURES: [(&str, &str); 4] =
+        [("cycles", "cycles"), ("kept, bytes", "ram"), ("stack, bytes", "stack"), ("flash, bytes", "flash")];
+    let row = |(chip, call, what): (&str, &str, &str)| -> Value {
+        let figure = |(heading, figure)| (heading, Value::from(budgets.budget(chip, call, figure)));
+        once(("at most", Value::from(what))).chain(FIGURES.map(figure)).collect()
+    };
+    TextTable::from_rows(&FRONT_ROWS.map(row), eight_digits).markdown()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    #[test]
+    fn the_pages_have_the_tables_of_the_budgets() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let budgets = Budgets::read(&root.join("firmware-examples/budgets.toml")).expect("the budgets");
+        for (name, mark, text) in parts_with_budgets(&budgets) {
+            let page = std::fs::read_to_string(root.join(name)).expect("a page");
+            let part = format!("<!-- {mark} -->\n{text}<!-- end of ");
+            assert!(page.contains(&part), "{name}: toytop budget --accept writes it anew:\n{text}");
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! `toytop errata`: errors of the printed paper, from the page of the errata. `tests/reference/errata.py` evaluates each formula as printed
+//! and as corrected, and a test compares the residuals.
+
+use crate::terminal::stdout::Report;
+use clap::Args;
+use serde::Serialize;
+use serde_json::json;
+use toytop_host::Failure;
+use toytop_host::output::{self, Format};
+
+/// Errors of the printed paper and their corrections
+#[derive(Args)]
+#[command(after_help = "Example: toytop errata --format csv")]
+pub struct ErrataArgs {
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
+}
+
+pub fn run(arguments: &ErrataArgs) -> Result<Report, Failure> {
+    let errata = errata();
+    Ok(output::render(arguments.format, &json!({ "errata": errata }), &errata, || table().to_owned()).into())
+}
+
+/// Page whose first block of text is the table.
+const PAGE: &str = include_str!("../../../../core/closed-forms/docs/errata.md");
+
+/// Table of the page: a heading, then four lines for each erratum.
+fn table() -> &'static str {
+    PAGE.split("```").nth(1).map_or("", |block| block.trim_start_matches("text\n"))
+}
+
+/// Wrong formula of the paper with its correction. The names are the keys of JSON.
+#[derive(Default, Serialize)]
+struct Erratum {
+    /// Number on the page.
+    number: usize,
+    /// Place in the paper: a label or a section.
+    place: &'static str,
+    /// Quantity that the formula is compared with; a residual is their largest difference.
+    against: &'static str,
+    /// Formula as printed.
+    printed: &'static str,
+    /// Corrected formula.
+    corrected: &'static str,
+    /// Residual of the printed formula, to two decimals.
+    residual_printed: f64,
+    /// Power of ten above the residual of the corrected formula; 0 where it is exact.
+    residual_corrected: f64,
+}
+
+/// All errors with a formula that can be evaluated, in the order of the paper.
+fn errata() -> Vec<Erratum> {
+    let lines: Vec<_> = table().lines().skip(1).map(|line| field(line, " ")).collect();
+    let residual = |text: &str| text.trim_start_matches("< ").parse().unwrap_or(f64::NAN);
+    let erratum = |(index, [(_, place), (_, against), (_, printed), (_, corrected)]): (_, &[(_, _); 4])| {
+        let [(wrong, printed), (right, corrected)] = [*printed, *corrected].map(|text| field(text, "  "));
+        let [residual_printed, residual_corrected] = [wrong, right].map(residual);
+        Erratum {
+            number: index + 1,
+            place,
+            against,
+            printed,
+            corrected,
+            residual_printed,
+            residual_corrected,
+        }
+    };
+    lines.as_chunks().0.iter().enumerate().map(erratum).collect()
+}
+
+/// First field of a line, and the rest of it after a separator.
+fn field(line: &'static str, separator: &str) -> (&'static str, &'static str) {
+    let (first, rest) = line.trim_start().split_once(separator).unwrap_or((line, ""));
+    (first, rest.trim_start())
+}

@@ -1,0 +1,33 @@
+//! `toytop figures`: the curves of figures 2 and 3 of the paper, as `plot` draws them.
+
+use crate::drawing::{self, tip};
+use crate::files::whole_file;
+use crate::terminal::stdout::Report;
+use clap::Args;
+use std::path::PathBuf;
+use toytop_host::Failure;
+use toytop_host::input::builtin;
+use toytop_host::pictures::span::{MAX_CYCLES, MotionSpan};
+
+/// Curves of figures 2 and 3 of the paper, as SVG
+#[derive(Args)]
+#[command(after_help = "Example: toytop figures -o figures")]
+pub struct FiguresArgs {
+    /// Folder to write to, which is created if it does not exist
+    #[arg(short, long, value_name = "DIR")]
+    output: PathBuf,
+}
+
+pub fn run(arguments: &FiguresArgs) -> Result<Report, Failure> {
+    let folder = &arguments.output;
+    std::fs::create_dir_all(folder).map_err(|error| whole_file::refused("--output", folder, error))?;
+    let mut text = String::new();
+    for scenario in builtin::figures() {
+        let span = MotionSpan::new(&scenario.motion, None, MAX_CYCLES)?;
+        let scene = tip::draw(&scenario, &span);
+        let path = folder.join(scenario.name.replace([' ', '='], "_") + ".svg");
+        drawing::write("--output", &path, &scene, None)?;
+        text.push_str(&format!("{}\n", path.display()));
+    }
+    Ok(text.into())
+}

@@ -1,0 +1,271 @@
+//! `toytop compare`: errors of the core against the full 3-D equations, for each motion, each scalar and both propagators.
+
+mod bounds;
+
+use crate::commands::options::{Method, Scalars, scalars};
+use crate::commands::warnings;
+use crate::table::TextTable;
+use crate::terminal::stdout::Report;
+use crate::times::spread_times;
+use bounds::{Verdict, bound, bounds_of_builtin, compared_time, steps_per_period};
+use clap::Args;
+use serde::Serialize;
+use serde_json::json;
+use std::iter::once;
+use std::path::PathBuf;
+use std::time::Instant;
+use toytop::Motion;
+use toytop::scalar::Real;
+use toytop_host::Failure;
+use toytop_host::input::builtin;
+use toytop_host::input::scenario::Scenario;
+use toytop_host::motion::ephemeris::ephemeris_for;
+use toytop_host::motion::errors::Errors;
+use toytop_host::motion::full_equations;
+use toytop_host::motion::sample::Sample;
+use toytop_host::motion::stepper::TimedStepper;
+use toytop_host::motion::{MotionWithPeriod, Scalar};
+use toytop_host::output::{self, Format, or_dash, short};
+use toytop_host::truth::full_solver::FullState;
+
+/// Errors of the core against an integration of the full 3-D equations
+///
+/// The exit code is 1 if a bound is missed, or if the full solver cannot follow some of the motions, and 3 if it can follow none.
+#[derive(Args)]
+#[command(after_help = "Example: toytop compare host/scenarios/toy_top.toml --periods 100 --format csv")]
+pub struct CompareArgs {
+    /// Scenario files; without any, the built-in motions
+    #[arg(value_name = "SCENARIO")]
+    scenarios: Vec<PathBuf>,
+    /// Nutation periods to compare over. A motion without a period counts 2 pi sqrt((A/p + s)/g) as one
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    periods: u32,
+    /// Scalar types of the core
+    #[arg(long, value_name = "LIST", default_value = "all", value_parser = scalars)]
+    scalar: Scalars,
+    /// Form of the output. CSV and JSON have a row for each method and scalar, with all errors
+    #[arg(long, default_value = "table")]
+    format: Format,
+}
+
+/// Propagators of the core with their scalars; in fixed point there is no stepper.
+const PROPAGATORS: [(Method, Scalar); 6] = [
+    (Method::Stepper, Scalar::F64),
+    (Method::Stepper, Scalar::F32),
+    (Method::Ephemeris, Scalar::F64),
+    (Method::Ephemeris, Scalar::F32),
+    (Method::Ephemeris, Scalar::Q31),
+    (Method::Ephemeris, Scalar::Q15),
+];
+
+/// Samples in a period.
+const SAMPLES: u32 = 64;
+
+/// Greatest errors of a propagator on a motion; `None` without a table. The names are the keys of JSON.
+#[derive(Clone, Serialize)]
+struct Comparison<'a> {
+    motion: &'a str,
+    scalar: &'static str,
+    method: &'static str,
+    max_orientation_error_rad: Option<f64>,
+    max_u_error: Option<f64>,
+    /// Error of the tip in units of s.
+    max_tip_error_per_s: Option<f64>,
+    h_drift: Option<f64>,
+    l_drift: Option<f64>,
+    n_drift: Option<f64>,
+    /// Number of steps of a stepper.
+    steps: Option<u64>,
+    /// Segments and terms of a table.
+    table: Option<String>,
+    /// Time of a step or of a look-up.
+    ns: Option<f64>,
+    bound_rad: Option<f64>,
+    verdict: Verdict,
+}
+
+pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
+    let scenarios = if arguments.scenarios.is_empty() {
+        builtin::scenarios()
+    } else {
+        arguments.scenarios.iter().map(|path| Scenario::read(path)).collect::<Result<_, _>>()?
+    };
+    let (mut motions, mut notes, mut failures) = (Vec::new(), Vec::new(), Vec::new());
+    for scenario in &scenarios {
+        match compare(scenario, arguments, &mut notes) {
+            Ok(rows) => motions.push(rows),
+            Err(failure) => failures.push(failure),
+        }
+    }
+    let failures: Vec<_> = failures.iter().map(Failure::to_string).collect();
+    if motions.is_empty() {
+        return Err(Failure::Method(failures.join("; ")));
+    }
+    let check_failed = !failures.is_empty();
+    notes.extend(failures.into_iter().chain(warnings(&scenarios)));
+    let rows = motions.concat();
+    let table = || table(&motions, arguments.periods);
+    let text = output::render(arguments.format, &json!({ "rows": rows }), &rows, table);
+    let missed = rows.iter().any(|row| row.verdict == Verdict::Missed);
+    Ok(Report { text, notes, check_failed: check_failed || missed })
+}
+
+/// Table with one row for each motion: error of each propagator, greatest fraction of a bound, time of the slowest look-up, and whether
+/// all bounds are kept.
+fn table(motions: &[Vec<Comparison<'_>>], periods: u32) -> String {
+    let prefix = |row: &Comparison<'_>| if row.steps.is_some() { "step " } else { "" };
+    let line = |rows: &Vec<Comparison<'_>>| {
+        let greatest = |value: fn(&Comparison<'_>) -> Option<f64>| {
+            short(rows.iter().filter_map(value).fold(0.0, f64::max), 1)
+        };
+        let errors = rows.iter().map(|row| or_dash(row.max_orientation_error_rad, |x| short(x, 1)));
+        let worst = rows.iter().map(|row| row.verdict).max().unwrap_or_default();
+        let summary = [
+            greatest(|row| Some(row.max_orientation_error_rad? / row.bound_rad?)),
+            greatest(|row| row.ns.filter(|_| row.table.is_some())),
+            worst.word().to_owned(),
+        ];
+        let name = rows.first().map_or("", |row| row.motion).to_owned();
+        once(name).chain(errors).chain(summary).collect()
+    };
+    let propagators = motions.iter().take(1).flatten().map(|row| format!("{}{}", prefix(row), row.scalar));
+    let header =
+        once("motion".to_owned()).chain(propagators).chain(["of bound", "ns", "result"].map(str::to_owned));
+    let lines = once(header.collect()).chain(motions.iter().map(line)).collect();
+    format!(
+        "{}\nThe core against the full 3-D equations, {SAMPLES} times in a period over {periods} periods: greatest error of\n\
+         the orientation, 2 sqrt(|d alpha|^2 + |d beta|^2), rad, by stepper and ephemeris, and its share\n\
+         of its bound. ns: a look-up, median of five parts. Steps a period: {} (f64), {} (f32). More: CSV.\n",
+        TextTable { lines, left: 1 }.aligned(),
+        steps_per_period(Scalar::F64),
+        steps_per_period(Scalar::F32),
+    )
+}
+
+/// Comparisons of a motion, one for each propagator.
+///
+/// # Errors
+/// [`Failure::Method`]: the full solver cannot integrate that far.
+fn compare<'a>(
+    scenario: &'a Scenario,
+    arguments: &CompareArgs,
+    notes: &mut Vec<String>,
+) -> Result<Vec<Comparison<'a>>, Failure> {
+    let (motion, name, periods) = (&scenario.motion, &*scenario.name, arguments.periods);
+    let tighter = arguments.scenarios.is_empty().then(|| bounds_of_builtin(name)).flatten();
+    let (time, remark) = compared_time(motion, periods);
+    notes.extend(remark.map(|remark| format!("{name}: {remark}")));
+    let times = spread_times(time, SAMPLES * periods);
+    let mut cache = SolverCache::default();
+    let mut rows = Vec::new();
+    for (method, scalar) in PROPAGATORS {
+        if !arguments.scalar.0.contains(&scalar) {
+            continue;
+        }
+        let run = match (method, scalar) {
+            (Method::Ephemeris, _) => run_ephemeris(scalar, motion, &times),
+            (_, Scalar::F64) => Ok(run_stepper::<f64>(scalar, motion, &times)),
+            _ => Ok(run_stepper::<f32>(scalar, motion, &times)),
+        };
+        let run = run.unwrap_or_else(|failure| {
+            notes.push(format!("{name} {}: {failure}", scalar.name()));
+            Run::default()
+        });
+        let errors = cache.errors(scenario, &run.samples)?;
+        let error = |value: fn(&Errors) -> f64| errors.as_ref().map(value);
+        let bound_rad = bound(motion, (method, scalar), periods, tighter, run.table_bound);
+        rows.push(Comparison {
+            motion: name,
+            scalar: scalar.name(),
+            method: method.name(),
+            max_orientation_error_rad: error(|errors| errors.orientation),
+            max_u_error: error(|errors| errors.u),
+            max_tip_error_per_s: error(|errors| errors.tip),
+            h_drift: error(|errors| errors.drift[2]),
+            l_drift: error(|errors| errors.drift[0]),
+            n_drift: error(|errors| errors.drift[1]),
+            steps: run.steps,
+            table: run.table,
+            ns: run.ns,
+            bound_rad,
+            verdict: Verdict::new(error(|errors| errors.orientation), bound_rad),
+        });
+    }
+    Ok(rows)
+}
+
+/// Run of the core through the times of a comparison; empty where no table is large enough.
+#[derive(Default)]
+struct Run {
+    /// Samples in the order of the times.
+    samples: Vec<Sample>,
+    /// Number of steps of a stepper.
+    steps: Option<u64>,
+    /// Segments and terms of a table.
+    table: Option<String>,
+    /// Bound on the error of a table at the last time, rad.
+    table_bound: Option<f64>,
+    /// Median time of a step or of a look-up.
+    ns: Option<f64>,
+}
+
+/// Samples at the times, and the computing time of one, ns: the median of five parts of the times.
+fn timed_samples(times: &[f64], mut sample: impl FnMut(f64) -> Sample) -> (Vec<Sample>, f64) {
+    let (mut samples, mut spent) = (Vec::new(), Vec::new());
+    for part in times.chunks(times.len().div_ceil(5)) {
+        let started = Instant::now();
+        samples.extend(part.iter().map(|&t| sample(t)));
+        spent.push(1e9 * started.elapsed().as_secs_f64() / part.len() as f64);
+    }
+    spent.sort_by(f64::total_cmp);
+    (samples, spent[spent.len() / 2])
+}
+
+/// Run of the stepper through the times.
+fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
+    let step = MotionWithPeriod::new(*motion).time_scale() / f64::from(steps_per_period(scalar));
+    let mut timed = TimedStepper::<R>::new(motion, step);
+    let (samples, ns) = timed_samples(times, |t| {
+        timed.reach(t, |_| ());
+        timed.sample()
+    });
+    let ns = ns * times.len() as f64 / timed.steps.max(1) as f64;
+    Run { samples, steps: Some(timed.steps), ns: Some(ns), ..Run::default() }
+}
+
+/// Run of an ephemeris at the times.
+///
+/// # Errors
+/// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
+fn run_ephemeris(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
+    let table = ephemeris_for(scalar, motion)?;
+    let (samples, ns) = timed_samples(times, |t| table.at(t));
+    let ticks = times.last().map_or(0.0, |last| last * table.ticks_per_time());
+    let (table_bound, [segments, terms]) = (Some(table.error_bound().after(ticks)), table.size());
+    Ok(Run { samples, table: Some(format!("{segments}x{terms}")), table_bound, ns: Some(ns), steps: None })
+}
+
+/// States of the full solver at the times of the last run, for the next one with the same times.
+#[derive(Default)]
+struct SolverCache {
+    times: Vec<f64>,
+    states: Vec<FullState>,
+}
+
+impl SolverCache {
+    /// Greatest errors of samples, at the times that they have reached: an f32 step misses the requested one. `None` without samples.
+    fn errors(&mut self, scenario: &Scenario, samples: &[Sample]) -> Result<Option<Errors>, Failure> {
+        if samples.is_empty() {
+            return Ok(None);
+        }
+        let times: Vec<f64> = samples.iter().map(|sample| sample.t).collect();
+        if times != self.times {
+            self.states = full_equations::states(scenario, &times)?;
+            self.times = times;
+        }
+        let error = |(sample, state): (&Sample, &FullState)| {
+            Errors::between(&scenario.motion, sample, &state.orientation())
+        };
+        Ok(samples.iter().zip(&self.states).map(error).reduce(Errors::greater))
+    }
+}

@@ -1,0 +1,50 @@
+//! `toytop constants`: first integrals, branch points, period and mean rotations of a motion.
+
+use crate::commands::warnings;
+use crate::table::TextTable;
+use crate::terminal::stdout::Report;
+use clap::Args;
+use serde_json::Value;
+use std::path::PathBuf;
+use toytop_host::Failure;
+use toytop_host::input::scenario::{Scenario, Units};
+use toytop_host::motion::constant_as_json;
+use toytop_host::output::{self, Format, eight_digits};
+use toytop_model::constants::{CONSTANTS, Constant, MotionWithPeriod};
+
+/// First integrals, branch points, period and mean rotations
+#[derive(Args)]
+#[command(
+    after_help = "tilt: angle of the axis from the upward vertical; precession: mean rate of the axis about the vertical;\n\
+        spin: component of omega along the axis. Above the critical spin an upright top is stable.\n\
+        With units = \"none\" a second is the unit of time of the scenario.\n\n\
+        Example: toytop constants host/scenarios/figure_3_loops.toml"
+)]
+pub struct ConstantsArgs {
+    /// Scenario file
+    scenario: PathBuf,
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
+}
+
+pub fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
+    let scenario = Scenario::read(&arguments.scenario)?;
+    let motion = MotionWithPeriod::new(scenario.motion);
+    let values: Value =
+        CONSTANTS.iter().map(|constant| (constant.name, constant_as_json(constant, &motion))).collect();
+    let table = || {
+        let line = |constant: &Constant| {
+            let unit = constant.unit;
+            let named = scenario.units == Units::Si
+                || !(unit.contains("kg") || ["s", "1/s", "degrees/s", "turns/min"].contains(&unit));
+            let value = output::text(&values[constant.name], eight_digits);
+            [constant.name, value.as_deref().unwrap_or("-"), if named { unit } else { "" }]
+                .map(str::to_owned)
+                .to_vec()
+        };
+        TextTable { lines: CONSTANTS.iter().map(line).collect(), left: 3 }.aligned()
+    };
+    let text = output::render(arguments.format, &values, std::slice::from_ref(&values), table);
+    Ok(Report::from(text).with_notes(warnings(&[scenario])))
+}

@@ -1,0 +1,219 @@
+//! `toytop events`: times of turning points, tilts, circles, tip angles and lift-off.
+
+use crate::commands::warnings;
+use crate::table::{Column, TextTable};
+use crate::terminal::stdout::Report;
+use clap::Args;
+use serde::Serialize;
+use serde_json::json;
+use std::path::PathBuf;
+use toytop::{Phase, Support};
+use toytop_host::Failure;
+use toytop_host::input::scenario::{Scenario, Units};
+use toytop_host::input::{finite, require_within};
+use toytop_host::motion::Scalar;
+use toytop_host::motion::ephemeris::{EventKind, EventQuery, MotionEvent, ephemeris_for, search};
+use toytop_host::motion::sample::Sample;
+use toytop_host::output::{self, Format, eight_digits, or_dash, short, two_digits};
+
+/// Times of turning points, tilts, circles, tip angles and lift-off
+#[derive(Args)]
+#[command(after_help = "Events:\n  \
+        turning            u is least or greatest\n  \
+        tilt=DEGREES       angle between the axis and the upward vertical; :up where the axis rises\n  \
+        tip-angle=DEGREES  tip angle, apart from whole turns\n  \
+        circle=RADIUS      distance of the tip from the centre; for a held tip the sine of the tilt\n  \
+        lift-off           the normal force is 0; :up where a real top leaves the plane\n\
+        The search ends after 10000 events in succession that :up or :down leaves out.\n\n\
+        Example: toytop events host/scenarios/figure_3_loops.toml --kind turning,tilt=40:up,tip-angle=90 --count 20\n         \
+        toytop events host/scenarios/toy_top.toml --kind tilt=22 --from 1e6 --format json")]
+pub struct EventsArgs {
+    /// Scenario file
+    scenario: PathBuf,
+    /// Events listed below, separated by commas; :up or :down after one selects the times at which u (or the tip angle) rises or falls
+    #[arg(long = "kind", value_name = "KIND,...", value_delimiter = ',', default_value = "turning", allow_hyphen_values = true, value_parser = kind)]
+    kinds: Vec<KindArgument>,
+    /// Time of the earliest event to list, s
+    #[arg(long, value_name = "T", default_value_t = 0.0, allow_hyphen_values = true, value_parser = time)]
+    from: f64,
+    /// Greatest number of events
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    count: u32,
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
+}
+
+/// Value of --kind.
+#[derive(Clone, PartialEq)]
+pub struct KindArgument {
+    kind: EventKind,
+    /// Whether only upward (`true`) or only downward (`false`) events count; `None` for both.
+    upward: Option<bool>,
+    /// Text of the command line that names it.
+    text: String,
+}
+
+fn kind(text: &str) -> Result<KindArgument, String> {
+    const ALLOWED: &str = "must be turning, tilt=DEGREES, tip-angle=DEGREES, circle=RADIUS or lift-off, with or without :up or :down";
+    let (rest, upward) = match text.rsplit_once(':') {
+        Some((rest, "up")) => (rest, Some(true)),
+        Some((rest, "down")) => (rest, Some(false)),
+        Some(_) => return Err(ALLOWED.to_owned()),
+        None => (text, None),
+    };
+    let kind = match rest.split_once('=').map(|(name, value)| (name, finite(value))) {
+        None if rest == "turning" => EventKind::Turning,
+        None if rest == "lift-off" => EventKind::LiftOff,
+        Some(("tilt", Some(degrees))) if (0.0..=180.0).contains(&degrees) => {
+            EventKind::Tilt(degrees.to_radians())
+        }
+        Some(("tilt", Some(_))) => return Err("tilt: must be in [0, 180] degrees".to_owned()),
+        Some(("tip-angle", Some(degrees))) if degrees.abs() <= 1e6 => {
+            EventKind::TipAngle(Phase::from_turns(degrees / 360.0))
+        }
+        Some(("tip-angle", Some(_))) => return Err("tip-angle: must be within ±1e6 degrees".to_owned()),
+        Some(("circle", Some(radius))) if radius > 0.0 => EventKind::Circle(radius),
+        Some(("circle", Some(_))) => return Err("circle: must be above 0".to_owned()),
+        _ => return Err(ALLOWED.to_owned()),
+    };
+    Ok(KindArgument { kind, upward, text: text.to_owned() })
+}
+
+fn time(text: &str) -> Result<f64, &'static str> {
+    finite(text).ok_or("must be a finite number")
+}
+
+pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
+    let scenario = Scenario::read(&arguments.scenario)?;
+    let (motion, from, count) = (&scenario.motion, arguments.from, arguments.count as usize);
+    let table = ephemeris_for(Scalar::F64, motion).map_err(|failure| failure.with_context(&scenario.name))?;
+    require_within([from], table.furthest_time(), " s").map_err(|failure| failure.with_context("--from"))?;
+    let mut events = Vec::new();
+    for argument in &arguments.kinds {
+        let KindArgument { kind, upward, text } = argument;
+        if *kind == EventKind::LiftOff && motion.top().support() != Support::Sliding {
+            let reason = "--kind: lift-off: none, because the tip does not slide on a plane";
+            return Err(Failure::Method(reason.to_owned()));
+        }
+        // only a circle depends on the top
+        let refused = |_| {
+            let below = short(motion.top().tip_scale(), 6);
+            Failure::Input(format!("--kind: {text}: must be above 0 and below {below}"))
+        };
+        let query = EventQuery { kind: *kind, from, upward: *upward, count };
+        let found = search(&*table, motion, &query).map_err(refused)?;
+        events.extend(found.into_iter().map(|event| (argument, event)));
+    }
+    events.sort_by(|(_, a), (_, b)| a.t.total_cmp(&b.t));
+    events.truncate(count);
+    let rows: Vec<_> = events.iter().map(|(argument, event)| EventRow::new(argument, event)).collect();
+    let table = || match &rows[..] {
+        [] => "no such event\n".to_owned(),
+        _ => TextTable::new(2, &columns(scenario.units), &rows).aligned(),
+    };
+    let text = match (arguments.format, &rows[..]) {
+        (Format::Csv, []) => output::csv_line(HEADER),
+        (format, rows) => output::render(format, &json!({ "events": rows }), rows, table),
+    };
+    // no warning that the top leaves the plane if the command asks for these times
+    let asked = arguments.kinds.iter().any(|argument| argument.kind == EventKind::LiftOff);
+    let notes = if asked { Vec::new() } else { warnings(&[scenario]) };
+    Ok(Report::from(text).with_notes(notes))
+}
+
+/// Names of the columns of CSV, where there is no event.
+const HEADER: [&str; 9] = ["t", "kind", "sense", "u", "tilt_deg", "tip_x", "tip_y", "phi_deg", "time_error"];
+
+/// Event. The names are the keys of JSON.
+#[derive(Serialize)]
+struct EventRow<'a> {
+    /// Time, s.
+    t: f64,
+    /// Text of the command line that asks for it.
+    kind: &'a str,
+    /// Turning point, or direction in which the quantity passes its value.
+    sense: &'static str,
+    /// Height of the axis, the cosine of the tilt.
+    u: f64,
+    /// Angle of the axis from the upward vertical, degrees.
+    tilt_deg: f64,
+    /// Position of the tip, m.
+    tip: [f64; 2],
+    /// Tip angle, degrees; `None` where the axis is vertical for ever.
+    phi_deg: Option<f64>,
+    /// Upper bound on the error of `t`, s.
+    time_error: Option<f64>,
+}
+
+impl<'a> EventRow<'a> {
+    fn new(argument: &'a KindArgument, event: &MotionEvent) -> Self {
+        let Sample { pose, tip_angle, .. } = &event.sample;
+        let sense = match (argument.kind, event.upward) {
+            (EventKind::Turning, true) => "upper",
+            (EventKind::Turning, false) => "lower",
+            (_, true) => "up",
+            (_, false) => "down",
+        };
+        let tilt = 2.0 * pose.orientation.beta.modulus().atan2(pose.orientation.alpha.modulus());
+        Self {
+            t: event.t,
+            kind: &argument.text,
+            sense,
+            u: pose.u,
+            tilt_deg: tilt.to_degrees(),
+            tip: [pose.tip.re, pose.tip.im],
+            phi_deg: tip_angle.map(f64::to_degrees),
+            time_error: event.time_error,
+        }
+    }
+}
+
+fn columns<'a>(units: Units) -> [Column<EventRow<'a>>; 6] {
+    let [t, error] = match units {
+        Units::Si => ["t, s", "error of t at most, s"],
+        Units::None => ["t", "error of t at most"],
+    };
+    [
+        ("event", |row| row.kind.to_owned()),
+        ("sense", |row| row.sense.to_owned()),
+        (t, |row| short(row.t, 17)),
+        ("tilt, degrees", |row| eight_digits(row.tilt_deg)),
+        ("tip angle, degrees", |row| or_dash(row.phi_deg, eight_digits)),
+        (error, |row| or_dash(row.time_error, two_digits)),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kinds_are_read_and_refused() {
+        assert_eq!(
+            kind("turning").map(|argument| (argument.kind, argument.upward)),
+            Ok((EventKind::Turning, None))
+        );
+        assert_eq!(
+            kind("tilt=30:up").map(|argument| (argument.kind, argument.upward)),
+            Ok((EventKind::Tilt(30_f64.to_radians()), Some(true)))
+        );
+        assert_eq!(
+            kind("tip-angle=-90").map(|argument| argument.kind),
+            Ok(EventKind::TipAngle(Phase::from_turns(-0.25)))
+        );
+        for bad in [
+            "",
+            "tilt",
+            "tilt=x",
+            "tilt=181",
+            "circle=0",
+            "circle=-1",
+            "tilt=nan",
+            "turning:left",
+            "lift-off=1",
+        ] {
+            assert!(kind(bad).is_err(), "{bad}");
+        }
+    }
+}

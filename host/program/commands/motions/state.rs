@@ -1,0 +1,176 @@
+//! `toytop state`: orientation, rates and tip at given times.
+
+mod rows;
+
+use crate::commands::options::{Method, hertz};
+use crate::commands::warnings;
+use crate::files::whole_file;
+use crate::terminal::progress::Progress;
+use crate::terminal::rows::write_rows;
+use crate::terminal::stdout;
+use crate::terminal::stdout::Report;
+use crate::times::{Times, TimesArgs};
+use clap::{ArgGroup, Args};
+use rows::Rows;
+use std::path::PathBuf;
+use toytop::{Regime, Tick};
+use toytop_closed_forms::ClosedForm;
+use toytop_host::Failure;
+use toytop_host::input::scenario::Scenario;
+use toytop_host::motion::column::SampleColumn;
+use toytop_host::motion::ephemeris::ephemeris_with;
+use toytop_host::motion::full_equations;
+use toytop_host::motion::sample::{Sample, body_rates};
+use toytop_host::motion::stepper::{stepped, steps_needed};
+use toytop_host::motion::tip_angle::TipAngle;
+use toytop_host::motion::{MotionWithPeriod, Scalar};
+use toytop_host::output::Format;
+
+/// Function from the index of a requested time to the sample there.
+type Sampler = dyn Fn(u64) -> Sample + Sync;
+
+/// Orientation, rates and tip at given times
+#[derive(Args)]
+#[command(
+    after_help = "Units: t in s, udot in 1/s, omega in rad/s, tip in m, phi in rad, and all other angles in rad.\n\
+        With units = \"none\" in the scenario only angles have a unit.\n\
+        The tip is 2 s alpha beta; with support = \"fixed\" or \"free\" it is 2 alpha beta: minus the horizontal part of the axis.\n\
+        CSV columns: quaternion is w,x,y,z; omega_body is wx,wy,wz; angles is tilt,azimuth,roll;\n\
+        euler_zxz is euler_phi,euler_theta,euler_psi; all others have their JSON names.\n\n\
+        Example: toytop state host/scenarios/toy_top.toml --times 0,0.5,1e6 --format json\n         \
+        toytop state host/scenarios/toy_top.toml --from 0 --to 10 --count 1000001 --columns t,quaternion,omega_body --format csv -o top.csv\n         \
+        toytop state host/scenarios/toy_top.toml --ticks 0..999 --hertz 8000 --scalar q15 --format csv"
+)]
+#[command(group = ArgGroup::new("instants").required(true).args(["times", "times_file", "ticks", "from"]))]
+pub struct StateArgs {
+    /// Scenario file
+    scenario: PathBuf,
+    // without a doc comment, which would replace the help text of the whole command
+    #[command(flatten)]
+    times: TimesArgs,
+    /// Method that computes the motion
+    #[arg(long, default_value = "ephemeris")]
+    method: Method,
+    /// Scalar type of the core
+    #[arg(long, default_value = "f64")]
+    scalar: Scalar,
+    /// Steps in a nutation period, for --method stepper; by default 4096. A motion without a period counts 2 pi sqrt((A/p + s)/g) as one
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
+    steps_per_period: Option<u32>,
+    /// Ticks in a second, for --ticks: N, or A/B for A ticks in B seconds; by default 1000
+    #[arg(long, value_name = "N", value_parser = hertz, conflicts_with_all = ["times", "times_file", "from"])]
+    hertz: Option<[u32; 2]>,
+    /// Columns in their order; by default t,u,udot,alpha,beta,quaternion,omega,tip,phi,error_bound, and in JSON gamma,delta too
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    columns: Vec<SampleColumn>,
+    /// Form of the output
+    #[arg(long, default_value = "table")]
+    format: Format,
+    /// Output file; without it, stdout
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
+    let inputs = [Some(&*arguments.scenario), arguments.times.times_file.as_deref()];
+    whole_file::require_other("--output", arguments.output.as_deref(), &inputs)?;
+    let scenario = Scenario::read(&arguments.scenario)?;
+    let rate = arguments.hertz.unwrap_or([1000, 1]);
+    let times = Times::read(&arguments.times, rate)?;
+    let format = arguments.format;
+    let mut columns = arguments.columns.clone();
+    let json_columns = if columns.is_empty() {
+        columns.extend(SampleColumn::DEFAULT);
+        &[SampleColumn::Gamma, SampleColumn::Delta][..]
+    } else {
+        &[SampleColumn::ErrorBound]
+    };
+    // JSON always contains the bound
+    if format == Format::Json {
+        columns.extend(json_columns.iter().filter(|column| !arguments.columns.contains(column)));
+    }
+    let support = scenario.motion.top().support();
+    let rows = Rows { format, columns, units: scenario.units, support };
+    let count = times.seconds.len() as u64;
+    let sample = sampler(arguments, &scenario, times, rate)?;
+    // from here on the input cannot cause a failure
+    stdout::write_or_file(arguments.output.as_deref(), |out| {
+        out.write_all(rows.head().as_bytes())?;
+        write_rows(count, &|index, bytes| bytes.extend(rows.row(index, &sample(index)).bytes()), out)?;
+        out.write_all(rows.end().as_bytes())
+    })?;
+    Ok(Report::default().with_notes(warnings(&[scenario])))
+}
+
+/// Function that computes samples by a method.
+fn sampler(
+    arguments: &StateArgs,
+    scenario: &Scenario,
+    times: Times,
+    rate: [u32; 2],
+) -> Result<Box<Sampler>, Failure> {
+    let motion = &scenario.motion;
+    if arguments.steps_per_period.is_some() && arguments.method != Method::Stepper {
+        return Err(Failure::Input("--steps-per-period: needs --method stepper".to_owned()));
+    }
+    let samples = match (arguments.method, arguments.scalar) {
+        (Method::Ephemeris, scalar) => return by_ephemeris(scalar, scenario, times, rate),
+        (Method::Stepper, scalar) => {
+            let step = MotionWithPeriod::new(*motion).time_scale()
+                / f64::from(arguments.steps_per_period.unwrap_or(4096));
+            let progress = Progress::new(steps_needed(&times.seconds, step)?, "steps");
+            stepped(scalar, motion, &times.seconds, step, |steps| progress.add(steps))?
+        }
+        (Method::Full, Scalar::F64) => full_equations::samples(scenario, &times.seconds)?,
+        (Method::ClosedForm, Scalar::F64) => return by_closed_form(scenario, times),
+        (method, scalar) => {
+            let (name, method) = (scalar.name(), method.name());
+            return Err(Failure::Input(format!("--scalar: {name}: must be f64 with --method {method}")));
+        }
+    };
+    Ok(Box::new(move |index| samples[index as usize]))
+}
+
+/// * `rate`: tick rate `[A, B]`, A ticks in B seconds
+fn by_ephemeris(
+    scalar: Scalar,
+    scenario: &Scenario,
+    times: Times,
+    rate: [u32; 2],
+) -> Result<Box<Sampler>, Failure> {
+    let motion = &scenario.motion;
+    let named = |failure: Failure| match scalar {
+        Scalar::F64 => failure.with_context(&scenario.name),
+        _ => failure.with_context(&format!("{}: --scalar: {}", scenario.name, scalar.name())),
+    };
+    let tick = match times.ticks[..] {
+        [] => None,
+        _ => {
+            Some(Tick::ratio(rate[0], rate[1]).map_err(|error| Failure::Input(format!("--hertz: {error}")))?)
+        }
+    };
+    let table = ephemeris_with(scalar, motion, tick, None).map_err(named)?;
+    if tick.is_some() && motion.regime() != Regime::Aperiodic {
+        return Ok(Box::new(move |index| {
+            let (tick, t) = (times.ticks[index as usize], times.seconds[index as usize]);
+            Sample { t, ..table.at_tick(tick) }
+        }));
+    }
+    times.require_within(table.furthest_time(), " with --method ephemeris")?;
+    Ok(Box::new(move |index| table.at(times.seconds[index as usize])))
+}
+
+/// Function that computes samples by the closed form, if the motion has one.
+fn by_closed_form(scenario: &Scenario, times: Times) -> Result<Box<Sampler>, Failure> {
+    let motion = &scenario.motion;
+    let form = ClosedForm::from_motion(motion)
+        .map_err(|refusal| Failure::Method(refusal.to_string()).with_context(&scenario.name))?;
+    let furthest = MotionWithPeriod::new(*motion).furthest_time_of_closed_form();
+    times.require_within(furthest, " with --method closed-form")?;
+    let angle = TipAngle::new(motion)?;
+    Ok(Box::new(move |index| {
+        let t = times.seconds[index as usize];
+        let state = form.at(t);
+        angle.sample(t, state.orientation, body_rates(&state))
+    }))
+}

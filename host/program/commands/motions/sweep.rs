@@ -1,0 +1,135 @@
+//! `toytop sweep`: many motions, one row for each, in one CSV file.
+
+mod columns;
+mod motions;
+
+use crate::axis::Axis;
+use crate::files::whole_file;
+use crate::terminal::rows::write_rows;
+use crate::terminal::stdout;
+use crate::terminal::stdout::Report;
+use clap::Args;
+use columns::{DEFAULT_COLUMNS, SweepColumn};
+use motions::{MAX_MOTIONS, Sweep};
+use std::path::PathBuf;
+use std::str::FromStr;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::time::Instant;
+use toytop_host::Failure;
+use toytop_host::input::scenario::ScenarioFile;
+
+/// Constants and errors of many motions of a scenario, a grid or a random sample
+///
+/// Each motion is one row. A sweep uses all processor cores and can be divided into parts.
+#[derive(Args)]
+#[command(
+    after_help = "Example: toytop sweep host/scenarios/toy_top.toml --spin 90..300/200 --tilt 1..60/100 -o grid.csv\n         toytop sweep host/scenarios/figure_3_loops.toml --axis e1=-0.9..0.1/41 --axis e3=log:1.01..100/33 -o grid.csv\n         toytop sweep host/scenarios/toy_top.toml --spin 90..300 --motions 1000000 --part 3/100 -o part_003.csv"
+)]
+pub struct SweepArgs {
+    /// Scenario file whose numbers vary
+    scenario: PathBuf,
+    /// CSV file, which appears when it is complete; - is stdout
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+    /// Spin of a release, rad/s: X,Y,... or LOW..HIGH/COUNT, with --motions LOW..HIGH; log: in front is even in the logarithm
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    spin: Option<Axis>,
+    /// Tilt of a release, degrees
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    tilt: Option<Axis>,
+    /// Precession of a release, rad/s
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    precession: Option<Axis>,
+    /// Nutation of a release, rad/s
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    nutation: Option<Axis>,
+    /// Any number of the scenario, in the unit of its key: --axis com_height=0.02..0.04/21
+    #[arg(long, value_name = "KEY=AXIS", value_parser = key_and_axis)]
+    axis: Vec<(String, Axis)>,
+    /// Number of random motions; without it, all combinations of the grid
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_MOTIONS))]
+    motions: Option<u64>,
+    /// Seed of the random motions
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    seed: u64,
+    /// Columns: names of toytop constants; of toytop state, at every time; error_f32 (against f64), bound_f32, segments_f32
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS, value_parser = SweepColumn::from_str)]
+    columns: Vec<SweepColumn>,
+    /// Number of times at which each motion is evaluated
+    #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=4096))]
+    samples: u32,
+    /// Nutation periods over which these times are spread. A motion without a period counts 2 pi sqrt((A/p + s)/g) as one
+    #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = periods, allow_hyphen_values = true)]
+    periods: f64,
+    /// Every N-th motion from the I-th; only part 1 has the header, so that cat joins the parts
+    #[arg(long, value_name = "I/N", default_value = "1/1", value_parser = part)]
+    part: [u64; 2],
+}
+
+impl SweepArgs {
+    /// Keys of the scenario that vary, each with its axis.
+    fn varied(&self) -> Vec<(String, Axis)> {
+        let Self { spin, tilt, precession, nutation, axis, .. } = self;
+        let keys = ["spin", "tilt_deg", "precession", "nutation"].map(str::to_owned);
+        let of_release = keys.into_iter().zip([spin, tilt, precession, nutation]);
+        let given = of_release.filter_map(|(key, axis)| Some((key, axis.clone()?)));
+        given.chain(axis.iter().cloned()).collect()
+    }
+}
+
+fn key_and_axis(text: &str) -> Result<(String, Axis), String> {
+    let (key, axis) = text.split_once('=').ok_or("must be KEY=AXIS")?;
+    Ok((key.to_owned(), axis.parse()?))
+}
+
+fn periods(text: &str) -> Result<f64, &'static str> {
+    text.parse().ok().filter(|x| *x > 0.0 && *x <= 1e9).ok_or("must be above 0 and at most 1e9")
+}
+
+fn part(text: &str) -> Result<[u64; 2], &'static str> {
+    const MAX_PARTS: u64 = 1 << 32;
+    let number = |text: &str| text.parse::<u64>().ok();
+    let pair = text.split_once('/').and_then(|(part, parts)| Some([number(part)?, number(parts)?]));
+    pair.filter(|[part, parts]| *parts <= MAX_PARTS && (1..=*parts).contains(part))
+        .ok_or("must be I/N with I from 1 to N, and N at most 2^32")
+}
+
+pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
+    let started = Instant::now();
+    whole_file::require_other("--output", Some(&arguments.output), &[Some(&arguments.scenario)])?;
+    let sweep = Sweep::new(
+        ScenarioFile::read(&arguments.scenario)?,
+        arguments.varied(),
+        arguments.motions.map(|motions| (motions, arguments.seed)),
+        arguments.columns.clone(),
+        (arguments.samples, arguments.periods),
+    )?;
+    let [part, parts] = arguments.part;
+    let file = (arguments.output.as_os_str() != "-").then_some(&*arguments.output);
+    let count = (sweep.count + parts - part) / parts;
+    let (refused, first) = (AtomicU64::new(0), AtomicU64::new(u64::MAX));
+    let row = |row: u64, text: &mut Vec<u8>| {
+        let index = row * parts + part - 1;
+        if !sweep.row(index, text) {
+            refused.fetch_add(1, Relaxed);
+            first.fetch_min(index, Relaxed);
+        }
+    };
+    stdout::write_or_file(file, |out| {
+        // only the first part has the header, so that `cat` joins all parts
+        out.write_all(if part == 1 { sweep.header() } else { String::new() }.as_bytes())?;
+        write_rows(count, &row, out)
+    })?;
+    let refused = match refused.into_inner() {
+        0 => String::new(),
+        refused => {
+            let row = first.into_inner();
+            let reason = sweep.refusal(row).unwrap_or_default();
+            format!(", {refused} of them refused (first: row {row}, {reason}),")
+        }
+    };
+    let seconds = started.elapsed().as_secs_f64();
+    let name = file.map_or("stdout".into(), |file| file.to_string_lossy());
+    let text = format!("{name}: {count} motions{refused} in {seconds:.1} s\n");
+    Ok(if file.is_some() { text.into() } else { Report::default().with_notes([text.trim_end().to_owned()]) })
+}

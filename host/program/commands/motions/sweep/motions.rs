@@ -1,0 +1,130 @@
+//! Many motions of a scenario, some of whose numbers vary: a grid or a random sample, one row for each motion.
+//!
+//! A row depends only on the options of the sweep and on its index, so that parts from different machines fit together.
+
+use super::columns::{RowMotion, SweepColumn};
+use crate::axis::Axis;
+use serde_json::Value;
+use toytop::Motion;
+use toytop_host::Failure;
+use toytop_host::input::random::Random;
+use toytop_host::input::scenario::ScenarioFile;
+use toytop_host::output::{csv_line, short};
+
+/// Greatest number of motions.
+pub const MAX_MOTIONS: u64 = 1_000_000_000_000;
+
+/// Motions of a sweep, with a header and a row for each.
+pub struct Sweep {
+    template: ScenarioFile,
+    /// Numbers that vary, by their keys.
+    axes: Vec<(&'static str, Axis)>,
+    /// Number of motions to draw, and the seed; `None` for the grid of all combinations.
+    sample: Option<(u64, u64)>,
+    /// Number of motions.
+    pub count: u64,
+    /// Columns after those of the numbers that vary.
+    columns: Vec<SweepColumn>,
+    /// Number of times at which each motion is evaluated.
+    times: u32,
+    /// Number of nutation periods over which these times are spread.
+    periods: f64,
+}
+
+impl Sweep {
+    /// Sweep of a scenario over these axes, each in the unit of its key.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: no axis, a key that the scenario does not have or that is given twice, a range in a grid, or a file that
+    /// is no scenario for another reason than the numbers that vary.
+    pub fn new(
+        template: ScenarioFile,
+        varied: Vec<(String, Axis)>,
+        sample: Option<(u64, u64)>,
+        columns: Vec<SweepColumn>,
+        (times, periods): (u32, f64),
+    ) -> Result<Self, Failure> {
+        let refuse = |reason: String| Err(Failure::Input(reason));
+        if varied.is_empty() {
+            return refuse("a sweep: needs at least one of --spin, --tilt, ..., --axis".to_owned());
+        }
+        let mut axes: Vec<(&'static str, Axis)> = Vec::new();
+        for (name, axis) in varied {
+            let key = template.require_key(&name)?;
+            if axes.iter().any(|(other, _)| *other == key) {
+                return refuse(format!("{name}: must be one axis only"));
+            }
+            if sample.is_none() && axis.count().is_none() {
+                let forms = "must be LOW..HIGH/COUNT or numbers (or draw a sample: --motions N)";
+                return refuse(format!("{name}: a range in a grid: {forms}"));
+            }
+            axes.push((key, axis));
+        }
+        let grid = || axes.iter().try_fold(1_u64, |count, (_, axis)| count.checked_mul(axis.size()));
+        let Some(count) = sample.map(|(motions, _)| motions).or_else(grid).filter(|n| *n <= MAX_MOTIONS)
+        else {
+            return refuse(format!("a grid: must have at most {:e} motions", MAX_MOTIONS as f64));
+        };
+        let sweep = Self { template, axes, sample, count, columns, times, periods };
+        // a file that is no scenario may lack only numbers that vary
+        let first = |_| sweep.template.with_numbers(&sweep.numbers(0));
+        match sweep.template.scenario().or_else(first) {
+            Err(Failure::Key { key, .. }) if sweep.axes.iter().any(|(axis, _)| *axis == key) => Ok(sweep),
+            Err(failure) => Err(failure),
+            Ok(_) => Ok(sweep),
+        }
+    }
+
+    /// Numbers of the motion with this index. In a grid the last key changes fastest.
+    fn numbers(&self, index: u64) -> Vec<(&'static str, f64)> {
+        let mut random = self.sample.map(|(_, seed)| Random::new(seed, index));
+        let mut motions = self.count;
+        let number = |(key, axis): &(&'static str, Axis)| match &mut random {
+            Some(random) => (*key, axis.draw(random)),
+            None => {
+                motions /= axis.size();
+                (*key, axis.at(index / motions % axis.size()))
+            }
+        };
+        self.axes.iter().map(number).collect()
+    }
+
+    fn motion(&self, numbers: &[(&'static str, f64)]) -> Result<Motion, Failure> {
+        Ok(self.template.with_numbers(numbers)?.motion)
+    }
+
+    /// Line of the names of the columns.
+    pub fn header(&self) -> String {
+        let mut names = vec!["index".to_owned()];
+        names.extend(self.axes.iter().map(|(key, _)| (*key).to_owned()));
+        names.extend(self.columns.iter().flat_map(|column| column.names(self.times)));
+        csv_line(names)
+    }
+
+    /// Appends the line of the row with this index; false if the scenario refuses its numbers.
+    pub fn row(&self, index: u64, text: &mut Vec<u8>) -> bool {
+        let numbers = self.numbers(index);
+        let motion = self.motion(&numbers).ok();
+        let motion = motion.map(|motion| RowMotion::new(motion, self.times, self.periods));
+        let mut values = vec![Value::from(index)];
+        values.extend(numbers.iter().map(|(_, number)| Value::from(*number)));
+        values.extend(self.columns.iter().flat_map(|column| match &motion {
+            Some(motion) => column.values(motion),
+            None => column.values_of_refusal(self.times),
+        }));
+        text.extend_from_slice(csv_line(values).as_bytes());
+        motion.is_some()
+    }
+
+    /// Reason why the scenario refuses the numbers of a row, beginning with the key, and with its value if it varies.
+    pub fn refusal(&self, index: u64) -> Option<String> {
+        let numbers = self.numbers(index);
+        Some(match self.motion(&numbers).err()? {
+            Failure::Key { table, key, reason, .. } => match numbers.iter().find(|(axis, _)| *axis == key) {
+                Some((key, number)) => format!("{key} = {}: {reason}", short(*number, 5)),
+                None => format!("{table}.{key}: {reason}"),
+            },
+            failure => failure.to_string(),
+        })
+    }
+}

@@ -1,0 +1,60 @@
+//! `toytop animate`: a motion as a GIF.
+
+use crate::commands::options::{ending_in, span};
+use crate::commands::warnings;
+use crate::drawing::film::Film;
+use crate::files::whole_file;
+use crate::terminal::progress::Progress;
+use crate::terminal::stdout::Report;
+use clap::Args;
+use std::io::BufWriter;
+use std::path::PathBuf;
+use toytop_host::Failure;
+use toytop_host::input::scenario::Scenario;
+use toytop_host::pictures::span::MotionSpan;
+
+/// Animation of a motion, as a GIF
+#[derive(Args)]
+#[command(
+    after_help = "Each frame shows the top at one exact time. A red spoke of the disc turns with the body.\n\
+        A fast spin needs slow motion: --times 0..0.2 shows a fifth of a second over the whole film.\n\n\
+        Example: toytop animate host/scenarios/toy_top.toml --times 0..0.2 -o top.gif"
+)]
+pub struct AnimateArgs {
+    /// Scenario file
+    scenario: PathBuf,
+    /// Times to show, s; by default about one turn of the tip around the centre
+    #[arg(long, value_name = "LOW..HIGH", value_parser = span, allow_hyphen_values = true)]
+    times: Option<[f64; 2]>,
+    /// Length of the film, s
+    #[arg(long, value_name = "S", default_value_t = 6.0, value_parser = length)]
+    duration: f64,
+    /// Width and height of the film, pixels
+    #[arg(long, value_name = "PIXELS", default_value_t = 480, value_parser = clap::value_parser!(u16).range(64..=2160))]
+    size: u16,
+    /// Output file, whose name ends in .gif
+    #[arg(short, long, value_name = "FILE", value_parser = ending_in(&[".gif"]))]
+    output: PathBuf,
+}
+
+fn length(text: &str) -> Result<f64, &'static str> {
+    text.parse().ok().filter(|x| (0.1..=600.0).contains(x)).ok_or("must be a number from 0.1 to 600")
+}
+
+/// Time of a frame, hundredths of a second.
+const HUNDREDTHS: u16 = 4;
+
+/// Least number of frames in a cycle of the motion; fewer would show an alias of it.
+const FRAMES_PER_CYCLE: u64 = 2;
+
+pub fn run(arguments: &AnimateArgs) -> Result<Report, Failure> {
+    let AnimateArgs { scenario, times, duration, size, output } = arguments;
+    let scenario = Scenario::read(scenario)?;
+    let frames = (100.0 * duration / f64::from(HUNDREDTHS)).round().max(2.0) as u64;
+    let span = MotionSpan::new(&scenario.motion, *times, (frames / FRAMES_PER_CYCLE) as f64)
+        .map_err(|failure| failure.with_motion_name(&scenario.name))?;
+    let film = Film { scenario: &scenario, span: &span, frames, size: *size };
+    let progress = Progress::new(frames, "frames");
+    whole_file::write_by("--output", output, |file| film.gif(HUNDREDTHS, BufWriter::new(file), &progress))?;
+    Ok(Report::default().with_notes(warnings(&[scenario])))
+}

@@ -1,0 +1,53 @@
+//! Part of a page that a command writes with `--accept`, between the lines `<!-- toytop COMMAND: NAME -->` and `<!-- end of NAME -->`.
+
+use super::whole_file;
+use std::path::PathBuf;
+use toytop_host::Failure;
+use toytop_host::input::text_file;
+
+/// Page with a part that a command writes.
+pub struct DocPage {
+    path: PathBuf,
+    /// Page before and after the part.
+    around: [String; 2],
+}
+
+impl DocPage {
+    /// Page of the repository, with a part at a mark `toytop COMMAND: NAME`.
+    ///
+    /// # Errors
+    /// [`Failure::Input`], with `--accept` in front: the page is not found, is larger than 16 MiB, or does not contain the lines.
+    pub fn read(page: &str, mark: &str) -> Result<Self, Failure> {
+        let path = repository("--accept", page)?.join(page);
+        let page = format!("--accept: {page}");
+        let text = text_file::read(&page, &path, 16)?;
+        let name = mark.split_once(": ").map_or(mark, |(_, name)| name);
+        let [begin, end] = [format!("<!-- {mark} -->\n"), format!("<!-- end of {name} -->\n")];
+        let found = text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?)));
+        let (before, (_, after)) = found.ok_or_else(|| {
+            Failure::Input(format!("{page}: must hold the lines {} and {}", begin.trim(), end.trim()))
+        })?;
+        Ok(Self { path, around: [before.to_owned() + &begin, end + after] })
+    }
+
+    /// Writes the page with this part.
+    ///
+    /// # Errors
+    /// The failures of [`whole_file::write`].
+    pub fn write(&self, part: &str) -> Result<(), Failure> {
+        let [before, after] = &self.around;
+        whole_file::write("--accept", &self.path, [before, part, after].concat().as_bytes())
+    }
+}
+
+/// Root of the repository: the current folder, or the nearest one above it, that has this file or folder.
+///
+/// # Errors
+/// [`Failure::Input`], with `option` in front: there is none.
+pub fn repository(option: &str, path: &str) -> Result<PathBuf, Failure> {
+    let here = std::env::current_dir()
+        .map_err(|error| Failure::Input(format!("{option}: current folder: {error}")))?;
+    let root = here.ancestors().find(|folder| folder.join(path).exists());
+    root.map(PathBuf::from)
+        .ok_or_else(|| Failure::Input(format!("{option}: needs {path} in the current folder or one above")))
+}

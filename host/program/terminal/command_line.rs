@@ -1,0 +1,62 @@
+//! Command line of the program: its parser, whose refusals and helps are reports of a command, and the exit code.
+
+use super::stdout::{Report, print};
+use clap::error::ErrorKind;
+use clap::{Arg, Parser};
+use std::io::{self, Write};
+use std::process::ExitCode;
+use toytop_host::Failure;
+
+/// Parses the command line of the process, runs the command and prints its report or its failure. Returns the exit code.
+pub fn run<C: Parser>(command: impl FnOnce(&C) -> Result<Report, Failure>) -> ExitCode {
+    match parsed(command).and_then(print) {
+        Ok(code) => code,
+        Err(failure) => {
+            // if stderr is closed, the message cannot be shown
+            let _ = writeln!(io::stderr(), "error: {failure}");
+            ExitCode::from(failure.exit_code())
+        }
+    }
+}
+
+/// Report of the command on the command line. Help and version are reports too.
+///
+/// # Errors
+/// [`Failure::Input`] for everything that clap refuses, and the failures of the command.
+fn parsed<C: Parser>(command: impl FnOnce(&C) -> Result<Report, Failure>) -> Result<Report, Failure> {
+    let parsed = with_negative_numbers(C::command())
+        .try_get_matches()
+        .and_then(|matches| C::from_arg_matches(&matches));
+    let error = match parsed {
+        Ok(arguments) => return command(&arguments),
+        Err(error) => error,
+    };
+    match error.kind() {
+        ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => Ok(error.render().to_string().into()),
+        ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            Err(Failure::Input("no command given; see toytop --help".into()))
+        }
+        _ => Err(Failure::Input(in_one_line(&error.render().to_string()))),
+    }
+}
+
+/// Command whose options take negative numbers as values.
+fn with_negative_numbers(command: clap::Command) -> clap::Command {
+    let takes_one = |argument: &Arg| !argument.is_positional() && argument.get_action().takes_values();
+    command
+        .mut_args(
+            |argument| if takes_one(&argument) { argument.allow_negative_numbers(true) } else { argument },
+        )
+        .mut_subcommands(with_negative_numbers)
+}
+
+/// Message of clap in one line: its first paragraph and its suggestion.
+fn in_one_line(message: &str) -> String {
+    let paragraph = message.lines().take_while(|line| !line.trim().is_empty());
+    let line = paragraph.map(str::trim).collect::<Vec<_>>().join(" ");
+    let meant = message
+        .lines()
+        .find_map(|line| line.trim().strip_prefix("tip: ").filter(|tip| tip.contains("similar")));
+    let meant = meant.map(|tip| format!("; {tip}")).unwrap_or_default();
+    line.trim_start_matches("error: ").to_owned() + &meant
+}

@@ -1,0 +1,199 @@
+//! Times at which a motion is computed: times or ticks on the command line, or a file of times.
+
+use crate::axis::Axis;
+use clap::Args;
+use std::path::{Path, PathBuf};
+use toytop_host::input::text_file;
+use toytop_host::input::{finite, require_within};
+use toytop_host::{Failure, excerpt};
+
+/// Times of `toytop state`: exactly one of --times, --times-file, --ticks and --from.
+#[derive(Args)]
+#[group(skip)]
+pub struct TimesArgs {
+    /// Times, s, in any order: T1,T2,... or LOW..HIGH/COUNT, both ends included; log:LOW..HIGH/COUNT is even in the logarithm
+    #[arg(long, value_name = "T1,T2,...", allow_hyphen_values = true)]
+    pub times: Option<String>,
+    /// File with one time, s, in each line; # starts a comment
+    #[arg(long, value_name = "FILE")]
+    pub times_file: Option<PathBuf>,
+    /// Ticks of an interrupt in place of times: N1,N2,... or FIRST..LAST
+    #[arg(long, value_name = "N1,N2,...", allow_hyphen_values = true)]
+    pub ticks: Option<String>,
+    /// First of --count evenly spaced times, s
+    #[arg(long, value_name = "T", allow_hyphen_values = true, requires_all = ["to", "count"])]
+    pub from: Option<f64>,
+    /// Last of these times, s
+    #[arg(long, value_name = "T", allow_hyphen_values = true, requires = "from")]
+    pub to: Option<f64>,
+    /// Number of these times
+    #[arg(long, value_name = "N", requires = "from")]
+    pub count: Option<u32>,
+}
+
+/// Times in the order of the request, at least one.
+pub struct Times {
+    /// Option that states them, in messages.
+    option: String,
+    /// Times, s.
+    pub seconds: Vec<f64>,
+    /// Ticks of these times, with --ticks only.
+    pub ticks: Vec<i64>,
+}
+
+/// Greatest number of times.
+const MAX_TIMES: u64 = 10_000_000;
+
+impl Times {
+    /// Times of the command line.
+    ///
+    /// * `rate`: tick rate `[A, B]`, A ticks in B seconds
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: an unreadable file, an entry that is no finite number, or no tick.
+    pub fn read(arguments: &TimesArgs, rate: [u32; 2]) -> Result<Self, Failure> {
+        match arguments {
+            TimesArgs { times: Some(text), .. } => Self::parse(text),
+            TimesArgs { times_file: Some(path), .. } => Self::read_file(path),
+            TimesArgs { ticks: Some(text), .. } => Self::parse_ticks(text, rate),
+            TimesArgs { from, to, count, .. } => {
+                let finite = from.zip(*to).filter(|(from, to)| from.is_finite() && to.is_finite());
+                let axis = finite.and_then(|(from, to)| Axis::range(from, to, false, *count).ok());
+                let axis = axis.ok_or_else(|| {
+                    let allowed = "must be two finite times, --from first, and a number from 2";
+                    Failure::Input(format!("--from, --to, --count: {allowed}"))
+                })?;
+                Self::new("--from, --to, --count".to_owned(), &axis)
+            }
+        }
+    }
+
+    /// Times of a text `T1,T2,...` or `LOW..HIGH/COUNT`.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: another text.
+    pub fn parse(text: &str) -> Result<Self, Failure> {
+        let refused = |reason: &str| Failure::Input(format!("--times: {}: {reason}", excerpt(text)));
+        let axis = if text.contains("..") {
+            text.parse().map_err(refused)?
+        } else {
+            Axis::List(text.split(',').map(|entry| time(entry, "--times")).collect::<Result<_, _>>()?)
+        };
+        if axis.count().is_none() {
+            return Err(refused("must be T1,T2,... or LOW..HIGH/COUNT or log:LOW..HIGH/COUNT"));
+        }
+        Self::new("--times".to_owned(), &axis)
+    }
+
+    /// Ticks of a text `N1,N2,...` or `FIRST..LAST`, as an interrupt counts them.
+    fn parse_ticks(text: &str, rate: [u32; 2]) -> Result<Self, Failure> {
+        let refused = |reason: &str| Failure::Input(format!("--ticks: {}: {reason}", excerpt(text)));
+        let allowed = "must be N1,N2,... or FIRST..LAST, whole numbers of 64 bits";
+        let numbers =
+            |separator| text.split(separator).map(|number: &str| number.trim().parse().ok()).collect();
+        let range = text.contains("..");
+        let listed: Option<Vec<i64>> = numbers(if range { ".." } else { "," });
+        let ticks = match listed.as_deref() {
+            Some([first, last]) if range && first <= last => {
+                require_count(last.abs_diff(*first).saturating_add(1)).map_err(|reason| refused(&reason))?;
+                (*first..=*last).collect()
+            }
+            Some(ticks) if !range => ticks.to_vec(),
+            _ => return Err(refused(allowed)),
+        };
+        let [ticks_per, duration] = rate.map(f64::from);
+        let seconds = ticks.iter().map(|tick| *tick as f64 * duration / ticks_per).collect();
+        Ok(Self { option: "--ticks".to_owned(), seconds, ticks })
+    }
+
+    fn read_file(path: &Path) -> Result<Self, Failure> {
+        /// Size of the largest file, MiB: some five million times.
+        const MAX_FILE_MIB: u64 = 64;
+        let name = path.display();
+        let text = text_file::read(&name.to_string(), path, MAX_FILE_MIB)?;
+        let mut times = Vec::new();
+        for (index, line) in text.lines().enumerate() {
+            let entry = line.split('#').next().unwrap_or_default().trim();
+            if !entry.is_empty() {
+                times.push(time(entry, &format!("{name}: line {}", index + 1))?);
+            }
+        }
+        if times.is_empty() {
+            return Err(Failure::Input(format!(
+                "{name}: must hold at least one time, one finite number a line"
+            )));
+        }
+        Self::new(format!("--times-file: {name}"), &Axis::List(times))
+    }
+
+    fn new(option: String, axis: &Axis) -> Result<Self, Failure> {
+        require_count(axis.size()).map_err(|reason| Failure::Input(reason).with_context(&option))?;
+        let seconds = (0..axis.size()).map(|index| axis.at(index)).collect();
+        Ok(Self { option, seconds, ticks: Vec::new() })
+    }
+
+    /// Refuses times further from t = 0 than `most`, s; `method` ends the message.
+    ///
+    /// # Errors
+    /// [`Failure::Input`].
+    pub fn require_within(&self, most: f64, method: &str) -> Result<(), Failure> {
+        require_within(self.seconds.iter().copied(), most, &format!(" s{method}"))
+            .map_err(|failure| failure.with_context(&self.option))
+    }
+}
+
+/// Times in [0, `end`], s: one in each of `count` equal parts, shifted within the part by multiples of the golden section.
+pub fn spread_times(end: f64, count: u32) -> Vec<f64> {
+    const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
+    let part = end / f64::from(count);
+    (0..count).map(|i| part * (f64::from(i) + (f64::from(i) * GOLDEN_SECTION).fract())).collect()
+}
+
+fn require_count(count: u64) -> Result<(), String> {
+    if count > MAX_TIMES { Err(format!("{count} times: must be at most {MAX_TIMES}")) } else { Ok(()) }
+}
+
+fn time(entry: &str, source: &str) -> Result<f64, Failure> {
+    finite(entry).ok_or_else(|| {
+        Failure::Input(format!("{source}: {:?} must be a finite number", excerpt(entry.trim())))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spread_evenly_with_both_ends() {
+        let all = |text: &str| Times::parse(text).unwrap().seconds;
+        assert_eq!(all("-1..1/5"), [-1.0, -0.5, 0.0, 0.5, 1.0]);
+        let third = all("0..0.3/4");
+        assert_eq!((third.len(), third[0], third[3]), (4, 0.0, 0.3));
+        let log = all("log:0.01..100/3");
+        assert!(log[0] == 0.01 && (log[1] - 1.0).abs() < 1e-14 && log[2] == 100.0, "{log:?}");
+        let far = Times::parse("-3..1/5").unwrap();
+        assert!(far.require_within(3.0, "").is_ok());
+        assert_eq!(
+            far.require_within(2.9, "").unwrap_err().to_string(),
+            "--times: -3e0 must be within ±2.9e0 s"
+        );
+        for refused in ["0..1", "1..0/3", "0..1/1", "0..1/5000000000", "0..x/3"] {
+            let message = Times::parse(refused).err().unwrap().to_string();
+            assert!(message.starts_with(&format!("--times: {refused}: ")), "{message}");
+        }
+    }
+
+    #[test]
+    fn ticks_are_exact_fractions_of_a_second() {
+        let ticks = |text: &str| Times::parse_ticks(text, [44100, 2]);
+        let run = ticks("-2..2").unwrap();
+        assert_eq!(run.ticks, [-2, -1, 0, 1, 2]);
+        assert_eq!((run.seconds[0], run.seconds[4]), (-4.0 / 44100.0, 4.0 / 44100.0));
+        let list = ticks("7,-99, 3").unwrap();
+        assert_eq!((list.ticks[1], list.seconds[1], list.seconds.len()), (-99, -198.0 / 44100.0, 3));
+        for refused in ["", "1.5", "2..1", "1,,2", "0..99999999999999999999", "0..10000000"] {
+            let message = ticks(refused).err().unwrap().to_string();
+            assert!(message.starts_with(&format!("--ticks: {refused}: ")), "{message}");
+        }
+    }
+}
