@@ -62,7 +62,7 @@ impl MotionCore {
     pub(crate) fn table(&self, scalar: Scalar) -> PyResult<SharedEphemeris> {
         let set_up = || {
             let table = ephemeris_for(scalar, &self.motion);
-            table.map(SharedEphemeris::from).map_err(|failure| failure.to_string())
+            table.map(Arc::new).map_err(|failure| failure.to_string())
         };
         let table = self.tables[scalar as usize].get_or_init(set_up).clone();
         table.map_err(|reason| value_error("scalar", reason))
@@ -122,7 +122,7 @@ impl MotionCore {
     /// Bounds on the errors of the orientation, rad, and of the rates, rad/s, at a time.
     fn error_bounds(&self, t: f64, scalar: &str) -> PyResult<[f64; 2]> {
         let table = self.table(scalar_named(scalar)?)?;
-        let ticks = t * table.ticks_per_time();
-        Ok([table.error_bound().after(ticks), table.rate_error_bound().after(ticks)])
+        let ticks = t * table.ticks_per_time;
+        Ok([table.error_bound.after(ticks), table.rate_error_bound.after(ticks)])
     }
 }

@@ -4,7 +4,7 @@ use super::sample::Sample;
 use nalgebra::Vector3;
 use std::array::from_fn;
 use toytop::{Motion, Orientation, Top};
-use toytop_model::equations::{BodyRates, Equations, FullState};
+use toytop_model::equations::{Equations, FullState, Rates};
 
 /// Greater of two errors; infinite where the second is no number.
 pub fn greater(a: f64, b: f64) -> f64 {
@@ -58,7 +58,7 @@ impl Errors {
 }
 
 /// Greatest of the differences |Δω|, |ΔΩ| and |Δu'|, rad per unit time.
-pub fn rate_error(found: &BodyRates, truth: &BodyRates) -> f64 {
+pub fn rate_error(found: &Rates, truth: &Rates) -> f64 {
     let vectors = [distance(found.omega, truth.omega), distance(found.omega_body, truth.omega_body)];
     vectors.into_iter().fold(greater(0.0, (found.udot - truth.udot).abs()), greater)
 }

@@ -7,7 +7,7 @@ use crate::motion::stepper::visit_times;
 use crate::motion::tip_angle::TipAngle;
 use crate::truth::full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullState};
 use toytop::Stepper;
-use toytop_model::equations::BodyRates;
+use toytop_model::equations::Rates;
 
 /// State at t = 0: the state of the launch without change, or for branch points the state of the core's stepper.
 pub fn initial_state(scenario: &Scenario) -> FullState {
@@ -42,7 +42,7 @@ pub fn samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failur
     let sample = |(&t, state): (&f64, &FullState)| {
         let (orientation, omega) = (state.orientation(), state.omega);
         let omega_body = orientation.inverse().adjoint(omega);
-        angle.sample(t, orientation, BodyRates { omega, omega_body, udot: state.udot() })
+        angle.sample(t, orientation, Rates { omega, omega_body, udot: state.udot() })
     };
     Ok(times.iter().zip(&states).map(sample).collect())
 }

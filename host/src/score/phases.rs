@@ -14,7 +14,7 @@
 use super::rotation_between;
 use super::trajectory::TrajectoryRow;
 use crate::motion::MotionWithPeriod;
-use crate::motion::ephemeris::DynEphemeris;
+use crate::motion::ephemeris::MotionEphemeris;
 use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3, Vector6};
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -39,7 +39,7 @@ const MIN_ROWS: usize = 8;
 /// Phase errors in the middle of the last nutation period, or of the last eight rows if these take longer; none for an aperiodic motion.
 ///
 /// The fit goes through all periods, so that it recognises errors of more than half a turn.
-pub fn phase_errors(motion: &Motion, table: &dyn DynEphemeris, rows: &[TrajectoryRow]) -> PhaseErrors {
+pub fn phase_errors(motion: &Motion, table: &MotionEphemeris, rows: &[TrajectoryRow]) -> PhaseErrors {
     let exist = match motion.regime() {
         Regime::Nutating => [true; 3],
         Regime::Aperiodic => return PhaseErrors::default(),
@@ -68,7 +68,7 @@ pub fn phase_errors(motion: &Motion, table: &dyn DynEphemeris, rows: &[Trajector
 
 /// Fit of phase errors to rows.
 struct PhaseFit<'a> {
-    table: &'a dyn DynEphemeris,
+    table: &'a MotionEphemeris,
     /// Time that a fit covers, s.
     period: f64,
     /// Mean rates of arg α, arg β and the nutation phase, rad/s.

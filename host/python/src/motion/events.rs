@@ -60,7 +60,7 @@ impl MotionCore {
         within(table.furthest_time(), &[start])
             .map_err(|_| value_error("start", "must be within 2^62 ticks"))?;
         let query = EventQuery { kind, from: start, upward, count };
-        let found = interrupt::interruptible(py, move || search(&*table, &motion, &query))?;
+        let found = interrupt::interruptible(py, move || search(&table, &motion, &query))?;
         let found = found.map_err(|error| renamed(error, &[("tilt", "value"), ("radius", "value")]))?;
         let row = |event: &MotionEvent| {
             let error = event.time_error.unwrap_or(f64::NAN);
