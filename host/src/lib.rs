@@ -41,6 +41,6 @@ pub mod score;
 
 pub mod pictures;
 
-pub use failure::{Failure, excerpt};
+pub use failure::{Failure, Refusal, excerpt};
 #[cfg(feature = "program")]
 pub use terminal::stdout::Report;

@@ -11,7 +11,7 @@ use crate::arguments::{NumericArg, failed, renamed, value_error, within};
 use crate::samples::{Sampler, SharedEphemeris, Source};
 use crate::top::TopCore;
 use pyo3::prelude::*;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 use toytop::{Motion, State};
 use toytop_host::input::scenario::{Launch, Scenario, ScenarioFile, to_toml};
 use toytop_host::motion::ephemeris::ephemeris_for;
@@ -97,7 +97,7 @@ impl MotionCore {
     }
 
     pub(crate) fn to_toml(&self) -> String {
-        to_toml(&self.top.to_toml(), &self.launch)
+        to_toml(&self.top.table(), &self.launch)
     }
 
     /// Page with the top in motion, as HTML.

@@ -1,4 +1,4 @@
-//! Tip angles of methods that compute orientations and rates only: arg(αβ), unwrapped by the tip angle of the ephemeris.
+//! Tip angle for methods without one: arg(αβ), with whole turns from the ephemeris.
 
 use crate::Failure;
 use crate::motion::Scalar;

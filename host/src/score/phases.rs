@@ -7,9 +7,8 @@
 //! Φ(θ + Δθ, ψ + Δψ, φ + Δφ):   α(t + τ) exp(i(Δψ + Δφ)/2 - i λ_α' τ),   β(t + τ) exp(i(Δψ - Δφ)/2 - i λ_β' τ),   τ = Δθ T/2π
 //! ```
 //!
-//! with the mean rates λ_α' and λ_β' of arg α and arg β. The phase errors are the Δθ, Δψ and Δφ that bring this closest to a trajectory,
-//! by least squares over the rows of one nutation period, in which they may change at constant rates. The distance that remains is no phase
-//! error: the trajectory is on another torus, with other values of l, n and h.
+//! with the mean rates λ_α' and λ_β' of arg α and arg β. The phase errors Δθ, Δψ and Δφ are fitted by least squares over one period, each as
+//! offset + slope. The distance that remains is no phase error: the trajectory is on another torus, with other values of l, n and h.
 
 use super::rotation_between;
 use super::trajectory::TrajectoryRow;

@@ -226,7 +226,7 @@ fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
     let step = MotionWithPeriod::new(*motion).time_scale() / f64::from(steps_per_period(scalar));
     let mut timed = TimedStepper::<R>::new(motion, step);
     let (samples, ns) = timed_samples(times, |t| {
-        timed.reach(t, |_| ());
+        timed.advance_to(t, |_| ());
         timed.sample()
     });
     let ns = ns * times.len() as f64 / timed.steps.max(1) as f64;

@@ -1,6 +1,6 @@
 //! A motion changes with its launch, its top and impulses: partial derivatives, and struck motions.
 
-use crate::arguments::{Array, NumericArg, array, refused, value_error};
+use crate::arguments::{Array, NumericArg, array, parameter_error, value_error};
 use crate::interrupt;
 use crate::motion::MotionCore;
 use pyo3::prelude::*;
@@ -35,7 +35,7 @@ impl MotionCore {
 
     /// Motion after an impulse at time t.
     fn with_impulse(&self, impulse: [f64; 3], point: [f64; 3], t: f64) -> PyResult<Self> {
-        let struck = self.state(t)?.with_impulse(&self.top.top, impulse, point).map_err(refused)?;
+        let struck = self.state(t)?.with_impulse(&self.top.top, impulse, point).map_err(parameter_error)?;
         Self::from_state(&self.top, &struck, "impulse")
     }
 
@@ -47,7 +47,8 @@ impl MotionCore {
         point: [f64; 3],
         t: f64,
     ) -> PyResult<Bound<'py, Array>> {
-        let reaction = self.state(t)?.reaction_impulse(&self.top.top, impulse, point).map_err(refused)?;
+        let reaction =
+            self.state(t)?.reaction_impulse(&self.top.top, impulse, point).map_err(parameter_error)?;
         array(py, reaction.to_vec(), &[3])
     }
 }
@@ -74,6 +75,6 @@ impl MotionCore {
                 (now.pose.orientation, now.rates.omega)
             }
         };
-        State::new(orientation, omega).map_err(refused)
+        State::new(orientation, omega).map_err(parameter_error)
     }
 }

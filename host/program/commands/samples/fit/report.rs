@@ -1,7 +1,7 @@
 //! Fitted launch as a table.
 
-use toytop_host::fit::result::{Estimated, FitResult, RATES};
-use toytop_host::fit::summary::{DriftSummary, FitSummary, Prediction};
+use toytop_host::fit::result::FitResult;
+use toytop_host::fit::summary::{DriftSummary, Estimated, FitSummary, Prediction, RATES};
 use toytop_host::output::short;
 use toytop_host::output::table::TextTable;
 
