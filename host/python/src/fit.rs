@@ -29,10 +29,11 @@ impl FittedLaunch {
         t: NumericArg,
     ) -> PyResult<Bound<'py, Array>> {
         let NumericArg { numbers, shape } = t;
-        let found = motion.partials_at(py, &numbers, |partials| self.0.orientation_covariance(partials))?;
+        let covariances =
+            motion.partials_at(py, &numbers, |partials| self.0.orientation_covariance(partials))?;
         let refuse = || value_error("t", "must not be so far for a motion without a period");
-        let found = found.ok_or_else(refuse)?.into_iter().flatten().flatten().collect();
-        array(py, found, &[&shape[..], &[3, 3]].concat())
+        let covariances = covariances.ok_or_else(refuse)?.into_iter().flatten().flatten().collect();
+        array(py, covariances, &[&shape[..], &[3, 3]].concat())
     }
 }
 
@@ -110,11 +111,12 @@ pub(crate) fn simulate<'py>(
         value_error("hertz, duration", format!("must give from 1 to {MAX_SAMPLES:e} samples"))
     })?;
     let motion = motion.motion;
-    let found = interrupt::interruptible(py, move || {
-        simulate_measurements(&motion, &sensors, &recording).map(|found| Columns::new(&sensors, &found))
+    let columns = interrupt::interruptible(py, move || {
+        simulate_measurements(&motion, &sensors, &recording)
+            .map(|measurements| Columns::new(&sensors, &measurements))
     })?;
     let refuse = || value_error("motion", "has no period, and cannot be followed for so long");
-    dictionary(py, found.ok_or_else(refuse)?)
+    dictionary(py, columns.ok_or_else(refuse)?)
 }
 
 /// Sensors of a file's name and text, or those of a telephone.

@@ -37,8 +37,8 @@ pub(crate) struct MotionCore {
 /// # Errors
 /// `ValueError`: there is none.
 pub(crate) fn scalar_named(name: &str) -> PyResult<Scalar> {
-    let found = Scalar::ALL.into_iter().find(|scalar| scalar.name() == name);
-    found.ok_or_else(|| value_error("scalar", "must be one of 'f64', 'f32', 'q31', 'q15'"))
+    let named = Scalar::ALL.into_iter().find(|scalar| scalar.name() == name);
+    named.ok_or_else(|| value_error("scalar", "must be one of 'f64', 'f32', 'q31', 'q15'"))
 }
 
 impl MotionCore {

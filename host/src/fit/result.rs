@@ -1,7 +1,7 @@
 //! Fit of a launch, and of free keys of the top, to measurements.
 
 use super::sensors::Sensors;
-use crate::failure::Refusal;
+use crate::Refusal;
 use toml::Table;
 use toytop::{Support, Top};
 use toytop_fit::{Fit, FitError, FitWarning, Fitted, FreeRatio, Hint, MOST_RATIOS, Measurement};

@@ -84,10 +84,10 @@ impl FitResult {
 
     /// Names of the directions of the launch that the samples do not determine.
     fn undetermined(&self) -> Vec<&'static str> {
-        let found = self.fitted.unobservable;
-        let named = [(found.yaw, "yaw"), (found.roll, "roll"), (found.spin, "spin")];
+        let unobservable = self.fitted.unobservable;
+        let named = [(unobservable.yaw, "yaw"), (unobservable.roll, "roll"), (unobservable.spin, "spin")];
         let mut names: Vec<_> = named.iter().filter(|(is, _)| *is).map(|(_, name)| *name).collect();
-        if found.count > names.len() {
+        if unobservable.count > names.len() {
             names.push("other");
         }
         names

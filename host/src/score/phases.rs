@@ -138,13 +138,13 @@ impl PhaseFit<'_> {
         let turned = |z: Complex<f64>, angle: f64| z * Complex::new(angle.cos(), angle.sin());
         let azimuth = angles[1] - (a_rate + b_rate) * shift;
         let roll = angles[2] - (a_rate - b_rate) * shift;
-        let there = Orientation {
+        let predicted = Orientation {
             alpha: turned(exact.pose.orientation.alpha, 0.5 * (azimuth + roll)),
             beta: turned(exact.pose.orientation.beta, 0.5 * (azimuth - roll)),
         };
-        let (axis, up) = (Vector3::from(there.axis()), Vector3::z());
+        let (axis, up) = (Vector3::from(predicted.axis()), Vector3::z());
         let mut slopes = Matrix3::from_columns(&[Vector3::zeros(), Vector3::zeros(), axis]);
-        let mut left = Vector3::from(rotation_between(&there, &row.orientation));
+        let mut left = Vector3::from(rotation_between(&predicted, &row.orientation));
         if self.exist[1] {
             slopes.set_column(1, &up);
         }

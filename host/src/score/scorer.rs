@@ -147,7 +147,7 @@ fn greatest(errors: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// Error of the orientation with the nearer of the two signs, rad.
-fn orientation_error(exact: &Orientation<f64>, found: &Orientation<f64>) -> f64 {
-    let negative = Orientation { alpha: -found.alpha, beta: -found.beta };
-    exact.distance(found).min(exact.distance(&negative))
+fn orientation_error(exact: &Orientation<f64>, given: &Orientation<f64>) -> f64 {
+    let negative = Orientation { alpha: -given.alpha, beta: -given.beta };
+    exact.distance(given).min(exact.distance(&negative))
 }

@@ -28,9 +28,9 @@ fn row(partials: &Partials) -> Vec<f64> {
 impl MotionCore {
     /// Derivatives at these times. The last axis but one has the fifteen components of [`row`].
     fn partials<'py>(&self, py: Python<'py>, t: NumericArg) -> PyResult<Bound<'py, Array>> {
-        let found = self.partials_at(py, &t.numbers, row)?;
-        let found = found.ok_or_else(|| value_error("t", "must not be so far"))?;
-        array(py, found.concat(), &[&t.shape[..], &[15, COLUMNS]].concat())
+        let rows = self.partials_at(py, &t.numbers, row)?;
+        let rows = rows.ok_or_else(|| value_error("t", "must not be so far"))?;
+        array(py, rows.concat(), &[&t.shape[..], &[15, COLUMNS]].concat())
     }
 
     /// Motion after an impulse at time t.
@@ -62,8 +62,8 @@ impl MotionCore {
         of: impl Fn(&Partials) -> T + Sync + Send,
     ) -> PyResult<Option<Vec<T>>> {
         let sensitivity = py.detach(|| Sensitivity::new(&self.motion));
-        let found = interrupt::map(py, times.len(), |index| Some(of(&sensitivity.at(times[index])?)))?;
-        Ok(found.into_iter().collect())
+        let values = interrupt::map(py, times.len(), |index| Some(of(&sensitivity.at(times[index])?)))?;
+        Ok(values.into_iter().collect())
     }
 
     /// State at a time. At t = 0 it is that of the launch, without rounding.

@@ -105,7 +105,7 @@ impl Source for ClosedFormSource {
             Condition::Crossing(_) => 0.5,
             Condition::TipAngle(angle) => (self.tip_angle(t) - angle.to_radians()) / TAU,
         };
-        let mut found = Vec::new();
+        let mut events = Vec::new();
         let [mut time, mut before] = [f64::NAN; 2];
         for i in -INTERVALS..=INTERVALS {
             let next = self.lowest + self.upright * f64::from(i) / f64::from(INTERVALS);
@@ -117,12 +117,12 @@ impl Source for ClosedFormSource {
                 // at the lowest point u is least
                 let upward = sense > 0.0 && condition != Condition::Turning;
                 if query.includes(t, upward) {
-                    found.push(MotionEvent::new(condition, t, upward, self.sample(Instant::Time(t), None)));
+                    events.push(MotionEvent::new(condition, t, upward, self.sample(Instant::Time(t), None)));
                 }
             }
             (time, before) = (next, after);
         }
-        found.truncate(query.count);
-        found
+        events.truncate(query.count);
+        events
     }
 }

@@ -88,6 +88,7 @@ impl<R: TableScalar> Source for HeapTable<R> {
 /// Sample of a table. With a column, NaN stands for numbers that it does not need.
 ///
 /// * `ticks`: the time t in ticks
+#[inline]
 fn sample<R: TableScalar>(
     table: &EphemerisView<R>,
     now: &toytop::Sample<'_, R>,
