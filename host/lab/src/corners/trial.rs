@@ -161,5 +161,5 @@ fn most_different_rates(tables: &[Option<MotionEphemeris>], motion: &Motion, per
         let apart = fine.iter().map(|(tick, rates)| (*tick, rate_error(&table.at_tick(*tick).rates, rates)));
         apart.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(tick, _)| tick)
     };
-    tables.iter().flatten().filter_map(|table| most(table)).collect()
+    tables.iter().flatten().filter_map(most).collect()
 }
