@@ -27,6 +27,9 @@ pub enum Failure {
     Tool(String),
 }
 
+/// Name of a parameter or key, and the reason why its value is refused.
+pub type Refusal = (&'static str, String);
+
 impl Failure {
     /// Exit code of the process.
     pub fn exit_code(&self) -> u8 {

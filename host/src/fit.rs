@@ -5,8 +5,5 @@ pub mod sensors;
 pub mod columns;
 pub mod simulated;
 
-pub mod input;
 pub mod result;
-
-pub mod solve;
 pub mod summary;

@@ -34,4 +34,4 @@ pub mod score;
 
 pub mod pictures;
 
-pub use failure::{Failure, excerpt};
+pub use failure::{Failure, Refusal, excerpt};

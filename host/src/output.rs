@@ -59,7 +59,7 @@ fn csv(rows: &[impl Serialize]) -> String {
 /// Names of the parts of a list of two, three or four numbers.
 const PARTS: [&[&str]; 3] = [&["x", "y"], &["x", "y", "z"], &["w", "x", "y", "z"]];
 
-/// Words and numbers of a row with their names. The name of a part ends in its key, or in its place in the list.
+/// Words and numbers of a row with their names. Nested keys are joined by `_`; numbers of a list get x, y, z or 1, 2, ...
 pub fn fields(row: &impl Serialize) -> Vec<(String, Value)> {
     let mut fields = Vec::new();
     let row = serde_json::to_value(row).expect("a row has names");

@@ -47,7 +47,7 @@ impl FullState {
 
 /// Rates of a body's attitude at one time.
 #[derive(Clone, Copy)]
-pub struct BodyRates {
+pub struct Rates {
     /// Angular velocity ω in the fixed frame, rad per unit time.
     pub omega: [f64; 3],
     /// Angular velocity Ω in the body frame, rad per unit time.

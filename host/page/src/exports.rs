@@ -103,7 +103,7 @@ pub extern "C" fn runge_kutta(step: f64) {
 #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 pub extern "C" fn runge_kutta_pose(t: f64) -> u32 {
     let Some(integration) = &mut *RUNGE_KUTTA.lock() else { return 0 };
-    let (reached, orientation, tip) = integration.go(t);
+    let (reached, orientation, tip) = integration.advance_to(t);
     let distance = TABLE.lock().at(reached).0.distance(&orientation);
     write_numbers(table::pose_numbers((orientation, tip)).into_iter().chain([reached, distance]));
     1

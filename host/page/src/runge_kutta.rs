@@ -32,7 +32,7 @@ impl RungeKutta {
 
     /// Integrates towards a time by at most [`MAX_STEPS`] whole steps. Returns the time that is reached, and the orientation and the tip
     /// there. Within a step of t the last step is shorter, and is not kept. An earlier time than the last one begins again at t = 0.
-    pub fn go(&mut self, t: f64) -> (f64, Orientation<f64>, Complex<f64>) {
+    pub fn advance_to(&mut self, t: f64) -> (f64, Orientation<f64>, Complex<f64>) {
         let sense = if t < 0.0 { -1.0 } else { 1.0 };
         if sense != self.sense || sense * t < self.steps * self.step {
             (self.y, self.steps, self.sense) = (self.start, 0.0, sense);

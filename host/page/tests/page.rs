@@ -127,7 +127,7 @@ fn runge_kutta_drifts_as_its_step_says() {
     let core = EphemerisF64::new(&motion, MotionWithPeriod::new(motion).tick()).unwrap();
     for t in [0.5, -0.5] {
         let errors = [4e-4, 2e-4].map(|step| {
-            let (reached, phi, _) = RungeKutta::new(&motion, step).go(t);
+            let (reached, phi, _) = RungeKutta::new(&motion, step).advance_to(t);
             assert_eq!(reached, t);
             core.at(t).orientation().distance(&phi)
         });
@@ -135,9 +135,9 @@ fn runge_kutta_drifts_as_its_step_says() {
         assert!((3.5..4.6).contains(&order) && errors[0] > 1e-9, "{order} {errors:?}");
     }
     let mut integration = RungeKutta::new(&motion, 1e-5);
-    let (first, ..) = integration.go(1.0);
+    let (first, ..) = integration.advance_to(1.0);
     assert!((first / (f64::from(MAX_STEPS) * 1e-5) - 1.0).abs() < 1e-12, "{first}");
-    let (second, ..) = integration.go(1.0);
+    let (second, ..) = integration.advance_to(1.0);
     assert!(second > first && second < 1.0);
-    assert_eq!(Float::abs(integration.go(-1e-7).0), 1e-7);
+    assert_eq!(Float::abs(integration.advance_to(-1e-7).0), 1e-7);
 }

@@ -11,7 +11,7 @@ use toytop_host::Failure;
 use toytop_host::input::require_within;
 
 /// Exception for a parameter that core refuses.
-pub(crate) fn refused(error: ParameterError) -> PyErr {
+pub(crate) fn parameter_error(error: ParameterError) -> PyErr {
     renamed(error, &[])
 }
 

@@ -8,14 +8,12 @@ use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyString};
 use pythonize::pythonize;
-use toml::Table;
 use toytop_fit::{Drift, Measurement};
+use toytop_host::Refusal;
 use toytop_host::fit::columns::Columns;
-use toytop_host::fit::input::FitInput;
-use toytop_host::fit::result::FitResult;
+use toytop_host::fit::result::{FitInput, FitResult, fit_launch};
 use toytop_host::fit::sensors::{Body, Sensors};
 use toytop_host::fit::simulated::{MAX_SAMPLES, Recording, simulate_measurements};
-use toytop_host::fit::solve::fit_launch;
 
 /// Fitted launch with the covariance of its unknowns.
 #[pyclass(module = "toytop._toytop", frozen)]
@@ -31,10 +29,11 @@ impl FittedLaunch {
         t: NumericArg,
     ) -> PyResult<Bound<'py, Array>> {
         let NumericArg { numbers, shape } = t;
-        let found = motion.partials_at(py, &numbers, |partials| self.0.orientation_covariance(partials))?;
+        let covariances =
+            motion.partials_at(py, &numbers, |partials| self.0.orientation_covariance(partials))?;
         let refuse = || value_error("t", "must not be so far for a motion without a period");
-        let found = found.ok_or_else(refuse)?.into_iter().flatten().flatten().collect();
-        array(py, found, &[&shape[..], &[3, 3]].concat())
+        let covariances = covariances.ok_or_else(refuse)?.into_iter().flatten().flatten().collect();
+        array(py, covariances, &[&shape[..], &[3, 3]].concat())
     }
 }
 
@@ -49,20 +48,19 @@ pub(crate) fn fit<'py>(
     huber: f64,
     drift: Option<f64>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let table: Table = top.to_toml().parse().map_err(|error| value_error("top", error))?;
     let mut used_sensors = self::sensors(sensors.as_ref(), top)?;
     let given = columns(samples, &mut used_sensors, sensors.is_some())?;
-    let rows = given.measurements(&used_sensors).map_err(|refused| {
-        value_error("samples", format!("{}: row {}: {}", refused.column, refused.row, refused.reason))
-    })?;
+    let rows = given
+        .measurements(&used_sensors, |row, column| format!("{column}: row {row}"))
+        .map_err(|reason| value_error("samples", reason))?;
     let readings: Vec<Measurement> = rows.iter().map(|(_, measurement)| *measurement).collect();
-    let input = FitInput { top: top.top, table, free, sensors: used_sensors, huber, drift };
+    let input = FitInput { top: top.top, table: top.table(), free, sensors: used_sensors, huber, drift };
     let (report, residuals) = interrupt::interruptible(py, move || {
         let report = fit_launch(input, &readings)?;
         let residuals = report.residuals(&readings);
         Ok((report, residuals))
     })?
-    .map_err(|(parameter, reason): (&str, String)| value_error(parameter, reason))?;
+    .map_err(|(parameter, reason): Refusal| value_error(parameter, reason))?;
     let mut by_column = Columns { t: given.t, readings: Vec::new() };
     for (sensor, setup) in report.input.sensors.setups.iter().enumerate() {
         for (component, name) in setup.kind.residuals().iter().enumerate() {
@@ -113,11 +111,12 @@ pub(crate) fn simulate<'py>(
         value_error("hertz, duration", format!("must give from 1 to {MAX_SAMPLES:e} samples"))
     })?;
     let motion = motion.motion;
-    let found = interrupt::interruptible(py, move || {
-        simulate_measurements(&motion, &sensors, &recording).map(|found| Columns::new(&sensors, &found))
+    let columns = interrupt::interruptible(py, move || {
+        simulate_measurements(&motion, &sensors, &recording)
+            .map(|measurements| Columns::new(&sensors, &measurements))
     })?;
     let refuse = || value_error("motion", "has no period, and cannot be followed for so long");
-    dictionary(py, found.ok_or_else(refuse)?)
+    dictionary(py, columns.ok_or_else(refuse)?)
 }
 
 /// Sensors of a file's name and text, or those of a telephone.

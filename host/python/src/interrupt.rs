@@ -45,20 +45,20 @@ pub(crate) fn on_all_cores<J: Send>(
     })
 }
 
-/// Results of `of` for the indices below `count`, on all cores. One result should take less than 0.1 s.
+/// Results of `compute` for the indices below `count`, on all cores. One result should take less than 0.1 s.
 ///
 /// # Errors
 /// `KeyboardInterrupt`.
 pub(crate) fn map<T: Send>(
     py: Python<'_>,
     count: usize,
-    of: impl Fn(usize) -> T + Send + Sync,
+    compute: impl Fn(usize) -> T + Send + Sync,
 ) -> PyResult<Vec<T>> {
     if count <= MAX_SERIAL {
-        return Ok(py.detach(|| (0..count).map(of).collect()));
+        return Ok(py.detach(|| (0..count).map(compute).collect()));
     }
     let mut results: Vec<Option<T>> = (0..count).map(|_| None).collect();
-    on_all_cores(py, results.par_iter_mut().enumerate(), |(index, result)| *result = Some(of(index)))?;
+    on_all_cores(py, results.par_iter_mut().enumerate(), |(index, result)| *result = Some(compute(index)))?;
     Ok(results.into_iter().flatten().collect())
 }
 
@@ -73,8 +73,8 @@ pub(crate) fn interruptible<T: Send + 'static>(
     let (sender, receiver) = mpsc::channel();
     // if nobody waits any more, the result is dropped
     Builder::new().stack_size(STACK).spawn(move || drop(sender.send(work())))?;
-    let found = py.detach(move || wait(&receiver))?;
-    found.ok_or_else(|| PyRuntimeError::new_err("the computation has failed"))
+    let result = py.detach(move || wait(&receiver))?;
+    result.ok_or_else(|| PyRuntimeError::new_err("the computation has failed"))
 }
 
 /// Message of another thread; `None` once all senders are gone.

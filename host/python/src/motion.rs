@@ -11,7 +11,7 @@ use crate::arguments::{NumericArg, failed, renamed, value_error, within};
 use crate::samples::{Sampler, SharedEphemeris, Source};
 use crate::top::TopCore;
 use pyo3::prelude::*;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 use toytop::{Motion, State};
 use toytop_host::input::scenario::{Launch, Scenario, ScenarioFile, to_toml};
 use toytop_host::motion::ephemeris::ephemeris_for;
@@ -37,8 +37,8 @@ pub(crate) struct MotionCore {
 /// # Errors
 /// `ValueError`: there is none.
 pub(crate) fn scalar_named(name: &str) -> PyResult<Scalar> {
-    let found = Scalar::ALL.into_iter().find(|scalar| scalar.name() == name);
-    found.ok_or_else(|| value_error("scalar", "must be one of 'f64', 'f32', 'q31', 'q15'"))
+    let named = Scalar::ALL.into_iter().find(|scalar| scalar.name() == name);
+    named.ok_or_else(|| value_error("scalar", "must be one of 'f64', 'f32', 'q31', 'q15'"))
 }
 
 impl MotionCore {
@@ -62,7 +62,7 @@ impl MotionCore {
     pub(crate) fn table(&self, scalar: Scalar) -> PyResult<SharedEphemeris> {
         let set_up = || {
             let table = ephemeris_for(scalar, &self.motion);
-            table.map(SharedEphemeris::from).map_err(|failure| failure.to_string())
+            table.map(Arc::new).map_err(|failure| failure.to_string())
         };
         let table = self.tables[scalar as usize].get_or_init(set_up).clone();
         table.map_err(|reason| value_error("scalar", reason))
@@ -97,7 +97,7 @@ impl MotionCore {
     }
 
     pub(crate) fn to_toml(&self) -> String {
-        to_toml(&self.top.to_toml(), &self.launch)
+        to_toml(&self.top.table(), &self.launch)
     }
 
     /// Page with the top in motion, as HTML.
@@ -122,7 +122,7 @@ impl MotionCore {
     /// Bounds on the errors of the orientation, rad, and of the rates, rad/s, at a time.
     fn error_bounds(&self, t: f64, scalar: &str) -> PyResult<[f64; 2]> {
         let table = self.table(scalar_named(scalar)?)?;
-        let ticks = t * table.ticks_per_time();
-        Ok([table.error_bound().after(ticks), table.rate_error_bound().after(ticks)])
+        let ticks = t * table.ticks_per_time;
+        Ok([table.error_bound.after(ticks), table.rate_error_bound.after(ticks)])
     }
 }

@@ -10,10 +10,10 @@ use rayon::slice::ParallelSliceMut;
 use std::sync::Arc;
 use toytop::{Motion, Orientation};
 use toytop_host::motion::column::SampleColumn;
-use toytop_host::motion::ephemeris::DynEphemeris;
+use toytop_host::motion::ephemeris::MotionEphemeris;
 use toytop_host::motion::sample::Sample;
 use toytop_host::motion::tip_angle::TipAngle;
-use toytop_model::equations::BodyRates;
+use toytop_model::equations::Rates;
 
 /// Quantities of samples that an array can hold.
 const COLUMNS: [SampleColumn; 11] = [
@@ -31,7 +31,7 @@ const COLUMNS: [SampleColumn; 11] = [
 ];
 
 /// Ephemeris of one scalar.
-pub(crate) type SharedEphemeris = Arc<dyn DynEphemeris>;
+pub(crate) type SharedEphemeris = Arc<MotionEphemeris>;
 
 /// Source of samples.
 pub(crate) enum Source {
@@ -69,7 +69,7 @@ impl Sampler {
         times: NumericArg,
         motion: &Motion,
         error_bound: Option<f64>,
-        at: impl Fn(f64) -> (Orientation<f64>, BodyRates) + Send + Sync,
+        at: impl Fn(f64) -> (Orientation<f64>, Rates) + Send + Sync,
     ) -> PyResult<Self> {
         let angle = TipAngle::new(motion).map_err(failed)?;
         let points = interrupt::map(py, times.numbers.len(), |index| {
@@ -103,7 +103,7 @@ impl Sampler {
         let mut writer = array.readwrite();
         let numbers = writer.as_slice_mut()?;
         let fill = |motion: usize, first: usize, rows: &mut [f64]| match &self.source {
-            Source::Tables(tables) => tables[motion].fill(column, &times[first..], rows),
+            Source::Tables(tables) => tables[motion].write(column, &times[first..], rows),
             Source::Points(points) => {
                 let rows = rows.chunks_exact_mut(width);
                 points[first..].iter().zip(rows).for_each(|(point, row)| column.write(point, row));

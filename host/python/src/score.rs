@@ -10,8 +10,8 @@ use pythonize::pythonize;
 use toytop::Orientation;
 use toytop_host::Failure;
 use toytop_host::input::scenario::{Scenario, Units};
-use toytop_host::score::scorer::Scorer;
 use toytop_host::score::order as convergence;
+use toytop_host::score::scorer::Scorer;
 use toytop_host::score::trajectory::{Trajectory, TrajectoryRow, normalised};
 
 /// Errors by the keys of JSON: those of an integrator's output, from the state of motion.at(t[0]), against the exact motion.

@@ -1,7 +1,9 @@
 //! Numbers of a top.
 
-use crate::arguments::{refused, value_error};
+use crate::arguments::{parameter_error, value_error};
 use pyo3::prelude::*;
+use std::iter::once;
+use toml::{Table, Value};
 use toytop::{Support, Top, TopParameters};
 use toytop_model::scenario::{self, support_name, support_named};
 
@@ -39,7 +41,7 @@ impl TopCore {
         };
         let support = support_named(support)
             .ok_or_else(|| value_error("support", "must be 'sliding', 'fixed' or 'free'"))?;
-        Ok(Self { parameters, top: scenario::top(support, &parameters).map_err(refused)? })
+        Ok(Self { parameters, top: scenario::top(support, &parameters).map_err(parameter_error)? })
     }
 
     /// Support of the tip.
@@ -105,8 +107,11 @@ impl TopCore {
 
 impl TopCore {
     /// Keys and values of the table `[top]` of a scenario file.
-    pub(crate) fn to_toml(self) -> String {
-        let lines: String = self.given().iter().map(|(name, x)| format!("{name} = {x:?}\n")).collect();
-        format!("support = \"{}\"\n{lines}", self.support())
+    pub(crate) fn table(&self) -> Table {
+        let numbers = self.given().into_iter().map(|(name, x)| (name, Value::from(x)));
+        once(("support", Value::from(self.support())))
+            .chain(numbers)
+            .map(|(name, value)| (name.to_owned(), value))
+            .collect()
     }
 }

@@ -20,16 +20,6 @@ pub struct Columns {
     pub readings: Vec<(&'static str, Vec<f64>)>,
 }
 
-/// Row from which no measurements can be made.
-pub struct RefusedRow {
-    /// Row, from 0.
-    pub row: usize,
-    /// Name of the column.
-    pub column: &'static str,
-    /// Requirement that the value does not meet.
-    pub reason: &'static str,
-}
-
 impl Columns {
     /// Columns of measurements, those of one time in one row.
     pub fn new(sensors: &Sensors, measurements: &[Measurement]) -> Self {
@@ -51,15 +41,20 @@ impl Columns {
     /// Measurements in the order of the rows, each with its row.
     ///
     /// * `sensors`: those whose columns these are, in their order
+    /// * `place`: name of a row and a column in messages
     ///
     /// # Errors
-    /// [`RefusedRow`]: a time that is not finite or earlier than the one before, a sensor with only some of its readings, or a
+    /// Place and reason: a time that is not finite or earlier than the one before, a sensor with only some of its readings, or a
     /// reading beyond its range.
-    pub fn measurements(&self, sensors: &Sensors) -> Result<Vec<(usize, Measurement)>, RefusedRow> {
+    pub fn measurements(
+        &self,
+        sensors: &Sensors,
+        place: impl Fn(usize, &str) -> String,
+    ) -> Result<Vec<(usize, Measurement)>, String> {
         let mut measurements = Vec::new();
         let mut last = f64::NEG_INFINITY;
         for (row, time) in self.t.iter().copied().enumerate() {
-            let refuse = |column, reason| Err(RefusedRow { row, column, reason });
+            let refuse = |column, reason| Err(format!("{}: {reason}", place(row, column)));
             if !time.is_finite() {
                 return refuse("t", "must be a finite number");
             }
@@ -145,9 +140,8 @@ fn parse(text: &str, sensors: &mut Sensors, all: bool) -> Result<(Vec<Measuremen
         }
         lines.push(line);
     }
-    let measurements = columns
-        .measurements(sensors)
-        .map_err(|RefusedRow { row, column, reason }| format!("line {}: {column}: {reason}", lines[row]))?;
+    let measurements =
+        columns.measurements(sensors, |row, column| format!("line {}: {column}", lines[row]))?;
     let used = |name: &str| name == "t" || columns.readings.iter().any(|(own, _)| *own == name);
     let unused = header.iter().filter(|name| !used(name)).cloned().collect();
     Ok((measurements.into_iter().map(|(_, measurement)| measurement).collect(), unused))

@@ -40,7 +40,7 @@ pub fn simulate_measurements(
     let setups = &sensors.setups;
     let biases: Vec<_> =
         setups.iter().map(|one| [0; 3].map(|_| one.noise.bias * normal(&mut random))).collect();
-    let mut found = Vec::new();
+    let mut measurements = Vec::new();
     // angles of the marks at the sample before
     let mut before: Vec<Option<f64>> = vec![None; setups.len()];
     for n in 0..recording.count {
@@ -58,7 +58,7 @@ pub fn simulate_measurements(
                     && let Some(passage) = passage(ahead, [time - 1.0 / recording.hertz, time], [before, now])
                 {
                     let time = passage + noise.deviation * normal(&mut random);
-                    found.push(Measurement { time, sensor, values: [0.0; 4] });
+                    measurements.push(Measurement { time, sensor, values: [0.0; 4] });
                 }
                 continue;
             }
@@ -78,11 +78,11 @@ pub fn simulate_measurements(
                 let rounded = if *quantum > 0.0 { (exact / quantum).round() * quantum } else { exact };
                 *value = rounded.clamp(-range, *range);
             }
-            found.push(Measurement { time, sensor, values });
+            measurements.push(Measurement { time, sensor, values });
         }
     }
-    found.sort_by(|a, b| a.time.total_cmp(&b.time).then(a.sensor.cmp(&b.sensor)));
-    Some(found)
+    measurements.sort_by(|a, b| a.time.total_cmp(&b.time).then(a.sensor.cmp(&b.sensor)));
+    Some(measurements)
 }
 
 /// Time at which a mark passes, between two times at which it is ahead by the angles `before` and `after`.

@@ -11,9 +11,8 @@ pub use motion::{Launch, fastest_rate};
 use super::section::{self, Key, Section};
 use super::text_file;
 use super::units::{self, DEGREES, RADIANS};
-use crate::{Failure, excerpt};
+use crate::{Failure, Refusal, excerpt};
 use serde_json::json;
-use std::fmt::Display;
 use std::path::Path;
 use toml::{Table, Value};
 use toytop::{InitialAngles, Motion, Top, TopParameters};
@@ -71,7 +70,7 @@ impl Scenario {
     }
 }
 
-/// Keys and values of a scenario file, whose numbers can be replaced.
+/// Parsed scenario file; `toytop sweep` replaces its numbers.
 #[derive(Clone)]
 pub struct ScenarioFile {
     /// Name of the file in messages.
@@ -175,7 +174,7 @@ impl ScenarioFile {
 }
 
 /// Text of a scenario file, from the keys and values of its top and from a launch.
-pub fn to_toml(top: &impl Display, launch: &Launch) -> String {
+pub fn to_toml(top: &Table, launch: &Launch) -> String {
     let motion = match launch {
         Launch::State { orientation, omega } => {
             let [alpha, beta] = [orientation.alpha, orientation.beta].map(|z| [z.re, z.im]);
@@ -200,11 +199,8 @@ pub fn keys_as_json() -> serde_json::Value {
     json!({ "supports": SUPPORTS.map(|(name, _)| name), "top": keys(&top::KEYS), "kinds": kinds })
 }
 
-/// Key, and the reason why its value is refused.
-type Refused = (&'static str, String);
-
 /// Replaces numbers with units by numbers in the units of their keys.
-fn replace_units(table: &mut Table, has_units: bool) -> Result<(), Refused> {
+fn replace_units(table: &mut Table, has_units: bool) -> Result<(), Refusal> {
     for Key { name, units, .. } in top::KEYS.iter().chain(motion::KINDS.iter().flat_map(|(_, keys)| *keys)) {
         let entries = match table.get_mut(*name) {
             Some(Value::Array(entries)) => &mut entries[..],
@@ -226,7 +222,7 @@ fn replace_units(table: &mut Table, has_units: bool) -> Result<(), Refused> {
 }
 
 /// Replaces the angles of a release, which have units, by angles in degrees.
-fn replace_angles(table: &mut Table) -> Result<(), Refused> {
+fn replace_angles(table: &mut Table) -> Result<(), Refusal> {
     if table.get("kind").and_then(Value::as_str) != Some("release") {
         return Ok(());
     }

@@ -1,8 +1,8 @@
 //! Columns of samples: names, unit and numbers of a quantity.
 
 use super::euler_angles;
-use super::sample::Quantities;
-use toytop::{Complex, Pose, Support};
+use super::sample::Sample;
+use toytop::{Complex, Support};
 
 /// Quantity of a sample, one number or several.
 #[derive(Clone, Copy, PartialEq)]
@@ -83,32 +83,39 @@ impl SampleColumn {
         }
     }
 
-    /// Writes its numbers into a row of as many numbers as it has names, and computes no other. NaN stands for a number that does not exist.
-    pub fn write(self, at: &impl Quantities, row: &mut [f64]) {
+    /// Writes its numbers into a row of as many numbers as it has names. NaN stands for a number that does not exist.
+    #[inline]
+    pub fn write(self, sample: &Sample, row: &mut [f64]) {
         let mut put = |numbers: &[f64]| row.copy_from_slice(numbers);
         let parts = |z: Complex<f64>| [z.re, z.im];
+        let orientation = &sample.pose.orientation;
         match self {
-            Self::T => put(&[at.t()]),
-            Self::U => put(&[at.pose().u]),
-            Self::Udot => put(&[at.udot()]),
-            Self::Alpha => put(&parts(at.orientation().alpha)),
-            Self::Beta => put(&parts(at.orientation().beta)),
-            Self::Gamma => put(&parts(at.orientation().gamma())),
-            Self::Delta => put(&parts(at.orientation().delta())),
-            Self::Omega => put(&at.omega()),
-            Self::Tip => put(&parts(at.pose().tip)),
-            Self::Phi => put(&[at.tip_angle().unwrap_or(f64::NAN)]),
-            Self::Quaternion => put(&at.orientation().quaternion()),
+            Self::T => put(&[sample.t]),
+            Self::U => put(&[sample.pose.u]),
+            Self::Udot => put(&[sample.rates.udot]),
+            Self::Alpha => put(&parts(orientation.alpha)),
+            Self::Beta => put(&parts(orientation.beta)),
+            Self::Gamma => put(&parts(orientation.gamma())),
+            Self::Delta => put(&parts(orientation.delta())),
+            Self::Omega => put(&sample.rates.omega),
+            Self::Tip => put(&parts(sample.pose.tip)),
+            Self::Phi => put(&[sample.tip_angle.unwrap_or(f64::NAN)]),
+            Self::Quaternion => put(&orientation.quaternion()),
             Self::Axis => {
-                let Pose { orientation, u, .. } = at.pose();
                 let [x, y, _] = orientation.axis();
-                put(&[x, y, u]);
+                put(&[x, y, sample.pose.u]);
             }
-            Self::OmegaBody => put(&at.omega_body()),
-            Self::Angles => put(&euler_angles::tilt_azimuth_roll(&at.orientation())),
-            Self::EulerZxz => put(&euler_angles::zxz(&at.orientation())),
-            Self::ErrorBound => put(&[at.error_bound().unwrap_or(f64::NAN)]),
+            Self::OmegaBody => put(&sample.rates.omega_body),
+            Self::Angles => put(&euler_angles::tilt_azimuth_roll(orientation)),
+            Self::EulerZxz => put(&euler_angles::zxz(orientation)),
+            Self::ErrorBound => put(&[sample.error_bound.unwrap_or(f64::NAN)]),
         }
+    }
+
+    /// Whether its numbers follow from orientation, u and tip.
+    pub fn needs_pose(self) -> bool {
+        use SampleColumn::{ErrorBound, Omega, OmegaBody, Phi, T, Udot};
+        !matches!(self, T | Udot | Omega | OmegaBody | Phi | ErrorBound)
     }
 
     /// Key of JSON.
@@ -130,7 +137,7 @@ impl SampleColumn {
     }
 
     /// Numbers of a sample.
-    pub fn numbers(self, sample: &impl Quantities) -> Vec<f64> {
+    pub fn numbers(self, sample: &Sample) -> Vec<f64> {
         let mut row = vec![f64::NAN; self.names().len()];
         self.write(sample, &mut row);
         row

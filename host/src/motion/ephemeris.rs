@@ -1,4 +1,4 @@
-//! Ephemeris of the core with as many segments as a motion needs, behind a trait that hides scalar and capacity.
+//! Ephemeris of a motion, with as many segments as it needs, in any scalar.
 
 mod events;
 
@@ -12,53 +12,74 @@ pub use events::{EventKind, EventQuery, MotionEvent};
 pub use heap_table::{HeapTable, TableScalar};
 
 use crate::motion::column::SampleColumn;
-use crate::motion::sample::{Quantities, Sample};
+use crate::motion::sample::Sample;
 use events::Condition;
 use std::f64::consts::TAU;
 use toytop::{ErrorBound, Motion, ParameterError, Phase, Pose};
 use toytop_model::constants::MAX_TICKS;
 
-/// Ephemeris of any scalar.
-pub trait DynEphemeris: Send + Sync {
-    /// Number of segments, and of coefficients of each polynomial.
-    fn size(&self) -> [usize; 2];
-
+/// Ephemeris of a motion: the core's table in any scalar and size, or the closed form of an aperiodic motion.
+pub struct MotionEphemeris {
+    /// Number of segments, and of coefficients of each polynomial; 0 without a table.
+    pub size: [usize; 2],
     /// Ticks in a unit of time.
-    fn ticks_per_time(&self) -> f64;
-
-    /// Greatest distance of a time from t = 0 at which the ephemeris can be evaluated.
-    fn furthest_time(&self) -> f64 {
-        MAX_TICKS / self.ticks_per_time()
-    }
-
+    pub ticks_per_time: f64,
     /// Upper bound on the orientation error, rad.
-    fn error_bound(&self) -> ErrorBound;
-
+    pub error_bound: ErrorBound,
     /// Upper bound on the error of ω, of Ω and of u', rad per unit time.
-    fn rate_error_bound(&self) -> ErrorBound;
+    pub rate_error_bound: ErrorBound,
+    source: Box<dyn Source>,
+}
 
-    /// Sample of the motion t units of time after t = 0, t taken as exact.
-    fn at(&self, t: f64) -> Sample;
+/// Time at which a motion is evaluated, taken as exact.
+#[derive(Clone, Copy)]
+enum Instant {
+    /// Units of time after t = 0.
+    Time(f64),
+    /// Number of a tick.
+    Tick(i64),
+}
 
-    /// Orientation, u and tip of the motion t units of time after t = 0, without its rates and tip angle.
-    fn pose(&self, t: f64) -> Pose<f64, f64> {
-        self.at(t).pose
-    }
-
-    /// Sample of the motion at tick n.
-    fn at_tick(&self, n: i64) -> Sample;
+/// Table or closed form that computes samples and events.
+trait Source: Send + Sync {
+    /// Sample at an instant, of which only the numbers of one column have to be right; without a column, all.
+    fn sample(&self, instant: Instant, only: Option<SampleColumn>) -> Sample;
 
     /// Writes one column at each time.
-    fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]);
+    fn write(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
+        for (t, row) in times.iter().zip(rows.chunks_exact_mut(column.names().len())) {
+            column.write(&self.sample(Instant::Time(*t), Some(column)), row);
+        }
+    }
 
     /// First events at which a condition holds, of those that the query includes.
     fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent>;
 }
 
-/// Writes one column of the quantities at each time.
-fn fill<Q: Quantities>(column: SampleColumn, at: impl Fn(f64) -> Q, times: &[f64], rows: &mut [f64]) {
-    for (t, row) in times.iter().zip(rows.chunks_exact_mut(column.names().len())) {
-        column.write(&at(*t), row);
+impl MotionEphemeris {
+    /// Greatest distance of a time from t = 0 at which the ephemeris can be evaluated.
+    pub fn furthest_time(&self) -> f64 {
+        MAX_TICKS / self.ticks_per_time
+    }
+
+    /// Sample t units of time after t = 0, t taken as exact.
+    pub fn at(&self, t: f64) -> Sample {
+        self.source.sample(Instant::Time(t), None)
+    }
+
+    /// Sample at tick n.
+    pub fn at_tick(&self, n: i64) -> Sample {
+        self.source.sample(Instant::Tick(n), None)
+    }
+
+    /// Orientation, u and tip t units of time after t = 0.
+    pub fn pose(&self, t: f64) -> Pose<f64, f64> {
+        self.source.sample(Instant::Time(t), Some(SampleColumn::Tip)).pose
+    }
+
+    /// Writes one column at each time, and computes no other.
+    pub fn write(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
+        self.source.write(column, times, rows);
     }
 }
 
@@ -67,12 +88,13 @@ fn fill<Q: Quantities>(column: SampleColumn, at: impl Fn(f64) -> Q, times: &[f64
 /// # Errors
 /// `tilt` or `radius`: the motion's top has no such event.
 pub fn search(
-    table: &dyn DynEphemeris,
+    ephemeris: &MotionEphemeris,
     motion: &Motion,
     query: &EventQuery,
 ) -> Result<Vec<MotionEvent>, ParameterError> {
     let conditions = query.kind.conditions(motion)?.into_iter();
-    let mut events: Vec<_> = conditions.flat_map(|condition| table.events(condition, query)).collect();
+    let mut events: Vec<_> =
+        conditions.flat_map(|condition| ephemeris.source.events(condition, query)).collect();
     events.sort_by(|a, b| a.t.total_cmp(&b.t));
     events.truncate(query.count);
     Ok(events)

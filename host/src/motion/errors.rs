@@ -4,7 +4,7 @@ use super::sample::Sample;
 use nalgebra::Vector3;
 use std::array::from_fn;
 use toytop::{Motion, Orientation, Top};
-use toytop_model::equations::{BodyRates, Equations, FullState};
+use toytop_model::equations::{Equations, FullState, Rates};
 
 /// Greater of two errors; infinite where the second is no number.
 pub fn greater(a: f64, b: f64) -> f64 {
@@ -34,14 +34,14 @@ pub struct Errors {
 impl Errors {
     /// Errors of a sample of a motion whose orientation is `truth`.
     pub fn between(motion: &Motion, sample: &Sample, truth: &Orientation<f64>) -> Self {
-        let found = sample.pose.orientation;
+        let orientation = sample.pose.orientation;
         let tip = sample.pose.tip.scaled(1.0 / motion.top().tip_scale()) - truth.tip_over_s();
         Self {
-            orientation: found.distance(truth),
+            orientation: orientation.distance(truth),
             u: (sample.pose.u - truth.u()).abs(),
             tip: tip.modulus(),
-            norm: (found.norm_squared() - 1.0).abs(),
-            drift: drift(motion, &found, found.adjoint(sample.rates.omega_body)),
+            norm: (orientation.norm_squared() - 1.0).abs(),
+            drift: drift(motion, &orientation, orientation.adjoint(sample.rates.omega_body)),
         }
     }
 
@@ -58,9 +58,9 @@ impl Errors {
 }
 
 /// Greatest of the differences |Δω|, |ΔΩ| and |Δu'|, rad per unit time.
-pub fn rate_error(found: &BodyRates, truth: &BodyRates) -> f64 {
-    let vectors = [distance(found.omega, truth.omega), distance(found.omega_body, truth.omega_body)];
-    vectors.into_iter().fold(greater(0.0, (found.udot - truth.udot).abs()), greater)
+pub fn rate_error(rates: &Rates, truth: &Rates) -> f64 {
+    let vectors = [distance(rates.omega, truth.omega), distance(rates.omega_body, truth.omega_body)];
+    vectors.into_iter().fold(greater(0.0, (rates.udot - truth.udot).abs()), greater)
 }
 
 /// First integrals [l, n, h] in kg m²/s and kg m²/s², by the full equations.

@@ -1,13 +1,13 @@
-//! Motion of a scenario by the full 3-D equations. Only the state that branch points mean at t = 0 comes from the core.
+//! Motion of a scenario by the full 3-D equations. The core supplies the initial state of branch points, nothing else.
 
 use crate::Failure;
 use crate::input::scenario::{Launch, Scenario};
 use crate::motion::sample::Sample;
-use crate::motion::stepper::visit_times;
+use crate::motion::stepper::step_outwards;
 use crate::motion::tip_angle::TipAngle;
 use crate::truth::full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullState};
 use toytop::Stepper;
-use toytop_model::equations::BodyRates;
+use toytop_model::equations::Rates;
 
 /// State at t = 0: the state of the launch without change, or for branch points the state of the core's stepper.
 pub fn initial_state(scenario: &Scenario) -> FullState {
@@ -27,7 +27,7 @@ pub fn initial_state(scenario: &Scenario) -> FullState {
 pub fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<FullState>, Failure> {
     let start = FullSolver::new(scenario.motion.top(), initial_state(scenario), FULL_SOLVER_TOLERANCE);
     start
-        .and_then(|start| visit_times(times, || start.clone(), FullSolver::advance_to))
+        .and_then(|start| step_outwards(times, || start.clone(), FullSolver::advance_to))
         .map_err(|failure| failure.with_context(&scenario.name))
 }
 
@@ -42,7 +42,7 @@ pub fn samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failur
     let sample = |(&t, state): (&f64, &FullState)| {
         let (orientation, omega) = (state.orientation(), state.omega);
         let omega_body = orientation.inverse().adjoint(omega);
-        angle.sample(t, orientation, BodyRates { omega, omega_body, udot: state.udot() })
+        angle.sample(t, orientation, Rates { omega, omega_body, udot: state.udot() })
     };
     Ok(times.iter().zip(&states).map(sample).collect())
 }

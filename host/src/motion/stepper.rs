@@ -28,7 +28,7 @@ pub fn steps_needed(times: &[f64], step: f64) -> Result<u64, Failure> {
 ///
 /// # Errors
 /// The first error that `step_to` returns.
-pub fn visit_times<S, T>(
+pub fn step_outwards<S, T>(
     times: &[f64],
     start: impl Fn() -> S,
     mut step_to: impl FnMut(&mut S, f64) -> Result<T, Failure>,
@@ -75,11 +75,11 @@ fn stepped_in<R: Real>(
     step: f64,
     advanced: impl Fn(u64),
 ) -> Result<Vec<Sample>, Failure> {
-    visit_times(
+    step_outwards(
         times,
         || TimedStepper::<R>::new(motion, step),
         |stepper, t| {
-            stepper.reach(t, &advanced);
+            stepper.advance_to(t, &advanced);
             Ok(Sample { t, ..stepper.sample() })
         },
     )
@@ -107,7 +107,7 @@ impl<R: Real> TimedStepper<R> {
     }
 
     /// Steps to the time `t`, s, in either direction. `advanced` is called with the number of steps after each batch.
-    pub fn reach(&mut self, t: f64, advanced: impl Fn(u64)) {
+    pub fn advance_to(&mut self, t: f64, advanced: impl Fn(u64)) {
         const BATCH: u64 = 1 << 16;
         let h = self.step.to_f64();
         let whole = (t / h) as i64;
@@ -164,7 +164,7 @@ mod tests {
         let mut stepper = TimedStepper::<R>::new(&motion(), step);
         let gap = |i: u32| {
             let t = 0.3 * step * f64::from(i);
-            stepper.reach(t, |_| ());
+            stepper.advance_to(t, |_| ());
             (stepper.elapsed - t).abs() / step
         };
         (1..1_000_000).map(gap).fold(0.0, f64::max)
@@ -182,7 +182,7 @@ mod tests {
         let mut stepper = TimedStepper::<f32>::new(&motion(), 0.01);
         for i in 1..100 {
             let [once, twice] = [(); 2].map(|()| {
-                stepper.reach(0.017 * f64::from(i), |_| ());
+                stepper.advance_to(0.017 * f64::from(i), |_| ());
                 (stepper.elapsed, stepper.last)
             });
             assert_eq!(once, twice);
@@ -199,7 +199,7 @@ mod tests {
     #[test]
     fn times_are_visited_outwards_and_returned_in_the_order_of_the_request() {
         let mut visited = Vec::new();
-        let results = visit_times(
+        let results = step_outwards(
             &[2.0, -1.0, 0.5, -3.0, 2.0],
             || 0.0,
             |at: &mut f64, t| {

@@ -1,12 +1,12 @@
-//! Tip angles of methods that compute orientations and rates only: arg(αβ), unwrapped by the tip angle of the ephemeris.
+//! Tip angle for methods without one: arg(αβ), with whole turns from the ephemeris.
 
 use crate::Failure;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{DynEphemeris, ephemeris_for};
+use crate::motion::ephemeris::{MotionEphemeris, ephemeris_for};
 use crate::motion::sample::Sample;
 use std::f64::consts::PI;
 use toytop::{Complex, Motion, Orientation, Pose, TipClass};
-use toytop_model::equations::BodyRates;
+use toytop_model::equations::Rates;
 
 /// Least |αβ| whose argument is known: an error of 1e-14 in α and β changes it by 1e-5 rad.
 const MIN_PRODUCT: f64 = 1e-9;
@@ -14,7 +14,7 @@ const MIN_PRODUCT: f64 = 1e-9;
 /// Tip angle of a motion at any time, to a few roundings of `f64`.
 pub struct TipAngle {
     /// Ephemeris of the motion; `None` where the axis is vertical at all times.
-    ephemeris: Option<Box<dyn DynEphemeris>>,
+    ephemeris: Option<MotionEphemeris>,
     /// Scale of the tip's curve, m.
     scale: f64,
     /// Period of arg αβ, rad: π if the curve passes through the centre, else 2π.
@@ -35,7 +35,7 @@ impl TipAngle {
     }
 
     /// Sample at a time, from the orientation and the rates there.
-    pub fn sample(&self, t: f64, orientation: Orientation<f64>, rates: BodyRates) -> Sample {
+    pub fn sample(&self, t: f64, orientation: Orientation<f64>, rates: Rates) -> Sample {
         let tip = orientation.tip_over_s().scaled(self.scale);
         let pose = Pose { orientation, u: orientation.u().clamp(-1.0, 1.0), tip };
         let tip_angle = self.continued(t, orientation.alpha * orientation.beta);

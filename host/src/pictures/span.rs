@@ -3,7 +3,7 @@
 use crate::Failure;
 use crate::input::require_within;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{DynEphemeris, ephemeris_for};
+use crate::motion::ephemeris::{MotionEphemeris, ephemeris_for};
 use crate::motion::sample::Sample;
 use crate::output::short;
 use toytop::Motion;
@@ -12,7 +12,7 @@ use toytop_model::span::{cycle, periods, span};
 
 /// Motion between two times.
 pub struct MotionSpan {
-    table: Box<dyn DynEphemeris>,
+    table: MotionEphemeris,
     /// First and last time, s.
     pub ends: [f64; 2],
     /// Number of nutation periods, where they determine the last time.

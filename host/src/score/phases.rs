@@ -7,14 +7,13 @@
 //! Φ(θ + Δθ, ψ + Δψ, φ + Δφ):   α(t + τ) exp(i(Δψ + Δφ)/2 - i λ_α' τ),   β(t + τ) exp(i(Δψ - Δφ)/2 - i λ_β' τ),   τ = Δθ T/2π
 //! ```
 //!
-//! with the mean rates λ_α' and λ_β' of arg α and arg β. The phase errors are the Δθ, Δψ and Δφ that bring this closest to a trajectory,
-//! by least squares over the rows of one nutation period, in which they may change at constant rates. The distance that remains is no phase
-//! error: the trajectory is on another torus, with other values of l, n and h.
+//! with the mean rates λ_α' and λ_β' of arg α and arg β. The phase errors Δθ, Δψ and Δφ are fitted by least squares over one period, each as
+//! offset + slope. The distance that remains is no phase error: the trajectory is on another torus, with other values of l, n and h.
 
 use super::rotation_between;
 use super::trajectory::TrajectoryRow;
 use crate::motion::MotionWithPeriod;
-use crate::motion::ephemeris::DynEphemeris;
+use crate::motion::ephemeris::MotionEphemeris;
 use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3, Vector6};
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -39,7 +38,7 @@ const MIN_ROWS: usize = 8;
 /// Phase errors in the middle of the last nutation period, or of the last eight rows if these take longer; none for an aperiodic motion.
 ///
 /// The fit goes through all periods, so that it recognises errors of more than half a turn.
-pub fn phase_errors(motion: &Motion, table: &dyn DynEphemeris, rows: &[TrajectoryRow]) -> PhaseErrors {
+pub fn phase_errors(motion: &Motion, table: &MotionEphemeris, rows: &[TrajectoryRow]) -> PhaseErrors {
     let exist = match motion.regime() {
         Regime::Nutating => [true; 3],
         Regime::Aperiodic => return PhaseErrors::default(),
@@ -68,7 +67,7 @@ pub fn phase_errors(motion: &Motion, table: &dyn DynEphemeris, rows: &[Trajector
 
 /// Fit of phase errors to rows.
 struct PhaseFit<'a> {
-    table: &'a dyn DynEphemeris,
+    table: &'a MotionEphemeris,
     /// Time that a fit covers, s.
     period: f64,
     /// Mean rates of arg α, arg β and the nutation phase, rad/s.
@@ -139,13 +138,13 @@ impl PhaseFit<'_> {
         let turned = |z: Complex<f64>, angle: f64| z * Complex::new(angle.cos(), angle.sin());
         let azimuth = angles[1] - (a_rate + b_rate) * shift;
         let roll = angles[2] - (a_rate - b_rate) * shift;
-        let there = Orientation {
+        let predicted = Orientation {
             alpha: turned(exact.pose.orientation.alpha, 0.5 * (azimuth + roll)),
             beta: turned(exact.pose.orientation.beta, 0.5 * (azimuth - roll)),
         };
-        let (axis, up) = (Vector3::from(there.axis()), Vector3::z());
+        let (axis, up) = (Vector3::from(predicted.axis()), Vector3::z());
         let mut slopes = Matrix3::from_columns(&[Vector3::zeros(), Vector3::zeros(), axis]);
-        let mut left = Vector3::from(rotation_between(&there, &row.orientation));
+        let mut left = Vector3::from(rotation_between(&predicted, &row.orientation));
         if self.exist[1] {
             slopes.set_column(1, &up);
         }

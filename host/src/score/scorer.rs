@@ -5,7 +5,7 @@ use super::trajectory::{Trajectory, TrajectoryRow};
 use crate::Failure;
 use crate::input::require_within;
 use crate::input::scenario::Scenario;
-use crate::motion::ephemeris::{DynEphemeris, ephemeris_for};
+use crate::motion::ephemeris::{MotionEphemeris, ephemeris_for};
 use crate::motion::errors::{distance, drift, greater};
 use crate::motion::{MotionWithPeriod, Scalar};
 use serde::Serialize;
@@ -16,7 +16,7 @@ use toytop::{Motion, Orientation};
 /// Exact motion that trajectories are compared with.
 pub struct Scorer<'a> {
     motion: &'a Motion,
-    table: Box<dyn DynEphemeris>,
+    table: MotionEphemeris,
     /// Command that prints the state from which a run has to start.
     start: String,
 }
@@ -84,12 +84,12 @@ impl<'a> Scorer<'a> {
             final_error_rad: errors.last().map_or(0.0, |[error, _]| *error),
             max_u_error: greatest(errors.iter().map(|[_, u_error]| *u_error)),
             max_position_error: rows.iter().filter_map(|row| self.position_error(row)).reduce(greater),
-            phases: phases::phase_errors(self.motion, &*self.table, rows),
+            phases: phases::phase_errors(self.motion, &self.table, rows),
             drift_h,
             drift_l,
             drift_n,
             max_norm_error: greatest(rows.iter().map(|row| row.norm_error)),
-            truth_bound_rad: self.table.error_bound().after(furthest * self.table.ticks_per_time()),
+            truth_bound_rad: self.table.error_bound.after(furthest * self.table.ticks_per_time),
             warning: rows.first().and_then(|row| self.warning(row)),
         })
     }
@@ -147,7 +147,7 @@ fn greatest(errors: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// Error of the orientation with the nearer of the two signs, rad.
-fn orientation_error(exact: &Orientation<f64>, found: &Orientation<f64>) -> f64 {
-    let negative = Orientation { alpha: -found.alpha, beta: -found.beta };
-    exact.distance(found).min(exact.distance(&negative))
+fn orientation_error(exact: &Orientation<f64>, given: &Orientation<f64>) -> f64 {
+    let negative = Orientation { alpha: -given.alpha, beta: -given.beta };
+    exact.distance(given).min(exact.distance(&negative))
 }

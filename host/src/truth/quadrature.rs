@@ -9,7 +9,7 @@ use super::float640::{
 };
 use super::motion_input::MotionInput;
 use super::nutation::{HalfPhase, Integrals, Nutation, RATIO, add_multiple};
-use toytop_model::equations::BodyRates;
+use toytop_model::equations::Rates;
 
 /// Motion by quadrature, with its integrals over a nutation.
 pub struct Quadrature {
@@ -83,13 +83,13 @@ impl Quadrature {
     /// Rates at a time after the launch, which is taken as exact, by central differences of Φ, without a formula of the rates.
     ///
     /// * `unit`: a time, such as the period, in which the body rotates by less than 10^12 rad
-    pub fn rates(&self, t: &Float640, unit: f64) -> BodyRates {
+    pub fn rates(&self, t: &Float640, unit: f64) -> Rates {
         /// Half the time between the two orientations, in units of `unit`. The relative error of the rates is below 1e-20.
         const HALF_STEP: f64 = 1.0 / (1_u128 << 80) as f64;
         let step = from_f64(unit) * from_f64(HALF_STEP);
         let (before, after) = (self.at(&(t - &step)), self.at(&(t + &step)));
         let per_time = |x: Float640| to_f64(&(x / &step));
-        BodyRates {
+        Rates {
             omega: after.half_rotation_from(&before).map(per_time),
             omega_body: before.inverse().half_rotation_from(&after.inverse()).map(per_time),
             udot: per_time((after.u() - before.u()) >> 1),

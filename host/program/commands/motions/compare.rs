@@ -226,7 +226,7 @@ fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
     let step = MotionWithPeriod::new(*motion).time_scale() / f64::from(steps_per_period(scalar));
     let mut timed = TimedStepper::<R>::new(motion, step);
     let (samples, ns) = timed_samples(times, |t| {
-        timed.reach(t, |_| ());
+        timed.advance_to(t, |_| ());
         timed.sample()
     });
     let ns = ns * times.len() as f64 / timed.steps.max(1) as f64;
@@ -240,8 +240,8 @@ fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
 fn run_ephemeris(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
     let table = ephemeris_for(scalar, motion)?;
     let (samples, ns) = timed_samples(times, |t| table.at(t));
-    let ticks = times.last().map_or(0.0, |last| last * table.ticks_per_time());
-    let (table_bound, [segments, terms]) = (Some(table.error_bound().after(ticks)), table.size());
+    let ticks = times.last().map_or(0.0, |last| last * table.ticks_per_time);
+    let (table_bound, [segments, terms]) = (Some(table.error_bound.after(ticks)), table.size);
     Ok(Run { samples, table: Some(format!("{segments}x{terms}")), table_bound, ns: Some(ns), steps: None })
 }
 

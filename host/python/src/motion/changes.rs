@@ -1,6 +1,6 @@
 //! A motion changes with its launch, its top and impulses: partial derivatives, and struck motions.
 
-use crate::arguments::{Array, NumericArg, array, refused, value_error};
+use crate::arguments::{Array, NumericArg, array, parameter_error, value_error};
 use crate::interrupt;
 use crate::motion::MotionCore;
 use pyo3::prelude::*;
@@ -28,14 +28,14 @@ fn row(partials: &Partials) -> Vec<f64> {
 impl MotionCore {
     /// Derivatives at these times. The last axis but one has the fifteen components of [`row`].
     fn partials<'py>(&self, py: Python<'py>, t: NumericArg) -> PyResult<Bound<'py, Array>> {
-        let found = self.partials_at(py, &t.numbers, row)?;
-        let found = found.ok_or_else(|| value_error("t", "must not be so far"))?;
-        array(py, found.concat(), &[&t.shape[..], &[15, COLUMNS]].concat())
+        let rows = self.partials_at(py, &t.numbers, row)?;
+        let rows = rows.ok_or_else(|| value_error("t", "must not be so far"))?;
+        array(py, rows.concat(), &[&t.shape[..], &[15, COLUMNS]].concat())
     }
 
     /// Motion after an impulse at time t.
     fn with_impulse(&self, impulse: [f64; 3], point: [f64; 3], t: f64) -> PyResult<Self> {
-        let struck = self.state(t)?.with_impulse(&self.top.top, impulse, point).map_err(refused)?;
+        let struck = self.state(t)?.with_impulse(&self.top.top, impulse, point).map_err(parameter_error)?;
         Self::from_state(&self.top, &struck, "impulse")
     }
 
@@ -47,7 +47,8 @@ impl MotionCore {
         point: [f64; 3],
         t: f64,
     ) -> PyResult<Bound<'py, Array>> {
-        let reaction = self.state(t)?.reaction_impulse(&self.top.top, impulse, point).map_err(refused)?;
+        let reaction =
+            self.state(t)?.reaction_impulse(&self.top.top, impulse, point).map_err(parameter_error)?;
         array(py, reaction.to_vec(), &[3])
     }
 }
@@ -61,8 +62,8 @@ impl MotionCore {
         of: impl Fn(&Partials) -> T + Sync + Send,
     ) -> PyResult<Option<Vec<T>>> {
         let sensitivity = py.detach(|| Sensitivity::new(&self.motion));
-        let found = interrupt::map(py, times.len(), |index| Some(of(&sensitivity.at(times[index])?)))?;
-        Ok(found.into_iter().collect())
+        let values = interrupt::map(py, times.len(), |index| Some(of(&sensitivity.at(times[index])?)))?;
+        Ok(values.into_iter().collect())
     }
 
     /// State at a time. At t = 0 it is that of the launch, without rounding.
@@ -74,6 +75,6 @@ impl MotionCore {
                 (now.pose.orientation, now.rates.omega)
             }
         };
-        State::new(orientation, omega).map_err(refused)
+        State::new(orientation, omega).map_err(parameter_error)
     }
 }

@@ -60,14 +60,14 @@ impl MotionCore {
         within(table.furthest_time(), &[start])
             .map_err(|_| value_error("start", "must be within 2^62 ticks"))?;
         let query = EventQuery { kind, from: start, upward, count };
-        let found = interrupt::interruptible(py, move || search(&*table, &motion, &query))?;
-        let found = found.map_err(|error| renamed(error, &[("tilt", "value"), ("radius", "value")]))?;
+        let events = interrupt::interruptible(py, move || search(&table, &motion, &query))?;
+        let events = events.map_err(|error| renamed(error, &[("tilt", "value"), ("radius", "value")]))?;
         let row = |event: &MotionEvent| {
             let error = event.time_error.unwrap_or(f64::NAN);
             let Sample { pose, tip_angle, .. } = event.sample;
             let (up, angle) = (f64::from(event.upward), tip_angle.unwrap_or(f64::NAN));
             [event.t, error, up, pose.u, pose.tip.re, pose.tip.im, angle]
         };
-        array(py, found.iter().flat_map(row).collect(), &[found.len(), 7])
+        array(py, events.iter().flat_map(row).collect(), &[events.len(), 7])
     }
 }

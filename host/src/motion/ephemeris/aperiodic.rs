@@ -1,7 +1,7 @@
 //! Aperiodic motion as an ephemeris: its closed form takes the place of a table.
 
 use super::events::Condition;
-use super::{DynEphemeris, EventQuery, MotionEvent, unwrapped};
+use super::{EventQuery, Instant, MotionEphemeris, MotionEvent, Source, unwrapped};
 use crate::motion::column::SampleColumn;
 use crate::motion::sample::Sample;
 use std::f64::consts::TAU;
@@ -9,8 +9,8 @@ use toytop::ErrorBound;
 use toytop_model::aperiodic::AperiodicMotion;
 use toytop_model::constants::{MotionWithPeriod, natural_time};
 
-/// Ephemeris of an aperiodic motion.
-pub struct AperiodicEphemeris {
+/// Closed form, with what a search for events needs.
+pub struct ClosedFormSource {
     motion: AperiodicMotion,
     /// Time of the lowest point.
     lowest: f64,
@@ -25,8 +25,8 @@ const UPRIGHT: f64 = 40.0;
 /// Intervals of the search on either side of the lowest point. Each finds at most one event.
 const INTERVALS: i32 = 8192;
 
-impl AperiodicEphemeris {
-    /// Ephemeris of a motion; `None` if it is not aperiodic.
+impl ClosedFormSource {
+    /// Closed form of a motion; `None` if it is not aperiodic.
     pub fn new(constants: &MotionWithPeriod) -> Option<Self> {
         let motion = AperiodicMotion::new(constants)?;
         let form = &motion.form;
@@ -39,6 +39,28 @@ impl AperiodicEphemeris {
         let angle = |t| form.tip_angle(t).to_turns();
         let tip_rates = [-upright, upright].map(|far| (angle(2.0 * far) - angle(far)) / far);
         Some(Self { motion, lowest, upright, tip_rates })
+    }
+
+    /// Ephemeris of this closed form.
+    pub fn ephemeris(self) -> MotionEphemeris {
+        let [error_bound, rate_error_bound] = [self.motion.error_bound(), self.rate_error_bound()];
+        let ticks_per_time = self.motion.ticks_per_time;
+        MotionEphemeris {
+            size: [0; 2],
+            ticks_per_time,
+            error_bound,
+            rate_error_bound,
+            source: Box::new(self),
+        }
+    }
+
+    /// Error that the tests of the closed form allow, which is not derived. The angular speed is greatest at the lowest point.
+    fn rate_error_bound(&self) -> ErrorBound {
+        const ERROR: f64 = 5e-14;
+        let [x, y, z] = self.motion.form.at(self.lowest).omega_body();
+        let speed = x.hypot(y).hypot(z);
+        let constant = (1.0 + speed) * ERROR;
+        ErrorBound { constant, per_tick: constant * speed / self.motion.ticks_per_time }
     }
 
     /// Tip angle, continued in time, rad.
@@ -59,42 +81,18 @@ fn root(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
     }
 }
 
-impl DynEphemeris for AperiodicEphemeris {
-    fn size(&self) -> [usize; 2] {
-        [0; 2]
-    }
-
-    fn ticks_per_time(&self) -> f64 {
-        self.motion.ticks_per_time
-    }
-
-    fn error_bound(&self) -> ErrorBound {
-        self.motion.error_bound()
-    }
-
-    /// Error that the tests of the closed form allow, which is not derived. The angular speed is greatest at the lowest point.
-    fn rate_error_bound(&self) -> ErrorBound {
-        const ERROR: f64 = 5e-14;
-        let [x, y, z] = self.motion.form.at(self.lowest).omega_body();
-        let speed = x.hypot(y).hypot(z);
-        let constant = (1.0 + speed) * ERROR;
-        ErrorBound { constant, per_tick: constant * speed / self.ticks_per_time() }
-    }
-
-    fn at(&self, t: f64) -> Sample {
+impl Source for ClosedFormSource {
+    fn sample(&self, instant: Instant, _: Option<SampleColumn>) -> Sample {
+        let rate = self.motion.ticks_per_time;
+        let t = match instant {
+            Instant::Time(t) => t,
+            Instant::Tick(n) => n as f64 / rate,
+        };
         let (state, tip) = self.motion.at(t);
         Sample {
-            error_bound: Some(self.error_bound().after(t * self.ticks_per_time())),
+            error_bound: Some(self.motion.error_bound().after(t * rate)),
             ..Sample::from_state(t, &state, tip, Some(self.tip_angle(t)))
         }
-    }
-
-    fn at_tick(&self, n: i64) -> Sample {
-        self.at(n as f64 / self.ticks_per_time())
-    }
-
-    fn fill(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
-        super::fill(column, |t| self.at(t), times, rows);
     }
 
     /// Events while the axis is not upright to a rounding: places at which the integer part of a function of time changes.
@@ -107,7 +105,7 @@ impl DynEphemeris for AperiodicEphemeris {
             Condition::Crossing(_) => 0.5,
             Condition::TipAngle(angle) => (self.tip_angle(t) - angle.to_radians()) / TAU,
         };
-        let mut found = Vec::new();
+        let mut events = Vec::new();
         let [mut time, mut before] = [f64::NAN; 2];
         for i in -INTERVALS..=INTERVALS {
             let next = self.lowest + self.upright * f64::from(i) / f64::from(INTERVALS);
@@ -119,12 +117,12 @@ impl DynEphemeris for AperiodicEphemeris {
                 // at the lowest point u is least
                 let upward = sense > 0.0 && condition != Condition::Turning;
                 if query.includes(t, upward) {
-                    found.push(MotionEvent::new(condition, t, upward, self.at(t)));
+                    events.push(MotionEvent::new(condition, t, upward, self.sample(Instant::Time(t), None)));
                 }
             }
             (time, before) = (next, after);
         }
-        found.truncate(query.count);
-        found
+        events.truncate(query.count);
+        events
     }
 }

@@ -1,7 +1,7 @@
 //! Choice among the capacities that a table may have.
 
-use super::aperiodic::AperiodicEphemeris;
-use super::{DynEphemeris, HeapTable, TableScalar};
+use super::aperiodic::ClosedFormSource;
+use super::{HeapTable, MotionEphemeris, TableScalar};
 use crate::Failure;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
@@ -10,17 +10,42 @@ use toytop::{
 };
 use toytop_model::constants::MotionWithPeriod;
 
-/// Numbers of segments that are tried, smallest first.
-const CAPACITIES: [u32; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, MAX_CAPACITY];
+type Memory<R> = Box<EphemerisMemory<EphemerisView<R>>>;
 
-const MAX_CAPACITY: u32 = 4096;
+/// Number of segments of a table, and function that makes its memory.
+type Capacity<R> = (u32, fn() -> Memory<R>);
 
-/// Ephemeris of a motion in the smallest table, or the closed form of an aperiodic motion, with the tick and the truncation error of
-/// [`ephemeris_with`].
+/// Capacities that a table may have, in ascending order.
+fn capacities<R: TableScalar>() -> [Capacity<R>; 12] {
+    fn memory<R: TableScalar, const SEGMENTS: usize>() -> Memory<R> {
+        Box::new(EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new())
+    }
+    [
+        (8, memory::<R, 8>),
+        (16, memory::<R, 16>),
+        (25, memory::<R, 25>),
+        (32, memory::<R, 32>),
+        (48, memory::<R, 48>),
+        (64, memory::<R, 64>),
+        (128, memory::<R, 128>),
+        (256, memory::<R, 256>),
+        (512, memory::<R, 512>),
+        (1024, memory::<R, 1024>),
+        (2048, memory::<R, 2048>),
+        (4096, memory::<R, 4096>),
+    ]
+}
+
+/// Whether a user may choose this number of segments.
+fn is_offered<R: TableScalar>(segments: u32) -> bool {
+    segments.is_power_of_two() || segments == R::SEGMENTS
+}
+
+/// As [`ephemeris_with`], with its default tick and truncation error.
 ///
 /// # Errors
 /// As [`ephemeris_with`].
-pub fn ephemeris_for(scalar: Scalar, motion: &Motion) -> Result<Box<dyn DynEphemeris>, Failure> {
+pub fn ephemeris_for(scalar: Scalar, motion: &Motion) -> Result<MotionEphemeris, Failure> {
     ephemeris_with(scalar, motion, None, None)
 }
 
@@ -36,109 +61,76 @@ pub fn ephemeris_with(
     motion: &Motion,
     tick: Option<Tick>,
     truncation: Option<f64>,
-) -> Result<Box<dyn DynEphemeris>, Failure> {
-    type Boxed = Result<Box<dyn DynEphemeris>, Failure>;
-    fn table<R: TableScalar>(motion: &Motion, tick: Tick, truncation: Option<f64>) -> Boxed {
-        let truncation = truncation.unwrap_or(R::TRUNCATION);
-        Ok(Box::new(HeapTable::<R>::smallest(&CAPACITIES, motion, tick, truncation)?))
-    }
+) -> Result<MotionEphemeris, Failure> {
     let constants = MotionWithPeriod::new(*motion);
-    let tick = tick.unwrap_or_else(|| constants.tick());
-    match scalar {
-        Scalar::F64 => match AperiodicEphemeris::new(&constants) {
-            Some(closed_form) => Ok(Box::new(closed_form)),
-            None => table::<f64>(motion, tick, truncation),
-        },
-        _ if motion.regime() == Regime::Aperiodic => {
-            Err(Failure::Method("an aperiodic motion has a closed form in f64, and no table".into()))
-        }
-        Scalar::F32 => table::<f32>(motion, tick, truncation),
-        Scalar::Q31 => table::<I2F30>(motion, tick, truncation),
-        Scalar::Q15 => table::<I2F14>(motion, tick, truncation),
+    if let Some(closed_form) = ClosedFormSource::new(&constants).filter(|_| scalar == Scalar::F64) {
+        return Ok(closed_form.ephemeris());
     }
-}
-
-/// Segments of the crate's own type of a scalar, which fits most motions.
-fn default_capacity(scalar: Scalar) -> u32 {
-    match scalar {
-        Scalar::F64 => 48,
-        Scalar::F32 => 25,
-        Scalar::Q31 => 32,
-        Scalar::Q15 => 16,
+    if motion.regime() == Regime::Aperiodic {
+        return Err(Failure::Method("an aperiodic motion has a closed form in f64, and no table".into()));
     }
-}
-
-/// Capacities that a user may choose for a scalar, in ascending order.
-fn capacities_of(scalar: Scalar) -> Vec<u32> {
-    let mut capacities = [&CAPACITIES[..], &[default_capacity(scalar)]].concat();
-    capacities.sort_unstable();
-    capacities.dedup();
-    capacities
+    let settings =
+        TableSettings { truncation, ..TableSettings::new(tick.unwrap_or_else(|| constants.tick())) };
+    fn table<R: TableScalar>(motion: &Motion, settings: TableSettings) -> Result<MotionEphemeris, Failure> {
+        Ok(HeapTable::<R>::smallest(motion, settings, u32::is_power_of_two)?.ephemeris())
+    }
+    match scalar {
+        Scalar::F64 => table::<f64>(motion, settings),
+        Scalar::F32 => table::<f32>(motion, settings),
+        Scalar::Q31 => table::<I2F30>(motion, settings),
+        Scalar::Q15 => table::<I2F14>(motion, settings),
+    }
 }
 
 impl<R: TableScalar> HeapTable<R> {
     /// Table of a motion whose truncation error is within the rounding of the scalar.
     ///
-    /// * `segments`: capacity; without it, the default or the next one that is enough
+    /// * `segments`: capacity; without it, that of the core's own type or the next one that is enough
     ///
     /// # Errors
     /// [`Failure::Input`]: no table has this many segments. [`Failure::Method`]: they are too few; the message states a sufficient capacity.
     pub fn with_segments(motion: &Motion, tick: Tick, segments: Option<u32>) -> Result<Self, Failure> {
-        let mut capacities = capacities_of(R::SCALAR);
-        match segments {
-            None => capacities.retain(|capacity| *capacity >= default_capacity(R::SCALAR)),
-            Some(segments) if capacities.contains(&segments) => capacities = vec![segments],
-            Some(segments) => {
-                let names: Vec<_> = capacities.iter().map(u32::to_string).collect();
-                let names = names.join(", ");
-                return Err(Failure::Input(format!("--segments: {segments}: must be one of {names}")));
-            }
+        let offered =
+            capacities::<R>().map(|(capacity, _)| capacity).into_iter().filter(|&n| is_offered::<R>(n));
+        if let Some(segments) = segments.filter(|segments| !offered.clone().any(|n| n == *segments)) {
+            let names = offered.map(|n| n.to_string()).collect::<Vec<_>>().join(", ");
+            return Err(Failure::Input(format!("--segments: {segments}: must be one of {names}")));
         }
-        Self::smallest(&capacities, motion, tick, R::TRUNCATION)
+        Self::smallest(motion, TableSettings::new(tick), |capacity| match segments {
+            None => is_offered::<R>(capacity) && capacity >= R::SEGMENTS,
+            Some(segments) => capacity == segments,
+        })
     }
 
-    /// Table with the first of these capacities that is enough.
-    fn smallest(capacities: &[u32], motion: &Motion, tick: Tick, truncation: f64) -> Result<Self, Failure> {
+    /// Table with the smallest capacity that is allowed and enough.
+    fn smallest(
+        motion: &Motion,
+        settings: TableSettings,
+        is_allowed: impl Fn(u32) -> bool,
+    ) -> Result<Self, Failure> {
+        let truncation = settings.truncation.unwrap_or(R::TRUNCATION);
         let needed = EphemerisView::<R>::segments_needed(motion, truncation).unwrap_or(u32::MAX);
-        let enough = |capacities: &[u32]| capacities.iter().copied().find(|capacity| *capacity >= needed);
-        let most = capacities.last().copied().unwrap_or(MAX_CAPACITY);
-        let mut memory = memory::<R>(enough(capacities).unwrap_or(most));
-        let refused = |error| {
-            let enough = match (error, enough(&capacities_of(R::SCALAR))) {
-                (SetUpError::TooSmall { .. }, Some(capacity)) => {
-                    format!("; at least --segments {capacity} would be enough")
+        let capacities = capacities::<R>();
+        let [.., largest] = &capacities;
+        let allowed = || capacities.iter().filter(|(capacity, _)| is_allowed(*capacity));
+        let (_, memory) = allowed().find(|(n, _)| *n >= needed).or(allowed().last()).unwrap_or(largest);
+        let mut memory = memory();
+        let failure = |error| {
+            let enough = capacities.iter().find(|(n, _)| is_offered::<R>(*n) && *n >= needed);
+            let hint = match (error, enough) {
+                (SetUpError::TooSmall { .. }, Some((n, _))) => {
+                    format!("; at least --segments {n} would be enough")
                 }
                 (SetUpError::TooSmall { .. }, None) => {
-                    format!("; not even {MAX_CAPACITY} segments of this degree would be enough")
+                    format!("; not even {} segments of this degree would be enough", largest.0)
                 }
                 _ => String::new(),
             };
-            Failure::Method(format!("no ephemeris: {error}{enough}"))
+            Failure::Method(format!("no ephemeris: {error}{hint}"))
         };
-        let settings = TableSettings { truncation: Some(truncation), ..TableSettings::new(tick) };
-        memory.set_up(&mut Workspace::new(), motion, &settings, &mut || {}).map_err(refused)?;
+        let settings = TableSettings { truncation: Some(truncation), ..settings };
+        memory.set_up(&mut Workspace::new(), motion, &settings, &mut || {}).map_err(failure)?;
         Ok(Self(memory))
-    }
-}
-
-/// Memory of a table of this many segments, one of the [capacities](capacities_of).
-fn memory<R: TableScalar>(segments: u32) -> Box<EphemerisMemory<EphemerisView<R>>> {
-    fn boxed<R: TableScalar, const N: usize>() -> Box<EphemerisMemory<EphemerisView<R>>> {
-        Box::new(EphemerisMemory::<Ephemeris<R, N>>::new())
-    }
-    match segments {
-        8 => boxed::<R, 8>(),
-        16 => boxed::<R, 16>(),
-        25 => boxed::<R, 25>(),
-        32 => boxed::<R, 32>(),
-        48 => boxed::<R, 48>(),
-        64 => boxed::<R, 64>(),
-        128 => boxed::<R, 128>(),
-        256 => boxed::<R, 256>(),
-        512 => boxed::<R, 512>(),
-        1024 => boxed::<R, 1024>(),
-        2048 => boxed::<R, 2048>(),
-        _ => boxed::<R, 4096>(),
     }
 }
 
@@ -152,11 +144,11 @@ mod tests {
         let chosen = |motion: &Motion| {
             let table = ephemeris_for(R::SCALAR, motion).unwrap();
             let tick = MotionWithPeriod::new(*motion).tick();
-            for segments in CAPACITIES.into_iter().filter(|&segments| (segments as usize) < table.size()[0]) {
+            for segments in (3..12).map(|n| 1 << n).filter(|&segments| (segments as usize) < table.size[0]) {
                 let refused = HeapTable::<R>::with_segments(motion, tick, Some(segments)).is_err();
                 assert!(refused, "{segments} segments would do");
             }
-            table.size()[0]
+            table.size[0]
         };
         let mut sizes: Vec<_> = motions.iter().map(chosen).collect();
         sizes.sort_unstable();
@@ -179,7 +171,7 @@ mod tests {
     #[test]
     fn an_aperiodic_motion_has_a_closed_form_in_f64_alone() {
         let motion = motion(1.0, [0.2, 1.0, 1.0]);
-        assert_eq!(ephemeris_for(Scalar::F64, &motion).unwrap().size()[0], 0);
+        assert_eq!(ephemeris_for(Scalar::F64, &motion).unwrap().size[0], 0);
         for scalar in [Scalar::F32, Scalar::Q31, Scalar::Q15] {
             let refusal = ephemeris_for(scalar, &motion).err().unwrap().to_string();
             assert_eq!(refusal, "an aperiodic motion has a closed form in f64, and no table");

@@ -120,18 +120,18 @@ pub fn table_events<R: EphemerisScalar>(
         Condition::TipAngle(angle) => Box::new(table.tip_angles(angle, from)),
     };
     let mut unwanted = 0;
-    let mut found = Vec::new();
+    let mut included = Vec::new();
     for event in events {
         let t = table.time_of(&event);
         if query.includes(t, event.upward) {
             unwanted = 0;
-            found.push(MotionEvent::new(condition, t, event.upward, sample(&event, t)));
+            included.push(MotionEvent::new(condition, t, event.upward, sample(&event, t)));
         } else {
             unwanted += 1;
         }
-        if found.len() >= query.count || unwanted == MAX_UNWANTED {
+        if included.len() >= query.count || unwanted == MAX_UNWANTED {
             break;
         }
     }
-    found
+    included
 }

@@ -61,7 +61,7 @@ fn definition<R: TableScalar>(title: &TableTitle, table: &EphemerisView<R>) -> S
     let (name, scalar) = (title.c_name(), R::SCALAR.name());
     let is_f64 = R::SCALAR == Scalar::F64;
     let number = |x: R::Coefficient| {
-        let x = R::number(x);
+        let x: f64 = x.into();
         if is_f64 { decimal(x) } else { integer(x as i32) }
     };
     let rows = table.segments().iter().flat_map(|segment| segment.as_ref());

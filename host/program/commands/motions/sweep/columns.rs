@@ -7,7 +7,7 @@ use std::cell::OnceCell;
 use std::str::FromStr;
 use toytop::Motion;
 use toytop_host::motion::column::SampleColumn;
-use toytop_host::motion::ephemeris::{DynEphemeris, ephemeris_for, ephemeris_with};
+use toytop_host::motion::ephemeris::{MotionEphemeris, ephemeris_for, ephemeris_with};
 use toytop_host::motion::errors::greater;
 use toytop_host::motion::{Scalar, constant_as_json};
 use toytop_model::constants::{CONSTANTS, Constant, MotionWithPeriod};
@@ -30,8 +30,8 @@ type EphemerisColumn = (&'static str, fn(&RowMotion) -> Option<Value>);
 /// rad (its part per tick is negligible below millions of periods); number of segments of the f32 ephemeris.
 const EPHEMERIS_COLUMNS: [EphemerisColumn; 3] = [
     ("error_f32", |motion| motion.error_f32().map(Value::from)),
-    ("bound_f32", |motion| Some(motion.f32_ephemeris()?.error_bound().constant.into())),
-    ("segments_f32", |motion| Some(motion.f32_ephemeris()?.size()[0].into())),
+    ("bound_f32", |motion| Some(motion.f32_ephemeris()?.error_bound.constant.into())),
+    ("segments_f32", |motion| Some(motion.f32_ephemeris()?.size[0].into())),
 ];
 
 /// Columns without the option.
@@ -74,7 +74,7 @@ impl SweepColumn {
                 // a number that is not finite is an absent value
                 let mut numbers = vec![f64::NAN; column.names().len() * motion.times.len()];
                 if let Some(ephemeris) = motion.f64_ephemeris() {
-                    ephemeris.fill(column, &motion.times, &mut numbers);
+                    ephemeris.write(column, &motion.times, &mut numbers);
                 }
                 numbers.into_iter().map(Value::from).collect()
             }
@@ -94,8 +94,8 @@ impl SweepColumn {
 pub struct RowMotion {
     motion: MotionWithPeriod,
     times: Vec<f64>,
-    f64_ephemeris: OnceCell<Option<Box<dyn DynEphemeris>>>,
-    f32_ephemeris: OnceCell<Option<Box<dyn DynEphemeris>>>,
+    f64_ephemeris: OnceCell<Option<MotionEphemeris>>,
+    f32_ephemeris: OnceCell<Option<MotionEphemeris>>,
 }
 
 impl RowMotion {
@@ -106,15 +106,15 @@ impl RowMotion {
         Self { motion, times, f64_ephemeris: OnceCell::new(), f32_ephemeris: OnceCell::new() }
     }
 
-    fn f64_ephemeris(&self) -> Option<&dyn DynEphemeris> {
+    fn f64_ephemeris(&self) -> Option<&MotionEphemeris> {
         /// Truncation error, rad.
         const TRUNCATION: f64 = 1e-13;
         let ephemeris = || ephemeris_with(Scalar::F64, &self.motion, None, Some(TRUNCATION)).ok();
-        self.f64_ephemeris.get_or_init(ephemeris).as_deref()
+        self.f64_ephemeris.get_or_init(ephemeris).as_ref()
     }
 
-    fn f32_ephemeris(&self) -> Option<&dyn DynEphemeris> {
-        self.f32_ephemeris.get_or_init(|| ephemeris_for(Scalar::F32, &self.motion).ok()).as_deref()
+    fn f32_ephemeris(&self) -> Option<&MotionEphemeris> {
+        self.f32_ephemeris.get_or_init(|| ephemeris_for(Scalar::F32, &self.motion).ok()).as_ref()
     }
 
     fn error_f32(&self) -> Option<f64> {

@@ -6,7 +6,7 @@ use toytop_host::input::random::Random;
 use toytop_host::motion::MotionWithPeriod;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::{
-    DynEphemeris, EventKind, EventQuery, ephemeris_for, ephemeris_with, search,
+    EventKind, EventQuery, MotionEphemeris, ephemeris_for, ephemeris_with, search,
 };
 use toytop_host::motion::errors::{greater, rate_error};
 use toytop_host::truth::float640::{Float640, from_f64, from_i64, to_i64};
@@ -71,7 +71,7 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
     let tables = Scalar::ALL.map(|scalar| ephemeris_for(scalar, &motion).ok());
     let times = [(); NORM_TIMES].map(|()| random.between(0.0, period));
     let mut errors = tables.each_ref().map(|table| {
-        let table = table.as_deref()?;
+        let table = table.as_ref()?;
         Some(Errors { norm_over_bound: norm_over_bound(table, &motion, &times), ..Errors::default() })
     });
     if with_truth {
@@ -81,7 +81,7 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
             let t = from_i64(tick) / from_f64(rate);
             let (orientation, rates) = (truth.at(&t), truth.rates(&t, period));
             for (table, errors) in tables.iter().flatten().zip(errors.iter_mut().flatten()) {
-                let (bound, rate_bound) = (table.error_bound(), table.rate_error_bound());
+                let (bound, rate_bound) = (table.error_bound, table.rate_error_bound);
                 let (within, rates_within) = (bound.after(tick as f64), rate_bound.after(tick as f64));
                 let found = table.at_tick(tick);
                 let error = orientation.error_of(&found.pose.orientation);
@@ -104,7 +104,7 @@ fn ratio(error: f64, bound: f64) -> f64 {
 }
 
 /// Greatest error of the norm at these times, and of u at both turning points, over the bound.
-fn norm_over_bound(table: &dyn DynEphemeris, motion: &Motion, times: &[f64]) -> f64 {
+fn norm_over_bound(table: &MotionEphemeris, motion: &Motion, times: &[f64]) -> f64 {
     let e = motion.branch_points();
     let query = EventQuery { kind: EventKind::Turning, from: 0.0, upward: None, count: 2 };
     let turning = search(table, motion, &query).unwrap_or_default();
@@ -113,7 +113,7 @@ fn norm_over_bound(table: &dyn DynEphemeris, motion: &Motion, times: &[f64]) -> 
     let norms = times.iter().map(|&t| (t, table.pose(t).orientation.norm_squared() - 1.0));
     let heights = turning.map(|(t, u)| (t, table.pose(t).orientation.u() - u));
     let of_bound =
-        |(t, error): (f64, f64)| ratio(error.abs(), table.error_bound().after(t * table.ticks_per_time()));
+        |(t, error): (f64, f64)| ratio(error.abs(), table.error_bound.after(t * table.ticks_per_time));
     norms.chain(heights).map(of_bound).fold(0.0, greater)
 }
 
@@ -152,14 +152,14 @@ fn nearest(tick: i64, place: &Float640, period: &Float640) -> Option<i64> {
 }
 
 /// For each scalar, the tick of the first period at which its rates differ most from those of a finer table.
-fn most_different_rates(tables: &[Option<Box<dyn DynEphemeris>>], motion: &Motion, period: f64) -> Vec<i64> {
+fn most_different_rates(tables: &[Option<MotionEphemeris>], motion: &Motion, period: f64) -> Vec<i64> {
     let finer = ephemeris_with(Scalar::F64, motion, None, Some(FINE_TRUNCATION));
     let Ok(finer) = finer else { return Vec::new() };
     let tick = |place: i64| (period * place as f64 / RATE_TICKS as f64) as i64;
     let fine: Vec<_> = (0..RATE_TICKS).map(tick).map(|tick| (tick, finer.at_tick(tick).rates)).collect();
-    let most = |table: &dyn DynEphemeris| {
+    let most = |table: &MotionEphemeris| {
         let apart = fine.iter().map(|(tick, rates)| (*tick, rate_error(&table.at_tick(*tick).rates, rates)));
         apart.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(tick, _)| tick)
     };
-    tables.iter().flatten().filter_map(|table| most(&**table)).collect()
+    tables.iter().flatten().filter_map(most).collect()
 }
