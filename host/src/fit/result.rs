@@ -4,7 +4,7 @@ use super::sensors::Sensors;
 use crate::Refusal;
 use toml::Table;
 use toytop::{Support, Top};
-use toytop_fit::{Fit, FitError, FitWarning, Fitted, FreeRatio, Hint, MOST_RATIOS, Measurement};
+use toytop_fit::{Fit, FitError, FitWarning, Fitted, FreeRatio, Hint, MAX_RATIOS, Measurement};
 
 /// Keys of a top that a fit may change.
 pub const FREE_KEYS: [&str; 6] =
@@ -71,7 +71,7 @@ impl FitInput {
                 _ => FreeRatio::MASS_MOMENT,
             });
         }
-        if ratios.len() > MOST_RATIOS { Err("must be at most four keys".to_owned()) } else { Ok(ratios) }
+        if ratios.len() > MAX_RATIOS { Err("must be at most four keys".to_owned()) } else { Ok(ratios) }
     }
 }
 

@@ -187,7 +187,7 @@ impl HalfPeriod {
             for segment in part.parts(depth) {
                 let stored = segments.get_mut(number);
                 bounds.include(&store_segment::<R>(path, span, segment, stored, pause));
-                (bounds.error <= path.limits.segment).then_some(())?;
+                (bounds.error <= path.limits.segment_error(depth)).then_some(())?;
                 number += 1;
             }
             position = part.end();

@@ -1,11 +1,14 @@
 //! Errors that a set-up allows to the parts of a table.
 
+use crate::table::data::cell::MIN_DEPTH;
 use crate::table::evaluation::{EphemerisScalar, TABLE_UNIT};
 
 /// Part of the allowed error for the truncation of all steps along half a period.
 const STEPS_SHARE: f64 = 0.125;
 /// Part of the allowed error for the terms that are left out of a series, or of a polynomial before its last halving.
 const TERMS_SHARE: f32 = 1.0 / 256.0;
+/// Part of the allowed error for a segment of two cells, whose derivative is less accurate.
+const TWO_CELLS_SHARE: f32 = 0.125;
 
 /// Limits that a set-up keeps.
 pub(super) struct Limits {
@@ -29,6 +32,11 @@ impl Limits {
             segment: (((1.0 - STEPS_SHARE) * allowed) as f32).min(f32::MAX),
             terms: f64::from(TERMS_SHARE) * allowed.min(R::TRUNCATION),
         }
+    }
+
+    /// Truncation error of a segment of this depth, rad.
+    pub(super) fn segment_error(&self, depth: u32) -> f32 {
+        if depth == MIN_DEPTH { TWO_CELLS_SHARE * self.segment } else { self.segment }
     }
 
     /// Whether the estimated terms beyond the sixteenth, in units of 2^-62, are few enough.
