@@ -6,8 +6,9 @@
 use crate::complex::Complex;
 use crate::phase::Phase;
 use crate::table::data::EphemerisView;
+use crate::table::data::Phases;
 use crate::table::data::cell::is_falling;
-use crate::table::evaluation::{EphemerisScalar, before_rotation};
+use crate::table::evaluation::{EphemerisScalar, tabulated_a_b};
 use crate::table::read::sample::Sample;
 
 impl<R: EphemerisScalar> Sample<'_, R> {
@@ -20,7 +21,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     }
 
     pub(crate) fn tip_angle_unchecked(&self) -> Phase {
-        let Self { table, phases: [nutation, ..], tick, fraction } = *self;
+        let Self { table, phases: Phases { nutation, .. }, tick, fraction } = *self;
         table.clock.mean_tip(tick, fraction, nutation) + table.tabulated_tip_angle(nutation, &mut || {})
     }
 }
@@ -41,14 +42,14 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         for (index, segment) in self.segments.iter().enumerate().take(number + 1) {
             // the constants are the values at the centre
             let constants = segment.as_ref().get(..1).unwrap_or_default();
-            let [[a, b], _] = before_rotation::<R>(constants, point);
+            let [[a, b], _] = tabulated_a_b::<R>(constants, point);
             argument.continue_to(self.relative_to_start(a * b));
             if index % SEGMENTS == SEGMENTS - 1 {
                 pause();
             }
         }
         pause();
-        let [[a, b], [a_slope, b_slope]] = before_rotation::<R>(rows, point);
+        let [[a, b], [a_slope, b_slope]] = tabulated_a_b::<R>(rows, point);
         let (product, change) = (a * b, a_slope * b + a * b_slope);
         let least = MIN_MODULUS * R::ROUNDING * (a.norm_squared() + b.norm_squared());
         let is_near_zero = product.norm_squared() <= least * least;
