@@ -7,7 +7,7 @@ use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 use crate::su2::Orientation;
-use crate::table::{EphemerisScalar, EphemerisView, Sample};
+use crate::table::{EphemerisScalar, EphemerisView, Phases, Sample};
 
 /// Value of u, the cosine of the tilt, stored as 1 - u and 1 + u.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -95,7 +95,7 @@ pub(super) const LAST_RISING: u64 = u64::MAX >> 1;
 
 /// Sample at the 64 leading bits of a nutation phase, with mean phases 0.
 pub(super) fn at_phase<R: EphemerisScalar>(table: &EphemerisView<R>, nutation: u64) -> Sample<'_, R> {
-    Sample { table, phases: [nutation, 0, 0], tick: 0, fraction: Phase::ZERO }
+    Sample { table, phases: Phases { nutation, alpha: 0, beta: 0 }, tick: 0, fraction: Phase::ZERO }
 }
 
 /// Nutation phase from which on a condition holds while u rises. Cost: 63 evaluations.

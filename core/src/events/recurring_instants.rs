@@ -23,12 +23,12 @@ impl RecurringInstants {
         from: i64,
     ) -> Self {
         let nowhere = Self { next: [None; 4], period: None };
-        let [step, ..] = table.clock.steps_in_turns();
+        let step = table.clock.steps_in_turns().nutation;
         if !(table.clock.has_turning_points && step > Extended::ZERO) {
             return nowhere;
         }
         let start = Extended::from(from);
-        let [now, ..] = table.clock.phases_at_tick(from).map(WrappedPhase::to_phase);
+        let now = table.clock.phases_at_tick(from).nutation.to_phase();
         let ahead = |phase: Phase| {
             let ahead = WrappedPhase::from_phase(phase - now + PHASE_TOLERANCE).to_phase() - PHASE_TOLERANCE;
             if ahead <= PHASE_TOLERANCE { start } else { start + Extended::from(ahead) / step }

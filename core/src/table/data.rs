@@ -4,6 +4,8 @@ pub(super) mod cell;
 
 mod tick;
 
+mod phases;
+
 mod clock;
 
 mod ephemeris;
@@ -15,4 +17,5 @@ pub use clock::Clock;
 pub use ephemeris::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisView, ErrorBound};
 #[cfg(feature = "fixed")]
 pub use ephemeris::{EphemerisQ15, EphemerisQ31};
+pub(crate) use phases::Phases;
 pub use tick::Tick;

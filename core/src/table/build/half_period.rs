@@ -27,7 +27,7 @@ use crate::motion::Motion;
 use crate::motion::cayley_klein::Ellipses;
 use crate::motion::period::Period;
 use crate::motion::phase_equations::PhaseEquations;
-use crate::scalar::{Extended, Float, Ring};
+use crate::scalar::{Extended, Float};
 use crate::table::data::cell::{CELLS, Cell, MIN_DEPTH};
 use crate::table::evaluation::EphemerisScalar;
 
@@ -49,7 +49,7 @@ const CELL: usize = HALF_PERIOD / CELLS;
 impl HalfPeriod {
     /// Half a period before a set-up. All its bits are 0.
     pub(super) const ZERO: Self = Self {
-        mean_rates: MeanRates { rates: [Extended::ZERO; 3], errors: [0.0; 3] },
+        mean_rates: MeanRates::ZERO,
         cells: [0; CELLS],
         segments: 0,
         bounds: SegmentBounds::ZERO,

@@ -5,6 +5,7 @@ use super::interval::{HALF_PERIOD, Interval};
 use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::Scalar;
+use crate::table::data::Phases;
 
 /// Nutation phase and mean phases of a launch, which are known once the path has reached its χ.
 #[derive(Debug)]
@@ -12,11 +13,12 @@ pub(super) struct LaunchPhases {
     /// Half phase χ, folded into [0, 1/4] turn; `None` once the path has reached it.
     chi: Option<Phase>,
     is_falling: bool,
-    pub(super) phases: [Phase; 3],
+    pub(super) phases: Phases<Phase>,
 }
 
 impl LaunchPhases {
-    pub(super) const ZERO: Self = Self { chi: None, is_falling: false, phases: [Phase::ZERO; 3] };
+    pub(super) const ZERO: Self =
+        Self { chi: None, is_falling: false, phases: Phases::from_array([Phase::ZERO; 3]) };
 
     /// Begins the search for the launch of a motion. Without a nutation these are its phases already.
     #[inline(never)]
@@ -26,7 +28,7 @@ impl LaunchPhases {
         let (half_turns, chi) =
             if is_falling { (half_turns + 1, Phase::HALF - remainder) } else { (half_turns, remainder) };
         let [alpha, beta] = motion.slow_phases.map(|phase| phase + Phase::HALF * half_turns);
-        *self = Self { chi: Some(chi), is_falling, phases: [Phase::ZERO, alpha, beta] };
+        *self = Self { chi: Some(chi), is_falling, phases: Phases { nutation: Phase::ZERO, alpha, beta } };
     }
 
     /// Finds the phases if this span, which ends at χ = `end`, contains χ or is the last.
@@ -42,8 +44,12 @@ impl LaunchPhases {
         };
         let (PathPhases { residual, .. }, _) = expansion.at(x);
         let mirror = |phase: Phase| if self.is_falling { -phase } else { phase };
-        let ([_, alpha, beta], [alpha_residual, beta_residual]) = (self.phases, residual.map(mirror));
-        self.phases = [mirror(span.phase(x)), alpha - alpha_residual, beta - beta_residual];
+        let [alpha_residual, beta_residual] = residual.map(mirror);
+        self.phases = Phases {
+            nutation: mirror(span.phase(x)),
+            alpha: self.phases.alpha - alpha_residual,
+            beta: self.phases.beta - beta_residual,
+        };
         self.chi = None;
     }
 }

@@ -11,6 +11,7 @@ use crate::motion::cayley_klein::Ellipses;
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring, Scalar, sine_cosine_from_q57};
+use crate::table::data::Phases;
 use crate::table::data::cell::Cell;
 
 /// Depth of the longest span.
@@ -93,16 +94,16 @@ pub(super) struct Path<'a, F> {
 impl<'a, F: Float> Path<'a, F> {
     /// Path from u = e₁ on. The memory has the phase equations and the launch.
     ///
-    /// * `rates`: nutation frequency and rates of the mean phases, turns/s
+    /// * `rates`: mean rates, turns/s
     #[inline(never)]
     pub(super) fn new(
         memory: &'a mut PathMemory,
         limits: &'a Limits,
         motion: &Motion,
         half_period: Extended,
-        rates: [Extended; 3],
+        rates: Phases<Extended>,
     ) -> Self {
-        let [_, alpha, beta] = rates.map(|rate| Extended::TWO_PI * rate);
+        let Phases { alpha, beta, .. } = rates.map(|rate| Extended::TWO_PI * rate);
         let equations = PathEquations {
             equations: memory.equations.map(F::from_extended),
             half_period: F::from_extended(half_period),

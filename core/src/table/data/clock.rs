@@ -2,6 +2,7 @@
 
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
+use crate::table::data::phases::Phases;
 
 /// Numbers of a table that do not depend on the segment, as in [the table format](crate::table_format).
 ///
@@ -75,12 +76,12 @@ impl<W: Copy> Clock<W> {
     }
 
     #[inline(always)]
-    pub(crate) fn steps(&self) -> [WrappedPhase; 3] {
-        self.step.map(WrappedPhase::new)
+    pub(crate) fn steps(&self) -> Phases<WrappedPhase> {
+        Phases::from_array(self.step).map(WrappedPhase::new)
     }
 
-    pub(crate) fn steps_in_turns(&self) -> [Extended; 3] {
-        self.step_turns.map(Extended::from_f64_pair)
+    pub(crate) fn steps_in_turns(&self) -> Phases<Extended> {
+        Phases::from_array(self.step_turns).map(Extended::from_f64_pair)
     }
 
     /// Number of ticks in a unit of time.
@@ -105,7 +106,7 @@ impl<W: Copy> Clock<W> {
 
     /// Increment of the mean tip angle per tick, in turns. It lacks the half turn per period of a parameter that passes through 0.
     pub(in crate::table) fn exact_tip_step(&self) -> Extended {
-        let [nutation, a, b] = self.steps_in_turns();
-        a + b - nutation * Extended::from(0.5 * f64::from(self.tip_sign_changes))
+        let Phases { nutation, alpha, beta } = self.steps_in_turns();
+        alpha + beta - nutation * Extended::from(0.5 * f64::from(self.tip_sign_changes))
     }
 }

@@ -3,6 +3,7 @@
 use crate::phase::{Phase, WrappedPhase};
 use crate::su2::Orientation;
 use crate::table::data::EphemerisView;
+use crate::table::data::Phases;
 use crate::table::evaluation::EphemerisScalar;
 use crate::table::read::sample::Sample;
 
@@ -12,7 +13,7 @@ use crate::table::read::sample::Sample;
 #[derive(Clone, Debug)]
 pub struct Cursor {
     /// Phases of the last tick.
-    phases: [WrappedPhase; 3],
+    phases: Phases<WrappedPhase>,
     /// Number of the last tick, `high + low`. A rare carry needs fewer registers than a number of 64 bits.
     low: u32,
     high: i64,
@@ -23,9 +24,7 @@ impl Cursor {
     /// and cannot fail.
     #[inline(always)]
     pub fn next<'a, R: EphemerisScalar>(&mut self, table: &'a EphemerisView<R>) -> Sample<'a, R> {
-        for (phase, step) in self.phases.iter_mut().zip(table.clock.steps()) {
-            *phase = phase.plus(step);
-        }
+        self.phases.update(table.clock.steps(), WrappedPhase::plus);
         let (low, carry) = self.low.overflowing_add(1);
         self.low = low;
         if carry {
@@ -53,10 +52,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
     /// Cursor whose first sample is that of tick `first`.
     #[must_use]
     pub fn cursor(&self, first: i64) -> Cursor {
-        let mut phases = self.clock.phases_at_tick(first);
-        for (phase, step) in phases.iter_mut().zip(self.clock.steps()) {
-            *phase = phase.minus(step);
-        }
+        let phases = self.clock.phases_at_tick(first).zip_map(self.clock.steps(), WrappedPhase::minus);
         Cursor { phases, low: 0, high: first.wrapping_sub(1) }
     }
 
@@ -67,11 +63,11 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         // as 128-bit numbers, which need no assembly from words
         let step = self.clock.steps().map(WrappedPhase::to_phase);
         let mut now = self.clock.phases_at_tick(first).map(WrappedPhase::to_phase);
-        let mut phases = [[0; 3]; BLOCK];
+        let mut phases = [Phases::from_array([0; 3]); BLOCK];
         for block in out.chunks_mut(BLOCK) {
             for phases in phases.iter_mut().take(block.len()) {
                 *phases = now.map(Phase::leading_bits);
-                now.iter_mut().zip(step).for_each(|(now, step)| *now += step);
+                now.update(step, |now, step| now + step);
             }
             for (orientation, phases) in block.iter_mut().zip(phases) {
                 *orientation = Sample { table: self, phases, tick: 0, fraction: Phase::ZERO }.orientation();

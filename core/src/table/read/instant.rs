@@ -3,6 +3,7 @@
 use crate::integer::{ldexp_i128, mantissa_and_exponent};
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::Extended;
+use crate::table::data::Phases;
 use crate::table::data::{Clock, EphemerisView};
 use crate::table::evaluation::EphemerisScalar;
 use crate::table::read::sample::Sample;
@@ -50,16 +51,20 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 }
 
 impl<W: Copy> Clock<W> {
-    /// Nutation phase and mean phases at tick n.
+    /// Phases at tick n.
     #[inline(always)]
-    pub(crate) fn phases_at_tick(&self, n: i64) -> [WrappedPhase; 3] {
+    pub(crate) fn phases_at_tick(&self, n: i64) -> Phases<WrappedPhase> {
         let since_first = n.wrapping_sub(i64::MIN) as u64;
         let after =
             |first: u64, step: [u32; 3]| WrappedPhase::new(step).times(since_first).plus_leading_bits(first);
         let [nutation, alpha, beta] = &self.first_phases;
         // by reference: an array of all steps would take nine registers at once
         let [nutation_step, alpha_step, beta_step] = &self.step;
-        [after(*nutation, *nutation_step), after(*alpha, *alpha_step), after(*beta, *beta_step)]
+        Phases {
+            nutation: after(*nutation, *nutation_step),
+            alpha: after(*alpha, *alpha_step),
+            beta: after(*beta, *beta_step),
+        }
     }
 
     /// Tick at or before a time (0 if not finite), and the fraction of a tick after it in units of 2^-64.
@@ -83,28 +88,24 @@ impl<W: Copy> Clock<W> {
         Some(((ticks >> 64) as i64, ticks as u64))
     }
 
-    /// 64 leading bits of nutation phase and mean phases at a fraction of a tick after tick n.
+    /// 64 leading bits of the phases at a fraction of a tick after tick n.
     #[inline(always)]
-    fn phases_after_tick(&self, n: i64, fraction: u64) -> [u64; 3] {
+    fn phases_after_tick(&self, n: i64, fraction: u64) -> Phases<u64> {
         let since_first = n.wrapping_sub(i64::MIN) as u64;
-        let ([nutation, alpha, beta], [nutation_step, alpha_step, beta_step]) =
-            (self.first_phases, self.steps());
-        let after = |first: u64, step: WrappedPhase| {
+        Phases::from_array(self.first_phases).zip_map(self.steps(), |first, step| {
             first.wrapping_add(step.leading_bits_after(since_first, fraction))
-        };
-        [after(nutation, nutation_step), after(alpha, alpha_step), after(beta, beta_step)]
+        })
     }
 
-    /// 64 leading bits of nutation phase and mean phases at a fraction of a tick after any tick.
+    /// 64 leading bits of the phases at a fraction of a tick after any tick.
     #[cold]
     #[inline(never)]
-    fn phases_at_fraction(&self, tick: i128, fraction: Extended) -> [u64; 3] {
+    fn phases_at_fraction(&self, tick: i128, fraction: Extended) -> Phases<u64> {
         let since_first = tick.wrapping_sub(i64::MIN.into());
-        let mut phases = self.first_phases;
-        for ((phase, step), turns) in phases.iter_mut().zip(self.steps()).zip(self.steps_in_turns()) {
+        let advances = self.steps().zip_map(self.steps_in_turns(), |step, turns| {
             let whole = Phase::from_bits(step.to_phase().to_bits().wrapping_mul(since_first));
-            *phase = phase.wrapping_add((whole + (turns * fraction).to_phase()).leading_bits());
-        }
-        phases
+            (whole + (turns * fraction).to_phase()).leading_bits()
+        });
+        Phases::from_array(self.first_phases).zip_map(advances, u64::wrapping_add)
     }
 }

@@ -5,6 +5,7 @@ use crate::phase::Phase;
 use crate::scalar::Float;
 use crate::su2::{AttitudeState, Orientation, Vector};
 use crate::table::data::EphemerisView;
+use crate::table::data::Phases;
 use crate::table::evaluation::{
     Coefficient, EphemerisScalar, NumberOf, orientation, orientation_and_omega_body,
 };
@@ -16,8 +17,8 @@ use crate::table::evaluation::{
 #[derive(Clone, Copy, Debug)]
 pub struct Sample<'a, R: EphemerisScalar> {
     pub(crate) table: &'a EphemerisView<R>,
-    /// 64 leading bits of nutation phase and mean phases.
-    pub(crate) phases: [u64; 3],
+    /// 64 leading bits of the phases.
+    pub(crate) phases: Phases<u64>,
     /// Tick at or before the sample.
     pub(crate) tick: i128,
     /// Fraction of a tick after it, with a turn for 1.
@@ -40,8 +41,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     /// Nutation phase: one turn a period, 0 at u = e₁, half a turn at u = e₂.
     #[must_use]
     pub fn nutation_phase(&self) -> Phase {
-        let [nutation, ..] = self.phases;
-        Phase::from_leading_bits(nutation)
+        Phase::from_leading_bits(self.phases.nutation)
     }
 
     /// Orientation Φ.
@@ -139,17 +139,17 @@ impl<R: EphemerisScalar> Sample<'_, R> {
 
     #[inline(always)]
     fn unrounded(&self) -> Orientation<NumberOf<R>> {
-        let [nutation, alpha_phase, beta_phase] = self.phases;
+        let Phases { nutation, alpha, beta } = self.phases;
         let (rows, point, _) = self.table.segment_at(nutation);
-        orientation::<R>(rows, point, [alpha_phase, beta_phase])
+        orientation::<R>(rows, point, [alpha, beta])
     }
 
     /// Unrounded orientation, and Ω over a power of two with its exponent.
     #[inline(always)]
     fn unrounded_and_scaled_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
-        let [nutation, alpha_phase, beta_phase] = self.phases;
+        let Phases { nutation, alpha, beta } = self.phases;
         let (rows, point, _) = self.table.segment_at(nutation);
-        orientation_and_omega_body::<R>(rows, point, [alpha_phase, beta_phase], self.table.clock.rates())
+        orientation_and_omega_body::<R>(rows, point, [alpha, beta], self.table.clock.rates())
     }
 
     /// Unrounded orientation, and Ω.

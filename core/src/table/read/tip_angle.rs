@@ -6,6 +6,7 @@
 use crate::complex::Complex;
 use crate::phase::Phase;
 use crate::table::data::EphemerisView;
+use crate::table::data::Phases;
 use crate::table::data::cell::is_falling;
 use crate::table::evaluation::{EphemerisScalar, tabulated_a_b};
 use crate::table::read::sample::Sample;
@@ -20,7 +21,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     }
 
     pub(crate) fn tip_angle_unchecked(&self) -> Phase {
-        let Self { table, phases: [nutation, ..], tick, fraction } = *self;
+        let Self { table, phases: Phases { nutation, .. }, tick, fraction } = *self;
         table.clock.mean_tip(tick, fraction, nutation) + table.tabulated_tip_angle(nutation, &mut || {})
     }
 }

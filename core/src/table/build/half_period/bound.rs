@@ -3,7 +3,7 @@
 use super::{HalfPeriod, MeanRates};
 use crate::motion::Motion;
 use crate::scalar::{Extended, Float, Ring};
-use crate::table::data::ErrorBound;
+use crate::table::data::{ErrorBound, Phases};
 use crate::table::evaluation::EvaluationErrors;
 
 /// One turn in rad.
@@ -18,11 +18,9 @@ impl HalfPeriod {
         motion: &Motion,
         tick: Extended,
     ) -> [ErrorBound; 2] {
-        let MeanRates { rates, errors: mut growth } = self.mean_rates;
-        for (growth, rate) in growth.iter_mut().zip(rates) {
-            *growth = *growth * tick.to_f64() + increment_error(rate * tick).abs();
-        }
-        let [nutation, alpha, beta] = growth;
+        let MeanRates { rates, errors: rate_errors } = self.mean_rates;
+        let Phases { nutation, alpha, beta } = rate_errors
+            .zip_map(rates, |error, rate| error * tick.to_f64() + increment_error(rate * tick).abs());
         let bounds = &self.bounds;
         let angular = f64::from(bounds.angular_speed);
         let orientation = ErrorBound {
@@ -32,10 +30,9 @@ impl HalfPeriod {
             per_tick: 2.0 * (angular * nutation + TURN * Ring::max(alpha, beta)),
         };
 
-        let [frequency, alpha_rate, beta_rate] = rates;
-        let half_periods = 2.0 * frequency.to_f64();
+        let half_periods = 2.0 * rates.nutation.to_f64();
         let (x_rate, mean) =
-            (f64::from(bounds.x_rate) * half_periods, TURN * (alpha_rate + beta_rate).to_f64().abs());
+            (f64::from(bounds.x_rate) * half_periods, TURN * (rates.alpha + rates.beta).to_f64().abs());
         // terms of the angular velocity, which may cancel
         let whole = angular * half_periods + mean + motion.first_integrals().spin.abs();
         let rotor = motion.top().rotor_momentum().abs() / motion.top().transverse_inertia();
@@ -74,7 +71,10 @@ mod tests {
         let motion = nutating_motion();
         let per_tick = |errors, rate| {
             let half_period = HalfPeriod {
-                mean_rates: MeanRates { rates: [rate; 3], errors },
+                mean_rates: MeanRates {
+                    rates: Phases::from_array([rate; 3]),
+                    errors: Phases::from_array(errors),
+                },
                 bounds: SegmentBounds { angular_speed: 5.0, ..SegmentBounds::ZERO },
                 ..HalfPeriod::ZERO
             };

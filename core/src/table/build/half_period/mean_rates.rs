@@ -3,6 +3,7 @@
 use crate::motion::period::Period;
 use crate::motion::{LaunchRounding, Motion};
 use crate::scalar::{Extended, Float, Ring};
+use crate::table::data::Phases;
 
 /// Number of roundings that count for a rate and its increment, without those of the quadrature.
 const OPERATIONS: f64 = 64.0;
@@ -11,15 +12,17 @@ const STORED: f64 = 1.0 / (1_u128 << 106) as f64;
 /// Number of roundings per node of the quadrature.
 const OPERATIONS_PER_NODE: f64 = 2.0;
 
-/// Rates of the nutation phase and of the mean phases.
-#[derive(Debug)]
+/// Rates of the nutation phase and of the mean phases, turns/s.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct MeanRates {
-    /// Nutation frequency 1/T and mean rates of α and β, in turns/s.
-    pub(crate) rates: [Extended; 3],
-    pub(super) errors: [f64; 3],
+    pub(crate) rates: Phases<Extended>,
+    pub(super) errors: Phases<f64>,
 }
 
 impl MeanRates {
+    pub(super) const ZERO: Self =
+        Self { rates: Phases::from_array([Extended::ZERO; 3]), errors: Phases::from_array([0.0; 3]) };
+
     /// Rates from the period; without one, those of a constant u.
     #[inline(never)]
     pub(super) fn new(motion: &Motion, period: Option<&Period>) -> Self {
@@ -33,20 +36,21 @@ impl MeanRates {
         let half_tau = size_in_turns(motion.half_tau);
         let launch = size_in_turns(motion.rounding.lambda_rates.into());
         let error = |rate: Extended| (rate.to_f64().abs() + 2.0 * half_tau) * relative + launch;
-        Self { rates: [Extended::ZERO, alpha, beta], errors: [0.0, error(alpha), error(beta)] }
+        let rates = Phases { nutation: Extended::ZERO, alpha, beta };
+        Self { rates, errors: Phases { nutation: 0.0, alpha: error(alpha), beta: error(beta) } }
     }
 
     fn periodic(motion: &Motion, period: &Period) -> Self {
-        let (half_tau, windings) = (motion.half_tau, motion.windings());
+        let windings = motion.windings();
         let frequency = Extended::ONE / period.time;
-        let mut rates = period.advances(half_tau, windings);
-        for (advance, winding) in rates.iter_mut().zip(windings) {
+        let mut rates = period.advances(motion.half_tau, windings);
+        for (rate, winding) in rates.iter_mut().zip(windings) {
             // an ellipse through 0 changes sign once in a period: half a turn
-            let whole = if winding == 0 { *advance + Extended::from(0.5) } else { *advance };
-            *advance = whole * frequency;
+            let advance = if winding == 0 { *rate + Extended::from(0.5) } else { *rate };
+            *rate = advance * frequency;
         }
         let [alpha, beta] = rates;
-        Self { rates: [frequency, alpha, beta], errors: errors(motion, period) }
+        Self { rates: Phases { nutation: frequency, alpha, beta }, errors: errors(motion, period) }
     }
 }
 
@@ -54,8 +58,8 @@ fn size_in_turns(angle: Extended) -> f64 {
     angle.in_turns().to_f64().abs()
 }
 
-/// Errors of 1/T and of the mean rates of α and β, turns/s.
-fn errors(motion: &Motion, period: &Period) -> [f64; 3] {
+/// Errors of the rates, turns/s.
+fn errors(motion: &Motion, period: &Period) -> Phases<f64> {
     let LaunchRounding { relative, lambda_rates } = motion.rounding;
     let operations = OPERATIONS + OPERATIONS_PER_NODE * f64::from(period.nodes);
     let arithmetic = operations * period.operation_error + STORED + relative;
@@ -68,7 +72,7 @@ fn errors(motion: &Motion, period: &Period) -> [f64; 3] {
         let advance = alpha + beta + own + 0.5;
         advance * (rule + 2.0 * arithmetic) * frequency + half_tau
     };
-    [frequency * (rule + arithmetic), error(alpha), error(beta)]
+    Phases { nutation: frequency * (rule + arithmetic), alpha: error(alpha), beta: error(beta) }
 }
 
 #[cfg(test)]
@@ -84,8 +88,11 @@ mod tests {
         let rough = Period { relative_error: 1e-3, ..exact };
         let frequency = 1.0 / exact.time.to_f64();
         let psi: f64 = exact.psi.iter().map(|angle| Float::abs(angle.in_turns().to_f64())).sum();
-        for (rate, (small, large)) in
-            errors(&motion, &exact).into_iter().zip(errors(&motion, &rough)).enumerate()
+        for (rate, (small, large)) in errors(&motion, &exact)
+            .zip_map(errors(&motion, &rough), |small, large| (small, large))
+            .into_array()
+            .into_iter()
+            .enumerate()
         {
             assert!(small < 1e-25, "{rate}: {small:e}");
             let least = if rate == 0 { frequency } else { frequency * psi };

@@ -6,34 +6,31 @@ use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
 use crate::table::build::TableSettings;
 use crate::table::data::cell::{MIN_SEGMENTS, is_falling};
-use crate::table::data::{Clock, EphemerisView};
+use crate::table::data::{Clock, EphemerisView, Phases};
 use crate::table::evaluation::EphemerisScalar;
 
 impl<W: Float> Clock<W> {
-    /// Clock of a motion that is without [`Clock::tip_start`].
+    /// Clock of a motion; `start_tip_angle` adds [`Clock::tip_start`].
     ///
-    /// * `turns`: nutation frequency and rates of the mean phases, turns/s
-    /// * `start`: nutation phase and mean phases at the launch
+    /// * `rates`: mean rates, turns/s
+    /// * `launch`: phases at the launch
     pub(super) fn new(
         motion: &Motion,
         settings: &TableSettings,
-        turns: [Extended; 3],
-        start: [Phase; 3],
+        rates: Phases<Extended>,
+        launch: Phases<Phase>,
     ) -> Self {
         let TableSettings { tick, epoch, .. } = *settings;
         let length = tick.length();
-        let [frequency, alpha, beta] = turns;
         // LLVM 22 compiles a product of `i128` wrongly for RISC-V where the epoch is known
         let ticks = epoch.wrapping_sub(i64::MIN) as u64;
-        let step_turns = turns.map(|turns| turns * length);
+        let step_turns = rates.map(|rate| rate * length);
         let step = step_turns.map(|turns| WrappedPhase::from_phase(turns.to_phase()));
-        let mut first_phases = start.map(WrappedPhase::from_phase);
-        for (first, step) in first_phases.iter_mut().zip(step) {
-            *first = first.minus(step.times(ticks));
-        }
+        let first_phases =
+            launch.zip_map(step, |phase, step| WrappedPhase::from_phase(phase).minus(step.times(ticks)));
         let [alpha_winding, beta_winding] = motion.windings();
         let mut clock = Self {
-            step: step.map(WrappedPhase::words),
+            step: step.map(WrappedPhase::words).into_array(),
             tip_start_quarter_turns: if alpha_winding == 0 {
                 motion.signs().l_plus_n.as_i32() as i8
             } else {
@@ -44,11 +41,11 @@ impl<W: Float> Clock<W> {
             has_turning_points: motion.regime() == Regime::Nutating,
             twice_tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
             // x changes by 2 over each segment
-            x_rate: W::from_f64(4.0 * MIN_SEGMENTS as f64 * frequency.to_f64()),
-            mean_sum_rate: W::from_f64(((alpha + beta) * Extended::TWO_PI).to_f64()),
+            x_rate: W::from_f64(4.0 * MIN_SEGMENTS as f64 * rates.nutation.to_f64()),
+            mean_sum_rate: W::from_f64(((rates.alpha + rates.beta) * Extended::TWO_PI).to_f64()),
             axial_rate: W::from_f64(motion.first_integrals().spin),
-            first_phases: first_phases.map(WrappedPhase::leading_bits),
-            step_turns: step_turns.map(Extended::to_f64_pair),
+            first_phases: first_phases.map(WrappedPhase::leading_bits).into_array(),
+            step_turns: step_turns.map(Extended::to_f64_pair).into_array(),
             ticks_per_time: tick.rate().to_f64_pair(),
             epoch,
             ..Self::ZERO
@@ -61,14 +58,19 @@ impl<W: Float> Clock<W> {
 impl<R: EphemerisScalar> EphemerisView<R> {
     /// Sets the mean tip angle so that the tip angle at the launch is the argument of c in (-1/2, 1/2] turn.
     ///
-    /// * `start`: nutation phase and mean phases at the launch
-    pub(super) fn start_tip_angle(&mut self, motion: &Motion, start: [Phase; 3], pause: &mut dyn FnMut()) {
-        let [nutation, a, b] = start;
+    /// * `launch`: phases at the launch
+    pub(super) fn start_tip_angle(
+        &mut self,
+        motion: &Motion,
+        launch: Phases<Phase>,
+        pause: &mut dyn FnMut(),
+    ) {
+        let Phases { nutation, alpha, beta } = launch;
         let nutation = nutation.leading_bits();
         let clock = &self.clock;
         let quarter_turn = Phase::QUARTER * i64::from(clock.tip_start_quarter_turns);
         // the mean is known but for whole turns, or half turns where the curve passes through the centre and the radius has a sign
-        let mean = a + b + if is_falling(nutation) { -quarter_turn } else { quarter_turn };
+        let mean = alpha + beta + if is_falling(nutation) { -quarter_turn } else { quarter_turn };
         let off = motion.tip_angle_at_start() - mean - self.tabulated_tip_angle(nutation, pause);
         let remainder = if clock.tip_sign_changes > 0 {
             Phase::from_bits((off * 2).principal().to_bits() >> 1)
