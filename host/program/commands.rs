@@ -41,7 +41,7 @@ mod checks {
 
 use crate::terminal::stdout::Report;
 use checks::*;
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{CommandFactory, Parser};
 use clap_complete::Shell;
 use integrators::*;
 use motions::*;
@@ -53,10 +53,10 @@ use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::tilts;
 
 /// Template of `toytop --help`, whose groups are the folders of the modules.
-fn help() -> String {
+pub fn help() -> String {
     let mut help =
         "{about}\n{usage-heading} {usage}; each command has --help, and toytop has --version\n\n".to_owned();
-    let commands = Command::augment_subcommands(clap::Command::new("toytop"));
+    let commands = Command::command();
     for command in commands.get_subcommands().filter(|command| !command.is_hide_set()) {
         let (name, about) = (command.get_name(), command.get_about().cloned().unwrap_or_default());
         // first command of each group
@@ -75,7 +75,7 @@ fn help() -> String {
 // Help lists the commands in this order, and the hidden ones in its last lines.
 /// Exact motion of a spinning top whose tip slides on a plane or is held, or of a free body.
 #[derive(Parser)]
-#[command(name = "toytop", version, help_template = help())]
+#[command(name = "toytop", version)]
 pub enum Command {
     State(state::StateArgs),
     Constants(constants::ConstantsArgs),

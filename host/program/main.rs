@@ -27,5 +27,5 @@ mod commands;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    terminal::command_line::run(commands::Command::run)
+    terminal::command_line::run(commands::help(), commands::Command::run)
 }

@@ -8,8 +8,10 @@ use std::process::ExitCode;
 use toytop_host::Failure;
 
 /// Parses the command line of the process, runs the command and prints its report or its failure. Returns the exit code.
-pub fn run<C: Parser>(command: impl FnOnce(&C) -> Result<Report, Failure>) -> ExitCode {
-    match parsed(command).and_then(print) {
+///
+/// * `help`: template of the help
+pub fn run<C: Parser>(help: String, command: impl FnOnce(&C) -> Result<Report, Failure>) -> ExitCode {
+    match parsed(help, command).and_then(print) {
         Ok(code) => code,
         Err(failure) => {
             // if stderr is closed, the message cannot be shown
@@ -23,8 +25,12 @@ pub fn run<C: Parser>(command: impl FnOnce(&C) -> Result<Report, Failure>) -> Ex
 ///
 /// # Errors
 /// [`Failure::Input`] for everything that clap refuses, and the failures of the command.
-fn parsed<C: Parser>(command: impl FnOnce(&C) -> Result<Report, Failure>) -> Result<Report, Failure> {
+fn parsed<C: Parser>(
+    help: String,
+    command: impl FnOnce(&C) -> Result<Report, Failure>,
+) -> Result<Report, Failure> {
     let parsed = with_negative_numbers(C::command())
+        .help_template(help)
         .try_get_matches()
         .and_then(|matches| C::from_arg_matches(&matches));
     let error = match parsed {
