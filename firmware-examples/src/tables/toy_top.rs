@@ -7,7 +7,7 @@
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (toytop::Baked::<toytop::fixed::types::I2F30, 32> {
     format: 7,
-    crc32: 0xb00255c5,
+    crc32: 0x05555110,
     clock: toytop::Clock {
         step: [[2668364299, 588342322, 56542227], [1444926868, 672778249, 51392304], [1879647339, 2227764775, 4247109518]],
         tip_start_quarter_turns: 0,
@@ -25,8 +25,8 @@ pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (
         tip_step: [3324574207, 2900543024, 3534526, 0],
         epoch: 0,
     },
-    error_bound: toytop::ErrorBound { constant: 1.9960488488428825e-8, per_tick: 1.6813622724645346e-18 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.000146790502663635, per_tick: 2.5982499877249815e-16 },
+    error_bound: toytop::ErrorBound { constant: 1.996290888564481e-8, per_tick: 1.6813622724645346e-18 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.00014689424686832435, per_tick: 2.5982499877249815e-16 },
     cells: [2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2],
     segments: [
         [
@@ -49,7 +49,7 @@ pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (
         ],
         [
             [2107408226, 1562061, 412865135, 7518454],
-            [124915, 428797, -676815, 2063862],
+            [124916, 428797, -676815, 2063862],
             [17167, -7444, -92898, -35835],
             [-191, -682, 1070, -3283],
         ],
@@ -79,7 +79,7 @@ pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (
         ],
         [
             [2108430129, 3439142, 407335955, 16553057],
-            [275934, 306980, -1490903, 1477515],
+            [275933, 306980, -1490903, 1477515],
             [12436, -16441, -66631, -79135],
             [-428, -493, 2367, -2376],
         ],

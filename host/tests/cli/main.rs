@@ -39,7 +39,7 @@ mod samples {
 /// Scores of trajectories, and the problems that integrators are tested with.
 mod integrators {
     mod benchmark;
-    mod integrators;
+    mod comparisons;
     mod trajectories;
 }
 
