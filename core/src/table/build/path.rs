@@ -181,6 +181,7 @@ impl<'a, F: Float> Path<'a, F> {
             pause();
             polynomial.finish(terms, self.limits)?;
         }
+        pause();
         launch.search(expansion, self.end.phases.chi, span);
         Some(())
     }

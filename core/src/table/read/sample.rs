@@ -9,6 +9,7 @@ use crate::table::data::Phases;
 use crate::table::evaluation::{
     Coefficient, EphemerisScalar, NumberOf, orientation, orientation_and_omega_body,
 };
+use crate::table::read::segment::LocatedSegment;
 
 /// Sample of a motion at one time. Each method evaluates the table; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
 /// [`Sample::attitude_state`] do so once for several quantities.
@@ -140,7 +141,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[inline(always)]
     fn unrounded(&self) -> Orientation<NumberOf<R>> {
         let Phases { nutation, alpha, beta } = self.phases;
-        let (rows, point, _) = self.table.segment_at(nutation);
+        let LocatedSegment { rows, point, .. } = self.table.segment_at(nutation);
         orientation::<R>(rows, point, [alpha, beta])
     }
 
@@ -148,7 +149,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[inline(always)]
     fn unrounded_and_scaled_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
         let Phases { nutation, alpha, beta } = self.phases;
-        let (rows, point, _) = self.table.segment_at(nutation);
+        let LocatedSegment { rows, point, .. } = self.table.segment_at(nutation);
         orientation_and_omega_body::<R>(rows, point, [alpha, beta], self.table.clock.rates())
     }
 

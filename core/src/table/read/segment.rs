@@ -4,10 +4,17 @@ use crate::table::data::EphemerisView;
 use crate::table::data::cell::{Cell, MIN_DEPTH};
 use crate::table::evaluation::{EphemerisScalar, SegmentPoint};
 
+/// Segment of a nutation phase, and the point of it. As a tuple it would cost a tick six cycles.
+pub(super) struct LocatedSegment<'a, R: EphemerisScalar> {
+    pub(super) rows: &'a [[R::Coefficient; 4]],
+    pub(super) index: usize,
+    pub(super) point: SegmentPoint,
+}
+
 impl<R: EphemerisScalar> EphemerisView<R> {
-    /// Coefficients of the segment of a nutation phase, given by its 64 leading bits; the point of the segment; and its number.
+    /// Segment of a nutation phase, given by its 64 leading bits.
     #[inline(always)]
-    pub(super) fn segment_at(&self, nutation: u64) -> (&[[R::Coefficient; 4]], SegmentPoint, usize) {
+    pub(super) fn segment_at(&self, nutation: u64) -> LocatedSegment<'_, R> {
         let falling = (nutation as i64) >> 63;
         // the fraction of half a period, and its 32 leading bits
         let half = (nutation ^ falling as u64) << 1;
@@ -21,8 +28,15 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         // the range [0, 1) becomes [-1, 1) by flipping the upper bit
         let halvings = depth - MIN_DEPTH;
         let (x_q63, x_q31) = ((half << depth) ^ (1 << 63), (eighth << halvings) ^ (1 << 31));
-        let point =
-            SegmentPoint { x_q63: x_q63 as i64, x_q31: x_q31 as i32, halvings, is_falling: falling < 0 };
-        (segment.map_or(&[], |segment| segment.as_ref()), point, index)
+        LocatedSegment {
+            rows: segment.map_or(&[], |segment| segment.as_ref()),
+            index,
+            point: SegmentPoint {
+                x_q63: x_q63 as i64,
+                x_q31: x_q31 as i32,
+                halvings,
+                is_falling: falling < 0,
+            },
+        }
     }
 }

@@ -10,6 +10,7 @@ use crate::table::data::Phases;
 use crate::table::data::cell::is_falling;
 use crate::table::evaluation::{EphemerisScalar, tabulated_a_b};
 use crate::table::read::sample::Sample;
+use crate::table::read::segment::LocatedSegment;
 
 impl<R: EphemerisScalar> Sample<'_, R> {
     /// Tip angle φ = arg c, continuous in time from φ(0) in (-1/2, 1/2] turn, modulo 2^32 turns; `None` for an axis that stays vertical. Error: that of the orientation over 2|αβ|.
@@ -36,8 +37,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Argument of the tabulated ab, continued from u = e₁ through the centres of all segments before; near 0 the direction from or to 0.
     pub(in crate::table) fn tabulated_tip_angle(&self, nutation: u64, pause: &mut dyn FnMut()) -> Phase {
-        const SEGMENTS: usize = 16;
-        let (rows, point, number) = self.segment_at(nutation);
+        const SEGMENTS: usize = 8;
+        let LocatedSegment { rows, point, index: number } = self.segment_at(nutation);
         let mut argument = ContinuedArgument::ZERO;
         for (index, segment) in self.segments.iter().enumerate().take(number + 1) {
             // the constants are the values at the centre
