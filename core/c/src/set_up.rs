@@ -52,6 +52,11 @@ pub struct toytop_settings {
     pub context: *mut c_void,
 }
 
+/// Truncation error that was chosen; `None` for that of the scalar.
+fn chosen(truncation: f64) -> Option<f64> {
+    (truncation != 0.0).then_some(truncation)
+}
+
 /// Sets up a table in memory of the caller, which need not be initialised.
 ///
 /// # Safety
@@ -68,7 +73,7 @@ unsafe fn set_up<R: EphemerisScalar>(
         unsafe { (empty_table::<R>(table, size)?, load(motion)?, read(settings)?) };
     let toytop_settings { tick, epoch, truncation, workspace, pause, context } = settings;
     let tick = Tick::ratio(tick.ticks, tick.seconds)?;
-    let settings = TableSettings { tick, epoch, truncation: (truncation != 0.0).then_some(truncation) };
+    let settings = TableSettings { tick, epoch, truncation: chosen(truncation) };
     // SAFETY: the caller guarantees that the pause may be called.
     let mut pause = unsafe { call_of(pause, context) };
     let mut set_up = |workspace: &mut Workspace| -> Result<(), Refusal> {
@@ -129,7 +134,7 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up>](
 pub unsafe extern "C" fn [<toytop_ $name _segments_needed>](motion: *const toytop_motion, truncation: f64) -> u32 {
     // SAFETY: the caller guarantees a valid pointer.
     let motion: Result<Motion, Refusal> = unsafe { load(motion) };
-    let truncation = if truncation == 0.0 { <$scalar>::TRUNCATION } else { truncation };
+    let truncation = chosen(truncation).unwrap_or(<$scalar>::TRUNCATION);
     let needed = |motion| EphemerisView::<$scalar>::segments_needed(&motion, truncation);
     motion.ok().and_then(needed).unwrap_or(0)
 }

@@ -34,18 +34,6 @@ pub(crate) fn f32_size(segments: usize) -> usize {
     TOYTOP_EPHEMERIS_F32_SIZE - 80 * 25 + 80 * segments
 }
 
-/// Parameters of the same top for the crate.
-pub(crate) fn parameters() -> TopParameters {
-    TopParameters {
-        transverse_inertia: 3.0e-5,
-        axial_inertia: 2.0e-5,
-        com_height: 0.03,
-        mass: 0.05,
-        gravity: 9.81,
-        ..TopParameters::default()
-    }
-}
-
 /// State of the same release by the crate.
 pub(crate) fn state() -> State {
     let release = Release { tilt: 0.35, azimuth: 0.1, spin: 150.0, precession: 2.0, ..Release::default() };
@@ -66,7 +54,7 @@ pub(crate) fn numbers<T, const N: usize>(call: impl FnOnce(*mut T) -> toytop_sta
 
 /// Motion of the same top and state by the crate.
 pub(crate) fn motion() -> Motion {
-    Motion::launch(&Top::sliding(&parameters()).expect("a top"), &state()).expect("a motion")
+    Motion::launch(&Top::sliding(&TopParameters::TOY).expect("a top"), &state()).expect("a motion")
 }
 
 /// Pause that counts its calls.

@@ -1,8 +1,6 @@
 //! Tests of tops, impulses and launches.
 
-use crate::fixture::{
-    RELEASE, SETTINGS, TOP, count, launched, motion, numbers, output_of, parameters, state, text,
-};
+use crate::fixture::{RELEASE, SETTINGS, TOP, count, launched, motion, numbers, output_of, state, text};
 use core::ffi::CStr;
 use core::mem::{MaybeUninit, size_of};
 use core::ptr::null_mut;
@@ -56,7 +54,7 @@ fn an_impulse_starts_another_motion() {
 
 #[test]
 fn free_bodies_and_rotors_are_those_of_the_crate() {
-    let parameters = TopParameters { rotor_momentum: -1.5e-3, ..parameters() };
+    let parameters = TopParameters { rotor_momentum: -1.5e-3, ..TopParameters::TOY };
     for (support, top) in [(TOYTOP_FREE, Top::free(&parameters)), (TOYTOP_SLIDING, Top::sliding(&parameters))]
     {
         let motion = Motion::launch(&top.expect("a top"), &state()).expect("a motion");
