@@ -63,10 +63,11 @@ pub fn ephemeris_with(
     truncation: Option<f64>,
 ) -> Result<MotionEphemeris, Failure> {
     let constants = MotionWithPeriod::new(*motion);
-    if let Some(closed_form) = ClosedFormSource::new(&constants).filter(|_| scalar == Scalar::F64) {
-        return Ok(closed_form.ephemeris());
-    }
-    if motion.regime() == Regime::Aperiodic {
+    if scalar == Scalar::F64 {
+        if let Some(closed_form) = ClosedFormSource::new(&constants) {
+            return Ok(closed_form.ephemeris());
+        }
+    } else if motion.regime() == Regime::Aperiodic {
         return Err(Failure::Method("an aperiodic motion has a closed form in f64, and no table".into()));
     }
     let settings =

@@ -100,7 +100,6 @@ fn sample<R: TableScalar>(
         Pose { orientation: Orientation { alpha: ABSENT, beta: ABSENT }, u: f64::NAN, tip: ABSENT };
     let needs = |column| only.is_none_or(|only| only == column);
     let vector = |x: [R::Quantity; 3]| x.map(Float::to_f64);
-    let near = table.mean_tip_angle_rate() * t;
     let [omega, omega_body] = [SampleColumn::Omega, SampleColumn::OmegaBody].map(needs);
     Sample {
         t,
@@ -110,9 +109,10 @@ fn sample<R: TableScalar>(
             omega_body: if omega_body { vector(now.omega_body()) } else { [f64::NAN; 3] },
             udot: if needs(SampleColumn::Udot) { now.udot().to_f64() } else { f64::NAN },
         },
-        tip_angle: match needs(SampleColumn::Phi) {
-            true => now.tip_angle().map(|angle| unwrapped(angle, near)),
-            false => None,
+        tip_angle: if needs(SampleColumn::Phi) {
+            now.tip_angle().map(|angle| unwrapped(angle, table.mean_tip_angle_rate() * t))
+        } else {
+            None
         },
         error_bound: Some(table.error_bound().after(ticks)),
     }
