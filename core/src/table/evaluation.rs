@@ -201,10 +201,17 @@ pub(crate) fn tabulated_a_b<R: EphemerisScalar>(
     point: SegmentPoint,
 ) -> [[Complex<f64>; 2]; 2] {
     let x = <R::Coefficient as Coefficient>::Sum::coordinate(point);
-    horner::<_, _, 4, true>(rows, x, |four| four.map(Coefficient::to_sum)).map(|four| {
-        let [re_a, im_a, re_b, im_b] = four.map(Into::into);
-        [Complex::new(re_a, im_a), Complex::new(re_b, im_b)]
-    })
+    horner::<_, _, 4, true>(rows, x, |four| four.map(Coefficient::to_sum)).map(complex_pair)
+}
+
+/// a and b before the rotation at the centre of a segment, which are its constants, in the scale of [`tabulated_a_b`].
+pub(crate) fn a_b_at_centre<C: Coefficient>(constants: [C; 4]) -> [Complex<f64>; 2] {
+    complex_pair(constants.map(Coefficient::to_sum))
+}
+
+fn complex_pair(four: [impl Into<f64>; 4]) -> [Complex<f64>; 2] {
+    let [re_a, im_a, re_b, im_b] = four.map(Into::into);
+    [Complex::new(re_a, im_a), Complex::new(re_b, im_b)]
 }
 
 /// Polynomials and, if `SLOPES`, their derivatives.

@@ -8,7 +8,7 @@ use crate::phase::Phase;
 use crate::table::data::EphemerisView;
 use crate::table::data::Phases;
 use crate::table::data::cell::is_falling;
-use crate::table::evaluation::{EphemerisScalar, tabulated_a_b};
+use crate::table::evaluation::{EphemerisScalar, a_b_at_centre, tabulated_a_b};
 use crate::table::read::sample::Sample;
 use crate::table::read::segment::LocatedSegment;
 
@@ -41,9 +41,8 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let LocatedSegment { rows, point, index: number } = self.segment_at(nutation);
         let mut argument = ContinuedArgument::ZERO;
         for (index, segment) in self.segments.iter().enumerate().take(number + 1) {
-            // the constants are the values at the centre
-            let constants = segment.as_ref().get(..1).unwrap_or_default();
-            let [[a, b], _] = tabulated_a_b::<R>(constants, point);
+            let Some(constants) = segment.as_ref().first() else { continue };
+            let [a, b] = a_b_at_centre(*constants);
             argument.continue_to(self.relative_to_start(a * b));
             if index % SEGMENTS == SEGMENTS - 1 {
                 pause();
