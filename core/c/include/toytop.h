@@ -208,6 +208,8 @@ typedef struct toytop_constants {
   double period;
   // Least force of the plane over the weight; NaN for a fixed tip or a free body. Below 0 a real top would leave the plane.
   double min_normal_force;
+  // Tilt at which the normal force changes its sign, rad; NaN where it never does. `toytop_f64_first_crossing` finds the lift-off.
+  double lift_off_tilt;
 } toytop_constants;
 
 // Partial derivatives of a motion at one time.
@@ -638,7 +640,8 @@ toytop_status toytop_f32_first_turning_point(const struct toytop_ephemeris_f32 *
                                              struct toytop_event *event);
 
 // First crossing of a tilt, the angle of the axis to the upward vertical in rad, at tick `from` or later; `upward` is 1 where the axis
-// rises. `TOYTOP_NONE` where the motion does not reach it.
+// rises. `TOYTOP_NONE` where the motion does not reach it. The tip is on the circle of a radius r about the origin where the sine of the
+// tilt is r/s.
 toytop_status toytop_f32_first_crossing(const struct toytop_ephemeris_f32 *table,
                                         double tilt,
                                         int64_t from,
@@ -658,7 +661,8 @@ toytop_status toytop_f64_first_turning_point(const struct toytop_ephemeris_f64 *
                                              struct toytop_event *event);
 
 // First crossing of a tilt, the angle of the axis to the upward vertical in rad, at tick `from` or later; `upward` is 1 where the axis
-// rises. `TOYTOP_NONE` where the motion does not reach it.
+// rises. `TOYTOP_NONE` where the motion does not reach it. The tip is on the circle of a radius r about the origin where the sine of the
+// tilt is r/s.
 toytop_status toytop_f64_first_crossing(const struct toytop_ephemeris_f64 *table,
                                         double tilt,
                                         int64_t from,
@@ -678,7 +682,8 @@ toytop_status toytop_q31_first_turning_point(const struct toytop_ephemeris_q31 *
                                              struct toytop_event *event);
 
 // First crossing of a tilt, the angle of the axis to the upward vertical in rad, at tick `from` or later; `upward` is 1 where the axis
-// rises. `TOYTOP_NONE` where the motion does not reach it.
+// rises. `TOYTOP_NONE` where the motion does not reach it. The tip is on the circle of a radius r about the origin where the sine of the
+// tilt is r/s.
 toytop_status toytop_q31_first_crossing(const struct toytop_ephemeris_q31 *table,
                                         double tilt,
                                         int64_t from,

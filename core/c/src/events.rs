@@ -42,7 +42,8 @@ reader! {
 
 reader! {
 /// First crossing of a tilt, the angle of the axis to the upward vertical in rad, at tick `from` or later; `upward` is 1 where the axis
-/// rises. `TOYTOP_NONE` where the motion does not reach it.
+/// rises. `TOYTOP_NONE` where the motion does not reach it. The tip is on the circle of a radius r about the origin where the sine of the
+/// tilt is r/s.
 [<toytop_ $name _first_crossing>](table: $table; tilt: f64, from: i64, event: *mut toytop_event)
     |table, tilt, from, event| {
         write_from::<$scalar, _>(table, event, |table| first_event(table.crossings(Level::of_tilt(tilt)?, from)))

@@ -4,7 +4,7 @@ use crate::input::{toytop_state, toytop_top};
 use crate::memory::{Opaque, load, read, store, write};
 use crate::status::{Refusal, status_of, toytop_error, toytop_status};
 use core::ffi::c_void;
-use toytop::{Complex, Motion, Regime};
+use toytop::{Complex, Level, Motion, Regime};
 use toytop_fit::Sensitivity;
 
 /// Bytes of a motion.
@@ -69,6 +69,8 @@ pub struct toytop_constants {
     pub period: f64,
     /// Least force of the plane over the weight; NaN for a fixed tip or a free body. Below 0 a real top would leave the plane.
     pub min_normal_force: f64,
+    /// Tilt at which the normal force changes its sign, rad; NaN where it never does. `toytop_f64_first_crossing` finds the lift-off.
+    pub lift_off_tilt: f64,
 }
 
 /// Function of the program that a launch or a set-up calls at least every 50 000 cycles of a Cortex-M4F (200 000 of a Cortex-M0+): to feed
@@ -143,6 +145,7 @@ pub unsafe extern "C" fn toytop_motion_constants(
             e3: e.e3,
             period: motion.period_advance().map_or(f64::NAN, |advance| advance.period),
             min_normal_force: motion.min_normal_force().unwrap_or(f64::NAN),
+            lift_off_tilt: Level::lift_off(&motion).map_or(f64::NAN, |level| level.tilt()),
         }
     };
     // SAFETY: the caller guarantees valid pointers.

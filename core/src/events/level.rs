@@ -5,7 +5,7 @@ use crate::complex::Complex;
 use crate::constants::normal_force;
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring};
+use crate::scalar::{Extended, Float, Real, Ring};
 use crate::su2::Orientation;
 use crate::table::{EphemerisScalar, EphemerisView, Phases, Sample};
 
@@ -72,6 +72,12 @@ impl Level {
     #[must_use]
     pub fn u(&self) -> f64 {
         if self.one_minus_u < 1.0 { 1.0 - self.one_minus_u } else { self.one_plus_u - 1.0 }
+    }
+
+    /// Tilt, rad.
+    #[must_use]
+    pub fn tilt(&self) -> f64 {
+        2.0 * Real::atan2(self.one_minus_u.sqrt(), self.one_plus_u.sqrt())
     }
 
     /// Nutation phase in (0, 1/2) turn at which u rises to the level; `None` where the motion does not reach it.

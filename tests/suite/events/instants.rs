@@ -155,11 +155,15 @@ fn events_that_do_not_occur_are_not_found() {
     assert_eq!(Level::lift_off(&vectors::motion("exact_lagrange")), None);
 }
 
-/// The cosine of a level is that which it was made of, to one rounding, and a level that does not exist is refused.
+/// A level has the cosine or the tilt that it was made of, to one rounding, and a level that does not exist is refused.
 #[test]
-fn a_level_has_the_cosine_that_it_was_made_of() {
+fn a_level_has_the_cosine_or_tilt_that_it_was_made_of() {
     for u in [-1.0, -0.999_999, -0.3, 0.0, 1e-9, 0.8, 0.999_999_999, 1.0] {
         assert!((Level::of_u(u).unwrap().u() - u).abs() <= 0.5 * f64::EPSILON, "{u}");
+    }
+    for tilt in [0.0, 1e-9, 0.36, 1.6, 3.141_592_6] {
+        let error = Level::of_tilt(tilt).unwrap().tilt() - tilt;
+        assert!(error.abs() <= f64::EPSILON * tilt, "{tilt} {error:e}");
     }
     for bad in [Level::of_u(1.5), Level::of_tilt(-0.1), Level::of_tilt(f64::NAN)] {
         assert!(bad.is_err());

@@ -4,7 +4,7 @@ use crate::fixture::{RELEASE, SETTINGS, TOP, count, launched, motion, numbers, o
 use core::ffi::CStr;
 use core::mem::{MaybeUninit, size_of};
 use core::ptr::null_mut;
-use toytop::{Ephemeris, Motion, Release, State, Tick, Top, TopParameters};
+use toytop::{Ephemeris, Level, Motion, Release, State, Tick, Top, TopParameters};
 use toytop_c::toytop_status::*;
 use toytop_c::*;
 
@@ -73,6 +73,38 @@ fn free_bodies_and_rotors_are_those_of_the_crate() {
             numbers(|to| toytop_f32_quaternion(&now, to))
         };
         assert_eq!(q, expected.at_tick(777).quaternion());
+    }
+}
+
+/// A top that is thrown upwards leaves the plane at the tilt that the constants have.
+#[test]
+fn a_lift_off_is_that_of_the_crate() {
+    let release = toytop_release { nutation: 60.0, ..RELEASE };
+    let expected = Release {
+        tilt: 0.35,
+        azimuth: 0.1,
+        spin: 150.0,
+        precession: 2.0,
+        nutation: 60.0,
+        ..Release::default()
+    };
+    let motion = Motion::launch(motion().top(), &State::from_release(&expected).expect("a release"))
+        .expect("a motion");
+    let level = Level::lift_off(&motion).expect("a lift-off");
+    let mut memory = MaybeUninit::<toytop_ephemeris_f64>::uninit();
+    unsafe {
+        let state = output_of(|to| toytop_state_from_release(&release, to, null_mut()));
+        let motion = output_of(|to| toytop_launch(&TOP, &state, to, null_mut()));
+        let constants = output_of(|to| toytop_motion_constants(&motion, to));
+        assert_eq!(constants.lift_off_tilt, level.tilt());
+        let (table, size) = (memory.as_mut_ptr(), size_of::<toytop_ephemeris_f64>());
+        assert_eq!(toytop_f64_set_up(table, size, &motion, &SETTINGS, null_mut()), TOYTOP_OK);
+        let event = output_of(|to| toytop_f64_first_crossing(table, constants.lift_off_tilt, 0, to));
+        let now = output_of(|to| toytop_f64_at(table, (event.tick as f64 + event.fraction) / 1000.0, to));
+        let axis: [f64; 3] = numbers(|to| toytop_f64_axis(&now, to));
+        assert!((axis[2] - level.u()).abs() < 1e-14, "{axis:?}");
+        let free = launched(&toytop_top { support: TOYTOP_FREE, ..TOP });
+        assert!(output_of(|to| toytop_motion_constants(&free, to)).lift_off_tilt.is_nan());
     }
 }
 
