@@ -57,6 +57,9 @@
 // Bytes of a cursor.
 #define TOYTOP_EPHEMERIS_CURSOR_SIZE 64
 
+// Bytes of the events of a table.
+#define TOYTOP_EPHEMERIS_EVENTS_SIZE 384
+
 // Status of a call: `TOYTOP_OK`, or the reason for which the call did nothing.
 enum toytop_status
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -208,7 +211,7 @@ typedef struct toytop_constants {
   double period;
   // Least force of the plane over the weight; NaN for a fixed tip or a free body. Below 0 a real top would leave the plane.
   double min_normal_force;
-  // Tilt at which the normal force changes its sign, rad; NaN where it never does. `toytop_f64_first_crossing` finds the lift-off.
+  // Tilt at which the normal force changes its sign, rad; NaN where it never does. `toytop_f64_crossings` of it are the lift-offs.
   double lift_off_tilt;
 } toytop_constants;
 
@@ -296,13 +299,20 @@ typedef struct toytop_ephemeris_cursor {
   uint64_t opaque[8];
 } toytop_ephemeris_cursor;
 
+// Events of one kind of a table, in order. They may be copied.
+//
+// They refer to their table, whose memory must still be there. After another set-up in this memory they are refused.
+typedef struct toytop_ephemeris_events {
+  uint64_t opaque[48];
+} toytop_ephemeris_events;
+
 // Event of a motion: its instant in ticks, and the sense of the change.
 typedef struct toytop_event {
   // Last tick at or before the event.
   int64_t tick;
   // Fraction of the following tick that passes before the event, in [0, 1).
   double fraction;
-  // 1 or 0: see the function that found the event.
+  // 1 or 0: see the function that found the events.
   uint32_t upward;
 } toytop_event;
 
@@ -633,68 +643,71 @@ toytop_status toytop_q31_next_quaternion(const struct toytop_ephemeris_q31 *tabl
                                          struct toytop_ephemeris_cursor *cursor,
                                          int32_t *quaternion);
 
-// First turning point of u at tick `from` or later; `upward` is 1 where u = e2. `TOYTOP_NONE` where there is none. The next one is
-// found from `tick + 1` of this one, here and below.
-toytop_status toytop_f32_first_turning_point(const struct toytop_ephemeris_f32 *table,
-                                             int64_t from,
-                                             struct toytop_event *event);
-
-// First crossing of a tilt, the angle of the axis to the upward vertical in rad, at tick `from` or later; `upward` is 1 where the axis
-// rises. `TOYTOP_NONE` where the motion does not reach it. The tip is on the circle of a radius r about the origin where the sine of the
-// tilt is r/s.
-toytop_status toytop_f32_first_crossing(const struct toytop_ephemeris_f32 *table,
-                                        double tilt,
+// Turning points of u at tick `from` or later; `upward` is 1 where u = e2. There are none where u is constant.
+toytop_status toytop_f32_turning_points(const struct toytop_ephemeris_f32 *table,
                                         int64_t from,
-                                        struct toytop_event *event);
+                                        struct toytop_ephemeris_events *events);
 
-// First instant at tick `from` or later at which the angle of the tip is `angle`, rad, up to whole turns; `upward` is 1 where it
-// increases. `TOYTOP_NONE` where the axis is always vertical or the angle is not reached.
-toytop_status toytop_f32_first_tip_angle(const struct toytop_ephemeris_f32 *table,
-                                         double angle,
-                                         int64_t from,
-                                         struct toytop_event *event);
+// Crossings of a tilt, the angle of the axis to the upward vertical in rad, at tick `from` or later; `upward` is 1 where the axis
+// rises. The tip is on the circle of a radius r about the origin where the sine of the tilt is r/s.
+toytop_status toytop_f32_crossings(const struct toytop_ephemeris_f32 *table,
+                                   double tilt,
+                                   int64_t from,
+                                   struct toytop_ephemeris_events *events);
 
-// First turning point of u at tick `from` or later; `upward` is 1 where u = e2. `TOYTOP_NONE` where there is none. The next one is
-// found from `tick + 1` of this one, here and below.
-toytop_status toytop_f64_first_turning_point(const struct toytop_ephemeris_f64 *table,
-                                             int64_t from,
-                                             struct toytop_event *event);
+// Instants at tick `from` or later at which the angle of the tip is `angle`, rad, up to whole turns; `upward` is 1 where it
+// increases. There are none where the axis is always vertical.
+toytop_status toytop_f32_tip_angles(const struct toytop_ephemeris_f32 *table,
+                                    double angle,
+                                    int64_t from,
+                                    struct toytop_ephemeris_events *events);
 
-// First crossing of a tilt, the angle of the axis to the upward vertical in rad, at tick `from` or later; `upward` is 1 where the axis
-// rises. `TOYTOP_NONE` where the motion does not reach it. The tip is on the circle of a radius r about the origin where the sine of the
-// tilt is r/s.
-toytop_status toytop_f64_first_crossing(const struct toytop_ephemeris_f64 *table,
-                                        double tilt,
+// Next of the events. `TOYTOP_NONE` where there is none.
+toytop_status toytop_f32_next_event(struct toytop_ephemeris_events *events, struct toytop_event *event);
+
+// Turning points of u at tick `from` or later; `upward` is 1 where u = e2. There are none where u is constant.
+toytop_status toytop_f64_turning_points(const struct toytop_ephemeris_f64 *table,
                                         int64_t from,
-                                        struct toytop_event *event);
+                                        struct toytop_ephemeris_events *events);
 
-// First instant at tick `from` or later at which the angle of the tip is `angle`, rad, up to whole turns; `upward` is 1 where it
-// increases. `TOYTOP_NONE` where the axis is always vertical or the angle is not reached.
-toytop_status toytop_f64_first_tip_angle(const struct toytop_ephemeris_f64 *table,
-                                         double angle,
-                                         int64_t from,
-                                         struct toytop_event *event);
+// Crossings of a tilt, the angle of the axis to the upward vertical in rad, at tick `from` or later; `upward` is 1 where the axis
+// rises. The tip is on the circle of a radius r about the origin where the sine of the tilt is r/s.
+toytop_status toytop_f64_crossings(const struct toytop_ephemeris_f64 *table,
+                                   double tilt,
+                                   int64_t from,
+                                   struct toytop_ephemeris_events *events);
 
-// First turning point of u at tick `from` or later; `upward` is 1 where u = e2. `TOYTOP_NONE` where there is none. The next one is
-// found from `tick + 1` of this one, here and below.
-toytop_status toytop_q31_first_turning_point(const struct toytop_ephemeris_q31 *table,
-                                             int64_t from,
-                                             struct toytop_event *event);
+// Instants at tick `from` or later at which the angle of the tip is `angle`, rad, up to whole turns; `upward` is 1 where it
+// increases. There are none where the axis is always vertical.
+toytop_status toytop_f64_tip_angles(const struct toytop_ephemeris_f64 *table,
+                                    double angle,
+                                    int64_t from,
+                                    struct toytop_ephemeris_events *events);
 
-// First crossing of a tilt, the angle of the axis to the upward vertical in rad, at tick `from` or later; `upward` is 1 where the axis
-// rises. `TOYTOP_NONE` where the motion does not reach it. The tip is on the circle of a radius r about the origin where the sine of the
-// tilt is r/s.
-toytop_status toytop_q31_first_crossing(const struct toytop_ephemeris_q31 *table,
-                                        double tilt,
+// Next of the events. `TOYTOP_NONE` where there is none.
+toytop_status toytop_f64_next_event(struct toytop_ephemeris_events *events, struct toytop_event *event);
+
+// Turning points of u at tick `from` or later; `upward` is 1 where u = e2. There are none where u is constant.
+toytop_status toytop_q31_turning_points(const struct toytop_ephemeris_q31 *table,
                                         int64_t from,
-                                        struct toytop_event *event);
+                                        struct toytop_ephemeris_events *events);
 
-// First instant at tick `from` or later at which the angle of the tip is `angle`, rad, up to whole turns; `upward` is 1 where it
-// increases. `TOYTOP_NONE` where the axis is always vertical or the angle is not reached.
-toytop_status toytop_q31_first_tip_angle(const struct toytop_ephemeris_q31 *table,
-                                         double angle,
-                                         int64_t from,
-                                         struct toytop_event *event);
+// Crossings of a tilt, the angle of the axis to the upward vertical in rad, at tick `from` or later; `upward` is 1 where the axis
+// rises. The tip is on the circle of a radius r about the origin where the sine of the tilt is r/s.
+toytop_status toytop_q31_crossings(const struct toytop_ephemeris_q31 *table,
+                                   double tilt,
+                                   int64_t from,
+                                   struct toytop_ephemeris_events *events);
+
+// Instants at tick `from` or later at which the angle of the tip is `angle`, rad, up to whole turns; `upward` is 1 where it
+// increases. There are none where the axis is always vertical.
+toytop_status toytop_q31_tip_angles(const struct toytop_ephemeris_q31 *table,
+                                    double angle,
+                                    int64_t from,
+                                    struct toytop_ephemeris_events *events);
+
+// Next of the events. `TOYTOP_NONE` where there is none.
+toytop_status toytop_q31_next_event(struct toytop_ephemeris_events *events, struct toytop_event *event);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -1,7 +1,7 @@
 //! Cursors, which go from tick to tick of a table.
 
 use crate::memory::{Opaque, load, store, write};
-use crate::sample::{store_sample, toytop_ephemeris_sample};
+use crate::sample::toytop_ephemeris_sample;
 use crate::status::{Refusal, toytop_status};
 use crate::table::*;
 use toytop::{Cursor, EphemerisScalar, Sample};
@@ -35,7 +35,7 @@ impl Opaque for TableCursor {
 /// Cursor whose first sample is that of tick `first`.
 ///
 /// # Safety
-/// The conditions are those of [`store_sample`].
+/// The conditions are those of [`store_from`].
 unsafe fn store_cursor<R: EphemerisScalar>(
     table: *const u8,
     first: i64,
@@ -51,7 +51,7 @@ unsafe fn store_cursor<R: EphemerisScalar>(
 /// Gives the next sample of a cursor to `take`. If that refuses, the cursor stays.
 ///
 /// # Safety
-/// The conditions are those of [`store_sample`].
+/// The conditions are those of [`store_from`].
 unsafe fn advance<R: EphemerisScalar>(
     table: *const u8,
     place: *mut toytop_ephemeris_cursor,
@@ -71,20 +71,20 @@ unsafe fn advance<R: EphemerisScalar>(
 /// Next sample of a cursor.
 ///
 /// # Safety
-/// The conditions are those of [`store_sample`].
+/// The conditions are those of [`store_from`].
 unsafe fn next<R: EphemerisScalar>(
     table: *const u8,
     cursor: *mut toytop_ephemeris_cursor,
     place: *mut toytop_ephemeris_sample,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table, here and inside.
-    unsafe { advance::<R>(table, cursor, |sample| store_sample(table, place, |_| Ok(sample))) }
+    unsafe { advance::<R>(table, cursor, |sample| store_from::<R, _, _>(table, place, |_| Ok(sample))) }
 }
 
 /// Quaternion at the next tick of a cursor.
 ///
 /// # Safety
-/// The conditions are those of [`store_sample`].
+/// The conditions are those of [`store_from`].
 unsafe fn next_quaternion<R: EphemerisScalar>(
     table: *const u8,
     cursor: *mut toytop_ephemeris_cursor,

@@ -1,8 +1,28 @@
 //! Events: turning points, crossings of a tilt, and tip angles.
 
+use crate::memory::{Opaque, store, write};
 use crate::status::{Refusal, toytop_status};
 use crate::table::*;
 use toytop::{EphemerisScalar, Event, Events, Level, ParameterError, Phase};
+
+/// Bytes of the events of a table.
+pub const TOYTOP_EPHEMERIS_EVENTS_SIZE: usize = 384;
+
+/// Events of one kind of a table, in order. They may be copied.
+///
+/// They refer to their table, whose memory must still be there. After another set-up in this memory they are refused.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct toytop_ephemeris_events {
+    opaque: [u64; 48],
+}
+
+// cbindgen accepts only a number as a length
+const _: () = assert!(size_of::<toytop_ephemeris_events>() == TOYTOP_EPHEMERIS_EVENTS_SIZE);
+
+impl<R: EphemerisScalar> Opaque for Referring<Events<'static, R>> {
+    const TAG: u32 = 0x746f_6500 | R::CODE;
+}
 
 /// Event of a motion: its instant in ticks, and the sense of the change.
 #[repr(C)]
@@ -12,14 +32,25 @@ pub struct toytop_event {
     pub tick: i64,
     /// Fraction of the following tick that passes before the event, in [0, 1).
     pub fraction: f64,
-    /// 1 or 0: see the function that found the event.
+    /// 1 or 0: see the function that found the events.
     pub upward: u32,
 }
 
-/// First event of an iterator.
-fn first_event<R: EphemerisScalar>(mut events: Events<'_, R>) -> Result<toytop_event, Refusal> {
-    let Event { tick, fraction, upward } = events.next().ok_or(toytop_status::TOYTOP_NONE)?;
-    Ok(toytop_event { tick, fraction, upward: upward.into() })
+/// Writes the next event, and keeps the events after it.
+///
+/// # Safety
+/// The pointers are null or valid, and the memory of the table is still there.
+unsafe fn next_event<R: EphemerisScalar>(
+    place: *mut toytop_ephemeris_events,
+    event: *mut toytop_event,
+) -> Result<(), Refusal> {
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe {
+        let mut kept: Referring<Events<'static, R>> = load_of::<R, _, _>(place)?;
+        let Event { tick, fraction, upward } = kept.value.next().ok_or(toytop_status::TOYTOP_NONE)?;
+        write(event, toytop_event { tick, fraction, upward: upward.into() })?;
+        store(place, kept)
+    }
 }
 
 /// Tip angle from rad.
@@ -34,29 +65,37 @@ macro_rules! functions {
     ($name:ident, $scalar:ty, $table:ty, $orientation:ty, $rate:ty) => { pastey::paste! {
 
 reader! {
-/// First turning point of u at tick `from` or later; `upward` is 1 where u = e2. `TOYTOP_NONE` where there is none. The next one is
-/// found from `tick + 1` of this one, here and below.
-[<toytop_ $name _first_turning_point>](table: $table; from: i64, event: *mut toytop_event)
-    |table, from, event| write_from::<$scalar, _>(table, event, |table| first_event(table.turning_points(from)))
+/// Turning points of u at tick `from` or later; `upward` is 1 where u = e2. There are none where u is constant.
+[<toytop_ $name _turning_points>](table: $table; from: i64, events: *mut toytop_ephemeris_events)
+    |table, from, events| store_from::<$scalar, _, _>(table, events, |table| Ok(table.turning_points(from)))
 }
 
 reader! {
-/// First crossing of a tilt, the angle of the axis to the upward vertical in rad, at tick `from` or later; `upward` is 1 where the axis
-/// rises. `TOYTOP_NONE` where the motion does not reach it. The tip is on the circle of a radius r about the origin where the sine of the
-/// tilt is r/s.
-[<toytop_ $name _first_crossing>](table: $table; tilt: f64, from: i64, event: *mut toytop_event)
-    |table, tilt, from, event| {
-        write_from::<$scalar, _>(table, event, |table| first_event(table.crossings(Level::of_tilt(tilt)?, from)))
+/// Crossings of a tilt, the angle of the axis to the upward vertical in rad, at tick `from` or later; `upward` is 1 where the axis
+/// rises. The tip is on the circle of a radius r about the origin where the sine of the tilt is r/s.
+[<toytop_ $name _crossings>](table: $table; tilt: f64, from: i64, events: *mut toytop_ephemeris_events)
+    |table, tilt, from, events| {
+        store_from::<$scalar, _, _>(table, events, |table| Ok(table.crossings(Level::of_tilt(tilt)?, from)))
     }
 }
 
 reader! {
-/// First instant at tick `from` or later at which the angle of the tip is `angle`, rad, up to whole turns; `upward` is 1 where it
-/// increases. `TOYTOP_NONE` where the axis is always vertical or the angle is not reached.
-[<toytop_ $name _first_tip_angle>](table: $table; angle: f64, from: i64, event: *mut toytop_event)
-    |table, angle, from, event| {
-        write_from::<$scalar, _>(table, event, |table| first_event(table.tip_angles(tip_angle(angle)?, from)))
+/// Instants at tick `from` or later at which the angle of the tip is `angle`, rad, up to whole turns; `upward` is 1 where it
+/// increases. There are none where the axis is always vertical.
+[<toytop_ $name _tip_angles>](table: $table; angle: f64, from: i64, events: *mut toytop_ephemeris_events)
+    |table, angle, from, events| {
+        store_from::<$scalar, _, _>(table, events, |table| Ok(table.tip_angles(tip_angle(angle)?, from)))
     }
+}
+
+/// Next of the events. `TOYTOP_NONE` where there is none.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn [<toytop_ $name _next_event>](
+    events: *mut toytop_ephemeris_events,
+    event: *mut toytop_event,
+) -> toytop_status {
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe { next_event::<$scalar>(events, event) }.into()
 }
 
     } };

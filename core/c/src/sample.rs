@@ -1,7 +1,7 @@
 //! Samples of a table at any tick or time, their error bounds and quantities.
 
 use crate::input::toytop_state;
-use crate::memory::{Opaque, load, store, write};
+use crate::memory::{Opaque, write};
 use crate::status::{Refusal, toytop_status};
 use crate::table::*;
 use toytop::{Complex, EphemerisScalar, EphemerisView, Orientation, ParameterError, Sample, State};
@@ -21,14 +21,7 @@ pub struct toytop_ephemeris_sample {
 // cbindgen accepts only a number as a length
 const _: () = assert!(size_of::<toytop_ephemeris_sample>() == TOYTOP_EPHEMERIS_SAMPLE_SIZE);
 
-/// Sample with the address and the identity of its table.
-struct TableSample<R: EphemerisScalar> {
-    sample: Sample<'static, R>,
-    address: *const u8,
-    table: u32,
-}
-
-impl<R: EphemerisScalar> Opaque for TableSample<R> {
+impl<R: EphemerisScalar> Opaque for Referring<Sample<'static, R>> {
     const TAG: u32 = 0x746f_7300 | R::CODE;
 }
 
@@ -44,27 +37,8 @@ unsafe fn write_quantity<R: EphemerisScalar, T>(
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
-        let TableSample { sample, address, table } = load(from)?;
-        if table_at::<R>(address)?.identity != table {
-            return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
-        }
+        let Referring { value: sample, .. } = load_of::<R, _, _>(from)?;
         write(place, quantity(sample)?)
-    }
-}
-
-/// Stores a sample of a table in memory of the caller.
-///
-/// # Safety
-/// The pointers are null or valid, and the table stays as long as the sample is used.
-pub(crate) unsafe fn store_sample<R: EphemerisScalar>(
-    table: *const u8,
-    place: *mut toytop_ephemeris_sample,
-    sample: impl FnOnce(&'static EphemerisView<R>) -> Result<Sample<'static, R>, Refusal>,
-) -> Result<(), Refusal> {
-    // SAFETY: the caller guarantees valid pointers and a valid table.
-    unsafe {
-        let Table { table, address, identity } = table_at::<R>(table)?;
-        store(place, TableSample { sample: sample(table)?, address, table: identity })
     }
 }
 
@@ -116,13 +90,13 @@ macro_rules! functions {
         reader! {
         /// Sample at any tick, of either sign, always at the same cost.
         [<toytop_ $name _at_tick>](table: $table; tick: i64, sample: *mut toytop_ephemeris_sample)
-            |table, tick, place| store_sample::<$scalar>(table, place, |table| Ok(table.at_tick(tick)))
+            |table, tick, place| store_from::<$scalar, _, _>(table, place, |table| Ok(table.at_tick(tick)))
         }
 
         reader! {
         /// Sample at any time, s from tick 0.
         [<toytop_ $name _at>](table: $table; time: f64, sample: *mut toytop_ephemeris_sample)
-            |table, time, place| store_sample::<$scalar>(table, place, |table| at(table, time))
+            |table, time, place| store_from::<$scalar, _, _>(table, place, |table| at(table, time))
         }
 
         reader! {

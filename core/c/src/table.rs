@@ -1,6 +1,6 @@
 //! Tables in memory of the caller.
 
-use crate::memory::{read, write};
+use crate::memory::{Opaque, load, read, store, write};
 use crate::status::{Refusal, toytop_status};
 use core::ptr::slice_from_raw_parts_mut;
 use toytop::fixed::types::I2F30;
@@ -136,6 +136,51 @@ pub(crate) unsafe fn write_from<R: EphemerisScalar, T>(
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe { write(place, quantity(table_at::<R>(table)?.table)?) }
+}
+
+/// Value that refers to a table, as C keeps it: with the address and the identity of the table.
+pub(crate) struct Referring<T> {
+    pub(crate) value: T,
+    address: *const u8,
+    identity: u32,
+}
+
+/// Keeps a value that refers to a table in memory of the caller.
+///
+/// # Safety
+/// The pointers are null or valid, and the table stays as long as the value is used.
+pub(crate) unsafe fn store_from<R: EphemerisScalar, P, T>(
+    table: *const u8,
+    place: *mut P,
+    value: impl FnOnce(&'static EphemerisView<R>) -> Result<T, Refusal>,
+) -> Result<(), Refusal>
+where
+    Referring<T>: Opaque,
+{
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe {
+        let Table { table, address, identity } = table_at::<R>(table)?;
+        store(place, Referring { value: value(table)?, address, identity })
+    }
+}
+
+/// Value that [`store_from`] kept. It is refused if its table was set up again.
+///
+/// # Safety
+/// The pointer is null or valid, and the memory of the table is still there.
+pub(crate) unsafe fn load_of<R: EphemerisScalar, P, T>(place: *const P) -> Result<Referring<T>, Refusal>
+where
+    Referring<T>: Opaque,
+{
+    // SAFETY: the caller guarantees valid pointers and a valid table.
+    unsafe {
+        let kept: Referring<T> = load(place)?;
+        if table_at::<R>(kept.address)?.identity == kept.identity {
+            Ok(kept)
+        } else {
+            Err(toytop_status::TOYTOP_NOT_SET_UP.into())
+        }
+    }
 }
 
 /// Number of segments of a table in this many bytes; too few bytes are refused.

@@ -99,7 +99,8 @@ fn a_lift_off_is_that_of_the_crate() {
         assert_eq!(constants.lift_off_tilt, level.tilt());
         let (table, size) = (memory.as_mut_ptr(), size_of::<toytop_ephemeris_f64>());
         assert_eq!(toytop_f64_set_up(table, size, &motion, &SETTINGS, null_mut()), TOYTOP_OK);
-        let event = output_of(|to| toytop_f64_first_crossing(table, constants.lift_off_tilt, 0, to));
+        let mut events = output_of(|to| toytop_f64_crossings(table, constants.lift_off_tilt, 0, to));
+        let event = output_of(|to| toytop_f64_next_event(&mut events, to));
         let now = output_of(|to| toytop_f64_at(table, (event.tick as f64 + event.fraction) / 1000.0, to));
         let axis: [f64; 3] = numbers(|to| toytop_f64_axis(&now, to));
         assert!((axis[2] - level.u()).abs() < 1e-14, "{axis:?}");

@@ -38,33 +38,32 @@ fn events_and_partial_derivatives_are_those_of_the_crate() {
     let expected = Ephemeris::<f64, 48>::new(&motion(), Tick::hertz(1000).expect("a tick")).expect("it fits");
     let launched = &launched(&TOP);
     let table = &*f64_table(launched);
-    let same = |found: toytop_event, mut events: Events<'_, f64>| {
-        let event = events.next().expect("an event");
-        assert_eq!(
-            (found.tick, found.fraction, found.upward),
-            (event.tick, event.fraction, event.upward.into())
-        );
+    let same = |mut found: toytop_ephemeris_events, events: Events<'_, f64>| {
+        for event in events.take(3) {
+            let found = unsafe { output_of(|to| toytop_f64_next_event(&mut found, to)) };
+            assert_eq!(
+                (found.tick, found.fraction, found.upward),
+                (event.tick, event.fraction, event.upward.into())
+            );
+        }
     };
     unsafe {
         for from in [0, -5000, 1 << 40] {
-            same(
-                output_of(|to| toytop_f64_first_turning_point(table, from, to)),
-                expected.turning_points(from),
-            );
+            same(output_of(|to| toytop_f64_turning_points(table, from, to)), expected.turning_points(from));
             let level = Level::of_tilt(0.36).expect("a level");
             same(
-                output_of(|to| toytop_f64_first_crossing(table, 0.36, from, to)),
+                output_of(|to| toytop_f64_crossings(table, 0.36, from, to)),
                 expected.crossings(level, from),
             );
             let angle = Phase::from_radians(-2.0);
-            let found = output_of(|to| toytop_f64_first_tip_angle(table, -2.0, from, to));
+            let found = output_of(|to| toytop_f64_tip_angles(table, -2.0, from, to));
             same(found, expected.tip_angles(angle, from));
         }
-        let mut event = MaybeUninit::uninit();
-        let event = event.as_mut_ptr();
-        assert_eq!(toytop_f64_first_crossing(table, 3.0, 0, event), TOYTOP_NONE);
-        assert_eq!(toytop_f64_first_crossing(table, 4.0, 0, event), TOYTOP_OUT_OF_RANGE);
-        assert_eq!(toytop_f64_first_tip_angle(table, f64::NAN, 0, event), TOYTOP_NOT_FINITE);
+        let mut none = output_of(|to| toytop_f64_crossings(table, 3.0, 0, to));
+        assert_eq!(toytop_f64_next_event(&mut none, MaybeUninit::uninit().as_mut_ptr()), TOYTOP_NONE);
+        let events = &mut none;
+        assert_eq!(toytop_f64_crossings(table, 4.0, 0, events), TOYTOP_OUT_OF_RANGE);
+        assert_eq!(toytop_f64_tip_angles(table, f64::NAN, 0, events), TOYTOP_NOT_FINITE);
         let partials: toytop_partials = output_of(|to| toytop_motion_partials(launched, 0.3, to));
         let now = Sensitivity::new(&motion()).at(0.3).expect("derivatives");
         assert_eq!((partials.orientation, partials.omega), (now.d_orientation(), now.d_omega()));
@@ -109,7 +108,7 @@ fn a_cursor_an_epoch_and_a_time_agree() {
         assert_eq!(toytop_q31_next(table, &mut cursor, &mut now), TOYTOP_OK);
         assert_eq!(output_of(|to| toytop_ephemeris_cursor_tick(&cursor, to)), 108);
 
-        // cursors and samples of an earlier table, of another one or of another scalar are refused
+        // cursors, samples and events of an earlier table, of another one or of another scalar are refused
         // zeroed memory: both tables are the first in theirs
         let mut tables = [MaybeUninit::<toytop_ephemeris_f32>::zeroed(); 2];
         let [single, another] = tables.each_mut().map(MaybeUninit::as_mut_ptr);
@@ -124,11 +123,14 @@ fn a_cursor_an_epoch_and_a_time_agree() {
         assert_eq!(next(another, &mut of_single), TOYTOP_NOT_SET_UP);
         assert_eq!(next(single, &mut of_single), TOYTOP_OK);
         let stale = output_of(|to| toytop_q31_at_tick(table, 107, to));
+        let mut stale_events = output_of(|to| toytop_q31_turning_points(table, 107, to));
         assert_eq!(set_up(100), TOYTOP_OK);
         let mut numbers = [0; 4];
         assert_eq!(toytop_q31_next(table, &mut cursor, &mut now), TOYTOP_NOT_SET_UP);
         assert_eq!(toytop_q31_next_quaternion(table, &mut cursor, numbers.as_mut_ptr()), TOYTOP_NOT_SET_UP);
         assert_eq!(toytop_q31_quaternion(&stale, numbers.as_mut_ptr()), TOYTOP_NOT_SET_UP);
+        let event = MaybeUninit::uninit().as_mut_ptr();
+        assert_eq!(toytop_q31_next_event(&mut stale_events, event), TOYTOP_NOT_SET_UP);
         assert_eq!(numbers, [0; 4]);
         let never = MaybeUninit::zeroed();
         assert_eq!(toytop_q31_quaternion(never.as_ptr(), numbers.as_mut_ptr()), TOYTOP_NOT_SET_UP);
