@@ -129,8 +129,8 @@ fn a_cursor_an_epoch_and_a_time_agree() {
         assert_eq!(toytop_q31_next(table, &mut cursor, &mut now), TOYTOP_NOT_SET_UP);
         assert_eq!(toytop_q31_next_quaternion(table, &mut cursor, numbers.as_mut_ptr()), TOYTOP_NOT_SET_UP);
         assert_eq!(toytop_q31_quaternion(&stale, numbers.as_mut_ptr()), TOYTOP_NOT_SET_UP);
-        let event = MaybeUninit::uninit().as_mut_ptr();
-        assert_eq!(toytop_q31_next_event(&mut stale_events, event), TOYTOP_NOT_SET_UP);
+        let mut event = MaybeUninit::uninit();
+        assert_eq!(toytop_q31_next_event(&mut stale_events, event.as_mut_ptr()), TOYTOP_NOT_SET_UP);
         assert_eq!(numbers, [0; 4]);
         let never = MaybeUninit::zeroed();
         assert_eq!(toytop_q31_quaternion(never.as_ptr(), numbers.as_mut_ptr()), TOYTOP_NOT_SET_UP);
