@@ -57,9 +57,12 @@ pub struct EvaluationErrors {
 
 /// Scalar of a table: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
 pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
+    /// Number in which a tick computes α, β and Ω.
+    #[doc(hidden)]
+    type Number: Number<Quantity = Self::Quantity>;
     /// Coefficient of the table.
     #[doc(hidden)]
-    type Coefficient: Coefficient<Quantity = Self::Quantity>;
+    type Coefficient: Coefficient<Number = Self::Number>;
     /// Segment: coefficients of Re a, Im a, Re b and Im b side by side, lowest power first.
     type Segment: Copy
         + Debug
@@ -87,66 +90,63 @@ pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
 
     /// Nearest value of the scalar.
     #[doc(hidden)]
-    fn from_number(number: NumberOf<Self>) -> Self;
+    fn from_number(number: Self::Number) -> Self;
     /// Sine and cosine of a phase, given by its 64 leading bits.
     #[doc(hidden)]
-    fn sine_cosine_sums(phase: u64) -> [<Self::Coefficient as Coefficient>::Sum; 2];
+    fn sine_cosine_sums(phase: u64) -> [SumOf<Self::Coefficient>; 2];
 }
 
-/// Number in which a tick of a scalar computes α, β and Ω.
-pub(crate) type NumberOf<R> = <<R as EphemerisScalar>::Coefficient as Coefficient>::Number;
-
-/// Coefficient of a table, and the arithmetic of its evaluation.
-pub trait Coefficient: Copy + Debug + PartialEq {
-    /// Sum of Horner's rule, and the local coordinate: the type of the coefficient itself, or `i32` for `i16`.
-    type Sum: Coefficient<Sum = Self::Sum, Number = Self::Number, Quantity = Self::Quantity>
-        + Default
-        + Into<f64>;
-    /// Number in which α, β and Ω are computed. Rates may be larger than its range, so they have a common power of two as a factor.
-    type Number: Ring;
+/// Number in which a tick computes α, β and Ω: `Q30` or `f64`. Rates may be larger than its range, so they have a common power of two as a factor.
+pub trait Number: Ring {
+    /// Sum of Horner's rule, and the local coordinate.
+    type Sum: Coefficient<Number = Self> + Default + Into<f64>;
     /// Type of lengths and rates.
     type Quantity: Real;
 
-    /// Coefficient in the scale of the sums.
-    fn to_sum(self) -> Self::Sum;
-    /// Local coordinate.
-    fn coordinate(point: SegmentPoint) -> Self::Sum;
-    /// Step of Horner's rule, `self` + `sum` x, with 16 bits of x if they are enough.
-    fn step(self, sum: Self::Sum, x: Self::Sum, by_16_bits: bool) -> Self::Sum;
-    /// Last step, to the value of a polynomial with this constant.
-    #[inline(always)]
-    fn last_step(self, sum: Self::Sum, x: Self::Sum) -> Self::Sum {
-        self.step(sum, x, false)
-    }
-    /// Step of Horner's rule for the derivative, `sum` + `slope` x, with the sum of the polynomial before its step.
-    fn slope_step(sum: Self::Sum, slope: Self::Sum, x: Self::Sum, by_16_bits: bool) -> Self::Sum;
-    /// Complex number of the table, rotated by the angle with this sine and cosine.
-    fn rotated(
-        number: [Self::Sum; 2],
-        is_falling: bool,
-        sine_cosine: [Self::Sum; 2],
-    ) -> Complex<Self::Number>;
-    /// Sine and cosine of Λ_β - Λ_α, from those of Λ_α and Λ_β.
-    fn sine_cosine_of_difference(sines_cosines: [[Self::Sum; 2]; 2]) -> [Self::Sum; 2];
+    /// Product of the number and a power of two.
+    fn ldexp(self, exponent: i32) -> Self::Quantity;
     /// Angular velocity Ω over a power of two, with the exponent of that power.
     ///
     /// * `polynomials`: values and derivatives
     /// * `difference`: sine and cosine of Λ_β - Λ_α
     /// * `rates`: rates of x on an eighth of half a period, of Λ_α + Λ_β, and about the axis
-    #[inline(always)]
     fn omega_body(
         polynomials: [[Self::Sum; 4]; 2],
         difference: [Self::Sum; 2],
         point: SegmentPoint,
         rates: [Self::Quantity; 3],
-    ) -> (Vector<Self::Number>, i32) {
-        Self::Sum::omega_body(polynomials, difference, point, rates)
-    }
-    /// Product of a number and a power of two.
+    ) -> (Vector<Self>, i32);
+}
+
+/// Sum of Horner's rule with these coefficients: `i32` for `i16`, otherwise the type of the coefficient itself.
+type SumOf<C> = <<C as Coefficient>::Number as Number>::Sum;
+
+/// Coefficient of a table, and what of its evaluation depends on its word.
+pub trait Coefficient: Copy + Debug + PartialEq {
+    /// Number that the evaluation results in.
+    type Number: Number;
+
+    /// Coefficient in the scale of the sums.
+    fn to_sum(self) -> SumOf<Self>;
+    /// Local coordinate.
+    fn coordinate(point: SegmentPoint) -> SumOf<Self>;
+    /// Step of Horner's rule, `self` + `sum` x, with 16 bits of x if they are enough.
+    fn step(self, sum: SumOf<Self>, x: SumOf<Self>, by_16_bits: bool) -> SumOf<Self>;
+    /// Last step, to the value of a polynomial with this constant.
     #[inline(always)]
-    fn ldexp(number: Self::Number, exponent: i32) -> Self::Quantity {
-        Self::Sum::ldexp(number, exponent)
+    fn last_step(self, sum: SumOf<Self>, x: SumOf<Self>) -> SumOf<Self> {
+        self.step(sum, x, false)
     }
+    /// Step of Horner's rule for the derivative, `sum` + `slope` x, with the sum of the polynomial before its step.
+    fn slope_step(sum: SumOf<Self>, slope: SumOf<Self>, x: SumOf<Self>, by_16_bits: bool) -> SumOf<Self>;
+    /// Complex number of the table, rotated by the angle with this sine and cosine.
+    fn rotated(
+        number: [SumOf<Self>; 2],
+        is_falling: bool,
+        sine_cosine: [SumOf<Self>; 2],
+    ) -> Complex<Self::Number>;
+    /// Sine and cosine of Λ_β - Λ_α, from those of Λ_α and Λ_β.
+    fn sine_cosine_of_difference(sines_cosines: [[SumOf<Self>; 2]; 2]) -> [SumOf<Self>; 2];
 
     // For the set-up.
 
@@ -168,7 +168,7 @@ pub(crate) fn orientation<R: EphemerisScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
     [a, b]: [u64; 2],
-) -> Orientation<NumberOf<R>> {
+) -> Orientation<R::Number> {
     let [[re_a, im_a, re_b, im_b], _] = polynomials::<R::Coefficient, false>(rows, point);
     // each sine where it is needed: the smallest chips have few registers
     let alpha = R::Coefficient::rotated([re_a, im_a], point.is_falling, R::sine_cosine_sums(a));
@@ -183,14 +183,14 @@ pub(crate) fn orientation_and_omega_body<R: EphemerisScalar>(
     point: SegmentPoint,
     mean_phases: [u64; 2],
     rates: [R::Quantity; 3],
-) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
+) -> (Orientation<R::Number>, Vector<R::Number>, i32) {
     let [a, b] = mean_phases.map(R::sine_cosine_sums);
     let polynomials = polynomials::<R::Coefficient, true>(rows, point);
     let [[re_a, im_a, re_b, im_b], _] = polynomials;
     let alpha = R::Coefficient::rotated([re_a, im_a], point.is_falling, a);
     let beta = R::Coefficient::rotated([re_b, im_b], point.is_falling, b);
     let difference = R::Coefficient::sine_cosine_of_difference([a, b]);
-    let (omega, exponent) = R::Coefficient::omega_body(polynomials, difference, point, rates);
+    let (omega, exponent) = R::Number::omega_body(polynomials, difference, point, rates);
     (Orientation { alpha, beta }, omega, exponent)
 }
 
@@ -200,7 +200,7 @@ pub(crate) fn tabulated_a_b<R: EphemerisScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
 ) -> [[Complex<f64>; 2]; 2] {
-    let x = <R::Coefficient as Coefficient>::Sum::coordinate(point);
+    let x = <R::Number as Number>::Sum::coordinate(point);
     horner::<_, _, 4, true>(rows, x, |four| four.map(Coefficient::to_sum)).map(complex_pair)
 }
 
@@ -216,7 +216,10 @@ fn complex_pair(four: [impl Into<f64>; 4]) -> [Complex<f64>; 2] {
 
 /// Polynomials and, if `SLOPES`, their derivatives.
 #[inline(always)]
-fn polynomials<C: Coefficient, const SLOPES: bool>(rows: &[[C; 4]], point: SegmentPoint) -> [[C::Sum; 4]; 2] {
+fn polynomials<C: Coefficient, const SLOPES: bool>(
+    rows: &[[C; 4]],
+    point: SegmentPoint,
+) -> [[SumOf<C>; 4]; 2] {
     let x = C::coordinate(point);
     // four for vector units, two for the few registers of the smallest chips
     if cfg!(target_pointer_width = "64") || size_of::<C>() == 8 {
@@ -233,9 +236,9 @@ fn polynomials<C: Coefficient, const SLOPES: bool>(rows: &[[C; 4]], point: Segme
 #[inline(always)]
 fn horner<C, D: Coefficient, const N: usize, const SLOPES: bool>(
     rows: &[[C; 4]],
-    x: D::Sum,
+    x: SumOf<D>,
     part: impl Fn(&[C; 4]) -> [D; N],
-) -> [[D::Sum; N]; 2] {
+) -> [[SumOf<D>; N]; 2] {
     let (mut sums, mut slopes) = ([Default::default(); N], [Default::default(); N]);
     let [constant, higher @ ..] = rows else { return [sums, slopes] };
     for (power, coefficients) in higher.iter().enumerate().map(|(below, four)| (below + 2, four)).rev() {

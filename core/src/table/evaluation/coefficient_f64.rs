@@ -3,9 +3,12 @@
 use crate::complex::Complex;
 use crate::scalar::{Extended, Scalar, fraction_of_word, sine_cosine_f64};
 use crate::su2::Vector;
-use crate::table::evaluation::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_UNIT};
+use crate::table::evaluation::{
+    Coefficient, EphemerisScalar, EvaluationErrors, Number, SegmentPoint, TABLE_UNIT,
+};
 
 impl EphemerisScalar for f64 {
+    type Number = Self;
     type Coefficient = Self;
     type Segment = [[Self; 4]; 11];
     type Quantity = Self;
@@ -32,10 +35,34 @@ impl EphemerisScalar for f64 {
     }
 }
 
-impl Coefficient for f64 {
+impl Number for f64 {
     type Sum = Self;
-    type Number = Self;
     type Quantity = Self;
+
+    #[inline(always)]
+    fn omega_body(
+        polynomials: [[f64; 4]; 2],
+        [sine, cosine]: [f64; 2],
+        point: SegmentPoint,
+        [x, mean, axial]: [f64; 3],
+    ) -> (Vector<f64>, i32) {
+        let pair = |[re_a, im_a, re_b, im_b]: [f64; 4]| [Complex::new(re_a, im_a), Complex::new(re_b, im_b)];
+        let [[a, b], [a_slope, b_slope]] = polynomials.map(pair);
+        let x = x * Self::from(1_u16 << point.halvings);
+        let change = (a.conj() * b_slope - b * a_slope.conj()).scaled(x);
+        let n = change + (a.conj() * b).times_i().scaled(mean);
+        let n = if point.is_falling { -n.conj() } else { n } * Complex::new(cosine, sine);
+        ([2.0 * n.im, -2.0 * n.re, axial], 0)
+    }
+
+    #[inline]
+    fn ldexp(self, _: i32) -> f64 {
+        self
+    }
+}
+
+impl Coefficient for f64 {
+    type Number = Self;
 
     #[inline]
     fn to_sum(self) -> f64 {
@@ -68,26 +95,6 @@ impl Coefficient for f64 {
         [difference.im, difference.re]
     }
 
-    #[inline(always)]
-    fn omega_body(
-        polynomials: [[f64; 4]; 2],
-        [sine, cosine]: [f64; 2],
-        point: SegmentPoint,
-        [x, mean, axial]: [f64; 3],
-    ) -> (Vector<f64>, i32) {
-        let pair = |[re_a, im_a, re_b, im_b]: [f64; 4]| [Complex::new(re_a, im_a), Complex::new(re_b, im_b)];
-        let [[a, b], [a_slope, b_slope]] = polynomials.map(pair);
-        let x = x * Self::from(1_u16 << point.halvings);
-        let change = (a.conj() * b_slope - b * a_slope.conj()).scaled(x);
-        let n = change + (a.conj() * b).times_i().scaled(mean);
-        let n = if point.is_falling { -n.conj() } else { n } * Complex::new(cosine, sine);
-        ([2.0 * n.im, -2.0 * n.re, axial], 0)
-    }
-
-    #[inline]
-    fn ldexp(number: f64, _: i32) -> f64 {
-        number
-    }
     fn nearest(value: i64, _: usize) -> Self {
         value as f64 * TABLE_UNIT
     }

@@ -18,6 +18,7 @@ const OVERFLOW: i64 = overflow_limit(1e-3);
 const SHRINK: i64 = (1 << 30) - 10093;
 
 impl EphemerisScalar for I2F14 {
+    type Number = Q30;
     type Coefficient = i16;
     type Segment = [[i16; 4]; 3];
     type Quantity = f32;
@@ -46,9 +47,7 @@ impl EphemerisScalar for I2F14 {
 }
 
 impl Coefficient for i16 {
-    type Sum = i32;
     type Number = Q30;
-    type Quantity = f32;
 
     #[inline]
     fn to_sum(self) -> i32 {

@@ -9,10 +9,9 @@
 use crate::complex::Complex;
 use crate::integer::{high_product, high_product_limited, product_32x16, shifted_right};
 use crate::scalar::{Scalar, sine_cosine_q26};
-use crate::su2::Vector;
 use crate::table::evaluation::q30::Q30;
 use crate::table::evaluation::{
-    Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_BITS, is_by_16_bits,
+    Coefficient, EphemerisScalar, EvaluationErrors, Number, SegmentPoint, TABLE_BITS, is_by_16_bits,
 };
 #[cfg(feature = "fixed")]
 use {crate::scalar::sine_cosine_q31, fixed::types::I2F30};
@@ -32,6 +31,7 @@ pub(super) const INTEGER_ERRORS: EvaluationErrors = EvaluationErrors {
 pub(super) const COORDINATE_ERROR: f64 = 2.0 / (1_u64 << 32) as f64;
 
 impl EphemerisScalar for f32 {
+    type Number = Q30;
     type Coefficient = i32;
     type Segment = [[i32; 4]; 5];
     type Quantity = Self;
@@ -55,6 +55,7 @@ impl EphemerisScalar for f32 {
 
 #[cfg(feature = "fixed")]
 impl EphemerisScalar for I2F30 {
+    type Number = Q30;
     type Coefficient = i32;
     type Segment = [[i32; 4]; 4];
     type Quantity = f32;
@@ -105,9 +106,7 @@ pub(super) fn truncated_factors(polynomial: &[i64], limit: i64) -> Option<u32> {
 }
 
 impl Coefficient for i32 {
-    type Sum = Self;
     type Number = Q30;
-    type Quantity = f32;
 
     #[inline]
     fn to_sum(self) -> i32 {
@@ -149,21 +148,6 @@ impl Coefficient for i32 {
             high_product(cosine_a, sine_b) - high_product(sine_a, cosine_b),
             high_product(cosine_a, cosine_b) + high_product(sine_a, sine_b),
         ]
-    }
-
-    #[inline(always)]
-    fn omega_body(
-        polynomials: [[i32; 4]; 2],
-        difference: [i32; 2],
-        point: SegmentPoint,
-        rates: [f32; 3],
-    ) -> (Vector<Q30>, i32) {
-        Q30::omega_body(polynomials, difference, point, rates)
-    }
-
-    #[inline(always)]
-    fn ldexp(number: Q30, exponent: i32) -> f32 {
-        number.ldexp(exponent)
     }
 
     /// Coefficient with half a unit more, because the product added to it is rounded down. The constant has none: a complement changes its

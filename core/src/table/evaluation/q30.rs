@@ -3,7 +3,7 @@
 use crate::integer::high_product;
 use crate::scalar::{Ring, sealed::Sealed};
 use crate::su2::Vector;
-use crate::table::evaluation::SegmentPoint;
+use crate::table::evaluation::{Number, SegmentPoint};
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// Integer multiple of 2^-30 in [-2, 2). Sums and products wrap, which happens only with invalid table data.
@@ -16,10 +16,13 @@ const SOFT_FLOAT: bool = cfg!(any(
     all(target_arch = "riscv32", not(target_feature = "f"))
 ));
 
-impl Q30 {
+impl Number for Q30 {
+    type Sum = i32;
+    type Quantity = f32;
+
     /// Product rounded to `f32`; 0 for an exponent below -95, at which it could be subnormal.
     #[inline(always)]
-    pub(super) fn ldexp(self, exponent: i32) -> f32 {
+    fn ldexp(self, exponent: i32) -> f32 {
         let number = if exponent < -95 { 0 } else { self.0 };
         let exponent = exponent.max(-95) - 30;
         if SOFT_FLOAT {
@@ -34,11 +37,9 @@ impl Q30 {
         number as f32 * f32::from_bits(((exponent + 127) as u32) << 23)
     }
 
-    /// Angular velocity Ω over a power of two, with the exponent of that power.
-    ///
     /// Values and derivatives are in units of 2^-31, sine and cosine of Λ_β - Λ_α in units of 2^-30. Sums wrap only with invalid table data.
     #[inline(always)]
-    pub(super) fn omega_body(
+    fn omega_body(
         polynomials: [[i32; 4]; 2],
         [sine, cosine]: [i32; 2],
         point: SegmentPoint,
@@ -156,7 +157,6 @@ impl Significand {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::evaluation::Coefficient;
 
     #[test]
     fn a_power_of_two_is_exact() {

@@ -6,9 +6,7 @@ use crate::scalar::Float;
 use crate::su2::{AttitudeState, Orientation, Vector};
 use crate::table::data::EphemerisView;
 use crate::table::data::Phases;
-use crate::table::evaluation::{
-    Coefficient, EphemerisScalar, NumberOf, orientation, orientation_and_omega_body,
-};
+use crate::table::evaluation::{EphemerisScalar, Number, orientation, orientation_and_omega_body};
 use crate::table::read::segment::LocatedSegment;
 
 /// Sample of a motion at one time. Each method evaluates the table; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
@@ -57,7 +55,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[must_use]
     pub fn pose(&self) -> Pose<R, R::Quantity> {
         let numbers = self.unrounded();
-        let product = (numbers.alpha * numbers.beta).map(|part| R::Coefficient::ldexp(part, 0));
+        let product = (numbers.alpha * numbers.beta).map(|part| part.ldexp(0));
         Pose {
             orientation: numbers.map(R::from_number),
             u: R::from_number(numbers.u()),
@@ -95,7 +93,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[must_use]
     pub fn omega(&self) -> Vector<R::Quantity> {
         let (orientation, omega_body, exponent) = self.unrounded_and_scaled_omega_body();
-        orientation.adjoint(omega_body).map(|rate| R::Coefficient::ldexp(rate, exponent))
+        orientation.adjoint(omega_body).map(|rate| rate.ldexp(exponent))
     }
 
     /// Angular velocity Ω in the body frame, rad/s.
@@ -135,11 +133,11 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R::Quantity> {
         let (numbers, omega_body) = self.unrounded_and_omega_body();
-        AttitudeState::from_body(numbers.map(|part| R::Coefficient::ldexp(part, 0)), omega_body)
+        AttitudeState::from_body(numbers.map(|part| part.ldexp(0)), omega_body)
     }
 
     #[inline(always)]
-    fn unrounded(&self) -> Orientation<NumberOf<R>> {
+    fn unrounded(&self) -> Orientation<R::Number> {
         let Phases { nutation, alpha, beta } = self.phases;
         let LocatedSegment { rows, point, .. } = self.table.segment_at(nutation);
         orientation::<R>(rows, point, [alpha, beta])
@@ -147,7 +145,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
 
     /// Unrounded orientation, and Ω over a power of two with its exponent.
     #[inline(always)]
-    fn unrounded_and_scaled_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
+    fn unrounded_and_scaled_omega_body(&self) -> (Orientation<R::Number>, Vector<R::Number>, i32) {
         let Phases { nutation, alpha, beta } = self.phases;
         let LocatedSegment { rows, point, .. } = self.table.segment_at(nutation);
         orientation_and_omega_body::<R>(rows, point, [alpha, beta], self.table.clock.rates())
@@ -155,9 +153,9 @@ impl<R: EphemerisScalar> Sample<'_, R> {
 
     /// Unrounded orientation, and Ω.
     #[inline(always)]
-    fn unrounded_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
+    fn unrounded_and_omega_body(&self) -> (Orientation<R::Number>, Vector<R::Quantity>) {
         let (orientation, [x1, x2, _], exponent) = self.unrounded_and_scaled_omega_body();
-        let [x1, x2] = [x1, x2].map(|x| R::Coefficient::ldexp(x, exponent));
+        let [x1, x2] = [x1, x2].map(|x| x.ldexp(exponent));
         (orientation, [x1, x2, self.table.clock.axial_rate])
     }
 
@@ -165,7 +163,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     #[inline(always)]
     fn axis_rate(&self) -> Vector<R::Quantity> {
         let (orientation, omega_body, exponent) = self.unrounded_and_scaled_omega_body();
-        orientation.axis_rate(omega_body).map(|rate| R::Coefficient::ldexp(rate, exponent))
+        orientation.axis_rate(omega_body).map(|rate| rate.ldexp(exponent))
     }
 }
 
