@@ -136,7 +136,7 @@ mod tests {
         held::<(Top, State, Motion, Stepper<f32>, Stepper<f64>, Tick, Phase)>();
         held::<(EphemerisF32, EphemerisF64, SetUpError, ParameterError, ErrorBound)>();
         held::<(Orientation<f32>, AttitudeState<f32>, Event, Level)>();
-        held::<(&EphemerisView<f32>, Cursor)>();
+        held::<(&EphemerisView<f32>, Cursor<f32>)>();
         #[cfg(feature = "fixed")]
         held::<(EphemerisQ31, EphemerisQ15)>();
     }
@@ -151,7 +151,7 @@ mod tests {
         logged::<(BranchPoints, FirstIntegrals, PeriodAdvance, Regime, TipClass)>();
         logged::<(Motion, Sign, Signs)>();
         logged::<(EphemerisF32, EphemerisF64, ErrorBound, SetUpError, TableSettings, Event, Level)>();
-        logged::<(Cursor, Sample<'static, f64>, AttitudeState<f32>, Stepper<f64>)>();
+        logged::<(Cursor<f32>, Sample<'static, f64>, AttitudeState<f32>, Stepper<f64>)>();
         #[cfg(feature = "fixed")]
         logged::<(Orientation<fixed::types::I2F30>, Complex<fixed::types::I2F14>)>();
     }

@@ -23,12 +23,13 @@ pub struct toytop_ephemeris_cursor {
 const _: () = assert!(size_of::<toytop_ephemeris_cursor>() == TOYTOP_EPHEMERIS_CURSOR_SIZE);
 
 /// Cursor with the identity of its table.
-struct TableCursor {
+#[repr(C)]
+struct TableCursor<R> {
     table: u32,
-    cursor: Cursor,
+    cursor: Cursor<R>,
 }
 
-impl Opaque for TableCursor {
+impl<R> Opaque for TableCursor<R> {
     const TAG: u32 = 0x746f_7063;
 }
 
@@ -58,7 +59,7 @@ unsafe fn advance<R: EphemerisScalar>(
     take: impl FnOnce(Sample<'static, R>) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
-    let (Table { table, identity, .. }, mut kept): (_, TableCursor) =
+    let (Table { table, identity, .. }, mut kept): (_, TableCursor<R>) =
         unsafe { (table_at::<R>(table)?, load(place)?) };
     if kept.table != identity {
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
@@ -100,8 +101,8 @@ pub unsafe extern "C" fn toytop_ephemeris_cursor_tick(
     place: *const toytop_ephemeris_cursor,
     tick: *mut i64,
 ) -> toytop_status {
-    // SAFETY: the caller guarantees valid pointers.
-    unsafe { load(place).and_then(|kept: TableCursor| write(tick, kept.cursor.tick())) }.into()
+    // SAFETY: the caller guarantees valid pointers. The layout is the same for every scalar.
+    unsafe { load(place).and_then(|kept: TableCursor<f32>| write(tick, kept.cursor.tick())) }.into()
 }
 
 macro_rules! functions {

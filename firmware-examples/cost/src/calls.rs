@@ -92,8 +92,8 @@ fn on_stack(memory: &mut EphemerisMemory<EphemerisView<f32>>, measured: &Measure
 }
 
 /// Cursor with its table, as an interrupt keeps them.
-pub(crate) struct Reader<'a, T> {
-    pub(crate) cursor: Cursor,
+pub(crate) struct Reader<'a, R, T> {
+    pub(crate) cursor: Cursor<R>,
     pub(crate) table: &'a T,
 }
 
@@ -181,7 +181,7 @@ symbols! {
         *out = Output::floating(ephemeris.at_tick(tick));
     }
 
-    fn bench_cursor_f32(reader: &mut Reader<'_, EphemerisF32>, out: &mut Output<f32>) {
+    fn bench_cursor_f32(reader: &mut Reader<'_, f32, EphemerisF32>, out: &mut Output<f32>) {
         *out = Output::floating(reader.cursor.next(reader.table));
     }
 
@@ -189,7 +189,7 @@ symbols! {
         *out = Output::floating(ephemeris.at_tick(tick));
     }
 
-    fn bench_cursor_f64(reader: &mut Reader<'_, EphemerisF64>, out: &mut Output<f64>) {
+    fn bench_cursor_f64(reader: &mut Reader<'_, f64, EphemerisF64>, out: &mut Output<f64>) {
         *out = Output::floating(reader.cursor.next(reader.table));
     }
 
@@ -197,7 +197,7 @@ symbols! {
         *out = Output::fixed_point(ephemeris.at_tick(tick));
     }
 
-    fn bench_cursor_q31(reader: &mut Reader<'_, EphemerisQ31>, out: &mut Output<I2F30>) {
+    fn bench_cursor_q31(reader: &mut Reader<'_, I2F30, EphemerisQ31>, out: &mut Output<I2F30>) {
         *out = Output::fixed_point(reader.cursor.next(reader.table));
     }
 
@@ -205,13 +205,13 @@ symbols! {
         *out = Output::fixed_point(ephemeris.at_tick(tick));
     }
 
-    fn bench_cursor_q15(reader: &mut Reader<'_, EphemerisQ15>, out: &mut Output<I2F14>) {
+    fn bench_cursor_q15(reader: &mut Reader<'_, I2F14, EphemerisQ15>, out: &mut Output<I2F14>) {
         *out = Output::fixed_point(reader.cursor.next(reader.table));
     }
 
     /// Parameters α and β, and the tip in m.
     fn bench_tip_q31(
-        reader: &mut Reader<'_, EphemerisQ31>,
+        reader: &mut Reader<'_, I2F30, EphemerisQ31>,
         out: &mut (Complex<I2F30>, Complex<I2F30>, Complex<f32>),
     ) {
         let sample = reader.cursor.next(reader.table);

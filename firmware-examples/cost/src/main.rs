@@ -119,11 +119,11 @@ fn any_tick<T, O: Default>(meter: &mut Meter, name: &str, table: &T, call: exter
 }
 
 /// Measures a call at consecutive ticks of a table.
-fn next_tick<T, O: Default>(
+fn next_tick<R, T, O: Default>(
     meter: &mut Meter,
     name: &str,
-    mut reader: Reader<'_, T>,
-    call: extern "C" fn(&mut Reader<'_, T>, &mut O),
+    mut reader: Reader<'_, R, T>,
+    call: extern "C" fn(&mut Reader<'_, R, T>, &mut O),
 ) {
     let mut out = O::default();
     let ram = size_of_val(reader.table) + size_of_val(&reader);

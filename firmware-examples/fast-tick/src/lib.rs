@@ -6,6 +6,6 @@ use toytop::{Cursor, EphemerisView};
 
 /// Quaternion of the cursor's next tick.
 #[inline(never)] // in its caller it would be compiled for size
-pub fn next(cursor: &mut Cursor, table: &EphemerisView<f32>) -> [f32; 4] {
+pub fn next(cursor: &mut Cursor<f32>, table: &EphemerisView<f32>) -> [f32; 4] {
     cursor.next(table).quaternion()
 }

@@ -23,7 +23,7 @@ mod app {
     #[local]
     struct Local {
         table: &'static EphemerisView<f32>,
-        cursor: Cursor,
+        cursor: Cursor<f32>,
     }
 
     #[init]

@@ -21,7 +21,7 @@ const CLOCK: u32 = 25_000_000;
 
 struct Follower {
     table: &'static EphemerisView<f32>,
-    cursor: Cursor,
+    cursor: Cursor<f32>,
     tick: u32,
 }
 

@@ -54,7 +54,7 @@ struct TakeOver {
 /// Data that the interrupt owns.
 struct Source {
     memory: Owned,
-    cursor: Cursor,
+    cursor: Cursor<f32>,
     stepper: Option<Stepper<f32>>,
     kicks: Producer<'static, Kick>,
     bridges: Consumer<'static, (i64, Stepper<f32>)>,

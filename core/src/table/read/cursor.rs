@@ -6,24 +6,35 @@ use crate::table::data::EphemerisView;
 use crate::table::data::Phases;
 use crate::table::evaluation::EphemerisScalar;
 use crate::table::read::sample::Sample;
+use core::marker::PhantomData;
 
-/// Phases of consecutive ticks of one table, by three additions each. Pass that table to [`Cursor::next`].
+/// Phases of consecutive ticks of one table, by three additions each. Pass that table to [`Cursor::next`]: a table of another scalar does
+/// not compile.
+///
+/// ```compile_fail,E0308
+/// # use toytop::EphemerisView;
+/// fn tick(single: &EphemerisView<f32>, double: &EphemerisView<f64>) {
+///     single.cursor(0).next(double);
+/// }
+/// ```
 ///
 /// After a relaunch, a cursor of the new table takes the place of the old one, without lock and copy: see `examples/relaunch.rs`.
 #[derive(Clone, Debug)]
-pub struct Cursor {
+#[repr(C)] // the same for every scalar: the C interface reads the tick without knowing it
+pub struct Cursor<R> {
     /// Phases of the last tick.
     phases: Phases<WrappedPhase>,
     /// Number of the last tick, `high + low`. A rare carry needs fewer registers than a number of 64 bits.
     low: u32,
     high: i64,
+    scalar: PhantomData<fn() -> R>,
 }
 
-impl Cursor {
-    /// Sample of the next tick of the table that made the cursor; any other table gives a wrong orientation. The sequence has no end
+impl<R: EphemerisScalar> Cursor<R> {
+    /// Sample of the next tick of the table that made the cursor; another table gives a wrong orientation. The sequence has no end
     /// and cannot fail.
     #[inline(always)]
-    pub fn next<'a, R: EphemerisScalar>(&mut self, table: &'a EphemerisView<R>) -> Sample<'a, R> {
+    pub fn next<'a>(&mut self, table: &'a EphemerisView<R>) -> Sample<'a, R> {
         self.phases.update(table.clock.steps(), WrappedPhase::plus);
         let (low, carry) = self.low.overflowing_add(1);
         self.low = low;
@@ -51,9 +62,9 @@ impl Cursor {
 impl<R: EphemerisScalar> EphemerisView<R> {
     /// Cursor whose first sample is that of tick `first`.
     #[must_use]
-    pub fn cursor(&self, first: i64) -> Cursor {
+    pub fn cursor(&self, first: i64) -> Cursor<R> {
         let phases = self.clock.phases_at_tick(first).zip_map(self.clock.steps(), WrappedPhase::minus);
-        Cursor { phases, low: 0, high: first.wrapping_sub(1) }
+        Cursor { phases, low: 0, high: first.wrapping_sub(1), scalar: PhantomData }
     }
 
     /// Fills `out` with the orientations at the ticks first, first + 1, .... The bits are those of [`EphemerisView::at_tick`]; faster on a PC.
@@ -78,7 +89,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
 /// Tick of the last sample.
 #[cfg(feature = "defmt")]
-impl defmt::Format for Cursor {
+impl<R: EphemerisScalar> defmt::Format for Cursor<R> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "cursor at tick {=i64}", self.tick());
     }

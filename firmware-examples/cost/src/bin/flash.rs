@@ -38,6 +38,6 @@ fn launch(parameters: &TopParameters, release: &Release) -> Result<Motion, Param
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-fn bench_fast_tick(cursor: &mut Cursor, table: &EphemerisView<f32>, out: &mut [f32; 4]) {
+fn bench_fast_tick(cursor: &mut Cursor<f32>, table: &EphemerisView<f32>, out: &mut [f32; 4]) {
     *out = toytop_fast_tick::next(cursor, table);
 }
