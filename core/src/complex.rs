@@ -55,7 +55,7 @@ impl<R: Ring> Complex<R> {
     /// Product x z with a real x.
     #[must_use]
     pub fn scaled(self, x: R) -> Self {
-        Self { re: self.re.truncated_product(x), im: self.im.truncated_product(x) }
+        Self { re: self.re.product(x), im: self.im.product(x) }
     }
 }
 

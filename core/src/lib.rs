@@ -46,8 +46,8 @@ pub mod table_format {}
 #[doc(hidden)]
 pub mod internal {
     pub use crate::body::{check, check_finite};
-    pub use crate::motion::cayley_klein::{Ellipse, Ellipses};
-    pub use crate::scalar::sine::{COSINE, CUBIC, LINEAR, SECANT, SINE, SINES, VERSINE};
+    pub use crate::motion::ellipses::{Ellipse, Ellipses};
+    pub use crate::scalar::sine::{COSINE, CUBIC, LINEAR, SINE, SINE_Q26, SINES, VERSINE};
 
     use crate::motion::phase_equations::PhaseEquations;
     use crate::scalar::Extended;

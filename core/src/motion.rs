@@ -2,7 +2,7 @@
 
 pub(crate) mod phase_equations;
 
-pub(crate) mod cayley_klein;
+pub(crate) mod ellipses;
 
 pub(crate) mod period;
 
@@ -18,7 +18,7 @@ pub(crate) use launch_rounding::LaunchRounding;
 use crate::body::{Support, Top};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, Regime, Signs, TipClass, normal_force};
-use crate::motion::cayley_klein::Ellipses;
+use crate::motion::ellipses::Ellipses;
 use crate::motion::period::{PathNumber, Period, PeriodAdvance};
 use crate::motion::phase_equations::PhaseEquations;
 use crate::phase::Phase;
@@ -33,7 +33,7 @@ pub struct Motion {
     pub(crate) integrals: FirstIntegrals<Extended>,
     /// Half of τ = ⟨ω, r⟩ - n/A, rad/s.
     pub(crate) half_tau: Extended,
-    ellipses: Ellipses<f64>,
+    pub(crate) ellipses: Ellipses<f64>,
     regime: Regime,
     /// Half phase χ at t = 0; `None` where u is constant.
     pub(crate) half_phase: Option<Phase>,
@@ -125,10 +125,6 @@ impl Motion {
         (self.top.support() == Support::Sliding).then(|| {
             if self.is_steady() { 1.0 } else { normal_force::minimum(&self.e, self.top.a_over_ps()) }
         })
-    }
-
-    pub(crate) fn ellipses<R: Float>(&self) -> Ellipses<R> {
-        self.ellipses.cast()
     }
 
     /// Rates ((l ± n)/(A (1 ± u)) ± τ)/2 of the slow phases where u is constant, rad/s; 0 for a parameter that is 0.

@@ -52,7 +52,7 @@ pub trait Ring:
     /// Product; in fixed point rounded down, and without the overflow check of `*`.
     #[inline(always)]
     #[must_use]
-    fn truncated_product(self, other: Self) -> Self {
+    fn product(self, other: Self) -> Self {
         self * other
     }
 
@@ -60,21 +60,21 @@ pub trait Ring:
     #[inline(always)]
     #[must_use]
     fn inner([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
-        a.truncated_product(c) + b.truncated_product(d)
+        a.product(c) + b.product(d)
     }
 
     /// Determinant of two pairs, ad - bc.
     #[inline(always)]
     #[must_use]
     fn determinant([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
-        a.truncated_product(d) - b.truncated_product(c)
+        a.product(d) - b.product(c)
     }
 
     /// Square, x².
     #[inline]
     #[must_use]
     fn squared(self) -> Self {
-        self.truncated_product(self)
+        self.product(self)
     }
 
     /// Double, x + x: exact in binary floating point.

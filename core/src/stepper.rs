@@ -4,7 +4,7 @@
 
 use crate::complex::Complex;
 use crate::motion::Motion;
-use crate::motion::cayley_klein::Ellipses;
+use crate::motion::ellipses::Ellipses;
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real};
@@ -53,7 +53,7 @@ impl<R: Real> Stepper<R> {
         let (top, integrals) = (motion.top(), motion.first_integrals());
         let per_a = 0.25 / top.transverse_inertia();
         let mut stepper = Self {
-            ellipses: motion.ellipses(),
+            ellipses: motion.ellipses.map(R::from_f64),
             equations: motion.equations().map(R::from_extended),
             half_phase: match (motion.aperiodic_v(), motion.half_phase) {
                 (Some(v), _) => HalfPhase::Aperiodic(v.into()),

@@ -26,6 +26,16 @@ pub fn cross<R: Ring>(x: Vector<R>, y: Vector<R>) -> Vector<R> {
     [x2 * y3 - x3 * y2, x3 * y1 - x1 * y3, x1 * y2 - x2 * y1]
 }
 
+/// Sum x + f y.
+pub fn add_scaled<R: Ring>([x1, x2, x3]: Vector<R>, [y1, y2, y3]: Vector<R>, f: R) -> Vector<R> {
+    [x1 + f * y1, x2 + f * y2, x3 + f * y3]
+}
+
+/// Product f x.
+pub fn scaled<R: Ring>(x: Vector<R>, f: R) -> Vector<R> {
+    x.map(|component| f * component)
+}
+
 /// Orientation: the matrix Φ = ((α, β), (γ, δ)) of SU(2), with γ = -β̄, δ = ᾱ and |α|² + |β|² = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

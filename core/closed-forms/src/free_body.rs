@@ -11,7 +11,7 @@
 
 use toytop::internal::{half_phase, half_tau, phase_equations, top_constants};
 use toytop::scalar::{Extended, Float, Ring};
-use toytop::su2::{Orientation, Vector, dot};
+use toytop::su2::{Orientation, Vector, add_scaled, dot, scaled};
 use toytop::{AttitudeState, Complex, Motion, Phase, Stepper};
 
 /// Motion of a body without torque as a function of time: a free body, or a top with a fixed tip and g = 0.
@@ -40,10 +40,7 @@ impl FreeBody {
         let attitude = Stepper::<f64>::new(motion).attitude_state();
         let (r, omega) = (attitude.orientation.axis(), attitude.omega());
         let beyond_sphere = (c - a) * dot(omega, r) + k;
-        let mut m = omega.map(|rate| a * rate);
-        for (component, r) in m.iter_mut().zip(r) {
-            *component += beyond_sphere * r;
-        }
+        let m = add_scaled(scaled(omega, a), r, beyond_sphere);
         let length = Float::sqrt(dot(m, m));
         Some(Self {
             start: attitude.orientation,
@@ -86,10 +83,7 @@ impl FreeBody {
         let about_axis = Orientation { alpha: roll, beta: Complex::ZERO };
         let orientation = about_m.compose(&self.start).compose(&about_axis);
         let (fast, slow) = (self.precession.to_f64(), 2.0 * self.half_tau.to_f64());
-        let mut omega = self.angular_momentum_axis.map(|component| fast * component);
-        for (component, r) in omega.iter_mut().zip(orientation.axis()) {
-            *component += slow * r;
-        }
+        let omega = add_scaled(scaled(self.angular_momentum_axis, fast), orientation.axis(), slow);
         AttitudeState::from_fixed(orientation, omega)
     }
 

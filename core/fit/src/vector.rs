@@ -2,23 +2,13 @@
 
 use toytop::scalar::{Float, Real, Ring};
 use toytop::su2::Orientation;
-pub(crate) use toytop::su2::{Vector, cross, dot};
+pub(crate) use toytop::su2::{Vector, add_scaled, cross, dot, scaled};
 use toytop::{Complex, Phase};
 
 /// Vertical unit vector k.
 pub(crate) const UP: Vector<f64> = [0.0, 0.0, 1.0];
 /// Unit vectors along the coordinates.
 pub(crate) const UNITS: [Vector<f64>; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], UP];
-
-/// Sum x + f y.
-pub(crate) fn add_scaled<F: Ring>([x1, x2, x3]: Vector<F>, [y1, y2, y3]: Vector<F>, f: F) -> Vector<F> {
-    [x1 + f * y1, x2 + f * y2, x3 + f * y3]
-}
-
-/// Product f x.
-pub(crate) fn scaled<F: Ring>(x: Vector<F>, f: F) -> Vector<F> {
-    x.map(|component| f * component)
-}
 
 /// Length of a vector.
 pub(crate) fn norm<F: Float>(x: Vector<F>) -> F {

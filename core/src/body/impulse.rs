@@ -19,7 +19,7 @@
 use super::state::MAX_RATE;
 use super::{ParameterError, State, Support, Top, check, check_range};
 use crate::scalar::Float;
-use crate::su2::{Vector, cross, dot};
+use crate::su2::{Vector, add_scaled, cross, dot, scaled};
 
 impl State {
     /// State after an impulse J, N s in the fixed frame, at a point X of the body, m in the body frame *from the tip*.
@@ -45,9 +45,8 @@ impl State {
         impulse: Vector<f64>,
         point: Vector<f64>,
     ) -> Result<Self, ParameterError> {
-        let mut omega = self.omega_change(top, impulse, point)?;
-        for (component, before) in omega.iter_mut().zip(self.omega) {
-            *component += before;
+        let omega = add_scaled(self.omega, self.omega_change(top, impulse, point)?, 1.0);
+        for component in omega {
             check(
                 component.abs() <= MAX_RATE,
                 "impulse",
@@ -69,10 +68,8 @@ impl State {
         point: Vector<f64>,
     ) -> Result<Vector<f64>, ParameterError> {
         let change = self.omega_change(top, impulse, point)?;
-        let mut reaction = cross(change, self.orientation.normalised().axis());
-        for (component, given) in reaction.iter_mut().zip(impulse) {
-            *component = top.mass_moment() * *component - given;
-        }
+        let momentum = scaled(cross(change, self.orientation.normalised().axis()), top.mass_moment());
+        let reaction = add_scaled(momentum, impulse, -1.0);
         let [.., vertical] = reaction;
         Ok(match top.support() {
             Support::Sliding => [0.0, 0.0, vertical],
@@ -101,10 +98,7 @@ impl State {
         let reaction = (p * dot(given, q) - a * lift) / (a + p * s * dot(q, q));
         let axial = dot(given, r);
         let spin_up = if c > 0.0 { axial / c } else { 0.0 };
-        let mut change = given;
-        for ((component, r), q) in change.iter_mut().zip(r).zip(q) {
-            *component = (*component - s * reaction * q - axial * r) / a + spin_up * r;
-        }
-        Ok(change)
+        let transverse = add_scaled(add_scaled(given, q, -s * reaction), r, -axial);
+        Ok(add_scaled(transverse.map(|component| component / a), r, spin_up))
     }
 }

@@ -3,7 +3,7 @@
 use crate::body::{ParameterError, State, Top, check, check_range};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, ReducedPoint, Regime, Signs};
-use crate::motion::cayley_klein::Ellipses;
+use crate::motion::ellipses::Ellipses;
 use crate::motion::half_phase::{half_phase, half_phase_of_angle, is_steady};
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::motion::{LaunchRounding, Motion, steady_complements};

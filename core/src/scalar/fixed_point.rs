@@ -26,7 +26,7 @@ macro_rules! fixed_scalar {
 
             /// Product, rounded down.
             #[inline(always)]
-            fn truncated_product(self, other: Self) -> Self {
+            fn product(self, other: Self) -> Self {
                 Self::from_bits($kept($high(self.to_bits(), other.to_bits())))
             }
 

@@ -9,7 +9,7 @@
 //!
 //! `host` writes the constants into tables for C.
 
-mod polynomial;
+mod chebyshev;
 
 mod points;
 
@@ -17,14 +17,12 @@ mod q57;
 
 use core::ops::Neg;
 
+pub use chebyshev::{COSINE, SINE};
+pub(crate) use chebyshev::{fraction_of_word, sine_cosine_f64, sine_cosine_of_phase, sine_cosine_of_radians};
 #[cfg(feature = "fixed")]
 pub(crate) use points::sine_cosine_q15;
-pub use points::{CUBIC, LINEAR, SECANT, SINES, VERSINE};
+pub use points::{CUBIC, LINEAR, SINE_Q26, SINES, VERSINE};
 pub(crate) use points::{sine_cosine_q26, sine_cosine_q31};
-pub use polynomial::{COSINE, SINE};
-pub(crate) use polynomial::{
-    fraction_of_word, sine_cosine_f64, sine_cosine_of_phase, sine_cosine_of_radians,
-};
 pub(crate) use q57::{SINE_BITS, sine_cosine_from_q57, sine_cosine_q57};
 
 /// Sine and cosine of an angle that is larger by quarter turns.

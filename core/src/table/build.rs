@@ -5,13 +5,13 @@
 //!   limits.rs              allowed error, capacity        -> limits of its parts
 //!   half_period.rs         for each cell: segments that are short enough
 //!     mean_rates.rs          motion, period                 -> mean rates of the phases, and their errors
-//!     segment.rs             polynomials on the span        -> stored coefficients, and bounds on errors and speeds
+//!     stored_segment.rs      polynomials on the span        -> stored coefficients, and bounds on errors and speeds
 //!   path.rs                for each span: two expansions, from its beginning to its centre and from there to its end
 //!     expansion.rs           recurrence.rs, series.rs       -> power series of the phases
 //!     expansion/cayley_klein.rs                             -> power series of a and b
 //!     polynomial.rs          power series                   -> polynomials of a and b on the span
 //!     launch_phases.rs       χ of the launch                -> nutation phase and mean phases of the launch
-//!   set_up/clock.rs        mean rates, launch phases      -> clock
+//!   launch_clock.rs        mean rates, launch phases      -> clock
 //!   half_period/bound.rs   errors of all parts            -> error bounds
 //! interval.rs            spans, cells and segments as parts of half a period
 //! ```
@@ -36,6 +36,8 @@ mod launch_phases;
 mod path;
 
 mod half_period;
+
+mod launch_clock;
 
 mod set_up;
 

@@ -1,6 +1,6 @@
 //! Reading of a table: samples at ticks and at any time.
 
-mod segment;
+mod located_segment;
 
 mod sample;
 

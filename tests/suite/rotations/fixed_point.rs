@@ -27,8 +27,8 @@ fn sines_and_cosines_have_the_digits_of_their_type() {
 fn products_are_rounded_down() {
     fn of<F: Fixed + Ring + PartialEq + std::fmt::Debug>() {
         let [a, b, c, half] = [0.75, -0.25, 0.25, 0.5].map(F::from_num::<f64>);
-        assert_eq!(a.truncated_product(-half), F::from_num(-0.375));
-        assert_eq!(F::DELTA.truncated_product(a), <F as Ring>::ZERO);
+        assert_eq!(a.product(-half), F::from_num(-0.375));
+        assert_eq!(F::DELTA.product(a), <F as Ring>::ZERO);
         assert_eq!(F::inner([a, b], [half, half]), c);
         assert_eq!(F::determinant([half, c], [a, half]), F::from_num(0.0625));
         assert_eq!(F::determinant([a, b], [half, half]), half);

@@ -1,6 +1,6 @@
 //! Sines of phases of 32 bits in integers, from 512 points of the circle (2.5 KiB of flash): for the ticks of a table.
 
-use super::polynomial::sine_cosine_of_remainder;
+use super::chebyshev::sine_cosine_of_remainder;
 use crate::integer::{high_product, product_32x16, product_32x16_by_constant};
 
 /// Number of points on the circle.
@@ -38,7 +38,7 @@ pub const CUBIC: i32 = (DISTANCE * DISTANCE * DISTANCE / 6.0 * (1_u64 << 32) as 
 /// Coefficient of the versine d²/2, times 2^30. The next term, d⁴/24, is an eighth of a unit.
 pub const VERSINE: i32 = (DISTANCE * DISTANCE / 2.0 * (1_u64 << 30) as f64 + 0.5) as i32;
 /// Coefficient of d (1 - d²/8), times 2^33. It replaces d - d³/6 where 26 bits are enough.
-pub const SECANT: i32 = (DISTANCE * (1.0 - DISTANCE * DISTANCE / 8.0) * (1_u64 << 33) as f64) as i32;
+pub const SINE_Q26: i32 = (DISTANCE * (1.0 - DISTANCE * DISTANCE / 8.0) * (1_u64 << 33) as f64) as i32;
 
 /// (sin 2πx, cos 2πx)·2^31 of the 32 leading bits of a phase. Error: below 2.45 units, 1.2e-9.
 ///
@@ -62,7 +62,7 @@ pub(crate) fn sine_cosine_q31(phase: u32) -> (i32, i32) {
 pub(crate) fn sine_cosine_q26(phase: u32) -> (i32, i32) {
     let (sine, cosine) = point(phase);
     // 32 fraction bits
-    let small_sine = high_product((phase << 9) as i32, SECANT);
+    let small_sine = high_product((phase << 9) as i32, SINE_Q26);
     let versine = high_product(small_sine, small_sine >> 1);
     (
         sine - high_product(sine, versine) + high_product(cosine, small_sine),

@@ -12,19 +12,19 @@
 
 mod mean_rates;
 
-mod segment;
+mod stored_segment;
 
 mod bound;
 
 use mean_rates::MeanRates;
-use segment::{SegmentBounds, store_polynomial, store_segment};
+use stored_segment::{SegmentBounds, store_polynomial, store_segment};
 
 use super::interval::{HALF_PERIOD, Interval};
 use super::limits::Limits;
 use super::path::{Path, PathMemory, PathPoint};
 use super::polynomial::Polynomial;
 use crate::motion::Motion;
-use crate::motion::cayley_klein::Ellipses;
+use crate::motion::ellipses::Ellipses;
 use crate::motion::period::Period;
 use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::{Extended, Float};
@@ -119,7 +119,7 @@ impl HalfPeriod {
     /// Stores one segment with constant a and b, for a constant u.
     #[inline(never)] // its polynomials must not stay on the stack
     fn store_constants<R: EphemerisScalar>(&mut self, motion: &Motion, segments: &mut [R::Segment]) {
-        let Ellipses { alpha, beta } = motion.ellipses::<f64>();
+        let Ellipses { alpha, beta } = motion.ellipses;
         for (index, ellipse) in [alpha, beta].into_iter().enumerate() {
             let [plus, minus] = ellipse.exponentials();
             store_polynomial::<R>(segments.first_mut(), index, &Polynomial::constant(plus + minus));
@@ -187,7 +187,10 @@ impl HalfPeriod {
             for segment in part.parts(depth) {
                 let stored = segments.get_mut(number);
                 bounds.include(&store_segment::<R>(path, span, segment, stored, pause));
-                (bounds.error <= path.limits.segment_error(depth)).then_some(())?;
+                let is_accurate = bounds.error <= path.limits.segment_error(depth);
+                if !is_accurate {
+                    return None;
+                }
                 number += 1;
             }
             position = part.end();

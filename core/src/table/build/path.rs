@@ -7,7 +7,7 @@ use super::limits::Limits;
 use super::polynomial::Polynomial;
 use super::series::PowerSeries;
 use crate::motion::Motion;
-use crate::motion::cayley_klein::Ellipses;
+use crate::motion::ellipses::Ellipses;
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring, Scalar, sine_cosine_from_q57};
@@ -113,7 +113,7 @@ impl<'a, F: Float> Path<'a, F> {
             let [chi, _, _, alpha, beta] = equations.rates(sine, cosine).map(Float::abs);
             chi + (alpha + beta)
         });
-        let Ellipses { alpha, beta } = motion.ellipses::<f64>();
+        let Ellipses { alpha, beta } = motion.ellipses;
         Self {
             equations,
             memory,

@@ -93,7 +93,9 @@ impl Polynomial {
         self.terms = terms;
         let [re, im] = self.parts.each_ref().map(Part::remainder);
         let (remainder, most) = (2.0 * Ring::max(re, im), limits.terms_in_units());
-        limits.allows_remainder(remainder).then_some(())?;
+        if !limits.allows_remainder(remainder) {
+            return None;
+        }
         self.shorten(0, most);
         self.remainder = remainder + most as f32;
         Some(())

@@ -1,7 +1,5 @@
 //! Set-up: from a motion to its table.
 
-mod clock;
-
 use core::fmt;
 
 use super::half_period::HalfPeriod;
@@ -151,7 +149,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         let HalfPeriod { cells, segments, mean_rates, .. } = half_period;
         self.cells = *cells;
         self.segments.get_mut(*segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
-        self.clock = Clock::new(motion, settings, mean_rates.rates, launch.phases);
+        self.clock = Clock::new(motion, settings.tick, settings.epoch, mean_rates.rates, launch.phases);
         pause();
         self.start_tip_angle(motion, launch.phases, pause);
         pause();

@@ -7,7 +7,7 @@ use crate::su2::{AttitudeState, Orientation, Vector};
 use crate::table::data::EphemerisView;
 use crate::table::data::Phases;
 use crate::table::evaluation::{EphemerisScalar, Number, orientation, orientation_and_omega_body};
-use crate::table::read::segment::LocatedSegment;
+use crate::table::read::located_segment::LocatedSegment;
 
 /// Sample of a motion at one time. Each method evaluates the table; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
 /// [`Sample::attitude_state`] do so once for several quantities.

@@ -9,8 +9,8 @@ use crate::table::data::EphemerisView;
 use crate::table::data::Phases;
 use crate::table::data::cell::is_falling;
 use crate::table::evaluation::{EphemerisScalar, a_b_at_centre, tabulated_a_b};
+use crate::table::read::located_segment::LocatedSegment;
 use crate::table::read::sample::Sample;
-use crate::table::read::segment::LocatedSegment;
 
 impl<R: EphemerisScalar> Sample<'_, R> {
     /// Tip angle φ = arg c, continuous in time from φ(0) in (-1/2, 1/2] turn, modulo 2^32 turns; `None` for an axis that stays vertical. Error: that of the orientation over 2|αβ|.

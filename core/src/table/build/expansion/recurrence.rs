@@ -158,7 +158,10 @@ impl Expansion {
     /// Computes coefficients until two in succession are negligible. Returns their number.
     #[inline(never)]
     fn recur(&mut self, recurrence: &Recurrence, pause: &mut dyn FnMut()) -> Option<usize> {
-        (self.chi.at_origin <= MAX_CHI_RATE).then_some(())?;
+        let is_slow = self.chi.at_origin <= MAX_CHI_RATE;
+        if !is_slow {
+            return None;
+        }
         let mut before = false;
         for k in 0..MAX_TERMS {
             if k % 4 == 0 {

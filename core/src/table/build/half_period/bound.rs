@@ -61,7 +61,7 @@ fn increment_error(increment: Extended) -> f64 {
 mod tests {
     use super::*;
     use crate::phase::Phase;
-    use crate::table::build::half_period::segment::SegmentBounds;
+    use crate::table::build::half_period::stored_segment::SegmentBounds;
     use crate::table::build::tests::nutating_motion;
     use crate::table::evaluation::EphemerisScalar;
 

@@ -1,26 +1,26 @@
-//! Clock of a table: the rates of a motion, and its phases at the launch.
+//! Clock from the mean rates of a motion and its phases at the launch.
 
 use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
-use crate::table::build::TableSettings;
 use crate::table::data::cell::{MIN_SEGMENTS, is_falling};
-use crate::table::data::{Clock, EphemerisView, Phases};
+use crate::table::data::{Clock, EphemerisView, Phases, Tick};
 use crate::table::evaluation::EphemerisScalar;
 
 impl<W: Float> Clock<W> {
     /// Clock of a motion; `start_tip_angle` adds [`Clock::tip_start`].
     ///
+    /// * `epoch`: tick of the launch
     /// * `rates`: mean rates, turns/s
     /// * `launch`: phases at the launch
     pub(super) fn new(
         motion: &Motion,
-        settings: &TableSettings,
+        tick: Tick,
+        epoch: i64,
         rates: Phases<Extended>,
         launch: Phases<Phase>,
     ) -> Self {
-        let TableSettings { tick, epoch, .. } = *settings;
         let length = tick.length();
         // LLVM 22 compiles a product of `i128` wrongly for RISC-V where the epoch is known
         let ticks = epoch.wrapping_sub(i64::MIN) as u64;

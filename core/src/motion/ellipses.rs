@@ -1,9 +1,9 @@
-//! α and β from the half phase χ and their slow phases.
+//! Ellipses of α and β, which give both from the half phase χ and their slow phases.
 
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, Signs};
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Real, Ring};
+use crate::scalar::{Extended, Float, Real, Ring, numeric_struct};
 use crate::su2::{Orientation, OrientationRate};
 
 /// Ellipses of α and β: each parameter is (x cos χ + i y sin χ) e^{iλ}, with its slow phase λ. For α, x² = (1+e₁)/2 and y² = (1+e₂)/2; for β,
@@ -18,11 +18,13 @@ pub struct Ellipses<R> {
     pub beta: Ellipse<R>,
 }
 
-/// Ellipse x cos χ + i y sin χ in the complex plane: a Cayley-Klein parameter divided by e^{iλ}.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ellipse<R> {
-    x: R,
-    y: R,
+numeric_struct! {
+    /// Ellipse x cos χ + i y sin χ in the complex plane: a Cayley-Klein parameter divided by e^{iλ}.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Ellipse<R> {
+        x,
+        y,
+    }
 }
 
 impl<R: Ring> Ellipses<R> {
@@ -44,9 +46,9 @@ impl Ellipses<f64> {
         Self { alpha, beta }
     }
 
-    pub(crate) fn cast<R: Float>(&self) -> Ellipses<R> {
-        let cast = |Ellipse { x, y }| Ellipse { x: R::from_f64(x), y: R::from_f64(y) };
-        Ellipses { alpha: cast(self.alpha), beta: cast(self.beta) }
+    /// Ellipses in another type.
+    pub(crate) fn map<R>(&self, convert: fn(f64) -> R) -> Ellipses<R> {
+        Ellipses { alpha: self.alpha.map(convert), beta: self.beta.map(convert) }
     }
 }
 
