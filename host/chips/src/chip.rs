@@ -20,6 +20,17 @@ pub struct Chip {
     pub emulator: &'static str,
     /// Arguments that choose the machine of QEMU.
     pub machine: &'static [&'static str],
+    /// Published timings of the instructions.
+    pub timings: Option<Timings>,
+}
+
+/// Tables of instruction timings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Timings {
+    /// Cortex-M0+ with the fast multiplier.
+    M0Plus,
+    /// Cortex-M4 with its FPU.
+    M4,
 }
 
 /// Cortex-M0, without FPU and division, with 16 KiB of RAM.
@@ -30,12 +41,18 @@ pub const M0: Chip = Chip {
     memory: None,
     emulator: "qemu-system-arm",
     machine: &["-machine", "microbit"],
+    timings: None,
 };
 
 /// Cortex-M0+, with the instructions of [`M0`]. QEMU does not emulate it with memory for large tables, so a Cortex-M3 replaces it, which executes
 /// the same instructions.
-pub const M0PLUS: Chip =
-    Chip { name: "m0plus", memory: Some("memory/mps2.x"), machine: &["-machine", "mps2-an385"], ..M0 };
+pub const M0PLUS: Chip = Chip {
+    name: "m0plus",
+    memory: Some("memory/mps2.x"),
+    machine: &["-machine", "mps2-an385"],
+    timings: Some(Timings::M0Plus),
+    ..M0
+};
 
 /// Cortex-M4F, with an FPU for `f32`, on which a multiplication and a sum are faster than a multiply-add.
 pub const M4F: Chip = Chip {
@@ -45,11 +62,17 @@ pub const M4F: Chip = Chip {
     memory: None,
     emulator: "qemu-system-arm",
     machine: &["-machine", "mps2-an386"],
+    timings: Some(Timings::M4),
 };
 
 /// Cortex-M7, with an FPU for `f32` and `f64`.
-pub const M7: Chip =
-    Chip { name: "m7", rustflags: "-C target-cpu=cortex-m7", machine: &["-machine", "mps2-an500"], ..M4F };
+pub const M7: Chip = Chip {
+    name: "m7",
+    rustflags: "-C target-cpu=cortex-m7",
+    machine: &["-machine", "mps2-an500"],
+    timings: None,
+    ..M4F
+};
 
 /// Cortex-M33, with an FPU for `f32`.
 pub const M33: Chip = Chip {
@@ -59,6 +82,7 @@ pub const M33: Chip = Chip {
     memory: None,
     emulator: "qemu-system-arm",
     machine: &["-machine", "mps2-an505"],
+    timings: None,
 };
 
 /// RISC-V chip without FPU.
@@ -69,6 +93,7 @@ pub const RISCV: Chip = Chip {
     memory: None,
     emulator: "qemu-system-riscv32",
     machine: &["-machine", "virt", "-bios", "none"],
+    timings: None,
 };
 
 /// Longest time of a run; the programs of this repository take seconds.
@@ -87,6 +112,12 @@ pub fn target_dir(root: &Path) -> PathBuf {
 }
 
 impl Chip {
+    /// All chips.
+    pub const ALL: [Self; 6] = [M4F, M0, M7, M33, RISCV, M0PLUS];
+
+    /// Chips whose calls are measured: [`M0`] has too little memory.
+    pub const MEASURED: [Self; 5] = [M0PLUS, M4F, M7, M33, RISCV];
+
     /// Command that builds a program of `firmware-examples`, and the folder of its ELF. A chip with flags or a memory map has a target folder
     /// of its own.
     ///

@@ -4,18 +4,39 @@ use crate::chip::Chip;
 use crate::cycles::{BlockCycles, CycleModel, Instruction};
 use crate::trace::{self, Block};
 use object::{Architecture, File, Object, ObjectSection, ObjectSymbol, SectionKind, SymbolKind};
+use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::{fs, io};
 
-/// Figures of the costliest of several calls, by name:
-///
-/// * `instructions`: exact number, from the first to the return
-/// * `cycles`: by the model of the chip
-/// * `stack`: bytes below the stack pointer of the caller that the firmware found changed
-/// * `flash`: bytes of all functions that the call ran through, with the literals in their code
-/// * `ram`: bytes between calls, as the firmware states
-pub type Cost = BTreeMap<String, u64>;
+/// Figures of the costliest of several calls; `None` where there is none.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Cost {
+    /// Cycles by the model of the chip.
+    pub cycles: Option<u64>,
+    /// Bytes of all functions that the call ran through, with the literals in their code.
+    pub flash: Option<u64>,
+    /// Exact number of instructions, from the first to the return.
+    pub instructions: Option<u64>,
+    /// Bytes between calls, as the firmware states.
+    pub ram: Option<u64>,
+    /// Bytes below the stack pointer of the caller that the firmware found changed.
+    pub stack: Option<u64>,
+}
+
+impl Cost {
+    /// Figures with their names.
+    pub fn figures(&self) -> [(&'static str, Option<u64>); 5] {
+        [
+            ("cycles", self.cycles),
+            ("flash", self.flash),
+            ("instructions", self.instructions),
+            ("ram", self.ram),
+            ("stack", self.stack),
+        ]
+    }
+}
 
 /// Costs by the name of the function, without `bench_`.
 pub type Costs = BTreeMap<String, Cost>;
@@ -30,7 +51,7 @@ const PREFIX: &str = "bench_";
 pub fn measure(chip: &Chip, elf: &Path) -> io::Result<Costs> {
     let bytes = read(elf)?;
     let image = Image::new(parsed(elf, &bytes)?);
-    let cycle_model = CycleModel::for_chip(chip)?;
+    let cycle_model = chip.timings.map(CycleModel::new).transpose()?;
     let mut measurement = Measurement { image, cycle_model, calls: BTreeMap::new(), end: 0, running: None };
     let printed =
         trace::emulate(chip, elf, &["-d", "in_asm,exec,nochain"], |block| measurement.executed(block))?;
@@ -42,8 +63,7 @@ pub fn measure(chip: &Chip, elf: &Path) -> io::Result<Costs> {
         let words: Vec<_> = line.split_whitespace().collect();
         let [name, "stack", stack, "ram", ram] = words[..] else { continue };
         if let Some((cost, _)) = name.strip_prefix(PREFIX).and_then(|call| measurement.calls.get_mut(call)) {
-            let figures = [("stack", stack.parse().ok()), ("ram", ram.parse().ok())];
-            cost.extend(figures.into_iter().filter_map(|(name, bytes)| Some((name.to_owned(), bytes?))));
+            (cost.stack, cost.ram) = (stack.parse().ok(), ram.parse().ok());
         }
     }
     Ok(measurement.calls.into_iter().map(|(call, (cost, _))| (call, cost)).collect())
@@ -179,15 +199,11 @@ impl Measurement<'_> {
         let (cost, functions) = self.calls.entry(running.name).or_default();
         functions.extend(running.functions);
         let size = |address: &u64| self.image.function_at(*address).map_or(0, |function| function.size);
-        cost.insert("flash".to_owned(), functions.iter().map(size).sum());
-        let mut raise = |name: &str, figure: u64| {
-            let greatest = cost.entry(name.to_owned()).or_default();
-            *greatest = figure.max(*greatest);
-        };
-        raise("instructions", running.instructions);
+        cost.flash = Some(functions.iter().map(size).sum());
+        cost.instructions = cost.instructions.max(Some(running.instructions));
         if let (Some(model), Some(last)) = (&self.cycle_model, running.last) {
             let cycles = running.cycles + model.jump_cycles(&last, None);
-            raise("cycles", u64::try_from(cycles).unwrap_or_default());
+            cost.cycles = cost.cycles.max(u64::try_from(cycles).ok());
         }
     }
 }

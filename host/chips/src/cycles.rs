@@ -10,7 +10,7 @@
 //! * SDIV and UDIV take 2 to 12 cycles: always 12, because the operands are not known
 //! * an instruction that a condition skips takes as many cycles as if it were executed
 
-use crate::chip::Chip;
+use crate::chip::Timings;
 use crate::trace::Block;
 use capstone::arch::ArchDetail;
 use capstone::arch::arm::{ArchMode, ArmOperandType, ArmReg};
@@ -18,20 +18,11 @@ use capstone::prelude::*;
 use std::collections::HashMap;
 use std::io;
 
-/// Processor with published timings.
-#[derive(Clone, Copy, PartialEq)]
-enum Processor {
-    /// Cortex-M0+ with the fast multiplier.
-    M0Plus,
-    /// Cortex-M4 with its FPU.
-    M4,
-}
-
 /// Cycles of blocks, each of which is decoded once.
 pub struct CycleModel {
-    processor: Processor,
+    timings: Timings,
     decoder: Capstone,
-    known: HashMap<Block, BlockCycles>,
+    decoded: HashMap<Block, BlockCycles>,
 }
 
 /// Cycles of a block.
@@ -46,24 +37,15 @@ pub struct BlockCycles {
 }
 
 impl CycleModel {
-    /// Model of a chip; `None` where no timings are published.
+    /// Model with these timings.
     ///
     /// # Errors
     /// The error of Capstone.
-    pub fn for_chip(chip: &Chip) -> io::Result<Option<Self>> {
-        let processor = match chip.name {
-            "m0plus" => Processor::M0Plus,
-            "m4f" => Processor::M4,
-            _ => return Ok(None),
-        };
-        Self::new(processor).map(Some).map_err(io::Error::other)
-    }
-
-    fn new(processor: Processor) -> Result<Self, capstone::Error> {
+    pub fn new(timings: Timings) -> io::Result<Self> {
         let builder = Capstone::new().arm().mode(ArchMode::Thumb);
         let extra = std::iter::once(capstone::arch::arm::ArchExtraMode::MClass);
-        let decoder = builder.extra_mode(extra).detail(true).build()?;
-        Ok(Self { processor, decoder, known: HashMap::new() })
+        let decoder = builder.extra_mode(extra).detail(true).build().map_err(io::Error::other)?;
+        Ok(Self { timings, decoder, decoded: HashMap::new() })
     }
 
     /// Cycles of a block with this code.
@@ -71,24 +53,24 @@ impl CycleModel {
     /// # Errors
     /// The code cannot be decoded.
     pub fn block(&mut self, block: Block, code: &[u8]) -> io::Result<BlockCycles> {
-        if let Some(known) = self.known.get(&block) {
-            return Ok(*known);
+        if let Some(cycles) = self.decoded.get(&block) {
+            return Ok(*cycles);
         }
-        let instructions = self.decoded(code, block.start).unwrap_or_default();
+        let instructions = self.decode(code, block.start).unwrap_or_default();
         let ([first, ..], [.., last]) = (&instructions[..], &instructions[..]) else {
             return Err(io::Error::other(format!("code at {:#x} cannot be decoded", block.start)));
         };
         let alone: i64 =
-            instructions.iter().map(|instruction| instruction.cycles[self.processor as usize]).sum();
+            instructions.iter().map(|instruction| instruction.cycles[self.timings as usize]).sum();
         let pairs: i64 = instructions.windows(2).map(|pair| self.cycles_after(&pair[0], &pair[1])).sum();
         let cycles = BlockCycles { cycles: alone + pairs, first: *first, last: *last };
-        self.known.insert(block, cycles);
+        self.decoded.insert(block, cycles);
         Ok(cycles)
     }
 
     /// Additional cycles, which may be negative, because of the instruction before it.
     pub fn cycles_after(&self, before: &Instruction, instruction: &Instruction) -> i64 {
-        if self.processor == Processor::M0Plus {
+        if self.timings == Timings::M0Plus {
             return 0;
         }
         let needs_address = intersect(before.writes, instruction.addressing);
@@ -106,11 +88,11 @@ impl CycleModel {
 
     /// Additional cycles of a jump to an instruction other than the next one.
     pub fn jump_cycles(&self, instruction: &Instruction, target: Option<&Instruction>) -> i64 {
-        match (self.processor, instruction.class) {
-            (Processor::M0Plus, InstructionClass::Call | InstructionClass::Several) => 2,
-            (Processor::M0Plus, _) => 1,
-            (Processor::M4, InstructionClass::Table) => 5,
-            (Processor::M4, class) => {
+        match (self.timings, instruction.class) {
+            (Timings::M0Plus, InstructionClass::Call | InstructionClass::Several) => 2,
+            (Timings::M0Plus, _) => 1,
+            (Timings::M4, InstructionClass::Table) => 5,
+            (Timings::M4, class) => {
                 let refill =
                     if matches!(class, InstructionClass::Branch | InstructionClass::Call) { 1 } else { 2 };
                 let straddles = target.is_some_and(|target| target.straddles);
@@ -120,7 +102,7 @@ impl CycleModel {
     }
 
     /// Instructions of a piece of code, up to the first that cannot be decoded.
-    fn decoded(&self, code: &[u8], address: u64) -> Result<Vec<Instruction>, capstone::Error> {
+    fn decode(&self, code: &[u8], address: u64) -> Result<Vec<Instruction>, capstone::Error> {
         let decoded = self.decoder.disasm_all(code, address)?;
         decoded.iter().map(|instruction| self.instruction(instruction)).collect()
     }
@@ -258,9 +240,9 @@ mod tests {
     use super::*;
 
     /// Cycles of a piece of Thumb code that runs from top to bottom and returns.
-    fn cycles(processor: Processor, code: &[u16]) -> i64 {
+    fn cycles(timings: Timings, code: &[u16]) -> i64 {
         let bytes: Vec<u8> = code.iter().flat_map(|half| half.to_le_bytes()).collect();
-        let mut model = CycleModel::new(processor).unwrap();
+        let mut model = CycleModel::new(timings).unwrap();
         let block = Block { start: 0, end: bytes.len() as u64, count: 0 };
         let BlockCycles { cycles, last, .. } = model.block(block, &bytes).unwrap();
         cycles + model.jump_cycles(&last, None)
@@ -269,23 +251,23 @@ mod tests {
     #[test]
     fn an_m0plus_has_fixed_cycles() {
         // push {r4, lr}; ldr r0, [r1]; muls r0, r2; str r0, [r1]; pop {r4, pc}
-        assert_eq!(cycles(Processor::M0Plus, &[0xb510, 0x6808, 0x4350, 0x6008, 0xbd10]), 3 + 2 + 1 + 2 + 5);
+        assert_eq!(cycles(Timings::M0Plus, &[0xb510, 0x6808, 0x4350, 0x6008, 0xbd10]), 3 + 2 + 1 + 2 + 5);
         // bx lr
-        assert_eq!(cycles(Processor::M0Plus, &[0x4770]), 2);
+        assert_eq!(cycles(Timings::M0Plus, &[0x4770]), 2);
     }
 
     #[test]
     fn an_m4_waits_for_results_and_overlaps_loads() {
         let bx = 0x4770;
         // ldr r0, [r2]; ldr r1, [r3]: these loads overlap. ldr r0, [r2]; ldr r1, [r0]: the second load needs the result of the first
-        assert_eq!(cycles(Processor::M4, &[0x6810, 0x6819, bx]), 2 + 1 + 3);
-        assert_eq!(cycles(Processor::M4, &[0x6810, 0x6801, bx]), 2 + 2 + 3);
+        assert_eq!(cycles(Timings::M4, &[0x6810, 0x6819, bx]), 2 + 1 + 3);
+        assert_eq!(cycles(Timings::M4, &[0x6810, 0x6801, bx]), 2 + 2 + 3);
         // adds r0, r0, r1; ldr r1, [r0]: the load waits for its address
-        assert_eq!(cycles(Processor::M4, &[0x1840, 0x6801, bx]), 1 + 3 + 3);
+        assert_eq!(cycles(Timings::M4, &[0x1840, 0x6801, bx]), 1 + 3 + 3);
         // vadd.f32 s0, s0, s1; then vmul.f32 of s0, which waits for the sum, or of s3, which does not
-        assert_eq!(cycles(Processor::M4, &[0xee30, 0x0a20, 0xee20, 0x1a00, bx]), 1 + 2 + 3);
-        assert_eq!(cycles(Processor::M4, &[0xee30, 0x0a20, 0xee21, 0x1aa1, bx]), 1 + 1 + 3);
+        assert_eq!(cycles(Timings::M4, &[0xee30, 0x0a20, 0xee20, 0x1a00, bx]), 1 + 2 + 3);
+        assert_eq!(cycles(Timings::M4, &[0xee30, 0x0a20, 0xee21, 0x1aa1, bx]), 1 + 1 + 3);
         // vdiv.f32 s0, s0, s1; vldr s2, [r0]
-        assert_eq!(cycles(Processor::M4, &[0xee80, 0x0a20, 0xed90, 0x1a00, bx]), 14 + 2 + 3);
+        assert_eq!(cycles(Timings::M4, &[0xee80, 0x0a20, 0xed90, 0x1a00, bx]), 14 + 2 + 3);
     }
 }

@@ -40,13 +40,12 @@ pub(crate) const PROGRAMS: &[Program] = &[
     Program { name: "rtic", folder: "rtic/src", chips: &[&chip::M4F] },
     program(PANICS, &[&chip::M0, &chip::RISCV]),
 ];
-/// All chips.
-const CHIPS: [&Chip; 6] = [&chip::M4F, &chip::M0, &chip::M7, &chip::M33, &chip::RISCV, &chip::M0PLUS];
-
 fn chip_named(name: &str) -> Result<&'static Chip> {
-    let names = || CHIPS.map(|chip| chip.name).join(" ");
-    let found = CHIPS.into_iter().find(|chip| chip.name == name);
-    found.with_context(|| format!("no chip {name}; there are: {}", names()))
+    let names = || Chip::ALL.map(|chip| chip.name).join(" ");
+    Chip::ALL
+        .iter()
+        .find(|chip| chip.name == name)
+        .with_context(|| format!("no chip {name}; there are: {}", names()))
 }
 
 /// Program that also runs on the host, with the same log.
@@ -175,7 +174,7 @@ pub(crate) fn list() {
         println!("{name:12} {}", chips.join(" "));
     }
     println!();
-    for chip in CHIPS {
+    for chip in Chip::ALL {
         println!("{:8} {}, QEMU: {}", chip.name, chip.target, chip.machine.join(" "));
     }
 }

@@ -25,13 +25,10 @@ use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
-use toytop_chips::chip::{Chip, M0PLUS, M4F, M7, M33, RISCV};
+use toytop_chips::chip::{Chip, M4F};
 use toytop_chips::costs::{Cost, Costs, linked_flash, measure};
 use toytop_host::Failure;
 use toytop_host::output::{self, Format, eight_digits, short};
-
-/// Chips whose calls are measured.
-const CHIPS: [Chip; 5] = [M0PLUS, M4F, M7, M33, RISCV];
 
 /// Frequency of the interrupt, Hz; a tick has to fit into its period.
 const TICK_RATE: f64 = 1000.0;
@@ -45,7 +42,7 @@ const TICK_RATE: f64 = 1000.0;
 )]
 pub struct BudgetArgs {
     /// Chips, separated by commas: m0plus, m4f, m7, m33, riscv; without it, all
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = CHIPS.map(|chip| chip.name))]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = Chip::MEASURED.map(|chip| chip.name))]
     chip: Vec<String>,
     /// Clock of the chip, MHz, from which times follow
     #[arg(long, value_name = "MHZ", default_value_t = 64.0, value_parser = positive, conflicts_with = "corpus")]
@@ -73,49 +70,79 @@ pub struct BudgetArgs {
 
 /// File of the limits.
 const LIMITS: &str = "firmware-examples/budgets.toml";
-/// Chip of two slow measurements: the fit of a launch, and the flash at opt-level s.
-const CHIP_OF_FIT: &str = "m4f";
 /// Calls whose flash is that of the program `flash` without that of `empty`: a launch, a table and a tick.
 const SET_UPS: [&str; 5] = ["launch", "new", "slices", "launch_slow", "launch_falling"];
 
+/// What is asked for.
+enum Request<'a> {
+    /// Costs of the functions of an ELF file.
+    File(&'a Path),
+    /// Costs of the calls, compiled for little flash or for speed.
+    Calls { small: bool },
+    /// Comparison of the costs of the calls with their budgets.
+    Check,
+    /// New budgets.
+    Accept,
+    /// Costs of 200 launches, printed or written to the page.
+    Launches { accept: bool },
+}
+
+impl BudgetArgs {
+    fn request(&self) -> Request<'_> {
+        match (&self.elf, self.corpus, self.check, self.accept) {
+            (Some(elf), ..) => Request::File(elf),
+            (_, true, _, accept) => Request::Launches { accept },
+            (_, _, true, _) => Request::Check,
+            (.., true) => Request::Accept,
+            _ => Request::Calls { small: self.flash },
+        }
+    }
+
+    fn chips(&self) -> Vec<&'static Chip> {
+        let is_chosen = |name: &str| self.chip.is_empty() || self.chip.iter().any(|chip| chip == name);
+        Chip::MEASURED.iter().filter(|chip| is_chosen(chip.name)).collect()
+    }
+}
+
 pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
-    let chosen =
-        |chip: &&Chip| arguments.chip.is_empty() || arguments.chip.iter().any(|name| name == chip.name);
-    let chips: Vec<_> = CHIPS.iter().filter(chosen).collect();
-    if let Some(elf) = &arguments.elf {
+    let (request, chips) = (arguments.request(), arguments.chips());
+    if let Request::File(elf) = request {
         let [chip] = chips[..] else {
             return Err(Failure::Input("--elf: needs one --chip, for which the file was built".into()));
         };
         let costs = measure(chip, elf).map_err(|error| failure(chip, error))?;
-        return report_on_calls(arguments, &BTreeMap::from([(chip.name.to_owned(), costs)]));
+        return Ok(report_on_calls(arguments, &BTreeMap::from([(chip.name.to_owned(), costs)])));
     }
     let root = repository("budget without --elf", "firmware-examples/cost")?;
-    if arguments.corpus {
-        return report_on_launches(arguments, &root, chips);
+    if let Request::Launches { accept } = request {
+        return report_on_launches(arguments, &root, chips, accept);
     }
-    let mut all = BTreeMap::new();
+    let small = matches!(request, Request::Calls { small: true });
+    let mut measured = BTreeMap::new();
     for chip in chips {
-        let costs = costs_of_calls(arguments, &root, chip).map_err(|error| failure(chip, error))?;
-        all.insert(chip.name.to_owned(), costs);
+        let costs = costs_of_calls(&root, chip, small).map_err(|error| failure(chip, error))?;
+        measured.insert(chip.name.to_owned(), costs);
     }
-    if arguments.accept {
-        let budgets = Budgets::with_slack(all);
-        let report = pages::write(&pages::parts_with_budgets(&budgets))?;
-        whole_file::write("--accept", &root.join(LIMITS), budgets.to_toml().as_bytes())?;
-        return Ok(report);
+    match request {
+        Request::Accept => {
+            let budgets = Budgets::with_slack(measured);
+            let report = pages::write(&pages::parts_with_budgets(&budgets))?;
+            whole_file::write("--accept", &root.join(LIMITS), budgets.to_toml().as_bytes())?;
+            Ok(report)
+        }
+        Request::Check => {
+            let mut violations = Budgets::read(&root.join(LIMITS))?.violations(&measured);
+            let check_failed = !violations.is_empty();
+            violations.push(if check_failed {
+                format!("how to change a budget: the head of {LIMITS}")
+            } else {
+                "within budget".into()
+            });
+            let report = report_on_calls(arguments, &measured);
+            Ok(Report { check_failed, ..report }.with_notes(violations))
+        }
+        _ => Ok(report_on_calls(arguments, &measured)),
     }
-    let report = report_on_calls(arguments, &all)?;
-    if !arguments.check {
-        return Ok(report);
-    }
-    let mut violations = Budgets::read(&root.join(LIMITS))?.violations(&all);
-    let check_failed = !violations.is_empty();
-    violations.push(if check_failed {
-        format!("how to change a budget: the head of {LIMITS}")
-    } else {
-        "within budget".into()
-    });
-    Ok(Report { check_failed, ..report }.with_notes(violations))
 }
 
 /// Failure of a measurement on a chip.
@@ -127,22 +154,23 @@ fn failure(chip: &Chip, error: io::Error) -> Failure {
 }
 
 /// Costs of all calls on a chip.
-fn costs_of_calls(arguments: &BudgetArgs, root: &Path, chip: &Chip) -> io::Result<Costs> {
-    let program = |name| build(root, chip, name, arguments.flash);
+fn costs_of_calls(root: &Path, chip: &Chip, small: bool) -> io::Result<Costs> {
+    let program = |name| build(root, chip, name, small);
     let mut costs = measure(chip, &program("cost")?)?;
     let flash_of_table = |small| {
         let [with_table, empty] = ["flash", "empty"].map(|name| build(root, chip, name, small));
         io::Result::Ok(linked_flash(&with_table?)? - linked_flash(&empty?)?)
     };
-    if chip.name == CHIP_OF_FIT {
+    // two slow measurements are made on one chip
+    if chip.name == M4F.name {
         costs.extend(measure(chip, &program("fit_cost")?)?);
-        costs.insert(FLASH_S.to_owned(), Cost::from([("flash".to_owned(), flash_of_table(true)?)]));
+        costs.insert(FLASH_S.to_owned(), Cost { flash: Some(flash_of_table(true)?), ..Cost::default() });
     }
     // a set-up cannot be linked without the rest of its table: its flash is that of a program, as the linker sees it
-    let flash = flash_of_table(arguments.flash)?;
+    let flash = flash_of_table(small)?;
     for call in SET_UPS {
         if let Some(cost) = costs.get_mut(call) {
-            cost.insert("flash".to_owned(), flash);
+            cost.flash = Some(flash);
         }
     }
     costs.extend(measure(chip, &program("flash")?)?);
@@ -163,17 +191,17 @@ fn build(root: &Path, chip: &Chip, program: &str, small: bool) -> io::Result<Pat
 fn report_on_launches(
     arguments: &BudgetArgs,
     root: &Path,
-    chips: Vec<&'static Chip>,
+    chips: Vec<&Chip>,
+    accept: bool,
 ) -> Result<Report, Failure> {
     let budgets = Budgets::read(&root.join(LIMITS))?;
-    let modelled = |chip: &Chip| budgets.budget(chip.name, "launch", "cycles").is_some();
     let mut rows = Vec::new();
-    for chip in chips.into_iter().filter(|chip| !arguments.accept || modelled(chip)) {
-        let costs = build(root, chip, "corpus", arguments.flash)
-            .and_then(|elf| costs_of_launches(chip, &elf, &budgets));
+    for chip in chips.into_iter().filter(|chip| !accept || chip.timings.is_some()) {
+        let costs =
+            build(root, chip, "corpus", false).and_then(|elf| costs_of_launches(chip, &elf, &budgets));
         rows.extend(costs.map_err(|error| failure(chip, error))?);
     }
-    if arguments.accept {
+    if accept {
         return pages::write(&[pages::part_with_launches(&rows)]);
     }
     let table = || {
@@ -188,20 +216,19 @@ fn report_on_launches(
 }
 
 /// Report on the cost of each call on each chip.
-fn report_on_calls(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -> Result<Report, Failure> {
+fn report_on_calls(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -> Report {
     let record = |chip: &str, call: &str, cost: &Cost| {
-        let figure = |name: &str| cost.get(name).copied();
-        let microseconds = figure("cycles").map(|cycles| cycles as f64 / arguments.clock);
+        let microseconds = cost.cycles.map(|cycles| cycles as f64 / arguments.clock);
         json!({
             "chip": chip,
             "call": call,
-            "instructions": figure("instructions"),
-            "cycles_model": figure("cycles"),
+            "instructions": cost.instructions,
+            "cycles_model": cost.cycles,
             "microseconds": microseconds,
             "tick_percent": microseconds.map(|time| time * 1e-6 * TICK_RATE * 100.0),
-            "stack": figure("stack"),
-            "flash": figure("flash"),
-            "ram": figure("ram"),
+            "stack": cost.stack,
+            "flash": cost.flash,
+            "ram": cost.ram,
         })
     };
     let mut records = Vec::new();
@@ -215,5 +242,5 @@ fn report_on_calls(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -
             TextTable::from_rows(&records, |x| short(x, 3)).aligned()
         )
     };
-    Ok(output::render(arguments.format, &json!({ "rows": records }), &records, table).into())
+    output::render(arguments.format, &json!({ "rows": records }), &records, table).into()
 }

@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
-use toytop_chips::costs::Costs;
+use toytop_chips::costs::{Cost, Costs};
 use toytop_host::Failure;
 use toytop_host::input::text_file;
 
@@ -46,11 +46,12 @@ impl Budgets {
     /// Budgets for measured costs. RAM is the size of a type, which does not vary.
     pub fn with_slack(mut measured: BTreeMap<String, Costs>) -> Self {
         for (call, cost) in measured.values_mut().flatten() {
-            for (_, figure) in cost.iter_mut().filter(|(name, _)| *name != "ram") {
+            let varying = [&mut cost.cycles, &mut cost.flash, &mut cost.instructions, &mut cost.stack];
+            for figure in varying.into_iter().flatten() {
                 *figure += (*figure * SLACK_PERCENT).div_ceil(100);
             }
             if call == FLASH_S {
-                cost.insert("flash".to_owned(), MAX_FLASH_S);
+                cost.flash = Some(MAX_FLASH_S);
             }
         }
         Self(measured)
@@ -62,8 +63,8 @@ impl Budgets {
         for (chip, costs) in &self.0 {
             text += &format!("\n[{chip}]\n");
             for (call, cost) in costs {
-                let figures: Vec<_> =
-                    cost.iter().map(|(name, figure)| format!("{name} = {figure}")).collect();
+                let figure = |(name, figure): (_, Option<u64>)| Some(format!("{name} = {}", figure?));
+                let figures: Vec<_> = cost.figures().into_iter().filter_map(figure).collect();
                 text += &format!("{call} = {{ {} }}\n", figures.join(", "));
             }
         }
@@ -78,54 +79,51 @@ impl Budgets {
         toml::from_str(text).map_err(|error| Failure::Input(format!("budgets.toml: {}", error.message())))
     }
 
-    /// Budget of a figure of a call on a chip.
-    pub fn budget(&self, chip: &str, call: &str, figure: &str) -> Option<u64> {
-        self.0.get(chip)?.get(call)?.get(figure).copied()
+    /// Budget of a call on a chip.
+    pub fn budget(&self, chip: &str, call: &str) -> Cost {
+        self.0.get(chip).and_then(|costs| costs.get(call)).cloned().unwrap_or_default()
     }
 
     /// One line for each figure beyond its budget, and for each without a measurement or a budget.
     pub fn violations(&self, measured: &BTreeMap<String, Costs>) -> Vec<String> {
         let mut lines = Vec::new();
         for (chip, costs) in measured {
-            let (measured, budgets) = (figures(costs), self.0.get(chip).map(figures).unwrap_or_default());
-            for key @ (call, name) in measured.keys().chain(budgets.keys()).collect::<BTreeSet<_>>() {
-                let violation = match (measured.get(key), budgets.get(key)) {
-                    (Some(figure), Some(most)) if figure > most => {
-                        let over = figure - most;
-                        let percent = 100.0 * over as f64 / *most.max(&1) as f64;
-                        format!("{figure} {name}, {most} allowed: {over} too many ({percent:.1} %)")
-                    }
-                    (Some(figure), Some(most)) if *figure < most - most / 4 => {
-                        format!("{figure} {name}, {most} allowed: the budget must be lowered")
-                    }
-                    (Some(_), Some(_)) => continue,
-                    _ => format!("{name}: is in only one of the measurement and the budgets"),
-                };
-                lines.push(format!("{chip}: {call}: {violation}"));
+            let budgeted = self.0.get(chip).into_iter().flat_map(BTreeMap::keys);
+            for call in costs.keys().chain(budgeted).collect::<BTreeSet<_>>() {
+                let [measured, budget] =
+                    [costs.get(call).cloned().unwrap_or_default(), self.budget(chip, call)];
+                for ((name, measured), (_, budget)) in measured.figures().into_iter().zip(budget.figures()) {
+                    let violation = match (measured, budget) {
+                        (Some(figure), Some(most)) if figure > most => {
+                            let over = figure - most;
+                            let percent = 100.0 * over as f64 / most.max(1) as f64;
+                            format!("{figure} {name}, {most} allowed: {over} too many ({percent:.1} %)")
+                        }
+                        (Some(figure), Some(most)) if figure < most - most / 4 => {
+                            format!("{figure} {name}, {most} allowed: the budget must be lowered")
+                        }
+                        (Some(_), Some(_)) | (None, None) => continue,
+                        _ => format!("{name}: is in only one of the measurement and the budgets"),
+                    };
+                    lines.push(format!("{chip}: {call}: {violation}"));
+                }
             }
         }
         lines
     }
 }
 
-/// Figures of all calls, by call and name.
-fn figures(costs: &Costs) -> BTreeMap<(&str, &str), u64> {
-    let mut all = BTreeMap::new();
-    for (call, cost) in costs {
-        all.extend(cost.iter().map(|(name, figure)| ((&**call, &**name), *figure)));
-    }
-    all
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use toytop_chips::costs::Cost;
 
     fn cost(instructions: u64) -> Cost {
-        let figures =
-            [("instructions", instructions), ("cycles", 400), ("stack", 40), ("flash", 900), ("ram", 2000)];
-        figures.map(|(name, figure)| (name.to_owned(), figure)).into()
+        let [cycles, flash, instructions, ram, stack] = [400, 900, instructions, 2000, 40].map(Some);
+        Cost { cycles, flash, instructions, ram, stack }
+    }
+
+    fn cost_of_flash(bytes: u64) -> Cost {
+        Cost { flash: Some(bytes), ..Cost::default() }
     }
 
     fn on_m4f(call: &str, cost: Cost) -> BTreeMap<String, Costs> {
@@ -135,16 +133,17 @@ mod tests {
     #[test]
     fn written_budgets_can_be_read() {
         let mut two = on_m4f("tick", cost(300));
-        two.insert("riscv".into(), Costs::from([("tick".into(), Cost::from([("flash".into(), 5)]))]));
+        two.insert("riscv".into(), Costs::from([("tick".into(), cost_of_flash(5))]));
         let budgets = Budgets::with_slack(two);
         assert_eq!(Budgets::parse(&budgets.to_toml()).unwrap(), budgets);
-        assert_eq!(["ram", "flash"].map(|name| budgets.budget("m4f", "tick", name)), [Some(2000), Some(945)]);
+        let Cost { ram, flash, .. } = budgets.budget("m4f", "tick");
+        assert_eq!([ram, flash], [Some(2000), Some(945)]);
         assert!(Budgets::parse("[m4f]\ntick = { instructions = -1, flash = 2 }").is_err());
     }
 
     #[test]
     fn a_promise_has_no_slack() {
-        let flash = |bytes| on_m4f(FLASH_S, Cost::from([("flash".to_owned(), bytes)]));
+        let flash = |bytes| on_m4f(FLASH_S, cost_of_flash(bytes));
         let budgets = Budgets::with_slack(flash(79_000));
         assert_eq!(budgets.violations(&flash(80_000)), Vec::<String>::new());
         assert_eq!(
@@ -156,18 +155,19 @@ mod tests {
     #[test]
     fn costs_above_and_far_below_the_budget_are_reported() {
         let budgets = Budgets::with_slack(on_m4f("tick", cost(300)));
-        let said = |call: &str, cost: Cost| budgets.violations(&on_m4f(call, cost));
-        assert_eq!(said("tick", cost(315)), Vec::<String>::new());
-        assert_eq!(said("tick", cost(316)), ["m4f: tick: 316 instructions, 315 allowed: 1 too many (0.3 %)"]);
-        assert!(said("tick", cost(200))[0].contains("lowered"));
-        let mut without = cost(300);
-        without.remove("stack");
+        let lines = |call: &str, cost: Cost| budgets.violations(&on_m4f(call, cost));
+        assert_eq!(lines("tick", cost(315)), Vec::<String>::new());
         assert_eq!(
-            said("tick", without),
+            lines("tick", cost(316)),
+            ["m4f: tick: 316 instructions, 315 allowed: 1 too many (0.3 %)"]
+        );
+        assert!(lines("tick", cost(200))[0].contains("lowered"));
+        assert_eq!(
+            lines("tick", Cost { stack: None, ..cost(300) }),
             ["m4f: tick: stack: is in only one of the measurement and the budgets"]
         );
         // each of five figures of two calls
-        let others = said("tock", cost(300));
+        let others = lines("tock", cost(300));
         assert_eq!(others.len(), 10);
         assert!(others.iter().all(|line| line.contains(": is in only one of")), "{others:?}");
     }

@@ -15,9 +15,11 @@ use toytop_chips::trace;
 /// There is no QEMU, the program did not end with exit code 0, or a line of its output cannot be read.
 pub fn costs_of_launches(chip: &Chip, elf: &Path, budgets: &Budgets) -> io::Result<Vec<Value>> {
     let text = trace::emulate(chip, elf, &REPEATABLE, |_| Ok(()))?;
-    let launch = |figure| budgets.budget(chip.name, "launch", figure).map(|count| count as f64);
-    let ratio =
-        launch("cycles").zip(launch("instructions")).map(|(cycles, instructions)| cycles / instructions);
+    let launch = budgets.budget(chip.name, "launch");
+    let ratio = launch
+        .cycles
+        .zip(launch.instructions)
+        .map(|(cycles, instructions)| cycles as f64 / instructions as f64);
     let mut groups: BTreeMap<[&str; 2], (Vec<u64>, u64)> = BTreeMap::new();
     for line in text.lines() {
         let unknown = || io::Error::other(format!("not a line of the corpus: {line}"));

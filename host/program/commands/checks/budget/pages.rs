@@ -4,8 +4,10 @@ use super::budgets::Budgets;
 use crate::files::doc_page::DocPage;
 use crate::table::TextTable;
 use crate::terminal::stdout::Report;
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::iter::once;
+use toytop_chips::chip::{Chip, M0PLUS, M4F, M7, RISCV};
+use toytop_chips::costs::Cost;
 use toytop_host::Failure;
 use toytop_host::output::eight_digits;
 
@@ -89,19 +91,24 @@ const ROWS: [(&str, &str); 24] = [
     ),
 ];
 
+/// Figure of a cost.
+type Figure = fn(&Cost) -> Option<u64>;
+
 /// Columns, each with its heading, its chip and its figure.
-const COLUMNS: [(&str, &str, &str); 6] = [
-    ("M0+ cycles", "m0plus", "cycles"),
-    ("M4F cycles", "m4f", "cycles"),
-    ("M7 instr.", "m7", "instructions"),
-    ("RISC-V instr.", "riscv", "instructions"),
-    ("M4F stack, bytes", "m4f", "stack"),
-    ("kept, bytes", "m4f", "ram"),
+const COLUMNS: [(&str, Chip, Figure); 6] = [
+    ("M0+ cycles", M0PLUS, |cost| cost.cycles),
+    ("M4F cycles", M4F, |cost| cost.cycles),
+    ("M7 instr.", M7, |cost| cost.instructions),
+    ("RISC-V instr.", RISCV, |cost| cost.instructions),
+    ("M4F stack, bytes", M4F, |cost| cost.stack),
+    ("kept, bytes", M4F, |cost| cost.ram),
 ];
 
 fn table_of_calls(budgets: &Budgets) -> String {
     let row = |(call, what): (&str, &str)| -> Value {
-        let figure = |(heading, chip, figure)| (heading, Value::from(budgets.budget(chip, call, figure)));
+        let figure = |(heading, chip, figure): (_, Chip, Figure)| {
+            (heading, Value::from(figure(&budgets.budget(chip.name, call))))
+        };
         once(("call, at most; a tick gives α, β, u and the tip", Value::from(what)))
             .chain(COLUMNS.map(figure))
             .collect()
@@ -110,19 +117,17 @@ fn table_of_calls(budgets: &Budgets) -> String {
 }
 
 /// Rows of the front page: chip, call and text.
-const FRONT_ROWS: [(&str, &str, &str); 4] = [
-    ("m4f", "cursor_f32", "next tick in `f32`, Cortex-M4F"),
-    ("m0plus", "cursor_q31", "next tick in 32-bit fixed point, Cortex-M0+"),
-    ("m0plus", "cursor_q15", "next tick in 16-bit fixed point, Cortex-M0+"),
-    ("m4f", "slices", "set-up in static memory, once per launch, Cortex-M4F"),
+const FRONT_ROWS: [(Chip, &str, &str); 4] = [
+    (M4F, "cursor_f32", "next tick in `f32`, Cortex-M4F"),
+    (M0PLUS, "cursor_q31", "next tick in 32-bit fixed point, Cortex-M0+"),
+    (M0PLUS, "cursor_q15", "next tick in 16-bit fixed point, Cortex-M0+"),
+    (M4F, "slices", "set-up in static memory, once per launch, Cortex-M4F"),
 ];
 
 fn table_of_front_page(budgets: &Budgets) -> String {
-    const FIGURES: [(&str, &str); 4] =
-        [("cycles", "cycles"), ("kept, bytes", "ram"), ("stack, bytes", "stack"), ("flash, bytes", "flash")];
-    let row = |(chip, call, what): (&str, &str, &str)| -> Value {
-        let figure = |(heading, figure)| (heading, Value::from(budgets.budget(chip, call, figure)));
-        once(("at most", Value::from(what))).chain(FIGURES.map(figure)).collect()
+    let row = |(chip, call, what): (Chip, &str, &str)| {
+        let Cost { cycles, ram, stack, flash, .. } = budgets.budget(chip.name, call);
+        json!({ "at most": what, "cycles": cycles, "kept, bytes": ram, "stack, bytes": stack, "flash, bytes": flash })
     };
     TextTable::from_rows(&FRONT_ROWS.map(row), eight_digits).markdown()
 }
