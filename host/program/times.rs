@@ -34,7 +34,7 @@ pub struct TimesArgs {
 /// Times in the order of the request, at least one.
 pub struct Times {
     /// Option that states them, in messages.
-    option: String,
+    pub option: String,
     /// Times, s.
     pub seconds: Vec<f64>,
     /// Ticks of these times, with --ticks only.

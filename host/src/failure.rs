@@ -52,6 +52,11 @@ impl Failure {
         }
     }
 
+    /// Failure whose message begins with the option, if its input is refused.
+    pub fn with_option(self, option: &str) -> Self {
+        if matches!(self, Self::Input(_)) { self.with_context(option) } else { self }
+    }
+
     /// Failure whose message begins with the motion's name, if a method does not apply to the motion.
     pub fn with_motion_name(self, name: &str) -> Self {
         if matches!(self, Self::Method(_)) { self.with_context(name) } else { self }

@@ -45,7 +45,7 @@ struct Digits;
 
 impl Formatter for Digits {
     fn write_f64<W: Write + ?Sized>(&mut self, writer: &mut W, x: f64) -> io::Result<()> {
-        writer.write_all(number(x).as_bytes())
+        writer.write_all(exact(x).as_bytes())
     }
 }
 
@@ -90,7 +90,7 @@ fn flatten(name: String, value: Value, fields: &mut Vec<(String, Value)>) {
 
 /// Line of CSV, of names or of values. An absent value, or a number that is not finite, is an empty field.
 pub fn csv_line(values: impl IntoIterator<Item: Into<Value>>) -> String {
-    let fields = values.into_iter().map(|value| text(&value.into(), number).unwrap_or_default());
+    let fields = values.into_iter().map(|value| text(&value.into(), exact).unwrap_or_default());
     let mut line = csv::Writer::from_writer(Vec::new());
     line.write_record(fields).expect("memory takes the line");
     String::from_utf8(line.into_inner().expect("memory takes the line")).expect("fields are UTF-8")
@@ -112,22 +112,22 @@ pub fn or_dash(number: Option<f64>, text: fn(f64) -> String) -> String {
 }
 
 /// Number with eight significant digits.
-pub fn eight_digits(x: f64) -> String {
-    short(x, 8)
+pub fn value_text(x: f64) -> String {
+    significant(x, 8)
 }
 
 /// Error with two significant digits.
-pub fn two_digits(x: f64) -> String {
+pub fn error_text(x: f64) -> String {
     format!("{x:.1e}")
 }
 
 /// Number with 17 significant digits; -0 is written as 0.
-pub fn number(x: f64) -> String {
+pub fn exact(x: f64) -> String {
     format!("{:.16e}", x + 0.0)
 }
 
 /// Number with this many significant digits, without trailing zeros.
-pub fn short(x: f64, digits: usize) -> String {
+pub fn significant(x: f64, digits: usize) -> String {
     let rounded: f64 = format!("{x:.*e}", digits.saturating_sub(1)).parse().unwrap_or(x);
     if (1e-4..1e5).contains(&rounded.abs()) || rounded == 0.0 {
         rounded.to_string()

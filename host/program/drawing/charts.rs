@@ -8,7 +8,7 @@ use toytop_host::Failure;
 use toytop_host::input::scenario::{Scenario, Units};
 use toytop_host::motion::euler_angles::tilt_azimuth_roll;
 use toytop_host::motion::tilts;
-use toytop_host::output::short;
+use toytop_host::output::significant;
 use toytop_host::pictures::curve::{LimitKind, TiltLimit};
 use toytop_host::pictures::span::MotionSpan;
 
@@ -77,7 +77,7 @@ pub fn precession(scenario: &Scenario, span: &MotionSpan) -> Result<Scene, Failu
         let first = azimuth(from);
         let mean = vec![[0.0, first], [until - from, first + rate * (until - from)]];
         let unit = if scenario.units.name("s").is_empty() { "" } else { " degrees/s" };
-        curves.push(Curve::line(format!("its mean: {}{unit}", short(rate, 4)), mean));
+        curves.push(Curve::line(format!("its mean: {}{unit}", significant(rate, 4)), mean));
     }
     let title = format!("{}: precession", scenario.name);
     let label = format!("azimuth of the axis{}, degrees", minus(turns, " turns"));

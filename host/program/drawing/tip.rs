@@ -8,7 +8,7 @@ use kuva::render::render::{Scene, TextAnchor, render_multiple};
 use std::f64::consts::PI;
 use toytop::{Sign, Support};
 use toytop_host::input::scenario::{Scenario, Units};
-use toytop_host::output::short;
+use toytop_host::output::significant;
 use toytop_host::pictures::curve::TipCurve;
 use toytop_host::pictures::span::MotionSpan;
 use toytop_model::constants::tip_class;
@@ -68,7 +68,7 @@ pub fn caption(scenario: &Scenario, span: &MotionSpan, seen: &str) -> [String; 2
     let (top, e, signs) = (motion.top(), motion.branch_points(), motion.signs());
     let class = tip_class(motion.tip_class()).replace('_', " ");
     let periods = span.periods.map(|periods| format!(", {periods} periods")).unwrap_or_default();
-    let shown = |e: f64| if e.is_finite() { short(e, 4) } else { "∞".to_owned() };
+    let shown = |e: f64| if e.is_finite() { significant(e, 4) } else { "∞".to_owned() };
     let [e1, e2, e3] = [e.e1, e.e2, e.e3].map(shown);
     // (l + n)² and (l - n)² are proportional to these
     let vanishes = [e.one_plus_e1 * (1.0 + e.e2), (1.0 - e.e1) * e.one_minus_e2 * e.e3_minus_one];
@@ -78,13 +78,13 @@ pub fn caption(scenario: &Scenario, span: &MotionSpan, seen: &str) -> [String; 2
         Sign::Minus => '<',
     };
     let (plus, minus) = (sign(signs.l_plus_n, vanishes[0]), sign(signs.l_minus_n, vanishes[1]));
-    let ratio = format!("C/A = {}", short(top.axial_inertia() / top.transverse_inertia(), 4));
+    let ratio = format!("C/A = {}", significant(top.axial_inertia() / top.transverse_inertia(), 4));
     let roots = format!("{class}{periods}: e₁ = {e1}, e₂ = {e2}, e₃ = {e3}");
     let signs = format!("l + n {plus} 0, l - n {minus} 0");
     let support = match top.support() {
         Support::Sliding => {
             let slenderness = top.transverse_inertia() / (top.mass_moment() * top.com_height());
-            return [roots, format!("{signs}, A/(ps) = {}, {ratio}", short(slenderness, 4))];
+            return [roots, format!("{signs}, A/(ps) = {}, {ratio}", significant(slenderness, 4))];
         }
         Support::Free => "free body",
         Support::Fixed => "tip held",

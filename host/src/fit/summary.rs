@@ -4,7 +4,7 @@ use super::result::{FitInput, FitResult};
 use crate::Failure;
 use crate::input::scenario::{Launch, to_toml};
 use crate::input::section;
-use crate::output::{number, short};
+use crate::output::{exact, significant};
 use serde::{Serialize, Serializer};
 use toml::Value;
 use toytop_fit::{Drift, Measurement, Partials, Sensitivity};
@@ -126,11 +126,15 @@ impl FitResult {
         self.fitted.motion(&self.input.top).map_err(refuse)?;
         let state = self.fitted.state().map_err(refuse)?;
         let mut text =
-            format!("# Fitted by `toytop fit`; t = 0 is t = {} of the samples.\n", number(self.fitted.time));
+            format!("# Fitted by `toytop fit`; t = 0 is t = {} of the samples.\n", exact(self.fitted.time));
         if let Some(drift) = &self.fitted.drift {
             let deviations = drift.deviations();
             let rate = |(k, (name, unit)): (usize, &(&str, &str))| {
-                format!("{name} = {} +- {} {unit}", short(drift.rates[k], 4), short(deviations[k], 2))
+                format!(
+                    "{name} = {} +- {} {unit}",
+                    significant(drift.rates[k], 4),
+                    significant(deviations[k], 2)
+                )
             };
             let rates = RATES.iter().enumerate().map(rate).collect::<Vec<_>>().join(", ");
             text +=

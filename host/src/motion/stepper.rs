@@ -1,8 +1,8 @@
 //! Stepper of the core at given times: equal steps, and one shorter last step to each time.
 
 use crate::Failure;
-use crate::motion::Scalar;
 use crate::motion::sample::Sample;
+use std::convert::Infallible;
 use toytop::scalar::Real;
 use toytop::{Motion, Phase, Stepper};
 
@@ -18,7 +18,7 @@ pub fn steps_needed(times: &[f64], step: f64) -> Result<u64, Failure> {
     let steps = (furthest(1.0) + furthest(-1.0)) / step + times.len() as f64;
     if steps > MAX_STEPS {
         let reason = format!("{steps:.1e} steps of {step:.1e} s; must be at most 1e10 steps");
-        return Err(Failure::Input(format!("--steps-per-period: {reason}")));
+        return Err(Failure::Input(reason));
     }
     Ok(steps as u64)
 }
@@ -28,11 +28,11 @@ pub fn steps_needed(times: &[f64], step: f64) -> Result<u64, Failure> {
 ///
 /// # Errors
 /// The first error that `step_to` returns.
-pub fn step_outwards<S, T>(
+pub fn step_outwards<S, T, E>(
     times: &[f64],
     start: impl Fn() -> S,
-    mut step_to: impl FnMut(&mut S, f64) -> Result<T, Failure>,
-) -> Result<Vec<T>, Failure> {
+    mut step_to: impl FnMut(&mut S, f64) -> Result<T, E>,
+) -> Result<Vec<T>, E> {
     let mut outwards: Vec<(usize, f64)> = times.iter().copied().enumerate().collect();
     outwards.sort_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
     let mut results = Vec::with_capacity(times.len());
@@ -47,42 +47,13 @@ pub fn step_outwards<S, T>(
 }
 
 /// Samples by the stepper at `times`, in steps of `step`, s. `advanced` is called with the number of steps after each batch.
-///
-/// # Errors
-/// [`Failure::Input`]: there is no stepper in fixed point.
-pub fn stepped(
-    scalar: Scalar,
-    motion: &Motion,
-    times: &[f64],
-    step: f64,
-    advanced: impl Fn(u64),
-) -> Result<Vec<Sample>, Failure> {
-    match scalar {
-        Scalar::F64 => stepped_in::<f64>(motion, times, step, advanced),
-        Scalar::F32 => stepped_in::<f32>(motion, times, step, advanced),
-        _ => {
-            let name = scalar.name();
-            Err(Failure::Input(format!(
-                "--method stepper: none in {name}: use --method ephemeris, which has {name}"
-            )))
-        }
-    }
-}
-
-fn stepped_in<R: Real>(
-    motion: &Motion,
-    times: &[f64],
-    step: f64,
-    advanced: impl Fn(u64),
-) -> Result<Vec<Sample>, Failure> {
-    step_outwards(
-        times,
-        || TimedStepper::<R>::new(motion, step),
-        |stepper, t| {
-            stepper.advance_to(t, &advanced);
-            Ok(Sample { t, ..stepper.sample() })
-        },
-    )
+pub fn samples<R: Real>(motion: &Motion, times: &[f64], step: f64, advanced: &dyn Fn(u64)) -> Vec<Sample> {
+    let sample = |stepper: &mut TimedStepper<R>, t| {
+        stepper.advance_to(t, advanced);
+        Ok::<_, Infallible>(Sample { t, ..stepper.sample() })
+    };
+    let Ok(samples) = step_outwards(times, || TimedStepper::new(motion, step), sample);
+    samples
 }
 
 /// Stepper that reaches any time by whole steps, and one shorter last step on a copy.
@@ -205,7 +176,7 @@ mod tests {
             |at: &mut f64, t| {
                 visited.push((*at, t));
                 *at = t;
-                Ok(10.0 * t)
+                Ok::<_, Failure>(10.0 * t)
             },
         );
         assert_eq!(results.unwrap(), [20.0, -10.0, 5.0, -30.0, 20.0]);

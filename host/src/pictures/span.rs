@@ -5,7 +5,7 @@ use crate::input::require_within;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{MotionEphemeris, ephemeris_for};
 use crate::motion::sample::Sample;
-use crate::output::short;
+use crate::output::significant;
 use toytop::Motion;
 use toytop_model::constants::MotionWithPeriod;
 use toytop_model::span::{cycle, periods, span};
@@ -35,17 +35,17 @@ impl MotionSpan {
     /// enough.
     pub fn new(motion: &Motion, times: Option<[f64; 2]>, most_cycles: f64) -> Result<Self, Failure> {
         let table = ephemeris_for(Scalar::F64, motion)?;
-        require_within(times.into_iter().flatten(), table.furthest_time(), " s")
-            .map_err(|failure| failure.with_context("--times"))?;
+        require_within(times.into_iter().flatten(), table.furthest_time(), " s")?;
         let constants = MotionWithPeriod::new(*motion);
         let (regime, cycle) = (motion.regime(), cycle(&constants));
         let longest = most_cycles * cycle;
         if let Some([from, until]) = times.filter(|[from, until]| until - from > longest)
             && !regime.is_vertical()
         {
-            let [from, until, longest] = [(from, 17), (until, 17), (longest, 4)].map(|(t, n)| short(t, n));
+            let [from, until, longest] =
+                [(from, 17), (until, 17), (longest, 4)].map(|(t, n)| significant(t, n));
             let reason = format!("must span at most {longest} ({most_cycles} nutation periods or turns)");
-            return Err(Failure::Input(format!("--times: {from}..{until}: {reason}")));
+            return Err(Failure::Input(format!("{from}..{until}: {reason}")));
         }
         let periods = periods(&constants).filter(|_| times.is_none());
         let ends = times.unwrap_or_else(|| [0.0, span(&constants, |t| table.pose(t).tip.modulus())]);
@@ -77,6 +77,6 @@ impl MotionSpan {
         let [from, until] = self.ends;
         let parts = from.abs().max(until.abs()) / (until - from);
         let digits = 4 + parts.log10().clamp(0.0, 13.0).ceil() as usize;
-        self.ends.map(|t| short(t, digits))
+        self.ends.map(|t| significant(t, digits))
     }
 }

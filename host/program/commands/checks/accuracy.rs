@@ -104,7 +104,7 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
             "{}\nThe ephemeris in each scalar, over ticks from 1 to 2^{OCTAVES}, against the truth to thirty digits. Tip: in units of s. Norm:\n\
              of alpha and beta. Energy: from alpha, beta and their rates (in fixed point, f32), relative. CSV and JSON have the\n\
              errors over each octave of ticks. {micromath}",
-            table_of_totals(output::two_digits).aligned(),
+            table_of_totals(output::error_text).aligned(),
         )
     };
     let text = output::render(arguments.format, &json!({ "rows": rows }), &rows, table);

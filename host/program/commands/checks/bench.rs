@@ -14,7 +14,7 @@ use toytop::{
 use toytop_host::Failure;
 use toytop_host::input::builtin;
 use toytop_host::motion::full_equations;
-use toytop_host::output::{self, Format, short};
+use toytop_host::output::{self, Format, significant};
 use toytop_host::truth::full_solver::{Equations, FullSolver};
 
 /// Name of the built-in motion that is timed.
@@ -68,7 +68,7 @@ pub fn run(arguments: &BenchArgs) -> Result<Report, Failure> {
         let columns: [Column<TimedTask>; 3] = [
             ("", |task| task.what.clone()),
             ("time of a state", |task| short_seconds(task.seconds)),
-            ("million a second", |task| short(1e-6 / task.seconds, 3)),
+            ("million a second", |task| significant(1e-6 / task.seconds, 3)),
         ];
         format!(
             "{}\nThe paper's curve with cusps. Ticks given by their numbers do not depend on each other, and the processor may overlap\n\
@@ -87,7 +87,7 @@ fn short_seconds(seconds: f64) -> String {
         x if x < 1.0 => (1e3, "ms"),
         _ => (1.0, "s"),
     };
-    format!("{} {unit}", short(scale * seconds, 3))
+    format!("{} {unit}", significant(scale * seconds, 3))
 }
 
 /// Rows of all tasks.

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::MotionWithPeriod;
-use toytop_host::output::{self, Format, or_dash, short, two_digits};
+use toytop_host::output::{self, Format, error_text, or_dash, significant};
 use toytop_host::score::order;
 use toytop_host::score::scorer::{Score, Scorer};
 use toytop_host::score::trajectory::Trajectory;
@@ -233,23 +233,23 @@ fn tables(files: &[ScoredFile], integrators: &[Integrator]) -> String {
     let errors: [Column<ScoredFile>; 9] = [
         ("", |file| file.name.clone()),
         ("rows", |file| file.rows.to_string()),
-        ("step, s", |file| or_dash(file.step, |step| short(step, 4))),
-        ("max, rad", |file| two_digits(file.score.max_error_rad)),
-        ("rms, rad", |file| two_digits(file.score.rms_error_rad)),
-        ("final, rad", |file| two_digits(file.score.final_error_rad)),
-        ("u", |file| two_digits(file.score.max_u_error)),
-        ("position", |file| or_dash(file.score.max_position_error, two_digits)),
+        ("step, s", |file| or_dash(file.step, |step| significant(step, 4))),
+        ("max, rad", |file| error_text(file.score.max_error_rad)),
+        ("rms, rad", |file| error_text(file.score.rms_error_rad)),
+        ("final, rad", |file| error_text(file.score.final_error_rad)),
+        ("u", |file| error_text(file.score.max_u_error)),
+        ("position", |file| or_dash(file.score.max_position_error, error_text)),
         ("order", |file| or_dash(file.order, |order| format!("{order:.2}"))),
     ];
     let details: [Column<ScoredFile>; 8] = [
         ("", |file| file.name.clone()),
-        ("nutation", |file| or_dash(file.score.phases.nutation_error_rad, two_digits)),
-        ("precession", |file| or_dash(file.score.phases.precession_error_rad, two_digits)),
-        ("spin", |file| or_dash(file.score.phases.spin_error_rad, two_digits)),
-        ("residual", |file| or_dash(file.score.phases.residual_rad, two_digits)),
-        ("h", |file| or_dash(file.score.drift_h, two_digits)),
-        ("l", |file| or_dash(file.score.drift_l, two_digits)),
-        ("n", |file| or_dash(file.score.drift_n, two_digits)),
+        ("nutation", |file| or_dash(file.score.phases.nutation_error_rad, error_text)),
+        ("precession", |file| or_dash(file.score.phases.precession_error_rad, error_text)),
+        ("spin", |file| or_dash(file.score.phases.spin_error_rad, error_text)),
+        ("residual", |file| or_dash(file.score.phases.residual_rad, error_text)),
+        ("h", |file| or_dash(file.score.drift_h, error_text)),
+        ("l", |file| or_dash(file.score.drift_l, error_text)),
+        ("n", |file| or_dash(file.score.drift_n, error_text)),
     ];
     let mut orders = String::new();
     for Integrator { method, order, .. } in integrators {

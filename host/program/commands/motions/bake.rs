@@ -94,7 +94,8 @@ fn baked<R: TableScalar>(
     tick: Tick,
     title: &TableTitle,
 ) -> Result<[String; 2], Failure> {
-    let table = HeapTable::<R>::with_segments(&scenario.motion, tick, arguments.segments)?;
+    let table = HeapTable::<R>::with_segments(&scenario.motion, tick, arguments.segments)
+        .map_err(|failure| failure.with_option("--segments"))?;
     let table = table.table();
     let text = match arguments.lang {
         Language::Rust => module(title, table),

@@ -25,7 +25,7 @@ use toytop_host::motion::full_equations;
 use toytop_host::motion::sample::Sample;
 use toytop_host::motion::stepper::TimedStepper;
 use toytop_host::motion::{MotionWithPeriod, Scalar};
-use toytop_host::output::{self, Format, or_dash, short};
+use toytop_host::output::{self, Format, or_dash, significant};
 use toytop_host::truth::full_solver::FullState;
 
 /// Errors of the core against an integration of the full 3-D equations
@@ -116,9 +116,9 @@ fn table(motions: &[Vec<Comparison<'_>>], periods: u32) -> String {
     let prefix = |row: &Comparison<'_>| if row.steps.is_some() { "step " } else { "" };
     let line = |rows: &Vec<Comparison<'_>>| {
         let greatest = |value: fn(&Comparison<'_>) -> Option<f64>| {
-            short(rows.iter().filter_map(value).fold(0.0, f64::max), 1)
+            significant(rows.iter().filter_map(value).fold(0.0, f64::max), 1)
         };
-        let errors = rows.iter().map(|row| or_dash(row.max_orientation_error_rad, |x| short(x, 1)));
+        let errors = rows.iter().map(|row| or_dash(row.max_orientation_error_rad, |x| significant(x, 1)));
         let worst = rows.iter().map(|row| row.verdict).max().unwrap_or_default();
         let summary = [
             greatest(|row| Some(row.max_orientation_error_rad? / row.bound_rad?)),

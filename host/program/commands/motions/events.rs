@@ -14,7 +14,7 @@ use toytop_host::input::{finite, require_within};
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::{EventKind, EventQuery, MotionEvent, ephemeris_for, search};
 use toytop_host::motion::sample::Sample;
-use toytop_host::output::{self, Format, eight_digits, or_dash, short, two_digits};
+use toytop_host::output::{self, Format, error_text, or_dash, significant, value_text};
 
 /// Times of turning points, tilts, circles, tip angles and lift-off
 #[derive(Args)]
@@ -88,7 +88,7 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let (motion, from, count) = (&scenario.motion, arguments.from, arguments.count as usize);
     let table = ephemeris_for(Scalar::F64, motion).map_err(|failure| failure.with_context(&scenario.name))?;
-    require_within([from], table.furthest_time(), " s").map_err(|failure| failure.with_context("--from"))?;
+    require_within([from], table.furthest_time(), " s").map_err(|failure| failure.with_option("--from"))?;
     let mut events = Vec::new();
     for argument in &arguments.kinds {
         let KindArgument { kind, upward, text } = argument;
@@ -98,7 +98,7 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
         }
         // only a circle depends on the top
         let refused = |_| {
-            let below = short(motion.top().tip_scale(), 6);
+            let below = significant(motion.top().tip_scale(), 6);
             Failure::Input(format!("--kind: {text}: must be above 0 and below {below}"))
         };
         let query = EventQuery { kind: *kind, from, upward: *upward, count };
@@ -177,10 +177,10 @@ fn columns<'a>(units: Units) -> [Column<EventRow<'a>>; 6] {
     [
         ("event", |row| row.kind.to_owned()),
         ("sense", |row| row.sense.to_owned()),
-        (t, |row| short(row.t, 17)),
-        ("tilt, degrees", |row| eight_digits(row.tilt_deg)),
-        ("tip angle, degrees", |row| or_dash(row.phi_deg, eight_digits)),
-        (error, |row| or_dash(row.time_error, two_digits)),
+        (t, |row| significant(row.t, 17)),
+        ("tilt, degrees", |row| value_text(row.tilt_deg)),
+        ("tip angle, degrees", |row| or_dash(row.phi_deg, value_text)),
+        (error, |row| or_dash(row.time_error, error_text)),
     ]
 }
 

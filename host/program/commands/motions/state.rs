@@ -21,7 +21,7 @@ use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::ephemeris::ephemeris_with;
 use toytop_host::motion::full_equations;
 use toytop_host::motion::sample::{Sample, body_rates};
-use toytop_host::motion::stepper::{stepped, steps_needed};
+use toytop_host::motion::stepper::{self, steps_needed};
 use toytop_host::motion::tip_angle::TipAngle;
 use toytop_host::motion::{MotionWithPeriod, Scalar};
 use toytop_host::output::Format;
@@ -115,11 +115,22 @@ fn sampler(
     }
     let samples = match (arguments.method, arguments.scalar) {
         (Method::Ephemeris, scalar) => return by_ephemeris(scalar, scenario, times, rate),
+        (Method::Stepper, Scalar::Q31 | Scalar::Q15) => {
+            let name = arguments.scalar.name();
+            let reason = format!("none in {name}: use --method ephemeris, which has {name}");
+            return Err(Failure::Input(format!("--method stepper: {reason}")));
+        }
         (Method::Stepper, scalar) => {
             let step = MotionWithPeriod::new(*motion).time_scale()
                 / f64::from(arguments.steps_per_period.unwrap_or(4096));
-            let progress = Progress::new(steps_needed(&times.seconds, step)?, "steps");
-            stepped(scalar, motion, &times.seconds, step, |steps| progress.add(steps))?
+            let option = arguments.steps_per_period.map_or(&*times.option, |_| "--steps-per-period");
+            let steps = steps_needed(&times.seconds, step).map_err(|failure| failure.with_option(option))?;
+            let progress = Progress::new(steps, "steps");
+            let samples = match scalar {
+                Scalar::F64 => stepper::samples::<f64>,
+                _ => stepper::samples::<f32>,
+            };
+            samples(motion, &times.seconds, step, &|steps| progress.add(steps))
         }
         (Method::Full, Scalar::F64) => full_equations::samples(scenario, &times.seconds)?,
         (Method::ClosedForm, Scalar::F64) => return by_closed_form(scenario, times),

@@ -69,7 +69,8 @@ fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
         }
         return Ok(charts::potential(scenario));
     }
-    let span = MotionSpan::new(&scenario.motion, times, MAX_CYCLES)?;
+    let span = MotionSpan::new(&scenario.motion, times, MAX_CYCLES)
+        .map_err(|failure| failure.with_option("--times"))?;
     Ok(match arguments.kind {
         PlotKind::Tilt => charts::tilt(scenario, &span),
         PlotKind::Precession => charts::precession(scenario, &span)?,

@@ -95,7 +95,7 @@ impl<R: TableScalar> HeapTable<R> {
             capacities::<R>().map(|(capacity, _)| capacity).into_iter().filter(|&n| is_offered::<R>(n));
         if let Some(segments) = segments.filter(|segments| !offered.clone().any(|n| n == *segments)) {
             let names = offered.map(|n| n.to_string()).collect::<Vec<_>>().join(", ");
-            return Err(Failure::Input(format!("--segments: {segments}: must be one of {names}")));
+            return Err(Failure::Input(format!("{segments}: must be one of {names}")));
         }
         Self::smallest(motion, TableSettings::new(tick), |capacity| match segments {
             None => is_offered::<R>(capacity) && capacity >= R::SEGMENTS,
@@ -120,7 +120,7 @@ impl<R: TableScalar> HeapTable<R> {
             let enough = capacities.iter().find(|(n, _)| is_offered::<R>(*n) && *n >= needed);
             let hint = match (error, enough) {
                 (SetUpError::TooSmall { .. }, Some((n, _))) => {
-                    format!("; at least --segments {n} would be enough")
+                    format!("; at least {n} segments would be enough")
                 }
                 (SetUpError::TooSmall { .. }, None) => {
                     format!("; not even {} segments of this degree would be enough", largest.0)

@@ -60,7 +60,7 @@ fn wrong_arguments_are_refused() {
             ("--times 1 --steps-per-period 0", "1..=16777216"),
             ("--times 1 --steps-per-period 16777217", "1..=16777216"),
             ("--times 1 --steps-per-period 10", "error: --steps-per-period: needs --method stepper\n"),
-            ("--times 1e6,-1e6 --method stepper", "--steps-per-period ... at most 1e10 steps"),
+            ("--times 1e6,-1e6 --method stepper", "--times ... at most 1e10 steps"),
         ],
     );
 }

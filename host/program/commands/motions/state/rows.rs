@@ -6,7 +6,7 @@ use toytop::Support;
 use toytop_host::input::scenario::Units;
 use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::sample::Sample;
-use toytop_host::output::{Format, csv_line, json, short};
+use toytop_host::output::{Format, csv_line, json, significant};
 
 /// Columns of the rows, the units of their numbers, and the form in which they are written.
 pub struct Rows {
@@ -77,7 +77,7 @@ impl Rows {
             let (name, unit) = (column.key(), self.unit(*column));
             let numbers = column.numbers(sample).into_iter().filter(|x| !x.is_nan());
             let texts = [name.to_owned(), unit.to_owned()];
-            texts.into_iter().chain(numbers.map(|x| short(x, digits))).collect()
+            texts.into_iter().chain(numbers.map(|x| significant(x, digits))).collect()
         };
         TextTable { lines: self.columns.iter().map(line).collect(), left: 2 }.aligned()
     }

@@ -9,7 +9,7 @@ use toytop::Motion;
 use toytop_host::Failure;
 use toytop_host::input::random::Random;
 use toytop_host::input::scenario::ScenarioFile;
-use toytop_host::output::{csv_line, short};
+use toytop_host::output::{csv_line, significant};
 
 /// Greatest number of motions.
 pub const MAX_MOTIONS: u64 = 1_000_000_000_000;
@@ -121,7 +121,7 @@ impl Sweep {
         let numbers = self.numbers(index);
         Some(match self.motion(&numbers).err()? {
             Failure::Key { table, key, reason, .. } => match numbers.iter().find(|(axis, _)| *axis == key) {
-                Some((key, number)) => format!("{key} = {}: {reason}", short(*number, 5)),
+                Some((key, number)) => format!("{key} = {}: {reason}", significant(*number, 5)),
                 None => format!("{table}.{key}: {reason}"),
             },
             failure => failure.to_string(),

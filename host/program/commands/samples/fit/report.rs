@@ -3,7 +3,7 @@
 use crate::table::TextTable;
 use toytop_host::fit::result::FitResult;
 use toytop_host::fit::summary::{DriftSummary, Estimated, FitSummary, Prediction, RATES};
-use toytop_host::output::short;
+use toytop_host::output::significant;
 
 /// Report as text, or the reason why there is no launch.
 pub fn table(fit: &FitResult, summary: &FitSummary<'_>) -> String {
@@ -16,7 +16,12 @@ pub fn table(fit: &FitResult, summary: &FitSummary<'_>) -> String {
         return state + "\n";
     }
     let line = |name: &str, value: f64, deviation: f64, unit: &str| {
-        vec![name.to_owned(), short(value, 9), format!("+- {}", short(deviation, 2)), unit.to_owned()]
+        vec![
+            name.to_owned(),
+            significant(value, 9),
+            format!("+- {}", significant(deviation, 2)),
+            unit.to_owned(),
+        ]
     };
     let mut rows = vec![
         line("tilt", summary.tilt_deg, summary.tilt_deviation_deg, "degrees"),
@@ -25,8 +30,8 @@ pub fn table(fit: &FitResult, summary: &FitSummary<'_>) -> String {
     for (k, axis) in AXES.into_iter().enumerate() {
         rows.push(line(&format!("omega_{axis}"), summary.omega[k], summary.omega_deviation[k], "rad/s"));
     }
-    let quaternion = summary.quaternion.map(|x| short(x, 9)).join(" ");
-    let turned = summary.orientation_deviation.map(|x| short(x.to_degrees(), 2)).join(" ");
+    let quaternion = summary.quaternion.map(|x| significant(x, 9)).join(" ");
+    let turned = summary.orientation_deviation.map(|x| significant(x.to_degrees(), 2)).join(" ");
     rows.push(
         ["orientation", &quaternion, &format!("+- {turned}"), "degrees about x, y, z"]
             .map(str::to_owned)
@@ -48,13 +53,13 @@ pub fn table(fit: &FitResult, summary: &FitSummary<'_>) -> String {
     let mut text = format!(
         "{state}\n\nlaunch at t = {}\n{}\n\
          chi squared by degrees of freedom {}; {} values used, {} at the end of the range, {} outliers, largest residual {} sigma\n",
-        short(summary.epoch, 9),
+        significant(summary.epoch, 9),
         TextTable { lines: rows, left: 4 }.aligned(),
-        short(summary.reduced_chi_squared, 4),
+        significant(summary.reduced_chi_squared, 4),
         summary.used,
         summary.saturated,
         summary.outliers,
-        short(summary.largest_residual, 3)
+        significant(summary.largest_residual, 3)
     );
     if !summary.undetermined.is_empty() {
         text += &format!("not determined by these samples: {}\n", summary.undetermined.join(", "));
@@ -64,7 +69,7 @@ pub fn table(fit: &FitResult, summary: &FitSummary<'_>) -> String {
     }
     let mut ahead = vec![["t, s", "orientation +-, rad", "axis +-, rad"].map(str::to_owned).to_vec()];
     for Prediction { axis_rad, orientation_rad, t } in &summary.prediction {
-        ahead.push(vec![short(*t, 6), short(*orientation_rad, 2), short(*axis_rad, 2)]);
+        ahead.push(vec![significant(*t, 6), significant(*orientation_rad, 2), significant(*axis_rad, 2)]);
     }
     text + "\nprediction\n" + &TextTable { lines: ahead, left: 0 }.aligned() + "\n"
 }

@@ -41,7 +41,7 @@ fn the_least_size_is_named() {
         ("@toy_top --scalar q15 --segments 8", 16),
     ] {
         let refused = summary(line);
-        assert!(refused.ends_with(&format!("; at least --segments {enough} would be enough")), "{refused}");
+        assert!(refused.ends_with(&format!("; at least {enough} segments would be enough")), "{refused}");
     }
     toytop("bake @pendulum --segments 25").ok();
 }
