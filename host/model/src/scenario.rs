@@ -1,7 +1,10 @@
 //! Numbers of a scenario, in the order of its keys.
 
 use core::f64::consts::PI;
-use toytop::{InitialAngles, ParameterError, Release, Sign, Signs, Support, Top, TopParameters};
+use toytop::{
+    Complex, InitialAngles, Motion, Orientation, ParameterError, Release, Sign, Signs, State, Support, Top,
+    TopParameters,
+};
 
 /// Supports of the tip by their names, in the order of their numbers on a page.
 pub const SUPPORTS: [(&str, Support); 3] =
@@ -41,6 +44,27 @@ pub fn top(support: Support, parameters: &TopParameters) -> Result<Top, Paramete
         Support::Fixed => Top::fixed(parameters),
         Support::Free => Top::free(parameters),
     }
+}
+
+/// Motion by the place of its kind among release, state and branch points, from the numbers of that kind; those that it does not need
+/// are ignored. A state has α and β as real and imaginary parts, then ω.
+///
+/// # Errors
+/// The errors of [`State::from_release`], [`State::new`], [`Motion::launch`] and [`Motion::from_branch_points`].
+pub fn motion(top: &Top, kind: u32, numbers: [f64; 8]) -> Result<Motion, ParameterError> {
+    let [a, b, c, d, e, f, g, _] = numbers;
+    let state = match kind {
+        0 => State::from_release(&release([a, b, c, d, e, f])),
+        1 => {
+            let orientation = Orientation { alpha: Complex::new(a, b), beta: Complex::new(c, d) };
+            State::new(orientation, [e, f, g])
+        }
+        _ => {
+            let (e, signs, phases) = branch_points(numbers);
+            return Motion::from_branch_points(top, e, signs, &phases);
+        }
+    };
+    Motion::launch(top, &state?)
 }
 
 /// Release: tilt (degrees), spin, precession, nutation, azimuth and roll (degrees).

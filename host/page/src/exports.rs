@@ -4,13 +4,13 @@
 //! unmangled names only on WebAssembly, because elsewhere another function could have the same name.
 
 use crate::runge_kutta::RungeKutta;
-use crate::scenario::{self, MotionNumbers, TopNumbers};
 use crate::table::{self, PageTable};
 use core::array::from_fn;
 use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
-use toytop::{Motion, ParameterError};
+use toytop::{Motion, ParameterError, Support};
 use toytop_model::constants::{MotionWithPeriod, number_constants, regime, tip_class};
+use toytop_model::scenario::{self, SUPPORTS, top_parameters};
 use toytop_model::span::span;
 
 /// Points of a curve that one call computes at most.
@@ -42,18 +42,16 @@ pub fn launch_names() -> impl Iterator<Item = &'static str> {
     number_constants().map(|(name, _)| name).chain(["error", "error_growth", "span"])
 }
 
-/// Sets the motion by its kind: 0 release, 1 state, 2 branch points. The array holds the numbers of the top, then of the motion. After a
-/// refusal there is no motion.
+/// Sets the motion by its support, the place of a name in [`SUPPORTS`], and its kind: 0 release, 1 state, 2 branch points. The array
+/// holds the numbers of [`top_parameters`], then those of the motion. After a refusal there is no motion.
 ///
 /// The result is the length of the words. It is positive if all is well: the words are regime and class of the tip curve,
 /// and the numbers are those of [`launch_names`]. It is negative after a refusal: the words are the parameter and what is
 /// allowed.
 #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
-pub extern "C" fn launch(kind: u32) -> i32 {
-    let top: TopNumbers = from_fn(number);
-    let motion: MotionNumbers = from_fn(|i| number(top.len() + i));
+pub extern "C" fn launch(support: u32, kind: u32) -> i32 {
     (*MOTION.lock(), *RUNGE_KUTTA.lock()) = (None, None);
-    match launched(top, kind, motion) {
+    match launched(support, kind) {
         Ok(motion) => {
             let table = TABLE.lock();
             write_numbers(
@@ -69,8 +67,11 @@ pub extern "C" fn launch(kind: u32) -> i32 {
     }
 }
 
-fn launched(top: TopNumbers, kind: u32, numbers: MotionNumbers) -> Result<MotionWithPeriod, ParameterError> {
-    let motion = MotionWithPeriod::new(scenario::motion(&scenario::top(top)?, kind, numbers)?);
+fn launched(support: u32, kind: u32) -> Result<MotionWithPeriod, ParameterError> {
+    let support = SUPPORTS.get(support as usize).map_or(Support::Sliding, |(_, support)| *support);
+    let top = scenario::top(support, &top_parameters(from_fn(number)))?;
+    let motion = scenario::motion(&top, kind, from_fn(|i| number(7 + i)))?;
+    let motion = MotionWithPeriod::new(motion);
     TABLE.lock().set_up(&motion)?;
     Ok(motion)
 }

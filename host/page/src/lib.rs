@@ -2,7 +2,6 @@
 //!
 //! | module | content |
 //! |---|---|
-//! | [`scenario`] | a top and its motion from numbers in the order of a scenario's keys |
 //! | [`table`] | table of a motion in `f64`: any time, at the same cost |
 //! | [`runge_kutta`] | classical Runge-Kutta method, for comparison |
 //! | [`exports`] | functions that JavaScript calls |
@@ -13,7 +12,6 @@
 
 pub mod exports;
 pub mod runge_kutta;
-pub mod scenario;
 pub mod table;
 
 /// Page with a `{{NAME}}` for each text that depends on the motion.

@@ -17,7 +17,7 @@ export const KINDS = Object.keys(MOTION_KEYS);
 function numbersOf({ top, motion }) {
   const value = (key, from) => from[key] ?? DEFAULTS[key] ?? 0;
   const topNumbers = TOP_KEYS.map((key) => value(key, top));
-  return [SUPPORTS.indexOf(top.support ?? "sliding"), ...topNumbers, ...MOTION_KEYS[motion.kind].flatMap((key) => value(key, motion))];
+  return [...topNumbers, ...MOTION_KEYS[motion.kind].flatMap((key) => value(key, motion))];
 }
 
 /** Number of components of the keys that hold vectors. */
@@ -83,7 +83,7 @@ export class Core {
     const missing = missingKeys(scenario);
     if (missing.length > 0) return { refused: { missing } };
     this.numbers.set(numbersOf(scenario));
-    const length = this.exports.launch(KINDS.indexOf(scenario.motion.kind));
+    const length = this.exports.launch(SUPPORTS.indexOf(scenario.top.support ?? "sliding"), KINDS.indexOf(scenario.motion.kind));
     const [first, second] = this.words(Math.abs(length));
     if (length < 0) return { refused: { parameter: first, allowed: second } };
     const constants = Object.fromEntries(this.names.map((name, i) => [name, this.numbers[i]]));
