@@ -7,7 +7,7 @@ use crate::top::TopCore;
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyString};
-use pythonize::pythonize;
+use pythonize::{depythonize, pythonize};
 use toytop_fit::{Drift, Measurement};
 use toytop_host::Refusal;
 use toytop_host::fit::columns::Columns;
@@ -43,7 +43,7 @@ pub(crate) fn fit<'py>(
     py: Python<'py>,
     samples: &Bound<'py, PyDict>,
     top: &TopCore,
-    sensors: Option<(String, String)>,
+    sensors: Option<(String, Bound<'py, PyAny>)>,
     free: Vec<String>,
     huber: f64,
     drift: Option<f64>,
@@ -100,7 +100,7 @@ fn fields<'py>(py: Python<'py>, report: &FitResult, residuals: Columns) -> PyRes
 pub(crate) fn simulate<'py>(
     py: Python<'py>,
     motion: &MotionCore,
-    sensors: Option<(String, String)>,
+    sensors: Option<(String, Bound<'py, PyAny>)>,
     hertz: f64,
     duration: f64,
     seed: i128,
@@ -119,15 +119,19 @@ pub(crate) fn simulate<'py>(
     dictionary(py, columns.ok_or_else(refuse)?)
 }
 
-/// Sensors of a file's name and text, or those of a telephone.
+/// Sensors of a name and a dictionary or the text of a file, or those of a telephone.
 ///
 /// # Errors
 /// `ValueError` that names the key.
-fn sensors(given: Option<&(String, String)>, top: &TopCore) -> PyResult<Sensors> {
+fn sensors(given: Option<&(String, Bound<'_, PyAny>)>, top: &TopCore) -> PyResult<Sensors> {
     let body = Body::new(&top.top, top.parameters.com_height);
     match given {
         None => Ok(Sensors::telephone(body)),
-        Some((file, text)) => Sensors::parse(file, text, body).map_err(failed),
+        Some((file, given)) => match given.extract::<String>() {
+            Ok(text) => Sensors::parse(file, &text, body),
+            Err(_) => Sensors::from_table(file, &depythonize(given)?, body),
+        }
+        .map_err(failed),
     }
 }
 

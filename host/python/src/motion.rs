@@ -1,7 +1,6 @@
 //! Motions, each with its tables and its input.
 
 mod changes;
-mod constants;
 mod events;
 mod other_methods;
 
@@ -19,6 +18,7 @@ use toytop_host::motion::{MotionWithPeriod, Scalar};
 use toytop_host::pictures::curve::TipCurve;
 use toytop_host::pictures::page;
 use toytop_host::truth::quadrature::Quadrature;
+use toytop_model::constants::{self, number_constants};
 
 /// Rust side of `toytop.Motion`.
 #[pyclass(module = "toytop._toytop", frozen)]
@@ -106,10 +106,25 @@ impl MotionCore {
         page::html(&file).map_err(failed)
     }
 
-    /// Points of the curve that the tip draws, and radii of its circles.
-    fn tip_curve(&self, py: Python<'_>) -> PyResult<(Vec<[f64; 2]>, Vec<f64>)> {
-        let TipCurve { points, circles } = py.detach(|| TipCurve::new(&self.motion)).map_err(failed)?;
-        Ok((points, circles.iter().map(|(radius, _)| *radius).collect()))
+    /// Picture of the curve that the tip draws, as SVG.
+    fn tip_curve(&self, py: Python<'_>) -> PyResult<String> {
+        py.detach(|| TipCurve::new(&self.motion)).map(|curve| curve.svg()).map_err(failed)
+    }
+
+    /// Constant of this name; NaN where it does not exist.
+    pub(crate) fn constant(&self, name: &str) -> f64 {
+        let value = number_constants().find(|(known, _)| *known == name);
+        value.map_or(f64::NAN, |(_, value)| value(&MotionWithPeriod::new(self.motion)))
+    }
+
+    #[getter]
+    fn regime(&self) -> &'static str {
+        constants::regime(self.motion.regime())
+    }
+
+    #[getter]
+    fn tip_class(&self) -> &'static str {
+        constants::tip_class(self.motion.tip_class())
     }
 
     /// Samples at these times, of a table in a scalar.

@@ -24,7 +24,7 @@ const COLUMNS: [SampleColumn; 11] = [
     SampleColumn::Omega,
     SampleColumn::OmegaBody,
     SampleColumn::Tip,
-    SampleColumn::Phi,
+    SampleColumn::TipAngle,
     SampleColumn::ErrorBound,
     SampleColumn::EulerZxz,
     SampleColumn::Angles,

@@ -4,7 +4,7 @@ use crate::input::section::{self, Key, Section};
 use crate::input::text_file;
 use crate::{Failure, excerpt};
 use std::path::Path;
-use toml::Value;
+use toml::{Table, Value};
 use toytop::{Orientation, Support, Top};
 use toytop_fit::{
     Accelerometer, AxisCamera, Gyroscope, Magnetometer, Mark, Mounting, Noise, OrientationCamera, Sensor,
@@ -176,9 +176,17 @@ impl Sensors {
     /// # Errors
     /// [`Failure::Input`]: no TOML, or a key is unknown, missing or out of range.
     pub fn parse(file: &str, text: &str, body: Body) -> Result<Self, Failure> {
+        Self::from_table(file, &section::parse(file, text)?, body)
+    }
+
+    /// Sensors of a parsed file; `file` is its name in messages.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: a key is unknown, missing or out of range.
+    pub fn from_table(file: &str, table: &Table, body: Body) -> Result<Self, Failure> {
         let refuse = |reason: String| Err(Failure::Input(format!("{file}: {reason}")));
         let mut sensors = Self { setups: Vec::new(), jitter: 0.0, dropped: 0.0 };
-        for (name, value) in &section::parse(file, text)? {
+        for (name, value) in table {
             let Value::Table(table) = value else {
                 return refuse(format!("{}: must be a table", excerpt(name)));
             };

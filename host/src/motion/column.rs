@@ -27,7 +27,8 @@ pub enum SampleColumn {
     /// Position of the tip, 2 s α β; 2 α β for a held tip
     Tip,
     /// Tip angle, continued from t = 0
-    Phi,
+    #[cfg_attr(feature = "program", value(name = "phi"))]
+    TipAngle,
     /// Unit quaternion w,x,y,z from body to fixed coordinates
     Quaternion,
     /// Unit vector along the axis, from the tip to the centre of mass
@@ -53,7 +54,7 @@ impl SampleColumn {
         Self::Quaternion,
         Self::Omega,
         Self::Tip,
-        Self::Phi,
+        Self::TipAngle,
         Self::ErrorBound,
     ];
 }
@@ -73,7 +74,7 @@ impl SampleColumn {
             Self::Delta => ("delta", &["delta_re", "delta_im"], ""),
             Self::Omega => ("omega", &["omega_x", "omega_y", "omega_z"], "rad/s"),
             Self::Tip => ("tip", &["tip_x", "tip_y"], "m"),
-            Self::Phi => ("phi", &["phi"], "rad"),
+            Self::TipAngle => ("phi", &["phi"], "rad"),
             Self::Quaternion => ("quaternion", &["w", "x", "y", "z"], ""),
             Self::Axis => ("axis", &["axis_x", "axis_y", "axis_z"], ""),
             Self::OmegaBody => ("omega_body", &["wx", "wy", "wz"], "rad/s"),
@@ -99,7 +100,7 @@ impl SampleColumn {
             Self::Delta => put(&parts(orientation.delta())),
             Self::Omega => put(&sample.rates.omega),
             Self::Tip => put(&parts(sample.pose.tip)),
-            Self::Phi => put(&[sample.tip_angle.unwrap_or(f64::NAN)]),
+            Self::TipAngle => put(&[sample.tip_angle.unwrap_or(f64::NAN)]),
             Self::Quaternion => put(&orientation.quaternion()),
             Self::Axis => {
                 let [x, y, _] = orientation.axis();
@@ -114,8 +115,8 @@ impl SampleColumn {
 
     /// Whether its numbers follow from orientation, u and tip.
     pub fn needs_pose(self) -> bool {
-        use SampleColumn::{ErrorBound, Omega, OmegaBody, Phi, T, Udot};
-        !matches!(self, T | Udot | Omega | OmegaBody | Phi | ErrorBound)
+        use SampleColumn::{ErrorBound, Omega, OmegaBody, T, TipAngle, Udot};
+        !matches!(self, T | Udot | Omega | OmegaBody | TipAngle | ErrorBound)
     }
 
     /// Key of JSON.

@@ -103,6 +103,30 @@ impl TipCurve {
             if circles.is_empty() { vec![[0.0; 2]] } else { span.times_of_curve().map(tip).collect() };
         Self { points, circles }
     }
+
+    /// Picture as SVG, without axes: the curve from its start, between its circles, with the second fixed axis upwards.
+    pub fn svg(&self) -> String {
+        const SIDE: f64 = 320.0;
+        let radii = self.circles.iter().map(|(radius, _)| *radius);
+        let largest = radii.clone().chain(self.points.iter().map(|[x, y]| x.hypot(*y))).fold(0.0, f64::max);
+        let scale = if largest > 0.0 { 0.45 * SIDE / largest } else { 1.0 };
+        let circles: String = radii
+            .map(|radius| {
+                format!(
+                    r##"<circle cx="160" cy="160" r="{:.2}" fill="none" stroke="#8a8a8a"/>"##,
+                    scale * radius
+                )
+            })
+            .collect();
+        let places: Vec<[f64; 2]> =
+            self.points.iter().map(|[x, y]| [0.5 * SIDE + scale * x, 0.5 * SIDE - scale * y]).collect();
+        let [x, y] = places[0];
+        let line: Vec<_> = places.iter().map(|[x, y]| format!("{x:.2},{y:.2}")).collect();
+        let line = line.join(" ");
+        format!(
+            r##"<svg xmlns="http://www.w3.org/2000/svg" width="{SIDE}" height="{SIDE}" viewBox="0 0 {SIDE} {SIDE}"><rect width="100%" height="100%" fill="#fff"/>{circles}<polyline points="{line}" fill="none" stroke="#1f4e8c" stroke-width="1.5"/><circle cx="{x:.2}" cy="{y:.2}" r="3.5" fill="#c0392b"/></svg>"##
+        )
+    }
 }
 
 #[cfg(test)]

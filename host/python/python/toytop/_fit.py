@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -112,12 +111,12 @@ def simulate(
     return _toytop.simulate(motion._core, described(sensors), rate, length, seed)
 
 
-def described(sensors: _Sensors) -> tuple[str, str] | None:
-    """Name and text of the TOML file that describes the sensors."""
+def described(sensors: _Sensors) -> tuple[str, Any] | None:
+    """Name of a description of sensors, and the mapping or the text of the TOML file."""
     if sensors is None:
         return None
     if isinstance(sensors, Mapping):
-        return "sensors", "\n".join(f"{json.dumps(name)} = {toml(table)}" for name, table in sensors.items())
+        return "sensors", plain(sensors)
     try:
         path = os.fspath(sensors)
     except TypeError:
@@ -125,13 +124,12 @@ def described(sensors: _Sensors) -> tuple[str, str] | None:
     return path, Path(path).read_text(encoding="utf-8")
 
 
-def toml(value: Any) -> str:
-    """Mappings, numbers and arrays of numbers as a value of TOML."""
+def plain(value: Any) -> Any:
+    """Mappings, numbers and arrays of numbers as dictionaries, floats and lists."""
     if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{json.dumps(name)} = {toml(inner)}" for name, inner in value.items()) + "}"
-    if isinstance(value, (int, float)):
-        return repr(float(value))
-    return repr(numbers("sensors", value).ravel().tolist())
+        return {str(name): plain(inner) for name, inner in value.items()}
+    array = numbers("sensors", value)
+    return array.ravel().tolist() if array.ndim else float(array)
 
 
 @final

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal, final
 from . import _toytop
 from ._arguments import number, vector
 from ._constants import Constants
-from ._notebook import Page, tip_curve
+from ._notebook import Page
 from ._samples import Samples, decimals
 
 if TYPE_CHECKING:
@@ -205,7 +205,7 @@ class Motion(Constants):
 
     def _repr_html_(self) -> str:
         """Picture of the curve that the tip draws, for a notebook."""
-        return tip_curve(*self._core.tip_curve())
+        return self._core.tip_curve()
 
     @property
     def top(self) -> Top:

@@ -1,9 +1,7 @@
-"""A notebook shows the page with the top in motion, and the curve of its tip."""
+"""A notebook shows the page with the top in motion."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -35,21 +33,3 @@ class Page:
 
     def __repr__(self) -> str:
         return f"<Page of {len(self.html.encode()) // 1000} KB>"
-
-
-def tip_curve(points: Sequence[Sequence[float]], radii: Sequence[float]) -> str:
-    """Curve of the tip as SVG, between its circles and from its start, with the second fixed axis upwards."""
-    side = 320
-    middle = side // 2
-    largest = max([*radii, *(math.hypot(x, y) for x, y in points)], default=0.0)
-    scale = 0.45 * side / largest if largest > 0.0 else 1.0
-    places = [f"{middle + scale * x:.2f},{middle - scale * y:.2f}" for x, y in points]
-    circle = f'<circle cx="{middle}" cy="{middle}" r="{{:.2f}}" fill="none" stroke="#8a8a8a"/>'
-    circles = "".join(circle.format(scale * radius) for radius in radii)
-    x, y = places[0].split(",")
-    return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{side}" height="{side}" viewBox="0 0 {side} {side}">'
-        f'<rect width="100%" height="100%" fill="#fff"/>{circles}'
-        f'<polyline points="{" ".join(places)}" fill="none" stroke="#1f4e8c" stroke-width="1.5"/>'
-        f'<circle cx="{x}" cy="{y}" r="3.5" fill="#c0392b"/></svg>'
-    )

@@ -109,7 +109,7 @@ fn sample<R: TableScalar>(
             omega_body: if omega_body { vector(now.omega_body()) } else { [f64::NAN; 3] },
             udot: if needs(SampleColumn::Udot) { now.udot().to_f64() } else { f64::NAN },
         },
-        tip_angle: if needs(SampleColumn::Phi) {
+        tip_angle: if needs(SampleColumn::TipAngle) {
             now.tip_angle().map(|angle| unwrapped(angle, table.mean_tip_angle_rate() * t))
         } else {
             None
