@@ -3,7 +3,8 @@
 use crate::memory::{Opaque, store, write};
 use crate::status::{Refusal, toytop_status};
 use crate::table::*;
-use toytop::{EphemerisScalar, Event, Events, Level, ParameterError, Phase};
+use toytop::internal::check_finite;
+use toytop::{EphemerisScalar, Event, Events, Level, Phase};
 
 /// Bytes of the events of a table.
 pub const TOYTOP_EPHEMERIS_EVENTS_SIZE: usize = 384;
@@ -53,14 +54,6 @@ unsafe fn next_event<R: EphemerisScalar>(
     }
 }
 
-/// Tip angle from rad.
-fn tip_angle(angle: f64) -> Result<Phase, Refusal> {
-    if !angle.is_finite() {
-        return Err(ParameterError::NotFinite { parameter: "angle" }.into());
-    }
-    Ok(Phase::from_radians(angle))
-}
-
 macro_rules! functions {
     ($name:ident, $scalar:ty, $table:ty, $orientation:ty, $rate:ty) => { pastey::paste! {
 
@@ -84,7 +77,10 @@ reader! {
 /// increases. There are none where the axis is always vertical.
 [<toytop_ $name _tip_angles>](table: $table; angle: f64, from: i64, events: *mut toytop_ephemeris_events)
     |table, angle, from, events| {
-        store_from::<$scalar, _, _>(table, events, |table| Ok(table.tip_angles(tip_angle(angle)?, from)))
+        store_from::<$scalar, _, _>(table, events, |table| {
+            let angle = Phase::from_radians(check_finite("angle", angle)?);
+            Ok(table.tip_angles(angle, from))
+        })
     }
 }
 

@@ -4,7 +4,8 @@ use crate::input::toytop_state;
 use crate::memory::{Opaque, write};
 use crate::status::{Refusal, toytop_status};
 use crate::table::*;
-use toytop::{Complex, EphemerisScalar, EphemerisView, Orientation, ParameterError, Sample, State};
+use toytop::internal::{check, check_finite};
+use toytop::{Complex, EphemerisScalar, EphemerisView, Orientation, Sample, State};
 
 /// Bytes of a sample.
 pub const TOYTOP_EPHEMERIS_SAMPLE_SIZE: usize = 112;
@@ -44,12 +45,8 @@ unsafe fn write_quantity<R: EphemerisScalar, T>(
 
 /// Sample at a time.
 fn at<R: EphemerisScalar>(table: &EphemerisView<R>, time: f64) -> Result<Sample<'_, R>, Refusal> {
-    if !time.is_finite() {
-        return Err(ParameterError::NotFinite { parameter: "time" }.into());
-    }
-    if time.abs() >= table.last_time() {
-        return Err(ParameterError::OutOfRange { parameter: "time", allowed: "within 2^63 ticks" }.into());
-    }
+    let is_reached = check_finite("time", time)?.abs() < table.last_time();
+    check(is_reached, "time", "within 2^63 ticks")?;
     Ok(table.at(time))
 }
 
@@ -103,9 +100,8 @@ macro_rules! functions {
         /// Error bounds of a table at a tick.
         [<toytop_ $name _error_bounds>](table: $table; tick: i64, bounds: *mut toytop_error_bounds)
             |table, tick, bounds| {
-                write_from::<$scalar, _>(table, bounds, |table| {
-                    Ok(toytop_error_bounds { orientation: table.error_bound_at(tick), rate: table.rate_error_bound_at(tick) })
-                })
+                let Table { table, .. } = table_at::<$scalar>(table)?;
+                write(bounds, toytop_error_bounds { orientation: table.error_bound_at(tick), rate: table.rate_error_bound_at(tick) })
             }
         }
 

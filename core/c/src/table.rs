@@ -1,6 +1,6 @@
 //! Tables in memory of the caller.
 
-use crate::memory::{Opaque, load, read, store, write};
+use crate::memory::{Opaque, load, read, store};
 use crate::status::{Refusal, toytop_status};
 use core::ptr::slice_from_raw_parts_mut;
 use toytop::fixed::types::I2F30;
@@ -123,19 +123,6 @@ pub(crate) unsafe fn table_at<'a, R: EphemerisScalar>(address: *const u8) -> Res
     let table = memory.get().ok_or(toytop_status::TOYTOP_NOT_SET_UP)?;
     let identity = (tag << 16 | u32::from(generation)).wrapping_add(address.addr() as u32);
     Ok(Table { table, address, identity })
-}
-
-/// Writes a quantity of a table to memory of the caller.
-///
-/// # Safety
-/// The conditions are those of [`table_at`]; `place` is null or valid for writing a `T`.
-pub(crate) unsafe fn write_from<R: EphemerisScalar, T>(
-    table: *const u8,
-    place: *mut T,
-    quantity: impl FnOnce(&'static EphemerisView<R>) -> Result<T, Refusal>,
-) -> Result<(), Refusal> {
-    // SAFETY: the caller guarantees valid pointers and a valid table.
-    unsafe { write(place, quantity(table_at::<R>(table)?.table)?) }
 }
 
 /// Value that refers to a table, as C keeps it: with the address and the identity of the table.

@@ -2,6 +2,7 @@
 //! that the motion is integrable.
 
 use toytop::scalar::Float;
+pub use toytop::su2::{cross, dot};
 use toytop::{Complex, Orientation, Top};
 
 /// Vector of the fixed frame, in which k = (0, 0, 1) points up.
@@ -176,14 +177,4 @@ impl Equations {
 fn axis(alpha: [f64; 2], beta: [f64; 2]) -> Vector {
     let ([a, b], [c, d]) = (alpha, beta);
     [-2.0 * (a * c - b * d), -2.0 * (a * d + b * c), a * a + b * b - c * c - d * d]
-}
-
-/// Vector product x × y.
-pub fn cross(x: Vector, y: Vector) -> Vector {
-    [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
-}
-
-/// Scalar product <x, y>.
-pub fn dot(x: Vector, y: Vector) -> f64 {
-    x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
 }

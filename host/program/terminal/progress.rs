@@ -1,13 +1,9 @@
 //! Progress bar on stderr for work that takes more than a second; there is none where stderr is no terminal.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
-use std::time::Duration;
 
 /// Progress of work with a known total. The bar disappears with it.
 pub struct Progress(ProgressBar);
-
-/// Time before the bar is shown.
-const PATIENCE: Duration = Duration::from_secs(1);
 
 impl Progress {
     /// Progress of `total` units of work, named `unit`.
@@ -23,7 +19,7 @@ impl Progress {
     /// Adds units of finished work.
     pub fn add(&self, units: u64) {
         self.0.inc(units);
-        if self.0.is_hidden() && self.0.elapsed() > PATIENCE {
+        if self.0.is_hidden() && self.0.elapsed().as_secs() >= 1 {
             self.0.set_draw_target(ProgressDrawTarget::stderr());
         }
     }

@@ -12,11 +12,8 @@ use toytop_model::constants::MotionWithPeriod;
 
 type Memory<R> = Box<EphemerisMemory<EphemerisView<R>>>;
 
-/// Number of segments of a table, and function that makes its memory.
-type Capacity<R> = (u32, fn() -> Memory<R>);
-
-/// Capacities that a table may have, in ascending order.
-fn capacities<R: TableScalar>() -> [Capacity<R>; 12] {
+/// Capacities that a table may have, in ascending order: numbers of segments, and functions that make the memory.
+fn capacities<R: TableScalar>() -> [(u32, fn() -> Memory<R>); 12] {
     fn memory<R: TableScalar, const SEGMENTS: usize>() -> Memory<R> {
         Box::new(EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new())
     }
@@ -118,14 +115,10 @@ impl<R: TableScalar> HeapTable<R> {
         let mut memory = memory();
         let failure = |error| {
             let enough = capacities.iter().find(|(n, _)| is_offered::<R>(*n) && *n >= needed);
-            let hint = match (error, enough) {
-                (SetUpError::TooSmall { .. }, Some((n, _))) => {
-                    format!("; at least {n} segments would be enough")
-                }
-                (SetUpError::TooSmall { .. }, None) => {
-                    format!("; not even {} segments of this degree would be enough", largest.0)
-                }
-                _ => String::new(),
+            let hint = match enough {
+                _ if !matches!(error, SetUpError::TooSmall { .. }) => String::new(),
+                Some((n, _)) => format!("; at least {n} segments would be enough"),
+                None => format!("; not even {} segments of this degree would be enough", largest.0),
             };
             Failure::Method(format!("no ephemeris: {error}{hint}"))
         };
