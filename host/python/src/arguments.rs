@@ -7,8 +7,7 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyFloat, PyInt};
 use std::fmt::Display;
 use toytop::ParameterError;
-use toytop_host::Failure;
-use toytop_host::input::require_within;
+use toytop_host::{Failure, input::require_within};
 
 /// Exception for a parameter that core refuses.
 pub(crate) fn parameter_error(error: ParameterError) -> PyErr {

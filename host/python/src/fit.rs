@@ -9,11 +9,10 @@ use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyString};
 use pythonize::{depythonize, pythonize};
 use toytop_fit::{Drift, Measurement};
-use toytop_host::Refusal;
-use toytop_host::fit::columns::Columns;
 use toytop_host::fit::result::{FitInput, FitResult, fit_launch};
 use toytop_host::fit::sensors::{Body, Sensors};
 use toytop_host::fit::simulated::{MAX_SAMPLES, Recording, simulate_measurements};
+use toytop_host::{Refusal, fit::columns::Columns};
 
 /// Fitted launch with the covariance of its unknowns.
 #[pyclass(module = "toytop._toytop", frozen)]

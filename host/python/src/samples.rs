@@ -9,10 +9,8 @@ use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use std::sync::Arc;
 use toytop::{Motion, Orientation};
-use toytop_host::motion::column::SampleColumn;
-use toytop_host::motion::ephemeris::MotionEphemeris;
-use toytop_host::motion::sample::Sample;
 use toytop_host::motion::tip_angle::TipAngle;
+use toytop_host::motion::{column::SampleColumn, ephemeris::MotionEphemeris, sample::Sample};
 use toytop_model::equations::Rates;
 
 /// Quantities of samples that an array can hold.

@@ -8,11 +8,13 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use pythonize::pythonize;
 use toytop::Orientation;
-use toytop_host::Failure;
-use toytop_host::input::scenario::{Scenario, Units};
 use toytop_host::score::order as convergence;
 use toytop_host::score::scorer::Scorer;
 use toytop_host::score::trajectory::{Trajectory, TrajectoryRow, normalised};
+use toytop_host::{
+    Failure,
+    input::scenario::{Scenario, Units},
+};
 
 /// Errors by the keys of JSON: those of an integrator's output, from the state of motion.at(t[0]), against the exact motion.
 #[pyfunction]

@@ -6,9 +6,11 @@ use crate::motion::MotionCore;
 use pyo3::prelude::*;
 use std::f64::consts::TAU;
 use toytop::{Phase, Support, Top};
-use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::{EventKind, EventQuery, MotionEvent, search};
-use toytop_host::motion::sample::Sample;
+use toytop_host::motion::{
+    Scalar,
+    ephemeris::{EventKind, EventQuery, MotionEvent, search},
+    sample::Sample,
+};
 
 /// Kind of an event by its name, with `-` or `_` between words.
 ///

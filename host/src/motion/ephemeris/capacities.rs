@@ -12,8 +12,11 @@ use toytop_model::constants::MotionWithPeriod;
 
 type Memory<R> = Box<EphemerisMemory<EphemerisView<R>>>;
 
-/// Capacities that a table may have, in ascending order: numbers of segments, and functions that make the memory.
-fn capacities<R: TableScalar>() -> [(u32, fn() -> Memory<R>); 12] {
+/// Number of segments of a table, and function that makes its memory.
+type Capacity<R> = (u32, fn() -> Memory<R>);
+
+/// Capacities that a table may have, in ascending order.
+fn capacities<R: TableScalar>() -> [Capacity<R>; 12] {
     fn memory<R: TableScalar, const SEGMENTS: usize>() -> Memory<R> {
         Box::new(EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new())
     }
