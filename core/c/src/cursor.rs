@@ -1,26 +1,21 @@
 //! Cursors, which go from tick to tick of a table.
 
-use crate::memory::{Opaque, load, store, write};
+use crate::memory::{Opaque, load, opaque, store, write};
 use crate::sample::toytop_ephemeris_sample;
 use crate::status::{Refusal, toytop_status};
 use crate::table::*;
 use toytop::{Cursor, EphemerisScalar, Sample};
 
+opaque! {
 /// Bytes of a cursor.
-pub const TOYTOP_EPHEMERIS_CURSOR_SIZE: usize = 64;
+TOYTOP_EPHEMERIS_CURSOR_SIZE = 64;
 
 /// Phases of consecutive ticks of one table, which an interrupt keeps. It may be copied.
 ///
 /// A cursor belongs to the table that made it, and must be made again after a set-up. Another table refuses the
 /// cursor, except by a coincidence of 32 bits.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct toytop_ephemeris_cursor {
-    opaque: [u64; 8],
+toytop_ephemeris_cursor[8]
 }
-
-// cbindgen accepts only a number as a length
-const _: () = assert!(size_of::<toytop_ephemeris_cursor>() == TOYTOP_EPHEMERIS_CURSOR_SIZE);
 
 /// Cursor with the identity of its table.
 #[repr(C)]

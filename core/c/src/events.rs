@@ -1,25 +1,20 @@
 //! Events: turning points, crossings of a tilt, and tip angles.
 
-use crate::memory::{Opaque, store, write};
+use crate::memory::{Opaque, opaque, store, write};
 use crate::status::{Refusal, toytop_status};
 use crate::table::*;
 use toytop::internal::check_finite;
 use toytop::{EphemerisScalar, Event, Events, Level, Phase};
 
+opaque! {
 /// Bytes of the events of a table.
-pub const TOYTOP_EPHEMERIS_EVENTS_SIZE: usize = 384;
+TOYTOP_EPHEMERIS_EVENTS_SIZE = 384;
 
 /// Events of one kind of a table, in order. They may be copied.
 ///
 /// They refer to their table, whose memory must still be there. After another set-up in this memory they are refused.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct toytop_ephemeris_events {
-    opaque: [u64; 48],
+toytop_ephemeris_events[48]
 }
-
-// cbindgen accepts only a number as a length
-const _: () = assert!(size_of::<toytop_ephemeris_events>() == TOYTOP_EPHEMERIS_EVENTS_SIZE);
 
 impl<R: EphemerisScalar> Opaque for Referring<Events<'static, R>> {
     const TAG: u32 = 0x746f_6500 | R::CODE;

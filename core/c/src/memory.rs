@@ -68,3 +68,22 @@ pub(crate) trait Opaque: Sized {
     /// Number that identifies the type. Memory of another use is unlikely to begin with it.
     const TAG: u32;
 }
+
+/// Structure of plain words in which C keeps a value, and the constant of its size in bytes.
+macro_rules! opaque {
+    ($(#[$size_doc:meta])* $size:ident = $bytes:literal; $(#[$doc:meta])* $name:ident[$words:literal]) => {
+$(#[$size_doc])*
+pub const $size: usize = $bytes;
+
+$(#[$doc])*
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct $name {
+    opaque: [u64; $words],
+}
+
+// cbindgen accepts only a number as a length
+const _: () = assert!(size_of::<$name>() == $size);
+    };
+}
+pub(crate) use opaque;

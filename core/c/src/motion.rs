@@ -1,24 +1,19 @@
 //! Motion of one launch, its constants, and its partial derivatives.
 
 use crate::input::{toytop_state, toytop_top};
-use crate::memory::{Opaque, load, read, store, write};
+use crate::memory::{Opaque, load, opaque, read, store, write};
 use crate::status::{Refusal, status_of, toytop_error, toytop_status};
 use core::ffi::c_void;
 use toytop::{Complex, Level, Motion, Regime};
 use toytop_fit::Sensitivity;
 
+opaque! {
 /// Bytes of a motion.
-pub const TOYTOP_MOTION_SIZE: usize = 1024;
+TOYTOP_MOTION_SIZE = 1024;
 
 /// Motion of one launch, from which a table is set up. It may be copied; a program must not use its words.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct toytop_motion {
-    opaque: [u64; 128],
+toytop_motion[128]
 }
-
-// cbindgen accepts only a number as a length
-const _: () = assert!(size_of::<toytop_motion>() == TOYTOP_MOTION_SIZE);
 
 impl Opaque for Motion {
     const TAG: u32 = 0x746f_706d;

@@ -1,26 +1,21 @@
 //! Samples of a table at any tick or time, their error bounds and quantities.
 
 use crate::input::toytop_state;
-use crate::memory::{Opaque, write};
+use crate::memory::{Opaque, opaque, write};
 use crate::status::{Refusal, toytop_status};
 use crate::table::*;
 use toytop::internal::{check, check_finite};
 use toytop::{Complex, EphemerisScalar, EphemerisView, Orientation, Sample, State};
 
+opaque! {
 /// Bytes of a sample.
-pub const TOYTOP_EPHEMERIS_SAMPLE_SIZE: usize = 112;
+TOYTOP_EPHEMERIS_SAMPLE_SIZE = 112;
 
 /// Sample of a motion at one instant: phases, from which each quantity is computed on demand. It may be copied.
 ///
 /// A sample refers to its table, whose memory must still be there. After another set-up in this memory the sample is refused.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct toytop_ephemeris_sample {
-    opaque: [u64; 14],
+toytop_ephemeris_sample[14]
 }
-
-// cbindgen accepts only a number as a length
-const _: () = assert!(size_of::<toytop_ephemeris_sample>() == TOYTOP_EPHEMERIS_SAMPLE_SIZE);
 
 impl<R: EphemerisScalar> Opaque for Referring<Sample<'static, R>> {
     const TAG: u32 = 0x746f_7300 | R::CODE;

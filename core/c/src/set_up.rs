@@ -1,27 +1,22 @@
 //! Set-up of a table, and the number of segments that it needs.
 
-use crate::memory::{load, read};
+use crate::memory::{load, opaque, read};
 use crate::motion::{call_of, toytop_motion, toytop_pause};
 use crate::status::{Refusal, status_of, toytop_error, toytop_status};
 use crate::table::*;
 use core::ffi::c_void;
 use toytop::{EphemerisScalar, EphemerisView, Motion, TableSettings, Tick, Workspace};
 
+opaque! {
 /// Bytes of the workspace of a set-up.
-pub const TOYTOP_WORKSPACE_SIZE: usize = 3432;
+TOYTOP_WORKSPACE_SIZE = 3432;
 
 /// Workspace of a set-up, which need not be initialised, and which a program may use for something else afterwards.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct toytop_workspace {
-    opaque: [u64; 429],
+toytop_workspace[429]
 }
 
-// cbindgen accepts only a number as a length
 const _: () = assert!(
-    size_of::<toytop_workspace>() == TOYTOP_WORKSPACE_SIZE
-        && size_of::<Workspace>() + align_of::<Workspace>() - TOYTOP_EPHEMERIS_ALIGNMENT
-            <= TOYTOP_WORKSPACE_SIZE
+    size_of::<Workspace>() + align_of::<Workspace>() - TOYTOP_EPHEMERIS_ALIGNMENT <= TOYTOP_WORKSPACE_SIZE
 );
 
 /// Length of a tick, as an exact fraction of a second: `ticks` ticks in `seconds` seconds.
