@@ -73,28 +73,28 @@ const LIMITS: &str = "firmware-examples/budgets.toml";
 /// Calls whose flash is that of the program `flash` without that of `empty`: a launch, a table and a tick.
 const SET_UPS: [&str; 5] = ["launch", "new", "slices", "launch_slow", "launch_falling"];
 
-/// What is asked for.
+/// Request to `toytop budget`.
 enum Request<'a> {
     /// Costs of the functions of an ELF file.
     File(&'a Path),
-    /// Costs of the calls, compiled for little flash or for speed.
-    Calls { small: bool },
+    /// Costs of the calls.
+    Calls,
     /// Comparison of the costs of the calls with their budgets.
     Check,
     /// New budgets.
     Accept,
     /// Costs of 200 launches, printed or written to the page.
-    Launches { accept: bool },
+    Launches,
 }
 
 impl BudgetArgs {
     fn request(&self) -> Request<'_> {
         match (&self.elf, self.corpus, self.check, self.accept) {
             (Some(elf), ..) => Request::File(elf),
-            (_, true, _, accept) => Request::Launches { accept },
+            (_, true, ..) => Request::Launches,
             (_, _, true, _) => Request::Check,
             (.., true) => Request::Accept,
-            _ => Request::Calls { small: self.flash },
+            _ => Request::Calls,
         }
     }
 
@@ -114,13 +114,12 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
         return Ok(report_on_calls(arguments, &BTreeMap::from([(chip.name.to_owned(), costs)])));
     }
     let root = repository("budget without --elf", "firmware-examples/cost")?;
-    if let Request::Launches { accept } = request {
-        return report_on_launches(arguments, &root, chips, accept);
+    if let Request::Launches = request {
+        return report_on_launches(arguments, &root, chips);
     }
-    let small = matches!(request, Request::Calls { small: true });
     let mut measured = BTreeMap::new();
     for chip in chips {
-        let costs = costs_of_calls(&root, chip, small).map_err(|error| failure(chip, error))?;
+        let costs = costs_of_calls(&root, chip, arguments.flash).map_err(|error| failure(chip, error))?;
         measured.insert(chip.name.to_owned(), costs);
     }
     match request {
@@ -188,20 +187,15 @@ fn build(root: &Path, chip: &Chip, program: &str, small: bool) -> io::Result<Pat
 }
 
 /// Report on the set-up of many launches on each chip.
-fn report_on_launches(
-    arguments: &BudgetArgs,
-    root: &Path,
-    chips: Vec<&Chip>,
-    accept: bool,
-) -> Result<Report, Failure> {
+fn report_on_launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&Chip>) -> Result<Report, Failure> {
     let budgets = Budgets::read(&root.join(LIMITS))?;
     let mut rows = Vec::new();
-    for chip in chips.into_iter().filter(|chip| !accept || chip.timings.is_some()) {
+    for chip in chips.into_iter().filter(|chip| !arguments.accept || chip.timings.is_some()) {
         let costs =
             build(root, chip, "corpus", false).and_then(|elf| costs_of_launches(chip, &elf, &budgets));
         rows.extend(costs.map_err(|error| failure(chip, error))?);
     }
-    if accept {
+    if arguments.accept {
         return pages::write(&[pages::part_with_launches(&rows)]);
     }
     let table = || {
