@@ -69,8 +69,9 @@ pub extern "C" fn launch(support: u32, kind: u32) -> i32 {
 
 fn launched(support: u32, kind: u32) -> Result<MotionWithPeriod, ParameterError> {
     let support = SUPPORTS.get(support as usize).map_or(Support::Sliding, |(_, support)| *support);
-    let top = scenario::top(support, &top_parameters(from_fn(number)))?;
-    let motion = scenario::motion(&top, kind, from_fn(|i| number(7 + i)))?;
+    let parameters = from_fn(number);
+    let top = scenario::top(support, &top_parameters(parameters))?;
+    let motion = scenario::motion(&top, kind, from_fn(|i| number(parameters.len() + i)))?;
     let motion = MotionWithPeriod::new(motion);
     TABLE.lock().set_up(&motion)?;
     Ok(motion)
