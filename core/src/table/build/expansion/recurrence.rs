@@ -158,8 +158,8 @@ impl Expansion {
     /// Computes coefficients until two in succession are negligible. Returns their number.
     #[inline(never)]
     fn recur(&mut self, recurrence: &Recurrence, pause: &mut dyn FnMut()) -> Option<usize> {
-        let is_slow = self.chi.at_origin <= MAX_CHI_RATE;
-        if !is_slow {
+        let is_in_range = self.chi.at_origin <= MAX_CHI_RATE;
+        if !is_in_range {
             return None;
         }
         let mut before = false;
