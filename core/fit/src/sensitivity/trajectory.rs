@@ -215,13 +215,16 @@ mod tests {
         [off, changed]
     }
 
+    /// Limits of state and columns, in `f64` and `f32`. With state errors of 6e-7 in `f64` some fits of fast tops were wrong.
     #[test]
     fn the_trajectory_is_the_motion_of_the_launch() {
-        for (index, case) in CASES.iter().enumerate() {
-            let [double, single] = [worst::<f64>(case), worst::<f32>(case)];
-            for [state, columns] in [double, single] {
-                assert!(state < 3e-6 && columns < 2e-3, "{index}: {double:?} {single:?}");
-            }
+        let errors = CASES.map(|case| [worst::<f64>(&case), worst::<f32>(&case)]);
+        let greatest =
+            |scalar: usize, kind: usize| errors.iter().map(|error| error[scalar][kind]).fold(0.0, f64::max);
+        let within = |error: f64, limit: f64| (0.1 * limit..limit).contains(&error);
+        for (scalar, limits) in [[3e-7, 3e-5], [1e-6, 3e-3]].into_iter().enumerate() {
+            let are_near = [0, 1].into_iter().all(|kind| within(greatest(scalar, kind), limits[kind]));
+            assert!(are_near, "{scalar}: {errors:?}");
         }
     }
 }
