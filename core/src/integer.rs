@@ -16,7 +16,7 @@ mod power_of_two;
 
 pub(crate) use limbs::{LIMB_BITS, Limbs};
 pub(crate) use power_of_two::{
-    exponent, in_units, ldexp, ldexp_i128, mantissa_and_exponent, power_of_two, shifted_right, u64_to_f32,
+    exponent, ldexp, ldexp_i128, mantissa_and_exponent, power_of_two, shifted_right, to_units, u64_to_f32,
 };
 pub(crate) use product::{
     high_product, high_product_limited, product_32x16, product_32x16_by_constant, product_i32, product_u32,

@@ -97,7 +97,7 @@ pub mod internal {
     /// `None` where [`Motion::period_advance`] is.
     pub fn period_and_rotations(motion: &Motion) -> Option<(Extended, [Phase; 2])> {
         let period = motion.period::<Extended>(&motion.equations(), &mut || {})?;
-        let rotations = period.rotations(motion.half_tau).map(|angle| angle.in_turns().to_phase());
+        let rotations = period.rotations(motion.half_tau).map(|angle| angle.radians_to_turns().to_phase());
         Some((period.time, rotations))
     }
 
@@ -120,7 +120,7 @@ pub use stepper::Stepper;
 pub use su2::{AttitudeState, Orientation};
 pub use table::{
     Baked, BakedError, Clock, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory,
-    EphemerisScalar, EphemerisView, ErrorBound, Pose, Sample, SetUpError, TableSettings, Tick, Workspace,
+    EphemerisScalar, ErrorBound, Pose, Sample, SetUpError, Table, TableSettings, Tick, Workspace,
 };
 #[cfg(feature = "fixed")]
 pub use table::{EphemerisQ15, EphemerisQ31};
@@ -136,7 +136,7 @@ mod tests {
         held::<(Top, State, Motion, Stepper<f32>, Stepper<f64>, Tick, Phase)>();
         held::<(EphemerisF32, EphemerisF64, SetUpError, ParameterError, ErrorBound)>();
         held::<(Orientation<f32>, AttitudeState<f32>, Event, Level)>();
-        held::<(&EphemerisView<f32>, Cursor<f32>)>();
+        held::<(&Table<f32>, Cursor<f32>)>();
         #[cfg(feature = "fixed")]
         held::<(EphemerisQ31, EphemerisQ15)>();
     }

@@ -61,7 +61,7 @@ impl<R: Real> Stepper<R> {
                 (None, None) => HalfPhase::Steady,
             },
             slow_phases: motion.slow_phases,
-            constant_rates: rates.map(|rate| (rate.in_turns(), R::from_extended(rate))),
+            constant_rates: rates.map(|rate| (rate.radians_to_turns(), R::from_extended(rate))),
             tip_scale: R::from_f64(top.tip_scale()),
             momentum_rates: [integrals.l_plus_n, integrals.l_minus_n]
                 .map(|momentum| R::from_f64(momentum * per_a)),

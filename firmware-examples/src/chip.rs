@@ -12,7 +12,7 @@ use defmt_semihosting as _; // log transport
 #[cfg(target_arch = "riscv32")]
 use riscv as _; // critical section
 use semihosting::process;
-use toytop::{EphemerisF32, EphemerisMemory, EphemerisView, Motion, TableSettings, Tick, Workspace};
+use toytop::{EphemerisF32, EphemerisMemory, Motion, Table, TableSettings, Tick, Workspace};
 
 #[cfg(target_arch = "arm")]
 pub use cortex_m_rt::entry;
@@ -27,7 +27,7 @@ pub fn exit() -> ! {
 
 /// Table of a motion with `rate` ticks in a second, in static memory, which can be set up once. `bin/spin.rs` shows the code without this
 /// function.
-pub fn set_up(motion: &Motion, rate: u32) -> &'static EphemerisView<f32> {
+pub fn set_up(motion: &Motion, rate: u32) -> &'static Table<f32> {
     #[cfg(target_arch = "arm")]
     use cortex_m::singleton;
     #[cfg(target_arch = "riscv32")]

@@ -10,8 +10,8 @@ pub mod vectors;
 
 use std::ops::Deref;
 use toytop::{
-    Complex, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, InitialAngles, Motion, Orientation,
-    Release, SetUpError, Sign, Signs, State, TableSettings, Tick, Top, TopParameters, Workspace,
+    Complex, Ephemeris, EphemerisMemory, EphemerisScalar, InitialAngles, Motion, Orientation, Release,
+    SetUpError, Sign, Signs, State, Table, TableSettings, Tick, Top, TopParameters, Workspace,
 };
 
 /// Larger of two errors. NaN counts as larger than any number, so that it cannot pass a bound; `f64::max` would drop
@@ -127,12 +127,12 @@ pub fn kilohertz() -> Tick {
 }
 
 /// Table on the heap: a large one, by value, is too much for the stack of a test.
-pub struct Table<R: EphemerisScalar, const SEGMENTS: usize>(Box<EphemerisMemory<Ephemeris<R, SEGMENTS>>>);
+pub struct HeapTable<R: EphemerisScalar, const SEGMENTS: usize>(Box<EphemerisMemory<Ephemeris<R, SEGMENTS>>>);
 
-impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for Table<R, SEGMENTS> {
-    type Target = EphemerisView<R>;
+impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for HeapTable<R, SEGMENTS> {
+    type Target = Table<R>;
 
-    fn deref(&self) -> &EphemerisView<R> {
+    fn deref(&self) -> &Table<R> {
         self.0.get().expect("set up")
     }
 }
@@ -141,7 +141,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for Table<R, SEGMENTS> {
 pub fn table_if_it_fits<R: EphemerisScalar, const SEGMENTS: usize>(
     motion: &Motion,
     tick: Tick,
-) -> Option<Table<R, SEGMENTS>> {
+) -> Option<HeapTable<R, SEGMENTS>> {
     table_from_epoch(motion, tick, 0).ok()
 }
 
@@ -152,7 +152,7 @@ pub fn table_if_it_fits<R: EphemerisScalar, const SEGMENTS: usize>(
 pub fn table_of<R: EphemerisScalar, const SEGMENTS: usize>(
     motion: &Motion,
     tick: Tick,
-) -> Table<R, SEGMENTS> {
+) -> HeapTable<R, SEGMENTS> {
     table_from_epoch(motion, tick, 0).unwrap()
 }
 
@@ -164,11 +164,11 @@ pub fn table_from_epoch<R: EphemerisScalar, const SEGMENTS: usize>(
     motion: &Motion,
     tick: Tick,
     epoch: i64,
-) -> Result<Table<R, SEGMENTS>, SetUpError> {
+) -> Result<HeapTable<R, SEGMENTS>, SetUpError> {
     let mut memory = Box::new(EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new());
     let settings = TableSettings { epoch, ..TableSettings::new(tick) };
     memory.set_up(&mut Workspace::new(), motion, &settings, &mut || {})?;
-    Ok(Table(memory))
+    Ok(HeapTable(memory))
 }
 
 /// The example of the README, compiled and run.

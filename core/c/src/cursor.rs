@@ -39,7 +39,7 @@ unsafe fn store_cursor<R: EphemerisScalar>(
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
-        let Table { table, identity, .. } = table_at::<R>(table)?;
+        let CheckedTable { table, identity, .. } = table_at::<R>(table)?;
         store(place, TableCursor { table: identity, cursor: table.cursor(first) })
     }
 }
@@ -54,7 +54,7 @@ unsafe fn advance<R: EphemerisScalar>(
     take: impl FnOnce(Sample<'static, R>) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
-    let (Table { table, identity, .. }, mut kept): (_, TableCursor<R>) =
+    let (CheckedTable { table, identity, .. }, mut kept): (_, TableCursor<R>) =
         unsafe { (table_at::<R>(table)?, load(place)?) };
     if kept.table != identity {
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());

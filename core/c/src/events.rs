@@ -63,7 +63,7 @@ reader! {
 /// rises. The tip is on the circle of a radius r about the origin where the sine of the tilt is r/s.
 [<toytop_ $name _crossings>](table: $table; tilt: f64, from: i64, events: *mut toytop_ephemeris_events)
     |table, tilt, from, events| {
-        store_from::<$scalar, _, _>(table, events, |table| Ok(table.crossings(Level::of_tilt(tilt)?, from)))
+        store_from::<$scalar, _, _>(table, events, |table| Ok(table.crossings(Level::from_tilt(tilt)?, from)))
     }
 }
 

@@ -5,7 +5,7 @@ use crate::memory::{Opaque, opaque, write};
 use crate::status::{Refusal, toytop_status};
 use crate::table::*;
 use toytop::internal::{check, check_finite};
-use toytop::{Complex, EphemerisScalar, EphemerisView, Orientation, Sample, State};
+use toytop::{Complex, EphemerisScalar, Orientation, Sample, State, Table};
 
 opaque! {
 /// Bytes of a sample.
@@ -39,7 +39,7 @@ unsafe fn write_quantity<R: EphemerisScalar, T>(
 }
 
 /// Sample at a time.
-fn at<R: EphemerisScalar>(table: &EphemerisView<R>, time: f64) -> Result<Sample<'_, R>, Refusal> {
+fn at<R: EphemerisScalar>(table: &Table<R>, time: f64) -> Result<Sample<'_, R>, Refusal> {
     let is_reached = check_finite("time", time)?.abs() < table.last_time();
     check(is_reached, "time", "within 2^63 ticks")?;
     Ok(table.at(time))
@@ -95,7 +95,7 @@ macro_rules! functions {
         /// Error bounds of a table at a tick.
         [<toytop_ $name _error_bounds>](table: $table; tick: i64, bounds: *mut toytop_error_bounds)
             |table, tick, bounds| {
-                let Table { table, .. } = table_at::<$scalar>(table)?;
+                let CheckedTable { table, .. } = table_at::<$scalar>(table)?;
                 write(bounds, toytop_error_bounds { orientation: table.error_bound_at(tick), rate: table.rate_error_bound_at(tick) })
             }
         }

@@ -5,7 +5,7 @@ use crate::motion::{call_of, toytop_motion, toytop_pause};
 use crate::status::{Refusal, status_of, toytop_error, toytop_status};
 use crate::table::*;
 use core::ffi::c_void;
-use toytop::{EphemerisScalar, EphemerisView, Motion, TableSettings, Tick, Workspace};
+use toytop::{EphemerisScalar, Motion, Table, TableSettings, Tick, Workspace};
 
 opaque! {
 /// Bytes of the workspace of a set-up.
@@ -130,7 +130,7 @@ pub unsafe extern "C" fn [<toytop_ $name _segments_needed>](motion: *const toyto
     // SAFETY: the caller guarantees a valid pointer.
     let motion: Result<Motion, Refusal> = unsafe { load(motion) };
     let truncation = chosen(truncation).unwrap_or(<$scalar>::TRUNCATION);
-    let needed = |motion| EphemerisView::<$scalar>::segments_needed(&motion, truncation);
+    let needed = |motion| Table::<$scalar>::segments_needed(&motion, truncation);
     motion.ok().and_then(needed).unwrap_or(0)
 }
 

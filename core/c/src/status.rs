@@ -98,7 +98,9 @@ impl From<ParameterError> for Refusal {
 impl From<SetUpError> for Refusal {
     fn from(error: SetUpError) -> Self {
         match error {
-            SetUpError::TooSmall { segments, .. } => Self { segments, ..Self::from(TOYTOP_TABLE_TOO_SMALL) },
+            SetUpError::TableTooSmall { segments, .. } => {
+                Self { segments, ..Self::from(TOYTOP_TABLE_TOO_SMALL) }
+            }
             SetUpError::Truncation => {
                 let allowed = "positive, or 0 for that of the scalar";
                 ParameterError::OutOfRange { parameter: "truncation", allowed }.into()

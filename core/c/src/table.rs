@@ -4,7 +4,7 @@ use crate::memory::{Opaque, load, read, store};
 use crate::status::{Refusal, toytop_status};
 use core::ptr::slice_from_raw_parts_mut;
 use toytop::fixed::types::I2F30;
-use toytop::{Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView};
+use toytop::{Ephemeris, EphemerisMemory, EphemerisScalar, Table};
 
 /// Bytes of a table in `f32` of the standard size, 25 segments.
 pub const TOYTOP_EPHEMERIS_F32_SIZE: usize = 2264;
@@ -53,8 +53,8 @@ struct Head {
 }
 
 /// Table whose set-up has succeeded.
-pub(crate) struct Table<'a, R: EphemerisScalar> {
-    pub(crate) table: &'a EphemerisView<R>,
+pub(crate) struct CheckedTable<'a, R: EphemerisScalar> {
+    pub(crate) table: &'a Table<R>,
     pub(crate) address: *const u8,
     /// Sum of scalar, generation and address, which a cursor and a sample of this table carry.
     pub(crate) identity: u32,
@@ -97,13 +97,10 @@ fn checked_head(table: *const u8) -> Result<*const Head, Refusal> {
 }
 
 /// Memory of a table after a head, with this many segments.
-fn table_after<R: EphemerisScalar>(
-    head: *const Head,
-    segments: usize,
-) -> *mut EphemerisMemory<EphemerisView<R>> {
+fn table_after<R: EphemerisScalar>(head: *const Head, segments: usize) -> *mut EphemerisMemory<Table<R>> {
     let first = head.wrapping_add(1).cast_mut().cast::<R::Segment>();
     // the pointer to a memory is that to its first byte, with the number of segments in place of the array's
-    slice_from_raw_parts_mut(first, segments) as *mut EphemerisMemory<EphemerisView<R>>
+    slice_from_raw_parts_mut(first, segments) as *mut EphemerisMemory<Table<R>>
 }
 
 /// Table that was set up in memory of the caller.
@@ -111,7 +108,9 @@ fn table_after<R: EphemerisScalar>(
 /// # Safety
 /// The pointer is null or valid for reading a head; and if its tag is that of the scalar, [`empty_table`] wrote what follows, which
 /// nobody changes as long as the reference lives.
-pub(crate) unsafe fn table_at<'a, R: EphemerisScalar>(address: *const u8) -> Result<Table<'a, R>, Refusal> {
+pub(crate) unsafe fn table_at<'a, R: EphemerisScalar>(
+    address: *const u8,
+) -> Result<CheckedTable<'a, R>, Refusal> {
     let head = checked_head(address)?;
     // SAFETY: any bits are a head.
     let Head { tag, segments, generation } = unsafe { read(head)? };
@@ -122,7 +121,7 @@ pub(crate) unsafe fn table_at<'a, R: EphemerisScalar>(address: *const u8) -> Res
     let memory = unsafe { &*table_after::<R>(head, segments.into()) };
     let table = memory.get().ok_or(toytop_status::TOYTOP_NOT_SET_UP)?;
     let identity = (tag << 16 | u32::from(generation)).wrapping_add(address.addr() as u32);
-    Ok(Table { table, address, identity })
+    Ok(CheckedTable { table, address, identity })
 }
 
 /// Value that refers to a table, as C keeps it: with the address and the identity of the table.
@@ -139,14 +138,14 @@ pub(crate) struct Referring<T> {
 pub(crate) unsafe fn store_from<R: EphemerisScalar, P, T>(
     table: *const u8,
     place: *mut P,
-    value: impl FnOnce(&'static EphemerisView<R>) -> Result<T, Refusal>,
+    value: impl FnOnce(&'static Table<R>) -> Result<T, Refusal>,
 ) -> Result<(), Refusal>
 where
     Referring<T>: Opaque,
 {
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
-        let Table { table, address, identity } = table_at::<R>(table)?;
+        let CheckedTable { table, address, identity } = table_at::<R>(table)?;
         store(place, Referring { value: value(table)?, address, identity })
     }
 }
@@ -183,7 +182,7 @@ fn segments_in<R: EphemerisScalar>(size: usize) -> Result<usize, Refusal> {
 pub(crate) unsafe fn empty_table<'a, R: EphemerisScalar>(
     table: *mut u8,
     size: usize,
-) -> Result<&'a mut EphemerisMemory<EphemerisView<R>>, Refusal> {
+) -> Result<&'a mut EphemerisMemory<Table<R>>, Refusal> {
     let head = checked_head(table)?.cast_mut();
     let segments = segments_in::<R>(size)?;
     // SAFETY: there is room for a head, and behind it for a table of `segments` segments, at least 8. They are initialised before a

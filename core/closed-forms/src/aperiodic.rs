@@ -84,7 +84,7 @@ impl Form {
             Self::Sliding(form) => form.argument(point),
             Self::FixedTip(form) => form.argument(point),
         };
-        angle.in_turns().to_phase()
+        angle.radians_to_turns().to_phase()
     }
 }
 

@@ -72,7 +72,7 @@ impl FreeBody {
     #[must_use]
     pub fn at(&self, t: f64) -> AttitudeState<f64> {
         let t = if t.is_finite() { t } else { 0.0 };
-        let half_angle = |rate: Extended| (rate * t.into()).in_turns().to_phase();
+        let half_angle = |rate: Extended| (rate * t.into()).radians_to_turns().to_phase();
         let turn = Complex::<f64>::cis(half_angle(self.precession.halved()));
         let [x, y, z] = self.angular_momentum_axis;
         let about_m = Orientation {
@@ -91,6 +91,6 @@ impl FreeBody {
     #[must_use]
     pub fn nutation_phase(&self, t: f64) -> Option<Phase> {
         let t = if t.is_finite() { t } else { 0.0 };
-        self.nutation.map(|chi| chi + chi + (self.precession * t.into()).in_turns().to_phase())
+        self.nutation.map(|chi| chi + chi + (self.precession * t.into()).radians_to_turns().to_phase())
     }
 }

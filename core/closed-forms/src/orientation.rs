@@ -29,7 +29,7 @@ impl ArgumentOffsets {
         let rates = phase_equations(motion).rates(im, re);
         let argument = |ellipse: Ellipse<Extended>, psi, ValueAndSlope { value, slope }| {
             let z = ellipse.slow_phase(Complex::new(re, im), [rates.chi, psi], [value, slope]);
-            angle(z.im, z.re).in_turns().to_phase()
+            angle(z.im, z.re).radians_to_turns().to_phase()
         };
         let ellipses = Ellipses::oscillating(branch_points(motion), motion.signs(), |x| x);
         let ([alpha, beta], [alpha_phase, beta_phase]) = (closed, slow_phases(motion));
@@ -48,7 +48,7 @@ impl ArgumentOffsets {
         [alpha, beta]: [ValueAndSlope; 2],
         [alpha_rotation, beta_rotation]: [Phase; 2],
     ) -> AttitudeState<f64> {
-        let half_tau_phase = (self.half_tau * t.into()).in_turns().to_phase();
+        let half_tau_phase = (self.half_tau * t.into()).radians_to_turns().to_phase();
         let half_tau = self.half_tau.to_f64();
         let placed = |closed: ValueAndSlope, rotation: Phase, tau: f64| {
             let factor = Complex::cis(rotation);

@@ -116,7 +116,7 @@ impl RegularPrecession {
     #[must_use]
     pub fn at(&self, t: f64) -> AttitudeState<f64> {
         let rotated = |z: Complex<f64>, rate: Extended| {
-            let value = z * Complex::cis((rate * t.into()).in_turns().to_phase());
+            let value = z * Complex::cis((rate * t.into()).radians_to_turns().to_phase());
             (value, value.times_i().scaled(rate.to_f64()))
         };
         let [of_alpha, of_beta] = self.argument_rates;

@@ -46,7 +46,7 @@ impl ThetaQuotient {
     /// Change of the argument from `x` to `x` + `period`, without whole turns. The value must not be 0 at `x`.
     pub(crate) fn rotation(&self, x: WideComplex, period: WideComplex) -> Phase {
         let ratio = self.at(x + period).value * self.at(x).value.conj();
-        angle(ratio.im, ratio.re).in_turns().to_phase()
+        angle(ratio.im, ratio.re).radians_to_turns().to_phase()
     }
 }
 

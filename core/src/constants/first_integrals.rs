@@ -114,7 +114,7 @@ impl FirstIntegrals<Extended> {
     #[inline(never)]
     pub(crate) fn from_state_with_point(top: &Top, state: &State) -> (Self, ReducedPoint) {
         let (Top { a, c, s, p, g, k, .. }, unit) = (*top, top.weight_or_one());
-        let (phi, omega) = state.in_extended();
+        let (phi, omega) = state.to_extended();
         // without a square root a simple fraction remains exact, and so does the vertical, where n = C ω₃
         let norm = phi.norm_squared();
         let one_minus_u = phi.beta.norm_squared().doubled() / norm;

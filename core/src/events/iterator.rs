@@ -4,7 +4,7 @@ use crate::events::recurring_instants::RecurringInstants;
 use crate::events::tip_angle_search::TipAngleSearch;
 use crate::events::{Event, Level};
 use crate::phase::Phase;
-use crate::table::{EphemerisScalar, EphemerisView};
+use crate::table::{EphemerisScalar, Table};
 
 /// Events of one kind in order, up to the last tick of `i64`.
 #[derive(Clone, Copy, Debug)]
@@ -32,7 +32,7 @@ impl<R: EphemerisScalar> Iterator for Events<'_, R> {
     }
 }
 
-impl<R: EphemerisScalar> EphemerisView<R> {
+impl<R: EphemerisScalar> Table<R> {
     /// Turning points of u at tick `from` or later. There are none where u is constant to 2^-49.
     #[must_use]
     pub fn turning_points(&self, from: i64) -> Events<'_, R> {

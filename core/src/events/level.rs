@@ -7,7 +7,7 @@ use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real, Ring};
 use crate::su2::Orientation;
-use crate::table::{EphemerisScalar, EphemerisView, Phases, Sample};
+use crate::table::{EphemerisScalar, Phases, Sample, Table};
 
 /// Value of u, the cosine of the tilt, stored as 1 - u and 1 + u.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,7 +22,7 @@ impl Level {
     ///
     /// # Errors
     /// `u`: not finite or not in [-1, 1].
-    pub fn of_u(u: f64) -> Result<Self, ParameterError> {
+    pub fn from_u(u: f64) -> Result<Self, ParameterError> {
         check_range(-1.0..=1.0, "u", u, "in [-1, 1]")?;
         Ok(Self { one_minus_u: 1.0 - u, one_plus_u: 1.0 + u })
     }
@@ -31,7 +31,7 @@ impl Level {
     ///
     /// # Errors
     /// `tilt`: not finite or not in [0, π].
-    pub fn of_tilt(tilt: f64) -> Result<Self, ParameterError> {
+    pub fn from_tilt(tilt: f64) -> Result<Self, ParameterError> {
         let (sine, cosine) = half_tilt_sine_cosine(tilt)?;
         Ok(Self { one_minus_u: 2.0 * sine * sine, one_plus_u: 2.0 * cosine * cosine })
     }
@@ -41,7 +41,7 @@ impl Level {
     ///
     /// # Errors
     /// `radius`: not finite, or not in (0, s) (for a fixed tip in (0, 1)).
-    pub fn of_circle(top: &Top, radius: f64) -> Result<[Self; 2], ParameterError> {
+    pub fn from_circle(top: &Top, radius: f64) -> Result<[Self; 2], ParameterError> {
         check_finite("radius", radius)?;
         let scale = top.tip_scale();
         check(radius > 0.0 && radius < scale, "radius", "above 0 and below the greatest |c|")?;
@@ -81,7 +81,7 @@ impl Level {
     }
 
     /// Nutation phase in (0, 1/2) turn at which u rises to the level; `None` where the motion does not reach it.
-    pub(super) fn phase<R: EphemerisScalar>(&self, table: &EphemerisView<R>) -> Option<Phase> {
+    pub(super) fn phase<R: EphemerisScalar>(&self, table: &Table<R>) -> Option<Phase> {
         let reached = |nutation| self.is_reached(&at_phase(table, nutation).orientation());
         (reached(LAST_RISING) && !reached(0)).then(|| bisect(reached))
     }
@@ -100,7 +100,7 @@ impl Level {
 pub(super) const LAST_RISING: u64 = u64::MAX >> 1;
 
 /// Sample at the 64 leading bits of a nutation phase, with mean phases 0.
-pub(super) fn at_phase<R: EphemerisScalar>(table: &EphemerisView<R>, nutation: u64) -> Sample<'_, R> {
+pub(super) fn at_phase<R: EphemerisScalar>(table: &Table<R>, nutation: u64) -> Sample<'_, R> {
     Sample { table, phases: Phases { nutation, alpha: 0, beta: 0 }, tick: 0, fraction: Phase::ZERO }
 }
 

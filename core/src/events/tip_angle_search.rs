@@ -8,12 +8,12 @@ use crate::events::level::{LAST_RISING, at_phase, bisect};
 use crate::events::recurring_instants::RecurringInstants;
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float, Ring, Scalar};
-use crate::table::{EphemerisScalar, EphemerisView};
+use crate::table::{EphemerisScalar, Table};
 
 /// Instants of one tip angle in order.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TipAngleSearch<'a, R: EphemerisScalar> {
-    table: &'a EphemerisView<R>,
+    table: &'a Table<R>,
     /// Ends of the monotone pieces.
     ends: RecurringInstants,
     /// Tip angle that is searched, modulo a turn.
@@ -31,7 +31,7 @@ const PIECES_OF_A_PERIOD: usize = 5;
 /// Greatest number of skips. A skip leaves 1e-9 of the way: three reach 2^63 ticks, and five are in reserve.
 const MAX_SKIPS: usize = 8;
 
-impl<R: EphemerisScalar> EphemerisView<R> {
+impl<R: EphemerisScalar> Table<R> {
     /// Tip angle at a number of ticks, with a fraction.
     fn tip_angle_at(&self, ticks: Extended) -> Phase {
         self.at_ticks(ticks).tip_angle_unchecked()
@@ -58,7 +58,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
 impl<'a, R: EphemerisScalar> TipAngleSearch<'a, R> {
     /// Search from tick `from` on.
-    pub(super) fn new(table: &'a EphemerisView<R>, target: Phase, from: i64) -> Self {
+    pub(super) fn new(table: &'a Table<R>, target: Phase, from: i64) -> Self {
         let reversal = table.reversal();
         let phases = [Some(Phase::ZERO), Some(Phase::HALF), reversal, reversal.map(|phase| -phase)];
         let (mut ends, at) = (RecurringInstants::new(table, phases, from), from.into());

@@ -58,7 +58,7 @@ pub(crate) fn mantissa_and_exponent(x: f64) -> (i64, i32) {
 
 /// Integer nearest to x / 2^exponent, at most ±2^62.
 #[inline(never)]
-pub(crate) fn in_units(x: f64, exponent: i32) -> i64 {
+pub(crate) fn to_units(x: f64, exponent: i32) -> i64 {
     let (mantissa, own) = mantissa_and_exponent(x);
     match own.saturating_sub(exponent) {
         10.. => mantissa.signum() << 62,

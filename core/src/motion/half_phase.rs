@@ -59,7 +59,7 @@ pub(super) fn half_phase_of_angle(theta: f64) -> Phase {
     if nearest != 0.0 && multiple.to_f64() == theta {
         return Phase::from_turns(0.25 * nearest);
     }
-    (Extended::from(theta).in_turns() * Extended::from(0.5)).to_phase()
+    (Extended::from(theta).radians_to_turns() * Extended::from(0.5)).to_phase()
 }
 
 #[cfg(test)]

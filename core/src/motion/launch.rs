@@ -64,13 +64,13 @@ impl Motion {
         pause();
         let signs = integrals.signs();
         let regime = Regime::new(e, signs, point.is_sleeping());
-        let ellipses = ellipses(e, signs, regime);
         let half_tau = half_tau(top, integrals.spin);
         pause();
         let rounding = LaunchRounding::new(top, &integrals, &point, e, state);
         pause();
         let torque_free_rate = torque_free_rate(top, &integrals, &point);
         let half_phase = half_phase(top, e, regime, torque_free_rate, &point);
+        let ellipses = ellipses(e, signs, half_phase, regime);
         pause();
         let at_start = orientation_and_rate(state);
         let slow_phases = match half_phase {
@@ -130,13 +130,13 @@ impl Motion {
         let chi = half_phase_of_angle(theta);
         let (_, remainder) = chi.split_half_turns();
         let regime = Regime::new(&e, signs, remainder == Phase::QUARTER);
-        let ellipses = ellipses(&e, signs, regime);
         let half_phase = (!is_steady(&e, regime)).then_some(chi);
+        let ellipses = ellipses(&e, signs, half_phase, regime);
         let [alpha, beta] = match half_phase {
             None => [Phase::ZERO; 2],
             Some(chi) => ellipses.arguments(Complex::cis(chi)),
         };
-        let phase = |angle: f64| Extended::from(angle).in_turns().to_phase();
+        let phase = |angle: f64| Extended::from(angle).radians_to_turns().to_phase();
         Ok(Self {
             top: *top,
             signs,
@@ -155,11 +155,15 @@ impl Motion {
 
 /// Ellipses of α and β.
 #[inline(never)]
-fn ellipses(e: &BranchPoints<Extended>, signs: Signs, regime: Regime) -> Ellipses<f64> {
-    if is_steady(e, regime) {
-        Ellipses::steady(steady_complements(e, regime))
-    } else {
-        Ellipses::oscillating(e, signs, Extended::to_f64)
+fn ellipses(
+    e: &BranchPoints<Extended>,
+    signs: Signs,
+    half_phase: Option<Phase>,
+    regime: Regime,
+) -> Ellipses<f64> {
+    match half_phase {
+        Some(_) => Ellipses::oscillating(e, signs, Extended::to_f64),
+        None => Ellipses::steady(steady_complements(e, regime)),
     }
 }
 
@@ -179,7 +183,7 @@ fn torque_free_rate(top: &Top, integrals: &FirstIntegrals<Extended>, point: &Red
 /// Orientation of a state and its rate, computed in extended precision.
 #[inline(never)]
 fn orientation_and_rate(state: &State) -> AttitudeState<f64> {
-    let (phi, omega) = state.in_extended();
+    let (phi, omega) = state.to_extended();
     let AttitudeState { orientation, rate } = AttitudeState::from_fixed(phi.normalised(), omega);
     AttitudeState {
         orientation: orientation.map(Float::to_f64),

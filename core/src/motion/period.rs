@@ -56,7 +56,10 @@ impl Period {
     pub(crate) fn advances(&self, half_tau: Extended, windings: [i32; 2]) -> [Extended; 2] {
         let ([psi_alpha, psi_beta], half_tau_angle) = (self.psi, half_tau * self.time);
         let [alpha, beta] = windings.map(|sense| Extended::from(0.5 * f64::from(sense)));
-        [(psi_alpha + half_tau_angle).in_turns() + alpha, (psi_beta - half_tau_angle).in_turns() + beta]
+        [
+            (psi_alpha + half_tau_angle).radians_to_turns() + alpha,
+            (psi_beta - half_tau_angle).radians_to_turns() + beta,
+        ]
     }
 
     /// Rotations about the vertical, ψ_α(T) + ψ_β(T), and about the axis, ψ_α(T) - ψ_β(T) + τT, rad.

@@ -122,16 +122,16 @@ impl PhaseEquations<Extended> {
 }
 
 /// Distances of a value of u from -1, 1 and e₃, and the inverse of D(u).
-struct Point<F> {
-    one_plus_u: F,
-    one_minus_u: F,
-    e3_minus_u: F,
-    per_d: F,
+pub(crate) struct Point<F> {
+    pub(crate) one_plus_u: F,
+    pub(crate) one_minus_u: F,
+    pub(crate) e3_minus_u: F,
+    pub(crate) per_d: F,
 }
 
 impl<F: Float> PhaseEquations<F> {
     /// Point at given sin χ and cos χ, without cancellation near the vertical.
-    fn point(&self, sine: F, cosine: F) -> Point<F> {
+    pub(crate) fn point(&self, sine: F, cosine: F) -> Point<F> {
         let e2_minus_u = self.e2_minus_e1 * cosine.squared();
         let one_minus_u = self.one_minus_e2 + e2_minus_u;
         let one_plus_u = self.one_plus_e1 + self.e2_minus_e1 * sine.squared();

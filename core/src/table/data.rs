@@ -14,7 +14,7 @@ mod baked;
 
 pub use baked::{Baked, BakedError};
 pub use clock::Clock;
-pub use ephemeris::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisView, ErrorBound};
+pub use ephemeris::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, ErrorBound, Table};
 #[cfg(feature = "fixed")]
 pub use ephemeris::{EphemerisQ15, EphemerisQ31};
 pub(crate) use phases::Phases;

@@ -4,8 +4,8 @@ use fixed::types::{I2F14, I2F30};
 use toytop::scalar::{Real, Ring};
 use toytop::{
     Complex, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisQ15, EphemerisQ31,
-    EphemerisScalar, EphemerisView, Motion, Orientation, ParameterError, Pose, Release, Sample, State,
-    Stepper, TableSettings, Tick, Top, TopParameters, Workspace,
+    EphemerisScalar, Motion, Orientation, ParameterError, Pose, Release, Sample, State, Stepper, Table,
+    TableSettings, Tick, Top, TopParameters, Workspace,
 };
 
 /// Number of ticks per second.
@@ -73,7 +73,7 @@ pub(crate) type Memory<const SEGMENTS: usize> = EphemerisMemory<Ephemeris<f32, S
 
 #[inline(never)]
 fn set_up(
-    memory: &mut EphemerisMemory<EphemerisView<f32>>,
+    memory: &mut EphemerisMemory<Table<f32>>,
     workspace: &mut Workspace,
     top: &Top,
     state: &State,
@@ -86,7 +86,7 @@ fn set_up(
 
 /// Set-up with its own memory on the stack.
 #[inline(never)]
-fn on_stack(memory: &mut EphemerisMemory<EphemerisView<f32>>, measured: &Measured) -> bool {
+fn on_stack(memory: &mut EphemerisMemory<Table<f32>>, measured: &Measured) -> bool {
     let (Ok(top), Ok(state)) = (measured.top(), measured.state()) else { return false };
     set_up(memory, &mut Workspace::new(), &top, &state)
 }

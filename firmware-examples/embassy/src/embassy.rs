@@ -7,7 +7,7 @@ use cortex_m_rt::exception;
 use embassy_executor::Spawner;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::signal::Signal;
-use toytop::{EphemerisView, Event};
+use toytop::{Event, Table};
 use toytop_firmware::{exit, set_up, start_systick, toy_top};
 
 /// Clock of the processor, Hz. The emulated board has 25 MHz.
@@ -36,7 +36,7 @@ async fn main(spawner: Spawner) {
 }
 
 #[embassy_executor::task]
-async fn log_turns(ephemeris: &'static EphemerisView<f32>) {
+async fn log_turns(ephemeris: &'static Table<f32>) {
     loop {
         let turn = TURN.wait().await;
         let place = if turn.upward { "upright" } else { "low" };

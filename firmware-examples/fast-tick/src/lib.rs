@@ -2,10 +2,10 @@
 
 #![no_std]
 
-use toytop::{Cursor, EphemerisView};
+use toytop::{Cursor, Table};
 
 /// Quaternion of the cursor's next tick.
 #[inline(never)] // in its caller it would be compiled for size
-pub fn next(cursor: &mut Cursor<f32>, table: &EphemerisView<f32>) -> [f32; 4] {
+pub fn next(cursor: &mut Cursor<f32>, table: &Table<f32>) -> [f32; 4] {
     cursor.next(table).quaternion()
 }

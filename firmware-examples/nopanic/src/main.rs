@@ -11,9 +11,9 @@ use toytop::fixed::types::{I2F14, I2F30};
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 use toytop::{
-    BranchPoints, Complex, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, FirstIntegrals,
-    InitialAngles, Level, Motion, ParameterError, Phase, Release, Sign, Signs, State, Stepper, TableSettings,
-    Tick, Top, TopParameters, Workspace,
+    BranchPoints, Complex, Ephemeris, EphemerisMemory, EphemerisScalar, FirstIntegrals, InitialAngles, Level,
+    Motion, ParameterError, Phase, Release, Sign, Signs, State, Stepper, Table, TableSettings, Tick, Top,
+    TopParameters, Workspace,
 };
 use toytop_closed_forms::ClosedForm;
 use toytop_closed_forms::elliptic::{Jacobi, Weierstrass, agm, carlson_rf};
@@ -188,13 +188,13 @@ fn tick<R: Real>(motion: &Motion) {
 }
 
 /// Calls of the events of every kind.
-fn events<R: EphemerisScalar>(table: &EphemerisView<R>, motion: &Motion) {
+fn events<R: EphemerisScalar>(table: &Table<R>, motion: &Motion) {
     let event = table.turning_points(black_box(3)).find(|event| event.upward);
     black_box(event.map(|event| (table.time_of(&event), table.at_event(&event).orientation())));
     black_box(table.tip_angles(Phase::from_turns(unknown()), black_box(3)).next());
-    let circle = Level::of_circle(motion.top(), unknown()).ok().map(|[upper, _]| upper);
+    let circle = Level::from_circle(motion.top(), unknown()).ok().map(|[upper, _]| upper);
     let levels =
-        [Level::of_u(unknown()).ok(), Level::of_tilt(unknown()).ok(), circle, Level::lift_off(motion)];
+        [Level::from_u(unknown()).ok(), Level::from_tilt(unknown()).ok(), circle, Level::lift_off(motion)];
     for level in levels.into_iter().flatten() {
         black_box((table.crossings(level, black_box(3)).next(), level.u()));
     }

@@ -6,7 +6,7 @@
 #[rtic::app(device = lm3s6965, peripherals = false)]
 mod app {
     use cortex_m::asm;
-    use toytop::{Cursor, EphemerisView};
+    use toytop::{Cursor, Table};
     use toytop_firmware::{exit, run_systick, set_up, toy_top};
 
     /// Clock of the processor, Hz. The emulated board has 25 MHz.
@@ -22,7 +22,7 @@ mod app {
 
     #[local]
     struct Local {
-        table: &'static EphemerisView<f32>,
+        table: &'static Table<f32>,
         cursor: Cursor<f32>,
     }
 

@@ -12,7 +12,7 @@ use core::cell::RefCell;
 use cortex_m::asm;
 use cortex_m_rt::exception;
 use critical_section::Mutex;
-use toytop::{Cursor, EphemerisView};
+use toytop::{Cursor, Table};
 use toytop_firmware::{entry, exit, imu, set_up, start_systick, toy_top};
 use toytop_fit::{Fit, Sensor};
 
@@ -20,7 +20,7 @@ use toytop_fit::{Fit, Sensor};
 const CLOCK: u32 = 25_000_000;
 
 struct Follower {
-    table: &'static EphemerisView<f32>,
+    table: &'static Table<f32>,
     cursor: Cursor<f32>,
     tick: u32,
 }

@@ -14,8 +14,8 @@ use cortex_m_rt::exception;
 use critical_section::Mutex;
 use heapless::spsc::{Consumer, Producer, Queue};
 use toytop::{
-    AttitudeState, Cursor, EphemerisF32, EphemerisMemory, EphemerisView, Motion, Orientation, ParameterError,
-    State, Stepper, TableSettings, Tick, Top, Workspace,
+    AttitudeState, Cursor, EphemerisF32, EphemerisMemory, Motion, Orientation, ParameterError, State,
+    Stepper, Table, TableSettings, Tick, Top, Workspace,
 };
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
@@ -33,7 +33,7 @@ const IMPULSE: [f64; 3] = [0.0, 3.0e-3, -1.0e-3];
 const POINT: [f64; 3] = [0.0, 0.0, 0.06];
 
 /// Memory of a table, whose capacity is not in its type.
-type Memory = EphemerisMemory<EphemerisView<f32>>;
+type Memory = EphemerisMemory<Table<f32>>;
 /// Memory in a static, which has one owner at a time.
 type Owned = &'static mut Memory;
 
@@ -105,7 +105,7 @@ impl Source {
 }
 
 /// Table in this memory.
-fn set_up(memory: &Memory) -> &EphemerisView<f32> {
+fn set_up(memory: &Memory) -> &Table<f32> {
     memory.get().expect("the main loop set it up")
 }
 

@@ -10,8 +10,8 @@ use cortex_m::{Peripherals, asm, singleton};
 use cortex_m_rt::exception;
 use critical_section::Mutex;
 use toytop::{
-    Complex, EphemerisF32, EphemerisMemory, EphemerisView, Motion, Orientation, ParameterError, Pose,
-    Release, State, TableSettings, Tick, Top, TopParameters, Workspace,
+    Complex, EphemerisF32, EphemerisMemory, Motion, Orientation, ParameterError, Pose, Release, State, Table,
+    TableSettings, Tick, Top, TopParameters, Workspace,
 };
 use toytop_firmware::{entry, exit};
 
@@ -23,7 +23,7 @@ const TICK_RATE: u32 = 1000;
 const LOG_EVERY: i64 = 100;
 
 /// Table of the motion, for the interrupt.
-static EPHEMERIS: Mutex<Cell<Option<&EphemerisView<f32>>>> = Mutex::new(Cell::new(None));
+static EPHEMERIS: Mutex<Cell<Option<&Table<f32>>>> = Mutex::new(Cell::new(None));
 /// Last data of the interrupt for the log.
 static SNAPSHOT: Mutex<Cell<Option<Snapshot>>> = Mutex::new(Cell::new(None));
 

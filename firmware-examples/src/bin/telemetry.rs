@@ -11,7 +11,7 @@ use cortex_m::{asm, singleton};
 use cortex_m_rt::exception;
 use critical_section::Mutex;
 use heapless::spsc::{Producer, Queue};
-use toytop::{EphemerisView, Orientation};
+use toytop::{Orientation, Table};
 use toytop_firmware::{entry, exit, set_up, start_systick, toy_top};
 
 /// Clock of the processor, Hz. The emulated board has 25 MHz.
@@ -31,7 +31,7 @@ struct Sample {
 
 /// Data that the interrupt owns.
 struct Source {
-    ephemeris: &'static EphemerisView<f32>,
+    ephemeris: &'static Table<f32>,
     queue: Producer<'static, Sample>,
     tick: u32,
 }

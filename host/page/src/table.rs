@@ -1,8 +1,8 @@
 //! Table of a motion in `f64`: the orientation at any time, at the same cost.
 
 use toytop::{
-    Complex, Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Orientation, ParameterError,
-    Regime, TableSettings, Workspace,
+    Complex, Ephemeris, EphemerisMemory, EphemerisScalar, Motion, Orientation, ParameterError, Regime, Table,
+    TableSettings, Workspace,
 };
 use toytop_model::aperiodic::AperiodicMotion;
 use toytop_model::constants::MotionWithPeriod;
@@ -58,8 +58,7 @@ impl PageTable {
     /// Whether the table can hold a motion, or a closed form follows it.
     pub fn fits(motion: &Motion) -> bool {
         let [.., coarsest] = TRUNCATIONS;
-        motion.regime() == Regime::Aperiodic
-            || EphemerisView::<f64>::segments_needed(motion, coarsest).is_some()
+        motion.regime() == Regime::Aperiodic || Table::<f64>::segments_needed(motion, coarsest).is_some()
     }
 
     /// Orientation and tip at t, with t taken as exact; the identity before the first motion.

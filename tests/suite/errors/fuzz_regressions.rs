@@ -2,8 +2,8 @@
 
 use fixed::types::{I2F14, I2F30};
 use toytop::{
-    Complex, Ephemeris, EphemerisScalar, EphemerisView, Motion, Orientation, SetUpError, Sign, Signs, State,
-    Stepper, Tick, Top, TopParameters,
+    Complex, Ephemeris, EphemerisScalar, Motion, Orientation, SetUpError, Sign, Signs, State, Stepper, Table,
+    Tick, Top, TopParameters,
 };
 use toytop_tests::{SAME, by_branch_points, kilohertz, released_from_rest, top_of, toy, worst};
 
@@ -22,7 +22,7 @@ fn the_rate_of_the_tip_angle_is_a_number_however_near_the_vertical() {
 }
 
 /// Greatest distance of two tables of a motion in a period.
-fn apart(motion: &Motion, coarse: &EphemerisView<f64>, fine: &EphemerisView<f64>) -> f64 {
+fn apart(motion: &Motion, coarse: &Table<f64>, fine: &Table<f64>) -> f64 {
     worst((0..2000).map(|i| {
         let t = motion.period_advance().unwrap().period * f64::from(i) / 2000.0;
         coarse.at(t).orientation().distance(&fine.at(t).orientation())
@@ -37,7 +37,7 @@ fn a_series_that_does_not_converge_is_refused() {
     let motion = by_branch_points(&top, [-0.3, 0.26, 28.8], SAME);
     let tick = kilohertz();
     assert!(Ephemeris::<f64, 16>::with_truncation(&motion, tick, 1.0).is_err());
-    assert_eq!(EphemerisView::<f64>::segments_needed(&motion, 1.0), Some(96));
+    assert_eq!(Table::<f64>::segments_needed(&motion, 1.0), Some(96));
     let coarse = Ephemeris::<f64, 96>::with_truncation(&motion, tick, 1.0).unwrap();
     let fine = Ephemeris::<f64, 512>::new(&motion, tick).unwrap();
     let worst = apart(&motion, &coarse, &fine);
@@ -79,7 +79,7 @@ fn tables_are_refused<R: EphemerisScalar>() {
         match Ephemeris::<R, 16>::with_truncation(&motion, kilohertz(), 1e6) {
             Ok(_) => held += 1,
             Err(error) => {
-                assert_eq!(error, SetUpError::TooSmall { truncation: 1e6, segments: 16 });
+                assert_eq!(error, SetUpError::TableTooSmall { truncation: 1e6, segments: 16 });
                 refused += 1;
             }
         }

@@ -4,8 +4,7 @@ use fixed::types::{I2F14, I2F30};
 use std::f64::consts::TAU;
 use toytop::scalar::Float;
 use toytop::{
-    Ephemeris, EphemerisF64, EphemerisScalar, EphemerisView, Event, Level, Motion, Phase, Tick, Top,
-    TopParameters,
+    Ephemeris, EphemerisF64, EphemerisScalar, Event, Level, Motion, Phase, Table, Tick, Top, TopParameters,
 };
 use toytop_tests::vectors::{self, entries, number};
 use toytop_tests::{
@@ -14,7 +13,7 @@ use toytop_tests::{
 
 /// Events of a kind and its value from a tick.
 fn found<R: EphemerisScalar>(
-    view: &EphemerisView<R>,
+    view: &Table<R>,
     motion: &Motion,
     kind: &str,
     value: f64,
@@ -23,9 +22,9 @@ fn found<R: EphemerisScalar>(
     const MOST: usize = 12;
     let mut events: Vec<Event> = match kind {
         "turning" => view.turning_points(from).take(MOST).collect(),
-        "level" => view.crossings(Level::of_u(value).unwrap(), from).take(MOST).collect(),
+        "level" => view.crossings(Level::from_u(value).unwrap(), from).take(MOST).collect(),
         "circle" => {
-            let levels = Level::of_circle(motion.top(), value * motion.top().tip_scale()).unwrap();
+            let levels = Level::from_circle(motion.top(), value * motion.top().tip_scale()).unwrap();
             levels.into_iter().flat_map(|level| view.crossings(level, from).take(MOST)).collect()
         }
         "tip_angle" => view.tip_angles(Phase::from_turns(value), from).take(MOST).collect(),
@@ -109,7 +108,7 @@ fn a_release_from_rest_is_an_event_at_tick_0() {
 #[test]
 fn the_first_and_the_last_ticks_have_events() {
     let view = table_of::<f64, 512>(&released_from_rest(&toy(), 0.35, 60.0), kilohertz());
-    let level = Level::of_tilt(0.36).unwrap();
+    let level = Level::from_tilt(0.36).unwrap();
     let from = |n: i64| -> [Vec<i64>; 3] {
         [
             view.turning_points(n).take(40).map(|event| event.tick).collect(),
@@ -143,14 +142,14 @@ fn events_that_do_not_occur_are_not_found() {
     let steady = vectors::motion("regular_precession");
     let steady = EphemerisF64::new(&steady, kilohertz()).unwrap();
     assert_eq!(steady.turning_points(0).next(), None);
-    assert_eq!(steady.crossings(Level::of_u(0.9).unwrap(), 0).next(), None);
+    assert_eq!(steady.crossings(Level::from_u(0.9).unwrap(), 0).next(), None);
     let sleeping = vectors::motion("sleeping_stable");
     let sleeping = EphemerisF64::new(&sleeping, kilohertz()).unwrap();
     assert_eq!(sleeping.tip_angles(Phase::ZERO, 0).next(), None);
     let generic = vectors::motion("exact_generic_pp");
     let view = EphemerisF64::new(&generic, kilohertz()).unwrap();
     for u in [0.626, 1.0, -0.344, -1.0] {
-        assert_eq!(view.crossings(Level::of_u(u).unwrap(), 0).next(), None, "{u}");
+        assert_eq!(view.crossings(Level::from_u(u).unwrap(), 0).next(), None, "{u}");
     }
     assert_eq!(Level::lift_off(&vectors::motion("exact_lagrange")), None);
 }
@@ -159,19 +158,19 @@ fn events_that_do_not_occur_are_not_found() {
 #[test]
 fn a_level_has_the_cosine_or_tilt_that_it_was_made_of() {
     for u in [-1.0, -0.999_999, -0.3, 0.0, 1e-9, 0.8, 0.999_999_999, 1.0] {
-        assert!((Level::of_u(u).unwrap().u() - u).abs() <= 0.5 * f64::EPSILON, "{u}");
+        assert!((Level::from_u(u).unwrap().u() - u).abs() <= 0.5 * f64::EPSILON, "{u}");
     }
     for tilt in [0.0, 1e-9, 0.36, 1.6, 3.1] {
-        let error = Level::of_tilt(tilt).unwrap().tilt() - tilt;
+        let error = Level::from_tilt(tilt).unwrap().tilt() - tilt;
         assert!(error.abs() <= f64::EPSILON * tilt, "{tilt} {error:e}");
     }
-    for bad in [Level::of_u(1.5), Level::of_tilt(-0.1), Level::of_tilt(f64::NAN)] {
+    for bad in [Level::from_u(1.5), Level::from_tilt(-0.1), Level::from_tilt(f64::NAN)] {
         assert!(bad.is_err());
     }
-    assert!(Level::of_circle(&toy(), 0.0).is_err() && Level::of_circle(&toy(), 2.0).is_err());
+    assert!(Level::from_circle(&toy(), 0.0).is_err() && Level::from_circle(&toy(), 2.0).is_err());
     let free = TopParameters { transverse_inertia: 1.25, axial_inertia: 0.75, ..TopParameters::default() };
     // a free body has no length s: the radius is the sine of the tilt
-    let levels = Level::of_circle(&Top::free(&free).unwrap(), 0.6).unwrap();
+    let levels = Level::from_circle(&Top::free(&free).unwrap(), 0.6).unwrap();
     assert!(levels.iter().all(|level| (level.u().abs() - 0.8).abs() < 1e-15), "{levels:?}");
 }
 

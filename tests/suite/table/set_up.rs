@@ -4,8 +4,8 @@ use fixed::types::{I2F14, I2F30};
 use std::sync::mpsc;
 use std::{mem, thread};
 use toytop::{
-    Ephemeris, EphemerisF32, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, Release, SetUpError,
-    State, TableSettings, Tick, Top, Workspace,
+    Ephemeris, EphemerisF32, EphemerisMemory, EphemerisScalar, Motion, Release, SetUpError, State, Table,
+    TableSettings, Tick, Top, Workspace,
 };
 use toytop_tests::{TOY, kilohertz, table_if_it_fits, vectors};
 
@@ -39,7 +39,7 @@ fn tables_in_place_equal_those_by_value() {
 #[test]
 fn a_table_too_small_is_refused() {
     let motion = vectors::motion("exact_near_separatrix_straddle");
-    assert_eq!(EphemerisView::<f32>::segments_needed(&motion, f64::from(f32::EPSILON)), Some(27));
+    assert_eq!(Table::<f32>::segments_needed(&motion, f64::from(f32::EPSILON)), Some(27));
     assert!(
         table_if_it_fits::<f32, 26>(&motion, kilohertz()).is_none()
             && table_if_it_fits::<f32, 27>(&motion, kilohertz()).is_some()
@@ -51,7 +51,7 @@ fn a_table_too_small_is_refused() {
 #[test]
 fn a_refusal_takes_no_longer_than_a_table() {
     let motion = vectors::motion("exact_near_separatrix_straddle");
-    let calls = |memory: &mut EphemerisMemory<EphemerisView<f32>>| {
+    let calls = |memory: &mut EphemerisMemory<Table<f32>>| {
         let mut calls = 0;
         let refused = memory
             .set_up(&mut Workspace::new(), &motion, &TableSettings::new(kilohertz()), &mut || calls += 1)
@@ -61,7 +61,7 @@ fn a_refusal_takes_no_longer_than_a_table() {
     let refused = calls(&mut EphemerisMemory::<Ephemeris<f32, 16>>::new());
     let ready = calls(&mut EphemerisMemory::<Ephemeris<f32, 64>>::new());
     let truncation = f64::from(f32::EPSILON);
-    assert_eq!(refused.0, Some(SetUpError::TooSmall { truncation, segments: 16 }));
+    assert_eq!(refused.0, Some(SetUpError::TableTooSmall { truncation, segments: 16 }));
     assert_eq!(ready.0, None);
     assert!((50..ready.1).contains(&refused.1), "{} and {} calls", refused.1, ready.1);
 }
@@ -72,7 +72,7 @@ fn tables_of_the_needed_size<R: EphemerisScalar, const SEGMENTS: usize>() -> usi
     for vector in vectors::tabulated() {
         let motion = vector.motion().unwrap();
         for truncation in (0..30).map(|power| R::TRUNCATION * 2.5_f64.powi(power)) {
-            let needed = EphemerisView::<R>::segments_needed(&motion, truncation);
+            let needed = Table::<R>::segments_needed(&motion, truncation);
             let (exactly, enough) =
                 (needed == Some(SEGMENTS as u32), needed.is_some_and(|n| n <= SEGMENTS as u32));
             if exactly || SEGMENTS == 16 {

@@ -3,7 +3,7 @@
 use super::input::Input;
 use super::sound;
 use fixed::types::{I2F14, I2F30};
-use toytop::{Complex, Ephemeris, EphemerisScalar, EphemerisView, Level, Phase};
+use toytop::{Complex, Ephemeris, EphemerisScalar, Level, Phase, Table};
 
 pub(super) fn run_fixed(bytes: &[u8]) {
     let mut input = Input::new(bytes);
@@ -68,8 +68,8 @@ where
 }
 
 /// Checks that events of every kind are in order and not before the requested tick.
-fn events<R: EphemerisScalar>(ephemeris: &EphemerisView<R>, n: i64, t: f64) {
-    let level = Level::of_u(t - t.round());
+fn events<R: EphemerisScalar>(ephemeris: &Table<R>, n: i64, t: f64) {
+    let level = Level::from_u(t - t.round());
     let crossings = level.map(|level| ephemeris.crossings(level, n).take(3).collect::<Vec<_>>());
     let found = [
         ephemeris.turning_points(n).take(3).collect(),

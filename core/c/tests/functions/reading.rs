@@ -50,7 +50,7 @@ fn events_and_partial_derivatives_are_those_of_the_crate() {
     unsafe {
         for from in [0, -5000, 1 << 40] {
             same(output_of(|to| toytop_f64_turning_points(table, from, to)), expected.turning_points(from));
-            let level = Level::of_tilt(0.36).expect("a level");
+            let level = Level::from_tilt(0.36).expect("a level");
             same(
                 output_of(|to| toytop_f64_crossings(table, 0.36, from, to)),
                 expected.crossings(level, from),

@@ -65,7 +65,7 @@ fn series(x: Extended, sign: f64) -> (Extended, Extended) {
 pub(crate) fn sine_cosine(x: Extended) -> (Extended, Extended) {
     const FAR: f64 = (1 << 20) as f64;
     if Float::abs(x.to_f64()) > FAR {
-        return of_turns(x.in_turns().to_phase());
+        return of_turns(x.radians_to_turns().to_phase());
     }
     let quadrant = libm::round(x.to_f64() * core::f64::consts::FRAC_2_PI);
     let remainder = x - half_pi() * quadrant.into();

@@ -55,7 +55,7 @@ pub(crate) fn sine_cosine_of_radians(x: f64) -> (f64, f64) {
     if x.abs() < core::f64::consts::FRAC_PI_4 {
         return sine_cosine_of_remainder(x * (0.5 * core::f64::consts::FRAC_1_PI));
     }
-    sine_cosine_of_phase(Extended::from(x).in_turns().to_phase())
+    sine_cosine_of_phase(Extended::from(x).radians_to_turns().to_phase())
 }
 
 /// (sin 2πx, cos 2πx) of |x| <= 1/8. The error is relative near the zeros.

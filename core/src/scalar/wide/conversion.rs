@@ -11,7 +11,7 @@ impl<const WORDS: usize> Wide<WORDS> {
     pub const TWO_PI: Self = Self::constant(0xc90f_daa2_2168_c234_c4c6_628b_80dc_1cd1, 3);
 
     /// Angle in turns, from an angle in rad.
-    pub fn in_turns(self) -> Self {
+    pub fn radians_to_turns(self) -> Self {
         const { assert!(WORDS <= 2) }
         self * Self::constant(0xa2f9_836e_4e44_1529_fc27_57d1_f534_ddc0, -2)
     }
@@ -119,7 +119,7 @@ mod tests {
     fn a_turn_has_a_phase() {
         assert_eq!(Extended::from(-3.25).to_phase(), Phase::from_turns(-3.25));
         assert_eq!(Extended::from(Phase::from_turns(-3.25)).to_f64(), -3.25);
-        assert_eq!((Extended::TWO_PI * 0.25.into()).in_turns().to_phase(), Phase::QUARTER);
+        assert_eq!((Extended::TWO_PI * 0.25.into()).radians_to_turns().to_phase(), Phase::QUARTER);
         let (whole, remainder) = Extended::from_f64_pair([1e20, 0.75]).floor_and_fraction();
         assert_eq!((whole, remainder.to_f64()), (10_i128.pow(20), 0.75));
         for (x, floor, left) in [

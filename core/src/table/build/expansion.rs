@@ -90,7 +90,7 @@ pub(super) struct Origin {
     pub(super) sine: f64,
     pub(super) cosine: f64,
     /// Time of one unit of y, s.
-    pub(super) unit: f64,
+    pub(super) time_per_y: f64,
     pub(super) chi_rate: f64,
     pub(super) psi_rates: [f64; 2],
     pub(super) residual_rates: [f64; 2],

@@ -187,7 +187,7 @@ impl HalfPeriod {
             for segment in part.parts(depth) {
                 let stored = segments.get_mut(number);
                 bounds.include(&store_segment::<R>(path, span, segment, stored, pause));
-                let is_accurate = bounds.error <= path.limits.segment_error(depth);
+                let is_accurate = bounds.error <= path.limits.segment_error_at(depth);
                 if !is_accurate {
                     return None;
                 }

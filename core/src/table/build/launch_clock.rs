@@ -5,7 +5,7 @@ use crate::motion::Motion;
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
 use crate::table::data::cell::{MIN_SEGMENTS, is_falling};
-use crate::table::data::{Clock, EphemerisView, Phases, Tick};
+use crate::table::data::{Clock, Phases, Table, Tick};
 use crate::table::evaluation::EphemerisScalar;
 
 impl<W: Float> Clock<W> {
@@ -55,7 +55,7 @@ impl<W: Float> Clock<W> {
     }
 }
 
-impl<R: EphemerisScalar> EphemerisView<R> {
+impl<R: EphemerisScalar> Table<R> {
     /// Sets the mean tip angle so that the tip angle at the launch is the argument of c in (-1/2, 1/2] turn.
     ///
     /// * `launch`: phases at the launch

@@ -3,23 +3,23 @@
 use crate::table::data::cell::MIN_DEPTH;
 use crate::table::evaluation::{EphemerisScalar, TABLE_UNIT};
 
-/// Part of the allowed error for the truncation of all steps along half a period.
-const STEPS_SHARE: f64 = 0.125;
-/// Part of the allowed error for the terms that are left out of a series, or of a polynomial before its last halving.
-const TERMS_SHARE: f32 = 1.0 / 256.0;
-/// Part of the allowed error for a segment of two cells, whose derivative is less accurate.
-const TWO_CELLS_SHARE: f32 = 0.125;
+/// Fraction of the allowed error for all steps along half a period. The segments have the rest.
+const PATH_FRACTION: f64 = 1.0 / 8.0;
+/// Fraction of the allowed error for dropped terms: small beside that of a segment, at the cost of about one term.
+const TERMS_FRACTION: f32 = 1.0 / 256.0;
+/// Fraction of a segment's error for a segment of two cells, whose derivative is less accurate.
+const TWO_CELLS_FRACTION: f32 = 1.0 / 8.0;
 
 /// Limits that a set-up keeps.
 pub(super) struct Limits {
     /// Number of segments.
     pub(super) capacity: usize,
     /// Truncation error of all steps along half a period, rad.
-    pub(super) steps: f64,
-    /// Truncation error of a segment, rad.
-    pub(super) segment: f32,
-    /// Sum of the terms of a and b that are left out, rad.
-    pub(super) terms: f64,
+    pub(super) path_error: f64,
+    /// Truncation error of a segment of at most one cell, rad.
+    segment_error: f32,
+    /// Error by the dropped terms of a and b, rad.
+    pub(super) dropped_terms_error: f64,
 }
 
 impl Limits {
@@ -27,25 +27,27 @@ impl Limits {
     pub(super) fn new<R: EphemerisScalar>(allowed: f64, capacity: usize) -> Self {
         Self {
             capacity,
-            steps: STEPS_SHARE * allowed,
+            path_error: PATH_FRACTION * allowed,
             // finite, so that the error of an overflow, which is infinite, is refused
-            segment: (((1.0 - STEPS_SHARE) * allowed) as f32).min(f32::MAX),
-            terms: f64::from(TERMS_SHARE) * allowed.min(R::TRUNCATION),
+            segment_error: (((1.0 - PATH_FRACTION) * allowed) as f32).min(f32::MAX),
+            dropped_terms_error: f64::from(TERMS_FRACTION) * allowed.min(R::TRUNCATION),
         }
     }
 
     /// Truncation error of a segment of this depth, rad.
-    pub(super) fn segment_error(&self, depth: u32) -> f32 {
-        if depth == MIN_DEPTH { TWO_CELLS_SHARE * self.segment } else { self.segment }
+    pub(super) fn segment_error_at(&self, depth: u32) -> f32 {
+        if depth == MIN_DEPTH { TWO_CELLS_FRACTION * self.segment_error } else { self.segment_error }
     }
 
-    /// Whether the estimated terms beyond the sixteenth, in units of 2^-62, are few enough.
-    pub(super) fn allows_remainder(&self, remainder: f32) -> bool {
-        TABLE_UNIT as f32 * remainder <= TERMS_SHARE * self.segment
+    /// Whether the estimated sum of the terms after the sixteenth is small enough.
+    ///
+    /// * `remainder`: the sum, in units of 2^-62
+    pub(super) fn is_negligible_remainder(&self, remainder: f32) -> bool {
+        TABLE_UNIT as f32 * remainder <= TERMS_FRACTION * self.segment_error
     }
 
-    /// Sum of the terms that are left out, in units of 2^-62.
-    pub(super) fn terms_in_units(&self) -> i64 {
-        (self.terms / TABLE_UNIT) as i64
+    /// Error by the dropped terms of a and b, in units of 2^-62.
+    pub(super) fn dropped_terms_in_units(&self) -> i64 {
+        (self.dropped_terms_error / TABLE_UNIT) as i64
     }
 }

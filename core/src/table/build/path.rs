@@ -172,14 +172,14 @@ impl<'a, F: Float> Path<'a, F> {
         let centre = self.step(span, beginning, pause)?;
         self.end = self.step(span, centre, pause)?;
         let PathMemory { launch, expansion, exponential, polynomials, .. } = &mut *self.memory;
-        let least = self.limits.terms_in_units();
+        let least = self.limits.dropped_terms_in_units();
         for (index, (polynomial, exponentials)) in polynomials.iter_mut().zip(self.exponentials).enumerate() {
             pause();
             *polynomial = Polynomial::ZERO;
             let sums = polynomial.parts.each_mut().map(|part| &mut part.coefficients);
             let terms = expansion.add_exponentials(index, exponentials, least, exponential, sums)?;
             pause();
-            polynomial.finish(terms, self.limits)?;
+            polynomial.drop_negligible_terms(terms, self.limits)?;
         }
         pause();
         launch.search(expansion, self.end.phases.chi, span);
@@ -192,7 +192,7 @@ impl<'a, F: Float> Path<'a, F> {
         pause();
         let half_length = span.half_length();
         // y is in units of two spans
-        let (unit, allowed) = (4.0 * half_length, half_length * self.limits.steps);
+        let (unit, allowed) = (4.0 * half_length, half_length * self.limits.path_error);
         let (sine, cosine) = sine_cosine_from_q57(from.phases.chi);
         let PathEquations { equations, half_period, .. } = &self.equations;
         let [chi_rate, alpha, beta, residual_alpha, residual_beta] =
@@ -201,13 +201,13 @@ impl<'a, F: Float> Path<'a, F> {
             phases: from.phases,
             sine,
             cosine,
-            unit: unit * half_period.to_f64(),
+            time_per_y: unit * half_period.to_f64(),
             chi_rate,
             psi_rates: [alpha, beta],
             residual_rates: [residual_alpha, residual_beta],
             weight: (unit * self.endpoint_rate / chi_rate.abs()).max(1.0),
             // the estimated error is then an eighth of that allowed to a step of the scalar
-            negligible: 512.0 * half_length * self.limits.terms,
+            negligible: 512.0 * half_length * self.limits.dropped_terms_error,
         };
         let expansion = &mut self.memory.expansion;
         expansion.expand(&equations.map(F::to_f64), &origin, pause);

@@ -31,13 +31,13 @@ static CHEBYSHEV: [[i32; MAX_TERMS / 2]; MAX_TERMS] = {
 
 /// Real or imaginary part of a polynomial. The unit is 2^-62.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Part {
+pub(super) struct RealPolynomial {
     pub(super) coefficients: [i64; MAX_TERMS],
     /// Upper bound on the change of the value by the dropped terms.
     dropped: i64,
 }
 
-impl Part {
+impl RealPolynomial {
     const ZERO: Self = Self { coefficients: [0; MAX_TERMS], dropped: 0 };
 
     fn drop_last(&mut self, degree: usize) {
@@ -69,19 +69,19 @@ impl Part {
 /// Polynomial of a or of b in x from -1 to 1.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Polynomial {
-    pub(super) parts: [Part; 2],
+    pub(super) parts: [RealPolynomial; 2],
     terms: usize,
     /// Estimate of the terms that are not computed, in units of 2^-62.
     remainder: f32,
 }
 
 impl Polynomial {
-    pub(super) const ZERO: Self = Self { parts: [Part::ZERO; 2], terms: 0, remainder: 0.0 };
+    pub(super) const ZERO: Self = Self { parts: [RealPolynomial::ZERO; 2], terms: 0, remainder: 0.0 };
 
     /// Polynomial with the same value everywhere.
     pub(super) fn constant(value: f64) -> Self {
         let mut polynomial = Self::ZERO;
-        let [Part { coefficients: [constant, ..], .. }, _] = &mut polynomial.parts;
+        let [RealPolynomial { coefficients: [constant, ..], .. }, _] = &mut polynomial.parts;
         *constant = libm::round(value / TABLE_UNIT) as i64;
         polynomial
     }
@@ -89,11 +89,11 @@ impl Polynomial {
     /// Estimates the terms beyond the sixteenth and drops negligible ones; `None` if the polynomial is not accurate.
     ///
     /// * `terms`: number of terms that are computed
-    pub(super) fn finish(&mut self, terms: usize, limits: &Limits) -> Option<()> {
+    pub(super) fn drop_negligible_terms(&mut self, terms: usize, limits: &Limits) -> Option<()> {
         self.terms = terms;
-        let [re, im] = self.parts.each_ref().map(Part::remainder);
-        let (remainder, most) = (2.0 * Ring::max(re, im), limits.terms_in_units());
-        if !limits.allows_remainder(remainder) {
+        let [re, im] = self.parts.each_ref().map(RealPolynomial::remainder);
+        let (remainder, most) = (2.0 * Ring::max(re, im), limits.dropped_terms_in_units());
+        if !limits.is_negligible_remainder(remainder) {
             return None;
         }
         self.shorten(0, most);
@@ -106,7 +106,8 @@ impl Polynomial {
     pub(super) fn shorten(&mut self, fewest: usize, most: i64) {
         while self.terms > fewest.max(2) {
             let degree = self.terms - 1;
-            let last = |part: &Part| part.coefficients.get(degree).map_or(0, |c| c.abs() >> (degree - 1));
+            let last =
+                |part: &RealPolynomial| part.coefficients.get(degree).map_or(0, |c| c.abs() >> (degree - 1));
             if self.parts.iter().map(|part| part.dropped + last(part)).sum::<i64>() > most {
                 break;
             }
@@ -152,7 +153,7 @@ impl Polynomial {
     /// Square of the bound Σ k |c_k| on the derivative, in units of 2^-62.
     pub(super) fn slope_squared(&self) -> f32 {
         const WORD: f32 = (1_u64 << 32) as f32;
-        let squared = |part: &Part| {
+        let squared = |part: &RealPolynomial| {
             let terms = part.coefficients.iter().zip(0_u32..).take(self.terms);
             let slope: u64 = terms.map(|(c, k)| product_u32((c.unsigned_abs() >> 32) as u32 + 1, k)).sum();
             Ring::squared(u64_to_f32(slope) * WORD)
@@ -175,7 +176,7 @@ mod tests {
         let half = part.map(|c| c / 2);
         let parts = if sense > 0.0 { [part, half] } else { [half, part] };
         Polynomial {
-            parts: parts.map(|coefficients| Part { coefficients, ..Part::ZERO }),
+            parts: parts.map(|coefficients| RealPolynomial { coefficients, ..RealPolynomial::ZERO }),
             terms: MAX_TERMS,
             remainder: 0.0,
         }

@@ -4,7 +4,7 @@
 
 use core::ops::Range;
 
-use crate::integer::{LIMB_BITS, Limbs, exponent, in_units, ldexp, mantissa_and_exponent, power_of_two};
+use crate::integer::{LIMB_BITS, Limbs, exponent, ldexp, mantissa_and_exponent, power_of_two, to_units};
 
 /// Largest number of terms of a series.
 pub(super) const MAX_TERMS: usize = 16;
@@ -68,7 +68,7 @@ impl UnitFactor {
         let least = to.exponent - from.exponent - FACTOR_BITS as i32;
         // 53 bits become 60 at most
         let own = least.max(exponent - 7);
-        Self { mantissa: Limbs::new(in_units(factor, own)), shift: (own - least).min(62) as u32 }
+        Self { mantissa: Limbs::new(to_units(factor, own)), shift: (own - least).min(62) as u32 }
     }
 
     /// Product, rounded to the nearest, or [`OUT_OF_RANGE`].
@@ -142,7 +142,7 @@ impl PowerSeries {
 
     /// Sum Σ t(c, k) yᵏ⁻¹ of k = 1 to `terms` - 1, at y in [-1, 1].
     pub(super) fn sum(&self, y: f64, terms: usize, term: fn(i64, usize) -> i64) -> f64 {
-        let y = Limbs::new(in_units(y, -(FACTOR_BITS as i32)));
+        let y = Limbs::new(to_units(y, -(FACTOR_BITS as i32)));
         // beyond the range only where the series does not converge
         let next = |sum, k| y.times::<FACTOR_BITS>(sum) + term(self.coefficient(k), k);
         ldexp((1..terms).rev().fold(0, next) as f64, self.exponent)

@@ -8,7 +8,7 @@ use super::path::PathMemory;
 use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::table::data::cell::{Cell, MIN_SEGMENTS};
-use crate::table::data::{Clock, Ephemeris, EphemerisMemory, EphemerisView, Tick};
+use crate::table::data::{Clock, Ephemeris, EphemerisMemory, Table, Tick};
 use crate::table::evaluation::EphemerisScalar;
 
 /// Reason why a motion has no table.
@@ -17,10 +17,10 @@ use crate::table::evaluation::EphemerisScalar;
 #[non_exhaustive]
 pub enum SetUpError {
     /// The table has too few segments for the truncation error.
-    TooSmall {
+    TableTooSmall {
         /// Allowed truncation error, rad.
         truncation: f64,
-        /// Number of segments; [`EphemerisView::segments_needed`](crate::EphemerisView::segments_needed) finds a sufficient one.
+        /// Number of segments; [`Table::segments_needed`](crate::Table::segments_needed) finds a sufficient one.
         segments: u32,
     },
     /// The motion is aperiodic; a stepper or its closed form follows it.
@@ -32,7 +32,7 @@ pub enum SetUpError {
 impl fmt::Display for SetUpError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::TooSmall { truncation, segments } => {
+            Self::TableTooSmall { truncation, segments } => {
                 write!(
                     f,
                     "a table of {segments} segments cannot follow the motion to within {truncation:.1e} rad"
@@ -108,10 +108,10 @@ fn tabulate<R: EphemerisScalar>(
     let Workspace { half_period, path } = workspace;
     half_period
         .compute::<R>(motion, &limits, path, segments, pause)
-        .ok_or(SetUpError::TooSmall { truncation, segments: capacity as u32 })
+        .ok_or(SetUpError::TableTooSmall { truncation, segments: capacity as u32 })
 }
 
-impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
+impl<R: EphemerisScalar> EphemerisMemory<Table<R>> {
     /// Sets up the table of a motion.
     ///
     /// * `pause`: called at least every 50 000 cycles of a Cortex-M4F (200 000 of a Cortex-M0+)
@@ -124,21 +124,21 @@ impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
         motion: &Motion,
         settings: &TableSettings,
         pause: &mut dyn FnMut(),
-    ) -> Result<&EphemerisView<R>, SetUpError> {
+    ) -> Result<&Table<R>, SetUpError> {
         let Self { is_set_up, table } = self;
         *is_set_up = false;
         let (capacity, truncation) = (table.capacity(), settings.truncation.unwrap_or(R::TRUNCATION));
         tabulate::<R>(motion, truncation, workspace, &mut table.segments, capacity, pause)?;
-        table.finish(workspace, motion, settings, pause);
+        table.write_header(workspace, motion, settings, pause);
         *is_set_up = true;
         Ok(table)
     }
 }
 
-impl<R: EphemerisScalar> EphemerisView<R> {
+impl<R: EphemerisScalar> Table<R> {
     /// Writes the cells, the clock and the error bounds.
     #[inline(never)]
-    fn finish(
+    fn write_header(
         &mut self,
         workspace: &Workspace,
         motion: &Motion,
@@ -179,7 +179,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
     }
 }
 
-impl<R: EphemerisScalar> EphemerisView<R> {
+impl<R: EphemerisScalar> Table<R> {
     /// Number of segments for a truncation error, rad; `None` if 4096 are too few, the motion has no table, or the error is not finite and
     /// positive.
     #[must_use]

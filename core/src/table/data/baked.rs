@@ -8,7 +8,7 @@ use core::fmt;
 use crate::table::data::Clock;
 use crate::table::data::ErrorBound;
 use crate::table::data::cell::{CELLS, Cell};
-use crate::table::data::ephemeris::{Ephemeris, EphemerisView};
+use crate::table::data::ephemeris::{Ephemeris, Table};
 use crate::table::evaluation::EphemerisScalar;
 use crc32::Crc32;
 
@@ -84,7 +84,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Baked<R, SEGMENTS> {
     pub const FORMAT: u32 = FORMAT;
 }
 
-impl<R: EphemerisScalar> EphemerisView<R> {
+impl<R: EphemerisScalar> Table<R> {
     /// Checksum of the fields whose type does not depend on the scalar.
     const fn crc32_of_head(&self) -> Crc32 {
         let clock = &self.clock;
@@ -124,7 +124,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 /// Functions of each scalar. They are `const`, which a trait cannot declare.
 macro_rules! baked {
     ($scalar:ty, $quantity:ident <= $greatest:ident, $coefficient:ident) => {
-        impl EphemerisView<$scalar> {
+        impl Table<$scalar> {
             /// CRC-32 of the table: see [`Baked::crc32`].
             #[must_use]
             pub const fn crc32(&self) -> u32 {
@@ -176,14 +176,14 @@ macro_rules! baked {
                 if self.format != FORMAT {
                     return Err(BakedError::Format { found: self.format });
                 }
-                let table = EphemerisView {
+                let table = Table {
                     clock: self.clock,
                     error_bound: self.error_bound,
                     rate_error_bound: self.rate_error_bound,
                     cells: self.cells,
                     segments: self.segments,
                 };
-                let of_any_capacity: &EphemerisView<$scalar> = &table;
+                let of_any_capacity: &Table<$scalar> = &table;
                 let computed = of_any_capacity.crc32();
                 if self.crc32 != computed {
                     return Err(BakedError::Checksum { stated: self.crc32, computed });

@@ -7,16 +7,16 @@ use core::ops::{Deref, DerefMut};
 
 /// Table of one motion with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.
 ///
-/// Its methods are those of [`EphemerisView`]. Size: 4 · SEGMENTS ·
+/// Its methods are those of [`Table`]. Size: 4 · SEGMENTS ·
 /// [`EphemerisScalar::TERMS`] coefficients, and 248 bytes, or 264 in `f64`.
-pub type Ephemeris<R, const SEGMENTS: usize> = EphemerisView<R, [<R as EphemerisScalar>::Segment; SEGMENTS]>;
+pub type Ephemeris<R, const SEGMENTS: usize> = Table<R, [<R as EphemerisScalar>::Segment; SEGMENTS]>;
 
-/// Table without its capacity in the type. Readers take an `&EphemerisView<f32>`.
+/// Table without its capacity in the type. Readers take an `&Table<f32>`.
 ///
 /// The parameter S is the type of the segments: a slice, or the array of an [`Ephemeris`].
 #[derive(Debug, PartialEq)]
 #[repr(C)] // the increments first, in reach of the smallest chip's load instructions
-pub struct EphemerisView<R: EphemerisScalar, S: ?Sized = [<R as EphemerisScalar>::Segment]> {
+pub struct Table<R: EphemerisScalar, S: ?Sized = [<R as EphemerisScalar>::Segment]> {
     pub(crate) clock: Clock<R::Quantity>,
     pub(crate) error_bound: ErrorBound,
     pub(crate) rate_error_bound: ErrorBound,
@@ -54,10 +54,10 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
 }
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for Ephemeris<R, SEGMENTS> {
-    type Target = EphemerisView<R>;
+    type Target = Table<R>;
 
     #[inline(always)]
-    fn deref(&self) -> &EphemerisView<R> {
+    fn deref(&self) -> &Table<R> {
         self
     }
 }
@@ -112,16 +112,16 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Default for EphemerisMemory<Ephe
     }
 }
 
-impl<R: EphemerisScalar> EphemerisMemory<EphemerisView<R>> {
+impl<R: EphemerisScalar> EphemerisMemory<Table<R>> {
     /// Table, if the last set-up succeeded.
     #[must_use]
-    pub fn get(&self) -> Option<&EphemerisView<R>> {
+    pub fn get(&self) -> Option<&Table<R>> {
         self.is_set_up.then_some(&self.table)
     }
 }
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for EphemerisMemory<Ephemeris<R, SEGMENTS>> {
-    type Target = EphemerisMemory<EphemerisView<R>>;
+    type Target = EphemerisMemory<Table<R>>;
 
     fn deref(&self) -> &Self::Target {
         self
@@ -134,7 +134,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> DerefMut for EphemerisMemory<Eph
     }
 }
 
-impl<R: EphemerisScalar> EphemerisView<R> {
+impl<R: EphemerisScalar> Table<R> {
     /// Number of segments that there is room for.
     #[must_use]
     pub fn capacity(&self) -> usize {

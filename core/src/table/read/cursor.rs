@@ -2,8 +2,8 @@
 
 use crate::phase::{Phase, WrappedPhase};
 use crate::su2::Orientation;
-use crate::table::data::EphemerisView;
 use crate::table::data::Phases;
+use crate::table::data::Table;
 use crate::table::evaluation::EphemerisScalar;
 use crate::table::read::sample::Sample;
 use core::marker::PhantomData;
@@ -12,8 +12,8 @@ use core::marker::PhantomData;
 /// not compile.
 ///
 /// ```compile_fail,E0308
-/// # use toytop::EphemerisView;
-/// fn tick(single: &EphemerisView<f32>, double: &EphemerisView<f64>) {
+/// # use toytop::Table;
+/// fn tick(single: &Table<f32>, double: &Table<f64>) {
 ///     single.cursor(0).next(double);
 /// }
 /// ```
@@ -34,7 +34,7 @@ impl<R: EphemerisScalar> Cursor<R> {
     /// Sample of the next tick of the table that made the cursor; another table gives a wrong orientation. The sequence has no end
     /// and cannot fail.
     #[inline(always)]
-    pub fn next<'a>(&mut self, table: &'a EphemerisView<R>) -> Sample<'a, R> {
+    pub fn next<'a>(&mut self, table: &'a Table<R>) -> Sample<'a, R> {
         self.phases.update(table.clock.steps(), WrappedPhase::plus);
         let (low, carry) = self.low.overflowing_add(1);
         self.low = low;
@@ -59,7 +59,7 @@ impl<R: EphemerisScalar> Cursor<R> {
     }
 }
 
-impl<R: EphemerisScalar> EphemerisView<R> {
+impl<R: EphemerisScalar> Table<R> {
     /// Cursor whose first sample is that of tick `first`.
     #[must_use]
     pub fn cursor(&self, first: i64) -> Cursor<R> {
@@ -67,22 +67,12 @@ impl<R: EphemerisScalar> EphemerisView<R> {
         Cursor { phases, low: 0, high: first.wrapping_sub(1), scalar: PhantomData }
     }
 
-    /// Fills `out` with the orientations at the ticks first, first + 1, .... The bits are those of [`EphemerisView::at_tick`]; faster on a PC.
+    /// Fills `out` with the orientations at the ticks first, first + 1, ..., which wrap after 2^63 - 1.
     pub fn fill_orientations(&self, first: i64, out: &mut [Orientation<R>]) {
-        /// Number of ticks whose orientations are computed independently.
-        const BLOCK: usize = 16;
-        // as 128-bit numbers, which need no assembly from words
-        let step = self.clock.steps().map(WrappedPhase::to_phase);
-        let mut now = self.clock.phases_at_tick(first).map(WrappedPhase::to_phase);
-        let mut phases = [Phases::from_array([0; 3]); BLOCK];
-        for block in out.chunks_mut(BLOCK) {
-            for phases in phases.iter_mut().take(block.len()) {
-                *phases = now.map(Phase::leading_bits);
-                now.update(step, |now, step| now + step);
-            }
-            for (orientation, phases) in block.iter_mut().zip(phases) {
-                *orientation = Sample { table: self, phases, tick: 0, fraction: Phase::ZERO }.orientation();
-            }
+        let mut tick = first;
+        for orientation in out {
+            *orientation = self.at_tick(tick).orientation();
+            tick = tick.wrapping_add(1);
         }
     }
 }

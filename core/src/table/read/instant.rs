@@ -4,11 +4,11 @@ use crate::integer::{ldexp_i128, mantissa_and_exponent};
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::Extended;
 use crate::table::data::Phases;
-use crate::table::data::{Clock, EphemerisView};
+use crate::table::data::{Clock, Table};
 use crate::table::evaluation::EphemerisScalar;
 use crate::table::read::sample::Sample;
 
-impl<R: EphemerisScalar> EphemerisView<R> {
+impl<R: EphemerisScalar> Table<R> {
     /// Sample of the motion at tick n, of either sign.
     #[inline(always)]
     #[must_use]
@@ -19,7 +19,7 @@ impl<R: EphemerisScalar> EphemerisView<R> {
 
     /// Sample of the motion t (s) after tick 0, taken as exact; 0 if it is not finite.
     ///
-    /// At whole ticks the bits are those of [`EphemerisView::at_tick`], if the tick rate is a multiple of 1/2. Resolution: 2^-64 ticks up to 2^62
+    /// At whole ticks the bits are those of [`Table::at_tick`], if the tick rate is a multiple of 1/2. Resolution: 2^-64 ticks up to 2^62
     /// ticks. It is slower beyond, and where a phase turns by half a turn or more a tick.
     #[inline(always)]
     #[must_use]

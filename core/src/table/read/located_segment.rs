@@ -1,6 +1,6 @@
 //! Search for the segment of a nutation phase.
 
-use crate::table::data::EphemerisView;
+use crate::table::data::Table;
 use crate::table::data::cell::{Cell, MIN_DEPTH};
 use crate::table::evaluation::{EphemerisScalar, SegmentPoint};
 
@@ -11,7 +11,7 @@ pub(super) struct LocatedSegment<'a, R: EphemerisScalar> {
     pub(super) point: SegmentPoint,
 }
 
-impl<R: EphemerisScalar> EphemerisView<R> {
+impl<R: EphemerisScalar> Table<R> {
     /// Segment of a nutation phase, given by its 64 leading bits.
     #[inline(always)]
     pub(super) fn segment_at(&self, nutation: u64) -> LocatedSegment<'_, R> {

@@ -4,8 +4,8 @@ use crate::complex::Complex;
 use crate::phase::Phase;
 use crate::scalar::Float;
 use crate::su2::{AttitudeState, Orientation, Vector};
-use crate::table::data::EphemerisView;
 use crate::table::data::Phases;
+use crate::table::data::Table;
 use crate::table::evaluation::{EphemerisScalar, Number, orientation, orientation_and_omega_body};
 use crate::table::read::located_segment::LocatedSegment;
 
@@ -15,7 +15,7 @@ use crate::table::read::located_segment::LocatedSegment;
 /// Lengths and rates are in [`EphemerisScalar::Quantity`]: R itself in floating point, `f32` in fixed point.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample<'a, R: EphemerisScalar> {
-    pub(crate) table: &'a EphemerisView<R>,
+    pub(crate) table: &'a Table<R>,
     /// 64 leading bits of the phases.
     pub(crate) phases: Phases<u64>,
     /// Tick at or before the sample.

@@ -5,8 +5,8 @@
 
 use crate::complex::Complex;
 use crate::phase::Phase;
-use crate::table::data::EphemerisView;
 use crate::table::data::Phases;
+use crate::table::data::Table;
 use crate::table::data::cell::is_falling;
 use crate::table::evaluation::{EphemerisScalar, a_b_at_centre, tabulated_a_b};
 use crate::table::read::located_segment::LocatedSegment;
@@ -27,7 +27,7 @@ impl<R: EphemerisScalar> Sample<'_, R> {
     }
 }
 
-impl<R: EphemerisScalar> EphemerisView<R> {
+impl<R: EphemerisScalar> Table<R> {
     /// Mean rate of the tip angle in turns/s; 0 for an axis that stays vertical.
     #[must_use]
     pub fn mean_tip_angle_rate(&self) -> f64 {

@@ -15,7 +15,7 @@ use core::hint::black_box;
 use fixed::types::I2F30;
 use semihosting::{println, process};
 use toytop::{
-    Ephemeris, EphemerisMemory, EphemerisScalar, EphemerisView, Motion, ParameterError, Release, State,
+    Ephemeris, EphemerisMemory, EphemerisScalar, Motion, ParameterError, Release, State, Table,
     TableSettings, Tick, Top, TopParameters, Workspace,
 };
 
@@ -41,7 +41,7 @@ fn main() -> ! {
 fn run<R: EphemerisScalar>(
     scalar: &str,
     number: u32,
-    memory: &mut EphemerisMemory<EphemerisView<R>>,
+    memory: &mut EphemerisMemory<Table<R>>,
     counter: &Counter,
 ) {
     let (top, state) = launch(number).expect("a possible launch");

@@ -12,8 +12,8 @@ use core::hint::black_box;
 use semihosting::process;
 use start::entry;
 use toytop::{
-    Cursor, EphemerisF32, EphemerisMemory, EphemerisView, Motion, ParameterError, Release, State,
-    TableSettings, Tick, Top, TopParameters, Workspace,
+    Cursor, EphemerisF32, EphemerisMemory, Motion, ParameterError, Release, State, Table, TableSettings,
+    Tick, Top, TopParameters, Workspace,
 };
 
 #[entry]
@@ -38,6 +38,6 @@ fn launch(parameters: &TopParameters, release: &Release) -> Result<Motion, Param
 
 #[inline(never)]
 #[unsafe(no_mangle)]
-fn bench_fast_tick(cursor: &mut Cursor<f32>, table: &EphemerisView<f32>, out: &mut [f32; 4]) {
+fn bench_fast_tick(cursor: &mut Cursor<f32>, table: &Table<f32>, out: &mut [f32; 4]) {
     *out = toytop_fast_tick::next(cursor, table);
 }

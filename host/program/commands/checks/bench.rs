@@ -8,9 +8,7 @@ use serde_json::json;
 use std::hint::black_box;
 use std::time::Instant;
 use toytop::scalar::Real;
-use toytop::{
-    EphemerisF32, EphemerisF64, EphemerisScalar, EphemerisView, Motion, Orientation, Stepper, Tick,
-};
+use toytop::{EphemerisF32, EphemerisF64, EphemerisScalar, Motion, Orientation, Stepper, Table, Tick};
 use toytop_host::Failure;
 use toytop_host::input::builtin;
 use toytop_host::motion::full_equations;
@@ -136,7 +134,7 @@ fn rows() -> Vec<TimedTask> {
 }
 
 /// Rows of an ephemeris.
-fn time_ephemeris<R: EphemerisScalar>(scalar: &str, table: &EphemerisView<R>) -> [TimedTask; 3] {
+fn time_ephemeris<R: EphemerisScalar>(scalar: &str, table: &Table<R>) -> [TimedTask; 3] {
     let mut out = vec![Orientation::<R>::IDENTITY; STATES as usize];
     let batch = time(format!("ephemeris {scalar}: in a batch"), STATES, || {
         table.fill_orientations(black_box(FIRST_TICK), &mut out);

@@ -18,7 +18,7 @@ use clap::{Args, ValueEnum};
 use fixed::types::{I2F14, I2F30};
 use rust::module;
 use std::path::PathBuf;
-use toytop::{EphemerisView, ErrorBound, Tick};
+use toytop::{ErrorBound, Table, Tick};
 use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::Scalar;
@@ -151,7 +151,7 @@ impl TableTitle {
     }
 
     /// Name and properties of the table for a comment, without characters that could end the comment.
-    fn headline<R: TableScalar>(&self, table: &EphemerisView<R>) -> String {
+    fn headline<R: TableScalar>(&self, table: &Table<R>) -> String {
         let printable = |c: &char| !c.is_control() && !['*', '/', '\\'].contains(c);
         let name: String = self.name.chars().filter(printable).collect();
         let ErrorBound { constant, per_tick } = table.error_bound();

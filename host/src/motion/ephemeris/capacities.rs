@@ -5,12 +5,10 @@ use super::{HeapTable, MotionEphemeris, TableScalar};
 use crate::Failure;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
-use toytop::{
-    Ephemeris, EphemerisMemory, EphemerisView, Motion, Regime, SetUpError, TableSettings, Tick, Workspace,
-};
+use toytop::{Ephemeris, EphemerisMemory, Motion, Regime, SetUpError, Table, TableSettings, Tick, Workspace};
 use toytop_model::constants::MotionWithPeriod;
 
-type Memory<R> = Box<EphemerisMemory<EphemerisView<R>>>;
+type Memory<R> = Box<EphemerisMemory<Table<R>>>;
 
 /// Number of segments of a table, and function that makes its memory.
 type Capacity<R> = (u32, fn() -> Memory<R>);
@@ -110,7 +108,7 @@ impl<R: TableScalar> HeapTable<R> {
         is_allowed: impl Fn(u32) -> bool,
     ) -> Result<Self, Failure> {
         let truncation = settings.truncation.unwrap_or(R::TRUNCATION);
-        let needed = EphemerisView::<R>::segments_needed(motion, truncation).unwrap_or(u32::MAX);
+        let needed = Table::<R>::segments_needed(motion, truncation).unwrap_or(u32::MAX);
         let capacities = capacities::<R>();
         let [.., largest] = &capacities;
         let allowed = || capacities.iter().filter(|(capacity, _)| is_allowed(*capacity));
@@ -119,7 +117,7 @@ impl<R: TableScalar> HeapTable<R> {
         let failure = |error| {
             let enough = capacities.iter().find(|(n, _)| is_offered::<R>(*n) && *n >= needed);
             let hint = match enough {
-                _ if !matches!(error, SetUpError::TooSmall { .. }) => String::new(),
+                _ if !matches!(error, SetUpError::TableTooSmall { .. }) => String::new(),
                 Some((n, _)) => format!("; at least {n} segments would be enough"),
                 None => format!("; not even {} segments of this degree would be enough", largest.0),
             };

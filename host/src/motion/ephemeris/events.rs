@@ -2,7 +2,7 @@
 
 use crate::motion::sample::Sample;
 use toytop::{
-    AttitudeState, EphemerisScalar, EphemerisView, Event, Level, Motion, Orientation, ParameterError, Phase,
+    AttitudeState, EphemerisScalar, Event, Level, Motion, Orientation, ParameterError, Phase, Table,
 };
 
 /// Kind of an event.
@@ -26,8 +26,8 @@ impl EventKind {
         let levels = match self {
             Self::Turning => return Ok(vec![Condition::Turning]),
             Self::TipAngle(angle) => return Ok(vec![Condition::TipAngle(angle)]),
-            Self::Tilt(tilt) => vec![Level::of_tilt(tilt)?],
-            Self::Circle(radius) => Level::of_circle(motion.top(), radius)?.to_vec(),
+            Self::Tilt(tilt) => vec![Level::from_tilt(tilt)?],
+            Self::Circle(radius) => Level::from_circle(motion.top(), radius)?.to_vec(),
             Self::LiftOff => Level::lift_off(motion).into_iter().collect(),
         };
         Ok(levels.into_iter().map(Condition::Crossing).collect())
@@ -107,7 +107,7 @@ const MAX_UNWANTED: u32 = 10_000;
 
 /// First events of a table at which a condition holds; `sample` is that of an event and its time.
 pub fn table_events<R: EphemerisScalar>(
-    table: &EphemerisView<R>,
+    table: &Table<R>,
     condition: Condition,
     query: &EventQuery,
     sample: impl Fn(&Event, f64) -> Sample,

@@ -7,7 +7,7 @@ use crate::motion::column::SampleColumn;
 use crate::motion::sample::Sample;
 use fixed::types::{I2F14, I2F30};
 use toytop::scalar::Float;
-use toytop::{Complex, EphemerisMemory, EphemerisScalar, EphemerisView, Orientation, Pose};
+use toytop::{Complex, EphemerisMemory, EphemerisScalar, Orientation, Pose, Table};
 use toytop_model::equations::Rates;
 
 /// Scalar of the core with its name and the capacity of its own table.
@@ -21,7 +21,7 @@ pub trait TableScalar:
     const SEGMENTS: u32;
 
     /// Checksum of a table.
-    fn crc32(table: &EphemerisView<Self>) -> u32;
+    fn crc32(table: &Table<Self>) -> u32;
 }
 
 macro_rules! table_scalar {
@@ -30,7 +30,7 @@ macro_rules! table_scalar {
             const SCALAR: Scalar = Scalar::$name;
             const SEGMENTS: u32 = $segments;
 
-            fn crc32(table: &EphemerisView<Self>) -> u32 {
+            fn crc32(table: &Table<Self>) -> u32 {
                 table.crc32()
             }
         }
@@ -45,11 +45,11 @@ table_scalar! {
 }
 
 /// Table of the core on the heap, after its set-up.
-pub struct HeapTable<R: EphemerisScalar>(pub(super) Box<EphemerisMemory<EphemerisView<R>>>);
+pub struct HeapTable<R: EphemerisScalar>(pub(super) Box<EphemerisMemory<Table<R>>>);
 
 impl<R: TableScalar> HeapTable<R> {
     /// Table itself.
-    pub fn table(&self) -> &EphemerisView<R> {
+    pub fn table(&self) -> &Table<R> {
         self.0.get().expect("set up")
     }
 
@@ -90,7 +90,7 @@ impl<R: TableScalar> Source for HeapTable<R> {
 /// * `ticks`: the time t in ticks
 #[inline]
 fn sample<R: TableScalar>(
-    table: &EphemerisView<R>,
+    table: &Table<R>,
     now: &toytop::Sample<'_, R>,
     [t, ticks]: [f64; 2],
     only: Option<SampleColumn>,

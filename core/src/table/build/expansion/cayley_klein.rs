@@ -1,7 +1,7 @@
 //! Series of a and b: each is the sum of two exponentials of the phases.
 
 use super::{Expansion, MAX_TERMS, PowerSeries};
-use crate::integer::{Limbs, in_units, shifted_right};
+use crate::integer::{Limbs, shifted_right, to_units};
 use crate::scalar::{Ring, SINE_BITS, sine_cosine_q57};
 use crate::table::build::series::{BITS, UnitFactor, in_range, integrated};
 use crate::table::evaluation::TABLE_BITS;
@@ -37,7 +37,7 @@ impl Expansion {
             [residual, chi].map(|rate| (rate, UnitFactor::new(rate.scale, &rate.variation, forwards)));
         for k in 0..*terms {
             let [residual, chi] = rates.each_ref().map(|(rate, factor)| match k {
-                0 => in_units(rate.at_origin, exponent),
+                0 => to_units(rate.at_origin, exponent),
                 _ => factor.times(rate.variation.coefficient(k)),
             });
             forwards.set(k, residual + chi)?;
@@ -46,7 +46,7 @@ impl Expansion {
         let mut most = 0;
         for (rate, phase, scale) in [(&*forwards, origin.chi, p), (&*backwards, -origin.chi, q)] {
             let (sine, cosine) = sine_cosine_q57(residual_phase + phase);
-            let scale = Limbs::new(in_units(scale, -SINE_BITS));
+            let scale = Limbs::new(to_units(scale, -SINE_BITS));
             let start = |part: i64| scale.times::<{ (2 * SINE_BITS - BITS) as u32 }>(part);
             re.set(0, start(cosine))?;
             im.set(0, start(sine))?;

@@ -1,8 +1,8 @@
 //! Coefficients of an expansion, one after another.
 
 use super::{Expansion, MAX_TERMS, NOISE, Origin, PowerSeries, RateSeries};
-use crate::integer::in_units;
-use crate::motion::phase_equations::PhaseEquations;
+use crate::integer::to_units;
+use crate::motion::phase_equations::{PhaseEquations, Point};
 use crate::scalar::Ring;
 use crate::table::build::series::{BITS, UnitFactor, in_range, integrated, sum_in_range};
 
@@ -40,7 +40,7 @@ impl PsiFactors {
             kappa_to_sigma: UnitFactor::new(psi_rate, kappa, variation),
             delta_to_kappa: UnitFactor::new(g, delta, kappa),
             mu_to_kappa: UnitFactor::new(h, mu, kappa),
-            negligible: in_units(negligible, variation.exponent),
+            negligible: to_units(negligible, variation.exponent),
         }
     }
 
@@ -95,13 +95,10 @@ impl Expansion {
     /// Constants of the recurrence. Sets the exponents and first coefficients of the series.
     #[inline(never)]
     fn recurrence(&mut self, equations: &PhaseEquations<f64>, origin: &Origin) -> Recurrence {
-        let Origin { unit, chi_rate, psi_rates: [alpha_psi, beta_psi], negligible, .. } = *origin;
-        let swing = equations.e2_minus_e1 * origin.cosine * origin.cosine;
-        let one_minus_u = swing + equations.one_minus_e2;
-        let one_plus_u = equations.one_plus_e1 + equations.e2_minus_e1 * origin.sine * origin.sine;
-        let per_d = 1.0 / (equations.a_over_p + equations.s * one_minus_u * one_plus_u);
+        let Origin { time_per_y, chi_rate, psi_rates: [alpha_psi, beta_psi], negligible, .. } = *origin;
+        let Point { one_minus_u, e3_minus_u, per_d, .. } = equations.point(origin.sine, origin.cosine);
         // factors in η = eta_per_v v and δ = linear v - quadratic v²
-        let eta_per_v = equations.e2_minus_e1 / (equations.e3_minus_e2 + swing);
+        let eta_per_v = equations.e2_minus_e1 / e3_minus_u;
         let c = equations.s * equations.e2_minus_e1 * per_d;
         let (linear, quadratic) = (2.0 * (c * (1.0 - one_minus_u)), c * equations.e2_minus_e1);
 
@@ -116,20 +113,21 @@ impl Expansion {
         chi.variation.exponent = mu.exponent;
         (chi.at_origin, chi.scale) = (chi_rate, chi_rate);
         // in range by their exponents
-        let _ = sine.set(0, in_units(origin.sine, sine.exponent));
-        let _ = cosine.set(0, in_units(origin.cosine, cosine.exponent));
+        let _ = sine.set(0, to_units(origin.sine, sine.exponent));
+        let _ = cosine.set(0, to_units(origin.cosine, cosine.exponent));
 
-        let scale = unit * unit * equations.e2_minus_e1 * per_d;
+        let scale = time_per_y * time_per_y * equations.e2_minus_e1 * per_d;
         // f, g and h of a ψ
         let factors = |numerator: f64, constant: f64, chi_time: f64| {
             let chi = chi_time * chi_rate;
             let per_divisor = 1.0 / (constant + chi);
             [numerator * (scale * per_divisor), constant * per_divisor, chi * per_divisor]
         };
-        let of_alpha = factors(equations.s * equations.alpha_rate_factor, unit, equations.alpha_chi_time);
+        let of_alpha =
+            factors(equations.s * equations.alpha_rate_factor, time_per_y, equations.alpha_chi_time);
         let of_beta = factors(
             -equations.s_times_e3_minus_one * equations.beta_rate_factor,
-            unit * equations.root_e3_minus_one,
+            time_per_y * equations.root_e3_minus_one,
             equations.beta_chi_time,
         );
         let series = [&*v, &*delta, &*mu];
@@ -149,9 +147,9 @@ impl Expansion {
             delta_to_mu: UnitFactor::new(1.0, delta, mu),
             cosine_to_sine: UnitFactor::new(chi_rate, cosine, sine),
             sine_to_cosine: UnitFactor::new(-chi_rate, sine, cosine),
-            negligible_sine: in_units(negligible, sine.exponent),
-            negligible_cosine: in_units(negligible, cosine.exponent),
-            negligible_xi: in_units(negligible_xi, mu.exponent),
+            negligible_sine: to_units(negligible, sine.exponent),
+            negligible_cosine: to_units(negligible, cosine.exponent),
+            negligible_xi: to_units(negligible_xi, mu.exponent),
         }
     }
 

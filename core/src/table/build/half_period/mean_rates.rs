@@ -30,7 +30,7 @@ impl MeanRates {
     }
 
     fn steady(motion: &Motion) -> Self {
-        let [alpha, beta] = motion.steady_rates().map(Extended::in_turns);
+        let [alpha, beta] = motion.steady_rates().map(Extended::radians_to_turns);
         let relative = OPERATIONS * Extended::OPERATION_ERROR + STORED + motion.rounding.relative;
         // a rate is the sum of a quotient and ±τ/2, which may cancel
         let half_tau = size_in_turns(motion.half_tau);
@@ -55,7 +55,7 @@ impl MeanRates {
 }
 
 fn size_in_turns(angle: Extended) -> f64 {
-    angle.in_turns().to_f64().abs()
+    angle.radians_to_turns().to_f64().abs()
 }
 
 /// Errors of the rates, turns/s.
@@ -87,7 +87,7 @@ mod tests {
         let exact = motion.period::<Extended>(&motion.equations(), &mut || {}).unwrap();
         let rough = Period { relative_error: 1e-3, ..exact };
         let frequency = 1.0 / exact.time.to_f64();
-        let psi: f64 = exact.psi.iter().map(|angle| Float::abs(angle.in_turns().to_f64())).sum();
+        let psi: f64 = exact.psi.iter().map(|angle| Float::abs(angle.radians_to_turns().to_f64())).sum();
         for (rate, (small, large)) in errors(&motion, &exact)
             .zip_map(errors(&motion, &rough), |small, large| (small, large))
             .into_array()

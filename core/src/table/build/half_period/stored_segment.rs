@@ -78,7 +78,12 @@ pub(super) fn store_segment<R: EphemerisScalar>(
     let halvings = segment.depth - span.depth;
     let (mut stored, mut truncation_squared, mut slope_squared) = (0.0_f32, 0.0, 0.0);
     for (index, whole) in polynomials.iter().enumerate() {
-        polynomial.restrict(whole, segment.begin / segment.length(), halvings, path.limits.terms_in_units());
+        polynomial.restrict(
+            whole,
+            segment.begin / segment.length(),
+            halvings,
+            path.limits.dropped_terms_in_units(),
+        );
         polynomial.shorten(R::TERMS, i64::MAX);
         truncation_squared += Ring::squared(polynomial.truncation());
         slope_squared += polynomial.slope_squared();

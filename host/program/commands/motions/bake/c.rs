@@ -7,7 +7,7 @@
 use super::TableTitle;
 use toytop::internal::{COSINE, CUBIC, LINEAR, SINE, SINE_Q26, SINES, VERSINE};
 use toytop::scalar::Float;
-use toytop::{Baked, EphemerisView, ErrorBound};
+use toytop::{Baked, ErrorBound, Table};
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::TableScalar;
 
@@ -16,7 +16,7 @@ const FORMAT: u32 = Baked::<f32, 16>::FORMAT;
 
 /// Text of a header: a comment, the include guard, size and error bounds as macros, the code and the table. If one file includes several
 /// headers, the code that they share is compiled once.
-pub fn header<R: TableScalar>(title: &TableTitle, table: &EphemerisView<R>) -> String {
+pub fn header<R: TableScalar>(title: &TableTitle, table: &Table<R>) -> String {
     let name = title.c_name();
     let (scalar, upper) = (R::SCALAR.name(), name.to_uppercase());
     let bounds = [table.error_bound(), table.rate_error_bound()];
@@ -57,7 +57,7 @@ pub fn header<R: TableScalar>(title: &TableTitle, table: &EphemerisView<R>) -> S
 }
 
 /// Definition of a table.
-fn definition<R: TableScalar>(title: &TableTitle, table: &EphemerisView<R>) -> String {
+fn definition<R: TableScalar>(title: &TableTitle, table: &Table<R>) -> String {
     let (name, scalar) = (title.c_name(), R::SCALAR.name());
     let is_f64 = R::SCALAR == Scalar::F64;
     let number = |x: R::Coefficient| {
@@ -89,7 +89,7 @@ static const toytop_{scalar} {name} = {{
 }
 
 /// Initialisers of a `toytop_clock`.
-fn initialisers<R: TableScalar>(table: &EphemerisView<R>) -> String {
+fn initialisers<R: TableScalar>(table: &Table<R>) -> String {
     let wide = |bits: u64| format!("{bits:#x}u");
     let phase = |[low, middle, upper]: [u32; 3]| {
         format!("{{{:#x}u, {low:#x}u}}", u64::from(upper) << 32 | u64::from(middle))

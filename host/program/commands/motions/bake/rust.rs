@@ -1,7 +1,7 @@
 //! Rust module with one `static`, which does not compile if one of its bits was changed.
 
 use super::TableTitle;
-use toytop::{Baked, EphemerisView};
+use toytop::{Baked, Table};
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::TableScalar;
 
@@ -13,7 +13,7 @@ macro_rules! fields {
 }
 
 /// Text of the module. Numbers are printed by Rust, which reads back the same bits.
-pub fn module<R: TableScalar>(title: &TableTitle, table: &EphemerisView<R>) -> String {
+pub fn module<R: TableScalar>(title: &TableTitle, table: &Table<R>) -> String {
     let name = title.identifier().to_uppercase();
     let scalar = match R::SCALAR {
         Scalar::Q31 => "toytop::fixed::types::I2F30",
