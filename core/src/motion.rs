@@ -75,7 +75,7 @@ impl Motion {
         self.signs
     }
 
-    /// Nutation period, and the advances over it. For a constant u they are those of an infinitesimal nutation. `None` if e₂ = e₃, and for a
+    /// Nutation period, and the advances over it. A constant u has the period of an infinitesimal nutation. `None` if e₂ = e₃, and for a
     /// body without torque and angular momentum.
     ///
     /// Cost: one integration.

@@ -223,7 +223,7 @@ impl<R: Float> AttitudeState<R> {
     }
 }
 
-/// Matrix of su(2) that stands for a vector. Products of such matrices are those of orientations.
+/// Matrix of su(2) that stands for a vector. Their product is the product of orientations.
 fn matrix_of<R: Float>(vector: Vector<R>) -> Orientation<R> {
     let [x, y, z] = vector.map(Float::halved);
     Orientation::from_quaternion([R::ZERO, x, y, z])

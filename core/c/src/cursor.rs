@@ -28,10 +28,10 @@ impl<R> Opaque for TableCursor<R> {
     const TAG: u32 = 0x746f_7063;
 }
 
-/// Cursor whose first sample is that of tick `first`.
+/// Cursor whose first sample is at tick `first`.
 ///
 /// # Safety
-/// The conditions are those of [`store_from`].
+/// See [`store_from`].
 unsafe fn store_cursor<R: EphemerisScalar>(
     table: *const u8,
     first: i64,
@@ -47,7 +47,7 @@ unsafe fn store_cursor<R: EphemerisScalar>(
 /// Gives the next sample of a cursor to `take`. If that refuses, the cursor stays.
 ///
 /// # Safety
-/// The conditions are those of [`store_from`].
+/// See [`store_from`].
 unsafe fn advance<R: EphemerisScalar>(
     table: *const u8,
     place: *mut toytop_ephemeris_cursor,
@@ -67,7 +67,7 @@ unsafe fn advance<R: EphemerisScalar>(
 /// Next sample of a cursor.
 ///
 /// # Safety
-/// The conditions are those of [`store_from`].
+/// See [`store_from`].
 unsafe fn next<R: EphemerisScalar>(
     table: *const u8,
     cursor: *mut toytop_ephemeris_cursor,
@@ -80,7 +80,7 @@ unsafe fn next<R: EphemerisScalar>(
 /// Quaternion at the next tick of a cursor.
 ///
 /// # Safety
-/// The conditions are those of [`store_from`].
+/// See [`store_from`].
 unsafe fn next_quaternion<R: EphemerisScalar>(
     table: *const u8,
     cursor: *mut toytop_ephemeris_cursor,
@@ -104,7 +104,7 @@ macro_rules! functions {
     ($name:ident, $scalar:ty, $table:ty, $orientation:ty, $rate:ty) => { pastey::paste! {
 
 reader! {
-/// Cursor whose first sample is that of tick `first`.
+/// Cursor whose first sample is at tick `first`.
 [<toytop_ $name _cursor>](table: $table; first: i64, cursor: *mut toytop_ephemeris_cursor)
     store_cursor::<$scalar>
 }

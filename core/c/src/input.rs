@@ -35,7 +35,7 @@ pub struct toytop_top {
     /// Gravity g, m/s^2: `TOYTOP_STANDARD_GRAVITY`, or 1 in the units of the paper; 0 only for a fixed tip or a free body.
     pub gravity: f64,
     /// Angular momentum K of a rotor inside, relative to the body and along its axis, kg m^2/s, of either sign and constant; 0
-    /// without one. The rotor's mass and inertia belong to those of the body.
+    /// without one. The body's mass and inertia include the rotor's.
     pub rotor_momentum: f64,
 }
 
@@ -190,7 +190,7 @@ unsafe fn impulse_arguments(
 /// Reaction impulse of the support, N s in the fixed frame. If its vertical part is negative, a real top leaves
 /// the plane.
 ///
-/// Arguments and refusals are those of `toytop_impulse`.
+/// It has the arguments and refusals of `toytop_impulse`.
 ///
 /// * `reaction`: memory for three numbers
 #[unsafe(no_mangle)]

@@ -101,7 +101,7 @@ pub unsafe extern "C" fn toytop_launch(
 
 /// Motion of a top from a state at t = 0, with pauses for other work.
 ///
-/// Refusals are those of `toytop_launch`.
+/// It has the refusals of `toytop_launch`.
 ///
 /// * `context`: argument of `pause`
 #[unsafe(no_mangle)]

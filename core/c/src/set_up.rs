@@ -37,7 +37,7 @@ pub struct toytop_settings {
     pub tick: toytop_tick,
     /// Tick of the launch on a running counter.
     pub epoch: i64,
-    /// Allowed truncation error, rad: a smaller table for a larger error. 0 stands for that of the scalar.
+    /// Allowed truncation error, rad: a smaller table for a larger error. 0 stands for the default of the scalar.
     pub truncation: f64,
     /// Workspace of the set-up; null for one on the stack.
     pub workspace: *mut toytop_workspace,
@@ -47,7 +47,7 @@ pub struct toytop_settings {
     pub context: *mut c_void,
 }
 
-/// Truncation error that was chosen; `None` for that of the scalar.
+/// Truncation error that was chosen; `None` for the default of the scalar.
 fn chosen(truncation: f64) -> Option<f64> {
     (truncation != 0.0).then_some(truncation)
 }
@@ -108,7 +108,7 @@ macro_rules! functions {
 /// Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion, or that it is aperiodic. After a refusal
 /// every function that reads the table returns `TOYTOP_NOT_SET_UP`. A refusal of `table` or `size` changes nothing. `error` may be null.
 ///
-/// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
+/// * `size`: bytes of the memory, `sizeof *table`, or the size for another number of segments (from 8 to 4096)
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn [<toytop_ $name _set_up>](
     table: *mut $table,
@@ -124,7 +124,7 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up>](
 /// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is refused. A
 /// table has at least 8. The call costs what a set-up costs, and has no pauses.
 ///
-/// * `truncation`: allowed truncation error, rad; 0 stands for that of the scalar
+/// * `truncation`: allowed truncation error, rad; 0 stands for the default of the scalar
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn [<toytop_ $name _segments_needed>](motion: *const toytop_motion, truncation: f64) -> u32 {
     // SAFETY: the caller guarantees a valid pointer.

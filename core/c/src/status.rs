@@ -18,7 +18,7 @@ pub enum toytop_status {
     TOYTOP_OUT_OF_RANGE = 3,
     /// The memory of a table is too small for the motion; the error says how many segments are not enough.
     TOYTOP_TABLE_TOO_SMALL = 4,
-    /// The memory of a table or a workspace is not aligned, or that of a table is smaller than for 8 segments.
+    /// The memory of a table or a workspace is not aligned, or the memory of a table has no room for 8 segments.
     TOYTOP_BAD_MEMORY = 5,
     /// A table, motion, cursor or sample was not made by this library, or its set-up failed.
     TOYTOP_NOT_SET_UP = 6,

@@ -71,7 +71,7 @@ const fn size_of_table<R: EphemerisScalar>(segments: usize) -> usize {
         + segments * size_of::<R::Segment>()
 }
 
-// Assertions of the numbers in the header. The alignment is that of the words of a table; cbindgen accepts only a number as a length.
+// Assertions of the numbers in the header. The alignment suits the words of a table; cbindgen accepts only a number as a length.
 const _: () = {
     const fn sizes_agree<R: EphemerisScalar, T>(size: usize, segments: usize, segment: usize) -> bool {
         size_of::<T>() == size
@@ -99,7 +99,7 @@ fn checked_head(table: *const u8) -> Result<*const Head, Refusal> {
 /// Memory of a table after a head, with this many segments.
 fn table_after<R: EphemerisScalar>(head: *const Head, segments: usize) -> *mut EphemerisMemory<Table<R>> {
     let first = head.wrapping_add(1).cast_mut().cast::<R::Segment>();
-    // the pointer to a memory is that to its first byte, with the number of segments in place of the array's
+    // the pointer to a memory points to its first byte, and has the number of segments as its length
     slice_from_raw_parts_mut(first, segments) as *mut EphemerisMemory<Table<R>>
 }
 

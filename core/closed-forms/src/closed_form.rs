@@ -53,7 +53,7 @@ impl ClosedForm {
     /// Closed form of a motion.
     ///
     /// # Errors
-    /// [`NoClosedForm`]: the motion is that of a nutating toy top with e₃ ≠ e₄.
+    /// [`NoClosedForm`]: the motion is a nutating toy top with e₃ ≠ e₄.
     pub fn from_motion(motion: &Motion) -> Result<Self, NoClosedForm> {
         FreeBody::new(motion)
             .map(Self::FreeBody)

@@ -24,7 +24,7 @@ use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 /// Nutating toy top with e₃ = e₄ as a function of time.
 ///
 /// Error of an orientation: below 1e-15 rad at any time up to 1e9 periods where e₃ = e₄ exactly. Where they differ
-/// within [`E3EqualsE4::TOLERANCE`], the solution is that of a slightly different motion, and the error grows by up
+/// within [`E3EqualsE4::TOLERANCE`], the solution belongs to a slightly different motion, and the error grows by up
 /// to 5e-14 rad per period (measured for A/(ps) down to 2e-3; it grows for smaller A/(ps)). Cost: about 30 theta
 /// functions in extended precision for set-up, and about 30 for one time.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -36,7 +36,7 @@ impl Covariance {
         self.lower.row(i.max(j)).get(i.min(j)).copied().unwrap_or(0.0)
     }
 
-    /// Adds a variance to that of one unknown.
+    /// Adds to the variance of one unknown.
     pub(crate) fn add_variance(&mut self, index: usize, variance: f64) {
         self.lower.symmetric_mut(index, index).into_iter().for_each(|slot| *slot += variance);
     }
@@ -65,7 +65,7 @@ impl Covariance {
         }
     }
 
-    /// Replaces the covariance of the launch by that of a later change of the motion.
+    /// Carries the launch's covariance to a later time.
     ///
     /// * `columns`: derivatives of the change with respect to the unknowns; those that are left out are 0
     pub(crate) fn propagate(&mut self, columns: &[Tangent<f64>]) {

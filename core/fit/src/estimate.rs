@@ -59,7 +59,7 @@ impl Estimate {
         &self.other
     }
 
-    /// Value of an unknown after those of the launch.
+    /// Value of an unknown that is no part of the launch.
     pub(crate) fn unknown(&self, index: usize) -> Option<f64> {
         self.other.get(index.checked_sub(LAUNCH_COLUMNS)?).copied()
     }
@@ -79,7 +79,7 @@ impl Estimate {
         self.orientation.inverse().adjoint(self.omega)
     }
 
-    /// Estimate after a change of the unknowns: a rotation vector of the body frame, a change of Ω, and those of the others.
+    /// Estimate after a change of the unknowns: a rotation vector of the body frame, a change of Ω, and changes of the others.
     pub(crate) fn corrected(&self, change: &Unknowns) -> Self {
         let [d1, d2, d3, w1, w2, w3, others @ ..] = *change;
         let orientation = self.orientation.compose(&Orientation::exp([d1, d2, d3])).normalised();

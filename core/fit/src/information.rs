@@ -57,7 +57,7 @@ impl<F: Real> Information<F> {
         self.triangle.solved(self.right_side)
     }
 
-    /// Sets the right side to that of a solution.
+    /// Sets the right side such that the solution is a given one.
     pub(crate) fn set_solution(&mut self, point: &Unknowns<F>) {
         self.right_side = self.triangle.product(point);
     }

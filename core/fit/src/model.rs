@@ -103,7 +103,7 @@ impl Model {
         losses.copied().filter(|_| self.has_losses()).unwrap_or([0.0; LOSS_COUNT])
     }
 
-    /// Equations of an estimate. Their columns after those of the launch are the free ratios and the losses.
+    /// Equations of an estimate. After the launch, their columns are the free ratios and the losses.
     pub(crate) fn equations(&self, estimate: &Estimate) -> Equations<f64> {
         let mut coefficients = Coefficients::new(&self.top);
         let by = self.free.map(|free| log_derivatives(self.top.support(), free.direction));

@@ -128,7 +128,7 @@ impl Sensitivity {
         Self { trajectory: self.start, count: 0, ..*self }.advance_to(t)
     }
 
-    /// Derivatives as those of [`Sensitivity::at`], integrated from the time of the last call. This is faster for a sequence of times.
+    /// Derivatives as by [`Sensitivity::at`], integrated from the time of the last call. This is faster for a sequence of times.
     pub fn advance_to(&mut self, t: f64) -> Option<Partials> {
         let mut partials = self.advance_with_omega_turned(t)?;
         // with ω kept, a rotation δ of Φ changes ω by -δ × ω in the frame that turns by δ
@@ -142,7 +142,7 @@ impl Sensitivity {
         Some(partials)
     }
 
-    /// Derivatives as those of [`Sensitivity::advance_to`], but a rotation δ of the launch also turns ω(0): Φ(0) → exp(δ) Φ(0) and
+    /// Derivatives as by [`Sensitivity::advance_to`], but a rotation δ of the launch also turns ω(0): Φ(0) → exp(δ) Φ(0) and
     /// ω(0) → exp(δ) ω(0).
     pub(crate) fn advance_with_omega_turned(&mut self, t: f64) -> Option<Partials> {
         let Self { start, period, .. } = self;

@@ -142,7 +142,7 @@ impl State {
     }
 
     /// Φ and ω, with 0 for components below 1e-60.
-    pub(crate) fn to_extended(&self) -> (Orientation<Extended>, Vector<Extended>) {
+    pub(crate) fn to_extended(self) -> (Orientation<Extended>, Vector<Extended>) {
         let extended = |x: f64| if x.abs() < 1e-60 { Extended::ZERO } else { x.into() };
         let number = |z: Complex<f64>| Complex::new(extended(z.re), extended(z.im));
         let Orientation { alpha, beta } = self.orientation;

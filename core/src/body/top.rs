@@ -65,7 +65,7 @@ impl Top {
     }
 
     /// Top whose tip is held at a fixed point, the Lagrange top. It needs A and C, both about the *tip*, and either p, or M and
-    /// s. Without gravity the motion is that of [`Top::free`].
+    /// s. Without gravity the top moves like a [`Top::free`].
     ///
     /// # Errors
     /// [`ParameterError`] names the wrong parameter. The ranges are

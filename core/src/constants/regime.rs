@@ -89,7 +89,7 @@ pub enum TipClass {
 
 impl TipClass {
     /// Class by Proposition 6: with -1 < e₁ < e₂ < 1 < e₃ and different signs there are loops if e₃ (e₂ - e₁) > 1 - e₁e₂, and cusps if both are
-    /// equal to an `f64` rounding.
+    /// equal within 16 `f64` roundings of their terms.
     pub(crate) fn new(regime: Regime, e: &BranchPoints<Extended>, signs: Signs) -> Self {
         let zero = Extended::ZERO;
         match regime {

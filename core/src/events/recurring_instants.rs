@@ -43,7 +43,7 @@ impl RecurringInstants {
         instants.reduce(|earliest, other| if other.1 < earliest.1 { other } else { earliest })
     }
 
-    /// Next instant, with the index of its phase; replaced by that of the next period.
+    /// Next instant, with the index of its phase. The instant one period later takes its place.
     pub(super) fn pop(&mut self) -> Option<(usize, Extended)> {
         let (index, ticks) = self.peek()?;
         if let Some(next) = self.next.get_mut(index) {

@@ -19,9 +19,9 @@ pub struct InitialAngles {
     ///
     /// The `f64` nearest to a multiple of π counts as that multiple. With e₂ = e₃ = 1, θ = π is the upright top, u = 1.
     pub theta: f64,
-    /// Argument of α(0); where α(0) = 0, that of α'(0).
+    /// Argument of α(0); where α(0) = 0, the argument of α'(0).
     pub arg_alpha: f64,
-    /// Argument of β(0); where β(0) = 0, that of β'(0).
+    /// Argument of β(0); where β(0) = 0, the argument of β'(0).
     pub arg_beta: f64,
 }
 
@@ -36,7 +36,7 @@ impl Motion {
 
     /// Motion from a state, with pauses for other work.
     ///
-    /// * `pause`: called at least every 50 000 cycles of a Cortex-M4F
+    /// * `pause`: called at least every 50 000 cycles of a Cortex-M4F (200 000 of a Cortex-M0+)
     ///
     /// ```
     /// use toytop::{Motion, Release, State, Top, TopParameters};

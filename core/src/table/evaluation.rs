@@ -24,9 +24,9 @@ use crate::scalar::{Real, Ring, Scalar};
 use crate::su2::{Orientation, Vector};
 use core::fmt::Debug;
 
-/// Fraction bits of the values that coefficients are made from.
+/// Fraction bits of the polynomials from which the coefficients are rounded.
 pub(crate) const TABLE_BITS: u32 = 62;
-/// Unit of these values, 2^-62.
+/// Unit of these polynomials, 2^-62.
 pub(crate) const TABLE_UNIT: f64 = 1.0 / (1_u64 << TABLE_BITS) as f64;
 
 /// Point of a segment.
@@ -45,7 +45,7 @@ pub struct SegmentPoint {
 /// Upper bounds on the rounding errors of a tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EvaluationErrors {
-    /// Orientation error without that of the next field, rad.
+    /// Orientation error for a body at rest, rad.
     pub(crate) orientation: f64,
     /// Orientation error per rad that the body turns in half a segment.
     pub(crate) per_half_segment: f64,
@@ -145,7 +145,7 @@ pub trait Coefficient: Copy + Debug + PartialEq {
         is_falling: bool,
         sine_cosine: [SumOf<Self>; 2],
     ) -> Complex<Self::Number>;
-    /// Sine and cosine of Λ_β - Λ_α, from those of Λ_α and Λ_β.
+    /// Sine and cosine of Λ_β - Λ_α, from the sines and cosines of Λ_α and Λ_β.
     fn sine_cosine_of_difference(sines_cosines: [[SumOf<Self>; 2]; 2]) -> [SumOf<Self>; 2];
 
     // For the set-up.

@@ -14,7 +14,7 @@ pub(crate) struct Lattice {
     pub(crate) roots: [Extended; 3],
     /// Half periods ω and |ω'|.
     pub(crate) half_periods: [Extended; 2],
-    /// Whether ω > |ω'|. The theta functions are then those of the lattice rotated by a right angle, whose nome is at most e^{-π} too.
+    /// Whether ω > |ω'|. The theta functions then belong to the lattice rotated by a right angle, whose nome is at most e^{-π} too.
     is_rotated: bool,
     /// Logarithm of the nome q.
     ln_nome: Extended,

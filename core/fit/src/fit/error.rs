@@ -29,7 +29,7 @@ pub enum FitError {
     LossDeviation,
     /// The motion of the last fit cannot be followed to the first measurement.
     LastFit,
-    /// The deviation of a sensor's noise is not a positive number, or that of its bias is not finite or negative.
+    /// The deviation of a sensor's noise is not a positive number, or its bias has a negative or infinite deviation.
     SensorNoise {
         /// Index of the sensor in the list.
         sensor: usize,

@@ -197,7 +197,7 @@ fn instants<F>(problem: &Problem<F, impl Measurements>) -> impl Iterator<Item = 
     })
 }
 
-/// Angular velocity in the body frame from the orientations: along the axis the mean, across it that of the first instants.
+/// Angular velocity in the body frame from the orientations: the mean rate along the axis, and the first rate across it.
 #[inline(never)] // stack
 fn mean_rate(instants: impl Iterator<Item = Instant>) -> Option<Vector<f64>> {
     let mut known = instants.filter_map(|instant| Some((instant.time, instant.full_orientation()?)));

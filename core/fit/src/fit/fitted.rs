@@ -53,7 +53,7 @@ impl Drift {
 /// Result of a fit.
 #[derive(Clone, Copy, Debug)]
 pub struct Fitted {
-    /// Time of the launch: that of the first measurement, or with losses that of the last one.
+    /// Time of the launch: the first measurement, or with losses the last one.
     pub time: f64,
     /// Launch, biases and ratios.
     pub launch: Estimate,
@@ -166,7 +166,7 @@ impl Fitted {
         self.covariance.of_vector(&self.columns(&at.d_orientation()))
     }
 
-    /// Derivatives with respect to the unknowns, from those with respect to the launch and the ratios.
+    /// Derivatives with respect to the unknowns, from derivatives with respect to the launch and the ratios.
     fn columns(&self, by: &[Vector<f64>; COLUMNS]) -> [Vector<f64>; MAX_UNKNOWNS] {
         let [d1, d2, d3, w1, w2, w3, by_ratios @ ..] = *by;
         let by_omega = [w1, w2, w3];

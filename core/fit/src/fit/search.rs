@@ -23,9 +23,9 @@ const OTHER_LAUNCH_SIGMA: f64 = 10.0;
 const MIN_NOISE: f64 = 0.25;
 /// Least quotient of a rate beyond the range and a reading at its end. Bias and mounting may shift the reading.
 const RANGE_FRACTION: f64 = 0.9;
-/// Largest sine of the tilt, and largest share of ω across the axis, of a launch that is compared with an upright one.
+/// Largest sine of the tilt, and largest fraction of ω across the axis, of a launch that is compared with an upright one.
 const UPRIGHT_SINE: f64 = 0.1;
-/// Largest difference of sums of squares that chance explains: twice that of the best of a hundred spins, about 20.
+/// Largest difference of sums of squares that chance explains: twice 20, which the best of a hundred spins reaches by chance.
 const CHANCE_COST: f64 = 40.0;
 
 /// Finds an estimate without a first guess. Returns the reason not to trust it, and the number of other launches that fit as well.
@@ -42,7 +42,7 @@ pub(super) fn search<F: Real>(
     let Some(guesses) = guesses(problem) else {
         return (Some(FitWarning::NoBeginning), 0);
     };
-    // the first part that is fitted is four times as long as that of the guess
+    // the first part that is fitted is four times as long as the part of the guess
     let mut count = 4 * FIRST_INSTANTS * problem.sensors.len();
     let other_launch_count = try_guesses(problem, solver, &guesses, count);
     // each part begins from an estimate that is good enough for it

@@ -61,7 +61,7 @@ impl<F: Real> Solver<F> {
         }
     }
 
-    /// Sets the information before the measurements to that of the model.
+    /// Sets the information before the measurements to the prior information of the model.
     #[inline(never)] // stack
     pub(super) fn reset_prior(&mut self, model: &Model) {
         self.prior = model.prior();
@@ -158,7 +158,7 @@ impl<F: Real> Solver<F> {
         None
     }
 
-    /// Information of the best pass with that of [`Model::damp`]. It takes the place of that of the current pass.
+    /// Information of the best pass, damped by [`Model::damp`]. It overwrites the current pass's.
     pub(super) fn damped(&mut self, model: &Model, damping: f64, limit: f64) -> &Information<F> {
         let (Pass { estimate, information, .. }, damped) = (&self.best, &mut self.current.information);
         damped.clone_from(information);

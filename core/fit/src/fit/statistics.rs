@@ -6,7 +6,7 @@ use toytop::scalar::Real;
 const MISFIT_SIGMA: f64 = 5.0;
 /// Residual of a gross error, in standard deviations.
 const GROSS_SIGMA: f64 = 10.0;
-/// Largest sum of squares of the differences from prior values. There are at most a dozen.
+/// Largest sum of squares of the differences from prior values: at most 16 in a fit, whose mean is 16 and standard deviation 6.
 const MAX_PRIOR: f64 = 60.0;
 
 /// Residuals of a fit.
@@ -22,7 +22,7 @@ pub struct Statistics {
     pub chi_squared: f64,
     /// Largest residual in standard deviations.
     pub largest: f64,
-    /// Sum of the squares of the differences from prior values, such as those of biases, in standard deviations.
+    /// Sum of the squares of the differences from prior values, such as the biases, in standard deviations.
     pub prior: f64,
     /// Sum of squares in which an outlier counts linearly; infinite where the motion cannot be followed.
     pub(super) cost: f64,
@@ -79,8 +79,8 @@ impl Statistics {
 
     /// Whether the residuals contradict the noise. One of these is then true of a sensor, or of all sensors together:
     ///
-    /// * a fifth of the residuals are outliers;
-    /// * a twentieth are beyond ten standard deviations;
+    /// * more than a fifth of the residuals and three are outliers;
+    /// * more than a twentieth and three are beyond ten standard deviations;
     /// * the sum of squares of the others is five of its standard deviations above its mean;
     /// * the differences from the prior values are too large.
     pub(super) fn is_misfit(&self, unknowns: usize) -> bool {

@@ -117,7 +117,7 @@ impl Coefficients {
     }
 }
 
-/// Derivatives of the logarithms of C/A, p/A, s and g along a direction of those of the ratios.
+/// Derivatives of the logarithms of C/A, p/A, s and g, along a direction in the logarithms of the ratios.
 pub(crate) fn log_derivatives(support: Support, [a_over_c, a_over_ps, s, g]: [f64; RATIOS]) -> [f64; 4] {
     let a_over_p = if support == Support::Sliding { a_over_ps + s } else { a_over_ps };
     [-a_over_c, -a_over_p, s, g]

@@ -119,7 +119,7 @@ impl<F: Float> Acceleration<F> {
 }
 
 impl Equations<f64> {
-    /// Equations of a top, whose last four columns are those of the ratios.
+    /// Equations of a top. The last four columns belong to the ratios.
     pub(crate) fn new(top: &Top) -> Self {
         let coefficients = Coefficients::new(top);
         Self { coefficients, changes: coefficients.by_ratios(top.support()), columns: COLUMNS }
@@ -131,7 +131,7 @@ impl Equations<f64> {
         Equations { coefficients: self.coefficients.cast(), changes, columns: self.columns }
     }
 
-    /// Upper bound on the frequencies of the motion, rad per unit time: that of the gyroscopic torque, plus twice the greatest rate of
+    /// Upper bound on the frequencies of the motion, rad per unit time: the frequency of the gyroscopic torque, plus twice the greatest rate of
     /// the axis. Gravity accelerates the axis until it points down, or until the gyroscopic torque has turned it; the axis of a
     /// sliding top is faster near the vertical by √(ps/A). It is 1 for a body at rest without torque.
     pub(crate) fn frequency(&self, state: &BodyState<f64>) -> f64 {
@@ -150,14 +150,14 @@ impl Equations<f64> {
 }
 
 impl<F: Float> Equations<F> {
-    /// Change of the coefficients in a column; none in those of the launch.
+    /// Change of the coefficients in a column; `None` for a column of the launch.
     pub(crate) fn change(&self, column: usize) -> Option<&Coefficients<F>> {
         self.changes.get(column.wrapping_sub(LAUNCH_COLUMNS))
     }
 
     /// Change of the support's acceleration g + s u'' caused by a tangent and by a change of the coefficients.
     ///
-    /// In the frame that θ turns, it is that of the equations with the vertical turned by -θ and ω changed by η.
+    /// In the frame that θ turns, the vertical turns by -θ and ω changes by η.
     pub(crate) fn support_change(
         &self,
         at: &Acceleration<F>,

@@ -6,7 +6,7 @@ use toytop::su2::Orientation;
 
 /// Number of columns of the launch.
 pub(crate) const LAUNCH_COLUMNS: usize = 6;
-/// Number of columns: six of the launch, and those of four ratios or losses.
+/// Number of columns: six of the launch, and four of ratios or losses.
 pub(crate) const COLUMNS: usize = 10;
 
 /// Orientation and angular velocity of a body; or their rates.

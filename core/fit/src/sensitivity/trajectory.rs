@@ -198,7 +198,7 @@ mod tests {
                 off = off.max(apart(found, truth));
             }
             off = off.max(apart(found.across, truth.across) / frequency);
-            // the columns of the truth are changes along the fixed axes, those of Φ with ω kept
+            // the truth has changes along the fixed axes, where a change of Φ keeps ω
             let column = |theta: Vector<f64>, eta: Vector<f64>| {
                 let shares = [theta, eta].map(|x| launch.orientation.inverse().adjoint(x));
                 let columns = now.tangents.iter().zip(shares.as_flattened());

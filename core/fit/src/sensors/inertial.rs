@@ -68,7 +68,7 @@ impl<F: Real> Sensor<F> for Accelerometer {
     }
 
     fn hint(&self, values: &[f64; 4]) -> Hint {
-        // away from the centre of mass, or the tip, most of the specific force is that of the rotation
+        // away from the centre of mass, or the tip, most of the specific force comes from the rotation
         if dot(self.mounting.place, self.mounting.place) > 0.0 {
             return Hint::None;
         }

@@ -16,7 +16,7 @@ pub const SINE: [f64; 8] = [
     3.8197881201632113,
     -0.7116358090781666,
 ];
-/// Coefficients of C in cos 2πx = C(x²) for |x| <= 1/8, lowest power first, found as those of S.
+/// Coefficients of C in cos 2πx = C(x²) for |x| <= 1/8, lowest power first, found in the same way as S.
 pub const COSINE: [f64; 9] = [
     1.0,
     -19.739208802178716,

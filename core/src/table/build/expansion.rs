@@ -84,7 +84,7 @@ impl PathPhases {
     pub(super) const ZERO: Self = Self { chi: Phase::ZERO, residual: [Phase::ZERO; 2] };
 }
 
-/// Point around which the motion is expanded, with derivatives by y. The pairs are those of α and β.
+/// Point around which the motion is expanded, with derivatives by y. A pair belongs to α and β.
 pub(super) struct Origin {
     pub(super) phases: PathPhases,
     pub(super) sine: f64,
@@ -94,7 +94,7 @@ pub(super) struct Origin {
     pub(super) chi_rate: f64,
     pub(super) psi_rates: [f64; 2],
     pub(super) residual_rates: [f64; 2],
-    /// Weight of an error of χ: the orientation error that it causes, over that of an equal error of ρ.
+    /// Orientation error by an error of χ, divided by the orientation error by an equal error of ρ.
     pub(super) weight: f64,
     /// Magnitude below which a term at x = 1 is negligible, rad.
     pub(super) negligible: f64,

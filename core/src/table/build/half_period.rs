@@ -7,7 +7,7 @@
 //! |         |         |         |         |    |  |  |  |         |         |         |    spans: one expansion of the motion
 //! ```
 //!
-//! All segments of a cell have one length: first twice that of the cell before, then halved until the error is allowed. A segment does not
+//! All segments of a cell have one length: first twice the length in the cell before, then halved until the error is allowed. A segment does not
 //! cross the ends of a span.
 
 mod mean_rates;
@@ -39,7 +39,7 @@ pub(super) struct HalfPeriod {
     /// Number of segments.
     pub(super) segments: usize,
     bounds: SegmentBounds,
-    /// Orientation error that does not grow, without that of a tick, rad.
+    /// Constant orientation error, without the roundings of a tick, rad.
     error: f64,
 }
 
@@ -167,7 +167,7 @@ impl HalfPeriod {
 
     /// Computes and stores the segments of a cell, or one of two cells; `None` if they are too long.
     ///
-    /// * `depth`: that of the segments
+    /// * `depth`: depth of the segments
     /// * `point`: beginning of the cell
     fn fill_cell<R: EphemerisScalar>(
         &mut self,

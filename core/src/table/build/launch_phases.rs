@@ -31,7 +31,9 @@ impl LaunchPhases {
         *self = Self { chi: Some(chi), is_falling, phases: Phases { nutation: Phase::ZERO, alpha, beta } };
     }
 
-    /// Finds the phases if this span, which ends at χ = `end`, contains χ or is the last.
+    /// Finds the phases, if the launch is on this span. The last span always contains it.
+    ///
+    /// * `end`: χ at the end of the span
     #[inline(never)]
     pub(super) fn search(&mut self, expansion: &Expansion, end: Phase, span: Interval) {
         let Some(chi) = self.chi else { return };

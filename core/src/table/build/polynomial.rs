@@ -133,7 +133,10 @@ impl Polynomial {
         }
     }
 
-    /// Restricts `whole`, that of a span, to part `part` of 2^halvings. Before the last halving it drops terms of at most `dropped` in all.
+    /// Restricts the polynomial `whole` of a span to one of its 2^halvings parts, and drops terms before the last halving.
+    ///
+    /// * `part`: number of the part
+    /// * `dropped`: greatest sum of the dropped terms
     pub(super) fn restrict(&mut self, whole: &Self, part: usize, halvings: u32, dropped: i64) {
         self.clone_from(whole);
         for halving in (0..halvings).rev() {

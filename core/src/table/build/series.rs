@@ -12,7 +12,7 @@ pub(super) const MAX_TERMS: usize = 16;
 /// Bits of a coefficient of the expected magnitude. One may be four times as large.
 pub(super) const BITS: i32 = 56;
 
-/// Result of a sum that is out of range; that of a negative sum is its complement.
+/// Result for a positive sum out of range; a negative sum gives the complement.
 const OUT_OF_RANGE: i64 = 1 << (BITS + 3);
 
 /// Least shift of a sum in range.

@@ -180,7 +180,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
 }
 
 impl<R: EphemerisScalar> Table<R> {
-    /// Number of segments for a truncation error, rad; `None` if 4096 are too few, the motion has no table, or the error is not finite and
+    /// Number of segments for a truncation error, rad. It takes the time and the stack of a set-up. `None` if 4096 are too few, the motion has no table, or the error is not finite and
     /// positive.
     #[must_use]
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {

@@ -94,7 +94,7 @@ impl<W: Copy> Clock<W> {
         Phase::from_words(self.tip_step)
     }
 
-    /// Mean tip angle at a tick and a fraction of a tick, plus half a turn for each passage of a parameter through 0.
+    /// Mean tip angle at a tick and a fraction of a tick. Each zero of α or β adds half a turn.
     ///
     /// * `nutation`: 64 leading bits of the nutation phase then
     pub(in crate::table) fn mean_tip(&self, tick: i128, fraction: Phase, nutation: u64) -> Phase {

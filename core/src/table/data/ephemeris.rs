@@ -7,7 +7,7 @@ use core::ops::{Deref, DerefMut};
 
 /// Table of one motion with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.
 ///
-/// Its methods are those of [`Table`]. Size: 4 · SEGMENTS ·
+/// It has the methods of [`Table`]. Size: 4 · SEGMENTS ·
 /// [`EphemerisScalar::TERMS`] coefficients, and 248 bytes, or 264 in `f64`.
 pub type Ephemeris<R, const SEGMENTS: usize> = Table<R, [<R as EphemerisScalar>::Segment; SEGMENTS]>;
 
@@ -25,13 +25,13 @@ pub struct Table<R: EphemerisScalar, S: ?Sized = [<R as EphemerisScalar>::Segmen
     pub(crate) segments: S,
 }
 
-/// Table in `f32`, 2 KiB: enough for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.4.
+/// Table in `f32`, 2.2 KiB: enough for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.4.
 pub type EphemerisF32 = Ephemeris<f32, 25>;
 
 /// Table in `f64`, 17 KiB, for the motions of [`EphemerisF32`]; where A/(ps) >= 1, `Ephemeris<f64, 32>` is enough.
 pub type EphemerisF64 = Ephemeris<f64, 48>;
 
-/// Table in 32-bit fixed point, 2 KiB: enough for the README's top; many motions need 64 segments.
+/// Table in 32-bit fixed point, 2.2 KiB: enough for the README's top; many motions need 64 segments.
 #[cfg(feature = "fixed")]
 pub type EphemerisQ31 = Ephemeris<fixed::types::I2F30, 32>;
 

@@ -60,7 +60,7 @@ impl<R: EphemerisScalar> Cursor<R> {
 }
 
 impl<R: EphemerisScalar> Table<R> {
-    /// Cursor whose first sample is that of tick `first`.
+    /// Cursor whose first sample is at tick `first`.
     #[must_use]
     pub fn cursor(&self, first: i64) -> Cursor<R> {
         let phases = self.clock.phases_at_tick(first).zip_map(self.clock.steps(), WrappedPhase::minus);

@@ -19,7 +19,7 @@ impl<R: EphemerisScalar> Table<R> {
 
     /// Sample of the motion t (s) after tick 0, taken as exact; 0 if it is not finite.
     ///
-    /// At whole ticks the bits are those of [`Table::at_tick`], if the tick rate is a multiple of 1/2. Resolution: 2^-64 ticks up to 2^62
+    /// Whole ticks have the bits of [`Table::at_tick`], if the tick rate is a multiple of 1/2. Resolution: 2^-64 ticks up to 2^62
     /// ticks. It is slower beyond, and where a phase turns by half a turn or more a tick.
     #[inline(always)]
     #[must_use]
@@ -42,7 +42,7 @@ impl<R: EphemerisScalar> Table<R> {
         Sample { table: self, phases, tick, fraction: fraction.to_phase() }
     }
 
-    /// Time of the last tick, 2^63, in s.
+    /// Time of tick 2^63, the first after the last one, in s.
     #[must_use]
     pub fn last_time(&self) -> f64 {
         let [ticks_per_time, _] = self.clock.ticks_per_time;

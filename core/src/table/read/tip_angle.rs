@@ -13,7 +13,7 @@ use crate::table::read::located_segment::LocatedSegment;
 use crate::table::read::sample::Sample;
 
 impl<R: EphemerisScalar> Sample<'_, R> {
-    /// Tip angle φ = arg c, continuous in time from φ(0) in (-1/2, 1/2] turn, modulo 2^32 turns; `None` for an axis that stays vertical. Error: that of the orientation over 2|αβ|.
+    /// Tip angle φ = arg c, continuous in time from φ(0) in (-1/2, 1/2] turn, modulo 2^32 turns; `None` for an axis that stays vertical. Error: the orientation error over 2|αβ|.
     ///
     /// Where the curve passes through the centre, φ is smooth and the radius changes its sign: c = ±|c| e^{iφ}. Cost: an arctangent, and a complex product for every segment since u = e₁.
     #[must_use]

@@ -60,7 +60,7 @@ impl Expansion {
         }
         for sum in sums {
             for (k, sum) in (0..).zip(sum.iter_mut()).take(most) {
-                // the coefficient of x^k is that of y^k over 4^k
+                // y = x/4: the coefficient of x^k is the coefficient of y^k over 4^k
                 let shift = 2 * k - MORE_BITS;
                 *sum = if shift > 0 { shifted_right(*sum, shift as u32) } else { *sum << -shift };
             }
@@ -158,7 +158,7 @@ mod tests {
                     phases,
                     sine,
                     cosine,
-                    unit: 4.0 * unit,
+                    time_per_y: 4.0 * unit,
                     negligible: 1e-18,
                     chi_rate: 4.0 * chi,
                     psi_rates: [4.0 * alpha, 4.0 * beta],

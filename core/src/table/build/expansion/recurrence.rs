@@ -44,7 +44,7 @@ impl PsiFactors {
         }
     }
 
-    /// Computes the k-th coefficients of κ and σ. Returns whether that of σ is negligible.
+    /// Computes the k-th coefficients of κ and σ. Returns whether the coefficient of σ is negligible.
     fn advance(
         &self,
         rate: &mut RateSeries,

@@ -5,7 +5,7 @@ use crate::motion::{LaunchRounding, Motion};
 use crate::scalar::{Extended, Float, Ring};
 use crate::table::data::Phases;
 
-/// Number of roundings that count for a rate and its increment, without those of the quadrature.
+/// Number of roundings of a rate and its increment, without the quadrature.
 const OPERATIONS: f64 = 64.0;
 /// Relative error of an increment that is stored as the sum of two `f64`.
 const STORED: f64 = 1.0 / (1_u128 << 106) as f64;
@@ -23,7 +23,7 @@ impl MeanRates {
     pub(super) const ZERO: Self =
         Self { rates: Phases::from_array([Extended::ZERO; 3]), errors: Phases::from_array([0.0; 3]) };
 
-    /// Rates from the period; without one, those of a constant u.
+    /// Rates from the period, or without one from the constant u.
     #[inline(never)]
     pub(super) fn new(motion: &Motion, period: Option<&Period>) -> Self {
         period.map_or_else(|| Self::steady(motion), |period| Self::periodic(motion, period))

@@ -66,7 +66,7 @@ impl SegmentBounds {
 
 /// Computes the polynomials of a and b on a segment, and stores them if the table has the segment.
 ///
-/// * `span`: that of the path, which contains the segment
+/// * `span`: span of the path that contains the segment
 pub(super) fn store_segment<R: EphemerisScalar>(
     path: &mut Path<'_, R::PathNumber>,
     span: Interval,
