@@ -76,7 +76,7 @@ enum toytop_status
   TOYTOP_OUT_OF_RANGE = 3,
   // The memory of a table is too small for the motion; the error says how many segments are not enough.
   TOYTOP_TABLE_TOO_SMALL = 4,
-  // The memory of a table or a workspace is not aligned, or that of a table is smaller than for 8 segments.
+  // The memory of a table or a workspace is not aligned, or the memory of a table has no room for 8 segments.
   TOYTOP_BAD_MEMORY = 5,
   // A table, motion, cursor or sample was not made by this library, or its set-up failed.
   TOYTOP_NOT_SET_UP = 6,
@@ -178,7 +178,7 @@ typedef struct toytop_top {
   // Gravity g, m/s^2: `TOYTOP_STANDARD_GRAVITY`, or 1 in the units of the paper; 0 only for a fixed tip or a free body.
   double gravity;
   // Angular momentum K of a rotor inside, relative to the body and along its axis, kg m^2/s, of either sign and constant; 0
-  // without one. The rotor's mass and inertia belong to those of the body.
+  // without one. The body's mass and inertia include the rotor's.
   double rotor_momentum;
 } toytop_top;
 
@@ -256,7 +256,7 @@ typedef struct toytop_settings {
   struct toytop_tick tick;
   // Tick of the launch on a running counter.
   int64_t epoch;
-  // Allowed truncation error, rad: a smaller table for a larger error. 0 stands for that of the scalar.
+  // Allowed truncation error, rad: a smaller table for a larger error. 0 stands for the default of the scalar.
   double truncation;
   // Workspace of the set-up; null for one on the stack.
   struct toytop_workspace *workspace;
@@ -357,7 +357,7 @@ toytop_status toytop_impulse(const struct toytop_top *top,
 // Reaction impulse of the support, N s in the fixed frame. If its vertical part is negative, a real top leaves
 // the plane.
 //
-// Arguments and refusals are those of `toytop_impulse`.
+// It has the arguments and refusals of `toytop_impulse`.
 //
 // * `reaction`: memory for three numbers
 toytop_status toytop_reaction_impulse(const struct toytop_top *top,
@@ -377,7 +377,7 @@ toytop_status toytop_launch(const struct toytop_top *top,
 
 // Motion of a top from a state at t = 0, with pauses for other work.
 //
-// Refusals are those of `toytop_launch`.
+// It has the refusals of `toytop_launch`.
 //
 // * `context`: argument of `pause`
 toytop_status toytop_launch_with_pauses(const struct toytop_top *top,
@@ -402,7 +402,7 @@ toytop_status toytop_motion_partials(const struct toytop_motion *motion,
 // Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion, or that it is aperiodic. After a refusal
 // every function that reads the table returns `TOYTOP_NOT_SET_UP`. A refusal of `table` or `size` changes nothing. `error` may be null.
 //
-// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
+// * `size`: bytes of the memory, `sizeof *table`, or the size for another number of segments (from 8 to 4096)
 toytop_status toytop_f32_set_up(struct toytop_ephemeris_f32 *table,
                                 uintptr_t size,
                                 const struct toytop_motion *motion,
@@ -412,7 +412,7 @@ toytop_status toytop_f32_set_up(struct toytop_ephemeris_f32 *table,
 // Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is refused. A
 // table has at least 8. The call costs what a set-up costs, and has no pauses.
 //
-// * `truncation`: allowed truncation error, rad; 0 stands for that of the scalar
+// * `truncation`: allowed truncation error, rad; 0 stands for the default of the scalar
 uint32_t toytop_f32_segments_needed(const struct toytop_motion *motion,
                                     double truncation);
 
@@ -421,7 +421,7 @@ uint32_t toytop_f32_segments_needed(const struct toytop_motion *motion,
 // Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion, or that it is aperiodic. After a refusal
 // every function that reads the table returns `TOYTOP_NOT_SET_UP`. A refusal of `table` or `size` changes nothing. `error` may be null.
 //
-// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
+// * `size`: bytes of the memory, `sizeof *table`, or the size for another number of segments (from 8 to 4096)
 toytop_status toytop_f64_set_up(struct toytop_ephemeris_f64 *table,
                                 uintptr_t size,
                                 const struct toytop_motion *motion,
@@ -431,7 +431,7 @@ toytop_status toytop_f64_set_up(struct toytop_ephemeris_f64 *table,
 // Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is refused. A
 // table has at least 8. The call costs what a set-up costs, and has no pauses.
 //
-// * `truncation`: allowed truncation error, rad; 0 stands for that of the scalar
+// * `truncation`: allowed truncation error, rad; 0 stands for the default of the scalar
 uint32_t toytop_f64_segments_needed(const struct toytop_motion *motion,
                                     double truncation);
 
@@ -440,7 +440,7 @@ uint32_t toytop_f64_segments_needed(const struct toytop_motion *motion,
 // Refusals name `tick` or `truncation`, or say that the segments are not enough for this motion, or that it is aperiodic. After a refusal
 // every function that reads the table returns `TOYTOP_NOT_SET_UP`. A refusal of `table` or `size` changes nothing. `error` may be null.
 //
-// * `size`: bytes of the memory, `sizeof *table` or that of more or fewer segments (from 8 to 4096)
+// * `size`: bytes of the memory, `sizeof *table`, or the size for another number of segments (from 8 to 4096)
 toytop_status toytop_q31_set_up(struct toytop_ephemeris_q31 *table,
                                 uintptr_t size,
                                 const struct toytop_motion *motion,
@@ -450,7 +450,7 @@ toytop_status toytop_q31_set_up(struct toytop_ephemeris_q31 *table,
 // Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is refused. A
 // table has at least 8. The call costs what a set-up costs, and has no pauses.
 //
-// * `truncation`: allowed truncation error, rad; 0 stands for that of the scalar
+// * `truncation`: allowed truncation error, rad; 0 stands for the default of the scalar
 uint32_t toytop_q31_segments_needed(const struct toytop_motion *motion,
                                     double truncation);
 
@@ -598,7 +598,7 @@ toytop_status toytop_q31_state(const struct toytop_ephemeris_sample *sample, str
 // Tick of the last sample of a cursor; before the first sample, the tick before it.
 toytop_status toytop_ephemeris_cursor_tick(const struct toytop_ephemeris_cursor *place, int64_t *tick);
 
-// Cursor whose first sample is that of tick `first`.
+// Cursor whose first sample is at tick `first`.
 toytop_status toytop_f32_cursor(const struct toytop_ephemeris_f32 *table,
                                 int64_t first,
                                 struct toytop_ephemeris_cursor *cursor);
@@ -613,7 +613,7 @@ toytop_status toytop_f32_next_quaternion(const struct toytop_ephemeris_f32 *tabl
                                          struct toytop_ephemeris_cursor *cursor,
                                          float *quaternion);
 
-// Cursor whose first sample is that of tick `first`.
+// Cursor whose first sample is at tick `first`.
 toytop_status toytop_f64_cursor(const struct toytop_ephemeris_f64 *table,
                                 int64_t first,
                                 struct toytop_ephemeris_cursor *cursor);
@@ -628,7 +628,7 @@ toytop_status toytop_f64_next_quaternion(const struct toytop_ephemeris_f64 *tabl
                                          struct toytop_ephemeris_cursor *cursor,
                                          double *quaternion);
 
-// Cursor whose first sample is that of tick `first`.
+// Cursor whose first sample is at tick `first`.
 toytop_status toytop_q31_cursor(const struct toytop_ephemeris_q31 *table,
                                 int64_t first,
                                 struct toytop_ephemeris_cursor *cursor);
