@@ -4,11 +4,11 @@
 //! |---|---|
 //! | [`stdout`] | report of a command, and its way to standard output |
 //! | [`progress`] | progress bar on stderr |
-//! | [`rows`] | rows of a result, computed on all processor cores |
+//! | [`parallel_rows`] | rows of a result, computed on all processor cores |
 //! | [`command_line`] | parser of the command line, and exit code |
 
+pub mod parallel_rows;
 pub mod progress;
-pub mod rows;
 pub mod stdout;
 
 pub mod command_line;

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`random`] | random numbers fixed by a seed |
 //! | [`text_file`] | text of a file |
-//! | `rows` | columns and rows of CSV files |
+//! | `csv_rows` | columns and rows of CSV files |
 //! | `units` | numbers with units |
 //! | `section` | table of a TOML file |
 //! | [`scenario`], [`builtin`] | motion from a TOML file; motions that need no file |
@@ -12,7 +12,7 @@
 pub mod random;
 pub mod text_file;
 
-pub(crate) mod rows;
+pub(crate) mod csv_rows;
 
 mod units;
 

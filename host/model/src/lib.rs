@@ -6,7 +6,7 @@
 //! | [`equations`] | full 3-D equations of motion |
 //! | [`constants`] | constants of a motion by name, and the ticks of its table |
 //! | [`aperiodic`] | aperiodic motion, which has no table, by its closed form |
-//! | [`span`] | time in which a motion shows its form |
+//! | [`picture_time`] | time in which a motion shows its form |
 //!
 //! The crate has no `std` and no allocator, because the page has none.
 
@@ -15,5 +15,5 @@
 pub mod aperiodic;
 pub mod constants;
 pub mod equations;
+pub mod picture_time;
 pub mod scenario;
-pub mod span;

@@ -10,8 +10,8 @@ use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
 use toytop::{Motion, ParameterError, Support};
 use toytop_model::constants::{MotionWithPeriod, number_constants, regime, tip_class};
+use toytop_model::picture_time::picture_time;
 use toytop_model::scenario::{self, SUPPORTS, top_parameters};
-use toytop_model::span::span;
 
 /// Points of a curve that one call computes at most.
 const POINTS: usize = 4096;
@@ -58,7 +58,7 @@ pub extern "C" fn launch(support: u32, kind: u32) -> i32 {
                 number_constants()
                     .map(|(_, value)| value(&motion))
                     .chain(table.error_bound())
-                    .chain([span(&motion, |t| table.at(t).1.modulus())]),
+                    .chain([picture_time(&motion, |t| table.at(t).1.modulus())]),
             );
             *MOTION.lock() = Some(*motion);
             write_words([regime(motion.regime()), tip_class(motion.tip_class())])

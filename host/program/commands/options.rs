@@ -65,7 +65,7 @@ pub fn positive(text: &str) -> Result<f64, &'static str> {
 }
 
 /// Two times, LOW..HIGH, s.
-pub fn span(text: &str) -> Result<[f64; 2], &'static str> {
+pub fn time_range(text: &str) -> Result<[f64; 2], &'static str> {
     let ends = text.split_once("..").and_then(|(from, until)| Some([finite(from)?, finite(until)?]));
     ends.filter(|[from, until]| from < until).ok_or("must be LOW..HIGH, two times in s")
 }

@@ -2,7 +2,7 @@
 
 use super::sensors::Sensors;
 use crate::input::text_file;
-use crate::input::{finite, rows};
+use crate::input::{csv_rows, finite};
 use crate::output::csv_line;
 use crate::{Failure, excerpt};
 use std::iter::once;
@@ -100,7 +100,7 @@ pub fn read(
     all: bool,
 ) -> Result<(Vec<Measurement>, Vec<String>), Failure> {
     let file = path.display().to_string();
-    let text = text_file::read(&file, path, rows::MAX_FILE_MIB)?;
+    let text = text_file::read(&file, path, csv_rows::MAX_FILE_MIB)?;
     parse(&text, sensors, all).map_err(|reason| Failure::Input(format!("{file}: {reason}")))
 }
 
@@ -118,7 +118,7 @@ fn unit_of(column: &str) -> &'static [&'static str] {
 }
 
 fn parse(text: &str, sensors: &mut Sensors, all: bool) -> Result<(Vec<Measurement>, Vec<String>), String> {
-    let (line, header, rows) = rows::parse(text, unit_of)?;
+    let (line, header, rows) = csv_rows::parse(text, unit_of)?;
     let in_header = |reason: String| format!("line {line}: {reason}");
     let index_of = |name: &str| header.iter().position(|column| column == name);
     let time = index_of("t").ok_or_else(|| in_header("must have a column t".to_owned()))?;

@@ -8,7 +8,7 @@ use crate::motion::sample::Sample;
 use crate::output::significant;
 use toytop::Motion;
 use toytop_model::constants::MotionWithPeriod;
-use toytop_model::span::{cycle, periods, span};
+use toytop_model::picture_time::{cycle, periods, picture_time};
 
 /// Motion between two times.
 pub struct MotionSpan {
@@ -48,7 +48,7 @@ impl MotionSpan {
             return Err(Failure::Input(format!("{from}..{until}: {reason}")));
         }
         let periods = periods(&constants).filter(|_| times.is_none());
-        let ends = times.unwrap_or_else(|| [0.0, span(&constants, |t| table.pose(t).tip.modulus())]);
+        let ends = times.unwrap_or_else(|| [0.0, picture_time(&constants, |t| table.pose(t).tip.modulus())]);
         Ok(Self { table, ends, periods, cycle })
     }
 

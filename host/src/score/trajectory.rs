@@ -1,7 +1,7 @@
 //! Trajectory of a CSV file: columns by name, and statements about the run in comment lines above the header.
 
+use crate::input::csv_rows;
 use crate::input::finite;
-use crate::input::rows;
 use crate::input::text_file;
 use crate::{Failure, excerpt};
 use csv::StringRecord;
@@ -55,7 +55,7 @@ impl Trajectory {
     /// of order.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.display().to_string();
-        match Self::parse(&text_file::read(&name, path, rows::MAX_FILE_MIB)?) {
+        match Self::parse(&text_file::read(&name, path, csv_rows::MAX_FILE_MIB)?) {
             Ok(trajectory) => Ok(Self { name, ..trajectory }),
             Err(reason) => Err(Failure::Input(format!("{name}: {reason}"))),
         }
@@ -76,7 +76,7 @@ impl Trajectory {
             stated(key).map(number).transpose()
         };
         let (step, evaluations) = (positive("step")?, positive("evaluations")?);
-        let (_, header, records) = rows::parse(text, unit_of)?;
+        let (_, header, records) = csv_rows::parse(text, unit_of)?;
         let has = |names: &[&str]| column_indices(&header, names).is_some();
         if !has(&["t"]) || !(has(&QUATERNION) || has(&ALPHA_BETA) || has(&MATRIX)) {
             let allowed = "t with w,x,y,z (body to fixed), alpha_re,alpha_im,beta_re,beta_im or r11,r12,...,r33 (by rows)";

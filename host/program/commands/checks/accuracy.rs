@@ -3,7 +3,7 @@
 use crate::commands::options::{Scalars, scalars};
 use crate::files::doc_page::DocPage;
 use crate::table::TextTable;
-use crate::terminal::rows::computed;
+use crate::terminal::parallel_rows::compute_all;
 use crate::terminal::stdout::Report;
 use clap::Args;
 use micromath::F32Ext;
@@ -126,7 +126,7 @@ fn errors_by_octave(scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
     let motions: Vec<_> = builtin::scenarios().iter().filter_map(input_of).collect();
     let errors = |motion: u64| errors_of_motion(&motions[motion as usize], scalars);
     let mut greatest = vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];
-    for errors in computed(motions.len() as u64, "motions", errors)? {
+    for errors in compute_all(motions.len() as u64, "motions", errors)? {
         greatest.iter_mut().flatten().zip(errors?.iter().flatten()).for_each(|(a, b)| *a = a.greater(*b));
     }
     Ok(greatest)

@@ -1,17 +1,17 @@
 //! `toytop state`: orientation, rates and tip at given times.
 
-mod rows;
+mod row_format;
 
 use crate::commands::options::{Method, hertz};
 use crate::commands::warnings;
 use crate::files::whole_file;
+use crate::terminal::parallel_rows::write_rows;
 use crate::terminal::progress::Progress;
-use crate::terminal::rows::write_rows;
 use crate::terminal::stdout;
 use crate::terminal::stdout::Report;
 use crate::times::{Times, TimesArgs};
 use clap::{ArgGroup, Args};
-use rows::Rows;
+use row_format::RowFormat;
 use std::path::PathBuf;
 use toytop::{Regime, Tick};
 use toytop_closed_forms::ClosedForm;
@@ -90,14 +90,14 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
         columns.extend(json_columns.iter().filter(|column| !arguments.columns.contains(column)));
     }
     let support = scenario.motion.top().support();
-    let rows = Rows { format, columns, units: scenario.units, support };
+    let row_format = RowFormat { format, columns, units: scenario.units, support };
     let count = times.seconds.len() as u64;
     let sample = sampler(arguments, &scenario, times, rate)?;
     // from here on the input cannot cause a failure
     stdout::write_or_file(arguments.output.as_deref(), |out| {
-        out.write_all(rows.head().as_bytes())?;
-        write_rows(count, &|index, bytes| bytes.extend(rows.row(index, &sample(index)).bytes()), out)?;
-        out.write_all(rows.end().as_bytes())
+        out.write_all(row_format.head().as_bytes())?;
+        write_rows(count, &|index, bytes| bytes.extend(row_format.row(index, &sample(index)).bytes()), out)?;
+        out.write_all(row_format.end().as_bytes())
     })?;
     Ok(Report::default().with_notes(warnings(&[scenario])))
 }

@@ -5,7 +5,7 @@ mod motions;
 
 use crate::axis::Axis;
 use crate::files::whole_file;
-use crate::terminal::rows::write_rows;
+use crate::terminal::parallel_rows::write_rows;
 use crate::terminal::stdout;
 use crate::terminal::stdout::Report;
 use clap::Args;

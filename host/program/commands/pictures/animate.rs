@@ -1,6 +1,6 @@
 //! `toytop animate`: a motion as a GIF.
 
-use crate::commands::options::{ending_in, span};
+use crate::commands::options::{ending_in, time_range};
 use crate::commands::warnings;
 use crate::drawing::film::Film;
 use crate::files::whole_file;
@@ -24,7 +24,7 @@ pub struct AnimateArgs {
     /// Scenario file
     scenario: PathBuf,
     /// Times to show, s; by default about one turn of the tip around the centre
-    #[arg(long, value_name = "LOW..HIGH", value_parser = span, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LOW..HIGH", value_parser = time_range, allow_hyphen_values = true)]
     times: Option<[f64; 2]>,
     /// Length of the film, s
     #[arg(long, value_name = "S", default_value_t = 6.0, value_parser = length)]

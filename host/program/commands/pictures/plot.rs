@@ -1,6 +1,6 @@
 //! `toytop plot`: pictures of a motion.
 
-use crate::commands::options::{PICTURE, ending_in, span};
+use crate::commands::options::{PICTURE, ending_in, time_range};
 use crate::commands::warnings;
 use crate::drawing::{self, charts, sphere, tip};
 use crate::terminal::stdout::Report;
@@ -29,7 +29,7 @@ pub struct PlotArgs {
     #[arg(long, default_value = "tip")]
     kind: PlotKind,
     /// Times to draw, s, at most 1000 nutation periods; by default about one turn of the tip around the centre
-    #[arg(long, value_name = "LOW..HIGH", value_parser = span, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LOW..HIGH", value_parser = time_range, allow_hyphen_values = true)]
     times: Option<[f64; 2]>,
     /// Width of the picture, pixels
     #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(100..=10_000))]

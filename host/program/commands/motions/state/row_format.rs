@@ -9,7 +9,7 @@ use toytop_host::motion::sample::Sample;
 use toytop_host::output::{Format, csv_line, json, significant};
 
 /// Columns of the rows, the units of their numbers, and the form in which they are written.
-pub struct Rows {
+pub struct RowFormat {
     /// Form of the output.
     pub format: Format,
     /// Columns in their order.
@@ -20,7 +20,7 @@ pub struct Rows {
     pub support: Support,
 }
 
-impl Rows {
+impl RowFormat {
     /// Text before the rows.
     pub fn head(&self) -> String {
         match self.format {

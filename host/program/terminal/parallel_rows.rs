@@ -49,7 +49,7 @@ pub fn write_rows(
 ///
 /// # Errors
 /// The failures of [`thread_pool`].
-pub fn computed<T: Send>(
+pub fn compute_all<T: Send>(
     count: u64,
     unit: &'static str,
     compute: impl Fn(u64) -> T + Sync,

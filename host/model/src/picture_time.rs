@@ -9,7 +9,7 @@ use toytop::scalar::Float;
 /// the tip of an aperiodic motion stays at the centre.
 ///
 /// * `tip_distance`: distance of the tip from the centre at a time, which only an aperiodic motion needs
-pub fn span(motion: &MotionWithPeriod, tip_distance: impl Fn(f64) -> f64) -> f64 {
+pub fn picture_time(motion: &MotionWithPeriod, tip_distance: impl Fn(f64) -> f64) -> f64 {
     if motion.regime() != Regime::Aperiodic {
         return cycle(motion) * f64::from(periods(motion).unwrap_or(1));
     }
