@@ -1,8 +1,8 @@
 //! Columns of samples: names, unit and numbers of a quantity.
 
 use super::euler_angles;
-use super::sample::Sample;
-use toytop::{Complex, Support};
+use super::sample::{Quantities, Sample};
+use toytop::{Complex, Pose, Support};
 
 /// Quantity of a sample, one number or several.
 #[derive(Clone, Copy, PartialEq)]
@@ -86,37 +86,32 @@ impl SampleColumn {
 
     /// Writes its numbers into a row of as many numbers as it has names. NaN stands for a number that does not exist.
     #[inline]
-    pub fn write(self, sample: &Sample, row: &mut [f64]) {
+    pub fn write(self, now: &(impl Quantities + ?Sized), row: &mut [f64]) {
         let mut put = |numbers: &[f64]| row.copy_from_slice(numbers);
         let parts = |z: Complex<f64>| [z.re, z.im];
-        let orientation = &sample.pose.orientation;
+        let orientation = || now.pose().orientation;
         match self {
-            Self::T => put(&[sample.t]),
-            Self::U => put(&[sample.pose.u]),
-            Self::Udot => put(&[sample.rates.udot]),
-            Self::Alpha => put(&parts(orientation.alpha)),
-            Self::Beta => put(&parts(orientation.beta)),
-            Self::Gamma => put(&parts(orientation.gamma())),
-            Self::Delta => put(&parts(orientation.delta())),
-            Self::Omega => put(&sample.rates.omega),
-            Self::Tip => put(&parts(sample.pose.tip)),
-            Self::TipAngle => put(&[sample.tip_angle.unwrap_or(f64::NAN)]),
-            Self::Quaternion => put(&orientation.quaternion()),
+            Self::T => put(&[now.t()]),
+            Self::U => put(&[now.pose().u]),
+            Self::Udot => put(&[now.udot()]),
+            Self::Alpha => put(&parts(orientation().alpha)),
+            Self::Beta => put(&parts(orientation().beta)),
+            Self::Gamma => put(&parts(orientation().gamma())),
+            Self::Delta => put(&parts(orientation().delta())),
+            Self::Omega => put(&now.omega()),
+            Self::Tip => put(&parts(now.pose().tip)),
+            Self::TipAngle => put(&[now.tip_angle().unwrap_or(f64::NAN)]),
+            Self::Quaternion => put(&orientation().quaternion()),
             Self::Axis => {
+                let Pose { orientation, u, .. } = now.pose();
                 let [x, y, _] = orientation.axis();
-                put(&[x, y, sample.pose.u]);
+                put(&[x, y, u]);
             }
-            Self::OmegaBody => put(&sample.rates.omega_body),
-            Self::Angles => put(&euler_angles::tilt_azimuth_roll(orientation)),
-            Self::EulerZxz => put(&euler_angles::zxz(orientation)),
-            Self::ErrorBound => put(&[sample.error_bound.unwrap_or(f64::NAN)]),
+            Self::OmegaBody => put(&now.omega_body()),
+            Self::Angles => put(&euler_angles::tilt_azimuth_roll(&orientation())),
+            Self::EulerZxz => put(&euler_angles::zxz(&orientation())),
+            Self::ErrorBound => put(&[now.error_bound().unwrap_or(f64::NAN)]),
         }
-    }
-
-    /// Whether its numbers follow from orientation, u and tip.
-    pub fn needs_pose(self) -> bool {
-        use SampleColumn::{ErrorBound, Omega, OmegaBody, T, TipAngle, Udot};
-        !matches!(self, T | Udot | Omega | OmegaBody | TipAngle | ErrorBound)
     }
 
     /// Key of JSON.

@@ -12,7 +12,7 @@ pub use events::{EventKind, EventQuery, MotionEvent};
 pub use heap_table::{HeapTable, TableScalar};
 
 use crate::motion::column::SampleColumn;
-use crate::motion::sample::Sample;
+use crate::motion::sample::{Quantities, Sample};
 use events::Condition;
 use std::f64::consts::TAU;
 use toytop::{ErrorBound, Motion, ParameterError, Phase, Pose};
@@ -31,26 +31,12 @@ pub struct MotionEphemeris {
     source: Box<dyn Source>,
 }
 
-/// Time at which a motion is evaluated, taken as exact.
-#[derive(Clone, Copy)]
-enum Instant {
-    /// Units of time after t = 0.
-    Time(f64),
-    /// Number of a tick.
-    Tick(i64),
-}
-
 /// Table or closed form that computes samples and events.
 trait Source: Send + Sync {
-    /// Sample at an instant, of which only the numbers of one column have to be right; without a column, all.
-    fn sample(&self, instant: Instant, only: Option<SampleColumn>) -> Sample;
-
-    /// Writes one column at each time.
-    fn write(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
-        for (t, row) in times.iter().zip(rows.chunks_exact_mut(column.names().len())) {
-            column.write(&self.sample(Instant::Time(*t), Some(column)), row);
-        }
-    }
+    /// Calls `visit` with the motion at the time t, taken as exact.
+    ///
+    /// * `tick`: number of the tick at this time, if it is one
+    fn visit(&self, t: f64, tick: Option<i64>, visit: &mut dyn FnMut(&dyn Quantities));
 
     /// First events at which a condition holds, of those that the query includes.
     fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent>;
@@ -64,22 +50,30 @@ impl MotionEphemeris {
 
     /// Sample t units of time after t = 0, t taken as exact.
     pub fn at(&self, t: f64) -> Sample {
-        self.source.sample(Instant::Time(t), None)
+        self.read(t, None, Sample::new)
     }
 
     /// Sample at tick n.
     pub fn at_tick(&self, n: i64) -> Sample {
-        self.source.sample(Instant::Tick(n), None)
+        self.read(n as f64 / self.ticks_per_time, Some(n), Sample::new)
     }
 
     /// Orientation, u and tip t units of time after t = 0.
     pub fn pose(&self, t: f64) -> Pose<f64, f64> {
-        self.source.sample(Instant::Time(t), Some(SampleColumn::Tip)).pose
+        self.read(t, None, |now| now.pose())
     }
 
     /// Writes one column at each time, and computes no other.
     pub fn write(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
-        self.source.write(column, times, rows);
+        for (t, row) in times.iter().zip(rows.chunks_exact_mut(column.names().len())) {
+            self.source.visit(*t, None, &mut |now| column.write(now, row));
+        }
+    }
+
+    fn read<T>(&self, t: f64, tick: Option<i64>, read: impl Fn(&dyn Quantities) -> T) -> T {
+        let mut result = None;
+        self.source.visit(t, tick, &mut |now| result = Some(read(now)));
+        result.expect("every instant is visited")
     }
 }
 

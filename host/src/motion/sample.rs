@@ -4,6 +4,18 @@ use toytop::scalar::Real;
 use toytop::{AttitudeState, Complex, Orientation, Pose};
 use toytop_model::equations::Rates;
 
+/// Motion at one time: each quantity is computed when it is asked for. The fields of [`Sample`] describe them.
+#[expect(missing_docs)]
+pub trait Quantities {
+    fn t(&self) -> f64;
+    fn pose(&self) -> Pose<f64, f64>;
+    fn omega(&self) -> [f64; 3];
+    fn omega_body(&self) -> [f64; 3];
+    fn udot(&self) -> f64;
+    fn tip_angle(&self) -> Option<f64>;
+    fn error_bound(&self) -> Option<f64>;
+}
+
 /// Motion at one time in `f64`.
 #[derive(Clone, Copy)]
 pub struct Sample {
@@ -19,7 +31,44 @@ pub struct Sample {
     pub error_bound: Option<f64>,
 }
 
+impl Quantities for Sample {
+    fn t(&self) -> f64 {
+        self.t
+    }
+
+    fn pose(&self) -> Pose<f64, f64> {
+        self.pose
+    }
+
+    fn omega(&self) -> [f64; 3] {
+        self.rates.omega
+    }
+
+    fn omega_body(&self) -> [f64; 3] {
+        self.rates.omega_body
+    }
+
+    fn udot(&self) -> f64 {
+        self.rates.udot
+    }
+
+    fn tip_angle(&self) -> Option<f64> {
+        self.tip_angle
+    }
+
+    fn error_bound(&self) -> Option<f64> {
+        self.error_bound
+    }
+}
+
 impl Sample {
+    /// Sample with all quantities.
+    pub fn new(now: &dyn Quantities) -> Self {
+        let rates = Rates { omega: now.omega(), omega_body: now.omega_body(), udot: now.udot() };
+        let (tip_angle, error_bound) = (now.tip_angle(), now.error_bound());
+        Self { t: now.t(), pose: now.pose(), rates, tip_angle, error_bound }
+    }
+
     /// Sample of an attitude state of the core at time t.
     pub fn from_state<R: Real>(
         t: f64,

@@ -119,11 +119,11 @@ fn table(motions: &[Vec<Comparison<'_>>], periods: u32) -> String {
             significant(rows.iter().filter_map(value).fold(0.0, f64::max), 1)
         };
         let errors = rows.iter().map(|row| or_dash(row.max_orientation_error_rad, |x| significant(x, 1)));
-        let worst = rows.iter().map(|row| row.verdict).max().unwrap_or_default();
+        let worst: &str = rows.iter().map(|row| row.verdict).max().unwrap_or_default().into();
         let summary = [
             greatest(|row| Some(row.max_orientation_error_rad? / row.bound_rad?)),
             greatest(|row| row.ns.filter(|_| row.table.is_some())),
-            worst.word().to_owned(),
+            worst.to_owned(),
         ];
         let name = rows.first().map_or("", |row| row.motion).to_owned();
         once(name).chain(errors).chain(summary).collect()
@@ -156,7 +156,7 @@ fn compare<'a>(
     let (time, remark) = compared_time(motion, periods);
     notes.extend(remark.map(|remark| format!("{name}: {remark}")));
     let times = spread_times(time, SAMPLES * periods);
-    let mut cache = SolverCache::default();
+    let exact = full_equations::states(scenario, &times)?;
     let mut rows = Vec::new();
     for (method, scalar) in PROPAGATORS {
         if !arguments.scalar.0.contains(&scalar) {
@@ -171,7 +171,7 @@ fn compare<'a>(
             notes.push(format!("{name} {}: {failure}", scalar.name()));
             Run::default()
         });
-        let errors = cache.errors(scenario, &run.samples)?;
+        let errors = greatest_errors(scenario, &run.samples, &times, &exact)?;
         let error = |value: fn(&Errors) -> f64| errors.as_ref().map(value);
         let bound_rad = bound(motion, (method, scalar), periods, tighter, run.table_bound);
         rows.push(Comparison {
@@ -245,27 +245,20 @@ fn run_ephemeris(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, 
     Ok(Run { samples, table: Some(format!("{segments}x{terms}")), table_bound, ns: Some(ns), steps: None })
 }
 
-/// States of the full solver at the times of the last run, for the next one with the same times.
-#[derive(Default)]
-struct SolverCache {
-    times: Vec<f64>,
-    states: Vec<FullState>,
-}
-
-impl SolverCache {
-    /// Greatest errors of samples, at the times that they have reached: an f32 step misses the requested one. `None` without samples.
-    fn errors(&mut self, scenario: &Scenario, samples: &[Sample]) -> Result<Option<Errors>, Failure> {
-        if samples.is_empty() {
-            return Ok(None);
-        }
-        let times: Vec<f64> = samples.iter().map(|sample| sample.t).collect();
-        if times != self.times {
-            self.states = full_equations::states(scenario, &times)?;
-            self.times = times;
-        }
-        let error = |(sample, state): (&Sample, &FullState)| {
-            Errors::between(&scenario.motion, sample, &state.orientation())
-        };
-        Ok(samples.iter().zip(&self.states).map(error).reduce(Errors::greater))
-    }
+/// Greatest errors of samples, at the times that they have reached: an f32 step misses the requested one. `None` without samples.
+///
+/// * `exact`: states of the full solver at `times`
+fn greatest_errors(
+    scenario: &Scenario,
+    samples: &[Sample],
+    times: &[f64],
+    exact: &[FullState],
+) -> Result<Option<Errors>, Failure> {
+    let reached: Vec<f64> = samples.iter().map(|sample| sample.t).collect();
+    let own = if reached == times { Vec::new() } else { full_equations::states(scenario, &reached)? };
+    let states = if own.is_empty() { exact } else { &own };
+    let error = |(sample, state): (&Sample, &FullState)| {
+        Errors::between(&scenario.motion, sample, &state.orientation())
+    };
+    Ok(samples.iter().zip(states).map(error).reduce(Errors::greater))
 }

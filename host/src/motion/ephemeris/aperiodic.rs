@@ -1,9 +1,8 @@
 //! Aperiodic motion as an ephemeris: its closed form takes the place of a table.
 
 use super::events::Condition;
-use super::{EventQuery, Instant, MotionEphemeris, MotionEvent, Source, unwrapped};
-use crate::motion::column::SampleColumn;
-use crate::motion::sample::Sample;
+use super::{EventQuery, MotionEphemeris, MotionEvent, Source, unwrapped};
+use crate::motion::sample::{Quantities, Sample};
 use std::f64::consts::TAU;
 use toytop::ErrorBound;
 use toytop_model::aperiodic::AperiodicMotion;
@@ -81,18 +80,17 @@ fn root(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
     }
 }
 
-impl Source for ClosedFormSource {
-    fn sample(&self, instant: Instant, _: Option<SampleColumn>) -> Sample {
-        let rate = self.motion.ticks_per_time;
-        let t = match instant {
-            Instant::Time(t) => t,
-            Instant::Tick(n) => n as f64 / rate,
-        };
+impl ClosedFormSource {
+    fn sample(&self, t: f64) -> Sample {
         let (state, tip) = self.motion.at(t);
-        Sample {
-            error_bound: Some(self.motion.error_bound().after(t * rate)),
-            ..Sample::from_state(t, &state, tip, Some(self.tip_angle(t)))
-        }
+        let error = self.motion.error_bound().after(t * self.motion.ticks_per_time);
+        Sample { error_bound: Some(error), ..Sample::from_state(t, &state, tip, Some(self.tip_angle(t))) }
+    }
+}
+
+impl Source for ClosedFormSource {
+    fn visit(&self, t: f64, _: Option<i64>, visit: &mut dyn FnMut(&dyn Quantities)) {
+        visit(&self.sample(t));
     }
 
     /// Events while the axis is not upright to a rounding: places at which the integer part of a function of time changes.
@@ -117,7 +115,7 @@ impl Source for ClosedFormSource {
                 // at the lowest point u is least
                 let upward = sense > 0.0 && condition != Condition::Turning;
                 if query.includes(t, upward) {
-                    events.push(MotionEvent::new(condition, t, upward, self.sample(Instant::Time(t), None)));
+                    events.push(MotionEvent::new(condition, t, upward, self.sample(t)));
                 }
             }
             (time, before) = (next, after);

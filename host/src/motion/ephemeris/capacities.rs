@@ -1,42 +1,23 @@
 //! Choice among the capacities that a table may have.
 
 use super::aperiodic::ClosedFormSource;
+use super::heap_table::{Capacity, capacity};
 use super::{HeapTable, MotionEphemeris, TableScalar};
 use crate::Failure;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
-use toytop::{Ephemeris, EphemerisMemory, Motion, Regime, SetUpError, Table, TableSettings, Tick, Workspace};
+use toytop::{Motion, Regime, SetUpError, Table, TableSettings, Tick, Workspace};
 use toytop_model::constants::MotionWithPeriod;
 
-type Memory<R> = Box<EphemerisMemory<Table<R>>>;
-
-/// Number of segments of a table, and function that makes its memory.
-type Capacity<R> = (u32, fn() -> Memory<R>);
-
-/// Capacities that a table may have, in ascending order.
-fn capacities<R: TableScalar>() -> [Capacity<R>; 12] {
-    fn memory<R: TableScalar, const SEGMENTS: usize>() -> Memory<R> {
-        Box::new(EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new())
+/// Capacities that a table may have, in ascending order: powers of two, and the capacity of the core's own type.
+fn capacities<R: TableScalar>() -> Vec<Capacity<R>> {
+    macro_rules! capacities {
+        ($($segments:literal)*) => { vec![R::own_capacity(), $(capacity::<R, $segments>()),*] };
     }
-    [
-        (8, memory::<R, 8>),
-        (16, memory::<R, 16>),
-        (25, memory::<R, 25>),
-        (32, memory::<R, 32>),
-        (48, memory::<R, 48>),
-        (64, memory::<R, 64>),
-        (128, memory::<R, 128>),
-        (256, memory::<R, 256>),
-        (512, memory::<R, 512>),
-        (1024, memory::<R, 1024>),
-        (2048, memory::<R, 2048>),
-        (4096, memory::<R, 4096>),
-    ]
-}
-
-/// Whether a user may choose this number of segments.
-fn is_offered<R: TableScalar>(segments: u32) -> bool {
-    segments.is_power_of_two() || segments == R::SEGMENTS
+    let mut capacities = capacities!(8 16 32 64 128 256 512 1024 2048 4096);
+    capacities.sort_by_key(|(segments, _)| *segments);
+    capacities.dedup_by_key(|(segments, _)| *segments);
+    capacities
 }
 
 /// As [`ephemeris_with`], with its default tick and truncation error.
@@ -89,15 +70,16 @@ impl<R: TableScalar> HeapTable<R> {
     /// # Errors
     /// [`Failure::Input`]: no table has this many segments. [`Failure::Method`]: they are too few; the message states a sufficient capacity.
     pub fn with_segments(motion: &Motion, tick: Tick, segments: Option<u32>) -> Result<Self, Failure> {
-        let offered =
-            capacities::<R>().map(|(capacity, _)| capacity).into_iter().filter(|&n| is_offered::<R>(n));
-        if let Some(segments) = segments.filter(|segments| !offered.clone().any(|n| n == *segments)) {
+        let offered = capacities::<R>().into_iter().map(|(capacity, _)| capacity);
+        if let Some(segments) = segments
+            && !offered.clone().any(|capacity| capacity == segments)
+        {
             let names = offered.map(|n| n.to_string()).collect::<Vec<_>>().join(", ");
             return Err(Failure::Input(format!("{segments}: must be one of {names}")));
         }
-        Self::smallest(motion, TableSettings::new(tick), |capacity| match segments {
-            None => is_offered::<R>(capacity) && capacity >= R::SEGMENTS,
-            Some(segments) => capacity == segments,
+        let (own, _) = R::own_capacity();
+        Self::smallest(motion, TableSettings::new(tick), |capacity| {
+            segments.map_or(capacity >= own, |segments| capacity == segments)
         })
     }
 
@@ -110,16 +92,15 @@ impl<R: TableScalar> HeapTable<R> {
         let truncation = settings.truncation.unwrap_or(R::TRUNCATION);
         let needed = Table::<R>::segments_needed(motion, truncation).unwrap_or(u32::MAX);
         let capacities = capacities::<R>();
-        let [.., largest] = &capacities;
+        let is_enough = |(capacity, _): &&Capacity<R>| *capacity >= needed;
         let allowed = || capacities.iter().filter(|(capacity, _)| is_allowed(*capacity));
-        let (_, memory) = allowed().find(|(n, _)| *n >= needed).or(allowed().last()).unwrap_or(largest);
+        let (_, memory) = allowed().find(is_enough).or(allowed().last()).expect("4096 is a power of two");
         let mut memory = memory();
         let failure = |error| {
-            let enough = capacities.iter().find(|(n, _)| is_offered::<R>(*n) && *n >= needed);
-            let hint = match enough {
+            let hint = match capacities.iter().find(is_enough) {
                 _ if !matches!(error, SetUpError::TableTooSmall { .. }) => String::new(),
                 Some((n, _)) => format!("; at least {n} segments would be enough"),
-                None => format!("; not even {} segments of this degree would be enough", largest.0),
+                None => "; not even 4096 segments of this degree would be enough".to_owned(),
             };
             Failure::Method(format!("no ephemeris: {error}{hint}"))
         };

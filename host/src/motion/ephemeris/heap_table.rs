@@ -1,14 +1,12 @@
 //! Table of the core on the heap, as a source of samples.
 
 use super::events::{self, Condition};
-use super::{EventQuery, Instant, MotionEphemeris, MotionEvent, Source, unwrapped};
+use super::{EventQuery, MotionEphemeris, MotionEvent, Source, unwrapped};
 use crate::motion::Scalar;
-use crate::motion::column::SampleColumn;
-use crate::motion::sample::Sample;
+use crate::motion::sample::{Quantities, Sample};
 use fixed::types::{I2F14, I2F30};
 use toytop::scalar::Float;
-use toytop::{Complex, EphemerisMemory, EphemerisScalar, Orientation, Pose, Table};
-use toytop_model::equations::Rates;
+use toytop::{Complex, Ephemeris, EphemerisMemory, EphemerisScalar, Orientation, Pose, Table};
 
 /// Scalar of the core with its name and the capacity of its own table.
 pub trait TableScalar:
@@ -17,18 +15,29 @@ pub trait TableScalar:
     /// Scalar on the command line.
     const SCALAR: Scalar;
 
-    /// Segments of the core's own type of table, which fits most motions.
-    const SEGMENTS: u32;
+    /// Capacity of the core's own type of table, which fits most motions.
+    fn own_capacity() -> Capacity<Self>;
 
     /// Checksum of a table.
     fn crc32(table: &Table<Self>) -> u32;
+}
+
+/// Number of segments of a table, and function that makes its memory.
+pub type Capacity<R> = (u32, fn() -> Box<EphemerisMemory<Table<R>>>);
+
+/// Capacity of this number of segments.
+pub(super) fn capacity<R: TableScalar, const SEGMENTS: usize>() -> Capacity<R> {
+    (SEGMENTS as u32, || Box::new(EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new()))
 }
 
 macro_rules! table_scalar {
     ($($scalar:ty: $name:ident, $segments:literal;)*) => { $(
         impl TableScalar for $scalar {
             const SCALAR: Scalar = Scalar::$name;
-            const SEGMENTS: u32 = $segments;
+
+            fn own_capacity() -> Capacity<Self> {
+                capacity::<_, $segments>()
+            }
 
             fn crc32(table: &Table<Self>) -> u32 {
                 table.crc32()
@@ -68,53 +77,55 @@ impl<R: TableScalar> HeapTable<R> {
 }
 
 impl<R: TableScalar> Source for HeapTable<R> {
-    fn sample(&self, instant: Instant, only: Option<SampleColumn>) -> Sample {
+    fn visit(&self, t: f64, tick: Option<i64>, visit: &mut dyn FnMut(&dyn Quantities)) {
         let table = self.table();
-        let [rate, _] = table.clock().ticks_per_time;
-        match instant {
-            Instant::Time(t) => sample(table, &table.at(t), [t, t * rate], only),
-            Instant::Tick(n) => sample(table, &table.at_tick(n), [n as f64 / rate, n as f64], only),
-        }
+        let now = tick.map_or_else(|| table.at(t), |n| table.at_tick(n));
+        visit(&TableSample { table, now, t });
     }
 
     fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
         let table = self.table();
-        let [rate, _] = table.clock().ticks_per_time;
-        let sample = |event: &_, t| sample(table, &table.at_event(event), [t, t * rate], None);
-        events::table_events(table, condition, query, sample)
+        events::table_events(table, condition, query, |event, t| {
+            Sample::new(&TableSample { table, now: table.at_event(event), t })
+        })
     }
 }
 
-/// Sample of a table. With a column, NaN stands for numbers that it does not need.
-///
-/// * `ticks`: the time t in ticks
-#[inline]
-fn sample<R: TableScalar>(
-    table: &Table<R>,
-    now: &toytop::Sample<'_, R>,
-    [t, ticks]: [f64; 2],
-    only: Option<SampleColumn>,
-) -> Sample {
-    const ABSENT: Complex<f64> = Complex::new(f64::NAN, f64::NAN);
-    const NO_POSE: Pose<f64, f64> =
-        Pose { orientation: Orientation { alpha: ABSENT, beta: ABSENT }, u: f64::NAN, tip: ABSENT };
-    let needs = |column| only.is_none_or(|only| only == column);
-    let vector = |x: [R::Quantity; 3]| x.map(Float::to_f64);
-    let [omega, omega_body] = [SampleColumn::Omega, SampleColumn::OmegaBody].map(needs);
-    Sample {
-        t,
-        pose: if only.is_none_or(SampleColumn::needs_pose) { widened(now.pose()) } else { NO_POSE },
-        rates: Rates {
-            omega: if omega { vector(now.omega()) } else { [f64::NAN; 3] },
-            omega_body: if omega_body { vector(now.omega_body()) } else { [f64::NAN; 3] },
-            udot: if needs(SampleColumn::Udot) { now.udot().to_f64() } else { f64::NAN },
-        },
-        tip_angle: if needs(SampleColumn::TipAngle) {
-            now.tip_angle().map(|angle| unwrapped(angle, table.mean_tip_angle_rate() * t))
-        } else {
-            None
-        },
-        error_bound: Some(table.error_bound().after(ticks)),
+/// Sample of a table at the time t.
+struct TableSample<'a, R: TableScalar> {
+    table: &'a Table<R>,
+    now: toytop::Sample<'a, R>,
+    t: f64,
+}
+
+impl<R: TableScalar> Quantities for TableSample<'_, R> {
+    fn t(&self) -> f64 {
+        self.t
+    }
+
+    fn pose(&self) -> Pose<f64, f64> {
+        widened(self.now.pose())
+    }
+
+    fn omega(&self) -> [f64; 3] {
+        self.now.omega().map(Float::to_f64)
+    }
+
+    fn omega_body(&self) -> [f64; 3] {
+        self.now.omega_body().map(Float::to_f64)
+    }
+
+    fn udot(&self) -> f64 {
+        self.now.udot().to_f64()
+    }
+
+    fn tip_angle(&self) -> Option<f64> {
+        self.now.tip_angle().map(|angle| unwrapped(angle, self.table.mean_tip_angle_rate() * self.t))
+    }
+
+    fn error_bound(&self) -> Option<f64> {
+        let [rate, _] = self.table.clock().ticks_per_time;
+        Some(self.table.error_bound().after(self.t * rate))
     }
 }
 

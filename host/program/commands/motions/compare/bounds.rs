@@ -1,7 +1,7 @@
 //! Bounds on the errors of the core, the verdict by a bound, and the time over which the core is compared.
 
 use crate::commands::options::Method;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 use toytop::{Motion, Regime};
 use toytop_host::motion::{MotionWithPeriod, Scalar};
 
@@ -105,7 +105,8 @@ pub fn compared_time(motion: &Motion, periods: u32) -> (f64, Option<String>) {
 }
 
 /// Verdict on an error, from the best to the worst.
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(into = "&'static str")]
 pub enum Verdict {
     /// Error within its bound.
     #[default]
@@ -128,20 +129,16 @@ impl Verdict {
             _ => Self::Missed,
         }
     }
-
-    /// Word of the output.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Kept => "ok",
-            Self::Unbounded => "no bound",
-            Self::NoTable => "no table",
-            Self::Missed => "MISS",
-        }
-    }
 }
 
-impl Serialize for Verdict {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.word())
+/// Word of the output.
+impl From<Verdict> for &'static str {
+    fn from(verdict: Verdict) -> Self {
+        match verdict {
+            Verdict::Kept => "ok",
+            Verdict::Unbounded => "no bound",
+            Verdict::NoTable => "no table",
+            Verdict::Missed => "MISS",
+        }
     }
 }
