@@ -26,7 +26,7 @@ mod samples {
 /// Output of other integrators, and problems to test them with.
 mod integrators {
     pub mod benchmark;
-    mod problems;
+    mod problem_files;
     pub mod score;
 }
 /// Checks of toytop itself: errors of the core and of the paper, computing times, costs on chips.

@@ -12,6 +12,7 @@ mod rotations {
 /// From a launch to the stepper: constants, kinds of motion, first integrals, the tip.
 mod motion {
     mod conditioning;
+    mod from_launch_to_table;
     mod invariants;
     #[cfg(feature = "host")]
     mod lagrangian;
@@ -19,7 +20,6 @@ mod motion {
     mod other_tops;
     pub(crate) mod properties;
     mod regimes;
-    mod stages;
     mod stepper_order;
     mod tip_curve;
     mod vertical;
@@ -27,11 +27,11 @@ mod motion {
 
 /// Tables: accuracy in every scalar, their clock, their memory.
 mod table {
-    mod access;
     mod baked;
     mod bounds;
     mod clock;
     mod rates;
+    mod samples;
     mod set_up;
     mod tip_angle;
     mod truth;
@@ -72,8 +72,8 @@ mod fit {
 
 /// Refused input, and input of the fuzzer.
 mod errors {
+    mod any_input;
     mod fuzz_regressions;
-    mod hostile;
     mod refusals;
 }
 

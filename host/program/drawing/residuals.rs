@@ -16,7 +16,7 @@ const OUTLIER: f64 = 3.0;
 /// Residuals in standard deviations: a strip for each sensor, with a dot for each sample and lines at ±3. Saturated
 /// readings are left out.
 pub fn draw(report: &FitResult, measurements: &[Measurement]) -> Scene {
-    let found = report.residuals(measurements);
+    let residuals = report.residuals(measurements);
     let ends = ends_of(measurements);
     let level = |x: f64| {
         LinePlot::new().with_data(ends.map(|t| (t, x))).with_color(BOUND).with_stroke_width(0.8).into()
@@ -26,7 +26,7 @@ pub fn draw(report: &FitResult, measurements: &[Measurement]) -> Scene {
         let mut strip: Vec<Plot> = vec![level(OUTLIER), level(-OUTLIER)];
         let mut furthest = 4.0;
         for (k, (name, color)) in setup.kind.residuals().iter().zip(COLORS).enumerate() {
-            let of_sensor = measurements.iter().zip(&found).filter(|(sample, _)| sample.sensor == sensor);
+            let of_sensor = measurements.iter().zip(&residuals).filter(|(sample, _)| sample.sensor == sensor);
             let points = of_sensor.map(|(sample, residual)| (sample.time, residual[k]));
             let points: Vec<_> = points.filter(|(_, residual)| residual.is_finite()).collect();
             if !points.is_empty() {

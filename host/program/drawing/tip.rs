@@ -47,8 +47,8 @@ pub fn draw(scenario: &Scenario, span: &MotionSpan) -> Scene {
     let mut caption_at = |content: &str, place: [f64; 2], size: u32| {
         text(&mut scene, content, place, size, TextAnchor::Middle, CAPTION);
     };
-    let seen = ": seen from above, the end of a unit vector along the axis";
-    for (line, y) in caption(scenario, span, seen).iter().zip([51.0, 67.0]) {
+    let view = ": seen from above, the end of a unit vector along the axis";
+    for (line, y) in caption(scenario, span, view).iter().zip([51.0, 67.0]) {
         caption_at(line, [middle, y], 12);
     }
     if curve.circles.is_empty() {
@@ -62,8 +62,8 @@ pub fn draw(scenario: &Scenario, span: &MotionSpan) -> Scene {
     scene
 }
 
-/// Caption of the curve of the tip or the axis, two lines: its class and numbers of the scenario; for a held tip, `seen` states what is drawn.
-pub fn caption(scenario: &Scenario, span: &MotionSpan, seen: &str) -> [String; 2] {
+/// Caption of the curve of the tip or the axis, two lines: its class and numbers of the scenario; for a held tip, `view` states what is drawn.
+pub fn caption(scenario: &Scenario, span: &MotionSpan, view: &str) -> [String; 2] {
     let motion = &scenario.motion;
     let (top, e, signs) = (motion.top(), motion.branch_points(), motion.signs());
     let class = tip_class(motion.tip_class()).replace('_', " ");
@@ -89,7 +89,7 @@ pub fn caption(scenario: &Scenario, span: &MotionSpan, seen: &str) -> [String; 2
         Support::Free => "free body",
         Support::Fixed => "tip held",
     };
-    [format!("{roots}, {ratio}"), format!("{signs}, {support}{seen}")]
+    [format!("{roots}, {ratio}"), format!("{signs}, {support}{view}")]
 }
 
 /// Head of an arrow on the curve, near its start; none where the curve is a point.

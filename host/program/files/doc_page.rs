@@ -23,8 +23,8 @@ impl DocPage {
         let text = text_file::read(&page, &path, 16)?;
         let name = mark.split_once(": ").map_or(mark, |(_, name)| name);
         let [begin, end] = [format!("<!-- {mark} -->\n"), format!("<!-- end of {name} -->\n")];
-        let found = text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?)));
-        let (before, (_, after)) = found.ok_or_else(|| {
+        let parts = text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?)));
+        let (before, (_, after)) = parts.ok_or_else(|| {
             Failure::Input(format!("{page}: must hold the lines {} and {}", begin.trim(), end.trim()))
         })?;
         Ok(Self { path, around: [before.to_owned() + &begin, end + after] })
@@ -45,9 +45,9 @@ impl DocPage {
 /// # Errors
 /// [`Failure::Input`], with `option` in front: there is none.
 pub fn repository(option: &str, path: &str) -> Result<PathBuf, Failure> {
-    let here = std::env::current_dir()
+    let folder = std::env::current_dir()
         .map_err(|error| Failure::Input(format!("{option}: current folder: {error}")))?;
-    let root = here.ancestors().find(|folder| folder.join(path).exists());
+    let root = folder.ancestors().find(|root| root.join(path).exists());
     root.map(PathBuf::from)
         .ok_or_else(|| Failure::Input(format!("{option}: needs {path} in the current folder or one above")))
 }

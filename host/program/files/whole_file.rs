@@ -86,9 +86,9 @@ fn link_target(path: &Path) -> PathBuf {
 /// # Errors
 /// [`Failure::Input`].
 pub fn require_other(option: &str, output: Option<&Path>, inputs: &[Option<&Path>]) -> Result<(), Failure> {
-    let found = |path: &Path| fs::canonicalize(path).ok().filter(|path| path.is_file());
-    let Some(target) = output.and_then(found) else { return Ok(()) };
-    if inputs.iter().flatten().any(|input| found(input).as_ref() == Some(&target)) {
+    let existing = |path: &Path| fs::canonicalize(path).ok().filter(|path| path.is_file());
+    let Some(target) = output.and_then(existing) else { return Ok(()) };
+    if inputs.iter().flatten().any(|input| existing(input).as_ref() == Some(&target)) {
         let name = target.display();
         return Err(Failure::Input(format!("{option}: {name}: must not be a file that the command reads")));
     }

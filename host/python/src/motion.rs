@@ -2,9 +2,9 @@
 
 mod changes;
 mod events;
-mod other_methods;
+mod truth_and_closed_form;
 
-pub(crate) use other_methods::ClosedFormCore;
+pub(crate) use truth_and_closed_form::ClosedFormCore;
 
 use crate::arguments::{NumericArg, failed, renamed, value_error, within};
 use crate::samples::{Sampler, SharedEphemeris, Source};

@@ -189,7 +189,7 @@ pub(crate) fn scenario(name: &str, content: &str) -> String {
 }
 
 /// Scenario file of a motion for which no table is large enough: A/(ps) = 1e-6 near both verticals.
-pub(crate) fn needle(name: &str) -> String {
+pub(crate) fn motion_without_table(name: &str) -> String {
     scenario(name, &slender([-0.999_999, 0.999_999, 1.18], ["6e-7", "5.5e-7"]))
 }
 

@@ -10,9 +10,9 @@ mod motions {
     /// Tables in C and in Rust.
     mod bake {
         mod c;
-        pub(crate) mod cases;
-        mod compiled;
-        mod contents;
+        pub(crate) mod expected_bits;
+        mod files;
+        mod rust;
     }
     mod compare;
     mod constants;
@@ -33,7 +33,7 @@ mod pictures {
 
 /// Launches fitted to samples.
 mod samples {
-    mod from_samples;
+    mod fit;
 }
 
 /// Scores of trajectories, and the problems that integrators are tested with.

@@ -170,10 +170,10 @@ const TARGETS: [&str; 3] = ["launch", "ephemeris", "fixed"];
 pub(crate) fn fuzz() -> Result<String> {
     let fuzz = "cargo +nightly fuzz run --sanitizer none --fuzz-dir tests/fuzz";
     for target in TARGETS {
-        let found = root().join("tests/fuzz/target/corpus").join(target);
-        fs::create_dir_all(&found)?;
+        let corpus = root().join("tests/fuzz/target/corpus").join(target);
+        fs::create_dir_all(&corpus)?;
         let mut search = command(".", &format!("{fuzz} {target}"));
-        search.arg(&found).arg(format!("tests/fuzz/seeds/{target}"));
+        search.arg(&corpus).arg(format!("tests/fuzz/seeds/{target}"));
         search.args(["--", "-max_total_time=10", "-timeout=60", "-max_len=400", "-len_control=0", "-seed=1"]);
         let ended = run_within(&mut search, Duration::from_secs(900))?;
         if !ended.success {

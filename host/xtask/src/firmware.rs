@@ -65,8 +65,8 @@ struct Run {
 impl Program {
     fn named(name: &str) -> Result<&'static Self> {
         let names = || PROGRAMS.iter().map(|program| program.name).collect::<Vec<_>>().join(" ");
-        let found = PROGRAMS.iter().find(|program| program.name == name);
-        found.with_context(|| format!("no program {name}; there are: {}", names()))
+        let program = PROGRAMS.iter().find(|program| program.name == name);
+        program.with_context(|| format!("no program {name}; there are: {}", names()))
     }
 
     /// Whether the program runs on a chip with this target.
@@ -145,10 +145,10 @@ pub(crate) fn programs() -> Result<String> {
 
 /// Arguments of cargo that select all programs of the main package on a chip: one build links them on all processor cores.
 fn all_on(chip: &Chip) -> String {
-    let here = |program: &&Program| {
+    let is_built = |program: &&Program| {
         program.folder == MAIN && program.chips.iter().any(|other| other.name == chip.name)
     };
-    PROGRAMS.iter().filter(here).map(Program::selection).collect::<Vec<_>>().join(" ")
+    PROGRAMS.iter().filter(is_built).map(Program::selection).collect::<Vec<_>>().join(" ")
 }
 
 /// Lines in which two logs differ.

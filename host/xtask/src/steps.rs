@@ -108,8 +108,8 @@ pub(crate) fn list() {
 /// Runs one step.
 pub(crate) fn run_one(name: &str) -> Result<ExitCode> {
     let names = || ON_HOST.iter().chain(ON_CHIPS).map(|step| step.name).collect::<Vec<_>>().join(" ");
-    let found = ON_HOST.iter().chain(ON_CHIPS).find(|step| step.name == name);
-    let step = found.with_context(|| format!("no step {name}; there are: {}", names()))?;
+    let step = ON_HOST.iter().chain(ON_CHIPS).find(|step| step.name == name);
+    let step = step.with_context(|| format!("no step {name}; there are: {}", names()))?;
     run(|other| other.name == step.name)
 }
 

@@ -5,7 +5,7 @@ use toytop::{
     Stepper, TipClass, Top,
 };
 use toytop_closed_forms::RegularPrecession;
-use toytop_tests::hostile::sound;
+use toytop_tests::any_input::invariants;
 use toytop_tests::{DIFFERENT, SAME, by_branch_points, released, top_of, toy, vectors};
 
 fn top() -> Top {
@@ -46,8 +46,8 @@ fn no_regime_gives_anything_but_numbers() {
     // border of sleep: all three branch points are 1
     motions.push(by_branch_points(&top(), [1.0; 3], SAME));
     for motion in motions {
-        sound::stepper::<f64>(&motion, &steps, 1e-13);
-        sound::stepper::<f32>(&motion, &steps, 2e-6);
+        invariants::stepper::<f64>(&motion, &steps, 1e-13);
+        invariants::stepper::<f32>(&motion, &steps, 2e-6);
     }
 }
 

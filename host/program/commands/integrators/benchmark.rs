@@ -1,6 +1,6 @@
 //! `toytop benchmark`: reference values of the problems that other integrators are tested with.
 
-use super::problems::{self, Problem, ReferenceSample};
+use super::problem_files::{self, Problem, ReferenceSample};
 use crate::table::{Column, TextTable};
 use crate::terminal::stdout::Report;
 use crate::times::Times;
@@ -71,7 +71,7 @@ struct ListedProblem {
 pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
     let BenchmarkArgs { name, times, scenario, format } = arguments;
     let Some(name) = name else { return list_problems(*format) };
-    let problem = problems::find(name).map_err(|failure| failure.with_context("benchmark"))?;
+    let problem = problem_files::find(name).map_err(|failure| failure.with_context("benchmark"))?;
     if *scenario {
         return Ok(problem.text.to_owned().into());
     }
@@ -118,7 +118,7 @@ fn list_problems(format: Format) -> Result<Report, Failure> {
             used_by: about.used_by.join("; "),
         })
     };
-    let rows: Vec<_> = problems::all().iter().filter_map(listed).collect();
+    let rows: Vec<_> = problem_files::all().iter().filter_map(listed).collect();
     let table = || {
         let columns: [Column<ListedProblem>; 2] =
             [("", |problem| problem.benchmark.clone()), ("", |problem| problem.title.clone())];

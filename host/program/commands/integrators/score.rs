@@ -1,6 +1,6 @@
 //! `toytop score`: output of an integrator, compared with the exact motion.
 
-use super::problems;
+use super::problem_files;
 use crate::commands::options::{PICTURE, ending_in, positive};
 use crate::drawing;
 use crate::drawing::chart::{Chart, Curve};
@@ -97,7 +97,7 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     let ScoreArgs { files, benchmark, steps, plot, format } = arguments;
     let inputs: Vec<_> = files.iter().map(|path| Some(&**path)).collect();
     whole_file::require_other("--plot", plot.as_deref(), &inputs)?;
-    let problem = benchmark.as_deref().map(problems::find).transpose();
+    let problem = benchmark.as_deref().map(problem_files::find).transpose();
     let problem = problem.map_err(|failure| failure.with_context("--benchmark"))?;
     // command that prints the state from which a run has to start
     let (scenario, start, results) = match (&problem, &files[..]) {

@@ -102,8 +102,8 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
             Failure::Input(format!("--kind: {text}: must be above 0 and below {below}"))
         };
         let query = EventQuery { kind: *kind, from, upward: *upward, count };
-        let found = search(&table, motion, &query).map_err(refused)?;
-        events.extend(found.into_iter().map(|event| (argument, event)));
+        let matching = search(&table, motion, &query).map_err(refused)?;
+        events.extend(matching.into_iter().map(|event| (argument, event)));
     }
     events.sort_by(|(_, a), (_, b)| a.t.total_cmp(&b.t));
     events.truncate(count);

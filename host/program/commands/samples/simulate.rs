@@ -46,11 +46,11 @@ pub fn run(arguments: &SimulateArgs) -> Result<Report, Failure> {
     let recording = Recording::new(arguments.hertz, arguments.duration, arguments.seed).ok_or_else(|| {
         Failure::Input(format!("--hertz, --duration: must give from 1 to {MAX_SAMPLES:e} samples"))
     })?;
-    let found = simulate_measurements(&scenario.motion, &sensors, &recording).ok_or_else(|| {
+    let samples = simulate_measurements(&scenario.motion, &sensors, &recording).ok_or_else(|| {
         let reason = "the motion has no period, and cannot be followed for so long";
         Failure::Method(format!("{}: {reason}", scenario.name))
     })?;
-    let text = columns::csv(&sensors, &found);
+    let text = columns::csv(&sensors, &samples);
     whole_file::write("--output", &arguments.output, text.as_bytes())?;
     Ok(Report::default())
 }

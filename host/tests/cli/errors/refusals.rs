@@ -1,6 +1,8 @@
 //! Bad arguments: exit code 2, nothing on stdout, one line on stderr that names the option and the allowed values.
 
-use crate::command::{RELEASE, TOP, all_refused, branch_points, needle, scenario, toytop, write};
+use crate::command::{
+    RELEASE, TOP, all_refused, branch_points, motion_without_table, scenario, toytop, write,
+};
 
 #[test]
 fn wrong_arguments_are_refused() {
@@ -91,7 +93,7 @@ fn long_input_makes_no_long_message() {
 /// A method that does not apply exits with 3, and its message names another.
 #[test]
 fn a_method_that_does_not_apply() {
-    let needle = needle("needle");
+    let motion_without_table = motion_without_table("motion_without_table");
     let rising = scenario("rising", &branch_points([0.2, 1.0, 1.0], 1));
     for (line, parts) in [
         (
@@ -105,12 +107,12 @@ fn a_method_that_does_not_apply() {
         ("@toy_top --times 1 --method closed-form", "toy_top:  ... e3 = e4 ... e2 = e3 = 1"),
         ("@toy_top --times 1 --method closed-form --format json", "toy_top:  ... e3 = e4 ... e2 = e3 = 1"),
         (
-            &format!("{needle} --times 1 --scalar f64"),
-            "needle ... no ephemeris ... a table of 4096 segments ... segments of this degree would be enough",
+            &format!("{motion_without_table} --times 1 --scalar f64"),
+            "motion_without_table ... no ephemeris ... a table of 4096 segments ... segments of this degree would be enough",
         ),
         (
-            &format!("{needle} --times 1 --scalar f32"),
-            "needle ... no ephemeris ... a table of 4096 segments ... segments of this degree would be enough",
+            &format!("{motion_without_table} --times 1 --scalar f32"),
+            "motion_without_table ... no ephemeris ... a table of 4096 segments ... segments of this degree would be enough",
         ),
     ] {
         toytop(format!("state {line}")).refused(3, parts);

@@ -1,6 +1,8 @@
 //! `toytop compare`: errors within their bounds, one screen, and missed bounds.
 
-use crate::command::{RELEASE, TOP, branch_points, json, list, needle, number, scenario, slender, toytop};
+use crate::command::{
+    RELEASE, TOP, branch_points, json, list, motion_without_table, number, scenario, slender, toytop,
+};
 use serde_json::Value;
 
 fn rows(line: &str) -> Vec<Value> {
@@ -79,12 +81,15 @@ fn compare_reads_scenarios_and_reports_a_missed_bound() {
     }
 
     // at 1e-6 no table is large enough; this is stated, and is no missed bound
-    let run = toytop(format!("compare {} --scalar f32 --periods 1 --format csv", needle("needle_compared")));
+    let run = toytop(format!(
+        "compare {} --scalar f32 --periods 1 --format csv",
+        motion_without_table("needle_compared")
+    ));
     assert!(run.err.contains("needle_compared f32: no ephemeris"), "{}", run.err);
     assert!(run.out.contains(",ephemeris,,,") && run.out.ends_with(",no table\n"), "{}", run.out);
 }
 
-/// The full solver finds no step for a needle of almost no inertia about its axis; the other motion is compared all the same.
+/// The full solver finds no step for a motion_without_table of almost no inertia about its axis; the other motion is compared all the same.
 #[test]
 fn a_motion_that_the_full_solver_cannot_follow_is_named() {
     let steep = RELEASE.replace("spin = 3.5", "spin = 1e11");

@@ -2,7 +2,9 @@
 
 mod browser;
 
-use crate::command::{RELEASE, TOP, branch_points, count, folder, needle, run, sample, scenario, toytop};
+use crate::command::{
+    RELEASE, TOP, branch_points, count, folder, motion_without_table, run, sample, scenario, toytop,
+};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -70,13 +72,13 @@ fn every_kind_of_motion_has_a_page() {
 #[test]
 fn wrong_arguments_and_motions_are_refused() {
     folder("view_refused");
-    let needle = needle("view_needle");
+    let motion_without_table = motion_without_table("view_needle");
     for (file, name, code, part) in [
         ("@toy_top", "top.pdf", 2, "for '--output <FILE>'"),
         ("@toy_top", "top", 2, "must end in .html or .htm\n"),
         ("@toy_top", "no/such/folder/top.html", 2, "no/such/folder/top.html"),
         ("@no_such_file", "top.html", 2, "no_such_file.toml"),
-        (&needle, "top.html", 3, "view_needle: no ephemeris"),
+        (&motion_without_table, "top.html", 3, "view_needle: no ephemeris"),
     ] {
         toytop(format!("view {file} -o view_refused/{name}")).refused(code, part);
         assert_eq!(count("view_refused"), 0, "{name}");

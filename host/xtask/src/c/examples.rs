@@ -71,12 +71,12 @@ pub(crate) fn on_chip() -> Result<String> {
     let read = |stdout: ChildStdout, stderr: ChildStderr| read_to_string(stdout.chain(stderr));
     let (status, output) = chip::M4F.emulate(&elf, &REPEATABLE, read)?;
     let output = output?;
-    let said = output.lines().last().unwrap_or_default();
-    if !status.success() || said != "interrupts 1000, exchanges 1, failures 0, no jump" {
+    let last_line = output.lines().last().unwrap_or_default();
+    if !status.success() || last_line != "interrupts 1000, exchanges 1, failures 0, no jump" {
         bail!("{output}{status}: the last line is not as expected");
     }
     let lines = compare(&output)?;
-    Ok(format!("{lines} lines have the bits of `toytop state`; {said}"))
+    Ok(format!("{lines} lines have the bits of `toytop state`; {last_line}"))
 }
 
 /// Checks that the page of costs has the flash and RAM of the example, in KB.

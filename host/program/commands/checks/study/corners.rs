@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use toytop_host::Failure;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::errors::greater;
-use trial::{Errors, Trial};
+use trial::{TableErrors, Trial};
 
 pub fn run(study: &StudyOptions, truths: u64) -> Result<Summary<Row>, Failure> {
     // launches are independent, so that those with the truth may be spread evenly
@@ -26,7 +26,7 @@ pub fn run(study: &StudyOptions, truths: u64) -> Result<Summary<Row>, Failure> {
             }
             Ok(Trial { input, regime, tables }) => {
                 for (scalar, errors) in Scalar::ALL.iter().zip(&tables) {
-                    if let Some(errors) = errors.filter(Errors::beyond_bound) {
+                    if let Some(errors) = errors.filter(TableErrors::beyond_bound) {
                         failures.push(format!("{launch}: {}: {errors:?}: {input:?}", scalar.name()));
                     }
                 }
@@ -79,21 +79,21 @@ pub struct Row {
 
 impl Row {
     /// * `tables`: `None` for a motion for which no table is large enough
-    fn new(scalar: &'static str, tables: &[Option<Errors>]) -> Self {
-        let found: Vec<_> = tables.iter().flatten().collect();
-        let compared: Vec<_> = found.iter().filter(|errors| errors.ticks > 0).collect();
+    fn new(scalar: &'static str, tables: &[Option<TableErrors>]) -> Self {
+        let errors: Vec<_> = tables.iter().flatten().collect();
+        let compared: Vec<_> = errors.iter().filter(|errors| errors.ticks > 0).collect();
         let truths = compared.len();
         let greatest =
-            |error: fn(&Errors) -> f64| found.iter().map(|errors| error(errors)).fold(0.0, greater);
+            |error: fn(&TableErrors) -> f64| errors.iter().map(|errors| error(errors)).fold(0.0, greater);
         let truth = |error| (truths > 0).then(|| greatest(error));
-        let close = |error: fn(&Errors) -> f64| {
+        let close = |error: fn(&TableErrors) -> f64| {
             let close = compared.iter().filter(|errors| error(errors) >= CLOSE).count();
             (truths > 0).then(|| close as f64 / truths as f64)
         };
         Self {
             scalar,
             motions: tables.len(),
-            no_table: tables.len() - found.len(),
+            no_table: tables.len() - errors.len(),
             norm_error_over_bound: greatest(|errors| errors.norm_over_bound),
             compared_motions: truths,
             compared_ticks: compared.iter().map(|errors| errors.ticks).sum(),
@@ -103,7 +103,7 @@ impl Row {
             tight_bounds: close(|errors| errors.error_over_bound),
             rate_error_over_bound: truth(|errors| errors.rate_error_over_bound),
             tight_rate_bounds: close(|errors| errors.rate_error_over_bound),
-            beyond_bound: found.iter().filter(|errors| errors.beyond_bound()).count(),
+            beyond_bound: errors.iter().filter(|errors| errors.beyond_bound()).count(),
         }
     }
 }

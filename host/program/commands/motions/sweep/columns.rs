@@ -44,8 +44,8 @@ impl FromStr for SweepColumn {
         let constants = CONSTANTS.iter().map(|constant| (constant.name, Self::Constant(constant)));
         let named = constants.chain(EPHEMERIS_COLUMNS.map(|column| (column.0, Self::Ephemeris(column))));
         let sample = || SampleColumn::from_str(name, false).ok().map(Self::Sample);
-        let known = named.clone().find(|(known, _)| *known == name).map(|(_, column)| column);
-        known.or_else(sample).ok_or_else(|| {
+        let constant = named.clone().find(|(other, _)| *other == name).map(|(_, column)| column);
+        constant.or_else(sample).ok_or_else(|| {
             let names: Vec<_> = named.map(|(name, _)| name).collect();
             format!("must be a column of toytop state or one of {}", names.join(", "))
         })

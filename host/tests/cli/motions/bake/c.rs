@@ -1,8 +1,8 @@
 //! Tests of tables in C by `toytop bake`, compiled by all installed compilers: they give the bits of the crate in every standard, also
 //! where a compiler would fuse products and sums.
 
-use super::cases::{Case, RATES, RUNS, assert_lines, cases};
-use super::compiled::{bake, name};
+use super::expected_bits::{Case, RATES, RUNS, assert_lines, cases};
+use super::rust::{bake, name};
 use crate::command::{finished, folder, read, sample, toytop, write};
 use std::path::Path;
 use std::process::Command;

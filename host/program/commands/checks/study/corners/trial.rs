@@ -17,13 +17,13 @@ use toytop_host::truth::quadrature::Quadrature;
 pub struct Trial {
     pub input: MotionInput,
     pub regime: Regime,
-    /// Errors of the table in each scalar; `None` where no table is large enough.
-    pub tables: [Option<Errors>; 4],
+    /// TableErrors of the table in each scalar; `None` where no table is large enough.
+    pub tables: [Option<TableErrors>; 4],
 }
 
-/// Errors of a table.
+/// TableErrors of a table.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Errors {
+pub struct TableErrors {
     /// Number of ticks that were compared with the truth.
     pub ticks: usize,
     /// Number of these at which more than half of the bound comes from the number of ticks.
@@ -38,7 +38,7 @@ pub struct Errors {
     pub rate_error_over_bound: f64,
 }
 
-impl Errors {
+impl TableErrors {
     /// Whether an error is beyond its bound.
     pub fn beyond_bound(&self) -> bool {
         self.norm_over_bound.max(self.error_over_bound).max(self.rate_error_over_bound) > 1.0
@@ -60,7 +60,7 @@ const FINE_TRUNCATION: f64 = 1e-18;
 
 /// Draws the launch of this number and tries it.
 ///
-/// # Errors
+/// # TableErrors
 /// The refusal of the launch.
 pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterError> {
     let mut random = Random::new(seed, number);
@@ -72,7 +72,10 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
     let times = [(); NORM_TIMES].map(|()| random.between(0.0, period));
     let mut errors = tables.each_ref().map(|table| {
         let table = table.as_ref()?;
-        Some(Errors { norm_over_bound: norm_over_bound(table, &motion, &times), ..Errors::default() })
+        Some(TableErrors {
+            norm_over_bound: norm_over_bound(table, &motion, &times),
+            ..TableErrors::default()
+        })
     });
     if with_truth {
         let truth = Quadrature::new(&input);
@@ -83,9 +86,9 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
             for (table, errors) in tables.iter().flatten().zip(errors.iter_mut().flatten()) {
                 let (bound, rate_bound) = (table.error_bound, table.rate_error_bound);
                 let (within, rates_within) = (bound.after(tick as f64), rate_bound.after(tick as f64));
-                let found = table.at_tick(tick);
-                let error = orientation.error_of(&found.pose.orientation);
-                let rate_error = rate_error(&found.rates, &rates);
+                let sample = table.at_tick(tick);
+                let error = orientation.error_of(&sample.pose.orientation);
+                let rate_error = rate_error(&sample.rates, &rates);
                 errors.ticks += 1;
                 errors.distant_ticks += usize::from(within > 2.0 * bound.constant);
                 errors.error = greater(errors.error, error);

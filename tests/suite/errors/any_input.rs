@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use std::fs;
 use std::path::Path;
-use toytop_tests::hostile::TARGETS;
+use toytop_tests::any_input::TARGETS;
 
 /// Runs a target; its panic names the input and the call that repeats it.
 fn hold(name: &str, run: fn(&[u8]), what: &str, bytes: &[u8]) {

@@ -6,9 +6,9 @@
 
 mod ephemeris;
 mod input;
+pub mod invariants;
 #[cfg(feature = "host")]
 mod scenario;
-pub mod sound;
 
 /// Function that accepts any bytes.
 pub struct Target {
@@ -31,7 +31,7 @@ pub const TARGETS: &[Target] = &[
 fn launch(bytes: &[u8]) {
     let mut input = input::Input::new(bytes);
     match input.motion() {
-        Ok(motion) => sound::motion(&motion, &mut input),
+        Ok(motion) => invariants::motion(&motion, &mut input),
         Err(error) => assert!(!error.parameter().is_empty() && !error.allowed().is_empty()),
     }
 }

@@ -1,7 +1,8 @@
 //! `toytop bake`: contents of the files, choice of the size, and complete files.
 
 use crate::command::{
-    RELEASE, TOP, all_refused, count, folder, needle, read, repository, run, scenario, slender, toytop,
+    RELEASE, TOP, all_refused, count, folder, motion_without_table, read, repository, run, scenario, slender,
+    toytop,
 };
 
 /// The table that `spin_m0` has in flash is the one that this program writes.
@@ -62,9 +63,11 @@ fn a_failed_bake_writes_nothing() {
         ],
     );
     all_refused("bake @toy_top", &[("-o no/such/folder/top.h", "no/such/folder/top.h")]);
-    let needle = format!("bake -o bake_refused/top.rs {}", needle("bake_needle"));
-    toytop(&needle).refused(3, "bake_needle: no ephemeris");
-    toytop(needle + " --segments 32").refused(3, "bake_needle: no ephemeris: a table of 32 segments");
+    let motion_without_table =
+        format!("bake -o bake_refused/top.rs {}", motion_without_table("bake_motion_without_table"));
+    toytop(&motion_without_table).refused(3, "bake_motion_without_table: no ephemeris");
+    toytop(motion_without_table + " --segments 32")
+        .refused(3, "bake_motion_without_table: no ephemeris: a table of 32 segments");
     assert_eq!(count("bake_refused"), 0);
 }
 

@@ -1,7 +1,7 @@
 //! An ephemeris in floating point or in fixed point: set-up and evaluation.
 
 use super::input::Input;
-use super::sound;
+use super::invariants;
 use fixed::types::{I2F14, I2F30};
 use toytop::{Complex, Ephemeris, EphemerisScalar, Level, Phase, Table};
 
@@ -35,7 +35,7 @@ where
         return;
     };
     let bound = ephemeris.error_bound();
-    sound::finite("error bound", [bound.constant, bound.per_tick]);
+    invariants::finite("error bound", [bound.constant, bound.per_tick]);
     assert!(bound.constant > 0.0 && bound.per_tick >= 0.0, "{bound:?}");
     // a defect of the norm is an orientation error; where the bound is 0.1 rad or more, only finite numbers are
     // required
@@ -54,12 +54,12 @@ where
         }
         let samples = [now, next, ephemeris.at(t), ephemeris.at(n as f64)];
         for sample in samples {
-            sound::orientation("sample", sample.orientation(), error);
-            sound::attitude("attitude", &sample.attitude_state(), error);
-            sound::finite("tip", number(sample.tip()));
-            sound::finite("tip velocity", number(sample.tip_velocity()));
+            invariants::orientation("sample", sample.orientation(), error);
+            invariants::attitude("attitude", &sample.attitude_state(), error);
+            invariants::finite("tip", number(sample.tip()));
+            invariants::finite("tip velocity", number(sample.tip_velocity()));
             let tip = sample.orientation().tip_over_s();
-            sound::finite("tip", [tip.re.into(), tip.im.into()]);
+            invariants::finite("tip", [tip.re.into(), tip.im.into()]);
             assert_eq!(sample.tip_angle().is_none(), motion.regime().is_vertical());
             assert!(sample.nutation_phase() >= Phase::ZERO);
         }
@@ -83,7 +83,7 @@ fn events<R: EphemerisScalar>(ephemeris: &Table<R>, n: i64, t: f64) {
                 (0.0..1.0).contains(&event.fraction) && (event.tick, event.fraction) >= before,
                 "{event:?} after {before:?}"
             );
-            sound::finite("time", [ephemeris.time_of(&event)]);
+            invariants::finite("time", [ephemeris.time_of(&event)]);
             before = (event.tick, event.fraction);
         }
     }

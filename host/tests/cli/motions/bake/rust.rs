@@ -1,6 +1,6 @@
 //! Tests of tables in Rust by `toytop bake`, compiled by cargo: they are the tables of the crate.
 
-use super::cases::{Case, assert_lines, cases};
+use super::expected_bits::{Case, assert_lines, cases};
 use crate::command::{finished, folder, read, toytop, write};
 use std::path::Path;
 use std::process::Command;
