@@ -17,11 +17,11 @@ use toytop_host::truth::quadrature::Quadrature;
 pub struct Trial {
     pub input: MotionInput,
     pub regime: Regime,
-    /// TableErrors of the table in each scalar; `None` where no table is large enough.
+    /// Errors of the table in each scalar; `None` where no table is large enough.
     pub tables: [Option<TableErrors>; 4],
 }
 
-/// TableErrors of a table.
+/// Errors of a table.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct TableErrors {
     /// Number of ticks that were compared with the truth.
@@ -60,7 +60,7 @@ const FINE_TRUNCATION: f64 = 1e-18;
 
 /// Draws the launch of this number and tries it.
 ///
-/// # TableErrors
+/// # Errors
 /// The refusal of the launch.
 pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterError> {
     let mut random = Random::new(seed, number);
