@@ -24,7 +24,7 @@ impl<R> Complex<R> {
 impl<R: Copy> Complex<R> {
     /// Complex number whose parts are converted.
     #[inline(always)]
-    pub(crate) fn map<G>(self, convert: impl Fn(R) -> G) -> Complex<G> {
+    pub fn map<G>(self, convert: impl Fn(R) -> G) -> Complex<G> {
         Complex::new(convert(self.re), convert(self.im))
     }
 }

@@ -49,7 +49,7 @@ pub struct Orientation<R> {
 impl<R: Copy> Orientation<R> {
     /// Orientation whose four numbers are converted.
     #[inline(always)]
-    pub(crate) fn map<G>(&self, convert: impl Fn(R) -> G) -> Orientation<G> {
+    pub fn map<G>(&self, convert: impl Fn(R) -> G) -> Orientation<G> {
         Orientation { alpha: self.alpha.map(&convert), beta: self.beta.map(&convert) }
     }
 }

@@ -52,27 +52,32 @@ use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::tilts;
 
-/// Template of `toytop --help`, whose groups are the folders of the modules.
+/// Groups of commands in `toytop --help`: the folders of the modules.
+const GROUPS: [(&str, &str); 5] = [
+    ("Motions", "state constants events compare sweep bake"),
+    ("Pictures", "plot animate view"),
+    ("Samples", "simulate fit"),
+    ("Integrators", "score benchmark"),
+    ("Shell", "completions"),
+];
+
+/// Template of `toytop --help`.
 pub fn help() -> String {
     let mut help =
         "{about}\n{usage-heading} {usage}; each command has --help, and toytop has --version\n\n".to_owned();
     let commands = Command::command();
-    for command in commands.get_subcommands().filter(|command| !command.is_hide_set()) {
-        let (name, about) = (command.get_name(), command.get_about().cloned().unwrap_or_default());
-        // first command of each group
-        let heading = match name {
-            "state" => "Motions:\n",
-            "plot" => "Pictures:\n",
-            "simulate" => "Samples:\n",
-            "score" => "Integrators:\n",
-            _ => "",
-        };
-        help += &format!("{heading}  {name:<12}{about}\n");
+    for (group, names) in GROUPS {
+        help += &format!("{group}:\n");
+        for name in names.split(' ') {
+            let about = commands.find_subcommand(name).and_then(clap::Command::get_about);
+            help += &format!("  {name:<12}{}\n", about.cloned().unwrap_or_default());
+        }
     }
-    help + "Checks of toytop itself: accuracy bench budget errata figures study\nCompletions for a shell: completions\n"
+    let hidden = commands.get_subcommands().filter(|command| command.is_hide_set());
+    let hidden: Vec<_> = hidden.map(clap::Command::get_name).collect();
+    help + &format!("Checks of toytop itself: {}\n", hidden.join(" "))
 }
 
-// Help lists the commands in this order, and the hidden ones in its last lines.
 /// Exact motion of a spinning top whose tip slides on a plane or is held, or of a free body.
 #[derive(Parser)]
 #[command(name = "toytop", version)]
@@ -92,7 +97,6 @@ pub enum Command {
     Benchmark(benchmark::BenchmarkArgs),
     /// Completions for a shell
     #[command(
-        hide = true,
         after_help = "Example: toytop completions bash > ~/.local/share/bash-completion/completions/toytop"
     )]
     Completions {
@@ -181,4 +185,18 @@ fn warnings(scenarios: &[Scenario]) -> Vec<String> {
 fn rounded(number: f64, digits: usize) -> String {
     let text = format!("{number:.digits$}");
     if text.bytes().any(|byte| (b'1'..=b'9').contains(&byte)) { text } else { format!("{number:.1e}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn help_lists_every_command() {
+        let grouped = GROUPS.map(|(_, names)| names).join(" ");
+        for command in Command::command().get_subcommands() {
+            let name = command.get_name();
+            assert_eq!(grouped.split(' ').any(|one| one == name), !command.is_hide_set(), "{name}");
+        }
+    }
 }

@@ -27,7 +27,7 @@ pub(crate) fn cast<F: Float, G: Float, const N: usize>(x: [F; N]) -> [G; N] {
 
 /// Orientation in another scalar.
 pub(crate) fn cast_orientation<F: Float, G: Float>(phi: &Orientation<F>) -> Orientation<G> {
-    Orientation::from_quaternion(cast(phi.quaternion()))
+    phi.map(|number| G::from_f64(number.to_f64()))
 }
 
 /// Rotation about the third axis.

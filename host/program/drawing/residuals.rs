@@ -10,10 +10,7 @@ use kuva::render::render::Scene;
 use toytop_fit::Measurement;
 use toytop_host::fit::result::FitResult;
 
-/// Residual of an outlier, standard deviations.
-const OUTLIER: f64 = 3.0;
-
-/// Residuals in standard deviations: a strip for each sensor, with a dot for each sample and lines at ±3. Saturated
+/// Residuals in standard deviations: a strip for each sensor, with a dot for each sample and lines where outliers begin. Saturated
 /// readings are left out.
 pub fn draw(report: &FitResult, measurements: &[Measurement]) -> Scene {
     let residuals = report.residuals(measurements);
@@ -23,8 +20,10 @@ pub fn draw(report: &FitResult, measurements: &[Measurement]) -> Scene {
     };
     let (mut strips, mut layouts) = (Vec::new(), Vec::new());
     for (sensor, setup) in report.input.sensors.setups.iter().enumerate() {
-        let mut strip: Vec<Plot> = vec![level(OUTLIER), level(-OUTLIER)];
-        let mut furthest = 4.0;
+        let huber = report.input.huber;
+        let limits = [huber, -huber].into_iter().filter(|x| x.is_finite());
+        let mut furthest = limits.clone().fold(4.0, f64::max);
+        let mut strip: Vec<Plot> = limits.map(level).collect();
         for (k, (name, color)) in setup.kind.residuals().iter().zip(COLORS).enumerate() {
             let of_sensor = measurements.iter().zip(&residuals).filter(|(sample, _)| sample.sensor == sensor);
             let points = of_sensor.map(|(sample, residual)| (sample.time, residual[k]));

@@ -1,7 +1,7 @@
 //! Motion at one time, by any method.
 
 use toytop::scalar::Real;
-use toytop::{AttitudeState, Complex, Orientation, Pose};
+use toytop::{AttitudeState, Complex, Pose};
 use toytop_model::equations::Rates;
 
 /// Motion at one time: each quantity is computed when it is asked for. The fields of [`Sample`] describe them.
@@ -76,13 +76,9 @@ impl Sample {
         tip: Complex<R>,
         tip_angle: Option<f64>,
     ) -> Self {
-        let Orientation { alpha, beta } = state.orientation;
-        let [alpha, beta, tip] = [alpha, beta, tip].map(|z| Complex::new(z.re.to_f64(), z.im.to_f64()));
-        let pose = Pose {
-            orientation: Orientation { alpha, beta },
-            u: state.orientation.u().to_f64().clamp(-1.0, 1.0),
-            tip,
-        };
+        let orientation = state.orientation.map(R::to_f64);
+        let u = state.orientation.u().to_f64().clamp(-1.0, 1.0);
+        let pose = Pose { orientation, u, tip: tip.map(R::to_f64) };
         Self { t, pose, rates: body_rates(state), tip_angle, error_bound: None }
     }
 }

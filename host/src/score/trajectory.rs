@@ -143,7 +143,7 @@ fn column_indices(header: &[String], names: &[&str]) -> Option<Vec<usize>> {
     names.iter().map(|name| header.iter().position(|own| own == name)).collect()
 }
 
-/// TrajectoryRow of a record.
+/// Row of a trajectory, from a record of CSV.
 fn parse_row(header: &[String], record: &StringRecord) -> Result<TrajectoryRow, String> {
     let given = match numbers(header, record, QUATERNION)? {
         Some(quaternion) => Some(Orientation::from_quaternion(quaternion)),

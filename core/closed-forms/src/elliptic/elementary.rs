@@ -128,12 +128,12 @@ pub(crate) type WideComplex = Complex<Extended>;
 
 /// Complex number in extended precision from one in `f64`, exact.
 pub(crate) fn widened(z: Complex<f64>) -> WideComplex {
-    Complex::new(z.re.into(), z.im.into())
+    z.map(Into::into)
 }
 
 /// Complex number rounded to `f64`.
 pub(crate) fn rounded(z: WideComplex) -> Complex<f64> {
-    Complex::new(z.re.to_f64(), z.im.to_f64())
+    z.map(Float::to_f64)
 }
 
 /// Real number as a complex number.

@@ -36,7 +36,7 @@ pub enum Study {
 /// Arguments of both studies.
 #[derive(Args)]
 pub struct StudyOptions {
-    /// Number of launches
+    /// Number of launches, of each set of sensors in a study of fits
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     motions: u64,
     /// Seed of the random launches

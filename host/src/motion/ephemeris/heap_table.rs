@@ -6,7 +6,7 @@ use crate::motion::Scalar;
 use crate::motion::sample::{Quantities, Sample};
 use fixed::types::{I2F14, I2F30};
 use toytop::scalar::Float;
-use toytop::{Complex, Ephemeris, EphemerisMemory, EphemerisScalar, Orientation, Pose, Table};
+use toytop::{Ephemeris, EphemerisMemory, EphemerisScalar, Pose, Table};
 
 /// Scalar of the core with its name and the capacity of its own table.
 pub trait TableScalar:
@@ -104,7 +104,8 @@ impl<R: TableScalar> Quantities for TableSample<'_, R> {
     }
 
     fn pose(&self) -> Pose<f64, f64> {
-        widened(self.now.pose())
+        let Pose { orientation, u, tip } = self.now.pose();
+        Pose { orientation: orientation.map(R::into), u: u.into(), tip: tip.map(Float::to_f64) }
     }
 
     fn omega(&self) -> [f64; 3] {
@@ -127,10 +128,4 @@ impl<R: TableScalar> Quantities for TableSample<'_, R> {
         let [rate, _] = self.table.clock().ticks_per_time;
         Some(self.table.error_bound().after(self.t * rate))
     }
-}
-
-fn widened<R: TableScalar>(Pose { orientation, u, tip }: Pose<R, R::Quantity>) -> Pose<f64, f64> {
-    let [alpha, beta] = [orientation.alpha, orientation.beta].map(|z| Complex::new(z.re.into(), z.im.into()));
-    let tip = Complex::new(tip.re.to_f64(), tip.im.to_f64());
-    Pose { orientation: Orientation { alpha, beta }, u: u.into(), tip }
 }

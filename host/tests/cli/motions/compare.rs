@@ -89,7 +89,7 @@ fn compare_reads_scenarios_and_reports_a_missed_bound() {
     assert!(run.out.contains(",ephemeris,,,") && run.out.ends_with(",no table\n"), "{}", run.out);
 }
 
-/// The full solver finds no step for a motion_without_table of almost no inertia about its axis; the other motion is compared all the same.
+/// The full solver finds no step for a body of almost no inertia about its axis; the other motion is compared all the same.
 #[test]
 fn a_motion_that_the_full_solver_cannot_follow_is_named() {
     let steep = RELEASE.replace("spin = 3.5", "spin = 1e11");

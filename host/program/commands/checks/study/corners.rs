@@ -37,11 +37,12 @@ pub fn run(study: &StudyOptions, truths: u64) -> Result<Summary<Row>, Failure> {
     }
     let regimes: Vec<_> = regimes.iter().map(|(regime, motions)| format!("{motions} {regime}")).collect();
     let headline = format!(
-        "toytop {}, seed {}: {} launches ({}); refused: {refusals} {refused:?}; failures: {}.",
+        "toytop {}, seed {}: {} launches ({}); refused: {refusals} ({}); failures: {}.",
         env!("CARGO_PKG_VERSION"),
         study.seed,
         study.motions,
         regimes.join(", "),
+        Vec::from_iter(refused).join(", "),
         failures.len(),
     );
     let row = |(index, scalar): (usize, &Scalar)| {
