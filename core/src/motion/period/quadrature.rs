@@ -143,7 +143,10 @@ fn add<F: Ring>([a, b, c]: [F; 3], [x, y, z]: [F; 3]) -> [F; 3] {
     [a + x, b + y, c + z]
 }
 
-/// Estimated error of a trapezoid sum from its last two changes, for geometric convergence.
+/// Estimated error of a trapezoid sum from its last two changes.
+///
+/// With each doubling of the nodes the error C q^n is squared over C: C q, C q², C q⁴. The third is the last change times the square of the ratio of
+/// the last two. The factors 30 and 3 are margins for a C below 1 and for roundings.
 fn remaining_error(change: f64, before: f64) -> f64 {
     // both changes may be 0
     let ratio = change / before.max(change).max(f64::MIN_POSITIVE);
