@@ -43,6 +43,9 @@ pub(super) struct HalfPeriod {
     error: f64,
 }
 
+/// Refusal of a motion that needs more segments than the table has.
+pub(super) struct TooManySegments;
+
 /// Length of a cell, in shortest segments.
 const CELL: usize = HALF_PERIOD / CELLS;
 
@@ -56,7 +59,7 @@ impl HalfPeriod {
         error: 0.0,
     };
 
-    /// Computes all segments, and stores those that fit; `None` if they are more than allowed.
+    /// Computes all segments, and stores those that fit.
     pub(super) fn compute<R: EphemerisScalar>(
         &mut self,
         motion: &Motion,
@@ -64,12 +67,14 @@ impl HalfPeriod {
         memory: &mut PathMemory,
         segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
-    ) -> Option<()> {
+    ) -> Result<(), TooManySegments> {
         match self.find_mean_rates::<R>(motion, memory, pause) {
-            Some(length) => self.tabulate_path::<R>(motion, length, limits, memory, segments, pause)?,
-            None => self.store_constants::<R>(motion, segments),
+            Some(length) => self.tabulate_path::<R>(motion, length, limits, memory, segments, pause),
+            None => {
+                self.store_constants::<R>(motion, segments);
+                Ok(())
+            }
         }
-        Some(())
     }
 
     /// Finds the mean rates. Sets the phase equations and the launch, and returns the length of half a period, s; `None` for a constant u.
@@ -98,7 +103,7 @@ impl HalfPeriod {
         self.mean_rates = MeanRates::new(motion, period);
     }
 
-    /// Tabulates the motion from u = e₁ to u = e₂; `None` if the segments are too many.
+    /// Tabulates the motion from u = e₁ to u = e₂.
     #[inline(never)]
     fn tabulate_path<R: EphemerisScalar>(
         &mut self,
@@ -108,12 +113,12 @@ impl HalfPeriod {
         memory: &mut PathMemory,
         segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
-    ) -> Option<()> {
+    ) -> Result<(), TooManySegments> {
         let mut path = Path::new(memory, limits, motion, length, self.mean_rates.rates);
         self.divide::<R>(&mut path, segments, pause)?;
         let ([delay, residual], bounds) = (path.errors(), &self.bounds);
         self.error = f64::from(bounds.error) + bounds.error_of_delay(delay) + 2.0 * residual;
-        Some(())
+        Ok(())
     }
 
     /// Stores one segment with constant a and b, for a constant u.
@@ -127,13 +132,13 @@ impl HalfPeriod {
         self.segments = 1;
     }
 
-    /// Divides the half period into cells, and these into segments; `None` if they are too many.
+    /// Divides the half period into cells, and these into segments.
     fn divide<R: EphemerisScalar>(
         &mut self,
         path: &mut Path<'_, R::PathNumber>,
         segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
-    ) -> Option<()> {
+    ) -> Result<(), TooManySegments> {
         let (mut position, mut depth) = (0, MIN_DEPTH);
         while position < HALF_PERIOD {
             // Segments twice as long as the last ones are tried first. A segment of two cells begins at an even cell.
@@ -145,7 +150,7 @@ impl HalfPeriod {
                 let remainder = (HALF_PERIOD - cell.end()).div_ceil(HALF_PERIOD >> MIN_DEPTH);
                 let count = self.segments + cell.part_count(depth) + remainder;
                 if depth > Cell::MAX_DEPTH || count > path.limits.capacity {
-                    return None;
+                    return Err(TooManySegments);
                 }
                 if let Some(bounds) = self.fill_cell::<R>(cell, depth, point, path, segments, pause) {
                     break (cell, bounds);
@@ -162,7 +167,7 @@ impl HalfPeriod {
             self.bounds.include(&bounds);
             position = cell.end();
         }
-        Some(())
+        Ok(())
     }
 
     /// Computes and stores the segments of a cell, or one of two cells; `None` if they are too long.

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::half_period::HalfPeriod;
+use super::half_period::{HalfPeriod, TooManySegments};
 use super::limits::Limits;
 use super::path::PathMemory;
 use crate::constants::Regime;
@@ -108,7 +108,7 @@ fn tabulate<R: EphemerisScalar>(
     let Workspace { half_period, path } = workspace;
     half_period
         .compute::<R>(motion, &limits, path, segments, pause)
-        .ok_or(SetUpError::TableTooSmall { truncation, segments: capacity as u32 })
+        .map_err(|TooManySegments| SetUpError::TableTooSmall { truncation, segments: capacity as u32 })
 }
 
 impl<R: EphemerisScalar> EphemerisMemory<Table<R>> {
