@@ -62,8 +62,11 @@ mod tests {
     use super::*;
     use crate::phase::Phase;
     use crate::table::build::half_period::stored_segment::SegmentBounds;
+    use crate::table::build::limits::Limits;
+    use crate::table::build::path::PathMemory;
     use crate::table::build::tests::nutating_motion;
     use crate::table::evaluation::EphemerisScalar;
+    use crate::{Release, State, Top, TopParameters};
 
     /// Errors of the rates far above the rounding of the increments: the bound must contain each of them completely.
     #[test]
@@ -95,6 +98,31 @@ mod tests {
         let expected = 2.0 * (5.0 + TURN) * Phase::RESOLUTION / 3.0;
         assert!((per_tick([0.0; 3], third) / expected - 1.0).abs() < 1e-9);
         assert_eq!(per_tick([0.0; 3], whole), 0.0);
+    }
+
+    /// Numbers of the example on the page of the error bound.
+    #[test]
+    fn the_example_is_computed() {
+        let top = Top::sliding(&TopParameters::TOY).unwrap();
+        let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() }).unwrap();
+        let motion = Motion::launch(&top, &state).unwrap();
+        let (mut half_period, mut memory) = (HalfPeriod::ZERO, PathMemory::ZERO);
+        let (limits, mut segments) = (Limits::new::<f32>(f32::TRUNCATION, 25), [f32::ZERO_SEGMENT; 25]);
+        let result = half_period.compute::<f32>(&motion, &limits, &mut memory, &mut segments, &mut || {});
+        assert!(result.is_ok());
+        let bounds = half_period.error_bounds(f32::TERMS, &f32::ERRORS, &motion, 0.001.into());
+        let (segment, angular) =
+            (f64::from(half_period.bounds.error), f64::from(half_period.bounds.angular_speed));
+        let [orientation, rates] = bounds.map(|bound| [bound.constant, bound.per_tick]);
+        let steps = half_period.error - segment;
+        let coordinate = f32::ERRORS.per_half_segment * angular / 16.0;
+        let page = include_str!("../../../../docs/error_bound.md");
+        for number in
+            [segment, steps, f32::ERRORS.orientation, coordinate].into_iter().chain(orientation).chain(rates)
+        {
+            let cell = format!("| {number:.2e} |");
+            assert!(page.contains(&cell), "{cell}");
+        }
     }
 
     #[test]
