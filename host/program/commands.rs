@@ -157,7 +157,7 @@ impl Command {
     }
 }
 
-/// Warnings that a real top on a plane would move differently, one line for each reason, with the names of the motions.
+/// Warnings of lift-off, fall and instability of a real top: a line for each reason, with the names of the motions.
 fn warnings(scenarios: &[Scenario]) -> Vec<String> {
     let line = |what: &str, of: &dyn Fn(&Motion) -> Option<String>| {
         let named = |scenario: &Scenario| of(&scenario.motion).map(|number| scenario.name.clone() + &number);

@@ -9,7 +9,7 @@
 //! | `drawing` | drawings as SVG, PNG and GIF |
 //! | `commands` | the commands |
 
-// Visibility is that of the modules.
+// A private module limits the visibility of what it declares `pub`.
 #![allow(unreachable_pub)]
 
 mod files;

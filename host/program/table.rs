@@ -25,8 +25,7 @@ impl TextTable {
         Self { lines: once(header).chain(rows.iter().map(line)).collect(), left }
     }
 
-    /// All words and numbers of rows below their names. An absent one is a dash. The first columns are aligned to the left as long as
-    /// they contain words.
+    /// One column for each field, with its name above; `-` for an absent value. The first columns of words are aligned to the left.
     pub fn from_rows(rows: &[impl Serialize], of_number: fn(f64) -> String) -> Self {
         let rows: Vec<_> = rows.iter().map(fields).collect();
         let header = rows.iter().take(1).flatten().map(|(name, _)| name.clone()).collect();

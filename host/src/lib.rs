@@ -14,7 +14,7 @@
 //! | [`score`] | output of an integrator against the exact motion |
 //! | [`pictures`] | curve of the tip, page for a browser |
 
-// Visibility is that of the modules: what a private one declares `pub` is its interface within the crate.
+// A private module limits the visibility: what it declares `pub` is its interface within the crate.
 #![allow(unreachable_pub)]
 
 mod failure;

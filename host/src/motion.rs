@@ -26,7 +26,7 @@ pub mod stepper;
 
 pub mod full_equations;
 
-pub use toytop_model::constants::{MotionWithPeriod, regime, tilts};
+pub use toytop_model::constants::{MotionConstants, regime, tilts};
 
 use serde_json::Value;
 use toytop_model::constants::{self, Constant};
@@ -61,7 +61,7 @@ impl Scalar {
 }
 
 /// Value of a constant in JSON; null where the motion does not have it.
-pub fn constant_as_json(constant: &Constant, motion: &MotionWithPeriod) -> Value {
+pub fn constant_as_json(constant: &Constant, motion: &MotionConstants) -> Value {
     match constant.value {
         constants::Value::Number(value) => value(motion).into(),
         constants::Value::Word(value) => value(motion).into(),

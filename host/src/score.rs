@@ -24,7 +24,7 @@ pub fn rotation_between(from: &Orientation<f64>, to: &Orientation<f64>) -> [f64;
     if sine == 0.0 {
         return [0.0; 3];
     }
-    // the quaternion with w >= 0 is that of the shorter rotation
+    // the quaternion with w >= 0 belongs to the shorter rotation
     let scale = 2.0 * sine.atan2(w.abs()).copysign(w) / sine;
     [scale * x, scale * y, scale * z]
 }

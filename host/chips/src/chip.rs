@@ -14,7 +14,7 @@ pub struct Chip {
     pub target: &'static str,
     /// Flags of the compiler.
     pub rustflags: &'static str,
-    /// Memory map in `firmware-examples`, where it is not that of the target.
+    /// Memory map in `firmware-examples`, where it differs from the target's.
     pub memory: Option<&'static str>,
     /// Program of QEMU.
     pub emulator: &'static str,

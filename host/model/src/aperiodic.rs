@@ -1,6 +1,6 @@
 //! Aperiodic motion, which has no table, by its closed form.
 
-use crate::constants::MotionWithPeriod;
+use crate::constants::MotionConstants;
 use toytop::{AttitudeState, Complex, ErrorBound};
 use toytop_closed_forms::Aperiodic;
 
@@ -15,7 +15,7 @@ pub struct AperiodicMotion {
 
 impl AperiodicMotion {
     /// Closed form of a motion; `None` if the motion is not aperiodic.
-    pub fn new(motion: &MotionWithPeriod) -> Option<Self> {
+    pub fn new(motion: &MotionConstants) -> Option<Self> {
         let form = Aperiodic::new(motion)?;
         Some(Self { form, ticks_per_time: motion.ticks_per_time(), tip_scale: motion.top().tip_scale() })
     }
@@ -26,7 +26,7 @@ impl AperiodicMotion {
         (state, state.orientation.tip_over_s().scaled(self.tip_scale))
     }
 
-    /// Upper bound on the orientation error, rad: that of the closed form, which holds up to 1e15 of the shortest times of the motion, and
+    /// Upper bound on the orientation error, rad: the bound of the closed form, which holds up to 1e15 of the shortest times of the motion, and
     /// its growth beyond.
     pub fn error_bound(&self) -> ErrorBound {
         ErrorBound { constant: self.form.error_bound(), per_tick: 2e-30 }

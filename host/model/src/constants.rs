@@ -23,21 +23,21 @@ pub struct Constant {
 #[derive(Clone, Copy)]
 pub enum Value {
     /// Number; NaN where the motion does not have it.
-    Number(fn(&MotionWithPeriod) -> f64),
+    Number(fn(&MotionConstants) -> f64),
     /// Word.
-    Word(fn(&MotionWithPeriod) -> &'static str),
+    Word(fn(&MotionConstants) -> &'static str),
 }
 
-const fn number(name: &'static str, unit: &'static str, value: fn(&MotionWithPeriod) -> f64) -> Constant {
+const fn number(name: &'static str, unit: &'static str, value: fn(&MotionConstants) -> f64) -> Constant {
     Constant { name, unit, value: Value::Number(value) }
 }
 
-const fn word(name: &'static str, value: fn(&MotionWithPeriod) -> &'static str) -> Constant {
+const fn word(name: &'static str, value: fn(&MotionConstants) -> &'static str) -> Constant {
     Constant { name, unit: "", value: Value::Word(value) }
 }
 
 /// Names and functions of all constants that are numbers, with the numbers of the top and of the start.
-pub fn number_constants() -> impl Iterator<Item = (&'static str, fn(&MotionWithPeriod) -> f64)> {
+pub fn number_constants() -> impl Iterator<Item = (&'static str, fn(&MotionConstants) -> f64)> {
     CONSTANTS.iter().chain(&TOP_AND_START).filter_map(|constant| match constant.value {
         Value::Number(value) => Some((constant.name, value)),
         Value::Word(_) => None,
@@ -105,12 +105,12 @@ static TOP_AND_START: [Constant; 20] = [
 pub const MAX_TICKS: f64 = (1_u64 << 62) as f64;
 
 /// Motion whose period is integrated once, where it is first needed.
-pub struct MotionWithPeriod {
+pub struct MotionConstants {
     motion: Motion,
     advance: OnceCell<Option<PeriodAdvance>>,
 }
 
-impl MotionWithPeriod {
+impl MotionConstants {
     /// Constants of a motion.
     pub fn new(motion: Motion) -> Self {
         Self { motion, advance: OnceCell::new() }
@@ -181,7 +181,7 @@ impl MotionWithPeriod {
     }
 }
 
-impl Deref for MotionWithPeriod {
+impl Deref for MotionConstants {
     type Target = Motion;
 
     fn deref(&self) -> &Motion {
@@ -203,7 +203,7 @@ pub fn tilts(motion: &Motion) -> [f64; 2] {
 }
 
 /// Mean rate of the axis about the vertical, turns/s.
-fn mean_precession(motion: &MotionWithPeriod) -> f64 {
+fn mean_precession(motion: &MotionConstants) -> f64 {
     motion.phi_per_period() / (2.0 * PI * motion.period())
 }
 

@@ -9,7 +9,7 @@ use core::array::from_fn;
 use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
 use toytop::{Motion, ParameterError, Support};
-use toytop_model::constants::{MotionWithPeriod, number_constants, regime, tip_class};
+use toytop_model::constants::{MotionConstants, number_constants, regime, tip_class};
 use toytop_model::picture_time::picture_time;
 use toytop_model::scenario::{self, SUPPORTS, top_parameters};
 
@@ -43,10 +43,10 @@ pub fn launch_names() -> impl Iterator<Item = &'static str> {
 }
 
 /// Sets the motion by its support, the place of a name in [`SUPPORTS`], and its kind: 0 release, 1 state, 2 branch points. The array
-/// holds the numbers of [`top_parameters`], then those of the motion. After a refusal there is no motion.
+/// holds the numbers of [`top_parameters`], then of the motion. After a refusal there is no motion.
 ///
 /// The result is the length of the words. It is positive if all is well: the words are regime and class of the tip curve,
-/// and the numbers are those of [`launch_names`]. It is negative after a refusal: the words are the parameter and what is
+/// and the numbers are listed by [`launch_names`]. It is negative after a refusal: the words are the parameter and what is
 /// allowed.
 #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 pub extern "C" fn launch(support: u32, kind: u32) -> i32 {
@@ -67,12 +67,12 @@ pub extern "C" fn launch(support: u32, kind: u32) -> i32 {
     }
 }
 
-fn launched(support: u32, kind: u32) -> Result<MotionWithPeriod, ParameterError> {
+fn launched(support: u32, kind: u32) -> Result<MotionConstants, ParameterError> {
     let support = SUPPORTS.get(support as usize).map_or(Support::Sliding, |(_, support)| *support);
     let parameters = from_fn(number);
     let top = scenario::top(support, &top_parameters(parameters))?;
     let motion = scenario::motion(&top, kind, from_fn(|i| number(parameters.len() + i)))?;
-    let motion = MotionWithPeriod::new(motion);
+    let motion = MotionConstants::new(motion);
     TABLE.lock().set_up(&motion)?;
     Ok(motion)
 }

@@ -67,7 +67,7 @@ pub fn precession(scenario: &Scenario, span: &MotionSpan) -> Result<Scene, Failu
     let turn = if start > 0.0 { -PI } else { PI };
     let [from, until] = span.ends;
     let continued = |t: f64| (span.at(t).tip_angle.unwrap_or(f64::NAN) + turn).to_degrees();
-    // the labels of the axis count from whole turns, as those of the time
+    // the labels of the axis count from whole turns, like the labels of the time
     let turns = (continued(from) / 360.0).trunc();
     let azimuth = |t: f64| without_rounding(continued(t) - 360.0 * turns);
     let degrees = |t: f64| [t - from, azimuth(t)];

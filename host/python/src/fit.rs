@@ -118,7 +118,7 @@ pub(crate) fn simulate<'py>(
     dictionary(py, columns.ok_or_else(refuse)?)
 }
 
-/// Sensors of a name and a dictionary or the text of a file, or those of a telephone.
+/// Sensors of a name and a dictionary or the text of a file, or of a telephone.
 ///
 /// # Errors
 /// `ValueError` that names the key.

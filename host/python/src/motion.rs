@@ -14,7 +14,7 @@ use std::sync::{Arc, OnceLock};
 use toytop::{Motion, State};
 use toytop_host::input::scenario::{Launch, Scenario, ScenarioFile, to_toml};
 use toytop_host::motion::ephemeris::ephemeris_for;
-use toytop_host::motion::{MotionWithPeriod, Scalar};
+use toytop_host::motion::{MotionConstants, Scalar};
 use toytop_host::pictures::curve::TipCurve;
 use toytop_host::pictures::page;
 use toytop_host::truth::quadrature::Quadrature;
@@ -83,7 +83,7 @@ impl MotionCore {
     /// # Errors
     /// `ValueError`: one of the times is beyond them.
     pub(crate) fn within_reach(&self, times: &[f64]) -> PyResult<()> {
-        within(MotionWithPeriod::new(self.motion).furthest_time(), times)
+        within(MotionConstants::new(self.motion).furthest_time(), times)
     }
 }
 
@@ -114,7 +114,7 @@ impl MotionCore {
     /// Constant of this name; NaN where it does not exist.
     pub(crate) fn constant(&self, name: &str) -> f64 {
         let value = number_constants().find(|(known, _)| *known == name);
-        value.map_or(f64::NAN, |(_, value)| value(&MotionWithPeriod::new(self.motion)))
+        value.map_or(f64::NAN, |(_, value)| value(&MotionConstants::new(self.motion)))
     }
 
     #[getter]

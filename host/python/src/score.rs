@@ -16,7 +16,7 @@ use toytop_host::{
     input::scenario::{Scenario, Units},
 };
 
-/// Errors by the keys of JSON: those of an integrator's output, from the state of motion.at(t[0]), against the exact motion.
+/// Errors of an integrator's output, from the state of motion.at(t[0]), against the exact motion, by the keys of JSON.
 #[pyfunction]
 pub(crate) fn score<'py>(
     py: Python<'py>,

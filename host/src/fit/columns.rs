@@ -21,7 +21,7 @@ pub struct Columns {
 }
 
 impl Columns {
-    /// Columns of measurements, those of one time in one row.
+    /// Columns of measurements, one row for each time.
     pub fn new(sensors: &Sensors, measurements: &[Measurement]) -> Self {
         let same = |a: &Measurement, b: &Measurement| a.time == b.time && a.sensor < b.sensor;
         let rows: Vec<_> = measurements.chunk_by(same).collect();
@@ -147,7 +147,7 @@ fn parse(text: &str, sensors: &mut Sensors, all: bool) -> Result<(Vec<Measuremen
     Ok((measurements.into_iter().map(|(_, measurement)| measurement).collect(), unused))
 }
 
-/// Measurements as CSV, those of one time in one row.
+/// Measurements as CSV, one row for each time.
 pub fn csv(sensors: &Sensors, measurements: &[Measurement]) -> String {
     let Columns { t, readings } = Columns::new(sensors, measurements);
     let header = csv_line(once("t").chain(readings.iter().map(|(name, _)| *name)));

@@ -161,7 +161,7 @@ impl Sensors {
         Self::parse("telephone", TELEPHONE, body).expect("sensors in range")
     }
 
-    /// Sensors of a file; those of a telephone without one.
+    /// Sensors of a file, or without one of a telephone.
     ///
     /// # Errors
     /// [`Failure::Input`]: the file cannot be read, or as [`Sensors::parse`].
@@ -205,7 +205,7 @@ impl Sensors {
         if !(1..=4).contains(&sensors.setups.len()) {
             return refuse("must have one to four sensors".to_owned());
         }
-        // in the order of the columns, whatever that of the file
+        // in the order of the columns, in any order of the file
         sensors.setups.sort_by_key(|setup| setup.kind as u8);
         Ok(sensors)
     }
@@ -215,7 +215,7 @@ impl Sensors {
     /// * `all`: whether every sensor must have its columns
     ///
     /// # Errors
-    /// Requirement that the columns do not meet: those of at least one sensor must be complete, or with `all` those of every sensor.
+    /// Requirement that the columns do not meet: at least one sensor must have all its columns, or with `all` every sensor.
     pub fn keep_present(&mut self, has: impl Fn(&str) -> bool, all: bool) -> Result<(), String> {
         let present = |columns: &[&'static str]| columns.iter().all(|name| has(name));
         if all && let Some(missing) = self.setups.iter().find(|one| !present(one.kind.columns())) {

@@ -186,7 +186,7 @@ pub struct FitSummary<'a> {
     pub covariance_of: &'static str,
     /// Sum of squares by degrees of freedom.
     pub reduced_chi_squared: f64,
-    /// Sum of the squares of the residuals in standard deviations, those of outliers at the limit.
+    /// Sum of the squares of the residuals in standard deviations; an outlier counts as the limit.
     pub chi_squared: f64,
     /// Number of values that were used.
     pub used: u32,

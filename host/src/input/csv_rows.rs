@@ -31,7 +31,7 @@ pub fn parse(
     Ok((line, names, rows))
 }
 
-/// Line of a row, of which the reader knows where the comments and empty lines before it begin.
+/// Line of a row. The reader's position is before its comments and empty lines.
 fn line_of(text: &str, position: Option<&Position>) -> u64 {
     let (byte, line) = position.map_or((0, 1), |position| (position.byte(), position.line()));
     let before = text.get(byte as usize..).unwrap_or_default().lines();

@@ -23,7 +23,7 @@ use toytop_model::scenario::SUPPORTS;
 pub enum Units {
     /// SI: kg, m, s.
     Si,
-    /// Any consistent units, such as those of the paper, with p = s = g = 1. They have no names.
+    /// Any consistent units, such as the paper's, with p = s = g = 1. They have no names.
     None,
 }
 

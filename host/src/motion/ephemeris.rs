@@ -20,19 +20,21 @@ use toytop_model::constants::MAX_TICKS;
 
 /// Ephemeris of a motion: the core's table in any scalar and size, or the closed form of an aperiodic motion.
 pub struct MotionEphemeris {
-    /// Number of segments, and of coefficients of each polynomial; 0 without a table.
-    pub size: [usize; 2],
+    /// Number of segments; 0 without a table.
+    pub segments: usize,
+    /// Number of coefficients of each polynomial; 0 without a table.
+    pub terms: usize,
     /// Ticks in a unit of time.
     pub ticks_per_time: f64,
     /// Upper bound on the orientation error, rad.
     pub error_bound: ErrorBound,
     /// Upper bound on the error of ω, of Ω and of u', rad per unit time.
     pub rate_error_bound: ErrorBound,
-    source: Box<dyn Source>,
+    evaluator: Box<dyn Evaluator>,
 }
 
 /// Table or closed form that computes samples and events.
-trait Source: Send + Sync {
+trait Evaluator: Send + Sync {
     /// Calls `visit` with the motion at the time t, taken as exact.
     ///
     /// * `tick`: number of the tick at this time, if it is one
@@ -66,13 +68,13 @@ impl MotionEphemeris {
     /// Writes one column at each time, and computes no other.
     pub fn write(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
         for (t, row) in times.iter().zip(rows.chunks_exact_mut(column.names().len())) {
-            self.source.visit(*t, None, &mut |now| column.write(now, row));
+            self.evaluator.visit(*t, None, &mut |now| column.write(now, row));
         }
     }
 
     fn read<T>(&self, t: f64, tick: Option<i64>, read: impl Fn(&dyn Quantities) -> T) -> T {
         let mut result = None;
-        self.source.visit(t, tick, &mut |now| result = Some(read(now)));
+        self.evaluator.visit(t, tick, &mut |now| result = Some(read(now)));
         result.expect("every instant is visited")
     }
 }
@@ -88,7 +90,7 @@ pub fn search(
 ) -> Result<Vec<MotionEvent>, ParameterError> {
     let conditions = query.kind.conditions(motion)?.into_iter();
     let mut events: Vec<_> =
-        conditions.flat_map(|condition| ephemeris.source.events(condition, query)).collect();
+        conditions.flat_map(|condition| ephemeris.evaluator.events(condition, query)).collect();
     events.sort_by(|a, b| a.t.total_cmp(&b.t));
     events.truncate(query.count);
     Ok(events)
@@ -104,7 +106,7 @@ fn unwrapped(phase: Phase, near: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use toytop::{InitialAngles, Motion, Signs, Top, TopParameters};
-    use toytop_model::constants::MotionWithPeriod;
+    use toytop_model::constants::MotionConstants;
 
     pub(super) fn motion(a: f64, e: [f64; 3]) -> Motion {
         let top = Top::sliding(&TopParameters {
@@ -124,7 +126,7 @@ mod tests {
         for motion in
             [motion(1.0, [0.2, 0.8, 1.5]), motion(1e-6, [0.2, 0.8, 1e6]), motion(1e9, [0.2, 0.8, 1.5])]
         {
-            let constants = MotionWithPeriod::new(motion);
+            let constants = MotionConstants::new(motion);
             let (rate, period) = (constants.ticks_per_time(), constants.time_scale());
             assert!(rate * period >= 1000.0 && rate.log2().fract() == 0.0);
             assert!(constants.furthest_time() / period >= 1e10);

@@ -82,7 +82,7 @@ fn natural_scales(motion: &Motion) -> [f64; 3] {
     [momentum, momentum, energy]
 }
 
-/// Differences of l, n and h of a state from those of a motion, in units of their natural scales.
+/// Differences of l, n and h between a state and a motion, in units of their natural scales.
 pub fn drift(motion: &Motion, orientation: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
     let (constants, scales) = (motion.first_integrals(), natural_scales(motion));
     let exact = [constants.l, constants.n, constants.h];

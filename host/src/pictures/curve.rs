@@ -134,7 +134,7 @@ mod tests {
     use super::*;
     use toytop::{Release, State, Top, TopParameters};
 
-    /// At t = 0 the curve of a sliding top starts opposite to the direction of its axis, and that of a held top starts
+    /// At t = 0 the curve of a sliding top starts opposite to the direction of its axis, and the curve of a held top starts
     /// at its axis.
     #[test]
     fn tip_and_axis_begin_where_they_are() {

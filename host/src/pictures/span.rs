@@ -7,7 +7,7 @@ use crate::motion::ephemeris::{MotionEphemeris, ephemeris_for};
 use crate::motion::sample::Sample;
 use crate::output::significant;
 use toytop::Motion;
-use toytop_model::constants::MotionWithPeriod;
+use toytop_model::constants::MotionConstants;
 use toytop_model::picture_time::{cycle, periods, picture_time};
 
 /// Motion between two times.
@@ -36,7 +36,7 @@ impl MotionSpan {
     pub fn new(motion: &Motion, times: Option<[f64; 2]>, most_cycles: f64) -> Result<Self, Failure> {
         let table = ephemeris_for(Scalar::F64, motion)?;
         require_within(times.into_iter().flatten(), table.furthest_time(), " s")?;
-        let constants = MotionWithPeriod::new(*motion);
+        let constants = MotionConstants::new(*motion);
         let (regime, cycle) = (motion.regime(), cycle(&constants));
         let longest = most_cycles * cycle;
         if let Some([from, until]) = times.filter(|[from, until]| until - from > longest)

@@ -12,7 +12,7 @@
 
 use super::rotation_between;
 use super::trajectory::TrajectoryRow;
-use crate::motion::MotionWithPeriod;
+use crate::motion::MotionConstants;
 use crate::motion::ephemeris::MotionEphemeris;
 use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3, Vector6};
 use serde::Serialize;
@@ -26,7 +26,7 @@ pub struct PhaseErrors {
     pub nutation_error_rad: Option<f64>,
     /// Precession phase error Δψ, rad; `None` where the axis is vertical.
     pub precession_error_rad: Option<f64>,
-    /// Spin phase error Δφ, rad; where the axis is vertical, that of the whole rotation.
+    /// Spin phase error Δφ, rad; where the axis is vertical, the phase error of the whole rotation.
     pub spin_error_rad: Option<f64>,
     /// Root of the mean square of the rotation that remains after the phase errors are removed, rad.
     pub residual_rad: Option<f64>,
@@ -45,14 +45,14 @@ pub fn phase_errors(motion: &Motion, table: &MotionEphemeris, rows: &[Trajectory
         regime if regime.is_vertical() => [false, false, true],
         _ => [false, true, true],
     };
-    let period = MotionWithPeriod::new(*motion).time_scale();
+    let period = MotionConstants::new(*motion).time_scale();
     let rates = motion.period_advance().map_or([0.0; 3], |advance| {
         [advance.alpha_turns, advance.beta_turns, 1.0].map(|turns| 2.0 * PI * turns / period)
     });
     let fit = PhaseFit { table, period, rates, exist };
     let (mut angles, mut residual) = (Vector6::zeros(), None);
     for window in fit.windows(rows) {
-        // from the middle of one window to that of the next
+        // from the middle of one window to the middle of the next
         (0..3).for_each(|i| angles[i] += angles[i + 3]);
         (angles, residual) = fit.fit_rows(window, angles);
     }

@@ -7,7 +7,7 @@ use crate::input::require_within;
 use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::{MotionEphemeris, ephemeris_for};
 use crate::motion::errors::{distance, drift, greater};
-use crate::motion::{MotionWithPeriod, Scalar};
+use crate::motion::{MotionConstants, Scalar};
 use serde::Serialize;
 use std::array::from_fn;
 use std::f64::consts::PI;
@@ -37,7 +37,7 @@ pub struct Score {
     /// Phase errors over the last nutation period.
     #[serde(flatten)]
     pub phases: PhaseErrors,
-    /// Greatest difference of h from that of the motion, in units of its natural scale, if the file has the angular velocity.
+    /// Greatest difference of h between the file and the motion, in units of its natural scale, if the file has the angular velocity.
     pub drift_h: Option<f64>,
     /// Greatest difference of l in the same way.
     pub drift_l: Option<f64>,
@@ -120,7 +120,7 @@ impl<'a> Scorer<'a> {
         let [error, _] = self.errors(first);
         let inverse = orientation_error(&exact.pose.orientation, &first.orientation.inverse());
         let speed = distance(exact.rates.omega, [0.0; 3])
-            .max(2.0 * PI / MotionWithPeriod::new(*self.motion).time_scale());
+            .max(2.0 * PI / MotionConstants::new(*self.motion).time_scale());
         let rate_error = first.omega.map_or(0.0, |omega| distance(omega, exact.rates.omega)) / speed;
         let position_error = self.position_error(first).unwrap_or(0.0) / self.motion.top().tip_scale();
         let far = format!("the first row is {error:.1e} rad from the motion;");

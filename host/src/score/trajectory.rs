@@ -16,7 +16,7 @@ pub struct TrajectoryRow {
     pub t: f64,
     /// Orientation, normalised. Its sign is the file's.
     pub orientation: Orientation<f64>,
-    /// Distance of the file's quaternion from unit norm, or half that of RᵀR from the unit matrix.
+    /// Distance of the file's quaternion from unit norm, or half the distance of RᵀR from the unit matrix.
     pub norm_error: f64,
     /// Angular velocity in the fixed frame, rad/s, if the file has it.
     pub omega: Option<[f64; 3]>,
@@ -119,7 +119,7 @@ impl Trajectory {
     }
 }
 
-/// Rotation that takes body coordinates, whose second or third axis is the axis of symmetry, to those of the core, where it is the third.
+/// Rotation that takes body coordinates, whose second or third axis is the axis of symmetry, to the core's, where it is the third.
 pub fn to_symmetry_axis(axis: u8) -> Orientation<f64> {
     match axis {
         // a quarter turn about the first axis takes the second axis to the third

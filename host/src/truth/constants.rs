@@ -19,7 +19,7 @@ pub struct LaunchConstants {
     pub constants: Constants,
     pub half_tau: Float640,
     pub half_phase: HalfPhase,
-    /// Directions α/|α| and β/|β|, or those of the derivative of a parameter that is 0.
+    /// Directions α/|α| and β/|β|; a parameter that is 0 has the direction of its derivative.
     pub directions: [Complex640; 2],
 }
 
@@ -162,7 +162,7 @@ fn roots_of_cubic(energy: &Float640, kappa: &Float640, l: &Float640, n: &Float64
     [&mean - &forward - &across, &mean - &forward + across, mean + forward * 2]
 }
 
-/// Directions α/|α| and β/|β|, or those of the derivative of a parameter that is 0: there 2α' = (ω₂ - iω₁) β̄ and 2β' = -(ω₂ - iω₁) ᾱ.
+/// Directions α/|α| and β/|β|; a parameter that is 0 has the direction of its derivative: there 2α' = (ω₂ - iω₁) β̄ and 2β' = -(ω₂ - iω₁) ᾱ.
 fn directions(alpha: &Complex640, beta: &Complex640, [w1, w2]: [&Float640; 2]) -> [Complex640; 2] {
     let direction = |z: &Complex640, other: &Complex640, sign: i64| {
         let leaving = product(&[w2 * sign, -w1 * sign], &conjugate(other));

@@ -1,7 +1,7 @@
 //! Full solver: step-by-step integration of the three-dimensional equations of motion. It shares no formula with the core.
 //!
 //! The integrator is Verner's 9(8) pair from `differential-equations`, called for one step at a time, so that the last step ends exactly at
-//! the requested time without dense output. Three measures limit the rounding to that of a single operation per step:
+//! the requested time without dense output. Three measures limit the rounding to a single operation per step:
 //! - units of inertia and time are powers of two near A and the fastest rate, so that changing units is exact
 //!   and one tolerance suits every top;
 //! - each step integrates the *change* of the state from zero, and the changes are added with

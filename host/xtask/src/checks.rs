@@ -31,7 +31,7 @@ pub(crate) fn clippy() -> Result<String> {
     clippy_with(cargo(".", "clippy --workspace --all-targets --all-features"))?;
     let python = cargo("host/python", "clippy --all-targets");
     clippy_with(with_target_dir(python, target_dir()))?;
-    // the default features of a crate alone; the workspace's would add those of its other crates
+    // the default features of a crate alone; the workspace's would add the features of its other crates
     for package in ["toytop", "toytop-closed-forms", "toytop-fit"] {
         clippy_with(cargo(".", &format!("clippy --lib --package {package}")))?;
     }

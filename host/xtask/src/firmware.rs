@@ -80,14 +80,14 @@ impl Program {
         if *folder == MAIN { format!("--bin {name}") } else { format!("--package toytop-{name}") }
     }
 
-    /// File with the expected log on a chip: one of its own, if the log depends on the speed of the chip, or that of all chips.
+    /// File with the expected log on a chip: one of its own, if the log depends on the speed of the chip, or the common file.
     fn expected(&self, chip: &Chip) -> PathBuf {
         let folder = root().join("firmware-examples").join(self.folder);
         let own = folder.join(format!("{}.{}.out", self.name, chip.name));
         if own.exists() { own } else { folder.join(format!("{}.out", self.name)) }
     }
 
-    /// Result of a run, whose exit code must be that of the program.
+    /// Result of a run, which must have the program's exit code.
     fn run(&self, chip: &Chip) -> Result<Run> {
         let run = emulate(chip, &build(chip, &self.selection())?.join(self.name))?;
         let expected = if self.name == PANICS { 101 } else { 0 };
@@ -201,7 +201,7 @@ fn shown(chip: &Chip, elf: &Path) -> Result<ExitCode> {
 /// Runs a program on its chips, and writes the logs as the expected ones.
 pub(crate) fn accept(name: &str) -> Result<()> {
     let program = Program::named(name)?;
-    // the first chip last, because its log is that of all chips without a file of their own
+    // the first chip last, because chips without a file of their own have its log
     for chip in program.chips.iter().rev() {
         let path = program.expected(chip);
         fs::write(&path, program.run(chip)?.log)?;

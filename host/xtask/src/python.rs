@@ -16,7 +16,7 @@ const MORE: &str = "heyoka>=7 matplotlib dask pyarrow polars pandas ray";
 /// Largest wheel, bytes.
 const LARGEST_WHEEL: u64 = 1_500_000;
 
-/// Builds the package without link-time optimisation, which takes a third of the time, and runs all tests except those of times.
+/// Builds the package without link-time optimisation, which takes a third of the time, and runs all tests except of times.
 pub(crate) fn check() -> Result<String> {
     provide(TOOLS)?;
     install("quick")?;

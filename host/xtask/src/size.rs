@@ -74,7 +74,7 @@ pub(crate) fn check() -> Result<String> {
         "room", "tokens", "cap", "unit tests", "files", "comments"
     );
     let mut above = Vec::new();
-    // a room inside another one stands after it; the tests of a crate in host/ count with those of the binary
+    // a room inside another one stands after it; the tests of a crate in host/ count with the tests of the binary
     let room_of = |path: &str| {
         let path = if path.starts_with("host/") && path.contains("/tests/") { "host/tests/" } else { path };
         ROOMS.iter().rposition(|room| path.starts_with(room.folder))

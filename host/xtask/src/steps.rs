@@ -1,5 +1,5 @@
 //! Steps of `cargo xtask test`. The steps that find failures soonest come first. The steps of the chips, which wait for an emulator on one
-//! core, run in parallel with those of the host.
+//! core, run in parallel with the steps of the host.
 
 use std::process::ExitCode;
 use std::sync::{Mutex, PoisonError};

@@ -17,7 +17,7 @@ use toytop_host::input::random::Random;
 use toytop_host::input::scenario::{Launch, Scenario};
 use toytop_host::motion::ephemeris::ephemeris_for;
 use toytop_host::motion::errors::Errors;
-use toytop_host::motion::{MotionWithPeriod, Scalar};
+use toytop_host::motion::{MotionConstants, Scalar};
 use toytop_host::output::{self, Format};
 use toytop_host::truth::float640::{from_f64, from_i64};
 use toytop_host::truth::motion_input::MotionInput;
@@ -151,7 +151,7 @@ fn errors_of_motion(input: &MotionInput, scalars: &[Scalar]) -> Result<Vec<Vec<E
     let tables =
         scalars.iter().map(|&scalar| ephemeris_for(scalar, &motion)).collect::<Result<Vec<_>, _>>()?;
     let truth = Quadrature::new(input);
-    let rate = MotionWithPeriod::new(motion).ticks_per_time();
+    let rate = MotionConstants::new(motion).ticks_per_time();
     let mut random = Random::new(1, 0);
     let mut errors = vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];
     for octave in 0..=OCTAVES {

@@ -70,7 +70,7 @@ pub struct BudgetArgs {
 
 /// File of the limits.
 const LIMITS: &str = "firmware-examples/budgets.toml";
-/// Calls whose flash is that of the program `flash` without that of `empty`: a launch, a table and a tick.
+/// Calls whose flash is measured as the program `flash` minus `empty`: a launch, a table and a tick.
 const SET_UPS: [&str; 5] = ["launch", "new", "slices", "launch_slow", "launch_falling"];
 
 /// Request to `toytop budget`.
@@ -165,7 +165,7 @@ fn costs_of_calls(root: &Path, chip: &Chip, small: bool) -> io::Result<Costs> {
         costs.extend(measure(chip, &program("fit_cost")?)?);
         costs.insert(FLASH_S.to_owned(), Cost { flash: Some(flash_of_table(true)?), ..Cost::default() });
     }
-    // a set-up cannot be linked without the rest of its table: its flash is that of a program, as the linker sees it
+    // a set-up cannot be linked without the rest of its table: its flash is measured with a whole program, as the linker sees it
     let flash = flash_of_table(small)?;
     for call in SET_UPS {
         if let Some(cost) = costs.get_mut(call) {

@@ -13,7 +13,7 @@ use serde_json::json;
 use std::path::{Path, PathBuf};
 use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
-use toytop_host::motion::MotionWithPeriod;
+use toytop_host::motion::MotionConstants;
 use toytop_host::output::{self, Format, error_text, or_dash, significant};
 use toytop_host::score::order;
 use toytop_host::score::scorer::{Score, Scorer};
@@ -200,7 +200,7 @@ fn draw(
     integrators: &[Integrator],
 ) -> Result<(), Failure> {
     let counted = files.iter().all(|file| file.evaluations.is_some());
-    let period = MotionWithPeriod::new(scenario.motion).time_scale();
+    let period = MotionConstants::new(scenario.motion).time_scale();
     let point = |file: &ScoredFile| {
         let steps = file.step.map(|step| period / step);
         let work = if counted { file.evaluations } else { steps }.ok_or_else(|| {
@@ -253,8 +253,8 @@ fn tables(files: &[ScoredFile], integrators: &[Integrator]) -> String {
     ];
     let mut orders = String::new();
     for Integrator { method, order, .. } in integrators {
-        let of = if method.is_empty() { String::new() } else { format!(" of {method}") };
-        orders.extend(order.map(|order| format!("Order of convergence{of}: {order:.2}\n")));
+        let of_method = if method.is_empty() { String::new() } else { format!(" of {method}") };
+        orders.extend(order.map(|order| format!("Order of convergence{of_method}: {order:.2}\n")));
     }
     let bound = files.iter().map(|file| file.score.truth_bound_rad).fold(0.0, f64::max);
     format!(

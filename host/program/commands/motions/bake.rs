@@ -46,7 +46,7 @@ pub struct BakeArgs {
     /// Ticks in a second: N, or A/B for A ticks in B seconds
     #[arg(long, value_name = "N", default_value = "1000", value_parser = hertz)]
     hertz: [u32; 2],
-    /// Name of the table; by default that of the scenario file
+    /// Name of the table; by default the name of the scenario file
     #[arg(long, value_name = "NAME")]
     name: Option<String>,
     /// Output file; without it, stdout

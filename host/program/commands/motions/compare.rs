@@ -24,7 +24,7 @@ use toytop_host::motion::errors::Errors;
 use toytop_host::motion::full_equations;
 use toytop_host::motion::sample::Sample;
 use toytop_host::motion::stepper::TimedStepper;
-use toytop_host::motion::{MotionWithPeriod, Scalar};
+use toytop_host::motion::{MotionConstants, Scalar};
 use toytop_host::output::{self, Format, or_dash, significant};
 use toytop_host::truth::full_solver::FullState;
 
@@ -223,7 +223,7 @@ fn timed_samples(times: &[f64], mut sample: impl FnMut(f64) -> Sample) -> (Vec<S
 
 /// Run of the stepper through the times.
 fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
-    let step = MotionWithPeriod::new(*motion).time_scale() / f64::from(steps_per_period(scalar));
+    let step = MotionConstants::new(*motion).time_scale() / f64::from(steps_per_period(scalar));
     let mut timed = TimedStepper::<R>::new(motion, step);
     let (samples, ns) = timed_samples(times, |t| {
         timed.advance_to(t, |_| ());
@@ -241,11 +241,12 @@ fn run_ephemeris(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, 
     let table = ephemeris_for(scalar, motion)?;
     let (samples, ns) = timed_samples(times, |t| table.at(t));
     let ticks = times.last().map_or(0.0, |last| last * table.ticks_per_time);
-    let (table_bound, [segments, terms]) = (Some(table.error_bound.after(ticks)), table.size);
-    Ok(Run { samples, table: Some(format!("{segments}x{terms}")), table_bound, ns: Some(ns), steps: None })
+    let table_bound = Some(table.error_bound.after(ticks));
+    let size = format!("{}x{}", table.segments, table.terms);
+    Ok(Run { samples, table: Some(size), table_bound, ns: Some(ns), steps: None })
 }
 
-/// Greatest errors of samples, at the times that they have reached: an f32 step misses the requested one. `None` without samples.
+/// Greatest errors of samples, at the times reached: in f32 these are rounded. `None` without samples.
 ///
 /// * `exact`: states of the full solver at `times`
 fn greatest_errors(

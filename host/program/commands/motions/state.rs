@@ -23,7 +23,7 @@ use toytop_host::motion::full_equations;
 use toytop_host::motion::sample::{Sample, body_rates};
 use toytop_host::motion::stepper::{self, steps_needed};
 use toytop_host::motion::tip_angle::TipAngle;
-use toytop_host::motion::{MotionWithPeriod, Scalar};
+use toytop_host::motion::{MotionConstants, Scalar};
 use toytop_host::output::Format;
 
 /// Function from the index of a requested time to the sample there.
@@ -114,14 +114,14 @@ fn sampler(
         return Err(Failure::Input("--steps-per-period: needs --method stepper".to_owned()));
     }
     let samples = match (arguments.method, arguments.scalar) {
-        (Method::Ephemeris, scalar) => return by_ephemeris(scalar, scenario, times, rate),
+        (Method::Ephemeris, scalar) => return ephemeris_sampler(scalar, scenario, times, rate),
         (Method::Stepper, Scalar::Q31 | Scalar::Q15) => {
             let name = arguments.scalar.name();
             let reason = format!("none in {name}: use --method ephemeris, which has {name}");
             return Err(Failure::Input(format!("--method stepper: {reason}")));
         }
         (Method::Stepper, scalar) => {
-            let step = MotionWithPeriod::new(*motion).time_scale()
+            let step = MotionConstants::new(*motion).time_scale()
                 / f64::from(arguments.steps_per_period.unwrap_or(4096));
             let option = arguments.steps_per_period.map_or(&*times.option, |_| "--steps-per-period");
             let steps = steps_needed(&times.seconds, step).map_err(|failure| failure.with_option(option))?;
@@ -133,7 +133,7 @@ fn sampler(
             samples(motion, &times.seconds, step, &|steps| progress.add(steps))
         }
         (Method::Full, Scalar::F64) => full_equations::samples(scenario, &times.seconds)?,
-        (Method::ClosedForm, Scalar::F64) => return by_closed_form(scenario, times),
+        (Method::ClosedForm, Scalar::F64) => return closed_form_sampler(scenario, times),
         (method, scalar) => {
             let (name, method) = (scalar.name(), method.name());
             return Err(Failure::Input(format!("--scalar: {name}: must be f64 with --method {method}")));
@@ -143,7 +143,7 @@ fn sampler(
 }
 
 /// * `rate`: tick rate `[A, B]`, A ticks in B seconds
-fn by_ephemeris(
+fn ephemeris_sampler(
     scalar: Scalar,
     scenario: &Scenario,
     times: Times,
@@ -172,11 +172,11 @@ fn by_ephemeris(
 }
 
 /// Function that computes samples by the closed form, if the motion has one.
-fn by_closed_form(scenario: &Scenario, times: Times) -> Result<Box<Sampler>, Failure> {
+fn closed_form_sampler(scenario: &Scenario, times: Times) -> Result<Box<Sampler>, Failure> {
     let motion = &scenario.motion;
     let form = ClosedForm::from_motion(motion)
         .map_err(|refusal| Failure::Method(refusal.to_string()).with_context(&scenario.name))?;
-    let furthest = MotionWithPeriod::new(*motion).furthest_time_of_closed_form();
+    let furthest = MotionConstants::new(*motion).furthest_time_of_closed_form();
     times.require_within(furthest, " with --method closed-form")?;
     let angle = TipAngle::new(motion)?;
     Ok(Box::new(move |index| {

@@ -19,7 +19,7 @@ use toytop_host::input::scenario::Scenario;
 pub struct SimulateArgs {
     /// Scenario file
     scenario: PathBuf,
-    /// Sensors; by default those of a telephone at the centre of mass: gyroscope, accelerometer, magnetometer
+    /// Sensors; by default a telephone at the centre of mass: gyroscope, accelerometer, magnetometer
     #[arg(long, value_name = "SENSORS.toml")]
     sensors: Option<PathBuf>,
     /// Number of samples in a second

@@ -66,7 +66,7 @@ impl MotionCore {
         Ok(values.into_iter().collect())
     }
 
-    /// State at a time. At t = 0 it is that of the launch, without rounding.
+    /// State at a time. At t = 0 it is the state of the launch, without rounding.
     fn state(&self, t: f64) -> PyResult<State> {
         let (orientation, omega) = match self.launch {
             Launch::State { orientation, omega } if t == 0.0 => (orientation, omega),

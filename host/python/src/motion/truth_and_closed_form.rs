@@ -8,7 +8,7 @@ use crate::top::TopCore;
 use pyo3::prelude::*;
 use toytop::Motion;
 use toytop_closed_forms::ClosedForm;
-use toytop_host::motion::MotionWithPeriod;
+use toytop_host::motion::MotionConstants;
 use toytop_host::motion::sample::body_rates;
 use toytop_host::truth::float640::{decimal, from_f64};
 use toytop_host::truth::motion_input::MotionInput;
@@ -43,7 +43,7 @@ impl ClosedFormCore {
 
     /// Samples at these times.
     fn at(&self, py: Python<'_>, t: NumericArg) -> PyResult<Sampler> {
-        within(MotionWithPeriod::new(self.motion).furthest_time_of_closed_form(), &t.numbers)?;
+        within(MotionConstants::new(self.motion).furthest_time_of_closed_form(), &t.numbers)?;
         Sampler::by_method(py, t, &self.motion, None, |t| {
             let state = self.form.at(t);
             (state.orientation, body_rates(&state))
@@ -59,7 +59,7 @@ impl MotionCore {
     /// Samples of the truth at these times.
     fn reference(&self, py: Python<'_>, t: NumericArg) -> PyResult<Sampler> {
         self.within_reach(&t.numbers)?;
-        let (truth, unit) = (py.detach(|| self.truth()), MotionWithPeriod::new(self.motion).time_scale());
+        let (truth, unit) = (py.detach(|| self.truth()), MotionConstants::new(self.motion).time_scale());
         Sampler::by_method(py, t, &self.motion, Some(ROUNDING), |t| {
             (truth.at(&from_f64(t)).to_f64(), truth.rates(&from_f64(t), unit))
         })

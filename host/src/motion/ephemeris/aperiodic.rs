@@ -1,15 +1,15 @@
 //! Aperiodic motion as an ephemeris: its closed form takes the place of a table.
 
 use super::events::Condition;
-use super::{EventQuery, MotionEphemeris, MotionEvent, Source, unwrapped};
+use super::{Evaluator, EventQuery, MotionEphemeris, MotionEvent, unwrapped};
 use crate::motion::sample::{Quantities, Sample};
 use std::f64::consts::TAU;
 use toytop::ErrorBound;
 use toytop_model::aperiodic::AperiodicMotion;
-use toytop_model::constants::{MotionWithPeriod, natural_time};
+use toytop_model::constants::{MotionConstants, natural_time};
 
 /// Closed form, with what a search for events needs.
-pub struct ClosedFormSource {
+pub struct ClosedFormEvaluator {
     motion: AperiodicMotion,
     /// Time of the lowest point.
     lowest: f64,
@@ -24,9 +24,9 @@ const UPRIGHT: f64 = 40.0;
 /// Intervals of the search on either side of the lowest point. Each finds at most one event.
 const INTERVALS: i32 = 8192;
 
-impl ClosedFormSource {
+impl ClosedFormEvaluator {
     /// Closed form of a motion; `None` if it is not aperiodic.
-    pub fn new(constants: &MotionWithPeriod) -> Option<Self> {
+    pub fn new(constants: &MotionConstants) -> Option<Self> {
         let motion = AperiodicMotion::new(constants)?;
         let form = &motion.form;
         let mut upright = natural_time(constants);
@@ -45,11 +45,12 @@ impl ClosedFormSource {
         let [error_bound, rate_error_bound] = [self.motion.error_bound(), self.rate_error_bound()];
         let ticks_per_time = self.motion.ticks_per_time;
         MotionEphemeris {
-            size: [0; 2],
+            segments: 0,
+            terms: 0,
             ticks_per_time,
             error_bound,
             rate_error_bound,
-            source: Box::new(self),
+            evaluator: Box::new(self),
         }
     }
 
@@ -80,7 +81,7 @@ fn root(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
     }
 }
 
-impl ClosedFormSource {
+impl ClosedFormEvaluator {
     fn sample(&self, t: f64) -> Sample {
         let (state, tip) = self.motion.at(t);
         let error = self.motion.error_bound().after(t * self.motion.ticks_per_time);
@@ -88,7 +89,7 @@ impl ClosedFormSource {
     }
 }
 
-impl Source for ClosedFormSource {
+impl Evaluator for ClosedFormEvaluator {
     fn visit(&self, t: f64, _: Option<i64>, visit: &mut dyn FnMut(&dyn Quantities)) {
         visit(&self.sample(t));
     }

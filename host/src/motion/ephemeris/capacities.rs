@@ -1,13 +1,13 @@
 //! Choice among the capacities that a table may have.
 
-use super::aperiodic::ClosedFormSource;
+use super::aperiodic::ClosedFormEvaluator;
 use super::heap_table::{Capacity, capacity};
 use super::{HeapTable, MotionEphemeris, TableScalar};
 use crate::Failure;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
 use toytop::{Motion, Regime, SetUpError, Table, TableSettings, Tick, Workspace};
-use toytop_model::constants::MotionWithPeriod;
+use toytop_model::constants::MotionConstants;
 
 /// Capacities that a table may have, in ascending order: powers of two, and the capacity of the core's own type.
 fn capacities<R: TableScalar>() -> Vec<Capacity<R>> {
@@ -30,7 +30,7 @@ pub fn ephemeris_for(scalar: Scalar, motion: &Motion) -> Result<MotionEphemeris,
 
 /// Ephemeris of a motion in the smallest table, or the closed form of an aperiodic motion, which has no truncation error.
 ///
-/// * `tick`: length of a tick; without it, that of [`MotionWithPeriod`]
+/// * `tick`: length of a tick; by default [`MotionConstants::tick`]
 /// * `truncation`: greatest truncation error, rad; without it, a bound within the rounding of the scalar
 ///
 /// # Errors
@@ -41,9 +41,9 @@ pub fn ephemeris_with(
     tick: Option<Tick>,
     truncation: Option<f64>,
 ) -> Result<MotionEphemeris, Failure> {
-    let constants = MotionWithPeriod::new(*motion);
+    let constants = MotionConstants::new(*motion);
     if scalar == Scalar::F64 {
-        if let Some(closed_form) = ClosedFormSource::new(&constants) {
+        if let Some(closed_form) = ClosedFormEvaluator::new(&constants) {
             return Ok(closed_form.ephemeris());
         }
     } else if motion.regime() == Regime::Aperiodic {
@@ -65,7 +65,7 @@ pub fn ephemeris_with(
 impl<R: TableScalar> HeapTable<R> {
     /// Table of a motion whose truncation error is within the rounding of the scalar.
     ///
-    /// * `segments`: capacity; without it, that of the core's own type or the next one that is enough
+    /// * `segments`: capacity; by default the capacity of the core's own type, or the next larger one that fits
     ///
     /// # Errors
     /// [`Failure::Input`]: no table has this many segments. [`Failure::Method`]: they are too few; the message states a sufficient capacity.
@@ -119,12 +119,12 @@ mod tests {
     fn sizes_chosen<R: TableScalar>(motions: &[Motion]) -> Vec<usize> {
         let chosen = |motion: &Motion| {
             let table = ephemeris_for(R::SCALAR, motion).unwrap();
-            let tick = MotionWithPeriod::new(*motion).tick();
-            for segments in (3..12).map(|n| 1 << n).filter(|&segments| (segments as usize) < table.size[0]) {
+            let tick = MotionConstants::new(*motion).tick();
+            for segments in (3..12).map(|n| 1 << n).filter(|&segments| (segments as usize) < table.segments) {
                 let refused = HeapTable::<R>::with_segments(motion, tick, Some(segments)).is_err();
                 assert!(refused, "{segments} segments would do");
             }
-            table.size[0]
+            table.segments
         };
         let mut sizes: Vec<_> = motions.iter().map(chosen).collect();
         sizes.sort_unstable();
@@ -147,7 +147,7 @@ mod tests {
     #[test]
     fn an_aperiodic_motion_has_a_closed_form_in_f64_alone() {
         let motion = motion(1.0, [0.2, 1.0, 1.0]);
-        assert_eq!(ephemeris_for(Scalar::F64, &motion).unwrap().size[0], 0);
+        assert_eq!(ephemeris_for(Scalar::F64, &motion).unwrap().segments, 0);
         for scalar in [Scalar::F32, Scalar::Q31, Scalar::Q15] {
             let refusal = ephemeris_for(scalar, &motion).err().unwrap().to_string();
             assert_eq!(refusal, "an aperiodic motion has a closed form in f64, and no table");

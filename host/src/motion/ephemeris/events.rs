@@ -102,10 +102,10 @@ fn time_error(condition: Condition, sample: &Sample) -> Option<f64> {
     }
 }
 
-/// Number of consecutive events that are not counted, after which the search ends.
+/// Number of consecutive events of the other direction after which a search ends.
 const MAX_UNWANTED: u32 = 10_000;
 
-/// First events of a table at which a condition holds; `sample` is that of an event and its time.
+/// First events of a table at which a condition holds; `sample` computes the sample of an event and its time.
 pub fn table_events<R: EphemerisScalar>(
     table: &Table<R>,
     condition: Condition,

@@ -1,7 +1,7 @@
-//! Table of the core on the heap, as a source of samples.
+//! Table of the core on the heap, as an evaluator of samples.
 
 use super::events::{self, Condition};
-use super::{EventQuery, MotionEphemeris, MotionEvent, Source, unwrapped};
+use super::{Evaluator, EventQuery, MotionEphemeris, MotionEvent, unwrapped};
 use crate::motion::Scalar;
 use crate::motion::sample::{Quantities, Sample};
 use fixed::types::{I2F14, I2F30};
@@ -67,16 +67,17 @@ impl<R: TableScalar> HeapTable<R> {
         let table = self.table();
         let [ticks_per_time, _] = table.clock().ticks_per_time;
         MotionEphemeris {
-            size: [table.capacity(), R::TERMS],
+            segments: table.capacity(),
+            terms: R::TERMS,
             ticks_per_time,
             error_bound: table.error_bound(),
             rate_error_bound: table.rate_error_bound(),
-            source: Box::new(self),
+            evaluator: Box::new(self),
         }
     }
 }
 
-impl<R: TableScalar> Source for HeapTable<R> {
+impl<R: TableScalar> Evaluator for HeapTable<R> {
     fn visit(&self, t: f64, tick: Option<i64>, visit: &mut dyn FnMut(&dyn Quantities)) {
         let table = self.table();
         let now = tick.map_or_else(|| table.at(t), |n| table.at_tick(n));

@@ -6,8 +6,8 @@ use std::process::Command;
 /// Names of the files that a script writes, in order; `None` if a module is missing, which is printed.
 fn integrated(script: &str, modules: &str) -> Option<String> {
     let python = || Command::new(std::env::var_os("PYTHON").unwrap_or_else(|| "python3".into()));
-    let there = python().args(["-c", &format!("import {modules}")]).output();
-    if !there.is_ok_and(|output| output.status.success()) {
+    let import = python().args(["-c", &format!("import {modules}")]).output();
+    if !import.is_ok_and(|output| output.status.success()) {
         println!("missing, so {script} is not run: Python with {modules} (PYTHON names another interpreter)");
         return None;
     }

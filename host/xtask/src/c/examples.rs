@@ -1,4 +1,4 @@
-//! Examples in C, which are built and run, and whose bits are compared with those of `toytop state`.
+//! Examples in C, which are built and run, and whose bits are compared with `toytop state`.
 
 use std::fs;
 use std::io::{Read, read_to_string};

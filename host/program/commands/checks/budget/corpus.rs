@@ -9,7 +9,7 @@ use toytop_chips::chip::{Chip, REPEATABLE};
 use toytop_chips::trace;
 
 /// Costs of the launches of an ELF on an emulated chip: a row for each scalar and each result, `ready` or `refused`. Cycles are in
-/// proportion to those of the call `launch`. A slice is the longest time between two calls of the set-up's function.
+/// proportion to the call `launch`. A slice is the longest time between two calls of the set-up's function.
 ///
 /// # Errors
 /// There is no QEMU, the program did not end with exit code 0, or a line of its output cannot be read.

@@ -128,7 +128,7 @@ fn decimal(x: f64) -> String {
     format!("{x:.16e}")
 }
 
-/// Scalars in the order of their code. q31 needs the code of f32, and q15 that of both.
+/// Scalars in the order of their code. q31 needs the code of f32, and q15 needs both.
 const SCALARS: [Scalar; 4] = [Scalar::F32, Scalar::Q31, Scalar::Q15, Scalar::F64];
 
 /// Code that evaluates a table of this scalar: the phases, and the scalars that it needs. Each part is compiled once.

@@ -3,11 +3,10 @@
 use crate::commands::options::Method;
 use serde::Serialize;
 use toytop::{Motion, Regime};
-use toytop_host::motion::{MotionWithPeriod, Scalar};
+use toytop_host::motion::{MotionConstants, Scalar};
 
-/// Tighter bounds of the built-in motions near the separatrix over ten periods, rad: of the full solver, and of the stepper in f32.
-/// In f64 the bound of the full solver is the larger one. The measured errors are 1.7e-11 and 5e-6 for the first motion, 4.1e-9 and 1.6e-5 for
-/// the second.
+/// Bounds over ten periods of a built-in motion near the separatrix, rad: [full solver, f32 stepper]. The measured errors are [1.7e-11, 5e-6]
+/// and [4.1e-9, 1.6e-5]. The f64 stepper counts as exact beside the full solver.
 pub fn bounds_of_builtin(name: &str) -> Option<[f64; 2]> {
     match name {
         "near separatrix 1e-3" => Some([1e-10, 2e-5]),
@@ -59,10 +58,10 @@ const MAX_DISTANCE: f64 = 4.0;
 
 /// Bound on the difference of the core and the full solver, rad; `None` where it exceeds the greatest distance of two orientations.
 ///
-/// * `tighter`: those of [`bounds_of_builtin`]
+/// * `tighter`: result of [`bounds_of_builtin`]
 /// * `table`: bound that the table of an ephemeris states
 ///
-/// Beyond ten periods the bound of the stepper grows with time, and that of the full solver, whose energy drifts, with its square.
+/// Beyond ten periods the bound of the stepper grows with time, and the bound of the full solver, whose energy drifts, with its square.
 pub fn bound(
     motion: &Motion,
     (method, scalar): (Method, Scalar),
@@ -87,7 +86,7 @@ const MAX_GROWTH: f64 = 1e4;
 /// Time of `periods` periods, s, or a shorter one with the reason: an aperiodic motion is followed until shortly before the axis reaches
 /// the vertical, from where the solution of the full equations falls again.
 pub fn compared_time(motion: &Motion, periods: u32) -> (f64, Option<String>) {
-    let time = MotionWithPeriod::new(*motion).time_scale() * f64::from(periods);
+    let time = MotionConstants::new(*motion).time_scale() * f64::from(periods);
     if motion.regime() != Regime::Aperiodic {
         return (time, None);
     }

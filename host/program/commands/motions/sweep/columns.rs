@@ -10,7 +10,7 @@ use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::ephemeris::{MotionEphemeris, ephemeris_for, ephemeris_with};
 use toytop_host::motion::errors::greater;
 use toytop_host::motion::{Scalar, constant_as_json};
-use toytop_model::constants::{CONSTANTS, Constant, MotionWithPeriod};
+use toytop_model::constants::{CONSTANTS, Constant, MotionConstants};
 
 /// Column of a sweep.
 #[derive(Clone, Copy)]
@@ -31,7 +31,7 @@ type EphemerisColumn = (&'static str, fn(&RowMotion) -> Option<Value>);
 const EPHEMERIS_COLUMNS: [EphemerisColumn; 3] = [
     ("error_f32", |motion| motion.error_f32().map(Value::from)),
     ("bound_f32", |motion| Some(motion.f32_ephemeris()?.error_bound.constant.into())),
-    ("segments_f32", |motion| Some(motion.f32_ephemeris()?.size[0].into())),
+    ("segments_f32", |motion| Some(motion.f32_ephemeris()?.segments.into())),
 ];
 
 /// Columns without the option.
@@ -92,7 +92,7 @@ impl SweepColumn {
 
 /// Motion of a row, with its ephemerides as far as columns need them.
 pub struct RowMotion {
-    motion: MotionWithPeriod,
+    motion: MotionConstants,
     times: Vec<f64>,
     f64_ephemeris: OnceCell<Option<MotionEphemeris>>,
     f32_ephemeris: OnceCell<Option<MotionEphemeris>>,
@@ -101,7 +101,7 @@ pub struct RowMotion {
 impl RowMotion {
     /// Motion with `count` times spread over this many periods.
     pub fn new(motion: Motion, count: u32, periods: f64) -> Self {
-        let motion = MotionWithPeriod::new(motion);
+        let motion = MotionConstants::new(motion);
         let times = spread_times(periods * motion.time_scale(), count);
         Self { motion, times, f64_ephemeris: OnceCell::new(), f32_ephemeris: OnceCell::new() }
     }

@@ -23,7 +23,7 @@ pub struct Sweep {
     sample: Option<(u64, u64)>,
     /// Number of motions.
     pub count: u64,
-    /// Columns after those of the numbers that vary.
+    /// Columns after the numbers that vary.
     columns: Vec<SweepColumn>,
     /// Number of times at which each motion is evaluated.
     times: u32,

@@ -3,7 +3,7 @@
 use super::random_launch;
 use toytop::{Motion, ParameterError, Regime};
 use toytop_host::input::random::Random;
-use toytop_host::motion::MotionWithPeriod;
+use toytop_host::motion::MotionConstants;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::{
     EventKind, EventQuery, MotionEphemeris, ephemeris_for, ephemeris_with, search,
@@ -53,7 +53,7 @@ const RANDOM_TICKS: usize = 4;
 const DISTANT_POWERS: [u32; 3] = [40, 50, 62];
 /// Number of periods that are searched for the tick closest to a turning point.
 const SEARCHED_PERIODS: i64 = 64;
-/// Number of ticks of the first period at which the rates are compared with those of a finer table.
+/// Number of ticks of the first period at which the rates are compared with a finer table.
 const RATE_TICKS: i64 = 2048;
 /// Truncation error of the finer table, far below the rounding of `f64`, rad.
 const FINE_TRUNCATION: f64 = 1e-18;
@@ -66,7 +66,7 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
     let mut random = Random::new(seed, number);
     let input = random_launch::draw(&mut random);
     let motion = input.motion()?;
-    let constants = MotionWithPeriod::new(motion);
+    let constants = MotionConstants::new(motion);
     let (period, rate) = (constants.time_scale(), constants.ticks_per_time());
     let tables = Scalar::ALL.map(|scalar| ephemeris_for(scalar, &motion).ok());
     let times = [(); NORM_TIMES].map(|()| random.between(0.0, period));
@@ -154,7 +154,7 @@ fn nearest(tick: i64, place: &Float640, period: &Float640) -> Option<i64> {
     closest.and_then(|place| to_i64(&place))
 }
 
-/// For each scalar, the tick of the first period at which its rates differ most from those of a finer table.
+/// For each scalar, the tick of the first period at which its rates differ most from a finer table.
 fn most_different_rates(tables: &[Option<MotionEphemeris>], motion: &Motion, period: f64) -> Vec<i64> {
     let finer = ephemeris_with(Scalar::F64, motion, None, Some(FINE_TRUNCATION));
     let Ok(finer) = finer else { return Vec::new() };
