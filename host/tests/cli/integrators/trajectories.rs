@@ -164,10 +164,10 @@ fn runs_of_different_lengths_have_no_order() {
     let found = json(format!("score @figure_3_loops {}", files.join(" ")));
     assert!(found["order"].is_null() && found["files"][1]["method_order"].is_null(), "{found}");
     let [first, other, _] = files;
-    let said = toytop(format!("score @figure_3_loops {first} {other}")).err;
+    let output = toytop(format!("score @figure_3_loops {first} {other}")).err;
     assert!(
-        said.contains(&format!("warning: no order: {first} and {other} end at different times")),
-        "{said}"
+        output.contains(&format!("warning: no order: {first} and {other} end at different times")),
+        "{output}"
     );
 }
 
@@ -193,11 +193,11 @@ fn positions_and_rates_are_checked() {
         (score("@toy_top score_shifted.csv"), toytop("score @toy_top score_shifted.csv").err)
     };
     assert!(number(&shifted("t", 0.0).0["max_position_error"]) < 1e-15);
-    let (off, said) = shifted("tip_x", 0.5);
+    let (off, output) = shifted("tip_x", 0.5);
     assert!((number(&off["max_position_error"]) - 0.5).abs() < 1e-12, "{off}");
-    assert!(said.contains("the position of the first row is off by 1.7e1 "), "{said}");
-    let (_, said) = shifted("omega_x", 10.0);
-    assert!(said.contains("the angular velocity of the first row is off by 6.7e-2 "), "{said}");
+    assert!(output.contains("the position of the first row is off by 1.7e1 "), "{output}");
+    let (_, output) = shifted("omega_x", 10.0);
+    assert!(output.contains("the angular velocity of the first row is off by 6.7e-2 "), "{output}");
 }
 
 #[test]

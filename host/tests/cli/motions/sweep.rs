@@ -8,8 +8,8 @@ use crate::command::{
 fn sweep(to: &str, arguments: &str) -> String {
     // left over from an earlier run, or never there
     let _ = std::fs::remove_file(path(to));
-    let said = toytop(format!("sweep -o {to} {arguments}")).ok();
-    assert!(said.contains(" motions"), "{said}");
+    let output = toytop(format!("sweep -o {to} {arguments}")).ok();
+    assert!(output.contains(" motions"), "{output}");
     read(to)
 }
 
@@ -103,8 +103,8 @@ fn numbers_that_a_scenario_cannot_have_are_refused_rows() {
         ),
         ("--tilt 0,180", ": 2 motions in "),
     ] {
-        let said = toytop(format!("sweep -o sweep_counted.csv @toy_top {axes}")).ok();
-        assert!(said.contains(summary), "{said}");
+        let output = toytop(format!("sweep -o sweep_counted.csv @toy_top {axes}")).ok();
+        assert!(output.contains(summary), "{output}");
     }
 }
 
