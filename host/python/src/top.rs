@@ -30,7 +30,7 @@ impl TopCore {
         gravity: f64,
         rotor_momentum: f64,
     ) -> PyResult<Self> {
-        let parameters = scenario::top_parameters([
+        let parameters = TopParameters {
             transverse_inertia,
             axial_inertia,
             com_height,
@@ -38,7 +38,7 @@ impl TopCore {
             mass_moment,
             gravity,
             rotor_momentum,
-        ]);
+        };
         let support = support_named(support)
             .ok_or_else(|| value_error("support", "must be 'sliding', 'fixed' or 'free'"))?;
         Ok(Self { parameters, top: scenario::top(support, &parameters).map_err(parameter_error)? })

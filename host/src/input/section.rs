@@ -117,7 +117,7 @@ impl Section<'_> {
         self.value((key, &allowed), default, word)
     }
 
-    /// As [`numbers`](Self::numbers), of a table without keys other than these and `choice`.
+    /// Like [`numbers`](Self::numbers); refuses keys other than these and `choice`.
     pub fn only_numbers<const N: usize>(
         &self,
         choice: Option<(&str, &str)>,

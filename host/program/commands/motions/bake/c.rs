@@ -106,8 +106,9 @@ fn initialisers<R: TableScalar>(table: &Table<R>) -> String {
         clock.tip_exists.into(),
         clock.has_turning_points.into(),
     ];
+    let rows = table.capacity() * R::TERMS;
     let lines = [
-        format!("{FORMAT}u, {:#x}u, {}u, {}u", R::crc32(table), table.capacity(), R::TERMS),
+        format!("{FORMAT}u, {:#x}u, {}u, {}u, ~{rows}u", R::crc32(table), table.capacity(), R::TERMS),
         format!("{{{}}}, {}", clock.first_phases.map(wide).join(", "), wide(clock.epoch as u64)),
         format!("{{{}}}", clock.step.map(phase).join(", ")),
         format!("{{{}}}", numbers.join(", ")),
@@ -143,7 +144,10 @@ fn code(scalar: Scalar) -> String {
     let mut text = "#ifndef TOYTOP_API\n#define TOYTOP_API static inline\n#endif\n".to_owned();
     for (name, code) in std::iter::once(clock).chain(needed.iter().map(evaluator)) {
         let guard = name.to_uppercase();
-        text += &format!("#ifndef TOYTOP_{guard}\n#define TOYTOP_{guard} {FORMAT}\n{code}#endif\n");
+        text += &format!(
+            "#ifndef TOYTOP_{guard}\n#define TOYTOP_{guard} {FORMAT}\n{code}#elif TOYTOP_{guard} != {FORMAT}\n\
+             #error two versions of toytop wrote these headers: write them again\n#endif\n"
+        );
     }
     text
 }

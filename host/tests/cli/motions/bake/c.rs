@@ -166,13 +166,19 @@ fn c_gives_the_same_bits() {
         assert!(*output == outputs[0], "build {index} has other bits: {builds:?}");
     }
 
-    // a changed bit of the table is detected
+    // a changed bit of the table is detected, and a changed number of segments without a look beyond the table
     let text = read("bake_c/toy_top.h");
-    let (head, rows) = text.split_once("toy_top_coefficients[125][4] = {").expect("the table");
-    let changed = format!("{head}toy_top_coefficients[125][4] = {{{}", rows.replacen(", ", ", 1", 1));
-    write("bake_c/toy_top.h", changed);
-    finished(Command::new("cc").args(["-std=c99", "-o", "bake_c/main", "bake_c/main.c"])).ok();
-    assert_eq!(finished(&mut Command::new(whole.join("main"))).code, Some(1));
+    let coefficients = "toy_top_coefficients[125][4] = {";
+    let (head, rows) = text.split_once(coefficients).expect("the table");
+    let changed_row = format!("{head}{coefficients}{}", rows.replacen(", ", ", 1", 1));
+    for changed in [changed_row, text.replacen("25u, 5u, ~125u", "4121u, 5u, ~125u", 1)] {
+        assert_ne!(changed, text);
+        write("bake_c/toy_top.h", changed);
+        let flags = ["-std=c99", "-fsanitize=address", "-o", "bake_c/main", "bake_c/main.c"];
+        finished(Command::new("cc").args(flags)).ok();
+        let run = finished(&mut Command::new(whole.join("main")));
+        assert!(run.code == Some(1) && run.err.is_empty(), "{}", run.err);
+    }
 }
 
 /// The compiler refuses the second of two motions from files of one name.
@@ -195,4 +201,9 @@ fn two_tables_of_one_name_do_not_compile() {
     let refused = compiled("#include \"a/top.h\"\n#include \"b/top.h\"\n");
     assert_ne!(refused.code, Some(0));
     assert!(refused.err.contains("two different tables have the name top_top"), "{}", refused.err);
+    let other =
+        read("bake_one_name/a/top.h").replace("TOYTOP_CLOCK 7", "TOYTOP_CLOCK 6").replace("TOP_TOP", "OTHER");
+    write("bake_one_name/a/other.h", other);
+    let refused = compiled("#include \"a/other.h\"\n#include \"b/top.h\"\n");
+    assert!(refused.err.contains("two versions of toytop"), "{}", refused.err);
 }

@@ -14,6 +14,7 @@ typedef struct { uint64_t leading; uint32_t low; } toytop_phase;
 /* Clock of a table. The order of phases is nutation, mean phase of alpha, mean phase of beta. */
 typedef struct {
     uint32_t format, crc32, segments, terms;
+    uint32_t not_rows;         /* ~(segments * terms): a changed size must not lead the check beyond the table */
     uint64_t first[3];         /* phases at tick INT64_MIN, from which ticks are unsigned numbers */
     uint64_t epoch;            /* tick of the launch, as an unsigned number modulo 2^64 */
     toytop_phase step[3];      /* increments in a tick */
