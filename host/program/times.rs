@@ -60,7 +60,7 @@ impl Times {
                 let finite = from.zip(*to).filter(|(from, to)| from.is_finite() && to.is_finite());
                 let axis = finite.and_then(|(from, to)| Axis::range(from, to, false, *count).ok());
                 let axis = axis.ok_or_else(|| {
-                    let allowed = "--from must be below --to, both finite, and --count at least 2";
+                    let allowed = "must be two finite times in this order, and a number from 2";
                     Failure::Input(format!("--from, --to, --count: {allowed}"))
                 })?;
                 Self::new("--from, --to, --count".to_owned(), &axis)
