@@ -73,8 +73,11 @@ pub fn help() -> String {
             help += &format!("  {name:<12}{}\n", about.cloned().unwrap_or_default());
         }
     }
-    let hidden = commands.get_subcommands().filter(|command| command.is_hide_set());
-    let hidden: Vec<_> = hidden.map(clap::Command::get_name).collect();
+    let hidden: Vec<_> = commands
+        .get_subcommands()
+        .filter(|command| command.is_hide_set())
+        .map(clap::Command::get_name)
+        .collect();
     help + &format!("Checks of toytop itself: {}\n", hidden.join(" "))
 }
 

@@ -51,7 +51,7 @@ impl Covariance {
     }
 
     /// Covariance of the unknowns in these units.
-    pub(crate) fn to_units(mut self, units: &Unknowns) -> Self {
+    pub(crate) fn in_units(mut self, units: &Unknowns) -> Self {
         for (index, x) in units.iter().enumerate() {
             self.lower.row_mut(index).iter_mut().zip(units).for_each(|(slot, y)| *slot /= x * y);
         }

@@ -89,7 +89,7 @@ impl Equations {
     }
 
     /// Same parameters in other units of inertia and of angular rates.
-    pub fn to_units(&self, inertia: f64, rate: f64) -> Self {
+    pub fn in_units(&self, inertia: f64, rate: f64) -> Self {
         Self {
             a: self.a / inertia,
             c: self.c / inertia,

@@ -60,7 +60,7 @@ impl FullSolver {
         let rate = (pg / a + dot(state.omega, state.omega) + rotor * rotor).sqrt();
         // a body at rest without weight has no natural rate, and its unit is 1
         let (rate_unit, inertia_unit) = (power_of_two(rate), power_of_two(a));
-        let equations = equations.to_units(inertia_unit, rate_unit);
+        let equations = equations.in_units(inertia_unit, rate_unit);
         let ([a, b], [c, d]) = (state.alpha, state.beta);
         let norm = (a * a + b * b + c * c + d * d).sqrt();
         // If the norm is 1 up to rounding, the numbers are kept, and `normalise_orientation` computes their deviation.

@@ -221,7 +221,7 @@ const ALIGNED_SINE: f64 = 0.1;
 fn unobservable(fitted: &Fitted, units: &Unknowns) -> Unobservable {
     let Fitted { launch, unknown_count: count, .. } = *fitted;
     let factor = |least: f64, count: usize| {
-        let mut sum = fitted.covariance.to_units(units);
+        let mut sum = fitted.covariance.in_units(units);
         (0..count).for_each(|index| sum.add_variance(index, least));
         sum.factor(count)
     };

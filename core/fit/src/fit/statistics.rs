@@ -79,8 +79,8 @@ impl Statistics {
 
     /// Whether the residuals contradict the noise. One of these is then true of a sensor, or of all sensors together:
     ///
-    /// * more than a fifth of the residuals and three are outliers;
-    /// * more than a twentieth and three are beyond ten standard deviations;
+    /// * the outliers exceed a fifth of the residuals by more than three;
+    /// * the residuals beyond ten standard deviations exceed a twentieth by more than three;
     /// * the sum of squares of the others is five of its standard deviations above its mean;
     /// * the differences from the prior values are too large.
     pub(super) fn is_misfit(&self, unknowns: usize) -> bool {

@@ -111,11 +111,10 @@ mod tests {
         let result = half_period.compute::<f32>(&motion, &limits, &mut memory, &mut segments, &mut || {});
         assert!(result.is_ok());
         let bounds = half_period.error_bounds(f32::TERMS, &f32::ERRORS, &motion, 0.001.into());
-        let (segment, angular) =
-            (f64::from(half_period.bounds.error), f64::from(half_period.bounds.angular_speed));
+        let segment = f64::from(half_period.bounds.error);
         let [orientation, rates] = bounds.map(|bound| [bound.constant, bound.per_tick]);
         let steps = half_period.error - segment;
-        let coordinate = f32::ERRORS.per_half_segment * angular / 16.0;
+        let coordinate = f32::ERRORS.per_half_segment * half_period.bounds.half_segment_change();
         let page = include_str!("../../../../docs/error_bound.md");
         for number in
             [segment, steps, f32::ERRORS.orientation, coordinate].into_iter().chain(orientation).chain(rates)
