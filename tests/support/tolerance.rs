@@ -71,7 +71,7 @@ pub const OTHER_TOPS_STEPPER_F64: [f64; 2] = [1e-14; 2];
 pub const OTHER_TOPS_STEPPER_F32: [f64; 2] = [3e-6; 2];
 pub const OTHER_TOPS_TABLE: [f64; 2] = [2e-15; 2];
 
-// motion/stages.rs
+// motion/from_launch_to_table.rs
 pub const STAGES_L_N_H: f64 = 4e-16;
 pub const STAGES_PERIOD: [f64; 2] = [4e-16, 3e-16];
 pub const STAGES_STEPPER: [f64; 4] = [3e-13, 1e-11, 3e-16, 6e-6];
@@ -90,7 +90,7 @@ pub const FIXED_POINT_ADJOINT: [f64; 2] = [3e-8, 1e-3];
 // rotations/group.rs
 pub const GROUP_MOEBIUS: f64 = 3e-15;
 
-// table/access.rs
+// table/samples.rs
 pub const ACCESS_N_M_TICKS: f64 = 5e-14;
 pub const ACCESS_SAME_QUANTITIES: [f64; 2] = [2e-15, 2e-14];
 pub const ACCESS_CONTINUITY: [f64; 2] = [2e-11; 2];

@@ -392,7 +392,7 @@ toytop_status toytop_motion_constants(const struct toytop_motion *motion,
                                       struct toytop_constants *constants);
 
 // Partial derivatives at a time, s from the launch. The call integrates over a nutation period, so it takes too long for an interrupt.
-// `TOYTOP_NONE` where the time is not finite, or a derivative is beyond 1e150.
+// `TOYTOP_NONE` where the time is not finite or too far to integrate to, or a derivative is beyond 1e150.
 toytop_status toytop_motion_partials(const struct toytop_motion *motion,
                                      double time,
                                      struct toytop_partials *partials);

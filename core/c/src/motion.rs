@@ -180,7 +180,7 @@ pub struct toytop_partials {
 }
 
 /// Partial derivatives at a time, s from the launch. The call integrates over a nutation period, so it takes too long for an interrupt.
-/// `TOYTOP_NONE` where the time is not finite, or a derivative is beyond 1e150.
+/// `TOYTOP_NONE` where the time is not finite or too far to integrate to, or a derivative is beyond 1e150.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn toytop_motion_partials(
     motion: *const toytop_motion,
