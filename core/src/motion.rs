@@ -19,10 +19,10 @@ use crate::body::{Support, Top};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, Regime, Signs, TipClass, normal_force};
 use crate::motion::ellipses::Ellipses;
-use crate::motion::period::{PathNumber, Period, PeriodAdvance};
+use crate::motion::period::{Period, PeriodAdvance};
 use crate::motion::phase_equations::PhaseEquations;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring};
+use crate::scalar::{Extended, Float, Ring, Wide};
 
 /// Motion of one launch.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,13 +81,17 @@ impl Motion {
     /// Cost: one integration.
     pub fn period_advance(&self) -> Option<PeriodAdvance> {
         let windings = Ellipses::oscillating(&self.e, self.signs, Extended::to_f64).windings();
-        let period = self.period::<Extended>(&self.equations(), &mut || {})?;
+        let period = self.period(2, &self.equations(), &mut || {})?;
         Some(PeriodAdvance::new(&period, self.half_tau, windings))
     }
 
-    /// Nutation period, integrated for a path in `F`.
-    pub(crate) fn period<F: PathNumber>(
+    /// Nutation period.
+    ///
+    /// * `words`: 1 to integrate it in 64 bits, 2 in 125
+    #[inline(always)] // only one of the two integrations is then linked
+    pub(crate) fn period(
         &self,
+        words: usize,
         equations: &PhaseEquations<Extended>,
         pause: &mut dyn FnMut(),
     ) -> Option<Period> {
@@ -96,7 +100,10 @@ impl Motion {
             return (self.torque_free_rate > Extended::ZERO)
                 .then(|| Period::torque_free(half_turn / self.torque_free_rate));
         }
-        (self.e.e3_minus_e2 > Extended::ZERO).then(|| F::integrate(equations, pause))
+        (self.e.e3_minus_e2 > Extended::ZERO).then(|| match words {
+            1 => Period::integrated(&equations.map(Wide::<1>::from_extended), pause),
+            _ => Period::integrated(equations, pause),
+        })
     }
 
     /// Winding numbers of the ellipses of α and β; 1 for a steady motion.

@@ -109,7 +109,7 @@ pub trait Float: Ring + Div<Output = Self> {
     fn from_extended(x: Extended) -> Self;
     /// Nearest `f64`.
     fn to_f64(self) -> f64;
-    /// Square root; 0 for a negative number.
+    /// Square root; 0 for a negative number and for NaN.
     #[must_use]
     fn sqrt(self) -> Self;
 

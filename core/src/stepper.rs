@@ -214,9 +214,9 @@ fn gudermannian<R: Real>(v: R) -> Complex<R> {
     let growth = v.abs().exp_minus_one();
     let q = R::ONE / (R::ONE + growth);
     let one_minus_q = if q > R::ZERO { growth * q } else { R::ONE };
-    let per_sum = R::ONE / (R::ONE + q.squared());
-    let tanh = one_minus_q * (R::ONE + q) * per_sum;
-    Complex::new(q.doubled() * per_sum, if v < R::ZERO { -tanh } else { tanh })
+    let inverse_sum = R::ONE / (R::ONE + q.squared());
+    let tanh = one_minus_q * (R::ONE + q) * inverse_sum;
+    Complex::new(q.doubled() * inverse_sum, if v < R::ZERO { -tanh } else { tanh })
 }
 
 fn phase_from_radians<R: Real>(angle: R) -> Phase {

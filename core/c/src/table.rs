@@ -61,13 +61,16 @@ pub(crate) struct CheckedTable<'a, R: EphemerisScalar> {
 }
 
 /// Least number of segments of a table.
-const LEAST: usize = 8;
+const MIN_SEGMENTS: usize = 8;
 /// Greatest number of segments that a table can use.
-const MOST: usize = 4096;
+const MAX_SEGMENTS: usize = 4096;
+
+/// Memory of the smallest table.
+type SmallestMemory<R> = EphemerisMemory<Ephemeris<R, MIN_SEGMENTS>>;
 
 /// Bytes of a table with this many segments.
 const fn size_of_table<R: EphemerisScalar>(segments: usize) -> usize {
-    size_of::<Head>() + size_of::<EphemerisMemory<Ephemeris<R, LEAST>>>() - LEAST * size_of::<R::Segment>()
+    size_of::<Head>() + size_of::<SmallestMemory<R>>() - MIN_SEGMENTS * size_of::<R::Segment>()
         + segments * size_of::<R::Segment>()
 }
 
@@ -77,7 +80,7 @@ const _: () = {
         size_of::<T>() == size
             && size_of_table::<R>(segments) == size
             && size_of::<R::Segment>() == segment
-            && align_of::<EphemerisMemory<Ephemeris<R, LEAST>>>() <= TOYTOP_EPHEMERIS_ALIGNMENT
+            && align_of::<SmallestMemory<R>>() <= TOYTOP_EPHEMERIS_ALIGNMENT
     }
     assert!(sizes_agree::<f32, toytop_ephemeris_f32>(TOYTOP_EPHEMERIS_F32_SIZE, 25, 80));
     assert!(sizes_agree::<f64, toytop_ephemeris_f64>(TOYTOP_EPHEMERIS_F64_SIZE, 48, 352));
@@ -172,7 +175,11 @@ where
 /// Number of segments of a table in this many bytes; too few bytes are refused.
 fn segments_in<R: EphemerisScalar>(size: usize) -> Result<usize, Refusal> {
     let segments = size.saturating_sub(size_of_table::<R>(0)) / size_of::<R::Segment>();
-    if segments < LEAST { Err(toytop_status::TOYTOP_BAD_MEMORY.into()) } else { Ok(segments.min(MOST)) }
+    if segments < MIN_SEGMENTS {
+        Err(toytop_status::TOYTOP_BAD_MEMORY.into())
+    } else {
+        Ok(segments.min(MAX_SEGMENTS))
+    }
 }
 
 /// Empty table in `size` bytes of the caller, which need not be initialised. Null and unaligned pointers, and too few bytes, are refused.
@@ -191,10 +198,10 @@ pub(crate) unsafe fn empty_table<'a, R: EphemerisScalar>(
         // volatile, because the memory need not be initialised
         let generation = (&raw const (*head).generation).read_volatile().wrapping_add(1);
         head.write(Head { tag: tag_of::<R>(), segments: segments as u16, generation });
-        let least = head.wrapping_add(1).cast::<EphemerisMemory<Ephemeris<R, LEAST>>>();
+        let least = head.wrapping_add(1).cast::<SmallestMemory<R>>();
         least.write(EphemerisMemory::new());
         let rest = least.wrapping_add(1).cast::<R::Segment>();
-        (LEAST..segments).zip(0..).for_each(|(_, place)| rest.add(place).write(R::ZERO_SEGMENT));
+        (MIN_SEGMENTS..segments).zip(0..).for_each(|(_, place)| rest.add(place).write(R::ZERO_SEGMENT));
         Ok(&mut *table_after::<R>(head, segments))
     }
 }

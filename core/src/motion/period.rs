@@ -6,8 +6,7 @@ mod elliptic_equations;
 
 mod quadrature;
 
-use crate::motion::phase_equations::PhaseEquations;
-use crate::scalar::{Extended, Float, Ring, Wide};
+use crate::scalar::{Extended, Float, Ring};
 
 /// Nutation period, and advance of α and β over one period in turns, whole turns included.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +34,7 @@ impl PeriodAdvance {
 
 /// Nutation period with ψ_α and ψ_β over it, and their errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Period {
+pub(crate) struct Period {
     pub(crate) time: Extended,
     /// Angles ψ_α(T) and ψ_β(T), rad.
     pub(crate) psi: [Extended; 2],
@@ -67,23 +66,5 @@ impl Period {
         let [psi_alpha, psi_beta] = self.psi;
         // the terms ±τT/2 of α and β cancel
         [psi_alpha + psi_beta, psi_alpha - psi_beta + half_tau.doubled() * self.time]
-    }
-}
-
-/// Number type of the rates along the path of a set-up, with the wide number in which the period is integrated.
-pub trait PathNumber: Float {
-    /// Period of a motion that nutates.
-    fn integrate(equations: &PhaseEquations<Extended>, pause: &mut dyn FnMut()) -> Period;
-}
-
-impl PathNumber for f64 {
-    fn integrate(equations: &PhaseEquations<Extended>, pause: &mut dyn FnMut()) -> Period {
-        Period::integrated(&equations.map(Wide::<1>::from_extended), pause)
-    }
-}
-
-impl PathNumber for Extended {
-    fn integrate(equations: &PhaseEquations<Extended>, pause: &mut dyn FnMut()) -> Period {
-        Period::integrated(equations, pause)
     }
 }

@@ -85,7 +85,7 @@ impl PhaseEquations<Extended> {
         let unit = exponent(a.to_f64()) - exponent(p.to_f64());
         let [a_over_p, s, g] = [a / p, s, g].map(|length| length.ldexp(-unit));
         let momentum = ((a * top.p * top.g).doubled() * e.one_minus_e1() * e.one_minus_e2).sqrt();
-        let per_g = a_over_p / g.doubled();
+        let inverse_g = a_over_p / g.doubled();
         Self {
             one_plus_e1: e.one_plus_e1,
             one_minus_e2: e.one_minus_e2,
@@ -97,10 +97,10 @@ impl PhaseEquations<Extended> {
             s_times_e3_minus_one: s * e.e3_minus_one,
             half_g: g.halved(),
             alpha_rate_factor: l_plus_n / a.doubled(),
-            alpha_chi_time: (per_g / e.one_plus_e3()).sqrt().doubled(),
+            alpha_chi_time: (inverse_g / e.one_plus_e3()).sqrt().doubled(),
             beta_rate_factor: signs.l_minus_n.times(momentum / a.doubled()),
             root_e3_minus_one: e.e3_minus_one.sqrt(),
-            beta_chi_time: per_g.sqrt().doubled(),
+            beta_chi_time: inverse_g.sqrt().doubled(),
         }
     }
 
@@ -126,7 +126,7 @@ pub(crate) struct Point<F> {
     pub(crate) one_plus_u: F,
     pub(crate) one_minus_u: F,
     pub(crate) e3_minus_u: F,
-    pub(crate) per_d: F,
+    pub(crate) inverse_d: F,
 }
 
 impl<F: Float> PhaseEquations<F> {
@@ -136,7 +136,7 @@ impl<F: Float> PhaseEquations<F> {
         let one_minus_u = self.one_minus_e2 + e2_minus_u;
         let one_plus_u = self.one_plus_e1 + self.e2_minus_e1 * sine.squared();
         let d = self.a_over_p + self.s * one_minus_u * one_plus_u;
-        Point { one_plus_u, one_minus_u, e3_minus_u: self.e3_minus_e2 + e2_minus_u, per_d: F::ONE / d }
+        Point { one_plus_u, one_minus_u, e3_minus_u: self.e3_minus_e2 + e2_minus_u, inverse_d: F::ONE / d }
     }
 
     /// Factors A/(p (e₃ + 1)) + s (1 - u) of ψ_α' and s (1 + u)(e₃ - 1) - A/p of ψ_β'.
@@ -149,16 +149,16 @@ impl<F: Float> PhaseEquations<F> {
 
     /// Rates of χ, ψ_α and ψ_β at given sin χ and cos χ.
     pub fn rates(&self, sine: F, cosine: F) -> PhaseRates<F> {
-        let Point { one_plus_u, one_minus_u, e3_minus_u, per_d } = self.point(sine, cosine);
-        let chi_rate = (self.half_g * e3_minus_u * per_d).sqrt();
+        let Point { one_plus_u, one_minus_u, e3_minus_u, inverse_d } = self.point(sine, cosine);
+        let chi_rate = (self.half_g * e3_minus_u * inverse_d).sqrt();
         let [alpha, beta] = self.psi_factors(one_plus_u, one_minus_u);
         let beta_divisor = self.root_e3_minus_one + self.beta_chi_time * chi_rate;
         PhaseRates {
             chi: chi_rate,
-            psi_alpha: self.alpha_rate_factor * alpha * per_d / (F::ONE + self.alpha_chi_time * chi_rate),
+            psi_alpha: self.alpha_rate_factor * alpha * inverse_d / (F::ONE + self.alpha_chi_time * chi_rate),
             // for e₂ = e₃ = 1 and u = 1 numerator and denominator are 0, and ψ_β' is 0
             psi_beta: if beta_divisor > F::ZERO {
-                self.beta_rate_factor * beta * per_d / beta_divisor
+                self.beta_rate_factor * beta * inverse_d / beta_divisor
             } else {
                 F::ZERO
             },
@@ -167,6 +167,6 @@ impl<F: Float> PhaseEquations<F> {
 
     /// Rate v' = χ'/cos χ of an aperiodic motion (e₂ = e₃ = 1), rad/s.
     pub(crate) fn aperiodic_rate(&self, sine: F, cosine: F) -> F {
-        (self.half_g * self.e2_minus_e1 * self.point(sine, cosine).per_d).sqrt()
+        (self.half_g * self.e2_minus_e1 * self.point(sine, cosine).inverse_d).sqrt()
     }
 }

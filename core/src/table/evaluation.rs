@@ -19,8 +19,7 @@ mod coefficient_i16;
 mod coefficient_f64;
 
 use crate::complex::Complex;
-use crate::motion::period::PathNumber;
-use crate::scalar::{Real, Ring, Scalar};
+use crate::scalar::{Float, Real, Ring, Scalar};
 use crate::su2::{Orientation, Vector};
 use core::fmt::Debug;
 
@@ -59,7 +58,7 @@ pub struct EvaluationErrors {
 pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
     /// Number in which a tick computes α, β and Ω.
     #[doc(hidden)]
-    type Number: Number<Quantity = Self::Quantity>;
+    type Number: TickNumber<Quantity = Self::Quantity>;
     /// Coefficient of the table.
     #[doc(hidden)]
     type Coefficient: Coefficient<Number = Self::Number>;
@@ -74,8 +73,11 @@ pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
     type Quantity: Real;
     /// Number type of the rates along the path of a set-up. `Extended` for `f64`, because a residual phase may be below 1e-16.
     #[doc(hidden)]
-    type PathNumber: PathNumber;
+    type PathNumber: Float;
 
+    /// Number of 64-bit words in which a set-up integrates the nutation period.
+    #[doc(hidden)]
+    const PERIOD_WORDS: usize = 1;
     /// Number of coefficients of a polynomial.
     const TERMS: usize;
     /// Truncation error of a table unless another one is chosen, rad.
@@ -97,7 +99,7 @@ pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
 }
 
 /// Number in which a tick computes α, β and Ω: `Q30` or `f64`. Rates may be larger than its range, so they have a common power of two as a factor.
-pub trait Number: Ring {
+pub trait TickNumber: Ring {
     /// Sum of Horner's rule, and the local coordinate.
     type Sum: Coefficient<Number = Self> + Default + Into<f64>;
     /// Type of lengths and rates.
@@ -119,12 +121,12 @@ pub trait Number: Ring {
 }
 
 /// Sum of Horner's rule with these coefficients: `i32` for `i16`, otherwise the type of the coefficient itself.
-type SumOf<C> = <<C as Coefficient>::Number as Number>::Sum;
+type SumOf<C> = <<C as Coefficient>::Number as TickNumber>::Sum;
 
 /// Coefficient of a table, and what of its evaluation depends on its word.
 pub trait Coefficient: Copy + Debug + PartialEq {
     /// Number that the evaluation results in.
-    type Number: Number;
+    type Number: TickNumber;
 
     /// Coefficient in the scale of the sums.
     fn to_sum(self) -> SumOf<Self>;
@@ -200,7 +202,7 @@ pub(crate) fn tabulated_a_b<R: EphemerisScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
 ) -> [[Complex<f64>; 2]; 2] {
-    let x = <R::Number as Number>::Sum::coordinate(point);
+    let x = <R::Number as TickNumber>::Sum::coordinate(point);
     horner::<_, _, 4, true>(rows, x, |four| four.map(Coefficient::to_sum)).map(complex_pair)
 }
 

@@ -203,7 +203,11 @@ fn events<R: EphemerisScalar>(table: &Table<R>, motion: &Motion) {
 /// Calls of an ephemeris: set-up, and all ways to read it.
 fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
     let Ok(tick) = Tick::hertz(black_box(1000)) else { return };
-    let Ok(ephemeris) = Ephemeris::<R, SEGMENTS>::with_truncation(motion, tick, unknown()) else { return };
+    let Ok(ephemeris) =
+        Ephemeris::<R, SEGMENTS>::new(motion, TableSettings { truncation: Some(unknown()), ..tick.into() })
+    else {
+        return;
+    };
     black_box(ephemeris.at_tick(black_box(7)).orientation());
     let sample = ephemeris.at(unknown());
     black_box((sample.pose(), sample.u(), sample.axis(), sample.quaternion(), sample.tip()));

@@ -3,7 +3,7 @@
 use fixed::types::{I2F14, I2F30};
 use toytop::{
     Complex, Ephemeris, EphemerisScalar, Motion, Orientation, SetUpError, Sign, Signs, State, Stepper, Table,
-    Tick, Top, TopParameters,
+    TableSettings, Tick, Top, TopParameters,
 };
 use toytop_tests::{SAME, by_branch_points, kilohertz, released_from_rest, top_of, toy, worst};
 
@@ -36,9 +36,12 @@ fn a_series_that_does_not_converge_is_refused() {
     let top = top_of([1.7e-5, 1e-6, 1.0, 1.0], 1.0);
     let motion = by_branch_points(&top, [-0.3, 0.26, 28.8], SAME);
     let tick = kilohertz();
-    assert!(Ephemeris::<f64, 16>::with_truncation(&motion, tick, 1.0).is_err());
+    assert!(
+        Ephemeris::<f64, 16>::new(&motion, TableSettings { truncation: Some(1.0), ..tick.into() }).is_err()
+    );
     assert_eq!(Table::<f64>::segments_needed(&motion, 1.0), Some(96));
-    let coarse = Ephemeris::<f64, 96>::with_truncation(&motion, tick, 1.0).unwrap();
+    let coarse =
+        Ephemeris::<f64, 96>::new(&motion, TableSettings { truncation: Some(1.0), ..tick.into() }).unwrap();
     let fine = Ephemeris::<f64, 512>::new(&motion, tick).unwrap();
     let worst = apart(&motion, &coarse, &fine);
     let bound = coarse.error_bound().constant;
@@ -55,7 +58,8 @@ fn a_product_of_series_beyond_its_range_shortens_the_segment() {
     let motion = by_branch_points(&top_of(top, 1.2811341798619644), e, signs);
     let tick = Tick::hertz(8192).unwrap();
     let coarse = Ephemeris::<f64, 32>::new(&motion, tick).unwrap();
-    let fine = Ephemeris::<f64, 512>::with_truncation(&motion, tick, 1e-18).unwrap();
+    let fine = Ephemeris::<f64, 512>::new(&motion, TableSettings { truncation: Some(1e-18), ..tick.into() })
+        .unwrap();
     let worst = apart(&motion, &coarse, &fine);
     assert!((1e-16..3e-15).contains(&worst), "{worst:e}");
 }
@@ -76,7 +80,8 @@ fn tables_are_refused<R: EphemerisScalar>() {
         let a = 10_f64.powf(-0.25 * f64::from(k));
         let top = top_of([a, a, 1.0, 1.0], 1.0);
         let motion = by_branch_points(&top, [-0.3, 0.26, 3.0], SAME);
-        match Ephemeris::<R, 16>::with_truncation(&motion, kilohertz(), 1e6) {
+        match Ephemeris::<R, 16>::new(&motion, TableSettings { truncation: Some(1e6), ..kilohertz().into() })
+        {
             Ok(_) => held += 1,
             Err(error) => {
                 assert_eq!(error, SetUpError::TableTooSmall { truncation: 1e6, segments: 16 });
@@ -112,7 +117,9 @@ fn a_rotor_that_hardly_turns_counts_as_none() {
 #[test]
 fn a_table_of_any_error_keeps_its_terms() {
     let (motion, tick) = (released_from_rest(&toy(), 0.35, 150.0), kilohertz());
-    let coarse = Ephemeris::<f64, 64>::with_truncation(&motion, tick, f64::MAX).unwrap();
+    let coarse =
+        Ephemeris::<f64, 64>::new(&motion, TableSettings { truncation: Some(f64::MAX), ..tick.into() })
+            .unwrap();
     let fine = Ephemeris::<f64, 512>::new(&motion, tick).unwrap();
     let worst = apart(&motion, &coarse, &fine);
     let bound = coarse.error_bound().constant;

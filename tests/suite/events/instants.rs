@@ -4,7 +4,8 @@ use fixed::types::{I2F14, I2F30};
 use std::f64::consts::TAU;
 use toytop::scalar::Float;
 use toytop::{
-    Ephemeris, EphemerisF64, EphemerisScalar, Event, Level, Motion, Phase, Table, Tick, Top, TopParameters,
+    Ephemeris, EphemerisF64, EphemerisScalar, Event, Level, Motion, Phase, Table, TableSettings, Tick, Top,
+    TopParameters,
 };
 use toytop_tests::vectors::{self, entries, number};
 use toytop_tests::{
@@ -96,7 +97,11 @@ fn a_release_from_rest_is_an_event_at_tick_0() {
         assert_eq!((first.tick, first.fraction, first.upward), (0, 0.0, true), "{tilt}");
         let angle = view.tip_angles(Phase::HALF, 0).next().unwrap();
         assert!(view.time_of(&angle) < tolerance::EVENTS_AT_A_CUSP, "{tilt}: {angle:?}");
-        let coarse = Ephemeris::<f32, 64>::with_truncation(&motion, kilohertz(), truncation).unwrap();
+        let coarse = Ephemeris::<f32, 64>::new(
+            &motion,
+            TableSettings { truncation: Some(truncation), ..kilohertz().into() },
+        )
+        .unwrap();
         let half_period = motion.period_advance().unwrap().period / 2.0;
         let [now, next] = [0, 1].map(|tick| coarse.turning_points(tick).next().unwrap());
         assert_eq!((now.tick, now.fraction), (0, 0.0), "{tilt}");

@@ -44,7 +44,10 @@ fn a_table_too_small_is_refused() {
         table_if_it_fits::<f32, 26>(&motion, kilohertz()).is_none()
             && table_if_it_fits::<f32, 27>(&motion, kilohertz()).is_some()
     );
-    assert!(Ephemeris::<f32, 16>::with_truncation(&motion, kilohertz(), 1e-4).is_ok());
+    assert!(
+        Ephemeris::<f32, 16>::new(&motion, TableSettings { truncation: Some(1e-4), ..kilohertz().into() })
+            .is_ok()
+    );
 }
 
 /// Other work is done in between, however many segments there are, and a refusal takes no longer than a table.
@@ -76,7 +79,10 @@ fn tables_of_the_needed_size<R: EphemerisScalar, const SEGMENTS: usize>() -> usi
             let (exactly, enough) =
                 (needed == Some(SEGMENTS as u32), needed.is_some_and(|n| n <= SEGMENTS as u32));
             if exactly || SEGMENTS == 16 {
-                let table = Ephemeris::<R, SEGMENTS>::with_truncation(&motion, kilohertz(), truncation);
+                let table = Ephemeris::<R, SEGMENTS>::new(
+                    &motion,
+                    TableSettings { truncation: Some(truncation), ..kilohertz().into() },
+                );
                 assert_eq!(table.is_ok(), enough, "{}, {truncation:e}: {needed:?}", vector.name);
                 tables += usize::from(exactly);
             }

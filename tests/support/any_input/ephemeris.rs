@@ -3,7 +3,7 @@
 use super::input::Input;
 use super::invariants;
 use fixed::types::{I2F14, I2F30};
-use toytop::{Complex, Ephemeris, EphemerisScalar, Level, Phase, Table};
+use toytop::{Complex, Ephemeris, EphemerisScalar, Level, Phase, Table, TableSettings};
 
 pub(super) fn run_fixed(bytes: &[u8]) {
     let mut input = Input::new(bytes);
@@ -31,7 +31,10 @@ where
 {
     let Ok(motion) = input.motion() else { return };
     let Ok(tick) = input.tick(&motion) else { return };
-    let Ok(ephemeris) = Ephemeris::<R, SEGMENTS>::with_truncation(&motion, tick, input.truncation()) else {
+    let Ok(ephemeris) = Ephemeris::<R, SEGMENTS>::new(
+        &motion,
+        TableSettings { truncation: Some(input.truncation()), ..tick.into() },
+    ) else {
         return;
     };
     let bound = ephemeris.error_bound();

@@ -3,7 +3,7 @@
 use core::ffi::{CStr, c_void};
 use core::mem::MaybeUninit;
 use core::ptr::null_mut;
-use toytop::{Motion, Release, State, Top, TopParameters};
+use toytop::{Ephemeris, Motion, Release, State, Tick, Top, TopParameters};
 use toytop_c::toytop_status::*;
 use toytop_c::*;
 
@@ -34,10 +34,14 @@ pub(crate) fn f32_size(segments: usize) -> usize {
     TOYTOP_EPHEMERIS_F32_SIZE - 80 * 25 + 80 * segments
 }
 
-/// State of the same release by the crate.
+/// Same release in the crate.
+pub(crate) fn release() -> Release {
+    Release { tilt: 0.35, azimuth: 0.1, spin: 150.0, precession: 2.0, ..Release::default() }
+}
+
+/// State of this release.
 pub(crate) fn state() -> State {
-    let release = Release { tilt: 0.35, azimuth: 0.1, spin: 150.0, precession: 2.0, ..Release::default() };
-    State::from_release(&release).expect("a release")
+    State::from_release(&release()).expect("a release")
 }
 
 /// Value that a function writes.
@@ -55,6 +59,11 @@ pub(crate) fn numbers<T, const N: usize>(call: impl FnOnce(*mut T) -> toytop_sta
 /// Motion of the same top and state by the crate.
 pub(crate) fn motion() -> Motion {
     Motion::launch(&Top::sliding(&TopParameters::TOY).expect("a top"), &state()).expect("a motion")
+}
+
+/// Table of this motion by the crate.
+pub(crate) fn ephemeris() -> Ephemeris<f64, 48> {
+    Ephemeris::new(&motion(), Tick::hertz(1000).expect("a tick")).expect("it fits")
 }
 
 /// Pause that counts its calls.

@@ -1,6 +1,8 @@
 //! Tests of tops, impulses and launches.
 
-use crate::fixture::{RELEASE, SETTINGS, TOP, count, launched, motion, numbers, output_of, state, text};
+use crate::fixture::{
+    self, RELEASE, SETTINGS, TOP, count, f64_table, launched, motion, numbers, output_of, state, text,
+};
 use core::ffi::CStr;
 use core::mem::{MaybeUninit, size_of};
 use core::ptr::null_mut;
@@ -37,9 +39,9 @@ fn refusal(top: toytop_top) -> toytop_error {
 fn an_impulse_starts_another_motion() {
     let state =
         State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() }).expect("a release");
-    let struck = state.with_impulse(motion().top(), [0.0, 2e-3, 0.0], [0.025, 0.0, 0.03]).expect("a stroke");
-    let release = toytop_release { azimuth: 0.0, precession: 0.0, ..RELEASE };
     let (impulse, point) = ([0.0, 2e-3, 0.0], [0.025, 0.0, 0.03]);
+    let struck = state.with_impulse(motion().top(), impulse, point).expect("a stroke");
+    let release = toytop_release { azimuth: 0.0, precession: 0.0, ..RELEASE };
     unsafe {
         let from = &output_of(|to| toytop_state_from_release(&release, to, null_mut()));
         let after =
@@ -80,25 +82,16 @@ fn free_bodies_and_rotors_are_those_of_the_crate() {
 #[test]
 fn a_lift_off_is_that_of_the_crate() {
     let release = toytop_release { nutation: 60.0, ..RELEASE };
-    let expected = Release {
-        tilt: 0.35,
-        azimuth: 0.1,
-        spin: 150.0,
-        precession: 2.0,
-        nutation: 60.0,
-        ..Release::default()
-    };
+    let expected = Release { nutation: 60.0, ..fixture::release() };
     let motion = Motion::launch(motion().top(), &State::from_release(&expected).expect("a release"))
         .expect("a motion");
     let level = Level::lift_off(&motion).expect("a lift-off");
-    let mut memory = MaybeUninit::<toytop_ephemeris_f64>::uninit();
     unsafe {
         let state = output_of(|to| toytop_state_from_release(&release, to, null_mut()));
         let motion = output_of(|to| toytop_launch(&TOP, &state, to, null_mut()));
         let constants = output_of(|to| toytop_motion_constants(&motion, to));
         assert_eq!(constants.lift_off_tilt, level.tilt());
-        let (table, size) = (memory.as_mut_ptr(), size_of::<toytop_ephemeris_f64>());
-        assert_eq!(toytop_f64_set_up(table, size, &motion, &SETTINGS, null_mut()), TOYTOP_OK);
+        let table = &*f64_table(&motion);
         let mut events = output_of(|to| toytop_f64_crossings(table, constants.lift_off_tilt, 0, to));
         let event = output_of(|to| toytop_f64_next_event(&mut events, to));
         let now = output_of(|to| toytop_f64_at(table, (event.tick as f64 + event.fraction) / 1000.0, to));

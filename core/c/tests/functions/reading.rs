@@ -1,16 +1,16 @@
 //! Tests of the reading of a table: every quantity has the bits of the crate, and a cursor or sample of another table is refused.
 
-use crate::fixture::{SETTINGS, TOP, f64_table, launched, motion, numbers, output_of};
+use crate::fixture::{SETTINGS, TOP, ephemeris, f64_table, launched, motion, numbers, output_of};
 use core::mem::{MaybeUninit, size_of};
 use core::ptr::null_mut;
-use toytop::{Complex, Ephemeris, Events, Level, Phase, Tick};
+use toytop::{Complex, Events, Level, Phase};
 use toytop_c::toytop_status::*;
 use toytop_c::*;
 use toytop_fit::Sensitivity;
 
 #[test]
 fn every_quantity_has_the_bits_of_the_crate() {
-    let expected = Ephemeris::<f64, 48>::new(&motion(), Tick::hertz(1000).expect("a tick")).expect("it fits");
+    let expected = ephemeris();
     let table = &*f64_table(&launched(&TOP));
     unsafe {
         for n in [0, 1, -5000, 1 << 40, i64::MAX] {
@@ -35,7 +35,7 @@ fn every_quantity_has_the_bits_of_the_crate() {
 
 #[test]
 fn events_and_partial_derivatives_are_those_of_the_crate() {
-    let expected = Ephemeris::<f64, 48>::new(&motion(), Tick::hertz(1000).expect("a tick")).expect("it fits");
+    let expected = ephemeris();
     let launched = &launched(&TOP);
     let table = &*f64_table(launched);
     let same = |mut found: toytop_ephemeris_events, events: Events<'_, f64>| {
@@ -74,74 +74,100 @@ fn events_and_partial_derivatives_are_those_of_the_crate() {
     }
 }
 
+/// Table of the top of the tests in 32-bit fixed point, launched at tick `epoch`.
+fn set_up_q31(memory: &mut MaybeUninit<toytop_ephemeris_q31>, epoch: i64) -> *mut toytop_ephemeris_q31 {
+    let (table, settings) = (memory.as_mut_ptr(), toytop_settings { epoch, ..SETTINGS });
+    let size = size_of::<toytop_ephemeris_q31>();
+    let status = unsafe { toytop_q31_set_up(table, size, &launched(&TOP), &settings, null_mut()) };
+    assert_eq!(status, TOYTOP_OK);
+    table
+}
+
+fn quaternion_q31(now: &toytop_ephemeris_sample) -> [i32; 4] {
+    unsafe { numbers(|to| toytop_q31_quaternion(now, to)) }
+}
+
 #[test]
 fn a_cursor_an_epoch_and_a_time_agree() {
-    let mut memory = MaybeUninit::<toytop_ephemeris_q31>::uninit();
-    let (table, size) = (memory.as_mut_ptr(), size_of::<toytop_ephemeris_q31>());
-    let motion = launched(&TOP);
-    let set_up = |epoch| unsafe {
-        toytop_q31_set_up(table, size, &motion, &toytop_settings { epoch, ..SETTINGS }, null_mut())
-    };
-    let quaternion = |now: toytop_ephemeris_sample| -> [i32; 4] {
-        unsafe { numbers(|to| toytop_q31_quaternion(&now, to)) }
-    };
+    let mut memory = MaybeUninit::uninit();
     unsafe {
-        assert_eq!(set_up(0), TOYTOP_OK);
-        let before = quaternion(output_of(|to| toytop_q31_at_tick(table, 7, to)));
-        assert_eq!(set_up(100), TOYTOP_OK);
-        let delayed = quaternion(output_of(|to| toytop_q31_at_tick(table, 107, to)));
+        let table = set_up_q31(&mut memory, 0);
+        let before = quaternion_q31(&output_of(|to| toytop_q31_at_tick(table, 7, to)));
+        let table = set_up_q31(&mut memory, 100);
+        let delayed = quaternion_q31(&output_of(|to| toytop_q31_at_tick(table, 107, to)));
         assert!(before.iter().zip(delayed).all(|(x, y)| x.abs_diff(y) < 8), "{before:?} {delayed:?}");
         let mut cursor = output_of(|to| toytop_q31_cursor(table, 107, to));
         assert_eq!(numbers(|to| toytop_q31_next_quaternion(table, &mut cursor, to)), delayed);
         assert_eq!(output_of(|to| toytop_ephemeris_cursor_tick(&cursor, to)), 107);
         let mut now = output_of(|to| toytop_q31_at(table, 0.107, to));
-        assert_eq!(quaternion(now), delayed);
+        assert_eq!(quaternion_q31(&now), delayed);
         assert_eq!(toytop_q31_at(table, f64::NAN, &mut now), TOYTOP_NOT_FINITE);
         for beyond in [9.3e15, -9.3e15] {
             assert_eq!(toytop_q31_at(table, beyond, &mut now), TOYTOP_OUT_OF_RANGE);
             assert_eq!(toytop_q31_at(table, 0.99 * beyond, &mut now), TOYTOP_OK);
         }
+    }
+}
 
-        // a call that is refused leaves the cursor where it is
+#[test]
+fn a_refused_call_leaves_the_cursor_where_it_is() {
+    let mut memory = MaybeUninit::uninit();
+    let table = set_up_q31(&mut memory, 0);
+    unsafe {
+        let mut cursor = output_of(|to| toytop_q31_cursor(table, 107, to));
         assert_eq!(toytop_q31_next(table, &mut cursor, null_mut()), TOYTOP_NULL_POINTER);
+        assert_eq!(output_of(|to| toytop_ephemeris_cursor_tick(&cursor, to)), 106);
+        output_of(|to| toytop_q31_next(table, &mut cursor, to));
         assert_eq!(output_of(|to| toytop_ephemeris_cursor_tick(&cursor, to)), 107);
-        assert_eq!(toytop_q31_next(table, &mut cursor, &mut now), TOYTOP_OK);
-        assert_eq!(output_of(|to| toytop_ephemeris_cursor_tick(&cursor, to)), 108);
+    }
+}
 
-        // cursors, samples and events of an earlier table, of another one or of another scalar are refused
-        // zeroed memory: both tables are the first in theirs
-        let mut tables = [MaybeUninit::<toytop_ephemeris_f32>::zeroed(); 2];
-        let [single, another] = tables.each_mut().map(MaybeUninit::as_mut_ptr);
-        for place in [single, another] {
-            let (size, settings) =
-                (size_of::<toytop_ephemeris_f32>(), toytop_settings { epoch: 100, ..SETTINGS });
-            assert_eq!(toytop_f32_set_up(place, size, &motion, &settings, null_mut()), TOYTOP_OK);
+#[test]
+fn a_cursor_of_another_table_is_refused() {
+    // zeroed memory: each table is the first in its own
+    let mut memories = [MaybeUninit::zeroed(); 2];
+    let [table, another] = memories.each_mut().map(|memory| set_up_q31(memory, 0));
+    let in_f64 = f64_table(&launched(&TOP));
+    unsafe {
+        let own = output_of(|to| toytop_q31_cursor(table, 7, to));
+        let of_another = output_of(|to| toytop_q31_cursor(another, 7, to));
+        let of_f64 = output_of(|to| toytop_f64_cursor(&*in_f64, 7, to));
+        for (mut cursor, status) in
+            [(of_another, TOYTOP_NOT_SET_UP), (of_f64, TOYTOP_NOT_SET_UP), (own, TOYTOP_OK)]
+        {
+            assert_eq!(toytop_q31_next_quaternion(table, &mut cursor, [0; 4].as_mut_ptr()), status);
         }
-        let mut of_single = output_of(|to| toytop_f32_cursor(single, 100, to));
-        let next = |table, cursor| toytop_f32_next_quaternion(table, cursor, [0.0; 4].as_mut_ptr());
-        assert_eq!(next(single, &mut cursor), TOYTOP_NOT_SET_UP);
-        assert_eq!(next(another, &mut of_single), TOYTOP_NOT_SET_UP);
-        assert_eq!(next(single, &mut of_single), TOYTOP_OK);
-        let stale = output_of(|to| toytop_q31_at_tick(table, 107, to));
-        let mut stale_events = output_of(|to| toytop_q31_turning_points(table, 107, to));
-        assert_eq!(set_up(100), TOYTOP_OK);
-        let mut numbers = [0; 4];
-        assert_eq!(toytop_q31_next(table, &mut cursor, &mut now), TOYTOP_NOT_SET_UP);
-        assert_eq!(toytop_q31_next_quaternion(table, &mut cursor, numbers.as_mut_ptr()), TOYTOP_NOT_SET_UP);
+    }
+}
+
+#[test]
+fn cursors_samples_and_events_of_an_earlier_table_are_refused() {
+    let mut memory = MaybeUninit::uninit();
+    let mut numbers = [0; 4];
+    unsafe {
+        let table = set_up_q31(&mut memory, 0);
+        let mut cursor = output_of(|to| toytop_q31_cursor(table, 7, to));
+        let mut sample = output_of(|to| toytop_q31_at_tick(table, 7, to));
+        let mut events = output_of(|to| toytop_q31_turning_points(table, 7, to));
+        let (stale, table) = (sample, set_up_q31(&mut memory, 0));
+        assert_eq!(toytop_q31_next(table, &mut cursor, &mut sample), TOYTOP_NOT_SET_UP);
         assert_eq!(toytop_q31_quaternion(&stale, numbers.as_mut_ptr()), TOYTOP_NOT_SET_UP);
         let mut event = MaybeUninit::uninit();
-        assert_eq!(toytop_q31_next_event(&mut stale_events, event.as_mut_ptr()), TOYTOP_NOT_SET_UP);
-        assert_eq!(numbers, [0; 4]);
+        assert_eq!(toytop_q31_next_event(&mut events, event.as_mut_ptr()), TOYTOP_NOT_SET_UP);
         let never = MaybeUninit::zeroed();
         assert_eq!(toytop_q31_quaternion(never.as_ptr(), numbers.as_mut_ptr()), TOYTOP_NOT_SET_UP);
-        assert_eq!(
-            toytop_q31_quaternion(&output_of(|to| toytop_q31_at_tick(table, 0, to)), null_mut()),
-            TOYTOP_NULL_POINTER
-        );
-        assert_eq!(
-            toytop_f64_quaternion(&output_of(|to| toytop_q31_at_tick(table, 0, to)), [0.0; 4].as_mut_ptr()),
-            TOYTOP_NOT_SET_UP
-        );
-        assert_eq!(toytop_f32_at_tick(table.cast(), 0, &mut now), TOYTOP_NOT_SET_UP);
+        assert_eq!(numbers, [0; 4]);
+    }
+}
+
+#[test]
+fn a_sample_is_read_in_its_own_scalar_alone() {
+    let mut memory = MaybeUninit::uninit();
+    unsafe {
+        let table = set_up_q31(&mut memory, 0);
+        let mut sample = output_of(|to| toytop_q31_at_tick(table, 0, to));
+        assert_eq!(toytop_q31_quaternion(&sample, null_mut()), TOYTOP_NULL_POINTER);
+        assert_eq!(toytop_f64_quaternion(&sample, [0.0; 4].as_mut_ptr()), TOYTOP_NOT_SET_UP);
+        assert_eq!(toytop_f32_at_tick(table.cast(), 0, &mut sample), TOYTOP_NOT_SET_UP);
     }
 }

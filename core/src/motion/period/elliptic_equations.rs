@@ -57,7 +57,7 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
         }
         let ratio = if e4_is_nearer { at_e1 / f_at_e1 } else { f_at_e1 / at_e1 };
         let rate = (half_g * ratio).sqrt();
-        let per_whole = F::ONE / (f_at_e1 * at_e2);
+        let inverse_whole = F::ONE / (f_at_e1 * at_e2);
         let factor = F::ONE / (half_g * f_at_e1 * at_e2).sqrt();
         Self {
             equations,
@@ -66,7 +66,7 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
             d_plus: [at_e1, at_e2],
             e4_is_nearer,
             chi_factors: [equations.alpha_chi_time * rate, equations.beta_chi_time * rate],
-            parameters: [e2_minus_e1 * beyond * per_whole, f_at_e2 * at_e1 * per_whole],
+            parameters: [e2_minus_e1 * beyond * inverse_whole, f_at_e2 * at_e1 * inverse_whole],
             factors: [factor, equations.alpha_rate_factor * factor, equations.beta_rate_factor * factor],
         }
     }
@@ -78,8 +78,9 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
         let ([low, high], [alpha_chi, beta_chi]) = ([*at_e1 * sn_squared, *at_e2 * cn_squared], *chi_factors);
         let sum = low + high;
         // one division for 1/P and dn
-        let per_both = F::ONE / (sum * dn_denominator);
-        let (swing_per_p, dn) = (equations.e2_minus_e1 * per_both * dn_denominator, dn * per_both * sum);
+        let inverse_product = F::ONE / (sum * dn_denominator);
+        let (swing_per_p, dn) =
+            (equations.e2_minus_e1 * inverse_product * dn_denominator, dn * inverse_product * sum);
         let (above_e1, below_e2) = (swing_per_p * low, swing_per_p * high);
         let one_minus_u = equations.one_minus_e2 + below_e2;
         let one_plus_u = equations.one_plus_e1 + above_e1;

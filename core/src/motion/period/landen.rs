@@ -55,15 +55,15 @@ impl<const WORDS: usize> Landen<WORDS> {
         // k₁ = (1 - k')/(1 + k') = k²/(1 + k')²,  k₁' = 2 √k'/(1 + k')
         let (mut modulus_squared, mut conjugate) = (m, m1.sqrt());
         for step in &mut self.steps {
-            let per_sum = Wide::ONE / (Wide::ONE + conjugate);
-            let modulus = modulus_squared * per_sum.squared();
+            let inverse_sum = Wide::ONE / (Wide::ONE + conjugate);
+            let modulus = modulus_squared * inverse_sum.squared();
             if modulus.to_f64() <= Self::MIN_MODULUS {
                 break;
             }
-            let complement = conjugate.doubled() * per_sum;
+            let complement = conjugate.doubled() * inverse_sum;
             *step = LandenStep { modulus, complement, scaled_modulus: modulus };
             self.steps_near_one += usize::from(complement.to_f64() <= 0.125);
-            conjugate = conjugate.sqrt().doubled() * per_sum;
+            conjugate = conjugate.sqrt().doubled() * inverse_sum;
             modulus_squared = modulus.squared();
             pause();
         }

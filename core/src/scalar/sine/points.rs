@@ -1,4 +1,4 @@
-//! Sines of phases of 32 bits in integers, from 512 points of the circle (2.5 KiB of flash): for the ticks of a table.
+//! Sines of phases of 32 bits in integers, from 512 points of the circle (2.6 KB of flash): for the ticks of a table.
 
 use super::chebyshev::sine_cosine_of_remainder;
 use crate::integer::{high_product, product_32x16, product_32x16_by_constant};

@@ -26,7 +26,6 @@ use super::polynomial::Polynomial;
 use crate::motion::Motion;
 use crate::motion::ellipses::Ellipses;
 use crate::motion::period::Period;
-use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::{Extended, Float};
 use crate::table::data::cell::{CELLS, Cell, MIN_DEPTH};
 use crate::table::evaluation::EphemerisScalar;
@@ -47,7 +46,7 @@ pub(super) struct HalfPeriod {
 pub(super) struct TooManySegments;
 
 /// Length of a cell, in shortest segments.
-const CELL: usize = HALF_PERIOD / CELLS;
+const CELL_LENGTH: usize = HALF_PERIOD / CELLS;
 
 impl HalfPeriod {
     /// Half a period before a set-up. All its bits are 0.
@@ -68,8 +67,18 @@ impl HalfPeriod {
         segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
     ) -> Result<(), TooManySegments> {
-        match self.find_mean_rates::<R>(motion, memory, pause) {
-            Some(length) => self.tabulate_path::<R>(motion, length, limits, memory, segments, pause),
+        *self = Self::ZERO;
+        memory.begin(motion);
+        pause();
+        // a steady motion has the period of an infinitesimal nutation, which does not count
+        let period =
+            if motion.is_steady() { None } else { motion.period(R::PERIOD_WORDS, &memory.equations, pause) };
+        self.mean_rates = MeanRates::new(motion, period.as_ref());
+        pause();
+        match period {
+            Some(Period { time, .. }) => {
+                self.tabulate_path::<R>(motion, time.halved(), limits, memory, segments, pause)
+            }
             None => {
                 self.store_constants::<R>(motion, segments);
                 Ok(())
@@ -77,33 +86,9 @@ impl HalfPeriod {
         }
     }
 
-    /// Finds the mean rates. Sets the phase equations and the launch, and returns the length of half a period, s; `None` for a constant u.
-    #[inline(never)]
-    fn find_mean_rates<R: EphemerisScalar>(
-        &mut self,
-        motion: &Motion,
-        memory: &mut PathMemory,
-        pause: &mut dyn FnMut(),
-    ) -> Option<Extended> {
-        let mut period = None;
-        if !motion.is_steady() {
-            set_equations(motion, &mut memory.equations);
-            pause();
-            period = motion.period::<R::PathNumber>(&memory.equations, pause);
-        }
-        self.set_mean_rates(motion, period.as_ref());
-        memory.launch.begin(motion);
-        pause();
-        period.map(|period| period.time.halved())
-    }
-
-    #[inline(never)] // they must not stay on the stack of the quadrature
-    fn set_mean_rates(&mut self, motion: &Motion, period: Option<&Period>) {
-        *self = Self::ZERO;
-        self.mean_rates = MeanRates::new(motion, period);
-    }
-
     /// Tabulates the motion from u = e₁ to u = e₂.
+    ///
+    /// * `length`: half a period, s
     #[inline(never)]
     fn tabulate_path<R: EphemerisScalar>(
         &mut self,
@@ -142,7 +127,7 @@ impl HalfPeriod {
         let (mut position, mut depth) = (0, MIN_DEPTH);
         while position < HALF_PERIOD {
             // Segments twice as long as the last ones are tried first. A segment of two cells begins at an even cell.
-            depth = (depth - 1).max(MIN_DEPTH + (position / CELL % 2) as u32);
+            depth = (depth - 1).max(MIN_DEPTH + (position / CELL_LENGTH % 2) as u32);
             let point = path.point_at(position);
             path.try_longer_spans(depth);
             let (cell, bounds) = loop {
@@ -160,8 +145,8 @@ impl HalfPeriod {
             let Cell(entry) = Cell::new(self.segments, position >> (Cell::MAX_DEPTH - depth), depth);
             self.cells
                 .iter_mut()
-                .skip(position / CELL)
-                .take(cell.length() / CELL)
+                .skip(position / CELL_LENGTH)
+                .take(cell.length() / CELL_LENGTH)
                 .for_each(|cell| *cell = entry);
             self.segments += cell.part_count(depth);
             self.bounds.include(&bounds);
@@ -202,9 +187,4 @@ impl HalfPeriod {
         }
         Some(bounds)
     }
-}
-
-#[inline(never)] // a copy of them must not stay on the stack of the quadrature
-fn set_equations(motion: &Motion, equations: &mut PhaseEquations<Extended>) {
-    *equations = motion.equations();
 }

@@ -78,6 +78,13 @@ impl PathMemory {
         polynomials: [Polynomial::ZERO; 2],
         segment: Polynomial::ZERO,
     };
+
+    /// Begins the path of a motion.
+    #[inline(never)] // a copy of the equations must not stay on the stack of the quadrature
+    pub(super) fn begin(&mut self, motion: &Motion) {
+        self.equations = motion.equations();
+        self.launch.begin(motion);
+    }
 }
 
 /// Path with phase equations in `F`, and its span with polynomials of a and b in its memory.
@@ -96,7 +103,7 @@ pub(super) struct Path<'a, F> {
 }
 
 impl<'a, F: Float> Path<'a, F> {
-    /// Path from u = e₁ on. The memory has the phase equations and the launch.
+    /// Path from u = e₁ on. The memory has begun it.
     ///
     /// * `rates`: mean rates, turns/s
     #[inline(never)]

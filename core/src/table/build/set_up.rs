@@ -66,7 +66,13 @@ impl TableSettings {
     }
 }
 
-/// Workspace of a set-up, 3.4 KiB.
+impl From<Tick> for TableSettings {
+    fn from(tick: Tick) -> Self {
+        Self::new(tick)
+    }
+}
+
+/// Workspace of a set-up, 3.4 KB.
 ///
 /// A program with a small stack keeps it in a static: see "In firmware" on [the first page](crate).
 #[derive(Debug)]
@@ -159,22 +165,14 @@ impl<R: EphemerisScalar> Table<R> {
 }
 
 impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
-    /// Table of a motion launched at tick 0. In `f32` this takes 13 KB of a Cortex-M4F's stack; [`EphemerisMemory::set_up`] takes 4 KB.
+    /// Table of a motion, with these settings, or with those of [`TableSettings::new`] for a tick. In `f32` this takes 13 KB of a Cortex-M4F's stack;
+    /// [`EphemerisMemory::set_up`] takes 4 KB.
     ///
     /// # Errors
     /// [`SetUpError`]
-    pub fn new(motion: &Motion, tick: Tick) -> Result<Self, SetUpError> {
-        Self::with_truncation(motion, tick, R::TRUNCATION)
-    }
-
-    /// Table with a given truncation error > 0, rad: a smaller table for a larger error.
-    ///
-    /// # Errors
-    /// [`SetUpError`]
-    pub fn with_truncation(motion: &Motion, tick: Tick, truncation: f64) -> Result<Self, SetUpError> {
+    pub fn new(motion: &Motion, settings: impl Into<TableSettings>) -> Result<Self, SetUpError> {
         let mut memory = EphemerisMemory::<Self>::new();
-        let settings = TableSettings { truncation: Some(truncation), ..TableSettings::new(tick) };
-        memory.set_up(&mut Workspace::new(), motion, &settings, &mut || {})?;
+        memory.set_up(&mut Workspace::new(), motion, &settings.into(), &mut || {})?;
         Ok(memory.table)
     }
 }

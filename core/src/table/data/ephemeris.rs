@@ -25,17 +25,17 @@ pub struct Table<R: EphemerisScalar, S: ?Sized = [<R as EphemerisScalar>::Segmen
     pub(crate) segments: S,
 }
 
-/// Table in `f32`, 2.2 KiB: enough for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.4.
+/// Table in `f32`, 2.3 KB: enough for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.4.
 pub type EphemerisF32 = Ephemeris<f32, 25>;
 
-/// Table in `f64`, 17 KiB, for the motions of [`EphemerisF32`]; where A/(ps) >= 1, `Ephemeris<f64, 32>` is enough.
+/// Table in `f64`, 17 KB, for the motions of [`EphemerisF32`]; where A/(ps) >= 1, `Ephemeris<f64, 32>` is enough.
 pub type EphemerisF64 = Ephemeris<f64, 48>;
 
-/// Table in 32-bit fixed point, 2.2 KiB: enough for the README's top; many motions need 64 segments.
+/// Table in 32-bit fixed point, 2.3 KB: enough for the README's top; many motions need 64 segments.
 #[cfg(feature = "fixed")]
 pub type EphemerisQ31 = Ephemeris<fixed::types::I2F30, 32>;
 
-/// Table in 16-bit fixed point, 0.6 KiB: enough for the README's top; many motions need 32 segments.
+/// Table in 16-bit fixed point, 0.6 KB: enough for the README's top; many motions need 32 segments.
 #[cfg(feature = "fixed")]
 pub type EphemerisQ15 = Ephemeris<fixed::types::I2F14, 16>;
 

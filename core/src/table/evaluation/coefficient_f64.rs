@@ -4,7 +4,7 @@ use crate::complex::Complex;
 use crate::scalar::{Extended, Scalar, fraction_of_word, sine_cosine_f64};
 use crate::su2::Vector;
 use crate::table::evaluation::{
-    Coefficient, EphemerisScalar, EvaluationErrors, Number, SegmentPoint, TABLE_UNIT,
+    Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_UNIT, TickNumber,
 };
 
 impl EphemerisScalar for f64 {
@@ -14,6 +14,7 @@ impl EphemerisScalar for f64 {
     type Quantity = Self;
     type PathNumber = Extended;
 
+    const PERIOD_WORDS: usize = 2;
     const TERMS: usize = 11;
     const ZERO_SEGMENT: Self::Segment = [[0.0; 4]; 11];
     const CODE: u32 = 64;
@@ -35,7 +36,7 @@ impl EphemerisScalar for f64 {
     }
 }
 
-impl Number for f64 {
+impl TickNumber for f64 {
     type Sum = Self;
     type Quantity = Self;
 

@@ -11,7 +11,7 @@ use crate::integer::{high_product, high_product_limited, product_32x16, shifted_
 use crate::scalar::{Scalar, sine_cosine_q26};
 use crate::table::evaluation::q30::Q30;
 use crate::table::evaluation::{
-    Coefficient, EphemerisScalar, EvaluationErrors, Number, SegmentPoint, TABLE_BITS, is_by_16_bits,
+    Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_BITS, TickNumber, is_by_16_bits,
 };
 #[cfg(feature = "fixed")]
 use {crate::scalar::sine_cosine_q31, fixed::types::I2F30};

@@ -3,7 +3,7 @@
 use crate::integer::high_product;
 use crate::scalar::{Ring, sealed::Sealed};
 use crate::su2::Vector;
-use crate::table::evaluation::{Number, SegmentPoint};
+use crate::table::evaluation::{SegmentPoint, TickNumber};
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// Integer multiple of 2^-30 in [-2, 2). Sums and products wrap, which happens only with invalid table data.
@@ -16,7 +16,7 @@ const SOFT_FLOAT: bool = cfg!(any(
     all(target_arch = "riscv32", not(target_feature = "f"))
 ));
 
-impl Number for Q30 {
+impl TickNumber for Q30 {
     type Sum = i32;
     type Quantity = f32;
 

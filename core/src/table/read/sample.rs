@@ -6,7 +6,7 @@ use crate::scalar::Float;
 use crate::su2::{AttitudeState, Orientation, Vector};
 use crate::table::data::Phases;
 use crate::table::data::Table;
-use crate::table::evaluation::{EphemerisScalar, Number, orientation, orientation_and_omega_body};
+use crate::table::evaluation::{EphemerisScalar, TickNumber, orientation, orientation_and_omega_body};
 use crate::table::read::located_segment::LocatedSegment;
 
 /// Sample of a motion at one time. Each method evaluates the table; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and

@@ -37,14 +37,14 @@ impl<R: EphemerisScalar> Table<R> {
 
     /// Argument of the tabulated ab, continued from u = e₁ through the centres of all segments before; near 0 the direction from or to 0.
     pub(in crate::table) fn tabulated_tip_angle(&self, nutation: u64, pause: &mut dyn FnMut()) -> Phase {
-        const SEGMENTS: usize = 8;
+        const SEGMENTS_PER_PAUSE: usize = 8;
         let LocatedSegment { rows, point, index: number } = self.segment_at(nutation);
         let mut argument = ContinuedArgument::ZERO;
         for (index, segment) in self.segments.iter().enumerate().take(number + 1) {
             let Some(constants) = segment.as_ref().first() else { continue };
             let [a, b] = a_b_at_centre(*constants);
             argument.continue_to(self.relative_to_start(a * b));
-            if index % SEGMENTS == SEGMENTS - 1 {
+            if index % SEGMENTS_PER_PAUSE == SEGMENTS_PER_PAUSE - 1 {
                 pause();
             }
         }

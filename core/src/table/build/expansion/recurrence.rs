@@ -96,10 +96,10 @@ impl Expansion {
     #[inline(never)]
     fn recurrence(&mut self, equations: &PhaseEquations<f64>, origin: &Origin) -> Recurrence {
         let Origin { time_per_y, chi_rate, psi_rates: [alpha_psi, beta_psi], negligible, .. } = *origin;
-        let Point { one_minus_u, e3_minus_u, per_d, .. } = equations.point(origin.sine, origin.cosine);
+        let Point { one_minus_u, e3_minus_u, inverse_d, .. } = equations.point(origin.sine, origin.cosine);
         // factors in η = eta_per_v v and δ = linear v - quadratic v²
         let eta_per_v = equations.e2_minus_e1 / e3_minus_u;
-        let c = equations.s * equations.e2_minus_e1 * per_d;
+        let c = equations.s * equations.e2_minus_e1 * inverse_d;
         let (linear, quadratic) = (2.0 * (c * (1.0 - one_minus_u)), c * equations.e2_minus_e1);
 
         let Self { chi, residual: [alpha, beta], sine, cosine, v, delta, mu, .. } = self;
@@ -116,12 +116,12 @@ impl Expansion {
         let _ = sine.set(0, to_units(origin.sine, sine.exponent));
         let _ = cosine.set(0, to_units(origin.cosine, cosine.exponent));
 
-        let scale = time_per_y * time_per_y * equations.e2_minus_e1 * per_d;
+        let scale = time_per_y * time_per_y * equations.e2_minus_e1 * inverse_d;
         // f, g and h of a ψ
         let factors = |numerator: f64, constant: f64, chi_time: f64| {
             let chi = chi_time * chi_rate;
-            let per_divisor = 1.0 / (constant + chi);
-            [numerator * (scale * per_divisor), constant * per_divisor, chi * per_divisor]
+            let inverse_divisor = 1.0 / (constant + chi);
+            [numerator * (scale * inverse_divisor), constant * inverse_divisor, chi * inverse_divisor]
         };
         let of_alpha =
             factors(equations.s * equations.alpha_rate_factor, time_per_y, equations.alpha_chi_time);
