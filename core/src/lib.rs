@@ -4,7 +4,7 @@
 
 // Modules in the order of dependence: each one uses only those above it.
 //
-// `#[inline(never)]`: the frame of the function is on the stack only during its call, or its code is in flash only once.
+// `#[inline(never)]` keeps a frame off the stack of the caller, or code in flash only once.
 
 // Numbers.
 mod integer;

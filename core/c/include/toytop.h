@@ -227,7 +227,7 @@ typedef struct toytop_partials {
   double omega[10][3];
   // Derivatives of the angular velocity in the body frame, rad/s.
   double omega_body[10][3];
-  // Derivatives of the position of the tip, m; 1 for a fixed tip.
+  // Derivatives of the position of the tip, m; without unit for a fixed tip.
   double tip[10][2];
 } toytop_partials;
 

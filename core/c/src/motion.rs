@@ -175,7 +175,7 @@ pub struct toytop_partials {
     pub omega: [[f64; 3]; 10],
     /// Derivatives of the angular velocity in the body frame, rad/s.
     pub omega_body: [[f64; 3]; 10],
-    /// Derivatives of the position of the tip, m; 1 for a fixed tip.
+    /// Derivatives of the position of the tip, m; without unit for a fixed tip.
     pub tip: [[f64; 2]; 10],
 }
 

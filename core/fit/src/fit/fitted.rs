@@ -14,7 +14,7 @@ use crate::vector::{UNITS, UP, Vector, add_all, add_scaled, cross, scaled};
 use toytop::scalar::Real;
 use toytop::{Motion, ParameterError, State, Top};
 
-/// Directions of the launch that the measurements do not determine to 1 rad, or to a change of ω by its own size.
+/// Directions of the launch that the measurements leave open: uncertain by over 1 rad, or by over |ω|.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Unobservable {
     /// Rotation of the whole motion about the vertical.

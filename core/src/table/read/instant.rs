@@ -19,8 +19,9 @@ impl<R: EphemerisScalar> Table<R> {
 
     /// Sample of the motion t (s) after tick 0, taken as exact; 0 if it is not finite.
     ///
-    /// Whole ticks have the bits of [`Table::at_tick`], if the tick rate is a multiple of 1/2. Resolution: 2^-64 ticks up to 2^62
-    /// ticks. It is slower beyond, and where a phase turns by half a turn or more a tick.
+    /// * Resolution: 2^-64 ticks up to 2^62 ticks.
+    /// * At whole ticks it has the bits of [`Table::at_tick`], if the tick rate is a multiple of 1/2.
+    /// * It is slower beyond 2^62 ticks, and if a phase turns by half a turn or more a tick.
     #[inline(always)]
     #[must_use]
     pub fn at(&self, t: f64) -> Sample<'_, R> {

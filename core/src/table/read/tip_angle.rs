@@ -13,9 +13,12 @@ use crate::table::read::located_segment::LocatedSegment;
 use crate::table::read::sample::Sample;
 
 impl<R: EphemerisScalar> Sample<'_, R> {
-    /// Tip angle φ = arg c, continuous in time from φ(0) in (-1/2, 1/2] turn, modulo 2^32 turns; `None` for an axis that stays vertical. Error: the orientation error over 2|αβ|.
+    /// Tip angle φ = arg c, continuous in time, modulo 2^32 turns; `None` for an axis that stays vertical.
     ///
-    /// Where the curve passes through the centre, φ is smooth and the radius changes its sign: c = ±|c| e^{iφ}. Cost: an arctangent, and a complex product for every segment since u = e₁.
+    /// * φ(0) is in (-1/2, 1/2] turn.
+    /// * Where the curve passes through the centre, φ is smooth and the radius changes its sign: c = ±|c| e^{iφ}.
+    /// * Error: the orientation error over 2|αβ|.
+    /// * Cost: an arctangent, and a complex product for every segment since u = e₁.
     #[must_use]
     pub fn tip_angle(&self) -> Option<Phase> {
         self.table.clock.tip_exists.then(|| self.tip_angle_unchecked())
