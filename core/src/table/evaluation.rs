@@ -8,6 +8,12 @@
 //! ```
 //!
 //! Where u falls, a and b become their complex conjugates, and N becomes -N̄. The axial part Ω₃ = (n - K)/C is constant.
+//!
+//! | scalar | coefficient | sum of Horner's rule | number of the results |
+//! |---|---|---|---|
+//! | `f32`, `I2F30` (q31) | `i32` | `i32` | `Q30` |
+//! | `I2F14` (q15) | `i16` | `i32` | `Q30` |
+//! | `f64` | `f64` | `f64` | `f64` |
 
 mod q30;
 

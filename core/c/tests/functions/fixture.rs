@@ -21,7 +21,7 @@ pub(crate) const RELEASE: toytop_release =
     toytop_release { tilt: 0.35, azimuth: 0.1, roll: 0.0, spin: 150.0, precession: 2.0, nutation: 0.0 };
 
 pub(crate) const SETTINGS: toytop_settings = toytop_settings {
-    tick: toytop_tick { ticks: 1000, seconds: 1 },
+    tick: toytop_tick { ticks: 10, seconds: 1 },
     epoch: 0,
     truncation: 0.0,
     workspace: null_mut(),
@@ -63,7 +63,7 @@ pub(crate) fn motion() -> Motion {
 
 /// Table of this motion by the crate.
 pub(crate) fn ephemeris() -> Ephemeris<f64, 48> {
-    Ephemeris::new(&motion(), Tick::hertz(1000).expect("a tick")).expect("it fits")
+    Ephemeris::new(&motion(), Tick::hertz(10).expect("a tick")).expect("it fits")
 }
 
 /// Pause that counts its calls.
@@ -79,7 +79,7 @@ pub(crate) fn launched(top: &toytop_top) -> toytop_motion {
     }
 }
 
-/// Table in `f64` of a motion that is launched at tick 0, at 1000 ticks a second.
+/// Table in `f64` of a motion that is launched at tick 0, at 10 ticks a second: more than one turning point a tick.
 pub(crate) fn f64_table(motion: &toytop_motion) -> Box<toytop_ephemeris_f64> {
     let mut table = Box::<toytop_ephemeris_f64>::new_uninit();
     unsafe {

@@ -60,8 +60,7 @@ fn free_bodies_and_rotors_are_those_of_the_crate() {
     for (support, top) in [(TOYTOP_FREE, Top::free(&parameters)), (TOYTOP_SLIDING, Top::sliding(&parameters))]
     {
         let motion = Motion::launch(&top.expect("a top"), &state()).expect("a motion");
-        let expected =
-            Ephemeris::<f32, 25>::new(&motion, Tick::hertz(1000).expect("a tick")).expect("it fits");
+        let expected = Ephemeris::<f32, 25>::new(&motion, Tick::hertz(10).expect("a tick")).expect("it fits");
         let motion = launched(&toytop_top { support, rotor_momentum: -1.5e-3, ..TOP });
         let mut table = MaybeUninit::uninit();
         let table = table.as_mut_ptr();
@@ -94,7 +93,7 @@ fn a_lift_off_is_that_of_the_crate() {
         let table = &*f64_table(&motion);
         let mut events = output_of(|to| toytop_f64_crossings(table, constants.lift_off_tilt, 0, to));
         let event = output_of(|to| toytop_f64_next_event(&mut events, to));
-        let now = output_of(|to| toytop_f64_at(table, (event.tick as f64 + event.fraction) / 1000.0, to));
+        let now = output_of(|to| toytop_f64_at(table, (event.tick as f64 + event.fraction) / 10.0, to));
         let axis: [f64; 3] = numbers(|to| toytop_f64_axis(&now, to));
         assert!((axis[2] - level.u()).abs() < 1e-14, "{axis:?}");
         let free = launched(&toytop_top { support: TOYTOP_FREE, ..TOP });
