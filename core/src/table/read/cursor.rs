@@ -67,12 +67,15 @@ impl<R: EphemerisScalar> Table<R> {
         Cursor { phases, low: 0, high: first.wrapping_sub(1), scalar: PhantomData }
     }
 
-    /// Fills `out` with the orientations at the ticks first, first + 1, ..., which wrap after 2^63 - 1.
+    /// Fills `out` with the orientations at the ticks first, first + 1, ..., also beyond 2^63 - 1. The bits are those of [`Table::at_tick`]; faster on a PC.
     pub fn fill_orientations(&self, first: i64, out: &mut [Orientation<R>]) {
-        let mut tick = first;
+        // as 128-bit numbers, which need no assembly from words
+        let step = self.clock.steps().map(WrappedPhase::to_phase);
+        let mut now = self.clock.phases_at_tick(first).map(WrappedPhase::to_phase);
         for orientation in out {
-            *orientation = self.at_tick(tick).orientation();
-            tick = tick.wrapping_add(1);
+            let phases = now.map(Phase::leading_bits);
+            *orientation = Sample { table: self, phases, tick: 0, fraction: Phase::ZERO }.orientation();
+            now.update(step, |now, step| now + step);
         }
     }
 }
