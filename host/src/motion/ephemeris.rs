@@ -13,7 +13,9 @@ pub use heap_table::{HeapTable, TableScalar};
 
 use crate::motion::column::SampleColumn;
 use crate::motion::sample::{Quantities, Sample};
+use aperiodic::ClosedFormEvaluator;
 use events::Condition;
+use fixed::types::{I2F14, I2F30};
 use std::f64::consts::TAU;
 use toytop::{ErrorBound, Motion, ParameterError, Phase, Pose};
 use toytop_model::constants::MAX_TICKS;
@@ -30,18 +32,17 @@ pub struct MotionEphemeris {
     pub error_bound: ErrorBound,
     /// Upper bound on the error of ω, of Ω and of u', rad per unit time.
     pub rate_error_bound: ErrorBound,
-    evaluator: Box<dyn Evaluator>,
+    evaluator: Evaluator,
 }
 
-/// Table or closed form that computes samples and events.
-trait Evaluator: Send + Sync {
-    /// Calls `visit` with the motion at the time t, taken as exact.
-    ///
-    /// * `tick`: number of the tick at this time, if it is one
-    fn visit(&self, t: f64, tick: Option<i64>, visit: &mut dyn FnMut(&dyn Quantities));
-
-    /// First events at which a condition holds, of those that the query includes.
-    fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent>;
+/// Table in a scalar, or closed form, that computes samples and events.
+#[expect(missing_docs)]
+pub enum Evaluator {
+    F64(HeapTable<f64>),
+    F32(HeapTable<f32>),
+    Q31(HeapTable<I2F30>),
+    Q15(HeapTable<I2F14>),
+    ClosedForm(Box<ClosedFormEvaluator>),
 }
 
 impl MotionEphemeris {
@@ -68,14 +69,32 @@ impl MotionEphemeris {
     /// Writes one column at each time, and computes no other.
     pub fn write(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
         for (t, row) in times.iter().zip(rows.chunks_exact_mut(column.names().len())) {
-            self.evaluator.visit(*t, None, &mut |now| column.write(now, row));
+            self.read(*t, None, |now| column.write(now, row));
         }
     }
 
-    fn read<T>(&self, t: f64, tick: Option<i64>, read: impl Fn(&dyn Quantities) -> T) -> T {
-        let mut result = None;
-        self.evaluator.visit(t, tick, &mut |now| result = Some(read(now)));
-        result.expect("every instant is visited")
+    /// Result of `read` for the motion at the time t, taken as exact.
+    ///
+    /// * `tick`: number of the tick at this time, if it is one
+    fn read<T>(&self, t: f64, tick: Option<i64>, read: impl FnOnce(&dyn Quantities) -> T) -> T {
+        match &self.evaluator {
+            Evaluator::F64(table) => read(&table.at(t, tick)),
+            Evaluator::F32(table) => read(&table.at(t, tick)),
+            Evaluator::Q31(table) => read(&table.at(t, tick)),
+            Evaluator::Q15(table) => read(&table.at(t, tick)),
+            Evaluator::ClosedForm(form) => read(&form.at(t)),
+        }
+    }
+
+    /// First events at which a condition holds, of those that the query includes.
+    fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
+        match &self.evaluator {
+            Evaluator::F64(table) => table.events(condition, query),
+            Evaluator::F32(table) => table.events(condition, query),
+            Evaluator::Q31(table) => table.events(condition, query),
+            Evaluator::Q15(table) => table.events(condition, query),
+            Evaluator::ClosedForm(form) => form.events(condition, query),
+        }
     }
 }
 
@@ -89,8 +108,7 @@ pub fn search(
     query: &EventQuery,
 ) -> Result<Vec<MotionEvent>, ParameterError> {
     let conditions = query.kind.conditions(motion)?.into_iter();
-    let mut events: Vec<_> =
-        conditions.flat_map(|condition| ephemeris.evaluator.events(condition, query)).collect();
+    let mut events: Vec<_> = conditions.flat_map(|condition| ephemeris.events(condition, query)).collect();
     events.sort_by(|a, b| a.t.total_cmp(&b.t));
     events.truncate(query.count);
     Ok(events)

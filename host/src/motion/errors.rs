@@ -7,7 +7,7 @@ use toytop::{Motion, Orientation, Top};
 use toytop_model::equations::{Equations, FullState, Rates};
 
 /// Greater of two errors; infinite where the second is no number.
-pub fn greater(a: f64, b: f64) -> f64 {
+pub fn greater_or_infinite(a: f64, b: f64) -> f64 {
     if b.is_nan() { f64::INFINITY } else { a.max(b) }
 }
 
@@ -48,11 +48,11 @@ impl Errors {
     /// Greater errors of two samples.
     pub fn greater(self, other: Self) -> Self {
         Self {
-            orientation: greater(self.orientation, other.orientation),
-            u: greater(self.u, other.u),
-            tip: greater(self.tip, other.tip),
-            norm: greater(self.norm, other.norm),
-            drift: from_fn(|i| greater(self.drift[i], other.drift[i])),
+            orientation: greater_or_infinite(self.orientation, other.orientation),
+            u: greater_or_infinite(self.u, other.u),
+            tip: greater_or_infinite(self.tip, other.tip),
+            norm: greater_or_infinite(self.norm, other.norm),
+            drift: from_fn(|i| greater_or_infinite(self.drift[i], other.drift[i])),
         }
     }
 }
@@ -60,7 +60,7 @@ impl Errors {
 /// Greatest of the differences |Δω|, |ΔΩ| and |Δu'|, rad per unit time.
 pub fn rate_error(rates: &Rates, truth: &Rates) -> f64 {
     let vectors = [distance(rates.omega, truth.omega), distance(rates.omega_body, truth.omega_body)];
-    vectors.into_iter().fold(greater(0.0, (rates.udot - truth.udot).abs()), greater)
+    vectors.into_iter().fold(greater_or_infinite(0.0, (rates.udot - truth.udot).abs()), greater_or_infinite)
 }
 
 /// First integrals [l, n, h] in kg m²/s and kg m²/s², by the full equations.

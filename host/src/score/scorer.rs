@@ -6,7 +6,7 @@ use crate::Failure;
 use crate::input::require_within;
 use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::{MotionEphemeris, ephemeris_for};
-use crate::motion::errors::{distance, drift, greater};
+use crate::motion::errors::{distance, drift, greater_or_infinite};
 use crate::motion::{MotionConstants, Scalar};
 use serde::Serialize;
 use std::array::from_fn;
@@ -83,7 +83,10 @@ impl<'a> Scorer<'a> {
             rms_error_rad: mean_square.sqrt(),
             final_error_rad: errors.last().map_or(0.0, |[error, _]| *error),
             max_u_error: greatest(errors.iter().map(|[_, u_error]| *u_error)),
-            max_position_error: rows.iter().filter_map(|row| self.position_error(row)).reduce(greater),
+            max_position_error: rows
+                .iter()
+                .filter_map(|row| self.position_error(row))
+                .reduce(greater_or_infinite),
             phases: phases::phase_errors(self.motion, &self.table, rows),
             drift_h,
             drift_l,
@@ -110,7 +113,7 @@ impl<'a> Scorer<'a> {
     fn drifts(&self, rows: &[TrajectoryRow]) -> Option<[f64; 3]> {
         rows.iter().try_fold([0.0; 3], |most, row| {
             let drift = drift(self.motion, &row.orientation, row.omega?);
-            Some(from_fn(|i| greater(most[i], drift[i])))
+            Some(from_fn(|i| greater_or_infinite(most[i], drift[i])))
         })
     }
 
@@ -143,7 +146,7 @@ impl<'a> Scorer<'a> {
 }
 
 fn greatest(errors: impl Iterator<Item = f64>) -> f64 {
-    errors.fold(0.0, greater)
+    errors.fold(0.0, greater_or_infinite)
 }
 
 /// Error of the orientation with the nearer of the two signs, rad.

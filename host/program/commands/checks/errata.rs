@@ -31,7 +31,7 @@ fn table() -> &'static str {
 }
 
 /// Wrong formula of the paper with its correction. The names are the keys of JSON.
-#[derive(Default, Serialize)]
+#[derive(Serialize)]
 struct Erratum {
     /// Number on the page.
     number: usize,
@@ -51,26 +51,17 @@ struct Erratum {
 
 /// All errors with a formula that can be evaluated, in the order of the paper.
 fn errata() -> Vec<Erratum> {
-    let lines: Vec<_> = table().lines().skip(1).map(|line| field(line, " ")).collect();
-    let residual = |text: &str| text.trim_start_matches("< ").parse().unwrap_or(f64::NAN);
-    let erratum = |(index, [(_, place), (_, against), (_, printed), (_, corrected)]): (_, &[(_, _); 4])| {
-        let [(wrong, printed), (right, corrected)] = [*printed, *corrected].map(|text| field(text, "  "));
-        let [residual_printed, residual_corrected] = [wrong, right].map(residual);
-        Erratum {
-            number: index + 1,
-            place,
-            against,
-            printed,
-            corrected,
-            residual_printed,
-            residual_corrected,
-        }
+    let lines: Vec<_> = table().lines().skip(1).collect();
+    // a residual ends at column 23, and the texts begin at 25
+    let residual = |line: &str| line[14..23].trim_start_matches(['<', ' ']).parse().unwrap_or(f64::NAN);
+    let erratum = |(number, [place, against, printed, corrected]): (_, &[&'static str; 4])| Erratum {
+        number,
+        place: &place[4..],
+        against: &against[25..],
+        printed: &printed[25..],
+        corrected: &corrected[25..],
+        residual_printed: residual(printed),
+        residual_corrected: residual(corrected),
     };
-    lines.as_chunks().0.iter().enumerate().map(erratum).collect()
-}
-
-/// First field of a line, and the rest of it after a separator.
-fn field(line: &'static str, separator: &str) -> (&'static str, &'static str) {
-    let (first, rest) = line.trim_start().split_once(separator).unwrap_or((line, ""));
-    (first, rest.trim_start())
+    (1..).zip(lines.as_chunks().0).map(erratum).collect()
 }

@@ -7,7 +7,7 @@ use crate::commands::warnings;
 use crate::table::TextTable;
 use crate::terminal::stdout::Report;
 use crate::times::spread_times;
-use bounds::{Verdict, bound, bounds_of_builtin, compared_time, steps_per_period};
+use bounds::{Verdict, bound, compared_time, steps_per_period};
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;
@@ -152,7 +152,8 @@ fn compare<'a>(
     notes: &mut Vec<String>,
 ) -> Result<Vec<Comparison<'a>>, Failure> {
     let (motion, name, periods) = (&scenario.motion, &*scenario.name, arguments.periods);
-    let tighter = arguments.scenarios.is_empty().then(|| bounds_of_builtin(name)).flatten();
+    let is_own = |(own, ..): &&(&str, f64, _)| arguments.scenarios.is_empty() && name == *own;
+    let tight = builtin::NEAR_SEPARATRIX.iter().find(is_own).map(|(.., bounds)| *bounds);
     let (time, remark) = compared_time(motion, periods);
     notes.extend(remark.map(|remark| format!("{name}: {remark}")));
     let times = spread_times(time, SAMPLES * periods);
@@ -173,7 +174,7 @@ fn compare<'a>(
         });
         let errors = greatest_errors(scenario, &run.samples, &times, &mut exact)?;
         let error = |value: fn(&Errors) -> f64| errors.as_ref().map(value);
-        let bound_rad = bound(motion, (method, scalar), periods, tighter, run.table_bound);
+        let bound_rad = bound(motion, (method, scalar), periods, tight, run.table_bound);
         rows.push(Comparison {
             motion: name,
             scalar: scalar.name(),

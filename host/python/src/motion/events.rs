@@ -17,31 +17,28 @@ use toytop_host::motion::{
 /// # Errors
 /// `ValueError`: another name, a value that is missing or too many, or a top without events of this kind.
 fn kind(name: &str, value: Option<f64>, top: &Top) -> PyResult<EventKind> {
-    let kind: fn(f64) -> EventKind = match &*name.replace('-', "_") {
-        "turning" => |_| EventKind::Turning,
-        "tilt" => EventKind::Tilt,
-        "tip_angle" => |angle| EventKind::TipAngle(Phase::from_turns(angle / TAU)),
-        "circle" => EventKind::Circle,
-        "lift_off" => |_| EventKind::LiftOff,
-        _ => {
-            let allowed = "must be one of 'turning', 'tilt', 'tip_angle', 'circle', 'lift_off'";
-            return Err(value_error("kind", allowed));
-        }
-    };
-    match (kind(value.unwrap_or_default()), value) {
-        (EventKind::Turning | EventKind::LiftOff, Some(_)) => {
+    match (&*name.replace('-', "_"), value) {
+        ("turning" | "lift_off", Some(_)) => {
             Err(value_error("value", format!("must be left out for \"{name}\"")))
         }
-        (EventKind::Tilt(_) | EventKind::TipAngle(_) | EventKind::Circle(_), None) => {
+        ("tilt" | "tip_angle" | "circle", None) => {
             Err(value_error("value", format!("must be given for \"{name}\"")))
         }
-        (EventKind::LiftOff, _) if top.support() != Support::Sliding => {
+        ("turning", None) => Ok(EventKind::Turning),
+        ("lift_off", None) if top.support() == Support::Sliding => Ok(EventKind::LiftOff),
+        ("lift_off", None) => {
             Err(value_error("kind", "must not be 'lift_off': the tip does not slide on a plane"))
         }
-        (EventKind::TipAngle(_), Some(angle)) if angle.abs() > 1e6 => {
+        ("tilt", Some(tilt)) => Ok(EventKind::Tilt(tilt)),
+        ("tip_angle", Some(angle)) if angle.abs() > 1e6 => {
             Err(value_error("value", "must be within ±1e6 rad"))
         }
-        (kind, _) => Ok(kind),
+        ("tip_angle", Some(angle)) => Ok(EventKind::TipAngle(Phase::from_turns(angle / TAU))),
+        ("circle", Some(radius)) => Ok(EventKind::Circle(radius)),
+        _ => {
+            let allowed = "must be one of 'turning', 'tilt', 'tip_angle', 'circle', 'lift_off'";
+            Err(value_error("kind", allowed))
+        }
     }
 }
 

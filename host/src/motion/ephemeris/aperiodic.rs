@@ -2,7 +2,7 @@
 
 use super::events::Condition;
 use super::{Evaluator, EventQuery, MotionEphemeris, MotionEvent, unwrapped};
-use crate::motion::sample::{Quantities, Sample};
+use crate::motion::sample::Sample;
 use std::f64::consts::TAU;
 use toytop::ErrorBound;
 use toytop_model::aperiodic::AperiodicMotion;
@@ -50,7 +50,7 @@ impl ClosedFormEvaluator {
             ticks_per_time,
             error_bound,
             rate_error_bound,
-            evaluator: Box::new(self),
+            evaluator: Evaluator::ClosedForm(Box::new(self)),
         }
     }
 
@@ -82,20 +82,15 @@ fn root(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
 }
 
 impl ClosedFormEvaluator {
-    fn sample(&self, t: f64) -> Sample {
+    /// Motion at the time t.
+    pub(super) fn at(&self, t: f64) -> Sample {
         let (state, tip) = self.motion.at(t);
         let error = self.motion.error_bound().after(t * self.motion.ticks_per_time);
         Sample { error_bound: Some(error), ..Sample::from_state(t, &state, tip, Some(self.tip_angle(t))) }
     }
-}
-
-impl Evaluator for ClosedFormEvaluator {
-    fn visit(&self, t: f64, _: Option<i64>, visit: &mut dyn FnMut(&dyn Quantities)) {
-        visit(&self.sample(t));
-    }
 
     /// Events while the axis is not upright to a rounding: places at which the integer part of a function of time changes.
-    fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
+    pub(super) fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
         let value = |t: f64| match condition {
             Condition::Turning => self.motion.form.v(t).clamp(-0.5, 0.5),
             Condition::Crossing(level) if level.u() < 1.0 => {
@@ -116,7 +111,7 @@ impl Evaluator for ClosedFormEvaluator {
                 // at the lowest point u is least
                 let upward = sense > 0.0 && condition != Condition::Turning;
                 if query.includes(t, upward) {
-                    events.push(MotionEvent::new(condition, t, upward, self.sample(t)));
+                    events.push(MotionEvent::new(condition, t, upward, self.at(t)));
                 }
             }
             (time, before) = (next, after);

@@ -6,13 +6,15 @@ use super::{HeapTable, MotionEphemeris, TableScalar};
 use crate::Failure;
 use crate::motion::Scalar;
 use fixed::types::{I2F14, I2F30};
-use toytop::{Motion, Regime, SetUpError, Table, TableSettings, Tick, Workspace};
+use toytop::{Ephemeris, EphemerisMemory, Motion, Regime, SetUpError, Table, TableSettings, Tick, Workspace};
 use toytop_model::constants::MotionConstants;
 
 /// Capacities that a table may have, in ascending order: powers of two, and the capacity of the core's own type.
 fn capacities<R: TableScalar>() -> Vec<Capacity<R>> {
     macro_rules! capacities {
-        ($($segments:literal)*) => { vec![R::own_capacity(), $(capacity::<R, $segments>()),*] };
+        ($($segments:literal)*) => {
+            vec![R::OWN_CAPACITY, $(capacity(EphemerisMemory::<Ephemeris<R, $segments>>::new)),*]
+        };
     }
     let mut capacities = capacities!(8 16 32 64 128 256 512 1024 2048 4096);
     capacities.sort_by_key(|(segments, _)| *segments);
@@ -77,7 +79,7 @@ impl<R: TableScalar> HeapTable<R> {
             let names = offered.map(|n| n.to_string()).collect::<Vec<_>>().join(", ");
             return Err(Failure::Input(format!("{segments}: must be one of {names}")));
         }
-        let (own, _) = R::own_capacity();
+        let (own, _) = R::OWN_CAPACITY;
         Self::smallest(motion, TableSettings::new(tick), |capacity| {
             segments.map_or(capacity >= own, |segments| capacity == segments)
         })

@@ -1,9 +1,7 @@
-//! Search for the events of a motion.
+//! Events of a motion: kinds, conditions and times.
 
 use crate::motion::sample::Sample;
-use toytop::{
-    AttitudeState, EphemerisScalar, Event, Level, Motion, Orientation, ParameterError, Phase, Table,
-};
+use toytop::{AttitudeState, Level, Motion, Orientation, ParameterError, Phase};
 
 /// Kind of an event.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,38 +98,4 @@ fn time_error(condition: Condition, sample: &Sample) -> Option<f64> {
             Some(bound / (2.0 * product.modulus() * turning.abs()))
         }
     }
-}
-
-/// Number of consecutive events of the other direction after which a search ends.
-const MAX_UNWANTED: u32 = 10_000;
-
-/// First events of a table at which a condition holds; `sample` computes the sample of an event and its time.
-pub fn table_events<R: EphemerisScalar>(
-    table: &Table<R>,
-    condition: Condition,
-    query: &EventQuery,
-    sample: impl Fn(&Event, f64) -> Sample,
-) -> Vec<MotionEvent> {
-    let [ticks_per_time, _] = table.clock().ticks_per_time;
-    let from = (query.from * ticks_per_time).floor() as i64;
-    let events: Box<dyn Iterator<Item = Event>> = match condition {
-        Condition::Turning => Box::new(table.turning_points(from)),
-        Condition::Crossing(level) => Box::new(table.crossings(level, from)),
-        Condition::TipAngle(angle) => Box::new(table.tip_angles(angle, from)),
-    };
-    let mut unwanted = 0;
-    let mut included = Vec::new();
-    for event in events {
-        let t = table.time_of(&event);
-        if query.includes(t, event.upward) {
-            unwanted = 0;
-            included.push(MotionEvent::new(condition, t, event.upward, sample(&event, t)));
-        } else {
-            unwanted += 1;
-        }
-        if included.len() >= query.count || unwanted == MAX_UNWANTED {
-            break;
-        }
-    }
-    included
 }

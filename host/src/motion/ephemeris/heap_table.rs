@@ -1,12 +1,15 @@
-//! Table of the core on the heap, as an evaluator of samples.
+//! Table of the core on the heap.
 
-use super::events::{self, Condition};
+use super::events::Condition;
 use super::{Evaluator, EventQuery, MotionEphemeris, MotionEvent, unwrapped};
 use crate::motion::Scalar;
 use crate::motion::sample::{Quantities, Sample};
 use fixed::types::{I2F14, I2F30};
 use toytop::scalar::Float;
-use toytop::{Ephemeris, EphemerisMemory, EphemerisScalar, Pose, Table};
+use toytop::{
+    Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisQ15, EphemerisQ31, EphemerisScalar,
+    Event, Pose, Table,
+};
 
 /// Scalar of the core with its name and the capacity of its own table.
 pub trait TableScalar:
@@ -15,8 +18,11 @@ pub trait TableScalar:
     /// Scalar on the command line.
     const SCALAR: Scalar;
 
+    /// Variant of an ephemeris.
+    const EVALUATOR: fn(HeapTable<Self>) -> Evaluator;
+
     /// Capacity of the core's own type of table, which fits most motions.
-    fn own_capacity() -> Capacity<Self>;
+    const OWN_CAPACITY: Capacity<Self>;
 
     /// Checksum of a table.
     fn crc32(table: &Table<Self>) -> u32;
@@ -25,19 +31,19 @@ pub trait TableScalar:
 /// Number of segments of a table, and function that makes its memory.
 pub type Capacity<R> = (u32, fn() -> Box<EphemerisMemory<Table<R>>>);
 
-/// Capacity of this number of segments.
-pub(super) fn capacity<R: TableScalar, const SEGMENTS: usize>() -> Capacity<R> {
+/// Capacity of the memory of a type.
+pub(super) const fn capacity<R: TableScalar, const SEGMENTS: usize>(
+    _: fn() -> EphemerisMemory<Ephemeris<R, SEGMENTS>>,
+) -> Capacity<R> {
     (SEGMENTS as u32, || Box::new(EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new()))
 }
 
 macro_rules! table_scalar {
-    ($($scalar:ty: $name:ident, $segments:literal;)*) => { $(
+    ($($scalar:ty: $name:ident, $table:ty;)*) => { $(
         impl TableScalar for $scalar {
             const SCALAR: Scalar = Scalar::$name;
-
-            fn own_capacity() -> Capacity<Self> {
-                capacity::<_, $segments>()
-            }
+            const EVALUATOR: fn(HeapTable<Self>) -> Evaluator = Evaluator::$name;
+            const OWN_CAPACITY: Capacity<Self> = capacity(EphemerisMemory::<$table>::new);
 
             fn crc32(table: &Table<Self>) -> u32 {
                 table.crc32()
@@ -47,10 +53,10 @@ macro_rules! table_scalar {
 }
 
 table_scalar! {
-    f64: F64, 48;
-    f32: F32, 25;
-    I2F30: Q31, 32;
-    I2F14: Q15, 16;
+    f64: F64, EphemerisF64;
+    f32: F32, EphemerisF32;
+    I2F30: Q31, EphemerisQ31;
+    I2F14: Q15, EphemerisQ15;
 }
 
 /// Table of the core on the heap, after its set-up.
@@ -72,23 +78,45 @@ impl<R: TableScalar> HeapTable<R> {
             ticks_per_time,
             error_bound: table.error_bound(),
             rate_error_bound: table.rate_error_bound(),
-            evaluator: Box::new(self),
+            evaluator: R::EVALUATOR(self),
         }
     }
-}
 
-impl<R: TableScalar> Evaluator for HeapTable<R> {
-    fn visit(&self, t: f64, tick: Option<i64>, visit: &mut dyn FnMut(&dyn Quantities)) {
+    /// Motion at the time t, or at a tick, which is then at this time.
+    pub(super) fn at(&self, t: f64, tick: Option<i64>) -> impl Quantities {
         let table = self.table();
         let now = tick.map_or_else(|| table.at(t), |n| table.at_tick(n));
-        visit(&TableSample { table, now, t });
+        TableSample { table, now, t }
     }
 
-    fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
+    /// First events at which a condition holds, of those that the query includes.
+    pub(super) fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
+        /// Number of consecutive events of the other direction after which a search ends.
+        const MAX_UNWANTED: u32 = 10_000;
         let table = self.table();
-        events::table_events(table, condition, query, |event, t| {
-            Sample::new(&TableSample { table, now: table.at_event(event), t })
-        })
+        let [ticks_per_time, _] = table.clock().ticks_per_time;
+        let from = (query.from * ticks_per_time).floor() as i64;
+        let events: Box<dyn Iterator<Item = Event>> = match condition {
+            Condition::Turning => Box::new(table.turning_points(from)),
+            Condition::Crossing(level) => Box::new(table.crossings(level, from)),
+            Condition::TipAngle(angle) => Box::new(table.tip_angles(angle, from)),
+        };
+        let mut unwanted = 0;
+        let mut included = Vec::new();
+        for event in events {
+            let t = table.time_of(&event);
+            if query.includes(t, event.upward) {
+                unwanted = 0;
+                let sample = Sample::new(&TableSample { table, now: table.at_event(&event), t });
+                included.push(MotionEvent::new(condition, t, event.upward, sample));
+            } else {
+                unwanted += 1;
+            }
+            if included.len() >= query.count || unwanted == MAX_UNWANTED {
+                break;
+            }
+        }
+        included
     }
 }
 

@@ -9,7 +9,7 @@ use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use toytop_host::Failure;
 use toytop_host::motion::Scalar;
-use toytop_host::motion::errors::greater;
+use toytop_host::motion::errors::greater_or_infinite;
 use trial::{TableErrors, Trial};
 
 pub fn run(study: &StudyOptions, truths: u64) -> Result<Summary<Row>, Failure> {
@@ -84,8 +84,9 @@ impl Row {
         let errors: Vec<_> = tables.iter().flatten().collect();
         let compared: Vec<_> = errors.iter().filter(|errors| errors.ticks > 0).collect();
         let truths = compared.len();
-        let greatest =
-            |error: fn(&TableErrors) -> f64| errors.iter().map(|errors| error(errors)).fold(0.0, greater);
+        let greatest = |error: fn(&TableErrors) -> f64| {
+            errors.iter().map(|errors| error(errors)).fold(0.0, greater_or_infinite)
+        };
         let truth = |error| (truths > 0).then(|| greatest(error));
         let close = |error: fn(&TableErrors) -> f64| {
             let close = compared.iter().filter(|errors| error(errors) >= CLOSE).count();

@@ -5,16 +5,6 @@ use serde::Serialize;
 use toytop::{Motion, Regime};
 use toytop_host::motion::{MotionConstants, Scalar};
 
-/// Bounds over ten periods of a built-in motion near the separatrix, rad: [full solver, f32 stepper]. The measured errors are [1.7e-11, 5e-6]
-/// and [4.1e-9, 1.6e-5]. The f64 stepper counts as exact beside the full solver.
-pub fn bounds_of_builtin(name: &str) -> Option<[f64; 2]> {
-    match name {
-        "near separatrix 1e-3" => Some([1e-10, 2e-5]),
-        "near separatrix 1e-6" => Some([1e-8, 5e-5]),
-        _ => None,
-    }
-}
-
 /// Steps in a period. In f64 the truncation of a step equals its rounding between 2048 and 8192 steps; in f32 it is below the rounding
 /// from 512 steps on.
 pub fn steps_per_period(scalar: Scalar) -> u32 {
@@ -58,7 +48,7 @@ const MAX_DISTANCE: f64 = 4.0;
 
 /// Bound on the difference of the core and the full solver, rad; `None` where it exceeds the greatest distance of two orientations.
 ///
-/// * `tighter`: result of [`bounds_of_builtin`]
+/// * `tight`: those of [`NEAR_SEPARATRIX`](toytop_host::input::builtin::NEAR_SEPARATRIX)
 /// * `table`: bound that the table of an ephemeris states
 ///
 /// Beyond ten periods the bound of the stepper grows with time, and the bound of the full solver, whose energy drifts, with its square.
@@ -66,12 +56,12 @@ pub fn bound(
     motion: &Motion,
     (method, scalar): (Method, Scalar),
     periods: u32,
-    tighter: Option<[f64; 2]>,
+    tight: Option<[f64; 2]>,
     table: Option<f64>,
 ) -> Option<f64> {
     let growth = (f64::from(periods) / 10.0).max(1.0);
-    let solver = tighter.map_or_else(|| full_solver_bound(motion), |[solver, _]| solver) * growth * growth;
-    let core = match (method, tighter, scalar) {
+    let solver = tight.map_or_else(|| full_solver_bound(motion), |[solver, _]| solver) * growth * growth;
+    let core = match (method, tight, scalar) {
         (Method::Ephemeris, ..) => table.unwrap_or_default(),
         (_, Some(_), Scalar::F64) => 0.0,
         (_, Some([_, stepper]), _) => stepper * growth,

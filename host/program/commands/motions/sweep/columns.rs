@@ -8,7 +8,7 @@ use std::str::FromStr;
 use toytop::Motion;
 use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::ephemeris::{MotionEphemeris, ephemeris_for, ephemeris_with};
-use toytop_host::motion::errors::greater;
+use toytop_host::motion::errors::greater_or_infinite;
 use toytop_host::motion::{Scalar, constant_as_json};
 use toytop_model::constants::{CONSTANTS, Constant, MotionConstants};
 
@@ -120,6 +120,6 @@ impl RowMotion {
     fn error_f32(&self) -> Option<f64> {
         let (single, double) = (self.f32_ephemeris()?, self.f64_ephemeris()?);
         let error = |&t: &f64| single.pose(t).orientation.distance(&double.pose(t).orientation);
-        Some(self.times.iter().map(error).fold(0.0, greater))
+        Some(self.times.iter().map(error).fold(0.0, greater_or_infinite))
     }
 }

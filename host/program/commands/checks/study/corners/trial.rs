@@ -8,7 +8,7 @@ use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::{
     EventKind, EventQuery, MotionEphemeris, ephemeris_for, ephemeris_with, search,
 };
-use toytop_host::motion::errors::{greater, rate_error};
+use toytop_host::motion::errors::{greater_or_infinite, rate_error};
 use toytop_host::truth::float640::{Float640, from_f64, from_i64, to_i64};
 use toytop_host::truth::motion_input::MotionInput;
 use toytop_host::truth::quadrature::Quadrature;
@@ -91,10 +91,10 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
                 let rate_error = rate_error(&sample.rates, &rates);
                 errors.ticks += 1;
                 errors.distant_ticks += usize::from(within > 2.0 * bound.constant);
-                errors.error = greater(errors.error, error);
-                errors.error_over_bound = greater(errors.error_over_bound, ratio(error, within));
+                errors.error = greater_or_infinite(errors.error, error);
+                errors.error_over_bound = greater_or_infinite(errors.error_over_bound, ratio(error, within));
                 errors.rate_error_over_bound =
-                    greater(errors.rate_error_over_bound, ratio(rate_error, rates_within));
+                    greater_or_infinite(errors.rate_error_over_bound, ratio(rate_error, rates_within));
             }
         }
     }
@@ -117,7 +117,7 @@ fn norm_over_bound(table: &MotionEphemeris, motion: &Motion, times: &[f64]) -> f
     let heights = turning.map(|(t, u)| (t, table.pose(t).orientation.u() - u));
     let of_bound =
         |(t, error): (f64, f64)| ratio(error.abs(), table.error_bound.after(t * table.ticks_per_time));
-    norms.chain(heights).map(of_bound).fold(0.0, greater)
+    norms.chain(heights).map(of_bound).fold(0.0, greater_or_infinite)
 }
 
 /// Ticks in the first period and up to ±2^62. The number of ticks in a unit of time is a power of two, so that the time of a tick is
