@@ -150,7 +150,6 @@ impl Motion {
     }
 
     /// Phase equations of the motion.
-    #[inline(never)]
     pub(crate) fn equations(&self) -> PhaseEquations<Extended> {
         PhaseEquations::new(&self.top, &self.e, self.integrals.l_plus_n, self.signs, self.torque_free_rate)
     }

@@ -12,12 +12,10 @@ pub(super) struct Cubic {
 }
 
 impl Cubic {
-    #[inline(never)]
     fn value(&self, y: Extended) -> Extended {
         ((y + self.g2) * y + self.g1) * y + self.g0
     }
 
-    #[inline(never)]
     fn slope(&self, y: Extended) -> Extended {
         ((y + y + y) + self.g2.doubled()) * y + self.g1
     }
@@ -31,7 +29,6 @@ impl Cubic {
     }
 
     /// Upper bound on the largest root, from which linear convergence takes few steps.
-    #[inline(never)]
     fn upper_bound(&self) -> Extended {
         let (Self { g0, g1, g2 }, zero) = (*self, Extended::ZERO);
         // a power of two, because libm's cube root takes much flash
@@ -48,7 +45,6 @@ impl Cubic {
     }
 
     /// Largest root, by Newton's method from above.
-    #[inline(never)]
     pub(super) fn largest_root(&self, pause: &mut dyn FnMut()) -> Extended {
         const MAX_STEPS: u32 = 200;
         let mut y = self.upper_bound();

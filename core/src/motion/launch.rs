@@ -154,7 +154,6 @@ impl Motion {
 }
 
 /// Ellipses of α and β.
-#[inline(never)]
 fn ellipses(
     e: &BranchPoints<Extended>,
     signs: Signs,
@@ -175,7 +174,6 @@ fn half_tau(top: &Top, spin: Extended) -> Extended {
 }
 
 /// Rate χ' of a motion without torque, rad/s; otherwise 0. The axis rotates about the angular momentum m at the rate |m|/A.
-#[inline(never)]
 fn torque_free_rate(top: &Top, integrals: &FirstIntegrals<Extended>, point: &ReducedPoint) -> Extended {
     if top.is_torque_free() { (point.momentum(top.a, integrals.n) / top.a).halved() } else { Extended::ZERO }
 }

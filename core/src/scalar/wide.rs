@@ -119,7 +119,6 @@ impl<const WORDS: usize> Exact<WORDS> {
     }
 
     /// Sum, rounded to the nearest.
-    #[inline(never)]
     fn plus(self, other: Self) -> Wide<WORDS> {
         let (mut sum, mut smaller) =
             if self.magnitude() < other.magnitude() { (other, self) } else { (self, other) };

@@ -203,7 +203,6 @@ pub(crate) fn orientation_and_omega_body<R: EphemerisScalar>(
 }
 
 /// a and b, and their derivatives, before the rotation, to 32 bits also for 16-bit coefficients. The derivatives have a scale of their own.
-#[inline(never)]
 pub(crate) fn tabulated_a_b<R: EphemerisScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,

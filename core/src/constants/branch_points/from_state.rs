@@ -27,7 +27,6 @@ impl BranchPoints {
 }
 
 impl BranchPoints<Extended> {
-    #[inline(never)]
     pub(crate) fn from_reduced_point(
         top: &Top,
         integrals: &FirstIntegrals<Extended>,

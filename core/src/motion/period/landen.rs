@@ -111,7 +111,6 @@ impl<const WORDS: usize> Landen<WORDS> {
     }
 
     /// Squares at u = 2 K φ/π, from sin φ and cos φ, with sn² = X/W and cn² = Y/W.
-    #[inline(never)]
     pub(super) fn fractions_at_angle(
         &self,
         [sine, cosine]: [Wide<WORDS>; 2],

@@ -104,7 +104,6 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         sums
     }
 
-    #[inline(never)]
     fn integrands_at(&mut self, angle: [Wide<WORDS>; 2]) -> [Wide<WORDS>; 3] {
         (self.pause)();
         self.equations.at(&self.landen.fractions_at_angle(angle))
@@ -138,7 +137,6 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
     }
 }
 
-#[inline(never)]
 fn add<F: Ring>([a, b, c]: [F; 3], [x, y, z]: [F; 3]) -> [F; 3] {
     [a + x, b + y, c + z]
 }

@@ -50,7 +50,6 @@ fn angle_and_series(remainder: Phase) -> [i64; 3] {
 }
 
 /// (sin 2πx, cos 2πx) of a phase of x turns, in units of 2^-57. Error: below 2^-56.
-#[inline(never)]
 pub(crate) fn sine_cosine_q57(phase: Phase) -> (i64, i64) {
     let (quadrant, remainder) = phase.quadrant();
     let [angle, ratio, cosine] = angle_and_series(remainder);
@@ -58,7 +57,6 @@ pub(crate) fn sine_cosine_q57(phase: Phase) -> (i64, i64) {
 }
 
 /// (sin 2πx, cos 2πx) of a phase of x turns. Error: below 2^-51, relative to the result near its zeros.
-#[inline(never)]
 pub(crate) fn sine_cosine_from_q57(phase: Phase) -> (f64, f64) {
     let (quadrant, remainder) = phase.quadrant();
     let [_, ratio, cosine] = angle_and_series(remainder);

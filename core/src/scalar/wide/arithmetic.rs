@@ -54,7 +54,6 @@ impl<const WORDS: usize> Mul for Wide<WORDS> {
 
 impl<const WORDS: usize> Div for Wide<WORDS> {
     type Output = Self;
-    #[inline(never)]
     fn div(self, other: Self) -> Self {
         if other.is_zero() {
             return self.with_exponent(i32::MAX / 8);
@@ -92,7 +91,6 @@ impl<const WORDS: usize> Ring for Wide<WORDS> {
 }
 
 impl<const WORDS: usize> Float for Wide<WORDS> {
-    #[inline(never)]
     fn from_f64(x: f64) -> Self {
         x.into()
     }
@@ -110,7 +108,6 @@ impl<const WORDS: usize> Float for Wide<WORDS> {
         if self.negative { -size } else { size }
     }
 
-    #[inline(never)]
     fn sqrt(self) -> Self {
         if self.negative || self.is_zero() {
             return Self::ZERO;
@@ -127,7 +124,6 @@ impl<const WORDS: usize> Float for Wide<WORDS> {
         root + (Self::residual(self, [root, root]) * inverse).halved()
     }
 
-    #[inline(never)]
     fn abs(self) -> Self {
         Self { negative: false, ..self }
     }

@@ -33,7 +33,6 @@ impl<const WORDS: usize> Wide<WORDS> {
     }
 
     /// Number of another width, rounded to the nearest.
-    #[inline(never)]
     pub(crate) fn resized<const OTHER: usize>(number: Wide<OTHER>) -> Self {
         Self::from_integer(number.leading_128_bits(), number.exponent - 128, number.negative)
     }

@@ -134,7 +134,6 @@ pub(super) fn inverse_root_u64(number: u64) -> u64 {
 }
 
 /// Upper 64 bits of the product of two unsigned numbers.
-#[inline(never)]
 fn high_product_u64(a: u64, b: u64) -> u64 {
     let [high, _] = product_u64(a, b);
     high

@@ -107,7 +107,6 @@ impl HalfPeriod {
     }
 
     /// Stores one segment with constant a and b, for a constant u.
-    #[inline(never)] // its polynomials must not stay on the stack
     fn store_constants<R: EphemerisScalar>(&mut self, motion: &Motion, segments: &mut [R::Segment]) {
         let Ellipses { alpha, beta } = motion.ellipses;
         for (index, ellipse) in [alpha, beta].into_iter().enumerate() {

@@ -21,7 +21,6 @@ impl LaunchPhases {
         Self { chi: None, is_falling: false, phases: Phases::from_array([Phase::ZERO; 3]) };
 
     /// Begins the search for the launch of a motion. Without a nutation these are its phases already.
-    #[inline(never)]
     pub(super) fn begin(&mut self, motion: &Motion) {
         let (half_turns, remainder) = motion.half_phase.unwrap_or_default().split_half_turns();
         let is_falling = remainder > Phase::QUARTER;
@@ -34,7 +33,6 @@ impl LaunchPhases {
     /// Finds the phases, if the launch is on this span. The last span always contains it.
     ///
     /// * `end`: χ at the end of the span
-    #[inline(never)]
     pub(super) fn search(&mut self, expansion: &Expansion, end: Phase, span: Interval) {
         let Some(chi) = self.chi else { return };
         // a turning point is an end of the half period exactly

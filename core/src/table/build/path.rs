@@ -45,7 +45,6 @@ struct PathEquations<F> {
 
 impl<F: Float> PathEquations<F> {
     /// Rates of χ, ψ_α, ψ_β, ρ_α and ρ_β, rad per half period.
-    #[inline(never)]
     fn rates(&self, sine: f64, cosine: f64) -> [f64; 5] {
         let PhaseRates { chi, psi_alpha, psi_beta } =
             self.equations.rates(F::from_f64(sine), F::from_f64(cosine));
@@ -106,7 +105,6 @@ impl<'a, F: Float> Path<'a, F> {
     /// Path from u = e₁ on. The memory has begun it.
     ///
     /// * `rates`: mean rates, turns/s
-    #[inline(never)]
     pub(super) fn new(
         memory: &'a mut PathMemory,
         limits: &'a Limits,
@@ -198,7 +196,6 @@ impl<'a, F: Float> Path<'a, F> {
     }
 
     /// Expands the motion around a point. Returns the point half a span later; `None` if the truncation error is too large.
-    #[inline(never)]
     fn step(&mut self, span: Interval, from: PathPoint, pause: &mut dyn FnMut()) -> Option<PathPoint> {
         pause();
         let half_length = span.half_length();

@@ -102,7 +102,6 @@ impl Polynomial {
     }
 
     /// Drops last terms down to `fewest`, as long as the changes add up to at most `most`.
-    #[inline(never)]
     pub(super) fn shorten(&mut self, fewest: usize, most: i64) {
         while self.terms > fewest.max(2) {
             let degree = self.terms - 1;
@@ -117,7 +116,6 @@ impl Polynomial {
     }
 
     /// Restricts the polynomial to half of its interval, by Horner's rule for x = (y ± 1)/2. All roundings together stay below 2^-57.
-    #[inline(never)]
     fn halve(&mut self, upper: bool) {
         for part in &mut self.parts {
             let mut half = [0; MAX_TERMS];

@@ -53,7 +53,6 @@ impl<R: EphemerisScalar> Cursor<R> {
     }
 
     #[cold]
-    #[inline(never)]
     fn carry(&mut self) {
         self.high = self.high.wrapping_add(1 << 32);
     }

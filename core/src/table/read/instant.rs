@@ -36,7 +36,6 @@ impl<R: EphemerisScalar> Table<R> {
 
     /// Sample at any number of ticks, with a fraction. Resolution: 2^-128 of the number.
     #[cold]
-    #[inline(never)]
     pub(crate) fn at_ticks(&self, ticks: Extended) -> Sample<'_, R> {
         let (tick, fraction) = ticks.floor_and_fraction();
         let phases = self.clock.phases_at_fraction(tick, fraction);
@@ -100,7 +99,6 @@ impl<W: Copy> Clock<W> {
 
     /// 64 leading bits of the phases at a fraction of a tick after any tick.
     #[cold]
-    #[inline(never)]
     fn phases_at_fraction(&self, tick: i128, fraction: Extended) -> Phases<u64> {
         let since_first = tick.wrapping_sub(i64::MIN.into());
         let advances = self.steps().zip_map(self.steps_in_turns(), |step, turns| {

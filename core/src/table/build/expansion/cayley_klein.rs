@@ -14,7 +14,6 @@ impl Expansion {
     ///
     /// * `scratch`: rates of ρ + χ and of ρ - χ, and the exponential of one of them
     /// * `sums`: coefficients of x^k in units of 2^-62
-    #[inline(never)]
     pub(crate) fn add_exponentials(
         &self,
         index: usize,
@@ -71,7 +70,6 @@ impl Expansion {
 
 /// Solves z' = i z rate from the first coefficient in units of 2^-56, until two terms are at most `least` units of 2^-62 at x = 1. Returns the
 /// number of terms.
-#[inline(never)]
 fn continue_exponential(
     rate: &PowerSeries,
     terms: usize,

@@ -81,7 +81,6 @@ const MAX_CHI_RATE: f64 = 4.0;
 
 impl Expansion {
     /// Expands the motion around a point.
-    #[inline(never)]
     pub(crate) fn expand(
         &mut self,
         equations: &PhaseEquations<f64>,
@@ -93,7 +92,6 @@ impl Expansion {
     }
 
     /// Constants of the recurrence. Sets the exponents and first coefficients of the series.
-    #[inline(never)]
     fn recurrence(&mut self, equations: &PhaseEquations<f64>, origin: &Origin) -> Recurrence {
         let Origin { time_per_y, chi_rate, psi_rates: [alpha_psi, beta_psi], negligible, .. } = *origin;
         let Point { one_minus_u, e3_minus_u, inverse_d, .. } = equations.point(origin.sine, origin.cosine);
@@ -154,7 +152,6 @@ impl Expansion {
     }
 
     /// Computes coefficients until two in succession are negligible. Returns their number.
-    #[inline(never)]
     fn recur(&mut self, recurrence: &Recurrence, pause: &mut dyn FnMut()) -> Option<usize> {
         let is_in_range = self.chi.at_origin <= MAX_CHI_RATE;
         if !is_in_range {
