@@ -34,12 +34,14 @@ pub fn cycle(motion: &MotionConstants) -> f64 {
 /// Number of nutation periods in which the tip goes round the centre once, within limits; `None` where the motion does not nutate. At least 3
 /// and at most 24; a very slow precession gets 3.
 pub fn periods(motion: &MotionConstants) -> Option<u32> {
-    const LEAST: u32 = 3;
-    const MOST: u32 = 24;
+    const MIN_PERIODS: u32 = 3;
+    const MAX_PERIODS: u32 = 24;
     let once_round = 2.0 * PI / Float::abs(motion.phi_per_period());
-    let periods = match once_round > f64::from(4 * MOST) {
-        true => LEAST,
-        false => (LEAST..MOST).find(|periods| f64::from(*periods) >= once_round).unwrap_or(MOST),
+    let periods = match once_round > f64::from(4 * MAX_PERIODS) {
+        true => MIN_PERIODS,
+        false => (MIN_PERIODS..MAX_PERIODS)
+            .find(|periods| f64::from(*periods) >= once_round)
+            .unwrap_or(MAX_PERIODS),
     };
     (motion.regime() == Regime::Nutating).then_some(periods)
 }

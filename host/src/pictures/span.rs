@@ -65,11 +65,11 @@ impl MotionSpan {
 
     /// Times of a curve: enough in each cycle of the motion that they show no alias of it.
     pub fn times_of_curve(&self) -> impl Iterator<Item = f64> {
-        const LEAST: u64 = 1500;
-        const IN_A_CYCLE: f64 = 64.0;
+        const MIN_POINTS: u64 = 1500;
+        const POINTS_IN_A_CYCLE: f64 = 64.0;
         let [from, until] = self.ends;
         let cycles = ((until - from) / self.cycle).ceil().min(MAX_CYCLES);
-        self.times(LEAST.max((IN_A_CYCLE * cycles) as u64 + 1))
+        self.times(MIN_POINTS.max((POINTS_IN_A_CYCLE * cycles) as u64 + 1))
     }
 
     /// First and last time as text, with as many digits as distinguish a thousandth of the span.

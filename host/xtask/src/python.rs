@@ -11,7 +11,7 @@ use crate::process::{command, root, run, target_dir};
 const FOLDER: &str = "host/python";
 /// Python packages that build and test the package.
 const TOOLS: &str = "maturin>=1.9,<2 numpy scipy>=1.12 pytest>=8 mypy>=1.15";
-/// Further Python packages of the figures, and of the tests of the notebooks and the recipes.
+/// Further Python packages of the computing times, and of the tests of the notebooks and the recipes.
 const MORE: &str = "heyoka>=7 matplotlib dask pyarrow polars pandas ray";
 /// Largest wheel, bytes.
 const LARGEST_WHEEL: u64 = 1_500_000;
@@ -23,7 +23,7 @@ pub(crate) fn check() -> Result<String> {
     tested()
 }
 
-/// Runs the tests of [`check`] with the release build of the wheel, and checks its size and the figures. The tests run the notebooks and
+/// Runs the tests of [`check`] with the release build of the wheel, and checks its size and the computing times. The tests run the notebooks and
 /// the recipes too, whose libraries are installed.
 pub(crate) fn full() -> Result<String> {
     provide(&format!("{TOOLS} {MORE}"))?;
@@ -33,8 +33,8 @@ pub(crate) fn full() -> Result<String> {
         bail!("{}: {size} bytes; must be at most {LARGEST_WHEEL}", wheel.display());
     }
     let tested = tested()?;
-    run(python("figures.py").current_dir(root().join(FOLDER)))?;
-    Ok(format!("wheel of {size} bytes; {tested}; figures ran"))
+    run(python("timings.py").current_dir(root().join(FOLDER)))?;
+    Ok(format!("wheel of {size} bytes; {tested}; computing times ran"))
 }
 
 /// Folder of the environment and the builds.

@@ -20,17 +20,17 @@ fn found<R: EphemerisScalar>(
     value: f64,
     from: i64,
 ) -> Vec<Event> {
-    const MOST: usize = 12;
+    const MAX_EVENTS: usize = 12;
     let mut events: Vec<Event> = match kind {
-        "turning" => view.turning_points(from).take(MOST).collect(),
-        "level" => view.crossings(Level::from_u(value).unwrap(), from).take(MOST).collect(),
+        "turning" => view.turning_points(from).take(MAX_EVENTS).collect(),
+        "level" => view.crossings(Level::from_u(value).unwrap(), from).take(MAX_EVENTS).collect(),
         "circle" => {
             let levels = Level::from_circle(motion.top(), value * motion.top().tip_scale()).unwrap();
-            levels.into_iter().flat_map(|level| view.crossings(level, from).take(MOST)).collect()
+            levels.into_iter().flat_map(|level| view.crossings(level, from).take(MAX_EVENTS)).collect()
         }
-        "tip_angle" => view.tip_angles(Phase::from_turns(value), from).take(MOST).collect(),
+        "tip_angle" => view.tip_angles(Phase::from_turns(value), from).take(MAX_EVENTS).collect(),
         _ => Level::lift_off(motion)
-            .map_or(Vec::new(), |level| view.crossings(level, from).take(MOST).collect()),
+            .map_or(Vec::new(), |level| view.crossings(level, from).take(MAX_EVENTS).collect()),
     };
     events.sort_by(|a, b| a.tick.cmp(&b.tick).then(a.fraction.total_cmp(&b.fraction)));
     events

@@ -1,4 +1,4 @@
-"""Figures of the package, as this machine gives them: python figures.py [--json]
+"""Computing times of the package on this machine: python timings.py [--json]
 
 Times are the best of several, in processor time unless they say otherwise; heyoka and SciPy are compared where they are installed.
 """
