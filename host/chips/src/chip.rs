@@ -112,11 +112,20 @@ pub fn target_dir(root: &Path) -> PathBuf {
 }
 
 impl Chip {
-    /// All chips.
-    pub const ALL: [Self; 6] = [M4F, M0, M7, M33, RISCV, M0PLUS];
+    /// All chips; those with the same target are neighbours.
+    pub const ALL: [Self; 6] = [M0, M0PLUS, M4F, M7, M33, RISCV];
 
     /// Chips whose calls are measured: [`M0`] has too little memory.
-    pub const MEASURED: [Self; 5] = [M0PLUS, M4F, M7, M33, RISCV];
+    pub fn measured() -> impl Iterator<Item = &'static Self> {
+        Self::ALL.iter().filter(|chip| chip.name != M0.name)
+    }
+
+    /// First chip of each target.
+    pub fn one_per_target() -> Vec<&'static Self> {
+        let mut chips: Vec<_> = Self::ALL.iter().collect();
+        chips.dedup_by_key(|chip| chip.target);
+        chips
+    }
 
     /// Command that builds a program of `firmware-examples`, and the folder of its ELF. A chip with flags or a memory map has a target folder
     /// of its own.

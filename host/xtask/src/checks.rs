@@ -6,6 +6,7 @@ use std::process::Command;
 use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
+use toytop_chips::chip::{M0, M4F, RISCV};
 
 use crate::firmware::{PROGRAMS, Program};
 use crate::process::{cargo, command, firmware_target_dir, root, run, run_within, target_dir};
@@ -43,15 +44,16 @@ pub(crate) fn clippy_firmware() -> Result<String> {
     let in_firmware =
         |words: &str| clippy_with(with_target_dir(cargo("firmware-examples", words), firmware_target_dir()));
     in_firmware("clippy --package toytop-firmware-decoder")?;
-    for target in ["thumbv7em-none-eabihf", "riscv32imac-unknown-none-elf"] {
+    for target in [M4F.target, RISCV.target] {
         let runs = PROGRAMS.iter().filter(|program| program.runs_on(target)).map(Program::selection);
         let programs: Vec<_> = runs.filter(|selection| selection.starts_with("--bin")).collect();
         in_firmware(&format!("clippy --release --target {target} --lib {}", programs.join(" ")))?;
     }
-    in_firmware(
-        "clippy --release --target thumbv7em-none-eabihf --workspace --exclude toytop-firmware-decoder \
+    in_firmware(&format!(
+        "clippy --release --target {} --workspace --exclude toytop-firmware-decoder \
          --exclude toytop-firmware-examples --features toytop-cost/dwt",
-    )?;
+        M4F.target
+    ))?;
     Ok(String::new())
 }
 
@@ -145,8 +147,8 @@ pub(crate) fn budget_on_all() -> Result<String> {
 /// Builds core with every set of its features, for the smallest chip, and the suite without the host's crate.
 pub(crate) fn features() -> Result<String> {
     run(&mut cargo(".", "check --package toytop-tests --no-default-features --tests"))?;
-    let words = "hack check --package toytop --package toytop-closed-forms --package toytop-fit --lib --feature-powerset --target thumbv6m-none-eabi";
-    passes(cargo(".", words).env("RUSTFLAGS", "-D warnings"))
+    let words = "hack check --package toytop --package toytop-closed-forms --package toytop-fit --lib --feature-powerset --target";
+    passes(cargo(".", words).arg(M0.target).env("RUSTFLAGS", "-D warnings"))
 }
 
 /// Packages the crates that are published, and builds them from their packages.

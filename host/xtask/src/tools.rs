@@ -4,6 +4,7 @@ use std::process::Command;
 use std::time::Duration;
 
 use anyhow::{Result, bail};
+use toytop_chips::chip::Chip;
 
 use crate::process::run_within;
 
@@ -11,7 +12,7 @@ use crate::process::run_within;
 #[derive(Clone, Copy)]
 pub(crate) struct Tool {
     name: &'static str,
-    /// Command that succeeds where the tool is installed.
+    /// Command that succeeds where the tool is installed. $TARGETS are the targets of the chips, here and in the next one.
     works: &'static str,
     /// Command that installs it.
     install: &'static str,
@@ -28,9 +29,8 @@ pub(crate) const LINTS: Tool = tool(
 );
 pub(crate) const CHIPS: Tool = tool(
     "compiler for the chips",
-    "for target in thumbv6m-none-eabi thumbv7em-none-eabihf thumbv8m.main-none-eabihf riscv32imac-unknown-none-elf; \
-     do test -d $(rustc --print target-libdir --target $target) || exit 1; done",
-    "rustup target add thumbv6m-none-eabi thumbv7em-none-eabihf thumbv8m.main-none-eabihf riscv32imac-unknown-none-elf",
+    "for target in $TARGETS; do test -d $(rustc --print target-libdir --target $target) || exit 1; done",
+    "rustup target add $TARGETS",
 );
 pub(crate) const PAGE: Tool = tool(
     "compiler for pages",
@@ -76,16 +76,18 @@ impl Tool {
     /// Installs the tool if it is missing. The error says in one line how to install it.
     pub(crate) fn provide(&self) -> Result<()> {
         let Self { name, works, install } = self;
-        if !succeeds(works) {
+        let targets = Chip::one_per_target().iter().map(|chip| chip.target).collect::<Vec<_>>().join(" ");
+        let [works, install] = [works, install].map(|script| script.replace("$TARGETS", &targets));
+        if !succeeds(&works) {
             eprintln!("installing {name}: {install}");
             let script = match install.strip_prefix("apt-get install ") {
                 Some(packages) => format!(
                     "[ $(id -u) = 0 ] || sudo='sudo -n'; $sudo apt-get update && \
                      $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends {packages}"
                 ),
-                None => (*install).to_owned(),
+                None => install.clone(),
             };
-            if !succeeds(&script) || !succeeds(works) {
+            if !succeeds(&script) || !succeeds(&works) {
                 bail!("{name} missing: {install}");
             }
         }

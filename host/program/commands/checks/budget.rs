@@ -19,6 +19,7 @@ use crate::table::TextTable;
 use crate::terminal::stdout::Report;
 use budgets::{Budgets, FLASH_S};
 use clap::Args;
+use clap::builder::PossibleValuesParser;
 use corpus::costs_of_launches;
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -42,7 +43,7 @@ const TICK_RATE: f64 = 1000.0;
 )]
 pub struct BudgetArgs {
     /// Chips, separated by commas: m0plus, m4f, m7, m33, riscv; without it, all
-    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = Chip::MEASURED.map(|chip| chip.name))]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = PossibleValuesParser::new(Chip::measured().map(|chip| chip.name)))]
     chip: Vec<String>,
     /// Clock of the chip, MHz, from which times follow
     #[arg(long, value_name = "MHZ", default_value_t = 64.0, value_parser = positive, conflicts_with = "corpus")]
@@ -100,7 +101,7 @@ impl BudgetArgs {
 
     fn chips(&self) -> Vec<&'static Chip> {
         let is_chosen = |name: &str| self.chip.is_empty() || self.chip.iter().any(|chip| chip == name);
-        Chip::MEASURED.iter().filter(|chip| is_chosen(chip.name)).collect()
+        Chip::measured().filter(|chip| is_chosen(chip.name)).collect()
     }
 }
 
