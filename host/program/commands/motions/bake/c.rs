@@ -70,7 +70,7 @@ fn definition<R: TableScalar>(title: &TableTitle, table: &Table<R>) -> String {
     let scales =
         [clock.twice_tip_scale, clock.x_rate, clock.mean_sum_rate, clock.axial_rate].map(Float::to_f64);
     format!(
-        "static const {coefficient} {name}_coefficients[{count}][4] = {{
+        "static const toytop_coefficient_{scalar} {name}_coefficients[{count}][4] = {{
 {rows}}};
 
 static const toytop_{scalar} {name} = {{
@@ -80,7 +80,6 @@ static const toytop_{scalar} {name} = {{
     {name}_coefficients,
 }};
 ",
-        coefficient = types(R::SCALAR)[1],
         count = rows.len(),
         rows = rows.concat(),
         clock = initialisers(table),
@@ -129,55 +128,21 @@ fn decimal(x: f64) -> String {
     format!("{x:.16e}")
 }
 
-/// Scalars in the order of their code. q31 needs the code of f32, and q15 needs both.
-const SCALARS: [Scalar; 4] = [Scalar::F32, Scalar::Q31, Scalar::Q15, Scalar::F64];
-
-/// Code that evaluates a table of this scalar: the phases, and the scalars that it needs. Each part is compiled once.
+/// Code that evaluates a table of this scalar: the clock, and the functions in integers or in double precision. Each part is compiled once.
 fn code(scalar: Scalar) -> String {
-    let needed = match scalar {
-        Scalar::F32 => &SCALARS[..1],
-        Scalar::Q31 => &SCALARS[..2],
-        Scalar::Q15 => &SCALARS[..3],
-        Scalar::F64 => &SCALARS[3..],
+    let clock = concat!(include_str!("c/clock.h"), "\n", include_str!("c/scalar.h"));
+    let evaluator = match scalar {
+        Scalar::F64 => ("F64", series() + include_str!("c/f64.h")),
+        _ => ("INTEGER", points() + include_str!("c/integer.h") + include_str!("c/q15.h")),
     };
-    let clock = ("clock", include_str!("c/clock.h").to_owned());
     let mut text = "#ifndef TOYTOP_API\n#define TOYTOP_API static inline\n#endif\n".to_owned();
-    for (name, code) in std::iter::once(clock).chain(needed.iter().map(evaluator)) {
-        let guard = name.to_uppercase();
+    for (guard, code) in [("CLOCK", clock.to_owned()), evaluator] {
         text += &format!(
             "#ifndef TOYTOP_{guard}\n#define TOYTOP_{guard} {FORMAT}\n{code}#elif TOYTOP_{guard} != {FORMAT}\n\
              #error two versions of toytop wrote these headers: write them again\n#endif\n"
         );
     }
     text
-}
-
-/// Name and code of a scalar: its arithmetic between the types and the functions that are written for all scalars.
-fn evaluator(scalar: &Scalar) -> (&'static str, String) {
-    let name = scalar.name();
-    let (constants, arithmetic, omega) = match scalar {
-        Scalar::F32 => (points(), include_str!("c/f32.h"), include_str!("c/omega.h")),
-        Scalar::Q31 => (String::new(), include_str!("c/q31.h"), include_str!("c/omega.h")),
-        Scalar::Q15 => (String::new(), include_str!("c/q15.h"), include_str!("c/omega.h")),
-        Scalar::F64 => (series(), include_str!("c/f64.h"), ""),
-    };
-    let (accessors, intact) = (include_str!("c/accessors.h"), include_str!("c/intact.h"));
-    let mut code = [include_str!("c/table.h"), arithmetic, accessors, omega, intact].concat();
-    let words = ["COEFFICIENT_WORD", "COEFFICIENT", "REAL_WORD", "REAL", "NUMBER"];
-    for (word, ctype) in words.into_iter().zip(types(*scalar)) {
-        code = code.replace(word, ctype);
-    }
-    (name, constants + &code.replace("SCALAR", name).replace("BITS", &name[1..]))
-}
-
-/// Types in C: bits of a coefficient, coefficient, bits of a scale, scale, number of a sample.
-fn types(scalar: Scalar) -> [&'static str; 5] {
-    match scalar {
-        Scalar::F64 => ["uint64_t", "double", "uint64_t", "double", "double"],
-        Scalar::F32 => ["uint32_t", "int32_t", "uint32_t", "float", "float"],
-        Scalar::Q31 => ["uint32_t", "int32_t", "uint32_t", "float", "int32_t"],
-        Scalar::Q15 => ["uint16_t", "int16_t", "uint32_t", "float", "int16_t"],
-    }
 }
 
 /// Table of sines in C, and the coefficients of the interpolation.

@@ -64,10 +64,14 @@ static inline int64_t toytop_find(const toytop_clock *clock, uint64_t nutation, 
     return (int64_t)(share >> (64 - kept) << (64 - kept) << (depth - 3) ^ (uint64_t)1 << 63);
 }
 
-/* CRC-32 (ISO-HDLC) after the lowest `bytes` bytes of a number, the least significant first. */
-static inline uint32_t toytop_crc(uint32_t sum, uint64_t number, int bytes) {
-    for (int i = 0; i < bytes; i++) {
-        sum ^= (uint32_t)(number >> 8 * i) & 255u;
+/* CRC-32 (ISO-HDLC) after `count` numbers of `size` bytes, a power of two. The least significant byte of a number is the first. */
+static inline uint32_t toytop_crc(uint32_t sum, const void *numbers, uint32_t count, uint32_t size) {
+    const uint8_t *bytes = (const uint8_t *)numbers;
+    const uint16_t one = 1;
+    uint8_t low_first;
+    memcpy(&low_first, &one, 1);
+    for (uint32_t i = 0; i < count * size; i++) {
+        sum ^= bytes[low_first ? i : i ^ (size - 1)];
         for (int bit = 0; bit < 8; bit++) sum = sum >> 1 ^ (UINT32_C(0xedb88320) & (0u - (sum & 1u)));
     }
     return sum;
@@ -75,18 +79,19 @@ static inline uint32_t toytop_crc(uint32_t sum, uint64_t number, int bytes) {
 
 /* Checksum of a clock, with which the checksum of a table begins. */
 static inline uint32_t toytop_head(const toytop_clock *clock, uint32_t scalar) {
-    uint32_t sum = toytop_crc(toytop_crc(UINT32_MAX, clock->format, 4), scalar, 4);
-    sum = toytop_crc(toytop_crc(sum, clock->segments, 4), clock->terms, 4);
-    for (int i = 0; i < 3; i++) sum = toytop_crc(toytop_crc(sum, clock->step[i].low, 4), clock->step[i].leading, 8);
-    for (int i = 0; i < 3; i++) sum = toytop_crc(sum, clock->first[i], 8);
-    sum = toytop_crc(sum, clock->epoch, 8);
-    for (int i = 0; i < 8; i++) sum = toytop_crc(sum, clock->numbers[i], 8);
-    for (int i = 0; i < 4; i++) sum = toytop_crc(sum, clock->tip_start[i], 4);
-    for (int i = 0; i < 4; i++) sum = toytop_crc(sum, clock->tip_step[i], 4);
-    for (int i = 0; i < 4; i++) sum = toytop_crc(sum, clock->flags[i], 1);
-    for (int i = 8; i < 12; i++) sum = toytop_crc(sum, clock->numbers[i], 8);
-    for (int i = 0; i < 16; i++) sum = toytop_crc(sum, clock->cells[i], 2);
-    return sum;
+    uint32_t sum = toytop_crc(UINT32_MAX, &clock->format, 1, 4);
+    sum = toytop_crc(sum, &scalar, 1, 4);
+    sum = toytop_crc(sum, &clock->segments, 1, 4);
+    sum = toytop_crc(sum, &clock->terms, 1, 4);
+    for (int i = 0; i < 3; i++) sum = toytop_crc(toytop_crc(sum, &clock->step[i].low, 1, 4), &clock->step[i].leading, 1, 8);
+    sum = toytop_crc(sum, clock->first, 3, 8);
+    sum = toytop_crc(sum, &clock->epoch, 1, 8);
+    sum = toytop_crc(sum, clock->numbers, 8, 8);
+    sum = toytop_crc(sum, clock->tip_start, 4, 4);
+    sum = toytop_crc(sum, clock->tip_step, 4, 4);
+    sum = toytop_crc(sum, clock->flags, 4, 1);
+    sum = toytop_crc(sum, clock->numbers + 8, 4, 8);
+    return toytop_crc(sum, clock->cells, 16, 2);
 }
 
 /* Number of type double with these bits. */

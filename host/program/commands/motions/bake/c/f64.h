@@ -1,3 +1,5 @@
+TOYTOP_TYPES(f64, double, double, double)
+
 /* Barrier that rounds a number to its type, so that no compiler fuses a product with a sum, in any standard and with any flags. */
 static inline double toytop_rounded_f64(double x) {
 #if defined(__GNUC__) && defined(__SSE2__)
@@ -129,3 +131,5 @@ TOYTOP_API void toytop_omega_f64(const toytop_f64 *table, const toytop_cursor *a
     toytop_rates_at_f64(table, at, four, body);
     toytop_adjoint_f64(four, four + 2, body, omega);
 }
+
+TOYTOP_FUNCTIONS(f64, 64, double)

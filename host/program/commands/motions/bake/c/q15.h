@@ -1,3 +1,6 @@
+
+TOYTOP_TYPES(q15, int16_t, float, int16_t)
+
 /* a c + b d, rounded down to 2^-14: needs a compiler that shifts signed numbers arithmetically, as all do. */
 static inline int32_t toytop_inner_q15(int32_t a, int32_t b, int32_t c, int32_t d) { return (a * c + b * d) >> 14; }
 
@@ -69,3 +72,6 @@ static inline int32_t toytop_rates_at_q15(const toytop_q15 *table, const toytop_
     for (int i = 0; i < 4; i++) four[i] *= 65536;
     return toytop_integer_rates(&sums, (int)(at->phase[0].leading >> 63), turn, table->scales, omega);
 }
+
+TOYTOP_FUNCTIONS(q15, 15, int16_t)
+TOYTOP_OMEGA(q15)
