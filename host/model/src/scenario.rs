@@ -1,4 +1,4 @@
-//! Numbers of a scenario, in the order of its keys.
+//! Top and motion from the numbers of a scenario.
 
 use core::f64::consts::PI;
 use toytop::{
@@ -46,38 +46,36 @@ pub fn top(support: Support, parameters: &TopParameters) -> Result<Top, Paramete
     }
 }
 
-/// Motion by the place of its kind among release, state and branch points, from the numbers of that kind; those that it does not need
-/// are ignored. A state has α and β as real and imaginary parts, then ω.
+/// Motion from the numbers of a page, in the order of the keys of a scenario; those that a motion does not need are ignored.
+///
+/// * `kind`: place of the kind among release, state and branch points
 ///
 /// # Errors
 /// The errors of [`State::from_release`], [`State::new`], [`Motion::launch`] and [`Motion::from_branch_points`].
 pub fn motion(top: &Top, kind: u32, numbers: [f64; 8]) -> Result<Motion, ParameterError> {
-    let [a, b, c, d, e, f, g, _] = numbers;
+    let [a, b, c, d, e, f, g, h] = numbers;
     let state = match kind {
-        0 => State::from_release(&release([a, b, c, d, e, f])),
+        0 => {
+            let degrees = Release { tilt: a, spin: b, precession: c, nutation: d, azimuth: e, roll: f };
+            State::from_release(&release_from_degrees(degrees))
+        }
         1 => {
             let orientation = Orientation { alpha: Complex::new(a, b), beta: Complex::new(c, d) };
             State::new(orientation, [e, f, g])
         }
         _ => {
-            let (e, signs, phases) = branch_points(numbers);
-            return Motion::from_branch_points(top, e, signs, &phases);
+            let signs = Signs { l_plus_n: Sign::new(d), l_minus_n: Sign::new(e) };
+            let phases = InitialAngles { theta: f, arg_alpha: g, arg_beta: h };
+            return Motion::from_branch_points(top, [a, b, c], signs, &phases);
         }
     };
     Motion::launch(top, &state?)
 }
 
-/// Release: tilt (degrees), spin, precession, nutation, azimuth and roll (degrees).
-pub fn release([tilt, spin, precession, nutation, azimuth, roll]: [f64; 6]) -> Release {
-    let [azimuth, roll] = [azimuth, roll].map(angle_from_degrees);
-    Release { tilt: tilt_from_degrees(tilt), azimuth, roll, spin, precession, nutation }
-}
-
-/// Branch points, signs of l + n and l - n, and phases at t = 0.
-pub fn branch_points(numbers: [f64; 8]) -> ([f64; 3], Signs, InitialAngles) {
-    let [e1, e2, e3, plus, minus, theta, arg_alpha, arg_beta] = numbers;
-    let signs = Signs { l_plus_n: Sign::new(plus), l_minus_n: Sign::new(minus) };
-    ([e1, e2, e3], signs, InitialAngles { theta, arg_alpha, arg_beta })
+/// Release from one with angles in degrees.
+pub fn release_from_degrees(release: Release) -> Release {
+    let [azimuth, roll] = [release.azimuth, release.roll].map(angle_from_degrees);
+    Release { tilt: tilt_from_degrees(release.tilt), azimuth, roll, ..release }
 }
 
 /// Tilt in rad. Exactly 180 degrees become π, which means exactly downward, and no other number does.

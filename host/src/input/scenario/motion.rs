@@ -3,8 +3,8 @@
 use crate::Failure;
 use crate::input::section::{Key, Section};
 use crate::input::units::{RADIANS, RATE};
-use toytop::{Complex, InitialAngles, Motion, Orientation, Release, Signs, State, Top};
-use toytop_model::scenario::{branch_points, release};
+use toytop::{Complex, InitialAngles, Motion, Orientation, Release, Sign, Signs, State, Top};
+use toytop_model::scenario::release_from_degrees;
 
 const RATE_RANGE: &str = "a number of rad/s, at most 1e11 in size";
 const SPIN: &str = "a number of rad/s, at most 1e11 in size: the whole component of omega along the axis";
@@ -97,7 +97,9 @@ pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Launch), Failur
     let choice = Some(("kind", kind));
     let (state, fastest) = match kind {
         "release" => {
-            let release = release(section.only_numbers(choice, &RELEASE)?);
+            let [tilt, spin, precession, nutation, azimuth, roll] = section.only_numbers(choice, &RELEASE)?;
+            let degrees = Release { tilt, spin, precession, nutation, azimuth, roll };
+            let release = release_from_degrees(degrees);
             (State::from_release(&release), fastest_rate(&release))
         }
         "state" => {
@@ -108,13 +110,15 @@ pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Launch), Failur
             (State::new(orientation, section.array(omega, None)?), "omega")
         }
         _ => {
-            let numbers = section.only_numbers(choice, &BRANCH_POINTS)?;
-            for (sign, key) in numbers[3..5].iter().zip(&BRANCH_POINTS[3..]) {
+            let [e @ .., l_plus_n, l_minus_n, theta, arg_alpha, arg_beta] =
+                section.only_numbers(choice, &BRANCH_POINTS)?;
+            for (key, sign) in [("sign_l_plus_n", l_plus_n), ("sign_l_minus_n", l_minus_n)] {
                 if sign.abs() != 1.0 {
-                    return Err(section.not_allowed(key));
+                    return Err(section.failure(key, &format!("must be {SIGN}")));
                 }
             }
-            let (e, signs, phases) = branch_points(numbers);
+            let signs = Signs { l_plus_n: Sign::new(l_plus_n), l_minus_n: Sign::new(l_minus_n) };
+            let phases = InitialAngles { theta, arg_alpha, arg_beta };
             let motion = Motion::from_branch_points(top, e, signs, &phases).map_err(refused)?;
             return Ok((motion, Launch::BranchPoints { e, signs, phases }));
         }
