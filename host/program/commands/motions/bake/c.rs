@@ -87,35 +87,38 @@ static const toytop_{scalar} {name} = {{
     )
 }
 
-/// Initialisers of a `toytop_clock`.
+/// Initialisers of a `toytop_clock`, a line for those of each type.
 fn initialisers<R: TableScalar>(table: &Table<R>) -> String {
-    let wide = |bits: u64| format!("{bits:#x}u");
-    let phase = |[low, middle, upper]: [u32; 3]| {
-        format!("{{{:#x}u, {low:#x}u}}", u64::from(upper) << 32 | u64::from(middle))
-    };
     let clock = table.clock();
-    let bound = |ErrorBound { constant, per_tick }: ErrorBound| [constant, per_tick];
-    let bounds = [table.error_bound(), table.rate_error_bound()].map(bound);
-    let doubles = [clock.step_turns.as_flattened(), &clock.ticks_per_time, bounds.as_flattened()].concat();
-    let numbers: Vec<_> = doubles.into_iter().map(|x| wide(x.to_bits())).collect();
-    let words = |words: [u32; 4]| words.map(|word| format!("{word:#x}u")).join(", ");
-    let flags = [
-        clock.tip_start_quarter_turns as u8,
-        clock.tip_sign_changes,
-        clock.tip_exists.into(),
-        clock.has_turning_points.into(),
-    ];
+    let words = |numbers: &[u64]| {
+        let words: Vec<_> = numbers.iter().map(|number| format!("{number:#x}u")).collect();
+        format!("{{{}}}", words.join(", "))
+    };
+    let doubles = |numbers: &[f64]| words(&numbers.iter().map(|number| number.to_bits()).collect::<Vec<_>>());
+    let phase =
+        |[low, middle, upper]: [u32; 3]| words(&[u64::from(upper) << 32 | u64::from(middle), u64::from(low)]);
+    let bounds = [table.error_bound(), table.rate_error_bound()];
+    let bounds = bounds.map(|ErrorBound { constant, per_tick }| [constant, per_tick]);
     let rows = table.capacity() * R::TERMS;
-    let lines = [
+    [
         format!("{FORMAT}u, {:#x}u, {}u, {}u, ~{rows}u", R::crc32(table), table.capacity(), R::TERMS),
-        format!("{{{}}}, {}", clock.first_phases.map(wide).join(", "), wide(clock.epoch as u64)),
+        format!("{}, {:#x}u", words(&clock.first_phases), clock.epoch as u64),
         format!("{{{}}}", clock.step.map(phase).join(", ")),
-        format!("{{{}}}", numbers.join(", ")),
-        format!("{{{}}}, {{{}}}", words(clock.tip_start), words(clock.tip_step)),
-        format!("{{{}}}", flags.map(|flag| flag.to_string()).join(", ")),
-        format!("{{{}}}", table.cells().map(|cell| cell.to_string()).join(", ")),
-    ];
-    lines.iter().map(|line| format!("        {line},\n")).collect()
+        [clock.step_turns.as_flattened(), &clock.ticks_per_time, bounds.as_flattened()]
+            .map(doubles)
+            .join(", "),
+        [clock.tip_start, clock.tip_step].map(|angle| words(&angle.map(u64::from))).join(", "),
+        format!(
+            "{{{}, {}, {}}}, {}",
+            clock.tip_start_quarter_turns as u8,
+            clock.tip_sign_changes,
+            u8::from(clock.tip_exists),
+            u8::from(clock.has_turning_points)
+        ),
+        words(&table.cells().map(u64::from)),
+    ]
+    .map(|line| format!("        {line},\n"))
+    .concat()
 }
 
 /// Constant of 32 bits in C, which has no literal -2147483648.

@@ -14,15 +14,18 @@ typedef struct { uint64_t leading; uint32_t low; } toytop_phase;
 /* Clock of a table. The order of phases is nutation, mean phase of alpha, mean phase of beta. */
 typedef struct {
     uint32_t format, crc32, segments, terms;
-    uint32_t not_rows;         /* ~(segments * terms): a changed size must not lead the check beyond the table */
-    uint64_t first[3];         /* phases at tick INT64_MIN, from which ticks are unsigned numbers */
-    uint64_t epoch;            /* tick of the launch, as an unsigned number modulo 2^64 */
-    toytop_phase step[3];      /* increments in a tick */
-    uint64_t numbers[12];      /* bits of doubles: exact steps, ticks in a unit of time, error bounds of orientation and rates */
-    uint32_t tip_start[4];     /* mean tip angle at tick 0, in units of 2^-96 turns, the least significant word first */
-    uint32_t tip_step[4];      /* increment of the mean tip angle in a tick */
-    uint8_t flags[4];          /* quarter turns of alpha beta at u = e1, parameters that pass 0, tip angle exists, u turns */
-    uint16_t cells[16];        /* for each cell of half a period: its segments */
+    uint32_t not_rows;          /* ~(segments * terms): a changed size must not lead the check beyond the table */
+    uint64_t first_phases[3];   /* phases at tick INT64_MIN, from which ticks are unsigned numbers */
+    uint64_t epoch;             /* tick of the launch, as an unsigned number modulo 2^64 */
+    toytop_phase step[3];       /* increments in a tick */
+    uint64_t step_turns[6];     /* bits of doubles: exact steps, each a sum of two */
+    uint64_t ticks_per_time[2]; /* bits of doubles */
+    uint64_t error_bounds[4];   /* bits of doubles: of orientation and rates, each at tick 0 and its growth in a tick */
+    uint32_t tip_start[4];      /* mean tip angle at tick 0, in units of 2^-96 turns, the least significant word first */
+    uint32_t tip_step[4];       /* increment of the mean tip angle in a tick */
+    uint8_t flags[3];           /* quarter turns of alpha beta at u = e1, parameters that pass 0, whether the tip angle exists */
+    uint8_t has_turning_points;
+    uint16_t cells[16];         /* for each cell of half a period: its segments */
 } toytop_clock;
 
 /* Phases of consecutive ticks, advanced by additions, which an interrupt keeps. */
@@ -42,7 +45,7 @@ TOYTOP_API toytop_cursor toytop_at(const toytop_clock *clock, int64_t tick) {
         toytop_phase step = clock->step[i];
         uint64_t lowest = (uint64_t)step.low * (uint32_t)n;
         at.phase[i].low = (uint32_t)lowest;
-        at.phase[i].leading = step.leading * n + (uint64_t)step.low * (n >> 32) + (lowest >> 32) + clock->first[i];
+        at.phase[i].leading = step.leading * n + (uint64_t)step.low * (n >> 32) + (lowest >> 32) + clock->first_phases[i];
     }
     return at;
 }
@@ -84,13 +87,15 @@ static inline uint32_t toytop_head(const toytop_clock *clock, uint32_t scalar) {
     sum = toytop_crc(sum, &clock->segments, 1, 4);
     sum = toytop_crc(sum, &clock->terms, 1, 4);
     for (int i = 0; i < 3; i++) sum = toytop_crc(toytop_crc(sum, &clock->step[i].low, 1, 4), &clock->step[i].leading, 1, 8);
-    sum = toytop_crc(sum, clock->first, 3, 8);
+    sum = toytop_crc(sum, clock->first_phases, 3, 8);
     sum = toytop_crc(sum, &clock->epoch, 1, 8);
-    sum = toytop_crc(sum, clock->numbers, 8, 8);
+    sum = toytop_crc(sum, clock->step_turns, 6, 8);
+    sum = toytop_crc(sum, clock->ticks_per_time, 2, 8);
     sum = toytop_crc(sum, clock->tip_start, 4, 4);
     sum = toytop_crc(sum, clock->tip_step, 4, 4);
-    sum = toytop_crc(sum, clock->flags, 4, 1);
-    sum = toytop_crc(sum, clock->numbers + 8, 4, 8);
+    sum = toytop_crc(sum, clock->flags, 3, 1);
+    sum = toytop_crc(sum, &clock->has_turning_points, 1, 1);
+    sum = toytop_crc(sum, clock->error_bounds, 4, 8);
     return toytop_crc(sum, clock->cells, 16, 2);
 }
 
@@ -134,10 +139,10 @@ static inline int64_t toytop_later(int64_t tick, int64_t steps) {
 TOYTOP_API int toytop_next_turning_point(const toytop_clock *clock, int64_t n, int64_t *tick, int *upper) {
     const uint64_t close = (uint64_t)1 << 14; /* 2^-50 turns: a phase within this distance counts as the point */
     const uint64_t half = (uint64_t)1 << 63;
-    double turns = toytop_number(clock->numbers[0]) + toytop_number(clock->numbers[1]);
+    double turns = toytop_number(clock->step_turns[0]) + toytop_number(clock->step_turns[1]);
     int64_t from = n == INT64_MIN ? n : n - 1;
     toytop_phase ahead, now;
-    if (!(clock->flags[3] && turns > 0.0 && turns < 0.5)) return 0;
+    if (!(clock->has_turning_points && turns > 0.0 && turns < 0.5)) return 0;
     now = toytop_at(clock, from).phase[0];
     now.leading += close;
     *upper = now.leading < half;
