@@ -6,9 +6,9 @@ use std::process::Command;
 use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
-use toytop_chips::chip::{M0, M4F, RISCV};
+use toytop_chips::chip::{M0, M4F, M7, RISCV};
 
-use crate::firmware::{PROGRAMS, Program};
+use crate::firmware::all_on;
 use crate::process::{cargo, command, firmware_target_dir, root, run, run_within, target_dir};
 
 /// Folders with a workspace of their own.
@@ -44,10 +44,8 @@ pub(crate) fn clippy_firmware() -> Result<String> {
     let in_firmware =
         |words: &str| clippy_with(with_target_dir(cargo("firmware-examples", words), firmware_target_dir()));
     in_firmware("clippy --package toytop-firmware-decoder")?;
-    for target in [M4F.target, RISCV.target] {
-        let runs = PROGRAMS.iter().filter(|program| program.runs_on(target)).map(Program::selection);
-        let programs: Vec<_> = runs.filter(|selection| selection.starts_with("--bin")).collect();
-        in_firmware(&format!("clippy --release --target {target} --lib {}", programs.join(" ")))?;
+    for chip in [M4F, M7, RISCV] {
+        in_firmware(&format!("clippy --release --target {} --lib {}", chip.target, all_on(&chip)))?;
     }
     in_firmware(&format!(
         "clippy --release --target {} --workspace --exclude toytop-firmware-decoder \

@@ -13,8 +13,8 @@ use crate::process::{cargo, firmware_target_dir, locked, root, run, run_within};
 use crate::tools::{self, QEMU};
 
 /// Program of firmware-examples with the folder of its source and its chips, of which the first is the default.
-pub(crate) struct Program {
-    pub(crate) name: &'static str,
+struct Program {
+    name: &'static str,
     folder: &'static str,
     chips: &'static [&'static Chip],
 }
@@ -26,7 +26,7 @@ const fn program(name: &'static str, chips: &'static [&'static Chip]) -> Program
 /// Folder of the programs of the main package; each other folder is a package of its own.
 const MAIN: &str = "src/bin";
 
-pub(crate) const PROGRAMS: &[Program] = &[
+const PROGRAMS: &[Program] = &[
     program("spin", &[&chip::M4F]),
     program("spin_m0", &[&chip::M0]),
     program("spin_m7", &[&chip::M7]),
@@ -69,13 +69,8 @@ impl Program {
         program.with_context(|| format!("no program {name}; there are: {}", names()))
     }
 
-    /// Whether the program runs on a chip with this target.
-    pub(crate) fn runs_on(&self, target: &str) -> bool {
-        self.chips.iter().any(|chip| chip.target == target)
-    }
-
     /// Arguments of cargo that select the program.
-    pub(crate) fn selection(&self) -> String {
+    fn selection(&self) -> String {
         let Self { name, folder, .. } = self;
         if *folder == MAIN { format!("--bin {name}") } else { format!("--package toytop-{name}") }
     }
@@ -144,7 +139,7 @@ pub(crate) fn programs() -> Result<String> {
 }
 
 /// Arguments of cargo that select all programs of the main package on a chip: one build links them on all processor cores.
-fn all_on(chip: &Chip) -> String {
+pub(crate) fn all_on(chip: &Chip) -> String {
     let is_built = |program: &&Program| {
         program.folder == MAIN && program.chips.iter().any(|other| other.name == chip.name)
     };

@@ -74,31 +74,7 @@ const LIMITS: &str = "firmware-examples/budgets.toml";
 /// Calls whose flash is measured as the program `flash` minus `empty`: a launch, a table and a tick.
 const SET_UPS: [&str; 5] = ["launch", "new", "slices", "launch_slow", "launch_falling"];
 
-/// Request to `toytop budget`.
-enum Request<'a> {
-    /// Costs of the functions of an ELF file.
-    File(&'a Path),
-    /// Costs of the calls.
-    Calls,
-    /// Comparison of the costs of the calls with their budgets.
-    Check,
-    /// New budgets.
-    Accept,
-    /// Costs of 200 launches, printed or written to the page.
-    Launches,
-}
-
 impl BudgetArgs {
-    fn request(&self) -> Request<'_> {
-        match (&self.elf, self.corpus, self.check, self.accept) {
-            (Some(elf), ..) => Request::File(elf),
-            (_, true, ..) => Request::Launches,
-            (_, _, true, _) => Request::Check,
-            (.., true) => Request::Accept,
-            _ => Request::Calls,
-        }
-    }
-
     fn chips(&self) -> Vec<&'static Chip> {
         let is_chosen = |name: &str| self.chip.is_empty() || self.chip.iter().any(|chip| chip == name);
         Chip::measured().filter(|chip| is_chosen(chip.name)).collect()
@@ -106,8 +82,8 @@ impl BudgetArgs {
 }
 
 pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
-    let (request, chips) = (arguments.request(), arguments.chips());
-    if let Request::File(elf) = request {
+    let chips = arguments.chips();
+    if let Some(elf) = &arguments.elf {
         let [chip] = chips[..] else {
             return Err(Failure::Input("--elf: needs one --chip, for which the file was built".into()));
         };
@@ -115,7 +91,7 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
         return Ok(report_on_calls(arguments, &BTreeMap::from([(chip.name.to_owned(), costs)])));
     }
     let root = repository("budget without --elf", "firmware-examples/cost")?;
-    if let Request::Launches = request {
+    if arguments.corpus {
         return report_on_launches(arguments, &root, chips);
     }
     let mut measured = BTreeMap::new();
@@ -123,26 +99,24 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
         let costs = costs_of_calls(&root, chip, arguments.flash).map_err(|error| failure(chip, error))?;
         measured.insert(chip.name.to_owned(), costs);
     }
-    match request {
-        Request::Accept => {
-            let budgets = Budgets::with_slack(measured);
-            let report = pages::write(&pages::parts_with_budgets(&budgets))?;
-            whole_file::write("--accept", &root.join(LIMITS), budgets.to_toml().as_bytes())?;
-            Ok(report)
-        }
-        Request::Check => {
-            let mut violations = Budgets::read(&root.join(LIMITS))?.violations(&measured);
-            let check_failed = !violations.is_empty();
-            violations.push(if check_failed {
-                format!("how to change a budget: the head of {LIMITS}")
-            } else {
-                "within budget".into()
-            });
-            let report = report_on_calls(arguments, &measured);
-            Ok(Report { check_failed, ..report }.with_notes(violations))
-        }
-        _ => Ok(report_on_calls(arguments, &measured)),
+    if arguments.accept {
+        let budgets = Budgets::with_slack(measured);
+        let report = pages::write(&pages::parts_with_budgets(&budgets))?;
+        whole_file::write("--accept", &root.join(LIMITS), budgets.to_toml().as_bytes())?;
+        return Ok(report);
     }
+    let report = report_on_calls(arguments, &measured);
+    if !arguments.check {
+        return Ok(report);
+    }
+    let mut violations = Budgets::read(&root.join(LIMITS))?.violations(&measured);
+    let check_failed = !violations.is_empty();
+    violations.push(if check_failed {
+        format!("how to change a budget: the head of {LIMITS}")
+    } else {
+        "within budget".into()
+    });
+    Ok(Report { check_failed, ..report }.with_notes(violations))
 }
 
 /// Failure of a measurement on a chip.
