@@ -16,8 +16,7 @@ use crate::motion::sample::{Quantities, Sample};
 use aperiodic::ClosedFormEvaluator;
 use events::Condition;
 use fixed::types::{I2F14, I2F30};
-use std::f64::consts::TAU;
-use toytop::{ErrorBound, Motion, ParameterError, Phase, Pose};
+use toytop::{ErrorBound, Motion, ParameterError, Pose};
 use toytop_model::constants::MAX_TICKS;
 
 /// Ephemeris of a motion: the core's table in any scalar and size, or the closed form of an aperiodic motion.
@@ -36,8 +35,7 @@ pub struct MotionEphemeris {
 }
 
 /// Table in a scalar, or closed form, that computes samples and events.
-#[expect(missing_docs)]
-pub enum Evaluator {
+enum Evaluator {
     F64(HeapTable<f64>),
     F32(HeapTable<f32>),
     Q31(HeapTable<I2F30>),
@@ -46,6 +44,30 @@ pub enum Evaluator {
 }
 
 impl MotionEphemeris {
+    fn from_table<R: TableScalar>(heap: HeapTable<R>, evaluator: fn(HeapTable<R>) -> Evaluator) -> Self {
+        let table = heap.table();
+        let [ticks_per_time, _] = table.clock().ticks_per_time;
+        Self {
+            segments: table.capacity(),
+            terms: R::TERMS,
+            ticks_per_time,
+            error_bound: table.error_bound(),
+            rate_error_bound: table.rate_error_bound(),
+            evaluator: evaluator(heap),
+        }
+    }
+
+    fn from_closed_form(form: ClosedFormEvaluator) -> Self {
+        Self {
+            segments: 0,
+            terms: 0,
+            ticks_per_time: form.ticks_per_time(),
+            error_bound: form.error_bound(),
+            rate_error_bound: form.rate_error_bound(),
+            evaluator: Evaluator::ClosedForm(Box::new(form)),
+        }
+    }
+
     /// Greatest distance of a time from t = 0 at which the ephemeris can be evaluated.
     pub fn furthest_time(&self) -> f64 {
         MAX_TICKS / self.ticks_per_time
@@ -112,13 +134,6 @@ pub fn search(
     events.sort_by(|a, b| a.t.total_cmp(&b.t));
     events.truncate(query.count);
     Ok(events)
-}
-
-/// Angle in radians of a phase known modulo 2^32 turns, nearest to `near`, a number of turns.
-fn unwrapped(phase: Phase, near: f64) -> f64 {
-    const MODULUS: f64 = (1_u64 << 32) as f64;
-    let turns = phase.to_turns();
-    TAU * (turns + MODULUS * ((near - turns) / MODULUS).round())
 }
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! Motion at one time, by any method.
 
+use std::f64::consts::TAU;
 use toytop::scalar::Real;
-use toytop::{AttitudeState, Complex, Pose};
+use toytop::{AttitudeState, Complex, Phase, Pose};
 use toytop_model::equations::Rates;
 
 /// Motion at one time: each quantity is computed when it is asked for. The fields of [`Sample`] describe them.
@@ -87,4 +88,11 @@ impl Sample {
 pub fn body_rates<R: Real>(state: &AttitudeState<R>) -> Rates {
     let [omega, omega_body] = [state.omega(), state.omega_body()].map(|vector| vector.map(R::to_f64));
     Rates { omega, omega_body, udot: state.udot().to_f64() }
+}
+
+/// Angle in radians of a phase known modulo 2^32 turns, nearest to `near`, a number of turns.
+pub fn unwrapped(phase: Phase, near: f64) -> f64 {
+    const MODULUS: f64 = (1_u64 << 32) as f64;
+    let turns = phase.to_turns();
+    TAU * (turns + MODULUS * ((near - turns) / MODULUS).round())
 }

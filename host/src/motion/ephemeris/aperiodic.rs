@@ -1,8 +1,7 @@
 //! Aperiodic motion as an ephemeris: its closed form takes the place of a table.
 
-use super::events::Condition;
-use super::{Evaluator, EventQuery, MotionEphemeris, MotionEvent, unwrapped};
-use crate::motion::sample::Sample;
+use super::events::{Condition, EventQuery, MotionEvent};
+use crate::motion::sample::{Sample, unwrapped};
 use std::f64::consts::TAU;
 use toytop::ErrorBound;
 use toytop_model::aperiodic::AperiodicMotion;
@@ -40,22 +39,18 @@ impl ClosedFormEvaluator {
         Some(Self { motion, lowest, upright, tip_rates })
     }
 
-    /// Ephemeris of this closed form.
-    pub fn ephemeris(self) -> MotionEphemeris {
-        let [error_bound, rate_error_bound] = [self.motion.error_bound(), self.rate_error_bound()];
-        let ticks_per_time = self.motion.ticks_per_time;
-        MotionEphemeris {
-            segments: 0,
-            terms: 0,
-            ticks_per_time,
-            error_bound,
-            rate_error_bound,
-            evaluator: Evaluator::ClosedForm(Box::new(self)),
-        }
+    /// Ticks in a unit of time, as a table would have.
+    pub fn ticks_per_time(&self) -> f64 {
+        self.motion.ticks_per_time
+    }
+
+    /// Upper bound on the orientation error, rad.
+    pub fn error_bound(&self) -> ErrorBound {
+        self.motion.error_bound()
     }
 
     /// Error that the tests of the closed form allow, which is not derived. The angular speed is greatest at the lowest point.
-    fn rate_error_bound(&self) -> ErrorBound {
+    pub fn rate_error_bound(&self) -> ErrorBound {
         const ERROR: f64 = 5e-14;
         let [x, y, z] = self.motion.form.at(self.lowest).omega_body();
         let speed = x.hypot(y).hypot(z);

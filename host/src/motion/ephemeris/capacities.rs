@@ -2,10 +2,9 @@
 
 use super::aperiodic::ClosedFormEvaluator;
 use super::heap_table::{Capacity, capacity};
-use super::{HeapTable, MotionEphemeris, TableScalar};
+use super::{Evaluator, HeapTable, MotionEphemeris, TableScalar};
 use crate::Failure;
 use crate::motion::Scalar;
-use fixed::types::{I2F14, I2F30};
 use toytop::{Ephemeris, EphemerisMemory, Motion, Regime, SetUpError, Table, TableSettings, Tick, Workspace};
 use toytop_model::constants::MotionConstants;
 
@@ -46,21 +45,26 @@ pub fn ephemeris_with(
     let constants = MotionConstants::new(*motion);
     if scalar == Scalar::F64 {
         if let Some(closed_form) = ClosedFormEvaluator::new(&constants) {
-            return Ok(closed_form.ephemeris());
+            return Ok(MotionEphemeris::from_closed_form(closed_form));
         }
     } else if motion.regime() == Regime::Aperiodic {
         return Err(Failure::Method("an aperiodic motion has a closed form in f64, and no table".into()));
     }
     let settings =
         TableSettings { truncation, ..TableSettings::new(tick.unwrap_or_else(|| constants.tick())) };
-    fn table<R: TableScalar>(motion: &Motion, settings: TableSettings) -> Result<MotionEphemeris, Failure> {
-        Ok(HeapTable::<R>::smallest(motion, settings, u32::is_power_of_two)?.ephemeris())
+    fn smallest<R: TableScalar>(
+        motion: &Motion,
+        settings: TableSettings,
+        evaluator: fn(HeapTable<R>) -> Evaluator,
+    ) -> Result<MotionEphemeris, Failure> {
+        let table = HeapTable::smallest(motion, settings, u32::is_power_of_two)?;
+        Ok(MotionEphemeris::from_table(table, evaluator))
     }
     match scalar {
-        Scalar::F64 => table::<f64>(motion, settings),
-        Scalar::F32 => table::<f32>(motion, settings),
-        Scalar::Q31 => table::<I2F30>(motion, settings),
-        Scalar::Q15 => table::<I2F14>(motion, settings),
+        Scalar::F64 => smallest(motion, settings, Evaluator::F64),
+        Scalar::F32 => smallest(motion, settings, Evaluator::F32),
+        Scalar::Q31 => smallest(motion, settings, Evaluator::Q31),
+        Scalar::Q15 => smallest(motion, settings, Evaluator::Q15),
     }
 }
 

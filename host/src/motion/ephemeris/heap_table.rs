@@ -1,9 +1,8 @@
 //! Table of the core on the heap.
 
-use super::events::Condition;
-use super::{Evaluator, EventQuery, MotionEphemeris, MotionEvent, unwrapped};
+use super::events::{Condition, EventQuery, MotionEvent};
 use crate::motion::Scalar;
-use crate::motion::sample::{Quantities, Sample};
+use crate::motion::sample::{Quantities, Sample, unwrapped};
 use fixed::types::{I2F14, I2F30};
 use toytop::scalar::Float;
 use toytop::{
@@ -17,9 +16,6 @@ pub trait TableScalar:
 {
     /// Scalar on the command line.
     const SCALAR: Scalar;
-
-    /// Variant of an ephemeris.
-    const EVALUATOR: fn(HeapTable<Self>) -> Evaluator;
 
     /// Capacity of the core's own type of table, which fits most motions.
     const OWN_CAPACITY: Capacity<Self>;
@@ -42,7 +38,6 @@ macro_rules! table_scalar {
     ($($scalar:ty: $name:ident, $table:ty;)*) => { $(
         impl TableScalar for $scalar {
             const SCALAR: Scalar = Scalar::$name;
-            const EVALUATOR: fn(HeapTable<Self>) -> Evaluator = Evaluator::$name;
             const OWN_CAPACITY: Capacity<Self> = capacity(EphemerisMemory::<$table>::new);
 
             fn crc32(table: &Table<Self>) -> u32 {
@@ -66,20 +61,6 @@ impl<R: TableScalar> HeapTable<R> {
     /// Table itself.
     pub fn table(&self) -> &Table<R> {
         self.0.get().expect("set up")
-    }
-
-    /// Ephemeris of this table.
-    pub(super) fn ephemeris(self) -> MotionEphemeris {
-        let table = self.table();
-        let [ticks_per_time, _] = table.clock().ticks_per_time;
-        MotionEphemeris {
-            segments: table.capacity(),
-            terms: R::TERMS,
-            ticks_per_time,
-            error_bound: table.error_bound(),
-            rate_error_bound: table.rate_error_bound(),
-            evaluator: R::EVALUATOR(self),
-        }
     }
 
     /// Motion at the time t, or at a tick, which is then at this time.
