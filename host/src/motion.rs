@@ -26,10 +26,9 @@ pub mod stepper;
 
 pub mod full_equations;
 
-pub use toytop_model::constants::{MotionConstants, regime, tilts};
+pub use toytop_model::motion_constants::{MotionConstants, regime, tilts};
 
-use serde_json::Value;
-use toytop_model::constants::{self, Constant};
+use toytop_model::motion_constants::{Constant, Value};
 
 /// Scalar types of the core.
 #[derive(Clone, Copy, PartialEq)]
@@ -61,9 +60,9 @@ impl Scalar {
 }
 
 /// Value of a constant in JSON; null where the motion does not have it.
-pub fn constant_as_json(constant: &Constant, motion: &MotionConstants) -> Value {
+pub fn constant_as_json(constant: &Constant, motion: &MotionConstants) -> serde_json::Value {
     match constant.value {
-        constants::Value::Number(value) => value(motion).into(),
-        constants::Value::Word(value) => value(motion).into(),
+        Value::Number(value) => value(motion).into(),
+        Value::Word(value) => value(motion).into(),
     }
 }

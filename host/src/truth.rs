@@ -10,7 +10,7 @@
 //! | [`motion_input`] | top, and branch points or a state |
 //! | [`float640`] | arithmetic in numbers of 640 bits |
 //! | `nutation` | rates of a motion, and their integrals over a nutation |
-//! | `constants` | constants from branch points or a state |
+//! | `launch_constants` | constants from branch points or a state |
 //! | [`quadrature`] | orientation and rates at a time by quadrature |
 //! | [`full_solver`] | integration of the full 3-D equations |
 
@@ -19,7 +19,7 @@ pub mod motion_input;
 pub mod float640;
 mod nutation;
 
-mod constants;
+mod launch_constants;
 pub mod quadrature;
 
 pub mod full_solver;

@@ -1,6 +1,6 @@
 //! Aperiodic motion, which has no table, by its closed form.
 
-use crate::constants::MotionConstants;
+use crate::motion_constants::MotionConstants;
 use toytop::{AttitudeState, Complex, ErrorBound};
 use toytop_closed_forms::Aperiodic;
 

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`scenario`] | supports by name, top and motion from the numbers of a scenario |
 //! | [`equations`] | full 3-D equations of motion |
-//! | [`constants`] | constants of a motion by name, and the ticks of its table |
+//! | [`motion_constants`] | constants of a motion by name, and the ticks of its table |
 //! | [`aperiodic`] | aperiodic motion, which has no table, by its closed form |
 //! | [`picture_time`] | time in which a motion shows its form |
 //!
@@ -13,7 +13,7 @@
 #![no_std]
 
 pub mod aperiodic;
-pub mod constants;
 pub mod equations;
+pub mod motion_constants;
 pub mod picture_time;
 pub mod scenario;

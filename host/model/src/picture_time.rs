@@ -1,6 +1,6 @@
 //! Time in which a motion shows its form.
 
-use crate::constants::{MotionConstants, natural_time};
+use crate::motion_constants::{MotionConstants, natural_time};
 use core::f64::consts::PI;
 use toytop::Regime;
 use toytop::scalar::Float;

@@ -9,7 +9,7 @@ use core::array::from_fn;
 use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
 use toytop::{Motion, ParameterError, Support};
-use toytop_model::constants::{MotionConstants, number_constants, regime, tip_class};
+use toytop_model::motion_constants::{MotionConstants, number_constants, regime, tip_class};
 use toytop_model::picture_time::picture_time;
 use toytop_model::scenario::{self, SUPPORTS, top_parameters};
 

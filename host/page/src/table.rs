@@ -5,7 +5,7 @@ use toytop::{
     TableSettings, Workspace,
 };
 use toytop_model::aperiodic::AperiodicMotion;
-use toytop_model::constants::MotionConstants;
+use toytop_model::motion_constants::MotionConstants;
 
 /// Table with the largest capacity that there is, or the closed form of an aperiodic motion.
 pub struct PageTable {

@@ -2,7 +2,7 @@
 
 use toytop::scalar::Float;
 use toytop::{EphemerisF64, Motion, Pose, Release, State, Stepper, Support, Top};
-use toytop_model::constants::{MotionConstants, number_constants};
+use toytop_model::motion_constants::{MotionConstants, number_constants};
 use toytop_model::scenario::{self, tilt_from_degrees, top_parameters};
 use toytop_page::exports::launch_names;
 use toytop_page::runge_kutta::{MAX_STEPS, RungeKutta};

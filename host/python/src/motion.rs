@@ -18,7 +18,7 @@ use toytop_host::motion::{MotionConstants, Scalar};
 use toytop_host::pictures::curve::TipCurve;
 use toytop_host::pictures::page;
 use toytop_host::truth::quadrature::Quadrature;
-use toytop_model::constants::{self, number_constants};
+use toytop_model::motion_constants::{number_constants, regime, tip_class};
 
 /// Rust side of `toytop.Motion`.
 #[pyclass(module = "toytop._toytop", frozen)]
@@ -119,12 +119,12 @@ impl MotionCore {
 
     #[getter]
     fn regime(&self) -> &'static str {
-        constants::regime(self.motion.regime())
+        regime(self.motion.regime())
     }
 
     #[getter]
     fn tip_class(&self) -> &'static str {
-        constants::tip_class(self.motion.tip_class())
+        tip_class(self.motion.tip_class())
     }
 
     /// Samples at these times, of a table in a scalar.

@@ -17,7 +17,7 @@ use aperiodic::ClosedFormEvaluator;
 use events::Condition;
 use fixed::types::{I2F14, I2F30};
 use toytop::{ErrorBound, Motion, ParameterError, Pose};
-use toytop_model::constants::MAX_TICKS;
+use toytop_model::motion_constants::MAX_TICKS;
 
 /// Ephemeris of a motion: the core's table in any scalar and size, or the closed form of an aperiodic motion.
 pub struct MotionEphemeris {
@@ -139,7 +139,7 @@ pub fn search(
 #[cfg(test)]
 mod tests {
     use toytop::{InitialAngles, Motion, Signs, Top, TopParameters};
-    use toytop_model::constants::MotionConstants;
+    use toytop_model::motion_constants::MotionConstants;
 
     pub(super) fn motion(a: f64, e: [f64; 3]) -> Motion {
         let top = Top::sliding(&TopParameters {

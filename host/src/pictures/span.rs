@@ -7,7 +7,7 @@ use crate::motion::ephemeris::{MotionEphemeris, ephemeris_for};
 use crate::motion::sample::Sample;
 use crate::output::significant;
 use toytop::Motion;
-use toytop_model::constants::MotionConstants;
+use toytop_model::motion_constants::MotionConstants;
 use toytop_model::picture_time::{cycle, periods, picture_time};
 
 /// Motion between two times.

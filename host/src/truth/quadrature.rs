@@ -3,10 +3,10 @@
 //! |α|² = (1 + u)/2 and |β|² = (1 - u)/2. The arguments of α and β are integrals. Where e₁ = -1, α passes through 0 and changes its sign;
 //! where e₂ = 1, β does.
 
-use super::constants::LaunchConstants;
 use super::float640::{
     Float640, Orientation640, cis, from_f64, from_i64, is_zero, product, square_root, to_f64,
 };
+use super::launch_constants::LaunchConstants;
 use super::motion_input::MotionInput;
 use super::nutation::{HalfPhase, Integrals, Nutation, RATIO, add_multiple};
 use toytop_model::equations::Rates;

@@ -10,7 +10,7 @@ use toytop_host::Failure;
 use toytop_host::input::scenario::{Scenario, Units};
 use toytop_host::motion::constant_as_json;
 use toytop_host::output::{self, Format, value_text};
-use toytop_model::constants::{CONSTANTS, Constant, MotionConstants};
+use toytop_model::motion_constants::{CONSTANTS, Constant, MotionConstants};
 
 /// First integrals, branch points, period and mean rotations
 #[derive(Args)]

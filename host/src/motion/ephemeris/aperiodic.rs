@@ -5,7 +5,7 @@ use crate::motion::sample::{Sample, unwrapped};
 use std::f64::consts::TAU;
 use toytop::ErrorBound;
 use toytop_model::aperiodic::AperiodicMotion;
-use toytop_model::constants::{MotionConstants, natural_time};
+use toytop_model::motion_constants::{MotionConstants, natural_time};
 
 /// Closed form, with what a search for events needs.
 pub struct ClosedFormEvaluator {

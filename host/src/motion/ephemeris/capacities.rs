@@ -6,7 +6,7 @@ use super::{Evaluator, HeapTable, MotionEphemeris, TableScalar};
 use crate::Failure;
 use crate::motion::Scalar;
 use toytop::{Ephemeris, EphemerisMemory, Motion, Regime, SetUpError, Table, TableSettings, Tick, Workspace};
-use toytop_model::constants::MotionConstants;
+use toytop_model::motion_constants::MotionConstants;
 
 /// Capacities that a table may have, in ascending order: powers of two, and the capacity of the core's own type.
 fn capacities<R: TableScalar>() -> Vec<Capacity<R>> {

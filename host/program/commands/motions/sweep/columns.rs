@@ -10,7 +10,7 @@ use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::ephemeris::{MotionEphemeris, ephemeris_for, ephemeris_with};
 use toytop_host::motion::errors::greater_or_infinite;
 use toytop_host::motion::{Scalar, constant_as_json};
-use toytop_model::constants::{CONSTANTS, Constant, MotionConstants};
+use toytop_model::motion_constants::{CONSTANTS, Constant, MotionConstants};
 
 /// Column of a sweep.
 #[derive(Clone, Copy)]
