@@ -7,8 +7,7 @@ use crate::commands::warnings;
 use crate::files::whole_file;
 use crate::terminal::parallel_rows::write_rows;
 use crate::terminal::progress::Progress;
-use crate::terminal::stdout;
-use crate::terminal::stdout::Report;
+use crate::terminal::stdout::{self, Report};
 use crate::times::{Times, TimesArgs};
 use clap::{ArgGroup, Args};
 use row_format::RowFormat;
@@ -161,6 +160,7 @@ fn ephemeris_sampler(
         }
     };
     let table = ephemeris_with(scalar, motion, tick, None).map_err(named)?;
+    // every tick of 64 bits is in reach of a table
     if tick.is_some() && motion.regime() != Regime::Aperiodic {
         return Ok(Box::new(move |index| {
             let (tick, t) = (times.ticks[index as usize], times.seconds[index as usize]);
