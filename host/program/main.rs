@@ -5,7 +5,7 @@
 //! | `files` | files written completely or not at all |
 //! | `terminal` | command line, standard output, progress |
 //! | `table` | table of texts |
-//! | `axis`, `times` | values of one number; times at which a motion is computed |
+//! | `values`, `times` | values of one number; times at which a motion is computed |
 //! | `drawing` | drawings as SVG, PNG and GIF |
 //! | `commands` | the commands |
 
@@ -17,7 +17,8 @@ mod terminal;
 
 mod table;
 
-mod axis;
+mod values;
+
 mod times;
 
 mod drawing;

@@ -1,6 +1,6 @@
 //! Times at which a motion is computed: times or ticks on the command line, or a file of times.
 
-use crate::axis::Axis;
+use crate::values::Values;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use toytop_host::input::text_file;
@@ -58,12 +58,12 @@ impl Times {
             TimesArgs { ticks: Some(text), .. } => Self::parse_ticks(text, rate),
             TimesArgs { from, to, count, .. } => {
                 let finite = from.zip(*to).filter(|(from, to)| from.is_finite() && to.is_finite());
-                let axis = finite.and_then(|(from, to)| Axis::range(from, to, false, *count).ok());
-                let axis = axis.ok_or_else(|| {
+                let values = finite.and_then(|(from, to)| Values::range(from, to, false, *count).ok());
+                let values = values.ok_or_else(|| {
                     let allowed = "must be two finite times in this order, and a number from 2";
                     Failure::Input(format!("--from, --to, --count: {allowed}"))
                 })?;
-                Self::new("--from, --to, --count".to_owned(), &axis)
+                Self::new("--from, --to, --count".to_owned(), &values)
             }
         }
     }
@@ -74,15 +74,15 @@ impl Times {
     /// [`Failure::Input`]: another text.
     pub fn parse(text: &str) -> Result<Self, Failure> {
         let refused = |reason: &str| Failure::Input(format!("--times: {}: {reason}", excerpt(text)));
-        let axis = if text.contains("..") {
+        let values = if text.contains("..") {
             text.parse().map_err(refused)?
         } else {
-            Axis::List(text.split(',').map(|entry| time(entry, "--times")).collect::<Result<_, _>>()?)
+            Values::List(text.split(',').map(|entry| time(entry, "--times")).collect::<Result<_, _>>()?)
         };
-        if axis.count().is_none() {
+        if values.count().is_none() {
             return Err(refused("must be T1,T2,... or LOW..HIGH/COUNT or log:LOW..HIGH/COUNT"));
         }
-        Self::new("--times".to_owned(), &axis)
+        Self::new("--times".to_owned(), &values)
     }
 
     /// Ticks of a text `N1,N2,...` or `FIRST..LAST`, as an interrupt counts them.
@@ -123,12 +123,12 @@ impl Times {
                 "{name}: must hold at least one time, one finite number a line"
             )));
         }
-        Self::new(format!("--times-file: {name}"), &Axis::List(times))
+        Self::new(format!("--times-file: {name}"), &Values::List(times))
     }
 
-    fn new(option: String, axis: &Axis) -> Result<Self, Failure> {
-        require_count(axis.size()).map_err(|reason| Failure::Input(reason).with_context(&option))?;
-        let seconds = (0..axis.size()).map(|index| axis.at(index)).collect();
+    fn new(option: String, values: &Values) -> Result<Self, Failure> {
+        require_count(values.size()).map_err(|reason| Failure::Input(reason).with_context(&option))?;
+        let seconds = (0..values.size()).map(|index| values.at(index)).collect();
         Ok(Self { option, seconds, ticks: Vec::new() })
     }
 

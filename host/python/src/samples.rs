@@ -1,6 +1,6 @@
 //! Samples are computed column by column: an array of one quantity of motions at given times.
 
-use crate::arguments::{Array, NumericArg, array, failed};
+use crate::arguments::{Array, NumericArg, array};
 use crate::interrupt;
 use numpy::PyArrayMethods;
 use pyo3::exceptions::PyKeyError;
@@ -61,7 +61,7 @@ impl Sampler {
     /// Samples of a method that computes the orientation and the rates at a time, with this error bound if it has one.
     ///
     /// # Errors
-    /// `KeyboardInterrupt`, or `ValueError`: no table is large enough for the tip angle.
+    /// `KeyboardInterrupt`.
     pub(crate) fn by_method(
         py: Python<'_>,
         times: NumericArg,
@@ -69,7 +69,7 @@ impl Sampler {
         error_bound: Option<f64>,
         at: impl Fn(f64) -> (Orientation<f64>, Rates) + Send + Sync,
     ) -> PyResult<Self> {
-        let angle = TipAngle::new(motion).map_err(failed)?;
+        let angle = TipAngle::new(motion);
         let points = interrupt::map(py, times.numbers.len(), |index| {
             let t = times.numbers[index];
             let (orientation, rates) = at(t);

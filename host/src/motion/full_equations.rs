@@ -34,11 +34,11 @@ pub fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<FullState>, Fail
 /// Samples of the full solver at the given times.
 ///
 /// # Errors
-/// As [`states`] and [`TipAngle::new`].
+/// As [`states`].
 pub fn samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failure> {
     let states = states(scenario, times)?;
     // only the whole turns of the tip angle come from the core
-    let angle = TipAngle::new(&scenario.motion)?;
+    let angle = TipAngle::new(&scenario.motion);
     let sample = |(&t, state): (&f64, &FullState)| {
         let (orientation, omega) = (state.orientation(), state.omega);
         let omega_body = orientation.inverse().adjoint(omega);

@@ -1,6 +1,5 @@
 //! Tip angle for methods without one: arg(αβ), with whole turns from the ephemeris.
 
-use crate::Failure;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::{MotionEphemeris, ephemeris_for};
 use crate::motion::sample::Sample;
@@ -13,7 +12,7 @@ const MIN_PRODUCT: f64 = 1e-9;
 
 /// Tip angle of a motion at any time, to a few roundings of `f64`.
 pub struct TipAngle {
-    /// Ephemeris of the motion; `None` where the axis is vertical at all times.
+    /// Ephemeris of the motion; `None` where the axis is vertical at all times, or no table is large enough.
     ephemeris: Option<MotionEphemeris>,
     /// Scale of the tip's curve, m.
     scale: f64,
@@ -22,16 +21,12 @@ pub struct TipAngle {
 }
 
 impl TipAngle {
-    /// Tip angle of a motion.
-    ///
-    /// # Errors
-    /// [`Failure::Method`]: no ephemeris is large enough.
-    pub fn new(motion: &Motion) -> Result<Self, Failure> {
-        let vertical = motion.regime().is_vertical();
-        let ephemeris = if vertical { None } else { Some(ephemeris_for(Scalar::F64, motion)?) };
+    /// Tip angle of a motion. Samples have none where there is no ephemeris.
+    pub fn new(motion: &Motion) -> Self {
+        let ephemeris = ephemeris_for(Scalar::F64, motion).ok().filter(|_| !motion.regime().is_vertical());
         let signed = matches!(motion.tip_class(), TipClass::ThroughOrigin | TipClass::Spiral);
         let scale = motion.top().tip_scale();
-        Ok(Self { ephemeris, scale, period: if signed { PI } else { 2.0 * PI } })
+        Self { ephemeris, scale, period: if signed { PI } else { 2.0 * PI } }
     }
 
     /// Sample at a time, from the orientation and the rates there.

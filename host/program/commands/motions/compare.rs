@@ -157,7 +157,6 @@ fn compare<'a>(
     let (time, remark) = compared_time(motion, periods);
     notes.extend(remark.map(|remark| format!("{name}: {remark}")));
     let times = spread_times(time, SAMPLES * periods);
-    let mut exact = Vec::new();
     let mut rows = Vec::new();
     for (method, scalar) in PROPAGATORS {
         if !arguments.scalar.0.contains(&scalar) {
@@ -172,7 +171,7 @@ fn compare<'a>(
             notes.push(format!("{name} {}: {failure}", scalar.name()));
             Run::default()
         });
-        let errors = greatest_errors(scenario, &run.samples, &times, &mut exact)?;
+        let errors = greatest_errors(scenario, &run.samples)?;
         let error = |value: fn(&Errors) -> f64| errors.as_ref().map(value);
         let bound_rad = bound(motion, (method, scalar), periods, tight, run.table_bound);
         rows.push(Comparison {
@@ -247,22 +246,16 @@ fn run_ephemeris(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, 
     Ok(Run { samples, table: Some(size), table_bound, ns: Some(ns), steps: None })
 }
 
-/// Greatest errors of samples, at the times reached: in f32 these are rounded. `None` without samples.
-///
-/// * `exact`: states of the full solver at `times`; computed here if they are needed for the first time
-fn greatest_errors(
-    scenario: &Scenario,
-    samples: &[Sample],
-    times: &[f64],
-    exact: &mut Vec<FullState>,
-) -> Result<Option<Errors>, Failure> {
-    let reached: Vec<f64> = samples.iter().map(|sample| sample.t).collect();
-    let states = if reached == times { exact } else { &mut Vec::new() };
-    if states.len() != reached.len() {
-        *states = full_equations::states(scenario, &reached)?;
+/// Greatest errors of samples against the full solver. `None` without samples.
+fn greatest_errors(scenario: &Scenario, samples: &[Sample]) -> Result<Option<Errors>, Failure> {
+    if samples.is_empty() {
+        return Ok(None);
     }
+    // the times that were reached: in f32 they are rounded
+    let times: Vec<f64> = samples.iter().map(|sample| sample.t).collect();
+    let states = full_equations::states(scenario, &times)?;
     let error = |(sample, state): (&Sample, &FullState)| {
         Errors::between(&scenario.motion, sample, &state.orientation())
     };
-    Ok(samples.iter().zip(&*states).map(error).reduce(Errors::greater))
+    Ok(samples.iter().zip(&states).map(error).reduce(Errors::greater))
 }

@@ -178,7 +178,7 @@ fn closed_form_sampler(scenario: &Scenario, times: Times) -> Result<Box<Sampler>
         .map_err(|refusal| Failure::Method(refusal.to_string()).with_context(&scenario.name))?;
     let furthest = MotionConstants::new(*motion).furthest_time_of_closed_form();
     times.require_within(furthest, " with --method closed-form")?;
-    let angle = TipAngle::new(motion)?;
+    let angle = TipAngle::new(motion);
     Ok(Box::new(move |index| {
         let t = times.seconds[index as usize];
         let state = form.at(t);

@@ -3,11 +3,11 @@
 mod columns;
 mod motions;
 
-use crate::axis::Axis;
 use crate::files::whole_file;
 use crate::terminal::parallel_rows::write_rows;
 use crate::terminal::stdout;
 use crate::terminal::stdout::Report;
+use crate::values::Values;
 use clap::Args;
 use columns::{DEFAULT_COLUMNS, SweepColumn};
 use motions::{MAX_MOTIONS, Sweep};
@@ -23,7 +23,7 @@ use toytop_host::input::scenario::ScenarioFile;
 /// Each motion is one row. A sweep uses all processor cores and can be divided into parts.
 #[derive(Args)]
 #[command(
-    after_help = "Example: toytop sweep host/scenarios/toy_top.toml --spin 90..300/200 --tilt 1..60/100 -o grid.csv\n         toytop sweep host/scenarios/figure_3_loops.toml --axis e1=-0.9..0.1/41 --axis e3=log:1.01..100/33 -o grid.csv\n         toytop sweep host/scenarios/toy_top.toml --spin 90..300 --motions 1000000 --part 3/100 -o part_003.csv"
+    after_help = "Example: toytop sweep host/scenarios/toy_top.toml --spin 90..300/200 --tilt 1..60/100 -o grid.csv\n         toytop sweep host/scenarios/figure_3_loops.toml --vary e1=-0.9..0.1/41 --vary e3=log:1.01..100/33 -o grid.csv\n         toytop sweep host/scenarios/toy_top.toml --spin 90..300 --motions 1000000 --part 3/100 -o part_003.csv"
 )]
 pub struct SweepArgs {
     /// Scenario file whose numbers vary
@@ -32,20 +32,20 @@ pub struct SweepArgs {
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     /// Spin of a release, rad/s: X,Y,... or LOW..HIGH/COUNT, with --motions LOW..HIGH; log: in front is even in the logarithm
-    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
-    spin: Option<Axis>,
+    #[arg(long, value_name = "VALUES", allow_hyphen_values = true)]
+    spin: Option<Values>,
     /// Tilt of a release, degrees
-    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
-    tilt: Option<Axis>,
+    #[arg(long, value_name = "VALUES", allow_hyphen_values = true)]
+    tilt: Option<Values>,
     /// Precession of a release, rad/s
-    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
-    precession: Option<Axis>,
+    #[arg(long, value_name = "VALUES", allow_hyphen_values = true)]
+    precession: Option<Values>,
     /// Nutation of a release, rad/s
-    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
-    nutation: Option<Axis>,
-    /// Any number of the scenario, in the unit of its key: --axis com_height=0.02..0.04/21
-    #[arg(long, value_name = "KEY=AXIS", value_parser = key_and_axis)]
-    axis: Vec<(String, Axis)>,
+    #[arg(long, value_name = "VALUES", allow_hyphen_values = true)]
+    nutation: Option<Values>,
+    /// Any number of the scenario, in the unit of its key: --vary com_height=0.02..0.04/21
+    #[arg(long, alias = "axis", value_name = "KEY=VALUES", value_parser = key_and_values)]
+    vary: Vec<(String, Values)>,
     /// Number of random motions; without it, all combinations of the grid
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_MOTIONS))]
     motions: Option<u64>,
@@ -67,19 +67,19 @@ pub struct SweepArgs {
 }
 
 impl SweepArgs {
-    /// Keys of the scenario that vary, each with its axis.
-    fn varied(&self) -> Vec<(String, Axis)> {
-        let Self { spin, tilt, precession, nutation, axis, .. } = self;
+    /// Keys of the scenario that vary, each with its values.
+    fn varied(&self) -> Vec<(String, Values)> {
+        let Self { spin, tilt, precession, nutation, vary, .. } = self;
         let keys = ["spin", "tilt_deg", "precession", "nutation"].map(str::to_owned);
         let of_release = keys.into_iter().zip([spin, tilt, precession, nutation]);
-        let given = of_release.filter_map(|(key, axis)| Some((key, axis.clone()?)));
-        given.chain(axis.iter().cloned()).collect()
+        let given = of_release.filter_map(|(key, values)| Some((key, values.clone()?)));
+        given.chain(vary.iter().cloned()).collect()
     }
 }
 
-fn key_and_axis(text: &str) -> Result<(String, Axis), String> {
-    let (key, axis) = text.split_once('=').ok_or("must be KEY=AXIS")?;
-    Ok((key.to_owned(), axis.parse()?))
+fn key_and_values(text: &str) -> Result<(String, Values), String> {
+    let (key, values) = text.split_once('=').ok_or("must be KEY=VALUES")?;
+    Ok((key.to_owned(), values.parse()?))
 }
 
 fn periods(text: &str) -> Result<f64, &'static str> {

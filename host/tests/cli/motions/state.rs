@@ -1,6 +1,6 @@
 //! Samples of `toytop state`: their shape, the start, continuity, both directions of time, every method and scalar.
 
-use crate::command::{RELEASE, TOP, branch_points, numbers, samples, scenario, toytop};
+use crate::command::{RELEASE, TOP, branch_points, motion_without_table, numbers, samples, scenario, toytop};
 use serde_json::Value;
 
 const COMPARED_KEYS: &str = "u udot alpha beta quaternion omega tip";
@@ -114,6 +114,16 @@ fn each_method_is_another_way_to_one_motion() {
     }
     // a vertical axis has no tip angle
     assert!(samples("@sleeping --times 0.5 --method closed-form")[0]["phi"].is_null());
+}
+
+/// No ephemeris follows this motion. Only whole turns of the tip angle would come from one.
+#[test]
+fn the_full_equations_need_no_table() {
+    let file = motion_without_table("state_without_table");
+    let full = samples(format!("{file} --times 1e-3 --method full")).remove(0);
+    let norm: f64 = numbers(&full, "alpha beta").iter().map(|x| x * x).sum();
+    assert!((norm - 1.0).abs() < 1e-14, "{norm}");
+    assert!(full["phi"].is_null());
 }
 
 #[test]

@@ -25,7 +25,7 @@ fn field<'a>(table: &'a str, row: usize, name: &str) -> &'a str {
 #[test]
 fn parts_make_the_whole() {
     for (name, more) in [
-        ("grid", "@figure_3_loops --axis e1=-0.5..0.5/3 --axis e2=0.2,0.6 --axis e3=log:1.1..9/3"),
+        ("grid", "@figure_3_loops --vary e1=-0.5..0.5/3 --vary e2=0.2,0.6 --vary e3=log:1.1..9/3"),
         ("lot", "@toy_top --motions 50 --spin log:100..1000 --tilt 1..30"),
     ] {
         let whole = sweep(&format!("sweep_{name}.csv"), more);
@@ -45,7 +45,7 @@ fn parts_make_the_whole() {
 fn a_row_is_the_scenario_with_its_numbers() {
     let constant = "regime,tip_class,l,n,h,period,alpha_turns,beta_turns,phi_per_period,min_normal_force";
     let line = format!("@toy_top --columns {constant},u,alpha,beta,tip,phi --samples 3 --periods 2.5");
-    let axes = "--spin 120..180/3 --tilt 0,20 --axis com_height=0.02,0.03";
+    let axes = "--spin 120..180/3 --tilt 0,20 --vary com_height=0.02,0.03";
     let table = sweep("sweep_launches.csv", &format!("{line} {axes}"));
     assert!(table.starts_with("index,spin,tilt_deg,com_height,regime,"), "{table}");
     assert_eq!(table.lines().count(), 13);
@@ -98,7 +98,7 @@ fn numbers_that_a_scenario_cannot_have_are_refused_rows() {
         ),
         ("--tilt 0..602/10 --part 2/2", ": 5 motions, 4 of them refused (first: row 3, tilt_deg = 200.67: "),
         (
-            "--axis com_height=-1,0.03",
+            "--vary com_height=-1,0.03",
             ": 2 motions, 1 of them refused (first: row 0, com_height = -1: must be positive, ",
         ),
         ("--tilt 0,180", ": 2 motions in "),
@@ -110,7 +110,7 @@ fn numbers_that_a_scenario_cannot_have_are_refused_rows() {
 
 #[test]
 fn errors_are_those_of_the_scalars() {
-    let axes = "--axis transverse_inertia=0.5..2 --axis e1=-0.9..0.2 --axis e2=0.3..0.9 --axis e3=1.2..3";
+    let axes = "--vary transverse_inertia=0.5..2 --vary e1=-0.9..0.2 --vary e2=0.3..0.9 --vary e3=1.2..3";
     let columns = ["error_f32", "bound_f32", "segments_f32"];
     let line = format!("@figure_3_loops --motions 40 --columns {} {axes}", columns.join(","));
     let table = sweep("sweep_errors.csv", &line);
@@ -130,10 +130,10 @@ fn wrong_arguments_are_refused() {
         "sweep -o sweep_kept.csv @toy_top",
         &[
             ("--tilt 1..2", "tilt_deg: a range in a grid"),
-            ("--axis speed=1,2", "speed: no number of this scenario; allowed: transverse_inertia"),
-            ("--axis spin=1,2 --spin 3", "spin: must be one axis only"),
+            ("--vary speed=1,2", "speed: no number of this scenario; allowed: transverse_inertia"),
+            ("--vary spin=1,2 --spin 3", "spin: must be given once only"),
             ("", "needs at least one of --spin"),
-            ("--motions 3 --spin x", "'--spin <AXIS>'"),
+            ("--motions 3 --spin x", "'--spin <VALUES>'"),
             ("--motions 0", "--motions"),
             ("--motions 3 --part 0/4", "I/N with I from 1 to N"),
             ("--motions 3 --part 5/4", "I/N with I from 1 to N"),

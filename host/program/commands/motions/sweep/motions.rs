@@ -3,7 +3,7 @@
 //! A row depends only on the options of the sweep and on its index, so that parts from different machines fit together.
 
 use super::columns::{RowMotion, SweepColumn};
-use crate::axis::Axis;
+use crate::values::Values;
 use serde_json::Value;
 use toytop::Motion;
 use toytop_host::Failure;
@@ -18,7 +18,7 @@ pub const MAX_MOTIONS: u64 = 1_000_000_000_000;
 pub struct Sweep {
     template: ScenarioFile,
     /// Numbers that vary, by their keys.
-    axes: Vec<(&'static str, Axis)>,
+    varied: Vec<(&'static str, Values)>,
     /// Number of motions to draw, and the seed; `None` for the grid of all combinations.
     sample: Option<(u64, u64)>,
     /// Number of motions.
@@ -32,44 +32,46 @@ pub struct Sweep {
 }
 
 impl Sweep {
-    /// Sweep of a scenario over these axes, each in the unit of its key.
+    /// Sweep of a scenario over these values, each in the unit of its key.
     ///
     /// # Errors
-    /// [`Failure::Input`]: no axis, a key that the scenario does not have or that is given twice, a range in a grid, or a file that
+    /// [`Failure::Input`]: no varied key, a key that the scenario does not have or that is given twice, a range in a grid, or a file that
     /// is no scenario for another reason than the numbers that vary.
     pub fn new(
         template: ScenarioFile,
-        varied: Vec<(String, Axis)>,
+        varied: Vec<(String, Values)>,
         sample: Option<(u64, u64)>,
         columns: Vec<SweepColumn>,
         (times, periods): (u32, f64),
     ) -> Result<Self, Failure> {
         let refuse = |reason: String| Err(Failure::Input(reason));
         if varied.is_empty() {
-            return refuse("a sweep: needs at least one of --spin, --tilt, ..., --axis".to_owned());
+            return refuse("a sweep: needs at least one of --spin, --tilt, ..., --vary".to_owned());
         }
-        let mut axes: Vec<(&'static str, Axis)> = Vec::new();
-        for (name, axis) in varied {
+        let mut by_key: Vec<(&'static str, Values)> = Vec::new();
+        for (name, values) in varied {
             let key = template.require_key(&name)?;
-            if axes.iter().any(|(other, _)| *other == key) {
-                return refuse(format!("{name}: must be one axis only"));
+            if by_key.iter().any(|(other, _)| *other == key) {
+                return refuse(format!("{name}: must be given once only"));
             }
-            if sample.is_none() && axis.count().is_none() {
+            if sample.is_none() && values.count().is_none() {
                 let forms = "must be LOW..HIGH/COUNT or numbers (or draw a sample: --motions N)";
                 return refuse(format!("{name}: a range in a grid: {forms}"));
             }
-            axes.push((key, axis));
+            by_key.push((key, values));
         }
-        let grid = || axes.iter().try_fold(1_u64, |count, (_, axis)| count.checked_mul(axis.size()));
+        let grid = || by_key.iter().try_fold(1_u64, |count, (_, values)| count.checked_mul(values.size()));
         let Some(count) = sample.map(|(motions, _)| motions).or_else(grid).filter(|n| *n <= MAX_MOTIONS)
         else {
             return refuse(format!("a grid: must have at most {:e} motions", MAX_MOTIONS as f64));
         };
-        let sweep = Self { template, axes, sample, count, columns, times, periods };
+        let sweep = Self { template, varied: by_key, sample, count, columns, times, periods };
         // a file that is no scenario may lack only numbers that vary
         let first = |_| sweep.template.with_numbers(&sweep.numbers(0));
         match sweep.template.scenario().or_else(first) {
-            Err(Failure::Key { key, .. }) if sweep.axes.iter().any(|(axis, _)| *axis == key) => Ok(sweep),
+            Err(Failure::Key { key, .. }) if sweep.varied.iter().any(|(varied, _)| *varied == key) => {
+                Ok(sweep)
+            }
             Err(failure) => Err(failure),
             Ok(_) => Ok(sweep),
         }
@@ -79,14 +81,14 @@ impl Sweep {
     fn numbers(&self, index: u64) -> Vec<(&'static str, f64)> {
         let mut random = self.sample.map(|(_, seed)| Random::new(seed, index));
         let mut motions = self.count;
-        let number = |(key, axis): &(&'static str, Axis)| match &mut random {
-            Some(random) => (*key, axis.draw(random)),
+        let number = |(key, values): &(&'static str, Values)| match &mut random {
+            Some(random) => (*key, values.draw(random)),
             None => {
-                motions /= axis.size();
-                (*key, axis.at(index / motions % axis.size()))
+                motions /= values.size();
+                (*key, values.at(index / motions % values.size()))
             }
         };
-        self.axes.iter().map(number).collect()
+        self.varied.iter().map(number).collect()
     }
 
     fn motion(&self, numbers: &[(&'static str, f64)]) -> Result<Motion, Failure> {
@@ -96,7 +98,7 @@ impl Sweep {
     /// Line of the names of the columns.
     pub fn header(&self) -> String {
         let mut names = vec!["index".to_owned()];
-        names.extend(self.axes.iter().map(|(key, _)| (*key).to_owned()));
+        names.extend(self.varied.iter().map(|(key, _)| (*key).to_owned()));
         names.extend(self.columns.iter().flat_map(|column| column.names(self.times)));
         csv_line(names)
     }
@@ -120,10 +122,12 @@ impl Sweep {
     pub fn refusal(&self, index: u64) -> Option<String> {
         let numbers = self.numbers(index);
         Some(match self.motion(&numbers).err()? {
-            Failure::Key { table, key, reason, .. } => match numbers.iter().find(|(axis, _)| *axis == key) {
-                Some((key, number)) => format!("{key} = {}: {reason}", significant(*number, 5)),
-                None => format!("{table}.{key}: {reason}"),
-            },
+            Failure::Key { table, key, reason, .. } => {
+                match numbers.iter().find(|(varied, _)| *varied == key) {
+                    Some((key, number)) => format!("{key} = {}: {reason}", significant(*number, 5)),
+                    None => format!("{table}.{key}: {reason}"),
+                }
+            }
             failure => failure.to_string(),
         })
     }

@@ -6,7 +6,7 @@ use toytop_host::input::random::Random;
 
 /// Values of one number, from a text such as `0.7`, `0.7,0.8,0.9`, `0.1..0.9`, `0.1..0.9/17` or `log:1e-3..1e3/7`.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Axis {
+pub enum Values {
     /// List of numbers.
     List(Vec<f64>),
     /// Range from `low` to `high`.
@@ -22,7 +22,7 @@ pub enum Axis {
     },
 }
 
-impl Axis {
+impl Values {
     /// Range from `low` to `high`.
     ///
     /// # Errors
@@ -102,7 +102,7 @@ pub fn ends(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
 const FORMS: &str =
     "must be a number, X,Y,... or LOW..HIGH or LOW..HIGH/COUNT (log:LOW..HIGH: even in the logarithm)";
 
-impl FromStr for Axis {
+impl FromStr for Values {
     type Err = &'static str;
 
     fn from_str(text: &str) -> Result<Self, &'static str> {
@@ -122,15 +122,15 @@ impl FromStr for Axis {
 mod tests {
     use super::*;
 
-    fn axis(text: &str) -> Axis {
+    fn values(text: &str) -> Values {
         text.parse().unwrap()
     }
 
     #[test]
     fn a_grid_has_both_ends_and_even_steps() {
         let all = |text: &str| {
-            let axis = axis(text);
-            (0..axis.count().unwrap()).map(|i| axis.at(i)).collect::<Vec<_>>()
+            let values = values(text);
+            (0..values.count().unwrap()).map(|i| values.at(i)).collect::<Vec<_>>()
         };
         assert_eq!(all("0.7"), [0.7]);
         assert_eq!(all("0.7,-1, 1e3"), [0.7, -1.0, 1e3]);
@@ -142,9 +142,9 @@ mod tests {
     #[test]
     fn what_is_drawn_lies_within_and_reaches_everywhere() {
         for (text, distinct) in [("log:0.1..0.3", 1000), ("-0.3..0.7", 1000), ("1,2,3", 3), ("0..1/11", 11)] {
-            let axis = axis(text);
-            let [low, high] = axis.ends();
-            let mut drawn: Vec<_> = (0..1000).map(|i| axis.draw(&mut Random::new(1, i))).collect();
+            let values = values(text);
+            let [low, high] = values.ends();
+            let mut drawn: Vec<_> = (0..1000).map(|i| values.draw(&mut Random::new(1, i))).collect();
             assert!(drawn.iter().all(|x| (low..=high).contains(x)), "{text}");
             drawn.sort_by(f64::total_cmp);
             let middle = drawn[500];
@@ -156,14 +156,14 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_axis_is_refused() {
+    fn what_is_no_list_or_range_is_refused() {
         for text in ["", "x", "1,,2", "1..", "2..1", "1..1", "log:0..1", "0..1/1", "0..1/x", "nan", "log:3"] {
-            assert!(text.parse::<Axis>().is_err(), "{text}");
+            assert!(text.parse::<Values>().is_err(), "{text}");
         }
         for (text, reason) in
             [("2..1", "LOW must be below HIGH"), ("log:0..1/3", "LOW must be above 0 with log:")]
         {
-            assert_eq!(text.parse::<Axis>(), Err(reason));
+            assert_eq!(text.parse::<Values>(), Err(reason));
         }
     }
 }
