@@ -2,6 +2,8 @@
 
 /// Options of several commands.
 mod options;
+/// Warnings about motions that a real top does not follow.
+mod warnings;
 
 /// States, constants and events; errors; many motions; tables for a chip.
 mod motions {
@@ -32,11 +34,11 @@ mod integrators {
 /// Checks of toytop itself: errors of the core and of the paper, computing times, costs on chips.
 mod checks {
     pub mod accuracy;
-    pub mod bench;
     pub mod budget;
     pub mod errata;
     pub mod figures;
     pub mod study;
+    pub mod timings;
 }
 
 use crate::terminal::stdout::Report;
@@ -47,10 +49,7 @@ use integrators::*;
 use motions::*;
 use pictures::*;
 use samples::*;
-use toytop::{Motion, Regime, Support};
 use toytop_host::Failure;
-use toytop_host::input::scenario::Scenario;
-use toytop_host::motion::tilts;
 
 /// Groups of commands in `toytop --help`: the folders of the modules.
 const GROUPS: [(&str, &str); 5] = [
@@ -109,8 +108,6 @@ pub enum Command {
     #[command(hide = true)]
     Accuracy(accuracy::AccuracyArgs),
     #[command(hide = true)]
-    Bench(bench::BenchArgs),
-    #[command(hide = true)]
     Budget(budget::BudgetArgs),
     #[command(hide = true)]
     Errata(errata::ErrataArgs),
@@ -123,6 +120,8 @@ pub enum Command {
         after_help = "Example: toytop study corners --motions 20000 --truths 400 --accept"
     )]
     Study(study::Study),
+    #[command(hide = true, alias = "bench")]
+    Timings(timings::TimingsArgs),
 }
 
 impl Command {
@@ -151,43 +150,13 @@ impl Command {
                 Ok(String::from_utf8_lossy(&script).into_owned().into())
             }
             Self::Accuracy(arguments) => accuracy::run(arguments),
-            Self::Bench(arguments) => bench::run(arguments),
             Self::Budget(arguments) => budget::run(arguments),
             Self::Errata(arguments) => errata::run(arguments),
             Self::Figures(arguments) => figures::run(arguments),
             Self::Study(study) => study::run(study),
+            Self::Timings(arguments) => timings::run(arguments),
         }
     }
-}
-
-/// Warnings of lift-off, fall and instability of a real top: a line for each reason, with the names of the motions.
-fn warnings(scenarios: &[Scenario]) -> Vec<String> {
-    let line = |what: &str, of: &dyn Fn(&Motion) -> Option<String>| {
-        let named = |scenario: &Scenario| of(&scenario.motion).map(|number| scenario.name.clone() + &number);
-        let names: Vec<_> = scenarios.iter().filter_map(named).collect();
-        (!names.is_empty()).then(|| format!("warning: {what}: {}", names.join(", ")))
-    };
-    let pulled = line("a real top would leave the plane (least normal force / weight)", &|motion| {
-        let force = motion.min_normal_force().filter(|force| *force < 0.0)?;
-        Some(format!(" ({})", rounded(force, 3)))
-    });
-    // e₁ < 0 does not mean that a sleeping top falls: it stays at u = 1
-    let fallen = line("a real top would fall on its side (greatest tilt, degrees)", &|motion| {
-        let [_, tilt] = tilts(motion);
-        let fallen = motion.top().support() == Support::Sliding && tilt > 90.0;
-        fallen.then(|| format!(" ({})", rounded(tilt, 1)))
-    });
-    let unstable = line(
-        "by the equations the axis stays upright, but the motion is unstable (a real top would fall)",
-        &|motion| (motion.regime() == Regime::SleepingUnstable).then(String::new),
-    );
-    [pulled, fallen, unstable].into_iter().flatten().collect()
-}
-
-/// Number with this many digits after the point, or in scientific notation where these are all 0.
-fn rounded(number: f64, digits: usize) -> String {
-    let text = format!("{number:.digits$}");
-    if text.bytes().any(|byte| (b'1'..=b'9').contains(&byte)) { text } else { format!("{number:.1e}") }
 }
 
 #[cfg(test)]

@@ -55,6 +55,8 @@ mod closed_forms {
     #[cfg(feature = "host")]
     mod poles;
     mod precession;
+    #[cfg(feature = "host")]
+    mod quadrature;
     mod reference;
 }
 

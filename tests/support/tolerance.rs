@@ -72,10 +72,10 @@ pub const OTHER_TOPS_STEPPER_F32: [f64; 2] = [3e-6; 2];
 pub const OTHER_TOPS_TABLE: [f64; 2] = [2e-15; 2];
 
 // motion/from_launch_to_table.rs
-pub const STAGES_L_N_H: f64 = 4e-16;
-pub const STAGES_PERIOD: [f64; 2] = [4e-16, 3e-16];
-pub const STAGES_STEPPER: [f64; 4] = [3e-13, 1e-11, 3e-16, 6e-6];
-pub const STAGES_REDUCED_MOTION_AND_TIP: [f64; 3] = [3e-13; 3];
+pub const LAUNCH_TO_TABLE_L_N_H: f64 = 4e-16;
+pub const LAUNCH_TO_TABLE_PERIOD: [f64; 2] = [4e-16, 3e-16];
+pub const LAUNCH_TO_TABLE_STEPPER: [f64; 4] = [3e-13, 1e-11, 3e-16, 6e-6];
+pub const LAUNCH_TO_TABLE_REDUCED_MOTION_AND_TIP: [f64; 3] = [3e-13; 3];
 
 // motion/tip_curve.rs
 pub const TIP_CURVE_DERIVATIVES: [f64; 2] = [2e-3, 1e-3];
@@ -87,13 +87,13 @@ pub const CAYLEY_KLEIN_RELATIONS_OF_SECTION_3_4: f64 = 5e-15;
 // rotations/fixed_point.rs
 pub const FIXED_POINT_ADJOINT: [f64; 2] = [3e-8, 1e-3];
 
-// rotations/group.rs
-pub const GROUP_MOEBIUS: f64 = 3e-15;
+// rotations/moebius.rs
+pub const MOEBIUS: f64 = 3e-15;
 
 // table/samples.rs
-pub const ACCESS_N_M_TICKS: f64 = 5e-14;
-pub const ACCESS_SAME_QUANTITIES: [f64; 2] = [2e-15, 2e-14];
-pub const ACCESS_CONTINUITY: [f64; 2] = [2e-11; 2];
+pub const SAMPLES_N_M_TICKS: f64 = 5e-14;
+pub const SAMPLES_SAME_QUANTITIES: [f64; 2] = [2e-15, 2e-14];
+pub const SAMPLES_CONTINUITY: [f64; 2] = [2e-11; 2];
 
 // table/clock.rs
 pub const CLOCK_WITH_ANOTHER_TICK: f64 = 1.0;

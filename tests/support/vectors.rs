@@ -10,7 +10,8 @@ use toytop::{Complex, InitialAngles, Motion, Orientation, ParameterError, Regime
 pub struct Vector {
     /// File name without extension.
     pub name: String,
-    json: Value,
+    /// Numbers of the file, as texts with all their digits.
+    pub json: Value,
 }
 
 /// Exact values at one time.

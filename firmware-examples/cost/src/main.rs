@@ -2,7 +2,7 @@
 //!
 //! Every call is a function with a symbol, `bench_...`, which `toytop budget` looks for in QEMU's trace. A call starts
 //! from a tick number, a cursor or a state and ends when α, β, u and c are in memory, `bench_omega_...` when α, β and
-//! the angular velocity in the body frame are. The program prints the costs that a trace does not show, in one line per
+//! the angular velocity in the body frame are, `bench_omega_fixed_...` in the fixed frame. The program prints the costs that a trace does not show, in one line per
 //! call, `NAME stack BYTES ram BYTES`; with the feature `dwt`, on a board, also `cycles COUNT`.
 
 #![no_std]

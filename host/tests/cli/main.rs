@@ -40,17 +40,17 @@ mod samples {
 mod integrators {
     mod benchmark;
     mod comparisons;
-    mod trajectories;
+    mod score;
 }
 
 /// Checks of toytop itself.
 mod checks {
     mod accuracy;
-    mod bench;
     mod budget;
     mod errata;
     mod figures;
     mod study;
+    mod timings;
 }
 
 /// Bad input, and failures while files are written.

@@ -43,7 +43,7 @@ fn moebius_is_the_adjoint_action() {
         let turned = sphere_point(moebius(&phi, stereographic(point)));
         worst = greater(worst, distance(turned, phi.adjoint(point)) * (1.0 - point[2]).min(1.0));
     }
-    check("Moebius", worst, tolerance::GROUP_MOEBIUS);
+    check("Moebius", worst, tolerance::MOEBIUS);
     // 0 is the south pole, the unit circle the equator, and infinity the north pole
     assert_eq!(sphere_point(Some(Complex::ZERO)), [0.0, 0.0, -1.0]);
     assert_eq!(sphere_point(Some(Complex::new(0.6, 0.8))), [0.6, 0.8, 0.0]);

@@ -95,7 +95,7 @@ fn samples_and_the_stepper_have_the_same_quantities() {
                 .map(|state| off(quantities!(state.orientation, state))),
         );
     }
-    check_all(["attitude state", "stepper"], greatest, tolerance::ACCESS_SAME_QUANTITIES);
+    check_all(["attitude state", "stepper"], greatest, tolerance::SAMPLES_SAME_QUANTITIES);
 }
 
 /// The last time is that of tick 2^63.
@@ -119,7 +119,7 @@ fn motions_are_continuous_across_segments_and_turning_points() {
         let value = before.orientation.distance(&after.orientation);
         keep(&mut jumps, [value, apart(before.omega(), after.omega())]);
     }
-    check_all(["value", "slope"], jumps, tolerance::ACCESS_CONTINUITY);
+    check_all(["value", "slope"], jumps, tolerance::SAMPLES_CONTINUITY);
 }
 
 /// The state after n + m ticks is the state m ticks after that at tick n, launched again from the attitude state of a
@@ -134,7 +134,7 @@ fn a_relaunch_goes_on_as_before() {
         [0, 1, -1, 700, 9999]
             .map(|m| again.at_tick(m).orientation().distance(&ephemeris.at_tick(n + m).orientation()))
     });
-    check("n + m ticks", worst(errors), tolerance::ACCESS_N_M_TICKS);
+    check("n + m ticks", worst(errors), tolerance::SAMPLES_N_M_TICKS);
     for vector in vectors::tabulated() {
         let Some(table) = table_if_it_fits::<I2F14, 64>(&vector.motion().unwrap(), kilohertz()) else {
             continue;

@@ -1,5 +1,5 @@
 //! Cost of a fit on a chip: 250 samples of a gyroscope and an accelerometer and 25 of a magnetometer, from the samples to
-//! the launch, for `toytop budget --elf`.
+//! the launch, for `toytop budget`.
 
 #![no_std]
 #![no_main]

@@ -10,7 +10,7 @@ mod c;
 mod rust;
 
 use crate::commands::options::hertz;
-use crate::commands::warnings;
+use crate::commands::warnings::warnings;
 use crate::files::whole_file;
 use crate::terminal::stdout::Report;
 use c::header;

@@ -3,7 +3,7 @@
 mod bounds;
 
 use crate::commands::options::{Method, Scalars, scalars};
-use crate::commands::warnings;
+use crate::commands::warnings::warnings;
 use crate::table::TextTable;
 use crate::terminal::stdout::Report;
 use crate::times::spread_times;

@@ -1,6 +1,6 @@
 //! `toytop constants`: first integrals, branch points, period and mean rotations of a motion.
 
-use crate::commands::warnings;
+use crate::commands::warnings::warnings;
 use crate::table::TextTable;
 use crate::terminal::stdout::Report;
 use clap::Args;

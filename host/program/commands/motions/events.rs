@@ -1,6 +1,6 @@
 //! `toytop events`: times of turning points, tilts, circles, tip angles and lift-off.
 
-use crate::commands::warnings;
+use crate::commands::warnings::warnings;
 use crate::table::{Column, TextTable};
 use crate::terminal::stdout::Report;
 use clap::Args;

@@ -3,7 +3,7 @@
 mod row_format;
 
 use crate::commands::options::{Method, hertz};
-use crate::commands::warnings;
+use crate::commands::warnings::warnings;
 use crate::files::whole_file;
 use crate::terminal::parallel_rows::write_rows;
 use crate::terminal::progress::Progress;

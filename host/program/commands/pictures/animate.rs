@@ -1,7 +1,7 @@
 //! `toytop animate`: a motion as a GIF.
 
 use crate::commands::options::{ending_in, time_range};
-use crate::commands::warnings;
+use crate::commands::warnings::warnings;
 use crate::drawing::film::Film;
 use crate::files::whole_file;
 use crate::terminal::progress::Progress;

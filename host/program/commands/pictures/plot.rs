@@ -1,7 +1,7 @@
 //! `toytop plot`: pictures of a motion.
 
 use crate::commands::options::{PICTURE, ending_in, time_range};
-use crate::commands::warnings;
+use crate::commands::warnings::warnings;
 use crate::drawing::{self, charts, sphere, tip};
 use crate::terminal::stdout::Report;
 use clap::{Args, ValueEnum};

@@ -1,7 +1,7 @@
 //! `toytop view`: a page for a browser.
 
 use crate::commands::options::ending_in;
-use crate::commands::warnings;
+use crate::commands::warnings::warnings;
 use crate::files::whole_file;
 use crate::terminal::stdout::Report;
 use clap::Args;

@@ -15,7 +15,8 @@ pub static KEYS: [Key; 7] = [
     Key::optional("com_height", 0.0, MAGNITUDE).with_units(LENGTH),
     Key::optional("mass", 0.0, MAGNITUDE).with_units(MASS),
     Key::optional("mass_moment", 0.0, MAGNITUDE).with_units(MOMENT),
-    Key::optional("gravity", 9.80665, MAGNITUDE).with_units(ACCELERATION),
+    Key::optional("gravity", 9.80665, "a number between 1e-60 and 1e60, or 0 if the tip is held")
+        .with_units(ACCELERATION),
     Key::optional("rotor_momentum", 0.0, "a finite number of kg m^2/s").with_units(ANGULAR_MOMENTUM),
 ];
 

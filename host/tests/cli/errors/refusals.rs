@@ -15,7 +15,7 @@ fn wrong_arguments_are_refused() {
             ("plot", "--output ... SCENARIO"),
             ("draw", "draw"),
             ("stat", "'stat'; some similar subcommands exist: ... 'state'"),
-            ("bench quickly", "quickly"),
+            ("timings quickly", "quickly"),
             ("constants", "SCENARIO"),
             ("constants @toy_top --format xml", "--format ... table, csv, json"),
             ("constants @no_such_file", "no_such_file.toml ... No such file"),

@@ -1,16 +1,16 @@
-//! `toytop bench`: its output, without the times.
+//! `toytop timings`: its output, without the times.
 
 use crate::command::{json, list, number, toytop};
 
 #[test]
-fn bench_prints_the_time_of_each_method() {
-    let run = toytop("bench");
+fn the_time_of_each_method_is_printed() {
+    let run = toytop("timings");
     assert_eq!(run.err, "");
     let text = run.ok();
     let build = if cfg!(debug_assertions) { "UNOPTIMISED build" } else { "release build" };
     assert!(text.contains(" on one core of ") && text.contains(build), "{text}");
     // tables are also records
-    let json = json("bench");
+    let json = json("timings");
     let records = list(&json["rows"]);
     assert_eq!(records.len(), 12);
     for record in records {

@@ -1,4 +1,4 @@
-//! `toytop bench`: computing times of a state, by the core and by other methods, on this machine with this build.
+//! `toytop timings`: computing times of a state, by the core and by other methods, on this machine with this build.
 
 use crate::table::{Column, TextTable};
 use crate::terminal::stdout::Report;
@@ -51,14 +51,14 @@ fn time(what: impl Into<String>, states: u32, mut task: impl FnMut()) -> TimedTa
 
 /// Computing times on this machine: ephemeris, stepper, full solver
 #[derive(Args)]
-#[command(after_help = "Example: toytop bench --format json")]
-pub struct BenchArgs {
+#[command(after_help = "Example: toytop timings --format json")]
+pub struct TimingsArgs {
     /// Form of the output
     #[arg(long, default_value = "table")]
     format: Format,
 }
 
-pub fn run(arguments: &BenchArgs) -> Result<Report, Failure> {
+pub fn run(arguments: &TimingsArgs) -> Result<Report, Failure> {
     let rows = rows();
     let table = || {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
