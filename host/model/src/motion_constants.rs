@@ -13,7 +13,7 @@ use toytop::{AttitudeState, Level, Motion, PeriodAdvance, Regime, Stepper, Tick,
 pub struct Constant {
     /// Key of its value.
     pub name: &'static str,
-    /// Unit of a scenario in SI units. Without units, a second stands for the unit of time.
+    /// Unit in SI; in a scenario without units, s is the unit of time.
     pub unit: &'static str,
     /// Function of the motion.
     pub value: Value,
@@ -165,8 +165,7 @@ impl MotionConstants {
         tick.expect("a power of two from 2^-31 to 2^31")
     }
 
-    /// Advance of an angle in a period. It is exactly 0 where l = n = 0: the axis then stays in a vertical plane, and the arguments of α and β
-    /// are constant, which quadratures reach only up to rounding.
+    /// Advance of an angle in a period; exactly 0 if l = n = 0, where the axis stays in a vertical plane.
     fn advance_of(&self, angle: fn(&PeriodAdvance) -> f64) -> f64 {
         let integrals = self.first_integrals();
         match self.advance() {

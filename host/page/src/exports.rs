@@ -42,8 +42,11 @@ pub fn launch_names() -> impl Iterator<Item = &'static str> {
     number_constants().map(|(name, _)| name).chain(["error", "error_growth", "span"])
 }
 
-/// Sets the motion by its support, the place of a name in [`SUPPORTS`], and its kind: 0 release, 1 state, 2 branch points. The array
-/// holds the numbers of [`top_parameters`], then of the motion. After a refusal there is no motion.
+/// Sets the motion. After a refusal there is none.
+///
+/// * `support`: index in [`SUPPORTS`]
+/// * `kind`: 0 release, 1 state, 2 branch points
+/// * the array: the numbers of [`top_parameters`], then of the motion
 ///
 /// The result is the length of the words. It is positive if all is well: the words are regime and class of the tip curve,
 /// and the numbers are listed by [`launch_names`]. It is negative after a refusal: the words are the parameter and what is

@@ -27,7 +27,7 @@ pub fn write_by(
     write_temporary(path, fill).and_then(give_name).map_err(|error| refused(option, path, error))
 }
 
-/// Writes files as [`write()`] does. None gets its name before all are written; if naming one then fails, those before it stay.
+/// Writes files as [`write()`] does, and names them after all are written. If naming one fails, those before it stay.
 ///
 /// # Errors
 /// The failures of [`write()`].

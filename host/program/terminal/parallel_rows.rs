@@ -1,4 +1,4 @@
-//! Rows of a result, which all processor cores compute, in their order.
+//! Rows of a result, computed on all processor cores and written in their order.
 
 use super::progress::Progress;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -43,7 +43,7 @@ pub fn write_rows(
     out.flush()
 }
 
-/// Results of independent computations on all processor cores, in the order of their numbers.
+/// Results of `compute` for the numbers from 0 on, computed on all processor cores, in their order.
 ///
 /// * `unit`: name of the computations in the progress bar
 ///

@@ -12,7 +12,7 @@ use toytop_host::parallel::{STACK, thread_pool};
 
 /// Time between two checks for signals.
 const INTERVAL: Duration = Duration::from_millis(50);
-/// Greatest number of results that one thread computes: more are worth the start of others.
+/// Greatest number of results for which one thread is faster than several.
 const MAX_SERIAL: usize = 16;
 
 /// Calls `work` with each of the jobs on all cores. A job should take less than 0.1 s.

@@ -86,8 +86,7 @@ impl Columns {
     }
 }
 
-/// Measurements of a file in the order of its rows, and the names of the columns that no sensor reads; the sensors without columns are
-/// removed.
+/// Measurements of a file in the order of its rows, and the names of unread columns. Removes sensors without columns.
 ///
 /// * `all`: whether every sensor must have its columns
 ///

@@ -16,7 +16,7 @@ use toytop_fit::{
 pub enum SensorKind {
     /// Angular velocity.
     Gyroscope,
-    /// Acceleration without gravity's.
+    /// Specific force: acceleration minus gravity.
     Accelerometer,
     /// Magnetic field.
     Magnetometer,

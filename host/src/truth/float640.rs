@@ -4,7 +4,7 @@ use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 use toytop::{Complex, Orientation};
 
-/// Number of 640 bits, if it comes from [`from_f64`] or [`from_i64`] or is computed from such numbers.
+/// Number of 640 bits. Only [`from_f64`] and [`from_i64`] make one; other constructors give fewer bits.
 pub type Float640 = FBig<HalfEven>;
 
 /// Complex number, as its real and imaginary part.

@@ -121,7 +121,7 @@ impl Nutation {
     /// Half phase at a time, by Newton's method, and the integrals up to it.
     pub fn at(&self, time: &Float640) -> (HalfPhase, Integrals) {
         const MAX_STEPS: u32 = 20;
-        /// Step whose square is far below the errors that the truth is compared with, also in differences of neighbouring launches.
+        /// Last Newton step, whose square of 1e-36 is the error.
         const NEAR: f64 = 1e-18;
         let [period, _, _] = &self.total;
         let floor = to_i64(&(time / period - from_f64(0.5))).unwrap_or(0);

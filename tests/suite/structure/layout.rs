@@ -103,7 +103,7 @@ fn used(path: &[String], modules: &Modules) -> Vec<Vec<String>> {
 
 /// Uses of a later module by a crate, and the number of uses.
 ///
-/// The file of a folder, too, stands at one place among its modules: below those that it uses, and above those that use it.
+/// The file of a folder and a module in it must not use each other.
 fn later_uses(modules: &Modules) -> (Vec<String>, usize) {
     let (mut later, mut count) = (Vec::new(), 0);
     for (folder, Module { children, .. }) in modules {

@@ -37,7 +37,7 @@ pub struct CompareArgs {
     /// Scenario files; without any, the built-in motions
     #[arg(value_name = "SCENARIO")]
     scenarios: Vec<PathBuf>,
-    /// Nutation periods to compare over. A motion without a period counts 2 pi sqrt((A/p + s)/g) as one
+    /// Nutation periods to compare over. Without a period, 2 pi sqrt((A/p + s)/g) takes its place
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     periods: u32,
     /// Scalar types of the core

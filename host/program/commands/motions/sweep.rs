@@ -31,7 +31,7 @@ pub struct SweepArgs {
     /// CSV file, which appears when it is complete; - is stdout
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// Spin of a release, rad/s: X,Y,... or LOW..HIGH/COUNT, with --motions LOW..HIGH; log: in front is even in the logarithm
+    /// Spin of a release, rad/s: X,Y,... or LOW..HIGH/COUNT; with --motions also LOW..HIGH. log:LOW..HIGH is even in the logarithm
     #[arg(long, value_name = "VALUES", allow_hyphen_values = true)]
     spin: Option<Values>,
     /// Tilt of a release, degrees
@@ -58,7 +58,7 @@ pub struct SweepArgs {
     /// Number of times at which each motion is evaluated
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=4096))]
     samples: u32,
-    /// Nutation periods over which these times are spread. A motion without a period counts 2 pi sqrt((A/p + s)/g) as one
+    /// Nutation periods over which these times are spread. Without a period, 2 pi sqrt((A/p + s)/g) takes its place
     #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = periods, allow_hyphen_values = true)]
     periods: f64,
     /// Every N-th motion from the I-th; only part 1 has the header, so that cat joins the parts

@@ -49,7 +49,8 @@ impl ClosedFormEvaluator {
         self.motion.error_bound()
     }
 
-    /// Error that the tests of the closed form allow, which is not derived. The angular speed is greatest at the lowest point.
+    /// Bound on the error of ω, of Ω and of u', rad per unit time. It is checked by tests and not proved. The angular speed is greatest at the lowest
+    /// point.
     pub fn rate_error_bound(&self) -> ErrorBound {
         const ERROR: f64 = 5e-14;
         let [x, y, z] = self.motion.form.at(self.lowest).omega_body();

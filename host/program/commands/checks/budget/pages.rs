@@ -58,10 +58,7 @@ pub fn write(parts: &[Part]) -> Result<Report, Failure> {
 const ROWS: [(&str, &str); 24] = [
     ("ephemeris_f32", "**ephemeris**, any tick, `f32`"),
     ("cursor_f32", "**ephemeris**, the next tick, `f32`"),
-    (
-        "fast_tick",
-        "**ephemeris**, the next tick, `f32`, α and β only, in a crate that stays at opt-level 3 in a program compiled for size",
-    ),
+    ("fast_tick", "**ephemeris**, the next tick, `f32`, α and β only, in the crate `fast-tick`"),
     ("omega_fixed_f32", "**ephemeris**, any tick, `f32`: α, β and ω in the fixed frame"),
     ("omega_f32", "**ephemeris**, any tick, `f32`: α, β and Ω in the body frame"),
     ("ephemeris_q31", "**ephemeris**, any tick, fixed point of 32 bits"),
@@ -84,7 +81,7 @@ const ROWS: [(&str, &str); 24] = [
     ("new", "set-up of this top, table by value on the stack (`EphemerisF32::new`)"),
     ("slices", "set-up of this top, whose `Workspace` is kept in static memory"),
     ("launch_slow", "set-up of the same top at 5 rad/s"),
-    ("launch_falling", "set-up of the same top almost upright, at 30 rad/s, which is too slow to sleep"),
+    ("launch_falling", "set-up of the same top released at 0.057 degrees and 30 rad/s, from where it falls"),
     (
         "fit",
         "fit of a launch, `f32`, to 250 samples of a gyroscope and an accelerometer, and 25 of a magnetometer",
