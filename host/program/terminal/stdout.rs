@@ -54,7 +54,7 @@ fn write(fill: impl FnOnce(&mut io::Stdout) -> io::Result<()>) -> Result<(), Fai
     }
 }
 
-/// Writes a complete file, or stdout where there is no path.
+/// Writes a complete file, or stdout where the path is `-` or absent.
 ///
 /// # Errors
 /// The failures of [`whole_file::write_by`], or [`Failure::Output`]: the error of `fill` on stdout.
@@ -63,7 +63,7 @@ pub fn write_or_file(
     fill: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
 ) -> Result<(), Failure> {
     match path {
-        Some(path) => whole_file::write_by("--output", path, |file| fill(file)),
-        None => write(|out| fill(out)),
+        Some(path) if path.as_os_str() != "-" => whole_file::write_by("--output", path, |file| fill(file)),
+        _ => write(|out| fill(out)),
     }
 }

@@ -12,7 +12,7 @@ mod rust;
 use crate::commands::options::hertz;
 use crate::commands::warnings::warnings;
 use crate::files::whole_file;
-use crate::terminal::stdout::Report;
+use crate::terminal::stdout::{self, Report};
 use c::header;
 use clap::{Args, ValueEnum};
 use fixed::types::{I2F14, I2F30};
@@ -79,12 +79,8 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
         Scalar::Q15 => baked::<I2F14>(arguments, &scenario, tick, &title),
     }
     .map_err(|failure| failure.with_motion_name(&scenario.name))?;
-    let mut report = Report::default();
-    match &arguments.output {
-        None => report.text = text,
-        Some(path) => whole_file::write("--output", path, text.as_bytes())?,
-    }
-    Ok(report.with_notes(std::iter::once(summary).chain(warnings(&[scenario]))))
+    stdout::write_or_file(arguments.output.as_deref(), |out| out.write_all(text.as_bytes()))?;
+    Ok(Report::default().with_notes(std::iter::once(summary).chain(warnings(&[scenario]))))
 }
 
 /// Text of the file, and the line that states the scalar, the size and the error bound of the table in it.

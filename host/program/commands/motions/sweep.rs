@@ -5,8 +5,7 @@ mod motions;
 
 use crate::files::whole_file;
 use crate::terminal::parallel_rows::write_rows;
-use crate::terminal::stdout;
-use crate::terminal::stdout::Report;
+use crate::terminal::stdout::{self, Report};
 use crate::values::Values;
 use clap::Args;
 use columns::{DEFAULT_COLUMNS, SweepColumn};
@@ -105,7 +104,6 @@ pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
         (arguments.samples, arguments.periods),
     )?;
     let [part, parts] = arguments.part;
-    let file = (arguments.output.as_os_str() != "-").then_some(&*arguments.output);
     let count = (sweep.count + parts - part) / parts;
     let (refused, first) = (AtomicU64::new(0), AtomicU64::new(u64::MAX));
     let row = |row: u64, text: &mut Vec<u8>| {
@@ -115,7 +113,7 @@ pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
             first.fetch_min(index, Relaxed);
         }
     };
-    stdout::write_or_file(file, |out| {
+    stdout::write_or_file(Some(&arguments.output), |out| {
         // only the first part has the header, so that `cat` joins all parts
         out.write_all(if part == 1 { sweep.header() } else { String::new() }.as_bytes())?;
         write_rows(count, &row, out)
@@ -129,7 +127,6 @@ pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
         }
     };
     let seconds = started.elapsed().as_secs_f64();
-    let name = file.map_or("stdout".into(), |file| file.to_string_lossy());
-    let text = format!("{name}: {count} motions{refused} in {seconds:.1} s\n");
-    Ok(if file.is_some() { text.into() } else { Report::default().with_notes([text.trim_end().to_owned()]) })
+    let text = format!("{}: {count} motions{refused} in {seconds:.1} s", arguments.output.display());
+    Ok(Report::default().with_notes([text]))
 }

@@ -2,7 +2,7 @@
 
 use crate::commands::options::positive;
 use crate::files::whole_file;
-use crate::terminal::stdout::Report;
+use crate::terminal::stdout::{self, Report};
 use clap::Args;
 use std::path::PathBuf;
 use toytop_host::Failure;
@@ -51,6 +51,6 @@ pub fn run(arguments: &SimulateArgs) -> Result<Report, Failure> {
         Failure::Method(format!("{}: {reason}", scenario.name))
     })?;
     let text = columns::csv(&sensors, &samples);
-    whole_file::write("--output", &arguments.output, text.as_bytes())?;
+    stdout::write_or_file(Some(&arguments.output), |out| out.write_all(text.as_bytes()))?;
     Ok(Report::default())
 }

@@ -8,8 +8,9 @@ use crate::command::{
 fn sweep(to: &str, arguments: &str) -> String {
     // left over from an earlier run, or never there
     let _ = std::fs::remove_file(path(to));
-    let output = toytop(format!("sweep -o {to} {arguments}")).ok();
-    assert!(output.contains(" motions"), "{output}");
+    let run = toytop(format!("sweep -o {to} {arguments}"));
+    assert!(run.err.contains(" motions"), "{}", run.err);
+    assert_eq!(run.ok(), "");
     read(to)
 }
 
@@ -103,8 +104,8 @@ fn numbers_that_a_scenario_cannot_have_are_refused_rows() {
         ),
         ("--tilt 0,180", ": 2 motions in "),
     ] {
-        let output = toytop(format!("sweep -o sweep_counted.csv @toy_top {axes}")).ok();
-        assert!(output.contains(summary), "{output}");
+        let run = toytop(format!("sweep -o sweep_counted.csv @toy_top {axes}"));
+        assert!(run.err.contains(summary), "{}", run.err);
     }
 }
 
