@@ -179,7 +179,7 @@ impl<R: Real> Orientation<R> {
         // a square of x could leave the range
         let direction = x.map(|component| component / size);
         let length = dot(direction, direction).sqrt();
-        // libm reduces an angle of any size; wide numbers of 128 bits reduce it up to 1e23 rad
+        // libm reduces an angle of any size
         let (sine, cosine) = libm::sincos(0.5 * length.to_f64() * size.to_f64());
         let scale = R::from_f64(sine) / length;
         let [x1, x2, x3] = direction.map(|component| component * scale);

@@ -1,4 +1,4 @@
-//! Effect of the rounding errors of a launch on period and phases.
+//! Errors of period and phases by the roundings of a launch.
 
 use crate::body::{State, Top};
 use crate::constants::{BranchPoints, FirstIntegrals, ReducedPoint};

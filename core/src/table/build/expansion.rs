@@ -94,8 +94,8 @@ pub(super) struct Origin {
     pub(super) chi_rate: f64,
     pub(super) psi_rates: [f64; 2],
     pub(super) residual_rates: [f64; 2],
-    /// Orientation error by an error of χ, divided by the orientation error by an equal error of ρ.
-    pub(super) weight: f64,
+    /// Factor by which an error of χ changes the orientation more than an equal error of ρ.
+    pub(super) chi_error_factor: f64,
     /// Magnitude below which a term at x = 1 is negligible, rad.
     pub(super) negligible: f64,
 }
@@ -113,7 +113,7 @@ pub(super) struct Expansion {
     v: PowerSeries,
     delta: PowerSeries,
     mu: PowerSeries,
-    weight: f32,
+    chi_error_factor: f32,
     /// Number of terms; 0 where the series do not converge.
     pub(super) terms: usize,
 }
@@ -129,7 +129,7 @@ impl Expansion {
         v: PowerSeries::ZERO,
         delta: PowerSeries::ZERO,
         mu: PowerSeries::ZERO,
-        weight: 0.0,
+        chi_error_factor: 0.0,
         terms: 0,
     };
 
@@ -156,7 +156,7 @@ impl Expansion {
         const ROUNDINGS: f64 = 2.0;
         let size = |rate: &RateSeries| rate.at_origin.abs() + 0.25 * rate.magnitude_of_variation();
         let [alpha, beta] = self.residual.each_ref().map(size);
-        let chi = f64::from(self.weight) * size(&self.chi);
+        let chi = f64::from(self.chi_error_factor) * size(&self.chi);
         ROUNDINGS * f64::ROUNDING * 0.25 * Ring::max(chi, Ring::max(alpha, beta))
     }
 
@@ -174,7 +174,7 @@ impl Expansion {
         let Some(before) = self.terms.checked_sub(2) else { return f64::INFINITY };
         let term = |k: usize| {
             let [alpha, beta] = self.residual.each_ref().map(|rate| rate.term(k, 1.0));
-            Ring::max(self.chi.term(k, self.weight), Ring::max(alpha, beta))
+            Ring::max(self.chi.term(k, self.chi_error_factor), Ring::max(alpha, beta))
         };
         let last = Ring::max(term(before), 0.25 * term(before + 1)) * power_of_two(-2 * before as i32) as f32;
         (0.25 * last / (3 * self.terms) as f32).into()

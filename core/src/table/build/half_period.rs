@@ -7,8 +7,8 @@
 //! |         |         |         |         |    |  |  |  |         |         |         |    spans: one expansion of the motion
 //! ```
 //!
-//! All segments of a cell have one length: first twice the length in the cell before, then halved until the error is allowed. A segment does not
-//! cross the ends of a span.
+//! All segments of a cell have one length. A cell starts with segments twice as long as in the cell before, and halves them until they are accurate.
+//! A segment does not cross the ends of a span.
 
 mod mean_rates;
 

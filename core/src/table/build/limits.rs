@@ -5,7 +5,7 @@ use crate::table::evaluation::{EphemerisScalar, TABLE_UNIT};
 
 /// Fraction of the allowed error for all steps along half a period. The segments have the rest.
 const PATH_FRACTION: f64 = 1.0 / 8.0;
-/// Fraction of the allowed error for dropped terms: small beside the error of a segment, at the cost of about one term.
+/// Fraction of the allowed error for dropped terms. It costs about one more term.
 const TERMS_FRACTION: f32 = 1.0 / 256.0;
 /// Fraction of a segment's error for a segment of two cells, whose derivative is less accurate.
 const TWO_CELLS_FRACTION: f32 = 1.0 / 8.0;

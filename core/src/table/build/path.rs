@@ -14,8 +14,8 @@ use crate::scalar::{Extended, Float, Ring, Scalar, sine_cosine_from_q57};
 use crate::table::data::Phases;
 use crate::table::data::cell::Cell;
 
-/// Term of a rate at x = 1 that ends a series, for a step of one half period over the dropped terms of a table. An integrated term is 3 · 16 · 4 times
-/// smaller, so that the estimated error of a step is about an eighth of the allowed one.
+/// Multiple of the error for dropped terms below which a term of a rate at x = 1 ends a series, for a step of one half period. Integrated, a term is
+/// 3 · 16 · 4 times smaller: the estimated error of a step is then about an eighth of the allowed one.
 const NEGLIGIBLE_TERM: f64 = 512.0;
 
 /// Depth of the longest span.
@@ -213,7 +213,7 @@ impl<'a, F: Float> Path<'a, F> {
             chi_rate,
             psi_rates: [alpha, beta],
             residual_rates: [residual_alpha, residual_beta],
-            weight: (unit * self.endpoint_rate / chi_rate.abs()).max(1.0),
+            chi_error_factor: (unit * self.endpoint_rate / chi_rate.abs()).max(1.0),
             negligible: NEGLIGIBLE_TERM * half_length * self.limits.dropped_terms_error,
         };
         let expansion = &mut self.memory.expansion;

@@ -64,8 +64,8 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for Ephemeris<R, SEGMENTS>
 
 /// Upper bound on an error: `constant` plus `per_tick` for each tick from the launch.
 ///
-/// The error of an orientation is 2 √(|Δα|² + |Δβ|²). Its part by roundings of a tick is proved; the parts by series, and by roundings of the
-/// set-up, are counted or estimated. [The error bound](crate::error_bound) derives them.
+/// The error of an orientation is 2 √(|Δα|² + |Δβ|²). Roundings of a tick are proved, roundings of the set-up counted, and series estimated:
+/// [the error bound](crate::error_bound) derives them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ErrorBound {

@@ -93,7 +93,7 @@ pub(super) fn store_segment<R: EphemerisScalar>(
     // x is 2 longer at the end of a segment
     let x_rate = (2_u32 << segment.depth) as f32;
     SegmentBounds {
-        error: Ring::max(2.0 * TABLE_UNIT as f32 * Float::sqrt(truncation_squared), stored),
+        error: 2.0 * TABLE_UNIT as f32 * Float::sqrt(truncation_squared) + stored,
         angular_speed: 2.0 * TABLE_UNIT as f32 * Float::sqrt(slope_squared) * x_rate,
         residual_rate: expansion.greatest_residual_rate() * (2_u32 << span.depth) as f32,
         x_rate,
