@@ -39,8 +39,8 @@ pub fn tilt(scenario: &Scenario, span: &MotionSpan) -> Scene {
     curves.extend(TiltLimit::all(&scenario.motion).into_iter().map(|limit| {
         let tilt = limit.u.acos().to_degrees();
         let name = match limit.kind {
-            LimitKind::Lowest => "greatest",
-            LimitKind::Highest => "least",
+            LimitKind::GreatestTilt => "greatest",
+            LimitKind::LeastTilt => "least",
             LimitKind::Constant | LimitKind::Horizontal => "constant",
         };
         Curve::line(format!("{name}: {tilt:.2}°"), vec![[0.0, tilt], [until - from, tilt]])

@@ -37,7 +37,7 @@ pub fn draw(scenario: &Scenario, span: &MotionSpan) -> Scene {
         camera.line_on_sphere(picture, &circle(limit.sine, limit.u), ["#6a6a6a", "#cfcfcf"], 1.2);
         // beside the sphere, with a line from the right end of the parallel
         let (x, y) = camera.project([0.0, 0.0, limit.u]);
-        let label = if limit.kind == LimitKind::Lowest { y.max(highest + 18.0) } else { y };
+        let label = if limit.kind == LimitKind::GreatestTilt { y.max(highest + 18.0) } else { y };
         let ends = [(x + RADIUS * limit.sine + 3.0, y), (LABELS - 6.0, label - 4.0)];
         line(picture, ends.into(), "#cfcfcf", 1.0);
         text(picture, &limit.to_string(), [LABELS, label], 12, TextAnchor::Start, "#333333");

@@ -145,7 +145,7 @@ fn columns(samples: &Bound<'_, PyDict>, sensors: &mut Sensors, all: bool) -> PyR
     if !has("t") {
         return Err(value_error("samples", "must have a column t"));
     }
-    sensors.keep_present(has, all).map_err(|reason| value_error("samples", reason))?;
+    sensors.retain_with_columns(has, all).map_err(|reason| value_error("samples", reason))?;
     let column = |name: &str, rows: Option<usize>| -> PyResult<Vec<f64>> {
         let full_name = format!("samples: {name}");
         let NumericArg { numbers, shape } = NumericArg::read(&full_name, &samples.as_any().get_item(name)?)?;

@@ -121,7 +121,7 @@ fn parse(text: &str, sensors: &mut Sensors, all: bool) -> Result<(Vec<Measuremen
     let in_header = |reason: String| format!("line {line}: {reason}");
     let index_of = |name: &str| header.iter().position(|column| column == name);
     let time = index_of("t").ok_or_else(|| in_header("must have a column t".to_owned()))?;
-    sensors.keep_present(|name| index_of(name).is_some(), all).map_err(in_header)?;
+    sensors.retain_with_columns(|name| index_of(name).is_some(), all).map_err(in_header)?;
     let mut columns = Columns::new(sensors, &[]);
     let indices: Vec<_> = columns.readings.iter().filter_map(|(name, _)| index_of(name)).collect();
     let mut lines = Vec::new();

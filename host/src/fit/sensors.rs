@@ -216,7 +216,7 @@ impl Sensors {
     ///
     /// # Errors
     /// Requirement that the columns do not meet: at least one sensor must have all its columns, or with `all` every sensor.
-    pub fn keep_present(&mut self, has: impl Fn(&str) -> bool, all: bool) -> Result<(), String> {
+    pub fn retain_with_columns(&mut self, has: impl Fn(&str) -> bool, all: bool) -> Result<(), String> {
         let present = |columns: &[&'static str]| columns.iter().all(|name| has(name));
         if all && let Some(missing) = self.setups.iter().find(|one| !present(one.kind.columns())) {
             let columns = missing.kind.columns().join(", ");

@@ -8,9 +8,9 @@ use toytop::{Motion, Support};
 #[derive(Clone, Copy, PartialEq)]
 pub enum LimitKind {
     /// u = e₁.
-    Lowest,
+    GreatestTilt,
     /// u = e₂.
-    Highest,
+    LeastTilt,
     /// u = e₁ = e₂.
     Constant,
     /// u = 0.
@@ -36,12 +36,12 @@ impl TiltLimit {
             u: u.clamp(-1.0, 1.0),
             sine: sine_squared.max(0.0).sqrt(),
         };
-        let lowest = limit(LimitKind::Lowest, e.e1, e.one_plus_e1 * (2.0 - e.one_plus_e1));
+        let lowest = limit(LimitKind::GreatestTilt, e.e1, e.one_plus_e1 * (2.0 - e.one_plus_e1));
         let highest = |kind| limit(kind, e.e2, (2.0 - e.one_minus_e2) * e.one_minus_e2);
         match motion.regime() {
             regime if regime.is_vertical() => Vec::new(),
             regime if regime.is_regular_precession() => vec![highest(LimitKind::Constant)],
-            _ => vec![lowest, highest(LimitKind::Highest)],
+            _ => vec![lowest, highest(LimitKind::LeastTilt)],
         }
     }
 }
@@ -50,8 +50,8 @@ impl TiltLimit {
 impl std::fmt::Display for TiltLimit {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let name = match self.kind {
-            LimitKind::Lowest => "lowest",
-            LimitKind::Highest => "highest",
+            LimitKind::GreatestTilt => "lowest",
+            LimitKind::LeastTilt => "highest",
             LimitKind::Constant => "constant",
             LimitKind::Horizontal => "horizontal",
         };

@@ -9,14 +9,14 @@ use super::float640::{
     to_f64,
 };
 use super::motion_input::MotionInput;
-use super::nutation::{Constants, HalfPhase};
+use super::nutation::{HalfPhase, NutationConstants};
 use crate::input::scenario::Launch;
 use std::f64::consts::PI;
 use toytop::{InitialAngles, Orientation, Sign, Signs, Support};
 
 /// Constants of a motion, and its state at the launch.
 pub struct LaunchConstants {
-    pub constants: Constants,
+    pub constants: NutationConstants,
     pub half_tau: Float640,
     pub half_phase: HalfPhase,
     /// Directions α/|α| and β/|β|; a parameter that is 0 has the direction of its derivative.
@@ -131,13 +131,13 @@ fn constants(
     below_e3: [Float640; 2],
     [s, g, a_over_p]: [Float640; 3],
     [l_plus_n, l_minus_n]: [Float640; 2],
-) -> Constants {
+) -> NutationConstants {
     let [one_plus_e1, one_minus_e2, swing] = [e1 + 1, -e2 + 1, e2 - e1].map(root_difference);
     let momentum = |sum: Float640, gap: &Float640| if is_zero(gap) { from_i64(0) } else { sum / (a * 2) };
     let momentum_rates = [momentum(l_plus_n, &one_plus_e1), momentum(l_minus_n, &one_minus_e2)];
     let above = [one_plus_e1.clone(), one_plus_e1 + &swing];
     let below = [&one_minus_e2 + swing, one_minus_e2];
-    Constants { s, g, a_over_p, at_turning_points: [above, below, below_e3], momentum_rates }
+    NutationConstants { s, g, a_over_p, at_turning_points: [above, below, below_e3], momentum_rates }
 }
 
 /// Difference of two roots; 0 where it is below the error of a double root, which is known to half of the digits.

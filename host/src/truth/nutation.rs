@@ -29,7 +29,7 @@ pub type Integrals = [Float640; 3];
 
 /// Constants of a motion.
 #[derive(Clone)]
-pub struct Constants {
+pub struct NutationConstants {
     pub s: Float640,
     pub g: Float640,
     pub a_over_p: Float640,
@@ -39,7 +39,7 @@ pub struct Constants {
     pub momentum_rates: [Float640; 2],
 }
 
-impl Constants {
+impl NutationConstants {
     /// Linear factors 1 + u, 1 - u and e₃ - u.
     pub fn linear_factors(&self, half_phase: &HalfPhase) -> [Float640; 3] {
         let square = norm_squared(half_phase);
@@ -74,7 +74,7 @@ impl Constants {
 
 /// Nutation from u = e₂ to u = e₂, or an aperiodic motion from near u = 1 to near u = 1.
 pub struct Nutation {
-    constants: Constants,
+    constants: NutationConstants,
     /// Ends of the panels, with the integrals from the first one.
     panels: Vec<(HalfPhase, Integrals)>,
     /// Integrals over all panels.
@@ -84,7 +84,7 @@ pub struct Nutation {
 
 impl Nutation {
     /// Nutation of a motion in which u changes.
-    pub fn new(constants: &Constants, ratio: f64) -> Self {
+    pub fn new(constants: &NutationConstants, ratio: f64) -> Self {
         let [[one_plus_e1, _], [_, one_minus_e2], [_, e3_minus_e2]] = &constants.at_turning_points;
         let is_periodic = !is_zero(e3_minus_e2);
         let spread = to_f64(&constants.a_over_p) / to_f64(&constants.s);

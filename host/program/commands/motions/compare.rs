@@ -169,7 +169,7 @@ fn compare<'a>(
         };
         let run = run.unwrap_or_else(|failure| {
             notes.push(format!("{name} {}: {failure}", scalar.name()));
-            Run::default()
+            PropagatorRun::default()
         });
         let errors = greatest_errors(scenario, &run.samples)?;
         let error = |value: fn(&Errors) -> f64| errors.as_ref().map(value);
@@ -194,9 +194,9 @@ fn compare<'a>(
     Ok(rows)
 }
 
-/// Run of the core through the times of a comparison; empty where no table is large enough.
+/// PropagatorRun of the core through the times of a comparison; empty where no table is large enough.
 #[derive(Default)]
-struct Run {
+struct PropagatorRun {
     /// Samples in the order of the times.
     samples: Vec<Sample>,
     /// Number of steps of a stepper.
@@ -221,8 +221,8 @@ fn timed_samples(times: &[f64], mut sample: impl FnMut(f64) -> Sample) -> (Vec<S
     (samples, spent[spent.len() / 2])
 }
 
-/// Run of the stepper through the times.
-fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
+/// PropagatorRun of the stepper through the times.
+fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> PropagatorRun {
     let step = MotionConstants::new(*motion).time_scale() / f64::from(steps_per_period(scalar));
     let mut timed = TimedStepper::<R>::new(motion, step);
     let (samples, ns) = timed_samples(times, |t| {
@@ -230,20 +230,20 @@ fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Run {
         timed.sample()
     });
     let ns = ns * times.len() as f64 / timed.steps.max(1) as f64;
-    Run { samples, steps: Some(timed.steps), ns: Some(ns), ..Run::default() }
+    PropagatorRun { samples, steps: Some(timed.steps), ns: Some(ns), ..PropagatorRun::default() }
 }
 
-/// Run of an ephemeris at the times.
+/// PropagatorRun of an ephemeris at the times.
 ///
 /// # Errors
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
-fn run_ephemeris(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Run, Failure> {
+fn run_ephemeris(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<PropagatorRun, Failure> {
     let table = ephemeris_for(scalar, motion)?;
     let (samples, ns) = timed_samples(times, |t| table.at(t));
     let ticks = times.last().map_or(0.0, |last| last * table.ticks_per_time);
     let table_bound = Some(table.error_bound.after(ticks));
     let size = format!("{}x{}", table.segments, table.terms);
-    Ok(Run { samples, table: Some(size), table_bound, ns: Some(ns), steps: None })
+    Ok(PropagatorRun { samples, table: Some(size), table_bound, ns: Some(ns), steps: None })
 }
 
 /// Greatest errors of samples against the full solver. `None` without samples.
