@@ -157,6 +157,7 @@ fn compare<'a>(
     let (time, remark) = compared_time(motion, periods);
     notes.extend(remark.map(|remark| format!("{name}: {remark}")));
     let times = spread_times(time, SAMPLES * periods);
+    let mut exact = Vec::new();
     let mut rows = Vec::new();
     for (method, scalar) in PROPAGATORS {
         if !arguments.scalar.0.contains(&scalar) {
@@ -171,7 +172,7 @@ fn compare<'a>(
             notes.push(format!("{name} {}: {failure}", scalar.name()));
             PropagatorRun::default()
         });
-        let errors = greatest_errors(scenario, &run.samples)?;
+        let errors = greatest_errors(scenario, &run.samples, &times, &mut exact)?;
         let error = |value: fn(&Errors) -> f64| errors.as_ref().map(value);
         let bound_rad = bound(motion, (method, scalar), periods, tight, run.table_bound);
         rows.push(Comparison {
@@ -194,7 +195,7 @@ fn compare<'a>(
     Ok(rows)
 }
 
-/// PropagatorRun of the core through the times of a comparison; empty where no table is large enough.
+/// Run of the core through the times of a comparison; empty where no table is large enough.
 #[derive(Default)]
 struct PropagatorRun {
     /// Samples in the order of the times.
@@ -221,7 +222,7 @@ fn timed_samples(times: &[f64], mut sample: impl FnMut(f64) -> Sample) -> (Vec<S
     (samples, spent[spent.len() / 2])
 }
 
-/// PropagatorRun of the stepper through the times.
+/// Run of the stepper through the times.
 fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> PropagatorRun {
     let step = MotionConstants::new(*motion).time_scale() / f64::from(steps_per_period(scalar));
     let mut timed = TimedStepper::<R>::new(motion, step);
@@ -233,7 +234,7 @@ fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Propa
     PropagatorRun { samples, steps: Some(timed.steps), ns: Some(ns), ..PropagatorRun::default() }
 }
 
-/// PropagatorRun of an ephemeris at the times.
+/// Run of an ephemeris at the times.
 ///
 /// # Errors
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
@@ -247,15 +248,22 @@ fn run_ephemeris(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Propa
 }
 
 /// Greatest errors of samples against the full solver. `None` without samples.
-fn greatest_errors(scenario: &Scenario, samples: &[Sample]) -> Result<Option<Errors>, Failure> {
-    if samples.is_empty() {
-        return Ok(None);
+///
+/// * `exact`: states of the solver at `times`, which most methods reach; computed here for the first of them
+fn greatest_errors(
+    scenario: &Scenario,
+    samples: &[Sample],
+    times: &[f64],
+    exact: &mut Vec<FullState>,
+) -> Result<Option<Errors>, Failure> {
+    // in f32 the times that are reached are rounded
+    let reached: Vec<f64> = samples.iter().map(|sample| sample.t).collect();
+    let states = if reached == times { exact } else { &mut Vec::new() };
+    if states.len() != reached.len() {
+        *states = full_equations::states(scenario, &reached)?;
     }
-    // the times that were reached: in f32 they are rounded
-    let times: Vec<f64> = samples.iter().map(|sample| sample.t).collect();
-    let states = full_equations::states(scenario, &times)?;
     let error = |(sample, state): (&Sample, &FullState)| {
         Errors::between(&scenario.motion, sample, &state.orientation())
     };
-    Ok(samples.iter().zip(&states).map(error).reduce(Errors::greater))
+    Ok(samples.iter().zip(&*states).map(error).reduce(Errors::greater))
 }

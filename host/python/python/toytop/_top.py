@@ -58,17 +58,8 @@ class Top:
         Raises:
             ValueError: a parameter is out of range; the message names it.
         """
-        core = _toytop.TopCore(
-            "sliding",
-            transverse_inertia=transverse_inertia,
-            axial_inertia=axial_inertia,
-            com_height=com_height,
-            mass=mass,
-            mass_moment=mass_moment,
-            gravity=gravity,
-            rotor_momentum=rotor_momentum,
-        )
-        return Top(core)
+        numbers = transverse_inertia, axial_inertia, com_height, mass, mass_moment, gravity, rotor_momentum
+        return Top(_toytop.TopCore("sliding", *numbers))
 
     @staticmethod
     def fixed(
@@ -95,17 +86,8 @@ class Top:
         Raises:
             ValueError: a parameter is out of range; the message names it.
         """
-        core = _toytop.TopCore(
-            "fixed",
-            transverse_inertia=transverse_inertia,
-            axial_inertia=axial_inertia,
-            com_height=com_height,
-            mass=mass,
-            mass_moment=mass_moment,
-            gravity=gravity,
-            rotor_momentum=rotor_momentum,
-        )
-        return Top(core)
+        numbers = transverse_inertia, axial_inertia, com_height, mass, mass_moment, gravity, rotor_momentum
+        return Top(_toytop.TopCore("fixed", *numbers))
 
     @staticmethod
     def free(*, transverse_inertia: float, axial_inertia: float, rotor_momentum: float = 0.0) -> Top:
@@ -119,17 +101,8 @@ class Top:
         Raises:
             ValueError: a parameter is out of range; the message names it.
         """
-        core = _toytop.TopCore(
-            "free",
-            transverse_inertia=transverse_inertia,
-            axial_inertia=axial_inertia,
-            com_height=0.0,
-            mass=0.0,
-            mass_moment=0.0,
-            gravity=STANDARD_GRAVITY,
-            rotor_momentum=rotor_momentum,
-        )
-        return Top(core)
+        numbers = transverse_inertia, axial_inertia, 0.0, 0.0, 0.0, STANDARD_GRAVITY, rotor_momentum
+        return Top(_toytop.TopCore("free", *numbers))
 
     def release(
         self,
