@@ -3,7 +3,7 @@
 //! A gyroscope that is fixed to the body measures the angular velocity in the body frame, and an attitude filter estimates a
 //! quaternion from body to fixed coordinates: `State::from_quaternion_and_gyro` takes the two as they are.
 
-use toytop::{EphemerisF32, Motion, Orientation, State, Tick, Top, TopParameters};
+use toytop::{Motion, Orientation, State, TableF32, Tick, Top, TopParameters};
 
 /// Orientation of a body whose accelerometer, at rest, measured this specific force (any unit, body frame): the shortest
 /// rotation that takes the measured direction to the upward vertical. The heading is then 0 by definition.
@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     let state = State::from_quaternion_and_gyro(orientation.quaternion(), gyro)?;
 
     let motion = Motion::launch(&top, &state)?;
-    let table = EphemerisF32::new(&motion, Tick::hertz(1000)?)?;
+    let table = TableF32::new(&motion, Tick::hertz(1000)?)?;
     let sample = table.at_tick(0);
     println!("tilt {:.4} rad", orientation.u().clamp(-1.0, 1.0).acos());
     println!("omega in the body frame, back from the motion: {:?} rad/s", sample.omega_body());

@@ -2,14 +2,14 @@
 //!
 //! Set-up runs once per launch and may refuse its input; what an interrupt calls cannot fail.
 
-use toytop::{EphemerisF32, Motion, Pose, Release, State, Tick, Top, TopParameters};
+use toytop::{Motion, Pose, Release, State, TableF32, Tick, Top, TopParameters};
 
 fn main() -> Result<(), Box<dyn core::error::Error>> {
     let top = Top::sliding(&TopParameters::TOY)?;
     // The axis leans by 0.35 rad and rests; the body turns about its axis at 150 rad/s.
     let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
     let motion = Motion::launch(&top, &state)?;
-    let table = EphemerisF32::new(&motion, Tick::hertz(1000)?)?;
+    let table = TableF32::new(&motion, Tick::hertz(1000)?)?;
 
     // The next tick, three additions after the last one.
     let mut cursor = table.cursor(0);

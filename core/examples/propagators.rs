@@ -3,12 +3,12 @@
 //! | you need | use | why |
 //! |---|---|---|
 //! | the next tick, thousands of times a second | `Cursor` | cheapest; error bound for ever; needs set-up and a table |
-//! | any tick or any time | `Ephemeris` | as exact, some more cycles |
+//! | any tick or any time | `Table` | as exact, some more cycles |
 //! | no table in RAM, or a new motion every few ticks | `Stepper` | set up without a table; the error grows with the periods |
 //! | an independent check on a PC | `toytop-closed-forms` | the paper's closed forms, where they exist |
 //! | firmware that never sets up | `Baked` | the table is computed on a PC: see the example `baked` |
 
-use toytop::{EphemerisF64, Motion, Regime, Release, State, Stepper, Tick, Top, TopParameters};
+use toytop::{Motion, Regime, Release, State, Stepper, TableF64, Tick, Top, TopParameters};
 
 fn main() -> Result<(), Box<dyn core::error::Error>> {
     let top = Top::sliding(&TopParameters::TOY)?;
@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     assert_eq!(motion.regime(), Regime::Nutating);
 
     // A table, then any tick.
-    let table = EphemerisF64::new(&motion, Tick::hertz(1000)?)?;
+    let table = TableF64::new(&motion, Tick::hertz(1000)?)?;
     // Consecutive ticks.
     let mut cursor = table.cursor(0);
     // No table; steps of any length.

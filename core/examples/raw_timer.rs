@@ -3,7 +3,7 @@
 //! An interrupt that comes late reads the count at which it runs, so that its lateness is no error. Set-up and tick cost the same
 //! at every tick rate.
 
-use toytop::{EphemerisF32, Motion, Release, State, Tick, Top, TopParameters};
+use toytop::{Motion, Release, State, TableF32, Tick, Top, TopParameters};
 
 const TIMER: u32 = 25_000_000;
 const HOUR: i64 = 3600 * TIMER as i64;
@@ -24,8 +24,8 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     let top = Top::sliding(&TopParameters::TOY)?;
     let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
     let motion = Motion::launch(&top, &state)?;
-    let by_timer = EphemerisF32::new(&motion, Tick::hertz(TIMER)?)?;
-    let by_millisecond = EphemerisF32::new(&motion, Tick::hertz(1000)?)?;
+    let by_timer = TableF32::new(&motion, Tick::hertz(TIMER)?)?;
+    let by_millisecond = TableF32::new(&motion, Tick::hertz(1000)?)?;
 
     // an interrupt every 100 s or so, never on time
     let mut count = Count::default();

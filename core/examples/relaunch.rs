@@ -5,7 +5,7 @@
 //! `relaunch` does so between two ticks of a running interrupt.
 
 use toytop::{
-    EphemerisF64, EphemerisMemory, Motion, Release, State, TableSettings, Tick, Top, TopParameters, Workspace,
+    Motion, Release, State, TableF64, TableMemory, TableSettings, Tick, Top, TopParameters, Workspace,
 };
 
 fn main() -> Result<(), Box<dyn core::error::Error>> {
@@ -13,7 +13,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
     let settings = TableSettings::new(Tick::hertz(1000)?);
     let mut workspace = Workspace::new();
-    let [mut first, mut second] = [(); 2].map(|()| EphemerisMemory::<EphemerisF64>::new());
+    let [mut first, mut second] = [(); 2].map(|()| TableMemory::<TableF64>::new());
     let before = first.set_up(&mut workspace, &Motion::launch(&top, &state)?, &settings, &mut || {})?;
 
     // At tick 250 a stick strikes the rim with 2 mN s: 25 mm from the axis, at the height of the centre of mass, along the

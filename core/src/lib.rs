@@ -119,11 +119,11 @@ pub use phase::Phase;
 pub use stepper::Stepper;
 pub use su2::{AttitudeState, Orientation};
 pub use table::{
-    Baked, BakedError, Clock, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory,
-    EphemerisScalar, ErrorBound, Pose, Sample, SetUpError, Table, TableSettings, Tick, Workspace,
+    Baked, BakedError, Clock, Cursor, ErrorBound, Pose, Sample, SetUpError, SizedTable, Table, TableF32,
+    TableF64, TableMemory, TableScalar, TableSettings, Tick, Workspace,
 };
 #[cfg(feature = "fixed")]
-pub use table::{EphemerisQ15, EphemerisQ31};
+pub use table::{TableQ15, TableQ31};
 
 #[cfg(test)]
 mod tests {
@@ -134,11 +134,11 @@ mod tests {
     fn an_interrupt_may_hold_everything() {
         fn held<T: Send + Sync>() {}
         held::<(Top, State, Motion, Stepper<f32>, Stepper<f64>, Tick, Phase)>();
-        held::<(EphemerisF32, EphemerisF64, SetUpError, ParameterError, ErrorBound)>();
+        held::<(TableF32, TableF64, SetUpError, ParameterError, ErrorBound)>();
         held::<(Orientation<f32>, AttitudeState<f32>, Event, Level)>();
         held::<(&Table<f32>, Cursor<f32>)>();
         #[cfg(feature = "fixed")]
-        held::<(EphemerisQ31, EphemerisQ15)>();
+        held::<(TableQ31, TableQ15)>();
     }
 
     /// Public types whose values a program may log have a format for logs; tables and their memory have none.
@@ -150,7 +150,7 @@ mod tests {
         logged::<(ParameterError, Support, Top, TopParameters, Release, InitialAngles, State)>();
         logged::<(BranchPoints, FirstIntegrals, PeriodAdvance, Regime, TipClass)>();
         logged::<(Motion, Sign, Signs)>();
-        logged::<(EphemerisF32, EphemerisF64, ErrorBound, SetUpError, TableSettings, Event, Level)>();
+        logged::<(TableF32, TableF64, ErrorBound, SetUpError, TableSettings, Event, Level)>();
         logged::<(Cursor<f32>, Sample<'static, f64>, AttitudeState<f32>, Stepper<f64>)>();
         #[cfg(feature = "fixed")]
         logged::<(Orientation<fixed::types::I2F30>, Complex<fixed::types::I2F14>)>();

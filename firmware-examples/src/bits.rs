@@ -7,9 +7,9 @@ use crate::top::released;
 use toytop::fixed::types::{I2F14, I2F30};
 use toytop::scalar::Real;
 use toytop::{
-    BranchPoints, Complex, Ephemeris, EphemerisMemory, EphemerisScalar, FirstIntegrals, InitialAngles,
-    Motion, Orientation, ParameterError, PeriodAdvance, Pose, Release, Sample, Sign, Signs, State, Stepper,
-    TableSettings, Tick, Top, TopParameters, Workspace,
+    BranchPoints, Complex, FirstIntegrals, InitialAngles, Motion, Orientation, ParameterError, PeriodAdvance,
+    Pose, Release, Sample, Sign, Signs, SizedTable, State, Stepper, TableMemory, TableScalar, TableSettings,
+    Tick, Top, TopParameters, Workspace,
 };
 
 /// Steps of each motion.
@@ -48,10 +48,10 @@ pub fn of_every_stage(
         report(name, "stepper_f64_tip", tip.0);
         report(name, "stepper_f64_omega", omega.0);
         for (names, hashes) in [
-            (["ephemeris_f32", "cursor_f32"], table::<f32, 25>(workspace, &motion)),
-            (["ephemeris_f64", "cursor_f64"], table::<f64, 8>(workspace, &motion)),
-            (["ephemeris_q31", "cursor_q31"], table::<I2F30, 32>(workspace, &motion)),
-            (["ephemeris_q15", "cursor_q15"], table::<I2F14, 16>(workspace, &motion)),
+            (["table_f32", "cursor_f32"], table::<f32, 25>(workspace, &motion)),
+            (["table_f64", "cursor_f64"], table::<f64, 8>(workspace, &motion)),
+            (["table_q31", "cursor_q31"], table::<I2F30, 32>(workspace, &motion)),
+            (["table_q15", "cursor_q15"], table::<I2F14, 16>(workspace, &motion)),
         ] {
             names.into_iter().zip(hashes).for_each(|(stage, hash)| report(name, stage, hash.0));
         }
@@ -114,25 +114,25 @@ fn ticks<R: Real + Into<f64>>(motion: &Motion, dt: f64) -> [Hash; 3] {
 
 /// Hashes of orientation, tip and ω of samples at distant ticks, and of orientation and tip at consecutive ticks.
 #[inline(never)] // one table at a time, too
-fn table<R: EphemerisScalar<Quantity: Into<f64>> + Into<f64>, const SEGMENTS: usize>(
+fn table<R: TableScalar<Quantity: Into<f64>> + Into<f64>, const SEGMENTS: usize>(
     workspace: &mut Workspace,
     motion: &Motion,
 ) -> [Hash; 2] {
     let mut hashes = [Hash::default(); 2];
-    let mut memory = EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new();
+    let mut memory = TableMemory::<SizedTable<R, SEGMENTS>>::new();
     let Ok(tick) = Tick::hertz(1000) else { return hashes };
     let settings = TableSettings { truncation: Some(f64::MAX), ..TableSettings::new(tick) };
-    let Ok(ephemeris) = memory.set_up(workspace, motion, &settings, &mut || {}) else { return hashes };
+    let Ok(table) = memory.set_up(workspace, motion, &settings, &mut || {}) else { return hashes };
     let with_sample = |hash: Hash, sample: Sample<'_, R>| {
         let Pose { orientation: Orientation { alpha, beta }, u, tip } = sample.pose();
         hash.complex(alpha).complex(beta).number(u).complex(tip)
     };
-    let mut cursor = ephemeris.cursor(-3);
+    let mut cursor = table.cursor(-3);
     for n in (-7_i64..).take(TICKS) {
         let [any, next] = hashes;
         // from years before the launch to years after it
-        let apart = ephemeris.at_tick(n << 33);
-        hashes = [with_sample(any, apart).numbers(apart.omega()), with_sample(next, cursor.next(ephemeris))];
+        let apart = table.at_tick(n << 33);
+        hashes = [with_sample(any, apart).numbers(apart.omega()), with_sample(next, cursor.next(table))];
     }
     hashes
 }

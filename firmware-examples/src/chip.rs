@@ -12,7 +12,7 @@ use defmt_semihosting as _; // log transport
 #[cfg(target_arch = "riscv32")]
 use riscv as _; // critical section
 use semihosting::process;
-use toytop::{EphemerisF32, EphemerisMemory, Motion, Table, TableSettings, Tick, Workspace};
+use toytop::{Motion, Table, TableF32, TableMemory, TableSettings, Tick, Workspace};
 
 #[cfg(target_arch = "arm")]
 pub use cortex_m_rt::entry;
@@ -32,7 +32,7 @@ pub fn set_up(motion: &Motion, rate: u32) -> &'static Table<f32> {
     use cortex_m::singleton;
     #[cfg(target_arch = "riscv32")]
     use riscv::singleton;
-    let memory = singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
+    let memory = singleton!(: TableMemory<TableF32> = TableMemory::new()).expect("taken once");
     let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
     let tick = Tick::hertz(rate).expect("a positive rate");
     memory.set_up(workspace, motion, &TableSettings::new(tick), &mut || {}).expect("an ordinary motion")

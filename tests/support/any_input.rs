@@ -4,11 +4,11 @@
 //! cargo-fuzz searches for bytes that violate one of them (`cargo fuzz`, `tests/fuzz`). The suite runs them on
 //! the committed seeds and on random bytes.
 
-mod ephemeris;
 mod input;
 pub mod invariants;
 #[cfg(feature = "host")]
 mod scenario;
+mod table;
 
 /// Function that accepts any bytes.
 pub struct Target {
@@ -23,8 +23,8 @@ pub const TARGETS: &[Target] = &[
     #[cfg(feature = "host")]
     Target { name: "scenario", run: scenario::run },
     Target { name: "launch", run: launch },
-    Target { name: "ephemeris", run: ephemeris::run },
-    Target { name: "fixed", run: ephemeris::run_fixed },
+    Target { name: "table", run: table::run },
+    Target { name: "fixed", run: table::run_fixed },
 ];
 
 /// Checks a motion from arbitrary bits.

@@ -10,8 +10,8 @@ pub mod vectors;
 
 use std::ops::Deref;
 use toytop::{
-    Complex, Ephemeris, EphemerisMemory, EphemerisScalar, InitialAngles, Motion, Orientation, Release,
-    SetUpError, Sign, Signs, State, Table, TableSettings, Tick, Top, TopParameters, Workspace,
+    Complex, InitialAngles, Motion, Orientation, Release, SetUpError, Sign, Signs, SizedTable, State, Table,
+    TableMemory, TableScalar, TableSettings, Tick, Top, TopParameters, Workspace,
 };
 
 /// Larger of two errors. NaN counts as larger than any number, so that it cannot pass a bound; `f64::max` would drop
@@ -127,9 +127,9 @@ pub fn kilohertz() -> Tick {
 }
 
 /// Table on the heap: a large one, by value, is too much for the stack of a test.
-pub struct HeapTable<R: EphemerisScalar, const SEGMENTS: usize>(Box<EphemerisMemory<Ephemeris<R, SEGMENTS>>>);
+pub struct HeapTable<R: TableScalar, const SEGMENTS: usize>(Box<TableMemory<SizedTable<R, SEGMENTS>>>);
 
-impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for HeapTable<R, SEGMENTS> {
+impl<R: TableScalar, const SEGMENTS: usize> Deref for HeapTable<R, SEGMENTS> {
     type Target = Table<R>;
 
     fn deref(&self) -> &Table<R> {
@@ -138,7 +138,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for HeapTable<R, SEGMENTS>
 }
 
 /// Table of a motion that is launched at tick 0, if it fits.
-pub fn table_if_it_fits<R: EphemerisScalar, const SEGMENTS: usize>(
+pub fn table_if_it_fits<R: TableScalar, const SEGMENTS: usize>(
     motion: &Motion,
     tick: Tick,
 ) -> Option<HeapTable<R, SEGMENTS>> {
@@ -149,7 +149,7 @@ pub fn table_if_it_fits<R: EphemerisScalar, const SEGMENTS: usize>(
 ///
 /// # Panics
 /// If the motion does not fit.
-pub fn table_of<R: EphemerisScalar, const SEGMENTS: usize>(
+pub fn table_of<R: TableScalar, const SEGMENTS: usize>(
     motion: &Motion,
     tick: Tick,
 ) -> HeapTable<R, SEGMENTS> {
@@ -160,12 +160,12 @@ pub fn table_of<R: EphemerisScalar, const SEGMENTS: usize>(
 ///
 /// # Errors
 /// If the motion does not fit.
-pub fn table_from_epoch<R: EphemerisScalar, const SEGMENTS: usize>(
+pub fn table_from_epoch<R: TableScalar, const SEGMENTS: usize>(
     motion: &Motion,
     tick: Tick,
     epoch: i64,
 ) -> Result<HeapTable<R, SEGMENTS>, SetUpError> {
-    let mut memory = Box::new(EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new());
+    let mut memory = Box::new(TableMemory::<SizedTable<R, SEGMENTS>>::new());
     let settings = TableSettings { epoch, ..TableSettings::new(tick) };
     memory.set_up(&mut Workspace::new(), motion, &settings, &mut || {})?;
     Ok(HeapTable(memory))

@@ -7,9 +7,9 @@
 
 #include "throw.h"
 
-static toytop_ephemeris_f32 in_f32;
-static toytop_ephemeris_f64 in_f64;
-static toytop_ephemeris_q31 in_q31;
+static toytop_table_f32 in_f32;
+static toytop_table_f64 in_f64;
+static toytop_table_q31 in_q31;
 
 static int refused(const toytop_error *error) {
     fprintf(stderr, "%s\n", error->text);
@@ -47,7 +47,7 @@ static int follow(const toytop_state *state) {
     if (toytop_f64_set_up(&in_f64, sizeof in_f64, &motion, &settings, &error) != TOYTOP_OK) return refused(&error);
     if (toytop_q31_set_up(&in_q31, sizeof in_q31, &motion, &settings, &error) != TOYTOP_OK) return refused(&error);
     for (size_t i = 0; i < sizeof ticks / sizeof *ticks; i++) {
-        toytop_ephemeris_sample now;
+        toytop_sample now;
         float single[6];
         double twice[6];
         int32_t fixed[4];
@@ -77,7 +77,7 @@ static int follow(const toytop_state *state) {
 int main(void) {
     toytop_error error;
     toytop_state state;
-    toytop_ephemeris_sample at_the_stroke;
+    toytop_sample at_the_stroke;
     if (toytop_state_from_release(&throw_of_20_degrees, &state, &error) != TOYTOP_OK) return refused(&error);
     if (follow(&state) != 0) return 1;
 

@@ -14,9 +14,9 @@
 #include <stdint.h>
 
 /* Size in bytes of a table with the given number of segments, from 8 to 4096. */
-#define TOYTOP_EPHEMERIS_F32_SIZE_OF(segments) (264 + 80 * sizeof(char) * (segments))
-#define TOYTOP_EPHEMERIS_F64_SIZE_OF(segments) (280 + 352 * sizeof(char) * (segments))
-#define TOYTOP_EPHEMERIS_Q31_SIZE_OF(segments) (264 + 64 * sizeof(char) * (segments))
+#define TOYTOP_TABLE_F32_SIZE_OF(segments) (264 + 80 * sizeof(char) * (segments))
+#define TOYTOP_TABLE_F64_SIZE_OF(segments) (280 + 352 * sizeof(char) * (segments))
+#define TOYTOP_TABLE_Q31_SIZE_OF(segments) (264 + 64 * sizeof(char) * (segments))
 
 // Bytes of the text of an error, the closing zero included.
 #define TOYTOP_TEXT_SIZE 192
@@ -37,28 +37,28 @@
 #define TOYTOP_MOTION_SIZE 1024
 
 // Bytes of a table in `f32` of the standard size, 25 segments.
-#define TOYTOP_EPHEMERIS_F32_SIZE 2264
+#define TOYTOP_TABLE_F32_SIZE 2264
 
 // Bytes of a table in `f64` of the standard size, 48 segments.
-#define TOYTOP_EPHEMERIS_F64_SIZE 17176
+#define TOYTOP_TABLE_F64_SIZE 17176
 
 // Bytes of a table in fixed point of the standard size, 32 segments.
-#define TOYTOP_EPHEMERIS_Q31_SIZE 2312
+#define TOYTOP_TABLE_Q31_SIZE 2312
 
 // Alignment of the memory of a table, bytes.
-#define TOYTOP_EPHEMERIS_ALIGNMENT 8
+#define TOYTOP_TABLE_ALIGNMENT 8
 
 // Bytes of the workspace of a set-up.
 #define TOYTOP_WORKSPACE_SIZE 3432
 
 // Bytes of a sample.
-#define TOYTOP_EPHEMERIS_SAMPLE_SIZE 112
+#define TOYTOP_SAMPLE_SIZE 112
 
 // Bytes of a cursor.
-#define TOYTOP_EPHEMERIS_CURSOR_SIZE 64
+#define TOYTOP_CURSOR_SIZE 64
 
 // Bytes of the events of a table.
-#define TOYTOP_EPHEMERIS_EVENTS_SIZE 384
+#define TOYTOP_EVENTS_SIZE 384
 
 // Status of a call: `TOYTOP_OK`, or the reason for which the call did nothing.
 enum toytop_status
@@ -231,11 +231,11 @@ typedef struct toytop_partials {
   double tip[10][2];
 } toytop_partials;
 
-// Table of a motion in `f32`. Memory of `TOYTOP_EPHEMERIS_F32_SIZE_OF(segments)` bytes with the same alignment may be used
+// Table of a motion in `f32`. Memory of `TOYTOP_TABLE_F32_SIZE_OF(segments)` bytes with the same alignment may be used
 // as a larger or smaller table.
-typedef struct toytop_ephemeris_f32 {
+typedef struct toytop_table_f32 {
   uint64_t opaque[283];
-} toytop_ephemeris_f32;
+} toytop_table_f32;
 
 // Length of a tick, as an exact fraction of a second: `ticks` ticks in `seconds` seconds.
 typedef struct toytop_tick {
@@ -266,22 +266,22 @@ typedef struct toytop_settings {
   void *context;
 } toytop_settings;
 
-// Table of a motion in `f64`; see `toytop_ephemeris_f32`.
-typedef struct toytop_ephemeris_f64 {
+// Table of a motion in `f64`; see `toytop_table_f32`.
+typedef struct toytop_table_f64 {
   uint64_t opaque[2147];
-} toytop_ephemeris_f64;
+} toytop_table_f64;
 
-// Table of a motion in fixed point of 32 bits; see `toytop_ephemeris_f32`.
-typedef struct toytop_ephemeris_q31 {
+// Table of a motion in fixed point of 32 bits; see `toytop_table_f32`.
+typedef struct toytop_table_q31 {
   uint64_t opaque[289];
-} toytop_ephemeris_q31;
+} toytop_table_q31;
 
 // Sample of a motion at one instant: phases, from which each quantity is computed on demand. It may be copied.
 //
 // A sample refers to its table, whose memory must still be there. After another set-up in this memory the sample is refused.
-typedef struct toytop_ephemeris_sample {
+typedef struct toytop_sample {
   uint64_t opaque[14];
-} toytop_ephemeris_sample;
+} toytop_sample;
 
 // Upper bounds on the errors of a table at a tick.
 typedef struct toytop_error_bounds {
@@ -295,16 +295,16 @@ typedef struct toytop_error_bounds {
 //
 // A cursor belongs to the table that made it, and must be made again after a set-up. Another table refuses the
 // cursor, except by a coincidence of 32 bits.
-typedef struct toytop_ephemeris_cursor {
+typedef struct toytop_cursor {
   uint64_t opaque[8];
-} toytop_ephemeris_cursor;
+} toytop_cursor;
 
 // Events of one kind of a table, in order. They may be copied.
 //
 // They refer to their table, whose memory must still be there. After another set-up in this memory they are refused.
-typedef struct toytop_ephemeris_events {
+typedef struct toytop_events {
   uint64_t opaque[48];
-} toytop_ephemeris_events;
+} toytop_events;
 
 // Event of a motion: its instant in ticks, and the sense of the change.
 typedef struct toytop_event {
@@ -403,7 +403,7 @@ toytop_status toytop_motion_partials(const struct toytop_motion *motion,
 // every function that reads the table returns `TOYTOP_NOT_SET_UP`. A refusal of `table` or `size` changes nothing. `error` may be null.
 //
 // * `size`: bytes of the memory, `sizeof *table`, or the size for another number of segments (from 8 to 4096)
-toytop_status toytop_f32_set_up(struct toytop_ephemeris_f32 *table,
+toytop_status toytop_f32_set_up(struct toytop_table_f32 *table,
                                 uintptr_t size,
                                 const struct toytop_motion *motion,
                                 const struct toytop_settings *settings,
@@ -422,7 +422,7 @@ uint32_t toytop_f32_segments_needed(const struct toytop_motion *motion,
 // every function that reads the table returns `TOYTOP_NOT_SET_UP`. A refusal of `table` or `size` changes nothing. `error` may be null.
 //
 // * `size`: bytes of the memory, `sizeof *table`, or the size for another number of segments (from 8 to 4096)
-toytop_status toytop_f64_set_up(struct toytop_ephemeris_f64 *table,
+toytop_status toytop_f64_set_up(struct toytop_table_f64 *table,
                                 uintptr_t size,
                                 const struct toytop_motion *motion,
                                 const struct toytop_settings *settings,
@@ -441,7 +441,7 @@ uint32_t toytop_f64_segments_needed(const struct toytop_motion *motion,
 // every function that reads the table returns `TOYTOP_NOT_SET_UP`. A refusal of `table` or `size` changes nothing. `error` may be null.
 //
 // * `size`: bytes of the memory, `sizeof *table`, or the size for another number of segments (from 8 to 4096)
-toytop_status toytop_q31_set_up(struct toytop_ephemeris_q31 *table,
+toytop_status toytop_q31_set_up(struct toytop_table_q31 *table,
                                 uintptr_t size,
                                 const struct toytop_motion *motion,
                                 const struct toytop_settings *settings,
@@ -455,259 +455,253 @@ uint32_t toytop_q31_segments_needed(const struct toytop_motion *motion,
                                     double truncation);
 
 // Sample at any tick, of either sign, always at the same cost.
-toytop_status toytop_f32_at_tick(const struct toytop_ephemeris_f32 *table,
+toytop_status toytop_f32_at_tick(const struct toytop_table_f32 *table,
                                  int64_t tick,
-                                 struct toytop_ephemeris_sample *sample);
+                                 struct toytop_sample *sample);
 
 // Sample at any time, s from tick 0.
-toytop_status toytop_f32_at(const struct toytop_ephemeris_f32 *table,
-                            double time,
-                            struct toytop_ephemeris_sample *sample);
+toytop_status toytop_f32_at(const struct toytop_table_f32 *table, double time, struct toytop_sample *sample);
 
 // Error bounds of a table at a tick.
-toytop_status toytop_f32_error_bounds(const struct toytop_ephemeris_f32 *table,
+toytop_status toytop_f32_error_bounds(const struct toytop_table_f32 *table,
                                       int64_t tick,
                                       struct toytop_error_bounds *bounds);
 
 // Cayley-Klein parameters: four numbers Re alpha, Im alpha, Re beta, Im beta.
-toytop_status toytop_f32_cayley_klein(const struct toytop_ephemeris_sample *sample, float *parameters);
+toytop_status toytop_f32_cayley_klein(const struct toytop_sample *sample, float *parameters);
 
 // Unit quaternion, four numbers w, x, y, z, from body to fixed coordinates.
-toytop_status toytop_f32_quaternion(const struct toytop_ephemeris_sample *sample, float *quaternion);
+toytop_status toytop_f32_quaternion(const struct toytop_sample *sample, float *quaternion);
 
 // Unit vector of three components from the tip to the centre of mass, in the fixed frame. The third is u, the cosine of the
 // tilt, which a rounding can take past 1.
-toytop_status toytop_f32_axis(const struct toytop_ephemeris_sample *sample,
+toytop_status toytop_f32_axis(const struct toytop_sample *sample,
                               float *axis);
 
 // Angular velocity of three components in the fixed frame, rad/s.
-toytop_status toytop_f32_omega(const struct toytop_ephemeris_sample *sample, float *omega);
+toytop_status toytop_f32_omega(const struct toytop_sample *sample, float *omega);
 
 // Angular velocity of three components in the body frame, rad/s, as a gyroscope measures it.
-toytop_status toytop_f32_omega_body(const struct toytop_ephemeris_sample *sample, float *omega);
+toytop_status toytop_f32_omega_body(const struct toytop_sample *sample, float *omega);
 
 // Position x, y of the tip, m from the point of the plane below the centre of mass; for a fixed tip the horizontal part of the
 // axis with the opposite sign.
-toytop_status toytop_f32_tip(const struct toytop_ephemeris_sample *sample,
+toytop_status toytop_f32_tip(const struct toytop_sample *sample,
                              float *tip);
 
 // Velocity x, y of the tip, m/s; 1/s for a fixed tip.
-toytop_status toytop_f32_tip_velocity(const struct toytop_ephemeris_sample *sample, float *velocity);
+toytop_status toytop_f32_tip_velocity(const struct toytop_sample *sample, float *velocity);
 
 // Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` if the axis is always vertical.
-toytop_status toytop_f32_tip_angle(const struct toytop_ephemeris_sample *sample,
+toytop_status toytop_f32_tip_angle(const struct toytop_sample *sample,
                                    double *angle);
 
 // State of a sample, from which another motion can be launched.
-toytop_status toytop_f32_state(const struct toytop_ephemeris_sample *sample, struct toytop_state *state);
+toytop_status toytop_f32_state(const struct toytop_sample *sample, struct toytop_state *state);
 
 // Sample at any tick, of either sign, always at the same cost.
-toytop_status toytop_f64_at_tick(const struct toytop_ephemeris_f64 *table,
+toytop_status toytop_f64_at_tick(const struct toytop_table_f64 *table,
                                  int64_t tick,
-                                 struct toytop_ephemeris_sample *sample);
+                                 struct toytop_sample *sample);
 
 // Sample at any time, s from tick 0.
-toytop_status toytop_f64_at(const struct toytop_ephemeris_f64 *table,
-                            double time,
-                            struct toytop_ephemeris_sample *sample);
+toytop_status toytop_f64_at(const struct toytop_table_f64 *table, double time, struct toytop_sample *sample);
 
 // Error bounds of a table at a tick.
-toytop_status toytop_f64_error_bounds(const struct toytop_ephemeris_f64 *table,
+toytop_status toytop_f64_error_bounds(const struct toytop_table_f64 *table,
                                       int64_t tick,
                                       struct toytop_error_bounds *bounds);
 
 // Cayley-Klein parameters: four numbers Re alpha, Im alpha, Re beta, Im beta.
-toytop_status toytop_f64_cayley_klein(const struct toytop_ephemeris_sample *sample, double *parameters);
+toytop_status toytop_f64_cayley_klein(const struct toytop_sample *sample, double *parameters);
 
 // Unit quaternion, four numbers w, x, y, z, from body to fixed coordinates.
-toytop_status toytop_f64_quaternion(const struct toytop_ephemeris_sample *sample, double *quaternion);
+toytop_status toytop_f64_quaternion(const struct toytop_sample *sample, double *quaternion);
 
 // Unit vector of three components from the tip to the centre of mass, in the fixed frame. The third is u, the cosine of the
 // tilt, which a rounding can take past 1.
-toytop_status toytop_f64_axis(const struct toytop_ephemeris_sample *sample,
+toytop_status toytop_f64_axis(const struct toytop_sample *sample,
                               double *axis);
 
 // Angular velocity of three components in the fixed frame, rad/s.
-toytop_status toytop_f64_omega(const struct toytop_ephemeris_sample *sample, double *omega);
+toytop_status toytop_f64_omega(const struct toytop_sample *sample, double *omega);
 
 // Angular velocity of three components in the body frame, rad/s, as a gyroscope measures it.
-toytop_status toytop_f64_omega_body(const struct toytop_ephemeris_sample *sample, double *omega);
+toytop_status toytop_f64_omega_body(const struct toytop_sample *sample, double *omega);
 
 // Position x, y of the tip, m from the point of the plane below the centre of mass; for a fixed tip the horizontal part of the
 // axis with the opposite sign.
-toytop_status toytop_f64_tip(const struct toytop_ephemeris_sample *sample,
+toytop_status toytop_f64_tip(const struct toytop_sample *sample,
                              double *tip);
 
 // Velocity x, y of the tip, m/s; 1/s for a fixed tip.
-toytop_status toytop_f64_tip_velocity(const struct toytop_ephemeris_sample *sample, double *velocity);
+toytop_status toytop_f64_tip_velocity(const struct toytop_sample *sample, double *velocity);
 
 // Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` if the axis is always vertical.
-toytop_status toytop_f64_tip_angle(const struct toytop_ephemeris_sample *sample,
+toytop_status toytop_f64_tip_angle(const struct toytop_sample *sample,
                                    double *angle);
 
 // State of a sample, from which another motion can be launched.
-toytop_status toytop_f64_state(const struct toytop_ephemeris_sample *sample, struct toytop_state *state);
+toytop_status toytop_f64_state(const struct toytop_sample *sample, struct toytop_state *state);
 
 // Sample at any tick, of either sign, always at the same cost.
-toytop_status toytop_q31_at_tick(const struct toytop_ephemeris_q31 *table,
+toytop_status toytop_q31_at_tick(const struct toytop_table_q31 *table,
                                  int64_t tick,
-                                 struct toytop_ephemeris_sample *sample);
+                                 struct toytop_sample *sample);
 
 // Sample at any time, s from tick 0.
-toytop_status toytop_q31_at(const struct toytop_ephemeris_q31 *table,
-                            double time,
-                            struct toytop_ephemeris_sample *sample);
+toytop_status toytop_q31_at(const struct toytop_table_q31 *table, double time, struct toytop_sample *sample);
 
 // Error bounds of a table at a tick.
-toytop_status toytop_q31_error_bounds(const struct toytop_ephemeris_q31 *table,
+toytop_status toytop_q31_error_bounds(const struct toytop_table_q31 *table,
                                       int64_t tick,
                                       struct toytop_error_bounds *bounds);
 
 // Cayley-Klein parameters: four numbers Re alpha, Im alpha, Re beta, Im beta.
-toytop_status toytop_q31_cayley_klein(const struct toytop_ephemeris_sample *sample, int32_t *parameters);
+toytop_status toytop_q31_cayley_klein(const struct toytop_sample *sample, int32_t *parameters);
 
 // Unit quaternion, four numbers w, x, y, z, from body to fixed coordinates.
-toytop_status toytop_q31_quaternion(const struct toytop_ephemeris_sample *sample, int32_t *quaternion);
+toytop_status toytop_q31_quaternion(const struct toytop_sample *sample, int32_t *quaternion);
 
 // Unit vector of three components from the tip to the centre of mass, in the fixed frame. The third is u, the cosine of the
 // tilt, which a rounding can take past 1.
-toytop_status toytop_q31_axis(const struct toytop_ephemeris_sample *sample,
+toytop_status toytop_q31_axis(const struct toytop_sample *sample,
                               int32_t *axis);
 
 // Angular velocity of three components in the fixed frame, rad/s.
-toytop_status toytop_q31_omega(const struct toytop_ephemeris_sample *sample, float *omega);
+toytop_status toytop_q31_omega(const struct toytop_sample *sample, float *omega);
 
 // Angular velocity of three components in the body frame, rad/s, as a gyroscope measures it.
-toytop_status toytop_q31_omega_body(const struct toytop_ephemeris_sample *sample, float *omega);
+toytop_status toytop_q31_omega_body(const struct toytop_sample *sample, float *omega);
 
 // Position x, y of the tip, m from the point of the plane below the centre of mass; for a fixed tip the horizontal part of the
 // axis with the opposite sign.
-toytop_status toytop_q31_tip(const struct toytop_ephemeris_sample *sample,
+toytop_status toytop_q31_tip(const struct toytop_sample *sample,
                              float *tip);
 
 // Velocity x, y of the tip, m/s; 1/s for a fixed tip.
-toytop_status toytop_q31_tip_velocity(const struct toytop_ephemeris_sample *sample, float *velocity);
+toytop_status toytop_q31_tip_velocity(const struct toytop_sample *sample, float *velocity);
 
 // Angle of the tip, rad, continued in time from (-pi, pi] at the launch. `TOYTOP_NONE` if the axis is always vertical.
-toytop_status toytop_q31_tip_angle(const struct toytop_ephemeris_sample *sample,
+toytop_status toytop_q31_tip_angle(const struct toytop_sample *sample,
                                    double *angle);
 
 // State of a sample, from which another motion can be launched.
-toytop_status toytop_q31_state(const struct toytop_ephemeris_sample *sample, struct toytop_state *state);
+toytop_status toytop_q31_state(const struct toytop_sample *sample, struct toytop_state *state);
 
 // Tick of the last sample of a cursor; before the first sample, the tick before it.
-toytop_status toytop_ephemeris_cursor_tick(const struct toytop_ephemeris_cursor *place, int64_t *tick);
+toytop_status toytop_cursor_tick(const struct toytop_cursor *place, int64_t *tick);
 
 // Cursor whose first sample is at tick `first`.
-toytop_status toytop_f32_cursor(const struct toytop_ephemeris_f32 *table,
+toytop_status toytop_f32_cursor(const struct toytop_table_f32 *table,
                                 int64_t first,
-                                struct toytop_ephemeris_cursor *cursor);
+                                struct toytop_cursor *cursor);
 
 // Next sample of a cursor. The sequence has no end.
-toytop_status toytop_f32_next(const struct toytop_ephemeris_f32 *table,
-                              struct toytop_ephemeris_cursor *cursor,
-                              struct toytop_ephemeris_sample *sample);
+toytop_status toytop_f32_next(const struct toytop_table_f32 *table,
+                              struct toytop_cursor *cursor,
+                              struct toytop_sample *sample);
 
 // Quaternion, four numbers w, x, y, z, at the next tick of a cursor, from body to fixed coordinates, without a sample.
-toytop_status toytop_f32_next_quaternion(const struct toytop_ephemeris_f32 *table,
-                                         struct toytop_ephemeris_cursor *cursor,
+toytop_status toytop_f32_next_quaternion(const struct toytop_table_f32 *table,
+                                         struct toytop_cursor *cursor,
                                          float *quaternion);
 
 // Cursor whose first sample is at tick `first`.
-toytop_status toytop_f64_cursor(const struct toytop_ephemeris_f64 *table,
+toytop_status toytop_f64_cursor(const struct toytop_table_f64 *table,
                                 int64_t first,
-                                struct toytop_ephemeris_cursor *cursor);
+                                struct toytop_cursor *cursor);
 
 // Next sample of a cursor. The sequence has no end.
-toytop_status toytop_f64_next(const struct toytop_ephemeris_f64 *table,
-                              struct toytop_ephemeris_cursor *cursor,
-                              struct toytop_ephemeris_sample *sample);
+toytop_status toytop_f64_next(const struct toytop_table_f64 *table,
+                              struct toytop_cursor *cursor,
+                              struct toytop_sample *sample);
 
 // Quaternion, four numbers w, x, y, z, at the next tick of a cursor, from body to fixed coordinates, without a sample.
-toytop_status toytop_f64_next_quaternion(const struct toytop_ephemeris_f64 *table,
-                                         struct toytop_ephemeris_cursor *cursor,
+toytop_status toytop_f64_next_quaternion(const struct toytop_table_f64 *table,
+                                         struct toytop_cursor *cursor,
                                          double *quaternion);
 
 // Cursor whose first sample is at tick `first`.
-toytop_status toytop_q31_cursor(const struct toytop_ephemeris_q31 *table,
+toytop_status toytop_q31_cursor(const struct toytop_table_q31 *table,
                                 int64_t first,
-                                struct toytop_ephemeris_cursor *cursor);
+                                struct toytop_cursor *cursor);
 
 // Next sample of a cursor. The sequence has no end.
-toytop_status toytop_q31_next(const struct toytop_ephemeris_q31 *table,
-                              struct toytop_ephemeris_cursor *cursor,
-                              struct toytop_ephemeris_sample *sample);
+toytop_status toytop_q31_next(const struct toytop_table_q31 *table,
+                              struct toytop_cursor *cursor,
+                              struct toytop_sample *sample);
 
 // Quaternion, four numbers w, x, y, z, at the next tick of a cursor, from body to fixed coordinates, without a sample.
-toytop_status toytop_q31_next_quaternion(const struct toytop_ephemeris_q31 *table,
-                                         struct toytop_ephemeris_cursor *cursor,
+toytop_status toytop_q31_next_quaternion(const struct toytop_table_q31 *table,
+                                         struct toytop_cursor *cursor,
                                          int32_t *quaternion);
 
 // Turning points of u at tick `from` or later; `upward` is 1 where u = e2. There are none where u is constant.
-toytop_status toytop_f32_turning_points(const struct toytop_ephemeris_f32 *table,
+toytop_status toytop_f32_turning_points(const struct toytop_table_f32 *table,
                                         int64_t from,
-                                        struct toytop_ephemeris_events *events);
+                                        struct toytop_events *events);
 
 // Crossings of a tilt, the angle of the axis to the upward vertical in rad, at tick `from` or later; `upward` is 1 where the axis
 // rises. The tip is on the circle of a radius r about the origin where the sine of the tilt is r/s.
-toytop_status toytop_f32_crossings(const struct toytop_ephemeris_f32 *table,
+toytop_status toytop_f32_crossings(const struct toytop_table_f32 *table,
                                    double tilt,
                                    int64_t from,
-                                   struct toytop_ephemeris_events *events);
+                                   struct toytop_events *events);
 
 // Instants at tick `from` or later at which the angle of the tip is `angle`, rad, up to whole turns; `upward` is 1 where it
 // increases. There are none where the axis is always vertical.
-toytop_status toytop_f32_tip_angles(const struct toytop_ephemeris_f32 *table,
+toytop_status toytop_f32_tip_angles(const struct toytop_table_f32 *table,
                                     double angle,
                                     int64_t from,
-                                    struct toytop_ephemeris_events *events);
+                                    struct toytop_events *events);
 
 // Next of the events. `TOYTOP_NONE` where there is none.
-toytop_status toytop_f32_next_event(struct toytop_ephemeris_events *events, struct toytop_event *event);
+toytop_status toytop_f32_next_event(struct toytop_events *events, struct toytop_event *event);
 
 // Turning points of u at tick `from` or later; `upward` is 1 where u = e2. There are none where u is constant.
-toytop_status toytop_f64_turning_points(const struct toytop_ephemeris_f64 *table,
+toytop_status toytop_f64_turning_points(const struct toytop_table_f64 *table,
                                         int64_t from,
-                                        struct toytop_ephemeris_events *events);
+                                        struct toytop_events *events);
 
 // Crossings of a tilt, the angle of the axis to the upward vertical in rad, at tick `from` or later; `upward` is 1 where the axis
 // rises. The tip is on the circle of a radius r about the origin where the sine of the tilt is r/s.
-toytop_status toytop_f64_crossings(const struct toytop_ephemeris_f64 *table,
+toytop_status toytop_f64_crossings(const struct toytop_table_f64 *table,
                                    double tilt,
                                    int64_t from,
-                                   struct toytop_ephemeris_events *events);
+                                   struct toytop_events *events);
 
 // Instants at tick `from` or later at which the angle of the tip is `angle`, rad, up to whole turns; `upward` is 1 where it
 // increases. There are none where the axis is always vertical.
-toytop_status toytop_f64_tip_angles(const struct toytop_ephemeris_f64 *table,
+toytop_status toytop_f64_tip_angles(const struct toytop_table_f64 *table,
                                     double angle,
                                     int64_t from,
-                                    struct toytop_ephemeris_events *events);
+                                    struct toytop_events *events);
 
 // Next of the events. `TOYTOP_NONE` where there is none.
-toytop_status toytop_f64_next_event(struct toytop_ephemeris_events *events, struct toytop_event *event);
+toytop_status toytop_f64_next_event(struct toytop_events *events, struct toytop_event *event);
 
 // Turning points of u at tick `from` or later; `upward` is 1 where u = e2. There are none where u is constant.
-toytop_status toytop_q31_turning_points(const struct toytop_ephemeris_q31 *table,
+toytop_status toytop_q31_turning_points(const struct toytop_table_q31 *table,
                                         int64_t from,
-                                        struct toytop_ephemeris_events *events);
+                                        struct toytop_events *events);
 
 // Crossings of a tilt, the angle of the axis to the upward vertical in rad, at tick `from` or later; `upward` is 1 where the axis
 // rises. The tip is on the circle of a radius r about the origin where the sine of the tilt is r/s.
-toytop_status toytop_q31_crossings(const struct toytop_ephemeris_q31 *table,
+toytop_status toytop_q31_crossings(const struct toytop_table_q31 *table,
                                    double tilt,
                                    int64_t from,
-                                   struct toytop_ephemeris_events *events);
+                                   struct toytop_events *events);
 
 // Instants at tick `from` or later at which the angle of the tip is `angle`, rad, up to whole turns; `upward` is 1 where it
 // increases. There are none where the axis is always vertical.
-toytop_status toytop_q31_tip_angles(const struct toytop_ephemeris_q31 *table,
+toytop_status toytop_q31_tip_angles(const struct toytop_table_q31 *table,
                                     double angle,
                                     int64_t from,
-                                    struct toytop_ephemeris_events *events);
+                                    struct toytop_events *events);
 
 // Next of the events. `TOYTOP_NONE` where there is none.
-toytop_status toytop_q31_next_event(struct toytop_ephemeris_events *events, struct toytop_event *event);
+toytop_status toytop_q31_next_event(struct toytop_events *events, struct toytop_event *event);
 
 #ifdef __cplusplus
 }  // extern "C"
@@ -718,9 +712,9 @@ toytop_status toytop_q31_next_event(struct toytop_ephemeris_events *events, stru
 #ifndef TOYTOP_SIZES
 #define TOYTOP_SIZES
 /* The compiler stops here if a type has another size than in the archive. */
-typedef char toytop_f32_has_its_size[sizeof(toytop_ephemeris_f32) == TOYTOP_EPHEMERIS_F32_SIZE_OF(25) ? 1 : -1];
-typedef char toytop_f64_has_its_size[sizeof(toytop_ephemeris_f64) == TOYTOP_EPHEMERIS_F64_SIZE_OF(48) ? 1 : -1];
-typedef char toytop_q31_has_its_size[sizeof(toytop_ephemeris_q31) == TOYTOP_EPHEMERIS_Q31_SIZE_OF(32) ? 1 : -1];
+typedef char toytop_f32_has_its_size[sizeof(toytop_table_f32) == TOYTOP_TABLE_F32_SIZE_OF(25) ? 1 : -1];
+typedef char toytop_f64_has_its_size[sizeof(toytop_table_f64) == TOYTOP_TABLE_F64_SIZE_OF(48) ? 1 : -1];
+typedef char toytop_q31_has_its_size[sizeof(toytop_table_q31) == TOYTOP_TABLE_Q31_SIZE_OF(32) ? 1 : -1];
 typedef char toytop_workspace_has_its_size[sizeof(toytop_workspace) == TOYTOP_WORKSPACE_SIZE ? 1 : -1];
 typedef char toytop_top_has_its_size[sizeof(toytop_top) == 64 ? 1 : -1];
 typedef char toytop_state_has_its_size[sizeof(toytop_state) == 56 && sizeof(double) == 8 ? 1 : -1];

@@ -1,20 +1,20 @@
 //! Cursors, which go from tick to tick of a table.
 
 use crate::memory::{Opaque, load, opaque, store, write};
-use crate::sample::toytop_ephemeris_sample;
+use crate::sample::toytop_sample;
 use crate::status::{Refusal, toytop_status};
 use crate::table::*;
-use toytop::{Cursor, EphemerisScalar, Sample};
+use toytop::{Cursor, Sample, TableScalar};
 
 opaque! {
 /// Bytes of a cursor.
-TOYTOP_EPHEMERIS_CURSOR_SIZE = 64;
+TOYTOP_CURSOR_SIZE = 64;
 
 /// Phases of consecutive ticks of one table, which an interrupt keeps. It may be copied.
 ///
 /// A cursor belongs to the table that made it, and must be made again after a set-up. Another table refuses the
 /// cursor, except by a coincidence of 32 bits.
-toytop_ephemeris_cursor[8]
+toytop_cursor[8]
 }
 
 /// Cursor with the identity of its table.
@@ -32,10 +32,10 @@ impl<R> Opaque for TableCursor<R> {
 ///
 /// # Safety
 /// See [`store_from`].
-unsafe fn store_cursor<R: EphemerisScalar>(
+unsafe fn store_cursor<R: TableScalar>(
     table: *const u8,
     first: i64,
-    place: *mut toytop_ephemeris_cursor,
+    place: *mut toytop_cursor,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
@@ -48,9 +48,9 @@ unsafe fn store_cursor<R: EphemerisScalar>(
 ///
 /// # Safety
 /// See [`store_from`].
-unsafe fn advance<R: EphemerisScalar>(
+unsafe fn advance<R: TableScalar>(
     table: *const u8,
-    place: *mut toytop_ephemeris_cursor,
+    place: *mut toytop_cursor,
     take: impl FnOnce(Sample<'static, R>) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
@@ -68,10 +68,10 @@ unsafe fn advance<R: EphemerisScalar>(
 ///
 /// # Safety
 /// See [`store_from`].
-unsafe fn next<R: EphemerisScalar>(
+unsafe fn next<R: TableScalar>(
     table: *const u8,
-    cursor: *mut toytop_ephemeris_cursor,
-    place: *mut toytop_ephemeris_sample,
+    cursor: *mut toytop_cursor,
+    place: *mut toytop_sample,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table, here and inside.
     unsafe { advance::<R>(table, cursor, |sample| store_from::<R, _, _>(table, place, |_| Ok(sample))) }
@@ -81,9 +81,9 @@ unsafe fn next<R: EphemerisScalar>(
 ///
 /// # Safety
 /// See [`store_from`].
-unsafe fn next_quaternion<R: EphemerisScalar>(
+unsafe fn next_quaternion<R: TableScalar>(
     table: *const u8,
-    cursor: *mut toytop_ephemeris_cursor,
+    cursor: *mut toytop_cursor,
     quaternion: *mut [R; 4],
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table, here and inside.
@@ -92,10 +92,7 @@ unsafe fn next_quaternion<R: EphemerisScalar>(
 
 /// Tick of the last sample of a cursor; before the first sample, the tick before it.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn toytop_ephemeris_cursor_tick(
-    place: *const toytop_ephemeris_cursor,
-    tick: *mut i64,
-) -> toytop_status {
+pub unsafe extern "C" fn toytop_cursor_tick(place: *const toytop_cursor, tick: *mut i64) -> toytop_status {
     // SAFETY: the caller guarantees valid pointers. The layout is the same for every scalar.
     unsafe { load(place).and_then(|kept: TableCursor<f32>| write(tick, kept.cursor.tick())) }.into()
 }
@@ -105,19 +102,19 @@ macro_rules! functions {
 
 reader! {
 /// Cursor whose first sample is at tick `first`.
-[<toytop_ $name _cursor>](table: $table; first: i64, cursor: *mut toytop_ephemeris_cursor)
+[<toytop_ $name _cursor>](table: $table; first: i64, cursor: *mut toytop_cursor)
     store_cursor::<$scalar>
 }
 
 reader! {
 /// Next sample of a cursor. The sequence has no end.
-[<toytop_ $name _next>](table: $table; cursor: *mut toytop_ephemeris_cursor, sample: *mut toytop_ephemeris_sample)
+[<toytop_ $name _next>](table: $table; cursor: *mut toytop_cursor, sample: *mut toytop_sample)
     next::<$scalar>
 }
 
 reader! {
 /// Quaternion, four numbers w, x, y, z, at the next tick of a cursor, from body to fixed coordinates, without a sample.
-[<toytop_ $name _next_quaternion>](table: $table; cursor: *mut toytop_ephemeris_cursor, quaternion: *mut $orientation)
+[<toytop_ $name _next_quaternion>](table: $table; cursor: *mut toytop_cursor, quaternion: *mut $orientation)
     |table, cursor, place: *mut $orientation| next_quaternion::<$scalar>(table, cursor, place.cast())
 }
 

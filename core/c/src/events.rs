@@ -4,19 +4,19 @@ use crate::memory::{Opaque, opaque, store, write};
 use crate::status::{Refusal, toytop_status};
 use crate::table::*;
 use toytop::internal::check_finite;
-use toytop::{EphemerisScalar, Event, Events, Level, Phase};
+use toytop::{Event, Events, Level, Phase, TableScalar};
 
 opaque! {
 /// Bytes of the events of a table.
-TOYTOP_EPHEMERIS_EVENTS_SIZE = 384;
+TOYTOP_EVENTS_SIZE = 384;
 
 /// Events of one kind of a table, in order. They may be copied.
 ///
 /// They refer to their table, whose memory must still be there. After another set-up in this memory they are refused.
-toytop_ephemeris_events[48]
+toytop_events[48]
 }
 
-impl<R: EphemerisScalar> Opaque for Referring<Events<'static, R>> {
+impl<R: TableScalar> Opaque for Referring<Events<'static, R>> {
     const TAG: u32 = 0x746f_6500 | R::CODE;
 }
 
@@ -36,8 +36,8 @@ pub struct toytop_event {
 ///
 /// # Safety
 /// The pointers are null or valid, and the memory of the table is still there.
-unsafe fn next_event<R: EphemerisScalar>(
-    place: *mut toytop_ephemeris_events,
+unsafe fn next_event<R: TableScalar>(
+    place: *mut toytop_events,
     event: *mut toytop_event,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
@@ -54,14 +54,14 @@ macro_rules! functions {
 
 reader! {
 /// Turning points of u at tick `from` or later; `upward` is 1 where u = e2. There are none where u is constant.
-[<toytop_ $name _turning_points>](table: $table; from: i64, events: *mut toytop_ephemeris_events)
+[<toytop_ $name _turning_points>](table: $table; from: i64, events: *mut toytop_events)
     |table, from, events| store_from::<$scalar, _, _>(table, events, |table| Ok(table.turning_points(from)))
 }
 
 reader! {
 /// Crossings of a tilt, the angle of the axis to the upward vertical in rad, at tick `from` or later; `upward` is 1 where the axis
 /// rises. The tip is on the circle of a radius r about the origin where the sine of the tilt is r/s.
-[<toytop_ $name _crossings>](table: $table; tilt: f64, from: i64, events: *mut toytop_ephemeris_events)
+[<toytop_ $name _crossings>](table: $table; tilt: f64, from: i64, events: *mut toytop_events)
     |table, tilt, from, events| {
         store_from::<$scalar, _, _>(table, events, |table| Ok(table.crossings(Level::from_tilt(tilt)?, from)))
     }
@@ -70,7 +70,7 @@ reader! {
 reader! {
 /// Instants at tick `from` or later at which the angle of the tip is `angle`, rad, up to whole turns; `upward` is 1 where it
 /// increases. There are none where the axis is always vertical.
-[<toytop_ $name _tip_angles>](table: $table; angle: f64, from: i64, events: *mut toytop_ephemeris_events)
+[<toytop_ $name _tip_angles>](table: $table; angle: f64, from: i64, events: *mut toytop_events)
     |table, angle, from, events| {
         store_from::<$scalar, _, _>(table, events, |table| {
             let angle = Phase::from_radians(check_finite("angle", angle)?);
@@ -82,7 +82,7 @@ reader! {
 /// Next of the events. `TOYTOP_NONE` where there is none.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn [<toytop_ $name _next_event>](
-    events: *mut toytop_ephemeris_events,
+    events: *mut toytop_events,
     event: *mut toytop_event,
 ) -> toytop_status {
     // SAFETY: the caller guarantees valid pointers and a valid table.

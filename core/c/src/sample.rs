@@ -5,19 +5,19 @@ use crate::memory::{Opaque, opaque, write};
 use crate::status::{Refusal, toytop_status};
 use crate::table::*;
 use toytop::internal::{check, check_finite};
-use toytop::{Complex, EphemerisScalar, Orientation, Sample, State, Table};
+use toytop::{Complex, Orientation, Sample, State, Table, TableScalar};
 
 opaque! {
 /// Bytes of a sample.
-TOYTOP_EPHEMERIS_SAMPLE_SIZE = 112;
+TOYTOP_SAMPLE_SIZE = 112;
 
 /// Sample of a motion at one instant: phases, from which each quantity is computed on demand. It may be copied.
 ///
 /// A sample refers to its table, whose memory must still be there. After another set-up in this memory the sample is refused.
-toytop_ephemeris_sample[14]
+toytop_sample[14]
 }
 
-impl<R: EphemerisScalar> Opaque for Referring<Sample<'static, R>> {
+impl<R: TableScalar> Opaque for Referring<Sample<'static, R>> {
     const TAG: u32 = 0x746f_7300 | R::CODE;
 }
 
@@ -26,8 +26,8 @@ impl<R: EphemerisScalar> Opaque for Referring<Sample<'static, R>> {
 ///
 /// # Safety
 /// The pointers are null or valid, and the memory of the sample's table is still there.
-unsafe fn write_quantity<R: EphemerisScalar, T>(
-    from: *const toytop_ephemeris_sample,
+unsafe fn write_quantity<R: TableScalar, T>(
+    from: *const toytop_sample,
     place: *mut T,
     quantity: impl FnOnce(Sample<'static, R>) -> Result<T, Refusal>,
 ) -> Result<(), Refusal> {
@@ -39,7 +39,7 @@ unsafe fn write_quantity<R: EphemerisScalar, T>(
 }
 
 /// Sample at a time.
-fn at<R: EphemerisScalar>(table: &Table<R>, time: f64) -> Result<Sample<'_, R>, Refusal> {
+fn at<R: TableScalar>(table: &Table<R>, time: f64) -> Result<Sample<'_, R>, Refusal> {
     let is_reached = check_finite("time", time)?.abs() < table.last_time();
     check(is_reached, "time", "within 2^63 ticks")?;
     Ok(table.at(time))
@@ -66,7 +66,7 @@ macro_rules! quantity {
 $(#[$doc])*
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn $function(
-    sample: *const toytop_ephemeris_sample,
+    sample: *const toytop_sample,
     $quantity: *mut $number,
 ) -> toytop_status {
     // SAFETY: the caller guarantees valid pointers and a valid table.
@@ -81,13 +81,13 @@ macro_rules! functions {
 
         reader! {
         /// Sample at any tick, of either sign, always at the same cost.
-        [<toytop_ $name _at_tick>](table: $table; tick: i64, sample: *mut toytop_ephemeris_sample)
+        [<toytop_ $name _at_tick>](table: $table; tick: i64, sample: *mut toytop_sample)
             |table, tick, place| store_from::<$scalar, _, _>(table, place, |table| Ok(table.at_tick(tick)))
         }
 
         reader! {
         /// Sample at any time, s from tick 0.
-        [<toytop_ $name _at>](table: $table; time: f64, sample: *mut toytop_ephemeris_sample)
+        [<toytop_ $name _at>](table: $table; time: f64, sample: *mut toytop_sample)
             |table, time, place| store_from::<$scalar, _, _>(table, place, |table| at(table, time))
         }
 

@@ -5,7 +5,7 @@ use crate::motion::{call_of, toytop_motion, toytop_pause};
 use crate::status::{Refusal, status_of, toytop_error, toytop_status};
 use crate::table::*;
 use core::ffi::c_void;
-use toytop::{EphemerisScalar, Motion, Table, TableSettings, Tick, Workspace};
+use toytop::{Motion, Table, TableScalar, TableSettings, Tick, Workspace};
 
 opaque! {
 /// Bytes of the workspace of a set-up.
@@ -16,7 +16,7 @@ toytop_workspace[429]
 }
 
 const _: () = assert!(
-    size_of::<Workspace>() + align_of::<Workspace>() - TOYTOP_EPHEMERIS_ALIGNMENT <= TOYTOP_WORKSPACE_SIZE
+    size_of::<Workspace>() + align_of::<Workspace>() - TOYTOP_TABLE_ALIGNMENT <= TOYTOP_WORKSPACE_SIZE
 );
 
 /// Length of a tick, as an exact fraction of a second: `ticks` ticks in `seconds` seconds.
@@ -57,7 +57,7 @@ fn chosen(truncation: f64) -> Option<f64> {
 /// # Safety
 /// `table` is null or valid for writing `size` bytes, and nobody else uses it until this returns. The motion and the settings are null or
 /// valid for reading, and so is each pointer of the settings for its purpose.
-unsafe fn set_up<R: EphemerisScalar>(
+unsafe fn set_up<R: TableScalar>(
     table: *mut u8,
     size: usize,
     motion: *const toytop_motion,

@@ -4,41 +4,41 @@ use crate::memory::{Opaque, load, read, store};
 use crate::status::{Refusal, toytop_status};
 use core::ptr::slice_from_raw_parts_mut;
 use toytop::fixed::types::I2F30;
-use toytop::{Ephemeris, EphemerisMemory, EphemerisScalar, Table};
+use toytop::{SizedTable, Table, TableMemory, TableScalar};
 
 /// Bytes of a table in `f32` of the standard size, 25 segments.
-pub const TOYTOP_EPHEMERIS_F32_SIZE: usize = 2264;
+pub const TOYTOP_TABLE_F32_SIZE: usize = 2264;
 /// Bytes of a table in `f64` of the standard size, 48 segments.
-pub const TOYTOP_EPHEMERIS_F64_SIZE: usize = 17176;
+pub const TOYTOP_TABLE_F64_SIZE: usize = 17176;
 /// Bytes of a table in fixed point of the standard size, 32 segments.
-pub const TOYTOP_EPHEMERIS_Q31_SIZE: usize = 2312;
+pub const TOYTOP_TABLE_Q31_SIZE: usize = 2312;
 /// Alignment of the memory of a table, bytes.
-pub const TOYTOP_EPHEMERIS_ALIGNMENT: usize = 8;
+pub const TOYTOP_TABLE_ALIGNMENT: usize = 8;
 
-/// Table of a motion in `f32`. Memory of `TOYTOP_EPHEMERIS_F32_SIZE_OF(segments)` bytes with the same alignment may be used
+/// Table of a motion in `f32`. Memory of `TOYTOP_TABLE_F32_SIZE_OF(segments)` bytes with the same alignment may be used
 /// as a larger or smaller table.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
-pub struct toytop_ephemeris_f32 {
+pub struct toytop_table_f32 {
     opaque: [u64; 283],
 }
 
-/// Table of a motion in `f64`; see `toytop_ephemeris_f32`.
+/// Table of a motion in `f64`; see `toytop_table_f32`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
-pub struct toytop_ephemeris_f64 {
+pub struct toytop_table_f64 {
     opaque: [u64; 2147],
 }
 
-/// Table of a motion in fixed point of 32 bits; see `toytop_ephemeris_f32`.
+/// Table of a motion in fixed point of 32 bits; see `toytop_table_f32`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
-pub struct toytop_ephemeris_q31 {
+pub struct toytop_table_q31 {
     opaque: [u64; 289],
 }
 
 /// Number that the memory of a table of this scalar begins with.
-const fn tag_of<R: EphemerisScalar>() -> u32 {
+const fn tag_of<R: TableScalar>() -> u32 {
     0x746f_7000 | R::CODE
 }
 
@@ -53,7 +53,7 @@ struct Head {
 }
 
 /// Table whose set-up has succeeded.
-pub(crate) struct CheckedTable<'a, R: EphemerisScalar> {
+pub(crate) struct CheckedTable<'a, R: TableScalar> {
     pub(crate) table: &'a Table<R>,
     pub(crate) address: *const u8,
     /// Sum of scalar, generation and address, which a cursor and a sample of this table carry.
@@ -66,25 +66,25 @@ const MIN_SEGMENTS: usize = 8;
 const MAX_SEGMENTS: usize = 4096;
 
 /// Memory of the smallest table.
-type SmallestMemory<R> = EphemerisMemory<Ephemeris<R, MIN_SEGMENTS>>;
+type SmallestMemory<R> = TableMemory<SizedTable<R, MIN_SEGMENTS>>;
 
 /// Bytes of a table with this many segments.
-const fn size_of_table<R: EphemerisScalar>(segments: usize) -> usize {
+const fn size_of_table<R: TableScalar>(segments: usize) -> usize {
     size_of::<Head>() + size_of::<SmallestMemory<R>>() - MIN_SEGMENTS * size_of::<R::Segment>()
         + segments * size_of::<R::Segment>()
 }
 
 // Assertions of the numbers in the header. The alignment suits the words of a table; cbindgen accepts only a number as a length.
 const _: () = {
-    const fn sizes_agree<R: EphemerisScalar, T>(size: usize, segments: usize, segment: usize) -> bool {
+    const fn sizes_agree<R: TableScalar, T>(size: usize, segments: usize, segment: usize) -> bool {
         size_of::<T>() == size
             && size_of_table::<R>(segments) == size
             && size_of::<R::Segment>() == segment
-            && align_of::<SmallestMemory<R>>() <= TOYTOP_EPHEMERIS_ALIGNMENT
+            && align_of::<SmallestMemory<R>>() <= TOYTOP_TABLE_ALIGNMENT
     }
-    assert!(sizes_agree::<f32, toytop_ephemeris_f32>(TOYTOP_EPHEMERIS_F32_SIZE, 25, 80));
-    assert!(sizes_agree::<f64, toytop_ephemeris_f64>(TOYTOP_EPHEMERIS_F64_SIZE, 48, 352));
-    assert!(sizes_agree::<I2F30, toytop_ephemeris_q31>(TOYTOP_EPHEMERIS_Q31_SIZE, 32, 64));
+    assert!(sizes_agree::<f32, toytop_table_f32>(TOYTOP_TABLE_F32_SIZE, 25, 80));
+    assert!(sizes_agree::<f64, toytop_table_f64>(TOYTOP_TABLE_F64_SIZE, 48, 352));
+    assert!(sizes_agree::<I2F30, toytop_table_q31>(TOYTOP_TABLE_Q31_SIZE, 32, 64));
 };
 
 /// Address of the head of a table; null and unaligned pointers are refused.
@@ -92,7 +92,7 @@ fn checked_head(table: *const u8) -> Result<*const Head, Refusal> {
     let head = table.cast::<Head>();
     match head.addr() {
         0 => Err(toytop_status::TOYTOP_NULL_POINTER.into()),
-        address if !address.is_multiple_of(TOYTOP_EPHEMERIS_ALIGNMENT) => {
+        address if !address.is_multiple_of(TOYTOP_TABLE_ALIGNMENT) => {
             Err(toytop_status::TOYTOP_BAD_MEMORY.into())
         }
         _ => Ok(head),
@@ -100,10 +100,10 @@ fn checked_head(table: *const u8) -> Result<*const Head, Refusal> {
 }
 
 /// Memory of a table after a head, with this many segments.
-fn table_after<R: EphemerisScalar>(head: *const Head, segments: usize) -> *mut EphemerisMemory<Table<R>> {
+fn table_after<R: TableScalar>(head: *const Head, segments: usize) -> *mut TableMemory<Table<R>> {
     let first = head.wrapping_add(1).cast_mut().cast::<R::Segment>();
     // the pointer to a memory points to its first byte, and has the number of segments as its length
-    slice_from_raw_parts_mut(first, segments) as *mut EphemerisMemory<Table<R>>
+    slice_from_raw_parts_mut(first, segments) as *mut TableMemory<Table<R>>
 }
 
 /// Table that was set up in memory of the caller.
@@ -111,7 +111,7 @@ fn table_after<R: EphemerisScalar>(head: *const Head, segments: usize) -> *mut E
 /// # Safety
 /// The pointer is null or valid for reading a head; and if its tag is that of the scalar, [`empty_table`] wrote what follows, which
 /// nobody changes as long as the reference lives.
-pub(crate) unsafe fn table_at<'a, R: EphemerisScalar>(
+pub(crate) unsafe fn table_at<'a, R: TableScalar>(
     address: *const u8,
 ) -> Result<CheckedTable<'a, R>, Refusal> {
     let head = checked_head(address)?;
@@ -138,7 +138,7 @@ pub(crate) struct Referring<T> {
 ///
 /// # Safety
 /// The pointers are null or valid, and the table stays as long as the value is used.
-pub(crate) unsafe fn store_from<R: EphemerisScalar, P, T>(
+pub(crate) unsafe fn store_from<R: TableScalar, P, T>(
     table: *const u8,
     place: *mut P,
     value: impl FnOnce(&'static Table<R>) -> Result<T, Refusal>,
@@ -157,7 +157,7 @@ where
 ///
 /// # Safety
 /// The pointer is null or valid, and the memory of the table is still there.
-pub(crate) unsafe fn load_of<R: EphemerisScalar, P, T>(place: *const P) -> Result<Referring<T>, Refusal>
+pub(crate) unsafe fn load_of<R: TableScalar, P, T>(place: *const P) -> Result<Referring<T>, Refusal>
 where
     Referring<T>: Opaque,
 {
@@ -173,7 +173,7 @@ where
 }
 
 /// Number of segments of a table in this many bytes; too few bytes are refused.
-fn segments_in<R: EphemerisScalar>(size: usize) -> Result<usize, Refusal> {
+fn segments_in<R: TableScalar>(size: usize) -> Result<usize, Refusal> {
     let segments = size.saturating_sub(size_of_table::<R>(0)) / size_of::<R::Segment>();
     if segments < MIN_SEGMENTS {
         Err(toytop_status::TOYTOP_BAD_MEMORY.into())
@@ -186,10 +186,10 @@ fn segments_in<R: EphemerisScalar>(size: usize) -> Result<usize, Refusal> {
 ///
 /// # Safety
 /// The pointer is null or valid for writing `size` bytes, and nobody else uses them as long as the reference lives.
-pub(crate) unsafe fn empty_table<'a, R: EphemerisScalar>(
+pub(crate) unsafe fn empty_table<'a, R: TableScalar>(
     table: *mut u8,
     size: usize,
-) -> Result<&'a mut EphemerisMemory<Table<R>>, Refusal> {
+) -> Result<&'a mut TableMemory<Table<R>>, Refusal> {
     let head = checked_head(table)?.cast_mut();
     let segments = segments_in::<R>(size)?;
     // SAFETY: there is room for a head, and behind it for a table of `segments` segments, at least 8. They are initialised before a
@@ -199,7 +199,7 @@ pub(crate) unsafe fn empty_table<'a, R: EphemerisScalar>(
         let generation = (&raw const (*head).generation).read_volatile().wrapping_add(1);
         head.write(Head { tag: tag_of::<R>(), segments: segments as u16, generation });
         let least = head.wrapping_add(1).cast::<SmallestMemory<R>>();
-        least.write(EphemerisMemory::new());
+        least.write(TableMemory::new());
         let rest = least.wrapping_add(1).cast::<R::Segment>();
         (MIN_SEGMENTS..segments).zip(0..).for_each(|(_, place)| rest.add(place).write(R::ZERO_SEGMENT));
         Ok(&mut *table_after::<R>(head, segments))
@@ -221,9 +221,9 @@ pub unsafe extern "C" fn $function(table: *const $table, $($argument: $type),*) 
 /// Functions of each scalar: its name in C, its type, and those of its table, of its orientations, and of its lengths and rates.
 macro_rules! for_each_scalar {
     ($functions:ident) => {
-        $functions!(f32, f32, toytop_ephemeris_f32, f32, f32);
-        $functions!(f64, f64, toytop_ephemeris_f64, f64, f64);
-        $functions!(q31, toytop::fixed::types::I2F30, toytop_ephemeris_q31, i32, f32);
+        $functions!(f32, f32, toytop_table_f32, f32, f32);
+        $functions!(f64, f64, toytop_table_f64, f64, f64);
+        $functions!(q31, toytop::fixed::types::I2F30, toytop_table_q31, i32, f32);
     };
 }
 pub(crate) use {for_each_scalar, reader};
@@ -235,7 +235,7 @@ mod tests {
     /// Memory of every number of segments that a motion may need is a table, from 8 on, in every scalar.
     #[test]
     fn a_table_may_have_eight_segments() {
-        fn check<R: EphemerisScalar>() {
+        fn check<R: TableScalar>() {
             for segments in 8..=40 {
                 assert_eq!(segments_in::<R>(size_of_table::<R>(segments)).ok(), Some(segments));
             }

@@ -19,18 +19,17 @@ fn in_one_line(text: &str) -> String {
 
 #[test]
 fn the_sizes_are_those_of_the_header() {
-    let [f32, f64, q31] =
-        ["F32", "F64", "Q31"].map(|scalar| defined(&format!("TOYTOP_EPHEMERIS_{scalar}_SIZE")));
+    let [f32, f64, q31] = ["F32", "F64", "Q31"].map(|scalar| defined(&format!("TOYTOP_TABLE_{scalar}_SIZE")));
     let workspace = defined("TOYTOP_WORKSPACE_SIZE");
     let page = in_one_line(PAGE);
     for part in [
-        format!("static toytop_ephemeris_f32 table; /* {f32} bytes */"),
+        format!("static toytop_table_f32 table; /* {f32} bytes */"),
         format!("and takes {f32}, {f64} or {q31} bytes"),
         format!("a `toytop_workspace` of {workspace} bytes"),
     ] {
         assert!(page.contains(&part), "not in the page: {part}");
     }
-    let part = format!("static toytop_ephemeris_f32 table; /* the caller's memory, {f32} bytes */");
+    let part = format!("static toytop_table_f32 table; /* the caller's memory, {f32} bytes */");
     assert!(FRONT_PAGE.contains(&part), "not in the front page: {part}");
     // no other size is named
     let words: Vec<_> = page.split(' ').collect();

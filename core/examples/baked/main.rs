@@ -19,9 +19,9 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
 
     // A changed number is noticed: at compile time in a constant, at run time here.
     let mut baked = TOY_TOP.to_baked();
-    assert_eq!(baked.ephemeris()?.at_tick(1000).quaternion(), TOY_TOP.at_tick(1000).quaternion());
+    assert_eq!(baked.table()?.at_tick(1000).quaternion(), TOY_TOP.at_tick(1000).quaternion());
     baked.clock.first_phases[0] ^= 1;
-    let refusal = baked.ephemeris().err().ok_or("a changed table was accepted")?;
+    let refusal = baked.table().err().ok_or("a changed table was accepted")?;
     println!("after a changed bit: {refusal}");
     Ok(())
 }

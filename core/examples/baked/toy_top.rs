@@ -5,7 +5,7 @@
 /// `TOY_TOP.at_tick(n)` is any tick; `TOY_TOP.cursor(0)` goes from one to the next.
 #[rustfmt::skip]
 #[allow(clippy::all, clippy::pedantic)]
-pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25> {
+pub static TOY_TOP: toytop::SizedTable<f32, 25> = match (toytop::Baked::<f32, 25> {
     format: 7,
     crc32: 0x995f1b74,
     clock: toytop::Clock {
@@ -206,9 +206,9 @@ pub static TOY_TOP: toytop::Ephemeris<f32, 25> = match (toytop::Baked::<f32, 25>
         ],
     ],
 })
-.ephemeris()
+.table()
 {
-    Ok(ephemeris) => ephemeris,
+    Ok(table) => table,
     Err(toytop::BakedError::Format { .. }) => panic!("format: written by another version of toytop"),
     Err(toytop::BakedError::Checksum { .. }) => panic!("crc32: the numbers were changed"),
     Err(_) => panic!("a number is out of range"),

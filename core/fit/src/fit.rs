@@ -51,7 +51,7 @@ pub struct Fit<'a, F = f64> {
 pub struct Tracked {
     /// Fit of the block.
     pub fitted: Fitted,
-    /// Rotation vector from the predicted to the fitted orientation, rad, by which an ephemeris jumps.
+    /// Rotation vector from the predicted to the fitted orientation, rad, by which a table jumps.
     pub jump: Vector<f64>,
     /// Mean rates of change of l, n and h between the two launches, per unit time.
     pub drift_rates: Vector<f64>,

@@ -8,14 +8,14 @@ mod phases;
 
 mod clock;
 
-mod ephemeris;
+mod memory;
 
 mod baked;
 
 pub use baked::{Baked, BakedError};
 pub use clock::Clock;
-pub use ephemeris::{Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, ErrorBound, Table};
+pub use memory::{ErrorBound, SizedTable, Table, TableF32, TableF64, TableMemory};
 #[cfg(feature = "fixed")]
-pub use ephemeris::{EphemerisQ15, EphemerisQ31};
+pub use memory::{TableQ15, TableQ31};
 pub(crate) use phases::Phases;
 pub use tick::Tick;

@@ -61,7 +61,7 @@ pub struct EvaluationErrors {
 }
 
 /// Scalar of a table: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
-pub trait EphemerisScalar: Scalar + Into<f64> + 'static {
+pub trait TableScalar: Scalar + Into<f64> + 'static {
     /// Number in which a tick computes α, β and Ω.
     #[doc(hidden)]
     type Number: TickNumber<Quantity = Self::Quantity>;
@@ -172,7 +172,7 @@ const fn is_by_16_bits(power: usize, terms: usize) -> bool {
 
 /// Orientation at a point of a segment, from the 64 leading bits of the mean phases.
 #[inline(always)]
-pub(crate) fn orientation<R: EphemerisScalar>(
+pub(crate) fn orientation<R: TableScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
     [a, b]: [u64; 2],
@@ -186,7 +186,7 @@ pub(crate) fn orientation<R: EphemerisScalar>(
 
 /// Orientation, and Ω over a power of two with its exponent, from the 64 leading bits of the mean phases.
 #[inline(always)]
-pub(crate) fn orientation_and_omega_body<R: EphemerisScalar>(
+pub(crate) fn orientation_and_omega_body<R: TableScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
     mean_phases: [u64; 2],
@@ -203,7 +203,7 @@ pub(crate) fn orientation_and_omega_body<R: EphemerisScalar>(
 }
 
 /// a and b, and their derivatives, before the rotation, to 32 bits also for 16-bit coefficients. The derivatives have a scale of their own.
-pub(crate) fn tabulated_a_b<R: EphemerisScalar>(
+pub(crate) fn tabulated_a_b<R: TableScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
 ) -> [[Complex<f64>; 2]; 2] {

@@ -3,9 +3,9 @@
 use fixed::types::{I2F14, I2F30};
 use toytop::scalar::{Real, Ring};
 use toytop::{
-    Complex, Cursor, Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisQ15, EphemerisQ31,
-    EphemerisScalar, Motion, Orientation, ParameterError, Pose, Release, Sample, State, Stepper, Table,
-    TableSettings, Tick, Top, TopParameters, Workspace,
+    Complex, Cursor, Motion, Orientation, ParameterError, Pose, Release, Sample, SizedTable, State, Stepper,
+    Table, TableF32, TableF64, TableMemory, TableQ15, TableQ31, TableScalar, TableSettings, Tick, Top,
+    TopParameters, Workspace,
 };
 
 /// Number of ticks per second.
@@ -69,15 +69,10 @@ impl Measured {
 }
 
 /// Memory of a table in `f32` of this many segments.
-pub(crate) type Memory<const SEGMENTS: usize> = EphemerisMemory<Ephemeris<f32, SEGMENTS>>;
+pub(crate) type Memory<const SEGMENTS: usize> = TableMemory<SizedTable<f32, SEGMENTS>>;
 
 #[inline(never)]
-fn set_up(
-    memory: &mut EphemerisMemory<Table<f32>>,
-    workspace: &mut Workspace,
-    top: &Top,
-    state: &State,
-) -> bool {
+fn set_up(memory: &mut TableMemory<Table<f32>>, workspace: &mut Workspace, top: &Top, state: &State) -> bool {
     let Ok(tick) = Tick::hertz(TICK_RATE) else { return false };
     let motion = Motion::launch(top, state);
     let Ok(motion) = &motion else { return false };
@@ -86,7 +81,7 @@ fn set_up(
 
 /// Set-up with its own memory on the stack.
 #[inline(never)]
-fn on_stack(memory: &mut EphemerisMemory<Table<f32>>, measured: &Measured) -> bool {
+fn on_stack(memory: &mut TableMemory<Table<f32>>, measured: &Measured) -> bool {
     let (Ok(top), Ok(state)) = (measured.top(), measured.state()) else { return false };
     set_up(memory, &mut Workspace::new(), &top, &state)
 }
@@ -131,7 +126,7 @@ impl<R: Ring> Output<R> {
     }
 }
 
-impl<R: EphemerisScalar<Quantity = R>> Output<R> {
+impl<R: TableScalar<Quantity = R>> Output<R> {
     #[inline(always)]
     pub(crate) fn floating(sample: Sample<'_, R>) -> Self {
         let Pose { orientation, u, tip } = sample.pose();
@@ -139,7 +134,7 @@ impl<R: EphemerisScalar<Quantity = R>> Output<R> {
     }
 }
 
-impl<R: EphemerisScalar> Output<R> {
+impl<R: TableScalar> Output<R> {
     #[inline(always)]
     fn fixed_point(sample: Sample<'_, R>) -> Self {
         let orientation = sample.orientation();
@@ -156,8 +151,8 @@ symbols! {
     /// Set-up as for `bench_launch`, of a table that is made by value on the stack.
     fn bench_new(measured: &Measured, out: &mut Output<f32>) -> bool {
         let (Ok(motion), Ok(tick)) = (measured.motion(), Tick::hertz(TICK_RATE)) else { return false };
-        let Ok(ephemeris) = EphemerisF32::new(&motion, tick) else { return false };
-        *out = Output::floating(ephemeris.at_tick(0));
+        let Ok(table) = TableF32::new(&motion, tick) else { return false };
+        *out = Output::floating(table.at_tick(0));
         true
     }
 
@@ -177,41 +172,41 @@ symbols! {
         set_up(memory, scratch, top, state)
     }
 
-    fn bench_ephemeris_f32(ephemeris: &EphemerisF32, tick: i64, out: &mut Output<f32>) {
-        *out = Output::floating(ephemeris.at_tick(tick));
+    fn bench_ephemeris_f32(table: &TableF32, tick: i64, out: &mut Output<f32>) {
+        *out = Output::floating(table.at_tick(tick));
     }
 
-    fn bench_cursor_f32(reader: &mut Reader<'_, f32, EphemerisF32>, out: &mut Output<f32>) {
+    fn bench_cursor_f32(reader: &mut Reader<'_, f32, TableF32>, out: &mut Output<f32>) {
         *out = Output::floating(reader.cursor.next(reader.table));
     }
 
-    fn bench_ephemeris_f64(ephemeris: &EphemerisF64, tick: i64, out: &mut Output<f64>) {
-        *out = Output::floating(ephemeris.at_tick(tick));
+    fn bench_ephemeris_f64(table: &TableF64, tick: i64, out: &mut Output<f64>) {
+        *out = Output::floating(table.at_tick(tick));
     }
 
-    fn bench_cursor_f64(reader: &mut Reader<'_, f64, EphemerisF64>, out: &mut Output<f64>) {
+    fn bench_cursor_f64(reader: &mut Reader<'_, f64, TableF64>, out: &mut Output<f64>) {
         *out = Output::floating(reader.cursor.next(reader.table));
     }
 
-    fn bench_ephemeris_q31(ephemeris: &EphemerisQ31, tick: i64, out: &mut Output<I2F30>) {
-        *out = Output::fixed_point(ephemeris.at_tick(tick));
+    fn bench_ephemeris_q31(table: &TableQ31, tick: i64, out: &mut Output<I2F30>) {
+        *out = Output::fixed_point(table.at_tick(tick));
     }
 
-    fn bench_cursor_q31(reader: &mut Reader<'_, I2F30, EphemerisQ31>, out: &mut Output<I2F30>) {
+    fn bench_cursor_q31(reader: &mut Reader<'_, I2F30, TableQ31>, out: &mut Output<I2F30>) {
         *out = Output::fixed_point(reader.cursor.next(reader.table));
     }
 
-    fn bench_ephemeris_q15(ephemeris: &EphemerisQ15, tick: i64, out: &mut Output<I2F14>) {
-        *out = Output::fixed_point(ephemeris.at_tick(tick));
+    fn bench_ephemeris_q15(table: &TableQ15, tick: i64, out: &mut Output<I2F14>) {
+        *out = Output::fixed_point(table.at_tick(tick));
     }
 
-    fn bench_cursor_q15(reader: &mut Reader<'_, I2F14, EphemerisQ15>, out: &mut Output<I2F14>) {
+    fn bench_cursor_q15(reader: &mut Reader<'_, I2F14, TableQ15>, out: &mut Output<I2F14>) {
         *out = Output::fixed_point(reader.cursor.next(reader.table));
     }
 
     /// Parameters α and β, and the tip in m.
     fn bench_tip_q31(
-        reader: &mut Reader<'_, I2F30, EphemerisQ31>,
+        reader: &mut Reader<'_, I2F30, TableQ31>,
         out: &mut (Complex<I2F30>, Complex<I2F30>, Complex<f32>),
     ) {
         let sample = reader.cursor.next(reader.table);
@@ -219,16 +214,16 @@ symbols! {
         *out = (alpha, beta, sample.tip());
     }
 
-    fn bench_omega_f32(ephemeris: &EphemerisF32, tick: i64, out: &mut Rates<f32>) {
-        *out = rates(ephemeris.at_tick(tick).orientation_and_omega_body());
+    fn bench_omega_f32(table: &TableF32, tick: i64, out: &mut Rates<f32>) {
+        *out = rates(table.at_tick(tick).orientation_and_omega_body());
     }
 
-    fn bench_omega_q31(ephemeris: &EphemerisQ31, tick: i64, out: &mut Rates<I2F30>) {
-        *out = rates(ephemeris.at_tick(tick).orientation_and_omega_body());
+    fn bench_omega_q31(table: &TableQ31, tick: i64, out: &mut Rates<I2F30>) {
+        *out = rates(table.at_tick(tick).orientation_and_omega_body());
     }
 
-    fn bench_omega_fixed_f32(ephemeris: &EphemerisF32, tick: i64, out: &mut Rates<f32>) {
-        let state = ephemeris.at_tick(tick).attitude_state();
+    fn bench_omega_fixed_f32(table: &TableF32, tick: i64, out: &mut Rates<f32>) {
+        let state = table.at_tick(tick).attitude_state();
         *out = rates((state.orientation, state.omega()));
     }
 

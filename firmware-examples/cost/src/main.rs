@@ -33,8 +33,7 @@ use measure::Meter;
 use semihosting::process;
 use toytop::scalar::{Float, Real};
 use toytop::{
-    EphemerisF32, EphemerisF64, EphemerisQ15, EphemerisQ31, Motion, Orientation, Phase, Pose, State, Tick,
-    Workspace,
+    Motion, Orientation, Phase, Pose, State, TableF32, TableF64, TableQ15, TableQ31, Tick, Workspace,
 };
 
 use start::entry;
@@ -60,8 +59,8 @@ fn main() -> ! {
     in_slices(&mut meter, &measured);
     let motion = measured.motion().expect("a possible top");
     let tick = Tick::hertz(calls::TICK_RATE).expect("positive");
-    let double = EphemerisF64::new(&motion, tick).expect("the motion fits");
-    let single = EphemerisF32::new(&motion, tick).expect("the motion fits");
+    let double = TableF64::new(&motion, tick).expect("the motion fits");
+    let single = TableF32::new(&motion, tick).expect("the motion fits");
 
     any_tick(&mut meter, "bench_ephemeris_f32", &single, calls::bench_ephemeris_f32);
     any_tick(&mut meter, "bench_ephemeris_f64", &double, calls::bench_ephemeris_f64);
@@ -132,13 +131,13 @@ fn next_tick<R, T, O: Default>(
 }
 
 fn fixed_point(meter: &mut Meter, motion: &Motion, tick: Tick) {
-    let long = EphemerisQ31::new(motion, tick).expect("the motion fits");
+    let long = TableQ31::new(motion, tick).expect("the motion fits");
     let reader = || Reader { cursor: long.cursor(STRIDE), table: &long };
     any_tick(meter, "bench_ephemeris_q31", &long, calls::bench_ephemeris_q31);
     any_tick(meter, "bench_omega_q31", &long, calls::bench_omega_q31);
     next_tick(meter, "bench_cursor_q31", reader(), calls::bench_cursor_q31);
     next_tick(meter, "bench_tip_q31", reader(), calls::bench_tip_q31);
-    let short = EphemerisQ15::new(motion, tick).expect("the motion fits");
+    let short = TableQ15::new(motion, tick).expect("the motion fits");
     any_tick(meter, "bench_ephemeris_q15", &short, calls::bench_ephemeris_q15);
     let reader = Reader { cursor: short.cursor(STRIDE), table: &short };
     next_tick(meter, "bench_cursor_q15", reader, calls::bench_cursor_q15);
@@ -159,7 +158,7 @@ fn runge_kutta<R: Float>(
     meter: &mut Meter,
     name: &str,
     (motion, state): (&Motion, &State),
-    truth: &EphemerisF32,
+    truth: &TableF32,
     call: extern "C" fn(&Constants<R>, &mut Point<R>, &mut Output<R>),
 ) {
     let constants = Constants::of(motion, calls::TICK_RATE);
@@ -195,8 +194,8 @@ fn sine<A: Copy, O: Default>(
     black_box(out);
 }
 
-/// Asserts that a baseline has the orientation and tip of the ephemeris after the same number of ticks.
-fn same_motion<R: Float>(out: &Output<R>, truth: &EphemerisF32) {
+/// Asserts that a baseline has the orientation and tip of the table after the same number of ticks.
+fn same_motion<R: Float>(out: &Output<R>, truth: &TableF32) {
     let Pose { orientation, u, tip } = truth.at_tick(CALLS as i64).pose();
     let near = |found: R, there: f32| (found.to_f64() - f64::from(there)).abs() < 1e-5;
     let Orientation { alpha, beta } = out.orientation;

@@ -20,12 +20,12 @@ static TURN: Signal<CriticalSectionRawMutex, Event> = Signal::new();
 
 #[embassy_executor::main]
 async fn main(spawner: Spawner) {
-    let ephemeris = set_up(&toy_top().expect("a possible top"), TICK_RATE);
-    spawner.spawn(log_turns(ephemeris).expect("spawned once"));
+    let table = set_up(&toy_top().expect("a possible top"), TICK_RATE);
+    spawner.spawn(log_turns(table).expect("spawned once"));
 
     start_systick(CLOCK, TICK_RATE);
 
-    let mut turns = ephemeris.turning_points(1).peekable();
+    let mut turns = table.turning_points(1).peekable();
     for tick in 1..=200 {
         TICK.wait().await;
         if let Some(turn) = turns.next_if(|turn| turn.tick < tick) {
@@ -36,11 +36,11 @@ async fn main(spawner: Spawner) {
 }
 
 #[embassy_executor::task]
-async fn log_turns(ephemeris: &'static Table<f32>) {
+async fn log_turns(table: &'static Table<f32>) {
     loop {
         let turn = TURN.wait().await;
         let place = if turn.upward { "upright" } else { "low" };
-        defmt::info!("{=i64} ms: most {=str}, {}", turn.tick, place, ephemeris.at_event(&turn));
+        defmt::info!("{=i64} ms: most {=str}, {}", turn.tick, place, table.at_event(&turn));
     }
 }
 

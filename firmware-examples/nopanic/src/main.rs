@@ -1,4 +1,4 @@
-//! Program that links only if core's set-up, stepper, ephemeris, fit and closed forms have no panic path, because its panic handler calls a function that
+//! Program that links only if core's set-up, stepper, table, fit and closed forms have no panic path, because its panic handler calls a function that
 //! does not exist. It is linked in release, without overflow checks, and not run.
 
 #![no_std]
@@ -11,8 +11,8 @@ use toytop::fixed::types::{I2F14, I2F30};
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 use toytop::{
-    BranchPoints, Complex, Ephemeris, EphemerisMemory, EphemerisScalar, FirstIntegrals, InitialAngles, Level,
-    Motion, ParameterError, Phase, Release, Sign, Signs, State, Stepper, Table, TableSettings, Tick, Top,
+    BranchPoints, Complex, FirstIntegrals, InitialAngles, Level, Motion, ParameterError, Phase, Release,
+    Sign, Signs, SizedTable, State, Stepper, Table, TableMemory, TableScalar, TableSettings, Tick, Top,
     TopParameters, Workspace,
 };
 use toytop_closed_forms::ClosedForm;
@@ -188,7 +188,7 @@ fn tick<R: Real>(motion: &Motion) {
 }
 
 /// Calls of the events of every kind.
-fn events<R: EphemerisScalar>(table: &Table<R>, motion: &Motion) {
+fn events<R: TableScalar>(table: &Table<R>, motion: &Motion) {
     let event = table.turning_points(black_box(3)).find(|event| event.upward);
     black_box(event.map(|event| (table.time_of(&event), table.at_event(&event).orientation())));
     black_box(table.tip_angles(Phase::from_turns(unknown()), black_box(3)).next());
@@ -200,31 +200,31 @@ fn events<R: EphemerisScalar>(table: &Table<R>, motion: &Motion) {
     }
 }
 
-/// Calls of an ephemeris: set-up, and all ways to read it.
-fn table<R: EphemerisScalar, const SEGMENTS: usize>(motion: &Motion) {
+/// Calls of a table: set-up, and all ways to read it.
+fn table<R: TableScalar, const SEGMENTS: usize>(motion: &Motion) {
     let Ok(tick) = Tick::hertz(black_box(1000)) else { return };
-    let Ok(ephemeris) =
-        Ephemeris::<R, SEGMENTS>::new(motion, TableSettings { truncation: Some(unknown()), ..tick.into() })
+    let Ok(table) =
+        SizedTable::<R, SEGMENTS>::new(motion, TableSettings { truncation: Some(unknown()), ..tick.into() })
     else {
         return;
     };
-    black_box(ephemeris.at_tick(black_box(7)).orientation());
-    let sample = ephemeris.at(unknown());
+    black_box(table.at_tick(black_box(7)).orientation());
+    let sample = table.at(unknown());
     black_box((sample.pose(), sample.u(), sample.axis(), sample.quaternion(), sample.tip()));
     black_box((sample.omega(), sample.omega_body(), sample.udot(), sample.tip_velocity()));
-    black_box((sample.orientation_and_omega_body(), ephemeris.rate_error_bound_at(black_box(3))));
+    black_box((sample.orientation_and_omega_body(), table.rate_error_bound_at(black_box(3))));
     black_box((sample.tip_angle(), sample.nutation_phase(), sample.orientation().tip_over_s()));
     black_box(State::from_attitude(&sample.attitude_state()).is_ok());
-    let mut cursor = ephemeris.cursor(black_box(3));
-    black_box((cursor.next(&ephemeris).orientation(), cursor.tick()));
-    events(&ephemeris, motion);
-    black_box((ephemeris.error_bound_at(black_box(3)), ephemeris.capacity()));
+    let mut cursor = table.cursor(black_box(3));
+    black_box((cursor.next(&table).orientation(), cursor.tick()));
+    events(&table, motion);
+    black_box((table.error_bound_at(black_box(3)), table.capacity()));
     let mut out = [Orientation::<R>::IDENTITY; 4];
-    ephemeris.fill_orientations(black_box(0), &mut out);
+    table.fill_orientations(black_box(0), &mut out);
     black_box(out);
     let mut workspace = Workspace::new();
     let settings = TableSettings { tick, epoch: black_box(-7), truncation: Some(unknown()) };
-    let mut memory = EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new();
+    let mut memory = TableMemory::<SizedTable<R, SEGMENTS>>::new();
     let mut calls = 0;
     let is_ready = memory.set_up(&mut workspace, motion, &settings, &mut || calls += 1).is_ok();
     black_box((is_ready, memory.get().map(|table| (cursor.next(table).orientation(), table.error_bound()))));

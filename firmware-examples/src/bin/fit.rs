@@ -1,4 +1,4 @@
-//! From sensors to an ephemeris: a recording in flash is fitted, and a cursor of the fitted launch runs in an interrupt.
+//! From sensors to a table: a recording in flash is fitted, and a cursor of the fitted launch runs in an interrupt.
 //!
 //! The gyroscope is saturated along the axis, where the top turns at four times its range; its biases are found with
 //! the launch. The fit computes in `f32`. A recording of your own replaces [`imu`], which also has the numbers of the

@@ -14,8 +14,8 @@ use cortex_m_rt::exception;
 use critical_section::Mutex;
 use heapless::spsc::{Consumer, Producer, Queue};
 use toytop::{
-    AttitudeState, Cursor, EphemerisF32, EphemerisMemory, Motion, Orientation, ParameterError, State,
-    Stepper, Table, TableSettings, Tick, Top, Workspace,
+    AttitudeState, Cursor, Motion, Orientation, ParameterError, State, Stepper, Table, TableF32, TableMemory,
+    TableSettings, Tick, Top, Workspace,
 };
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
@@ -33,7 +33,7 @@ const IMPULSE: [f64; 3] = [0.0, 3.0e-3, -1.0e-3];
 const POINT: [f64; 3] = [0.0, 0.0, 0.06];
 
 /// Memory of a table, whose capacity is not in its type.
-type Memory = EphemerisMemory<Table<f32>>;
+type Memory = TableMemory<Table<f32>>;
 /// Memory in a static, which has one owner at a time.
 type Owned = &'static mut Memory;
 
@@ -126,8 +126,8 @@ fn SysTick() {
 #[entry]
 fn main() -> ! {
     let [first, second] = [
-        singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once"),
-        singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once"),
+        singleton!(: TableMemory<TableF32> = TableMemory::new()).expect("taken once"),
+        singleton!(: TableMemory<TableF32> = TableMemory::new()).expect("taken once"),
     ];
     let (kicks, mut kicks_taken) = singleton!(: Queue<Kick, 4> = Queue::new()).expect("taken once").split();
     let (mut bridge, bridges) =

@@ -10,7 +10,7 @@ use cortex_m::{Peripherals, asm, singleton};
 use cortex_m_rt::exception;
 use critical_section::Mutex;
 use toytop::{
-    Complex, EphemerisF32, EphemerisMemory, Motion, Orientation, ParameterError, Pose, Release, State, Table,
+    Complex, Motion, Orientation, ParameterError, Pose, Release, State, Table, TableF32, TableMemory,
     TableSettings, Tick, Top, TopParameters, Workspace,
 };
 use toytop_firmware::{entry, exit};
@@ -23,7 +23,7 @@ const TICK_RATE: u32 = 1000;
 const LOG_EVERY: i64 = 100;
 
 /// Table of the motion, for the interrupt.
-static EPHEMERIS: Mutex<Cell<Option<&Table<f32>>>> = Mutex::new(Cell::new(None));
+static TABLE: Mutex<Cell<Option<&Table<f32>>>> = Mutex::new(Cell::new(None));
 /// Last data of the interrupt for the log.
 static SNAPSHOT: Mutex<Cell<Option<Snapshot>>> = Mutex::new(Cell::new(None));
 
@@ -39,11 +39,11 @@ fn main() -> ! {
     let motion = launch().expect("a possible top");
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
     // The table of 2 KiB is set up in static memory, not on the stack.
-    let memory = singleton!(: EphemerisMemory<EphemerisF32> = EphemerisMemory::new()).expect("taken once");
+    let memory = singleton!(: TableMemory<TableF32> = TableMemory::new()).expect("taken once");
     let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
-    let ephemeris =
+    let table =
         memory.set_up(workspace, &motion, &TableSettings::new(tick), &mut || {}).expect("an ordinary motion");
-    critical_section::with(|cs| EPHEMERIS.borrow(cs).set(Some(ephemeris)));
+    critical_section::with(|cs| TABLE.borrow(cs).set(Some(table)));
 
     let mut systick = Peripherals::take().expect("taken once").SYST;
     systick.set_clock_source(SystClkSource::Core);
@@ -87,8 +87,8 @@ fn SysTick() {
     static mut TICK: i64 = 0;
     *TICK += 1;
     critical_section::with(|cs| {
-        let Some(ephemeris) = EPHEMERIS.borrow(cs).get() else { return };
-        let Pose { orientation, tip, .. } = ephemeris.at_tick(*TICK).pose();
+        let Some(table) = TABLE.borrow(cs).get() else { return };
+        let Pose { orientation, tip, .. } = table.at_tick(*TICK).pose();
         if *TICK % LOG_EVERY == 0 {
             SNAPSHOT.borrow(cs).set(Some(Snapshot { tick: *TICK, orientation, tip }));
         }

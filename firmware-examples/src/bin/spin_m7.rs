@@ -5,7 +5,7 @@
 
 use cortex_m::peripheral::SCB;
 use cortex_m::{asm, interrupt, singleton};
-use toytop::{EphemerisF64, EphemerisMemory, ErrorBound, TableSettings, Tick, Workspace};
+use toytop::{ErrorBound, TableF64, TableMemory, TableSettings, Tick, Workspace};
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
 /// Clock of the processor, Hz. The emulated board has 25 MHz.
@@ -16,23 +16,23 @@ const TICK_RATE: u32 = 1000;
 #[entry]
 fn main() -> ! {
     let motion = toy_top().expect("a possible top");
-    let memory = singleton!(: EphemerisMemory<EphemerisF64> = EphemerisMemory::new()).expect("taken once");
+    let memory = singleton!(: TableMemory<TableF64> = TableMemory::new()).expect("taken once");
     let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
-    let ephemeris =
+    let table =
         memory.set_up(workspace, &motion, &TableSettings::new(tick), &mut || {}).expect("an ordinary motion");
-    let ErrorBound { constant, per_tick } = ephemeris.error_bound();
+    let ErrorBound { constant, per_tick } = table.error_bound();
     defmt::info!("at tick n within {=f64} rad + n * {=f64}", constant, per_tick);
 
     start_systick(CLOCK, TICK_RATE);
     // An interrupt that is masked still ends the sleep.
     interrupt::disable();
 
-    let mut cursor = ephemeris.cursor(1);
+    let mut cursor = table.cursor(1);
     for tick in 1..=TICK_RATE {
         asm::wfi();
         SCB::clear_pendst();
-        let now = cursor.next(ephemeris);
+        let now = cursor.next(table);
         if tick % 250 == 0 {
             let state = now.attitude_state();
             let ([x, y, height], tip) = (state.orientation.axis(), now.tip());

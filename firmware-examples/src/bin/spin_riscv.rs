@@ -19,14 +19,14 @@ const TICK_RATE: u32 = 1000;
 
 #[entry]
 fn main() -> ! {
-    let ephemeris = set_up(&toy_top().expect("a possible top"), TICK_RATE);
+    let table = set_up(&toy_top().expect("a possible top"), TICK_RATE);
 
     // An interrupt that is masked (mstatus.MIE is off) still ends the sleep.
     // SAFETY: no handler can run, so none can see incomplete data
     unsafe { mie::set_mtimer() };
     // SAFETY: the timer's registers on this machine
     let mut due = unsafe { MTIME.read_volatile() };
-    let mut cursor = ephemeris.cursor(1);
+    let mut cursor = table.cursor(1);
     for tick in 1..=TICK_RATE {
         due += TIMER / u64::from(TICK_RATE);
         // SAFETY: as above
@@ -35,7 +35,7 @@ fn main() -> ! {
         while unsafe { MTIME.read_volatile() } < due {
             wfi();
         }
-        let Pose { orientation, tip, .. } = cursor.next(ephemeris).pose();
+        let Pose { orientation, tip, .. } = cursor.next(table).pose();
         if tick % 250 == 0 {
             let [x, y, height] = orientation.axis();
             defmt::info!("{=u32} ms: axis ({}, {}, {}), tip ({}, {}) m", tick, x, y, height, tip.re, tip.im);

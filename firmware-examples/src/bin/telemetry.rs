@@ -31,7 +31,7 @@ struct Sample {
 
 /// Data that the interrupt owns.
 struct Source {
-    ephemeris: &'static Table<f32>,
+    table: &'static Table<f32>,
     queue: Producer<'static, Sample>,
     tick: u32,
 }
@@ -42,10 +42,10 @@ static LOST: AtomicU32 = AtomicU32::new(0);
 
 #[entry]
 fn main() -> ! {
-    let ephemeris = set_up(&toy_top().expect("a possible top"), TICK_RATE);
+    let table = set_up(&toy_top().expect("a possible top"), TICK_RATE);
     let queue = singleton!(: Queue<Sample, SIZE> = Queue::new()).expect("taken once");
     let (producer, mut consumer) = queue.split();
-    let source = Source { ephemeris, queue: producer, tick: 0 };
+    let source = Source { table, queue: producer, tick: 0 };
     critical_section::with(|cs| SOURCE.replace(cs, Some(source)));
 
     start_systick(CLOCK, TICK_RATE);
@@ -82,9 +82,9 @@ fn main() -> ! {
 fn SysTick() {
     critical_section::with(|cs| {
         let mut source = SOURCE.borrow_ref_mut(cs);
-        let Some(Source { ephemeris, queue, tick }) = source.as_mut() else { return };
+        let Some(Source { table, queue, tick }) = source.as_mut() else { return };
         *tick += 1;
-        let orientation = ephemeris.at_tick(i64::from(*tick)).orientation();
+        let orientation = table.at_tick(i64::from(*tick)).orientation();
         if queue.enqueue(Sample { tick: *tick, orientation }).is_err() {
             LOST.fetch_add(1, Ordering::Relaxed);
         }

@@ -5,7 +5,7 @@
 /// `TOY_TOP.at_tick(n)` is any tick; `TOY_TOP.cursor(0)` goes from one to the next.
 #[rustfmt::skip]
 #[allow(clippy::all, clippy::pedantic)]
-pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (toytop::Baked::<toytop::fixed::types::I2F30, 32> {
+pub static TOY_TOP: toytop::SizedTable<toytop::fixed::types::I2F30, 32> = match (toytop::Baked::<toytop::fixed::types::I2F30, 32> {
     format: 7,
     crc32: 0x05555110,
     clock: toytop::Clock {
@@ -223,9 +223,9 @@ pub static TOY_TOP: toytop::Ephemeris<toytop::fixed::types::I2F30, 32> = match (
         ],
     ],
 })
-.ephemeris()
+.table()
 {
-    Ok(ephemeris) => ephemeris,
+    Ok(table) => table,
     Err(toytop::BakedError::Format { .. }) => panic!("format: written by another version of toytop"),
     Err(toytop::BakedError::Checksum { .. }) => panic!("crc32: the numbers were changed"),
     Err(_) => panic!("a number is out of range"),

@@ -1,7 +1,7 @@
 //! Table of a motion in `f64`: the orientation at any time, at the same cost.
 
 use toytop::{
-    Complex, Ephemeris, EphemerisMemory, EphemerisScalar, Motion, Orientation, ParameterError, Regime, Table,
+    Complex, Motion, Orientation, ParameterError, Regime, SizedTable, Table, TableMemory, TableScalar,
     TableSettings, Workspace,
 };
 use toytop_model::aperiodic::AperiodicMotion;
@@ -9,7 +9,7 @@ use toytop_model::motion_constants::MotionConstants;
 
 /// Table with the largest capacity that there is, or the closed form of an aperiodic motion.
 pub struct PageTable {
-    memory: EphemerisMemory<Ephemeris<f64, 4096>>,
+    memory: TableMemory<SizedTable<f64, 4096>>,
     method: Method,
     ticks_per_time: f64,
 }
@@ -30,8 +30,7 @@ const TRUNCATIONS: [f64; 4] = [f64::TRUNCATION, 1e-12, 1e-9, 1e-6];
 
 impl PageTable {
     /// Table before its first motion. All its bits are 0, so that it takes no space in a file.
-    pub const EMPTY: Self =
-        Self { memory: EphemerisMemory::new(), method: Method::Table, ticks_per_time: 0.0 };
+    pub const EMPTY: Self = Self { memory: TableMemory::new(), method: Method::Table, ticks_per_time: 0.0 };
 
     /// Sets the table up for another motion.
     ///

@@ -1,7 +1,7 @@
 //! Values that JavaScript receives, compared with the core.
 
 use toytop::scalar::Float;
-use toytop::{EphemerisF64, Motion, Pose, Release, State, Stepper, Support, Top};
+use toytop::{Motion, Pose, Release, State, Stepper, Support, TableF64, Top};
 use toytop_model::motion_constants::{MotionConstants, number_constants};
 use toytop_model::scenario::{self, tilt_from_degrees, top_parameters};
 use toytop_page::exports::launch_names;
@@ -113,7 +113,7 @@ fn a_pose_is_the_cores() {
         let motion = thrown();
         let mut table = Box::new(PageTable::EMPTY);
         table.set_up(&MotionConstants::new(motion)).unwrap();
-        let core = EphemerisF64::new(&motion, MotionConstants::new(motion).tick()).unwrap();
+        let core = TableF64::new(&motion, MotionConstants::new(motion).tick()).unwrap();
         for t in [0.0, 0.3125, -7.1, 1e6] {
             let [a, b, c, d, u, .., x, y] = pose_numbers(table.at(t));
             let Pose { orientation: phi, tip, .. } = core.at(t).pose();
@@ -127,7 +127,7 @@ fn a_pose_is_the_cores() {
 #[test]
 fn runge_kutta_drifts_as_its_step_says() {
     let motion = thrown();
-    let core = EphemerisF64::new(&motion, MotionConstants::new(motion).tick()).unwrap();
+    let core = TableF64::new(&motion, MotionConstants::new(motion).tick()).unwrap();
     for t in [0.5, -0.5] {
         let errors = [4e-4, 2e-4].map(|step| {
             let (reached, phi, _) = RungeKutta::new(&motion, step).advance_to(t);

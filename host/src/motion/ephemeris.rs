@@ -9,7 +9,7 @@ mod capacities;
 
 pub use capacities::{ephemeris_for, ephemeris_with};
 pub use events::{EventKind, EventQuery, MotionEvent};
-pub use heap_table::{HeapTable, TableScalar};
+pub use heap_table::{HeapScalar, HeapTable};
 
 use crate::motion::column::SampleColumn;
 use crate::motion::sample::{Quantities, Sample};
@@ -44,7 +44,7 @@ enum Evaluator {
 }
 
 impl MotionEphemeris {
-    fn from_table<R: TableScalar>(heap: HeapTable<R>, evaluator: fn(HeapTable<R>) -> Evaluator) -> Self {
+    fn from_table<R: HeapScalar>(heap: HeapTable<R>, evaluator: fn(HeapTable<R>) -> Evaluator) -> Self {
         let table = heap.table();
         let [ticks_per_time, _] = table.clock().ticks_per_time;
         Self {

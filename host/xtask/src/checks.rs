@@ -164,7 +164,7 @@ pub(crate) fn coverage() -> Result<String> {
 }
 
 /// Targets of the fuzzer in tests/fuzz that search core.
-const TARGETS: [&str; 3] = ["launch", "ephemeris", "fixed"];
+const TARGETS: [&str; 3] = ["launch", "table", "fixed"];
 
 /// Searches with each target for ten seconds, from the seeds.
 pub(crate) fn fuzz() -> Result<String> {

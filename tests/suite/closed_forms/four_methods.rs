@@ -1,4 +1,4 @@
-//! Closed forms of the paper against reference vectors, ephemeris and stepper: four methods for one motion.
+//! Closed forms of the paper against reference vectors, table and stepper: four methods for one motion.
 
 use std::f64::consts::TAU;
 use toytop::{InitialAngles, Motion, Regime, Stepper, Tick};
@@ -78,10 +78,10 @@ fn motions() -> Vec<Motion> {
     motions
 }
 
-/// Motions through both verticals and near the separatrix, against ephemeris and stepper. The nutation phase is that of the ephemeris, and
+/// Motions through both verticals and near the separatrix, against table and stepper. The nutation phase is that of the table, and
 /// increases by one turn a period.
 #[test]
-fn closed_form_ephemeris_and_stepper_agree() {
+fn closed_form_table_and_stepper_agree() {
     let mut worst = [0.0_f64; 2];
     for motion in motions() {
         let form = ClosedForm::from_motion(&motion).unwrap();
@@ -109,7 +109,7 @@ fn closed_form_ephemeris_and_stepper_agree() {
         }
         assert!((form.at(1e300).orientation.norm_squared() - 1.0).abs() < 1e-15);
     }
-    check("closed form and ephemeris", worst[0], tolerance::FOUR_METHODS_CLOSED_FORM_AND_EPHEMERIS);
+    check("closed form and table", worst[0], tolerance::FOUR_METHODS_CLOSED_FORM_AND_TABLE);
     check("closed form and stepper", worst[1], tolerance::FOUR_METHODS_CLOSED_FORM_AND_STEPPER);
 }
 

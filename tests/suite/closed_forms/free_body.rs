@@ -1,16 +1,13 @@
 //! Bodies without torque that spin about their axis.
 
 use fixed::types::{I2F14, I2F30};
-use toytop::{EphemerisScalar, Motion, Orientation, Release, State, Stepper, Top, TopParameters};
+use toytop::{Motion, Orientation, Release, State, Stepper, TableScalar, Top, TopParameters};
 use toytop_closed_forms::ClosedForm;
 use toytop_tests::{check, greater, kilohertz, table_of, tolerance, widened, worst};
 
 /// Distances of the tables of a body that spins about its axis, held without gravity or free, from the truth, beyond their
 /// bounds. The angular momentum is along the axis, which therefore stays where it is.
-fn of_spinning_body<R: EphemerisScalar<Quantity: Into<f64>> + Into<f64>>(
-    motion: &Motion,
-    state: &State,
-) -> f64 {
+fn of_spinning_body<R: TableScalar<Quantity: Into<f64>> + Into<f64>>(motion: &Motion, state: &State) -> f64 {
     // a wide nutation needs more than 64 segments in q31
     let table = table_of::<R, 128>(motion, kilohertz());
     let form = ClosedForm::from_motion(motion).unwrap();

@@ -1,6 +1,6 @@
 //! Section 5.4: the Lagrange top as the limit of toy tops.
 
-use toytop::{Ephemeris, InitialAngles, Motion, Signs};
+use toytop::{InitialAngles, Motion, Signs, SizedTable};
 use toytop_closed_forms::Lagrange;
 use toytop_tests::{DIFFERENT, SAME, kilohertz, top_of};
 
@@ -24,7 +24,7 @@ fn toy_tops_tend_to_it_like_the_inverse_square_of_e4() {
             // e₄² = 1 + A/(ps)
             let motion = motion(A_OVER_P / (e4 * e4 - 1.0), signs);
             let period = motion.period_advance().unwrap().period;
-            let table = Ephemeris::<f64, 64>::new(&motion, kilohertz()).unwrap();
+            let table = SizedTable::<f64, 64>::new(&motion, kilohertz()).unwrap();
             let apart = table.at(at).orientation().distance(&exact.at(at).orientation);
             [(period - exact.period()) * e4 * e4, apart * e4 * e4]
         });

@@ -2,7 +2,7 @@
 
 use fixed::types::{I2F14, I2F30};
 use toytop::{
-    Complex, Ephemeris, EphemerisScalar, Motion, Orientation, SetUpError, Sign, Signs, State, Stepper, Table,
+    Complex, Motion, Orientation, SetUpError, Sign, Signs, SizedTable, State, Stepper, Table, TableScalar,
     TableSettings, Tick, Top, TopParameters,
 };
 use toytop_tests::{SAME, by_branch_points, kilohertz, released_from_rest, top_of, toy, worst};
@@ -37,12 +37,12 @@ fn a_series_that_does_not_converge_is_refused() {
     let motion = by_branch_points(&top, [-0.3, 0.26, 28.8], SAME);
     let tick = kilohertz();
     assert!(
-        Ephemeris::<f64, 16>::new(&motion, TableSettings { truncation: Some(1.0), ..tick.into() }).is_err()
+        SizedTable::<f64, 16>::new(&motion, TableSettings { truncation: Some(1.0), ..tick.into() }).is_err()
     );
     assert_eq!(Table::<f64>::segments_needed(&motion, 1.0), Some(96));
     let coarse =
-        Ephemeris::<f64, 96>::new(&motion, TableSettings { truncation: Some(1.0), ..tick.into() }).unwrap();
-    let fine = Ephemeris::<f64, 512>::new(&motion, tick).unwrap();
+        SizedTable::<f64, 96>::new(&motion, TableSettings { truncation: Some(1.0), ..tick.into() }).unwrap();
+    let fine = SizedTable::<f64, 512>::new(&motion, tick).unwrap();
     let worst = apart(&motion, &coarse, &fine);
     let bound = coarse.error_bound().constant;
     assert!(worst <= bound && worst > 0.05 * bound, "{worst:e}, bound {bound:e}");
@@ -57,8 +57,8 @@ fn a_product_of_series_beyond_its_range_shortens_the_segment() {
     let signs = Signs { l_plus_n: Sign::Minus, l_minus_n: Sign::Plus };
     let motion = by_branch_points(&top_of(top, 1.2811341798619644), e, signs);
     let tick = Tick::hertz(8192).unwrap();
-    let coarse = Ephemeris::<f64, 32>::new(&motion, tick).unwrap();
-    let fine = Ephemeris::<f64, 512>::new(&motion, TableSettings { truncation: Some(1e-18), ..tick.into() })
+    let coarse = SizedTable::<f64, 32>::new(&motion, tick).unwrap();
+    let fine = SizedTable::<f64, 512>::new(&motion, TableSettings { truncation: Some(1e-18), ..tick.into() })
         .unwrap();
     let worst = apart(&motion, &coarse, &fine);
     assert!((1e-16..3e-15).contains(&worst), "{worst:e}");
@@ -73,14 +73,14 @@ fn a_table_that_its_integers_cannot_hold_fits_no_allowance() {
     tables_are_refused::<I2F14>();
 }
 
-fn tables_are_refused<R: EphemerisScalar>() {
+fn tables_are_refused<R: TableScalar>() {
     let (mut held, mut refused) = (0, 0);
     // the smaller A, the faster the slow phases change within a segment
     for k in 0..20 {
         let a = 10_f64.powf(-0.25 * f64::from(k));
         let top = top_of([a, a, 1.0, 1.0], 1.0);
         let motion = by_branch_points(&top, [-0.3, 0.26, 3.0], SAME);
-        match Ephemeris::<R, 16>::new(&motion, TableSettings { truncation: Some(1e6), ..kilohertz().into() })
+        match SizedTable::<R, 16>::new(&motion, TableSettings { truncation: Some(1e6), ..kilohertz().into() })
         {
             Ok(_) => held += 1,
             Err(error) => {
@@ -118,9 +118,9 @@ fn a_rotor_that_hardly_turns_counts_as_none() {
 fn a_table_of_any_error_keeps_its_terms() {
     let (motion, tick) = (released_from_rest(&toy(), 0.35, 150.0), kilohertz());
     let coarse =
-        Ephemeris::<f64, 64>::new(&motion, TableSettings { truncation: Some(f64::MAX), ..tick.into() })
+        SizedTable::<f64, 64>::new(&motion, TableSettings { truncation: Some(f64::MAX), ..tick.into() })
             .unwrap();
-    let fine = Ephemeris::<f64, 512>::new(&motion, tick).unwrap();
+    let fine = SizedTable::<f64, 512>::new(&motion, tick).unwrap();
     let worst = apart(&motion, &coarse, &fine);
     let bound = coarse.error_bound().constant;
     assert!(worst <= bound && bound < 1e-6, "{worst:e}, bound {bound:e}");

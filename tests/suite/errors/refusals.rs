@@ -1,8 +1,8 @@
 //! Refusals, by the name of the parameter. Values just inside the allowed range are accepted.
 
 use toytop::{
-    BranchPoints, Complex, Ephemeris, InitialAngles, Motion, Orientation, ParameterError, Release,
-    SetUpError, Signs, State, TableSettings, Tick, Top, TopParameters,
+    BranchPoints, Complex, InitialAngles, Motion, Orientation, ParameterError, Release, SetUpError, Signs,
+    SizedTable, State, TableSettings, Tick, Top, TopParameters,
 };
 use toytop_tests::{kilohertz, top_of, toy, vectors};
 
@@ -168,15 +168,19 @@ fn a_truncation_error_is_finite_and_positive() {
     let motion = vectors::motion("exact_generic_pp");
     let tick = kilohertz();
     for truncation in [f64::INFINITY, f64::NAN, 0.0, -0.0, -1e-9, f64::NEG_INFINITY] {
-        let refused =
-            Ephemeris::<f64, 48>::new(&motion, TableSettings { truncation: Some(truncation), ..tick.into() });
+        let refused = SizedTable::<f64, 48>::new(
+            &motion,
+            TableSettings { truncation: Some(truncation), ..tick.into() },
+        );
         assert_eq!(refused, Err(SetUpError::Truncation), "{truncation}");
     }
     for truncation in [f64::MAX, 1e-15] {
-        let bound =
-            Ephemeris::<f64, 48>::new(&motion, TableSettings { truncation: Some(truncation), ..tick.into() })
-                .unwrap()
-                .error_bound();
+        let bound = SizedTable::<f64, 48>::new(
+            &motion,
+            TableSettings { truncation: Some(truncation), ..tick.into() },
+        )
+        .unwrap()
+        .error_bound();
         assert!(bound.after(1.0).is_finite(), "{truncation:e}: {bound:?}");
     }
 }

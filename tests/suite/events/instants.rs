@@ -1,10 +1,10 @@
-//! Events of an ephemeris against instants that a dense search at forty digits found (`tests/reference/events.py`).
+//! Events of a table against instants that a dense search at forty digits found (`tests/reference/events.py`).
 
 use fixed::types::{I2F14, I2F30};
 use std::f64::consts::TAU;
 use toytop::scalar::Float;
 use toytop::{
-    Ephemeris, EphemerisF64, EphemerisScalar, Event, Level, Motion, Phase, Table, TableSettings, Tick, Top,
+    Event, Level, Motion, Phase, SizedTable, Table, TableF64, TableScalar, TableSettings, Tick, Top,
     TopParameters,
 };
 use toytop_tests::vectors::{self, entries, number};
@@ -13,13 +13,7 @@ use toytop_tests::{
 };
 
 /// Events of a kind and its value from a tick.
-fn found<R: EphemerisScalar>(
-    view: &Table<R>,
-    motion: &Motion,
-    kind: &str,
-    value: f64,
-    from: i64,
-) -> Vec<Event> {
+fn found<R: TableScalar>(view: &Table<R>, motion: &Motion, kind: &str, value: f64, from: i64) -> Vec<Event> {
     const MAX_EVENTS: usize = 12;
     let mut events: Vec<Event> = match kind {
         "turning" => view.turning_points(from).take(MAX_EVENTS).collect(),
@@ -38,7 +32,7 @@ fn found<R: EphemerisScalar>(
 
 /// Greatest errors: of u (or of the radius) at its crossings, of the tip angle times the radius, of the time of a turning point in
 /// periods.
-fn greatest_errors<R: EphemerisScalar>() -> [f64; 3] {
+fn greatest_errors<R: TableScalar>() -> [f64; 3] {
     let (mut errors, mut compared) = ([0.0; 3], 0);
     for case in entries(&vectors::json("events.json")["cases"]) {
         let motion = vectors::motion(case["motion"].as_str().unwrap());
@@ -97,7 +91,7 @@ fn a_release_from_rest_is_an_event_at_tick_0() {
         assert_eq!((first.tick, first.fraction, first.upward), (0, 0.0, true), "{tilt}");
         let angle = view.tip_angles(Phase::HALF, 0).next().unwrap();
         assert!(view.time_of(&angle) < tolerance::EVENTS_AT_A_CUSP, "{tilt}: {angle:?}");
-        let coarse = Ephemeris::<f32, 64>::new(
+        let coarse = SizedTable::<f32, 64>::new(
             &motion,
             TableSettings { truncation: Some(truncation), ..kilohertz().into() },
         )
@@ -145,14 +139,14 @@ fn the_first_and_the_last_ticks_have_events() {
 #[test]
 fn events_that_do_not_occur_are_not_found() {
     let steady = vectors::motion("regular_precession");
-    let steady = EphemerisF64::new(&steady, kilohertz()).unwrap();
+    let steady = TableF64::new(&steady, kilohertz()).unwrap();
     assert_eq!(steady.turning_points(0).next(), None);
     assert_eq!(steady.crossings(Level::from_u(0.9).unwrap(), 0).next(), None);
     let sleeping = vectors::motion("sleeping_stable");
-    let sleeping = EphemerisF64::new(&sleeping, kilohertz()).unwrap();
+    let sleeping = TableF64::new(&sleeping, kilohertz()).unwrap();
     assert_eq!(sleeping.tip_angles(Phase::ZERO, 0).next(), None);
     let generic = vectors::motion("exact_generic_pp");
-    let view = EphemerisF64::new(&generic, kilohertz()).unwrap();
+    let view = TableF64::new(&generic, kilohertz()).unwrap();
     for u in [0.626, 1.0, -0.344, -1.0] {
         assert_eq!(view.crossings(Level::from_u(u).unwrap(), 0).next(), None, "{u}");
     }
@@ -183,7 +177,7 @@ fn a_level_has_the_cosine_or_tilt_that_it_was_made_of() {
 #[test]
 fn a_precession_passes_each_angle_once_a_turn() {
     let motion = vectors::motion("exact_regular_precession_pm");
-    let view = EphemerisF64::new(&motion, kilohertz()).unwrap();
+    let view = TableF64::new(&motion, kilohertz()).unwrap();
     let turn = 1000.0 / view.mean_tip_angle_rate().abs();
     let times: Vec<_> = view.tip_angles(Phase::from_turns(0.3), -5).take(6).collect();
     for pair in times.windows(2) {

@@ -4,7 +4,7 @@
 use fixed::types::{I2F14, I2F30};
 use serde_json::Value;
 use toytop::scalar::Real;
-use toytop::{BranchPoints, EphemerisScalar, Motion, Orientation, State, Stepper, Top, TopParameters};
+use toytop::{BranchPoints, Motion, Orientation, State, Stepper, TableScalar, Top, TopParameters};
 use toytop_closed_forms::ClosedForm;
 use toytop_tests::vectors::{self, entries, number, orientation, triple};
 use toytop_tests::{apart, check_all, keep, kilohertz, length, table_of, tolerance, widened};
@@ -56,15 +56,15 @@ fn top(json: &Value) -> Top {
 }
 
 /// Errors of orientation and angular velocity of tables, as shares of their bounds.
-fn of_tables<R: EphemerisScalar<Quantity: Into<f64>> + Into<f64>>() -> [f64; 2] {
+fn of_tables<R: TableScalar<Quantity: Into<f64>> + Into<f64>>() -> [f64; 2] {
     let mut worst = [0.0; 2];
     for case in cases().into_iter().filter(|case| case.motion.regime() != toytop::Regime::Aperiodic) {
-        let ephemeris = table_of::<R, 256>(&case.motion, kilohertz());
+        let table = table_of::<R, 256>(&case.motion, kilohertz());
         for &(t, phi, omega) in &case.samples {
-            let sample = ephemeris.at(t);
+            let sample = table.at(t);
             let shares = [
-                widened(sample.orientation()).distance(&phi) / ephemeris.error_bound().after(1000.0 * t),
-                apart(sample.omega().map(Into::into), omega) / ephemeris.rate_error_bound().after(1000.0 * t),
+                widened(sample.orientation()).distance(&phi) / table.error_bound().after(1000.0 * t),
+                apart(sample.omega().map(Into::into), omega) / table.rate_error_bound().after(1000.0 * t),
             ];
             assert!(shares.iter().all(|share| *share <= 1.0), "{} at {t}: {shares:?}", case.name);
             keep(&mut worst, shares);

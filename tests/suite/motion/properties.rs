@@ -150,9 +150,9 @@ proptest! {
         prop_assume!(e.e3_minus_e2 >= 0.1 * e.e2_minus_e1 && spread >= 0.4);
         let unit = motion.period_advance().map_or(1.0, |advance| advance.period);
         let tick = toytop::Tick::hertz((1000.0 / unit).clamp(1.0, 1e9) as u32).unwrap();
-        prop_assert!(toytop::EphemerisF32::new(&motion, tick).is_ok());
-        prop_assert!(toytop::EphemerisF64::new(&motion, tick).is_ok());
-        prop_assert!(spread < 1.0 || toytop::Ephemeris::<f64, 32>::new(&motion, tick).is_ok());
+        prop_assert!(toytop::TableF32::new(&motion, tick).is_ok());
+        prop_assert!(toytop::TableF64::new(&motion, tick).is_ok());
+        prop_assert!(spread < 1.0 || toytop::SizedTable::<f64, 32>::new(&motion, tick).is_ok());
     }
 
     /// Near every degenerate case a motion from branch points is finite, and its state gives the same branch points.

@@ -1,14 +1,14 @@
-//! Ephemerides as literal data: no bit is lost, and changed data are refused.
+//! Tables as literal data: no bit is lost, and changed data are refused.
 
 use fixed::types::{I2F14, I2F30};
-use toytop::{Baked, BakedError, Ephemeris, Tick};
+use toytop::{Baked, BakedError, SizedTable, Tick};
 use toytop_tests::random::Random;
 use toytop_tests::{kilohertz, vectors};
 
 /// Sets the checksum to that of the data.
 macro_rules! set_checksum {
     ($baked:expr) => {
-        if let Err(BakedError::Checksum { computed, .. }) = $baked.ephemeris() {
+        if let Err(BakedError::Checksum { computed, .. }) = $baked.table() {
             $baked.crc32 = computed;
         }
     };
@@ -17,10 +17,10 @@ macro_rules! set_checksum {
 /// Number of tables that fit, 0 or 1. A table that fits is the same after conversion there and back.
 macro_rules! converted {
     ($scalar:ty, $segments:literal, $vector:expr, $tick:expr) => {{
-        let table = Ephemeris::<$scalar, $segments>::new(&$vector.motion().unwrap(), $tick).ok();
+        let table = SizedTable::<$scalar, $segments>::new(&$vector.motion().unwrap(), $tick).ok();
         table.map_or(0, |table| {
             let baked = table.to_baked();
-            let back = baked.ephemeris().unwrap();
+            let back = baked.table().unwrap();
             // the checksum depends on the sign of a zero, which `==` ignores
             assert!(back == table && back.to_baked().crc32 == baked.crc32, "{}", $vector.name);
             for n in [0, 77, -1 << 40, i64::MAX] {
@@ -50,13 +50,13 @@ type Change = fn(&mut Baked<f32, 25>);
 fn refused(baked: &Baked<f32, 25>, change: Change) -> Option<BakedError> {
     let mut changed = baked.clone();
     change(&mut changed);
-    changed.ephemeris().err()
+    changed.table().err()
 }
 
 #[test]
 fn a_bit_flipped_anywhere_is_refused() {
     let motion = vectors::motion("exact_generic_pp");
-    let baked = Ephemeris::<f32, 25>::new(&motion, kilohertz()).unwrap().to_baked();
+    let baked = SizedTable::<f32, 25>::new(&motion, kilohertz()).unwrap().to_baked();
     let changes: [Change; 18] = [
         |baked| baked.clock.epoch += 1,
         |baked| baked.clock.tip_start[3] ^= 1,
@@ -86,7 +86,7 @@ fn a_bit_flipped_anywhere_is_refused() {
         for bit in 0..5 * 4 * 32 {
             let mut changed = baked.clone();
             changed.segments[segment][bit / 128][bit / 32 % 4] ^= 1 << (bit % 32);
-            assert!(changed.ephemeris().is_err(), "{segment} {bit}");
+            assert!(changed.table().is_err(), "{segment} {bit}");
         }
     }
 }
@@ -97,7 +97,7 @@ macro_rules! wild {
         #[test]
         fn $name() {
             let motion = vectors::motion("exact_generic_pp");
-            let table = Ephemeris::<$scalar, $segments>::new(&motion, kilohertz()).unwrap();
+            let table = SizedTable::<$scalar, $segments>::new(&motion, kilohertz()).unwrap();
             let baked = table.to_baked();
             let mut random = Random(0x9e37_79b9_7f4a_7c15);
             let mut draw = || random.bits();
@@ -116,13 +116,13 @@ macro_rules! wild {
                     wild.cells = [0; 16].map(|_: u16| draw() as u16);
                 }
                 set_checksum!(wild);
-                let Ok(ephemeris) = wild.ephemeris() else {
+                let Ok(table) = wild.table() else {
                     refused += 1;
                     continue;
                 };
                 read += 1;
                 for n in (0..300).map(|n| n * 7).chain([i64::MIN, i64::MAX, draw() as i64]) {
-                    let sample = ephemeris.at_tick(n);
+                    let sample = table.at_tick(n);
                     let phi = sample.orientation();
                     let tip = phi.tip_over_s();
                     let (attitude, wide) = (sample.attitude_state(), sample.tip());
@@ -131,10 +131,7 @@ macro_rules! wild {
                         [wide.re, wide.im, attitude.orientation.u(), attitude.udot(), x, y, z].map(f64::from);
                     let of_scalar = [phi.alpha.re, phi.beta.im, tip.re, tip.im].map(f64::from);
                     assert!(numbers.iter().chain(&of_scalar).all(|x| x.is_finite()), "{n}");
-                    let _ = (
-                        ephemeris.turning_points(n).next(),
-                        ephemeris.cursor(n).next(&ephemeris).orientation(),
-                    );
+                    let _ = (table.turning_points(n).next(), table.cursor(n).next(&table).orientation());
                 }
             }
             assert!(refused > 200 && read > 300, "{refused} refused, {read} read");
@@ -174,7 +171,7 @@ impl Wild for f64 {
 #[test]
 fn a_field_beyond_its_range_is_named() {
     let motion = vectors::motion("exact_generic_pp");
-    let baked = Ephemeris::<f32, 25>::new(&motion, kilohertz()).unwrap().to_baked();
+    let baked = SizedTable::<f32, 25>::new(&motion, kilohertz()).unwrap().to_baked();
     let changes: [(Change, &str); 10] = [
         (|baked| baked.clock.step_turns[1][0] = f64::NAN, "step_turns"),
         (|baked| baked.clock.ticks_per_time[0] = f64::INFINITY, "ticks_per_time"),
@@ -193,7 +190,7 @@ fn a_field_beyond_its_range_is_named() {
         let mut changed = baked.clone();
         change(&mut changed);
         set_checksum!(changed);
-        let error = changed.ephemeris().err();
+        let error = changed.table().err();
         assert_eq!(error, Some(BakedError::OutOfRange { field }), "{field}");
     }
     // the largest sum that is allowed
@@ -201,18 +198,18 @@ fn a_field_beyond_its_range_is_named() {
     changed.segments[3][1..].fill([0; 4]);
     changed.segments[3][1] = [i32::MAX - 0x8000, 0x8000 - i32::MAX, 0, 0];
     set_checksum!(changed);
-    assert!(changed.ephemeris().is_ok());
+    assert!(changed.table().is_ok());
 }
 
 #[test]
 fn a_table_without_segments_is_refused() {
     let motion = vectors::motion("exact_generic_pp");
-    let baked = Ephemeris::<f32, 25>::new(&motion, kilohertz()).unwrap().to_baked();
+    let baked = SizedTable::<f32, 25>::new(&motion, kilohertz()).unwrap().to_baked();
     let Baked { format, clock, error_bound, rate_error_bound, cells, .. } = baked;
     let mut empty =
         Baked::<f32, 0> { format, crc32: 0, clock, error_bound, rate_error_bound, cells, segments: [] };
     set_checksum!(empty);
-    assert_eq!(empty.ephemeris().err(), Some(BakedError::OutOfRange { field: "cells" }));
+    assert_eq!(empty.table().err(), Some(BakedError::OutOfRange { field: "cells" }));
 }
 
 /// The page on the format has a row for every field of the clock, in the order of the checksum.
@@ -225,7 +222,7 @@ fn the_page_lists_the_fields_of_the_clock() {
         .filter_map(|row| row.split('`').next())
         .collect();
     let motion = vectors::motion("exact_generic_pm");
-    let clock = format!("{:?}", toytop::EphemerisF32::new(&motion, kilohertz()).unwrap().clock());
+    let clock = format!("{:?}", toytop::TableF32::new(&motion, kilohertz()).unwrap().clock());
     let fields: Vec<&str> = clock
         .split(['{', ','])
         .filter_map(|part| part.split_once(':'))

@@ -1,7 +1,7 @@
 //! The clock of a table: ticks of any length, ticks and times far from 0, and launches at any tick of a running counter.
 
 use fixed::types::I2F30;
-use toytop::{Complex, EphemerisScalar, Event, Motion, Orientation, Table, Tick};
+use toytop::{Complex, Event, Motion, Orientation, Table, TableScalar, Tick};
 use toytop_tests::{
     HeapTable, SAME, by_branch_points, check, kilohertz, released_from_rest, table_from_epoch, table_of,
     tolerance, top_of, toy, vectors, widened, worst,
@@ -14,7 +14,7 @@ fn tick(ticks: u32, seconds: u32) -> Tick {
     Tick::ratio(ticks, seconds).unwrap()
 }
 
-fn table<R: EphemerisScalar>(name: &str, tick: Tick, epoch: i64) -> HeapTable<R, 512> {
+fn table<R: TableScalar>(name: &str, tick: Tick, epoch: i64) -> HeapTable<R, 512> {
     table_from_epoch(&vectors::motion(name), tick, epoch).unwrap()
 }
 
@@ -35,7 +35,7 @@ fn the_bound_far_away_is_near_the_error() {
 
 /// A launch at tick `epoch` is that at tick 0, with other tick numbers, whatever the length of a tick. The two differ by the truncation of
 /// phases, which is a part of both bounds.
-fn epochs_agree<R: EphemerisScalar + Into<f64>>() {
+fn epochs_agree<R: TableScalar + Into<f64>>() {
     const FAR: i64 = 1 << 62;
     for (name, (ticks, seconds)) in NAMES
         .into_iter()
@@ -109,7 +109,7 @@ fn slender() -> Motion {
 /// Orientations by `tests/reference/far_ticks.py`, at ticks in the fast part of the period.
 #[test]
 fn the_bound_holds_where_the_motion_is_fastest() {
-    let ephemeris = table_of::<f64, 4096>(&slender(), Tick::hertz(1_000_000).unwrap());
+    let table = table_of::<f64, 4096>(&slender(), Tick::hertz(1_000_000).unwrap());
     for (tick, alpha, beta) in [
         (
             29_201_518_562_686,
@@ -122,8 +122,8 @@ fn the_bound_holds_where_the_motion_is_fastest() {
             Complex::new(-0.288_948_535_189_001_6, -0.203_737_397_488_773_1),
         ),
     ] {
-        let error = ephemeris.at_tick(tick).orientation().distance(&Orientation { alpha, beta });
-        let allowed = ephemeris.error_bound().after(tick as f64);
+        let error = table.at_tick(tick).orientation().distance(&Orientation { alpha, beta });
+        let allowed = table.error_bound().after(tick as f64);
         assert!((0.01 * allowed..allowed).contains(&error), "tick {tick}: {error:e} of {allowed:e}");
     }
 }
@@ -132,23 +132,23 @@ fn the_bound_holds_where_the_motion_is_fastest() {
 /// ticks.
 #[test]
 fn time_goes_on_beyond_the_ticks_that_are_counted() {
-    let ephemeris = table_of::<f64, 4096>(&slender(), Tick::hertz(2).unwrap());
-    let at = |t: f64| ephemeris.at(t).orientation();
+    let table = table_of::<f64, 4096>(&slender(), Tick::hertz(2).unwrap());
+    let at = |t: f64| table.at(t).orientation();
     // neighbours in f64 are 512 units of time, 1024 ticks, apart below 2^62 and twice as far above
     let border = 2_f64.powi(62);
-    let mut cursor = ephemeris.cursor(i64::MAX);
+    let mut cursor = table.cursor(i64::MAX);
     // the tick number of the cursor wraps, and its phases continue
-    let mut next = || cursor.next(&ephemeris).orientation();
+    let mut next = || cursor.next(&table).orientation();
     next();
     assert_eq!(at(border), next());
     let mut filled = [Orientation::IDENTITY; 2];
-    ephemeris.fill_orientations(i64::MAX, &mut filled);
+    table.fill_orientations(i64::MAX, &mut filled);
     assert_eq!(filled[1], at(border));
     for _ in 0..2047 {
         next();
     }
     assert_eq!(at(border + 1024.0), next());
-    assert_eq!(at(-border), ephemeris.at_tick(i64::MIN).orientation());
+    assert_eq!(at(-border), table.at_tick(i64::MIN).orientation());
     // a time twice as far in the other direction is a different instant
     assert_ne!(at(-2.0 * border), at(-border));
     assert_ne!(at(1e20), at(1e22));

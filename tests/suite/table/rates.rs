@@ -1,9 +1,9 @@
-//! Rates of an ephemeris in each scalar: against the closed forms, which share no table with it, and their symmetries.
+//! Rates of a table in each scalar: against the closed forms, which share no table with it, and their symmetries.
 
 use fixed::types::{I2F14, I2F30};
 use toytop::scalar::Float;
 use toytop::su2::Vector;
-use toytop::{AttitudeState, Complex, Ephemeris, EphemerisScalar, Motion, Sample, Tick};
+use toytop::{AttitudeState, Complex, Motion, Sample, SizedTable, TableScalar, Tick};
 use toytop_closed_forms::ClosedForm;
 use toytop_tests::{apart, length, vectors, worst};
 
@@ -15,7 +15,7 @@ fn wide<W: Float>(vector: Vector<W>) -> Vector<f64> {
 }
 
 /// Greatest of the errors of Ω, ω, u' and the tip's velocity over s, rad per unit time.
-fn error<R: EphemerisScalar>(sample: Sample<'_, R>, truth: &AttitudeState<f64>, tip_scale: f64) -> f64 {
+fn error<R: TableScalar>(sample: Sample<'_, R>, truth: &AttitudeState<f64>, tip_scale: f64) -> f64 {
     let (velocity, rate) = (sample.tip_velocity(), truth.rate);
     let exact = (rate.alpha * truth.orientation.beta + truth.orientation.alpha * rate.beta).scaled(2.0);
     let off = Complex::new(velocity.re.to_f64() / tip_scale, velocity.im.to_f64() / tip_scale) - exact;
@@ -28,18 +28,18 @@ fn error<R: EphemerisScalar>(sample: Sample<'_, R>, truth: &AttitudeState<f64>, 
 }
 
 /// Greatest error of the rates over their bound, for every vector that has a closed form and fits the table.
-fn errors_over_bounds<R: EphemerisScalar, const SEGMENTS: usize>() -> Vec<f64> {
+fn errors_over_bounds<R: TableScalar, const SEGMENTS: usize>() -> Vec<f64> {
     let tick = Tick::hertz(RATE).unwrap();
     let of_motion = |motion: Motion| {
         let form = ClosedForm::from_motion(&motion).ok()?;
-        let ephemeris = Ephemeris::<R, SEGMENTS>::new(&motion, tick).ok()?;
-        let (bound, scale) = (ephemeris.rate_error_bound(), motion.top().tip_scale());
+        let table = SizedTable::<R, SEGMENTS>::new(&motion, tick).ok()?;
+        let (bound, scale) = (table.rate_error_bound(), motion.top().tip_scale());
         let ticks = (-1000..1000).chain([1 << 30, -(1 << 30)]);
         Some(ticks.fold(0.0_f64, |worst, n| {
             let truth = form.at(n as f64 / f64::from(RATE));
             // the closed form has the rounding of f64, and that of the phases at t = 0
             let allowed = bound.after(n as f64) + 2e-15 * length(truth.omega());
-            worst.max(error(ephemeris.at_tick(n), &truth, scale) / allowed)
+            worst.max(error(table.at_tick(n), &truth, scale) / allowed)
         }))
     };
     vectors::tabulated()
@@ -67,12 +67,12 @@ fn rates_are_within_their_bound() {
 }
 
 /// The axial component is the constant n/C in every scalar, and the rates of two ways of evaluation agree.
-fn consistent<R: EphemerisScalar, const SEGMENTS: usize>(rounding: f64) {
+fn consistent<R: TableScalar, const SEGMENTS: usize>(rounding: f64) {
     let motion = vectors::motion("generic_AneC");
-    let ephemeris = Ephemeris::<R, SEGMENTS>::new(&motion, Tick::hertz(RATE).unwrap()).unwrap();
+    let table = SizedTable::<R, SEGMENTS>::new(&motion, Tick::hertz(RATE).unwrap()).unwrap();
     let axial = motion.first_integrals().n / motion.top().axial_inertia();
     for n in -500..500 {
-        let sample = ephemeris.at_tick(n);
+        let sample = table.at_tick(n);
         let (_, omega_body) = sample.orientation_and_omega_body();
         let [.., x3] = wide(omega_body);
         assert!((x3 / axial - 1.0).abs() <= rounding, "{n}: {x3} {axial}");

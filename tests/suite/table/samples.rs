@@ -1,9 +1,7 @@
 //! Ways to read a table agree with each other and with the stepper. The file `truth` compares tables with exact values.
 
 use fixed::types::{I2F14, I2F30};
-use toytop::{
-    Ephemeris, EphemerisF32, EphemerisF64, EphemerisScalar, Motion, Orientation, State, Stepper, Tick,
-};
+use toytop::{Motion, Orientation, SizedTable, State, Stepper, TableF32, TableF64, TableScalar, Tick};
 use toytop_tests::{
     apart, check, check_all, keep, kilohertz, table_if_it_fits, tolerance, vectors, widened, worst,
 };
@@ -15,21 +13,21 @@ fn generic() -> Motion {
 /// Random access by tick, by time, by a cursor and by a batch give the same bits in every arithmetic, and a pose those of its quantities.
 #[test]
 fn every_access_gives_the_same_bits() {
-    fn agree<R: EphemerisScalar, const S: usize>() {
+    fn agree<R: TableScalar, const S: usize>() {
         let tick = Tick::hertz(1024).unwrap();
-        let ephemeris = Ephemeris::<R, S>::new(&generic(), tick).unwrap();
-        assert_eq!(ephemeris.capacity(), S);
+        let table = SizedTable::<R, S>::new(&generic(), tick).unwrap();
+        assert_eq!(table.capacity(), S);
         for (first, length) in [(0, 0), (-1, 1), (-500, 1001), (1 << 40, 4099)] {
             let mut batch = vec![Orientation::<R>::IDENTITY; length];
-            ephemeris.fill_orientations(first, &mut batch);
-            let mut cursor = ephemeris.cursor(first);
+            table.fill_orientations(first, &mut batch);
+            let mut cursor = table.cursor(first);
             for (n, phi) in (first..).zip(batch) {
-                let sample = ephemeris.at_tick(n);
-                let next = cursor.next(&ephemeris);
+                let sample = table.at_tick(n);
+                let next = cursor.next(&table);
                 assert_eq!([phi, next.orientation()], [sample.orientation(); 2], "tick {n} of {length}");
                 assert_eq!(next.tip_angle(), sample.tip_angle(), "tick {n} of {length}");
                 // the time of a tick of 1/1024 s is exact
-                let timed = ephemeris.at(n as f64 / 1024.0);
+                let timed = table.at(n as f64 / 1024.0);
                 assert_eq!(timed.attitude_state(), sample.attitude_state(), "tick {n} of {length}");
                 let pose = sample.pose();
                 assert_eq!((pose.orientation, pose.u, pose.tip), (phi, sample.u(), sample.tip()), "tick {n}");
@@ -45,13 +43,13 @@ fn every_access_gives_the_same_bits() {
 /// A cursor has the bits of random access on a long way, across t = 0.
 #[test]
 fn a_cursor_agrees_over_ten_million_ticks() {
-    let ephemeris = EphemerisF32::new(&generic(), kilohertz()).unwrap();
+    let table = TableF32::new(&generic(), kilohertz()).unwrap();
     let first = -5_000_000;
-    let mut cursor = ephemeris.cursor(first);
+    let mut cursor = table.cursor(first);
     for n in first..first + 10_000_000 {
-        let sample = cursor.next(&ephemeris);
+        let sample = cursor.next(&table);
         if n % 97 == 0 {
-            let other = ephemeris.at_tick(n);
+            let other = table.at_tick(n);
             assert_eq!(sample.attitude_state(), other.attitude_state());
             assert_eq!((sample.orientation(), sample.tip_angle()), (other.orientation(), other.tip_angle()));
         }
@@ -61,7 +59,7 @@ fn a_cursor_agrees_over_ten_million_ticks() {
 /// Whole seconds are whole ticks of 2/44100 s.
 #[test]
 fn a_whole_second_is_a_whole_number_of_ticks() {
-    let table = EphemerisF64::new(&generic(), Tick::ratio(44100, 2).unwrap()).unwrap();
+    let table = TableF64::new(&generic(), Tick::ratio(44100, 2).unwrap()).unwrap();
     for n in [0, 1, -1, 7, -7, 1 << 30, -(1 << 30), 12345] {
         assert_eq!(table.at(n as f64).orientation(), table.at_tick(22050 * n).orientation());
     }
@@ -81,12 +79,12 @@ fn samples_and_the_stepper_have_the_same_quantities() {
         };
     }
     let motion = vectors::motion("generic_AneC");
-    let ephemeris = EphemerisF64::new(&motion, kilohertz()).unwrap();
+    let table = TableF64::new(&motion, kilohertz()).unwrap();
     let mut stepper = Stepper::<f64>::new(&motion);
     let mut greatest = [0.0_f64; 2];
     for n in 1..=200 {
         stepper.step(0.001);
-        let sample = ephemeris.at_tick(n);
+        let sample = table.at_tick(n);
         let ours: Vec<f64> = quantities!(sample, sample);
         let off = |others: Vec<f64>| worst(ours.iter().zip(others).map(|(x, y)| (x - y).abs()));
         keep(
@@ -101,8 +99,8 @@ fn samples_and_the_stepper_have_the_same_quantities() {
 /// The last time is that of tick 2^63.
 #[test]
 fn the_last_time_is_that_of_the_last_tick() {
-    let ephemeris = EphemerisF32::new(&generic(), kilohertz()).unwrap();
-    assert_eq!(ephemeris.last_time(), 2_f64.powi(63) / 1000.0);
+    let table = TableF32::new(&generic(), kilohertz()).unwrap();
+    assert_eq!(table.last_time(), 2_f64.powi(63) / 1000.0);
 }
 
 /// Across the border of two segments value and slope change by no more than in 2e-12 of time.
@@ -110,12 +108,12 @@ fn the_last_time_is_that_of_the_last_tick() {
 fn motions_are_continuous_across_segments_and_turning_points() {
     let motion = generic();
     let period = motion.period_advance().unwrap().period;
-    let ephemeris = EphemerisF64::new(&motion, kilohertz()).unwrap();
-    let phase = ephemeris.at(0.0).nutation_phase().to_turns();
+    let table = TableF64::new(&motion, kilohertz()).unwrap();
+    let phase = table.at(0.0).nutation_phase().to_turns();
     let mut jumps = [0.0_f64; 2];
     for segment in 0..128 {
         let border = (f64::from(segment) / 128.0 - phase) * period;
-        let [before, after] = [-1e-12, 1e-12].map(|dt| ephemeris.at(border + dt).attitude_state());
+        let [before, after] = [-1e-12, 1e-12].map(|dt| table.at(border + dt).attitude_state());
         let value = before.orientation.distance(&after.orientation);
         keep(&mut jumps, [value, apart(before.omega(), after.omega())]);
     }
@@ -127,12 +125,12 @@ fn motions_are_continuous_across_segments_and_turning_points() {
 #[test]
 fn a_relaunch_goes_on_as_before() {
     let motion = generic();
-    let ephemeris = EphemerisF64::new(&motion, kilohertz()).unwrap();
+    let table = TableF64::new(&motion, kilohertz()).unwrap();
     let errors = [3, 1000, -4321].into_iter().flat_map(|n| {
-        let state = State::from_attitude(&ephemeris.at_tick(n).attitude_state()).unwrap();
-        let again = EphemerisF64::new(&Motion::launch(motion.top(), &state).unwrap(), kilohertz()).unwrap();
+        let state = State::from_attitude(&table.at_tick(n).attitude_state()).unwrap();
+        let again = TableF64::new(&Motion::launch(motion.top(), &state).unwrap(), kilohertz()).unwrap();
         [0, 1, -1, 700, 9999]
-            .map(|m| again.at_tick(m).orientation().distance(&ephemeris.at_tick(n + m).orientation()))
+            .map(|m| again.at_tick(m).orientation().distance(&table.at_tick(n + m).orientation()))
     });
     check("n + m ticks", worst(errors), tolerance::SAMPLES_N_M_TICKS);
     for vector in vectors::tabulated() {

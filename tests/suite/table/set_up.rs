@@ -4,20 +4,20 @@ use fixed::types::{I2F14, I2F30};
 use std::sync::mpsc;
 use std::{mem, thread};
 use toytop::{
-    Ephemeris, EphemerisF32, EphemerisMemory, EphemerisScalar, Motion, Release, SetUpError, State, Table,
-    TableSettings, Tick, Top, Workspace,
+    Motion, Release, SetUpError, SizedTable, State, Table, TableF32, TableMemory, TableScalar, TableSettings,
+    Tick, Top, Workspace,
 };
 use toytop_tests::{TOY, kilohertz, table_if_it_fits, vectors};
 
-fn equal_the_ones_by_value<R: EphemerisScalar>() {
+fn equal_the_ones_by_value<R: TableScalar>() {
     const SEGMENTS: usize = 128;
-    let (mut workspace, mut memory) = (Workspace::new(), EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new());
+    let (mut workspace, mut memory) = (Workspace::new(), TableMemory::<SizedTable<R, SEGMENTS>>::new());
     for vector in vectors::all() {
         let motion = vector.motion().unwrap();
         let mut calls = 0;
         let table =
             memory.set_up(&mut workspace, &motion, &TableSettings::new(kilohertz()), &mut || calls += 1);
-        match (table, Ephemeris::<R, SEGMENTS>::new(&motion, kilohertz())) {
+        match (table, SizedTable::<R, SEGMENTS>::new(&motion, kilohertz())) {
             (Ok(table), Ok(by_value)) => assert!(*table == *by_value, "{}", vector.name),
             (refusal, by_value) => assert_eq!(refusal.err(), by_value.err(), "{}", vector.name),
         }
@@ -45,7 +45,7 @@ fn a_table_too_small_is_refused() {
             && table_if_it_fits::<f32, 27>(&motion, kilohertz()).is_some()
     );
     assert!(
-        Ephemeris::<f32, 16>::new(&motion, TableSettings { truncation: Some(1e-4), ..kilohertz().into() })
+        SizedTable::<f32, 16>::new(&motion, TableSettings { truncation: Some(1e-4), ..kilohertz().into() })
             .is_ok()
     );
 }
@@ -54,15 +54,15 @@ fn a_table_too_small_is_refused() {
 #[test]
 fn a_refusal_takes_no_longer_than_a_table() {
     let motion = vectors::motion("exact_near_separatrix_straddle");
-    let calls = |memory: &mut EphemerisMemory<Table<f32>>| {
+    let calls = |memory: &mut TableMemory<Table<f32>>| {
         let mut calls = 0;
         let refused = memory
             .set_up(&mut Workspace::new(), &motion, &TableSettings::new(kilohertz()), &mut || calls += 1)
             .err();
         (refused, calls)
     };
-    let refused = calls(&mut EphemerisMemory::<Ephemeris<f32, 16>>::new());
-    let ready = calls(&mut EphemerisMemory::<Ephemeris<f32, 64>>::new());
+    let refused = calls(&mut TableMemory::<SizedTable<f32, 16>>::new());
+    let ready = calls(&mut TableMemory::<SizedTable<f32, 64>>::new());
     let truncation = f64::from(f32::EPSILON);
     assert_eq!(refused.0, Some(SetUpError::TableTooSmall { truncation, segments: 16 }));
     assert_eq!(ready.0, None);
@@ -70,7 +70,7 @@ fn a_refusal_takes_no_longer_than_a_table() {
 }
 
 /// Number of tables of exactly as many segments as are needed, of all vectors and of many allowed errors.
-fn tables_of_the_needed_size<R: EphemerisScalar, const SEGMENTS: usize>() -> usize {
+fn tables_of_the_needed_size<R: TableScalar, const SEGMENTS: usize>() -> usize {
     let mut tables = 0;
     for vector in vectors::tabulated() {
         let motion = vector.motion().unwrap();
@@ -79,7 +79,7 @@ fn tables_of_the_needed_size<R: EphemerisScalar, const SEGMENTS: usize>() -> usi
             let (exactly, enough) =
                 (needed == Some(SEGMENTS as u32), needed.is_some_and(|n| n <= SEGMENTS as u32));
             if exactly || SEGMENTS == 16 {
-                let table = Ephemeris::<R, SEGMENTS>::new(
+                let table = SizedTable::<R, SEGMENTS>::new(
                     &motion,
                     TableSettings { truncation: Some(truncation), ..kilohertz().into() },
                 );
@@ -94,7 +94,7 @@ fn tables_of_the_needed_size<R: EphemerisScalar, const SEGMENTS: usize>() -> usi
 /// The number of segments that is stated to be needed is enough, and a smaller table is refused.
 #[test]
 fn a_table_is_refused_if_it_has_fewer_segments_than_needed() {
-    fn tables<R: EphemerisScalar>() -> [usize; 7] {
+    fn tables<R: TableScalar>() -> [usize; 7] {
         [
             tables_of_the_needed_size::<R, 8>(),
             tables_of_the_needed_size::<R, 9>(),
@@ -130,7 +130,7 @@ fn a_launch_gives_time_between_its_stages() {
 #[test]
 fn tables_are_handed_over_while_they_are_sampled() {
     const EXCHANGES: i64 = 5;
-    type Memory = Box<EphemerisMemory<EphemerisF32>>;
+    type Memory = Box<TableMemory<TableF32>>;
     let set_up = |mut memory: Memory, name, epoch| {
         let (motion, tick) = (vectors::motion(name), Tick::hertz(16).unwrap());
         let settings = TableSettings { tick, epoch, truncation: Some(1e-3) };
@@ -172,7 +172,7 @@ fn memory_has_a_table_after_a_set_up() {
     let [easy, hard, rising] =
         ["exact_generic_pp", "near_separatrix_straddle", "exact_aperiodic"].map(vectors::motion);
     let settings = TableSettings::new(kilohertz());
-    let mut memory = EphemerisMemory::<Ephemeris<f64, 48>>::new();
+    let mut memory = TableMemory::<SizedTable<f64, 48>>::new();
     assert!(memory.get().is_none());
     let mut workspace = Workspace::new();
     assert!(memory.set_up(&mut workspace, &easy, &settings, &mut || {}).is_ok());

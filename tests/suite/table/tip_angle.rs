@@ -1,7 +1,7 @@
-//! The tip angle of an ephemeris, continued along the motion, in every scalar.
+//! The tip angle of a table, continued along the motion, in every scalar.
 
 use fixed::types::{I2F14, I2F30};
-use toytop::{EphemerisScalar, Stepper, Tick, TipClass};
+use toytop::{Stepper, TableScalar, Tick, TipClass};
 use toytop_tests::{
     DIFFERENT, SAME, by_branch_points, check, greater, kilohertz, table_if_it_fits, table_of, tolerance,
     top_of, vectors,
@@ -9,17 +9,17 @@ use toytop_tests::{
 
 /// Greatest error of the tip angle over the samples of all exact vectors, near 0 and up to 10⁹ periods, as a distance of the tip, in units
 /// of s. The error of the angle itself must be less than a quarter turn.
-fn greatest_error<R: EphemerisScalar, const SEGMENTS: usize>() -> f64 {
+fn greatest_error<R: TableScalar, const SEGMENTS: usize>() -> f64 {
     let (mut greatest, mut through_the_centre) = (0.0, 0);
     for vector in vectors::tabulated().filter(vectors::Vector::is_exact) {
         let motion = vector.motion().unwrap();
-        let Some(ephemeris) = table_if_it_fits::<R, SEGMENTS>(&motion, kilohertz()) else { continue };
+        let Some(table) = table_if_it_fits::<R, SEGMENTS>(&motion, kilohertz()) else { continue };
         through_the_centre += u32::from(motion.tip_class() == TipClass::ThroughOrigin);
         let first = vector.samples().into_iter().map(|sample| (1.0, sample));
         for (periods, sample) in first.chain(vector.huge_samples()) {
             let radius = sample.c.modulus() / motion.top().tip_scale();
             let (Some(truth), true) = (sample.tip_angle, radius > 1e-2) else { continue };
-            let ours = ephemeris.at(sample.t).tip_angle().unwrap().to_radians();
+            let ours = table.at(sample.t).tip_angle().unwrap().to_radians();
             // whole turns are counted modulo 2^32, and an f64 does not show small parts of many
             let off = (ours - truth).abs();
             let off = off.min((off - std::f64::consts::TAU * 2_f64.powi(32)).abs());

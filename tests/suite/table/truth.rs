@@ -1,26 +1,26 @@
 //! Tables against exact values: the orientation up to 10⁹ periods, and the other quantities of a sample.
 
 use fixed::types::{I2F14, I2F30};
-use toytop::{Complex, EphemerisScalar};
+use toytop::{Complex, TableScalar};
 use toytop_tests::vectors::{self, Vector};
 use toytop_tests::{check_all, keep, kilohertz, length, table_if_it_fits, tolerance, widened};
 
 /// Largest errors of a vector's samples: of the orientation over the first periods, and near 10³, 10⁶ and 10⁹ periods; of u, of u' relative
 /// to ω or 1, and of the tip, in the type of lengths and in the scalar itself, relative to its length. `None` if the table is too
 /// small.
-fn errors<R: EphemerisScalar<Quantity: Into<f64>> + Into<f64>, const S: usize>(
+fn errors<R: TableScalar<Quantity: Into<f64>> + Into<f64>, const S: usize>(
     vector: &Vector,
 ) -> Option<[f64; 8]> {
     let motion = vector.motion().unwrap();
-    let ephemeris = table_if_it_fits::<R, S>(&motion, kilohertz())?;
-    let (bound, scale) = (ephemeris.error_bound(), motion.top().tip_scale());
+    let table = table_if_it_fits::<R, S>(&motion, kilohertz())?;
+    let (bound, scale) = (table.error_bound(), motion.top().tip_scale());
     // the bound is still small after a hundred years; the rates of f32 and fixed point have 64 bits
     let small = if R::ROUNDING < 1e-12 { bound.constant } else { 1e-5 };
     assert!(bound.per_tick > 0.0 && bound.per_tick * 3e12 < small, "{}: {bound:?}", vector.name);
     let mut worst = [0.0_f64; 8];
     let first = vector.samples().into_iter().map(|sample| (1.0, sample));
     for (periods, truth) in first.chain(vector.huge_samples()) {
-        let sample = ephemeris.at(truth.t);
+        let sample = table.at(truth.t);
         let phi = widened(sample.orientation());
         let error = phi.distance(&truth.phi);
         let allowed = bound.after(truth.t * 1000.0);
@@ -34,7 +34,7 @@ fn errors<R: EphemerisScalar<Quantity: Into<f64>> + Into<f64>, const S: usize>(
             let narrow = Complex::new(narrow.re.into(), narrow.im.into());
             errors[4] = (sample.u().into() - truth.u).abs();
             let slope = (sample.udot().into() - truth.udot).abs();
-            let allowed = ephemeris.rate_error_bound().after(truth.t * 1000.0);
+            let allowed = table.rate_error_bound().after(truth.t * 1000.0);
             assert!(
                 !vector.is_exact() || slope <= allowed,
                 "{}: u' {slope:.1e} of {allowed:.1e}",
@@ -50,7 +50,7 @@ fn errors<R: EphemerisScalar<Quantity: Into<f64>> + Into<f64>, const S: usize>(
 }
 
 /// Largest errors of the vectors with exact inputs, with the smaller of two tables that is large enough.
-fn greatest<R: EphemerisScalar<Quantity: Into<f64>> + Into<f64>, const S: usize, const LARGER: usize>(
+fn greatest<R: TableScalar<Quantity: Into<f64>> + Into<f64>, const S: usize, const LARGER: usize>(
     least_gap: f64,
 ) -> [f64; 8] {
     let mut greatest = [0.0; 8];

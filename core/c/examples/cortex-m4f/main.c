@@ -6,8 +6,8 @@
 #include "../throw.h"
 #include "chip.h"
 
-static toytop_ephemeris_f32 tables[2];
-static const toytop_ephemeris_f32 *volatile current;
+static toytop_table_f32 tables[2];
+static const toytop_table_f32 *volatile current;
 static volatile int64_t ticks; /* of the interrupt, written by it alone */
 static volatile uint32_t changes, failures;
 static uint32_t calls;
@@ -15,10 +15,10 @@ static volatile float largest_jump;
 
 /* Called by the interrupt a thousand times a second. */
 void SysTick_Handler(void) {
-    static const toytop_ephemeris_f32 *table;
-    static toytop_ephemeris_cursor cursor;
+    static const toytop_table_f32 *table;
+    static toytop_cursor cursor;
     static float before[4];
-    const toytop_ephemeris_f32 *now = current;
+    const toytop_table_f32 *now = current;
     float quaternion[4];
     if (now == 0) return;
     if (now != table) {
@@ -46,7 +46,7 @@ static void stop_if(toytop_status status, const toytop_error *error) {
 static void count(void *context) { ++*(uint32_t *)context; }
 
 /* Sets up a table of the motion from a state at a tick, and prints the bits of three of its ticks. */
-static void set_up(toytop_ephemeris_f32 *table, const toytop_state *state, int64_t epoch) {
+static void set_up(toytop_table_f32 *table, const toytop_state *state, int64_t epoch) {
     static toytop_motion motion;
     static toytop_workspace workspace;
     static toytop_error error;
@@ -56,7 +56,7 @@ static void set_up(toytop_ephemeris_f32 *table, const toytop_state *state, int64
     stop_if(toytop_launch_with_pauses(&top, state, count, &calls, &motion, &error), &error);
     stop_if(toytop_f32_set_up(table, sizeof *table, &motion, &settings, &error), &error);
     for (int64_t tick = 0; tick < 3; tick++) {
-        toytop_ephemeris_sample now;
+        toytop_sample now;
         float numbers[6];
         toytop_f32_at_tick(table, epoch + tick, &now);
         toytop_f32_cayley_klein(&now, numbers);
@@ -71,7 +71,7 @@ static void set_up(toytop_ephemeris_f32 *table, const toytop_state *state, int64
 int main(void) {
     static toytop_error error;
     static toytop_state state;
-    toytop_ephemeris_sample at_the_stroke;
+    toytop_sample at_the_stroke;
     stop_if(toytop_state_from_release(&throw_of_20_degrees, &state, &error), &error);
     set_up(&tables[0], &state, 0);
     current = &tables[0];

@@ -3,7 +3,7 @@
 use core::ffi::{CStr, c_void};
 use core::mem::MaybeUninit;
 use core::ptr::null_mut;
-use toytop::{Ephemeris, Motion, Release, State, Tick, Top, TopParameters};
+use toytop::{Motion, Release, SizedTable, State, Tick, Top, TopParameters};
 use toytop_c::toytop_status::*;
 use toytop_c::*;
 
@@ -31,7 +31,7 @@ pub(crate) const SETTINGS: toytop_settings = toytop_settings {
 
 /// Bytes of a table in `f32` with this many segments.
 pub(crate) fn f32_size(segments: usize) -> usize {
-    TOYTOP_EPHEMERIS_F32_SIZE - 80 * 25 + 80 * segments
+    TOYTOP_TABLE_F32_SIZE - 80 * 25 + 80 * segments
 }
 
 /// Same release in the crate.
@@ -62,8 +62,8 @@ pub(crate) fn motion() -> Motion {
 }
 
 /// Table of this motion by the crate.
-pub(crate) fn ephemeris() -> Ephemeris<f64, 48> {
-    Ephemeris::new(&motion(), Tick::hertz(10).expect("a tick")).expect("it fits")
+pub(crate) fn table() -> SizedTable<f64, 48> {
+    SizedTable::new(&motion(), Tick::hertz(10).expect("a tick")).expect("it fits")
 }
 
 /// Pause that counts its calls.
@@ -80,10 +80,10 @@ pub(crate) fn launched(top: &toytop_top) -> toytop_motion {
 }
 
 /// Table in `f64` of a motion that is launched at tick 0, at 10 ticks a second: more than one turning point a tick.
-pub(crate) fn f64_table(motion: &toytop_motion) -> Box<toytop_ephemeris_f64> {
-    let mut table = Box::<toytop_ephemeris_f64>::new_uninit();
+pub(crate) fn f64_table(motion: &toytop_motion) -> Box<toytop_table_f64> {
+    let mut table = Box::<toytop_table_f64>::new_uninit();
     unsafe {
-        let (place, size) = (table.as_mut_ptr(), size_of::<toytop_ephemeris_f64>());
+        let (place, size) = (table.as_mut_ptr(), size_of::<toytop_table_f64>());
         assert_eq!(toytop_f64_set_up(place, size, motion, &SETTINGS, null_mut()), TOYTOP_OK);
         table.assume_init()
     }

@@ -6,7 +6,7 @@ use crate::fixture::{
 use core::ffi::CStr;
 use core::mem::{MaybeUninit, size_of};
 use core::ptr::null_mut;
-use toytop::{Ephemeris, Level, Motion, Release, State, Tick, Top, TopParameters};
+use toytop::{Level, Motion, Release, SizedTable, State, Tick, Top, TopParameters};
 use toytop_c::toytop_status::*;
 use toytop_c::*;
 
@@ -60,12 +60,13 @@ fn free_bodies_and_rotors_are_those_of_the_crate() {
     for (support, top) in [(TOYTOP_FREE, Top::free(&parameters)), (TOYTOP_SLIDING, Top::sliding(&parameters))]
     {
         let motion = Motion::launch(&top.expect("a top"), &state()).expect("a motion");
-        let expected = Ephemeris::<f32, 25>::new(&motion, Tick::hertz(10).expect("a tick")).expect("it fits");
+        let expected =
+            SizedTable::<f32, 25>::new(&motion, Tick::hertz(10).expect("a tick")).expect("it fits");
         let motion = launched(&toytop_top { support, rotor_momentum: -1.5e-3, ..TOP });
         let mut table = MaybeUninit::uninit();
         let table = table.as_mut_ptr();
         let q = unsafe {
-            let size = size_of::<toytop_ephemeris_f32>();
+            let size = size_of::<toytop_table_f32>();
             assert_eq!(toytop_f32_set_up(table, size, &motion, &SETTINGS, null_mut()), TOYTOP_OK);
             let constants = output_of(|to| toytop_motion_constants(&motion, to));
             assert_eq!(constants.min_normal_force.is_nan(), support == TOYTOP_FREE);

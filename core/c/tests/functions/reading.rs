@@ -1,6 +1,6 @@
 //! Tests of the reading of a table: every quantity has the bits of the crate, and a cursor or sample of another table is refused.
 
-use crate::fixture::{SETTINGS, TOP, ephemeris, f64_table, launched, motion, numbers, output_of};
+use crate::fixture::{SETTINGS, TOP, f64_table, launched, motion, numbers, output_of, table};
 use core::mem::{MaybeUninit, size_of};
 use core::ptr::null_mut;
 use toytop::{Complex, Events, Level, Phase};
@@ -10,7 +10,7 @@ use toytop_fit::Sensitivity;
 
 #[test]
 fn every_quantity_has_the_bits_of_the_crate() {
-    let expected = ephemeris();
+    let expected = table();
     let table = &*f64_table(&launched(&TOP));
     unsafe {
         for n in [0, 1, -5000, 1 << 40, i64::MAX] {
@@ -35,10 +35,10 @@ fn every_quantity_has_the_bits_of_the_crate() {
 
 #[test]
 fn events_and_partial_derivatives_are_those_of_the_crate() {
-    let expected = ephemeris();
+    let expected = table();
     let launched = &launched(&TOP);
     let table = &*f64_table(launched);
-    let same = |mut found: toytop_ephemeris_events, events: Events<'_, f64>| {
+    let same = |mut found: toytop_events, events: Events<'_, f64>| {
         for event in events.take(3) {
             let found = unsafe { output_of(|to| toytop_f64_next_event(&mut found, to)) };
             assert_eq!(
@@ -75,15 +75,15 @@ fn events_and_partial_derivatives_are_those_of_the_crate() {
 }
 
 /// Table of the top of the tests in 32-bit fixed point, launched at tick `epoch`.
-fn set_up_q31(memory: &mut MaybeUninit<toytop_ephemeris_q31>, epoch: i64) -> *mut toytop_ephemeris_q31 {
+fn set_up_q31(memory: &mut MaybeUninit<toytop_table_q31>, epoch: i64) -> *mut toytop_table_q31 {
     let (table, settings) = (memory.as_mut_ptr(), toytop_settings { epoch, ..SETTINGS });
-    let size = size_of::<toytop_ephemeris_q31>();
+    let size = size_of::<toytop_table_q31>();
     let status = unsafe { toytop_q31_set_up(table, size, &launched(&TOP), &settings, null_mut()) };
     assert_eq!(status, TOYTOP_OK);
     table
 }
 
-fn quaternion_q31(now: &toytop_ephemeris_sample) -> [i32; 4] {
+fn quaternion_q31(now: &toytop_sample) -> [i32; 4] {
     unsafe { numbers(|to| toytop_q31_quaternion(now, to)) }
 }
 
@@ -98,7 +98,7 @@ fn a_cursor_an_epoch_and_a_time_agree() {
         assert!(before.iter().zip(delayed).all(|(x, y)| x.abs_diff(y) < 8), "{before:?} {delayed:?}");
         let mut cursor = output_of(|to| toytop_q31_cursor(table, 107, to));
         assert_eq!(numbers(|to| toytop_q31_next_quaternion(table, &mut cursor, to)), delayed);
-        assert_eq!(output_of(|to| toytop_ephemeris_cursor_tick(&cursor, to)), 107);
+        assert_eq!(output_of(|to| toytop_cursor_tick(&cursor, to)), 107);
         let mut now = output_of(|to| toytop_q31_at(table, 10.7, to));
         assert_eq!(quaternion_q31(&now), delayed);
         assert_eq!(toytop_q31_at(table, f64::NAN, &mut now), TOYTOP_NOT_FINITE);
@@ -116,9 +116,9 @@ fn a_refused_call_leaves_the_cursor_where_it_is() {
     unsafe {
         let mut cursor = output_of(|to| toytop_q31_cursor(table, 107, to));
         assert_eq!(toytop_q31_next(table, &mut cursor, null_mut()), TOYTOP_NULL_POINTER);
-        assert_eq!(output_of(|to| toytop_ephemeris_cursor_tick(&cursor, to)), 106);
+        assert_eq!(output_of(|to| toytop_cursor_tick(&cursor, to)), 106);
         output_of(|to| toytop_q31_next(table, &mut cursor, to));
-        assert_eq!(output_of(|to| toytop_ephemeris_cursor_tick(&cursor, to)), 107);
+        assert_eq!(output_of(|to| toytop_cursor_tick(&cursor, to)), 107);
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::fixture::{SETTINGS, TOP, count, f32_size, launched, text};
 use core::mem::{MaybeUninit, size_of};
 use core::ptr::{null, null_mut};
-use toytop::Ephemeris;
+use toytop::SizedTable;
 use toytop_c::toytop_status::*;
 use toytop_c::*;
 
@@ -11,9 +11,9 @@ use toytop_c::*;
 #[test]
 fn each_refused_set_up_has_a_status() {
     let motion = &launched(&TOP);
-    let mut words = [0_u64; TOYTOP_EPHEMERIS_F32_SIZE / 8];
-    let table: *mut toytop_ephemeris_f32 = words.as_mut_ptr().cast();
-    let size = size_of::<toytop_ephemeris_f32>();
+    let mut words = [0_u64; TOYTOP_TABLE_F32_SIZE / 8];
+    let table: *mut toytop_table_f32 = words.as_mut_ptr().cast();
+    let size = size_of::<toytop_table_f32>();
     let mut boxed = Box::<toytop_workspace>::new_uninit();
     let empty: toytop_motion = unsafe { MaybeUninit::zeroed().assume_init() };
     let settings = toytop_settings { workspace: boxed.as_mut_ptr(), ..SETTINGS };
@@ -93,7 +93,7 @@ fn the_segments_needed_are_enough() {
 #[test]
 fn a_workspace_and_pauses_do_not_change_a_table() {
     let motion = launched(&TOP);
-    let size = size_of::<toytop_ephemeris_f64>();
+    let size = size_of::<toytop_table_f64>();
     for truncation in [0.0, 1e-4] {
         let on_stack = toytop_settings { epoch: 7, truncation, ..SETTINGS };
         let mut calls = 0_u32;
@@ -112,7 +112,7 @@ fn a_workspace_and_pauses_do_not_change_a_table() {
         });
         assert!(calls > 30, "{calls} calls");
         // behind the head and the flag of the memory, without padding, whose bytes may differ
-        let table = |words: &[u64]| unsafe { words[2..].as_ptr().cast::<Ephemeris<f64, 48>>().read() };
+        let table = |words: &[u64]| unsafe { words[2..].as_ptr().cast::<SizedTable<f64, 48>>().read() };
         assert_eq!(table(&one), table(&other), "truncation {truncation}");
         assert_eq!(one[0], other[0]);
     }

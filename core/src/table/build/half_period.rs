@@ -28,7 +28,7 @@ use crate::motion::ellipses::Ellipses;
 use crate::motion::period::Period;
 use crate::scalar::{Extended, Float};
 use crate::table::data::cell::{CELLS, Cell, MIN_DEPTH};
-use crate::table::evaluation::EphemerisScalar;
+use crate::table::evaluation::TableScalar;
 
 /// Quantities of half a period besides its segments.
 #[derive(Debug)]
@@ -59,7 +59,7 @@ impl HalfPeriod {
     };
 
     /// Computes all segments, and stores those that fit.
-    pub(super) fn compute<R: EphemerisScalar>(
+    pub(super) fn compute<R: TableScalar>(
         &mut self,
         motion: &Motion,
         limits: &Limits,
@@ -90,7 +90,7 @@ impl HalfPeriod {
     ///
     /// * `length`: half a period, s
     #[inline(never)]
-    fn tabulate_path<R: EphemerisScalar>(
+    fn tabulate_path<R: TableScalar>(
         &mut self,
         motion: &Motion,
         length: Extended,
@@ -107,7 +107,7 @@ impl HalfPeriod {
     }
 
     /// Stores one segment with constant a and b, for a constant u.
-    fn store_constants<R: EphemerisScalar>(&mut self, motion: &Motion, segments: &mut [R::Segment]) {
+    fn store_constants<R: TableScalar>(&mut self, motion: &Motion, segments: &mut [R::Segment]) {
         let Ellipses { alpha, beta } = motion.ellipses;
         for (index, ellipse) in [alpha, beta].into_iter().enumerate() {
             let [plus, minus] = ellipse.exponentials();
@@ -117,7 +117,7 @@ impl HalfPeriod {
     }
 
     /// Divides the half period into cells, and these into segments.
-    fn divide<R: EphemerisScalar>(
+    fn divide<R: TableScalar>(
         &mut self,
         path: &mut Path<'_, R::PathNumber>,
         segments: &mut [R::Segment],
@@ -158,7 +158,7 @@ impl HalfPeriod {
     ///
     /// * `depth`: depth of the segments
     /// * `point`: beginning of the cell
-    fn fill_cell<R: EphemerisScalar>(
+    fn fill_cell<R: TableScalar>(
         &mut self,
         cell: Interval,
         depth: u32,

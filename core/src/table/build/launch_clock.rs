@@ -6,7 +6,7 @@ use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
 use crate::table::data::cell::{MIN_SEGMENTS, is_falling};
 use crate::table::data::{Clock, Phases, Table, Tick};
-use crate::table::evaluation::EphemerisScalar;
+use crate::table::evaluation::TableScalar;
 
 impl<W: Float> Clock<W> {
     /// Clock of a motion; `start_tip_angle` adds [`Clock::tip_start`].
@@ -55,7 +55,7 @@ impl<W: Float> Clock<W> {
     }
 }
 
-impl<R: EphemerisScalar> Table<R> {
+impl<R: TableScalar> Table<R> {
     /// Sets the mean tip angle so that the tip angle at the launch is the argument of c in (-1/2, 1/2] turn.
     ///
     /// * `launch`: phases at the launch

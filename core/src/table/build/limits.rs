@@ -1,7 +1,7 @@
 //! Errors that a set-up allows to the parts of a table.
 
 use crate::table::data::cell::MIN_DEPTH;
-use crate::table::evaluation::{EphemerisScalar, TABLE_UNIT};
+use crate::table::evaluation::{TABLE_UNIT, TableScalar};
 
 /// Fraction of the allowed error for all steps along half a period. The segments have the rest.
 const PATH_FRACTION: f64 = 1.0 / 8.0;
@@ -24,7 +24,7 @@ pub(super) struct Limits {
 
 impl Limits {
     /// Limits for an allowed truncation error, rad. Series keep the scalar's accuracy even if more is allowed.
-    pub(super) fn new<R: EphemerisScalar>(allowed: f64, capacity: usize) -> Self {
+    pub(super) fn new<R: TableScalar>(allowed: f64, capacity: usize) -> Self {
         Self {
             capacity,
             path_error: PATH_FRACTION * allowed,

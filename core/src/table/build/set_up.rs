@@ -8,8 +8,8 @@ use super::path::PathMemory;
 use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::table::data::cell::{Cell, MIN_SEGMENTS};
-use crate::table::data::{Clock, Ephemeris, EphemerisMemory, Table, Tick};
-use crate::table::evaluation::EphemerisScalar;
+use crate::table::data::{Clock, SizedTable, Table, TableMemory, Tick};
+use crate::table::evaluation::TableScalar;
 
 /// Reason why a motion has no table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,7 +54,7 @@ pub struct TableSettings {
     pub tick: Tick,
     /// Tick of the launch on a running counter.
     pub epoch: i64,
-    /// Truncation error > 0, rad: a smaller table for a larger error. `None` for [`EphemerisScalar::TRUNCATION`].
+    /// Truncation error > 0, rad: a smaller table for a larger error. `None` for [`TableScalar::TRUNCATION`].
     pub truncation: Option<f64>,
 }
 
@@ -96,7 +96,7 @@ impl Workspace {
 }
 
 /// Computes the segments of half a period, and stores those that fit.
-fn tabulate<R: EphemerisScalar>(
+fn tabulate<R: TableScalar>(
     motion: &Motion,
     truncation: f64,
     workspace: &mut Workspace,
@@ -117,7 +117,7 @@ fn tabulate<R: EphemerisScalar>(
         .map_err(|TooManySegments| SetUpError::TableTooSmall { truncation, segments: capacity as u32 })
 }
 
-impl<R: EphemerisScalar> EphemerisMemory<Table<R>> {
+impl<R: TableScalar> TableMemory<Table<R>> {
     /// Sets up the table of a motion.
     ///
     /// * `pause`: called at least every 50 000 cycles of a Cortex-M4F (200 000 of a Cortex-M0+)
@@ -141,7 +141,7 @@ impl<R: EphemerisScalar> EphemerisMemory<Table<R>> {
     }
 }
 
-impl<R: EphemerisScalar> Table<R> {
+impl<R: TableScalar> Table<R> {
     /// Writes the cells, the clock and the error bounds.
     #[inline(never)]
     fn write_header(
@@ -164,20 +164,20 @@ impl<R: EphemerisScalar> Table<R> {
     }
 }
 
-impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
+impl<R: TableScalar, const SEGMENTS: usize> SizedTable<R, SEGMENTS> {
     /// Table of a motion, with these settings, or with those of [`TableSettings::new`] for a tick. In `f32` this takes 13 KB of a Cortex-M4F's stack;
-    /// [`EphemerisMemory::set_up`] takes 4 KB.
+    /// [`TableMemory::set_up`] takes 4 KB.
     ///
     /// # Errors
     /// [`SetUpError`]
     pub fn new(motion: &Motion, settings: impl Into<TableSettings>) -> Result<Self, SetUpError> {
-        let mut memory = EphemerisMemory::<Self>::new();
+        let mut memory = TableMemory::<Self>::new();
         memory.set_up(&mut Workspace::new(), motion, &settings.into(), &mut || {})?;
         Ok(memory.table)
     }
 }
 
-impl<R: EphemerisScalar> Table<R> {
+impl<R: TableScalar> Table<R> {
     /// Number of segments for a truncation error, rad. It takes the time and the stack of a set-up. `None` if 4096 are too few, the motion has no table, or the error is not finite and
     /// positive.
     #[must_use]

@@ -8,18 +8,18 @@ use core::fmt;
 use crate::table::data::Clock;
 use crate::table::data::ErrorBound;
 use crate::table::data::cell::{CELLS, Cell};
-use crate::table::data::ephemeris::{Ephemeris, Table};
-use crate::table::evaluation::EphemerisScalar;
+use crate::table::data::memory::{SizedTable, Table};
+use crate::table::evaluation::TableScalar;
 use crc32::Crc32;
 
 /// Version of the format.
 const FORMAT: u32 = 7;
 
-/// Fields of an [`Ephemeris`] as `toytop bake SCENARIO` writes them, in [the table format](crate::table_format).
+/// Fields of a [`SizedTable`] as `toytop bake SCENARIO` writes them, in [the table format](crate::table_format).
 ///
-/// `ephemeris` refuses data that were changed or would overflow. A constant of such data does not compile.
+/// `table` refuses data that were changed or would overflow. A constant of such data does not compile.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Baked<R: EphemerisScalar, const SEGMENTS: usize> {
+pub struct Baked<R: TableScalar, const SEGMENTS: usize> {
     /// Version of the format: [`Baked::FORMAT`].
     pub format: u32,
     /// CRC-32 of the format, the scalar, the number of segments and all fields below.
@@ -79,12 +79,12 @@ impl fmt::Display for BakedError {
 
 impl core::error::Error for BakedError {}
 
-impl<R: EphemerisScalar, const SEGMENTS: usize> Baked<R, SEGMENTS> {
+impl<R: TableScalar, const SEGMENTS: usize> Baked<R, SEGMENTS> {
     /// Version of the format that is read.
     pub const FORMAT: u32 = FORMAT;
 }
 
-impl<R: EphemerisScalar> Table<R> {
+impl<R: TableScalar> Table<R> {
     /// Checksum of the fields whose type does not depend on the scalar.
     const fn crc32_of_head(&self) -> Crc32 {
         let clock = &self.clock;
@@ -172,7 +172,7 @@ macro_rules! baked {
             ///
             /// # Errors
             /// [`BakedError`]
-            pub const fn ephemeris(&self) -> Result<Ephemeris<$scalar, SEGMENTS>, BakedError> {
+            pub const fn table(&self) -> Result<SizedTable<$scalar, SEGMENTS>, BakedError> {
                 if self.format != FORMAT {
                     return Err(BakedError::Format { found: self.format });
                 }
@@ -195,7 +195,7 @@ macro_rules! baked {
             }
         }
 
-        impl<const SEGMENTS: usize> Ephemeris<$scalar, SEGMENTS> {
+        impl<const SEGMENTS: usize> SizedTable<$scalar, SEGMENTS> {
             /// Literal data of the table. They may be too large for the stack of a chip.
             #[must_use]
             pub fn to_baked(&self) -> Baked<$scalar, SEGMENTS> {

@@ -4,10 +4,10 @@ use crate::complex::Complex;
 use crate::scalar::{Extended, Scalar, fraction_of_word, sine_cosine_f64};
 use crate::su2::Vector;
 use crate::table::evaluation::{
-    Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_UNIT, TickNumber,
+    Coefficient, EvaluationErrors, SegmentPoint, TABLE_UNIT, TableScalar, TickNumber,
 };
 
-impl EphemerisScalar for f64 {
+impl TableScalar for f64 {
     type Number = Self;
     type Coefficient = Self;
     type Segment = [[Self; 4]; 11];

@@ -7,7 +7,7 @@ use crate::table::evaluation::coefficient_i32::{
     COORDINATE_ERROR, INTEGER_ERRORS, overflow_limit, truncated_factors,
 };
 use crate::table::evaluation::q30::Q30;
-use crate::table::evaluation::{Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_BITS};
+use crate::table::evaluation::{Coefficient, EvaluationErrors, SegmentPoint, TABLE_BITS, TableScalar};
 use fixed::types::I2F14;
 
 /// Unit of the sums in 16 bits, 2^-15.
@@ -17,7 +17,7 @@ const OVERFLOW: i64 = overflow_limit(1e-3);
 /// Factor 1 - 9.4e-6 of the coefficients, in units of 2^-30. The 16-bit sines are up to 1.9e-5 too large; this halves the error.
 const SHRINK: i64 = (1 << 30) - 10093;
 
-impl EphemerisScalar for I2F14 {
+impl TableScalar for I2F14 {
     type Number = Q30;
     type Coefficient = i16;
     type Segment = [[i16; 4]; 3];

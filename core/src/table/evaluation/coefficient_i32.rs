@@ -11,7 +11,7 @@ use crate::integer::{high_product, high_product_limited, product_32x16, shifted_
 use crate::scalar::{Scalar, sine_cosine_q26};
 use crate::table::evaluation::q30::Q30;
 use crate::table::evaluation::{
-    Coefficient, EphemerisScalar, EvaluationErrors, SegmentPoint, TABLE_BITS, TickNumber, is_by_16_bits,
+    Coefficient, EvaluationErrors, SegmentPoint, TABLE_BITS, TableScalar, TickNumber, is_by_16_bits,
 };
 #[cfg(feature = "fixed")]
 use {crate::scalar::sine_cosine_q31, fixed::types::I2F30};
@@ -30,7 +30,7 @@ pub(super) const INTEGER_ERRORS: EvaluationErrors = EvaluationErrors {
 };
 pub(super) const COORDINATE_ERROR: f64 = 2.0 / (1_u64 << 32) as f64;
 
-impl EphemerisScalar for f32 {
+impl TableScalar for f32 {
     type Number = Q30;
     type Coefficient = i32;
     type Segment = [[i32; 4]; 5];
@@ -54,7 +54,7 @@ impl EphemerisScalar for f32 {
 }
 
 #[cfg(feature = "fixed")]
-impl EphemerisScalar for I2F30 {
+impl TableScalar for I2F30 {
     type Number = Q30;
     type Coefficient = i32;
     type Segment = [[i32; 4]; 4];

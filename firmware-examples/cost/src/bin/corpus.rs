@@ -15,8 +15,8 @@ use core::hint::black_box;
 use fixed::types::I2F30;
 use semihosting::{println, process};
 use toytop::{
-    Ephemeris, EphemerisMemory, EphemerisScalar, Motion, ParameterError, Release, State, Table,
-    TableSettings, Tick, Top, TopParameters, Workspace,
+    Motion, ParameterError, Release, SizedTable, State, Table, TableMemory, TableScalar, TableSettings, Tick,
+    Top, TopParameters, Workspace,
 };
 
 use start::entry;
@@ -26,9 +26,9 @@ const LAUNCHES: u32 = 200;
 #[entry]
 fn main() -> ! {
     let counter = Counter::start();
-    let mut single = EphemerisMemory::<Ephemeris<f32, 64>>::new();
-    let mut fixed = EphemerisMemory::<Ephemeris<I2F30, 64>>::new();
-    let mut double = EphemerisMemory::<Ephemeris<f64, 64>>::new();
+    let mut single = TableMemory::<SizedTable<f32, 64>>::new();
+    let mut fixed = TableMemory::<SizedTable<I2F30, 64>>::new();
+    let mut double = TableMemory::<SizedTable<f64, 64>>::new();
     for number in 0..LAUNCHES {
         run("f32", number, &mut single, &counter);
         run("q31", number, &mut fixed, &counter);
@@ -38,12 +38,7 @@ fn main() -> ! {
 }
 
 #[inline(never)]
-fn run<R: EphemerisScalar>(
-    scalar: &str,
-    number: u32,
-    memory: &mut EphemerisMemory<Table<R>>,
-    counter: &Counter,
-) {
+fn run<R: TableScalar>(scalar: &str, number: u32, memory: &mut TableMemory<Table<R>>, counter: &Counter) {
     let (top, state) = launch(number).expect("a possible launch");
     let (launched, of_motion, longest_of_motion) =
         interrupted(counter, |pause| Motion::launch_with_pauses(black_box(&top), black_box(&state), pause));

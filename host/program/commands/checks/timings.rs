@@ -8,7 +8,7 @@ use serde_json::json;
 use std::hint::black_box;
 use std::time::Instant;
 use toytop::scalar::Real;
-use toytop::{EphemerisF32, EphemerisF64, EphemerisScalar, Motion, Orientation, Stepper, Table, Tick};
+use toytop::{Motion, Orientation, Stepper, Table, TableF32, TableF64, TableScalar, Tick};
 use toytop_host::Failure;
 use toytop_host::input::builtin;
 use toytop_host::motion::full_equations;
@@ -98,8 +98,8 @@ fn rows() -> Vec<TimedTask> {
     let times = |states: u32| (1..=states).map(move |i| f64::from(i) * apart);
     let (top, state) = (motion.top(), full_equations::initial_state(&scenario));
     let tick = Tick::hertz(1024).expect("a rate");
-    let double = EphemerisF64::new(motion, tick).expect("a table");
-    let single = EphemerisF32::new(motion, tick).expect("a table");
+    let double = TableF64::new(motion, tick).expect("a table");
+    let single = TableF32::new(motion, tick).expect("a table");
     let solver = FullSolver::new(top, state, TOLERANCE).expect("a solver");
     let full = time(format!("full solver, tolerance {TOLERANCE:.0e}"), STATES / 8, || {
         let mut solver = solver.clone();
@@ -118,7 +118,7 @@ fn rows() -> Vec<TimedTask> {
         },
     );
     let set_up = time("ephemeris f64: its set-up, once", 1, || {
-        drop(black_box(EphemerisF64::new(black_box(motion), tick)));
+        drop(black_box(TableF64::new(black_box(motion), tick)));
     });
     let any_time = time("ephemeris f64: any time, with the angular velocity", STATES, || {
         times(STATES).for_each(|t| {
@@ -134,7 +134,7 @@ fn rows() -> Vec<TimedTask> {
 }
 
 /// Rows of an ephemeris.
-fn time_ephemeris<R: EphemerisScalar>(scalar: &str, table: &Table<R>) -> [TimedTask; 3] {
+fn time_ephemeris<R: TableScalar>(scalar: &str, table: &Table<R>) -> [TimedTask; 3] {
     let mut out = vec![Orientation::<R>::IDENTITY; STATES as usize];
     let batch = time(format!("ephemeris {scalar}: in a batch"), STATES, || {
         table.fill_orientations(black_box(FIRST_TICK), &mut out);

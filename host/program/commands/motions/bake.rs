@@ -22,7 +22,7 @@ use toytop::{ErrorBound, Table, Tick};
 use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::{HeapTable, TableScalar};
+use toytop_host::motion::ephemeris::{HeapScalar, HeapTable};
 
 /// Table of a motion as a constant for firmware: Rust or C
 ///
@@ -84,7 +84,7 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
 }
 
 /// Text of the file, and the line that states the scalar, the size and the error bound of the table in it.
-fn baked<R: TableScalar>(
+fn baked<R: HeapScalar>(
     arguments: &BakeArgs,
     scenario: &Scenario,
     tick: Tick,
@@ -147,7 +147,7 @@ impl TableTitle {
     }
 
     /// Name and properties of the table for a comment, without characters that could end the comment.
-    fn headline<R: TableScalar>(&self, table: &Table<R>) -> String {
+    fn headline<R: HeapScalar>(&self, table: &Table<R>) -> String {
         let printable = |c: &char| !c.is_control() && !['*', '/', '\\'].contains(c);
         let name: String = self.name.chars().filter(printable).collect();
         let ErrorBound { constant, per_tick } = table.error_bound();

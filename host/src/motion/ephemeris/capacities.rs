@@ -2,17 +2,17 @@
 
 use super::aperiodic::ClosedFormEvaluator;
 use super::heap_table::{Capacity, capacity};
-use super::{Evaluator, HeapTable, MotionEphemeris, TableScalar};
+use super::{Evaluator, HeapScalar, HeapTable, MotionEphemeris};
 use crate::Failure;
 use crate::motion::Scalar;
-use toytop::{Ephemeris, EphemerisMemory, Motion, Regime, SetUpError, Table, TableSettings, Tick, Workspace};
+use toytop::{Motion, Regime, SetUpError, SizedTable, Table, TableMemory, TableSettings, Tick, Workspace};
 use toytop_model::motion_constants::MotionConstants;
 
 /// Capacities that a table may have, in ascending order: powers of two, and the capacity of the core's own type.
-fn capacities<R: TableScalar>() -> Vec<Capacity<R>> {
+fn capacities<R: HeapScalar>() -> Vec<Capacity<R>> {
     macro_rules! capacities {
         ($($segments:literal)*) => {
-            vec![R::OWN_CAPACITY, $(capacity(EphemerisMemory::<Ephemeris<R, $segments>>::new)),*]
+            vec![R::OWN_CAPACITY, $(capacity(TableMemory::<SizedTable<R, $segments>>::new)),*]
         };
     }
     let mut capacities = capacities!(8 16 32 64 128 256 512 1024 2048 4096);
@@ -52,7 +52,7 @@ pub fn ephemeris_with(
     }
     let settings =
         TableSettings { truncation, ..TableSettings::new(tick.unwrap_or_else(|| constants.tick())) };
-    fn smallest<R: TableScalar>(
+    fn smallest<R: HeapScalar>(
         motion: &Motion,
         settings: TableSettings,
         evaluator: fn(HeapTable<R>) -> Evaluator,
@@ -68,7 +68,7 @@ pub fn ephemeris_with(
     }
 }
 
-impl<R: TableScalar> HeapTable<R> {
+impl<R: HeapScalar> HeapTable<R> {
     /// Table of a motion whose truncation error is within the rounding of the scalar.
     ///
     /// * `segments`: capacity; by default the capacity of the core's own type, or the next larger one that fits
@@ -122,7 +122,7 @@ mod tests {
     use crate::motion::ephemeris::tests::motion;
 
     /// Sizes that are chosen. Every smaller size is refused, and the motions of the test need every size.
-    fn sizes_chosen<R: TableScalar>(motions: &[Motion]) -> Vec<usize> {
+    fn sizes_chosen<R: HeapScalar>(motions: &[Motion]) -> Vec<usize> {
         let chosen = |motion: &Motion| {
             let table = ephemeris_for(R::SCALAR, motion).unwrap();
             let tick = MotionConstants::new(*motion).tick();

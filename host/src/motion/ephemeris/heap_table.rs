@@ -6,13 +6,12 @@ use crate::motion::sample::{Quantities, Sample, unwrapped};
 use fixed::types::{I2F14, I2F30};
 use toytop::scalar::Float;
 use toytop::{
-    Ephemeris, EphemerisF32, EphemerisF64, EphemerisMemory, EphemerisQ15, EphemerisQ31, EphemerisScalar,
-    Event, Pose, Table,
+    Event, Pose, SizedTable, Table, TableF32, TableF64, TableMemory, TableQ15, TableQ31, TableScalar,
 };
 
 /// Scalar of the core with its name and the capacity of its own table.
-pub trait TableScalar:
-    EphemerisScalar<Coefficient: Into<f64>, Segment: Send + Sync, Quantity: Send + Sync> + Send + Sync
+pub trait HeapScalar:
+    TableScalar<Coefficient: Into<f64>, Segment: Send + Sync, Quantity: Send + Sync> + Send + Sync
 {
     /// Scalar on the command line.
     const SCALAR: Scalar;
@@ -25,20 +24,20 @@ pub trait TableScalar:
 }
 
 /// Number of segments of a table, and function that makes its memory.
-pub type Capacity<R> = (u32, fn() -> Box<EphemerisMemory<Table<R>>>);
+pub type Capacity<R> = (u32, fn() -> Box<TableMemory<Table<R>>>);
 
 /// Capacity of the memory of a type.
-pub(super) const fn capacity<R: TableScalar, const SEGMENTS: usize>(
-    _: fn() -> EphemerisMemory<Ephemeris<R, SEGMENTS>>,
+pub(super) const fn capacity<R: HeapScalar, const SEGMENTS: usize>(
+    _: fn() -> TableMemory<SizedTable<R, SEGMENTS>>,
 ) -> Capacity<R> {
-    (SEGMENTS as u32, || Box::new(EphemerisMemory::<Ephemeris<R, SEGMENTS>>::new()))
+    (SEGMENTS as u32, || Box::new(TableMemory::<SizedTable<R, SEGMENTS>>::new()))
 }
 
-macro_rules! table_scalar {
+macro_rules! heap_scalar {
     ($($scalar:ty: $name:ident, $table:ty;)*) => { $(
-        impl TableScalar for $scalar {
+        impl HeapScalar for $scalar {
             const SCALAR: Scalar = Scalar::$name;
-            const OWN_CAPACITY: Capacity<Self> = capacity(EphemerisMemory::<$table>::new);
+            const OWN_CAPACITY: Capacity<Self> = capacity(TableMemory::<$table>::new);
 
             fn crc32(table: &Table<Self>) -> u32 {
                 table.crc32()
@@ -47,17 +46,17 @@ macro_rules! table_scalar {
     )* };
 }
 
-table_scalar! {
-    f64: F64, EphemerisF64;
-    f32: F32, EphemerisF32;
-    I2F30: Q31, EphemerisQ31;
-    I2F14: Q15, EphemerisQ15;
+heap_scalar! {
+    f64: F64, TableF64;
+    f32: F32, TableF32;
+    I2F30: Q31, TableQ31;
+    I2F14: Q15, TableQ15;
 }
 
 /// Table of the core on the heap, after its set-up.
-pub struct HeapTable<R: EphemerisScalar>(pub(super) Box<EphemerisMemory<Table<R>>>);
+pub struct HeapTable<R: TableScalar>(pub(super) Box<TableMemory<Table<R>>>);
 
-impl<R: TableScalar> HeapTable<R> {
+impl<R: HeapScalar> HeapTable<R> {
     /// Table itself.
     pub fn table(&self) -> &Table<R> {
         self.0.get().expect("set up")
@@ -102,13 +101,13 @@ impl<R: TableScalar> HeapTable<R> {
 }
 
 /// Sample of a table at the time t.
-struct TableSample<'a, R: TableScalar> {
+struct TableSample<'a, R: HeapScalar> {
     table: &'a Table<R>,
     now: toytop::Sample<'a, R>,
     t: f64,
 }
 
-impl<R: TableScalar> Quantities for TableSample<'_, R> {
+impl<R: HeapScalar> Quantities for TableSample<'_, R> {
     fn t(&self) -> f64 {
         self.t
     }

@@ -12,8 +12,8 @@ use crate::process::{root, run};
 /// Program that includes the header twice and uses its macros.
 const PROGRAM: &str = "#include <toytop.h>
 #include <toytop.h>
-static toytop_ephemeris_q31 table;
-static uint64_t larger[TOYTOP_EPHEMERIS_F32_SIZE_OF(128) / 8];
+static toytop_table_q31 table;
+static uint64_t larger[TOYTOP_TABLE_F32_SIZE_OF(128) / 8];
 int main(void) {
     toytop_error error;
     toytop_settings settings = {{1000, 1}, 0, 0.0, 0, 0, 0};

@@ -65,7 +65,7 @@ mod tests {
     use crate::table::build::limits::Limits;
     use crate::table::build::path::PathMemory;
     use crate::table::build::tests::nutating_motion;
-    use crate::table::evaluation::EphemerisScalar;
+    use crate::table::evaluation::TableScalar;
     use crate::{Release, State, Top, TopParameters};
 
     /// Errors of the rates far above the rounding of the increments: the bound must contain each of them completely.

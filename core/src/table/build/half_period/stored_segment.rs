@@ -4,11 +4,11 @@ use crate::scalar::{Float, Ring};
 use crate::table::build::interval::Interval;
 use crate::table::build::path::{Path, PathMemory};
 use crate::table::build::polynomial::Polynomial;
-use crate::table::evaluation::{Coefficient, EphemerisScalar, TABLE_UNIT};
+use crate::table::evaluation::{Coefficient, TABLE_UNIT, TableScalar};
 
 /// Rounds the polynomial of a (index 0) or b (1), and stores it in a segment, if there is one. Returns the error of 16-bit products, rad;
 /// infinite on overflow.
-pub(super) fn store_polynomial<R: EphemerisScalar>(
+pub(super) fn store_polynomial<R: TableScalar>(
     segment: Option<&mut R::Segment>,
     index: usize,
     polynomial: &Polynomial,
@@ -67,7 +67,7 @@ impl SegmentBounds {
 /// Computes the polynomials of a and b on a segment, and stores them if the table has the segment.
 ///
 /// * `span`: span of the path that contains the segment
-pub(super) fn store_segment<R: EphemerisScalar>(
+pub(super) fn store_segment<R: TableScalar>(
     path: &mut Path<'_, R::PathNumber>,
     span: Interval,
     segment: Interval,

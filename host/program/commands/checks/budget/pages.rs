@@ -78,7 +78,7 @@ const ROWS: [(&str, &str); 24] = [
         "launch",
         "set-up, once per launch, `f32`: from measured numbers to the ephemeris, of a 50 g top at 150 rad/s",
     ),
-    ("new", "set-up of this top, table by value on the stack (`EphemerisF32::new`)"),
+    ("new", "set-up of this top, table by value on the stack (`TableF32::new`)"),
     ("slices", "set-up of this top, whose `Workspace` is kept in static memory"),
     ("launch_slow", "set-up of the same top at 5 rad/s"),
     ("launch_falling", "set-up of the same top released at 0.057 degrees and 30 rad/s, from where it falls"),

@@ -9,14 +9,14 @@ use toytop::internal::{COSINE, CUBIC, LINEAR, SINE, SINE_Q26, SINES, VERSINE};
 use toytop::scalar::Float;
 use toytop::{Baked, ErrorBound, Table};
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::TableScalar;
+use toytop_host::motion::ephemeris::HeapScalar;
 
 /// Version of the format.
 const FORMAT: u32 = Baked::<f32, 16>::FORMAT;
 
 /// Text of a header: a comment, the include guard, size and error bounds as macros, the code and the table. If one file includes several
 /// headers, the code that they share is compiled once.
-pub fn header<R: TableScalar>(title: &TableTitle, table: &Table<R>) -> String {
+pub fn header<R: HeapScalar>(title: &TableTitle, table: &Table<R>) -> String {
     let name = title.c_name();
     let (scalar, upper) = (R::SCALAR.name(), name.to_uppercase());
     let bounds = [table.error_bound(), table.rate_error_bound()];
@@ -57,7 +57,7 @@ pub fn header<R: TableScalar>(title: &TableTitle, table: &Table<R>) -> String {
 }
 
 /// Definition of a table.
-fn definition<R: TableScalar>(title: &TableTitle, table: &Table<R>) -> String {
+fn definition<R: HeapScalar>(title: &TableTitle, table: &Table<R>) -> String {
     let (name, scalar) = (title.c_name(), R::SCALAR.name());
     let is_f64 = R::SCALAR == Scalar::F64;
     let number = |x: R::Coefficient| {
@@ -88,7 +88,7 @@ static const toytop_{scalar} {name} = {{
 }
 
 /// Initialisers of a `toytop_clock`, a line for those of each type.
-fn initialisers<R: TableScalar>(table: &Table<R>) -> String {
+fn initialisers<R: HeapScalar>(table: &Table<R>) -> String {
     let clock = table.clock();
     let words = |numbers: &[u64]| {
         let words: Vec<_> = numbers.iter().map(|number| format!("{number:#x}u")).collect();

@@ -3,7 +3,7 @@
 use super::TableTitle;
 use toytop::{Baked, Table};
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::TableScalar;
+use toytop_host::motion::ephemeris::HeapScalar;
 
 /// Lines with fields of a struct, as Rust writes them.
 macro_rules! fields {
@@ -13,7 +13,7 @@ macro_rules! fields {
 }
 
 /// Text of the module. Numbers are printed by Rust, which reads back the same bits.
-pub fn module<R: TableScalar>(title: &TableTitle, table: &Table<R>) -> String {
+pub fn module<R: HeapScalar>(title: &TableTitle, table: &Table<R>) -> String {
     let name = title.identifier().to_uppercase();
     let scalar = match R::SCALAR {
         Scalar::Q31 => "toytop::fixed::types::I2F30",
@@ -29,7 +29,7 @@ pub fn module<R: TableScalar>(title: &TableTitle, table: &Table<R>) -> String {
 /// `{name}.at_tick(n)` is any tick; `{name}.cursor(0)` goes from one to the next.
 #[rustfmt::skip]
 #[allow(clippy::all, clippy::pedantic)]
-pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
+pub static {name}: toytop::SizedTable{size} = match (toytop::Baked::{size} {{
     format: {format},
     crc32: {crc32:#010x},
     clock: toytop::Clock {{
@@ -40,9 +40,9 @@ pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
     segments: [
 {segments}    ],
 }})
-.ephemeris()
+.table()
 {{
-    Ok(ephemeris) => ephemeris,
+    Ok(table) => table,
     Err(toytop::BakedError::Format {{ .. }}) => panic!(\"format: written by another version of toytop\"),
     Err(toytop::BakedError::Checksum {{ .. }}) => panic!(\"crc32: the numbers were changed\"),
     Err(_) => panic!(\"a number is out of range\"),
@@ -64,7 +64,7 @@ pub static {name}: toytop::Ephemeris{size} = match (toytop::Baked::{size} {{
 }
 
 /// Coefficients of a segment in brackets, with one row in each line.
-fn rows<R: TableScalar>(segment: &[[R::Coefficient; 4]]) -> String {
+fn rows<R: HeapScalar>(segment: &[[R::Coefficient; 4]]) -> String {
     let lines: String = segment.iter().map(|row| format!("            {row:?},\n")).collect();
     format!("        [\n{lines}        ],\n")
 }

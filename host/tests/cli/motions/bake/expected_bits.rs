@@ -6,7 +6,7 @@ use fixed::types::{I2F14, I2F30};
 use std::fmt::{Debug, Write as _};
 use std::path::Path;
 use toytop::scalar::Float;
-use toytop::{Complex, Ephemeris, EphemerisScalar, Sample, Tick};
+use toytop::{Complex, Sample, SizedTable, TableScalar, Tick};
 use toytop_host::input::scenario::Scenario;
 
 /// Motion with the size of its table.
@@ -101,7 +101,7 @@ pub(crate) const RATES: u32 = 500;
 fn truth<R: Printed, const S: usize>(file: &str, [ticks, seconds]: [u32; 2]) -> Truth {
     let motion = Scenario::read(Path::new(file)).expect("a scenario").motion;
     let tick = Tick::ratio(ticks, seconds).expect("a tick");
-    let table: Box<Ephemeris<R, S>> = Box::new(Ephemeris::new(&motion, tick).expect("it fits"));
+    let table: Box<SizedTable<R, S>> = Box::new(SizedTable::new(&motion, tick).expect("it fits"));
     let (singles, runs, length) = RUNS;
     let (mut state, mut lines) = (1, String::new());
     for k in 0..singles {
@@ -140,7 +140,7 @@ fn bits(numbers: impl IntoIterator<Item = f64>) -> String {
 }
 
 /// Scalars with u and the tip as the C evaluator has them: in units of length in floating point, of s in fixed point.
-trait Printed: EphemerisScalar + Into<f64> + Debug {
+trait Printed: TableScalar + Into<f64> + Debug {
     const NAME: &'static str;
 
     fn u(sample: &Sample<'_, Self>) -> Self {

@@ -26,7 +26,7 @@ fn the_size_is_chosen_and_stated() {
         let run = toytop(format!("bake {file} --scalar {scalar}"));
         let stated = format!(": {segments}x{terms} in {scalar}, ");
         assert!(run.err.contains(&stated) && run.err.contains(" rad a tick"), "{}", run.err);
-        assert!(run.out.contains(&format!("toytop::Ephemeris<{word}, {segments}>")), "{file} {scalar}");
+        assert!(run.out.contains(&format!("toytop::SizedTable<{word}, {segments}>")), "{file} {scalar}");
     }
     assert!(toytop("bake --help").ok().contains("toytop bake top.toml"));
 }

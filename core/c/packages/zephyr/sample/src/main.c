@@ -6,8 +6,8 @@
 static const toytop_top top = {TOYTOP_SLIDING, 3.0e-5, 2.0e-5, 0.03, 0.05, 0.0, TOYTOP_STANDARD_GRAVITY, 0.0};
 static const toytop_release release = {0.35, 0.0, 0.0, 150.0, 0.0, 0.0};
 static const toytop_settings settings = {.tick = {10, 1}}; /* 10 ticks in 1 s */
-static toytop_ephemeris_f32 table;
-static toytop_ephemeris_cursor cursor;
+static toytop_table_f32 table;
+static toytop_cursor cursor;
 static toytop_motion motion;
 
 int main(void) {

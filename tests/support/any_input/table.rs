@@ -1,9 +1,9 @@
-//! An ephemeris in floating point or in fixed point: set-up and evaluation.
+//! A table in floating point or in fixed point: set-up and evaluation.
 
 use super::input::Input;
 use super::invariants;
 use fixed::types::{I2F14, I2F30};
-use toytop::{Complex, Ephemeris, EphemerisScalar, Level, Phase, Table, TableSettings};
+use toytop::{Complex, Level, Phase, SizedTable, Table, TableScalar, TableSettings};
 
 pub(super) fn run_fixed(bytes: &[u8]) {
     let mut input = Input::new(bytes);
@@ -24,20 +24,20 @@ pub(super) fn run(bytes: &[u8]) {
     }
 }
 
-/// Checks an ephemeris of one scalar and capacity, for a motion, a tick length and times from the input.
-fn run_scalar<R: EphemerisScalar + Into<f64>, const SEGMENTS: usize>(input: &mut Input<'_>)
+/// Checks a table of one scalar and capacity, for a motion, a tick length and times from the input.
+fn run_scalar<R: TableScalar + Into<f64>, const SEGMENTS: usize>(input: &mut Input<'_>)
 where
     R::Quantity: Into<f64>,
 {
     let Ok(motion) = input.motion() else { return };
     let Ok(tick) = input.tick(&motion) else { return };
-    let Ok(ephemeris) = Ephemeris::<R, SEGMENTS>::new(
+    let Ok(table) = SizedTable::<R, SEGMENTS>::new(
         &motion,
         TableSettings { truncation: Some(input.truncation()), ..tick.into() },
     ) else {
         return;
     };
-    let bound = ephemeris.error_bound();
+    let bound = table.error_bound();
     invariants::finite("error bound", [bound.constant, bound.per_tick]);
     assert!(bound.constant > 0.0 && bound.per_tick >= 0.0, "{bound:?}");
     // a defect of the norm is an orientation error; where the bound is 0.1 rad or more, only finite numbers are
@@ -47,15 +47,15 @@ where
 
     for _ in 0..4 {
         let (n, t) = (input.wide(), input.signed(-12.0, 20.0));
-        let now = ephemeris.at_tick(n);
-        let mut cursor = ephemeris.cursor(n);
-        assert_eq!(cursor.next(&ephemeris).orientation(), now.orientation());
-        let next = cursor.next(&ephemeris);
+        let now = table.at_tick(n);
+        let mut cursor = table.cursor(n);
+        assert_eq!(cursor.next(&table).orientation(), now.orientation());
+        let next = cursor.next(&table);
         // after the last tick the motion goes on, and only its number wraps
         if let Some(n) = n.checked_add(1) {
-            assert_eq!(ephemeris.at_tick(n).orientation(), next.orientation());
+            assert_eq!(table.at_tick(n).orientation(), next.orientation());
         }
-        let samples = [now, next, ephemeris.at(t), ephemeris.at(n as f64)];
+        let samples = [now, next, table.at(t), table.at(n as f64)];
         for sample in samples {
             invariants::orientation("sample", sample.orientation(), error);
             invariants::attitude("attitude", &sample.attitude_state(), error);
@@ -66,18 +66,18 @@ where
             assert_eq!(sample.tip_angle().is_none(), motion.regime().is_vertical());
             assert!(sample.nutation_phase() >= Phase::ZERO);
         }
-        events(&ephemeris, n, t);
+        events(&table, n, t);
     }
 }
 
 /// Checks that events of every kind are in order and not before the requested tick.
-fn events<R: EphemerisScalar>(ephemeris: &Table<R>, n: i64, t: f64) {
+fn events<R: TableScalar>(table: &Table<R>, n: i64, t: f64) {
     let level = Level::from_u(t - t.round());
-    let crossings = level.map(|level| ephemeris.crossings(level, n).take(3).collect::<Vec<_>>());
+    let crossings = level.map(|level| table.crossings(level, n).take(3).collect::<Vec<_>>());
     let found = [
-        ephemeris.turning_points(n).take(3).collect(),
+        table.turning_points(n).take(3).collect(),
         crossings.unwrap_or_default(),
-        ephemeris.tip_angles(Phase::from_turns(t), n).take(3).collect(),
+        table.tip_angles(Phase::from_turns(t), n).take(3).collect(),
     ];
     for events in found {
         let mut before = (n, 0.0);
@@ -86,7 +86,7 @@ fn events<R: EphemerisScalar>(ephemeris: &Table<R>, n: i64, t: f64) {
                 (0.0..1.0).contains(&event.fraction) && (event.tick, event.fraction) >= before,
                 "{event:?} after {before:?}"
             );
-            invariants::finite("time", [ephemeris.time_of(&event)]);
+            invariants::finite("time", [table.time_of(&event)]);
             before = (event.tick, event.fraction);
         }
     }

@@ -2,21 +2,21 @@
 
 use crate::table::data::Clock;
 use crate::table::data::cell::{CELLS, Cell, MIN_SEGMENTS};
-use crate::table::evaluation::EphemerisScalar;
+use crate::table::evaluation::TableScalar;
 use core::ops::{Deref, DerefMut};
 
 /// Table of one motion with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.
 ///
 /// It has the methods of [`Table`]. Size: 4 · SEGMENTS ·
-/// [`EphemerisScalar::TERMS`] coefficients, and 248 bytes, or 264 in `f64`.
-pub type Ephemeris<R, const SEGMENTS: usize> = Table<R, [<R as EphemerisScalar>::Segment; SEGMENTS]>;
+/// [`TableScalar::TERMS`] coefficients, and 248 bytes, or 264 in `f64`.
+pub type SizedTable<R, const SEGMENTS: usize> = Table<R, [<R as TableScalar>::Segment; SEGMENTS]>;
 
 /// Table without its capacity in the type. Readers take an `&Table<f32>`.
 ///
-/// The parameter S is the type of the segments: a slice, or the array of an [`Ephemeris`].
+/// The parameter S is the type of the segments: a slice, or the array of a [`SizedTable`].
 #[derive(Debug, PartialEq)]
 #[repr(C)] // the increments first, in reach of the smallest chip's load instructions
-pub struct Table<R: EphemerisScalar, S: ?Sized = [<R as EphemerisScalar>::Segment]> {
+pub struct Table<R: TableScalar, S: ?Sized = [<R as TableScalar>::Segment]> {
     pub(crate) clock: Clock<R::Quantity>,
     pub(crate) error_bound: ErrorBound,
     pub(crate) rate_error_bound: ErrorBound,
@@ -26,20 +26,20 @@ pub struct Table<R: EphemerisScalar, S: ?Sized = [<R as EphemerisScalar>::Segmen
 }
 
 /// Table in `f32`, 2.3 KB: enough for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.4.
-pub type EphemerisF32 = Ephemeris<f32, 25>;
+pub type TableF32 = SizedTable<f32, 25>;
 
-/// Table in `f64`, 17 KB, for the motions of [`EphemerisF32`]; where A/(ps) >= 1, `Ephemeris<f64, 32>` is enough.
-pub type EphemerisF64 = Ephemeris<f64, 48>;
+/// Table in `f64`, 17 KB, for the motions of [`TableF32`]; where A/(ps) >= 1, `SizedTable<f64, 32>` is enough.
+pub type TableF64 = SizedTable<f64, 48>;
 
 /// Table in 32-bit fixed point, 2.3 KB: enough for the README's top; many motions need 64 segments.
 #[cfg(feature = "fixed")]
-pub type EphemerisQ31 = Ephemeris<fixed::types::I2F30, 32>;
+pub type TableQ31 = SizedTable<fixed::types::I2F30, 32>;
 
 /// Table in 16-bit fixed point, 0.6 KB: enough for the README's top; many motions need 32 segments.
 #[cfg(feature = "fixed")]
-pub type EphemerisQ15 = Ephemeris<fixed::types::I2F14, 16>;
+pub type TableQ15 = SizedTable<fixed::types::I2F14, 16>;
 
-impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
+impl<R: TableScalar, const SEGMENTS: usize> SizedTable<R, SEGMENTS> {
     /// Table before set-up. All its bits are 0, so that it takes no flash.
     const EMPTY: Self = {
         assert!(SEGMENTS >= MIN_SEGMENTS && SEGMENTS <= Cell::MAX_SEGMENTS);
@@ -53,7 +53,7 @@ impl<R: EphemerisScalar, const SEGMENTS: usize> Ephemeris<R, SEGMENTS> {
     };
 }
 
-impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for Ephemeris<R, SEGMENTS> {
+impl<R: TableScalar, const SEGMENTS: usize> Deref for SizedTable<R, SEGMENTS> {
     type Target = Table<R>;
 
     #[inline(always)]
@@ -92,27 +92,27 @@ impl ErrorBound {
 /// Memory of a table, in a static for example. The table cannot be read before its set-up.
 #[derive(Debug)]
 #[repr(C)] // the C interface reads it by its address
-pub struct EphemerisMemory<T: ?Sized> {
+pub struct TableMemory<T: ?Sized> {
     /// Whether the last set-up succeeded.
     pub(crate) is_set_up: bool,
     pub(crate) table: T,
 }
 
-impl<R: EphemerisScalar, const SEGMENTS: usize> EphemerisMemory<Ephemeris<R, SEGMENTS>> {
+impl<R: TableScalar, const SEGMENTS: usize> TableMemory<SizedTable<R, SEGMENTS>> {
     /// Memory without a table. A static of it takes no flash.
     #[must_use]
     pub const fn new() -> Self {
-        Self { is_set_up: false, table: Ephemeris::EMPTY }
+        Self { is_set_up: false, table: SizedTable::EMPTY }
     }
 }
 
-impl<R: EphemerisScalar, const SEGMENTS: usize> Default for EphemerisMemory<Ephemeris<R, SEGMENTS>> {
+impl<R: TableScalar, const SEGMENTS: usize> Default for TableMemory<SizedTable<R, SEGMENTS>> {
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl<R: EphemerisScalar> EphemerisMemory<Table<R>> {
+impl<R: TableScalar> TableMemory<Table<R>> {
     /// Table, if the last set-up succeeded.
     #[must_use]
     pub fn get(&self) -> Option<&Table<R>> {
@@ -120,21 +120,21 @@ impl<R: EphemerisScalar> EphemerisMemory<Table<R>> {
     }
 }
 
-impl<R: EphemerisScalar, const SEGMENTS: usize> Deref for EphemerisMemory<Ephemeris<R, SEGMENTS>> {
-    type Target = EphemerisMemory<Table<R>>;
+impl<R: TableScalar, const SEGMENTS: usize> Deref for TableMemory<SizedTable<R, SEGMENTS>> {
+    type Target = TableMemory<Table<R>>;
 
     fn deref(&self) -> &Self::Target {
         self
     }
 }
 
-impl<R: EphemerisScalar, const SEGMENTS: usize> DerefMut for EphemerisMemory<Ephemeris<R, SEGMENTS>> {
+impl<R: TableScalar, const SEGMENTS: usize> DerefMut for TableMemory<SizedTable<R, SEGMENTS>> {
     fn deref_mut(&mut self) -> &mut Self::Target {
         self
     }
 }
 
-impl<R: EphemerisScalar> Table<R> {
+impl<R: TableScalar> Table<R> {
     /// Number of segments that there is room for.
     #[must_use]
     pub fn capacity(&self) -> usize {
@@ -189,7 +189,7 @@ impl<R: EphemerisScalar> Table<R> {
 }
 
 #[cfg(feature = "defmt")]
-impl<R: EphemerisScalar, const SEGMENTS: usize> defmt::Format for Ephemeris<R, SEGMENTS> {
+impl<R: TableScalar, const SEGMENTS: usize> defmt::Format for SizedTable<R, SEGMENTS> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "table of {=usize} segments, {}", SEGMENTS, self.error_bound());
     }
