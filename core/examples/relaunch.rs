@@ -5,7 +5,8 @@
 //! `relaunch` does so between two ticks of a running interrupt.
 
 use toytop::{
-    Motion, Release, State, TableF64, TableMemory, TableSettings, Tick, Top, TopParameters, Workspace,
+    Motion, PointImpulse, Release, State, TableF64, TableMemory, TableSettings, Tick, Top, TopParameters,
+    Workspace,
 };
 
 fn main() -> Result<(), Box<dyn core::error::Error>> {
@@ -20,10 +21,10 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     // second fixed axis.
     let struck_at: u16 = 250;
     let state = State::from_attitude(&before.at_tick(struck_at.into()).attitude_state())?;
-    let (impulse, point) = ([0.0, 2.0e-3, 0.0], [0.025, 0.0, 0.03]);
-    let [.., pressure] = state.reaction_impulse(&top, impulse, point)?;
+    let stroke = PointImpulse { impulse: [0.0, 2.0e-3, 0.0], point: [0.025, 0.0, 0.03] };
+    let [.., pressure] = state.reaction_impulse(&top, &stroke)?;
     println!("the plane answers with {pressure:.1e} N s; if that were negative, the top would leave it");
-    let motion = Motion::launch(&top, &state.with_impulse(&top, impulse, point)?)?;
+    let motion = Motion::launch(&top, &state.with_impulse(&top, &stroke)?)?;
     let settings = TableSettings { epoch: struck_at.into(), ..settings };
     let after = second.set_up(&mut workspace, &motion, &settings, &mut || {})?;
 
@@ -33,7 +34,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     println!("omega before: {:?} rad/s", old.omega());
     println!("omega after:  {:?} rad/s", new.omega());
     assert!(jump < 1e-12 && pressure > 0.0);
-    for (stated, found) in state.with_impulse(&top, impulse, point)?.omega().into_iter().zip(new.omega()) {
+    for (stated, found) in state.with_impulse(&top, &stroke)?.omega().into_iter().zip(new.omega()) {
         assert!((stated - found).abs() < 1e-9, "{stated} {found}");
     }
 

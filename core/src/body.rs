@@ -12,6 +12,7 @@ mod impulse;
 
 pub(crate) use error::check_range;
 pub use error::{ParameterError, check, check_finite};
+pub use impulse::PointImpulse;
 pub use parameters::TopParameters;
 pub(crate) use state::half_tilt_sine_cosine;
 pub use state::{Release, State};

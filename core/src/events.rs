@@ -1,4 +1,4 @@
-//! Events: instants at which a motion turns, reaches a tilt, a circle or a tip angle, or lifts off.
+//! Events: instants at which a motion turns, or reaches a tilt, a circle or a tip angle.
 //!
 //! u has a value at one nutation phase while it rises, found by bisection, and at minus that phase while it falls. A tip angle is found by
 //! bisection in time.

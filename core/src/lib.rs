@@ -107,7 +107,7 @@ pub mod internal {
     }
 }
 
-pub use body::{ParameterError, Release, State, Support, Top, TopParameters};
+pub use body::{ParameterError, PointImpulse, Release, State, Support, Top, TopParameters};
 pub use complex::Complex;
 pub use constants::{BranchPoints, FirstIntegrals, Regime, Sign, Signs, TipClass};
 pub use events::{Event, Events, Level};
@@ -147,7 +147,8 @@ mod tests {
     fn firmware_may_log_everything() {
         fn logged<T: defmt::Format>() {}
         logged::<(Complex<f32>, scalar::Extended, Orientation<f32>, su2::OrientationRate<f64>, Phase)>();
-        logged::<(ParameterError, Support, Top, TopParameters, Release, InitialAngles, State)>();
+        logged::<(ParameterError, PointImpulse, Support, Top, TopParameters, Release, InitialAngles, State)>(
+        );
         logged::<(BranchPoints, FirstIntegrals, PeriodAdvance, Regime, TipClass)>();
         logged::<(Motion, Sign, Signs)>();
         logged::<(TableF32, TableF64, ErrorBound, SetUpError, TableSettings, Event, Level)>();

@@ -87,7 +87,7 @@ impl Motion {
 
     /// Nutation period.
     ///
-    /// * `words`: 1 to integrate it in 64 bits, 2 in 128
+    /// * `words`: 1 to integrate it in numbers of 64 bits, 2 of 128 bits
     #[inline(always)] // only one of the two integrations is then linked
     pub(crate) fn period(
         &self,

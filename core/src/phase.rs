@@ -42,7 +42,7 @@ impl Phase {
         Self(ldexp_i128(mantissa.into(), exponent + FRACTION_BITS))
     }
 
-    /// Phase of an angle in radians, relatively to 2^-52; 0 if it is not finite.
+    /// Phase of an angle in radians, with a relative error of 2^-52; 0 if it is not finite.
     pub fn from_radians(angle: f64) -> Self {
         Self::from_turns(angle * (0.5 * core::f64::consts::FRAC_1_PI))
     }
@@ -74,12 +74,12 @@ impl Phase {
         Self((a as i128) | (b as i128) << 32 | (c as i128) << 64 | (d as i128) << 96)
     }
 
-    /// Number of turns, relatively to 2^-53.
+    /// Number of turns, with a relative error of 2^-53.
     pub fn to_turns(self) -> f64 {
         self.0 as f64 * Self::RESOLUTION
     }
 
-    /// Angle in radians, to 2^-52.
+    /// Angle in radians, with a relative error of 2^-52.
     pub fn to_radians(self) -> f64 {
         self.to_turns() * (2.0 * core::f64::consts::PI)
     }

@@ -7,11 +7,13 @@
 //! | [`Ring`] | `+ - *`, order, 0 and 1 | yes | yes | yes |
 //! | [`Scalar`] | sine and cosine of an integer phase: the numbers of orientations | yes | no | yes |
 //! | [`Float`] | division, square root, conversion: what *set-up* needs | yes | yes | no |
-//! | [`Real`] | both, an arctangent and an exponential: what a *stepper* and a fit need | yes | no | no |
+//! | [`Real`] | `Scalar` and `Float`, an arctangent and an exponential: what a *stepper* and a fit need | yes | no | no |
 
 mod wide;
 
 pub(crate) mod sine;
+
+mod q30;
 
 #[cfg(feature = "fixed")]
 mod fixed_point;
@@ -19,6 +21,7 @@ mod fixed_point;
 mod numeric_struct;
 
 pub(crate) use numeric_struct::numeric_struct;
+pub(crate) use q30::Q30;
 #[cfg(feature = "fixed")]
 pub(crate) use sine::sine_cosine_q15;
 pub(crate) use sine::{

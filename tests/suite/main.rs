@@ -12,13 +12,13 @@ mod rotations {
 /// From a launch to the stepper: constants, kinds of motion, first integrals, the tip.
 mod motion {
     mod conditioning;
+    mod conservation;
     mod from_launch_to_table;
-    mod invariants;
     #[cfg(feature = "host")]
     mod lagrangian;
     mod normal_force;
     mod other_tops;
-    pub(crate) mod properties;
+    pub(crate) mod random_tops;
     mod regimes;
     mod stepper_order;
     mod tip_curve;
@@ -45,26 +45,26 @@ mod events {
 
 /// Sections 3 to 5 of the paper: curves, integrals and closed forms.
 mod closed_forms {
+    mod against_mpmath;
     mod aperiodic;
     mod elliptic;
-    mod four_methods;
     mod free_body;
     #[cfg(feature = "host")]
     mod hyperelliptic;
     mod lagrange;
+    mod methods_agree;
     #[cfg(feature = "host")]
     mod poles;
     mod precession;
     #[cfg(feature = "host")]
     mod quadrature;
-    mod reference;
 }
 
 /// Launches found from measurements, and partial derivatives.
 mod fit {
     mod drift;
     mod first_guesses;
-    mod limits;
+    mod saturated_and_refused;
     #[cfg(feature = "host")]
     mod sensitivity;
     mod sensors;
@@ -74,8 +74,8 @@ mod fit {
 
 /// Refused input, and input of the fuzzer.
 mod errors {
-    mod any_input;
     mod fuzz_regressions;
+    mod random_bytes;
     mod refusals;
 }
 

@@ -15,13 +15,13 @@ pub const ELLIPTIC_SN_CN_DN_AM: f64 = 1.2e-16;
 pub const ELLIPTIC_K: f64 = 1.2e-16;
 pub const ELLIPTIC_P_AND_ZETA: [f64; 3] = [1.2e-16; 3];
 
-// closed_forms/four_methods.rs
-pub const FOUR_METHODS_EXACT_INPUTS: f64 = 1e-15;
-pub const FOUR_METHODS_ROUNDED_INPUTS: f64 = 5e-14;
-pub const FOUR_METHODS_AFTER_1E9_PERIODS: f64 = 1e-15;
-pub const FOUR_METHODS_CLOSED_FORM_AND_TABLE: f64 = 2e-15;
-pub const FOUR_METHODS_CLOSED_FORM_AND_STEPPER: f64 = 1e-13;
-pub const FOUR_METHODS_TOWARDS_THE_CORNERS: f64 = 1e-14;
+// closed_forms/methods_agree.rs
+pub const METHODS_AGREE_EXACT_INPUTS: f64 = 1e-15;
+pub const METHODS_AGREE_ROUNDED_INPUTS: f64 = 5e-14;
+pub const METHODS_AGREE_AFTER_1E9_PERIODS: f64 = 1e-15;
+pub const METHODS_AGREE_CLOSED_FORM_AND_TABLE: f64 = 2e-15;
+pub const METHODS_AGREE_CLOSED_FORM_AND_STEPPER: f64 = 1e-13;
+pub const METHODS_AGREE_TOWARDS_THE_CORNERS: f64 = 1e-14;
 
 // closed_forms/free_body.rs
 pub const FREE_BODY_SPINNING: f64 = 5e-15;
@@ -36,10 +36,10 @@ pub const HYPERELLIPTIC_AROUND_THE_CUT: f64 = 1e-14;
 pub const POLES_TABLES_1_AND_2: f64 = 1e-14;
 pub const POLES_T_INFINITY: f64 = 1e-14;
 
-// closed_forms/reference.rs
-pub const REFERENCE_FORMULAS: f64 = 3e-15;
-pub const REFERENCE_SEVERAL_DIFFERENCES_SMALL_TOGETHER: f64 = 1e-15;
-pub const REFERENCE_PER_PERIOD: f64 = 5e-14;
+// closed_forms/against_mpmath.rs
+pub const AGAINST_MPMATH_FORMULAS: f64 = 3e-15;
+pub const AGAINST_MPMATH_SEVERAL_DIFFERENCES_SMALL_TOGETHER: f64 = 1e-15;
+pub const AGAINST_MPMATH_PER_PERIOD: f64 = 5e-14;
 
 // events/impulse.rs
 pub const IMPULSE_BALANCES: [f64; 2] = [1e-13, 5e-15];
@@ -56,11 +56,11 @@ pub const EVENTS_AT_A_CUSP: f64 = 2e-6;
 // fit/sensitivity.rs
 pub const SENSITIVITY_DERIVATIVES: f64 = 1e-10;
 
-// motion/invariants.rs
-pub const INVARIANTS_THERE_AND_BACK: f64 = 1e-14;
-pub const INVARIANTS_L_N_H: f64 = 1e-14;
-pub const INVARIANTS_F64: [f64; 2] = [2e-15, 1e-14];
-pub const INVARIANTS_F32: [f64; 2] = [1e-6, 5e-6];
+// motion/conservation.rs
+pub const CONSERVATION_THERE_AND_BACK: f64 = 1e-14;
+pub const CONSERVATION_L_N_H: f64 = 1e-14;
+pub const CONSERVATION_F64: [f64; 2] = [2e-15, 1e-14];
+pub const CONSERVATION_F32: [f64; 2] = [1e-6, 5e-6];
 
 // motion/lagrangian.rs
 pub const LAGRANGIAN_EQN_MOTION: f64 = 5e-15;

@@ -2,7 +2,7 @@
 
 use crate::memory::{read, write};
 use crate::status::{Refusal, status_of, toytop_error, toytop_status};
-use toytop::{Complex, Orientation, ParameterError, Release, State, Top, TopParameters};
+use toytop::{Complex, Orientation, ParameterError, PointImpulse, Release, State, Top, TopParameters};
 
 /// Support of a tip that slides on a horizontal plane without friction: Springborn's toy top.
 pub const TOYTOP_SLIDING: u32 = 0;
@@ -164,8 +164,8 @@ pub unsafe extern "C" fn toytop_impulse(
     // SAFETY: the caller guarantees valid pointers.
     unsafe {
         status_of(error, || {
-            let (top, before, impulse, point) = impulse_arguments(top, before, impulse, point)?;
-            let struck = before.with_impulse(&top, impulse, point)?;
+            let (top, before, impulse) = impulse_arguments(top, before, impulse, point)?;
+            let struck = before.with_impulse(&top, &impulse)?;
             write(after, toytop_state::from_state(&struck))
         })
     }
@@ -180,10 +180,11 @@ unsafe fn impulse_arguments(
     before: *const toytop_state,
     impulse: *const f64,
     point: *const f64,
-) -> Result<(Top, State, [f64; 3], [f64; 3]), Refusal> {
+) -> Result<(Top, State, PointImpulse), Refusal> {
     // SAFETY: the caller guarantees valid pointers.
     unsafe {
-        Ok((read(top)?.checked()?, read(before)?.checked()?, read(impulse.cast())?, read(point.cast())?))
+        let (top, before) = (read(top)?.checked()?, read(before)?.checked()?);
+        Ok((top, before, PointImpulse { impulse: read(impulse.cast())?, point: read(point.cast())? }))
     }
 }
 
@@ -205,8 +206,8 @@ pub unsafe extern "C" fn toytop_reaction_impulse(
     // SAFETY: the caller guarantees valid pointers.
     unsafe {
         status_of(error, || {
-            let (top, before, impulse, point) = impulse_arguments(top, before, impulse, point)?;
-            let answered = before.reaction_impulse(&top, impulse, point)?;
+            let (top, before, impulse) = impulse_arguments(top, before, impulse, point)?;
+            let answered = before.reaction_impulse(&top, &impulse)?;
             write(reaction.cast(), answered)
         })
     }

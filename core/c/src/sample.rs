@@ -40,7 +40,7 @@ unsafe fn write_quantity<R: TableScalar, T>(
 
 /// Sample at a time.
 fn at<R: TableScalar>(table: &Table<R>, time: f64) -> Result<Sample<'_, R>, Refusal> {
-    let is_reached = check_finite("time", time)?.abs() < table.last_time();
+    let is_reached = check_finite("time", time)?.abs() < table.end_time();
     check(is_reached, "time", "within 2^63 ticks")?;
     Ok(table.at(time))
 }

@@ -1,4 +1,4 @@
-//! Aperiodic motion, e₂ = e₃ = 1: the axis descends from the vertical and rises to it again, each in infinite time
+//! Aperiodic motion, e₂ = e₃ = 1: the axis leaves the vertical and returns to it, in infinite time
 //! (section 5.3 of the paper).
 //!
 //! In the variable v, for which sn becomes tanh, these quantities are elementary:

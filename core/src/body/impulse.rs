@@ -21,17 +21,26 @@ use super::{ParameterError, State, Support, Top, check, check_range};
 use crate::scalar::Float;
 use crate::su2::{Vector, add_scaled, cross, dot, scaled};
 
+/// Impulse at a point of a body. A pair J at X + D and -J at X is an angular impulse D × J.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct PointImpulse {
+    /// Impulse J in the fixed frame, N s.
+    pub impulse: Vector<f64>,
+    /// Point X in the body frame, m from the tip, or from the centre of mass of a free body. The centre of mass of a top is at [0, 0, s].
+    pub point: Vector<f64>,
+}
+
 impl State {
-    /// State after an impulse J, N s in the fixed frame, at a point X of the body, m in the body frame *from the tip*.
-    ///
-    /// The centre of mass is at [0, 0, s]; for a free body X is from it. A pair J at X + D and -J at X is an angular impulse D × J.
+    /// State after an impulse.
     ///
     /// ```
-    /// use toytop::{Release, State, Top, TopParameters};
+    /// use toytop::{PointImpulse, Release, State, Top, TopParameters};
     /// let top = Top::sliding(&TopParameters::TOY)?;
     /// let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() })?;
     /// // tangential, 25 mm from the axis, at the height of the centre of mass
-    /// let struck = state.with_impulse(&top, [0.0, 2.0e-3, 0.0], [0.025, 0.0, 0.03])?;
+    /// let stroke = PointImpulse { impulse: [0.0, 2.0e-3, 0.0], point: [0.025, 0.0, 0.03] };
+    /// let struck = state.with_impulse(&top, &stroke)?;
     /// assert!(struck.omega() != state.omega() && struck.orientation() == state.orientation());
     /// # Ok::<(), toytop::ParameterError>(())
     /// ```
@@ -39,13 +48,8 @@ impl State {
     /// # Errors
     /// `impulse`: a component is not finite, is above 1e12 N s, or makes a component of ω exceed 1e12 rad/s; `point`: a
     /// component is not finite or is above 1e12 m.
-    pub fn with_impulse(
-        &self,
-        top: &Top,
-        impulse: Vector<f64>,
-        point: Vector<f64>,
-    ) -> Result<Self, ParameterError> {
-        let omega = add_scaled(self.omega, self.omega_change(top, impulse, point)?, 1.0);
+    pub fn with_impulse(&self, top: &Top, impulse: &PointImpulse) -> Result<Self, ParameterError> {
+        let omega = add_scaled(self.omega, self.omega_change(top, impulse)?, 1.0);
         for component in omega {
             check(
                 component.abs() <= MAX_RATE,
@@ -61,15 +65,10 @@ impl State {
     ///
     /// # Errors
     /// `impulse`, `point`: a component is not finite or is above 1e12.
-    pub fn reaction_impulse(
-        &self,
-        top: &Top,
-        impulse: Vector<f64>,
-        point: Vector<f64>,
-    ) -> Result<Vector<f64>, ParameterError> {
-        let change = self.omega_change(top, impulse, point)?;
+    pub fn reaction_impulse(&self, top: &Top, impulse: &PointImpulse) -> Result<Vector<f64>, ParameterError> {
+        let change = self.omega_change(top, impulse)?;
         let momentum = scaled(cross(change, self.orientation.normalised().axis()), top.mass_moment());
-        let reaction = add_scaled(momentum, impulse, -1.0);
+        let reaction = add_scaled(momentum, impulse.impulse, -1.0);
         let [.., vertical] = reaction;
         Ok(match top.support() {
             Support::Sliding => [0.0, 0.0, vertical],
@@ -82,8 +81,7 @@ impl State {
     fn omega_change(
         &self,
         top: &Top,
-        impulse: Vector<f64>,
-        point: Vector<f64>,
+        &PointImpulse { impulse, point }: &PointImpulse,
     ) -> Result<Vector<f64>, ParameterError> {
         for (name, vector) in [("impulse", impulse), ("point", point)] {
             for component in vector {

@@ -38,7 +38,7 @@ pub struct Release {
 impl State {
     /// State from the Cayley-Klein parameters and ω (rad/s) in the fixed frame.
     ///
-    /// Φ is normalised; its squared norm may differ from 1 by 1e-6. Components below 1e-60 count as 0.
+    /// Φ may differ from a unit norm by roundings: its squared norm by 1e-6. Components below 1e-60 count as 0.
     ///
     /// # Errors
     /// `alpha`, `beta`, `omega`: a component is not finite; `alpha`: the squared norm differs from 1 by more than 1e-6; `omega`: above 1e12 rad/s.

@@ -20,7 +20,7 @@ pub enum Regime {
     SleepingUnstable,
     /// e₁ = e₂ = -1: the centre of mass is straight below the tip.
     Hanging,
-    /// e₂ = e₃ = 1 and u < 1: the axis rises to the vertical in infinite time.
+    /// e₂ = e₃ = 1 and u < 1: the axis leaves the vertical and returns to it, in infinite time.
     Aperiodic,
 }
 

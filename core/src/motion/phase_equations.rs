@@ -122,7 +122,7 @@ impl PhaseEquations<Extended> {
 }
 
 /// Distances of a value of u from -1, 1 and e₃, and the inverse of D(u).
-pub(crate) struct Point<F> {
+pub(crate) struct TiltDistances<F> {
     pub(crate) one_plus_u: F,
     pub(crate) one_minus_u: F,
     pub(crate) e3_minus_u: F,
@@ -130,13 +130,18 @@ pub(crate) struct Point<F> {
 }
 
 impl<F: Float> PhaseEquations<F> {
-    /// Point at given sin χ and cos χ, without cancellation near the vertical.
-    pub(crate) fn point(&self, sine: F, cosine: F) -> Point<F> {
+    /// Distances at given sin χ and cos χ, without cancellation near the vertical.
+    pub(crate) fn tilt_distances(&self, sine: F, cosine: F) -> TiltDistances<F> {
         let e2_minus_u = self.e2_minus_e1 * cosine.squared();
         let one_minus_u = self.one_minus_e2 + e2_minus_u;
         let one_plus_u = self.one_plus_e1 + self.e2_minus_e1 * sine.squared();
         let d = self.a_over_p + self.s * one_minus_u * one_plus_u;
-        Point { one_plus_u, one_minus_u, e3_minus_u: self.e3_minus_e2 + e2_minus_u, inverse_d: F::ONE / d }
+        TiltDistances {
+            one_plus_u,
+            one_minus_u,
+            e3_minus_u: self.e3_minus_e2 + e2_minus_u,
+            inverse_d: F::ONE / d,
+        }
     }
 
     /// Factors A/(p (e₃ + 1)) + s (1 - u) of ψ_α' and s (1 + u)(e₃ - 1) - A/p of ψ_β'.
@@ -149,7 +154,8 @@ impl<F: Float> PhaseEquations<F> {
 
     /// Rates of χ, ψ_α and ψ_β at given sin χ and cos χ.
     pub fn rates(&self, sine: F, cosine: F) -> PhaseRates<F> {
-        let Point { one_plus_u, one_minus_u, e3_minus_u, inverse_d } = self.point(sine, cosine);
+        let TiltDistances { one_plus_u, one_minus_u, e3_minus_u, inverse_d } =
+            self.tilt_distances(sine, cosine);
         let chi_rate = (self.half_g * e3_minus_u * inverse_d).sqrt();
         let [alpha, beta] = self.psi_factors(one_plus_u, one_minus_u);
         let beta_divisor = self.root_e3_minus_one + self.beta_chi_time * chi_rate;
@@ -167,6 +173,6 @@ impl<F: Float> PhaseEquations<F> {
 
     /// Rate v' = χ'/cos χ of an aperiodic motion (e₂ = e₃ = 1), rad/s.
     pub(crate) fn aperiodic_rate(&self, sine: F, cosine: F) -> F {
-        (self.half_g * self.e2_minus_e1 * self.point(sine, cosine).inverse_d).sqrt()
+        (self.half_g * self.e2_minus_e1 * self.tilt_distances(sine, cosine).inverse_d).sqrt()
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! set_up.rs              motion, settings, memory       -> table
-//!   limits.rs              allowed error, capacity        -> limits of its parts
+//!   error_budget.rs        allowed error                  -> allowed errors of its parts
 //!   half_period.rs         for each cell: segments that are short enough
 //!     mean_rates.rs          motion, period                 -> mean rates of the phases, and their errors
 //!     stored_segment.rs      polynomials on the span        -> stored coefficients, and bounds on errors and speeds
@@ -25,7 +25,7 @@ mod series;
 
 mod expansion;
 
-mod limits;
+mod error_budget;
 
 mod polynomial;
 

@@ -11,9 +11,9 @@ use toytop::fixed::types::{I2F14, I2F30};
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 use toytop::{
-    BranchPoints, Complex, FirstIntegrals, InitialAngles, Level, Motion, ParameterError, Phase, Release,
-    Sign, Signs, SizedTable, State, Stepper, Table, TableMemory, TableScalar, TableSettings, Tick, Top,
-    TopParameters, Workspace,
+    BranchPoints, Complex, FirstIntegrals, InitialAngles, Level, Motion, ParameterError, Phase, PointImpulse,
+    Release, Sign, Signs, SizedTable, State, Stepper, Table, TableMemory, TableScalar, TableSettings, Tick,
+    Top, TopParameters, Workspace,
 };
 use toytop_closed_forms::ClosedForm;
 use toytop_closed_forms::elliptic::{Jacobi, Weierstrass, agm, carlson_rf};
@@ -64,8 +64,9 @@ fn set_up() -> Result<(), ParameterError> {
             State::from_release(&release()),
         ] {
             let state = state?;
-            black_box(state.reaction_impulse(&top, [unknown(); 3], [unknown(); 3])?);
-            let state = state.with_impulse(&top, [unknown(); 3], [unknown(); 3])?;
+            let impulse = PointImpulse { impulse: [unknown(); 3], point: [unknown(); 3] };
+            black_box(state.reaction_impulse(&top, &impulse)?);
+            let state = state.with_impulse(&top, &impulse)?;
             black_box((state.orientation(), state.omega()));
             black_box(FirstIntegrals::from_state(&top, &state).signs());
             black_box(BranchPoints::from_state(&top, &state)?);

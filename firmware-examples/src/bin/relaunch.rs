@@ -14,8 +14,8 @@ use cortex_m_rt::exception;
 use critical_section::Mutex;
 use heapless::spsc::{Consumer, Producer, Queue};
 use toytop::{
-    AttitudeState, Cursor, Motion, Orientation, ParameterError, State, Stepper, Table, TableF32, TableMemory,
-    TableSettings, Tick, Top, Workspace,
+    AttitudeState, Cursor, Motion, Orientation, ParameterError, PointImpulse, State, Stepper, Table,
+    TableF32, TableMemory, TableSettings, Tick, Top, Workspace,
 };
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
@@ -27,10 +27,8 @@ const TICK_RATE: u32 = 1000;
 const TICK_LENGTH: f32 = 1.0 / TICK_RATE as f32;
 /// Ticks of the simulated kicks.
 const KICKS: [i64; 3] = [100, 300, 500];
-/// Impulse of a kick, N s: a stroke along the second fixed axis that presses down a little.
-const IMPULSE: [f64; 3] = [0.0, 3.0e-3, -1.0e-3];
-/// Point at which a kick acts, m from the tip: on the axis, 30 mm above the centre of mass.
-const POINT: [f64; 3] = [0.0, 0.0, 0.06];
+/// Kick along the second fixed axis that presses down a little, at a point of the axis 30 mm above the centre of mass.
+const KICK: PointImpulse = PointImpulse { impulse: [0.0, 3.0e-3, -1.0e-3], point: [0.0, 0.0, 0.06] };
 
 /// Memory of a table, whose capacity is not in its type.
 type Memory = TableMemory<Table<f32>>;
@@ -206,7 +204,7 @@ fn relaunch(
     memory: &mut Memory,
     bridge: impl FnOnce(Stepper<f32>),
 ) -> Result<(), ParameterError> {
-    let launched = Motion::launch(top, &State::from_attitude(before)?.with_impulse(top, IMPULSE, POINT)?);
+    let launched = Motion::launch(top, &State::from_attitude(before)?.with_impulse(top, &KICK)?);
     let motion = launched.as_ref().map_err(|error| *error)?;
     bridge(Stepper::new(motion));
     let settings = TableSettings { epoch: at, ..TableSettings::new(Tick::hertz(TICK_RATE)?) };

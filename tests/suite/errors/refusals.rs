@@ -1,8 +1,8 @@
 //! Refusals, by the name of the parameter. Values just inside the allowed range are accepted.
 
 use toytop::{
-    BranchPoints, Complex, InitialAngles, Motion, Orientation, ParameterError, Release, SetUpError, Signs,
-    SizedTable, State, TableSettings, Tick, Top, TopParameters,
+    BranchPoints, Complex, InitialAngles, Motion, Orientation, ParameterError, PointImpulse, Release,
+    SetUpError, Signs, SizedTable, State, TableSettings, Tick, Top, TopParameters,
 };
 use toytop_tests::{kilohertz, top_of, toy, vectors};
 
@@ -73,8 +73,8 @@ fn impulses_out_of_range_are_refused() {
         // more than 1e12 rad/s, from numbers in range
         ([1e10, 0.0, 0.0], [0.0, 1.0, 0.0], [Some("impulse"), None]),
     ] {
-        let after = parameter(state.with_impulse(&toy(), impulse, point));
-        let reaction = parameter(state.reaction_impulse(&toy(), impulse, point));
+        let after = parameter(state.with_impulse(&toy(), &PointImpulse { impulse, point }));
+        let reaction = parameter(state.reaction_impulse(&toy(), &PointImpulse { impulse, point }));
         assert_eq!([after, reaction], refused, "{impulse:?} {point:?}");
     }
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 use toytop::su2::Vector;
-use toytop::{State, Support, Top, TopParameters};
+use toytop::{PointImpulse, State, Support, Top, TopParameters};
 use toytop_tests::random::Random;
 use toytop_tests::{TOY, apart, check, check_all, greater, keep, length, tolerance, toy};
 
@@ -61,8 +61,8 @@ fn an_impulse_obeys_the_balances_of_momentum() {
         let (top, mut random) = (top(support), Random(17));
         for _ in 0..200 {
             let (state, impulse, point) = stroke(&mut random);
-            let after = state.with_impulse(&top, impulse, point).unwrap();
-            let reaction = state.reaction_impulse(&top, impulse, point).unwrap();
+            let after = state.with_impulse(&top, &PointImpulse { impulse, point }).unwrap();
+            let reaction = state.reaction_impulse(&top, &PointImpulse { impulse, point }).unwrap();
             let [omega, answer] =
                 by_balances(support, &state, impulse.into(), point.into()).map(Vector::from);
             let change = std::array::from_fn(|i| after.omega()[i] - state.omega()[i]);
@@ -85,8 +85,12 @@ fn impulses_along_the_reaction_have_no_effect() {
         let (state, impulse, _) = stroke(&mut random);
         // change of ω, relative to that by the same impulse at the rim
         let effect = |top: &Top, impulse, point| {
-            let change =
-                |point| apart(state.with_impulse(top, impulse, point).unwrap().omega(), state.omega());
+            let change = |point| {
+                apart(
+                    state.with_impulse(top, &PointImpulse { impulse, point }).unwrap().omega(),
+                    state.omega(),
+                )
+            };
             change(point) / change([0.03, 0.02, TOY.com_height])
         };
         let ([x, y, z], held) = (impulse, top(Support::Fixed));
@@ -96,7 +100,7 @@ fn impulses_along_the_reaction_have_no_effect() {
         assert_eq!(effect(&toy(), [x, y, 0.0], [0.0, 0.0, TOY.com_height]), 0.0);
         greatest = greater(greatest, effect(&toy(), [0.0, 0.0, z], [0.0; 3]));
         for (top, impulse) in [(held, impulse), (toy(), [0.0, 0.0, z])] {
-            let reaction = state.reaction_impulse(&top, impulse, [0.0; 3]).unwrap();
+            let reaction = state.reaction_impulse(&top, &PointImpulse { impulse, point: [0.0; 3] }).unwrap();
             let sum = apart(reaction, impulse.map(|x| -x));
             assert!(sum < 1e-15 * length(impulse) + 1e-18, "{reaction:?} {impulse:?}");
         }

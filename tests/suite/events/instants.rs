@@ -178,7 +178,7 @@ fn a_level_has_the_cosine_or_tilt_that_it_was_made_of() {
 fn a_precession_passes_each_angle_once_a_turn() {
     let motion = vectors::motion("exact_regular_precession_pm");
     let view = TableF64::new(&motion, kilohertz()).unwrap();
-    let turn = 1000.0 / view.mean_tip_angle_rate().abs();
+    let turn = 1000.0 * core::f64::consts::TAU / view.mean_tip_angle_rate().abs();
     let times: Vec<_> = view.tip_angles(Phase::from_turns(0.3), -5).take(6).collect();
     for pair in times.windows(2) {
         let gap = (pair[1].tick - pair[0].tick) as f64 + pair[1].fraction - pair[0].fraction;

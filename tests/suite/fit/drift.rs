@@ -5,7 +5,7 @@
 use super::sensors::{ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, fitted, held, measured, release};
 use nalgebra::{Matrix6, Vector6};
 use toytop::su2::{cross, dot};
-use toytop::{Motion, State, Stepper, Top, TopParameters};
+use toytop::{Motion, PointImpulse, State, Stepper, Top, TopParameters};
 use toytop_fit::{Fit, FitError, FitWarning, Fitted, FreeRatio, Measurement, Sensitivity, Sensor};
 use toytop_tests::random::Random;
 use toytop_tests::{TOY, length, toy};
@@ -31,8 +31,8 @@ fn twisted(top: &Top, state: &State, impulse: [f64; 3]) -> State {
     let arm = arm.map(|x| x / length(arm));
     let force = cross(impulse, arm);
     let place = state.orientation().inverse().adjoint(arm);
-    let once = state.with_impulse(top, force, place).unwrap();
-    once.with_impulse(top, force.map(|x| -x), [0.0; 3]).unwrap()
+    let once = state.with_impulse(top, &PointImpulse { impulse: force, point: place }).unwrap();
+    once.with_impulse(top, &PointImpulse { impulse: force.map(|x| -x), point: [0.0; 3] }).unwrap()
 }
 
 /// State after losses of rotation about the axis, across it and about the vertical have acted for a short time.

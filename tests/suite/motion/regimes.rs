@@ -5,7 +5,7 @@ use toytop::{
     Stepper, TipClass, Top,
 };
 use toytop_closed_forms::RegularPrecession;
-use toytop_tests::any_input::invariants;
+use toytop_tests::random_bytes::invariants;
 use toytop_tests::{DIFFERENT, SAME, by_branch_points, released, top_of, toy, vectors};
 
 fn top() -> Top {

@@ -40,7 +40,7 @@ fn runs_back(motion: &Motion) -> bool {
 }
 
 proptest! {
-    #![proptest_config(crate::motion::properties::config(400))]
+    #![proptest_config(crate::motion::random_tops::config(400))]
 
     /// Proposition 6: the paper's condition on e₃, the equivalent one on l/n, equation (4.2), and the sampled curve
     /// agree.

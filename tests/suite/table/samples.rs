@@ -100,7 +100,7 @@ fn samples_and_the_stepper_have_the_same_quantities() {
 #[test]
 fn the_last_time_is_that_of_the_last_tick() {
     let table = TableF32::new(&generic(), kilohertz()).unwrap();
-    assert_eq!(table.last_time(), 2_f64.powi(63) / 1000.0);
+    assert_eq!(table.end_time(), 2_f64.powi(63) / 1000.0);
 }
 
 /// Across the border of two segments value and slope change by no more than in 2e-12 of time.

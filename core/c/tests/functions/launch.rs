@@ -6,7 +6,7 @@ use crate::fixture::{
 use core::ffi::CStr;
 use core::mem::{MaybeUninit, size_of};
 use core::ptr::null_mut;
-use toytop::{Level, Motion, Release, SizedTable, State, Tick, Top, TopParameters};
+use toytop::{Level, Motion, PointImpulse, Release, SizedTable, State, Tick, Top, TopParameters};
 use toytop_c::toytop_status::*;
 use toytop_c::*;
 
@@ -40,7 +40,7 @@ fn an_impulse_starts_another_motion() {
     let state =
         State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() }).expect("a release");
     let (impulse, point) = ([0.0, 2e-3, 0.0], [0.025, 0.0, 0.03]);
-    let struck = state.with_impulse(motion().top(), impulse, point).expect("a stroke");
+    let struck = state.with_impulse(motion().top(), &PointImpulse { impulse, point }).expect("a stroke");
     let release = toytop_release { azimuth: 0.0, precession: 0.0, ..RELEASE };
     unsafe {
         let from = &output_of(|to| toytop_state_from_release(&release, to, null_mut()));
@@ -50,7 +50,10 @@ fn an_impulse_starts_another_motion() {
         let reaction = output_of(|to: *mut [f64; 3]| {
             toytop_reaction_impulse(&TOP, from, impulse.as_ptr(), point.as_ptr(), to.cast(), null_mut())
         });
-        assert_eq!(reaction, state.reaction_impulse(motion().top(), impulse, point).expect("an answer"));
+        assert_eq!(
+            reaction,
+            state.reaction_impulse(motion().top(), &PointImpulse { impulse, point }).expect("an answer")
+        );
     }
 }
 

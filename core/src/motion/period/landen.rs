@@ -103,9 +103,9 @@ impl<const WORDS: usize> Landen<WORDS> {
     /// Bits of accuracy by each node: -2 log₂ q for the nome q = e^{-πK'/K}, to a few percent.
     fn bits_per_node(&self) -> f64 {
         // the modulus after n transformations is nearly 4 q^(2^(n-1)); its exponent is its logarithm to a percent
-        let last = self.active_steps().fold((1.0, 64.0), |(weight, _), step| {
+        let last = self.active_steps().fold((1.0, 64.0), |(share, _), step| {
             let exponent = 1023 - (step.modulus.to_f64().to_bits() >> 52) as i32;
-            (0.5 * weight, weight * f64::from(2 + exponent))
+            (0.5 * share, share * f64::from(2 + exponent))
         });
         2.0 * last.1
     }

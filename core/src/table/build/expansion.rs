@@ -58,15 +58,15 @@ impl RateSeries {
     }
 
     /// Magnitude of the k-th coefficient; 0 where it is a rounding error.
-    fn term(&self, k: usize, weight: f32) -> f32 {
+    fn term(&self, k: usize, factor: f32) -> f32 {
         let size = self.variation.coefficient(k).abs();
         match k {
-            0 => (weight * self.at_origin as f32).abs(),
+            0 => (factor * self.at_origin as f32).abs(),
             _ if size <= NOISE => 0.0,
             _ => {
                 size as f32
                     * power_of_two(self.variation.exponent) as f32
-                    * (weight * self.scale as f32).abs()
+                    * (factor * self.scale as f32).abs()
             }
         }
     }
@@ -85,7 +85,7 @@ impl PathPhases {
 }
 
 /// Point around which the motion is expanded, with derivatives by y. A pair belongs to α and β.
-pub(super) struct Origin {
+pub(super) struct ExpansionPoint {
     pub(super) phases: PathPhases,
     pub(super) sine: f64,
     pub(super) cosine: f64,

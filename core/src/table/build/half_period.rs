@@ -19,8 +19,8 @@ mod bound;
 use mean_rates::MeanRates;
 use stored_segment::{SegmentBounds, store_polynomial, store_segment};
 
+use super::error_budget::ErrorBudget;
 use super::interval::{HALF_PERIOD, Interval};
-use super::limits::Limits;
 use super::path::{Path, PathMemory, PathPoint};
 use super::polynomial::Polynomial;
 use crate::motion::Motion;
@@ -62,7 +62,7 @@ impl HalfPeriod {
     pub(super) fn compute<R: TableScalar>(
         &mut self,
         motion: &Motion,
-        limits: &Limits,
+        budget: &ErrorBudget,
         memory: &mut PathMemory,
         segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
@@ -77,7 +77,7 @@ impl HalfPeriod {
         pause();
         match period {
             Some(Period { time, .. }) => {
-                self.tabulate_path::<R>(motion, time.halved(), limits, memory, segments, pause)
+                self.tabulate_path::<R>(motion, time.halved(), budget, memory, segments, pause)
             }
             None => {
                 self.store_constants::<R>(motion, segments);
@@ -94,12 +94,12 @@ impl HalfPeriod {
         &mut self,
         motion: &Motion,
         length: Extended,
-        limits: &Limits,
+        budget: &ErrorBudget,
         memory: &mut PathMemory,
         segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
     ) -> Result<(), TooManySegments> {
-        let mut path = Path::new(memory, limits, motion, length, self.mean_rates.rates);
+        let mut path = Path::new(memory, budget, motion, length, self.mean_rates.rates);
         self.divide::<R>(&mut path, segments, pause)?;
         let ([delay, residual], bounds) = (path.errors(), &self.bounds);
         self.error = f64::from(bounds.error) + bounds.error_of_delay(delay) + 2.0 * residual;
@@ -123,6 +123,8 @@ impl HalfPeriod {
         segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
     ) -> Result<(), TooManySegments> {
+        // without memory for segments, they are only counted
+        let capacity = if segments.is_empty() { Cell::MAX_SEGMENTS } else { segments.len() };
         let (mut position, mut depth) = (0, MIN_DEPTH);
         while position < HALF_PERIOD {
             // Segments twice as long as the last ones are tried first. A segment of two cells begins at an even cell.
@@ -133,7 +135,7 @@ impl HalfPeriod {
                 let cell = Interval { begin: position, depth: depth.min(CELLS.ilog2()) };
                 let remainder = (HALF_PERIOD - cell.end()).div_ceil(HALF_PERIOD >> MIN_DEPTH);
                 let count = self.segments + cell.part_count(depth) + remainder;
-                if depth > Cell::MAX_DEPTH || count > path.limits.capacity {
+                if depth > Cell::MAX_DEPTH || count > capacity {
                     return Err(TooManySegments);
                 }
                 if let Some(bounds) = self.fill_cell::<R>(cell, depth, point, path, segments, pause) {
@@ -176,7 +178,7 @@ impl HalfPeriod {
             for segment in part.parts(depth) {
                 let stored = segments.get_mut(number);
                 bounds.include(&store_segment::<R>(path, span, segment, stored, pause));
-                let is_accurate = bounds.error <= path.limits.segment_error_at(depth);
+                let is_accurate = bounds.error <= path.budget.segment_error_at(depth);
                 if !is_accurate {
                     return None;
                 }

@@ -1,9 +1,9 @@
 //! Path of the phases from u = e₁ to u = e₂, span by span.
 
-use super::expansion::{Expansion, Origin, PathPhases};
+use super::error_budget::ErrorBudget;
+use super::expansion::{Expansion, ExpansionPoint, PathPhases};
 use super::interval::Interval;
 use super::launch_phases::LaunchPhases;
-use super::limits::Limits;
 use super::polynomial::Polynomial;
 use super::series::PowerSeries;
 use crate::motion::Motion;
@@ -13,10 +13,6 @@ use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring, Scalar, sine_cosine_from_q57};
 use crate::table::data::Phases;
 use crate::table::data::cell::Cell;
-
-/// Multiple of the error for dropped terms below which a term of a rate at x = 1 ends a series, for a step of one half period. Integrated, a term is
-/// 3 · 16 · 4 times smaller: the estimated error of a step is then about an eighth of the allowed one.
-const NEGLIGIBLE_TERM: f64 = 512.0;
 
 /// Depth of the longest span.
 const MIN_SPAN_DEPTH: u32 = 2;
@@ -90,7 +86,7 @@ impl PathMemory {
 pub(super) struct Path<'a, F> {
     equations: PathEquations<F>,
     pub(super) memory: &'a mut PathMemory,
-    pub(super) limits: &'a Limits,
+    pub(super) budget: &'a ErrorBudget,
     /// Coefficients of the exponentials in a and in b.
     exponentials: [[f64; 2]; 2],
     /// Sum of the rates of χ and of the residual phases at the faster end of the path, rad per half period.
@@ -107,7 +103,7 @@ impl<'a, F: Float> Path<'a, F> {
     /// * `rates`: mean rates, turns/s
     pub(super) fn new(
         memory: &'a mut PathMemory,
-        limits: &'a Limits,
+        budget: &'a ErrorBudget,
         motion: &Motion,
         half_period: Extended,
         rates: Phases<Extended>,
@@ -126,7 +122,7 @@ impl<'a, F: Float> Path<'a, F> {
         Self {
             equations,
             memory,
-            limits,
+            budget,
             exponentials: [alpha, beta].map(|ellipse| ellipse.exponentials()),
             endpoint_rate: Ring::max(first, last),
             span: None,
@@ -181,14 +177,14 @@ impl<'a, F: Float> Path<'a, F> {
         let centre = self.step(span, beginning, pause)?;
         self.end = self.step(span, centre, pause)?;
         let PathMemory { launch, expansion, exponential, polynomials, .. } = &mut *self.memory;
-        let least = self.limits.dropped_terms_in_units();
+        let least = self.budget.dropped_terms_in_units();
         for (index, (polynomial, exponentials)) in polynomials.iter_mut().zip(self.exponentials).enumerate() {
             pause();
             *polynomial = Polynomial::ZERO;
             let sums = polynomial.parts.each_mut().map(|part| &mut part.coefficients);
             let terms = expansion.add_exponentials(index, exponentials, least, exponential, sums)?;
             pause();
-            polynomial.drop_negligible_terms(terms, self.limits)?;
+            polynomial.drop_negligible_terms(terms, self.budget)?;
         }
         pause();
         launch.search(expansion, self.end.phases.chi, span);
@@ -200,12 +196,12 @@ impl<'a, F: Float> Path<'a, F> {
         pause();
         let half_length = span.half_length();
         // y is in units of two spans
-        let (unit, allowed) = (4.0 * half_length, half_length * self.limits.path_error);
+        let (unit, allowed) = (4.0 * half_length, half_length * self.budget.path_error);
         let (sine, cosine) = sine_cosine_from_q57(from.phases.chi);
         let PathEquations { equations, half_period, .. } = &self.equations;
         let [chi_rate, alpha, beta, residual_alpha, residual_beta] =
             self.equations.rates(sine, cosine).map(|rate| unit * rate);
-        let origin = Origin {
+        let origin = ExpansionPoint {
             phases: from.phases,
             sine,
             cosine,
@@ -214,7 +210,7 @@ impl<'a, F: Float> Path<'a, F> {
             psi_rates: [alpha, beta],
             residual_rates: [residual_alpha, residual_beta],
             chi_error_factor: (unit * self.endpoint_rate / chi_rate.abs()).max(1.0),
-            negligible: NEGLIGIBLE_TERM * half_length * self.limits.dropped_terms_error,
+            negligible: self.budget.negligible_term(half_length),
         };
         let expansion = &mut self.memory.expansion;
         expansion.expand(&equations.map(F::to_f64), &origin, pause);

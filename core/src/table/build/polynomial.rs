@@ -2,7 +2,7 @@
 //!
 //! The last term c x^k is dropped by subtracting c 2^(1-k) T_k(x), at most |c| 2^(1-k) in value.
 
-use super::limits::Limits;
+use super::error_budget::ErrorBudget;
 use super::series::MAX_TERMS;
 use crate::integer::{Limbs, product_u32, u64_to_f32};
 use crate::scalar::{Float, Ring};
@@ -89,11 +89,11 @@ impl Polynomial {
     /// Estimates the terms beyond the sixteenth and drops negligible ones; `None` if the polynomial is not accurate.
     ///
     /// * `terms`: number of terms that are computed
-    pub(super) fn drop_negligible_terms(&mut self, terms: usize, limits: &Limits) -> Option<()> {
+    pub(super) fn drop_negligible_terms(&mut self, terms: usize, budget: &ErrorBudget) -> Option<()> {
         self.terms = terms;
         let [re, im] = self.parts.each_ref().map(RealPolynomial::remainder);
-        let (remainder, most) = (2.0 * Ring::max(re, im), limits.dropped_terms_in_units());
-        if !limits.is_negligible_remainder(remainder) {
+        let (remainder, most) = (2.0 * Ring::max(re, im), budget.dropped_terms_in_units());
+        if !budget.is_negligible_remainder(remainder) {
             return None;
         }
         self.shorten(0, most);

@@ -12,7 +12,7 @@ pub(super) const MAX_TERMS: usize = 16;
 /// Bits of a coefficient of the expected magnitude. One may be four times as large.
 pub(super) const BITS: i32 = 56;
 
-/// Mark of a sum out of range; its complement marks a negative one.
+/// Mark of a positive sum out of range; its complement marks a negative one.
 const OUT_OF_RANGE: i64 = 1 << (BITS + 3);
 
 /// Least shift of a sum in range.

@@ -2,12 +2,12 @@
 
 use core::fmt;
 
+use super::error_budget::ErrorBudget;
 use super::half_period::{HalfPeriod, TooManySegments};
-use super::limits::Limits;
 use super::path::PathMemory;
 use crate::constants::Regime;
 use crate::motion::Motion;
-use crate::table::data::cell::{Cell, MIN_SEGMENTS};
+use crate::table::data::cell::MIN_SEGMENTS;
 use crate::table::data::{Clock, SizedTable, Table, TableMemory, Tick};
 use crate::table::evaluation::TableScalar;
 
@@ -95,13 +95,12 @@ impl Workspace {
     }
 }
 
-/// Computes the segments of half a period, and stores those that fit.
+/// Computes the segments of half a period. Stores them, or only counts them if there is no memory for any.
 fn tabulate<R: TableScalar>(
     motion: &Motion,
     truncation: f64,
     workspace: &mut Workspace,
     segments: &mut [R::Segment],
-    capacity: usize,
     pause: &mut dyn FnMut(),
 ) -> Result<(), SetUpError> {
     if !(truncation > 0.0 && truncation < f64::INFINITY) {
@@ -110,11 +109,10 @@ fn tabulate<R: TableScalar>(
     if motion.regime() == Regime::Aperiodic {
         return Err(SetUpError::Aperiodic);
     }
-    let limits = Limits::new::<R>(truncation, capacity);
     let Workspace { half_period, path } = workspace;
     half_period
-        .compute::<R>(motion, &limits, path, segments, pause)
-        .map_err(|TooManySegments| SetUpError::TableTooSmall { truncation, segments: capacity as u32 })
+        .compute::<R>(motion, &ErrorBudget::new::<R>(truncation), path, segments, pause)
+        .map_err(|TooManySegments| SetUpError::TableTooSmall { truncation, segments: segments.len() as u32 })
 }
 
 impl<R: TableScalar> TableMemory<Table<R>> {
@@ -133,8 +131,8 @@ impl<R: TableScalar> TableMemory<Table<R>> {
     ) -> Result<&Table<R>, SetUpError> {
         let Self { is_set_up, table } = self;
         *is_set_up = false;
-        let (capacity, truncation) = (table.capacity(), settings.truncation.unwrap_or(R::TRUNCATION));
-        tabulate::<R>(motion, truncation, workspace, &mut table.segments, capacity, pause)?;
+        let truncation = settings.truncation.unwrap_or(R::TRUNCATION);
+        tabulate::<R>(motion, truncation, workspace, &mut table.segments, pause)?;
         table.write_header(workspace, motion, settings, pause);
         *is_set_up = true;
         Ok(table)
@@ -178,12 +176,13 @@ impl<R: TableScalar, const SEGMENTS: usize> SizedTable<R, SEGMENTS> {
 }
 
 impl<R: TableScalar> Table<R> {
-    /// Number of segments for a truncation error, rad. It takes the time and the stack of a set-up. `None` if 4096 are too few, the motion has no table, or the error is not finite and
-    /// positive.
+    /// Number of segments for a truncation error, rad. It takes the time and the stack of a set-up.
+    ///
+    /// `None` if 4096 are too few, the motion has no table, or the error is not finite and positive.
     #[must_use]
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
         let workspace = &mut Workspace::new();
-        tabulate::<R>(motion, truncation, workspace, &mut [], Cell::MAX_SEGMENTS, &mut || {}).ok()?;
+        tabulate::<R>(motion, truncation, workspace, &mut [], &mut || {}).ok()?;
         Some(workspace.half_period.segments.max(MIN_SEGMENTS) as u32)
     }
 }

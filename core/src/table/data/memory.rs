@@ -62,10 +62,10 @@ impl<R: TableScalar, const SEGMENTS: usize> Deref for SizedTable<R, SEGMENTS> {
     }
 }
 
-/// Upper bound on an error: `constant` plus `per_tick` for each tick from the launch.
+/// Stated bound on an error: `constant` plus `per_tick` for each tick from the launch.
 ///
-/// The error of an orientation is 2 √(|Δα|² + |Δβ|²). Roundings of a tick are proved, roundings of the set-up counted, and series estimated:
-/// [the error bound](crate::error_bound) derives them.
+/// The error of an orientation is 2 √(|Δα|² + |Δβ|²). Tick roundings: proved. Set-up roundings: counted. Series: estimated. See
+/// [the error bound](crate::error_bound).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ErrorBound {

@@ -2,11 +2,10 @@
 
 use crate::complex::Complex;
 use crate::integer::shifted_right;
-use crate::scalar::sine_cosine_q15;
+use crate::scalar::{Q30, sine_cosine_q15};
 use crate::table::evaluation::coefficient_i32::{
     COORDINATE_ERROR, INTEGER_ERRORS, overflow_limit, truncated_factors,
 };
-use crate::table::evaluation::q30::Q30;
 use crate::table::evaluation::{Coefficient, EvaluationErrors, SegmentPoint, TABLE_BITS, TableScalar};
 use fixed::types::I2F14;
 

@@ -8,8 +8,7 @@
 
 use crate::complex::Complex;
 use crate::integer::{high_product, high_product_limited, product_32x16, shifted_right};
-use crate::scalar::{Scalar, sine_cosine_q26};
-use crate::table::evaluation::q30::Q30;
+use crate::scalar::{Q30, Scalar, sine_cosine_q26};
 use crate::table::evaluation::{
     Coefficient, EvaluationErrors, SegmentPoint, TABLE_BITS, TableScalar, TickNumber, is_by_16_bits,
 };

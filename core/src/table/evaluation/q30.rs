@@ -1,14 +1,9 @@
-//! Numbers in units of 2^-30, the results in `f32` and fixed point, and the angular velocity in them.
+//! Angular velocity in integers, and conversion to `f32`: for ticks in `f32` and fixed point.
 
 use crate::integer::high_product;
-use crate::scalar::{Ring, sealed::Sealed};
+use crate::scalar::Q30;
 use crate::su2::Vector;
 use crate::table::evaluation::{SegmentPoint, TickNumber};
-use core::ops::{Add, Mul, Neg, Sub};
-
-/// Integer multiple of 2^-30 in [-2, 2). Sums and products wrap, which happens only with invalid table data.
-#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
-pub struct Q30(pub(crate) i32);
 
 /// Whether conversions to `f32` and their products are calls.
 const SOFT_FLOAT: bool = cfg!(any(
@@ -75,58 +70,6 @@ impl TickNumber for Q30 {
         let [x1, x2] = transverse.map(|part| part >> (exponent - own).min(31));
         let omega = [x1, x2, axial.digits >> (exponent - axial.exponent).min(31)];
         (omega.map(Self), exponent - 127)
-    }
-}
-
-impl Sealed for Q30 {}
-
-impl Ring for Q30 {
-    const ZERO: Self = Self(0);
-    const ONE: Self = Self(1 << 30);
-
-    /// Sum of two products with one shift, in units of 2^-28.
-    #[inline(always)]
-    fn inner([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
-        Self(high_product(a.0, c.0).wrapping_add(high_product(b.0, d.0)) << 2)
-    }
-
-    #[inline(always)]
-    fn determinant([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
-        Self(high_product(a.0, d.0).wrapping_sub(high_product(b.0, c.0)) << 2)
-    }
-}
-
-impl Add for Q30 {
-    type Output = Self;
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        Self(self.0.wrapping_add(other.0))
-    }
-}
-
-impl Sub for Q30 {
-    type Output = Self;
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        Self(self.0.wrapping_sub(other.0))
-    }
-}
-
-impl Mul for Q30 {
-    type Output = Self;
-    /// Product rounded down to 2^-28.
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        // the upper word of the product of two numbers in units of 2^-30 is in units of 2^-28
-        Self(high_product(self.0, other.0).wrapping_shl(2))
-    }
-}
-
-impl Neg for Q30 {
-    type Output = Self;
-    #[inline]
-    fn neg(self) -> Self {
-        Self(self.0.wrapping_neg())
     }
 }
 

@@ -42,9 +42,9 @@ impl<R: TableScalar> Table<R> {
         Sample { table: self, phases, tick, fraction: fraction.to_phase() }
     }
 
-    /// Time of tick 2^63, the first after the last one, in s.
+    /// Time of tick 2^63, the end of the range of ticks, s.
     #[must_use]
-    pub fn last_time(&self) -> f64 {
+    pub fn end_time(&self) -> f64 {
         let [ticks_per_time, _] = self.clock.ticks_per_time;
         (1_u64 << 63) as f64 / ticks_per_time
     }

@@ -31,11 +31,11 @@ impl<R: TableScalar> Sample<'_, R> {
 }
 
 impl<R: TableScalar> Table<R> {
-    /// Mean rate of the tip angle in turns/s; 0 for an axis that stays vertical.
+    /// Mean rate of the tip angle, rad/s; 0 for an axis that stays vertical.
     #[must_use]
     pub fn mean_tip_angle_rate(&self) -> f64 {
         let [ticks_per_time, _] = self.clock.ticks_per_time;
-        self.clock.tip_step().to_turns() * ticks_per_time
+        self.clock.tip_step().to_radians() * ticks_per_time
     }
 
     /// Argument of the tabulated ab, continued from u = e₁ through the centres of all segments before; near 0 the direction from or to 0.

@@ -74,7 +74,7 @@ export const CONTROLS = [
   topControl("mass_moment", "Moment p", "kg m", "Mass times distance from the tip to the centre of mass."),
   topControl("transverse_inertia", "Inertia A", "kg m²", "Transverse moment of inertia: about the tip where that is held, about the centre of mass of any other body."),
   topControl("axial_inertia", "Inertia C", "kg m²", "Moment of inertia about the axis of the top; at most 2A, and 0 for a pendulum.", LINEAR, upTo((_, { A }) => 2 * A)),
-  topControl("rotor_momentum", "Rotor K", "kg m²/s", "Angular momentum of a wheel that turns inside about the same axis, relative to the body; 0 without one.", LINEAR, bothWays((constants) => constants.A * fastSpin(constants))),
+  topControl("rotor_momentum", "Rotor K", "kg m²/s", "Angular momentum of a rotor that turns inside about the same axis, relative to the body; 0 without one.", LINEAR, bothWays((constants) => constants.A * fastSpin(constants))),
   topControl("com_height", "Height s", "m", "Distance from the tip to the centre of mass."),
   topControl("gravity", "Gravity", "m/s²", "Gravity g: 9.81 on Earth, 1.62 on the Moon; 0 only where the tip is held.", LINEAR, upTo((value) => 3 * (value || DEFAULTS.gravity))),
   rootControl("e1", "e₁", "Least u, the cosine of the tilt.", LINEAR, () => [-1, 1]),

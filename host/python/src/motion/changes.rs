@@ -4,7 +4,7 @@ use crate::arguments::{Array, NumericArg, array, parameter_error, value_error};
 use crate::interrupt;
 use crate::motion::MotionCore;
 use pyo3::prelude::*;
-use toytop::State;
+use toytop::{PointImpulse, State};
 use toytop_fit::{Partials, Sensitivity};
 use toytop_host::input::scenario::Launch;
 use toytop_host::motion::Scalar;
@@ -35,7 +35,7 @@ impl MotionCore {
 
     /// Motion after an impulse at time t.
     fn with_impulse(&self, impulse: [f64; 3], point: [f64; 3], t: f64) -> PyResult<Self> {
-        let struck = self.state(t)?.with_impulse(&self.top.top, impulse, point).map_err(parameter_error)?;
+        let struck = self.state(t)?.with_impulse(&self.top.top, &PointImpulse { impulse, point }).map_err(parameter_error)?;
         Self::from_state(&self.top, &struck, "impulse")
     }
 
@@ -48,7 +48,7 @@ impl MotionCore {
         t: f64,
     ) -> PyResult<Bound<'py, Array>> {
         let reaction =
-            self.state(t)?.reaction_impulse(&self.top.top, impulse, point).map_err(parameter_error)?;
+            self.state(t)?.reaction_impulse(&self.top.top, &PointImpulse { impulse, point }).map_err(parameter_error)?;
         array(py, reaction.to_vec(), &[3])
     }
 }

@@ -3,6 +3,7 @@
 use super::events::{Condition, EventQuery, MotionEvent};
 use crate::motion::Scalar;
 use crate::motion::sample::{Quantities, Sample, unwrapped};
+use core::f64::consts::TAU;
 use fixed::types::{I2F14, I2F30};
 use toytop::scalar::Float;
 use toytop::{
@@ -130,7 +131,7 @@ impl<R: HeapScalar> Quantities for TableSample<'_, R> {
     }
 
     fn tip_angle(&self) -> Option<f64> {
-        self.now.tip_angle().map(|angle| unwrapped(angle, self.table.mean_tip_angle_rate() * self.t))
+        self.now.tip_angle().map(|angle| unwrapped(angle, self.table.mean_tip_angle_rate() * self.t / TAU))
     }
 
     fn error_bound(&self) -> Option<f64> {

@@ -88,7 +88,7 @@ fn times_come_in_the_order_of_the_request() {
 }
 
 /// Each method computes the motion by itself, so that the samples differ by roundings, and the tip angle is that of the ephemeris.
-/// `tests/suite/closed_forms/four_methods.rs` compares the core's methods on every kind of motion.
+/// `tests/suite/closed_forms/methods_agree.rs` compares the core's methods on every kind of motion.
 #[test]
 fn each_method_is_another_way_to_one_motion() {
     let start = "nutation_phase = 0.7\narg_alpha = 2.9\narg_beta = 1.1\n";

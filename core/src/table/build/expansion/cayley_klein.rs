@@ -101,7 +101,7 @@ fn continue_exponential(
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Origin, PathPhases};
+    use super::super::{ExpansionPoint, PathPhases};
     use super::*;
     use crate::body::{Top, TopParameters};
     use crate::complex::Complex;
@@ -152,7 +152,7 @@ mod tests {
                 let unit = 0.02 * spread.sqrt().min(1.0) / size.fold(0.0, f64::max).max(1.0);
                 let [chi, alpha, beta] =
                     [rates.chi, rates.psi_alpha, rates.psi_beta].map(|rate| (rate * unit.into()).to_f64());
-                let origin = Origin {
+                let origin = ExpansionPoint {
                     phases,
                     sine,
                     cosine,

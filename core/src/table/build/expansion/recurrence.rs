@@ -1,8 +1,8 @@
 //! Coefficients of an expansion, one after another.
 
-use super::{Expansion, MAX_TERMS, NOISE, Origin, PowerSeries, RateSeries};
+use super::{Expansion, ExpansionPoint, MAX_TERMS, NOISE, PowerSeries, RateSeries};
 use crate::integer::to_units;
-use crate::motion::phase_equations::{PhaseEquations, Point};
+use crate::motion::phase_equations::{PhaseEquations, TiltDistances};
 use crate::scalar::Ring;
 use crate::table::build::series::{BITS, UnitFactor, in_range, integrated, sum_in_range};
 
@@ -84,7 +84,7 @@ impl Expansion {
     pub(crate) fn expand(
         &mut self,
         equations: &PhaseEquations<f64>,
-        origin: &Origin,
+        origin: &ExpansionPoint,
         pause: &mut dyn FnMut(),
     ) {
         let recurrence = self.recurrence(equations, origin);
@@ -92,9 +92,11 @@ impl Expansion {
     }
 
     /// Constants of the recurrence. Sets the exponents and first coefficients of the series.
-    fn recurrence(&mut self, equations: &PhaseEquations<f64>, origin: &Origin) -> Recurrence {
-        let Origin { time_per_y, chi_rate, psi_rates: [alpha_psi, beta_psi], negligible, .. } = *origin;
-        let Point { one_minus_u, e3_minus_u, inverse_d, .. } = equations.point(origin.sine, origin.cosine);
+    fn recurrence(&mut self, equations: &PhaseEquations<f64>, origin: &ExpansionPoint) -> Recurrence {
+        let ExpansionPoint { time_per_y, chi_rate, psi_rates: [alpha_psi, beta_psi], negligible, .. } =
+            *origin;
+        let TiltDistances { one_minus_u, e3_minus_u, inverse_d, .. } =
+            equations.tilt_distances(origin.sine, origin.cosine);
         // factors in η = eta_per_v v and δ = linear v - quadratic v²
         let eta_per_v = equations.e2_minus_e1 / e3_minus_u;
         let c = equations.s * equations.e2_minus_e1 * inverse_d;

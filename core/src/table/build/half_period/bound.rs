@@ -61,8 +61,8 @@ fn increment_error(increment: Extended) -> f64 {
 mod tests {
     use super::*;
     use crate::phase::Phase;
+    use crate::table::build::error_budget::ErrorBudget;
     use crate::table::build::half_period::stored_segment::SegmentBounds;
-    use crate::table::build::limits::Limits;
     use crate::table::build::path::PathMemory;
     use crate::table::build::tests::nutating_motion;
     use crate::table::evaluation::TableScalar;
@@ -107,8 +107,8 @@ mod tests {
         let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() }).unwrap();
         let motion = Motion::launch(&top, &state).unwrap();
         let (mut half_period, mut memory) = (HalfPeriod::ZERO, PathMemory::ZERO);
-        let (limits, mut segments) = (Limits::new::<f32>(f32::TRUNCATION, 25), [f32::ZERO_SEGMENT; 25]);
-        let result = half_period.compute::<f32>(&motion, &limits, &mut memory, &mut segments, &mut || {});
+        let (budget, mut segments) = (ErrorBudget::new::<f32>(f32::TRUNCATION), [f32::ZERO_SEGMENT; 25]);
+        let result = half_period.compute::<f32>(&motion, &budget, &mut memory, &mut segments, &mut || {});
         assert!(result.is_ok());
         let bounds = half_period.error_bounds(f32::TERMS, &f32::ERRORS, &motion, 0.001.into());
         let segment = f64::from(half_period.bounds.error);

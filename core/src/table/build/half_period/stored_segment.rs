@@ -82,7 +82,7 @@ pub(super) fn store_segment<R: TableScalar>(
             whole,
             segment.begin / segment.length(),
             halvings,
-            path.limits.dropped_terms_in_units(),
+            path.budget.dropped_terms_in_units(),
         );
         polynomial.shorten(R::TERMS, i64::MAX);
         truncation_squared += Ring::squared(polynomial.truncation());

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use std::fs;
 use std::path::Path;
-use toytop_tests::any_input::TARGETS;
+use toytop_tests::random_bytes::TARGETS;
 
 /// Runs a target; its panic names the input and the call that repeats it.
 fn hold(name: &str, run: fn(&[u8]), what: &str, bytes: &[u8]) {
@@ -28,7 +28,7 @@ fn no_committed_seed_panics() {
 
 #[test]
 fn no_random_bytes_panic() {
-    let mut runner = proptest::test_runner::TestRunner::new(crate::motion::properties::config(600));
+    let mut runner = proptest::test_runner::TestRunner::new(crate::motion::random_tops::config(600));
     let bytes = prop::collection::vec(any::<u8>(), 0..400);
     runner
         .run(&bytes, |bytes| {

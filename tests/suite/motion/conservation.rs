@@ -46,8 +46,8 @@ fn norm_and_first_integrals_over_a_million_steps() {
         keep(&mut double, after_a_million_steps::<f64>(&motion));
         keep(&mut single, after_a_million_steps::<f32>(&motion));
     }
-    check_all(["norm, f64", "l, n, h, f64"], double, tolerance::INVARIANTS_F64);
-    check_all(["norm, f32", "l, n, h, f32"], single, tolerance::INVARIANTS_F32);
+    check_all(["norm, f64", "l, n, h, f64"], double, tolerance::CONSERVATION_F64);
+    check_all(["norm, f32", "l, n, h, f32"], single, tolerance::CONSERVATION_F32);
 }
 
 #[test]
@@ -64,7 +64,7 @@ fn there_and_back_with_changing_steps() {
         steps.iter().rev().for_each(|dt| stepper.step(-dt));
         worst = greater(worst, stepper.orientation().distance(&start) * vector.gap().clamp(1e-6, 1.0));
     }
-    check("there and back", worst, tolerance::INVARIANTS_THERE_AND_BACK);
+    check("there and back", worst, tolerance::CONSERVATION_THERE_AND_BACK);
 }
 
 /// (l, n) -> (-l, -n) gives the mirror image, with complex conjugate α and β.
@@ -96,7 +96,7 @@ fn a_step_far_too_long_is_wrong_only_along_the_motion() {
         stepper.step(3.7);
         drift(&motion, &stepper)
     });
-    check("l, n, h", worst(errors), tolerance::INVARIANTS_L_N_H);
+    check("l, n, h", worst(errors), tolerance::CONSERVATION_L_N_H);
 }
 
 /// A motion depends on quotients only: a change of the units of mass and length by powers of two changes no bit.

@@ -43,9 +43,9 @@ fn closed_forms_agree_with_the_vectors() {
         }
     }
     assert!(count.iter().zip([7, 4, 7, 4]).all(|(found, least)| *found >= least), "{count:?}");
-    exact.into_iter().for_each(|error| check("exact inputs", error, tolerance::FOUR_METHODS_EXACT_INPUTS));
-    check("rounded inputs", rounded, tolerance::FOUR_METHODS_ROUNDED_INPUTS);
-    check("after 1e9 periods", far_out, tolerance::FOUR_METHODS_AFTER_1E9_PERIODS);
+    exact.into_iter().for_each(|error| check("exact inputs", error, tolerance::METHODS_AGREE_EXACT_INPUTS));
+    check("rounded inputs", rounded, tolerance::METHODS_AGREE_ROUNDED_INPUTS);
+    check("after 1e9 periods", far_out, tolerance::METHODS_AGREE_AFTER_1E9_PERIODS);
 }
 
 /// Motions of every kind that has a closed form, with all four signs, u falling and rising at the start, A = C and A
@@ -109,8 +109,8 @@ fn closed_form_table_and_stepper_agree() {
         }
         assert!((form.at(1e300).orientation.norm_squared() - 1.0).abs() < 1e-15);
     }
-    check("closed form and table", worst[0], tolerance::FOUR_METHODS_CLOSED_FORM_AND_TABLE);
-    check("closed form and stepper", worst[1], tolerance::FOUR_METHODS_CLOSED_FORM_AND_STEPPER);
+    check("closed form and table", worst[0], tolerance::METHODS_AGREE_CLOSED_FORM_AND_TABLE);
+    check("closed form and stepper", worst[1], tolerance::METHODS_AGREE_CLOSED_FORM_AND_STEPPER);
 }
 
 /// Motions with a closed form near each degenerate case: s, A and the branch points, with one small difference or two. For a sliding tip
@@ -160,5 +160,5 @@ fn the_error_does_not_grow_towards_any_corner() {
         }
     }
     assert!(judged > 1000 && left_out < judged / 2, "{judged} judged, {left_out} left out");
-    check("towards the corners", worst, tolerance::FOUR_METHODS_TOWARDS_THE_CORNERS);
+    check("towards the corners", worst, tolerance::METHODS_AGREE_TOWARDS_THE_CORNERS);
 }

@@ -38,7 +38,7 @@ fn closed_forms_follow_the_papers_formulas() {
     let json = vectors::json("paper_formulas.json");
     let (worst, refused) = compared(&json);
     assert!(refused.is_empty());
-    check("the paper's formulas", worst, tolerance::REFERENCE_FORMULAS);
+    check("the paper's formulas", worst, tolerance::AGAINST_MPMATH_FORMULAS);
 }
 
 /// Where several differences of the branch points are small together (`tests/reference/closed_forms.py`, which uses no elliptic function),
@@ -51,7 +51,7 @@ fn nothing_is_lost_where_several_differences_are_small() {
     check(
         "several differences small together",
         worst,
-        tolerance::REFERENCE_SEVERAL_DIFFERENCES_SMALL_TOGETHER,
+        tolerance::AGAINST_MPMATH_SEVERAL_DIFFERENCES_SMALL_TOGETHER,
     );
     assert!(refused.len() == 1 && refused[0]["refused"] == true, "{refused:?}");
     let motion = motion(refused[0]);
@@ -88,5 +88,5 @@ fn the_error_of_nearly_equal_e3_and_e4_is_bounded() {
             }
         }
     }
-    check("per period", worst, tolerance::REFERENCE_PER_PERIOD);
+    check("per period", worst, tolerance::AGAINST_MPMATH_PER_PERIOD);
 }

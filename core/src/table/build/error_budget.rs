@@ -1,4 +1,4 @@
-//! Errors that a set-up allows to the parts of a table.
+//! Error budget: the parts of a table share the allowed truncation error.
 
 use crate::table::data::cell::MIN_DEPTH;
 use crate::table::evaluation::{TABLE_UNIT, TableScalar};
@@ -10,23 +10,24 @@ const TERMS_FRACTION: f32 = 1.0 / 256.0;
 /// Fraction of a segment's error for a segment of two cells, whose derivative is less accurate.
 const TWO_CELLS_FRACTION: f32 = 1.0 / 8.0;
 
-/// Limits that a set-up keeps.
-pub(super) struct Limits {
-    /// Number of segments.
-    pub(super) capacity: usize,
+/// Multiple of the error for dropped terms below which a term of a rate at x = 1 ends a series, for a step of one half period. Integrated, a term is
+/// 3 · 16 · 4 times smaller: the estimated error of a step is then about an eighth of the allowed one.
+const NEGLIGIBLE_TERM: f64 = 512.0;
+
+/// Allowed errors of the parts of a table.
+pub(super) struct ErrorBudget {
     /// Truncation error of all steps along half a period, rad.
     pub(super) path_error: f64,
     /// Truncation error of a segment of at most one cell, rad.
     segment_error: f32,
     /// Error by the dropped terms of a and b, rad.
-    pub(super) dropped_terms_error: f64,
+    dropped_terms_error: f64,
 }
 
-impl Limits {
-    /// Limits for an allowed truncation error, rad. Series keep the scalar's accuracy even if more is allowed.
-    pub(super) fn new<R: TableScalar>(allowed: f64, capacity: usize) -> Self {
+impl ErrorBudget {
+    /// Budget for an allowed truncation error, rad. Series keep the scalar's accuracy even if more is allowed.
+    pub(super) fn new<R: TableScalar>(allowed: f64) -> Self {
         Self {
-            capacity,
             path_error: PATH_FRACTION * allowed,
             // finite, so that the error of an overflow, which is infinite, is refused
             segment_error: (((1.0 - PATH_FRACTION) * allowed) as f32).min(f32::MAX),
@@ -44,6 +45,13 @@ impl Limits {
     /// * `remainder`: the sum, in units of 2^-62
     pub(super) fn is_negligible_remainder(&self, remainder: f32) -> bool {
         TABLE_UNIT as f32 * remainder <= TERMS_FRACTION * self.segment_error
+    }
+
+    /// Magnitude below which a term of a rate at x = 1 ends its series, rad.
+    ///
+    /// * `half_length`: half of the span, in half periods
+    pub(super) fn negligible_term(&self, half_length: f64) -> f64 {
+        NEGLIGIBLE_TERM * half_length * self.dropped_terms_error
     }
 
     /// Error by the dropped terms of a and b, in units of 2^-62.
