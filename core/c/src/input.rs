@@ -165,8 +165,7 @@ pub unsafe extern "C" fn toytop_impulse(
     unsafe {
         status_of(error, || {
             let (top, before, impulse) = impulse_arguments(top, before, impulse, point)?;
-            let struck = before.with_impulse(&top, &impulse)?;
-            write(after, toytop_state::from_state(&struck))
+            write(after, toytop_state::from_state(&before.with_impulse(&top, &impulse)?))
         })
     }
 }
@@ -207,8 +206,7 @@ pub unsafe extern "C" fn toytop_reaction_impulse(
     unsafe {
         status_of(error, || {
             let (top, before, impulse) = impulse_arguments(top, before, impulse, point)?;
-            let answered = before.reaction_impulse(&top, &impulse)?;
-            write(reaction.cast(), answered)
+            write(reaction.cast(), before.reaction_impulse(&top, &impulse)?)
         })
     }
 }

@@ -161,7 +161,7 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     /// Coefficient of x^power nearest to a value in units of 2^-62.
     fn nearest(value: i64, power: usize) -> Self;
     /// Error that the coefficients of a polynomial cause, both in units of 2^-62; infinite where a sum could overflow.
-    fn error(polynomial: &[i64]) -> f32;
+    fn product_error(polynomial: &[i64]) -> f32;
 }
 
 /// Whether 16 bits of x are enough for this power.

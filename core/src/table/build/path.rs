@@ -94,7 +94,7 @@ pub(super) struct Path<'a, F> {
     span: Option<Interval>,
     pub(super) end: PathPoint,
     /// Least depth of the next span.
-    pub(super) depth: u32,
+    pub(super) next_span_depth: u32,
 }
 
 impl<'a, F: Float> Path<'a, F> {
@@ -127,7 +127,7 @@ impl<'a, F: Float> Path<'a, F> {
             endpoint_rate: Ring::max(first, last),
             span: None,
             end: PathPoint::FIRST,
-            depth: MIN_SPAN_DEPTH,
+            next_span_depth: MIN_SPAN_DEPTH,
         }
     }
 
@@ -141,7 +141,7 @@ impl<'a, F: Float> Path<'a, F> {
     /// Lets the next span be as long as a segment of this depth, if its series should converge.
     pub(super) fn try_longer_spans(&mut self, max_depth: u32) {
         if self.memory.expansion.may_double() {
-            self.depth = self.depth.min(max_depth);
+            self.next_span_depth = self.next_span_depth.min(max_depth);
         }
     }
 
@@ -158,7 +158,7 @@ impl<'a, F: Float> Path<'a, F> {
         if let Some(span) = self.span.filter(|span| (span.begin..span.end()).contains(&position)) {
             return Some(span);
         }
-        let depth = self.depth.max(Cell::MAX_DEPTH.saturating_sub(position.trailing_zeros()));
+        let depth = self.next_span_depth.max(Cell::MAX_DEPTH.saturating_sub(position.trailing_zeros()));
         let mut span = Interval { begin: position, depth };
         while span.depth <= max_depth {
             self.span = self.expand(span, point, pause).map(|()| span);
@@ -166,7 +166,7 @@ impl<'a, F: Float> Path<'a, F> {
                 return self.span;
             }
             span.depth += 1;
-            self.depth = span.depth;
+            self.next_span_depth = span.depth;
         }
         None
     }

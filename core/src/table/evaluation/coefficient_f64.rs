@@ -100,7 +100,7 @@ impl Coefficient for f64 {
         value as f64 * TABLE_UNIT
     }
 
-    fn error(_: &[i64]) -> f32 {
+    fn product_error(_: &[i64]) -> f32 {
         0.0
     }
 }

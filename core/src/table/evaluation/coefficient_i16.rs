@@ -94,7 +94,7 @@ impl Coefficient for i16 {
         shifted_right(shrunk, dropped).clamp(i16::MIN.into(), i16::MAX.into()) as i16
     }
 
-    fn error(polynomial: &[i64]) -> f32 {
+    fn product_error(polynomial: &[i64]) -> f32 {
         truncated_factors(polynomial, OVERFLOW).map_or(f32::INFINITY, |_| 0.0)
     }
 }
@@ -106,8 +106,8 @@ mod tests {
 
     #[test]
     fn sums_stay_below_their_powers_by_a_margin() {
-        assert_eq!(i16::error(&polynomial_q62([0.9, 0.4994, 0.0])), 0.0);
-        assert_eq!(i16::error(&polynomial_q62([0.9, 0.4996, 0.0])), f32::INFINITY);
-        assert_eq!(i16::error(&polynomial_q62([0.9, 0.2, -0.2499, 0.0])), f32::INFINITY);
+        assert_eq!(i16::product_error(&polynomial_q62([0.9, 0.4994, 0.0])), 0.0);
+        assert_eq!(i16::product_error(&polynomial_q62([0.9, 0.4996, 0.0])), f32::INFINITY);
+        assert_eq!(i16::product_error(&polynomial_q62([0.9, 0.2, -0.2499, 0.0])), f32::INFINITY);
     }
 }

@@ -22,7 +22,7 @@ pub(super) fn store_polynomial<R: TableScalar>(
                 *stored = R::Coefficient::nearest(value, power);
             }
         }
-        greatest = Ring::max(greatest, R::Coefficient::error(coefficients));
+        greatest = Ring::max(greatest, R::Coefficient::product_error(coefficients));
     }
     // the norm of four parts is twice as large, and the orientation error is twice the norm
     4.0 * TABLE_UNIT as f32 * greatest
@@ -76,7 +76,7 @@ pub(super) fn store_segment<R: TableScalar>(
 ) -> SegmentBounds {
     let PathMemory { expansion, polynomials, segment: polynomial, .. } = &mut *path.memory;
     let halvings = segment.depth - span.depth;
-    let (mut stored, mut truncation_squared, mut slope_squared) = (0.0_f32, 0.0, 0.0);
+    let (mut product_error, mut truncation_squared, mut slope_squared) = (0.0_f32, 0.0, 0.0);
     for (index, whole) in polynomials.iter().enumerate() {
         polynomial.restrict(
             whole,
@@ -87,13 +87,14 @@ pub(super) fn store_segment<R: TableScalar>(
         polynomial.shorten(R::TERMS, i64::MAX);
         truncation_squared += Ring::squared(polynomial.truncation());
         slope_squared += polynomial.slope_squared();
-        stored = Ring::max(stored, store_polynomial::<R>(stored_segment.as_deref_mut(), index, polynomial));
+        product_error =
+            Ring::max(product_error, store_polynomial::<R>(stored_segment.as_deref_mut(), index, polynomial));
         pause();
     }
     // x is 2 longer at the end of a segment
     let x_rate = (2_u32 << segment.depth) as f32;
     SegmentBounds {
-        error: 2.0 * TABLE_UNIT as f32 * Float::sqrt(truncation_squared) + stored,
+        error: 2.0 * TABLE_UNIT as f32 * Float::sqrt(truncation_squared) + product_error,
         angular_speed: 2.0 * TABLE_UNIT as f32 * Float::sqrt(slope_squared) * x_rate,
         residual_rate: expansion.greatest_residual_rate() * (2_u32 << span.depth) as f32,
         x_rate,
