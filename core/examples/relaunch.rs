@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     let settings = TableSettings::new(Tick::hertz(1000)?);
     let mut workspace = Workspace::new();
     let [mut first, mut second] = [(); 2].map(|()| TableMemory::<TableF64>::new());
-    let before = first.set_up(&mut workspace, &Motion::launch(&top, &state)?, &settings, &mut || {})?;
+    let before = first.set_up(&mut workspace, &Motion::launch(&top, &state)?, settings, &mut || {})?;
 
     // At tick 250 a stick strikes the rim with 2 mN s: 25 mm from the axis, at the height of the centre of mass, along the
     // second fixed axis.
@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     println!("the plane answers with {pressure:.1e} N s; if that were negative, the top would leave it");
     let motion = Motion::launch(&top, &state.with_impulse(&top, &stroke)?)?;
     let settings = TableSettings { epoch: struck_at.into(), ..settings };
-    let after = second.set_up(&mut workspace, &motion, &settings, &mut || {})?;
+    let after = second.set_up(&mut workspace, &motion, settings, &mut || {})?;
 
     let [old, new] = [before, after].map(|table| table.at_tick(struck_at.into()));
     let jump = old.orientation().distance(&new.orientation());

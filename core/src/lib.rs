@@ -47,7 +47,9 @@ pub mod table_format {}
 pub mod internal {
     pub use crate::body::{check, check_finite};
     pub use crate::motion::ellipses::{Ellipse, Ellipses};
-    pub use crate::scalar::sine::{COSINE, CUBIC, LINEAR, SINE, SINE_Q26, SINES, VERSINE};
+    pub use crate::scalar::sine::{
+        COSINE, CUBIC, LINEAR, SINE, SINE_Q26, SINES, VERSINE, rotate_quarter_turns,
+    };
 
     use crate::motion::phase_equations::PhaseEquations;
     use crate::scalar::Extended;
@@ -99,6 +101,11 @@ pub mod internal {
         let period = motion.period(2, &motion.equations(), &mut || {})?;
         let rotations = period.rotations(motion.half_tau).map(|angle| angle.radians_to_turns().to_phase());
         Some((period.time, rotations))
+    }
+
+    /// Nearest quarter turn of a phase, modulo 4 in the two lowest bits, and the remainder in [-1/8, 1/8) turn.
+    pub fn quadrant(phase: Phase) -> (u32, Phase) {
+        phase.quadrant()
     }
 
     /// Number of whole half turns of a phase, and the remainder in [0, 1/2) turn.

@@ -108,7 +108,7 @@ impl Motion {
 
     /// Winding numbers of the ellipses of α and β; 1 for a steady motion.
     pub(crate) fn windings(&self) -> [i32; 2] {
-        if self.is_steady() { [1; 2] } else { self.ellipses.windings() }
+        if self.has_constant_tilt() { [1; 2] } else { self.ellipses.windings() }
     }
 
     /// Number e^{iχ} at t = 0; 1 where u is constant.
@@ -130,7 +130,7 @@ impl Motion {
     /// Least normal force over the weight; `None` unless the tip slides. Where it is negative, a real top leaves the plane.
     pub fn min_normal_force(&self) -> Option<f64> {
         (self.top.support() == Support::Sliding).then(|| {
-            if self.is_steady() { 1.0 } else { normal_force::minimum(&self.e, self.top.a_over_ps()) }
+            if self.has_constant_tilt() { 1.0 } else { normal_force::minimum(&self.e, self.top.a_over_ps()) }
         })
     }
 
@@ -145,7 +145,7 @@ impl Motion {
         [rate(l_plus_n, one_plus_u, half_tau), rate(l_minus_n, one_minus_u, -half_tau)]
     }
 
-    pub(crate) fn is_steady(&self) -> bool {
+    pub(crate) fn has_constant_tilt(&self) -> bool {
         self.half_phase.is_none()
     }
 

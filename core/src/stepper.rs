@@ -48,8 +48,11 @@ impl<R: Real> Stepper<R> {
     /// Stepper at t = 0. Its constants are rounded once from extended precision to `R`.
     #[must_use]
     pub fn new(motion: &Motion) -> Self {
-        let rates =
-            if motion.is_steady() { motion.steady_rates() } else { [motion.half_tau, -motion.half_tau] };
+        let rates = if motion.has_constant_tilt() {
+            motion.steady_rates()
+        } else {
+            [motion.half_tau, -motion.half_tau]
+        };
         let (top, integrals) = (motion.top(), motion.first_integrals());
         let per_a = 0.25 / top.transverse_inertia();
         let mut stepper = Self {

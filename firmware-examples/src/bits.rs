@@ -122,7 +122,7 @@ fn table<R: TableScalar<Quantity: Into<f64>> + Into<f64>, const SEGMENTS: usize>
     let mut memory = TableMemory::<SizedTable<R, SEGMENTS>>::new();
     let Ok(tick) = Tick::hertz(1000) else { return hashes };
     let settings = TableSettings { truncation: Some(f64::MAX), ..TableSettings::new(tick) };
-    let Ok(table) = memory.set_up(workspace, motion, &settings, &mut || {}) else { return hashes };
+    let Ok(table) = memory.set_up(workspace, motion, settings, &mut || {}) else { return hashes };
     let with_sample = |hash: Hash, sample: Sample<'_, R>| {
         let Pose { orientation: Orientation { alpha, beta }, u, tip } = sample.pose();
         hash.complex(alpha).complex(beta).number(u).complex(tip)

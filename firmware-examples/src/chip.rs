@@ -12,7 +12,7 @@ use defmt_semihosting as _; // log transport
 #[cfg(target_arch = "riscv32")]
 use riscv as _; // critical section
 use semihosting::process;
-use toytop::{Motion, Table, TableF32, TableMemory, TableSettings, Tick, Workspace};
+use toytop::{Motion, Table, TableF32, TableMemory, Tick, Workspace};
 
 #[cfg(target_arch = "arm")]
 pub use cortex_m_rt::entry;
@@ -35,7 +35,7 @@ pub fn set_up(motion: &Motion, rate: u32) -> &'static Table<f32> {
     let memory = singleton!(: TableMemory<TableF32> = TableMemory::new()).expect("taken once");
     let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
     let tick = Tick::hertz(rate).expect("a positive rate");
-    memory.set_up(workspace, motion, &TableSettings::new(tick), &mut || {}).expect("an ordinary motion")
+    memory.set_up(workspace, motion, tick, &mut || {}).expect("an ordinary motion")
 }
 
 /// Starts SysTick, an interrupt with the frequency `rate`, Hz, of a processor with the clock `clock`, Hz. `bin/spin.rs` shows the code

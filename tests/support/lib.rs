@@ -167,7 +167,7 @@ pub fn table_from_epoch<R: TableScalar, const SEGMENTS: usize>(
 ) -> Result<HeapTable<R, SEGMENTS>, SetUpError> {
     let mut memory = Box::new(TableMemory::<SizedTable<R, SEGMENTS>>::new());
     let settings = TableSettings { epoch, ..TableSettings::new(tick) };
-    memory.set_up(&mut Workspace::new(), motion, &settings, &mut || {})?;
+    memory.set_up(&mut Workspace::new(), motion, settings, &mut || {})?;
     Ok(HeapTable(memory))
 }
 

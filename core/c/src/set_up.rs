@@ -72,7 +72,7 @@ unsafe fn set_up<R: TableScalar>(
     // SAFETY: the caller guarantees that the pause may be called.
     let mut pause = unsafe { call_of(pause, context) };
     let mut set_up = |workspace: &mut Workspace| -> Result<(), Refusal> {
-        table.set_up(workspace, &motion, &settings, &mut pause)?;
+        table.set_up(workspace, &motion, settings, &mut pause)?;
         Ok(())
     };
     if workspace.is_null() {

@@ -134,12 +134,12 @@ impl Model {
         shares
     }
 
-    /// Top of an estimate, with the A, the rotor and the support of a given one.
-    pub(crate) fn top_of(&self, given: &Top, estimate: &Estimate) -> Result<Top, ParameterError> {
+    /// Top of an estimate, with A, the rotor and the support of the model's top.
+    pub(crate) fn top_of(&self, estimate: &Estimate) -> Result<Top, ParameterError> {
         if self.free_count == 0 {
-            return Ok(*given);
+            return Ok(self.top);
         }
-        self.equations(estimate).coefficients.top(given)
+        self.equations(estimate).coefficients.top(&self.top)
     }
 
     /// Derivatives of the motion of an estimate with respect to the unknowns.
@@ -148,7 +148,7 @@ impl Model {
         if self.has_losses() {
             return Some(Sensitivity::without_period(&equations, &estimate.body_state(), COARSE_STEP));
         }
-        let top = self.top_of(&self.top, estimate).ok()?;
+        let top = self.top_of(estimate).ok()?;
         let motion = Motion::launch(&top, &estimate.state().ok()?).ok()?;
         Some(Sensitivity::with_equations(&motion, &equations, COARSE_STEP))
     }

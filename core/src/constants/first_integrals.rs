@@ -49,7 +49,7 @@ pub struct Signs {
 }
 
 numeric_struct! {
-    /// First integrals: two components of the angular momentum, and the energy. They are only results: no launch takes them back.
+    /// First integrals: two components of the angular momentum, and the energy.
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     #[non_exhaustive]

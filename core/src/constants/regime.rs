@@ -10,9 +10,9 @@ use crate::scalar::{Extended, Float, Ring};
 pub enum Regime {
     /// e₁ < e₂ < e₃: u oscillates between e₁ and e₂.
     Nutating,
-    /// -1 < e₁ = e₂ < 1 and |l| < |n|: the slower regular precession.
+    /// -1 < e₁ = e₂ < 1 and |l| < |n|: the slower regular precession. The tilt may change by 2^-49 rad, as roundings of a state do.
     SlowPrecession,
-    /// -1 < e₁ = e₂ < 1 and |l| >= |n|: the faster regular precession.
+    /// -1 < e₁ = e₂ < 1 and |l| >= |n|: the faster regular precession. The tilt may change by 2^-49 rad.
     FastPrecession,
     /// e₁ = e₂ = 1: the axis is upright, and a small push causes a small nutation.
     SleepingStable,

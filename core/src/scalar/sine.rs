@@ -27,7 +27,7 @@ pub(crate) use q57::{SINE_BITS, sine_cosine_from_q57, sine_cosine_q57};
 
 /// Sine and cosine of an angle that is larger by quarter turns.
 #[inline(always)]
-fn rotate_quarter_turns<T: Neg<Output = T>>(quarters: u32, (sine, cosine): (T, T)) -> (T, T) {
+pub fn rotate_quarter_turns<T: Neg<Output = T>>(quarters: u32, (sine, cosine): (T, T)) -> (T, T) {
     let (sine, cosine) = if quarters & 1 == 0 { (sine, cosine) } else { (cosine, -sine) };
     if quarters & 2 == 0 { (sine, cosine) } else { (-sine, -cosine) }
 }

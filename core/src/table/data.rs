@@ -8,14 +8,20 @@ mod phases;
 
 mod clock;
 
+mod error_bound;
+
+mod table;
+
 mod memory;
 
 mod baked;
 
 pub use baked::{Baked, BakedError};
 pub use clock::Clock;
-pub use memory::{ErrorBound, SizedTable, Table, TableF32, TableF64, TableMemory};
-#[cfg(feature = "fixed")]
-pub use memory::{TableQ15, TableQ31};
+pub use error_bound::ErrorBound;
+pub use memory::TableMemory;
 pub(crate) use phases::Phases;
+pub use table::{SizedTable, Table, TableF32, TableF64};
+#[cfg(feature = "fixed")]
+pub use table::{TableQ15, TableQ31};
 pub use tick::Tick;

@@ -64,7 +64,7 @@ pub struct EvaluationErrors {
 pub trait TableScalar: Scalar + Into<f64> + 'static {
     /// Number in which a tick computes α, β and Ω.
     #[doc(hidden)]
-    type Number: TickNumber<Quantity = Self::Quantity>;
+    type Number: TickNumber<Sum = <Self::Coefficient as Coefficient>::Sum, Quantity = Self::Quantity>;
     /// Coefficient of the table.
     #[doc(hidden)]
     type Coefficient: Coefficient<Number = Self::Number>;
@@ -101,13 +101,13 @@ pub trait TableScalar: Scalar + Into<f64> + 'static {
     fn from_number(number: Self::Number) -> Self;
     /// Sine and cosine of a phase, given by its 64 leading bits.
     #[doc(hidden)]
-    fn sine_cosine_sums(phase: u64) -> [SumOf<Self::Coefficient>; 2];
+    fn sine_cosine_sums(phase: u64) -> [<Self::Coefficient as Coefficient>::Sum; 2];
 }
 
 /// Number in which a tick computes α, β and Ω: `Q30` or `f64`. Rates may be larger than its range, so they have a common power of two as a factor.
 pub trait TickNumber: Ring {
-    /// Sum of Horner's rule, and the local coordinate.
-    type Sum: Coefficient<Number = Self> + Default + Into<f64>;
+    /// Sum of Horner's rule.
+    type Sum;
     /// Type of lengths and rates.
     type Quantity: Real;
 
@@ -126,35 +126,34 @@ pub trait TickNumber: Ring {
     ) -> (Vector<Self>, i32);
 }
 
-/// Sum of Horner's rule with these coefficients: `i32` for `i16`, otherwise the type of the coefficient itself.
-type SumOf<C> = <<C as Coefficient>::Number as TickNumber>::Sum;
-
 /// Coefficient of a table, and what of its evaluation depends on its word.
 pub trait Coefficient: Copy + Debug + PartialEq {
+    /// Sum of Horner's rule, and the local coordinate: `i32` for `i16`, otherwise the type of the coefficient itself.
+    type Sum: Coefficient<Sum = Self::Sum, Number = Self::Number> + Default + Into<f64>;
     /// Number that the evaluation results in.
-    type Number: TickNumber;
+    type Number: TickNumber<Sum = Self::Sum>;
 
     /// Coefficient in the scale of the sums.
-    fn to_sum(self) -> SumOf<Self>;
+    fn to_sum(self) -> Self::Sum;
     /// Local coordinate.
-    fn coordinate(point: SegmentPoint) -> SumOf<Self>;
+    fn coordinate(point: SegmentPoint) -> Self::Sum;
     /// Step of Horner's rule, `self` + `sum` x, with 16 bits of x if they are enough.
-    fn step(self, sum: SumOf<Self>, x: SumOf<Self>, by_16_bits: bool) -> SumOf<Self>;
+    fn step(self, sum: Self::Sum, x: Self::Sum, by_16_bits: bool) -> Self::Sum;
     /// Last step, to the value of a polynomial with this constant.
     #[inline(always)]
-    fn last_step(self, sum: SumOf<Self>, x: SumOf<Self>) -> SumOf<Self> {
+    fn last_step(self, sum: Self::Sum, x: Self::Sum) -> Self::Sum {
         self.step(sum, x, false)
     }
     /// Step of Horner's rule for the derivative, `sum` + `slope` x, with the sum of the polynomial before its step.
-    fn slope_step(sum: SumOf<Self>, slope: SumOf<Self>, x: SumOf<Self>, by_16_bits: bool) -> SumOf<Self>;
+    fn slope_step(sum: Self::Sum, slope: Self::Sum, x: Self::Sum, by_16_bits: bool) -> Self::Sum;
     /// Complex number of the table, rotated by the angle with this sine and cosine.
     fn rotated(
-        number: [SumOf<Self>; 2],
+        number: [Self::Sum; 2],
         is_falling: bool,
-        sine_cosine: [SumOf<Self>; 2],
+        sine_cosine: [Self::Sum; 2],
     ) -> Complex<Self::Number>;
     /// Sine and cosine of Λ_β - Λ_α, from the sines and cosines of Λ_α and Λ_β.
-    fn sine_cosine_of_difference(sines_cosines: [[SumOf<Self>; 2]; 2]) -> [SumOf<Self>; 2];
+    fn sine_cosine_of_difference(sines_cosines: [[Self::Sum; 2]; 2]) -> [Self::Sum; 2];
 
     // For the set-up.
 
@@ -207,7 +206,7 @@ pub(crate) fn tabulated_a_b<R: TableScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
 ) -> [[Complex<f64>; 2]; 2] {
-    let x = <R::Number as TickNumber>::Sum::coordinate(point);
+    let x = <R::Coefficient as Coefficient>::Sum::coordinate(point);
     horner::<_, _, 4, true>(rows, x, |four| four.map(Coefficient::to_sum)).map(complex_pair)
 }
 
@@ -223,10 +222,7 @@ fn complex_pair(four: [impl Into<f64>; 4]) -> [Complex<f64>; 2] {
 
 /// Polynomials and, if `SLOPES`, their derivatives.
 #[inline(always)]
-fn polynomials<C: Coefficient, const SLOPES: bool>(
-    rows: &[[C; 4]],
-    point: SegmentPoint,
-) -> [[SumOf<C>; 4]; 2] {
+fn polynomials<C: Coefficient, const SLOPES: bool>(rows: &[[C; 4]], point: SegmentPoint) -> [[C::Sum; 4]; 2] {
     let x = C::coordinate(point);
     // four for vector units, two for the few registers of the smallest chips
     if cfg!(target_pointer_width = "64") || size_of::<C>() == 8 {
@@ -243,9 +239,9 @@ fn polynomials<C: Coefficient, const SLOPES: bool>(
 #[inline(always)]
 fn horner<C, D: Coefficient, const N: usize, const SLOPES: bool>(
     rows: &[[C; 4]],
-    x: SumOf<D>,
+    x: D::Sum,
     part: impl Fn(&[C; 4]) -> [D; N],
-) -> [[SumOf<D>; N]; 2] {
+) -> [[D::Sum; N]; 2] {
     let (mut sums, mut slopes) = ([Default::default(); N], [Default::default(); N]);
     let [constant, higher @ ..] = rows else { return [sums, slopes] };
     for (power, coefficients) in higher.iter().enumerate().map(|(below, four)| (below + 2, four)).rev() {

@@ -4,8 +4,8 @@ use fixed::types::{I2F14, I2F30};
 use toytop::scalar::{Real, Ring};
 use toytop::{
     Complex, Cursor, Motion, Orientation, ParameterError, Pose, Release, Sample, SizedTable, State, Stepper,
-    Table, TableF32, TableF64, TableMemory, TableQ15, TableQ31, TableScalar, TableSettings, Tick, Top,
-    TopParameters, Workspace,
+    Table, TableF32, TableF64, TableMemory, TableQ15, TableQ31, TableScalar, Tick, Top, TopParameters,
+    Workspace,
 };
 
 /// Number of ticks per second.
@@ -76,7 +76,7 @@ fn set_up(memory: &mut TableMemory<Table<f32>>, workspace: &mut Workspace, top: 
     let Ok(tick) = Tick::hertz(TICK_RATE) else { return false };
     let motion = Motion::launch(top, state);
     let Ok(motion) = &motion else { return false };
-    memory.set_up(workspace, motion, &TableSettings::new(tick), &mut || {}).is_ok()
+    memory.set_up(workspace, motion, tick, &mut || {}).is_ok()
 }
 
 /// Set-up with its own memory on the stack.

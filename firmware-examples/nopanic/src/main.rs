@@ -171,7 +171,7 @@ fn fit(top: &Top) {
         let measurement =
             |n: usize| Measurement { time: unknown(), sensor: black_box(n & 3), values: [unknown(); 4] };
         let Ok(fitted) = fit.run((0..black_box(60_usize)).map(measurement)) else { continue };
-        black_box(fitted.motion(top).is_ok());
+        black_box(fitted.motion().is_ok());
         black_box(fit.track(&fitted, unknown(), (0..black_box(60_usize)).map(measurement)).is_ok());
     }
 }
@@ -227,6 +227,6 @@ fn table<R: TableScalar, const SEGMENTS: usize>(motion: &Motion) {
     let settings = TableSettings { tick, epoch: black_box(-7), truncation: Some(unknown()) };
     let mut memory = TableMemory::<SizedTable<R, SEGMENTS>>::new();
     let mut calls = 0;
-    let is_ready = memory.set_up(&mut workspace, motion, &settings, &mut || calls += 1).is_ok();
+    let is_ready = memory.set_up(&mut workspace, motion, settings, &mut || calls += 1).is_ok();
     black_box((is_ready, memory.get().map(|table| (cursor.next(table).orientation(), table.error_bound()))));
 }

@@ -55,7 +55,7 @@ fn main() -> ! {
     }
     defmt::info!("state of the fit: {=usize} bytes", size_of::<Fit<'_, f32>>());
 
-    let motion = fitted.motion(&top).expect("a possible launch");
+    let motion = fitted.motion().expect("a possible launch");
     let table = set_up(&motion, imu::SAMPLE_RATE);
     let follower = Follower { table, cursor: table.cursor(0), tick: 0 };
     critical_section::with(|cs| FOLLOWER.replace(cs, Some(follower)));

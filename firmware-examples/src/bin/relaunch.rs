@@ -188,9 +188,7 @@ fn wait<T>(queue: &mut Consumer<'static, T>) -> T {
 fn launch(workspace: &mut Workspace, memory: &mut Memory) -> Result<Top, ParameterError> {
     let launched = toy_top(); // by reference from here on: a motion is large
     let motion = launched.as_ref().map_err(|error| *error)?;
-    memory
-        .set_up(workspace, motion, &TableSettings::new(Tick::hertz(TICK_RATE)?), &mut || {})
-        .expect("an ordinary motion");
+    memory.set_up(workspace, motion, Tick::hertz(TICK_RATE)?, &mut || {}).expect("an ordinary motion");
     Ok(*motion.top())
 }
 
@@ -208,6 +206,6 @@ fn relaunch(
     let motion = launched.as_ref().map_err(|error| *error)?;
     bridge(Stepper::new(motion));
     let settings = TableSettings { epoch: at, ..TableSettings::new(Tick::hertz(TICK_RATE)?) };
-    memory.set_up(workspace, motion, &settings, &mut || {}).expect("an ordinary motion");
+    memory.set_up(workspace, motion, settings, &mut || {}).expect("an ordinary motion");
     Ok(())
 }

@@ -10,8 +10,8 @@ use cortex_m::{Peripherals, asm, singleton};
 use cortex_m_rt::exception;
 use critical_section::Mutex;
 use toytop::{
-    Complex, Motion, Orientation, ParameterError, Pose, Release, State, Table, TableF32, TableMemory,
-    TableSettings, Tick, Top, TopParameters, Workspace,
+    Complex, Motion, Orientation, ParameterError, Pose, Release, State, Table, TableF32, TableMemory, Tick,
+    Top, TopParameters, Workspace,
 };
 use toytop_firmware::{entry, exit};
 
@@ -41,8 +41,7 @@ fn main() -> ! {
     // The table of 2 KiB is set up in static memory, not on the stack.
     let memory = singleton!(: TableMemory<TableF32> = TableMemory::new()).expect("taken once");
     let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
-    let table =
-        memory.set_up(workspace, &motion, &TableSettings::new(tick), &mut || {}).expect("an ordinary motion");
+    let table = memory.set_up(workspace, &motion, tick, &mut || {}).expect("an ordinary motion");
     critical_section::with(|cs| TABLE.borrow(cs).set(Some(table)));
 
     let mut systick = Peripherals::take().expect("taken once").SYST;

@@ -5,7 +5,7 @@
 
 use cortex_m::peripheral::SCB;
 use cortex_m::{asm, interrupt, singleton};
-use toytop::{ErrorBound, TableF64, TableMemory, TableSettings, Tick, Workspace};
+use toytop::{ErrorBound, TableF64, TableMemory, Tick, Workspace};
 use toytop_firmware::{entry, exit, start_systick, toy_top};
 
 /// Clock of the processor, Hz. The emulated board has 25 MHz.
@@ -19,8 +19,7 @@ fn main() -> ! {
     let memory = singleton!(: TableMemory<TableF64> = TableMemory::new()).expect("taken once");
     let workspace = singleton!(: Workspace = Workspace::new()).expect("taken once");
     let tick = Tick::hertz(TICK_RATE).expect("a positive rate");
-    let table =
-        memory.set_up(workspace, &motion, &TableSettings::new(tick), &mut || {}).expect("an ordinary motion");
+    let table = memory.set_up(workspace, &motion, tick, &mut || {}).expect("an ordinary motion");
     let ErrorBound { constant, per_tick } = table.error_bound();
     defmt::info!("at tick n within {=f64} rad + n * {=f64}", constant, per_tick);
 

@@ -45,7 +45,7 @@ impl PageTable {
         let settings = TableSettings::new(motion.tick());
         let mut fits = |truncation: &f64| {
             let settings = TableSettings { truncation: Some(*truncation), ..settings };
-            self.memory.set_up(&mut Workspace::new(), motion, &settings, &mut || {}).is_ok()
+            self.memory.set_up(&mut Workspace::new(), motion, settings, &mut || {}).is_ok()
         };
         if TRUNCATIONS.iter().any(&mut fits) {
             return Ok(());

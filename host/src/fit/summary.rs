@@ -97,7 +97,7 @@ impl FitResult {
     /// component that the sensor does not have or that is at the end of its range, and for a measurement at a time at which
     /// the derivatives of the motion cannot be computed. All residuals are NaN if no top has the fitted numbers.
     pub fn residuals(&self, measurements: &[Measurement]) -> Vec<[f64; 3]> {
-        let Ok(mut sensitivity) = self.fitted.sensitivity(&self.input.top) else {
+        let Ok(mut sensitivity) = self.fitted.sensitivity() else {
             return vec![[f64::NAN; 3]; measurements.len()];
         };
         let biases = self.biases();
@@ -123,7 +123,7 @@ impl FitResult {
     /// [`Failure::Input`]: no top has the fitted numbers.
     pub fn scenario(&self, units: Option<&str>) -> Result<String, Failure> {
         let refuse = |error: toytop::ParameterError| Failure::Input(format!("the fitted top: {error}"));
-        self.fitted.motion(&self.input.top).map_err(refuse)?;
+        self.fitted.motion().map_err(refuse)?;
         let state = self.fitted.state().map_err(refuse)?;
         let mut text =
             format!("# Fitted by `toytop fit`; t = 0 is t = {} of the samples.\n", exact(self.fitted.time));
@@ -274,7 +274,7 @@ impl FitResult {
     /// Predictions up to ten seconds after the samples; none where there is no launch.
     fn predictions(&self) -> Vec<Prediction> {
         const AHEAD: [f64; 5] = [0.0, 1.0, 2.0, 5.0, 10.0];
-        let motion = self.fitted.motion(&self.input.top).ok().filter(|_| self.used_any_sample());
+        let motion = self.fitted.motion().ok().filter(|_| self.used_any_sample());
         let Some(sensitivity) = motion.map(|motion| Sensitivity::new(&motion)) else { return Vec::new() };
         let at = |ahead: &f64| {
             let t = self.end + ahead;

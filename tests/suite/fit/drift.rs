@@ -141,8 +141,8 @@ fn the_motion_with_the_drift_is_that_of_the_measurements() {
     let without = fitted(&top, &SENSORS, &[], &measurements);
     assert_eq!(without.warning, Some(FitWarning::Misfit), "{:?}", without.statistics);
     assert_eq!(found.time, measurements[measurements.len() - 1].time);
-    let sensitivity = found.sensitivity(&top).unwrap();
-    let exact = Sensitivity::new(&found.motion(&top).unwrap());
+    let sensitivity = found.sensitivity().unwrap();
+    let exact = Sensitivity::new(&found.motion().unwrap());
     let apart = |sensitivity: &Sensitivity, index: usize| {
         let at = sensitivity.at(index as f64 * STEP - found.time).unwrap();
         let turn = at.orientation().compose(&states[index].orientation().inverse());
@@ -200,7 +200,7 @@ fn one_ratio_may_be_free_with_a_drift() {
     let fit = |ratios: &[FreeRatio]| Fit::new(&wrong, &SENSORS, ratios).unwrap().with_losses(LOSS);
     let found = fit(&[FreeRatio::AXIAL_INERTIA]).unwrap().run(measurements.iter().copied()).unwrap();
     assert!(found.is_trusted(), "{:?} {:?}", found.warning, found.statistics);
-    let off = (found.top(&wrong).unwrap().axial_inertia() / 2e-5).ln() / found.deviations()[6];
+    let off = (found.top().unwrap().axial_inertia() / 2e-5).ln() / found.deviations()[6];
     assert!(off.abs() < 4.0, "{off}");
     let loss = found.drift.unwrap().losses[0];
     assert!((loss / LOSS - 1.0).abs() < 0.05, "{loss}");

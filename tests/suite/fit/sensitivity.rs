@@ -156,14 +156,15 @@ fn derivatives_agree_with_differences_of_launches() {
     check("derivatives", worst(errors), tolerance::SENSITIVITY_DERIVATIVES);
 }
 
-/// Bodies from a thin rod to a disc, C = 2A, sliding, held and free, with and without a rotor.
+/// Bodies from a thin rod to a disc, C = 2A, sliding, held and free; each sliding body with and without a rotor, of the others every second one.
 #[test]
 fn derivatives_are_right_for_every_axial_inertia() {
     let moving = [0.25, -0.5, 1.75];
     // a free body at rest has no frequency of its own
     for (s, p, omega) in [(0.625, 1.0, moving), (0.0, 1.0, moving), (0.0, 0.0, moving), (0.0, 0.0, [0.0; 3])]
     {
-        for (c, k) in [0.0, 1e-9, 0.5, 1.25, 2.5].into_iter().flat_map(|c| [(c, 0.0), (c, 1.5)]) {
+        let bodies = [0.0, 1e-9, 0.5, 1.25, 2.5].into_iter().flat_map(|c| [(c, 0.0), (c, 1.5)]);
+        for (c, k) in bodies.step_by(if s > 0.0 { 1 } else { 3 }) {
             let given = Given::new([1.25, c, s, p, 1.0, k], LEANING, omega);
             let found = error(&given, &[0.3, 2.4, 1000.1]);
             let most = if omega == moving { 1e-10 } else { 1e-9 };

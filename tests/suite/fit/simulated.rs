@@ -124,7 +124,7 @@ fn a_camera_of_the_orientation_tells_the_axial_inertia() {
         assert_eq!(strict.warning, Some(FitWarning::Misfit), "{:?}", strict.statistics);
         let found = fitted(&wrong, &sensors, &[FreeRatio::AXIAL_INERTIA], &measurements);
         check_errors("orientation", &found, &state);
-        let inertia = found.top(&wrong).unwrap().axial_inertia();
+        let inertia = found.top().unwrap().axial_inertia();
         let deviation = found.deviations()[6];
         assert!(((inertia / 2e-5).ln() / deviation).abs() < 4.0 && deviation < 1e-3, "{inertia} {deviation}");
     }

@@ -15,8 +15,7 @@ fn equal_the_ones_by_value<R: TableScalar>() {
     for vector in vectors::all() {
         let motion = vector.motion().unwrap();
         let mut calls = 0;
-        let table =
-            memory.set_up(&mut workspace, &motion, &TableSettings::new(kilohertz()), &mut || calls += 1);
+        let table = memory.set_up(&mut workspace, &motion, kilohertz(), &mut || calls += 1);
         match (table, SizedTable::<R, SEGMENTS>::new(&motion, kilohertz())) {
             (Ok(table), Ok(by_value)) => assert!(*table == *by_value, "{}", vector.name),
             (refusal, by_value) => assert_eq!(refusal.err(), by_value.err(), "{}", vector.name),
@@ -56,9 +55,7 @@ fn a_refusal_takes_no_longer_than_a_table() {
     let motion = vectors::motion("exact_near_separatrix_straddle");
     let calls = |memory: &mut TableMemory<Table<f32>>| {
         let mut calls = 0;
-        let refused = memory
-            .set_up(&mut Workspace::new(), &motion, &TableSettings::new(kilohertz()), &mut || calls += 1)
-            .err();
+        let refused = memory.set_up(&mut Workspace::new(), &motion, kilohertz(), &mut || calls += 1).err();
         (refused, calls)
     };
     let refused = calls(&mut TableMemory::<SizedTable<f32, 16>>::new());
@@ -134,7 +131,7 @@ fn tables_are_handed_over_while_they_are_sampled() {
     let set_up = |mut memory: Memory, name, epoch| {
         let (motion, tick) = (vectors::motion(name), Tick::hertz(16).unwrap());
         let settings = TableSettings { tick, epoch, truncation: Some(1e-3) };
-        memory.set_up(&mut Workspace::new(), &motion, &settings, &mut || {}).unwrap();
+        memory.set_up(&mut Workspace::new(), &motion, settings, &mut || {}).unwrap();
         memory
     };
     let first = set_up(Memory::default(), "generic_AneC", 0);
@@ -175,12 +172,12 @@ fn memory_has_a_table_after_a_set_up() {
     let mut memory = TableMemory::<SizedTable<f64, 48>>::new();
     assert!(memory.get().is_none());
     let mut workspace = Workspace::new();
-    assert!(memory.set_up(&mut workspace, &easy, &settings, &mut || {}).is_ok());
+    assert!(memory.set_up(&mut workspace, &easy, settings, &mut || {}).is_ok());
     assert!(memory.get().unwrap().error_bound().after(1e9) < 1e-12);
     for (truncation, motion) in [(1e-19, &hard), (1e-15, &rising), (f64::INFINITY, &easy), (-1.0, &easy)] {
-        assert!(memory.set_up(&mut workspace, &easy, &settings, &mut || {}).is_ok());
+        assert!(memory.set_up(&mut workspace, &easy, settings, &mut || {}).is_ok());
         let settings = TableSettings { truncation: Some(truncation), ..settings };
-        assert!(memory.set_up(&mut workspace, motion, &settings, &mut || {}).is_err());
+        assert!(memory.set_up(&mut workspace, motion, settings, &mut || {}).is_err());
         assert!(memory.get().is_none());
     }
 }

@@ -4,6 +4,7 @@
 //! near the zeros of the odd functions. The logarithm and the angle take one step of Newton's method from their `f64`
 //! values, which squares the relative error.
 
+use toytop::internal::{quadrant, rotate_quarter_turns};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{Complex, Phase};
 
@@ -69,25 +70,13 @@ pub(crate) fn sine_cosine(x: Extended) -> (Extended, Extended) {
     }
     let quadrant = libm::round(x.to_f64() * core::f64::consts::FRAC_2_PI);
     let remainder = x - half_pi() * quadrant.into();
-    in_quadrant(quadrant as i32 as u32, series(remainder, -1.0))
+    rotate_quarter_turns(quadrant as i32 as u32, series(remainder, -1.0))
 }
 
 /// (sin 2πx, cos 2πx) of a phase of x turns.
 pub(crate) fn of_turns(phase: Phase) -> (Extended, Extended) {
-    const QUARTER: i128 = Phase::QUARTER.to_bits();
-    let quadrant = (phase.to_bits() + QUARTER / 2).div_euclid(QUARTER);
-    let remainder = Extended::from(Phase::from_bits(phase.to_bits() - quadrant * QUARTER));
-    in_quadrant(quadrant as u32, series(remainder * Extended::TWO_PI, -1.0))
-}
-
-/// Sine and cosine of an angle after a number of quarter turns is added to it.
-fn in_quadrant(quadrant: u32, (sine, cosine): (Extended, Extended)) -> (Extended, Extended) {
-    match quadrant % 4 {
-        0 => (sine, cosine),
-        1 => (cosine, -sine),
-        2 => (-sine, -cosine),
-        _ => (-cosine, sine),
-    }
+    let (quadrant, remainder) = quadrant(phase);
+    rotate_quarter_turns(quadrant, series(Extended::from(remainder) * Extended::TWO_PI, -1.0))
 }
 
 /// (sinh x, cosh x).

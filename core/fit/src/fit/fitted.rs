@@ -123,20 +123,20 @@ impl Fitted {
         self.launch.state()
     }
 
-    /// Top with the fitted ratios and the given A.
+    /// Top of the fit, with the fitted ratios.
     ///
     /// # Errors
     /// The errors of [`Top::sliding`].
-    pub fn top(&self, given: &Top) -> Result<Top, ParameterError> {
-        self.model.top_of(given, &self.launch)
+    pub fn top(&self) -> Result<Top, ParameterError> {
+        self.model.top_of(&self.launch)
     }
 
     /// Motion of the launch, also of one that must not be trusted: see [`Fitted::warning`].
     ///
     /// # Errors
     /// The errors of [`Fitted::state`], [`Fitted::top`] and [`Motion::launch`].
-    pub fn motion(&self, given: &Top) -> Result<Motion, ParameterError> {
-        Motion::launch(&self.top(given)?, &self.state()?)
+    pub fn motion(&self) -> Result<Motion, ParameterError> {
+        Motion::launch(&self.top()?, &self.state()?)
     }
 
     /// Derivatives of the fitted motion from the launch on. With losses the motion includes the losses, and the
@@ -144,11 +144,11 @@ impl Fitted {
     ///
     /// # Errors
     /// The errors of [`Fitted::motion`].
-    pub fn sensitivity(&self, given: &Top) -> Result<Sensitivity, ParameterError> {
+    pub fn sensitivity(&self) -> Result<Sensitivity, ParameterError> {
         let Some(Drift { losses, .. }) = self.drift else {
-            return Ok(Sensitivity::new(&self.motion(given)?));
+            return Ok(Sensitivity::new(&self.motion()?));
         };
-        let mut equations = Equations::new(&self.top(given)?);
+        let mut equations = Equations::new(&self.top()?);
         equations.coefficients.losses = losses;
         Ok(Sensitivity::without_period(&equations, &self.launch.body_state(), COARSE_STEP))
     }

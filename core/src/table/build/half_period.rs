@@ -71,8 +71,11 @@ impl HalfPeriod {
         memory.begin(motion);
         pause();
         // a steady motion has the period of an infinitesimal nutation, which does not count
-        let period =
-            if motion.is_steady() { None } else { motion.period(R::PERIOD_WORDS, &memory.equations, pause) };
+        let period = if motion.has_constant_tilt() {
+            None
+        } else {
+            motion.period(R::PERIOD_WORDS, &memory.equations, pause)
+        };
         self.mean_rates = MeanRates::new(motion, period.as_ref());
         pause();
         match period {
@@ -169,22 +172,14 @@ impl HalfPeriod {
         segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
     ) -> Option<SegmentBounds> {
-        let (mut position, mut number) = (cell.begin, self.segments);
         let mut bounds = SegmentBounds::ZERO;
-        while position < cell.end() {
-            let span = path.span_at(position, point, depth, pause)?;
-            point = path.end;
-            let part = if span.depth < cell.depth { cell } else { span };
-            for segment in part.parts(depth) {
-                let stored = segments.get_mut(number);
-                bounds.include(&store_segment::<R>(path, span, segment, stored, pause));
-                let is_accurate = bounds.error <= path.budget.segment_error_at(depth);
-                if !is_accurate {
-                    return None;
-                }
-                number += 1;
+        for (segment, number) in cell.parts(depth).zip(self.segments..) {
+            let span = path.span_at(segment.begin, &mut point, depth, pause)?;
+            bounds.include(&store_segment::<R>(path, span, segment, segments.get_mut(number), pause));
+            let is_accurate = bounds.error <= path.budget.segment_error_at(depth);
+            if !is_accurate {
+                return None;
             }
-            position = part.end();
         }
         Some(bounds)
     }

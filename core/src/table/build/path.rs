@@ -92,9 +92,10 @@ pub(super) struct Path<'a, F> {
     /// Sum of the rates of χ and of the residual phases at the faster end of the path, rad per half period.
     endpoint_rate: f64,
     span: Option<Interval>,
-    pub(super) end: PathPoint,
+    /// End of the span.
+    end: PathPoint,
     /// Least depth of the next span.
-    pub(super) next_span_depth: u32,
+    next_span_depth: u32,
 }
 
 impl<'a, F: Float> Path<'a, F> {
@@ -145,35 +146,34 @@ impl<'a, F: Float> Path<'a, F> {
         }
     }
 
-    /// Span at a position, of depth `max_depth` at most; `None` if it must be deeper to be accurate.
+    /// Span that contains a position: the present one, or the next one if it begins there. `None` if it must be deeper than `max_depth` to be
+    /// accurate.
     ///
-    /// * `point`: point at the position
+    /// * `point`: beginning of the next span; on return, the end of the span
     pub(super) fn span_at(
         &mut self,
         position: usize,
-        point: PathPoint,
+        point: &mut PathPoint,
         max_depth: u32,
         pause: &mut dyn FnMut(),
     ) -> Option<Interval> {
-        if let Some(span) = self.span.filter(|span| (span.begin..span.end()).contains(&position)) {
-            return Some(span);
+        if !self.span.is_some_and(|span| (span.begin..span.end()).contains(&position)) {
+            let depth = self.next_span_depth.max(Cell::MAX_DEPTH.saturating_sub(position.trailing_zeros()));
+            self.span = (depth..=max_depth).find_map(|depth| {
+                let span = self.expand(Interval { begin: position, depth }, *point, pause);
+                if span.is_none() {
+                    self.next_span_depth = depth + 1;
+                }
+                span
+            });
         }
-        let depth = self.next_span_depth.max(Cell::MAX_DEPTH.saturating_sub(position.trailing_zeros()));
-        let mut span = Interval { begin: position, depth };
-        while span.depth <= max_depth {
-            self.span = self.expand(span, point, pause).map(|()| span);
-            if self.span.is_some() {
-                return self.span;
-            }
-            span.depth += 1;
-            self.next_span_depth = span.depth;
-        }
-        None
+        *point = self.end;
+        self.span
     }
 
     /// Expands the motion around the centre of a span, and computes the polynomials of a and b; `None` if they are not accurate. Finds the phases
     /// of a launch on the span.
-    fn expand(&mut self, span: Interval, beginning: PathPoint, pause: &mut dyn FnMut()) -> Option<()> {
+    fn expand(&mut self, span: Interval, beginning: PathPoint, pause: &mut dyn FnMut()) -> Option<Interval> {
         let centre = self.step(span, beginning, pause)?;
         self.end = self.step(span, centre, pause)?;
         let PathMemory { launch, expansion, exponential, polynomials, .. } = &mut *self.memory;
@@ -188,7 +188,7 @@ impl<'a, F: Float> Path<'a, F> {
         }
         pause();
         launch.search(expansion, self.end.phases.chi, span);
-        Some(())
+        Some(span)
     }
 
     /// Expands the motion around a point. Returns the point half a span later; `None` if the truncation error is too large.

@@ -8,7 +8,7 @@ use core::fmt;
 use crate::table::data::Clock;
 use crate::table::data::ErrorBound;
 use crate::table::data::cell::{CELLS, Cell};
-use crate::table::data::memory::{SizedTable, Table};
+use crate::table::data::table::{SizedTable, Table};
 use crate::table::evaluation::TableScalar;
 use crc32::Crc32;
 

@@ -1,6 +1,6 @@
 //! Tick: the unit of a table's time.
 
-use crate::body::{ParameterError, check};
+use crate::body::ParameterError;
 use crate::scalar::Extended;
 
 /// Length of a tick, an exact fraction of a second.
@@ -14,9 +14,17 @@ pub struct Tick {
 impl Tick {
     /// Tick length for a frequency in Hz.
     ///
+    /// ```
+    /// use toytop::{TableSettings, Tick};
+    /// const SETTINGS: TableSettings = match Tick::hertz(1000) {
+    ///     Ok(tick) => TableSettings::new(tick),
+    ///     Err(_) => panic!(),
+    /// };
+    /// ```
+    ///
     /// # Errors
     /// `tick`: the frequency is 0.
-    pub fn hertz(frequency: u32) -> Result<Self, ParameterError> {
+    pub const fn hertz(frequency: u32) -> Result<Self, ParameterError> {
         Self::ratio(frequency, 1)
     }
 
@@ -24,12 +32,11 @@ impl Tick {
     ///
     /// # Errors
     /// `tick`: one of the two is 0.
-    pub fn ratio(ticks: u32, seconds: u32) -> Result<Self, ParameterError> {
-        check(
-            ticks > 0 && seconds > 0,
-            "tick",
-            "a positive number of ticks in a positive number of seconds",
-        )?;
+    pub const fn ratio(ticks: u32, seconds: u32) -> Result<Self, ParameterError> {
+        if ticks == 0 || seconds == 0 {
+            let allowed = "a positive number of ticks in a positive number of seconds";
+            return Err(ParameterError::OutOfRange { parameter: "tick", allowed });
+        }
         Ok(Self { ticks, seconds })
     }
 

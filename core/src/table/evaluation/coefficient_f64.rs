@@ -63,6 +63,7 @@ impl TickNumber for f64 {
 }
 
 impl Coefficient for f64 {
+    type Sum = Self;
     type Number = Self;
 
     #[inline]

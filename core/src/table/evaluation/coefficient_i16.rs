@@ -46,6 +46,7 @@ impl TableScalar for I2F14 {
 }
 
 impl Coefficient for i16 {
+    type Sum = i32;
     type Number = Q30;
 
     #[inline]

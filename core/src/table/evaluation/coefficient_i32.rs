@@ -105,6 +105,7 @@ pub(super) fn truncated_factors(polynomial: &[i64], limit: i64) -> Option<u32> {
 }
 
 impl Coefficient for i32 {
+    type Sum = Self;
     type Number = Q30;
 
     #[inline]

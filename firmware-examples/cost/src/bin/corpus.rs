@@ -15,8 +15,8 @@ use core::hint::black_box;
 use fixed::types::I2F30;
 use semihosting::{println, process};
 use toytop::{
-    Motion, ParameterError, Release, SizedTable, State, Table, TableMemory, TableScalar, TableSettings, Tick,
-    Top, TopParameters, Workspace,
+    Motion, ParameterError, Release, SizedTable, State, Table, TableMemory, TableScalar, Tick, Top,
+    TopParameters, Workspace,
 };
 
 use start::entry;
@@ -48,9 +48,8 @@ fn run<R: TableScalar>(scalar: &str, number: u32, memory: &mut TableMemory<Table
     };
     let tick = Tick::hertz(1000).expect("positive");
     let mut workspace = Workspace::new();
-    let (result, of_table, longest_of_table) = interrupted(counter, |pause| {
-        memory.set_up(&mut workspace, &motion, &TableSettings::new(tick), pause).map(drop)
-    });
+    let (result, of_table, longest_of_table) =
+        interrupted(counter, |pause| memory.set_up(&mut workspace, &motion, tick, pause).map(drop));
     let longest = longest_of_motion.max(longest_of_table);
     let result = if result.is_ok() { "ready" } else { "refused" };
     println!("{scalar} {number} {result} motion {of_motion} table {of_table} slice {longest}");

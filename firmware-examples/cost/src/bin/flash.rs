@@ -12,17 +12,16 @@ use core::hint::black_box;
 use semihosting::process;
 use start::entry;
 use toytop::{
-    Cursor, Motion, ParameterError, Release, State, Table, TableF32, TableMemory, TableSettings, Tick, Top,
-    TopParameters, Workspace,
+    Cursor, Motion, ParameterError, Release, State, Table, TableF32, TableMemory, Tick, Top, TopParameters,
+    Workspace,
 };
 
 #[entry]
 fn main() -> ! {
     let (mut workspace, mut memory) = (Workspace::new(), TableMemory::<TableF32>::new());
     let release = Release { tilt: 0.35, spin: 150.0, ..Release::default() };
-    let fits = launch(&black_box(TopParameters::TOY), &black_box(release)).and_then(|motion| {
-        Ok(memory.set_up(&mut workspace, &motion, &TableSettings::new(Tick::hertz(1000)?), &mut || {}))
-    });
+    let fits = launch(&black_box(TopParameters::TOY), &black_box(release))
+        .and_then(|motion| Ok(memory.set_up(&mut workspace, &motion, Tick::hertz(1000)?, &mut || {})));
     let Ok(Ok(table)) = fits else { process::exit(1) };
     let (mut cursor, mut quaternion) = (table.cursor(0), [0.0; 4]);
     for _ in 0..8 {

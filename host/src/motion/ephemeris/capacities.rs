@@ -111,7 +111,7 @@ impl<R: HeapScalar> HeapTable<R> {
             Failure::Method(format!("no ephemeris: {error}{hint}"))
         };
         let settings = TableSettings { truncation: Some(truncation), ..settings };
-        memory.set_up(&mut Workspace::new(), motion, &settings, &mut || {}).map_err(failure)?;
+        memory.set_up(&mut Workspace::new(), motion, settings, &mut || {}).map_err(failure)?;
         Ok(Self(memory))
     }
 }
