@@ -136,11 +136,13 @@ impl Motion {
 
     /// Rates ((l ± n)/(A (1 ± u)) ± τ)/2 of the slow phases where u is constant, rad/s; 0 for a parameter that is 0.
     pub(crate) fn steady_rates(&self) -> [Extended; 2] {
-        let (twice_a, zero) = (self.top.a.doubled(), Extended::ZERO);
+        let twice_a = self.top.a.doubled();
+        let zero = Extended::ZERO;
         let rate = |momentum: Extended, complement: Extended, half_tau: Extended| {
             if complement > zero { momentum / (twice_a * complement) + half_tau } else { zero }
         };
-        let ([one_plus_u, one_minus_u], half_tau) = (steady_complements(&self.e, self.regime), self.half_tau);
+        let [one_plus_u, one_minus_u] = steady_complements(&self.e, self.regime);
+        let half_tau = self.half_tau;
         let FirstIntegrals { l_plus_n, l_minus_n, .. } = self.integrals;
         [rate(l_plus_n, one_plus_u, half_tau), rate(l_minus_n, one_minus_u, -half_tau)]
     }

@@ -53,7 +53,8 @@ impl<R: Real> Stepper<R> {
         } else {
             [motion.half_tau, -motion.half_tau]
         };
-        let (top, integrals) = (motion.top(), motion.first_integrals());
+        let top = motion.top();
+        let integrals = motion.first_integrals();
         let per_a = 0.25 / top.transverse_inertia();
         let mut stepper = Self {
             ellipses: motion.ellipses.map(R::from_f64),
@@ -124,7 +125,8 @@ impl<R: Real> Stepper<R> {
     /// Orientation and its rate, from which u' and the angular velocity follow.
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R> {
-        let (cis_chi, cis_lambda) = (self.cis_chi(), self.slow_phases.map(Complex::cis));
+        let cis_chi = self.cis_chi();
+        let cis_lambda = self.slow_phases.map(Complex::cis);
         let rate = self.ellipses.rate(cis_chi, cis_lambda, self.rates(cis_chi));
         AttitudeState { orientation: self.ellipses.orientation(cis_chi, cis_lambda), rate }
     }
@@ -154,7 +156,8 @@ impl<R: Real> Stepper<R> {
     #[must_use]
     pub fn tip_angle_rate(&self) -> R {
         // φ' = (l+n)/(4A |α|²) + (l-n)/(4A |β|²), without a term whose parameter is 0
-        let (Orientation { alpha, beta }, [plus, minus]) = (self.orientation(), self.momentum_rates);
+        let Orientation { alpha, beta } = self.orientation();
+        let [plus, minus] = self.momentum_rates;
         let term = |momentum_rate: R, z: Complex<R>| {
             let square = z.map(Float::to_f64).norm_squared();
             if square > 0.0 { momentum_rate.to_f64() / square } else { 0.0 }
@@ -184,7 +187,8 @@ impl<R: Real> Stepper<R> {
 
     /// Sum arg α + arg β, continuous in time.
     fn continued_phi(&self) -> Phase {
-        let (cis_chi, [alpha_phase, beta_phase]) = (self.cis_chi(), self.slow_phases);
+        let cis_chi = self.cis_chi();
+        let [alpha_phase, beta_phase] = self.slow_phases;
         let chi = match self.half_phase {
             HalfPhase::Steady => Phase::ZERO,
             HalfPhase::Nutating(chi) => chi,

@@ -100,8 +100,10 @@ impl<R: Ring> Orientation<R> {
         //   x₁ + i x₂ = αp - βq,   x₃ = Re(ᾱq + β̄p)
         let [x1, x2, x3] = body;
         let w = Complex::new(x1, x2);
-        let (alpha, beta) = (self.alpha, self.beta);
-        let (p, q) = (alpha * w - beta.scaled(x3), alpha.scaled(x3) + beta * w.conj());
+        let alpha = self.alpha;
+        let beta = self.beta;
+        let p = alpha * w - beta.scaled(x3);
+        let q = alpha.scaled(x3) + beta * w.conj();
         let across = alpha * p - beta * q;
         let vertical =
             R::inner([alpha.re, alpha.im], [q.re, q.im]) + R::inner([beta.re, beta.im], [p.re, p.im]);
@@ -139,15 +141,19 @@ impl<R: Ring> Orientation<R> {
 
     /// Rotation matrix Ad_Φ by rows, from body to fixed coordinates. The third column is the axis.
     pub fn matrix(&self) -> [Vector<R>; 3] {
-        let (zero, one) = (R::ZERO, R::ONE);
+        let zero = R::ZERO;
+        let one = R::ONE;
         let [a, b] = [[one, zero, zero], [zero, one, zero]].map(|body| self.adjoint(body));
-        let ([a1, a2, a3], [b1, b2, b3], [r1, r2, r3]) = (a, b, self.axis());
+        let [a1, a2, a3] = a;
+        let [b1, b2, b3] = b;
+        let [r1, r2, r3] = self.axis();
         [[a1, b1, r1], [a2, b2, r2], [a3, b3, r3]]
     }
 
     /// Cosine of the tilt, u = |α|² - |β|² = Re((α + β)(ᾱ - β̄)). A rounding can take it past ±1.
     pub fn u(&self) -> R {
-        let (sum, difference) = (self.alpha + self.beta, self.alpha - self.beta);
+        let sum = self.alpha + self.beta;
+        let difference = self.alpha - self.beta;
         R::inner([sum.re, sum.im], [difference.re, difference.im])
     }
 }
@@ -247,7 +253,8 @@ impl<R: Ring> AttitudeState<R> {
     /// Angular velocity Ω = Φ⁻¹ Φ' in the body frame, rad/s: equation (2.3) of the paper, erratum 2 corrected.
     pub fn omega_body(&self) -> Vector<R> {
         let Self { orientation: phi, rate } = self;
-        let (gamma, delta) = (-rate.beta.conj(), rate.alpha.conj());
+        let gamma = -rate.beta.conj();
+        let delta = rate.alpha.conj();
         let diagonal = phi.delta() * rate.alpha - phi.beta * gamma;
         let upper = phi.delta() * rate.beta - phi.beta * delta;
         [upper.im.doubled(), -upper.re.doubled(), diagonal.im.doubled()]

@@ -99,7 +99,8 @@ impl toytop_state {
     }
 
     pub(crate) fn from_state(state: &State) -> Self {
-        let (Orientation { alpha, beta }, omega) = (state.orientation(), state.omega());
+        let Orientation { alpha, beta } = state.orientation();
+        let omega = state.omega();
         Self { alpha: [alpha.re, alpha.im], beta: [beta.re, beta.im], omega }
     }
 }
@@ -139,7 +140,8 @@ pub unsafe extern "C" fn toytop_state_from_quaternion_and_gyro(
     // SAFETY: the caller guarantees valid pointers.
     unsafe {
         status_of(error, || {
-            let (quaternion, gyro) = (read(quaternion.cast())?, read(gyro.cast())?);
+            let quaternion = read(quaternion.cast())?;
+            let gyro = read(gyro.cast())?;
             let measured = State::from_quaternion_and_gyro(quaternion, gyro)?;
             write(state, toytop_state::from_state(&measured))
         })
@@ -182,7 +184,8 @@ unsafe fn impulse_arguments(
 ) -> Result<(Top, State, PointImpulse), Refusal> {
     // SAFETY: the caller guarantees valid pointers.
     unsafe {
-        let (top, before) = (read(top)?.checked()?, read(before)?.checked()?);
+        let top = read(top)?.checked()?;
+        let before = read(before)?.checked()?;
         Ok((top, before, PointImpulse { impulse: read(impulse.cast())?, point: read(point.cast())? }))
     }
 }

@@ -116,7 +116,8 @@ pub unsafe extern "C" fn toytop_launch_with_pauses(
     // SAFETY: the caller guarantees valid pointers, and that `pause` may be called.
     unsafe {
         status_of(error, || {
-            let (top, state) = (read(top)?.checked()?, read(state)?.checked()?);
+            let top = read(top)?.checked()?;
+            let state = read(state)?.checked()?;
             store(motion, Motion::launch_with_pauses(&top, &state, &mut call_of(pause, context))?)
         })
     }
@@ -129,7 +130,8 @@ pub unsafe extern "C" fn toytop_motion_constants(
     constants: *mut toytop_constants,
 ) -> toytop_status {
     let found = |motion: Motion| {
-        let (integrals, e) = (motion.first_integrals(), motion.branch_points());
+        let integrals = motion.first_integrals();
+        let e = motion.branch_points();
         toytop_constants {
             regime: regime(motion.regime()),
             l: integrals.l,

@@ -96,7 +96,8 @@ impl Aperiodic {
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
         let v = Extended::from(aperiodic_v(motion)?);
-        let (e, [a, _, s, p, g, _]) = (branch_points(motion), top_constants(motion.top()));
+        let e = branch_points(motion);
+        let [a, _, s, p, g, _] = top_constants(motion.top());
         let one_minus_e1 = e.one_minus_e1();
         let constants =
             AperiodicConstants { e1: e.e1, one_plus_e1: e.one_plus_e1, one_minus_e1, a_over_p: a / p, s, g };

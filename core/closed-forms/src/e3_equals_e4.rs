@@ -59,7 +59,8 @@ impl E3EqualsE4 {
         }
         let e = branch_points(motion);
         let [transverse_inertia, _, s, _, g, _] = top_constants(motion.top());
-        let (e2_plus_e3, e1_plus_e3) = (e.one_plus_e3() - e.one_minus_e2, e.one_plus_e1 + e.e3_minus_one);
+        let e2_plus_e3 = e.one_plus_e3() - e.one_minus_e2;
+        let e1_plus_e3 = e.one_plus_e1 + e.e3_minus_one;
         let lattice = Lattice::from_gaps(e.e2_minus_e1, e1_plus_e3);
         let [_, half] = lattice.half_periods;
         let time_scale = (s.doubled() / g).sqrt();
@@ -67,7 +68,8 @@ impl E3EqualsE4 {
         let third = [e.e3_minus_one, e1_plus_e3, e2_plus_e3, e.one_plus_e3()];
         let [alpha_zero, beta_zero] = zeros(e, motion.signs(), third).map(|x| real(-x));
         // |k₁| follows from |α| at u = e₂ and |k₂| from |β| at u = e₁, which are never 0
-        let (highest, lowest) = (Complex::ZERO, imaginary(-half));
+        let highest = Complex::ZERO;
+        let lowest = imaginary(-half);
         let [alpha_size, beta_size] = [e.one_plus_e2(), e.one_minus_e1()].map(|x| x.halved().sqrt());
         // w₋₁/(2(e₃ - 1)) = √(s/2g) (l + n)/A, and w₊₁ likewise
         let quotient = |half, zero, momentum: Extended, point| {
@@ -89,7 +91,8 @@ impl E3EqualsE4 {
 
         let linear = (e.e1 + e.e2 + e.e3.doubled()) / 3.0.into();
         let solution = Solution { time_scale, linear, alpha, beta };
-        let (period, origin) = (solution.time(half).0.doubled(), solution.time(start).0);
+        let period = solution.time(half).0.doubled();
+        let origin = solution.time(start).0;
         let arguments = ArgumentOffsets::new(motion, solution.parameters(start));
         Some(Self { solution, periods: Periods { period, rotations, origin, arguments } })
     }
@@ -117,7 +120,8 @@ impl E3EqualsE4 {
 
 /// Difference e₃² - e₄², and e₄² - 1 = A/(ps).
 fn squares(motion: &Motion) -> [Extended; 2] {
-    let (e, [a, _, s, p, ..]) = (branch_points(motion), top_constants(motion.top()));
+    let e = branch_points(motion);
+    let [a, _, s, p, ..] = top_constants(motion.top());
     let a_over_ps = a / (p * s);
     [e.e3_minus_one * e.one_plus_e3() - a_over_ps, a_over_ps]
 }
@@ -130,7 +134,8 @@ pub(super) fn e3_minus_e4(motion: &Motion) -> f64 {
 
 /// Whether e₃ = e₄ to the tolerance.
 fn coincide(motion: &Motion) -> bool {
-    let (e, [apart, a_over_ps]) = (branch_points(motion), squares(motion));
+    let e = branch_points(motion);
+    let [apart, a_over_ps] = squares(motion);
     let allowed = Extended::from(E3EqualsE4::TOLERANCE);
     apart.abs() <= a_over_ps * allowed && apart.abs() <= e.e3_minus_e2 * e.e3.doubled() * allowed
 }

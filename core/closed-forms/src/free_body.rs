@@ -38,7 +38,8 @@ impl FreeBody {
         }
         let [a, c, .., k] = top_constants(motion.top()).map(Float::to_f64);
         let attitude = Stepper::<f64>::new(motion).attitude_state();
-        let (r, omega) = (attitude.orientation.axis(), attitude.omega());
+        let r = attitude.orientation.axis();
+        let omega = attitude.omega();
         let beyond_sphere = (c - a) * dot(omega, r) + k;
         let m = add_scaled(scaled(omega, a), r, beyond_sphere);
         let length = Float::sqrt(dot(m, m));
@@ -82,7 +83,8 @@ impl FreeBody {
         let roll = Complex::<f64>::cis(half_angle(self.half_tau));
         let about_axis = Orientation { alpha: roll, beta: Complex::ZERO };
         let orientation = about_m.compose(&self.start).compose(&about_axis);
-        let (fast, slow) = (self.precession.to_f64(), 2.0 * self.half_tau.to_f64());
+        let fast = self.precession.to_f64();
+        let slow = 2.0 * self.half_tau.to_f64();
         let omega = add_scaled(scaled(self.angular_momentum_axis, fast), orientation.axis(), slow);
         AttitudeState::from_fixed(orientation, omega)
     }

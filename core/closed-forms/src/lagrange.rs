@@ -43,14 +43,16 @@ impl Lagrange {
     /// Closed form of a motion; `None` unless the tip is fixed and u oscillates, e₁ < e₂ < e₃.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let (e, chi) = (branch_points(motion), half_phase(motion)?);
+        let e = branch_points(motion);
+        let chi = half_phase(motion)?;
         if motion.top().support() != Support::Fixed
             || motion.top().is_torque_free()
             || motion.regime() == Regime::Aperiodic
         {
             return None;
         }
-        let (swing, gap) = (e.e2_minus_e1, e.e3_minus_e2);
+        let swing = e.e2_minus_e1;
+        let gap = e.e3_minus_e2;
         let lattice = Lattice::from_gaps(gap, swing);
         let [half, _] = lattice.half_periods;
         let [a, _, _, p, g, _] = top_constants(motion.top());
@@ -60,7 +62,8 @@ impl Lagrange {
         let third = [e.one_plus_e3(), e.e3_minus_e1(), gap, e.e3_minus_one];
         let [alpha_zero, beta_zero] = zeros(e, motion.signs(), third).map(imaginary);
         // |k| from |α| at u = e₂ and from |β| at u = e₁, which are never 0
-        let (highest, lowest) = (real(half), Complex::ZERO);
+        let highest = real(half);
+        let lowest = Complex::ZERO;
         let [alpha_size, beta_size] = [e.one_plus_e2(), e.one_minus_e1()].map(|x| x.halved().sqrt());
         let quotient = |half, zero, point| {
             ThetaQuotient::through(
@@ -78,8 +81,8 @@ impl Lagrange {
 
         let solution = Solution { z_rate, alpha, beta };
         let origin = since_lowest(e, chi) / z_rate;
-        let (period, arguments) =
-            (half.doubled() / z_rate, ArgumentOffsets::new(motion, solution.parameters(origin)));
+        let period = half.doubled() / z_rate;
+        let arguments = ArgumentOffsets::new(motion, solution.parameters(origin));
         Some(Self { solution, periods: Periods { period, rotations, origin, arguments } })
     }
 
@@ -107,7 +110,8 @@ fn since_lowest(e: &BranchPoints<Extended>, chi: Phase) -> Extended {
     let (_, remainder) = split_half_turns(chi);
     let remainder = if remainder > Phase::QUARTER { remainder - Phase::HALF } else { remainder };
     let (sine, cosine) = of_turns(remainder);
-    let (squared, length) = (cosine * cosine, e.e3_minus_e1());
+    let squared = cosine * cosine;
+    let length = e.e3_minus_e1();
     sine * carlson_rf(length * squared, e.e3_minus_e2 + e.e2_minus_e1 * squared, length)
 }
 

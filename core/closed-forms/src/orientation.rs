@@ -32,7 +32,8 @@ impl ArgumentOffsets {
             angle(z.im, z.re).radians_to_turns().to_phase()
         };
         let ellipses = Ellipses::oscillating(branch_points(motion), motion.signs(), |x| x);
-        let ([alpha, beta], [alpha_phase, beta_phase]) = (closed, slow_phases(motion));
+        let [alpha, beta] = closed;
+        let [alpha_phase, beta_phase] = slow_phases(motion);
         let angles = [
             alpha_phase - argument(ellipses.alpha, rates.psi_alpha, alpha),
             beta_phase - argument(ellipses.beta, rates.psi_beta, beta),
@@ -120,7 +121,9 @@ pub(super) fn solve_increasing(
     /// Relative step after which the iteration ends. The error after a step of Newton's method is about the square of
     /// the step.
     const LAST_STEP: f64 = 1e-18;
-    let (mut low, mut high, mut y) = (low, high, guess);
+    let mut low = low;
+    let mut high = high;
+    let mut y = guess;
     for _ in 0..MAX_STEPS {
         let (value, slope) = function(y);
         let residual = value - target;

@@ -56,10 +56,12 @@ impl RegularPrecession {
         if matches!(regime, Regime::Nutating | Regime::Aperiodic) || motion.top().is_torque_free() {
             return None;
         }
-        let (e, top) = (branch_points(motion), motion.top());
+        let e = branch_points(motion);
+        let top = motion.top();
         let [a, _, s, p, g, _] = top_constants(top);
         let falls = regime == Regime::SleepingUnstable;
-        let (zero, one) = (Extended::ZERO, Extended::ONE);
+        let zero = Extended::ZERO;
+        let one = Extended::ONE;
         let swing = e.e2_minus_e1.halved();
         let one_minus_u = if falls { zero } else { e.one_minus_e2 + swing };
         let one_plus_u = if falls { one.doubled() } else { e.one_plus_e1 + swing };
@@ -179,7 +181,8 @@ impl SteadyPrecession {
         check(tilt > 0.0 && tilt < core::f64::consts::PI, "tilt", "strictly between 0 and pi")?;
         check(Float::abs(spin) <= 1e11, "spin", "between -1e11 and 1e11 rad/s")?;
         let [a, c, _, p, g, k] = top_constants(top).map(Float::to_f64);
-        let (n, weight) = (c * spin + k, p * g);
+        let n = c * spin + k;
+        let weight = p * g;
         // the f64 nearest to π/2 means a horizontal axis
         let e = if tilt == core::f64::consts::FRAC_PI_2 { 0.0 } else { libm::cos(tilt) };
         let least = Float::sqrt(4.0 * a * e * weight);

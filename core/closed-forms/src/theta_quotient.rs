@@ -37,7 +37,8 @@ impl ThetaQuotient {
 
     pub(crate) fn at(&self, x: WideComplex) -> ValueAndSlope {
         let [h, c] = self.half_periods;
-        let (above, below) = (self.lattice.theta(h, x - self.zero), self.lattice.theta(c, x));
+        let above = self.lattice.theta(h, x - self.zero);
+        let below = self.lattice.theta(c, x);
         let factor = quotient(complex_exp(self.rate * x).scaled(self.scale), below.value);
         let rate = self.rate - below.log_slope();
         ValueAndSlope { value: factor * above.value, slope: factor * (above.slope + rate * above.value) }
@@ -54,7 +55,8 @@ impl ThetaQuotient {
 ///
 /// * `third`: third factor of w²/4 beside u - e₁ and u - e₂, at u = -1, e₁, e₂ and 1
 pub(crate) fn zeros(e: &BranchPoints<Extended>, signs: Signs, third: [Extended; 4]) -> [Extended; 2] {
-    let ([at_minus_one, at_e1, at_e2, at_one], zero) = (third, Extended::ZERO);
+    let [at_minus_one, at_e1, at_e2, at_one] = third;
+    let zero = Extended::ZERO;
     let lower = [e.one_plus_e1, e.one_plus_e2(), at_minus_one];
     let below = first_kind(e.one_plus_e1, [zero, e.e2_minus_e1, at_e1], lower);
     let upper = [e.one_minus_e1(), e.one_minus_e2, at_one];

@@ -38,7 +38,8 @@ impl<F: Real> Information<F> {
                 continue;
             }
             let length = (pivot.squared() + x.squared()).sqrt();
-            let (cosine, sine) = (*pivot / length, *x / length);
+            let cosine = *pivot / length;
+            let sine = *x / length;
             *pivot = length;
             for (a, b) in line.iter_mut().zip(others) {
                 (*a, *b) = (cosine * *a + sine * *b, cosine * *b - sine * *a);

@@ -156,7 +156,8 @@ impl Model {
     /// Launch at a later time, with the derivatives there with respect to the unknowns.
     pub(crate) fn predicted(&self, estimate: &Estimate, span: f64) -> Option<(Estimate, Partials)> {
         let at = self.sensitivity(estimate)?.advance_with_omega_turned(span)?;
-        let (orientation, omega) = (at.orientation(), at.omega());
+        let orientation = at.orientation();
+        let omega = at.omega();
         Some((Estimate { orientation, omega, ..*estimate }, at))
     }
 

@@ -90,7 +90,9 @@ impl State {
         }
         let [a, c, s, p] = [top.a, top.c, top.s, top.p].map(Float::to_f64);
         let phi = self.orientation.normalised();
-        let (r, [x, y, z], [.., lift]) = (phi.axis(), point, impulse);
+        let r = phi.axis();
+        let [x, y, z] = point;
+        let [.., lift] = impulse;
         let given = cross(phi.adjoint([x, y, z - s]), impulse);
         let q = cross(r, [0.0, 0.0, 1.0]);
         let reaction = (p * dot(given, q) - a * lift) / (a + p * s * dot(q, q));

@@ -30,7 +30,8 @@ impl Cubic {
 
     /// Upper bound on the largest root, from which linear convergence takes few steps.
     fn upper_bound(&self) -> Extended {
-        let (Self { g0, g1, g2 }, zero) = (*self, Extended::ZERO);
+        let Self { g0, g1, g2 } = *self;
+        let zero = Extended::ZERO;
         // a power of two, because libm's cube root takes much flash
         let cube_root = Extended::from(power_of_two((exponent(g0.to_f64()) + 2).div_euclid(3)));
         let bound = g2.abs().max(g1.abs().sqrt()).max(cube_root).doubled();
@@ -49,7 +50,8 @@ impl Cubic {
         const MAX_STEPS: u32 = 200;
         let mut y = self.upper_bound();
         for _ in 0..MAX_STEPS {
-            let (value, slope) = (self.value(y), self.slope(y));
+            let value = self.value(y);
+            let slope = self.slope(y);
             if value <= Extended::ZERO || slope <= Extended::ZERO {
                 break;
             }

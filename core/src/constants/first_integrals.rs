@@ -113,14 +113,16 @@ impl FirstIntegrals<Extended> {
     /// First integrals in extended precision, and the point of the reduced curve.
     #[inline(never)]
     pub(crate) fn from_state_with_point(top: &Top, state: &State) -> (Self, ReducedPoint) {
-        let (Top { a, c, s, p, g, k, .. }, unit) = (*top, top.weight_or_one());
+        let Top { a, c, s, p, g, k, .. } = *top;
+        let unit = top.weight_or_one();
         let (phi, omega) = state.to_extended();
         // without a square root a simple fraction remains exact, and so does the vertical, where n = C ω₃
         let norm = phi.norm_squared();
         let one_minus_u = phi.beta.norm_squared().doubled() / norm;
         let one_plus_u = phi.alpha.norm_squared().doubled() / norm;
         let r = phi.axis().map(|component| component / norm);
-        let ([r1, r2, u], [w1, w2, _]) = (r, omega);
+        let [r1, r2, u] = r;
+        let [w1, w2, _] = omega;
 
         let spin = dot(omega, r);
         let n = c * spin + k;

@@ -39,7 +39,8 @@ impl PartialFractions {
 pub(crate) fn minimum(e: &BranchPoints<Extended>, a_over_ps: Extended) -> f64 {
     let PartialFractions { e4, e4_minus_one, plus, minus } = PartialFractions::new(e, a_over_ps);
     if plus > Extended::ZERO {
-        let (plus, minus) = (cube_root(plus), cube_root(minus));
+        let plus = cube_root(plus);
+        let minus = cube_root(minus);
         // e₄ - u at the minimum is 2 e₄ ∛F₊/(∛F₊ + ∛F₋)
         if e4.doubled() * plus > (e4_minus_one + e.one_minus_e2) * (plus + minus) {
             let root = (plus + minus) / e4.doubled();

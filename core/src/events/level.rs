@@ -45,7 +45,8 @@ impl Level {
         check_finite("radius", radius)?;
         let scale = top.tip_scale();
         check(radius > 0.0 && radius < scale, "radius", "above 0 and below the greatest |c|")?;
-        let (radius, scale) = (Extended::from(radius), Extended::from(scale));
+        let radius = Extended::from(radius);
+        let scale = Extended::from(scale);
         // 1 - √(1 - x²) = x²/(1 + √(1 - x²)) with x = radius/s
         let root = ((scale - radius) * (scale + radius)).sqrt() / scale;
         let large = Extended::ONE + root;
@@ -106,7 +107,8 @@ pub(super) fn at_phase<R: TableScalar>(table: &Table<R>, nutation: u64) -> Sampl
 
 /// Nutation phase from which on a condition holds while u rises. Cost: 63 evaluations.
 pub(super) fn bisect(holds: impl Fn(u64) -> bool) -> Phase {
-    let (mut low, mut high) = (0, LAST_RISING);
+    let mut low = 0;
+    let mut high = LAST_RISING;
     while high - low > 1 {
         let middle = low + (high - low) / 2;
         if holds(middle) { high = middle } else { low = middle }

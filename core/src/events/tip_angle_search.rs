@@ -44,7 +44,8 @@ impl<R: TableScalar> Table<R> {
         // |c|² φ' and |c| |c'|
         let turning = |nutation| {
             let sample = at_phase(self, nutation);
-            let (tip, velocity) = (sample.tip(), sample.tip_velocity());
+            let tip = sample.tip();
+            let velocity = sample.tip_velocity();
             let size = tip.norm_squared().to_f64() * velocity.norm_squared().to_f64();
             ((tip.re * velocity.im - tip.im * velocity.re).to_f64(), Float::sqrt(size))
         };
@@ -61,7 +62,8 @@ impl<'a, R: TableScalar> TipAngleSearch<'a, R> {
     pub(super) fn new(table: &'a Table<R>, target: Phase, from: i64) -> Self {
         let reversal = table.reversal();
         let phases = [Some(Phase::ZERO), Some(Phase::HALF), reversal, reversal.map(|phase| -phase)];
-        let (mut ends, at) = (RecurringInstants::new(table, phases, from), from.into());
+        let mut ends = RecurringInstants::new(table, phases, from);
+        let at = from.into();
         if ends.period.is_none() {
             // where u is constant, a piece is a turn
             ends = RecurringInstants::every(Extended::ONE / Extended::from(table.clock.tip_step()).abs(), at);
@@ -104,7 +106,9 @@ impl<'a, R: TableScalar> TipAngleSearch<'a, R> {
         if change == Phase::ZERO || !is_past(change) {
             return None;
         }
-        let (start, mut low, mut high) = (self.angle, self.at, end);
+        let start = self.angle;
+        let mut low = self.at;
+        let mut high = end;
         for _ in 0..u64::BITS {
             let middle = (low + high).halved();
             if is_past(self.table.tip_angle_at(middle) - start) { high = middle } else { low = middle }
@@ -142,7 +146,8 @@ impl<'a, R: TableScalar> TipAngleSearch<'a, R> {
         let period = self.ends.period?;
         for _ in 0..MAX_SKIPS {
             let start = self.angle;
-            let (mut least, mut greatest) = (Phase::ZERO, Phase::ZERO);
+            let mut least = Phase::ZERO;
+            let mut greatest = Phase::ZERO;
             for _ in 0..PIECES_OF_A_PERIOD {
                 let (_, end) = self.ends.peek()?;
                 let after = self.table.tip_angle_at(end);

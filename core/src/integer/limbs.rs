@@ -44,7 +44,9 @@ impl Limbs {
     /// Sum of up to sixteen products, rounded down to upper · 2^60 + lower · 2^30, with lower in [0, 2^30).
     #[inline(always)]
     pub(crate) fn sum_of_products<'a>(factors: impl Iterator<Item = (&'a Self, &'a Self)>) -> (i64, u32) {
-        let (mut upper, mut mixed, mut lower) = (0, 0, 0_u64);
+        let mut upper = 0;
+        let mut mixed = 0;
+        let mut lower = 0_u64;
         for (a, b) in factors {
             upper += product_i32(a.high, b.high);
             mixed += product_i32(a.high, b.low) + product_i32(a.low, b.high);

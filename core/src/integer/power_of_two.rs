@@ -21,14 +21,16 @@ pub(crate) fn exponent(x: f64) -> i32 {
 #[inline(always)]
 pub(crate) fn u64_to_f32(number: u64) -> f32 {
     const WORD: f32 = (1_u64 << 32) as f32;
-    let (upper, lower) = ((number >> 32) as u32, number as u32);
+    let upper = (number >> 32) as u32;
+    let lower = number as u32;
     if upper == 0 { lower as f32 } else { upper as f32 * WORD + lower as f32 }
 }
 
 /// Product x · 2^exponent, at a tenth of a soft multiplication.
 #[inline(never)]
 pub(crate) fn ldexp(x: f64, exponent: i32) -> f64 {
-    let (upper, lower) = ((x.to_bits() >> 32) as u32, x.to_bits() as u32);
+    let upper = (x.to_bits() >> 32) as u32;
+    let lower = x.to_bits() as u32;
     let field = ((upper >> 20) & 0x7ff) as i32;
     let result = field.saturating_add(exponent);
     if field == 0 && (upper << 1) | lower == 0 {

@@ -54,7 +54,8 @@ pub(crate) const fn product_i32(a: i32, b: i32) -> i64 {
 /// Product modulo 2^64.
 #[inline(always)]
 pub(crate) const fn wrapping_product(a: u64, b: u64) -> u64 {
-    let ((a_low, a_high), (b_low, b_high)) = ((a as u32, (a >> 32) as u32), (b as u32, (b >> 32) as u32));
+    let (a_low, a_high) = (a as u32, (a >> 32) as u32);
+    let (b_low, b_high) = (b as u32, (b >> 32) as u32);
     let across = a_high.wrapping_mul(b_low).wrapping_add(a_low.wrapping_mul(b_high));
     product_u32(a_low, b_low).wrapping_add((across as u64) << 32)
 }
@@ -71,7 +72,8 @@ pub(crate) fn product_u64(a: u64, b: u64) -> [u64; 2] {
 
 #[inline(always)]
 fn product_by_words(a: u64, b: u64) -> [u64; 2] {
-    let ((a_low, a_high), (b_low, b_high)) = ((a as u32, (a >> 32) as u32), (b as u32, (b >> 32) as u32));
+    let (a_low, a_high) = (a as u32, (a >> 32) as u32);
+    let (b_low, b_high) = (b as u32, (b >> 32) as u32);
     let low = product_u32(a_low, b_low);
     let across = product_u32(a_high, b_low) + (low >> 32);
     let back = product_u32(a_low, b_high) + u64::from(across as u32);
@@ -102,7 +104,8 @@ const fn product_32x16_by_halves(a: i32, b: i32) -> i32 {
 /// With an unsigned half of b the compiler would call its own routine.
 #[inline(always)]
 const fn product_u32_by_halves(a: u32, b: u32) -> u64 {
-    let (a_low, a_high) = (a & 0xffff, a >> 16);
+    let a_low = a & 0xffff;
+    let a_high = a >> 16;
     let b_low = b as i16 as i32;
     // at most 2^16
     let b_high = ((b >> 15) + 1) >> 1;

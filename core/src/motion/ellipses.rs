@@ -31,7 +31,8 @@ impl<R: Ring> Ellipses<R> {
     /// Ellipses of a motion whose u is not constant.
     pub fn oscillating(e: &BranchPoints<Extended>, signs: Signs, convert: fn(Extended) -> R) -> Self {
         let root = |x: Extended| convert(x.halved().sqrt());
-        let (a2, b2) = (root(e.one_plus_e2()), root(e.one_minus_e2));
+        let a2 = root(e.one_plus_e2());
+        let b2 = root(e.one_minus_e2);
         Self {
             alpha: Ellipse { x: root(e.one_plus_e1), y: signs.l_plus_n.times(a2) },
             beta: Ellipse { x: root(e.one_minus_e1()), y: signs.l_minus_n.times(b2) },

@@ -32,7 +32,8 @@ pub(super) fn half_phase(
         let d = top.d(one_minus_u * one_plus_u);
         (d * udot.squared() / top.g.doubled(), one_minus_u + e.e3_minus_one)
     };
-    let (above_e1, below_e2) = (one_plus_u - e.one_plus_e1, one_minus_u - e.one_minus_e2);
+    let above_e1 = one_plus_u - e.one_plus_e1;
+    let below_e2 = one_minus_u - e.one_minus_e2;
     let (above_e1, below_e2) = if below_e2 < above_e1 {
         (above_e1, g0 / (below_e3 * above_e1))
     } else {

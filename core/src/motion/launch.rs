@@ -120,7 +120,8 @@ impl Motion {
             check_range(-1e6..=1e6, name, angle, "between -1e6 and 1e6 rad")?;
         }
         let integrals = e.unrounded_integrals(top, signs);
-        let (FirstIntegrals { n, spin, l_plus_n, l_minus_n, .. }, Top { c, k, .. }) = (integrals, *top);
+        let FirstIntegrals { n, spin, l_plus_n, l_minus_n, .. } = integrals;
+        let Top { c, k, .. } = *top;
         let rounding = (l_plus_n.abs() + l_minus_n.abs() + k.abs()) * Extended::from(f64::EPSILON);
         check(
             if c > Extended::ZERO { spin.abs() <= 1e24.into() } else { (n - k).abs() <= rounding },

@@ -28,7 +28,8 @@ impl LaunchRounding {
         state: &State,
     ) -> Self {
         let Top { a, c, s, p, k, .. } = *top;
-        let (k, one) = (k.abs(), Extended::ONE);
+        let k = k.abs();
+        let one = Extended::ONE;
         let rounding = ROUNDINGS_OF_A_COEFFICIENT * Extended::OPERATION_ERROR;
         let speed = dot(state.omega(), state.omega()).sqrt();
         let lambda_rates = rounding * (((one + (c - a).abs() / a) * speed.into() + k / a).to_f64());
@@ -38,7 +39,8 @@ impl LaunchRounding {
         let ReducedPoint { u, one_minus_u, one_plus_u, axis_energy, .. } = *point;
         // terms of n = C ⟨ω, r⟩ + K, which may cancel
         let n = integrals.n.abs() + k;
-        let (energy_per_momentum, l_minus_n) = (top.energy_factor() * n, integrals.l_minus_n.abs());
+        let energy_per_momentum = top.energy_factor() * n;
+        let l_minus_n = integrals.l_minus_n.abs();
         // magnitude of the terms of (1 - e₂) + (1 - e₃)
         let upper_terms =
             (axis_energy + one_minus_u + energy_per_momentum * (l_minus_n + k * one_minus_u)).doubled();

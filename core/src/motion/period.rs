@@ -53,7 +53,8 @@ impl Period {
 
     /// Advances of α and β in turns, whole turns included.
     pub(crate) fn advances(&self, half_tau: Extended, windings: [i32; 2]) -> [Extended; 2] {
-        let ([psi_alpha, psi_beta], half_tau_angle) = (self.psi, half_tau * self.time);
+        let [psi_alpha, psi_beta] = self.psi;
+        let half_tau_angle = half_tau * self.time;
         let [alpha, beta] = windings.map(|sense| Extended::from(0.5 * f64::from(sense)));
         [
             (psi_alpha + half_tau_angle).radians_to_turns() + alpha,

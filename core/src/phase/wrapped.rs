@@ -48,7 +48,8 @@ impl WrappedPhase {
     /// Sum, modulo one turn.
     #[inline(always)]
     pub(crate) const fn plus(self, other: Self) -> Self {
-        let ([.., upper], [.., other_upper]) = (self.words, other.words);
+        let [.., upper] = self.words;
+        let [.., other_upper] = other.words;
         let (lower, carry) = self.lower().overflowing_add(other.lower());
         let upper = upper.wrapping_add(other_upper).wrapping_add(carry as u32);
         Self::new([lower as u32, (lower >> 32) as u32, upper])
@@ -62,7 +63,8 @@ impl WrappedPhase {
     #[inline(always)]
     pub(crate) const fn times(self, n: u64) -> Self {
         let [low, ..] = self.words;
-        let (n_low, n_high) = (n as u32, (n >> 32) as u32);
+        let n_low = n as u32;
+        let n_high = (n >> 32) as u32;
         let lowest = product_u32(low, n_low);
         let leading = wrapping_product(self.leading_bits(), n)
             .wrapping_add(product_u32(low, n_high))
@@ -73,7 +75,8 @@ impl WrappedPhase {
     /// Sum with a phase given by its 64 leading bits, modulo one turn.
     #[inline(always)]
     pub(crate) const fn plus_leading_bits(self, other: u64) -> Self {
-        let ([low, ..], sum) = (self.words, self.leading_bits().wrapping_add(other));
+        let [low, ..] = self.words;
+        let sum = self.leading_bits().wrapping_add(other);
         Self::new([low, sum as u32, (sum >> 32) as u32])
     }
 
@@ -82,7 +85,8 @@ impl WrappedPhase {
     /// Rounded down; error below 2^-95 turns.
     #[inline(always)]
     pub(crate) const fn leading_bits_after(self, n: u64, part: u64) -> u64 {
-        let ([low, ..], leading) = (self.words, self.leading_bits());
+        let [low, ..] = self.words;
+        let leading = self.leading_bits();
         // below the product of the leading bits, in units of 2^-128 turns
         let below = ((n as u128 * low as u128) << 32)
             .wrapping_add(leading as u128 * part as u128)

@@ -242,7 +242,8 @@ fn horner<C, D: Coefficient, const N: usize, const SLOPES: bool>(
     x: D::Sum,
     part: impl Fn(&[C; 4]) -> [D; N],
 ) -> [[D::Sum; N]; 2] {
-    let (mut sums, mut slopes) = ([Default::default(); N], [Default::default(); N]);
+    let mut sums = [Default::default(); N];
+    let mut slopes = [Default::default(); N];
     let [constant, higher @ ..] = rows else { return [sums, slopes] };
     for (power, coefficients) in higher.iter().enumerate().map(|(below, four)| (below + 2, four)).rev() {
         let by_16_bits = is_by_16_bits(power, rows.len());

@@ -55,7 +55,8 @@ impl AperiodicConstants {
 
     /// Bounds on v at a given t, from the bounds on dt/dv.
     pub(super) fn bounds(&self, t: Extended) -> [Extended; 2] {
-        let (fast, slow) = (t / self.dt_dv(self.a_over_p), t / self.dt_dv(self.a_over_p + self.s));
+        let fast = t / self.dt_dv(self.a_over_p);
+        let slow = t / self.dt_dv(self.a_over_p + self.s);
         // widened by a margin on either side
         let margin = fast.abs() * Extended::from(1e-13);
         if fast < slow { [fast - margin, slow + margin] } else { [slow - margin, fast + margin] }

@@ -50,15 +50,18 @@ impl Sliding {
     /// Solution for a motion; `l_per_a` is l/A, rad per unit time.
     pub(super) fn new(constants: &AperiodicConstants, l_per_a: Extended) -> Self {
         let AperiodicConstants { e1, one_plus_e1, one_minus_e1, a_over_p, s, g } = *constants;
-        let (zero, one) = (Extended::ZERO, Extended::ONE);
+        let zero = Extended::ZERO;
+        let one = Extended::ONE;
         // e₄² - 1 = A/(ps)
         let a_over_ps = a_over_p / s;
         let e4 = (one + a_over_ps).sqrt();
         let e4_minus_one = a_over_ps / (e4 + one);
-        let (below, above) = (one_minus_e1 + e4_minus_one, one_plus_e1 + e4_minus_one); // e₄ ∓ e₁
+        let below = one_minus_e1 + e4_minus_one;
+        let above = one_plus_e1 + e4_minus_one; // e₄ ∓ e₁
         let lattice = Lattice::from_gaps(below, above);
         let [across, up] = lattice.half_periods;
-        let (lowest, upright) = ([zero, below, above], [one_minus_e1, e4_minus_one, e4 + one]);
+        let lowest = [zero, below, above];
+        let upright = [one_minus_e1, e4_minus_one, e4 + one];
         let b = first_kind(one_minus_e1, upright, lowest).halved();
         let to_minus_one = first_kind(one_plus_e1, lowest, [one_plus_e1, e4 + one, e4_minus_one]).halved();
         let b_point = imaginary(-b);
@@ -117,7 +120,8 @@ impl Sliding {
 
     /// Logarithm L, and (1 - u) dL/dx, an even function of x.
     fn log(&self, point: &AperiodicValues, position: &PathPosition) -> (Extended, WideComplex) {
-        let (&PathPosition { y, left_per_below }, [one_minus_e1, ..]) = (position, self.upright);
+        let &PathPosition { y, left_per_below } = position;
+        let [one_minus_e1, ..] = self.upright;
         let (near, near_slope) = self.near(left_per_below * point.one_minus_u);
         let far = self.alpha.lattice.theta(LatticeHalfPeriod::Origin, imaginary(-(y.abs() + self.b)));
         let log_ratio = ln(left_per_below * near / far.value.modulus());

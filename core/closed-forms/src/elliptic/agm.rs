@@ -18,7 +18,8 @@ pub fn agm<F: Float>(x: F, y: F) -> F {
     if x <= F::ZERO || y <= F::ZERO {
         return F::ZERO;
     }
-    let (mut arithmetic, mut geometric) = (x, y);
+    let mut arithmetic = x;
+    let mut geometric = y;
     for _ in 0..MAX_STEPS {
         let gap = (arithmetic - geometric).abs();
         // √(xy) as a product of roots, because the product xy could overflow or underflow

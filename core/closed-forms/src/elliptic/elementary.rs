@@ -37,7 +37,8 @@ pub(crate) fn exp(x: Extended) -> Extended {
 /// Natural logarithm of x > 0. The error is absolute near x = 1.
 pub(crate) fn ln(x: Extended) -> Extended {
     const ROOTS: u32 = 12;
-    let (mut x, mut times) = (x, Extended::ONE);
+    let mut x = x;
+    let mut times = Extended::ONE;
     // into the range of `f64`
     for _ in 0..ROOTS {
         if (1e-300..1e300).contains(&x.to_f64()) {
@@ -108,7 +109,8 @@ pub(crate) fn tanh_sech(x: Extended) -> (Extended, Extended, Extended) {
 pub(crate) fn angle(y: Extended, x: Extended) -> Extended {
     let guess = Extended::from(libm::atan2(y.to_f64(), x.to_f64()));
     let (sine, cosine) = sine_cosine(guess);
-    let (along, across) = (x * cosine + y * sine, y * cosine - x * sine);
+    let along = x * cosine + y * sine;
+    let across = y * cosine - x * sine;
     if along > Extended::ZERO { guess + across / along } else { guess }
 }
 

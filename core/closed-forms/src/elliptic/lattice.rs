@@ -115,13 +115,15 @@ impl Lattice {
     /// Argument minus the nearest period, and that period by numbers of 2ω and 2ω'.
     fn reduced(&self, z: WideComplex) -> (WideComplex, [f64; 2]) {
         let [across, up] = self.half_periods.map(Ring::doubled);
-        let (n, m) = (libm::round((z.re / across).to_f64()), libm::round((z.im / up).to_f64()));
+        let n = libm::round((z.re / across).to_f64());
+        let m = libm::round((z.im / up).to_f64());
         (Complex::new(z.re - across * n.into(), z.im - up * m.into()), [n, m])
     }
 
     /// Values of the theta functions, scaled to slope 1 of the first and value 1 of the others at 0.
     pub(crate) fn scaled_thetas(&self, z: WideComplex) -> [WideComplex; 4] {
-        let ([origin, omega, omega_prime, sum], [a, b, c, d]) = (self.thetas(z), self.scales);
+        let [origin, omega, omega_prime, sum] = self.thetas(z);
+        let [a, b, c, d] = self.scales;
         [origin.value * a, omega.value * b, omega_prime.value * c, sum.value * d]
     }
 
@@ -138,7 +140,8 @@ impl Lattice {
 
     /// ℘(z), from the root of least magnitude.
     pub(crate) fn p(&self, z: WideComplex) -> WideComplex {
-        let ([_, difference, _], [_, middle, _]) = (self.differences(z), self.roots);
+        let [_, difference, _] = self.differences(z);
+        let [_, middle, _] = self.roots;
         difference + real(middle)
     }
 

@@ -12,13 +12,17 @@ pub(crate) fn thetas(nome: Extended, v: WideComplex) -> [ValueAndSlope; 4] {
     let (sine, cosine) = complex_sine_cosine(v);
     let starting = |x: f64| ValueAndSlope { value: real(x.into()), slope: Complex::ZERO };
     let [mut one, mut two, mut four, mut three] = [0.0, 0.0, 0.5, 0.5].map(starting);
-    let (mut sine_k, mut cosine_k) = (sine, cosine);
+    let mut sine_k = sine;
+    let mut cosine_k = cosine;
     // q^{(k² - 1)/4} for odd k, q^{k²/4} for even k
-    let (mut weight, mut next, mut step) = (Extended::ONE, nome, nome.squared());
+    let mut weight = Extended::ONE;
+    let mut next = nome;
+    let mut step = nome.squared();
     for k in 1..=TERMS {
         let alternating = if k & 2 == 0 { weight } else { -weight };
         let number = Extended::from(f64::from(k));
-        let (sine_slope, cosine_slope) = (cosine_k.scaled(number), -sine_k.scaled(number));
+        let sine_slope = cosine_k.scaled(number);
+        let cosine_slope = -sine_k.scaled(number);
         if k & 1 == 1 {
             one.add(sine_k.scaled(alternating), sine_slope.scaled(alternating));
             two.add(cosine_k.scaled(weight), cosine_slope.scaled(weight));
@@ -36,8 +40,10 @@ pub(crate) fn thetas(nome: Extended, v: WideComplex) -> [ValueAndSlope; 4] {
 pub(crate) fn eisenstein(nome: Extended) -> Extended {
     const TERMS: u32 = 7;
     let square = nome.squared();
-    let (mut first, mut third) = (Extended::ZERO, Extended::ZERO);
-    let (mut weight, mut step) = (Extended::ONE, square);
+    let mut first = Extended::ZERO;
+    let mut third = Extended::ZERO;
+    let mut weight = Extended::ONE;
+    let mut step = square;
     for n in 0..TERMS {
         let k = Extended::from(f64::from(2 * n + 1));
         (first, third) = (first + weight * k, third + weight * k * k.squared());

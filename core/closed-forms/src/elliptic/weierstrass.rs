@@ -49,7 +49,8 @@ impl Weierstrass {
     }
 
     fn from_exact_gaps(upper_gap: Extended, lower_gap: Extended) -> Result<Self, ParameterError> {
-        let (upper, lower) = (upper_gap.to_f64(), lower_gap.to_f64());
+        let upper = upper_gap.to_f64();
+        let lower = lower_gap.to_f64();
         for (name, gap, other) in [("upper_gap", upper, lower), ("lower_gap", lower, upper)] {
             check((1e-200..=1e90).contains(&gap) && gap / other >= 1e-290, name, ALLOWED)?;
         }

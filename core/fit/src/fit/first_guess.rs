@@ -150,7 +150,8 @@ pub(super) fn guesses<F: Real>(problem: &Problem<F, impl Measurements>) -> Optio
     let rate = instants.clone().find_map(|instant| instant.rate);
     let Some(first) = instants.clone().find(Instant::is_oriented) else {
         let (omega, _) = rate.filter(|(_, axial_is_saturated)| !axial_is_saturated)?;
-        let (orientation, undetermined) = (Orientation::IDENTITY, Undetermined::Orientation);
+        let orientation = Orientation::IDENTITY;
+        let undetermined = Undetermined::Orientation;
         return Some(Guesses { orientation, omega, undetermined });
     };
     let (orientation, undetermined) = match (first.full_orientation(), first.directions, first.axis) {
@@ -177,7 +178,8 @@ pub(super) fn guesses<F: Real>(problem: &Problem<F, impl Measurements>) -> Optio
 /// Guesses from the axis alone: its rate from the first and a later instant, and several rates about it.
 fn guesses_from_axis(instants: impl Iterator<Item = Instant>, axis: Vector<f64>) -> Option<Guesses> {
     let mut seen = instants.filter_map(|instant| Some((instant.time, instant.axis?)));
-    let ((start, _), (end, later)) = (seen.next()?, seen.nth(2)?);
+    let (start, _) = seen.next()?;
+    let (end, later) = seen.nth(2)?;
     let per_time = 1.0 / (end - start);
     let orientation = rotation_from_vertical(axis);
     let omega = orientation.inverse().adjoint(scaled(cross(axis, later), per_time));
@@ -202,7 +204,9 @@ fn instants<F>(problem: &Problem<F, impl Measurements>) -> impl Iterator<Item = 
 fn mean_rate(instants: impl Iterator<Item = Instant>) -> Option<Vector<f64>> {
     let mut known = instants.filter_map(|instant| Some((instant.time, instant.full_orientation()?)));
     let (start, mut orientation) = known.next()?;
-    let (mut time, mut axial_angle, mut first) = (start, 0.0, None);
+    let mut time = start;
+    let mut axial_angle = 0.0;
+    let mut first = None;
     for (next_time, next) in known {
         let turn = rotation_vector(&orientation.inverse().compose(&next));
         let [.., axial] = turn;

@@ -186,7 +186,8 @@ impl Fitted {
     /// [`Fitted::motion`] goes on from there without losses: see [partials](crate::partials).
     #[inline(never)] // stack
     fn carry_to(&mut self, end: f64) -> Option<()> {
-        let (model, span) = (&self.model, end - self.time);
+        let model = &self.model;
+        let span = end - self.time;
         let (launch, at) = model.predicted(&self.launch, span)?;
         let rates = model.mean_rates([&self.launch, &launch], span);
         // a change of a loss changes nothing at the launch, and the integrals at the end by their gradients
@@ -230,7 +231,8 @@ fn unobservable(fitted: &Fitted, units: &Unknowns) -> Unobservable {
     let determined: f64 = (0..count).map(|index| squares(&sum.inverse_column(index))).sum();
     let undetermined = libm::round((count as f64 - determined).max(0.0)) as usize;
     let sum = factor(ALIGNED_SINE * ALIGNED_SINE, LAUNCH_COLUMNS);
-    let (axis, none) = (launch.orientation.axis(), [0.0; 3]);
+    let axis = launch.orientation.axis();
+    let none = [0.0; 3];
     let [yaw, roll, spin] = [[UP, none], [axis, cross(launch.omega, axis)], [none, axis]].map(|direction| {
         let mut along = [0.0; MAX_UNKNOWNS];
         let components = direction.as_flattened().iter().zip(units);

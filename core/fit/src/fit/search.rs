@@ -71,7 +71,8 @@ fn try_guesses<F: Real>(
         solver.settle(problem, count / 4, PARTIAL_STEP_SIGMA);
         solver.settle(problem, count, CONVERGED_SIGMA);
         let Pass { estimate, information, statistics } = &solver.best;
-        let (cost, change) = (statistics.cost, estimate.change_from(&best.0).map(F::from_f64));
+        let cost = statistics.cost;
+        let change = estimate.change_from(&best.0).map(F::from_f64);
         if cost < best.1 - EQUAL_COST {
             others = 0;
         } else if cost < best.1 + EQUAL_COST

@@ -110,7 +110,8 @@ impl<F: Real> Solver<F> {
     /// Corrects the estimate after a pass. `None` where there must be another pass; otherwise whether it settled.
     #[inline(never)] // stack
     fn correct(&mut self, model: &Model, settled: f64) -> Option<bool> {
-        let (previous, cost) = (self.best.statistics.cost, self.current.statistics.cost);
+        let previous = self.best.statistics.cost;
+        let cost = self.current.statistics.cost;
         let improved = cost <= previous && cost.is_finite();
         if !improved && cost - previous < COST_ERROR {
             return Some(true);
@@ -160,7 +161,8 @@ impl<F: Real> Solver<F> {
 
     /// Information of the best pass, damped by [`Model::damp`]. It overwrites the current pass's.
     pub(super) fn damped(&mut self, model: &Model, damping: f64, limit: f64) -> &Information<F> {
-        let (Pass { estimate, information, .. }, damped) = (&self.best, &mut self.current.information);
+        let Pass { estimate, information, .. } = &self.best;
+        let damped = &mut self.current.information;
         damped.clone_from(information);
         model.damp(estimate, information, [damping, limit], damped);
         damped

@@ -42,7 +42,8 @@ impl Statistics {
 
     /// Adds a residual in standard deviations; returns the square root of its weight.
     pub(super) fn add<F: Real>(&mut self, residual: F) -> F {
-        let (size, huber) = (residual.abs(), F::from_f64(self.huber));
+        let size = residual.abs();
+        let huber = F::from_f64(self.huber);
         let limited = if size > huber { huber } else { size };
         self.used += 1;
         // an addition of many numbers in `f32` would lose their digits

@@ -102,7 +102,8 @@ impl Coefficients {
 
     /// Derivatives with respect to A/C, A/(ps), s and g; for a fixed tip, to A/C, A/p, s and g. A free body depends on A/C only.
     pub(crate) fn by_ratios(&self, support: Support) -> [Self; RATIOS] {
-        let (Self { c_over_a, p_over_a, s, .. }, zero) = (*self, Self::default());
+        let Self { c_over_a, p_over_a, s, .. } = *self;
+        let zero = Self::default();
         let (by_length, by_s) = match support {
             Support::Sliding => (-p_over_a * p_over_a * s, Self { p_over_a: -p_over_a / s, s: 1.0, ..zero }),
             Support::Fixed => (-p_over_a * p_over_a, zero),

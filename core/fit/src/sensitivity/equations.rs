@@ -65,10 +65,15 @@ impl<F: Float> Acceleration<F> {
     pub(crate) fn new(coefficients: &Coefficients<F>, state: &BodyState<F>) -> Self {
         let Coefficients { c_over_a, p_over_a, s, g, losses: [x1, x2, x3], .. } = *coefficients;
         let BodyState { orientation, across, spin } = *state;
-        let (axis, n_over_a, one) = (orientation.axis(), coefficients.n_over_a(spin), F::ONE);
-        let (axis_rate, q) = (cross(across, axis), cross_vertical(axis));
-        let (q_squared, axis_rate_q) = (dot(q, q), dot(axis_rate, q));
-        let (axis_rate_cross_k, [.., u_rate]) = (cross_vertical(axis_rate), axis_rate);
+        let axis = orientation.axis();
+        let n_over_a = coefficients.n_over_a(spin);
+        let one = F::ONE;
+        let axis_rate = cross(across, axis);
+        let q = cross_vertical(axis);
+        let q_squared = dot(q, q);
+        let axis_rate_q = dot(axis_rate, q);
+        let axis_rate_cross_k = cross_vertical(axis_rate);
+        let [.., u_rate] = axis_rate;
         let factor = one + p_over_a * s * q_squared;
         let mut force = dot(across, axis_rate_cross_k) - n_over_a * axis_rate_q - p_over_a * g * q_squared;
         if coefficients.are_lossy() {
@@ -138,7 +143,8 @@ impl Equations<f64> {
         let Coefficients { p_over_a, s, g, .. } = self.coefficients;
         let axis = state.orientation.axis();
         let rate = cross(state.across, axis);
-        let ([.., u_rate], [.., u]) = (rate, axis);
+        let [.., u_rate] = rate;
+        let [.., u] = axis;
         let n_over_a = libm::fabs(self.coefficients.n_over_a(state.spin));
         let square = dot(rate, rate) + p_over_a * s * u_rate * u_rate;
         let hanging = libm::sqrt(square + 2.0 * p_over_a * g * (1.0 + u));
@@ -167,7 +173,8 @@ impl<F: Float> Equations<F> {
         let Coefficients { p_over_a, s, .. } = self.coefficients;
         let force = dot(eta, at.by_omega) + dot(vertical_cross(theta), at.by_vertical);
         let Some(change) = change else { return s * (force / at.factor) };
-        let ([.., u_rate], [_, d_x2, _]) = (at.axis_rate, change.losses);
+        let [.., u_rate] = at.axis_rate;
+        let [_, d_x2, _] = change.losses;
         let direct = change.g + at.u_acceleration * change.s;
         let force = force
             - change.c_over_a * at.state.spin * dot(at.axis_rate, at.q)
@@ -213,8 +220,12 @@ impl<F: Float> Equations<F> {
     ) -> Vector<F> {
         let [x1, x2, x3] = self.coefficients.losses;
         let [d_x1, d_x2, d_x3] = change.map_or([F::ZERO; 3], |change| change.losses);
-        let (axis, omega, d_k) = (at.axis, at.state.omega(), vertical_cross(theta));
-        let ([.., omega_k], [.., eta_k], d_spin) = (omega, eta, dot(eta, axis));
+        let axis = at.axis;
+        let omega = at.state.omega();
+        let d_k = vertical_cross(theta);
+        let [.., omega_k] = omega;
+        let [.., eta_k] = eta;
+        let d_spin = dot(eta, axis);
         let d_omega_k = eta_k + dot(omega, d_k);
         let terms = [
             (axis, (x1 - x2) * d_spin + d_x1 * at.state.spin),

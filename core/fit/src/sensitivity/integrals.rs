@@ -14,9 +14,12 @@ impl Equations<f64> {
     /// The spin S stands in for n, which does not depend on it where C = 0.
     pub(crate) fn gradients(&self, state: &BodyState<f64>) -> [Tangent<f64>; 3] {
         let Coefficients { c_over_a, p_over_a, s, g, k_over_a, .. } = self.coefficients;
-        let (axis, omega) = (state.orientation.axis(), state.omega());
-        let (q, rate) = (cross_vertical(axis), cross(omega, axis));
-        let ([.., u], [.., u_rate]) = (axis, rate);
+        let axis = state.orientation.axis();
+        let omega = state.omega();
+        let q = cross_vertical(axis);
+        let rate = cross(omega, axis);
+        let [.., u] = axis;
+        let [.., u_rate] = rate;
         let beyond_sphere = (c_over_a - 1.0) * state.spin;
         let lift = p_over_a * s * u_rate;
         let momentum = add_scaled(omega, axis, beyond_sphere + k_over_a);
@@ -34,7 +37,9 @@ impl Equations<f64> {
     pub(crate) fn integrals(&self, &BodyState { orientation, across, spin }: &BodyState<f64>) -> Vector<f64> {
         let Coefficients { c_over_a, p_over_a, s, g, .. } = self.coefficients;
         let axis = orientation.axis();
-        let ([.., u], [.., vertical], [.., u_rate]) = (axis, across, cross(across, axis));
+        let [.., u] = axis;
+        let [.., vertical] = across;
+        let [.., u_rate] = cross(across, axis);
         let n = self.coefficients.n_over_a(spin);
         let square = dot(across, across) + c_over_a * spin * spin + p_over_a * s * u_rate * u_rate;
         [vertical + n * u, n, 0.5 * square + p_over_a * g * u]

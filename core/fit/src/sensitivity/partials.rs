@@ -135,7 +135,8 @@ impl<F: Float> Partials<F> {
     /// Derivatives of the tip c = -s (r₁ + i r₂), m; of -(r₁ + i r₂) for a fixed tip.
     #[must_use]
     pub fn d_tip(&self) -> [Complex<F>; COLUMNS] {
-        let (axis, scale) = (self.axis(), self.tip_scale());
+        let axis = self.axis();
+        let scale = self.tip_scale();
         let changes = self.map_columns(|tangent, change| {
             let d_s = change.map_or(F::ZERO, |change| change.s);
             add_scaled(scaled(axis, -d_s), cross(tangent.theta, axis), -scale)
@@ -158,10 +159,14 @@ impl<F: Float> Partials<F> {
     ///   fixed tip
     #[must_use]
     pub fn specific_force(&self, place: Vector<F>) -> (Vector<F>, [Vector<F>; COLUMNS]) {
-        let (at, is_central) =
-            (Acceleration::new(&self.equations.coefficients, &self.state), place == [F::ZERO; 3]);
-        let (axis, omega, arm) = (self.axis(), self.omega(), self.in_fixed(place));
-        let (in_body, velocity, one) = (coordinates(self.state.orientation), cross(omega, arm), F::ONE);
+        let at = Acceleration::new(&self.equations.coefficients, &self.state);
+        let is_central = place == [F::ZERO; 3];
+        let axis = self.axis();
+        let omega = self.omega();
+        let arm = self.in_fixed(place);
+        let in_body = coordinates(self.state.orientation);
+        let velocity = cross(omega, arm);
+        let one = F::ONE;
         let mut force = [F::ZERO, F::ZERO, at.support];
         if !is_central {
             let BodyState { across, spin, .. } = at.rate;

@@ -77,7 +77,8 @@ impl<F: Float> Tangent<F> {
 
     /// Components of θ and of η.
     pub(crate) fn components(&self) -> [F; LAUNCH_COLUMNS] {
-        let ([x, y, z], [u, v, w]) = (self.theta, self.eta);
+        let [x, y, z] = self.theta;
+        let [u, v, w] = self.eta;
         [x, y, z, u, v, w]
     }
 

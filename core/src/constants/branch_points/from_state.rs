@@ -75,7 +75,8 @@ impl BranchPoints<Extended> {
     /// Branch points without torque; e₁ = e₂ = u for a body at rest.
     #[inline(never)]
     fn torque_free(top: &Top, integrals: &FirstIntegrals<Extended>, point: &ReducedPoint) -> Self {
-        let (a, zero) = (top.a, Extended::ZERO);
+        let a = top.a;
+        let zero = Extended::ZERO;
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
         // larger than every `f64`
         let infinite = [Extended::ONE / zero; 2];
@@ -96,7 +97,9 @@ impl BranchPoints<Extended> {
     /// Branch points of an upright axis at rest. The third root n²/(2 A p g) - 1 is at least 1 for a sleeping top.
     #[inline(never)]
     fn upright(&Top { a, p, g, .. }: &Top, n: Extended) -> Self {
-        let (zero, two, scale) = (Extended::ZERO, Extended::ONE.doubled(), (a * p * g).doubled());
+        let zero = Extended::ZERO;
+        let two = Extended::ONE.doubled();
+        let scale = (a * p * g).doubled();
         // n² - 4 A p g is rounded once, so that it is exactly 0 on the border
         let third_minus_one =
             Extended::difference_of_products([n, n], [(a * g).doubled().doubled(), p]) / scale;
@@ -118,7 +121,8 @@ impl BranchPoints<Extended> {
         let LowerBranchPoints { one_minus_e1, e2_minus_e1, e2_is_nearer_e1 } = *lower;
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
         let ReducedPoint { one_minus_u, axis_energy, .. } = *point;
-        let (zero, one) = (Extended::ZERO, Extended::ONE);
+        let zero = Extended::ZERO;
+        let one = Extended::ONE;
         // product and sum of 1 - e₂ and 1 - e₃
         let product = -energy_factor * l_minus_n.squared() / one_minus_e1;
         let sum =
@@ -166,7 +170,8 @@ impl LowerBranchPoints {
         point: &ReducedPoint,
         pause: &mut dyn FnMut(),
     ) -> Self {
-        let (zero, n) = (Extended::ZERO, integrals.n);
+        let zero = Extended::ZERO;
+        let n = integrals.n;
         let ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy } = *point;
         let sine_squared = one_minus_u * one_plus_u;
         let g0 = top.d(sine_squared) * udot.squared() / top.g.doubled();

@@ -37,7 +37,8 @@ impl BranchPoints<Extended> {
         let scale = (a * p * g).doubled();
         let plus = (scale * self.one_plus_e1 * self.one_plus_e2() * self.one_plus_e3()).sqrt();
         let minus = (scale * self.one_minus_e1() * self.one_minus_e2 * self.e3_minus_one).sqrt();
-        let (l_plus_n, l_minus_n) = (signs.l_plus_n.times(plus), signs.l_minus_n.times(minus));
+        let l_plus_n = signs.l_plus_n.times(plus);
+        let l_minus_n = signs.l_minus_n.times(minus);
         let n = (l_plus_n - l_minus_n).halved();
         let spin = top.spin(n);
         // h = p g (e₁ + e₂ + e₃) + (C ⟨ω, r⟩² - n²/A)/2
@@ -50,9 +51,12 @@ impl BranchPoints<Extended> {
 fn point_of_greatest_cubic(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<ReducedPoint> {
     /// Relative tolerance for the `f64` roundings of l, n and h.
     const INTEGRAL_ROUNDING: f64 = 1e-15;
-    let (zero, one, noise) = (Extended::ZERO, Extended::ONE, Extended::from(INTEGRAL_ROUNDING));
+    let zero = Extended::ZERO;
+    let one = Extended::ONE;
+    let noise = Extended::from(INTEGRAL_ROUNDING);
     let point = |u: Extended, udot: Extended, axis_energy: Extended| {
-        let (one_minus_u, one_plus_u) = (one - u, one + u);
+        let one_minus_u = one - u;
+        let one_plus_u = one + u;
         ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy }
     };
     let Top { a, c, g, .. } = *top;
@@ -70,7 +74,8 @@ fn point_of_greatest_cubic(top: &Top, integrals: &FirstIntegrals<Extended>) -> O
         return Some(point(l * n / square, udot, axis_and_height));
     }
     // f(u) = u³ - b u² + c₁ u + c₀
-    let (energy_factor, energy) = (top.energy_factor(), axis_and_height / top.weight_or_one());
+    let energy_factor = top.energy_factor();
+    let energy = axis_and_height / top.weight_or_one();
     let b = energy + energy_factor * n.squared();
     let c1 = (energy_factor * l * n).doubled() - one;
     let c0 = energy - energy_factor * l.squared();

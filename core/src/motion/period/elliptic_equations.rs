@@ -75,13 +75,15 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
     pub(super) fn at(&self, fractions: &JacobiFractions<F>) -> [F; 3] {
         let Self { equations, root_s, d_plus_at_minus_one, d_plus: [at_e1, at_e2], chi_factors, .. } = self;
         let JacobiFractions { sn_squared, cn_squared, dn, dn_denominator } = *fractions;
-        let ([low, high], [alpha_chi, beta_chi]) = ([*at_e1 * sn_squared, *at_e2 * cn_squared], *chi_factors);
+        let [low, high] = [*at_e1 * sn_squared, *at_e2 * cn_squared];
+        let [alpha_chi, beta_chi] = *chi_factors;
         let sum = low + high;
         // one division for 1/P and dn
         let inverse_product = F::ONE / (sum * dn_denominator);
-        let (swing_per_p, dn) =
-            (equations.e2_minus_e1 * inverse_product * dn_denominator, dn * inverse_product * sum);
-        let (above_e1, below_e2) = (swing_per_p * low, swing_per_p * high);
+        let swing_per_p = equations.e2_minus_e1 * inverse_product * dn_denominator;
+        let dn = dn * inverse_product * sum;
+        let above_e1 = swing_per_p * low;
+        let below_e2 = swing_per_p * high;
         let one_minus_u = equations.one_minus_e2 + below_e2;
         let one_plus_u = equations.one_plus_e1 + above_e1;
         let d_plus = *at_e1 + *root_s * above_e1;

@@ -53,7 +53,8 @@ impl<const WORDS: usize> Landen<WORDS> {
     #[inline(never)]
     pub(super) fn fill(&mut self, [m, m1]: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) {
         // k₁ = (1 - k')/(1 + k') = k²/(1 + k')²,  k₁' = 2 √k'/(1 + k')
-        let (mut modulus_squared, mut conjugate) = (m, m1.sqrt());
+        let mut modulus_squared = m;
+        let mut conjugate = m1.sqrt();
         for step in &mut self.steps {
             let inverse_sum = Wide::ONE / (Wide::ONE + conjugate);
             let modulus = modulus_squared * inverse_sum.squared();
@@ -116,8 +117,11 @@ impl<const WORDS: usize> Landen<WORDS> {
         [sine, cosine]: [Wide<WORDS>; 2],
     ) -> JacobiFractions<Wide<WORDS>> {
         // X without its constant factors (1 + k)²
-        let (mut x, mut y, mut w) = (sine.squared(), cosine.squared(), Wide::ONE);
-        let (mut sum, mut difference) = (Wide::ONE, Wide::ONE);
+        let mut x = sine.squared();
+        let mut y = cosine.squared();
+        let mut w = Wide::ONE;
+        let mut sum = Wide::ONE;
+        let mut difference = Wide::ONE;
         for (number, step) in self.steps.iter().enumerate().rev() {
             let LandenStep { modulus, complement, scaled_modulus } = *step;
             if modulus == Wide::ZERO {

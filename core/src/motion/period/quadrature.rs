@@ -85,16 +85,19 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         let difference = add(odd, self.sums.map(|sum| -sum));
         self.sums = add(self.sums, odd);
         (self.nodes, self.step) = (2 * self.nodes, half_step);
-        let (changes, before) = (self.relative(difference), self.changes);
+        let changes = self.relative(difference);
+        let before = self.changes;
         self.changes = changes;
         (self.pause)();
-        let ([time, psi], [time_before, psi_before]) = (changes, before);
+        let [time, psi] = changes;
+        let [time_before, psi_before] = before;
         remaining_error(time, time_before).max(remaining_error(psi, psi_before))
     }
 
     /// Sums over nodes that are a step apart.
     fn sum_nodes(&mut self, nodes: u32, first: [Wide<WORDS>; 2]) -> [Wide<WORDS>; 3] {
-        let ([step_sine, step_cosine], [mut sine, mut cosine]) = (self.step, first);
+        let [step_sine, step_cosine] = self.step;
+        let [mut sine, mut cosine] = first;
         let mut sums = [Wide::ZERO; 3];
         for _ in 0..nodes {
             sums = add(sums, self.integrands_at([sine, cosine]));
@@ -116,7 +119,8 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
             let [time, alpha, beta] = sums.map(|sum| sum.to_f64().abs());
             [time, alpha * alpha_factor + beta * beta_factor]
         };
-        let ([time_change, psi_change], [time, psi]) = (magnitudes(change), magnitudes(self.sums));
+        let [time_change, psi_change] = magnitudes(change);
+        let [time, psi] = magnitudes(self.sums);
         [time_change / time, if psi > 0.0 { psi_change / psi } else { 0.0 }]
     }
 
@@ -124,7 +128,8 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
     fn period(&self, relative_error: f64) -> Period {
         // a node has the weight 2 K over the number of nodes, as both halves are equal
         let weight = self.landen.quarter_period().doubled() / Wide::from(f64::from(self.nodes));
-        let ([time, alpha, beta], [of_time, of_alpha, of_beta]) = (self.sums, self.equations.factors);
+        let [time, alpha, beta] = self.sums;
+        let [of_time, of_alpha, of_beta] = self.equations.factors;
         let integrals = [time * of_time, alpha * of_alpha, beta * of_beta];
         let [time, alpha, beta] = integrals.map(|sum| Extended::resized(sum * weight));
         Period {

@@ -19,7 +19,8 @@ impl<const WORDS: usize> Wide<WORDS> {
     /// Number ±value · 2^exponent, rounded to the nearest.
     #[inline(never)]
     pub(super) fn from_integer(value: u128, exponent: i32, negative: bool) -> Self {
-        let (mut words, mut remainder) = ([[0; WORDS]; 2], value);
+        let mut words = [[0; WORDS]; 2];
+        let mut remainder = value;
         for word in words.as_flattened_mut() {
             (*word, remainder) = ((remainder >> 64) as u64, remainder << 64);
         }
@@ -63,7 +64,8 @@ impl<const WORDS: usize> Wide<WORDS> {
 
     /// Floor modulo 2^128, and the remainder in [0, 1).
     pub(crate) fn floor_and_fraction(self) -> (i128, Self) {
-        let (upper, exponent) = (self.leading_128_bits(), self.exponent);
+        let upper = self.leading_128_bits();
+        let exponent = self.exponent;
         let whole = match 128 - exponent {
             shift @ 0.. => upper.checked_shr(shift as u32),
             shift => upper.checked_shl(shift.unsigned_abs()),

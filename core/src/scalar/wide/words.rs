@@ -54,7 +54,8 @@ pub(super) fn add_word(words: &mut [u64], other: u64) -> u64 {
 /// Product: upper and lower half.
 #[inline(always)]
 pub(super) fn product<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) -> [[u64; WORDS]; 2] {
-    let (mut upper, mut lower) = ([0; WORDS], [0; WORDS]);
+    let mut upper = [0; WORDS];
+    let mut lower = [0; WORDS];
     for (factor, complete) in b.iter().zip(&mut lower).rev() {
         let mut carry = 0;
         for (word, sum) in a.iter().zip(&mut upper).rev() {
@@ -75,7 +76,9 @@ pub(super) fn product<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) ->
 pub(super) fn quotient<const WORDS: usize>(a: &[u64; WORDS], b: &[u64; WORDS]) -> [[u64; WORDS]; 2] {
     // at most the true one
     let inverse = reciprocal_u64(leading(b)) - 16;
-    let (mut above, mut remainder, mut quotient) = (0, *a, [[0; WORDS]; 2]);
+    let mut above = 0;
+    let mut remainder = *a;
+    let mut quotient = [[0; WORDS]; 2];
     for _ in 0..=WORDS {
         above = above << 56 | leading(&remainder) >> 8;
         shift_left(&mut remainder, 56);

@@ -104,7 +104,8 @@ impl HalfPeriod {
     ) -> Result<(), TooManySegments> {
         let mut path = Path::new(memory, budget, motion, length, self.mean_rates.rates);
         self.divide::<R>(&mut path, segments, pause)?;
-        let ([delay, residual], bounds) = (path.errors(), &self.bounds);
+        let [delay, residual] = path.errors();
+        let bounds = &self.bounds;
         self.error = f64::from(bounds.error) + bounds.error_of_delay(delay) + 2.0 * residual;
         Ok(())
     }
@@ -128,7 +129,8 @@ impl HalfPeriod {
     ) -> Result<(), TooManySegments> {
         // without memory for segments, they are only counted
         let capacity = if segments.is_empty() { Cell::MAX_SEGMENTS } else { segments.len() };
-        let (mut position, mut depth) = (0, MIN_DEPTH);
+        let mut position = 0;
+        let mut depth = MIN_DEPTH;
         while position < HALF_PERIOD {
             // Segments twice as long as the last ones are tried first. A segment of two cells begins at an even cell.
             depth = (depth - 1).max(MIN_DEPTH + (position / CELL_LENGTH % 2) as u32);

@@ -196,7 +196,8 @@ impl<'a, F: Float> Path<'a, F> {
         pause();
         let half_length = span.half_length();
         // y is in units of two spans
-        let (unit, allowed) = (4.0 * half_length, half_length * self.budget.path_error);
+        let unit = 4.0 * half_length;
+        let allowed = half_length * self.budget.path_error;
         let (sine, cosine) = sine_cosine_from_q57(from.phases.chi);
         let PathEquations { equations, half_period, .. } = &self.equations;
         let [chi_rate, alpha, beta, residual_alpha, residual_beta] =

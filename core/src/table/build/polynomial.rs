@@ -17,7 +17,8 @@ static CHEBYSHEV: [[i32; MAX_TERMS / 2]; MAX_TERMS] = {
     let mut coefficients = [[0; MAX_TERMS / 2]; MAX_TERMS];
     let mut k = 2;
     while k < MAX_TERMS {
-        let (mut coefficient, mut m) = (1_i64 << CHEBYSHEV_BITS, 0);
+        let mut coefficient = 1_i64 << CHEBYSHEV_BITS;
+        let mut m = 0;
         while 2 * m + 2 <= k {
             coefficient *= -(((k - 2 * m) * (k - 2 * m - 1)) as i64);
             coefficient /= (4 * (m + 1) * (k - m - 1)) as i64;
@@ -56,11 +57,13 @@ impl RealPolynomial {
         const NEGLIGIBLE: i64 = 138;
         let [.., c12, c13, c14, c15] = self.coefficients.map(i64::abs);
         // in pairs, because a series may be even or odd
-        let (before, last) = (c12 + c13, c14 + c15);
+        let before = c12 + c13;
+        let last = c14 + c15;
         if last <= NEGLIGIBLE {
             return 0.0;
         }
-        let (before, last) = (before as f32, last as f32);
+        let before = before as f32;
+        let last = last as f32;
         let ratio = last / before;
         if ratio < 1.0 { last * ratio / (1.0 - ratio) } else { f32::INFINITY }
     }
@@ -92,7 +95,8 @@ impl Polynomial {
     pub(super) fn drop_negligible_terms(&mut self, terms: usize, budget: &ErrorBudget) -> Option<()> {
         self.terms = terms;
         let [re, im] = self.parts.each_ref().map(RealPolynomial::remainder);
-        let (remainder, most) = (2.0 * Ring::max(re, im), budget.dropped_terms_in_units());
+        let remainder = 2.0 * Ring::max(re, im);
+        let most = budget.dropped_terms_in_units();
         if !budget.is_negligible_remainder(remainder) {
             return None;
         }

@@ -90,7 +90,8 @@ pub(super) const fn overflow_limit(margin: f64) -> i64 {
 /// Total of the bounds on those sums that are multiplied by 16 bits of x, in units of 2^-30; `None` where a sum could exceed `limit`.
 pub(super) fn truncated_factors(polynomial: &[i64], limit: i64) -> Option<u32> {
     let limit = (limit >> 32) as u32;
-    let (mut sum, mut factors) = (0_u32, 0);
+    let mut sum = 0_u32;
+    let mut factors = 0;
     for (power, value) in polynomial.iter().enumerate().skip(1).rev() {
         // rounded up; a sum that is not too large has room for another coefficient
         sum += (value.unsigned_abs() >> 32) as u32 + 1;

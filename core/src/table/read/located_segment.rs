@@ -20,14 +20,16 @@ impl<R: TableScalar> Table<R> {
         let half = (nutation ^ falling as u64) << 1;
         let leading = (half >> 32) as u32;
         let cell = Cell(self.cells.get((leading >> 28) as usize).copied().unwrap_or_default());
-        let (depth, index) = (cell.depth(), cell.segment(leading));
+        let depth = cell.depth();
+        let index = cell.segment(leading);
         // a cell refers to a segment of the table, which has one: the fallbacks only avoid a panic
         let segment = self.segments.get(index).or(self.segments.first());
         // 32 leading bits of the fraction of an eighth
         let eighth = (half >> (32 - MIN_DEPTH)) as u32;
         // the range [0, 1) becomes [-1, 1) by flipping the upper bit
         let halvings = depth - MIN_DEPTH;
-        let (x_q63, x_q31) = ((half << depth) ^ (1 << 63), (eighth << halvings) ^ (1 << 31));
+        let x_q63 = (half << depth) ^ (1 << 63);
+        let x_q31 = (eighth << halvings) ^ (1 << 31);
         LocatedSegment {
             rows: segment.map_or(&[], |segment| segment.as_ref()),
             index,

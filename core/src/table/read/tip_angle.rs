@@ -53,7 +53,8 @@ impl<R: TableScalar> Table<R> {
         }
         pause();
         let [[a, b], [a_slope, b_slope]] = tabulated_a_b::<R>(rows, point);
-        let (product, change) = (a * b, a_slope * b + a * b_slope);
+        let product = a * b;
+        let change = a_slope * b + a * b_slope;
         let least = MIN_MODULUS * R::ROUNDING * (a.norm_squared() + b.norm_squared());
         let is_near_zero = product.norm_squared() <= least * least;
         let direction = match (is_near_zero, point.x_q63 < 0) {

@@ -24,7 +24,8 @@ impl Expansion {
     ) -> Option<usize> {
         let [forwards, backwards, re, im] = scratch;
         let Self { chi, residual, origin, terms, .. } = self;
-        let (residual, residual_phase) = (residual.get(index)?, *origin.residual.get(index)?);
+        let residual = residual.get(index)?;
+        let residual_phase = *origin.residual.get(index)?;
         let at_origin = residual.at_origin.abs() + chi.at_origin.abs();
         forwards.set_exponent(Ring::max(
             at_origin,
@@ -78,13 +79,15 @@ fn continue_exponential(
     im: &mut PowerSeries,
 ) -> Option<usize> {
     // limit of a coefficient of yᵏ, in units of 2^-62
-    let (mut limit, mut before) = (least, false);
+    let mut limit = least;
+    let mut before = false;
     for k in 0..MAX_TERMS - 1 {
         let next = |part: &PowerSeries| {
             in_range(rate.product(part, 0..terms.min(k + 1), k, -rate.exponent))
                 .map(|next| integrated(next, k))
         };
-        let (next_re, next_im) = (-next(im)?, next(re)?);
+        let next_re = -next(im)?;
+        let next_im = next(re)?;
         re.set(k + 1, next_re)?;
         im.set(k + 1, next_im)?;
         if limit < i64::MAX >> 3 {

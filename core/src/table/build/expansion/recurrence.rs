@@ -100,7 +100,8 @@ impl Expansion {
         // factors in η = eta_per_v v and δ = linear v - quadratic v²
         let eta_per_v = equations.e2_minus_e1 / e3_minus_u;
         let c = equations.s * equations.e2_minus_e1 * inverse_d;
-        let (linear, quadratic) = (2.0 * (c * (1.0 - one_minus_u)), c * equations.e2_minus_e1);
+        let linear = 2.0 * (c * (1.0 - one_minus_u));
+        let quadratic = c * equations.e2_minus_e1;
 
         let Self { chi, residual: [alpha, beta], sine, cosine, v, delta, mu, .. } = self;
         let magnitude = |own: f64, other: f64| Ring::max(own.abs(), (chi_rate * other).abs());

@@ -31,8 +31,8 @@ impl HalfPeriod {
         };
 
         let half_periods = 2.0 * rates.nutation.to_f64();
-        let (x_rate, mean) =
-            (f64::from(bounds.x_rate) * half_periods, TURN * (rates.alpha + rates.beta).to_f64().abs());
+        let x_rate = f64::from(bounds.x_rate) * half_periods;
+        let mean = TURN * (rates.alpha + rates.beta).to_f64().abs();
         // terms of the angular velocity, which may cancel
         let whole = angular * half_periods + mean + motion.first_integrals().spin.abs();
         let rotor = motion.top().rotor_momentum().abs() / motion.top().transverse_inertia();

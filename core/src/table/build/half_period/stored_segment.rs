@@ -76,7 +76,9 @@ pub(super) fn store_segment<R: TableScalar>(
 ) -> SegmentBounds {
     let PathMemory { expansion, polynomials, segment: polynomial, .. } = &mut *path.memory;
     let halvings = segment.depth - span.depth;
-    let (mut product_error, mut truncation_squared, mut slope_squared) = (0.0_f32, 0.0, 0.0);
+    let mut product_error = 0.0_f32;
+    let mut truncation_squared = 0.0;
+    let mut slope_squared = 0.0;
     for (index, whole) in polynomials.iter().enumerate() {
         polynomial.restrict(
             whole,

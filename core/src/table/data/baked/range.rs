@@ -34,7 +34,8 @@ macro_rules! sums_in_range {
     ($coefficient:ident, $fraction_bits:literal) => {
         pub(super) const fn $coefficient(coefficients: &[$coefficient]) -> bool {
             let [_, _, _, _, powers @ ..] = coefficients else { return true };
-            let (mut powers, mut sums) = (powers, [0_u64; 4]);
+            let mut powers = powers;
+            let mut sums = [0_u64; 4];
             while let [rest @ .., coefficient] = powers {
                 let [a, b, c, sum] = sums;
                 let sum = ((coefficient.unsigned_abs() as u64) << (31 - $fraction_bits)) + sum.div_ceil(2);
