@@ -90,7 +90,7 @@ pub trait Ring:
     /// Larger of two numbers, or NaN if one of them is NaN.
     #[inline]
     #[must_use]
-    fn max(self, other: Self) -> Self {
+    fn larger_or_nan(self, other: Self) -> Self {
         if other <= self || self.partial_cmp(&self).is_none() { self } else { other }
     }
 }

@@ -177,7 +177,7 @@ impl<R: Real> Orientation<R> {
     /// Exponential of an element of su(2): the rotation by |x| rad about x; the identity where a component is not finite.
     pub fn exp(x: Vector<R>) -> Self {
         let [a, b, c] = x.map(R::abs);
-        let size = a.max(b).max(c);
+        let size = a.larger_or_nan(b).larger_or_nan(c);
         let is_finite = x.iter().all(|component| component.to_f64().is_finite());
         if !is_finite || size == R::ZERO {
             return Self::IDENTITY;

@@ -34,7 +34,7 @@ impl Cubic {
         let zero = Extended::ZERO;
         // a power of two, because libm's cube root takes much flash
         let cube_root = Extended::from(power_of_two((exponent(g0.to_f64()) + 2).div_euclid(3)));
-        let bound = g2.abs().max(g1.abs().sqrt()).max(cube_root).doubled();
+        let bound = g2.abs().larger_or_nan(g1.abs().sqrt()).larger_or_nan(cube_root).doubled();
         if g2 <= zero {
             return bound;
         }
@@ -42,7 +42,7 @@ impl Cubic {
         let root = (g1.squared() - (g2 * g0).doubled().doubled()).sqrt();
         let of_quadratic = if g1 > zero { -g0.doubled() / (g1 + root) } else { (root - g1) / g2.doubled() };
         let of_quadratic = of_quadratic * Extended::from(1.0 + 1e-15);
-        if of_quadratic < bound { of_quadratic.max(zero) } else { bound }
+        if of_quadratic < bound { of_quadratic.larger_or_nan(zero) } else { bound }
     }
 
     /// Largest root, by Newton's method from above.

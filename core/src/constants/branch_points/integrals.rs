@@ -70,7 +70,7 @@ fn point_of_greatest_cubic(top: &Top, integrals: &FirstIntegrals<Extended>) -> O
         if across < least || horizontal < least || square <= zero {
             return None;
         }
-        let udot = (horizontal.max(zero) * across.max(zero) / square).sqrt() / a;
+        let udot = (horizontal.larger_or_nan(zero) * across.larger_or_nan(zero) / square).sqrt() / a;
         return Some(point(l * n / square, udot, axis_and_height));
     }
     // f(u) = u³ - b u² + c₁ u + c₀
@@ -96,7 +96,7 @@ fn point_of_greatest_cubic(top: &Top, integrals: &FirstIntegrals<Extended>) -> O
     } else {
         -one
     };
-    let found = point(u, zero, (energy - u).max(zero));
+    let found = point(u, zero, (energy - u).larger_or_nan(zero));
     let d = top.d(found.one_minus_u * found.one_plus_u);
-    Some(ReducedPoint { udot: (g.doubled() * peak.max(zero) / d).sqrt(), ..found })
+    Some(ReducedPoint { udot: (g.doubled() * peak.larger_or_nan(zero) / d).sqrt(), ..found })
 }

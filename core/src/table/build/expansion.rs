@@ -157,7 +157,7 @@ impl Expansion {
         let size = |rate: &RateSeries| rate.at_origin.abs() + 0.25 * rate.magnitude_of_variation();
         let [alpha, beta] = self.residual.each_ref().map(size);
         let chi = f64::from(self.chi_error_factor) * size(&self.chi);
-        ROUNDINGS * f64::ROUNDING * 0.25 * Ring::max(chi, Ring::max(alpha, beta))
+        ROUNDINGS * f64::ROUNDING * 0.25 * chi.larger_or_nan(alpha.larger_or_nan(beta))
     }
 
     /// Upper bound on the rates of the residual phases by x in [-1, 1].
@@ -165,7 +165,7 @@ impl Expansion {
         let greatest =
             |rate: &RateSeries| rate.at_origin.abs() as f32 + rate.variation.bound_at_quarter(self.terms);
         let [alpha, beta] = self.residual.each_ref().map(greatest);
-        0.25 * Ring::max(alpha, beta)
+        0.25 * alpha.larger_or_nan(beta)
     }
 
     /// Estimated truncation error of the phases at x = 1, rad, if each term is a quarter of the one before; infinite where the series do not
@@ -174,9 +174,10 @@ impl Expansion {
         let Some(before) = self.terms.checked_sub(2) else { return f64::INFINITY };
         let term = |k: usize| {
             let [alpha, beta] = self.residual.each_ref().map(|rate| rate.term(k, 1.0));
-            Ring::max(self.chi.term(k, self.chi_error_factor), Ring::max(alpha, beta))
+            self.chi.term(k, self.chi_error_factor).larger_or_nan(alpha.larger_or_nan(beta))
         };
-        let last = Ring::max(term(before), 0.25 * term(before + 1)) * power_of_two(-2 * before as i32) as f32;
+        let last =
+            term(before).larger_or_nan(0.25 * term(before + 1)) * power_of_two(-2 * before as i32) as f32;
         (0.25 * last / (3 * self.terms) as f32).into()
     }
 }

@@ -125,7 +125,7 @@ impl<'a, F: Float> Path<'a, F> {
             memory,
             budget,
             exponentials: [alpha, beta].map(|ellipse| ellipse.exponentials()),
-            endpoint_rate: Ring::max(first, last),
+            endpoint_rate: first.larger_or_nan(last),
             span: None,
             end: PathPoint::FIRST,
             next_span_depth: MIN_SPAN_DEPTH,
@@ -237,6 +237,6 @@ impl<'a, F: Float> Path<'a, F> {
         let [alpha, beta] = residual.map(miss);
         let [chi_rate, ..] = self.equations.rates(1.0, 0.0);
         let delay = ROUNDING_DELAY + error / self.endpoint_rate + miss(chi) / chi_rate;
-        [delay, error + Ring::max(alpha, beta)]
+        [delay, error + alpha.larger_or_nan(beta)]
     }
 }

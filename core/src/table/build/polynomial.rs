@@ -95,7 +95,7 @@ impl Polynomial {
     pub(super) fn drop_negligible_terms(&mut self, terms: usize, budget: &ErrorBudget) -> Option<()> {
         self.terms = terms;
         let [re, im] = self.parts.each_ref().map(RealPolynomial::remainder);
-        let remainder = 2.0 * Ring::max(re, im);
+        let remainder = 2.0 * re.larger_or_nan(im);
         let most = budget.dropped_terms_in_units();
         if !budget.is_negligible_remainder(remainder) {
             return None;

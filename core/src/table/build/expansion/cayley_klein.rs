@@ -27,10 +27,8 @@ impl Expansion {
         let residual = residual.get(index)?;
         let residual_phase = *origin.residual.get(index)?;
         let at_origin = residual.at_origin.abs() + chi.at_origin.abs();
-        forwards.set_exponent(Ring::max(
-            at_origin,
-            residual.magnitude_of_variation() + chi.magnitude_of_variation(),
-        ));
+        let variation = residual.magnitude_of_variation() + chi.magnitude_of_variation();
+        forwards.set_exponent(at_origin.larger_or_nan(variation));
         let exponent = forwards.exponent;
         backwards.exponent = exponent;
         let rates =

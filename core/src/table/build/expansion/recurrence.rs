@@ -104,7 +104,7 @@ impl Expansion {
         let quadratic = c * equations.e2_minus_e1;
 
         let Self { chi, residual: [alpha, beta], sine, cosine, v, delta, mu, .. } = self;
-        let magnitude = |own: f64, other: f64| Ring::max(own.abs(), (chi_rate * other).abs());
+        let magnitude = |own: f64, other: f64| own.abs().larger_or_nan((chi_rate * other).abs());
         sine.set_exponent(magnitude(origin.sine, origin.cosine));
         cosine.set_exponent(magnitude(origin.cosine, origin.sine));
         v.exponent = 2 * cosine.exponent + BITS;

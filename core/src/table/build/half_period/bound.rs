@@ -27,7 +27,7 @@ impl HalfPeriod {
             constant: self.error
                 + errors.orientation
                 + errors.per_half_segment * bounds.half_segment_change(),
-            per_tick: 2.0 * (angular * nutation + TURN * Ring::max(alpha, beta)),
+            per_tick: 2.0 * (angular * nutation + TURN * alpha.larger_or_nan(beta)),
         };
 
         let half_periods = 2.0 * rates.nutation.to_f64();

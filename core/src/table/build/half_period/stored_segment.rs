@@ -22,7 +22,7 @@ pub(super) fn store_polynomial<R: TableScalar>(
                 *stored = R::Coefficient::nearest(value, power);
             }
         }
-        greatest = Ring::max(greatest, R::Coefficient::product_error(coefficients));
+        greatest = greatest.larger_or_nan(R::Coefficient::product_error(coefficients));
     }
     // the norm of four parts is twice as large, and the orientation error is twice the norm
     4.0 * TABLE_UNIT as f32 * greatest
@@ -46,7 +46,7 @@ impl SegmentBounds {
 
     /// Includes other segments.
     pub(super) fn include(&mut self, other: &Self) {
-        let include = |greatest: &mut f32, other: f32| *greatest = Ring::max(*greatest, other);
+        let include = |greatest: &mut f32, other: f32| *greatest = greatest.larger_or_nan(other);
         include(&mut self.error, other.error);
         include(&mut self.angular_speed, other.angular_speed);
         include(&mut self.residual_rate, other.residual_rate);
@@ -89,8 +89,11 @@ pub(super) fn store_segment<R: TableScalar>(
         polynomial.shorten(R::TERMS, i64::MAX);
         truncation_squared += Ring::squared(polynomial.truncation());
         slope_squared += polynomial.slope_squared();
-        product_error =
-            Ring::max(product_error, store_polynomial::<R>(stored_segment.as_deref_mut(), index, polynomial));
+        product_error = product_error.larger_or_nan(store_polynomial::<R>(
+            stored_segment.as_deref_mut(),
+            index,
+            polynomial,
+        ));
         pause();
     }
     // x is 2 longer at the end of a segment
