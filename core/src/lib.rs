@@ -143,7 +143,8 @@ mod tests {
         held::<(Top, State, Motion, Stepper<f32>, Stepper<f64>, Tick, Phase)>();
         held::<(TableF32, TableF64, SetUpError, ParameterError, ErrorBound)>();
         held::<(Orientation<f32>, AttitudeState<f32>, Event, Level)>();
-        held::<(&Table<f32>, Cursor<f32>)>();
+        held::<(&Table<f32>, Cursor<f32>, Sample<'static, f32>, Events<'static, f32>)>();
+        held::<(TableMemory<TableF32>, Workspace)>();
         #[cfg(feature = "fixed")]
         held::<(TableQ31, TableQ15)>();
     }

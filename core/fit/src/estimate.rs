@@ -53,7 +53,7 @@ impl Estimate {
     }
 
     /// Values of the other unknowns: changes of the logarithms of the free ratios, the three losses, if they are unknowns, and the biases
-    /// of the sensors that have one.
+    /// of the sensors that have one. 0 after the last unknown.
     #[must_use]
     pub fn other_unknowns(&self) -> &[f64] {
         &self.other

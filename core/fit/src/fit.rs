@@ -36,7 +36,8 @@ use toytop::scalar::Real;
 /// Fit of a launch to measurements.
 ///
 /// The unknowns are the launch, the free ratios, and the constant biases of the sensors. The scalar `f32` suffices for sensors whose noise
-/// is at least 1e-4 of their readings; the fit then takes less than 8 KiB, whatever the number of measurements.
+/// is at least 1e-4 of their readings; the fit then keeps 5.4 KB, whatever the number of measurements, and takes
+/// 15 KB of stack.
 #[derive(Clone)]
 pub struct Fit<'a, F = f64> {
     sensors: &'a [&'a dyn Sensor<F>],

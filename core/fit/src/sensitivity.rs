@@ -29,7 +29,7 @@ use toytop::scalar::{Extended, Float};
 use toytop::{Motion, Orientation, Phase, Stepper};
 pub(crate) use trajectory::Trajectory;
 
-/// Product of the longest step and the bound on the frequencies, for an error of about 1e-12.
+/// Longest step, in rad of the highest frequency, for an error of about 1e-12.
 const FINE_STEP: f64 = 0.02;
 /// Longest step for a motion that was fitted, in the same unit. An error of 1e-9 has no effect there.
 pub(crate) const COARSE_STEP: f64 = 0.1;

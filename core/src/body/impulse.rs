@@ -92,13 +92,13 @@ impl State {
         let phi = self.orientation.normalised();
         let r = phi.axis();
         let [x, y, z] = point;
-        let [.., lift] = impulse;
-        let given = cross(phi.adjoint([x, y, z - s]), impulse);
+        let [.., vertical] = impulse;
+        let torque_impulse = cross(phi.adjoint([x, y, z - s]), impulse);
         let q = cross(r, [0.0, 0.0, 1.0]);
-        let reaction = (p * dot(given, q) - a * lift) / (a + p * s * dot(q, q));
-        let axial = dot(given, r);
+        let reaction = (p * dot(torque_impulse, q) - a * vertical) / (a + p * s * dot(q, q));
+        let axial = dot(torque_impulse, r);
         let spin_up = if c > 0.0 { axial / c } else { 0.0 };
-        let transverse = add_scaled(add_scaled(given, q, -s * reaction), r, -axial);
+        let transverse = add_scaled(add_scaled(torque_impulse, q, -s * reaction), r, -axial);
         Ok(add_scaled(transverse.map(|component| component / a), r, spin_up))
     }
 }

@@ -17,8 +17,8 @@ pub struct Event {
 
 impl Event {
     /// Event after a number of ticks; `None` outside the range of `i64`.
-    pub(super) fn at(ticks: Extended, upward: bool) -> Option<Self> {
-        /// Number beyond the range of `i64` whose floor fits 128 bits.
+    pub(super) fn from_ticks(ticks: Extended, upward: bool) -> Option<Self> {
+        /// Limit of the conversion to `i128`; more is outside `i64` anyway.
         const COUNTABLE: f64 = (1_u128 << 100) as f64;
         if ticks.to_f64().abs() > COUNTABLE {
             return None;

@@ -25,7 +25,7 @@ impl<R: TableScalar> Iterator for Events<'_, R> {
         match &mut self.0 {
             Kind::Phases(instants) => {
                 let (index, ticks) = instants.pop()?;
-                Event::at(ticks, index == 0)
+                Event::from_ticks(ticks, index == 0)
             }
             Kind::TipAngle(search) => search.next(),
         }

@@ -26,9 +26,9 @@ pub(super) struct TipAngleSearch<'a, R: TableScalar> {
 
 /// Rounding of a tip angle, within which the start is an event.
 const START_TOLERANCE: Phase = Phase::from_bits(1 << 48);
-/// Number of consecutive pieces that contain a whole period.
+/// Number of consecutive pieces after which every phase of a period was searched.
 const PIECES_OF_A_PERIOD: usize = 5;
-/// Greatest number of skips. A skip leaves 1e-9 of the way: three reach 2^63 ticks, and five are in reserve.
+/// Greatest number of skips. A skip covers all but 1e-9 of the way, so that three are enough for 2^63 ticks.
 const MAX_SKIPS: usize = 8;
 
 impl<R: TableScalar> Table<R> {
@@ -114,7 +114,7 @@ impl<'a, R: TableScalar> TipAngleSearch<'a, R> {
             if is_past(self.table.tip_angle_at(middle) - start) { high = middle } else { low = middle }
         }
         (self.at, self.angle) = (high, start + ahead);
-        Event::at(high, upward)
+        Event::from_ticks(high, upward)
     }
 
     /// Skips periods that do not reach the target, from the least and greatest change of the angle in the last one.
@@ -130,7 +130,7 @@ impl<'a, R: TableScalar> TipAngleSearch<'a, R> {
         let periods = periods - fraction - Extended::ONE;
         if periods > Extended::ZERO {
             let ticks = periods * period;
-            Event::at(self.at + ticks, true)?;
+            Event::from_ticks(self.at + ticks, true)?;
             self.ends.skip(ticks);
             self.at = self.at + ticks;
             self.angle = self.table.tip_angle_at(self.at);

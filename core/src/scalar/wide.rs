@@ -97,7 +97,7 @@ impl<const WORDS: usize> Exact<WORDS> {
         Self { words, exponent, negative: a.negative != b.negative }
     }
 
-    /// Key of the order of magnitudes.
+    /// Key by which magnitudes are compared.
     #[inline(always)]
     fn magnitude(&self) -> (bool, i32, &[u64]) {
         let words = self.words.as_flattened();

@@ -4,6 +4,7 @@
 //! set_up.rs              motion, settings, memory       -> table
 //!   error_budget.rs        allowed error                  -> allowed errors of its parts
 //!   half_period.rs         for each cell: segments that are short enough
+//!     motion/period          motion                         -> period, and integrals of the phase equations
 //!     mean_rates.rs          motion, period                 -> mean rates of the phases, and their errors
 //!     stored_segment.rs      polynomials on the span        -> stored coefficients, and bounds on errors and speeds
 //!   path.rs                for each span: two expansions, from its beginning to its centre and from there to its end
@@ -11,7 +12,7 @@
 //!     expansion/cayley_klein.rs                             -> power series of a and b
 //!     polynomial.rs          power series                   -> polynomials of a and b on the span
 //!     launch_phases.rs       χ of the launch                -> nutation phase and mean phases of the launch
-//!   launch_clock.rs        mean rates, launch phases      -> clock
+//!   launch_clock.rs        mean rates, launch phases      -> clock, and with read/tip_angle.rs its tip angle
 //!   half_period/bound.rs   errors of all parts            -> error bounds
 //! interval.rs            spans, cells and segments as parts of half a period
 //! ```

@@ -85,7 +85,7 @@ impl<const WORDS: usize> Landen<WORDS> {
         self.active_steps().fold(half_pi, |product, step| product * (Wide::ONE + step.modulus))
     }
 
-    /// First number of nodes, which is 1, 3 or 5, and the number after at least two doublings that gives this number of bits.
+    /// First number of nodes (1, 3 or 5), and the number after at least two doublings that reaches these bits.
     pub(super) fn node_counts(&self, bits: f64) -> (u32, u32) {
         let nodes = bits / self.bits_per_node();
         let doubled = |division: u32| {

@@ -10,7 +10,7 @@ use crate::scalar::{Float, Ring};
 
 impl<const WORDS: usize> Wide<WORDS> {
     /// Difference a - bc with one rounding.
-    fn residual(a: Self, [b, c]: [Self; 2]) -> Self {
+    fn minus_product(a: Self, [b, c]: [Self; 2]) -> Self {
         Exact::from(a).plus(Exact::product(&-b, &c))
     }
 
@@ -117,11 +117,11 @@ impl<const WORDS: usize> Float for Wide<WORDS> {
         let mut inverse = Self::from_integer(nearby.into(), -62 - (self.exponent + odd) / 2, false);
         // each step of Newton's method doubles the 52 correct bits
         for _ in 1..WORDS {
-            let remainder = Self::residual(Self::ONE, [self * inverse, inverse]);
+            let remainder = Self::minus_product(Self::ONE, [self * inverse, inverse]);
             inverse = inverse + (remainder * inverse).halved();
         }
         let root = self * inverse;
-        root + (Self::residual(self, [root, root]) * inverse).halved()
+        root + (Self::minus_product(self, [root, root]) * inverse).halved()
     }
 
     fn abs(self) -> Self {
@@ -156,7 +156,7 @@ mod tests {
     #[test]
     fn a_third_times_three_is_one_to_38_digits() {
         let third = Extended::ONE / 3.0.into();
-        let defect = Extended::residual(Extended::ONE, [third, 3.0.into()]).abs().to_f64();
+        let defect = Extended::minus_product(Extended::ONE, [third, 3.0.into()]).abs().to_f64();
         assert!(defect < 3e-39 && defect > 0.0, "{defect:e}");
         assert_eq!(third.to_f64_pair(), [1.0 / 3.0, 1.850371707708594e-17]);
     }
@@ -188,7 +188,7 @@ mod tests {
         for x in [2.0, 1e-20, 12345.678, 9.81] {
             let x = Extended::from(x);
             let root = x.sqrt();
-            let defect = (Extended::residual(x, [root, root]) / x).abs().to_f64();
+            let defect = (Extended::minus_product(x, [root, root]) / x).abs().to_f64();
             assert!(defect < 7e-39 && defect > 0.0, "{defect:e}");
         }
         assert_eq!(Extended::from(-1e-300).sqrt(), Extended::ZERO);

@@ -10,8 +10,9 @@ const TERMS_FRACTION: f32 = 1.0 / 256.0;
 /// Fraction of a segment's error for a segment of two cells, whose derivative is less accurate.
 const TWO_CELLS_FRACTION: f32 = 1.0 / 8.0;
 
-/// Multiple of the error for dropped terms below which a term of a rate at x = 1 ends a series, for a step of one half period. Integrated, a term is
-/// 3 · 16 · 4 times smaller: the estimated error of a step is then about an eighth of the allowed one.
+/// A term of a rate at x = 1 ends its series if it is below this multiple of the error for dropped terms, on a step of one half period.
+///
+/// Integrated, a term is 3 · 16 · 4 times smaller: the estimated error of a step is then about an eighth of the allowed one.
 const NEGLIGIBLE_TERM: f64 = 512.0;
 
 /// Allowed errors of the parts of a table.

@@ -21,7 +21,7 @@ use stored_segment::{SegmentBounds, store_polynomial, store_segment};
 
 use super::error_budget::ErrorBudget;
 use super::interval::{HALF_PERIOD, Interval};
-use super::path::{Path, PathMemory, PathPoint};
+use super::path::{Path, PathPoint, PathScratch};
 use super::polynomial::Polynomial;
 use crate::motion::Motion;
 use crate::motion::ellipses::Ellipses;
@@ -63,7 +63,7 @@ impl HalfPeriod {
         &mut self,
         motion: &Motion,
         budget: &ErrorBudget,
-        memory: &mut PathMemory,
+        memory: &mut PathScratch,
         segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
     ) -> Result<(), TooManySegments> {
@@ -98,7 +98,7 @@ impl HalfPeriod {
         motion: &Motion,
         length: Extended,
         budget: &ErrorBudget,
-        memory: &mut PathMemory,
+        memory: &mut PathScratch,
         segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
     ) -> Result<(), TooManySegments> {

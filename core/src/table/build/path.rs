@@ -52,7 +52,7 @@ impl<F: Float> PathEquations<F> {
 
 /// Memory of a path: its motion, and its span.
 #[derive(Debug)]
-pub(super) struct PathMemory {
+pub(super) struct PathScratch {
     pub(super) equations: PhaseEquations<Extended>,
     pub(super) launch: LaunchPhases,
     pub(super) expansion: Expansion,
@@ -64,7 +64,7 @@ pub(super) struct PathMemory {
     pub(super) segment: Polynomial,
 }
 
-impl PathMemory {
+impl PathScratch {
     pub(super) const ZERO: Self = Self {
         equations: PhaseEquations::ZERO,
         launch: LaunchPhases::ZERO,
@@ -85,7 +85,7 @@ impl PathMemory {
 /// Path with phase equations in `F`, and its span with polynomials of a and b in its memory.
 pub(super) struct Path<'a, F> {
     equations: PathEquations<F>,
-    pub(super) memory: &'a mut PathMemory,
+    pub(super) memory: &'a mut PathScratch,
     pub(super) budget: &'a ErrorBudget,
     /// Coefficients of the exponentials in a and in b.
     exponentials: [[f64; 2]; 2],
@@ -103,7 +103,7 @@ impl<'a, F: Float> Path<'a, F> {
     ///
     /// * `rates`: mean rates, turns/s
     pub(super) fn new(
-        memory: &'a mut PathMemory,
+        memory: &'a mut PathScratch,
         budget: &'a ErrorBudget,
         motion: &Motion,
         half_period: Extended,
@@ -176,7 +176,7 @@ impl<'a, F: Float> Path<'a, F> {
     fn expand(&mut self, span: Interval, beginning: PathPoint, pause: &mut dyn FnMut()) -> Option<Interval> {
         let centre = self.step(span, beginning, pause)?;
         self.end = self.step(span, centre, pause)?;
-        let PathMemory { launch, expansion, exponential, polynomials, .. } = &mut *self.memory;
+        let PathScratch { launch, expansion, exponential, polynomials, .. } = &mut *self.memory;
         let least = self.budget.dropped_terms_in_units();
         for (index, (polynomial, exponentials)) in polynomials.iter_mut().zip(self.exponentials).enumerate() {
             pause();
@@ -228,15 +228,15 @@ impl<'a, F: Float> Path<'a, F> {
         /// Delay by the roundings of χ at the launch and of the local coordinate, in half periods.
         const ROUNDING_DELAY: f64 = 4.0 * f64::ROUNDING;
         let PathPoint { phases: PathPhases { chi, residual }, error } = self.end;
-        // distance from an odd number of quarter turns, rad
-        let miss = |angle: Phase| {
+        // from an odd number of quarter turns, rad
+        let distance = |angle: Phase| {
             let (_, remainder) = (angle + Phase::QUARTER).split_half_turns();
             remainder.min(Phase::HALF - remainder).to_radians()
         };
         // at u = e₂, cos χ = 0 and the cosines of the residual phases are 0
-        let [alpha, beta] = residual.map(miss);
+        let [alpha, beta] = residual.map(distance);
         let [chi_rate, ..] = self.equations.rates(1.0, 0.0);
-        let delay = ROUNDING_DELAY + error / self.endpoint_rate + miss(chi) / chi_rate;
+        let delay = ROUNDING_DELAY + error / self.endpoint_rate + distance(chi) / chi_rate;
         [delay, error + alpha.larger_or_nan(beta)]
     }
 }

@@ -105,7 +105,7 @@ impl Polynomial {
         Some(())
     }
 
-    /// Drops last terms down to `fewest`, as long as the changes add up to at most `most`.
+    /// Drops last terms while more than `fewest` remain and the total change is at most `most`.
     pub(super) fn shorten(&mut self, fewest: usize, most: i64) {
         while self.terms > fewest.max(2) {
             let degree = self.terms - 1;

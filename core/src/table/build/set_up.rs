@@ -4,7 +4,7 @@ use core::fmt;
 
 use super::error_budget::ErrorBudget;
 use super::half_period::{HalfPeriod, TooManySegments};
-use super::path::PathMemory;
+use super::path::PathScratch;
 use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::table::data::cell::MIN_SEGMENTS;
@@ -78,7 +78,7 @@ impl From<Tick> for TableSettings {
 #[derive(Debug)]
 pub struct Workspace {
     half_period: HalfPeriod,
-    path: PathMemory,
+    path: PathScratch,
 }
 
 impl Default for Workspace {
@@ -91,7 +91,7 @@ impl Workspace {
     /// Workspace before a set-up. A static of it takes no flash.
     #[must_use]
     pub const fn new() -> Self {
-        Self { half_period: HalfPeriod::ZERO, path: PathMemory::ZERO }
+        Self { half_period: HalfPeriod::ZERO, path: PathScratch::ZERO }
     }
 }
 
@@ -161,7 +161,7 @@ impl<R: TableScalar> Table<R> {
         settings: &TableSettings,
         pause: &mut dyn FnMut(),
     ) {
-        let Workspace { half_period, path: PathMemory { launch, .. } } = workspace;
+        let Workspace { half_period, path: PathScratch { launch, .. } } = workspace;
         let HalfPeriod { cells, segments, mean_rates, .. } = half_period;
         self.cells = *cells;
         self.segments.get_mut(*segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);

@@ -18,7 +18,7 @@ struct PsiFactors {
     kappa_to_sigma: UnitFactor,
     delta_to_kappa: UnitFactor,
     mu_to_kappa: UnitFactor,
-    negligible: i64,
+    negligible_below: i64,
 }
 
 impl PsiFactors {
@@ -40,12 +40,12 @@ impl PsiFactors {
             kappa_to_sigma: UnitFactor::new(psi_rate, kappa, variation),
             delta_to_kappa: UnitFactor::new(g, delta, kappa),
             mu_to_kappa: UnitFactor::new(h, mu, kappa),
-            negligible: to_units(negligible, variation.exponent),
+            negligible_below: to_units(negligible, variation.exponent),
         }
     }
 
     /// Computes the k-th coefficients of κ and σ. Returns whether the coefficient of σ is negligible.
-    fn advance(
+    fn next_coefficients(
         &self,
         rate: &mut RateSeries,
         kappa_series: &mut PowerSeries,
@@ -58,7 +58,7 @@ impl PsiFactors {
         let sigma = sum_in_range([self.v_to_sigma.times(v), -self.kappa_to_sigma.times(kappa), -known])?;
         kappa_series.set(k, kappa)?;
         sigma_series.set(k, sigma)?;
-        Some(is_negligible(sigma, k, self.negligible))
+        Some(is_negligible(sigma, k, self.negligible_below))
     }
 }
 
@@ -87,12 +87,12 @@ impl Expansion {
         origin: &ExpansionPoint,
         pause: &mut dyn FnMut(),
     ) {
-        let recurrence = self.recurrence(equations, origin);
-        self.terms = self.recur(&recurrence, pause).unwrap_or_default();
+        let recurrence = self.prepare(equations, origin);
+        self.terms = self.compute_series(&recurrence, pause).unwrap_or_default();
     }
 
     /// Constants of the recurrence. Sets the exponents and first coefficients of the series.
-    fn recurrence(&mut self, equations: &PhaseEquations<f64>, origin: &ExpansionPoint) -> Recurrence {
+    fn prepare(&mut self, equations: &PhaseEquations<f64>, origin: &ExpansionPoint) -> Recurrence {
         let ExpansionPoint { time_per_y, chi_rate, psi_rates: [alpha_psi, beta_psi], negligible, .. } =
             *origin;
         let TiltDistances { one_minus_u, e3_minus_u, inverse_d, .. } =
@@ -155,7 +155,7 @@ impl Expansion {
     }
 
     /// Computes coefficients until two in succession are negligible. Returns their number.
-    fn recur(&mut self, recurrence: &Recurrence, pause: &mut dyn FnMut()) -> Option<usize> {
+    fn compute_series(&mut self, recurrence: &Recurrence, pause: &mut dyn FnMut()) -> Option<usize> {
         let is_in_range = self.chi.at_origin <= MAX_CHI_RATE;
         if !is_in_range {
             return None;
@@ -165,8 +165,8 @@ impl Expansion {
             if k % 4 == 0 {
                 pause();
             }
-            let rates = k > 0 && self.advance_rates(recurrence, k)?;
-            let negligible = self.advance_sine_cosine(recurrence, k)? && rates;
+            let rates = k > 0 && self.next_rates(recurrence, k)?;
+            let negligible = self.next_sine_cosine(recurrence, k)? && rates;
             if negligible && before {
                 return Some(k + 1);
             }
@@ -176,7 +176,7 @@ impl Expansion {
     }
 
     /// Computes the k-th coefficients of the rates. Returns whether they are negligible.
-    fn advance_rates(&mut self, recurrence: &Recurrence, k: usize) -> Option<bool> {
+    fn next_rates(&mut self, recurrence: &Recurrence, k: usize) -> Option<bool> {
         let xi_series = &mut self.chi.variation;
         let v = self.cosine.product(&self.cosine, 0..k + 1, k, BITS);
         let v_squared = sum_in_range([self.v.product(&self.v, 1..k, k, BITS)])?;
@@ -195,13 +195,13 @@ impl Expansion {
         let mut negligible = is_negligible(xi, k, recurrence.negligible_xi);
         let series = self.residual.iter_mut().zip(&mut self.kappa);
         for ((rate, kappa), factors) in series.zip(&recurrence.psi) {
-            negligible &= factors.advance(rate, kappa, k, [v, delta, mu])?;
+            negligible &= factors.next_coefficients(rate, kappa, k, [v, delta, mu])?;
         }
         Some(negligible)
     }
 
     /// Computes coefficient k + 1 of sin χ and of cos χ. Returns whether both are negligible.
-    fn advance_sine_cosine(&mut self, recurrence: &Recurrence, k: usize) -> Option<bool> {
+    fn next_sine_cosine(&mut self, recurrence: &Recurrence, k: usize) -> Option<bool> {
         let xi = &self.chi.variation;
         let next = |factor: &UnitFactor, part: &PowerSeries| {
             let rate = sum_in_range([part.coefficient(k), xi.product(part, 1..k + 1, k, -xi.exponent)])?;

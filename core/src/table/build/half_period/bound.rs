@@ -31,7 +31,7 @@ impl HalfPeriod {
         };
 
         let half_periods = 2.0 * rates.nutation.to_f64();
-        let x_rate = f64::from(bounds.x_rate) * half_periods;
+        let x_rate = f64::from(bounds.x_per_half_period) * half_periods;
         let mean = TURN * (rates.alpha + rates.beta).to_f64().abs();
         // terms of the angular velocity, which may cancel
         let whole = angular * half_periods + mean + motion.first_integrals().spin.abs();
@@ -63,7 +63,7 @@ mod tests {
     use crate::phase::Phase;
     use crate::table::build::error_budget::ErrorBudget;
     use crate::table::build::half_period::stored_segment::SegmentBounds;
-    use crate::table::build::path::PathMemory;
+    use crate::table::build::path::PathScratch;
     use crate::table::build::tests::nutating_motion;
     use crate::table::evaluation::TableScalar;
     use crate::{Release, State, Top, TopParameters};
@@ -106,7 +106,7 @@ mod tests {
         let top = Top::sliding(&TopParameters::TOY).unwrap();
         let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() }).unwrap();
         let motion = Motion::launch(&top, &state).unwrap();
-        let (mut half_period, mut memory) = (HalfPeriod::ZERO, PathMemory::ZERO);
+        let (mut half_period, mut memory) = (HalfPeriod::ZERO, PathScratch::ZERO);
         let (budget, mut segments) = (ErrorBudget::new::<f32>(f32::TRUNCATION), [f32::ZERO_SEGMENT; 25]);
         let result = half_period.compute::<f32>(&motion, &budget, &mut memory, &mut segments, &mut || {});
         assert!(result.is_ok());

@@ -2,7 +2,7 @@
 
 use crate::scalar::{Float, Ring};
 use crate::table::build::interval::Interval;
-use crate::table::build::path::{Path, PathMemory};
+use crate::table::build::path::{Path, PathScratch};
 use crate::table::build::polynomial::Polynomial;
 use crate::table::evaluation::{Coefficient, TABLE_UNIT, TableScalar};
 
@@ -38,11 +38,12 @@ pub(super) struct SegmentBounds {
     /// Rate of a residual phase, rad.
     pub(super) residual_rate: f32,
     /// Rate of the local coordinate x.
-    pub(super) x_rate: f32,
+    pub(super) x_per_half_period: f32,
 }
 
 impl SegmentBounds {
-    pub(super) const ZERO: Self = Self { error: 0.0, angular_speed: 0.0, residual_rate: 0.0, x_rate: 0.0 };
+    pub(super) const ZERO: Self =
+        Self { error: 0.0, angular_speed: 0.0, residual_rate: 0.0, x_per_half_period: 0.0 };
 
     /// Includes other segments.
     pub(super) fn include(&mut self, other: &Self) {
@@ -50,7 +51,7 @@ impl SegmentBounds {
         include(&mut self.error, other.error);
         include(&mut self.angular_speed, other.angular_speed);
         include(&mut self.residual_rate, other.residual_rate);
-        include(&mut self.x_rate, other.x_rate);
+        include(&mut self.x_per_half_period, other.x_per_half_period);
     }
 
     /// Greatest change of the orientation on half a segment, which is at most one cell, rad.
@@ -74,7 +75,7 @@ pub(super) fn store_segment<R: TableScalar>(
     mut stored_segment: Option<&mut R::Segment>,
     pause: &mut dyn FnMut(),
 ) -> SegmentBounds {
-    let PathMemory { expansion, polynomials, segment: polynomial, .. } = &mut *path.memory;
+    let PathScratch { expansion, polynomials, segment: polynomial, .. } = &mut *path.memory;
     let halvings = segment.depth - span.depth;
     let mut product_error = 0.0_f32;
     let mut truncation_squared = 0.0;
@@ -97,11 +98,11 @@ pub(super) fn store_segment<R: TableScalar>(
         pause();
     }
     // x is 2 longer at the end of a segment
-    let x_rate = (2_u32 << segment.depth) as f32;
+    let x_per_half_period = (2_u32 << segment.depth) as f32;
     SegmentBounds {
         error: 2.0 * TABLE_UNIT as f32 * Float::sqrt(truncation_squared) + product_error,
-        angular_speed: 2.0 * TABLE_UNIT as f32 * Float::sqrt(slope_squared) * x_rate,
+        angular_speed: 2.0 * TABLE_UNIT as f32 * Float::sqrt(slope_squared) * x_per_half_period,
         residual_rate: expansion.greatest_residual_rate() * (2_u32 << span.depth) as f32,
-        x_rate,
+        x_per_half_period,
     }
 }
