@@ -13,7 +13,7 @@ mod rotations {
 mod motion {
     mod conditioning;
     mod conservation;
-    mod from_launch_to_table;
+    mod each_stage;
     #[cfg(feature = "host")]
     mod lagrangian;
     mod normal_force;
@@ -28,7 +28,6 @@ mod motion {
 /// Tables: accuracy in every scalar, their clock, their memory.
 mod table {
     mod baked;
-    mod bounds;
     mod clock;
     mod rates;
     mod samples;

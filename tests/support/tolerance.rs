@@ -71,11 +71,11 @@ pub const OTHER_TOPS_STEPPER_F64: [f64; 2] = [1e-14; 2];
 pub const OTHER_TOPS_STEPPER_F32: [f64; 2] = [3e-6; 2];
 pub const OTHER_TOPS_TABLE: [f64; 2] = [2e-15; 2];
 
-// motion/from_launch_to_table.rs
-pub const LAUNCH_TO_TABLE_L_N_H: f64 = 4e-16;
-pub const LAUNCH_TO_TABLE_PERIOD: [f64; 2] = [4e-16, 3e-16];
-pub const LAUNCH_TO_TABLE_STEPPER: [f64; 4] = [3e-13, 1e-11, 3e-16, 6e-6];
-pub const LAUNCH_TO_TABLE_REDUCED_MOTION_AND_TIP: [f64; 3] = [3e-13; 3];
+// motion/each_stage.rs
+pub const EACH_STAGE_L_N_H: f64 = 4e-16;
+pub const EACH_STAGE_PERIOD: [f64; 2] = [4e-16, 3e-16];
+pub const EACH_STAGE_STEPPER: [f64; 4] = [3e-13, 1e-11, 3e-16, 6e-6];
+pub const EACH_STAGE_REDUCED_MOTION_AND_TIP: [f64; 3] = [3e-13; 3];
 
 // motion/tip_curve.rs
 pub const TIP_CURVE_DERIVATIVES: [f64; 2] = [2e-3, 1e-3];

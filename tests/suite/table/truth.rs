@@ -1,9 +1,12 @@
-//! Tables against exact values: the orientation up to 10⁹ periods, and the other quantities of a sample.
+//! Tables against exact values: the orientation up to 10⁹ periods, and the other quantities of a sample. Errors are within their stated bounds,
+//! and reach a part of them.
 
 use fixed::types::{I2F14, I2F30};
-use toytop::{Complex, TableScalar};
+use toytop::{Complex, TableF64, TableScalar};
 use toytop_tests::vectors::{self, Vector};
-use toytop_tests::{check_all, keep, kilohertz, length, table_if_it_fits, tolerance, widened};
+use toytop_tests::{
+    check_all, greater, keep, kilohertz, length, table_if_it_fits, table_of, tolerance, widened,
+};
 
 /// Largest errors of a vector's samples: of the orientation over the first periods, and near 10³, 10⁶ and 10⁹ periods; of u, of u' relative
 /// to ω or 1, and of the tip, in the type of lengths and in the scalar itself, relative to its length. `None` if the table is too
@@ -88,4 +91,23 @@ fn tables_of_every_vector_are_right() {
         keep(&mut greatest, if near_separatrix { [0.0, first] } else { [first, 0.0] });
     }
     check_all(["any input", "near the separatrix"], greatest, tolerance::TRUTH_OF_EVERY_VECTOR);
+}
+
+/// Greatest rounding error of a tick over its bound, against a table in `f64` with the same clock.
+fn share_of_bound<R: TableScalar + Into<f64>>() -> f64 {
+    let motion = vectors::motion("exact_generic_pm");
+    let table = table_of::<R, 256>(&motion, kilohertz());
+    let double = TableF64::new(&motion, kilohertz()).unwrap();
+    let worst = (0..300_000).map(|n| 7919 * n).fold(0.0, |worst: f64, n| {
+        greater(worst, widened(table.at_tick(n).orientation()).distance(&double.at_tick(n).orientation()))
+    });
+    worst / table.error_bound().constant
+}
+
+#[test]
+fn errors_of_ticks_reach_a_part_of_their_bounds() {
+    let shares = [share_of_bound::<f32>(), share_of_bound::<I2F30>(), share_of_bound::<I2F14>()];
+    for (share, least) in shares.into_iter().zip([0.2, 0.4, 0.2]) {
+        assert!((least..1.0).contains(&share), "{shares:?}");
+    }
 }

@@ -26,7 +26,7 @@ fn first_integrals_from_branch_points_and_from_states_agree() {
             let scale = truth.iter().fold(0.0_f64, |scale, x| scale.max(x.abs()));
             [0, 1, 2].map(|i| relative([l, n, h][i], truth[i], scale))
         });
-    check("l, n, h", worst(errors), tolerance::LAUNCH_TO_TABLE_L_N_H);
+    check("l, n, h", worst(errors), tolerance::EACH_STAGE_L_N_H);
 }
 
 /// Errors of the nutation period, relative, and of the phase advances over it, rad. Rounded inputs have an effect on them that is an
@@ -57,7 +57,7 @@ fn periods_and_phase_advances_are_those_of_the_vectors() {
         }
     }
     assert!(exact >= 15);
-    check_all(["exact inputs", "rounded inputs"], worst, tolerance::LAUNCH_TO_TABLE_PERIOD);
+    check_all(["exact inputs", "rounded inputs"], worst, tolerance::EACH_STAGE_PERIOD);
 }
 
 /// Calls `at` with the stepper at every sample, forward and backward from t = 0, with `steps` steps a period.
@@ -127,8 +127,8 @@ fn the_stepper_follows_the_vectors() {
     }
     assert!(near >= 2);
     let what = ["f64", "A/(ps) = 1/16", "near the separatrix, times e3 - e2", "f32"];
-    check_all(what, orientations, tolerance::LAUNCH_TO_TABLE_STEPPER);
-    check_all(["u and u'", "tip", "tip angle"], others, tolerance::LAUNCH_TO_TABLE_REDUCED_MOTION_AND_TIP);
+    check_all(what, orientations, tolerance::EACH_STAGE_STEPPER);
+    check_all(["u and u'", "tip", "tip angle"], others, tolerance::EACH_STAGE_REDUCED_MOTION_AND_TIP);
 }
 
 /// Advance of the tip angle where those of α and β nearly cancel, against the trapezoid rule at 50 digits.
