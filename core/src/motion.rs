@@ -81,17 +81,13 @@ impl Motion {
     /// Cost: one integration.
     pub fn period_advance(&self) -> Option<PeriodAdvance> {
         let windings = Ellipses::oscillating(&self.e, self.signs, Extended::to_f64).windings();
-        let period = self.period(2, &self.equations(), &mut || {})?;
+        let period = self.period::<2>(&self.equations(), &mut || {})?;
         Some(PeriodAdvance::new(&period, self.half_tau, windings))
     }
 
-    /// Nutation period.
-    ///
-    /// * `words`: 1 to integrate it in numbers of 64 bits, 2 of 128 bits
-    #[inline(always)] // only one of the two integrations is then linked
-    pub(crate) fn period(
+    /// Nutation period, integrated in numbers of `WORDS` times 64 bits.
+    pub(crate) fn period<const WORDS: usize>(
         &self,
-        words: usize,
         equations: &PhaseEquations<Extended>,
         pause: &mut dyn FnMut(),
     ) -> Option<Period> {
@@ -100,10 +96,8 @@ impl Motion {
             return (self.torque_free_rate > Extended::ZERO)
                 .then(|| Period::torque_free(half_turn / self.torque_free_rate));
         }
-        (self.e.e3_minus_e2 > Extended::ZERO).then(|| match words {
-            1 => Period::integrated(&equations.map(Wide::<1>::from_extended), pause),
-            _ => Period::integrated(equations, pause),
-        })
+        (self.e.e3_minus_e2 > Extended::ZERO)
+            .then(|| Period::integrated(&equations.map(Wide::<WORDS>::from_extended), pause))
     }
 
     /// Winding numbers of the ellipses of α and β; 1 for a steady motion.

@@ -25,7 +25,10 @@ mod coefficient_i16;
 mod coefficient_f64;
 
 use crate::complex::Complex;
-use crate::scalar::{Float, Real, Ring, Scalar};
+use crate::motion::Motion;
+use crate::motion::period::Period;
+use crate::motion::phase_equations::PhaseEquations;
+use crate::scalar::{Extended, Float, Real, Ring, Scalar};
 use crate::su2::{Orientation, Vector};
 use core::fmt::Debug;
 
@@ -81,9 +84,6 @@ pub trait TableScalar: Scalar + Into<f64> + 'static {
     #[doc(hidden)]
     type PathNumber: Float;
 
-    /// Number of 64-bit words in which a set-up integrates the nutation period.
-    #[doc(hidden)]
-    const PERIOD_WORDS: usize = 1;
     /// Number of coefficients of a polynomial.
     const TERMS: usize;
     /// Truncation error of a table unless another one is chosen, rad.
@@ -96,6 +96,15 @@ pub trait TableScalar: Scalar + Into<f64> + 'static {
     #[doc(hidden)]
     const ERRORS: EvaluationErrors;
 
+    /// Nutation period, integrated in as many bits as the table needs.
+    #[doc(hidden)]
+    fn period(
+        motion: &Motion,
+        equations: &PhaseEquations<Extended>,
+        pause: &mut dyn FnMut(),
+    ) -> Option<Period> {
+        motion.period::<1>(equations, pause)
+    }
     /// Nearest value of the scalar.
     #[doc(hidden)]
     fn from_number(number: Self::Number) -> Self;

@@ -71,11 +71,8 @@ impl HalfPeriod {
         memory.begin(motion);
         pause();
         // a steady motion has the period of an infinitesimal nutation, which does not count
-        let period = if motion.has_constant_tilt() {
-            None
-        } else {
-            motion.period(R::PERIOD_WORDS, &memory.equations, pause)
-        };
+        let period =
+            if motion.has_constant_tilt() { None } else { R::period(motion, &memory.equations, pause) };
         self.mean_rates = MeanRates::new(motion, period.as_ref());
         pause();
         match period {

@@ -1,6 +1,9 @@
 //! Evaluation in `f64`.
 
 use crate::complex::Complex;
+use crate::motion::Motion;
+use crate::motion::period::Period;
+use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::{Extended, Scalar, fraction_of_word, sine_cosine_f64};
 use crate::su2::Vector;
 use crate::table::evaluation::{
@@ -14,7 +17,6 @@ impl TableScalar for f64 {
     type Quantity = Self;
     type PathNumber = Extended;
 
-    const PERIOD_WORDS: usize = 2;
     const TERMS: usize = 11;
     const ZERO_SEGMENT: Self::Segment = [[0.0; 4]; 11];
     const CODE: u32 = 64;
@@ -24,6 +26,14 @@ impl TableScalar for f64 {
         omega: 0.0,
         relative_omega: 11.0 * <Self as Scalar>::ROUNDING,
     };
+
+    fn period(
+        motion: &Motion,
+        equations: &PhaseEquations<Extended>,
+        pause: &mut dyn FnMut(),
+    ) -> Option<Period> {
+        motion.period::<2>(equations, pause)
+    }
 
     #[inline]
     fn from_number(number: Self) -> Self {
